@@ -1,0 +1,8 @@
+(** The one exception of scc: a fault of the program itself, never of its input. *)
+
+exception Bug of (string * int * int * int) * string
+(** [Bug (pos, what)]: the invariant [what] was found broken at [pos]
+    (the value of [__POS__]). The command line reports it and exits with 70. *)
+
+val fail : string * int * int * int -> string -> 'a
+(** [fail __POS__ what] raises {!Bug}. *)

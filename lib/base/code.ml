@@ -1,0 +1,114 @@
+type t = string
+
+let cannot_read = "SC0101"
+let not_text = "SC0102"
+let cannot_write = "SC0103"
+let lexical = "SC0104"
+let unterminated = "SC0105"
+let number_too_large = "SC0106"
+let zero_denominator = "SC0107"
+let syntax = "SC0110"
+let too_deep = "SC0111"
+let empty_model = "SC0112"
+let unknown_name = "SC0201"
+let duplicate_name = "SC0202"
+let unknown_feature = "SC0203"
+let bad_index = "SC0204"
+let type_mismatch = "SC0205"
+let bad_arity = "SC0206"
+let division_by_zero = "SC0207"
+let bad_value = "SC0208"
+let unknown_parameter = "SC0209"
+let wrong_kind = "SC0210"
+let unused = "SC0211"
+let repeated_attribute = "SC0212"
+let no_solid = "SC0301"
+let open_solid = "SC0302"
+let overused_edge = "SC0303"
+let bad_vertices = "SC0304"
+let not_planar = "SC0305"
+let not_convex_face = "SC0306"
+let not_convex = "SC0307"
+let coplanar_faces = "SC0308"
+let inward_faces = "SC0309"
+let several_solids = "SC0310"
+let bad_transformation = "SC0311"
+let off_centre = "SC0312"
+let bad_mesh = "SC0320"
+let mesh_format = "SC0321"
+let not_touching = "SC0401"
+let not_highest = "SC0402"
+let interpenetration = "SC0403"
+let velocity_mismatch = "SC0404"
+let not_connected = "SC0405"
+let cyclic_bonds = "SC0406"
+let fixed_motion = "SC0407"
+let bare_feature = "SC0408"
+let unguarded = "SC0501"
+let negative_delay = "SC0502"
+let empty_channel = "SC0503"
+let wrong_template = "SC0504"
+let bad_law = "SC0601"
+let not_a_formula = "SC0701"
+let bad_schedule = "SC0801"
+let schedule_mismatch = "SC0802"
+let not_yet = "SC0901"
+let spin_not_yet = "SC0902"
+
+let all =
+  [
+    (cannot_read, "a file cannot be read");
+    (not_text, "a file is not UTF-8 text");
+    (cannot_write, "an output cannot be written");
+    (lexical, "a character or token that is not of the language");
+    (unterminated, "a comment or string without its end");
+    (number_too_large, "a number beyond the stated size limit");
+    (zero_denominator, "a division by the literal zero");
+    (syntax, "text that does not fit the grammar");
+    (too_deep, "nesting or repetition beyond the stated limit");
+    (empty_model, "a model that declares nothing");
+    (unknown_name, "a name that is not declared");
+    (duplicate_name, "a name declared twice");
+    (unknown_feature, "a feature that the shape does not have");
+    (bad_index, "an index that is missing, not an integer or out of range");
+    (type_mismatch, "an expression of the wrong type");
+    (bad_arity, "a wrong number of arguments or components");
+    (division_by_zero, "a division by zero in a constant expression");
+    (bad_value, "a value out of its range (a mass that is not positive, a step that is zero)");
+    (unknown_parameter, "an override of a parameter that the model does not have");
+    (wrong_kind, "a name that stands for something else than is needed here");
+    (unused, "a declaration that nothing uses");
+    (repeated_attribute, "an attribute or setting given twice");
+    (no_solid, "a set of faces that encloses no solid (E0)");
+    (open_solid, "an edge that belongs to one face only (E2)");
+    (overused_edge, "a directed edge that occurs in two faces (E1)");
+    (bad_vertices, "vertices that coincide or that no face uses (E3)");
+    (not_planar, "a face that is not planar (E4)");
+    (not_convex_face, "a face that is not a simple, strictly convex polygon (E4)");
+    (not_convex, "a vertex in front of a face plane (E5)");
+    (coplanar_faces, "coplanar neighbouring faces (E5)");
+    (inward_faces, "faces oriented inward (clockwise)");
+    (several_solids, "faces of two or more separate solids");
+    (bad_transformation, "an affine map that is singular or a reflection");
+    (off_centre, "a template whose centroid is not the origin of body space (a warning)");
+    (bad_mesh, "a mesh file that does not fit its format");
+    (mesh_format, "a mesh format that is not supported");
+    (not_touching, "features that do not touch");
+    (not_highest, "a glue that is not the highest touching pair");
+    (interpenetration, "bodies that interpenetrate");
+    (velocity_mismatch, "parts of one body with different motions");
+    (not_connected, "a compound whose glues do not join its parts into a tree");
+    (cyclic_bonds, "bonds that close a cycle");
+    (fixed_motion, "a fixed body that is given a motion or a mass");
+    (bare_feature, "a bare feature name on a compound");
+    (unguarded, "a recursion that is not guarded");
+    (negative_delay, "a negative delay");
+    (empty_channel, "a channel or a strong split without entries");
+    (wrong_template, "a behaviour used on another template than its own");
+    (bad_law, "a law of motion that cannot be evaluated");
+    (not_a_formula, "a check that is not a temporal formula");
+    (bad_schedule, "a schedule that does not fit its format or the model");
+    (schedule_mismatch, "a choice that is not possible where it is made");
+    (not_yet, "a feature of the language that this version does not execute");
+    (spin_not_yet, "angular velocity, which this version does not execute");
+  ]

@@ -1,0 +1,194 @@
+(** The stable codes of diagnostics. A code, once released, keeps its meaning. *)
+
+type t = private string
+
+val all : (t * string) list
+(** Every code with the fault that it stands for, in order. *)
+
+(** {1 Reading files and text} *)
+
+val cannot_read : t
+(** SC0101: a file cannot be read. *)
+
+val not_text : t
+(** SC0102: a file is not UTF-8 text. *)
+
+val cannot_write : t
+(** SC0103: an output cannot be written. *)
+
+val lexical : t
+(** SC0104: a character or token that is not of the language. *)
+
+val unterminated : t
+(** SC0105: a comment or string without its end. *)
+
+val number_too_large : t
+(** SC0106: a number beyond the stated size limit. *)
+
+val zero_denominator : t
+(** SC0107: a division by the literal zero. *)
+
+val syntax : t
+(** SC0110: text that does not fit the grammar. *)
+
+val too_deep : t
+(** SC0111: nesting or repetition beyond the stated limit. *)
+
+val empty_model : t
+(** SC0112: a model that declares nothing. *)
+
+
+(** {1 Names and values} *)
+
+val unknown_name : t
+(** SC0201: a name that is not declared. *)
+
+val duplicate_name : t
+(** SC0202: a name declared twice. *)
+
+val unknown_feature : t
+(** SC0203: a feature that the shape does not have. *)
+
+val bad_index : t
+(** SC0204: an index that is missing, not an integer or out of range. *)
+
+val type_mismatch : t
+(** SC0205: an expression of the wrong type. *)
+
+val bad_arity : t
+(** SC0206: a wrong number of arguments or components. *)
+
+val division_by_zero : t
+(** SC0207: a division by zero in a constant expression. *)
+
+val bad_value : t
+(** SC0208: a value out of its range (a mass that is not positive, a step that is zero). *)
+
+val unknown_parameter : t
+(** SC0209: an override of a parameter that the model does not have. *)
+
+val wrong_kind : t
+(** SC0210: a name that stands for something else than is needed here. *)
+
+val unused : t
+(** SC0211: a declaration that nothing uses. *)
+
+val repeated_attribute : t
+(** SC0212: an attribute or setting given twice. *)
+
+
+(** {1 Templates (Definitions 4.1 to 4.4)} *)
+
+val no_solid : t
+(** SC0301: a set of faces that encloses no solid (E0). *)
+
+val open_solid : t
+(** SC0302: an edge that belongs to one face only (E2). *)
+
+val overused_edge : t
+(** SC0303: a directed edge that occurs in two faces (E1). *)
+
+val bad_vertices : t
+(** SC0304: vertices that coincide or that no face uses (E3). *)
+
+val not_planar : t
+(** SC0305: a face that is not planar (E4). *)
+
+val not_convex_face : t
+(** SC0306: a face that is not a simple, strictly convex polygon (E4). *)
+
+val not_convex : t
+(** SC0307: a vertex in front of a face plane (E5). *)
+
+val coplanar_faces : t
+(** SC0308: coplanar neighbouring faces (E5). *)
+
+val inward_faces : t
+(** SC0309: faces oriented inward (clockwise). *)
+
+val several_solids : t
+(** SC0310: faces of two or more separate solids. *)
+
+val bad_transformation : t
+(** SC0311: an affine map that is singular or a reflection. *)
+
+val off_centre : t
+(** SC0312: a template whose centroid is not the origin of body space (a warning). *)
+
+val bad_mesh : t
+(** SC0320: a mesh file that does not fit its format. *)
+
+val mesh_format : t
+(** SC0321: a mesh format that is not supported. *)
+
+
+(** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; section 5)} *)
+
+val not_touching : t
+(** SC0401: features that do not touch. *)
+
+val not_highest : t
+(** SC0402: a glue that is not the highest touching pair. *)
+
+val interpenetration : t
+(** SC0403: bodies that interpenetrate. *)
+
+val velocity_mismatch : t
+(** SC0404: parts of one body with different motions. *)
+
+val not_connected : t
+(** SC0405: a compound whose glues do not join its parts into a tree. *)
+
+val cyclic_bonds : t
+(** SC0406: bonds that close a cycle. *)
+
+val fixed_motion : t
+(** SC0407: a fixed body that is given a motion or a mass. *)
+
+val bare_feature : t
+(** SC0408: a bare feature name on a compound. *)
+
+
+(** {1 Behaviours (Definition 5.1)} *)
+
+val unguarded : t
+(** SC0501: a recursion that is not guarded. *)
+
+val negative_delay : t
+(** SC0502: a negative delay. *)
+
+val empty_channel : t
+(** SC0503: a channel or a strong split without entries. *)
+
+val wrong_template : t
+(** SC0504: a behaviour used on another template than its own. *)
+
+
+(** {1 Motion} *)
+
+val bad_law : t
+(** SC0601: a law of motion that cannot be evaluated. *)
+
+
+(** {1 Properties} *)
+
+val not_a_formula : t
+(** SC0701: a check that is not a temporal formula. *)
+
+
+(** {1 Schedules and traces} *)
+
+val bad_schedule : t
+(** SC0801: a schedule that does not fit its format or the model. *)
+
+val schedule_mismatch : t
+(** SC0802: a choice that is not possible where it is made. *)
+
+
+(** {1 Not yet} *)
+
+val not_yet : t
+(** SC0901: a feature of the language that this version does not execute. *)
+
+val spin_not_yet : t
+(** SC0902: angular velocity, which this version does not execute. *)

@@ -1,0 +1,43 @@
+(** Diagnostics: what is wrong with an input, where, and what to do about it. *)
+
+type severity = Error | Warning
+
+type t = {
+  code : string;  (** stable, listed in {!Code}, e.g. ["SC0201"] *)
+  severity : severity;
+  span : Span.t;  (** {!Span.none} when no text is at fault *)
+  message : string;  (** one sentence, no final full stop *)
+  notes : (Span.t * string) list;  (** other places that matter *)
+  hint : string option;  (** e.g. ["did you mean `top`?"] *)
+}
+
+val error :
+  ?notes:(Span.t * string) list ->
+  ?hint:string ->
+  Code.t ->
+  Span.t ->
+  ('a, unit, string, t) format4 ->
+  'a
+(** [error code span fmt ...] is an error with the message [fmt ...]. *)
+
+val warning :
+  ?notes:(Span.t * string) list ->
+  ?hint:string ->
+  Code.t ->
+  Span.t ->
+  ('a, unit, string, t) format4 ->
+  'a
+
+val is_error : t -> bool
+
+val compare : t -> t -> int
+(** The order of the text; then errors before warnings, then by code and message. *)
+
+val suggest : string -> string list -> string option
+(** [suggest name candidates] is the hint ["did you mean `c`?"] for the candidate nearest to [name] in
+    edit distance, if one is near enough to be a likely slip. *)
+
+val render : source:(string -> Source.t option) -> t -> string
+(** Several lines for a person, the last ended by a newline: the place [file:line:column], severity and
+    code, the message, the lines of the text with carets under the span, notes and hint. Columns count
+    Unicode code points from 1. [source] finds the text of a file by the name in the span. *)

@@ -1,0 +1,86 @@
+(** Behaviours (Definition 5.1 and section 2 of the rule book). *)
+
+open Scc_exact
+
+(** A channel's name and active surface. *)
+type channel = private {
+  name : string;
+  sites : Site.t list;  (** Phi as listed, sorted; not empty *)
+  closure : Site.t list;  (** closure(Phi), sorted *)
+}
+
+val channel : name:string -> sites:Site.t list -> closure:Site.t list -> channel
+(** Sorts both lists and drops repetitions; [closure] must be the closure of [sites] (the caller knows the
+    shapes). *)
+
+val active : channel -> Site.t -> bool
+(** Whether a feature is in closure(Phi). *)
+
+(** alpha ranges over names a and co-names ~a. *)
+type polarity = Name | Co_name
+
+type t = private
+  | Nil
+  | Open of polarity * channel * t  (** <alpha, Phi>. B *)
+  | Weak of channel * t  (** omega(a, Phi). B *)
+  | Strong of channel list * t  (** rho(L). B; L sorted, not empty *)
+  | Delay of Rat.t * t  (** eps(t). B with t > 0: eps(0).B is B *)
+  | Sum of t * t
+  | Call of int  (** K, an index into the definitions *)
+
+val nil : t
+val open_ : polarity -> channel -> t -> t
+val weak : channel -> t -> t
+val strong : channel list -> t -> t
+
+val delay : Rat.t -> t -> t
+(** [delay t b] is [b] when t = 0 (canonical form); t is not negative. *)
+
+val sum : t -> t -> t
+val call : int -> t
+
+(** A definition K := B. *)
+type definition = { name : string; body : t }
+
+type definitions = definition array
+
+(** A behaviour in a state, with where it comes from: [origin] is the K whose ageing gave [term], if any;
+    always [Some k] when [term] is [Call k]. *)
+type aged = private { origin : int option; term : t }
+
+val fresh : t -> aged
+(** A behaviour that a discrete transition has just reached (or an initial one). *)
+
+(** {1 Discrete rules Pre, Weak, Strong, Sum, Def, Eps0} *)
+
+(** A summand that a behaviour offers, with what follows it. *)
+type offer =
+  | Offer_open of polarity * channel * t
+  | Offer_weak of channel * t
+  | Offer_strong of channel list * t
+
+val offers : definitions -> aged -> offer list
+(** Every discrete transition, in the order of the text, without repetition. *)
+
+(** {1 Time rules} *)
+
+val horizon : definitions -> aged -> Rat.t option
+(** The least positive residual of an exposed eps; [None] for infinity. *)
+
+val pass : definitions -> Rat.t -> aged -> aged
+(** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed
+    eps stay folded. *)
+
+(** {1 Guardedness} *)
+
+val unguarded : definitions -> int list
+(** The definitions from whose body their own name is reachable without a prefix or an eps(t), t > 0. *)
+
+(** {1 Canonical terms} *)
+
+val equal : t -> t -> bool
+val compare : t -> t -> int
+val hash : t -> int
+val equal_aged : aged -> aged -> bool
+val compare_aged : aged -> aged -> int
+val hash_aged : aged -> int

@@ -1,0 +1,11 @@
+open Scc_geometry
+
+type t = { part : int; feature : Feature.t }
+
+let equal a b = a.part = b.part && Feature.equal a.feature b.feature
+
+let compare a b =
+  let c = Int.compare a.part b.part in
+  if c <> 0 then c else Feature.compare a.feature b.feature
+
+let hash a = (a.part * 65599) + Feature.hash a.feature

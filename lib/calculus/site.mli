@@ -1,0 +1,13 @@
+(** Places on the surface of a leaf's shape: the features s.phi of Definition 5.1, with the part of the
+    shape that has the feature. *)
+
+open Scc_geometry
+
+type t = {
+  part : int;  (** index into the parts of the leaf; 0 for a basic shape *)
+  feature : Feature.t;
+}
+
+val equal : t -> t -> bool
+val compare : t -> t -> int
+val hash : t -> int

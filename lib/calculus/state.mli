@@ -1,0 +1,67 @@
+(** States of a network: processes as flat trees of leaves and bonds (Definition 5.2, reading I-5) in
+    canonical form, so that equality is structural congruence. *)
+
+open Scc_exact
+
+type leaf = {
+  leaf : int;  (** index into {!Model.leaves} *)
+  position : Vec.t;  (** of the leaf's reference point, in the world *)
+  behaviour : Behaviour.aged;
+}
+
+(** One end of a bond. *)
+type finish = { at : int;  (** the leaf *) site : Site.t }
+
+(** <a, {phi1, phi2}>; the lesser end first. *)
+type bond = private { name : string; one : finish; two : finish }
+
+val bond : string -> finish -> finish -> bond
+
+type process = private {
+  leaves : leaf array;  (** in order of [leaf]; not empty *)
+  bonds : bond array;  (** sorted; a tree over the leaves *)
+  velocity : Vec.t;
+  clock : Rat.t option;
+  (** reading I-9: time since the split clock was set, modulo the split step; [Some] iff a weak split is
+      enabled *)
+}
+
+(** Where the network is in its movement step (only kept when {!Model.steered}). *)
+type phase =
+  | Moving  (** not steered at this instant, and the step is not over *)
+  | Due  (** the step is over, and this instant has not been steered *)
+  | Steered  (** this instant has been steered *)
+
+type step = { remaining : Rat.t;  (** 0 < r <= Delta, or 0 while [Due] *) phase : phase }
+
+type t = private {
+  processes : process array;  (** in order of their first leaves *)
+  step : step option;
+  time : Rat.t option;  (** absolute, only when {!Model.keeps_time} *)
+}
+
+val process : leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> process
+(** Canonical order. The bonds must join the leaves into a tree (a bug otherwise). *)
+
+val make : processes:process list -> step:step option -> time:Rat.t option -> t
+
+val find_leaf : t -> int -> int * leaf
+(** The index of the process that has a leaf, and the leaf. *)
+
+val mass : Model.t -> process -> Rat.t option
+(** [None] for a process that holds a fixed leaf. *)
+
+val size : Model.t -> process -> int
+(** The number of basic shapes. *)
+
+val part_position : Model.t -> leaf -> int -> Vec.t
+(** World position of the reference point of a part. *)
+
+val components : leaf array -> bond array -> (leaf list * bond list) list
+(** The connected components, in order of their first leaves: the pieces that remain when bonds go. *)
+
+val equal : t -> t -> bool
+val compare : t -> t -> int
+val hash : t -> int
+val equal_bond : bond -> bond -> bool
+val compare_bond : bond -> bond -> int

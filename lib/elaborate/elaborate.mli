@@ -1,0 +1,27 @@
+(** From the syntax tree of a model to the terms of the calculus: names, loops, templates, properties, and
+    every static check of section 5 of the rule book. *)
+
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+open Scc_property
+
+type t = {
+  name : string option;  (** from [model NAME] *)
+  parameters : (string * Rat.t) list;  (** with their values in this run, in order *)
+  templates : (string * Polyhedron.t) list;  (** in order of declaration *)
+  model : Model.t;
+  declared : State.t;  (** as declared: before {!Scc_semantics} sets clocks and steers *)
+  checks : Property.check list;
+  warnings : Diag.t list;
+}
+
+val elaborate :
+  read_file:(string -> (string, string) result) ->
+  overrides:(string * Rat.t) list ->
+  Scc_syntax.Ast.model ->
+  (t, Diag.t list) result
+(** [read_file] is given the path of a mesh as written (the caller resolves it relative to the model) and
+    returns its bytes or why it cannot be read. [overrides] are the values given by [-D]. Errors are sorted;
+    as many as make sense are reported at once. *)

@@ -1,0 +1,97 @@
+type t = Q.t
+
+let zero = Q.zero
+let one = Q.one
+let of_int = Q.of_int
+let make = Q.make
+let add = Q.add
+let sub = Q.sub
+let mul = Q.mul
+
+let div a b =
+  if Q.sign b = 0 then Scc_base.Bug.fail __POS__ "division by zero" else Q.div a b
+
+let neg = Q.neg
+let abs = Q.abs
+let min = Q.min
+let max = Q.max
+let sign = Q.sign
+let equal = Q.equal
+let compare = Q.compare
+let hash x = (Z.hash (Q.num x) * 31) + Z.hash (Q.den x)
+let is_integer x = Z.equal (Q.den x) Z.one
+let floor x = Z.fdiv (Q.num x) (Q.den x)
+
+let half = Q.of_ints 1 2
+
+let round_to x ~quantum =
+  let k = Q.div (Q.abs x) quantum in
+  let n = floor (Q.add k half) in
+  let r = Q.mul (Q.of_bigint n) quantum in
+  if Q.sign x < 0 then Q.neg r else r
+
+let modulo x m = Q.sub x (Q.mul m (Q.of_bigint (floor (Q.div x m))))
+let to_string = Q.to_string
+
+(* [Q.to_float] of Zarith 1.12 rounds correctly. *)
+let to_float = Q.to_float
+let bits x = Z.numbits (Q.num x) + Z.numbits (Q.den x)
+let max_digits = 100_000
+
+type literal_error = Malformed | Too_large | Zero_denominator
+
+let is_digit c = c >= '0' && c <= '9'
+
+(* [digits s i] is the end of the run of digits of [s] that starts at [i]. *)
+let rec digits s i = if i < String.length s && is_digit s.[i] then digits s (i + 1) else i
+
+let unsigned_decimal s =
+  let n = String.length s in
+  let i = digits s 0 in
+  let j = if i < n && s.[i] = '.' then digits s (i + 1) else i in
+  let fraction = if j > i then j - i - 1 else 0 in
+  if i = 0 || (j = i + 1) then Error Malformed
+  else if j > max_digits then Error Too_large
+  else
+    let exponent =
+      if j = n then Ok 0
+      else if s.[j] <> 'e' && s.[j] <> 'E' then Error Malformed
+      else
+        let k = if j + 1 < n && (s.[j + 1] = '-' || s.[j + 1] = '+') then j + 2 else j + 1 in
+        if k >= n || digits s k <> n then Error Malformed
+        else if n - k > 9 then Error Too_large
+        else
+          let e = int_of_string ("0u" ^ String.sub s k (n - k)) in
+          Ok (if s.[j + 1] = '-' then -e else e)
+    in
+    match exponent with
+    | Error e -> Error e
+    | Ok e when i + fraction + Stdlib.abs e > max_digits -> Error Too_large
+    | Ok e ->
+      let whole = String.sub s 0 i in
+      let part = if fraction > 0 then String.sub s (i + 1) fraction else "" in
+      let mantissa = Z.of_string (whole ^ part) in
+      let shift = e - fraction in
+      let ten k = Z.pow (Z.of_int 10) k in
+      Ok
+        (if shift >= 0 then Q.of_bigint (Z.mul mantissa (ten shift))
+         else Q.make mantissa (ten (-shift)))
+
+let unsigned s =
+  match String.index_opt s '/' with
+  | None -> unsigned_decimal s
+  | Some i -> (
+      let n = String.length s in
+      match (unsigned_decimal (String.sub s 0 i), unsigned_decimal (String.sub s (i + 1) (n - i - 1))) with
+      | Error e, _ | _, Error e -> Error e
+      | Ok _, Ok d when Q.sign d = 0 -> Error Zero_denominator
+      | Ok a, Ok d -> Ok (Q.div a d))
+
+let of_literal s =
+  if String.length s = 0 then Error Malformed
+  else
+    let tail () = String.sub s 1 (String.length s - 1) in
+    match s.[0] with
+    | '-' -> Result.map Q.neg (unsigned (tail ()))
+    | '+' -> unsigned (tail ())
+    | _ -> unsigned s

@@ -1,0 +1,33 @@
+type t = { x : Rat.t; y : Rat.t; z : Rat.t }
+
+let make x y z = { x; y; z }
+let zero = make Rat.zero Rat.zero Rat.zero
+let of_ints x y z = make (Rat.of_int x) (Rat.of_int y) (Rat.of_int z)
+let add a b = make (Q.add a.x b.x) (Q.add a.y b.y) (Q.add a.z b.z)
+let sub a b = make (Q.sub a.x b.x) (Q.sub a.y b.y) (Q.sub a.z b.z)
+let neg a = make (Q.neg a.x) (Q.neg a.y) (Q.neg a.z)
+let scale k a = make (Q.mul k a.x) (Q.mul k a.y) (Q.mul k a.z)
+let axpy k a b = add (scale k a) b
+let dot a b = Q.add (Q.mul a.x b.x) (Q.add (Q.mul a.y b.y) (Q.mul a.z b.z))
+
+let cross a b =
+  make
+    (Q.sub (Q.mul a.y b.z) (Q.mul a.z b.y))
+    (Q.sub (Q.mul a.z b.x) (Q.mul a.x b.z))
+    (Q.sub (Q.mul a.x b.y) (Q.mul a.y b.x))
+
+let norm2 a = dot a a
+let is_zero a = Q.sign a.x = 0 && Q.sign a.y = 0 && Q.sign a.z = 0
+let equal a b = Q.equal a.x b.x && Q.equal a.y b.y && Q.equal a.z b.z
+
+let compare a b =
+  let c = Q.compare a.x b.x in
+  if c <> 0 then c
+  else
+    let c = Q.compare a.y b.y in
+    if c <> 0 then c else Q.compare a.z b.z
+
+let hash a = (((Rat.hash a.x * 31) + Rat.hash a.y) * 31) + Rat.hash a.z
+
+let to_string a =
+  Printf.sprintf "(%s, %s, %s)" (Rat.to_string a.x) (Rat.to_string a.y) (Rat.to_string a.z)

@@ -1,0 +1,31 @@
+(** Rational vectors of space. *)
+
+type t = { x : Rat.t; y : Rat.t; z : Rat.t }
+
+val zero : t
+val make : Rat.t -> Rat.t -> Rat.t -> t
+val of_ints : int -> int -> int -> t
+val add : t -> t -> t
+val sub : t -> t -> t
+val neg : t -> t
+val scale : Rat.t -> t -> t
+
+val axpy : Rat.t -> t -> t -> t
+(** [axpy a x y] is a x + y. *)
+
+val dot : t -> t -> Rat.t
+val cross : t -> t -> t
+
+val norm2 : t -> Rat.t
+(** The squared length. *)
+
+val is_zero : t -> bool
+val equal : t -> t -> bool
+
+val compare : t -> t -> int
+(** Lexicographic. *)
+
+val hash : t -> int
+
+val to_string : t -> string
+(** ["(x, y, z)"]. *)

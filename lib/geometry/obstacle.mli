@@ -1,0 +1,43 @@
+(** The Minkowski obstacle of two convex solids A and B: the set of offsets r (from the reference point of
+    A to that of B) at which A and B meet. As orientations do not change in the translational calculus, it
+    is made once for each pair of solids, and every query is then a look at its facets. *)
+
+open Scc_exact
+
+(** Offsets r with [normal . r * den >= num] separate A and B; with equality on all of... the plane
+    [normal . r = num/den] carries a facet of the obstacle. *)
+type facet = {
+  normal : Ivec.t;  (** primitive, pointing from A to B *)
+  num : Z.t;
+  den : Z.t;  (** positive *)
+}
+
+type t = private { a : Solid.t; b : Solid.t; facets : facet array }
+
+val make : Solid.t -> Solid.t -> t
+
+(** Section 1.4 of the rule book: closed sets, interiors. *)
+type relation = Apart | Touching | Interpenetrating
+
+val relation : t -> Vec.t -> relation
+
+val separating : t -> Vec.t -> Ivec.t list
+(** [separating o r] for touching bodies: the extreme directions n, from A to B, that separate them (the
+    normals of the facets that hold r). Not empty. *)
+
+val approaching : t -> Vec.t -> Vec.t -> bool
+(** [approaching o r w]: the bodies, touching at offset [r], would interpenetrate after every small delay
+    when [w] is the velocity of B less that of A. *)
+
+(** When a body moving in a straight line meets another. *)
+type cast =
+  | Never
+  | Inside  (** they interpenetrate at time 0 already *)
+  | At of Rat.t  (** the first t >= 0 at which they collide: the interiors meet right after it *)
+
+val first_time_of_contact : t -> Vec.t -> Vec.t -> cast
+(** [first_time_of_contact o r w]: offset [r] at time 0, relative velocity [w]. A graze is no collision. *)
+
+val meeting : t -> Vec.t -> Vec.t -> (Rat.t option * Rat.t option) option
+(** [meeting o r w] is the closed interval of real times (also negative) at which the closed bodies meet;
+    a bound is [None] when it is infinite. *)

@@ -1,0 +1,15 @@
+(** The elastic response of two rigid bodies in translation (section 4.3 of the rule book, reading I-13). *)
+
+open Scc_exact
+
+(** A touching pair of parts, one of each body. *)
+type touching = { obstacle : Obstacle.t; offset : Vec.t  (** from the part of the first to that of the second *) }
+
+val directions : touching list -> Vec.t -> Vec.t list
+(** [directions touching w]: the directions (from the first body to the second) that span the cone of the
+    collision, given all touching pairs of parts of the two bodies and the velocity [w] of the second less
+    that of the first: the extreme separating directions of the approaching pairs, less those whose facet
+    is covered by other parts (all of them are kept when every one is covered). *)
+
+val bounce : touching list -> Vec.t -> Vec.t
+(** The relative velocity after the collision: w + 2 proj(-w) on the cone above. *)

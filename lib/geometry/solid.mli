@@ -1,0 +1,24 @@
+(** A template seen through the linear part of its transformation T: integer coordinates over one
+    denominator, about the point where T takes the origin of body space. Solids are what the contact
+    queries take; bodies that differ by a translation share one. *)
+
+open Scc_exact
+
+type t = private {
+  id : int;  (** distinct for distinct solids of one model: the key of caches *)
+  polyhedron : Polyhedron.t;  (** the template, in body space *)
+  linear : Mat.t;
+  vertices : Ivec.t array;  (** over [denominator] *)
+  denominator : Z.t;  (** positive *)
+  normals : Ivec.t array;  (** primitive outward normal of each face *)
+  centroid : Vec.t;  (** of the uniform solid, about the same point *)
+  volume : Rat.t;
+  low : Vec.t;  (** least coordinates *)
+  high : Vec.t;  (** greatest coordinates *)
+}
+
+val make : id:int -> Polyhedron.t -> Mat.t -> t
+(** The determinant of the map is positive (a bug otherwise). *)
+
+val vertex : t -> int -> Vec.t
+(** The rational position of a vertex about the reference point. *)

@@ -1,0 +1,66 @@
+(** Properties after elaboration: names resolved, quantifiers over processes expanded (the leaves of a
+    network never change), constants folded. *)
+
+open Scc_exact
+open Scc_calculus
+
+type axis = X | Y | Z
+
+(** Numbers at a real instant of a run. Leaves are indices into {!Model.leaves}. *)
+type num =
+  | Const of Rat.t
+  | Bonds of string option * (int * int) option
+  (** the number of bonds of this name, between these two leaves *)
+  | Size of int  (** basic shapes in the leaf's whole process *)
+  | Processes
+  | Position of axis * int  (** of the centroid of the leaf's own shape *)
+  | Velocity of axis * int
+  | Speed2 of int
+  | Distance2 of int * int  (** between centroids *)
+  | Momentum of axis  (** of everything that is not fixed *)
+  | Energy  (** kinetic, of everything that is not fixed *)
+  | Time
+  | Count of prop list  (** how many of these hold *)
+  | Neg of num
+  | Add of num * num
+  | Sub of num * num
+  | Mul of num * num
+  | Div of num * num
+  | If of prop * num * num
+
+(** State predicates: they hold or not at a real instant. *)
+and prop =
+  | Bool of bool
+  | Compare of Law.comparison * num * num
+  | Bound of int * int  (** a bond joins the two leaves *)
+  | Same of int * int  (** one process *)
+  | Behaviour of int * int  (** leaf; definition K: its behaviour is K or what K became by the passing of time *)
+  | Offers of int * Behaviour.polarity option * string
+  (** the leaf offers a channel of this name now; [None]: of any kind (open with either polarity, weak or strong) *)
+  | Touching of int * int
+  | Quiescent
+  | Not of prop
+  | And of prop list
+  | Or of prop list
+
+type path_quantifier = All | Exists
+
+(** Bounds of model time; [low] is 0 but for [[a, b]]. *)
+type bound = { low : Rat.t; high : Rat.t option }
+
+type temporal =
+  | State of prop
+  | Temporal_not of temporal
+  | Temporal_and of temporal list
+  | Temporal_or of temporal list
+  | Next of path_quantifier * temporal
+  | Finally of path_quantifier * bound * temporal
+  | Globally of path_quantifier * bound * temporal
+  | Until of path_quantifier * bound * temporal * temporal
+
+type check = {
+  name : string;
+  span : Scc_base.Span.t;
+  text : string;  (** as the printer writes it *)
+  formula : temporal;
+}

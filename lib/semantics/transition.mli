@@ -1,0 +1,28 @@
+(** Transitions of a network as data: label, rules, target. *)
+
+open Scc_exact
+open Scc_calculus
+
+type label =
+  | Time of Rat.t
+  | Bind of State.bond  (** the bond that was made *)
+  | Bounce of int * int  (** the first leaves of the two processes, the lesser first *)
+  | Weak_split of State.bond
+  | Strong_split of State.bond list  (** sorted *)
+
+type t = {
+  label : label;
+  rules : Rule.t list;  (** which rules made it, the network's rule first *)
+  target : State.t;
+}
+
+(** Why a state's transitions cannot be computed. *)
+type fault = Bad_law of { leaf : int; fault : Law.fault }
+
+val duration : t -> Rat.t
+
+val label_to_string : Model.t -> label -> string
+(** [time(1/2)], [bind(a, p.right, q.left)], [bounce(p, q)], [weak(a, p.right, q.left)],
+    [strong({<a, {p.right, q.left}>, …})]. *)
+
+val fault_to_string : Model.t -> fault -> string

@@ -1,0 +1,139 @@
+(** The syntax tree of a model: what was written, with its places, before any name is looked up. *)
+
+open Scc_base
+
+type 'a loc = { it : 'a; at : Span.t }
+
+type name = string loc
+
+(** [c[i,j]]: a name with its indices (none for a plain name). *)
+type segment = { name : name; indices : expr list }
+
+(** [c[i].left.right]: at least one segment. *)
+and path = segment list loc
+
+(** Numbers, truth values, laws of motion and formulas are one syntax; elaboration tells them apart. *)
+and expr = expr_kind loc
+
+and expr_kind =
+  | Number of Q.t
+  | True
+  | False
+  | Path of path  (** a parameter, loop variable, [let], process, [momentum.x], [quiescent], … *)
+  | Co of name  (** [~a], an argument of [offers] *)
+  | Apply of name * expr list  (** [bonds(a)], [round(e, q)], … *)
+  | Neg of expr
+  | Not of expr
+  | Binary of binary * expr * expr
+  | If of expr * expr * expr
+  | Quantified of quantifier * name * name * expr  (** variable, template, body *)
+  | Temporal of temporal * bound option * expr
+  | Until of path_quantifier * expr * bound option * expr  (** [A[ f U[b] g ]] *)
+
+and binary = Add | Sub | Mul | Div | Lt | Le | Gt | Ge | Eq | Ne | And | Or | Implies
+and quantifier = Forall | Exists | Count
+and path_quantifier = A | E
+
+(** [possibly], [always] and [eventually] are EF, AG and AF with an English bound ([within t]). *)
+and temporal =
+  | Possibly
+  | Always
+  | Eventually
+  | Next of path_quantifier
+  | Finally of path_quantifier
+  | Globally of path_quantifier
+
+and bound =
+  | Within of expr  (** [within t] *)
+  | At_most of expr  (** [[<= t]] *)
+  | Between of expr * expr  (** [[a, b]] *)
+
+type vector = expr * expr * expr
+
+(** A feature as written: [right], [q.left.right], [[a,b]], [q.left.[a,b]]. *)
+type feature = feature_kind loc
+
+and feature_kind =
+  | Named of path  (** the last segment names a vertex or a face *)
+  | Tuple of path option * path list  (** [prefix.[v1,…,vn]]; a vertex may carry a prefix of its own *)
+
+type solid = solid_kind loc
+
+and solid_kind =
+  | Template of name
+  | Scaled of solid * vector
+  | Mesh of string loc  (** the file's path as written *)
+  | Faces of (name * vector) list * (name * name list) list  (** vertices, faces *)
+
+type transform = transform_kind loc
+
+and transform_kind =
+  | Translate of vector
+  | Rotate of expr * expr * expr * expr  (** a quaternion w, x, y, z *)
+  | Scale of vector
+  | Matrix of (expr * expr * expr * expr) list  (** four rows *)
+
+type attribute = attribute_kind loc
+
+and attribute_kind =
+  | Mass of expr
+  | Velocity of vector
+  | Spin of vector
+  | At of transform list  (** [T1 * T2 * …], the last applied first; not empty *)
+
+(** A channel [<a, {f1,…}>], [omega(a, {…})] or an entry of [rho]. *)
+type channel = { channel : name; co : bool; features : feature list; span : Span.t }
+
+type behaviour = behaviour_kind loc
+
+and behaviour_kind =
+  | Nil
+  | Open of channel * behaviour  (** [<alpha, Phi>. B] *)
+  | Weak of channel * behaviour  (** [omega(a, Phi). B] *)
+  | Strong of channel list * behaviour  (** [rho({…}). B] *)
+  | Delay of expr * behaviour  (** [eps(t). B] *)
+  | Sum of behaviour * behaviour
+  | Name of name  (** K *)
+
+(** A bond or a glue's pair: [<a, {f1, f2}>]. *)
+type bond = { bond : name; first : feature; second : feature; bond_span : Span.t }
+
+type part = { part : name; part_solid : solid; part_attributes : attribute list; part_span : Span.t }
+type glue = { glue_first : feature; glue_second : feature; glue_span : Span.t }
+
+(** One S[B] of a process: [label] is absent when the process has this leaf alone and gives it its name. *)
+type leaf = {
+  label : segment option;
+  solid : solid;
+  attributes : attribute list;
+  behaviour : behaviour option;  (** always present, but for [fixed] *)
+  leaf_span : Span.t;
+}
+
+type law = law_kind loc
+
+and law_kind =
+  | Inertial
+  | Expression of vector
+  | Choose of (vector * expr option) list  (** a weight with each, or none *)
+
+type item = item_kind loc
+
+and item_kind =
+  | Model of name
+  | Param of name * expr
+  | Timestep of expr
+  | Split_step of expr
+  | Shape of name * solid
+  | Compound of name * part list * glue list
+  | Behaviour of name * name option * behaviour  (** name, [on] template *)
+  | Process of segment * leaf * (bond * leaf) list
+  | Fixed of segment * leaf * (bond * leaf) list
+  | Bond of bond
+  | For of (name * expr * expr) list * item list
+  | Network of path list  (** empty for [network nil] *)
+  | Motion of path option * law  (** [None]: for every process *)
+  | Let of name * expr
+  | Check of name * expr
+
+type model = item list
