@@ -62,6 +62,13 @@ type offer =
 val offers : definitions -> aged -> offer list
 (** Every discrete transition, in the order of the text, without repetition. *)
 
+(** How an offer was derived from the term: which of the rules Sum and Def were used on the way to its
+    prefix. *)
+type derivation = { by_sum : bool; by_def : bool }
+
+val derivations : definitions -> aged -> (offer * derivation) list
+(** {!offers}, each with its (first) derivation. *)
+
 (** {1 Time rules} *)
 
 val horizon : definitions -> aged -> Rat.t option

@@ -1,0 +1,205 @@
+open Scc_exact
+
+type channel = { name : string; sites : Site.t list; closure : Site.t list }
+
+let channel ~name ~sites ~closure =
+  let sites = List.sort_uniq Site.compare sites in
+  if sites = [] then Scc_base.Bug.fail __POS__ "a channel without features";
+  { name; sites; closure = List.sort_uniq Site.compare closure }
+
+let active c site = List.exists (Site.equal site) c.closure
+
+type polarity = Name | Co_name
+
+type t =
+  | Nil
+  | Open of polarity * channel * t
+  | Weak of channel * t
+  | Strong of channel list * t
+  | Delay of Rat.t * t
+  | Sum of t * t
+  | Call of int
+
+(* Canonical terms. The closure of a channel follows from its sites. *)
+
+let ( <?> ) c next = if c <> 0 then c else next ()
+
+let rec compare_lists compare a b =
+  match (a, b) with
+  | [], [] -> 0
+  | [], _ :: _ -> -1
+  | _ :: _, [] -> 1
+  | x :: a, y :: b -> compare x y <?> fun () -> compare_lists compare a b
+
+let compare_channel (a : channel) (b : channel) =
+  String.compare a.name b.name <?> fun () -> compare_lists Site.compare a.sites b.sites
+
+let polarity_rank = function Name -> 0 | Co_name -> 1
+
+let rank = function
+  | Nil -> 0
+  | Open _ -> 1
+  | Weak _ -> 2
+  | Strong _ -> 3
+  | Delay _ -> 4
+  | Sum _ -> 5
+  | Call _ -> 6
+
+let rec compare a b =
+  if a == b then 0
+  else
+    match (a, b) with
+    | Open (p, c, x), Open (q, d, y) ->
+      Int.compare (polarity_rank p) (polarity_rank q) <?> fun () ->
+      compare_channel c d <?> fun () -> compare x y
+    | Weak (c, x), Weak (d, y) -> compare_channel c d <?> fun () -> compare x y
+    | Strong (l, x), Strong (m, y) ->
+      compare_lists compare_channel l m <?> fun () -> compare x y
+    | Delay (s, x), Delay (t, y) -> Rat.compare s t <?> fun () -> compare x y
+    | Sum (x, x'), Sum (y, y') -> compare x y <?> fun () -> compare x' y'
+    | Call i, Call j -> Int.compare i j
+    | _ -> Int.compare (rank a) (rank b)
+
+let equal a b = compare a b = 0
+
+(* Only the top of a term is hashed: terms of one model that differ do so near the top, mostly. *)
+let hash_depth = 4
+
+let hash_channel (c : channel) =
+  List.fold_left (fun h s -> (h * 31) + Site.hash s) (Hashtbl.hash c.name) c.sites
+
+let rec hash_to depth b =
+  if depth = 0 then 17
+  else
+    let below = hash_to (depth - 1) in
+    match b with
+    | Nil -> 1
+    | Open (p, c, b) -> (((polarity_rank p * 31) + hash_channel c) * 31) + below b
+    | Weak (c, b) -> (hash_channel c * 37) + below b
+    | Strong (l, b) -> List.fold_left (fun h c -> (h * 41) + hash_channel c) (below b) l
+    | Delay (t, b) -> (Rat.hash t * 43) + below b
+    | Sum (a, b) -> (below a * 47) + below b
+    | Call i -> (i * 53) + 7
+
+let hash = hash_to hash_depth
+let nil = Nil
+let open_ polarity channel b = Open (polarity, channel, b)
+let weak channel b = Weak (channel, b)
+
+let strong channels b =
+  if channels = [] then Scc_base.Bug.fail __POS__ "a strong split without entries";
+  Strong (List.sort compare_channel channels, b)
+
+let delay t b =
+  match Rat.sign t with
+  | 0 -> b
+  | s when s < 0 -> Scc_base.Bug.fail __POS__ "a negative delay"
+  | _ -> Delay (t, b)
+
+let sum a b = Sum (a, b)
+let call k = Call k
+
+type definition = { name : string; body : t }
+type definitions = definition array
+type aged = { origin : int option; term : t }
+
+let aged origin term =
+  match term with
+  | Call k -> { origin = Some k; term }
+  | Nil | Open _ | Weak _ | Strong _ | Delay _ | Sum _ -> { origin; term }
+
+let fresh term = aged None term
+let compare_aged a b = Option.compare Int.compare a.origin b.origin <?> fun () -> compare a.term b.term
+let equal_aged a b = compare_aged a b = 0
+let hash_aged a = (hash a.term * 31) + match a.origin with None -> 0 | Some k -> k + 1
+
+type offer =
+  | Offer_open of polarity * channel * t
+  | Offer_weak of channel * t
+  | Offer_strong of channel list * t
+
+type derivation = { by_sum : bool; by_def : bool }
+
+let equal_offer a b =
+  match (a, b) with
+  | Offer_open (p, c, x), Offer_open (q, d, y) ->
+    polarity_rank p = polarity_rank q && compare_channel c d = 0 && equal x y
+  | Offer_weak (c, x), Offer_weak (d, y) -> compare_channel c d = 0 && equal x y
+  | Offer_strong (l, x), Offer_strong (m, y) -> compare_lists compare_channel l m = 0 && equal x y
+  | (Offer_open _ | Offer_weak _ | Offer_strong _), _ -> false
+
+(* Rules Pre, Weak, Strong give the prefixes; Sum and Def look below; an exposed eps offers nothing (rule
+   Eps0 is the canonical form: there is no eps(0)). *)
+let rec derive defs how found = function
+  | Nil | Delay _ -> found
+  | Open (p, c, b) -> (Offer_open (p, c, b), how) :: found
+  | Weak (c, b) -> (Offer_weak (c, b), how) :: found
+  | Strong (l, b) -> (Offer_strong (l, b), how) :: found
+  | Sum (a, b) ->
+    let how = { how with by_sum = true } in
+    derive defs how (derive defs how found a) b
+  | Call k -> derive defs { how with by_def = true } found defs.(k).body
+
+let derivations defs b =
+  let add kept (offer, how) =
+    if List.exists (fun (o, _) -> equal_offer o offer) kept then kept else (offer, how) :: kept
+  in
+  derive defs { by_sum = false; by_def = false } [] b.term
+  |> List.rev |> List.fold_left add [] |> List.rev
+
+let offers defs b = List.map fst (derivations defs b)
+
+let least a b =
+  match (a, b) with
+  | None, x | x, None -> x
+  | Some s, Some t -> Some (Rat.min s t)
+
+let rec term_horizon defs = function
+  | Nil | Open _ | Weak _ | Strong _ -> None
+  | Delay (t, _) -> Some t
+  | Sum (a, b) -> least (term_horizon defs a) (term_horizon defs b)
+  | Call k -> term_horizon defs defs.(k).body
+
+let horizon defs b = term_horizon defs b.term
+
+let rec pass_term defs d b =
+  match b with
+  | Nil | Open _ | Weak _ | Strong _ -> b
+  | Delay (t, rest) ->
+    let left = Rat.sub t d in
+    if Rat.sign left >= 0 then delay left rest else pass_term defs (Rat.neg left) rest
+  | Sum (x, y) ->
+    let x' = pass_term defs d x and y' = pass_term defs d y in
+    if x' == x && y' == y then b else Sum (x', y')
+  | Call k -> (
+      match term_horizon defs defs.(k).body with
+      | None -> b
+      | Some _ -> pass_term defs d defs.(k).body)
+
+let pass defs d b =
+  if Rat.sign d = 0 then b
+  else
+    let term = pass_term defs d b.term in
+    if term == b.term then b else aged b.origin term
+
+(* The names exposed in a body: those that it may unfold without anything happening. *)
+let rec exposed found = function
+  | Nil | Open _ | Weak _ | Strong _ | Delay _ -> found
+  | Sum (a, b) -> exposed (exposed found a) b
+  | Call k -> k :: found
+
+let unguarded defs =
+  let next = Array.map (fun d -> exposed [] d.body) defs in
+  let reaches_itself start =
+    let seen = Array.make (Array.length defs) false in
+    let rec search = function
+      | [] -> false
+      | k :: _ when k = start -> true
+      | k :: rest when seen.(k) -> search rest
+      | k :: rest ->
+        seen.(k) <- true;
+        search (List.rev_append next.(k) rest)
+    in
+    search next.(start)
+  in
+  List.filter reaches_itself (List.init (Array.length defs) Fun.id)

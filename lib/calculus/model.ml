@@ -1,0 +1,45 @@
+open Scc_exact
+open Scc_geometry
+
+type part = { name : string; template : string; solid : Solid.t; offset : Vec.t; mass : Rat.t }
+
+type leaf = {
+  name : string;
+  template : string;
+  parts : part array;
+  fixed : bool;
+  mass : Rat.t;
+  law : Law.t;
+}
+
+type t = {
+  leaves : leaf array;
+  definitions : Behaviour.definitions;
+  timestep : Rat.t;
+  split_step : Rat.t;
+  keeps_time : bool;
+  steered : bool;
+  obstacles : Obstacle_cache.t;
+}
+
+let part_count m = Array.fold_left (fun n l -> n + Array.length l.parts) 0 m.leaves
+
+let site_name m ~leaf (site : Site.t) =
+  let part = m.leaves.(leaf).parts.(site.part) in
+  part.name ^ "." ^ Polyhedron.feature_name part.solid.polyhedron site.feature
+
+(* A fixed leaf has no mass: its parts count by volume, as if of one density. *)
+let leaf_centroid leaf =
+  let weight part = if leaf.fixed then part.solid.Solid.volume else part.mass in
+  let add (sum, total) part =
+    let w = weight part in
+    (Vec.axpy w (Vec.add part.offset part.solid.Solid.centroid) sum, Rat.add total w)
+  in
+  if Array.length leaf.parts = 1 then
+    Vec.add leaf.parts.(0).offset leaf.parts.(0).solid.Solid.centroid
+  else
+    let sum, total = Array.fold_left add (Vec.zero, Rat.zero) leaf.parts in
+    Vec.scale (Rat.div Rat.one total) sum
+
+let obstacle m (l1, p1) (l2, p2) =
+  Obstacle_cache.find m.obstacles m.leaves.(l1).parts.(p1).solid m.leaves.(l2).parts.(p2).solid

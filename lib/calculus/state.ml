@@ -1,0 +1,145 @@
+open Scc_exact
+
+type leaf = { leaf : int; position : Vec.t; behaviour : Behaviour.aged }
+type finish = { at : int; site : Site.t }
+type bond = { name : string; one : finish; two : finish }
+
+let ( <?> ) c next = if c <> 0 then c else next ()
+
+let compare_finish a b = Int.compare a.at b.at <?> fun () -> Site.compare a.site b.site
+
+let compare_bond (a : bond) (b : bond) =
+  compare_finish a.one b.one <?> fun () ->
+  compare_finish a.two b.two <?> fun () -> String.compare a.name b.name
+
+let equal_bond a b = compare_bond a b = 0
+let bond name a b = if compare_finish a b <= 0 then { name; one = a; two = b } else { name; one = b; two = a }
+
+type process = { leaves : leaf array; bonds : bond array; velocity : Vec.t; clock : Rat.t option }
+type phase = Moving | Due | Steered
+type step = { remaining : Rat.t; phase : phase }
+type t = { processes : process array; step : step option; time : Rat.t option }
+
+let sorted compare list =
+  let a = Array.of_list list in
+  Array.sort compare a;
+  a
+
+let compare_leaf_index (a : leaf) (b : leaf) = Int.compare a.leaf b.leaf
+
+let process ~leaves ~bonds ~velocity ~clock =
+  if List.length bonds <> List.length leaves - 1 then
+    Scc_base.Bug.fail __POS__ "the bonds of a process are not a tree";
+  { leaves = sorted compare_leaf_index leaves; bonds = sorted compare_bond bonds; velocity; clock }
+
+let first p = p.leaves.(0).leaf
+
+let make ~processes ~step ~time =
+  { processes = sorted (fun p q -> Int.compare (first p) (first q)) processes; step; time }
+
+let find_leaf state leaf =
+  let rec in_process p i =
+    if i >= Array.length p.leaves then None
+    else if p.leaves.(i).leaf = leaf then Some p.leaves.(i)
+    else in_process p (i + 1)
+  in
+  let rec search i =
+    if i >= Array.length state.processes then
+      Scc_base.Bug.fail __POS__ "a leaf that no process has"
+    else match in_process state.processes.(i) 0 with Some l -> (i, l) | None -> search (i + 1)
+  in
+  search 0
+
+let mass (m : Model.t) p =
+  let add sum l =
+    let leaf = m.leaves.(l.leaf) in
+    match sum with
+    | Some s when not leaf.fixed -> Some (Rat.add s leaf.mass)
+    | _ -> None
+  in
+  Array.fold_left add (Some Rat.zero) p.leaves
+
+let size (m : Model.t) p =
+  Array.fold_left (fun n l -> n + Array.length m.leaves.(l.leaf).parts) 0 p.leaves
+
+let part_position (m : Model.t) l part = Vec.add l.position m.leaves.(l.leaf).parts.(part).offset
+
+let components leaves bonds =
+  let n = Array.length leaves in
+  let index = Hashtbl.create n in
+  Array.iteri (fun i (l : leaf) -> Hashtbl.replace index l.leaf i) leaves;
+  let near = Array.make n [] in
+  let ends b = (Hashtbl.find index b.one.at, Hashtbl.find index b.two.at) in
+  Array.iter
+    (fun b ->
+       let i, j = ends b in
+       near.(i) <- j :: near.(i);
+       near.(j) <- i :: near.(j))
+    bonds;
+  let group = Array.make n (-1) in
+  let rec flood g = function
+    | [] -> ()
+    | i :: rest when group.(i) >= 0 -> flood g rest
+    | i :: rest ->
+      group.(i) <- g;
+      flood g (List.rev_append near.(i) rest)
+  in
+  let groups = ref 0 in
+  Array.iteri
+    (fun i g ->
+       if g < 0 && group.(i) < 0 then begin
+         flood !groups [ i ];
+         incr groups
+       end)
+    (Array.copy group);
+  let members g = List.filteri (fun i _ -> group.(i) = g) (Array.to_list leaves) in
+  let inner g = List.filter (fun b -> group.(fst (ends b)) = g) (Array.to_list bonds) in
+  List.init !groups (fun g -> (members g, inner g))
+
+let compare_leaf a b =
+  Int.compare a.leaf b.leaf <?> fun () ->
+  Vec.compare a.position b.position <?> fun () -> Behaviour.compare_aged a.behaviour b.behaviour
+
+let compare_arrays compare a b =
+  let n = Array.length a in
+  let rec from i = if i = n then 0 else compare a.(i) b.(i) <?> fun () -> from (i + 1) in
+  Int.compare n (Array.length b) <?> fun () -> from 0
+
+let compare_process p q =
+  if p == q then 0
+  else
+    compare_arrays compare_leaf p.leaves q.leaves <?> fun () ->
+    compare_arrays compare_bond p.bonds q.bonds <?> fun () ->
+    Vec.compare p.velocity q.velocity <?> fun () -> Option.compare Rat.compare p.clock q.clock
+
+let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
+
+let compare_step a b =
+  Rat.compare a.remaining b.remaining <?> fun () ->
+  Int.compare (phase_rank a.phase) (phase_rank b.phase)
+
+let compare a b =
+  compare_arrays compare_process a.processes b.processes <?> fun () ->
+  Option.compare compare_step a.step b.step <?> fun () -> Option.compare Rat.compare a.time b.time
+
+let equal a b = compare a b = 0
+let mix h k = (h * 1_000_003) lxor k
+let hash_option hash = function None -> 3 | Some x -> hash x
+
+let hash_leaf h l =
+  mix (mix (mix h l.leaf) (Vec.hash l.position)) (Behaviour.hash_aged l.behaviour)
+
+let hash_finish f = mix f.at (Site.hash f.site)
+let hash_bond h (b : bond) = mix (mix h (hash_finish b.one)) (hash_finish b.two)
+
+let hash_process h p =
+  let h = Array.fold_left hash_leaf h p.leaves in
+  let h = Array.fold_left hash_bond h p.bonds in
+  mix (mix h (Vec.hash p.velocity)) (hash_option Rat.hash p.clock)
+
+let hash_step s = mix (Rat.hash s.remaining) (phase_rank s.phase)
+
+let hash s =
+  let h = Array.fold_left hash_process 7 s.processes in
+  let h = mix (mix h (hash_option hash_step s.step)) (hash_option Rat.hash s.time) in
+  h land max_int
