@@ -1,0 +1,66 @@
+# Sourced by the other scripts, with the root of the project as working directory: installs what is
+# missing and nothing else. Silent when everything is there.
+#
+#   require build   what building and running scc needs
+#   require test    that, and what the tests need
+
+build_packages='ocaml-nox ocaml-dune menhir libmenhir-ocaml-dev libzarith-ocaml-dev
+  libcmdliner-ocaml-dev libyojson-ocaml-dev'
+test_packages='libalcotest-ocaml-dev libqcheck-core-ocaml-dev ocp-indent python3 python3-jsonschema'
+
+missing_debian_packages() {
+  for package in "$@"; do
+    status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null) || status=
+    case $status in
+      'install ok installed') ;;
+      *) echo "$package" ;;
+    esac
+  done
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null 2>&1; then
+    sudo "$@"
+  else
+    echo "scc needs root (or sudo) once, to run: $*" >&2
+    return 1
+  fi
+}
+
+require_debian() {
+  missing=$(missing_debian_packages "$@")
+  [ -z "$missing" ] && return 0
+  echo 'Installing:' $missing >&2
+  as_root apt-get -qq update >&2 || return 1
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get -qq install -y --no-install-recommends $missing >/dev/null
+}
+
+# The stamp spares a second run the half minute that opam takes to find that all is there.
+require_opam() {
+  stamp="$OPAM_SWITCH_PREFIX/.scc-$1-dependencies"
+  [ -e "$stamp" ] && [ ! scc.opam -nt "$stamp" ] && return 0
+  case $1 in
+    build) opam install --yes --deps-only . ;;
+    *) opam install --yes --deps-only --with-test . && opam install --yes ocp-indent ;;
+  esac >&2 && touch "$stamp"
+}
+
+require() {
+  if [ -n "${OPAM_SWITCH_PREFIX:-}" ]; then
+    require_opam "$1"
+  elif command -v apt-get >/dev/null 2>&1; then
+    case $1 in
+      build) require_debian $build_packages ;;
+      *) require_debian $build_packages $test_packages ;;
+    esac
+  elif command -v opam >/dev/null 2>&1; then
+    echo 'No opam switch is active: make one (opam switch create . 4.14.1), then run: eval $(opam env)' >&2
+    return 1
+  else
+    echo 'scc is built with Debian packages (apt-get) or with opam; neither is here.' >&2
+    return 1
+  fi
+}
