@@ -23,9 +23,9 @@ let rank d = match d.severity with Error -> 0 | Warning -> 1
 let compare a b =
   let ( <?> ) c next = if c <> 0 then c else next () in
   String.compare a.span.Span.file b.span.Span.file <?> fun () ->
-  Int.compare a.span.Span.start b.span.Span.start <?> fun () ->
-  Int.compare (rank a) (rank b) <?> fun () ->
-  String.compare a.code b.code <?> fun () -> String.compare a.message b.message
+    Int.compare a.span.Span.start b.span.Span.start <?> fun () ->
+      Int.compare (rank a) (rank b) <?> fun () ->
+        String.compare a.code b.code <?> fun () -> String.compare a.message b.message
 
 (* Edit distance with adjacent transpositions; names are short. *)
 let distance a b =

@@ -4,8 +4,9 @@ type channel = { name : string; sites : Site.t list; closure : Site.t list }
 
 let channel ~name ~sites ~closure =
   let sites = List.sort_uniq Site.compare sites in
-  if sites = [] then Scc_base.Bug.fail __POS__ "a channel without features";
-  { name; sites; closure = List.sort_uniq Site.compare closure }
+  match sites with
+  | [] -> Scc_base.Bug.fail __POS__ "a channel without features"
+  | _ :: _ -> { name; sites; closure = List.sort_uniq Site.compare closure }
 
 let active c site = List.exists (Site.equal site) c.closure
 
@@ -51,7 +52,7 @@ let rec compare a b =
     match (a, b) with
     | Open (p, c, x), Open (q, d, y) ->
       Int.compare (polarity_rank p) (polarity_rank q) <?> fun () ->
-      compare_channel c d <?> fun () -> compare x y
+        compare_channel c d <?> fun () -> compare x y
     | Weak (c, x), Weak (d, y) -> compare_channel c d <?> fun () -> compare x y
     | Strong (l, x), Strong (m, y) ->
       compare_lists compare_channel l m <?> fun () -> compare x y
@@ -87,8 +88,9 @@ let open_ polarity channel b = Open (polarity, channel, b)
 let weak channel b = Weak (channel, b)
 
 let strong channels b =
-  if channels = [] then Scc_base.Bug.fail __POS__ "a strong split without entries";
-  Strong (List.sort compare_channel channels, b)
+  match channels with
+  | [] -> Scc_base.Bug.fail __POS__ "a strong split without entries"
+  | _ :: _ -> Strong (List.sort compare_channel channels, b)
 
 let delay t b =
   match Rat.sign t with
@@ -162,12 +164,11 @@ let rec term_horizon defs = function
 
 let horizon defs b = term_horizon defs b.term
 
+(* A time up to the horizon: no exposed eps is passed, some may expire at its end. *)
 let rec pass_term defs d b =
   match b with
   | Nil | Open _ | Weak _ | Strong _ -> b
-  | Delay (t, rest) ->
-    let left = Rat.sub t d in
-    if Rat.sign left >= 0 then delay left rest else pass_term defs (Rat.neg left) rest
+  | Delay (t, rest) -> delay (Rat.sub t d) rest
   | Sum (x, y) ->
     let x' = pass_term defs d x and y' = pass_term defs d y in
     if x' == x && y' == y then b else Sum (x', y')
@@ -176,11 +177,18 @@ let rec pass_term defs d b =
       | None -> b
       | Some _ -> pass_term defs d defs.(k).body)
 
-let pass defs d b =
+let pass_to_horizon defs d b =
+  let term = pass_term defs d b.term in
+  if term == b.term then b else aged b.origin term
+
+(* By additivity, from horizon to horizon: so a name that an expiring eps brings up becomes the origin. *)
+let rec pass defs d b =
   if Rat.sign d = 0 then b
   else
-    let term = pass_term defs d b.term in
-    if term == b.term then b else aged b.origin term
+    match horizon defs b with
+    | Some h when Rat.compare h d < 0 -> pass defs (Rat.sub d h) (pass_to_horizon defs h b)
+    | Some _ -> pass_to_horizon defs d b
+    | None -> b
 
 (* The names exposed in a body: those that it may unfold without anything happening. *)
 let rec exposed found = function

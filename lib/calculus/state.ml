@@ -10,7 +10,7 @@ let compare_finish a b = Int.compare a.at b.at <?> fun () -> Site.compare a.site
 
 let compare_bond (a : bond) (b : bond) =
   compare_finish a.one b.one <?> fun () ->
-  compare_finish a.two b.two <?> fun () -> String.compare a.name b.name
+    compare_finish a.two b.two <?> fun () -> String.compare a.name b.name
 
 let equal_bond a b = compare_bond a b = 0
 let bond name a b = if compare_finish a b <= 0 then { name; one = a; two = b } else { name; one = b; two = a }
@@ -37,16 +37,24 @@ let first p = p.leaves.(0).leaf
 let make ~processes ~step ~time =
   { processes = sorted (fun p q -> Int.compare (first p) (first q)) processes; step; time }
 
-let find_leaf state leaf =
-  let rec in_process p i =
+let leaf_opt p leaf =
+  let rec from i =
     if i >= Array.length p.leaves then None
     else if p.leaves.(i).leaf = leaf then Some p.leaves.(i)
-    else in_process p (i + 1)
+    else from (i + 1)
   in
+  from 0
+
+let no_leaf () = Scc_base.Bug.fail __POS__ "a leaf that no process has"
+let leaf_of p leaf = match leaf_opt p leaf with Some l -> l | None -> no_leaf ()
+
+let find_leaf state leaf =
   let rec search i =
-    if i >= Array.length state.processes then
-      Scc_base.Bug.fail __POS__ "a leaf that no process has"
-    else match in_process state.processes.(i) 0 with Some l -> (i, l) | None -> search (i + 1)
+    if i >= Array.length state.processes then no_leaf ()
+    else
+      match leaf_opt state.processes.(i) leaf with
+      | Some l -> (i, l)
+      | None -> search (i + 1)
   in
   search 0
 
@@ -98,7 +106,7 @@ let components leaves bonds =
 
 let compare_leaf a b =
   Int.compare a.leaf b.leaf <?> fun () ->
-  Vec.compare a.position b.position <?> fun () -> Behaviour.compare_aged a.behaviour b.behaviour
+    Vec.compare a.position b.position <?> fun () -> Behaviour.compare_aged a.behaviour b.behaviour
 
 let compare_arrays compare a b =
   let n = Array.length a in
@@ -109,18 +117,18 @@ let compare_process p q =
   if p == q then 0
   else
     compare_arrays compare_leaf p.leaves q.leaves <?> fun () ->
-    compare_arrays compare_bond p.bonds q.bonds <?> fun () ->
-    Vec.compare p.velocity q.velocity <?> fun () -> Option.compare Rat.compare p.clock q.clock
+      compare_arrays compare_bond p.bonds q.bonds <?> fun () ->
+        Vec.compare p.velocity q.velocity <?> fun () -> Option.compare Rat.compare p.clock q.clock
 
 let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
 
 let compare_step a b =
   Rat.compare a.remaining b.remaining <?> fun () ->
-  Int.compare (phase_rank a.phase) (phase_rank b.phase)
+    Int.compare (phase_rank a.phase) (phase_rank b.phase)
 
 let compare a b =
   compare_arrays compare_process a.processes b.processes <?> fun () ->
-  Option.compare compare_step a.step b.step <?> fun () -> Option.compare Rat.compare a.time b.time
+    Option.compare compare_step a.step b.step <?> fun () -> Option.compare Rat.compare a.time b.time
 
 let equal a b = compare a b = 0
 let mix h k = (h * 1_000_003) lxor k

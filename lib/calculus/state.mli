@@ -48,6 +48,9 @@ val make : processes:process list -> step:step option -> time:Rat.t option -> t
 val find_leaf : t -> int -> int * leaf
 (** The index of the process that has a leaf, and the leaf. *)
 
+val leaf_of : process -> int -> leaf
+(** The leaf of a process with this index into {!Model.leaves} (a bug when it has none). *)
+
 val mass : Model.t -> process -> Rat.t option
 (** [None] for a process that holds a fixed leaf. *)
 

@@ -20,6 +20,9 @@ type t = {
 type fault = Bad_law of { leaf : int; fault : Law.fault }
 
 val duration : t -> Rat.t
+(** 0 for a discrete transition. *)
+
+val equal_label : label -> label -> bool
 
 val label_to_string : Model.t -> label -> string
 (** [time(1/2)], [bind(a, p.right, q.left)], [bounce(p, q)], [weak(a, p.right, q.left)],

@@ -1,0 +1,202 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+
+type touch = {
+  one : int * int;
+  two : int * int;
+  obstacle : Obstacle.t;
+  offset : Vec.t;
+  approaching : bool;
+}
+
+type contact = { first : int; second : int; touches : touch list }
+
+let relative_velocity (s : State.t) p q =
+  Vec.sub s.processes.(q).velocity s.processes.(p).velocity
+
+let touch_of m s (a : Parts.part) (b : Parts.part) =
+  let obstacle = Model.obstacle m (a.leaf, a.part) (b.leaf, b.part) in
+  let offset = Vec.sub b.position a.position in
+  match Obstacle.relation obstacle offset with
+  | Apart -> None
+  | Touching ->
+    let approaching = Obstacle.approaching obstacle offset (relative_velocity s a.process b.process) in
+    Some { one = (a.leaf, a.part); two = (b.leaf, b.part); obstacle; offset; approaching }
+  | Interpenetrating -> Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
+
+let contacts m s =
+  let parts = Parts.of_state m s in
+  let touches =
+    Parts.near parts
+    |> List.filter_map (fun (i, j) ->
+        let a = parts.(i) and b = parts.(j) in
+        Option.map (fun t -> ((a.process, b.process), t)) (touch_of m s a b))
+  in
+  let compare_keys ((p, q), _) ((p', q'), _) =
+    let c = Int.compare p p' in
+    if c <> 0 then c else Int.compare q q'
+  in
+  let group done_ ((first, second), t) =
+    match done_ with
+    | c :: rest when c.first = first && c.second = second -> { c with touches = t :: c.touches } :: rest
+    | _ -> { first; second; touches = [ t ] } :: done_
+  in
+  List.stable_sort compare_keys touches
+  |> List.fold_left group []
+  |> List.rev_map (fun c -> { c with touches = List.rev c.touches })
+
+let colliding c = List.exists (fun t -> t.approaching) c.touches
+
+type outcome = { label : Transition.label; rules : Rule.t list; results : State.process list }
+
+(* {1 Rule Bind} *)
+
+type candidate = { bond : State.bond; continuations : (int * Behaviour.t) list; used : Rule.t list }
+
+let open_channels (m : Model.t) (p : State.process) leaf =
+  Behaviour.derivations m.definitions (State.leaf_of p leaf).behaviour
+  |> List.filter_map (fun (offer, derivation) ->
+      match offer with
+      | Behaviour.Offer_open (polarity, channel, b) ->
+        Some (polarity, channel, b, Process.rules Rule.Pre derivation)
+      | Offer_weak _ | Offer_strong _ -> None)
+
+let complementary a b =
+  match (a, b) with
+  | Behaviour.Name, Behaviour.Co_name | Co_name, Name -> true
+  | Name, Name | Co_name, Co_name -> false
+
+(* The touching pairs that two channels share, of the highest dimension among them. *)
+let shared_pairs pairs ~active_one ~active_two =
+  let shared =
+    List.filter (fun (c : Contact.pair) -> active_one c.first && active_two c.second) pairs
+  in
+  let highest = List.fold_left (fun d (c : Contact.pair) -> max d c.dimension) 0 shared in
+  List.filter (fun (c : Contact.pair) -> c.dimension = highest) shared
+
+let candidates_of_touch m p q t =
+  let l1, part1 = t.one and l2, part2 = t.two in
+  let site part feature : Site.t = { part; feature } in
+  let ones = open_channels m p l1 and twos = open_channels m q l2 in
+  if ones = [] || twos = [] then []
+  else
+    let pairs = Contact.touching t.obstacle t.offset in
+    let meet (pol1, (c1 : Behaviour.channel), b1, r1) (pol2, (c2 : Behaviour.channel), b2, r2) =
+      if not (complementary pol1 pol2 && String.equal c1.name c2.name) then []
+      else
+        shared_pairs pairs
+          ~active_one:(fun f -> Behaviour.active c1 (site part1 f))
+          ~active_two:(fun f -> Behaviour.active c2 (site part2 f))
+        |> List.map (fun (c : Contact.pair) ->
+            {
+              bond =
+                State.bond c1.name
+                  { at = l1; site = site part1 c.first }
+                  { at = l2; site = site part2 c.second };
+              continuations = [ (l1, b1); (l2, b2) ];
+              used = Process.union r1 r2;
+            })
+    in
+    List.concat_map (fun one -> List.concat_map (meet one) twos) ones
+
+(* Conservation of linear momentum; what binds to a fixed body stops. *)
+let joint_velocity m (p : State.process) (q : State.process) =
+  match (State.mass m p, State.mass m q) with
+  | Some mp, Some mq ->
+    Vec.scale
+      (Rat.div Rat.one (Rat.add mp mq))
+      (Vec.add (Vec.scale mp p.velocity) (Vec.scale mq q.velocity))
+  | None, _ | _, None -> Vec.zero
+
+let bind m (s : State.t) c =
+  let p = s.processes.(c.first) and q = s.processes.(c.second) in
+  let velocity = joint_velocity m p q in
+  let join candidate =
+    let leaves =
+      Array.to_list (Array.append p.leaves q.leaves)
+      |> List.map (Process.continue candidate.continuations)
+    in
+    let bonds = candidate.bond :: Array.to_list (Array.append p.bonds q.bonds) in
+    {
+      label = Transition.Bind candidate.bond;
+      rules = Rule.Bind :: candidate.used;
+      results = [ Process.restart_clock m ~leaves ~bonds ~velocity ];
+    }
+  in
+  List.filter (fun t -> t.approaching) c.touches
+  |> List.concat_map (candidates_of_touch m p q)
+  |> List.map join
+
+(* {1 Rule Bounce} *)
+
+(* How the change of the relative velocity is shared: in inverse proportion to the masses; a fixed body
+   takes none. *)
+let shares m p q =
+  match (State.mass m p, State.mass m q) with
+  | Some mp, Some mq ->
+    let total = Rat.add mp mq in
+    (Rat.div mq total, Rat.div mp total)
+  | None, Some _ -> (Rat.zero, Rat.one)
+  | Some _, None -> (Rat.one, Rat.zero)
+  | None, None -> Scc_base.Bug.fail __POS__ "two fixed bodies collide"
+
+let bounce m (s : State.t) c =
+  let p = s.processes.(c.first) and q = s.processes.(c.second) in
+  let w = relative_velocity s c.first c.second in
+  let touching =
+    List.map (fun t -> { Response.obstacle = t.obstacle; offset = t.offset }) c.touches
+  in
+  let change = Vec.sub (Response.bounce touching w) w in
+  let share_p, share_q = shares m p q in
+  let moved (r : State.process) velocity =
+    Process.restart_clock m ~leaves:(Array.to_list r.leaves) ~bonds:(Array.to_list r.bonds) ~velocity
+  in
+  {
+    label = Transition.Bounce (p.leaves.(0).leaf, q.leaves.(0).leaf);
+    rules = [ Rule.Bounce ];
+    results =
+      [
+        moved p (Vec.axpy (Rat.neg share_p) change p.velocity);
+        moved q (Vec.axpy share_q change q.velocity);
+      ];
+  }
+
+let resolve m s c = match bind m s c with [] -> [ bounce m s c ] | outcomes -> outcomes
+
+(* {1 First time of contact} *)
+
+let collision_time m s (a : Parts.part) (b : Parts.part) =
+  let w = relative_velocity s a.process b.process in
+  if Vec.is_zero w then None
+  else
+    let obstacle = Model.obstacle m (a.leaf, a.part) (b.leaf, b.part) in
+    match Obstacle.first_time_of_contact obstacle (Vec.sub b.position a.position) w with
+    | Never -> None
+    | At t -> Some t
+    | Inside -> Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
+
+let first_time_of_contact m s ~limit =
+  let parts = Parts.of_state m s in
+  let earlier best (i, j) =
+    match (collision_time m s parts.(i) parts.(j), best) with
+    | Some t, Some b -> Some (Rat.min t b)
+    | Some t, None -> Some t
+    | None, _ -> best
+  in
+  let within limit t = match limit with None -> true | Some l -> Rat.compare t l <= 0 in
+  (* Pairs whose swept boxes do not meet within the window cannot collide within it: what is found there
+     in time is the least of all. *)
+  let rec look window =
+    match window with
+    | None -> List.fold_left earlier None (Parts.pairs parts)
+    | Some span -> (
+        let near = Parts.near_within parts span in
+        match List.fold_left earlier None near with
+        | Some t when Rat.compare t span <= 0 -> Some t
+        | Some _ | None when Option.equal Rat.equal limit window -> None
+        | Some _ | None -> look (Parts.wider parts ~limit ~met:(List.length near) span))
+  in
+  match look (Parts.first_window parts ~limit) with
+  | Some t when within limit t -> Some t
+  | Some _ | None -> None

@@ -1,0 +1,85 @@
+open Scc_calculus
+
+let ( let* ) = Result.bind
+
+(* Replaces the processes at some indices by others. *)
+let replace (s : State.t) indices processes ~step =
+  let kept =
+    List.filteri (fun i _ -> not (List.mem i indices)) (Array.to_list s.processes)
+  in
+  State.make ~processes:(processes @ kept) ~step ~time:s.time
+
+let finish m label rules target =
+  let* target, steered = Steer.settle m target in
+  let rules = if steered then rules @ [ Rule.Steer ] else rules in
+  Ok { Transition.label; rules; target }
+
+(* A collision ends the movement step, unless this instant has been steered already. *)
+let after_collision (step : State.step option) =
+  let next : State.phase -> State.phase = function
+    | Moving | Due -> Due
+    | Steered -> Steered
+  in
+  Option.map (fun (s : State.step) -> { s with phase = next s.phase }) step
+
+let splits m (s : State.t) outcomes_of =
+  Array.to_list s.processes
+  |> List.mapi (fun i p ->
+      List.map
+        (fun (o : Split.outcome) -> finish m o.label o.rules (replace s [ i ] o.pieces ~step:s.step))
+        (outcomes_of m p))
+  |> List.concat
+
+let collisions m (s : State.t) contacts =
+  List.concat_map
+    (fun (c : Collision.contact) ->
+       Collision.resolve m s c
+       |> List.map (fun (o : Collision.outcome) ->
+           let step = after_collision s.step in
+           finish m o.label o.rules (replace s [ c.first; c.second ] o.results ~step)))
+    contacts
+
+let time m s =
+  match Time.delay m s with
+  | None -> []
+  | Some d -> [ finish m (Transition.Time d) [ Rule.Time; Time_behaviour ] (Time.pass m d s) ]
+
+let distinct transitions =
+  let same (a : Transition.t) (b : Transition.t) =
+    Transition.equal_label a.label b.label && State.equal a.target b.target
+  in
+  List.fold_left
+    (fun kept t -> if List.exists (same t) kept then kept else t :: kept)
+    [] transitions
+  |> List.rev
+
+let rec all_ok acc = function
+  | [] -> Ok (List.rev acc)
+  | Ok t :: rest -> all_ok (t :: acc) rest
+  | Error e :: _ -> Error e
+
+let successors m s =
+  let strong = splits m s Split.strong in
+  let weak = splits m s Split.weak in
+  let contacts = List.filter Collision.colliding (Collision.contacts m s) in
+  let collisions = collisions m s contacts in
+  let time = if strong = [] && contacts = [] then time m s else [] in
+  Result.map distinct (all_ok [] (strong @ weak @ collisions @ time))
+
+let quiescent m s =
+  Array.for_all (fun p -> Split.strong m p = [] && Option.is_none p.State.clock) s.State.processes
+  && (not (List.exists Collision.colliding (Collision.contacts m s)))
+  && Option.is_none (Time.delay m s)
+
+let initial (m : Model.t) (declared : State.t) =
+  let start (p : State.process) =
+    Process.restart_clock m ~leaves:(Array.to_list p.leaves) ~bonds:(Array.to_list p.bonds)
+      ~velocity:p.velocity
+  in
+  let step =
+    if m.steered then Some { State.remaining = m.timestep; phase = State.Due } else None
+  in
+  let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
+  let processes = List.map start (Array.to_list declared.processes) in
+  let* s, _ = Steer.settle m (State.make ~processes ~step ~time) in
+  Ok s

@@ -1,0 +1,111 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+
+type part = {
+  process : int;
+  leaf : int;
+  part : int;
+  position : Vec.t;
+  velocity : Vec.t;
+  low : Vec.t;
+  high : Vec.t;
+}
+
+let of_state (m : Model.t) (s : State.t) =
+  let parts_of_leaf process (p : State.process) (l : State.leaf) =
+    List.mapi
+      (fun part (shape : Model.part) ->
+         let position = Vec.add l.position shape.offset in
+         {
+           process;
+           leaf = l.leaf;
+           part;
+           position;
+           velocity = p.velocity;
+           low = Vec.add position shape.solid.low;
+           high = Vec.add position shape.solid.high;
+         })
+      (Array.to_list m.leaves.(l.leaf).parts)
+  in
+  Array.to_list s.processes
+  |> List.mapi (fun i (p : State.process) ->
+      List.concat_map (parts_of_leaf i p) (Array.to_list p.leaves))
+  |> List.concat |> Array.of_list
+
+let in_relative_motion parts (i, j) = not (Vec.equal parts.(i).velocity parts.(j).velocity)
+
+(* With few parts every pair is looked at: boxes would cost more than they save. *)
+let few = 12
+
+let all_pairs parts =
+  let n = Array.length parts in
+  let rec from i j acc =
+    if i < 0 then acc
+    else if j <= i then from (i - 1) (n - 1) acc
+    else from i (j - 1) ((i, j) :: acc)
+  in
+  from (n - 2) (n - 1) []
+
+let boxes_meet a b =
+  let open Vec in
+  let meet l h l' h' = Rat.compare l h' <= 0 && Rat.compare l' h <= 0 in
+  meet a.low.x a.high.x b.low.x b.high.x
+  && meet a.low.y a.high.y b.low.y b.high.y
+  && meet a.low.z a.high.z b.low.z b.high.z
+
+let near parts =
+  if Array.length parts <= few then
+    List.filter
+      (fun (i, j) -> in_relative_motion parts (i, j) && boxes_meet parts.(i) parts.(j))
+      (all_pairs parts)
+  else
+    List.filter (in_relative_motion parts)
+      (Boxes.pairs (Array.map (fun p -> (p.low, p.high)) parts))
+
+let swept span p =
+  let step v = Rat.mul span v in
+  let down l v = if Rat.sign v < 0 then Rat.add l (step v) else l in
+  let up h v = if Rat.sign v > 0 then Rat.add h (step v) else h in
+  let v = p.velocity in
+  ( Vec.make (down p.low.x v.x) (down p.low.y v.y) (down p.low.z v.z),
+    Vec.make (up p.high.x v.x) (up p.high.y v.y) (up p.high.z v.z) )
+
+let near_within parts span =
+  List.filter (in_relative_motion parts) (Boxes.pairs (Array.map (swept span) parts))
+
+let pairs parts = List.filter (in_relative_motion parts) (all_pairs parts)
+
+let greatest_speed parts =
+  let component best v = Rat.max best (Rat.abs v) in
+  Array.fold_left
+    (fun best p -> component (component (component best p.velocity.x) p.velocity.y) p.velocity.z)
+    Rat.zero parts
+
+let least_size parts =
+  let size p =
+    let d = Vec.sub p.high p.low in
+    Rat.min d.x (Rat.min d.y d.z)
+  in
+  Array.fold_left (fun best p -> Rat.min best (size p)) (size parts.(0)) parts
+
+let cut limit span = match limit with None -> span | Some l -> Rat.min l span
+
+(* A power of two within a factor of two of a positive number: a short number, which keeps the ends of the
+   sweeps short. *)
+let power_of_two x =
+  let exponent = Z.numbits (Q.num x) - Z.numbits (Q.den x) in
+  if exponent >= 0 then Rat.make (Z.shift_left Z.one exponent) Z.one
+  else Rat.make Z.one (Z.shift_left Z.one (-exponent))
+
+let first_window parts ~limit =
+  if Array.length parts <= few then None
+  else
+    let speed = greatest_speed parts in
+    if Rat.sign speed = 0 then None
+    else Some (cut limit (power_of_two (Rat.div (least_size parts) speed)))
+
+let wider parts ~limit ~met span =
+  let n = Array.length parts in
+  if met > n * n / 8 then None
+  else Some (cut limit (Rat.mul (Rat.of_int 4) span))

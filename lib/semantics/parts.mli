@@ -1,0 +1,35 @@
+(** The basic shapes of a state laid out for the search of neighbours (the broad phase). *)
+
+open Scc_exact
+open Scc_calculus
+
+type part = private {
+  process : int;  (** index of its process in the state *)
+  leaf : int;
+  part : int;
+  position : Vec.t;  (** of its reference point *)
+  velocity : Vec.t;
+  low : Vec.t;  (** its box *)
+  high : Vec.t;
+}
+
+val of_state : Model.t -> State.t -> part array
+(** In the order of processes, leaves and parts. *)
+
+val near : part array -> (int * int) list
+(** The pairs (lesser index first) of parts of processes in relative motion whose closed boxes meet.
+    Sorted. *)
+
+val near_within : part array -> Rat.t -> (int * int) list
+(** The pairs of processes in relative motion whose boxes, swept over [0, t], meet. Sorted. *)
+
+val pairs : part array -> (int * int) list
+(** Every pair of processes in relative motion. *)
+
+val first_window : part array -> limit:Rat.t option -> Rat.t option
+(** How far ahead to look first: so far that the fastest part sweeps about the least size of a part, or to
+    the limit if that is sooner. [None]: at everything, when there are few parts. *)
+
+val wider : part array -> limit:Rat.t option -> met:int -> Rat.t -> Rat.t option
+(** The next window after one in which nothing was found: four times as long, cut at the limit; [None] when
+    the sweeps of the last one met so often ([met] pairs) that boxes no longer help. *)

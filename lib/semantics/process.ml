@@ -1,0 +1,33 @@
+open Scc_calculus
+
+let continue continuations (l : State.leaf) =
+  match List.assoc_opt l.leaf continuations with
+  | Some b -> { l with behaviour = Behaviour.fresh b }
+  | None -> l
+
+let union a b = List.filter (fun r -> List.memq r a || List.memq r b) Rule.all
+
+let rules prefix (d : Behaviour.derivation) =
+  (prefix :: (if d.by_sum then [ Rule.Sum ] else [])) @ if d.by_def then [ Rule.Def ] else []
+
+(* What an end of a bond may do to release it: its summands omega(a, Phi) that match. *)
+let releases (m : Model.t) p name (f : State.finish) =
+  Behaviour.derivations m.definitions (State.leaf_of p f.at).behaviour
+  |> List.filter_map (fun (offer, derivation) ->
+      match offer with
+      | Behaviour.Offer_weak (c, b) when String.equal c.name name && Behaviour.active c f.site ->
+        Some (b, rules Rule.Weak derivation)
+      | Offer_weak _ | Offer_open _ | Offer_strong _ -> None)
+
+let weak_offers m p (b : State.bond) =
+  let first = releases m p b.name b.one in
+  if first = [] then []
+  else
+    let second = releases m p b.name b.two in
+    List.concat_map (fun (x, r) -> List.map (fun (y, s) -> (x, y, union r s)) second) first
+
+let restart_clock m ~leaves ~bonds ~velocity =
+  let p = State.process ~leaves ~bonds ~velocity ~clock:None in
+  if Array.exists (fun b -> weak_offers m p b <> []) p.bonds then
+    State.process ~leaves ~bonds ~velocity ~clock:(Some Scc_exact.Rat.zero)
+  else p

@@ -1,0 +1,20 @@
+(** What the rules of splits and collisions share: leaves that continue, clocks that are set. *)
+
+open Scc_exact
+open Scc_calculus
+
+val continue : (int * Behaviour.t) list -> State.leaf -> State.leaf
+(** The leaf with the behaviour that the list gives for it, if it gives one. *)
+
+val weak_offers : Model.t -> State.process -> State.bond -> (Behaviour.t * Behaviour.t * Rule.t list) list
+(** The ways to release a bond: what its lesser and its greater end become, and the behaviour rules used. *)
+
+val restart_clock : Model.t -> leaves:State.leaf list -> bonds:State.bond list -> velocity:Vec.t -> State.process
+(** The process with its split clock at 0 if a weak split of it is enabled, without clock otherwise
+    (reading I-9). *)
+
+val rules : Rule.t -> Behaviour.derivation -> Rule.t list
+(** A prefix's rule with Sum and Def where the derivation used them. *)
+
+val union : Rule.t list -> Rule.t list -> Rule.t list
+(** Both, without repetition, in the order of {!Rule.all}. *)

@@ -1,0 +1,17 @@
+(** Splits of one process (section 3 of the rule book). The pieces keep the velocity of the whole
+    (reading I-11); each starts its split clock anew. *)
+
+open Scc_calculus
+
+type outcome = {
+  label : Transition.label;
+  rules : Rule.t list;
+  pieces : State.process list;
+}
+
+val weak : Model.t -> State.process -> outcome list
+(** Rule WeakSplit: every release of one bond that may happen at this instant, that is when the split clock
+    is at a multiple of the split step (readings I-6, I-9). *)
+
+val strong : Model.t -> State.process -> outcome list
+(** Rule StrongSplit: every reaction of a connected set of bonds (reading I-7). Urgent. *)

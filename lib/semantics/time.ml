@@ -1,0 +1,56 @@
+open Scc_exact
+open Scc_calculus
+
+let least a b =
+  match (a, b) with
+  | None, x | x, None -> x
+  | Some s, Some t -> Some (Rat.min s t)
+
+let process_horizon (m : Model.t) (p : State.process) =
+  Array.fold_left
+    (fun h (l : State.leaf) -> least h (Behaviour.horizon m.definitions l.behaviour))
+    None p.leaves
+
+let to_split_instant (m : Model.t) (p : State.process) =
+  Option.map (fun clock -> Rat.sub m.split_step clock) p.clock
+
+let delay m (s : State.t) =
+  let next =
+    Array.fold_left
+      (fun d p -> least d (least (process_horizon m p) (to_split_instant m p)))
+      None s.processes
+  in
+  let steered = Array.exists (Steer.steers m) s.processes in
+  let step = Option.map (fun (step : State.step) -> step.remaining) s.step in
+  let limit = if steered then least next step else next in
+  let contact = Collision.first_time_of_contact m s ~limit in
+  match least limit contact with
+  | None -> None
+  | Some d -> least (Some d) step
+
+(* The clock after d: started anew when an eps of the process has just expired (reading I-9). *)
+let pass_process (m : Model.t) d (p : State.process) =
+  let age (l : State.leaf) =
+    let position =
+      if Vec.is_zero p.velocity then l.position else Vec.axpy d p.velocity l.position
+    in
+    { l with position; behaviour = Behaviour.pass m.definitions d l.behaviour }
+  in
+  let leaves = Array.to_list (Array.map age p.leaves) and bonds = Array.to_list p.bonds in
+  let expires =
+    match process_horizon m p with Some h -> Rat.compare h d <= 0 | None -> false
+  in
+  if expires then Process.restart_clock m ~leaves ~bonds ~velocity:p.velocity
+  else
+    let clock = Option.map (fun c -> Rat.modulo (Rat.add c d) m.split_step) p.clock in
+    State.process ~leaves ~bonds ~velocity:p.velocity ~clock
+
+let pass_step d (step : State.step) =
+  let remaining = Rat.sub step.remaining d in
+  { State.remaining; phase = (if Rat.sign remaining = 0 then State.Due else Moving) }
+
+let pass m d (s : State.t) =
+  State.make
+    ~processes:(List.map (pass_process m d) (Array.to_list s.processes))
+    ~step:(Option.map (pass_step d) s.step)
+    ~time:(Option.map (Rat.add d) s.time)

@@ -1,0 +1,50 @@
+open Scc_exact
+open Scc_calculus
+
+type label =
+  | Time of Rat.t
+  | Bind of State.bond
+  | Bounce of int * int
+  | Weak_split of State.bond
+  | Strong_split of State.bond list
+
+type t = { label : label; rules : Rule.t list; target : State.t }
+type fault = Bad_law of { leaf : int; fault : Law.fault }
+
+let duration t =
+  match t.label with
+  | Time d -> d
+  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> Rat.zero
+
+let rec equal_bonds a b =
+  match (a, b) with
+  | [], [] -> true
+  | x :: a, y :: b -> State.equal_bond x y && equal_bonds a b
+  | [], _ :: _ | _ :: _, [] -> false
+
+let equal_label a b =
+  match (a, b) with
+  | Time s, Time t -> Rat.equal s t
+  | Bind x, Bind y | Weak_split x, Weak_split y -> State.equal_bond x y
+  | Bounce (i, j), Bounce (k, l) -> i = k && j = l
+  | Strong_split x, Strong_split y -> equal_bonds x y
+  | (Time _ | Bind _ | Bounce _ | Weak_split _ | Strong_split _), _ -> false
+
+let finish_to_string m (f : State.finish) = Model.site_name m ~leaf:f.at f.site
+let ends m (b : State.bond) = finish_to_string m b.one ^ ", " ^ finish_to_string m b.two
+
+let label_to_string (m : Model.t) = function
+  | Time d -> Printf.sprintf "time(%s)" (Rat.to_string d)
+  | Bind b -> Printf.sprintf "bind(%s, %s)" b.name (ends m b)
+  | Bounce (p, q) -> Printf.sprintf "bounce(%s, %s)" m.leaves.(p).name m.leaves.(q).name
+  | Weak_split b -> Printf.sprintf "weak(%s, %s)" b.name (ends m b)
+  | Strong_split bonds ->
+    List.map (fun (b : State.bond) -> Printf.sprintf "<%s, {%s}>" b.name (ends m b)) bonds
+    |> String.concat ", "
+    |> Printf.sprintf "strong({%s})"
+
+let fault_to_string (m : Model.t) (Bad_law { leaf; fault }) =
+  Printf.sprintf "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
+    (match fault with
+     | Division_by_zero -> "it divides by zero"
+     | Bad_quantum -> "it rounds to a quantum that is not positive")
