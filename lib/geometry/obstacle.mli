@@ -4,15 +4,19 @@
 
 open Scc_exact
 
-(** Offsets r with [normal . r * den >= num] separate A and B; with equality on all of... the plane
+(** Offsets r with [normal . r >= num/den] separate the interiors of A and B, and the plane
     [normal . r = num/den] carries a facet of the obstacle. *)
 type facet = {
   normal : Ivec.t;  (** primitive, pointing from A to B *)
   num : Z.t;
-  den : Z.t;  (** positive *)
+  den : Z.t;  (** positive; the same for all facets of an obstacle *)
 }
 
-type t = private { a : Solid.t; b : Solid.t; facets : facet array }
+type t = private {
+  a : Solid.t;
+  b : Solid.t;
+  facets : facet array;  (** exactly the facets of the obstacle, each once *)
+}
 
 val make : Solid.t -> Solid.t -> t
 
@@ -22,8 +26,8 @@ type relation = Apart | Touching | Interpenetrating
 val relation : t -> Vec.t -> relation
 
 val separating : t -> Vec.t -> Ivec.t list
-(** [separating o r] for touching bodies: the extreme directions n, from A to B, that separate them (the
-    normals of the facets that hold r). Not empty. *)
+(** [separating o r] for touching bodies (a bug otherwise): the extreme directions n, from A to B, that
+    separate them (the normals of the facets that hold r), primitive. Not empty. *)
 
 val approaching : t -> Vec.t -> Vec.t -> bool
 (** [approaching o r w]: the bodies, touching at offset [r], would interpenetrate after every small delay
@@ -36,8 +40,9 @@ type cast =
   | At of Rat.t  (** the first t >= 0 at which they collide: the interiors meet right after it *)
 
 val first_time_of_contact : t -> Vec.t -> Vec.t -> cast
-(** [first_time_of_contact o r w]: offset [r] at time 0, relative velocity [w]. A graze is no collision. *)
+(** [first_time_of_contact o r w]: offset [r] at time 0, relative velocity [w]. A graze is no collision.
+    [At 0] iff the bodies touch and approach at [r]. *)
 
 val meeting : t -> Vec.t -> Vec.t -> (Rat.t option * Rat.t option) option
 (** [meeting o r w] is the closed interval of real times (also negative) at which the closed bodies meet;
-    a bound is [None] when it is infinite. *)
+    a bound is [None] when it is infinite (only for w = 0). *)
