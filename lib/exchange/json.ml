@@ -1,0 +1,102 @@
+open Scc_base
+open Scc_exact
+
+type t = Yojson.Basic.t
+
+let continuation c = Char.code c land 0xC0 = 0x80
+
+(* The length of the UTF-8 encoded scalar value at [i], if there is one. *)
+let scalar_length s i =
+  let n = String.length s in
+  let byte k = Char.code s.[i + k] in
+  let rest k = i + k < n && continuation s.[i + k] in
+  match s.[i] with
+  | '\x00' .. '\x7f' -> Some 1
+  | '\xc2' .. '\xdf' when rest 1 -> Some 2
+  | '\xe0' .. '\xef' when rest 1 && rest 2 ->
+    let v = ((byte 0 land 15) lsl 12) lor ((byte 1 land 63) lsl 6) in
+    if v < 0x800 || (v >= 0xD800 && v < 0xE000) then None else Some 3
+  | '\xf0' .. '\xf4' when rest 1 && rest 2 && rest 3 ->
+    let v = ((byte 0 land 7) lsl 18) lor ((byte 1 land 63) lsl 12) in
+    if v < 0x10000 || v > 0x10FFFF then None else Some 4
+  | _ -> None
+
+let utf_8 s =
+  let b = Buffer.create (String.length s) in
+  let rec from i =
+    if i < String.length s then
+      match scalar_length s i with
+      | Some k ->
+        Buffer.add_substring b s i k;
+        from (i + k)
+      | None ->
+        Buffer.add_string b "\xef\xbf\xbd";
+        from (i + 1)
+  in
+  from 0;
+  Buffer.contents b
+
+let text s = `String (utf_8 s)
+let rat (q : Rat.t) = `String (Z.to_string (Q.num q) ^ "/" ^ Z.to_string (Q.den q))
+let vec (v : Vec.t) = `List [ rat v.x; rat v.y; rat v.z ]
+let option encode = function None -> `Null | Some x -> encode x
+let line json = Yojson.Basic.to_string json
+let pretty json = Yojson.Basic.pretty_to_string json ^ "\n"
+let max_depth = 200
+
+(* The parser is recursive: how deep the text would take it is found first. *)
+let too_deep s start stop =
+  let depth = ref 0 and quoted = ref false and escaped = ref false and deepest = ref 0 in
+  for i = start to stop - 1 do
+    if !escaped then escaped := false
+    else
+      match s.[i] with
+      | '\\' when !quoted -> escaped := true
+      | '"' -> quoted := not !quoted
+      | ('[' | '{') when not !quoted ->
+        incr depth;
+        if !depth > !deepest then deepest := !depth
+      | (']' | '}') when not !quoted -> decr depth
+      | _ -> ()
+  done;
+  !deepest > max_depth
+
+(* Yojson starts its messages with 'Line 3, bytes 10-12:'. *)
+let fault_line message =
+  try Scanf.sscanf message "Line %d," (fun l -> Some l)
+  with Scanf.Scan_failure _ | End_of_file | Failure _ -> None
+
+let rec line_start s from n =
+  if n <= 1 then from
+  else
+    match String.index_from_opt s from '\n' with
+    | Some i when i + 1 < String.length s -> line_start s (i + 1) (n - 1)
+    | _ -> from
+
+let parse_line source ~start ~stop =
+  let s = Source.text source in
+  let span start stop = Span.make ~file:(Source.name source) ~start ~stop in
+  if too_deep s start stop then
+    Error (Diag.error Code.bad_schedule (span start stop) "values are nested deeper than %d" max_depth)
+  else
+    match Yojson.Basic.from_string (String.sub s start (stop - start)) with
+    | json -> Ok json
+    | exception Yojson.Json_error message ->
+      let at = match fault_line message with Some l -> line_start s start l | None -> start in
+      Error (Diag.error Code.bad_schedule (span at (at + 1)) "this is not JSON")
+
+let parse source = parse_line source ~start:0 ~stop:(String.length (Source.text source))
+
+let member key = function
+  | `Assoc members -> (
+      match List.assoc_opt key members with None | Some `Null -> None | Some v -> Some v)
+  | _ -> None
+
+let string = function `String s -> Some s | _ -> None
+let int = function `Int i -> Some i | _ -> None
+let list = function `List l -> Some l | _ -> None
+
+let rational = function
+  | `Int i -> Some (Rat.of_int i)
+  | `String s -> ( match Rat.of_literal s with Ok q -> Some q | Error _ -> None)
+  | _ -> None

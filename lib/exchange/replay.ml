@@ -1,0 +1,182 @@
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+type policy = First | Random of int64 | Scheduled of Schedule.t
+type limits = { steps : int option; time : Rat.t option; instant : int }
+
+let default_instant = 10_000
+
+type ending = Open | Quiescent | Stuck | Zeno
+
+type event =
+  | Start of State.t
+  | Step of { number : int; index : int; among : int; time : Rat.t; taken : Transition.t }
+  | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
+  | End of { steps : int; time : Rat.t; ending : ending }
+
+type failure = Fault of Transition.fault | Refused of Diag.t | Interrupted
+
+(* What is left of the policy. *)
+type guide = Always_first | Generator of Splitmix64.t | Choices of Schedule.choice list
+
+type verdict = Take of int * guide | Leave | Misfit of Schedule.choice
+
+(* Where the run stands. *)
+type place = {
+  state : State.t;
+  time : Rat.t;
+  taken : int;  (** transitions so far *)
+  still : int;  (** of them, since time last passed *)
+  guide : guide;
+}
+
+let ( let* ) = Result.bind
+let none = function [] -> true | _ :: _ -> false
+let fault r = Result.map_error (fun f -> Fault f) r
+
+let possible model transitions =
+  let line i (t : Transition.t) =
+    Printf.sprintf "%d: %s" i (Transition.label_to_string model t.label)
+  in
+  match transitions with
+  | [] -> "nothing was possible there"
+  | _ -> "possible there: " ^ String.concat "; " (List.mapi line transitions)
+
+let label_fits model (t : Transition.t) = function
+  | None -> true
+  | Some label -> String.equal label (Transition.label_to_string model t.label)
+
+let index_of model transitions label =
+  let rec from i = function
+    | [] -> None
+    | t :: rest -> if label_fits model t (Some label) then Some i else from (i + 1) rest
+  in
+  from 0 transitions
+
+let decide model transitions guide =
+  match guide with
+  | Choices [] -> Leave
+  | Choices (c :: rest) -> (
+      match (c.Schedule.index, c.label) with
+      | Some i, label -> (
+          match List.nth_opt transitions i with
+          | Some t when label_fits model t label -> Take (i, Choices rest)
+          | _ -> Misfit c)
+      | None, Some label -> (
+          match index_of model transitions label with
+          | Some i -> Take (i, Choices rest)
+          | None -> Misfit c)
+      | None, None -> Misfit c)
+  | (Always_first | Generator _) when none transitions -> Leave
+  | Always_first -> Take (0, guide)
+  | Generator g ->
+    let i, g = Splitmix64.below (List.length transitions) g in
+    Take (i, Generator g)
+
+let wanted (c : Schedule.choice) =
+  match (c.index, c.label) with
+  | Some i, Some l -> Printf.sprintf "choice %d, `%s`," i l
+  | Some i, None -> Printf.sprintf "choice %d" i
+  | None, Some l -> Printf.sprintf "`%s`" l
+  | None, None -> "this"
+
+let misfit model transitions place c =
+  Refused
+    (Diag.error Code.schedule_mismatch c.Schedule.at
+       ~notes:[ (Span.none, possible model transitions) ]
+       "step %d at time %s: %s is not possible here" (place.taken + 1) (Rat.to_string place.time) (wanted c))
+
+let ending model limits place transitions =
+  if place.still >= limits.instant then Zeno
+  else if not (none transitions) then Open
+  else if Network.quiescent model place.state then Quiescent
+  else Stuck
+
+(* How long time may pass here without an event: [None] when for ever. *)
+let room model place transitions =
+  let longest acc (t : Transition.t) = Rat.max acc (Transition.duration t) in
+  if none transitions && Network.quiescent model place.state then None
+  else Some (List.fold_left longest Rat.zero transitions)
+
+let finish model limits emit place transitions =
+  let ending = ending model limits place transitions in
+  emit (End { steps = place.taken; time = place.time; ending });
+  Ok ending
+
+(* Leaves the run after [offset] more of undisturbed time, if that is possible. *)
+let leave_at model limits emit place transitions offset ~at =
+  let fits = match room model place transitions with None -> true | Some d -> Rat.compare offset d <= 0 in
+  if not fits then
+    Error
+      (Refused
+         (Diag.error Code.schedule_mismatch at
+            ~notes:[ (Span.none, possible model transitions) ]
+            "after step %d at time %s: time cannot pass by %s here" place.taken (Rat.to_string place.time)
+            (Rat.to_string offset)))
+  else begin
+    let state = if Rat.sign offset = 0 then place.state else Time.pass model offset place.state in
+    emit (Instant { offset; time = Rat.add place.time offset; state });
+    finish model limits emit place transitions
+  end
+
+let beyond (limits : limits) place d =
+  match limits.time with
+  | Some t when Rat.compare (Rat.add place.time d) t > 0 -> Some (Rat.sub t place.time)
+  | _ -> None
+
+let out_of_steps limits place =
+  match limits.steps with Some n -> place.taken >= n | None -> false
+
+let advance place guide (t : Transition.t) =
+  let d = Transition.duration t in
+  {
+    state = t.target;
+    time = Rat.add place.time d;
+    taken = place.taken + 1;
+    still = (if Rat.sign d > 0 then 0 else place.still + 1);
+    guide;
+  }
+
+(* The run is over: at the instant that the schedule names, or where time alone may go on to its limit. *)
+let leave model (limits : limits) emit place transitions (offset : (Rat.t * Span.t) option) =
+  match (offset, limits.time) with
+  | Some (d, at), _ -> leave_at model limits emit place transitions d ~at
+  | None, Some t when none transitions && Rat.compare t place.time > 0 && Network.quiescent model place.state ->
+    leave_at model limits emit place transitions (Rat.sub t place.time) ~at:Span.none
+  | None, _ -> finish model limits emit place transitions
+
+let run model declared policy limits ~interrupted emit =
+  let guide, offset =
+    match policy with
+    | First -> (Always_first, None)
+    | Random seed -> (Generator (Splitmix64.of_seed seed), None)
+    | Scheduled s -> (Choices s.choices, Option.map (fun d -> (d, s.offset_at)) s.offset)
+  in
+  let rec from place =
+    if interrupted () then Error Interrupted
+    else
+      let* transitions = fault (Network.successors model place.state) in
+      if out_of_steps limits place || place.still >= limits.instant then
+        finish model limits emit place transitions
+      else
+        match decide model transitions place.guide with
+        | Leave -> leave model limits emit place transitions offset
+        | Misfit c -> Error (misfit model transitions place c)
+        | Take (index, guide) -> (
+            let taken = List.nth transitions index in
+            match beyond limits place (Transition.duration taken) with
+            | Some rest when Rat.sign rest > 0 ->
+              leave_at model limits emit place transitions rest ~at:Span.none
+            | Some _ -> finish model limits emit place transitions
+            | None ->
+              let next = advance place guide taken in
+              emit
+                (Step
+                   { number = next.taken; index; among = List.length transitions; time = next.time; taken });
+              from next)
+  in
+  let* state = fault (Network.initial model declared) in
+  emit (Start state);
+  from { state; time = Rat.zero; taken = 0; still = 0; guide }

@@ -1,0 +1,52 @@
+(** One run of a model, led by choices. *)
+
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+type policy =
+  | First  (** the first successor, always *)
+  | Random of int64  (** each successor equally likely, by {!Splitmix64} from this seed *)
+  | Scheduled of Schedule.t
+
+type limits = {
+  steps : int option;  (** at most so many transitions *)
+  time : Rat.t option;  (** model time *)
+  instant : int;  (** at most so many transitions in a row without time passing (Zeno guard) *)
+}
+
+val default_instant : int
+(** 10 000. *)
+
+(** How the run stands where it was left. *)
+type ending =
+  | Open  (** there is more to come *)
+  | Quiescent  (** nothing will ever happen again *)
+  | Stuck  (** neither time nor anything else can go on *)
+  | Zeno  (** the Zeno guard stopped it *)
+
+type event =
+  | Start of State.t
+  | Step of { number : int;  (** from 1 *) index : int; among : int; time : Rat.t; taken : Transition.t }
+  (** [time] is the model time after it *)
+  | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
+  (** the run is left in the midst of a passing of time, [offset] after the last transition *)
+  | End of { steps : int; time : Rat.t; ending : ending }
+
+type failure =
+  | Fault of Transition.fault
+  | Refused of Diag.t  (** SC0802: the schedule does not fit here; the note tells what was possible *)
+  | Interrupted
+
+val run :
+  Model.t ->
+  State.t ->
+  policy ->
+  limits ->
+  interrupted:(unit -> bool) ->
+  (event -> unit) ->
+  (ending, failure) result
+(** [run model declared policy limits ~interrupted emit] emits the events of the run in order. The events
+    depend on the model and the choices alone, not on where the choices came from. When the limit of time
+    falls within a passing of time, the run ends with an [Instant] at the limit. *)

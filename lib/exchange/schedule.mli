@@ -1,0 +1,27 @@
+(** Schedules: the choices that lead a model through one run. *)
+
+open Scc_base
+open Scc_exact
+
+(** The transition taken in a state: its number among the successors, from 0, and its label's text. At least
+    one of them is given; what is given must fit. *)
+type choice = { index : int option; label : string option; at : Span.t }
+
+type t = {
+  digest : string option;  (** of the model it was made for, see {!Model_digest} *)
+  parameters : (string * Rat.t) list;  (** with their values *)
+  choices : choice list;
+  offset : Rat.t option;
+  (** time that passes after the last choice, without an event: the instant that a witness is about *)
+  offset_at : Span.t;
+}
+
+val version : int
+(** Of the format. *)
+
+val to_string :
+  digest:string -> parameters:(string * Rat.t) list -> (int * string) list -> offset:Rat.t option -> string
+(** The file for the choices (number and label), one a line. *)
+
+val read : Source.t -> (t, Diag.t) result
+(** Reads a schedule, or the schedule of a trace, which each of its lines holds (SC0801 otherwise). *)

@@ -1,0 +1,63 @@
+open Scc_calculus
+open Scc_semantics
+
+let site (m : Model.t) (f : State.finish) = Json.text (Model.site_name m ~leaf:f.at f.site)
+let ends m (b : State.bond) = `List [ site m b.one; site m b.two ]
+let bond m (b : State.bond) = `Assoc [ ("name", Json.text b.name); ("ends", ends m b) ]
+let leaf_name (m : Model.t) leaf = Json.text m.leaves.(leaf).name
+
+let label m (l : Transition.label) =
+  let parts =
+    match l with
+    | Time d -> [ ("duration", Json.rat d) ]
+    | Bind b | Weak_split b -> [ ("name", Json.text b.name); ("ends", ends m b) ]
+    | Bounce (p, q) -> [ ("between", `List [ leaf_name m p; leaf_name m q ]) ]
+    | Strong_split bonds -> [ ("bonds", `List (List.map (bond m) bonds)) ]
+  in
+  let kind =
+    match l with
+    | Time _ -> "time"
+    | Bind _ -> "bind"
+    | Bounce _ -> "bounce"
+    | Weak_split _ -> "weak"
+    | Strong_split _ -> "strong"
+  in
+  `Assoc
+    (("kind", `String kind) :: ("text", Json.text (Transition.label_to_string m l)) :: parts)
+
+let behaviour m ~leaf (b : Behaviour.aged) = Behaviour_text.to_string m ~leaf b.term
+
+let origin (m : Model.t) (b : Behaviour.aged) =
+  Json.option (fun k -> Json.text m.definitions.(k).name) b.origin
+
+let leaf m (l : State.leaf) =
+  `Assoc
+    [
+      ("name", leaf_name m l.leaf);
+      ("position", Json.vec l.position);
+      ("behaviour", Json.text (behaviour m ~leaf:l.leaf l.behaviour));
+      ("origin", origin m l.behaviour);
+    ]
+
+let list encode array = `List (List.map encode (Array.to_list array))
+
+let process m (p : State.process) =
+  `Assoc
+    [
+      ("velocity", Json.vec p.velocity);
+      ("clock", Json.option Json.rat p.clock);
+      ("leaves", list (leaf m) p.leaves);
+      ("bonds", list (bond m) p.bonds);
+    ]
+
+let phase : State.phase -> string = function
+  | Moving -> "moving"
+  | Due -> "due"
+  | Steered -> "steered"
+
+let step (s : State.step) =
+  `Assoc [ ("remaining", Json.rat s.remaining); ("phase", `String (phase s.phase)) ]
+
+let state m (s : State.t) =
+  `Assoc
+    [ ("processes", list (process m) s.processes); ("step", Json.option step s.step) ]

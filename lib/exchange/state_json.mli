@@ -1,0 +1,13 @@
+(** States and transition labels as JSON (see [specs/schema]). Lengths are in the model's units, velocities
+    in those per unit of time, positions in the world. *)
+
+open Scc_calculus
+open Scc_semantics
+
+val label : Model.t -> Transition.label -> Json.t
+(** [{"kind", "text", …}]: what the label is, its text, and its parts by name. *)
+
+val state : Model.t -> State.t -> Json.t
+(** The state in full. *)
+
+val behaviour : Model.t -> leaf:int -> Behaviour.aged -> string

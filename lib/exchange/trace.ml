@@ -1,0 +1,56 @@
+open Scc_calculus
+open Scc_semantics
+
+let version = Schedule.version
+let semantics_version = "1"
+
+let header ~model ~digest ~parameters =
+  `Assoc
+    [
+      ("type", `String "header");
+      ("format", `String "scc-trace");
+      ("version", `Int version);
+      ("semantics", `String semantics_version);
+      ("model", Json.option Json.text model);
+      ("digest", `String digest);
+      ("parameters", `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) parameters));
+    ]
+
+let ending : Replay.ending -> string = function
+  | Open -> "open"
+  | Quiescent -> "quiescent"
+  | Stuck -> "stuck"
+  | Zeno -> "zeno"
+
+let event (m : Model.t) (e : Replay.event) =
+  match e with
+  | Start state ->
+    `Assoc [ ("type", `String "state"); ("time", `String "0/1"); ("state", State_json.state m state) ]
+  | Step { number; index; among; time; taken } ->
+    `Assoc
+      [
+        ("type", `String "transition");
+        ("step", `Int number);
+        ("choice", `Int index);
+        ("of", `Int among);
+        ("label", State_json.label m taken.label);
+        ("rules", `List (List.map (fun r -> `String (Rule.id r)) taken.rules));
+        ("time", Json.rat time);
+        ("state", State_json.state m taken.target);
+      ]
+  | Instant { offset; time; state } ->
+    `Assoc
+      [
+        ("type", `String "instant");
+        ("offset", Json.rat offset);
+        ("time", Json.rat time);
+        ("state", State_json.state m state);
+      ]
+  | End { steps; time; ending = e } ->
+    `Assoc
+      [
+        ("type", `String "end");
+        ("steps", `Int steps);
+        ("time", Json.rat time);
+        ("ending", `String (ending e));
+      ]

@@ -1,0 +1,16 @@
+(** Traces as JSON Lines: one object a line, the same bytes for the same model and choices. *)
+
+open Scc_exact
+open Scc_calculus
+
+val version : int
+(** Of the format. *)
+
+val semantics_version : string
+(** Of the semantics (the rule book) that the states are computed by. *)
+
+val header : model:string option -> digest:string -> parameters:(string * Rat.t) list -> Json.t
+(** The first line: what the run is of. It holds what decides what the choices mean, and not how they were
+    made, so that a trace and its replay are the same bytes. *)
+
+val event : Model.t -> Replay.event -> Json.t
