@@ -18,6 +18,8 @@ val of_ifs : ifs -> (t, Polyhedron_fault.t list) result
 (** Accepts exactly the convex closed polyhedra, that is E0 to E5 of the rule book hold; otherwise every
     fault that a person would want to see, the most telling first. *)
 
+val to_ifs : t -> ifs
+
 val transform : Mat.t -> t -> t
 (** The image under a linear map of positive determinant (a bug otherwise), which stays one. *)
 

@@ -1,0 +1,21 @@
+(** Volume, centroid and inertia of the uniform solid that a closed surface bounds (Definition 4.4 of the
+    paper and section 1.3 of the rule book). Exact: sums over the signed tetrahedra that the origin spans
+    with the triangles of the faces. *)
+
+open Scc_exact
+
+type t = {
+  volume : Rat.t;  (** positive for a solid oriented outward *)
+  centroid : Vec.t;  (** in the frame of the points *)
+  inertia : Mat.t;  (** about the centroid, along the axes of the frame, for unit density *)
+}
+
+val of_surface : Ivec.t array -> Z.t -> int array array -> t
+(** [of_surface points denominator faces]: the points [points / denominator] and the planar faces of a closed
+    surface whose volume is not zero (a bug otherwise). *)
+
+val of_polyhedron : Polyhedron.t -> t
+(** In body space. *)
+
+val inertia : mass:Rat.t -> t -> Mat.t
+(** The inertia tensor about the centroid of the uniform solid of that mass. *)

@@ -1,0 +1,43 @@
+open Scc_base
+open Scc_exact
+
+type t = {
+  id : int;
+  polyhedron : Polyhedron.t;
+  linear : Mat.t;
+  vertices : Ivec.t array;
+  denominator : Z.t;
+  normals : Ivec.t array;
+  centroid : Vec.t;
+  volume : Rat.t;
+  low : Vec.t;
+  high : Vec.t;
+}
+
+let position denominator (v : Ivec.t) =
+  Vec.make (Rat.make v.x denominator) (Rat.make v.y denominator) (Rat.make v.z denominator)
+
+let bound choose (vertices : Ivec.t array) =
+  let merge (a : Ivec.t) (b : Ivec.t) = Ivec.make (choose a.x b.x) (choose a.y b.y) (choose a.z b.z) in
+  Array.fold_left merge vertices.(0) vertices
+
+let make ~id (polyhedron : Polyhedron.t) linear =
+  if Rat.sign (Mat.det linear) <= 0 then Bug.fail __POS__ "a solid through a singular map or a reflection";
+  let image (_, v) = Mat.apply linear v in
+  let vertices, denominator = Ivec.of_vecs (Array.map image polyhedron.vertices) in
+  let faces = Array.map snd polyhedron.faces in
+  let mass = Mass_properties.of_surface vertices denominator faces in
+  {
+    id;
+    polyhedron;
+    linear;
+    vertices;
+    denominator;
+    normals = Array.map (fun f -> Ivec.primitive (Face_check.normal vertices f)) faces;
+    centroid = mass.centroid;
+    volume = mass.volume;
+    low = position denominator (bound Z.min vertices);
+    high = position denominator (bound Z.max vertices);
+  }
+
+let vertex s i = position s.denominator s.vertices.(i)
