@@ -1,0 +1,132 @@
+(* Section 2 of the rule book: behaviours. *)
+
+open Scc_exact
+open Scc_calculus
+open Fixture
+module Gen = QCheck2.Gen
+
+let defs : Behaviour.definitions =
+  [|
+    { name = "Plain"; body = open_ "a" [ "top" ] (Behaviour.call 0) };
+    { name = "Slow"; body = eps (q 2) (weak "a" [ "top" ] (Behaviour.call 0)) };
+    { name = "Chain"; body = eps (ratio 1 2) (Behaviour.call 1) };
+    { name = "Mixed"; body = eps (q 1) (Behaviour.call 2) + Behaviour.call 0 };
+    { name = "Loop"; body = eps (ratio 3 4) (Behaviour.call 4) };
+  |]
+
+let gen_time = Gen.map2 ratio (Gen.int_range 0 24) (Gen.int_range 1 8)
+
+let gen_behaviour =
+  let leaf =
+    Gen.oneof [ Gen.pure nil; Gen.map Behaviour.call (Gen.int_range 0 (Stdlib.( - ) (Array.length defs) 1)) ]
+  in
+  Gen.sized_size (Gen.int_range 0 12)
+    (Gen.fix (fun self n ->
+         if n = 0 then leaf
+         else
+           let below = self (n / 2) in
+           Gen.oneof
+             [
+               leaf;
+               Gen.map2 eps gen_time below;
+               Gen.map2 Behaviour.sum below below;
+               Gen.map (open_ "a" [ "top"; "left" ]) below;
+               Gen.map (co_open "b" [ "top" ]) below;
+               Gen.map (weak "a" [ "right" ]) below;
+               Gen.map (strong [ ("a", [ "top" ]); ("b", [ "left" ]) ]) below;
+             ]))
+
+let equal = Behaviour.equal_aged
+
+let additivity =
+  QCheck2.Test.make ~name:"TimeBehaviour: time is additive" ~count:2000
+    (Gen.triple gen_behaviour gen_time gen_time) (fun (b, d, e) ->
+        let b = Behaviour.fresh b in
+        equal (Behaviour.pass defs (Rat.add d e) b) (Behaviour.pass defs e (Behaviour.pass defs d b)))
+
+let before_horizon =
+  QCheck2.Test.make ~name:"TimeBehaviour: the horizon shrinks by what has passed, and offers stay till then"
+    ~count:2000
+    (Gen.triple gen_behaviour (Gen.int_range 1 7) Gen.unit)
+    (fun (b, k, ()) ->
+       let b = Behaviour.fresh b in
+       match Behaviour.horizon defs b with
+       | None -> equal (Behaviour.pass defs (q k) b) b
+       | Some h ->
+         let d = Rat.mul h (ratio k 8) in
+         let later = Behaviour.pass defs d b in
+         let strip (o, _) = o in
+         Option.equal Rat.equal (Behaviour.horizon defs later) (Some (Rat.sub h d))
+         && List.length (Behaviour.derivations defs b)
+            = List.length (List.map strip (Behaviour.derivations defs later)))
+
+let order =
+  QCheck2.Test.make ~name:"canonical terms: compare is an order that hash respects" ~count:2000
+    (Gen.triple gen_behaviour gen_behaviour gen_behaviour) (fun (a, b, c) ->
+        let sign x = Int.compare x 0 in
+        sign (Behaviour.compare a b) = Stdlib.( ~- ) (sign (Behaviour.compare b a))
+        && ((not (Behaviour.compare a b <= 0 && Behaviour.compare b c <= 0)) || Behaviour.compare a c <= 0)
+        && ((not (Behaviour.equal a b)) || Behaviour.hash a = Behaviour.hash b)
+        && Behaviour.equal a a)
+
+let offered b =
+  List.map
+    (fun (offer, (d : Behaviour.derivation)) ->
+       let via = (if d.by_sum then "+" else "") ^ if d.by_def then "K" else "" in
+       match offer with
+       | Behaviour.Offer_open (Name, c, _) -> "<" ^ c.name ^ ">" ^ via
+       | Offer_open (Co_name, c, _) -> "<~" ^ c.name ^ ">" ^ via
+       | Offer_weak (c, _) -> "omega " ^ c.name ^ via
+       | Offer_strong (l, _) -> "rho" ^ string_of_int (List.length l) ^ via)
+    (Behaviour.derivations defs (Behaviour.fresh b))
+
+let check_offers name b expected () = Alcotest.(check (list string)) name expected (offered b)
+
+let rules =
+  let t = [ "top" ] in
+  [
+    ("Pre: a prefix offers its channel", open_ "a" t nil, [ "<a>" ]);
+    ("Pre: a co-name is offered as such", co_open "a" t nil, [ "<~a>" ]);
+    ("Weak: omega offers the release", weak "a" t nil, [ "omega a" ]);
+    ("Strong: rho offers the reaction", strong [ ("a", t); ("b", t) ] nil, [ "rho2" ]);
+    ("Sum: both summands offer, in order", open_ "a" t nil + weak "b" t nil, [ "<a>+"; "omega b+" ]);
+    ("Sum: equal summands offer once", open_ "a" t nil + open_ "a" t nil, [ "<a>+" ]);
+    ("Def: a name offers what its body does", Behaviour.call 0, [ "<a>K" ]);
+    ("Eps0: eps(0).B is B", eps (q 0) (open_ "a" t nil), [ "<a>" ]);
+    ("TimeBehaviour: an exposed eps offers nothing", eps (q 1) (open_ "a" t nil), []);
+  ]
+  |> List.map (fun (name, b, expected) -> Alcotest.test_case name `Quick (check_offers name b expected))
+
+let origin () =
+  let after d k = (Behaviour.pass defs d (Behaviour.fresh (Behaviour.call k))).origin in
+  let check what expected got = Alcotest.(check (option int)) what expected got in
+  check "a name is its own origin" (Some 2) (after (q 0) 2);
+  check "ageing keeps the origin" (Some 2) (after (ratio 1 4) 2);
+  check "a name that an eps brings up takes over" (Some 1) (after (ratio 1 2) 2);
+  check "also when it is passed" (Some 1) (after (q 2) 2);
+  let folded = Behaviour.pass defs (q 5) (Behaviour.fresh (Behaviour.call 0)) in
+  Alcotest.(check bool) "without exposed eps a name stays folded" true
+    (equal folded (Behaviour.fresh (Behaviour.call 0)))
+
+let unguarded () =
+  let call = Behaviour.call in
+  let body body : Behaviour.definition = { name = "K"; body } in
+  let defs =
+    [|
+      body (call 1 + nil); body (call 0); body (open_ "a" [ "top" ] (call 2)); body (eps (q 1) (call 3));
+      body (call 0); body (eps (q 0) (call 5));
+    |]
+  in
+  Alcotest.(check (list int)) "the definitions on unguarded cycles" [ 0; 1; 5 ] (Behaviour.unguarded defs)
+
+let () =
+  Alcotest.run "behaviour"
+    [
+      ("rules", rules);
+      ( "terms",
+        [
+          Alcotest.test_case "I-14: the origin of a behaviour follows the passing of time" `Quick origin;
+          Alcotest.test_case "guardedness" `Quick unguarded;
+        ] );
+      ("laws", Scc_test_support.Property.cases [ additivity; before_horizon; order ]);
+    ]

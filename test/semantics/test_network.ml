@@ -1,0 +1,192 @@
+(* Rules Time, Bind, Bounce and Steer on small networks of cubes. *)
+
+open Scc_calculus
+open Scc_semantics
+open Fixture
+
+let network ?definitions ?timestep ?split_step bodies =
+  let m = model ?definitions ?timestep ?split_step bodies in
+  (m, start m (declared bodies))
+
+let check_velocity what expected s leaf = Alcotest.(check string) what expected (velocity s leaf)
+
+let time () =
+  let m, s = network [ body "p" (0, 0, 0) ~velocity:(1, 0, 0); body "q" (5, 0, 0) ] in
+  check_labels "time passes to the first contact" [ "time(3)" ] m s;
+  let m, s = network [ body "p" (0, 0, 0) ~velocity:(1, 0, 0) ~behaviour:(eps (q 2) nil); body "q" (5, 0, 0) ] in
+  check_labels "or to the horizon" [ "time(2)" ] m s;
+  let s = take m s "time(2)" in
+  check_labels "and on from there" [ "time(1)" ] m s
+
+let grazing () =
+  let m, s = network [ body "p" (0, 0, 0) ~velocity:(1, 0, 0); body "q" (5, 2, 0) ] in
+  check_labels "sliding along is no collision" [] m s;
+  Alcotest.(check bool) "the network is quiescent" true (Network.quiescent m s);
+  let m, s = network [ body "p" (0, 0, 0); body "q" (2, 0, 0) ] in
+  check_labels "nor is rest" [] m s
+
+let bounce () =
+  let m, s = network [ body "p" (0, 0, 0) ~velocity:(3, 1, 0); body "q" (2, 0, 0) ~velocity:(-1, 0, 0) ] in
+  check_labels "incompatible bodies bounce" [ "bounce(p, q)" ] m s;
+  let s = take m s "bounce(p, q)" in
+  check_velocity "equal masses swap the normal part" "(-1, 1, 0)" s 0;
+  check_velocity "and keep the tangential" "(3, 0, 0)" s 1;
+  let m, s = network [ body "p" (0, 0, 0) ~velocity:(3, 0, 0) ~mass:2; body "q" (2, 0, 0) ] in
+  let s = take m s "bounce(p, q)" in
+  check_velocity "the heavier goes on" "(1, 0, 0)" s 0;
+  check_velocity "the lighter is thrown" "(4, 0, 0)" s 1
+
+let wall () =
+  let m, s = network [ body "p" (0, 0, 0) ~velocity:(3, 1, 2); body "w" (2, 0, 0) ~fixed:true ] in
+  let s = take m s "bounce(p, w)" in
+  check_velocity "a fixed body reflects" "(-3, 1, 2)" s 0;
+  check_velocity "and stays" "(0, 0, 0)" s 1
+
+let clash b1 b2 =
+  network
+    [
+      body "p" (0, 0, 0) ~velocity:(2, 0, 0) ~mass:2 ~behaviour:b1;
+      body "q" (2, 1, 0) ~velocity:(-1, 3, 0) ~behaviour:b2;
+    ]
+
+let bind () =
+  let m, s = clash (open_ "a" [ "right" ] nil) (co_open "a" [ "left" ] nil) in
+  check_labels "a compatible collision binds" [ "bind(a, p.right, q.left)" ] m s;
+  let s = take m s "bind(a, p.right, q.left)" in
+  Alcotest.(check int) "into one process" 1 (Array.length s.processes);
+  check_velocity "that keeps the momentum" "(1, 1, 0)" s 0;
+  check_labels "and never collides with itself" [] m s
+
+let incompatible () =
+  let bounces what b1 b2 =
+    let m, s = clash b1 b2 in
+    check_labels what [ "bounce(p, q)" ] m s
+  in
+  bounces "two names" (open_ "a" [ "right" ] nil) (open_ "a" [ "left" ] nil);
+  bounces "other names" (open_ "a" [ "right" ] nil) (co_open "b" [ "left" ] nil);
+  bounces "other places" (open_ "a" [ "left" ] nil) (co_open "a" [ "left" ] nil);
+  bounces "closed for now" (eps (q 1) (open_ "a" [ "right" ] nil)) (co_open "a" [ "left" ] nil)
+
+let lower_dimension () =
+  (* The channel of p is active on its top face, whose closure holds the upper edge of the right face: it
+     touches the left face of q, which lies higher. *)
+  let m, s =
+    network
+      [
+        body "p" (0, 0, 0) ~velocity:(2, 0, 0) ~behaviour:(open_ "a" [ "top" ] nil);
+        body "q" (2, 1, 1) ~behaviour:(co_open "a" [ "left" ] nil);
+      ]
+  in
+  check_labels "the highest pair among those shared" [ "bind(a, p.[f,g], q.left)" ] m s
+
+let choice () =
+  let m, s =
+    clash
+      (open_ "a" [ "right" ] nil + open_ "b" [ "right" ] nil)
+      (co_open "a" [ "left" ] nil + co_open "b" [ "left" ] nil)
+  in
+  check_labels "one transition for each candidate"
+    [ "bind(a, p.right, q.left)"; "bind(b, p.right, q.left)" ]
+    m s;
+  let m, s = clash (open_ "a" [ "right" ] nil + open_ "a" [ "right" ] (eps (q 1) nil)) (co_open "a" [ "left" ] nil) in
+  check_labels "summands with other continuations are other choices"
+    [ "bind(a, p.right, q.left)"; "bind(a, p.right, q.left)" ]
+    m s
+
+let every_order () =
+  let m, s =
+    network
+      [
+        body "p" (0, 0, 0); body "q" (-2, 0, 0) ~velocity:(1, 0, 0); body "r" (2, 0, 0) ~velocity:(-1, 0, 0);
+      ]
+  in
+  check_labels "simultaneous collisions, in every order (I-8)" [ "bounce(p, q)"; "bounce(p, r)" ] m s;
+  let s = take m s "bounce(p, q)" in
+  check_labels "each followed by a fresh look" [ "bounce(p, r)" ] m s
+
+let fixed_bind () =
+  let m, s =
+    network
+      [
+        body "p" (0, 0, 0) ~velocity:(2, 0, 0) ~behaviour:(open_ "a" [ "right" ] nil);
+        body "w" (2, 0, 0) ~fixed:true ~behaviour:(co_open "a" [ "left" ] nil);
+      ]
+  in
+  let s = take m s "bind(a, p.right, w.left)" in
+  check_velocity "what binds to a fixed body stops" "(0, 0, 0)" s 0
+
+let var v = Law.Var v
+
+let falling =
+  Law.Velocity (var Vx, var Vy, Law.Sub (var Vz, Law.Mul (Const (q 10), var Dt)))
+
+let steer () =
+  let m, s = network ~timestep:(ratio 1 2) [ body "p" (0, 0, 100) ~law:falling ] in
+  check_velocity "at the start dt = 0 (I-10)" "(0, 0, 0)" s 0;
+  let s = take m s "time(1/2)" in
+  check_velocity "then once a step" "(0, 0, -5)" s 0;
+  let s = take m s "time(1/2)" in
+  check_velocity "and again" "(0, 0, -10)" s 0
+
+let steer_after_collision () =
+  (* The floor's top is at z = 1: p falls at 10 from z = 5 and hits it after 3/10 of a step of 1. *)
+  let bodies =
+    [ body "p" (0, 0, 5) ~velocity:(0, 0, -10) ~law:falling; body "floor" (0, 0, 0) ~fixed:true ]
+  in
+  let m, s = network bodies in
+  let s = take m s "time(3/10)" in
+  let s = take m s "bounce(p, floor)" in
+  check_velocity "the step is cut short and the law gets what has passed (I-10)" "(0, 0, 7)" s 0;
+  check_labels "a new step begins" [ "time(1)" ] m s
+
+let steer_once () =
+  (* Gravity pulls a resting cube into the floor: it bounces, and is not steered again at this instant. *)
+  let bodies = [ body "p" (0, 0, 2) ~law:falling; body "floor" (0, 0, 0) ~fixed:true ] in
+  let m, s = network bodies in
+  let s = take m s "time(1)" in
+  check_velocity "steered into the floor" "(0, 0, -10)" s 0;
+  let s = take m s "bounce(p, floor)" in
+  check_velocity "and thrown back, once" "(0, 0, 10)" s 0;
+  check_labels "time passes" [ "time(1)" ] m s
+
+let bad_law () =
+  let law = Law.Velocity (Law.Div (Const (q 1), var Dt), Const (q 0), Const (q 0)) in
+  let bodies = [ body "p" (0, 0, 0) ~law ] in
+  let m = model bodies in
+  match Network.initial m (declared bodies) with
+  | Ok _ -> Alcotest.fail "1/dt was evaluated at dt = 0"
+  | Error fault ->
+    Alcotest.(check string) "the fault is named" "the law of motion of p cannot be evaluated: it divides by zero"
+      (Transition.fault_to_string m fault)
+
+let zeno () =
+  let wall name x = body name (x, 0, 0) ~fixed:true in
+  let bodies = [ body "p" (0, 0, 0) ~velocity:(1, 0, 0); wall "w" (-2); wall "v" 2 ] in
+  let m, s = network bodies in
+  let s' = take m s "bounce(p, v)" in
+  let s'' = take m s' "bounce(p, w)" in
+  Alcotest.(check bool) "a plate that fills its slot rattles in no time" true (State.equal s s'')
+
+let () =
+  let case name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "network"
+    [
+      ( "rules",
+        [
+          case "Time: to the next event" time;
+          case "Time: grazing and resting contact is no collision" grazing;
+          case "Bounce: two bodies" bounce;
+          case "Bounce: a fixed body" wall;
+          case "Bind: a compatible collision" bind;
+          case "Bind: what is not compatible bounces" incompatible;
+          case "Bind: the touching pairs of the highest dimension (I-12)" lower_dimension;
+          case "Bind: one transition for each candidate" choice;
+          case "Bind: to a fixed body" fixed_bind;
+          case "Time: simultaneous collisions (I-8)" every_order;
+          case "Steer: once a step" steer;
+          case "Steer: after a collision (I-10)" steer_after_collision;
+          case "Steer: once an instant (I-15)" steer_once;
+          case "Steer: a law that cannot be evaluated" bad_law;
+          case "Time: Zeno" zeno;
+        ] );
+    ]

@@ -1,0 +1,201 @@
+(* Rules WeakSplit and StrongSplit against a brute force over all sets of bonds and all choices. *)
+
+open Scc_calculus
+open Scc_semantics
+open Fixture
+module Gen = QCheck2.Gen
+
+let faces = [| "left"; "right"; "top"; "bottom" |]
+
+(* A random tree of bonds over cubes (where the cubes are is of no matter to a split), with behaviours that
+   offer reactions and releases on random channels. *)
+type tree = { behaviours : Behaviour.t list; bonds : (string * (int * string) * (int * string)) list }
+
+let gen_name = Gen.oneofl [ "a"; "b" ]
+let gen_face = Gen.map (fun i -> faces.(i)) (Gen.int_range 0 3)
+let gen_faces = Gen.map2 (fun f g -> [ f; g ]) gen_face gen_face
+let gen_entry = Gen.pair gen_name gen_faces
+
+let gen_behaviour =
+  let summand =
+    Gen.oneof
+      [
+        Gen.map (fun l -> strong l nil) (Gen.list_size (Gen.int_range 1 3) gen_entry);
+        Gen.map (fun (n, f) -> weak n f (open_ n f nil)) gen_entry;
+      ]
+  in
+  Gen.map
+    (function [] -> nil | s :: rest -> List.fold_left Behaviour.sum s rest)
+    (Gen.list_size (Gen.int_range 0 3) summand)
+
+let gen_tree =
+  let open Gen in
+  int_range 2 5 >>= fun n ->
+  let bond i =
+    map2
+      (fun (parent, name) (f, g) -> (name, (parent, f), (i, g)))
+      (pair (int_range 0 (Stdlib.( - ) i 1)) gen_name)
+      (pair gen_face gen_face)
+  in
+  map2
+    (fun behaviours bonds -> { behaviours; bonds })
+    (list_repeat n gen_behaviour)
+    (flatten_l (List.init (Stdlib.( - ) n 1) (fun i -> bond (Stdlib.( + ) i 1))))
+
+let setup tree =
+  let bodies =
+    List.mapi
+      (fun i behaviour -> body (Printf.sprintf "p%d" i) (Stdlib.( * ) 4 i, 0, 0) ~behaviour)
+      tree.behaviours
+  in
+  let m = model bodies in
+  (m, start m (joined bodies tree.bonds))
+
+let rec powerset = function
+  | [] -> [ [] ]
+  | x :: rest ->
+    let p = powerset rest in
+    p @ List.map (fun s -> x :: s) p
+
+let rec permutations = function
+  | [] -> [ [] ]
+  | l ->
+    List.concat_map
+      (fun x -> List.map (fun p -> x :: p) (permutations (List.filter (fun y -> not (y == x)) l)))
+      l
+
+(* The definition, read literally: X is not empty and connected; every leaf at an end of X chooses one rho
+   whose entries match its bonds of X one to one. The number of choices for each X. *)
+let brute_force (m : Model.t) (p : State.process) =
+  let rhos (l : State.leaf) =
+    List.filter_map
+      (function Behaviour.Offer_strong (entries, _) -> Some entries | _ -> None)
+      (Behaviour.offers m.definitions l.behaviour)
+  in
+  let ends (b : State.bond) = [ b.one.at; b.two.at ] in
+  let connected x =
+    let leaves = List.sort_uniq Int.compare (List.concat_map ends x) in
+    List.length leaves = Stdlib.( + ) (List.length x) 1
+  in
+  let site (b : State.bond) at = if b.one.at = at then b.one.site else b.two.site in
+  let fits at (entry : Behaviour.channel) (b : State.bond) =
+    String.equal entry.name b.name && Behaviour.active entry (site b at)
+  in
+  let matching at bonds entries =
+    List.length bonds = List.length entries
+    && List.exists (fun order -> List.for_all2 (fits at) entries order) (permutations bonds)
+  in
+  let ways x =
+    let leaves = List.sort_uniq Int.compare (List.concat_map ends x) in
+    List.fold_left
+      (fun ways at ->
+         let bonds = List.filter (fun b -> List.mem at (ends b)) x in
+         Stdlib.( * ) ways
+           (List.length (List.filter (matching at bonds) (rhos (State.leaf_of p at)))))
+      1 leaves
+  in
+  powerset (Array.to_list p.bonds)
+  |> List.filter (fun x -> x <> [] && connected x)
+  |> List.concat_map (fun x -> List.init (ways x) (fun _ -> Transition.Strong_split x))
+
+let strings m labels = List.sort String.compare (List.map (Transition.label_to_string m) labels)
+
+let strong_is_brute_force =
+  QCheck2.Test.make ~name:"StrongSplit: the reactions are those of the definition" ~count:3000 gen_tree
+    (fun tree ->
+       let m, s = setup tree in
+       let p = s.processes.(0) in
+       let mine = List.map (fun (o : Split.outcome) -> o.label) (Split.strong m p) in
+       List.equal String.equal (strings m mine) (strings m (brute_force m p)))
+
+let pieces_keep_everything =
+  QCheck2.Test.make ~name:"WeakSplit, StrongSplit: the pieces have all leaves and the other bonds" ~count:1000
+    gen_tree (fun tree ->
+        let m, s = setup tree in
+        let p = s.processes.(0) in
+        let count f l = List.fold_left (fun n x -> Stdlib.( + ) n (f x)) 0 l in
+        List.for_all
+          (fun (o : Split.outcome) ->
+             let released =
+               match o.label with
+               | Strong_split x -> List.length x
+               | Weak_split _ -> 1
+               | _ -> 0
+             in
+             let leaves = count (fun (r : State.process) -> Array.length r.leaves) o.pieces in
+             let bonds = count (fun (r : State.process) -> Array.length r.bonds) o.pieces in
+             leaves = Array.length p.leaves
+             && bonds = Stdlib.( - ) (Array.length p.bonds) released
+             && List.length o.pieces = Stdlib.( + ) released 1)
+          (Split.strong m p @ Split.weak m p))
+
+let pair ?split_step b1 b2 =
+  let bodies = [ body "p" (0, 0, 0) ~behaviour:b1; body "q" (2, 0, 0) ~behaviour:b2 ] in
+  let m = model ?split_step bodies in
+  (m, start m (joined bodies [ ("a", (0, "right"), (1, "left")) ]))
+
+let release = weak "a" [ "right"; "left" ]
+
+let both_ends () =
+  let m, s = pair (release nil) (release nil) in
+  check_labels "both ends offer it" [ "weak(a, p.right, q.left)"; "time(1)" ] m s;
+  let m, s = pair (release nil) nil in
+  check_labels "one end alone cannot (I-6)" [] m s;
+  let m, s = pair (release nil) (weak "b" [ "left" ] nil) in
+  check_labels "the name is the bond's" [] m s;
+  let m, s = pair (release nil) (weak "a" [ "top" ] nil) in
+  check_labels "the bond's feature must be in the closure" [] m s
+
+let instants () =
+  let m, s = pair ~split_step:(ratio 1 4) (release nil) (release nil + eps (ratio 3 8) nil) in
+  check_labels "at once" [ "weak(a, p.right, q.left)"; "time(1/4)" ] m s;
+  let s = take m s "time(1/4)" in
+  check_labels "at the next multiple, and the eps is awaited" [ "weak(a, p.right, q.left)"; "time(1/8)" ] m s;
+  let s = take m s "time(1/8)" in
+  check_labels "an expiring eps of the process starts the clock anew (I-9)"
+    [ "weak(a, p.right, q.left)"; "time(1/4)" ] m s
+
+let pieces_rest () =
+  let m, s = pair (release nil) (release nil) in
+  let s = take m s "weak(a, p.right, q.left)" in
+  Alcotest.(check int) "two processes" 2 (Array.length s.processes);
+  check_labels "they touch and nothing happens (I-11)" [] m s
+
+let urgent () =
+  let react = strong [ ("a", [ "right"; "left" ]) ] in
+  let m, s = pair (react nil + eps (q 1) nil) (react nil) in
+  check_labels "time does not pass while it is enabled" [ "strong({<a, {p.right, q.left}>})" ] m s;
+  let m, s = pair (eps (q 1) (react nil)) (react nil) in
+  check_labels "but it does before" [ "time(1)" ] m s
+
+let separate_components () =
+  let react faces = strong [ ("a", faces) ] nil in
+  let bodies =
+    [
+      body "p" (0, 0, 0) ~behaviour:(react [ "right" ]); body "q" (2, 0, 0) ~behaviour:(react [ "left" ]);
+      body "r" (4, 0, 0) ~behaviour:(react [ "right" ]); body "s" (6, 0, 0) ~behaviour:(react [ "left" ]);
+    ]
+  in
+  let m = model bodies in
+  let bonds =
+    [ ("a", (0, "right"), (1, "left")); ("link", (1, "right"), (2, "left")); ("a", (2, "right"), (3, "left")) ]
+  in
+  check_labels "two reactions, not one (I-7)"
+    [ "strong({<a, {p.right, q.left}>})"; "strong({<a, {r.right, s.left}>})" ]
+    m
+    (start m (joined bodies bonds))
+
+let () =
+  let case name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "split"
+    [
+      ( "cases",
+        [
+          case "WeakSplit: both ends must offer it (I-6)" both_ends;
+          case "WeakSplit: only at split instants (I-9)" instants;
+          case "WeakSplit: the pieces keep their motion (I-11)" pieces_rest;
+          case "StrongSplit: urgent" urgent;
+          case "StrongSplit: separate components react separately (I-7)" separate_components;
+        ] );
+      ("brute force", Scc_test_support.Property.cases [ strong_is_brute_force; pieces_keep_everything ]);
+    ]
