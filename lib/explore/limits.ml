@@ -1,0 +1,22 @@
+open Scc_exact
+
+type t = {
+  depth : int option;
+  time : Rat.t option;
+  instant : int option;
+  states : int option;
+  seconds : float option;
+  memory : int option;
+}
+
+let unlimited = { depth = None; time = None; instant = None; states = None; seconds = None; memory = None }
+
+type progress = { states : int; waiting : int; depth : int }
+
+type surroundings = {
+  now : unit -> float;
+  interrupted : unit -> bool;
+  progress : progress -> unit;
+}
+
+let quiet = { now = (fun () -> 0.); interrupted = (fun () -> false); progress = (fun _ -> ()) }

@@ -1,0 +1,29 @@
+(** How far an exploration goes, and how it talks to its surroundings. *)
+
+open Scc_exact
+
+(** Each bound is off when [None]. A state is expanded iff its least depth and its earliest arrival are
+    within the bounds, whatever the order in which paths to it are found. *)
+type t = {
+  depth : int option;  (** greatest number of transitions from the initial state to an expanded state *)
+  time : Rat.t option;  (** greatest earliest arrival, in model time, of an expanded state *)
+  instant : int option;
+  (** greatest number of transitions without passing time that a path to an expanded state ends in: the
+      guard against a run that goes on for ever within one instant *)
+  states : int option;  (** greatest number of states kept *)
+  seconds : float option;  (** of the clock below *)
+  memory : int option;  (** words of the heap of the whole program *)
+}
+
+val unlimited : t
+
+type progress = { states : int; waiting : int; depth : int }
+
+type surroundings = {
+  now : unit -> float;  (** a clock in seconds; only differences count *)
+  interrupted : unit -> bool;
+  progress : progress -> unit;  (** called now and then *)
+}
+
+val quiet : surroundings
+(** A clock that stands still, no interruption, no progress shown. *)
