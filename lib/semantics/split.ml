@@ -85,10 +85,8 @@ let choices (m : Model.t) (p : State.process) reaction ~least (l : State.leaf) =
   let at_leaf i = p.bonds.(i).one.at = l.leaf || p.bonds.(i).two.at = l.leaf in
   let mine = List.filter at_leaf (List.init (Array.length p.bonds) Fun.id) in
   let required, rest = List.partition (fun i -> Ints.mem i reaction.bonds) mine in
-  let free i =
-    i > least && not (List.mem_assoc (other_end p.bonds.(i) l.leaf) reaction.chosen)
-  in
-  let optional = List.filter free rest in
+  (* As bonds form a tree, a bond that is not of X yet leads to a leaf that has not chosen yet. *)
+  let optional = List.filter (fun i -> i > least) rest in
   Behaviour.derivations m.definitions l.behaviour
   |> List.concat_map (fun (offer, derivation) ->
       match offer with

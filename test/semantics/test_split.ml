@@ -5,42 +5,60 @@ open Scc_semantics
 open Fixture
 module Gen = QCheck2.Gen
 
-let faces = [| "left"; "right"; "top"; "bottom" |]
+let faces = [| "left"; "right"; "top" |]
 
 (* A random tree of bonds over cubes (where the cubes are is of no matter to a split), with behaviours that
    offer reactions and releases on random channels. *)
 type tree = { behaviours : Behaviour.t list; bonds : (string * (int * string) * (int * string)) list }
 
 let gen_name = Gen.oneofl [ "a"; "b" ]
-let gen_face = Gen.map (fun i -> faces.(i)) (Gen.int_range 0 3)
+let gen_face = Gen.map (fun i -> faces.(i)) (Gen.int_range 0 2)
 let gen_faces = Gen.map2 (fun f g -> [ f; g ]) gen_face gen_face
 let gen_entry = Gen.pair gen_name gen_faces
 
-let gen_behaviour =
+(* The entries for some of the bonds of a leaf, each as (name, face of the leaf): mostly all of them, in a
+   random order, with a face more each, so that entries compete for bonds. *)
+let gen_strong mine =
+  let open Gen in
+  let entry (name, face) = map (fun more -> (name, [ more; face ])) gen_face in
+  let some = function [] -> pure [] | l -> map (fun k -> List.filteri (fun i _ -> i <> k) l) (int_range 0 5) in
+  oneof [ pure mine; some mine ] >>= shuffle_l >>= fun chosen ->
+  map
+    (function [] -> nil | entries -> strong entries nil)
+    (flatten_l (List.map entry chosen))
+
+let gen_behaviour mine =
   let summand =
     Gen.oneof
       [
+        gen_strong mine; gen_strong mine;
         Gen.map (fun l -> strong l nil) (Gen.list_size (Gen.int_range 1 3) gen_entry);
         Gen.map (fun (n, f) -> weak n f (open_ n f nil)) gen_entry;
       ]
   in
   Gen.map
     (function [] -> nil | s :: rest -> List.fold_left Behaviour.sum s rest)
-    (Gen.list_size (Gen.int_range 0 3) summand)
+    (Gen.list_size (Gen.int_range 1 3) summand)
 
 let gen_tree =
   let open Gen in
-  int_range 2 5 >>= fun n ->
+  int_range 2 6 >>= fun n ->
   let bond i =
     map2
       (fun (parent, name) (f, g) -> (name, (parent, f), (i, g)))
       (pair (int_range 0 (Stdlib.( - ) i 1)) gen_name)
       (pair gen_face gen_face)
   in
-  map2
-    (fun behaviours bonds -> { behaviours; bonds })
-    (list_repeat n gen_behaviour)
-    (flatten_l (List.init (Stdlib.( - ) n 1) (fun i -> bond (Stdlib.( + ) i 1))))
+  flatten_l (List.init (Stdlib.( - ) n 1) (fun i -> bond (Stdlib.( + ) i 1))) >>= fun bonds ->
+  let mine at =
+    List.concat_map
+      (fun (name, (i, f), (j, g)) ->
+         (if i = at then [ (name, f) ] else []) @ if j = at then [ (name, g) ] else [])
+      bonds
+  in
+  map
+    (fun behaviours -> { behaviours; bonds })
+    (flatten_l (List.init n (fun at -> gen_behaviour (mine at))))
 
 let setup tree =
   let bodies =
