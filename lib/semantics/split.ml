@@ -40,7 +40,6 @@ type reaction = {
 }
 
 let site_at (b : State.bond) leaf = if b.one.at = leaf then b.one.site else b.two.site
-let other_end (b : State.bond) leaf = if b.one.at = leaf then b.two.at else b.one.at
 
 (* Whether the entries of L can be matched one to one with the bonds (augmenting paths). *)
 let matches (p : State.process) leaf entries bonds =
