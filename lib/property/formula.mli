@@ -1,0 +1,24 @@
+(** Operations on the terms of {!Property}: equality, duality, and what they look at. *)
+
+open Property
+
+val equal_num : num -> num -> bool
+val equal_prop : prop -> prop -> bool
+val equal : temporal -> temporal -> bool
+
+val negate : prop -> prop
+(** The complement, with [not] pushed to the atoms that have no complement of their own (comparisons have
+    one). *)
+
+val negation_normal_form : temporal -> temporal
+(** An equivalent formula in which [Temporal_not] stands only before [Until]: EF and AG, AF and EG, EX and AX
+    are duals. *)
+
+val mentions_time : temporal -> bool
+(** Whether the atom [time] occurs (the bounds of operators are relative and do not count). *)
+
+val mentions_position : temporal -> bool
+(** Whether an absolute coordinate occurs: the formula is then not invariant under translation. *)
+
+val state_formula : temporal -> prop option
+(** The predicate, when no temporal operator occurs. *)

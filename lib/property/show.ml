@@ -1,0 +1,108 @@
+open Scc_exact
+open Scc_calculus
+open Property
+
+let leaf (m : Model.t) i = m.leaves.(i).name
+
+let axis = function
+  | X -> "x"
+  | Y -> "y"
+  | Z -> "z"
+
+let comparison : Law.comparison -> string = function
+  | Lt -> "<"
+  | Le -> "<="
+  | Gt -> ">"
+  | Ge -> ">="
+  | Eq -> "="
+  | Ne -> "!="
+
+let call name arguments = Printf.sprintf "%s(%s)" name (String.concat ", " arguments)
+
+let rec num m = function
+  | Const q -> Rat.to_string q
+  | Bonds (name, ends) ->
+    let ends =
+      match ends with
+      | None -> []
+      | Some (i, j) -> [ leaf m i; leaf m j ]
+    in
+    call "bonds" (Option.to_list name @ ends)
+  | Size i -> call "size" [ leaf m i ]
+  | Processes -> "processes"
+  | Position (a, i) -> call (axis a) [ leaf m i ]
+  | Velocity (a, i) -> call ("v" ^ axis a) [ leaf m i ]
+  | Speed2 i -> call "speed2" [ leaf m i ]
+  | Distance2 (i, j) -> call "distance2" [ leaf m i; leaf m j ]
+  | Momentum a -> "momentum." ^ axis a
+  | Energy -> "energy"
+  | Time -> "time"
+  | Count ps -> call "count" (List.map (prop m) ps)
+  | Neg a -> "-" ^ num m a
+  | Add (a, b) -> infix m "+" a b
+  | Sub (a, b) -> infix m "-" a b
+  | Mul (a, b) -> infix m "*" a b
+  | Div (a, b) -> infix m "/" a b
+  | If (c, a, b) -> Printf.sprintf "(if %s then %s else %s)" (prop m c) (num m a) (num m b)
+
+and infix m operator a b = Printf.sprintf "(%s %s %s)" (num m a) operator (num m b)
+
+and prop m = function
+  | Bool b -> string_of_bool b
+  | Compare (c, a, b) -> Printf.sprintf "%s %s %s" (num m a) (comparison c) (num m b)
+  | Bound (i, j) -> call "bound" [ leaf m i; leaf m j ]
+  | Same (i, j) -> call "same" [ leaf m i; leaf m j ]
+  | Behaviour (i, k) -> Printf.sprintf "behaviour(%s) = %s" (leaf m i) m.definitions.(k).name
+  | Offers (i, polarity, a) ->
+    let bar =
+      match polarity with
+      | Some Behaviour.Co_name -> "~"
+      | Some Behaviour.Name | None -> ""
+    in
+    call "offers" [ leaf m i; bar ^ a ]
+  | Touching (i, j) -> call "touching" [ leaf m i; leaf m j ]
+  | Quiescent -> "quiescent"
+  | Not p -> "not " ^ bracket m p
+  | And ps -> connective m "and" "true" ps
+  | Or ps -> connective m "or" "false" ps
+
+and connective m word neutral = function
+  | [] -> neutral
+  | ps -> String.concat (" " ^ word ^ " ") (List.map (bracket m) ps)
+
+and bracket m p =
+  match p with
+  | And (_ :: _ :: _) | Or (_ :: _ :: _) -> "(" ^ prop m p ^ ")"
+  | _ -> prop m p
+
+let quantifier = function
+  | All -> "A"
+  | Exists -> "E"
+
+let bound b =
+  match (Rat.sign b.low, b.high) with
+  | 0, None -> ""
+  | 0, Some t -> Printf.sprintf "[<= %s]" (Rat.to_string t)
+  | _, Some t -> Printf.sprintf "[%s, %s]" (Rat.to_string b.low) (Rat.to_string t)
+  | _, None -> Printf.sprintf "[>= %s]" (Rat.to_string b.low)
+
+let rec temporal m = function
+  | State p -> prop m p
+  | Temporal_not f -> Printf.sprintf "not (%s)" (temporal m f)
+  | Temporal_and fs -> String.concat " and " (List.map (part m) fs)
+  | Temporal_or fs -> String.concat " or " (List.map (part m) fs)
+  | Next (q, f) -> Printf.sprintf "%sX %s" (quantifier q) (part m f)
+  | Finally (q, b, f) -> Printf.sprintf "%sF%s %s" (quantifier q) (bound b) (part m f)
+  | Globally (q, b, f) -> Printf.sprintf "%sG%s %s" (quantifier q) (bound b) (part m f)
+  | Until (q, b, f, g) ->
+    Printf.sprintf "%s[ %s U%s %s ]" (quantifier q) (temporal m f) (bound b) (temporal m g)
+
+and part m f = Printf.sprintf "(%s)" (temporal m f)
+
+let atoms p =
+  let rec collect found = function
+    | Not p -> collect found p
+    | And ps | Or ps -> List.fold_left collect found ps
+    | atom -> if List.exists (Formula.equal_prop atom) found then found else atom :: found
+  in
+  List.rev (collect [] p)

@@ -1,0 +1,14 @@
+(** Properties as text, with the names of a model: for reports and witnesses. What was written in a model
+    file is printed by the printer of the syntax; here quantifiers are expanded and names resolved. *)
+
+open Scc_calculus
+
+val num : Model.t -> Property.num -> string
+(** [x(p)], [bonds(a, p, q)], [(x(p) + 1)]: fully bracketed. *)
+
+val prop : Model.t -> Property.prop -> string
+val temporal : Model.t -> Property.temporal -> string
+
+val atoms : Property.prop -> Property.prop list
+(** The predicates under the connectives, without repetition, in order: those whose truth explains the
+    whole. *)
