@@ -1,0 +1,185 @@
+open Scc_exact
+open Scc_geometry
+open Solids
+
+let same_relation (x : Obstacle.relation) (y : Naive.relation) =
+  match (x, y) with
+  | Apart, Apart | Touching, Touching | Interpenetrating, Interpenetrating -> true
+  | _ -> false
+
+let same_cast (x : Obstacle.cast) (y : Naive.cast) =
+  match (x, y) with
+  | Never, Never | Inside, Inside -> true
+  | At s, At t -> Rat.equal s t
+  | _ -> false
+
+let equal_cast (x : Obstacle.cast) (y : Obstacle.cast) =
+  match (x, y) with
+  | Never, Never | Inside, Inside -> true
+  | At s, At t -> Rat.equal s t
+  | _ -> false
+
+let same_interval x y =
+  let same (a, b) (c, d) = Option.equal Rat.equal a c && Option.equal Rat.equal b d in
+  Option.equal same x y
+
+let relation =
+  property "the relation is that of all separating axes" ~count:400 (fun s ->
+      same_relation
+        (Obstacle.relation (obstacle s.a s.b) s.r)
+        (Naive.relation (placed s.a Vec.zero) (placed s.b s.r)))
+
+let cast_agrees s =
+  let a = placed s.a Vec.zero and b = placed s.b s.r in
+  let o = obstacle s.a s.b in
+  same_cast (Obstacle.first_time_of_contact o s.r s.w) (Naive.first_time_of_contact a b s.w)
+  && same_interval (Obstacle.meeting o s.r s.w) (Naive.meeting a b s.w)
+
+let cast = property "casts are those of all separating axes" ~count:300 cast_agrees
+let aimed_cast = property "also where most of them hit" ~count:200 ~gen:aimed cast_agrees
+
+let primitive (v : Vec.t) = Ivec.primitive (fst (Ivec.of_vec v))
+
+(* The facets as a set, and each once. *)
+let same_facets o a b =
+  let ours = List.map (fun (f : Obstacle.facet) -> f.normal) (Array.to_list o.Obstacle.facets) in
+  let theirs = List.sort_uniq Ivec.compare (List.map primitive (Naive.facets a b)) in
+  List.equal Ivec.equal (List.sort Ivec.compare ours) theirs
+
+let facets =
+  property "the facets are those of the Minkowski difference, each once" ~count:150 (fun s ->
+      same_facets (obstacle s.a s.b) (placed s.a Vec.zero) (placed s.b Vec.zero))
+
+(* Random hulls of up to 14 points on a coarse grid, with many coplanar and parallel ones. *)
+let random_hulls =
+  let point = Gen.triple Gen.(-2 -- 2) Gen.(-2 -- 2) Gen.(-2 -- 2) in
+  let corners = [ (0, 0, 0); (1, 0, 0); (0, 1, 0); (0, 0, 1) ] in
+  let body =
+    Gen.map2
+      (fun ps turn -> { name = "hull"; plain = hull (corners @ ps); turn })
+      (Gen.list_size Gen.(0 -- 10) point) turn
+  in
+  let scene = Gen.map2 (fun (a, b) (r, w) -> { a; b; r; w }) (Gen.pair body body) (Gen.pair offset velocity) in
+  property "random hulls: facets and casts" ~count:40 ~gen:scene (fun s ->
+      same_facets (obstacle s.a s.b) (placed s.a Vec.zero) (placed s.b Vec.zero) && cast_agrees s)
+
+let offsets =
+  property "every offset is the distance of the supports" (fun s ->
+      let a = solid ~id:0 s.a and b = solid ~id:1 s.b in
+      let o = Obstacle.make a b in
+      let extreme choose n (s : Solid.t) =
+        let h = Array.init (Array.length s.vertices) (fun i -> Vec.dot n (Solid.vertex s i)) in
+        Array.fold_left choose h.(0) h
+      in
+      Array.for_all
+        (fun (f : Obstacle.facet) ->
+           let n = Ivec.to_vec f.normal in
+           Rat.equal (Rat.make f.num f.den) (Rat.sub (extreme Rat.max n a) (extreme Rat.min n b)))
+        o.facets)
+
+let symmetric =
+  property "B and A see what A and B see" (fun s ->
+      let o = obstacle s.a s.b and p = obstacle s.b s.a in
+      let back = Vec.neg s.r and away = Vec.neg s.w in
+      let x = Obstacle.relation o s.r in
+      (match (x, Obstacle.relation p back) with
+       | Touching, Touching ->
+         let n = Obstacle.separating o s.r and m = List.map Ivec.neg (Obstacle.separating p back) in
+         List.equal Ivec.equal (List.sort Ivec.compare n) (List.sort Ivec.compare m)
+         && Bool.equal (Obstacle.approaching o s.r s.w) (Obstacle.approaching p back away)
+       | Apart, Apart | Interpenetrating, Interpenetrating -> true
+       | _ -> false)
+      && equal_cast (Obstacle.first_time_of_contact o s.r s.w) (Obstacle.first_time_of_contact p back away)
+      && same_interval (Obstacle.meeting o s.r s.w) (Obstacle.meeting p back away))
+
+let turned =
+  QCheck2.Test.make ~name:"turning everything changes nothing" ~count:100
+    ~print:(fun (s, _) -> show s)
+    (Gen.pair aimed (Gen.oneofl cube_turns))
+    (fun (s, m) ->
+       let turn b = { b with turn = Mat.mul m b.turn } in
+       let o = obstacle s.a s.b and p = obstacle (turn s.a) (turn s.b) in
+       let r = Mat.apply m s.r and w = Mat.apply m s.w in
+       Obstacle.relation o s.r = Obstacle.relation p r
+       && equal_cast (Obstacle.first_time_of_contact o s.r s.w) (Obstacle.first_time_of_contact p r w)
+       && same_interval (Obstacle.meeting o s.r s.w) (Obstacle.meeting p r w))
+
+(* A later start of the same line shifts the times. *)
+let delayed =
+  property "starting later on the same line" ~gen:aimed (fun s ->
+      let o = obstacle s.a s.b in
+      let third = Rat.make Z.one (Z.of_int 3) in
+      match Obstacle.first_time_of_contact o s.r s.w with
+      | Obstacle.At t when Rat.compare third t <= 0 ->
+        equal_cast (Obstacle.first_time_of_contact o (Vec.axpy third s.w s.r) s.w) (At (Rat.sub t third))
+      | At _ | Never | Inside -> true)
+
+let at_collision =
+  property "at the first time of contact the bodies touch and approach" ~gen:aimed (fun s ->
+      match collision s with
+      | None -> true
+      | Some (o, r) ->
+        Obstacle.relation o r = Touching
+        && Obstacle.approaching o r s.w
+        && equal_cast (Obstacle.first_time_of_contact o r s.w) (At Rat.zero)
+        && not (Obstacle.approaching o r (Vec.neg s.w)))
+
+let approaching_is_at_zero =
+  property "approaching iff the cast is at 0" ~count:600 (fun s ->
+      let o = obstacle s.a s.b in
+      Obstacle.relation o s.r <> Touching
+      || Bool.equal (Obstacle.approaching o s.r s.w)
+        (equal_cast (Obstacle.first_time_of_contact o s.r s.w) (At Rat.zero)))
+
+(* {1 Known obstacles} *)
+
+let body plain = { name = ""; plain; turn = Mat.identity }
+let facet_count a b = Array.length (obstacle (body a) (body b)).facets
+
+let counts () =
+  let check what n a b = Alcotest.(check int) what n (facet_count a b) in
+  check "aligned cubes" 6 cube cube;
+  check "a cube and a slab" 6 cube slab;
+  check "a tetrahedron and itself: a cuboctahedron" 14 tetrahedron tetrahedron;
+  check "octahedra" 8 octahedron octahedron;
+  check "a cube and an octahedron" 26 cube octahedron
+
+let touching_cubes () =
+  let o = obstacle (body cube) (body cube) in
+  let v = Vec.of_ints in
+  let relation what r (x : Obstacle.relation) = Alcotest.(check bool) what true (Obstacle.relation o r = x) in
+  relation "face to face" (v 2 0 1) Touching;
+  relation "edge to edge" (v 2 2 0) Touching;
+  relation "vertex to vertex" (v 2 2 2) Touching;
+  relation "overlapping" (v 1 1 1) Interpenetrating;
+  relation "apart by a hair" (Vec.make (Rat.make (Z.of_int 2000001) (Z.of_int 1000000)) Rat.zero Rat.zero) Apart;
+  Alcotest.(check int) "a vertex has three directions" 3 (List.length (Obstacle.separating o (v 2 2 2)));
+  Alcotest.(check bool) "sliding along a face" false (Obstacle.approaching o (v 2 0 0) (v 0 1 0));
+  Alcotest.(check bool) "vertex-vertex, straight on" true (Obstacle.approaching o (v 2 2 2) (v (-1) (-1) (-1)));
+  Alcotest.(check bool) "vertex-vertex, past" false (Obstacle.approaching o (v 2 2 2) (v (-1) (-1) 0));
+  let cast what r w expected =
+    Alcotest.(check bool) what true (equal_cast (Obstacle.first_time_of_contact o r w) expected)
+  in
+  cast "a graze is no collision" (v 5 2 0) (v (-1) 0 0) Never;
+  cast "at rest inside" (v 1 0 0) Vec.zero Inside;
+  cast "at rest and touching" (v 2 0 0) Vec.zero Never;
+  cast "leaving" (v 2 0 0) (v 1 0 0) Never;
+  cast "entering" (v 2 0 0) (v (-1) 0 0) (At Rat.zero);
+  cast "later" (v 5 1 0) (v (-2) 0 0) (At (Rat.make (Z.of_int 3) (Z.of_int 2)));
+  let meeting what r w expected =
+    Alcotest.(check bool) what true (same_interval (Obstacle.meeting o r w) expected)
+  in
+  let some n = Some (Rat.of_int n) in
+  meeting "a graze is a meeting" (v 5 2 0) (v (-1) 0 0) (Some (some 3, some 7));
+  meeting "in the past" (v 5 2 0) (v 1 0 0) (Some (some (-7), some (-3)));
+  meeting "at rest" (v 2 2 2) Vec.zero (Some (None, None));
+  meeting "at rest, apart" (v 3 2 2) Vec.zero None;
+  meeting "at one instant" (v 3 1 0) (v (-1) 1 0) (Some (some 1, some 1))
+
+let () =
+  Alcotest.run "obstacle"
+    [ ("known", [ Alcotest.test_case "numbers of facets" `Quick counts; Alcotest.test_case "two cubes" `Quick touching_cubes ]);
+      ( "properties",
+        Scc_test_support.Property.cases
+          [ relation; cast; aimed_cast; facets; random_hulls; offsets; symmetric; turned; delayed; at_collision;
+            approaching_is_at_zero ] ) ]
