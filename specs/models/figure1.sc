@@ -17,14 +17,14 @@ shape Cube {
            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
 }
 
-behaviour X      on Cube = <z, {right}>. BoundX
+behaviour OpenX  on Cube = <z, {right}>. BoundX
 behaviour BoundX on Cube = omega(z, {right}). Gone
-behaviour Y      on Cube = <~z, {left}>. BoundY
+behaviour OpenY  on Cube = <~z, {left}>. BoundY
 behaviour BoundY on Cube = omega(z, {left}). Gone
 behaviour Gone   on Cube = nil
 
-process p = Cube mass 3 velocity (1,0,0)  at translate (-3,0,0) [X]
-process q = Cube mass 3 velocity (-1,0,0) at translate (3,0,0)  [Y]
+process p = Cube mass 3 velocity (1,0,0)  at translate (-3,0,0) [OpenX]
+process q = Cube mass 3 velocity (-1,0,0) at translate (3,0,0)  [OpenY]
 
 motion p = (if vx = 0 then -1 else vx, vy, vz)
 motion q = (if vx = 0 then 1 else vx, vy, vz)

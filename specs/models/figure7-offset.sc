@@ -18,12 +18,12 @@ compound S0 {
   glue s0.f0 ~ s1.f1
 }
 
-behaviour A  on S0   = <a, {s0.f2, s1.f2}>. nil
-behaviour C  on Cube = <~a, {f3}>. nil
+behaviour Open0 on S0   = <a, {s0.f2, s1.f2}>. nil
+behaviour Open1 on Cube = <~a, {f3}>. nil
 
-process P0 = S0 velocity (0,0,0) [A]
+process P0 = S0 velocity (0,0,0) [Open0]
 process s2 = Cube mass 3 velocity (0,-1,0)
-             at translate (2, 23/4, 0) * matrix ((3,0,0,0), (-3/8,3,0,0), (0,0,3,0), (0,0,0,1)) [C]
+             at translate (2, 23/4, 0) * matrix ((3,0,0,0), (-3/8,3,0,0), (0,0,3,0), (0,0,0,1)) [Open1]
 
 check binds : eventually bonds(a) = 1                  // expect: holds
 check when  : possibly time = 2 and bonds(a) = 1       // expect: holds

@@ -36,14 +36,14 @@ compound S0 {
   glue s0.f0 ~ s1.f1
 }
 
-behaviour A  on S0  = <a, {s0.f2, s1.f3}>. B0
-behaviour B0 on S0  = nil
-behaviour C  on Big = <~a, {f4}>. B1
-behaviour B1 on Big = nil
+behaviour Open0 on S0  = <a, {s0.f2, s1.f3}>. B0
+behaviour B0    on S0  = nil
+behaviour Open1 on Big = <~a, {f4}>. B1
+behaviour B1    on Big = nil
 
-process P0 = S0 velocity (0,0,0) [A]
+process P0 = S0 velocity (0,0,0) [Open0]
 process s2 = Big mass 3 velocity (0,-1,0)
-             at translate (109/41, 4491/820, 0) * rotate quaternion (9,0,0,-1) [C]
+             at translate (109/41, 4491/820, 0) * rotate quaternion (9,0,0,-1) [Open1]
 
 check binds    : eventually bonds(a) = 1                                  // expect: holds
 check two      : always bonds(a) <= 1                                     // expect: holds
