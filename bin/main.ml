@@ -1,0 +1,1 @@
+let () = exit (Scc_cli.main ())

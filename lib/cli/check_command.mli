@@ -1,0 +1,3 @@
+(** [scc check]. *)
+
+val command : Exit_code.t Cmdliner.Cmd.t

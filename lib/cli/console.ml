@@ -1,0 +1,147 @@
+open Scc_base
+
+type color = Always | Never | Auto
+
+type t = {
+  out_color : bool;
+  err_color : bool;
+  terminal : bool;  (** standard error is one *)
+  json : bool;
+  mutable sources : Source.t list;
+  mutable kept : Diag.t list;  (** newest first *)
+  mutable progressing : bool;
+}
+
+exception Output_failed of Diag.t
+exception Output_closed
+
+let is_terminal fd = try Unix.isatty fd with Unix.Unix_error _ -> false
+
+let make ~color ~json =
+  let plain =
+    Sys.getenv_opt "NO_COLOR" <> None
+    || match Sys.getenv_opt "TERM" with Some "dumb" -> true | _ -> false
+  in
+  let colored fd =
+    match color with Always -> true | Never -> false | Auto -> is_terminal fd && not plain
+  in
+  {
+    out_color = colored Unix.stdout;
+    err_color = colored Unix.stderr;
+    terminal = is_terminal Unix.stderr;
+    json;
+    sources = [];
+    kept = [];
+    progressing = false;
+  }
+
+let is_json c = c.json
+let add_source c s = c.sources <- s :: c.sources
+let source c name = List.find_opt (fun s -> String.equal (Source.name s) name) c.sources
+
+let output_failed name message =
+  Output_failed
+    (Diag.error Code.cannot_write (Span.make ~file:name ~start:0 ~stop:0) "cannot write: %s" message)
+
+(* A closed pipe is the reader's choice, everything else is a failure. *)
+let to_stdout f =
+  try f ()
+  with Sys_error message ->
+    let closed =
+      match Unix.write_substring Unix.stdout "" 0 0 with
+      | _ -> String.equal message "Broken pipe"
+      | exception Unix.Unix_error _ -> true
+    in
+    raise (if closed then Output_closed else output_failed "standard output" message)
+
+let print _ s = to_stdout (fun () -> print_string s)
+let flush _ = to_stdout (fun () -> Stdlib.flush stdout)
+
+type style = Good | Bad | Doubtful | Strong | Faint
+
+let sgr = function Good -> "1;32" | Bad -> "1;31" | Doubtful -> "1;33" | Strong -> "1" | Faint -> "2"
+let paint on style s = if on then Printf.sprintf "\027[%sm%s\027[0m" (sgr style) s else s
+let styled c style s = paint c.out_color style s
+
+let is_caret_line line =
+  match String.index_opt line '|' with
+  | Some i when String.length line > i + 1 ->
+    let rest = String.trim (String.sub line (i + 1) (String.length line - i - 1)) in
+    String.length rest > 0 && String.for_all (Char.equal '^') rest
+  | _ -> false
+
+let paint_line style head line =
+  let n = String.length line and k = String.length head in
+  let rec find i =
+    if i + k > n then None else if String.equal (String.sub line i k) head then Some i else find (i + 1)
+  in
+  match find 0 with
+  | Some i -> (
+      match String.index_from_opt line i ']' with
+      | Some j ->
+        String.sub line 0 i ^ paint true style (String.sub line i (j + 1 - i)) ^ String.sub line (j + 1) (n - j - 1)
+      | None -> line)
+  | None -> if is_caret_line line then paint true style line else line
+
+let rendered c d =
+  let text = Diag.render ~source:(source c) d in
+  if not c.err_color then text
+  else
+    let style, head = if Diag.is_error d then (Bad, "error[") else (Doubtful, "warning[") in
+    String.concat "\n" (List.map (paint_line style head) (String.split_on_char '\n' text))
+
+let progress_done c =
+  if c.progressing then begin
+    c.progressing <- false;
+    prerr_string "\r\027[K";
+    Stdlib.flush stderr
+  end
+
+let progress c line =
+  if c.terminal && not c.json then begin
+    c.progressing <- true;
+    prerr_string ("\r\027[K" ^ line);
+    Stdlib.flush stderr
+  end
+
+let report c diagnostics =
+  progress_done c;
+  if c.json then c.kept <- List.rev_append diagnostics c.kept
+  else begin
+    (* What was printed before comes before. *)
+    flush c;
+    List.iter (fun d -> prerr_string (rendered c d)) diagnostics;
+    Stdlib.flush stderr
+  end
+
+let kept c = List.rev c.kept
+
+let note c line =
+  progress_done c;
+  if not c.json then begin
+    flush c;
+    prerr_endline line
+  end
+
+let with_file path f =
+  let fail message = raise (output_failed path (Os_error.reason path message)) in
+  let out = try open_out_bin path with Sys_error m -> fail m in
+  let write s = try output_string out s with Sys_error m -> fail m in
+  match f write with
+  | result ->
+    (try close_out out with Sys_error m -> close_out_noerr out; fail m);
+    result
+  | exception e ->
+    close_out_noerr out;
+    raise e
+
+let write_file ~path text =
+  try Ok (with_file path (fun write -> write text)) with Output_failed d -> Error d
+
+let with_output c ~path f =
+  match path with
+  | Some path -> with_file path f
+  | None ->
+    let result = f (print c) in
+    flush c;
+    result

@@ -1,0 +1,56 @@
+(** Where a command speaks: results to standard output, diagnostics and progress to standard error. *)
+
+open Scc_base
+
+type color = Always | Never | Auto
+
+type t
+
+exception Output_failed of Diag.t
+(** An output that cannot be written (SC0103). *)
+
+exception Output_closed
+(** Standard output is a pipe that nobody reads any more. *)
+
+val make : color:color -> json:bool -> t
+(** With [json], diagnostics are kept for the JSON report instead of being shown. *)
+
+val is_json : t -> bool
+
+val add_source : t -> Source.t -> unit
+(** Makes a text known, so that diagnostics can show excerpts of it. *)
+
+val source : t -> string -> Source.t option
+
+val print : t -> string -> unit
+(** To standard output. *)
+
+val report : t -> Diag.t list -> unit
+(** Shows diagnostics on standard error. *)
+
+val kept : t -> Diag.t list
+(** What [report] was given in [json] mode, in order. *)
+
+val note : t -> string -> unit
+(** A line to standard error (not in [json] mode). *)
+
+val progress : t -> string -> unit
+(** Replaces the line of progress: only when standard error is a terminal. *)
+
+val progress_done : t -> unit
+
+(** How to print a word of a report. *)
+type style = Good | Bad | Doubtful | Strong | Faint
+
+val styled : t -> style -> string -> string
+(** With colours when standard output has them. *)
+
+val write_file : path:string -> string -> (unit, Diag.t) result
+(** The whole content of a file; SC0103 when that is not possible. *)
+
+val with_output : t -> path:string option -> ((string -> unit) -> 'a) -> 'a
+(** [with_output c ~path f] gives [f] a function that writes to the file, or to standard output without
+    [path]. Raises {!Output_failed} or {!Output_closed}. *)
+
+val flush : t -> unit
+(** Sends off what is printed so far. *)

@@ -1,0 +1,3 @@
+(** [scc fmt]. *)
+
+val command : Exit_code.t Cmdliner.Cmd.t

@@ -1,0 +1,43 @@
+open Scc_base
+
+let document console code =
+  let json =
+    Scc_exchange.Diag_json.document ~source:(Console.source console)
+      ~exit:(Exit_code.to_int code) (Console.kept console)
+  in
+  Console.print console (Scc_exchange.Json.pretty json);
+  Console.flush console
+
+let ended console code =
+  if Console.is_json console then document console code;
+  code
+
+let invalid console diagnostics =
+  Console.report console diagnostics;
+  ended console Exit_code.Invalid
+
+let complain lines = List.iter prerr_endline lines
+
+let bug what =
+  complain
+    [
+      "scc: internal error: " ^ what;
+      "This is a fault of scc, not of the model. Please report it with the model and this command line:";
+      "  " ^ String.concat " " (List.map Filename.quote (Array.to_list Sys.argv));
+    ];
+  Exit_code.Bug
+
+let run console command =
+  match command () with
+  | code ->
+    Console.progress_done console;
+    code
+  | exception Console.Output_closed -> Exit_code.Stopped
+  | exception Console.Output_failed d ->
+    complain [ String.trim (Diag.render ~source:(Console.source console) d) ];
+    Exit_code.Stopped
+  | exception Out_of_memory ->
+    complain [ "scc: no memory left" ];
+    Exit_code.Stopped
+  | exception Stack_overflow -> bug "stack overflow"
+  | exception e -> bug (Printexc.to_string e)

@@ -1,0 +1,69 @@
+open Scc_base
+
+let max_bytes = 64 * 1024 * 1024
+
+(* Devices and pipes do not tell their size, so the size is counted while reading. *)
+let slurp channel =
+  let b = Buffer.create 65536 in
+  let chunk = Bytes.create 65536 in
+  let rec more () =
+    match input channel chunk 0 (Bytes.length chunk) with
+    | 0 -> Ok (Buffer.contents b)
+    | n ->
+      Buffer.add_subbytes b chunk 0 n;
+      if Buffer.length b > max_bytes then
+        Error (Printf.sprintf "it is larger than %d MiB" (max_bytes / 1024 / 1024))
+      else more ()
+  in
+  match more () with
+  | result -> result
+  | exception Sys_error message -> Error message
+
+let bytes path =
+  if String.equal path "-" then begin
+    set_binary_mode_in stdin true;
+    slurp stdin
+  end
+  else if (try Sys.is_directory path with Sys_error _ -> false) then
+    Error "it is a directory"
+  else
+    match open_in_bin path with
+    | exception Sys_error message -> Error (Os_error.reason path message)
+    | channel ->
+      let result = slurp channel in
+      close_in_noerr channel;
+      result
+
+let read path =
+  let name = if String.equal path "-" then "<standard input>" else path in
+  match bytes path with
+  | Ok text -> Ok (Source.make ~name text)
+  | Error reason ->
+    Error (Diag.error Code.cannot_read (Span.make ~file:name ~start:0 ~stop:0) "cannot read: %s" reason)
+
+type model = { elaborated : Scc_elaborate.Elaborate.t; source : Source.t; digest : string }
+
+let ( let* ) = Result.bind
+
+let model console ~overrides path =
+  let* source = Result.map_error (fun d -> [ d ]) (read path) in
+  Console.add_source console source;
+  let* tree = Scc_syntax.Parse.parse source in
+  let meshes = ref [] in
+  let folder = Filename.dirname path in
+  let read_mesh name =
+    let file = if Filename.is_relative name then Filename.concat folder name else name in
+    match bytes file with
+    | Ok text ->
+      if not (List.mem_assoc name !meshes) then begin
+        meshes := (name, text) :: !meshes;
+        Console.add_source console (Source.make ~name text)
+      end;
+      Ok text
+    | Error _ as e -> e
+  in
+  let* elaborated = Scc_elaborate.Elaborate.elaborate ~read_file:read_mesh ~overrides tree in
+  let digest =
+    Scc_exchange.Model_digest.make ~text:(Source.text source) ~files:(List.rev !meshes)
+  in
+  Ok { elaborated; source; digest }

@@ -1,0 +1,16 @@
+(** The options that several commands share. *)
+
+open Scc_exact
+open Cmdliner
+
+val rational : Rat.t Arg.conv
+val model_file : string Term.t
+val overrides : (string * Rat.t) list Term.t
+val color : Console.color Term.t
+val json : bool Term.t
+
+val sdocs : string
+(** The section of the manual for {!color}. *)
+
+val diagnostics_man : Manpage.block list
+(** What the manual of every command says about diagnostics and files. *)

@@ -1,0 +1,28 @@
+open Cmdliner
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "$(mname) executes models of the Shape Calculus: three-dimensional shapes that move, collide, bind, \
+       split and react in space and time. All numbers are exact rationals.";
+    `P "Every command has a manual: $(mname) $(i,COMMAND) $(b,--help).";
+  ]
+
+let commands =
+  [ Check_command.command; Trace_command.command; Shape_command.command; Fmt_command.command ]
+
+let version = "0.1.0"
+
+let main () =
+  let info =
+    Cmd.info "scc" ~version ~doc:"interpreter and model checker for the Shape Calculus" ~man
+      ~exits:Exit_code.man
+  in
+  (* Writing to a closed pipe is an error to be handled, and not the end. *)
+  if not Sys.win32 then Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
+  match Cmd.eval_value ~catch:false (Cmd.group info commands) with
+  | Ok (`Ok code) -> Exit_code.to_int code
+  | Ok (`Version | `Help) -> Exit_code.to_int Holds
+  | Error (`Parse | `Term) -> Exit_code.to_int Usage
+  | Error `Exn -> Exit_code.to_int Bug

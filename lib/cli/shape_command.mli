@@ -1,0 +1,3 @@
+(** [scc shape]. *)
+
+val command : Exit_code.t Cmdliner.Cmd.t

@@ -1,0 +1,245 @@
+open Scc_base
+open Scc_exact
+open Scc_exchange
+open Cmdliner
+
+type choose = First | Random of int64
+
+type options = {
+  path : string;
+  overrides : (string * Rat.t) list;
+  schedule : string option;
+  choose : choose;
+  steps : int option;
+  time : Rat.t option;
+  human : bool;
+  output : string option;
+}
+
+let default_steps = 1000
+let ( let* ) = Result.bind
+let one r = Result.map_error (fun d -> [ d ]) r
+
+let read_schedule console path =
+  let* source = one (Input.read path) in
+  Console.add_source console source;
+  one (Schedule.read source)
+
+let same_value (name, value) (name', value') = String.equal name name' && not (Rat.equal value value')
+
+(* The parameters of a schedule are part of it; an override may repeat but not change them. *)
+let merge (s : Schedule.t) overrides =
+  let clash = List.find_opt (fun o -> List.exists (same_value o) s.parameters) overrides in
+  match clash with
+  | Some (name, _) ->
+    Error
+      [
+        Diag.error Code.bad_schedule s.offset_at "the schedule was made with another value of `%s` than -D gives"
+          name;
+      ]
+  | None ->
+    let given (name, _) = List.exists (fun (name', _) -> String.equal name name') s.parameters in
+    Ok (s.parameters @ List.filter (fun o -> not (given o)) overrides)
+
+let check_digest (s : Schedule.t) (model : Input.model) =
+  match s.digest with
+  | Some d when not (String.equal d model.digest) ->
+    Error
+      [
+        Diag.error Code.bad_schedule s.offset_at
+          ~hint:"remove its `digest` to try it all the same: every choice is checked by its label"
+          "the schedule was made for another model, or for another text of this one";
+      ]
+  | _ -> Ok ()
+
+let prepare console o =
+  let* schedule =
+    match o.schedule with
+    | None -> Ok None
+    | Some path -> Result.map Option.some (read_schedule console path)
+  in
+  let* overrides =
+    match schedule with None -> Ok o.overrides | Some s -> merge s o.overrides
+  in
+  let* model = Input.model console ~overrides o.path in
+  let* () = match schedule with None -> Ok () | Some s -> check_digest s model in
+  Ok (model, schedule)
+
+let policy o = function
+  | Some s -> Replay.Scheduled s
+  | None -> ( match o.choose with First -> Replay.First | Random seed -> Replay.Random seed)
+
+(* A schedule is followed to its end unless a limit is asked for. *)
+let limits o schedule : Replay.limits =
+  let steps =
+    match (o.steps, schedule, o.time) with
+    | Some n, _, _ -> Some n
+    | None, None, None -> Some default_steps
+    | None, _, _ -> None
+  in
+  { steps; time = o.time; instant = Replay.default_instant }
+
+let human_event model write (e : Replay.event) =
+  let line fmt = Printf.ksprintf (fun s -> write (s ^ "\n")) fmt in
+  let state s = List.iter (line "        %s") (Run_text.state model s) in
+  match e with
+  | Start s ->
+    line "time 0";
+    state s
+  | Step { number; index; among; time; taken } ->
+    let choice = if among > 1 then Printf.sprintf " (choice %d of %d)" index among else "" in
+    let rules = String.concat ", " (List.map Scc_semantics.Rule.id taken.rules) in
+    line "%5d.  %s%s   {%s}" number (Run_text.label model taken.label) choice rules;
+    line "time %s" (Rat.to_string time);
+    state taken.target
+  | Instant { offset; time; state = s } ->
+    line "        time passes by %s" (Rat.to_string offset);
+    line "time %s" (Rat.to_string time);
+    state s
+  | End { steps; time; ending } ->
+    let word =
+      match ending with
+      | Open -> "more can happen"
+      | Quiescent -> "nothing will ever happen again"
+      | Stuck -> "nothing can happen, not even the passing of time"
+      | Zeno -> "stopped: too many transitions without time passing"
+    in
+    line "%d transitions, time %s: %s" steps (Rat.to_string time) word
+
+let write_run o (model : Input.model) policy limits ~interrupted write =
+  let e = model.elaborated in
+  let emit =
+    if o.human then human_event e.model write
+    else begin
+      let line json = write (Json.line json ^ "\n") in
+      line (Trace.header ~model:e.name ~digest:model.digest ~parameters:e.parameters);
+      fun event -> line (Trace.event e.model event)
+    end
+  in
+  Replay.run e.model e.declared policy limits ~interrupted emit
+
+let finish console (model : Input.model) (result : (Replay.ending, Replay.failure) result) =
+  let m = model.elaborated.model in
+  let report d = Console.report console [ d ] in
+  match result with
+  | Ok Zeno ->
+    Console.note console
+      (Printf.sprintf "scc: stopped after %d transitions without time passing (Zeno behaviour)"
+         Replay.default_instant);
+    Exit_code.Stopped
+  | Ok (Open | Quiescent | Stuck) -> Exit_code.Holds
+  | Error Interrupted ->
+    Console.note console "scc: interrupted";
+    Exit_code.Stopped
+  | Error (Refused d) ->
+    report d;
+    Exit_code.Invalid
+  | Error (Fault f) ->
+    report (Diag.error Code.bad_law Span.none "%s" (Scc_semantics.Transition.fault_to_string m f));
+    Exit_code.Invalid
+
+let run color o =
+  let console = Console.make ~color ~json:false in
+  let interrupted = Interrupt.install () in
+  Guard.run console (fun () ->
+      match prepare console o with
+      | Error diagnostics -> Guard.invalid console diagnostics
+      | Ok (model, schedule) -> (
+          Console.report console model.elaborated.warnings;
+          let write = write_run o model (policy o schedule) (limits o schedule) ~interrupted in
+          match Console.with_output console ~path:o.output write with
+          | result -> finish console model result
+          | exception Console.Output_failed d when Option.is_some o.output -> Guard.invalid console [ d ]))
+
+(* The command line. *)
+
+let schedule =
+  let doc =
+    "Makes the choices of $(docv): a schedule, as $(b,scc check --witness) writes it, or a trace, whose \
+     schedule is taken. It is followed to its end. A choice that is not possible where it is made is refused."
+  in
+  Arg.(value & opt (some string) None & info [ "schedule" ] ~docv:"FILE" ~doc)
+
+let choose_conv =
+  let parse s =
+    let n = String.length s in
+    if String.equal s "first" then Ok First
+    else if n > 7 && String.equal (String.sub s 0 7) "random:" then
+      match Int64.of_string_opt (String.sub s 7 (n - 7)) with
+      | Some seed -> Ok (Random seed)
+      | None -> Error (`Msg "the seed is no integer of 64 bits")
+    else Error (`Msg (Printf.sprintf "`%s' is neither `first' nor `random:SEED'" s))
+  in
+  let print ppf = function
+    | First -> Format.pp_print_string ppf "first"
+    | Random seed -> Format.fprintf ppf "random:%Ld" seed
+  in
+  Arg.conv ~docv:"POLICY" (parse, print)
+
+let choose =
+  let doc =
+    "How to choose between transitions: $(b,first), the first one, or $(b,random:SEED), each equally \
+     likely, by the generator SplitMix64 from the integer $(b,SEED): the same on every machine."
+  in
+  Arg.(value & opt choose_conv First & info [ "choose" ] ~docv:"POLICY" ~doc)
+
+let count =
+  let parse s =
+    match int_of_string_opt s with
+    | Some n when n >= 0 -> Ok n
+    | _ -> Error (`Msg (Printf.sprintf "`%s' is no number of transitions" s))
+  in
+  Arg.conv ~docv:"N" (parse, Format.pp_print_int)
+
+let steps =
+  let doc =
+    Printf.sprintf
+      "Ends the run after $(docv) transitions. The default is %d when neither a schedule nor $(b,--time) \
+       ends it." default_steps
+  in
+  Arg.(value & opt (some count) None & info [ "steps" ] ~docv:"N" ~doc)
+
+let time =
+  let doc = "Ends the run at the model time $(docv), between events if need be." in
+  Arg.(value & opt (some Options.rational) None & info [ "time" ] ~docv:"T" ~doc)
+
+let human =
+  let doc = "Tells the run in words instead of JSON Lines." in
+  Arg.(value & flag & info [ "human" ] ~doc)
+
+let output =
+  let doc = "Writes to $(docv) instead of standard output." in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+
+let options =
+  let make path overrides schedule choose steps time human output =
+    { path; overrides; schedule; choose; steps; time; human; output }
+  in
+  Term.(
+    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ steps $ time $ human $ output)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Runs one behaviour of a model and prints it as JSON Lines, one object a line: a header (format and \
+       semantics versions, digest of the model, values of its parameters), the initial state, then each \
+       transition with its label, the rules that made it, the model time after it and the resulting state \
+       in full. Numbers are exact, as texts $(b,\"p/q\"). The format is described by \
+       $(b,specs/schema/trace.schema.json).";
+    `P
+      "The output is the same, byte for byte, for the same model and choices. Each transition tells which \
+       choice it was, so that a trace is its own schedule: $(b,scc trace --schedule) with a trace prints \
+       the trace again.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc trace model.sc --choose random:7 -o run.jsonl";
+    `Pre "  scc trace model.sc --schedule run.jsonl | cmp - run.jsonl";
+    `Pre "  scc trace model.sc --human --time 5";
+  ]
+
+let command =
+  let info = Cmd.info "trace" ~doc:"run a model and print what happens" ~man ~exits:Exit_code.man in
+  Cmd.v info Term.(const run $ Options.color $ options)

@@ -1,0 +1,3 @@
+(** [scc trace]: one run of a model, as JSON Lines or in words. *)
+
+val command : Exit_code.t Cmdliner.Cmd.t
