@@ -1,0 +1,40 @@
+open Scc_base
+
+let readers =
+  [
+    ("off", "OFF", Off.read);
+    ("obj", "OBJ", Obj.read);
+    ("stl", "STL", Stl.read);
+  ]
+
+let formats = List.map (fun (ending, name, _) -> ("." ^ ending, name)) readers
+
+let by_name path =
+  let base = String.lowercase_ascii (Filename.basename path) in
+  let ends (ending, _, _) = Filename.check_suffix base ("." ^ ending) in
+  Option.map (fun (_, _, read) -> read) (List.find_opt ends readers)
+
+let by_text text =
+  let begins prefix =
+    let n = String.length prefix in
+    String.length text >= n && String.equal (String.sub text 0 n) prefix
+  in
+  if List.exists begins [ "OFF"; "COFF"; "NOFF"; "STOFF"; "CNOFF" ] then Some Off.read
+  else if begins "solid" then Some Stl.read
+  else None
+
+let read ~path text =
+  let reader =
+    match by_name path with
+    | Some _ as found -> found
+    | None -> by_text text
+  in
+  match reader with
+  | Some read -> read ~path text
+  | None ->
+    let known = String.concat ", " (List.map fst formats) in
+    Error
+      (Diag.error Code.mesh_format
+         (Span.make ~file:path ~start:0 ~stop:0)
+         "the format of this mesh file is not known"
+         ~hint:("the formats are told by the ending of the name: " ^ known))

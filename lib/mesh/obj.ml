@@ -1,0 +1,90 @@
+open Scc_base
+open Text
+
+type state = {
+  vertices : Scc_exact.Vec.t list;  (* in reverse order *)
+  count : int;
+  faces : (word * int) array list;
+  (* corners, in reverse order of faces: the word, and the index from 0 (which may be that of a vertex
+     further on) *)
+}
+
+let skipped = function
+  | "g" | "o" | "s" | "usemtl" | "mtllib" | "usemap" | "maplib" | "vt" | "vn" | "vp" | "l" | "p" | "mg" | "lod"
+  | "bevel" | "c_interp" | "d_interp" | "shadow_obj" | "trace_obj" -> true
+  | _ -> false
+
+let curved = function
+  | "curv" | "curv2" | "surf" | "parm" | "trim" | "hole" | "scrv" | "sp" | "end" | "con" | "cstype" | "deg"
+  | "bmat" | "step" -> true
+  | _ -> false
+
+(* x y z, then nothing, a weight that must be one, or a colour (three or four numbers). *)
+let vertex_statement ~path keyword state words =
+  match words with
+  | [ _; _; _ ] | [ _; _; _; _; _; _ ] | [ _; _; _; _; _; _; _ ] ->
+    let* v = coordinates ~path words in
+    Ok { state with vertices = v :: state.vertices; count = state.count + 1 }
+  | [ _; _; _; w ] ->
+    let* weight = coordinate ~path w in
+    let* v = coordinates ~path words in
+    if Scc_exact.Rat.equal weight Scc_exact.Rat.one then
+      Ok { state with vertices = v :: state.vertices; count = state.count + 1 }
+    else error ~path w "the weight of a vertex must be 1"
+  | _ -> error ~path keyword "expected the three coordinates of a vertex on this line"
+
+let corner ~path state w =
+  let index =
+    match String.index_opt w.text '/' with
+    | None -> w
+    | Some i -> { w with text = String.sub w.text 0 i }
+  in
+  let* i = integer ~path ~what:"the index of a vertex" index in
+  if i > 0 then Ok (index, i - 1)
+  else if i = 0 then error ~path index "a face names vertex 0, but the vertices of an OBJ file count from 1"
+  else if -i > state.count then
+    error ~path index "a face names vertex %d, but only %d vertices come before" i state.count
+  else Ok (index, state.count + i)
+
+let face_statement ~path keyword state words =
+  let* corners = map (corner ~path state) words in
+  match corners with
+  | _ :: _ :: _ :: _ -> Ok { state with faces = Array.of_list corners :: state.faces }
+  | _ -> error ~path keyword "a face needs at least three corners, not %d" (List.length corners)
+
+let statement ~path state = function
+  | [] -> Bug.fail __POS__ "a line without words"
+  | keyword :: words -> (
+      match keyword.text with
+      | "v" -> vertex_statement ~path keyword state words
+      | "f" | "fo" -> face_statement ~path keyword state words
+      | k when skipped k -> Ok state
+      | k when curved k -> error ~path keyword "curves and surfaces of OBJ files are not supported"
+      | k -> error ~path keyword "unknown OBJ statement %s" (quote k))
+
+let resolve ~path count corners =
+  let check () (w, i) =
+    if i < count then Ok () else error ~path w "a face names vertex %d, but there are only %d vertices" (i + 1) count
+  in
+  let rec all i =
+    if i >= Array.length corners then Ok (Array.map snd corners)
+    else
+      let* () = check () corners.(i) in
+      all (i + 1)
+  in
+  all 0
+
+let read ~path text =
+  let rec go state position =
+    match next_line ~continued:true text position with
+    | None -> Ok state
+    | Some (words, next) -> (
+        match statement ~path state words with
+        | Ok state -> go state next
+        | Error _ as e -> e)
+  in
+  let* state = go { vertices = []; count = 0; faces = [] } 0 in
+  if state.count = 0 then error_at ~path 0 "the file has no vertices"
+  else
+    let* faces = map (resolve ~path state.count) (List.rev state.faces) in
+    Ok (ifs state.vertices (List.rev faces))

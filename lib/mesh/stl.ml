@@ -1,0 +1,130 @@
+open Scc_base
+open Scc_exact
+open Text
+
+module Points = Hashtbl.Make (Vec)
+
+(* Triangles as they come, over vertices that are numbered as they are first met. *)
+type soup = {
+  numbers : int Points.t;
+  mutable vertices : Vec.t list;  (* in reverse order *)
+  mutable faces : int array list;
+}
+
+let number soup v =
+  match Points.find_opt soup.numbers v with
+  | Some i -> i
+  | None ->
+    let i = Points.length soup.numbers in
+    Points.add soup.numbers v i;
+    soup.vertices <- v :: soup.vertices;
+    i
+
+let add soup a b c =
+  let a = number soup a in
+  let b = number soup b in
+  let c = number soup c in
+  if a <> b && b <> c && c <> a then soup.faces <- [| a; b; c |] :: soup.faces
+
+(* {1 ASCII} *)
+
+let keyword w = String.lowercase_ascii w.text
+
+(* One line whose first words are these: its first word (for errors), the words after them, the position. *)
+let expect ~path ~last text position words =
+  match next_line text position with
+  | None -> error ~path last "the file ends before `%s`" (String.concat " " words)
+  | Some ([], _) -> Bug.fail __POS__ "a line without words"
+  | Some ((first :: _ as line), next) ->
+    let rec strip line wanted =
+      match (line, wanted) with
+      | rest, [] -> Ok (first, rest, next)
+      | w :: rest, k :: wanted when String.equal (keyword w) k -> strip rest wanted
+      | w :: _, _ -> error ~path w "expected `%s`, found %s" (String.concat " " words) (quote w.text)
+      | [], _ -> error ~path first "expected `%s` on this line" (String.concat " " words)
+    in
+    strip line words
+
+let corner ~path ~last text position =
+  let* last, rest, position = expect ~path ~last text position [ "vertex" ] in
+  match rest with
+  | [ _; _; _ ] ->
+    let* v = coordinates ~path rest in
+    Ok (v, last, position)
+  | _ -> error ~path last "expected the three coordinates of a vertex on this line"
+
+let facet ~path ~last text position =
+  let* last, _, position = expect ~path ~last text position [ "outer"; "loop" ] in
+  let* a, last, position = corner ~path ~last text position in
+  let* b, last, position = corner ~path ~last text position in
+  let* c, last, position = corner ~path ~last text position in
+  let* last, _, position = expect ~path ~last text position [ "endloop" ] in
+  let* last, _, position = expect ~path ~last text position [ "endfacet" ] in
+  Ok ((a, b, c), last, position)
+
+let ascii ~path text soup =
+  let rec between last position =
+    match next_line text position with
+    | None -> (
+        match last with
+        | None -> error_at ~path 0 "the file is empty: expected `solid`"
+        | Some _ -> Ok ())
+    | Some (w :: _, next) when String.equal (keyword w) "solid" -> inside w next
+    | Some (w :: _, _) -> error ~path w "expected `solid`, found %s" (quote w.text)
+    | Some ([], _) -> Bug.fail __POS__ "a line without words"
+  and inside last position =
+    match next_line text position with
+    | None -> error ~path last "the file ends before `endsolid`"
+    | Some (w :: _, next) when String.equal (keyword w) "endsolid" -> between (Some w) next
+    | Some (w :: _, next) when String.equal (keyword w) "facet" -> (
+        match facet ~path ~last:w text next with
+        | Ok ((a, b, c), last, next) ->
+          add soup a b c;
+          inside last next
+        | Error _ as e -> e)
+    | Some (w :: _, _) -> error ~path w "expected `facet` or `endsolid`, found %s" (quote w.text)
+    | Some ([], _) -> Bug.fail __POS__ "a line without words"
+  in
+  between None 0
+
+(* {1 Binary: 80 bytes of comment, the number of triangles, 50 bytes for each} *)
+
+let binary ~path text count soup =
+  let point offset =
+    let real k = Bytes_of.real ~path ~big_endian:false text (offset + (4 * k)) 4 in
+    let* x = real 0 in
+    let* y = real 1 in
+    let* z = real 2 in
+    Ok (Vec.make x y z)
+  in
+  let triangle k =
+    let offset = 84 + (50 * k) in
+    let* a = point (offset + 12) in
+    let* b = point (offset + 24) in
+    let* c = point (offset + 36) in
+    add soup a b c;
+    Ok ()
+  in
+  let rec go k =
+    if k = count then Ok ()
+    else
+      match triangle k with
+      | Ok () -> go (k + 1)
+      | Error _ as e -> e
+  in
+  go 0
+
+let read ~path text =
+  let n = String.length text in
+  let soup = { numbers = Points.create 64; vertices = []; faces = [] } in
+  let promised = if n >= 84 then Bytes_of.unsigned ~big_endian:false text 80 4 else 0 in
+  let starts_solid = n >= 5 && String.equal (String.lowercase_ascii (String.sub text 0 5)) "solid" in
+  let* () =
+    if n >= 84 && n = 84 + (50 * promised) then binary ~path text promised soup
+    else if starts_solid || String.trim text = "" then ascii ~path text soup
+    else if n < 84 then error_at ~path 0 "expected `solid`, or the 84 bytes of a binary header"
+    else
+      error_at ~path 0 "the header promises %d triangles, which take %d bytes, but the file has %d" promised
+        (84 + (50 * promised)) n
+  in
+  Ok (Merge_coplanar.merge (ifs soup.vertices soup.faces))
