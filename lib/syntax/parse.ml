@@ -1,0 +1,156 @@
+open Scc_base
+open Scc_exact
+module Engine = Parser.MenhirInterpreter
+
+let max_errors = 20
+
+(* {1 One run of the parser} *)
+
+type failure = {
+  index : int;  (* of the token refused *)
+  sentence : string;  (* what was expected *)
+  accepts : Parser.token -> bool;  (* whether another token would have been taken there *)
+}
+
+let position file offset = { Lexing.pos_fname = file; pos_lnum = 1; pos_bol = 0; pos_cnum = offset }
+
+let sentence env =
+  match Parser_messages.message (Engine.current_state_number env) with
+  | s -> String.concat " " (String.split_on_char '\n' (String.trim s))
+  | exception Not_found -> Bug.fail __POS__ "a state of the parser has no message"
+
+(* Reads from the token [first] on. *)
+let run (t : Tokens.t) start first =
+  let place i = position t.file t.tokens.(i).start in
+  let rec loop i asked checkpoint =
+    match checkpoint with
+    | Engine.InputNeeded _ ->
+      let token = t.tokens.(i) in
+      loop (i + 1) checkpoint
+        (Engine.offer checkpoint (token.token, place i, position t.file token.stop))
+    | Shifting _ | AboutToReduce _ -> loop i asked (Engine.resume checkpoint)
+    | HandlingError env ->
+      let index = i - 1 in
+      let accepts token = Engine.acceptable asked token (place index) in
+      Error { index; sentence = sentence env; accepts }
+    | Accepted v -> Ok v
+    | Rejected -> Bug.fail __POS__ "the parser went on after an error"
+  in
+  let checkpoint = start (place first) in
+  loop first checkpoint checkpoint
+
+(* {1 What to say} *)
+
+let shown (source : Source.t) (span : Span.t) =
+  let text = String.sub (Source.text source) span.start (span.stop - span.start) in
+  if String.length text <= 40 then text else String.sub text 0 (Utf8.boundary text 37) ^ "..."
+
+let adjacent (t : Tokens.t) i = i > 0 && t.tokens.(i - 1).stop = t.tokens.(i).start
+
+(* The word of the language that a name may have been meant for, where that word would do. *)
+let misspelt accepts name =
+  let fits (word, token) = if accepts token then Some word else None in
+  Diag.suggest name (List.filter_map fits Lexer.words)
+
+let hint (t : Tokens.t) source (f : failure) =
+  let before = if f.index > 0 then Some t.tokens.(f.index - 1).token else None in
+  let text = shown source (Tokens.span t f.index) in
+  match (before, t.tokens.(f.index).token) with
+  | Some (NUMBER _), (NAME _ | BOND | MASS | A | E | U) when adjacent t f.index ->
+    Some "a product is written with `*`, as in `2*i`"
+  | Some (NUMBER _), DOT when adjacent t f.index -> Some "a decimal point is followed by a digit"
+  | _, DOT when not (f.accepts (NUMBER Rat.one)) -> None
+  | _, DOT -> Some "a number begins with a digit, as in `0.5`"
+  | _, NAME n -> misspelt f.accepts n
+  | _ when f.accepts (NAME "") && List.mem_assoc text Lexer.words ->
+    Some (Printf.sprintf "`%s` is a word of the language and cannot be a name" text)
+  | _ -> None
+
+(* The bracket that is still open where reading failed, when it is never closed. *)
+let unclosed (t : Tokens.t) source first index =
+  let rec find i =
+    if i < first then []
+    else if t.unclosed.(i) then
+      let span = Tokens.span t i in
+      [ (span, Printf.sprintf "this `%s` is not closed" (shown source span)) ]
+    else find (if t.opening.(i) >= 0 then t.opening.(i) - 1 else i - 1)
+  in
+  find (index - 1)
+
+let diagnose (t : Tokens.t) source first (f : failure) =
+  let span = Tokens.span t f.index in
+  let what =
+    match t.tokens.(f.index).token with
+    | EOF -> "the text ends here"
+    | _ -> Printf.sprintf "`%s` does not fit here" (shown source span)
+  in
+  let notes = unclosed t source first f.index in
+  Diag.error ~notes ?hint:(hint t source f) Code.syntax span "%s: %s" what f.sentence
+
+(* {1 Going on after an error} *)
+
+(* A closing bracket of what began before reading started again, and whatever follows text that is not of the
+   language, are consequences of errors already told. *)
+let follows (t : Tokens.t) first (f : failure) =
+  t.tokens.(f.index).after_fault || (t.opening.(f.index) >= 0 && t.opening.(f.index) < first)
+
+let next_start (t : Tokens.t) first (f : failure) =
+  let rec find i =
+    if i >= Array.length t.tokens then None else if t.restart.(i) then Some i else find (i + 1)
+  in
+  find (max (first + 1) f.index)
+
+let all_failures t source start =
+  let rec loop first found count =
+    match run t start first with
+    | Ok v -> (Some v, found)
+    | Error f ->
+      let found, count =
+        if follows t first f then (found, count) else (diagnose t source first f :: found, count + 1)
+      in
+      (match next_start t first f with
+       | Some next when count < max_errors -> loop next found count
+       | Some _ | None -> (None, found))
+  in
+  loop 0 [] 0
+
+let rec take n = function x :: xs when n > 0 -> x :: take (n - 1) xs | _ -> []
+
+let finish errors = Error (take max_errors (List.sort_uniq Diag.compare errors))
+
+let of_tokens (t : Tokens.t) source start =
+  if Tokens.hopeless t || List.length t.faults >= Tokens.max_faults then finish t.faults
+  else
+    match (all_failures t source start, t.faults) with
+    | (Some v, []), [] -> Ok v
+    | (_, errors), faults -> finish (List.rev_append faults errors)
+
+let is_empty (t : Tokens.t) = Array.length t.tokens = 1
+
+let with_trivia source =
+  let t = Tokens.read source in
+  match of_tokens t source Parser.Incremental.model with
+  | Error errors -> Error errors
+  | Ok _ when is_empty t ->
+    let span = Span.make ~file:t.file ~start:0 ~stop:0 in
+    finish
+      [ Diag.error Code.empty_model span "this model declares nothing"
+          ~hint:"a model declares at least one `process`" ]
+  | Ok model -> Ok (model, t.trivia)
+
+let parse source = Result.map fst (with_trivia source)
+let expression source = of_tokens (Tokens.read source) source Parser.Incremental.expression
+
+let rational source =
+  let text = Source.text source in
+  let error code message =
+    let span = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length text) in
+    Error [ Diag.error code span "%s" message ]
+  in
+  match Rat.of_literal text with
+  | Ok q -> Ok q
+  | Error Malformed -> error Code.lexical "this is not a number such as 6, -1/4, 0.125 or 1e-3"
+  | Error Too_large ->
+    error Code.number_too_large
+      (Printf.sprintf "this number has more than %d digits when written out" Rat.max_digits)
+  | Error Zero_denominator -> error Code.zero_denominator "this is a division by zero"

@@ -1,0 +1,27 @@
+(** From text to syntax tree. The language is told in [specs/language.md].
+
+    Errors are results, several at a time: after one, reading starts again at the next declaration. They are
+    sorted, at most {!max_errors}, and the same from run to run. Codes: SC0102 (not text), SC0104 and SC0105
+    (lexical), SC0106 (a number too large), SC0107 (a division by a literal zero), SC0110 (syntax), SC0111
+    (nested too deeply, see {!Tokens.max_nesting} and {!Tokens.max_depth}) and SC0112 (nothing declared).
+
+    No exception, and no recursion on what is read: the stack is bounded whatever the text. The tree is no
+    deeper than {!Tokens.max_depth} allows, so that a plain recursion over it is safe. *)
+
+open Scc_base
+open Scc_exact
+
+val max_errors : int
+(** 20. *)
+
+val parse : Source.t -> (Ast.model, Diag.t list) result
+(** A whole model. *)
+
+val with_trivia : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result
+(** The same with the comments and empty lines, for {!Printer.model}. *)
+
+val expression : Source.t -> (Ast.expr, Diag.t list) result
+(** A number or formula alone, the whole text. *)
+
+val rational : Source.t -> (Rat.t, Diag.t list) result
+(** A number given on the command line: ["6"], ["-1/4"], ["0.125"], ["1e-3"]. *)

@@ -1,0 +1,343 @@
+(* The grammar of the modelling language; specs/language.md is its reference.
+   Every state in which a token can be refused has its own sentence in parser.messages: the build compares
+   the two, so a change here means a change there. *)
+
+%{
+  open Ast
+
+  let span ((first, last) : Lexing.position * Lexing.position) =
+    Scc_base.Span.make ~file:first.pos_fname ~start:first.pos_cnum ~stop:last.pos_cnum
+
+  let at loc it = { it; at = span loc }
+
+  (* A chain of leaves while it is read: the first leaf, and the rest in reverse. Brackets of the text are
+     flattened here ([I-5]), each leaf moved once per pair of brackets. *)
+  type chain = { head : leaf; tail : (bond * leaf) list }
+
+  let join left bond right = { left with tail = right.tail @ ((bond, right.head) :: left.tail) }
+%}
+
+(* Words of the language *)
+%token MODEL PARAM TIMESTEP SPLIT_STEP SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND FOR NETWORK MOTION LET CHECK
+%token VERTICES FACES SCALED MESH PART GLUE ON IN MASS VELOCITY SPIN AT
+%token TRANSLATE ROTATE QUATERNION SCALE MATRIX
+%token NIL OMEGA RHO EPS INERTIAL CHOOSE WEIGHT
+%token TRUE FALSE IF THEN ELSE NOT AND OR FORALL EXISTS COUNT
+%token POSSIBLY ALWAYS EVENTUALLY WITHIN
+%token A E U AG AF AX EG EF EX
+
+(* A letter kept for the temporal operators that nothing uses alone: X, F, G *)
+%token RESERVED
+
+(* Marks. LABEL_BRACKET is a `[` whose `]` is followed by a colon: the indices of a leaf's name, where `[`
+   would open a behaviour *)
+%token LPAREN RPAREN LBRACKET LABEL_BRACKET RBRACKET LBRACE RBRACE
+%token COMMA COLON DOT DOTDOT TILDE PARALLEL
+%token EQ NE LT LE GT GE IMPLIES PLUS MINUS STAR SLASH
+%token EOF
+
+%token <string> NAME
+%token <string> BARRED
+%token <string> STRING
+%token <Q.t> NUMBER
+
+(* From the loosest to the tightest; OPEN is for what reaches as far to the right as it can *)
+%nonassoc OPEN
+%nonassoc WITHIN
+%right IMPLIES
+%left OR
+%left AND
+%nonassoc NOT
+%nonassoc EQ NE LT LE GT GE
+%nonassoc WITHIN_ARGUMENT
+%left PLUS MINUS
+%left STAR SLASH
+%nonassoc NEGATION
+
+%start <Ast.model> model
+%start <Ast.expr> expression
+
+(* On an error, finish what can be finished: fewer states, and a message about the larger thing *)
+%on_error_reduce expr arithmetic plain_path segment behaviour behaviour_term solid
+  chain(moving) chain(still) leaf(moving) leaf(still) moving still body reversed(attribute) reversed(transform_factor)
+  reversed(item) reversed(vertex) reversed(face) reversed(part) reversed(glue) reversed(parallel) transforms
+  path_of_expr name
+
+%%
+
+model: items = many(item) EOF { items }
+
+expression: e = expr EOF { e }
+
+(* Lists, left recursive: the stack stays flat *)
+
+reversed(X):
+| { [] }
+| xs = reversed(X) x = X { x :: xs }
+
+%inline many(X): xs = reversed(X) { List.rev xs }
+
+comma_separated(X):
+| x = X { [ x ] }
+| xs = comma_separated(X) COMMA x = X { x :: xs }
+
+%inline comma_list(X): xs = comma_separated(X) { List.rev xs }
+
+%inline optional_list(X):
+| { [] }
+| xs = comma_list(X) { xs }
+
+(* Names and paths *)
+
+name:
+| n = NAME { at $loc n }
+| BOND { at $loc "bond" }
+| MASS { at $loc "mass" }
+
+segment:
+| name = name { { name; indices = [] } }
+| name = name LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
+
+segments:
+| s = segment { [ s ] }
+| ss = segments DOT s = segment { s :: ss }
+
+path: ss = segments { at $loc (List.rev ss) }
+
+polar_name:
+| n = name { (false, n) }
+| TILDE n = name { (true, n) }
+| n = BARRED { (true, at $loc n) }
+
+vector: LPAREN x = expr COMMA y = expr COMMA z = expr RPAREN { (x, y, z) }
+quadruple: LPAREN w = expr COMMA x = expr COMMA y = expr COMMA z = expr RPAREN { (w, x, y, z) }
+
+(* Features, channels and bonds *)
+
+feature:
+| ss = segments { at $loc (Named (at $loc (List.rev ss))) }
+| ss = segments DOT vs = vertex_tuple { at $loc (Tuple (Some (at $loc(ss) (List.rev ss)), vs)) }
+| vs = vertex_tuple { at $loc (Tuple (None, vs)) }
+
+vertex_tuple: LBRACKET vs = comma_list(path) RBRACKET { vs }
+
+features: LBRACE fs = optional_list(feature) RBRACE { fs }
+
+angle_channel:
+| LT c = polar_name COMMA features = features GT
+    { { co = fst c; channel = snd c; features; span = span $loc } }
+
+weak_channel:
+| OMEGA LPAREN c = polar_name COMMA features = features RPAREN
+    { { co = fst c; channel = snd c; features; span = span $loc } }
+
+bond:
+| LT bond = name COMMA LBRACE first = feature COMMA second = feature RBRACE GT
+    { { bond; first; second; bond_span = span $loc } }
+
+(* Behaviours *)
+
+behaviour:
+| b = behaviour_term { b }
+| b = behaviour PLUS c = behaviour_term { at $loc (Sum (b, c)) }
+
+behaviour_term:
+| NIL { at $loc Nil }
+| k = name { at $loc (Name k) }
+| LPAREN b = behaviour RPAREN { b }
+| c = angle_channel DOT b = behaviour_term { at $loc (Open (c, b)) }
+| c = weak_channel DOT b = behaviour_term { at $loc (Weak (c, b)) }
+| RHO LPAREN LBRACE cs = optional_list(angle_channel) RBRACE RPAREN DOT b = behaviour_term
+    { at $loc (Strong (cs, b)) }
+| EPS LPAREN t = expr RPAREN DOT b = behaviour_term { at $loc (Delay (t, b)) }
+
+(* Shapes and where they are *)
+
+solid:
+| n = name { at $loc (Template n) }
+| MESH file = STRING { at $loc (Mesh (at $loc(file) file)) }
+| s = solid SCALED v = vector { at $loc (Scaled (s, v)) }
+
+vertex: n = name v = vector { (n, v) }
+face: n = name LBRACKET vs = comma_list(name) RBRACKET { (n, vs) }
+
+template:
+| VERTICES vs = many(vertex) FACES fs = many(face) { Faces (vs, fs) }
+
+transform:
+| TRANSLATE v = vector { at $loc (Translate v) }
+| ROTATE QUATERNION q = quadruple { let w, x, y, z = q in at $loc (Rotate (w, x, y, z)) }
+| SCALE v = vector { at $loc (Scale v) }
+| MATRIX LPAREN a = quadruple COMMA b = quadruple COMMA c = quadruple COMMA d = quadruple RPAREN
+    { at $loc (Matrix [ a; b; c; d ]) }
+
+transform_factor: STAR t = transform { t }
+transforms: t = transform ts = many(transform_factor) { t :: ts }
+
+attribute:
+| MASS e = arithmetic { at $loc (Mass e) }
+| VELOCITY v = vector { at $loc (Velocity v) }
+| SPIN v = vector { at $loc (Spin v) }
+| AT ts = transforms { at $loc (At ts) }
+
+part:
+| PART part = name COLON part_solid = solid part_attributes = many(attribute)
+    { { part; part_solid; part_attributes; part_span = span $loc } }
+
+glue:
+| GLUE glue_first = feature TILDE glue_second = feature
+    { { glue_first; glue_second; glue_span = span $loc } }
+
+(* Processes: [labelled] and [unlabelled] are told apart by the colon, [moving] and [still] by whether the
+   behaviour may be left out *)
+
+label:
+| name = name COLON { { name; indices = [] } }
+| name = name LABEL_BRACKET indices = comma_list(expr) RBRACKET COLON { { name; indices } }
+
+body:
+| solid = solid attributes = many(attribute) { (solid, attributes) }
+
+behaviour_box: LBRACKET b = behaviour RBRACKET { b }
+
+moving:
+| label = ioption(label) body = body b = behaviour_box
+    { { label; solid = fst body; attributes = snd body; behaviour = Some b; leaf_span = span $loc } }
+
+still:
+| label = ioption(label) body = body b = ioption(behaviour_box)
+    { { label; solid = fst body; attributes = snd body; behaviour = b; leaf_span = span $loc } }
+
+leaf(X):
+| l = X { { head = l; tail = [] } }
+| LPAREN c = chain(X) RPAREN { c }
+
+chain(X):
+| c = leaf(X) { c }
+| c = chain(X) b = bond d = leaf(X) { join c b d }
+
+(* Laws of motion *)
+
+law:
+| INERTIAL { at $loc Inertial }
+| v = vector { at $loc (Expression v) }
+| CHOOSE LBRACE kicks = comma_list(kick) RBRACE { at $loc (Choose kicks) }
+
+kick:
+| v = vector { (v, None) }
+| v = vector WEIGHT w = expr { (v, Some w) }
+
+(* Items *)
+
+range: i = name IN low = expr DOTDOT high = expr { (i, low, high) }
+parallel: PARALLEL p = path { p }
+
+item: i = item_kind { at $loc i }
+
+item_kind:
+| MODEL n = name { Model n }
+| PARAM n = name EQ e = expr { Param (n, e) }
+| TIMESTEP e = expr { Timestep e }
+| SPLIT_STEP e = expr { Split_step e }
+| SHAPE n = name EQ s = solid { Shape (n, s) }
+| SHAPE n = name LBRACE t = template RBRACE { Shape (n, at $loc(t) t) }
+| COMPOUND n = name LBRACE parts = many(part) glues = many(glue) RBRACE { Compound (n, parts, glues) }
+| BEHAVIOUR n = name EQ b = behaviour { Behaviour (n, None, b) }
+| BEHAVIOUR n = name ON t = name EQ b = behaviour { Behaviour (n, Some t, b) }
+| PROCESS s = segment EQ c = chain(moving) { Process (s, c.head, List.rev c.tail) }
+| FIXED s = segment EQ c = chain(still) { Fixed (s, c.head, List.rev c.tail) }
+| BOND b = bond { Bond b }
+| FOR ranges = comma_list(range) LBRACE body = many(item) RBRACE { For (ranges, body) }
+| NETWORK NIL { Network [] }
+| NETWORK p = path ps = many(parallel) { Network (p :: ps) }
+| MOTION l = law { Motion (None, l) }
+| MOTION p = path EQ l = law { Motion (Some p, l) }
+| LET n = name EQ e = expr { Let (n, e) }
+| CHECK n = name COLON e = expr { Check (n, e) }
+
+(* Numbers, truth values and formulas *)
+
+%inline arithmetic_operator:
+| PLUS { Add }
+| MINUS { Sub }
+| STAR { Mul }
+| SLASH { Div }
+
+%inline operator:
+| o = arithmetic_operator { o }
+| LT { Lt }
+| LE { Le }
+| GT { Gt }
+| GE { Ge }
+| EQ { Eq }
+| NE { Ne }
+| AND { And }
+| OR { Or }
+| IMPLIES { Implies }
+
+%inline english:
+| POSSIBLY { Possibly }
+| ALWAYS { Always }
+| EVENTUALLY { Eventually }
+
+%inline letters:
+| AF { Finally Ast.A }
+| EF { Finally Ast.E }
+| AG { Globally Ast.A }
+| EG { Globally Ast.E }
+
+%inline next:
+| AX { Next Ast.A }
+| EX { Next Ast.E }
+
+%inline path_quantifier:
+| A { Ast.A }
+| E { Ast.E }
+
+%inline quantifier:
+| FORALL { Forall }
+| EXISTS { Exists }
+
+bound:
+| LBRACKET LE t = expr RBRACKET { At_most t }
+| LBRACKET a = expr COMMA b = expr RBRACKET { Between (a, b) }
+
+path_of_expr: p = path { p }
+
+expr:
+| q = NUMBER { at $loc (Number q) }
+| TRUE { at $loc True }
+| FALSE { at $loc False }
+| p = path_of_expr { at $loc (Path p) }
+| TILDE n = name { at $loc (Co n) }
+| n = BARRED { at $loc (Co (at $loc n)) }
+| f = name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
+| BEHAVIOUR LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (at $loc($1) "behaviour", es)) }
+| LPAREN e = expr RPAREN { e }
+| COUNT LPAREN p = name IN t = name COLON e = expr RPAREN { at $loc (Quantified (Count, p, t, e)) }
+| q = path_quantifier LBRACKET f = expr U b = ioption(bound) g = expr RBRACKET
+    { at $loc (Until (q, f, b, g)) }
+| MINUS e = expr %prec NEGATION { at $loc (Neg e) }
+| NOT e = expr { at $loc (Not e) }
+| l = expr o = operator r = expr { at $loc (Binary (o, l, r)) }
+| IF c = expr THEN t = expr ELSE e = expr %prec OPEN { at $loc (If (c, t, e)) }
+| q = quantifier p = name IN t = name COLON e = expr %prec OPEN { at $loc (Quantified (q, p, t, e)) }
+| t = english b = ioption(bound) e = expr %prec OPEN { at $loc (Temporal (t, b, e)) }
+| t = english e = expr WITHIN d = expr %prec WITHIN_ARGUMENT { at $loc (Temporal (t, Some (Within d), e)) }
+| t = letters b = ioption(bound) e = expr %prec NOT { at $loc (Temporal (t, b, e)) }
+| t = next e = expr %prec NOT { at $loc (Temporal (t, None, e)) }
+
+(* Attributes: arithmetic alone, and no index outside brackets, so that `<` after one opens a bond and `[` a
+   behaviour *)
+
+plain_path:
+| n = name { [ { name = n; indices = [] } ] }
+| ss = plain_path DOT n = name { { name = n; indices = [] } :: ss }
+
+arithmetic:
+| q = NUMBER { at $loc (Number q) }
+| ss = plain_path { at $loc (Path (at $loc (List.rev ss))) }
+| f = name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
+| LPAREN e = expr RPAREN { e }
+| MINUS e = arithmetic %prec NEGATION { at $loc (Neg e) }
+| l = arithmetic o = arithmetic_operator r = arithmetic { at $loc (Binary (o, l, r)) }

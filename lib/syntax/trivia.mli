@@ -1,0 +1,16 @@
+(** What a text holds besides its tokens: comments and empty lines. The printer puts them back. *)
+
+type kind =
+  | Blank  (** one or more empty lines *)
+  | Line  (** [// …], without its line end *)
+  | Block  (** [/* … */] *)
+
+type t = {
+  kind : kind;
+  text : string;  (** as written, line ends as ["\n"]; empty for [Blank] *)
+  start : int;  (** offset of the first byte *)
+  stop : int;  (** offset after the last byte *)
+  own_line : bool;  (** nothing but spaces stands before it on its line *)
+}
+
+val is_comment : t -> bool
