@@ -32,7 +32,7 @@ type phase =
   | Due  (** the step is over, and this instant has not been steered *)
   | Steered  (** this instant has been steered *)
 
-type step = { remaining : Rat.t;  (** 0 < r <= Delta, or 0 while [Due] *) phase : phase }
+type step = { remaining : Rat.t;  (** 0 <= r <= Delta; 0 only while [Due] *) phase : phase }
 
 type t = private {
   processes : process array;  (** in order of their first leaves *)

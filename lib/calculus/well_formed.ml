@@ -134,7 +134,7 @@ let step_is_right (m : Model.t) (s : State.t) =
       && Rat.compare remaining m.timestep <= 0
       &&
       match phase with
-      | Due -> Rat.sign remaining = 0
+      | Due -> Rat.sign remaining >= 0 (* a collision cuts a step short *)
       | Moving | Steered -> Rat.sign remaining > 0)
 
 let time_is_right (m : Model.t) (s : State.t) =

@@ -1,0 +1,123 @@
+(* Laws that hold of every network, tried on random ones. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_test_networks
+
+let states_per_network = 60
+
+let reached network =
+  let m, start = Random_network.start network in
+  (m, Reach.states m start ~limit:states_per_network)
+
+let property name ?(count = 400) ?steered holds =
+  QCheck2.Test.make ~name ~count ~print:Random_network.print (Random_network.generate ?steered ()) holds
+
+let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
+
+let well_formed m (s, _) =
+  match Well_formed.check m s with
+  | [] -> None
+  | fault :: _ -> Some (Well_formed.to_string m s fault)
+
+let preserves steered name =
+  property name ~steered (fun network ->
+      let m, states = reached network in
+      fail_on (List.find_map (well_formed m) states))
+
+let conserves =
+  property "transitions conserve momentum and energy" (fun network ->
+      let m, states = reached network in
+      let broken (s, transitions) = List.find_map (Conservation.fault m s) transitions in
+      fail_on (List.find_map broken states))
+
+let is_time (t : Transition.t) = match t.label with Time _ -> true | _ -> false
+
+let deterministic =
+  property "Time is deterministic" ~steered:true (fun network ->
+      let _, states = reached network in
+      List.for_all (fun (_, ts) -> List.length (List.filter is_time ts) <= 1) states)
+
+(* Where time d may pass at once, it may pass in two goes to the same state. *)
+let additive =
+  property "Time is additive" ~steered:true (fun network ->
+      let m, states = reached network in
+      let part = Rat.make (Z.of_int 2) (Z.of_int 7) in
+      let holds s (t : Transition.t) =
+        match t.label with
+        | Time d ->
+          let first = Rat.mul part d in
+          let midway = Time.pass m first s in
+          let rest = Rat.sub d first in
+          Option.equal Rat.equal (Time.delay m midway) (Some rest)
+          && State.equal (Time.pass m rest midway) (Time.pass m d s)
+        | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
+      in
+      List.for_all (fun (s, ts) -> List.for_all (holds s) ts) states)
+
+let invariant ?steered name symmetry_of =
+  property name ?steered (fun network ->
+      let m, states = reached network in
+      fail_on (Symmetry.broken (symmetry_of m) m states))
+
+let translated =
+  invariant "nothing depends on where the network is" (fun _ ->
+      Symmetry.translation (Vec.make (Rat.of_int 5) (Rat.make Z.one (Z.of_int 3)) (Rat.of_int (-7))))
+
+let reversed m =
+  let n = Array.length m.Model.leaves in
+  Symmetry.permutation (Array.init n (fun i -> n - 1 - i))
+
+let shifted m =
+  let n = Array.length m.Model.leaves in
+  Symmetry.permutation (Array.init n (fun i -> (i + 1) mod n))
+
+let turned =
+  property "nothing depends on how the network is turned" ~count:80 (fun network ->
+      let m, states = reached network in
+      fail_on (List.find_map (fun r -> Symmetry.broken r m states) Symmetry.rotations))
+
+(* So that the properties above are about something: over the seeds used, every kind of transition comes up. *)
+let varied () =
+  let rand = Random.State.make [| 42 |] in
+  let networks = QCheck2.Gen.generate ~rand ~n:100 (Random_network.generate ()) in
+  let kind (t : Transition.t) =
+    match t.label with
+    | Time _ -> "time"
+    | Bind _ -> "bind"
+    | Bounce _ -> "bounce"
+    | Weak_split _ -> "weak"
+    | Strong_split _ -> "strong"
+  in
+  let seen =
+    List.concat_map (fun n -> List.concat_map (fun (_, ts) -> List.map kind ts) (snd (reached n))) networks
+  in
+  Alcotest.(check (list string))
+    "kinds of transitions"
+    [ "bind"; "bounce"; "strong"; "time"; "weak" ]
+    (List.sort_uniq String.compare seen)
+
+let () =
+  let cases = Scc_test_support.Property.cases in
+  Alcotest.run "random networks"
+    [
+      ("scope", [ Alcotest.test_case "every kind of transition comes up" `Quick varied ]);
+      ( "laws",
+        cases
+          [
+            preserves false "transitions preserve well-formedness";
+            preserves true "so they do under laws of motion";
+            conserves;
+            deterministic;
+            additive;
+          ] );
+      ( "symmetries",
+        cases
+          [
+            translated;
+            invariant ~steered:true "parallel components in reverse order" reversed;
+            invariant ~steered:true "parallel components in another order" shifted;
+            turned;
+          ] );
+    ]

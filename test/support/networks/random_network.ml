@@ -1,0 +1,171 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+module Gen = QCheck2.Gen
+
+type body = {
+  cell : int * int * int;  (** distinct from body to body *)
+  jitter : int * int * int;  (** in halves, 0 to 2 *)
+  velocity : int * int * int;  (** in halves *)
+  mass : int;
+  shape : int;
+  behaviour : int;
+  fixed : bool;
+  falls : bool;
+}
+
+type t = body list
+
+(* {1 Shapes} *)
+
+let cube =
+  let vertex name x y z = (name, Vec.of_ints x y z) in
+  let ifs =
+    {
+      Polyhedron.ifs_vertices =
+        [|
+          vertex "a" (-1) (-1) (-1); vertex "b" 1 (-1) (-1); vertex "c" 1 1 (-1); vertex "d" (-1) 1 (-1);
+          vertex "e" (-1) (-1) 1; vertex "f" 1 (-1) 1; vertex "g" 1 1 1; vertex "h" (-1) 1 1;
+        |];
+      ifs_faces =
+        [|
+          ("bottom", [| 0; 3; 2; 1 |]); ("top", [| 4; 5; 6; 7 |]); ("left", [| 0; 4; 7; 3 |]);
+          ("right", [| 1; 2; 6; 5 |]); ("front", [| 0; 1; 5; 4 |]); ("back", [| 3; 7; 6; 2 |]);
+        |];
+    }
+  in
+  match Polyhedron.of_ifs ifs with Ok p -> p | Error _ -> failwith "the cube is refused"
+
+let rational n d = Rat.make (Z.of_int n) (Z.of_int d)
+let int = Rat.of_int
+
+let turned =
+  match Mat.of_quaternion (int 2, int 1, int 0, int 1) with
+  | Some r -> Mat.scale (rational 1 2) r
+  | None -> failwith "the zero quaternion"
+
+let sheared =
+  Mat.make (Vec.make (rational 1 2) (rational 1 2) Rat.zero) (Vec.of_ints 0 1 0) (Vec.of_ints 0 0 1)
+
+(* Linear maps that keep the cube within [-1, 1] in every coordinate. *)
+let maps =
+  [| Mat.identity; Mat.diagonal (Vec.make Rat.one (rational 1 2) Rat.one); turned; sheared |]
+
+let solids = Array.mapi (fun id map -> Solid.make ~id cube map) maps
+
+(* A shape: parts as (solid, offset), within [-3, 1] along x and [-1, 1] along y and z. *)
+let shapes =
+  [|
+    [ (0, Vec.zero) ];
+    [ (1, Vec.zero) ];
+    [ (2, Vec.zero) ];
+    [ (3, Vec.zero) ];
+    [ (0, Vec.zero); (1, Vec.of_ints (-2) 0 0) ];
+  |]
+
+(* {1 Behaviours} *)
+
+let channel faces =
+  let features = List.map (fun f -> Feature.Face f) faces in
+  let sites = List.map (fun feature -> { Site.part = 0; feature }) in
+  Behaviour.channel ~name:"a" ~sites:(sites features) ~closure:(sites (Polyhedron.closure cube features))
+
+let all = channel [ 0; 1; 2; 3; 4; 5 ]
+let some = channel [ 1; 3; 5 ]
+
+let definitions : Behaviour.definitions =
+  let open Behaviour in
+  [|
+    { name = "Sticky"; body = open_ Name all (call 1) };
+    { name = "Stuck"; body = sum (weak all (call 0)) (delay (rational 1 2) (strong [ all ] nil)) };
+    { name = "CoSticky"; body = open_ Co_name some (call 3) };
+    { name = "CoStuck"; body = sum (weak all (call 2)) (sum (strong [ all ] nil) (open_ Name all nil)) };
+    { name = "Late"; body = delay (rational 1 3) (sum (call 0) (call 2)) };
+  |]
+
+let behaviours = 6
+let behaviour i = if i = 0 then Behaviour.nil else Behaviour.call (i - 1)
+
+(* {1 Networks} *)
+
+let fall : Law.t = Velocity (Var Vx, Sub (Var Vy, Mul (Const (int 2), Var Dt)), Var Vz)
+
+let leaf i (b : body) : Model.leaf =
+  let name = Printf.sprintf "p%d" i in
+  let parts = shapes.(b.shape) in
+  let mass = rational b.mass (List.length parts) in
+  let part j (solid, offset) : Model.part =
+    let name = if List.length parts = 1 then name else Printf.sprintf "%s.s%d" name j in
+    { name; template = "Cube"; solid = solids.(solid); offset; mass }
+  in
+  {
+    name; template = "Cube"; parts = Array.of_list (List.mapi part parts); fixed = b.fixed;
+    mass = int b.mass; law = (if b.falls then fall else Inertial);
+  }
+
+let model bodies : Model.t =
+  {
+    leaves = Array.of_list (List.mapi leaf bodies);
+    definitions;
+    timestep = rational 1 2;
+    split_step = rational 1 2;
+    keeps_time = false;
+    steered = List.exists (fun b -> b.falls) bodies;
+    obstacles = Obstacle_cache.create ();
+  }
+
+(* Cells are as large as the greatest shape and the greatest jitter together. *)
+let position b =
+  let x, y, z = b.cell and jx, jy, jz = b.jitter in
+  Vec.make
+    (Rat.add (int (5 * x)) (rational jx 2))
+    (Rat.add (int (3 * y)) (rational jy 2))
+    (Rat.add (int (3 * z)) (rational jz 2))
+
+let velocity b =
+  let x, y, z = b.velocity in
+  if b.fixed then Vec.zero else Vec.make (rational x 2) (rational y 2) (rational z 2)
+
+let declared bodies =
+  let process i b =
+    let behaviour = Behaviour.fresh (behaviour b.behaviour) in
+    let leaf : State.leaf = { leaf = i; position = position b; behaviour } in
+    State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:(velocity b) ~clock:None
+  in
+  State.make ~processes:(List.mapi process bodies) ~step:None ~time:None
+
+let start bodies =
+  let m = model bodies in
+  (m, Reach.initial m (declared bodies))
+
+(* {1 Generation} *)
+
+let three g = Gen.triple g g g
+
+let same_cell a b =
+  let x, y, z = a.cell and x', y', z' = b.cell in
+  x = x' && y = y' && z = z'
+
+let distinct bodies =
+  List.fold_left (fun kept b -> if List.exists (same_cell b) kept then kept else b :: kept) [] bodies
+  |> List.rev
+
+let body ~steered =
+  let open Gen in
+  let* cell = three (0 -- 1) and* jitter = three (0 -- 2) and* velocity = three (-3 -- 3) in
+  let* mass = 1 -- 3 and* shape = 0 -- (Array.length shapes - 1) in
+  let* behaviour = 0 -- (behaviours - 1) and* fixed = map (fun n -> n = 0) (0 -- 9) in
+  let+ falls = if steered then map (fun n -> n = 0) (0 -- 1) else pure false in
+  { cell; jitter; velocity; mass; shape; behaviour; fixed; falls = falls && not fixed }
+
+let generate ?(steered = false) () = Gen.map distinct (Gen.list_size Gen.(2 -- 6) (body ~steered))
+
+let print bodies =
+  let triple (x, y, z) = Printf.sprintf "(%d,%d,%d)" x y z in
+  let body b =
+    Printf.sprintf "{cell %s jitter %s/2 velocity %s/2 mass %d shape %d behaviour %d%s%s}" (triple b.cell)
+      (triple b.jitter) (triple b.velocity) b.mass b.shape b.behaviour
+      (if b.fixed then " fixed" else "")
+      (if b.falls then " falls" else "")
+  in
+  String.concat "\n" (List.map body bodies)

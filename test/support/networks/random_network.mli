@@ -1,0 +1,17 @@
+(** Random well-formed networks of bodies with the faces of a cube: cubes, boxes, turned cubes, sheared ones,
+    glued pairs; some fixed, some with channels, delays, splits. *)
+
+open Scc_calculus
+
+type t
+
+val generate : ?steered:bool -> unit -> t QCheck2.Gen.t
+(** Two to six bodies, close together and in motion; shrinks. With [steered] (not by default), some fall by a law of motion. *)
+
+val model : t -> Model.t
+val declared : t -> State.t
+
+val start : t -> Model.t * State.t
+(** The model and its initial state. *)
+
+val print : t -> string

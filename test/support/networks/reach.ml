@@ -1,0 +1,35 @@
+open Scc_calculus
+open Scc_semantics
+
+module Seen = Hashtbl.Make (struct
+    type t = State.t
+
+    let equal = State.equal
+    let hash = State.hash
+  end)
+
+let ok m = function
+  | Ok x -> x
+  | Error fault -> failwith (Transition.fault_to_string m fault)
+
+let initial m declared = ok m (Network.initial m declared)
+let successors m s = ok m (Network.successors m s)
+
+let states m start ~limit =
+  let seen = Seen.create 64 and queue = Queue.create () in
+  let add s =
+    if Seen.length seen < limit && not (Seen.mem seen s) then begin
+      Seen.add seen s ();
+      Queue.add s queue
+    end
+  in
+  add start;
+  let rec go found =
+    match Queue.take_opt queue with
+    | None -> List.rev found
+    | Some s ->
+      let transitions = successors m s in
+      List.iter (fun (t : Transition.t) -> add t.target) transitions;
+      go ((s, transitions) :: found)
+  in
+  go []

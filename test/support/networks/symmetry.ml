@@ -1,0 +1,140 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+open Scc_semantics
+
+type t = {
+  name : string;
+  model : Model.t -> Model.t;
+  state : State.t -> State.t;
+  bond : State.bond -> State.bond;
+  leaf : int -> int;
+}
+
+let map_processes f (s : State.t) =
+  State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
+
+(* Moves every position by one map and every velocity by another. *)
+let move ~position ~velocity =
+  map_processes (fun (p : State.process) ->
+      let leaf (l : State.leaf) = { l with position = position l.position } in
+      State.process
+        ~leaves:(List.map leaf (Array.to_list p.leaves))
+        ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~clock:p.clock)
+
+let translation by =
+  {
+    name = "translation by " ^ Vec.to_string by;
+    model = Fun.id;
+    state = move ~position:(Vec.add by) ~velocity:Fun.id;
+    bond = Fun.id;
+    leaf = Fun.id;
+  }
+
+let turned_model r (m : Model.t) =
+  let part (p : Model.part) =
+    let solid = Solid.make ~id:p.solid.id p.solid.polyhedron (Mat.mul r p.solid.linear) in
+    { p with solid; offset = Mat.apply r p.offset }
+  in
+  let leaf (l : Model.leaf) = { l with parts = Array.map part l.parts } in
+  { m with leaves = Array.map leaf m.leaves; obstacles = Obstacle_cache.create () }
+
+let rotation name r =
+  {
+    name;
+    model = turned_model r;
+    state = move ~position:(Mat.apply r) ~velocity:(Mat.apply r);
+    bond = Fun.id;
+    leaf = Fun.id;
+  }
+
+(* The signed permutation matrices of determinant 1. *)
+let rotations =
+  let axes = [ (1, 0, 0); (0, 1, 0); (0, 0, 1); (-1, 0, 0); (0, -1, 0); (0, 0, -1) ] in
+  let vec (x, y, z) = Vec.of_ints x y z in
+  let orthogonal a b = Rat.sign (Vec.dot a b) = 0 in
+  List.concat_map
+    (fun a ->
+       List.filter_map
+         (fun b ->
+            let a = vec a and b = vec b in
+            if orthogonal a b then
+              let r = Mat.make a b (Vec.cross a b) in
+              let name = Printf.sprintf "rotation %s, %s" (Vec.to_string a) (Vec.to_string b) in
+              Some (rotation name r)
+            else None)
+         axes)
+    axes
+
+let permutation perm =
+  let finish (f : State.finish) = { f with at = perm.(f.at) } in
+  let bond (b : State.bond) = State.bond b.name (finish b.one) (finish b.two) in
+  let model (m : Model.t) =
+    let leaves = Array.copy m.leaves in
+    Array.iteri (fun i l -> leaves.(perm.(i)) <- l) m.leaves;
+    { m with leaves }
+  in
+  let process (p : State.process) =
+    let leaf (l : State.leaf) = { l with leaf = perm.(l.leaf) } in
+    State.process
+      ~leaves:(List.map leaf (Array.to_list p.leaves))
+      ~bonds:(List.map bond (Array.to_list p.bonds))
+      ~velocity:p.velocity ~clock:p.clock
+  in
+  let name =
+    "order " ^ String.concat ", " (List.map string_of_int (Array.to_list perm))
+  in
+  { name; model; state = map_processes process; bond; leaf = Array.get perm }
+
+(* {1 Transitions under a symmetry} *)
+
+(* A bounce is named by the first leaves of the two processes, which need not be first afterwards. *)
+let first_leaf symmetry (s : State.t) leaf =
+  let i, _ = State.find_leaf s leaf in
+  Array.fold_left
+    (fun least (l : State.leaf) -> min least (symmetry.leaf l.leaf))
+    max_int s.processes.(i).leaves
+
+let map_label symmetry s : Transition.label -> Transition.label = function
+  | Time d -> Time d
+  | Bind b -> Bind (symmetry.bond b)
+  | Weak_split b -> Weak_split (symmetry.bond b)
+  | Strong_split bonds ->
+    Strong_split (List.sort State.compare_bond (List.map symmetry.bond bonds))
+  | Bounce (p, q) ->
+    let p = first_leaf symmetry s p and q = first_leaf symmetry s q in
+    Bounce (min p q, max p q)
+
+let map_transition symmetry s (t : Transition.t) =
+  { t with label = map_label symmetry s t.label; target = symmetry.state t.target }
+
+let same_rules a b = List.length a = List.length b && List.for_all2 ( == ) a b
+
+let equal (a : Transition.t) (b : Transition.t) =
+  Transition.equal_label a.label b.label && same_rules a.rules b.rules && State.equal a.target b.target
+
+(* Takes one equal element out, if there is one. *)
+let rec without x = function
+  | [] -> None
+  | y :: rest when equal x y -> Some rest
+  | y :: rest -> Option.map (fun rest -> y :: rest) (without x rest)
+
+let rec same_multiset a b =
+  match a with
+  | [] -> List.compare_length_with b 0 = 0
+  | x :: a -> ( match without x b with None -> false | Some b -> same_multiset a b)
+
+let broken symmetry m states =
+  let image = symmetry.model m in
+  let differs (s, transitions) =
+    let expected = List.map (map_transition symmetry s) transitions in
+    let got = Reach.successors image (symmetry.state s) in
+    if same_multiset expected got then None
+    else
+      let labels ts =
+        String.concat "; "
+          (List.map (fun (t : Transition.t) -> Transition.label_to_string image t.label) ts)
+      in
+      Some (Printf.sprintf "%s: expected %s; got %s" symmetry.name (labels expected) (labels got))
+  in
+  List.find_map differs states
