@@ -3,8 +3,9 @@ open Scc_geometry
 module Gen = QCheck2.Gen
 
 let halves n = Rat.make (Z.of_int n) (Z.of_int 2)
-let point = Gen.map (fun (x, y, z) -> Vec.make (halves x) (halves y) (halves z)) Gen.(triple (-9 -- 9) (-9 -- 9) (-9 -- 9))
-let size = Gen.map (fun (x, y, z) -> Vec.make (halves x) (halves y) (halves z)) Gen.(triple (0 -- 5) (0 -- 5) (0 -- 5))
+let vector (x, y, z) = Vec.make (halves x) (halves y) (halves z)
+let point = Gen.map vector Gen.(triple (-9 -- 9) (-9 -- 9) (-9 -- 9))
+let size = Gen.map vector Gen.(triple (0 -- 5) (0 -- 5) (0 -- 5))
 let box = Gen.map2 (fun low size -> (low, Vec.add low size)) point size
 
 let all_pairs boxes =
@@ -22,7 +23,8 @@ let complete =
 (* Boxes whose coordinates differ by less than floats can tell. *)
 let fine =
   let tiny = Rat.make Z.one (Z.pow (Z.of_int 10) 40) in
-  let near = Gen.map (fun k -> Vec.make (Rat.add Rat.one (Rat.mul tiny (Rat.of_int k))) Rat.one Rat.one) Gen.(-3 -- 3) in
+  let place k = Vec.make (Rat.add Rat.one (Rat.mul tiny (Rat.of_int k))) Rat.one Rat.one in
+  let near = Gen.map place Gen.(-3 -- 3) in
   QCheck2.Test.make ~name:"exact where floats see no difference" ~count:300
     Gen.(array_size (0 -- 10) (map (fun p -> (p, p)) near))
     (fun boxes -> Boxes.pairs boxes = List.sort compare_pair (all_pairs boxes))
@@ -36,7 +38,7 @@ let swept =
        let s = Boxes.swept (low, high) d and part = Vec.scale (Rat.make (Z.of_int k) (Z.of_int 4)) d in
        contains s (Vec.add low part) && contains s (Vec.add high part))
 
-(* The floor meets every cube of the lowest layer, and cubes of unit side on a unit grid meet their neighbours. *)
+(* The floor meets every cube of the lowest layer, and unit cubes on a unit grid meet their neighbours. *)
 let grid () =
   let cube i = Vec.of_ints (i mod 10) (i / 10 mod 10) (i / 100) in
   let unit = Vec.of_ints 1 1 1 in

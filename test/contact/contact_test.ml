@@ -31,14 +31,20 @@ let by_corners (o : Obstacle.t) (p : Contact.pair) = (corners o.a p.first, corne
 let all_pairs s o r =
   let ours = List.map (by_corners o) (Contact.touching o r) in
   let theirs = Naive.touching (placed s.a Vec.zero) (placed s.b r) in
-  List.equal (fun x y -> compare_triple x y = 0) (List.sort compare_triple ours) (List.sort compare_triple theirs)
+  let same x y = compare_triple x y = 0 in
+  List.equal same (List.sort compare_triple ours) (List.sort compare_triple theirs)
 
-let touching = property "the touching pairs of features are those found by trying all" ~count:120 ~gen:aimed (when_touching all_pairs)
+let touching =
+  property "the touching pairs of features are those found by trying all" ~count:120 ~gen:aimed
+    (when_touching all_pairs)
 
 (* Aligned bodies on a grid, which touch as they stand about as often as not. *)
 let resting =
-  let axis_aligned = Gen.map2 (fun (name, plain) turn -> { name; plain; turn }) (Gen.oneofl named) (Gen.oneofl cube_turns) in
-  let offset = Gen.map2 (fun (x, y) axis -> (x, y, axis)) Gen.(pair (-5 -- 5) (-5 -- 5)) (Gen.oneofl cube_turns) in
+  let make (name, plain) turn = { name; plain; turn } in
+  let axis_aligned = Gen.map2 make (Gen.oneofl named) (Gen.oneofl cube_turns) in
+  let offset =
+    Gen.map2 (fun (x, y) axis -> (x, y, axis)) Gen.(pair (-5 -- 5) (-5 -- 5)) (Gen.oneofl cube_turns)
+  in
   Gen.map2
     (fun (a, b) (x, y, m) ->
        let level = Vec.make (half x) (half y) (Rat.of_int 2) in
@@ -50,7 +56,8 @@ let touching_aligned =
 
 (* Reading I-4. *)
 let highest =
-  property "the highest pair: of the greatest dimension, alone in it among the highest features" ~count:200 ~gen:resting
+  property "the highest pair is of the greatest dimension, and has all others in its closures" ~count:200
+    ~gen:resting
     (when_touching (fun _ o r ->
          let h = Contact.highest o r and all = Contact.touching o r in
          let below (p : Contact.pair) = p.dimension <= h.dimension in
@@ -69,8 +76,8 @@ let points_b (o : Obstacle.t) r f = List.map (fun i -> Vec.add r (Solid.vertex o
 let mean points =
   Vec.scale (Rat.make Z.one (Z.of_int (List.length points))) (List.fold_left Vec.add Vec.zero points)
 
-(* A corner of A n B is all that its pair of features have in common; so the corners are the touching pairs of
-   dimension 0. *)
+(* A corner of A n B is all that its pair of features have in common; so the corners are the touching pairs
+   of dimension 0. *)
 let region_is_right (o : Obstacle.t) r =
   let region = Contact.region o r and h = Contact.highest o r in
   let meets p x q = Naive.relative_interiors_meet p [ x ] && Naive.relative_interiors_meet [ x ] q in
@@ -80,7 +87,7 @@ let region_is_right (o : Obstacle.t) r =
   in
   List.length region = List.length corner_pairs
   && List.for_all has corner_pairs
-  && (match h.dimension with 0 -> List.length region = 1 | 1 -> List.length region = 2 | _ -> List.length region > 2)
+  && Int.equal h.dimension (Int.min 2 (List.length region - 1))
   && meets (points_a o h.first) (mean region) (points_b o r h.second)
 
 (* The corners of a polygon go around it. *)
@@ -90,7 +97,8 @@ let in_order region =
     let n = Vec.cross (Vec.sub b a) (Vec.sub c a) in
     let k = List.length region in
     let p = Array.of_list region in
-    let turn i = Rat.sign (Vec.dot n (Vec.cross (Vec.sub p.((i + 1) mod k) p.(i)) (Vec.sub p.((i + 2) mod k) p.(i)))) in
+    let side i j = Vec.sub p.((i + j) mod k) p.(i) in
+    let turn i = Rat.sign (Vec.dot n (Vec.cross (side i 1) (side i 2))) in
     List.for_all (fun i -> turn i > 0) (List.init k Fun.id)
   | _ -> true
 
@@ -109,7 +117,8 @@ let symmetric =
            if c <> 0 then c else Feature.compare x.second y.second
          in
          let there = Contact.touching o r and here = List.map transpose (Contact.touching p back) in
-         List.equal (fun x y -> compare x y = 0 && x.Contact.dimension = y.Contact.dimension) there (List.sort compare here)))
+         let same x y = compare x y = 0 && Int.equal x.Contact.dimension y.Contact.dimension in
+         List.equal same there (List.sort compare here)))
 
 (* {1 Known contacts} *)
 
@@ -134,8 +143,8 @@ let dimensions () =
   check "edges, shifted" (h 4 4 1) (1, 1, 1) 3 2;
   check "vertices" (v 2 2 2) (0, 0, 0) 1 1
 
-(* A slab lying across the top of a cube, on its full width: the highest pair are the faces, and the edge of the cube
-   touches the face of the slab, but the side of the cube below that edge does not (reading I-3). *)
+(* A wide slab on the top of a cube: the highest pair are the faces, and the upper edges of the cube touch the
+   face of the slab, but the sides of the cube below those edges do not (reading I-3). *)
 let edge_not_its_other_face () =
   let o = obstacle (body cube) (body (box 3 3 1)) in
   let pairs = Contact.touching o (Vec.of_ints 0 0 2) in

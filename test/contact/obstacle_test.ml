@@ -152,7 +152,8 @@ let touching_cubes () =
   relation "edge to edge" (v 2 2 0) Touching;
   relation "vertex to vertex" (v 2 2 2) Touching;
   relation "overlapping" (v 1 1 1) Interpenetrating;
-  relation "apart by a hair" (Vec.make (Rat.make (Z.of_int 2000001) (Z.of_int 1000000)) Rat.zero Rat.zero) Apart;
+  let hair = Rat.make Z.one (Z.of_int 1000000) in
+  relation "apart by a hair" (Vec.make (Rat.add (Rat.of_int 2) hair) Rat.zero Rat.zero) Apart;
   Alcotest.(check int) "a vertex has three directions" 3 (List.length (Obstacle.separating o (v 2 2 2)));
   Alcotest.(check bool) "sliding along a face" false (Obstacle.approaching o (v 2 0 0) (v 0 1 0));
   Alcotest.(check bool) "vertex-vertex, straight on" true (Obstacle.approaching o (v 2 2 2) (v (-1) (-1) (-1)));
@@ -178,7 +179,9 @@ let touching_cubes () =
 
 let () =
   Alcotest.run "obstacle"
-    [ ("known", [ Alcotest.test_case "numbers of facets" `Quick counts; Alcotest.test_case "two cubes" `Quick touching_cubes ]);
+    [ ( "known",
+        [ Alcotest.test_case "numbers of facets" `Quick counts;
+          Alcotest.test_case "two cubes" `Quick touching_cubes ] );
       ( "properties",
         Scc_test_support.Property.cases
           [ relation; cast; aimed_cast; facets; random_hulls; offsets; symmetric; turned; delayed; at_collision;

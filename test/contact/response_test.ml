@@ -23,7 +23,8 @@ let check_directions what touching w expected =
 let i = Ivec.of_ints
 
 (* A square bar with its lower edge along y: corners at distance 1 from its axis. *)
-let bar = hull [ (1, -1, 0); (1, 1, 0); (-1, -1, 0); (-1, 1, 0); (0, -1, 1); (0, 1, 1); (0, -1, -1); (0, 1, -1) ]
+let bar =
+  hull [ (1, -1, 0); (1, 1, 0); (-1, -1, 0); (-1, 1, 0); (0, -1, 1); (0, 1, 1); (0, -1, -1); (0, 1, -1) ]
 
 (* Two flush tiles whose tops are at z = 0 and whose seam is x = 0; and the same as one. *)
 let tile = box 2 2 1
@@ -61,6 +62,21 @@ let step () =
   let raised = [ (body tile, v (-2) 0 (-1)); (body tile, v 2 0 0) ] in
   let touching = against raised (body cube) (v (-1) 0 1) in
   check_directions "floor and step" touching (v 1 0 (-1)) [ i 0 0 1; i (-1) 0 0 ]
+
+(* A gap in a wall exactly as high as the cube in front of it: no way in, and nothing to catch on. *)
+let gap () =
+  let wall = [ (body (box 1 2 1), v (-2) 0 (-2)); (body (box 1 2 1), v (-2) 0 2) ] in
+  let touching = against wall (body cube) Vec.zero in
+  check_directions "the wall alone" touching (v (-1) 0 (-1)) [ i 1 0 0 ];
+  check_vec "glances off" (v 1 0 (-1)) (Response.bounce touching (v (-1) 0 (-1)))
+
+(* Between floor and ceiling every facet is covered: then all count. *)
+let wedged () =
+  let parts = [ (body slab, v 0 0 (-2)); (body slab, v 0 0 2) ] in
+  let touching = against parts (body cube) Vec.zero in
+  check_directions "the floor" touching (v 1 0 (-1)) [ i 0 0 1 ];
+  check_directions "the ceiling" touching (v 1 0 1) [ i 0 0 (-1) ];
+  check_directions "along them" touching (v 1 0 0) []
 
 let vertex_vertex () =
   let touching = against [ (body cube, Vec.zero) ] (body cube) (v 2 2 2) in
@@ -106,8 +122,8 @@ let impulse_in_cone =
 
 (* {1 Cutting a body into flush parts}
 
-   A box of 4 x 4 x 2 as it is, and cut along x, along x and y, or into a T of three. The union is the same, so are
-   the directions and the bounce. *)
+   A box of 4 x 4 x 2 as it is, and cut along x, along x and y, or into a T of three. The union is the same,
+   so are the directions and the bounce. *)
 let whole = [ (body (box 2 2 1), Vec.zero) ]
 
 let cuts =
@@ -149,6 +165,7 @@ let () =
   Alcotest.run "response"
     [ ( "known",
         [ case "edge down on a seam (reading I-13)" seam; case "a corner" corner;
-          case "four tiles under a tip" four_tiles; case "a step" step; case "vertex-vertex" vertex_vertex;
+          case "four tiles under a tip" four_tiles; case "a step" step; case "a gap" gap; case "wedged" wedged;
+          case "vertex-vertex" vertex_vertex;
           case "face-face" face_face; case "a slanted face" slanted_face ] );
       ("properties", Scc_test_support.Property.cases [ energy; parting; impulse_in_cone; cut ]) ]

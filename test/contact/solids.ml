@@ -37,7 +37,8 @@ let cube_turns =
   let v = Vec.of_ints in
   let axes = [ v 1 0 0; v (-1) 0 0; v 0 1 0; v 0 (-1) 0; v 0 0 1; v 0 0 (-1) ] in
   let right_handed a =
-    List.filter_map (fun b -> if Rat.sign (Vec.dot a b) = 0 then Some (Mat.make a b (Vec.cross a b)) else None) axes
+    let turn b = if Rat.sign (Vec.dot a b) = 0 then Some (Mat.make a b (Vec.cross a b)) else None in
+    List.filter_map turn axes
   in
   List.concat_map right_handed axes
 

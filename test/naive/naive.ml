@@ -109,9 +109,9 @@ let facets a b =
 
 (* {1 Relative interiors}
 
-   Those of conv P and conv Q intersect iff 0 lies in that of conv S, for S the differences p - q, and this iff the
-   cone of S is all of its span L. Otherwise a proper face of the cone that spans a hyperplane of L gives an n in L,
-   orthogonal to dim L - 1 independent elements of S, with n.s >= 0 for all s. *)
+   Those of conv P and conv Q intersect iff 0 lies in that of conv S, for S the differences p - q, and this
+   iff the cone of S is all of its span L. Otherwise a face of the cone that spans a hyperplane of L gives an
+   n in L, orthogonal to dim L - 1 independent elements of S, with n.s >= 0 for all s. *)
 let relative_interiors_meet p q =
   let s = List.concat_map (fun a -> List.map (Vec.sub a) q) p in
   let candidates =
@@ -145,8 +145,8 @@ let touching a b =
 
 (* {1 Convex hulls} *)
 
-(* The corners of the convex polygon spanned by points of one plane with the normal n, counter-clockwise: from each
-   corner to the one that has all the others on its left, the farther one of those in line. *)
+(* The corners of the convex polygon spanned by points of one plane with the normal n, counter-clockwise:
+   from each corner to the one that has all the others on its left, the farther one of those in line. *)
 let polygon n points =
   let left p q x = Rat.sign (Vec.dot n (Vec.cross (Vec.sub q p) (Vec.sub x p))) in
   let next p =

@@ -29,8 +29,8 @@ val edges : solid -> (int * int) list
 (** The smaller index first, each once, in lexicographic order. *)
 
 val touching : solid -> solid -> (int list * int list * int) list
-(** Of two solids that touch: all pairs of features (as the sorted indices of their corners) whose relative interiors
-    intersect, with the dimension of the intersection. *)
+(** Of two solids that touch: all pairs of features (as the sorted indices of their corners) whose relative
+    interiors intersect, with the dimension of the intersection. *)
 
 val relative_interiors_meet : Vec.t list -> Vec.t list -> bool
 (** Of the convex hulls of two finite sets of points. *)
