@@ -1,0 +1,6 @@
+// one face oriented the other way round
+shape S {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)  e (-1,-1,1)  f (1,-1,1)  g (1,1,1)  h (-1,1,1)
+  faces    bottom [a,d,c,b]  left [a,e,h,d]  right [b,c,g,f]  front [a,b,f,e]  back [d,h,g,c]  top [e,h,g,f]
+}
+process p = S mass 1 [nil]

@@ -1,0 +1,129 @@
+open Scc_base
+open Scc_exact
+open Scc_exchange
+
+let case name f = Alcotest.test_case name `Quick f
+let source text = Source.make ~name:"run.json" text
+
+(* The first outputs for the seed 1234567, as published with the generator. *)
+let generator () =
+  let rec take n g = if n = 0 then [] else let x, g = Splitmix64.next g in x :: take (n - 1) g in
+  let shown = List.map (Printf.sprintf "%Lu") (take 5 (Splitmix64.of_seed 1234567L)) in
+  Alcotest.(check (list string)) "outputs"
+    [
+      "6457827717110365317"; "3203168211198807973"; "9817491932198370423"; "4593380528125082431";
+      "16408922859458223821";
+    ]
+    shown
+
+let below_is_in_range =
+  QCheck2.Test.make ~name:"below n is in [0, n)" ~count:2000
+    QCheck2.Gen.(pair (1 -- max_int) (map Int64.of_int int))
+    (fun (n, seed) ->
+       let k, _ = Splitmix64.below n (Splitmix64.of_seed seed) in
+       0 <= k && k < n)
+
+let below_is_fair () =
+  let counts = Array.make 3 0 in
+  let rec go n g =
+    if n > 0 then begin
+      let k, g = Splitmix64.below 3 g in
+      counts.(k) <- counts.(k) + 1;
+      go (n - 1) g
+    end
+  in
+  go 3000 (Splitmix64.of_seed 1L);
+  Array.iter (fun c -> Alcotest.(check bool) "near a third" true (c > 900 && c < 1100)) counts
+
+let text () =
+  let check name expected s = Alcotest.(check string) name expected (Json.line (Json.text s)) in
+  check "UTF-8 stays" "\"\xcf\x89 \xe2\x80\x96\"" "\xcf\x89 \xe2\x80\x96";
+  check "a stray byte" "\"a\xef\xbf\xbdb\"" "a\xffb";
+  check "an overlong form" "\"\xef\xbf\xbd\xef\xbf\xbd\"" "\xc0\x80";
+  check "a surrogate" "\"\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd\"" "\xed\xa0\x80";
+  check "quotes and controls" "\"\\\"\\n\\u0001\"" "\"\n\001"
+
+let numbers () =
+  Alcotest.(check string) "integer" "\"-3/1\"" (Json.line (Json.rat (Rat.of_int (-3))));
+  Alcotest.(check string) "lowest terms" "\"1/2\"" (Json.line (Json.rat (Rat.make (Z.of_int 2) (Z.of_int 4))))
+
+let deep () =
+  let nested = String.make 1_000_000 '[' in
+  Alcotest.(check bool) "refused" true (Result.is_error (Json.parse (source nested)));
+  Alcotest.(check bool) "brackets in texts do not count" true
+    (Result.is_ok (Json.parse (source (Printf.sprintf "\"%s\"" nested))))
+
+let choices = [ (0, "time(1/2)"); (3, "strong({<a, {p.right, q.left}>})") ]
+
+let round_trip () =
+  let half = Rat.make Z.one (Z.of_int 2) in
+  let text =
+    Schedule.to_string ~digest:"md5:00" ~parameters:[ ("n", Rat.of_int 4) ] choices ~offset:(Some half)
+  in
+  match Schedule.read (source text) with
+  | Error d -> Alcotest.fail d.Diag.message
+  | Ok s ->
+    let back (c : Schedule.choice) = (Option.get c.index, Option.get c.label) in
+    Alcotest.(check (list (pair int string))) "choices" choices (List.map back s.choices);
+    Alcotest.(check (option string)) "offset" (Some "1/2") (Option.map Rat.to_string s.offset);
+    Alcotest.(check (option string)) "digest" (Some "md5:00") s.digest;
+    let starts (c : Schedule.choice) = text.[c.at.Span.start] in
+    Alcotest.(check (list char)) "each choice knows its place" [ '{'; '{' ] (List.map starts s.choices)
+
+let of_trace () =
+  let text =
+    {|{"type":"header","format":"scc-trace","version":1,"digest":"md5:00","parameters":{"n":"4/1"}}
+{"type":"state","time":"0/1"}
+{"type":"transition","choice":1,"label":{"kind":"time","text":"time(1)"}}
+{"type":"instant","offset":"1/3"}
+{"type":"end"}
+|}
+  in
+  match Schedule.read (source text) with
+  | Error d -> Alcotest.fail d.Diag.message
+  | Ok s ->
+    Alcotest.(check int) "one choice" 1 (List.length s.choices);
+    Alcotest.(check (option string)) "offset" (Some "1/3") (Option.map Rat.to_string s.offset);
+    Alcotest.(check (list string)) "parameters" [ "n" ] (List.map fst s.parameters)
+
+let refused =
+  let schedule body = Printf.sprintf {|{ "format": "scc-schedule", "version": 1, %s }|} body in
+  [
+    ("empty", "");
+    ("not JSON", "{ \"format\": ");
+    ("another document", {|{ "format": "other" }|});
+    ("another version", {|{ "format": "scc-schedule", "version": 2, "choices": [] }|});
+    ("no version", {|{ "format": "scc-schedule", "choices": [] }|});
+    ("no choices", schedule {|"parameters": {}|});
+    ("empty choice", schedule {|"choices": [ {} ]|});
+    ("negative choice", schedule {|"choices": [ { "choice": -1 } ]|});
+    ("choice of a wrong type", schedule {|"choices": [ { "choice": "0" } ]|});
+    ("negative offset", schedule {|"choices": [], "offset": "-1/2"|});
+    ("offset that is no number", schedule {|"choices": [], "offset": "1/0"|});
+    ("parameter that is no number", schedule {|"choices": [], "parameters": { "n": [] }|});
+    ("a line that is none", "{\"format\":\"scc-trace\",\"version\":1}\n{\"type\":\"other\"}\n");
+  ]
+
+let refuse (name, text) =
+  case name (fun () ->
+      match Schedule.read (source text) with
+      | Ok _ -> Alcotest.fail "read"
+      | Error d -> Alcotest.(check string) "code" "SC0801" d.Diag.code)
+
+let digest () =
+  let make text files = Model_digest.make ~text ~files in
+  Alcotest.(check bool) "text" false (String.equal (make "a" []) (make "b" []));
+  Alcotest.(check bool) "where a file begins" false
+    (String.equal (make "a" [ ("f", "xy") ]) (make "a" [ ("fx", "y") ]));
+  Alcotest.(check string) "MD5 of 0:0:" "md5:d8f6008c2af33aceef0d865fd73192f1" (make "" [])
+
+let () =
+  Alcotest.run "exchange"
+    [
+      ("generator", [ case "reference outputs" generator; case "fair" below_is_fair ]
+                    @ Scc_test_support.Property.cases [ below_is_in_range ]);
+      ("json", [ case "texts" text; case "rationals" numbers; case "nesting" deep ]);
+      ("schedule", [ case "written and read" round_trip; case "of a trace" of_trace ]);
+      ("refused schedules", List.map refuse refused);
+      ("digest", [ case "tells models apart" digest ]);
+    ]
