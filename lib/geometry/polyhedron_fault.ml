@@ -59,8 +59,8 @@ let code =
   | Bad_vertex_index _ -> bad_index
   | Short_face _ | Degenerate_face _ | Self_crossing _ -> not_convex_face
   | Open_edge _ -> open_solid
-  | Repeated_edge _ -> overused_edge
-  | Turned_face _ | Inward -> inward_faces
+  | Repeated_edge _ | Turned_face _ -> overused_edge
+  | Inward -> inward_faces
   | Same_position _ | Unused_vertex _ -> bad_vertices
   | Off_plane _ -> not_planar
   | Not_convex _ | In_plane _ -> not_convex

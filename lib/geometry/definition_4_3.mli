@@ -1,0 +1,48 @@
+(** The seven conditions of Definition 4.3 as the paper prints them, each by itself, with a witness. They
+    decide nothing: a template is accepted by {!Polyhedron.of_ifs} (reading I-2), which implies them, while
+    they admit sets that bound no convex solid.
+
+    Readings: a face is a convex polygon (condition 4) when it is planar, simple and strictly convex; the
+    angle of condition 6 is the dihedral angle at each edge that exactly two faces share, on the inner side
+    of the surface, so that coplanar neighbours fail it; as no condition speaks of orientation, the inner
+    side is that, in front of all faces or behind them all, on which fewer edges fail (an edge along which
+    both faces run the same way has none, and fails). The edges of condition 7 are unordered (reading I-1).
+    Faces that name vertices outside V fail condition 2 and are left out of 4 to 7. *)
+
+type witness =
+  | Too_few  (** 1: of vertices or of faces; the numbers are in {!t} *)
+  | Foreign_vertex of int * int  (** 2: face, index that is no vertex *)
+  | Collinear  (** 3: all vertices lie on one line *)
+  | Not_convex_polygon of Polyhedron_fault.t
+  (** 4: [Short_face], [Off_plane], [Degenerate_face] or [Self_crossing] *)
+  | Equivalent of int * int  (** 5: two faces that are equal up to rotation (Definition 4.1) *)
+  | Angle of int * int * int * int
+  (** 6: faces f, g and their shared edge v, w, where the interior angle is 180 degrees or more, or has
+      no meaning as a face has no plane *)
+  | Euler  (** 7: the numbers are in {!t} *)
+
+type t = {
+  vertices : int;  (** |V| *)
+  faces : int;  (** |F| *)
+  edges : int;  (** |dg(F)|, unordered *)
+  directed_edges : int;  (** |dg(F)| in ordered pairs, as printed *)
+  conditions : (int * witness option) list;  (** 1 to 7: [None] for a condition that holds *)
+}
+
+val check : Polyhedron.ifs -> t
+(** Near linear in the size of the set. *)
+
+val holds : t -> bool
+(** All seven hold. *)
+
+val euler : t -> int
+(** |V| - |dg(F)| + |F| with unordered edges. *)
+
+val euler_ordered : t -> int
+(** The same with ordered pairs, in which a closed surface counts each edge twice. *)
+
+val statement : int -> string
+(** What condition 1 … 7 asks, in a few words. *)
+
+val explain : t -> vertex:(int -> string) -> face:(int -> string) -> witness -> string
+(** Why it fails, naming vertices and faces. *)
