@@ -1,0 +1,149 @@
+(* The rule book, the list of deviations, the cases and the code must not drift apart. *)
+
+let rulebook = "specs/rulebook.md"
+let deviations = "specs/deviations.md"
+let entries path = Book.entries (Tree.read path)
+
+(* Every failure is worth seeing at once. *)
+let none what faults = if faults <> [] then Alcotest.failf "%s:\n%s" what (String.concat "\n" faults)
+
+let faults_of path fault_of () =
+  let entries = entries path in
+  Alcotest.(check bool) (path ^ " has entries") true (entries <> []);
+  let tell (e : Book.entry) why = Printf.sprintf "%s:%d: %s: %s" path e.line e.id why in
+  none path (List.concat_map (fun e -> List.map (tell e) (fault_of e)) entries)
+
+(* {1 Entries} *)
+
+let defines text name =
+  List.exists
+    (fun keyword -> List.exists (String.equal name) (Tree.words_after (keyword ^ " ") text))
+    [ "let"; "rec"; "and" ]
+
+let code_faults (e : Book.entry) =
+  List.filter_map
+    (fun (file, name) ->
+       if not (Tree.exists file) then Some ("no file " ^ file)
+       else if defines (Tree.read file) name then None
+       else Some (Printf.sprintf "%s does not define %s" file name))
+    e.code
+
+let test_faults (e : Book.entry) =
+  List.filter_map
+    (fun (file, name) ->
+       if not (Tree.exists file) then Some ("no file " ^ file)
+       else if Tree.contains (Tree.read file) name then None
+       else Some (Printf.sprintf "%s has no case \"%s\"" file name))
+    e.tests
+
+let model_faults (e : Book.entry) =
+  List.filter_map (fun path -> if Tree.exists path then None else Some ("no model " ^ path)) e.models
+
+let malformed (e : Book.entry) = List.map (fun line -> "cannot be read: " ^ line) e.malformed
+let missing what list = if list = [] then [ "no " ^ what ] else []
+
+let rule_complete (e : Book.entry) =
+  missing "code" e.code @ missing "test" e.tests @ missing "model" e.models @ malformed e
+
+let deviation_complete (e : Book.entry) = missing "test" e.tests @ malformed e
+
+let distinct path () =
+  let ids = List.map (fun (e : Book.entry) -> e.id) (entries path) in
+  let repeated = List.filter (fun id -> List.length (List.filter (String.equal id) ids) > 1) ids in
+  none "repeated ids" (List.sort_uniq String.compare repeated)
+
+(* {1 From the code back to the book} *)
+
+let known = lazy (List.map (fun (e : Book.entry) -> e.id) (entries rulebook))
+let is_known id = List.exists (String.equal id) (Lazy.force known)
+
+let every_rule () =
+  List.map Scc_semantics.Rule.id Scc_semantics.Rule.all
+  |> List.filter (fun id -> not (is_known id))
+  |> none "rules of the code without an entry"
+
+(* A capital after "rule": the name of one. "Rule" itself also names a module. *)
+let cited_rules text =
+  Tree.words_after "rule " text @ Tree.words_after "Rule " text
+  |> List.filter (fun w -> w <> "" && w.[0] >= 'A' && w.[0] <= 'Z')
+
+let cited_definitions text =
+  Tree.words_after "Definition " text
+  |> List.filter (fun w -> w <> "" && w.[0] >= '0' && w.[0] <= '9')
+  |> List.map (fun w -> "Def-" ^ w)
+
+let cited_readings text =
+  List.filter_map
+    (fun w -> if w <> "" && w.[0] >= '0' && w.[0] <= '9' then Some ("I-" ^ w) else None)
+    (Tree.words_after "I-" text)
+
+let citations () =
+  Tree.files "lib" @ Tree.files "specs"
+  |> List.filter (fun f ->
+      List.exists (Filename.check_suffix f) [ ".ml"; ".mli"; ".mly"; ".mll"; ".md"; ".sc" ])
+  |> List.concat_map (fun file ->
+      let text = Tree.read file in
+      cited_rules text @ cited_definitions text @ cited_readings text
+      |> List.filter (fun id -> not (is_known id))
+      |> List.map (fun id -> Printf.sprintf "%s cites %s" file id))
+  |> List.sort_uniq String.compare |> none "citations that lead nowhere"
+
+(* {1 Cases} *)
+
+let test_sources =
+  lazy
+    (Tree.files "test"
+     |> List.filter (fun f ->
+         Filename.check_suffix f ".ml" || Filename.check_suffix f ".t" || Filename.basename f = "dune")
+     |> List.map Tree.read)
+
+(* A case is run if a test names it, or names the folder whose files it takes all. *)
+let is_run file =
+  let named part = List.exists (fun text -> Tree.contains text part) (Lazy.force test_sources) in
+  let rec folder_named path =
+    let folder = Filename.dirname path in
+    (not (List.mem folder [ "specs"; "specs/conformance"; "." ])) && (named folder || folder_named folder)
+  in
+  named (Filename.basename file) || folder_named file
+
+let every_case () =
+  Tree.files "specs/conformance" @ Tree.files "specs/models"
+  |> List.filter (fun f -> not (is_run f))
+  |> none "cases that no test runs"
+
+let every_code () =
+  let cases = List.map Filename.basename (Tree.files "specs/conformance/invalid") in
+  let folders = Tree.files "specs/conformance/invalid" in
+  Scc_base.Code.all
+  |> List.filter_map (fun (code, what) ->
+      let code = (code : Scc_base.Code.t :> string) in
+      let has text = Tree.contains text code in
+      if List.exists has cases || List.exists has folders then None else Some (code ^ ": " ^ what))
+  |> none "codes without a case in specs/conformance/invalid"
+
+let () =
+  let case name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "meta"
+    [
+      ( "rule book",
+        [
+          case "every entry is complete" (faults_of rulebook rule_complete);
+          case "ids are distinct" (distinct rulebook);
+          case "code lines lead to functions" (faults_of rulebook code_faults);
+          case "test lines lead to cases" (faults_of rulebook test_faults);
+          case "model lines lead to models" (faults_of rulebook model_faults);
+          case "every rule of the code has an entry" every_rule;
+          case "every citation leads to an entry" citations;
+        ] );
+      ( "deviations",
+        [
+          case "every entry is complete" (faults_of deviations deviation_complete);
+          case "ids are distinct" (distinct deviations);
+          case "test lines lead to cases" (faults_of deviations test_faults);
+        ] );
+      ( "cases",
+        [
+          case "every case is run by a test" every_case;
+          case "every code has a case" every_code;
+        ] );
+    ]

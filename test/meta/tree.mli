@@ -1,0 +1,17 @@
+(** The files of the project, by their paths from its root. *)
+
+val exists : string -> bool
+(** Of a file or folder. *)
+
+val read : string -> string
+(** The bytes of a file; empty when there is none. *)
+
+val files : string -> string list
+(** Every file under a folder, sorted. *)
+
+val contains : string -> string -> bool
+(** [contains text part]. *)
+
+val words_after : string -> string -> string list
+(** [words_after prefix text]: for each occurrence of [prefix] at the start of a word, the word that it
+    continues with: letters, digits and [_.-], without a final dot or hyphen. *)
