@@ -1,0 +1,131 @@
+open Ast
+
+(* The constructors without arguments of these types compare as the integers they are. *)
+let binary (a : binary) (b : binary) = a = b
+let quantifier (a : quantifier) (b : quantifier) = a = b
+let path_quantifier (a : path_quantifier) (b : path_quantifier) = a = b
+
+(* Loops over the shorter first: [List.equal] does the rest. *)
+let list = List.equal
+let option = Option.equal
+let pair f g (a, b) (c, d) = f a c && g b d
+let loc f a b = f a.it b.it
+let name = loc String.equal
+
+let temporal a b =
+  match (a, b) with
+  | Possibly, Possibly | Always, Always | Eventually, Eventually -> true
+  | Next p, Next q | Finally p, Finally q | Globally p, Globally q -> path_quantifier p q
+  | (Possibly | Always | Eventually | Next _ | Finally _ | Globally _), _ -> false
+
+let rec expr a b =
+  match (a.it, b.it) with
+  | Number p, Number q -> Q.equal p q
+  | True, True | False, False -> true
+  | Path p, Path q -> path p q
+  | Co m, Co n -> name m n
+  | Apply (f, xs), Apply (g, ys) -> name f g && list expr xs ys
+  | Neg x, Neg y | Not x, Not y -> expr x y
+  | Binary (o, l, r), Binary (o', l', r') -> binary o o' && expr l l' && expr r r'
+  | If (c, t, e), If (c', t', e') -> expr c c' && expr t t' && expr e e'
+  | Quantified (q, p, t, e), Quantified (q', p', t', e') ->
+    quantifier q q' && name p p' && name t t' && expr e e'
+  | Temporal (t, d, e), Temporal (t', d', e') -> temporal t t' && option bound d d' && expr e e'
+  | Until (q, f, d, g), Until (q', f', d', g') ->
+    path_quantifier q q' && expr f f' && option bound d d' && expr g g'
+  | ( ( Number _ | True | False | Path _ | Co _ | Apply _ | Neg _ | Not _ | Binary _ | If _
+      | Quantified _ | Temporal _ | Until _ ), _ ) -> false
+
+and bound a b =
+  match (a, b) with
+  | Within s, Within t | At_most s, At_most t -> expr s t
+  | Between (s, t), Between (s', t') -> expr s s' && expr t t'
+  | (Within _ | At_most _ | Between _), _ -> false
+
+and segment a b = name a.name b.name && list expr a.indices b.indices
+and path a b = loc (list segment) a b
+
+let vector (a, b, c) (x, y, z) = expr a x && expr b y && expr c z
+let quadruple (a, b, c, d) (w, x, y, z) = expr a w && expr b x && expr c y && expr d z
+
+let feature a b =
+  match (a.it, b.it) with
+  | Named p, Named q -> path p q
+  | Tuple (p, vs), Tuple (q, ws) -> option path p q && list path vs ws
+  | (Named _ | Tuple _), _ -> false
+
+let rec solid (a : solid) (b : solid) =
+  match (a.it, b.it) with
+  | Template m, Template n -> name m n
+  | Scaled (s, v), Scaled (t, w) -> solid s t && vector v w
+  | Mesh f, Mesh g -> loc String.equal f g
+  | Faces (vs, fs), Faces (ws, gs) -> list (pair name vector) vs ws && list (pair name (list name)) fs gs
+  | (Template _ | Scaled _ | Mesh _ | Faces _), _ -> false
+
+let transform a b =
+  match (a.it, b.it) with
+  | Translate v, Translate w | Scale v, Scale w -> vector v w
+  | Rotate (w, x, y, z), Rotate (w', x', y', z') -> quadruple (w, x, y, z) (w', x', y', z')
+  | Matrix m, Matrix n -> list quadruple m n
+  | (Translate _ | Rotate _ | Scale _ | Matrix _), _ -> false
+
+let attribute a b =
+  match (a.it, b.it) with
+  | Mass x, Mass y -> expr x y
+  | Velocity v, Velocity w | Spin v, Spin w -> vector v w
+  | At ts, At us -> list transform ts us
+  | (Mass _ | Velocity _ | Spin _ | At _), _ -> false
+
+let channel (a : channel) (b : channel) =
+  name a.channel b.channel && Bool.equal a.co b.co && list feature a.features b.features
+
+let rec behaviour (a : behaviour) (b : behaviour) =
+  match (a.it, b.it) with
+  | Nil, Nil -> true
+  | Open (c, x), Open (d, y) | Weak (c, x), Weak (d, y) -> channel c d && behaviour x y
+  | Strong (cs, x), Strong (ds, y) -> list channel cs ds && behaviour x y
+  | Delay (t, x), Delay (u, y) -> expr t u && behaviour x y
+  | Sum (w, x), Sum (y, z) -> behaviour w y && behaviour x z
+  | Name m, Name n -> name m n
+  | (Nil | Open _ | Weak _ | Strong _ | Delay _ | Sum _ | Name _), _ -> false
+
+let bond a b = name a.bond b.bond && feature a.first b.first && feature a.second b.second
+
+let part a b =
+  name a.part b.part && solid a.part_solid b.part_solid
+  && list attribute a.part_attributes b.part_attributes
+
+let glue a b = feature a.glue_first b.glue_first && feature a.glue_second b.glue_second
+
+let leaf (a : leaf) (b : leaf) =
+  option segment a.label b.label && solid a.solid b.solid && list attribute a.attributes b.attributes
+  && option behaviour a.behaviour b.behaviour
+
+let law a b =
+  match (a.it, b.it) with
+  | Inertial, Inertial -> true
+  | Expression v, Expression w -> vector v w
+  | Choose ks, Choose ls -> list (pair vector (option expr)) ks ls
+  | (Inertial | Expression _ | Choose _), _ -> false
+
+let range (i, a, b) (j, c, d) = name i j && expr a c && expr b d
+
+let rec item a b =
+  match (a.it, b.it) with
+  | Model m, Model n -> name m n
+  | Param (m, x), Param (n, y) | Let (m, x), Let (n, y) | Check (m, x), Check (n, y) ->
+    name m n && expr x y
+  | Timestep x, Timestep y | Split_step x, Split_step y -> expr x y
+  | Shape (m, s), Shape (n, t) -> name m n && solid s t
+  | Compound (m, ps, gs), Compound (n, qs, hs) -> name m n && list part ps qs && list glue gs hs
+  | Behaviour (m, t, x), Behaviour (n, u, y) -> name m n && option name t u && behaviour x y
+  | Process (m, l, ls), Process (n, k, ks) | Fixed (m, l, ls), Fixed (n, k, ks) ->
+    segment m n && leaf l k && list (pair bond leaf) ls ks
+  | Bond x, Bond y -> bond x y
+  | For (rs, xs), For (ss, ys) -> list range rs ss && list item xs ys
+  | Network ps, Network qs -> list path ps qs
+  | Motion (p, l), Motion (q, m) -> option path p q && law l m
+  | ( ( Model _ | Param _ | Timestep _ | Split_step _ | Shape _ | Compound _ | Behaviour _ | Process _
+      | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _ | Check _ ), _ ) -> false
+
+let model = list item

@@ -1,0 +1,172 @@
+open Scc_base
+open Ast
+open Layout
+
+let start (span : Span.t) = if Span.is_none span then -1 else span.start
+let last_byte (span : Span.t) = if Span.is_none span then -1 else span.stop - 1
+let at loc = start loc.at
+
+(* [separated sep ds]: with [sep] between two. *)
+let separated sep = function [] -> [] | d :: ds -> d :: List.concat_map (fun d -> [ sep; d ]) ds
+
+(* {1 Formulas}
+
+   One that is too long is broken at its outermost connective. *)
+
+let connective = function And -> Some "and " | Or -> Some "or " | Implies -> Some "=> " | _ -> None
+
+let same_connective a b =
+  match (a, b) with And, And | Or, Or -> true | _ -> false
+
+let operand o side e =
+  let text = Text.expr e in
+  if Text.needs_parentheses o side e then "(" ^ text ^ ")" else text
+
+let formula e =
+  match e.it with
+  | Binary (o, _, _) when Option.is_some (connective o) ->
+    let word = Option.value ~default:"" (connective o) in
+    (* The left spine of one connective, first operand first. *)
+    let rec spine acc e =
+      match e.it with
+      | Binary (o', l, r) when same_connective o o' ->
+        spine (text ~at:(at r) (word ^ operand o Text.Right r) :: acc) l
+      | _ -> text ~at:(at e) (operand o Text.Left e) :: acc
+    in
+    let pieces =
+      match e.it with
+      | Binary (Implies, l, r) ->
+        [ text ~at:(at l) (operand o Text.Left l); text ~at:(at r) (word ^ operand o Text.Right r) ]
+      | _ -> spine [] e
+    in
+    cat (separated space pieces)
+  | _ -> text ~at:(at e) (Text.expr e)
+
+(* {1 Behaviours} *)
+
+let summands b =
+  let rec spine acc b = match b.it with Sum (l, r) -> spine (r :: acc) l | _ -> b :: acc in
+  spine [] b
+
+let summand i b =
+  let pieces = List.mapi
+      (fun k (at, s) -> text ~at (if k = 0 && i > 0 then "+ " ^ s else s)) (Text.prefixes b)
+  in
+  nest 4 (cat (separated (fill " ") pieces))
+
+let behaviour_doc b = cat (separated space (List.mapi summand (summands b)))
+
+(* {1 Processes} *)
+
+let leaf_doc l =
+  let label = match l.label with None -> "" | Some s -> Text.segment s ^ " : " in
+  let head = text ~at:(start l.leaf_span) (label ^ Text.solid l.solid) in
+  let attributes = List.map (fun a -> text ~at:(at a) (Text.attribute a)) l.attributes in
+  let box =
+    match l.behaviour with None -> [] | Some b -> [ text ~at:(at b) ("[" ^ Text.behaviour b ^ "]") ]
+  in
+  nest 2 (cat (separated (fill " ") ((head :: attributes) @ box)))
+
+let process_doc span word name l rest =
+  let head = text ~at:(start span) (word ^ " " ^ Text.segment name ^ " =") in
+  match rest with
+  | [] -> cat [ head; nest 2 (cat [ fill " "; leaf_doc l ]) ]
+  | _ ->
+    let link (b, l) = [ space; text ~at:(start b.bond_span) (Text.bond b); space; leaf_doc l ] in
+    group (cat [ head; nest 2 (cat (space :: leaf_doc l :: List.concat_map link rest)) ])
+
+(* {1 Declarations} *)
+
+let definition head body = group (cat [ head; nest 2 (cat [ space; body ]) ])
+
+let block span head lines =
+  let close = closing ~at:(last_byte span) "}" in
+  match lines with
+  | [] -> group (cat [ head; space; close ])
+  | _ -> cat [ head; nest 2 (cat (line :: separated paragraph lines)); line; close ]
+
+let column_of word = function
+  | [] -> text ~at:(-1) word
+  | ((first, _) :: _) as entries ->
+    let pieces = List.map (fun (at, s) -> text ~at s) entries in
+    cat [ text ~at:first word; nest 9 (cat (fill (String.make (9 - String.length word) ' ')
+                                            :: separated (fill "  ") pieces)) ]
+
+let template span head vs fs =
+  let vertex ((n : name), v) = (at n, n.it ^ " " ^ Text.vector v) in
+  let face ((n : name), ws) = (at n, Text.face n ws) in
+  let lines = [ column_of "vertices" (List.map vertex vs); column_of "faces" (List.map face fs) ] in
+  cat [ head; nest 2 (cat (line :: separated line lines)); line; closing ~at:(last_byte span) "}" ]
+
+let part_doc p =
+  let head = text ~at:(start p.part_span) (Printf.sprintf "part %s : %s" p.part.it (Text.solid p.part_solid)) in
+  let attributes = List.map (fun a -> text ~at:(at a) (Text.attribute a)) p.part_attributes in
+  nest 2 (cat (separated (fill " ") (head :: attributes)))
+
+let glue_doc g =
+  text ~at:(start g.glue_span)
+    (Printf.sprintf "glue %s ~ %s" (Text.feature g.glue_first) (Text.feature g.glue_second))
+
+let kick (v, weight) =
+  let (x, _, _) = v in
+  let weight = match weight with None -> "" | Some w -> " weight " ^ Text.expr w in
+  (at x, Text.vector v ^ weight)
+
+let motion span subject law =
+  let head = match subject with None -> "motion" | Some p -> "motion " ^ Text.path p ^ " =" in
+  match law.it with
+  | Inertial -> text ~at:(start span) (head ^ " inertial")
+  | Expression v -> definition (text ~at:(start span) head) (text ~at:(at law) (Text.vector v))
+  | Choose kicks ->
+    let n = List.length kicks in
+    let entry i (at, s) = text ~at (if i < n - 1 then s ^ "," else s) in
+    let entries = List.mapi entry (List.map kick kicks) in
+    group
+      (cat
+         [ text ~at:(start span) (head ^ " choose {"); nest 2 (cat (space :: separated space entries));
+           space; closing ~at:(last_byte span) "}" ])
+
+let network span = function
+  | [] -> text ~at:(start span) "network nil"
+  | first :: rest ->
+    let pieces =
+      text ~at:(start span) ("network " ^ Text.path first)
+      :: List.map (fun p -> text ~at:(at p) ("|| " ^ Text.path p)) rest
+    in
+    nest 2 (cat (separated (fill " ") pieces))
+
+let range ((i : name), low, high) = Printf.sprintf "%s in %s..%s" i.it (Text.expr low) (Text.expr high)
+
+let rec item i =
+  let span = i.at in
+  let head fmt = Printf.ksprintf (fun s -> text ~at:(start span) s) fmt in
+  match i.it with
+  | Model n -> head "model %s" n.it
+  | Param (n, e) -> definition (head "param %s =" n.it) (formula e)
+  | Timestep e -> definition (head "timestep") (formula e)
+  | Split_step e -> definition (head "split_step") (formula e)
+  | Shape (n, { it = Faces (vs, fs); _ }) -> template span (head "shape %s {" n.it) vs fs
+  | Shape (n, s) -> definition (head "shape %s =" n.it) (text ~at:(at s) (Text.solid s))
+  | Compound (n, parts, glues) ->
+    block span (head "compound %s {" n.it) (List.map part_doc parts @ List.map glue_doc glues)
+  | Behaviour (n, on, b) ->
+    let on = match on with None -> "" | Some t -> " on " ^ t.it in
+    definition (head "behaviour %s%s =" n.it on) (behaviour_doc b)
+  | Process (n, l, rest) -> process_doc span "process" n l rest
+  | Fixed (n, l, rest) -> process_doc span "fixed" n l rest
+  | Bond b -> head "bond %s" (Text.bond b)
+  | For (ranges, body) -> loop span (head "for %s {" (String.concat ", " (List.map range ranges))) body
+  | Network ps -> network span ps
+  | Motion (p, l) -> motion span p l
+  | Let (n, e) -> definition (head "let %s =" n.it) (formula e)
+  | Check (n, e) -> definition (head "check %s :" n.it) (formula e)
+
+and loop span head body =
+  match List.map item body with
+  | [ one ] ->
+    group (cat [ head; nest 2 (cat [ space; one ]); space; closing ~at:(last_byte span) "}" ])
+  | lines -> block span head lines
+
+let model ?(trivia = []) items = render trivia (cat (separated paragraph (List.map item items)))
+let expr = Text.expr
+let behaviour = Text.behaviour

@@ -1,0 +1,312 @@
+open Scc_exact
+open Ast
+
+(* {1 Numbers} *)
+
+(* The number of times that [p] divides [n], and what is left of it. *)
+let rec extract p n k =
+  let q, r = Z.div_rem n p in
+  if Z.sign r = 0 then extract p q (k + 1) else (n, k)
+
+let zeros k = String.make k '0'
+
+(* m/10^k written out, for m > 0. *)
+let plain_decimal digits k =
+  let n = String.length digits in
+  if k = 0 then digits
+  else if n > k then String.sub digits 0 (n - k) ^ "." ^ String.sub digits (n - k) k
+  else "0." ^ zeros (k - n) ^ digits
+
+(* 10^k m, for m > 0 that 10 does not divide and k > 0. *)
+let plain_integer digits k = digits ^ zeros k
+
+(* A mantissa with an exponent where that is much shorter; never beyond the limit on literals, which counts
+   digits and exponent together. *)
+let shorter plain digits exponent =
+  let n = String.length digits in
+  if String.length plain > n + 12 && n + abs exponent <= Rat.max_digits then
+    Printf.sprintf "%se%d" digits exponent
+  else plain
+
+let decimal q =
+  let rest, twos = extract (Z.of_int 2) (Q.den q) 0 in
+  let rest, fives = extract (Z.of_int 5) rest 0 in
+  if not (Z.equal rest Z.one) then None
+  else
+    let k = max twos fives in
+    let scaled = Z.mul (Q.num q) (Z.divexact (Z.pow (Z.of_int 10) k) (Q.den q)) in
+    if Z.sign scaled = 0 then Some "0"
+    else if k > 0 then
+      let digits = Z.to_string scaled in
+      Some (shorter (plain_decimal digits k) digits (-k))
+    else
+      let m, tens = extract (Z.of_int 10) scaled 0 in
+      let digits = Z.to_string m in
+      Some (shorter (plain_integer digits tens) digits tens)
+
+let number q =
+  match decimal (Q.abs q) with
+  | Some s -> if Q.sign q < 0 then "-" ^ s else s
+  | None -> Q.to_string q
+
+(* {1 Expressions}
+
+   Levels of precedence, as in the grammar: what reaches to the right as far as it can is loosest. *)
+
+let open_ended = 0
+let implies = 1
+let either = 2
+let both = 3
+let prefix = 4
+let comparison = 5
+let sum = 6
+let product = 7
+let negation = 8
+let atom = 9
+
+(* Of an operator: its level, and those that its operands need. *)
+let levels = function
+  | Implies -> (implies, either, implies)
+  | Or -> (either, either, both)
+  | And -> (both, both, prefix)
+  | Lt | Le | Gt | Ge | Eq | Ne -> (comparison, sum, sum)
+  | Add | Sub -> (sum, sum, product)
+  | Mul | Div -> (product, product, negation)
+
+let level e =
+  match e.it with
+  | Number q ->
+    if Option.is_none (decimal (Q.abs q)) then product else if Q.sign q < 0 then negation else atom
+  | True | False | Path _ | Co _ | Apply _ | Quantified (Count, _, _, _) | Until _ -> atom
+  | Neg _ -> negation
+  | Not _ | Temporal ((Next _ | Finally _ | Globally _), _, _) -> prefix
+  | Binary (o, _, _) -> let own, _, _ = levels o in own
+  | If _ | Quantified ((Forall | Exists), _, _, _) | Temporal ((Possibly | Always | Eventually), _, _) ->
+    open_ended
+
+let operator = function
+  | Add -> " + " | Sub -> " - " | Mul -> "*" | Div -> "/"
+  | Lt -> " < " | Le -> " <= " | Gt -> " > " | Ge -> " >= " | Eq -> " = " | Ne -> " != "
+  | And -> " and " | Or -> " or " | Implies -> " => "
+
+let quantified_by = function A -> "A" | E -> "E"
+
+let temporal = function
+  | Possibly -> "possibly"
+  | Always -> "always"
+  | Eventually -> "eventually"
+  | Next q -> quantified_by q ^ "X"
+  | Finally q -> quantified_by q ^ "F"
+  | Globally q -> quantified_by q ^ "G"
+
+let is_english = function Possibly | Always | Eventually -> true | Next _ | Finally _ | Globally _ -> false
+
+let list b each xs =
+  List.iteri
+    (fun i x ->
+       if i > 0 then Buffer.add_string b ", ";
+       each b x)
+    xs
+
+let rec add_expr at_least b e =
+  if level e < at_least then begin
+    Buffer.add_char b '(';
+    add_bare b e;
+    Buffer.add_char b ')'
+  end
+  else add_bare b e
+
+and add_bare b e =
+  let str = Buffer.add_string b in
+  match e.it with
+  | Number q -> str (number q)
+  | True -> str "true"
+  | False -> str "false"
+  | Path p -> add_path b p
+  | Co n -> str "~"; str n.it
+  | Apply (f, es) -> str f.it; str "("; list b (add_expr open_ended) es; str ")"
+  | Neg e -> str "-"; add_expr negation b e
+  | Not e -> str "not "; add_expr prefix b e
+  | Binary (o, l, r) ->
+    let _, left, right = levels o in
+    add_expr left b l;
+    str (operator o);
+    add_expr right b r
+  | If (c, t, e) ->
+    str "if "; add_expr open_ended b c;
+    str " then "; add_expr open_ended b t;
+    str " else "; add_expr open_ended b e
+  | Quantified (Count, p, t, e) -> str "count("; add_quantified b p t e; str ")"
+  | Quantified (Forall, p, t, e) -> str "forall "; add_quantified b p t e
+  | Quantified (Exists, p, t, e) -> str "exists "; add_quantified b p t e
+  | Temporal (t, Some (Within d), e) when is_english t ->
+    str (temporal t); str " "; add_expr implies b e; str " within "; add_expr sum b d
+  | Temporal (t, bound, e) ->
+    str (temporal t);
+    Option.iter (add_bound b) bound;
+    str " ";
+    add_expr (if is_english t then open_ended else prefix) b e
+  | Until (q, f, bound, g) ->
+    str (quantified_by q); str "["; add_expr open_ended b f; str " U";
+    Option.iter (add_bound b) bound;
+    str " "; add_expr open_ended b g; str "]"
+
+and add_quantified b (p : name) (t : name) e =
+  Buffer.add_string b (p.it ^ " in " ^ t.it ^ ": ");
+  add_expr open_ended b e
+
+and add_bound b bound =
+  let str = Buffer.add_string b in
+  match bound with
+  | Within t | At_most t -> str "[<= "; add_expr open_ended b t; str "]"
+  | Between (t, u) -> str "["; list b (add_expr open_ended) [ t; u ]; str "]"
+
+and add_segment b s =
+  Buffer.add_string b s.name.it;
+  match s.indices with
+  | [] -> ()
+  | es ->
+    Buffer.add_char b '[';
+    list b (add_expr open_ended) es;
+    Buffer.add_char b ']'
+
+and add_path b p =
+  List.iteri
+    (fun i s ->
+       if i > 0 then Buffer.add_char b '.';
+       add_segment b s)
+    p.it
+
+let written add x =
+  let b = Buffer.create 80 in
+  add b x;
+  Buffer.contents b
+
+let expr e = written (add_expr open_ended) e
+
+type side = Left | Right
+
+let needs_parentheses o side e =
+  let _, left, right = levels o in
+  level e < (match side with Left -> left | Right -> right)
+
+let segment s = written add_segment s
+let path p = written add_path p
+
+let tuple es = "(" ^ String.concat ", " (List.map expr es) ^ ")"
+let vector (x, y, z) = tuple [ x; y; z ]
+let quadruple (w, x, y, z) = tuple [ w; x; y; z ]
+
+(* Whether an expression prints as arithmetic with no index outside brackets: what an attribute may hold. *)
+let rec is_arithmetic at_least e =
+  level e < at_least
+  ||
+  match e.it with
+  | Number _ -> true
+  | Path p -> List.for_all (fun s -> match s.indices with [] -> true | _ :: _ -> false) p.it
+  | Apply (f, _) -> not (String.equal f.it "behaviour")
+  | Neg e -> is_arithmetic negation e
+  | Binary (((Add | Sub | Mul | Div) as o), l, r) ->
+    let _, left, right = levels o in
+    is_arithmetic left l && is_arithmetic right r
+  | _ -> false
+
+let arithmetic e = if is_arithmetic open_ended e then expr e else "(" ^ expr e ^ ")"
+
+(* {1 Features, channels and behaviours} *)
+
+let paths ps = "[" ^ String.concat ", " (List.map path ps) ^ "]"
+
+let feature f =
+  match f.it with
+  | Named p -> path p
+  | Tuple (None, vs) -> paths vs
+  | Tuple (Some p, vs) -> path p ^ "." ^ paths vs
+
+let surface (c : channel) =
+  Printf.sprintf "%s%s, {%s}" (if c.co then "~" else "") c.channel.it
+    (String.concat ", " (List.map feature c.features))
+
+let angle c = "<" ^ surface c ^ ">"
+let bond b = Printf.sprintf "<%s, {%s, %s}>" b.bond.it (feature b.first) (feature b.second)
+
+let rec add_behaviour b x =
+  match x.it with
+  | Sum (l, r) ->
+    add_behaviour b l;
+    Buffer.add_string b " + ";
+    add_term b r
+  | _ -> add_term b x
+
+and add_term b x =
+  let prefixed text next =
+    Buffer.add_string b text;
+    Buffer.add_string b ". ";
+    add_term b next
+  in
+  match x.it with
+  | Nil -> Buffer.add_string b "nil"
+  | Name k -> Buffer.add_string b k.it
+  | Open (c, next) -> prefixed (angle c) next
+  | Weak (c, next) -> prefixed ("omega(" ^ surface c ^ ")") next
+  | Strong (cs, next) -> prefixed ("rho({" ^ String.concat ", " (List.map angle cs) ^ "})") next
+  | Delay (t, next) -> prefixed ("eps(" ^ expr t ^ ")") next
+  | Sum _ ->
+    Buffer.add_char b '(';
+    add_behaviour b x;
+    Buffer.add_char b ')'
+
+let behaviour x = written add_behaviour x
+
+let prefixes x =
+  let rec cut acc x =
+    let at = x.at.Scc_base.Span.start in
+    let go text next = cut ((at, text ^ ".") :: acc) next in
+    match x.it with
+    | Open (c, next) -> go (angle c) next
+    | Weak (c, next) -> go ("omega(" ^ surface c ^ ")") next
+    | Strong (cs, next) -> go ("rho({" ^ String.concat ", " (List.map angle cs) ^ "})") next
+    | Delay (t, next) -> go ("eps(" ^ expr t ^ ")") next
+    | Nil | Name _ | Sum _ -> List.rev ((at, written add_term x) :: acc)
+  in
+  cut [] x
+
+(* {1 Shapes} *)
+
+let quoted s =
+  let b = Buffer.create (String.length s + 2) in
+  Buffer.add_char b '"';
+  String.iter
+    (fun c ->
+       if c = '"' || c = '\\' then Buffer.add_char b '\\';
+       Buffer.add_char b c)
+    s;
+  Buffer.add_char b '"';
+  Buffer.contents b
+
+let face (n : name) vs =
+  Printf.sprintf "%s [%s]" n.it (String.concat ", " (List.map (fun (v : name) -> v.it) vs))
+
+let rec solid s =
+  match s.it with
+  | Template n -> n.it
+  | Mesh file -> "mesh " ^ quoted file.it
+  | Scaled (s, v) -> solid s ^ " scaled " ^ vector v
+  | Faces (vs, fs) ->
+    let vertex ((n : name), v) = n.it ^ " " ^ vector v in
+    Printf.sprintf "{ vertices %s faces %s }" (String.concat " " (List.map vertex vs))
+      (String.concat " " (List.map (fun (n, vs) -> face n vs) fs))
+
+let transform t =
+  match t.it with
+  | Translate v -> "translate " ^ vector v
+  | Rotate (w, x, y, z) -> "rotate quaternion " ^ quadruple (w, x, y, z)
+  | Scale v -> "scale " ^ vector v
+  | Matrix rows -> "matrix (" ^ String.concat ", " (List.map quadruple rows) ^ ")"
+
+let attribute a =
+  match a.it with
+  | Mass e -> "mass " ^ arithmetic e
+  | Velocity v -> "velocity " ^ vector v
+  | Spin v -> "spin " ^ vector v
+  | At ts -> "at " ^ String.concat " * " (List.map transform ts)

@@ -1,0 +1,33 @@
+(** The pieces of a model on one line each, in canonical form: ASCII, and no more parentheses than the
+    precedence of operators asks for. *)
+
+open Scc_exact
+
+val number : Rat.t -> string
+(** Reads back as the same number: a decimal where there is one (every number of a source text is), else
+    ["p/q"]. *)
+
+val expr : Ast.expr -> string
+
+type side = Left | Right
+
+val needs_parentheses : Ast.binary -> side -> Ast.expr -> bool
+(** Whether an expression must be bracketed as that operand of the operator. *)
+
+val segment : Ast.segment -> string
+val path : Ast.path -> string
+val vector : Ast.vector -> string
+val feature : Ast.feature -> string
+val bond : Ast.bond -> string
+
+val behaviour : Ast.behaviour -> string
+val prefixes : Ast.behaviour -> (int * string) list
+(** A behaviour that is no sum, cut after each dot, every piece with its offset. *)
+
+val face : Ast.name -> Ast.name list -> string
+(** [top [a, b, c]]. *)
+
+val solid : Ast.solid -> string
+(** Vertices and faces in braces, which a text has in a declaration only. *)
+
+val attribute : Ast.attribute -> string
