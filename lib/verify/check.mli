@@ -1,0 +1,50 @@
+(** Checking properties: one exploration that serves all of them, over the whole continuous run (section 6
+    of the rule book). *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_property
+open Scc_explore
+
+(** A bound on the exploration, and whose it is. *)
+type 'a bound = Unbounded | Default of 'a | Given of 'a
+
+type options = {
+  depth : int bound;
+  time : Rat.t bound;
+  states : int bound;
+  seconds : float bound;
+  memory : int bound;  (** words of the heap *)
+  instant : int bound;  (** the guard against runs that go on for ever within one instant *)
+  surroundings : Limits.surroundings;
+  observe : State.t -> unit;  (** called with each new state, in order *)
+}
+
+val default : options
+(** No bounds but an instant of 10 000 transitions (by default); quiet surroundings. *)
+
+type outcome =
+  | Verdict of Verdict.t
+  | Not_yet of string  (** SC0901: the property is beyond this version; why *)
+
+type stats = {
+  states : int;
+  transitions : int;
+  depth : int;  (** the greatest of the states' least depths *)
+  model_time : Rat.t;  (** the greatest of the states' earliest arrivals *)
+  complete : bool;  (** every state was expanded *)
+  decided_early : bool;  (** the exploration ended because every property was decided *)
+  stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
+  faults : string list;  (** why transitions of states could not be computed, each text once *)
+}
+
+type report = {
+  outcomes : (Property.check * outcome) list;  (** in the order given *)
+  stats : stats;
+  zeno : Witness.t option;
+  (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
+}
+
+val run : options -> Model.t -> initial:State.t -> Property.check list -> report
+(** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
+    replayed before they are returned. *)

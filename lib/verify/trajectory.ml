@@ -1,0 +1,220 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+open Scc_property
+
+type t = {
+  model : Model.t;
+  state : State.t;
+  extent : Timeline.extent;
+  homes : (int * State.leaf) option array;  (** by leaf: the index of its process, and itself *)
+  moment_later : Rat.t;  (** an offset inside the extent *)
+}
+
+let make model (state : State.t) extent =
+  let homes = Array.make (Array.length model.Model.leaves) None in
+  Array.iteri
+    (fun i (p : State.process) ->
+       Array.iter (fun (l : State.leaf) -> homes.(l.leaf) <- Some (i, l)) p.leaves)
+    state.processes;
+  let moment_later =
+    match extent with
+    | Timeline.Instant -> Rat.zero
+    | Forever -> Rat.one
+    | Lasts d -> Rat.div d (Rat.of_int 2)
+  in
+  { model; state; extent; homes; moment_later }
+
+let home c leaf =
+  match c.homes.(leaf) with
+  | Some (i, l) -> (c.state.processes.(i), l)
+  | None -> Scc_base.Bug.fail __POS__ "a leaf of the model is not in the state"
+
+let same_process c p q =
+  match (c.homes.(p), c.homes.(q)) with
+  | Some (i, _), Some (j, _) -> Int.equal i j
+  | _ -> Scc_base.Bug.fail __POS__ "a leaf of the model is not in the state"
+
+(** {2 Constant atoms} *)
+
+let joins p q (b : State.bond) =
+  (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p)
+
+let count_bonds c name ends =
+  let wanted (b : State.bond) =
+    (match name with None -> true | Some n -> String.equal n b.name)
+    && match ends with None -> true | Some (p, q) -> joins p q b
+  in
+  let in_process n (p : State.process) =
+    Array.fold_left (fun n b -> if wanted b then n + 1 else n) n p.bonds
+  in
+  Array.fold_left in_process 0 c.state.processes
+
+let axis (a : Property.axis) (v : Vec.t) = match a with X -> v.x | Y -> v.y | Z -> v.z
+
+(* The sum of a quantity over the processes that are not fixed. *)
+let total c quantity =
+  Array.fold_left
+    (fun acc (p : State.process) ->
+       match State.mass c.model p with
+       | None -> acc
+       | Some m -> Rat.add acc (quantity m p.velocity))
+    Rat.zero c.state.processes
+
+let offers_in c (b : Behaviour.aged) polarity name =
+  let named (ch : Behaviour.channel) = String.equal ch.name name in
+  let wanted (o : Behaviour.offer) =
+    match (o, polarity) with
+    | Offer_open (p, ch, _), Some wanted ->
+      named ch && (match (p, wanted) with
+          | Behaviour.Name, Behaviour.Name | Co_name, Co_name -> true
+          | (Name | Co_name), _ -> false)
+    | Offer_open (_, ch, _), None | Offer_weak (ch, _), None -> named ch
+    | Offer_strong (list, _), None -> List.exists named list
+    | (Offer_weak _ | Offer_strong _), Some _ -> false
+  in
+  List.exists wanted (Behaviour.offers c.model.definitions b)
+
+(* What a behaviour satisfies may change when time begins to pass, but not again before the end: an eps
+   that expires ends the time transition. *)
+let behavioural c leaf test =
+  let _, l = home c leaf in
+  let truth b = Truth.of_bool (test b) in
+  let later () = Behaviour.pass c.model.definitions c.moment_later l.behaviour in
+  let start = truth l.behaviour in
+  match c.extent with
+  | Instant -> Timeline.constant c.extent start
+  | Lasts _ | Forever -> Timeline.two c.extent ~start ~after:(truth (later ()))
+
+let is_called k (b : Behaviour.aged) = match b.origin with Some o -> Int.equal o k | None -> false
+
+(** {2 Motion} *)
+
+let moving c position velocity =
+  match c.extent with
+  | Instant -> Polynomial.constant position
+  | Lasts _ | Forever -> Polynomial.of_coefficients [ position; velocity ]
+
+let centroid c leaf =
+  let _, l = home c leaf in
+  Vec.add l.position (Model.leaf_centroid c.model.leaves.(leaf))
+
+let coordinate c a leaf =
+  let p, _ = home c leaf in
+  moving c (axis a (centroid c leaf)) (axis a p.velocity)
+
+let distance2 c p q =
+  let along a =
+    let d = Polynomial.sub (coordinate c a p) (coordinate c a q) in
+    Polynomial.mul d d
+  in
+  Polynomial.add (along X) (Polynomial.add (along Y) (along Z))
+
+(* Exact: the closed interval of offsets at which the two closed parts meet. They never interpenetrate
+   along a trajectory, so that meeting is touching. *)
+let parts_touching c p q i j =
+  let process_p, leaf_p = home c p and process_q, leaf_q = home c q in
+  let offset =
+    Vec.sub (State.part_position c.model leaf_q j) (State.part_position c.model leaf_p i)
+  in
+  let velocity = Vec.sub process_q.velocity process_p.velocity in
+  match Obstacle.meeting (Model.obstacle c.model (p, i) (q, j)) offset velocity with
+  | None -> Timeline.constant c.extent false
+  | Some (low, high) ->
+    let after t = match low with None -> true | Some l -> Rat.compare l t <= 0 in
+    let before t = match high with None -> true | Some h -> Rat.compare t h <= 0 in
+    Timeline.of_cuts c.extent (Option.to_list low @ Option.to_list high) Bool.equal (fun t ->
+        after t && before t)
+
+let touching c p q =
+  if Int.equal p q then Timeline.constant c.extent Truth.False
+  else
+    let indices leaf = List.init (Array.length c.model.leaves.(leaf).parts) (fun i -> i) in
+    let pairs = List.concat_map (fun i -> List.map (fun j -> (i, j)) (indices q)) (indices p) in
+    List.fold_left
+      (fun acc (i, j) -> Timeline.map2 ( || ) acc (parts_touching c p q i j))
+      (Timeline.constant c.extent false) pairs
+    |> Timeline.map Truth.of_bool
+
+let time c =
+  match c.state.time with
+  | Some t -> moving c t Rat.one
+  | None -> Scc_base.Bug.fail __POS__ "a property speaks of time, and the state does not keep it"
+
+(** {2 Terms} *)
+
+let all_false t =
+  let is_false = function Truth.False -> true | Truth.True | Undecided _ -> false in
+  match t.Timeline.rest with [] -> is_false t.start && is_false t.first | _ :: _ -> false
+
+let rec num c (n : Property.num) : Value.t Timeline.t =
+  let constant r = Timeline.constant c.extent (Value.of_rat r) in
+  let integer k = Timeline.constant c.extent (Value.of_int k) in
+  let curve p = Timeline.constant c.extent (Value.polynomial p) in
+  match n with
+  | Const r -> constant r
+  | Bonds (name, ends) -> integer (count_bonds c name ends)
+  | Size leaf -> integer (State.size c.model (fst (home c leaf)))
+  | Processes -> integer (Array.length c.state.processes)
+  | Position (a, leaf) -> curve (coordinate c a leaf)
+  | Velocity (a, leaf) -> constant (axis a (fst (home c leaf)).velocity)
+  | Speed2 leaf -> constant (Vec.norm2 (fst (home c leaf)).velocity)
+  | Distance2 (p, q) -> curve (distance2 c p q)
+  | Momentum a -> constant (total c (fun m v -> Rat.mul m (axis a v)))
+  | Energy -> constant (total c (fun m v -> Rat.div (Rat.mul m (Vec.norm2 v)) (Rat.of_int 2)))
+  | Time -> curve (time c)
+  | Count props -> count c props
+  | Neg a -> Timeline.map Value.neg (num c a)
+  | Add (a, b) -> Timeline.map2 Value.add (num c a) (num c b)
+  | Sub (a, b) -> Timeline.map2 Value.sub (num c a) (num c b)
+  | Mul (a, b) -> Timeline.map2 Value.mul (num c a) (num c b)
+  | Div (a, b) ->
+    let reason = "division by zero in " ^ Show.num c.model n in
+    Value.div ~reason c.extent (num c a) (num c b)
+  | If (condition, a, b) ->
+    let choose truth (x, y) =
+      match truth with
+      | Truth.True -> x
+      | False -> y
+      | Undecided reason -> Value.Undefined reason
+    in
+    Timeline.map2 choose (prop c condition) (Timeline.map2 (fun x y -> (x, y)) (num c a) (num c b))
+
+and count c props =
+  let add n truth =
+    match (n, truth) with
+    | Error reason, _ | Ok _, Truth.Undecided reason -> Error reason
+    | Ok n, True -> Ok (n + 1)
+    | Ok n, False -> Ok n
+  in
+  List.fold_left
+    (fun acc p -> Timeline.map2 add acc (prop c p))
+    (Timeline.constant c.extent (Ok 0))
+    props
+  |> Timeline.map (function Ok n -> Value.of_int n | Error reason -> Value.Undefined reason)
+
+and prop c (p : Property.prop) : Truth.t Timeline.t =
+  let constant b = Timeline.constant c.extent (Truth.of_bool b) in
+  match p with
+  | Bool b -> constant b
+  | Compare (op, a, b) -> Value.compare op c.extent (num c a) (num c b)
+  | Bound (p, q) -> constant (count_bonds c None (Some (p, q)) > 0)
+  | Same (p, q) -> constant (same_process c p q)
+  | Behaviour (leaf, k) -> behavioural c leaf (is_called k)
+  | Offers (leaf, polarity, name) -> behavioural c leaf (fun b -> offers_in c b polarity name)
+  | Touching (p, q) -> touching c p q
+  | Quiescent -> constant (Scc_semantics.Network.quiescent c.model c.state)
+  | Not a -> Timeline.map Truth.not_ (prop c a)
+  | And list -> conjunction c list
+  | Or list -> Timeline.map Truth.not_ (conjunction c (List.map (fun p -> Property.Not p) list))
+
+and conjunction c list =
+  let rec go acc = function
+    | [] -> acc
+    | p :: later ->
+      if all_false acc then acc
+      else go (Timeline.simplify Truth.equal (Timeline.map2 Truth.and_ acc (prop c p))) later
+  in
+  go (Timeline.constant c.extent Truth.True) list
+
+let holds model state p = (prop (make model state Timeline.Instant) p).Timeline.start

@@ -1,0 +1,21 @@
+(** Properties of the whole run, not of its events alone: state predicates evaluated over every real
+    instant of a time transition, exactly. Coordinates are affine in the offset t since the start,
+    squared distances quadratic, contact a closed interval for each pair of parts. *)
+
+open Scc_calculus
+open Scc_property
+
+type t
+
+val make : Model.t -> State.t -> Timeline.extent -> t
+(** The trajectory that starts in a state: of a time transition of the given duration, the ray [0,
+    infinity) of a quiescent state, or just the state itself. Nothing happens strictly inside it, and the
+    end is not part of it (it is the state that the transition leads to). *)
+
+val prop : t -> Property.prop -> Truth.t Timeline.t
+(** Where the predicate holds. Undecided at instants where it divides by zero. *)
+
+val num : t -> Property.num -> Value.t Timeline.t
+
+val holds : Model.t -> State.t -> Property.prop -> Truth.t
+(** Whether a predicate holds in a state (at the instant of it). *)

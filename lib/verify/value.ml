@@ -1,0 +1,82 @@
+open Scc_exact
+open Scc_calculus
+
+type t = Ratio of Polynomial.t * Polynomial.t | Undefined of string
+
+let polynomial p = Ratio (p, Polynomial.one)
+let of_rat r = polynomial (Polynomial.constant r)
+let of_int n = of_rat (Rat.of_int n)
+
+let lift f a b =
+  match (a, b) with
+  | Undefined r, _ | _, Undefined r -> Undefined r
+  | Ratio (n, d), Ratio (m, e) -> f (n, d) (m, e)
+
+let sum combine =
+  lift (fun (n, d) (m, e) ->
+      if Polynomial.equal d e then Ratio (combine n m, d)
+      else Ratio (combine (Polynomial.mul n e) (Polynomial.mul m d), Polynomial.mul d e))
+
+let add = sum Polynomial.add
+let sub = sum Polynomial.sub
+let mul = lift (fun (n, d) (m, e) -> Ratio (Polynomial.mul n m, Polynomial.mul d e))
+let neg = function Undefined r -> Undefined r | Ratio (n, d) -> Ratio (Polynomial.neg n, d)
+
+let numerator_roots extent p =
+  match (extent, Polynomial.to_constant p) with
+  | Timeline.Instant, _ | _, Some _ -> []
+  | Timeline.Lasts d, None -> Algebraic.roots p ~low:Rat.zero ~high:(Some d)
+  | Timeline.Forever, None -> Algebraic.roots p ~low:Rat.zero ~high:None
+
+let div ~reason extent a b =
+  let divide (x, y) zero =
+    if zero then Undefined reason
+    else lift (fun (n, d) (m, e) -> Ratio (Polynomial.mul n e, Polynomial.mul d m)) x y
+  in
+  let vanishes sign = function _, Undefined _ -> false | _, Ratio (m, _) -> sign m = 0 in
+  Timeline.refine
+    ~roots:(function
+        | Undefined _, _ | _, Undefined _ -> []
+        | Ratio _, Ratio (m, _) -> numerator_roots extent m)
+    ~at:(fun r pair -> divide pair (vanishes (fun m -> Algebraic.sign_at m r) pair))
+    ~inside:(fun r pair -> divide pair (vanishes (fun m -> Polynomial.sign_at m r) pair))
+    (Timeline.map2 (fun x y -> (x, y)) a b)
+
+let of_sign (comparison : Law.comparison) s =
+  Truth.of_bool
+    (match comparison with
+     | Lt -> s < 0
+     | Le -> s <= 0
+     | Gt -> s > 0
+     | Ge -> s >= 0
+     | Eq -> s = 0
+     | Ne -> s <> 0)
+
+let compare comparison extent a b =
+  let truth sign = function
+    | Undefined reason -> Truth.Undecided reason
+    | Ratio (n, d) -> of_sign comparison (sign n * sign d)
+  in
+  Timeline.refine
+    ~roots:(function Undefined _ -> [] | Ratio (n, _) -> numerator_roots extent n)
+    ~at:(fun r v -> truth (fun p -> Algebraic.sign_at p r) v)
+    ~inside:(fun r v -> truth (fun p -> Polynomial.sign_at p r) v)
+    (Timeline.map2 sub a b)
+  |> Timeline.simplify Truth.equal
+
+let at value offset =
+  match (value, Algebraic.to_rat offset) with
+  | Undefined reason, _ -> reason
+  | Ratio (n, d), Some r -> Rat.to_string (Rat.div (Polynomial.eval n r) (Polynomial.eval d r))
+  | Ratio (n, d), None -> (
+      match (Polynomial.to_constant n, Polynomial.to_constant d) with
+      | Some n, Some d -> Rat.to_string (Rat.div n d)
+      | _ ->
+        (* Near enough for a person: the instant to twenty decimal places. *)
+        let low, high = Algebraic.enclose offset ~width:(Rat.make Z.one (Z.pow (Z.of_int 10) 20)) in
+        let r = Rat.div (Rat.add low high) (Rat.of_int 2) in
+        let bottom = Polynomial.eval d r in
+        if Rat.sign bottom = 0 then "(a quotient with a divisor near 0)"
+        else
+          "about "
+          ^ Algebraic.to_decimal (Algebraic.of_rat (Rat.div (Polynomial.eval n r) bottom)))

@@ -1,0 +1,123 @@
+open Scc_exact
+
+type limit =
+  | Depth of int
+  | Time of Rat.t
+  | Instant of int
+  | States of int
+  | Seconds of float
+  | Memory of int
+  | Interrupted
+
+type origin = By_default | By_user | By_property
+type truncation = { limit : limit; origin : origin }
+
+type reason =
+  | Truncated of truncation
+  | Undefined of string
+  | Fault of string
+  | Zeno of Witness.t
+
+type t =
+  | Holds of { bounds : truncation list; witness : Witness.t option }
+  | Violated of { witness : Witness.t option }
+  | Undecided of reason list
+
+let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Undecided _ -> false
+
+let rank = function
+  | Depth _ -> 0
+  | Time _ -> 1
+  | Instant _ -> 2
+  | States _ -> 3
+  | Seconds _ -> 4
+  | Memory _ -> 5
+  | Interrupted -> 6
+
+let same_limit a b = Int.equal (rank a.limit) (rank b.limit)
+
+let union a b = a @ List.filter (fun x -> not (List.exists (same_limit x) a)) b
+
+let distinct list =
+  List.rev
+    (List.fold_left
+       (fun kept t -> if List.exists (same_limit t) kept then kept else t :: kept)
+       [] list)
+
+(* As good as the worst of them. *)
+let both a b =
+  match (a, b) with
+  | (Violated _ as v), _ | _, (Violated _ as v) -> v
+  | Undecided r, Undecided s -> Undecided (r @ s)
+  | (Undecided _ as u), _ | _, (Undecided _ as u) -> u
+  | Holds x, Holds y ->
+    let witness = match x.witness with Some _ -> x.witness | None -> y.witness in
+    Holds { bounds = union x.bounds y.bounds; witness }
+
+(* As good as the best of them. *)
+let either a b =
+  match (a, b) with
+  | (Holds { bounds = []; _ } as v), _ | _, (Holds { bounds = []; _ } as v) -> v
+  | (Holds _ as v), _ | _, (Holds _ as v) -> v
+  | Undecided r, Undecided s -> Undecided (r @ s)
+  | (Undecided _ as u), _ | _, (Undecided _ as u) -> u
+  | Violated x, Violated y ->
+    Violated { witness = (match x.witness with Some _ -> x.witness | None -> y.witness) }
+
+let conjunction = List.fold_left both (Holds { bounds = []; witness = None })
+
+let disjunction = function
+  | [] -> Violated { witness = None }
+  | v :: rest -> List.fold_left either v rest
+
+let truncations = function
+  | Holds { bounds; _ } -> bounds
+  | Violated _ -> []
+  | Undecided reasons ->
+    List.filter_map
+      (function Truncated t -> Some t | Undefined _ | Fault _ | Zeno _ -> None)
+      reasons
+
+let resources v =
+  List.exists
+    (fun t ->
+       match t.limit with
+       | Seconds _ | Memory _ | Interrupted -> true
+       | Depth _ | Time _ | Instant _ | States _ -> false)
+    (truncations v)
+
+let by_default = function
+  | Holds { bounds; _ } ->
+    List.exists (fun t -> match t.origin with By_default -> true | By_user | By_property -> false) bounds
+  | Violated _ | Undecided _ -> false
+
+let limit_to_string = function
+  | Depth n -> Printf.sprintf "the depth bound %d" n
+  | Time t -> Printf.sprintf "the time bound %s" (Rat.to_string t)
+  | Instant n -> Printf.sprintf "the bound of %d transitions within one instant" n
+  | States n -> Printf.sprintf "the bound of %d states" n
+  | Seconds s -> Printf.sprintf "the limit of %g seconds" s
+  | Memory w -> Printf.sprintf "the memory limit of %d MB" (w / 1024 * (Sys.word_size / 8) / 1024)
+  | Interrupted -> "the interruption"
+
+let truncation_to_string t =
+  let whose =
+    match t.origin with
+    | By_default -> " (a default)"
+    | By_user -> ""
+    | By_property -> " (of the properties)"
+  in
+  limit_to_string t.limit ^ whose
+
+let reason_to_string = function
+  | Truncated t -> "the exploration ended at " ^ truncation_to_string t
+  | Undefined reason -> reason
+  | Fault fault -> fault
+  | Zeno _ -> "Zeno: a run goes on for ever within one instant"
+
+let to_string = function
+  | Holds { bounds = []; _ } -> "holds (exhaustive)"
+  | Holds { bounds; _ } ->
+    "holds up to the bound: " ^ String.concat ", " (List.map truncation_to_string bounds)
+  | Violated _ -> "violated"
+  | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)

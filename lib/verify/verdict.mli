@@ -1,0 +1,58 @@
+(** Verdicts: what is known of a property, and how well. *)
+
+open Scc_exact
+
+(** A bound that was met. *)
+type limit =
+  | Depth of int
+  | Time of Rat.t
+  | Instant of int  (** the guard against runs that go on for ever within one instant *)
+  | States of int
+  | Seconds of float
+  | Memory of int  (** words *)
+  | Interrupted
+
+(** Whose bound. *)
+type origin = By_default | By_user | By_property
+
+type truncation = { limit : limit; origin : origin }
+
+type reason =
+  | Truncated of truncation  (** the exploration did not go far enough *)
+  | Undefined of string  (** the property has no truth value somewhere: a division by zero *)
+  | Fault of string  (** the transitions of a state cannot be computed *)
+  | Zeno of Witness.t  (** it depends on a run that goes on for ever within one instant *)
+
+type t =
+  | Holds of {
+      bounds : truncation list;
+      (** empty: exhaustively, as a proof; otherwise up to these bounds, within which nothing speaks against
+          it *)
+      witness : Witness.t option;
+    }
+  | Violated of { witness : Witness.t option  (** [None] when all of what counts was explored in vain *) }
+  | Undecided of reason list  (** not empty *)
+
+val distinct : truncation list -> truncation list
+(** Each kind of limit once. *)
+
+val exhaustive : t -> bool
+(** Holds, as a proof. *)
+
+val conjunction : t list -> t
+val disjunction : t list -> t
+
+val resources : t -> bool
+(** A limit of the machine or an interruption (seconds, memory, Ctrl-C) has kept it from being better
+    known. *)
+
+val by_default : t -> bool
+(** It holds up to a bound that nobody gave. *)
+
+val truncation_to_string : truncation -> string
+(** E.g. ["the depth bound 100 (a default)"]. *)
+
+val reason_to_string : reason -> string
+
+val to_string : t -> string
+(** ["holds (exhaustive)"], ["holds up to the bound: ..."], ["violated"], ["undecided: ..."]. *)

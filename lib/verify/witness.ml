@@ -1,0 +1,80 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+type step = { choice : int; transition : Transition.t; time : Rat.t }
+
+type finish =
+  | At_state
+  | During of {
+      choice : int option;
+      offset : Algebraic.t;
+      open_piece : bool;
+      from : Algebraic.t;
+    }
+  | Rests
+  | Stops
+  | Repeats of { cycle : int; puts_off : Transition.label option }
+  | Passes of { choice : int option }
+
+type t = {
+  initial : State.t;
+  steps : step list;
+  last : State.t;
+  finish : finish;
+  facts : string list;
+}
+
+let choices w = List.map (fun s -> s.choice) w.steps
+
+let time w =
+  match List.rev w.steps with [] -> Rat.zero | last :: _ -> last.time
+
+let instant w =
+  match w.finish with
+  | During { offset; _ } -> Algebraic.add_rat (time w) offset
+  | At_state | Rests | Stops | Repeats _ | Passes _ -> Algebraic.of_rat (time w)
+
+let offset w =
+  match w.finish with
+  | During { offset; _ } -> (
+      match Algebraic.to_rat offset with
+      | Some r -> Some r
+      | None ->
+        let width = Rat.make Z.one (Z.pow (Z.of_int 10) 12) in
+        let low, high = Algebraic.enclose offset ~width in
+        Some (Rat.div (Rat.add low high) (Rat.of_int 2)))
+  | At_state | Rests | Stops | Repeats _ | Passes _ -> None
+
+let step_line model number s =
+  Printf.sprintf "%d. %s, at time %s" (number + 1)
+    (Transition.label_to_string model s.transition.label)
+    (Rat.to_string s.time)
+
+let during_line w ~offset ~open_piece ~from =
+  let start = time w in
+  let absolute t = Algebraic.to_string (Algebraic.add_rat start t) in
+  if open_piece then
+    Printf.sprintf "then time passes: right after time %s, for example at time %s" (absolute from)
+      (absolute offset)
+  else Printf.sprintf "then time passes, until time %s" (absolute offset)
+
+let finish_lines model w =
+  match w.finish with
+  | At_state -> if w.steps = [] then [ "in the initial state" ] else []
+  | During { offset; open_piece; from; _ } -> [ during_line w ~offset ~open_piece ~from ]
+  | Rests -> [ "then nothing happens any more, and time passes for ever" ]
+  | Stops -> [ "then the run is over: neither time nor anything else can go on" ]
+  | Passes _ -> [ "then time passes beyond the bound" ]
+  | Repeats { cycle; puts_off } ->
+    let again =
+      if cycle + 1 = List.length w.steps then Printf.sprintf "and step %d again, for ever" (cycle + 1)
+      else Printf.sprintf "and the steps from %d on again, for ever" (cycle + 1)
+    in
+    let reason label =
+      Printf.sprintf "it puts off %s for ever: no fairness is assumed"
+        (Transition.label_to_string model label)
+    in
+    again :: Option.to_list (Option.map reason puts_off)
+
+let lines model w = List.mapi (step_line model) w.steps @ finish_lines model w @ w.facts

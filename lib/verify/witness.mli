@@ -1,0 +1,55 @@
+(** Runs that show why a verdict is as it is, in a form that can be replayed. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+(** A transition of the run. *)
+type step = {
+  choice : int;  (** its index among the successors *)
+  transition : Transition.t;
+  time : Rat.t;  (** model time after it *)
+}
+
+(** Where the run is taken to after its steps. *)
+type finish =
+  | At_state  (** to the state they lead to *)
+  | During of {
+      choice : int option;  (** the time transition that is under way; [None] in the last ray of a run *)
+      offset : Algebraic.t;  (** the instant, from the start of it *)
+      open_piece : bool;
+      (** the instant is a sample of the open interval on which the same holds (which it begins, at
+          [from]); otherwise it is the instant itself *)
+      from : Algebraic.t;
+    }
+  | Rests  (** the network is quiescent: time passes for ever *)
+  | Stops  (** the run is over: neither time nor anything else can go on *)
+  | Repeats of { cycle : int; puts_off : Transition.label option }
+  (** the steps from the index [cycle] on are repeated for ever; on the way, a weak split that is enabled
+      is put off each time *)
+  | Passes of { choice : int option }
+  (** the bound of time of the property is passed in the middle of this time transition, or of the ray *)
+
+type t = {
+  initial : State.t;
+  steps : step list;
+  last : State.t;  (** after the steps *)
+  finish : finish;
+  facts : string list;  (** what holds there, and with which values, a sentence each *)
+}
+
+val choices : t -> int list
+(** The choices of the steps. *)
+
+val time : t -> Rat.t
+(** Model time after the steps. *)
+
+val instant : t -> Algebraic.t
+(** Model time of the instant that the witness is about. *)
+
+val offset : t -> Rat.t option
+(** For a schedule: the time to let pass after the steps. At an irrational instant, a rational within
+    10^-12 of it. *)
+
+val lines : Model.t -> t -> string list
+(** The run in words: the steps, where it leads and the facts there. *)
