@@ -1,0 +1,83 @@
+open Scc_base
+open Scc_exact
+open Scc_calculus
+
+let reported_overlaps = 10
+
+(* The bodies of the network, by index in the model; those with faults are left out. *)
+let included (bodies : Bodies.t) (composition : Composition.t) =
+  Array.to_list bodies.leaves
+  |> List.mapi (fun i leaf -> (i, leaf))
+  |> List.filter (fun (i, _) -> composition.included.(i))
+  |> List.filter_map snd
+
+let placed (l : Bodies.leaf) body =
+  let place (p : Model.part) = { Overlap.body; solid = p.solid; position = Vec.add l.position p.offset } in
+  Array.to_list (Array.map place l.parts)
+
+let check_overlaps (c : Context.t) bodies composition =
+  let leaves = Array.of_list (included bodies composition) in
+  let parts = List.mapi (fun body l -> placed l body) (Array.to_list leaves) |> List.concat |> Array.of_list in
+  let report (i, j) =
+    let p = leaves.(parts.(i).body) and q = leaves.(parts.(j).body) in
+    let where =
+      match Overlap.common_point parts.(i) parts.(j) with
+      | Some x -> Printf.sprintf ": the point %s is inside both" (Vec.to_string x)
+      | None -> ""
+    in
+    Report.error c.report Code.interpenetration q.span "`%s` and `%s` interpenetrate%s" p.name q.name where
+      ~notes:[ (p.span, Printf.sprintf "`%s` is here" p.name) ]
+  in
+  List.iter report (Overlap.pairs ~limit:reported_overlaps c.obstacles parts)
+
+let sound = function
+  | Some leaf -> leaf
+  | None -> Bug.fail __POS__ "a body with faults"
+
+let numbered (bodies : Bodies.t) (composition : Composition.t) =
+  List.filter (fun i -> composition.included.(i)) (List.init (Array.length bodies.leaves) Fun.id)
+  |> List.map (fun i -> (i, sound bodies.leaves.(i)))
+
+let leaves bodies (composition : Composition.t) =
+  let leaf (i, (l : Bodies.leaf)) =
+    {
+      Model.name = l.name;
+      template = Shape.label l.shape;
+      parts = l.parts;
+      fixed = l.fixed;
+      mass = l.mass;
+      law = composition.laws.(i);
+    }
+  in
+  Array.of_list (List.map leaf (numbered bodies composition))
+
+let bond (composition : Composition.t) (j : Joints.t) =
+  let finish (i, site) = { State.at = composition.index.(i); site } in
+  State.bond j.name (finish j.one) (finish j.two)
+
+(* The processes are the connected components of the bonds. *)
+let state bodies (composition : Composition.t) joints behaviours ~steered ~keeps_time =
+  let members = Array.of_list (numbered bodies composition) in
+  let n = Array.length members in
+  let joined = Union_find.create n in
+  let bonds = List.map (bond composition) joints in
+  List.iter (fun (b : State.bond) -> ignore (Union_find.union joined b.one.at b.two.at)) bonds;
+  let leaves_of = Array.make n [] and bonds_of = Array.make n [] in
+  let put table root x = table.(root) <- x :: table.(root) in
+  Array.iteri
+    (fun i (_, (l : Bodies.leaf)) ->
+       put leaves_of (Union_find.find joined i)
+         { State.leaf = i; position = l.position; behaviour = Behaviour.fresh behaviours.(i) })
+    members;
+  List.iter (fun (b : State.bond) -> put bonds_of (Union_find.find joined b.one.at) b) bonds;
+  let process root =
+    match leaves_of.(root) with
+    | [] -> None
+    | leaves ->
+      let _, (l : Bodies.leaf) = members.(root) in
+      Some (State.process ~leaves ~bonds:bonds_of.(root) ~velocity:l.velocity ~clock:None)
+  in
+  State.make
+    ~processes:(List.filter_map process (List.init n Fun.id))
+    ~step:(if steered then Some { State.remaining = Rat.zero; phase = Due } else None)
+    ~time:(if keeps_time then Some Rat.zero else None)

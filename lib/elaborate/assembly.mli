@@ -1,0 +1,14 @@
+(** From bodies that are in order to the model and its declared state. *)
+
+open Scc_calculus
+
+val check_overlaps : Context.t -> Bodies.t -> Composition.t -> unit
+(** No two parts of the network interpenetrate (SC0403). *)
+
+val leaves : Bodies.t -> Composition.t -> Model.leaf array
+(** No body of the network has faults (a bug otherwise). *)
+
+val state :
+  Bodies.t -> Composition.t -> Joints.t list -> Behaviour.t array -> steered:bool -> keeps_time:bool -> State.t
+(** The behaviours are by index in the model. No split clock is set yet; a steered network is due to be
+    steered. *)

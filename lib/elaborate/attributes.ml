@@ -1,0 +1,67 @@
+open Scc_base
+open Scc_exact
+open Scc_syntax
+
+type t = {
+  mass : (Rat.t * Span.t) option;
+  velocity : (Vec.t * Span.t) option;
+  spin : Span.t option;
+  at : Affine.t;
+  complete : bool;
+}
+
+let none = { mass = None; velocity = None; spin = None; at = Affine.identity; complete = true }
+
+let kind (a : Ast.attribute) =
+  match a.it with
+  | Mass _ -> "mass"
+  | Velocity _ -> "velocity"
+  | Spin _ -> "spin"
+  | At _ -> "at"
+
+(* The first of each kind; the others are reported. *)
+let once report attributes =
+  let keep kept (a : Ast.attribute) =
+    match List.find_opt (fun b -> String.equal (kind a) (kind b)) kept with
+    | None -> a :: kept
+    | Some (first : Ast.attribute) ->
+      Report.error report Code.repeated_attribute a.at "`%s` is given twice" (kind a)
+        ~notes:[ (first.at, "the first is here") ];
+      kept
+  in
+  List.rev (List.fold_left keep [] attributes)
+
+let check_spin report (at : Span.t) spin =
+  if not (Vec.is_zero spin) then
+    Report.error report Code.spin_not_yet at
+      "angular velocity is not supported yet: a spin other than (0, 0, 0) cannot be run"
+      ~hint:"this version executes the translational calculus; leave `spin` out or set it to (0, 0, 0)"
+
+let add report env t (a : Ast.attribute) =
+  let incomplete = { t with complete = false } in
+  match a.it with
+  | Mass e -> (
+      match Constant.positive report env "mass" e with
+      | Some m -> { t with mass = Some (m, a.at) }
+      | None -> { incomplete with mass = Some (Rat.one, a.at) })
+  | Velocity v -> (
+      match Constant.vector report env v with
+      | Some v -> { t with velocity = Some (v, a.at) }
+      | None -> { incomplete with velocity = Some (Vec.zero, a.at) })
+  | Spin v -> (
+      match Constant.vector report env v with
+      | Some v ->
+        check_spin report a.at v;
+        { t with spin = Some a.at }
+      | None -> incomplete)
+  | At ts -> (
+      match Constant.transform report env ts with
+      | Some at -> { t with at }
+      | None -> incomplete)
+
+let read report env attributes = List.fold_left (add report env) none (once report attributes)
+
+let velocity t =
+  match t.velocity with
+  | Some (v, _) -> v
+  | None -> Vec.zero

@@ -1,0 +1,35 @@
+(** Bodies as declared: their places, parts and motions (Definition 4.4), before the network is composed. *)
+
+open Scc_base
+open Scc_exact
+open Scc_syntax
+open Scc_calculus
+
+type leaf = {
+  name : string;
+  process : int;  (** the process that declares it *)
+  shape : Shape.t;
+  parts : Model.part array;
+  mass : Rat.t;
+  fixed : bool;
+  position : Vec.t;
+  velocity : Vec.t;
+  behaviour : (Env.t * Ast.behaviour) option;
+  span : Span.t;
+}
+
+type process = {
+  name : string;
+  labelled : bool;  (** its leaves have names of their own *)
+  members : int list;
+  bonds : (Env.t * Ast.bond) list;
+  span : Span.t;
+}
+
+type t = {
+  leaves : leaf option array;  (** [None] for one with faults, which are reported *)
+  processes : process array;
+  registry : Registry.t;
+}
+
+val read : Context.t -> Program.body list -> t

@@ -1,0 +1,202 @@
+open Scc_base
+open Scc_exact
+open Scc_syntax
+open Scc_calculus
+
+(* The name at the head of an expression that is no constant. *)
+let described (e : Ast.expr) =
+  match e.it with
+  | Apply (f, _) -> Printf.sprintf "`%s(…)`" f.it
+  | Co n -> Printf.sprintf "`~%s`" n.it
+  | Quantified _ -> "a quantifier"
+  | Temporal _ | Until _ -> "a temporal operator"
+  | Number _ | True | False | Path _ | Neg _ | Not _ | Binary _ | If _ -> "this"
+
+module Algebra = struct
+  type context = { report : Report.t; budget : Typed.budget }
+  type num = Rat.t
+  type cond = bool
+
+  let report c = c.report
+  let budget c = c.budget
+  let const q = q
+  let constant q = Some q
+  let neg = Rat.neg
+  let add = Rat.add
+  let sub = Rat.sub
+  let mul = Rat.mul
+  let div = Rat.div
+  let bool b = b
+  let truth b = Some b
+  let compare = Law.compare_rationals
+  let negate = not
+  let conj = ( && )
+  let disj = ( || )
+  let choose _ _ c a b = Some (if c then a else b)
+  let choose_cond c a b = if c then a else b
+  let comparison _ _ _ _ _ = None
+
+  let variable c env (path : Ast.path) =
+    match path.it with
+    | [ { name; indices = [] } ] ->
+      Report.error c.report Code.unknown_name path.at "unknown name `%s`; a constant is expected here" name.it
+        ~near:(name.it, fun () -> Env.names env);
+      None
+    | _ ->
+      Report.error c.report Code.type_mismatch path.at "a constant is expected here";
+      None
+
+  let round c eval env (e : Ast.expr) (x : Ast.expr) (quantum : Ast.expr) =
+    match (eval env x, eval env quantum) with
+    | Some (Typed.Num x), Some (Typed.Num q) when Rat.sign q > 0 ->
+      if Rat.bits x + Rat.bits q > Limits.number_bits then begin
+        Report.error c.report Code.number_too_large e.at "this constant is too large";
+        None
+      end
+      else Some (Typed.Num (Rat.round_to x ~quantum:q))
+    | Some (Num _), Some (Num q) ->
+      Report.error c.report Code.bad_value quantum.at "`round` to multiples of %s, which is not positive"
+        (Rat.to_string q);
+      None
+    | Some (Cond _), Some _ | Some _, Some (Cond _) ->
+      Report.error c.report Code.type_mismatch e.at "`round` takes two numbers";
+      None
+    | None, _ | _, None -> None
+
+  let other c eval env (e : Ast.expr) =
+    match e.it with
+    | Apply ({ it = "round"; _ }, [ x; q ]) -> round c eval env e x q
+    | Apply ({ it = "round"; _ }, _) ->
+      Report.error c.report Code.bad_arity e.at "`round` takes two arguments, a number and a quantum";
+      None
+    | _ ->
+      Report.error c.report Code.type_mismatch e.at "a constant is expected here, and %s is none"
+        (described e);
+      None
+end
+
+module Eval = Typed.Make (Algebra)
+
+let context report = { Algebra.report; budget = { Typed.left = Limits.terms } }
+
+let rec is_constant env (e : Ast.expr) =
+  match e.it with
+  | Number _ | True | False -> true
+  | Path { it = [ { name; indices = [] } ]; _ } -> (
+      match Env.find env name.it with
+      | Some (Number _ | Truth _) -> true
+      | Some (Macro _ | Leaf _) | None -> false)
+  | Apply ({ it = "round"; _ }, es) -> List.for_all (is_constant env) es
+  | Neg a | Not a -> is_constant env a
+  | Binary (_, a, b) -> is_constant env a && is_constant env b
+  | If (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
+  | Path _ | Co _ | Apply _ | Quantified _ | Temporal _ | Until _ -> false
+
+let value report env e =
+  match Eval.eval (context report) env e with
+  | Some (Num q) -> Some (Env.Number q)
+  | Some (Cond b) -> Some (Env.Truth b)
+  | None -> None
+
+let number report env e = Eval.num (context report) env e
+
+let positive report env what (e : Ast.expr) =
+  match number report env e with
+  | Some q when Rat.sign q > 0 -> Some q
+  | Some q ->
+    Report.error report Code.bad_value e.at "the %s must be positive, and it is %s" what (Rat.to_string q);
+    None
+  | None -> None
+
+let integer report env what (e : Ast.expr) =
+  match number report env e with
+  | Some q when Rat.is_integer q -> Some (Rat.floor q)
+  | Some q ->
+    Report.error report Code.bad_index e.at "%s must be an integer, and it is %s" what (Rat.to_string q);
+    None
+  | None -> None
+
+let vector report env (x, y, z) =
+  match (number report env x, number report env y, number report env z) with
+  | Some x, Some y, Some z -> Some (Vec.make x y z)
+  | _ -> None
+
+let check_determinant report at d =
+  match Rat.sign d with
+  | 1 -> true
+  | 0 ->
+    Report.error report Code.bad_transformation at "this transformation is singular: it flattens shapes";
+    false
+  | _ ->
+    Report.error report Code.bad_transformation at
+      "this transformation is a reflection: it would turn the faces of a shape inside out";
+    false
+
+let scaling report env at v =
+  match vector report env v with
+  | Some f when check_determinant report at (Rat.mul f.x (Rat.mul f.y f.z)) -> Some f
+  | _ -> None
+
+let rotation report env at (w, x, y, z) =
+  let number = number report env in
+  match (number w, number x, number y, number z) with
+  | Some w, Some x, Some y, Some z -> (
+      match Mat.of_quaternion (w, x, y, z) with
+      | Some m -> Some (Affine.of_linear m)
+      | None ->
+        Report.error report Code.bad_transformation at "the zero quaternion is no rotation";
+        None)
+  | _ -> None
+
+(* The 3 x 4 part and the last row of a matrix by rows. *)
+let matrix report env at rows =
+  let row (a, b, c, d) =
+    match (vector report env (a, b, c), number report env d) with
+    | Some v, Some t -> Some (v, t)
+    | _ -> None
+  in
+  match List.map row rows with
+  | [ Some (r0, t0); Some (r1, t1); Some (r2, t2); Some (last, t3) ] ->
+    if not (Vec.is_zero last && Rat.equal t3 Rat.one) then begin
+      Report.error report Code.bad_transformation at
+        "the last row of an affine map is (0, 0, 0, 1), and here it is (%s, %s, %s, %s)"
+        (Rat.to_string last.x) (Rat.to_string last.y) (Rat.to_string last.z) (Rat.to_string t3);
+      None
+    end
+    else
+      let linear = Mat.make r0 r1 r2 in
+      if check_determinant report at (Mat.det linear) then
+        Some { Affine.linear; translation = Vec.make t0 t1 t2 }
+      else None
+  | [ _; _; _; _ ] -> None
+  | rows ->
+    Report.error report Code.bad_arity at "a matrix has 4 rows, and this has %d" (List.length rows);
+    None
+
+let one_transform report env (t : Ast.transform) =
+  match t.it with
+  | Translate v -> Option.map Affine.translate (vector report env v)
+  | Rotate (w, x, y, z) -> rotation report env t.at (w, x, y, z)
+  | Scale v -> Option.map (fun f -> Affine.of_linear (Mat.diagonal f)) (scaling report env t.at v)
+  | Matrix rows -> matrix report env t.at rows
+
+let transform report env ts =
+  let compose whole t =
+    match (whole, one_transform report env t) with
+    | Some f, Some g -> Some (Affine.compose f g)
+    | _ -> None
+  in
+  List.fold_left compose (Some Affine.identity) ts
+
+let segment report env (s : Ast.segment) =
+  match s.indices with
+  | [] -> Some s.name.it
+  | indices ->
+    let add printed e =
+      match (printed, integer report env "an index" e) with
+      | Some printed, Some i -> Some (Z.to_string i :: printed)
+      | _ -> None
+    in
+    List.fold_left add (Some []) indices
+    |> Option.map (fun printed ->
+        Printf.sprintf "%s[%s]" s.name.it (String.concat "," (List.rev printed)))

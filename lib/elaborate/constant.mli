@@ -1,0 +1,28 @@
+(** Expressions whose value the text determines: attributes, steps, indices, delays, bounds. All functions
+    report what they cannot evaluate and then give [None]. *)
+
+open Scc_base
+open Scc_exact
+open Scc_syntax
+
+val is_constant : Env.t -> Ast.expr -> bool
+(** Only numbers, truth values, constants in scope and operations on them. *)
+
+val value : Report.t -> Env.t -> Ast.expr -> Env.value option
+(** A [Number] or a [Truth]. *)
+
+val number : Report.t -> Env.t -> Ast.expr -> Rat.t option
+
+val positive : Report.t -> Env.t -> string -> Ast.expr -> Rat.t option
+(** The string names the quantity in the message. *)
+
+val integer : Report.t -> Env.t -> string -> Ast.expr -> Z.t option
+val vector : Report.t -> Env.t -> Ast.vector -> Vec.t option
+val transform : Report.t -> Env.t -> Ast.transform list -> Affine.t option
+(** [T1 * T2 * …]: the last is applied first. Each has a positive determinant (SC0311 otherwise). *)
+
+val scaling : Report.t -> Env.t -> Span.t -> Ast.vector -> Vec.t option
+(** Factors for the three axes, with a positive product (SC0311 otherwise). *)
+
+val segment : Report.t -> Env.t -> Ast.segment -> string option
+(** A name with its indices, as it is printed: [c[3]], [g[1,2]]. *)

@@ -1,0 +1,110 @@
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+open Scc_property
+
+type t = {
+  name : string option;
+  parameters : (string * Rat.t) list;
+  templates : (string * Polyhedron.t) list;
+  model : Model.t;
+  declared : State.t;
+  checks : Property.check list;
+  warnings : Diag.t list;
+}
+
+(* The behaviour of a leaf; nil for a fixed one without, and where there are faults. *)
+let behaviour behaviours (l : Bodies.leaf) =
+  match l.behaviour with
+  | None -> Behaviour.nil
+  | Some (env, b) ->
+    let owner = { Behaviours.name = l.name; shape = l.shape; span = l.span } in
+    Option.value ~default:Behaviour.nil (Behaviours.term behaviours env owner b)
+
+let behaviours_of table (bodies : Bodies.t) keep =
+  Array.to_list bodies.leaves
+  |> List.mapi (fun i leaf -> (i, leaf))
+  |> List.filter (fun (i, _) -> keep i)
+  |> List.map (fun (_, leaf) -> Option.fold ~none:Behaviour.nil ~some:(behaviour table) leaf)
+
+let warn_unused (c : Context.t) (program : Program.t) =
+  let warn what name at = Report.warning c.report Code.unused at "the %s `%s` is not used" what name in
+  Hashtbl.iter (fun name (t : Context.template) -> if not t.used then warn "template" name t.span) c.templates;
+  Hashtbl.iter
+    (fun name (b : Program.behaviour) -> if not b.used then warn "behaviour" name b.name.at)
+    program.behaviours;
+  List.iter
+    (fun (what, name, (b : Env.binding)) -> if not b.used then warn what name b.span)
+    program.values
+
+let templates (c : Context.t) (program : Program.t) =
+  let basic name =
+    match Hashtbl.find_opt c.templates name with
+    | Some { shape = Some (Basic b); _ } -> Some (name, b.polyhedron)
+    | Some { shape = Some (Compound _) | None; _ } | None -> None
+  in
+  List.filter_map basic program.shapes
+
+let is_steered (l : Model.leaf) =
+  match l.law with
+  | Inertial -> false
+  | Velocity _ -> not l.fixed
+
+(* Everything is in order. *)
+let build (c : Context.t) (program : Program.t) bodies composition joints initial definitions checks =
+  let leaves = Assembly.leaves bodies composition in
+  let steered = Array.exists is_steered leaves in
+  let keeps_time =
+    Array.exists (fun (l : Model.leaf) -> Law.mentions_time l.law) leaves
+    || List.exists (fun (k : Property.check) -> Formula.mentions_time k.formula) checks
+  in
+  let model =
+    {
+      Model.leaves;
+      definitions;
+      timestep = program.timestep;
+      split_step = program.split_step;
+      keeps_time;
+      steered;
+      obstacles = c.obstacles;
+    }
+  in
+  {
+    name = program.name;
+    parameters = program.parameters;
+    templates = templates c program;
+    model;
+    declared = Assembly.state bodies composition joints initial ~steered ~keeps_time;
+    checks;
+    warnings = Report.warnings c.report;
+  }
+
+let read c ~overrides syntax =
+  let program = Program.read c ~overrides syntax in
+  let bodies = Bodies.read c program.bodies in
+  let composition = Composition.read c program bodies in
+  let table = Behaviours.create c program in
+  let included i = composition.included.(i) in
+  let initial = Array.of_list (behaviours_of table bodies included) in
+  let joints = Joints.read c program bodies composition in
+  List.iter (fun (j : Joints.t) -> Behaviours.use_channel table j.name) joints;
+  Behaviours.settle table;
+  let formulas = Formulas.create c bodies composition table in
+  let checks = List.filter_map (Formulas.check formulas) program.checks in
+  Behaviours.seal table;
+  ignore (behaviours_of table bodies (fun i -> not (included i)));
+  let definitions = Behaviours.finish table in
+  Assembly.check_overlaps c bodies composition;
+  Templates.warn_off_centre c;
+  warn_unused c program;
+  if Report.failed c.report then None
+  else Some (build c program bodies composition joints initial definitions checks)
+
+let elaborate ~read_file ~overrides syntax =
+  let c = Context.create ~read_file in
+  Limits.check_depth c.report syntax;
+  let result = if Report.failed c.report then None else read c ~overrides syntax in
+  match result with
+  | Some t -> Ok t
+  | None -> Error (Report.errors c.report)

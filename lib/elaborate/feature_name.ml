@@ -1,0 +1,171 @@
+open Scc_base
+open Scc_geometry
+open Scc_syntax
+open Scc_calculus
+
+type t = { prefix : (string * Span.t) list; what : what; span : Span.t }
+and what = Name of string * Span.t | Cycle of (string * Span.t) list
+
+let ( let* ) = Option.bind
+
+let segment_span (s : Ast.segment) =
+  match List.rev s.indices with
+  | [] -> s.name.at
+  | last :: _ -> Span.merge s.name.at last.at
+
+let segments report env (path : Ast.path) =
+  let add whole s =
+    match (whole, Constant.segment report env s) with
+    | Some whole, Some name -> Some ((name, segment_span s) :: whole)
+    | _ -> None
+  in
+  Option.map List.rev (List.fold_left add (Some []) path.it)
+
+let rec split_last = function
+  | [] -> Bug.fail __POS__ "an empty path"
+  | [ last ] -> ([], last)
+  | first :: rest ->
+    let before, last = split_last rest in
+    (first :: before, last)
+
+let same_names = List.equal (fun (a, _) (b, _) -> String.equal a b)
+
+(* The vertices of a tuple and the prefix that they share. *)
+let vertices report env (paths : Ast.path list) =
+  let add found (path : Ast.path) =
+    match (found, segments report env path) with
+    | Some found, Some names -> Some (split_last names :: found)
+    | _ -> None
+  in
+  let* all = Option.map List.rev (List.fold_left add (Some []) paths) in
+  match all with
+  | [] -> Some ([], [])
+  | (prefix, _) :: _ ->
+    let stray = List.find_opt (fun (p, _) -> not (same_names p prefix)) all in
+    (match stray with
+     | None -> Some (prefix, List.map snd all)
+     | Some (_, (name, at)) ->
+       Report.error report Code.unknown_feature at "the vertex `%s` is of another shape than the first of the tuple"
+         name;
+       None)
+
+let read report env (f : Ast.feature) =
+  match f.it with
+  | Named path ->
+    let* names = segments report env path in
+    let prefix, (name, at) = split_last names in
+    Some { prefix; what = Name (name, at); span = f.at }
+  | Tuple (prefix, paths) ->
+    let* outer = Option.fold ~none:(Some []) ~some:(segments report env) prefix in
+    let* inner, cycle = vertices report env paths in
+    Some { prefix = outer @ inner; what = Cycle cycle; span = f.at }
+
+let feature_names (p : Polyhedron.t) =
+  Array.to_list (Array.map fst p.faces) @ Array.to_list (Array.map fst p.vertices)
+
+let unknown report label p at name =
+  Report.error report Code.unknown_feature at "`%s` has no feature `%s`" label name
+    ~near:(name, fun () -> feature_names p);
+  None
+
+let vertex report label (p : Polyhedron.t) (name, at) =
+  match Polyhedron.find_vertex p name with
+  | Some v -> Some v
+  | None -> unknown report label p at name
+
+let cycle report label (p : Polyhedron.t) span corners =
+  let found = List.map (vertex report label p) corners in
+  let names = String.concat "," (List.map fst corners) in
+  if not (List.for_all Option.is_some found) then None
+  else
+    match List.filter_map Fun.id found with
+    | [] ->
+      Report.error report Code.unknown_feature span "an empty tuple names no feature";
+      None
+    | [ v ] -> Some (Feature.Vertex v)
+    | [ v; w ] -> (
+        match Polyhedron.find_edge p v w with
+        | Some e -> Some (Feature.Edge e)
+        | None ->
+          Report.error report Code.unknown_feature span "[%s] is not an edge of `%s`" names label;
+          None)
+    | corners -> (
+        let corners = Array.of_list corners in
+        let n = Array.length corners in
+        let reversed = Array.init n (fun i -> corners.(n - 1 - i)) in
+        match (Polyhedron.find_cycle p corners, Polyhedron.find_cycle p reversed) with
+        | Some f, _ -> Some (Feature.Face f)
+        | None, Some f ->
+          Report.error report Code.unknown_feature span
+            "[%s] is the face `%s` of `%s` the wrong way round" names
+            (fst p.faces.(f))
+            label ~hint:"list its corners counter-clockwise as seen from outside";
+          None
+        | None, None ->
+          Report.error report Code.unknown_feature span "[%s] is not a face of `%s`" names label;
+          None)
+
+let on_polyhedron report label (p : Polyhedron.t) f =
+  match f.what with
+  | Cycle corners -> cycle report label p f.span corners
+  | Name (name, at) -> (
+      match (Polyhedron.find_face p name, Polyhedron.find_vertex p name) with
+      | Some face, _ -> Some (Feature.Face face)
+      | None, Some v -> Some (Feature.Vertex v)
+      | None, None -> unknown report label p at name)
+
+let not_a_part report (c : Shape.compound) (name, at) =
+  Report.error report Code.unknown_feature at "`%s` has no part `%s`" c.clabel name
+    ~near:(name, fun () -> Array.to_list (Array.map (fun (p : Shape.part) -> p.name) c.parts));
+  None
+
+let bare report (c : Shape.compound) f =
+  let hint = Printf.sprintf "say of which part, as in `%s.top`" c.parts.(0).name in
+  Report.error report Code.bare_feature f.span "a feature of the compound `%s` needs the name of its part"
+    c.clabel ~hint;
+  None
+
+let on_compound report (c : Shape.compound) f =
+  let resolve (name, at) =
+    match Shape.part_index c name with
+    | None -> not_a_part report c (name, at)
+    | Some part ->
+      let label = Printf.sprintf "%s.%s" c.clabel name in
+      on_polyhedron report label c.parts.(part).basic.polyhedron f
+      |> Option.map (fun feature -> { Site.part; feature })
+  in
+  match f.prefix with
+  | [] -> bare report c f
+  | [ part ] -> resolve part
+  | _ :: (_, at) :: _ ->
+    Report.error report Code.unknown_feature at "the parts of `%s` have no parts" c.clabel;
+    None
+
+let strip_own ~own shape prefix =
+  match (own, prefix, shape) with
+  | Some own, (first, _) :: rest, Shape.Basic _ when String.equal own first -> rest
+  | Some own, (first, _) :: (_ :: _ as rest), Shape.Compound _ when String.equal own first -> rest
+  | _ -> prefix
+
+let on_shape report ~own shape f =
+  let prefix = strip_own ~own shape f.prefix in
+  match (shape, prefix) with
+  | Shape.Basic b, [] ->
+    on_polyhedron report b.label b.polyhedron f
+    |> Option.map (fun feature -> { Site.part = 0; feature })
+  | Shape.Basic b, (name, at) :: _ ->
+    Report.error report Code.unknown_feature at "`%s` is a basic shape and has no part `%s`" b.label name
+      ~hint:"a feature of a basic shape is named alone, or after the name of its own process";
+    None
+  | Shape.Compound c, _ -> on_compound report c { f with prefix }
+
+let closure shape sites =
+  let polyhedra = Shape.polyhedra shape in
+  let parts = List.sort_uniq Int.compare (List.map (fun (s : Site.t) -> s.part) sites) in
+  let of_part part =
+    List.filter (fun (s : Site.t) -> Int.equal s.part part) sites
+    |> List.map (fun (s : Site.t) -> s.feature)
+    |> Polyhedron.closure polyhedra.(part)
+    |> List.map (fun feature -> { Site.part; feature })
+  in
+  List.concat_map of_part parts

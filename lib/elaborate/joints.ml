@@ -1,0 +1,121 @@
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_syntax
+open Scc_calculus
+
+type t = { name : string; one : int * Site.t; two : int * Site.t; span : Span.t }
+
+let ( let* ) = Option.bind
+
+(* The leaf that a feature begins with, and the feature on its shape. *)
+let read_end (c : Context.t) env (bodies : Bodies.t) (f : Ast.feature) =
+  let* f = Feature_name.read c.report env f in
+  match f.prefix with
+  | [] ->
+    Report.error c.report Code.unknown_feature f.span "say of which process this feature is, as in `p.right`";
+    None
+  | (name, at) :: rest -> (
+      match Registry.find bodies.registry name with
+      | Some (Leaf i) | Some (Process [ i ]) ->
+        let* leaf = bodies.leaves.(i) in
+        let* site = Feature_name.on_shape c.report ~own:None leaf.shape { f with prefix = rest } in
+        Some (i, site)
+      | Some (Process _ | Family _) ->
+        Report.error c.report Code.wrong_kind at "`%s` stands for several bodies; a bond joins two of them" name;
+        None
+      | None ->
+        Report.error c.report Code.unknown_name at "unknown process `%s`" name
+          ~near:(name, fun () -> Registry.names bodies.registry);
+        None)
+
+let leaf (bodies : Bodies.t) i =
+  match bodies.leaves.(i) with
+  | Some l -> l
+  | None -> Bug.fail __POS__ "a bond of a body with faults"
+
+let site_text (l : Bodies.leaf) (site : Site.t) =
+  let part = l.parts.(site.part) in
+  part.name ^ "." ^ Polyhedron.feature_name part.solid.polyhedron site.feature
+
+let check_contact (c : Context.t) at ((p : Bodies.leaf), (f : Site.t)) ((q : Bodies.leaf), (g : Site.t)) =
+  let a = p.parts.(f.part) and b = q.parts.(g.part) in
+  let obstacle = Obstacle_cache.find c.obstacles a.solid b.solid in
+  let offset = Vec.sub (Vec.add q.position b.offset) (Vec.add p.position a.offset) in
+  let is_pair (pair : Contact.pair) = Feature.equal pair.first f.feature && Feature.equal pair.second g.feature in
+  match Obstacle.relation obstacle offset with
+  | Interpenetrating -> ()
+  | Apart -> Report.error c.report Code.not_touching at "`%s` and `%s` do not touch" a.name b.name
+  | Touching ->
+    if not (List.exists is_pair (c.touching obstacle offset)) then
+      let highest = Contact.highest obstacle offset in
+      Report.error c.report Code.not_touching at "%s and %s do not touch" (site_text p f) (site_text q g)
+        ~hint:
+          (Printf.sprintf "the bodies touch at %s and %s"
+             (site_text p { f with feature = highest.first })
+             (site_text q { g with feature = highest.second }))
+
+let check_motion (c : Context.t) at (p : Bodies.leaf) (q : Bodies.leaf) =
+  if not (Vec.equal p.velocity q.velocity) then
+    let notes = [ (p.span, Printf.sprintf "`%s` is here" p.name); (q.span, Printf.sprintf "`%s` is here" q.name) ] in
+    if p.fixed || q.fixed then
+      let wall, other = if p.fixed then (p, q) else (q, p) in
+      Report.error c.report Code.velocity_mismatch at
+        "`%s` has the velocity %s, and is bound to `%s`, which is fixed" other.name (Vec.to_string other.velocity)
+        wall.name ~notes
+    else
+      Report.error c.report Code.velocity_mismatch at
+        "`%s` and `%s` have the velocities %s and %s, and what is bound moves as one" p.name q.name
+        (Vec.to_string p.velocity) (Vec.to_string q.velocity) ~notes
+
+let check_included (c : Context.t) (composition : Composition.t) bodies at i =
+  composition.included.(i)
+  ||
+  begin
+    Report.error c.report Code.wrong_kind at "the bond mentions `%s`, which is not in the network" (leaf bodies i).name;
+    false
+  end
+
+let check_member (c : Context.t) bodies (process : Bodies.process) at i =
+  List.mem i process.members
+  ||
+  begin
+    Report.error c.report Code.wrong_kind at "`%s` is not a part of the process `%s`" (leaf bodies i).name process.name
+      ~hint:"a bond with another process is declared apart: `bond <a, {…}>`";
+    false
+  end
+
+(* [admits]: whether the bond may mention a leaf. *)
+let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.bond)) =
+  let one = read_end c env bodies b.first and two = read_end c env bodies b.second in
+  let* i, f = one in
+  let* j, g = two in
+  let p = leaf bodies i and q = leaf bodies j in
+  if not (admits b.first.at i && admits b.second.at j) then None
+  else if Int.equal i j then begin
+    Report.error c.report Code.cyclic_bonds b.bond_span "`%s` cannot be bound to itself" p.name;
+    None
+  end
+  else if not (Union_find.union joined i j) then begin
+    Report.error c.report Code.cyclic_bonds b.bond_span
+      "this bond closes a cycle: `%s` and `%s` are joined already, and the bonds of a process are a tree" p.name
+      q.name;
+    None
+  end
+  else begin
+    check_contact c b.bond_span (p, f) (q, g);
+    check_motion c b.bond_span p q;
+    Some { name = b.bond.it; one = (i, f); two = (j, g); span = b.bond_span }
+  end
+
+let included (composition : Composition.t) joint = composition.included.(fst joint.one)
+
+let read (c : Context.t) (program : Program.t) (bodies : Bodies.t) composition =
+  let joined = Union_find.create (Array.length bodies.leaves) in
+  let of_process (process : Bodies.process) =
+    List.filter_map (read_bond c bodies joined ~admits:(check_member c bodies process)) process.bonds
+  in
+  let inner = List.concat_map of_process (Array.to_list bodies.processes) in
+  let admits = check_included c composition bodies in
+  let outer = List.filter_map (read_bond c bodies joined ~admits) program.bonds in
+  List.filter (included composition) inner @ outer

@@ -1,0 +1,8 @@
+(** Laws of motion: vectors of expressions over the variables of section 4.4 (reading I-10). A declared value
+    hides a variable of the same name. *)
+
+open Scc_syntax
+open Scc_calculus
+
+val law : Report.t -> Typed.budget -> Env.t -> Ast.law -> Law.t option
+(** [choose] is SC0901. *)

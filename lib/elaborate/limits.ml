@@ -1,0 +1,115 @@
+open Scc_base
+open Scc_syntax
+
+let depth = 10_000
+let items = 1_000_000
+let terms = 4_000_000
+let number_bits = 1_000_000
+
+type node =
+  | Expr of Ast.expr
+  | Solid of Ast.solid
+  | Behaviour of Ast.behaviour
+  | Item of Ast.item
+
+let expr e = Expr e
+let vector (x, y, z) = [ Expr x; Expr y; Expr z ]
+let path (p : Ast.path) = List.concat_map (fun (s : Ast.segment) -> List.map expr s.indices) p.it
+
+let feature (f : Ast.feature) =
+  match f.it with
+  | Named p -> path p
+  | Tuple (prefix, vertices) -> List.concat_map path (Option.to_list prefix @ vertices)
+
+let channel (c : Ast.channel) = List.concat_map feature c.features
+
+let bound = function
+  | None -> []
+  | Some (Ast.Within e | Ast.At_most e) -> [ Expr e ]
+  | Some (Ast.Between (a, b)) -> [ Expr a; Expr b ]
+
+let transform (t : Ast.transform) =
+  match t.it with
+  | Translate v | Scale v -> vector v
+  | Rotate (a, b, c, d) -> List.map expr [ a; b; c; d ]
+  | Matrix rows -> List.concat_map (fun (a, b, c, d) -> List.map expr [ a; b; c; d ]) rows
+
+let attribute (a : Ast.attribute) =
+  match a.it with
+  | Mass e -> [ Expr e ]
+  | Velocity v | Spin v -> vector v
+  | At ts -> List.concat_map transform ts
+
+let leaf (l : Ast.leaf) =
+  (Solid l.solid :: List.concat_map attribute l.attributes)
+  @ List.map (fun b -> Behaviour b) (Option.to_list l.behaviour)
+
+let bond (b : Ast.bond) = feature b.first @ feature b.second
+
+let expr_children (e : Ast.expr) =
+  match e.it with
+  | Number _ | True | False | Co _ -> []
+  | Path p -> path p
+  | Apply (_, es) -> List.map expr es
+  | Neg a | Not a | Quantified (_, _, _, a) -> [ Expr a ]
+  | Binary (_, a, b) -> [ Expr a; Expr b ]
+  | If (a, b, c) -> [ Expr a; Expr b; Expr c ]
+  | Temporal (_, b, a) -> Expr a :: bound b
+  | Until (_, a, b, c) -> Expr a :: Expr c :: bound b
+
+let behaviour_children (b : Ast.behaviour) =
+  match b.it with
+  | Nil | Name _ -> []
+  | Open (c, b) | Weak (c, b) -> Behaviour b :: channel c
+  | Strong (cs, b) -> Behaviour b :: List.concat_map channel cs
+  | Delay (e, b) -> [ Expr e; Behaviour b ]
+  | Sum (a, b) -> [ Behaviour a; Behaviour b ]
+
+let solid_children (s : Ast.solid) =
+  match s.it with
+  | Template _ | Mesh _ -> []
+  | Scaled (s, v) -> Solid s :: vector v
+  | Faces (vertices, _) -> List.concat_map (fun (_, v) -> vector v) vertices
+
+let law (l : Ast.law) =
+  match l.it with
+  | Inertial -> []
+  | Expression v -> vector v
+  | Choose cases -> List.concat_map (fun (v, w) -> vector v @ List.map expr (Option.to_list w)) cases
+
+let part (p : Ast.part) = Solid p.part_solid :: List.concat_map attribute p.part_attributes
+let glue (g : Ast.glue) = feature g.glue_first @ feature g.glue_second
+
+let item_children (i : Ast.item) =
+  match i.it with
+  | Model _ -> []
+  | Param (_, e) | Timestep e | Split_step e | Let (_, e) | Check (_, e) -> [ Expr e ]
+  | Shape (_, s) -> [ Solid s ]
+  | Compound (_, parts, glues) -> List.concat_map part parts @ List.concat_map glue glues
+  | Behaviour (_, _, b) -> [ Behaviour b ]
+  | Process (s, l, rest) | Fixed (s, l, rest) ->
+    List.map expr s.indices @ leaf l @ List.concat_map (fun (b, l) -> bond b @ leaf l) rest
+  | Bond b -> bond b
+  | For (ranges, items) ->
+    List.concat_map (fun (_, a, b) -> [ Expr a; Expr b ]) ranges @ List.map (fun i -> Item i) items
+  | Network ps -> List.concat_map path ps
+  | Motion (p, l) -> List.concat_map path (Option.to_list p) @ law l
+
+let children = function
+  | Expr e -> expr_children e
+  | Solid s -> solid_children s
+  | Behaviour b -> behaviour_children b
+  | Item i -> item_children i
+
+let rec within = function
+  | [] -> true
+  | (level, _) :: _ when level > depth -> false
+  | (level, node) :: rest ->
+    within (List.fold_left (fun rest c -> (level + 1, c) :: rest) rest (children node))
+
+let check_depth report (model : Ast.model) =
+  List.iter
+    (fun (i : Ast.item) ->
+       if not (within [ (0, Item i) ]) then
+         Report.error report Code.too_deep i.at "this nests more than %d levels deep" depth)
+    model

@@ -1,0 +1,265 @@
+open Scc_base
+open Scc_exact
+open Scc_syntax
+
+type body = {
+  env : Env.t;
+  name : Ast.segment;
+  first : Ast.leaf;
+  rest : (Ast.bond * Ast.leaf) list;
+  fixed : bool;
+  span : Span.t;
+}
+
+type behaviour = {
+  env : Env.t;
+  name : Ast.name;
+  on : Ast.name option;
+  body : Ast.behaviour;
+  mutable used : bool;
+}
+
+type check = { env : Env.t; name : string; span : Span.t; formula : Ast.expr }
+type motion = { env : Env.t; target : Ast.path option; law : Ast.law; at : Span.t }
+
+type t = {
+  name : string option;
+  parameters : (string * Rat.t) list;
+  shapes : string list;
+  timestep : Rat.t;
+  split_step : Rat.t;
+  bodies : body list;
+  bonds : (Env.t * Ast.bond) list;
+  behaviours : (string, behaviour) Hashtbl.t;
+  network : (Env.t * Ast.path list * Span.t) option;
+  motions : motion list;
+  checks : check list;
+  values : (string * string * Env.binding) list;
+}
+
+(* What is gathered on the way, lists in reverse. *)
+type gathered = {
+  c : Context.t;
+  overrides : (string * Rat.t) list;
+  declared : (string, Span.t) Hashtbl.t;  (* parameters and lets at the top *)
+  check_names : (string, Span.t) Hashtbl.t;
+  behaviour_table : (string, behaviour) Hashtbl.t;
+  mutable model : Ast.name option;
+  mutable params : (string * Rat.t) list;
+  mutable templates : string list;
+  mutable delta : (Rat.t option * Span.t) option;
+  mutable split : (Rat.t option * Span.t) option;
+  mutable all_bodies : body list;
+  mutable all_bonds : (Env.t * Ast.bond) list;
+  mutable composition : (Env.t * Ast.path list * Span.t) option;
+  mutable all_motions : motion list;
+  mutable all_checks : check list;
+  mutable all_values : (string * string * Env.binding) list;
+  mutable expanded : int;
+}
+
+(* Where an item stands: the values of the loops about it, outermost first when printed. *)
+type place = { env : Env.t; loops : Z.t list }
+
+let in_loop place =
+  match place.loops with
+  | [] -> false
+  | _ :: _ -> true
+
+let repeated g at what first =
+  Report.error g.c.report Code.repeated_attribute at "%s is given twice" what
+    ~notes:[ (first, "the first is here") ]
+
+let once_named table report (name : Ast.name) what =
+  match Hashtbl.find_opt table name.it with
+  | Some first ->
+    Report.error report Code.duplicate_name name.at "the %s `%s` is declared twice" what name.it
+      ~notes:[ (first, "the first is here") ]
+  | None -> Hashtbl.add table name.it name.at
+
+let bind g place what (name : Ast.name) value =
+  let binding = { Env.value; span = name.at; used = false } in
+  g.all_values <- (what, name.it, binding) :: g.all_values;
+  { place with env = Env.add name.it binding place.env }
+
+let param g place (name : Ast.name) e =
+  once_named g.declared g.c.report name "value";
+  let written = Constant.number g.c.report place.env e in
+  let value =
+    match List.assoc_opt name.it g.overrides with
+    | Some q -> Some q
+    | None -> written
+  in
+  (* after an error the rest is read with a harmless value *)
+  let q = Option.value ~default:Rat.one value in
+  g.params <- (name.it, q) :: g.params;
+  bind g place "parameter" name (Env.Number q)
+
+let let_ g place (name : Ast.name) e =
+  if not (in_loop place) then once_named g.declared g.c.report name "value";
+  let value =
+    if Constant.is_constant place.env e then
+      Option.value ~default:(Env.Number Rat.one) (Constant.value g.c.report place.env e)
+    else Env.Macro (e, place.env)
+  in
+  bind g place "`let`" name value
+
+let check g place (name : Ast.name) formula =
+  let printed =
+    match place.loops with
+    | [] -> name.it
+    | loops -> Printf.sprintf "%s[%s]" name.it (String.concat "," (List.rev_map Z.to_string loops))
+  in
+  once_named g.check_names g.c.report { name with it = printed } "check";
+  g.all_checks <- { env = place.env; name = printed; span = name.at; formula } :: g.all_checks
+
+let declare_behaviour g place (name : Ast.name) on body =
+  match Hashtbl.find_opt g.behaviour_table name.it with
+  | Some first ->
+    Report.error g.c.report Code.duplicate_name name.at "the behaviour `%s` is declared twice" name.it
+      ~notes:[ (first.name.at, "the first is here") ]
+  | None -> Hashtbl.add g.behaviour_table name.it { env = place.env; name; on; body; used = false }
+
+let step g place earlier what (e : Ast.expr) =
+  match earlier with
+  | Some (_, first) ->
+    repeated g e.at (Printf.sprintf "`%s`" what) first;
+    earlier
+  | None -> Some (Constant.positive g.c.report place.env what e, e.at)
+
+let body g place fixed name first rest span =
+  g.all_bodies <- { env = place.env; name; first; rest; fixed; span } :: g.all_bodies
+
+(* Declarations that have no index to tell their copies apart do not stand in a loop. *)
+let allowed_in_loop (item : Ast.item) =
+  match item.it with
+  | Process _ | Fixed _ | Bond _ | For _ | Motion _ | Let _ | Check _ -> true
+  | Model _ | Param _ | Timestep _ | Split_step _ | Shape _ | Compound _ | Behaviour _ | Network _ -> false
+
+let range g place ((name : Ast.name), low, high) =
+  match
+    ( Constant.integer g.c.report place.env "the bound of a loop" low,
+      Constant.integer g.c.report place.env "the bound of a loop" high )
+  with
+  | Some a, Some b -> Some (name, a, b)
+  | _ -> None
+
+let too_many g at =
+  if g.expanded <= Limits.items then begin
+    g.expanded <- Limits.items + 1;
+    Report.error g.c.report Code.too_deep at "the loops of the model make more than %d declarations" Limits.items
+  end
+
+let rec item g place (i : Ast.item) =
+  g.expanded <- g.expanded + 1;
+  match i.it with
+  | _ when in_loop place && not (allowed_in_loop i) ->
+    Report.error g.c.report Code.wrong_kind i.at "this declaration cannot stand in a `for`"
+      ~hint:"only processes, fixed bodies, bonds, motions, lets and checks can";
+    place
+  | Param (name, e) -> param g place name e
+  | Let (name, e) -> let_ g place name e
+  | For (ranges, items) ->
+    loop g place i.at ranges items;
+    place
+  | _ ->
+    simple g place i;
+    place
+
+and simple g place (i : Ast.item) =
+  match i.it with
+  | Model name ->
+    Option.iter (fun (first : Ast.name) -> repeated g name.at "the name of the model" first.at) g.model;
+    g.model <- Some name
+  | Timestep e -> g.delta <- step g place g.delta "timestep" e
+  | Split_step e -> g.split <- step g place g.split "split_step" e
+  | Shape (name, solid) ->
+    g.templates <- name.it :: g.templates;
+    Templates.declare g.c place.env name solid
+  | Compound (name, parts, glues) ->
+    g.templates <- name.it :: g.templates;
+    Compounds.declare g.c place.env name parts glues
+  | Behaviour (name, on, b) -> declare_behaviour g place name on b
+  | Process (name, first, rest) -> body g place false name first rest i.at
+  | Fixed (name, first, rest) -> body g place true name first rest i.at
+  | Bond b -> g.all_bonds <- (place.env, b) :: g.all_bonds
+  | Network paths ->
+    Option.iter (fun (_, _, first) -> repeated g i.at "`network`" first) g.composition;
+    g.composition <- Some (place.env, paths, i.at)
+  | Motion (target, law) ->
+    g.all_motions <- { env = place.env; target; law; at = i.at } :: g.all_motions
+  | Check (name, e) -> check g place name e
+  | Param _ | Let _ | For _ -> Bug.fail __POS__ "a declaration that changes the scope"
+
+(* The ranges of one [for] nest, the first outermost. *)
+and loop g place at ranges items =
+  match ranges with
+  | [] -> ignore (List.fold_left (item g) place items)
+  | first :: rest -> (
+      match range g place first with
+      | None -> ()
+      | Some (name, low, high) ->
+        if Z.compare (Z.sub high low) (Z.of_int Limits.items) > 0 then too_many g at
+        else iterate g place at name low high rest items)
+
+and iterate g place at (name : Ast.name) i high rest items =
+  if Z.compare i high > 0 then ()
+  else if g.expanded >= Limits.items then too_many g at
+  else begin
+    g.expanded <- g.expanded + 1;
+    let binding = { Env.value = Number (Rat.make i Z.one); span = name.at; used = false } in
+    loop g { env = Env.add name.it binding place.env; loops = i :: place.loops } at rest items;
+    iterate g place at name (Z.succ i) high rest items
+  end
+
+let gather c overrides =
+  {
+    c;
+    overrides;
+    declared = Hashtbl.create 16;
+    check_names = Hashtbl.create 16;
+    behaviour_table = Hashtbl.create 16;
+    model = None;
+    params = [];
+    templates = [];
+    delta = None;
+    split = None;
+    all_bodies = [];
+    all_bonds = [];
+    composition = None;
+    all_motions = [];
+    all_checks = [];
+    all_values = [];
+    expanded = 0;
+  }
+
+let check_overrides g =
+  let names () = List.rev_map fst g.params in
+  List.iter
+    (fun (name, _) ->
+       if not (List.mem_assoc name g.params) then
+         Report.error g.c.report Code.unknown_parameter Span.none "the model has no parameter `%s`" name
+           ~near:(name, names))
+    g.overrides
+
+let read c ~overrides model =
+  let g = gather c overrides in
+  ignore (List.fold_left (item g) { env = Env.empty; loops = [] } model);
+  check_overrides g;
+  if List.length model = 0 then Report.error c.report Code.empty_model Span.none "the model declares nothing";
+  let value step ~default = match step with Some (Some q, _) -> q | Some (None, _) | None -> default in
+  let timestep = value g.delta ~default:Rat.one in
+  {
+    name = Option.map (fun (n : Ast.name) -> n.it) g.model;
+    parameters = List.rev g.params;
+    shapes = List.rev g.templates;
+    timestep;
+    split_step = value g.split ~default:timestep;
+    bodies = List.rev g.all_bodies;
+    bonds = List.rev g.all_bonds;
+    behaviours = g.behaviour_table;
+    network = g.composition;
+    motions = List.rev g.all_motions;
+    checks = List.rev g.all_checks;
+    values = List.rev g.all_values;
+  }

@@ -1,0 +1,50 @@
+(** The declarations of a model with loops expanded and scopes attached, in order: what the later passes
+    read. Values and templates are settled here, as they may be used only after their declaration;
+    behaviours and bodies may be used anywhere. *)
+
+open Scc_base
+open Scc_exact
+open Scc_syntax
+
+type body = {
+  env : Env.t;
+  name : Ast.segment;
+  first : Ast.leaf;
+  rest : (Ast.bond * Ast.leaf) list;
+  fixed : bool;
+  span : Span.t;
+}
+
+type behaviour = {
+  env : Env.t;
+  name : Ast.name;
+  on : Ast.name option;
+  body : Ast.behaviour;
+  mutable used : bool;
+}
+
+type check = {
+  env : Env.t;
+  name : string;  (** with the values of the loops about it: [safe[2]] *)
+  span : Span.t;
+  formula : Ast.expr;
+}
+
+type motion = { env : Env.t; target : Ast.path option; law : Ast.law; at : Span.t }
+
+type t = {
+  name : string option;
+  parameters : (string * Rat.t) list;
+  shapes : string list;  (** names of shapes and compounds in order *)
+  timestep : Rat.t;
+  split_step : Rat.t;
+  bodies : body list;
+  bonds : (Env.t * Ast.bond) list;
+  behaviours : (string, behaviour) Hashtbl.t;
+  network : (Env.t * Ast.path list * Span.t) option;
+  motions : motion list;
+  checks : check list;
+  values : (string * string * Env.binding) list;  (** parameters and [let]s: what, name, binding *)
+}
+
+val read : Context.t -> overrides:(string * Rat.t) list -> Ast.model -> t

@@ -1,0 +1,46 @@
+open Scc_base
+
+type t = {
+  mutable diagnostics : Diag.t list;
+  counts : (string * string * int, int) Hashtbl.t;  (* by code, file and place *)
+  mutable total : int;
+}
+
+let kept_at_one_place = 3
+let kept_in_all = 1_000
+
+let create () = { diagnostics = []; counts = Hashtbl.create 16; total = 0 }
+
+(* Whether there is room for one more, which is then taken. *)
+let admits r (code : Code.t) (span : Span.t) =
+  let key = ((code :> string), span.file, span.start) in
+  let n = Option.value ~default:0 (Hashtbl.find_opt r.counts key) in
+  let room = n < kept_at_one_place && r.total < kept_in_all in
+  if room then begin
+    Hashtbl.replace r.counts key (n + 1);
+    r.total <- r.total + 1
+  end;
+  room
+
+let add r d = r.diagnostics <- d :: r.diagnostics
+
+let error r ?notes ?hint ?near code span fmt =
+  Printf.ksprintf
+    (fun message ->
+       if admits r code span then
+         let hint =
+           match (hint, near) with
+           | Some h, _ -> Some h
+           | None, Some (name, candidates) -> Diag.suggest name (candidates ())
+           | None, None -> None
+         in
+         add r (Diag.error ?notes ?hint code span "%s" message))
+    fmt
+
+let warning r ?notes ?hint code span fmt =
+  Printf.ksprintf (fun message -> add r (Diag.warning ?notes ?hint code span "%s" message)) fmt
+
+let failed r = List.exists Diag.is_error r.diagnostics
+let sorted r keep = List.sort_uniq Diag.compare (List.filter keep r.diagnostics)
+let errors r = sorted r Diag.is_error
+let warnings r = sorted r (fun d -> not (Diag.is_error d))

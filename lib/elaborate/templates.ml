@@ -1,0 +1,182 @@
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_syntax
+
+let ( let* ) = Option.bind
+
+let admit (c : Context.t) (name : Ast.name) shape =
+  match Hashtbl.find_opt c.templates name.it with
+  | Some earlier ->
+    Report.error c.report Code.duplicate_name name.at "the template `%s` is declared twice" name.it
+      ~notes:[ (earlier.span, "the first is here") ]
+  | None -> Hashtbl.add c.templates name.it { Context.shape; span = name.at; used = false }
+
+let find (c : Context.t) (name : Ast.name) =
+  match Hashtbl.find_opt c.templates name.it with
+  | Some t ->
+    t.used <- true;
+    t.shape
+  | None ->
+    Report.error c.report Code.unknown_name name.at "unknown template `%s`" name.it
+      ~near:(name.it, fun () -> Context.template_names c);
+    None
+
+(* The spans of the vertices and faces of a solid that the model itself lists. *)
+type places = { whole : Span.t; vertices : Span.t array; faces : Span.t array }
+
+(* What a fault points at: the feature at fault and another that matters. *)
+type feature = Vertex of int | Face of int
+
+let features : Polyhedron_fault.t -> feature option * feature option = function
+  | No_faces | Inward -> (None, None)
+  | Flat i | Bad_vertex_index (i, _) | Short_face i | Open_edge (i, _, _) | Turned_face i | Self_crossing i ->
+    (Some (Face i), None)
+  | Repeated_edge (i, j, _, _) | Coplanar_neighbours (i, j) | Separate_solids (i, j) ->
+    (Some (Face i), Some (Face j))
+  | Same_position (i, j) -> (Some (Vertex j), Some (Vertex i))
+  | Unused_vertex i -> (Some (Vertex i), None)
+  | Off_plane (i, k) | Degenerate_face (i, k) | In_plane (i, k) -> (Some (Face i), Some (Vertex k))
+  | Not_convex (i, k) -> (Some (Vertex k), Some (Face i))
+
+let report_fault (c : Context.t) places (ifs : Polyhedron.ifs) fault =
+  let vertex i = fst ifs.ifs_vertices.(i) and face i = fst ifs.ifs_faces.(i) in
+  let located = function
+    | Vertex i when i < Array.length places.vertices -> Some places.vertices.(i)
+    | Face i when i < Array.length places.faces -> Some places.faces.(i)
+    | Vertex _ | Face _ -> None
+  in
+  let named = function
+    | Vertex i -> Printf.sprintf "the vertex `%s` is here" (vertex i)
+    | Face i -> Printf.sprintf "the face `%s` is here" (face i)
+  in
+  let first, second = features fault in
+  let span = Option.value ~default:places.whole (Option.bind first located) in
+  let notes =
+    match second with
+    | None -> []
+    | Some f -> Option.to_list (Option.map (fun at -> (at, named f)) (located f))
+  in
+  Report.error c.report (Polyhedron_fault.code fault) span ~notes
+    ?hint:(Polyhedron_fault.hint ~vertex ~face fault)
+    "%s"
+    (Polyhedron_fault.message ~vertex ~face fault)
+
+let accept (c : Context.t) places ~label ifs =
+  match Polyhedron.of_ifs ifs with
+  | Ok polyhedron ->
+    let id = c.fresh () in
+    Some { Shape.id; root = id; label; polyhedron }
+  | Error faults ->
+    List.iter (report_fault c places ifs) faults;
+    None
+
+(* Vertices and faces share one space of names, as features do. *)
+let check_names (c : Context.t) vertices faces =
+  let seen = Hashtbl.create 16 in
+  let fresh (n : Ast.name) =
+    match Hashtbl.find_opt seen n.it with
+    | None ->
+      Hashtbl.add seen n.it n.at;
+      true
+    | Some first ->
+      Report.error c.report Code.duplicate_name n.at "`%s` names two features of one shape" n.it
+        ~notes:[ (first, "the first is here") ];
+      false
+  in
+  let vertices = List.map (fun (n, _) -> fresh n) vertices in
+  let faces = List.map (fun (n, _) -> fresh n) faces in
+  List.for_all Fun.id vertices && List.for_all Fun.id faces
+
+let resolve_corners (c : Context.t) index (face : Ast.name) corners =
+  let resolve (n : Ast.name) =
+    match Hashtbl.find_opt index n.it with
+    | Some i -> Some i
+    | None ->
+      Report.error c.report Code.unknown_feature n.at "the face `%s` names a vertex `%s` that the shape does not have"
+        face.it n.it
+        ~near:(n.it, fun () -> Hashtbl.fold (fun name _ names -> name :: names) index [] |> List.sort String.compare);
+      None
+  in
+  let found = List.map resolve corners in
+  if List.for_all Option.is_some found then Some (Array.of_list (List.filter_map Fun.id found)) else None
+
+let listed (c : Context.t) env ~label at vertices faces =
+  let distinct = check_names c vertices faces in
+  let index = Hashtbl.create 16 in
+  List.iteri (fun i ((n : Ast.name), _) -> Hashtbl.replace index n.it i) vertices;
+  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.vector c.report env v) in
+  let corners ((n : Ast.name), vs) = Option.map (fun a -> (n.it, a)) (resolve_corners c index n vs) in
+  let places_of = List.map place vertices and faces_of = List.map corners faces in
+  if distinct && List.for_all Option.is_some places_of && List.for_all Option.is_some faces_of then
+    let array l = Array.of_list (List.filter_map Fun.id l) in
+    let spans l = Array.of_list (List.map (fun ((n : Ast.name), _) -> n.at) l) in
+    accept c
+      { whole = at; vertices = spans vertices; faces = spans faces }
+      ~label
+      { ifs_vertices = array places_of; ifs_faces = array faces_of }
+  else None
+
+let mesh (c : Context.t) ~label at path =
+  match c.read_file path with
+  | Error why ->
+    Report.error c.report Code.cannot_read at "cannot read the mesh `%s`: %s" path why;
+    None
+  | Ok text -> (
+      match Scc_mesh.Mesh.read ~path text with
+      | Error d ->
+        let notes = if Span.is_none d.span then [] else [ (at, "the mesh is used here") ] in
+        let span = if Span.is_none d.span then at else d.span in
+        Report.add c.report { d with span; notes = d.notes @ notes };
+        None
+      | Ok ifs -> accept c { whole = at; vertices = [||]; faces = [||] } ~label ifs)
+
+let rec basic (c : Context.t) env ~label (s : Ast.solid) =
+  match s.it with
+  | Template name -> (
+      let* shape = find c name in
+      match shape with
+      | Basic b -> Some b
+      | Compound _ ->
+        Report.error c.report Code.wrong_kind name.at "`%s` is a compound, and a single solid is needed here"
+          name.it;
+        None)
+  | Scaled (inner, factors) ->
+    let inner = basic c env ~label inner and factors = Constant.scaling c.report env s.at factors in
+    let* b = inner in
+    let* f = factors in
+    let polyhedron, id = c.scaled b f in
+    Some { b with id; polyhedron }
+  | Mesh path -> mesh c ~label path.at path.it
+  | Faces (vertices, faces) -> listed c env ~label s.at vertices faces
+
+let shape (c : Context.t) env ~label (s : Ast.solid) =
+  match s.it with
+  | Template name -> find c name
+  | Scaled _ | Mesh _ | Faces _ -> Option.map (fun b -> Shape.Basic b) (basic c env ~label s)
+
+let declare c env (name : Ast.name) solid =
+  let shape = basic c env ~label:name.it solid in
+  admit c name (Option.map (fun b -> Shape.Basic { b with Shape.label = name.it }) shape)
+
+(* The roots of what is in use: an image of an off-centre shape is off centre through no fault of its own. *)
+let warn_off_centre (c : Context.t) =
+  let warned = Hashtbl.create 16 in
+  let roots (t : Context.template) =
+    match t.shape with
+    | Some (Basic b) when b.id = b.root -> [ b ]
+    | _ -> []
+  in
+  let warn (t : Context.template) (b : Shape.basic) =
+    if not (Hashtbl.mem warned b.root) then begin
+      Hashtbl.add warned b.root ();
+      let centroid = (c.solid b Mat.identity).Solid.centroid in
+      if not (Vec.is_zero centroid) then
+        Report.warning c.report Code.off_centre t.span
+          "the centroid of `%s` is at %s of its frame, not at the origin" b.label (Vec.to_string centroid)
+          ~hint:"nothing depends on it: motion and contact are computed about the true centroid"
+    end
+  in
+  let in_use = Hashtbl.fold (fun _ t list -> if t.Context.used then t :: list else list) c.templates [] in
+  let in_order (a : Context.template) (b : Context.template) = Int.compare a.span.start b.span.start in
+  List.iter (fun t -> List.iter (warn t) (roots t)) (List.sort in_order in_use)
