@@ -1,127 +1,11 @@
 open Scc_exact
 
-type facet = { normal : Ivec.t; num : Z.t; den : Z.t }
-type t = { a : Solid.t; b : Solid.t; facets : facet array }
+type facet = Minkowski.facet = { normal : Ivec.t; num : Z.t; den : Z.t }
+type t = { a : Solid.t; b : Solid.t; facets : facet array; filter : Facet_filter.t }
 
-(* {1 The facets}
-
-   A meets B + r iff r = a - b for some a in A and b in B, so the obstacle is the Minkowski sum of A and
-   -B. For a direction n let F(K, n) be the face of K that is highest in the direction n. Faces of a sum are
-   sums of faces, F(A - B, n) = F(A, n) - F(B, -n), and n is the normal of a facet iff that sum has
-   dimension 2. The dimensions of the two summands leave three cases:
-   1. F(A, n) is a face: n is a normal of A;
-   2. F(B, -n) is a face: -n is a normal of B;
-   3. both are edges and not parallel (two vertices give a vertex, an edge and a vertex an edge, parallel
-      edges an edge).
-   F(A, n) is the edge e exactly for the n strictly between the normals of the two faces of e: an open arc
-   of the Gauss map, shorter than half a circle and not empty, because neighbours are not coplanar. So
-   case 3 holds exactly where an open arc of A crosses an open arc of -B properly, and each crossing gives a
-   normal of its own, since n determines the edges. Arcs that meet at an end only belong to cases 1 or 2, which
-   take all normals anyway; arcs that overlap belong to parallel edges. Hence the list is complete, holds
-   facets only, and repeats a direction only where a normal of A is opposite to one of B.
-
-   The crossing test. Let e have direction d with faces of normals p, q on its left and right, so that p x q
-   is a positive multiple of d; and f of B direction c with normals p', q'. A common normal is n = s (d x c)
-   with s = 1 or -1. From p x (d x c) = (p.c) d for p orthogonal to d, n lies strictly between p and q iff
-   sign(p.c) = s and sign(q.c) = -s; and -n strictly between p' and q' iff sign(p'.d) = s and
-   sign(q'.d) = -s. Both tables of signs are computed once, and each pair of edges is four look-ups. *)
-
-(* An edge with the faces on its left and right, and its direction. *)
-type edge = { tail : int; left : int; right : int; direction : Ivec.t }
-
-module Int_table = Hashtbl.Make (struct
-    type t = int
-
-    let equal = Int.equal
-    let hash = Fun.id
-  end)
-
-let edges (s : Solid.t) =
-  let p = s.polyhedron in
-  let key v w = (v * Array.length p.vertices) + w in
-  let face_of = Int_table.create (4 * Array.length p.edges) in
-  Array.iteri
-    (fun i (_, corners) ->
-       let k = Array.length corners in
-       Array.iteri (fun j v -> Int_table.replace face_of (key v corners.((j + 1) mod k)) i) corners)
-    p.faces;
-  let face v w =
-    match Int_table.find_opt face_of (key v w) with
-    | Some f -> f
-    | None -> Scc_base.Bug.fail __POS__ "an edge of a solid has no face"
-  in
-  Array.map
-    (fun (v, w) ->
-       let direction = Ivec.primitive (Ivec.sub s.vertices.(w) s.vertices.(v)) in
-       { tail = v; left = face v w; right = face w v; direction })
-    p.edges
-
-(* [signs normals edges]: for each edge the signs of the normals along it, one byte each. *)
-let signs normals edges =
-  let code e i = Char.unsafe_chr (1 + Z.sign (Ivec.dot normals.(i) e.direction)) in
-  Array.map (fun e -> Bytes.init (Array.length normals) (code e)) edges
-
-let sign_at row i = Char.code (Bytes.get row i) - 1
-
-let greatest n points =
-  Array.fold_left (fun m p -> Z.max m (Ivec.dot n p)) (Ivec.dot n points.(0)) points
-
-let least n points =
-  Array.fold_left (fun m p -> Z.min m (Ivec.dot n p)) (Ivec.dot n points.(0)) points
-
-let face_corner (s : Solid.t) f = (snd s.polyhedron.faces.(f)).(0)
-
-module Direction_table = Hashtbl.Make (Ivec)
-
-(* Cases 1 and 2; [va] and [vb] are the vertices over the common denominator. *)
-let face_facets (a : Solid.t) va (b : Solid.t) vb facet =
-  let seen = Direction_table.create (2 * Array.length a.normals) in
-  let of_a f n =
-    Direction_table.replace seen n ();
-    facet n (Z.sub (Ivec.dot n va.(face_corner a f)) (least n vb))
-  in
-  let of_b f m =
-    let n = Ivec.neg m in
-    if Direction_table.mem seen n then None
-    else Some (facet n (Z.sub (greatest n va) (Ivec.dot n vb.(face_corner b f))))
-  in
-  let first = Array.to_list (Array.mapi of_a a.normals) in
-  first @ List.filter_map Fun.id (Array.to_list (Array.mapi of_b b.normals))
-
-(* Case 3, in front of [facets]. *)
-let edge_facets (a : Solid.t) va (b : Solid.t) vb facet facets =
-  let ea = edges a and eb = edges b in
-  let along_b = signs a.normals eb and along_a = signs b.normals ea in
-  let found = ref facets in
-  Array.iteri
-    (fun i e ->
-       let row = along_a.(i) in
-       Array.iteri
-         (fun j f ->
-            let s = sign_at along_b.(j) e.left in
-            if s <> 0
-            && sign_at along_b.(j) e.right = -s
-            && sign_at row f.left = s
-            && sign_at row f.right = -s
-            then begin
-              let n = Ivec.primitive (Ivec.cross e.direction f.direction) in
-              let n = if s > 0 then n else Ivec.neg n in
-              found := facet n (Z.sub (Ivec.dot n va.(e.tail)) (Ivec.dot n vb.(f.tail))) :: !found
-            end)
-         eb)
-    ea;
-  !found
-
-let over denominator (s : Solid.t) =
-  let k = Z.divexact denominator s.denominator in
-  if Z.equal k Z.one then s.vertices else Array.map (Ivec.scale k) s.vertices
-
-let make (a : Solid.t) (b : Solid.t) =
-  let den = Z.lcm a.denominator b.denominator in
-  let va = over den a and vb = over den b in
-  let facet normal num = { normal; num; den } in
-  let facets = edge_facets a va b vb facet (face_facets a va b vb facet) in
-  { a; b; facets = Array.of_list facets }
+let make a b =
+  let facets = Minkowski.facets a b in
+  { a; b; facets; filter = Facet_filter.make facets }
 
 (* {1 Queries}
 
@@ -130,33 +14,45 @@ let make (a : Solid.t) (b : Solid.t) =
 
 let denominator o = o.facets.(0).den
 
-(* The integers den p and q of an offset. *)
-let prepare o r =
-  let p, q = Ivec.of_vec r in
-  (Ivec.scale (denominator o) p, q)
+(* A line r + t w over the integers: (p + t v)/q over the denominator of the facets, and its floats. *)
+type line = { p : Ivec.t; v : Ivec.t; q : Z.t; floats : Facet_filter.line }
+
+let line o r w =
+  let rw, q = Ivec.of_vecs [| r; w |] in
+  let p = Ivec.scale (denominator o) rw.(0) and v = Ivec.scale (denominator o) rw.(1) in
+  { p; v; q; floats = Facet_filter.line p v q }
+
+(* The line is inside the plane of a facet while s t <= c. *)
+let slack (f : facet) l = Z.sub (Z.mul f.num l.q) (Ivec.dot f.normal l.p)
+let speed (f : facet) l = Ivec.dot f.normal l.v
+
+(* The sign of the slack of facet i at time 0. *)
+let side o l i =
+  let s = Facet_filter.side o.filter l.floats 0. i in
+  if s <> 0 then s else Z.sign (slack o.facets.(i) l)
 
 type relation = Apart | Touching | Interpenetrating
 
 let relation o r =
-  let p, q = prepare o r in
+  let l = line o r Vec.zero in
   let rec scan i touching =
     if i = Array.length o.facets then if touching then Touching else Interpenetrating
     else
-      let f = o.facets.(i) in
-      let c = Z.compare (Ivec.dot f.normal p) (Z.mul f.num q) in
-      if c > 0 then Apart else scan (i + 1) (touching || c = 0)
+      let s = side o l i in
+      if s < 0 then Apart else scan (i + 1) (touching || s = 0)
   in
   scan 0 false
 
 let separating o r =
-  let p, q = prepare o r in
-  let tight f =
-    let c = Z.compare (Ivec.dot f.normal p) (Z.mul f.num q) in
-    if c > 0 then Scc_base.Bug.fail __POS__ "separating directions of bodies that are apart"
-    else if c = 0 then Some f.normal
-    else None
+  let l = line o r Vec.zero in
+  let rec scan i tight =
+    if i < 0 then tight
+    else
+      let s = side o l i in
+      if s < 0 then Scc_base.Bug.fail __POS__ "separating directions of bodies that are apart"
+      else scan (i - 1) (if s = 0 then o.facets.(i).normal :: tight else tight)
   in
-  match List.filter_map tight (Array.to_list o.facets) with
+  match scan (Array.length o.facets - 1) [] with
   | [] -> Scc_base.Bug.fail __POS__ "separating directions of interpenetrating bodies"
   | normals -> normals
 
@@ -173,17 +69,13 @@ type bound = Infinite | Bound of Z.t * Z.t
 
 let less (n1, d1) (n2, d2) = Z.lt (Z.mul n1 d2) (Z.mul n2 d1)
 
-(* The times at which r + t w satisfies every n.(r + t w) <= num/den. Over the common denominator of r and w
-   the condition of a facet reads  s t <= c : an upper bound for s > 0, a lower one for s < 0, and for s = 0
-   all times or none. [still c] says whether a facet parallel to w lets the line through. *)
-let clip o r w ~still =
-  let vs, q = Ivec.of_vecs [| r; w |] in
-  let p = Ivec.scale (denominator o) vs.(0) and v = Ivec.scale (denominator o) vs.(1) in
+(* The times at which a line satisfies the condition s t <= c of every facet: an upper bound for s > 0, a
+   lower one for s < 0, and for s = 0 all times or none, as [still] says of the sign of c. *)
+let clip o l ~still =
   let rec scan i low high =
     if i = Array.length o.facets then Some (low, high)
     else
-      let f = o.facets.(i) in
-      let c = Z.sub (Z.mul f.num q) (Ivec.dot f.normal p) and s = Ivec.dot f.normal v in
+      let c = slack o.facets.(i) l and s = speed o.facets.(i) l in
       match Z.sign s with
       | 0 -> if still (Z.sign c) then scan (i + 1) low high else None
       | 1 -> (
@@ -198,8 +90,8 @@ let clip o r w ~still =
   in
   scan 0 Infinite Infinite
 
-let first_time_of_contact o r w =
-  match clip o r w ~still:(fun c -> c > 0) with
+let cast_by_clipping o l =
+  match clip o l ~still:(fun c -> c > 0) with
   | None -> Never
   | Some (Infinite, _) | Some (_, Infinite) -> Inside (* w = 0: a bounded obstacle bounds any other line *)
   | Some (Bound (n1, d1), Bound (n2, d2)) ->
@@ -207,9 +99,47 @@ let first_time_of_contact o r w =
     else if Z.sign n1 < 0 then Inside
     else At (Rat.make n1 d1)
 
+(* Whether at the time n/d >= 0 the line is inside every facet's plane, or in the plane and entering if
+   [entering] allows it. *)
+let enters o l (n, d) ~entering =
+  let t = Z.to_float n /. Z.to_float d in
+  let inside i =
+    match Facet_filter.side o.filter l.floats t i with
+    | 1 -> true
+    | -1 -> false
+    | _ ->
+      let s = speed o.facets.(i) l in
+      let c = Z.sign (Z.sub (Z.mul (slack o.facets.(i) l) d) (Z.mul s n)) in
+      c > 0 || (c = 0 && entering && Z.sign s < 0)
+  in
+  let rec scan i = i < 0 || (inside i && scan (i - 1)) in
+  scan (Array.length o.facets - 1)
+
+(* Two facets suffice to see that a line misses, and one to give the time of contact if the line is inside
+   all others then. Floats guess which; what they guess is proved exactly, or else all facets are clipped:
+   - a lower bound that is not less than an upper one, or an upper one <= 0, leaves no t > 0: never;
+   - if the line is strictly inside all planes at 0, it is inside;
+   - if at t >= 0, the lower bound of one facet, every other plane has the line strictly inside or entering,
+     then the interiors meet right after t, and not before, when the line is outside that one plane. *)
+let first_time_of_contact o r w =
+  let l = line o r w in
+  let entry, exit = Facet_filter.guess o.filter l.floats in
+  if entry < 0 || exit < 0 then cast_by_clipping o l
+  else
+    let fe = o.facets.(entry) and fx = o.facets.(exit) in
+    let d1 = Z.neg (speed fe l) and d2 = speed fx l in
+    if Z.sign d1 <= 0 || Z.sign d2 <= 0 then cast_by_clipping o l
+    else
+      let n1 = Z.neg (slack fe l) and n2 = slack fx l in
+      if Z.sign n2 <= 0 || not (less (n1, d1) (n2, d2)) then Never
+      else if Z.sign n1 < 0 then
+        if enters o l (Z.zero, Z.one) ~entering:false then Inside else cast_by_clipping o l
+      else if enters o l (n1, d1) ~entering:true then At (Rat.make n1 d1)
+      else cast_by_clipping o l
+
 let meeting o r w =
   let rational = function Infinite -> None | Bound (n, d) -> Some (Rat.make n d) in
-  match clip o r w ~still:(fun c -> c >= 0) with
+  match clip o (line o r w) ~still:(fun c -> c >= 0) with
   | None -> None
   | Some (Bound (n1, d1), Bound (n2, d2)) when less (n2, d2) (n1, d1) -> None
   | Some (low, high) -> Some (rational low, rational high)

@@ -6,7 +6,7 @@ open Scc_exact
 
 (** Offsets r with [normal . r >= num/den] separate the interiors of A and B, and the plane
     [normal . r = num/den] carries a facet of the obstacle. *)
-type facet = {
+type facet = Minkowski.facet = {
   normal : Ivec.t;  (** primitive, pointing from A to B *)
   num : Z.t;
   den : Z.t;  (** positive; the same for all facets of an obstacle *)
@@ -16,6 +16,7 @@ type t = private {
   a : Solid.t;
   b : Solid.t;
   facets : facet array;  (** exactly the facets of the obstacle, each once *)
+  filter : Facet_filter.t;  (** the same, for a first look *)
 }
 
 val make : Solid.t -> Solid.t -> t

@@ -131,6 +131,40 @@ let approaching_is_at_zero =
       || Bool.equal (Obstacle.approaching o s.r s.w)
         (equal_cast (Obstacle.first_time_of_contact o s.r s.w) (At Rat.zero)))
 
+(* {1 Closer than floats can tell} *)
+
+let power k = Rat.make (Z.pow (Z.of_int 10) k) Z.one
+let hairs = Gen.oneofl [ 12; 15; 16; 17; 30; 400 ]
+
+(* The offset of a collision, displaced by a hair; and everything made large and moved far, so that the integers
+   behind are long. *)
+let hair =
+  QCheck2.Test.make ~name:"a hair off a contact" ~count:300
+    ~print:(fun (s, _, _) -> show s)
+    (Gen.triple aimed hairs velocity)
+    (fun (s, k, d) ->
+       match collision s with
+       | None -> true
+       | Some (o, r) ->
+         let r = Vec.axpy (Rat.div Rat.one (power k)) d r in
+         let a = placed s.a Vec.zero and b = placed s.b r in
+         same_relation (Obstacle.relation o r) (Naive.relation a b)
+         && same_cast (Obstacle.first_time_of_contact o r s.w) (Naive.first_time_of_contact a b s.w))
+
+let far_away =
+  QCheck2.Test.make ~name:"from far away, past a corner by a hair" ~count:200
+    ~print:(fun (s, _, _) -> show s)
+    (Gen.triple aimed hairs velocity)
+    (fun (s, k, d) ->
+       match collision s with
+       | None -> true
+       | Some (o, r) ->
+         let r = Vec.axpy (Rat.div Rat.one (power k)) d (Vec.axpy (Rat.neg (power 6)) s.w r) in
+         let w = Vec.scale (power k) s.w in
+         same_cast
+           (Obstacle.first_time_of_contact o r w)
+           (Naive.first_time_of_contact (placed s.a Vec.zero) (placed s.b r) w))
+
 (* {1 Known obstacles} *)
 
 let body plain = { name = ""; plain; turn = Mat.identity }
@@ -185,4 +219,4 @@ let () =
       ( "properties",
         Scc_test_support.Property.cases
           [ relation; cast; aimed_cast; facets; random_hulls; offsets; symmetric; turned; delayed; at_collision;
-            approaching_is_at_zero ] ) ]
+            approaching_is_at_zero; hair; far_away ] ) ]
