@@ -22,11 +22,11 @@ shape Floor = Cube scaled (5/2, 1/2, 1)
 shape Post  = Cube scaled (1/2, 1, 1)
 
 compound Enzyme {
-  part floorA : Floor at translate (-5/2, -1/2, 0)
-  part floorB : Floor at translate (5/2, -1/2, 0)
-  part postA  : Post  at translate (-9/2, 1, 0)
-  part postM  : Post  at translate (0, 1, 0)
-  part postB  : Post  at translate (9/2, 1, 0)
+  part floorA : Floor mass 1 at translate (-5/2, -1/2, 0)
+  part floorB : Floor mass 1 at translate (5/2, -1/2, 0)
+  part postA  : Post  mass 1 at translate (-9/2, 1, 0)
+  part postM  : Post  mass 1 at translate (0, 1, 0)
+  part postB  : Post  mass 1 at translate (9/2, 1, 0)
   glue floorA.right ~ floorB.left
   glue postA.bottom ~ floorA.top
   glue postM.bottom ~ floorA.top

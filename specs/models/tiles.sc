@@ -13,8 +13,8 @@ shape Cube {
 shape Tile = Cube scaled (10, 1, 10)
 
 compound Floor {
-  part left  : Tile at translate (-10,-1,0)
-  part right : Tile at translate (10,-1,0)
+  part left  : Tile mass 1 at translate (-10,-1,0)
+  part right : Tile mass 1 at translate (10,-1,0)
   glue left.right ~ right.left
 }
 
