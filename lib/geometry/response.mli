@@ -3,7 +3,10 @@
 open Scc_exact
 
 (** A touching pair of parts, one of each body. *)
-type touching = { obstacle : Obstacle.t; offset : Vec.t  (** from the part of the first to that of the second *) }
+type touching = {
+  obstacle : Obstacle.t;
+  offset : Vec.t;  (** from the part of the first to that of the second *)
+}
 
 val directions : touching list -> Vec.t -> Vec.t list
 (** [directions touching w]: the directions (from the first body to the second) that span the cone of the

@@ -49,8 +49,8 @@ let measure plain (a : Solid.t) (cases : Data.case array) =
   let few = Int.min n (Int.max 1 (200_000 / (Array.length a.normals * Array.length a.normals * 100))) in
   let b_at i at = Naive.move cases.(i).turn at plain in
   let row name cached fresh naive =
-    Printf.printf "%-8s cached %9.0f ns   fresh %9.0f ns (x %.1f)   naive %11.0f ns (x %.0f)\n%!" name cached fresh
-      (fresh /. cached) naive (naive /. cached)
+    Printf.printf "%-8s cached %9.0f ns   fresh %9.0f ns (x %.1f)   naive %11.0f ns (x %.0f)\n%!" name
+      cached fresh (fresh /. cached) naive (naive /. cached)
   in
   row "cast"
     (nanoseconds n (fun i -> cast obstacles.(i) i))

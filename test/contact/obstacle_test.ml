@@ -104,6 +104,19 @@ let turned =
        && equal_cast (Obstacle.first_time_of_contact o s.r s.w) (Obstacle.first_time_of_contact p r w)
        && same_interval (Obstacle.meeting o s.r s.w) (Obstacle.meeting p r w))
 
+(* The same bodies about other reference points. *)
+let shifted =
+  QCheck2.Test.make ~name:"the choice of reference points changes nothing" ~count:150
+    ~print:(fun (s, _) -> show s)
+    (Gen.pair aimed (Gen.pair offset offset))
+    (fun (s, (d, e)) ->
+       let shift b d = { b with plain = Naive.move Mat.identity d b.plain } in
+       let o = obstacle s.a s.b and p = obstacle (shift s.a d) (shift s.b e) in
+       let r = Vec.sub (Vec.add s.r (Mat.apply s.a.turn d)) (Mat.apply s.b.turn e) in
+       Obstacle.relation o s.r = Obstacle.relation p r
+       && equal_cast (Obstacle.first_time_of_contact o s.r s.w) (Obstacle.first_time_of_contact p r s.w)
+       && same_interval (Obstacle.meeting o s.r s.w) (Obstacle.meeting p r s.w))
+
 (* A later start of the same line shifts the times. *)
 let delayed =
   property "starting later on the same line" ~gen:aimed (fun s ->
@@ -218,5 +231,5 @@ let () =
           Alcotest.test_case "two cubes" `Quick touching_cubes ] );
       ( "properties",
         Scc_test_support.Property.cases
-          [ relation; cast; aimed_cast; facets; random_hulls; offsets; symmetric; turned; delayed; at_collision;
+          [ relation; cast; aimed_cast; facets; random_hulls; offsets; symmetric; turned; shifted; delayed; at_collision;
             approaching_is_at_zero; hair; far_away ] ) ]
