@@ -28,6 +28,7 @@ type writer = {
   mutable column : int;
   mutable gap : gap;
   mutable empty_line : bool;  (* the source has one here *)
+  mutable in_line_comment : bool;  (* whatever is written now would belong to it *)
   mutable trivia : Trivia.t list;  (* still to be written *)
 }
 
@@ -40,6 +41,7 @@ let write w s =
 let write_newline w indent =
   if Buffer.length w.buffer > 0 then write w (if w.empty_line then "\n\n" else "\n");
   w.empty_line <- false;
+  w.in_line_comment <- false;
   write w (String.make indent ' ')
 
 let write_gap w next =
@@ -60,7 +62,7 @@ let write_comment w ~indent ~closing (c : Trivia.t) =
     | Nothing | Spaces _ | Soft _ -> (false, indent)
   in
   let after = match w.gap with Newline _ as g -> g | _ -> Newline { indent; keep } in
-  if c.own_line then begin
+  if c.own_line || w.in_line_comment then begin
     write_newline w inner;
     write w c.text;
     w.gap <- after
@@ -72,7 +74,8 @@ let write_comment w ~indent ~closing (c : Trivia.t) =
     | Line, _ -> w.gap <- after
     | (Block | Blank), Nothing -> w.gap <- Spaces " "
     | (Block | Blank), _ -> ()
-  end
+  end;
+  w.in_line_comment <- (match c.kind with Line -> true | Block | Blank -> false)
 
 let rec write_trivia w ~indent ~closing before =
   match w.trivia with
@@ -155,7 +158,7 @@ let rec render_in w ~indent ~flat = function
 let render trivia d =
   let w =
     { buffer = Buffer.create 4096; column = 0; gap = Newline { indent = 0; keep = true };
-      empty_line = false; trivia }
+      empty_line = false; in_line_comment = false; trivia }
   in
   render_in w ~indent:0 ~flat:false d;
   w.gap <- Newline { indent = 0; keep = true };

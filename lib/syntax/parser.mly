@@ -202,11 +202,11 @@ behaviour_box: LBRACKET b = behaviour RBRACKET { b }
 
 moving:
 | label = ioption(label) body = body b = behaviour_box
-    { { label; solid = fst body; attributes = snd body; behaviour = Some b; leaf_span = span $loc } }
+    { { label; solid = fst body; attributes = snd body; behaviour = Some b; leaf_span = span $sloc } }
 
 still:
 | label = ioption(label) body = body b = ioption(behaviour_box)
-    { { label; solid = fst body; attributes = snd body; behaviour = b; leaf_span = span $loc } }
+    { { label; solid = fst body; attributes = snd body; behaviour = b; leaf_span = span $sloc } }
 
 leaf(X):
 | l = X { { head = l; tail = [] } }

@@ -70,7 +70,7 @@ let leaf_doc l =
 let process_doc span word name l rest =
   let head = text ~at:(start span) (word ^ " " ^ Text.segment name ^ " =") in
   match rest with
-  | [] -> cat [ head; nest 2 (cat [ fill " "; leaf_doc l ]) ]
+  | [] -> cat [ head; fill " "; leaf_doc l ]
   | _ ->
     let link (b, l) = [ space; text ~at:(start b.bond_span) (Text.bond b); space; leaf_doc l ] in
     group (cat [ head; nest 2 (cat (space :: leaf_doc l :: List.concat_map link rest)) ])

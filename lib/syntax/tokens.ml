@@ -58,7 +58,7 @@ let comment r source kind start stop =
 (* The empty lines before what starts at [start], if any. *)
 let blank r start =
   if r.newlines > 1 then
-    r.seen <- { Trivia.kind = Blank; text = ""; start; stop = start; own_line = true } :: r.seen;
+    r.seen <- { Trivia.kind = Blank; text = ""; start = start - 1; stop = start; own_line = true } :: r.seen;
   r.newlines <- 0
 
 let push r token start stop =

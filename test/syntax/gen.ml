@@ -1,0 +1,222 @@
+open Scc_syntax.Ast
+open QCheck2.Gen
+
+let ( let* ) = bind
+let loc it = { it; at = Scc_base.Span.none }
+let located g = map loc g
+let few g = list_size (int_range 0 3) g
+let some g = list_size (int_range 1 3) g
+
+let name =
+  located
+    (oneofl [ "a"; "b"; "p"; "q"; "x'"; "x_1"; "Cube"; "bond"; "mass"; "momentum"; "U2"; "Ax"; "omega_" ])
+
+let number =
+  let decimal m k = Q.div (Q.of_int m) (Q.of_bigint (Z.pow (Z.of_int 10) k)) in
+  oneof
+    [
+      map Q.of_int (int_range 0 12);
+      map2 decimal (int_range 0 9999) (int_range 0 5);
+      map (fun k -> Q.of_bigint (Z.pow (Z.of_int 10) k)) (int_range 0 60);
+      map (decimal 125) (int_range 20 60);
+    ]
+
+let segment_of expr =
+  let* n = name in
+  let* indices = frequency [ (4, return []); (1, some expr) ] in
+  return { name = n; indices }
+
+let path_of expr = located (list_size (frequencyl [ (4, 1); (2, 2); (1, 3) ]) (segment_of expr))
+
+let bound_of expr =
+  oneof [ map (fun t -> At_most t) expr; map2 (fun a b -> Between (a, b)) expr expr ]
+
+let quantifier = oneofl [ A; E ]
+
+let binary =
+  oneofl [ Add; Sub; Mul; Div; Lt; Le; Gt; Ge; Eq; Ne; And; Or; Implies ]
+
+let temporal_of expr =
+  let* body = expr in
+  oneof
+    [
+      (let* t = oneofl [ Possibly; Always; Eventually ] in
+       let* b = opt (oneof [ map (fun t -> Within t) expr; bound_of expr ]) in
+       return (Temporal (t, b, body)));
+      (let* q = quantifier in
+       let* t = oneofl [ Finally q; Globally q ] in
+       let* b = opt (bound_of expr) in
+       return (Temporal (t, b, body)));
+      map (fun q -> Temporal (Next q, None, body)) quantifier;
+      (let* q = quantifier in
+       let* b = opt (bound_of expr) in
+       let* f = expr in
+       return (Until (q, f, b, body)));
+    ]
+
+let leaf_expr path =
+  oneof
+    [
+      map (fun q -> Number q) number; return True; return False; map (fun p -> Path p) path;
+      map (fun n -> Co n) name;
+    ]
+
+(* A division by a literal zero is refused where it is read. *)
+let operation o l r =
+  match (o, r.it) with
+  | Div, Number q when Q.sign q = 0 -> Binary (Mul, l, r)
+  | _ -> Binary (o, l, r)
+
+let compound_expr expr =
+  let unary f = map f expr in
+  oneof
+    [
+      unary (fun e -> Neg e);
+      unary (fun e -> Not e);
+      map3 operation binary expr expr;
+      map3 operation binary expr expr;
+      map3 (fun c t e -> If (c, t, e)) expr expr expr;
+      (let* q = oneofl [ Forall; Exists; Count ] in
+       map3 (fun p t e -> Quantified (q, p, t, e)) name name expr);
+      temporal_of expr;
+      map2 (fun f es -> Apply (f, es)) (oneof [ name; return (loc "behaviour") ]) (few expr);
+    ]
+
+let expr =
+  sized_size (int_range 0 12) (fix (fun self n ->
+      let smaller = self (n / 2) in
+      let leaf = leaf_expr (if n = 0 then located (some (map (fun n -> { name = n; indices = [] }) name))
+                            else path_of smaller) in
+      located (if n = 0 then leaf else frequency [ (1, leaf); (3, compound_expr smaller) ])))
+
+let segment = segment_of expr
+let path = path_of expr
+let vector = triple expr expr expr
+
+let feature =
+  located
+    (oneof
+       [ map (fun p -> Named p) path; map2 (fun p vs -> Tuple (p, vs)) (opt path) (some path) ])
+
+let channel =
+  let* channel = name in
+  let* co = bool in
+  let* features = few feature in
+  return { channel; co; features; span = Scc_base.Span.none }
+
+let behaviour =
+  sized_size (int_range 0 8) (fix (fun self n ->
+      let leaf = oneof [ return Nil; map (fun k -> Name k) name ] in
+      let next = self (n / 2) in
+      located
+        (if n = 0 then leaf
+         else
+           oneof
+             [
+               leaf;
+               map2 (fun c b -> Open (c, b)) channel next;
+               map2 (fun c b -> Weak (c, b)) channel next;
+               map2 (fun cs b -> Strong (cs, b)) (few channel) next;
+               map2 (fun t b -> Delay (t, b)) expr next;
+               map2 (fun b c -> Sum (b, c)) next next;
+               map2 (fun b c -> Sum (b, c)) next next;
+             ])))
+
+let file = located (oneofl [ "a.off"; "a \"b\".obj"; "c:\\x\\y.stl"; "\xC3\xA9.ply"; "" ])
+
+let solid =
+  sized_size (int_range 0 2) (fix (fun self n ->
+      located
+        (if n = 0 then oneof [ map (fun t -> Template t) name; map (fun f -> Mesh f) file ]
+         else map2 (fun s v -> Scaled (s, v)) (self (n - 1)) vector)))
+
+let quadruple = map (fun (a, b, c, d) -> (a, b, c, d)) (quad expr expr expr expr)
+
+let transform =
+  located
+    (oneof
+       [
+         map (fun v -> Translate v) vector;
+         map (fun (w, x, y, z) -> Rotate (w, x, y, z)) quadruple;
+         map (fun v -> Scale v) vector;
+         map (fun m -> Matrix m) (list_repeat 4 quadruple);
+       ])
+
+let attribute =
+  located
+    (oneof
+       [
+         map (fun e -> Mass e) expr; map (fun v -> Velocity v) vector; map (fun v -> Spin v) vector;
+         map (fun ts -> At ts) (some transform);
+       ])
+
+let leaf_of behaviour =
+  let* label = opt segment in
+  let* solid = solid in
+  let* attributes = few attribute in
+  let* behaviour = behaviour in
+  return { label; solid; attributes; behaviour; leaf_span = Scc_base.Span.none }
+
+let bond =
+  let* bond = name in
+  map2 (fun first second -> { bond; first; second; bond_span = Scc_base.Span.none }) feature feature
+
+let part =
+  let* part = name in
+  map2
+    (fun part_solid part_attributes ->
+       { part; part_solid; part_attributes; part_span = Scc_base.Span.none })
+    solid (few attribute)
+
+let glue =
+  map2
+    (fun glue_first glue_second -> { glue_first; glue_second; glue_span = Scc_base.Span.none })
+    feature feature
+
+let law =
+  located
+    (oneof
+       [
+         return Inertial; map (fun v -> Expression v) vector;
+         map (fun ks -> Choose ks) (some (pair vector (opt expr)));
+       ])
+
+let range = triple name expr expr
+
+let simple_item =
+  let chain behaviour =
+    let leaf = leaf_of behaviour in
+    triple segment leaf (few (pair bond leaf))
+  in
+  oneof
+    [
+      map (fun n -> Model n) name;
+      map2 (fun n e -> Param (n, e)) name expr;
+      map (fun e -> Timestep e) expr;
+      map (fun e -> Split_step e) expr;
+      map2 (fun n s -> Shape (n, s)) name solid;
+      (let* vs = few (pair name vector) in
+       let* fs = few (pair name (some name)) in
+       map (fun n -> Shape (n, loc (Faces (vs, fs)))) name);
+      map3 (fun n ps gs -> Compound (n, ps, gs)) name (few part) (few glue);
+      map3 (fun n t b -> Behaviour (n, t, b)) name (opt name) behaviour;
+      map (fun (s, l, ls) -> Process (s, l, ls)) (chain (map Option.some behaviour));
+      map (fun (s, l, ls) -> Fixed (s, l, ls)) (chain (opt behaviour));
+      map (fun b -> Bond b) bond;
+      map (fun ps -> Network ps) (few path);
+      map2 (fun p l -> Motion (p, l)) (opt path) law;
+      map2 (fun n e -> Let (n, e)) name expr;
+      map2 (fun n e -> Check (n, e)) name expr;
+    ]
+
+let item =
+  sized_size (int_range 0 2) (fix (fun self n ->
+      if n = 0 then located simple_item
+      else
+        frequency
+          [
+            (4, located simple_item);
+            (1, located (map2 (fun rs xs -> For (rs, xs)) (some range) (few (self (n - 1)))));
+          ]))
+
+let model = list_size (int_range 1 6) item

@@ -1,0 +1,4 @@
+(** Random syntax trees: any that the parser can build, and no other. Places are {!Scc_base.Span.none}. *)
+
+val expr : Scc_syntax.Ast.expr QCheck2.Gen.t
+val model : Scc_syntax.Ast.model QCheck2.Gen.t
