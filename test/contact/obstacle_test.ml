@@ -231,5 +231,6 @@ let () =
           Alcotest.test_case "two cubes" `Quick touching_cubes ] );
       ( "properties",
         Scc_test_support.Property.cases
-          [ relation; cast; aimed_cast; facets; random_hulls; offsets; symmetric; turned; shifted; delayed; at_collision;
+          [ relation; cast; aimed_cast; facets; random_hulls; offsets; symmetric; turned; shifted; delayed;
+            at_collision;
             approaching_is_at_zero; hair; far_away ] ) ]
