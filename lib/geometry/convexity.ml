@@ -45,27 +45,20 @@ let turn_over s =
   in
   { s with faces = Array.map reverse s.faces; normals = Array.map Ivec.neg s.normals }
 
-(* The corner of face [g] after the end of the edge that it runs from [w] to [v]. *)
-let corner_beyond s g v =
-  let corners = s.faces.(g) in
-  let n = Array.length corners in
-  let rec find i = if corners.(i) = v then corners.((i + 1) mod n) else find (i + 1) in
-  find 0
-
-(* Each edge once, from its face of smaller number; [across] knows the orientation the surface was made with,
-   so an inside-out set is looked up with v and w exchanged. *)
-let edge_faults s across =
+(* Each edge once, from its face of smaller number. The neighbour [g] runs along the edge from [w] to [v] and
+   lies to the left of it, in the direction normal x (v - w); [after] gives its corner that comes next. *)
+let edge_faults s across after =
   let edge f acc v w =
-    let g = across v w in
+    let g, place = across v w in
+    let into = Ivec.cross s.normals.(g) (Ivec.sub s.points.(v) s.points.(w)) in
     if g < f then acc
     else
-      let c = corner_beyond s g v in
-      match side s f c with
+      match Z.sign (Ivec.dot s.normals.(f) into) with
       | -1 -> acc
-      | 1 -> Polyhedron_fault.Not_convex (f, c) :: acc
+      | 1 -> Polyhedron_fault.Not_convex (f, after g place) :: acc
       | _ when Z.sign (Ivec.dot s.normals.(f) s.normals.(g)) > 0 ->
         Polyhedron_fault.Coplanar_neighbours (f, g) :: acc
-      | _ -> Polyhedron_fault.In_plane (f, c) :: acc
+      | _ -> Polyhedron_fault.In_plane (f, after g place) :: acc
   in
   let found = ref [] in
   let face f corners =
@@ -159,18 +152,22 @@ let is_flat s =
   let in_plane v = side s 0 v = 0 in
   Array.for_all (Array.for_all in_plane) s.faces
 
-let whole_faults s across =
-  match edge_faults s across with
+let whole_faults s across after =
+  match edge_faults s across after with
   | [] -> global_fault s
   | found -> found
 
 let faults points faces surface =
   let s = { points; faces; normals = Array.map (Face_check.normal points) faces } in
+  let corner g i = faces.(g).(i mod Array.length faces.(g)) in
   match Surface.pieces surface with
   | a :: (_ :: _ as others) -> List.map (fun b -> Polyhedron_fault.Separate_solids (a, b)) others
   | [] | [ _ ] ->
     if is_flat s then [ Polyhedron_fault.Flat 0 ]
     else if Z.sign (volume6 s) < 0 then
+      (* The surface knows the orientation that it was made with, in which edges and tuples run backwards. *)
       Polyhedron_fault.Inward
-      :: whole_faults (turn_over s) (fun v w -> Surface.across surface w v)
-    else whole_faults s (Surface.across surface)
+      :: whole_faults (turn_over s)
+        (fun v w -> Surface.across surface w v)
+        (fun g place -> corner g (place + Array.length faces.(g) - 1))
+    else whole_faults s (Surface.across surface) (fun g place -> corner g (place + 2))

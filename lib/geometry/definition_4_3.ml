@@ -100,29 +100,22 @@ let equivalent faces =
 
 (* {1 Condition 6} *)
 
-(* Some corner of a face off the line of the edge [v], [w]. *)
-let off_line points corners v w =
-  let along = Ivec.sub points.(w) points.(v) in
-  let off c = not (Ivec.is_zero (Ivec.cross along (Ivec.sub points.(c) points.(v)))) in
-  List.find_opt off (Array.to_list corners)
-
 (* On which side of the two faces the dihedral angle is less than 180 degrees. *)
 type side = Behind | In_front | Both  (* folded: angles of 0 and 360 degrees *) | Neither
 
-let convex_side points faces normals (v, w) f g =
-  let seen_from f g =
-    match off_line points faces.(g) v w with
-    | None -> Neither
-    | Some c -> (
-        match Z.sign (Ivec.dot normals.(f) (Ivec.sub points.(c) points.(v))) with
-        | -1 -> Behind
-        | 1 -> In_front
-        | _ -> if Z.sign (Ivec.dot normals.(f) normals.(g)) < 0 then Both else Neither)
+(* At the edge from v to w along [e]; a face that runs along it lies to its left, towards normal x e. *)
+let convex_side normals e (f, f_forward) (g, g_forward) =
+  let into g forward = Ivec.cross normals.(g) (if forward then e else Ivec.neg e) in
+  let seen_from f (g, forward) =
+    match Z.sign (Ivec.dot normals.(f) (into g forward)) with
+    | -1 -> Behind
+    | 1 -> In_front
+    | _ -> if Z.sign (Ivec.dot normals.(f) normals.(g)) < 0 then Both else Neither
   in
-  match (seen_from f g, seen_from g f) with
+  match (seen_from f (g, g_forward), seen_from g (f, f_forward)) with
   | Behind, Behind -> Behind
   | In_front, In_front -> In_front
-  | Both, Both -> Both
+  | Both, Both -> if Bool.equal f_forward g_forward then Neither else Both
   | _ -> Neither
 
 (* The inner side is not known: it is the one on which fewer edges fail. *)
@@ -132,8 +125,8 @@ let angle points faces surface =
   let at_edge (not_behind, not_in_front) ((v, w), uses) =
     match uses with
     | [ f; g ] -> (
-        let witness = (f, g, v, w) in
-        match convex_side points faces normals (v, w) f g with
+        let witness = (fst f, fst g, v, w) in
+        match convex_side normals (Ivec.sub points.(w) points.(v)) f g with
         | Both -> (not_behind, not_in_front)
         | Behind -> (not_behind, witness :: not_in_front)
         | In_front -> (witness :: not_behind, not_in_front)

@@ -10,30 +10,29 @@ module Table = Hashtbl.Make (struct
 type t = {
   count : int;  (* of vertices: the directed edge v, w has the key v * count + w *)
   faces : int array array;
-  directed : int Table.t;  (* the first face that runs along it *)
+  directed : (int * int) Table.t;  (* the first face that runs along it, and where in the tuple *)
   repeated : (int * int * int * int) list;  (* face, later face, v, w; in reverse order *)
 }
 
 let key s v w = (v * s.count) + w
 
+let next (face : int array) i = face.(if i + 1 = Array.length face then 0 else i + 1)
+
 let fold_edges f start (face : int array) =
-  let n = Array.length face in
   let acc = ref start in
-  for i = 0 to n - 1 do
-    acc := f !acc face.(i) face.(if i + 1 = n then 0 else i + 1)
-  done;
+  Array.iteri (fun i v -> acc := f !acc v (next face i)) face;
   !acc
 
 let make count faces =
   let directed = Table.create (4 * Array.length faces) in
   let s = { count; faces; directed; repeated = [] } in
   let repeated = ref [] in
-  let add f () v w =
+  let add f i v w =
     match Table.find_opt directed (key s v w) with
-    | None -> Table.add directed (key s v w) f
-    | Some g -> repeated := (g, f, v, w) :: !repeated
+    | None -> Table.add directed (key s v w) (f, i)
+    | Some (g, _) -> repeated := (g, f, v, w) :: !repeated
   in
-  Array.iteri (fun f face -> fold_edges (add f) () face) faces;
+  Array.iteri (fun f face -> Array.iteri (fun i v -> add f i v (next face i)) face) faces;
   { s with repeated = !repeated }
 
 let across s v w = Table.find s.directed (key s w v)
@@ -133,7 +132,7 @@ let edge_faults s =
 
 let pieces s =
   let seen = Array.make (Array.length s.faces) None in
-  let neighbours f = fold_edges (fun acc v w -> (across s v w, true) :: acc) [] s.faces.(f) in
+  let neighbours f = fold_edges (fun acc v w -> (fst (across s v w), true) :: acc) [] s.faces.(f) in
   let roots = ref [] in
   let piece root =
     if Option.is_none seen.(root) then begin
@@ -149,7 +148,7 @@ let edge_compare (a, b) (c, d) =
   if o <> 0 then o else Int.compare b d
 
 let unordered s =
-  Table.fold (fun k l acc -> ((k / s.count, k mod s.count), List.rev_map fst l) :: acc) (uses s) []
+  Table.fold (fun k l acc -> ((k / s.count, k mod s.count), List.rev l) :: acc) (uses s) []
   |> List.sort (fun (e, _) (f, _) -> edge_compare e f)
 
 let edges s = Array.of_list (List.map fst (unordered s))

@@ -12,9 +12,9 @@ val edge_faults : t -> Polyhedron_fault.t list
     neighbours, these faces ([Turned_face]); otherwise each repeated edge and each edge without its reverse
     (an edge that is repeated is not also reported as open). In the order of the faces. *)
 
-val across : t -> int -> int -> int
+val across : t -> int -> int -> int * int
 (** [across s v w], when E1 and E2 hold: the face that runs from [w] to [v], the neighbour of the one that
-    runs from [v] to [w]. *)
+    runs from [v] to [w], and the place of [w] in its tuple. *)
 
 val pieces : t -> int list
 (** When E1 and E2 hold: the first face of each set of faces that is connected through edges. *)
@@ -28,6 +28,6 @@ val unordered_count : t -> int
 val ordered_count : t -> int
 (** |dg(F)| as printed, with ordered pairs. *)
 
-val unordered : t -> ((int * int) * int list) list
-(** Each unordered edge, in lexicographic order, with the faces that have it, in increasing order; a face
-    comes as often as it has the edge. *)
+val unordered : t -> ((int * int) * (int * bool) list) list
+(** Each unordered edge [v, w] with [v < w], in lexicographic order, with the faces that have it, in
+    increasing order, and whether they run from [v] to [w]; a face comes as often as it has the edge. *)
