@@ -32,6 +32,6 @@ motion q = (if vx = 0 then 1 else vx, vy, vz)
 check meet    : eventually bound(p, q) within 5                 // expect: holds
 check parts   : possibly (x(p) = -4 and x(q) = 4) within 20     // expect: holds
 check apart   : possibly distance2(p, q) >= 100 within 20       // expect: holds
-check stays   : eventually (not bound(p, q) and x(p) < -1) within 20  // expect: violated
+check leaves  : eventually behaviour(p) = Gone within 20        // expect: violated
 check stock   : always momentum.x = 0 within 20                 // expect: holds
 check stays_z : always (z(p) = 0 and y(p) = 0) within 20        // expect: holds

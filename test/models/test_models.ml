@@ -173,6 +173,61 @@ let replayed m states =
     let last, choices = walk initial [] 25 in
     if State.equal last (follow initial choices) then None else Some "a path leads elsewhere when replayed"
 
+(* {1 Expected verdicts} *)
+
+let options = { Scc_verify.Check.default with depth = Default 1_000; states = Default 20_000 }
+
+let verdict : Scc_verify.Check.outcome -> string = function
+  | Not_yet why -> "not yet: " ^ why
+  | Verdict v ->
+    if Scc_verify.Verdict.exhaustive v then "holds"
+    else ( match v with Holds _ -> "bounded" | Violated _ -> "violated" | Undecided _ -> "undecided")
+
+let pair = Alcotest.(list (pair string string))
+
+let checked name =
+  let { Scc_elaborate.Elaborate.model; declared; checks; _ } = load name in
+  let initial = Reach.initial model declared in
+  (model, initial, Scc_verify.Check.run options model ~initial checks)
+
+let expected name () =
+  let _, _, report = checked name in
+  let got =
+    List.map (fun ((c : Scc_property.Property.check), o) -> (c.name, verdict o)) report.outcomes
+  in
+  let wanted =
+    List.map
+      (fun (name, v) -> (name, Expectation.verdict_to_string v))
+      (Expectation.checks (Load.read (path name)))
+  in
+  Alcotest.check pair name wanted got
+
+(* A witness, followed by its choices alone, ends where it says. *)
+let witnesses () =
+  let follow m initial (w : Scc_verify.Witness.t) =
+    let step s i =
+      match List.nth_opt (Reach.successors m s) i with
+      | Some t -> t.Transition.target
+      | None -> Alcotest.fail "a choice that is not there"
+    in
+    List.fold_left step initial (Scc_verify.Witness.choices w)
+  in
+  let check m initial name (w : Scc_verify.Witness.t) =
+    if not (State.equal (follow m initial w) w.last) then Alcotest.failf "%s: the witness leads elsewhere" name
+  in
+  let of_model name =
+    let m, initial, report = checked name in
+    List.filter_map
+      (fun (_, outcome) ->
+         match outcome with
+         | Scc_verify.Check.Verdict (Holds { witness; _ } | Violated { witness }) -> witness
+         | Verdict (Undecided _) | Not_yet _ -> None)
+      report.outcomes
+    |> fun ws -> List.iter (check m initial name) ws; List.length ws
+  in
+  let found = List.fold_left (fun n name -> n + of_model name) 0 (models_in folder) in
+  Alcotest.(check bool) "there are witnesses" true (found > 20)
+
 let () =
   Alcotest.run "models"
     [
@@ -188,6 +243,8 @@ let () =
                [ "bind(a, P0.s0.[v2,v3], s2.f3)"; "bind(a, P0.s1.[v2,v3], s2.f3)" ]);
           case "hexokinase binds in either order" either_order;
         ] );
+      ("expected verdicts", List.map (fun name -> case name (expected name)) (models_in folder));
+      ("witnesses", [ case "lead where they say" witnesses ]);
       ( "every model",
         [
           case "WellFormed: every explored state" (holds_in_every_model well_formed);
