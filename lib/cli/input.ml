@@ -45,24 +45,29 @@ type model = { elaborated : Scc_elaborate.Elaborate.t; source : Source.t; digest
 
 let ( let* ) = Result.bind
 
+let mesh_reader console model name =
+  let file =
+    if Filename.is_relative name then Filename.concat (Filename.dirname model) name else name
+  in
+  Result.map
+    (fun text ->
+       if Option.is_none (Console.source console name) then
+         Console.add_source console (Source.make ~name text);
+       text)
+    (bytes file)
+
 let model console ~overrides path =
   let* source = Result.map_error (fun d -> [ d ]) (read path) in
   Console.add_source console source;
   let* tree = Scc_syntax.Parse.parse source in
   let meshes = ref [] in
-  let folder = Filename.dirname path in
-  let read_mesh name =
-    let file = if Filename.is_relative name then Filename.concat folder name else name in
-    match bytes file with
-    | Ok text ->
-      if not (List.mem_assoc name !meshes) then begin
-        meshes := (name, text) :: !meshes;
-        Console.add_source console (Source.make ~name text)
-      end;
-      Ok text
-    | Error _ as e -> e
+  let read_file name =
+    let text = mesh_reader console path name in
+    let known = List.exists (fun (n, _) -> String.equal n name) !meshes in
+    (match text with Ok t when not known -> meshes := (name, t) :: !meshes | _ -> ());
+    text
   in
-  let* elaborated = Scc_elaborate.Elaborate.elaborate ~read_file:read_mesh ~overrides tree in
+  let* elaborated = Scc_elaborate.Elaborate.elaborate ~read_file ~overrides tree in
   let digest =
     Scc_exchange.Model_digest.make ~text:(Source.text source) ~files:(List.rev !meshes)
   in

@@ -9,6 +9,9 @@ val max_bytes : int
 val read : string -> (Source.t, Diag.t) result
 (** The bytes of a file; ["-"] is standard input. SC0101 when it cannot be read. *)
 
+val mesh_reader : Console.t -> string -> string -> (string, string) result
+(** [mesh_reader c model path] reads a mesh file that a model names, relative to the model's place. *)
+
 (** A model with all that was read for it. *)
 type model = {
   elaborated : Scc_elaborate.Elaborate.t;

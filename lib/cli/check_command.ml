@@ -1,0 +1,191 @@
+open Scc_base
+open Scc_property
+open Scc_semantics
+open Scc_verify
+open Scc_exchange
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+(* The properties that this version executes; one diagnostic for each of the others. *)
+let executable checks =
+  let refuse (c : Property.check) =
+    match Plan.of_formula c.formula with
+    | Ok _ -> None
+    | Error why ->
+      Some (Diag.error Code.not_yet c.span "`%s` is beyond this version of scc: %s" c.name why)
+  in
+  match List.filter_map refuse checks with [] -> Ok () | faults -> Error faults
+
+let initial (e : Scc_elaborate.Elaborate.t) =
+  Result.map_error
+    (fun f -> [ Diag.error Code.bad_law Span.none "%s" (Transition.fault_to_string e.model f) ])
+    (Network.initial e.model e.declared)
+
+let verdict_code (v : Verdict.t) : Exit_code.t =
+  match v with
+  | Violated _ -> Violated
+  | Holds _ when Verdict.resources v -> Stopped
+  | Holds _ -> if Verdict.by_default v then Undecided else Holds
+  | Undecided _ -> if Verdict.resources v then Stopped else Undecided
+
+(* What the exploration alone tells, when a model has no properties. *)
+let stats_code (s : Check.stats) : Exit_code.t =
+  if s.complete then Holds
+  else if List.length s.faults > 0 then Undecided
+  else
+    verdict_code (Holds { bounds = s.stopped_by; witness = None })
+
+let exit_code (report : Check.report) verdicts =
+  match verdicts with
+  | [] -> stats_code report.stats
+  | _ -> Exit_code.worst (List.map (fun (_, v) -> verdict_code v) verdicts)
+
+let verdicts (report : Check.report) =
+  List.map
+    (fun (check, outcome) ->
+       match outcome with
+       | Check.Verdict v -> (check, v)
+       | Check.Not_yet _ -> Bug.fail __POS__ "a property that was to be refused has been run")
+    report.outcomes
+
+let witness_of (v : Verdict.t) =
+  match v with
+  | Holds { witness; _ } | Violated { witness } -> witness
+  | Undecided reasons ->
+    List.find_map
+      (function Verdict.Zeno w -> Some w | Truncated _ | Undefined _ | Fault _ -> None)
+      reasons
+
+let schedule (model : Input.model) (w : Witness.t) =
+  let e = model.elaborated in
+  let choice (s : Witness.step) = (s.choice, Transition.label_to_string e.model s.transition.label) in
+  Schedule.to_string ~digest:model.digest ~parameters:e.parameters (List.map choice w.steps)
+    ~offset:(Witness.offset w)
+
+let make_folder path =
+  match if Sys.file_exists path then () else Sys.mkdir path 0o777 with
+  | () -> Ok ()
+  | exception Sys_error message ->
+    Error
+      [
+        Diag.error Code.cannot_write
+          (Span.make ~file:path ~start:0 ~stop:0)
+          "cannot make the folder: %s" (Os_error.reason path message);
+      ]
+
+let write_witnesses model folder verdicts =
+  let one acc ((check : Property.check), v) =
+    let* () = acc in
+    match witness_of v with
+    | None -> Ok ()
+    | Some w ->
+      let path = Filename.concat folder (check.name ^ ".json") in
+      Result.map_error (fun d -> [ d ]) (Console.write_file ~path (schedule model w))
+  in
+  List.fold_left one (Ok ()) verdicts
+
+let print_json console (model : Input.model) (report : Check.report) verdicts code =
+  let e = model.elaborated in
+  let json =
+    Check_json.document ~source:(Console.source console)
+      {
+        name = e.name;
+        digest = model.digest;
+        parameters = e.parameters;
+        model = e.model;
+        verdicts;
+        stats = report.stats;
+        zeno = report.zeno;
+        diagnostics = Console.kept console;
+        exit = Exit_code.to_int code;
+      }
+  in
+  Console.print console (Json.pretty json)
+
+let print_text console (model : Input.model) (report : Check.report) verdicts =
+  let m = model.elaborated.model in
+  let print = Console.print console in
+  List.iter (fun v -> print (Check_text.property console m v ^ "\n")) verdicts;
+  let shown (_, v) = match v with Verdict.Undecided rs -> List.exists (function Verdict.Zeno _ -> true | _ -> false) rs | _ -> false in
+  Option.iter
+    (fun w -> if not (List.exists shown verdicts) then print (Check_text.zeno m w ^ "\n"))
+    report.zeno;
+  print (Check_text.explored report.stats);
+  print (Check_text.tally console (List.map snd verdicts))
+
+let progress console (p : Scc_explore.Limits.progress) =
+  Console.progress console
+    (Printf.sprintf "%d states, %d to expand, depth %d" p.states p.waiting p.depth)
+
+let law_faults (report : Check.report) =
+  List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) report.stats.faults
+
+let check console bounds witness overrides path =
+  let interrupted = Interrupt.install () in
+  let* model = Input.model console ~overrides path in
+  let e = model.elaborated in
+  Console.report console e.warnings;
+  let* () = executable e.checks in
+  let* () = match witness with Some folder -> make_folder folder | None -> Ok () in
+  let* initial = initial e in
+  let options = Check_options.options bounds ~interrupted ~progress:(progress console) in
+  let report = Check.run options e.model ~initial e.checks in
+  Console.progress_done console;
+  Console.report console (law_faults report);
+  let verdicts = verdicts report in
+  let* () =
+    match witness with Some folder -> write_witnesses model folder verdicts | None -> Ok ()
+  in
+  let code = exit_code report verdicts in
+  if Console.is_json console then print_json console model report verdicts code
+  else print_text console model report verdicts;
+  Console.flush console;
+  Ok code
+
+let run color json bounds witness overrides path =
+  let console = Console.make ~color ~json in
+  Guard.run console (fun () ->
+      match check console bounds witness overrides path with
+      | Ok code -> code
+      | Error diagnostics -> Guard.invalid console diagnostics)
+
+let witness =
+  let doc =
+    "Writes a schedule for each property that has a witness to the folder $(docv), which is made if need \
+     be: $(docv)/$(i,PROPERTY).json. $(b,scc trace --schedule) replays it."
+  in
+  Arg.(value & opt (some string) None & info [ "witness" ] ~docv:"DIR" ~doc)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Reads and validates a model, explores what can happen in it over every non-deterministic choice, and \
+       tells for each of its $(b,check)s whether it holds. Properties speak of every instant of a run, not \
+       only of its events.";
+    `P "A verdict is one of";
+    `I ("$(b,holds (exhaustive\\))", "a proof: all that counts was explored.");
+    `I ("$(b,holds up to the bound)", "nothing speaks against it within the bounds that are named.");
+    `I ("$(b,violated)", "with a run that shows it.");
+    `I ("$(b,undecided)", "with the reason.");
+    `S "BOUNDS";
+    `P
+      "Without bounds the exploration ends when every property is decided or nothing is left to explore, and \
+       at the default bounds. A default bound that cut the exploration short makes the exit code 2; a bound \
+       that you gave does not, but a limit of seconds or of memory makes it 4.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc check specs/models/hexokinase.sc";
+    `Pre "  scc check specs/models/chain.sc -D n=6 --time 20 --witness runs";
+    `Pre "  scc trace specs/models/chain.sc --schedule runs/joined.json --human";
+  ]
+
+let command =
+  Cmd.v
+    (Cmd.info "check" ~doc:"explore a model and verify its properties" ~man ~exits:Exit_code.man)
+    Term.(
+      const run $ Options.color $ Options.json $ Check_options.bounds $ witness $ Options.overrides
+      $ Options.model_file)

@@ -1,0 +1,114 @@
+open Scc_exact
+open Scc_semantics
+open Scc_property
+open Scc_verify
+
+(* A witness of more steps is shown in part: its schedule has them all. *)
+let shown_steps = 60
+
+(* States of more processes than this are not shown: the facts say what matters. *)
+let shown_processes = 12
+
+let style : Verdict.t -> Console.style = function
+  | Holds { bounds = []; _ } -> Good
+  | Holds _ as v when not (Verdict.by_default v) -> Good
+  | Holds _ | Undecided _ -> Doubtful
+  | Violated _ -> Bad
+
+let final_state m (w : Witness.t) =
+  match Witness.offset w with
+  | Some d when Rat.sign d > 0 -> Time.pass m d w.last
+  | _ -> w.last
+
+let step_lines m (w : Witness.t) =
+  let n = List.length w.steps in
+  let width = String.length (string_of_int n) in
+  let line i (s : Witness.step) =
+    Printf.sprintf "%*d. %s, to time %s" width (i + 1)
+      (Run_text.label m s.transition.label)
+      (Rat.to_string s.time)
+  in
+  let lines = List.mapi line w.steps in
+  if n <= shown_steps then lines
+  else
+    let head = List.filteri (fun i _ -> i < shown_steps / 2) lines in
+    let tail = List.filteri (fun i _ -> i >= n - (shown_steps / 2)) lines in
+    head @ (Printf.sprintf "… %d more …" (n - shown_steps) :: tail)
+
+let rec drop n = function _ :: rest when n > 0 -> drop (n - 1) rest | list -> list
+
+(* The verifier's own lines, without those of the steps: where the run leads, and the facts there. *)
+let after_steps m (w : Witness.t) = drop (List.length w.steps) (Witness.lines m w)
+
+let state_lines m (w : Witness.t) =
+  let s = final_state m w in
+  if Array.length s.processes > shown_processes then []
+  else "there:" :: List.map (fun l -> "  " ^ l) (Run_text.state m s)
+
+let witness m w = step_lines m w @ after_steps m w @ state_lines m w
+let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
+
+let property console m ((check : Property.check), (v : Verdict.t)) =
+  let verdict = Console.styled console (style v) (Verdict.to_string v) in
+  let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
+  let run =
+    match v with
+    | Holds { witness = Some w; _ } -> ("a run that shows it:", w) :: []
+    | Violated { witness = Some w } -> [ ("a run that violates it:", w) ]
+    | Holds _ | Violated _ -> []
+    | Undecided reasons ->
+      List.filter_map
+        (function
+          | Verdict.Zeno w -> Some ("the run:", w)
+          | Truncated _ | Undefined _ | Fault _ -> None)
+        reasons
+  in
+  let none =
+    match v with
+    | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
+    | _ -> []
+  in
+  let show (what, w) = Printf.sprintf "  %s\n" what :: indented 4 (witness m w) in
+  String.concat "" ((head :: none) @ List.concat_map show run)
+
+let zeno m w =
+  String.concat ""
+    ("Zeno behaviour: a run that goes on for ever within one instant\n" :: indented 4 (witness m w))
+
+let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
+
+let explored (s : Check.stats) =
+  let how =
+    if s.complete then "complete"
+    else
+      match Verdict.distinct s.stopped_by with
+      | [] when s.decided_early -> "not complete: every property was decided before"
+      | [] -> "not complete"
+      | bounds ->
+        "not complete: stopped by "
+        ^ String.concat ", " (List.map Verdict.truncation_to_string bounds)
+  in
+  Printf.sprintf "explored: %s, %s, depth %d, model time %s; %s\n"
+    (plural s.states "state" "states")
+    (plural s.transitions "transition" "transitions")
+    s.depth (Rat.to_string s.model_time) how
+
+let tally console verdicts =
+  let count f = List.length (List.filter f verdicts) in
+  let exhaustive = count Verdict.exhaustive in
+  let bounded = count (function Verdict.Holds { bounds = _ :: _; _ } -> true | _ -> false) in
+  let violated = count (function Verdict.Violated _ -> true | _ -> false) in
+  let undecided = count (function Verdict.Undecided _ -> true | _ -> false) in
+  let part n style text = if n = 0 then [] else [ Console.styled console style (Printf.sprintf "%d %s" n text) ] in
+  let parts =
+    part exhaustive Good (if exhaustive = 1 then "holds" else "hold")
+    @ part bounded Doubtful (if bounded = 1 then "holds up to the bound" else "hold up to the bound")
+    @ part violated Bad "violated"
+    @ part undecided Doubtful "undecided"
+  in
+  match verdicts with
+  | [] -> "no properties to check\n"
+  | _ ->
+    Printf.sprintf "%s: %s\n"
+      (plural (List.length verdicts) "property" "properties")
+      (String.concat ", " parts)

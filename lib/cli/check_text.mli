@@ -1,0 +1,17 @@
+(** The report of [scc check] for people. *)
+
+open Scc_calculus
+open Scc_property
+open Scc_verify
+
+val property : Console.t -> Model.t -> Property.check * Verdict.t -> string
+(** A verdict in several lines, with its witness; ended by a newline. *)
+
+val zeno : Model.t -> Witness.t -> string
+(** A run that never leaves an instant. *)
+
+val explored : Check.stats -> string
+(** One line, and one for each fault. *)
+
+val tally : Console.t -> Verdict.t list -> string
+(** ["4 properties: 3 hold, 1 violated"]. *)

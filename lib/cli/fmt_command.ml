@@ -1,0 +1,90 @@
+open Scc_base
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type mode = Print | Check | In_place
+
+let formatted console path =
+  let* source = Result.map_error (fun d -> [ d ]) (Input.read path) in
+  Console.add_source console source;
+  let* model, trivia = Scc_syntax.Parse.with_trivia source in
+  Ok (Source.text source, Scc_syntax.Printer.model ~trivia model)
+
+(* Through a second file, so that the model is never half written. *)
+let replace path text =
+  let temporary = path ^ ".scc-fmt" in
+  let fail message =
+    Error [ Diag.error Code.cannot_write (Span.make ~file:path ~start:0 ~stop:0) "cannot write: %s" message ]
+  in
+  match Console.write_file ~path:temporary text with
+  | Error d -> Error [ { d with Diag.span = Span.make ~file:path ~start:0 ~stop:0 } ]
+  | Ok () -> (
+      match
+        Unix.chmod temporary (Unix.stat path).st_perm;
+        Sys.rename temporary path
+      with
+      | () -> Ok ()
+      | exception Sys_error message -> fail (Os_error.reason path message)
+      | exception Unix.Unix_error (e, _, _) -> fail (Unix.error_message e))
+
+let one console mode path =
+  let* before, after = formatted console path in
+  match mode with
+  | Print ->
+    Console.print console after;
+    Ok Exit_code.Holds
+  | Check when String.equal before after -> Ok Exit_code.Holds
+  | Check ->
+    Console.print console (path ^ "\n");
+    Ok Exit_code.Violated
+  | In_place when String.equal before after -> Ok Exit_code.Holds
+  | In_place ->
+    let* () = replace path after in
+    Ok Exit_code.Holds
+
+let run color mode paths =
+  let console = Console.make ~color ~json:false in
+  Guard.run console (fun () ->
+      let file path =
+        match one console mode path with
+        | Ok code -> code
+        | Error diagnostics -> Guard.invalid console diagnostics
+      in
+      let codes = List.map file paths in
+      Console.flush console;
+      Exit_code.worst codes)
+
+let mode =
+  let check =
+    let doc = "Prints the names of the files that are not in canonical layout; exit 1 if there are any." in
+    (Check, Arg.info [ "check" ] ~doc)
+  in
+  let in_place =
+    let doc = "Rewrites the files." in
+    (In_place, Arg.info [ "i"; "inplace" ] ~doc)
+  in
+  Arg.(value & vflag Print [ check; in_place ])
+
+let files =
+  let doc = "The models; $(b,-) is standard input." in
+  Arg.(non_empty & pos_all string [] & info [] ~docv:"MODEL" ~doc)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Prints models in canonical layout: one way to write each thing, comments kept where they are. \
+       Formatting what is formatted changes nothing.";
+  ]
+  @ Options.diagnostics_man
+  @ [ `S Manpage.s_examples; `Pre "  scc fmt --inplace *.sc"; `Pre "  scc fmt --check *.sc" ]
+
+let command =
+  let exits =
+    Cmd.Exit.info 1 ~doc:"with $(b,--check), if some file is not in canonical layout."
+    :: List.filter (fun i -> Cmd.Exit.info_code i <> 1) Exit_code.man
+  in
+  Cmd.v
+    (Cmd.info "fmt" ~doc:"print models in canonical layout" ~man ~exits)
+    Term.(const run $ Options.color $ mode $ files)

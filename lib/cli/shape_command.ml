@@ -1,0 +1,95 @@
+open Scc_base
+open Scc_geometry
+open Cmdliner
+
+let ( let* ) = Result.bind
+let one r = Result.map_error (fun d -> [ d ]) r
+
+(* What the argument names: a file, or a template of one. A file whose name has a colon is a file. *)
+let split argument =
+  match String.rindex_opt argument ':' with
+  | Some i when i > 0 && not (Sys.file_exists argument) ->
+    (String.sub argument 0 i, Some (String.sub argument (i + 1) (String.length argument - i - 1)))
+  | _ -> (argument, None)
+
+let template console ~overrides path name =
+  let* source = one (Input.read path) in
+  Console.add_source console source;
+  let* tree = Scc_syntax.Parse.parse source in
+  let read_file = Input.mesh_reader console path in
+  Template_set.find ~read_file ~overrides tree name
+
+let mesh console path =
+  let* source = one (Input.read path) in
+  Console.add_source console source;
+  one (Scc_mesh.Mesh.read ~path (Source.text source))
+
+let templates_of console path =
+  let* source = one (Input.read path) in
+  Console.add_source console source;
+  let* tree = Scc_syntax.Parse.parse source in
+  let names = Template_set.names tree in
+  let hint = Printf.sprintf "name one of them: %s:%s" path (match names with n :: _ -> n | [] -> "NAME") in
+  let list = match names with [] -> "no templates" | _ -> String.concat ", " names in
+  Error
+    [
+      Diag.error Code.wrong_kind (Span.make ~file:path ~start:0 ~stop:0) ~hint
+        "this is a model (its templates: %s), and a single shape is needed here" list;
+    ]
+
+let set console ~overrides argument =
+  match split argument with
+  | path, Some name -> template console ~overrides path name
+  | path, None ->
+    if Filename.check_suffix path ".sc" then templates_of console path else mesh console path
+
+let report console argument (set : Polyhedron.ifs) =
+  let r = Solid_report.make set in
+  let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
+  if Console.is_json console then
+    let exit = Exit_code.to_int code in
+    Console.print console
+      (Scc_exchange.Json.pretty (Scc_exchange.Shape_json.document ~name:argument ~exit r))
+  else Console.print console (Solid_report.to_text ~name:argument r);
+  Console.flush console;
+  code
+
+let run color json overrides argument =
+  let console = Console.make ~color ~json in
+  Guard.run console (fun () ->
+      match set console ~overrides argument with
+      | Error diagnostics -> Guard.invalid console diagnostics
+      | Ok set -> report console argument set)
+
+let argument =
+  let doc =
+    "A polyhedron file (OFF, OBJ, STL; coordinates are read exactly), or $(i,MODEL):$(i,TEMPLATE), a \
+     template of a model."
+  in
+  Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Reports on a polyhedron. Two verdicts are told apart: whether it is a convex closed polyhedron, which \
+       is what a template has to be, with every fault; and each of the seven conditions of Definition 4.3 as \
+       printed, with a witness where it fails. Then the numbers of vertices, edges and faces and, of an \
+       accepted shape, the exact volume, centroid and inertia.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc shape dodecahedron.off";
+    `Pre "  scc shape specs/models/hexokinase.sc:Cube --json";
+  ]
+
+let command =
+  let exits =
+    Cmd.Exit.info 0 ~doc:"if the shape is accepted."
+    :: Cmd.Exit.info 3 ~doc:"if it is not, or cannot be read."
+    :: List.filter (fun i -> not (List.mem (Cmd.Exit.info_code i) [ 0; 1; 2; 3 ])) Exit_code.man
+  in
+  Cmd.v
+    (Cmd.info "shape" ~doc:"report on a polyhedron" ~man ~exits)
+    Term.(const run $ Options.color $ Options.json $ Options.overrides $ argument)

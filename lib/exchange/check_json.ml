@@ -1,0 +1,153 @@
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_verify
+
+type t = {
+  name : string option;
+  digest : string;
+  parameters : (string * Rat.t) list;
+  model : Model.t;
+  verdicts : (Property.check * Verdict.t) list;
+  stats : Check.stats;
+  zeno : Witness.t option;
+  diagnostics : Diag.t list;
+  exit : int;
+}
+
+let kind : Verdict.t -> string = function
+  | Holds { bounds = []; _ } -> "holds"
+  | Holds _ -> "holds-up-to-bound"
+  | Violated _ -> "violated"
+  | Undecided _ -> "undecided"
+
+let limit : Verdict.limit -> string * Json.t = function
+  | Depth n -> ("depth", `Int n)
+  | Time t -> ("time", Json.rat t)
+  | Instant n -> ("instant", `Int n)
+  | States n -> ("states", `Int n)
+  | Seconds s -> ("seconds", `String (Printf.sprintf "%g" s))
+  | Memory words -> ("memory", `Int (words * (Sys.word_size / 8)))
+  | Interrupted -> ("interrupted", `Null)
+
+let origin : Verdict.origin -> string = function
+  | By_default -> "default"
+  | By_user -> "user"
+  | By_property -> "property"
+
+let truncation (t : Verdict.truncation) =
+  let kind, value = limit t.limit in
+  `Assoc [ ("limit", `String kind); ("value", value); ("origin", `String (origin t.origin)) ]
+
+let finish (w : Witness.t) =
+  match w.finish with
+  | At_state -> "state"
+  | During _ -> "instant"
+  | Rests -> "rests"
+  | Stops -> "stops"
+  | Repeats _ -> "repeats"
+  | Passes _ -> "passes"
+
+let cycle (w : Witness.t) = match w.finish with Repeats { cycle; _ } -> `Int cycle | _ -> `Null
+
+let step m (s : Witness.step) =
+  `Assoc
+    [
+      ("choice", `Int s.choice);
+      ("label", State_json.label m s.transition.label);
+      ("time", Json.rat s.time);
+    ]
+
+(* An irrational instant is told by an interval with rational ends around it. *)
+let instant w =
+  let width = Rat.make Z.one (Z.pow (Z.of_int 10) 12) in
+  let low, high = Algebraic.enclose (Witness.instant w) ~width in
+  `Assoc
+    [
+      ("low", Json.rat low);
+      ("high", Json.rat high);
+      ("text", `String (Algebraic.to_string (Witness.instant w)));
+    ]
+
+let final_state m (w : Witness.t) =
+  match Witness.offset w with
+  | Some d when Rat.sign d > 0 -> State_json.state m (Time.pass m d w.last)
+  | _ -> State_json.state m w.last
+
+let witness m (w : Witness.t) =
+  `Assoc
+    [
+      ("initial", State_json.state m w.initial);
+      ("steps", `List (List.map (step m) w.steps));
+      ("finish", `String (finish w));
+      ("cycle", cycle w);
+      ("instant", instant w);
+      ("offset", Json.option Json.rat (Witness.offset w));
+      ("state", final_state m w);
+      ("facts", `List (List.map Json.text w.facts));
+    ]
+
+let reason m (r : Verdict.reason) =
+  let kind, bound, run =
+    match r with
+    | Truncated t -> ("truncated", truncation t, `Null)
+    | Undefined _ -> ("undefined", `Null, `Null)
+    | Fault _ -> ("fault", `Null, `Null)
+    | Zeno w -> ("zeno", `Null, witness m w)
+  in
+  `Assoc
+    [
+      ("kind", `String kind);
+      ("text", Json.text (Verdict.reason_to_string r));
+      ("bound", bound);
+      ("witness", run);
+    ]
+
+let property m ((check : Property.check), (v : Verdict.t)) =
+  let bounds, reasons, run =
+    match v with
+    | Holds { bounds; witness } -> (bounds, [], witness)
+    | Violated { witness } -> ([], [], witness)
+    | Undecided reasons -> ([], reasons, None)
+  in
+  `Assoc
+    [
+      ("name", Json.text check.name);
+      ("formula", Json.text check.text);
+      ("verdict", `String (kind v));
+      ("text", Json.text (Verdict.to_string v));
+      ("bounds", `List (List.map truncation bounds));
+      ("reasons", `List (List.map (reason m) reasons));
+      ("witness", Json.option (witness m) run);
+    ]
+
+let explored (s : Check.stats) =
+  `Assoc
+    [
+      ("states", `Int s.states);
+      ("transitions", `Int s.transitions);
+      ("depth", `Int s.depth);
+      ("time", Json.rat s.model_time);
+      ("complete", `Bool s.complete);
+      ("decided_early", `Bool s.decided_early);
+      ("stopped_by", `List (List.map truncation s.stopped_by));
+      ("faults", `List (List.map Json.text s.faults));
+    ]
+
+let document ~source r =
+  `Assoc
+    [
+      ("format", `String "scc-check");
+      ("version", `Int 1);
+      ("semantics", `String Trace.semantics_version);
+      ("model", Json.option Json.text r.name);
+      ("digest", `String r.digest);
+      ("parameters", `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) r.parameters));
+      ("exit", `Int r.exit);
+      ("properties", `List (List.map (property r.model) r.verdicts));
+      ("explored", explored r.stats);
+      ("zeno", Json.option (witness r.model) r.zeno);
+      ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
+    ]

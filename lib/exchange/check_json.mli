@@ -1,0 +1,25 @@
+(** The report of [scc check] as JSON (see [specs/schema/check.schema.json]). *)
+
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_property
+open Scc_verify
+
+(** What there is to report. *)
+type t = {
+  name : string option;
+  digest : string;
+  parameters : (string * Rat.t) list;
+  model : Model.t;
+  verdicts : (Property.check * Verdict.t) list;
+  stats : Check.stats;
+  zeno : Witness.t option;
+  diagnostics : Diag.t list;
+  exit : int;
+}
+
+val kind : Verdict.t -> string
+(** ["holds"], ["holds-up-to-bound"], ["violated"] or ["undecided"]. *)
+
+val document : source:(string -> Source.t option) -> t -> Json.t

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Validates what scc prints as JSON against specs/schema, with jsonschema.
+
+check_json.py SCC [COUNTS]: runs SCC over the models, meshes and invalid inputs of specs/ and validates every
+document; writes 'N passed, N failed' to the file COUNTS.
+"""
+
+import glob
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import warnings
+
+warnings.filterwarnings("ignore", category=DeprecationWarning)
+import jsonschema
+
+SCHEMAS = {}
+for path in sorted(glob.glob("specs/schema/*.schema.json")):
+    with open(path, encoding="utf-8") as file:
+        SCHEMAS[os.path.basename(path)] = json.load(file)
+
+STORE = {schema["$id"]: schema for schema in SCHEMAS.values()}
+PASSED = 0
+FAILED = 0
+
+
+def validator(name):
+    schema = SCHEMAS[name + ".schema.json"]
+    resolver = jsonschema.RefResolver(base_uri="", referrer=schema, store=STORE)
+    return jsonschema.Draft202012Validator(schema, resolver=resolver)
+
+
+def count(ok, what, why=""):
+    global PASSED, FAILED
+    if ok:
+        PASSED += 1
+    else:
+        FAILED += 1
+        print(f"JSON: {what}: {why}")
+
+
+def no_float(text):
+    raise ValueError(f"a number that is no integer: {text}")
+
+
+def check(name, text, what):
+    """One document of one schema."""
+    try:
+        document = json.loads(text, parse_float=no_float, parse_constant=no_float)
+    except ValueError as error:
+        count(False, what, f"{error}: {text[:200]!r}")
+        return None
+    error = jsonschema.exceptions.best_match(validator(name).iter_errors(document))
+    count(error is None, what, error and f"{error.json_path}: {error.message[:300]}")
+    return document
+
+
+def run(scc, *words):
+    return subprocess.run([scc, *words], capture_output=True, timeout=300)
+
+
+def text_of(result):
+    return result.stdout.decode("utf-8")
+
+
+def check_model(scc, model, folder):
+    result = run(scc, "check", model, "--json", "--seconds", "60", "--witness", folder)
+    document = check("check", text_of(result), f"check {model}")
+    if document is not None:
+        count(document["exit"] == result.returncode, f"check {model}", "another exit code in the document")
+    count(result.stderr == b"", f"check {model}", "something on standard error")
+    for schedule in sorted(glob.glob(os.path.join(folder, "*.json"))):
+        with open(schedule, encoding="utf-8") as file:
+            check("schedule", file.read(), f"{os.path.basename(schedule)} of {model}")
+        os.remove(schedule)
+
+
+def check_trace(scc, model):
+    result = run(scc, "trace", model, "--steps", "40", "--choose", "random:1")
+    lines = text_of(result).splitlines()
+    bad = FAILED
+    validate = validator("trace")
+    for number, line in enumerate(lines, 1):
+        error = jsonschema.exceptions.best_match(validate.iter_errors(json.loads(line, parse_float=no_float)))
+        if error is not None:
+            count(False, f"trace {model}: line {number}", f"{error.json_path}: {error.message[:300]}")
+            break
+    if bad == FAILED:
+        count(len(lines) >= 3, f"trace {model}", "too short")
+
+
+def check_refusals(scc):
+    for model in sorted(glob.glob("specs/conformance/invalid/*.sc")) + sorted(
+        glob.glob("specs/models/refused/*.sc")
+    ):
+        result = run(scc, "check", model, "--json", "--seconds", "60")
+        name = "diagnostics" if result.returncode == 3 else "check"
+        check(name, text_of(result), f"check {model}")
+
+
+def check_shapes(scc):
+    for mesh in sorted(glob.glob("specs/**/*.off", recursive=True) + glob.glob("specs/**/*.obj", recursive=True)):
+        result = run(scc, "shape", mesh, "--json")
+        text = text_of(result)
+        name = "diagnostics" if '"scc-diagnostics"' in text else "shape"
+        check(name, text, f"shape {mesh}")
+    for model in ["specs/models/hexokinase.sc:Cube", "specs/models/hexokinase.sc:Nothing"]:
+        result = run(scc, "shape", model, "--json")
+        check("shape" if result.returncode == 0 else "diagnostics", text_of(result), f"shape {model}")
+
+
+def main():
+    scc = sys.argv[1]
+    for name in sorted(SCHEMAS):
+        try:
+            jsonschema.Draft202012Validator.check_schema(SCHEMAS[name])
+            count(True, name)
+        except jsonschema.exceptions.SchemaError as error:
+            count(False, name, str(error)[:300])
+    with tempfile.TemporaryDirectory() as folder:
+        for model in sorted(glob.glob("specs/models/*.sc")):
+            check_model(scc, model, folder)
+            check_trace(scc, model)
+    check_refusals(scc)
+    check_shapes(scc)
+    if len(sys.argv) > 2:
+        with open(sys.argv[2], "w", encoding="utf-8") as file:
+            file.write(f"{PASSED} passed, {FAILED} failed\n")
+    return 1 if FAILED else 0
+
+
+sys.exit(main())
