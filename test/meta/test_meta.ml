@@ -111,14 +111,17 @@ let every_case () =
   |> List.filter (fun f -> not (is_run f))
   |> none "cases that no test runs"
 
+(* By the name of a case that must be refused, or in what a test of the program expects. *)
 let every_code () =
-  let cases = List.map Filename.basename (Tree.files "specs/conformance/invalid") in
-  let folders = Tree.files "specs/conformance/invalid" in
+  let cases = Tree.files "specs/conformance/invalid" in
+  let transcripts =
+    List.filter (fun f -> Filename.check_suffix f ".t") (Tree.files "test/cli") |> List.map Tree.read
+  in
   Scc_base.Code.all
   |> List.filter_map (fun (code, what) ->
       let code = (code : Scc_base.Code.t :> string) in
       let has text = Tree.contains text code in
-      if List.exists has cases || List.exists has folders then None else Some (code ^ ": " ^ what))
+      if List.exists has cases || List.exists has transcripts then None else Some (code ^ ": " ^ what))
   |> none "codes without a case in specs/conformance/invalid"
 
 let () =
