@@ -159,7 +159,9 @@ rule next = parse
 | "->" { mark "->" "=>" IMPLIES }
 | '!' { mark "!" "not" NOT }
 | '&' { mark "&" "and" AND }
-| '|' { mark "|" "or" OR }
+| '|' {
+    fault Code.lexical "`|` is not a mark of the language" ~instead:OR
+      ~hint:"write `or` between formulas, `||` between processes" }
 | '_' rest* {
     fault Code.lexical "a name begins with a letter" ~instead:(NAME (Lexing.lexeme lexbuf)) }
 | wide | _ { unknown (Lexing.lexeme lexbuf) }

@@ -47,24 +47,35 @@ let shown (source : Source.t) (span : Span.t) =
 
 let adjacent (t : Tokens.t) i = i > 0 && t.tokens.(i - 1).stop = t.tokens.(i).start
 
-(* The word of the language that a name may have been meant for, where that word would do. *)
+(* The words of the language that a name may have been meant for: those that would do where it stands. Not
+   the shortest, which are near to every short name. *)
 let misspelt accepts name =
-  let fits (word, token) = if accepts token then Some word else None in
+  let fits (word, token) = if String.length word > 2 && accepts token then Some word else None in
   Diag.suggest name (List.filter_map fits Lexer.words)
 
-let hint (t : Tokens.t) source (f : failure) =
-  let before = if f.index > 0 then Some t.tokens.(f.index - 1).token else None in
-  let text = shown source (Tokens.span t f.index) in
-  match (before, t.tokens.(f.index).token) with
-  | Some (NUMBER _), (NAME _ | BOND | MASS | A | E | U) when adjacent t f.index ->
-    Some "a product is written with `*`, as in `2*i`"
-  | Some (NUMBER _), DOT when adjacent t f.index -> Some "a decimal point is followed by a digit"
-  | _, DOT when not (f.accepts (NUMBER Rat.one)) -> None
-  | _, DOT -> Some "a number begins with a digit, as in `0.5`"
-  | _, NAME n -> misspelt f.accepts n
-  | _ when f.accepts (NAME "") && List.mem_assoc text Lexer.words ->
-    Some (Printf.sprintf "`%s` is a word of the language and cannot be a name" text)
+(* A misspelt word is often taken for a name, and what comes after it refused. *)
+let misspelt_before (t : Tokens.t) i =
+  match if i > 0 then t.tokens.(i - 1).token else EOF with
+  | NAME n when String.length n > 3 -> misspelt (fun _ -> true) n
   | _ -> None
+
+let is_word text = List.exists (fun (word, _) -> String.equal word text) Lexer.words
+
+let hint (t : Tokens.t) source (f : failure) =
+  let after_number =
+    adjacent t f.index && (match t.tokens.(f.index - 1).token with NUMBER _ -> true | _ -> false)
+  in
+  let text = shown source (Tokens.span t f.index) in
+  let wants_name = f.accepts (NAME "") in
+  match t.tokens.(f.index).token with
+  | NAME _ | BOND | MASS | A | E | U when after_number -> Some "a product is written with `*`, as in `2*i`"
+  | DOT when after_number -> Some "a decimal point is followed by a digit"
+  | DOT when f.accepts (NUMBER Rat.one) -> Some "a number begins with a digit, as in `0.5`"
+  | NAME n ->
+    (match misspelt f.accepts n with None -> misspelt_before t f.index | found -> found)
+  | _ when wants_name && is_word text && not t.restart.(f.index) ->
+    Some (Printf.sprintf "`%s` is a word of the language and cannot be a name" text)
+  | _ -> if wants_name then None else misspelt_before t f.index
 
 (* The bracket that is still open where reading failed, when it is never closed. *)
 let unclosed (t : Tokens.t) source first index =

@@ -61,7 +61,7 @@
 %on_error_reduce expr arithmetic plain_path segment behaviour behaviour_term solid
   chain(moving) chain(still) leaf(moving) leaf(still) moving still body reversed(attribute) reversed(transform_factor)
   reversed(item) reversed(vertex) reversed(face) reversed(part) reversed(glue) reversed(parallel) transforms
-  path_of_expr name
+  path feature name
 
 %%
 
@@ -302,13 +302,11 @@ bound:
 | LBRACKET LE t = expr RBRACKET { At_most t }
 | LBRACKET a = expr COMMA b = expr RBRACKET { Between (a, b) }
 
-path_of_expr: p = path { p }
-
 expr:
 | q = NUMBER { at $loc (Number q) }
 | TRUE { at $loc True }
 | FALSE { at $loc False }
-| p = path_of_expr { at $loc (Path p) }
+| p = path { at $loc (Path p) }
 | TILDE n = name { at $loc (Co n) }
 | n = BARRED { at $loc (Co (at $loc n)) }
 | f = name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }

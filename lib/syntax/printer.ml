@@ -9,6 +9,9 @@ let at loc = start loc.at
 (* [separated sep ds]: with [sep] between two. *)
 let separated sep = function [] -> [] | d :: ds -> d :: List.concat_map (fun d -> [ sep; d ]) ds
 
+(* [List.map] without recursion: a model may have any number of declarations, vertices and leaves. *)
+let map f xs = List.rev (List.rev_map f xs)
+
 (* {1 Formulas}
 
    One that is too long is broken at its outermost connective. *)
@@ -95,7 +98,7 @@ let column_of word = function
 let template span head vs fs =
   let vertex ((n : name), v) = (at n, n.it ^ " " ^ Text.vector v) in
   let face ((n : name), ws) = (at n, Text.face n ws) in
-  let lines = [ column_of "vertices" (List.map vertex vs); column_of "faces" (List.map face fs) ] in
+  let lines = [ column_of "vertices" (map vertex vs); column_of "faces" (map face fs) ] in
   cat [ head; nest 2 (cat (line :: separated line lines)); line; closing ~at:(last_byte span) "}" ]
 
 let part_doc p =
@@ -120,7 +123,7 @@ let motion span subject law =
   | Choose kicks ->
     let n = List.length kicks in
     let entry i (at, s) = text ~at (if i < n - 1 then s ^ "," else s) in
-    let entries = List.mapi entry (List.map kick kicks) in
+    let entries = List.mapi entry (map kick kicks) in
     group
       (cat
          [ text ~at:(start span) (head ^ " choose {"); nest 2 (cat (space :: separated space entries));
@@ -131,7 +134,7 @@ let network span = function
   | first :: rest ->
     let pieces =
       text ~at:(start span) ("network " ^ Text.path first)
-      :: List.map (fun p -> text ~at:(at p) ("|| " ^ Text.path p)) rest
+      :: map (fun p -> text ~at:(at p) ("|| " ^ Text.path p)) rest
     in
     nest 2 (cat (separated (fill " ") pieces))
 
@@ -148,7 +151,7 @@ let rec item i =
   | Shape (n, { it = Faces (vs, fs); _ }) -> template span (head "shape %s {" n.it) vs fs
   | Shape (n, s) -> definition (head "shape %s =" n.it) (text ~at:(at s) (Text.solid s))
   | Compound (n, parts, glues) ->
-    block span (head "compound %s {" n.it) (List.map part_doc parts @ List.map glue_doc glues)
+    block span (head "compound %s {" n.it) (List.concat [ map part_doc parts; map glue_doc glues ])
   | Behaviour (n, on, b) ->
     let on = match on with None -> "" | Some t -> " on " ^ t.it in
     definition (head "behaviour %s%s =" n.it on) (behaviour_doc b)
@@ -162,11 +165,11 @@ let rec item i =
   | Check (n, e) -> definition (head "check %s :" n.it) (formula e)
 
 and loop span head body =
-  match List.map item body with
+  match map item body with
   | [ one ] ->
     group (cat [ head; nest 2 (cat [ space; one ]); space; closing ~at:(last_byte span) "}" ])
   | lines -> block span head lines
 
-let model ?(trivia = []) items = render trivia (cat (separated paragraph (List.map item items)))
+let model ?(trivia = []) items = render trivia (cat (separated paragraph (map item items)))
 let expr = Text.expr
 let behaviour = Text.behaviour

@@ -3,11 +3,6 @@ open Ast
 
 (* {1 Numbers} *)
 
-(* The number of times that [p] divides [n], and what is left of it. *)
-let rec extract p n k =
-  let q, r = Z.div_rem n p in
-  if Z.sign r = 0 then extract p q (k + 1) else (n, k)
-
 let zeros k = String.make k '0'
 
 (* m/10^k written out, for m > 0. *)
@@ -20,17 +15,19 @@ let plain_decimal digits k =
 (* 10^k m, for m > 0 that 10 does not divide and k > 0. *)
 let plain_integer digits k = digits ^ zeros k
 
-(* A mantissa with an exponent where that is much shorter; never beyond the limit on literals, which counts
-   digits and exponent together. *)
+(* A mantissa with an exponent where that is much shorter. The limit on literals counts digits and exponent
+   together; what was read within it is so written too. *)
 let shorter plain digits exponent =
   let n = String.length digits in
   if String.length plain > n + 12 && n + abs exponent <= Rat.max_digits then
     Printf.sprintf "%se%d" digits exponent
+  else if String.length plain > Rat.max_digits && exponent < -n then
+    Printf.sprintf "0.%se%d" digits (exponent + n)
   else plain
 
 let decimal q =
-  let rest, twos = extract (Z.of_int 2) (Q.den q) 0 in
-  let rest, fives = extract (Z.of_int 5) rest 0 in
+  let rest, twos = Z.remove (Q.den q) (Z.of_int 2) in
+  let rest, fives = Z.remove rest (Z.of_int 5) in
   if not (Z.equal rest Z.one) then None
   else
     let k = max twos fives in
@@ -40,7 +37,7 @@ let decimal q =
       let digits = Z.to_string scaled in
       Some (shorter (plain_decimal digits k) digits (-k))
     else
-      let m, tens = extract (Z.of_int 10) scaled 0 in
+      let m, tens = Z.remove scaled (Z.of_int 10) in
       let digits = Z.to_string m in
       Some (shorter (plain_integer digits tens) digits tens)
 
