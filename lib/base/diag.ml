@@ -83,7 +83,8 @@ let excerpt source (span : Span.t) =
   let l1, c1 = Source.position source span.start in
   let l2, c2 = Source.position source span.stop in
   let text = Source.line source l1 in
-  let text = String.map (fun c -> if c = '\t' then ' ' else c) text in
+  (* a text must not control the terminal of who reads about it *)
+  let text = String.map (fun c -> if c < ' ' || c = '\127' then ' ' else c) text in
   let length = code_points text in
   let stop = if l2 > l1 then length + 1 else max (c1 + 1) c2 in
   let first = if length <= width then 0 else max 0 (min (c1 - 1 - (width / 3)) (length - width)) in
