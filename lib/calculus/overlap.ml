@@ -44,7 +44,7 @@ let rec take n = function
   | x :: rest when n > 0 -> x :: take (n - 1) rest
   | _ -> []
 
-let pairs ?limit cache placed =
+let all_pairs cache placed =
   let distinct, coinciding = coincident placed in
   let near = Boxes.pairs (Array.map (fun i -> box placed.(i)) distinct) in
   let overlapping (a, b) =
@@ -52,10 +52,22 @@ let pairs ?limit cache placed =
     if placed.(i).body <> placed.(j).body && interpenetrate cache placed.(i) placed.(j) then Some (i, j)
     else None
   in
-  let found = List.sort compare_pair (List.rev_append coinciding (List.filter_map overlapping near)) in
+  List.sort compare_pair (List.rev_append coinciding (List.filter_map overlapping near))
+
+(* With a limit, ever longer beginnings are looked at: a heap of bodies shows early, before its pairs are all
+   written down. *)
+let first_chunk = 64
+
+let rec limited limit cache placed n =
+  let whole = n >= Array.length placed in
+  let found = all_pairs cache (if whole then placed else Array.sub placed 0 n) in
+  if whole || List.compare_length_with found limit >= 0 then take limit found
+  else limited limit cache placed (2 * n)
+
+let pairs ?limit cache placed =
   match limit with
-  | None -> found
-  | Some n -> take n found
+  | None -> all_pairs cache placed
+  | Some limit -> limited limit cache placed first_chunk
 
 (* The half-spaces of a placed solid: outward normals with a point of each face. *)
 let half_spaces p =

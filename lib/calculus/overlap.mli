@@ -12,8 +12,8 @@ type placed = {
 
 val pairs : ?limit:int -> Obstacle_cache.t -> placed array -> (int * int) list
 (** The interpenetrating pairs of different bodies, as indices i < j in lexicographic order. Of solids that
-    are equal and at one place, each is paired with the first only. At most [limit] pairs are given (all by
-    default). *)
+    are equal and at one place, each is paired with the first only. With [limit], at most so many pairs, and
+    none iff there is none: not always the least ones, but the same from run to run. *)
 
 val common_point : placed -> placed -> Vec.t option
 (** A point in the world strictly inside both; [None] iff their interiors do not meet. *)

@@ -54,9 +54,20 @@ let has_feature (polyhedron : Polyhedron.t) : Feature.t -> bool = function
   | Edge i -> 0 <= i && i < Array.length polyhedron.edges
   | Face i -> 0 <= i && i < Array.length polyhedron.faces
 
+(* The leaves of a process are in order. *)
+let find_leaf (p : State.process) leaf =
+  let rec search low high =
+    if low >= high then None
+    else
+      let middle = (low + high) / 2 in
+      let c = Int.compare leaf p.leaves.(middle).leaf in
+      if c = 0 then Some p.leaves.(middle) else if c < 0 then search low middle else search (middle + 1) high
+  in
+  search 0 (Array.length p.leaves)
+
 (* The leaf, in this process, and its part at one end of a bond. *)
 let find_end (m : Model.t) (p : State.process) (f : State.finish) =
-  match List.find_opt (fun (l : State.leaf) -> Int.equal l.leaf f.at) (Array.to_list p.leaves) with
+  match find_leaf p f.at with
   | None -> None
   | Some l ->
     let parts = m.leaves.(l.leaf).parts in
@@ -83,7 +94,7 @@ let check_bond (m : Model.t) p (bond : State.bond) =
 
 let weak_split_enabled (m : Model.t) (p : State.process) =
   let offers (f : State.finish) name =
-    match List.find_opt (fun (l : State.leaf) -> Int.equal l.leaf f.at) (Array.to_list p.leaves) with
+    match find_leaf p f.at with
     | None -> false
     | Some l ->
       let releases : Behaviour.offer -> bool = function

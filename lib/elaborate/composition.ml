@@ -138,7 +138,7 @@ let read_motion report budget (bodies : Bodies.t) laws general (m : Program.moti
     general
 
 let read_laws report (program : Program.t) (bodies : Bodies.t) =
-  let budget = { Typed.left = Limits.terms } in
+  let budget = Typed.budget () in
   let laws = Array.make (Array.length bodies.leaves) None in
   let general = List.fold_left (read_motion report budget bodies laws) None program.motions in
   let law i =

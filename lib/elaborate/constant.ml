@@ -77,7 +77,7 @@ end
 
 module Eval = Typed.Make (Algebra)
 
-let context report = { Algebra.report; budget = { Typed.left = Limits.terms } }
+let context report = { Algebra.report; budget = Typed.budget () }
 
 let rec is_constant env (e : Ast.expr) =
   match e.it with

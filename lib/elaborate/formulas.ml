@@ -379,7 +379,7 @@ let create (c : Context.t) (bodies : Bodies.t) (composition : Composition.t) beh
       Hashtbl.replace by_template label (composition.index.(i) :: others)
   in
   List.iter enter (List.rev numbers);
-  let budget = { Typed.left = Limits.terms } in
+  let budget = Typed.budget () in
   { c; bodies; composition; behaviours; by_template; numbers = Array.of_list numbers; budget }
 
 let check t (k : Program.check) =

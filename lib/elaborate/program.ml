@@ -56,6 +56,7 @@ type gathered = {
   mutable all_checks : check list;
   mutable all_values : (string * string * Env.binding) list;
   mutable expanded : int;
+  mutable overflow : bool;
 }
 
 (* Where an item stands: the values of the loops about it, outermost first when printed. *)
@@ -145,8 +146,8 @@ let range g place ((name : Ast.name), low, high) =
   | _ -> None
 
 let too_many g at =
-  if g.expanded <= Limits.items then begin
-    g.expanded <- Limits.items + 1;
+  if not g.overflow then begin
+    g.overflow <- true;
     Report.error g.c.report Code.too_deep at "the loops of the model make more than %d declarations" Limits.items
   end
 
@@ -204,7 +205,7 @@ and loop g place at ranges items =
 
 and iterate g place at (name : Ast.name) i high rest items =
   if Z.compare i high > 0 then ()
-  else if g.expanded >= Limits.items then too_many g at
+  else if g.overflow || g.expanded >= Limits.items then too_many g at
   else begin
     g.expanded <- g.expanded + 1;
     let binding = { Env.value = Number (Rat.make i Z.one); span = name.at; used = false } in
@@ -231,6 +232,7 @@ let gather c overrides =
     all_checks = [];
     all_values = [];
     expanded = 0;
+    overflow = false;
   }
 
 let check_overrides g =

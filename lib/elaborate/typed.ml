@@ -4,7 +4,9 @@ open Scc_syntax
 open Scc_calculus
 
 type ('n, 'c) value = Num of 'n | Cond of 'c
-type budget = { mutable left : int }
+type budget = { mutable left : int; mutable spent_on : Span.t }
+
+let budget () = { left = Limits.terms; spent_on = Span.none }
 
 module type ALGEBRA = sig
   type context
@@ -64,11 +66,11 @@ module Make (A : ALGEBRA) = struct
       error ctx Code.type_mismatch at "a truth value is expected here, and this is a number";
       None
 
-  let spend ctx at =
+  let spend ctx =
     let budget = A.budget ctx in
     budget.left <- budget.left - 1;
     if budget.left = 0 then
-      error ctx Code.too_deep at "the laws and formulas of the model have more than %d terms, written out"
+      error ctx Code.too_deep budget.spent_on "the laws and formulas of the model have more than %d terms, written out"
         Limits.terms;
     budget.left > 0
 
@@ -143,7 +145,7 @@ module Make (A : ALGEBRA) = struct
       error ctx Code.too_deep e.at "this nests more than %d levels deep, with its `let`s" Limits.depth;
       None
     end
-    else if not (spend ctx e.at) then None
+    else if not (spend ctx) then None
     else
       match e.it with
       | Number q -> Some (Num (A.const q))
@@ -211,7 +213,10 @@ module Make (A : ALGEBRA) = struct
       error ctx Code.type_mismatch b.at "the branches of `if` are a number and a truth value";
       None
 
-  let eval ctx env e = at_depth ctx 0 env e
-  let num ctx env e = num_at ctx 0 env e
-  let cond ctx env e = cond_at ctx 0 env e
+  let eval ctx env (e : Ast.expr) =
+    (A.budget ctx).spent_on <- e.at;
+    at_depth ctx 0 env e
+
+  let num ctx env (e : Ast.expr) = as_num ctx e.at (eval ctx env e)
+  let cond ctx env (e : Ast.expr) = as_cond ctx e.at (eval ctx env e)
 end

@@ -9,8 +9,11 @@ open Scc_calculus
 
 type ('n, 'c) value = Num of 'n | Cond of 'c
 
-(** How many terms may still be made. *)
-type budget = { mutable left : int }
+(** How many terms may still be made, and for which expression they are. *)
+type budget = { mutable left : int; mutable spent_on : Span.t }
+
+val budget : unit -> budget
+(** Of {!Limits.terms}. *)
 
 module type ALGEBRA = sig
   type context

@@ -1,0 +1,275 @@
+(* Every static error of elaboration: its code, and the text under its span. *)
+
+open Scc_base
+open Scc_exact
+open Models
+
+type case = {
+  name : string;
+  code : string;
+  at : string;  (** the text that the span covers; [""] for no place *)
+  says : string;  (** a piece of the message or the hint *)
+  text : string;
+}
+
+let case name code at ?(says = "") text = { name; code; at; says; text }
+
+let contains whole piece =
+  let n = String.length whole and k = String.length piece in
+  let rec from i = i + k <= n && (String.equal (String.sub whole i k) piece || from (i + 1)) in
+  from 0
+
+let fits c (d : Diag.t) =
+  let at = if Span.is_none d.span then "" else underlined c.text d.span in
+  let words = d.message ^ Option.value ~default:"" d.hint in
+  String.equal d.code c.code && String.equal at c.at && contains words c.says
+
+let check ?overrides ?read_file c () =
+  let found =
+    match elaborate ?overrides ?read_file c.text with
+    | Ok t -> t.warnings
+    | Error diagnostics -> diagnostics
+  in
+  if not (List.exists (fits c) found) then
+    Alcotest.failf "expected %s at `%s` (%s), found:\n%s" c.code c.at c.says
+      (String.concat "" (List.map (show c.text) found))
+
+let names_and_values =
+  [
+    case "unknown template" "SC0201" "Cub" ~says:"did you mean `Cube`" (cube ^ "process p = Cub mass 1 [nil]");
+    case "unknown behaviour" "SC0201" "Opn" ~says:"did you mean `Open`"
+      (cube ^ "behaviour Open = nil process p = Cube mass 1 [Opn]");
+    case "unknown value" "SC0201" "m" ~says:"did you mean `n`" "param n = 1\ntimestep m";
+    case "value used before it is declared" "SC0201" "n" "timestep n\nparam n = 1";
+    case "unknown process in a bond" "SC0201" "q" (cube ^ "process p = Cube mass 1 [nil] bond <a, {p.top, q.top}>");
+    case "unknown process in the network" "SC0201" "q" (cube ^ "process p = Cube mass 1 [nil] network p || q");
+    case "unknown process in a motion" "SC0201" "q" "motion q = inertial";
+    case "unknown name in a law" "SC0201" "wx" ~says:"did you mean" "motion (wx, 0, 0)";
+    case "unknown function" "SC0201" "sise" ~says:"did you mean `size`"
+      (cube ^ "process p = Cube mass 1 [nil] check c : always sise(p) = 1");
+    case "unknown channel" "SC0201" "b" (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check c : always bonds(b) = 1");
+    case "unknown template of a quantifier" "SC0201" "Cuba"
+      (cube ^ "process p = Cube mass 1 [nil] check c : always forall q in Cuba: x(q) = 1");
+    case "unknown template of a behaviour" "SC0201" "Cuba" (cube ^ "behaviour B on Cuba = nil");
+    case "two processes with one name" "SC0202" "p" ~says:"taken"
+      (cube ^ "process p = Cube mass 1 [nil] process p = Cube mass 1 at translate (9,0,0) [nil]");
+    case "a process with the name of a family" "SC0202" "c"
+      (cube ^ "for i in 1..2 { process c[i] = Cube mass 1 at translate (4*i,0,0) [nil] }\nprocess c = Cube mass 1 at translate (99,0,0) [nil]");
+    case "two templates with one name" "SC0202" "Cube" (cube ^ cube);
+    case "two behaviours with one name" "SC0202" "B" "behaviour B = nil behaviour B = nil";
+    case "two parameters with one name" "SC0202" "n" "param n = 1 param n = 2";
+    case "two checks with one name" "SC0202" "k" "check k : always time >= 0 check k : always time >= 0";
+    case "two vertices with one name" "SC0202" "a" "shape S { vertices a (0,0,0) a (1,0,0) faces f [a,a,a] }";
+    case "a vertex with the name of a face" "SC0202" "a"
+      "shape S { vertices a (0,0,0) b (1,0,0) c (0,1,0) faces a [a,b,c] }";
+    case "two laws for one process" "SC0202" "motion p = (1,0,0)" ~says:"two laws"
+      (cube ^ "process p = Cube mass 1 [nil] motion p = inertial motion p = (1,0,0)");
+    case "a process twice in the network" "SC0202" "p" (cube ^ "process p = Cube mass 1 [nil] network p || p");
+    case "unknown feature" "SC0203" "tpo" ~says:"did you mean `top`"
+      (cube ^ "process p = Cube mass 1 [<a, {tpo}>. nil]");
+    case "unknown vertex in a face" "SC0203" "k" "shape S { vertices a (0,0,0) b (1,0,0) c (0,1,0) faces f [a,b,k] }";
+    case "no edge" "SC0203" "[a,g]" ~says:"not an edge" (cube ^ "process p = Cube mass 1 [<a, {[a,g]}>. nil]");
+    case "a face the wrong way round" "SC0203" "[a,b,c,d]" ~says:"wrong way round"
+      (cube ^ "process p = Cube mass 1 [<a, {[a,b,c,d]}>. nil]");
+    case "an unknown part" "SC0203" "rigt" ~says:"has no part"
+      (cube ^ corner ^ "process p = Corner [<a, {rigt.top}>. nil]");
+    case "another process's feature in a behaviour" "SC0203" "q" (cube ^ "process p = Cube mass 1 [<a, {q.top}>. nil]");
+    case "a definition with the features of one process" "SC0203" "K" ~says:"cannot be the behaviour of `q`"
+      (cube
+       ^ "behaviour J = <a, {p.top}>. nil process p = Cube mass 1 [J] process q = Cube mass 1 at translate (9,0,0) [J + nil]"
+       |> String.split_on_char 'J' |> String.concat "K");
+    case "index that is not an integer" "SC0204" "1/2" (cube ^ "process c[1/2] = Cube mass 1 [nil]");
+    case "loop bound that is not an integer" "SC0204" "3/2" "for i in 1..3/2 { }";
+    case "a truth value for a number" "SC0205" "1 < 2" "param n = 1 < 2";
+    case "a number for a truth value" "SC0205" "1" "check k : always (1 and true)";
+    case "something that changes for a constant" "SC0205" "x(p)" (cube ^ "process p = Cube mass x(p) [nil]");
+    case "branches of two types" "SC0205" "true" "param n = if 1 < 2 then 1 else true";
+    case "a temporal formula under a comparison" "SC0205" "always time > 1"
+      (cube ^ "process p = Cube mass 1 [nil] check k : always count(q in Cube: always time > 1) = 1");
+    case "too many arguments" "SC0206" "x(p, p)" (cube ^ "process p = Cube mass 1 [nil] check k : always x(p, p) = 1");
+    case "too few arguments" "SC0206" "bound(p)" (cube ^ "process p = Cube mass 1 [nil] check k : always bound(p)");
+    case "division by zero" "SC0207" "1/(n-1)" "param n = 1 timestep 1/(n-1)";
+    case "division by zero in a law" "SC0207" "vx/n" "param n = 0 motion (vx/n, 0, 0)";
+    case "a mass that is not positive" "SC0208" "0" (cube ^ "process p = Cube mass 0 [nil]");
+    case "no mass" "SC0208" "p" ~says:"has no mass" (cube ^ "process p = Cube [nil]");
+    case "a step that is not positive" "SC0208" "-1" "timestep -1";
+    case "a negative time bound" "SC0208" "-2" "check k : possibly time > 1 within (-2)";
+    case "an empty time bound" "SC0208" "1" "check k : EF[2, 1] time > 1";
+    case "a process for a value" "SC0210" "q" (cube ^ "process p = Cube mass 1 [nil] check k : always forall q in Cube: q = 1");
+    case "a compound scaled" "SC0210" "Corner" (cube ^ corner ^ "process p = Corner scaled (1,2,3) mass 1 [nil]");
+    case "a family for a leaf" "SC0210" "c"
+      (cube ^ "for i in 1..2 { process c[i] = Cube mass 1 at translate (4*i,0,0) [nil] } check k : always x(c) = 1");
+    case "a bond with what is left out" "SC0210" "q.left"
+      (cube
+       ^ "process p = Cube mass 1 [nil] process q = Cube mass 1 at translate (2,0,0) [nil] network p bond <a, {p.right, q.left}>");
+    case "a declaration in a loop" "SC0210" "param k = 1" "for i in 1..2 { param k = 1 }";
+    case "unused template" "SC0211" "Cube" cube;
+    case "unused behaviour" "SC0211" "B" "behaviour B = nil";
+    case "unused parameter" "SC0211" "n" "param n = 1";
+    case "unused let" "SC0211" "l" "let l = time > 1";
+    case "an attribute twice" "SC0212" "mass 2" (cube ^ "process p = Cube mass 1 mass 2 [nil]");
+    case "a mass of a compound" "SC0212" "mass 2" (cube ^ corner ^ "process p = Corner mass 2 [nil]");
+    case "timestep twice" "SC0212" "2" "timestep 1 timestep 2";
+    case "network twice" "SC0212" "network nil" "network nil network nil"
+  ]
+
+let shape faces =
+  "shape S { vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1) e (-1,-1,1) f (1,-1,1) g (1,1,1) h (-1,1,1)\n"
+  ^ "faces " ^ faces ^ " }"
+
+let templates =
+  [
+    case "no faces" "SC0301" "vertices a (0,0,0) faces" "shape S { vertices a (0,0,0) faces }";
+    case "an open solid" "SC0302" "left"
+      (shape "bottom [a,d,c,b] left [a,e,h,d] right [b,c,g,f] front [a,b,f,e] back [d,h,g,c]");
+    case "a face twice" "SC0303" "bottom"
+      (shape "bottom [a,d,c,b] again [a,d,c,b] top [e,f,g,h] left [a,e,h,d] right [b,c,g,f] front [a,b,f,e] back [d,h,g,c]");
+    case "an unused vertex" "SC0304" "i" ~says:"used by no face"
+      ("shape S { vertices i (0,0,0) a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1) e (-1,-1,1) f (1,-1,1) g (1,1,1) h (-1,1,1)\n"
+       ^ "faces bottom [a,d,c,b] top [e,f,g,h] left [a,e,h,d] right [b,c,g,f] front [a,b,f,e] back [d,h,g,c] }");
+    case "faces inward" "SC0309" "Inward" ~says:"clockwise"
+      (shape "bottom [b,c,d,a] top [h,g,f,e] left [d,h,e,a] right [f,g,c,b] front [e,f,b,a] back [c,g,h,d]");
+    case "a singular scale" "SC0311" "Cube scaled (1,0,1)" ~says:"singular" (cube ^ "shape T = Cube scaled (1,0,1)");
+    case "a reflection" "SC0311" "scale (1,-1,1)" ~says:"reflection"
+      (cube ^ "process p = Cube mass 1 at scale (1,-1,1) [nil]");
+    case "the zero quaternion" "SC0311" "rotate quaternion (0,0,0,0)"
+      (cube ^ "process p = Cube mass 1 at rotate quaternion (0,0,0,0) [nil]");
+    case "a matrix that is not affine" "SC0311" "matrix ((1,0,0,0),(0,1,0,0),(0,0,1,0),(1,0,0,1))"
+      (cube ^ "process p = Cube mass 1 at matrix ((1,0,0,0),(0,1,0,0),(0,0,1,0),(1,0,0,1)) [nil]");
+    case "an off-centre template" "SC0312" "T" ~says:"(1/4, 1/4, 1/4)"
+      "shape T { vertices a (0,0,0) b (1,0,0) c (0,1,0) d (0,0,1) faces x [a,c,b] y [a,b,d] z [a,d,c] w [b,c,d] }\nprocess p = T mass 1 [nil]";
+    case "a mesh that cannot be read" "SC0101" "\"a.off\"" "shape T = mesh \"a.off\"";
+  ]
+  |> List.map (fun c ->
+      if String.equal c.at "Inward" then
+        let start = String.index c.text '{' + 2 in
+        { c with at = String.sub c.text start (String.length c.text - start - 2) }
+      else c)
+
+let two position = Printf.sprintf "process p = Cube mass 1 [nil] process q = Cube mass 1 at translate (%s) [nil] " position
+
+let networks =
+  [
+    case "a glue that does not touch" "SC0401" "glue l.left ~ r.right" ~says:"l.right and r.left"
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) glue l.left ~ r.right }");
+    case "parts apart" "SC0401" "glue l.right ~ r.left" ~says:"do not touch"
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (3,0,0) glue l.right ~ r.left }");
+    case "a glue that is not the highest" "SC0402" "glue l.[b,c] ~ r.[a,d]" ~says:"l.right ~ r.left"
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) glue l.[b,c] ~ r.[a,d] }");
+    case "parts that interpenetrate" "SC0403" "r" ~says:"(1/2, 0, 0)"
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (1,0,0) glue l.right ~ r.left }");
+    case "bodies that interpenetrate" "SC0403" "q" ~says:"(1/2, 0, 0) is inside both" (cube ^ two "1,0,0");
+    case "bodies at one place" "SC0403" "q" ~says:"(0, 0, 0) is inside both" (cube ^ two "0,0,0");
+    case "a body and a wall" "SC0403" "w" (cube ^ "process p = Cube mass 1 [nil] fixed w = Cube at translate (0,3/2,0)");
+    case "the misprinted Figure 5" "SC0404" "velocity (2,1,1)" ~says:"(2, 1, 0) and (2, 1, 1)"
+      (cube
+       ^ "compound C { part l : Cube mass 3 velocity (2,1,0) part r : Cube mass 3 velocity (2,1,1) at translate (2,0,0) glue l.right ~ r.left }"
+      );
+    case "bound bodies with two velocities" "SC0404" "<a, {p.right, q.left}>"
+      (cube
+       ^ "process p = Cube mass 1 velocity (1,0,0) [nil] process q = Cube mass 1 at translate (2,0,0) [nil] bond <a, {p.right, q.left}>");
+    case "moving body bound to a wall" "SC0404" "<a, {p.right, q.left}>" ~says:"which is fixed"
+      (cube
+       ^ "process p = Cube mass 1 velocity (1,0,0) [nil] fixed q = Cube at translate (2,0,0) bond <a, {p.right, q.left}>");
+    case "parts not joined" "SC0405" "r" ~says:"no glue joins"
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) }");
+    case "glues with a cycle" "SC0405" "glue r.left ~ l.right" ~says:"tree"
+      (cube
+       ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) glue l.right ~ r.left glue r.left ~ l.right }"
+      );
+    case "a part glued to itself" "SC0405" "glue l.left ~ l.right"
+      (cube ^ "compound C { part l : Cube mass 1 glue l.left ~ l.right }");
+    case "bonds with a cycle" "SC0406" "<b, {q.left, p.right}>" ~says:"cycle"
+      (cube ^ two "2,0,0" ^ "bond <a, {p.right, q.left}> bond <b, {q.left, p.right}>");
+    case "a bond with itself" "SC0406" "<a, {p.right, p.left}>" (cube ^ two "2,0,0" ^ "bond <a, {p.right, p.left}>");
+    case "a bond that does not touch" "SC0401" "<a, {p.top, q.left}>" ~says:"p.right and q.left"
+      (cube ^ two "2,0,0" ^ "bond <a, {p.top, q.left}>");
+    case "a fixed body with a mass" "SC0407" "mass 1" (cube ^ "fixed w = Cube mass 1");
+    case "a fixed body with a velocity" "SC0407" "velocity (1,0,0)" (cube ^ "fixed w = Cube velocity (1,0,0)");
+    case "a law for a fixed body" "SC0407" "motion w = inertial" (cube ^ "fixed w = Cube motion w = inertial");
+    case "a bare feature of a compound" "SC0408" "top" ~says:"left.top"
+      (cube ^ corner ^ "process p = Corner [<a, {top}>. nil]");
+    case "a bare feature in a glue" "SC0408" "right"
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) glue right ~ r.left }");
+    case "a part of a process in the network" "SC0210" "p2"
+      (cube
+       ^ "process r = p2 : Cube mass 1 [nil] <a, {p2.right, p3.left}> p3 : Cube mass 1 at translate (2,0,0) [nil] network p2");
+  ]
+
+let behaviours_and_laws =
+  [
+    case "an unguarded recursion" "SC0501" "K" (cube ^ "behaviour K = nil + K process p = Cube mass 1 [K]");
+    case "a recursion through eps(0)" "SC0501" "K" (cube ^ "behaviour K = eps(0). K process p = Cube mass 1 [K]");
+    case "an unguarded recursion of two" "SC0501" "J"
+      (cube ^ "behaviour J = nil + K behaviour K = J process p = Cube mass 1 [K]");
+    case "a negative delay" "SC0502" "-1" (cube ^ "process p = Cube mass 1 [eps(-1). nil]");
+    case "a channel without features" "SC0503" "<a, {}>" (cube ^ "process p = Cube mass 1 [<a, {}>. nil]");
+    case "a strong split without channels" "SC0503" "rho({}). nil" (cube ^ "process p = Cube mass 1 [rho({}). nil]");
+    case "a behaviour on another template" "SC0504" "K" ~says:"on `Cube`"
+      (cube ^ corner ^ "behaviour K on Cube = nil process p = Corner [K]");
+    case "a fault in an unused behaviour" "SC0203" "tip" (cube ^ "behaviour K on Cube = <a, {tip}>. nil");
+    case "a quantum that is not positive" "SC0601" "0" "motion (round(vx, 0), 0, 0)";
+    case "a state predicate as a check" "SC0701" "time > 1" ~says:"always" "check k : time > 1";
+    case "choose" "SC0901" "choose { (1,0,0), (0,1,0) }" "motion choose { (1,0,0), (0,1,0) }";
+    case "spin" "SC0902" "spin (0,0,1)" (cube ^ "process p = Cube mass 1 spin (0,0,1) [nil]");
+    case "spin of a part" "SC0902" "spin (0,0,1)" (cube ^ "compound C { part l : Cube mass 1 spin (0,0,1) }");
+  ]
+
+let limits =
+  [
+    case "too many declarations" "SC0111" "for i in 1..2000000 { }" "for i in 1..2000000 { }";
+    case "too many declarations in nested loops" "SC0111" "for k in 1..1000 { }"
+      "for i in 1..1000 { for j in 1..1000 { for k in 1..1000 { } } }";
+    case "a constant that explodes" "SC0106" "e*e"
+      "param a = 1e10000 let b = a*a let c = b*b let d = c*c let e = d*d let f = e*e let g = f*f timestep g";
+    case "a formula that explodes" "SC0111" "always l40 > 1"
+      (let step i = Printf.sprintf "let l%d = l%d + l%d\n" i (i - 1) (i - 1) in
+       "let l0 = time\n" ^ String.concat "" (List.init 40 (fun i -> step (i + 1))) ^ "check k : always l40 > 1");
+    case "an empty model" "SC0112" "" "";
+  ]
+
+let overridden () =
+  check ~overrides:[ ("m", Rat.one) ] (case "" "SC0209" "" ~says:"did you mean `n`" "param n = 1 timestep n") ()
+
+let bad_mesh () =
+  let text = "shape T = mesh \"a.off\"" in
+  match elaborate ~read_file:(fun _ -> Ok "OFF\n4 4 6\n0 0 0\n") text with
+  | Ok _ -> Alcotest.fail "a mesh that lies about its counts was accepted"
+  | Error [ d ] ->
+    Alcotest.(check string) "place" "a.off" d.span.file;
+    Alcotest.(check string) "code" "SC0320" d.code
+  | Error _ -> Alcotest.fail "one error was expected"
+
+(* Only the first few of many errors of one kind at one place are told. *)
+let bounded () =
+  let text = cube ^ "for i in 1..1000 { process c[i] = Cube mass 1 at translate (4*i,0,0) [Opn] }" in
+  match elaborate text with
+  | Ok _ -> Alcotest.fail "accepted"
+  | Error ds -> Alcotest.(check bool) "few" true (List.length ds <= 5)
+
+(* Faults of different parts of a model are told in one run, in the order of the text. *)
+let several () =
+  let text = cube ^ "timestep 0\nprocess p = Cub mass 1 [nil]\nprocess q = Cube mass 0 [nil]\nprocess r = Cube mass 1 [K]\ncheck k : always x(s) = 1" in
+  match elaborate text with
+  | Ok _ -> Alcotest.fail "accepted"
+  | Error ds ->
+    let codes = List.map (fun (d : Diag.t) -> d.code) ds in
+    Alcotest.(check (list string)) "codes" [ "SC0208"; "SC0201"; "SC0208"; "SC0201"; "SC0201" ] codes
+
+let () =
+  let cases list = List.map (fun c -> Alcotest.test_case (c.code ^ " " ^ c.name) `Quick (check c)) list in
+  Alcotest.run "faults"
+    [
+      ("names and values", cases names_and_values);
+      ("templates", cases templates);
+      ("networks", cases networks);
+      ("behaviours and laws", cases behaviours_and_laws);
+      ("limits", cases limits);
+      ( "reports",
+        [
+          Alcotest.test_case "SC0209 unknown parameter" `Quick overridden;
+          Alcotest.test_case "SC0320 bad mesh" `Quick bad_mesh;
+          Alcotest.test_case "bounded" `Quick bounded;
+          Alcotest.test_case "several in order" `Quick several;
+        ] );
+    ]

@@ -1,0 +1,390 @@
+(* What elaboration makes of models that are in order. *)
+
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_property
+open Models
+
+let same_rational name expected x = Alcotest.(check string) name (Rat.to_string expected) (Rat.to_string x)
+let same_vector name expected x = Alcotest.(check string) name (Vec.to_string expected) (Vec.to_string x)
+let q n d = Rat.make (Z.of_int n) (Z.of_int d)
+let leaf_names (t : Scc_elaborate.Elaborate.t) = Array.to_list (Array.map (fun (l : Model.leaf) -> l.name) t.model.leaves)
+
+let leaf_index t name =
+  let rec from i = function
+    | [] -> Alcotest.failf "no leaf %s" name
+    | n :: _ when String.equal n name -> i
+    | _ :: rest -> from (i + 1) rest
+  in
+  from 0 (leaf_names t)
+
+let leaf (t : Scc_elaborate.Elaborate.t) name = t.model.leaves.(leaf_index t name)
+let state_leaf (t : Scc_elaborate.Elaborate.t) name = snd (State.find_leaf t.declared (leaf_index t name))
+
+let process_of (t : Scc_elaborate.Elaborate.t) name =
+  t.declared.processes.(fst (State.find_leaf t.declared (leaf_index t name)))
+
+let strings = Alcotest.(list string)
+
+(* {1 Names, loops, values} *)
+
+let loops () =
+  let t =
+    accept
+      (cube
+       ^ "param n = 2 for i in 1..n, j in i..n { process g[i,j] = Cube mass 1 at translate (4*i, 4*j, 0) [nil] }\n\
+          for i in 1..0 { process none[i] = Cube mass 1 [nil] }\n\
+          for i in -1..-1 { let k = 2*i process c[2*k] = Cube mass 1 at translate (0, 0, k) [nil] }")
+  in
+  Alcotest.(check strings) "names" [ "g[1,1]"; "g[1,2]"; "g[2,2]"; "c[-4]" ] (leaf_names t);
+  same_vector "place" (Vec.of_ints 4 8 0) (state_leaf t "g[1,2]").position
+
+let overrides () =
+  let text = "param n = 2 param m = n*n timestep m split_step 1/n" in
+  let t = accept ~overrides:[ ("n", q 3 1) ] text in
+  Alcotest.(check (list (pair string string)))
+    "values"
+    [ ("n", "3"); ("m", "9") ]
+    (List.map (fun (name, x) -> (name, Rat.to_string x)) t.parameters);
+  same_rational "timestep" (q 9 1) t.model.timestep;
+  same_rational "split step" (q 1 3) t.model.split_step
+
+let defaults () =
+  let t = accept "model m param unused = 1" in
+  same_rational "timestep" Rat.one t.model.timestep;
+  same_rational "split step" Rat.one t.model.split_step;
+  Alcotest.(check (option string)) "name" (Some "m") t.name;
+  same_rational "split step follows the timestep" (q 1 4) (accept "timestep 1/4").model.split_step
+
+let scopes () =
+  let t =
+    accept
+      (cube
+       ^ "param i = 7 let k = i + 1 for i in 1..1 { process c[i] = Cube mass (k) at translate (i, 0, 0) [nil] }\n\
+          process p = Cube mass (if i > 3 and not false then round(i, 2) else 1) at translate (9, 0, 0) [nil]")
+  in
+  same_rational "a let sees its own scope" (q 8 1) (leaf t "c[1]").mass;
+  same_vector "an inner name hides an outer one" (Vec.of_ints 1 0 0) (state_leaf t "c[1]").position;
+  same_rational "conditions and rounding" (q 8 1) (leaf t "p").mass
+
+(* {1 Shapes} *)
+
+let solids () =
+  let t =
+    accept
+      (cube
+       ^ "shape Plank = Cube scaled (2, 1/2, 1)\n\
+          process p = Cube mass 1 [nil] process q = Cube mass 1 at translate (5,0,0) [nil]\n\
+          process r = Cube mass 1 at translate (10,0,0) * rotate quaternion (1,0,0,1) [nil]\n\
+          process s = Cube scaled (2, 1/2, 1) mass 1 at translate (20,0,0) [nil]\n\
+          process u = Plank mass 1 at translate (30,0,0) [nil]\n\
+          process w = Cube mass 1 at translate (40,0,0) * scale (2, 2, 2) * translate (1,1,1) [nil]")
+  in
+  let solid name = (leaf t name).parts.(0).solid in
+  let id name = (solid name).id in
+  Alcotest.(check int) "equal bodies share a solid" (id "p") (id "q");
+  Alcotest.(check int) "so do images by one scaling" (id "s") (id "u");
+  Alcotest.(check bool) "a turned one is another" false (Int.equal (id "p") (id "r"));
+  same_vector "scaled" (Vec.make (q 2 1) (q 1 2) (q 1 1)) (solid "u").high;
+  Alcotest.(check string) "a template by scaling has its name" "Plank" (leaf t "u").template;
+  Alcotest.(check string) "scaled in place it keeps the other's" "Cube" (leaf t "s").template;
+  same_vector "the last transformation is the first applied" (Vec.of_ints 42 2 2)
+    (state_leaf t "w").position;
+  same_vector "linear part" (Vec.of_ints 2 2 2) (solid "w").high;
+  Alcotest.(check (list string)) "templates in order" [ "Cube"; "Plank" ] (List.map fst t.templates)
+
+let matrix () =
+  let t =
+    accept
+      (cube ^ "process p = Cube mass 1 at matrix ((0,-1,0,5),(1,0,0,6),(0,0,2,7),(0,0,0,1)) [nil]")
+  in
+  same_vector "translation" (Vec.of_ints 5 6 7) (state_leaf t "p").position;
+  same_vector "linear part" (Vec.of_ints 1 1 2) (leaf t "p").parts.(0).solid.high
+
+let compound () =
+  let t = accept (cube ^ corner ^ "process p = Corner velocity (1,0,0) at translate (0,0,5) * rotate quaternion (1,0,0,1) [nil]") in
+  let p = leaf t "p" in
+  Alcotest.(check strings) "parts" [ "p.left"; "p.arm" ]
+    (Array.to_list (Array.map (fun (x : Model.part) -> x.name) p.parts));
+  same_rational "mass" (q 6 1) p.mass;
+  (* a quarter turn about z takes (3, 1/2, 0) to (-1/2, 3, 0) *)
+  same_vector "part" (Vec.make (q (-1) 2) (q 3 1) Rat.zero) p.parts.(1).offset;
+  same_vector "turned" (Vec.make (q 1 2) (q 2 1) (q 1 1)) p.parts.(1).solid.high;
+  same_vector "velocity" (Vec.of_ints 1 0 0) (process_of t "p").velocity
+
+let compound_velocity () =
+  let text attribute =
+    cube
+    ^ "compound C { part l : Cube mass 1 velocity (1,2,3) part r : Cube mass 1 velocity (1,2,3) at translate (2,0,0) glue l.right ~ r.left }\n\
+       process p = C " ^ attribute ^ " [nil]"
+  in
+  same_vector "of the parts" (Vec.of_ints 1 2 3) (process_of (accept (text "")) "p").velocity;
+  same_vector "of the process" (Vec.of_ints 0 0 1)
+    (process_of (accept (text "velocity (0,0,1)")) "p").velocity
+
+let mesh () =
+  let off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n" in
+  let read_file path = if String.equal path "t.off" then Ok off else Error "?" in
+  let t = accept ~read_file "shape T = mesh \"t.off\" process p = T mass 1 [<a, {f0, [v1,v2]}>. nil]" in
+  Alcotest.(check int) "vertices" 4 (Array.length (snd (List.hd t.templates)).vertices);
+  Alcotest.(check (list string)) "off centre" [ "SC0312" ] (List.map (fun (d : Diag.t) -> d.code) t.warnings)
+
+(* {1 Behaviours} *)
+
+let sites (t : Scc_elaborate.Elaborate.t) name =
+  match (state_leaf t name).behaviour.term with
+  | Behaviour.Open (_, c, _) -> List.map (Model.site_name t.model ~leaf:(leaf_index t name)) c.sites
+  | _ -> Alcotest.fail "a channel was expected"
+
+let features () =
+  let t =
+    accept
+      (cube ^ corner
+       ^ "process p = Cube mass 1 [<a, {top, p.a, [b,a], [p.e, p.f, p.g, p.h], [d,c,b,a]}>. nil]\n\
+          process q = Corner at translate (20,0,0) [<a, {left.top, q.arm.[a,b], [left.a, left.b]}>. nil]\n\
+          for i in 1..1 { process c[i] = Cube mass 1 at translate (0,9,0) [<a, {c[i].top}>. nil] }")
+  in
+  Alcotest.(check strings) "basic" [ "p.a"; "p.[a,b]"; "p.bottom"; "p.top" ] (sites t "p");
+  Alcotest.(check strings) "compound" [ "q.left.[a,b]"; "q.left.top"; "q.arm.[a,b]" ] (sites t "q");
+  Alcotest.(check strings) "indexed" [ "c[1].top" ] (sites t "c[1]");
+  match (state_leaf t "q").behaviour.term with
+  | Behaviour.Open (_, c, _) ->
+    (* a top with 4 edges and 4 corners, an edge with 2 and an edge with 2 *)
+    Alcotest.(check int) "closure" (1 + 4 + 4 + (1 + 2) + (1 + 2)) (List.length c.closure)
+  | _ -> Alcotest.fail "a channel was expected"
+
+let definitions () =
+  let t =
+    accept
+      (cube
+       ^ "shape Tetra { vertices a (1,1,1) b (1,-1,-1) c (-1,1,-1) d (-1,-1,1) faces x [b,d,c] y [a,c,d] z [a,d,b] w [a,b,c] }\n\
+          behaviour Later = <a, {a}>. K behaviour K = <a, {[a,b]}>. Later + eps(2). nil\n\
+          process p = Cube mass 1 [K] process q = Cube mass 1 at translate (9,0,0) * scale (1,2,3) [K]\n\
+          process r = Tetra mass 1 at translate (0,9,0) [K]\n\
+          check k : always behaviour(p) = K and behaviour(r) != Later and K = behaviour(q)")
+  in
+  let called name =
+    match (state_leaf t name).behaviour.term with
+    | Behaviour.Call i -> i
+    | _ -> Alcotest.fail "a name was expected"
+  in
+  Alcotest.(check int) "one for each structure" (called "p") (called "q");
+  Alcotest.(check bool) "another for another structure" false (Int.equal (called "p") (called "r"));
+  Alcotest.(check strings) "names" [ "K"; "K"; "Later"; "Later" ]
+    (List.sort String.compare (Array.to_list (Array.map (fun (d : Behaviour.definition) -> d.name) t.model.definitions)));
+  match (List.hd t.checks).formula with
+  | Globally (All, _, State (And [ And [ Behaviour (0, k); Not (Behaviour (2, l)) ]; Behaviour (1, k') ])) ->
+    Alcotest.(check int) "of p" (called "p") k;
+    Alcotest.(check int) "of q" (called "q") k';
+    Alcotest.(check string) "of r" "Later" t.model.definitions.(l).name
+  | f -> Alcotest.fail (Show.temporal t.model f)
+
+let canonical () =
+  let t =
+    accept (cube ^ "process p = Cube mass 1 [eps(0). omega(a, {top}). rho({<~b, {left}>, <a, {top}>}). eps(1/2). nil]")
+  in
+  match (state_leaf t "p").behaviour.term with
+  | Behaviour.Weak ({ name = "a"; _ }, Strong ([ { name = "a"; _ }; { name = "b"; _ } ], Delay (d, Nil))) ->
+    same_rational "delay" (q 1 2) d
+  | _ -> Alcotest.fail "another term was expected"
+
+(* {1 Networks} *)
+
+let chain =
+  cube
+  ^ "process r = p2 : Cube mass 1 velocity (1,0,0) [nil] <bond, {p2.left, p3.right}> p3 : Cube mass 1 velocity (1,0,0) at translate (-2,0,0) [nil]\n"
+
+let bonds () =
+  let t =
+    accept
+      (chain
+       ^ "for i in 1..3 { process c[i] = Cube mass 1 at translate (2*i, 5, 0) [nil] }\n\
+          for i in 1..2 { bond <link, {c[i].right, c[i+1].left}> }\n\
+          process s = Cube mass 1 velocity (1,0,0) at translate (2,0,0) [nil] bond <x, {s.[a,d], p2.[b,c]}>")
+  in
+  Alcotest.(check int) "processes" 2 (Array.length t.declared.processes);
+  Alcotest.(check int) "leaves" 3 (Array.length (process_of t "p2").leaves);
+  Alcotest.(check int) "the chain" 2 (Array.length (process_of t "c[2]").bonds);
+  same_vector "velocity" (Vec.of_ints 1 0 0) (process_of t "s").velocity;
+  Alcotest.(check int) "well-formed" 0 (List.length (Well_formed.check t.model t.declared))
+
+let network () =
+  let text network =
+    chain
+    ^ "for i in 1..2 { process g[i] = Cube mass 1 at translate (4*i, 9, 0) [nil] }\n\
+       process inside = Cube mass 1 at translate (4, 9, 0) [nil] fixed w = Cube at translate (0,0,-9)\n" ^ network
+  in
+  let names n = leaf_names (accept (text n)) in
+  Alcotest.(check strings) "a process and a family" [ "p2"; "p3"; "g[1]"; "g[2]" ] (names "network r || g");
+  Alcotest.(check strings) "one of a family" [ "g[2]"; "inside"; "w" ] (names "network g[2] || inside || w");
+  Alcotest.(check strings) "none" [] (names "network nil");
+  match elaborate (text "") with
+  | Ok _ -> Alcotest.fail "everything together interpenetrates"
+  | Error ds -> Alcotest.(check strings) "all" [ "SC0403" ] (List.map (fun (d : Diag.t) -> d.code) ds)
+
+let fixed () =
+  let t =
+    accept
+      (cube ^ "fixed w = Cube scaled (9,9,1) [<a, {top}>. nil] process p = Cube mass 2 at translate (0,0,2) [nil] bond <a, {w.top, p.bottom}>")
+  in
+  Alcotest.(check bool) "fixed" true (leaf t "w").fixed;
+  Alcotest.(check bool) "no mass" true (Option.is_none (State.mass t.model (process_of t "p")));
+  Alcotest.(check int) "well-formed" 0 (List.length (Well_formed.check t.model t.declared))
+
+(* {1 Motion} *)
+
+let motion () =
+  let t =
+    accept
+      (chain
+       ^ "for i in 1..2 { process g[i] = Cube mass 1 at translate (4*i, 9, 0) [nil] } process p = Cube mass 1 at translate (0,0,9) [nil]\n\
+          fixed w = Cube at translate (0,0,-9)\n\
+          motion g[2] = (vx - 2*3*dt, vy, if z > 0 and not (x < 1 or false) then round(vz, 1/8) else -mass)\n\
+          motion r = (1/2, 0, 0) motion p3 = (1,0,0) motion (vx, vy, vz - 10*dt) motion g = inertial")
+  in
+  let law name = (leaf t name).law in
+  let is_inertial name =
+    match law name with
+    | Law.Inertial -> true
+    | Velocity _ -> false
+  in
+  Alcotest.(check bool) "the family's" true (is_inertial "g[1]");
+  Alcotest.(check bool) "none for a wall" true (is_inertial "w");
+  (match law "g[2]" with
+   | Velocity
+       ( Sub (Var Vx, Mul (Const six, Var Dt)),
+         Var Vy,
+         If (And (Compare (Gt, Var Z, Const _), Not (Compare (Lt, Var X, Const _))), Round (Var Vz, Const _), Neg (Var Mass)) ) ->
+     same_rational "folded" (q 6 1) six
+   | _ -> Alcotest.fail "its own law was expected");
+  (match (law "p2", law "p3") with
+   | Velocity (Const a, _, _), Velocity (Const b, _, _) ->
+     same_rational "the process's" (q 1 2) a;
+     same_rational "the leaf's" (q 1 1) b
+   | _ -> Alcotest.fail "constant laws were expected");
+  (match law "p" with
+   | Velocity (Var Vx, Var Vy, Sub _) -> ()
+   | _ -> Alcotest.fail "the general law was expected");
+  Alcotest.(check bool) "steered" true t.model.steered;
+  Alcotest.(check bool) "no time" false t.model.keeps_time;
+  match t.declared.step with
+  | Some { phase = Due; _ } -> ()
+  | _ -> Alcotest.fail "a steered network begins with a step that is due"
+
+let time () =
+  let keeps text = (accept (cube ^ "process p = Cube mass 1 [nil] " ^ text)).model.keeps_time in
+  Alcotest.(check bool) "a law" true (keeps "motion (time, 0, 0)");
+  Alcotest.(check bool) "a check" true (keeps "check k : always (time > 1 => x(p) = 0)");
+  Alcotest.(check bool) "a bound is no time" false (keeps "check k : always x(p) = 0 within 3")
+
+(* {1 Properties} *)
+
+let printed text =
+  let t = accept text in
+  List.map (fun (k : Property.check) -> Show.temporal t.model k.formula) t.checks
+
+let body =
+  cube
+  ^ "process p = Cube mass 1 [<a, {top}>. nil] process q = Cube scaled (1,1,2) mass 1 at translate (9,0,0) [nil] shape B = Cube process r = B mass 1 at translate (20,0,0) [nil]\n\
+     for i in 1..2 { process c[i] = B mass 1 at translate (4*i, 9, 0) [nil] }\n"
+
+let property name written expected =
+  let run () = Alcotest.(check strings) written [ expected ] (printed (body ^ "check k : " ^ written)) in
+  Alcotest.test_case name `Quick run
+
+let properties =
+  [
+    property "possibly" "possibly x(p) > 1/2" "EF (x(p) > 1/2)";
+    property "always within" "always vx(p) <= 0.5 within 10" "AG[<= 10] (vx(p) <= 1/2)";
+    property "eventually" "eventually size(p) != 1" "AF (size(p) != 1)";
+    property "interval" "EF[1, 3/2] touching(p, q)" "EF[1, 3/2] (touching(p, q))";
+    property "until" "A[ not bound(p, q) U[<= 5] E[ same(p, q) U quiescent ] ]"
+      "A[ not bound(p, q) U[<= 5] E[ same(p, q) U quiescent ] ]";
+    property "next" "EX AX processes = 2" "EX (AX (processes = 2))";
+    property "numbers" "always speed2(p) + distance2(p, q)*energy - time/2 >= -momentum.y"
+      "AG (((speed2(p) + (distance2(p, q) * energy)) - (time / 2)) >= -momentum.y)";
+    property "bonds" "always bonds(a) + bonds(a, p, q) + bonds() = 0" "AG (((bonds(a) + bonds(a, p, q)) + bonds()) = 0)";
+    property "offers" "always offers(p, a) or offers(p, ~a)" "AG (offers(p, a) or offers(p, ~a))";
+    property "indexed" "always y(c[1 + 1]) = 0" "AG (y(c[2]) = 0)";
+    property "a template" "always forall s in Cube: z(s) = 0" "AG (z(p) = 0 and z(q) = 0)";
+    property "an image of it" "always exists s in B: z(s) = 0" "AG (z(r) = 0 or z(c[1]) = 0 or z(c[2]) = 0)";
+    property "a family" "always count(s in c: z(s) > 0) = 2" "AG (count(z(c[1]) > 0, z(c[2]) > 0) = 2)";
+    property "a quantified formula" "forall s in c: possibly z(s) > 0" "(EF (z(c[1]) > 0)) and (EF (z(c[2]) > 0))";
+    property "a variable hides a process" "always forall q in c: distance2(p, q) > 0"
+      "AG (distance2(p, c[1]) > 0 and distance2(p, c[2]) > 0)";
+    property "mixed" "(x(p) = 0 => possibly x(p) > 1) and not always true"
+      "((not x(p) = 0) or (EF (x(p) > 1))) and (not (AG (true)))";
+    property "conditional" "always (if x(p) > 0 then vx(p) else 1) > 0" "AG ((if x(p) > 0 then vx(p) else 1) > 0)";
+    property "folding" "always (2 > 1 and x(p) + (1 + 2) = 0 or false)" "AG ((x(p) + 3) = 0)";
+  ]
+
+let lets () =
+  Alcotest.(check strings) "let"
+    [ "EF (bonds(a) >= 1)"; "AG ((not bonds(a) >= 1) or (EF (x(p) = 3)))" ]
+    (printed
+       (body
+        ^ "let n = 3 let glued = bonds(a) >= 1 let far = possibly x(p) = n\n\
+           check one : possibly glued check two : always not glued or far"))
+
+let indexed_checks () =
+  let t = accept (body ^ "for i in 1..2 { check far : always x(c[i]) <= i }") in
+  Alcotest.(check strings) "names" [ "far[1]"; "far[2]" ] (List.map (fun (k : Property.check) -> k.name) t.checks);
+  Alcotest.(check string) "text" "always x(c[i]) <= i" (List.hd t.checks).text
+
+let normal_form () =
+  let t = accept (body ^ "check k : not ((possibly x(p) > 1) and AX not always y(p) = 0)") in
+  Alcotest.(check string) "duals" "(AG (x(p) <= 1)) or (EX (AG (y(p) = 0)))"
+    (Show.temporal t.model (Formula.negation_normal_form (List.hd t.checks).formula))
+
+(* {1 Size} *)
+
+(* Long chains of operators, prefixes and lets stay off the stack. *)
+let deep () =
+  let many n piece = String.concat "" (List.init n (fun _ -> piece)) in
+  let t =
+    accept
+      (body
+       ^ Printf.sprintf "process d = Cube mass 1 at translate (0,0,50) [%s nil]\n" (many 9_000 "<a, {top}>. ")
+       ^ Printf.sprintf "check k : always x(p)%s > 0\n" (many 9_000 " + x(p)")
+       ^ "let l0 = x(p)\n"
+       ^ String.concat "" (List.init 4_000 (fun i -> Printf.sprintf "let l%d = l%d + 1\n" (i + 1) i))
+       ^ "check l : always l4000 > 0")
+  in
+  Alcotest.(check int) "checks" 2 (List.length t.checks)
+
+(* Ten thousand bodies: quadratic work would show as minutes. *)
+let large () =
+  let t =
+    accept
+      (cube
+       ^ "for i in 1..100, j in 1..100 { process g[i,j] = Cube mass 1 at translate (2*i, 2*j, 0) [K] }\n\
+          behaviour K on Cube = <a, {top}>. K\n\
+          for i in 1..100, j in 1..99 { bond <a, {g[i,j].back, g[i,j+1].front}> }\n\
+          check k : always forall p in Cube: x(p) >= 0")
+  in
+  Alcotest.(check int) "leaves" 10_000 (Array.length t.model.leaves);
+  Alcotest.(check int) "processes" 100 (Array.length t.declared.processes);
+  Alcotest.(check int) "well-formed" 0 (List.length (Well_formed.check t.model t.declared))
+
+let case name run = Alcotest.test_case name `Quick run
+
+let () =
+  Alcotest.run "terms"
+    [
+      ("values", [ case "loops" loops; case "overrides" overrides; case "defaults" defaults; case "scopes" scopes ]);
+      ( "shapes",
+        [
+          case "solids" solids;
+          case "matrix" matrix;
+          case "compound" compound;
+          case "velocity of a compound" compound_velocity;
+          case "mesh" mesh;
+        ] );
+      ("behaviours", [ case "features" features; case "definitions" definitions; case "canonical" canonical ]);
+      ("networks", [ case "bonds" bonds; case "network" network; case "fixed" fixed ]);
+      ("motion", [ case "laws" motion; case "time" time ]);
+      ( "properties",
+        properties @ [ case "let" lets; case "in loops" indexed_checks; case "normal form" normal_form ] );
+      ("size", [ case "deep" deep; case "large" large ]);
+    ]
