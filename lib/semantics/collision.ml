@@ -189,7 +189,7 @@ let first_time_of_contact m s ~limit =
      in time is the least of all. *)
   let rec look window =
     match window with
-    | None -> List.fold_left earlier None (Parts.pairs parts)
+    | None -> Parts.fold_pairs earlier None parts
     | Some span -> (
         let near = Parts.near_within parts span in
         match List.fold_left earlier None near with

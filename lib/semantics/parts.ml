@@ -38,43 +38,29 @@ let in_relative_motion parts (i, j) = not (Vec.equal parts.(i).velocity parts.(j
 (* With few parts every pair is looked at: boxes would cost more than they save. *)
 let few = 12
 
-let all_pairs parts =
+let fold_pairs f acc parts =
   let n = Array.length parts in
   let rec from i j acc =
-    if i < 0 then acc
-    else if j <= i then from (i - 1) (n - 1) acc
-    else from i (j - 1) ((i, j) :: acc)
+    if i >= n - 1 then acc
+    else if j = n then from (i + 1) (i + 2) acc
+    else from i (j + 1) (if in_relative_motion parts (i, j) then f acc (i, j) else acc)
   in
-  from (n - 2) (n - 1) []
+  from 0 1 acc
 
-let boxes_meet a b =
-  let open Vec in
-  let meet l h l' h' = Rat.compare l h' <= 0 && Rat.compare l' h <= 0 in
-  meet a.low.x a.high.x b.low.x b.high.x
-  && meet a.low.y a.high.y b.low.y b.high.y
-  && meet a.low.z a.high.z b.low.z b.high.z
+let boxes_meet a b = Boxes.meet (a.low, a.high) (b.low, b.high)
 
 let near parts =
   if Array.length parts <= few then
-    List.filter
-      (fun (i, j) -> in_relative_motion parts (i, j) && boxes_meet parts.(i) parts.(j))
-      (all_pairs parts)
+    let add found (i, j) = if boxes_meet parts.(i) parts.(j) then (i, j) :: found else found in
+    List.rev (fold_pairs add [] parts)
   else
     List.filter (in_relative_motion parts)
       (Boxes.pairs (Array.map (fun p -> (p.low, p.high)) parts))
 
-let swept span p =
-  let step v = Rat.mul span v in
-  let down l v = if Rat.sign v < 0 then Rat.add l (step v) else l in
-  let up h v = if Rat.sign v > 0 then Rat.add h (step v) else h in
-  let v = p.velocity in
-  ( Vec.make (down p.low.x v.x) (down p.low.y v.y) (down p.low.z v.z),
-    Vec.make (up p.high.x v.x) (up p.high.y v.y) (up p.high.z v.z) )
+let swept span p = Boxes.swept (p.low, p.high) (Vec.scale span p.velocity)
 
 let near_within parts span =
   List.filter (in_relative_motion parts) (Boxes.pairs (Array.map (swept span) parts))
-
-let pairs parts = List.filter (in_relative_motion parts) (all_pairs parts)
 
 let greatest_speed parts =
   let component best v = Rat.max best (Rat.abs v) in

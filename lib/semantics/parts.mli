@@ -23,8 +23,8 @@ val near : part array -> (int * int) list
 val near_within : part array -> Rat.t -> (int * int) list
 (** The pairs of processes in relative motion whose boxes, swept over [0, t], meet. Sorted. *)
 
-val pairs : part array -> (int * int) list
-(** Every pair of processes in relative motion. *)
+val fold_pairs : ('a -> int * int -> 'a) -> 'a -> part array -> 'a
+(** Over every pair of parts (lesser index first) of processes in relative motion, in order. *)
 
 val first_window : part array -> limit:Rat.t option -> Rat.t option
 (** How far ahead to look first: so far that the fastest part sweeps about the least size of a part, or to
