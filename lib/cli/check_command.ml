@@ -64,15 +64,19 @@ let schedule (model : Input.model) (w : Witness.t) =
     ~offset:(Witness.offset w)
 
 let make_folder path =
-  match if Sys.file_exists path then () else Sys.mkdir path 0o777 with
-  | () -> Ok ()
-  | exception Sys_error message ->
+  let fail message =
     Error
       [
-        Diag.error Code.cannot_write
-          (Span.make ~file:path ~start:0 ~stop:0)
-          "cannot make the folder: %s" (Os_error.reason path message);
+        Diag.error Code.cannot_write (Span.make ~file:path ~start:0 ~stop:0) "cannot make the folder: %s" message;
       ]
+  in
+  match Sys.is_directory path with
+  | true -> Ok ()
+  | false -> fail "it is a file"
+  | exception Sys_error _ -> (
+      match Sys.mkdir path 0o777 with
+      | () -> Ok ()
+      | exception Sys_error message -> fail (Os_error.reason path message))
 
 let write_witnesses model folder verdicts =
   let one acc ((check : Property.check), v) =

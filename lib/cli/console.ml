@@ -43,16 +43,22 @@ let output_failed name message =
   Output_failed
     (Diag.error Code.cannot_write (Span.make ~file:name ~start:0 ~stop:0) "cannot write: %s" message)
 
+(* What could not be written is given up, or the end of the program would try again. *)
+let abandon_stdout () =
+  match Unix.openfile "/dev/null" [ Unix.O_WRONLY ] 0 with
+  | null ->
+    Unix.dup2 null Unix.stdout;
+    Stdlib.flush stdout
+  | exception Unix.Unix_error _ -> ()
+
 (* A closed pipe is the reader's choice, everything else is a failure. *)
 let to_stdout f =
   try f ()
   with Sys_error message ->
-    let closed =
-      match Unix.write_substring Unix.stdout "" 0 0 with
-      | _ -> String.equal message "Broken pipe"
-      | exception Unix.Unix_error _ -> true
-    in
-    raise (if closed then Output_closed else output_failed "standard output" message)
+    abandon_stdout ();
+    raise
+      (if String.equal message (Unix.error_message EPIPE) then Output_closed
+       else output_failed "standard output" message)
 
 let print _ s = to_stdout (fun () -> print_string s)
 let flush _ = to_stdout (fun () -> Stdlib.flush stdout)

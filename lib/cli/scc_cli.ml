@@ -21,8 +21,14 @@ let main () =
   in
   (* Writing to a closed pipe is an error to be handled, and not the end. *)
   if not Sys.win32 then Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
-  match Cmd.eval_value ~catch:false (Cmd.group info commands) with
-  | Ok (`Ok code) -> Exit_code.to_int code
-  | Ok (`Version | `Help) -> Exit_code.to_int Holds
-  | Error (`Parse | `Term) -> Exit_code.to_int Usage
-  | Error `Exn -> Exit_code.to_int Bug
+  let code =
+    match Cmd.eval_value ~catch:false (Cmd.group info commands) with
+    | Ok (`Ok code) -> code
+    | Ok (`Version | `Help) -> Holds
+    | Error (`Parse | `Term) -> Usage
+    | Error `Exn -> Bug
+  in
+  (* The manual may still wait in the buffer. *)
+  let console = Console.make ~color:Never ~json:false in
+  let flushed = Guard.run console (fun () -> Console.flush console; Holds) in
+  Exit_code.to_int (Exit_code.worst [ code; flushed ])

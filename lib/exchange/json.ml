@@ -40,8 +40,95 @@ let text s = `String (utf_8 s)
 let rat (q : Rat.t) = `String (Z.to_string (Q.num q) ^ "/" ^ Z.to_string (Q.den q))
 let vec (v : Vec.t) = `List [ rat v.x; rat v.y; rat v.z ]
 let option encode = function None -> `Null | Some x -> encode x
-let line json = Yojson.Basic.to_string json
-let pretty json = Yojson.Basic.pretty_to_string json ^ "\n"
+
+(* The writer is our own, so that the bytes do not depend on the version of a library. *)
+let add_string b s =
+  let escape = function
+    | '"' -> Buffer.add_string b "\\\""
+    | '\\' -> Buffer.add_string b "\\\\"
+    | '\n' -> Buffer.add_string b "\\n"
+    | '\t' -> Buffer.add_string b "\\t"
+    | ('\x00' .. '\x1f' | '\x7f') as c -> Printf.bprintf b "\\u%04x" (Char.code c)
+    | c -> Buffer.add_char b c
+  in
+  Buffer.add_char b '"';
+  String.iter escape s;
+  Buffer.add_char b '"'
+
+let between b separator write items =
+  List.iteri
+    (fun i x ->
+       if i > 0 then Buffer.add_string b separator;
+       write x)
+    items
+
+let rec add b ~comma ~colon (json : t) =
+  match json with
+  | `Null -> Buffer.add_string b "null"
+  | `Bool x -> Buffer.add_string b (string_of_bool x)
+  | `Int n -> Buffer.add_string b (string_of_int n)
+  | `Float _ -> Bug.fail __POS__ "a float in JSON"
+  | `String s -> add_string b s
+  | `List items ->
+    Buffer.add_char b '[';
+    between b comma (add b ~comma ~colon) items;
+    Buffer.add_char b ']'
+  | `Assoc members ->
+    Buffer.add_char b '{';
+    between b comma
+      (fun (key, value) ->
+         add_string b key;
+         Buffer.add_string b colon;
+         add b ~comma ~colon value)
+      members;
+    Buffer.add_char b '}'
+
+let written ~comma ~colon json =
+  let b = Buffer.create 1024 in
+  add b ~comma ~colon json;
+  Buffer.contents b
+
+let line json = written ~comma:"," ~colon:":" json
+
+(* What fits in so many bytes is written on one line. *)
+let width = 88
+
+let rec add_pretty b indent (json : t) =
+  let short = match json with
+    | `List _ | `Assoc _ -> written ~comma:", " ~colon:": " json
+    | _ -> line json
+  in
+  let deeper = indent ^ "  " in
+  let block opening closing write items =
+    Buffer.add_char b opening;
+    List.iteri
+      (fun i x ->
+         Buffer.add_string b (if i > 0 then ",\n" else "\n");
+         Buffer.add_string b deeper;
+         write x)
+      items;
+    Buffer.add_string b ("\n" ^ indent);
+    Buffer.add_char b closing
+  in
+  if String.length indent + String.length short <= width then Buffer.add_string b short
+  else
+    match json with
+    | `List items -> block '[' ']' (add_pretty b deeper) items
+    | `Assoc members ->
+      block '{' '}'
+        (fun (key, value) ->
+           add_string b key;
+           Buffer.add_string b ": ";
+           add_pretty b deeper value)
+        members
+    | _ -> Buffer.add_string b short
+
+let pretty json =
+  let b = Buffer.create 1024 in
+  add_pretty b "" json;
+  Buffer.add_char b '\n';
+  Buffer.contents b
+
 let max_depth = 200
 
 (* The parser is recursive: how deep the text would take it is found first. *)
@@ -77,7 +164,7 @@ let parse_line source ~start ~stop =
   let s = Source.text source in
   let span start stop = Span.make ~file:(Source.name source) ~start ~stop in
   if too_deep s start stop then
-    Error (Diag.error Code.bad_schedule (span start stop) "values are nested deeper than %d" max_depth)
+    Error (Diag.error Code.bad_schedule (span start (start + 1)) "values are nested deeper than %d" max_depth)
   else
     match Yojson.Basic.from_string (String.sub s start (stop - start)) with
     | json -> Ok json

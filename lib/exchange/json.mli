@@ -1,5 +1,5 @@
 (** JSON as scc writes and reads it. Writing is deterministic: members keep the order in which they are
-    given, and there are no floats. *)
+    given, and there are no floats (a bug otherwise). *)
 
 open Scc_base
 open Scc_exact
@@ -24,7 +24,7 @@ val line : t -> string
 (** On one line, without its end. *)
 
 val pretty : t -> string
-(** Over several lines, ended by a newline. *)
+(** Over several lines where it is long, ended by a newline. *)
 
 (** {1 Reading} *)
 

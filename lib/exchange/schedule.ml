@@ -136,7 +136,7 @@ let line_bounds s start =
 
 let of_trace source header =
   let s = Source.text source and file = Source.name source in
-  let span (start, stop) = Span.make ~file ~start ~stop in
+  let span (start, _) = Span.make ~file ~start ~stop:(start + 1) in
   let first = line_bounds s 0 in
   let* () = check_version (span first) header in
   let* parameters = parameters (span first) header in

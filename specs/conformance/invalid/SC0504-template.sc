@@ -5,7 +5,10 @@ shape Cube {
   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
 }
-shape Other = Cube scaled (2,1,1)
-behaviour B on Other = <a, {top}>. nil
+shape Wedge {
+  vertices a (0,0,0)  b (1,0,0)  c (0,1,0)  d (0,0,1)
+  faces    f1 [a,c,b]  f2 [a,b,d]  f3 [a,d,c]  f4 [b,c,d]
+}
+behaviour B on Wedge = <a, {f1}>. nil
 process p = Cube mass 1 [B]
-process q = Other mass 1 at translate (9,0,0) [B]
+process q = Wedge mass 1 at translate (9,0,0) [B]

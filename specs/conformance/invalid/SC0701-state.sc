@@ -1,4 +1,4 @@
-// a check that is a number
+// a check without a temporal operator
 shape Cube {
   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
@@ -6,4 +6,4 @@ shape Cube {
            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
 }
 process p = Cube mass 1 [nil]
-check c : 1 + 1
+check c : x(p) <= 3

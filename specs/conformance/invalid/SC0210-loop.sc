@@ -1,9 +1,9 @@
-// a template where a process is needed
+// a template declared in a loop
 shape Cube {
   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
 }
+for i in 1..2 { shape T = Cube scaled (i,1,1) }
 process p = Cube mass 1 [nil]
-check c : always x(Cube) > 0

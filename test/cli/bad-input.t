@@ -1,0 +1,149 @@
+Whatever the input, scc ends soon, in bounded memory, with a located error, its code and exit 3.
+
+  $ cat > cube.sc <<'END'
+  > shape Cube {
+  >   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+  >            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  >   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+  >            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+  > }
+  > process p = Cube mass 1 [nil]
+  > END
+  $ repeat() { head -c "$2" /dev/zero | sed "s/\x0/$1/g"; }
+  $ scc() { timeout 60 scc "$@"; }
+
+Files.
+
+  $ scc check nowhere.sc
+  nowhere.sc: error[SC0101]: cannot read: No such file or directory
+  [3]
+  $ scc check .
+  .: error[SC0101]: cannot read: it is a directory
+  [3]
+  $ scc check /dev/null
+  /dev/null:1:1: error[SC0112]: this model declares nothing
+     |
+   1 | 
+     | ^
+    hint: a model declares at least one `process`
+  [3]
+  $ scc check cube.sc/inside
+  cube.sc/inside: error[SC0101]: cannot read: Not a directory
+  [3]
+  $ head -c 1000 /dev/zero > zeros.sc
+  $ scc check zeros.sc 2>&1 | head -n 1
+  zeros.sc:1:1: error[SC0102]: this is not text: it holds the control character U+0000
+  $ scc check /dev/zero
+  /dev/zero: error[SC0101]: cannot read: it is larger than 64 MiB
+  [3]
+  $ touch unreadable; mkdir folder
+  $ scc check cube.sc --witness unreadable
+  unreadable: error[SC0103]: cannot make the folder: it is a file
+  [3]
+  $ scc check cube.sc --witness nowhere/deep
+  nowhere/deep: error[SC0103]: cannot make the folder: No such file or directory
+  [3]
+  $ scc check cube.sc > /dev/full
+  standard output: error[SC0103]: cannot write: No space left on device
+  [4]
+
+Deep nesting.
+
+  $ (cat cube.sc; printf 'param x = '; repeat '(' 100000; printf 1; repeat ')' 100000) > parentheses.sc
+  $ scc check parentheses.sc 2>&1 | cut -c 1-120
+  parentheses.sc:8:1011: error[SC0111]: brackets are nested too deeply (the limit is 1000)
+     |
+   8 | (((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((
+     |                                         ^
+  $ (cat cube.sc; printf 'param x = '; repeat '(' 100000) > open.sc
+  $ scc check open.sc 2>&1 | cut -c 1-120
+  open.sc:8:1011: error[SC0111]: brackets are nested too deeply (the limit is 1000)
+     |
+   8 | (((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((
+     |                                         ^
+  $ (cat cube.sc; printf 'param x = '; repeat '-' 100000; printf 1) > minus.sc
+  $ scc check minus.sc 2>&1 | cut -c 1-120
+  minus.sc:8:10011: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
+     |
+   8 | -------------------------------------------------------------------------------------------------------------------
+     |                                         ^
+  $ (cat cube.sc; printf 'behaviour B on Cube = '; repeat 'eps(1). ' 100000; printf nil) > delays.sc
+  $ scc check delays.sc 2>&1 | cut -c 1-120
+  delays.sc:8:80021: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
+     |
+   8 | . eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). eps(1). e
+     |                                         ^
+  $ (cat cube.sc; printf 'check c : always 1'; repeat '+1' 100000; printf ' > 0') > sum.sc
+  $ scc check sum.sc 2>&1 | cut -c 1-120
+  sum.sc:8:20017: error[SC0111]: this declaration is nested too deeply (the limit is 10000)
+     |
+   8 | +1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+
+     |                                         ^
+  $ (cat cube.sc; repeat 'for i in 1..2 { ' 100000) > loops.sc
+  $ scc check loops.sc 2>&1 | cut -c 1-120 | head -n 4
+  loops.sc:8:16015: error[SC0111]: brackets are nested too deeply (the limit is 1000)
+     |
+   8 | in 1..2 { for i in 1..2 { for i in 1..2 { for i in 1..2 { for i in 1..2 { for i in 1..2 { for i in 1..2 { for i in 
+     |                                         ^
+  $ repeat '[' 100000 > brackets.json
+  $ scc trace cube.sc --schedule brackets.json 2>&1 | cut -c 1-120
+  brackets.json:1:1: error[SC0801]: values are nested deeper than 200
+     |
+   1 | [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[
+     | ^
+
+Large numbers, and models that grow.
+
+  $ (cat cube.sc; printf 'param x = '; repeat 7 10000; echo) > digits.sc
+  $ scc check digits.sc 2>&1 | cut -c 1-120
+  digits.sc:8:7: warning[SC0211]: the parameter `x` is not used
+     |
+   8 | param x = 777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777
+     |       ^
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  no properties to check
+  $ (cat cube.sc; printf 'param x = '; repeat 7 200000; echo) > more-digits.sc
+  $ scc check more-digits.sc 2>&1 | cut -c 1-120
+  more-digits.sc:8:11: error[SC0106]: this number has more than 100000 digits when written out
+     |
+   8 | param x = 777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777
+     |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  $ (cat cube.sc; echo 'param x = 1e1000000000') > exponent.sc
+  $ scc check exponent.sc
+  exponent.sc:8:11: error[SC0106]: this number has more than 100000 digits when written out
+     |
+   8 | param x = 1e1000000000
+     |           ^^^^^^^^^^^^
+  [3]
+  $ scc check cube.sc -D x=1e1000000000 2> /dev/null
+  [64]
+  $ (cat cube.sc; echo 'param n = 1e9'; echo 'for i in 1..n { process c[i] = Cube mass 1 at translate (3*i,0,0) [nil] }') > many.sc
+  $ scc check many.sc
+  many.sc:9:1: error[SC0111]: the loops of the model make more than 1000000 declarations
+     |
+   9 | for i in 1..n { process c[i] = Cube mass 1 at translate (3*i,0,0) [nil] }
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  [3]
+  $ (cat cube.sc; echo 'let x0 = 10'; for i in $(seq 1 64); do echo "let x$i = x$((i-1)) * x$((i-1))"; done) > squares.sc
+  $ scc check squares.sc 2>&1 | head -n 3 | cut -c 1-120
+  squares.sc:27:11: error[SC0106]: this constant is too large (more than 1000000 bits)
+      |
+   27 | let x19 = x18 * x18
+
+Unterminated things.
+
+  $ (cat cube.sc; echo '/* never closed') > comment.sc
+  $ scc check comment.sc
+  comment.sc:8:1: error[SC0105]: this comment is not closed
+     |
+   8 | /* never closed
+     | ^^
+    hint: close it with `*/`
+  [3]
+  $ (cat cube.sc; printf 'process q = Cube') > end.sc
+  $ scc check end.sc
+  end.sc:8:17: error[SC0110]: the text ends here: expected an attribute (`mass`, `velocity`, `spin` or `at`), `scaled`, or the behaviour in square brackets, as in `[nil]`
+     |
+   8 | process q = Cube
+     |                 ^
+  [3]

@@ -1,0 +1,323 @@
+The main job: a verdict for every property, with a witness.
+
+  $ scc check ../../specs/models/hexokinase.sc
+  reaction: holds (exhaustive)
+    possibly reacted
+    a run that shows it:
+      1. time passes by 2, to time 2
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
+      3. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      4. a reaction releases <atp, {enzyme.floorA.top, atp.bottom}>, <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      behaviour(atp) = Adp holds
+      behaviour(glucose) = G6p holds
+      there:
+        enzyme at (0, 0, 0) [Empty], fixed
+        atp at (-9/4, 1, 0) [Adp], velocity (0, 0, 0)
+        glucose at (9/4, 1, 0) [G6p], velocity (0, 0, 0)
+  
+  in_time: holds (exhaustive)
+    possibly reacted within 3
+    a run that shows it:
+      1. time passes by 2, to time 2
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
+      3. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      4. a reaction releases <atp, {enzyme.floorA.top, atp.bottom}>, <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      behaviour(atp) = Adp holds
+      behaviour(glucose) = G6p holds
+      there:
+        enzyme at (0, 0, 0) [Empty], fixed
+        atp at (-9/4, 1, 0) [Adp], velocity (0, 0, 0)
+        glucose at (9/4, 1, 0) [G6p], velocity (0, 0, 0)
+  
+  together: holds (exhaustive)
+    always behaviour(atp) = Adp => behaviour(glucose) = G6p
+  
+  at_most: holds (exhaustive)
+    always bonds(atp) <= 1 and bonds(glc) <= 1
+  
+  full: holds (exhaustive)
+    possibly size(enzyme) = 7
+    a run that shows it:
+      1. time passes by 2, to time 2
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
+      3. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      size(enzyme) = 7 holds: size(enzyme) = 7
+      there:
+        one process, fixed, <atp, {enzyme.floorA.top, atp.bottom}> <glc, {enzyme.floorB.top, glucose.bottom}>
+          enzyme at (0, 0, 0) [Both]
+          atp at (-9/4, 1, 0) [AtpBound]
+          glucose at (9/4, 1, 0) [GlucoseBound]
+  
+  surely: violated
+    eventually reacted
+    a run that violates it:
+      1. time passes by 2, to time 2
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
+      3. enzyme and atp release <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
+      4. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      5. enzyme and glucose release <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      then nothing happens any more, and time passes for ever
+      behaviour(atp) = Adp fails
+      behaviour(glucose) = G6p fails
+      there:
+        enzyme at (0, 0, 0) [Empty], fixed
+        atp at (-9/4, 1, 0) [Atp], velocity (0, 0, 0)
+        glucose at (9/4, 1, 0) [Glucose], velocity (0, 0, 0)
+  
+  releases: holds (exhaustive)
+    possibly behaviour(enzyme) = Empty and y(atp) = 1 and not reacted
+    a run that shows it:
+      1. time passes by 2, to time 2
+      behaviour(enzyme) = Empty holds
+      y(atp) = 1 holds: y(atp) = 1
+      behaviour(atp) = Adp fails
+      behaviour(glucose) = G6p fails
+      there:
+        enzyme at (0, 0, 0) [Empty], fixed
+        atp at (-9/4, 1, 0) [Atp], velocity (0, -1, 0)
+        glucose at (9/4, 1, 0) [Glucose], velocity (0, -1, 0)
+  
+  in_pocket: holds (exhaustive)
+    always x(atp) = -9/4 and y(atp) >= 1
+  
+  explored: 11 states, 16 transitions, depth 5, model time 2; complete
+  8 properties: 7 hold, 1 violated
+  [1]
+  $ scc check ../../specs/models/drift.sc
+  near: violated
+    always x(p) <= 3
+    a run that violates it:
+      then time passes: right after time 9, for example at time 10
+      x(p) <= 3 fails: x(p) = 10/3
+      there:
+        p at (10/3, 0, 0) [nil], velocity (1/3, 0, 0)
+  
+  near_in: holds (exhaustive)
+    always x(p) <= 3 within 9
+  
+  near_at: violated
+    always x(p) < 3 within 9
+    a run that violates it:
+      then time passes, until time 9
+      x(p) < 3 fails: x(p) = 3
+      there:
+        p at (3, 0, 0) [nil], velocity (1/3, 0, 0)
+  
+  passes: holds (exhaustive)
+    possibly x(p) = 22/7
+    a run that shows it:
+      then time passes, until time 66/7
+      x(p) = 22/7 holds: x(p) = 22/7
+      there:
+        p at (22/7, 0, 0) [nil], velocity (1/3, 0, 0)
+  
+  ahead: holds (exhaustive)
+    always x(p) >= 0
+  
+  back: violated
+    possibly x(p) < 0
+    no run shows it: everything that counts was explored
+  
+  gone: holds (exhaustive)
+    eventually x(p) > 100
+  
+  quiet: holds (exhaustive)
+    always quiescent
+  
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  8 properties: 5 hold, 3 violated
+  [1]
+  $ scc check ../../specs/models/slot.sc
+  rattles: holds (exhaustive)
+    possibly vy(plate) = 1
+    a run that shows it:
+      1. floor and plate collide and bounce, to time 0
+      vy(plate) = 1 holds: vy(plate) = 1
+      there:
+        floor at (0, -2, 0) [nil], fixed
+        ceiling at (0, 2, 0) [nil], fixed
+        plate at (0, 0, 0) [nil], velocity (1, 1, 0)
+  
+  flat: holds (exhaustive)
+    always y(plate) = 0
+  
+  slides: violated
+    possibly x(plate) > 0
+    no run shows it: everything that counts was explored
+  
+  leaves: undecided: Zeno: a run goes on for ever within one instant
+    eventually x(plate) > 20
+    the run:
+      1. floor and plate collide and bounce, to time 0
+      2. ceiling and plate collide and bounce, to time 0
+      3. floor and plate collide and bounce, to time 0
+      and the steps from 2 on again, for ever
+      x(plate) > 20 fails: x(plate) = 0
+      there:
+        floor at (0, -2, 0) [nil], fixed
+        ceiling at (0, 2, 0) [nil], fixed
+        plate at (0, 0, 0) [nil], velocity (1, 1, 0)
+  
+  explored: 2 states, 2 transitions, depth 1, model time 0; complete
+  4 properties: 2 hold, 1 violated, 1 undecided
+  [1]
+
+Exit codes. All hold; a property is violated; a default bound cut the run short; the same bound given by the
+user; the model is refused; the command line is wrong.
+
+  $ cat > forever.sc <<'END'
+  > timestep 1
+  > shape Cube {
+  >   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+  >            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  >   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+  >            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+  > }
+  > param v = 1
+  > process p = Cube mass 1 velocity (v,0,0) [nil]
+  > motion p = (vx + dt, 0, 0)
+  > check slow : always vx(p) >= 0
+  > END
+  $ scc check ../../specs/models/figure5.sc > /dev/null
+  $ scc check ../../specs/models/drift.sc > /dev/null
+  [1]
+  $ scc check forever.sc --states 100
+  slow: holds up to the bound: the bound of 100 states
+    always vx(p) >= 0
+  
+  explored: 100 states, 99 transitions, depth 99, model time 99; not complete: stopped by the bound of 100 states
+  1 property: 1 holds up to the bound
+  $ scc check forever.sc --depth 3
+  slow: holds up to the bound: the depth bound 3
+    always vx(p) >= 0
+  
+  explored: 5 states, 4 transitions, depth 4, model time 4; not complete: stopped by the depth bound 3
+  1 property: 1 holds up to the bound
+  $ scc check forever.sc --time 3/2
+  slow: holds up to the bound: the time bound 3/2
+    always vx(p) >= 0
+  
+  explored: 3 states, 2 transitions, depth 2, model time 2; not complete: stopped by the time bound 3/2
+  1 property: 1 holds up to the bound
+  $ scc check forever.sc -D v=-1 --depth 3
+  slow: violated
+    always vx(p) >= 0
+    a run that violates it:
+      in the initial state
+      vx(p) >= 0 fails: vx(p) = -1
+      there:
+        p at (0, 0, 0) [nil], velocity (-1, 0, 0)
+  
+  explored: 1 state, 0 transitions, depth 0, model time 0; not complete: every property was decided before
+  1 property: 1 violated
+  [1]
+  $ scc check ../../specs/models/refused/figure5-misprint.sc
+  ../../specs/models/refused/figure5-misprint.sc:16:26: error[SC0404]: the parts `s0` and `s1` of `S0` have the velocities (2, 1, 0) and (2, 1, 1), and a rigid body that does not turn has one
+      |
+   16 |   part s1 : Plank mass 3 velocity (2,1,1) at translate (2,0,0)
+      |                          ^^^^^^^^^^^^^^^^
+  ../../specs/models/refused/figure5-misprint.sc:15:26: note: the velocity of `s0` is here
+      |
+   15 |   part s0 : Cube  mass 3 velocity (2,1,0) at translate (-1,0,0)
+      |                          ^^^^^^^^^^^^^^^^
+  [3]
+  $ scc check forever.sc --depth many 2> /dev/null
+  [64]
+  $ scc check 2> /dev/null
+  [64]
+  $ scc nothing 2> /dev/null
+  [64]
+
+A limit of the clock or of memory is no bound of the model.
+
+  $ scc check forever.sc --seconds 0.05 | sed 's/[0-9]* states.*;/N states;/'
+  slow: holds up to the bound: the limit of 0.05 seconds
+    always vx(p) >= 0
+  
+  explored: N states; not complete: stopped by the limit of 0.05 seconds
+  1 property: 1 holds up to the bound
+  $ scc check forever.sc --seconds 0.05 > /dev/null
+  [4]
+
+Parameters.
+
+  $ scc check forever.sc -D w=1
+  error[SC0209]: the model has no parameter `w`
+    hint: did you mean `v`?
+  [3]
+  $ scc check forever.sc -D v 2> /dev/null
+  [64]
+  $ scc check forever.sc -D v=x 2> /dev/null
+  [64]
+  $ scc check forever.sc -D v=1/0 2> /dev/null
+  [64]
+
+Standard input.
+
+  $ scc check --depth 1 - < forever.sc
+  slow: holds up to the bound: the depth bound 1
+    always vx(p) >= 0
+  
+  explored: 3 states, 2 transitions, depth 2, model time 2; not complete: stopped by the depth bound 1
+  1 property: 1 holds up to the bound
+
+Properties that this version does not run are refused before anything is explored.
+
+  $ (grep -v check forever.sc; echo 'check next : AX vx(p) > 0'; echo 'check back : always (possibly vx(p) > 0)') > later.sc
+  $ scc check later.sc
+  later.sc:11:7: error[SC0901]: `next` is beyond this version of scc: the operator `X` cannot be checked by this version
+      |
+   11 | check next : AX vx(p) > 0
+      |       ^^^^
+  later.sc:12:7: error[SC0901]: `back` is beyond this version of scc: a temporal operator inside another cannot be checked by this version
+      |
+   12 | check back : always (possibly vx(p) > 0)
+      |       ^^^^
+  [3]
+
+A model without properties is explored all the same.
+
+  $ grep -v check ../../specs/models/dimer.sc > bare.sc
+  $ scc check bare.sc
+  explored: 11 states, 14 transitions, depth 6, model time 3; complete
+  no properties to check
+
+JSON: one document on standard output, nothing on standard error, whatever happens.
+
+  $ scc check --json ../../specs/models/figure5.sc | sed 's/"md5:[^"]*"/"md5:…"/' | head -n 12
+  {
+    "format": "scc-check",
+    "version": 1,
+    "semantics": "1",
+    "model": "figure5",
+    "digest": "md5:…",
+    "parameters": {},
+    "exit": 0,
+    "properties": [
+      {
+        "name": "one_body",
+        "formula": "always size(S) = 2 and processes = 1",
+  $ scc check --json nowhere.sc
+  {
+    "format": "scc-diagnostics",
+    "version": 1,
+    "exit": 3,
+    "diagnostics": [
+      {
+        "code": "SC0101",
+        "severity": "error",
+        "message": "cannot read: No such file or directory",
+        "place": {"file": "nowhere.sc", "start": {"offset": 0}, "end": {"offset": 0}},
+        "notes": [],
+        "hint": null
+      }
+    ]
+  }
+  [3]
+
+Interruption: what is known so far is reported, and the exit code is 4.
+
+  $ sh -c 'timeout -s INT 1 scc check forever.sc --states 100000000 > interrupted; echo "exit $?"'
+  exit 124
+  $ head -n 1 interrupted
+  slow: holds up to the bound: the interruption

@@ -1,0 +1,326 @@
+A template of a model, and a polyhedron file.
+
+  $ scc shape ../../specs/models/hexokinase.sc:Post
+  ../../specs/models/hexokinase.sc:Post
+  vertices: 8, edges: 12, faces: 6
+  convex closed polyhedron: yes
+  Definition 4.3, as printed: all seven conditions hold
+    1. holds: at least four vertices and four faces
+    2. holds: faces name vertices of the set only
+    3. holds: the vertices are not collinear
+    4. holds: each face is a convex polygon
+    5. holds: no two faces are equal up to rotation
+    6. holds: angles between neighbouring faces are less than 180 degrees
+    7. holds: V - E + F = 2
+    (7 with ordered pairs of vertices for edges: 8 - 24 + 6 = -10)
+  volume: 4
+  centroid: (0, 0, 0)
+  inertia about the centroid, density 1:
+    (8/3, 0, 0)
+    (0, 5/3, 0)
+    (0, 0, 5/3)
+  inertia about the centroid, mass 1:
+    (2/3, 0, 0)
+    (0, 5/12, 0)
+    (0, 0, 5/12)
+  $ cat > tetrahedron.off <<'END'
+  > OFF
+  > 4 4 6
+  > 0 0 0
+  > 0.5 0 0
+  > 0 1e-1 0
+  > 0 0 1
+  > 3 0 2 1
+  > 3 0 1 3
+  > 3 0 3 2
+  > 3 1 2 3
+  > END
+  $ scc shape tetrahedron.off
+  tetrahedron.off
+  vertices: 4, edges: 6, faces: 4
+  convex closed polyhedron: yes
+    warning[SC0312]: the centroid (1/8, 1/40, 1/4) is not the origin of body space (positions and motion are of the centroid)
+  Definition 4.3, as printed: all seven conditions hold
+    1. holds: at least four vertices and four faces
+    2. holds: faces name vertices of the set only
+    3. holds: the vertices are not collinear
+    4. holds: each face is a convex polygon
+    5. holds: no two faces are equal up to rotation
+    6. holds: angles between neighbouring faces are less than 180 degrees
+    7. holds: V - E + F = 2
+    (7 with ordered pairs of vertices for edges: 4 - 12 + 4 = -4)
+  volume: 1/120
+  centroid: (1/8, 1/40, 1/4)
+  inertia about the centroid, density 1:
+    (101/320000, 1/192000, 1/19200)
+    (1/192000, 1/2560, 1/96000)
+    (1/19200, 1/96000, 13/160000)
+  inertia about the centroid, mass 1:
+    (303/8000, 1/1600, 1/160)
+    (1/1600, 3/64, 1/800)
+    (1/160, 1/800, 39/4000)
+  $ scc shape tetrahedron.off --json
+  {
+    "format": "scc-shape",
+    "version": 1,
+    "exit": 0,
+    "name": "tetrahedron.off",
+    "accepted": true,
+    "faults": [],
+    "warnings": [
+      {
+        "code": "SC0312",
+        "message": "the centroid (1/8, 1/40, 1/4) is not the origin of body space (positions and motion are of the centroid)"
+      }
+    ],
+    "definition_4_3": {
+      "holds": true,
+      "conditions": [
+        {
+          "number": 1,
+          "statement": "at least four vertices and four faces",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 2,
+          "statement": "faces name vertices of the set only",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 3,
+          "statement": "the vertices are not collinear",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 4,
+          "statement": "each face is a convex polygon",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 5,
+          "statement": "no two faces are equal up to rotation",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 6,
+          "statement": "angles between neighbouring faces are less than 180 degrees",
+          "holds": true,
+          "witness": null
+        },
+        {"number": 7, "statement": "V - E + F = 2", "holds": true, "witness": null}
+      ],
+      "euler": 2,
+      "euler_ordered": -4
+    },
+    "mass_properties": {
+      "volume": "1/120",
+      "centroid": ["1/8", "1/40", "1/4"],
+      "inertia": [
+        ["101/320000", "1/192000", "1/19200"],
+        ["1/192000", "1/2560", "1/96000"],
+        ["1/19200", "1/96000", "13/160000"]
+      ],
+      "inertia_of_unit_mass": [
+        ["303/8000", "1/1600", "1/160"],
+        ["1/1600", "3/64", "1/800"],
+        ["1/160", "1/800", "39/4000"]
+      ]
+    },
+    "vertices": [
+      {"name": "v0", "position": ["0/1", "0/1", "0/1"]},
+      {"name": "v1", "position": ["1/2", "0/1", "0/1"]},
+      {"name": "v2", "position": ["0/1", "1/10", "0/1"]},
+      {"name": "v3", "position": ["0/1", "0/1", "1/1"]}
+    ],
+    "faces": [
+      {"name": "f0", "corners": ["v0", "v2", "v1"]},
+      {"name": "f1", "corners": ["v0", "v1", "v3"]},
+      {"name": "f2", "corners": ["v0", "v3", "v2"]},
+      {"name": "f3", "corners": ["v1", "v2", "v3"]}
+    ],
+    "edges": 6
+  }
+
+What is not accepted is told in both ways, and the exit code is 3.
+
+  $ sed '$d; s/4 4 6/4 3 6/' tetrahedron.off > open.off
+  $ scc shape open.off
+  open.off
+  vertices: 4, edges: 6, faces: 3
+  convex closed polyhedron: no
+    error[SC0302]: the solid is not closed: edge [v2,v1] belongs to one face only, f0
+    error[SC0302]: the solid is not closed: edge [v1,v3] belongs to one face only, f1
+    error[SC0302]: the solid is not closed: edge [v3,v2] belongs to one face only, f2
+  Definition 4.3, as printed: not all conditions hold
+    1. fails: at least four vertices and four faces
+       there are 4 vertices and 3 faces
+    2. holds: faces name vertices of the set only
+    3. holds: the vertices are not collinear
+    4. holds: each face is a convex polygon
+    5. holds: no two faces are equal up to rotation
+    6. holds: angles between neighbouring faces are less than 180 degrees
+    7. fails: V - E + F = 2
+       4 - 6 + 3 = 1
+    (7 with ordered pairs of vertices for edges: 4 - 9 + 3 = -2)
+  [3]
+  $ scc shape open.off --json
+  {
+    "format": "scc-shape",
+    "version": 1,
+    "exit": 3,
+    "name": "open.off",
+    "accepted": false,
+    "faults": [
+      {
+        "kind": "open-edge",
+        "code": "SC0302",
+        "message": "the solid is not closed: edge [v2,v1] belongs to one face only, f0",
+        "hint": null
+      },
+      {
+        "kind": "open-edge",
+        "code": "SC0302",
+        "message": "the solid is not closed: edge [v1,v3] belongs to one face only, f1",
+        "hint": null
+      },
+      {
+        "kind": "open-edge",
+        "code": "SC0302",
+        "message": "the solid is not closed: edge [v3,v2] belongs to one face only, f2",
+        "hint": null
+      }
+    ],
+    "warnings": [],
+    "definition_4_3": {
+      "holds": false,
+      "conditions": [
+        {
+          "number": 1,
+          "statement": "at least four vertices and four faces",
+          "holds": false,
+          "witness": "there are 4 vertices and 3 faces"
+        },
+        {
+          "number": 2,
+          "statement": "faces name vertices of the set only",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 3,
+          "statement": "the vertices are not collinear",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 4,
+          "statement": "each face is a convex polygon",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 5,
+          "statement": "no two faces are equal up to rotation",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 6,
+          "statement": "angles between neighbouring faces are less than 180 degrees",
+          "holds": true,
+          "witness": null
+        },
+        {
+          "number": 7,
+          "statement": "V - E + F = 2",
+          "holds": false,
+          "witness": "4 - 6 + 3 = 1"
+        }
+      ],
+      "euler": 1,
+      "euler_ordered": -2
+    },
+    "mass_properties": null,
+    "vertices": [
+      {"name": "v0", "position": ["0/1", "0/1", "0/1"]},
+      {"name": "v1", "position": ["1/2", "0/1", "0/1"]},
+      {"name": "v2", "position": ["0/1", "1/10", "0/1"]},
+      {"name": "v3", "position": ["0/1", "0/1", "1/1"]}
+    ],
+    "faces": [
+      {"name": "f0", "corners": ["v0", "v2", "v1"]},
+      {"name": "f1", "corners": ["v0", "v1", "v3"]},
+      {"name": "f2", "corners": ["v0", "v3", "v2"]}
+    ],
+    "edges": 6
+  }
+  [3]
+  $ scc shape ../../specs/conformance/invalid/SC0307-dent.sc:S | head -n 20
+  ../../specs/conformance/invalid/SC0307-dent.sc:S
+  vertices: 9, edges: 16, faces: 9
+  convex closed polyhedron: no
+    error[SC0307]: the solid is not convex: vertex g is in front of the plane of face t1
+    error[SC0307]: the solid is not convex: vertex h is in front of the plane of face t1
+    error[SC0307]: the solid is not convex: vertex h is in front of the plane of face t2
+    error[SC0307]: the solid is not convex: vertex e is in front of the plane of face t3
+  Definition 4.3, as printed: not all conditions hold
+    1. holds: at least four vertices and four faces
+    2. holds: faces name vertices of the set only
+    3. holds: the vertices are not collinear
+    4. holds: each face is a convex polygon
+    5. holds: no two faces are equal up to rotation
+    6. fails: angles between neighbouring faces are less than 180 degrees
+       faces t1 and t4 do not meet at an angle of less than 180 degrees at edge [e,t]
+    7. holds: V - E + F = 2
+    (7 with ordered pairs of vertices for edges: 9 - 32 + 9 = -14)
+
+What cannot be read.
+
+  $ scc shape nowhere.off
+  nowhere.off: error[SC0101]: cannot read: No such file or directory
+  [3]
+  $ scc shape .
+  .: error[SC0101]: cannot read: it is a directory
+  [3]
+  $ scc shape ../../specs/models/hexokinase.sc
+  ../../specs/models/hexokinase.sc:1:1: error[SC0210]: this is a model (its templates: Cube, Floor, Post), and a single shape is needed here
+     |
+   1 | // Hexokinase: an enzyme with two pockets takes ATP and glucose and turns them
+     | ^
+    hint: name one of them: ../../specs/models/hexokinase.sc:Cube
+  [3]
+  $ scc shape ../../specs/models/hexokinase.sc:Nothing
+  error[SC0201]: unknown template `Nothing`
+  [3]
+  $ scc shape ../../specs/models/hexokinase.sc:Enzyme
+  error[SC0201]: unknown template `Enzyme`
+  [3]
+  $ scc shape nowhere.sc:Cube --json
+  {
+    "format": "scc-diagnostics",
+    "version": 1,
+    "exit": 3,
+    "diagnostics": [
+      {
+        "code": "SC0101",
+        "severity": "error",
+        "message": "cannot read: No such file or directory",
+        "place": {"file": "nowhere.sc", "start": {"offset": 0}, "end": {"offset": 0}},
+        "notes": [],
+        "hint": null
+      }
+    ]
+  }
+  [3]
+  $ head -n 5 tetrahedron.off > short.off
+  $ scc shape short.off
+  short.off:2:1: error[SC0320]: the header promises 4 vertices, but the file has only 3
+     |
+   2 | 4 4 6
+     | ^
+  [3]
