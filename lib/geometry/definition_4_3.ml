@@ -86,7 +86,7 @@ let compare_tuples a b =
   if c <> 0 then c else go 0
 
 let equivalent faces =
-  let keyed = List.map (fun (f, corners) -> (f, canonical corners)) faces in
+  let keyed = List.rev_map (fun (f, corners) -> (f, canonical corners)) faces in
   let order (f, a) (g, b) =
     let c = compare_tuples a b in
     if c <> 0 then c else Int.compare f g
@@ -147,9 +147,10 @@ let check (ifs : Polyhedron.ifs) =
   let points, _ = Ivec.of_vecs (Array.map snd ifs.ifs_vertices) in
   let all = Array.map snd ifs.ifs_faces in
   let count = Array.length points in
-  let numbered = List.mapi (fun f corners -> (f, corners)) (Array.to_list all) in
+  let numbered = List.init (Array.length all) (fun f -> (f, all.(f))) in
   let own = List.filter (fun (_, corners) -> Option.is_none (foreign count corners)) numbered in
-  let numbers = Array.of_list (List.map fst own) and faces = Array.of_list (List.map snd own) in
+  let kept = Array.of_list own in
+  let numbers = Array.map fst kept and faces = Array.map snd kept in
   let surface = Surface.make count faces in
   let edges = Surface.unordered_count surface in
   let at_edge =

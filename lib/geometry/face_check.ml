@@ -41,7 +41,7 @@ let planar_without p i =
   let keep = List.filter (fun j -> j <> i) (List.init (Array.length p) Fun.id) in
   match keep with
   | [] -> true
-  | j :: _ -> planar (Array.of_list (List.map (fun k -> Ivec.sub p.(k) p.(j)) keep))
+  | j :: _ -> planar (Array.of_list (List.rev_map (fun k -> Ivec.sub p.(k) p.(j)) keep))
 
 (* If one corner alone is off the plane of all the others, it is the first one off the plane of the spanning
    triple, or one of that triple: so four trials are enough. *)

@@ -14,13 +14,13 @@ module Points = Hashtbl.Make (Ivec)
 (* {1 The check} *)
 
 let structure_faults count faces =
-  let face f corners =
-    let outside i = i < 0 || i >= count in
-    match List.find_opt outside (Array.to_list corners) with
+  let outside i = i < 0 || i >= count in
+  let face f =
+    match List.find_opt outside (Array.to_list faces.(f)) with
     | Some i -> Some (Polyhedron_fault.Bad_vertex_index (f, i))
-    | None -> if Array.length corners < 3 then Some (Polyhedron_fault.Short_face f) else None
+    | None -> if Array.length faces.(f) < 3 then Some (Polyhedron_fault.Short_face f) else None
   in
-  List.filter_map Fun.id (List.mapi face (Array.to_list faces))
+  List.filter_map face (List.init (Array.length faces) Fun.id)
 
 (* E3, and for each vertex the first one at its position: what follows looks through doubled vertices, which
    would otherwise be reported again as open edges. *)
@@ -55,7 +55,7 @@ let off_plane_faults count faces blamed =
     | [] -> Bug.fail __POS__ "a face that is not planar without a corner to blame"
     | v :: others -> Polyhedron_fault.Off_plane (f, List.fold_left better v others)
   in
-  List.map fault blamed
+  List.rev (List.rev_map fault blamed)
 
 let face_faults points faces =
   let sort (blamed, others) f corners =

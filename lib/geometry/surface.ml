@@ -127,7 +127,7 @@ let edge_faults s =
   in
   let turned_faces = match repeated with [] -> None | _ :: _ -> turned s in
   match turned_faces with
-  | Some (_ :: _ as faces) -> List.map (fun f -> Polyhedron_fault.Turned_face f) faces
+  | Some (_ :: _ as faces) -> List.rev (List.rev_map (fun f -> Polyhedron_fault.Turned_face f) faces)
   | Some [] | None -> List.rev_append (List.rev repeated) (open_edges s)
 
 let pieces s =
@@ -151,6 +151,6 @@ let unordered s =
   Table.fold (fun k l acc -> ((k / s.count, k mod s.count), List.rev l) :: acc) (uses s) []
   |> List.sort (fun (e, _) (f, _) -> edge_compare e f)
 
-let edges s = Array.of_list (List.map fst (unordered s))
+let edges s = Array.map fst (Array.of_list (unordered s))
 let unordered_count s = Table.length (uses s)
 let ordered_count s = Table.length s.directed

@@ -109,7 +109,7 @@ let outlines faces table group =
     | f :: _ as several -> (
         match outline faces table group several with
         | Some corners -> (f, corners) :: acc
-        | None -> List.rev_append (List.map (fun f -> (f, faces.(f))) several) acc)
+        | None -> List.fold_left (fun acc f -> (f, faces.(f)) :: acc) acc several)
   in
   List.rev (Array.fold_left one [] members)
 
@@ -127,9 +127,9 @@ let without_straight_corners points lines =
     Array.iteri (fun i v -> if not (goes_straight points corners i) then keep.(v) <- true) corners
   in
   List.iter note lines;
-  List.map
+  List.rev_map
     (fun (f, corners) -> (f, Array.of_list (List.filter (fun v -> keep.(v)) (Array.to_list corners))))
-    lines
+    (List.rev lines)
 
 (* {1 All together} *)
 
@@ -146,12 +146,11 @@ let compact (ifs : Polyhedron.ifs) lines =
     number;
   let kept = List.filter (fun v -> number.(v) >= 0) (List.init (Array.length number) Fun.id) in
   {
-    Polyhedron.ifs_vertices = Array.of_list (List.map (fun v -> ifs.ifs_vertices.(v)) kept);
+    Polyhedron.ifs_vertices = Array.map (fun v -> ifs.ifs_vertices.(v)) (Array.of_list kept);
     ifs_faces =
-      Array.of_list
-        (List.map
-           (fun (f, corners) -> (fst ifs.ifs_faces.(f), Array.map (fun v -> number.(v)) corners))
-           lines);
+      Array.map
+        (fun (f, corners) -> (fst ifs.ifs_faces.(f), Array.map (fun v -> number.(v)) corners))
+        (Array.of_list lines);
   }
 
 let merge (ifs : Polyhedron.ifs) =
