@@ -17,7 +17,7 @@ let placed (l : Bodies.leaf) body =
 
 let check_overlaps (c : Context.t) bodies composition =
   let leaves = Array.of_list (included bodies composition) in
-  let parts = List.mapi (fun body l -> placed l body) (Array.to_list leaves) |> List.concat |> Array.of_list in
+  let parts = Array.of_list (List.concat (List.mapi (fun body l -> placed l body) (Array.to_list leaves))) in
   let report (i, j) =
     let p = leaves.(parts.(i).body) and q = leaves.(parts.(j).body) in
     let where =

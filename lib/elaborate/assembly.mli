@@ -9,6 +9,12 @@ val leaves : Bodies.t -> Composition.t -> Model.leaf array
 (** No body of the network has faults (a bug otherwise). *)
 
 val state :
-  Bodies.t -> Composition.t -> Joints.t list -> Behaviour.t array -> steered:bool -> keeps_time:bool -> State.t
+  Bodies.t ->
+  Composition.t ->
+  Joints.t list ->
+  Behaviour.t array ->
+  steered:bool ->
+  keeps_time:bool ->
+  State.t
 (** The behaviours are by index in the model. No split clock is set yet; a steered network is due to be
     steered. *)

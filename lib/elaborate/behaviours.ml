@@ -130,7 +130,8 @@ let channel t scope (ch : Ast.channel) =
   end
   else if List.for_all Option.is_some sites then
     let sites = List.filter_map Fun.id sites in
-    Some (Behaviour.channel ~name:ch.channel.it ~sites ~closure:(Feature_name.closure scope.owner.shape sites))
+    let closure = Feature_name.closure scope.owner.shape sites in
+    Some (Behaviour.channel ~name:ch.channel.it ~sites ~closure)
   else None
 
 let channels_of t scope at list =
@@ -145,7 +146,8 @@ let delay t scope (e : Ast.expr) =
   match Constant.number t.c.report scope.env e with
   | Some q when Rat.sign q >= 0 -> Some q
   | Some q ->
-    Report.error t.c.report Code.negative_delay e.at "a delay is not negative, and this is %s" (Rat.to_string q);
+    Report.error t.c.report Code.negative_delay e.at "a delay is not negative, and this is %s"
+      (Rat.to_string q);
     None
   | None -> None
 

@@ -10,7 +10,8 @@ let single report env (path : Ast.path) =
   match path.it with
   | [ segment ] -> Option.map (fun name -> (name, path.at)) (Constant.segment report env segment)
   | _ ->
-    Report.error report Code.wrong_kind path.at "the name of a process is expected here, without a part or feature";
+    Report.error report Code.wrong_kind path.at
+      "the name of a process is expected here, without a part or feature";
     None
 
 let find report (bodies : Bodies.t) (name, at) =
@@ -29,7 +30,8 @@ let leaves : Registry.target -> int list = function
 
 let process_of (bodies : Bodies.t) =
   let owner = Array.make (Array.length bodies.leaves) (-1) in
-  Array.iteri (fun p (process : Bodies.process) -> List.iter (fun i -> owner.(i) <- p) process.members) bodies.processes;
+  let enter p (process : Bodies.process) = List.iter (fun i -> owner.(i) <- p) process.members in
+  Array.iteri enter bodies.processes;
   owner
 
 (* A process is listed whole, by its own name: the label of one of its leaves does not stand for it. *)

@@ -47,7 +47,7 @@ let check_velocities (c : Context.t) (name : Ast.name) drafts =
   | Some d ->
     let place d = match d.motion.velocity with Some (_, at) -> at | None -> d.part.span in
     Report.error c.report Code.velocity_mismatch (place d)
-      "the parts `%s` and `%s` of `%s` have the velocities %s and %s, and a rigid body that does not turn has one"
+      "the parts `%s` and `%s` of `%s` have the velocities %s and %s, and glued parts move as one"
       first.part.name d.part.name name.it (Vec.to_string v)
       (Vec.to_string (Attributes.velocity d.motion))
       ~notes:[ (place first, Printf.sprintf "the velocity of `%s` is here" first.part.name) ];
@@ -63,7 +63,8 @@ let check_overlaps (c : Context.t) (name : Ast.name) (parts : Shape.part array) 
       | Some x -> Printf.sprintf ": the point %s is inside both" (Vec.to_string x)
       | None -> ""
     in
-    Report.error c.report Code.interpenetration parts.(j).span "the parts `%s` and `%s` of `%s` interpenetrate%s"
+    Report.error c.report Code.interpenetration parts.(j).span
+      "the parts `%s` and `%s` of `%s` interpenetrate%s"
       parts.(i).name parts.(j).name name.it where
       ~notes:[ (parts.(i).span, Printf.sprintf "`%s` is here" parts.(i).name) ]
   in
@@ -77,7 +78,8 @@ let feature_text (p : Shape.part) feature =
 let not_highest (c : Context.t) at (p : Shape.part) (q : Shape.part) (pair : Contact.pair) =
   let best = feature_text p pair.first ^ " ~ " ^ feature_text q pair.second in
   Report.error c.report Code.not_highest at
-    "this is not the pair of the highest dimension at which `%s` and `%s` touch: that is %s" p.name q.name best
+    "this is not the pair of the highest dimension at which `%s` and `%s` touch: that is %s" p.name q.name
+    best
     ~hint:(Printf.sprintf "write `glue %s`" best)
 
 (* A glue is the highest touching pair of its two parts (reading I-4). *)
@@ -94,7 +96,8 @@ let check_contact (c : Context.t) at (p, f) (q, g) =
     if is_pair highest then ()
     else if List.exists is_pair (c.touching obstacle offset) then not_highest c at p q highest
     else
-      Report.error c.report Code.not_touching at "%s and %s do not touch" (feature_text p f) (feature_text q g)
+      Report.error c.report Code.not_touching at "%s and %s do not touch" (feature_text p f)
+        (feature_text q g)
         ~hint:
           (Printf.sprintf "the parts touch at %s and %s" (feature_text p highest.first)
              (feature_text q highest.second))

@@ -30,7 +30,9 @@ let behaviours_of table (bodies : Bodies.t) keep =
 
 let warn_unused (c : Context.t) (program : Program.t) =
   let warn what name at = Report.warning c.report Code.unused at "the %s `%s` is not used" what name in
-  Hashtbl.iter (fun name (t : Context.template) -> if not t.used then warn "template" name t.span) c.templates;
+  Hashtbl.iter
+    (fun name (t : Context.template) -> if not t.used then warn "template" name t.span)
+    c.templates;
   Hashtbl.iter
     (fun name (b : Program.behaviour) -> if not b.used then warn "behaviour" name b.name.at)
     program.behaviours;

@@ -45,7 +45,8 @@ let vertices report env (paths : Ast.path list) =
     (match stray with
      | None -> Some (prefix, List.map snd all)
      | Some (_, (name, at)) ->
-       Report.error report Code.unknown_feature at "the vertex `%s` is of another shape than the first of the tuple"
+       Report.error report Code.unknown_feature at
+         "the vertex `%s` is of another shape than the first of the tuple"
          name;
        None)
 

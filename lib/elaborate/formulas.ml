@@ -369,7 +369,8 @@ module Eval = Typed.Make (Algebra)
 
 let create (c : Context.t) (bodies : Bodies.t) (composition : Composition.t) behaviours =
   let by_template = Hashtbl.create 16 in
-  let numbers = List.filter (fun i -> composition.included.(i)) (List.init (Array.length bodies.leaves) Fun.id) in
+  let all = List.init (Array.length bodies.leaves) Fun.id in
+  let numbers = List.filter (fun i -> composition.included.(i)) all in
   let enter i =
     match bodies.leaves.(i) with
     | None -> ()
@@ -386,7 +387,10 @@ let check t (k : Program.check) =
   let* f = Eval.cond t k.env k.formula in
   match Formula.state_formula f with
   | Some _ ->
-    error t Code.not_a_formula k.formula.at "a check needs a temporal operator: this holds or not at an instant"
+    error t Code.not_a_formula k.formula.at
+      "a check needs a temporal operator: this holds or not at an instant"
       ~hint:"write `always …`, `possibly …` or `eventually …`";
     None
-  | None -> Some { Property.name = k.name; span = k.span; text = Scc_syntax.Printer.expr k.formula; formula = f }
+  | None ->
+    let text = Scc_syntax.Printer.expr k.formula in
+    Some { Property.name = k.name; span = k.span; text; formula = f }

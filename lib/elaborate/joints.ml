@@ -22,7 +22,8 @@ let read_end (c : Context.t) env (bodies : Bodies.t) (f : Ast.feature) =
         let* site = Feature_name.on_shape c.report ~own:None leaf.shape { f with prefix = rest } in
         Some (i, site)
       | Some (Process _ | Family _) ->
-        Report.error c.report Code.wrong_kind at "`%s` stands for several bodies; a bond joins two of them" name;
+        Report.error c.report Code.wrong_kind at
+          "`%s` stands for several bodies; a bond joins two of them" name;
         None
       | None ->
         Report.error c.report Code.unknown_name at "unknown process `%s`" name
@@ -42,7 +43,9 @@ let check_contact (c : Context.t) at ((p : Bodies.leaf), (f : Site.t)) ((q : Bod
   let a = p.parts.(f.part) and b = q.parts.(g.part) in
   let obstacle = Obstacle_cache.find c.obstacles a.solid b.solid in
   let offset = Vec.sub (Vec.add q.position b.offset) (Vec.add p.position a.offset) in
-  let is_pair (pair : Contact.pair) = Feature.equal pair.first f.feature && Feature.equal pair.second g.feature in
+  let is_pair (pair : Contact.pair) =
+    Feature.equal pair.first f.feature && Feature.equal pair.second g.feature
+  in
   match Obstacle.relation obstacle offset with
   | Interpenetrating -> ()
   | Apart -> Report.error c.report Code.not_touching at "`%s` and `%s` do not touch" a.name b.name
@@ -57,11 +60,13 @@ let check_contact (c : Context.t) at ((p : Bodies.leaf), (f : Site.t)) ((q : Bod
 
 let check_motion (c : Context.t) at (p : Bodies.leaf) (q : Bodies.leaf) =
   if not (Vec.equal p.velocity q.velocity) then
-    let notes = [ (p.span, Printf.sprintf "`%s` is here" p.name); (q.span, Printf.sprintf "`%s` is here" q.name) ] in
+    let note (l : Bodies.leaf) = (l.span, Printf.sprintf "`%s` is here" l.name) in
+    let notes = [ note p; note q ] in
     if p.fixed || q.fixed then
       let wall, other = if p.fixed then (p, q) else (q, p) in
       Report.error c.report Code.velocity_mismatch at
-        "`%s` has the velocity %s, and is bound to `%s`, which is fixed" other.name (Vec.to_string other.velocity)
+        "`%s` has the velocity %s, and is bound to `%s`, which is fixed" other.name
+        (Vec.to_string other.velocity)
         wall.name ~notes
     else
       Report.error c.report Code.velocity_mismatch at
@@ -72,7 +77,8 @@ let check_included (c : Context.t) (composition : Composition.t) bodies at i =
   composition.included.(i)
   ||
   begin
-    Report.error c.report Code.wrong_kind at "the bond mentions `%s`, which is not in the network" (leaf bodies i).name;
+    Report.error c.report Code.wrong_kind at "the bond mentions `%s`, which is not in the network"
+      (leaf bodies i).name;
     false
   end
 
@@ -80,7 +86,8 @@ let check_member (c : Context.t) bodies (process : Bodies.process) at i =
   List.mem i process.members
   ||
   begin
-    Report.error c.report Code.wrong_kind at "`%s` is not a part of the process `%s`" (leaf bodies i).name process.name
+    Report.error c.report Code.wrong_kind at "`%s` is not a part of the process `%s`" (leaf bodies i).name
+      process.name
       ~hint:"a bond with another process is declared apart: `bond <a, {…}>`";
     false
   end
@@ -98,8 +105,8 @@ let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.
   end
   else if not (Union_find.union joined i j) then begin
     Report.error c.report Code.cyclic_bonds b.bond_span
-      "this bond closes a cycle: `%s` and `%s` are joined already, and the bonds of a process are a tree" p.name
-      q.name;
+      "this bond closes a cycle: `%s` and `%s` are joined already, and the bonds of a process are a tree"
+      p.name q.name;
     None
   end
   else begin

@@ -65,7 +65,8 @@ module Algebra = struct
   let round c at x (quantum : Law.expr) =
     match (x, quantum) with
     | _, Law.Const q when Rat.sign q <= 0 ->
-      Report.error c.report Code.bad_law at "`round` to multiples of %s, which is not positive" (Rat.to_string q);
+      Report.error c.report Code.bad_law at "`round` to multiples of %s, which is not positive"
+        (Rat.to_string q);
       None
     | Law.Const x, Law.Const q when Rat.bits x + Rat.bits q <= Limits.number_bits ->
       Some (Typed.Num (Law.Const (Rat.round_to x ~quantum:q)))

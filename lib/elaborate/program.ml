@@ -148,7 +148,8 @@ let range g place ((name : Ast.name), low, high) =
 let too_many g at =
   if not g.overflow then begin
     g.overflow <- true;
-    Report.error g.c.report Code.too_deep at "the loops of the model make more than %d declarations" Limits.items
+    Report.error g.c.report Code.too_deep at "the loops of the model make more than %d declarations"
+      Limits.items
   end
 
 let rec item g place (i : Ast.item) =

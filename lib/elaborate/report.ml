@@ -7,7 +7,7 @@ type t = {
 }
 
 let kept_at_one_place = 3
-let kept_in_all = 1_000
+let kept_in_all = 200
 
 let create () = { diagnostics = []; counts = Hashtbl.create 16; total = 0 }
 

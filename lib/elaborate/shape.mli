@@ -7,8 +7,10 @@ open Scc_geometry
 
 type basic = {
   id : int;  (** distinct for distinct polyhedra *)
-  root : int;  (** the [id] of the polyhedron that this one is a scaled image of: names and structure are its *)
-  label : string;  (** the template's name; for a shape scaled where it is used, that of what it is scaled from *)
+  root : int;
+  (** the [id] of the polyhedron that this one is a scaled image of: names and structure are its *)
+  label : string;
+  (** the template's name; for a shape scaled where it is used, that of what it is scaled from *)
   polyhedron : Polyhedron.t;
 }
 

@@ -89,13 +89,15 @@ let check_names (c : Context.t) vertices faces =
   List.for_all Fun.id vertices && List.for_all Fun.id faces
 
 let resolve_corners (c : Context.t) index (face : Ast.name) corners =
+  let names () = Hashtbl.fold (fun name _ all -> name :: all) index [] |> List.sort String.compare in
   let resolve (n : Ast.name) =
     match Hashtbl.find_opt index n.it with
     | Some i -> Some i
     | None ->
-      Report.error c.report Code.unknown_feature n.at "the face `%s` names a vertex `%s` that the shape does not have"
+      Report.error c.report Code.unknown_feature n.at
+        "the face `%s` names a vertex `%s` that the shape does not have"
         face.it n.it
-        ~near:(n.it, fun () -> Hashtbl.fold (fun name _ names -> name :: names) index [] |> List.sort String.compare);
+        ~near:(n.it, names);
       None
   in
   let found = List.map resolve corners in

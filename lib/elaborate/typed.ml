@@ -70,7 +70,8 @@ module Make (A : ALGEBRA) = struct
     let budget = A.budget ctx in
     budget.left <- budget.left - 1;
     if budget.left = 0 then
-      error ctx Code.too_deep budget.spent_on "the laws and formulas of the model have more than %d terms, written out"
+      error ctx Code.too_deep budget.spent_on
+        "the laws and formulas of the model have more than %d terms, written out"
         Limits.terms;
     budget.left > 0
 

@@ -34,9 +34,11 @@ and prop =
   | Compare of Law.comparison * num * num
   | Bound of int * int  (** a bond joins the two leaves *)
   | Same of int * int  (** one process *)
-  | Behaviour of int * int  (** leaf; definition K: its behaviour is K or what K became by the passing of time *)
+  | Behaviour of int * int
+  (** leaf; definition K: its behaviour is K or what K became by the passing of time *)
   | Offers of int * Behaviour.polarity option * string
-  (** the leaf offers a channel of this name now; [None]: of any kind (open with either polarity, weak or strong) *)
+  (** the leaf offers a channel of this name now; [None]: of any kind (open with either polarity, weak or
+      strong) *)
   | Touching of int * int
   | Quiescent
   | Not of prop
