@@ -317,7 +317,7 @@ JSON: one document on standard output, nothing on standard error, whatever happe
 
 Interruption: what is known so far is reported, and the exit code is 4.
 
-  $ sh -c 'timeout -s INT 1 scc check forever.sc --states 100000000 > interrupted; echo "exit $?"'
-  exit 124
+  $ sh -c 'timeout --preserve-status -s INT 1 scc check forever.sc --states 100000000 > interrupted; echo "exit $?"'
+  exit 4
   $ head -n 1 interrupted
   slow: holds up to the bound: the interruption
