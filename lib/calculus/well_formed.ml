@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_geometry
 
@@ -22,7 +23,7 @@ let check_leaves (m : Model.t) state =
   let count = Array.make (Array.length m.leaves) 0 in
   List.iter (fun (l : State.leaf) -> count.(l.leaf) <- count.(l.leaf) + 1) (leaves state);
   Array.to_list count
-  |> List.mapi (fun leaf n -> (leaf, n))
+  |> Long_list.mapi (fun leaf n -> (leaf, n))
   |> List.filter_map (fun (leaf, n) ->
       match n with
       | 0 -> Some (Lost_leaf leaf)
@@ -33,7 +34,7 @@ let check_leaves (m : Model.t) state =
 let parts (m : Model.t) state =
   let of_leaf (l : State.leaf) =
     Array.to_list m.leaves.(l.leaf).parts
-    |> List.mapi (fun i (part : Model.part) ->
+    |> Long_list.mapi (fun i (part : Model.part) ->
         let placed =
           { Overlap.body = l.leaf; solid = part.solid; position = State.part_position m l i }
         in
@@ -47,7 +48,7 @@ let check_overlaps (m : Model.t) state =
     let first, p = parts.(i) and second, q = parts.(j) in
     Interpenetration { first; second; point = Overlap.common_point p q }
   in
-  List.map fault (Overlap.pairs m.obstacles (Array.map snd parts))
+  Long_list.map fault (Overlap.pairs m.obstacles (Array.map snd parts))
 
 let has_feature (polyhedron : Polyhedron.t) : Feature.t -> bool = function
   | Vertex i -> 0 <= i && i < Array.length polyhedron.vertices
@@ -135,7 +136,7 @@ let check_process (m : Model.t) i (p : State.process) =
       (not (clock_is_right m p), Bad_clock i);
     ]
   in
-  bonds @ List.filter_map (fun (holds, fault) -> if holds then Some fault else None) faults
+  Long_list.append bonds @@ List.filter_map (fun (holds, fault) -> if holds then Some fault else None) faults
 
 let step_is_right (m : Model.t) (s : State.t) =
   match s.step with
@@ -154,10 +155,15 @@ let time_is_right (m : Model.t) (s : State.t) =
   | Some t -> m.keeps_time && Rat.sign t >= 0
 
 let check (m : Model.t) (s : State.t) =
-  let processes = List.concat (List.mapi (check_process m) (Array.to_list s.processes)) in
-  check_leaves m s @ check_overlaps m s @ processes
-  @ (if step_is_right m s then [] else [ Bad_step ])
-  @ if time_is_right m s then [] else [ Bad_time ]
+  let processes = Long_list.concat (Long_list.mapi (check_process m) (Array.to_list s.processes)) in
+  Long_list.concat
+    [
+      check_leaves m s;
+      check_overlaps m s;
+      processes;
+      (if step_is_right m s then [] else [ Bad_step ]);
+      (if time_is_right m s then [] else [ Bad_time ]);
+    ]
 
 let bond_to_string (m : Model.t) (b : State.bond) =
   let finish (f : State.finish) = Model.site_name m ~leaf:f.at f.site in

@@ -7,7 +7,7 @@ let reported_overlaps = 10
 (* The bodies of the network, by index in the model; those with faults are left out. *)
 let included (bodies : Bodies.t) (composition : Composition.t) =
   Array.to_list bodies.leaves
-  |> List.mapi (fun i leaf -> (i, leaf))
+  |> Long_list.mapi (fun i leaf -> (i, leaf))
   |> List.filter (fun (i, _) -> composition.included.(i))
   |> List.filter_map snd
 
@@ -17,7 +17,7 @@ let placed (l : Bodies.leaf) body =
 
 let check_overlaps (c : Context.t) bodies composition =
   let leaves = Array.of_list (included bodies composition) in
-  let parts = Array.of_list (List.concat (List.mapi (fun body l -> placed l body) (Array.to_list leaves))) in
+  let parts = Array.of_list (Long_list.concat (Long_list.mapi (fun body l -> placed l body) (Array.to_list leaves))) in
   let report (i, j) =
     let p = leaves.(parts.(i).body) and q = leaves.(parts.(j).body) in
     let where =
@@ -36,7 +36,7 @@ let sound = function
 
 let numbered (bodies : Bodies.t) (composition : Composition.t) =
   List.filter (fun i -> composition.included.(i)) (List.init (Array.length bodies.leaves) Fun.id)
-  |> List.map (fun i -> (i, sound bodies.leaves.(i)))
+  |> Long_list.map (fun i -> (i, sound bodies.leaves.(i)))
 
 let leaves bodies (composition : Composition.t) =
   let leaf (i, (l : Bodies.leaf)) =
@@ -49,7 +49,7 @@ let leaves bodies (composition : Composition.t) =
       law = composition.laws.(i);
     }
   in
-  Array.of_list (List.map leaf (numbered bodies composition))
+  Array.of_list (Long_list.map leaf (numbered bodies composition))
 
 let bond (composition : Composition.t) (j : Joints.t) =
   let finish (i, site) = { State.at = composition.index.(i); site } in
@@ -60,7 +60,7 @@ let state bodies (composition : Composition.t) joints behaviours ~steered ~keeps
   let members = Array.of_list (numbered bodies composition) in
   let n = Array.length members in
   let joined = Union_find.create n in
-  let bonds = List.map (bond composition) joints in
+  let bonds = Long_list.map (bond composition) joints in
   List.iter (fun (b : State.bond) -> ignore (Union_find.union joined b.one.at b.two.at)) bonds;
   let leaves_of = Array.make n [] and bonds_of = Array.make n [] in
   let put table root x = table.(root) <- x :: table.(root) in

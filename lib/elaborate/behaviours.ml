@@ -22,7 +22,7 @@ type t = {
   mutable count : int;
   mutable sealed : int;  (** how many are part of the model *)
   pending : (int * entry) Queue.t;
-  uses : (string * int, owner * Span.t) Hashtbl.t;  (** a process and a definition that it may become *)
+  uses : (string * int, Span.t) Hashtbl.t;  (** a process and a definition that it may become *)
   channel_names : (string, unit) Hashtbl.t;
 }
 
@@ -102,7 +102,7 @@ let request t owner (name : Ast.name) =
 
 let definition t owner name =
   let* i = request t owner name in
-  Hashtbl.replace t.uses (owner.name, i) (owner, name.at);
+  Hashtbl.replace t.uses (owner.name, i) name.at;
   Some i
 
 (* What the elaboration of one term needs to know and to tell. *)
@@ -123,7 +123,7 @@ let site t scope (f : Ast.feature) =
 
 let channel t scope (ch : Ast.channel) =
   use_channel t ch.channel.it;
-  let sites = List.map (site t scope) ch.features in
+  let sites = Long_list.map (site t scope) ch.features in
   if List.length ch.features = 0 then begin
     Report.error t.c.report Code.empty_channel ch.span "the channel `%s` has no features" ch.channel.it;
     None
@@ -135,7 +135,7 @@ let channel t scope (ch : Ast.channel) =
   else None
 
 let channels_of t scope at list =
-  let read = List.map (channel t scope) list in
+  let read = Long_list.map (channel t scope) list in
   match read with
   | [] ->
     Report.error t.c.report Code.empty_channel at "a strong split needs at least one channel";
@@ -208,8 +208,12 @@ let reachable entries start =
   visit [ start ];
   Hashtbl.fold (fun i () list -> i :: list) seen [] |> List.sort Int.compare
 
+let by_name_and_index ((name, i), _) ((name', i'), _) =
+  let c = String.compare name name' in
+  if c <> 0 then c else Int.compare i i'
+
 let check_private t entries =
-  let check (name, start) (_, at) =
+  let check ((name, start), at) =
     let stray i =
       match entries.(i).private_to with
       | Some p when not (String.equal p name) -> Some (entries.(i), p)
@@ -222,7 +226,9 @@ let check_private t entries =
         "`%s` names features of `%s`, and cannot be the behaviour of `%s`" entry.declared.name.it p name
         ~hint:"name the features alone, without the process"
   in
-  if Array.exists (fun e -> Option.is_some e.private_to) entries then Hashtbl.iter check t.uses
+  if Array.exists (fun e -> Option.is_some e.private_to) entries then
+    Hashtbl.fold (fun use at list -> (use, at) :: list) t.uses []
+    |> List.sort by_name_and_index |> List.iter check
 
 let in_order (a : Program.behaviour) (b : Program.behaviour) = Int.compare a.name.at.start b.name.at.start
 

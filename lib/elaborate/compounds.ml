@@ -35,7 +35,7 @@ let check_names (c : Context.t) (parts : Ast.part list) =
         ~notes:[ (first, "the first is here") ];
       false
   in
-  List.for_all Fun.id (List.map fresh parts)
+  List.for_all Fun.id (Long_list.map fresh parts)
 
 (* Without spin, the parts of one rigid body have one velocity (Definition 4.5). *)
 let check_velocities (c : Context.t) (name : Ast.name) drafts =
@@ -135,13 +135,13 @@ let build (c : Context.t) env (name : Ast.name) drafts glues =
   let joined = Union_find.create (Array.length parts) in
   let rigid = check_velocities c name drafts in
   let disjoint = check_overlaps c name parts in
-  let read = List.map (read_glue c env compound joined) glues in
+  let read = Long_list.map (read_glue c env compound joined) glues in
   if List.for_all Fun.id read then check_connected c name parts joined;
   if rigid && disjoint then Some (Shape.Compound compound) else None
 
 let declare (c : Context.t) env (name : Ast.name) parts glues =
   let distinct = check_names c parts in
-  let drafts = List.map (read_part c env) parts in
+  let drafts = Long_list.map (read_part c env) parts in
   let shape =
     if distinct && List.for_all Option.is_some drafts then
       match List.filter_map Fun.id drafts with

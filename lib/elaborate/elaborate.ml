@@ -24,9 +24,9 @@ let behaviour behaviours (l : Bodies.leaf) =
 
 let behaviours_of table (bodies : Bodies.t) keep =
   Array.to_list bodies.leaves
-  |> List.mapi (fun i leaf -> (i, leaf))
+  |> Long_list.mapi (fun i leaf -> (i, leaf))
   |> List.filter (fun (i, _) -> keep i)
-  |> List.map (fun (_, leaf) -> Option.fold ~none:Behaviour.nil ~some:(behaviour table) leaf)
+  |> Long_list.map (fun (_, leaf) -> Option.fold ~none:Behaviour.nil ~some:(behaviour table) leaf)
 
 let warn_unused (c : Context.t) (program : Program.t) =
   let warn what name at = Report.warning c.report Code.unused at "the %s `%s` is not used" what name in
@@ -82,8 +82,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
     warnings = Report.warnings c.report;
   }
 
-let read c ~overrides syntax =
-  let program = Program.read c ~overrides syntax in
+let read c (program : Program.t) =
   let bodies = Bodies.read c program.bodies in
   let composition = Composition.read c program bodies in
   let table = Behaviours.create c program in
@@ -106,7 +105,8 @@ let read c ~overrides syntax =
 let elaborate ~read_file ~overrides syntax =
   let c = Context.create ~read_file in
   Limits.check_depth c.report syntax;
-  let result = if Report.failed c.report then None else read c ~overrides syntax in
+  let program = if Report.failed c.report then None else Program.read c ~overrides syntax in
+  let result = Option.bind program (read c) in
   match result with
   | Some t -> Ok t
   | None -> Error (Report.errors c.report)

@@ -21,12 +21,10 @@ let segments report env (path : Ast.path) =
   in
   Option.map List.rev (List.fold_left add (Some []) path.it)
 
-let rec split_last = function
+let split_last names =
+  match List.rev names with
   | [] -> Bug.fail __POS__ "an empty path"
-  | [ last ] -> ([], last)
-  | first :: rest ->
-    let before, last = split_last rest in
-    (first :: before, last)
+  | last :: before -> (List.rev before, last)
 
 let same_names = List.equal (fun (a, _) (b, _) -> String.equal a b)
 
@@ -43,7 +41,7 @@ let vertices report env (paths : Ast.path list) =
   | (prefix, _) :: _ ->
     let stray = List.find_opt (fun (p, _) -> not (same_names p prefix)) all in
     (match stray with
-     | None -> Some (prefix, List.map snd all)
+     | None -> Some (prefix, Long_list.map snd all)
      | Some (_, (name, at)) ->
        Report.error report Code.unknown_feature at
          "the vertex `%s` is of another shape than the first of the tuple"
@@ -75,8 +73,8 @@ let vertex report label (p : Polyhedron.t) (name, at) =
   | None -> unknown report label p at name
 
 let cycle report label (p : Polyhedron.t) span corners =
-  let found = List.map (vertex report label p) corners in
-  let names = String.concat "," (List.map fst corners) in
+  let found = Long_list.map (vertex report label p) corners in
+  let names = String.concat "," (Long_list.map fst corners) in
   if not (List.for_all Option.is_some found) then None
   else
     match List.filter_map Fun.id found with
@@ -162,11 +160,11 @@ let on_shape report ~own shape f =
 
 let closure shape sites =
   let polyhedra = Shape.polyhedra shape in
-  let parts = List.sort_uniq Int.compare (List.map (fun (s : Site.t) -> s.part) sites) in
+  let parts = List.sort_uniq Int.compare (Long_list.map (fun (s : Site.t) -> s.part) sites) in
   let of_part part =
     List.filter (fun (s : Site.t) -> Int.equal s.part part) sites
-    |> List.map (fun (s : Site.t) -> s.feature)
+    |> Long_list.map (fun (s : Site.t) -> s.feature)
     |> Polyhedron.closure polyhedra.(part)
-    |> List.map (fun feature -> { Site.part; feature })
+    |> Long_list.map (fun feature -> { Site.part; feature })
   in
   List.concat_map of_part parts

@@ -113,7 +113,7 @@ let constants : (string * (Property.num, Property.prop) Typed.value) list =
   ]
 
 let functions =
-  [ "bonds"; "offers"; "behaviour" ] @ List.map fst one_leaf @ List.map fst two_leaves
+  [ "bonds"; "offers"; "behaviour" ] @ Long_list.map fst one_leaf @ Long_list.map fst two_leaves
 
 let value : (Property.num, Property.prop) Typed.value -> (Property.num, Property.temporal) Typed.value =
   function
@@ -170,7 +170,7 @@ let variable t env (path : Ast.path) =
       | Some v -> Some (value v)
       | None ->
         error t Code.unknown_name path.at "unknown name `%s` in a formula" name.it
-          ~near:(name.it, fun () -> List.map fst constants @ Env.names env);
+          ~near:(name.it, fun () -> Long_list.map fst constants @ Env.names env);
         None)
   | [ { name = { it = "momentum"; _ }; indices = [] }; { name; indices = [] } ] -> (
       match List.assoc_opt name.it axes with
@@ -211,9 +211,9 @@ let range t (name : Ast.name) =
   | Some template, _ ->
     template.used <- true;
     Some (Option.value ~default:[] (Hashtbl.find_opt t.by_template name.it))
-  | None, Some (Leaf i) -> Some [ i ] |> Option.map (List.map (fun i -> t.composition.index.(i)))
+  | None, Some (Leaf i) -> Some [ i ] |> Option.map (Long_list.map (fun i -> t.composition.index.(i)))
   | None, Some (Process list | Family list) ->
-    Some (List.map (fun i -> t.composition.index.(i)) (List.sort Int.compare list))
+    Some (Long_list.map (fun i -> t.composition.index.(i)) (List.sort Int.compare list))
   | None, None ->
     error t Code.unknown_name name.at "unknown template `%s`" name.it
       ~near:(name.it, fun () -> Context.template_names t.c @ Registry.names t.bodies.registry);
@@ -228,7 +228,7 @@ let state_of t at = function
 let all options = if List.for_all Option.is_some options then Some (List.filter_map Fun.id options) else None
 
 let states formulas =
-  all (List.map (function Property.State p -> Some p | _ -> None) formulas)
+  all (Long_list.map (function Property.State p -> Some p | _ -> None) formulas)
 
 let conjunction formulas =
   match states formulas with
@@ -251,12 +251,12 @@ let quantified t eval env (q : Ast.quantifier) (v : Ast.name) template (body : A
       None
     | None -> None
   in
-  let* formulas = all (List.map instance (List.filter (fun i -> i >= 0) leaves)) in
+  let* formulas = all (Long_list.map instance (List.filter (fun i -> i >= 0) leaves)) in
   match q with
   | Forall -> Some (Typed.Cond (conjunction formulas))
   | Exists -> Some (Typed.Cond (disjunction formulas))
   | Count ->
-    let* ps = all (List.map (state_of t body.at) formulas) in
+    let* ps = all (Long_list.map (state_of t body.at) formulas) in
     Some (Typed.Num (Property.Count ps))
 
 let duration t env (e : Ast.expr) =

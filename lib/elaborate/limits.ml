@@ -14,7 +14,7 @@ type node =
 
 let expr e = Expr e
 let vector (x, y, z) = [ Expr x; Expr y; Expr z ]
-let path (p : Ast.path) = List.concat_map (fun (s : Ast.segment) -> List.map expr s.indices) p.it
+let path (p : Ast.path) = List.concat_map (fun (s : Ast.segment) -> Long_list.map expr s.indices) p.it
 
 let feature (f : Ast.feature) =
   match f.it with
@@ -31,8 +31,8 @@ let bound = function
 let transform (t : Ast.transform) =
   match t.it with
   | Translate v | Scale v -> vector v
-  | Rotate (a, b, c, d) -> List.map expr [ a; b; c; d ]
-  | Matrix rows -> List.concat_map (fun (a, b, c, d) -> List.map expr [ a; b; c; d ]) rows
+  | Rotate (a, b, c, d) -> Long_list.map expr [ a; b; c; d ]
+  | Matrix rows -> List.concat_map (fun (a, b, c, d) -> Long_list.map expr [ a; b; c; d ]) rows
 
 let attribute (a : Ast.attribute) =
   match a.it with
@@ -42,7 +42,7 @@ let attribute (a : Ast.attribute) =
 
 let leaf (l : Ast.leaf) =
   (Solid l.solid :: List.concat_map attribute l.attributes)
-  @ List.map (fun b -> Behaviour b) (Option.to_list l.behaviour)
+  @ Long_list.map (fun b -> Behaviour b) (Option.to_list l.behaviour)
 
 let bond (b : Ast.bond) = feature b.first @ feature b.second
 
@@ -50,7 +50,7 @@ let expr_children (e : Ast.expr) =
   match e.it with
   | Number _ | True | False | Co _ -> []
   | Path p -> path p
-  | Apply (_, es) -> List.map expr es
+  | Apply (_, es) -> Long_list.map expr es
   | Neg a | Not a | Quantified (_, _, _, a) -> [ Expr a ]
   | Binary (_, a, b) -> [ Expr a; Expr b ]
   | If (a, b, c) -> [ Expr a; Expr b; Expr c ]
@@ -75,7 +75,7 @@ let law (l : Ast.law) =
   match l.it with
   | Inertial -> []
   | Expression v -> vector v
-  | Choose cases -> List.concat_map (fun (v, w) -> vector v @ List.map expr (Option.to_list w)) cases
+  | Choose cases -> List.concat_map (fun (v, w) -> vector v @ Long_list.map expr (Option.to_list w)) cases
 
 let part (p : Ast.part) = Solid p.part_solid :: List.concat_map attribute p.part_attributes
 let glue (g : Ast.glue) = feature g.glue_first @ feature g.glue_second
@@ -85,13 +85,15 @@ let item_children (i : Ast.item) =
   | Model _ -> []
   | Param (_, e) | Timestep e | Split_step e | Let (_, e) | Check (_, e) -> [ Expr e ]
   | Shape (_, s) -> [ Solid s ]
-  | Compound (_, parts, glues) -> List.concat_map part parts @ List.concat_map glue glues
+  | Compound (_, parts, glues) -> Long_list.append (List.concat_map part parts) (List.concat_map glue glues)
   | Behaviour (_, _, b) -> [ Behaviour b ]
   | Process (s, l, rest) | Fixed (s, l, rest) ->
-    List.map expr s.indices @ leaf l @ List.concat_map (fun (b, l) -> bond b @ leaf l) rest
+    Long_list.map expr s.indices @ leaf l @ List.concat_map (fun (b, l) -> bond b @ leaf l) rest
   | Bond b -> bond b
   | For (ranges, items) ->
-    List.concat_map (fun (_, a, b) -> [ Expr a; Expr b ]) ranges @ List.map (fun i -> Item i) items
+    Long_list.append
+      (List.concat_map (fun (_, a, b) -> [ Expr a; Expr b ]) ranges)
+      (Long_list.map (fun i -> Item i) items)
   | Network ps -> List.concat_map path ps
   | Motion (p, l) -> List.concat_map path (Option.to_list p) @ law l
 

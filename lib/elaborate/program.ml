@@ -245,11 +245,7 @@ let check_overrides g =
            ~near:(name, names))
     g.overrides
 
-let read c ~overrides model =
-  let g = gather c overrides in
-  ignore (List.fold_left (item g) { env = Env.empty; loops = [] } model);
-  check_overrides g;
-  if List.length model = 0 then Report.error c.report Code.empty_model Span.none "the model declares nothing";
+let program g =
   let value step ~default = match step with Some (Some q, _) -> q | Some (None, _) | None -> default in
   let timestep = value g.delta ~default:Rat.one in
   {
@@ -266,3 +262,10 @@ let read c ~overrides model =
     checks = List.rev g.all_checks;
     values = List.rev g.all_values;
   }
+
+let read c ~overrides model =
+  let g = gather c overrides in
+  ignore (List.fold_left (item g) { env = Env.empty; loops = [] } model);
+  check_overrides g;
+  if List.length model = 0 then Report.error c.report Code.empty_model Span.none "the model declares nothing";
+  if g.overflow then None else Some (program g)

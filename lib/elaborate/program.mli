@@ -47,4 +47,5 @@ type t = {
   values : (string * string * Env.binding) list;  (** parameters and [let]s: what, name, binding *)
 }
 
-val read : Context.t -> overrides:(string * Rat.t) list -> Ast.model -> t
+val read : Context.t -> overrides:(string * Rat.t) list -> Ast.model -> t option
+(** [None] when the loops make more than {!Limits.items} declarations, which is reported. *)

@@ -84,8 +84,8 @@ let check_names (c : Context.t) vertices faces =
         ~notes:[ (first, "the first is here") ];
       false
   in
-  let vertices = List.map (fun (n, _) -> fresh n) vertices in
-  let faces = List.map (fun (n, _) -> fresh n) faces in
+  let vertices = Long_list.map (fun (n, _) -> fresh n) vertices in
+  let faces = Long_list.map (fun (n, _) -> fresh n) faces in
   List.for_all Fun.id vertices && List.for_all Fun.id faces
 
 let resolve_corners (c : Context.t) index (face : Ast.name) corners =
@@ -100,7 +100,7 @@ let resolve_corners (c : Context.t) index (face : Ast.name) corners =
         ~near:(n.it, names);
       None
   in
-  let found = List.map resolve corners in
+  let found = Long_list.map resolve corners in
   if List.for_all Option.is_some found then Some (Array.of_list (List.filter_map Fun.id found)) else None
 
 let listed (c : Context.t) env ~label at vertices faces =
@@ -109,10 +109,10 @@ let listed (c : Context.t) env ~label at vertices faces =
   List.iteri (fun i ((n : Ast.name), _) -> Hashtbl.replace index n.it i) vertices;
   let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.vector c.report env v) in
   let corners ((n : Ast.name), vs) = Option.map (fun a -> (n.it, a)) (resolve_corners c index n vs) in
-  let places_of = List.map place vertices and faces_of = List.map corners faces in
+  let places_of = Long_list.map place vertices and faces_of = Long_list.map corners faces in
   if distinct && List.for_all Option.is_some places_of && List.for_all Option.is_some faces_of then
     let array l = Array.of_list (List.filter_map Fun.id l) in
-    let spans l = Array.of_list (List.map (fun ((n : Ast.name), _) -> n.at) l) in
+    let spans l = Array.of_list (Long_list.map (fun ((n : Ast.name), _) -> n.at) l) in
     accept c
       { whole = at; vertices = spans vertices; faces = spans faces }
       ~label

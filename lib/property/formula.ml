@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_calculus
 open Property
@@ -86,8 +87,8 @@ let rec negate = function
   | Bool b -> Bool (not b)
   | Compare (c, a, b) -> Compare (complement c, a, b)
   | Not p -> p
-  | And ps -> Or (List.map negate ps)
-  | Or ps -> And (List.map negate ps)
+  | And ps -> Or (Long_list.map negate ps)
+  | Or ps -> And (Long_list.map negate ps)
   | (Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent) as atom -> Not atom
 
 let dual = function
@@ -97,8 +98,8 @@ let dual = function
 let rec negation_normal_form = function
   | State p -> State p
   | Temporal_not f -> refuse f
-  | Temporal_and fs -> Temporal_and (List.map negation_normal_form fs)
-  | Temporal_or fs -> Temporal_or (List.map negation_normal_form fs)
+  | Temporal_and fs -> Temporal_and (Long_list.map negation_normal_form fs)
+  | Temporal_or fs -> Temporal_or (Long_list.map negation_normal_form fs)
   | Next (q, f) -> Next (q, negation_normal_form f)
   | Finally (q, b, f) -> Finally (q, b, negation_normal_form f)
   | Globally (q, b, f) -> Globally (q, b, negation_normal_form f)
@@ -108,8 +109,8 @@ let rec negation_normal_form = function
 and refuse = function
   | State p -> State (negate p)
   | Temporal_not f -> negation_normal_form f
-  | Temporal_and fs -> Temporal_or (List.map refuse fs)
-  | Temporal_or fs -> Temporal_and (List.map refuse fs)
+  | Temporal_and fs -> Temporal_or (Long_list.map refuse fs)
+  | Temporal_or fs -> Temporal_and (Long_list.map refuse fs)
   | Next (q, f) -> Next (dual q, refuse f)
   | Finally (q, b, f) -> Globally (dual q, b, refuse f)
   | Globally (q, b, f) -> Finally (dual q, b, refuse f)
@@ -161,9 +162,9 @@ let rec state_formula = function
   | Next _ | Finally _ | Globally _ | Until _ -> None
 
 and all fs =
-  List.fold_right
-    (fun f rest ->
-       match (state_formula f, rest) with
-       | Some p, Some ps -> Some (p :: ps)
-       | _, _ -> None)
-    fs (Some [])
+  let add found f =
+    match (found, state_formula f) with
+    | Some ps, Some p -> Some (p :: ps)
+    | _, _ -> None
+  in
+  Option.map List.rev (List.fold_left add (Some []) fs)

@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_calculus
 open Property
@@ -37,7 +38,7 @@ let rec num m = function
   | Momentum a -> "momentum." ^ axis a
   | Energy -> "energy"
   | Time -> "time"
-  | Count ps -> call "count" (List.map (prop m) ps)
+  | Count ps -> call "count" (Long_list.map (prop m) ps)
   | Neg a -> "-" ^ num m a
   | Add (a, b) -> infix m "+" a b
   | Sub (a, b) -> infix m "-" a b
@@ -68,7 +69,7 @@ and prop m = function
 
 and connective m word neutral = function
   | [] -> neutral
-  | ps -> String.concat (" " ^ word ^ " ") (List.map (bracket m) ps)
+  | ps -> String.concat (" " ^ word ^ " ") (Long_list.map (bracket m) ps)
 
 and bracket m p =
   match p with
@@ -89,8 +90,8 @@ let bound b =
 let rec temporal m = function
   | State p -> prop m p
   | Temporal_not f -> Printf.sprintf "not (%s)" (temporal m f)
-  | Temporal_and fs -> String.concat " and " (List.map (part m) fs)
-  | Temporal_or fs -> String.concat " or " (List.map (part m) fs)
+  | Temporal_and fs -> String.concat " and " (Long_list.map (part m) fs)
+  | Temporal_or fs -> String.concat " or " (Long_list.map (part m) fs)
   | Next (q, f) -> Printf.sprintf "%sX %s" (quantifier q) (part m f)
   | Finally (q, b, f) -> Printf.sprintf "%sF%s %s" (quantifier q) (bound b) (part m f)
   | Globally (q, b, f) -> Printf.sprintf "%sG%s %s" (quantifier q) (bound b) (part m f)
