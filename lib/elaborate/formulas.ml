@@ -211,7 +211,7 @@ let range t (name : Ast.name) =
   | Some template, _ ->
     template.used <- true;
     Some (Option.value ~default:[] (Hashtbl.find_opt t.by_template name.it))
-  | None, Some (Leaf i) -> Some [ i ] |> Option.map (Long_list.map (fun i -> t.composition.index.(i)))
+  | None, Some (Leaf i) -> Some [ t.composition.index.(i) ]
   | None, Some (Process list | Family list) ->
     Some (Long_list.map (fun i -> t.composition.index.(i)) (List.sort Int.compare list))
   | None, None ->

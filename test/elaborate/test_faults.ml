@@ -41,20 +41,24 @@ let names_and_values =
       (cube ^ "behaviour Open = nil process p = Cube mass 1 [Opn]");
     case "unknown value" "SC0201" "m" ~says:"did you mean `n`" "param n = 1\ntimestep m";
     case "value used before it is declared" "SC0201" "n" "timestep n\nparam n = 1";
-    case "unknown process in a bond" "SC0201" "q" (cube ^ "process p = Cube mass 1 [nil] bond <a, {p.top, q.top}>");
-    case "unknown process in the network" "SC0201" "q" (cube ^ "process p = Cube mass 1 [nil] network p || q");
+    case "unknown process in a bond" "SC0201" "q" (cube ^ "process p = Cube mass 1 [nil] \
+                                                           bond <a, {p.top, q.top}>");
+    case "unknown process in the network" "SC0201" "q" (cube ^ "process p = Cube mass 1 [nil] \
+                                                                network p || q");
     case "unknown process in a motion" "SC0201" "q" "motion q = inertial";
     case "unknown name in a law" "SC0201" "wx" ~says:"did you mean" "motion (wx, 0, 0)";
     case "unknown function" "SC0201" "sise" ~says:"did you mean `size`"
       (cube ^ "process p = Cube mass 1 [nil] check c : always sise(p) = 1");
-    case "unknown channel" "SC0201" "b" (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check c : always bonds(b) = 1");
+    case "unknown channel" "SC0201" "b" (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] \
+                                                 check c : always bonds(b) = 1");
     case "unknown template of a quantifier" "SC0201" "Cuba"
       (cube ^ "process p = Cube mass 1 [nil] check c : always forall q in Cuba: x(q) = 1");
     case "unknown template of a behaviour" "SC0201" "Cuba" (cube ^ "behaviour B on Cuba = nil");
     case "two processes with one name" "SC0202" "p" ~says:"taken"
       (cube ^ "process p = Cube mass 1 [nil] process p = Cube mass 1 at translate (9,0,0) [nil]");
     case "a process with the name of a family" "SC0202" "c"
-      (cube ^ "for i in 1..2 { process c[i] = Cube mass 1 at translate (4*i,0,0) [nil] }\nprocess c = Cube mass 1 at translate (99,0,0) [nil]");
+      (cube ^ "for i in 1..2 { process c[i] = Cube mass 1 \
+               at translate (4*i,0,0) [nil] }\nprocess c = Cube mass 1 at translate (99,0,0) [nil]");
     case "two templates with one name" "SC0202" "Cube" (cube ^ cube);
     case "two behaviours with one name" "SC0202" "B" "behaviour B = nil behaviour B = nil";
     case "two parameters with one name" "SC0202" "n" "param n = 1 param n = 2";
@@ -64,10 +68,12 @@ let names_and_values =
       "shape S { vertices a (0,0,0) b (1,0,0) c (0,1,0) faces a [a,b,c] }";
     case "two laws for one process" "SC0202" "motion p = (1,0,0)" ~says:"two laws"
       (cube ^ "process p = Cube mass 1 [nil] motion p = inertial motion p = (1,0,0)");
-    case "a process twice in the network" "SC0202" "p" (cube ^ "process p = Cube mass 1 [nil] network p || p");
+    case "a process twice in the network" "SC0202" "p" (cube ^ "process p = Cube mass 1 [nil] \
+                                                                network p || p");
     case "unknown feature" "SC0203" "tpo" ~says:"did you mean `top`"
       (cube ^ "process p = Cube mass 1 [<a, {tpo}>. nil]");
-    case "unknown vertex in a face" "SC0203" "k" "shape S { vertices a (0,0,0) b (1,0,0) c (0,1,0) faces f [a,b,k] }";
+    case "unknown vertex in a face" "SC0203" "k" "shape S { vertices a (0,0,0) b (1,0,0) c (0,1,0) \
+                                                  faces f [a,b,k] }";
     case "no edge" "SC0203" "[a,g]" ~says:"not an edge" (cube ^ "process p = Cube mass 1 [<a, {[a,g]}>. nil]");
     case "a face the wrong way round" "SC0203" "[a,b,c,d]" ~says:"wrong way round"
       (cube ^ "process p = Cube mass 1 [<a, {[a,b,c,d]}>. nil]");
@@ -76,7 +82,8 @@ let names_and_values =
     case "another process's feature in a behaviour" "SC0203" "q" (cube ^ "process p = Cube mass 1 [<a, {q.top}>. nil]");
     case "a definition with the features of one process" "SC0203" "K" ~says:"cannot be the behaviour of `q`"
       (cube
-       ^ "behaviour J = <a, {p.top}>. nil process p = Cube mass 1 [J] process q = Cube mass 1 at translate (9,0,0) [J + nil]"
+       ^ "behaviour J = <a, {p.top}>. nil process p = Cube mass 1 [J] process q = Cube mass 1 \
+          at translate (9,0,0) [J + nil]"
        |> String.split_on_char 'J' |> String.concat "K");
     case "index that is not an integer" "SC0204" "1/2" (cube ^ "process c[1/2] = Cube mass 1 [nil]");
     case "loop bound that is not an integer" "SC0204" "3/2" "for i in 1..3/2 { }";
@@ -86,8 +93,10 @@ let names_and_values =
     case "branches of two types" "SC0205" "true" "param n = if 1 < 2 then 1 else true";
     case "a temporal formula under a comparison" "SC0205" "always time > 1"
       (cube ^ "process p = Cube mass 1 [nil] check k : always count(q in Cube: always time > 1) = 1");
-    case "too many arguments" "SC0206" "x(p, p)" (cube ^ "process p = Cube mass 1 [nil] check k : always x(p, p) = 1");
-    case "too few arguments" "SC0206" "bound(p)" (cube ^ "process p = Cube mass 1 [nil] check k : always bound(p)");
+    case "too many arguments" "SC0206" "x(p, p)" (cube ^ "process p = Cube mass 1 [nil] \
+                                                          check k : always x(p, p) = 1");
+    case "too few arguments" "SC0206" "bound(p)" (cube ^ "process p = Cube mass 1 [nil] \
+                                                          check k : always bound(p)");
     case "division by zero" "SC0207" "1/(n-1)" "param n = 1 timestep 1/(n-1)";
     case "division by zero in a law" "SC0207" "vx/n" "param n = 0 motion (vx/n, 0, 0)";
     case "a mass that is not positive" "SC0208" "0" (cube ^ "process p = Cube mass 0 [nil]");
@@ -95,13 +104,16 @@ let names_and_values =
     case "a step that is not positive" "SC0208" "-1" "timestep -1";
     case "a negative time bound" "SC0208" "-2" "check k : possibly time > 1 within (-2)";
     case "an empty time bound" "SC0208" "1" "check k : EF[2, 1] time > 1";
-    case "a process for a value" "SC0210" "q" (cube ^ "process p = Cube mass 1 [nil] check k : always forall q in Cube: q = 1");
+    case "a process for a value" "SC0210" "q" (cube ^ "process p = Cube mass 1 [nil] \
+                                                       check k : always forall q in Cube: q = 1");
     case "a compound scaled" "SC0210" "Corner" (cube ^ corner ^ "process p = Corner scaled (1,2,3) mass 1 [nil]");
     case "a family for a leaf" "SC0210" "c"
-      (cube ^ "for i in 1..2 { process c[i] = Cube mass 1 at translate (4*i,0,0) [nil] } check k : always x(c) = 1");
+      (cube ^ "for i in 1..2 { process c[i] = Cube mass 1 at translate (4*i,0,0) [nil] } \
+               check k : always x(c) = 1");
     case "a bond with what is left out" "SC0210" "q.left"
       (cube
-       ^ "process p = Cube mass 1 [nil] process q = Cube mass 1 at translate (2,0,0) [nil] network p bond <a, {p.right, q.left}>");
+       ^ "process p = Cube mass 1 [nil] process q = Cube mass 1 at translate (2,0,0) [nil] network p \
+          bond <a, {p.right, q.left}>");
     case "a declaration in a loop" "SC0210" "param k = 1" "for i in 1..2 { param k = 1 }";
     case "unused template" "SC0211" "Cube" cube;
     case "unused behaviour" "SC0211" "B" "behaviour B = nil";
@@ -137,7 +149,8 @@ let templates =
     case "a matrix that is not affine" "SC0311" "matrix ((1,0,0,0),(0,1,0,0),(0,0,1,0),(1,0,0,1))"
       (cube ^ "process p = Cube mass 1 at matrix ((1,0,0,0),(0,1,0,0),(0,0,1,0),(1,0,0,1)) [nil]");
     case "an off-centre template" "SC0312" "T" ~says:"(1/4, 1/4, 1/4)"
-      "shape T { vertices a (0,0,0) b (1,0,0) c (0,1,0) d (0,0,1) faces x [a,c,b] y [a,b,d] z [a,d,c] w [b,c,d] }\nprocess p = T mass 1 [nil]";
+      "shape T { vertices a (0,0,0) b (1,0,0) c (0,1,0) d (0,0,1) \
+       faces x [a,c,b] y [a,b,d] z [a,d,c] w [b,c,d] }\nprocess p = T mass 1 [nil]";
     case "a mesh that cannot be read" "SC0101" "\"a.off\"" "shape T = mesh \"a.off\"";
   ]
   |> List.map (fun c ->
@@ -146,36 +159,46 @@ let templates =
         { c with at = String.sub c.text start (String.length c.text - start - 2) }
       else c)
 
-let two position = Printf.sprintf "process p = Cube mass 1 [nil] process q = Cube mass 1 at translate (%s) [nil] " position
+let two position = Printf.sprintf "process p = Cube mass 1 [nil] process q = Cube mass 1 \
+                                   at translate (%s) [nil] " position
 
 let networks =
   [
     case "a glue that does not touch" "SC0401" "glue l.left ~ r.right" ~says:"l.right and r.left"
-      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) glue l.left ~ r.right }");
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) \
+               glue l.left ~ r.right }");
     case "parts apart" "SC0401" "glue l.right ~ r.left" ~says:"do not touch"
-      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (3,0,0) glue l.right ~ r.left }");
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (3,0,0) \
+               glue l.right ~ r.left }");
     case "a glue that is not the highest" "SC0402" "glue l.[b,c] ~ r.[a,d]" ~says:"l.right ~ r.left"
-      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) glue l.[b,c] ~ r.[a,d] }");
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) \
+               glue l.[b,c] ~ r.[a,d] }");
     case "parts that interpenetrate" "SC0403" "r" ~says:"(1/2, 0, 0)"
-      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (1,0,0) glue l.right ~ r.left }");
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (1,0,0) \
+               glue l.right ~ r.left }");
     case "bodies that interpenetrate" "SC0403" "q" ~says:"(1/2, 0, 0) is inside both" (cube ^ two "1,0,0");
     case "bodies at one place" "SC0403" "q" ~says:"(0, 0, 0) is inside both" (cube ^ two "0,0,0");
-    case "a body and a wall" "SC0403" "w" (cube ^ "process p = Cube mass 1 [nil] fixed w = Cube at translate (0,3/2,0)");
+    case "a body and a wall" "SC0403" "w" (cube ^ "process p = Cube mass 1 [nil] fixed w = Cube \
+                                                   at translate (0,3/2,0)");
     case "the misprinted Figure 5" "SC0404" "velocity (2,1,1)" ~says:"(2, 1, 0) and (2, 1, 1)"
       (cube
-       ^ "compound C { part l : Cube mass 3 velocity (2,1,0) part r : Cube mass 3 velocity (2,1,1) at translate (2,0,0) glue l.right ~ r.left }"
+       ^ "compound C { part l : Cube mass 3 velocity (2,1,0) part r : Cube mass 3 velocity (2,1,1) \
+          at translate (2,0,0) glue l.right ~ r.left }"
       );
     case "bound bodies with two velocities" "SC0404" "<a, {p.right, q.left}>"
       (cube
-       ^ "process p = Cube mass 1 velocity (1,0,0) [nil] process q = Cube mass 1 at translate (2,0,0) [nil] bond <a, {p.right, q.left}>");
+       ^ "process p = Cube mass 1 velocity (1,0,0) [nil] process q = Cube mass 1 \
+          at translate (2,0,0) [nil] bond <a, {p.right, q.left}>");
     case "moving body bound to a wall" "SC0404" "<a, {p.right, q.left}>" ~says:"which is fixed"
       (cube
-       ^ "process p = Cube mass 1 velocity (1,0,0) [nil] fixed q = Cube at translate (2,0,0) bond <a, {p.right, q.left}>");
+       ^ "process p = Cube mass 1 velocity (1,0,0) [nil] fixed q = Cube at translate (2,0,0) \
+          bond <a, {p.right, q.left}>");
     case "parts not joined" "SC0405" "r" ~says:"no glue joins"
       (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) }");
     case "glues with a cycle" "SC0405" "glue r.left ~ l.right" ~says:"tree"
       (cube
-       ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) glue l.right ~ r.left glue r.left ~ l.right }"
+       ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) \
+          glue l.right ~ r.left glue r.left ~ l.right }"
       );
     case "a part glued to itself" "SC0405" "glue l.left ~ l.right"
       (cube ^ "compound C { part l : Cube mass 1 glue l.left ~ l.right }");
@@ -185,21 +208,25 @@ let networks =
     case "a bond that does not touch" "SC0401" "<a, {p.top, q.left}>" ~says:"p.right and q.left"
       (cube ^ two "2,0,0" ^ "bond <a, {p.top, q.left}>");
     case "a fixed body with a mass" "SC0407" "mass 1" (cube ^ "fixed w = Cube mass 1");
-    case "a fixed body with a velocity" "SC0407" "velocity (1,0,0)" (cube ^ "fixed w = Cube velocity (1,0,0)");
+    case "a fixed body with a velocity" "SC0407" "velocity (1,0,0)" (cube ^ "fixed w = Cube \
+                                                                             velocity (1,0,0)");
     case "a law for a fixed body" "SC0407" "motion w = inertial" (cube ^ "fixed w = Cube motion w = inertial");
     case "a bare feature of a compound" "SC0408" "top" ~says:"left.top"
       (cube ^ corner ^ "process p = Corner [<a, {top}>. nil]");
     case "a bare feature in a glue" "SC0408" "right"
-      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) glue right ~ r.left }");
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 at translate (2,0,0) \
+               glue right ~ r.left }");
     case "a part of a process in the network" "SC0210" "p2"
       (cube
-       ^ "process r = p2 : Cube mass 1 [nil] <a, {p2.right, p3.left}> p3 : Cube mass 1 at translate (2,0,0) [nil] network p2");
+       ^ "process r = p2 : Cube mass 1 [nil] <a, {p2.right, p3.left}> p3 : Cube mass 1 \
+          at translate (2,0,0) [nil] network p2");
   ]
 
 let behaviours_and_laws =
   [
     case "an unguarded recursion" "SC0501" "K" (cube ^ "behaviour K = nil + K process p = Cube mass 1 [K]");
-    case "a recursion through eps(0)" "SC0501" "K" (cube ^ "behaviour K = eps(0). K process p = Cube mass 1 [K]");
+    case "a recursion through eps(0)" "SC0501" "K" (cube ^ "behaviour K = eps(0). K \
+                                                            process p = Cube mass 1 [K]");
     case "an unguarded recursion of two" "SC0501" "J"
       (cube ^ "behaviour J = nil + K behaviour K = J process p = Cube mass 1 [K]");
     case "a negative delay" "SC0502" "-1" (cube ^ "process p = Cube mass 1 [eps(-1). nil]");

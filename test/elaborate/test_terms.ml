@@ -33,7 +33,8 @@ let loops () =
   let t =
     accept
       (cube
-       ^ "param n = 2 for i in 1..n, j in i..n { process g[i,j] = Cube mass 1 at translate (4*i, 4*j, 0) [nil] }\n\
+       ^ "param n = 2 for i in 1..n, j in i..n { process g[i,j] = Cube mass 1 \
+          at translate (4*i, 4*j, 0) [nil] }\n\
           for i in 1..0 { process none[i] = Cube mass 1 [nil] }\n\
           for i in -1..-1 { let k = 2*i process c[2*k] = Cube mass 1 at translate (0, 0, k) [nil] }")
   in
@@ -61,7 +62,8 @@ let scopes () =
   let t =
     accept
       (cube
-       ^ "param i = 7 let k = i + 1 for i in 1..1 { process c[i] = Cube mass (k) at translate (i, 0, 0) [nil] }\n\
+       ^ "param i = 7 let k = i + 1 for i in 1..1 { process c[i] = Cube mass (k) \
+          at translate (i, 0, 0) [nil] }\n\
           process p = Cube mass (if i > 3 and not false then round(i, 2) else 1) at translate (9, 0, 0) [nil]")
   in
   same_rational "a let sees its own scope" (q 8 1) (leaf t "c[1]").mass;
@@ -103,7 +105,8 @@ let matrix () =
   same_vector "linear part" (Vec.of_ints 1 1 2) (leaf t "p").parts.(0).solid.high
 
 let compound () =
-  let t = accept (cube ^ corner ^ "process p = Corner velocity (1,0,0) at translate (0,0,5) * rotate quaternion (1,0,0,1) [nil]") in
+  let t = accept (cube ^ corner ^ "process p = Corner velocity (1,0,0) \
+                                   at translate (0,0,5) * rotate quaternion (1,0,0,1) [nil]") in
   let p = leaf t "p" in
   Alcotest.(check strings) "parts" [ "p.left"; "p.arm" ]
     (Array.to_list (Array.map (fun (x : Model.part) -> x.name) p.parts));
@@ -116,7 +119,8 @@ let compound () =
 let compound_velocity () =
   let text attribute =
     cube
-    ^ "compound C { part l : Cube mass 1 velocity (1,2,3) part r : Cube mass 1 velocity (1,2,3) at translate (2,0,0) glue l.right ~ r.left }\n\
+    ^ "compound C { part l : Cube mass 1 velocity (1,2,3) part r : Cube mass 1 velocity (1,2,3) \
+       at translate (2,0,0) glue l.right ~ r.left }\n\
        process p = C " ^ attribute ^ " [nil]"
   in
   same_vector "of the parts" (Vec.of_ints 1 2 3) (process_of (accept (text "")) "p").velocity;
@@ -158,7 +162,8 @@ let definitions () =
   let t =
     accept
       (cube
-       ^ "shape Tetra { vertices a (1,1,1) b (1,-1,-1) c (-1,1,-1) d (-1,-1,1) faces x [b,d,c] y [a,c,d] z [a,d,b] w [a,b,c] }\n\
+       ^ "shape Tetra { vertices a (1,1,1) b (1,-1,-1) c (-1,1,-1) d (-1,-1,1) \
+          faces x [b,d,c] y [a,c,d] z [a,d,b] w [a,b,c] }\n\
           behaviour Later = <a, {a}>. K behaviour K = <a, {[a,b]}>. Later + eps(2). nil\n\
           process p = Cube mass 1 [K] process q = Cube mass 1 at translate (9,0,0) * scale (1,2,3) [K]\n\
           process r = Tetra mass 1 at translate (0,9,0) [K]\n\
@@ -193,7 +198,8 @@ let canonical () =
 
 let chain =
   cube
-  ^ "process r = p2 : Cube mass 1 velocity (1,0,0) [nil] <bond, {p2.left, p3.right}> p3 : Cube mass 1 velocity (1,0,0) at translate (-2,0,0) [nil]\n"
+  ^ "process r = p2 : Cube mass 1 velocity (1,0,0) [nil] <bond, {p2.left, p3.right}> p3 : Cube mass 1 \
+     velocity (1,0,0) at translate (-2,0,0) [nil]\n"
 
 let bonds () =
   let t =
@@ -226,7 +232,8 @@ let network () =
 let fixed () =
   let t =
     accept
-      (cube ^ "fixed w = Cube scaled (9,9,1) [<a, {top}>. nil] process p = Cube mass 2 at translate (0,0,2) [nil] bond <a, {w.top, p.bottom}>")
+      (cube ^ "fixed w = Cube scaled (9,9,1) [<a, {top}>. nil] process p = Cube mass 2 \
+               at translate (0,0,2) [nil] bond <a, {w.top, p.bottom}>")
   in
   Alcotest.(check bool) "fixed" true (leaf t "w").fixed;
   Alcotest.(check bool) "no mass" true (Option.is_none (State.mass t.model (process_of t "p")));
@@ -238,7 +245,8 @@ let motion () =
   let t =
     accept
       (chain
-       ^ "for i in 1..2 { process g[i] = Cube mass 1 at translate (4*i, 9, 0) [nil] } process p = Cube mass 1 at translate (0,0,9) [nil]\n\
+       ^ "for i in 1..2 { process g[i] = Cube mass 1 at translate (4*i, 9, 0) [nil] } \
+          process p = Cube mass 1 at translate (0,0,9) [nil]\n\
           fixed w = Cube at translate (0,0,-9)\n\
           motion g[2] = (vx - 2*3*dt, vy, if z > 0 and not (x < 1 or false) then round(vz, 1/8) else -mass)\n\
           motion r = (1/2, 0, 0) motion p3 = (1,0,0) motion (vx, vy, vz - 10*dt) motion g = inertial")
@@ -286,7 +294,8 @@ let printed text =
 
 let body =
   cube
-  ^ "process p = Cube mass 1 [<a, {top}>. nil] process q = Cube scaled (1,1,2) mass 1 at translate (9,0,0) [nil] shape B = Cube process r = B mass 1 at translate (20,0,0) [nil]\n\
+  ^ "process p = Cube mass 1 [<a, {top}>. nil] process q = Cube scaled (1,1,2) mass 1 \
+     at translate (9,0,0) [nil] shape B = Cube process r = B mass 1 at translate (20,0,0) [nil]\n\
      for i in 1..2 { process c[i] = B mass 1 at translate (4*i, 9, 0) [nil] }\n"
 
 let property name written expected =

@@ -129,7 +129,8 @@ let solids =
   let t =
     accept
       (cube
-       ^ "shape Tetra { vertices a (1,1,1) b (1,-1,-1) c (-1,1,-1) d (-1,-1,1) faces x [b,d,c] y [a,c,d] z [a,d,b] w [a,b,c] }\n\
+       ^ "shape Tetra { vertices a (1,1,1) b (1,-1,-1) c (-1,1,-1) d (-1,-1,1) \
+          faces x [b,d,c] y [a,c,d] z [a,d,b] w [a,b,c] }\n\
           process p = Cube mass 1 [nil] process q = Cube mass 1 at translate (9,0,0) * rotate quaternion (2,1,0,0) [nil]\n\
           process r = Tetra mass 1 at translate (0,9,0) [nil] process s = Tetra scaled (1,2,1/3) mass 1 at translate (20,9,0) [nil]")
   in
