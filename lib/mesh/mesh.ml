@@ -5,6 +5,11 @@ let readers =
     ("off", "OFF", Off.read);
     ("obj", "OBJ", Obj.read);
     ("stl", "STL", Stl.read);
+    ("ply", "PLY", Ply.read);
+    ("wrl", "VRML", Vrml.read);
+    ("vrml", "VRML", Vrml.read);
+    ("x3dv", "X3D (classic)", Vrml.read);
+    ("x3d", "X3D", X3d.read);
   ]
 
 let formats = List.map (fun (ending, name, _) -> ("." ^ ending, name)) readers
@@ -21,6 +26,9 @@ let by_text text =
   in
   if List.exists begins [ "OFF"; "COFF"; "NOFF"; "STOFF"; "CNOFF" ] then Some Off.read
   else if begins "solid" then Some Stl.read
+  else if begins "ply" then Some Ply.read
+  else if begins "#VRML" || begins "#X3D" then Some Vrml.read
+  else if begins "<?xml" || begins "<X3D" then Some X3d.read
   else None
 
 let read ~path text =

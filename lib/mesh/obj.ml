@@ -10,8 +10,8 @@ type state = {
 }
 
 let skipped = function
-  | "g" | "o" | "s" | "usemtl" | "mtllib" | "usemap" | "maplib" | "vt" | "vn" | "vp" | "l" | "p" | "mg" | "lod"
-  | "bevel" | "c_interp" | "d_interp" | "shadow_obj" | "trace_obj" -> true
+  | "g" | "o" | "s" | "usemtl" | "mtllib" | "usemap" | "maplib" | "vt" | "vn" | "vp" | "l" | "p" | "mg"
+  | "lod" | "bevel" | "c_interp" | "d_interp" | "shadow_obj" | "trace_obj" -> true
   | _ -> false
 
 let curved = function
@@ -64,7 +64,8 @@ let statement ~path state = function
 
 let resolve ~path count corners =
   let check () (w, i) =
-    if i < count then Ok () else error ~path w "a face names vertex %d, but there are only %d vertices" (i + 1) count
+    if i < count then Ok ()
+    else error ~path w "a face names vertex %d, but there are only %d vertices" (i + 1) count
   in
   let rec all i =
     if i >= Array.length corners then Ok (Array.map snd corners)

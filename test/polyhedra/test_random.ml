@@ -83,7 +83,9 @@ let hull points =
   let s = Scc_naive.Naive.hull points in
   { points = s.points; faces = Array.of_list (List.map Array.of_list s.faces) }
 
-let cube_points = List.concat_map (fun x -> List.concat_map (fun y -> List.map (fun z -> Vec.of_ints x y z) [ -1; 1 ]) [ -1; 1 ]) [ -1; 1 ]
+let cube_points =
+  let ends = [ -1; 1 ] in
+  List.concat_map (fun x -> List.concat_map (fun y -> List.map (Vec.of_ints x y) ends) ends) ends
 
 let small = G.int_range (-3) 3
 let point = G.map3 Vec.of_ints small small small
@@ -134,7 +136,9 @@ let apply s change =
     | Move (i, d) ->
       let i = i mod Array.length s.points in
       { s with points = put s.points i (Vec.add s.points.(i) d) }
-    | Drop i -> { s with faces = Array.of_list (List.filteri (fun j _ -> j <> i mod faces) (Array.to_list s.faces)) }
+    | Drop i ->
+      let others = List.filteri (fun j _ -> j <> i mod faces) (Array.to_list s.faces) in
+      { s with faces = Array.of_list others }
     | Twice i -> { s with faces = Array.append s.faces [| face i |] }
     | Turn i -> with_face i (Array.of_list (List.rev (Array.to_list (face i))))
     | Swap (i, j) ->
@@ -149,7 +153,8 @@ let apply s change =
       let f = face i in
       let n = Array.length f in
       let changed = with_face i (Array.sub f 0 3) in
-      { changed with faces = Array.append changed.faces [| Array.append [| f.(0) |] (Array.sub f 2 (n - 2)) |] }
+      let rest = Array.append [| f.(0) |] (Array.sub f 2 (n - 2)) in
+      { changed with faces = Array.append changed.faces [| rest |] }
     | Cut _ -> s
     | Spare p -> { s with points = Array.append s.points [| p |] }
 
@@ -178,15 +183,16 @@ let inside_out =
       | Error [ Inward ] -> true
       | Error _ | Ok _ -> false)
 
+let side_by_side s t =
+  let far = Array.map (Vec.add (Vec.of_ints 50 0 0)) t.points in
+  let faces = Array.map (Array.map (fun v -> v + Array.length s.points)) t.faces in
+  { points = Array.append s.points far; faces = Array.append s.faces faces }
+
 let two_hulls =
-  law "two hulls apart are separate solids" (G.map2 (fun s t -> (s, t)) some_hull some_hull |> G.map (fun (s, t) ->
-      let far = Array.map (Vec.add (Vec.of_ints 50 0 0)) t.points in
-      let faces = Array.map (Array.map (fun v -> v + Array.length s.points)) t.faces in
-      { points = Array.append s.points far; faces = Array.append s.faces faces }))
-    (fun s ->
-       match Polyhedron.of_ifs (to_ifs s) with
-       | Error [ Separate_solids (0, _) ] -> true
-       | Error _ | Ok _ -> false)
+  law "two hulls apart are separate solids" (G.map2 side_by_side some_hull some_hull) (fun s ->
+      match Polyhedron.of_ifs (to_ifs s) with
+      | Error [ Separate_solids (0, _) ] -> true
+      | Error _ | Ok _ -> false)
 
 let without_a_face =
   law "a missing face leaves open edges only" (G.map (fun s -> apply s (Drop 0)) some_hull) (fun s ->

@@ -1,0 +1,8 @@
+(** PLY files (Stanford), ASCII and binary of either byte order: the properties [x], [y], [z] of the element
+    [vertex] and the list [vertex_indices] (or [vertex_index]) of the element [face]. Other elements and
+    properties are skipped. *)
+
+open Scc_base
+open Scc_geometry
+
+val read : path:string -> string -> (Polyhedron.ifs, Diag.t) result

@@ -1,0 +1,259 @@
+(* One tetrahedron in every format; files that do not fit their format; and noise. *)
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_mesh
+module G = QCheck2.Gen
+
+let read path text = Mesh.read ~path text
+
+(* Positions in order, then corners, so that all formats can be compared. *)
+let describe (ifs : Polyhedron.ifs) =
+  let face (_, f) = String.concat " " (List.map string_of_int (Array.to_list f)) in
+  List.map (fun (_, v) -> Vec.to_string v) (Array.to_list ifs.ifs_vertices)
+  @ List.map face (Array.to_list ifs.ifs_faces)
+
+let vertices = [ "(0, 0, 0)"; "(5/4, 0, 0)"; "(0, 1, 0)"; "(0, 0, 2)" ]
+let faces = [ "0 2 1"; "0 1 3"; "0 3 2"; "1 2 3" ]
+let tetrahedron = vertices @ faces
+
+(* {1 Files} *)
+
+let off =
+  "OFF\n# a comment\n4 4 6\n0 0 0\n1.25 0 0\n0 1e0 0 # a comment\n0 0 2.\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
+
+let obj =
+  "# a comment\nmtllib x.mtl\no one\nv 0 0 0\nv 1.25 0 0 1\nv 0 1 0 0.5 0.5 0.5\nv 0 0 2\nvt 0 0\nvn 0 0 1\n\
+   g all\nusemtl red\ns off\nf 1 3 2\nf 1/1 2/1 4/1\nf -4//1 -1//1 -2//1\nf 2/1/1 3/1/1 \\\n 4/1/1\n"
+
+let ply_data = "0 0 0 7\n1.25 0 0 7\n0 1 0 7\n0 0 2 7\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
+
+let ply_header format =
+  "ply\nformat " ^ format
+  ^ " 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\nproperty float y\nproperty double z\n\
+     property uchar red\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+
+let ply = ply_header "ascii" ^ ply_data
+
+let vrml =
+  "#VRML V2.0 utf8\nDEF Box Transform { translation 0 0 0 children [ Shape {\n geometry IndexedFaceSet {\n\
+   coord Coordinate { point [ 0 0 0, 1.25 0 0, 0 1 0, 0 0 2 ] }\n\
+   texCoord TextureCoordinate { point [ 0 0 ] }\n\
+   coordIndex [ 0 2 1 -1, 0 1 3 -1, 0 3 2 -1, 1 2 3 ] } } ] }\n"
+
+let x3d =
+  "<?xml version='1.0'?>\n<!-- <IndexedFaceSet/> --><X3D><Scene><Transform scale='1 1 1'><Shape>\n\
+   <IndexedFaceSet coordIndex=\"0 2 1 -1, 0 1 3 -1 0 3 2 -1 1 2 3\" solid='true'>\n\
+   <Coordinate point='0 0 0, 1.25 0 0, 0 1 0, 0 0 2'/></IndexedFaceSet></Shape></Transform></Scene></X3D>\n"
+
+let points = [| [ 0.; 0.; 0. ]; [ 1.25; 0.; 0. ]; [ 0.; 1.; 0. ]; [ 0.; 0.; 2. ] |]
+let corners = [ [ 0; 2; 1 ]; [ 0; 1; 3 ]; [ 0; 3; 2 ]; [ 1; 2; 3 ] ]
+
+let stl =
+  let vertex i = "   vertex " ^ String.concat " " (List.map (Printf.sprintf "%.17e") points.(i)) ^ "\n" in
+  let facet f =
+    " facet normal 0 0 0\n  outer loop\n" ^ String.concat "" (List.map vertex f) ^ "  endloop\n endfacet\n"
+  in
+  "solid it\n" ^ String.concat "" (List.map facet corners) ^ "endsolid it\n"
+
+let float32 add b x = add b (Int32.bits_of_float x)
+
+let stl_binary count =
+  let b = Buffer.create 300 in
+  Buffer.add_string b ("solid but binary" ^ String.make 64 ' ');
+  Buffer.add_int32_le b (Int32.of_int count);
+  let add_point i = List.iter (float32 Buffer.add_int32_le b) points.(i) in
+  let facet f =
+    List.iter (float32 Buffer.add_int32_le b) [ 0.; 0.; 0. ];
+    List.iter add_point f;
+    Buffer.add_uint16_le b 0
+  in
+  List.iter facet corners;
+  Buffer.contents b
+
+let ply_binary ~big format =
+  let int32, int64 =
+    if big then (Buffer.add_int32_be, Buffer.add_int64_be) else (Buffer.add_int32_le, Buffer.add_int64_le)
+  in
+  let b = Buffer.create 300 in
+  Buffer.add_string b (ply_header format);
+  let vertex = function
+    | [ x; y; z ] ->
+      float32 int32 b x;
+      float32 int32 b y;
+      int64 b (Int64.bits_of_float z);
+      Buffer.add_uint8 b 7
+    | _ -> assert false
+  in
+  Array.iter vertex points;
+  let face f =
+    Buffer.add_uint8 b 3;
+    List.iter (fun i -> int32 b (Int32.of_int i)) f
+  in
+  List.iter face corners;
+  Buffer.contents b
+
+let crlf text = String.concat "\r\n" (String.split_on_char '\n' text)
+
+let files =
+  [
+    ("OFF", "t.off", off); ("OFF in capitals", "DIR.x/T.OFF", off); ("OFF, CRLF", "t.off", crlf off);
+    ("OFF, counts on the first line", "t.off", "OFF 4 4 0" ^ String.sub off 21 (String.length off - 21));
+    ("COFF", "t.off",
+     "COFF\n4 4 0\n0 0 0 1 1 1 1\n5/4 0 0 1 1 1 1\n0 1 0\n0 0 2\n3 0 2 1 255 0 0\n3 0 1 3\n3 0 3 2\n3 1 2 3");
+    ("OBJ", "t.obj", obj); ("OBJ, CRLF", "t.obj", crlf obj); ("PLY", "t.ply", ply); ("VRML", "t.wrl", vrml);
+    ("X3D", "t.x3d", x3d); ("PLY, little endian", "t.ply", ply_binary ~big:false "binary_little_endian");
+    ("PLY, big endian", "t.ply", ply_binary ~big:true "binary_big_endian");
+    ("OFF told by its text", "t", off); ("PLY told by its text", "t", ply); ("VRML told by its text", "t", vrml);
+    ("X3D told by its text", "t", x3d);
+  ]
+
+(* Vertices of an STL file are numbered as they are met. *)
+let stl_files = [ ("STL", "t.stl", stl); ("STL, CRLF", "t.stl", crlf stl); ("STL, binary", "t.stl", stl_binary 4) ]
+let by_first_use = [ "(0, 0, 0)"; "(0, 1, 0)"; "(5/4, 0, 0)"; "(0, 0, 2)"; "0 1 2"; "0 2 3"; "0 3 1"; "2 1 3" ]
+
+let good expected (name, path, text) =
+  let test () =
+    match read path text with
+    | Error d -> Alcotest.fail d.Diag.message
+    | Ok ifs ->
+      Alcotest.(check (list string)) "the same" expected (describe ifs);
+      Alcotest.(check bool) "accepted" true (Result.is_ok (Polyhedron.of_ifs ifs));
+      Alcotest.(check string) "names" "v0 f3" (fst ifs.ifs_vertices.(0) ^ " " ^ fst ifs.ifs_faces.(3))
+  in
+  Alcotest.test_case name `Quick test
+
+(* {1 Exactness} *)
+
+let first_x path text =
+  match read path text with
+  | Ok ifs -> (snd ifs.ifs_vertices.(0)).x
+  | Error d -> Alcotest.fail d.Diag.message
+
+let test_exact () =
+  let check name expected found = Alcotest.(check string) name expected (Rat.to_string found) in
+  let off x = "OFF\n1 0 0\n" ^ x ^ " 0 0\n" in
+  check "a decimal" "1/10" (first_x "t.off" (off "0.1"));
+  check "a leading point" "-1/2" (first_x "t.off" (off "-.5"));
+  check "a trailing point" "3" (first_x "t.off" (off "+3."));
+  check "both, with an exponent" "1/200" (first_x "t.off" (off ".5e-2"));
+  check "an exponent" "1000000000000000000000" (first_x "t.off" (off "1E21"));
+  check "a fraction" "22/7" (first_x "t.off" (off "22/7"));
+  let tenth = Int32.float_of_bits (Int32.bits_of_float 0.1) in
+  let b = Buffer.create 64 in
+  Buffer.add_string b
+    "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty float x\nproperty short y\nproperty char z\n\
+     end_header\n";
+  float32 Buffer.add_int32_be b tenth;
+  Buffer.add_int16_be b (-2);
+  Buffer.add_int8 b (-3);
+  match read "t.ply" (Buffer.contents b) with
+  | Ok ifs ->
+    Alcotest.(check string) "binary floats are dyadic" "(13421773/134217728, -2, -3)"
+      (Vec.to_string (snd ifs.ifs_vertices.(0)))
+  | Error d -> Alcotest.fail d.Diag.message
+
+(* {1 Files that do not fit} *)
+
+(* Name, path, text, and where the error is. *)
+let bad =
+  let v4 = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n" in
+  [
+    ("nothing", "t.off", "", "1:1 SC0320"); ("blanks only", "t.obj", " \n\n", "1:1 SC0320");
+    ("another format", "t.off", "PLY\n", "1:1 SC0320"); ("no counts", "t.off", "OFF\n", "1:1 SC0320");
+    ("two numbers for the counts", "t.off", "OFF\n8\n", "2:1 SC0320");
+    ("a negative count", "t.off", "OFF\n-4 4 6\n", "2:1 SC0320");
+    ("a count that is no number", "t.off", "OFF\n4 x 6\n", "2:3 SC0320");
+    ("a huge count", "t.off", "OFF\n999999999 4 6\n" ^ v4, "2:1 SC0320");
+    ("a count of many digits", "t.off", "OFF\n" ^ String.make 5000 '9' ^ " 4 6\n" ^ v4, "2:1 SC0320");
+    ("fewer faces than promised", "t.off", "OFF\n4 2 6\n" ^ v4 ^ "3 0 1 2\n", "2:1 SC0320");
+    ("more faces than promised", "t.off", "OFF\n4 1 6\n" ^ v4 ^ "3 0 1 2\n3 0 2 1\n", "8:1 SC0320");
+    ("two coordinates", "t.off", "OFF\n4 2 6\n0 0 0\n1 0\n", "4:1 SC0320");
+    ("four coordinates", "t.off", "OFF\n4 2 6\n0 0 0 1\n", "3:7 SC0320");
+    ("an index out of range", "t.off", "OFF\n4 1 6\n" ^ v4 ^ "3 0 1 4\n", "7:7 SC0320");
+    ("a negative index", "t.off", "OFF\n4 1 6\n" ^ v4 ^ "3 0 -1 2\n", "7:5 SC0320");
+    ("a huge index", "t.off", "OFF\n4 1 6\n" ^ v4 ^ "3 0 1 99999999999999999999\n", "7:7 SC0320");
+    ("a face of two corners", "t.off", "OFF\n4 1 6\n" ^ v4 ^ "2 0 1\n", "7:1 SC0320");
+    ("a face that promises a billion corners", "t.off", "OFF\n4 1 6\n" ^ v4 ^ "999999999 0 1 2\n", "7:1 SC0320");
+    ("not a number", "t.off", "OFF\n4 2 6\n0 zero 0\n", "3:3 SC0320");
+    ("NaN", "t.off", "OFF\n4 2 6\n0 0 nan\n", "3:5 SC0320"); ("infinity", "t.obj", "v 0 -inf 0\n", "1:5 SC0320");
+    ("hexadecimal", "t.obj", "v 0 0x10 0\n", "1:5 SC0320");
+    ("a huge exponent", "t.obj", "v 0 1e1000000000 0\n", "1:5 SC0320");
+    ("a long number", "t.obj", "v 0 " ^ String.make 10000 '7' ^ " 0\n", "1:5 SC0320");
+    ("a zero denominator", "t.obj", "v 0 1/0 0\n", "1:5 SC0320");
+    ("a weight", "t.obj", "v 0 0 0 2\n", "1:9 SC0320"); ("OBJ index zero", "t.obj", "v 0 0 0\nf 0 1 1\n", "2:3 SC0320");
+    ("OBJ index past the end", "t.obj", "v 0 0 0\nf 1 1 2\n", "2:7 SC0320");
+    ("OBJ relative index before the start", "t.obj", "v 0 0 0\nf 1 1 -2\n", "2:7 SC0320");
+    ("an empty OBJ corner", "t.obj", "v 0 0 0\nf 1 1 /1\n", "2:7 SC0320");
+    ("an unknown statement", "t.obj", "v 0 0 0\nfrob 1\n", "2:1 SC0320");
+    ("a curve", "t.obj", "v 0 0 0\ncurv 0 1 1\n", "2:1 SC0320");
+    ("binary bytes", "t.obj", "\x00\x01\xff\xfe\x80\n", "1:1 SC0320");
+    ("STL without its end", "t.stl", "solid\nfacet normal 0 0 0\nouter loop\n", "3:1 SC0320");
+    ("STL with another word", "t.stl", "solid\nfacets\n", "2:1 SC0320");
+    ("STL with two coordinates", "t.stl", "solid\nfacet\nouter loop\nvertex 0 0\n", "4:1 SC0320");
+    ("binary STL that lies", "t.stl",
+     String.make 80 'x' ^ "\xff\xff\xff\x7f" ^ String.make 50 '\x00', "1:1 SC0320");
+    ("STL too short", "t.stl", "xyz", "1:1 SC0320");
+    ("PLY without a format", "t.ply", "ply\nend_header\n", "1:1 SC0320");
+    ("PLY without an end", "t.ply", "ply\nformat ascii 1.0\n", "2:1 SC0320");
+    ("PLY with an unknown type", "t.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n", "4:10 SC0320");
+    ("PLY that lies", "t.ply", ply_header "binary_little_endian", "4:16 SC0320");
+    ("PLY, a short line", "t.ply", ply_header "ascii" ^ "0 0 0\n", "12:5 SC0320");
+    ("VRML without a face set", "t.wrl", "#VRML V2.0 utf8\nShape { }", "1:1 SC0320");
+    ("VRML that moves", "t.wrl", "Transform { translation 0 0 1 }", "1:13 SC0320");
+    ("VRML without a bracket", "t.wrl", "IndexedFaceSet { coordIndex [ 0 1", "1:29 SC0320");
+    ("X3D that moves", "t.x3d", "<X3D><Transform scale='2 2 2'>", "1:7 SC0320");
+    ("X3D without an end", "t.x3d", "<X3D", "1:2 SC0320"); ("an unknown ending", "t.doc", "x", "1:1 SC0321");
+    ("the plain format of two counts", "t", "4 4\n0 0 0\n", "1:1 SC0321");
+    ("binary OFF", "t.off", "OFF BINARY\n", "1:1 SC0321"); ("OFF of four dimensions", "t.off", "4OFF\n", "1:1 SC0321");
+  ]
+
+let bad_case (name, path, text, expected) =
+  let test () =
+    match read path text with
+    | Ok _ -> Alcotest.fail "read"
+    | Error d ->
+      let line, column = Source.position (Source.make ~name:path text) d.Diag.span.start in
+      Alcotest.(check string) d.message expected (Printf.sprintf "%d:%d %s" line column d.code);
+      Alcotest.(check string) "in the file" path d.span.file;
+      Alcotest.(check bool) "a short message" true (String.length d.message < 200)
+  in
+  Alcotest.test_case name `Quick test
+
+(* {1 Noise: any answer will do, but no exception} *)
+
+let mangled =
+  let texts = List.map (fun (_, path, text) -> (path, text)) (files @ stl_files) in
+  let pieces =
+    [ "-"; "9"; "1e9"; " "; "\n"; "{"; "]"; "<"; "'"; "\x00"; "nan"; "/"; "-1"; "3"; "element face 9\n" ]
+  in
+  let piece = G.oneofl pieces in
+  let change text = function
+    | true, at, _, other ->
+      let at = at mod (String.length text + 1) in
+      String.sub text 0 at ^ other ^ String.sub text at (String.length text - at)
+    | false, at, length, _ ->
+      let at = at mod (String.length text + 1) in
+      let stop = min (String.length text) (at + length) in
+      String.sub text 0 at ^ String.sub text stop (String.length text - stop)
+  in
+  let changes = G.list_size (G.int_range 1 3) (G.quad G.bool (G.int_bound 1000) (G.int_bound 30) piece) in
+  G.map2 (fun (path, text) changes -> (path, List.fold_left change text changes)) (G.oneofl texts) changes
+
+let no_exception =
+  QCheck2.Test.make ~name:"mangled files" ~count:5000
+    ~print:(fun (path, text) -> path ^ ": " ^ String.escaped text)
+    mangled
+    (fun (path, text) ->
+       match read path text with
+       | Ok ifs -> String.length (Solid_report.to_text ~name:path (Solid_report.make ifs)) > 0
+       | Error d -> String.equal d.Diag.span.file path)
+
+let () =
+  Alcotest.run "mesh"
+    [
+      ("formats", List.map (good tetrahedron) files @ List.map (good by_first_use) stl_files);
+      ("exactness", [ Alcotest.test_case "numbers" `Quick test_exact ]);
+      ("bad files", List.map bad_case bad); ("noise", [ Scc_test_support.Property.case no_exception ]);
+    ]
