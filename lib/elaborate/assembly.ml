@@ -17,7 +17,8 @@ let placed (l : Bodies.leaf) body =
 
 let check_overlaps (c : Context.t) bodies composition =
   let leaves = Array.of_list (included bodies composition) in
-  let parts = Array.of_list (Long_list.concat (Long_list.mapi (fun body l -> placed l body) (Array.to_list leaves))) in
+  let parts = Long_list.mapi (fun body l -> placed l body) (Array.to_list leaves) in
+  let parts = Array.of_list (Long_list.concat parts) in
   let report (i, j) =
     let p = leaves.(parts.(i).body) and q = leaves.(parts.(j).body) in
     let where =

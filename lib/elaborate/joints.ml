@@ -73,17 +73,21 @@ let check_motion (c : Context.t) at (p : Bodies.leaf) (q : Bodies.leaf) =
         "`%s` and `%s` have the velocities %s and %s, and what is bound moves as one" p.name q.name
         (Vec.to_string p.velocity) (Vec.to_string q.velocity) ~notes
 
-let check_included (c : Context.t) (composition : Composition.t) bodies at i =
-  composition.included.(i)
-  ||
-  begin
-    Report.error c.report Code.wrong_kind at "the bond mentions `%s`, which is not in the network"
-      (leaf bodies i).name;
+(* A bond between processes that are both left out of the network is left out with them. *)
+let check_included (c : Context.t) (composition : Composition.t) bodies (at, i) (at', j) =
+  let refuse at out inside =
+    Report.error c.report Code.wrong_kind at
+      "`%s` is not in the network, and this bond joins it to `%s`, which is"
+      (leaf bodies out).name (leaf bodies inside).name;
     false
-  end
+  in
+  match (composition.included.(i), composition.included.(j)) with
+  | true, false -> refuse at' j i
+  | false, true -> refuse at i j
+  | true, true | false, false -> true
 
-let check_member (c : Context.t) bodies (process : Bodies.process) at i =
-  List.mem i process.members
+let check_member (c : Context.t) bodies (process : Bodies.process) (at, i) =
+  List.exists (Int.equal i) process.members
   ||
   begin
     Report.error c.report Code.wrong_kind at "`%s` is not a part of the process `%s`" (leaf bodies i).name
@@ -92,13 +96,13 @@ let check_member (c : Context.t) bodies (process : Bodies.process) at i =
     false
   end
 
-(* [admits]: whether the bond may mention a leaf. *)
+(* [admits]: whether the bond may join these two. *)
 let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.bond)) =
   let one = read_end c env bodies b.first and two = read_end c env bodies b.second in
   let* i, f = one in
   let* j, g = two in
   let p = leaf bodies i and q = leaf bodies j in
-  if not (admits b.first.at i && admits b.second.at j) then None
+  if not (admits (b.first.at, i) (b.second.at, j)) then None
   else if Int.equal i j then begin
     Report.error c.report Code.cyclic_bonds b.bond_span "`%s` cannot be bound to itself" p.name;
     None
@@ -120,9 +124,11 @@ let included (composition : Composition.t) joint = composition.included.(fst joi
 let read (c : Context.t) (program : Program.t) (bodies : Bodies.t) composition =
   let joined = Union_find.create (Array.length bodies.leaves) in
   let of_process (process : Bodies.process) =
-    List.filter_map (read_bond c bodies joined ~admits:(check_member c bodies process)) process.bonds
+    let is_member = check_member c bodies process in
+    let admits one two = is_member one && is_member two in
+    List.filter_map (read_bond c bodies joined ~admits) process.bonds
   in
   let inner = List.concat_map of_process (Array.to_list bodies.processes) in
   let admits = check_included c composition bodies in
   let outer = List.filter_map (read_bond c bodies joined ~admits) program.bonds in
-  Long_list.append (List.filter (included composition) inner) outer
+  List.filter (included composition) (Long_list.append inner outer)

@@ -14,4 +14,5 @@ type t = {
 
 val read : Context.t -> Program.t -> Bodies.t -> Composition.t -> t list
 (** The bonds of the network. Each pair of features touches (SC0401; it need not be the highest pair), the
-    bonds close no cycle (SC0406), and what they join moves as one (SC0404). *)
+    bonds close no cycle (SC0406), and what they join moves as one (SC0404). No bond joins a process of the
+    network to one that is left out (SC0210). *)

@@ -225,6 +225,8 @@ let network () =
   Alcotest.(check strings) "a process and a family" [ "p2"; "p3"; "g[1]"; "g[2]" ] (names "network r || g");
   Alcotest.(check strings) "one of a family" [ "g[2]"; "inside"; "w" ] (names "network g[2] || inside || w");
   Alcotest.(check strings) "none" [] (names "network nil");
+  Alcotest.(check strings) "without what is bound" [ "w" ]
+    (names "process u = Cube mass 1 velocity (1,0,0) at translate (2,0,0) [nil] bond <x, {u.left, p2.right}> network w");
   match elaborate (text "") with
   | Ok _ -> Alcotest.fail "everything together interpenetrates"
   | Error ds -> Alcotest.(check strings) "all" [ "SC0403" ] (List.map (fun (d : Diag.t) -> d.code) ds)
