@@ -118,10 +118,12 @@ let read ~path text =
   let n = String.length text in
   let soup = { numbers = Points.create 64; vertices = []; faces = [] } in
   let promised = if n >= 84 then Bytes_of.unsigned ~big_endian:false text 80 4 else 0 in
+  (* Some writers begin binary files with `solid` too; text has no zero bytes. *)
   let starts_solid = n >= 5 && String.equal (String.lowercase_ascii (String.sub text 0 5)) "solid" in
+  let is_text = not (String.contains text '\000') in
   let* () =
     if n >= 84 && n = 84 + (50 * promised) then binary ~path text promised soup
-    else if starts_solid || String.trim text = "" then ascii ~path text soup
+    else if is_text && (starts_solid || String.equal (String.trim text) "") then ascii ~path text soup
     else if n < 84 then error_at ~path 0 "expected `solid`, or the 84 bytes of a binary header"
     else
       error_at ~path 0 "the header promises %d triangles, which take %d bytes, but the file has %d" promised

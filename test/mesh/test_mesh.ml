@@ -155,6 +155,10 @@ let test_exact () =
 
 (* {1 Files that do not fit} *)
 
+let unlike_fractions =
+  let line i = Printf.sprintf "v 1/%d 1/%d 0\n" (1_000_000_007 + (6 * i)) (1_000_000_009 + (6 * i)) in
+  String.concat "" (List.init 6000 line)
+
 (* Name, path, text, and where the error is. *)
 let bad =
   let v4 = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n" in
@@ -193,6 +197,8 @@ let bad =
     ("STL with two coordinates", "t.stl", "solid\nfacet\nouter loop\nvertex 0 0\n", "4:1 SC0320");
     ("binary STL that lies", "t.stl",
      String.make 80 'x' ^ "\xff\xff\xff\x7f" ^ String.make 50 '\x00', "1:1 SC0320");
+    ("binary STL cut short", "t.stl", String.sub (stl_binary 4) 0 200, "1:1 SC0320");
+    ("many different denominators", "t.obj", unlike_fractions, "1:1 SC0106");
     ("STL too short", "t.stl", "xyz", "1:1 SC0320");
     ("PLY without a format", "t.ply", "ply\nend_header\n", "1:1 SC0320");
     ("PLY without an end", "t.ply", "ply\nformat ascii 1.0\n", "2:1 SC0320");
