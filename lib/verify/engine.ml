@@ -157,13 +157,23 @@ module Make (L : Lts.S) = struct
     | None -> Timeline.Forever
     | Some k -> Timeline.Lasts (L.duration (Graph.edges g i).(k).transition)
 
+  (* The sample of an open piece that goes on beyond the bound may have to be taken earlier. *)
+  let before_bound m g i (moment : Timeline.moment) sample =
+    match m.question.within with
+    | None -> sample
+    | Some bound ->
+      let left = Rat.sub bound (Graph.arrival g i) in
+      if Algebraic.compare_rat sample left <= 0 then sample
+      else Algebraic.of_rat (Algebraic.between moment.offset (Algebraic.of_rat left))
+
   let trace_to m g (i, choice, moment) =
     let finish =
       match moment with
       | None -> At_state
       | Some moment ->
         let timeline = m.question.along (Graph.state g i) (extent_of g i choice) in
-        During { choice; moment; sample = Timeline.sample timeline moment }
+        let sample = Timeline.sample timeline moment in
+        During { choice; moment; sample = before_bound m g i moment sample }
     in
     { steps = path_for m g i; last = i; finish }
 
@@ -263,7 +273,11 @@ module Make (L : Lts.S) = struct
       let queued i = match Graph.status g i with Graph.Queued -> true | Expanded | Unexpanded _ -> false in
       if List.exists queued o.unexplored then None
       else
-        let undefined = if Option.is_some o.avoided then first_undefined m g else None in
+        let unclear = Undefined "the goal cannot be decided where it matters" in
+        let undefined =
+          if Option.is_none o.avoided then None
+          else Some (Option.value ~default:unclear (first_undefined m g))
+        in
         let zeno = Option.map (fun t -> Zeno (trace_of t)) o.zeno in
         Some
           (match
@@ -367,7 +381,9 @@ module Make (L : Lts.S) = struct
     let visit g event =
       observe g event;
       List.iter (fun m -> watch ~rests m g event) monitors;
-      if monitors <> [] && List.for_all decided monitors then Graph.Stop else Graph.Continue
+      match monitors with
+      | [] -> Graph.Continue
+      | _ :: _ -> if List.for_all decided monitors then Graph.Stop else Graph.Continue
     in
     let limits = { limits with Limits.time = horizon limits questions } in
     let graph = Graph.run ~visit limits around context in

@@ -1,0 +1,276 @@
+(* The questions of the engine on random small timed graphs, against the naive answers. *)
+
+open Scc_exact
+open Scc_explore
+open Scc_verify
+module Gen = QCheck2.Gen
+module E = Engine.Make (Toy.System)
+module Graph = E.Graph
+
+type case = {
+  graph : Toy.t;
+  asked : (E.operator * int option) list;
+  depth : int option;
+  time : int option;
+  states : int option;
+}
+
+let question g (operator, within) : E.question =
+  {
+    operator;
+    within = Option.map Rat.of_int within;
+    at = (fun s -> Toy.truth g.(s).Toy.at);
+    along = Toy.timeline g;
+  }
+
+let run c =
+  let limits =
+    { Limits.unlimited with depth = c.depth; time = Option.map Rat.of_int c.time; states = c.states }
+  in
+  E.run ~rests:(Toy.rests c.graph) limits Limits.quiet c.graph (List.map (question c.graph) c.asked)
+
+let operator_gen = Gen.oneofl [ E.Reach; E.Inevitable ]
+let question_gen = Gen.pair operator_gen (Gen.opt (Gen.int_range 0 8))
+
+let case_gen ~bounded =
+  let open Gen in
+  let maybe high = if bounded then opt (int_range 0 high) else return None in
+  let* graph = Toy.gen in
+  let* asked = list_size (int_range 1 3) question_gen in
+  let* depth = maybe 4 in
+  let* time = maybe 8 in
+  let* states = if bounded then opt (int_range 1 7) else return None in
+  return { graph; asked; depth; time; states }
+
+let print c =
+  let bound = function None -> "-" | Some n -> string_of_int n in
+  let asked (op, w) =
+    (match op with E.Reach -> "EF" | Inevitable -> "AF") ^ " within " ^ bound w
+  in
+  Printf.sprintf "%s\n%s\ndepth %s, time %s, states %s" (Toy.print c.graph)
+    (String.concat "; " (List.map asked c.asked))
+    (bound c.depth) (bound c.time) (bound c.states)
+
+type expected = Certainly | Certainly_not | Open
+
+let expected g (operator, within) =
+  match (operator : E.operator) with
+  | Reach ->
+    if Toy.possibly g ~within ~unsure:false then Certainly
+    else if Toy.possibly g ~within ~unsure:true then Open
+    else Certainly_not
+  | Inevitable -> (
+      match (Toy.inevitable g ~within ~unsure:true, Toy.inevitable g ~within ~unsure:false) with
+      | No, _ -> Certainly_not
+      | _, Yes -> Certainly
+      | _ -> Open)
+
+let shown = function Certainly -> "yes" | Certainly_not -> "no" | Open -> "unknown"
+let answered = function E.Yes _ -> Certainly | No _ -> Certainly_not | Unknown _ -> Open
+let agree a b = String.equal (shown a) (shown b)
+
+let exact =
+  QCheck2.Test.make ~count:20000 ~name:"answers are those of the naive unrolling" ~print (case_gen ~bounded:false)
+    (fun c -> List.for_all2 (fun q a -> agree (expected c.graph q) (answered a)) c.asked (run c).answers)
+
+let sound =
+  QCheck2.Test.make ~count:20000 ~name:"bounds make answers unknown, never wrong" ~print
+    (case_gen ~bounded:true) (fun c ->
+        List.for_all2
+          (fun q a -> match answered a with Open -> true | sure -> agree (expected c.graph q) sure)
+          c.asked (run c).answers)
+
+(* {1 Traces} *)
+
+let duration (r : E.result) (s : Graph.step) =
+  Rat.of_int (Graph.edges r.graph s.source).(s.choice).transition.Toy.duration
+
+let total r steps = List.fold_left (fun t s -> Rat.add t (duration r s)) Rat.zero steps
+
+let connected (r : E.result) (t : E.trace) =
+  let follow at (s : Graph.step) =
+    match at with
+    | Some i when i = s.source -> Some (Graph.edges r.graph s.source).(s.choice).target
+    | _ -> None
+  in
+  match List.fold_left follow (Some 0) t.steps with Some i -> i = t.last | None -> false
+
+let extent r last = function
+  | None -> Timeline.Forever
+  | Some k -> Timeline.Lasts (duration r { source = last; choice = k })
+
+let meets c (r : E.result) within (t : E.trace) =
+  let state = Graph.state r.graph t.last in
+  let before = match within with None -> fun _ -> true | Some b -> fun x -> Algebraic.compare_rat x (Rat.of_int b) <= 0 in
+  let start = total r t.steps in
+  match t.finish with
+  | At_state -> c.graph.(state).at = Toy.T && before (Algebraic.of_rat start)
+  | During { choice; sample; _ } ->
+    let timeline = Toy.timeline c.graph state (extent r t.last choice) in
+    Truth.equal (Timeline.at timeline sample) True && before (Algebraic.add_rat start sample)
+  | Rests | Stops | Repeats _ | Passes _ -> false
+
+(* No instant of the run meets the goal: along the steps, and after them as the finish says. *)
+let avoids c (r : E.result) within (t : E.trace) =
+  let not_met v = not (Truth.equal v Truth.True) in
+  let state i = Graph.state r.graph i in
+  let clear i choice = Toy.timeline c.graph (state i) (extent r i choice) in
+  let never timeline = Option.is_none (Timeline.first_after_start (fun v -> not (not_met v)) timeline) in
+  let at i = c.graph.(state i).at <> Toy.T in
+  let step (s : Graph.step) =
+    at s.source && (Rat.sign (duration r s) = 0 || never (clear s.source (Some s.choice)))
+  in
+  let rec drop n l = if n = 0 then l else drop (n - 1) (List.tl l) in
+  List.for_all step t.steps && at t.last
+  &&
+  match (t.finish, within) with
+  | At_state, _ | During _, _ | Passes _, None -> false
+  | Rests, _ -> Toy.rests c.graph (state t.last) && never (clear t.last None)
+  | Stops, _ -> Array.length (Graph.edges r.graph t.last) = 0 && not (Toy.rests c.graph (state t.last))
+  | Repeats k, _ ->
+    let cycle = drop k t.steps in
+    Rat.sign (total r cycle) > 0 && (List.hd cycle).source = t.last
+  | Passes choice, Some bound -> (
+      let left = Rat.sub (Rat.of_int bound) (total r t.steps) in
+      let long = match extent r t.last choice with Lasts d -> Rat.compare d left > 0 | _ -> true in
+      let timeline = clear t.last choice in
+      match Timeline.first_after_start (fun v -> not (not_met v)) timeline with
+      | None -> long
+      | Some m ->
+        let c = Algebraic.compare_rat m.offset left in
+        long && if m.attained then c > 0 else c >= 0)
+
+let traced c =
+  let r = run c in
+  let good (operator, within) (a : E.answer) =
+    match (operator, a) with
+    | E.Reach, Yes (Some t) -> connected r t && meets c r within t
+    | Inevitable, No (Some t) -> connected r t && avoids c r within t
+    | Reach, Yes None | Inevitable, No None -> false
+    | _, Unknown doubts ->
+      List.for_all
+        (function
+          | E.Zeno { finish = Repeats k; steps; _ } ->
+            let cycle = List.filteri (fun i _ -> i >= k) steps in
+            cycle <> [] && Rat.sign (total r cycle) = 0
+          | Zeno _ -> false
+          | Truncated _ | Undefined _ -> true)
+        doubts
+    | Reach, No _ | Inevitable, Yes _ -> true
+  in
+  List.for_all2 good c.asked r.answers
+
+let traces =
+  QCheck2.Test.make ~count:20000 ~name:"traces show what they should" ~print (case_gen ~bounded:true) traced
+
+(* {1 Cycles without duration} *)
+
+let has_instant_cycle g =
+  let reachable = Hashtbl.create 8 in
+  let targets s = match g.(s).Toy.ahead with Toy.Edges l -> l | Ray _ | Dead_end -> [] in
+  let rec visit s = if not (Hashtbl.mem reachable s) then (Hashtbl.add reachable s (); List.iter (fun e -> visit e.Toy.target) (targets s)) in
+  visit 0;
+  let again s =
+    let seen = Hashtbl.create 8 in
+    let rec go u =
+      List.iter
+        (fun e ->
+           if e.Toy.duration = 0 && not (Hashtbl.mem seen e.target) then begin
+             Hashtbl.add seen e.target ();
+             go e.target
+           end)
+        (targets u)
+    in
+    go s;
+    Hashtbl.mem seen s
+  in
+  Hashtbl.fold (fun s () found -> found || again s) reachable false
+
+let zeno =
+  QCheck2.Test.make ~count:5000 ~name:"a reachable cycle without duration is found" ~print
+    (Gen.map (fun c -> { c with asked = [] }) (case_gen ~bounded:false))
+    (fun c ->
+       let r = run c in
+       match r.zeno with
+       | None -> not (has_instant_cycle c.graph)
+       | Some t -> (
+           connected r t
+           && match t.finish with
+           | Repeats k ->
+             let cycle = List.filteri (fun i _ -> i >= k) t.steps in
+             cycle <> [] && Rat.sign (total r cycle) = 0
+           | _ -> false))
+
+(* {1 Cases} *)
+
+let edge ?(cells = [||]) target duration = { Toy.target; duration; cells }
+let node ?(at = Toy.F) edges = { Toy.at; ahead = Toy.Edges edges }
+
+let answers graph asked =
+  List.map
+    (fun a -> shown (answered a))
+    (run { graph; asked; depth = None; time = None; states = None }).answers
+
+(* A question about the closed bound: the goal begins right after 2, or at 2. *)
+let at_the_bound () =
+  let after = [| { Toy.at = F; ahead = Ray [| F; F; F; F; T |] } |] in
+  let exactly = [| { Toy.at = F; ahead = Ray [| F; F; F; T; F |] } |] in
+  let asked = [ (E.Reach, Some 2); (E.Inevitable, Some 2); (E.Reach, Some 3); (E.Inevitable, Some 3) ] in
+  Alcotest.(check (list string)) "right after" [ "no"; "no"; "yes"; "yes" ] (answers after asked);
+  Alcotest.(check (list string)) "exactly" [ "yes"; "yes"; "yes"; "yes" ] (answers exactly asked)
+
+(* The goal holds in a state that is met at the bound, after a transition that takes no time. *)
+let instant_at_the_bound () =
+  let g = [| node [ edge 1 2 ~cells:[| F; F; F |] ]; node [ edge 2 0 ]; { Toy.at = T; ahead = Ray [| T |] } |] in
+  Alcotest.(check (list string)) "at 2" [ "yes"; "yes"; "no"; "no" ]
+    (answers g [ (E.Reach, Some 2); (E.Inevitable, Some 2); (E.Reach, Some 1); (E.Inevitable, Some 1) ])
+
+(* Nothing makes the run leave the cycle: no fairness. *)
+let no_fairness () =
+  let g = [| node [ edge 1 0; edge 0 1 ~cells:[| F |] ]; { Toy.at = T; ahead = Ray [| T |] } |] in
+  Alcotest.(check (list string)) "may stay" [ "yes"; "no" ] (answers g [ (E.Reach, None); (E.Inevitable, None) ])
+
+(* An endless graph: the goal is met everywhere before depth 5, and the exploration ends by itself. *)
+module Endless = struct
+  type context = unit
+  type state = int
+  type transition = int
+  type fault = unit
+
+  let initial () = 1
+  let successors () s = Ok [ 2 * s; (2 * s) + 1 ]
+  let target t = t
+  let duration _ = Rat.one
+  let equal = Int.equal
+  let hash s = s
+end
+
+module Endless_engine = Engine.Make (Endless)
+
+let ends_early () =
+  let goal s = Truth.of_bool (s >= 16) in
+  let question : Endless_engine.question =
+    { operator = Inevitable; within = None; at = goal;
+      along = (fun s extent -> Timeline.constant extent (goal s)) }
+  in
+  let r =
+    Endless_engine.run ~rests:(fun _ -> false) Limits.unlimited Limits.quiet () [ question ]
+  in
+  (match r.answers with
+   | [ Yes _ ] -> ()
+   | _ -> Alcotest.fail "not proved");
+  Alcotest.(check bool) "few states" true (Endless_engine.Graph.size r.graph <= 128)
+
+let () =
+  let quick name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "engine"
+    [
+      ("random graphs", Scc_test_support.Property.cases [ exact; sound; traces; zeno ]);
+      ( "cases",
+        [
+          quick "the bound of time is closed" at_the_bound;
+          quick "what takes no time at the bound counts" instant_at_the_bound;
+          quick "no fairness is assumed" no_fairness;
+          quick "an endless graph" ends_early;
+        ] );
+    ]
