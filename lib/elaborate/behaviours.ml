@@ -85,11 +85,14 @@ let enter t declared owner key =
   Queue.add (i, entry) t.pending;
   i
 
+let unknown t (name : Ast.name) =
+  Report.error t.c.report Code.unknown_name name.at "unknown behaviour `%s`" name.it
+    ~near:(name.it, fun () -> behaviour_names t.program)
+
 let request t owner (name : Ast.name) =
   match Hashtbl.find_opt t.program.behaviours name.it with
   | None ->
-    Report.error t.c.report Code.unknown_name name.at "unknown behaviour `%s`" name.it
-      ~near:(name.it, fun () -> behaviour_names t.program);
+    unknown t name;
     None
   | Some declared ->
     if not (fits t declared owner name.at) then None
@@ -142,8 +145,8 @@ let channels_of t scope at list =
     None
   | _ :: _ -> if List.for_all Option.is_some read then Some (List.filter_map Fun.id read) else None
 
-let delay t scope (e : Ast.expr) =
-  match Constant.number t.c.report scope.env e with
+let delay t env (e : Ast.expr) =
+  match Constant.number t.c.report env e with
   | Some q when Rat.sign q >= 0 -> Some q
   | Some q ->
     Report.error t.c.report Code.negative_delay e.at "a delay is not negative, and this is %s"
@@ -168,7 +171,7 @@ let rec elaborate t scope (b : Ast.behaviour) =
     let* cs, b = Typed.both (channels_of t scope b.at list) (elaborate t scope rest) in
     Some (Behaviour.strong cs b)
   | Delay (e, rest) ->
-    let* d, b = Typed.both (delay t scope e) (elaborate t scope rest) in
+    let* d, b = Typed.both (delay t scope.env e) (elaborate t scope rest) in
     Some (Behaviour.delay d b)
   | Sum (first, second) ->
     let* a, b = Typed.both (elaborate t scope first) (elaborate t scope second) in
@@ -232,25 +235,67 @@ let check_private t entries =
 
 let in_order (a : Program.behaviour) (b : Program.behaviour) = Int.compare a.name.at.start b.name.at.start
 
-(* What nothing uses is read as well, on the template that it names. *)
+let unguarded_at t (name : Ast.name) =
+  Report.error t.c.report Code.unguarded name.at "the recursion of `%s` is not guarded" name.it
+    ~hint:"between a name and its recurrence there must be a channel, a split or a positive delay"
+
+(* {2 What nothing uses}
+
+   It is read as well, on the template that it names. Without a template there are no features to look up,
+   but the names of behaviours, the delays and the guards can be checked as they stand. *)
+
+let rec check_names t env (b : Ast.behaviour) =
+  match b.it with
+  | Nil -> ()
+  | Open (_, rest) | Weak (_, rest) | Strong (_, rest) -> check_names t env rest
+  | Delay (e, rest) ->
+    ignore (delay t env e);
+    check_names t env rest
+  | Sum (first, second) ->
+    check_names t env first;
+    check_names t env second
+  | Name name ->
+    if not (Hashtbl.mem t.program.behaviours name.it) then unknown t name
+
+(* The names that may be unfolded without anything happening; a delay that is no literal zero guards. *)
+let rec exposed found (b : Ast.behaviour) =
+  match b.it with
+  | Nil | Open _ | Weak _ | Strong _ -> found
+  | Delay ({ it = Number q; _ }, rest) when Rat.sign q = 0 -> exposed found rest
+  | Delay _ -> found
+  | Sum (first, second) -> exposed (exposed found first) second
+  | Name name -> name.it :: found
+
+let reaches_itself t (b : Program.behaviour) =
+  let seen = Hashtbl.create 8 in
+  let rec visit = function
+    | [] -> false
+    | name :: _ when String.equal name b.name.it -> true
+    | name :: rest when Hashtbl.mem seen name -> visit rest
+    | name :: rest -> (
+        Hashtbl.add seen name ();
+        match Hashtbl.find_opt t.program.behaviours name with
+        | None -> visit rest
+        | Some (next : Program.behaviour) -> visit (exposed rest next.body))
+  in
+  visit (exposed [] b.body)
+
 let read_unused t =
   let unused _ (b : Program.behaviour) list = if b.used then list else b :: list in
   let read (b : Program.behaviour) =
-    match Option.bind b.on (find_template t.c) with
-    | None -> ()
-    | Some shape ->
+    match (b.on, Option.bind b.on (find_template t.c)) with
+    | None, _ ->
+      check_names t b.env b.body;
+      if reaches_itself t b then unguarded_at t b.name
+    | Some _, None -> ()
+    | Some _, Some shape ->
       ignore (request t { name = ""; shape; span = b.name.at } b.name);
       b.used <- false
   in
   List.iter read (List.sort in_order (Hashtbl.fold unused t.program.behaviours []))
 
 let check_guarded t entries definitions =
-  List.iter
-    (fun i ->
-       let name = entries.(i).declared.name in
-       Report.error t.c.report Code.unguarded name.at "the recursion of `%s` is not guarded" name.it
-         ~hint:"between a name and its recurrence there must be a channel, a split or a positive delay")
-    (Behaviour.unguarded definitions)
+  List.iter (fun i -> unguarded_at t entries.(i).declared.name) (Behaviour.unguarded definitions)
 
 let seal t =
   settle t;

@@ -36,7 +36,7 @@ let to_string = Q.to_string
 (* [Q.to_float] of Zarith 1.12 rounds correctly. *)
 let to_float = Q.to_float
 let bits x = Z.numbits (Q.num x) + Z.numbits (Q.den x)
-let max_digits = 100_000
+let max_digits = 4_000
 
 type literal_error = Malformed | Too_large | Zero_denominator
 

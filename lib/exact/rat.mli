@@ -47,7 +47,7 @@ val bits : t -> int
 (** Bits of numerator and denominator together: how much the number has grown. *)
 
 val max_digits : int
-(** A literal may have at most this many digits, written out (exponents included): 100 000. *)
+(** A literal may have at most this many digits, written out (exponents included): 4 000. *)
 
 type literal_error = Malformed | Too_large | Zero_denominator
 

@@ -225,6 +225,10 @@ let networks =
 let behaviours_and_laws =
   [
     case "an unguarded recursion" "SC0501" "K" (cube ^ "behaviour K = nil + K process p = Cube mass 1 [K]");
+    case "an unguarded recursion that nothing uses" "SC0501" "K"
+      (cube ^ "behaviour K = L + nil behaviour L = eps(0). K process p = Cube mass 1 [nil]");
+    case "an unknown name in a behaviour that nothing uses" "SC0201" "L"
+      (cube ^ "behaviour K = eps(1). L process p = Cube mass 1 [nil]");
     case "a recursion through eps(0)" "SC0501" "K" (cube ^ "behaviour K = eps(0). K \
                                                             process p = Cube mass 1 [K]");
     case "an unguarded recursion of two" "SC0501" "J"
@@ -247,8 +251,9 @@ let limits =
     case "too many declarations" "SC0111" "for i in 1..2000000 { }" "for i in 1..2000000 { }";
     case "too many declarations in nested loops" "SC0111" "for k in 1..1000 { }"
       "for i in 1..1000 { for j in 1..1000 { for k in 1..1000 { } } }";
-    case "a constant that explodes" "SC0106" "e*e"
-      "param a = 1e10000 let b = a*a let c = b*b let d = c*c let e = d*d let f = e*e let g = f*f timestep g";
+    case "a constant that explodes" "SC0106" "g*g"
+      "param a = 1e3900 let b = a*a let c = b*b let d = c*c let e = d*d let f = e*e let g = f*f let h = g*g \
+       timestep h";
     case "a formula that explodes" "SC0111" "always l40 > 1"
       (let step i = Printf.sprintf "let l%d = l%d + l%d\n" i (i - 1) (i - 1) in
        "let l0 = time\n" ^ String.concat "" (List.init 40 (fun i -> step (i + 1))) ^ "check k : always l40 > 1");
