@@ -25,9 +25,6 @@ type 'a t = private {
 
 val constant : extent -> 'a -> 'a t
 
-val two : extent -> start:'a -> after:'a -> 'a t
-(** One value at the start, another from then on. *)
-
 val of_cuts :
   extent -> Rat.t list -> ('a -> 'a -> bool) -> (Rat.t -> 'a) -> 'a t
 (** [of_cuts extent cuts equal f] is the function [f] when it changes at most at the cuts (in any order;

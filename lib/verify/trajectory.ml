@@ -8,7 +8,6 @@ type t = {
   state : State.t;
   extent : Timeline.extent;
   homes : (int * State.leaf) option array;  (** by leaf: the index of its process, and itself *)
-  moment_later : Rat.t;  (** an offset inside the extent *)
 }
 
 let make model (state : State.t) extent =
@@ -17,13 +16,7 @@ let make model (state : State.t) extent =
     (fun i (p : State.process) ->
        Array.iter (fun (l : State.leaf) -> homes.(l.leaf) <- Some (i, l)) p.leaves)
     state.processes;
-  let moment_later =
-    match extent with
-    | Timeline.Instant -> Rat.zero
-    | Forever -> Rat.one
-    | Lasts d -> Rat.div d (Rat.of_int 2)
-  in
-  { model; state; extent; homes; moment_later }
+  { model; state; extent; homes }
 
 let home c leaf =
   match c.homes.(leaf) with
@@ -75,16 +68,10 @@ let offers_in c (b : Behaviour.aged) polarity name =
   in
   List.exists wanted (Behaviour.offers c.model.definitions b)
 
-(* What a behaviour satisfies may change when time begins to pass, but not again before the end: an eps
-   that expires ends the time transition. *)
+(* Constant: an eps that expires ends the time transition, and what time does to a behaviour before that
+   changes neither its offers nor where it comes from. *)
 let behavioural c leaf test =
-  let _, l = home c leaf in
-  let truth b = Truth.of_bool (test b) in
-  let later () = Behaviour.pass c.model.definitions c.moment_later l.behaviour in
-  let start = truth l.behaviour in
-  match c.extent with
-  | Instant -> Timeline.constant c.extent start
-  | Lasts _ | Forever -> Timeline.two c.extent ~start ~after:(truth (later ()))
+  Timeline.constant c.extent (Truth.of_bool (test (snd (home c leaf)).behaviour))
 
 let is_called k (b : Behaviour.aged) = match b.origin with Some o -> Int.equal o k | None -> false
 

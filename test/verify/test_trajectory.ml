@@ -60,7 +60,11 @@ and prop_gen leaves depth : Property.prop Gen.t =
         (2, map2 (fun p q -> Property.Touching (p, q)) leaf leaf);
         (1, map2 (fun p q -> Property.Same (p, q)) leaf leaf);
         (1, map2 (fun p q -> Property.Bound (p, q)) leaf leaf);
-        (1, map (fun l -> Property.Offers (l, None, "a")) leaf);
+        ( 2,
+          let* l = leaf and* polarity = oneofl Behaviour.[ None; Some Name; Some Co_name ] in
+          let* name = oneofl [ "a"; "b" ] in
+          return (Property.Offers (l, polarity, name)) );
+        (1, map2 (fun l k -> Property.Behaviour (l, k)) leaf (int_range 0 3));
         (1, return Property.Quiescent);
       ]
   in
@@ -140,12 +144,13 @@ and prop m s (p : Property.prop) =
     Array.exists (fun (p : State.process) -> Array.exists joins p.bonds) s.State.processes
   | Same (p, q) -> fst (State.find_leaf s p) = fst (State.find_leaf s q)
   | Behaviour (l, k) -> (leaf_of s l).behaviour.origin = Some k
-  | Offers (l, _, name) ->
+  | Offers (l, polarity, name) ->
     let named (c : Behaviour.channel) = String.equal c.name name in
     List.exists
       (function
-        | Behaviour.Offer_open (_, c, _) | Offer_weak (c, _) -> named c
-        | Offer_strong (list, _) -> List.exists named list)
+        | Behaviour.Offer_open (p, c, _) -> named c && (polarity = None || polarity = Some p)
+        | Offer_weak (c, _) -> polarity = None && named c
+        | Offer_strong (list, _) -> polarity = None && List.exists named list)
       (Behaviour.offers m.Model.definitions (leaf_of s l).behaviour)
   | Touching (p, q) -> touching m s p q
   | Quiescent -> Network.quiescent m s
