@@ -63,13 +63,20 @@ let report_fault (c : Context.t) places (ifs : Polyhedron.ifs) fault =
     (Polyhedron_fault.message ~vertex ~face fault)
 
 let accept (c : Context.t) places ~label ifs =
-  match Polyhedron.of_ifs ifs with
-  | Ok polyhedron ->
-    let id = c.fresh () in
-    Some { Shape.id; root = id; label; polyhedron }
-  | Error faults ->
-    List.iter (report_fault c places ifs) faults;
+  if Polyhedron.too_fine ifs then begin
+    Report.error c.report Code.number_too_large places.whole
+      "the common denominator of the coordinates is too large"
+      ~hint:"use decimals, or fractions with few different denominators";
     None
+  end
+  else
+    match Polyhedron.of_ifs ifs with
+    | Ok polyhedron ->
+      let id = c.fresh () in
+      Some { Shape.id; root = id; label; polyhedron }
+    | Error faults ->
+      List.iter (report_fault c places ifs) faults;
+      None
 
 (* Vertices and faces share one space of names, as features do. *)
 let check_names (c : Context.t) vertices faces =

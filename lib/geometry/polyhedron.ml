@@ -85,6 +85,16 @@ let faults points faces =
         | [] -> List.rev_append (List.rev (Convexity.faults points faces surface)) at_vertices
         | found -> List.rev_append (List.rev at_vertices) found)
 
+(* Everything is over one denominator from here on (Ivec.of_vecs). *)
+let max_bits = 1 lsl 30
+
+let too_fine ifs =
+  let coordinates = 3 * Array.length ifs.ifs_vertices in
+  let exceeds d = Z.numbits d > max_bits / Int.max 1 coordinates in
+  let add d q = if exceeds d || Z.equal (Q.den q) Z.one then d else Z.lcm d (Q.den q) in
+  let add_point d (_, (v : Vec.t)) = add (add (add d v.x) v.y) v.z in
+  exceeds (Array.fold_left add_point Z.one ifs.ifs_vertices)
+
 let of_ifs ifs =
   let points, _ = Ivec.of_vecs (Array.map snd ifs.ifs_vertices) in
   let faces = Array.map snd ifs.ifs_faces in

@@ -14,6 +14,10 @@ type t = private {
 (** An indexed face set before any check. Names of vertices and of faces are distinct. *)
 type ifs = { ifs_vertices : (string * Vec.t) array; ifs_faces : (string * int array) array }
 
+val too_fine : ifs -> bool
+(** The coordinates have so many different denominators that over their common one they would take more than
+    2^30 bits: a small file could ask for a lot of memory. To be refused before {!of_ifs}. *)
+
 val of_ifs : ifs -> (t, Polyhedron_fault.t list) result
 (** Accepts exactly the convex closed polyhedra, that is E0 to E5 of the rule book hold; otherwise every
     fault that a person would want to see, the most telling first. *)

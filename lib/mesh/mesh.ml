@@ -32,19 +32,8 @@ let by_text text =
   else if begins "<?xml" || begins "<X3D" then Some X3d.read
   else None
 
-(* Everything is over one denominator from here on (Scc_exact.Ivec.of_vecs). Fractions with many different
-   denominators would make it so long that a small file needs a lot of memory. *)
-let max_bits = 1 lsl 30
-
-let too_fine (ifs : Polyhedron.ifs) =
-  let coordinates = 3 * Array.length ifs.ifs_vertices in
-  let exceeds d = Z.numbits d > max_bits / Int.max 1 coordinates in
-  let add d q = if exceeds d || Z.equal (Q.den q) Z.one then d else Z.lcm d (Q.den q) in
-  let add_point d (_, (v : Scc_exact.Vec.t)) = add (add (add d v.x) v.y) v.z in
-  exceeds (Array.fold_left add_point Z.one ifs.ifs_vertices)
-
 let check_denominator ~path ifs =
-  if too_fine ifs then
+  if Polyhedron.too_fine ifs then
     Error
       (Diag.error Code.number_too_large
          (Span.make ~file:path ~start:0 ~stop:0)
