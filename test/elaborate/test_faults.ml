@@ -250,7 +250,7 @@ let behaviours_and_laws =
 let many_denominators =
   let fraction i = Printf.sprintf "1/1%s%03d" (String.make 3_900 '0') i in
   let vertex i = Printf.sprintf "v%d (%s, %s, %s)" i (fraction (3 * i)) (fraction ((3 * i) + 1)) (fraction ((3 * i) + 2)) in
-  Printf.sprintf "{ vertices %s faces f [v0, v1, v2] }" (String.concat " " (List.init 120 vertex))
+  Printf.sprintf "vertices %s faces f [v0, v1, v2]" (String.concat " " (List.init 120 vertex))
 
 let limits =
   [
@@ -260,7 +260,7 @@ let limits =
     case "a constant that explodes" "SC0106" "g*g"
       "param a = 1e3900 let b = a*a let c = b*b let d = c*c let e = d*d let f = e*e let g = f*f let h = g*g \
        timestep h";
-    case "a common denominator that explodes" "SC0106" many_denominators ("shape S " ^ many_denominators);
+    case "a common denominator that explodes" "SC0106" many_denominators ("shape S {" ^ many_denominators ^ "}");
     case "a formula that explodes" "SC0111" "always l40 > 1"
       (let step i = Printf.sprintf "let l%d = l%d + l%d\n" i (i - 1) (i - 1) in
        "let l0 = time\n" ^ String.concat "" (List.init 40 (fun i -> step (i + 1))) ^ "check k : always l40 > 1");
