@@ -363,10 +363,10 @@ module Make (L : Lts.S) = struct
            | None -> Scc_base.Bug.fail __POS__ "a component is not connected"
            | Some back ->
              let steps = List.map (fun (source, choice) -> { Graph.source; choice }) in
-             let stem = Graph.shortest_path g j in
+             let stem = Graph.shortest_path g i in
              {
-               steps = stem @ steps back @ [ { Graph.source = i; choice } ];
-               last = j;
+               steps = stem @ ({ Graph.source = i; choice } :: steps back);
+               last = i;
                finish = Repeats (List.length stem);
              })
         (List.find_opt (inside i) (arcs i))

@@ -70,8 +70,8 @@ let lasso g region (components : Components.t) test =
     match Components.path ~successors ~from:a.target ~goal:(Int.equal v) with
     | None -> Scc_base.Bug.fail __POS__ "a component is not connected"
     | Some back ->
-      let stem = path_to region.by a.target in
-      { steps = stem @ back @ [ (v, i) ]; last = a.target; finish = Repeats (List.length stem) }
+      let stem = path_to region.by v in
+      { steps = stem @ ((v, i) :: back); last = v; finish = Repeats (List.length stem) }
   in
   let look v =
     List.find_opt (fun arc -> inside v arc && test (snd arc)) (avoiding g v) |> Option.map (cycle v)

@@ -64,19 +64,36 @@ let compare comparison extent a b =
     (Timeline.map2 sub a b)
   |> Timeline.simplify Truth.equal
 
+(* The rational of least denominator in [low, high], by continued fractions. *)
+let rec simplest low high =
+  if Rat.sign low <= 0 && Rat.sign high >= 0 then Rat.zero
+  else if Rat.sign high < 0 then Rat.neg (simplest (Rat.neg high) (Rat.neg low))
+  else
+    let floor = Rat.make (Rat.floor low) Z.one in
+    if Rat.equal floor low then low
+    else
+      let next = Rat.add floor Rat.one in
+      if Rat.compare next high <= 0 then next
+      else
+        let inverse x = Rat.div Rat.one (Rat.sub x floor) in
+        Rat.add floor (Rat.div Rat.one (simplest (inverse high) (inverse low)))
+
+(* At an irrational offset, known near enough for a person. The value may be rational all the same: then it
+   is the simplest rational close by, or else not worth telling. *)
+let near n d offset =
+  let tiny k = Rat.make Z.one (Z.pow (Z.of_int 10) k) in
+  let low, high = Algebraic.enclose offset ~width:(tiny 30) in
+  let r = Rat.div (Rat.add low high) (Rat.of_int 2) in
+  let bottom = Polynomial.eval d r in
+  if Rat.sign bottom = 0 then "(a quotient with a divisor near 0)"
+  else
+    let v = Rat.div (Polynomial.eval n r) bottom in
+    let c = simplest (Rat.sub v (tiny 12)) (Rat.add v (tiny 12)) in
+    if Algebraic.sign_at (Polynomial.sub n (Polynomial.scale c d)) offset = 0 then Rat.to_string c
+    else "about " ^ Algebraic.to_decimal (Algebraic.of_rat v)
+
 let at value offset =
   match (value, Algebraic.to_rat offset) with
   | Undefined reason, _ -> reason
   | Ratio (n, d), Some r -> Rat.to_string (Rat.div (Polynomial.eval n r) (Polynomial.eval d r))
-  | Ratio (n, d), None -> (
-      match (Polynomial.to_constant n, Polynomial.to_constant d) with
-      | Some n, Some d -> Rat.to_string (Rat.div n d)
-      | _ ->
-        (* Near enough for a person: the instant to twenty decimal places. *)
-        let low, high = Algebraic.enclose offset ~width:(Rat.make Z.one (Z.pow (Z.of_int 10) 20)) in
-        let r = Rat.div (Rat.add low high) (Rat.of_int 2) in
-        let bottom = Polynomial.eval d r in
-        if Rat.sign bottom = 0 then "(a quotient with a divisor near 0)"
-        else
-          "about "
-          ^ Algebraic.to_decimal (Algebraic.of_rat (Rat.div (Polynomial.eval n r) bottom)))
+  | Ratio (n, d), None -> near n d offset

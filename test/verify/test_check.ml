@@ -1,0 +1,221 @@
+(* Whole checks of small models from text: each kind of verdict, and what witnesses tell. *)
+
+open Scc_exact
+open Scc_verify
+open Scc_test_models
+
+let cube =
+  {|
+shape Cube {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+           e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+           right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+}
+|}
+
+let check ?(options = Check.default) text =
+  let e = Load.exactly (Load.text (cube ^ text)) in
+  match Scc_semantics.Network.initial e.model e.declared with
+  | Error _ -> Alcotest.fail "no initial state"
+  | Ok initial -> (e.model, Check.run options e.model ~initial e.checks)
+
+let verdict = function Check.Not_yet why -> "not yet: " ^ why | Verdict v -> Verdict.to_string v
+
+let verdicts ?options text =
+  let _, report = check ?options text in
+  List.map (fun (_, o) -> verdict o) report.outcomes
+
+let expect what expected got = Alcotest.(check (list string)) what expected got
+
+let witness_lines ?options text =
+  let model, report = check ?options text in
+  match report.outcomes with
+  | [ (_, Verdict (Holds { witness = Some w; _ } | Violated { witness = Some w } | Undecided [ Zeno w ])) ] ->
+    Witness.lines model w
+  | _ -> Alcotest.fail "no witness"
+
+(* {1 One body that drifts} *)
+
+let drift = "process p = Cube mass 1 velocity (1,0,0) at translate (-3,0,0) [nil]\n"
+let still = "process q = Cube mass 1 at translate (0,5,0) [nil]\n"
+
+let over_the_run () =
+  expect "verdicts"
+    [ "violated"; "holds (exhaustive)"; "violated"; "holds (exhaustive)"; "violated"; "violated" ]
+    (verdicts
+       (drift
+        ^ {|
+check a : always x(p) <= 3
+check b : always x(p) <= 3 within 6
+check c : always x(p) < 3 within 6
+check d : not (possibly (x(p) = 1/3 and x(p) = 1/2))
+check e : eventually x(p) < -3
+check f : (possibly x(p) = 0) and (always x(p) < 0)
+|}))
+
+let words () =
+  expect "an open interval"
+    [ "then time passes: right after time 6, for example at time 7"; "x(p) <= 3 fails: x(p) = 4" ]
+    (witness_lines (drift ^ "check a : always x(p) <= 3"));
+  expect "within a bound, the example too"
+    [ "then time passes: right after time 6, for example at time 25/4"; "x(p) <= 3 fails: x(p) = 13/4" ]
+    (witness_lines (drift ^ "check a : always x(p) <= 3 within 13/2"));
+  expect "an irrational instant"
+    [
+      "then time passes, until time root of t^2 - 6t - 3 in (32/5, 13/2), about 6.464102";
+      "distance2(p, q) = 37 holds: distance2(p, q) = 37";
+    ]
+    (witness_lines (drift ^ still ^ "check a : possibly distance2(p, q) = 37"))
+
+let undefined () =
+  let text = drift ^ "check a : always 1 / x(p) != 7 within 3\ncheck b : always 1 / x(p) < 7\ncheck c : always 1 / x(p) < 7 within 2" in
+  expect "division by zero"
+    [ "undecided: division by zero in (1 / x(p))"; "violated"; "holds (exhaustive)" ]
+    (verdicts text)
+
+let beyond () =
+  let not_yet what = "not yet: " ^ what ^ " cannot be checked by this version" in
+  expect "not yet"
+    [
+      not_yet "a temporal operator inside another"; not_yet "the operator `U`";
+      not_yet "a time interval that does not begin at 0"; not_yet "`EG`"; not_yet "the operator `X`";
+      "holds (exhaustive)";
+    ]
+    (verdicts
+       (drift
+        ^ {|
+check a : always possibly x(p) = 3
+check b : A[ x(p) < 0 U x(p) >= 0 ]
+check c : EF[1,2] x(p) = 0
+check d : EG x(p) < 0
+check e : EX x(p) < 0
+check f : AF[<= 3] x(p) = 0
+|}))
+
+(* {1 Bounds} *)
+
+(* A state for each step: gravity without a floor never closes. *)
+let falls = "timestep 1\nprocess p = Cube mass 1 [nil]\nmotion p = (vx, vy, vz - dt)\n"
+
+let bounds () =
+  let checks = "check a : always z(p) <= 0\ncheck b : possibly z(p) > 0\ncheck c : eventually z(p) = -1000\ncheck d : eventually z(p) <= -10" in
+  let at options = verdicts ~options (falls ^ checks) in
+  let ended = "undecided: the exploration ended at " in
+  let all what =
+    [ "holds up to the bound: " ^ what; ended ^ what; ended ^ what; "holds (exhaustive)" ]
+  in
+  expect "depth by default" (all "the depth bound 20 (a default)") (at { Check.default with depth = Default 20 });
+  expect "depth by the user" (all "the depth bound 20") (at { Check.default with depth = Given 20 });
+  expect "time" (all "the time bound 15/2") (at { Check.default with time = Given (Rat.make (Z.of_int 15) (Z.of_int 2)) });
+  expect "states" (all "the bound of 30 states") (at { Check.default with states = Given 30 });
+  expect "within is no truncation" [ "holds (exhaustive)"; "violated" ]
+    (verdicts (falls ^ "check a : always z(p) <= 0 within 9\ncheck b : possibly z(p) > 0 within 9"));
+  expect "unless it is not reached" [ "holds up to the bound: the depth bound 3 (a default)" ]
+    (verdicts ~options:{ Check.default with depth = Default 3 } (falls ^ "check a : always z(p) <= 0 within 9"))
+
+let interruption () =
+  let polls = ref 0 in
+  let interrupted () = incr polls; !polls > 10 in
+  let options =
+    { Check.default with surroundings = { Scc_explore.Limits.quiet with interrupted } }
+  in
+  let _, report = check ~options (falls ^ "check a : always z(p) <= 0") in
+  (match report.outcomes with
+   | [ (_, Verdict v) ] ->
+     Alcotest.(check string) "verdict" "holds up to the bound: the interruption" (Verdict.to_string v);
+     Alcotest.(check bool) "by resources" true (Verdict.resources v)
+   | _ -> Alcotest.fail "one verdict");
+  Alcotest.(check int) "states" 11 report.stats.states
+
+let early () =
+  let options = { Check.default with states = Default 1000 } in
+  let _, report = check ~options (falls ^ "check a : always z(p) > -10\ncheck b : possibly z(p) < -4") in
+  Alcotest.(check bool) "few states" true (report.stats.states < 10);
+  Alcotest.(check bool) "decided early" true report.stats.decided_early;
+  let seen = ref 0 in
+  let options = { options with observe = (fun _ -> incr seen) } in
+  let _, report = check ~options (falls ^ "check a : always z(p) <= 0") in
+  Alcotest.(check int) "every state is observed" report.stats.states !seen;
+  Alcotest.(check int) "no early end" 1000 report.stats.states
+
+(* The law divides by zero once p has speed 3: what comes after is not known. *)
+let faults () =
+  let text = "timestep 1\nprocess p = Cube mass 1 [nil]\nmotion p = (0, 0, vz - dt - 0 / (vz + 3))\n" in
+  let _, report = check (text ^ "check a : always z(p) <= 0\ncheck b : possibly z(p) <= -5/2\ncheck c : eventually z(p) < -100") in
+  (match List.map (fun (_, o) -> verdict o) report.outcomes with
+   | [ a; b; c ] ->
+     let faulty v = String.length v > 11 && String.equal (String.sub v 0 11) "undecided: " in
+     Alcotest.(check bool) ("always is undecided: " ^ a) true (faulty a);
+     Alcotest.(check string) "possibly" "holds (exhaustive)" b;
+     Alcotest.(check bool) ("eventually is undecided: " ^ c) true (faulty c)
+   | _ -> Alcotest.fail "three verdicts");
+  Alcotest.(check int) "one fault" 1 (List.length report.stats.faults)
+
+(* {1 Choice} *)
+
+let pair =
+  {|
+timestep 1
+behaviour Held on Cube = omega(a, {right, left}). Free
+behaviour Free on Cube = nil
+process r = p : Cube mass 1 [Held] <a, {p.right, q.left}> q : Cube mass 1 at translate (2,0,0) [Held]
+|}
+
+let fairness () =
+  expect "a split put off for ever"
+    [
+      "1. time(1), at time 1"; "and step 1 again, for ever";
+      "it puts off weak(a, p.right, q.left) for ever: no fairness is assumed"; "bound(p, q) holds";
+    ]
+    (witness_lines (pair ^ "check a : eventually not bound(p, q)"));
+  expect "a bound that is passed"
+    [ "1. time(1), at time 1"; "2. time(1), at time 2"; "then time passes beyond the bound"; "z(p) <= -10 fails: z(p) = -1" ]
+    (witness_lines (falls ^ "check a : eventually z(p) <= -10 within 5/2"));
+  expect "possible" [ "1. weak(a, p.right, q.left), at time 0"; "bound(p, q) fails" ]
+    (witness_lines (pair ^ "check a : possibly not bound(p, q)"));
+  expect "the negation of what may be avoided" [ "holds (exhaustive)" ]
+    (verdicts (pair ^ "check a : not (eventually not bound(p, q))"))
+
+(* {1 Zeno} *)
+
+(* A body that exactly fills the gap between two walls, and moves. *)
+let slot =
+  {|
+process p = Cube mass 1 velocity (1,0,0) [nil]
+fixed left  = Cube at translate (-2,0,0)
+fixed right = Cube at translate (2,0,0)
+|}
+
+let zeno () =
+  let text = slot ^ "check a : eventually vx(p) = 2\ncheck b : eventually vx(p) = -1\ncheck c : always x(p) = 0" in
+  let zeno = "undecided: Zeno: a run goes on for ever within one instant" in
+  expect "verdicts" [ zeno; "holds (exhaustive)"; "holds (exhaustive)" ] (verdicts text);
+  let model, report = check text in
+  match report.zeno with
+  | None -> Alcotest.fail "the cycle is not reported"
+  | Some w ->
+    expect "the cycle"
+      [
+        "1. bounce(p, right), at time 0"; "2. bounce(p, left), at time 0";
+        "and the steps from 1 on again, for ever";
+      ]
+      (Witness.lines model w)
+
+let () =
+  let quick name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "check"
+    [
+      ( "verdicts",
+        [
+          quick "over the whole run" over_the_run;
+          quick "a division by zero" undefined;
+          quick "what this version does not check" beyond;
+          quick "bounds" bounds;
+          quick "interruption" interruption;
+          quick "early end" early;
+          quick "faults of laws" faults;
+          quick "Zeno" zeno;
+        ] );
+      ("witnesses", [ quick "instants in words" words; quick "no fairness" fairness ]);
+    ]
