@@ -187,7 +187,7 @@ let first_time_of_contact m s ~limit =
   let within limit t = match limit with None -> true | Some l -> Rat.compare t l <= 0 in
   (* Pairs whose swept boxes do not meet within the window cannot collide within it: what is found there
      in time is the least of all. *)
-  let rec look window =
+  let rec look round window =
     match window with
     | None -> Parts.fold_pairs earlier None parts
     | Some span -> (
@@ -195,8 +195,11 @@ let first_time_of_contact m s ~limit =
         match List.fold_left earlier None near with
         | Some t when Rat.compare t span <= 0 -> Some t
         | Some _ | None when Option.equal Rat.equal limit window -> None
-        | Some _ | None -> look (Parts.wider parts ~limit ~met:(List.length near) span))
+        | Some _ | None -> 
+          look (round + 1) (Parts.wider parts ~limit ~met:(List.length near) ~round span))
   in
-  match look (Parts.first_window parts ~limit) with
-  | Some t when within limit t -> Some t
-  | Some _ | None -> None
+  if Parts.all_move_alike parts then None
+  else
+    match look 1 (Parts.first_window parts ~limit) with
+    | Some t when within limit t -> Some t
+    | Some _ | None -> None

@@ -57,6 +57,9 @@ let near parts =
     List.filter (in_relative_motion parts)
       (Boxes.pairs (Array.map (fun p -> (p.low, p.high)) parts))
 
+let all_move_alike parts =
+  Array.for_all (fun p -> Vec.equal p.velocity parts.(0).velocity) parts
+
 let swept span p = Boxes.swept (p.low, p.high) (Vec.scale span p.velocity)
 
 let near_within parts span =
@@ -91,7 +94,10 @@ let first_window parts ~limit =
     if Rat.sign speed = 0 then None
     else Some (cut limit (power_of_two (Rat.div (least_size parts) speed)))
 
-let wider parts ~limit ~met span =
+(* Sweeps of bodies that fly apart never meet, however wide the window: without a limit the rounds must end. *)
+let most_rounds = 10
+
+let wider parts ~limit ~met ~round span =
   let n = Array.length parts in
-  if met > n * n / 8 then None
+  if met > n * n / 8 || (Option.is_none limit && round >= most_rounds) then None
   else Some (cut limit (Rat.mul (Rat.of_int 4) span))

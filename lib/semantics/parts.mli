@@ -26,10 +26,14 @@ val near_within : part array -> Rat.t -> (int * int) list
 val fold_pairs : ('a -> int * int -> 'a) -> 'a -> part array -> 'a
 (** Over every pair of parts (lesser index first) of processes in relative motion, in order. *)
 
+val all_move_alike : part array -> bool
+(** No two processes are in relative motion. *)
+
 val first_window : part array -> limit:Rat.t option -> Rat.t option
 (** How far ahead to look first: so far that the fastest part sweeps about the least size of a part, or to
     the limit if that is sooner. [None]: at everything, when there are few parts. *)
 
-val wider : part array -> limit:Rat.t option -> met:int -> Rat.t -> Rat.t option
-(** The next window after one in which nothing was found: four times as long, cut at the limit; [None] when
-    the sweeps of the last one met so often ([met] pairs) that boxes no longer help. *)
+val wider : part array -> limit:Rat.t option -> met:int -> round:int -> Rat.t -> Rat.t option
+(** The next window after one in which nothing was found, the [round]th from 1: four times as long, cut at
+    the limit; [None] when the sweeps of the last one met so often ([met] pairs) that boxes no longer help,
+    or when so many windows without a limit were looked at that perhaps nothing ever meets. *)

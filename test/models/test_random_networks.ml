@@ -78,6 +78,28 @@ let turned =
       let m, states = reached network in
       fail_on (List.find_map (fun r -> Symmetry.broken r m states) Symmetry.rotations))
 
+let labels m ts = List.map (fun (t : Transition.t) -> Transition.label_to_string m t.label) ts
+
+(* Along one run, taken first with and then without sixteen bodies far away. *)
+let bystanders =
+  property "bodies that are far away change nothing" ~count:60 (fun network ->
+      let m, s = Random_network.start network in
+      let m', s' = Random_network.start (Random_network.with_bystanders network) in
+      let soon (t : Transition.t) = Rat.compare (Transition.duration t) (Rat.of_int 1_000) < 0 in
+      let rec agree n s s' =
+        let ts = List.filter soon (Reach.successors m s)
+        and ts' = List.filter soon (Reach.successors m' s') in
+        if not (List.equal String.equal (labels m ts) (labels m' ts')) then
+          QCheck2.Test.fail_reportf "%s, but %s with bystanders"
+            (String.concat "; " (labels m ts))
+            (String.concat "; " (labels m' ts'))
+        else
+          match (ts, ts') with
+          | t :: _, t' :: _ when n > 0 -> agree (n - 1) t.target t'.target
+          | _ -> true
+      in
+      agree 20 s s')
+
 (* So that the properties above are about something: over the seeds used, every kind of transition comes up. *)
 let varied () =
   let rand = Random.State.make [| 42 |] in
@@ -119,5 +141,6 @@ let () =
             invariant ~steered:true "parallel components in reverse order" reversed;
             invariant ~steered:true "parallel components in another order" shifted;
             turned;
+            bystanders;
           ] );
     ]

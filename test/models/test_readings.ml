@@ -156,6 +156,15 @@ let touching_is_no_collision () =
   check_labels "at rest in contact, with open channels" [] m s;
   Alcotest.(check bool) "quiescent" true (Network.quiescent m s)
 
+let many_apart () =
+  let text =
+    {|for i in 1..20 { process c[i] = Cube mass 1 velocity (i, i*i, 0) at translate (3*i, 3*i*i, 0) [nil] }|}
+  in
+  let m, s = start text in
+  check_labels "they fly apart for ever" [] m s;
+  let m, s = start "for i in 1..20 { process c[i] = Cube mass 1 velocity (1,0,0) at translate (3*i, 0, 0) [nil] }" in
+  check_labels "they fly side by side for ever" [] m s
+
 let separate_tiles () =
   let text =
     "fixed left = Cube at translate (-1,-1,0) fixed right = Cube at translate (1,-1,0)\n\
@@ -251,6 +260,7 @@ let () =
       ( "collisions",
         [
           case "I-12: contact without approach binds nothing" touching_is_no_collision;
+          case "Ftoc: many bodies that never meet" many_apart;
           case "D-34: tiles that are separate bodies" separate_tiles;
         ] );
       ( "splits",

@@ -160,6 +160,14 @@ let body ~steered =
 
 let generate ?(steered = false) () = Gen.map distinct (Gen.list_size Gen.(2 -- 6) (body ~steered))
 
+let bystander i =
+  {
+    cell = (i, 333_333, 0); jitter = (0, 0, 0); velocity = (0, 0, 0); mass = 1; shape = 0; behaviour = 0;
+    fixed = i mod 2 = 0; falls = false;
+  }
+
+let with_bystanders bodies = bodies @ List.init 16 bystander
+
 let print bodies =
   let triple (x, y, z) = Printf.sprintf "(%d,%d,%d)" x y z in
   let body b =

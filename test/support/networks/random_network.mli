@@ -14,4 +14,8 @@ val declared : t -> State.t
 val start : t -> Model.t * State.t
 (** The model and its initial state. *)
 
+val with_bystanders : t -> t
+(** Sixteen motionless cubes more, a million away: too far to matter for long, but so many that neighbours are
+    looked for in another way. *)
+
 val print : t -> string
