@@ -67,7 +67,9 @@ let make_folder path =
   let fail message =
     Error
       [
-        Diag.error Code.cannot_write (Span.make ~file:path ~start:0 ~stop:0) "cannot make the folder: %s" message;
+        Diag.error Code.cannot_write
+          (Span.make ~file:path ~start:0 ~stop:0)
+          "cannot make the folder: %s" message;
       ]
   in
   match Sys.is_directory path with
@@ -107,14 +109,19 @@ let print_json console (model : Input.model) (report : Check.report) verdicts co
   in
   Console.print console (Json.pretty json)
 
+let is_zeno : Verdict.reason -> bool = function
+  | Zeno _ -> true
+  | Truncated _ | Undefined _ | Fault _ -> false
+
+let shows_zeno (_, (v : Verdict.t)) =
+  match v with Undecided reasons -> List.exists is_zeno reasons | Holds _ | Violated _ -> false
+
 let print_text console (model : Input.model) (report : Check.report) verdicts =
   let m = model.elaborated.model in
   let print = Console.print console in
   List.iter (fun v -> print (Check_text.property console m v ^ "\n")) verdicts;
-  let shown (_, v) = match v with Verdict.Undecided rs -> List.exists (function Verdict.Zeno _ -> true | _ -> false) rs | _ -> false in
-  Option.iter
-    (fun w -> if not (List.exists shown verdicts) then print (Check_text.zeno m w ^ "\n"))
-    report.zeno;
+  let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno m w ^ "\n") in
+  Option.iter zeno report.zeno;
   print (Check_text.explored report.stats);
   print (Check_text.tally console (List.map snd verdicts))
 
@@ -134,6 +141,7 @@ let check console bounds witness overrides path =
   let* () = match witness with Some folder -> make_folder folder | None -> Ok () in
   let* initial = initial e in
   let options = Check_options.options bounds ~interrupted ~progress:(progress console) in
+  Option.iter Interrupt.deadline bounds.Check_options.seconds;
   let report = Check.run options e.model ~initial e.checks in
   Console.progress_done console;
   Console.report console (law_faults report);

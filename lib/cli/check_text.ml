@@ -99,7 +99,9 @@ let tally console verdicts =
   let bounded = count (function Verdict.Holds { bounds = _ :: _; _ } -> true | _ -> false) in
   let violated = count (function Verdict.Violated _ -> true | _ -> false) in
   let undecided = count (function Verdict.Undecided _ -> true | _ -> false) in
-  let part n style text = if n = 0 then [] else [ Console.styled console style (Printf.sprintf "%d %s" n text) ] in
+  let part n style text =
+    if n = 0 then [] else [ Console.styled console style (Printf.sprintf "%d %s" n text) ]
+  in
   let parts =
     part exhaustive Good (if exhaustive = 1 then "holds" else "hold")
     @ part bounded Doubtful (if bounded = 1 then "holds up to the bound" else "hold up to the bound")

@@ -85,7 +85,8 @@ let paint_line style head line =
   | Some i -> (
       match String.index_from_opt line i ']' with
       | Some j ->
-        String.sub line 0 i ^ paint true style (String.sub line i (j + 1 - i)) ^ String.sub line (j + 1) (n - j - 1)
+        let before = String.sub line 0 i and after = String.sub line (j + 1) (n - j - 1) in
+        before ^ paint true style (String.sub line i (j + 1 - i)) ^ after
       | None -> line)
   | None -> if is_caret_line line then paint true style line else line
 

@@ -1,5 +1,12 @@
-(** Interruption from the keyboard or by a request to end (SIGINT, SIGTERM). *)
+(** Interruption: from the keyboard, by a request to end (SIGINT, SIGTERM), or by the clock. *)
+
+val grace : float
+(** Seconds that the program has to stop cleanly. *)
 
 val install : unit -> unit -> bool
 (** [install ()] catches the signals from now on; the function that it returns tells whether one has
-    arrived. The second one ends the program at once, as if none were caught. *)
+    arrived, so that the work can stop and report. Work that does not ask in time (see {!grace}) is given
+    up: a message, and exit code 4. The second signal ends the program at once. *)
+
+val deadline : float -> unit
+(** [deadline s]: unless the program ends before, work is given up after [s] seconds and the {!grace}. *)

@@ -34,8 +34,8 @@ let merge (s : Schedule.t) overrides =
   | Some (name, _) ->
     Error
       [
-        Diag.error Code.bad_schedule s.offset_at "the schedule was made with another value of `%s` than -D gives"
-          name;
+        Diag.error Code.bad_schedule s.offset_at
+          "the schedule was made with another value of `%s` than -D gives" name;
       ]
   | None ->
     let given (name, _) = List.exists (fun (name', _) -> String.equal name name') s.parameters in
