@@ -1,0 +1,110 @@
+(* States per second and bytes per state of the exploration, without properties:
+
+     explorer.exe                          three models at several sizes, and a gas of a thousand cubes
+     explorer.exe MODEL STATES [NAME=VALUE …]   one model, up to so many states
+
+   Run from the root of the project. *)
+
+open Scc_base
+open Scc_exact
+open Scc_explore
+module System = Scc_verify.System
+module Graph = Explore.Make (System)
+
+let read path =
+  let channel = open_in_bin path in
+  let text = really_input_string channel (in_channel_length channel) in
+  close_in channel;
+  text
+
+let fail message =
+  prerr_endline message;
+  exit 3
+
+let load path overrides =
+  let source = Source.make ~name:path (read path) in
+  let refuse diagnostics =
+    fail (String.concat "" (List.map (Diag.render ~source:(fun _ -> Some source)) diagnostics))
+  in
+  match Scc_syntax.Parse.parse source with
+  | Error d -> refuse d
+  | Ok tree -> (
+      let read_file _ = Error "the benchmark reads no meshes" in
+      match Scc_elaborate.Elaborate.elaborate ~read_file ~overrides tree with
+      | Error d -> refuse d
+      | Ok e -> e)
+
+let context (e : Scc_elaborate.Elaborate.t) =
+  match Scc_semantics.Network.initial e.model e.declared with
+  | Ok initial -> { System.model = e.model; initial }
+  | Error f -> fail (Scc_semantics.Transition.fault_to_string e.model f)
+
+let live_words () =
+  Gc.compact ();
+  (Gc.stat ()).live_words
+
+let seconds f =
+  let start = Unix.gettimeofday () in
+  let x = f () in
+  (x, Unix.gettimeofday () -. start)
+
+let shown overrides =
+  String.concat " " (List.map (fun (n, v) -> Printf.sprintf "%s=%s" n (Rat.to_string v)) overrides)
+
+let measure path states overrides =
+  let e, loading = seconds (fun () -> load path overrides) in
+  let c = context e in
+  let before = live_words () in
+  let limits = { Limits.unlimited with states = Some states } in
+  let g, time = seconds (fun () -> Graph.run limits Limits.quiet c) in
+  let words = live_words () - before in
+  let n = Graph.size g in
+  let per x = float_of_int x /. time in
+  Printf.printf
+    "%-10s %-6s load %6.3f s %7d states %7d transitions %7.0f states/s %7.0f transitions/s %6d \
+     bytes/state%s\n\
+     %!"
+    (Filename.remove_extension (Filename.basename path))
+    (shown overrides) loading n (Graph.transitions g) (per n)
+    (per (Graph.transitions g))
+    (words * (Sys.word_size / 8) / n)
+    (if Graph.complete g then "" else "  (bounded)")
+
+(* What a large model costs: reading, validating and the first steps. *)
+let first_steps path overrides steps =
+  let e, loading = seconds (fun () -> load path overrides) in
+  let c = context e in
+  let rec step n s =
+    if n = 0 then ()
+    else
+      match System.successors c s with
+      | Ok (t :: _) -> step (n - 1) (System.target t)
+      | _ -> ()
+  in
+  let (), time = seconds (fun () -> step steps c.initial) in
+  Printf.printf "%-10s %-6s load and validate %.3f s, %d steps %.3f s\n%!"
+    (Filename.remove_extension (Filename.basename path))
+    (shown overrides) loading steps time
+
+let override s =
+  match String.split_on_char '=' s with
+  | [ name; value ] -> (
+      match Rat.of_literal value with
+      | Ok q -> (name, q)
+      | Error _ -> fail (s ^ ": not a number"))
+  | _ -> fail (s ^ ": not of the form name=value")
+
+let n k = [ ("n", Rat.of_int k) ]
+
+let all () =
+  List.iter (fun k -> measure "specs/models/gas.sc" 20_000 (n k)) [ 2; 3; 4 ];
+  List.iter (fun k -> measure "specs/models/chain.sc" 20_000 (n k)) [ 4; 40; 160 ];
+  List.iter (fun k -> measure "test/bench/dimers.sc" 20_000 (n k)) [ 4; 8; 10 ];
+  first_steps "specs/models/gas.sc" (n 10) 100
+
+let () =
+  match Array.to_list Sys.argv with
+  | [ _ ] -> all ()
+  | _ :: path :: states :: overrides when Option.is_some (int_of_string_opt states) ->
+    measure path (int_of_string states) (List.map override overrides)
+  | _ -> fail "usage: explorer.exe [MODEL STATES [NAME=VALUE …]]"
