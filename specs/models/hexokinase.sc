@@ -59,5 +59,5 @@ check together   : always (behaviour(atp) = Adp => behaviour(glucose) = G6p)   /
 check at_most    : always bonds(atp) <= 1 and bonds(glc) <= 1                  // expect: holds
 check full       : possibly size(enzyme) = 7                                   // expect: holds
 check surely     : eventually reacted                                          // expect: violated
-check releases   : possibly behaviour(enzyme) = Empty and y(atp) = 1 and not reacted  // expect: holds
+check releases   : possibly behaviour(atp) = Atp and vy(atp) = 0                // expect: holds
 check in_pocket  : always x(atp) = -9/4 and y(atp) >= 1                        // expect: holds

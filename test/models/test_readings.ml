@@ -156,6 +156,23 @@ let touching_is_no_collision () =
   check_labels "at rest in contact, with open channels" [] m s;
   Alcotest.(check bool) "quiescent" true (Network.quiescent m s)
 
+(* q slides down along v and lands on u: only what collides may bind. *)
+let sliding_binds_nothing () =
+  let labels_with open_ =
+    let text =
+      "compound L { part u : Cube mass 1 part w : Cube mass 1 at translate (2,0,0) part v : Cube mass 1 at \
+       translate (2,2,0) glue u.right ~ w.left glue w.back ~ v.front }\n"
+      ^ Printf.sprintf "process p = L [<a, {%s}>. nil]\n" open_
+      ^ "process q = Cube mass 1 velocity (0,-1,0) at translate (0,4,0) [<~a, {right, front}>. nil]"
+    in
+    let m, s = start text in
+    labels m (after m s [ "time(2)" ])
+  in
+  let check what expected got = Alcotest.(check (list string)) what expected got in
+  check "where it slides" [ "bounce(p, q)" ] (labels_with "v.left");
+  check "where it lands" [ "bind(a, p.u.back, q.front)" ] (labels_with "u.back");
+  check "on both" [ "bind(a, p.u.back, q.front)" ] (labels_with "u.back, v.left")
+
 let many_apart () =
   let text =
     {|for i in 1..20 { process c[i] = Cube mass 1 velocity (i, i*i, 0) at translate (3*i, 3*i*i, 0) [nil] }|}
@@ -260,6 +277,7 @@ let () =
       ( "collisions",
         [
           case "I-12: contact without approach binds nothing" touching_is_no_collision;
+          case "I-12: only what collides may bind" sliding_binds_nothing;
           case "Ftoc: many bodies that never meet" many_apart;
           case "D-34: tiles that are separate bodies" separate_tiles;
         ] );
