@@ -96,21 +96,19 @@ Large numbers, and models that grow.
 
   $ (cat cube.sc; printf 'param x = '; repeat 7 10000; echo) > digits.sc
   $ scc check digits.sc 2>&1 | cut -c 1-120
-  digits.sc:8:7: warning[SC0211]: the parameter `x` is not used
+  digits.sc:8:11: error[SC0106]: this number has more than 4000 digits when written out
      |
    8 | param x = 777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777
-     |       ^
-  explored: 1 state, 0 transitions, depth 0, model time 0; complete
-  no properties to check
+     |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   $ (cat cube.sc; printf 'param x = '; repeat 7 200000; echo) > more-digits.sc
   $ scc check more-digits.sc 2>&1 | cut -c 1-120
-  more-digits.sc:8:11: error[SC0106]: this number has more than 100000 digits when written out
+  more-digits.sc:8:11: error[SC0106]: this number has more than 4000 digits when written out
      |
    8 | param x = 777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777777
      |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   $ (cat cube.sc; echo 'param x = 1e1000000000') > exponent.sc
   $ scc check exponent.sc
-  exponent.sc:8:11: error[SC0106]: this number has more than 100000 digits when written out
+  exponent.sc:8:11: error[SC0106]: this number has more than 4000 digits when written out
      |
    8 | param x = 1e1000000000
      |           ^^^^^^^^^^^^

@@ -65,16 +65,16 @@ The main job: a verdict for every property, with a witness.
         glucose at (9/4, 1, 0) [Glucose], velocity (0, 0, 0)
   
   releases: holds (exhaustive)
-    possibly behaviour(enzyme) = Empty and y(atp) = 1 and not reacted
+    possibly behaviour(atp) = Atp and vy(atp) = 0
     a run that shows it:
       1. time passes by 2, to time 2
-      behaviour(enzyme) = Empty holds
-      y(atp) = 1 holds: y(atp) = 1
-      behaviour(atp) = Adp fails
-      behaviour(glucose) = G6p fails
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
+      3. enzyme and atp release <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
+      behaviour(atp) = Atp holds
+      vy(atp) = 0 holds: vy(atp) = 0
       there:
         enzyme at (0, 0, 0) [Empty], fixed
-        atp at (-9/4, 1, 0) [Atp], velocity (0, -1, 0)
+        atp at (-9/4, 1, 0) [Atp], velocity (0, 0, 0)
         glucose at (9/4, 1, 0) [Glucose], velocity (0, -1, 0)
   
   in_pocket: holds (exhaustive)
@@ -150,13 +150,12 @@ The main job: a verdict for every property, with a witness.
     the run:
       1. floor and plate collide and bounce, to time 0
       2. ceiling and plate collide and bounce, to time 0
-      3. floor and plate collide and bounce, to time 0
-      and the steps from 2 on again, for ever
+      and the steps from 1 on again, for ever
       x(plate) > 20 fails: x(plate) = 0
       there:
         floor at (0, -2, 0) [nil], fixed
         ceiling at (0, 2, 0) [nil], fixed
-        plate at (0, 0, 0) [nil], velocity (1, 1, 0)
+        plate at (0, 0, 0) [nil], velocity (1, -1, 0)
   
   explored: 2 states, 2 transitions, depth 1, model time 0; complete
   4 properties: 2 hold, 1 violated, 1 undecided
@@ -212,7 +211,7 @@ user; the model is refused; the command line is wrong.
   1 property: 1 violated
   [1]
   $ scc check ../../specs/models/refused/figure5-misprint.sc
-  ../../specs/models/refused/figure5-misprint.sc:16:26: error[SC0404]: the parts `s0` and `s1` of `S0` have the velocities (2, 1, 0) and (2, 1, 1), and a rigid body that does not turn has one
+  ../../specs/models/refused/figure5-misprint.sc:16:26: error[SC0404]: the parts `s0` and `s1` of `S0` have the velocities (2, 1, 0) and (2, 1, 1), and glued parts move as one
       |
    16 |   part s1 : Plank mass 3 velocity (2,1,1) at translate (2,0,0)
       |                          ^^^^^^^^^^^^^^^^
@@ -321,3 +320,24 @@ Interruption: what is known so far is reported, and the exit code is 4.
   exit 4
   $ head -n 1 interrupted
   slow: holds up to the bound: the interruption
+
+The model and the run that the README shows.
+
+  $ awk '/^shape Cube/ { p = 1 } /^```/ { p = 0 } p' ../../README.md > readme.sc
+  $ scc check readme.sc
+  meets: holds (exhaustive)
+    eventually bound(p, q) within 3
+  
+  parts: holds (exhaustive)
+    eventually processes = 2 and time > 4
+  
+  close: holds (exhaustive)
+    always x(q) - x(p) >= 2
+  
+  explored: 5 states, 4 transitions, depth 4, model time 9/2; complete
+  3 properties: 3 hold
+  $ scc check ../../specs/models/hexokinase.sc > run
+  [1]
+  $ awk '/^\$ scc check/ { p = 1; next } /^```/ { p = 0 } p && !/…/' ../../README.md > shown
+  $ grep -vxFf run shown
+  [1]
