@@ -82,7 +82,9 @@ let rec between a b =
     else
       match (a, b) with
       | Irrational _, Irrational _ when c = 0 -> h
-      | _ -> if compare a b >= 0 then Scc_base.Bug.fail __POS__ "nothing lies between" else between (halve a) (halve b)
+      | _ ->
+        if compare a b >= 0 then Scc_base.Bug.fail __POS__ "nothing lies between"
+        else between (halve a) (halve b)
 
 let rec enclose a ~width =
   let low = low_end a and high = high_end a in

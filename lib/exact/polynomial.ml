@@ -25,7 +25,8 @@ let leading p =
 let coefficient p i = if i < Array.length p then p.(i) else Rat.zero
 
 let add p q =
-  trim (Array.init (Int.max (Array.length p) (Array.length q)) (fun i -> Rat.add (coefficient p i) (coefficient q i)))
+  let length = Int.max (Array.length p) (Array.length q) in
+  trim (Array.init length (fun i -> Rat.add (coefficient p i) (coefficient q i)))
 
 let neg p = Array.map Rat.neg p
 let sub p q = add p (neg q)

@@ -12,14 +12,26 @@ let lift f a b =
   | Undefined r, _ | _, Undefined r -> Undefined r
   | Ratio (n, d), Ratio (m, e) -> f (n, d) (m, e)
 
+let greatest_degree = 200
+
+let too_high =
+  Undefined (Printf.sprintf "a polynomial in time of a degree above %d is not evaluated" greatest_degree)
+
+let small p q = Polynomial.degree p + Polynomial.degree q <= greatest_degree
+
+let ratio (n, d) (m, e) =
+  if small n m && small d e then Ratio (Polynomial.mul n m, Polynomial.mul d e) else too_high
+
 let sum combine =
   lift (fun (n, d) (m, e) ->
       if Polynomial.equal d e then Ratio (combine n m, d)
-      else Ratio (combine (Polynomial.mul n e) (Polynomial.mul m d), Polynomial.mul d e))
+      else if small n e && small m d && small d e then
+        Ratio (combine (Polynomial.mul n e) (Polynomial.mul m d), Polynomial.mul d e)
+      else too_high)
 
 let add = sum Polynomial.add
 let sub = sum Polynomial.sub
-let mul = lift (fun (n, d) (m, e) -> Ratio (Polynomial.mul n m, Polynomial.mul d e))
+let mul = lift ratio
 let neg = function Undefined r -> Undefined r | Ratio (n, d) -> Ratio (Polynomial.neg n, d)
 
 let numerator_roots extent p =
@@ -31,7 +43,7 @@ let numerator_roots extent p =
 let div ~reason extent a b =
   let divide (x, y) zero =
     if zero then Undefined reason
-    else lift (fun (n, d) (m, e) -> Ratio (Polynomial.mul n e, Polynomial.mul d m)) x y
+    else lift (fun a (m, e) -> ratio a (e, m)) x y
   in
   let vanishes sign = function _, Undefined _ -> false | _, Ratio (m, _) -> sign m = 0 in
   Timeline.refine

@@ -7,6 +7,10 @@ type t =
   (** numerator and denominator; the denominator vanishes nowhere on the piece *)
   | Undefined of string  (** why there is no number, for a person *)
 
+val greatest_degree : int
+(** Numbers whose numerator or denominator would have a greater degree are undefined: finding the roots of
+    such a polynomial could take hours. *)
+
 val polynomial : Polynomial.t -> t
 val of_rat : Rat.t -> t
 val of_int : int -> t

@@ -61,7 +61,7 @@ let during_line w ~offset ~open_piece ~from =
 
 let finish_lines model w =
   match w.finish with
-  | At_state -> if w.steps = [] then [ "in the initial state" ] else []
+  | At_state -> ( match w.steps with [] -> [ "in the initial state" ] | _ :: _ -> [])
   | During { offset; open_piece; from; _ } -> [ during_line w ~offset ~open_piece ~from ]
   | Rests -> [ "then nothing happens any more, and time passes for ever" ]
   | Stops -> [ "then the run is over: neither time nor anything else can go on" ]

@@ -86,7 +86,8 @@ let lines_gen =
     map2 (fun a l -> Some (a :: l)) next (frequency [ (3, return []); (1, map (fun j -> [ j ]) jump) ])
   in
   let start = list_size (int_range 2 3) (pair (int_range 1 (n - 1)) (int_range 0 30)) in
-  map2 (fun l rest -> Array.of_list (Some l :: rest)) start (flatten_l (List.init (n - 1) (fun i -> node (i + 1))))
+  let rest = flatten_l (List.init (n - 1) (fun i -> node (i + 1))) in
+  map2 (fun l rest -> Array.of_list (Some l :: rest)) start rest
 
 let graph_gen = Gen.oneof [ dense_gen; lines_gen ]
 

@@ -115,7 +115,9 @@ let order =
                      ||
                      let m = Algebraic.between x y in
                      Algebraic.compare_rat x m < 0 && Algebraic.compare_rat y m > 0)
-                 && Algebraic.compare (Algebraic.add_rat (rational 1 3) x) (Algebraic.add_rat (rational 1 3) y) = c)
+                 &&
+                 let moved = Algebraic.add_rat (rational 1 3) in
+                 Algebraic.compare (moved x) (moved y) = c)
               right)
          left)
 
@@ -174,7 +176,8 @@ let wilkinson () =
 (* Mignotte's polynomials have two roots extremely close together. *)
 let mignotte () =
   let square = Polynomial.mul (polynomial [ -1; 100 ]) (polynomial [ -1; 100 ]) in
-  let p = Polynomial.sub (Polynomial.of_coefficients (List.init 11 (fun i -> int (if i = 10 then 1 else 0)))) (Polynomial.scale (int 2) square) in
+  let tenth = polynomial (List.init 11 (fun i -> if i = 10 then 1 else 0)) in
+  let p = Polynomial.sub tenth (Polynomial.scale (int 2) square) in
   match Algebraic.roots p ~low:Rat.zero ~high:(Some Rat.one) with
   | [ a; b ] ->
     Alcotest.(check bool) "ordered" true (Algebraic.compare a b < 0);

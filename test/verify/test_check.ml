@@ -69,10 +69,24 @@ let words () =
     (witness_lines (drift ^ still ^ "check a : possibly distance2(p, q) = 37"))
 
 let undefined () =
-  let text = drift ^ "check a : always 1 / x(p) != 7 within 3\ncheck b : always 1 / x(p) < 7\ncheck c : always 1 / x(p) < 7 within 2" in
+  let checks =
+    String.concat "\n"
+      [
+        "check a : always 1 / x(p) != 7 within 3";
+        "check b : always 1 / x(p) < 7";
+        "check c : always 1 / x(p) < 7 within 2";
+      ]
+  in
   expect "division by zero"
     [ "undecided: division by zero in (1 / x(p))"; "violated"; "holds (exhaustive)" ]
-    (verdicts text)
+    (verdicts (drift ^ checks))
+
+(* An evaluation that nobody would wait for. *)
+let high_degree () =
+  let power n = String.concat " * " (List.init n (fun _ -> "x(p)")) in
+  let undecided = "undecided: a polynomial in time of a degree above 200 is not evaluated" in
+  expect "degree 200" [ "holds (exhaustive)" ] (verdicts (drift ^ "check a : possibly " ^ power 200 ^ " = 0"));
+  expect "degree 201" [ undecided ] (verdicts (drift ^ "check a : possibly " ^ power 201 ^ " = 0"))
 
 let beyond () =
   let not_yet what = "not yet: " ^ what ^ " cannot be checked by this version" in
@@ -99,15 +113,25 @@ check f : AF[<= 3] x(p) = 0
 let falls = "timestep 1\nprocess p = Cube mass 1 [nil]\nmotion p = (vx, vy, vz - dt)\n"
 
 let bounds () =
-  let checks = "check a : always z(p) <= 0\ncheck b : possibly z(p) > 0\ncheck c : eventually z(p) = -1000\ncheck d : eventually z(p) <= -10" in
+  let checks =
+    String.concat "\n"
+      [
+        "check a : always z(p) <= 0";
+        "check b : possibly z(p) > 0";
+        "check c : eventually z(p) = -1000";
+        "check d : eventually z(p) <= -10";
+      ]
+  in
   let at options = verdicts ~options (falls ^ checks) in
   let ended = "undecided: the exploration ended at " in
   let all what =
     [ "holds up to the bound: " ^ what; ended ^ what; ended ^ what; "holds (exhaustive)" ]
   in
-  expect "depth by default" (all "the depth bound 20 (a default)") (at { Check.default with depth = Default 20 });
+  expect "depth by default" (all "the depth bound 20 (a default)")
+    (at { Check.default with depth = Default 20 });
   expect "depth by the user" (all "the depth bound 20") (at { Check.default with depth = Given 20 });
-  expect "time" (all "the time bound 15/2") (at { Check.default with time = Given (Rat.make (Z.of_int 15) (Z.of_int 2)) });
+  expect "time" (all "the time bound 15/2")
+    (at { Check.default with time = Given (Rat.div (Rat.of_int 15) (Rat.of_int 2)) });
   expect "states" (all "the bound of 30 states") (at { Check.default with states = Given 30 });
   expect "within is no truncation" [ "holds (exhaustive)"; "violated" ]
     (verdicts (falls ^ "check a : always z(p) <= 0 within 9\ncheck b : possibly z(p) > 0 within 9"));
@@ -142,7 +166,15 @@ let early () =
 (* The law divides by zero once p has speed 3: what comes after is not known. *)
 let faults () =
   let text = "timestep 1\nprocess p = Cube mass 1 [nil]\nmotion p = (0, 0, vz - dt - 0 / (vz + 3))\n" in
-  let _, report = check (text ^ "check a : always z(p) <= 0\ncheck b : possibly z(p) <= -5/2\ncheck c : eventually z(p) < -100") in
+  let checks =
+    String.concat "\n"
+      [
+        "check a : always z(p) <= 0";
+        "check b : possibly z(p) <= -5/2";
+        "check c : eventually z(p) < -100";
+      ]
+  in
+  let _, report = check (text ^ checks) in
   (match List.map (fun (_, o) -> verdict o) report.outcomes with
    | [ a; b; c ] ->
      let faulty v = String.length v > 11 && String.equal (String.sub v 0 11) "undecided: " in
@@ -170,7 +202,10 @@ let fairness () =
     ]
     (witness_lines (pair ^ "check a : eventually not bound(p, q)"));
   expect "a bound that is passed"
-    [ "1. time(1), at time 1"; "2. time(1), at time 2"; "then time passes beyond the bound"; "z(p) <= -10 fails: z(p) = -1" ]
+    [
+      "1. time(1), at time 1"; "2. time(1), at time 2"; "then time passes beyond the bound";
+      "z(p) <= -10 fails: z(p) = -1";
+    ]
     (witness_lines (falls ^ "check a : eventually z(p) <= -10 within 5/2"));
   expect "possible" [ "1. weak(a, p.right, q.left), at time 0"; "bound(p, q) fails" ]
     (witness_lines (pair ^ "check a : possibly not bound(p, q)"));
@@ -188,7 +223,15 @@ fixed right = Cube at translate (2,0,0)
 |}
 
 let zeno () =
-  let text = slot ^ "check a : eventually vx(p) = 2\ncheck b : eventually vx(p) = -1\ncheck c : always x(p) = 0" in
+  let checks =
+    String.concat "\n"
+      [
+        "check a : eventually vx(p) = 2";
+        "check b : eventually vx(p) = -1";
+        "check c : always x(p) = 0";
+      ]
+  in
+  let text = slot ^ checks in
   let zeno = "undecided: Zeno: a run goes on for ever within one instant" in
   expect "verdicts" [ zeno; "holds (exhaustive)"; "holds (exhaustive)" ] (verdicts text);
   let model, report = check text in
@@ -210,6 +253,7 @@ let () =
         [
           quick "over the whole run" over_the_run;
           quick "a division by zero" undefined;
+          quick "a polynomial of high degree" high_degree;
           quick "what this version does not check" beyond;
           quick "bounds" bounds;
           quick "interruption" interruption;

@@ -70,11 +70,12 @@ let answered = function E.Yes _ -> Certainly | No _ -> Certainly_not | Unknown _
 let agree a b = String.equal (shown a) (shown b)
 
 let exact =
-  QCheck2.Test.make ~count:20000 ~name:"answers are those of the naive unrolling" ~print (case_gen ~bounded:false)
+  QCheck2.Test.make ~count:8000 ~name:"answers are those of the naive unrolling" ~print
+    (case_gen ~bounded:false)
     (fun c -> List.for_all2 (fun q a -> agree (expected c.graph q) (answered a)) c.asked (run c).answers)
 
 let sound =
-  QCheck2.Test.make ~count:20000 ~name:"bounds make answers unknown, never wrong" ~print
+  QCheck2.Test.make ~count:8000 ~name:"bounds make answers unknown, never wrong" ~print
     (case_gen ~bounded:true) (fun c ->
         List.for_all2
           (fun q a -> match answered a with Open -> true | sure -> agree (expected c.graph q) sure)
@@ -101,7 +102,9 @@ let extent r last = function
 
 let meets c (r : E.result) within (t : E.trace) =
   let state = Graph.state r.graph t.last in
-  let before = match within with None -> fun _ -> true | Some b -> fun x -> Algebraic.compare_rat x (Rat.of_int b) <= 0 in
+  let before x =
+    match within with None -> true | Some b -> Algebraic.compare_rat x (Rat.of_int b) <= 0
+  in
   let start = total r t.steps in
   match t.finish with
   | At_state -> c.graph.(state).at = Toy.T && before (Algebraic.of_rat start)
@@ -161,14 +164,19 @@ let traced c =
   List.for_all2 good c.asked r.answers
 
 let traces =
-  QCheck2.Test.make ~count:20000 ~name:"traces show what they should" ~print (case_gen ~bounded:true) traced
+  QCheck2.Test.make ~count:8000 ~name:"traces show what they should" ~print (case_gen ~bounded:true) traced
 
 (* {1 Cycles without duration} *)
 
 let has_instant_cycle g =
   let reachable = Hashtbl.create 8 in
   let targets s = match g.(s).Toy.ahead with Toy.Edges l -> l | Ray _ | Dead_end -> [] in
-  let rec visit s = if not (Hashtbl.mem reachable s) then (Hashtbl.add reachable s (); List.iter (fun e -> visit e.Toy.target) (targets s)) in
+  let rec visit s =
+    if not (Hashtbl.mem reachable s) then begin
+      Hashtbl.add reachable s ();
+      List.iter (fun e -> visit e.Toy.target) (targets s)
+    end
+  in
   visit 0;
   let again s =
     let seen = Hashtbl.create 8 in
@@ -221,14 +229,16 @@ let at_the_bound () =
 
 (* The goal holds in a state that is met at the bound, after a transition that takes no time. *)
 let instant_at_the_bound () =
-  let g = [| node [ edge 1 2 ~cells:[| F; F; F |] ]; node [ edge 2 0 ]; { Toy.at = T; ahead = Ray [| T |] } |] in
+  let goal = { Toy.at = T; ahead = Ray [| T |] } in
+  let g = [| node [ edge 1 2 ~cells:[| F; F; F |] ]; node [ edge 2 0 ]; goal |] in
   Alcotest.(check (list string)) "at 2" [ "yes"; "yes"; "no"; "no" ]
     (answers g [ (E.Reach, Some 2); (E.Inevitable, Some 2); (E.Reach, Some 1); (E.Inevitable, Some 1) ])
 
 (* Nothing makes the run leave the cycle: no fairness. *)
 let no_fairness () =
   let g = [| node [ edge 1 0; edge 0 1 ~cells:[| F |] ]; { Toy.at = T; ahead = Ray [| T |] } |] in
-  Alcotest.(check (list string)) "may stay" [ "yes"; "no" ] (answers g [ (E.Reach, None); (E.Inevitable, None) ])
+  Alcotest.(check (list string)) "may stay" [ "yes"; "no" ]
+    (answers g [ (E.Reach, None); (E.Inevitable, None) ])
 
 (* An endless graph: the goal is met everywhere before depth 5, and the exploration ends by itself. *)
 module Endless = struct

@@ -14,7 +14,8 @@ module Gen = QCheck2.Gen
 
 let axis_gen = Gen.oneofl Property.[ X; Y; Z ]
 let comparison_gen = Gen.oneofl Law.[ Lt; Le; Gt; Ge; Eq; Ne ]
-let constant_gen = Gen.map (fun n -> Property.Const (Rat.make (Z.of_int n) (Z.of_int 4))) (Gen.int_range (-24) 24)
+let constant_gen =
+  Gen.map (fun n -> Property.Const (Rat.make (Z.of_int n) (Z.of_int 4))) (Gen.int_range (-24) 24)
 
 let rec num_gen leaves depth : Property.num Gen.t =
   let open Gen in
@@ -113,7 +114,9 @@ let total m (s : State.t) f =
 let rec num m s (n : Property.num) =
   match n with
   | Const r -> r
-  | Bonds _ -> Array.fold_left (fun k (p : State.process) -> k + Array.length p.bonds) 0 s.State.processes |> Rat.of_int
+  | Bonds _ ->
+    let add k (p : State.process) = k + Array.length p.bonds in
+    Rat.of_int (Array.fold_left add 0 s.State.processes)
   | Size l -> Rat.of_int (State.size m (process_of s l))
   | Processes -> Rat.of_int (Array.length s.processes)
   | Position (a, l) -> axis a (centroid m s l)
@@ -227,14 +230,17 @@ let print (network, p) =
   Random_network.print network ^ "\n" ^ Show.prop (Random_network.model network) p
 
 let random =
-  QCheck2.Test.make ~count:10000 ~name:"a timeline tells what the states at its instants do" ~print gen run_agrees
+  QCheck2.Test.make ~count:5000 ~name:"a timeline tells what the states at its instants do" ~print gen
+    run_agrees
 
 (* {1 Timelines alone} *)
 
 let int = Rat.of_int
 
 let pieces () =
-  let f r = if Rat.compare r (int 1) = 0 then "one" else if Rat.compare r (int 2) >= 0 then "late" else "early" in
+  let f r =
+    if Rat.equal r (int 1) then "one" else if Rat.compare r (int 2) >= 0 then "late" else "early"
+  in
   let t = Timeline.of_cuts (Lasts (int 3)) [ int 2; int 1; int 7; int 0 ] String.equal f in
   let cuts = List.map (fun (p : _ Timeline.piece) -> Algebraic.to_string p.cut) t.rest in
   Alcotest.(check (list string)) "cuts" [ "1"; "2" ] cuts;
@@ -264,7 +270,8 @@ let irrational () =
   Alcotest.(check string) "=" "F F 1.414 T F" (show (Value.compare Eq extent square two));
   Alcotest.(check string) "<=" "T T 1.414 T F" (show (Value.compare Le extent square two));
   let quotient = Value.div ~reason:"zero" extent two (Timeline.map2 Value.sub square two) in
-  Alcotest.(check string) "2 / (t^2 - 2) < 0" "T T 1.414 ? F" (show (Value.compare Lt extent quotient (curve [ 0 ])));
+  Alcotest.(check string) "2 / (t^2 - 2) < 0" "T T 1.414 ? F"
+    (show (Value.compare Lt extent quotient (curve [ 0 ])));
   let self = Value.div ~reason:"zero" extent (curve [ 0; 1 ]) (curve [ 0; 1 ]) in
   Alcotest.(check string) "t / t = 1" "? T" (show (Value.compare Eq extent self (curve [ 1 ])))
 

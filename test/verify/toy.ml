@@ -113,7 +113,10 @@ let gen = Gen.frequency [ (9, any_gen); (1, ring_gen) ]
 
 (* A point or an open interval of some trajectory, and the time since the start in halves: even at
    instants 0, 1, 2, …, odd in between. *)
-type cell = { place : int * int * int;  (** state, choice (-1 at the state itself, -2 on the ray), cell *) clock : int }
+type cell = {
+  place : int * int * int;  (** state, choice (-1 at the state itself, -2 on the ray), cell *)
+  clock : int;
+}
 
 let value g (s, choice, i) =
   match (choice, g.(s).ahead) with
@@ -189,7 +192,11 @@ let inevitable g ~within ~unsure =
     go false c;
     Hashtbl.mem seen (c, timed)
   in
-  let dead c = match c.place with s, -1, _ -> (match g.(s).ahead with Dead_end -> true | _ -> false) | _ -> false in
+  let dead c =
+    match c.place with
+    | s, -1, _ -> ( match g.(s).ahead with Dead_end -> true | _ -> false)
+    | _ -> false
+  in
   if List.exists (fun c -> over c || dead c || returns c ~timed:true) cells then No
   else if List.exists (fun c -> returns c ~timed:false) cells then Zeno
   else Yes
