@@ -202,6 +202,21 @@ let expected name () =
   in
   Alcotest.check pair name wanted got
 
+(* The first model of the guide, as it stands there. *)
+let guide () =
+  let fence = "```" in
+  let rec block found lines =
+    match (found, lines) with
+    | None, line :: rest -> block (if String.equal line fence then Some [] else None) rest
+    | Some kept, line :: rest ->
+      if String.equal line fence then String.concat "\n" (List.rev kept) else block (Some (line :: kept)) rest
+    | _, [] -> Alcotest.fail "no model in the guide"
+  in
+  let text = block None (String.split_on_char '\n' (Load.read "../../specs/guide.md")) in
+  let { Scc_elaborate.Elaborate.model; declared; checks; _ } = Load.exactly (Load.text text) in
+  let report = Scc_verify.Check.run options model ~initial:(Reach.initial model declared) checks in
+  Alcotest.(check (list string)) "its verdicts" [ "holds" ] (List.map (fun (_, o) -> verdict o) report.outcomes)
+
 (* A witness, followed by its choices alone, ends where it says. *)
 let witnesses () =
   let follow m initial (w : Scc_verify.Witness.t) =
@@ -244,6 +259,7 @@ let () =
           case "hexokinase binds in either order" either_order;
         ] );
       ("expected verdicts", List.map (fun name -> case name (expected name)) (models_in folder));
+      ("the guide", [ case "its first model" guide ]);
       ("witnesses", [ case "lead where they say" witnesses ]);
       ( "every model",
         [
