@@ -5,7 +5,6 @@ let binary (a : binary) (b : binary) = a = b
 let quantifier (a : quantifier) (b : quantifier) = a = b
 let path_quantifier (a : path_quantifier) (b : path_quantifier) = a = b
 
-(* Loops over the shorter first: [List.equal] does the rest. *)
 let list = List.equal
 let option = Option.equal
 let pair f g (a, b) (c, d) = f a c && g b d

@@ -18,7 +18,8 @@
 %}
 
 (* Words of the language *)
-%token MODEL PARAM TIMESTEP SPLIT_STEP SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND FOR NETWORK MOTION LET CHECK
+%token MODEL PARAM TIMESTEP SPLIT_STEP SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND FOR NETWORK MOTION
+%token LET CHECK
 %token VERTICES FACES SCALED MESH PART GLUE ON IN MASS VELOCITY SPIN AT
 %token TRANSLATE ROTATE QUATERNION SCALE MATRIX
 %token NIL OMEGA RHO EPS INERTIAL CHOOSE WEIGHT
@@ -59,7 +60,8 @@
 
 (* On an error, finish what can be finished: fewer states, and a message about the larger thing *)
 %on_error_reduce expr arithmetic plain_path segment behaviour behaviour_term solid
-  chain(moving) chain(still) leaf(moving) leaf(still) moving still body reversed(attribute) reversed(transform_factor)
+  chain(moving) chain(still) leaf(moving) leaf(still) moving still body
+  reversed(attribute) reversed(transform_factor)
   reversed(item) reversed(vertex) reversed(face) reversed(part) reversed(glue) reversed(parallel) transforms
   path feature name
 

@@ -102,7 +102,8 @@ let template span head vs fs =
   cat [ head; nest 2 (cat (line :: separated line lines)); line; closing ~at:(last_byte span) "}" ]
 
 let part_doc p =
-  let head = text ~at:(start p.part_span) (Printf.sprintf "part %s : %s" p.part.it (Text.solid p.part_solid)) in
+  let head = Printf.sprintf "part %s : %s" p.part.it (Text.solid p.part_solid) in
+  let head = text ~at:(start p.part_span) head in
   let attributes = List.map (fun a -> text ~at:(at a) (Text.attribute a)) p.part_attributes in
   nest 2 (cat (separated (fill " ") (head :: attributes)))
 

@@ -3,6 +3,16 @@ open Ast
 
 (* {1 Numbers} *)
 
+(* [remove n p] is the number of times that [p] divides [n], and what is left of it: by squares of [p], for
+   numbers of thousands of digits. ([Z.remove] of Zarith 1.12 gives wrong answers and corrupts memory.) *)
+let rec remove n p =
+  let q, r = Z.div_rem n p in
+  if Z.sign r <> 0 then (n, 0)
+  else
+    let rest, k = remove q (Z.mul p p) in
+    let q, r = Z.div_rem rest p in
+    if Z.sign r <> 0 then (rest, (2 * k) + 1) else (q, (2 * k) + 2)
+
 let zeros k = String.make k '0'
 
 (* m/10^k written out, for m > 0. *)
@@ -26,8 +36,8 @@ let shorter plain digits exponent =
   else plain
 
 let decimal q =
-  let rest, twos = Z.remove (Q.den q) (Z.of_int 2) in
-  let rest, fives = Z.remove rest (Z.of_int 5) in
+  let rest, twos = remove (Q.den q) (Z.of_int 2) in
+  let rest, fives = remove rest (Z.of_int 5) in
   if not (Z.equal rest Z.one) then None
   else
     let k = max twos fives in
@@ -37,7 +47,7 @@ let decimal q =
       let digits = Z.to_string scaled in
       Some (shorter (plain_decimal digits k) digits (-k))
     else
-      let m, tens = Z.remove scaled (Z.of_int 10) in
+      let m, tens = remove scaled (Z.of_int 10) in
       let digits = Z.to_string m in
       Some (shorter (plain_integer digits tens) digits tens)
 

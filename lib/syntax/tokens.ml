@@ -236,38 +236,59 @@ let visit s i =
       check_depth s i
     end
 
+let structure tokens =
+  let n = Array.length tokens in
+  let whole = { index = -1; bracket = Curly; loop = false; operators = 0; deepest = 0 } in
+  let s =
+    {
+      tokens;
+      opening = Array.make n (-1);
+      unclosed = Array.make n false;
+      restart = Array.make n false;
+      stack = [ whole ];
+      nesting = 0;
+      in_for = false;
+      too_deep = None;
+    }
+  in
+  (* The last token is [EOF]: [i + 1] is an index wherever a token looks ahead. *)
+  for i = 0 to n - 2 do visit s i done;
+  s
+
+let not_text file text fault =
+  let at, message =
+    match fault with
+    | Utf8.Invalid i -> (i, "this is not UTF-8 text")
+    | Control i ->
+      (i, Printf.sprintf "this is not text: it holds the control character U+%04X" (Char.code text.[i]))
+  in
+  Diag.error Code.not_text (Span.make ~file ~start:at ~stop:(at + 1)) "%s" message
+
 let read source =
-  let file = Source.name source in
-  let fault fmt = Printf.ksprintf (fun m at -> Diag.error Code.not_text (Span.make ~file ~start:at ~stop:(at + 1)) "%s" m) fmt in
-  match Utf8.check (Source.text source) with
-  | Some f ->
-    let d =
-      match f with
-      | Invalid i -> fault "this is not UTF-8 text" i
-      | Control i ->
-        fault "this is not text: it holds the control character U+%04X" (Char.code (Source.text source).[i]) i
-    in
-    { file; tokens = [| { token = EOF; start = 0; stop = 0; after_fault = true } |]; trivia = [];
-      faults = [ d ]; opening = [| -1 |]; unclosed = [| false |]; restart = [| false |] }
-  | None ->
-    let r = lex source in
-    let tokens = Array.of_list (List.rev r.read) in
-    let n = Array.length tokens in
-    let whole = { index = -1; bracket = Curly; loop = false; operators = 0; deepest = 0 } in
-    let s =
-      { tokens; opening = Array.make n (-1); unclosed = Array.make n false; restart = Array.make n false;
-        stack = [ whole ]; nesting = 0; in_for = false; too_deep = None }
-    in
-    for i = 0 to n - 2 do visit s i done;
-    let deep =
-      match s.too_deep with
-      | None -> []
-      | Some (i, what) ->
-        let span = Span.make ~file ~start:tokens.(i).start ~stop:tokens.(i).stop in
-        [ Diag.error Code.too_deep span "%s" what ]
-    in
-    { file; tokens; trivia = List.rev r.seen; faults = List.rev_append r.found deep;
-      opening = s.opening; unclosed = s.unclosed; restart = s.restart }
+  let file = Source.name source and text = Source.text source in
+  let read, trivia, faults =
+    match Utf8.check text with
+    | None -> let r = lex source in (r.read, r.seen, r.found)
+    | Some fault ->
+      ([ { token = EOF; start = 0; stop = 0; after_fault = true } ], [], [ not_text file text fault ])
+  in
+  let s = structure (Array.of_list (List.rev read)) in
+  let deep =
+    match s.too_deep with
+    | None -> []
+    | Some (i, what) ->
+      let { start; stop; _ } : token = s.tokens.(i) in
+      [ Diag.error Code.too_deep (Span.make ~file ~start ~stop) "%s" what ]
+  in
+  {
+    file;
+    tokens = s.tokens;
+    trivia = List.rev trivia;
+    faults = List.rev_append faults deep;
+    opening = s.opening;
+    unclosed = s.unclosed;
+    restart = s.restart;
+  }
 
 let hopeless (t : t) =
   List.exists

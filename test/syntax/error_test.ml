@@ -67,7 +67,8 @@ let syntax =
       "let g = (1 + 2\nlet h = 3" [ "SC0110 2:1" ] [ "m.sc:1:9: note: this `(` is not closed" ];
     case "a stray bracket" "let g = 1)\nlet h = 2]" [ "SC0110 1:10"; "SC0110 2:10" ] [];
     case "several errors in one run"
-      "model\nparam n =\nshape S { vertices a (1, 2) faces f [a] }\nlet ok = 1\nbehaviour K = <a, {x}> nil\nlet x = 1 +"
+      ("model\nparam n =\nshape S { vertices a (1, 2) faces f [a] }\nlet ok = 1\n"
+       ^ "behaviour K = <a, {x}> nil\nlet x = 1 +")
       [ "SC0110 2:1"; "SC0110 3:1"; "SC0110 3:27"; "SC0110 5:24"; "SC0110 6:12" ]
       [];
     case "errors in the body of a loop"

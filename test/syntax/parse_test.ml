@@ -20,15 +20,19 @@ let precedence =
     ("not a and b", "(not a) and b"); ("a or b and c", "a or (b and c)");
     ("a => b => c", "a => (b => c)"); ("a or b => c and d", "(a or b) => (c and d)");
     ("possibly a and b", "possibly (a and b)"); ("a and possibly b or c", "a and (possibly (b or c))");
-    ("always a => b", "always (a => b)"); ("AG a => b", "(AG a) => b"); ("not EF a and b", "(not (EF a)) and b");
+    ("always a => b", "always (a => b)"); ("AG a => b", "(AG a) => b");
+    ("not EF a and b", "(not (EF a)) and b");
     ("AG[<= 5] a = b", "AG[<= 5] (a = b)"); ("possibly a and b within 10", "possibly (a and b) within 10");
     ("possibly a within 2 + 3 and b", "(possibly a within (2 + 3)) and b");
     ("always possibly a within 5", "always (possibly a within 5)");
-    ("forall p in T: a => b", "forall p in T: (a => b)"); ("a and exists p in T: b or c", "a and (exists p in T: (b or c))");
-    ("if a then b else c + 1", "if a then b else (c + 1)"); ("1 + if a then b else c*2", "1 + (if a then b else (c*2))");
+    ("forall p in T: a => b", "forall p in T: (a => b)");
+    ("a and exists p in T: b or c", "a and (exists p in T: (b or c))");
+    ("if a then b else c + 1", "if a then b else (c + 1)");
+    ("1 + if a then b else c*2", "1 + (if a then b else (c*2))");
     ("count(p in T: a and b) >= 2*n", "(count(p in T: (a and b))) >= (2*n)");
     ("A[ a and b U c or d ]", "A[ (a and b) U (c or d) ]"); ("E[a U[1, 2] b]", "E[(a) U[(1), (2)] (b)]");
-    ("behaviour(p) = K", "(behaviour(p)) = (K)"); ("0.125", "125e-3"); ("1e2", "100"); ("bond + mass", "(bond) + (mass)");
+    ("behaviour(p) = K", "(behaviour(p)) = (K)"); ("0.125", "125e-3"); ("1e2", "100");
+    ("bond + mass", "(bond) + (mass)");
   ]
 
 let distinct =
@@ -73,9 +77,10 @@ split_step n/2
 shape S { vertices a (0, 0, 1) faces f [a, b, c] }
 shape T = S scaled (1, 2, 3) scaled (2, 2, 2)
 shape U1 = mesh "x.obj"
-compound C { part a : S mass 1 velocity (0, 0, 0) spin (0, 0, 0) at scale (1, 1, 1) part b : T glue a.f ~ b.[x, y] }
+compound C { part a : S mass 1 velocity (0, 0, 0) spin (0, 0, 0) at scale (1, 1, 1)
+  part b : T glue a.f ~ b.[x, y] }
 behaviour K on S = nil + <a, {f, [x, y], p.[x, q.y]}>. K
-behaviour L = rho({}). eps(1). (nil + omega(~a, {}). nil). K
+behaviour L = rho({}). eps(1). (nil + omega(~a, {}). nil)
 process p = S mass 1 at matrix ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)) [K]
 process q[1, n] = x[1] : S [nil] <bond, {x[1].f, y.f}> y : S [nil]
 fixed w = S

@@ -16,7 +16,7 @@ let parse_print =
       | Error ds -> QCheck2.Test.fail_report (Support.rendered text ds))
 
 let parse_print_expr =
-  test ~count:2000 "parse (print e) = e" ~print:Printer.expr Gen.expr (fun e ->
+  test ~count:1000 "parse (print e) = e" ~print:Printer.expr Gen.expr (fun e ->
       let text = Printer.expr e in
       match Parse.expression (Support.source text) with
       | Ok e' -> Ast_equal.expr e e'
@@ -87,7 +87,7 @@ let comments_idempotent =
 
 (* Any bytes, and pieces of models cut and joined at random: an answer, never an exception. *)
 let total gen name =
-  test ~count:2000 name ~print:String.escaped gen (fun text ->
+  test ~count:1000 name ~print:String.escaped gen (fun text ->
       match Parse.parse (Support.source text) with
       | Ok _ -> true
       | Error ds ->
