@@ -99,7 +99,8 @@ let figure7 name expected () =
            Int.compare (rank a) (rank b)))
   in
   List.iter bound ts;
-  let binds (_, ts) = List.filter (fun (t : Transition.t) -> match t.label with Bind _ -> true | _ -> false) ts in
+  let is_bind (t : Transition.t) = match t.label with Bind _ -> true | _ -> false in
+  let binds (_, ts) = List.filter is_bind ts in
   let _, states = reached name in
   Alcotest.(check int) "no more in the whole run" 2 (List.length (List.concat_map binds states))
 
@@ -215,7 +216,8 @@ let guide () =
   let text = block None (String.split_on_char '\n' (Load.read "../../specs/guide.md")) in
   let { Scc_elaborate.Elaborate.model; declared; checks; _ } = Load.exactly (Load.text text) in
   let report = Scc_verify.Check.run options model ~initial:(Reach.initial model declared) checks in
-  Alcotest.(check (list string)) "its verdicts" [ "holds" ] (List.map (fun (_, o) -> verdict o) report.outcomes)
+  let verdicts = List.map (fun (_, outcome) -> verdict outcome) report.outcomes in
+  Alcotest.(check (list string)) "its verdicts" [ "holds" ] verdicts
 
 (* A witness, followed by its choices alone, ends where it says. *)
 let witnesses () =

@@ -152,7 +152,11 @@ let touching_without_glue () =
 (* {1 Collisions} *)
 
 let touching_is_no_collision () =
-  let m, s = start "process p = Cube mass 1 [<a, {right}>. nil] process q = Cube mass 1 at translate (2,0,0) [<~a, {left}>. nil]" in
+  let text =
+    {|process p = Cube mass 1 [<a, {right}>. nil]
+      process q = Cube mass 1 at translate (2,0,0) [<~a, {left}>. nil]|}
+  in
+  let m, s = start text in
   check_labels "at rest in contact, with open channels" [] m s;
   Alcotest.(check bool) "quiescent" true (Network.quiescent m s)
 
@@ -179,7 +183,10 @@ let many_apart () =
   in
   let m, s = start text in
   check_labels "they fly apart for ever" [] m s;
-  let m, s = start "for i in 1..20 { process c[i] = Cube mass 1 velocity (1,0,0) at translate (3*i, 0, 0) [nil] }" in
+  let alike =
+    "for i in 1..20 { process c[i] = Cube mass 1 velocity (1,0,0) at translate (3*i, 0, 0) [nil] }"
+  in
+  let m, s = start alike in
   check_labels "they fly side by side for ever" [] m s
 
 let separate_tiles () =
@@ -231,7 +238,7 @@ let jumps () =
   let m, s = start ("timestep 1/4 motion p = (vx, vy, vz) " ^ facing ()) in
   check_labels "with one, step by step" [ "time(1/4)" ] m s
 
-(* Falls on a floor that it meets at odd moments: the velocity lost to a law that adds g*dt is g times the time. *)
+(* p bounces at odd moments; the velocity of q, whose law adds g*dt, is g times the time all the same. *)
 let cut_steps () =
   let text gap =
     Printf.sprintf
