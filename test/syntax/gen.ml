@@ -89,6 +89,24 @@ let expr =
                             else path_of smaller) in
       located (if n = 0 then leaf else frequency [ (1, leaf); (3, compound_expr smaller) ])))
 
+let operators =
+  sized_size (int_range 0 10) (fix (fun self n ->
+      let atom = map (fun s -> Path (loc [ { name = loc s; indices = [] } ])) (oneofl [ "a"; "b" ]) in
+      let left = self (n / 2) and right = self ((n - 1) / 2) in
+      let prefix f = map f (self (n - 1)) in
+      located
+        (if n <= 0 then atom
+         else
+           frequency
+             [
+               (6, map3 operation binary left right);
+               (1, prefix (fun e -> Neg e));
+               (1, prefix (fun e -> Not e));
+               (1, prefix (fun e -> Temporal (Always, None, e)));
+               (1, prefix (fun e -> Temporal (Globally A, None, e)));
+               (1, map2 (fun e t -> Temporal (Possibly, Some (Within t), e)) left right);
+             ])))
+
 let segment = segment_of expr
 let path = path_of expr
 let vector = triple expr expr expr

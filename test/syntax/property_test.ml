@@ -15,8 +15,8 @@ let parse_print =
       | Ok m' -> Ast_equal.model m m'
       | Error ds -> QCheck2.Test.fail_report (Support.rendered text ds))
 
-let parse_print_expr =
-  test ~count:1000 "parse (print e) = e" ~print:Printer.expr Gen.expr (fun e ->
+let parse_print_expr count name gen =
+  test ~count name ~print:Printer.expr gen (fun e ->
       let text = Printer.expr e in
       match Parse.expression (Support.source text) with
       | Ok e' -> Ast_equal.expr e e'
@@ -124,7 +124,9 @@ let () =
     [
       ("print and parse",
        Scc_test_support.Property.cases
-         [ parse_print_expr; parse_print; print_idempotent; comments_kept; comments_idempotent ]);
+         [
+           parse_print_expr 3000 "precedence is kept" Gen.operators;
+           parse_print_expr 1000 "parse (print e) = e" Gen.expr; parse_print; print_idempotent; comments_kept; comments_idempotent ]);
       ("any text has an answer",
        Scc_test_support.Property.cases
          [ total bytes "any bytes"; total soup "any tokens"; total mutilated "a damaged model" ]);
