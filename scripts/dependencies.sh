@@ -35,7 +35,7 @@ require_debian() {
   echo 'Installing:' $missing >&2
   as_root apt-get -qq update >&2 || return 1
   as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get -qq install -y --no-install-recommends $missing >/dev/null
+    apt-get -qq -o Dpkg::Use-Pty=0 install -y --no-install-recommends $missing >/dev/null
 }
 
 # The stamp spares a second run the half minute that opam takes to find that all is there.
