@@ -79,7 +79,8 @@ let names_and_values =
       (cube ^ "process p = Cube mass 1 [<a, {[a,b,c,d]}>. nil]");
     case "an unknown part" "SC0203" "rigt" ~says:"has no part"
       (cube ^ corner ^ "process p = Corner [<a, {rigt.top}>. nil]");
-    case "another process's feature in a behaviour" "SC0203" "q" (cube ^ "process p = Cube mass 1 [<a, {q.top}>. nil]");
+    case "another process's feature in a behaviour" "SC0203" "q"
+      (cube ^ "process p = Cube mass 1 [<a, {q.top}>. nil]");
     case "a definition with the features of one process" "SC0203" "K" ~says:"cannot be the behaviour of `q`"
       (cube
        ^ "behaviour J = <a, {p.top}>. nil process p = Cube mass 1 [J] process q = Cube mass 1 \
@@ -126,7 +127,8 @@ let names_and_values =
   ]
 
 let shape faces =
-  "shape S { vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1) e (-1,-1,1) f (1,-1,1) g (1,1,1) h (-1,1,1)\n"
+  "shape S { vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1) \
+   e (-1,-1,1) f (1,-1,1) g (1,1,1) h (-1,1,1)\n"
   ^ "faces " ^ faces ^ " }"
 
 let templates =
@@ -135,13 +137,16 @@ let templates =
     case "an open solid" "SC0302" "left"
       (shape "bottom [a,d,c,b] left [a,e,h,d] right [b,c,g,f] front [a,b,f,e] back [d,h,g,c]");
     case "a face twice" "SC0303" "bottom"
-      (shape "bottom [a,d,c,b] again [a,d,c,b] top [e,f,g,h] left [a,e,h,d] right [b,c,g,f] front [a,b,f,e] back [d,h,g,c]");
+      (shape "bottom [a,d,c,b] again [a,d,c,b] top [e,f,g,h] left [a,e,h,d] right [b,c,g,f] \
+              front [a,b,f,e] back [d,h,g,c]");
     case "an unused vertex" "SC0304" "i" ~says:"used by no face"
-      ("shape S { vertices i (0,0,0) a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1) e (-1,-1,1) f (1,-1,1) g (1,1,1) h (-1,1,1)\n"
+      ("shape S { vertices i (0,0,0) a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1) \
+        e (-1,-1,1) f (1,-1,1) g (1,1,1) h (-1,1,1)\n"
        ^ "faces bottom [a,d,c,b] top [e,f,g,h] left [a,e,h,d] right [b,c,g,f] front [a,b,f,e] back [d,h,g,c] }");
     case "faces inward" "SC0309" "Inward" ~says:"clockwise"
       (shape "bottom [b,c,d,a] top [h,g,f,e] left [d,h,e,a] right [f,g,c,b] front [e,f,b,a] back [c,g,h,d]");
-    case "a singular scale" "SC0311" "Cube scaled (1,0,1)" ~says:"singular" (cube ^ "shape T = Cube scaled (1,0,1)");
+    case "a singular scale" "SC0311" "Cube scaled (1,0,1)" ~says:"singular"
+      (cube ^ "shape T = Cube scaled (1,0,1)");
     case "a reflection" "SC0311" "scale (1,-1,1)" ~says:"reflection"
       (cube ^ "process p = Cube mass 1 at scale (1,-1,1) [nil]");
     case "the zero quaternion" "SC0311" "rotate quaternion (0,0,0,0)"
@@ -204,7 +209,8 @@ let networks =
       (cube ^ "compound C { part l : Cube mass 1 glue l.left ~ l.right }");
     case "bonds with a cycle" "SC0406" "<b, {q.left, p.right}>" ~says:"cycle"
       (cube ^ two "2,0,0" ^ "bond <a, {p.right, q.left}> bond <b, {q.left, p.right}>");
-    case "a bond with itself" "SC0406" "<a, {p.right, p.left}>" (cube ^ two "2,0,0" ^ "bond <a, {p.right, p.left}>");
+    case "a bond with itself" "SC0406" "<a, {p.right, p.left}>"
+      (cube ^ two "2,0,0" ^ "bond <a, {p.right, p.left}>");
     case "a bond that does not touch" "SC0401" "<a, {p.top, q.left}>" ~says:"p.right and q.left"
       (cube ^ two "2,0,0" ^ "bond <a, {p.top, q.left}>");
     case "a fixed body with a mass" "SC0407" "mass 1" (cube ^ "fixed w = Cube mass 1");
@@ -235,7 +241,8 @@ let behaviours_and_laws =
       (cube ^ "behaviour J = nil + K behaviour K = J process p = Cube mass 1 [K]");
     case "a negative delay" "SC0502" "-1" (cube ^ "process p = Cube mass 1 [eps(-1). nil]");
     case "a channel without features" "SC0503" "<a, {}>" (cube ^ "process p = Cube mass 1 [<a, {}>. nil]");
-    case "a strong split without channels" "SC0503" "rho({}). nil" (cube ^ "process p = Cube mass 1 [rho({}). nil]");
+    case "a strong split without channels" "SC0503" "rho({}). nil"
+      (cube ^ "process p = Cube mass 1 [rho({}). nil]");
     case "a behaviour on another template" "SC0504" "K" ~says:"on `Cube`"
       (cube ^ corner ^ "behaviour K on Cube = nil process p = Corner [K]");
     case "a fault in an unused behaviour" "SC0203" "tip" (cube ^ "behaviour K on Cube = <a, {tip}>. nil");
@@ -249,7 +256,8 @@ let behaviours_and_laws =
 (* Neighbours among the denominators have almost no common factors. *)
 let many_denominators =
   let fraction i = Printf.sprintf "1/1%s%03d" (String.make 3_900 '0') i in
-  let vertex i = Printf.sprintf "v%d (%s, %s, %s)" i (fraction (3 * i)) (fraction ((3 * i) + 1)) (fraction ((3 * i) + 2)) in
+  let vertex i =
+    Printf.sprintf "v%d (%s, %s, %s)" i (fraction (3 * i)) (fraction ((3 * i) + 1)) (fraction ((3 * i) + 2)) in
   Printf.sprintf "vertices %s faces f [v0, v1, v2]" (String.concat " " (List.init 120 vertex))
 
 let limits =
@@ -288,7 +296,8 @@ let bounded () =
 
 (* Faults of different parts of a model are told in one run, in the order of the text. *)
 let several () =
-  let text = cube ^ "timestep 0\nprocess p = Cub mass 1 [nil]\nprocess q = Cube mass 0 [nil]\nprocess r = Cube mass 1 [K]\ncheck k : always x(s) = 1" in
+  let text = cube ^ "timestep 0\nprocess p = Cub mass 1 [nil]\nprocess q = Cube mass 0 [nil]\n\
+                     process r = Cube mass 1 [K]\ncheck k : always x(s) = 1" in
   match elaborate text with
   | Ok _ -> Alcotest.fail "accepted"
   | Error ds ->

@@ -9,7 +9,8 @@ open Models
 let same_rational name expected x = Alcotest.(check string) name (Rat.to_string expected) (Rat.to_string x)
 let same_vector name expected x = Alcotest.(check string) name (Vec.to_string expected) (Vec.to_string x)
 let q n d = Rat.make (Z.of_int n) (Z.of_int d)
-let leaf_names (t : Scc_elaborate.Elaborate.t) = Array.to_list (Array.map (fun (l : Model.leaf) -> l.name) t.model.leaves)
+let leaf_names (t : Scc_elaborate.Elaborate.t) =
+  Array.to_list (Array.map (fun (l : Model.leaf) -> l.name) t.model.leaves)
 
 let leaf_index t name =
   let rec from i = function
@@ -177,7 +178,8 @@ let definitions () =
   Alcotest.(check int) "one for each structure" (called "p") (called "q");
   Alcotest.(check bool) "another for another structure" false (Int.equal (called "p") (called "r"));
   Alcotest.(check strings) "names" [ "K"; "K"; "Later"; "Later" ]
-    (List.sort String.compare (Array.to_list (Array.map (fun (d : Behaviour.definition) -> d.name) t.model.definitions)));
+    (List.sort String.compare
+       (Array.to_list (Array.map (fun (d : Behaviour.definition) -> d.name) t.model.definitions)));
   match (List.hd t.checks).formula with
   | Globally (All, _, State (And [ And [ Behaviour (0, k); Not (Behaviour (2, l)) ]; Behaviour (1, k') ])) ->
     Alcotest.(check int) "of p" (called "p") k;
@@ -187,7 +189,8 @@ let definitions () =
 
 let canonical () =
   let t =
-    accept (cube ^ "process p = Cube mass 1 [eps(0). omega(a, {top}). rho({<~b, {left}>, <a, {top}>}). eps(1/2). nil]")
+    accept
+      (cube ^ "process p = Cube mass 1 [eps(0). omega(a, {top}). rho({<~b, {left}>, <a, {top}>}). eps(1/2). nil]")
   in
   match (state_leaf t "p").behaviour.term with
   | Behaviour.Weak ({ name = "a"; _ }, Strong ([ { name = "a"; _ }; { name = "b"; _ } ], Delay (d, Nil))) ->
@@ -226,7 +229,8 @@ let network () =
   Alcotest.(check strings) "one of a family" [ "g[2]"; "inside"; "w" ] (names "network g[2] || inside || w");
   Alcotest.(check strings) "none" [] (names "network nil");
   Alcotest.(check strings) "without what is bound" [ "w" ]
-    (names "process u = Cube mass 1 velocity (1,0,0) at translate (2,0,0) [nil] bond <x, {u.left, p2.right}> network w");
+    (names "process u = Cube mass 1 velocity (1,0,0) at translate (2,0,0) [nil] \
+            bond <x, {u.left, p2.right}> network w");
   match elaborate (text "") with
   | Ok _ -> Alcotest.fail "everything together interpenetrates"
   | Error ds -> Alcotest.(check strings) "all" [ "SC0403" ] (List.map (fun (d : Diag.t) -> d.code) ds)
@@ -265,7 +269,8 @@ let motion () =
    | Velocity
        ( Sub (Var Vx, Mul (Const six, Var Dt)),
          Var Vy,
-         If (And (Compare (Gt, Var Z, Const _), Not (Compare (Lt, Var X, Const _))), Round (Var Vz, Const _), Neg (Var Mass)) ) ->
+         If (And (Compare (Gt, Var Z, Const _), Not (Compare (Lt, Var X, Const _))),
+             Round (Var Vz, Const _), Neg (Var Mass)) ) ->
      same_rational "folded" (q 6 1) six
    | _ -> Alcotest.fail "its own law was expected");
   (match (law "p2", law "p3") with
@@ -287,66 +292,6 @@ let time () =
   Alcotest.(check bool) "a law" true (keeps "motion (time, 0, 0)");
   Alcotest.(check bool) "a check" true (keeps "check k : always (time > 1 => x(p) = 0)");
   Alcotest.(check bool) "a bound is no time" false (keeps "check k : always x(p) = 0 within 3")
-
-(* {1 Properties} *)
-
-let printed text =
-  let t = accept text in
-  List.map (fun (k : Property.check) -> Show.temporal t.model k.formula) t.checks
-
-let body =
-  cube
-  ^ "process p = Cube mass 1 [<a, {top}>. nil] process q = Cube scaled (1,1,2) mass 1 \
-     at translate (9,0,0) [nil] shape B = Cube process r = B mass 1 at translate (20,0,0) [nil]\n\
-     for i in 1..2 { process c[i] = B mass 1 at translate (4*i, 9, 0) [nil] }\n"
-
-let property name written expected =
-  let run () = Alcotest.(check strings) written [ expected ] (printed (body ^ "check k : " ^ written)) in
-  Alcotest.test_case name `Quick run
-
-let properties =
-  [
-    property "possibly" "possibly x(p) > 1/2" "EF (x(p) > 1/2)";
-    property "always within" "always vx(p) <= 0.5 within 10" "AG[<= 10] (vx(p) <= 1/2)";
-    property "eventually" "eventually size(p) != 1" "AF (size(p) != 1)";
-    property "interval" "EF[1, 3/2] touching(p, q)" "EF[1, 3/2] (touching(p, q))";
-    property "until" "A[ not bound(p, q) U[<= 5] E[ same(p, q) U quiescent ] ]"
-      "A[ not bound(p, q) U[<= 5] E[ same(p, q) U quiescent ] ]";
-    property "next" "EX AX processes = 2" "EX (AX (processes = 2))";
-    property "numbers" "always speed2(p) + distance2(p, q)*energy - time/2 >= -momentum.y"
-      "AG (((speed2(p) + (distance2(p, q) * energy)) - (time / 2)) >= -momentum.y)";
-    property "bonds" "always bonds(a) + bonds(a, p, q) + bonds() = 0" "AG (((bonds(a) + bonds(a, p, q)) + bonds()) = 0)";
-    property "offers" "always offers(p, a) or offers(p, ~a)" "AG (offers(p, a) or offers(p, ~a))";
-    property "indexed" "always y(c[1 + 1]) = 0" "AG (y(c[2]) = 0)";
-    property "a template" "always forall s in Cube: z(s) = 0" "AG (z(p) = 0 and z(q) = 0)";
-    property "an image of it" "always exists s in B: z(s) = 0" "AG (z(r) = 0 or z(c[1]) = 0 or z(c[2]) = 0)";
-    property "a family" "always count(s in c: z(s) > 0) = 2" "AG (count(z(c[1]) > 0, z(c[2]) > 0) = 2)";
-    property "a quantified formula" "forall s in c: possibly z(s) > 0" "(EF (z(c[1]) > 0)) and (EF (z(c[2]) > 0))";
-    property "a variable hides a process" "always forall q in c: distance2(p, q) > 0"
-      "AG (distance2(p, c[1]) > 0 and distance2(p, c[2]) > 0)";
-    property "mixed" "(x(p) = 0 => possibly x(p) > 1) and not always true"
-      "((not x(p) = 0) or (EF (x(p) > 1))) and (not (AG (true)))";
-    property "conditional" "always (if x(p) > 0 then vx(p) else 1) > 0" "AG ((if x(p) > 0 then vx(p) else 1) > 0)";
-    property "folding" "always (2 > 1 and x(p) + (1 + 2) = 0 or false)" "AG ((x(p) + 3) = 0)";
-  ]
-
-let lets () =
-  Alcotest.(check strings) "let"
-    [ "EF (bonds(a) >= 1)"; "AG ((not bonds(a) >= 1) or (EF (x(p) = 3)))" ]
-    (printed
-       (body
-        ^ "let n = 3 let glued = bonds(a) >= 1 let far = possibly x(p) = n\n\
-           check one : possibly glued check two : always not glued or far"))
-
-let indexed_checks () =
-  let t = accept (body ^ "for i in 1..2 { check far : always x(c[i]) <= i }") in
-  Alcotest.(check strings) "names" [ "far[1]"; "far[2]" ] (List.map (fun (k : Property.check) -> k.name) t.checks);
-  Alcotest.(check string) "text" "always x(c[i]) <= i" (List.hd t.checks).text
-
-let normal_form () =
-  let t = accept (body ^ "check k : not ((possibly x(p) > 1) and AX not always y(p) = 0)") in
-  Alcotest.(check string) "duals" "(AG (x(p) <= 1)) or (EX (AG (y(p) = 0)))"
-    (Show.temporal t.model (Formula.negation_normal_form (List.hd t.checks).formula))
 
 (* {1 Size} *)
 
@@ -383,7 +328,8 @@ let case name run = Alcotest.test_case name `Quick run
 let () =
   Alcotest.run "terms"
     [
-      ("values", [ case "loops" loops; case "overrides" overrides; case "defaults" defaults; case "scopes" scopes ]);
+      ("values", [ case "loops" loops; case "overrides" overrides;
+                   case "defaults" defaults; case "scopes" scopes ]);
       ( "shapes",
         [
           case "solids" solids;
@@ -395,7 +341,5 @@ let () =
       ("behaviours", [ case "features" features; case "definitions" definitions; case "canonical" canonical ]);
       ("networks", [ case "bonds" bonds; case "network" network; case "fixed" fixed ]);
       ("motion", [ case "laws" motion; case "time" time ]);
-      ( "properties",
-        properties @ [ case "let" lets; case "in loops" indexed_checks; case "normal form" normal_form ] );
       ("size", [ case "deep" deep; case "large" large ]);
     ]

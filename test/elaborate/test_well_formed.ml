@@ -71,7 +71,8 @@ let face k = { Site.part = 0; feature = Feature.Face k }
 let bonds () =
   let _, rest = sound () in
   let joined position bond =
-    state (State.process ~leaves:[ at p Vec.zero; at q position ] ~bonds:[ bond ] ~velocity:Vec.zero ~clock:None :: rest)
+    state (State.process ~leaves:[ at p Vec.zero; at q position ] ~bonds:[ bond ] ~velocity:Vec.zero
+             ~clock:None :: rest)
   in
   let beside = Vec.of_ints 2 0 0 in
   Alcotest.(check strings) "sound" [] (found (joined beside (bond (face 3) (face 2))));
@@ -131,8 +132,10 @@ let solids =
       (cube
        ^ "shape Tetra { vertices a (1,1,1) b (1,-1,-1) c (-1,1,-1) d (-1,-1,1) \
           faces x [b,d,c] y [a,c,d] z [a,d,b] w [a,b,c] }\n\
-          process p = Cube mass 1 [nil] process q = Cube mass 1 at translate (9,0,0) * rotate quaternion (2,1,0,0) [nil]\n\
-          process r = Tetra mass 1 at translate (0,9,0) [nil] process s = Tetra scaled (1,2,1/3) mass 1 at translate (20,9,0) [nil]")
+          process p = Cube mass 1 [nil] \
+          process q = Cube mass 1 at translate (9,0,0) * rotate quaternion (2,1,0,0) [nil]\n\
+          process r = Tetra mass 1 at translate (0,9,0) [nil] \
+          process s = Tetra scaled (1,2,1/3) mass 1 at translate (20,9,0) [nil]")
   in
   (t.model.obstacles, Array.map (fun (l : Model.leaf) -> l.parts.(0).solid) t.model.leaves)
 

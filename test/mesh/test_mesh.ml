@@ -185,7 +185,8 @@ let bad =
     ("a huge exponent", "t.obj", "v 0 1e1000000000 0\n", "1:5 SC0320");
     ("a long number", "t.obj", "v 0 " ^ String.make 10000 '7' ^ " 0\n", "1:5 SC0320");
     ("a zero denominator", "t.obj", "v 0 1/0 0\n", "1:5 SC0320");
-    ("a weight", "t.obj", "v 0 0 0 2\n", "1:9 SC0320"); ("OBJ index zero", "t.obj", "v 0 0 0\nf 0 1 1\n", "2:3 SC0320");
+    ("a weight", "t.obj", "v 0 0 0 2\n", "1:9 SC0320");
+    ("OBJ index zero", "t.obj", "v 0 0 0\nf 0 1 1\n", "2:3 SC0320");
     ("OBJ index past the end", "t.obj", "v 0 0 0\nf 1 1 2\n", "2:7 SC0320");
     ("OBJ relative index before the start", "t.obj", "v 0 0 0\nf 1 1 -2\n", "2:7 SC0320");
     ("an empty OBJ corner", "t.obj", "v 0 0 0\nf 1 1 /1\n", "2:7 SC0320");
@@ -212,7 +213,8 @@ let bad =
     ("X3D that moves", "t.x3d", "<X3D><Transform scale='2 2 2'>", "1:7 SC0320");
     ("X3D without an end", "t.x3d", "<X3D", "1:2 SC0320"); ("an unknown ending", "t.doc", "x", "1:1 SC0321");
     ("the plain format of two counts", "t", "4 4\n0 0 0\n", "1:1 SC0321");
-    ("binary OFF", "t.off", "OFF BINARY\n", "1:1 SC0321"); ("OFF of four dimensions", "t.off", "4OFF\n", "1:1 SC0321");
+    ("binary OFF", "t.off", "OFF BINARY\n", "1:1 SC0321");
+    ("OFF of four dimensions", "t.off", "4OFF\n", "1:1 SC0321");
   ]
 
 let bad_case (name, path, text, expected) =

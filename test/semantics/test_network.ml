@@ -88,7 +88,8 @@ let choice () =
   check_labels "one transition for each candidate"
     [ "bind(a, p.right, q.left)"; "bind(b, p.right, q.left)" ]
     m s;
-  let m, s = clash (open_ "a" [ "right" ] nil + open_ "a" [ "right" ] (eps (q 1) nil)) (co_open "a" [ "left" ] nil) in
+  let m, s = clash (open_ "a" [ "right" ] nil + open_ "a" [ "right" ] (eps (q 1) nil))
+      (co_open "a" [ "left" ] nil) in
   check_labels "summands with other continuations are other choices"
     [ "bind(a, p.right, q.left)"; "bind(a, p.right, q.left)" ]
     m s

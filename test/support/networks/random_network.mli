@@ -6,7 +6,8 @@ open Scc_calculus
 type t
 
 val generate : ?steered:bool -> unit -> t QCheck2.Gen.t
-(** Two to six bodies, close together and in motion; shrinks. With [steered] (not by default), some fall by a law of motion. *)
+(** Two to six bodies, close together and in motion; shrinks. With [steered] (not by default), some fall
+    by a law of motion. *)
 
 val model : t -> Model.t
 val declared : t -> State.t

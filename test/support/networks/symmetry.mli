@@ -24,5 +24,5 @@ val permutation : int array -> t
 (** The leaves declared in another order: leaf [i] becomes leaf [perm.(i)]. *)
 
 val broken : t -> Model.t -> (State.t * Scc_semantics.Transition.t list) list -> string option
-(** Whether the symmetry fails to commute with the transitions at some of these states of the model: labels, rules and
-    targets are compared as multisets. *)
+(** Whether the symmetry fails to commute with the transitions at some of these states of the model: labels,
+    rules and targets are compared as multisets. *)
