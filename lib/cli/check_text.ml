@@ -11,7 +11,7 @@ let shown_processes = 12
 
 let style : Verdict.t -> Console.style = function
   | Holds { bounds = []; _ } -> Good
-  | Holds _ as v when not (Verdict.by_default v) -> Good
+  | Holds _ as v when not (Verdict.by_default v || Verdict.resources v) -> Good
   | Holds _ | Undecided _ -> Doubtful
   | Violated _ -> Bad
 

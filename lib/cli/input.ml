@@ -56,7 +56,16 @@ let mesh_reader console model name =
        text)
     (bytes file)
 
+(* Two values for one parameter: neither can be meant. *)
+let rec check_overrides = function
+  | [] -> Ok ()
+  | (name, _) :: rest ->
+    if List.exists (fun (other, _) -> String.equal name other) rest then
+      Error [ Diag.error Code.repeated_attribute Span.none "the parameter `%s` is given two values by -D" name ]
+    else check_overrides rest
+
 let model console ~overrides path =
+  let* () = check_overrides overrides in
   let* source = Result.map_error (fun d -> [ d ]) (read path) in
   Console.add_source console source;
   let* tree = Scc_syntax.Parse.parse source in

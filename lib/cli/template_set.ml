@@ -31,6 +31,12 @@ let templates (model : Ast.model) =
        match item.it with Shape (name, solid) -> Some (name.it, solid) | _ -> None)
     model
 
+let is_compound (model : Ast.model) name =
+  List.exists
+    (fun (item : Ast.item) ->
+       match item.it with Compound (n, _, _) -> String.equal n.it name | _ -> false)
+    model
+
 let names model = List.map fst (templates model)
 let all options = if List.for_all Option.is_some options then Some (List.filter_map Fun.id options) else None
 
@@ -96,6 +102,9 @@ and named report read_file env earlier name at =
 let find ~read_file ~overrides model name =
   let report = Report.create () in
   Limits.check_depth report model;
+  if is_compound model name then
+    Report.error report Code.wrong_kind Span.none "`%s` is a compound, and a single shape is needed here" name
+      ~hint:"its parts are the shapes to look at";
   if Report.failed report then Error (Report.errors report)
   else
     let env = environment report overrides model in

@@ -341,3 +341,9 @@ The model and the run that the README shows.
   $ awk '/^\$ scc check/ { p = 1; next } /^```/ { p = 0 } p && !/…/' ../../README.md > shown
   $ grep -vxFf run shown
   [1]
+
+Two values for one parameter.
+
+  $ scc check forever.sc -D v=1 -D v=2
+  error[SC0212]: the parameter `v` is given two values by -D
+  [3]

@@ -298,7 +298,8 @@ What cannot be read.
   error[SC0201]: unknown template `Nothing`
   [3]
   $ scc shape ../../specs/models/hexokinase.sc:Enzyme
-  error[SC0201]: unknown template `Enzyme`
+  error[SC0210]: `Enzyme` is a compound, and a single shape is needed here
+    hint: its parts are the shapes to look at
   [3]
   $ scc shape nowhere.sc:Cube --json
   {
