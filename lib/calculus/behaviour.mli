@@ -1,4 +1,4 @@
-(** Behaviours (Definition 5.1 and section 2 of the rule book). *)
+(** Behaviours (Definition 5.1) and their rules. *)
 
 open Scc_exact
 
@@ -34,7 +34,7 @@ val weak : channel -> t -> t
 val strong : channel list -> t -> t
 
 val delay : Rat.t -> t -> t
-(** [delay t b] is [b] when t = 0 (canonical form); t is not negative. *)
+(** [delay t b] is [b] when t = 0 (rule Eps0, canonical form); t is not negative. *)
 
 val sum : t -> t -> t
 val call : int -> t
@@ -45,7 +45,7 @@ type definition = { name : string; body : t }
 type definitions = definition array
 
 (** A behaviour in a state, with where it comes from: [origin] is the K whose ageing gave [term], if any;
-    always [Some k] when [term] is [Call k]. *)
+    always [Some k] when [term] is [Call k] (reading I-14). *)
 type aged = private { origin : int option; term : t }
 
 val fresh : t -> aged
@@ -69,10 +69,10 @@ type derivation = { by_sum : bool; by_def : bool }
 val derivations : definitions -> aged -> (offer * derivation) list
 (** {!offers}, each with its (first) derivation. *)
 
-(** {1 Time rules} *)
+(** {1 Time: rule TimeBehaviour} *)
 
 val horizon : definitions -> aged -> Rat.t option
-(** The least positive residual of an exposed eps; [None] for infinity. *)
+(** The time until the first of the exposed eps expires; [None] when none is exposed. *)
 
 val pass : definitions -> Rat.t -> aged -> aged
 (** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed

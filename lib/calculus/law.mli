@@ -1,4 +1,4 @@
-(** Laws of motion: the steer of section 4.4 of the rule book. *)
+(** Laws of motion: what rule Steer evaluates. *)
 
 open Scc_exact
 

@@ -1,4 +1,4 @@
-(** Which of many placed solids interpenetrate (section 1.4 of the rule book), and where. *)
+(** Which of many placed solids interpenetrate (rule Contact), and where. *)
 
 open Scc_exact
 open Scc_geometry

@@ -1,5 +1,5 @@
 (** States of a network: processes as flat trees of leaves and bonds (Definition 5.2, reading I-5) in
-    canonical form, so that equality is structural congruence. *)
+    canonical form, so that equality is structural congruence (rule State). *)
 
 open Scc_exact
 
@@ -22,8 +22,8 @@ type process = private {
   bonds : bond array;  (** sorted; a tree over the leaves *)
   velocity : Vec.t;
   clock : Rat.t option;
-  (** reading I-9: time since the split clock was set, modulo the split step; [Some] iff a weak split is
-      enabled *)
+  (** time since the split clock was set (reading I-9), modulo the split step (reading I-16); [Some] iff a
+      weak split is enabled *)
 }
 
 (** Where the network is in its movement step (only kept when {!Model.steered}). *)

@@ -1,5 +1,6 @@
-(** Well-formed networks (section 5 of the rule book): what every reachable state satisfies. Elaboration
-    checks the declared network with places in the text; this is the same for any state, exactly. *)
+(** Well-formed networks (rule WellFormed, Definitions 4.4 to 5.2): what every reachable state satisfies.
+    Elaboration checks the declared network with places in the text; this is the same for any state,
+    exactly. *)
 
 open Scc_exact
 

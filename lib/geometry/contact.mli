@@ -1,5 +1,5 @@
-(** The contact of two touching solids: its region, and which features touch (section 1.4, readings I-3 and
-    I-4, Definition 4.5). *)
+(** The contact of two touching solids: its region, and which features touch (readings I-3 and I-4,
+    Definition 4.5). *)
 
 open Scc_exact
 
@@ -14,7 +14,8 @@ val region : Obstacle.t -> Vec.t -> Vec.t list
     two for a segment, the corners of a convex polygon in order otherwise. *)
 
 val touching : Obstacle.t -> Vec.t -> pair list
-(** Every touching pair of features: those whose relative interiors intersect. Sorted. *)
+(** Rule Touching: every touching pair of features, those whose relative interiors intersect. Sorted. *)
 
 val highest : Obstacle.t -> Vec.t -> pair
-(** The unique pair whose relative interiors contain the relative interior of the contact region. *)
+(** Rule Highest: the one pair that has the whole relative interior of the contact region in the relative
+    interiors of both its features. *)

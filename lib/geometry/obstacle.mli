@@ -21,7 +21,7 @@ type t = private {
 
 val make : Solid.t -> Solid.t -> t
 
-(** Section 1.4 of the rule book: closed sets, interiors. *)
+(** Rule Contact: closed sets, interiors. *)
 type relation = Apart | Touching | Interpenetrating
 
 val relation : t -> Vec.t -> relation
@@ -31,8 +31,8 @@ val separating : t -> Vec.t -> Ivec.t list
     separate them (the normals of the facets that hold r), primitive. Not empty. *)
 
 val approaching : t -> Vec.t -> Vec.t -> bool
-(** [approaching o r w]: the bodies, touching at offset [r], would interpenetrate after every small delay
-    when [w] is the velocity of B less that of A. *)
+(** Rule Approach. [approaching o r w]: the bodies, touching at offset [r], would interpenetrate after
+    every small delay when [w] is the velocity of B less that of A. *)
 
 (** When a body moving in a straight line meets another. *)
 type cast =
@@ -41,8 +41,8 @@ type cast =
   | At of Rat.t  (** the first t >= 0 at which they collide: the interiors meet right after it *)
 
 val first_time_of_contact : t -> Vec.t -> Vec.t -> cast
-(** [first_time_of_contact o r w]: offset [r] at time 0, relative velocity [w]. A graze is no collision.
-    [At 0] iff the bodies touch and approach at [r]. *)
+(** Rule Ftoc for two bodies. [first_time_of_contact o r w]: offset [r] at time 0, relative velocity [w].
+    A graze is no collision. [At 0] iff the bodies touch and approach at [r]. *)
 
 val meeting : t -> Vec.t -> Vec.t -> (Rat.t option * Rat.t option) option
 (** [meeting o r w] is the closed interval of real times (also negative) at which the closed bodies meet;

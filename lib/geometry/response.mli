@@ -1,4 +1,4 @@
-(** The elastic response of two rigid bodies in translation (section 4.3 of the rule book, reading I-13). *)
+(** The elastic response of two rigid bodies in translation (rule Response, reading I-13). *)
 
 open Scc_exact
 
@@ -12,7 +12,8 @@ val directions : touching list -> Vec.t -> Vec.t list
 (** [directions touching w]: the directions (from the first body to the second) that span the cone of the
     collision, given all touching pairs of parts of the two bodies and the velocity [w] of the second less
     that of the first: the extreme separating directions of the approaching pairs, less those whose facet
-    is covered by other parts (all of them are kept when every one is covered). *)
+    is covered by other pairs, be they approaching or not (all of them are kept when every one is
+    covered). Empty when no pair approaches. *)
 
 val bounce : touching list -> Vec.t -> Vec.t
 (** The relative velocity after the collision: w + 2 proj(-w) on the cone above. *)

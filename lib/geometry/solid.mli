@@ -1,6 +1,6 @@
-(** A template seen through the linear part of its transformation T: integer coordinates over one
-    denominator, about the point where T takes the origin of body space. Solids are what the contact
-    queries take; bodies that differ by a translation share one. *)
+(** A template seen through the linear part of its transformation T (Definition 4.4): integer coordinates
+    over one denominator, about the point where T takes the origin of body space. Solids are what the
+    contact queries take; bodies that differ by a translation share one. *)
 
 open Scc_exact
 

@@ -7,7 +7,8 @@ val continue : (int * Behaviour.t) list -> State.leaf -> State.leaf
 (** The leaf with the behaviour that the list gives for it, if it gives one. *)
 
 val weak_offers : Model.t -> State.process -> State.bond -> (Behaviour.t * Behaviour.t * Rule.t list) list
-(** The ways to release a bond: what its lesser and its greater end become, and the behaviour rules used. *)
+(** The ways to release a bond, which both its ends must offer (reading I-6): what its lesser and its
+    greater end become, and the behaviour rules used. *)
 
 val restart_clock : Model.t -> leaves:State.leaf list -> bonds:State.bond list -> velocity:Vec.t -> State.process
 (** The process with its split clock at 0 if a weak split of it is enabled, without clock otherwise

@@ -1,4 +1,4 @@
-(** Rule Steer: the laws of motion (section 4.4 of the rule book). *)
+(** Rule Steer: the laws of motion. *)
 
 open Scc_calculus
 
