@@ -227,6 +227,22 @@ user; the model is refused; the command line is wrong.
   $ scc nothing 2> /dev/null
   [64]
 
+A default bound, and what cannot be decided.
+
+  $ scc check forever.sc
+  slow: holds up to the bound: the bound of 200000 states (a default)
+    always vx(p) >= 0
+  
+  explored: 200000 states, 199999 transitions, depth 199999, model time 199999; not complete: stopped by the bound of 200000 states (a default)
+  1 property: 1 holds up to the bound
+  [2]
+  $ grep -v 'check slides' ../../specs/models/slot.sc > rattle.sc
+  $ scc check rattle.sc | tail -n 2
+  explored: 2 states, 2 transitions, depth 1, model time 0; complete
+  3 properties: 2 hold, 1 undecided
+  $ scc check rattle.sc > /dev/null
+  [2]
+
 A limit of the clock or of memory is no bound of the model.
 
   $ scc check forever.sc --seconds 0.05 | sed 's/[0-9]* states.*;/N states;/'
