@@ -1,6 +1,6 @@
 (** Volume, centroid and inertia of the uniform solid that a closed surface bounds (Definition 4.4, rule
     Mass). Exact: sums over the signed tetrahedra that the origin spans with the triangles of the faces.
-    *)
+*)
 
 open Scc_exact
 
