@@ -24,9 +24,10 @@ let step_lines m (w : Witness.t) =
   let n = List.length w.steps in
   let width = String.length (string_of_int n) in
   let line i (s : Witness.step) =
-    Printf.sprintf "%*d. %s, to time %s" width (i + 1)
+    let preposition = if Rat.sign (Transition.duration s.transition) > 0 then "to" else "at" in
+    Printf.sprintf "%*d. %s, %s time %s" width (i + 1)
       (Run_text.label m s.transition.label)
-      (Rat.to_string s.time)
+      preposition (Rat.to_string s.time)
   in
   let lines = List.mapi line w.steps in
   if n <= shown_steps then lines
@@ -43,7 +44,12 @@ let after_steps m (w : Witness.t) = drop (List.length w.steps) (Witness.lines m 
 let state_lines m (w : Witness.t) =
   let s = final_state m w in
   if Array.length s.processes > shown_processes then []
-  else "there:" :: List.map (fun l -> "  " ^ l) (Run_text.state m s)
+  else
+    let heading =
+      if Witness.at_rational_instant w then "there:"
+      else "there, nearly (at a rational instant close by):"
+    in
+    heading :: List.map (fun l -> "  " ^ l) (Run_text.state m s)
 
 let witness m w = step_lines m w @ after_steps m w @ state_lines m w
 let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines

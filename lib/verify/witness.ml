@@ -35,6 +35,11 @@ let instant w =
   | During { offset; _ } -> Algebraic.add_rat (time w) offset
   | At_state | Rests | Stops | Repeats _ | Passes _ -> Algebraic.of_rat (time w)
 
+let at_rational_instant w =
+  match w.finish with
+  | During { offset; _ } -> Option.is_some (Algebraic.to_rat offset)
+  | At_state | Rests | Stops | Repeats _ | Passes _ -> true
+
 let offset w =
   match w.finish with
   | During { offset; _ } -> (

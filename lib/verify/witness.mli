@@ -47,6 +47,9 @@ val time : t -> Rat.t
 val instant : t -> Algebraic.t
 (** Model time of the instant that the witness is about. *)
 
+val at_rational_instant : t -> bool
+(** Whether the run ends at a rational instant, so that {!offset} is exact. *)
+
 val offset : t -> Rat.t option
 (** For a schedule: the time to let pass after the steps. At an irrational instant, a rational within
     10^-12 of it. *)

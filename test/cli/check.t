@@ -5,9 +5,9 @@ The main job: a verdict for every property, with a witness.
     possibly reacted
     a run that shows it:
       1. time passes by 2, to time 2
-      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
-      3. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
-      4. a reaction releases <atp, {enzyme.floorA.top, atp.bottom}>, <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, at time 2
+      3. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, at time 2
+      4. a reaction releases <atp, {enzyme.floorA.top, atp.bottom}>, <glc, {enzyme.floorB.top, glucose.bottom}>, at time 2
       behaviour(atp) = Adp holds
       behaviour(glucose) = G6p holds
       there:
@@ -19,9 +19,9 @@ The main job: a verdict for every property, with a witness.
     possibly reacted within 3
     a run that shows it:
       1. time passes by 2, to time 2
-      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
-      3. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
-      4. a reaction releases <atp, {enzyme.floorA.top, atp.bottom}>, <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, at time 2
+      3. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, at time 2
+      4. a reaction releases <atp, {enzyme.floorA.top, atp.bottom}>, <glc, {enzyme.floorB.top, glucose.bottom}>, at time 2
       behaviour(atp) = Adp holds
       behaviour(glucose) = G6p holds
       there:
@@ -39,8 +39,8 @@ The main job: a verdict for every property, with a witness.
     possibly size(enzyme) = 7
     a run that shows it:
       1. time passes by 2, to time 2
-      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
-      3. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, at time 2
+      3. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, at time 2
       size(enzyme) = 7 holds: size(enzyme) = 7
       there:
         one process, fixed, <atp, {enzyme.floorA.top, atp.bottom}> <glc, {enzyme.floorB.top, glucose.bottom}>
@@ -52,10 +52,10 @@ The main job: a verdict for every property, with a witness.
     eventually reacted
     a run that violates it:
       1. time passes by 2, to time 2
-      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
-      3. enzyme and atp release <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
-      4. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
-      5. enzyme and glucose release <glc, {enzyme.floorB.top, glucose.bottom}>, to time 2
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, at time 2
+      3. enzyme and atp release <atp, {enzyme.floorA.top, atp.bottom}>, at time 2
+      4. enzyme and glucose collide and bind by <glc, {enzyme.floorB.top, glucose.bottom}>, at time 2
+      5. enzyme and glucose release <glc, {enzyme.floorB.top, glucose.bottom}>, at time 2
       then nothing happens any more, and time passes for ever
       behaviour(atp) = Adp fails
       behaviour(glucose) = G6p fails
@@ -68,8 +68,8 @@ The main job: a verdict for every property, with a witness.
     possibly behaviour(atp) = Atp and vy(atp) = 0
     a run that shows it:
       1. time passes by 2, to time 2
-      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
-      3. enzyme and atp release <atp, {enzyme.floorA.top, atp.bottom}>, to time 2
+      2. enzyme and atp collide and bind by <atp, {enzyme.floorA.top, atp.bottom}>, at time 2
+      3. enzyme and atp release <atp, {enzyme.floorA.top, atp.bottom}>, at time 2
       behaviour(atp) = Atp holds
       vy(atp) = 0 holds: vy(atp) = 0
       there:
@@ -131,7 +131,7 @@ The main job: a verdict for every property, with a witness.
   rattles: holds (exhaustive)
     possibly vy(plate) = 1
     a run that shows it:
-      1. floor and plate collide and bounce, to time 0
+      1. floor and plate collide and bounce, at time 0
       vy(plate) = 1 holds: vy(plate) = 1
       there:
         floor at (0, -2, 0) [nil], fixed
@@ -148,8 +148,8 @@ The main job: a verdict for every property, with a witness.
   leaves: undecided: Zeno: a run goes on for ever within one instant
     eventually x(plate) > 20
     the run:
-      1. floor and plate collide and bounce, to time 0
-      2. ceiling and plate collide and bounce, to time 0
+      1. floor and plate collide and bounce, at time 0
+      2. ceiling and plate collide and bounce, at time 0
       and the steps from 1 on again, for ever
       x(plate) > 20 fails: x(plate) = 0
       there:
