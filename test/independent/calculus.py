@@ -1,0 +1,520 @@
+"""The translational calculus on axis-aligned boxes, written naively from specs/rulebook.md.
+
+Nothing here is clever or fast, and nothing is shared with the interpreter: a body is a
+list of boxes, a feature is a product of three points or open intervals, and every rule
+of the rule book is a loop over all that it quantifies over.
+"""
+
+from collections import namedtuple
+from fractions import Fraction as F
+from itertools import combinations, product
+
+AXES = (0, 1, 2)
+
+
+# Behaviours -----------------------------------------------------------------------------
+# ('nil',) ('open', name, barred, sites, B) ('weak', name, sites, B)
+# ('strong', frozenset of (name, sites), B) ('eps', t, B) ('sum', (B, ...)) ('name', K)
+# A set of sites is a frozenset of (part or None, frozenset of vertex names).
+
+
+def canonical(b):
+    """eps(0).B is B, and sums have no brackets."""
+    kind = b[0]
+    if kind in ('nil', 'name'):
+        return b
+    if kind == 'eps':
+        rest = canonical(b[2])
+        return rest if b[1] == 0 else ('eps', b[1], rest)
+    if kind == 'sum':
+        summands = []
+        for s in map(canonical, b[1]):
+            summands.extend(s[1] if s[0] == 'sum' else [s])
+        return ('sum', tuple(summands))
+    return b[:-1] + (canonical(b[-1]),)
+
+
+def offers(b, definitions):
+    """Rules Pre, Weak, Strong, Sum, Def, Eps0: all (prefix, continuation)."""
+    kind = b[0]
+    if kind in ('open', 'weak', 'strong'):
+        return [(b[:-1], b[-1])]
+    if kind == 'sum':
+        return [o for s in b[1] for o in offers(s, definitions)]
+    if kind == 'name':
+        return offers(definitions[b[1]], definitions)
+    return []
+
+
+def horizon(b, definitions):
+    """The least time left in an exposed eps; None for infinity."""
+    if b[0] == 'eps':
+        return b[1]
+    if b[0] == 'sum':
+        return least([horizon(s, definitions) for s in b[1]])
+    if b[0] == 'name':
+        return horizon(definitions[b[1]], definitions)
+    return None
+
+
+def least(times):
+    known = [t for t in times if t is not None]
+    return min(known) if known else None
+
+
+def age(b, d, definitions):
+    """Rule TimeBehaviour, for d not beyond the horizon."""
+    if b[0] == 'eps':
+        return canonical(('eps', b[1] - d, b[2]))
+    if b[0] == 'sum':
+        return canonical(('sum', tuple(age(s, d, definitions) for s in b[1])))
+    if b[0] == 'name' and horizon(b, definitions) is not None:
+        return age(definitions[b[1]], d, definitions)
+    return b
+
+
+# Bodies ---------------------------------------------------------------------------------
+
+
+class Part:
+    """A box: its corners by name, relative to the position of its leaf."""
+
+    def __init__(self, name, corners, faces, mass):
+        self.name = name
+        self.corners = corners
+        self.mass = mass
+        self.faces = faces
+        self.low = tuple(min(c[i] for c in corners.values()) for i in AXES)
+        self.high = tuple(max(c[i] for c in corners.values()) for i in AXES)
+        self.features = self.all_features()
+
+    def all_features(self):
+        """Each vertex, edge and face: its vertex names, and its extent on each axis."""
+        found = {}
+        for choice in product('lh*', repeat=3):
+            if choice == ('*', '*', '*'):
+                continue
+            extent = tuple({'l': (self.low[i], self.low[i]), 'h': (self.high[i], self.high[i]),
+                            '*': (self.low[i], self.high[i])}[choice[i]] for i in AXES)
+            names = frozenset(n for n, c in self.corners.items()
+                              if all(extent[i][0] <= c[i] <= extent[i][1] for i in AXES))
+            found[names] = extent
+        return found
+
+
+class Body:
+    """What a leaf is made of. `law` is None or a function from an environment to a velocity."""
+
+    def __init__(self, name, parts, fixed, law=None):
+        self.name = name
+        self.parts = parts
+        self.fixed = fixed
+        self.law = law
+        self.mass = sum(p.mass for p in parts)
+
+    def centroid(self):
+        return tuple(sum(p.mass * (p.low[i] + p.high[i]) / 2 for p in self.parts) / self.mass
+                     for i in AXES)
+
+
+def touching_pairs(p, q, offset):
+    """Reading I-3 for the features of p and those of q moved by offset: with dimensions."""
+    pairs = []
+    for f, fe in p.features.items():
+        for g, ge in q.features.items():
+            dimension = 0
+            for i in AXES:
+                a, b = fe[i]
+                c, d = ge[i][0] + offset[i], ge[i][1] + offset[i]
+                if a == b and c == d:
+                    meet = a == c
+                elif a == b:
+                    meet = c < a < d
+                elif c == d:
+                    meet = a < c < b
+                else:
+                    meet = max(a, c) < min(b, d)
+                    dimension += 1
+                if not meet:
+                    break
+            else:
+                pairs.append((dimension, f, g))
+    return pairs
+
+
+def obstacle(p, q):
+    """The offsets of q (its leaf's position less that of p's) at which p and q interpenetrate."""
+    return tuple((p.low[i] - q.high[i], p.high[i] - q.low[i]) for i in AXES)
+
+
+def inside(box, at):
+    return all(box[i][0] < at[i] < box[i][1] for i in AXES)
+
+
+def on_surface(box, at):
+    return not inside(box, at) and all(box[i][0] <= at[i] <= box[i][1] for i in AXES)
+
+
+def approaching(box, at, velocity):
+    """At all small times after now, the offset is inside."""
+    return on_surface(box, at) and all(
+        (at[i] > box[i][0] or velocity[i] > 0) and (at[i] < box[i][1] or velocity[i] < 0)
+        for i in AXES)
+
+
+def entry(box, at, velocity):
+    """The time at which the offset enters the open box, or None."""
+    start, end = None, None
+    for i in AXES:
+        if velocity[i] == 0:
+            if not box[i][0] < at[i] < box[i][1]:
+                return None
+        else:
+            times = sorted((edge - at[i]) / velocity[i] for edge in box[i])
+            start = times[0] if start is None else max(start, times[0])
+            end = times[1] if end is None else min(end, times[1])
+    if start is None or start >= end or end <= 0:
+        return None
+    if start < 0:
+        raise AssertionError('interpenetration')
+    return start
+
+
+# States ---------------------------------------------------------------------------------
+
+Leaf = namedtuple('Leaf', 'name position behaviour origin')
+# bonds: a frozenset of (name, frozenset of two (leaf, part, vertex names))
+Process = namedtuple('Process', 'velocity clock leaves bonds')
+# step: None, or (time left, 'moving' | 'due' | 'steered')
+State = namedtuple('State', 'processes step time')
+
+
+def plus(u, v):
+    return tuple(a + b for a, b in zip(u, v))
+
+
+def minus(u, v):
+    return tuple(a - b for a, b in zip(u, v))
+
+
+def times(k, u):
+    return tuple(k * a for a in u)
+
+
+ZERO = (F(0), F(0), F(0))
+
+
+class Calculus:
+    def __init__(self, bodies, definitions, timestep, split_step):
+        self.bodies = bodies
+        self.definitions = definitions
+        self.timestep = timestep
+        self.split_step = split_step
+        self.steered = any(b.law for b in bodies.values())
+
+    # Processes
+
+    def process(self, velocity, leaves, bonds):
+        """With its split clock just set, if it needs one."""
+        p = Process(velocity, None, tuple(sorted(leaves)), frozenset(bonds))
+        return p._replace(clock=F(0)) if self.weak_splits(p) else p
+
+    def state(self, processes, step, time):
+        return State(tuple(sorted(processes, key=lambda p: p.leaves[0].name)), step, time)
+
+    def fixed(self, p):
+        return any(self.bodies[l.name].fixed for l in p.leaves)
+
+    def mass(self, p):
+        return sum(self.bodies[l.name].mass for l in p.leaves)
+
+    def become(self, leaf, behaviour):
+        origin = behaviour[1] if behaviour[0] == 'name' else None
+        return leaf._replace(behaviour=behaviour, origin=origin)
+
+    def horizon(self, p):
+        return least([horizon(l.behaviour, self.definitions) for l in p.leaves])
+
+    def leaf_offers(self, leaf, kind):
+        return [o for o in offers(leaf.behaviour, self.definitions) if o[0][0] == kind]
+
+    def active(self, sites, part, feature):
+        """Is the feature of the part in the closure of the sites?"""
+        return any(part == s[0] and feature <= s[1] for s in sites)
+
+    # Collisions
+
+    def part_pairs(self, p, q):
+        for l in p.leaves:
+            for m in q.leaves:
+                for a in self.bodies[l.name].parts:
+                    for b in self.bodies[m.name].parts:
+                        yield l, a, m, b, obstacle(a, b), minus(m.position, l.position)
+
+    def collisions(self, state):
+        """All (P, Q, the pairs of parts that touch and approach)."""
+        found = []
+        for p, q in combinations(state.processes, 2):
+            w = minus(q.velocity, p.velocity)
+            pairs = [x for x in self.part_pairs(p, q) if approaching(x[4], x[5], w)]
+            if pairs:
+                found.append((p, q, pairs))
+        return found
+
+    def candidates(self, pairs):
+        """Rule Bind: (bond, the two leaves continued)."""
+        found = []
+        for l, a, m, b, _, offset in pairs:
+            touching = touching_pairs(a, b, offset)
+            for o1, rest1 in self.leaf_offers(l, 'open'):
+                for o2, rest2 in self.leaf_offers(m, 'open'):
+                    if o1[1] != o2[1] or o1[2] == o2[2]:
+                        continue
+                    such = [(d, f, g) for d, f, g in touching
+                            if self.active(o1[3], a.name, f) and self.active(o2[3], b.name, g)]
+                    highest = max([d for d, _, _ in such], default=None)
+                    for d, f, g in such:
+                        if d == highest:
+                            bond = (o1[1], frozenset([(l.name, a.name, f), (m.name, b.name, g)]))
+                            found.append((bond, self.become(l, rest1), self.become(m, rest2)))
+        return found
+
+    def bind(self, p, q, candidate):
+        bond, new_l, new_m = candidate
+        changed = {new_l.name: new_l, new_m.name: new_m}
+        leaves = [changed.get(l.name, l) for l in p.leaves + q.leaves]
+        if self.fixed(p) or self.fixed(q):
+            velocity = ZERO
+        else:
+            mp, mq = self.mass(p), self.mass(q)
+            velocity = times(1 / F(mp + mq), plus(times(mp, p.velocity), times(mq, q.velocity)))
+        return self.process(velocity, leaves, p.bonds | q.bonds | {bond})
+
+    def directions(self, p, q, approaching_pairs):
+        """The separating directions of reading I-13, as (axis, sign)."""
+        touching = [x for x in self.part_pairs(p, q) if on_surface(x[4], x[5])]
+
+        def signs(x, i):
+            """On which sides of the present offset the obstacle lies, near it."""
+            box, at = x[4], x[5]
+            return [s for s in (-1, 1) if (at[i] > box[i][0] or s > 0) and (at[i] < box[i][1] or s < 0)]
+
+        def octants(x):
+            return set(product(*[signs(x, i) for i in AXES]))
+
+        kept, every = set(), set()
+        for x in approaching_pairs:
+            box, at = x[4], x[5]
+            others = set()
+            for y in touching:
+                if y[1] is not x[1] or y[3] is not x[3]:
+                    others |= octants(y)
+            for i in AXES:
+                for side in (-1, 1):
+                    if at[i] != box[i][0 if side < 0 else 1]:
+                        continue
+                    every.add((i, side))
+                    # The octants just outside the facet: all covered by other pairs?
+                    outside = [tuple(side if j == i else o[j] for j in AXES) for o in octants(x)]
+                    if not all(o in others for o in outside):
+                        kept.add((i, side))
+        return kept or every
+
+    def bounce(self, p, q, pairs):
+        w = minus(q.velocity, p.velocity)
+        change = [F(0), F(0), F(0)]
+        cone = self.directions(p, q, pairs)
+        for i in AXES:
+            if ((i, 1) in cone and w[i] < 0) or ((i, -1) in cone and w[i] > 0):
+                change[i] = -2 * w[i]
+        if self.fixed(p):
+            share = F(0)
+        elif self.fixed(q):
+            share = F(1)
+        else:
+            share = F(self.mass(q)) / (self.mass(p) + self.mass(q))
+        return (self.process(minus(p.velocity, times(share, change)), p.leaves, p.bonds),
+                self.process(plus(q.velocity, times(1 - share, change)), q.leaves, q.bonds))
+
+    # Splits
+
+    def weak_splits(self, p):
+        """Rule WeakSplit: (bond, changed leaves)."""
+        leaves = {l.name: l for l in p.leaves}
+        found = []
+        for bond in p.bonds:
+            (l1, part1, f1), (l2, part2, f2) = bond[1]
+            for o1, rest1 in self.leaf_offers(leaves[l1], 'weak'):
+                for o2, rest2 in self.leaf_offers(leaves[l2], 'weak'):
+                    if (o1[1] == bond[0] == o2[1] and self.active(o1[2], part1, f1)
+                            and self.active(o2[2], part2, f2)):
+                        found.append((bond, [self.become(leaves[l1], rest1), self.become(leaves[l2], rest2)]))
+        return found
+
+    def strong_splits(self, p):
+        """Rule StrongSplit: (set of bonds, changed leaves), by trying all sets."""
+        leaves = {l.name: l for l in p.leaves}
+        found = []
+        bonds = sorted(p.bonds, key=repr)
+        for size in range(1, len(bonds) + 1):
+            for chosen in combinations(bonds, size):
+                if not connected(chosen):
+                    continue
+                ends = sorted({end[0] for b in chosen for end in b[1]})
+                choices = []
+                for name in ends:
+                    mine = [(b[0], end) for b in chosen for end in b[1] if end[0] == name]
+                    choices.append([self.become(leaves[name], rest)
+                                    for o, rest in self.leaf_offers(leaves[name], 'strong')
+                                    if self.matches(list(o[1]), mine)])
+                for changed in product(*choices):
+                    found.append((frozenset(chosen), list(changed)))
+        return found
+
+    def matches(self, entries, ends):
+        """One to one."""
+        if len(entries) != len(ends):
+            return False
+        if not entries:
+            return True
+        name, (_, part, feature) = ends[0]
+        return any(entries[i][0] == name and self.active(entries[i][1], part, feature)
+                   and self.matches(entries[:i] + entries[i + 1:], ends[1:])
+                   for i in range(len(entries)))
+
+    def split(self, p, released, changed):
+        changed = {l.name: l for l in changed}
+        leaves = [changed.get(l.name, l) for l in p.leaves]
+        bonds = p.bonds - released
+        pieces = []
+        while leaves:
+            names = {leaves[0].name}
+            while True:
+                more = {e[0] for b in bonds for e in b[1] if names & {x[0] for x in b[1]}} - names
+                if not more:
+                    break
+                names |= more
+            mine = [b for b in bonds if any(e[0] in names for e in b[1])]
+            pieces.append(self.process(p.velocity, [l for l in leaves if l.name in names], mine))
+            leaves = [l for l in leaves if l.name not in names]
+        return pieces
+
+    # Time and steering
+
+    def first_time_of_contact(self, state):
+        times_ = []
+        for p, q in combinations(state.processes, 2):
+            w = minus(q.velocity, p.velocity)
+            times_ += [entry(x[4], x[5], w) for x in self.part_pairs(p, q)]
+        return least(times_)
+
+    def delay(self, state, jump):
+        splits = [self.split_step - p.clock for p in state.processes if p.clock is not None]
+        step = state.step[0] if state.step and (self.steerable(state) or not jump) else None
+        return least([step, self.first_time_of_contact(state)]
+                     + [self.horizon(p) for p in state.processes] + splits)
+
+    def steerable(self, state):
+        return any(not self.fixed(p) and any(self.bodies[l.name].law for l in p.leaves)
+                   for p in state.processes)
+
+    def pass_time(self, state, d):
+        processes = []
+        for p in state.processes:
+            leaves = []
+            for l in p.leaves:
+                new = age(l.behaviour, d, self.definitions)
+                origin = l.origin
+                if new != l.behaviour and new[0] == 'name':
+                    origin = new[1]
+                leaves.append(Leaf(l.name, plus(l.position, times(d, p.velocity)), new, origin))
+            if self.horizon(p) == d:
+                processes.append(self.process(p.velocity, leaves, p.bonds))
+            else:
+                clock = None if p.clock is None else (p.clock + d) % self.split_step
+                processes.append(Process(p.velocity, clock, tuple(sorted(leaves)), p.bonds))
+        step = None
+        if state.step:
+            left = state.step[0] - d
+            while left < 0:  # rule Jump: the steps passed over steer nothing
+                left += self.timestep
+            step = (left, 'due' if left == 0 else 'moving')
+        return self.state(processes, step, state.time + d)
+
+    def settle(self, state):
+        """Rule Steer, if it is due and nothing collides."""
+        if state.step and state.step[1] == 'due' and not self.collisions(state):
+            return self.steer(state, self.timestep - state.step[0])
+        return state
+
+    def steer(self, state, dt):
+        processes = []
+        for p in state.processes:
+            if not self.fixed(p):
+                change = ZERO
+                for l in p.leaves:
+                    body = self.bodies[l.name]
+                    if body.law:
+                        x, y, z = plus(l.position, body.centroid())
+                        vx, vy, vz = p.velocity
+                        new = body.law(dict(x=x, y=y, z=z, vx=vx, vy=vy, vz=vz, mass=F(body.mass),
+                                            time=state.time, dt=dt))
+                        change = plus(change, times(F(body.mass) / self.mass(p), minus(new, p.velocity)))
+                p = p._replace(velocity=plus(p.velocity, change))
+            processes.append(p)
+        return self.state(processes, (self.timestep, 'steered'), state.time)
+
+    def initial(self, processes):
+        s = self.state(processes, None, F(0))
+        if self.steered:
+            s = self.settle(s._replace(step=(self.timestep, 'due')))
+        return s
+
+    # Rule Successors
+
+    def successors(self, state, jump=False):
+        """All transitions: a set of (label, next state). Where all that has a law is held by something
+        fixed, steps steer nothing, and time may jump over their ends."""
+        found = set()
+
+        def replace(old, new, step):
+            processes = [p for p in state.processes if p not in old] + list(new)
+            return self.settle(self.state(processes, step, state.time))
+
+        urgent = False
+        for p in state.processes:
+            for bonds, changed in self.strong_splits(p):
+                urgent = True
+                found.add((('strong', bonds), replace([p], self.split(p, bonds, changed), state.step)))
+            if p.clock == 0:
+                for bond, changed in self.weak_splits(p):
+                    pieces = self.split(p, frozenset([bond]), changed)
+                    found.add((('weak', bond), replace([p], pieces, state.step)))
+        step = state.step
+        if step and step[1] == 'moving':
+            step = (step[0], 'due')
+        for p, q, pairs in self.collisions(state):
+            urgent = True
+            bindings = self.candidates(pairs)
+            for candidate in bindings:
+                label = ('bind', candidate[0])
+                found.add((label, replace([p, q], [self.bind(p, q, candidate)], step)))
+            if not bindings:
+                between = frozenset([frozenset(l.name for l in x.leaves) for x in (p, q)])
+                found.add((('bounce', between), replace([p, q], self.bounce(p, q, pairs), step)))
+        if not urgent:
+            d = self.delay(state, jump)
+            if d is not None:
+                found.add((('time', d), self.settle(self.pass_time(state, d))))
+        return found
+
+
+def connected(bonds):
+    reached, left = [bonds[0]], list(bonds[1:])
+    while True:
+        ends = {e[0] for b in reached for e in b[1]}
+        near = [b for b in left if ends & {e[0] for e in b[1]}]
+        if not near:
+            return not left
+        reached += near
+        left = [b for b in left if b not in near]

@@ -1,0 +1,328 @@
+#!/usr/bin/env python3
+"""Runs scc on random models and checks every transition against the naive calculus.
+
+For each model: one random run; at each of its states the number of transitions; for the
+first few states with a choice, every transition, its label and the whole next state.
+The last line is `N passed, N failed`.
+"""
+
+import argparse
+from fractions import Fraction as F
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+import calculus as c
+import generate
+
+
+class Difference(Exception):
+    pass
+
+
+# Reading what scc prints ----------------------------------------------------------------
+
+TOKEN = re.compile(r"\s*([A-Za-z_][A-Za-z0-9_']*|\d+|.)")
+
+
+class Reader:
+    """Behaviours and sites, in the syntax of the language."""
+
+    def __init__(self, text, parts):
+        self.tokens = TOKEN.findall(text)
+        self.parts = {p.name: p for p in parts}
+
+    def take(self, expected=None):
+        token = self.tokens.pop(0)
+        if expected is not None and token != expected:
+            raise Difference('cannot read behaviour: %s where %s expected' % (token, expected))
+        return token
+
+    def peek(self):
+        return self.tokens[0] if self.tokens else None
+
+    def sum(self):
+        summands = [self.prefix()]
+        while self.peek() == '+':
+            self.take()
+            summands.append(self.prefix())
+        return summands[0] if len(summands) == 1 else ('sum', tuple(summands))
+
+    def prefix(self):
+        token = self.take()
+        if token == '(':
+            b = self.sum()
+            self.take(')')
+            return b
+        if token == 'nil':
+            return ('nil',)
+        if token == '<':
+            name, barred, sites = self.channel()
+            return ('open', name, barred, sites, self.rest())
+        if token == 'omega' and self.peek() == '(':
+            self.take('(')
+            name = self.take()
+            self.take(',')
+            sites = self.sites()
+            self.take(')')
+            return ('weak', name, sites, self.rest())
+        if token == 'rho' and self.peek() == '(':
+            self.take('(')
+            self.take('{')
+            entries = []
+            while self.take('<'):
+                name, _, sites = self.channel()
+                entries.append((name, sites))
+                if self.take() == '}':
+                    break
+            self.take(')')
+            return ('strong', frozenset(entries), self.rest())
+        if token == 'eps' and self.peek() == '(':
+            self.take('(')
+            t = self.number()
+            self.take(')')
+            return ('eps', t, self.rest())
+        return ('name', token)
+
+    def rest(self):
+        self.take('.')
+        return self.prefix()
+
+    def number(self):
+        text = ''
+        while self.peek() not in (')', ',', '}'):
+            text += self.take()
+        return F(text)
+
+    def channel(self):
+        barred = self.peek() == '~'
+        if barred:
+            self.take()
+        name = self.take()
+        self.take(',')
+        sites = self.sites()
+        self.take('>')
+        return name, barred, sites
+
+    def sites(self):
+        self.take('{')
+        found = []
+        while True:
+            found.append(self.site())
+            if self.take() == '}':
+                return frozenset(found)
+
+    def site(self):
+        """part.face, part.[v,w], face, [v,w]."""
+        part = None
+        while True:
+            token = self.take()
+            if token == '[':
+                names = [self.take()]
+                while self.take() == ',':
+                    names.append(self.take())
+                return part, frozenset(names)
+            if self.peek() == '.':
+                self.take()
+                part = token
+                continue
+            for vertices, face in self.parts[part].faces.items():
+                if face == token:
+                    return part, vertices
+            return part, frozenset([token])
+
+
+class Output:
+    """What scc prints about one model, in the terms of calculus.py."""
+
+    def __init__(self, bodies):
+        self.bodies = bodies
+        self.known = {}
+
+    def behaviour(self, leaf, text):
+        body = self.bodies[leaf]
+        key = (leaf, text)
+        if key not in self.known:
+            reader = Reader(text, body.parts)
+            self.known[key] = c.canonical(reader.sum())
+            if reader.tokens:
+                raise Difference('cannot read behaviour %s' % text)
+        return self.known[key]
+
+    def end(self, text):
+        leaf, rest = text.split('.', 1)
+        return (leaf,) + Reader(rest, self.bodies[leaf].parts).site()
+
+    def bond(self, name, ends):
+        return name, frozenset(self.end(e) for e in ends)
+
+    def vector(self, v):
+        return tuple(F(a) for a in v)
+
+    def state(self, s, time):
+        processes = []
+        for p in s['processes']:
+            leaves = [c.Leaf(l['name'], self.vector(l['position']), self.behaviour(l['name'], l['behaviour']),
+                             l['origin']) for l in p['leaves']]
+            bonds = frozenset(self.bond(b['name'], b['ends']) for b in p['bonds'])
+            clock = None if p['clock'] is None else F(p['clock'])
+            processes.append(c.Process(self.vector(p['velocity']), clock, tuple(sorted(leaves)), bonds))
+        processes.sort(key=lambda p: p.leaves[0].name)
+        step = s['step'] and (F(s['step']['remaining']), s['step']['phase'])
+        return c.State(tuple(processes), step, F(time))
+
+    def label(self, label, before):
+        kind = label['kind']
+        if kind == 'time':
+            return ('time', F(label['duration']))
+        if kind in ('bind', 'weak'):
+            return (kind, self.bond(label['name'], label['ends']))
+        if kind == 'strong':
+            return ('strong', frozenset(self.bond(b['name'], b['ends']) for b in label['bonds']))
+        if kind == 'bounce':
+            return ('bounce', frozenset(self.process_of(name, before) for name in label['between']))
+        raise Difference('label %s' % label)
+
+    def process_of(self, name, state):
+        for p in state.processes:
+            leaves = frozenset(l.name for l in p.leaves)
+            if name in leaves:
+                return leaves
+        raise Difference('no process %s' % name)
+
+
+# Comparing ------------------------------------------------------------------------------
+
+
+def run(scc, arguments):
+    done = subprocess.run([scc] + arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True, timeout=20)
+    return done.returncode, done.stdout, done.stderr
+
+
+def lines_of(scc, arguments, codes=(0,)):
+    code, out, err = run(scc, arguments)
+    if code not in codes:
+        raise Difference('exit code %d: %s' % (code, err.strip()[:600]))
+    return [json.loads(line) for line in out.splitlines()], err
+
+
+def show(item):
+    """For reports: sets and fractions made readable."""
+    if isinstance(item, F):
+        return str(item)
+    if isinstance(item, (frozenset, set)):
+        return '{%s}' % ', '.join(sorted(map(show, item)))
+    if isinstance(item, tuple):
+        return '(%s)' % ', '.join(map(show, item))
+    return repr(item)
+
+
+def expect(what, scc, naive):
+    if scc != naive:
+        raise Difference('%s\n  scc:   %s\n  naive: %s' % (what, show(scc), show(naive)))
+
+
+class Comparison:
+    def __init__(self, scc, folder, steps, branches):
+        self.scc, self.folder, self.steps, self.branches = scc, folder, steps, branches
+        self.seen = {}
+
+    def model(self, seed):
+        model = generate.Model(seed)
+        path = os.path.join(self.folder, 'model.sc')
+        with open(path, 'w') as f:
+            f.write(model.text())
+        lines, _ = lines_of(self.scc, ['trace', path, '--choose', 'random:%d' % seed, '--steps', str(self.steps)])
+        output = Output(model.bodies)
+        state = model.initial()
+        expect('initial state', output.state(lines[1]['state'], '0'), state)
+        choices, left = [], self.branches
+        for line in lines[2:-1]:
+            successors = self.successors(model, state, output.label(line['label'], state))
+            if line['of'] > 1 and left > 0:
+                left -= 1
+                self.all_choices(path, output, state, choices, line['of'], successors)
+            label = output.label(line['label'], state)
+            after = output.state(line['state'], line['time'])
+            self.found(label[0])
+            if len(json.dumps(line)) > 20000:  # a law of motion can make numbers without bound
+                return
+            self.check(choices, successors, label, after, line['of'])
+            choices.append(line['choice'])
+            state = after
+        self.ending(lines[-1], state, model)
+
+    def successors(self, model, state, label):
+        """With the jump over movement steps, if scc takes it."""
+        plain = model.calculus.successors(state)
+        jumping = model.calculus.successors(state, jump=True)
+        return jumping if label[0] == 'time' and label in {l for l, _ in jumping} else plain
+
+    def found(self, kind):
+        self.seen[kind] = self.seen.get(kind, 0) + 1
+
+    def check(self, choices, successors, label, after, of):
+        where = 'after the choices %s' % choices
+        if (label, after) not in successors:
+            same = {s for l, s in successors if l == label}
+            if not same:
+                expect(where + ': label', label, tuple(l for l, _ in successors))
+            expect(where + ': state after ' + show(label), after, next(iter(same)) if len(same) == 1 else same)
+        if of != len(successors):
+            raise Difference('%s: scc has %d transitions, naive %d: %s' % (
+                where, of, len(successors), show({l for l, _ in successors})))
+
+    def all_choices(self, path, output, state, choices, of, successors):
+        """Takes each transition of the state at the end of the choices."""
+        found = set()
+        schedule = os.path.join(self.folder, 'schedule.json')
+        for i in range(of):
+            with open(schedule, 'w') as f:
+                json.dump({'format': 'scc-schedule', 'version': 1,
+                           'choices': [{'choice': n} for n in choices + [i]]}, f)
+            lines, _ = lines_of(self.scc, ['trace', path, '--schedule', schedule])
+            line = lines[1 + len(choices) + 1]
+            found.add((output.label(line['label'], state), output.state(line['state'], line['time'])))
+        if found != successors:
+            raise Difference('after the choices %s: the transitions differ\n  only scc:   %s\n  only naive: %s' % (
+                choices, show(found - successors), show(successors - found)))
+
+    def ending(self, end, state, model):
+        if end['steps'] < self.steps:
+            if model.calculus.successors(state, jump=True):
+                raise Difference('scc ends (%s), naive goes on' % end['ending'])
+            if end['ending'] != 'quiescent':
+                raise Difference('ending %s' % end['ending'])
+
+
+def main():
+    if hasattr(sys, 'set_int_max_str_digits'):
+        sys.set_int_max_str_digits(0)
+    parser = argparse.ArgumentParser()
+    parser.add_argument('--scc', required=True)
+    parser.add_argument('--count', type=int, default=100)
+    parser.add_argument('--seed', type=int, default=1, help='of the first model; the others follow')
+    parser.add_argument('--steps', type=int, default=25)
+    parser.add_argument('--branches', type=int, default=4, help='states of a run whose transitions are all taken')
+    options = parser.parse_args()
+    passed, failed = 0, 0
+    with tempfile.TemporaryDirectory() as folder:
+        comparison = Comparison(options.scc, folder, options.steps, options.branches)
+        for seed in range(options.seed, options.seed + options.count):
+            try:
+                comparison.model(seed)
+                passed += 1
+            except (Difference, AssertionError, subprocess.TimeoutExpired) as fault:
+                failed += 1
+                print('model %d: %s' % (seed, fault), flush=True)
+    print('transitions: %s' % ', '.join('%d %s' % (n, k) for k, n in sorted(comparison.seen.items())))
+    print('%d passed, %d failed' % (passed, failed))
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,412 @@
+"""Random small models on a half-integer grid, where simultaneous and degenerate contacts abound.
+
+A model is made twice from the same choices: as text in the language, and as the bodies,
+definitions and initial processes of calculus.py.
+"""
+
+from fractions import Fraction as F
+from itertools import combinations, product
+import random
+
+import calculus as c
+
+TEMPLATES = {
+    'Cube': """shape Cube {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+           e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+           right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+}
+""",
+    'Brick': """shape Brick {
+  vertices v0 (0,0,0)  v1 (2,0,0)  v2 (0,1,0)  v3 (2,1,0)
+           v4 (0,0,1)  v5 (2,0,1)  v6 (0,1,1)  v7 (2,1,1)
+  faces    xl [v0,v4,v6,v2]  xh [v1,v3,v7,v5]  yl [v0,v1,v5,v4]
+           yh [v2,v6,v7,v3]  zl [v0,v2,v3,v1]  zh [v4,v5,v7,v6]
+}
+""",
+}
+CORNERS = {
+    'Cube': dict(a=(-1, -1, -1), b=(1, -1, -1), c=(1, 1, -1), d=(-1, 1, -1),
+                 e=(-1, -1, 1), f=(1, -1, 1), g=(1, 1, 1), h=(-1, 1, 1)),
+    'Brick': {'v%d' % i: (2 * (i & 1), i >> 1 & 1, i >> 2) for i in range(8)},
+}
+FACES = {
+    'Cube': dict(bottom='adcb', top='efgh', left='aehd', right='bcgf', front='abfe', back='dhgc'),
+    'Brick': dict(xl=['v0', 'v4', 'v6', 'v2'], xh=['v1', 'v3', 'v7', 'v5'], yl=['v0', 'v1', 'v5', 'v4'],
+                  yh=['v2', 'v6', 'v7', 'v3'], zl=['v0', 'v2', 'v3', 'v1'], zh=['v4', 'v5', 'v7', 'v6']),
+}
+QUATERNIONS = [(1, 0, 0, 1), (1, 1, 0, 0), (1, 0, -1, 0), (1, 1, 1, 1), (0, 1, 0, 0), (2, 0, 2, 0)]
+
+
+def rotate(q, v):
+    """The rotation of the quaternion w + xi + yj + zk, not normalised."""
+    w, x, y, z = map(F, q)
+    n = w * w + x * x + y * y + z * z
+    rows = ((w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
+            (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
+            (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z))
+    return tuple(sum(r * a for r, a in zip(row, v)) / n for row in rows)
+
+
+def vector(v):
+    return '(%s)' % ', '.join(str(a) for a in v)
+
+
+class Shape:
+    """A basic shape or a compound: its parts as (name, template, scale, move, mass)."""
+
+    def __init__(self, name, parts, text):
+        self.name, self.parts, self.text = name, parts, text
+
+    def placed(self, turn, move):
+        """Parts for a body whose position is the image of the origin: no move is applied."""
+        made = []
+        for name, template, scale, at, mass in self.parts:
+            corners = {}
+            for n, v in CORNERS[template].items():
+                v = c.plus(tuple(F(a) * s for a, s in zip(v, scale)), at)
+                corners[n] = rotate(turn, v) if turn else tuple(map(F, v))
+            faces = {frozenset(vs): f for f, vs in FACES[template].items()}
+            made.append(c.Part(name, corners, faces, mass))
+        return made
+
+
+def site_text(parts, site, rng=None):
+    part = next(p for p in parts if p.name == site[0])
+    prefix = '' if site[0] is None else site[0] + '.'
+    if site[1] in part.faces:
+        return prefix + part.faces[site[1]]
+    names = sorted(site[1])
+    if rng:
+        rng.shuffle(names)
+    return '%s[%s]' % (prefix, ','.join(names))
+
+
+LAWS = [
+    lambda k: ('(vx, vy, vz - %s*dt)' % k, lambda e: (e['vx'], e['vy'], e['vz'] - k * e['dt'])),
+    lambda k: ('(vx - %s*dt, vy, vz)' % k, lambda e: (e['vx'] - k * e['dt'], e['vy'], e['vz'])),
+    lambda k: ('(vx - %s*vx*dt/4, vy - %s*vy*dt/4, vz)' % (k, k),
+               lambda e: (e['vx'] - k * e['vx'] * e['dt'] / 4, e['vy'] - k * e['vy'] * e['dt'] / 4, e['vz'])),
+    lambda k: ('(-1, vy, 0)', lambda e: (F(-1), e['vy'], F(0))),
+    lambda k: ('(if vx = 0 then %s else vx, vy, vz)' % k,
+               lambda e: (k if e['vx'] == 0 else e['vx'], e['vy'], e['vz'])),
+    lambda k: ('(if x > %s then -1 else 1, if z >= y then vy else -vy, vz)' % k,
+               lambda e: (F(-1) if e['x'] > k else F(1), e['vy'] if e['z'] >= e['y'] else -e['vy'], e['vz'])),
+    lambda k: ('(vx - x*dt, vy + dt/mass, vz)',
+               lambda e: (e['vx'] - e['x'] * e['dt'], e['vy'] + e['dt'] / e['mass'], e['vz'])),
+    lambda k: ('(vx + %s*dt*(2 - time), vy, vz)' % k,
+               lambda e: (e['vx'] + k * e['dt'] * (2 - e['time']), e['vy'], e['vz'])),
+]
+
+
+class Model:
+    def __init__(self, seed):
+        self.rng = random.Random(seed)
+        self.seed = seed
+        self.names = ['a', 'b'][:self.rng.choice([1, 1, 2])]
+        self.flat = self.rng.choice([1, 2, 2, 3, 3])
+        self.timestep = self.rng.choice([F(1), F(1, 2), F(2), F(1, 3)])
+        self.split_step = self.rng.choice([None, F(1), F(1, 2), F(3, 4), F(2)])
+        self.lively = self.rng.random() < 0.75
+        self.shapes = [self.shape(i) for i in range(self.rng.choice([1, 2, 2, 3]))]
+        self.definitions, self.on = {}, {}
+        self.texts, self.bodies, self.velocities, self.positions = [], {}, {}, {}
+        self.behaviours, self.groups, self.bonds = {}, [], []
+        if self.lively:
+            for s in self.shapes:
+                self.define(s)
+        self.place()
+        self.laws()
+        bodies = {n: c.canonical(b) for n, b in self.definitions.items()}
+        self.calculus = c.Calculus(self.bodies, bodies, self.timestep,
+                                   self.split_step or self.timestep)
+
+    # Shapes
+
+    def scale(self):
+        return tuple(self.rng.choice([F(1), F(1), F(1, 2), F(2)]) for _ in c.AXES)
+
+    def solid(self, scale, template):
+        return template if scale == (1, 1, 1) else '%s scaled %s' % (template, vector(scale))
+
+    def shape(self, index):
+        rng = self.rng
+        name = 'Body%d' % index
+        if rng.random() < 0.6:
+            template, scale = rng.choice(['Cube', 'Cube', 'Brick']), self.scale()
+            text = 'shape %s = %s\n' % (name, self.solid(scale, template))
+            return Shape(name, [(None, template, scale, c.ZERO, F(0))], text)
+        parts, lines, glues = [], [], []
+        for i, part in enumerate(['u', 'v', 'w'][:rng.choice([2, 2, 3])]):
+            for _ in range(50):
+                template, scale = rng.choice(['Cube', 'Brick']), self.scale()
+                mass = F(rng.choice([1, 1, 2, 3]))
+                if i == 0:
+                    parts.append((part, template, scale, c.ZERO, mass))
+                    break
+                here = Shape('', parts, '').placed(None, None)
+                new = Shape('', [(part, template, scale, c.ZERO, mass)], '').placed(None, None)[0]
+                base = rng.choice(here)
+                at = self.beside(base, new)
+                if any(c.inside(c.obstacle(p, new), at) for p in here):
+                    continue
+                pairs = c.touching_pairs(base, new, at)
+                highest = self.highest(base, new, at, pairs)
+                glues.append((site_text(here, (base.name, highest[0])),
+                              site_text([new], (part, highest[1]))))
+                parts.append((part, template, scale, at, mass))
+                break
+        for part, template, scale, at, mass in parts:
+            lines.append('  part %s : %s mass %s at translate %s\n'
+                         % (part, self.solid(scale, template), mass, vector(at)))
+        lines += ['  glue %s ~ %s\n' % g for g in glues]
+        return Shape(name, parts, 'compound %s {\n%s}\n' % (name, ''.join(lines)))
+
+    def beside(self, base, new):
+        """An offset at which the two boxes touch."""
+        rng = self.rng
+        low_high = c.obstacle(base, new)
+        axis = rng.randrange(self.flat)
+        at = []
+        for i in c.AXES:
+            low, high = low_high[i]
+            steps = int((high - low) * 2)
+            inner = low + F(rng.randint(0 if rng.random() < 0.3 else 1, steps), 2)
+            at.append(rng.choice([low, high]) if i == axis else inner if i < self.flat
+                      else low + F(rng.randint(1, steps - 1), 2) if steps > 1 else (low + high) / 2)
+        return tuple(at)
+
+    def highest(self, base, new, at, pairs):
+        """Reading I-4: the pair whose relative interiors hold that of the contact region."""
+        for d, f, g in pairs:
+            fe, ge = base.features[f], new.features[g]
+            if all(self.covers(fe[i], (ge[i][0] + at[i], ge[i][1] + at[i]), base, new, at, i) for i in c.AXES):
+                return f, g
+        raise AssertionError('no highest pair')
+
+    @staticmethod
+    def covers(a, b, base, new, at, i):
+        low = max(base.low[i], new.low[i] + at[i])
+        high = min(base.high[i], new.high[i] + at[i])
+
+        def holds(x):
+            return x[0] == x[1] == low == high or (x[0] < x[1] and (
+                x[0] < low < x[1] if low == high else x[0] <= low and high <= x[1]))
+        return holds(a) and holds(b)
+
+    # Behaviours
+
+    def sites(self, shape):
+        rng = self.rng
+        parts = shape.placed(None, None)
+        chosen = []
+        for part in parts:
+            features = list(part.features)
+            if rng.random() < 0.5:
+                chosen += [(part.name, f) for f in part.faces]
+            else:
+                faces = list(part.faces)
+                for _ in range(rng.choice([0, 1, 1, 2])):
+                    pool = faces if rng.random() < 0.6 else features
+                    chosen.append((part.name, rng.choice(pool)))
+        if not chosen:
+            chosen = [(parts[0].name, rng.choice(list(parts[0].faces)))]
+        return frozenset(chosen)
+
+    def behaviour(self, shape, depth, names, unguarded, grow=True):
+        """Without prefixes in between, one summand at most names a definition: else the ageing of
+        recursive sums doubles them at each step."""
+        rng = self.rng
+        kinds = ['nil'] + ['name'] * 3
+        if depth > 0:
+            kinds = ['open'] * 5 + ['weak'] * 3 + ['strong'] * 3 + ['eps'] * 3 + ['sum'] * 4 + ['name', 'nil']
+        kind = rng.choice(kinds)
+
+        def rest(free):
+            return self.behaviour(shape, depth - 1, names, free)
+
+        def waiting(free, grow):
+            return self.behaviour(shape, depth - 1, names, free, grow)
+        if kind == 'name':
+            pool = names if unguarded is None else unguarded
+            return ('name', rng.choice(pool)) if pool and grow else ('nil',)
+        if kind == 'open':
+            name, sites = rng.choice(self.names), self.sites(shape)
+            after = rest(None)
+            if rng.random() < 0.6:
+                after = self.bound(shape, name, sites, after)
+            return ('open', name, rng.random() < 0.5, sites, after)
+        if kind == 'weak':
+            return ('weak', rng.choice(self.names), self.sites(shape), rest(None))
+        if kind == 'strong':
+            entries = frozenset((rng.choice(self.names), self.sites(shape))
+                                for _ in range(rng.choice([1, 1, 1, 2])))
+            return ('strong', entries, rest(None))
+        if kind == 'eps':
+            t = rng.choice([F(0), F(1, 2), F(1), F(1), F(3, 2), F(2)])
+            return ('eps', t, waiting(unguarded if t == 0 else None, grow))
+        if kind == 'sum':
+            return ('sum', (waiting(unguarded, grow), waiting(unguarded, False)))
+        return ('nil',)
+
+    def bound(self, shape, name, sites, after):
+        """What a leaf that has just been bound may well do: let go, react, wait, bind again."""
+        rng = self.rng
+        release = rng.choice([('weak', name, sites, after), ('strong', frozenset([(name, sites)]), after)])
+        if rng.random() < 0.3:
+            release = ('eps', rng.choice([F(1, 2), F(1)]), release)
+        if rng.random() < 0.4:
+            again = ('open', rng.choice(self.names), rng.random() < 0.5, self.sites(shape), release)
+            release = ('sum', (release, again))
+        return release
+
+    def define(self, shape):
+        names = ['K%d%s' % (i, shape.name) for i in range(self.rng.choice([2, 3, 4]))]
+        for i, n in enumerate(names):
+            self.on[n] = shape
+            b = self.behaviour(shape, self.rng.choice([1, 2, 3]), names, names[i + 1:])
+            if i < 2 and b[0] != 'open':
+                name, sites = self.rng.choice(self.names), self.sites(shape)
+                opening = ('open', name, self.rng.random() < 0.5, sites, self.bound(shape, name, sites, b))
+                b = ('sum', (opening, b)) if self.rng.random() < 0.5 else opening
+            self.definitions[n] = b
+
+    def behaviour_text(self, b, parts):
+        def sites(s):
+            return '{%s}' % ', '.join(sorted(site_text(parts, x, self.rng) for x in s))
+        kind = b[0]
+        if kind == 'nil':
+            return 'nil'
+        if kind == 'name':
+            return b[1]
+        if kind == 'sum':
+            return '(%s)' % ' + '.join(self.behaviour_text(s, parts) for s in b[1])
+        rest = self.behaviour_text(b[-1], parts)
+        if kind == 'open':
+            return '<%s%s, %s>. %s' % ('~' if b[2] else '', b[1], sites(b[3]), rest)
+        if kind == 'weak':
+            return 'omega(%s, %s). %s' % (b[1], sites(b[2]), rest)
+        if kind == 'strong':
+            return 'rho({%s}). %s' % (', '.join('<%s, %s>' % (n, sites(s)) for n, s in sorted(b[1], key=repr)), rest)
+        return 'eps(%s). %s' % (b[1], rest)
+
+    # Placing
+
+    def free(self, body, at):
+        return not any(c.inside(c.obstacle(p, q), c.minus(at, self.positions[other.name]))
+                       for other in self.bodies.values() for p in other.parts for q in body.parts)
+
+    def velocity(self, at):
+        """Any, or towards the middle."""
+        r = self.rng
+        if r.random() < 0.6:
+            return tuple(F(0) if i >= self.flat or at[i] == 0 else F(r.choice([1, 1, 2])) * (-1 if at[i] > 0 else 1)
+                         for i in c.AXES)
+        return tuple(F(r.choice([-2, -1, -1, 0, 1, 1, 2])) if i < self.flat else F(0) for i in c.AXES)
+
+    def leaf(self, name, fixed):
+        rng = self.rng
+        shape = rng.choice(self.shapes)
+        turn = rng.choice(QUATERNIONS) if rng.random() < 0.3 else None
+        mass = rng.choice([F(1), F(1), F(2), F(3), F(1, 2)])
+        parts = shape.placed(turn, None)
+        if parts[0].name is None:
+            parts[0].mass = mass
+        body = c.Body(name, parts, fixed)
+        body.shape, body.turn = shape, turn
+        return body
+
+    def add(self, body, at, velocity):
+        name = body.name
+        self.bodies[name], self.positions[name], self.velocities[name] = body, at, velocity
+        own = [n for n, s in self.on.items() if s is body.shape]
+        own += own[:2] * 2
+        self.behaviours[name] = ('name', self.rng.choice(own)) if own and self.rng.random() < 0.9 else ('nil',)
+
+    def place(self):
+        rng = self.rng
+        extent = rng.choice([2, 3, 4, 6])
+        for i in range(rng.choice([2, 3, 3, 4, 5])):
+            fixed = i > 0 and rng.random() < 0.25
+            group = []
+            for j in range(rng.choice([1, 1, 1, 2, 3]) if self.lively else 1):
+                if j > 0 and not group:
+                    break
+                for _ in range(20):
+                    body = self.leaf('p%d' % i if j == 0 else 'p%d_%d' % (i, j), fixed and j == 0)
+                    if j == 0:
+                        at = tuple(F(rng.randint(-2 * extent, 2 * extent), 2) if k < self.flat
+                                   else F(rng.randint(-1, 1), 2) for k in c.AXES)
+                        if self.free(body, at):
+                            self.add(body, at, c.ZERO if fixed else self.velocity(at))
+                            group.append(body)
+                            break
+                        continue
+                    other = rng.choice(group)
+                    p, q = rng.choice(other.parts), rng.choice(body.parts)
+                    at = c.plus(self.positions[other.name], self.beside(p, q))
+                    if not self.free(body, at):
+                        continue
+                    pairs = c.touching_pairs(p, q, c.minus(at, self.positions[other.name]))
+                    _, f, g = rng.choice(pairs)
+                    self.add(body, at, self.velocities[group[0].name])
+                    group.append(body)
+                    self.bonds.append((rng.choice(self.names), (other.name, p.name, f), (body.name, q.name, g)))
+                    break
+            if group:
+                self.groups.append(group)
+
+    def laws(self):
+        self.law_texts = []
+        if self.rng.random() < 0.35:
+            for body in self.bodies.values():
+                if not body.fixed and self.rng.random() < 0.7:
+                    k = F(self.rng.choice([1, 2, 1, 4]), self.rng.choice([1, 2]))
+                    text, body.law = self.rng.choice(LAWS)(k)
+                    self.law_texts.append('motion %s = %s\n' % (body.name, text))
+
+    # Out
+
+    def initial(self):
+        processes = []
+        for group in self.groups:
+            leaves = []
+            names = {b.name for b in group}
+            for body in group:
+                b = c.canonical(self.behaviours[body.name])
+                leaves.append(c.Leaf(body.name, self.positions[body.name], b, b[1] if b[0] == 'name' else None))
+            bonds = [(n, frozenset([x, y])) for n, x, y in self.bonds if x[0] in names]
+            processes.append(self.calculus.process(self.velocities[group[0].name], leaves, bonds))
+        return self.calculus.initial(processes)
+
+    def text(self):
+        out = ['model random%d\n' % self.seed, 'timestep %s\n' % self.timestep]
+        if self.split_step:
+            out.append('split_step %s\n' % self.split_step)
+        out += [TEMPLATES['Cube'], TEMPLATES['Brick']] + [s.text for s in self.shapes]
+        for n, b in self.definitions.items():
+            shape = self.on[n]
+            out.append('behaviour %s on %s = %s\n' % (n, shape.name, self.behaviour_text(b, shape.placed(None, None))))
+        for group in self.groups:
+            for body in group:
+                out.append(self.declaration(body))
+        for name, x, y in self.bonds:
+            ends = [e[0] + '.' + site_text(self.bodies[e[0]].parts, e[1:]) for e in (x, y)]
+            out.append('bond <%s, {%s, %s}>\n' % (name, *ends))
+        return ''.join(out + self.law_texts)
+
+    def declaration(self, body):
+        at = 'at translate ' + vector(self.positions[body.name])
+        if body.turn:
+            at += ' * rotate quaternion ' + vector(body.turn)
+        mass = '' if body.fixed or body.parts[0].name is not None else ' mass %s' % body.parts[0].mass
+        velocity = '' if body.fixed else ' velocity ' + vector(self.velocities[body.name])
+        behaviour = self.behaviour_text(self.behaviours[body.name], body.parts)
+        return '%s %s = %s%s%s %s [%s]\n' % ('fixed' if body.fixed else 'process', body.name, body.shape.name,
+                                             mass, velocity, at, behaviour)
+
+
+if __name__ == '__main__':
+    import sys
+    print(Model(int(sys.argv[1])).text(), end='')
