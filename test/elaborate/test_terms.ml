@@ -300,7 +300,7 @@ let deep () =
   let many n piece = String.concat "" (List.init n (fun _ -> piece)) in
   let t =
     accept
-      (body
+      (cube ^ "process p = Cube mass 1 [nil]\n"
        ^ Printf.sprintf "process d = Cube mass 1 at translate (0,0,50) [%s nil]\n" (many 9_000 "<a, {top}>. ")
        ^ Printf.sprintf "check k : always x(p)%s > 0\n" (many 9_000 " + x(p)")
        ^ "let l0 = x(p)\n"
