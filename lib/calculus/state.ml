@@ -22,7 +22,8 @@ type t = { processes : process array; step : step option; time : Rat.t option }
 
 let sorted compare list =
   let a = Array.of_list list in
-  Array.sort compare a;
+  let rec in_order i = i >= Array.length a || (compare a.(i - 1) a.(i) <= 0 && in_order (i + 1)) in
+  if not (in_order 1) then Array.stable_sort compare a;
   a
 
 let compare_leaf_index (a : leaf) (b : leaf) = Int.compare a.leaf b.leaf
@@ -32,6 +33,9 @@ let process ~leaves ~bonds ~velocity ~clock =
     Scc_base.Bug.fail __POS__ "the bonds of a process are not a tree";
   { leaves = sorted compare_leaf_index leaves; bonds = sorted compare_bond bonds; velocity; clock }
 
+let map_leaves f p = { p with leaves = Array.map f p.leaves }
+let with_velocity velocity p = { p with velocity }
+let with_clock clock p = { p with clock }
 let first p = p.leaves.(0).leaf
 
 let make ~processes ~step ~time =

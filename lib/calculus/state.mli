@@ -43,6 +43,11 @@ type t = private {
 val process : leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> process
 (** Canonical order. The bonds must join the leaves into a tree (a bug otherwise). *)
 
+val map_leaves : (leaf -> leaf) -> process -> process
+(** The function keeps the index of each leaf. *)
+
+val with_velocity : Vec.t -> process -> process
+val with_clock : Rat.t option -> process -> process
 val make : processes:process list -> step:step option -> time:Rat.t option -> t
 
 val find_leaf : t -> int -> int * leaf

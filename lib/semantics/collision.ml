@@ -121,7 +121,7 @@ let bind m (s : State.t) c =
     {
       label = Transition.Bind candidate.bond;
       rules = Rule.Bind :: candidate.used;
-      results = [ Process.restart_clock m ~leaves ~bonds ~velocity ];
+      results = [ Process.restart_clock m (State.process ~leaves ~bonds ~velocity ~clock:None) ];
     }
   in
   List.filter (fun t -> t.approaching) c.touches
@@ -149,9 +149,7 @@ let bounce m (s : State.t) c =
   in
   let change = Vec.sub (Response.bounce touching w) w in
   let share_p, share_q = shares m p q in
-  let moved (r : State.process) velocity =
-    Process.restart_clock m ~leaves:(Array.to_list r.leaves) ~bonds:(Array.to_list r.bonds) ~velocity
-  in
+  let moved r velocity = Process.restart_clock m (State.with_velocity velocity r) in
   {
     label = Transition.Bounce (p.leaves.(0).leaf, q.leaves.(0).leaf);
     rules = [ Rule.Bounce ];

@@ -72,14 +72,10 @@ let quiescent m s =
   && Option.is_none (Time.delay m s)
 
 let initial (m : Model.t) (declared : State.t) =
-  let start (p : State.process) =
-    Process.restart_clock m ~leaves:(Array.to_list p.leaves) ~bonds:(Array.to_list p.bonds)
-      ~velocity:p.velocity
-  in
   let step =
     if m.steered then Some { State.remaining = m.timestep; phase = State.Due } else None
   in
   let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
-  let processes = List.map start (Array.to_list declared.processes) in
+  let processes = List.map (Process.restart_clock m) (Array.to_list declared.processes) in
   let* s, _ = Steer.settle m (State.make ~processes ~step ~time) in
   Ok s

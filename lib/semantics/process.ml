@@ -26,8 +26,6 @@ let weak_offers m p (b : State.bond) =
     let second = releases m p b.name b.two in
     List.concat_map (fun (x, r) -> List.map (fun (y, s) -> (x, y, union r s)) second) first
 
-let restart_clock m ~leaves ~bonds ~velocity =
-  let p = State.process ~leaves ~bonds ~velocity ~clock:None in
-  if Array.exists (fun b -> weak_offers m p b <> []) p.bonds then
-    State.process ~leaves ~bonds ~velocity ~clock:(Some Scc_exact.Rat.zero)
-  else p
+let restart_clock m p =
+  let enabled = Array.exists (fun b -> weak_offers m p b <> []) p.State.bonds in
+  State.with_clock (if enabled then Some Scc_exact.Rat.zero else None) p

@@ -1,6 +1,5 @@
 (** What the rules of splits and collisions share: leaves that continue, clocks that are set. *)
 
-open Scc_exact
 open Scc_calculus
 
 val continue : (int * Behaviour.t) list -> State.leaf -> State.leaf
@@ -10,7 +9,7 @@ val weak_offers : Model.t -> State.process -> State.bond -> (Behaviour.t * Behav
 (** The ways to release a bond, which both its ends must offer (reading I-6): what its lesser and its
     greater end become, and the behaviour rules used. *)
 
-val restart_clock : Model.t -> leaves:State.leaf list -> bonds:State.bond list -> velocity:Vec.t -> State.process
+val restart_clock : Model.t -> State.process -> State.process
 (** The process with its split clock at 0 if a weak split of it is enabled, without clock otherwise
     (reading I-9). *)
 

@@ -47,10 +47,7 @@ let steer_process (m : Model.t) ~time ~dt (p : State.process) =
       Ok (Vec.axpy mass c sum, Rat.add total mass)
     in
     let* sum, total = Array.fold_left add (Ok (Vec.zero, Rat.zero)) p.leaves in
-    let velocity = Vec.axpy (Rat.div Rat.one total) sum p.velocity in
-    Ok
-      (State.process ~leaves:(Array.to_list p.leaves) ~bonds:(Array.to_list p.bonds) ~velocity
-         ~clock:p.clock)
+    Ok (State.with_velocity (Vec.axpy (Rat.div Rat.one total) sum p.velocity) p)
 
 let run (m : Model.t) (s : State.t) =
   match s.step with

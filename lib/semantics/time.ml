@@ -36,14 +36,12 @@ let pass_process (m : Model.t) d (p : State.process) =
     in
     { l with position; behaviour = Behaviour.pass m.definitions d l.behaviour }
   in
-  let leaves = Array.to_list (Array.map age p.leaves) and bonds = Array.to_list p.bonds in
   let expires =
     match process_horizon m p with Some h -> Rat.compare h d <= 0 | None -> false
   in
-  if expires then Process.restart_clock m ~leaves ~bonds ~velocity:p.velocity
-  else
-    let clock = Option.map (fun c -> Rat.modulo (Rat.add c d) m.split_step) p.clock in
-    State.process ~leaves ~bonds ~velocity:p.velocity ~clock
+  let aged = State.map_leaves age p in
+  if expires then Process.restart_clock m aged
+  else State.with_clock (Option.map (fun c -> Rat.modulo (Rat.add c d) m.split_step) p.clock) aged
 
 let pass_step d (step : State.step) =
   let remaining = Rat.sub step.remaining d in
