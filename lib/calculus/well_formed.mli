@@ -1,6 +1,6 @@
-(** Well-formed networks (rule WellFormed, Definitions 4.4 to 5.2): what every reachable state satisfies.
-    Elaboration checks the declared network with places in the text; this is the same for any state,
-    exactly. *)
+(** Well-formed networks (rule WellFormed, Definitions 4.4, 4.5 and 5.2): what every reachable state
+    satisfies. Elaboration checks the declared network with places in the text; this is the same for any
+    state, exactly. *)
 
 open Scc_exact
 
