@@ -4,10 +4,10 @@ open Scc_exact
 open Scc_calculus
 
 val delay : Model.t -> State.t -> Rat.t option
-(** For a state in which time may pass: the least of the time left in the movement step (unless nothing is
-    steered: rule Jump), Ftoc, the horizons of the behaviours and the times to the next split instants.
-    [None] when none of them is finite, or when only movement steps are left that nothing steers any more:
-    the network is quiescent. *)
+(** For a state in which time may pass: the least of the time left in the movement step (if there are steps:
+    rule Jump), Ftoc, the horizons of the behaviours and the times to the next split instants. [None] when
+    none of them is finite, or when only movement steps are left that nothing steers any more: the network is
+    quiescent. *)
 
 val pass : Model.t -> Rat.t -> State.t -> State.t
 (** The state after a time d > 0 that is at most {!delay}; split clocks run modulo the split step (reading
