@@ -122,7 +122,7 @@ val mesh_format : t
 (** SC0321: a mesh format that is not supported. *)
 
 
-(** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; section 5)} *)
+(** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 
 val not_touching : t
 (** SC0401: features that do not touch. *)

@@ -1,5 +1,5 @@
 (** From the syntax tree of a model to the terms of the calculus: names, loops, templates, properties, and
-    every static check of section 5 of the rule book. *)
+    every static check (rule WellFormed). *)
 
 open Scc_base
 open Scc_exact

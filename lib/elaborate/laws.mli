@@ -1,4 +1,4 @@
-(** Laws of motion: vectors of expressions over the variables of section 4.4 (reading I-10). A declared value
+(** Laws of motion: vectors of expressions over the variables that rule Steer gives them (reading I-10). A declared value
     hides a variable of the same name. *)
 
 open Scc_syntax

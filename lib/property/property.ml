@@ -35,7 +35,7 @@ and prop =
   | Bound of int * int  (** a bond joins the two leaves *)
   | Same of int * int  (** one process *)
   | Behaviour of int * int
-  (** leaf; definition K: its behaviour is K or what K became by the passing of time *)
+  (** leaf and definition K: the leaf has come to be K and only aged since (reading I-14) *)
   | Offers of int * Behaviour.polarity option * string
   (** the leaf offers a channel of this name now; [None]: of any kind (open with either polarity, weak or
       strong) *)

@@ -1,5 +1,5 @@
-(** Checking properties: one exploration that serves all of them, over the whole continuous run (section 6
-    of the rule book). *)
+(** Checking properties: one exploration that serves all of them, over the whole continuous run (rules
+    Instants, Verdict, Zeno). *)
 
 open Scc_exact
 open Scc_calculus

@@ -1,5 +1,4 @@
-(** Properties of the whole run, not of its events alone: state predicates evaluated over every real
-    instant of a time transition, exactly. Coordinates are affine in the offset t since the start,
+(** State predicates along a time transition, exactly and at all of its instants (rule Instants). Coordinates are affine in the offset t since the start,
     squared distances quadratic, contact a closed interval for each pair of parts. *)
 
 open Scc_calculus

@@ -1,4 +1,4 @@
-(** Verdicts: what is known of a property, and how well. *)
+(** Verdicts: what is known of a property, and how well (rule Verdict). *)
 
 open Scc_exact
 

@@ -1,5 +1,5 @@
-// A single body drifts. Nothing ever happens to it, and still it passes x = 3
-// at a real instant: properties speak of the whole run, not of its events.
+// A single body drifts. Its run has no event at all, yet it leaves x <= 3 behind
+// at time 9: a property is judged at all instants, also at those between events.
 model drift
 
 shape Cube {

@@ -46,7 +46,7 @@ process s2 = Big mass 3 velocity (0,-1,0)
              at translate (109/41, 4491/820, 0) * rotate quaternion (9,0,0,-1) [Open1]
 
 check binds    : eventually bonds(a) = 1                                  // expect: holds
-check two      : always bonds(a) <= 1                                     // expect: holds
+check one_only : always bonds(a) <= 1                                     // expect: holds
 check both     : always (behaviour(P0) = B0 => behaviour(s2) = B1)        // expect: holds
 check moves    : possibly vy(s2) = -1/3 and vy(P0) = -1/3                 // expect: holds
 check when     : possibly time = 2 and bonds(a) = 1                       // expect: holds

@@ -1,5 +1,5 @@
-// A cube falls on a floor under a law of motion: each movement step adds
-// g*dt to its downward velocity. Collisions cut steps short, and dt is the
+// A cube falls on a floor under a law of motion: at each movement step it gains
+// g*dt of downward velocity. A collision may end a step early; as dt is the
 // time since the last update (reading I-10), so none of the fall is lost.
 model gravity
 

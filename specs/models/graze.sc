@@ -1,4 +1,4 @@
-// A graze: an edge of q passes through an edge of p at one instant, and
+// A graze: an edge of q slides across an edge of p at one instant, and
 // neither feels anything. It is no event, yet they touch.
 model graze
 

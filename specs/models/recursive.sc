@@ -25,4 +25,4 @@ check docks    : eventually bound(p, floor)                        // expect: ho
 check undocks  : possibly not bound(p, floor) and y(p) = 1 and behaviour(p) = Free  // expect: holds
 check down     : always y(p) >= 1 and x(p) = 0                     // expect: holds
 check one_bond : always bonds(dock) <= 1                           // expect: holds
-check stays    : possibly y(p) > 3                                 // expect: violated
+check rises    : possibly y(p) > 3                                 // expect: violated

@@ -1,4 +1,4 @@
-(* Section 5 of the rule book: each fault of a state is found, and no other. *)
+(* Rule WellFormed: each fault of a state is found, and no other. *)
 
 open Scc_exact
 open Scc_geometry

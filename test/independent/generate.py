@@ -172,7 +172,7 @@ class Model:
         for i in c.AXES:
             low, high = low_high[i]
             steps = int((high - low) * 2)
-            inner = low + F(rng.randint(0 if rng.random() < 0.3 else 1, steps), 2)
+            inner = low + F(rng.choice([0, steps]) if rng.random() < 0.3 else rng.randint(0, steps), 2)
             at.append(rng.choice([low, high]) if i == axis else inner if i < self.flat
                       else low + F(rng.randint(1, steps - 1), 2) if steps > 1 else (low + high) / 2)
         return tuple(at)
@@ -305,6 +305,14 @@ class Model:
                          for i in c.AXES)
         return tuple(F(r.choice([-2, -1, -1, 0, 1, 1, 2])) if i < self.flat else F(0) for i in c.AXES)
 
+    def aimed(self, body, velocity):
+        """A place from which the body gets to one beside another, in a while."""
+        other = self.rng.choice(list(self.bodies.values()))
+        at = self.beside(self.rng.choice(other.parts), self.rng.choice(body.parts))
+        w = c.minus(velocity, self.velocities[other.name])
+        t = self.rng.choice([F(0), F(1, 2), F(1), F(1), F(1), F(2)])
+        return c.minus(c.plus(at, self.positions[other.name]), c.times(t, w))
+
     def leaf(self, name, fixed):
         rng = self.rng
         shape = rng.choice(self.shapes)
@@ -338,8 +346,11 @@ class Model:
                     if j == 0:
                         at = tuple(F(rng.randint(-2 * extent, 2 * extent), 2) if k < self.flat
                                    else F(rng.randint(-1, 1), 2) for k in c.AXES)
+                        velocity = c.ZERO if fixed else self.velocity(at)
+                        if self.bodies and rng.random() < 0.6:
+                            at = self.aimed(body, velocity)
                         if self.free(body, at):
-                            self.add(body, at, c.ZERO if fixed else self.velocity(at))
+                            self.add(body, at, velocity)
                             group.append(body)
                             break
                         continue

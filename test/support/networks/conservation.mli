@@ -1,4 +1,4 @@
-(** What discrete transitions conserve (section 5 of the rule book), exactly. *)
+(** What discrete transitions conserve (rule WellFormed), exactly. *)
 
 open Scc_exact
 open Scc_calculus
