@@ -18,24 +18,6 @@ type t = body list
 
 (* {1 Shapes} *)
 
-let cube =
-  let vertex name x y z = (name, Vec.of_ints x y z) in
-  let ifs =
-    {
-      Polyhedron.ifs_vertices =
-        [|
-          vertex "a" (-1) (-1) (-1); vertex "b" 1 (-1) (-1); vertex "c" 1 1 (-1); vertex "d" (-1) 1 (-1);
-          vertex "e" (-1) (-1) 1; vertex "f" 1 (-1) 1; vertex "g" 1 1 1; vertex "h" (-1) 1 1;
-        |];
-      ifs_faces =
-        [|
-          ("bottom", [| 0; 3; 2; 1 |]); ("top", [| 4; 5; 6; 7 |]); ("left", [| 0; 4; 7; 3 |]);
-          ("right", [| 1; 2; 6; 5 |]); ("front", [| 0; 1; 5; 4 |]); ("back", [| 3; 7; 6; 2 |]);
-        |];
-    }
-  in
-  match Polyhedron.of_ifs ifs with Ok p -> p | Error _ -> failwith "the cube is refused"
-
 let rational n d = Rat.make (Z.of_int n) (Z.of_int d)
 let int = Rat.of_int
 
@@ -51,7 +33,7 @@ let sheared =
 let maps =
   [| Mat.identity; Mat.diagonal (Vec.make Rat.one (rational 1 2) Rat.one); turned; sheared |]
 
-let solids = Array.mapi (fun id map -> Solid.make ~id cube map) maps
+let solids = Array.mapi (fun id map -> Solid.make ~id Cube.polyhedron map) maps
 
 (* A shape: parts as (solid, offset), within [-3, 1] along x and [-1, 1] along y and z. *)
 let shapes =
@@ -68,7 +50,7 @@ let shapes =
 let channel faces =
   let features = List.map (fun f -> Feature.Face f) faces in
   let sites = List.map (fun feature -> { Site.part = 0; feature }) in
-  Behaviour.channel ~name:"a" ~sites:(sites features) ~closure:(sites (Polyhedron.closure cube features))
+  Behaviour.channel ~name:"a" ~sites:(sites features) ~closure:(sites (Polyhedron.closure Cube.polyhedron features))
 
 let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 3; 5 ]
