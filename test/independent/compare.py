@@ -10,12 +10,14 @@ import argparse
 from fractions import Fraction as F
 import json
 import os
+import random
 import re
 import subprocess
 import sys
 import tempfile
 
 import calculus as c
+import explore
 import generate
 
 
@@ -226,9 +228,46 @@ def expect(what, scc, naive):
         raise Difference('%s\n  scc:   %s\n  naive: %s' % (what, show(scc), show(naive)))
 
 
+def formula(model, rng, depth):
+    names = list(model.bodies)
+    p, q = rng.choice(names), rng.choice(names)
+    if depth > 0 and rng.random() < 0.4:
+        f, g = formula(model, rng, depth - 1), formula(model, rng, depth - 1)
+        return rng.choice([explore.conjunction(f, g), explore.implication(f, g), explore.negation(f)])
+    relation = rng.choice(list(explore.RELATIONS))
+    axis = rng.randrange(model.flat)
+    kinds = [lambda: explore.coordinate(model.bodies, p, axis, relation, F(rng.randint(-8, 8), 4)),
+             lambda: explore.speed(p, axis, relation, F(rng.randint(-2, 2), 2)),
+             lambda: explore.size(model.bodies, p, relation, rng.randint(1, 5))]
+    if p != q:
+        kinds += [lambda: explore.touching(model.bodies, p, q)] * 2 + [
+            lambda: explore.bound_together(p, q), lambda: explore.same(p, q)]
+    used = [n for n in model.names if '<%s,' % n in model.text() or '<~%s,' % n in model.text()]
+    if used:
+        kinds += [lambda: explore.bonds(rng.choice(used), relation, rng.randint(0, 2))] * 2
+    own = [n for n, s in model.on.items() if s is model.bodies[p].shape]
+    if own:
+        kinds += [lambda: explore.behaviour(p, rng.choice(own))]
+    return rng.choice(kinds)()
+
+
+def question(model, rng, graph):
+    """A random property and its verdict."""
+    f = formula(model, rng, 2)
+    within = rng.choice([None, None, F(0), F(1), F(1, 2), F(3, 2), F(2), F(3)])
+    kind = rng.choice(['possibly', 'always', 'eventually'])
+    text = '%s (%s)%s' % (kind, f[0], '' if within is None else ' within %s' % within)
+    if kind == 'possibly':
+        return text, 'holds' if explore.possibly(graph, f, within) else 'violated'
+    if kind == 'always':
+        return text, 'violated' if explore.possibly(graph, explore.negation(f), within) else 'holds'
+    return text, explore.eventually(graph, f, within)
+
+
 class Comparison:
-    def __init__(self, scc, folder, steps, branches):
+    def __init__(self, scc, folder, steps, branches, states=150, questions=12):
         self.scc, self.folder, self.steps, self.branches = scc, folder, steps, branches
+        self.states, self.questions = states, questions
         self.seen = {}
 
     def model(self, seed):
@@ -257,6 +296,36 @@ class Comparison:
             choices.append(line['choice'])
             state = after
         self.ending(lines[-1], steps, state, model)
+
+    def properties(self, seed):
+        """Explores the model both ways, if it is small: counts, and verdicts on random properties."""
+        model = generate.Model(seed)
+        if any('time' in t for t in model.law_texts):
+            return
+        try:
+            graph = explore.Graph(model.calculus, model.initial(), self.states)
+        except explore.TooMany:
+            return
+        self.found('explored')
+        rng = random.Random(seed)
+        questions = [question(model, rng, graph) for _ in range(self.questions)]
+        path = os.path.join(self.folder, 'check.sc')
+        with open(path, 'w') as f:
+            f.write(model.text())
+            f.write('check all : always processes >= 0\n')
+            for i, (text, _) in enumerate(questions):
+                f.write('check q%d : %s\n' % (i, text))
+        code, out, err = run(self.scc, ['check', path, '--json'])
+        if code not in (0, 1, 2):
+            raise Difference('check: exit code %d: %s' % (code, (out + err)[:600]))
+        report = json.loads(out)
+        for (text, expected), p in zip([('all', 'holds')] + questions, report['properties']):
+            self.found(text.split()[0] + ' ' + expected)
+            expect('check ' + text, p['verdict'], expected)
+        counts = report['explored']
+        if counts['states'] != len(graph.edges) or counts['transitions'] != graph.transitions():
+            raise Difference('explored by scc: %d states, %d transitions; naive: %d, %d' % (
+                counts['states'], counts['transitions'], len(graph.edges), graph.transitions()))
 
     def successors(self, model, state, label):
         """With the jump over movement steps, if scc takes it."""
@@ -317,11 +386,12 @@ def main():
         for seed in range(options.seed, options.seed + options.count):
             try:
                 comparison.model(seed)
+                comparison.properties(seed)
                 passed += 1
             except (Difference, AssertionError, subprocess.TimeoutExpired) as fault:
                 failed += 1
                 print('model %d: %s' % (seed, fault), flush=True)
-    print('transitions: %s' % ', '.join('%d %s' % (n, k) for k, n in sorted(comparison.seen.items())))
+    print('seen: %s' % ', '.join('%d %s' % (n, k) for k, n in sorted(comparison.seen.items())))
     print('%d passed, %d failed' % (passed, failed))
     sys.exit(1 if failed else 0)
 
