@@ -1,5 +1,5 @@
-(** Laws of motion: vectors of expressions over the variables that rule Steer gives them (reading I-10). A declared value
-    hides a variable of the same name. *)
+(** Laws of motion: vectors of expressions over the variables that rule Steer gives them (reading I-10). A
+    declared value hides a variable of the same name. *)
 
 open Scc_syntax
 open Scc_calculus

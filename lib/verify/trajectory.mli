@@ -1,5 +1,6 @@
-(** State predicates along a time transition, exactly and at all of its instants (rule Instants). Coordinates are affine in the offset t since the start,
-    squared distances quadratic, contact a closed interval for each pair of parts. *)
+(** State predicates along a time transition, exactly and at all of its instants (rule Instants).
+    Coordinates are affine in the offset t since the start, squared distances quadratic, contact a closed
+    interval for each pair of parts. *)
 
 open Scc_calculus
 open Scc_property

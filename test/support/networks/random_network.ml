@@ -50,7 +50,8 @@ let shapes =
 let channel faces =
   let features = List.map (fun f -> Feature.Face f) faces in
   let sites = List.map (fun feature -> { Site.part = 0; feature }) in
-  Behaviour.channel ~name:"a" ~sites:(sites features) ~closure:(sites (Polyhedron.closure Cube.polyhedron features))
+  Behaviour.channel ~name:"a" ~sites:(sites features)
+    ~closure:(sites (Polyhedron.closure Cube.polyhedron features))
 
 let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 3; 5 ]
