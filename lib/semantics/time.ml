@@ -43,12 +43,17 @@ let pass_process (m : Model.t) d (p : State.process) =
   if expires then Process.restart_clock m aged
   else State.with_clock (Option.map (fun c -> Rat.modulo (Rat.add c d) m.split_step) p.clock) aged
 
-let pass_step d (step : State.step) =
-  let remaining = Rat.sub step.remaining d in
-  { State.remaining; phase = (if Rat.sign remaining = 0 then State.Due else Moving) }
+(* Where nothing is steered, time may pass over the ends of steps: they come every timestep. *)
+let pass_step (m : Model.t) d (step : State.step) =
+  let beyond = Rat.sub d step.remaining in
+  let into = if Rat.sign beyond < 0 then beyond else Rat.modulo beyond m.timestep in
+  match Rat.sign into with
+  | 0 -> { State.remaining = Rat.zero; phase = State.Due }
+  | s when s < 0 -> { State.remaining = Rat.neg into; phase = State.Moving }
+  | _ -> { State.remaining = Rat.sub m.timestep into; phase = State.Moving }
 
 let pass m d (s : State.t) =
   State.make
     ~processes:(List.map (pass_process m d) (Array.to_list s.processes))
-    ~step:(Option.map (pass_step d) s.step)
+    ~step:(Option.map (pass_step m d) s.step)
     ~time:(Option.map (Rat.add d) s.time)
