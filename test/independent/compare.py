@@ -236,13 +236,14 @@ def formula(model, rng, depth):
         return rng.choice([explore.conjunction(f, g), explore.implication(f, g), explore.negation(f)])
     relation = rng.choice(list(explore.RELATIONS))
     axis = rng.randrange(model.flat)
-    kinds = [lambda: explore.coordinate(model.bodies, p, axis, relation, F(rng.randint(-8, 8), 4)),
-             lambda: explore.speed(p, axis, relation, F(rng.randint(-2, 2), 2)),
+    kinds = [lambda: explore.speed(p, axis, relation, F(rng.randint(-2, 2), 2)),
              lambda: explore.size(model.bodies, p, relation, rng.randint(1, 5))]
+    if not model.bodies[p].fixed:  # its masses mean nothing, and hence no centre of mass
+        kinds += [lambda: explore.coordinate(model.bodies, p, axis, relation, F(rng.randint(-8, 8), 4))] * 2
     if p != q:
         kinds += [lambda: explore.touching(model.bodies, p, q)] * 2 + [
             lambda: explore.bound_together(p, q), lambda: explore.same(p, q)]
-    used = [n for n in model.names if '<%s,' % n in model.text() or '<~%s,' % n in model.text()]
+    used = model.channels()
     if used:
         kinds += [lambda: explore.bonds(rng.choice(used), relation, rng.randint(0, 2))] * 2
     own = [n for n, s in model.on.items() if s is model.bodies[p].shape]

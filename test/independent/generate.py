@@ -377,6 +377,22 @@ class Model:
                     text, body.law = self.rng.choice(LAWS)(k)
                     self.law_texts.append('motion %s = %s\n' % (body.name, text))
 
+    def channels(self):
+        """The channels of the bonds, and of the behaviours that the leaves can come to."""
+        found, seen = {b[0] for b in self.bonds}, set()
+        todo = list(self.behaviours.values())
+        while todo:
+            b = todo.pop()
+            if b[0] == 'name' and b not in seen:
+                seen.add(b)
+                todo.append(self.definitions[b[1]])
+            elif b[0] == 'sum':
+                todo += b[1]
+            elif b[0] in ('open', 'weak', 'strong', 'eps'):
+                todo.append(b[-1])
+                found |= {n for n, _ in b[1]} if b[0] == 'strong' else {b[1]} if b[0] != 'eps' else set()
+        return sorted(found)
+
     # Out
 
     def initial(self):
