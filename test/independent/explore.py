@@ -20,6 +20,7 @@ class Graph:
         self.calculus = calculus
         self.initial = initial._replace(time=F(0))
         self.edges = {}
+        self.jumps = False  # over movement steps that steer nothing: scc may take more or fewer of these
         todo = [self.initial]
         while todo:
             s = todo.pop()
@@ -28,6 +29,7 @@ class Graph:
             if len(self.edges) >= limit or long_numbers(s):
                 raise TooMany()
             jump = not calculus.steerable(s)
+            self.jumps |= jump and s.step is not None
             self.edges[s] = [(l[1] if l[0] == 'time' else None, n._replace(time=F(0)))
                              for l, n in calculus.successors(s, jump)]
             todo += [n for _, n in self.edges[s]]
