@@ -203,8 +203,12 @@ class Model:
         chosen = []
         for part in parts:
             features = list(part.features)
-            if rng.random() < 0.5:
+            kind = rng.random()
+            if kind < 0.4:
                 chosen += [(part.name, f) for f in part.faces]
+            elif kind < 0.55:
+                size = rng.choice([1, 2])
+                chosen += [(part.name, f) for f in features if len(f) == size]
             else:
                 faces = list(part.faces)
                 for _ in range(rng.choice([0, 1, 1, 2])):
