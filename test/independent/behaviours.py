@@ -1,0 +1,60 @@
+"""Behaviours: what they offer and how they age."""
+
+# ('nil',) ('open', name, barred, sites, B) ('weak', name, sites, B)
+# ('strong', frozenset of (name, sites), B) ('eps', t, B) ('sum', (B, ...)) ('name', K)
+# A set of sites is a frozenset of (part or None, frozenset of vertex names).
+
+
+def canonical(b):
+    """eps(0).B is B, and sums have no brackets."""
+    kind = b[0]
+    if kind in ('nil', 'name'):
+        return b
+    if kind == 'eps':
+        rest = canonical(b[2])
+        return rest if b[1] == 0 else ('eps', b[1], rest)
+    if kind == 'sum':
+        summands = []
+        for s in map(canonical, b[1]):
+            summands.extend(s[1] if s[0] == 'sum' else [s])
+        return ('sum', tuple(summands))
+    return b[:-1] + (canonical(b[-1]),)
+
+
+def offers(b, definitions):
+    """Rules Pre, Weak, Strong, Sum, Def, Eps0: all (prefix, continuation)."""
+    kind = b[0]
+    if kind in ('open', 'weak', 'strong'):
+        return [(b[:-1], b[-1])]
+    if kind == 'sum':
+        return [o for s in b[1] for o in offers(s, definitions)]
+    if kind == 'name':
+        return offers(definitions[b[1]], definitions)
+    return []
+
+
+def horizon(b, definitions):
+    """The least time left in an exposed eps; None for infinity."""
+    if b[0] == 'eps':
+        return b[1]
+    if b[0] == 'sum':
+        return least([horizon(s, definitions) for s in b[1]])
+    if b[0] == 'name':
+        return horizon(definitions[b[1]], definitions)
+    return None
+
+
+def least(times):
+    known = [t for t in times if t is not None]
+    return min(known) if known else None
+
+
+def age(b, d, definitions):
+    """Rule TimeBehaviour, for d not beyond the horizon."""
+    if b[0] == 'eps':
+        return canonical(('eps', b[1] - d, b[2]))
+    if b[0] == 'sum':
+        return canonical(('sum', tuple(age(s, d, definitions) for s in b[1])))
+    if b[0] == 'name' and horizon(b, definitions) is not None:
+        return age(definitions[b[1]], d, definitions)
+    return b
