@@ -90,7 +90,7 @@ let weak channel b = Weak (channel, b)
 let strong channels b =
   match channels with
   | [] -> Scc_base.Bug.fail __POS__ "a strong split without entries"
-  | _ :: _ -> Strong (List.sort compare_channel channels, b)
+  | _ :: _ -> Strong (List.sort_uniq compare_channel channels, b)
 
 let delay t b =
   match Rat.sign t with
@@ -164,6 +164,19 @@ let rec term_horizon defs = function
 
 let horizon defs b = term_horizon defs b.term
 
+(* Ageing can bring up nil and equal summands again and again, which offer nothing new: without them a
+   recursion through sums comes back to where it was (reading I-17). *)
+let without_repetition b =
+  let rec summands found = function
+    | Sum (a, b) -> summands (summands found a) b
+    | Nil -> found
+    | (Open _ | Weak _ | Strong _ | Delay _ | Call _) as s ->
+      if List.exists (equal s) found then found else s :: found
+  in
+  match List.rev (summands [] b) with
+  | [] -> Nil
+  | first :: rest -> List.fold_left sum first rest
+
 (* A time up to the horizon: no exposed eps is passed, some may expire at its end. *)
 let rec pass_term defs d b =
   match b with
@@ -179,7 +192,7 @@ let rec pass_term defs d b =
 
 let pass_to_horizon defs d b =
   let term = pass_term defs d b.term in
-  if term == b.term then b else aged b.origin term
+  if term == b.term then b else aged b.origin (without_repetition term)
 
 (* By additivity, from horizon to horizon: so a name that an expiring eps brings up becomes the origin. *)
 let rec pass defs d b =

@@ -23,7 +23,7 @@ type t = private
   | Nil
   | Open of polarity * channel * t  (** <alpha, Phi>. B *)
   | Weak of channel * t  (** omega(a, Phi). B *)
-  | Strong of channel list * t  (** rho(L). B; L sorted, not empty *)
+  | Strong of channel list * t  (** rho(L). B; L sorted, a set, not empty *)
   | Delay of Rat.t * t  (** eps(t). B with t > 0: eps(0).B is B *)
   | Sum of t * t
   | Call of int  (** K, an index into the definitions *)
@@ -76,7 +76,7 @@ val horizon : definitions -> aged -> Rat.t option
 
 val pass : definitions -> Rat.t -> aged -> aged
 (** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed
-    eps stay folded. *)
+    eps stay folded; an aged sum has neither nil nor equal summands (reading I-17). *)
 
 (** {1 Guardedness} *)
 

@@ -49,12 +49,25 @@ def least(times):
     return min(known) if known else None
 
 
+def without_repetition(b):
+    """An aged sum without nil and equal summands (I-17)."""
+    summands = [s for s in dict.fromkeys(b[1]) if s != ('nil',)]
+    if len(summands) > 1:
+        return ('sum', tuple(summands))
+    return summands[0] if summands else ('nil',)
+
+
 def age(b, d, definitions):
     """Rule TimeBehaviour, for d not beyond the horizon."""
+    aged = canonical(age_term(b, d, definitions))
+    return without_repetition(aged) if aged != b and aged[0] == 'sum' else aged
+
+
+def age_term(b, d, definitions):
     if b[0] == 'eps':
         return canonical(('eps', b[1] - d, b[2]))
     if b[0] == 'sum':
-        return canonical(('sum', tuple(age(s, d, definitions) for s in b[1])))
+        return ('sum', tuple(age_term(s, d, definitions) for s in b[1]))
     if b[0] == 'name' and horizon(b, definitions) is not None:
-        return age(definitions[b[1]], d, definitions)
+        return age_term(definitions[b[1]], d, definitions)
     return b

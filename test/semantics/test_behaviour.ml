@@ -12,6 +12,8 @@ let defs : Behaviour.definitions =
     { name = "Chain"; body = eps (ratio 1 2) (Behaviour.call 1) };
     { name = "Mixed"; body = eps (q 1) (Behaviour.call 2) + Behaviour.call 0 };
     { name = "Loop"; body = eps (ratio 3 4) (Behaviour.call 4) };
+    { name = "Twice"; body = eps (q 1) (Behaviour.call 5 + Behaviour.call 5) };
+    { name = "Padded"; body = eps (q 1) (Behaviour.call 6) + nil };
   |]
 
 let gen_time = Gen.map2 ratio (Gen.int_range 0 24) (Gen.int_range 1 8)
@@ -108,6 +110,14 @@ let origin () =
   Alcotest.(check bool) "without exposed eps a name stays folded" true
     (equal folded (Behaviour.fresh (Behaviour.call 0)))
 
+let recurrence () =
+  let after d k = Behaviour.pass defs (q d) (Behaviour.fresh (Behaviour.call k)) in
+  Alcotest.(check bool) "equal summands" true (equal (after 2 5) (after 4 5));
+  Alcotest.(check bool) "nil" true (equal (after 1 6) (after 2 6));
+  let entry = ("a", [ "top" ]) in
+  Alcotest.(check bool) "an entry written twice" true
+    (Behaviour.equal (strong [ entry; entry ] nil) (strong [ entry ] nil))
+
 let unguarded () =
   let call = Behaviour.call in
   let body body : Behaviour.definition = { name = "K"; body } in
@@ -126,6 +136,7 @@ let () =
       ( "terms",
         [
           Alcotest.test_case "I-14: the origin of a behaviour follows the passing of time" `Quick origin;
+          Alcotest.test_case "I-17: aged sums recur, and L is a set" `Quick recurrence;
           Alcotest.test_case "guardedness" `Quick unguarded;
         ] );
       ("laws", Scc_test_support.Property.cases [ additivity; before_horizon; order ]);
