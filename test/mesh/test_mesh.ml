@@ -83,7 +83,7 @@ let ply_binary ~big format =
       float32 int32 b y;
       int64 b (Int64.bits_of_float z);
       Buffer.add_uint8 b 7
-    | _ -> assert false
+    | _ -> Alcotest.fail "a vertex has three coordinates"
   in
   Array.iter vertex points;
   let face f =
