@@ -45,12 +45,22 @@ let pairs path =
   let case r = { near = vector r 0; far = vector r 3; velocity = vector r 6; turn = turn r 9 } in
   Array.map case (rows path)
 
+let is_kissing path =
+  let found = rows path in
+  Array.length found > 0 && Array.length found.(0) = 7
+
 let kissing path =
   let case r =
     let norm2 = Array.fold_left (fun s q -> s + (q * q)) 0 (Array.sub r 3 4) in
     (turn r 3, Vec.scale (Rat.make Z.one (Z.of_int norm2)) (vector r 0))
   in
   Array.map case (rows path)
+
+let touch_word = function
+  | None -> "never"
+  | Some (_, Some last) when Rat.sign last < 0 -> "never"
+  | Some (None, _) -> "touch 0"
+  | Some (Some first, _) -> "touch " ^ Rat.to_string (Rat.max Rat.zero first)
 
 let answer o r w =
   let collision =
@@ -59,11 +69,4 @@ let answer o r w =
     | Inside -> "inside"
     | At t -> "collide " ^ Rat.to_string t
   in
-  let touch =
-    match Obstacle.meeting o r w with
-    | None -> "never"
-    | Some (_, Some last) when Rat.sign last < 0 -> "never"
-    | Some (None, _) -> "touch 0"
-    | Some (Some first, _) -> "touch " ^ Rat.to_string (Rat.max Rat.zero first)
-  in
-  collision ^ " | " ^ touch
+  collision ^ " | " ^ touch_word (Obstacle.meeting o r w)
