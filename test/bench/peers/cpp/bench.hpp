@@ -149,4 +149,11 @@ class Output {
 
 inline const char* meet(double yes) { return yes != 0 ? "meet" : "apart"; }
 
+// A negative time means never.
+inline std::string hit(double time) {
+  char text[40];
+  std::snprintf(text, sizeof text, "hit %.17g", time);
+  return time < 0 ? "never" : text;
+}
+
 }  // namespace bench
