@@ -66,7 +66,9 @@ let stretch g =
   | 4 | 5 -> quotient g 7
   | _ -> Rat.one
 
-let far g = Rng.choose g [| ten 9; ten 18; ten 40; ten 320; Rat.make (Rng.positive g 62) Z.one |]
+let far g =
+  if Rng.chance g 20 then ten 320
+  else Rng.choose g [| ten 9; ten 18; ten 40; Rat.make (Rng.positive g 62) Z.one |]
 
 let random g p =
   let case kind r w = { kind; r; w = Vec.scale (stretch g) w; known = None } in

@@ -49,7 +49,7 @@ let run_group plan tally shapes group =
       let swapped = once 4 in
       let fresh = once (if few_corners then 16 else 100) in
       let all_axes = once 50 in
-      let naive = once (if degenerate then 100 else 1000) && few_corners in
+      let naive = once (if degenerate then 200 else 1000) && few_corners in
       match Check.case pair { swapped; fresh; all_axes; naive } c with
       | outcome ->
         count tally c.kind outcome;
