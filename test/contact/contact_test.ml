@@ -38,19 +38,6 @@ let touching =
   property "the touching pairs of features are those found by trying all" ~count:120 ~gen:aimed
     (when_touching all_pairs)
 
-(* Aligned bodies on a grid, which touch as they stand about as often as not. *)
-let resting =
-  let make (name, plain) turn = { name; plain; turn } in
-  let axis_aligned = Gen.map2 make (Gen.oneofl named) (Gen.oneofl cube_turns) in
-  let offset =
-    Gen.map2 (fun (x, y) axis -> (x, y, axis)) Gen.(pair (-5 -- 5) (-5 -- 5)) (Gen.oneofl cube_turns)
-  in
-  Gen.map2
-    (fun (a, b) (x, y, m) ->
-       let level = Vec.make (half x) (half y) (Rat.of_int 2) in
-       { a; b; r = Mat.apply m level; w = Mat.apply m (Vec.of_ints 0 0 (-1)) })
-    (Gen.pair axis_aligned axis_aligned) offset
-
 let touching_aligned =
   property "also for aligned bodies" ~count:150 ~gen:resting (when_touching all_pairs)
 

@@ -24,9 +24,19 @@ let rhombic =
     ((List.concat_map (fun s -> [ (2 * s, 0, 0); (0, 2 * s, 0); (0, 0, 2 * s) ]) signs)
      @ List.concat_map (fun x -> List.concat_map (fun y -> List.map (fun z -> (x, y, z)) signs) signs) signs)
 
+let plank = box 8 2 1
+let needle = hull [ (0, 0, 0); (9, 0, 0); (9, 1, 0); (8, 0, 1) ]
+let sliver = hull [ (0, 0, 0); (9, 0, 1); (9, 9, 0); (0, 9, 1) ]
+
+(* Nine vertices, of which some are nearly in one plane. *)
+let lump =
+  hull
+    [ (3, 0, 0); (-3, 1, 0); (0, 3, 1); (1, -3, 0); (0, 1, 3); (1, 0, -3); (2, 2, 2); (-2, -2, 2); (2, 1, -2) ]
+
 let named =
-  [ ("cube", cube); ("slab", slab); ("tetrahedron", tetrahedron); ("octahedron", octahedron);
-    ("prism", prism); ("rhombic dodecahedron", rhombic) ]
+  [ ("plank", plank); ("needle", needle); ("sliver", sliver); ("lump", lump); ("cube", cube); ("slab", slab);
+    ("tetrahedron", tetrahedron); ("octahedron", octahedron); ("prism", prism);
+    ("rhombic dodecahedron", rhombic) ]
 
 let quaternion (w, x, y, z) =
   let q = Rat.of_int in
@@ -62,6 +72,16 @@ let solid ~id b = Scc_test_data.Test_data.solid ~id b.plain b.turn
 let placed b at = Naive.move b.turn at b.plain
 let obstacle a b = Obstacle.make (solid ~id:0 a) (solid ~id:1 b)
 
+let equal_cast (x : Obstacle.cast) (y : Obstacle.cast) =
+  match (x, y) with
+  | Never, Never | Inside, Inside -> true
+  | At s, At t -> Rat.equal s t
+  | _ -> false
+
+let same_interval x y =
+  let same (a, b) (c, d) = Option.equal Rat.equal a c && Option.equal Rat.equal b d in
+  Option.equal same x y
+
 type scene = { a : body; b : body; r : Vec.t; w : Vec.t }
 
 let scene = Gen.map2 (fun (a, b) (r, w) -> { a; b; r; w }) (Gen.pair body body) (Gen.pair offset velocity)
@@ -76,6 +96,19 @@ let aimed =
   let far (x, y, z) = Vec.of_ints (2 * x) (2 * y) (2 * z) in
   let aim s (r, past) = { s with r = far r; w = Vec.sub (halves past) (far r) } in
   Gen.map2 aim scene Gen.(pair (triple (-3 -- 3) (-3 -- 3) (-3 -- 3)) (triple (-2 -- 2) (-2 -- 2) (-2 -- 2)))
+
+(* Aligned bodies on a grid, which touch as they stand about as often as not. *)
+let resting =
+  let make (name, plain) turn = { name; plain; turn } in
+  let axis_aligned = Gen.map2 make (Gen.oneofl named) (Gen.oneofl cube_turns) in
+  let offset =
+    Gen.map2 (fun (x, y) axis -> (x, y, axis)) Gen.(pair (-5 -- 5) (-5 -- 5)) (Gen.oneofl cube_turns)
+  in
+  Gen.map2
+    (fun (a, b) (x, y, m) ->
+       let level = Vec.make (half x) (half y) (Rat.of_int 2) in
+       { a; b; r = Mat.apply m level; w = Mat.apply m (Vec.of_ints 0 0 (-1)) })
+    (Gen.pair axis_aligned axis_aligned) offset
 
 (* Where the bodies of a scene touch and approach, if they ever collide. *)
 let collision s =
