@@ -43,9 +43,16 @@ let of_vecs vs =
   let num q = Z.mul (Q.num q) (Z.divexact d (Q.den q)) in
   (Array.map (fun (v : Vec.t) -> make (num v.x) (num v.y) (num v.z)) vs, d)
 
+let is_integral (v : Vec.t) =
+  Z.equal (Q.den v.x) Z.one && Z.equal (Q.den v.y) Z.one && Z.equal (Q.den v.z) Z.one
+
+let numerators (v : Vec.t) = make (Q.num v.x) (Q.num v.y) (Q.num v.z)
+
 let of_vec v =
-  let a, d = of_vecs [| v |] in
-  (a.(0), d)
+  if is_integral v then (numerators v, Z.one)
+  else
+    let a, d = of_vecs [| v |] in
+    (a.(0), d)
 
 let to_string a =
   Printf.sprintf "(%s, %s, %s)" (Z.to_string a.x) (Z.to_string a.y) (Z.to_string a.z)

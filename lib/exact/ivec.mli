@@ -25,6 +25,11 @@ val primitive : t -> t
 
 val to_vec : t -> Vec.t
 
+val is_integral : Vec.t -> bool
+(** Whether all coordinates are integers: then {!numerators} are the coordinates. *)
+
+val numerators : Vec.t -> t
+
 val of_vec : Vec.t -> t * Z.t
 (** [of_vec v] is [(n, d)] with v = n/d and d > 0 the least common denominator. *)
 

@@ -33,8 +33,19 @@ let round_to x ~quantum =
 let modulo x m = Q.sub x (Q.mul m (Q.of_bigint (floor (Q.div x m))))
 let to_string = Q.to_string
 
-(* [Q.to_float] of Zarith 1.12 rounds correctly. *)
-let to_float = Q.to_float
+(* Two integers that floats hold exactly have a quotient that is rounded once. [Q.to_float] of Zarith 1.12 rounds
+   correctly too, but slowly. *)
+let exact_float = 1 lsl 53
+
+let to_float x =
+  let n = Q.num x and d = Q.den x in
+  if Z.fits_int n && Z.fits_int d then
+    let n = Z.to_int n and d = Z.to_int d in
+    if d = 1 then float_of_int n
+    else if n <= exact_float && n >= -exact_float && d <= exact_float && d > 0 then
+      float_of_int n /. float_of_int d
+    else Q.to_float x
+  else Q.to_float x
 let bits x = Z.numbits (Q.num x) + Z.numbits (Q.den x)
 let max_digits = 4_000
 

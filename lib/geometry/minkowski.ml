@@ -23,36 +23,10 @@ type facet = { normal : Ivec.t; num : Z.t; den : Z.t }
    sign(p.c) = s and sign(q.c) = -s; and -n strictly between p' and q' iff sign(p'.d) = s and
    sign(q'.d) = -s. Both tables of signs are computed once, and each pair of edges is four look-ups. *)
 
-(* An edge with the faces on its left and right, and its direction. *)
-type edge = { tail : int; left : int; right : int; direction : Ivec.t }
-
-(* For each vertex the edges that leave it: where to, and the face on the left. *)
-let leaving (p : Polyhedron.t) =
-  let out = Array.make (Array.length p.vertices) [] in
-  let add_face i (_, corners) =
-    let k = Array.length corners in
-    Array.iteri (fun j v -> out.(v) <- (corners.(if j + 1 = k then 0 else j + 1), i) :: out.(v)) corners
-  in
-  Array.iteri add_face p.faces;
-  out
-
-let edges (s : Solid.t) =
-  let out = leaving s.polyhedron in
-  let face v w =
-    match List.find_opt (fun (u, _) -> Int.equal u w) out.(v) with
-    | Some (_, f) -> f
-    | None -> Scc_base.Bug.fail __POS__ "an edge of a solid has no face"
-  in
-  Array.map
-    (fun (v, w) ->
-       let direction = Ivec.primitive (Ivec.sub s.vertices.(w) s.vertices.(v)) in
-       { tail = v; left = face v w; right = face w v; direction })
-    s.polyhedron.edges
-
-(* [signs normals edges]: for each edge the signs of the normals along it, one byte each. *)
-let signs normals edges =
-  let code e i = Char.unsafe_chr (1 + Z.sign (Ivec.dot normals.(i) e.direction)) in
-  Array.map (fun e -> Bytes.init (Array.length normals) (code e)) edges
+(* [signs normals directions]: for each edge the signs of the normals along it, one byte each. *)
+let signs normals directions =
+  let code d i = Char.unsafe_chr (1 + Z.sign (Ivec.dot normals.(i) d)) in
+  Array.map (fun d -> Bytes.init (Array.length normals) (code d)) directions
 
 let sign_at row i = Char.code (Bytes.get row i) - 1
 
@@ -83,21 +57,21 @@ let face_facets (a : Solid.t) va (b : Solid.t) vb facet =
 
 (* Case 3, in front of [facets]. *)
 let edge_facets (a : Solid.t) va (b : Solid.t) vb facet facets =
-  let ea = edges a and eb = edges b in
-  let along_b = signs a.normals eb and along_a = signs b.normals ea in
+  let ea = a.topology.edges and eb = b.topology.edges in
+  let along_b = signs a.normals b.directions and along_a = signs b.normals a.directions in
   let found = ref facets in
   Array.iteri
-    (fun i e ->
+    (fun i (e : Topology.edge) ->
        let row = along_a.(i) in
        Array.iteri
-         (fun j f ->
+         (fun j (f : Topology.edge) ->
             let s = sign_at along_b.(j) e.left in
             if s <> 0
             && sign_at along_b.(j) e.right = -s
             && sign_at row f.left = s
             && sign_at row f.right = -s
             then begin
-              let n = Ivec.primitive (Ivec.cross e.direction f.direction) in
+              let n = Ivec.primitive (Ivec.cross a.directions.(i) b.directions.(j)) in
               let n = if s > 0 then n else Ivec.neg n in
               found := facet n (Z.sub (Ivec.dot n va.(e.tail)) (Ivec.dot n vb.(f.tail))) :: !found
             end)

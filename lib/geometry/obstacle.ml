@@ -1,60 +1,73 @@
 open Scc_exact
 
 type facet = Minkowski.facet = { normal : Ivec.t; num : Z.t; den : Z.t }
-type t = { a : Solid.t; b : Solid.t; facets : facet array; filter : Facet_filter.t }
+type t = { a : Solid.t; b : Solid.t; all : Facets.t Lazy.t }
 
-let make a b =
-  let facets = Minkowski.facets a b in
-  { a; b; facets; filter = Facet_filter.make facets }
+let make a b = { a; b; all = lazy (Facets.make a b) }
+let facets o = Facets.facets (Lazy.force o.all)
 
-(* {1 Queries}
+type relation = Facets.relation = Apart | Touching | Interpenetrating
+type cast = Facets.cast = Never | Inside | At of Rat.t
 
-   With r = p/q over the integers, n.r against num/den is n.(den p) against num q: four products for each
-   facet, and no rational before the answer. *)
+(* {1 Relation} *)
 
-let denominator o = o.facets.(0).den
+(* What the spheres about the two centres say. *)
+let by_spheres (o : t) (s : Portal.t) =
+  let distance = sqrt (Portal.dot s Portal.centre Portal.centre) in
+  let error = 0x1p-48 *. s.bound in
+  let a = o.a.shadow and b = o.b.shadow in
+  if distance -. error > a.outer +. b.outer then Some Apart
+  else if distance +. error < a.inner +. b.inner then Some Interpenetrating
+  else None
 
-(* A line r + t w over the integers: (p + t v)/q over the denominator of the facets, and its floats. *)
-type line = { p : Ivec.t; v : Ivec.t; q : Z.t; floats : Facet_filter.line }
+(* The answer that a search leads to, when it can be proved, and the corner of the portal to look at when the two
+   touch. *)
+type found = Relation of relation | Contact of Certificate.facet * Certificate.crossing | Open
 
-let line o r w =
-  let rw, q = Ivec.of_vecs [| r; w |] in
-  let p = Ivec.scale (denominator o) rw.(0) and v = Ivec.scale (denominator o) rw.(1) in
-  { p; v; q; floats = Facet_filter.line p v q }
+let settle c (search : Portal.search) =
+  match search with
+  | Inside -> if Certificate.inside c then Relation Interpenetrating else Open
+  | Through -> (
+      match Certificate.facet c with
+      | None -> Open
+      | Some f -> (
+          match Certificate.height c f with
+          | 0 -> (
+              match Certificate.foot c f with
+              | Outside -> Open
+              | (Within | Border _) as crossing -> Contact (f, crossing))
+          | h when h < 0 -> Relation Apart
+          | _ -> if Certificate.inside c then Relation Interpenetrating else Open))
+  | Apart | Beside | Lost -> Open
 
-(* The line is inside the plane of a facet while s t <= c. *)
-let slack (f : facet) l = Z.sub (Z.mul f.num l.q) (Ivec.dot f.normal l.p)
-let speed (f : facet) l = Ivec.dot f.normal l.v
-
-(* The sign of the slack of facet i at time 0. *)
-let side o l i =
-  let s = Facet_filter.side o.filter l.floats 0. i in
-  if s <> 0 then s else Z.sign (slack o.facets.(i) l)
-
-type relation = Apart | Touching | Interpenetrating
+let search c s =
+  match Portal.locate s ~hasty:true with
+  | Apart ->
+    if Certificate.strictly_separated c then Relation Apart else settle c (Portal.locate s ~hasty:false)
+  | found -> settle c found
 
 let relation o r =
-  let l = line o r Vec.zero in
-  let rec scan i touching =
-    if i = Array.length o.facets then if touching then Touching else Interpenetrating
-    else
-      let s = side o l i in
-      if s < 0 then Apart else scan (i + 1) (touching || s = 0)
-  in
-  scan 0 false
+  match Portal.make o.a o.b r Vec.zero with
+  | None -> Facets.relation (Lazy.force o.all) r
+  | Some s -> (
+      match by_spheres o s with
+      | Some relation -> relation
+      | None -> (
+          match search (Certificate.make s r Vec.zero) s with
+          | Relation relation -> relation
+          | Contact _ -> Touching
+          | Open -> Facets.relation (Lazy.force o.all) r))
 
 let separating o r =
-  let l = line o r Vec.zero in
-  let rec scan i tight =
-    if i < 0 then tight
-    else
-      let s = side o l i in
-      if s < 0 then Scc_base.Bug.fail __POS__ "separating directions of bodies that are apart"
-      else scan (i - 1) (if s = 0 then o.facets.(i).normal :: tight else tight)
-  in
-  match scan (Array.length o.facets - 1) [] with
-  | [] -> Scc_base.Bug.fail __POS__ "separating directions of interpenetrating bodies"
-  | normals -> normals
+  let by_facets () = Facets.separating (Lazy.force o.all) r in
+  match Portal.make o.a o.b r Vec.zero with
+  | None -> by_facets ()
+  | Some s -> (
+      let c = Certificate.make s r Vec.zero in
+      match settle c (Portal.locate s ~hasty:false) with
+      | Contact (f, Within) -> [ Ivec.primitive f.normal ]
+      | Contact (_, Border k) -> Certificate.tight c k
+      | Contact (_, Outside) | Relation _ | Open -> by_facets ())
 
 (* At a boundary point r of a convex polytope, r + t w is interior for all small t > 0 iff w goes strictly
    inwards through every facet that holds r. *)
@@ -62,84 +75,41 @@ let approaching o r w =
   let w, _ = Ivec.of_vec w in
   List.for_all (fun n -> Z.sign (Ivec.dot n w) < 0) (separating o r)
 
-type cast = Never | Inside | At of Rat.t
+(* {1 Casts} *)
 
-(* A bound num/den with den > 0, or none. *)
-type bound = Infinite | Bound of Z.t * Z.t
+(* Whether the line runs through the interior: strictly inside of a facet it does. *)
+let pierces c =
+  match Certificate.crossing c with
+  | Outside -> false
+  | Within -> true
+  | Border _ -> Certificate.interior c
 
-let less (n1, d1) (n2, d2) = Z.lt (Z.mul n1 d2) (Z.mul n2 d1)
-
-(* The times at which a line satisfies the condition s t <= c of every facet: an upper bound for s > 0, a
-   lower one for s < 0, and for s = 0 all times or none, as [still] says of the sign of c. *)
-let clip o l ~still =
-  let rec scan i low high =
-    if i = Array.length o.facets then Some (low, high)
+let entered o r c =
+  match Certificate.facet c with
+  | Some f when Certificate.speed c f < 0 && pierces c ->
+    if Certificate.height c f <= 0 then Some (At (Certificate.time c f))
     else
-      let c = slack o.facets.(i) l and s = speed o.facets.(i) l in
-      match Z.sign s with
-      | 0 -> if still (Z.sign c) then scan (i + 1) low high else None
-      | 1 -> (
-          match high with
-          | Bound (n, d) when not (less (c, s) (n, d)) -> scan (i + 1) low high
-          | _ -> scan (i + 1) low (Bound (c, s)))
-      | _ -> (
-          let c = Z.neg c and s = Z.neg s in
-          match low with
-          | Bound (n, d) when not (less (n, d) (c, s)) -> scan (i + 1) low high
-          | _ -> scan (i + 1) (Bound (c, s)) high)
-  in
-  scan 0 Infinite Infinite
+      (* entered before time 0: now inside, or through already *)
+      Some (match relation o r with Interpenetrating -> Inside | Touching | Apart -> Never)
+  | Some _ | None -> None
 
-let cast_by_clipping o l =
-  match clip o l ~still:(fun c -> c > 0) with
-  | None -> Never
-  | Some (Infinite, _) | Some (_, Infinite) -> Inside (* w = 0: a bounded obstacle bounds any other line *)
-  | Some (Bound (n1, d1), Bound (n2, d2)) ->
-    if Z.sign n2 <= 0 || not (less (n1, d1) (n2, d2)) then Never
-    else if Z.sign n1 < 0 then Inside
-    else At (Rat.make n1 d1)
+let rec follow o r c s (search : Portal.search) =
+  match search with
+  | Apart -> if Certificate.separated c then Some Never else follow o r c s (Portal.cast s ~hasty:false)
+  | Beside -> (
+      match Certificate.beside c with
+      | Never -> Some Never
+      | Crosses -> follow o r c s (Portal.through s)
+      | Unknown -> None)
+  | Through -> entered o r c
+  | Inside | Lost -> None
 
-(* Whether at the time n/d >= 0 the line is inside every facet's plane, or in the plane and entering if
-   [entering] allows it. *)
-let enters o l (n, d) ~entering =
-  let t = Z.to_float n /. Z.to_float d in
-  let inside i =
-    match Facet_filter.side o.filter l.floats t i with
-    | 1 -> true
-    | -1 -> false
-    | _ ->
-      let s = speed o.facets.(i) l in
-      let c = Z.sign (Z.sub (Z.mul (slack o.facets.(i) l) d) (Z.mul s n)) in
-      c > 0 || (c = 0 && entering && Z.sign s < 0)
-  in
-  let rec scan i = i < 0 || (inside i && scan (i - 1)) in
-  scan (Array.length o.facets - 1)
-
-(* Two facets suffice to see that a line misses, and one to give the time of contact if the line is inside
-   all others then. Floats guess which; what they guess is proved exactly, or else all facets are clipped:
-   - a lower bound that is not less than an upper one, or an upper one <= 0, leaves no t > 0: never;
-   - if the line is strictly inside all planes at 0, it is inside;
-   - if at t >= 0, the lower bound of one facet, every other plane has the line strictly inside or entering,
-     then the interiors meet right after t, and not before, when the line is outside that one plane. *)
 let first_time_of_contact o r w =
-  let l = line o r w in
-  let entry, exit = Facet_filter.guess o.filter l.floats in
-  if entry < 0 || exit < 0 then cast_by_clipping o l
-  else
-    let fe = o.facets.(entry) and fx = o.facets.(exit) in
-    let d1 = Z.neg (speed fe l) and d2 = speed fx l in
-    if Z.sign d1 <= 0 || Z.sign d2 <= 0 then cast_by_clipping o l
-    else
-      let n1 = Z.neg (slack fe l) and n2 = slack fx l in
-      if Z.sign n2 <= 0 || not (less (n1, d1) (n2, d2)) then Never
-      else if Z.sign n1 < 0 then
-        if enters o l (Z.zero, Z.one) ~entering:false then Inside else cast_by_clipping o l
-      else if enters o l (n1, d1) ~entering:true then At (Rat.make n1 d1)
-      else cast_by_clipping o l
+  let found =
+    match Portal.make o.a o.b r w with
+    | None -> None
+    | Some s -> follow o r (Certificate.make s r w) s (Portal.cast s ~hasty:true)
+  in
+  match found with Some cast -> cast | None -> Facets.first_time_of_contact (Lazy.force o.all) r w
 
-let meeting o r w =
-  let rational = function Infinite -> None | Bound (n, d) -> Some (Rat.make n d) in
-  match clip o (line o r w) ~still:(fun c -> c >= 0) with
-  | None -> None
-  | Some (Bound (n1, d1), Bound (n2, d2)) when less (n2, d2) (n1, d1) -> None
-  | Some (low, high) -> Some (rational low, rational high)
+let meeting o r w = Facets.meeting (Lazy.force o.all) r w

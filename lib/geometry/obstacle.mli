@@ -15,14 +15,16 @@ type facet = Minkowski.facet = {
 type t = private {
   a : Solid.t;
   b : Solid.t;
-  facets : facet array;  (** exactly the facets of the obstacle, each once *)
-  filter : Facet_filter.t;  (** the same, for a first look *)
+  all : Facets.t Lazy.t;  (** all facets, made when a query cannot do without them *)
 }
 
 val make : Solid.t -> Solid.t -> t
 
+val facets : t -> facet array
+(** Exactly the facets of the obstacle, each once. *)
+
 (** Rule Contact: closed sets, interiors. *)
-type relation = Apart | Touching | Interpenetrating
+type relation = Facets.relation = Apart | Touching | Interpenetrating
 
 val relation : t -> Vec.t -> relation
 
@@ -35,7 +37,7 @@ val approaching : t -> Vec.t -> Vec.t -> bool
     every small delay when [w] is the velocity of B less that of A. *)
 
 (** When a body moving in a straight line meets another. *)
-type cast =
+type cast = Facets.cast =
   | Never
   | Inside  (** they interpenetrate at time 0 already *)
   | At of Rat.t  (** the first t >= 0 at which they collide: the interiors meet right after it *)

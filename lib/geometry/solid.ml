@@ -8,6 +8,9 @@ type t = {
   vertices : Ivec.t array;
   denominator : Z.t;
   normals : Ivec.t array;
+  topology : Topology.t;
+  directions : Ivec.t array;
+  shadow : Shadow.t;
   centroid : Vec.t;
   volume : Rat.t;
   low : Vec.t;
@@ -27,13 +30,20 @@ let make ~id (polyhedron : Polyhedron.t) linear =
   let vertices, denominator = Ivec.of_vecs (Array.map image polyhedron.vertices) in
   let faces = Array.map snd polyhedron.faces in
   let mass = Mass_properties.of_surface vertices denominator faces in
+  let normals = Array.map (fun f -> Ivec.primitive (Face_check.normal vertices f)) faces in
+  let topology = Topology.make polyhedron in
+  let direction (e : Topology.edge) = Ivec.primitive (Ivec.sub vertices.(e.head) vertices.(e.tail)) in
+  let corners = Array.map (fun f -> vertices.(f.(0))) faces in
   {
     id;
     polyhedron;
     linear;
     vertices;
     denominator;
-    normals = Array.map (fun f -> Ivec.primitive (Face_check.normal vertices f)) faces;
+    normals;
+    topology;
+    directions = Array.map direction topology.edges;
+    shadow = Shadow.make vertices denominator ~centroid:mass.centroid ~normals ~corners;
     centroid = mass.centroid;
     volume = mass.volume;
     low = position denominator (bound Z.min vertices);

@@ -11,6 +11,9 @@ type t = private {
   vertices : Ivec.t array;  (** over [denominator] *)
   denominator : Z.t;  (** positive *)
   normals : Ivec.t array;  (** primitive outward normal of each face *)
+  topology : Topology.t;
+  directions : Ivec.t array;  (** of each edge, from its tail to its head, primitive *)
+  shadow : Shadow.t;  (** the vertices as floats *)
   centroid : Vec.t;  (** of the uniform solid, about the same point *)
   volume : Rat.t;
   low : Vec.t;  (** least coordinates *)

@@ -1,0 +1,68 @@
+(** Proofs of what {!Portal} guesses, by signs of integers, which floats decide where a proved bound lets
+    them. *)
+
+open Scc_exact
+
+type t
+(** A query with its portal. *)
+
+val make : Portal.t -> Vec.t -> Vec.t -> t
+(** [make s r w], with the offset and velocity that [s] was made with. *)
+
+val separated : t -> bool
+(** After [Apart]: whether a plane nearly across the direction keeps the interiors apart, now and for all
+    times to come, and the closed bodies as well unless they touch. Moves the last support. *)
+
+val strictly_separated : t -> bool
+(** The same for the closed bodies at this instant, whatever the velocity. *)
+
+(** What the edge of points 4 and 5 says of a line. *)
+type beside =
+  | Never  (** it is an edge of the silhouette, and the line passes along it or outside *)
+  | Crosses  (** the line passes strictly on the side of the centre *)
+  | Unknown
+
+val beside : t -> beside
+
+type facet = private {
+  normal : Ivec.t;  (** outward *)
+  va : int;
+  vb : int;  (** the vertices of A and of B behind a point of it *)
+}
+(** A plane that supports the obstacle. *)
+
+val facet : t -> facet option
+(** The plane of the portal, if it supports the obstacle and carries the three points. *)
+
+val height : t -> facet -> int
+(** The sign of n.p for the points p of the plane: positive when the origin is strictly on the inner side. *)
+
+val speed : t -> facet -> int
+(** The sign of n.w. *)
+
+val time : t -> facet -> Rat.t
+(** When the line crosses the plane. n.w is not 0. *)
+
+(** Where a line crosses the portal. *)
+type crossing =
+  | Within  (** strictly inside *)
+  | Border of int  (** on its boundary; one of the corners that it is a combination of *)
+  | Outside
+
+val crossing : t -> crossing
+(** Of the line of a cast. *)
+
+val foot : t -> facet -> crossing
+(** Of the line through the origin along the normal of the facet, which holds the origin. *)
+
+val tight : t -> int -> Ivec.t list
+(** [tight c k], when {!foot} is [Border k] in a plane that holds the origin: the normals of all facets that
+    hold the origin, outward and primitive, each once. *)
+
+val interior : t -> bool
+(** Whether the line of a cast passes between points 4 and 5 as seen from the centre, and strictly before them:
+    then it runs through the interior of the obstacle. *)
+
+val inside : t -> bool
+(** After [Inside]: whether the origin lies in the cone from the centre over the portal and strictly before it:
+    then it is in the interior of the obstacle. *)

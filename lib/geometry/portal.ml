@@ -1,0 +1,366 @@
+open Scc_exact
+
+type t = {
+  a : Solid.t;
+  b : Solid.t;
+  x : float array;
+  va : int array;
+  vb : int array;
+  bound : float;
+  mutable hasty : bool;
+}
+
+let direction = 0
+let velocity = 3
+let centre = 6
+let point k = 9 + (3 * k)
+let last = 3
+let places = 9 + (3 * 6)
+
+let sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
+
+let make (a : Solid.t) (b : Solid.t) (r : Vec.t) (w : Vec.t) =
+  let rx = Rat.to_float r.x and ry = Rat.to_float r.y and rz = Rat.to_float r.z in
+  let wx = Rat.to_float w.x and wy = Rat.to_float w.y and wz = Rat.to_float w.z in
+  let sa = a.shadow and sb = b.shadow in
+  if
+    not
+      (sa.usable && sb.usable && sane rx && sane ry && sane rz && sane wx && sane wy && sane wz)
+  then None
+  else begin
+    let x = Array.make (places + 3) 0. in
+    x.(velocity) <- wx;
+    x.(velocity + 1) <- wy;
+    x.(velocity + 2) <- wz;
+    x.(centre) <- sa.cx -. sb.cx -. rx;
+    x.(centre + 1) <- sa.cy -. sb.cy -. ry;
+    x.(centre + 2) <- sa.cz -. sb.cz -. rz;
+    x.(places) <- rx;
+    x.(places + 1) <- ry;
+    x.(places + 2) <- rz;
+    let far = Float.max (Float.abs rx) (Float.max (Float.abs ry) (Float.abs rz)) in
+    Some { a; b; x; va = Array.make 6 0; vb = Array.make 6 0; bound = sa.reach +. sb.reach +. far; hasty = true }
+  end
+
+(* {1 Vectors by place} *)
+
+let[@inline] product (x : float array) i j =
+  (x.(i) *. x.(j)) +. (x.(i + 1) *. x.(j + 1)) +. (x.(i + 2) *. x.(j + 2))
+
+let dot s i j = product s.x i j
+
+(* det (u, v, w) *)
+let[@inline] det (x : float array) u v w =
+  (x.(u) *. ((x.(v + 1) *. x.(w + 2)) -. (x.(v + 2) *. x.(w + 1))))
+  +. (x.(u + 1) *. ((x.(v + 2) *. x.(w)) -. (x.(v) *. x.(w + 2))))
+  +. (x.(u + 2) *. ((x.(v) *. x.(w + 1)) -. (x.(v + 1) *. x.(w))))
+
+(* direction := k (w x (v - u)) *)
+let aim_across (x : float array) k u v =
+  let wx = x.(velocity) and wy = x.(velocity + 1) and wz = x.(velocity + 2) in
+  let ex = x.(v) -. x.(u) and ey = x.(v + 1) -. x.(u + 1) and ez = x.(v + 2) -. x.(u + 2) in
+  x.(direction) <- k *. ((wy *. ez) -. (wz *. ey));
+  x.(direction + 1) <- k *. ((wz *. ex) -. (wx *. ez));
+  x.(direction + 2) <- k *. ((wx *. ey) -. (wy *. ex))
+
+(* direction := (v - u) x (w - u) *)
+let aim_normal (x : float array) u v w =
+  let ex = x.(v) -. x.(u) and ey = x.(v + 1) -. x.(u + 1) and ez = x.(v + 2) -. x.(u + 2) in
+  let fx = x.(w) -. x.(u) and fy = x.(w + 1) -. x.(u + 1) and fz = x.(w + 2) -. x.(u + 2) in
+  x.(direction) <- (ey *. fz) -. (ez *. fy);
+  x.(direction + 1) <- (ez *. fx) -. (ex *. fz);
+  x.(direction + 2) <- (ex *. fy) -. (ey *. fx)
+
+(* direction := -c *)
+let aim_away s =
+  let x = s.x in
+  x.(direction) <- -.x.(centre);
+  x.(direction + 1) <- -.x.(centre + 1);
+  x.(direction + 2) <- -.x.(centre + 2)
+
+let[@inline] size (x : float array) u = Float.abs x.(u) +. Float.abs x.(u + 1) +. Float.abs x.(u + 2)
+
+(* The given direction, across w; but any direction across w when nothing but rounding is left of the given one,
+   whose terms were as great as [scale]. *)
+let aim_unless_noise s dx dy dz scale =
+  let x = s.x in
+  if Float.abs dx +. Float.abs dy +. Float.abs dz > 0x1p-40 *. scale then begin
+    x.(direction) <- dx;
+    x.(direction + 1) <- dy;
+    x.(direction + 2) <- dz
+  end
+  else begin
+    let wx = x.(velocity) and wy = x.(velocity + 1) and wz = x.(velocity + 2) in
+    let ax = Float.abs wx and ay = Float.abs wy and az = Float.abs wz in
+    if ax <= ay && ax <= az then begin
+      x.(direction) <- 0.;
+      x.(direction + 1) <- wz;
+      x.(direction + 2) <- -.wy
+    end
+    else if ay <= az then begin
+      x.(direction) <- -.wz;
+      x.(direction + 1) <- 0.;
+      x.(direction + 2) <- wx
+    end
+    else begin
+      x.(direction) <- wy;
+      x.(direction + 1) <- -.wx;
+      x.(direction + 2) <- 0.
+    end
+  end
+
+(* {1 Supports} *)
+
+(* Below this many vertices it is faster to look at all of them. *)
+let few = 10
+
+(* The vertex that is highest in the direction, times [sign]: all are looked at, or the way leads from [start]
+   uphill to a vertex without a higher neighbour, which in a convex solid is the highest. *)
+let climb (s : Solid.t) (x : float array) sign start =
+  let dx = sign *. x.(direction) and dy = sign *. x.(direction + 1) and dz = sign *. x.(direction + 2) in
+  let { Shadow.xyz; count; _ } = s.shadow in
+  let best = ref 0 and height = ref neg_infinity in
+  if count <= few then begin
+    for i = 0 to count - 1 do
+      let h = (dx *. xyz.(3 * i)) +. (dy *. xyz.((3 * i) + 1)) +. (dz *. xyz.((3 * i) + 2)) in
+      if h > !height then begin
+        best := i;
+        height := h
+      end
+    done;
+    !best
+  end
+  else begin
+    let { Topology.first; neighbour; _ } = s.topology in
+    let at = ref (-1) in
+    best := start;
+    height := (dx *. xyz.(3 * start)) +. (dy *. xyz.((3 * start) + 1)) +. (dz *. xyz.((3 * start) + 2));
+    while !at <> !best do
+      at := !best;
+      for k = first.(!at) to first.(!at + 1) - 1 do
+        let i = neighbour.(k) in
+        let h = (dx *. xyz.(3 * i)) +. (dy *. xyz.((3 * i) + 1)) +. (dz *. xyz.((3 * i) + 2)) in
+        if h > !height then begin
+          best := i;
+          height := h
+        end
+      done
+    done;
+    !best
+  end
+
+let support s k =
+  let x = s.x in
+  let i = climb s.a x 1. s.va.(last) and j = climb s.b x (-1.) s.vb.(last) in
+  s.va.(last) <- i;
+  s.vb.(last) <- j;
+  s.va.(k) <- i;
+  s.vb.(k) <- j;
+  let pa = s.a.shadow.xyz and pb = s.b.shadow.xyz in
+  let at = point k and i = 3 * i and j = 3 * j in
+  x.(at) <- pa.(i) -. pb.(j) -. x.(places);
+  x.(at + 1) <- pa.(i + 1) -. pb.(j + 1) -. x.(places + 1);
+  x.(at + 2) <- pa.(i + 2) -. pb.(j + 2) -. x.(places + 2)
+
+let copy s k l =
+  let x = s.x in
+  let p = point k and q = point l in
+  x.(q) <- x.(p);
+  x.(q + 1) <- x.(p + 1);
+  x.(q + 2) <- x.(p + 2);
+  s.va.(l) <- s.va.(k);
+  s.vb.(l) <- s.vb.(k)
+
+(* Points of the obstacle by their numbers, as places. *)
+let p0 = point 0
+let p1 = point 1
+let p2 = point 2
+let p3 = point 3
+let p4 = point 4
+let p5 = point 5
+
+type search = Apart | Beside | Through | Inside | Lost
+
+(* What a product of the direction with a point, or with a difference of points, may be off by, so that less
+   is no progress. *)
+let noise s =
+  let x = s.x in
+  0x1p-49 *. s.bound *. (Float.abs x.(direction) +. Float.abs x.(direction + 1) +. Float.abs x.(direction + 2))
+
+let same_as s k = s.va.(last) = s.va.(k) && s.vb.(last) = s.vb.(k)
+
+(* No search that goes well takes so many rounds. *)
+let rounds = 100
+
+(* {1 Towards a facet}
+
+   The portal p0, p1, p2 has the line pass through it, seen along w, with det(w, pi, pj) <= 0 for each side, so
+   that its normal (p1 - p0) x (p2 - p0) runs against w. The support in that direction becomes the new corner,
+   and of the three triangles that it makes with two of the old ones the one that the line passes through stays,
+   until no point is beyond the portal. *)
+let rec towards_facet s ~stop round =
+  let x = s.x in
+  if round = 0 then Lost
+  else begin
+    aim_normal x p0 p1 p2;
+    let height = product x direction p0 in
+    if stop && height > noise s then Inside
+    else begin
+      support s last;
+      let top = product x direction p3 in
+      if stop && s.hasty && top < -.noise s then Apart
+      else if same_as s 0 || same_as s 1 || same_as s 2 || top -. height <= noise s then Through
+      else begin
+        let q0 = det x velocity p3 p0 and q1 = det x velocity p3 p1 and q2 = det x velocity p3 p2 in
+        if q0 <= 0. && q1 >= 0. then begin
+          copy s last 2;
+          towards_facet s ~stop (round - 1)
+        end
+        else if q1 <= 0. && q2 >= 0. then begin
+          copy s last 0;
+          towards_facet s ~stop (round - 1)
+        end
+        else if q2 <= 0. && q0 >= 0. then begin
+          copy s last 1;
+          towards_facet s ~stop (round - 1)
+        end
+        else Lost
+      end
+    end
+  end
+
+(* {1 A line}
+
+   Seen along w, the obstacle is a convex polygon with the centre c inside, and the line a point, the origin.
+   The points 4 and 5 have the ray from c through the origin pass between them, 5 on the left of 4. *)
+
+let through s =
+  let x = s.x in
+  let c = centre and p = p0 in
+  x.(p) <- x.(c);
+  x.(p + 1) <- x.(c + 1);
+  x.(p + 2) <- x.(c + 2);
+  s.va.(0) <- -1;
+  s.vb.(0) <- -1;
+  copy s 5 1;
+  copy s 4 2;
+  towards_facet s ~stop:false rounds
+
+(* The edge from 4 to 5 moves outwards until the origin is on this side of it, or nothing is on the other. *)
+let rec across_edge s round =
+  let x = s.x in
+  if round = 0 then Lost
+  else begin
+    aim_across x (-1.) p4 p5;
+    let height = product x direction p4 in
+    if height > noise s then through s
+    else begin
+      support s last;
+      let top = product x direction p3 in
+      if s.hasty && top < -.noise s then Apart
+      else if same_as s 4 || same_as s 5 || top -. height <= noise s then Beside
+      else begin
+        copy s last (if det x velocity centre p3 >= 0. then 4 else 5);
+        across_edge s (round - 1)
+      end
+    end
+  end
+
+(* From 4, with the origin on the side [k] of the line from c to it (1 for the left), to a point on the other
+   side of the origin. *)
+let rec other_side s k round =
+  let x = s.x in
+  if round = 0 then Lost
+  else begin
+    aim_across x k centre p4;
+    support s 5;
+    if s.hasty && product x direction p5 < -.noise s then Apart
+    else if k *. det x velocity centre p5 > 0. then begin
+      copy s 5 4;
+      other_side s k (round - 1)
+    end
+    else begin
+      if k < 0. then begin
+        copy s 4 last;
+        copy s 5 4;
+        copy s last 5
+      end;
+      across_edge s rounds
+    end
+  end
+
+(* From c towards the line. *)
+let follow s ww cw =
+  let x = s.x in
+  let dx = (cw *. x.(velocity)) -. (ww *. x.(centre))
+  and dy = (cw *. x.(velocity + 1)) -. (ww *. x.(centre + 1))
+  and dz = (cw *. x.(velocity + 2)) -. (ww *. x.(centre + 2)) in
+  aim_unless_noise s dx dy dz (ww *. size x centre);
+  support s 4;
+  if s.hasty && product x direction p4 < -.noise s then Apart
+  else other_side s (if det x velocity centre p4 >= 0. then 1. else -1.) rounds
+
+let cast s ~hasty =
+  let x = s.x in
+  s.hasty <- hasty;
+  let ww = product x velocity velocity and cw = product x centre velocity in
+  if cw > 0. || not hasty then follow s ww cw
+  else begin
+    (* away from c: already apart, most of the time *)
+    aim_away s;
+    support s last;
+    if product x direction p3 < -.noise s then Apart else follow s ww cw
+  end
+
+(* {1 A point}
+
+   The line from c to the origin, so that w = c. First a portal: p0 towards the origin, p1 and p2 on either side,
+   with the plane of c, p0 and p1 turned until the line passes between them. *)
+
+let rec find_portal s round =
+  let x = s.x in
+  if round = 0 then Lost
+  else begin
+    aim_normal x centre p0 p1;
+    support s 2;
+    if s.hasty && product x direction p2 < -.noise s then Apart
+    else if det x centre p0 p2 < 0. then begin
+      copy s 2 1;
+      find_portal s (round - 1)
+    end
+    else if det x centre p2 p1 < 0. then begin
+      copy s 2 0;
+      find_portal s (round - 1)
+    end
+    else begin
+      (* in the order p0, p1, p2 all three products are to be negative *)
+      towards_facet s ~stop:true rounds
+    end
+  end
+
+let locate s ~hasty =
+  let x = s.x in
+  s.hasty <- hasty;
+  let c = centre in
+  x.(velocity) <- x.(c);
+  x.(velocity + 1) <- x.(c + 1);
+  x.(velocity + 2) <- x.(c + 2);
+  aim_away s;
+  support s 0;
+  if s.hasty && product x direction p0 < -.noise s then Apart
+  else begin
+    let dx = (x.(c + 1) *. x.(p0 + 2)) -. (x.(c + 2) *. x.(p0 + 1))
+    and dy = (x.(c + 2) *. x.(p0)) -. (x.(c) *. x.(p0 + 2))
+    and dz = (x.(c) *. x.(p0 + 1)) -. (x.(c + 1) *. x.(p0)) in
+    aim_unless_noise s dx dy dz (size x c *. size x p0);
+    support s 1;
+    if s.hasty && product x direction p1 < -.noise s then Apart
+    else begin
+      if det x centre p0 p1 > 0. then begin
+        copy s 0 last;
+        copy s 1 0;
+        copy s last 1
+      end;
+      find_portal s rounds
+    end
+  end

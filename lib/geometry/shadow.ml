@@ -1,0 +1,66 @@
+open Scc_exact
+
+type t = {
+  count : int;
+  xyz : float array;
+  reach : float;
+  cx : float;
+  cy : float;
+  cz : float;
+  inner : float;
+  outer : float;
+  centre : Ivec.t;
+  centre_denominator : Z.t;
+  usable : bool;
+}
+
+(* Within these bounds products of three differences of coordinates neither overflow nor, unless they are 0,
+   fall to where floats are sparse. *)
+let sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
+
+(* The squared distance from an inner point to a face with the normal n, over the squared denominators, is
+   (n . (corner - centre))^2 / n.n. Floats of positive rationals are within 2^-53, so that quotient and root are
+   within 2^-50 of theirs; 2^-40 covers that. *)
+let narrow x = x *. (1. -. 0x1p-40)
+let widen x = x *. (1. +. 0x1p-40)
+
+let distance gap n =
+  narrow (Rat.to_float gap /. sqrt (Rat.to_float (Rat.make (Ivec.dot n n) Z.one)))
+
+let make vertices denominator ~centroid ~normals ~corners =
+  let count = Array.length vertices in
+  let float x = Rat.to_float (Rat.make x denominator) in
+  let xyz = Array.make (3 * count) 0. in
+  Array.iteri
+    (fun i (v : Ivec.t) ->
+       xyz.(3 * i) <- float v.x;
+       xyz.((3 * i) + 1) <- float v.y;
+       xyz.((3 * i) + 2) <- float v.z)
+    vertices;
+  let { Vec.x; y; z } = centroid in
+  let cx = Rat.to_float x and cy = Rat.to_float y and cz = Rat.to_float z in
+  let sane = Array.for_all sane xyz && sane cx && sane cy && sane cz in
+  if not sane then
+    {
+      count; xyz; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity; centre = Ivec.zero;
+      centre_denominator = Z.one; usable = false;
+    }
+  else
+    let exact = Vec.make (Q.of_float cx) (Q.of_float cy) (Q.of_float cz) in
+    let centre, centre_denominator = Ivec.of_vec exact in
+    let position v = Vec.scale (Rat.make Z.one denominator) (Ivec.to_vec v) in
+    let gap i n = Vec.dot (Ivec.to_vec n) (Vec.sub (position corners.(i)) exact) in
+    let gaps = Array.mapi gap normals in
+    let usable = Array.for_all (fun g -> Rat.sign g > 0) gaps in
+    let nearest = ref infinity in
+    Array.iteri (fun i g -> nearest := Float.min !nearest (distance g normals.(i))) gaps;
+    let square v = Rat.to_float (Vec.norm2 (Vec.sub (position v) exact)) in
+    let farthest = Array.fold_left (fun far v -> Float.max far (square v)) 0. vertices in
+    let reach = Array.fold_left (fun m x -> Float.max m (Float.abs x)) 0. xyz in
+    let reach = Float.max reach (Float.max (Float.abs cx) (Float.max (Float.abs cy) (Float.abs cz))) in
+    {
+      count; xyz; reach = widen reach; cx; cy; cz;
+      inner = (if usable then !nearest else 0.);
+      outer = widen (sqrt farthest);
+      centre; centre_denominator; usable;
+    }

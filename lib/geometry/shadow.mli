@@ -1,0 +1,24 @@
+(** A solid seen through floats, about its reference point. Every number here is the float nearest to an exact
+    one, or a bound on exact ones that holds, so that filters can be built on it. *)
+
+open Scc_exact
+
+type t = private {
+  count : int;  (** vertices *)
+  xyz : float array;  (** three coordinates for each vertex: nearest floats *)
+  reach : float;  (** no coordinate of a vertex or of the centre is greater in absolute value *)
+  cx : float;
+  cy : float;
+  cz : float;
+  (** the centre: a point with these very coordinates, strictly inside if [usable] *)
+  inner : float;  (** the ball of this radius about the centre lies inside; not negative *)
+  outer : float;  (** the ball of this radius about the centre holds the solid *)
+  centre : Ivec.t;  (** the centre, exactly, over [centre_denominator] *)
+  centre_denominator : Z.t;
+  usable : bool;
+  (** floats can hold the solid: no coordinate or square of one overflows, and the centre is inside *)
+}
+
+val make : Ivec.t array -> Z.t -> centroid:Vec.t -> normals:Ivec.t array -> corners:Ivec.t array -> t
+(** [make vertices denominator ~centroid ~normals ~corners]: [corners] has a vertex of each face, over the
+    denominator too. *)

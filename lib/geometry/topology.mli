@@ -1,0 +1,24 @@
+(** How the vertices, edges and faces of a polyhedron hang together: what a walk over its surface needs. *)
+
+type edge = {
+  tail : int;
+  head : int;  (** vertices; [tail < head] *)
+  left : int;  (** the face that runs from [tail] to [head] *)
+  right : int;  (** the face that runs from [head] to [tail] *)
+}
+
+type t = private {
+  edges : edge array;  (** in the order of the polyhedron's edges *)
+  first : int array;  (** the neighbours of vertex [v] are at [first.(v)] to [first.(v + 1) - 1] *)
+  neighbour : int array;
+  along : int array;  (** the edge to the neighbour at the same place *)
+}
+
+val make : Polyhedron.t -> t
+(** Linear, up to the lengths of the lists of neighbours. *)
+
+val edge_between : t -> int -> int -> int option
+(** The edge with these two ends, if there is one. *)
+
+val common_face : t -> int -> int -> int -> int option
+(** The face that has all three corners, if there is one; the corners are distinct. *)
