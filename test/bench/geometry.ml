@@ -110,7 +110,7 @@ let count_cast = function Obstacle.At _ -> incr sink | Never | Inside -> ()
 let count_relation r = if r = Obstacle.Touching then incr sink
 
 (* Processor time for one call of [f], in nanoseconds: the mean over as many passes through 0 to n - 1 as take
-   a fifth of a second, after one pass to warm up. *)
+   a tenth of a second, after one pass to warm up. *)
 let nanoseconds n f =
   let pass () =
     for i = 0 to n - 1 do
@@ -122,7 +122,7 @@ let nanoseconds n f =
   let rec passes k =
     pass ();
     let elapsed = Sys.time () -. start in
-    if elapsed < 0.2 then passes (k + 1) else elapsed *. 1e9 /. float_of_int (k * n)
+    if elapsed < 0.1 then passes (k + 1) else elapsed *. 1e9 /. float_of_int (k * n)
   in
   passes 1
 

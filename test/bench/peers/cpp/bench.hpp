@@ -119,7 +119,7 @@ class Output {
   ~Output() { std::cout << "]}\n"; }
 
   // run(i) is query i and gives a number, say(number) its answer in words. The time is the mean over as many
-  // passes through all n pairs as take 0.2 s, after one pass to warm up.
+  // passes through all n pairs as take 0.1 s, after one pass to warm up.
   template <class Run, class Say>
   void row(const char* query, const std::string& name, size_t n, Run run, Say say) {
     auto pass = [&] {
@@ -133,7 +133,7 @@ class Output {
       pass();
       passes++;
       elapsed = clock() - start;
-    } while (elapsed < 2e8);
+    } while (elapsed < 1e8);
     char ns[40];
     std::snprintf(ns, sizeof ns, "%.1f", elapsed / (double(passes) * n));
     std::cout << (first_ ? "" : ",") << "{\"query\":\"" << query << "\",\"name\":\"" << name << "\",\"ns\":" << ns

@@ -31,7 +31,7 @@ fn clock() -> f64 {
     t.seconds as f64 * 1e9 + t.nanoseconds as f64
 }
 
-/// The mean over as many passes through all pairs as take 0.2 s, after one pass to warm up.
+/// The mean over as many passes through all pairs as take 0.1 s, after one pass to warm up.
 fn nanoseconds<T>(n: usize, query: impl Fn(usize) -> T) -> f64 {
     let pass = || {
         for i in 0..n {
@@ -44,7 +44,7 @@ fn nanoseconds<T>(n: usize, query: impl Fn(usize) -> T) -> f64 {
         pass();
         passes += 1;
         let elapsed = clock() - start;
-        if elapsed >= 2e8 {
+        if elapsed >= 1e8 {
             return elapsed / (passes * n) as f64;
         }
     }
