@@ -117,8 +117,18 @@ let small_turn g =
   let y = c () in
   quaternion w x y (c ())
 
+(* Normals of up to 1 100 bits, most of them about as long as the greatest float. *)
+let long_turn g =
+  let bits = if Rng.chance g 3 then Rng.range g 30 470 else Rng.range g 470 520 in
+  let c () = Rat.make (Rng.positive g bits) Z.one in
+  let w = c () in
+  let x = c () in
+  let y = c () in
+  quaternion w x (Rat.neg y) (c ())
+
 let turn g =
-  match Rng.below g 8 with
+  match if Rng.chance g 60 then -1 else Rng.below g 8 with
+  | -1 -> long_turn g
   | 0 -> Mat.identity
   | 1 | 2 -> Rng.choose g cube_turns
   | 3 -> small_turn g
