@@ -32,6 +32,11 @@ class Casts:
                 self.error = max(self.error, off)
                 self.late += not off <= 1e-6
 
+    def add(self, other):
+        for count in ("missed", "spurious", "grazes", "late"):
+            setattr(self, count, getattr(self, count) + getattr(other, count))
+        self.error = max(self.error, other.error)
+
     def columns(self):
         return [str(self.missed), str(self.spurious), str(self.late), "%.0e" % self.error, str(self.grazes)]
 
@@ -53,6 +58,10 @@ class Contacts:
             else:
                 self.spurious += said != "apart"
 
+    def add(self, other):
+        for count in ("missed", "spurious", "touching", "touch"):
+            setattr(self, count, getattr(self, count) + getattr(other, count))
+
     def columns(self):
         touch = "%d of %d" % (self.touch, self.touching) if self.touching else "-"
         return [str(self.missed), str(self.spurious), touch]
@@ -60,8 +69,7 @@ class Contacts:
     headings = ["missed", "spurious", "touching found"]
 
 
-def judge(query, exact, found):
-    return (Casts if query == "cast" else Contacts)(exact, found)
+KINDS = {"cast": Casts, "discrete": Contacts}
 
 
 def wrong(exact, found):

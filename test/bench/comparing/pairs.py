@@ -6,7 +6,8 @@ import subprocess
 
 from . import answers, report
 
-DATA = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "data", "geometry")
+HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+DATA = os.path.join(os.path.dirname(HERE), "data", "geometry")
 TIMEOUT = 600
 
 
@@ -32,6 +33,42 @@ def committed():
     ]
 
 
+# Shapes and the kinds of pairs to ask of them, two shapes where B is another than A.
+GENERATED = [
+    (["tetrahedron"], ["general", "near", "inside"]),
+    (["plank"], ["general", "aligned", "near"]),
+    (["prism:12"], ["general", "aligned", "inside"]),
+    (["hull:14"], ["general", "near"]),
+    (["hull:50"], ["general", "near", "inside"]),
+    (["hull:200"], ["general", "near"]),
+    (["plank", "hull:50"], ["general", "near"]),
+]
+
+
+def generated(work, seed, count=500):
+    """Made anew each time; the seed decides all."""
+    folder = os.path.join(work, "data")
+    os.makedirs(folder, exist_ok=True)
+
+    def make(name, words):
+        path = os.path.join(folder, name + ".txt")
+        with open(path, "w") as file:
+            subprocess.run([os.path.join(HERE, "generate")] + words, stdout=file, check=True)
+        return path
+
+    def shape(kind):
+        return make(kind.replace(":", "_"), ["shape", kind, str(seed)])
+
+    sets = []
+    for kinds, tasks in GENERATED:
+        shapes = [shape(kind) for kind in kinds]
+        for task in tasks:
+            name = "_".join(kinds).replace(":", "_") + "_" + task
+            pairs = make(name, ["pairs", task, str(seed), str(count)] + shapes)
+            sets.append(Set("generated: %s, %s" % (" against ".join(kinds), task), shapes[0], shapes[-1], pairs))
+    return sets
+
+
 def run(prefix, command):
     """The rows that a program prints, or None and the reason."""
     try:
@@ -50,20 +87,21 @@ def count_faces(shape):
 
 
 class Comparison:
-    """The programs take turns on each set, `rounds` times; of each row the least time counts, since what
+    """The programs take turns on each set, some rounds; of each row the least time counts, since what
     disturbs a run only makes it slower."""
 
-    def __init__(self, scc, programs, prefix, rounds, bars):
-        self.scc, self.programs, self.prefix, self.rounds, self.bars = scc, programs, prefix, rounds, bars
+    def __init__(self, scc, programs, prefix, bars):
+        self.scc, self.programs, self.prefix, self.bars = scc, programs, prefix, bars
         self.wrong = 0
+        self.total = {}  # of each row of a peer, its answers over all sets
         self.record = []
 
-    def measure(self, s):
+    def measure(self, s, rounds):
         files = [s.shape_a, s.shape_b, s.pairs]
         commands = {"scc": [self.scc] + files + ["--json"]}
         commands.update({name: [program] + files for name, program in self.programs.items()})
         best, order, failed = {}, [], {}
-        for _ in range(self.rounds):
+        for _ in range(rounds):
             for name, command in commands.items():
                 if name in failed:
                     continue
@@ -93,8 +131,10 @@ class Comparison:
         if s.bars == "kissing":
             self.tell("kissing pairs not found touching", sum(a != "touching" for a in found["discrete"]),
                       len(found["discrete"]))
-        cost = count_faces(s.shape_a) * count_faces(s.shape_b)
-        sample = max(2, min(100, 20000 // cost))
+        sample = min(100, 20000 // (count_faces(s.shape_a) * count_faces(s.shape_b)))
+        if sample == 0:
+            print("too many faces to try all separating axes", flush=True)
+            return found
         done = subprocess.run([self.scc, s.shape_a, s.shape_b, s.pairs, "--check", str(sample)], text=True,
                               stdout=subprocess.PIPE, timeout=TIMEOUT)
         lines = done.stdout.strip().splitlines()
@@ -112,18 +152,19 @@ class Comparison:
             shown = [r for r in rows if r["query"] == query]
             if not shown:
                 continue
-            judged = query in ("cast", "discrete")
-            kind = answers.Casts if query == "cast" else answers.Contacts
-            headings = [title, "ns"] + (["one-off/it", "again/it"] + kind.headings if judged else [])
+            kind = answers.KINDS.get(query)
+            headings = [title, "ns"] + (["one-off/it", "again/it"] + kind.headings if kind else [])
             lines = []
             for r in shown:
                 line = [r["name"], "%.0f" % r["ns"]]
-                if judged:
+                if kind:
                     line += ["%.2f" % (ns[query, "scc " + mode] / r["ns"]) for mode in ("one-off", "again")]
                     if r["name"].startswith("scc"):
                         line += [""] * len(kind.headings)
                     else:
-                        line += answers.judge(query, exact[query], r["answers"]).columns()
+                        verdict = kind(exact[query], r["answers"])
+                        line += verdict.columns()
+                        self.total.setdefault((query, r["name"]), kind([], [])).add(verdict)
                 lines.append(line)
             print()
             report.table(headings, lines)
@@ -150,11 +191,11 @@ class Comparison:
         elif s.bars == "degenerate":
             against(self.bars.at_most, "cast / parry", casting, parry, False, 2.0)
 
-    def compare(self, s):
+    def compare(self, s, rounds):
         with open(s.pairs) as file:
             count = int(file.readline().split()[0])
         print("\n== %s (%d pairs)" % (s.title, count), flush=True)
-        rows = self.measure(s)
+        rows = self.measure(s, rounds)
         if not any(r["name"] == "scc one-off" for r in rows):
             self.wrong += 1
             return
@@ -163,3 +204,11 @@ class Comparison:
         self.judge(s, rows)
         self.record.append({"set": s.title,
                             "rows": [{k: r[k] for k in ("query", "name", "ns")} for r in rows]})
+
+    def show_total(self):
+        """What the peers get wrong over all sets."""
+        for query, title in (("cast", "casts"), ("discrete", "contact tests")):
+            lines = [[name] + verdict.columns() for (q, name), verdict in self.total.items() if q == query]
+            if lines:
+                print("\nAll %s of all sets" % title, flush=True)
+                report.table([""] + answers.KINDS[query].headings, lines)
