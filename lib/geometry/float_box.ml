@@ -1,0 +1,20 @@
+open Scc_exact
+
+(* x0 y0 z0 x1 y1 z1 *)
+type t = float array
+
+(* [Rat.to_float] gives the nearest float, so that the number lies between the float's neighbours: strictly below
+   [succ infinity] = infinity and above [pred infinity], the greatest finite float, when it is too great for a
+   float, and in the same way below. A zero stays one: what does not move must not seem to. *)
+let down q = if Rat.sign q = 0 then 0. else Float.pred (Rat.to_float q)
+let up q = if Rat.sign q = 0 then 0. else Float.succ (Rat.to_float q)
+
+let of_corners (a : Vec.t) (b : Vec.t) = [| down a.x; down a.y; down a.z; up b.x; up b.y; up b.z |]
+let make ~low ~high = [| low.(0); low.(1); low.(2); high.(0); high.(1); high.(2) |]
+let low (b : t) axis = b.(axis)
+let high (b : t) axis = b.(axis + 3)
+
+let meet (a : t) (b : t) =
+  a.(0) <= b.(3) && b.(0) <= a.(3) && a.(1) <= b.(4) && b.(1) <= a.(4) && a.(2) <= b.(5) && b.(2) <= a.(5)
+
+let extent (b : t) = Float.max (b.(3) -. b.(0)) (Float.max (b.(4) -. b.(1)) (b.(5) -. b.(2)))

@@ -1,0 +1,113 @@
+(* Moving boxes in floats against the exact ones that they stand for. *)
+
+open Scc_exact
+open Scc_geometry
+module Gen = QCheck2.Gen
+
+let ratio n d = Rat.make (Z.of_int n) (Z.of_int d)
+
+let power n =
+  if n >= 0 then Rat.make (Z.shift_left Z.one n) Z.one else Rat.make Z.one (Z.shift_left Z.one (-n))
+
+(* From tiny to beyond what a float holds, and often simple. *)
+let number =
+  let open Gen in
+  let simple = map2 ratio (-12 -- 12) (1 -- 4) in
+  let scaled = map2 (fun q e -> Rat.mul q (power e)) simple (oneofl [ -1100; -60; 40; 1030 ]) in
+  frequency [ (12, simple); (1, scaled); (2, map2 Rat.add simple scaled) ]
+
+let vector = Gen.map3 Vec.make number number number
+
+type moving = { low : Vec.t; high : Vec.t; velocity : Vec.t }
+
+let moving =
+  let make low size velocity =
+    { low; high = Vec.add low (Vec.make (Rat.abs size.Vec.x) (Rat.abs size.y) (Rat.abs size.z)); velocity }
+  in
+  Gen.map3 make vector vector vector
+
+let at t b = (Vec.axpy t b.velocity b.low, Vec.axpy t b.velocity b.high)
+let boxed b = Moving_box.make (Float_box.of_corners b.low b.high) ~at:Vec.zero ~velocity:b.velocity
+
+(* Two times in order, and one between. *)
+let times =
+  let open Gen in
+  let+ a = map Rat.abs number and+ b = map Rat.abs number and+ k = 0 -- 4 in
+  let from = Rat.min a b and until = Rat.max a b in
+  (from, until, Rat.add from (Rat.mul (ratio k 4) (Rat.sub until from)))
+
+let print_vec = Vec.to_string
+let print_box b = Printf.sprintf "%s..%s moving by %s" (print_vec b.low) (print_vec b.high) (print_vec b.velocity)
+let print_times (a, b, t) = Printf.sprintf "[%s, %s], %s" (Rat.to_string a) (Rat.to_string b) (Rat.to_string t)
+
+let until_float q = if Rat.sign q = 0 then Float.min_float else Float_box.up q
+
+let rounding =
+  QCheck2.Test.make ~name:"numbers lie between their floats" ~count:1000 ~print:Rat.to_string number (fun q ->
+      let below = Float_box.down q and above = Float_box.up q in
+      let at_most a b = Rat.compare a b <= 0 in
+      (below = neg_infinity || at_most (Q.of_float below) q)
+      && (above = infinity || at_most q (Q.of_float above))
+      && below < infinity && above > neg_infinity)
+
+let swept =
+  QCheck2.Test.make ~name:"a swept box holds the box all along" ~count:1000
+    ~print:(fun (b, t) -> print_box b ^ " at " ^ print_times t)
+    (Gen.pair moving times)
+    (fun (b, (from, until, t)) ->
+       let sweep = Moving_box.swept (boxed b) ~from:(Float_box.down from) ~until:(until_float until) in
+       let low, high = at t b in
+       let one axis low high =
+         let x0 = Float_box.low sweep axis and x1 = Float_box.high sweep axis in
+         (x0 = neg_infinity || Rat.compare (Q.of_float x0) low <= 0)
+         && (x1 = infinity || Rat.compare high (Q.of_float x1) <= 0)
+         && x0 < infinity && x1 > neg_infinity
+       in
+       one 0 low.x high.x && one 1 low.y high.y && one 2 low.z high.z)
+
+let meet_at t a b = Boxes.meet (at t a) (at t b)
+
+let never_misses =
+  QCheck2.Test.make ~name:"what meets is let through" ~count:2000
+    ~print:(fun (a, b, t) -> print_box a ^ "\n" ^ print_box b ^ "\n" ^ print_times t)
+    (Gen.triple moving moving times)
+    (fun (a, b, (from, until, t)) ->
+       let let_through =
+         Moving_box.may_meet (boxed a) (boxed b) ~from:(Float_box.down from) ~until:(until_float until)
+         && Moving_box.may_meet (boxed b) (boxed a) ~from:(Float_box.down from) ~until:infinity
+       in
+       let_through || not (meet_at t a b || meet_at from a b || meet_at until a b))
+
+(* Boxes made to meet exactly at a corner at the time t, in the midst of the interval. *)
+let corner =
+  QCheck2.Test.make ~name:"boxes that graze at a corner are let through" ~count:1000
+    ~print:(fun (a, b, t) -> print_box a ^ "\n" ^ print_box b ^ "\n" ^ print_times t)
+    (Gen.triple moving moving times)
+    (fun (a, b, (from, until, t)) ->
+       let _, high = at t a and low, _ = at t b in
+       let shift = Vec.sub high low in
+       let b = { b with low = Vec.add b.low shift; high = Vec.add b.high shift } in
+       Moving_box.may_meet (boxed a) (boxed b) ~from:(Float_box.down from) ~until:(until_float until))
+
+let unit x velocity = { low = Vec.of_ints x 0 0; high = Vec.of_ints (x + 1) 1 1; velocity }
+
+let filters () =
+  let check what expected a b ~from ~until =
+    Alcotest.(check bool) what expected (Moving_box.may_meet (boxed a) (boxed b) ~from ~until)
+  in
+  let still = unit 0 Vec.zero and left = unit 11 (Vec.of_ints (-1) 0 0) in
+  check "not yet" false still left ~from:0. ~until:9.5;
+  check "in time" true still left ~from:0. ~until:10.5;
+  check "no more" false still left ~from:12.5 ~until:infinity;
+  check "past one another" false still (unit 11 (Vec.of_ints (-1) 1 0)) ~from:0. ~until:100.;
+  check "nothing moves" false still (unit 3 Vec.zero) ~from:0. ~until:1e9;
+  let sweep = Moving_box.swept (boxed left) ~from:0. ~until:infinity in
+  Alcotest.(check bool) "for ever to the left" true (Float_box.low sweep 0 = neg_infinity);
+  Alcotest.(check bool) "and nowhere else" true (Float_box.high sweep 0 < 12.1 && Float_box.high sweep 1 < 1.1)
+
+let () =
+  Alcotest.run "moving boxes"
+    [
+      ("known", [ Alcotest.test_case "what a filter stops" `Quick filters ]);
+      ("properties", Scc_test_support.Property.cases [ rounding; swept; never_misses; corner ]);
+    ]
