@@ -39,10 +39,12 @@ let collisions m (s : State.t) contacts =
            finish m o.label o.rules (replace s [ c.first; c.second ] o.results ~step)))
     contacts
 
+let time_rules = [ Rule.Time; Time_behaviour ]
+
 let time m s =
   match Time.delay m s with
   | None -> []
-  | Some d -> [ finish m (Transition.Time d) [ Rule.Time; Time_behaviour ] (Time.pass m d s) ]
+  | Some d -> [ finish m (Transition.Time d) time_rules (Time.pass m d s) ]
 
 let distinct transitions =
   let same (a : Transition.t) (b : Transition.t) =
@@ -58,13 +60,22 @@ let rec all_ok acc = function
   | Ok t :: rest -> all_ok (t :: acc) rest
   | Error e :: _ -> Error e
 
-let successors m s =
+type instant = { discrete : Transition.t list; urgent : bool }
+
+let instant m s =
   let strong = splits m s Split.strong in
   let weak = splits m s Split.weak in
   let contacts = List.filter Collision.colliding (Collision.contacts m s) in
   let collisions = collisions m s contacts in
-  let time = if strong = [] && contacts = [] then time m s else [] in
-  Result.map distinct (all_ok [] (strong @ weak @ collisions @ time))
+  let* discrete = all_ok [] (strong @ weak @ collisions) in
+  Ok { discrete = distinct discrete; urgent = not (strong = [] && contacts = []) }
+
+let successors m s =
+  let* { discrete; urgent } = instant m s in
+  if urgent then Ok discrete
+  else
+    let* time = all_ok [] (time m s) in
+    Ok (discrete @ time)
 
 let quiescent m s =
   Array.for_all (fun p -> Split.strong m p = [] && Option.is_none p.State.clock) s.State.processes

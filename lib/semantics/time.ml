@@ -29,19 +29,24 @@ let delay m (s : State.t) =
   | Some d -> least (Some d) step
 
 (* The clock after d: started anew when an eps of the process has just expired (reading I-9). *)
-let pass_process (m : Model.t) d (p : State.process) =
-  let age (l : State.leaf) =
-    let position =
-      if Vec.is_zero p.velocity then l.position else Vec.axpy d p.velocity l.position
+let age_process (m : Model.t) d (p : State.process) =
+  if Rat.sign d = 0 then p
+  else
+    let age (l : State.leaf) = { l with behaviour = Behaviour.pass m.definitions d l.behaviour } in
+    let expires =
+      match process_horizon m p with Some h -> Rat.compare h d <= 0 | None -> false
     in
-    { l with position; behaviour = Behaviour.pass m.definitions d l.behaviour }
-  in
-  let expires =
-    match process_horizon m p with Some h -> Rat.compare h d <= 0 | None -> false
-  in
-  let aged = State.map_leaves age p in
-  if expires then Process.restart_clock m aged
-  else State.with_clock (Option.map (fun c -> Rat.modulo (Rat.add c d) m.split_step) p.clock) aged
+    let aged = State.map_leaves age p in
+    if expires then Process.restart_clock m aged
+    else State.with_clock (Option.map (fun c -> Rat.modulo (Rat.add c d) m.split_step) p.clock) aged
+
+let move_process d (p : State.process) =
+  if Vec.is_zero p.velocity then p
+  else
+    let move (l : State.leaf) = { l with position = Vec.axpy d p.velocity l.position } in
+    State.map_leaves move p
+
+let pass_process m d p = move_process d (age_process m d p)
 
 (* Where nothing is steered, time may pass over the ends of steps: they come every timestep. *)
 let pass_step (m : Model.t) d (step : State.step) =

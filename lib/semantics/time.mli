@@ -12,3 +12,14 @@ val delay : Model.t -> State.t -> Rat.t option
 val pass : Model.t -> Rat.t -> State.t -> State.t
 (** The state after a time d > 0 that is at most {!delay}, or any for a quiescent network; split clocks run
     modulo the split step (reading I-16). *)
+
+(** {1 One process} *)
+
+val process_horizon : Model.t -> State.process -> Rat.t option
+(** The least horizon of its behaviours. *)
+
+val age_process : Model.t -> Rat.t -> State.process -> State.process
+(** What {!pass} does to behaviours and split clock, for 0 <= d up to the horizon. *)
+
+val move_process : Rat.t -> State.process -> State.process
+(** What {!pass} does to positions; d may be negative. *)

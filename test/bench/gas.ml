@@ -8,8 +8,8 @@
      N L TIME                                      the box is [0, L] along every axis
      x y z vx vy vz half mass qw qx qy qz          one line for each body
 
-   Each body is a cube: [-half, half] along every axis, turned by the quaternion q = (w, x, y, z), which is not a unit,
-   with its centre at (x, y, z). Nothing ever spins; bodies bounce elastically, without friction.
+   Each body is a cube: [-half, half] along every axis, turned by the quaternion q = (w, x, y, z), which is not a
+   unit, with its centre at (x, y, z). Nothing ever spins; bodies bounce elastically, without friction.
 
    [--events FILE] writes a line for each collision, in order of time: its time (decimal, rounded), and the
    two bodies, from 0 in the order of the initial condition. A wall comes second: -1 for x = 0, -2 for x = L,

@@ -64,9 +64,19 @@ let definitions : Behaviour.definitions =
     { name = "CoSticky"; body = open_ Co_name some (call 3) };
     { name = "CoStuck"; body = sum (weak all (call 2)) (sum (strong [ all ] nil) (open_ Name all nil)) };
     { name = "Late"; body = delay (rational 1 3) (sum (call 0) (call 2)) };
+    (* in crowds only *)
+    { name = "Glue"; body = open_ Name all (call 6) };
+    { name = "Glued"; body = delay (rational 2 5) (strong [ all ] (call 5)) };
+    { name = "CoGlue"; body = open_ Co_name all (call 8) };
+    { name = "CoGlued"; body = strong [ all ] (delay (rational 1 7) (call 7)) };
+    { name = "Pulse"; body = delay (rational 1 4) (call 10) };
+    { name = "Pulsed"; body = delay (rational 1 3) (sum (call 0) (call 9)) };
+    { name = "Loose"; body = open_ Co_name all (call 12) };
+    { name = "Loosened"; body = weak all (delay (rational 1 9) (call 11)) };
   |]
 
 let behaviours = 6
+let behaviours_in_crowds = 14
 let behaviour i = if i = 0 then Behaviour.nil else Behaviour.call (i - 1)
 
 (* {1 Networks} *)
@@ -133,15 +143,20 @@ let distinct bodies =
   List.fold_left (fun kept b -> if List.exists (same_cell b) kept then kept else b :: kept) [] bodies
   |> List.rev
 
-let body ~steered =
+let body ~steered ~cells ~behaviours =
   let open Gen in
-  let* cell = three (0 -- 1) and* jitter = three (0 -- 2) and* velocity = three (-3 -- 3) in
+  let* cell = three (0 -- (cells - 1)) and* jitter = three (0 -- 2) and* velocity = three (-3 -- 3) in
   let* mass = 1 -- 3 and* shape = 0 -- (Array.length shapes - 1) in
   let* behaviour = 0 -- (behaviours - 1) and* fixed = map (fun n -> n = 0) (0 -- 9) in
   let+ falls = if steered then map (fun n -> n = 0) (0 -- 1) else pure false in
   { cell; jitter; velocity; mass; shape; behaviour; fixed; falls = falls && not fixed }
 
-let generate ?(steered = false) () = Gen.map distinct (Gen.list_size Gen.(2 -- 6) (body ~steered))
+let generate ?(steered = false) () =
+  Gen.map distinct (Gen.list_size Gen.(2 -- 6) (body ~steered ~cells:2 ~behaviours))
+
+let crowd =
+  let body = body ~steered:false ~cells:3 ~behaviours:behaviours_in_crowds in
+  Gen.map distinct (Gen.list_size Gen.(10 -- 30) body)
 
 let bystander i =
   {

@@ -9,6 +9,9 @@ val generate : ?steered:bool -> unit -> t QCheck2.Gen.t
 (** Two to six bodies, close together and in motion; shrinks. With [steered] (not by default), some fall
     by a law of motion. *)
 
+val crowd : t QCheck2.Gen.t
+(** Up to thirty bodies, as close together. *)
+
 val model : t -> Model.t
 val declared : t -> State.t
 

@@ -1,0 +1,247 @@
+open Scc_exact
+open Scc_calculus
+
+(* A process now: as it was at the time [since], but for its positions, which are those of its line. *)
+type body = {
+  mutable process : State.process;
+  mutable since : Rat.t;
+  mutable age : int;  (** changes with [since]; -1 once the process has gone *)
+  flight : Flights.flight;
+}
+
+(* Events to come. Those whose numbers are out of date are dropped when their time comes. *)
+type event =
+  | Contact of { one : Flights.flight; two : Flights.flight; sweep_one : int; sweep_two : int }
+  | Sweep_end of Flights.flight * int
+  | Horizon of body * int  (** an eps expires *)
+  | Split_instant of body * int
+
+type alternative = { label : Transition.label; rules : Rule.t list }
+
+(* What may happen now: discrete transitions of those involved, taken by themselves; or time may pass. *)
+type offer = { involved : State.process array; discrete : Transition.t array; delay : Rat.t option }
+
+type t = {
+  model : Model.t;
+  flights : Flights.t;
+  agenda : event Agenda.t;
+  bodies : body option array;  (** by first leaf *)
+  start_time : Rat.t option;
+  mutable now : Rat.t;  (** since the start *)
+  mutable ages : int;
+  mutable colliding : event list;  (** contacts of this instant *)
+  mutable splitting : (body * int) list;  (** those at a split instant now *)
+  mutable reacting : (body * int) list;  (** those with a strong split *)
+  mutable offer : offer option;
+  mutable room : int;  (** how many events to keep before those out of date are dropped *)
+}
+
+let elapsed t = t.now
+let work t = Flights.work t.flights
+
+(* {1 The agenda} *)
+
+let valid = function
+  | Contact c -> c.one.sweep = c.sweep_one && c.two.sweep = c.sweep_two
+  | Sweep_end (f, sweep) -> f.sweep = sweep
+  | Horizon (b, age) | Split_instant (b, age) -> b.age = age
+
+let least_room = 1024
+
+let add t time event =
+  if Agenda.size t.agenda >= t.room then begin
+    Agenda.keep t.agenda valid;
+    t.room <- Int.max least_room (2 * Agenda.size t.agenda)
+  end;
+  Agenda.add t.agenda time event
+
+let found t time (one : Flights.flight) (two : Flights.flight) =
+  add t time (Contact { one; two; sweep_one = one.sweep; sweep_two = two.sweep })
+
+let swept t (f : Flights.flight) = Option.iter (fun time -> add t time (Sweep_end (f, f.sweep))) f.until
+
+let renew t f =
+  Flights.renew t.flights ~now:t.now f (found t);
+  swept t f
+
+(* {1 Processes that come, age and go} *)
+
+(* For a process that is as it was just now. *)
+let schedule t b =
+  t.ages <- t.ages + 1;
+  let age = t.ages in
+  b.since <- t.now;
+  b.age <- age;
+  let p = b.process in
+  Option.iter (fun h -> add t (Rat.add t.now h) (Horizon (b, age))) (Time.process_horizon t.model p);
+  Option.iter
+    (fun clock ->
+       if Rat.sign clock = 0 then t.splitting <- (b, age) :: t.splitting;
+       add t (Rat.add t.now (Rat.sub t.model.split_step clock)) (Split_instant (b, age)))
+    p.clock;
+  match Split.strong t.model p with
+  | [] -> ()
+  | _ :: _ -> t.reacting <- (b, age) :: t.reacting
+
+let enter t (p : State.process) =
+  let line = Time.move_process (Rat.neg t.now) p in
+  let flight = Flights.launch t.flights ~now:t.now line (found t) in
+  swept t flight;
+  let b = { process = line; since = t.now; age = -1; flight } in
+  t.bodies.(flight.first) <- Some b;
+  schedule t b
+
+let body t first =
+  match t.bodies.(first) with
+  | Some b -> b
+  | None -> Scc_base.Bug.fail __POS__ "no process begins with this leaf"
+
+let leave t first =
+  let b = body t first in
+  Flights.drop t.flights b.flight;
+  b.age <- -1;
+  t.bodies.(first) <- None
+
+let aged t b = Time.age_process t.model (Rat.sub t.now b.since) b.process
+let present t b = Time.move_process t.now (aged t b)
+
+(* {1 Now} *)
+
+let happen t event =
+  match event with
+  | Contact _ -> t.colliding <- event :: t.colliding
+  | Sweep_end (f, _) -> renew t f
+  | Horizon (b, _) ->
+    b.process <- aged t b;
+    schedule t b
+  | Split_instant (b, age) ->
+    t.splitting <- (b, age) :: t.splitting;
+    add t (Rat.add t.now t.model.split_step) event
+
+(* Everything that the agenda has for this instant. *)
+let rec come_up t =
+  match Agenda.first t.agenda with
+  | Some (time, event) when not (valid event) || Rat.compare time t.now <= 0 ->
+    Agenda.drop_first t.agenda;
+    if valid event then happen t event;
+    come_up t
+  | Some _ | None -> ()
+
+(* When the next event comes that is one of the calculus. The ends of sweeps are none: what a process sweeps next
+   still begins now, where all others are, for nothing forces time to pass. *)
+let rec next_time t =
+  match Agenda.first t.agenda with
+  | None -> None
+  | Some (time, event) ->
+    if not (valid event) then begin
+      Agenda.drop_first t.agenda;
+      next_time t
+    end
+    else begin
+      match event with
+      | Sweep_end (f, _) ->
+        Agenda.drop_first t.agenda;
+        renew t f;
+        next_time t
+      | Contact _ | Horizon _ | Split_instant _ -> Some time
+    end
+
+let up_to_date (b, age) = b.age = age
+
+let involved t =
+  t.colliding <- List.filter valid t.colliding;
+  t.splitting <- List.filter up_to_date t.splitting;
+  t.reacting <- List.filter up_to_date t.reacting;
+  let first (b, _) = b.flight.Flights.first in
+  let colliding = function
+    | Contact c -> [ c.one.first; c.two.first ]
+    | Sweep_end _ | Horizon _ | Split_instant _ -> []
+  in
+  List.concat_map colliding t.colliding
+  @ List.map first t.splitting
+  @ List.map first t.reacting
+  |> List.sort_uniq Int.compare
+
+(* Whoever collides or splits now is involved, and rules look at nobody else (see {!Network.instant}). *)
+let look t =
+  come_up t;
+  match List.map (fun first -> present t (body t first)) (involved t) with
+  | [] -> { involved = [||]; discrete = [||]; delay = Option.map (fun n -> Rat.sub n t.now) (next_time t) }
+  | processes -> (
+      let together = State.make ~processes ~step:None ~time:None in
+      match Network.instant t.model together with
+      | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a model that is not steered"
+      | Ok { discrete; urgent } ->
+        let delay = if urgent then None else Option.map (fun n -> Rat.sub n t.now) (next_time t) in
+        { involved = together.processes; discrete = Array.of_list discrete; delay })
+
+let offer t =
+  match t.offer with
+  | Some o -> o
+  | None ->
+    let o = look t in
+    t.offer <- Some o;
+    o
+
+let alternatives t =
+  let o = offer t in
+  let time = Option.map (fun d -> { label = Transition.Time d; rules = Network.time_rules }) o.delay in
+  List.map
+    (fun (t : Transition.t) -> { label = t.label; rules = t.rules })
+    (Array.to_list o.discrete)
+  @ Option.to_list time
+
+(* {1 Steps} *)
+
+(* Nothing collides or reacts when time passes: those lists are empty already. *)
+let pass t d =
+  t.now <- Rat.add t.now d;
+  t.splitting <- []
+
+(* Processes that take no part stay the same in memory. *)
+let change t before (target : State.t) =
+  let among processes p = Array.exists (fun q -> q == p) processes in
+  Array.iter
+    (fun (p : State.process) ->
+       if not (among target.processes p) then leave t p.leaves.(0).leaf)
+    before;
+  Array.iter (fun p -> if not (among before p) then enter t p) target.processes
+
+let take t i =
+  let o = offer t in
+  t.offer <- None;
+  match o.delay with
+  | _ when i >= 0 && i < Array.length o.discrete -> change t o.involved o.discrete.(i).target
+  | Some d when i = Array.length o.discrete -> pass t d
+  | Some _ | None -> Scc_base.Bug.fail __POS__ "an alternative that is not there"
+
+let state t =
+  let present_body processes = function
+    | None -> processes
+    | Some b -> present t b :: processes
+  in
+  State.make
+    ~processes:(List.rev (Array.fold_left present_body [] t.bodies))
+    ~step:None
+    ~time:(Option.map (Rat.add t.now) t.start_time)
+
+let start (m : Model.t) (s : State.t) =
+  if m.steered then Scc_base.Bug.fail __POS__ "laws of motion from event to event";
+  let t =
+    {
+      model = m;
+      flights = Flights.create m;
+      agenda = Agenda.create ();
+      bodies = Array.make (Array.length m.leaves) None;
+      start_time = s.time;
+      now = Rat.zero;
+      ages = 0;
+      colliding = [];
+      splitting = [];
+      reacting = [];
+      offer = None;
+      room = least_room;
+    }
+  in
+  Array.iter (enter t) s.processes;
+  t

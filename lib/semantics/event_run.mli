@@ -1,0 +1,28 @@
+(** A run of a network without laws of motion, from event to event: what a step costs depends on those who take
+    part in it and on their neighbours, and hardly on how many others there are. It offers and takes the same
+    transitions as {!Network.successors}, in the same order, but does not write down whole states. *)
+
+open Scc_exact
+open Scc_calculus
+
+type t
+
+val start : Model.t -> State.t -> t
+(** From any state of a model that is not steered. *)
+
+(** A transition that is possible now. *)
+type alternative = { label : Transition.label; rules : Rule.t list }
+
+val alternatives : t -> alternative list
+(** As in {!Network.successors} of the present state. *)
+
+val take : t -> int -> unit
+(** Takes the alternative with a number, from 0 (a bug when there is none). *)
+
+val elapsed : t -> Rat.t
+(** The time since the start. *)
+
+val state : t -> State.t
+(** The present state, in full: takes time proportional to its size. *)
+
+val work : t -> Flights.work

@@ -1,0 +1,180 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+
+type flight = {
+  first : int;
+  velocity : Vec.t;
+  parts : int array;
+  mutable sweep : int;
+  mutable until : Rat.t option;
+  mutable bound : float;
+  mutable rounds : int;
+}
+
+type contact = Rat.t -> flight -> flight -> unit
+type work = { sweeps : int; neighbours : int; casts : int }
+
+(* By the number of the part: those of the first leaf come first. *)
+type t = {
+  model : Model.t;
+  first_part : int array;  (** by leaf *)
+  place : (int * int) array;  (** leaf and part *)
+  shape : Float_box.t array;  (** about the reference point of the part *)
+  line : Vec.t array;  (** of the reference point *)
+  moving : Moving_box.t array;
+  owner : flight array;
+  tree : Box_tree.t;
+  mutable work : work;
+}
+
+let nobody =
+  { first = -1; velocity = Vec.zero; parts = [||]; sweep = -1; until = None; bound = 0.; rounds = 0 }
+
+let create (m : Model.t) =
+  let counts = Array.map (fun (l : Model.leaf) -> Array.length l.parts) m.leaves in
+  let total = ref 0 in
+  let first_part =
+    Array.map
+      (fun n ->
+         let first = !total in
+         total := first + n;
+         first)
+      counts
+  in
+  let place =
+    Array.concat (List.mapi (fun l n -> Array.init n (fun p -> (l, p))) (Array.to_list counts))
+  in
+  let shape (l, p) =
+    let solid = m.leaves.(l).parts.(p).solid in
+    Float_box.of_corners solid.low solid.high
+  in
+  let shapes = Array.map shape place in
+  let still box = Moving_box.make box ~at:Vec.zero ~velocity:Vec.zero in
+  {
+    model = m;
+    first_part;
+    place;
+    shape = shapes;
+    line = Array.make !total Vec.zero;
+    moving = Array.map still shapes;
+    owner = Array.make !total nobody;
+    tree = Box_tree.create ();
+    work = { sweeps = 0; neighbours = 0; casts = 0 };
+  }
+
+let work t = t.work
+
+(* {1 How far to sweep} *)
+
+(* The first sweep of a process takes it about its own size along. Each further one goes twice as far, up to one
+   without end: so that what never meets anything again is at rest after a few sweeps. Any times would be right;
+   these are multiples of powers of two, that is short numbers. *)
+
+let most_rounds = 16
+let clamp exponent = Int.max (-1000) (Int.min 1000 exponent)
+
+let power_of_two e =
+  if e >= 0 then Rat.make (Z.shift_left Z.one e) Z.one else Rat.make Z.one (Z.shift_left Z.one (-e))
+
+let window t f =
+  let size = Array.fold_left (fun s i -> Float.max s (Float_box.extent t.shape.(i))) 0. f.parts in
+  let v = f.velocity in
+  let speed q = Rat.to_float (Rat.abs q) in
+  let fastest = Float.max (speed v.x) (Float.max (speed v.y) (speed v.z)) in
+  let _, exponent = Float.frexp (size /. fastest) in
+  power_of_two (clamp exponent - 1 + f.rounds)
+
+let end_of_sweep t ~now f =
+  if Vec.is_zero f.velocity || f.rounds > most_rounds then None
+  else
+    let window = window t f in
+    let windows = Z.add (Rat.floor (Rat.div now window)) (Z.of_int 2) in
+    Some (Rat.mul (Rat.make windows Z.one) window)
+
+(* {1 Collisions to come} *)
+
+(* The cast goes along the whole lines, from time 0. As two bodies never interpenetrate, the one time at which the
+   lines enter the obstacle, if there is one, is in the past when the bodies have met and parted already (or
+   would have, had they moved as now before). *)
+let cast t ~now f i g j found =
+  let w = Vec.sub g.velocity f.velocity in
+  if not (Vec.is_zero w) then begin
+    t.work <- { t.work with casts = t.work.casts + 1 };
+    let obstacle = Model.obstacle t.model t.place.(i) t.place.(j) in
+    match Obstacle.first_time_of_contact obstacle (Vec.sub t.line.(j) t.line.(i)) w with
+    | Never | Inside -> ()
+    | At time ->
+      if Rat.compare time now >= 0 && Rat.to_float time <= Float.min f.bound g.bound then found time f g
+  end
+
+let look t ~now f found =
+  let from = Float_box.down now in
+  let look_from i =
+    let consider j =
+      let g = t.owner.(j) in
+      if g != f then begin
+        t.work <- { t.work with neighbours = t.work.neighbours + 1 };
+        let until = Float.min f.bound g.bound in
+        if Moving_box.may_meet t.moving.(i) t.moving.(j) ~from ~until then
+          if f.first < g.first then cast t ~now f i g j found else cast t ~now g j f i found
+      end
+    in
+    Box_tree.iter_meeting t.tree (Moving_box.swept t.moving.(i) ~from ~until:f.bound) consider
+  in
+  Array.iter look_from f.parts
+
+(* If two processes collide at a time during the present sweeps of both, then at that time both are inside of what
+   they sweep, and touch: whoever was swept last has found the other in the tree. *)
+let sweep t ~now f found =
+  t.work <- { t.work with sweeps = t.work.sweeps + 1 };
+  f.sweep <- t.work.sweeps;
+  f.until <- end_of_sweep t ~now f;
+  f.bound <- (match f.until with None -> infinity | Some time -> Float_box.up time);
+  let from = Float_box.down now in
+  let insert i = Box_tree.insert t.tree i (Moving_box.swept t.moving.(i) ~from ~until:f.bound) in
+  Array.iter insert f.parts;
+  look t ~now f found
+
+let parts_of t (p : State.process) =
+  let of_leaf (l : State.leaf) =
+    Array.init (Array.length t.model.leaves.(l.leaf).parts) (fun k -> t.first_part.(l.leaf) + k)
+  in
+  Array.concat (List.map of_leaf (Array.to_list p.leaves))
+
+let place_parts t f (p : State.process) =
+  let place_leaf (l : State.leaf) =
+    Array.iteri
+      (fun k (part : Model.part) ->
+         let i = t.first_part.(l.leaf) + k in
+         let at = Vec.add l.position part.offset in
+         t.line.(i) <- at;
+         t.moving.(i) <- Moving_box.make t.shape.(i) ~at ~velocity:f.velocity;
+         t.owner.(i) <- f)
+      t.model.leaves.(l.leaf).parts
+  in
+  Array.iter place_leaf p.leaves
+
+let launch t ~now (line : State.process) found =
+  let f =
+    {
+      nobody with
+      first = line.leaves.(0).leaf;
+      velocity = line.velocity;
+      parts = parts_of t line;
+    }
+  in
+  place_parts t f line;
+  sweep t ~now f found;
+  f
+
+let clear t f = Array.iter (Box_tree.remove t.tree) f.parts
+
+let renew t ~now f found =
+  clear t f;
+  f.rounds <- f.rounds + 1;
+  sweep t ~now f found
+
+let drop t f =
+  clear t f;
+  f.sweep <- -1

@@ -1,0 +1,180 @@
+(* Runs from event to event against the transition relation, step by step. *)
+
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+open Scc_semantics
+open Scc_test_networks
+module Gen = QCheck2.Gen
+
+let label_and_rules m label rules =
+  Transition.label_to_string m label ^ " by " ^ String.concat ", " (List.map Rule.id rules)
+
+let of_transition m (t : Transition.t) = label_and_rules m t.label t.rules
+let of_alternative m (a : Event_run.alternative) = label_and_rules m a.label a.rules
+
+(* Follows both for some steps: the same alternatives in the same order, and the same states. [looks] says before
+   which steps to look at the state, since looking must not matter. *)
+let follow m s choices ~looks =
+  let run = Event_run.start m s in
+  let rec from step elapsed s = function
+    | [] -> true
+    | choice :: choices ->
+      let transitions = Reach.successors m s in
+      let expected = List.map (of_transition m) transitions in
+      let offered = List.map (of_alternative m) (Event_run.alternatives run) in
+      if not (List.equal String.equal expected offered) then
+        QCheck2.Test.fail_reportf "step %d: %s\nbut from event to event: %s" step (String.concat "; " expected)
+          (String.concat "; " offered)
+      else if looks step && not (State.equal s (Event_run.state run)) then
+        QCheck2.Test.fail_reportf "step %d: another state" step
+      else if not (Rat.equal elapsed (Event_run.elapsed run)) then
+        QCheck2.Test.fail_reportf "step %d: another time" step
+      else
+        match transitions with
+        | [] -> true
+        | _ :: _ ->
+          let i = choice mod List.length transitions in
+          let t = List.nth transitions i in
+          Event_run.take run i;
+          from (step + 1) (Rat.add elapsed (Transition.duration t)) t.target choices
+  in
+  from 0 Rat.zero s choices
+
+let choices length = Gen.list_size (Gen.pure length) Gen.nat
+let print (network, choices) =
+  Random_network.print network ^ "\nchoices " ^ String.concat " " (List.map string_of_int choices)
+
+let property name ~count ~steps networks adapt ~looks =
+  QCheck2.Test.make ~name ~count ~print (Gen.pair networks (choices steps)) (fun (network, choices) ->
+      let m, s = Random_network.start (adapt network) in
+      follow m s choices ~looks)
+
+let always _ = true
+let seldom step = step mod 7 = 6
+
+let small =
+  property "small networks" ~count:600 ~steps:40 (Random_network.generate ()) Fun.id ~looks:always
+
+let unseen =
+  property "whether the states are looked at or not" ~count:200 ~steps:60 (Random_network.generate ()) Fun.id
+    ~looks:seldom
+
+let far_away =
+  property "with bodies far away" ~count:60 ~steps:40 (Random_network.generate ())
+    Random_network.with_bystanders ~looks:seldom
+
+let crowds = property "crowds" ~count:150 ~steps:120 Random_network.crowd Fun.id ~looks:seldom
+
+(* The run may start from any state, with split clocks at any time and in the midst of a passing of time. *)
+let later =
+  QCheck2.Test.make ~name:"from the midst of a run" ~count:200 ~print
+    (Gen.pair (Random_network.generate ()) (choices 40))
+    (fun (network, choices) ->
+       let m, s = Random_network.start network in
+       let rec advance n s =
+         match List.rev (Reach.successors m s) with
+         | { label = Time d; _ } :: _ when n = 0 -> Time.pass m (Rat.mul d (Rat.make Z.one (Z.of_int 3))) s
+         | t :: _ when n > 0 -> advance (n - 1) t.target
+         | _ -> s
+       in
+       follow m (advance 5 s) choices ~looks:always)
+
+(* {1 A box of walls} *)
+
+(* Cubes of side 2 inside walls, some of which are a thousand times as long. *)
+let boxed ?(keeps_time = false) velocities =
+  let side = 12 and slab = 1000 in
+  let solid id x y z = Solid.make ~id Cube.polyhedron (Mat.diagonal (Vec.of_ints x y z)) in
+  let cube = solid 0 1 1 1 in
+  let leaf name solid fixed : Model.leaf =
+    let part : Model.part = { name; template = "Cube"; solid; offset = Vec.zero; mass = Rat.one } in
+    { name; template = "Cube"; parts = [| part |]; fixed; mass = Rat.one; law = Inertial }
+  in
+  let body i (x, y, z) =
+    let at = Vec.of_ints ((4 * (i mod 3)) - 4) ((4 * (i / 3 mod 3)) - 4) ((4 * (i / 9)) - 4) in
+    (leaf (Printf.sprintf "p%d" i) cube false, at, Vec.make (Rat.make (Z.of_int x) (Z.of_int 7))
+       (Rat.make (Z.of_int y) (Z.of_int 5)) (Rat.make (Z.of_int z) (Z.of_int 3)))
+  in
+  let wall k (id, x, y, z) sign =
+    let out = side + slab in
+    let along c = if k = c then sign * out else 0 in
+    let leaf = leaf (Printf.sprintf "w%d%d" k sign) (solid id x y z) true in
+    (leaf, Vec.of_ints (along 0) (along 1) (along 2), Vec.zero)
+  in
+  let walls =
+    List.concat_map
+      (fun (k, shape) -> [ wall k shape (-1); wall k shape 1 ])
+      [ (0, (1, slab, side, side)); (1, (2, side, slab, side)); (2, (3, side, side, slab)) ]
+  in
+  let all = List.mapi body velocities @ walls in
+  let m : Model.t =
+    {
+      leaves = Array.of_list (List.map (fun (l, _, _) -> l) all);
+      definitions = [||];
+      timestep = Rat.one;
+      split_step = Rat.one;
+      keeps_time;
+      steered = false;
+      obstacles = Obstacle_cache.create ();
+    }
+  in
+  let process i (_, position, velocity) =
+    let behaviour = Behaviour.fresh Behaviour.nil in
+    State.process ~leaves:[ { State.leaf = i; position; behaviour } ] ~bonds:[] ~velocity ~clock:None
+  in
+  (m, Reach.initial m (State.make ~processes:(List.mapi process all) ~step:None ~time:None))
+
+let in_a_box =
+  let velocity = Gen.(triple (-4 -- 4) (-4 -- 4) (-4 -- 4)) in
+  QCheck2.Test.make ~name:"a box with long walls" ~count:40
+    Gen.(triple (list_size (1 -- 12) velocity) (choices 100) bool)
+    (fun (velocities, choices, keeps_time) ->
+       let m, s = boxed ~keeps_time velocities in
+       follow m s choices ~looks:seldom)
+
+let absolute_time () =
+  let m, s = boxed ~keeps_time:true [ (7, 0, 0) ] in
+  let run = Event_run.start m s in
+  Event_run.take run 0;
+  let time = (Event_run.state run).time in
+  Alcotest.(check (option string)) "the wall at 12, from -4, by 1" (Some "15") (Option.map Rat.to_string time)
+
+(* Those who fly apart are at rest after some sweeps, and the network is seen to be quiescent. *)
+let apart () =
+  let m, s = boxed [ (1, 2, 3); (3, 2, 1) ] in
+  let without_walls = State.make ~processes:[ s.processes.(0); s.processes.(1) ] ~step:None ~time:None in
+  let run = Event_run.start m without_walls in
+  Alcotest.(check int) "nothing is possible" 0 (List.length (Event_run.alternatives run));
+  Alcotest.(check bool) "after few sweeps" true ((Event_run.work run).sweeps < 100)
+
+(* An event costs the same whether a few or many others are somewhere else. *)
+let local () =
+  let casts count =
+    let velocities = List.init count (fun i -> if i = 0 then (7, 0, 0) else (0, 0, 0)) in
+    let m, s = boxed velocities in
+    let far i (p : State.process) =
+      if i = 0 || i >= count then p
+      else State.map_leaves (fun l -> { l with position = Vec.of_ints (5000 + (10 * i)) 5000 5000 }) p
+    in
+    let s = State.make ~processes:(List.mapi far (Array.to_list s.processes)) ~step:None ~time:None in
+    let run = Event_run.start m s in
+    for _ = 1 to 100 do
+      Event_run.take run 0
+    done;
+    (Event_run.work run).casts
+  in
+  Alcotest.(check int) "casts" (casts 1) (casts 200)
+
+let () =
+  Alcotest.run "event run"
+    [
+      ( "known",
+        [
+          Alcotest.test_case "absolute time" `Quick absolute_time;
+          Alcotest.test_case "those who fly apart" `Quick apart;
+          Alcotest.test_case "what is far away costs nothing" `Quick local;
+        ] );
+      ( "as the transition relation",
+        Scc_test_support.Property.cases [ small; unseen; far_away; crowds; later; in_a_box ] );
+    ]
