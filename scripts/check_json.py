@@ -77,8 +77,8 @@ def check_model(scc, model, folder):
         os.remove(schedule)
 
 
-def check_trace(scc, model):
-    result = run(scc, "trace", model, "--steps", "40", "--choose", "random:1")
+def check_trace(scc, model, *options):
+    result = run(scc, "trace", model, "--steps", "40", "--choose", "random:1", *options)
     lines = text_of(result).splitlines()
     bad = FAILED
     validate = validator("trace")
@@ -123,6 +123,7 @@ def main():
         for model in sorted(glob.glob("specs/models/*.sc")):
             check_model(scc, model, folder)
             check_trace(scc, model)
+            check_trace(scc, model, "--states=ends")
     check_refusals(scc)
     check_shapes(scc)
     if len(sys.argv) > 2:

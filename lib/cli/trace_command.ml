@@ -13,6 +13,7 @@ type options = {
   steps : int option;
   time : Rat.t option;
   human : bool;
+  states : Trace.states;
   output : string option;
 }
 
@@ -79,24 +80,27 @@ let limits o schedule : Replay.limits =
   in
   { steps; time = o.time; instant = Replay.default_instant }
 
-let human_event model write (e : Replay.event) =
+let human_event model (states : Trace.states) write (e : Replay.event) =
   let line fmt = Printf.ksprintf (fun s -> write (s ^ "\n")) fmt in
   let state s = List.iter (line "        %s") (Run_text.state model s) in
   match e with
   | Start s ->
     line "time 0";
     state s
-  | Step { number; index; among; time; taken } ->
-    let choice = if among > 1 then Printf.sprintf " (choice %d of %d)" index among else "" in
-    let rules = String.concat ", " (List.map Scc_semantics.Rule.id taken.rules) in
-    line "%5d.  %s%s   {%s}" number (Run_text.label model taken.label) choice rules;
-    line "time %s" (Rat.to_string time);
-    state taken.target
+  | Step { number; index; among; time; taken; state = after } -> (
+      let choice = if among > 1 then Printf.sprintf " (choice %d of %d)" index among else "" in
+      let rules = String.concat ", " (List.map Scc_semantics.Rule.id taken.rules) in
+      line "%5d.  %s%s   {%s}" number (Run_text.label model taken.label) choice rules;
+      line "time %s" (Rat.to_string time);
+      match states with All -> state (after ()) | Ends -> ())
   | Instant { offset; time; state = s } ->
     line "        time passes by %s" (Rat.to_string offset);
     line "time %s" (Rat.to_string time);
     state s
-  | End { steps; time; ending } ->
+  | End { steps; time; ending; last } ->
+    (match (states, last) with
+     | Ends, Some s when steps > 0 -> state (s ())
+     | (All | Ends), _ -> ());
     let word =
       match ending with
       | Open -> "more can happen"
@@ -109,11 +113,11 @@ let human_event model write (e : Replay.event) =
 let write_run o (model : Input.model) policy limits ~interrupted write =
   let e = model.elaborated in
   let emit =
-    if o.human then human_event e.model write
+    if o.human then human_event e.model o.states write
     else begin
       let line json = write (Json.line json ^ "\n") in
       line (Trace.header ~model:e.name ~digest:model.digest ~parameters:e.parameters);
-      fun event -> line (Trace.event e.model event)
+      fun event -> List.iter line (Trace.event e.model o.states event)
     end
   in
   Replay.run e.model e.declared policy limits ~interrupted emit
@@ -207,16 +211,26 @@ let human =
   let doc = "Tells the run in words instead of JSON Lines." in
   Arg.(value & flag & info [ "human" ] ~doc)
 
+let states =
+  let doc =
+    "Which states to print: $(b,all), the one after each transition, or $(b,ends), only the first and the last one \
+     (a line $(b,state) before the end): a long run of many bodies is then told in a line for each \
+     transition. Such a trace is its own schedule, too."
+  in
+  let kinds = [ ("all", Trace.All); ("ends", Trace.Ends) ] in
+  Arg.(value & opt (enum kinds) Trace.All & info [ "states" ] ~docv:"WHICH" ~doc)
+
 let output =
   let doc = "Writes to $(docv) instead of standard output." in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
 let options =
-  let make path overrides schedule choose steps time human output =
-    { path; overrides; schedule; choose; steps; time; human; output }
+  let make path overrides schedule choose steps time human states output =
+    { path; overrides; schedule; choose; steps; time; human; states; output }
   in
   Term.(
-    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ steps $ time $ human $ output)
+    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ steps $ time $ human $ states
+    $ output)
 
 let man =
   [
@@ -225,7 +239,7 @@ let man =
       "Runs one behaviour of a model and prints it as JSON Lines, one object a line: a header (format and \
        semantics versions, digest of the model, values of its parameters), the initial state, then each \
        transition with its label, the rules that made it, the model time after it and the resulting state \
-       in full. Numbers are exact, as texts $(b,\"p/q\"). The format is described by \
+       in full (see $(b,--states)). Numbers are exact, as texts $(b,\"p/q\"). The format is described by \
        $(b,specs/schema/trace.schema.json).";
     `P
       "The output is the same, byte for byte, for the same model and choices. Each transition tells which \
@@ -238,6 +252,7 @@ let man =
     `Pre "  scc trace model.sc --choose random:7 -o run.jsonl";
     `Pre "  scc trace model.sc --schedule run.jsonl | cmp - run.jsonl";
     `Pre "  scc trace model.sc --human --time 5";
+    `Pre "  scc trace large.sc --time 100 --states=ends";
   ]
 
 let command =

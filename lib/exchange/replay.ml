@@ -12,9 +12,16 @@ type ending = Open | Quiescent | Stuck | Zeno
 
 type event =
   | Start of State.t
-  | Step of { number : int; index : int; among : int; time : Rat.t; taken : Transition.t }
+  | Step of {
+      number : int;
+      index : int;
+      among : int;
+      time : Rat.t;
+      taken : Run.alternative;
+      state : unit -> State.t;
+    }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
-  | End of { steps : int; time : Rat.t; ending : ending }
+  | End of { steps : int; time : Rat.t; ending : ending; last : (unit -> State.t) option }
 
 type failure = Fault of Transition.fault | Refused of Diag.t | Interrupted
 
@@ -23,9 +30,8 @@ type guide = Always_first | Generator of Splitmix64.t | Choices of Schedule.choi
 
 type verdict = Take of int * guide | Leave | Misfit of Schedule.choice
 
-(* Where the run stands. *)
+(* How far the run has come. *)
 type place = {
-  state : State.t;
   time : Rat.t;
   taken : int;  (** transitions so far *)
   still : int;  (** of them, since time last passed *)
@@ -37,14 +43,14 @@ let none = function [] -> true | _ :: _ -> false
 let fault r = Result.map_error (fun f -> Fault f) r
 
 let possible model transitions =
-  let line i (t : Transition.t) =
+  let line i (t : Run.alternative) =
     Printf.sprintf "%d: %s" i (Transition.label_to_string model t.label)
   in
   match transitions with
   | [] -> "nothing was possible there"
   | _ -> "possible there: " ^ String.concat "; " (List.mapi line transitions)
 
-let label_fits model (t : Transition.t) = function
+let label_fits model (t : Run.alternative) = function
   | None -> true
   | Some label -> String.equal label (Transition.label_to_string model t.label)
 
@@ -88,26 +94,28 @@ let misfit model transitions place c =
        ~notes:[ (Span.none, possible model transitions) ]
        "step %d at time %s: %s is not possible here" (place.taken + 1) (Rat.to_string place.time) (wanted c))
 
-let ending model limits place transitions =
+let ending run limits place transitions =
   if place.still >= limits.instant then Zeno
   else if not (none transitions) then Open
-  else if Network.quiescent model place.state then Quiescent
+  else if Run.quiescent run then Quiescent
   else Stuck
 
-(* How long time may pass here without an event: [None] when for ever. *)
-let room model place transitions =
-  let longest acc (t : Transition.t) = Rat.max acc (Transition.duration t) in
-  if none transitions && Network.quiescent model place.state then None
-  else Some (List.fold_left longest Rat.zero transitions)
+let duration (t : Run.alternative) = Transition.duration_of t.label
 
-let finish model limits emit place transitions =
-  let ending = ending model limits place transitions in
-  emit (End { steps = place.taken; time = place.time; ending });
+(* How long time may pass here without an event: [None] when for ever. *)
+let room run transitions =
+  if none transitions && Run.quiescent run then None
+  else Some (List.fold_left (fun longest t -> Rat.max longest (duration t)) Rat.zero transitions)
+
+let finish ?(told = false) run limits emit place transitions =
+  let ending = ending run limits place transitions in
+  let last = if told then None else Some (fun () -> Run.state run) in
+  emit (End { steps = place.taken; time = place.time; ending; last });
   Ok ending
 
 (* Leaves the run after [offset] more of undisturbed time, if that is possible. *)
-let leave_at model limits emit place transitions offset ~at =
-  let fits = match room model place transitions with None -> true | Some d -> Rat.compare offset d <= 0 in
+let leave_at model run limits emit place transitions offset ~at =
+  let fits = match room run transitions with None -> true | Some d -> Rat.compare offset d <= 0 in
   if not fits then
     Error
       (Refused
@@ -116,9 +124,10 @@ let leave_at model limits emit place transitions offset ~at =
             "after step %d at time %s: time cannot pass by %s here" place.taken (Rat.to_string place.time)
             (Rat.to_string offset)))
   else begin
-    let state = if Rat.sign offset = 0 then place.state else Time.pass model offset place.state in
+    let state = Run.state run in
+    let state = if Rat.sign offset = 0 then state else Time.pass model offset state in
     emit (Instant { offset; time = Rat.add place.time offset; state });
-    finish model limits emit place transitions
+    finish ~told:true run limits emit place transitions
   end
 
 let beyond (limits : limits) place d =
@@ -129,10 +138,9 @@ let beyond (limits : limits) place d =
 let out_of_steps limits place =
   match limits.steps with Some n -> place.taken >= n | None -> false
 
-let advance place guide (t : Transition.t) =
-  let d = Transition.duration t in
+let advance place guide (t : Run.alternative) =
+  let d = duration t in
   {
-    state = t.target;
     time = Rat.add place.time d;
     taken = place.taken + 1;
     still = (if Rat.sign d > 0 then 0 else place.still + 1);
@@ -140,12 +148,12 @@ let advance place guide (t : Transition.t) =
   }
 
 (* The run is over: at the instant that the schedule names, or where time alone may go on to its limit. *)
-let leave model (limits : limits) emit place transitions (offset : (Rat.t * Span.t) option) =
+let leave model run (limits : limits) emit place transitions (offset : (Rat.t * Span.t) option) =
   match (offset, limits.time) with
-  | Some (d, at), _ -> leave_at model limits emit place transitions d ~at
-  | None, Some t when none transitions && Rat.compare t place.time > 0 && Network.quiescent model place.state ->
-    leave_at model limits emit place transitions (Rat.sub t place.time) ~at:Span.none
-  | None, _ -> finish model limits emit place transitions
+  | Some (d, at), _ -> leave_at model run limits emit place transitions d ~at
+  | None, Some t when none transitions && Rat.compare t place.time > 0 && Run.quiescent run ->
+    leave_at model run limits emit place transitions (Rat.sub t place.time) ~at:Span.none
+  | None, _ -> finish run limits emit place transitions
 
 let run model declared policy limits ~interrupted emit =
   let guide, offset =
@@ -154,29 +162,29 @@ let run model declared policy limits ~interrupted emit =
     | Random seed -> (Generator (Splitmix64.of_seed seed), None)
     | Scheduled s -> (Choices s.choices, Option.map (fun d -> (d, s.offset_at)) s.offset)
   in
+  let* run = fault (Run.start model declared) in
+  let state () = Run.state run in
   let rec from place =
     if interrupted () then Error Interrupted
     else
-      let* transitions = fault (Network.successors model place.state) in
+      let* transitions = fault (Run.alternatives run) in
       if out_of_steps limits place || place.still >= limits.instant then
-        finish model limits emit place transitions
+        finish run limits emit place transitions
       else
         match decide model transitions place.guide with
-        | Leave -> leave model limits emit place transitions offset
+        | Leave -> leave model run limits emit place transitions offset
         | Misfit c -> Error (misfit model transitions place c)
         | Take (index, guide) -> (
             let taken = List.nth transitions index in
-            match beyond limits place (Transition.duration taken) with
+            match beyond limits place (duration taken) with
             | Some rest when Rat.sign rest > 0 ->
-              leave_at model limits emit place transitions rest ~at:Span.none
-            | Some _ -> finish model limits emit place transitions
+              leave_at model run limits emit place transitions rest ~at:Span.none
+            | Some _ -> finish run limits emit place transitions
             | None ->
-              let next = advance place guide taken in
-              emit
-                (Step
-                   { number = next.taken; index; among = List.length transitions; time = next.time; taken });
+              let next = advance place guide taken and among = List.length transitions in
+              Run.take run index;
+              emit (Step { number = next.taken; index; among; time = next.time; taken; state });
               from next)
   in
-  let* state = fault (Network.initial model declared) in
-  emit (Start state);
-  from { state; time = Rat.zero; taken = 0; still = 0; guide }
+  emit (Start (state ()));
+  from { time = Rat.zero; taken = 0; still = 0; guide }

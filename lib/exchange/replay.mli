@@ -26,13 +26,22 @@ type ending =
   | Stuck  (** neither time nor anything else can go on *)
   | Zeno  (** the Zeno guard stopped it *)
 
+(** Whole states cost more than the transitions of a large network: they are made on demand, and may only be asked
+    for while the event is emitted. *)
 type event =
   | Start of State.t
-  | Step of { number : int;  (** from 1 *) index : int; among : int; time : Rat.t; taken : Transition.t }
-  (** [time] is the model time after it *)
+  | Step of {
+      number : int;  (** from 1 *)
+      index : int;
+      among : int;
+      time : Rat.t;  (** model time after it *)
+      taken : Run.alternative;
+      state : unit -> State.t;  (** after it *)
+    }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   (** the run is left in the midst of a passing of time, [offset] after the last transition *)
-  | End of { steps : int; time : Rat.t; ending : ending }
+  | End of { steps : int; time : Rat.t; ending : ending; last : (unit -> State.t) option }
+  (** [last] is the state there, unless an [Instant] told it *)
 
 type failure =
   | Fault of Transition.fault

@@ -1,3 +1,4 @@
+open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
@@ -22,35 +23,52 @@ let ending : Replay.ending -> string = function
   | Stuck -> "stuck"
   | Zeno -> "zeno"
 
-let event (m : Model.t) (e : Replay.event) =
+type states = All | Ends
+
+let state m ~time s =
+  `Assoc [ ("type", `String "state"); ("time", Json.rat time); ("state", State_json.state m s) ]
+
+let event (m : Model.t) states (e : Replay.event) =
   match e with
-  | Start state ->
-    `Assoc [ ("type", `String "state"); ("time", `String "0/1"); ("state", State_json.state m state) ]
-  | Step { number; index; among; time; taken } ->
-    `Assoc
-      [
-        ("type", `String "transition");
-        ("step", `Int number);
-        ("choice", `Int index);
-        ("of", `Int among);
-        ("label", State_json.label m taken.label);
-        ("rules", `List (List.map (fun r -> `String (Rule.id r)) taken.rules));
-        ("time", Json.rat time);
-        ("state", State_json.state m taken.target);
-      ]
+  | Start s -> [ state m ~time:Rat.zero s ]
+  | Step { number; index; among; time; taken; state } ->
+    let after = match states with All -> [ ("state", State_json.state m (state ())) ] | Ends -> [] in
+    [
+      `Assoc
+        ([
+          ("type", `String "transition");
+          ("step", `Int number);
+          ("choice", `Int index);
+          ("of", `Int among);
+          ("label", State_json.label m taken.label);
+          ("rules", `List (List.map (fun r -> `String (Rule.id r)) taken.rules));
+          ("time", Json.rat time);
+        ]
+          @ after);
+    ]
   | Instant { offset; time; state } ->
-    `Assoc
-      [
-        ("type", `String "instant");
-        ("offset", Json.rat offset);
-        ("time", Json.rat time);
-        ("state", State_json.state m state);
-      ]
-  | End { steps; time; ending = e } ->
-    `Assoc
-      [
-        ("type", `String "end");
-        ("steps", `Int steps);
-        ("time", Json.rat time);
-        ("ending", `String (ending e));
-      ]
+    [
+      `Assoc
+        [
+          ("type", `String "instant");
+          ("offset", Json.rat offset);
+          ("time", Json.rat time);
+          ("state", State_json.state m state);
+        ];
+    ]
+  | End { steps; time; ending = e; last } ->
+    let last =
+      match (states, last) with
+      | Ends, Some s when steps > 0 -> [ state m ~time (s ()) ]
+      | (All | Ends), _ -> []
+    in
+    last
+    @ [
+      `Assoc
+        [
+          ("type", `String "end");
+          ("steps", `Int steps);
+          ("time", Json.rat time);
+          ("ending", `String (ending e));
+        ];
+    ]

@@ -13,4 +13,10 @@ val header : model:string option -> digest:string -> parameters:(string * Rat.t)
 (** The first line: what the run is of. It holds what decides what the choices mean, and not how they were
     made, so that a trace and its replay are the same bytes. *)
 
-val event : Model.t -> Replay.event -> Json.t
+(** Which states are written. *)
+type states =
+  | All  (** the state after each transition *)
+  | Ends  (** only the first and the last one: what a long run of a large network costs is then in its events *)
+
+val event : Model.t -> states -> Replay.event -> Json.t list
+(** The lines for an event. *)

@@ -11,10 +11,11 @@ type label =
 type t = { label : label; rules : Rule.t list; target : State.t }
 type fault = Bad_law of { leaf : int; fault : Law.fault }
 
-let duration t =
-  match t.label with
+let duration_of = function
   | Time d -> d
   | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> Rat.zero
+
+let duration t = duration_of t.label
 
 let rec equal_bonds a b =
   match (a, b) with

@@ -22,6 +22,8 @@ type fault = Bad_law of { leaf : int; fault : Law.fault }
 val duration : t -> Rat.t
 (** 0 for a discrete transition. *)
 
+val duration_of : label -> Rat.t
+
 val equal_label : label -> label -> bool
 
 val label_to_string : Model.t -> label -> string

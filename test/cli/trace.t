@@ -179,3 +179,39 @@ Wrong command lines.
   [64]
   $ scc trace ../../specs/models/figure5.sc --steps=-1 2> /dev/null
   [64]
+
+A long run of many bodies, with the first and the last state only. Its transitions are the same, and it is its own
+schedule, from which the whole trace comes back.
+
+  $ scc trace ../../specs/models/figure7.sc --states=ends | cut -c 1-88
+  {"type":"header","format":"scc-trace","version":1,"semantics":"1","model":"figure7","dig
+  {"type":"state","time":"0/1","state":{"processes":[{"velocity":["0/1","0/1","0/1"],"cloc
+  {"type":"transition","step":1,"choice":0,"of":1,"label":{"kind":"time","text":"time(2)",
+  {"type":"transition","step":2,"choice":0,"of":2,"label":{"kind":"bind","text":"bind(a, P
+  {"type":"state","time":"2/1","state":{"processes":[{"velocity":["0/1","-1/3","0/1"],"clo
+  {"type":"end","steps":2,"time":"2/1","ending":"quiescent"}
+  $ scc trace ../../specs/models/figure7.sc --states=ends --human
+  time 0
+          P0 at (0, 0, 0) [Open0], velocity (0, 0, 0)
+          s2 at (109/41, 4491/820, 0) [Open1], velocity (0, -1, 0)
+      1.  time passes by 2   {Time, TimeBehaviour}
+  time 2
+      2.  P0 and s2 collide and bind by <a, {P0.s0.[v2,v3], s2.f4}> (choice 0 of 2)   {Bind, Pre, Def}
+  time 2
+          one process, velocity (0, -1/3, 0), <a, {P0.s0.[v2,v3], s2.f4}>
+            P0 at (0, 0, 0) [B0]
+            s2 at (109/41, 2851/820, 0) [B1]
+  2 transitions, time 2: nothing will ever happen again
+  $ scc trace ../../specs/models/drift.sc --time 7/2 --states=ends | cut -c 1-88
+  {"type":"header","format":"scc-trace","version":1,"semantics":"1","model":"drift","diges
+  {"type":"state","time":"0/1","state":{"processes":[{"velocity":["1/3","0/1","0/1"],"cloc
+  {"type":"instant","offset":"7/2","time":"7/2","state":{"processes":[{"velocity":["1/3","
+  {"type":"end","steps":0,"time":"0/1","ending":"quiescent"}
+  $ scc trace ../../specs/models/gas.sc --steps 60 > all.jsonl
+  $ scc trace ../../specs/models/gas.sc --steps 60 --states=ends > ends.jsonl
+  $ scc trace ../../specs/models/gas.sc --schedule ends.jsonl | cmp - all.jsonl
+  $ scc trace ../../specs/models/gas.sc --schedule ends.jsonl --states=ends | cmp - ends.jsonl
+  $ grep -c '"state":{' ends.jsonl
+  2
+  $ sed '1,2d; s/,"state":{.*/}/' all.jsonl > without.jsonl
+  $ grep -v '"type":"state"' ends.jsonl | sed 1d | cmp - without.jsonl

@@ -1,0 +1,50 @@
+open Scc_calculus
+
+type alternative = Event_run.alternative = { label : Transition.label; rules : Rule.t list }
+
+(* Under laws of motion: the present state and, once they have been asked for, its transitions. *)
+type steered = {
+  model : Model.t;
+  mutable present : State.t;
+  mutable next : (Transition.t list, Transition.fault) result option;
+}
+
+type t = Steered of steered | Inertial of Event_run.t
+
+let start (m : Model.t) declared =
+  Result.map
+    (fun s ->
+       if m.steered then Steered { model = m; present = s; next = None }
+       else Inertial (Event_run.start m s))
+    (Network.initial m declared)
+
+let next s =
+  match s.next with
+  | Some next -> next
+  | None ->
+    let next = Network.successors s.model s.present in
+    s.next <- Some next;
+    next
+
+let alternatives = function
+  | Inertial run -> Ok (Event_run.alternatives run)
+  | Steered s ->
+    let seen (t : Transition.t) = { label = t.label; rules = t.rules } in
+    Result.map (List.map seen) (next s)
+
+let take t i =
+  match t with
+  | Inertial run -> Event_run.take run i
+  | Steered s -> (
+      match next s with
+      | Ok transitions when i >= 0 && i < List.length transitions ->
+        s.present <- (List.nth transitions i).target;
+        s.next <- None
+      | Ok _ | Error _ -> Scc_base.Bug.fail __POS__ "an alternative that is not there")
+
+let state = function Inertial run -> Event_run.state run | Steered s -> s.present
+
+(* Without laws of motion, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)
+let quiescent = function
+  | Inertial run -> Event_run.alternatives run = []
+  | Steered s -> Network.quiescent s.model s.present

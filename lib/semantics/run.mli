@@ -1,0 +1,26 @@
+(** One run of a network: what can happen next, and one of it happens.
+
+    A network without laws of motion runs from event to event ({!Event_run}): a step costs about as much as the few
+    bodies that take part in it, and only {!state} looks at all. Under laws of motion every step changes the
+    velocity of every steered body anyway, and the whole of {!Network.successors} is computed for each. *)
+
+open Scc_calculus
+
+type t
+
+val start : Model.t -> State.t -> (t, Transition.fault) result
+(** At the initial state, from the declared one. *)
+
+type alternative = Event_run.alternative = { label : Transition.label; rules : Rule.t list }
+
+val alternatives : t -> (alternative list, Transition.fault) result
+(** Labels and rules of {!Network.successors} of the present state, in that order. *)
+
+val take : t -> int -> unit
+(** Takes the alternative with a number, from 0 (a bug when there is none, or a fault). *)
+
+val state : t -> State.t
+(** The present state, in full. *)
+
+val quiescent : t -> bool
+(** {!Network.quiescent} of the present state, in which nothing is possible (of no meaning otherwise). *)
