@@ -213,8 +213,8 @@ let human =
 
 let states =
   let doc =
-    "Which states to print: $(b,all), the one after each transition, or $(b,ends), only the first and the last one \
-     (a line $(b,state) before the end): a long run of many bodies is then told in a line for each \
+    "Which states to print: $(b,all), the one after each transition, or $(b,ends), only the first and the last \
+     one (a line $(b,state) before the end): a long run of many bodies is then told in a line for each \
      transition. Such a trace is its own schedule, too."
   in
   let kinds = [ ("all", Trace.All); ("ends", Trace.Ends) ] in
