@@ -62,12 +62,14 @@ let stretch g =
   | 0 -> ten (Rng.range g 1 40)
   | 1 -> tenth (Rng.range g 1 40)
   | 2 -> quotient g 300 ~under:300
-  | 3 -> if Rng.chance g 8 then ten 400 else tenth (if Rng.chance g 8 then 400 else 9)
+  | 3 ->
+    let k = if Rng.chance g 8 then 400 else Rng.range g 1 160 in
+    if Rng.chance g 2 then ten k else tenth k
   | 4 | 5 -> quotient g 7
   | _ -> Rat.one
 
 let far g =
-  if Rng.chance g 20 then ten 320
+  if Rng.chance g 10 then ten (if Rng.chance g 2 then 320 else Rng.range g 30 160)
   else Rng.choose g [| ten 9; ten 18; ten 40; Rat.make (Rng.positive g 62) Z.one |]
 
 let random g p =
@@ -187,7 +189,9 @@ let known course t : Naive.cast option =
   | In_plane | Along_side | Still -> Some Never
   | Entering | Leaving | Chord | Any -> None
 
-let hair g = if Rng.chance g 20 then tenth 330 else tenth (Rng.range g 1 30)
+let hair g =
+  if Rng.chance g 20 then tenth (if Rng.chance g 2 then 330 else Rng.range g 30 160)
+  else tenth (Rng.range g 1 36)
 
 (* A step off the exact place: the offset along the normal, the offset anywhere, or the velocity. *)
 let perturb g p f r w =

@@ -77,7 +77,7 @@ let same_meeting what x y =
 
 (* {1 Contacts} *)
 
-let in_order = List.sort_uniq Ivec.compare
+let in_order = List.sort Ivec.compare
 
 let contact what g o r w =
   same directions_word (what ^ ", separating") (in_order (Obstacle.separating o r)) (Fast.tight g.fast r);

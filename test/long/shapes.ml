@@ -54,6 +54,9 @@ let fixed () =
     prism "very blunt wedge" 1_000_000 ~run:1_000_000 (hexagon 1_000_000);
     prism "very flat wedge" 2 ~run:1_000_000 (square 1_000_000);
     bent_cube;
+    of_ints "cube far off its reference point"
+      (let far = 100_000_000_000_000_000 in
+       List.map (fun (x, y, z) -> (far + 7 + x, y - (3 * far) - 5, far + z)) cube_corners);
     of_ints "cube off its reference point" (List.map (fun (x, y, z) -> (100 + x, y - 50, z + 7)) cube_corners) ]
 
 (* {1 Hulls} *)
@@ -148,7 +151,7 @@ let size g =
     let numerator = Rng.positive g 10 in
     Mat.scale (Rat.make numerator (Rng.positive g 10)) Mat.identity
   | 1 -> Mat.scale (power_of_ten g 3) Mat.identity
-  | 2 -> Mat.scale (power_of_ten g 40) Mat.identity
+  | 2 -> Mat.scale (power_of_ten g (if Rng.chance g 4 then 150 else 40)) Mat.identity
   | 3 ->
     let y = power_of_ten g 2 in
     Mat.diagonal (Vec.make Rat.one y (Rat.make (Rng.positive g 6) Z.one))
