@@ -96,6 +96,8 @@ let body t first =
   | Some b -> b
   | None -> Scc_base.Bug.fail __POS__ "no process begins with this leaf"
 
+let velocity t first = (body t first).process.velocity
+
 let leave t first =
   let b = body t first in
   Flights.drop t.flights b.flight;
@@ -198,14 +200,27 @@ let pass t d =
   t.now <- Rat.add t.now d;
   t.splitting <- []
 
+let same_course (p : State.process) (q : State.process) =
+  let same_leaf (l : State.leaf) (k : State.leaf) = l.leaf = k.leaf in
+  Vec.equal p.velocity q.velocity
+  && Array.length p.leaves = Array.length q.leaves
+  && Array.for_all2 same_leaf p.leaves q.leaves
+
+(* Who goes on as before needs no new flight: a wall has as many neighbours as it is long. *)
+let go_on t (p : State.process) =
+  let b = body t p.leaves.(0).leaf in
+  b.process <- Time.move_process (Rat.neg t.now) p;
+  schedule t b
+
 (* Processes that take no part stay the same in memory. *)
 let change t before (target : State.t) =
-  let among processes p = Array.exists (fun q -> q == p) processes in
-  Array.iter
-    (fun (p : State.process) ->
-       if not (among target.processes p) then leave t p.leaves.(0).leaf)
-    before;
-  Array.iter (fun p -> if not (among before p) then enter t p) target.processes
+  let without other processes =
+    List.filter (fun p -> not (Array.exists (fun q -> q == p) other)) (Array.to_list processes)
+  in
+  let gone = without target.processes before and come = without before target.processes in
+  let goes_on p = List.exists (same_course p) gone and stays q = List.exists (same_course q) come in
+  List.iter (fun (p : State.process) -> if not (stays p) then leave t p.leaves.(0).leaf) gone;
+  List.iter (fun p -> if goes_on p then go_on t p else enter t p) come
 
 let take t i =
   let o = offer t in

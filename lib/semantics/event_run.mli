@@ -25,4 +25,7 @@ val elapsed : t -> Rat.t
 val state : t -> State.t
 (** The present state, in full: takes time proportional to its size. *)
 
+val velocity : t -> int -> Vec.t
+(** Of the process with this first leaf (a bug when there is none). *)
+
 val work : t -> Flights.work
