@@ -39,10 +39,10 @@ let exact_float = 1 lsl 53
 
 let to_float x =
   let n = Q.num x and d = Q.den x in
-  if Z.fits_int n && Z.fits_int d then
+  if d == Z.one && Z.fits_int n then float_of_int (Z.to_int n)
+  else if Z.fits_int n && Z.fits_int d then
     let n = Z.to_int n and d = Z.to_int d in
-    if d = 1 then float_of_int n
-    else if n <= exact_float && n >= -exact_float && d <= exact_float && d > 0 then
+    if n <= exact_float && n >= -exact_float && d <= exact_float && d > 0 then
       float_of_int n /. float_of_int d
     else Q.to_float x
   else Q.to_float x

@@ -49,12 +49,17 @@ let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
 
 let certain x bound = if x > bound then 1 else if x < -.bound then -1 else 0
 
-(* The floats of an integer vector, as three arguments. *)
-let norm1 (n : Ivec.t) =
-  Float.abs (Z.to_float n.x) +. Float.abs (Z.to_float n.y) +. Float.abs (Z.to_float n.z)
+(* A direction n and its floats. *)
+type floats = { x : float; y : float; z : float; norm1 : float }
+type direction = { n : Ivec.t; f : floats }
 
-let float_dot (n : Ivec.t) (x : float array) at =
-  (Z.to_float n.x *. x.(at)) +. (Z.to_float n.y *. x.(at + 1)) +. (Z.to_float n.z *. x.(at + 2))
+let direction (n : Ivec.t) =
+  let x = Z.to_float n.x and y = Z.to_float n.y and z = Z.to_float n.z in
+  { n; f = { x; y; z; norm1 = Float.abs x +. Float.abs y +. Float.abs z } }
+
+let opposite d = { n = Ivec.neg d.n; f = { d.f with x = -.d.f.x; y = -.d.f.y; z = -.d.f.z } }
+
+let[@inline] float_dot f (x : float array) at = (x.(at) *. f.x) +. (x.(at + 1) *. f.y) +. (x.(at + 2) *. f.z)
 
 (* {1 Exact points} *)
 
@@ -76,22 +81,25 @@ let exact_centre c =
 
 let velocity c = (Lazy.force c.line).velocity
 
-(* The sign of n.p for point [k]. *)
-let side c n k =
-  let s = c.s in
-  let float = float_dot n s.x (Portal.point k) in
-  let sign = certain float (0x1p-48 *. norm1 n *. s.bound) in
-  if sign <> 0 then sign
-  else
-    let a = s.a.vertices.(s.va.(k)) and b = s.b.vertices.(s.vb.(k)) in
-    let l = Lazy.force c.line in
-    let da = s.a.denominator and db = s.b.denominator in
-    let across = Z.sub (Z.mul (Ivec.dot n a) db) (Z.mul (Ivec.dot n b) da) in
-    Z.sign (Z.sub (Z.mul across l.scale) (Z.mul (Ivec.dot n l.offset) (Z.mul da db)))
+(* A product by a factor that is most often 1. *)
+let by k x = if k == Z.one then x else Z.mul k x
 
-let along c n =
-  let float = float_dot n c.s.x Portal.velocity in
-  let sign = certain float (0x1p-48 *. norm1 n *. c.speed_bound) in
+(* n.(a - b - r) times a positive number. *)
+let exact_product c n va vb =
+  let { Portal.a; b; _ } = c.s in
+  let l = Lazy.force c.line in
+  let da = a.denominator and db = b.denominator in
+  let across = Z.sub (by db (Ivec.dot n a.vertices.(va))) (by da (Ivec.dot n b.vertices.(vb))) in
+  Z.sub (by l.scale across) (by db (by da (Ivec.dot n l.offset)))
+
+(* The sign of n.p for point [k]. *)
+let side c { n; f } k =
+  let s = c.s in
+  let sign = certain (float_dot f s.x (Portal.point k)) (0x1p-48 *. f.norm1 *. s.bound) in
+  if sign <> 0 then sign else Z.sign (exact_product c n s.va.(k) s.vb.(k))
+
+let along c { n; f } =
+  let sign = certain (float_dot f c.s.x Portal.velocity) (0x1p-48 *. f.norm1 *. c.speed_bound) in
   if sign <> 0 then sign else Z.sign (Ivec.dot n (velocity c))
 
 (* The sign of the determinant of the vectors at three places: in floats, or of the integers that [exact]
@@ -117,33 +125,33 @@ let turn c i j =
 (* {1 Supporting planes} *)
 
 (* Whether no vertex of the solid is higher than [v] in the direction n, times [sign]. On a convex solid it is
-   enough to look at the neighbours. Those in [known] are as high as [v]. *)
-let is_highest (s : Solid.t) v (n : Ivec.t) sign ~known =
-  let xyz = s.shadow.xyz in
-  let nx = Z.to_float n.x and ny = Z.to_float n.y and nz = Z.to_float n.z in
-  let bound = 0x1p-48 *. s.shadow.reach *. (Float.abs nx +. Float.abs ny +. Float.abs nz) in
-  let i = 3 * v in
-  let vx = xyz.(i) and vy = xyz.(i + 1) and vz = xyz.(i + 2) in
-  let exactly j =
-    sign * Z.sign (Ivec.dot n (Ivec.sub s.vertices.(j) s.vertices.(v))) <= 0
-  in
-  let rec scan k last =
-    k = last
-    ||
-    let j = s.topology.neighbour.(k) in
-    let at = 3 * j in
-    let rise =
-      (nx *. (xyz.(at) -. vx)) +. (ny *. (xyz.(at + 1) -. vy)) +. (nz *. (xyz.(at + 2) -. vz))
-    in
-    let rise = if sign > 0 then rise else -.rise in
-    (rise < -.bound || (not (rise > bound)) && (j = known || exactly j)) && scan (k + 1) last
-  in
-  scan s.topology.first.(v) s.topology.first.(v + 1)
+   enough to look at the neighbours. That [known] is as high as [v] is known. *)
+let is_highest (s : Solid.t) v { n; f } sign ~known =
+  let { Shadow.xs; ys; zs; reach; _ } = s.shadow and { Topology.first; neighbour; _ } = s.topology in
+  let bound = 0x1p-48 *. reach *. f.norm1 in
+  let nx = sign *. f.x and ny = sign *. f.y and nz = sign *. f.z in
+  let vx = xs.(v) and vy = ys.(v) and vz = zs.(v) in
+  let k = ref first.(v) and last = first.(v + 1) in
+  while
+    !k < last
+    &&
+    let j = neighbour.(!k) in
+    let rise = ((xs.(j) -. vx) *. nx) +. ((ys.(j) -. vy) *. ny) +. ((zs.(j) -. vz) *. nz) in
+    rise < -.bound
+    || (not (rise > bound))
+       && (j = known
+           ||
+           let rise = Z.sign (Ivec.dot n (Ivec.sub s.vertices.(j) s.vertices.(v))) in
+           if sign > 0. then rise <= 0 else rise >= 0)
+  do
+    incr k
+  done;
+  !k = last
 
 let nobody = -1
 
 let is_support c n va vb =
-  is_highest c.s.a va n 1 ~known:nobody && is_highest c.s.b vb n (-1) ~known:nobody
+  is_highest c.s.a va n 1. ~known:nobody && is_highest c.s.b vb n (-1.) ~known:nobody
 
 (* {1 Separation} *)
 
@@ -153,19 +161,19 @@ let short = 0x1p26
 let shorten (x : float array) at size =
   let k = size /. greatest x at in
   let round y = int_of_float (Float.round (y *. k)) in
-  if k < infinity && k > 0. then Ivec.of_ints (round x.(at)) (round x.(at + 1)) (round x.(at + 2))
-  else Ivec.zero
+  direction
+    (if k < infinity && k > 0. then Ivec.of_ints (round x.(at)) (round x.(at + 1)) (round x.(at + 2))
+     else Ivec.zero)
 
-(* Takes the support in the direction n. *)
-let support c (n : Ivec.t) =
+let aim c { f; _ } =
   let x = c.s.x in
-  x.(Portal.direction) <- Z.to_float n.x;
-  x.(Portal.direction + 1) <- Z.to_float n.y;
-  x.(Portal.direction + 2) <- Z.to_float n.z;
-  Portal.support c.s 3
+  x.(Portal.direction) <- f.x;
+  x.(Portal.direction + 1) <- f.y;
+  x.(Portal.direction + 2) <- f.z
 
 let supported_side c n =
-  support c n;
+  aim c n;
+  Portal.support c.s 3;
   if is_support c n c.s.va.(3) c.s.vb.(3) then Some (side c n 3) else None
 
 (* For n.w >= 0 the obstacle stays behind the plane: with n.p <= 0 for all its points, the line never enters
@@ -173,14 +181,14 @@ let supported_side c n =
    makes up for. *)
 let separated c =
   let n = shorten c.s.x Portal.direction short in
-  let n = if along c n >= 0 then n else Ivec.add n (shorten c.s.x Portal.velocity 3.) in
-  (not (Ivec.is_zero n))
+  let n = if along c n >= 0 then n else direction (Ivec.add n.n (shorten c.s.x Portal.velocity 3.).n) in
+  (not (Ivec.is_zero n.n))
   && along c n >= 0
   && (match supported_side c n with Some s -> s <= 0 | None -> false)
 
 let strictly_separated c =
   let n = shorten c.s.x Portal.direction short in
-  (not (Ivec.is_zero n)) && (match supported_side c n with Some s -> s < 0 | None -> false)
+  (not (Ivec.is_zero n.n)) && (match supported_side c n with Some s -> s < 0 | None -> false)
 
 (* {1 The silhouette} *)
 
@@ -197,15 +205,17 @@ type beside = Never | Crosses | Unknown
 
 (* The outward normal of the edge, seen along w. *)
 let beside c =
-  let n = Ivec.cross (edge c) (velocity c) in
-  if Ivec.is_zero n then Unknown
+  let n = direction (Ivec.cross (edge c) (velocity c)) in
+  if Ivec.is_zero n.n then Unknown
   else if side c n 4 > 0 then Crosses
   else if is_support c n c.s.va.(4) c.s.vb.(4) then Never
   else Unknown
 
 (* {1 Facets} *)
 
-type facet = { normal : Ivec.t; va : int; vb : int }
+type facet = { plane : direction; va : int; vb : int }
+
+let normal f = f.plane.n
 
 let distinct (v : int array) =
   if v.(0) = v.(1) then if v.(1) = v.(2) then 1 else 2
@@ -227,13 +237,13 @@ let direction_between (s : Solid.t) (i, j) =
 
 (* Two edges span the facet; which way is out, floats guess, and the neighbours prove. *)
 let across c a b =
-  let n = Ivec.cross (direction_between c.s.a a) (direction_between c.s.b b) in
-  let n = if float_dot n c.s.x Portal.direction < 0. then Ivec.neg n else n in
+  let n = direction (Ivec.cross (direction_between c.s.a a) (direction_between c.s.b b)) in
+  let n = if float_dot n.f c.s.x Portal.direction < 0. then opposite n else n in
   if
-    (not (Ivec.is_zero n))
-    && is_highest c.s.a (fst a) n 1 ~known:(snd a)
-    && is_highest c.s.b (fst b) n (-1) ~known:(snd b)
-  then Some { normal = n; va = fst a; vb = fst b }
+    (not (Ivec.is_zero n.n))
+    && is_highest c.s.a (fst a) n 1. ~known:(snd a)
+    && is_highest c.s.b (fst b) n (-1.) ~known:(snd b)
+  then Some { plane = n; va = fst a; vb = fst b }
   else None
 
 (* Three corners of one face of A, with one vertex of B or several of the same height; or the other way round;
@@ -245,15 +255,18 @@ let facet c =
     match (distinct va, distinct vb) with
     | 3, _ -> (
         match Topology.common_face a.topology va.(0) va.(1) va.(2) with
-        | Some f when is_highest b vb.(0) a.normals.(f) (-1) ~known:nobody && level b a.normals.(f) vb ->
-          Some { normal = a.normals.(f); va = va.(0); vb = vb.(0) }
-        | Some _ | None -> None)
+        | Some face ->
+          let n = direction a.normals.(face) in
+          if is_highest b vb.(0) n (-1.) ~known:nobody && level b n.n vb then
+            Some { plane = n; va = va.(0); vb = vb.(0) }
+          else None
+        | None -> None)
     | _, 3 -> (
         match Topology.common_face b.topology vb.(0) vb.(1) vb.(2) with
-        | Some f ->
-          let n = Ivec.neg b.normals.(f) in
-          if is_highest a va.(0) n 1 ~known:nobody && level a n va then
-            Some { normal = n; va = va.(0); vb = vb.(0) }
+        | Some face ->
+          let n = direction (Ivec.neg b.normals.(face)) in
+          if is_highest a va.(0) n 1. ~known:nobody && level a n.n va then
+            Some { plane = n; va = va.(0); vb = vb.(0) }
           else None
         | None -> None)
     | 2, 2 -> across c (two va) (two vb)
@@ -295,38 +308,32 @@ let tight c k =
   let { Portal.a; b; va; vb; _ } = c.s in
   let i = va.(k) and j = vb.(k) in
   let at_a = around a i and at_b = around b j in
-  let holds n = side c n k = 0 in
   let of_a e =
-    let n = a.normals.(face_leaving a i e) in
-    if holds n && is_highest b j n (-1) ~known:nobody then Some n else None
+    let n = direction a.normals.(face_leaving a i e) in
+    if side c n k = 0 && is_highest b j n (-1.) ~known:nobody then Some n.n else None
   in
   let from_a = List.filter_map of_a at_a in
   let of_b f =
-    let n = Ivec.neg b.normals.(face_leaving b j f) in
-    if holds n && is_highest a i n 1 ~known:nobody && not (List.exists (Ivec.equal n) from_a) then Some n
+    let n = direction (Ivec.neg b.normals.(face_leaving b j f)) in
+    if
+      side c n k = 0 && is_highest a i n 1. ~known:nobody && not (List.exists (Ivec.equal n.n) from_a)
+    then Some n.n
     else None
   in
-  let of_both e f = Option.bind (spanned a b e f) (fun n -> if holds n then Some n else None) in
+  let of_both e f = Option.bind (spanned a b e f) (fun n -> if side c (direction n) k = 0 then Some n else None) in
   from_a
   @ List.filter_map of_b at_b
   @ List.concat_map (fun e -> List.filter_map (of_both e) at_b) at_a
 
-let height c f = side c f.normal 0
-let speed c f = along c f.normal
+let height c f = side c f.plane 0
+let speed c f = along c f.plane
 
 (* n.(a - b - r) = (n.w) t *)
 let time c f =
   let { Portal.a; b; _ } = c.s in
-  let l = Lazy.force c.line in
-  let da = a.denominator and db = b.denominator in
-  let dab = Z.mul da db in
-  let n = f.normal in
-  let reach =
-    Z.sub (Z.mul (Ivec.dot n a.vertices.(f.va)) db) (Z.mul (Ivec.dot n b.vertices.(f.vb)) da)
-  in
-  Rat.make
-    (Z.sub (Z.mul reach l.scale) (Z.mul (Ivec.dot n l.offset) dab))
-    (Z.mul (Ivec.dot n l.velocity) dab)
+  let n = f.plane.n in
+  Rat.make (exact_product c n f.va f.vb)
+    (by b.denominator (by a.denominator (Ivec.dot n (velocity c))))
 
 type crossing = Within | Border of int | Outside
 
@@ -343,15 +350,11 @@ let crossing_of q0 q1 q2 =
 let crossing c = crossing_of (-turn c 1 2) (-turn c 2 0) (-turn c 0 1)
 
 let foot c f =
-  let x = c.s.x in
-  let n = f.normal in
-  x.(Portal.direction) <- Z.to_float n.x;
-  x.(Portal.direction + 1) <- Z.to_float n.y;
-  x.(Portal.direction + 2) <- Z.to_float n.z;
-  let bound = greatest x Portal.direction in
+  aim c f.plane;
+  let bound = greatest c.s.x Portal.direction in
   let turn i j =
     orientation c Portal.direction (Portal.point i) (Portal.point j) bound (fun () ->
-        (n, exact_point c i, exact_point c j))
+        (f.plane.n, exact_point c i, exact_point c j))
   in
   crossing_of (turn 1 2) (turn 2 0) (turn 0 1)
 

@@ -24,12 +24,11 @@ type beside =
 
 val beside : t -> beside
 
-type facet = private {
-  normal : Ivec.t;  (** outward *)
-  va : int;
-  vb : int;  (** the vertices of A and of B behind a point of it *)
-}
+type facet
 (** A plane that supports the obstacle. *)
+
+val normal : facet -> Ivec.t
+(** Outward. *)
 
 val facet : t -> facet option
 (** The plane of the portal, if it supports the obstacle and carries the three points. *)

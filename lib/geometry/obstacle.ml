@@ -65,7 +65,7 @@ let separating o r =
   | Some s -> (
       let c = Certificate.make s r Vec.zero in
       match settle c (Portal.locate s ~hasty:false) with
-      | Contact (f, Within) -> [ Ivec.primitive f.normal ]
+      | Contact (f, Within) -> [ Ivec.primitive (Certificate.normal f) ]
       | Contact (_, Border k) -> Certificate.tight c k
       | Contact (_, Outside) | Relation _ | Open -> by_facets ())
 

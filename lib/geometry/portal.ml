@@ -17,7 +17,7 @@ let point k = 9 + (3 * k)
 let last = 3
 let places = 9 + (3 * 6)
 
-let sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
+let[@inline] sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
 
 let make (a : Solid.t) (b : Solid.t) (r : Vec.t) (w : Vec.t) =
   let rx = Rat.to_float r.x and ry = Rat.to_float r.y and rz = Rat.to_float r.z in
@@ -28,45 +28,48 @@ let make (a : Solid.t) (b : Solid.t) (r : Vec.t) (w : Vec.t) =
       (sa.usable && sb.usable && sane rx && sane ry && sane rz && sane wx && sane wy && sane wz)
   then None
   else begin
-    let x = Array.make (places + 3) 0. in
-    x.(velocity) <- wx;
-    x.(velocity + 1) <- wy;
-    x.(velocity + 2) <- wz;
-    x.(centre) <- sa.cx -. sb.cx -. rx;
-    x.(centre + 1) <- sa.cy -. sb.cy -. ry;
-    x.(centre + 2) <- sa.cz -. sb.cz -. rz;
-    x.(places) <- rx;
-    x.(places + 1) <- ry;
-    x.(places + 2) <- rz;
+    (* What is not set yet is filled with anything: an array written out is made without a call. *)
+    let cx = sa.cx -. sb.cx -. rx and cy = sa.cy -. sb.cy -. ry and cz = sa.cz -. sb.cz -. rz in
+    let x =
+      [|
+        rx; rx; rx; wx; wy; wz; cx; cy; cz;
+        rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; ry; rz;
+      |]
+    in
+    let none = Sys.opaque_identity 0 in
     let far = Float.max (Float.abs rx) (Float.max (Float.abs ry) (Float.abs rz)) in
-    Some { a; b; x; va = Array.make 6 0; vb = Array.make 6 0; bound = sa.reach +. sb.reach +. far; hasty = true }
+    Some { a; b; x; va = [| none; none; none; none; none; none |]; vb = [| none; none; none; none; none; none |]; bound = sa.reach +. sb.reach +. far; hasty = true }
   end
 
-(* {1 Vectors by place} *)
+(* {1 Vectors by place}
+
+   The array [x] has 30 places, and all that follows looks at places below. *)
+
+let[@inline] get (a : float array) i = Array.unsafe_get a i
 
 let[@inline] product (x : float array) i j =
-  (x.(i) *. x.(j)) +. (x.(i + 1) *. x.(j + 1)) +. (x.(i + 2) *. x.(j + 2))
+  (get x i *. get x j) +. (get x (i + 1) *. get x (j + 1)) +. (get x (i + 2) *. get x (j + 2))
 
 let dot s i j = product s.x i j
 
 (* det (u, v, w) *)
 let[@inline] det (x : float array) u v w =
-  (x.(u) *. ((x.(v + 1) *. x.(w + 2)) -. (x.(v + 2) *. x.(w + 1))))
-  +. (x.(u + 1) *. ((x.(v + 2) *. x.(w)) -. (x.(v) *. x.(w + 2))))
-  +. (x.(u + 2) *. ((x.(v) *. x.(w + 1)) -. (x.(v + 1) *. x.(w))))
+  (get x u *. ((get x (v + 1) *. get x (w + 2)) -. (get x (v + 2) *. get x (w + 1))))
+  +. (get x (u + 1) *. ((get x (v + 2) *. get x w) -. (get x v *. get x (w + 2))))
+  +. (get x (u + 2) *. ((get x v *. get x (w + 1)) -. (get x (v + 1) *. get x w)))
 
 (* direction := k (w x (v - u)) *)
 let aim_across (x : float array) k u v =
-  let wx = x.(velocity) and wy = x.(velocity + 1) and wz = x.(velocity + 2) in
-  let ex = x.(v) -. x.(u) and ey = x.(v + 1) -. x.(u + 1) and ez = x.(v + 2) -. x.(u + 2) in
+  let wx = get x velocity and wy = get x (velocity + 1) and wz = get x (velocity + 2) in
+  let ex = get x v -. get x u and ey = get x (v + 1) -. get x (u + 1) and ez = get x (v + 2) -. get x (u + 2) in
   x.(direction) <- k *. ((wy *. ez) -. (wz *. ey));
   x.(direction + 1) <- k *. ((wz *. ex) -. (wx *. ez));
   x.(direction + 2) <- k *. ((wx *. ey) -. (wy *. ex))
 
 (* direction := (v - u) x (w - u) *)
 let aim_normal (x : float array) u v w =
-  let ex = x.(v) -. x.(u) and ey = x.(v + 1) -. x.(u + 1) and ez = x.(v + 2) -. x.(u + 2) in
-  let fx = x.(w) -. x.(u) and fy = x.(w + 1) -. x.(u + 1) and fz = x.(w + 2) -. x.(u + 2) in
+  let ex = get x v -. get x u and ey = get x (v + 1) -. get x (u + 1) and ez = get x (v + 2) -. get x (u + 2) in
+  let fx = get x w -. get x u and fy = get x (w + 1) -. get x (u + 1) and fz = get x (w + 2) -. get x (u + 2) in
   x.(direction) <- (ey *. fz) -. (ez *. fy);
   x.(direction + 1) <- (ez *. fx) -. (ex *. fz);
   x.(direction + 2) <- (ex *. fy) -. (ey *. fx)
@@ -74,11 +77,11 @@ let aim_normal (x : float array) u v w =
 (* direction := -c *)
 let aim_away s =
   let x = s.x in
-  x.(direction) <- -.x.(centre);
-  x.(direction + 1) <- -.x.(centre + 1);
-  x.(direction + 2) <- -.x.(centre + 2)
+  x.(direction) <- -.get x centre;
+  x.(direction + 1) <- -.get x (centre + 1);
+  x.(direction + 2) <- -.get x (centre + 2)
 
-let[@inline] size (x : float array) u = Float.abs x.(u) +. Float.abs x.(u + 1) +. Float.abs x.(u + 2)
+let[@inline] size (x : float array) u = Float.abs (get x u) +. Float.abs (get x (u + 1)) +. Float.abs (get x (u + 2))
 
 (* The given direction, across w; but any direction across w when nothing but rounding is left of the given one,
    whose terms were as great as [scale]. *)
@@ -90,7 +93,7 @@ let aim_unless_noise s dx dy dz scale =
     x.(direction + 2) <- dz
   end
   else begin
-    let wx = x.(velocity) and wy = x.(velocity + 1) and wz = x.(velocity + 2) in
+    let wx = get x velocity and wy = get x (velocity + 1) and wz = get x (velocity + 2) in
     let ax = Float.abs wx and ay = Float.abs wy and az = Float.abs wz in
     if ax <= ay && ax <= az then begin
       x.(direction) <- 0.;
@@ -111,43 +114,51 @@ let aim_unless_noise s dx dy dz scale =
 
 (* {1 Supports} *)
 
-(* Below this many vertices it is faster to look at all of them. *)
-let few = 10
+(* Up to so many vertices it is faster to look at all of them. *)
+let few = 32
 
-(* The vertex that is highest in the direction, times [sign]: all are looked at, or the way leads from [start]
-   uphill to a vertex without a higher neighbour, which in a convex solid is the highest. *)
-let climb (s : Solid.t) (x : float array) sign start =
-  let dx = sign *. x.(direction) and dy = sign *. x.(direction + 1) and dz = sign *. x.(direction + 2) in
-  let { Shadow.xyz; count; _ } = s.shadow in
-  let best = ref 0 and height = ref neg_infinity in
-  if count <= few then begin
-    for i = 0 to count - 1 do
-      let h = (dx *. xyz.(3 * i)) +. (dy *. xyz.((3 * i) + 1)) +. (dz *. xyz.((3 * i) + 2)) in
+(* The loops where most of the time of a query goes do without checks: a shadow's arrays have as many entries as
+   the solid has vertices, and the numbers of vertices come from the solid. Each factor that changes stands
+   first, which saves the compiler a copy. *)
+
+let highest_of_all (b : Shadow.t) dx dy dz start =
+  let xs = b.xs and ys = b.ys and zs = b.zs in
+  let best = ref start in
+  let height = ref ((get xs start *. dx) +. (get ys start *. dy) +. (get zs start *. dz)) in
+  for i = 0 to b.count - 1 do
+    let h = (get xs i *. dx) +. (get ys i *. dy) +. (get zs i *. dz) in
+    if h > !height then begin
+      best := i;
+      height := h
+    end
+  done;
+  !best
+
+(* The way leads uphill to a vertex without a higher neighbour, which in a convex solid is the highest. *)
+let uphill (b : Shadow.t) (t : Topology.t) dx dy dz start =
+  let xs = b.xs and ys = b.ys and zs = b.zs and first = t.first and neighbour = t.neighbour in
+  let at = ref (-1) and best = ref start in
+  let height = ref ((get xs start *. dx) +. (get ys start *. dy) +. (get zs start *. dz)) in
+  while !at <> !best do
+    at := !best;
+    for k = Array.unsafe_get first !at to Array.unsafe_get first (!at + 1) - 1 do
+      let i = Array.unsafe_get neighbour k in
+      let h = (get xs i *. dx) +. (get ys i *. dy) +. (get zs i *. dz) in
       if h > !height then begin
         best := i;
         height := h
       end
-    done;
-    !best
-  end
-  else begin
-    let { Topology.first; neighbour; _ } = s.topology in
-    let at = ref (-1) in
-    best := start;
-    height := (dx *. xyz.(3 * start)) +. (dy *. xyz.((3 * start) + 1)) +. (dz *. xyz.((3 * start) + 2));
-    while !at <> !best do
-      at := !best;
-      for k = first.(!at) to first.(!at + 1) - 1 do
-        let i = neighbour.(k) in
-        let h = (dx *. xyz.(3 * i)) +. (dy *. xyz.((3 * i) + 1)) +. (dz *. xyz.((3 * i) + 2)) in
-        if h > !height then begin
-          best := i;
-          height := h
-        end
-      done
-    done;
-    !best
-  end
+    done
+  done;
+  !best
+
+(* The vertex that is highest in the direction, times [sign], sought from [start]. *)
+let climb (s : Solid.t) (x : float array) sign start =
+  let dx = get x direction *. sign
+  and dy = get x (direction + 1) *. sign
+  and dz = get x (direction + 2) *. sign in
+  if s.shadow.count <= few then (highest_of_all [@inlined]) s.shadow dx dy dz start
+  else (uphill [@inlined]) s.shadow s.topology dx dy dz start
 
 let support s k =
   let x = s.x in
@@ -156,11 +167,11 @@ let support s k =
   s.vb.(last) <- j;
   s.va.(k) <- i;
   s.vb.(k) <- j;
-  let pa = s.a.shadow.xyz and pb = s.b.shadow.xyz in
-  let at = point k and i = 3 * i and j = 3 * j in
-  x.(at) <- pa.(i) -. pb.(j) -. x.(places);
-  x.(at + 1) <- pa.(i + 1) -. pb.(j + 1) -. x.(places + 1);
-  x.(at + 2) <- pa.(i + 2) -. pb.(j + 2) -. x.(places + 2)
+  let a = s.a.shadow and b = s.b.shadow in
+  let at = point k in
+  x.(at) <- get a.xs i -. get b.xs j -. get x places;
+  x.(at + 1) <- get a.ys i -. get b.ys j -. get x (places + 1);
+  x.(at + 2) <- get a.zs i -. get b.zs j -. get x (places + 2)
 
 let copy s k l =
   let x = s.x in
@@ -183,11 +194,11 @@ type search = Apart | Beside | Through | Inside | Lost
 
 (* What a product of the direction with a point, or with a difference of points, may be off by, so that less
    is no progress. *)
-let noise s =
+let[@inline] noise s =
   let x = s.x in
-  0x1p-49 *. s.bound *. (Float.abs x.(direction) +. Float.abs x.(direction + 1) +. Float.abs x.(direction + 2))
+  0x1p-49 *. s.bound *. (Float.abs (get x (direction)) +. Float.abs (get x (direction + 1)) +. Float.abs (get x (direction + 2)))
 
-let same_as s k = s.va.(last) = s.va.(k) && s.vb.(last) = s.vb.(k)
+let[@inline] same_as s k = s.va.(last) = s.va.(k) && s.vb.(last) = s.vb.(k)
 
 (* No search that goes well takes so many rounds. *)
 let rounds = 100
@@ -211,7 +222,13 @@ let rec towards_facet s ~stop round =
       if stop && s.hasty && top < -.noise s then Apart
       else if same_as s 0 || same_as s 1 || same_as s 2 || top -. height <= noise s then Through
       else begin
-        let q0 = det x velocity p3 p0 and q1 = det x velocity p3 p1 and q2 = det x velocity p3 p2 in
+        (* det (w, p3, pi) *)
+        let wx = get x velocity and wy = get x (velocity + 1) and wz = get x (velocity + 2) in
+        let vx = get x p3 and vy = get x (p3 + 1) and vz = get x (p3 + 2) in
+        let mx = (wy *. vz) -. (wz *. vy) and my = (wz *. vx) -. (wx *. vz) and mz = (wx *. vy) -. (wy *. vx) in
+        let q0 = (get x p0 *. mx) +. (get x (p0 + 1) *. my) +. (get x (p0 + 2) *. mz) in
+        let q1 = (get x p1 *. mx) +. (get x (p1 + 1) *. my) +. (get x (p1 + 2) *. mz) in
+        let q2 = (get x p2 *. mx) +. (get x (p2 + 1) *. my) +. (get x (p2 + 2) *. mz) in
         if q0 <= 0. && q1 >= 0. then begin
           copy s last 2;
           towards_facet s ~stop (round - 1)

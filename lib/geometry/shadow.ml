@@ -2,7 +2,9 @@ open Scc_exact
 
 type t = {
   count : int;
-  xyz : float array;
+  xs : float array;
+  ys : float array;
+  zs : float array;
   reach : float;
   cx : float;
   cy : float;
@@ -30,19 +32,16 @@ let distance gap n =
 let make vertices denominator ~centroid ~normals ~corners =
   let count = Array.length vertices in
   let float x = Rat.to_float (Rat.make x denominator) in
-  let xyz = Array.make (3 * count) 0. in
-  Array.iteri
-    (fun i (v : Ivec.t) ->
-       xyz.(3 * i) <- float v.x;
-       xyz.((3 * i) + 1) <- float v.y;
-       xyz.((3 * i) + 2) <- float v.z)
-    vertices;
+  let xs = Array.map (fun (v : Ivec.t) -> float v.x) vertices in
+  let ys = Array.map (fun (v : Ivec.t) -> float v.y) vertices in
+  let zs = Array.map (fun (v : Ivec.t) -> float v.z) vertices in
   let { Vec.x; y; z } = centroid in
   let cx = Rat.to_float x and cy = Rat.to_float y and cz = Rat.to_float z in
-  let sane = Array.for_all sane xyz && sane cx && sane cy && sane cz in
+  let all = Array.for_all sane in
+  let sane = all xs && all ys && all zs && sane cx && sane cy && sane cz in
   if not sane then
     {
-      count; xyz; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity; centre = Ivec.zero;
+      count; xs; ys; zs; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity; centre = Ivec.zero;
       centre_denominator = Z.one; usable = false;
     }
   else
@@ -56,10 +55,10 @@ let make vertices denominator ~centroid ~normals ~corners =
     Array.iteri (fun i g -> nearest := Float.min !nearest (distance g normals.(i))) gaps;
     let square v = Rat.to_float (Vec.norm2 (Vec.sub (position v) exact)) in
     let farthest = Array.fold_left (fun far v -> Float.max far (square v)) 0. vertices in
-    let reach = Array.fold_left (fun m x -> Float.max m (Float.abs x)) 0. xyz in
-    let reach = Float.max reach (Float.max (Float.abs cx) (Float.max (Float.abs cy) (Float.abs cz))) in
+    let greatest = Array.fold_left (fun m x -> Float.max m (Float.abs x)) in
+    let reach = greatest (greatest (greatest (greatest 0. [| cx; cy; cz |]) xs) ys) zs in
     {
-      count; xyz; reach = widen reach; cx; cy; cz;
+      count; xs; ys; zs; reach = widen reach; cx; cy; cz;
       inner = (if usable then !nearest else 0.);
       outer = widen (sqrt farthest);
       centre; centre_denominator; usable;

@@ -5,7 +5,9 @@ open Scc_exact
 
 type t = private {
   count : int;  (** vertices *)
-  xyz : float array;  (** three coordinates for each vertex: nearest floats *)
+  xs : float array;
+  ys : float array;
+  zs : float array;  (** the coordinates of the vertices: nearest floats *)
   reach : float;  (** no coordinate of a vertex or of the centre is greater in absolute value *)
   cx : float;
   cy : float;
