@@ -22,10 +22,12 @@ type t = {
   place : (int * int) array;  (** leaf and part *)
   shape : Float_box.t array;  (** about the reference point of the part *)
   line : Vec.t array;  (** of the reference point *)
-  moving : Moving_box.t array;
+  boxes : Moving_boxes.t;
   owner : flight array;
   tree : Box_tree.t;
-  mutable work : work;
+  mutable sweeps : int;
+  mutable neighbours : int;
+  mutable casts : int;
 }
 
 let nobody =
@@ -50,20 +52,21 @@ let create (m : Model.t) =
     Float_box.of_corners solid.low solid.high
   in
   let shapes = Array.map shape place in
-  let still box = Moving_box.make box ~at:Vec.zero ~velocity:Vec.zero in
   {
     model = m;
     first_part;
     place;
     shape = shapes;
     line = Array.make !total Vec.zero;
-    moving = Array.map still shapes;
+    boxes = Moving_boxes.create !total;
     owner = Array.make !total nobody;
     tree = Box_tree.create ();
-    work = { sweeps = 0; neighbours = 0; casts = 0 };
+    sweeps = 0;
+    neighbours = 0;
+    casts = 0;
   }
 
-let work t = t.work
+let work (t : t) : work = { sweeps = t.sweeps; neighbours = t.neighbours; casts = t.casts }
 
 (* {1 How far to sweep} *)
 
@@ -100,7 +103,7 @@ let end_of_sweep t ~now f =
 let cast t ~now f i g j found =
   let w = Vec.sub g.velocity f.velocity in
   if not (Vec.is_zero w) then begin
-    t.work <- { t.work with casts = t.work.casts + 1 };
+    t.casts <- t.casts + 1;
     let obstacle = Model.obstacle t.model t.place.(i) t.place.(j) in
     match Obstacle.first_time_of_contact obstacle (Vec.sub t.line.(j) t.line.(i)) w with
     | Never | Inside -> ()
@@ -112,27 +115,29 @@ let look t ~now f found =
   let from = Float_box.down now in
   let look_from i =
     let consider j =
-      let g = t.owner.(j) in
-      if g != f then begin
-        t.work <- { t.work with neighbours = t.work.neighbours + 1 };
-        let until = Float.min f.bound g.bound in
-        if Moving_box.may_meet t.moving.(i) t.moving.(j) ~from ~until then
-          if f.first < g.first then cast t ~now f i g j found else cast t ~now g j f i found
+      t.neighbours <- t.neighbours + 1;
+      if Moving_boxes.may_meet t.boxes i j ~from then begin
+        let g = t.owner.(j) in
+        if f.first < g.first then cast t ~now f i g j found
+        else if g.first < f.first then cast t ~now g j f i found
       end
     in
-    Box_tree.iter_meeting t.tree (Moving_box.swept t.moving.(i) ~from ~until:f.bound) consider
+    Box_tree.iter_meeting t.tree (Moving_boxes.swept t.boxes i ~from) consider
   in
   Array.iter look_from f.parts
 
 (* If two processes collide at a time during the present sweeps of both, then at that time both are inside of what
    they sweep, and touch: whoever was swept last has found the other in the tree. *)
 let sweep t ~now f found =
-  t.work <- { t.work with sweeps = t.work.sweeps + 1 };
-  f.sweep <- t.work.sweeps;
+  t.sweeps <- t.sweeps + 1;
+  f.sweep <- t.sweeps;
   f.until <- end_of_sweep t ~now f;
   f.bound <- (match f.until with None -> infinity | Some time -> Float_box.up time);
   let from = Float_box.down now in
-  let insert i = Box_tree.insert t.tree i (Moving_box.swept t.moving.(i) ~from ~until:f.bound) in
+  let insert i =
+    Moving_boxes.set_until t.boxes i f.bound;
+    Box_tree.insert t.tree i (Moving_boxes.swept t.boxes i ~from)
+  in
   Array.iter insert f.parts;
   look t ~now f found
 
@@ -149,7 +154,7 @@ let place_parts t f (p : State.process) =
          let i = t.first_part.(l.leaf) + k in
          let at = Vec.add l.position part.offset in
          t.line.(i) <- at;
-         t.moving.(i) <- Moving_box.make t.shape.(i) ~at ~velocity:f.velocity;
+         Moving_boxes.set t.boxes i t.shape.(i) ~at ~velocity:f.velocity;
          t.owner.(i) <- f)
       t.model.leaves.(l.leaf).parts
   in

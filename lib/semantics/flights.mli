@@ -39,6 +39,10 @@ val drop : t -> flight -> unit
 (** Removes it. *)
 
 (** What has been done so far; for measurements. *)
-type work = { sweeps : int; neighbours : int;  (** found by sweeps *) casts : int;  (** exact queries *) }
+type work = {
+  sweeps : int;
+  neighbours : int;  (** what sweeps found in the tree, themselves among it *)
+  casts : int;  (** exact queries *)
+}
 
 val work : t -> work

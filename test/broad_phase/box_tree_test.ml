@@ -42,8 +42,8 @@ let found tree b =
 let expected there b =
   List.filter (fun (_, c) -> Float_box.meet b c) there |> List.map fst |> List.sort Int.compare
 
-(* AVL trees: with n leaves, at most so many levels. *)
-let balanced tree n = float_of_int (Box_tree.height tree) <= 1.45 *. Float.log2 (float_of_int (n + 2))
+(* With n leaves, at most so many levels. *)
+let balanced tree n = float_of_int (Box_tree.height tree) <= 2.5 *. Float.log2 (float_of_int (n + 2))
 
 (* Keys are used again as soon as they are free. *)
 let play changes =

@@ -27,7 +27,19 @@ let moving =
   Gen.map3 make vector vector vector
 
 let at t b = (Vec.axpy t b.velocity b.low, Vec.axpy t b.velocity b.high)
-let boxed b = Moving_box.make (Float_box.of_corners b.low b.high) ~at:Vec.zero ~velocity:b.velocity
+
+(* The boxes in a table, both until a time. *)
+let table boxes ~until =
+  let t = Moving_boxes.create (List.length boxes) in
+  List.iteri
+    (fun i b ->
+       Moving_boxes.set t i (Float_box.of_corners b.low b.high) ~at:Vec.zero ~velocity:b.velocity;
+       Moving_boxes.set_until t i until)
+    boxes;
+  t
+
+let sweep_of b ~from ~until = Moving_boxes.swept (table [ b ] ~until) 0 ~from
+let may_meet a b ~from ~until = Moving_boxes.may_meet (table [ a; b ] ~until) 0 1 ~from
 
 (* Two times in order, and one between. *)
 let times =
@@ -55,7 +67,7 @@ let swept =
     ~print:(fun (b, t) -> print_box b ^ " at " ^ print_times t)
     (Gen.pair moving times)
     (fun (b, (from, until, t)) ->
-       let sweep = Moving_box.swept (boxed b) ~from:(Float_box.down from) ~until:(until_float until) in
+       let sweep = sweep_of b ~from:(Float_box.down from) ~until:(until_float until) in
        let low, high = at t b in
        let one axis low high =
          let x0 = Float_box.low sweep axis and x1 = Float_box.high sweep axis in
@@ -73,8 +85,8 @@ let never_misses =
     (Gen.triple moving moving times)
     (fun (a, b, (from, until, t)) ->
        let let_through =
-         Moving_box.may_meet (boxed a) (boxed b) ~from:(Float_box.down from) ~until:(until_float until)
-         && Moving_box.may_meet (boxed b) (boxed a) ~from:(Float_box.down from) ~until:infinity
+         may_meet a b ~from:(Float_box.down from) ~until:(until_float until)
+         && may_meet b a ~from:(Float_box.down from) ~until:infinity
        in
        let_through || not (meet_at t a b || meet_at from a b || meet_at until a b))
 
@@ -87,21 +99,24 @@ let corner =
        let _, high = at t a and low, _ = at t b in
        let shift = Vec.sub high low in
        let b = { b with low = Vec.add b.low shift; high = Vec.add b.high shift } in
-       Moving_box.may_meet (boxed a) (boxed b) ~from:(Float_box.down from) ~until:(until_float until))
+       may_meet a b ~from:(Float_box.down from) ~until:(until_float until))
 
 let unit x velocity = { low = Vec.of_ints x 0 0; high = Vec.of_ints (x + 1) 1 1; velocity }
 
 let filters () =
   let check what expected a b ~from ~until =
-    Alcotest.(check bool) what expected (Moving_box.may_meet (boxed a) (boxed b) ~from ~until)
+    Alcotest.(check bool) what expected (may_meet a b ~from ~until)
   in
   let still = unit 0 Vec.zero and left = unit 11 (Vec.of_ints (-1) 0 0) in
   check "not yet" false still left ~from:0. ~until:9.5;
   check "in time" true still left ~from:0. ~until:10.5;
   check "no more" false still left ~from:12.5 ~until:infinity;
   check "past one another" false still (unit 11 (Vec.of_ints (-1) 1 0)) ~from:0. ~until:100.;
+  let t = table [ still; left ] ~until:100. in
+  Moving_boxes.set_until t 1 9.5;
+  Alcotest.(check bool) "only as long as both move so" false (Moving_boxes.may_meet t 0 1 ~from:0.);
   check "nothing moves" false still (unit 3 Vec.zero) ~from:0. ~until:1e9;
-  let sweep = Moving_box.swept (boxed left) ~from:0. ~until:infinity in
+  let sweep = sweep_of left ~from:0. ~until:infinity in
   Alcotest.(check bool) "for ever to the left" true (Float_box.low sweep 0 = neg_infinity);
   Alcotest.(check bool) "and nowhere else" true (Float_box.high sweep 0 < 12.1 && Float_box.high sweep 1 < 1.1)
 
