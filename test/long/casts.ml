@@ -30,7 +30,7 @@ let () =
     Run.run ~progress
       { random = !random; degenerate = !degenerate; seed = !seed;
         only = (if !group < 0 then None else Some !group);
-        hulls = [ 10; 14; 14; 20; 30; 60 ] }
+        hulls = [ 10; 14; 14; 20; 36; 60 ] }
   in
   if Unix.isatty Unix.stderr then Printf.eprintf "\r    \r%!";
   Run.print report;
