@@ -10,16 +10,20 @@ type 'a t = { mutable keys : float array; mutable entries : 'a entry array; muta
 let create () = { keys = [||]; entries = [||]; size = 0 }
 let size a = a.size
 
-let before (key : float) (e : 'a entry) other_key (other : 'a entry) =
+let before (key : float) e other_key other =
   key < other_key || (key = other_key && Rat.compare e.time other.time < 0)
 
 let put a i key entry =
   a.keys.(i) <- key;
   a.entries.(i) <- entry
 
+(* Each place has four below it: half as many levels as with two, and the keys of the four are neighbours in
+   memory. *)
+let arity = 4
+
 (* Lets the place [i] rise until what is above is not later, and puts the entry there. *)
 let rec rise a i key entry =
-  let above = (i - 1) / 2 in
+  let above = (i - 1) / arity in
   if i > 0 && before key entry a.keys.(above) a.entries.(above) then begin
     put a i a.keys.(above) a.entries.(above);
     rise a above key entry
@@ -27,19 +31,20 @@ let rec rise a i key entry =
   else put a i key entry
 
 let rec sink a i key entry =
-  let left = (2 * i) + 1 in
-  let right = left + 1 in
-  if left >= a.size then put a i key entry
-  else
-    let below =
-      if right < a.size && before a.keys.(right) a.entries.(right) a.keys.(left) a.entries.(left) then right
-      else left
-    in
+  let from = (arity * i) + 1 in
+  if from >= a.size then put a i key entry
+  else begin
+    let below = ref from in
+    for j = from + 1 to Int.min (a.size - 1) (from + arity - 1) do
+      if before a.keys.(j) a.entries.(j) a.keys.(!below) a.entries.(!below) then below := j
+    done;
+    let below = !below in
     if before a.keys.(below) a.entries.(below) key entry then begin
       put a i a.keys.(below) a.entries.(below);
       sink a below key entry
     end
     else put a i key entry
+  end
 
 let grow a entry =
   let n = Int.max 16 (2 * a.size) in
@@ -93,6 +98,6 @@ let keep a wanted =
     end;
     Array.fill a.entries a.size (Array.length a.entries - a.size) a.entries.(0)
   end;
-  for i = (a.size / 2) - 1 downto 0 do
+  for i = (a.size - 2) / arity downto 0 do
     sink a i a.keys.(i) a.entries.(i)
   done

@@ -1,4 +1,4 @@
-(** What is to come, in order of exact times: a binary heap. *)
+(** What is to come, in order of exact times: a heap. *)
 
 open Scc_exact
 

@@ -70,11 +70,13 @@ let work (t : t) : work = { sweeps = t.sweeps; neighbours = t.neighbours; casts 
 
 (* {1 How far to sweep} *)
 
-(* The first sweep of a process takes it about its own size along. Each further one goes twice as far, up to one
-   without end: so that what never meets anything again is at rest after a few sweeps. Any times would be right;
-   these are multiples of powers of two, that is short numbers. *)
+(* The first sweep of a process takes it between one and four times its own size along; the longer a sweep, the
+   less often it is renewed, and the more neighbours it has. Slowly, further ones go farther, up to one without
+   end: so that what never meets anything again is at rest after some sweeps. Any times would be right; these
+   are multiples of powers of two, that is short numbers. *)
 
-let most_rounds = 16
+let rounds_to_double = 4
+let most_rounds = 40
 let clamp exponent = Int.max (-1000) (Int.min 1000 exponent)
 
 let power_of_two e =
@@ -86,7 +88,7 @@ let window t f =
   let speed q = Rat.to_float (Rat.abs q) in
   let fastest = Float.max (speed v.x) (Float.max (speed v.y) (speed v.z)) in
   let _, exponent = Float.frexp (size /. fastest) in
-  power_of_two (clamp exponent - 1 + f.rounds)
+  power_of_two (clamp exponent + (f.rounds / rounds_to_double))
 
 let end_of_sweep t ~now f =
   if Vec.is_zero f.velocity || f.rounds > most_rounds then None
