@@ -7,9 +7,16 @@ import subprocess
 
 from . import report
 
-SIZES = [100, 1000, 10000]
 TIME = 10
-STEPS = ["1/60", "1/240"]
+# Aligned cubes of one mass only swap a component of their velocities when they meet. So every coordinate stays a
+# start plus a start's velocity times the time plus a whole number: their numbers cannot grow, and how many bits
+# they have at the end says only when the run ended. Turned cubes are there for what cannot be seen in them.
+GASES = [
+    ("cubes", [100, 1000, 10000], ["1/60", "1/240"]),
+    ("turned", [1000, 10000], ["1/60"]),
+]
+# When to look at the numbers of turned cubes, and at what an event has cost until then.
+GROWTH_SIZE, GROWTH_TIMES = 1000, [2, 5, 10, 20, 30]
 # By how much, in units of time, a peer's contact may be off and still count as the exact one. A body of these
 # gases meets another or a wall about every three units.
 TOLERANCE = 0.2
@@ -77,45 +84,57 @@ class Gas:
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def exact(self, size):
-        """Seconds that the events took (a run of no time is what reading and building the gas costs), and them."""
-        start, log = self.path("start_%d.txt" % size), self.path("events_%d.txt" % size)
-        run = self.prefix + [self.scc, str(size)]
-        spent, printed = processor_time(run + [str(TIME), "--write", start, "--events", log])
-        idle, _ = processor_time(run + ["0", "--events", os.devnull])
-        return spent - idle, printed
+    def run(self, shapes, size, time, *more):
+        return processor_time(self.prefix + [self.scc, str(size), str(time), "--shapes", shapes] + list(more))
 
-    def peer(self, size, step):
-        name = self.path("contacts_%d_%s.txt" % (size, step.replace("/", "_")))
-        command = self.prefix + [self.rapier, self.path("start_%d.txt" % size), step, name]
-        printed = processor_time(command)[1]
+    def exact(self, shapes, size):
+        """Seconds that the events took: a run of no time is what reading and building the gas costs."""
+        files = ["--write", self.path("start.txt"), "--events", self.path("events.txt")]
+        spent, _ = self.run(shapes, size, TIME, *files)
+        return spent - self.run(shapes, size, 0, "--events", os.devnull)[0]
+
+    def peer(self, step):
+        name = self.path("contacts_%s.txt" % step.replace("/", "_"))
+        printed = processor_time(self.prefix + [self.rapier, self.path("start.txt"), step, name])[1]
         return json.loads(printed), name
 
+    def size(self, shapes, size, steps):
+        """Microseconds for each of scc's events, and the lines of the table."""
+        seconds, peers = float("inf"), {}
+        for _ in range(self.rounds):
+            seconds = min(seconds, self.exact(shapes, size))
+            for step in steps if self.rapier else []:
+                found, name = self.peer(step)
+                if step not in peers or found["seconds"] < peers[step][0]["seconds"]:
+                    peers[step] = found, name
+        exact = events(self.path("events.txt"))
+        cost = 1e6 * seconds / max(1, len(exact))
+        lines = [[str(size), "scc", "%.3f" % seconds, str(len(exact)), "%.1f" % cost, "", "", "", "", ""]]
+        for step, (found, name) in peers.items():
+            lines.append([str(size), "rapier, step " + step] + self.told(found, exact, events(name)))
+        return cost, lines
+
     def compare(self):
-        print("\n== gas of N cubes in a box, %d units of time" % TIME, flush=True)
-        lines, per_event, notes = [], {}, []
-        for size in SIZES:
-            seconds, peers = float("inf"), {}
-            for _ in range(self.rounds):
-                spent, printed = self.exact(size)
-                seconds = min(seconds, spent)
-                for step in STEPS if self.rapier else []:
-                    found, name = self.peer(size, step)
-                    if step not in peers or found["seconds"] < peers[step][0]["seconds"]:
-                        peers[step] = found, name
-            exact = events(self.path("events_%d.txt" % size))
-            per_event[size] = seconds / max(1, len(exact))
-            lines.append([str(size), "scc", "%.3f" % seconds, str(len(exact)), "%.1f" % (1e6 * per_event[size]),
-                          "", "", "", "", ""])
-            notes += ["N = %d: %s" % (size, line) for line in printed.strip().splitlines()]
-            for step, (found, name) in peers.items():
-                lines.append([str(size), "rapier, step " + step] + self.told(found, exact, events(name)))
-        headings = ["N", "", "s", "events", "us/event", "asked", "missed", "spurious", "energy drift", "escaped"]
-        report.table(headings, lines)
-        print("\n".join(notes), flush=True)
-        growth = per_event[10000] / per_event[1000]
-        self.bars.at_most("gas: cost per event, N = 10 000 / N = 1 000", growth, 1.5)
-        self.record = lines
+        for shapes, sizes, steps in GASES:
+            print("\n== gas of N cubes in a box (%s), %d units of time" % (shapes, TIME), flush=True)
+            cost, lines = {}, []
+            for size in sizes:
+                cost[size], more = self.size(shapes, size, steps)
+                lines += more
+            headings = ["N", "", "s", "events", "us/event", "asked", "missed", "spurious", "energy drift",
+                        "escaped"]
+            report.table(headings, lines)
+            what = "gas (%s): cost per event, N = 10 000 / N = 1 000" % shapes
+            self.bars.at_most(what, cost[10000] / cost[1000], 1.5)
+            self.record += [[shapes] + line for line in lines]
+        self.growth()
+
+    def growth(self):
+        print("\n== how numbers grow: %d turned cubes, from the start to a time" % GROWTH_SIZE, flush=True)
+        for time in GROWTH_TIMES:
+            printed = self.run("turned", GROWTH_SIZE, time)[1]
+            lines = [line for line in printed.splitlines() if "to start" not in line]
+            print("\n".join(lines), flush=True)
 
     def told(self, found, exact, contacts):
         asked, missed, spurious = matched(exact, contacts)
