@@ -32,8 +32,9 @@ let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
      u m (conversions) + 2 u m (subtractions), that is 3 u m (1 + small).
    Nothing overflows or comes near to the floats below the normal ones: the coordinates are 0 or between 2^-120
    and 2^120 (Portal.make), so that differences of them are 0 or above 2^-173, and every product here has at most
-   three factors of that kind. The floats of integers are within 2 u of them, relatively; where one is infinite,
-   the bound is infinite or not a number, and the case is left open.
+   three factors of that kind. The floats of integers are within 2 u of them, relatively. They may be great: a
+   bound, 2^-48 of its products or so, is only trusted below 2^900, where no product overflows; so a direction that
+   has no floats leaves the case open.
 
    A product n.p of an integer vector n: each term is off by |ni| m (2u + 3u + u), and two sums add
    2 u |n|1 m; in all 8 u |n|1 m (1 + small). The bound used is 32 u.
@@ -47,7 +48,10 @@ let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
    with a coordinate by m1 m2 m3 (16 u + 2 (3 u + u)) = 24 u, the sum of three of those by 72 u and for two additions
    12 u more: 84 u m1 m2 m3 (1 + small). The bound used is 128 u. *)
 
-let certain x bound = if x > bound then 1 else if x < -.bound then -1 else 0
+let largest = 0x1p900
+
+let[@inline] certain x bound =
+  if bound < largest then if x > bound then 1 else if x < -.bound then -1 else 0 else 0
 
 (* A direction n and its floats. *)
 type floats = { x : float; y : float; z : float; norm1 : float }
@@ -136,13 +140,14 @@ let is_highest (s : Solid.t) v { n; f } sign ~known =
     !k < last
     &&
     let j = neighbour.(!k) in
-    let rise = ((xs.(j) -. vx) *. nx) +. ((ys.(j) -. vy) *. ny) +. ((zs.(j) -. vz) *. nz) in
-    rise < -.bound
-    || (not (rise > bound))
-       && (j = known
-           ||
-           let rise = Z.sign (Ivec.dot n (Ivec.sub s.vertices.(j) s.vertices.(v))) in
-           if sign > 0. then rise <= 0 else rise >= 0)
+    match certain (((xs.(j) -. vx) *. nx) +. ((ys.(j) -. vy) *. ny) +. ((zs.(j) -. vz) *. nz)) bound with
+    | -1 -> true
+    | 1 -> false
+    | _ ->
+      j = known
+      ||
+      let rise = Z.sign (Ivec.dot n (Ivec.sub s.vertices.(j) s.vertices.(v))) in
+      if sign > 0. then rise <= 0 else rise >= 0
   do
     incr k
   done;
@@ -150,8 +155,21 @@ let is_highest (s : Solid.t) v { n; f } sign ~known =
 
 let nobody = -1
 
-let is_support c n va vb =
-  is_highest c.s.a va n 1. ~known:nobody && is_highest c.s.b vb n (-1.) ~known:nobody
+type plane = { direction : direction; va : int; vb : int }
+
+let supporting c direction va vb =
+  if is_highest c.s.a va direction 1. ~known:nobody && is_highest c.s.b vb direction (-1.) ~known:nobody then
+    Some { direction; va; vb }
+  else None
+
+let normal p = p.direction.n
+
+(* Point 3 is at nobody's service between searches. *)
+let height c p =
+  Portal.place c.s 3 p.va p.vb;
+  side c p.direction 3
+
+let speed c p = along c p.direction
 
 (* {1 Separation} *)
 
@@ -171,24 +189,21 @@ let aim c { f; _ } =
   x.(Portal.direction + 1) <- f.y;
   x.(Portal.direction + 2) <- f.z
 
-let supported_side c n =
+let supported c n =
   aim c n;
   Portal.support c.s 3;
-  if is_support c n c.s.va.(3) c.s.vb.(3) then Some (side c n 3) else None
+  if Ivec.is_zero n.n then None else supporting c n c.s.va.(3) c.s.vb.(3)
 
 (* For n.w >= 0 the obstacle stays behind the plane: with n.p <= 0 for all its points, the line never enters
-   its interior. A direction across w that was rounded may run against it by a little, which some of w
-   makes up for. *)
-let separated c =
+   its interior. *)
+let never c p = speed c p >= 0 && height c p <= 0
+let apart c p = height c p < 0
+
+(* A direction across w that was rounded may run against it by a little, which some of w makes up for. *)
+let separating c =
   let n = shorten c.s.x Portal.direction short in
   let n = if along c n >= 0 then n else direction (Ivec.add n.n (shorten c.s.x Portal.velocity 3.).n) in
-  (not (Ivec.is_zero n.n))
-  && along c n >= 0
-  && (match supported_side c n with Some s -> s <= 0 | None -> false)
-
-let strictly_separated c =
-  let n = shorten c.s.x Portal.direction short in
-  (not (Ivec.is_zero n.n)) && (match supported_side c n with Some s -> s < 0 | None -> false)
+  supported c n
 
 (* {1 The silhouette} *)
 
@@ -201,21 +216,16 @@ let edge c =
   else if va.(4) = va.(5) then Ivec.neg of_b
   else Ivec.sub (times b.denominator of_a) (times a.denominator of_b)
 
-type beside = Never | Crosses | Unknown
+type beside = Never of plane | Crosses | Unknown
 
 (* The outward normal of the edge, seen along w. *)
 let beside c =
   let n = direction (Ivec.cross (edge c) (velocity c)) in
   if Ivec.is_zero n.n then Unknown
   else if side c n 4 > 0 then Crosses
-  else if is_support c n c.s.va.(4) c.s.vb.(4) then Never
-  else Unknown
+  else match supporting c n c.s.va.(4) c.s.vb.(4) with Some p -> Never p | None -> Unknown
 
 (* {1 Facets} *)
-
-type facet = { plane : direction; va : int; vb : int }
-
-let normal f = f.plane.n
 
 let distinct (v : int array) =
   if v.(0) = v.(1) then if v.(1) = v.(2) then 1 else 2
@@ -243,7 +253,7 @@ let across c a b =
     (not (Ivec.is_zero n.n))
     && is_highest c.s.a (fst a) n 1. ~known:(snd a)
     && is_highest c.s.b (fst b) n (-1.) ~known:(snd b)
-  then Some { plane = n; va = fst a; vb = fst b }
+  then Some { direction = n; va = fst a; vb = fst b }
   else None
 
 (* Three corners of one face of A, with one vertex of B or several of the same height; or the other way round;
@@ -258,7 +268,7 @@ let facet c =
         | Some face ->
           let n = direction a.normals.(face) in
           if is_highest b vb.(0) n (-1.) ~known:nobody && level b n.n vb then
-            Some { plane = n; va = va.(0); vb = vb.(0) }
+            Some { direction = n; va = va.(0); vb = vb.(0) }
           else None
         | None -> None)
     | _, 3 -> (
@@ -266,7 +276,7 @@ let facet c =
         | Some face ->
           let n = direction (Ivec.neg b.normals.(face)) in
           if is_highest a va.(0) n 1. ~known:nobody && level a n.n va then
-            Some { plane = n; va = va.(0); vb = vb.(0) }
+            Some { direction = n; va = va.(0); vb = vb.(0) }
           else None
         | None -> None)
     | 2, 2 -> across c (two va) (two vb)
@@ -325,13 +335,10 @@ let tight c k =
   @ List.filter_map of_b at_b
   @ List.concat_map (fun e -> List.filter_map (of_both e) at_b) at_a
 
-let height c f = side c f.plane 0
-let speed c f = along c f.plane
-
 (* n.(a - b - r) = (n.w) t *)
 let time c f =
   let { Portal.a; b; _ } = c.s in
-  let n = f.plane.n in
+  let n = f.direction.n in
   Rat.make (exact_product c n f.va f.vb)
     (by b.denominator (by a.denominator (Ivec.dot n (velocity c))))
 
@@ -350,11 +357,11 @@ let crossing_of q0 q1 q2 =
 let crossing c = crossing_of (-turn c 1 2) (-turn c 2 0) (-turn c 0 1)
 
 let foot c f =
-  aim c f.plane;
+  aim c f.direction;
   let bound = greatest c.s.x Portal.direction in
   let turn i j =
     orientation c Portal.direction (Portal.point i) (Portal.point j) bound (fun () ->
-        (f.plane.n, exact_point c i, exact_point c j))
+        (f.direction.n, exact_point c i, exact_point c j))
   in
   crossing_of (turn 1 2) (turn 2 0) (turn 0 1)
 

@@ -9,37 +9,39 @@ type t
 val make : Portal.t -> Vec.t -> Vec.t -> t
 (** [make s r w], with the offset and velocity that [s] was made with. *)
 
-val separated : t -> bool
-(** After [Apart]: whether a plane nearly across the direction keeps the interiors apart, now and for all
-    times to come, and the closed bodies as well unless they touch. Moves the last support. *)
+type plane
+(** A plane that is proved to support the obstacle, wherever B stands. *)
 
-val strictly_separated : t -> bool
-(** The same for the closed bodies at this instant, whatever the velocity. *)
+val normal : plane -> Ivec.t
+(** Outward. *)
+
+val height : t -> plane -> int
+(** The sign of n.p for the points p of the plane: positive when the origin is strictly on the inner side. *)
+
+val speed : t -> plane -> int
+(** The sign of n.w. *)
+
+val never : t -> plane -> bool
+(** Whether the plane keeps the interiors apart, now and for all times to come. *)
+
+val apart : t -> plane -> bool
+(** Whether the plane keeps the closed bodies apart now. *)
+
+val separating : t -> plane option
+(** After [Apart]: a plane nearly across the direction. Moves the last support. *)
 
 (** What the edge of points 4 and 5 says of a line. *)
 type beside =
-  | Never  (** it is an edge of the silhouette, and the line passes along it or outside *)
+  | Never of plane  (** it is an edge of the silhouette, and the line passes along it or outside *)
   | Crosses  (** the line passes strictly on the side of the centre *)
   | Unknown
 
 val beside : t -> beside
 
-type facet
-(** A plane that supports the obstacle. *)
-
-val normal : facet -> Ivec.t
-(** Outward. *)
-
-val facet : t -> facet option
+val facet : t -> plane option
 (** The plane of the portal, if it supports the obstacle and carries the three points. *)
 
-val height : t -> facet -> int
-(** The sign of n.p for the points p of the plane: positive when the origin is strictly on the inner side. *)
-
-val speed : t -> facet -> int
-(** The sign of n.w. *)
-
-val time : t -> facet -> Rat.t
+val time : t -> plane -> Rat.t
 (** When the line crosses the plane. n.w is not 0. *)
 
 (** Where a line crosses the portal. *)
@@ -51,8 +53,8 @@ type crossing =
 val crossing : t -> crossing
 (** Of the line of a cast. *)
 
-val foot : t -> facet -> crossing
-(** Of the line through the origin along the normal of the facet, which holds the origin. *)
+val foot : t -> plane -> crossing
+(** Of the line through the origin along the normal of the plane, which holds the origin. *)
 
 val tight : t -> int -> Ivec.t list
 (** [tight c k], when {!foot} is [Border k] in a plane that holds the origin: the normals of all facets that

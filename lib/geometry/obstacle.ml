@@ -1,10 +1,26 @@
 open Scc_exact
 
 type facet = Minkowski.facet = { normal : Ivec.t; num : Z.t; den : Z.t }
-type t = { a : Solid.t; b : Solid.t; all : Facets.t Lazy.t }
 
-let make a b = { a; b; all = lazy (Facets.make a b) }
+(* What proved the last answers. A plane supports the obstacle wherever B stands, and so may prove the next answer as
+   well: the pair has moved a little, or another pair of the same solids is as far apart. *)
+type memory = {
+  mutable plane : Certificate.plane option;  (** kept the two apart *)
+  mutable portal : portal option;  (** was entered *)
+}
+
+and portal = { carrier : Certificate.plane; va : int array; vb : int array }
+
+type t = { a : Solid.t; b : Solid.t; all : Facets.t Lazy.t; memory : memory }
+
+let make a b = { a; b; all = lazy (Facets.make a b); memory = { plane = None; portal = None } }
 let facets o = Facets.facets (Lazy.force o.all)
+
+let keep_plane o p = o.memory.plane <- Some p
+
+let keep_portal o carrier (s : Portal.t) =
+  let first (v : int array) = [| v.(0); v.(1); v.(2) |] in
+  o.memory.portal <- Some { carrier; va = first s.va; vb = first s.vb }
 
 type relation = Facets.relation = Apart | Touching | Interpenetrating
 type cast = Facets.cast = Never | Inside | At of Rat.t
@@ -12,7 +28,7 @@ type cast = Facets.cast = Never | Inside | At of Rat.t
 (* {1 Relation} *)
 
 (* What the spheres about the two centres say. *)
-let by_spheres (o : t) (s : Portal.t) =
+let by_spheres o (s : Portal.t) =
   let distance = sqrt (Portal.dot s Portal.centre Portal.centre) in
   let error = 0x1p-48 *. s.bound in
   let a = o.a.shadow and b = o.b.shadow in
@@ -20,13 +36,15 @@ let by_spheres (o : t) (s : Portal.t) =
   else if distance +. error < a.inner +. b.inner then Some Interpenetrating
   else None
 
-(* The answer that a search leads to, when it can be proved, and the corner of the portal to look at when the two
-   touch. *)
-type found = Relation of relation | Contact of Certificate.facet * Certificate.crossing | Open
+(* What a search leads to, as far as it can be proved; for bodies that touch, with the facet that holds the
+   origin and where it does. *)
+type found = Apart_by of Certificate.plane | Overlap | Contact of Certificate.plane * Certificate.crossing | Open
+
+let overlap c = if Certificate.inside c then Overlap else Open
 
 let settle c (search : Portal.search) =
   match search with
-  | Inside -> if Certificate.inside c then Relation Interpenetrating else Open
+  | Inside -> overlap c
   | Through -> (
       match Certificate.facet c with
       | None -> Open
@@ -36,15 +54,30 @@ let settle c (search : Portal.search) =
               match Certificate.foot c f with
               | Outside -> Open
               | (Within | Border _) as crossing -> Contact (f, crossing))
-          | h when h < 0 -> Relation Apart
-          | _ -> if Certificate.inside c then Relation Interpenetrating else Open))
+          | h when h < 0 -> Apart_by f
+          | _ -> overlap c))
   | Apart | Beside | Lost -> Open
 
-let search c s =
+let locate c s =
   match Portal.locate s ~hasty:true with
-  | Apart ->
-    if Certificate.strictly_separated c then Relation Apart else settle c (Portal.locate s ~hasty:false)
+  | Apart -> (
+      match Certificate.separating c with
+      | Some p when Certificate.apart c p -> Apart_by p
+      | Some _ | None -> settle c (Portal.locate s ~hasty:false))
   | found -> settle c found
+
+let relation_by_search o r s =
+  let c = Certificate.make s r Vec.zero in
+  match o.memory.plane with
+  | Some p when Certificate.apart c p -> Apart
+  | Some _ | None -> (
+      match locate c s with
+      | Apart_by p ->
+        keep_plane o p;
+        Apart
+      | Overlap -> Interpenetrating
+      | Contact _ -> Touching
+      | Open -> Facets.relation (Lazy.force o.all) r)
 
 let relation o r =
   match Portal.make o.a o.b r Vec.zero with
@@ -52,11 +85,7 @@ let relation o r =
   | Some s -> (
       match by_spheres o s with
       | Some relation -> relation
-      | None -> (
-          match search (Certificate.make s r Vec.zero) s with
-          | Relation relation -> relation
-          | Contact _ -> Touching
-          | Open -> Facets.relation (Lazy.force o.all) r))
+      | None -> relation_by_search o r s)
 
 let separating o r =
   let by_facets () = Facets.separating (Lazy.force o.all) r in
@@ -67,7 +96,7 @@ let separating o r =
       match settle c (Portal.locate s ~hasty:false) with
       | Contact (f, Within) -> [ Ivec.primitive (Certificate.normal f) ]
       | Contact (_, Border k) -> Certificate.tight c k
-      | Contact (_, Outside) | Relation _ | Open -> by_facets ())
+      | Contact (_, Outside) | Apart_by _ | Overlap | Open -> by_facets ())
 
 (* At a boundary point r of a convex polytope, r + t w is interior for all small t > 0 iff w goes strictly
    inwards through every facet that holds r. *)
@@ -77,6 +106,9 @@ let approaching o r w =
 
 (* {1 Casts} *)
 
+(* How a line, from its infinite past on, meets the interior: not at all from the time 0 on, or through a facet. *)
+type passage = Misses | Enters of Certificate.plane | Unknown
+
 (* Whether the line runs through the interior: strictly inside of a facet it does. *)
 let pierces c =
   match Certificate.crossing c with
@@ -84,32 +116,75 @@ let pierces c =
   | Within -> true
   | Border _ -> Certificate.interior c
 
-let entered o r c =
+let entry o c s =
   match Certificate.facet c with
   | Some f when Certificate.speed c f < 0 && pierces c ->
-    if Certificate.height c f <= 0 then Some (At (Certificate.time c f))
-    else
-      (* entered before time 0: now inside, or through already *)
-      Some (match relation o r with Interpenetrating -> Inside | Touching | Apart -> Never)
-  | Some _ | None -> None
+    keep_portal o f s;
+    Enters f
+  | Some _ | None -> Unknown
 
-let rec follow o r c s (search : Portal.search) =
+let rec follow o c s (search : Portal.search) =
   match search with
-  | Apart -> if Certificate.separated c then Some Never else follow o r c s (Portal.cast s ~hasty:false)
+  | Apart -> (
+      match Certificate.separating c with
+      | Some p when Certificate.never c p ->
+        keep_plane o p;
+        Misses
+      | Some _ | None -> follow o c s (Portal.cast s ~hasty:false))
   | Beside -> (
       match Certificate.beside c with
-      | Never -> Some Never
-      | Crosses -> follow o r c s (Portal.through s)
-      | Unknown -> None)
-  | Through -> entered o r c
-  | Inside | Lost -> None
+      | Never p ->
+        keep_plane o p;
+        Misses
+      | Crosses -> follow o c s (Portal.through s)
+      | Unknown -> Unknown)
+  | Through -> entry o c s
+  | Inside | Lost -> Unknown
+
+let remembered o c s =
+  match (o.memory.plane, o.memory.portal) with
+  | Some p, _ when Certificate.never c p -> Misses
+  | _, Some { carrier; va; vb } when Certificate.speed c carrier < 0 ->
+    Array.iteri (fun k i -> Portal.place s k i vb.(k)) va;
+    (match Certificate.crossing c with Within -> Enters carrier | Border _ | Outside -> Unknown)
+  | _ -> Unknown
+
+let passage o c s =
+  match remembered o c s with
+  | Unknown -> follow o c s (Portal.cast s ~hasty:true)
+  | known -> known
 
 let first_time_of_contact o r w =
-  let found =
+  let by_facets () = Facets.first_time_of_contact (Lazy.force o.all) r w in
+  match Portal.make o.a o.b r w with
+  | None -> by_facets ()
+  | Some s -> (
+      let c = Certificate.make s r w in
+      match passage o c s with
+      | Misses -> Never
+      | Unknown -> by_facets ()
+      | Enters f when Certificate.height c f <= 0 -> At (Certificate.time c f)
+      | Enters _ -> (
+          (* entered before time 0: now inside, or through already *)
+          match relation o r with
+          | Interpenetrating -> Inside
+          | Touching | Apart -> Never))
+
+(* The closed bodies meet from where the line enters the obstacle to where the reverse line does. *)
+let meeting o r w =
+  let entered w =
     match Portal.make o.a o.b r w with
     | None -> None
-    | Some s -> follow o r (Certificate.make s r w) s (Portal.cast s ~hasty:true)
+    | Some s -> (
+        let c = Certificate.make s r w in
+        match follow o c s (Portal.cast s ~hasty:false) with
+        | Enters f -> Some (Certificate.time c f)
+        | Misses | Unknown -> None)
   in
-  match found with Some cast -> cast | None -> Facets.first_time_of_contact (Lazy.force o.all) r w
-
-let meeting o r w = Facets.meeting (Lazy.force o.all) r w
+  let by_facets () = Facets.meeting (Lazy.force o.all) r w in
+  match entered w with
+  | None -> by_facets ()
+  | Some low -> (
+      match entered (Vec.neg w) with
+      | None -> by_facets ()
+      | Some high -> Some (Some low, Some (Rat.neg high)))

@@ -12,10 +12,13 @@ type facet = Minkowski.facet = {
   den : Z.t;  (** positive; the same for all facets of an obstacle *)
 }
 
+type memory
+
 type t = private {
   a : Solid.t;
   b : Solid.t;
   all : Facets.t Lazy.t;  (** all facets, made when a query cannot do without them *)
+  memory : memory;  (** what proved the last answers, where the next proof is sought first *)
 }
 
 val make : Solid.t -> Solid.t -> t

@@ -5,6 +5,7 @@ type t = {
   vertices : (string * Vec.t) array;
   faces : (string * int array) array;
   edges : (int * int) array;
+  topology : Topology.t;
 }
 
 type ifs = { ifs_vertices : (string * Vec.t) array; ifs_faces : (string * int array) array }
@@ -101,7 +102,8 @@ let of_ifs ifs =
   match faults points faces with
   | [] ->
     let edges = Surface.edges (Surface.make (Array.length points) faces) in
-    Ok { vertices = ifs.ifs_vertices; faces = ifs.ifs_faces; edges }
+    let topology = Topology.make (Array.length points) faces edges in
+    Ok { vertices = ifs.ifs_vertices; faces = ifs.ifs_faces; edges; topology }
   | _ :: _ as found -> Error found
 
 let to_ifs p = { ifs_vertices = p.vertices; ifs_faces = p.faces }

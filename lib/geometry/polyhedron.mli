@@ -9,6 +9,7 @@ type t = private {
   (** name and vertex indices, counter-clockwise seen from outside *)
   edges : (int * int) array;
   (** unordered (reading I-1): the smaller index first; in lexicographic order *)
+  topology : Topology.t;  (** of these edges *)
 }
 
 (** An indexed face set before any check. Names of vertices and of faces are distinct. *)

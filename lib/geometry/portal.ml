@@ -114,29 +114,18 @@ let aim_unless_noise s dx dy dz scale =
 
 (* {1 Supports} *)
 
-(* Up to so many vertices it is faster to look at all of them. *)
-let few = 32
-
-(* The loops where most of the time of a query goes do without checks: a shadow's arrays have as many entries as
+(* The loop where most of the time of a query goes does without checks: a shadow's arrays have as many entries as
    the solid has vertices, and the numbers of vertices come from the solid. Each factor that changes stands
-   first, which saves the compiler a copy. *)
+   first, which saves the compiler a copy.
 
-let highest_of_all (b : Shadow.t) dx dy dz start =
-  let xs = b.xs and ys = b.ys and zs = b.zs in
-  let best = ref start in
-  let height = ref ((get xs start *. dx) +. (get ys start *. dy) +. (get zs start *. dz)) in
-  for i = 0 to b.count - 1 do
-    let h = (get xs i *. dx) +. (get ys i *. dy) +. (get zs i *. dz) in
-    if h > !height then begin
-      best := i;
-      height := h
-    end
-  done;
-  !best
-
-(* The way leads uphill to a vertex without a higher neighbour, which in a convex solid is the highest. *)
-let uphill (b : Shadow.t) (t : Topology.t) dx dy dz start =
-  let xs = b.xs and ys = b.ys and zs = b.zs and first = t.first and neighbour = t.neighbour in
+   The vertex that is highest in the direction, times [sign]: the way leads uphill, from where the compass
+   points, to a vertex without a higher neighbour, which in a convex solid is the highest. *)
+let climb (s : Solid.t) (x : float array) sign =
+  let dx = get x direction *. sign
+  and dy = get x (direction + 1) *. sign
+  and dz = get x (direction + 2) *. sign in
+  let { Shadow.xs; ys; zs; compass; _ } = s.shadow and { Topology.first; neighbour; _ } = s.topology in
+  let start = Compass.look compass dx dy dz in
   let at = ref (-1) and best = ref start in
   let height = ref ((get xs start *. dx) +. (get ys start *. dy) +. (get zs start *. dz)) in
   while !at <> !best do
@@ -152,26 +141,20 @@ let uphill (b : Shadow.t) (t : Topology.t) dx dy dz start =
   done;
   !best
 
-(* The vertex that is highest in the direction, times [sign], sought from [start]. *)
-let climb (s : Solid.t) (x : float array) sign start =
-  let dx = get x direction *. sign
-  and dy = get x (direction + 1) *. sign
-  and dz = get x (direction + 2) *. sign in
-  if s.shadow.count <= few then (highest_of_all [@inlined]) s.shadow dx dy dz start
-  else (uphill [@inlined]) s.shadow s.topology dx dy dz start
-
-let support s k =
+let place s k i j =
   let x = s.x in
-  let i = climb s.a x 1. s.va.(last) and j = climb s.b x (-1.) s.vb.(last) in
-  s.va.(last) <- i;
-  s.vb.(last) <- j;
-  s.va.(k) <- i;
-  s.vb.(k) <- j;
   let a = s.a.shadow and b = s.b.shadow in
   let at = point k in
+  s.va.(k) <- i;
+  s.vb.(k) <- j;
   x.(at) <- get a.xs i -. get b.xs j -. get x places;
   x.(at + 1) <- get a.ys i -. get b.ys j -. get x (places + 1);
   x.(at + 2) <- get a.zs i -. get b.zs j -. get x (places + 2)
+[@@inline]
+
+let support s k =
+  let x = s.x in
+  place s k (climb s.a x 1.) (climb s.b x (-1.))
 
 let copy s k l =
   let x = s.x in
@@ -198,6 +181,7 @@ let[@inline] noise s =
   let x = s.x in
   0x1p-49 *. s.bound *. (Float.abs (get x (direction)) +. Float.abs (get x (direction + 1)) +. Float.abs (get x (direction + 2)))
 
+(* The last support was taken at p3. *)
 let[@inline] same_as s k = s.va.(last) = s.va.(k) && s.vb.(last) = s.vb.(k)
 
 (* No search that goes well takes so many rounds. *)

@@ -31,6 +31,9 @@ val make : Solid.t -> Solid.t -> Scc_exact.Vec.t -> Scc_exact.Vec.t -> t option
 val dot : t -> int -> int -> float
 (** The product of the vectors at two places. *)
 
+val place : t -> int -> int -> int -> unit
+(** [place s k i j]: puts the point of vertex i of A and vertex j of B at [k]. *)
+
 val support : t -> int -> unit
 (** [support s k]: puts the point of the obstacle that is highest in the {!direction} at [k]. *)
 

@@ -5,6 +5,7 @@ type t = {
   xs : float array;
   ys : float array;
   zs : float array;
+  compass : Compass.t;
   reach : float;
   cx : float;
   cy : float;
@@ -35,13 +36,22 @@ let make vertices denominator ~centroid ~normals ~corners =
   let xs = Array.map (fun (v : Ivec.t) -> float v.x) vertices in
   let ys = Array.map (fun (v : Ivec.t) -> float v.y) vertices in
   let zs = Array.map (fun (v : Ivec.t) -> float v.z) vertices in
+  let highest dx dy dz =
+    let height i = (dx *. xs.(i)) +. (dy *. ys.(i)) +. (dz *. zs.(i)) in
+    let best = ref 0 in
+    for i = 1 to count - 1 do
+      if height i > height !best then best := i
+    done;
+    !best
+  in
+  let compass = Compass.make ~count ~highest in
   let { Vec.x; y; z } = centroid in
   let cx = Rat.to_float x and cy = Rat.to_float y and cz = Rat.to_float z in
   let all = Array.for_all sane in
   let sane = all xs && all ys && all zs && sane cx && sane cy && sane cz in
   if not sane then
     {
-      count; xs; ys; zs; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity; centre = Ivec.zero;
+      count; xs; ys; zs; compass; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity; centre = Ivec.zero;
       centre_denominator = Z.one; usable = false;
     }
   else
@@ -58,7 +68,7 @@ let make vertices denominator ~centroid ~normals ~corners =
     let greatest = Array.fold_left (fun m x -> Float.max m (Float.abs x)) in
     let reach = greatest (greatest (greatest (greatest 0. [| cx; cy; cz |]) xs) ys) zs in
     {
-      count; xs; ys; zs; reach = widen reach; cx; cy; cz;
+      count; xs; ys; zs; compass; reach = widen reach; cx; cy; cz;
       inner = (if usable then !nearest else 0.);
       outer = widen (sqrt farthest);
       centre; centre_denominator; usable;

@@ -8,6 +8,7 @@ type t = private {
   xs : float array;
   ys : float array;
   zs : float array;  (** the coordinates of the vertices: nearest floats *)
+  compass : Compass.t;
   reach : float;  (** no coordinate of a vertex or of the centre is greater in absolute value *)
   cx : float;
   cy : float;

@@ -31,7 +31,7 @@ let make ~id (polyhedron : Polyhedron.t) linear =
   let faces = Array.map snd polyhedron.faces in
   let mass = Mass_properties.of_surface vertices denominator faces in
   let normals = Array.map (fun f -> Ivec.primitive (Face_check.normal vertices f)) faces in
-  let topology = Topology.make polyhedron in
+  let topology = polyhedron.topology in
   let direction (e : Topology.edge) = Ivec.primitive (Ivec.sub vertices.(e.head) vertices.(e.tail)) in
   let corners = Array.map (fun f -> vertices.(f.(0))) faces in
   {

@@ -11,7 +11,7 @@ type t = private {
   vertices : Ivec.t array;  (** over [denominator] *)
   denominator : Z.t;  (** positive *)
   normals : Ivec.t array;  (** primitive outward normal of each face *)
-  topology : Topology.t;
+  topology : Topology.t;  (** that of the polyhedron *)
   directions : Ivec.t array;  (** of each edge, from its tail to its head, primitive *)
   shadow : Shadow.t;  (** the vertices as floats *)
   centroid : Vec.t;  (** of the uniform solid, about the same point *)

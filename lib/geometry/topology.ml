@@ -2,24 +2,23 @@ type edge = { tail : int; head : int; left : int; right : int }
 type t = { edges : edge array; first : int array; neighbour : int array; along : int array }
 
 (* For each vertex the edges that leave it: where to, and the face on the left. *)
-let leaving (p : Polyhedron.t) =
-  let out = Array.make (Array.length p.vertices) [] in
-  let add_face i (_, corners) =
+let leaving count faces =
+  let out = Array.make count [] in
+  let add_face i corners =
     let k = Array.length corners in
     Array.iteri (fun j v -> out.(v) <- (corners.(if j + 1 = k then 0 else j + 1), i) :: out.(v)) corners
   in
-  Array.iteri add_face p.faces;
+  Array.iteri add_face faces;
   out
 
-let make (p : Polyhedron.t) =
-  let out = leaving p in
+let make n faces edges =
+  let out = leaving n faces in
   let face v w =
     match List.find_opt (fun (u, _) -> Int.equal u w) out.(v) with
     | Some (_, f) -> f
     | None -> Scc_base.Bug.fail __POS__ "an edge of a solid has no face"
   in
-  let edges = Array.map (fun (v, w) -> { tail = v; head = w; left = face v w; right = face w v }) p.edges in
-  let n = Array.length p.vertices in
+  let edges = Array.map (fun (v, w) -> { tail = v; head = w; left = face v w; right = face w v }) edges in
   let at = Array.make n [] in
   Array.iteri
     (fun i e ->

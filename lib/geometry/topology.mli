@@ -8,14 +8,14 @@ type edge = {
 }
 
 type t = private {
-  edges : edge array;  (** in the order of the polyhedron's edges *)
+  edges : edge array;  (** in the order given *)
   first : int array;  (** the neighbours of vertex [v] are at [first.(v)] to [first.(v + 1) - 1] *)
   neighbour : int array;
   along : int array;  (** the edge to the neighbour at the same place *)
 }
 
-val make : Polyhedron.t -> t
-(** Linear, up to the lengths of the lists of neighbours. *)
+val make : int -> int array array -> (int * int) array -> t
+(** [make vertex_count faces edges], of a closed surface (E1, E2). Linear, up to the numbers of neighbours. *)
 
 val edge_between : t -> int -> int -> int option
 (** The edge with these two ends, if there is one. *)
