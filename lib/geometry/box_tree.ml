@@ -9,72 +9,74 @@
 
 let slack = 4
 
+(* A node has two children, each a node again (its number) or a leaf (-1 - its key). What a query looks at is side by
+   side in memory, sixteen numbers for each node: the bounds x0 y0 z0 x1 y1 z1 of each child, the two
+   children, its height (a leaf has 0) and its parent. The first nodes are the heads of the trees: the root is
+   their first child, and the bounds of their second one are NaNs, which meet nothing. *)
 type t = {
   mutable nodes : float array;
-  (** eight for each node: bounds x0 y0 z0 x1 y1 z1; the left child, or -1 in a leaf; the right child, or the
-      key in a leaf *)
-  mutable parent : int array;  (** -1 at a root; the next free node for a free one *)
-  mutable height : int array;  (** 0 for a leaf *)
-  mutable free : int;  (** the first free node, or -1 *)
-  mutable leaf_of : int array;  (** the node of each key, or -1 *)
-  mutable class_of : int array;  (** the tree of each key *)
-  roots : int array;
+  mutable free : int;  (** the first free node, or -1; the parent of a free node is the next one *)
+  mutable used : int;  (** a bit for each head with a root *)
+  mutable parent_of : int array;  (** the parent of each leaf, or -1 *)
 }
 
 let bug where what = Scc_base.Bug.fail where what
 
 (* {1 Nodes} *)
 
-let initial_nodes = 64
+let size = 16
 let classes = 40
-let left t i = int_of_float t.nodes.((8 * i) + 6)
-let right t i = int_of_float t.nodes.((8 * i) + 7)
-let set_left t i j = t.nodes.((8 * i) + 6) <- float_of_int j
-let set_right t i j = t.nodes.((8 * i) + 7) <- float_of_int j
-let is_leaf t i = t.nodes.((8 * i) + 6) < 0.
+
+(* The new box, while a place is looked for: the first child of a node of its own. *)
+let scratch = classes
+let initial_nodes = 64
+
+(* Where the bounds of a child are, for the sides 0 and 1. *)
+let bounds i side = (size * i) + (6 * side)
+let child t i side = int_of_float t.nodes.((size * i) + 12 + side)
+let height_of t i = int_of_float t.nodes.((size * i) + 14)
+let height t c = if c < 0 then 0 else height_of t c
+let set_height t i h = t.nodes.((size * i) + 14) <- float_of_int h
+let parent t i = int_of_float t.nodes.((size * i) + 15)
+let set_parent t i p = t.nodes.((size * i) + 15) <- float_of_int p
+let is_head i = i < classes
+
+let set_child t i side c =
+  t.nodes.((size * i) + 12 + side) <- float_of_int c;
+  if c < 0 then t.parent_of.(-1 - c) <- i else set_parent t c i
+
+let side_of t i c = if child t i 0 = c then 0 else 1
 
 (* Chains the nodes from [first] to the end as free ones. *)
-let chain parent first =
-  let n = Array.length parent in
+let chain t first =
+  let n = Array.length t.nodes / size in
   for i = first to n - 1 do
-    parent.(i) <- (if i = n - 1 then -1 else i + 1)
-  done
+    set_parent t i (if i = n - 1 then -1 else i + 1)
+  done;
+  t.free <- first
 
 let create () =
-  let n = initial_nodes in
-  let parent = Array.make n (-1) in
-  chain parent 0;
-  {
-    nodes = Array.make (8 * n) 0.;
-    parent;
-    height = Array.make n 0;
-    free = 0;
-    leaf_of = [||];
-    class_of = [||];
-    roots = Array.make classes (-1);
-  }
+  let t = { nodes = Array.make (size * initial_nodes) Float.nan; free = -1; used = 0; parent_of = [||] } in
+  chain t (scratch + 1);
+  t
 
 let extended a length fill =
   let b = Array.make length fill in
   Array.blit a 0 b 0 (Array.length a);
   b
 
-let grow t =
-  let n = Array.length t.parent in
-  t.nodes <- extended t.nodes (16 * n) 0.;
-  t.parent <- extended t.parent (2 * n) (-1);
-  t.height <- extended t.height (2 * n) 0;
-  chain t.parent n;
-  t.free <- n
-
 let allocate t =
-  if t.free < 0 then grow t;
+  if t.free < 0 then begin
+    let n = Array.length t.nodes in
+    t.nodes <- extended t.nodes (2 * n) Float.nan;
+    chain t (n / size)
+  end;
   let i = t.free in
-  t.free <- t.parent.(i);
+  t.free <- parent t i;
   i
 
 let release t i =
-  t.parent.(i) <- t.free;
+  set_parent t i t.free;
   t.free <- i
 
 (* {1 Sizes} *)
@@ -92,16 +94,14 @@ let class_of_box box =
 
 let area x y z = (x *. y) +. (y *. z) +. (z *. x)
 
-(* Half the surface of a node, and of the least box that holds two. *)
+(* Half the surface of the box at a place, and of the least box that holds two. *)
 let surface (b : float array) i =
-  let i = 8 * i in
   area (length (b.(i + 3) -. b.(i))) (length (b.(i + 4) -. b.(i + 1))) (length (b.(i + 5) -. b.(i + 2)))
 
 let least (x : float) y = if x < y then x else y
 let most (x : float) y = if x > y then x else y
 
 let joint_surface (b : float array) i j =
-  let i = 8 * i and j = 8 * j in
   area
     (length (most b.(i + 3) b.(j + 3) -. least b.(i) b.(j)))
     (length (most b.(i + 4) b.(j + 4) -. least b.(i + 1) b.(j + 1)))
@@ -109,14 +109,14 @@ let joint_surface (b : float array) i j =
 
 (* {1 Shape of the trees} *)
 
-let joint_height t i j = 1 + Int.max t.height.(i) t.height.(j)
-let in_balance t i j = Int.abs (t.height.(i) - t.height.(j)) <= slack
+let in_balance a b = Int.abs (a - b) <= slack
+let above a b = 1 + Int.max a b
 
-(* The bounds and the height of an inner node from its children; whether they change. *)
+(* Brings the height of a node and its bounds, which its parent has, up to date; whether they change. *)
 let fit t i =
-  let l = left t i and r = right t i in
+  let p = parent t i in
   let b = t.nodes in
-  let at = 8 * i and j = 8 * l and k = 8 * r in
+  let j = bounds i 0 and k = bounds i 1 and at = bounds p (side_of t p i) in
   let changed = ref false in
   for c = 0 to 2 do
     let low = least b.(j + c) b.(k + c) and high = most b.(j + c + 3) b.(k + c + 3) in
@@ -126,184 +126,168 @@ let fit t i =
       changed := true
     end
   done;
-  let height = joint_height t l r in
-  if height <> t.height.(i) then begin
-    t.height.(i) <- height;
+  let h = above (height t (child t i 0)) (height t (child t i 1)) in
+  if h <> height_of t i then begin
+    set_height t i h;
     changed := true
   end;
   !changed
 
-let set_child t i ~old child =
-  if left t i = old then set_left t i child else set_right t i child;
-  t.parent.(child) <- i
+(* Puts a child, whose bounds are at [from], to a side of a node. *)
+let put t i side c ~from =
+  Array.blit t.nodes from t.nodes (bounds i side) 6;
+  set_child t i side c
 
-(* [j] takes the place of [i] below the parent of [i]. *)
-let replace t tree i j =
-  let p = t.parent.(i) in
-  if p >= 0 then set_child t p ~old:i j
-  else begin
-    t.parent.(j) <- p;
-    t.roots.(tree) <- j
-  end
-
-(* [up], a child of [i] that is higher than the other one by more than [slack], takes the place of [i]. Its higher
-   child stays with it; the other one becomes a child of [i]; either may when they are as high. When [up] was too
-   high by one (and more cannot be: below, heights have changed by one), then both are in balance again. *)
-let rotate t tree i up =
-  let other = if left t i = up then right t i else left t i in
-  let f = left t up and g = right t up in
-  let down =
-    let d = t.height.(f) - t.height.(g) in
-    if d < 0 || (d = 0 && joint_surface t.nodes other f <= joint_surface t.nodes other g) then f else g
+(* [up], the child of [i] on a side, is higher than the other one by more than [slack]; it takes the place of [i].
+   Its higher child stays with it; the other one becomes a child of [i]; either may when they are as high. When [up]
+   was too high by one (and more cannot be: below, heights have changed by one), then both are in balance again. *)
+let rotate t i side =
+  let up = child t i side and p = parent t i in
+  let other = bounds i (1 - side) in
+  let down_side =
+    let d = height t (child t up 0) - height t (child t up 1) in
+    if d < 0 then 0
+    else if d > 0 then 1
+    else if joint_surface t.nodes other (bounds up 0) <= joint_surface t.nodes other (bounds up 1) then 0
+    else 1
   in
-  replace t tree i up;
-  set_child t i ~old:up down;
-  set_child t up ~old:down i;
+  set_child t p (side_of t p i) up;
+  put t i side (child t up down_side) ~from:(bounds up down_side);
+  set_child t up down_side i;
   ignore (fit t i);
   ignore (fit t up)
 
-(* [i] has a child [a] and another one with the children [moved] and [kept]. Whether [a] and [moved] may change
-   places: the balance stays, and so does the height of [i], so that it does not matter to those above. *)
-let may_exchange t i a moved kept =
-  in_balance t a kept
+(* The children at two places change places. *)
+let swap t i side j side' =
+  let c = child t i side and d = child t j side' in
+  Array.blit t.nodes (bounds i side) t.nodes (bounds scratch 1) 6;
+  put t i side d ~from:(bounds j side');
+  put t j side' c ~from:(bounds scratch 1)
+
+(* The child of [i] on [side], and one of the children of its sibling [b], change places if that makes [b] smaller,
+   keeps the balance and leaves the height of [i] as it is, so that it does not matter to those above. *)
+let exchange_below t i side =
+  let b = child t i (1 - side) in
+  b >= 0
   &&
-  let height = joint_height t a kept in
-  Int.abs (height - t.height.(moved)) <= slack && 1 + Int.max height t.height.(moved) = t.height.(i)
-
-let do_exchange t i a b moved =
-  set_child t b ~old:moved a;
-  set_child t i ~old:a moved;
-  ignore (fit t b)
-
-(* A child [a] of [i] and a child of its sibling [b] change places if that makes [b] smaller. *)
-let exchange_below t i a b =
-  (not (is_leaf t b))
+  let own = bounds i side and now = surface t.nodes (bounds i (1 - side)) in
+  let for_0 = joint_surface t.nodes own (bounds b 1) and for_1 = joint_surface t.nodes own (bounds b 0) in
+  let moved = if for_0 <= for_1 then 0 else 1 in
+  least for_0 for_1 < now
   &&
-  let f = left t b and g = right t b in
-  let now = surface t.nodes b in
-  let for_f = joint_surface t.nodes a g and for_g = joint_surface t.nodes a f in
-  if for_f <= for_g then
-    for_f < now && may_exchange t i a f g
-    && begin
-      do_exchange t i a b f;
-      true
-    end
-  else
-    for_g < now && may_exchange t i a g f
-    && begin
-      do_exchange t i a b g;
-      true
-    end
+  let own_height = height t (child t i side) in
+  let moved_height = height t (child t b moved) and kept_height = height t (child t b (1 - moved)) in
+  let h = above own_height kept_height in
+  in_balance own_height kept_height && in_balance h moved_height
+  && above h moved_height = above own_height (height_of t b)
+  && begin
+    swap t i side b moved;
+    ignore (fit t b);
+    true
+  end
 
-let exchange t i =
-  let l = left t i and r = right t i in
-  if not (exchange_below t i l r) then ignore (exchange_below t i r l)
-
-(* From a node upwards, after something changed below it, as far as that changes anything. *)
-let rec refit t tree i =
-  if i >= 0 then begin
-    let l = left t i and r = right t i in
-    if in_balance t l r then begin
+(* From a node upwards, after the bounds or the height of a child have changed, as far as that changes anything. *)
+let rec refit t i =
+  if not (is_head i) then begin
+    let l = height t (child t i 0) and r = height t (child t i 1) in
+    let p = parent t i in
+    if in_balance l r then begin
       let changed = fit t i in
-      exchange t i;
-      if changed then refit t tree t.parent.(i)
+      if not (exchange_below t i 0) then ignore (exchange_below t i 1);
+      if changed then refit t p
     end
     else begin
-      rotate t tree i (if t.height.(l) > t.height.(r) then l else r);
-      refit t tree t.parent.(t.parent.(i))
+      rotate t i (if l > r then 0 else 1);
+      refit t p
     end
   end
 
-(* The node to become the sibling of a new leaf: down from the root, wherever surfaces grow least. *)
-let rec sibling t leaf i =
-  if is_leaf t i then i
+(* Where to put a new leaf, whose bounds are in [scratch]: down from a child of a node, wherever surfaces grow least.
+   It becomes the sibling of what is there, which is not much higher, and [k] is told of whose child that is. *)
+let rec find_place t i side k =
+  let c = child t i side in
+  if c < 0 then k i side
   else
-    let b = t.nodes in
-    let l = left t i and r = right t i in
-    let here = joint_surface b i leaf in
-    let grown = here -. surface b i in
-    let growth child =
-      let joint = joint_surface b child leaf in
-      if is_leaf t child then grown +. joint else grown +. joint -. surface b child
+    let b = t.nodes and leaf = bounds scratch 0 in
+    let here = joint_surface b leaf (bounds i side) in
+    let grown = here -. surface b (bounds i side) in
+    let growth side =
+      let at = bounds c side in
+      let joint = joint_surface b leaf at in
+      if child t c side < 0 then grown +. joint else grown +. joint -. surface b at
     in
-    let at_l = growth l and at_r = growth r in
-    if here < at_l && here < at_r && t.height.(i) <= slack then i
-    else sibling t leaf (if at_l <= at_r then l else r)
+    let first = growth 0 and second = growth 1 in
+    if here < first && here < second && height_of t c <= slack then k i side
+    else find_place t c (if first <= second then 0 else 1) k
 
 (* {1 The set} *)
 
-let mem t key = key < Array.length t.leaf_of && t.leaf_of.(key) >= 0
+let mem t key = key < Array.length t.parent_of && t.parent_of.(key) >= 0
 
 let make_room t key =
-  let n = Array.length t.leaf_of in
-  if key >= n then begin
-    let n = Int.max (key + 1) (2 * n) in
-    t.leaf_of <- extended t.leaf_of n (-1);
-    t.class_of <- extended t.class_of n 0
-  end
+  let n = Array.length t.parent_of in
+  if key >= n then t.parent_of <- extended t.parent_of (Int.max (key + 1) (2 * n)) (-1)
+
+let is_used t head = t.used land (1 lsl head) <> 0
 
 let insert t key box =
   if key < 0 || mem t key then bug __POS__ "a box is inserted twice";
   make_room t key;
-  let leaf = allocate t in
+  let new_box = bounds scratch 0 and leaf = -1 - key in
   for c = 0 to 2 do
-    t.nodes.((8 * leaf) + c) <- Float_box.low box c;
-    t.nodes.((8 * leaf) + c + 3) <- Float_box.high box c
+    t.nodes.(new_box + c) <- Float_box.low box c;
+    t.nodes.(new_box + c + 3) <- Float_box.high box c
   done;
-  set_left t leaf (-1);
-  set_right t leaf key;
-  t.height.(leaf) <- 0;
-  let tree = class_of_box box in
-  t.leaf_of.(key) <- leaf;
-  t.class_of.(key) <- tree;
-  let root = t.roots.(tree) in
-  if root < 0 then begin
-    t.roots.(tree) <- leaf;
-    t.parent.(leaf) <- -1
+  let head = class_of_box box in
+  if not (is_used t head) then begin
+    put t head 0 leaf ~from:new_box;
+    t.used <- t.used lor (1 lsl head)
   end
-  else begin
-    let beside = sibling t leaf root in
-    let joint = allocate t in
-    replace t tree beside joint;
-    set_left t joint beside;
-    set_right t joint leaf;
-    t.parent.(beside) <- joint;
-    t.parent.(leaf) <- joint;
-    ignore (fit t joint);
-    refit t tree t.parent.(joint)
-  end
+  else
+    find_place t head 0 (fun i side ->
+        let joint = allocate t in
+        put t joint 0 (child t i side) ~from:(bounds i side);
+        put t joint 1 leaf ~from:new_box;
+        set_child t i side joint;
+        ignore (fit t joint);
+        refit t i)
 
 let remove t key =
   if not (mem t key) then bug __POS__ "a box that is not there is removed";
-  let leaf = t.leaf_of.(key) and tree = t.class_of.(key) in
-  t.leaf_of.(key) <- -1;
-  let p = t.parent.(leaf) in
-  if p < 0 then t.roots.(tree) <- -1
+  let p = t.parent_of.(key) in
+  t.parent_of.(key) <- -1;
+  let side = side_of t p (-1 - key) in
+  if is_head p then t.used <- t.used land lnot (1 lsl p)
   else begin
-    let other = if left t p = leaf then right t p else left t p in
-    replace t tree p other;
+    let above = parent t p in
+    put t above (side_of t above p) (child t p (1 - side)) ~from:(bounds p (1 - side));
     release t p;
-    refit t tree t.parent.(other)
-  end;
-  release t leaf
+    refit t above
+  end
 
 let iter_meeting t box f =
   let b = t.nodes in
   let x0 = Float_box.low box 0 and y0 = Float_box.low box 1 and z0 = Float_box.low box 2 in
   let x1 = Float_box.high box 0 and y1 = Float_box.high box 1 and z1 = Float_box.high box 2 in
   let rec visit i =
-    let at = 8 * i in
-    if
-      b.(at) <= x1 && x0 <= b.(at + 3)
-      && b.(at + 1) <= y1 && y0 <= b.(at + 4)
-      && b.(at + 2) <= z1 && z0 <= b.(at + 5)
-    then
-      if b.(at + 6) < 0. then f (int_of_float b.(at + 7))
-      else begin
-        visit (int_of_float b.(at + 6));
-        visit (int_of_float b.(at + 7))
-      end
+    for side = 0 to 1 do
+      let at = bounds i side in
+      if
+        b.(at) <= x1 && x0 <= b.(at + 3)
+        && b.(at + 1) <= y1 && y0 <= b.(at + 4)
+        && b.(at + 2) <= z1 && z0 <= b.(at + 5)
+      then
+        let c = child t i side in
+        if c < 0 then f (-1 - c) else visit c
+    done
   in
-  Array.iter (fun root -> if root >= 0 then visit root) t.roots
+  for head = 0 to classes - 1 do
+    if is_used t head then visit head
+  done
 
-let height t = Array.fold_left (fun h root -> if root < 0 then h else Int.max h t.height.(root)) 0 t.roots
+let height t =
+  let highest = ref 0 in
+  for head = 0 to classes - 1 do
+    if is_used t head then highest := Int.max !highest (height t (child t head 0))
+  done;
+  !highest

@@ -27,14 +27,25 @@ type cast = Facets.cast = Never | Inside | At of Rat.t
 
 (* {1 Relation} *)
 
-(* What the spheres about the two centres say. *)
-let by_spheres o (s : Portal.t) =
-  let distance = sqrt (Portal.dot s Portal.centre Portal.centre) in
-  let error = 0x1p-48 *. s.bound in
+let[@inline] beyond error r low_a high_a low_b high_b =
+  r +. low_b -. high_a > error || low_a -. (r +. high_b) > error
+
+(* What the boxes of the two and the spheres about their centres say. Each number compared comes from at most four
+   floats that are off by at most 2^-53 of the bound, in as many steps. *)
+let at_first_sight o (r : Shadow.floats) =
   let a = o.a.shadow and b = o.b.shadow in
-  if distance -. error > a.outer +. b.outer then Some Apart
-  else if distance +. error < a.inner +. b.inner then Some Interpenetrating
-  else None
+  let error = 0x1p-48 *. Portal.bound o.a o.b r in
+  if
+    beyond error r.x a.low.x a.high.x b.low.x b.high.x
+    || beyond error r.y a.low.y a.high.y b.low.y b.high.y
+    || beyond error r.z a.low.z a.high.z b.low.z b.high.z
+  then Some Apart
+  else
+    let x = r.x +. b.cx -. a.cx and y = r.y +. b.cy -. a.cy and z = r.z +. b.cz -. a.cz in
+    let distance = sqrt ((x *. x) +. (y *. y) +. (z *. z)) in
+    if distance -. error > a.outer +. b.outer then Some Apart
+    else if distance +. error < a.inner +. b.inner then Some Interpenetrating
+    else None
 
 (* What a search leads to, as far as it can be proved; for bodies that touch, with the facet that holds the
    origin and where it does. *)
@@ -79,17 +90,20 @@ let relation_by_search o r s =
       | Contact _ -> Touching
       | Open -> Facets.relation (Lazy.force o.all) r)
 
+let still = Shadow.floats Vec.zero
+
 let relation o r =
-  match Portal.make o.a o.b r Vec.zero with
-  | None -> Facets.relation (Lazy.force o.all) r
-  | Some s -> (
-      match by_spheres o s with
-      | Some relation -> relation
-      | None -> relation_by_search o r s)
+  let floats = Shadow.floats r in
+  match at_first_sight o floats with
+  | Some relation -> relation
+  | None -> (
+      match Portal.make o.a o.b floats still with
+      | None -> Facets.relation (Lazy.force o.all) r
+      | Some s -> relation_by_search o r s)
 
 let separating o r =
   let by_facets () = Facets.separating (Lazy.force o.all) r in
-  match Portal.make o.a o.b r Vec.zero with
+  match Portal.make o.a o.b (Shadow.floats r) still with
   | None -> by_facets ()
   | Some s -> (
       let c = Certificate.make s r Vec.zero in
@@ -156,7 +170,7 @@ let passage o c s =
 
 let first_time_of_contact o r w =
   let by_facets () = Facets.first_time_of_contact (Lazy.force o.all) r w in
-  match Portal.make o.a o.b r w with
+  match Portal.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
   | None -> by_facets ()
   | Some s -> (
       let c = Certificate.make s r w in
@@ -173,7 +187,7 @@ let first_time_of_contact o r w =
 (* The closed bodies meet from where the line enters the obstacle to where the reverse line does. *)
 let meeting o r w =
   let entered w =
-    match Portal.make o.a o.b r w with
+    match Portal.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
     | None -> None
     | Some s -> (
         let c = Certificate.make s r w in

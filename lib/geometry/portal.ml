@@ -1,5 +1,3 @@
-open Scc_exact
-
 type t = {
   a : Solid.t;
   b : Solid.t;
@@ -19,9 +17,11 @@ let places = 9 + (3 * 6)
 
 let[@inline] sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
 
-let make (a : Solid.t) (b : Solid.t) (r : Vec.t) (w : Vec.t) =
-  let rx = Rat.to_float r.x and ry = Rat.to_float r.y and rz = Rat.to_float r.z in
-  let wx = Rat.to_float w.x and wy = Rat.to_float w.y and wz = Rat.to_float w.z in
+let greatest (v : Shadow.floats) = Float.max (Float.abs v.x) (Float.max (Float.abs v.y) (Float.abs v.z))
+let bound (a : Solid.t) (b : Solid.t) r = a.shadow.reach +. b.shadow.reach +. greatest r
+
+let make (a : Solid.t) (b : Solid.t) (r : Shadow.floats) (w : Shadow.floats) =
+  let { Shadow.x = rx; y = ry; z = rz } = r and { Shadow.x = wx; y = wy; z = wz } = w in
   let sa = a.shadow and sb = b.shadow in
   if
     not
@@ -37,8 +37,7 @@ let make (a : Solid.t) (b : Solid.t) (r : Vec.t) (w : Vec.t) =
       |]
     in
     let none = Sys.opaque_identity 0 in
-    let far = Float.max (Float.abs rx) (Float.max (Float.abs ry) (Float.abs rz)) in
-    Some { a; b; x; va = [| none; none; none; none; none; none |]; vb = [| none; none; none; none; none; none |]; bound = sa.reach +. sb.reach +. far; hasty = true }
+    Some { a; b; x; va = [| none; none; none; none; none; none |]; vb = [| none; none; none; none; none; none |]; bound = bound a b r; hasty = true }
   end
 
 (* {1 Vectors by place}

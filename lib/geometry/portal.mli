@@ -25,8 +25,12 @@ val centre : int
 val point : int -> int
 (** The place of the points: 0 to 2 are the portal, 3 the last support, 4 and 5 the edge (below). *)
 
-val make : Solid.t -> Solid.t -> Scc_exact.Vec.t -> Scc_exact.Vec.t -> t option
-(** [make a b r w]; [None] where floats would overflow or the solids are too thin for them. *)
+val bound : Solid.t -> Solid.t -> Shadow.floats -> float
+(** That of a portal for the offset r. *)
+
+val make : Solid.t -> Solid.t -> Shadow.floats -> Shadow.floats -> t option
+(** [make a b r w], with the nearest floats of r and w; [None] where floats would overflow or the solids are too
+    thin for them. *)
 
 val dot : t -> int -> int -> float
 (** The product of the vectors at two places. *)

@@ -1,11 +1,17 @@
 open Scc_exact
 
+type floats = { x : float; y : float; z : float }
+
+let floats (v : Vec.t) = { x = Rat.to_float v.x; y = Rat.to_float v.y; z = Rat.to_float v.z }
+
 type t = {
   count : int;
   xs : float array;
   ys : float array;
   zs : float array;
   compass : Compass.t;
+  low : floats;
+  high : floats;
   reach : float;
   cx : float;
   cy : float;
@@ -45,13 +51,15 @@ let make vertices denominator ~centroid ~normals ~corners =
     !best
   in
   let compass = Compass.make ~count ~highest in
-  let { Vec.x; y; z } = centroid in
-  let cx = Rat.to_float x and cy = Rat.to_float y and cz = Rat.to_float z in
+  let merge choose a = Array.fold_left choose a.(0) a in
+  let low = { x = merge Float.min xs; y = merge Float.min ys; z = merge Float.min zs } in
+  let high = { x = merge Float.max xs; y = merge Float.max ys; z = merge Float.max zs } in
+  let { x = cx; y = cy; z = cz } = floats centroid in
   let all = Array.for_all sane in
   let sane = all xs && all ys && all zs && sane cx && sane cy && sane cz in
   if not sane then
     {
-      count; xs; ys; zs; compass; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity; centre = Ivec.zero;
+      count; xs; ys; zs; compass; low; high; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity; centre = Ivec.zero;
       centre_denominator = Z.one; usable = false;
     }
   else
@@ -68,7 +76,7 @@ let make vertices denominator ~centroid ~normals ~corners =
     let greatest = Array.fold_left (fun m x -> Float.max m (Float.abs x)) in
     let reach = greatest (greatest (greatest (greatest 0. [| cx; cy; cz |]) xs) ys) zs in
     {
-      count; xs; ys; zs; compass; reach = widen reach; cx; cy; cz;
+      count; xs; ys; zs; compass; low; high; reach = widen reach; cx; cy; cz;
       inner = (if usable then !nearest else 0.);
       outer = widen (sqrt farthest);
       centre; centre_denominator; usable;

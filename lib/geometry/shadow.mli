@@ -3,12 +3,19 @@
 
 open Scc_exact
 
+type floats = { x : float; y : float; z : float }
+
+val floats : Vec.t -> floats
+(** The nearest floats. *)
+
 type t = private {
   count : int;  (** vertices *)
   xs : float array;
   ys : float array;
   zs : float array;  (** the coordinates of the vertices: nearest floats *)
   compass : Compass.t;
+  low : floats;
+  high : floats;  (** the least and greatest of the coordinates *)
   reach : float;  (** no coordinate of a vertex or of the centre is greater in absolute value *)
   cx : float;
   cy : float;
