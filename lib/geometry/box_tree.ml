@@ -9,8 +9,8 @@
 
 let slack = 4
 
-(* A node has two children, each a node again (its number) or a leaf (-1 - its key). What a query looks at is side by
-   side in memory, sixteen numbers for each node: the bounds x0 y0 z0 x1 y1 z1 of each child, the two
+(* A node has two children, each a node again (its number) or a leaf (-1 - its key). What a query looks at is
+   side by side in memory, sixteen numbers for each node: the bounds x0 y0 z0 x1 y1 z1 of each child, the two
    children, its height (a leaf has 0) and its parent. The first nodes are the heads of the trees: the root is
    their first child, and the bounds of their second one are NaNs, which meet nothing. *)
 type t = {
@@ -138,9 +138,10 @@ let put t i side c ~from =
   Array.blit t.nodes from t.nodes (bounds i side) 6;
   set_child t i side c
 
-(* [up], the child of [i] on a side, is higher than the other one by more than [slack]; it takes the place of [i].
-   Its higher child stays with it; the other one becomes a child of [i]; either may when they are as high. When [up]
-   was too high by one (and more cannot be: below, heights have changed by one), then both are in balance again. *)
+(* [up], the child of [i] on a side, is higher than the other one by more than [slack]; it takes the place of
+   [i]. Its higher child stays with it; the other one becomes a child of [i]; either may when they are as high.
+   When [up] was too high by one (and more cannot be: below, heights have changed by one), then both are in balance
+   again. *)
 let rotate t i side =
   let up = child t i side and p = parent t i in
   let other = bounds i (1 - side) in
@@ -202,8 +203,9 @@ let rec refit t i =
     end
   end
 
-(* Where to put a new leaf, whose bounds are in [scratch]: down from a child of a node, wherever surfaces grow least.
-   It becomes the sibling of what is there, which is not much higher, and [k] is told of whose child that is. *)
+(* Where to put a new leaf, whose bounds are in [scratch]: down from a child of a node, wherever surfaces grow
+   least. It becomes the sibling of what is there, which is not much higher, and [k] is told whose child that
+   is. *)
 let rec find_place t i side k =
   let c = child t i side in
   if c < 0 then k i side

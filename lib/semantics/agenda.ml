@@ -77,6 +77,14 @@ let drop_first a =
     end
   end
 
+let shrink a =
+  let spare = Int.max 16 (2 * a.size) in
+  if Array.length a.entries > spare then begin
+    a.keys <- Array.sub a.keys 0 spare;
+    a.entries <- Array.sub a.entries 0 spare
+  end;
+  Array.fill a.entries a.size (Array.length a.entries - a.size) a.entries.(0)
+
 let keep a wanted =
   let kept = ref 0 in
   for i = 0 to a.size - 1 do
@@ -91,13 +99,8 @@ let keep a wanted =
     a.entries <- [||]
   end
   else begin
-    let spare = Int.max 16 (2 * a.size) in
-    if Array.length a.entries > spare then begin
-      a.keys <- Array.sub a.keys 0 spare;
-      a.entries <- Array.sub a.entries 0 spare
-    end;
-    Array.fill a.entries a.size (Array.length a.entries - a.size) a.entries.(0)
-  end;
-  for i = (a.size - 2) / arity downto 0 do
-    sink a i a.keys.(i) a.entries.(i)
-  done
+    shrink a;
+    for i = (a.size - 1) / arity downto 0 do
+      sink a i a.keys.(i) a.entries.(i)
+    done
+  end

@@ -55,14 +55,14 @@ let add t time event =
   end;
   Agenda.add t.agenda time event
 
-let found t time (one : Flights.flight) (two : Flights.flight) =
-  add t time (Contact { one; two; sweep_one = one.sweep; sweep_two = two.sweep })
+let watch t : Flights.watch =
+  {
+    contact =
+      (fun time one two -> add t time (Contact { one; two; sweep_one = one.sweep; sweep_two = two.sweep }));
+    sweep_end = (fun time f -> add t time (Sweep_end (f, f.sweep)));
+  }
 
-let swept t (f : Flights.flight) = Option.iter (fun time -> add t time (Sweep_end (f, f.sweep))) f.until
-
-let renew t f =
-  Flights.renew t.flights ~now:t.now f (found t);
-  swept t f
+let renew t f = Flights.renew t.flights ~now:t.now f (watch t)
 
 (* {1 Processes that come, age and go} *)
 
@@ -85,8 +85,7 @@ let schedule t b =
 
 let enter t (p : State.process) =
   let line = Time.move_process (Rat.neg t.now) p in
-  let flight = Flights.launch t.flights ~now:t.now line (found t) in
-  swept t flight;
+  let flight = Flights.launch t.flights ~now:t.now line (watch t) in
   let b = { process = line; since = t.now; age = -1; flight } in
   t.bodies.(flight.first) <- Some b;
   schedule t b

@@ -18,22 +18,25 @@ type flight = private {
   velocity : Vec.t;
   parts : int array;
   mutable sweep : int;  (** the number of its present sweep; -1 once it has been dropped *)
-  mutable until : Rat.t option;  (** when the sweep ends; [None]: never *)
-  mutable bound : float;  (** at least that *)
   mutable rounds : int;  (** sweeps before this one *)
 }
 
-type contact = Rat.t -> flight -> flight -> unit
-(** Two processes will collide at a time, if both keep to their present sweeps until then. *)
+(** Who is told of what is to come. *)
+type watch = {
+  contact : Rat.t -> flight -> flight -> unit;
+  (** two processes will collide at a time, if both keep to their present sweeps until then *)
+  sweep_end : Rat.t -> flight -> unit;  (** a sweep ends, and is to be renewed then *)
+}
 
 val create : Model.t -> t
 
-val launch : t -> now:Rat.t -> State.process -> contact -> flight
-(** [launch t ~now line found] adds a process, sweeps it from [now] on and tells its collisions with all those
-    launched before: for each other process the time of the first collision, if it is during both sweeps. *)
+val launch : t -> now:Rat.t -> State.process -> watch -> flight
+(** [launch t ~now line watch] adds a process, sweeps it from [now] on and tells the end of the sweep, if it
+    has one, and its collisions with all those launched before: for two parts, one of each, the time of their
+    first collision, if it is during both sweeps. *)
 
-val renew : t -> now:Rat.t -> flight -> contact -> unit
-(** Sweeps it from [now] on anew, further than before. *)
+val renew : t -> now:Rat.t -> flight -> watch -> unit
+(** Sweeps it from [now] on anew, further than before, and tells the same. *)
 
 val drop : t -> flight -> unit
 (** Removes it. *)
