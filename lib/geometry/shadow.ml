@@ -27,14 +27,27 @@ type t = {
    fall to where floats are sparse. *)
 let sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
 
-(* The squared distance from an inner point to a face with the normal n, over the squared denominators, is
-   (n . (corner - centre))^2 / n.n. Floats of positive rationals are within 2^-53, so that quotient and root are
-   within 2^-50 of theirs; 2^-40 covers that. *)
+(* Floats of integers are within 2^-52 of them, a few operations add as much each; 2^-40 covers that. *)
 let narrow x = x *. (1. -. 0x1p-40)
 let widen x = x *. (1. +. 0x1p-40)
 
-let distance gap n =
-  narrow (Rat.to_float gap /. sqrt (Rat.to_float (Rat.make (Ivec.dot n n) Z.one)))
+(* From an inner point to a face with the normal n: [gap] is n.(corner - point) times [scale]. What floats cannot
+   hold gets the distance 0, or less than the true one. *)
+let distance gap n scale =
+  let gap = Z.to_float gap and length = sqrt (Z.to_float (Ivec.dot n n)) in
+  if gap < infinity then narrow (gap /. (length *. Z.to_float scale)) else 0.
+
+(* The highest vertex in a direction, up to rounding. *)
+let highest (xs : float array) (ys : float array) (zs : float array) x y z =
+  let best = ref 0 and height = ref neg_infinity in
+  for i = 0 to Array.length xs - 1 do
+    let h = (xs.(i) *. x) +. (ys.(i) *. y) +. (zs.(i) *. z) in
+    if h > !height then begin
+      best := i;
+      height := h
+    end
+  done;
+  !best
 
 let make vertices denominator ~centroid ~normals ~corners =
   let count = Array.length vertices in
@@ -42,15 +55,7 @@ let make vertices denominator ~centroid ~normals ~corners =
   let xs = Array.map (fun (v : Ivec.t) -> float v.x) vertices in
   let ys = Array.map (fun (v : Ivec.t) -> float v.y) vertices in
   let zs = Array.map (fun (v : Ivec.t) -> float v.z) vertices in
-  let highest dx dy dz =
-    let height i = (dx *. xs.(i)) +. (dy *. ys.(i)) +. (dz *. zs.(i)) in
-    let best = ref 0 in
-    for i = 1 to count - 1 do
-      if height i > height !best then best := i
-    done;
-    !best
-  in
-  let compass = Compass.make ~count ~highest in
+  let compass = Compass.make ~count ~highest:(highest xs ys zs) in
   let merge choose a = Array.fold_left choose a.(0) a in
   let low = { x = merge Float.min xs; y = merge Float.min ys; z = merge Float.min zs } in
   let high = { x = merge Float.max xs; y = merge Float.max ys; z = merge Float.max zs } in
@@ -59,25 +64,25 @@ let make vertices denominator ~centroid ~normals ~corners =
   let sane = all xs && all ys && all zs && sane cx && sane cy && sane cz in
   if not sane then
     {
-      count; xs; ys; zs; compass; low; high; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity; centre = Ivec.zero;
-      centre_denominator = Z.one; usable = false;
+      count; xs; ys; zs; compass; low; high; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity;
+      centre = Ivec.zero; centre_denominator = Z.one; usable = false;
     }
   else
     let exact = Vec.make (Q.of_float cx) (Q.of_float cy) (Q.of_float cz) in
     let centre, centre_denominator = Ivec.of_vec exact in
-    let position v = Vec.scale (Rat.make Z.one denominator) (Ivec.to_vec v) in
-    let gap i n = Vec.dot (Ivec.to_vec n) (Vec.sub (position corners.(i)) exact) in
-    let gaps = Array.mapi gap normals in
-    let usable = Array.for_all (fun g -> Rat.sign g > 0) gaps in
-    let nearest = ref infinity in
-    Array.iteri (fun i g -> nearest := Float.min !nearest (distance g normals.(i))) gaps;
-    let square v = Rat.to_float (Vec.norm2 (Vec.sub (position v) exact)) in
-    let farthest = Array.fold_left (fun far v -> Float.max far (square v)) 0. vertices in
+    let from_centre v = Ivec.sub (Ivec.scale centre_denominator v) (Ivec.scale denominator centre) in
+    let scale = Z.mul denominator centre_denominator in
+    let gaps = Array.mapi (fun i n -> Ivec.dot n (from_centre corners.(i))) normals in
+    let usable = Array.for_all (fun g -> Z.sign g > 0) gaps in
+    let inner = ref infinity in
+    Array.iteri (fun i g -> inner := Float.min !inner (distance g normals.(i) scale)) gaps;
+    let square v = Ivec.dot (from_centre v) (from_centre v) in
+    let farthest = Array.fold_left (fun far v -> Z.max far (square v)) Z.zero vertices in
+    let outer = widen (sqrt (Rat.to_float (Rat.make farthest (Z.mul scale scale)))) in
     let greatest = Array.fold_left (fun m x -> Float.max m (Float.abs x)) in
     let reach = greatest (greatest (greatest (greatest 0. [| cx; cy; cz |]) xs) ys) zs in
     {
       count; xs; ys; zs; compass; low; high; reach = widen reach; cx; cy; cz;
-      inner = (if usable then !nearest else 0.);
-      outer = widen (sqrt farthest);
+      inner = (if usable then !inner else 0.); outer;
       centre; centre_denominator; usable;
     }
