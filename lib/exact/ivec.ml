@@ -36,11 +36,18 @@ let primitive a =
 let to_vec a = Vec.make (Q.of_bigint a.x) (Q.of_bigint a.y) (Q.of_bigint a.z)
 
 let of_vecs vs =
-  let lcm d q = if Z.equal (Q.den q) Z.one then d else Z.lcm d (Q.den q) in
+  (* Coordinates of one vector often have one denominator. *)
+  let lcm d q =
+    let e = Q.den q in
+    if Z.equal e Z.one || Z.equal e d then d else if Z.equal d Z.one then e else Z.lcm d e
+  in
   let d =
     Array.fold_left (fun d (v : Vec.t) -> lcm (lcm (lcm d v.x) v.y) v.z) Z.one vs
   in
-  let num q = Z.mul (Q.num q) (Z.divexact d (Q.den q)) in
+  let num q =
+    let e = Q.den q in
+    if Z.equal e d then Q.num q else Z.mul (Q.num q) (if Z.equal e Z.one then d else Z.divexact d e)
+  in
   (Array.map (fun (v : Vec.t) -> make (num v.x) (num v.y) (num v.z)) vs, d)
 
 let is_integral (v : Vec.t) =

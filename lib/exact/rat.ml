@@ -46,6 +46,11 @@ let to_float x =
       float_of_int n /. float_of_int d
     else Q.to_float x
   else Q.to_float x
+
+let near_float x =
+  let n = Z.to_float (Q.num x) and d = Z.to_float (Q.den x) in
+  if Float.abs n < 0x1p1000 && d < 0x1p1000 then n /. d else Q.to_float x
+
 let bits x = Z.numbits (Q.num x) + Z.numbits (Q.den x)
 let max_digits = 4_000
 

@@ -41,7 +41,11 @@ val to_string : t -> string
 (** ["p/q"] in lowest terms, or ["p"] when q = 1. *)
 
 val to_float : t -> float
-(** The nearest float (lossy: for people, never for a decision). *)
+(** The nearest float (lossy: for people and for filters, never for a decision). *)
+
+val near_float : t -> float
+(** A float within 3 * 2^-53 of the number, relatively, unless that is too great or too small for a float: faster
+    than {!to_float} for long numbers. *)
 
 val bits : t -> int
 (** Bits of numerator and denominator together: how much the number has grown. *)

@@ -27,26 +27,27 @@ let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
 (* {1 The bounds}
 
    Let u = 2^-53, and m the bound of the portal: the sum of the bounds of the coordinates of A, B and r. The
-   coordinates of vertices and of r are nearest floats, those of the centres exact; two subtractions make a point
-   p = a - b - r. Hence a coordinate of a point, or of the centre, is off by at most
-     u m (conversions) + 2 u m (subtractions), that is 3 u m (1 + small).
+   coordinates of vertices are nearest floats, those of the centres exact, and those of r and w within 3 u
+   relatively (Shadow); two subtractions make a point p = a - b - r. Hence a coordinate of a point, or of the
+   centre, is off by at most
+     3 u m (conversions) + 2 u m (subtractions), that is 5 u m (1 + small).
    Nothing overflows or comes near to the floats below the normal ones: the coordinates are 0 or between 2^-120
    and 2^120 (Portal.make), so that differences of them are 0 or above 2^-173, and every product here has at most
    three factors of that kind. The floats of integers are within 2 u of them, relatively. They may be great: a
    bound, 2^-48 of its products or so, is only trusted below 2^900, where no product overflows; so a direction that
    has no floats leaves the case open.
 
-   A product n.p of an integer vector n: each term is off by |ni| m (2u + 3u + u), and two sums add
-   2 u |n|1 m; in all 8 u |n|1 m (1 + small). The bound used is 32 u.
+   A product n.p of an integer vector n: each term is off by |ni| m (2u + 5u + u), and two sums add
+   2 u |n|1 m; in all 10 u |n|1 m (1 + small). The bound used is 32 u.
    The product n.(p - q) for vertices p and q of one solid, whose coordinates are at most h: conversions and
    subtraction make 2 u h + 2 u h, and with |p - q| <= 2 h each term is off by |ni| (4 u h + 2h (2u + u)), the sums
    by 2 u 2 h |n|1; in all 14 u |n|1 h, where 32 u is used.
-   The product n.w is off by (u + 2u + u + 2u) |n|1 |w|, where 32 u is used.
+   The product n.w is off by (3u + 2u + u + 2u) |n|1 |w|, where 32 u is used.
 
    The determinant of three vectors with coordinates at most m1, m2, m3, each off by at most e1, e2, e3 times
-   that, with e <= 3 u: a minor of the last two is off by 2 m2 m3 (e2 + e3 + u) + 2 u m2 m3 = 16 u m2 m3, its product
-   with a coordinate by m1 m2 m3 (16 u + 2 (3 u + u)) = 24 u, the sum of three of those by 72 u and for two additions
-   12 u more: 84 u m1 m2 m3 (1 + small). The bound used is 128 u. *)
+   that, with e <= 5 u: a minor of the last two is off by 2 m2 m3 (e2 + e3 + u) + 2 u m2 m3 = 24 u m2 m3, its product
+   with a coordinate by m1 m2 m3 (24 u + 2 (5 u + u)) = 36 u, the sum of three of those by 108 u and for two
+   additions 12 u more: 120 u m1 m2 m3 (1 + small). The bound used is 256 u. *)
 
 let largest = 0x1p900
 
@@ -115,7 +116,7 @@ let orientation c i j k bound exact =
     +. (x.(i + 1) *. ((x.(j + 2) *. x.(k)) -. (x.(j) *. x.(k + 2))))
     +. (x.(i + 2) *. ((x.(j) *. x.(k + 1)) -. (x.(j + 1) *. x.(k))))
   in
-  let sign = certain det (0x1p-46 *. bound *. c.s.bound *. c.s.bound) in
+  let sign = certain det (0x1p-45 *. bound *. c.s.bound *. c.s.bound) in
   if sign <> 0 then sign
   else
     let u, v, w = exact () in

@@ -29,7 +29,7 @@ val bound : Solid.t -> Solid.t -> Shadow.floats -> float
 (** That of a portal for the offset r. *)
 
 val make : Solid.t -> Solid.t -> Shadow.floats -> Shadow.floats -> t option
-(** [make a b r w], with the nearest floats of r and w; [None] where floats would overflow or the solids are too
+(** [make a b r w], with the floats of r and w; [None] where floats would overflow or the solids are too
     thin for them. *)
 
 val dot : t -> int -> int -> float

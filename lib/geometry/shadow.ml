@@ -2,7 +2,7 @@ open Scc_exact
 
 type floats = { x : float; y : float; z : float }
 
-let floats (v : Vec.t) = { x = Rat.to_float v.x; y = Rat.to_float v.y; z = Rat.to_float v.z }
+let floats (v : Vec.t) = { x = Rat.near_float v.x; y = Rat.near_float v.y; z = Rat.near_float v.z }
 
 type t = {
   count : int;

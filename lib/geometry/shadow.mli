@@ -6,7 +6,7 @@ open Scc_exact
 type floats = { x : float; y : float; z : float }
 
 val floats : Vec.t -> floats
-(** The nearest floats. *)
+(** Floats within 3 * 2^-53 of the coordinates, relatively. *)
 
 type t = private {
   count : int;  (** vertices *)

@@ -5,6 +5,7 @@
      geometry.exe SHAPE [SHAPE_B] PAIRS --answers   the answers to the casts, as in an answer file
      geometry.exe SHAPE [SHAPE_B] PAIRS --discrete-answers   apart, touching or inside, a pair a line
      geometry.exe SHAPE [SHAPE_B] PAIRS --check N   the first N answers against all separating axes
+     geometry.exe SHAPE [SHAPE_B] PAIRS --lengths   what longer numbers cost
 
    B has the shape of A unless SHAPE_B is given. A file of kissing pairs (rows of seven numbers) has contact
    tests only. The solids are made before the clock starts. 'one-off' makes the obstacle inside the query and so
@@ -126,6 +127,10 @@ let nanoseconds n f =
   in
   passes 1
 
+(* How many of the pairs needed all facets of their obstacle, since the quick way found no proof. *)
+let made_facets kept =
+  Array.fold_left (fun n (o : Obstacle.t) -> if Lazy.is_val o.all then n + 1 else n) 0 kept
+
 type row = { query : string; name : string; ns : float; answers : string array }
 
 let measure cases =
@@ -157,9 +162,65 @@ let measure cases =
   @ [ { query = "discrete"; name = "scc one-off"; ns = relation_once;
         answers = Array.map discrete_answer cases };
       { query = "discrete"; name = "scc again"; ns = relation_again; answers = [||] };
+      { query = "facets"; name = "scc one-off"; ns = float_of_int (made_facets kept); answers = [||] };
       { query = "make"; name = "scc solid"; ns = solids; answers = [||] } ]
 
-let print_row r = Printf.printf "%-10s %-12s %10.0f ns\n" r.query r.name r.ns
+let print_row r =
+  if String.equal r.query "facets" then Printf.printf "pairs that needed all facets: %.0f\n" r.ns
+  else Printf.printf "%-10s %-12s %10.0f ns\n" r.query r.name r.ns
+
+(* {1 Long numbers}
+
+   Offsets and velocities get fractions below one of the given number of bits, from a congruential generator. *)
+
+let fraction bits seed =
+  let modulus = Z.shift_left Z.one 64 in
+  let step k = Z.rem (Z.add (Z.mul k (Z.of_string "6364136223846793005")) (Z.of_int 1442695040888963)) modulus in
+  let rec digits k acc n =
+    if n <= 0 then acc
+    else digits (step k) (Z.add (Z.shift_left acc 32) (Z.shift_right k 32)) (n - 32)
+  in
+  let number seed = Z.rem (digits (step (Z.of_int seed)) Z.zero (bits + 32)) (Z.shift_left Z.one bits) in
+  let den = Z.logor (number (2 * seed)) (Z.logor Z.one (Z.shift_left Z.one (bits - 1))) in
+  Rat.make (Z.rem (number ((2 * seed) + 1)) den) den
+
+let lengthen bits seed (v : Vec.t) =
+  if bits = 0 then v
+  else
+    let f = fraction bits seed in
+    Vec.add v (Vec.make f f f)
+
+let lengths cases =
+  let casts = casts cases in
+  let n = Array.length cases and m = Array.length casts in
+  let first = ref None in
+  Printf.printf "%6s %12s %12s %12s\n" "bits" "cast ns" "of which" "contact ns";
+  List.iter
+    (fun bits ->
+       let moving =
+         Array.mapi (fun i (_, (r, w)) -> (lengthen bits i r, lengthen bits (i + m) w)) casts
+       in
+       let near = Array.mapi (fun i c -> lengthen bits i c.near) cases in
+       let cast =
+         nanoseconds m (fun i ->
+             let c, _ = casts.(i) and r, w = moving.(i) in
+             count_cast (Obstacle.first_time_of_contact (Obstacle.make c.a c.b) r w))
+       in
+       (* The time of contact is a fraction in lowest terms: one division of this kind is part of each answer. *)
+       let quotient =
+         nanoseconds m (fun i ->
+             let r, w = moving.(i) in
+             if Rat.sign (Rat.div r.x (Rat.add w.x (Rat.of_int 7_919))) = 0 then incr sink)
+       in
+       let contact =
+         nanoseconds n (fun i ->
+             count_relation (Obstacle.relation (Obstacle.make cases.(i).a cases.(i).b) near.(i)))
+       in
+       if Option.is_none !first then first := Some (cast, contact);
+       let base = Option.get !first in
+       Printf.printf "%6d %12.0f %12.0f %12.0f   x %.2f   x %.2f\n%!" bits cast quotient contact
+         (cast /. fst base) (contact /. snd base))
+    [ 0; 16; 32; 64; 128; 256; 512; 1024; 4096 ]
 
 let json rows =
   let quoted s = "\"" ^ s ^ "\"" in
@@ -172,17 +233,18 @@ let json rows =
 
 (* {1 Command line} *)
 
-type mode = Times | Json | Answers | Discrete_answers | Check of int
+type mode = Times | Json | Lengths | Answers | Discrete_answers | Check of int
 
 let usage () =
   prerr_endline
-    "usage: geometry.exe SHAPE [SHAPE_B] PAIRS [--json | --answers | --discrete-answers | --check N]";
+    "usage: geometry.exe SHAPE [SHAPE_B] PAIRS [--json | --answers | --discrete-answers | --check N | --lengths]";
   exit 2
 
 let run mode cases =
   match mode with
   | Times -> List.iter print_row (measure cases)
   | Json -> json (measure cases)
+  | Lengths -> lengths cases
   | Answers -> Array.iter (fun (c, q) -> print_endline (cast_answer c q)) (casts cases)
   | Discrete_answers -> Array.iter (fun c -> print_endline (discrete_answer c)) cases
   | Check count -> check cases count
@@ -190,6 +252,7 @@ let run mode cases =
 let rec parse mode files = function
   | [] -> (mode, List.rev files)
   | "--json" :: rest -> parse Json files rest
+  | "--lengths" :: rest -> parse Lengths files rest
   | "--answers" :: rest -> parse Answers files rest
   | "--discrete-answers" :: rest -> parse Discrete_answers files rest
   | "--check" :: count :: rest -> (

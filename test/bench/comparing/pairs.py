@@ -168,6 +168,8 @@ class Comparison:
                 lines.append(line)
             print()
             report.table(headings, lines)
+        if ("facets", "scc one-off") in ns:
+            print("\npairs for which scc needed all facets of their obstacle: %d" % ns["facets", "scc one-off"])
 
     def judge(self, s, rows):
         ns = {(r["query"], r["name"]): r["ns"] for r in rows}
