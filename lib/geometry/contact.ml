@@ -16,21 +16,25 @@ type pair = { first : Feature.t; second : Feature.t; dimension : int }
    interior meets a face of A lies in that face whole. So all touching pairs are found among the closures of
    the two (reading I-3). *)
 
-(* The feature of a solid that is highest in a direction. *)
-let support (s : Solid.t) n =
-  let heights = Array.map (Ivec.dot n) s.vertices in
-  let top = Array.fold_left Z.max heights.(0) heights in
-  let is_top i = Z.equal heights.(i) top in
+(* The feature of a solid that is highest in a direction: uphill from where the compass points, to a vertex without
+   a higher neighbour. The neighbours that are as high are on the same edge or face. *)
+let support (s : Solid.t) (n : Ivec.t) =
+  let t = s.topology in
+  let rise v w = Z.sign (Ivec.dot n (Ivec.sub s.vertices.(w) s.vertices.(v))) in
+  let rec climb v k level =
+    if k = t.first.(v + 1) then (v, level)
+    else
+      let w = t.neighbour.(k) in
+      match rise v w with
+      | 0 -> climb v (k + 1) (w :: level)
+      | r -> if r > 0 then climb w t.first.(w) [] else climb v (k + 1) level
+  in
+  let start = Compass.look s.shadow.compass (Z.to_float n.x) (Z.to_float n.y) (Z.to_float n.z) in
   let found = function Some i -> i | None -> Scc_base.Bug.fail __POS__ "a supporting plane holds no feature" in
-  match List.filter is_top (List.init (Array.length heights) Fun.id) with
-  | [ v ] -> Feature.Vertex v
-  | [ v; w ] -> Feature.Edge (found (Polyhedron.find_edge s.polyhedron v w))
-  | _ ->
-    let n = Ivec.primitive n in
-    let rec face i =
-      if i = Array.length s.normals then None else if Ivec.equal s.normals.(i) n then Some i else face (i + 1)
-    in
-    Feature.Face (found (face 0))
+  match climb start t.first.(start) [] with
+  | v, [] -> Feature.Vertex v
+  | v, [ w ] -> Feature.Edge (found (Topology.edge_between t v w))
+  | v, w :: x :: _ -> Feature.Face (found (Topology.common_face t v w x))
 
 (* The separating direction n of above, and the highest pair. *)
 let supports (o : Obstacle.t) r =
