@@ -18,8 +18,34 @@ type event =
 
 type alternative = { label : Transition.label; rules : Rule.t list }
 
-(* What may happen now: discrete transitions of those involved, taken by themselves; or time may pass. *)
-type offer = { involved : State.process array; discrete : Transition.t array; delay : Rat.t option }
+(* Transitions of some processes, taken by themselves. *)
+type group = { involved : State.process array; transitions : Transition.t list }
+
+let nothing = { involved = [||]; transitions = [] }
+
+(* What one process may do now, and what two may do that collide: found when it is asked for. *)
+type splits = { body : body; mutable found : (group * group) option  (** strong and weak *) }
+
+type pair = {
+  sweeps : int * int;
+  one : body;
+  two : body;
+  mutable ages : int * int;  (** when [collision] was found: again when one of them has changed *)
+  mutable collision : group;
+}
+
+module Firsts = Map.Make (Int)
+
+module Pairs = Map.Make (struct
+    type t = int * int
+
+    let compare (a, b) (c, d) =
+      let order = Int.compare a c in
+      if order <> 0 then order else Int.compare b d
+  end)
+
+(* What may happen now: discrete transitions, each with those involved; or time may pass. *)
+type offer = { discrete : (State.process array * Transition.t) array; delay : Rat.t option }
 
 type t = {
   model : Model.t;
@@ -29,13 +55,13 @@ type t = {
   start_time : Rat.t option;
   mutable now : Rat.t;  (** since the start *)
   mutable ages : int;
-  mutable colliding : event list;  (** contacts of this instant *)
-  mutable splitting : (body * int) list;  (** those at a split instant now *)
-  mutable reacting : (body * int) list;  (** those with a strong split *)
+  mutable colliding : pair Pairs.t;  (** of this instant, by first leaves *)
+  mutable splitting : splits Firsts.t;  (** those at a split instant now, or with a strong split *)
   mutable offer : offer option;
   mutable room : int;  (** how many events to keep before those out of date are dropped *)
 }
 
+let same_numbers (a, b) (c, d) = Int.equal a c && Int.equal b d
 let elapsed t = t.now
 let work t = Flights.work t.flights
 
@@ -66,22 +92,24 @@ let renew t f = Flights.renew t.flights ~now:t.now f (watch t)
 
 (* {1 Processes that come, age and go} *)
 
+let may_split t b = t.splitting <- Firsts.add b.flight.first { body = b; found = None } t.splitting
+let cannot_split t first = t.splitting <- Firsts.remove first t.splitting
+
 (* For a process that is as it was just now. *)
 let schedule t b =
   t.ages <- t.ages + 1;
   let age = t.ages in
   b.since <- t.now;
   b.age <- age;
+  cannot_split t b.flight.first;
   let p = b.process in
   Option.iter (fun h -> add t (Rat.add t.now h) (Horizon (b, age))) (Time.process_horizon t.model p);
   Option.iter
     (fun clock ->
-       if Rat.sign clock = 0 then t.splitting <- (b, age) :: t.splitting;
+       if Rat.sign clock = 0 then may_split t b;
        add t (Rat.add t.now (Rat.sub t.model.split_step clock)) (Split_instant (b, age)))
     p.clock;
-  match Split.strong t.model p with
-  | [] -> ()
-  | _ :: _ -> t.reacting <- (b, age) :: t.reacting
+  if Split.strong t.model p <> [] then may_split t b
 
 let enter t (p : State.process) =
   let line = Time.move_process (Rat.neg t.now) p in
@@ -101,6 +129,7 @@ let leave t first =
   let b = body t first in
   Flights.drop t.flights b.flight;
   b.age <- -1;
+  cannot_split t first;
   t.bodies.(first) <- None
 
 let aged t b = Time.age_process t.model (Rat.sub t.now b.since) b.process
@@ -108,15 +137,23 @@ let present t b = Time.move_process t.now (aged t b)
 
 (* {1 Now} *)
 
+let collide t (one : Flights.flight) (two : Flights.flight) =
+  let key = (one.first, two.first) and sweeps = (one.sweep, two.sweep) in
+  match Pairs.find_opt key t.colliding with
+  | Some p when same_numbers p.sweeps sweeps -> ()
+  | Some _ | None ->
+    let one = body t one.first and two = body t two.first in
+    t.colliding <- Pairs.add key { sweeps; one; two; ages = (-1, -1); collision = nothing } t.colliding
+
 let happen t event =
   match event with
-  | Contact _ -> t.colliding <- event :: t.colliding
+  | Contact c -> collide t c.one c.two
   | Sweep_end (f, _) -> renew t f
   | Horizon (b, _) ->
     b.process <- aged t b;
     schedule t b
-  | Split_instant (b, age) ->
-    t.splitting <- (b, age) :: t.splitting;
+  | Split_instant (b, _) ->
+    may_split t b;
     add t (Rat.add t.now t.model.split_step) event
 
 (* Everything that the agenda has for this instant. *)
@@ -147,34 +184,49 @@ let rec next_time t =
       | Contact _ | Horizon _ | Split_instant _ -> Some time
     end
 
-let up_to_date (b, age) = b.age = age
+let transitions = function
+  | Ok transitions -> transitions
+  | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a model that is not steered"
 
-let involved t =
-  t.colliding <- List.filter valid t.colliding;
-  t.splitting <- List.filter up_to_date t.splitting;
-  t.reacting <- List.filter up_to_date t.reacting;
-  let first (b, _) = b.flight.Flights.first in
-  let colliding = function
-    | Contact c -> [ c.one.first; c.two.first ]
-    | Sweep_end _ | Horizon _ | Split_instant _ -> []
-  in
-  List.concat_map colliding t.colliding
-  @ List.map first t.splitting
-  @ List.map first t.reacting
-  |> List.sort_uniq Int.compare
+let together t bodies = State.make ~processes:(List.map (present t) bodies) ~step:None ~time:None
 
-(* Whoever collides or splits now is involved, and rules look at nobody else (see {!Network.instant}). *)
+let splits_now t s =
+  match s.found with
+  | Some groups -> groups
+  | None ->
+    let state = together t [ s.body ] in
+    let group kind = { involved = state.processes; transitions = transitions (kind t.model state) } in
+    let groups = (group Network.strong, group Network.weak) in
+    s.found <- Some groups;
+    groups
+
+let collision_now t p =
+  let ages = (p.one.age, p.two.age) in
+  if not (same_numbers p.ages ages) then begin
+    let state = together t [ p.one; p.two ] in
+    p.collision <-
+      { involved = state.processes; transitions = transitions (Network.collisions t.model state) };
+    p.ages <- ages
+  end;
+  p.collision
+
+let on_course p = same_numbers p.sweeps (p.one.flight.sweep, p.two.flight.sweep)
+let of_group g = List.map (fun transition -> (g.involved, transition)) g.transitions
+
+(* Whoever collides or splits now is involved, and rules look at nobody else: see {!Network.strong}. *)
 let look t =
   come_up t;
-  match List.map (fun first -> present t (body t first)) (involved t) with
-  | [] -> { involved = [||]; discrete = [||]; delay = Option.map (fun n -> Rat.sub n t.now) (next_time t) }
-  | processes -> (
-      let together = State.make ~processes ~step:None ~time:None in
-      match Network.instant t.model together with
-      | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a model that is not steered"
-      | Ok { discrete; urgent } ->
-        let delay = if urgent then None else Option.map (fun n -> Rat.sub n t.now) (next_time t) in
-        { involved = together.processes; discrete = Array.of_list discrete; delay })
+  t.colliding <- Pairs.filter (fun _ p -> on_course p) t.colliding;
+  let splits = List.map (fun (_, s) -> splits_now t s) (Firsts.bindings t.splitting) in
+  let strong = List.concat_map (fun (strong, _) -> of_group strong) splits in
+  let weak = List.concat_map (fun (_, weak) -> of_group weak) splits in
+  let pairs = Pairs.bindings t.colliding in
+  let collisions = List.concat_map (fun (_, p) -> of_group (collision_now t p)) pairs in
+  let urgent = not (strong = [] && collisions = []) in
+  {
+    discrete = Array.of_list (strong @ weak @ collisions);
+    delay = (if urgent then None else Option.map (fun n -> Rat.sub n t.now) (next_time t));
+  }
 
 let offer t =
   match t.offer with
@@ -188,16 +240,16 @@ let alternatives t =
   let o = offer t in
   let time = Option.map (fun d -> { label = Transition.Time d; rules = Network.time_rules }) o.delay in
   List.map
-    (fun (t : Transition.t) -> { label = t.label; rules = t.rules })
+    (fun (_, (t : Transition.t)) -> { label = t.label; rules = t.rules })
     (Array.to_list o.discrete)
   @ Option.to_list time
 
 (* {1 Steps} *)
 
-(* Nothing collides or reacts when time passes: those lists are empty already. *)
+(* Nothing collides when time passes. *)
 let pass t d =
   t.now <- Rat.add t.now d;
-  t.splitting <- []
+  t.splitting <- Firsts.empty
 
 let same_course (p : State.process) (q : State.process) =
   let same_leaf (l : State.leaf) (k : State.leaf) = l.leaf = k.leaf in
@@ -225,7 +277,9 @@ let take t i =
   let o = offer t in
   t.offer <- None;
   match o.delay with
-  | _ when i >= 0 && i < Array.length o.discrete -> change t o.involved o.discrete.(i).target
+  | _ when i >= 0 && i < Array.length o.discrete ->
+    let involved, transition = o.discrete.(i) in
+    change t involved transition.target
   | Some d when i = Array.length o.discrete -> pass t d
   | Some _ | None -> Scc_base.Bug.fail __POS__ "an alternative that is not there"
 
@@ -250,9 +304,8 @@ let start (m : Model.t) (s : State.t) =
       start_time = s.time;
       now = Rat.zero;
       ages = 0;
-      colliding = [];
-      splitting = [];
-      reacting = [];
+      colliding = Pairs.empty;
+      splitting = Firsts.empty;
       offer = None;
       room = least_room;
     }

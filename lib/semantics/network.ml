@@ -30,7 +30,7 @@ let splits m (s : State.t) outcomes_of =
         (outcomes_of m p))
   |> List.concat
 
-let collisions m (s : State.t) contacts =
+let resolved m (s : State.t) contacts =
   List.concat_map
     (fun (c : Collision.contact) ->
        Collision.resolve m s c
@@ -60,26 +60,22 @@ let rec all_ok acc = function
   | Ok t :: rest -> all_ok (t :: acc) rest
   | Error e :: _ -> Error e
 
-type instant = { discrete : Transition.t list; urgent : bool }
-
-let instant m s =
-  let strong = splits m s Split.strong in
-  let weak = splits m s Split.weak in
-  let contacts = List.filter Collision.colliding (Collision.contacts m s) in
-  let collisions = collisions m s contacts in
-  let* discrete = all_ok [] (strong @ weak @ collisions) in
-  Ok { discrete = distinct discrete; urgent = not (strong = [] && contacts = []) }
+let all transitions = Result.map distinct (all_ok [] transitions)
+let strong m s = all (splits m s Split.strong)
+let weak m s = all (splits m s Split.weak)
+let colliding m s = List.filter Collision.colliding (Collision.contacts m s)
+let collisions m s = all (resolved m s (colliding m s))
 
 let successors m s =
-  let* { discrete; urgent } = instant m s in
-  if urgent then Ok discrete
-  else
-    let* time = all_ok [] (time m s) in
-    Ok (discrete @ time)
+  let strong = splits m s Split.strong in
+  let weak = splits m s Split.weak in
+  let contacts = colliding m s in
+  let time = if strong = [] && contacts = [] then time m s else [] in
+  all (strong @ weak @ resolved m s contacts @ time)
 
 let quiescent m s =
   Array.for_all (fun p -> Split.strong m p = [] && Option.is_none p.State.clock) s.State.processes
-  && (not (List.exists Collision.colliding (Collision.contacts m s)))
+  && colliding m s = []
   && Option.is_none (Time.delay m s)
 
 let initial (m : Model.t) (declared : State.t) =

@@ -9,18 +9,18 @@ val successors : Model.t -> State.t -> (Transition.t list, Transition.fault) res
 (** Every transition of a state, in a fixed order: strong splits, weak splits, each collision of the instant
     by itself (reading I-8), and time. A steer that falls due is part of the transition (reading I-15). *)
 
-(** What may happen at an instant, without time passing. *)
-type instant = {
-  discrete : Transition.t list;  (** in the order of {!successors} *)
-  urgent : bool;  (** a strong split or a collision: time may not pass *)
-}
+(** {1 Kinds of transitions}
 
-val instant : Model.t -> State.t -> (instant, Transition.fault) result
-(** Splits look at one process, and a collision at two (unless the model is steered): so for some processes of
-    a state taken by themselves, the answer is what the whole state gives for them, in the same order. *)
+    A split looks at one process, and a collision at two (unless the model is steered). So what is possible in a
+    state is what is possible for each process, and each two, taken by themselves; in the order of
+    {!successors}: strong splits by process, weak splits by process, collisions by pair. *)
+
+val strong : Model.t -> State.t -> (Transition.t list, Transition.fault) result
+val weak : Model.t -> State.t -> (Transition.t list, Transition.fault) result
+val collisions : Model.t -> State.t -> (Transition.t list, Transition.fault) result
 
 val time_rules : Rule.t list
-(** Those that a passing of time uses. *)
+(** Those that a passing of time uses. It is possible when no strong split and no collision is. *)
 
 val quiescent : Model.t -> State.t -> bool
 (** No event can ever happen again (rule Quiescent). *)

@@ -166,12 +166,36 @@ let local () =
   in
   Alcotest.(check int) "casts" (casts 1) (casts 200)
 
+(* At one instant a bonded pair may split, and a third body binds to it: what the pair alone could do is gone. *)
+let splits_of_the_bound () =
+  let open Fixture in
+  let bodies =
+    [
+      body "p" (-2, 0, 0) ~velocity:(1, 0, 0) ~behaviour:(co_open "b" [ "right" ] nil);
+      body "q" (0, 0, 0) ~behaviour:(open_ "b" [ "left" ] (weak "a" [ "right" ] nil) + weak "a" [ "right" ] nil);
+      body "r" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil);
+    ]
+  in
+  let m = model bodies in
+  let p, q, r =
+    match List.mapi leaf bodies with [ p; q; r ] -> (p, q, r) | _ -> Alcotest.fail "three bodies"
+  in
+  let bond = State.bond "a" { at = 1; site = site "right" } { at = 2; site = site "left" } in
+  let alone = State.process ~leaves:[ p ] ~bonds:[] ~velocity:(vec (1, 0, 0)) ~clock:None in
+  let pair = State.process ~leaves:[ q; r ] ~bonds:[ bond ] ~velocity:Vec.zero ~clock:None in
+  let s = start m (State.make ~processes:[ alone; pair ] ~step:None ~time:None) in
+  check_labels "a choice" [ "weak(a, q.right, r.left)"; "bind(b, p.right, q.left)" ] m s;
+  let agree choices = Alcotest.(check bool) "as the transition relation" true (follow m s choices ~looks:always) in
+  agree [ 1; 0; 0; 0 ];
+  agree [ 0; 0; 0; 0 ]
+
 let () =
   Alcotest.run "event run"
     [
       ( "known",
         [
           Alcotest.test_case "absolute time" `Quick absolute_time;
+          Alcotest.test_case "splits of those who have been bound" `Quick splits_of_the_bound;
           Alcotest.test_case "those who fly apart" `Quick apart;
           Alcotest.test_case "what is far away costs nothing" `Quick local;
         ] );
