@@ -287,6 +287,25 @@ let iter_meeting t box f =
     if is_used t head then visit head
   done
 
+let is_sound t =
+  let rec sound i =
+    List.for_all
+      (fun side ->
+         let c = child t i side in
+         if c < 0 then t.parent_of.(-1 - c) = i
+         else
+           let at = bounds i side and j = bounds c 0 and k = bounds c 1 in
+           let first = height t (child t c 0) and second = height t (child t c 1) in
+           let tight c =
+             t.nodes.(at + c) = least t.nodes.(j + c) t.nodes.(k + c)
+             && t.nodes.(at + c + 3) = most t.nodes.(j + c + 3) t.nodes.(k + c + 3)
+           in
+           parent t c = i && List.for_all tight [ 0; 1; 2 ] && in_balance first second
+           && height_of t c = above first second && sound c)
+      (if is_head i then [ 0 ] else [ 0; 1 ])
+  in
+  List.for_all (fun head -> (not (is_used t head)) || sound head) (List.init classes Fun.id)
+
 let height t =
   let highest = ref 0 in
   for head = 0 to classes - 1 do

@@ -21,3 +21,6 @@ val iter_meeting : t -> Float_box.t -> (int -> unit) -> unit
 
 val height : t -> int
 (** The greatest number of nodes between a root and a leaf; for tests. *)
+
+val is_sound : t -> bool
+(** Every node is as large as what is below it, and in balance; for tests. *)

@@ -69,6 +69,7 @@ let play changes =
   let there = List.fold_left step [] changes in
   List.for_all (fun (k, b) -> Box_tree.mem tree k && List.mem k (found tree b)) there
   && balanced tree (List.length there)
+  && Box_tree.is_sound tree
   && List.length (found tree (box (Array.make 3 neg_infinity) (Array.make 3 infinity))) = List.length there
 
 let agrees =
@@ -96,7 +97,27 @@ let large () =
   for i = 0 to (n * n * n) - 1 do
     if i mod 7 > 0 then Box_tree.remove tree i
   done;
-  Alcotest.(check bool) "height after most have gone" true (balanced tree ((n * n * n / 7) + 2))
+  Alcotest.(check bool) "height after most have gone" true (balanced tree ((n * n * n / 7) + 2));
+  Alcotest.(check bool) "nodes as small as may be" true (Box_tree.is_sound tree)
+
+(* Boxes that come in order, the ways in which trees grow crooked: in a row, one inside the other. *)
+let rows () =
+  let check what make remove =
+    let tree = Box_tree.create () in
+    for i = 0 to 1999 do
+      Box_tree.insert tree i (make (float_of_int i));
+      if i mod 3 = 2 && remove i then Box_tree.remove tree (i / 2);
+      if i mod 50 = 0 && not (Box_tree.is_sound tree && balanced tree (i + 1)) then
+        Alcotest.failf "%s: out of balance after %d" what i
+    done
+  in
+  let cube x y z size = box [| x; y; z |] [| x +. size; y +. size; z +. size |] in
+  let never _ = false and seldom i = i mod 6 = 2 in
+  check "in a row" (fun i -> cube i 0. 0. 1.) never;
+  check "in a row that loses its middle" (fun i -> cube i 0. 0. 1.) seldom;
+  check "nested" (fun i -> cube 0. 0. 0. (4. +. (i /. 1000.))) never;
+  check "spreading" (fun i -> cube (Float.exp (i /. 100.)) 0. 0. 1.) never;
+  check "to all sides" (fun i -> cube (i *. Float.cos i) (i *. Float.sin i) 0. (1.1 +. Float.sin i)) seldom
 
 let twice () =
   let tree = Box_tree.create () in
@@ -112,6 +133,7 @@ let () =
       ( "known",
         [
           Alcotest.test_case "a large grid" `Quick large;
+          Alcotest.test_case "rows and nests" `Quick rows;
           Alcotest.test_case "misuse is a bug" `Quick twice;
         ] );
       ("properties", Scc_test_support.Property.cases [ agrees ]);
