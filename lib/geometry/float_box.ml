@@ -10,6 +10,12 @@ let down q = if Rat.sign q = 0 then 0. else Float.pred (Rat.to_float q)
 let up q = if Rat.sign q = 0 then 0. else Float.succ (Rat.to_float q)
 
 let of_corners (a : Vec.t) (b : Vec.t) = [| down a.x; down a.y; down a.z; up b.x; up b.y; up b.z |]
+(* A sum is rounded to the nearest float, and so lies between its neighbours. No sum here is infinity - infinity:
+   what is rounded down is never +infinity, and what is rounded up never -infinity. *)
+let at (p : Vec.t) (b : t) =
+  let low q x = Float.pred (down q +. x) and high q x = Float.succ (up q +. x) in
+  [| low p.x b.(0); low p.y b.(1); low p.z b.(2); high p.x b.(3); high p.y b.(4); high p.z b.(5) |]
+
 let make ~low ~high = [| low.(0); low.(1); low.(2); high.(0); high.(1); high.(2) |]
 let low (b : t) axis = b.(axis)
 let high (b : t) axis = b.(axis + 3)

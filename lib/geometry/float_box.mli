@@ -14,6 +14,9 @@ val up : Rat.t -> float
 val of_corners : Vec.t -> Vec.t -> t
 (** From the least and the greatest corner. *)
 
+val at : Vec.t -> t -> t
+(** The box, given about a point, when that is at a place. *)
+
 val make : low:float array -> high:float array -> t
 (** From the coordinates of the corners; none is a NaN. *)
 

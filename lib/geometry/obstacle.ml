@@ -168,7 +168,12 @@ let passage o c s =
   | Unknown -> follow o c s (Portal.cast s ~hasty:true)
   | known -> known
 
-let first_time_of_contact o r w =
+let inside_now o r =
+  match relation o r with
+  | Interpenetrating -> Inside
+  | Touching | Apart -> Never
+
+let moving_contact o r w =
   let by_facets () = Facets.first_time_of_contact (Lazy.force o.all) r w in
   match Portal.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
   | None -> by_facets ()
@@ -178,11 +183,9 @@ let first_time_of_contact o r w =
       | Misses -> Never
       | Unknown -> by_facets ()
       | Enters f when Certificate.height c f <= 0 -> At (Certificate.time c f)
-      | Enters _ -> (
-          (* entered before time 0: now inside, or through already *)
-          match relation o r with
-          | Interpenetrating -> Inside
-          | Touching | Apart -> Never))
+      | Enters _ -> inside_now o r (* entered before time 0: inside still, or through already *))
+
+let first_time_of_contact o r w = if Vec.is_zero w then inside_now o r else moving_contact o r w
 
 (* The closed bodies meet from where the line enters the obstacle to where the reverse line does. *)
 let meeting o r w =

@@ -212,22 +212,22 @@ let rec towards_facet s ~stop round =
         let q0 = (get x p0 *. mx) +. (get x (p0 + 1) *. my) +. (get x (p0 + 2) *. mz) in
         let q1 = (get x p1 *. mx) +. (get x (p1 + 1) *. my) +. (get x (p1 + 2) *. mz) in
         let q2 = (get x p2 *. mx) +. (get x (p2 + 1) *. my) +. (get x (p2 + 2) *. mz) in
-        if q0 <= 0. && q1 >= 0. then begin
-          copy s last 2;
-          towards_facet s ~stop (round - 1)
+        if q0 <= 0. && q1 >= 0. then replace s ~stop 2 round
+        else if q1 <= 0. && q2 >= 0. then replace s ~stop 0 round
+        else if q2 <= 0. && q0 >= 0. then replace s ~stop 1 round
+        else begin
+          (* the line passes by a corner, and rounding denies it all three: the least bad one *)
+          let fit q r = Float.min (-.q) r in
+          let f2 = fit q0 q1 and f0 = fit q1 q2 and f1 = fit q2 q0 in
+          replace s ~stop (if f2 >= f0 && f2 >= f1 then 2 else if f0 >= f1 then 0 else 1) round
         end
-        else if q1 <= 0. && q2 >= 0. then begin
-          copy s last 0;
-          towards_facet s ~stop (round - 1)
-        end
-        else if q2 <= 0. && q0 >= 0. then begin
-          copy s last 1;
-          towards_facet s ~stop (round - 1)
-        end
-        else Lost
       end
     end
   end
+
+and replace s ~stop k round =
+  copy s last k;
+  towards_facet s ~stop (round - 1)
 
 (* {1 A line}
 
