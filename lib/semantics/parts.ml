@@ -8,8 +8,7 @@ type part = {
   part : int;
   position : Vec.t;
   velocity : Vec.t;
-  low : Vec.t;
-  high : Vec.t;
+  shape : Float_box.t;
 }
 
 let of_state (m : Model.t) (s : State.t) =
@@ -17,15 +16,8 @@ let of_state (m : Model.t) (s : State.t) =
     List.mapi
       (fun part (shape : Model.part) ->
          let position = Vec.add l.position shape.offset in
-         {
-           process;
-           leaf = l.leaf;
-           part;
-           position;
-           velocity = p.velocity;
-           low = Vec.add position shape.solid.low;
-           high = Vec.add position shape.solid.high;
-         })
+         let box = Float_box.of_corners shape.solid.low shape.solid.high in
+         { process; leaf = l.leaf; part; position; velocity = p.velocity; shape = box })
       (Array.to_list m.leaves.(l.leaf).parts)
   in
   Array.to_list s.processes
@@ -47,52 +39,57 @@ let fold_pairs f acc parts =
   in
   from 0 1 acc
 
-let boxes_meet a b = Boxes.meet (a.low, a.high) (b.low, b.high)
+let box p = Float_box.at p.position p.shape
 
 let near parts =
+  let boxes = Array.map box parts in
   if Array.length parts <= few then
-    let add found (i, j) = if boxes_meet parts.(i) parts.(j) then (i, j) :: found else found in
+    let add found (i, j) = if Float_box.meet boxes.(i) boxes.(j) then (i, j) :: found else found in
     List.rev (fold_pairs add [] parts)
-  else
-    List.filter (in_relative_motion parts)
-      (Boxes.pairs (Array.map (fun p -> (p.low, p.high)) parts))
+  else List.filter (in_relative_motion parts) (Boxes.pairs boxes)
 
 let all_move_alike parts =
   Array.for_all (fun p -> Vec.equal p.velocity parts.(0).velocity) parts
 
-let swept span p = Boxes.swept (p.low, p.high) (Vec.scale span p.velocity)
-
 let near_within parts span =
-  List.filter (in_relative_motion parts) (Boxes.pairs (Array.map (swept span) parts))
+  let n = Array.length parts in
+  let moving = Moving_boxes.create n in
+  let until = Float_box.up span in
+  let sweep i p =
+    Moving_boxes.set moving i p.shape ~at:p.position ~velocity:p.velocity;
+    Moving_boxes.set_until moving i until;
+    Moving_boxes.swept moving i ~from:0.
+  in
+  List.filter (in_relative_motion parts) (Boxes.pairs (Array.mapi sweep parts))
+
+(* Sizes and speeds only say how far to look, which floats are good enough for. *)
 
 let greatest_speed parts =
-  let component best v = Rat.max best (Rat.abs v) in
+  let component best v = Float.max best (Float.abs (Rat.to_float v)) in
   Array.fold_left
     (fun best p -> component (component (component best p.velocity.x) p.velocity.y) p.velocity.z)
-    Rat.zero parts
+    0. parts
 
 let least_size parts =
   let size p =
-    let d = Vec.sub p.high p.low in
-    Rat.min d.x (Rat.min d.y d.z)
+    let along axis = Float_box.high p.shape axis -. Float_box.low p.shape axis in
+    Float.min (along 0) (Float.min (along 1) (along 2))
   in
-  Array.fold_left (fun best p -> Rat.min best (size p)) (size parts.(0)) parts
+  Array.fold_left (fun best p -> Float.min best (size p)) infinity parts
 
 let cut limit span = match limit with None -> span | Some l -> Rat.min l span
 
-(* A power of two within a factor of two of a positive number: a short number, which keeps the ends of the
-   sweeps short. *)
+(* A power of two about as great as a float: a short number, which keeps the ends of the sweeps short. Of a float
+   that is zero or infinite, any will do. *)
 let power_of_two x =
-  let exponent = Z.numbits (Q.num x) - Z.numbits (Q.den x) in
+  let _, exponent = Float.frexp x in
+  let exponent = Int.max (-1000) (Int.min 1000 exponent) in
   if exponent >= 0 then Rat.make (Z.shift_left Z.one exponent) Z.one
   else Rat.make Z.one (Z.shift_left Z.one (-exponent))
 
 let first_window parts ~limit =
-  if Array.length parts <= few then None
-  else
-    let speed = greatest_speed parts in
-    if Rat.sign speed = 0 then None
-    else Some (cut limit (power_of_two (Rat.div (least_size parts) speed)))
+  if Array.length parts <= few || Array.for_all (fun p -> Vec.is_zero p.velocity) parts then None
+  else Some (cut limit (power_of_two (least_size parts /. greatest_speed parts)))
 
 (* Sweeps of bodies that fly apart never meet, however wide the window: without a limit the rounds must end. *)
 let most_rounds = 10

@@ -9,19 +9,19 @@ type part = private {
   part : int;
   position : Vec.t;  (** of its reference point *)
   velocity : Vec.t;
-  low : Vec.t;  (** its box *)
-  high : Vec.t;
+  shape : Scc_geometry.Float_box.t;  (** about its reference point *)
 }
 
 val of_state : Model.t -> State.t -> part array
 (** In the order of processes, leaves and parts. *)
 
 val near : part array -> (int * int) list
-(** The pairs (lesser index first) of parts of processes in relative motion whose closed boxes meet.
-    Sorted. *)
+(** The pairs (lesser index first) of parts of processes in relative motion whose boxes, rounded outward, meet:
+    all that touch are among them. Sorted. *)
 
 val near_within : part array -> Rat.t -> (int * int) list
-(** The pairs of processes in relative motion whose boxes, swept over [0, t], meet. Sorted. *)
+(** The pairs of processes in relative motion whose boxes, swept over [0, t] for a t > 0 and rounded outward,
+    meet: all that touch meanwhile are among them. Sorted. *)
 
 val fold_pairs : ('a -> int * int -> 'a) -> 'a -> part array -> 'a
 (** Over every pair of parts (lesser index first) of processes in relative motion, in order. *)

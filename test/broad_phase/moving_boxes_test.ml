@@ -62,22 +62,33 @@ let rounding =
       && (above = infinity || at_most q (Q.of_float above))
       && below < infinity && above > neg_infinity)
 
+let holds box ((low : Vec.t), (high : Vec.t)) =
+  let one axis low high =
+    let x0 = Float_box.low box axis and x1 = Float_box.high box axis in
+    (x0 = neg_infinity || Rat.compare (Q.of_float x0) low <= 0)
+    && (x1 = infinity || Rat.compare high (Q.of_float x1) <= 0)
+    && x0 < infinity && x1 > neg_infinity
+  in
+  one 0 low.x high.x && one 1 low.y high.y && one 2 low.z high.z
+
+let placed =
+  QCheck2.Test.make ~name:"a placed box holds the exact one" ~count:1000
+    ~print:(fun (b, p) -> print_box b ^ " at " ^ print_vec p)
+    (Gen.pair moving vector)
+    (fun (b, p) -> holds (Float_box.at p (Float_box.of_corners b.low b.high)) (Vec.add p b.low, Vec.add p b.high))
+
 let swept =
   QCheck2.Test.make ~name:"a swept box holds the box all along" ~count:1000
     ~print:(fun (b, t) -> print_box b ^ " at " ^ print_times t)
     (Gen.pair moving times)
     (fun (b, (from, until, t)) ->
-       let sweep = sweep_of b ~from:(Float_box.down from) ~until:(until_float until) in
-       let low, high = at t b in
-       let one axis low high =
-         let x0 = Float_box.low sweep axis and x1 = Float_box.high sweep axis in
-         (x0 = neg_infinity || Rat.compare (Q.of_float x0) low <= 0)
-         && (x1 = infinity || Rat.compare high (Q.of_float x1) <= 0)
-         && x0 < infinity && x1 > neg_infinity
-       in
-       one 0 low.x high.x && one 1 low.y high.y && one 2 low.z high.z)
+       holds (sweep_of b ~from:(Float_box.down from) ~until:(until_float until)) (at t b))
 
-let meet_at t a b = Boxes.meet (at t a) (at t b)
+let meet_at t a b =
+  let (low, high), (low', high') = (at t a, at t b) in
+  let overlap x0 x1 y0 y1 = Rat.compare x0 y1 <= 0 && Rat.compare y0 x1 <= 0 in
+  overlap low.x high.x low'.x high'.x && overlap low.y high.y low'.y high'.y
+  && overlap low.z high.z low'.z high'.z
 
 let never_misses =
   QCheck2.Test.make ~name:"what meets is let through" ~count:2000
@@ -124,5 +135,5 @@ let () =
   Alcotest.run "moving boxes"
     [
       ("known", [ Alcotest.test_case "what a filter stops" `Quick filters ]);
-      ("properties", Scc_test_support.Property.cases [ rounding; swept; never_misses; corner ]);
+      ("properties", Scc_test_support.Property.cases [ rounding; placed; swept; never_misses; corner ]);
     ]
