@@ -17,7 +17,7 @@ type work = { sweeps : int; neighbours : int; casts : int }
 type t = {
   model : Model.t;
   first_part : int array;  (** by leaf *)
-  place : (int * int) array;  (** leaf and part *)
+  solid : Solid.t array;
   shape : Float_box.t array;  (** about the reference point of the part *)
   line : Vec.t array;  (** of the reference point *)
   boxes : Moving_boxes.t;
@@ -31,18 +31,17 @@ type t = {
 let nobody = { first = -1; velocity = Vec.zero; parts = [||]; sweep = -1; rounds = 0 }
 
 (* The boxes of the parts, one for all parts of a solid. *)
-let shapes (m : Model.t) place =
+let shapes solids =
   let known = Hashtbl.create 16 in
-  let shape (l, p) =
-    let solid = m.leaves.(l).parts.(p).solid in
-    match Hashtbl.find_opt known solid.id with
+  let shape (s : Solid.t) =
+    match Hashtbl.find_opt known s.id with
     | Some box -> box
     | None ->
-      let box = Float_box.of_corners solid.low solid.high in
-      Hashtbl.add known solid.id box;
+      let box = Float_box.of_corners s.low s.high in
+      Hashtbl.add known s.id box;
       box
   in
-  Array.map shape place
+  Array.map shape solids
 
 let create (m : Model.t) =
   let counts = Array.map (fun (l : Model.leaf) -> Array.length l.parts) m.leaves in
@@ -55,14 +54,13 @@ let create (m : Model.t) =
          first)
       counts
   in
-  let place =
-    Array.concat (List.mapi (fun l n -> Array.init n (fun p -> (l, p))) (Array.to_list counts))
-  in
+  let solids (l : Model.leaf) = Array.map (fun (part : Model.part) -> part.solid) l.parts in
+  let solid = Array.concat (List.map solids (Array.to_list m.leaves)) in
   {
     model = m;
     first_part;
-    place;
-    shape = shapes m place;
+    solid;
+    shape = shapes solid;
     line = Array.make !total Vec.zero;
     boxes = Moving_boxes.create !total;
     owner = Array.make !total nobody;
@@ -114,7 +112,7 @@ let cast t ~now f i g j watch =
   let w = Vec.sub g.velocity f.velocity in
   if not (Vec.is_zero w) then begin
     t.casts <- t.casts + 1;
-    let obstacle = Model.obstacle t.model t.place.(i) t.place.(j) in
+    let obstacle = Obstacle_cache.find t.model.obstacles t.solid.(i) t.solid.(j) in
     match Obstacle.first_time_of_contact obstacle (Vec.sub t.line.(j) t.line.(i)) w with
     | Never | Inside -> ()
     | At time ->
