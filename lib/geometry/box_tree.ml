@@ -4,8 +4,8 @@
    Queries are fast when nodes are small, and that no path is long must hold whatever comes and goes. So trees are
    kept in a loose balance: the heights of two siblings differ by at most [slack]. As for AVL trees, the least
    number of leaves of a tree of height h then grows as N(h) = N(h - 1) + N(h - 1 - slack), here by 1.32 for each
-   level: no path is longer than 2.5 log2 of the number of leaves. Within that freedom, new leaves go and
-   neighbours are exchanged where surfaces get smaller. *)
+   level: no path is longer than 2.5 log2 of the number of leaves. Within that freedom, new leaves go where
+   surfaces grow least. (To exchange nodes afterwards where that makes others smaller costs more than it saves.) *)
 
 let slack = 4
 
@@ -158,44 +158,13 @@ let rotate t i side =
   ignore (fit t i);
   ignore (fit t up)
 
-(* The children at two places change places. *)
-let swap t i side j side' =
-  let c = child t i side and d = child t j side' in
-  Array.blit t.nodes (bounds i side) t.nodes (bounds scratch 1) 6;
-  put t i side d ~from:(bounds j side');
-  put t j side' c ~from:(bounds scratch 1)
-
-(* The child of [i] on [side], and one of the children of its sibling [b], change places if that makes [b] smaller,
-   keeps the balance and leaves the height of [i] as it is, so that it does not matter to those above. *)
-let exchange_below t i side =
-  let b = child t i (1 - side) in
-  b >= 0
-  &&
-  let own = bounds i side and now = surface t.nodes (bounds i (1 - side)) in
-  let for_0 = joint_surface t.nodes own (bounds b 1) and for_1 = joint_surface t.nodes own (bounds b 0) in
-  let moved = if for_0 <= for_1 then 0 else 1 in
-  least for_0 for_1 < now
-  &&
-  let own_height = height t (child t i side) in
-  let moved_height = height t (child t b moved) and kept_height = height t (child t b (1 - moved)) in
-  let h = above own_height kept_height in
-  in_balance own_height kept_height && in_balance h moved_height
-  && above h moved_height = above own_height (height_of t b)
-  && begin
-    swap t i side b moved;
-    ignore (fit t b);
-    true
-  end
-
 (* From a node upwards, after the bounds or the height of a child have changed, as far as that changes anything. *)
 let rec refit t i =
   if not (is_head i) then begin
     let l = height t (child t i 0) and r = height t (child t i 1) in
     let p = parent t i in
     if in_balance l r then begin
-      let changed = fit t i in
-      if not (exchange_below t i 0) then ignore (exchange_below t i 1);
-      if changed then refit t p
+      if fit t i then refit t p
     end
     else begin
       rotate t i (if l > r then 0 else 1);

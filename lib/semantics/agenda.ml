@@ -1,17 +1,20 @@
 open Scc_exact
 
-type 'a entry = { time : Rat.t; item : 'a }
-
 (* The nearest floats of the times stand first in every comparison. Rounding to the nearest keeps the order: of two
    times with different floats the one with the lesser float is the lesser, and when the floats are equal (or
    both infinite) the rationals decide. *)
-type 'a t = { mutable keys : float array; mutable entries : 'a entry array; mutable size : int }
+type 'a t = {
+  time : 'a -> Rat.t;
+  mutable keys : float array;
+  mutable entries : 'a array;
+  mutable size : int;
+}
 
-let create () = { keys = [||]; entries = [||]; size = 0 }
+let create time = { time; keys = [||]; entries = [||]; size = 0 }
 let size a = a.size
 
-let before (key : float) e other_key other =
-  key < other_key || (key = other_key && Rat.compare e.time other.time < 0)
+let before a (key : float) entry other_key other =
+  key < other_key || (key = other_key && Rat.compare (a.time entry) (a.time other) < 0)
 
 let put a i key entry =
   a.keys.(i) <- key;
@@ -24,7 +27,7 @@ let arity = 4
 (* Lets the place [i] rise until what is above is not later, and puts the entry there. *)
 let rec rise a i key entry =
   let above = (i - 1) / arity in
-  if i > 0 && before key entry a.keys.(above) a.entries.(above) then begin
+  if i > 0 && before a key entry a.keys.(above) a.entries.(above) then begin
     put a i a.keys.(above) a.entries.(above);
     rise a above key entry
   end
@@ -36,10 +39,10 @@ let rec sink a i key entry =
   else begin
     let below = ref from in
     for j = from + 1 to Int.min (a.size - 1) (from + arity - 1) do
-      if before a.keys.(j) a.entries.(j) a.keys.(!below) a.entries.(!below) then below := j
+      if before a a.keys.(j) a.entries.(j) a.keys.(!below) a.entries.(!below) then below := j
     done;
     let below = !below in
-    if before a.keys.(below) a.entries.(below) key entry then begin
+    if before a a.keys.(below) a.entries.(below) key entry then begin
       put a i a.keys.(below) a.entries.(below);
       sink a below key entry
     end
@@ -54,13 +57,12 @@ let grow a entry =
   a.keys <- keys;
   a.entries <- entries
 
-let add a time item =
-  let entry = { time; item } in
+let add a entry =
   if a.size = Array.length a.entries then grow a entry;
   a.size <- a.size + 1;
-  rise a (a.size - 1) (Rat.to_float time) entry
+  rise a (a.size - 1) (Rat.to_float (a.time entry)) entry
 
-let first a = if a.size = 0 then None else Some (a.entries.(0).time, a.entries.(0).item)
+let first a = if a.size = 0 then None else Some a.entries.(0)
 
 (* Places beyond the end repeat an entry that is still there, so that they keep nothing else alive. *)
 let drop_first a =
@@ -88,7 +90,7 @@ let shrink a =
 let keep a wanted =
   let kept = ref 0 in
   for i = 0 to a.size - 1 do
-    if wanted a.entries.(i).item then begin
+    if wanted a.entries.(i) then begin
       put a !kept a.keys.(i) a.entries.(i);
       incr kept
     end

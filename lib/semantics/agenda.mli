@@ -4,11 +4,13 @@ open Scc_exact
 
 type 'a t
 
-val create : unit -> 'a t
-val size : 'a t -> int
-val add : 'a t -> Rat.t -> 'a -> unit
+val create : ('a -> Rat.t) -> 'a t
+(** By the time of each. *)
 
-val first : 'a t -> (Rat.t * 'a) option
+val size : 'a t -> int
+val add : 'a t -> 'a -> unit
+
+val first : 'a t -> 'a option
 (** One with the least time; of several, which one is not said, but it is the same in every run. *)
 
 val drop_first : 'a t -> unit

@@ -11,10 +11,16 @@ type body = {
 
 (* Events to come. Those whose numbers are out of date are dropped when their time comes. *)
 type event =
-  | Contact of { one : Flights.flight; two : Flights.flight; sweep_one : int; sweep_two : int }
-  | Sweep_end of Flights.flight * int
-  | Horizon of body * int  (** an eps expires *)
-  | Split_instant of body * int
+  | Contact of {
+      time : Rat.t;
+      one : Flights.flight;
+      two : Flights.flight;
+      sweep_one : int;
+      sweep_two : int;
+    }
+  | Sweep_end of { time : Rat.t; flight : Flights.flight; sweep : int }
+  | Horizon of { time : Rat.t; body : body; age : int }  (** an eps expires *)
+  | Split_instant of { time : Rat.t; body : body; age : int }
 
 type alternative = { label : Transition.label; rules : Rule.t list }
 
@@ -69,23 +75,27 @@ let work t = Flights.work t.flights
 
 let valid = function
   | Contact c -> c.one.sweep = c.sweep_one && c.two.sweep = c.sweep_two
-  | Sweep_end (f, sweep) -> f.sweep = sweep
-  | Horizon (b, age) | Split_instant (b, age) -> b.age = age
+  | Sweep_end s -> s.flight.sweep = s.sweep
+  | Horizon { body; age; _ } | Split_instant { body; age; _ } -> body.age = age
+
+let time_of = function
+  | Contact { time; _ } | Sweep_end { time; _ } | Horizon { time; _ } | Split_instant { time; _ } -> time
 
 let least_room = 1024
 
-let add t time event =
+let add t event =
   if Agenda.size t.agenda >= t.room then begin
     Agenda.keep t.agenda valid;
     t.room <- Int.max least_room (2 * Agenda.size t.agenda)
   end;
-  Agenda.add t.agenda time event
+  Agenda.add t.agenda event
 
 let watch t : Flights.watch =
   {
     contact =
-      (fun time one two -> add t time (Contact { one; two; sweep_one = one.sweep; sweep_two = two.sweep }));
-    sweep_end = (fun time f -> add t time (Sweep_end (f, f.sweep)));
+      (fun time one two ->
+         add t (Contact { time; one; two; sweep_one = one.sweep; sweep_two = two.sweep }));
+    sweep_end = (fun time flight -> add t (Sweep_end { time; flight; sweep = flight.sweep }));
   }
 
 let renew t f = Flights.renew t.flights ~now:t.now f (watch t)
@@ -103,11 +113,14 @@ let schedule t b =
   b.age <- age;
   cannot_split t b.flight.first;
   let p = b.process in
-  Option.iter (fun h -> add t (Rat.add t.now h) (Horizon (b, age))) (Time.process_horizon t.model p);
+  Option.iter
+    (fun h -> add t (Horizon { time = Rat.add t.now h; body = b; age }))
+    (Time.process_horizon t.model p);
   Option.iter
     (fun clock ->
        if Rat.sign clock = 0 then may_split t b;
-       add t (Rat.add t.now (Rat.sub t.model.split_step clock)) (Split_instant (b, age)))
+       let time = Rat.add t.now (Rat.sub t.model.split_step clock) in
+       add t (Split_instant { time; body = b; age }))
     p.clock;
   if Split.strong t.model p <> [] then may_split t b
 
@@ -148,18 +161,18 @@ let collide t (one : Flights.flight) (two : Flights.flight) =
 let happen t event =
   match event with
   | Contact c -> collide t c.one c.two
-  | Sweep_end (f, _) -> renew t f
-  | Horizon (b, _) ->
-    b.process <- aged t b;
-    schedule t b
-  | Split_instant (b, _) ->
-    may_split t b;
-    add t (Rat.add t.now t.model.split_step) event
+  | Sweep_end s -> renew t s.flight
+  | Horizon { body; _ } ->
+    body.process <- aged t body;
+    schedule t body
+  | Split_instant { time; body; age } ->
+    may_split t body;
+    add t (Split_instant { time = Rat.add time t.model.split_step; body; age })
 
 (* Everything that the agenda has for this instant. *)
 let rec come_up t =
   match Agenda.first t.agenda with
-  | Some (time, event) when not (valid event) || Rat.compare time t.now <= 0 ->
+  | Some event when not (valid event) || Rat.compare (time_of event) t.now <= 0 ->
     Agenda.drop_first t.agenda;
     if valid event then happen t event;
     come_up t
@@ -170,18 +183,18 @@ let rec come_up t =
 let rec next_time t =
   match Agenda.first t.agenda with
   | None -> None
-  | Some (time, event) ->
+  | Some event ->
     if not (valid event) then begin
       Agenda.drop_first t.agenda;
       next_time t
     end
     else begin
       match event with
-      | Sweep_end (f, _) ->
+      | Sweep_end s ->
         Agenda.drop_first t.agenda;
-        renew t f;
+        renew t s.flight;
         next_time t
-      | Contact _ | Horizon _ | Split_instant _ -> Some time
+      | Contact _ | Horizon _ | Split_instant _ -> Some (time_of event)
     end
 
 let transitions = function
@@ -299,7 +312,7 @@ let start (m : Model.t) (s : State.t) =
     {
       model = m;
       flights = Flights.create m;
-      agenda = Agenda.create ();
+      agenda = Agenda.create time_of;
       bodies = Array.make (Array.length m.leaves) None;
       start_time = s.time;
       now = Rat.zero;

@@ -22,10 +22,10 @@ let change =
 let by_time (s, _) (t, _) = Rat.compare s t
 
 let play changes =
-  let agenda = Agenda.create () in
+  let agenda = Agenda.create fst in
   let step (there, number) = function
     | Add t ->
-      Agenda.add agenda t number;
+      Agenda.add agenda (t, number);
       ((t, number) :: there, number + 1)
     | Drop ->
       let first = Agenda.first agenda in
@@ -39,7 +39,7 @@ let play changes =
           | _ -> QCheck2.Test.fail_report "an item at another time")
        | _ -> QCheck2.Test.fail_report "empty or not")
     | Keep n ->
-      Agenda.keep agenda (fun i -> i mod n > 0);
+      Agenda.keep agenda (fun (_, i) -> i mod n > 0);
       (List.filter (fun (_, i) -> i mod n > 0) there, number)
   in
   let there, number = List.fold_left step ([], 0) changes in
