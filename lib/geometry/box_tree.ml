@@ -4,8 +4,8 @@
    Queries are fast when nodes are small, and that no path is long must hold whatever comes and goes. So trees are
    kept in a loose balance: the heights of two siblings differ by at most [slack]. As for AVL trees, the least
    number of leaves of a tree of height h then grows as N(h) = N(h - 1) + N(h - 1 - slack), here by 1.32 for each
-   level: no path is longer than 2.5 log2 of the number of leaves. Within that freedom, new leaves go where
-   surfaces grow least. (To exchange nodes afterwards where that makes others smaller costs more than it saves.) *)
+   level: no path is longer than 2.5 log2 of the number of leaves. Within that freedom, new leaves go where nodes
+   grow least. (To exchange nodes afterwards where that makes others smaller costs more than it saves.) *)
 
 let slack = 4
 
@@ -81,7 +81,7 @@ let release t i =
 
 (* {1 Sizes} *)
 
-(* Infinite lengths count as this one, which is great, and whose square is finite. *)
+(* Infinite lengths count as this one, which is great, and whose cube is finite. *)
 let greatest_length = 1e100
 let length d = if d < greatest_length then d else greatest_length
 
@@ -92,20 +92,21 @@ let class_of_box box =
     Int.max 0 (Int.min (classes - 2) ((exponent + 64) asr 2))
   else classes - 1
 
-let area x y z = (x *. y) +. (y *. z) +. (z *. x)
-
-(* Half the surface of the box at a place, and of the least box that holds two. *)
-let surface (b : float array) i =
-  area (length (b.(i + 3) -. b.(i))) (length (b.(i + 4) -. b.(i + 1))) (length (b.(i + 5) -. b.(i + 2)))
-
 let least (x : float) y = if x < y then x else y
 let most (x : float) y = if x > y then x else y
 
-let joint_surface (b : float array) i j =
-  area
-    (length (most b.(i + 3) b.(j + 3) -. least b.(i) b.(j)))
-    (length (most b.(i + 4) b.(j + 4) -. least b.(i + 1) b.(j + 1)))
-    (length (most b.(i + 5) b.(j + 5) -. least b.(i + 2) b.(j + 2)))
+(* The lengths of a box at a place, and of the least one that holds two. *)
+let long (b : float array) i axis = length (b.(i + axis + 3) -. b.(i + axis))
+
+let joint (b : float array) i j axis =
+  length (most b.(i + axis + 3) b.(j + axis + 3) -. least b.(i + axis) b.(j + axis))
+
+(* Of how many places a box as large as the one at [own] meets the one at [i], or the least that holds both. *)
+let reach b own i =
+  (long b i 0 +. long b own 0) *. (long b i 1 +. long b own 1) *. (long b i 2 +. long b own 2)
+
+let joint_reach b own i =
+  (joint b i own 0 +. long b own 0) *. (joint b i own 1 +. long b own 1) *. (joint b i own 2 +. long b own 2)
 
 (* {1 Shape of the trees} *)
 
@@ -149,7 +150,7 @@ let rotate t i side =
     let d = height t (child t up 0) - height t (child t up 1) in
     if d < 0 then 0
     else if d > 0 then 1
-    else if joint_surface t.nodes other (bounds up 0) <= joint_surface t.nodes other (bounds up 1) then 0
+    else if joint_reach t.nodes other (bounds up 0) <= joint_reach t.nodes other (bounds up 1) then 0
     else 1
   in
   set_child t p (side_of t p i) up;
@@ -172,7 +173,7 @@ let rec refit t i =
     end
   end
 
-(* Where to put a new leaf, whose bounds are in [scratch]: down from a child of a node, wherever surfaces grow
+(* Where to put a new leaf, whose bounds are in [scratch]: down from a child of a node, wherever nodes grow
    least. It becomes the sibling of what is there, which is not much higher, and [k] is told whose child that
    is. *)
 let rec find_place t i side k =
@@ -180,12 +181,12 @@ let rec find_place t i side k =
   if c < 0 then k i side
   else
     let b = t.nodes and leaf = bounds scratch 0 in
-    let here = joint_surface b leaf (bounds i side) in
-    let grown = here -. surface b (bounds i side) in
+    let here = joint_reach b leaf (bounds i side) in
+    let grown = here -. reach b leaf (bounds i side) in
     let growth side =
       let at = bounds c side in
-      let joint = joint_surface b leaf at in
-      if child t c side < 0 then grown +. joint else grown +. joint -. surface b at
+      let joint = joint_reach b leaf at in
+      if child t c side < 0 then grown +. joint else grown +. joint -. reach b leaf at
     in
     let first = growth 0 and second = growth 1 in
     if here < first && here < second && height_of t c <= slack then k i side

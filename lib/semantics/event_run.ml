@@ -306,6 +306,17 @@ let state t =
     ~step:None
     ~time:(Option.map (Rat.add t.now) t.start_time)
 
+(* Processes often come in rows, and a tree of boxes that come so has long nodes near its root, for ever. In steps
+   of about the golden section, the first ones to come are from everywhere. *)
+let iter_spread f a =
+  let n = Array.length a in
+  let rec gcd a b = if b = 0 then a else gcd b (a mod b) in
+  let rec coprime k = if gcd n k = 1 then k else coprime (k + 1) in
+  let step = coprime (Int.max 1 (n * 618 / 1000)) in
+  for i = 0 to n - 1 do
+    f a.(i * step mod n)
+  done
+
 let start (m : Model.t) (s : State.t) =
   if m.steered then Scc_base.Bug.fail __POS__ "laws of motion from event to event";
   let t =
@@ -323,5 +334,5 @@ let start (m : Model.t) (s : State.t) =
       room = least_room;
     }
   in
-  Array.iter (enter t) s.processes;
+  iter_spread (enter t) s.processes;
   t
