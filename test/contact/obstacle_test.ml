@@ -118,6 +118,47 @@ let far_away =
            (Obstacle.first_time_of_contact o r w)
            (Naive.first_time_of_contact (placed s.a Vec.zero) (placed s.b r) w))
 
+(* {1 Longer than floats can hold}
+
+   Cubes with a face of each in one plane, turned by a quaternion of four numbers of about 480 bits: their normals
+   have about 960. They are made as large as it takes for the terms of a product of a normal and a corner to be
+   about as great as the greatest float, so that now one and now another of them overflows, and the bound on the
+   error of the sum does not. *)
+
+let long_number =
+  let digit = Gen.(0 -- 0x3fffffff) in
+  let of_digits = List.fold_left (fun n d -> Z.add (Z.shift_left n 30) (Z.of_int d)) Z.one in
+  Gen.map2
+    (fun digits minus -> Rat.make (if minus then Z.neg (of_digits digits) else of_digits digits) Z.one)
+    (Gen.list_repeat 16 digit) Gen.bool
+
+let long_turn =
+  Gen.map2
+    (fun (w, x) (y, z) -> Option.get (Mat.of_quaternion (w, x, y, z)))
+    (Gen.pair long_number long_number) (Gen.pair long_number long_number)
+
+let overflowing =
+  QCheck2.Test.make ~name:"normals as long as the greatest float" ~count:200
+    ~print:(fun (m, _) -> Vec.to_string (Mat.apply m (Vec.of_ints 1 0 0)))
+    (Gen.pair long_turn (Gen.triple (Gen.oneofl cube_turns) offset Gen.(-2 -- 2)))
+    (fun (m, (side, along, more)) ->
+       let n = primitive (Mat.apply (Mat.mul m side) (Vec.of_ints 1 0 0)) in
+       let bits = Z.numbits (Z.max (Z.abs n.x) (Z.max (Z.abs n.y) (Z.abs n.z))) in
+       let size = Rat.make (Z.shift_left Z.one (1024 + more - bits)) Z.one in
+       let turned = { name = "cube"; plain = cube; turn = Mat.mul m (Mat.scale size side) } in
+       let o = obstacle turned turned in
+       let at x = Mat.apply turned.turn { (Vec.scale (Rat.make Z.one (Z.of_int 4)) along) with Vec.x = x } in
+       let two = Rat.of_int 2 and hair = Rat.div Rat.one (power 30) in
+       let out = Mat.apply turned.turn (Vec.of_ints 1 0 0) in
+       let cast r w = Obstacle.first_time_of_contact o r w in
+       Obstacle.relation o (at two) = Touching
+       && Obstacle.relation o (at (Rat.add two hair)) = Apart
+       && Obstacle.relation o (at (Rat.sub two hair)) = Interpenetrating
+       && List.exists (Ivec.equal n) (Obstacle.separating o (at two))
+       && equal_cast (cast (at (Rat.of_int 5)) (Vec.neg out)) (At (Rat.of_int 3))
+       && equal_cast (cast (at two) (Vec.neg out)) (At Rat.zero)
+       && equal_cast (cast (at two) out) Never)
+
 (* {1 Known obstacles} *)
 
 let body plain = { name = ""; plain; turn = Mat.identity }
@@ -172,4 +213,4 @@ let () =
       ( "properties",
         Scc_test_support.Property.cases
           [ relation; cast; aimed_cast; facets; random_hulls; offsets; at_collision; approaching_is_at_zero;
-            hair; far_away ] ) ]
+            hair; far_away; overflowing ] ) ]
