@@ -2,9 +2,9 @@
 
      gas.exe N TIME [--seed S] [--shapes cubes|turned|mixed] [--check] [--write FILE] [--events FILE]
 
-   Prints how many events there were (collisions), what one of them cost in processor time, how many exact casts and
-   how many neighbours were looked at for it, and how the numbers grew. With [--check], every event is checked to
-   conserve momentum (unless one of the two is a wall) and kinetic energy, exactly; the times then say nothing.
+   Prints how many events there were (collisions), what one of them cost in processor time, how many exact casts
+   and how many neighbours were looked at for it, and how the numbers grew. With [--check], every event is checked
+   to conserve momentum (unless one of the two is a wall) and kinetic energy, exactly; the times then say nothing.
 
    [--write FILE] writes the initial condition, so that another simulator can run the same gas. Numbers are
    rationals, [p] or [p/q]; fields are separated by one space:
@@ -146,7 +146,8 @@ let report o (before, seconds) events run (work : Flights.work) =
   Printf.printf "%.3f s, %.1f us/event; per event %.1f sweeps, %.1f neighbours, %.1f exact casts\n" seconds
     (1e6 *. seconds /. float_of_int (Int.max 1 events))
     (each work.sweeps) (each work.neighbours) (each work.casts);
-  Printf.printf "bits of a coordinate: mean %.1f at the start, %.1f at the end (greatest %d), %.2f per event of a body\n"
+  Printf.printf
+    "bits of a coordinate: mean %.1f at the start, %.1f at the end (greatest %d), %.2f per event of a body\n"
     before mean greatest
     ((mean -. before) *. float_of_int o.count /. (2. *. float_of_int (Int.max 1 events)))
 
