@@ -19,16 +19,18 @@ let line r w =
 let greatest (x : float array) at =
   Float.max (Float.abs x.(at)) (Float.max (Float.abs x.(at + 1)) (Float.abs x.(at + 2)))
 
+(* For a body at rest the place of the velocity is the search's own, and no bound holds. *)
 let make (s : Portal.t) r w =
-  { s; line = lazy (line r w); speed_bound = greatest s.x Portal.velocity }
+  let speed = greatest s.x Portal.velocity in
+  { s; line = lazy (line r w); speed_bound = (if speed > 0. then speed else infinity) }
 
 let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
 
 (* {1 The bounds}
 
    Let u = 2^-53, and m the bound of the portal: the sum of the bounds of the coordinates of A, B and r. The
-   coordinates of vertices are nearest floats, those of the centres exact, and those of r and w within 3 u
-   relatively (Shadow); two subtractions make a point p = a - b - r. Hence a coordinate of a point, or of the
+   coordinates of vertices, r and w are within 3 u of the exact ones, relatively, and those of the centres exact
+   (Shadow); two subtractions make a point p = a - b - r. Hence a coordinate of a point, or of the
    centre, is off by at most
      3 u m (conversions) + 2 u m (subtractions), that is 5 u m (1 + small).
    Nothing overflows or comes near to the floats below the normal ones: the coordinates are 0 or between 2^-120
@@ -40,13 +42,13 @@ let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
    A product n.p of an integer vector n: each term is off by |ni| m (2u + 5u + u), and two sums add
    2 u |n|1 m; in all 10 u |n|1 m (1 + small). The bound used is 32 u.
    The product n.(p - q) for vertices p and q of one solid, whose coordinates are at most h: conversions and
-   subtraction make 2 u h + 2 u h, and with |p - q| <= 2 h each term is off by |ni| (4 u h + 2h (2u + u)), the sums
-   by 2 u 2 h |n|1; in all 14 u |n|1 h, where 32 u is used.
+   subtraction make 6 u h + 2 u h, and with |p - q| <= 2 h each term is off by |ni| (8 u h + 2h (2u + u)), the sums
+   by 2 u 2 h |n|1; in all 18 u |n|1 h, where 32 u is used.
    The product n.w is off by (3u + 2u + u + 2u) |n|1 |w|, where 32 u is used.
 
    The determinant of three vectors with coordinates at most m1, m2, m3, each off by at most e1, e2, e3 times
-   that, with e <= 5 u: a minor of the last two is off by 2 m2 m3 (e2 + e3 + u) + 2 u m2 m3 = 24 u m2 m3, its product
-   with a coordinate by m1 m2 m3 (24 u + 2 (5 u + u)) = 36 u, the sum of three of those by 108 u and for two
+   that, with e <= 5 u: a minor of the last two is off by 2 m2 m3 (e2 + e3 + u) + 2 u m2 m3 = 24 u m2 m3, its
+   product with a coordinate by m1 m2 m3 (24 u + 2 (5 u + u)) = 36 u, the sum of three of those by 108 u and for two
    additions 12 u more: 120 u m1 m2 m3 (1 + small). The bound used is 256 u. *)
 
 let largest = 0x1p900
@@ -54,11 +56,11 @@ let largest = 0x1p900
 let[@inline] certain x bound =
   if bound < largest then if x > bound then 1 else if x < -.bound then -1 else 0 else 0
 
-(* A direction n and its floats. *)
+(* A direction n with its floats. *)
 type floats = { x : float; y : float; z : float; norm1 : float }
-type direction = { n : Ivec.t; f : floats }
+type axis = { n : Ivec.t; f : floats }
 
-let direction (n : Ivec.t) =
+let axis (n : Ivec.t) =
   let x = Z.to_float n.x and y = Z.to_float n.y and z = Z.to_float n.z in
   { n; f = { x; y; z; norm1 = Float.abs x +. Float.abs y +. Float.abs z } }
 
@@ -156,21 +158,21 @@ let is_highest (s : Solid.t) v { n; f } sign ~known =
 
 let nobody = -1
 
-type plane = { direction : direction; va : int; vb : int }
+type plane = { axis : axis; va : int; vb : int }
 
-let supporting c direction va vb =
-  if is_highest c.s.a va direction 1. ~known:nobody && is_highest c.s.b vb direction (-1.) ~known:nobody then
-    Some { direction; va; vb }
+let supporting c axis va vb =
+  if is_highest c.s.a va axis 1. ~known:nobody && is_highest c.s.b vb axis (-1.) ~known:nobody then
+    Some { axis; va; vb }
   else None
 
-let normal p = p.direction.n
+let normal p = p.axis.n
 
-(* Point 3 is at nobody's service between searches. *)
+(* Point 3 is free between searches. *)
 let height c p =
   Portal.place c.s 3 p.va p.vb;
-  side c p.direction 3
+  side c p.axis 3
 
-let speed c p = along c p.direction
+let speed c p = along c p.axis
 
 (* {1 Separation} *)
 
@@ -180,7 +182,7 @@ let short = 0x1p26
 let shorten (x : float array) at size =
   let k = size /. greatest x at in
   let round y = int_of_float (Float.round (y *. k)) in
-  direction
+  axis
     (if k < infinity && k > 0. then Ivec.of_ints (round x.(at)) (round x.(at + 1)) (round x.(at + 2))
      else Ivec.zero)
 
@@ -199,11 +201,14 @@ let supported c n =
    its interior. *)
 let never c p = speed c p >= 0 && height c p <= 0
 let apart c p = height c p < 0
+let apart_forever c p = speed c p = 0 && height c p < 0
 
-(* A direction across w that was rounded may run against it by a little, which some of w makes up for. *)
+(* A direction across w that was rounded, by at most 1/2 in each coordinate, may run against w by |w|1 / 2, which
+   is at most 3/2 times the greatest coordinate of w; three times w over that coordinate, rounded as well, makes
+   up for it. *)
 let separating c =
   let n = shorten c.s.x Portal.direction short in
-  let n = if along c n >= 0 then n else direction (Ivec.add n.n (shorten c.s.x Portal.velocity 3.).n) in
+  let n = if along c n >= 0 then n else axis (Ivec.add n.n (shorten c.s.x Portal.velocity 3.).n) in
   supported c n
 
 (* {1 The silhouette} *)
@@ -221,7 +226,7 @@ type beside = Never of plane | Crosses | Unknown
 
 (* The outward normal of the edge, seen along w. *)
 let beside c =
-  let n = direction (Ivec.cross (edge c) (velocity c)) in
+  let n = axis (Ivec.cross (edge c) (velocity c)) in
   if Ivec.is_zero n.n then Unknown
   else if side c n 4 > 0 then Crosses
   else match supporting c n c.s.va.(4) c.s.vb.(4) with Some p -> Never p | None -> Unknown
@@ -248,13 +253,13 @@ let direction_between (s : Solid.t) (i, j) =
 
 (* Two edges span the facet; which way is out, floats guess, and the neighbours prove. *)
 let across c a b =
-  let n = direction (Ivec.cross (direction_between c.s.a a) (direction_between c.s.b b)) in
+  let n = axis (Ivec.cross (direction_between c.s.a a) (direction_between c.s.b b)) in
   let n = if float_dot n.f c.s.x Portal.direction < 0. then opposite n else n in
   if
     (not (Ivec.is_zero n.n))
     && is_highest c.s.a (fst a) n 1. ~known:(snd a)
     && is_highest c.s.b (fst b) n (-1.) ~known:(snd b)
-  then Some { direction = n; va = fst a; vb = fst b }
+  then Some { axis = n; va = fst a; vb = fst b }
   else None
 
 (* Three corners of one face of A, with one vertex of B or several of the same height; or the other way round;
@@ -267,17 +272,17 @@ let facet c =
     | 3, _ -> (
         match Topology.common_face a.topology va.(0) va.(1) va.(2) with
         | Some face ->
-          let n = direction a.normals.(face) in
+          let n = axis a.normals.(face) in
           if is_highest b vb.(0) n (-1.) ~known:nobody && level b n.n vb then
-            Some { direction = n; va = va.(0); vb = vb.(0) }
+            Some { axis = n; va = va.(0); vb = vb.(0) }
           else None
         | None -> None)
     | _, 3 -> (
         match Topology.common_face b.topology vb.(0) vb.(1) vb.(2) with
         | Some face ->
-          let n = direction (Ivec.neg b.normals.(face)) in
+          let n = axis (Ivec.neg b.normals.(face)) in
           if is_highest a va.(0) n 1. ~known:nobody && level a n.n va then
-            Some { direction = n; va = va.(0); vb = vb.(0) }
+            Some { axis = n; va = va.(0); vb = vb.(0) }
           else None
         | None -> None)
     | 2, 2 -> across c (two va) (two vb)
@@ -320,18 +325,18 @@ let tight c k =
   let i = va.(k) and j = vb.(k) in
   let at_a = around a i and at_b = around b j in
   let of_a e =
-    let n = direction a.normals.(face_leaving a i e) in
+    let n = axis a.normals.(face_leaving a i e) in
     if side c n k = 0 && is_highest b j n (-1.) ~known:nobody then Some n.n else None
   in
   let from_a = List.filter_map of_a at_a in
   let of_b f =
-    let n = direction (Ivec.neg b.normals.(face_leaving b j f)) in
+    let n = axis (Ivec.neg b.normals.(face_leaving b j f)) in
     if
       side c n k = 0 && is_highest a i n 1. ~known:nobody && not (List.exists (Ivec.equal n.n) from_a)
     then Some n.n
     else None
   in
-  let of_both e f = Option.bind (spanned a b e f) (fun n -> if side c (direction n) k = 0 then Some n else None) in
+  let of_both e f = Option.bind (spanned a b e f) (fun n -> if side c (axis n) k = 0 then Some n else None) in
   from_a
   @ List.filter_map of_b at_b
   @ List.concat_map (fun e -> List.filter_map (of_both e) at_b) at_a
@@ -339,7 +344,7 @@ let tight c k =
 (* n.(a - b - r) = (n.w) t *)
 let time c f =
   let { Portal.a; b; _ } = c.s in
-  let n = f.direction.n in
+  let n = f.axis.n in
   Rat.make (exact_product c n f.va f.vb)
     (by b.denominator (by a.denominator (Ivec.dot n (velocity c))))
 
@@ -358,11 +363,11 @@ let crossing_of q0 q1 q2 =
 let crossing c = crossing_of (-turn c 1 2) (-turn c 2 0) (-turn c 0 1)
 
 let foot c f =
-  aim c f.direction;
+  aim c f.axis;
   let bound = greatest c.s.x Portal.direction in
   let turn i j =
     orientation c Portal.direction (Portal.point i) (Portal.point j) bound (fun () ->
-        (f.direction.n, exact_point c i, exact_point c j))
+        (f.axis.n, exact_point c i, exact_point c j))
   in
   crossing_of (turn 1 2) (turn 2 0) (turn 0 1)
 

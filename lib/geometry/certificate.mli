@@ -16,7 +16,8 @@ val normal : plane -> Ivec.t
 (** Outward. *)
 
 val height : t -> plane -> int
-(** The sign of n.p for the points p of the plane: positive when the origin is strictly on the inner side. *)
+(** The sign of n.p for the points p of the plane: positive when the origin is strictly on the inner side. This
+    and what uses it move the last support. *)
 
 val speed : t -> plane -> int
 (** The sign of n.w. *)
@@ -26,6 +27,9 @@ val never : t -> plane -> bool
 
 val apart : t -> plane -> bool
 (** Whether the plane keeps the closed bodies apart now. *)
+
+val apart_forever : t -> plane -> bool
+(** Whether the plane keeps the closed bodies apart, now and at all times, past and to come. *)
 
 val separating : t -> plane option
 (** After [Apart]: a plane nearly across the direction. Moves the last support. *)
@@ -44,7 +48,8 @@ val facet : t -> plane option
 val time : t -> plane -> Rat.t
 (** When the line crosses the plane. n.w is not 0. *)
 
-(** Where a line crosses the portal. *)
+(** Where a line crosses the portal: what is not outside proves as well that the portal is a triangle, and not
+    seen edge-on. *)
 type crossing =
   | Within  (** strictly inside *)
   | Border of int  (** on its boundary; one of the corners that it is a combination of *)

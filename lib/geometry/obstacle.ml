@@ -2,8 +2,8 @@ open Scc_exact
 
 type facet = Minkowski.facet = { normal : Ivec.t; num : Z.t; den : Z.t }
 
-(* What proved the last answers. A plane supports the obstacle wherever B stands, and so may prove the next answer as
-   well: the pair has moved a little, or another pair of the same solids is as far apart. *)
+(* What proved the last answers. A plane supports the obstacle wherever B stands, and so may prove the next answer
+   as well: the pair has moved a little, or another pair of the same solids is as far apart. *)
 type memory = {
   mutable plane : Certificate.plane option;  (** kept the two apart *)
   mutable portal : portal option;  (** was entered *)
@@ -11,9 +11,11 @@ type memory = {
 
 and portal = { carrier : Certificate.plane; va : int array; vb : int array }
 
-type t = { a : Solid.t; b : Solid.t; all : Facets.t Lazy.t; memory : memory }
+type t = { a : Solid.t; b : Solid.t; all : Facets.t Lazy.t; guess : Portal.guess; memory : memory }
 
-let make a b = { a; b; all = lazy (Facets.make a b); memory = { plane = None; portal = None } }
+let make ?(guess = Portal.guess) a b =
+  { a; b; all = lazy (Facets.make a b); guess; memory = { plane = None; portal = None } }
+
 let facets o = Facets.facets (Lazy.force o.all)
 
 let keep_plane o p = o.memory.plane <- Some p
@@ -30,11 +32,12 @@ type cast = Facets.cast = Never | Inside | At of Rat.t
 let[@inline] beyond error r low_a high_a low_b high_b =
   r +. low_b -. high_a > error || low_a -. (r +. high_b) > error
 
-(* What the boxes of the two and the spheres about their centres say. Each number compared comes from at most four
-   floats that are off by at most 2^-53 of the bound, in as many steps. *)
+(* What the boxes of the two and the spheres about their centres say. A difference of coordinates is off by at most
+   3 u of the bound for each of its three terms' shares, and 2 u more for the sums: 5 u; a length by less than
+   twice that and a few u for the root; the bound is 32 u. What is not sane compares as false. *)
 let at_first_sight o (r : Shadow.floats) =
   let a = o.a.shadow and b = o.b.shadow in
-  let error = 0x1p-48 *. Portal.bound o.a o.b r in
+  let error = 0x1p-48 *. Portal.bound_on o.a o.b r in
   if
     beyond error r.x a.low.x a.high.x b.low.x b.high.x
     || beyond error r.y a.low.y a.high.y b.low.y b.high.y
@@ -69,12 +72,12 @@ let settle c (search : Portal.search) =
           | _ -> overlap c))
   | Apart | Beside | Lost -> Open
 
-let locate c s =
-  match Portal.locate s ~hasty:true with
+let locate o c s =
+  match o.guess.locate s ~hasty:true with
   | Apart -> (
       match Certificate.separating c with
       | Some p when Certificate.apart c p -> Apart_by p
-      | Some _ | None -> settle c (Portal.locate s ~hasty:false))
+      | Some _ | None -> settle c (o.guess.locate s ~hasty:false))
   | found -> settle c found
 
 let relation_by_search o r s =
@@ -82,7 +85,7 @@ let relation_by_search o r s =
   match o.memory.plane with
   | Some p when Certificate.apart c p -> Apart
   | Some _ | None -> (
-      match locate c s with
+      match locate o c s with
       | Apart_by p ->
         keep_plane o p;
         Apart
@@ -107,7 +110,7 @@ let separating o r =
   | None -> by_facets ()
   | Some s -> (
       let c = Certificate.make s r Vec.zero in
-      match settle c (Portal.locate s ~hasty:false) with
+      match settle c (o.guess.locate s ~hasty:false) with
       | Contact (f, Within) -> [ Ivec.primitive (Certificate.normal f) ]
       | Contact (_, Border k) -> Certificate.tight c k
       | Contact (_, Outside) | Apart_by _ | Overlap | Open -> by_facets ())
@@ -121,7 +124,7 @@ let approaching o r w =
 (* {1 Casts} *)
 
 (* How a line, from its infinite past on, meets the interior: not at all from the time 0 on, or through a facet. *)
-type passage = Misses | Enters of Certificate.plane | Unknown
+type passage = Misses of Certificate.plane | Enters of Certificate.plane | Unknown
 
 (* Whether the line runs through the interior: strictly inside of a facet it does. *)
 let pierces c =
@@ -137,27 +140,35 @@ let entry o c s =
     Enters f
   | Some _ | None -> Unknown
 
+let misses o p =
+  keep_plane o p;
+  Misses p
+
 let rec follow o c s (search : Portal.search) =
   match search with
   | Apart -> (
       match Certificate.separating c with
-      | Some p when Certificate.never c p ->
-        keep_plane o p;
-        Misses
-      | Some _ | None -> follow o c s (Portal.cast s ~hasty:false))
+      | Some p when Certificate.never c p -> misses o p
+      | Some _ | None -> patiently o c s)
   | Beside -> (
       match Certificate.beside c with
-      | Never p ->
-        keep_plane o p;
-        Misses
-      | Crosses -> follow o c s (Portal.through s)
+      | Never p -> misses o p
+      | Crosses -> (
+          match o.guess.through s with
+          | Through -> entry o c s
+          | Apart | Beside | Inside | Lost -> Unknown)
       | Unknown -> Unknown)
   | Through -> entry o c s
   | Inside | Lost -> Unknown
 
+and patiently o c s =
+  match o.guess.cast s ~hasty:false with
+  | Apart -> Unknown
+  | search -> follow o c s search
+
 let remembered o c s =
   match (o.memory.plane, o.memory.portal) with
-  | Some p, _ when Certificate.never c p -> Misses
+  | Some p, _ when Certificate.never c p -> Misses p
   | _, Some { carrier; va; vb } when Certificate.speed c carrier < 0 ->
     Array.iteri (fun k i -> Portal.place s k i vb.(k)) va;
     (match Certificate.crossing c with Within -> Enters carrier | Border _ | Outside -> Unknown)
@@ -165,7 +176,7 @@ let remembered o c s =
 
 let passage o c s =
   match remembered o c s with
-  | Unknown -> follow o c s (Portal.cast s ~hasty:true)
+  | Unknown -> follow o c s (o.guess.cast s ~hasty:true)
   | known -> known
 
 let inside_now o r =
@@ -180,28 +191,32 @@ let moving_contact o r w =
   | Some s -> (
       let c = Certificate.make s r w in
       match passage o c s with
-      | Misses -> Never
+      | Misses _ -> Never
       | Unknown -> by_facets ()
       | Enters f when Certificate.height c f <= 0 -> At (Certificate.time c f)
       | Enters _ -> inside_now o r (* entered before time 0: inside still, or through already *))
 
 let first_time_of_contact o r w = if Vec.is_zero w then inside_now o r else moving_contact o r w
 
-(* The closed bodies meet from where the line enters the obstacle to where the reverse line does. *)
-let meeting o r w =
-  let entered w =
+(* The closed bodies meet from where the line enters the obstacle to where the reverse line does. A line that
+   grazes it is left to all facets. *)
+let moving_meeting o r w =
+  let passage w =
     match Portal.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
-    | None -> None
-    | Some s -> (
-        let c = Certificate.make s r w in
-        match follow o c s (Portal.cast s ~hasty:false) with
-        | Enters f -> Some (Certificate.time c f)
-        | Misses | Unknown -> None)
+    | None -> (None, Unknown)
+    | Some s ->
+      let c = Certificate.make s r w in
+      (Some c, patiently o c s)
   in
   let by_facets () = Facets.meeting (Lazy.force o.all) r w in
-  match entered w with
-  | None -> by_facets ()
-  | Some low -> (
-      match entered (Vec.neg w) with
-      | None -> by_facets ()
-      | Some high -> Some (Some low, Some (Rat.neg high)))
+  match passage w with
+  | Some c, Misses p when Certificate.apart_forever c p -> None
+  | Some c, Enters low -> (
+      match passage (Vec.neg w) with
+      | Some d, Enters high -> Some (Some (Certificate.time c low), Some (Rat.neg (Certificate.time d high)))
+      | _ -> by_facets ())
+  | _ -> by_facets ()
+
+let meeting o r w =
+  if Vec.is_zero w then match relation o r with Apart -> None | Touching | Interpenetrating -> Some (None, None)
+  else moving_meeting o r w

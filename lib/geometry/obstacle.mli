@@ -18,10 +18,12 @@ type t = private {
   a : Solid.t;
   b : Solid.t;
   all : Facets.t Lazy.t;  (** all facets, made when a query cannot do without them *)
+  guess : Portal.guess;
   memory : memory;  (** what proved the last answers, where the next proof is sought first *)
 }
 
-val make : Solid.t -> Solid.t -> t
+val make : ?guess:Portal.guess -> Solid.t -> Solid.t -> t
+(** Answers do not depend on [guess]: tests make it guess at random. *)
 
 val facets : t -> facet array
 (** Exactly the facets of the obstacle, each once. *)

@@ -13,19 +13,18 @@ let velocity = 3
 let centre = 6
 let point k = 9 + (3 * k)
 let last = 3
-let places = 9 + (3 * 6)
-
-let[@inline] sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
+let offset = 9 + (3 * 6)
 
 let greatest (v : Shadow.floats) = Float.max (Float.abs v.x) (Float.max (Float.abs v.y) (Float.abs v.z))
-let bound (a : Solid.t) (b : Solid.t) r = a.shadow.reach +. b.shadow.reach +. greatest r
+let bound_on (a : Solid.t) (b : Solid.t) r = a.shadow.reach +. b.shadow.reach +. greatest r
 
 let make (a : Solid.t) (b : Solid.t) (r : Shadow.floats) (w : Shadow.floats) =
   let { Shadow.x = rx; y = ry; z = rz } = r and { Shadow.x = wx; y = wy; z = wz } = w in
   let sa = a.shadow and sb = b.shadow in
   if
     not
-      (sa.usable && sb.usable && sane rx && sane ry && sane rz && sane wx && sane wy && sane wz)
+      (sa.usable && sb.usable && Shadow.sane rx && Shadow.sane ry && Shadow.sane rz && Shadow.sane wx
+       && Shadow.sane wy && Shadow.sane wz)
   then None
   else begin
     (* What is not set yet is filled with anything: an array written out is made without a call. *)
@@ -37,7 +36,8 @@ let make (a : Solid.t) (b : Solid.t) (r : Shadow.floats) (w : Shadow.floats) =
       |]
     in
     let none = Sys.opaque_identity 0 in
-    Some { a; b; x; va = [| none; none; none; none; none; none |]; vb = [| none; none; none; none; none; none |]; bound = bound a b r; hasty = true }
+    let va = [| none; none; none; none; none; none |] and vb = [| none; none; none; none; none; none |] in
+    Some { a; b; x; va; vb; bound = bound_on a b r; hasty = true }
   end
 
 (* {1 Vectors by place}
@@ -48,8 +48,6 @@ let[@inline] get (a : float array) i = Array.unsafe_get a i
 
 let[@inline] product (x : float array) i j =
   (get x i *. get x j) +. (get x (i + 1) *. get x (j + 1)) +. (get x (i + 2) *. get x (j + 2))
-
-let dot s i j = product s.x i j
 
 (* det (u, v, w) *)
 let[@inline] det (x : float array) u v w =
@@ -80,7 +78,8 @@ let aim_away s =
   x.(direction + 1) <- -.get x (centre + 1);
   x.(direction + 2) <- -.get x (centre + 2)
 
-let[@inline] size (x : float array) u = Float.abs (get x u) +. Float.abs (get x (u + 1)) +. Float.abs (get x (u + 2))
+let[@inline] size (x : float array) u =
+  Float.abs (get x u) +. Float.abs (get x (u + 1)) +. Float.abs (get x (u + 2))
 
 (* The given direction, across w; but any direction across w when nothing but rounding is left of the given one,
    whose terms were as great as [scale]. *)
@@ -146,9 +145,9 @@ let place s k i j =
   let at = point k in
   s.va.(k) <- i;
   s.vb.(k) <- j;
-  x.(at) <- get a.xs i -. get b.xs j -. get x places;
-  x.(at + 1) <- get a.ys i -. get b.ys j -. get x (places + 1);
-  x.(at + 2) <- get a.zs i -. get b.zs j -. get x (places + 2)
+  x.(at) <- get a.xs i -. get b.xs j -. get x offset;
+  x.(at + 1) <- get a.ys i -. get b.ys j -. get x (offset + 1);
+  x.(at + 2) <- get a.zs i -. get b.zs j -. get x (offset + 2)
 [@@inline]
 
 let support s k =
@@ -176,9 +175,7 @@ type search = Apart | Beside | Through | Inside | Lost
 
 (* What a product of the direction with a point, or with a difference of points, may be off by, so that less
    is no progress. *)
-let[@inline] noise s =
-  let x = s.x in
-  0x1p-49 *. s.bound *. (Float.abs (get x (direction)) +. Float.abs (get x (direction + 1)) +. Float.abs (get x (direction + 2)))
+let[@inline] noise s = 0x1p-49 *. s.bound *. size s.x direction
 
 (* The last support was taken at p3. *)
 let[@inline] same_as s k = s.va.(last) = s.va.(k) && s.vb.(last) = s.vb.(k)
@@ -364,3 +361,7 @@ let locate s ~hasty =
       find_portal s rounds
     end
   end
+
+type guess = { cast : t -> hasty:bool -> search; through : t -> search; locate : t -> hasty:bool -> search }
+
+let guess = { cast; through; locate }

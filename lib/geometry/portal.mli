@@ -1,6 +1,8 @@
 (** Portals: where a line enters the obstacle A - B of two solids, or a plane between the two, sought in
-    floats. What is found here is a guess and nothing more: {!Certificate} proves it, over integers where
-    floats cannot, and all that a wrong guess can cost is time.
+    floats. Which vertices and which direction are found is a guess and nothing more: {!Certificate} proves it,
+    over integers where floats cannot, and all that a wrong guess can cost is time. What proofs rely on is this:
+    a point is where {!place} puts it for its two vertices; the offset stays as it was made, and so do the
+    velocity in a cast and the centre.
 
     Everything is about the offset r at which B stands: a point of the obstacle is p = a - b - r, and the line
     runs from the origin along w. *)
@@ -25,15 +27,12 @@ val centre : int
 val point : int -> int
 (** The place of the points: 0 to 2 are the portal, 3 the last support, 4 and 5 the edge (below). *)
 
-val bound : Solid.t -> Solid.t -> Shadow.floats -> float
-(** That of a portal for the offset r. *)
+val bound_on : Solid.t -> Solid.t -> Shadow.floats -> float
+(** The bound of a portal for the offset r. *)
 
 val make : Solid.t -> Solid.t -> Shadow.floats -> Shadow.floats -> t option
 (** [make a b r w], with the floats of r and w; [None] where floats would overflow or the solids are too
     thin for them. *)
-
-val dot : t -> int -> int -> float
-(** The product of the vectors at two places. *)
 
 val place : t -> int -> int -> int -> unit
 (** [place s k i j]: puts the point of vertex i of A and vertex j of B at [k]. *)
@@ -50,12 +49,15 @@ type search =
   | Inside  (** the origin seems to be between the centre and the portal (in {!locate} only) *)
   | Lost
 
-val cast : t -> hasty:bool -> search
-(** Follows the line from behind to where it enters the obstacle. [Apart] only if [hasty]. *)
+type guess = {
+  cast : t -> hasty:bool -> search;
+  (** follows the line from behind to where it enters the obstacle: [Apart] (only if [hasty]), [Beside],
+      [Through] or [Lost] *)
+  through : t -> search;  (** goes on from [Beside], the edge being no edge of the silhouette *)
+  locate : t -> hasty:bool -> search;
+  (** seeks the origin: [Apart] (only if [hasty]), [Inside], the portal that carries the facet towards it
+      ([Through]), or [Lost]; the velocity is lost *)
+}
 
-val through : t -> search
-(** Goes on from [Beside], the edge being no edge of the silhouette. *)
-
-val locate : t -> hasty:bool -> search
-(** Seeks the origin: [Apart] (only if [hasty]), [Inside], or the portal that carries the facet towards it
-    ([Through]). *)
+val guess : guess
+(** Portal ray-shooting. *)

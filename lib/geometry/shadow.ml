@@ -2,7 +2,14 @@ open Scc_exact
 
 type floats = { x : float; y : float; z : float }
 
-let floats (v : Vec.t) = { x = Rat.near_float v.x; y = Rat.near_float v.y; z = Rat.near_float v.z }
+(* What is too small for a float is not to pass for 0. *)
+let float q =
+  let x = Rat.near_float q in
+  if x = 0. && Rat.sign q <> 0 then Float.nan else x
+
+let floats (v : Vec.t) = { x = float v.x; y = float v.y; z = float v.z }
+
+let[@inline] sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
 
 type t = {
   count : int;
@@ -22,10 +29,6 @@ type t = {
   centre_denominator : Z.t;
   usable : bool;
 }
-
-(* Within these bounds products of three differences of coordinates neither overflow nor, unless they are 0,
-   fall to where floats are sparse. *)
-let sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
 
 (* Floats of integers are within 2^-52 of them, a few operations add as much each; 2^-40 covers that. *)
 let narrow x = x *. (1. -. 0x1p-40)
@@ -51,7 +54,7 @@ let highest (xs : float array) (ys : float array) (zs : float array) x y z =
 
 let make vertices denominator ~centroid ~normals ~corners =
   let count = Array.length vertices in
-  let float x = Rat.to_float (Rat.make x denominator) in
+  let float x = float (Rat.make x denominator) in
   let xs = Array.map (fun (v : Ivec.t) -> float v.x) vertices in
   let ys = Array.map (fun (v : Ivec.t) -> float v.y) vertices in
   let zs = Array.map (fun (v : Ivec.t) -> float v.z) vertices in
@@ -61,10 +64,9 @@ let make vertices denominator ~centroid ~normals ~corners =
   let high = { x = merge Float.max xs; y = merge Float.max ys; z = merge Float.max zs } in
   let { x = cx; y = cy; z = cz } = floats centroid in
   let all = Array.for_all sane in
-  let sane = all xs && all ys && all zs && sane cx && sane cy && sane cz in
-  if not sane then
+  if not (all xs && all ys && all zs && sane cx && sane cy && sane cz) then
     {
-      count; xs; ys; zs; compass; low; high; reach = infinity; cx; cy; cz; inner = 0.; outer = infinity;
+      count; xs; ys; zs; compass; low; high; reach = infinity; cx; cy; cz; inner = neg_infinity; outer = infinity;
       centre = Ivec.zero; centre_denominator = Z.one; usable = false;
     }
   else
@@ -83,6 +85,6 @@ let make vertices denominator ~centroid ~normals ~corners =
     let reach = greatest (greatest (greatest (greatest 0. [| cx; cy; cz |]) xs) ys) zs in
     {
       count; xs; ys; zs; compass; low; high; reach = widen reach; cx; cy; cz;
-      inner = (if usable then !inner else 0.); outer;
+      inner = (if usable then !inner else neg_infinity); outer;
       centre; centre_denominator; usable;
     }
