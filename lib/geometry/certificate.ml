@@ -48,8 +48,8 @@ let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
 
    The determinant of three vectors with coordinates at most m1, m2, m3, each off by at most e1, e2, e3 times
    that, with e <= 5 u: a minor of the last two is off by 2 m2 m3 (e2 + e3 + u) + 2 u m2 m3 = 24 u m2 m3, its
-   product with a coordinate by m1 m2 m3 (24 u + 2 (5 u + u)) = 36 u, the sum of three of those by 108 u and for two
-   additions 12 u more: 120 u m1 m2 m3 (1 + small). The bound used is 256 u. *)
+   product with a coordinate by m1 m2 m3 (24 u + 2 (5 u + u)) = 36 u, the sum of three of those by 108 u and for
+   two additions 12 u more: 120 u m1 m2 m3 (1 + small). The bound used is 256 u. *)
 
 let largest = 0x1p900
 
