@@ -7,14 +7,19 @@ type facet = Minkowski.facet = { normal : Ivec.t; num : Z.t; den : Z.t }
 type memory = {
   mutable plane : Certificate.plane option;  (** kept the two apart *)
   mutable portal : portal option;  (** was entered *)
+  mutable contact : contact option;
 }
 
 and portal = { carrier : Certificate.plane; va : int array; vb : int array }
 
+(* At this very offset (in memory) the two touch, and these are the normals of the facets that hold it: who has
+   asked whether bodies touch asks next how. *)
+and contact = { at : Vec.t; normals : Ivec.t list Lazy.t }
+
 type t = { a : Solid.t; b : Solid.t; all : Facets.t Lazy.t; guess : Portal.guess; memory : memory }
 
 let make ?(guess = Portal.guess) a b =
-  { a; b; all = lazy (Facets.make a b); guess; memory = { plane = None; portal = None } }
+  { a; b; all = lazy (Facets.make a b); guess; memory = { plane = None; portal = None; contact = None } }
 
 let facets o = Facets.facets (Lazy.force o.all)
 
@@ -80,6 +85,17 @@ let locate o c s =
       | Some _ | None -> settle c (o.guess.locate s ~hasty:false))
   | found -> settle c found
 
+let keep_contact o r c f crossing =
+  let normals =
+    lazy
+      (match (crossing : Certificate.crossing) with
+       | Within -> [ Ivec.primitive (Certificate.normal f) ]
+       | Border k -> Certificate.tight c k
+       | Outside -> Scc_base.Bug.fail __POS__ "a contact outside of its portal")
+  in
+  o.memory.contact <- Some { at = r; normals };
+  normals
+
 let relation_by_search o r s =
   let c = Certificate.make s r Vec.zero in
   match o.memory.plane with
@@ -90,7 +106,9 @@ let relation_by_search o r s =
         keep_plane o p;
         Apart
       | Overlap -> Interpenetrating
-      | Contact _ -> Touching
+      | Contact (f, crossing) ->
+        ignore (keep_contact o r c f crossing);
+        Touching
       | Open -> Facets.relation (Lazy.force o.all) r)
 
 let still = Shadow.floats Vec.zero
@@ -104,16 +122,20 @@ let relation o r =
       | None -> Facets.relation (Lazy.force o.all) r
       | Some s -> relation_by_search o r s)
 
-let separating o r =
+let separating_by_search o r =
   let by_facets () = Facets.separating (Lazy.force o.all) r in
   match Portal.make o.a o.b (Shadow.floats r) still with
   | None -> by_facets ()
   | Some s -> (
       let c = Certificate.make s r Vec.zero in
       match settle c (o.guess.locate s ~hasty:false) with
-      | Contact (f, Within) -> [ Ivec.primitive (Certificate.normal f) ]
-      | Contact (_, Border k) -> Certificate.tight c k
-      | Contact (_, Outside) | Apart_by _ | Overlap | Open -> by_facets ())
+      | Contact (f, crossing) -> Lazy.force (keep_contact o r c f crossing)
+      | Apart_by _ | Overlap | Open -> by_facets ())
+
+let separating o r =
+  match o.memory.contact with
+  | Some { at; normals } when at == r -> Lazy.force normals
+  | Some _ | None -> separating_by_search o r
 
 (* At a boundary point r of a convex polytope, r + t w is interior for all small t > 0 iff w goes strictly
    inwards through every facet that holds r. *)
