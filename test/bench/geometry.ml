@@ -262,8 +262,18 @@ let rec parse mode files = function
   | file :: rest when not (String.length file > 1 && file.[0] = '-') -> parse mode (file :: files) rest
   | _ -> usage ()
 
-let () =
+let main () =
   match parse Times [] (List.tl (Array.to_list Sys.argv)) with
   | mode, [ shape; file ] -> run mode (pairs shape shape file)
   | mode, [ shape; shape_b; file ] -> run mode (pairs shape shape_b file)
   | _ -> usage ()
+
+let () =
+  let refuse message =
+    prerr_endline ("geometry.exe: " ^ message);
+    exit 2
+  in
+  try main () with
+  | Sys_error message -> refuse message
+  | Failure _ | Invalid_argument _ | End_of_file ->
+    refuse "a file is not in the formats of test/data/geometry/README.md"
