@@ -3,7 +3,7 @@ open Scc_geometry
 
 type placed = { body : int; solid : Solid.t; position : Vec.t }
 
-let box p = Float_box.at p.position (Float_box.of_corners p.solid.Solid.low p.solid.Solid.high)
+let box p = Float_box.at p.position p.solid.Solid.box
 
 let interpenetrate cache p q =
   let obstacle = Obstacle_cache.find cache p.solid q.solid in

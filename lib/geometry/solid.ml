@@ -13,8 +13,7 @@ type t = {
   shadow : Shadow.t;
   centroid : Vec.t;
   volume : Rat.t;
-  low : Vec.t;
-  high : Vec.t;
+  box : Float_box.t;
 }
 
 let position denominator (v : Ivec.t) =
@@ -34,6 +33,8 @@ let make ~id (polyhedron : Polyhedron.t) linear =
   let topology = polyhedron.topology in
   let direction (e : Topology.edge) = Ivec.primitive (Ivec.sub vertices.(e.head) vertices.(e.tail)) in
   let corners = Array.map (fun f -> vertices.(f.(0))) faces in
+  let low = position denominator (bound Z.min vertices) in
+  let high = position denominator (bound Z.max vertices) in
   {
     id;
     polyhedron;
@@ -46,8 +47,7 @@ let make ~id (polyhedron : Polyhedron.t) linear =
     shadow = Shadow.make vertices denominator ~centroid:mass.centroid ~normals ~corners;
     centroid = mass.centroid;
     volume = mass.volume;
-    low = position denominator (bound Z.min vertices);
-    high = position denominator (bound Z.max vertices);
+    box = Float_box.of_corners low high;
   }
 
 let vertex s i = position s.denominator s.vertices.(i)

@@ -16,8 +16,7 @@ type t = private {
   shadow : Shadow.t;  (** the vertices as floats *)
   centroid : Vec.t;  (** of the uniform solid, about the same point *)
   volume : Rat.t;
-  low : Vec.t;  (** least coordinates *)
-  high : Vec.t;  (** greatest coordinates *)
+  box : Float_box.t;  (** about the reference point *)
 }
 
 val make : id:int -> Polyhedron.t -> Mat.t -> t

@@ -18,7 +18,6 @@ type t = {
   model : Model.t;
   first_part : int array;  (** by leaf *)
   solid : Solid.t array;
-  shape : Float_box.t array;  (** about the reference point of the part *)
   line : Vec.t array;  (** of the reference point *)
   boxes : Moving_boxes.t;
   owner : flight array;
@@ -29,19 +28,6 @@ type t = {
 }
 
 let nobody = { first = -1; velocity = Vec.zero; parts = [||]; sweep = -1; rounds = 0 }
-
-(* The boxes of the parts, one for all parts of a solid. *)
-let shapes solids =
-  let known = Hashtbl.create 16 in
-  let shape (s : Solid.t) =
-    match Hashtbl.find_opt known s.id with
-    | Some box -> box
-    | None ->
-      let box = Float_box.of_corners s.low s.high in
-      Hashtbl.add known s.id box;
-      box
-  in
-  Array.map shape solids
 
 let create (m : Model.t) =
   let counts = Array.map (fun (l : Model.leaf) -> Array.length l.parts) m.leaves in
@@ -60,7 +46,6 @@ let create (m : Model.t) =
     model = m;
     first_part;
     solid;
-    shape = shapes solid;
     line = Array.make !total Vec.zero;
     boxes = Moving_boxes.create !total;
     owner = Array.make !total nobody;
@@ -89,7 +74,7 @@ let power_of_two e =
 
 (* The time in which a process moves by about a quarter of its size, at first. *)
 let grain t f =
-  let size = Array.fold_left (fun s i -> Float.max s (Float_box.extent t.shape.(i))) 0. f.parts in
+  let size = Array.fold_left (fun s i -> Float.max s (Float_box.extent t.solid.(i).box)) 0. f.parts in
   let speed q = Float.abs (Rat.to_float q) in
   let v = f.velocity in
   let fastest = Float.max (speed v.x) (Float.max (speed v.y) (speed v.z)) in
@@ -164,7 +149,7 @@ let place_parts t f (p : State.process) =
          let i = t.first_part.(l.leaf) + k in
          let at = if Vec.is_zero part.offset then l.position else Vec.add l.position part.offset in
          t.line.(i) <- at;
-         Moving_boxes.set t.boxes i t.shape.(i) ~at ~velocity:f.velocity;
+         Moving_boxes.set t.boxes i t.solid.(i).box ~at ~velocity:f.velocity;
          t.owner.(i) <- f)
       t.model.leaves.(l.leaf).parts
   in

@@ -16,8 +16,7 @@ let of_state (m : Model.t) (s : State.t) =
     List.mapi
       (fun part (shape : Model.part) ->
          let position = Vec.add l.position shape.offset in
-         let box = Float_box.of_corners shape.solid.low shape.solid.high in
-         { process; leaf = l.leaf; part; position; velocity = p.velocity; shape = box })
+         { process; leaf = l.leaf; part; position; velocity = p.velocity; shape = shape.solid.box })
       (Array.to_list m.leaves.(l.leaf).parts)
   in
   Array.to_list s.processes

@@ -169,8 +169,12 @@ let test_solid () =
   let s = Solid.make ~id:1 p (Mat.scale (q 1 2) Mat.identity) in
   check_rat "volume" (q 27 48) s.volume;
   check_vec "centroid" (Vec.make (q 3 8) (q 3 8) (q 3 8)) s.centroid;
-  check_vec "low" Vec.zero s.low;
-  check_vec "high" (Vec.make (q 3 2) (q 3 2) (q 3 2)) s.high;
+  for axis = 0 to 2 do
+    let close what expected found = Alcotest.(check (float 1e-12)) what expected found in
+    close "the box begins at 0" 0. (Float_box.low s.box axis);
+    close "the box ends at 3/2" 1.5 (Float_box.high s.box axis);
+    Alcotest.(check bool) "no less than that" true (Float_box.high s.box axis >= 1.5)
+  done;
   check_vec "a vertex" (Vec.make (q 3 2) Rat.zero Rat.zero) (Solid.vertex s 1);
   let normals = List.map Ivec.to_string (Array.to_list s.normals) in
   Alcotest.(check (list string)) "normals" [ "(0, 0, -1)"; "(0, -1, 0)"; "(-1, 0, 0)"; "(1, 1, 1)" ] normals
