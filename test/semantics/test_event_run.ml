@@ -189,6 +189,28 @@ let splits_of_the_bound () =
   agree [ 1; 0; 0; 0 ];
   agree [ 0; 0; 0; 0 ]
 
+(* A fixed pair that is hit goes on as before, but for its split clock, which starts anew: what was to come at the
+   instants of the old clock must not come. *)
+let split_clock_of_the_fixed () =
+  let open Fixture in
+  let bodies =
+    [
+      body "p" (-4, 0, 0) ~velocity:(3, 0, 0) ~behaviour:nil;
+      body "q" (0, 0, 0) ~fixed:true ~behaviour:(weak "a" [ "right" ] nil);
+      body "r" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil);
+    ]
+  in
+  let m = model bodies in
+  let p, q, r =
+    match List.mapi leaf bodies with [ p; q; r ] -> (p, q, r) | _ -> Alcotest.fail "three bodies"
+  in
+  let bond = State.bond "a" { at = 1; site = site "right" } { at = 2; site = site "left" } in
+  let alone = State.process ~leaves:[ p ] ~bonds:[] ~velocity:(vec (3, 0, 0)) ~clock:None in
+  let pair = State.process ~leaves:[ q; r ] ~bonds:[ bond ] ~velocity:Vec.zero ~clock:None in
+  let s = start m (State.make ~processes:[ alone; pair ] ~step:None ~time:None) in
+  let wait = List.init 8 (fun _ -> 1) in
+  Alcotest.(check bool) "as the transition relation" true (follow m s wait ~looks:always)
+
 let () =
   Alcotest.run "event run"
     [
@@ -196,6 +218,7 @@ let () =
         [
           Alcotest.test_case "absolute time" `Quick absolute_time;
           Alcotest.test_case "splits of those who have been bound" `Quick splits_of_the_bound;
+          Alcotest.test_case "split clocks of fixed bodies that are hit" `Quick split_clock_of_the_fixed;
           Alcotest.test_case "those who fly apart" `Quick apart;
           Alcotest.test_case "what is far away costs nothing" `Quick local;
         ] );
