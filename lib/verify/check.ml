@@ -316,3 +316,9 @@ let run options model ~initial (checks : Property.check list) =
   in
   let outcomes, _ = List.fold_left step ([], result.answers) plans in
   { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result }
+
+let explore options model ~initial =
+  let context = { System.model; initial } in
+  let graph = Graph.run (limits options) options.surroundings context in
+  let r = { options; model; context; graph; horizon = None } in
+  (graph, stats r)

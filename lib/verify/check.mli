@@ -6,6 +6,8 @@ open Scc_calculus
 open Scc_property
 open Scc_explore
 
+module Graph : module type of Explore.Make (System)
+
 (** A bound on the exploration, and whose it is. *)
 type 'a bound = Unbounded | Default of 'a | Given of 'a
 
@@ -48,3 +50,6 @@ type report = {
 val run : options -> Model.t -> initial:State.t -> Property.check list -> report
 (** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
     replayed before they are returned. *)
+
+val explore : options -> Model.t -> initial:State.t -> Graph.t * stats
+(** The exploration alone. *)

@@ -1,0 +1,37 @@
+open Scc_calculus
+open Scc_semantics
+module Graph = Check.Graph
+
+type edge = { label : Transition.label; target : int }
+
+type t = {
+  model : Model.t;
+  size : int;
+  state : int -> State.t;
+  edges : int -> edge array;
+  expanded : int -> bool;
+  rests : int -> bool;
+  stopped_by : Verdict.truncation list;
+  faults : string list;
+}
+
+let explore options model ~initial =
+  let graph, (stats : Check.stats) = Check.explore options model ~initial in
+  let edge (e : Graph.edge) = { label = e.transition.label; target = e.target } in
+  let expanded i =
+    match Graph.status graph i with Graph.Expanded -> true | Queued | Unexpanded _ -> false
+  in
+  {
+    model;
+    size = Graph.size graph;
+    state = Graph.state graph;
+    edges = (fun i -> Array.map edge (Graph.edges graph i));
+    expanded;
+    rests = (fun i -> expanded i && Network.quiescent model (Graph.state graph i));
+    stopped_by = stats.stopped_by;
+    faults = stats.faults;
+  }
+
+let complete s =
+  let rec from i = i = s.size || (s.expanded i && from (i + 1)) in
+  from 0

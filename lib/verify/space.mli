@@ -1,0 +1,24 @@
+(** The state space of a model, as far as it was explored: a graph for those who compare or export it. *)
+
+open Scc_calculus
+open Scc_semantics
+
+type edge = { label : Transition.label; target : int }
+
+type t = {
+  model : Model.t;
+  size : int;  (** states are numbered from 0, the initial one, in the order in which they were found *)
+  state : int -> State.t;
+  edges : int -> edge array;
+  (** in the order of {!Network.successors}; empty while the state is not expanded *)
+  expanded : int -> bool;  (** whether all transitions of the state are known *)
+  rests : int -> bool;  (** the state is quiescent: nothing happens any more, and time passes for ever *)
+  stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
+  faults : string list;  (** why transitions of states could not be computed, each text once *)
+}
+
+val explore : Check.options -> Model.t -> initial:State.t -> t
+(** Breadth-first, within the bounds of the options. *)
+
+val complete : t -> bool
+(** Every state is expanded. *)
