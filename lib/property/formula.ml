@@ -20,6 +20,27 @@ let equal_polarity (a : Behaviour.polarity) (b : Behaviour.polarity) =
   | Name, Name | Co_name, Co_name -> true
   | (Name | Co_name), _ -> false
 
+let equal_change a b =
+  match (a, b) with
+  | Made, Made
+  | Released_weakly, Released_weakly
+  | Released_strongly, Released_strongly
+  | Released, Released -> true
+  | (Made | Released_weakly | Released_strongly | Released), _ -> false
+
+let equal_ends a b =
+  match (a, b) with
+  | Any, Any -> true
+  | One i, One j -> Int.equal i j
+  | Two (i, j), Two (k, l) -> equal_pair (i, j) (k, l)
+  | (Any | One _ | Two _), _ -> false
+
+let equal_event a b =
+  match (a, b) with
+  | Bond (c, n, e), Bond (d, o, f) -> equal_change c d && Option.equal String.equal n o && equal_ends e f
+  | Bounce e, Bounce f -> equal_ends e f
+  | (Bond _ | Bounce _), _ -> false
+
 let rec equal_num a b =
   match (a, b) with
   | Const x, Const y -> Rat.equal x y
@@ -48,10 +69,11 @@ and equal_prop a b =
   | Offers (i, p, a), Offers (j, q, b) ->
     Int.equal i j && Option.equal equal_polarity p q && String.equal a b
   | Quiescent, Quiescent -> true
+  | Event e, Event f -> equal_event e f
   | Not p, Not q -> equal_prop p q
   | And ps, And qs | Or ps, Or qs -> List.equal equal_prop ps qs
-  | ( ( Bool _ | Compare _ | Bound _ | Same _ | Touching _ | Behaviour _ | Offers _ | Quiescent | Not _
-      | And _ | Or _ ),
+  | ( ( Bool _ | Compare _ | Bound _ | Same _ | Touching _ | Behaviour _ | Offers _ | Quiescent | Event _
+      | Not _ | And _ | Or _ ),
       _ ) -> false
 
 let equal_quantifier a b =
@@ -89,7 +111,7 @@ let rec negate = function
   | Not p -> p
   | And ps -> Or (Long_list.map negate ps)
   | Or ps -> And (Long_list.map negate ps)
-  | (Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent) as atom -> Not atom
+  | (Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent | Event _) as atom -> Not atom
 
 let dual = function
   | All -> Exists
@@ -116,43 +138,58 @@ and refuse = function
   | Globally (q, b, f) -> Finally (dual q, b, refuse f)
   | Until _ as f -> Temporal_not (negation_normal_form f)
 
-(* Whether some number of a formula satisfies a test; every term is visited. *)
-let rec exists_num test n =
-  test n
+(* Whether some number or predicate of a formula satisfies its test; every term is visited. *)
+type tests = { of_num : num -> bool; of_prop : prop -> bool }
+
+let rec exists_num t n =
+  t.of_num n
   ||
   match n with
   | Const _ | Bonds _ | Size _ | Processes | Position _ | Velocity _ | Speed2 _ | Distance2 _ | Momentum _
   | Energy | Time -> false
-  | Count ps -> List.exists (exists_prop test) ps
-  | Neg a -> exists_num test a
-  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> exists_num test a || exists_num test b
-  | If (p, a, b) -> exists_prop test p || exists_num test a || exists_num test b
+  | Count ps -> List.exists (exists_prop t) ps
+  | Neg a -> exists_num t a
+  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> exists_num t a || exists_num t b
+  | If (p, a, b) -> exists_prop t p || exists_num t a || exists_num t b
 
-and exists_prop test = function
-  | Bool _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent -> false
-  | Compare (_, a, b) -> exists_num test a || exists_num test b
-  | Not p -> exists_prop test p
-  | And ps | Or ps -> List.exists (exists_prop test) ps
+and exists_prop t p =
+  t.of_prop p
+  ||
+  match p with
+  | Bool _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent | Event _ -> false
+  | Compare (_, a, b) -> exists_num t a || exists_num t b
+  | Not p -> exists_prop t p
+  | And ps | Or ps -> List.exists (exists_prop t) ps
 
-let rec exists test = function
-  | State p -> exists_prop test p
-  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> exists test f
-  | Temporal_and fs | Temporal_or fs -> List.exists (exists test) fs
-  | Until (_, _, f, g) -> exists test f || exists test g
+let rec exists t = function
+  | State p -> exists_prop t p
+  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> exists t f
+  | Temporal_and fs | Temporal_or fs -> List.exists (exists t) fs
+  | Until (_, _, f, g) -> exists t f || exists t g
+
+let no _ = false
 
 let mentions_time f =
   exists
-    (function
-      | Time -> true
-      | _ -> false)
+    { of_num = (function Time -> true | _ -> false); of_prop = no }
     f
 
 let mentions_position f =
   exists
-    (function
-      | Position _ -> true
-      | _ -> false)
+    { of_num = (function Position _ -> true | _ -> false); of_prop = no }
     f
+
+let has_events f =
+  exists
+    { of_num = no; of_prop = (function Event _ -> true | _ -> false) }
+    f
+
+let rec mentions_next = function
+  | State _ -> false
+  | Next _ -> true
+  | Temporal_not f | Finally (_, _, f) | Globally (_, _, f) -> mentions_next f
+  | Temporal_and fs | Temporal_or fs -> List.exists mentions_next fs
+  | Until (_, _, f, g) -> mentions_next f || mentions_next g
 
 let rec state_formula = function
   | State p -> Some p

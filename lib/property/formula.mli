@@ -2,6 +2,7 @@
 
 open Property
 
+val equal_event : event -> event -> bool
 val equal_num : num -> num -> bool
 val equal_prop : prop -> prop -> bool
 val equal : temporal -> temporal -> bool
@@ -19,6 +20,12 @@ val mentions_time : temporal -> bool
 
 val mentions_position : temporal -> bool
 (** Whether an absolute coordinate occurs: the formula is then not invariant under translation. *)
+
+val mentions_next : temporal -> bool
+(** Whether the operator X occurs, so that how many transitions are made matters. *)
+
+val has_events : temporal -> bool
+(** Whether an atom [event] occurs: the formula is then about the transitions that led to a state, too. *)
 
 val state_formula : temporal -> prop option
 (** The predicate, when no temporal operator occurs. *)

@@ -6,6 +6,22 @@ open Scc_calculus
 
 type axis = X | Y | Z
 
+(** What a discrete transition does to bonds. *)
+type change =
+  | Made  (** a bind *)
+  | Released_weakly  (** a weak split *)
+  | Released_strongly  (** a strong split: any of the bonds that it releases *)
+  | Released  (** a weak or a strong split *)
+
+(** Leaves that a pattern of transitions asks for: none in particular, one on either side, two in any
+    order. *)
+type ends = Any | One of int | Two of int * int
+
+(** A pattern of discrete transitions. *)
+type event =
+  | Bond of change * string option * ends  (** of a bond of this name, between these leaves *)
+  | Bounce of ends  (** of the two processes that these are leaves of *)
+
 (** Numbers at a real instant of a run. Leaves are indices into {!Model.leaves}. *)
 type num =
   | Const of Rat.t
@@ -41,6 +57,9 @@ and prop =
       strong) *)
   | Touching of int * int
   | Quiescent
+  | Event of event
+  (** such a transition has led here, and nothing has happened since, nor has time passed: false in the
+      initial state and strictly inside a trajectory *)
   | Not of prop
   | And of prop list
   | Or of prop list

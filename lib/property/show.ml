@@ -20,6 +20,27 @@ let comparison : Law.comparison -> string = function
 
 let call name arguments = Printf.sprintf "%s(%s)" name (String.concat ", " arguments)
 
+let ends m = function
+  | Any -> []
+  | One i -> [ leaf m i ]
+  | Two (i, j) -> [ leaf m i; leaf m j ]
+
+let change = function
+  | Made -> "bind"
+  | Released_weakly -> "weak"
+  | Released_strongly -> "strong"
+  | Released -> "split"
+
+let event m e =
+  let word, arguments =
+    match e with
+    | Bond (c, name, e) -> (change c, Option.to_list name @ ends m e)
+    | Bounce e -> ("bounce", ends m e)
+  in
+  match arguments with
+  | [] -> word
+  | _ :: _ -> call word arguments
+
 let rec num m = function
   | Const q -> Rat.to_string q
   | Bonds (name, ends) ->
@@ -63,6 +84,7 @@ and prop m = function
     call "offers" [ leaf m i; bar ^ a ]
   | Touching (i, j) -> call "touching" [ leaf m i; leaf m j ]
   | Quiescent -> "quiescent"
+  | Event e -> "event " ^ event m e
   | Not p -> "not " ^ bracket m p
   | And ps -> connective m "and" "true" ps
   | Or ps -> connective m "or" "false" ps

@@ -3,6 +3,9 @@
 
 open Scc_calculus
 
+val event : Model.t -> Property.event -> string
+(** [bind(a, p, q)], [bounce]. *)
+
 val num : Model.t -> Property.num -> string
 (** [x(p)], [bonds(a, p, q)], [(x(p) + 1)]: fully bracketed. *)
 

@@ -51,4 +51,4 @@ and connect positive ~all list =
   all_ok [] (List.map (plan positive) list)
   |> Result.map (fun plans -> if all then All plans else Any plans)
 
-let of_formula f = plan true f
+let of_formula f = if Formula.has_events f then not_yet "the atom `event`" else plan true f

@@ -8,15 +8,16 @@ type t = {
   state : State.t;
   extent : Timeline.extent;
   homes : (int * State.leaf) option array;  (** by leaf: the index of its process, and itself *)
+  arrived : Property.event -> bool;
 }
 
-let make model (state : State.t) extent =
+let make ?(arrived = fun _ -> false) model (state : State.t) extent =
   let homes = Array.make (Array.length model.Model.leaves) None in
   Array.iteri
     (fun i (p : State.process) ->
        Array.iter (fun (l : State.leaf) -> homes.(l.leaf) <- Some (i, l)) p.leaves)
     state.processes;
-  { model; state; extent; homes }
+  { model; state; extent; homes; arrived }
 
 let home c leaf =
   match c.homes.(leaf) with
@@ -134,6 +135,14 @@ let all_false t =
   let is_false = function Truth.False -> true | Truth.True | Undecided _ -> false in
   match t.Timeline.rest with [] -> is_false t.start && is_false t.first | _ :: _ -> false
 
+(* True at most at the instant at which the trajectory starts. *)
+let at_the_start c holds =
+  Timeline.refine
+    ~roots:(fun () -> [])
+    ~at:(fun _ () -> Truth.of_bool holds)
+    ~inside:(fun _ () -> Truth.False)
+    (Timeline.constant c.extent ())
+
 let rec num c (n : Property.num) : Value.t Timeline.t =
   let constant r = Timeline.constant c.extent (Value.of_rat r) in
   let integer k = Timeline.constant c.extent (Value.of_int k) in
@@ -191,6 +200,7 @@ and prop c (p : Property.prop) : Truth.t Timeline.t =
   | Offers (leaf, polarity, name) -> behavioural c leaf (fun b -> offers_in c b polarity name)
   | Touching (p, q) -> touching c p q
   | Quiescent -> constant (Scc_semantics.Network.quiescent c.model c.state)
+  | Event e -> at_the_start c (c.arrived e)
   | Not a -> Timeline.map Truth.not_ (prop c a)
   | And list -> conjunction c list
   | Or list -> Timeline.map Truth.not_ (conjunction c (List.map (fun p -> Property.Not p) list))

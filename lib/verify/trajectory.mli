@@ -7,10 +7,12 @@ open Scc_property
 
 type t
 
-val make : Model.t -> State.t -> Timeline.extent -> t
+val make : ?arrived:(Property.event -> bool) -> Model.t -> State.t -> Timeline.extent -> t
 (** The trajectory that starts in a state: of a time transition of the given duration, the ray [0,
     infinity) of a quiescent state, or just the state itself. Nothing happens strictly inside it, and the
-    end is not part of it (it is the state that the transition leads to). *)
+    end is not part of it (it is the state that the transition leads to). [arrived] tells of which events
+    the discrete transition was that has just led to the state (by default of none, as in the initial
+    state): they hold at the start alone. *)
 
 val prop : t -> Property.prop -> Truth.t Timeline.t
 (** Where the predicate holds. Undecided at instants where it divides by zero. *)

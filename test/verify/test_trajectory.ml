@@ -67,6 +67,7 @@ and prop_gen leaves depth : Property.prop Gen.t =
           return (Property.Offers (l, polarity, name)) );
         (1, map2 (fun l k -> Property.Behaviour (l, k)) leaf (int_range 0 3));
         (1, return Property.Quiescent);
+        (1, return (Property.Event (Bounce Any)));
       ]
   in
   if depth = 0 then atom
@@ -157,6 +158,7 @@ and prop m s (p : Property.prop) =
       (Behaviour.offers m.Model.definitions (leaf_of s l).behaviour)
   | Touching (p, q) -> touching m s p q
   | Quiescent -> Network.quiescent m s
+  | Event _ -> false  (* nothing has led here *)
   | Not a -> not (prop m s a)
   | And l -> connect m s ~absorbing:false l
   | Or l -> connect m s ~absorbing:true l

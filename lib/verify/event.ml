@@ -1,0 +1,45 @@
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+
+let fits_name wanted (b : State.bond) =
+  match wanted with
+  | None -> true
+  | Some name -> String.equal name b.name
+
+let fits_ends (wanted : Property.ends) (b : State.bond) =
+  let ends p = b.one.at = p || b.two.at = p in
+  match wanted with
+  | Any -> true
+  | One p -> ends p
+  | Two (p, q) -> (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p)
+
+(* The two that bounced are still apart, with the leaves that they had before. *)
+let fits_processes (source : State.t) one two (wanted : Property.ends) =
+  let home leaf = fst (State.find_leaf source leaf) in
+  let one = home one and two = home two in
+  match wanted with
+  | Any -> true
+  | One p -> home p = one || home p = two
+  | Two (p, q) -> (home p = one && home q = two) || (home p = two && home q = one)
+
+let made : Property.change -> bool = function
+  | Made -> true
+  | Released_weakly | Released_strongly | Released -> false
+
+let released_weakly : Property.change -> bool = function
+  | Released_weakly | Released -> true
+  | Made | Released_strongly -> false
+
+let released_strongly : Property.change -> bool = function
+  | Released_strongly | Released -> true
+  | Made | Released_weakly -> false
+
+let matches (_ : Model.t) ~source (label : Transition.label) (event : Property.event) =
+  match (event, label) with
+  | Bond (change, name, ends), Bind b -> made change && fits_name name b && fits_ends ends b
+  | Bond (change, name, ends), Weak_split b -> released_weakly change && fits_name name b && fits_ends ends b
+  | Bond (change, name, ends), Strong_split bonds ->
+    released_strongly change && List.exists (fun b -> fits_name name b && fits_ends ends b) bonds
+  | Bounce ends, Bounce (one, two) -> fits_processes source one two ends
+  | Bond _, (Time _ | Bounce _) | Bounce _, (Time _ | Bind _ | Weak_split _ | Strong_split _) -> false
