@@ -1,0 +1,17 @@
+(** The Aldebaran format of labelled transition systems, for CADP, mCRL2 and merc. It has no comments and no labels of
+    states. A state whose transitions are not known gets a loop [unexplored]; one in which nothing happens any more
+    has no transitions. *)
+
+open Scc_verify
+open Scc_semantics
+
+(** How the invisible action is written. *)
+type tau =
+  | Tau  (** ["tau"] (mCRL2, merc) *)
+  | Cadp  (** [i], without quotes *)
+
+val label : string -> string
+(** A label's text between quotes. Quotes within it become ['], and control characters spaces, since readers know of no
+    escapes. *)
+
+val write : tau -> hidden:(Transition.label -> bool) -> Space.t -> (string -> unit) -> unit

@@ -1,0 +1,34 @@
+open Scc_exact
+
+(* A comment is a line. *)
+let comment write text =
+  write ("// " ^ String.map (function '\n' | '\r' -> ' ' | c -> c) text ^ "\n")
+
+let write (e : Exported.t) mdp put =
+  let line fmt = Printf.ksprintf (fun s -> put (s ^ "\n")) fmt in
+  let l = Mdp.labelling mdp in
+  List.iter (comment put) (Exported.summary e);
+  List.iter (comment put) (Exported.label_notes l);
+  Array.iter
+    (fun (p : State_predicates.t) -> comment put (Printf.sprintf "label %s: %s" p.name p.text))
+    (Labelling.predicates l);
+  List.iter (fun (name, text) -> comment put (Printf.sprintf "action %s: %s" name text)) (Mdp.actions mdp);
+  line "@type: MDP";
+  line "@value_type: rational";
+  line "@parameters";
+  line "";
+  line "@reward_models";
+  line "time";
+  line "@nr_states";
+  line "%d" (Mdp.states mdp);
+  line "@nr_choices";
+  line "%d" (Mdp.count mdp);
+  line "@model";
+  for i = 0 to Mdp.states mdp - 1 do
+    line "state %d [0]%s" i (String.concat "" (List.map (fun s -> " " ^ s) (Mdp.labels mdp i)));
+    List.iter
+      (fun (c : Mdp.choice) ->
+         line "\taction %s [%s]" c.action (Rat.to_string c.duration);
+         line "\t\t%d : 1" c.target)
+      (Mdp.choices mdp i)
+  done

@@ -1,0 +1,68 @@
+open Scc_property
+open Scc_verify
+
+let version = 1
+
+let status : Labelling.status -> string = function
+  | Moves -> "expanded"
+  | Rests -> "quiescent"
+  | Stuck -> "stuck"
+  | Unexplored -> "unexplored"
+
+let text = Json.text
+let texts list = `List (List.map text list)
+
+let member put ?(last = false) key value =
+  put (Json.line (`String key) ^ ": " ^ value ^ if last then "\n" else ",\n")
+
+let predicate l k (p : State_predicates.t) =
+  `Assoc
+    [
+      ("name", text p.name);
+      ("text", text p.text);
+      ("changes", `Int (Labelling.changes l k));
+      ("undecided", Json.option (fun (_, why) -> text why) (Labelling.undecided l k));
+    ]
+
+let check (c : Property.check) = `Assoc [ ("name", text c.name); ("text", text c.text) ]
+
+let edge model (e : Space.edge) =
+  `Assoc [ ("label", State_json.label model e.label); ("target", `Int e.target) ]
+
+let state l i =
+  let space = Labelling.space l in
+  let holding =
+    List.filteri (fun k _ -> Labelling.holds l i k) (Array.to_list (Labelling.predicates l))
+  in
+  `Assoc
+    [
+      ("number", `Int i);
+      ("status", `String (status (Labelling.status l i)));
+      ("holds", texts (List.map (fun (p : State_predicates.t) -> p.name) holding));
+      ("state", State_json.state space.model (space.state i));
+      ("edges", `List (List.map (edge space.model) (Array.to_list (space.edges i))));
+    ]
+
+let write (e : Exported.t) checks l put =
+  let space = e.space in
+  let predicates = Array.to_list (Array.mapi (predicate l) (Labelling.predicates l)) in
+  let bounds = List.map Verdict.truncation_to_string space.stopped_by in
+  let add ?last key json = member put ?last key (Json.line json) in
+  put "{\n";
+  add "format" (`String "scc-graph");
+  add "version" (`Int version);
+  add "semantics" (`String Trace.semantics_version);
+  add "model" (Json.option text e.name);
+  add "digest" (`String e.digest);
+  add "parameters" (`Assoc (List.map (fun (name, value) -> (name, Json.rat value)) e.parameters));
+  add "complete" (`Bool (Exported.unexpanded e = 0));
+  add "unexplored" (`Int (Exported.unexpanded e));
+  add "bounds" (texts bounds);
+  add "faults" (texts space.faults);
+  add "checks" (`List (List.map check checks));
+  add "predicates" (`List predicates);
+  put "\"states\": [\n";
+  for i = 0 to space.size - 1 do
+    put (Json.line (state l i) ^ if i = space.size - 1 then "\n" else ",\n")
+  done;
+  put "]\n}\n"

@@ -1,0 +1,57 @@
+(** Which predicates hold where in an explored graph: in its states, and, on request, at the instants between two states
+    at which one of them changes. *)
+
+open Scc_exact
+open Scc_verify
+
+(** What a state is to those who see transitions only. *)
+type status =
+  | Moves  (** it has transitions, and all of them are known *)
+  | Rests  (** nothing will ever happen again, and time passes for ever *)
+  | Stuck  (** nothing can happen, not even the passing of time *)
+  | Unexplored  (** its transitions are not known *)
+
+(** A stretch of time inside a passing of time, on which nothing changes: an instant or an open interval. *)
+type stretch = {
+  holds : bool array;  (** by predicate *)
+  lasts : Rat.t option;  (** until the next one, or until the state that time leads to; [None]: for ever *)
+  target : int;  (** the number of what comes next: a stretch, a state, or itself when it lasts for ever *)
+  source : int;  (** the state in which time began to pass *)
+}
+
+type t
+
+val make : ?instants:bool -> Space.t -> State_predicates.t array -> t
+(** Evaluates every predicate in every state and along every passing of time. With [instants] (off by default), a
+    passing of time during which a predicate changes becomes a chain of stretches, numbered after the states. *)
+
+val space : t -> Space.t
+val predicates : t -> State_predicates.t array
+
+val size : t -> int
+(** States and stretches. *)
+
+val status : t -> int -> status
+(** Of a state. *)
+
+val holds : t -> int -> int -> bool
+(** [holds l i k]: predicate [k] holds in the state or stretch [i]. *)
+
+val stretch : t -> int -> stretch option
+(** What a number from [Space.size] on is. *)
+
+val detour : t -> int -> (Rat.t * int) option
+(** The time that passes in a state before its first stretch, and the number of that one. It replaces the state's
+    passing of time, or its rest. *)
+
+val changes : t -> int -> int
+(** How many passings of time (or rests) see predicate [k] change strictly inside, or right after the state: with no
+    [instants], its label is not all that there is to know. *)
+
+val undecided : t -> int -> (int * string) option
+(** A state in which, or after which, predicate [k] has no truth value, and why: its label is missing there. *)
+
+val inexact : t -> int
+(** How many instants between states are irrational: the times next to them are within 10^-12. *)
+
+val count : t -> status -> int

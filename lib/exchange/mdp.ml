@@ -1,0 +1,81 @@
+open Scc_exact
+open Scc_semantics
+open Scc_verify
+
+type choice = { action : string; duration : Rat.t; target : int }
+type t = { labelling : Labelling.t; names : Safe_names.t; count : int }
+
+let loops = [ "rest"; "stuck"; "unexplored" ]
+let labelling m = m.labelling
+let states m = Labelling.size m.labelling
+
+let named names space label =
+  Safe_names.name names (Transition.label_to_string space.Space.model label)
+
+let action m label = named m.names (Labelling.space m.labelling) label
+let passing m d ~target = { action = action m (Time d); duration = d; target }
+let loop action target = { action; duration = Rat.zero; target }
+
+let of_stretch m (s : Labelling.stretch) =
+  match s.lasts with
+  | None -> [ loop "rest" s.target ]
+  | Some d -> [ passing m d ~target:s.target ]
+
+let of_state m i =
+  let space = Labelling.space m.labelling in
+  let detour = Labelling.detour m.labelling i in
+  let choice (e : Space.edge) =
+    match (e.label, detour) with
+    | Time _, Some (d, target) -> passing m d ~target
+    | label, _ ->
+      { action = action m label; duration = Transition.duration_of label; target = e.target }
+  in
+  match (Labelling.status m.labelling i, detour) with
+  | Unexplored, _ -> [ loop "unexplored" i ]
+  | Stuck, _ -> [ loop "stuck" i ]
+  | Rests, None -> [ loop "rest" i ]
+  | Rests, Some (d, target) -> [ passing m d ~target ]
+  | Moves, _ -> List.map choice (Array.to_list (space.edges i))
+
+let choices m i =
+  match Labelling.stretch m.labelling i with
+  | Some s -> of_stretch m s
+  | None -> of_state m i
+
+(* Names are given in the order of the states, whatever is written first. *)
+let make labelling =
+  let m = { labelling; names = Safe_names.make ~reserved:loops; count = 0 } in
+  let rec from i count =
+    if i = states m then count else from (i + 1) (count + List.length (choices m i))
+  in
+  { m with count = from 0 0 }
+
+let count m = m.count
+
+let status_label l i =
+  match Labelling.stretch l i with
+  | Some { lasts = None; _ } -> [ "quiescent" ]
+  | Some { lasts = Some _; _ } -> []
+  | None -> (
+      match Labelling.status l i with
+      | Moves -> []
+      | Rests -> [ "quiescent" ]
+      | Stuck -> [ "deadlock" ]
+      | Unexplored -> [ "unexplored" ])
+
+let labels m i =
+  let l = m.labelling in
+  let predicates = Labelling.predicates l in
+  let rec holding k found =
+    if k < 0 then found
+    else
+      holding (k - 1)
+        (if Labelling.holds l i k then predicates.(k).name :: found else found)
+  in
+  (if i = 0 then [ "init" ] else []) @ status_label l i @ holding (Array.length predicates - 1) []
+
+let label_names m =
+  State_predicates.reserved
+  @ List.map (fun (p : State_predicates.t) -> p.name) (Array.to_list (Labelling.predicates m.labelling))
+
+let actions m = Safe_names.listed m.names
