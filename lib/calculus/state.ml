@@ -126,6 +126,8 @@ let compare_process p q =
 
 let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
 
+let equal_phase a b = Int.equal (phase_rank a) (phase_rank b)
+
 let compare_step a b =
   Rat.compare a.remaining b.remaining <?> fun () ->
     Int.compare (phase_rank a.phase) (phase_rank b.phase)
@@ -142,16 +144,18 @@ let hash_leaf h l =
   mix (mix (mix h l.leaf) (Vec.hash l.position)) (Behaviour.hash_aged l.behaviour)
 
 let hash_finish f = mix f.at (Site.hash f.site)
-let hash_bond h (b : bond) = mix (mix h (hash_finish b.one)) (hash_finish b.two)
+let hash_bond (b : bond) = mix (hash_finish b.one) (hash_finish b.two)
 
-let hash_process h p =
+let hash_process_from h p =
   let h = Array.fold_left hash_leaf h p.leaves in
-  let h = Array.fold_left hash_bond h p.bonds in
+  let h = Array.fold_left (fun h b -> mix h (hash_bond b)) h p.bonds in
   mix (mix h (Vec.hash p.velocity)) (hash_option Rat.hash p.clock)
 
+let hash_process p = hash_process_from 7 p land max_int
+let equal_process p q = compare_process p q = 0
 let hash_step s = mix (Rat.hash s.remaining) (phase_rank s.phase)
 
 let hash s =
-  let h = Array.fold_left hash_process 7 s.processes in
+  let h = Array.fold_left hash_process_from 7 s.processes in
   let h = mix (mix h (hash_option hash_step s.step)) (hash_option Rat.hash s.time) in
   h land max_int

@@ -71,5 +71,9 @@ val components : leaf array -> bond array -> (leaf list * bond list) list
 val equal : t -> t -> bool
 val compare : t -> t -> int
 val hash : t -> int
+val equal_phase : phase -> phase -> bool
+val equal_process : process -> process -> bool
+val hash_process : process -> int
 val equal_bond : bond -> bond -> bool
+val hash_bond : bond -> int
 val compare_bond : bond -> bond -> int

@@ -12,269 +12,426 @@ type 'fault reason =
   | Fault of 'fault
 
 module Make (L : Lts.S) = struct
-  type edge = { transition : L.transition; target : int }
+  type edge = { label : int; target : int }
   type status = Expanded | Queued | Unexpanded of L.fault reason
-  type event = Found of int | Opened of int | Earlier of int
-  type decision = Continue | Stop
   type step = { source : int; choice : int }
-
-  type node = {
-    state : L.state;
-    mutable edges : edge array;
-    mutable status : status;
-    mutable depth : int;
-    mutable arrival : Rat.t;
-    mutable instant : int;  (** transitions without passing time at the end of the shortest path *)
-    mutable nearest : step option;  (** last step of the shortest path *)
-    mutable earliest : step option;  (** last step of the earliest path *)
-    mutable improving : bool;  (** already in the queue of {!settle} *)
-  }
-
-  (* The hash is kept: growing the table must not hash whole states again. *)
-  module Key = struct
-    type t = { state : L.state; hash : int }
-
-    let equal a b = Int.equal a.hash b.hash && L.equal a.state b.state
-    let hash k = k.hash land max_int
-  end
-
-  module Table = Hashtbl.Make (Key)
+  type order = By_steps | By_time
 
   type t = {
-    nodes : node Growable.t;
-    table : int Table.t;
-    queue : int Queue.t;
+    context : L.context;
+    order : order;
+    tuples : Tuples.t;
+    near : Tuples.spread;  (** the state being expanded *)
+    reader : Tuples.spread;  (** for those who ask *)
+    depth : Int_vector.t;
+    instant : Int_vector.t;  (** transitions without passing time at the end of the nearest path *)
+    nearest : Int_vector.t;  (** the state before on the nearest path; -1 at the initial state *)
+    earliest : (int, int) Hashtbl.t;  (** the state before on the earliest path, when that is another *)
+    times : Rationals.t;
+    arrival : Int_vector.t;  (** into [times] *)
+    mutable marks : Bytes.t;  (** statuses *)
+    faults : (int, L.fault) Hashtbl.t;
+    frontier : Frontier.t;
+    edges : kept option;
     mutable transitions : int;
+    mutable turns : bool;
   }
 
-  let size g = Growable.length g.nodes
-  let node g i = Growable.get g.nodes i
-  let state g i = (node g i).state
-  let status g i = (node g i).status
-  let edges g i = (node g i).edges
-  let depth g i = (node g i).depth
-  let arrival g i = (node g i).arrival
+  (* The edges of a state stand side by side, after their number. *)
+  and kept = { first : Int_vector.t;  (** -1 for none *) labels : Int_vector.t; targets : Int_vector.t }
+
+  type visitor = {
+    found : t -> int -> int array -> unit;
+    opened : t -> int -> int array -> edge array -> unit;
+    earlier : t -> int -> unit;
+    enough : unit -> bool;
+  }
+
+  let blind =
+    {
+      found = (fun _ _ _ -> ());
+      opened = (fun _ _ _ _ -> ());
+      earlier = (fun _ _ -> ());
+      enough = (fun () -> false);
+    }
+
+  let context g = g.context
+  let size g = Tuples.size g.tuples
+  let depth g i = Int_vector.get g.depth i
+  let arrival g i = Rationals.get g.times (Int_vector.get g.arrival i)
   let transitions g = g.transitions
-  let key state : Key.t = { state; hash = L.hash state }
-  let find g state = Table.find_opt g.table (key state)
+  let turns g = g.turns
+  let duration g e = L.duration g.context e.label
 
-  let fold f g acc =
-    let rec go i acc = if i = size g then acc else go (i + 1) (f i (node g i) acc) in
-    go 0 acc
+  let tuple g i =
+    Tuples.load g.tuples g.reader i;
+    Tuples.slots g.reader
 
-  let greatest_depth g = fold (fun _ n acc -> Int.max n.depth acc) g 0
-  let greatest_arrival g = fold (fun _ n acc -> Rat.max n.arrival acc) g Rat.zero
+  (** {2 Statuses} *)
+
+  let codes = [| Depth; Time; Instant; States; Seconds; Memory; Interrupted; Stopped |]
+
+  let code = function
+    | Depth -> 0
+    | Time -> 1
+    | Instant -> 2
+    | States -> 3
+    | Seconds -> 4
+    | Memory -> 5
+    | Interrupted -> 6
+    | Stopped -> 7
+    | Fault _ -> 8
+
+  let queued = 'q'
+  let expanded = 'e'
+
+  let status g i =
+    match Bytes.get g.marks i with
+    | 'q' -> Queued
+    | 'e' -> Expanded
+    | '8' -> Unexpanded (Fault (Hashtbl.find g.faults i))
+    | c -> Unexpanded codes.(Char.code c - Char.code '0')
+
+  let mark g i c =
+    if i >= Bytes.length g.marks then begin
+      let marks = Bytes.make (2 * i) queued in
+      Bytes.blit g.marks 0 marks 0 i;
+      g.marks <- marks
+    end;
+    Bytes.set g.marks i c
+
+  let leave_out g i reason =
+    (match reason with
+     | Fault f -> Hashtbl.replace g.faults i f
+     | Depth | Time | Instant | States | Seconds | Memory | Interrupted | Stopped -> ());
+    mark g i (Char.chr (Char.code '0' + code reason))
+
+  let is_expanded g i = Char.equal (Bytes.get g.marks i) expanded
 
   let unexpanded g =
-    List.rev
-      (fold (fun i n acc -> match n.status with Unexpanded r -> (i, r) :: acc | _ -> acc) g [])
+    let rec from i acc =
+      if i < 0 then acc
+      else
+        match status g i with
+        | Unexpanded reason -> from (i - 1) ((i, reason) :: acc)
+        | Expanded | Queued -> from (i - 1) acc
+    in
+    from (size g - 1) []
 
   let complete g =
-    fold (fun _ n acc -> acc && match n.status with Expanded -> true | _ -> false) g true
+    let rec from i = i = size g || (is_expanded g i && from (i + 1)) in
+    from 0
 
-  let path g last i =
+  let greatest_depth g =
+    let rec from i best = if i = size g then best else from (i + 1) (Int.max best (depth g i)) in
+    from 0 0
+
+  (* Few of the numbers of times differ from one state to the next. *)
+  let greatest_arrival g =
+    let rec from i last best =
+      if i = size g then best
+      else
+        let a = Int_vector.get g.arrival i in
+        from (i + 1) a (if a = last then best else Rat.max best (Rationals.get g.times a))
+    in
+    from 0 0 Rat.zero
+
+  (** {2 Edges} *)
+
+  let edges_of_steps g steps =
+    List.map
+      (fun (s : Lts.step) -> { label = s.label; target = Tuples.find g.tuples ~near:g.reader s.target })
+      steps
+    |> Array.of_list
+
+  let made_anew g i =
+    let tuple = tuple g i in
+    match L.successors g.context tuple with
+    | Ok steps -> edges_of_steps g steps
+    | Error _ -> Scc_base.Bug.fail __POS__ "the transitions of a state cannot be made again"
+
+  let edges g i =
+    if not (is_expanded g i) then [||]
+    else
+      match g.edges with
+      | None -> made_anew g i
+      | Some k ->
+        let at = Int_vector.get k.first i in
+        Array.init (Int_vector.get k.targets at) (fun n ->
+            { label = Int_vector.get k.labels (at + n + 1); target = Int_vector.get k.targets (at + n + 1) })
+
+  let keep g i edges =
+    match g.edges with
+    | None -> ()
+    | Some k ->
+      Int_vector.set k.first i (Int_vector.length k.targets);
+      Int_vector.push k.labels 0;
+      Int_vector.push k.targets (Array.length edges);
+      Array.iter
+        (fun e ->
+           Int_vector.push k.labels e.label;
+           Int_vector.push k.targets e.target)
+        edges
+
+  (** {2 Paths} *)
+
+  let before_nearest g i = Int_vector.get g.nearest i
+
+  let before_earliest g i =
+    match Hashtbl.find_opt g.earliest i with Some j -> j | None -> before_nearest g i
+
+  (* The first choice that leads from the one state to the other and passes the test. *)
+  let choice g source target test =
+    let edges = edges g source in
+    let rec from k =
+      if k = Array.length edges then Scc_base.Bug.fail __POS__ "a path without an edge"
+      else if edges.(k).target = target && test edges.(k) then k
+      else from (k + 1)
+    in
+    from 0
+
+  let path g before test i =
     let rec go i acc =
-      match last (node g i) with None -> acc | Some step -> go step.source (step :: acc)
+      match before g i with
+      | -1 -> acc
+      | source -> go source ({ source; choice = choice g source i (test source i) } :: acc)
     in
     go i []
 
-  let shortest_path g i = path g (fun n -> n.nearest) i
-  let earliest_path g i = path g (fun n -> n.earliest) i
+  let shortest_path g i = path g before_nearest (fun _ _ _ -> true) i
+
+  let earliest_path g i =
+    let in_time source target e = Rat.equal (arrival g target) (Rat.add (arrival g source) (duration g e)) in
+    path g before_earliest in_time i
 
   (** {2 Bounds} *)
 
   let beyond value = function None -> false | Some bound -> value > (bound : int)
 
   (* Which of the bounds on states themselves keeps a state from being expanded. *)
-  let out_of_bounds (limits : Limits.t) n =
-    if beyond n.depth limits.depth then Some Depth
-    else if match limits.time with None -> false | Some t -> Rat.compare n.arrival t > 0 then Some Time
-    else if beyond n.instant limits.instant then Some Instant
+  let out_of_bounds g (limits : Limits.t) i =
+    if beyond (depth g i) limits.depth then Some Depth
+    else if match limits.time with None -> false | Some t -> Rat.compare (arrival g i) t > 0 then Some Time
+    else if beyond (Int_vector.get g.instant i) limits.instant then Some Instant
     else None
 
-  (* Which of the bounds on the exploration has been met. Looking at the heap costs more than the rest. *)
-  let exhausted (limits : Limits.t) (around : Limits.surroundings) ~start ~round =
+  type memory = { states : int; labels : int; edges : int }
+
+  let memory g =
+    let kept k = Int_vector.bytes k.first + Int_vector.bytes k.labels + Int_vector.bytes k.targets in
+    {
+      states = Tuples.bytes g.tuples;
+      labels =
+        Int_vector.bytes g.depth + Int_vector.bytes g.instant + Int_vector.bytes g.nearest
+        + Int_vector.bytes g.arrival + Bytes.length g.marks;
+      edges = Option.fold ~none:0 ~some:kept g.edges;
+    }
+
+  (* Of the heap and of what stands beside it. *)
+  let words g =
+    let m = memory g in
+    (Gc.quick_stat ()).Gc.heap_words + ((m.states + m.labels + m.edges) / (Sys.word_size / 8))
+
+  (* Which of the bounds on the exploration has been met. Looking at the memory costs more than the rest. *)
+  let exhausted g (limits : Limits.t) (around : Limits.surroundings) ~start ~round =
     if around.interrupted () then Some Interrupted
     else if match limits.seconds with None -> false | Some s -> around.now () -. start > s then Some Seconds
-    else if round land 63 = 0 && Option.is_some limits.memory
-            && beyond (Gc.quick_stat ()).Gc.heap_words limits.memory
-    then Some Memory
+    else if round land 255 = 0 && Option.is_some limits.memory && beyond (words g) limits.memory then
+      Some Memory
     else None
 
   (** {2 Growing the graph} *)
 
-  let add g ~depth ~arrival ~instant ~by state key =
-    let i = size g in
-    Growable.push g.nodes
-      { state; edges = [||]; status = Queued; depth; arrival; instant;
-        nearest = by; earliest = by; improving = false };
-    Table.add g.table key i;
-    Queue.push i g.queue;
-    i
+  let add g i ~depth ~arrival ~instant ~before =
+    Int_vector.push g.depth depth;
+    Int_vector.push g.arrival arrival;
+    Int_vector.push g.instant instant;
+    Int_vector.push g.nearest before;
+    Option.iter (fun k -> Int_vector.push k.first (-1)) g.edges;
+    mark g i queued;
+    Frontier.push g.frontier i (Rationals.get g.times arrival)
 
-  let instant_after n duration = if Rat.sign duration > 0 then 0 else n.instant + 1
+  (* Times and instants after a transition; most take no time. *)
+  let after g i label =
+    let d = L.duration g.context label in
+    let arrival = Int_vector.get g.arrival i in
+    if Rat.sign d > 0 then (Rationals.intern g.times (Rat.add (Rationals.get g.times arrival) d), 0)
+    else (arrival, Int_vector.get g.instant i + 1)
 
   (* Better labels for the target of an edge; whether there were any, and whether it is reached earlier. *)
-  let improve n step duration target =
-    let depth = n.depth + 1 and arrival = Rat.add n.arrival duration in
-    let nearer = depth < target.depth in
-    if nearer then begin
-      target.depth <- depth;
-      target.nearest <- Some step;
-      target.instant <- instant_after n duration
+  let improve g i e =
+    let j = e.target in
+    let arrival, instant = after g i e.label in
+    let nearer = depth g i + 1 < depth g j in
+    let known = Int_vector.get g.arrival j in
+    let is_earlier =
+      arrival <> known && Rat.compare (Rationals.get g.times arrival) (Rationals.get g.times known) < 0
+    in
+    (* An edge that leads deeper when it is found may not do so once a shorter path to its end is known. *)
+    if nearer || (instant > 0 && depth g j <= depth g i) then g.turns <- true;
+    if nearer || is_earlier then begin
+      (* The two paths may be one, and then part here. *)
+      let earliest = if is_earlier then i else before_earliest g j in
+      if nearer then begin
+        Int_vector.set g.depth j (depth g i + 1);
+        Int_vector.set g.instant j instant;
+        Int_vector.set g.nearest j i
+      end;
+      if is_earlier then Int_vector.set g.arrival j arrival;
+      if earliest = before_nearest g j then Hashtbl.remove g.earliest j
+      else Hashtbl.replace g.earliest j earliest
     end;
-    let earlier = Rat.compare arrival target.arrival < 0 in
-    if earlier then begin
-      target.arrival <- arrival;
-      target.earliest <- Some step
-    end;
-    (nearer || earlier, earlier)
+    (nearer || is_earlier, is_earlier)
 
   (* A state left out for its labels alone, and now within the bounds, is taken up again. *)
-  let reconsider g limits i n =
-    match n.status with
-    | Unexpanded (Depth | Time | Instant) when Option.is_none (out_of_bounds limits n) ->
-      n.status <- Queued;
-      Queue.push i g.queue
-    | _ -> ()
+  let reconsider g limits i =
+    match status g i with
+    | Unexpanded (Depth | Time | Instant) when Option.is_none (out_of_bounds g limits i) ->
+      mark g i queued;
+      Frontier.push g.frontier i (arrival g i)
+    | Queued -> (match g.order with By_steps -> () | By_time -> Frontier.push g.frontier i (arrival g i))
+    | Expanded | Unexpanded _ -> ()
 
   (* Passes better labels on through edges known already. *)
-  let settle g limits ~tell first =
-    let work = Queue.create () in
+  let settle g limits visitor first =
+    let work = Queue.create () and waiting = Hashtbl.create 16 in
     let enter i =
-      let n = node g i in
-      reconsider g limits i n;
-      if (not n.improving) && Array.length n.edges > 0 then begin
-        n.improving <- true;
+      reconsider g limits i;
+      if is_expanded g i && not (Hashtbl.mem waiting i) then begin
+        Hashtbl.add waiting i ();
         Queue.push i work
       end
     in
     enter first;
     while not (Queue.is_empty work) do
       let i = Queue.pop work in
-      let n = node g i in
-      n.improving <- false;
-      Array.iteri
-        (fun choice e ->
-           let step = { source = i; choice } in
-           let better, earlier = improve n step (L.duration e.transition) (node g e.target) in
-           if earlier then tell (Earlier e.target);
+      Hashtbl.remove waiting i;
+      Array.iter
+        (fun e ->
+           let better, is_earlier = improve g i e in
+           if is_earlier then visitor.earlier g e.target;
            if better then enter e.target)
-        n.edges
+        (edges g i)
     done
 
-  (* How many of the targets are new, up to one more than [room]. *)
-  let fits g room targets =
-    match room with
-    | None -> true
-    | Some room ->
-      let fresh = Table.create 8 in
-      let rec go = function
-        | [] -> true
-        | k :: rest ->
-          if not (Table.mem g.table k) then Table.replace fresh k ();
-          Table.length fresh <= room && go rest
-      in
-      go targets
+  (* Whether the targets that are new fit a number of them. *)
+  let fits g room (steps : Lts.step list) =
+    List.compare_length_with steps room <= 0
+    ||
+    let fresh = Hashtbl.create 16 in
+    List.iter
+      (fun (s : Lts.step) ->
+         if Tuples.find g.tuples ~near:g.near s.target < 0 then
+           Hashtbl.replace fresh (Array.to_list s.target) ())
+      steps;
+    Hashtbl.length fresh <= room
 
-  let connect g limits ~tell i n choice transition key =
-    let step = { source = i; choice } and duration = L.duration transition in
-    match Table.find_opt g.table key with
-    | None ->
-      let target =
-        add g ~depth:(n.depth + 1) ~arrival:(Rat.add n.arrival duration)
-          ~instant:(instant_after n duration) ~by:(Some step) (L.target transition) key
-      in
-      tell (Found target);
-      { transition; target }
-    | Some target ->
-      let better, earlier = improve n step duration (node g target) in
-      if earlier then tell (Earlier target);
-      if better then settle g limits ~tell target;
-      { transition; target }
+  (* The edge of a transition, and whether its target is new. *)
+  let connect g visitor i ({ label; target } : Lts.step) =
+    let known = size g in
+    let id = Tuples.intern g.tuples ~near:g.near target in
+    if id = known then begin
+      let arrival, instant = after g i label in
+      add g id ~depth:(depth g i + 1) ~arrival ~instant ~before:i;
+      visitor.found g id target
+    end;
+    { label; target = id }
 
   (* Expands a state; or says what ends the exploration. *)
-  let expand g (limits : Limits.t) ~tell context i n =
-    match L.successors context n.state with
+  let expand g (limits : Limits.t) visitor i =
+    Tuples.load g.tuples g.near i;
+    let tuple = Tuples.slots g.near in
+    match L.successors g.context tuple with
     | Error fault ->
-      n.status <- Unexpanded (Fault fault);
+      leave_out g i (Fault fault);
       None
-    | Ok list ->
-      let keys = List.map (fun t -> key (L.target t)) list in
-      let room = Option.map (fun bound -> bound - size g) limits.states in
-      if not (fits g room keys) then Some States
-      else begin
-        n.status <- Expanded;
-        let made =
-          List.rev
-            (snd
-               (List.fold_left2
-                  (fun (choice, acc) t k ->
-                     (choice + 1, connect g limits ~tell i n choice t k :: acc))
-                  (0, []) list keys))
-        in
-        n.edges <- Array.of_list made;
-        g.transitions <- g.transitions + Array.length n.edges;
-        tell (Opened i);
-        None
-      end
+    | Ok steps when match limits.states with None -> false | Some n -> not (fits g (n - size g) steps) ->
+      Some States
+    | Ok steps ->
+      mark g i expanded;
+      let edges = Array.of_list (List.map (connect g visitor i) steps) in
+      keep g i edges;
+      g.transitions <- g.transitions + Array.length edges;
+      Array.iter
+        (fun e ->
+           let better, is_earlier = improve g i e in
+           if is_earlier then visitor.earlier g e.target;
+           if better then settle g limits visitor e.target)
+        edges;
+      visitor.opened g i tuple edges;
+      None
 
-  let give_up g reason =
-    Queue.iter
-      (fun i ->
-         let n = node g i in
-         match n.status with Queued -> n.status <- Unexpanded reason | _ -> ())
-      g.queue;
-    Queue.clear g.queue
-
-  let run ?(visit = fun _ _ -> Continue) (limits : Limits.t) (around : Limits.surroundings) context =
-    let g =
-      { nodes = Growable.create (); table = Table.create 1024; queue = Queue.create (); transitions = 0 }
+  (* All that is left of the frontier, of which [i] has been taken already. *)
+  let give_up g i reason =
+    let leave i =
+      match status g i with Queued -> leave_out g i reason | Expanded | Unexpanded _ -> ()
     in
+    leave i;
+    Frontier.iter leave g.frontier
+
+  let empty context order keep_edges =
+    let tuples = Tuples.create ~width:(L.width context) in
+    let vector = Int_vector.create in
+    {
+      context; order; tuples;
+      near = Tuples.spread tuples;
+      reader = Tuples.spread tuples;
+      depth = vector (); instant = vector (); nearest = vector ();
+      earliest = Hashtbl.create 16;
+      times = Rationals.create ();
+      arrival = vector ();
+      marks = Bytes.make 1024 queued;
+      faults = Hashtbl.create 1;
+      frontier = (match order with By_steps -> Frontier.by_steps () | By_time -> Frontier.by_time ());
+      edges =
+        (if keep_edges then Some { first = vector (); labels = vector (); targets = vector () } else None);
+      transitions = 0;
+      turns = false;
+    }
+
+  let progress g i : Limits.progress =
+    {
+      states = size g;
+      transitions = g.transitions;
+      waiting = Frontier.length g.frontier;
+      depth = depth g i;
+      model_time = arrival g i;
+    }
+
+  (* Looks at a state that waited; or says what ends the exploration. *)
+  let visit g limits visitor i =
+    match (status g i, out_of_bounds g limits i) with
+    | (Expanded | Unexpanded _), _ -> None
+    | Queued, Some reason ->
+      leave_out g i reason;
+      None
+    | Queued, None -> expand g limits visitor i
+
+  let run ?(visitor = blind) ?(order = By_steps) ?(keep_edges = true) (limits : Limits.t)
+      (around : Limits.surroundings) context =
+    let g = empty context order keep_edges in
     let start = around.now () in
-    let stopped = ref false in
-    let tell event = match visit g event with Continue -> () | Stop -> stopped := true in
     let first = L.initial context in
-    tell (Found (add g ~depth:0 ~arrival:Rat.zero ~instant:0 ~by:None first (key first)));
-    (* The state at the head stays in the queue until it is settled, so that giving up marks it too. *)
+    let i = Tuples.intern g.tuples ~near:g.near first in
+    add g i ~depth:0 ~arrival:0 ~instant:0 ~before:(-1);
+    visitor.found g i first;
     let rec loop round =
-      if not (Queue.is_empty g.queue) then
-        if !stopped then give_up g Stopped
-        else
-          match exhausted limits around ~start ~round with
-          | Some reason -> give_up g reason
-          | None ->
-            let i = Queue.peek g.queue in
-            let n = node g i in
-            if round land 255 = 0 then
-              around.progress { states = size g; waiting = Queue.length g.queue; depth = n.depth };
-            let stop =
-              match (n.status, out_of_bounds limits n) with
-              | (Expanded | Unexpanded _), _ -> None
-              | Queued, Some reason ->
-                n.status <- Unexpanded reason;
-                None
-              | Queued, None -> expand g limits ~tell context i n
-            in
-            match stop with
-            | Some reason -> give_up g reason
-            | None ->
-              ignore (Queue.pop g.queue);
-              loop (round + 1)
+      match Frontier.take g.frontier with
+      | None -> ()
+      | Some i -> (
+          let stop =
+            if visitor.enough () then Some Stopped
+            else
+              match exhausted g limits around ~start ~round with
+              | Some reason -> Some reason
+              | None ->
+                if round land 255 = 0 then around.progress (progress g i);
+                visit g limits visitor i
+          in
+          match stop with
+          | Some reason -> give_up g i reason
+          | None -> loop (round + 1))
     in
     loop 0;
     g
-
-  let replay context choices =
-    let rec go state i acc = function
-      | [] -> Ok (List.rev acc)
-      | choice :: rest -> (
-          match L.successors context state with
-          | Error fault -> Error (i, Some fault)
-          | Ok list -> (
-              match if choice < 0 then None else List.nth_opt list choice with
-              | None -> Error (i, None)
-              | Some t -> go (L.target t) (i + 1) (t :: acc) rest))
-    in
-    go (L.initial context) 0 [] choices
 end

@@ -1,5 +1,6 @@
-(** Breadth-first exploration of a timed transition system into an explicit graph. Deterministic: the same
-    system and bounds give the same graph, unless a clock, the memory or an interruption ends it. *)
+(** Breadth-first exploration of a timed transition system. Deterministic: the same system and bounds give the same
+    graph, unless a clock, the memory or an interruption ends it. States take about 20 bytes each and edges 8; without
+    its edges, a graph makes them anew when they are asked for. *)
 
 open Scc_exact
 
@@ -19,36 +20,51 @@ module Make (L : Lts.S) : sig
   type t
   (** A graph. States are numbered from 0, the initial one, in the order in which they are found. *)
 
-  type edge = { transition : L.transition; target : int }
+  type edge = { label : int; target : int }
 
   type status =
     | Expanded
     | Queued  (** only while the exploration goes on *)
     | Unexpanded of L.fault reason
 
-  (** What a visitor is told; each is sent once the graph shows it. *)
-  type event =
-    | Found of int  (** a new state *)
-    | Opened of int  (** the state has been expanded: its edges are known, and all their targets found *)
-    | Earlier of int  (** a shorter time to a known state *)
+  (** Who is told what is found, each once the graph shows it. *)
+  type visitor = {
+    found : t -> int -> int array -> unit;  (** a new state, with its tuple *)
+    opened : t -> int -> int array -> edge array -> unit;
+    (** a state has been expanded: its tuple and edges, whose targets are all found. Not when the edges are made
+        anew *)
+    earlier : t -> int -> unit;  (** a shorter time to a known state *)
+    enough : unit -> bool;  (** asked before each expansion: whether to stop *)
+  }
 
-  type decision = Continue | Stop
+  val blind : visitor
+
+  (** The order in which states are expanded. *)
+  type order =
+    | By_steps  (** those found first first: breadth-first *)
+    | By_time  (** by their earliest arrivals, then as found *)
 
   val run :
-    ?visit:(t -> event -> decision) -> Limits.t -> Limits.surroundings -> L.context -> t
+    ?visitor:visitor -> ?order:order -> ?keep_edges:bool ->
+    Limits.t -> Limits.surroundings -> L.context -> t
   (** Explores until nothing is left to expand within the bounds, or a bound on the resources is met, or
-      the visitor stops it. *)
+      the visitor has seen enough. Edges are kept unless told otherwise. *)
 
+  val context : t -> L.context
   val size : t -> int
-  val state : t -> int -> L.state
-  val find : t -> L.state -> int option
+  val tuple : t -> int -> int array
   val status : t -> int -> status
 
   val edges : t -> int -> edge array
   (** In the order of {!Lts.S.successors}; empty while the state is not expanded. *)
 
+  val duration : t -> edge -> Rat.t
+
   val transitions : t -> int
   (** The number of edges. *)
+
+  val turns : t -> bool
+  (** Unless this is so, every edge without duration leads to a greater depth: there is no cycle of them. *)
 
   val depth : t -> int -> int
   (** The least number of transitions from the initial state. *)
@@ -75,7 +91,8 @@ module Make (L : Lts.S) : sig
   val earliest_path : t -> int -> step list
   (** From the initial state, in the least model time. *)
 
-  val replay : L.context -> int list -> (L.transition list, int * L.fault option) result
-  (** Follows a list of choices from the initial state: the transitions made, or the index of the choice
-      that does not fit, with the fault if the state's transitions could not be computed. *)
+  (** What the graph takes, in bytes. *)
+  type memory = { states : int; labels : int; edges : int }
+
+  val memory : t -> memory
 end

@@ -14,3 +14,6 @@ let push a x =
   end;
   a.data.(a.length) <- x;
   a.length <- a.length + 1
+
+let set a i x =
+  if i < 0 || i >= a.length then Scc_base.Bug.fail __POS__ "index out of range" else a.data.(i) <- x

@@ -9,3 +9,5 @@ val get : 'a t -> int -> 'a
 (** The index is in range (a bug otherwise). *)
 
 val push : 'a t -> 'a -> unit
+
+val set : 'a t -> int -> 'a -> unit

@@ -11,7 +11,7 @@ type t = {
 
 let unlimited = { depth = None; time = None; instant = None; states = None; seconds = None; memory = None }
 
-type progress = { states : int; waiting : int; depth : int }
+type progress = { states : int; transitions : int; waiting : int; depth : int; model_time : Rat.t }
 
 type surroundings = {
   now : unit -> float;

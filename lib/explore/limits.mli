@@ -17,7 +17,13 @@ type t = {
 
 val unlimited : t
 
-type progress = { states : int; waiting : int; depth : int }
+type progress = {
+  states : int;
+  transitions : int;
+  waiting : int;
+  depth : int;
+  model_time : Rat.t;  (** the earliest arrival in the state that is looked at *)
+}
 
 type surroundings = {
   now : unit -> float;  (** a clock in seconds; only differences count *)

@@ -1,24 +1,21 @@
-(** What the explorer knows of a transition system: states, labels, durations. *)
+(** What the explorer knows of a transition system: states are tuples of numbers of one width, and labels are numbers;
+    what they stand for is known to the context, which gives numbers to things as they come up. *)
+
+type step = { label : int; target : int array }
 
 module type S = sig
   type context
-  (** what stays the same (a model) *)
-
-  type state
-
-  type transition
+  (** what stays the same (a model), and what the numbers stand for *)
 
   type fault
   (** why a state's transitions cannot be computed *)
 
-  val initial : context -> state
-  val successors : context -> state -> (transition list, fault) result
-  (** Every transition, in a fixed order. *)
+  val width : context -> int
+  val initial : context -> int array
 
-  val target : transition -> state
-  val duration : transition -> Scc_exact.Rat.t
-  (** 0 for a discrete transition. *)
+  val successors : context -> int array -> (step list, fault) result
+  (** Every transition, in a fixed order. Numbers are in [0, 2{^31}). *)
 
-  val equal : state -> state -> bool
-  val hash : state -> int
+  val duration : context -> int -> Scc_exact.Rat.t
+  (** Of a label; 0 for a discrete transition. *)
 end

@@ -205,3 +205,37 @@ and all fs =
     | _, _ -> None
   in
   Option.map List.rev (List.fold_left add (Some []) fs)
+
+let events f =
+  let found = ref [] in
+  let rec look = function
+    | Event e -> if not (List.exists (equal_event e) !found) then found := e :: !found
+    | Not p -> look p
+    | And ps | Or ps -> List.iter look ps
+    | Compare (_, a, b) ->
+      look_num a;
+      look_num b
+    | Bool _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent -> ()
+  and look_num = function
+    | Count ps -> List.iter look ps
+    | If (p, a, b) ->
+      look p;
+      look_num a;
+      look_num b
+    | Neg a -> look_num a
+    | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) ->
+      look_num a;
+      look_num b
+    | Const _ | Bonds _ | Size _ | Processes | Position _ | Velocity _ | Speed2 _ | Distance2 _ | Momentum _
+    | Energy | Time -> ()
+  in
+  let rec walk = function
+    | State p -> look p
+    | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> walk f
+    | Temporal_and fs | Temporal_or fs -> List.iter walk fs
+    | Until (_, _, f, g) ->
+      walk f;
+      walk g
+  in
+  walk f;
+  List.rev !found

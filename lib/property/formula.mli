@@ -27,5 +27,8 @@ val mentions_next : temporal -> bool
 val has_events : temporal -> bool
 (** Whether an atom [event] occurs: the formula is then about the transitions that led to a state, too. *)
 
+val events : temporal -> event list
+(** Those that occur, each once. *)
+
 val state_formula : temporal -> prop option
 (** The predicate, when no temporal operator occurs. *)

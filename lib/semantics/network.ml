@@ -86,3 +86,16 @@ let initial (m : Model.t) (declared : State.t) =
   let processes = List.map (Process.restart_clock m) (Array.to_list declared.processes) in
   let* s, _ = Steer.settle m (State.make ~processes ~step ~time) in
   Ok s
+
+let follow m s choices =
+  let rec go s place acc = function
+    | [] -> Ok (List.rev acc)
+    | choice :: rest -> (
+        match successors m s with
+        | Error fault -> Error (place, Some fault)
+        | Ok list -> (
+            match if choice < 0 then None else List.nth_opt list choice with
+            | None -> Error (place, None)
+            | Some t -> go t.Transition.target (place + 1) (t :: acc) rest))
+  in
+  go s 0 [] choices

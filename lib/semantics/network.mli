@@ -24,3 +24,8 @@ val time_rules : Rule.t list
 
 val quiescent : Model.t -> State.t -> bool
 (** No event can ever happen again (rule Quiescent). *)
+
+val follow :
+  Model.t -> State.t -> int list -> (Transition.t list, int * Transition.fault option) result
+(** The transitions that a list of choices, indices into {!successors}, leads through; or the place in the list of
+    the one that does not fit, with the fault if the state's transitions could not be computed. *)

@@ -18,6 +18,9 @@ val pass : Model.t -> Rat.t -> State.t -> State.t
 val process_horizon : Model.t -> State.process -> Rat.t option
 (** The least horizon of its behaviours. *)
 
+val to_split_instant : Model.t -> State.process -> Rat.t option
+(** The time to its next split instant, if a weak split of it is enabled. *)
+
 val age_process : Model.t -> Rat.t -> State.process -> State.process
 (** What {!pass} does to behaviours and split clock, for 0 <= d up to the horizon. *)
 

@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_property
+open Scc_semantics
 open Scc_explore
 module Engine = Engine.Make (System)
 module Graph = Engine.Graph
@@ -15,7 +16,7 @@ type options = {
   memory : int bound;
   instant : int bound;
   surroundings : Limits.surroundings;
-  observe : State.t -> unit;
+  observe : (State.t -> unit) option;
 }
 
 let default =
@@ -27,7 +28,7 @@ let default =
     memory = Unbounded;
     instant = Default 10_000;
     surroundings = Limits.quiet;
-    observe = ignore;
+    observe = None;
   }
 
 type outcome = Verdict of Verdict.t | Not_yet of string
@@ -88,7 +89,7 @@ let cause (o : options) model horizon (r : _ Explore.reason) =
   | Memory -> Bound (truncation o.memory (fun w -> Verdict.Memory w))
   | Interrupted -> Bound { limit = Interrupted; origin = By_user }
   | Stopped -> Early
-  | Fault f -> Fault (Scc_semantics.Transition.fault_to_string model f)
+  | Fault f -> Fault (Transition.fault_to_string model f)
 
 (** {2 Witnesses} *)
 
@@ -100,19 +101,21 @@ type run = {
   horizon : Rat.t option;
 }
 
+let state r i = Catalogue.decode (System.catalogue r.context) (Graph.tuple r.graph i)
+let label r (e : Graph.edge) = Catalogue.label_of (System.catalogue r.context) e.label
+
 (* A witness is followed through the successors afresh before anyone is shown it. *)
 let replayed r (trace : Engine.trace) =
   let choices = List.map (fun (s : Graph.step) -> s.choice) trace.steps in
-  match Graph.replay r.context choices with
+  let initial = System.start r.context in
+  match Network.follow r.model initial choices with
   | Error _ -> Scc_base.Bug.fail __POS__ "a witness does not replay"
   | Ok transitions ->
-    let last =
-      match List.rev transitions with [] -> r.context.initial | t :: _ -> t.Scc_semantics.Transition.target
-    in
-    if not (State.equal last (Graph.state r.graph trace.last)) then
+    let last = match List.rev transitions with [] -> initial | t :: _ -> t.Transition.target in
+    if not (State.equal last (state r trace.last)) then
       Scc_base.Bug.fail __POS__ "a witness replays to another state";
     let step (time, acc) choice transition =
-      let time = Rat.add time (Scc_semantics.Transition.duration transition) in
+      let time = Rat.add time (Transition.duration transition) in
       (time, { Witness.choice; transition; time } :: acc)
     in
     let _, steps = List.fold_left2 step (Rat.zero, []) choices transitions in
@@ -122,11 +125,12 @@ let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ ->
 
 (* A weak split that is enabled somewhere on a cycle and never made on it. *)
 let puts_off r (cycle : Graph.step list) =
-  let label (s : Graph.step) = (Graph.edges r.graph s.source).(s.choice).transition.label in
-  let made = List.map label cycle in
+  let made =
+    List.map (fun (s : Graph.step) -> label r (Graph.edges r.graph s.source).(s.choice)) cycle
+  in
   let is_put_off (e : Graph.edge) =
-    match e.transition.label with
-    | Weak_split _ as l when not (List.exists (Scc_semantics.Transition.equal_label l) made) -> Some l
+    match label r e with
+    | Weak_split _ as l when not (List.exists (Transition.equal_label l) made) -> Some l
     | Weak_split _ | Time _ | Bind _ | Bounce _ | Strong_split _ -> None
   in
   List.find_map
@@ -146,7 +150,7 @@ let finish r (trace : Engine.trace) : Witness.finish =
       { choice; offset = sample; open_piece = not moment.attained; from = moment.offset }
 
 let facts r (trace : Engine.trace) p =
-  let state = Graph.state r.graph trace.last in
+  let state = state r trace.last in
   match trace.finish with
   | At_state | Rests | Stops | Repeats _ | Passes _ ->
     Explain.facts r.model state Timeline.Instant Algebraic.zero p
@@ -155,15 +159,15 @@ let facts r (trace : Engine.trace) p =
       match choice with
       | None -> Timeline.Forever
       | Some k ->
-        Lasts (Scc_semantics.Transition.duration (Graph.edges r.graph trace.last).(k).transition)
+        Lasts (Graph.duration r.graph (Graph.edges r.graph trace.last).(k))
     in
     Explain.facts r.model state extent sample p
 
 let witness r predicate (trace : Engine.trace) : Witness.t =
   {
-    initial = r.context.initial;
+    initial = System.start r.context;
     steps = replayed r trace;
-    last = Graph.state r.graph trace.last;
+    last = state r trace.last;
     finish = finish r trace;
     facts = (match predicate with None -> [] | Some p -> facts r trace p);
   }
@@ -199,7 +203,7 @@ let up_to_bound r p doubts =
   else Undecided reasons
 
 let now r p =
-  match Trajectory.holds r.model r.context.initial p with
+  match Trajectory.holds r.model (System.start r.context) p with
   | True -> holds r p
   | False -> violated r p (Some { steps = []; last = 0; finish = At_state })
   | Undecided text -> Undecided [ Undefined text ]
@@ -243,21 +247,16 @@ and verdicts r combine plans answers =
 
 (** {2 Questions} *)
 
-let question model operator within p : Engine.question =
-  {
-    operator;
-    within;
-    at = (fun state -> Trajectory.holds model state p);
-    along = (fun state extent -> Trajectory.prop (Trajectory.make model state extent) p);
-  }
+let question context operator within p : Engine.question =
+  { operator; within; goal = Predicate.make context p }
 
-let rec questions model (plan : Plan.t) =
+let rec questions context (plan : Plan.t) =
   match plan with
   | Now _ -> []
-  | Possibly (within, p) -> [ question model Reach within p ]
-  | Always (within, p) -> [ question model Reach within (Formula.negate p) ]
-  | Eventually (within, p) | Not_eventually (within, p) -> [ question model Inevitable within p ]
-  | All plans | Any plans -> List.concat_map (questions model) plans
+  | Possibly (within, p) -> [ question context Reach within p ]
+  | Always (within, p) -> [ question context Reach within (Formula.negate p) ]
+  | Eventually (within, p) | Not_eventually (within, p) -> [ question context Inevitable within p ]
+  | All plans | Any plans -> List.concat_map (questions context) plans
 
 (** {2 The report} *)
 
@@ -291,20 +290,29 @@ let zeno r (result : Engine.result) =
          | Depth | Time | States | Seconds | Memory | Interrupted | Stopped | Fault _ -> None)
       (Graph.unexpanded r.graph)
 
+(* Without edges a state takes a quarter of the memory; they are needed to look back from states to those before, and
+   to pass on earlier times. *)
+let needs_edges (q : Engine.question) =
+  match q.operator with Engine.Reach -> Option.is_some q.within | Inevitable -> true
+
+let rests context tuple =
+  Network.quiescent (System.model context) (Catalogue.decode (System.catalogue context) tuple)
+
 let run options model ~initial (checks : Property.check list) =
   let plans = List.map (fun (c : Property.check) -> (c, Plan.of_formula c.formula)) checks in
+  let events = List.concat_map (fun (c : Property.check) -> Formula.events c.formula) checks in
+  let context = System.make ~events model initial in
   let asked =
-    List.concat_map (function _, Ok plan -> questions model plan | _, Error _ -> []) plans
+    List.concat_map (function _, Ok plan -> questions context plan | _, Error _ -> []) plans
   in
-  let context = { System.model; initial } in
-  let observe graph (event : Graph.event) =
-    match event with
-    | Found i -> options.observe (Graph.state graph i)
-    | Opened _ | Earlier _ -> ()
+  let observe =
+    Option.map (fun f _ _ tuple -> f (Catalogue.decode (System.catalogue context) tuple)) options.observe
   in
   let limits = limits options in
-  let rests = Scc_semantics.Network.quiescent model in
-  let result = Engine.run ~observe ~rests limits options.surroundings context asked in
+  let keep_edges = List.exists needs_edges asked || Option.is_some limits.time in
+  let result =
+    Engine.run ?observe ~keep_edges ~rests:(rests context) limits options.surroundings context asked
+  in
   let horizon = Engine.horizon limits asked in
   let r = { options; model; context; graph = result.graph; horizon } in
   let step (outcomes, answers) (check, plan) =
@@ -318,7 +326,7 @@ let run options model ~initial (checks : Property.check list) =
   { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result }
 
 let explore options model ~initial =
-  let context = { System.model; initial } in
+  let context = System.make model initial in
   let graph = Graph.run (limits options) options.surroundings context in
   let r = { options; model; context; graph; horizon = None } in
-  (graph, stats r)
+  (context, graph, stats r)

@@ -19,7 +19,7 @@ type options = {
   memory : int bound;  (** words of the heap *)
   instant : int bound;  (** the guard against runs that go on for ever within one instant *)
   surroundings : Limits.surroundings;
-  observe : State.t -> unit;  (** called with each new state, in order *)
+  observe : (State.t -> unit) option;  (** called with each new state, in order *)
 }
 
 val default : options
@@ -51,5 +51,5 @@ val run : options -> Model.t -> initial:State.t -> Property.check list -> report
 (** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
     replayed before they are returned. *)
 
-val explore : options -> Model.t -> initial:State.t -> Graph.t * stats
+val explore : options -> Model.t -> initial:State.t -> System.context * Graph.t * stats
 (** The exploration alone. *)

@@ -1,17 +1,17 @@
 open Scc_exact
 open Scc_explore
 
+type predicate = {
+  at : int array -> Truth.t;
+  along : (int array -> Timeline.extent -> Truth.t Timeline.t) option;
+}
+
 module Make (L : Lts.S) = struct
   module Graph = Explore.Make (L)
 
   type operator = Reach | Inevitable
 
-  type question = {
-    operator : operator;
-    within : Rat.t option;
-    at : L.state -> Truth.t;
-    along : L.state -> Timeline.extent -> Truth.t Timeline.t;
-  }
+  type question = { operator : operator; within : Rat.t option; goal : predicate }
 
   type finish =
     | At_state
@@ -48,19 +48,20 @@ module Make (L : Lts.S) = struct
   (* What follows a state. *)
   type ahead =
     | Unknown_yet
-    | Edges of phases array
+    | Edges of Graph.edge array * phases array
     | Ray of phases
     | Nothing
 
-  type label = { at : Truth.t; mutable ahead : ahead }
+  type label = { at : Truth.t; ahead : ahead }
 
   type monitor = {
     question : question;
-    labels : label Growable.t;
+    rests : int array -> bool;
+    labels : label Growable.t;  (** [Inevitable]: of the states looked at so far *)
     mutable met : (int * int option * Timeline.moment option) option;
     (** [Reach]: a state, and the choice and moment after it, where the goal holds *)
     mutable settled : answer option;  (** [Inevitable] *)
-    mutable doubtful : bool;  (** the goal could not be decided somewhere *)
+    mutable doubtful : int list;  (** states where, or after which, the goal could not be decided *)
     mutable next_look : int;  (** [Inevitable]: the number of states at which to look again *)
   }
 
@@ -79,27 +80,38 @@ module Make (L : Lts.S) = struct
     in
     { surely; perhaps; why }
 
-  let label m i = Growable.get m.labels i
+  let along m tuple extent =
+    match m.question.goal.along with
+    | Some along -> along tuple extent
+    | None -> Timeline.constant extent (m.question.goal.at tuple)
 
-  let judge m extent state =
-    let p = phases (m.question.along state extent) in
-    if Option.is_some p.why then m.doubtful <- true;
-    p
-
-  let label_edges m g i =
-    let state = Graph.state g i in
+  let ahead_of_state m g tuple edges =
     let edge (e : Graph.edge) =
-      let d = L.duration e.transition in
-      if Rat.sign d > 0 then judge m (Timeline.Lasts d) state else never
+      let d = Graph.duration g e in
+      if Rat.sign d > 0 then phases (along m tuple (Timeline.Lasts d)) else never
     in
-    Array.map edge (Graph.edges g i)
+    if Array.length edges > 0 then Edges (edges, Array.map edge edges)
+    else if m.rests tuple then Ray (phases (along m tuple Timeline.Forever))
+    else Nothing
 
-  let open_label ~rests m g i =
-    (label m i).ahead <-
-      (if Array.length (Graph.edges g i) > 0 then Edges (label_edges m g i)
-       else
-         let state = Graph.state g i in
-         if rests state then Ray (judge m Timeline.Forever state) else Nothing)
+  (* What holds in a state and after it. *)
+  let judge m g i =
+    let tuple = Graph.tuple g i in
+    let ahead =
+      match Graph.status g i with
+      | Graph.Expanded -> ahead_of_state m g tuple (Graph.edges g i)
+      | Queued | Unexpanded _ -> Unknown_yet
+    in
+    { at = m.question.goal.at tuple; ahead }
+
+  let undecided = function Truth.Undecided _ -> true | True | False -> false
+
+  let doubts_of ahead =
+    let unsure p = Option.is_some p.why in
+    match ahead with
+    | Unknown_yet | Nothing -> false
+    | Ray p -> unsure p
+    | Edges (_, list) -> Array.exists unsure list
 
   (** {2 Reach} *)
 
@@ -117,36 +129,51 @@ module Make (L : Lts.S) = struct
     | Some bound -> Rat.compare (Graph.arrival g i) bound <= 0
 
   (* The first choice of a state, or its ray, after which the chosen moment exists and counts. *)
-  let ahead_of m g i choose =
+  let find_ahead m g i ahead choose =
     let counts p = match choose p with Some t when in_time m g i t -> Some t | _ -> None in
-    match (label m i).ahead with
+    match ahead with
     | Unknown_yet | Nothing -> None
     | Ray p -> Option.map (fun t -> (None, t)) (counts p)
-    | Edges list ->
+    | Edges (_, list) ->
       let rec go k =
         if k = Array.length list then None
         else match counts list.(k) with Some t -> Some (Some k, t) | None -> go (k + 1)
       in
       go 0
 
-  let look_at_state m g i =
-    match (label m i).at with
-    | True when arrives_in_time m g i -> m.met <- Some (i, None, None)
+  let look_at_state m g i truth =
+    match truth with
+    | Truth.True when arrives_in_time m g i -> m.met <- Some (i, None, None)
     | True | False | Undecided _ -> ()
 
-  let look_ahead m g i =
-    match ahead_of m g i (fun p -> p.surely) with
+  let look_ahead m g i ahead =
+    match find_ahead m g i ahead (fun p -> p.surely) with
     | Some (choice, moment) -> m.met <- Some (i, choice, Some moment)
     | None -> ()
 
-  let watch_reach m g (event : Graph.event) =
-    if Option.is_none m.met then
-      match event with
-      | Found i -> look_at_state m g i
-      | Opened i -> look_ahead m g i
-      | Earlier i ->
-        look_at_state m g i;
-        if Option.is_none m.met then look_ahead m g i
+  let doubt m i = m.doubtful <- i :: m.doubtful
+
+  let found_reach m g i tuple =
+    if Option.is_none m.met then begin
+      let truth = m.question.goal.at tuple in
+      if undecided truth then doubt m i;
+      look_at_state m g i truth
+    end
+
+  (* A goal that does not change along a trajectory has been looked at where that starts. *)
+  let opened_reach m g i tuple edges =
+    if Option.is_none m.met && Option.is_some m.question.goal.along then begin
+      let ahead = ahead_of_state m g tuple edges in
+      if doubts_of ahead then doubt m i;
+      look_ahead m g i ahead
+    end
+
+  let earlier_reach m g i =
+    if Option.is_none m.met && Option.is_some m.question.within then begin
+      let { at; ahead } = judge m g i in
+      look_at_state m g i at;
+      if Option.is_none m.met then look_ahead m g i ahead
+    end
 
   let path_for m g i =
     match m.question.within with
@@ -155,7 +182,7 @@ module Make (L : Lts.S) = struct
 
   let extent_of g i = function
     | None -> Timeline.Forever
-    | Some k -> Timeline.Lasts (L.duration (Graph.edges g i).(k).transition)
+    | Some k -> Timeline.Lasts (Graph.duration g (Graph.edges g i).(k))
 
   (* The sample of an open piece that goes on beyond the bound may have to be taken earlier. *)
   let before_bound m g i (moment : Timeline.moment) sample =
@@ -171,7 +198,7 @@ module Make (L : Lts.S) = struct
       match moment with
       | None -> At_state
       | Some moment ->
-        let timeline = m.question.along (Graph.state g i) (extent_of g i choice) in
+        let timeline = along m (Graph.tuple g i) (extent_of g i choice) in
         let sample = Timeline.sample timeline moment in
         During { choice; moment; sample = before_bound m g i moment sample }
     in
@@ -193,8 +220,9 @@ module Make (L : Lts.S) = struct
     |> List.rev_map (fun r -> Truncated r)
 
   let undefined_at m g i =
+    let { at; ahead } = judge m g i in
     let state_reason =
-      match (label m i).at with
+      match at with
       | Undecided reason when arrives_in_time m g i -> Some reason
       | _ -> None
     in
@@ -202,17 +230,15 @@ module Make (L : Lts.S) = struct
     | Some _ -> state_reason
     | None -> (
         let unsure p = match p.why with Some _ -> p.perhaps | None -> None in
-        match (ahead_of m g i unsure, (label m i).ahead) with
+        match (find_ahead m g i ahead unsure, ahead) with
         | Some (None, _), Ray p -> p.why
-        | Some (Some k, _), Edges list -> list.(k).why
+        | Some (Some k, _), Edges (_, list) -> list.(k).why
         | _ -> None)
 
   let first_undefined m g =
-    let rec go i =
-      if i = Graph.size g then None
-      else match undefined_at m g i with Some reason -> Some (Undefined reason) | None -> go (i + 1)
-    in
-    if m.doubtful then go 0 else None
+    List.find_map
+      (fun i -> Option.map (fun reason -> Undefined reason) (undefined_at m g i))
+      (List.sort_uniq Int.compare m.doubtful)
 
   let answer_reach m g =
     match m.met with
@@ -225,23 +251,39 @@ module Make (L : Lts.S) = struct
 
   (** {2 Inevitable} *)
 
+  (* A state that was expanded since it was looked at is looked at again. *)
+  let update m g =
+    let fresh = Growable.length m.labels in
+    for i = 0 to Graph.size g - 1 do
+      if i >= fresh then Growable.push m.labels (judge m g i)
+      else
+        match ((Growable.get m.labels i).ahead, Graph.status g i) with
+        | Unknown_yet, Graph.Expanded -> Growable.set m.labels i (judge m g i)
+        | (Unknown_yet | Edges _ | Ray _ | Nothing), _ -> ()
+    done;
+    m.doubtful <- [];
+    for i = Graph.size g - 1 downto 0 do
+      let l = Growable.get m.labels i in
+      if undecided l.at || doubts_of l.ahead then doubt m i
+    done
+
   (* The graph with what cannot be decided taken as true ([generous]) or as false. *)
   let abstract m g ~generous : Inevitable.graph =
     let choose p = if generous then p.perhaps else p.surely in
     let holds i =
-      match (label m i).at with True -> true | False -> false | Undecided _ -> generous
+      match (Growable.get m.labels i).at with True -> true | False -> false | Undecided _ -> generous
     in
     let node i : Inevitable.node =
-      match (label m i).ahead with
+      match (Growable.get m.labels i).ahead with
       | Unknown_yet -> Unexplored
       | Nothing -> Dead_end
       | Ray p -> Ray (choose p)
-      | Edges list ->
+      | Edges (edges, list) ->
         Arcs
           (Array.mapi
              (fun k (e : Graph.edge) : Inevitable.arc ->
-                { target = e.target; duration = L.duration e.transition; first = choose list.(k) })
-             (Graph.edges g i))
+                { target = e.target; duration = Graph.duration g e; first = choose list.(k) })
+             edges)
     in
     { size = Graph.size g; holds; node }
 
@@ -263,13 +305,15 @@ module Make (L : Lts.S) = struct
 
   (* [None] while it depends on states that are still queued. *)
   let answer_inevitable m g =
+    update m g;
     let within = m.question.within in
+    let doubtful = List.length m.doubtful > 0 in
     let search generous = Inevitable.search (abstract m g ~generous) ~within in
-    let sure = search m.doubtful in
+    let sure = search doubtful in
     match sure.avoided with
     | Some trace -> Some (No (Some (trace_of trace)))
     | None ->
-      let o = if m.doubtful then search false else sure in
+      let o = if doubtful then search false else sure in
       let queued i = match Graph.status g i with Graph.Queued -> true | Expanded | Unexpanded _ -> false in
       if List.exists queued o.unexplored then None
       else
@@ -312,22 +356,14 @@ module Make (L : Lts.S) = struct
     | Reach -> Option.is_some m.met
     | Inevitable -> Option.is_some m.settled
 
-  let watch ~rests m g (event : Graph.event) =
-    if not (decided m) then begin
-      (match event with
-       | Found i ->
-         let at = m.question.at (Graph.state g i) in
-         (match at with Undecided _ -> m.doubtful <- true | True | False -> ());
-         Growable.push m.labels { at; ahead = Unknown_yet }
-       | Opened i -> open_label ~rests m g i
-       | Earlier _ -> ());
-      match m.question.operator with
-      | Reach -> watch_reach m g event
-      | Inevitable -> ( match event with Opened _ -> watch_inevitable m g | Found _ | Earlier _ -> ())
-    end
+  let is_reach m = match m.question.operator with Reach -> true | Inevitable -> false
 
-  let monitor question =
-    { question; labels = Growable.create (); met = None; settled = None; doubtful = false; next_look = 16 }
+  let monitor rests question =
+    {
+      question; rests;
+      labels = Growable.create ();
+      met = None; settled = None; doubtful = []; next_look = 16;
+    }
 
   let greatest_bound questions =
     let join acc q =
@@ -342,10 +378,10 @@ module Make (L : Lts.S) = struct
     | None, None -> None
 
   (* A cycle of the whole graph along which no time passes. *)
-  let zeno_cycle g =
+  let find_zeno_cycle g =
     let arcs i =
       Array.to_list (Array.mapi (fun k (e : Graph.edge) -> (k, e)) (Graph.edges g i))
-      |> List.filter (fun (_, (e : Graph.edge)) -> Rat.sign (L.duration e.transition) = 0)
+      |> List.filter (fun (_, e) -> Rat.sign (Graph.duration g e) = 0)
       |> List.map (fun (k, (e : Graph.edge)) -> (e.target, k))
     in
     let size = Graph.size g in
@@ -376,16 +412,26 @@ module Make (L : Lts.S) = struct
     in
     go 0
 
-  let run ?(observe = fun _ _ -> ()) ~rests limits around context questions =
-    let monitors = List.map monitor questions in
-    let visit g event =
-      observe g event;
-      List.iter (fun m -> watch ~rests m g event) monitors;
-      match monitors with
-      | [] -> Graph.Continue
-      | _ :: _ -> if List.for_all decided monitors then Graph.Stop else Graph.Continue
-    in
+  let zeno_cycle g = if Graph.turns g then find_zeno_cycle g else None
+
+  let visitor observe monitors : Graph.visitor =
+    let reach, inevitable = List.partition is_reach monitors in
+    {
+      found =
+        (fun g i tuple ->
+           observe g i tuple;
+           List.iter (fun m -> found_reach m g i tuple) reach);
+      opened =
+        (fun g i tuple edges ->
+           List.iter (fun m -> opened_reach m g i tuple edges) reach;
+           List.iter (fun m -> watch_inevitable m g) inevitable);
+      earlier = (fun g i -> List.iter (fun m -> earlier_reach m g i) reach);
+      enough = (fun () -> match monitors with [] -> false | _ :: _ -> List.for_all decided monitors);
+    }
+
+  let run ?(observe = fun _ _ _ -> ()) ?keep_edges ~rests limits around context questions =
+    let monitors = List.map (monitor rests) questions in
     let limits = { limits with Limits.time = horizon limits questions } in
-    let graph = Graph.run ~visit limits around context in
+    let graph = Graph.run ~visitor:(visitor observe monitors) ?keep_edges limits around context in
     { graph; answers = List.map (fun m -> answer m graph) monitors; zeno = zeno_cycle graph }
 end

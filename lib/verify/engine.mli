@@ -4,6 +4,13 @@
 open Scc_exact
 open Scc_explore
 
+(** A predicate on the instants of runs. *)
+type predicate = {
+  at : int array -> Truth.t;  (** in a state *)
+  along : (int array -> Timeline.extent -> Truth.t Timeline.t) option;
+  (** along the trajectory that starts in a state; [None] when it is what it is at the start *)
+}
+
 module Make (L : Lts.S) : sig
   module Graph : module type of Explore.Make (L)
 
@@ -14,9 +21,7 @@ module Make (L : Lts.S) : sig
   type question = {
     operator : operator;
     within : Rat.t option;  (** only the instants in [0, b] count *)
-    at : L.state -> Truth.t;  (** the goal in a state *)
-    along : L.state -> Timeline.extent -> Truth.t Timeline.t;
-    (** the goal along the trajectory that starts in the state *)
+    goal : predicate;
   }
 
   (** Where a trace leads after its steps. *)
@@ -53,16 +58,17 @@ module Make (L : Lts.S) : sig
   }
 
   val run :
-    ?observe:(Graph.t -> Graph.event -> unit) ->
-    rests:(L.state -> bool) ->
+    ?observe:(Graph.t -> int -> int array -> unit) ->
+    ?keep_edges:bool ->
+    rests:(int array -> bool) ->
     Limits.t ->
     Limits.surroundings ->
     L.context ->
     question list ->
     result
-  (** [rests] says of a state without transitions whether time passes there for ever. The exploration ends
-      as soon as every question is answered (when there is one); when all of them have a bound of time, it
-      does not go past the greatest. *)
+  (** [rests] says of a state without transitions whether time passes there for ever. [observe] is called with each new
+      state. The exploration ends as soon as every question is answered (when there is one); when all of them have a
+      bound of time, it does not go past the greatest. *)
 
   val horizon : Limits.t -> question list -> Rat.t option
   (** The bound of time that {!run} explores up to. *)

@@ -16,12 +16,13 @@ let fits_ends (wanted : Property.ends) (b : State.bond) =
 
 (* The two that bounced are still apart, with the leaves that they had before. *)
 let fits_processes (source : State.t) one two (wanted : Property.ends) =
-  let home leaf = fst (State.find_leaf source leaf) in
+  let home leaf = source.processes.(fst (State.find_leaf source leaf)) in
+  let has (p : State.process) leaf = Array.exists (fun (l : State.leaf) -> l.leaf = leaf) p.leaves in
   let one = home one and two = home two in
   match wanted with
   | Any -> true
-  | One p -> home p = one || home p = two
-  | Two (p, q) -> (home p = one && home q = two) || (home p = two && home q = one)
+  | One p -> has one p || has two p
+  | Two (p, q) -> (has one p && has two q) || (has two p && has one q)
 
 let made : Property.change -> bool = function
   | Made -> true

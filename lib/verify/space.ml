@@ -16,18 +16,20 @@ type t = {
 }
 
 let explore options model ~initial =
-  let graph, (stats : Check.stats) = Check.explore options model ~initial in
-  let edge (e : Graph.edge) = { label = e.transition.label; target = e.target } in
+  let context, graph, (stats : Check.stats) = Check.explore options model ~initial in
+  let catalogue = System.catalogue context in
+  let edge (e : Graph.edge) = { label = Catalogue.label_of catalogue e.label; target = e.target } in
   let expanded i =
     match Graph.status graph i with Graph.Expanded -> true | Queued | Unexpanded _ -> false
   in
+  let state i = Catalogue.decode catalogue (Graph.tuple graph i) in
   {
     model;
     size = Graph.size graph;
-    state = Graph.state graph;
+    state;
     edges = (fun i -> Array.map edge (Graph.edges graph i));
     expanded;
-    rests = (fun i -> expanded i && Network.quiescent model (Graph.state graph i));
+    rests = (fun i -> expanded i && Network.quiescent model (state i));
     stopped_by = stats.stopped_by;
     faults = stats.faults;
   }

@@ -1,14 +1,260 @@
+open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_property
+open Scc_explore
 
-type context = { model : Model.t; initial : State.t }
-type state = State.t
-type transition = Transition.t
 type fault = Transition.fault
 
-let initial c = c.initial
-let successors c s = Network.successors c.model s
-let target (t : Transition.t) = t.target
-let duration = Transition.duration
-let equal = State.equal
-let hash = State.hash
+(* What a transition of a part of the network does: processes to put into slots; those that took part leave theirs
+   first. *)
+type move = {
+  label : int;
+  mark : int;
+  leaving : int list;  (** slots *)
+  entering : (int * int) list;  (** slot, process *)
+}
+
+(* What a process does by itself. *)
+type alone = {
+  body : Catalogue.body;
+  strong : move list;
+  weak : move list;
+  wait : Rat.t option;  (** until an eps expires or the next split instant *)
+  ageless : bool;  (** it rests, and time changes nothing of it *)
+  mutable passed : Rat.t;  (** the last time that passed for it, and what became of it *)
+  mutable after : int;
+}
+
+(* What two processes that move relative to each other do. *)
+type together = { pair : int; collisions : move list; contact : Rat.t option }
+
+(* Which events, by their places in the list, have just happened. *)
+module Marks = Catalogue.Interned (struct
+    type t = int list
+
+    let equal = List.equal Int.equal
+    let hash = List.fold_left (fun h i -> (31 * h) + i + 1) 0
+  end)
+
+(* What numbers stand for, and the events to look for. *)
+type book = { catalogue : Catalogue.t; events : Property.event list; marks : Marks.t }
+
+type context = {
+  book : book;
+  initial : State.t;
+  singles : alone array;  (** the last that were asked for, at their numbers modulo the size *)
+  pairs : together array;  (** likewise *)
+}
+
+let no_pair = { pair = -1; collisions = []; contact = None }
+
+let catalogue c = c.book.catalogue
+let model c = Catalogue.model (catalogue c)
+let start c = c.initial
+let width c = Catalogue.width (catalogue c)
+let initial c = Catalogue.encode (catalogue c) c.initial
+let duration c label = Catalogue.duration (catalogue c) label
+let network processes = State.make ~processes ~step:None ~time:None
+
+(* Only networks that are not steered are looked at by parts, and their transitions have no faults. *)
+let sure = function
+  | Ok transitions -> transitions
+  | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a network that is not steered"
+
+let mark b ~source label =
+  match b.events with
+  | [] -> 0
+  | _ :: _ ->
+    let m = Catalogue.model b.catalogue in
+    let happened = List.mapi (fun i e -> if Event.matches m ~source label e then Some i else None) b.events in
+    Marks.intern b.marks (List.filter_map Fun.id happened)
+
+(* A transition of some processes by themselves. *)
+let move b ~source (t : Transition.t) =
+  let enter p = (Catalogue.first_leaf p, Catalogue.process b.catalogue p) in
+  let leaving = List.map Catalogue.first_leaf (Array.to_list source.State.processes) in
+  {
+    label = Catalogue.label b.catalogue t.label;
+    mark = mark b ~source t.label;
+    leaving;
+    entering = List.map enter (Array.to_list t.target.processes);
+  }
+
+let least a b =
+  match (a, b) with
+  | None, x | x, None -> x
+  | Some s, Some t -> Some (Rat.min s t)
+
+let look b number =
+  let m = Catalogue.model b.catalogue in
+  let body = Catalogue.body b.catalogue number in
+  let p = body.process in
+  let source = network [ p ] in
+  let moves transitions = List.map (move b ~source) (sure transitions) in
+  let wait = least (Time.process_horizon m p) (Time.to_split_instant m p) in
+  {
+    body;
+    strong = moves (Network.strong m source);
+    weak = moves (Network.weak m source);
+    wait;
+    ageless = Option.is_none wait && Catalogue.resting b.catalogue body.velocity;
+    passed = Rat.zero;
+    after = number;
+  }
+
+let alone c number =
+  let k = number land (Array.length c.singles - 1) in
+  let a = Array.unsafe_get c.singles k in
+  if a.body.number = number then a
+  else begin
+    let a = look c.book number in
+    c.singles.(k) <- a;
+    a
+  end
+
+let look_at_pair book pair a b =
+  let m = Catalogue.model book.catalogue in
+  let two = network [ a.body.process; b.body.process ] in
+  let collisions = List.map (move book ~source:two) (sure (Network.collisions m two)) in
+  let contact =
+    match collisions with
+    | [] -> Collision.first_time_of_contact m two ~limit:None
+    | _ :: _ -> None
+  in
+  { pair; collisions; contact }
+
+let together c a b =
+  let pair = (a.body.number lsl 31) lor b.body.number in
+  let k = (((pair lxor (pair lsr 29)) * 0x1E3779B97F4A7C15) lsr 40) land (Array.length c.pairs - 1) in
+  let t = Array.unsafe_get c.pairs k in
+  if t.pair = pair then t
+  else begin
+    let t = look_at_pair c.book pair a b in
+    c.pairs.(k) <- t;
+    t
+  end
+
+let make ?(events = []) ?(memory = 1 lsl 14) model initial =
+  let marked = match events with [] -> false | _ :: _ -> true in
+  let catalogue = Catalogue.create ~marked ~memory model in
+  let book = { catalogue; events; marks = Marks.create () } in
+  ignore (Marks.intern book.marks []);
+  (* Any process will do to fill the memory: it is looked at like the others. *)
+  let filler =
+    match Array.to_list initial.State.processes with
+    | [] -> [||]
+    | p :: _ when not model.Model.steered -> Array.make memory (look book (Catalogue.process catalogue p))
+    | _ :: _ -> [||]
+  in
+  { book; initial; singles = filler; pairs = Array.make memory no_pair }
+
+let set_mark c tuple mark =
+  match c.book.events with [] -> () | _ :: _ -> tuple.(Catalogue.mark_slot (catalogue c)) <- mark
+
+let unmarked c tuple =
+  let copy = Array.copy tuple in
+  set_mark c copy 0;
+  copy
+
+let arrived c tuple event =
+  let happened = Marks.get c.book.marks tuple.(Catalogue.mark_slot (catalogue c)) in
+  List.exists (fun i -> Formula.equal_event (List.nth c.book.events i) event) happened
+
+(** {2 Transitions of the whole} *)
+
+let step c tuple (m : move) : Lts.step =
+  let target = Array.copy tuple in
+  List.iter (fun slot -> target.(slot) <- Catalogue.nobody) m.leaving;
+  List.iter (fun (slot, p) -> target.(slot) <- p) m.entering;
+  set_mark c target m.mark;
+  { label = m.label; target }
+
+let after c d a =
+  if a.ageless then a.body.number
+  else begin
+    if not (Rat.equal d a.passed) then begin
+      let p = Time.move_process d (Time.age_process (model c) d a.body.process) in
+      a.after <- Catalogue.process (catalogue c) p;
+      a.passed <- d
+    end;
+    a.after
+  end
+
+let pass c tuple present d : Lts.step =
+  let target = Array.copy tuple in
+  Array.iter
+    (fun a -> if not a.ageless then target.(Catalogue.first_leaf a.body.process) <- after c d a)
+    present;
+  Catalogue.pass_time (catalogue c) target d;
+  set_mark c target 0;
+  { label = Catalogue.label (catalogue c) (Transition.Time d); target }
+
+let present c tuple =
+  let n = Array.length (model c).leaves in
+  let rec from i acc =
+    if i < 0 then Array.of_list acc
+    else
+      let p = Array.unsafe_get tuple i in
+      from (i - 1) (if p = Catalogue.nobody then acc else alone c p :: acc)
+  in
+  from (n - 1) []
+
+let in_relative_motion present =
+  let rec from i =
+    i < Array.length present
+    && (present.(i).body.velocity <> present.(0).body.velocity || from (i + 1))
+  in
+  from 1
+
+(* Collisions, the last first, and the first time of contact of all pairs in relative motion. *)
+let meetings c present =
+  let collisions = ref [] and contact = ref None in
+  let k = Array.length present in
+  for i = 0 to k - 2 do
+    for j = i + 1 to k - 1 do
+      let a = present.(i) and b = present.(j) in
+      if a.body.velocity <> b.body.velocity then begin
+        let t = together c a b in
+        collisions := List.rev_append t.collisions !collisions;
+        contact := least !contact t.contact
+      end
+    done
+  done;
+  (!collisions, !contact)
+
+let whole c tuple =
+  let source = Catalogue.decode (catalogue c) tuple in
+  let encoded (t : Transition.t) : Lts.step =
+    let target = Catalogue.encode (catalogue c) t.target in
+    set_mark c target (mark c.book ~source t.label);
+    { label = Catalogue.label (catalogue c) t.label; target }
+  in
+  Result.map (List.map encoded) (Network.successors (model c) source)
+
+(* In the order of {!Network.successors}. *)
+let by_parts c tuple present ~moving =
+  let strong = Array.fold_left (fun acc a -> List.rev_append a.strong acc) [] present in
+  let weak = Array.fold_left (fun acc a -> List.rev_append a.weak acc) [] present in
+  let collisions, contact = if moving then meetings c present else ([], None) in
+  let time =
+    match (strong, collisions) with
+    | [], [] -> (
+        match Array.fold_left (fun d a -> least d a.wait) contact present with
+        | None -> []
+        | Some d -> [ pass c tuple present d ])
+    | _ -> []
+  in
+  let steps later last_first = List.fold_left (fun acc m -> step c tuple m :: acc) later last_first in
+  steps (steps (steps time collisions) weak) strong
+
+(* With more processes than this, pairs are sifted by where they are, and not remembered. *)
+let many = 32
+
+let successors c tuple =
+  if (model c).steered then whole c tuple
+  else
+    let present = present c tuple in
+    let moving = in_relative_motion present in
+    if moving && Array.length present > many then whole c tuple
+    else Ok (by_parts c tuple present ~moving)

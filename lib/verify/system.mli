@@ -1,13 +1,25 @@
-(** Networks as a timed transition system, for the explorer. *)
+(** Networks as a timed transition system over tuples, for the explorer. What a process may do alone, and two by
+    themselves, is computed once and remembered, so that a transition in a corner of a large network costs little. *)
 
 open Scc_calculus
 open Scc_semantics
+open Scc_property
 
-type context = { model : Model.t; initial : State.t  (** as {!Network.initial} gives it *) }
+type context
 
-include
-  Scc_explore.Lts.S
-  with type context := context
-   and type state = State.t
-   and type transition = Transition.t
-   and type fault = Transition.fault
+val make : ?events:Property.event list -> ?memory:int -> Model.t -> State.t -> context
+(** With the initial state, as {!Network.initial} gives it. States are told apart by which of the events has just led
+    to them. [memory] is how many results are remembered of each kind, a power of two: it changes nothing but the
+    speed. *)
+
+val arrived : context -> int array -> Property.event -> bool
+(** Whether the transition that has just led to the state was of the event, one of those of {!make}. *)
+
+val catalogue : context -> Catalogue.t
+val model : context -> Model.t
+val start : context -> State.t
+
+val unmarked : context -> int array -> int array
+(** The same state with no event right before. *)
+
+include Scc_explore.Lts.S with type context := context and type fault = Transition.fault

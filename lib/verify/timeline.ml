@@ -5,6 +5,7 @@ type 'a piece = { cut : Algebraic.t; at : 'a; after : 'a }
 type 'a t = { extent : extent; start : 'a; first : 'a; rest : 'a piece list }
 
 let constant extent a = { extent; start = a; first = a; rest = [] }
+let after_start extent a b = { extent; start = a; first = b; rest = [] }
 
 let map f t =
   let piece p = { cut = p.cut; at = f p.at; after = f p.after } in

@@ -25,6 +25,9 @@ type 'a t = private {
 
 val constant : extent -> 'a -> 'a t
 
+val after_start : extent -> 'a -> 'a -> 'a t
+(** What it is at the start, and what it is from then on. *)
+
 val of_cuts :
   extent -> Rat.t list -> ('a -> 'a -> bool) -> (Rat.t -> 'a) -> 'a t
 (** [of_cuts extent cuts equal f] is the function [f] when it changes at most at the cuts (in any order;

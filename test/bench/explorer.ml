@@ -36,7 +36,7 @@ let load path overrides =
 
 let context (e : Scc_elaborate.Elaborate.t) =
   match Scc_semantics.Network.initial e.model e.declared with
-  | Ok initial -> { System.model = e.model; initial }
+  | Ok initial -> System.make e.model initial
   | Error f -> fail (Scc_semantics.Transition.fault_to_string e.model f)
 
 let live_words () =
@@ -58,6 +58,8 @@ let measure path states overrides =
   let limits = { Limits.unlimited with states = Some states } in
   let g, time = seconds (fun () -> Graph.run limits Limits.quiet c) in
   let words = live_words () - before in
+  let { Graph.states; labels; edges } = Graph.memory g in
+  let beside = states + labels + edges in
   let n = Graph.size g in
   let per x = float_of_int x /. time in
   Printf.printf
@@ -67,7 +69,7 @@ let measure path states overrides =
     (Filename.remove_extension (Filename.basename path))
     (shown overrides) loading n (Graph.transitions g) (per n)
     (per (Graph.transitions g))
-    (words * (Sys.word_size / 8) / n)
+    (((words * (Sys.word_size / 8)) + beside) / n)
     (if Graph.complete g then "" else "  (bounded)")
 
 (* What a large model costs: reading, validating and the first steps. *)
@@ -78,10 +80,10 @@ let first_steps path overrides steps =
     if n = 0 then ()
     else
       match System.successors c s with
-      | Ok (t :: _) -> step (n - 1) (System.target t)
+      | Ok (t :: _) -> step (n - 1) t.target
       | _ -> ()
   in
-  let (), time = seconds (fun () -> step steps c.initial) in
+  let (), time = seconds (fun () -> step steps (System.initial c)) in
   Printf.printf "%-10s %-6s load and validate %.3f s, %d steps %.3f s\n%!"
     (Filename.remove_extension (Filename.basename path))
     (shown overrides) loading steps time

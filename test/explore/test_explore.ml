@@ -9,24 +9,29 @@ type toy = (int * int) list option array
 
 module Toy = struct
   type context = toy
-  type state = int
-  type transition = int * int
   type fault = string
 
-  let initial _ = 0
-  let successors g s = match g.(s) with Some l -> Ok l | None -> Error "broken"
-  let target (t, _) = t
-  let duration (_, d) = Rat.of_int d
-  let equal = Int.equal
+  let width _ = 1
+  let initial _ = [| 0 |]
 
-  (* Collisions among the states of small graphs. *)
-  let hash s = if s < 16 then s mod 3 else s
+  (* The label of a transition is its duration. *)
+  let successors g s =
+    match g.(s.(0)) with
+    | Some l -> Ok (List.map (fun (target, d) -> { Lts.label = d; target = [| target |] }) l)
+    | None -> Error "broken"
+
+  let duration _ d = Rat.of_int d
 end
 
 module Graph = Explore.Make (Toy)
 
 let none = Limits.unlimited
-let explore ?visit ?(limits = none) ?(around = Limits.quiet) g = Graph.run ?visit limits around g
+
+let explore ?visitor ?order ?keep_edges ?(limits = none) ?(around = Limits.quiet) g =
+  Graph.run ?visitor ?order ?keep_edges limits around g
+
+let state g i = (Graph.tuple g i).(0)
+let find g s = List.find_opt (fun i -> state g i = s) (List.init (Graph.size g) Fun.id)
 
 (** {2 Random graphs against a fixed point} *)
 
@@ -106,52 +111,97 @@ let print (g, depth, time) =
 let path_totals g path =
   List.fold_left
     (fun (n, t) (s : Graph.step) ->
-       (n + 1, Rat.add t (Toy.duration (Graph.edges g s.source).(s.choice).transition)))
+       (n + 1, Rat.add t (Graph.duration g (Graph.edges g s.source).(s.choice))))
     (0, Rat.zero) path
 
-let agrees (toy, depth, time) =
+(* The order decides which depths are seen first; without a bound on them, both find the same times. *)
+let agrees ?order ~keep_edges (toy, depth, time) =
   let limits = { none with Limits.depth; time = Option.map Rat.of_int time } in
-  let g = explore ~limits toy in
+  let g = explore ?order ~keep_edges ~limits toy in
   let big = Option.value ~default:max_int in
   let best, expanded = naive ~depth:(big depth) ~time:(big time) toy in
   let state_agrees s =
-    match (best.(s), Graph.find g s) with
+    match (best.(s), find g s) with
     | None, None -> true
     | Some (d, t), Some i ->
       let is_expanded = match Graph.status g i with Graph.Expanded -> true | _ -> false in
+      let edges = match toy.(s) with Some l when is_expanded -> l | _ -> [] in
       Graph.depth g i = d
       && Rat.equal (Graph.arrival g i) (Rat.of_int t)
       && Bool.equal is_expanded expanded.(s)
       && fst (path_totals g (Graph.shortest_path g i)) = d
       && Rat.equal (snd (path_totals g (Graph.earliest_path g i))) (Rat.of_int t)
+      && edges
+         = List.map (fun (e : Graph.edge) -> (state g e.target, e.label)) (Array.to_list (Graph.edges g i))
     | None, Some _ | Some _, None -> false
   in
   List.for_all state_agrees (List.init (Array.length toy) (fun s -> s))
 
 let random =
-  QCheck2.Test.make ~count:5000 ~name:"labels and bounds are those of the definition" ~print case_gen agrees
+  QCheck2.Test.make ~count:5000 ~name:"labels and bounds are those of the definition" ~print case_gen
+    (agrees ~keep_edges:true)
+
+let random_anew =
+  QCheck2.Test.make ~count:5000 ~name:"also when edges are made anew" ~print case_gen (agrees ~keep_edges:false)
+
+let random_by_time =
+  QCheck2.Test.make ~count:5000 ~name:"also in the order of time" ~print case_gen
+    (agrees ~order:By_time ~keep_edges:true)
+
+(* In the order of time, states are opened in the order of their earliest arrivals. *)
+let in_order (toy, _, time) =
+  let last = ref Rat.zero in
+  let opened g i _ _ =
+    assert (Rat.compare !last (Graph.arrival g i) <= 0);
+    last := Graph.arrival g i
+  in
+  let limits = { none with Limits.time = Option.map Rat.of_int time } in
+  ignore (explore ~visitor:{ Graph.blind with opened } ~order:By_time ~limits toy);
+  true
+
+let ordered = QCheck2.Test.make ~count:2000 ~name:"the order of time" ~print case_gen in_order
+
+(* Unless it is said that it may turn, there is no cycle without duration. *)
+let turns (toy, _, _) =
+  let g = explore toy in
+  let n = Graph.size g in
+  let reach = Array.make_matrix n n false in
+  let instant i = List.filter (fun (e : Graph.edge) -> e.label = 0) (Array.to_list (Graph.edges g i)) in
+  for i = 0 to n - 1 do List.iter (fun (e : Graph.edge) -> reach.(i).(e.target) <- true) (instant i) done;
+  for k = 0 to n - 1 do
+    for i = 0 to n - 1 do
+      for j = 0 to n - 1 do
+        if reach.(i).(k) && reach.(k).(j) then reach.(i).(j) <- true
+      done
+    done
+  done;
+  Graph.turns g || not (List.exists (fun i -> reach.(i).(i)) (List.init n Fun.id))
+
+let turning = QCheck2.Test.make ~count:2000 ~name:"cycles without duration are suspected" ~print case_gen turns
 
 (* What the visitor is told is true when it is told, and enough to follow the labels. *)
 let visited (toy, depth, time) =
   let limits = { none with Limits.depth; time = Option.map Rat.of_int time } in
-  let arrivals = Hashtbl.create 8 and opened = Hashtbl.create 8 in
-  let visit g (event : Graph.event) =
-    (match event with
-     | Found i -> Hashtbl.add arrivals i (Graph.arrival g i)
-     | Earlier i ->
-       assert (Rat.compare (Graph.arrival g i) (Hashtbl.find arrivals i) < 0);
-       Hashtbl.replace arrivals i (Graph.arrival g i)
-     | Opened i ->
-       assert (not (Hashtbl.mem opened i));
-       Hashtbl.add opened i ();
-       Array.iter (fun (e : Graph.edge) -> assert (Hashtbl.mem arrivals e.target)) (Graph.edges g i));
-    Graph.Continue
+  let arrivals = Hashtbl.create 8 and opened_states = Hashtbl.create 8 in
+  let found g i tuple =
+    assert (tuple = Graph.tuple g i);
+    Hashtbl.add arrivals i (Graph.arrival g i)
   in
-  let g = explore ~visit ~limits toy in
+  let earlier g i =
+    assert (Rat.compare (Graph.arrival g i) (Hashtbl.find arrivals i) < 0);
+    Hashtbl.replace arrivals i (Graph.arrival g i)
+  in
+  let opened g i tuple edges =
+    assert (not (Hashtbl.mem opened_states i));
+    assert (tuple = Graph.tuple g i && edges = Graph.edges g i);
+    Hashtbl.add opened_states i ();
+    Array.iter (fun (e : Graph.edge) -> assert (Hashtbl.mem arrivals e.target)) edges
+  in
+  let g = explore ~visitor:{ Graph.blind with found; opened; earlier } ~limits toy in
   List.for_all
     (fun i ->
        Rat.equal (Hashtbl.find arrivals i) (Graph.arrival g i)
-       && Bool.equal (Hashtbl.mem opened i)
+       && Bool.equal (Hashtbl.mem opened_states i)
          (match Graph.status g i with Graph.Expanded -> true | _ -> false))
     (List.init (Graph.size g) (fun i -> i))
 
@@ -171,7 +221,7 @@ let reason = function
   | Stopped -> "stopped"
   | Fault f -> "fault " ^ f
 
-let left g = List.map (fun (i, r) -> (Graph.state g i, reason r)) (Graph.unexpanded g)
+let left g = List.map (fun (i, r) -> (state g i, reason r)) (Graph.unexpanded g)
 let check_left what expected g = Alcotest.(check (list (pair int string))) what expected (left g)
 
 (* 0 reaches 3 at once but late, and by a longer way early enough. *)
@@ -181,7 +231,7 @@ let late_shortcut : toy =
 let relaxation () =
   let g = explore ~limits:{ none with time = Some (Rat.of_int 5) } late_shortcut in
   check_left "all expanded" [] g;
-  let i = Option.get (Graph.find g 4) in
+  let i = Option.get (find g 4) in
   Alcotest.(check int) "least depth" 2 (Graph.depth g i);
   Alcotest.(check string) "earliest arrival" "4" (Rat.to_string (Graph.arrival g i));
   Alcotest.(check (list int)) "earliest path" [ 1; 0; 0; 0 ]
@@ -209,25 +259,13 @@ let surroundings () =
   let interrupted () = incr polls; !polls > 3 in
   check_left "interruption" [ (3, "interrupted") ]
     (explore ~around:{ Limits.quiet with interrupted } (line 10));
-  let visit _ (e : Graph.event) =
-    match e with Graph.Opened 4 -> Graph.Stop | Found _ | Opened _ | Earlier _ -> Graph.Continue
-  in
-  check_left "visitor" [ (5, "stopped") ] (explore ~visit (line 10))
+  let stop = ref false in
+  let opened _ i _ _ = if i = 4 then stop := true in
+  let visitor = { Graph.blind with opened; enough = (fun () -> !stop) } in
+  check_left "visitor" [ (5, "stopped") ] (explore ~visitor (line 10))
 
 let faults () =
   check_left "fault" [ (1, "fault broken") ] (explore [| Some [ (1, 1); (2, 1) ]; None; Some [] |])
-
-let replays () =
-  let replay choices =
-    match Graph.replay late_shortcut choices with
-    | Ok l -> "ok " ^ String.concat "," (List.map (fun (t, _) -> string_of_int t) l)
-    | Error (i, None) -> Printf.sprintf "no choice at %d" i
-    | Error (i, Some f) -> Printf.sprintf "%s at %d" f i
-  in
-  Alcotest.(check string) "fits" "ok 1,2,3" (replay [ 1; 0; 0 ]);
-  Alcotest.(check string) "too great" "no choice at 1" (replay [ 1; 1 ]);
-  Alcotest.(check string) "negative" "no choice at 0" (replay [ -1 ]);
-  Alcotest.(check string) "past the end" "no choice at 2" (replay [ 0; 0; 0 ])
 
 (* Depth must cost neither stack nor more than linear time. *)
 let deep () =
@@ -241,14 +279,13 @@ let () =
   let quick name f = Alcotest.test_case name `Quick f in
   Alcotest.run "explore"
     [
-      ("random graphs", Scc_test_support.Property.cases [ random; events ]);
+      ("random graphs", Scc_test_support.Property.cases [ random; random_anew; random_by_time; ordered; turning; events ]);
       ( "cases",
         [
           quick "a later path that is earlier in time" relaxation;
           quick "each bound leaves out what it should" bounds;
           quick "clock, interruption and visitor" surroundings;
           quick "faults" faults;
-          quick "replay" replays;
           quick "a long line" deep;
         ] );
     ]

@@ -158,7 +158,7 @@ let early () =
   Alcotest.(check bool) "few states" true (report.stats.states < 10);
   Alcotest.(check bool) "decided early" true report.stats.decided_early;
   let seen = ref 0 in
-  let options = { options with observe = (fun _ -> incr seen) } in
+  let options = { options with observe = Some (fun _ -> incr seen) } in
   let _, report = check ~options (falls ^ "check a : always z(p) <= 0") in
   Alcotest.(check int) "every state is observed" report.stats.states !seen;
   Alcotest.(check int) "no early end" 1000 report.stats.states

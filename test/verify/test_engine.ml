@@ -19,15 +19,18 @@ let question g (operator, within) : E.question =
   {
     operator;
     within = Option.map Rat.of_int within;
-    at = (fun s -> Toy.truth g.(s).Toy.at);
-    along = Toy.timeline g;
+    goal =
+      {
+        at = (fun s -> Toy.truth g.(s.(0)).Toy.at);
+        along = Some (fun s -> Toy.timeline g s.(0));
+      };
   }
 
 let run c =
   let limits =
     { Limits.unlimited with depth = c.depth; time = Option.map Rat.of_int c.time; states = c.states }
   in
-  E.run ~rests:(Toy.rests c.graph) limits Limits.quiet c.graph (List.map (question c.graph) c.asked)
+  E.run ~rests:(fun s -> Toy.rests c.graph s.(0)) limits Limits.quiet c.graph (List.map (question c.graph) c.asked)
 
 let operator_gen = Gen.oneofl [ E.Reach; E.Inevitable ]
 let question_gen = Gen.pair operator_gen (Gen.opt (Gen.int_range 0 8))
@@ -84,7 +87,7 @@ let sound =
 (* {1 Traces} *)
 
 let duration (r : E.result) (s : Graph.step) =
-  Rat.of_int (Graph.edges r.graph s.source).(s.choice).transition.Toy.duration
+  Graph.duration r.graph (Graph.edges r.graph s.source).(s.choice)
 
 let total r steps = List.fold_left (fun t s -> Rat.add t (duration r s)) Rat.zero steps
 
@@ -101,7 +104,7 @@ let extent r last = function
   | Some k -> Timeline.Lasts (duration r { source = last; choice = k })
 
 let meets c (r : E.result) within (t : E.trace) =
-  let state = Graph.state r.graph t.last in
+  let state = (Graph.tuple r.graph t.last).(0) in
   let before x =
     match within with None -> true | Some b -> Algebraic.compare_rat x (Rat.of_int b) <= 0
   in
@@ -116,7 +119,7 @@ let meets c (r : E.result) within (t : E.trace) =
 (* No instant of the run meets the goal: along the steps, and after them as the finish says. *)
 let avoids c (r : E.result) within (t : E.trace) =
   let not_met v = not (Truth.equal v Truth.True) in
-  let state i = Graph.state r.graph i in
+  let state i = (Graph.tuple r.graph i).(0) in
   let clear i choice = Toy.timeline c.graph (state i) (extent r i choice) in
   let never timeline = Option.is_none (Timeline.first_after_start (fun v -> not (not_met v)) timeline) in
   let at i = c.graph.(state i).at <> Toy.T in
@@ -243,25 +246,23 @@ let no_fairness () =
 (* An endless graph: the goal is met everywhere before depth 5, and the exploration ends by itself. *)
 module Endless = struct
   type context = unit
-  type state = int
-  type transition = int
   type fault = unit
 
-  let initial () = 1
-  let successors () s = Ok [ 2 * s; (2 * s) + 1 ]
-  let target t = t
-  let duration _ = Rat.one
-  let equal = Int.equal
-  let hash s = s
+  let width () = 1
+  let initial () = [| 1 |]
+
+  let successors () (s : int array) =
+    Ok (List.map (fun t -> { Lts.label = 1; target = [| t |] }) [ 2 * s.(0); (2 * s.(0)) + 1 ])
+
+  let duration () _ = Rat.one
 end
 
 module Endless_engine = Engine.Make (Endless)
 
 let ends_early () =
-  let goal s = Truth.of_bool (s >= 16) in
+  let at (s : int array) = Truth.of_bool (s.(0) >= 16) in
   let question : Endless_engine.question =
-    { operator = Inevitable; within = None; at = goal;
-      along = (fun s extent -> Timeline.constant extent (goal s)) }
+    { operator = Inevitable; within = None; goal = { at; along = None } }
   in
   let r =
     Endless_engine.run ~rests:(fun _ -> false) Limits.unlimited Limits.quiet () [ question ]

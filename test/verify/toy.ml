@@ -13,16 +13,17 @@ let truth = function F -> Truth.False | T -> Truth.True | U -> Truth.Undecided "
 
 module System = struct
   type context = t
-  type state = int
-  type transition = edge
   type fault = unit
 
-  let initial _ = 0
-  let successors g s = Ok (match g.(s).ahead with Edges l -> l | Ray _ | Dead_end -> [])
-  let target e = e.target
-  let duration e = Rat.of_int e.duration
-  let equal = Int.equal
-  let hash s = s mod 3
+  let width _ = 1
+  let initial _ = [| 0 |]
+
+  (* The label of a transition is its duration. *)
+  let successors g (s : int array) =
+    let step e = { Scc_explore.Lts.label = e.duration; target = [| e.target |] } in
+    Ok (match g.(s.(0)).ahead with Edges l -> List.map step l | Ray _ | Dead_end -> [])
+
+  let duration _ d = Rat.of_int d
 end
 
 (* Cell 2k is the open interval (k, k + 1), cell 2k - 1 the instant k. *)

@@ -20,8 +20,6 @@ type t = node array
 module System :
   Scc_explore.Lts.S
   with type context = t
-   and type state = int
-   and type transition = edge
    and type fault = unit
 
 val truth : truth -> Truth.t

@@ -1,0 +1,91 @@
+open Bigarray
+
+type keys = (int, int_elt, c_layout) Array1.t
+type index = (int32, int32_elt, c_layout) Array1.t
+
+(* A pair is one key of 62 bits; the keys are kept in chunks, in the order of their numbers. The index is an open
+   hash table of numbers, with -1 in free slots and linear probing. *)
+type t = {
+  mutable chunks : keys array;
+  mutable size : int;
+  mutable index : index;
+  mutable shift : int;  (** the index has 2^(63 - shift) slots *)
+}
+
+let chunk_bits = 13
+let chunk = 1 lsl chunk_bits
+let half = 31
+let mask = (1 lsl half) - 1
+
+let make_index bits : index =
+  let index = Array1.create int32 c_layout (1 lsl bits) in
+  Array1.fill index (-1l);
+  index
+
+let create () = { chunks = [||]; size = 0; index = make_index 8; shift = 63 - 8 }
+let size p = p.size
+
+let key p i : int =
+  let keys : keys = Array.unsafe_get p.chunks (i lsr chunk_bits) in
+  Array1.unsafe_get keys (i land (chunk - 1))
+
+let check p i = if i < 0 || i >= p.size then Scc_base.Bug.fail __POS__ "an index out of range"
+
+let left p i =
+  check p i;
+  key p i lsr half
+
+let right p i =
+  check p i;
+  key p i land mask
+
+(* Fibonacci hashing: the upper bits of a product, after the upper half has been mixed into the lower. *)
+let slot p k = ((k lxor (k lsr 29)) * 0x1E3779B97F4A7C15) lsr p.shift
+
+(* The slot that has the key, or the free one where it belongs. *)
+let rec probe p (index : index) k i =
+  let id = Int32.to_int (Array1.unsafe_get index i) in
+  if id < 0 || key p id = k then i else probe p index k ((i + 1) land (Array1.dim index - 1))
+
+let enlarge p =
+  let index = make_index (63 - p.shift + 1) in
+  p.shift <- p.shift - 1;
+  let rec free i = if Int32.to_int index.{i} < 0 then i else free ((i + 1) land (Array1.dim index - 1)) in
+  for id = 0 to p.size - 1 do
+    index.{free (slot p (key p id))} <- Int32.of_int id
+  done;
+  p.index <- index
+
+let add p k i =
+  let id = p.size in
+  if id > mask then Scc_base.Bug.fail __POS__ "more than 2^31 pairs";
+  let c = id lsr chunk_bits in
+  if id land (chunk - 1) = 0 then begin
+    if c = Array.length p.chunks then
+      p.chunks <- Array.append p.chunks (Array.make (Int.max 8 c) (Array1.create int c_layout 0));
+    p.chunks.(c) <- Array1.create int c_layout chunk
+  end;
+  p.chunks.(c).{id land (chunk - 1)} <- k;
+  p.size <- id + 1;
+  p.index.{i} <- Int32.of_int id;
+  (* At most four fifths of the slots are taken. *)
+  if 5 * p.size > 4 * Array1.dim p.index then enlarge p;
+  id
+
+let pack l r =
+  if (l lor r) land lnot mask <> 0 then Scc_base.Bug.fail __POS__ "a number that is too great";
+  (l lsl half) lor r
+
+let intern p l r =
+  let k = pack l r in
+  let i = probe p p.index k (slot p k) in
+  let id = Int32.to_int (Array1.unsafe_get p.index i) in
+  if id >= 0 then id else add p k i
+
+let find p l r =
+  let k = pack l r in
+  Int32.to_int (Array1.unsafe_get p.index (probe p p.index k (slot p k)))
+
+let bytes p =
+  (8 * chunk * Array.fold_left (fun n k -> if Array1.dim k > 0 then n + 1 else n) 0 p.chunks)
+  + (4 * Array1.dim p.index)

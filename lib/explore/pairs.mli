@@ -1,0 +1,19 @@
+(** Pairs of small integers, each numbered when it is first seen: 8 bytes for each, and 5 to 11 for the index. *)
+
+type t
+
+val create : unit -> t
+val size : t -> int
+
+val intern : t -> int -> int -> int
+(** The number of a pair of numbers in [0, 2{^31}): numbers run from 0 in the order of first sight, so that a pair is
+    new iff its number is the {!size} before. *)
+
+val find : t -> int -> int -> int
+(** -1 when it has not been seen. *)
+
+val left : t -> int -> int
+val right : t -> int -> int
+
+val bytes : t -> int
+(** About how much memory it takes. *)

@@ -1,0 +1,160 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_explore
+
+module Interned (Thing : Hashtbl.HashedType) = struct
+  module Table = Hashtbl.Make (Thing)
+
+  type t = { numbers : int Table.t; things : Thing.t Growable.t }
+
+  let create () = { numbers = Table.create 64; things = Growable.create () }
+  let size t = Growable.length t.things
+  let get t i = Growable.get t.things i
+
+  let intern t thing =
+    match Table.find_opt t.numbers thing with
+    | Some i -> i
+    | None ->
+      let i = size t in
+      Growable.push t.things thing;
+      Table.add t.numbers thing i;
+      i
+end
+
+module Vectors = Interned (Vec)
+
+module Forms = Interned (struct
+    type t = State.process
+
+    let equal = State.equal_process
+    let hash = State.hash_process
+  end)
+
+module Labels = Interned (struct
+    type t = Transition.label
+
+    let equal = Transition.equal_label
+
+    let hash : t -> int = function
+      | Time d -> Rat.hash d
+      | Bind b -> 1 + State.hash_bond b
+      | Weak_split b -> 2 + State.hash_bond b
+      | Strong_split bonds -> List.fold_left (fun h b -> (31 * h) + State.hash_bond b) 3 bonds land max_int
+      | Bounce (p, q) -> (1_000_003 * p) + q
+  end)
+
+module Steps = Interned (struct
+    type t = State.step
+
+    let equal (a : t) (b : t) = Rat.equal a.remaining b.remaining && State.equal_phase a.phase b.phase
+    let hash (s : t) = Rat.hash s.remaining
+  end)
+
+type body = { number : int; form : int; velocity : int; process : State.process }
+
+type t = {
+  model : Model.t;
+  marked : bool;
+  vectors : Vectors.t;
+  forms : Forms.t;
+  labels : Labels.t;
+  steps : Steps.t;
+  times : Rationals.t;
+  places : Pairs.t;  (** form and place *)
+  processes : Pairs.t;  (** the pair before, and velocity *)
+  recent : body array;  (** the last bodies that were asked for, each at its number modulo the size *)
+}
+
+(* Numbers of processes begin at 1. *)
+let nobody = 0
+
+let no_body =
+  let leaf =
+    { State.leaf = 0; position = Vec.zero; behaviour = Behaviour.fresh Behaviour.nil }
+  in
+  let process = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None in
+  { number = nobody; form = 0; velocity = 0; process }
+
+let create ~marked ~memory model =
+  let vectors = Vectors.create () in
+  ignore (Vectors.intern vectors Vec.zero);
+  {
+    model; marked; vectors;
+    forms = Forms.create ();
+    labels = Labels.create ();
+    steps = Steps.create ();
+    times = Rationals.create ();
+    places = Pairs.create ();
+    processes = Pairs.create ();
+    recent = Array.make memory no_body;
+  }
+
+let model c = c.model
+let leaves c = Array.length c.model.leaves
+let option_slot used = if used then 1 else 0
+let step_slot = leaves
+let time_slot c = leaves c + option_slot c.model.steered
+let mark_slot c = time_slot c + option_slot c.model.keeps_time
+let width c = mark_slot c + option_slot c.marked
+let bodies c = Pairs.size c.processes
+let forms c = Forms.size c.forms
+let resting _ velocity = velocity = 0
+let first_leaf (p : State.process) = p.leaves.(0).leaf
+
+let moved by (p : State.process) =
+  if Vec.is_zero by then p
+  else State.map_leaves (fun l -> { l with position = Vec.add l.position by }) p
+
+let process c (p : State.process) =
+  let place = p.leaves.(0).position in
+  let form = Forms.intern c.forms (State.with_velocity Vec.zero (moved (Vec.neg place) p)) in
+  let placed = Pairs.intern c.places form (Vectors.intern c.vectors place) in
+  1 + Pairs.intern c.processes placed (Vectors.intern c.vectors p.velocity)
+
+let made c number =
+  let placed = Pairs.left c.processes (number - 1) and velocity = Pairs.right c.processes (number - 1) in
+  let form = Pairs.left c.places placed in
+  let process =
+    Forms.get c.forms form
+    |> moved (Vectors.get c.vectors (Pairs.right c.places placed))
+    |> State.with_velocity (Vectors.get c.vectors velocity)
+  in
+  { number; form; velocity; process }
+
+let body c number =
+  let k = number land (Array.length c.recent - 1) in
+  let b = c.recent.(k) in
+  if b.number = number then b
+  else begin
+    let b = made c number in
+    c.recent.(k) <- b;
+    b
+  end
+
+let encode c (s : State.t) =
+  let tuple = Array.make (width c) nobody in
+  Array.iter (fun p -> tuple.(first_leaf p) <- process c p) s.processes;
+  Option.iter (fun step -> tuple.(step_slot c) <- Steps.intern c.steps step) s.step;
+  Option.iter (fun time -> tuple.(time_slot c) <- Rationals.intern c.times time) s.time;
+  tuple
+
+let decode c tuple =
+  let n = leaves c in
+  let rec processes i acc =
+    if i < 0 then acc
+    else processes (i - 1) (if tuple.(i) = nobody then acc else (body c tuple.(i)).process :: acc)
+  in
+  let step = if c.model.steered then Some (Steps.get c.steps tuple.(step_slot c)) else None in
+  let time = if c.model.keeps_time then Some (Rationals.get c.times tuple.(time_slot c)) else None in
+  State.make ~processes:(processes (n - 1) []) ~step ~time
+
+let pass_time c tuple d =
+  if c.model.keeps_time then begin
+    let slot = time_slot c in
+    tuple.(slot) <- Rationals.intern c.times (Rat.add (Rationals.get c.times tuple.(slot)) d)
+  end
+
+let label c l = Labels.intern c.labels l
+let label_of c i = Labels.get c.labels i
+let duration c i = Transition.duration_of (label_of c i)

@@ -1,0 +1,70 @@
+(** Numbers for the components of states (collapse compression): a process is the triple of its form (its leaves
+    relative to the first of them, with their behaviours, its bonds and its split clock), its place and its velocity,
+    each stored once; a state is a tuple of numbers of processes. Exact: equal numbers mean equal things, and only
+    they. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+type t
+
+val create : marked:bool -> memory:int -> Model.t -> t
+(** [memory], a power of two, is how many processes are kept as they were last given out. *)
+
+val model : t -> Model.t
+
+val width : t -> int
+(** Of the tuples: a slot for each leaf, which holds the process whose first leaf it is, or {!nobody}; and slots for
+    the movement step and for the time, when the model keeps them. *)
+
+val nobody : int
+
+val mark_slot : t -> int
+(** Where the mark stands; {!encode} leaves it 0, and {!decode} does not look at it. *)
+
+val encode : t -> State.t -> int array
+val decode : t -> int array -> State.t
+
+val pass_time : t -> int array -> Rat.t -> unit
+(** Puts the time forward, if states have it. *)
+
+(** {1 Components} *)
+
+(** Things numbered as they are first seen. *)
+module Interned (Thing : Hashtbl.HashedType) : sig
+  type t
+
+  val create : unit -> t
+  val size : t -> int
+  val get : t -> int -> Thing.t
+  val intern : t -> Thing.t -> int
+end
+
+val process : t -> State.process -> int
+(** The number of a process; never {!nobody}. *)
+
+(** What stands behind the number of a process. *)
+type body = private {
+  number : int;
+  form : int;
+  velocity : int;
+  process : State.process;
+}
+
+val body : t -> int -> body
+val first_leaf : State.process -> int
+
+val label : t -> Transition.label -> int
+val label_of : t -> int -> Transition.label
+
+val duration : t -> int -> Rat.t
+(** Of a label. *)
+
+val bodies : t -> int
+(** How many processes have been seen. *)
+
+val forms : t -> int
+
+val resting : t -> int -> bool
+(** Whether the velocity of this number is zero. *)

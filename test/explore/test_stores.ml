@@ -1,0 +1,112 @@
+(* The stores of the explorer against those of the standard library. *)
+
+open Scc_exact
+open Scc_explore
+module Gen = QCheck2.Gen
+
+(* Long runs of equal numbers, across the ends of chunks, and numbers changed afterwards. *)
+let vector =
+  let open Gen in
+  let value = frequency [ (4, int_range (-3) 3); (1, oneofl [ 0x7fff_ffff; -0x8000_0000 ]) ] in
+  let runs = list_size (int_range 0 12) (pair (int_range 1 3000) value) in
+  let changes = list_size (int_range 0 40) (pair (int_range 0 40_000) value) in
+  QCheck2.Test.make ~count:200 ~name:"Int_vector is an array" (pair runs changes) (fun (runs, changes) ->
+      let all = Array.concat (List.map (fun (n, x) -> Array.make n x) runs) in
+      let v = Int_vector.create () in
+      Array.iter (Int_vector.push v) all;
+      let n = Array.length all in
+      List.iter
+        (fun (i, x) ->
+           if n > 0 then begin
+             Int_vector.set v (i mod n) x;
+             all.(i mod n) <- x
+           end)
+        changes;
+      Int_vector.length v = n && Array.for_all Fun.id (Array.mapi (fun i x -> Int_vector.get v i = x) all))
+
+let pairs =
+  let open Gen in
+  let number = frequency [ (8, int_range 0 40); (1, int_range 0 0x7fff_ffff) ] in
+  QCheck2.Test.make ~count:100 ~name:"Pairs numbers each pair once"
+    (list_size (int_range 0 5000) (pair number number))
+    (fun list ->
+       let p = Pairs.create () and known = Hashtbl.create 100 in
+       List.for_all
+         (fun (a, b) ->
+            let expected =
+              match Hashtbl.find_opt known (a, b) with
+              | Some i ->
+                assert (Pairs.find p a b = i);
+                i
+              | None ->
+                assert (Pairs.find p a b = -1);
+                let i = Hashtbl.length known in
+                Hashtbl.add known (a, b) i;
+                i
+            in
+            let i = Pairs.intern p a b in
+            i = expected && Pairs.left p i = a && Pairs.right p i = b)
+         list
+       && Pairs.size p = Hashtbl.length known)
+
+(* Tuples come with the one that they are near to, which is any one seen before. *)
+let tuples =
+  let open Gen in
+  let case =
+    let* width = int_range 1 9 in
+    let* list = list_size (int_range 1 300) (array_repeat width (int_range 0 2)) in
+    let* near = list_repeat (List.length list) (int_range 0 1000) in
+    return (width, List.combine list near)
+  in
+  QCheck2.Test.make ~count:500 ~name:"Tuples numbers each tuple once, whatever is near" case
+    (fun (width, list) ->
+       let t = Tuples.create ~width in
+       let near = Tuples.spread t and reader = Tuples.spread t in
+       let known = Hashtbl.create 100 in
+       List.for_all
+         (fun (tuple, n) ->
+            let size = Hashtbl.length known in
+            if size > 0 && n mod 3 > 0 then Tuples.load t near (n mod size);
+            let expected = Option.value (Hashtbl.find_opt known tuple) ~default:(-1) in
+            assert (Tuples.find t ~near tuple = expected);
+            let i = Tuples.intern t ~near tuple in
+            if expected < 0 then Hashtbl.add known tuple size;
+            Tuples.load t reader i;
+            i = (if expected < 0 then size else expected) && Tuples.slots reader = tuple)
+         list
+       && Tuples.size t = Hashtbl.length known)
+
+(* Against a list, in the order that is asked for. *)
+let frontier by_time =
+  let open Gen in
+  let name = if by_time then "Frontier by time" else "Frontier by steps" in
+  let action = oneof [ return None; map Option.some (pair (int_range 0 30) (int_range 0 4)) ] in
+  QCheck2.Test.make ~count:2000 ~name (list_size (int_range 0 60) action) (fun actions ->
+      let f = if by_time then Frontier.by_time () else Frontier.by_steps () in
+      let waiting = ref [] in
+      let earlier (_, s) (_, t) = if by_time then Int.compare s t else 0 in
+      List.for_all
+        (fun action ->
+           match action with
+           | Some (i, t) ->
+             Frontier.push f i (Rat.of_int t);
+             waiting := List.stable_sort earlier (!waiting @ [ (i, t) ]);
+             Frontier.length f = List.length !waiting
+           | None -> (
+               match (Frontier.take f, !waiting) with
+               | None, [] -> true
+               | Some i, (j, _) :: rest ->
+                 waiting := rest;
+                 i = j
+               | None, _ :: _ | Some _, [] -> false))
+        actions
+      &&
+      let left = ref [] in
+      Frontier.iter (fun i -> left := i :: !left) f;
+      List.rev !left = List.map fst !waiting)
+
+let () =
+  Alcotest.run "stores"
+    [
+      ("random", Scc_test_support.Property.cases [ vector; pairs; tuples; frontier false; frontier true ]);
+    ]
