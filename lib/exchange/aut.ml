@@ -19,11 +19,8 @@ let count (space : Space.t) =
 let write tau ~hidden (space : Space.t) put =
   let transition i text target = put (Printf.sprintf "(%d, %s, %d)\n" i text target) in
   let edge i (e : Space.edge) =
-    let text =
-      if hidden e.label then invisible tau
-      else label (Transition.label_to_string space.model e.label)
-    in
-    transition i text e.target
+    let text = Transition.label_to_string space.model e.label in
+    transition i (if hidden text then invisible tau else label text) e.target
   in
   put (Printf.sprintf "des (0, %d, %d)\n" (count space) space.size);
   for i = 0 to space.size - 1 do

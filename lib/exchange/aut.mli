@@ -3,7 +3,6 @@
     has no transitions. *)
 
 open Scc_verify
-open Scc_semantics
 
 (** How the invisible action is written. *)
 type tau =
@@ -14,4 +13,5 @@ val label : string -> string
 (** A label's text between quotes. Quotes within it become ['], and control characters spaces, since readers know of no
     escapes. *)
 
-val write : tau -> hidden:(Transition.label -> bool) -> Space.t -> (string -> unit) -> unit
+val write : tau -> hidden:(string -> bool) -> Space.t -> (string -> unit) -> unit
+(** [hidden] tells by a label's text whether it is invisible. *)

@@ -15,14 +15,14 @@ val reserved : string list
     explored). *)
 
 val of_checks : Model.t -> Property.check list -> t list
-(** Each atomic predicate once, in the order of the text, then each greatest state predicate that is no atom (or the
-    complement of one), named after its check: [check_NAME], or [check_NAME_2] for its second one. Predicates about
-    transitions ([event]) are none about states and are left out. *)
+(** Each atomic predicate once, in the order of the text, then the greatest state predicates of each check: [check_NAME], and
+    [check_NAME_2] for its second one. Predicates about transitions ([event]) are none about states and are left
+    out. *)
 
 (** What a check wants of states by themselves. *)
 type aim =
   | Reached of Property.prop  (** it asks for a state with this: EF, AF *)
-  | Kept of Property.prop  (** it asks for all states to have this: AG, EG *)
+  | Kept of Property.prop  (** it asks for all states to have this: AG *)
 
 val aims : Property.check list -> (string * aim) list
-(** By check; none for those of another form. *)
+(** By check; none for those of another form, nor for those with a bound of time, since a state does not tell the time. *)
