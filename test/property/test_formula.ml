@@ -187,6 +187,11 @@ let orders =
         Bool.equal (Formula.equal_prop p q) (same (State p) (State q)));
     test "equal exactly when the same, for atoms" (Gen.pair num_atom num_atom) (fun (a, b) ->
         Bool.equal (Formula.equal_num a b) (Stdlib.compare a b = 0));
+    test "equal exactly when the same, for events" (Gen.pair event event) (fun (e, f) ->
+        Bool.equal (Formula.equal_event e f) (Stdlib.compare e f = 0));
+    test "equal exactly when the same, but for leaves" (Gen.triple formula leaf leaf) (fun (f, i, j) ->
+        let g = Formula.permuted (fun k -> if k = i then j else k) f in
+        Bool.equal (Formula.equal f g) (same f g));
     test "antisymmetric" (Gen.pair formula formula) (fun (f, g) ->
         sign (Order.temporal f g) = -sign (Order.temporal g f));
     test "transitive" (Gen.triple formula formula formula) (fun (f, g, h) ->
