@@ -17,7 +17,7 @@ type options = {
   format : format option;
   dialect : Explicit_files.dialect;
   tau : Aut.tau;
-  hidden : Label_pattern.t list;
+  hidden : Hide.pattern list;
   instants : bool;
   positions : bool;
 }
@@ -48,36 +48,30 @@ let format_of o =
 
 (** {2 Writing} *)
 
-type graph = {
-  exported : Exported.t;
-  checks : Scc_property.Property.check list;
-}
-
-let labelling ~instants g =
-  let model = g.exported.space.model in
-  Labelling.make ~instants g.exported.space
-    (Array.of_list (State_predicates.of_checks model g.checks))
+let labelling ~instants (e : Exported.t) =
+  Labelling.make ~instants e.space
+    (Array.of_list (State_predicates.of_checks e.space.model e.checks))
 
 (* The files, each with what writes it, and what there is to say about them. *)
-let files o format g =
+let files o format (e : Exported.t) =
   let base = if Filename.check_suffix o.output ".tra" then Filename.chop_suffix o.output ".tra" else o.output in
-  let hidden text = List.exists (fun p -> Label_pattern.matches p text) o.hidden in
+  let hidden text = List.exists (fun p -> Hide.matches p text) o.hidden in
   let one write = [ (o.output, write) ] in
   match format with
-  | Aut -> (one (Aut.write o.tau ~hidden g.exported.space), [])
+  | Aut -> (one (Aut.write o.tau ~hidden e.space), [])
   | Dot ->
-    let l = Labelling.make ~instants:true g.exported.space (Dot.predicates g.checks) in
-    (one (Dot.write g.exported g.checks l ~positions:o.positions), [])
+    let l = Labelling.make ~instants:true e.space (Dot.predicates e.checks) in
+    (one (Dot.write e l ~positions:o.positions), [])
   | Json ->
-    let l = labelling ~instants:false g in
-    (one (Graph_json.write g.exported g.checks l), [])
+    let l = labelling ~instants:false e in
+    (one (Graph_json.write e l), [])
   | Drn ->
-    let l = labelling ~instants:o.instants g in
-    (one (Drn.write g.exported (Mdp.make l)), Exported.label_notes l)
+    let l = labelling ~instants:o.instants e in
+    (one (Drn.write e (Mdp.make l)), Exported.label_notes l)
   | Tra ->
-    let l = labelling ~instants:o.instants g in
+    let l = labelling ~instants:o.instants e in
     let mdp = Mdp.make l in
-    let variables = State_variables.make g.exported.space in
+    let variables = State_variables.make e.space in
     let choices =
       match o.dialect with
       | Prism -> []
@@ -87,7 +81,7 @@ let files o format g =
       (base ^ ".tra", Explicit_files.transitions o.dialect mdp);
       (base ^ ".lab", Explicit_files.labels o.dialect mdp);
       (base ^ ".sta", Explicit_files.states mdp variables);
-      (base ^ ".names.json", Explicit_files.names g.exported mdp variables);
+      (base ^ ".names.json", Explicit_files.names e mdp variables);
     ]
       @ choices,
       Exported.label_notes l )
@@ -147,8 +141,10 @@ let explore console o format =
   let space = Space.explore options e.model ~initial in
   Console.progress_done console;
   Console.report console (List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) space.faults);
-  let exported = { Exported.name = e.name; digest = model.digest; parameters = e.parameters; space } in
-  let files, notes = files o format { exported; checks = e.checks } in
+  let exported =
+    { Exported.name = e.name; digest = model.digest; parameters = e.parameters; checks = e.checks; space }
+  in
+  let files, notes = files o format exported in
   let* () = write_all console o interrupted files in
   tell console exported notes;
   Ok (exit_code space)
@@ -195,19 +191,6 @@ let tau =
   let doc = "Writes the invisible action as $(b,i), as CADP does, and not as $(b,\"tau\"). For the format $(b,aut)." in
   Arg.(value & vflag Aut.Tau [ (Aut.Cadp, info [ "cadp" ] ~doc) ])
 
-let pattern =
-  let parse s = Result.map_error (fun m -> `Msg m) (Label_pattern.of_string s) in
-  Arg.conv ~docv:"PATTERN"
-    (parse, fun ppf p -> Format.pp_print_string ppf (Label_pattern.to_string p))
-
-let hidden =
-  let doc =
-    "Makes the transitions invisible whose labels fit $(docv): a kind ($(b,time), $(b,bounce), $(b,bind), \
-     $(b,weak), $(b,strong)), or the text of a label, in which $(b,*) stands for any characters: \
-     $(b,'bind(glc, *\\)'). Repeatable. For the format $(b,aut)."
-  in
-  Arg.(value & opt_all pattern [] & info [ "hide" ] ~docv:"PATTERN" ~doc)
-
 let instants =
   let doc =
     "Makes states of the instants, and of the times between them, at which a predicate of some check changes while \
@@ -225,7 +208,7 @@ let options =
   in
   Term.(
     const make $ Options.model_file $ Options.overrides $ Check_options.bounds $ output $ format $ dialect
-    $ tau $ hidden $ instants $ positions)
+    $ tau $ Hide.patterns $ instants $ positions)
 
 let command =
   Cmd.v

@@ -1,6 +1,6 @@
 (** The Aldebaran format of labelled transition systems, for CADP, mCRL2 and merc. It has no comments and no labels of
-    states. A state whose transitions are not known gets a loop [unexplored]; one in which nothing happens any more
-    has no transitions. *)
+    states. A state whose transitions are not known gets a loop [unexplored], and one in which nothing will ever happen again a loop
+    [time(forever)]. *)
 
 open Scc_verify
 

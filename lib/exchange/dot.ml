@@ -179,13 +179,13 @@ let edge p folded put i (e : Space.edge) =
       (Printf.sprintf "  s%d -> s%d [label=%s, color=\"%s\", fontcolor=\"%s\"]\n" i target (quoted lines) shade
          shade)
 
-let legend p (e : Exported.t) checks put =
+let legend p (e : Exported.t) put =
   let row colour text =
     Printf.sprintf "<tr><td bgcolor=\"%s\" width=\"24\"></td><td align=\"left\">%s</td></tr>" colour (html text)
   in
   let plain text = Printf.sprintf "<tr><td></td><td align=\"left\">%s</td></tr>" (html text) in
   let text name =
-    match List.find_opt (fun (c : Property.check) -> String.equal c.name name) checks with
+    match List.find_opt (fun (c : Property.check) -> String.equal c.name name) e.checks with
     | Some c -> c.text
     | None -> ""
   in
@@ -207,14 +207,14 @@ let legend p (e : Exported.t) checks put =
        "  legend [shape=plain, label=<<table border=\"0\" cellborder=\"0\" cellspacing=\"2\">%s</table>>]\n"
        (String.concat "" rows))
 
-let write (e : Exported.t) checks l ~positions put =
+let write (e : Exported.t) l ~positions put =
   let space = e.space in
   let p =
     {
       l;
       space;
       digest = State_digest.make ~positions space;
-      aims = Array.of_list (List.map (fun (name, goal, _) -> (name, goal)) (coloured checks));
+      aims = Array.of_list (List.map (fun (name, goal, _) -> (name, goal)) (coloured e.checks));
     }
   in
   let folded = folded p in
@@ -228,5 +228,5 @@ let write (e : Exported.t) checks l ~positions put =
       Array.iter (edge p folded put i) (space.edges i)
     end
   done;
-  legend p e checks put;
+  legend p e put;
   put "}\n"

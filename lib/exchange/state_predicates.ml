@@ -3,7 +3,7 @@ open Scc_property
 
 type t = { name : string; text : string; prop : Property.prop }
 
-let reserved = [ "init"; "deadlock"; "quiescent"; "unexplored" ]
+let reserved = [ "init"; "deadlock"; "quiescent"; "unexplored"; "right_after" ]
 let about_states prop = not (Formula.has_events (State prop))
 
 (* The greatest subformulas without temporal operators, newest first. *)
@@ -17,12 +17,13 @@ let rec greatest found (f : Property.temporal) =
       | Temporal_and fs | Temporal_or fs -> List.fold_left greatest found fs
       | Until (_, _, f, g) -> greatest (greatest found f) g)
 
-let is_constant : Property.prop -> bool = function Bool _ -> true | _ -> false
+(* What needs no label of its own. *)
+let has_label : Property.prop -> bool = function Bool _ | Quiescent -> true | _ -> false
 
 let of_checks model (checks : Property.check list) =
   let wholes = List.map (fun (c : Property.check) -> (c, List.rev (greatest [] c.formula))) checks in
   let add found p =
-    if is_constant p || List.exists (Formula.equal_prop p) found then found else p :: found
+    if has_label p || List.exists (Formula.equal_prop p) found then found else p :: found
   in
   let atoms =
     List.fold_left
