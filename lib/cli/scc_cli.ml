@@ -10,7 +10,13 @@ let man =
   ]
 
 let commands =
-  [ Check_command.command; Trace_command.command; Shape_command.command; Fmt_command.command ]
+  [
+    Check_command.command;
+    Trace_command.command;
+    Explore_command.command;
+    Shape_command.command;
+    Fmt_command.command;
+  ]
 
 let version = "0.1.0"
 

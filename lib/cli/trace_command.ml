@@ -5,6 +5,9 @@ open Cmdliner
 
 type choose = First | Random of int64
 
+(* How the run is told. *)
+type form = Lines | Human | Itf
+
 type options = {
   path : string;
   overrides : (string * Rat.t) list;
@@ -12,7 +15,7 @@ type options = {
   choose : choose;
   steps : int option;
   time : Rat.t option;
-  human : bool;
+  form : form;
   states : Trace.states;
   output : string option;
 }
@@ -112,15 +115,18 @@ let human_event model (states : Trace.states) write (e : Replay.event) =
 
 let write_run o (model : Input.model) policy limits ~interrupted write =
   let e = model.elaborated in
-  let emit =
-    if o.human then human_event e.model o.states write
-    else begin
-      let line json = write (Json.line json ^ "\n") in
-      line (Trace.header ~model:e.name ~digest:model.digest ~parameters:e.parameters);
-      fun event -> List.iter line (Trace.event e.model o.states event)
-    end
-  in
-  Replay.run e.model e.declared policy limits ~interrupted emit
+  let run emit = Replay.run e.model e.declared policy limits ~interrupted emit in
+  match o.form with
+  | Human -> run (human_event e.model o.states write)
+  | Lines ->
+    let line json = write (Json.line json ^ "\n") in
+    line (Trace.header ~model:e.name ~digest:model.digest ~parameters:e.parameters);
+    run (fun event -> List.iter line (Trace.event e.model o.states event))
+  | Itf ->
+    let itf = Itf.start e.model ~model:e.name ~digest:model.digest ~parameters:e.parameters write in
+    let result = run (Itf.event itf) in
+    Itf.close itf;
+    result
 
 let finish console (model : Input.model) (result : (Replay.ending, Replay.failure) result) =
   let m = model.elaborated.model in
@@ -207,9 +213,13 @@ let time =
   let doc = "Ends the run at the model time $(docv), between events if need be." in
   Arg.(value & opt (some Options.rational) None & info [ "time" ] ~docv:"T" ~doc)
 
-let human =
-  let doc = "Tells the run in words instead of JSON Lines." in
-  Arg.(value & flag & info [ "human" ] ~doc)
+let form =
+  let human = "Tells the run in words instead of JSON Lines." in
+  let itf =
+    "Writes the run in the Informal Trace Format of Apalache (JSON, by custom in files $(b,.itf.json)), with all \
+     numbers as exact integers or pairs of them, and every state in full. Such a trace is no schedule."
+  in
+  Arg.(value & vflag Lines [ (Human, info [ "human" ] ~doc:human); (Itf, info [ "itf" ] ~doc:itf) ])
 
 let states =
   let doc =
@@ -225,11 +235,11 @@ let output =
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
 let options =
-  let make path overrides schedule choose steps time human states output =
-    { path; overrides; schedule; choose; steps; time; human; states; output }
+  let make path overrides schedule choose steps time form states output =
+    { path; overrides; schedule; choose; steps; time; form; states; output }
   in
   Term.(
-    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ steps $ time $ human $ states
+    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ steps $ time $ form $ states
     $ output)
 
 let man =
@@ -253,6 +263,7 @@ let man =
     `Pre "  scc trace model.sc --schedule run.jsonl | cmp - run.jsonl";
     `Pre "  scc trace model.sc --human --time 5";
     `Pre "  scc trace large.sc --time 100 --states=ends";
+    `Pre "  scc trace model.sc --schedule runs/meet.json --itf -o meet.itf.json";
   ]
 
 let command =

@@ -9,7 +9,8 @@ let described (e : Ast.expr) =
   | Apply (f, _) -> Printf.sprintf "`%s(…)`" f.it
   | Co n -> Printf.sprintf "`~%s`" n.it
   | Quantified _ -> "a quantifier"
-  | Temporal _ | Until _ -> "a temporal operator"
+  | Temporal _ | Until _ | Leads_to _ -> "a temporal operator"
+  | Event _ -> "`event`"
   | Number _ | True | False | Path _ | Neg _ | Not _ | Binary _ | If _ -> "this"
 
 module Algebra = struct
@@ -90,7 +91,7 @@ let rec is_constant env (e : Ast.expr) =
   | Neg a | Not a -> is_constant env a
   | Binary (_, a, b) -> is_constant env a && is_constant env b
   | If (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
-  | Path _ | Co _ | Apply _ | Quantified _ | Temporal _ | Until _ -> false
+  | Path _ | Co _ | Apply _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ -> false
 
 let value report env e =
   match Eval.eval (context report) env e with

@@ -82,6 +82,15 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
     warnings = Report.warnings c.report;
   }
 
+(* What nothing uses has been read by nobody. Those that use others come first. *)
+let check_unused_lets formulas (program : Program.t) =
+  List.iter
+    (fun (_, _, (b : Env.binding)) ->
+       match b.value with
+       | Macro (e, env) when not b.used -> Formulas.check_let formulas env e
+       | Macro _ | Number _ | Truth _ | Leaf _ -> ())
+    (List.rev program.values)
+
 let read c (program : Program.t) =
   let bodies = Bodies.read c program.bodies in
   let composition = Composition.read c program bodies in
@@ -94,6 +103,7 @@ let read c (program : Program.t) =
   let formulas = Formulas.create c bodies composition table in
   let checks = List.filter_map (Formulas.check formulas) program.checks in
   Behaviours.seal table;
+  check_unused_lets formulas program;
   ignore (behaviours_of table bodies (fun i -> not (included i)));
   let definitions = Behaviours.finish table in
   Assembly.check_overlaps c bodies composition;

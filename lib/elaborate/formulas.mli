@@ -1,11 +1,16 @@
 (** Checks to properties: names resolved, quantifiers expanded over the leaves of the network, types
     checked. *)
 
+open Scc_syntax
 open Scc_property
 
-type t
+type t = Subjects.t
 
 val create : Context.t -> Bodies.t -> Composition.t -> Behaviours.t -> t
+
+val check_let : t -> Env.t -> Ast.expr -> unit
+(** Reports what is wrong with an expression that nothing uses: one that makes sense neither in a law of
+    motion nor in a formula. *)
 
 val check : t -> Program.check -> Property.check option
 (** A formula with a temporal operator (SC0701 otherwise).

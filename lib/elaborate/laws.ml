@@ -92,6 +92,25 @@ end
 
 module Eval = Typed.Make (Algebra)
 
+let can_read env e =
+  let scratch = Report.create () in
+  ignore (Eval.eval { Algebra.report = scratch; budget = Typed.budget () } env e);
+  not (Report.failed scratch)
+
+let check report env e = ignore (Eval.eval { Algebra.report; budget = Typed.budget () } env e)
+
+(* [time] is a word of both. *)
+let speaks_of_a_law env e =
+  Limits.exists_in
+    (fun (e : Ast.expr) ->
+       match e.it with
+       | Path { it = [ { name; indices = [] } ]; _ } ->
+         List.mem_assoc name.it variables
+         && (not (String.equal name.it "time"))
+         && Option.is_none (Env.find env name.it)
+       | _ -> false)
+    e
+
 let law report budget env (l : Ast.law) =
   match l.it with
   | Inertial -> Some Law.Inertial

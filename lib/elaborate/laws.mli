@@ -4,5 +4,14 @@
 open Scc_syntax
 open Scc_calculus
 
+val can_read : Env.t -> Ast.expr -> bool
+(** Whether an expression makes sense in a law. *)
+
+val check : Report.t -> Env.t -> Ast.expr -> unit
+(** Reports what is wrong with an expression as a part of a law. *)
+
+val speaks_of_a_law : Env.t -> Ast.expr -> bool
+(** Whether an expression has a variable that only laws have. *)
+
 val law : Report.t -> Typed.budget -> Env.t -> Ast.law -> Law.t option
 (** [choose] is SC0901. *)

@@ -50,12 +50,12 @@ let expr_children (e : Ast.expr) =
   match e.it with
   | Number _ | True | False | Co _ -> []
   | Path p -> path p
-  | Apply (_, es) -> Long_list.map expr es
+  | Apply (_, es) | Event (_, es) -> Long_list.map expr es
   | Neg a | Not a | Quantified (_, _, _, a) -> [ Expr a ]
   | Binary (_, a, b) -> [ Expr a; Expr b ]
   | If (a, b, c) -> [ Expr a; Expr b; Expr c ]
   | Temporal (_, b, a) -> Expr a :: bound b
-  | Until (_, a, b, c) -> Expr a :: Expr c :: bound b
+  | Until (_, a, b, c) | Leads_to (a, b, c) -> Expr a :: Expr c :: bound b
 
 let behaviour_children (b : Ast.behaviour) =
   match b.it with
@@ -102,6 +102,14 @@ let children = function
   | Solid s -> solid_children s
   | Behaviour b -> behaviour_children b
   | Item i -> item_children i
+
+let exists_in test e =
+  let rec look = function
+    | [] -> false
+    | Expr e :: rest -> test e || look (List.rev_append (children (Expr e)) rest)
+    | (Solid _ | Behaviour _ | Item _) :: rest -> look rest
+  in
+  look [ Expr e ]
 
 let rec within = function
   | [] -> true

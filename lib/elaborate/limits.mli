@@ -14,6 +14,9 @@ val terms : int
 val number_bits : int
 (** Bits of a constant, numerator and denominator together: 1 000 000. *)
 
+val exists_in : (Ast.expr -> bool) -> Ast.expr -> bool
+(** Whether the expression, or one inside it, satisfies the predicate. *)
+
 val check_depth : Report.t -> Ast.model -> unit
 (** Reports the declarations that nest too deeply. All the other passes recur on the syntax tree, and rely
     on this. *)

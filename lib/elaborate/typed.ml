@@ -159,7 +159,7 @@ module Make (A : ALGEBRA) = struct
       | Not a -> Option.map (fun c -> Cond (negate c)) (cond_at ctx (depth + 1) env a)
       | Binary (op, a, b) -> binary ctx depth env e.at op a b
       | If (c, a, b) -> conditional ctx depth env c a b
-      | Apply _ | Co _ | Quantified _ | Temporal _ | Until _ ->
+      | Apply _ | Co _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ->
         A.other ctx (at_depth ctx (depth + 1)) env e
 
   and num_at ctx depth env (e : Ast.expr) = as_num ctx e.at (at_depth ctx depth env e)

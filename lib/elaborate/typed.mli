@@ -57,7 +57,7 @@ module type ALGEBRA = sig
     Env.t ->
     Ast.expr ->
     (num, cond) value option
-    (** [Apply], [Co], [Quantified], [Temporal], [Until]; the function elaborates a part. *)
+    (** [Apply], [Co], [Quantified], [Temporal], [Until], [Leads_to], [Event]; the function elaborates a part. *)
 end
 
 module Make (A : ALGEBRA) : sig

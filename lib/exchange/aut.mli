@@ -1,9 +1,8 @@
 (** The Aldebaran format of labelled transition systems, for CADP, mCRL2 and merc. It has no comments and no labels of
-    states. A state whose transitions are not known gets a loop [unexplored]; one in which nothing happens any more
-    has no transitions. *)
+    states. A state whose transitions are not known gets a loop [unexplored], and one in which nothing will ever happen again a loop
+    [time(forever)]. *)
 
 open Scc_verify
-open Scc_semantics
 
 (** How the invisible action is written. *)
 type tau =
@@ -14,4 +13,5 @@ val label : string -> string
 (** A label's text between quotes. Quotes within it become ['], and control characters spaces, since readers know of no
     escapes. *)
 
-val write : tau -> hidden:(Transition.label -> bool) -> Space.t -> (string -> unit) -> unit
+val write : tau -> hidden:(string -> bool) -> Space.t -> (string -> unit) -> unit
+(** [hidden] tells by a label's text whether it is invisible. *)

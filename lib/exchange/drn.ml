@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_property
 
 (* A comment is a line. *)
 let comment write text =
@@ -13,6 +14,15 @@ let write (e : Exported.t) mdp put =
     (fun (p : State_predicates.t) -> comment put (Printf.sprintf "label %s: %s" p.name p.text))
     (Labelling.predicates l);
   List.iter (fun (name, text) -> comment put (Printf.sprintf "action %s: %s" name text)) (Mdp.actions mdp);
+  List.iter
+    (fun (c : Property.check) ->
+       let asked =
+         match Pctl.formula (Labelling.predicates l) c.formula with
+         | Ok f -> f
+         | Error why -> "is not asked for by labels alone: " ^ why
+       in
+       comment put (Printf.sprintf "check %s: %s" c.name asked))
+    e.checks;
   line "@type: MDP";
   line "@value_type: rational";
   line "@parameters";

@@ -1,3 +1,5 @@
+open Scc_property
+
 type dialect = Prism | Storm
 
 let each mdp f =
@@ -76,6 +78,15 @@ let names (e : Exported.t) mdp variables put =
   let texts list = `List (List.map Json.text list) in
   let label (p : State_predicates.t) = `Assoc [ ("name", Json.text p.name); ("text", Json.text p.text) ] in
   let action (name, text) = `Assoc [ ("name", Json.text name); ("text", Json.text text) ] in
+  let check (c : Property.check) =
+    let asked = Pctl.formula (Labelling.predicates l) c.formula in
+    `Assoc
+      [
+        ("name", Json.text c.name);
+        ("text", Json.text c.text);
+        ("formula", Json.option Json.text (Result.to_option asked));
+      ]
+  in
   let variable (name, values) = `Assoc [ ("name", Json.text name); ("values", texts values) ] in
   put
     (Json.pretty
@@ -87,6 +98,7 @@ let names (e : Exported.t) mdp variables put =
             ("digest", `String e.digest);
             ("parameters", `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) e.parameters));
             ("notes", texts (Exported.summary e @ Exported.label_notes l));
+            ("checks", `List (List.map check e.checks));
             ("labels", `List (List.map label (Array.to_list (Labelling.predicates l))));
             ("actions", `List (List.map action (Mdp.actions mdp)));
             ("variables", `List (List.map variable (State_variables.meanings variables)));

@@ -25,4 +25,5 @@ val states : Mdp.t -> State_variables.t -> (string -> unit) -> unit
 (** As PRISM writes them; Storm reads none. *)
 
 val names : Exported.t -> Mdp.t -> State_variables.t -> (string -> unit) -> unit
-(** What labels, actions and the values of variables stand for (see [specs/schema/names.schema.json]). *)
+(** What labels, actions and the values of variables stand for, and what to ask for the model's checks ({!Pctl}); see
+    [specs/schema/names.schema.json]. *)

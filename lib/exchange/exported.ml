@@ -1,10 +1,12 @@
 open Scc_exact
+open Scc_property
 open Scc_verify
 
 type t = {
   name : string option;
   digest : string;
   parameters : (string * Rat.t) list;
+  checks : Property.check list;
   space : Space.t;
 }
 
@@ -32,22 +34,24 @@ let summary e =
     [ model; explored; Printf.sprintf "TRUNCATED: %d states unexplored, by %s" n (String.concat ", " why) ]
 
 let label_notes l =
-  let note k (p : State_predicates.t) =
-    let changes =
-      match Labelling.changes l k with
-      | 0 -> []
-      | n when Labelling.size l = (Labelling.space l).size ->
-        [ Printf.sprintf "%s changes while time passes after %d states: its label tells of the states alone" p.name n ]
-      | _ -> []
-    in
-    match Labelling.undecided l k with
-    | None -> changes
-    | Some (i, why) ->
-      changes @ [ Printf.sprintf "%s has no truth value in or after state %d: %s" p.name i why ]
+  let predicates = Array.to_list (Labelling.predicates l) in
+  let without_stretches = Labelling.size l = (Labelling.space l).size in
+  let changing = List.filteri (fun k _ -> without_stretches && Labelling.changes l k > 0) predicates in
+  let changes =
+    match changing with
+    | [] -> []
+    | _ :: _ ->
+      let names = String.concat ", " (List.map (fun (p : State_predicates.t) -> p.name) changing) in
+      [ "labels that change while time passes, and tell of the states alone: " ^ names ]
+  in
+  let undecided k (p : State_predicates.t) =
+    Option.map
+      (fun (i, why) -> Printf.sprintf "%s has no truth value in or after state %d: %s" p.name i why)
+      (Labelling.undecided l k)
   in
   let rounded =
     match Labelling.inexact l with
     | 0 -> []
     | n -> [ Printf.sprintf "%d instants are irrational: the times next to them are within 10^-12" n ]
   in
-  List.concat (List.mapi note (Array.to_list (Labelling.predicates l))) @ rounded
+  changes @ List.filter_map Fun.id (List.mapi undecided predicates) @ rounded

@@ -1,12 +1,14 @@
 (** What every export says of the graph it is made of. *)
 
 open Scc_exact
+open Scc_property
 open Scc_verify
 
 type t = {
   name : string option;  (** of the model *)
   digest : string;  (** see {!Model_digest} *)
   parameters : (string * Rat.t) list;
+  checks : Property.check list;
   space : Space.t;
 }
 

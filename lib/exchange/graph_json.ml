@@ -43,7 +43,7 @@ let state l i =
       ("edges", `List (List.map (edge space.model) (Array.to_list (space.edges i))));
     ]
 
-let write (e : Exported.t) checks l put =
+let write (e : Exported.t) l put =
   let space = e.space in
   let predicates = Array.to_list (Array.mapi (predicate l) (Labelling.predicates l)) in
   let bounds = List.map Verdict.truncation_to_string space.stopped_by in
@@ -59,7 +59,7 @@ let write (e : Exported.t) checks l put =
   add "unexplored" (`Int (Exported.unexpanded e));
   add "bounds" (texts bounds);
   add "faults" (texts space.faults);
-  add "checks" (`List (List.map check checks));
+  add "checks" (`List (List.map check e.checks));
   add "predicates" (`List predicates);
   put "\"states\": [\n";
   for i = 0 to space.size - 1 do

@@ -1,9 +1,7 @@
 (** An explored graph as JSON (see [specs/schema/graph.schema.json]): states in full, transitions, and which predicates of the
     checks hold where. *)
 
-open Scc_property
-
 val version : int
 
-val write : Exported.t -> Property.check list -> Labelling.t -> (string -> unit) -> unit
+val write : Exported.t -> Labelling.t -> (string -> unit) -> unit
 (** One line for each state. *)

@@ -2,7 +2,13 @@ open Scc_exact
 open Scc_verify
 
 type status = Moves | Rests | Stuck | Unexplored
-type stretch = { holds : bool array; lasts : Rat.t option; target : int; source : int }
+type stretch = {
+  attained : bool;
+  holds : bool array;
+  lasts : Rat.t option;
+  target : int;
+  source : int;
+}
 
 type t = {
   space : Space.t;
@@ -69,11 +75,14 @@ let precision = Rat.make Z.one (Z.pow (Z.of_int 10) 12)
 
 (* The instants after the start at which something changes, with what holds from then on. *)
 let turns (tl : bool list Timeline.t) =
-  let add (last, found) (offset, values) =
-    if List.equal Bool.equal last values then (last, found) else (values, (offset, values) :: found)
+  let add attained (last, found) (offset, values) =
+    if List.equal Bool.equal last values then (last, found)
+    else (values, (offset, attained, values) :: found)
   in
-  let piece acc (p : bool list Timeline.piece) = add (add acc (p.cut, p.at)) (p.cut, p.after) in
-  let acc = add (tl.start, []) (Algebraic.zero, tl.first) in
+  let piece acc (p : bool list Timeline.piece) =
+    add false (add true acc (p.cut, p.at)) (p.cut, p.after)
+  in
+  let acc = add false (tl.start, []) (Algebraic.zero, tl.first) in
   List.rev (snd (List.fold_left piece acc tl.rest))
 
 type builder = {
@@ -92,28 +101,28 @@ let offset b earliest a =
 
 (* The chain for the passing of time from [source] that ends after [total] (never, when [None]) in [target]. *)
 let chain b tl ~source ~total ~target =
-  let place (earliest, found) (a, values) =
+  let place (earliest, found) (a, attained, values) =
     let at = offset b earliest a in
-    (at, (at, Array.of_list (List.rev values)) :: found)
+    (at, (at, attained, Array.of_list (List.rev values)) :: found)
   in
   let _, placed = List.fold_left place (Rat.zero, []) (turns tl) in
   let rec make = function
     | [] -> ()
-    | (at, holds) :: later ->
+    | (at, attained, holds) :: later ->
       let number = b.number in
       b.number <- number + 1;
       let lasts, target =
         match (later, total) with
-        | (next, _) :: _, _ -> (Some (Rat.sub next at), number + 1)
+        | (next, _, _) :: _, _ -> (Some (Rat.sub next at), number + 1)
         | [], Some d -> (Some (Rat.sub d at), target)
         | [], None -> (None, number)
       in
-      b.made <- { holds; lasts; target; source } :: b.made;
+      b.made <- { attained; holds; lasts; target; source } :: b.made;
       make later
   in
   match List.rev placed with
   | [] -> None
-  | (first, _) :: _ as placed ->
+  | (first, _, _) :: _ as placed ->
     let number = b.number in
     make placed;
     Some (first, number)

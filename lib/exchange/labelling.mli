@@ -11,8 +11,9 @@ type status =
   | Stuck  (** nothing can happen, not even the passing of time *)
   | Unexplored  (** its transitions are not known *)
 
-(** A stretch of time inside a passing of time, on which nothing changes: an instant or an open interval. *)
+(** A stretch of time inside a passing of time, on which nothing changes. *)
 type stretch = {
+  attained : bool;  (** it holds from its first instant on, and not only right after it *)
   holds : bool array;  (** by predicate *)
   lasts : Rat.t option;  (** until the next one, or until the state that time leads to; [None]: for ever *)
   target : int;  (** the number of what comes next: a stretch, a state, or itself when it lasts for ever *)
@@ -45,8 +46,7 @@ val detour : t -> int -> (Rat.t * int) option
     passing of time, or its rest. *)
 
 val changes : t -> int -> int
-(** How many passings of time (or rests) see predicate [k] change strictly inside, or right after the state: with no
-    [instants], its label is not all that there is to know. *)
+(** In how many passings of time (or rests) predicate [k] changes, between the start (included) and the end. *)
 
 val undecided : t -> int -> (int * string) option
 (** A state in which, or after which, predicate [k] has no truth value, and why: its label is missing there. *)

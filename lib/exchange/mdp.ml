@@ -53,15 +53,16 @@ let make labelling =
 let count m = m.count
 
 let status_label l i =
+  let of_state i =
+    match Labelling.status l i with
+    | Moves -> []
+    | Rests -> [ "quiescent" ]
+    | Stuck -> [ "deadlock" ]
+    | Unexplored -> [ "unexplored" ]
+  in
   match Labelling.stretch l i with
-  | Some { lasts = None; _ } -> [ "quiescent" ]
-  | Some { lasts = Some _; _ } -> []
-  | None -> (
-      match Labelling.status l i with
-      | Moves -> []
-      | Rests -> [ "quiescent" ]
-      | Stuck -> [ "deadlock" ]
-      | Unexplored -> [ "unexplored" ])
+  | None -> of_state i
+  | Some s -> of_state s.source @ if s.attained then [] else [ "right_after" ]
 
 let labels m i =
   let l = m.labelling in

@@ -1,8 +1,9 @@
+open Scc_exact
 open Scc_property
 
 type t = { name : string; text : string; prop : Property.prop }
 
-let reserved = [ "init"; "deadlock"; "quiescent"; "unexplored" ]
+let reserved = [ "init"; "deadlock"; "quiescent"; "unexplored"; "right_after" ]
 let about_states prop = not (Formula.has_events (State prop))
 
 (* The greatest subformulas without temporal operators, newest first. *)
@@ -16,17 +17,13 @@ let rec greatest found (f : Property.temporal) =
       | Temporal_and fs | Temporal_or fs -> List.fold_left greatest found fs
       | Until (_, _, f, g) -> greatest (greatest found f) g)
 
-let rec is_literal : Property.prop -> bool = function
-  | And _ | Or _ | Bool _ -> false
-  | Not p -> is_literal p
-  | Compare _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent | Event _ -> true
-
-let is_constant : Property.prop -> bool = function Bool _ -> true | _ -> false
+(* What needs no label of its own. *)
+let has_label : Property.prop -> bool = function Bool _ | Quiescent -> true | _ -> false
 
 let of_checks model (checks : Property.check list) =
   let wholes = List.map (fun (c : Property.check) -> (c, List.rev (greatest [] c.formula))) checks in
   let add found p =
-    if is_constant p || List.exists (Formula.equal_prop p) found then found else p :: found
+    if has_label p || List.exists (Formula.equal_prop p) found then found else p :: found
   in
   let atoms =
     List.fold_left
@@ -42,30 +39,31 @@ let of_checks model (checks : Property.check list) =
   in
   let atoms = List.map atom atoms in
   let whole ((c : Property.check), props) =
-    List.filter (fun p -> not (is_literal p || is_constant p)) props
-    |> List.mapi (fun i prop ->
-        let wanted = if i = 0 then "check_" ^ c.name else Printf.sprintf "check_%s_%d" c.name (i + 1) in
-        { name = Safe_names.name names wanted; text = Show.prop model prop; prop })
+    List.mapi
+      (fun i prop ->
+         let wanted = if i = 0 then "check_" ^ c.name else Printf.sprintf "check_%s_%d" c.name (i + 1) in
+         { name = Safe_names.name names wanted; text = Show.prop model prop; prop })
+      props
   in
   atoms @ List.concat_map whole wholes
 
 type aim = Reached of Property.prop | Kept of Property.prop
 
 let rec aim (f : Property.temporal) =
-  let of_state g make =
+  let unbounded (b : Property.bound) = Rat.sign b.low = 0 && Option.is_none b.high in
+  let of_state b g make =
     match Formula.state_formula g with
-    | Some p when about_states p -> [ make p ]
+    | Some p when unbounded b && about_states p -> [ make p ]
     | _ -> []
   in
   match f with
-  | Finally (_, _, g) -> of_state g (fun p -> Reached p)
-  | Globally (_, _, g) -> of_state g (fun p -> Kept p)
-  | Temporal_not f ->
-    List.map (function Reached p -> Kept (Formula.negate p) | Kept p -> Reached (Formula.negate p)) (aim f)
-  | Temporal_and fs | Temporal_or fs -> List.concat_map aim fs
-  | State _ | Next _ | Until _ -> []
+  | Finally (_, b, g) -> of_state b g (fun p -> Reached p)
+  | Globally (All, b, g) -> of_state b g (fun p -> Kept p)
+  | Temporal_and fs -> List.concat_map aim fs
+  | State _ | Temporal_not _ | Temporal_or _ | Next _ | Globally (Exists, _, _) | Until _ -> []
 
 let aims checks =
   List.concat_map
-    (fun (c : Property.check) -> List.map (fun a -> (c.name, a)) (aim c.formula))
+    (fun (c : Property.check) ->
+       List.map (fun a -> (c.name, a)) (aim (Formula.negation_normal_form c.formula)))
     checks

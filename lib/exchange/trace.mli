@@ -13,6 +13,9 @@ val header : model:string option -> digest:string -> parameters:(string * Rat.t)
 (** The first line: what the run is of. It holds what decides what the choices mean, and not how they were
     made, so that a trace and its replay are the same bytes. *)
 
+val ending : Replay.ending -> string
+(** ["open"], ["quiescent"], ["stuck"] or ["zeno"]. *)
+
 (** Which states are written. *)
 type states =
   | All  (** the state after each transition *)

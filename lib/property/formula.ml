@@ -1,101 +1,13 @@
 open Scc_base
-open Scc_exact
 open Scc_calculus
 open Property
 
-let equal_axis a b =
-  match (a, b) with
-  | X, X | Y, Y | Z, Z -> true
-  | (X | Y | Z), _ -> false
-
-let equal_pair (a, b) (c, d) = Int.equal a c && Int.equal b d
-
-let equal_comparison (a : Law.comparison) (b : Law.comparison) =
-  match (a, b) with
-  | Lt, Lt | Le, Le | Gt, Gt | Ge, Ge | Eq, Eq | Ne, Ne -> true
-  | (Lt | Le | Gt | Ge | Eq | Ne), _ -> false
-
-let equal_polarity (a : Behaviour.polarity) (b : Behaviour.polarity) =
-  match (a, b) with
-  | Name, Name | Co_name, Co_name -> true
-  | (Name | Co_name), _ -> false
-
-let equal_change a b =
-  match (a, b) with
-  | Made, Made
-  | Released_weakly, Released_weakly
-  | Released_strongly, Released_strongly
-  | Released, Released -> true
-  | (Made | Released_weakly | Released_strongly | Released), _ -> false
-
-let equal_ends a b =
-  match (a, b) with
-  | Any, Any -> true
-  | One i, One j -> Int.equal i j
-  | Two (i, j), Two (k, l) -> equal_pair (i, j) (k, l)
-  | (Any | One _ | Two _), _ -> false
-
-let equal_event a b =
-  match (a, b) with
-  | Bond (c, n, e), Bond (d, o, f) -> equal_change c d && Option.equal String.equal n o && equal_ends e f
-  | Bounce e, Bounce f -> equal_ends e f
-  | (Bond _ | Bounce _), _ -> false
-
-let rec equal_num a b =
-  match (a, b) with
-  | Const x, Const y -> Rat.equal x y
-  | Bonds (a, p), Bonds (b, q) -> Option.equal String.equal a b && Option.equal equal_pair p q
-  | Size i, Size j | Speed2 i, Speed2 j -> Int.equal i j
-  | Processes, Processes | Energy, Energy | Time, Time -> true
-  | Position (x, i), Position (y, j) | Velocity (x, i), Velocity (y, j) ->
-    equal_axis x y && Int.equal i j
-  | Distance2 (i, j), Distance2 (k, l) -> equal_pair (i, j) (k, l)
-  | Momentum x, Momentum y -> equal_axis x y
-  | Count ps, Count qs -> List.equal equal_prop ps qs
-  | Neg a, Neg b -> equal_num a b
-  | Add (a, b), Add (c, d) | Sub (a, b), Sub (c, d) | Mul (a, b), Mul (c, d) | Div (a, b), Div (c, d) ->
-    equal_num a c && equal_num b d
-  | If (p, a, b), If (q, c, d) -> equal_prop p q && equal_num a c && equal_num b d
-  | ( ( Const _ | Bonds _ | Size _ | Speed2 _ | Processes | Energy | Time | Position _ | Velocity _
-      | Distance2 _ | Momentum _ | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ ),
-      _ ) -> false
-
-and equal_prop a b =
-  match (a, b) with
-  | Bool x, Bool y -> Bool.equal x y
-  | Compare (c, a, b), Compare (d, e, f) -> equal_comparison c d && equal_num a e && equal_num b f
-  | Bound (i, j), Bound (k, l) | Same (i, j), Same (k, l) | Touching (i, j), Touching (k, l)
-  | Behaviour (i, j), Behaviour (k, l) -> equal_pair (i, j) (k, l)
-  | Offers (i, p, a), Offers (j, q, b) ->
-    Int.equal i j && Option.equal equal_polarity p q && String.equal a b
-  | Quiescent, Quiescent -> true
-  | Event e, Event f -> equal_event e f
-  | Not p, Not q -> equal_prop p q
-  | And ps, And qs | Or ps, Or qs -> List.equal equal_prop ps qs
-  | ( ( Bool _ | Compare _ | Bound _ | Same _ | Touching _ | Behaviour _ | Offers _ | Quiescent | Event _
-      | Not _ | And _ | Or _ ),
-      _ ) -> false
-
-let equal_quantifier a b =
-  match (a, b) with
-  | All, All | Exists, Exists -> true
-  | (All | Exists), _ -> false
-
-let equal_bound a b = Rat.equal a.low b.low && Option.equal Rat.equal a.high b.high
-
-let rec equal a b =
-  match (a, b) with
-  | State p, State q -> equal_prop p q
-  | Temporal_not f, Temporal_not g -> equal f g
-  | Temporal_and fs, Temporal_and gs | Temporal_or fs, Temporal_or gs -> List.equal equal fs gs
-  | Next (q, f), Next (r, g) -> equal_quantifier q r && equal f g
-  | Finally (q, b, f), Finally (r, c, g) | Globally (q, b, f), Globally (r, c, g) ->
-    equal_quantifier q r && equal_bound b c && equal f g
-  | Until (q, b, f, g), Until (r, c, h, i) ->
-    equal_quantifier q r && equal_bound b c && equal f h && equal g i
-  | ( ( State _ | Temporal_not _ | Temporal_and _ | Temporal_or _ | Next _ | Finally _ | Globally _
-      | Until _ ),
-      _ ) -> false
+let equal_event a b = Order.event a b = 0
+let equal_num a b = Order.num a b = 0
+let equal_prop a b = Order.prop a b = 0
+let equal a b = Order.temporal a b = 0
+let equal_modulo_order a b = equal (Rename.ordered a) (Rename.ordered b)
+let permuted = Rename.temporal
 
 let complement : Law.comparison -> Law.comparison = function
   | Lt -> Ge
@@ -190,6 +102,42 @@ let rec mentions_next = function
   | Temporal_not f | Finally (_, _, f) | Globally (_, _, f) -> mentions_next f
   | Temporal_and fs | Temporal_or fs -> List.exists mentions_next fs
   | Until (_, _, f, g) -> mentions_next f || mentions_next g
+
+let depends_on_all_num = function
+  | Bonds (_, None) | Processes | Momentum _ | Energy -> true
+  | Const _ | Bonds (_, Some _) | Size _ | Position _ | Velocity _ | Speed2 _ | Distance2 _ | Time | Count _
+  | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ -> false
+
+let depends_on_all_prop = function
+  | Quiescent | Event (Bond (_, _, Any) | Bounce Any) -> true
+  | Event (Bond (_, _, (One _ | Two _)) | Bounce (One _ | Two _))
+  | Bool _ | Compare _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Not _ | And _ | Or _ -> false
+
+let global f = exists { of_num = depends_on_all_num; of_prop = depends_on_all_prop } f
+
+let leaves_of_num = function
+  | Size i | Position (_, i) | Velocity (_, i) | Speed2 i -> [ i ]
+  | Bonds (_, Some (i, j)) | Distance2 (i, j) -> [ i; j ]
+  | Const _ | Bonds (_, None) | Processes | Momentum _ | Energy | Time | Count _ | Neg _ | Add _ | Sub _
+  | Mul _ | Div _ | If _ -> []
+
+let leaves_of_prop = function
+  | Behaviour (i, _) | Offers (i, _, _) -> [ i ]
+  | Bound (i, j) | Same (i, j) | Touching (i, j) -> [ i; j ]
+  | Event (Bond (_, _, One i) | Bounce (One i)) -> [ i ]
+  | Event (Bond (_, _, Two (i, j)) | Bounce (Two (i, j))) -> [ i; j ]
+  | Event (Bond (_, _, Any) | Bounce Any) | Bool _ | Compare _ | Quiescent | Not _ | And _ | Or _ -> []
+
+module Leaves = Set.Make (Int)
+
+let leaves f =
+  let found = ref Leaves.empty in
+  let note list =
+    found := List.fold_left (fun found i -> Leaves.add i found) !found list;
+    false
+  in
+  ignore (exists { of_num = (fun n -> note (leaves_of_num n)); of_prop = (fun p -> note (leaves_of_prop p)) } f);
+  Leaves.elements !found
 
 let rec state_formula = function
   | State p -> Some p

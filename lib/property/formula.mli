@@ -7,6 +7,14 @@ val equal_num : num -> num -> bool
 val equal_prop : prop -> prop -> bool
 val equal : temporal -> temporal -> bool
 
+val equal_modulo_order : temporal -> temporal -> bool
+(** Equal but for the order and the brackets of what [and], [or], [count], [+] and [*] join, the order of the
+    leaves of symmetric atoms ([bound], [same], [touching], [distance2], [bonds], [event]), and the direction
+    of comparisons. Formulas for which it is true are equivalent; the converse is not claimed. *)
+
+val permuted : (int -> int) -> temporal -> temporal
+(** The formula with each leaf replaced by its image. *)
+
 val negate : prop -> prop
 (** The complement, with [not] pushed to the atoms that have no complement of their own (comparisons have
     one). *)
@@ -27,8 +35,17 @@ val mentions_next : temporal -> bool
 val has_events : temporal -> bool
 (** Whether an atom [event] occurs: the formula is then about the transitions that led to a state, too. *)
 
+<<<<<<< HEAD
 val events : temporal -> event list
 (** Those that occur, each once. *)
+=======
+val leaves : temporal -> int list
+(** The leaves that it names, in order, each once. *)
+
+val global : temporal -> bool
+(** Whether it has an atom that depends on the whole network: bonds or events without leaves, the number of
+    processes, energy, momentum, [quiescent]. ([time] depends on no process.) *)
+>>>>>>> b71514c6bedfaba3c665c20a23ffc80a0245e590
 
 val state_formula : temporal -> prop option
 (** The predicate, when no temporal operator occurs. *)

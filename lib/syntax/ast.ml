@@ -29,6 +29,8 @@ and expr_kind =
   | Quantified of quantifier * name * name * expr  (** variable, template, body *)
   | Temporal of temporal * bound option * expr
   | Until of path_quantifier * expr * bound option * expr  (** [A[ f U[b] g ]] *)
+  | Leads_to of expr * bound option * expr  (** [f leads_to[b] g], [f leads_to g within t] *)
+  | Event of name * expr list  (** [event bind(a, p, q)] *)
 
 and binary = Add | Sub | Mul | Div | Lt | Le | Gt | Ge | Eq | Ne | And | Or | Implies
 and quantifier = Forall | Exists | Count

@@ -32,8 +32,10 @@ let rec expr a b =
   | Temporal (t, d, e), Temporal (t', d', e') -> temporal t t' && option bound d d' && expr e e'
   | Until (q, f, d, g), Until (q', f', d', g') ->
     path_quantifier q q' && expr f f' && option bound d d' && expr g g'
+  | Leads_to (f, d, g), Leads_to (f', d', g') -> expr f f' && option bound d d' && expr g g'
+  | Event (e, xs), Event (e', ys) -> name e e' && list expr xs ys
   | ( ( Number _ | True | False | Path _ | Co _ | Apply _ | Neg _ | Not _ | Binary _ | If _
-      | Quantified _ | Temporal _ | Until _ ), _ ) -> false
+      | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ), _ ) -> false
 
 and bound a b =
   match (a, b) with

@@ -23,9 +23,11 @@
       ("F", RESERVED); ("G", RESERVED); ("U", U); ("X", RESERVED);
       ("always", ALWAYS); ("and", AND); ("at", AT); ("behaviour", BEHAVIOUR); ("bond", BOND);
       ("check", CHECK); ("choose", CHOOSE); ("compound", COMPOUND); ("count", COUNT); ("else", ELSE);
-      ("eps", EPS); ("eventually", EVENTUALLY); ("exists", EXISTS); ("faces", FACES); ("false", FALSE);
+      ("eps", EPS); ("event", EVENT); ("eventually", EVENTUALLY); ("exists", EXISTS); ("faces", FACES);
+      ("false", FALSE);
       ("fixed", FIXED); ("for", FOR); ("forall", FORALL); ("glue", GLUE); ("if", IF); ("in", IN);
-      ("inertial", INERTIAL); ("let", LET); ("mass", MASS); ("matrix", MATRIX); ("mesh", MESH);
+      ("inertial", INERTIAL); ("leads_to", LEADS_TO); ("let", LET); ("mass", MASS); ("matrix", MATRIX);
+      ("mesh", MESH);
       ("model", MODEL); ("motion", MOTION); ("network", NETWORK); ("nil", NIL); ("not", NOT);
       ("omega", OMEGA); ("on", ON); ("or", OR); ("param", PARAM); ("part", PART);
       ("possibly", POSSIBLY); ("process", PROCESS); ("quaternion", QUATERNION); ("rho", RHO);
@@ -91,6 +93,7 @@
     | NAME n -> Token (BARRED n)
     | BOND -> Token (BARRED "bond")
     | MASS -> Token (BARRED "mass")
+    | EVENT -> Token (BARRED "event")
     | _ ->
       fault Code.lexical
         (Printf.sprintf "`%s` is a word of the language and cannot be a co-name" (strip_bars text))

@@ -24,7 +24,7 @@
 %token TRANSLATE ROTATE QUATERNION SCALE MATRIX
 %token NIL OMEGA RHO EPS INERTIAL CHOOSE WEIGHT
 %token TRUE FALSE IF THEN ELSE NOT AND OR FORALL EXISTS COUNT
-%token POSSIBLY ALWAYS EVENTUALLY WITHIN
+%token POSSIBLY ALWAYS EVENTUALLY WITHIN LEADS_TO EVENT
 %token A E U AG AF AX EG EF EX
 
 (* A letter kept for the temporal operators that nothing uses alone: X, F, G *)
@@ -44,6 +44,7 @@
 
 (* From the loosest to the tightest; OPEN is for what reaches as far to the right as it can *)
 %nonassoc OPEN
+%nonassoc LEADS_TO
 %nonassoc WITHIN
 %right IMPLIES
 %left OR
@@ -95,6 +96,7 @@ name:
 | n = NAME { at $loc n }
 | BOND { at $loc "bond" }
 | MASS { at $loc "mass" }
+| EVENT { at $loc "event" }
 
 segment:
 | name = name { { name; indices = [] } }
@@ -315,11 +317,16 @@ expr:
 | BEHAVIOUR LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (at $loc($1) "behaviour", es)) }
 | LPAREN e = expr RPAREN { e }
 | COUNT LPAREN p = name IN t = name COLON e = expr RPAREN { at $loc (Quantified (Count, p, t, e)) }
+| EVENT e = NAME { at $loc (Event (at $loc(e) e, [])) }
+| EVENT e = NAME LPAREN es = optional_list(expr) RPAREN { at $loc (Event (at $loc(e) e, es)) }
 | q = path_quantifier LBRACKET f = expr U b = ioption(bound) g = expr RBRACKET
     { at $loc (Until (q, f, b, g)) }
 | MINUS e = expr %prec NEGATION { at $loc (Neg e) }
 | NOT e = expr { at $loc (Not e) }
 | l = expr o = operator r = expr { at $loc (Binary (o, l, r)) }
+| f = expr LEADS_TO b = ioption(bound) g = expr %prec LEADS_TO { at $loc (Leads_to (f, b, g)) }
+| f = expr LEADS_TO g = expr WITHIN d = expr %prec WITHIN_ARGUMENT
+    { at $loc (Leads_to (f, Some (Within d), g)) }
 | IF c = expr THEN t = expr ELSE e = expr %prec OPEN { at $loc (If (c, t, e)) }
 | q = quantifier p = name IN t = name COLON e = expr %prec OPEN { at $loc (Quantified (q, p, t, e)) }
 | t = english b = ioption(bound) e = expr %prec OPEN { at $loc (Temporal (t, b, e)) }

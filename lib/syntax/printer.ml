@@ -43,6 +43,8 @@ let formula e =
       | _ -> spine [] e
     in
     cat (separated space pieces)
+  | Leads_to (f, bound, g) ->
+    cat [ text ~at:(at f) (Text.condition f); space; text ~at:(at g) (Text.consequence bound g) ]
   | _ -> text ~at:(at e) (Text.expr e)
 
 (* {1 Behaviours} *)

@@ -61,15 +61,16 @@ let number q =
    Levels of precedence, as in the grammar: what reaches to the right as far as it can is loosest. *)
 
 let open_ended = 0
-let implies = 1
-let either = 2
-let both = 3
-let prefix = 4
-let comparison = 5
-let sum = 6
-let product = 7
-let negation = 8
-let atom = 9
+let leads_to = 1
+let implies = 2
+let either = 3
+let both = 4
+let prefix = 5
+let comparison = 6
+let sum = 7
+let product = 8
+let negation = 9
+let atom = 10
 
 (* Of an operator: its level, and those that its operands need. *)
 let levels = function
@@ -84,9 +85,10 @@ let level e =
   match e.it with
   | Number q ->
     if Option.is_none (decimal (Q.abs q)) then product else if Q.sign q < 0 then negation else atom
-  | True | False | Path _ | Co _ | Apply _ | Quantified (Count, _, _, _) | Until _ -> atom
+  | True | False | Path _ | Co _ | Apply _ | Quantified (Count, _, _, _) | Until _ | Event _ -> atom
   | Neg _ -> negation
   | Not _ | Temporal ((Next _ | Finally _ | Globally _), _, _) -> prefix
+  | Leads_to _ -> leads_to
   | Binary (o, _, _) -> let own, _, _ = levels o in own
   | If _ | Quantified ((Forall | Exists), _, _, _) | Temporal ((Possibly | Always | Eventually), _, _) ->
     open_ended
@@ -157,6 +159,23 @@ and add_bare b e =
     str (quantified_by q); str "["; add_expr open_ended b f; str " U";
     Option.iter (add_bound b) bound;
     str " "; add_expr open_ended b g; str "]"
+  | Leads_to (f, bound, g) ->
+    add_expr implies b f; str " ";
+    add_consequence b (bound, g)
+  | Event (e, []) -> str "event "; str e.it
+  | Event (e, es) -> str "event "; str e.it; str "("; list b (add_expr open_ended) es; str ")"
+
+and add_consequence b (bound, g) =
+  let str = Buffer.add_string b in
+  str "leads_to";
+  (match bound with
+   | Some (At_most _ | Between _) -> Option.iter (add_bound b) bound
+   | None | Some (Within _) -> ());
+  str " ";
+  add_expr implies b g;
+  (match bound with
+   | Some (Within d) -> str " within "; add_expr sum b d
+   | None | Some (At_most _ | Between _) -> ())
 
 and add_quantified b (p : name) (t : name) e =
   Buffer.add_string b (p.it ^ " in " ^ t.it ^ ": ");
@@ -190,6 +209,8 @@ let written add x =
   Buffer.contents b
 
 let expr e = written (add_expr open_ended) e
+let condition f = written (add_expr implies) f
+let consequence bound g = written add_consequence (bound, g)
 
 type side = Left | Right
 

@@ -9,6 +9,12 @@ val number : Rat.t -> string
 
 val expr : Ast.expr -> string
 
+val condition : Ast.expr -> string
+(** The left side of [leads_to]. *)
+
+val consequence : Ast.bound option -> Ast.expr -> string
+(** The word [leads_to] with its bound and its right side. *)
+
 type side = Left | Right
 
 val needs_parentheses : Ast.binary -> side -> Ast.expr -> bool

@@ -132,7 +132,7 @@ type level = {
 
 (* What adds a node above its operands without a bracket of its own. *)
 let nests = function
-  | PLUS | MINUS | STAR | SLASH | AND | OR | NOT | IMPLIES | IF | FORALL | EXISTS | POSSIBLY | ALWAYS
+  | PLUS | MINUS | STAR | SLASH | AND | OR | NOT | IMPLIES | LEADS_TO | IF | FORALL | EXISTS | POSSIBLY | ALWAYS
   | EVENTUALLY | AX | EX | AF | EF | AG | EG | DOT | SCALED -> true
   | _ -> false
 
@@ -147,7 +147,7 @@ let begins_declaration tokens i =
 let begins_bond tokens i =
   match (tokens.(i).token, tokens.(i + 1).token) with
   | BOND, LT -> i = 0 || (match tokens.(i - 1).token with
-      | RBRACKET | RBRACE | RPAREN | GT | NAME _ | NUMBER _ | NIL | INERTIAL -> true
+      | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL -> true
       | _ -> false)
   | _ -> false
 

@@ -51,6 +51,11 @@ let names_and_values =
       (cube ^ "process p = Cube mass 1 [nil] check c : always sise(p) = 1");
     case "unknown channel" "SC0201" "b" (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] \
                                                  check c : always bonds(b) = 1");
+    case "unknown transition" "SC0201" "bin" ~says:"did you mean `bind`" "check k : AG not event bin";
+    case "unknown channel of a transition" "SC0201" "dokc" ~says:"did you mean `dock`"
+      (cube ^ "process p = Cube mass 1 [<dock,{top}>.nil] check k : AG not event weak(dokc, p)");
+    case "unknown process of a transition" "SC0201" "q"
+      (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check k : AG not event bounce(q)");
     case "unknown template of a quantifier" "SC0201" "Cuba"
       (cube ^ "process p = Cube mass 1 [nil] check c : always forall q in Cuba: x(q) = 1");
     case "unknown template of a behaviour" "SC0201" "Cuba" (cube ^ "behaviour B on Cuba = nil");
@@ -94,6 +99,35 @@ let names_and_values =
     case "branches of two types" "SC0205" "true" "param n = if 1 < 2 then 1 else true";
     case "a temporal formula under a comparison" "SC0205" "always time > 1"
       (cube ^ "process p = Cube mass 1 [nil] check k : always count(q in Cube: always time > 1) = 1");
+    case "a temporal formula chooses a number" "SC0205" "AF time > 1" ~says:"at its instant"
+      "check k : always (if AF time > 1 then 1 else 2) > 1";
+    case "a number leads to" "SC0205" "time" ~says:"a formula is expected" "check k : time leads_to true";
+    case "a law speaks of transitions" "SC0205" "event bounce" ~says:"law of motion"
+      "motion (if event bounce then 1 else 0, 0, 0)";
+    case "a constant speaks of transitions" "SC0205" "event bounce" ~says:"`event` is none"
+      "param n = if event bounce then 1 else 0";
+    case "a bond with a co-name" "SC0205" "~a" ~says:"the plain name of its channel: `a`"
+      (cube ^ "process p = Cube mass 1 [<~a,{top}>.nil] check k : AF event bind(~a)");
+    case "a value for a channel" "SC0205" "1" "check k : AF event bind(1)";
+    case "an event alone" "SC0701" "not event bounce" "check k : not event bounce";
+    case "processes before the channel" "SC0210" "p" ~says:"the channel comes first"
+      (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check k : AF event bind(p, a)");
+    case "a variable before the channel" "SC0210" "q" ~says:"the channel comes first"
+      (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check k : forall q in Cube: AF event bind(q)");
+    case "a bounce of three" "SC0206" "event bounce(p, p, p)" ~says:"at most two processes, and is given 3"
+      (cube ^ "process p = Cube mass 1 [nil] check k : AF event bounce(p, p, p)");
+    case "a bind of three" "SC0206" "event bind(a, p, p, p)" ~says:"at most two"
+      (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check k : AF event bind(a, p, p, p)");
+    case "a family bounces" "SC0210" "c" ~says:"several bodies"
+      (cube ^ "for i in 1..2 { process c[i] = Cube mass 1 at translate (4*i,0,0) [nil] } \
+               check k : AF event bounce(c)");
+    case "a type error in a let that nothing uses" "SC0205" "true" "let l = time + true";
+    case "an unknown name in a let that nothing uses" "SC0201" "tiem" ~says:"did you mean `time`"
+      "let l = possibly tiem > 1";
+    case "a law in a let that nothing uses" "SC0201" "wx" ~says:"in a law of motion" "let l = vx + wx";
+    case "a let of a let that nothing uses" "SC0205" "1" "let l = time + (1 and true) let k = l + 1";
+    case "a let in a loop that nothing uses" "SC0205" "AF time > 1" ~says:"holds or not at an instant"
+      (cube ^ "process p = Cube mass 1 [nil] for i in 1..2 { let l = count(q in Cube: AF time > 1) + i }");
     case "too many arguments" "SC0206" "x(p, p)" (cube ^ "process p = Cube mass 1 [nil] \
                                                           check k : always x(p, p) = 1");
     case "too few arguments" "SC0206" "bound(p)" (cube ^ "process p = Cube mass 1 [nil] \
@@ -104,6 +138,9 @@ let names_and_values =
     case "no mass" "SC0208" "p" ~says:"has no mass" (cube ^ "process p = Cube [nil]");
     case "a step that is not positive" "SC0208" "-1" "timestep -1";
     case "a negative time bound" "SC0208" "-2" "check k : possibly time > 1 within (-2)";
+    case "a negative bound of a consequence" "SC0208" "-1" "check k : true leads_to[-1, 1] time > 1";
+    case "an empty bound of a consequence" "SC0208" "1/2" "check k : true leads_to[1, 1/2] time > 1";
+    case "a bound that changes" "SC0201" "time" ~says:"a constant is expected" "check k : EF[<= time] time > 1";
     case "an empty time bound" "SC0208" "1" "check k : EF[2, 1] time > 1";
     case "a process for a value" "SC0210" "q" (cube ^ "process p = Cube mass 1 [nil] \
                                                        check k : always forall q in Cube: q = 1");

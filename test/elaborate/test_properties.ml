@@ -28,6 +28,21 @@ let properties =
     property "until" "A[ not bound(p, q) U[<= 5] E[ same(p, q) U quiescent ] ]"
       "A[ not bound(p, q) U[<= 5] E[ same(p, q) U quiescent ] ]";
     property "next" "EX AX processes = 2" "EX (AX (processes = 2))";
+    property "events" "always event bind or event weak(a) or event strong(a, p) or event split(a, q, p)"
+      "AG (((event bind or event weak(a)) or event strong(a, p)) or event split(a, q, p))";
+    property "bounces" "A[ not event bounce(p, q) U event bounce(p) ] and AX event bounce"
+      "(A[ not event bounce(p, q) U event bounce(p) ]) and (AX (event bounce))";
+    property "events of a family" "possibly exists s in c: event bounce(s)"
+      "EF (event bounce(c[1]) or event bounce(c[2]))";
+    property "leads_to" "x(p) > 0 leads_to y(p) > 0"
+      "AG ((not x(p) > 0) or (AF (y(p) > 0)))";
+    property "leads_to within" "x(p) > 0 leads_to EG y(p) > 0 within 3"
+      "AG ((not x(p) > 0) or (AF[<= 3] (EG (y(p) > 0))))";
+    property "leads_to in an interval" "forall s in c: AX x(s) > 0 leads_to[1, 3/2] false"
+      "(AG ((not (AX (x(c[1]) > 0))) or (AF[1, 3/2] (false)))) and \
+       (AG ((not (AX (x(c[2]) > 0))) or (AF[1, 3/2] (false))))";
+    property "a temporal condition" "if AF x(p) > 0 then EG y(p) > 0 else z(p) = 0"
+      "((AF (x(p) > 0)) and (EG (y(p) > 0))) or ((not (AF (x(p) > 0))) and (z(p) = 0))";
     property "numbers" "always speed2(p) + distance2(p, q)*energy - time/2 >= -momentum.y"
       "AG (((speed2(p) + (distance2(p, q) * energy)) - (time / 2)) >= -momentum.y)";
     property "bonds" "always bonds(a) + bonds(a, p, q) + bonds() = 0"
@@ -54,6 +69,14 @@ let lets () =
         ^ "let n = 3 let glued = bonds(a) >= 1 let far = possibly x(p) = n\n\
            check one : possibly glued check two : always not glued or far"))
 
+(* What a law may read is right, used or not; and so is what a formula may say. *)
+let unused_lets () =
+  ignore
+    (accept
+       (body
+        ^ "let a = vx + dt let b = round(time, 2) let c = if z > 0 then vz - dt else vz let d = time > 1\n\
+           let e = forall s in c: possibly event bind(a, s) let f = behaviour(p) = K behaviour K = nil"))
+
 let indexed_checks () =
   let t = accept (body ^ "for i in 1..2 { check far : always x(c[i]) <= i }") in
   Alcotest.(check strings) "names" [ "far[1]"; "far[2]" ] (List.map (fun (k : Property.check) -> k.name) t.checks);
@@ -70,5 +93,9 @@ let () =
   Alcotest.run "properties"
     [
       ("texts", properties);
-      ("rest", [ case "let" lets; case "in loops" indexed_checks; case "normal form" normal_form ]);
+      ( "rest",
+        [
+          case "let" lets; case "lets that nothing uses" unused_lets; case "in loops" indexed_checks;
+          case "normal form" normal_form;
+        ] );
     ]

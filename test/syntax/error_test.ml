@@ -61,6 +61,14 @@ let syntax =
     case "a decimal point alone" "let a = (1., 2)" [ "SC0110 1:11" ] [ "followed by a digit" ];
     case "a decimal without its first digit" "let a = .5" [ "SC0110 1:9" ] [ "`0.5`" ];
     case "path quantifiers apart" "check c : A G x" [ "SC0110 1:13" ] [ "one word each" ];
+    case "consequences in a chain" "check c : a leads_to b leads_to c" [ "SC0110 1:24" ]
+      [ "`leads_to` is not chained" ];
+    case "a consequence without its right side" "check c : a leads_to" [ "SC0110 1:21" ]
+      [ "a bound on time such as `[<= 5]`" ];
+    case "no duration" "check c : a leads_to b within" [ "SC0110 1:30" ] [ "expected a duration" ];
+    case "a bound alone" "check c : a leads_to[<= 5]" [ "SC0110 1:27" ] [ "the formula that the bound is for" ];
+    case "two words" "check c : a leads to b" [ "SC0110 1:13" ] [ "expected an operator" ];
+    case "an event without its end" "check c : always event bind(a, p" [ "SC0110 1:33" ] [ "not closed" ];
     case "glues before parts"
       "compound C { glue a.f ~ b.f part x : T }" [ "SC0110 1:29" ] [ "all parts come before" ];
     case "an open bracket"

@@ -9,7 +9,7 @@ let some g = list_size (int_range 1 3) g
 
 let name =
   located
-    (oneofl [ "a"; "b"; "p"; "q"; "x'"; "x_1"; "Cube"; "bond"; "mass"; "momentum"; "U2"; "Ax"; "omega_" ])
+    (oneofl [ "a"; "b"; "p"; "q"; "x'"; "x_1"; "Cube"; "bond"; "mass"; "event"; "momentum"; "U2"; "Ax"; "omega_" ])
 
 let number =
   let decimal m k = Q.div (Q.of_int m) (Q.of_bigint (Z.pow (Z.of_int 10) k)) in
@@ -52,6 +52,9 @@ let temporal_of expr =
        let* b = opt (bound_of expr) in
        let* f = expr in
        return (Until (q, f, b, body)));
+      (let* b = opt (oneof [ map (fun t -> Within t) expr; bound_of expr ]) in
+       let* f = expr in
+       return (Leads_to (f, b, body)));
     ]
 
 let leaf_expr path =
@@ -79,6 +82,7 @@ let compound_expr expr =
       (let* q = oneofl [ Forall; Exists; Count ] in
        map3 (fun p t e -> Quantified (q, p, t, e)) name name expr);
       temporal_of expr;
+      map2 (fun e es -> Event (e, es)) (located (oneofl [ "bind"; "bounce"; "other" ])) (few expr);
       map2 (fun f es -> Apply (f, es)) (oneof [ name; return (loc "behaviour") ]) (few expr);
     ]
 
@@ -105,6 +109,9 @@ let operators =
                (1, prefix (fun e -> Temporal (Always, None, e)));
                (1, prefix (fun e -> Temporal (Globally A, None, e)));
                (1, map2 (fun e t -> Temporal (Possibly, Some (Within t), e)) left right);
+               (2, map2 (fun f g -> Leads_to (f, None, g)) left right);
+               (1, map2 (fun f g -> Leads_to (f, Some (At_most f), g)) left right);
+               (1, map2 (fun f g -> Leads_to (f, Some (Within g), g)) left right);
              ])))
 
 let segment = segment_of expr

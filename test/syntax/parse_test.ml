@@ -33,11 +33,19 @@ let precedence =
     ("A[ a and b U c or d ]", "A[ (a and b) U (c or d) ]"); ("E[a U[1, 2] b]", "E[(a) U[(1), (2)] (b)]");
     ("behaviour(p) = K", "(behaviour(p)) = (K)"); ("0.125", "125e-3"); ("1e2", "100");
     ("bond + mass", "(bond) + (mass)");
+    ("a or b leads_to c => d", "(a or b) leads_to (c => d)");
+    ("a leads_to b within 2 leads_to c", "(a leads_to b within 2) leads_to c");
+    ("forall p in T: a leads_to[1, 2] b", "forall p in T: (a leads_to[1, 2] b)");
+    ("if a then b else c leads_to d", "if a then b else (c leads_to d)");
+    ("event bind and event + 1 = event.x", "(event bind) and ((event + 1) = event.x)");
+    ("not event bind(event, p)", "not (event bind(event, p))"); ("event bounce()", "event bounce");
   ]
 
 let distinct =
   [ ("a - (b - c)", "a - b - c"); ("AG (a => b)", "AG a => b"); ("~a", "a"); ("(a => b) => c", "a => b => c");
-    ("always[<= 5] a", "always a within 5"); ("1/8", "0.125") ]
+    ("always[<= 5] a", "always a within 5"); ("1/8", "0.125");
+    ("a leads_to (b leads_to c)", "(a leads_to b) leads_to c"); ("event bind", "event weak");
+    ("a leads_to[<= 5] b", "a leads_to b within 5"); ("event", "event bind"); ]
 
 let distinct_expr (a, b) () =
   if Ast_equal.expr (parsed_expr a) (parsed_expr b) then Alcotest.failf "%s and %s read alike" a b
@@ -55,6 +63,8 @@ let notations =
      "behaviour K = omega(a, {f}). rho({<a, {f}>}). eps(2). nil");
     ("network p \xE2\x80\x96 q", "network p || q");
     ("let x = offers(p, \xC4\x81)", "let x = offers(p, ~a)");
+    ("let x = offers(p, \xC4\x93vent)", "let x = offers(p, ~event)");
+    ("let x = event bond <event, {event.f, b.f}>", "let x = event\nbond <event, {event.f, b.f}>");
     ("\xEF\xBB\xBFmodel m\r\nparam n = 1\r\n", "model m param n = 1");
     ("/* a /* b */ c */ model m // x", "model m");
     ("for i in 1..2 { }", "for i in 1 .. 2 {}");

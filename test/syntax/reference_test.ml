@@ -57,7 +57,12 @@ let precedence =
       ("a => b or c", "a => (b or c)"); ("a or b and c", "a or (b and c)"); ("not a and b", "(not a) and b");
       ("not a = b", "not (a = b)"); ("a = b + c", "a = (b + c)"); ("a + b * c", "a + (b * c)");
       ("a * -b", "a * (-b)"); ("always a => b", "always (a => b)"); ("AG a => b", "(AG a) => b");
-      ("a => b => c", "a => (b => c)");
+      ("a => b => c", "a => (b => c)"); ("a leads_to b => c", "a leads_to (b => c)");
+      ("a => b leads_to c", "(a => b) leads_to c"); ("always a leads_to b", "always (a leads_to b)");
+      ("not event bind(a) = b", "not (event bind(a) = b)");
+      ("possibly a leads_to b within 5", "possibly (a leads_to b within 5)");
+      ("possibly a leads_to[1, 2] b within 5", "possibly (a leads_to[1, 2] b) within 5");
+      ("a leads_to possibly b within 5", "a leads_to (possibly b within 5)");
     ]
   in
   List.map

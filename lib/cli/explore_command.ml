@@ -1,0 +1,217 @@
+open Scc_base
+open Scc_exact
+open Scc_semantics
+open Scc_verify
+open Scc_exchange
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type format = Aut | Dot | Json | Tra | Drn
+
+type options = {
+  path : string;
+  overrides : (string * Rat.t) list;
+  bounds : Check_options.bounds;
+  output : string;
+  format : format option;
+  dialect : Explicit_files.dialect;
+  tau : Aut.tau;
+  hidden : Hide.pattern list;
+  instants : bool;
+  positions : bool;
+}
+
+exception Interrupted
+
+let formats = [ ("aut", Aut); ("dot", Dot); ("json", Json); ("tra", Tra); ("drn", Drn) ]
+let by_extension = ("gv", Dot) :: formats
+
+(* What was asked for: a format that is named, or else that of the file's extension. *)
+let format_of o =
+  let extension = Filename.extension o.output in
+  let extension =
+    if String.length extension > 0 then String.sub extension 1 (String.length extension - 1) else ""
+  in
+  let refuse fmt = Printf.ksprintf (fun s -> Error s) fmt in
+  let format =
+    match o.format with Some f -> Some f | None -> List.assoc_opt extension by_extension
+  in
+  match format with
+  | None when String.equal o.output "-" -> refuse "what goes to standard output needs a --format"
+  | None ->
+    refuse "`%s' does not tell its format by its extension (.%s): give one with --format" o.output
+      (String.concat ", ." (List.map fst by_extension))
+  | Some Tra when String.equal o.output "-" ->
+    refuse "the format tra makes several files, which do not go to standard output together"
+  | Some f -> Ok f
+
+(** {2 Writing} *)
+
+let labelling ~instants (e : Exported.t) =
+  Labelling.make ~instants e.space
+    (Array.of_list (State_predicates.of_checks e.space.model e.checks))
+
+(* The files, each with what writes it, and what there is to say about them. *)
+let files o format (e : Exported.t) =
+  let base = if Filename.check_suffix o.output ".tra" then Filename.chop_suffix o.output ".tra" else o.output in
+  let hidden text = List.exists (fun p -> Hide.matches p text) o.hidden in
+  let one write = [ (o.output, write) ] in
+  match format with
+  | Aut -> (one (Aut.write o.tau ~hidden e.space), [])
+  | Dot ->
+    let l = Labelling.make ~instants:true e.space (Dot.predicates e.checks) in
+    (one (Dot.write e l ~positions:o.positions), [])
+  | Json ->
+    let l = labelling ~instants:false e in
+    (one (Graph_json.write e l), [])
+  | Drn ->
+    let l = labelling ~instants:o.instants e in
+    (one (Drn.write e (Mdp.make l)), Exported.label_notes l)
+  | Tra ->
+    let l = labelling ~instants:o.instants e in
+    let mdp = Mdp.make l in
+    let variables = State_variables.make e.space in
+    let choices =
+      match o.dialect with
+      | Prism -> []
+      | Storm -> [ (base ^ ".clab", Explicit_files.choice_labels mdp) ]
+    in
+    ( [
+      (base ^ ".tra", Explicit_files.transitions o.dialect mdp);
+      (base ^ ".lab", Explicit_files.labels o.dialect mdp);
+      (base ^ ".sta", Explicit_files.states mdp variables);
+      (base ^ ".names.json", Explicit_files.names e mdp variables);
+    ]
+      @ choices,
+      Exported.label_notes l )
+
+(* An interruption ends the writing, unless it has ended the exploration: then what is known is written. *)
+let unless_interrupted interrupted write put =
+  if interrupted () then write put
+  else
+    write (fun s ->
+        if interrupted () then raise Interrupted;
+        put s)
+
+let write_all console o interrupted files =
+  if String.equal o.output "-" then begin
+    List.iter (fun (_, write) -> unless_interrupted interrupted write (Console.print console)) files;
+    Console.flush console;
+    Ok ()
+  end
+  else
+    Result.map_error (fun d -> [ d ])
+      (Whole_file.write
+         (List.map (fun (path, write) -> (path, unless_interrupted interrupted write)) files))
+
+(** {2 The command} *)
+
+let initial (e : Scc_elaborate.Elaborate.t) =
+  Result.map_error
+    (fun f -> [ Diag.error Code.bad_law Span.none "%s" (Transition.fault_to_string e.model f) ])
+    (Network.initial e.model e.declared)
+
+(* As that of an exploration by [scc check]. *)
+let exit_code (space : Space.t) : Exit_code.t =
+  let known = Verdict.Holds { bounds = space.stopped_by; witness = None } in
+  if Space.complete space then Holds
+  else if List.length space.faults > 0 then Undecided
+  else if Verdict.resources known then Stopped
+  else if Verdict.by_default known then Undecided
+  else Holds
+
+let progress console (p : Scc_explore.Limits.progress) =
+  Console.progress console
+    (Printf.sprintf "%d states, %d to expand, depth %d" p.states p.waiting p.depth)
+
+let tell console exported notes =
+  List.iter
+    (fun line -> Console.note console ("scc: " ^ line))
+    (List.tl (Exported.summary exported) @ notes)
+
+let explore console o format =
+  let interrupted = Interrupt.install () in
+  let* model = Input.model console ~overrides:o.overrides o.path in
+  let e = model.elaborated in
+  Console.report console e.warnings;
+  let* initial = initial e in
+  let options = Check_options.options o.bounds ~interrupted ~progress:(progress console) in
+  Option.iter Interrupt.deadline o.bounds.seconds;
+  let space = Space.explore options e.model ~initial in
+  Console.progress_done console;
+  Console.report console (List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) space.faults);
+  let exported =
+    { Exported.name = e.name; digest = model.digest; parameters = e.parameters; checks = e.checks; space }
+  in
+  let files, notes = files o format exported in
+  let* () = write_all console o interrupted files in
+  tell console exported notes;
+  Ok (exit_code space)
+
+let usage message =
+  prerr_endline ("scc: " ^ message);
+  Exit_code.Usage
+
+let run color o =
+  let console = Console.make ~color ~json:false in
+  Guard.run console (fun () ->
+      match format_of o with
+      | Error message -> usage message
+      | Ok format -> (
+          match explore console o format with
+          | Ok code -> code
+          | Error diagnostics -> Guard.invalid console diagnostics
+          | exception Interrupted ->
+            Console.note console "scc: interrupted; nothing was written";
+            Exit_code.Stopped))
+
+(** {2 The command line} *)
+
+let output =
+  let doc =
+    "Writes to $(docv), whose extension tells the format; $(b,-) is standard output. A file is there as a whole \
+     or not at all."
+  in
+  Arg.(required & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+
+let format =
+  let doc =
+    "The format, whatever the extension of the file: $(b,aut), $(b,dot), $(b,json), $(b,tra) or $(b,drn) (see \
+     FORMATS)."
+  in
+  Arg.(value & opt (some (enum formats)) None & info [ "format" ] ~docv:"FORMAT" ~doc)
+
+let dialect =
+  let doc = "Whose explicit files to write: $(b,prism) or $(b,storm). For the format $(b,tra)." in
+  let dialects = [ ("prism", Explicit_files.Prism); ("storm", Explicit_files.Storm) ] in
+  Arg.(value & opt (enum dialects) Explicit_files.Prism & info [ "dialect" ] ~docv:"TOOL" ~doc)
+
+let tau =
+  let doc = "Writes the invisible action as $(b,i), as CADP does, and not as $(b,\"tau\"). For the format $(b,aut)." in
+  Arg.(value & vflag Aut.Tau [ (Aut.Cadp, info [ "cadp" ] ~doc) ])
+
+let instants =
+  let doc =
+    "Makes states of the instants, and of the times between them, at which a predicate of some check changes while \
+     time passes, so that the labels tell all of a run. For the formats $(b,tra) and $(b,drn)."
+  in
+  Arg.(value & flag & info [ "instants" ] ~doc)
+
+let positions =
+  let doc = "Shows where things are and how they move. For the format $(b,dot)." in
+  Arg.(value & flag & info [ "positions" ] ~doc)
+
+let options =
+  let make path overrides bounds output format dialect tau hidden instants positions =
+    { path; overrides; bounds; output; format; dialect; tau; hidden; instants; positions }
+  in
+  Term.(
+    const make $ Options.model_file $ Options.overrides $ Check_options.bounds $ output $ format $ dialect
+    $ tau $ Hide.patterns $ instants $ positions)
+
+let command =
+  Cmd.v
+    (Cmd.info "explore" ~doc:"write the state space of a model for other tools" ~man:Explore_manual.text
+       ~exits:Exit_code.man)
+    Term.(const run $ Options.color $ options)

@@ -1,0 +1,56 @@
+open Cmdliner
+
+let text =
+  [
+    `S Manpage.s_description;
+    `P
+      "Explores what can happen in a model, over every non-deterministic choice, and writes the graph of states \
+       and transitions for other tools. The bytes are the same from run to run.";
+    `P
+      "What was cut short by a bound is no less honest than a verdict: it is told on standard error and in the \
+       output (states whose transitions are not known have the label, or a loop, $(b,unexplored)), and by the \
+       exit code, which is that of $(b,scc check) for the exploration.";
+    `S "FORMATS";
+    `I
+      ( "$(b,aut)",
+        "Aldebaran's labelled transition systems, for CADP, mCRL2 and merc. Labels are those of $(b,scc trace), \
+         such as $(b,time(1/2\\)) and $(b,bind(a, p.right, q.left\\)). $(b,--hide) makes some invisible." );
+    `I
+      ( "$(b,dot)",
+        "A picture for Graphviz, for small graphs. Nodes show the bonds and behaviours that differ between states; \
+         red and green tell where a check is violated, and where it is met. A chain of passings of time is one \
+         edge." );
+    `I
+      ( "$(b,tra)",
+        "The explicit files of PRISM, or of Storm with $(b,--dialect storm): $(i,FILE).tra, .lab and .sta (and \
+         .clab for Storm, with actions). The graph is a Markov decision process in which each transition is an \
+         action with probability 1. States without transitions get a loop: $(b,rest) where time passes for ever, \
+         $(b,stuck) where not even time passes, $(b,unexplored). $(i,FILE).names.json tells what the names \
+         stand for." );
+    `I
+      ( "$(b,drn)",
+        "The same for Storm in one file, with exact durations as the reward model $(b,time). Comments tell what \
+         the names stand for." );
+    `I ("$(b,json)", "All there is: states in full. The schema is $(b,specs/schema/graph.schema.json).");
+    `P
+      "In $(b,tra) and $(b,drn), a state has the labels $(b,init), $(b,deadlock) (nothing can happen, not even the \
+       passing of time), $(b,quiescent) (nothing will ever happen again), $(b,unexplored), and one for each \
+       predicate of the model's checks that holds in it: $(b,bound_p_q) for $(b,bound(p, q\\)), and \
+       $(b,check_NAME) for the whole predicate of the check $(b,NAME).";
+    `P
+      "A predicate may change while time passes, and be true for an instant only. Labels of states do not tell \
+       that; a note on standard error says where it is so. With $(b,--instants) there are states for it, and what \
+       a tool then says of $(b,F), $(b,G) and $(b,U) is said of whole continuous runs.";
+    `P "Runs are written for Apalache by $(b,scc trace --itf).";
+    `S "BOUNDS";
+    `P "Without bounds the exploration ends when nothing is left to explore, and at the default bounds.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc explore specs/models/hexokinase.sc -o hexokinase.dot && dot -Tsvg -O hexokinase.dot";
+    `Pre "  scc explore specs/models/dimers.sc -o dimers.aut --hide time";
+    `Pre "  scc explore specs/models/drift.sc -o drift.drn --instants";
+    `Pre "  scc explore specs/models/dimer.sc -o dimer.tra --dialect storm";
+    `Pre "  scc explore specs/models/chain.sc -D n=6 -o - --format json";
+  ]

@@ -1,0 +1,3 @@
+(** The text of the manual of [scc explore]. *)
+
+val text : Cmdliner.Manpage.block list

@@ -1,0 +1,161 @@
+open Scc_base
+open Scc_syntax
+open Scc_property
+open Subjects
+
+let ( let* ) = Option.bind
+
+let axes : (string * Property.axis) list = [ ("x", X); ("y", Y); ("z", Z) ]
+
+let one_leaf : (string * (int -> Property.num)) list =
+  [
+    ("size", fun p -> Property.Size p);
+    ("x", fun p -> Property.Position (X, p));
+    ("y", fun p -> Property.Position (Y, p));
+    ("z", fun p -> Property.Position (Z, p));
+    ("vx", fun p -> Property.Velocity (X, p));
+    ("vy", fun p -> Property.Velocity (Y, p));
+    ("vz", fun p -> Property.Velocity (Z, p));
+    ("speed2", fun p -> Property.Speed2 p);
+  ]
+
+let two_leaves : (string * (int -> int -> (Property.num, Property.prop) Typed.value)) list =
+  [
+    ("distance2", fun p q -> Num (Property.Distance2 (p, q)));
+    ("bound", fun p q -> Cond (Property.Bound (p, q)));
+    ("same", fun p q -> Cond (Property.Same (p, q)));
+    ("touching", fun p q -> Cond (Property.Touching (p, q)));
+  ]
+
+let constants : (string * (Property.num, Property.prop) Typed.value) list =
+  [
+    ("processes", Num Property.Processes);
+    ("energy", Num Property.Energy);
+    ("time", Num Property.Time);
+    ("quiescent", Cond Property.Quiescent);
+  ]
+
+let functions =
+  [ "bonds"; "offers"; "behaviour" ] @ Long_list.map fst one_leaf @ Long_list.map fst two_leaves
+
+let value : (Property.num, Property.prop) Typed.value -> (Property.num, Property.temporal) Typed.value =
+  function
+  | Num n -> Num n
+  | Cond p -> Cond (Property.State p)
+
+let arity t (at : Span.t) name expected given =
+  error t Code.bad_arity at "`%s` takes %s, and is given %d" name expected given;
+  None
+
+let bonds t env at arguments =
+  match arguments with
+  | [] -> Some (Typed.Num (Property.Bonds (None, None)))
+  | [ a ] ->
+    let* _, a = channel t a in
+    Some (Typed.Num (Property.Bonds (Some a, None)))
+  | [ a; p; q ] ->
+    let a = channel t a and p = leaf t env p and q = leaf t env q in
+    let* _, a = a in
+    let* p, q = Typed.both p q in
+    Some (Typed.Num (Property.Bonds (Some a, Some (p, q))))
+  | _ -> arity t at "bonds" "a channel, or a channel and two processes" (List.length arguments)
+
+let offers t env at arguments =
+  match arguments with
+  | [ p; a ] ->
+    let* p, (polarity, a) = Typed.both (leaf t env p) (channel t a) in
+    Some (Typed.Cond (Property.State (Offers (p, polarity, a))))
+  | _ -> arity t at "offers" "a process and a channel" (List.length arguments)
+
+(* {1 Transitions} *)
+
+let changes : (string * Property.change) list =
+  [
+    ("bind", Made); ("weak", Released_weakly); ("strong", Released_strongly); ("split", Released);
+  ]
+
+let ends t env arguments : Property.ends option =
+  match arguments with
+  | [] -> Some Any
+  | [ p ] -> Option.map (fun p -> Property.One p) (leaf t env p)
+  | p :: q :: _ ->
+    Option.map (fun (p, q) -> Property.Two (p, q)) (Typed.both (leaf t env p) (leaf t env q))
+
+let event t env at (word : Ast.name) arguments =
+  let made e = Some (Typed.Cond (Property.State (Event e))) in
+  match (word.it, List.assoc_opt word.it changes, arguments) with
+  | "bounce", _, ([] | [ _ ] | [ _; _ ]) ->
+    let* ends = ends t env arguments in
+    made (Bounce ends)
+  | "bounce", _, _ -> arity t at "bounce" "at most two processes" (List.length arguments)
+  | _, Some change, [] -> made (Bond (change, None, Any))
+  | _, Some change, a :: (([] | [ _ ] | [ _; _ ]) as rest) ->
+    let* a, ends = Typed.both (bond_name t env a) (ends t env rest) in
+    made (Bond (change, Some a, ends))
+  | name, Some _, _ ->
+    arity t at name "a channel and at most two processes after it" (List.length arguments)
+  | name, None, _ ->
+    let known = "bounce" :: Long_list.map fst changes in
+    error t Code.unknown_name word.at "unknown transition `%s`; it is one of bind, bounce, weak, strong, split"
+      name ~near:(name, fun () -> known);
+    None
+
+let apply t env (e : Ast.expr) (f : Ast.name) arguments =
+  match (f.it, List.assoc_opt f.it one_leaf, List.assoc_opt f.it two_leaves, arguments) with
+  | "bonds", _, _, _ -> bonds t env e.at arguments
+  | "offers", _, _, _ -> offers t env e.at arguments
+  | "behaviour", _, _, _ ->
+    error t Code.type_mismatch e.at "a behaviour can only be compared with a name, as in `behaviour(p) = K`";
+    None
+  | _, Some make, _, [ p ] -> Option.map (fun p -> Typed.Num (make p)) (leaf t env p)
+  | name, Some _, _, _ -> arity t e.at name "one process" (List.length arguments)
+  | _, None, Some make, [ p; q ] ->
+    Option.map (fun (p, q) -> value (make p q)) (Typed.both (leaf t env p) (leaf t env q))
+  | name, None, Some _, _ -> arity t e.at name "two processes" (List.length arguments)
+  | "round", None, None, _ ->
+    error t Code.type_mismatch e.at "`round` of what changes cannot stand in a property";
+    None
+  | name, None, None, _ ->
+    error t Code.unknown_name f.at "unknown function `%s`" name ~near:(name, fun () -> functions);
+    None
+
+let variable t env (path : Ast.path) =
+  match path.it with
+  | [ { name; indices = [] } ] -> (
+      match List.assoc_opt name.it constants with
+      | Some v -> Some (value v)
+      | None ->
+        error t Code.unknown_name path.at "unknown name `%s` in a formula" name.it
+          ~near:(name.it, fun () -> Long_list.map fst constants @ Env.names env);
+        None)
+  | [ { name = { it = "momentum"; _ }; indices = [] }; { name; indices = [] } ] -> (
+      match List.assoc_opt name.it axes with
+      | Some axis -> Some (Num (Property.Momentum axis))
+      | None ->
+        error t Code.unknown_name name.at "`momentum` has the components x, y and z";
+        None)
+  | _ ->
+    error t Code.type_mismatch path.at "a value is expected here"
+      ~hint:"say what of a process is meant, as in `x(p)`";
+    None
+
+let is_definition t env negated p (k : Ast.name) =
+  let* i = leaf t env p in
+  let* owner = owner t i in
+  let* k = Behaviours.definition t.behaviours owner k in
+  let atom = Property.Behaviour (i, k) in
+  Some (Typed.Cond (Property.State (if negated then Not atom else atom)))
+
+(* [behaviour(p) = K], either way round. *)
+let comparison t env (op : Ast.binary) (a : Ast.expr) (b : Ast.expr) =
+  let negated =
+    match op with
+    | Eq -> Some false
+    | Ne -> Some true
+    | Add | Sub | Mul | Div | Lt | Le | Gt | Ge | And | Or | Implies -> None
+  in
+  match (negated, a.it, b.it) with
+  | Some n, Apply ({ it = "behaviour"; _ }, [ p ]), Path { it = [ { name; indices = [] } ]; _ }
+  | Some n, Path { it = [ { name; indices = [] } ]; _ }, Apply ({ it = "behaviour"; _ }, [ p ]) ->
+    Some (is_definition t env n p name)
+  | _ -> None

@@ -1,0 +1,126 @@
+open Scc_base
+open Scc_syntax
+open Scc_calculus
+
+let ( let* ) = Option.bind
+
+type t = {
+  c : Context.t;
+  bodies : Bodies.t;
+  composition : Composition.t;
+  behaviours : Behaviours.t;
+  by_template : (string, int list) Hashtbl.t;  (* indices in the model, in order *)
+  numbers : int array;  (* the declared number of each leaf of the model *)
+  budget : Typed.budget;
+}
+
+let error t ?hint ?near code at fmt = Report.error t.c.report ?hint ?near code at fmt
+
+(* {1 Arguments} *)
+
+(* The one leaf that a name stands for, as an index in the model. *)
+let resolve_leaf t (name, at) =
+  let number =
+    match Registry.find t.bodies.registry name with
+    | Some (Leaf i) | Some (Process [ i ]) -> Some i
+    | Some (Process _ | Family _) ->
+      error t Code.wrong_kind at "`%s` stands for several bodies, and one is expected here" name
+        ~hint:"name one of them, or use `forall`, `exists` or `count`";
+      None
+    | None ->
+      error t Code.unknown_name at "unknown process `%s`" name
+        ~near:(name, fun () -> Registry.names t.bodies.registry);
+      None
+  in
+  let* i = number in
+  if t.composition.index.(i) >= 0 then Some t.composition.index.(i)
+  else begin
+    error t Code.wrong_kind at "`%s` is not in the network" name;
+    None
+  end
+
+let leaf t env (e : Ast.expr) =
+  match e.it with
+  | Path path -> (
+      let bound =
+        match path.it with
+        | [ { name; indices = [] } ] -> Env.find env name.it
+        | _ -> None
+      in
+      match bound with
+      | Some (Env.Leaf i) -> Some i
+      | Some (Number _ | Truth _ | Macro _) | None ->
+        let* name = Composition.single t.c.report env path in
+        resolve_leaf t name)
+  | _ ->
+    error t Code.type_mismatch e.at "the name of a process is expected here";
+    None
+
+let known_channel t (name : Ast.name) =
+  if Behaviours.has_channel t.behaviours name.it then Some name.it
+  else begin
+    error t Code.unknown_name name.at "no behaviour or bond of the network has a channel `%s`" name.it
+      ~near:(name.it, fun () -> Behaviours.channels t.behaviours);
+    None
+  end
+
+let channel t (e : Ast.expr) =
+  match e.it with
+  | Path { it = [ { name; indices = [] } ]; _ } ->
+    Option.map (fun a -> (None, a)) (known_channel t name)
+  | Co name -> Option.map (fun a -> (Some Behaviour.Co_name, a)) (known_channel t name)
+  | _ ->
+    error t Code.type_mismatch e.at "the name of a channel is expected here";
+    None
+
+(* A process where a channel is expected is likely one argument too early. *)
+let bond_name t env (e : Ast.expr) =
+  match e.it with
+  | Path { it = [ { name; indices = [] } ]; _ } when Behaviours.has_channel t.behaviours name.it ->
+    Some name.it
+  | Path { it = { name; _ } :: _; _ }
+    when Option.is_some (Registry.find t.bodies.registry name.it) || Option.is_some (Env.find env name.it) ->
+    error t Code.wrong_kind e.at "the name of a channel is expected here, and `%s` is none" name.it
+      ~hint:"the channel comes first, and processes after it, as in `bind(a, p, q)`";
+    None
+  | Path { it = [ { name; indices = [] } ]; _ } -> known_channel t name
+  | Co name ->
+    error t Code.type_mismatch e.at "a bond has the plain name of its channel: `%s`" name.it;
+    None
+  | _ ->
+    error t Code.type_mismatch e.at "the name of a channel is expected here";
+    None
+
+let owner t i =
+  Option.map
+    (fun (l : Bodies.leaf) -> { Behaviours.name = l.name; shape = l.shape; span = l.span })
+    t.bodies.leaves.(t.numbers.(i))
+
+let range t (name : Ast.name) =
+  match (Hashtbl.find_opt t.c.templates name.it, Registry.find t.bodies.registry name.it) with
+  | Some template, _ ->
+    template.used <- true;
+    Some (Option.value ~default:[] (Hashtbl.find_opt t.by_template name.it))
+  | None, Some (Leaf i) -> Some [ t.composition.index.(i) ]
+  | None, Some (Process list | Family list) ->
+    Some (Long_list.map (fun i -> t.composition.index.(i)) (List.sort Int.compare list))
+  | None, None ->
+    error t Code.unknown_name name.at "unknown template `%s`" name.it
+      ~near:(name.it, fun () -> Context.template_names t.c @ Registry.names t.bodies.registry);
+    None
+
+let create (c : Context.t) (bodies : Bodies.t) (composition : Composition.t) behaviours =
+  let by_template = Hashtbl.create 16 in
+  let all = List.init (Array.length bodies.leaves) Fun.id in
+  let numbers = List.filter (fun i -> composition.included.(i)) all in
+  let enter i =
+    match bodies.leaves.(i) with
+    | None -> ()
+    | Some l ->
+      let label = Shape.label l.shape in
+      let others = Option.value ~default:[] (Hashtbl.find_opt by_template label) in
+      Hashtbl.replace by_template label (composition.index.(i) :: others)
+  in
+  List.iter enter (List.rev numbers);
+  let budget = Typed.budget () in
+  { c; bodies; composition; behaviours; by_template; numbers = Array.of_list numbers; budget }

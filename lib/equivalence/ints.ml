@@ -1,0 +1,43 @@
+open Bigarray
+
+type t = (int32, int32_elt, c_layout) Array1.t
+
+let max_value = 0x7fffffff
+let raw n : t = Array1.create Int32 C_layout n
+let get (a : t) i = Int32.to_int (Array1.get a i)
+let set (a : t) i x = Array1.set a i (Int32.of_int x)
+let length (a : t) = Array1.dim a
+let fill (a : t) x = Array1.fill a (Int32.of_int x)
+
+let make n =
+  let a = raw n in
+  fill a 0;
+  a
+
+type buffer = { mutable data : t; mutable used : int }
+
+let buffer () = { data = raw 16; used = 0 }
+let size b = b.used
+let nth b i = get b.data i
+let put b i x = set b.data i x
+
+let grow b =
+  let wider = raw (2 * length b.data) in
+  Array1.blit b.data (Array1.sub wider 0 b.used);
+  b.data <- wider
+
+let push b x =
+  if b.used = length b.data then grow b;
+  set b.data b.used x;
+  b.used <- b.used + 1
+
+let pop b =
+  b.used <- b.used - 1;
+  get b.data b.used
+
+let clear b = b.used <- 0
+
+let contents b =
+  let a = raw b.used in
+  Array1.blit (Array1.sub b.data 0 b.used) a;
+  a

@@ -1,0 +1,35 @@
+(** Arrays of small integers, four bytes each: graphs of 10^7 edges live in these, outside of the heap that
+    the collector walks. *)
+
+type t
+
+val max_value : int
+(** 2^31 - 1: the greatest value. Values are from 0 to this. *)
+
+val make : int -> t
+(** All zero. *)
+
+val length : t -> int
+val get : t -> int -> int
+val set : t -> int -> int -> unit
+val fill : t -> int -> unit
+
+(** {1 Growing} *)
+
+type buffer
+
+val buffer : unit -> buffer
+val size : buffer -> int
+val nth : buffer -> int -> int
+val put : buffer -> int -> int -> unit
+(** Changes what was pushed. *)
+
+val push : buffer -> int -> unit
+
+val pop : buffer -> int
+(** The last one, taken off. The buffer is not empty. *)
+
+val clear : buffer -> unit
+
+val contents : buffer -> t
+(** What was pushed so far; a copy. *)

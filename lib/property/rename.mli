@@ -1,0 +1,11 @@
+(** Formulas with other leaves in place of theirs, and one form for those that differ in order alone. *)
+
+open Property
+
+val temporal : (int -> int) -> temporal -> temporal
+(** Each leaf replaced by its image. *)
+
+val ordered : temporal -> temporal
+(** An equivalent formula: two that differ in the order or the brackets of what [and], [or], [count], [+] and
+    [*] join, in the order of the two leaves of a symmetric atom, or in the direction of a comparison, have
+    one and the same. *)

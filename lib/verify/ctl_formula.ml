@@ -1,0 +1,151 @@
+open Scc_exact
+open Scc_property
+
+type t =
+  | Predicate of int
+  | Not of t
+  | And of t list
+  | Or of t list
+  | Next of Property.path_quantifier * t
+  | Until of Property.path_quantifier * Property.bound * t * t
+  | Finally of Property.path_quantifier * Property.bound * t
+  | Globally of Property.path_quantifier * Property.bound * t
+
+let first_difference list = match List.find_opt (fun c -> c <> 0) list with Some c -> c | None -> 0
+
+let compare_quantifier (a : Property.path_quantifier) (b : Property.path_quantifier) =
+  match (a, b) with
+  | All, All | Exists, Exists -> 0
+  | All, Exists -> -1
+  | Exists, All -> 1
+
+let compare_high a b =
+  match (a, b) with
+  | None, None -> 0
+  | None, Some _ -> 1
+  | Some _, None -> -1
+  | Some a, Some b -> Rat.compare a b
+
+let compare_bound (a : Property.bound) (b : Property.bound) =
+  first_difference [ Rat.compare a.low b.low; compare_high a.high b.high ]
+
+let rank = function
+  | Predicate _ -> 0
+  | Not _ -> 1
+  | And _ -> 2
+  | Or _ -> 3
+  | Next _ -> 4
+  | Until _ -> 5
+  | Finally _ -> 6
+  | Globally _ -> 7
+
+let rec compare a b =
+  match (a, b) with
+  | Predicate i, Predicate j -> Int.compare i j
+  | Not f, Not g -> compare f g
+  | And l, And m | Or l, Or m -> List.compare compare l m
+  | Next (p, f), Next (q, g) -> first_difference [ compare_quantifier p q; compare f g ]
+  | Until (p, b, f, g), Until (q, c, h, i) ->
+    first_difference [ compare_quantifier p q; compare_bound b c; compare f h; compare g i ]
+  | Finally (p, b, f), Finally (q, c, g) | Globally (p, b, f), Globally (q, c, g) ->
+    first_difference [ compare_quantifier p q; compare_bound b c; compare f g ]
+  | ( ( Predicate _ | Not _ | And _ | Or _ | Next _ | Until _ | Finally _ | Globally _ ), _ ) ->
+    Int.compare (rank a) (rank b)
+
+(** {2 From properties} *)
+
+let equal_axis (a : Property.axis) (b : Property.axis) =
+  match (a, b) with X, X | Y, Y | Z, Z -> true | (X | Y | Z), _ -> false
+
+let equal_ends = Option.equal (fun (a, b) (c, d) -> Int.equal a c && Int.equal b d)
+
+let equal_polarity (a : Scc_calculus.Behaviour.polarity) (b : Scc_calculus.Behaviour.polarity) =
+  match (a, b) with Name, Name | Co_name, Co_name -> true | (Name | Co_name), _ -> false
+
+let equal_comparison (a : Scc_calculus.Law.comparison) (b : Scc_calculus.Law.comparison) =
+  match (a, b) with
+  | Lt, Lt | Le, Le | Gt, Gt | Ge, Ge | Eq, Eq | Ne, Ne -> true
+  | (Lt | Le | Gt | Ge | Eq | Ne), _ -> false
+
+(* What is not known to be equal is kept apart, which costs time and no more. *)
+let rec equal_num (a : Property.num) (b : Property.num) =
+  match (a, b) with
+  | Const a, Const b -> Rat.equal a b
+  | Bonds (n, e), Bonds (m, f) -> Option.equal String.equal n m && equal_ends e f
+  | Size p, Size q | Speed2 p, Speed2 q -> Int.equal p q
+  | Processes, Processes | Energy, Energy | Time, Time -> true
+  | Position (a, p), Position (b, q) | Velocity (a, p), Velocity (b, q) ->
+    equal_axis a b && Int.equal p q
+  | Distance2 (p, q), Distance2 (r, s) -> Int.equal p r && Int.equal q s
+  | Momentum a, Momentum b -> equal_axis a b
+  | Count l, Count m -> List.equal equal_prop l m
+  | Neg a, Neg b -> equal_num a b
+  | Add (a, b), Add (c, d) | Sub (a, b), Sub (c, d) | Mul (a, b), Mul (c, d) | Div (a, b), Div (c, d) ->
+    equal_num a c && equal_num b d
+  | If (p, a, b), If (q, c, d) -> equal_prop p q && equal_num a c && equal_num b d
+  | _ -> false
+
+and equal_prop (a : Property.prop) (b : Property.prop) =
+  match (a, b) with
+  | Bool a, Bool b -> Bool.equal a b
+  | Compare (o, a, b), Compare (p, c, d) -> equal_comparison o p && equal_num a c && equal_num b d
+  | Bound (p, q), Bound (r, s) | Same (p, q), Same (r, s) | Touching (p, q), Touching (r, s)
+  | Behaviour (p, q), Behaviour (r, s) -> Int.equal p r && Int.equal q s
+  | Offers (p, o, n), Offers (q, r, m) ->
+    Int.equal p q && Option.equal equal_polarity o r && String.equal n m
+  | Quiescent, Quiescent -> true
+  | Not a, Not b -> equal_prop a b
+  | And l, And m | Or l, Or m -> List.equal equal_prop l m
+  | _ -> false
+
+let of_temporal formulas =
+  let found = ref [] and count = ref 0 in
+  let number p =
+    match List.find_opt (fun (q, _) -> equal_prop p q) !found with
+    | Some (_, k) -> k
+    | None ->
+      let k = !count in
+      found := (p, k) :: !found;
+      incr count;
+      k
+  in
+  let rec go (f : Property.temporal) =
+    match f with
+    | State p -> Predicate (number p)
+    | Temporal_not f -> Not (go f)
+    | Temporal_and l -> And (List.map go l)
+    | Temporal_or l -> Or (List.map go l)
+    | Next (q, f) -> Next (q, go f)
+    | Finally (q, b, f) -> Finally (q, b, go f)
+    | Globally (q, b, f) -> Globally (q, b, go f)
+    | Until (q, b, f, g) ->
+      let f = go f in
+      Until (q, b, f, go g)
+  in
+  let formulas = List.map go formulas in
+  (formulas, Array.of_list (List.rev_map fst !found))
+
+(** {2 In words} *)
+
+let letter : Property.path_quantifier -> string = function All -> "A" | Exists -> "E"
+
+let bound (b : Property.bound) =
+  match b.high with
+  | None -> if Rat.sign b.low = 0 then "" else Printf.sprintf "[%s, inf)" (Rat.to_string b.low)
+  | Some h -> Printf.sprintf "[%s, %s]" (Rat.to_string b.low) (Rat.to_string h)
+
+let rec to_string name f =
+  let list op l = "(" ^ String.concat op (List.map (to_string name) l) ^ ")" in
+  let unary op q b f = Printf.sprintf "%s%s%s %s" (letter q) op b (to_string name f) in
+  match f with
+  | Predicate p -> name p
+  | Not f -> "!" ^ to_string name f
+  | And [] -> "true"
+  | Or [] -> "false"
+  | And l -> list " & " l
+  | Or l -> list " | " l
+  | Next (q, f) -> unary "X" q "" f
+  | Finally (q, b, f) -> unary "F" q (bound b) f
+  | Globally (q, b, f) -> unary "G" q (bound b) f
+  | Until (q, b, f, g) ->
+    Printf.sprintf "%s(%s U%s %s)" (letter q) (to_string name f) (bound b) (to_string name g)

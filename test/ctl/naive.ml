@@ -1,0 +1,268 @@
+open Scc_exact
+open Scc_verify
+
+(* Steps of a run. Times are counted in halves of the unit. Who starts at an offset inside an open interval is
+   put into the middle of it: at a [Middle], with the second half of the interval to come. *)
+type place =
+  | Node of int
+  | Whole of int * int  (** a cell of a flow: an instant, or the interval from its beginning on *)
+  | Middle of int * int
+  | Half of int * int
+
+type step = {
+  place : place;
+  length : int;  (** 0 for what is one instant *)
+  jumps : int list;  (** by edges *)
+  passes : int list;  (** by the passing of time *)
+  hidden : bool;
+}
+
+type answer = { surely : bool; perhaps : bool }
+
+type t = {
+  small : Small.t;
+  steps : step array;
+  numbers : (place, int) Hashtbl.t;
+  mutable known : (Ctl_formula.t * answer array) list;  (** by step *)
+}
+
+let make (g : Small.t) =
+  let numbers = Hashtbl.create 64 and places = ref [] and n = ref 0 in
+  let add p =
+    Hashtbl.add numbers p !n;
+    places := p :: !places;
+    incr n
+  in
+  (* A ray has two cells more, an instant and an interval, which are repeated. *)
+  let cells (x : Small.node) =
+    if not x.known then 0 else match x.flow with Ray _ -> Small.cells x + 2 | _ -> Small.cells x
+  in
+  Array.iteri
+    (fun s x ->
+       add (Node s);
+       for i = 0 to cells x - 1 do
+         add (Whole (s, i));
+         if i land 1 = 0 then begin
+           add (Middle (s, i));
+           add (Half (s, i))
+         end
+       done)
+    g.nodes;
+  let number p = Hashtbl.find numbers p in
+  let after s i =
+    let x = g.nodes.(s) in
+    if i + 1 < cells x then [ number (Whole (s, i + 1)) ]
+    else
+      match x.flow with
+      | Lasts (_, targets) -> List.map (fun t -> number (Node t)) targets
+      | Ray _ -> [ number (Whole (s, i - 1)) ]
+      | No_flow -> []
+  in
+  let step place =
+    let plain length passes = { place; length; jumps = []; passes; hidden = false } in
+    match place with
+    | Node s ->
+      let x = g.nodes.(s) in
+      if not x.known then { (plain 0 []) with hidden = true }
+      else
+        let passes = if cells x > 0 then [ number (Whole (s, 0)) ] else [] in
+        { (plain 0 passes) with jumps = List.map (fun t -> number (Node t)) x.edges }
+    | Whole (s, i) -> plain (if i land 1 = 0 then 2 else 0) (after s i)
+    | Middle (s, i) -> plain 0 [ number (Half (s, i)) ]
+    | Half (s, i) -> plain 1 (after s i)
+  in
+  { small = g; steps = Array.of_list (List.rev_map step !places); numbers; known = [] }
+
+(* All of an open interval is like its middle. *)
+let judge t v =
+  Array.map
+    (fun x ->
+       match x.place with
+       | Whole (s, i) when i land 1 = 0 -> v.(Hashtbl.find t.numbers (Middle (s, i)))
+       | Half (s, i) -> v.(Hashtbl.find t.numbers (Middle (s, i)))
+       | Node _ | Middle _ | Whole _ -> v.(Hashtbl.find t.numbers x.place))
+    t.steps
+
+let predicate t p =
+  let truth x =
+    match x.place with
+    | Node s -> t.small.nodes.(s).at.(p)
+    | Whole (s, i) | Middle (s, i) | Half (s, i) -> Small.cell t.small.nodes.(s).cells.(p) i
+  in
+  Array.map
+    (fun x ->
+       match truth x with
+       | T -> { surely = true; perhaps = true }
+       | F -> { surely = false; perhaps = false }
+       | U -> { surely = false; perhaps = true })
+    t.steps
+
+(** {1 Until} *)
+
+(* In halves; without an end, the clock stands still at the beginning of the window. *)
+type window = { from : int; until : int option }
+
+let window t (b : Scc_property.Property.bound) =
+  let halves r =
+    let x = Rat.div (Rat.mul (Rat.of_int 2) r) t.small.unit in
+    if Rat.is_integer x then Z.to_int (Rat.floor x) else failwith "not on the grid"
+  in
+  { from = halves b.low; until = Option.map halves b.high }
+
+let top w = match w.until with Some b -> b + 1 | None -> w.from
+let tick w c length = Int.min (top w) (c + length)
+
+let in_window w c length =
+  let before = match w.until with None -> true | Some b -> if length = 0 then c <= b else c < b in
+  before && if length = 0 then c >= w.from else c + length > w.from || c >= w.from
+
+let is_over w c = match w.until with None -> false | Some b -> c > b
+
+(* What there is to say of one step at a time, before its successors are asked. *)
+type here = Met | Broken | Goes_on
+
+let here t w ~f ~g k c =
+  let x = t.steps.(k) in
+  let met = g.(k) && in_window w c x.length in
+  if is_over w c then Broken
+  else if x.length = 0 then if met then Met else if f.(k) then Goes_on else Broken
+  else if not f.(k) then Broken
+  else if met then Met
+  else Goes_on
+
+let successors t w k c =
+  let x = t.steps.(k) in
+  let c' = tick w c x.length in
+  List.map (fun k' -> (k', c')) (x.jumps @ x.passes)
+
+(* The least fixpoint, by going over everything until nothing changes. *)
+let least t w ~generous ~f ~g quantify =
+  let n = Array.length t.steps and m = top w + 1 in
+  let holds = Array.make_matrix n m false in
+  let changed = ref true in
+  while !changed do
+    changed := false;
+    for k = 0 to n - 1 do
+      for c = 0 to m - 1 do
+        let now =
+          match here t w ~f ~g k c with
+          | Met -> true
+          | Broken -> false
+          | Goes_on ->
+            if t.steps.(k).hidden then generous
+            else quantify (fun (k, c) -> holds.(k).(c)) (successors t w k c)
+        in
+        if now && not holds.(k).(c) then begin
+          holds.(k).(c) <- true;
+          changed := true
+        end
+      done
+    done
+  done;
+  Array.init n (fun k -> holds.(k).(0))
+
+let some t w ~generous ~f ~g = least t w ~generous ~f ~g List.exists
+
+let every_strictly t w ~f ~g =
+  least t w ~generous:false ~f ~g (fun test l -> l <> [] && List.for_all test l)
+
+(* Whether a run on which time goes on for ever, or that ends, is against it. *)
+let every_honestly t w ~f ~g =
+  let avoids (k, c) = match here t w ~f ~g k c with Goes_on -> not t.steps.(k).hidden | _ -> false in
+  let is_against (k, c) =
+    match here t w ~f ~g k c with
+    | Met -> false
+    | Broken -> true
+    | Goes_on -> (not t.steps.(k).hidden) && successors t w k c = []
+  in
+  let comes_back q =
+    let seen = Hashtbl.create 16 in
+    let rec go (k, c) passed =
+      let passed = passed || t.steps.(k).length > 0 in
+      List.iter
+        (fun next ->
+           if avoids next && not (Hashtbl.mem seen (next, passed)) then begin
+             Hashtbl.add seen (next, passed) ();
+             go next passed
+           end)
+        (successors t w k c)
+    in
+    go q false;
+    Hashtbl.mem seen (q, true)
+  in
+  let seen = Hashtbl.create 64 in
+  let rec bad q =
+    is_against q
+    || avoids q
+       && (comes_back q
+           || List.exists
+             (fun r ->
+                (not (Hashtbl.mem seen r))
+                && begin
+                  Hashtbl.add seen r ();
+                  bad r
+                end)
+             (successors t w (fst q) (snd q)))
+  in
+  Array.init (Array.length t.steps) (fun k ->
+      Hashtbl.reset seen;
+      not (bad (k, 0)))
+
+(** {1 Formulas} *)
+
+let low v = Array.map (fun a -> a.surely) v
+let high v = Array.map (fun a -> a.perhaps) v
+let both l h = Array.map2 (fun surely perhaps -> { surely; perhaps }) l h
+let negation v = Array.map (fun a -> { surely = not a.perhaps; perhaps = not a.surely }) v
+
+let next t ~generous f =
+  let holds = Array.make (Array.length t.steps) false in
+  for _ = 1 to Array.length t.steps do
+    Array.iteri
+      (fun k x ->
+         if
+           (x.hidden && generous)
+           || List.exists (fun j -> f.(j)) x.jumps
+           || List.exists (fun j -> holds.(j)) x.passes
+         then holds.(k) <- true)
+      t.steps
+  done;
+  holds
+
+let rec value t (f : Ctl_formula.t) =
+  match List.find_opt (fun (g, _) -> Ctl_formula.compare f g = 0) t.known with
+  | Some (_, v) -> v
+  | None ->
+    let v = judge t (compute t f) in
+    t.known <- (f, v) :: t.known;
+    v
+
+and compute t f =
+  let until (q : Scc_property.Property.path_quantifier) b f g =
+    let w = window t b in
+    match q with
+    | Exists ->
+      both
+        (some t w ~generous:false ~f:(low f) ~g:(low g))
+        (some t w ~generous:true ~f:(high f) ~g:(high g))
+    | All -> both (every_strictly t w ~f:(low f) ~g:(low g)) (every_honestly t w ~f:(high f) ~g:(high g))
+  in
+  let always = Array.map (fun _ -> { surely = true; perhaps = true }) t.steps in
+  let all v w = Array.map2 (fun a b -> { surely = a.surely && b.surely; perhaps = a.perhaps && b.perhaps }) v w in
+  let next f = both (next t ~generous:false (low f)) (next t ~generous:true (high f)) in
+  match f with
+  | Predicate p -> predicate t p
+  | Not f -> negation (value t f)
+  | And l -> List.fold_left all always (List.map (value t) l)
+  | Or l -> negation (List.fold_left all always (List.map (fun f -> negation (value t f)) l))
+  | Next (Exists, f) -> next (value t f)
+  | Next (All, f) -> negation (next (negation (value t f)))
+  | Until (q, b, f, g) -> until q b (value t f) (value t g)
+  | Finally (q, b, g) -> until q b always (value t g)
+  | Globally (All, b, g) -> negation (until Exists b always (negation (value t g)))
+  | Globally (Exists, b, g) -> negation (until All b always (negation (value t g)))
+
+let node t f s = (value t f).(Hashtbl.find t.numbers (Node s))
+
+let cell t f s i =
+  (value t f).(Hashtbl.find t.numbers (if i land 1 = 0 then Middle (s, i) else Whole (s, i)))

@@ -1,0 +1,15 @@
+(** Timed CTL by the definition, on points and open intervals with a clock beside: slow, and shares nothing with
+    the evaluator but the syntax. *)
+
+open Scc_verify
+
+type t
+
+val make : Small.t -> t
+
+(** Whether it holds for certain, and whether it may hold. *)
+type answer = { surely : bool; perhaps : bool }
+
+val node : t -> Ctl_formula.t -> int -> answer
+val cell : t -> Ctl_formula.t -> int -> int -> answer
+(** In a cell of the flow of a node. *)

@@ -1,0 +1,171 @@
+open Scc_exact
+open Scc_verify
+
+type truth = F | T | U
+type flow = No_flow | Lasts of int * int list | Ray of int
+
+type node = {
+  at : truth array;
+  cells : truth array array;
+  edges : int list;
+  flow : flow;
+  known : bool;
+}
+
+type t = { nodes : node array; unit : Rat.t }
+
+let time g k = Rat.mul g.unit (Rat.of_int k)
+let cells node = match node.flow with No_flow -> 0 | Lasts (d, _) -> (2 * d) - 1 | Ray k -> (2 * k) + 1
+let cell a i = a.(Int.min i (Array.length a - 1))
+
+let graph g : Timed_graph.t =
+  {
+    size = Array.length g.nodes;
+    known = (fun s -> g.nodes.(s).known);
+    edges = (fun s -> Array.of_list g.nodes.(s).edges);
+    flow =
+      (fun s ->
+         match g.nodes.(s).flow with
+         | No_flow -> No_flow
+         | Lasts (d, targets) -> Lasts (time g d, Array.of_list targets)
+         | Ray _ -> Forever);
+  }
+
+let truth = function F -> Truth.False | T -> Truth.True | U -> Truth.Undecided "unsure"
+
+let predicates g : Ctl_eval.predicates =
+  let at p s = truth g.nodes.(s).at.(p) in
+  let along p s extent =
+    let node = g.nodes.(s) in
+    if not node.known then failwith "the flow of a node that is not known";
+    let value r =
+      if Rat.sign r = 0 then at p s
+      else
+        let x = Rat.div r g.unit in
+        let k = Z.to_int (Rat.floor x) in
+        truth (cell node.cells.(p) (if Rat.is_integer x then (2 * k) - 1 else 2 * k))
+    in
+    let cuts = List.init (cells node) (fun k -> time g (k + 1)) in
+    Timeline.of_cuts extent cuts Truth.equal value
+  in
+  { at; along; steady = (fun _ -> false) }
+
+let evaluator g = Ctl_eval.create (Timed_graph.index (graph g)) (predicates g)
+
+(* Not always the middle: what holds there must hold on the whole interval. *)
+let offset g i =
+  if i land 1 = 1 then Algebraic.of_rat (time g ((i + 1) / 2))
+  else
+    let part = if i land 2 = 0 then Rat.make Z.one (Z.of_int 3) else Rat.make (Z.of_int 7) (Z.of_int 8) in
+    Algebraic.of_rat (Rat.mul g.unit (Rat.add (Rat.of_int (i / 2)) part))
+
+(** {1 Random ones} *)
+
+module Gen = QCheck2.Gen
+
+let count = 2
+
+let node_gen n ~weights ~known =
+  let open Gen in
+  let truth = frequency (List.map (fun (w, v) -> (w, return v)) weights) in
+  let target = int_range 0 (n - 1) in
+  let* edges = list_size (frequencyl [ (3, 0); (4, 1); (2, 2) ]) target in
+  let* flow =
+    frequency
+      [
+        (3, return No_flow);
+        (4, map2 (fun d t -> Lasts (d, [ t ])) (int_range 1 3) target);
+        (1, map2 (fun d l -> Lasts (d, l)) (int_range 1 2) (list_repeat 2 target));
+        (1, map (fun k -> Ray k) (int_range 0 2));
+      ]
+  in
+  let* known = known in
+  let* at = array_repeat count truth in
+  let blank = { at; cells = [||]; edges; flow; known } in
+  (* Often the same all the way. *)
+  let* varied = bool in
+  let along v = if varied then array_repeat (cells blank) truth else return (Array.make (cells blank) v) in
+  let* cells = flatten_a (Array.map along at) in
+  return { blank with cells }
+
+let weights_gen ~unsure =
+  let open Gen in
+  let* weights = oneofl [ [ (1, T); (1, F) ]; [ (5, T); (1, F) ]; [ (1, T); (5, F) ] ] in
+  return (if unsure then (1, U) :: weights else weights)
+
+let gen ~unsure ~truncated =
+  let open Gen in
+  let* n = int_range 1 6 in
+  let* weights = weights_gen ~unsure in
+  let known = if truncated then frequencyl [ (4, true); (1, false) ] else return true in
+  let* nodes = array_repeat n (node_gen n ~weights ~known) in
+  let* unit = oneofl [ Rat.one; Rat.make (Z.of_int 2) (Z.of_int 3) ] in
+  return { nodes; unit }
+
+(* New nodes may come after those that were found. *)
+let complete g =
+  let open Gen in
+  let* more = int_range 0 2 in
+  let n = Array.length g.nodes + more in
+  let* weights = weights_gen ~unsure:false in
+  let fresh = node_gen n ~weights ~known:(return true) in
+  let old node =
+    if node.known then return node
+    else
+      let* other = fresh in
+      return { other with at = node.at }
+  in
+  let* old = flatten_a (Array.map old g.nodes) in
+  let* added = array_repeat more fresh in
+  return { g with nodes = Array.append old added }
+
+let formula_gen unit_of_time depth =
+  let time k = Rat.mul unit_of_time (Rat.of_int k) in
+  let open Gen in
+  let bound : Scc_property.Property.bound t =
+    let* low = frequencyl [ (5, 0); (1, 1); (1, 2); (1, 4) ] in
+    let* more = frequencyl [ (5, None); (1, Some 0); (2, Some 1); (2, Some 2); (1, Some 5) ] in
+    return
+      { Scc_property.Property.low = time low; high = Option.map (fun m -> time (low + m)) more }
+  in
+  let quantifier = oneofl [ Scc_property.Property.All; Exists ] in
+  let leaf = map (fun p -> Ctl_formula.Predicate p) (int_range 0 (count - 1)) in
+  let rec go depth =
+    if depth = 0 then leaf
+    else
+      let sub = go (depth - 1) in
+      frequency
+        [
+          (1, leaf);
+          (1, map (fun f -> Ctl_formula.Not f) sub);
+          (1, map2 (fun f g -> Ctl_formula.And [ f; g ]) sub sub);
+          (1, map2 (fun f g -> Ctl_formula.Or [ f; g ]) sub sub);
+          (2, map2 (fun q f -> Ctl_formula.Next (q, f)) quantifier sub);
+          (2, map3 (fun q b f -> Ctl_formula.Finally (q, b, f)) quantifier bound sub);
+          (2, map3 (fun q b f -> Ctl_formula.Globally (q, b, f)) quantifier bound sub);
+          ( 4,
+            let* q = quantifier in
+            let* b = bound in
+            map2 (fun f g -> Ctl_formula.Until (q, b, f, g)) sub sub );
+        ]
+  in
+  go depth
+
+let letter = function F -> "." | T -> "T" | U -> "?"
+let row a = String.concat "" (Array.to_list (Array.map letter a))
+let rows a = String.concat " " (Array.to_list (Array.map row a))
+let numbers l = String.concat "," (List.map string_of_int l)
+
+let print g =
+  let node i x =
+    let flow =
+      match x.flow with
+      | No_flow -> ""
+      | Lasts (d, l) -> Printf.sprintf " in %d to %s [%s]" d (numbers l) (rows x.cells)
+      | Ray _ -> Printf.sprintf " for ever [%s]" (rows x.cells)
+    in
+    Printf.sprintf "%d%s %s -> %s%s" i (if x.known then "" else " (unknown)") (row x.at) (numbers x.edges) flow
+  in
+  String.concat "\n" (Array.to_list (Array.mapi node g.nodes) @ [ "unit " ^ Rat.to_string g.unit ])
+
+let print_formula f = Ctl_formula.to_string (fun p -> String.make 1 (Char.chr (Char.code 'p' + p))) f

@@ -1,0 +1,284 @@
+(* Operations on formulas: orders, renaming, what they look at. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_property
+open Property
+module Gen = QCheck2.Gen
+
+(* {1 Random formulas, over few leaves so that many are nearly alike} *)
+
+let leaf = Gen.int_range 0 2
+let name = Gen.oneofl [ "a"; "b" ]
+let axis = Gen.oneofl [ X; Y; Z ]
+let comparison : Law.comparison Gen.t = Gen.oneofl Law.[ Lt; Le; Gt; Ge; Eq; Ne ]
+let change = Gen.oneofl [ Made; Released_weakly; Released_strongly; Released ]
+
+let ends =
+  Gen.oneof
+    [ Gen.return Any; Gen.map (fun i -> One i) leaf; Gen.map2 (fun i j -> Two (i, j)) leaf leaf ]
+
+let event =
+  Gen.oneof
+    [ Gen.map3 (fun c n e -> Bond (c, n, e)) change (Gen.opt name) ends; Gen.map (fun e -> Bounce e) ends ]
+
+let few g = Gen.list_size (Gen.int_range 0 3) g
+
+let num_atom =
+  Gen.oneof
+    [
+      Gen.map (fun k -> Const (Rat.of_int k)) (Gen.int_range 0 2);
+      Gen.map2 (fun n p -> Bonds (n, p)) (Gen.opt name) (Gen.opt (Gen.pair leaf leaf));
+      Gen.map (fun i -> Size i) leaf; Gen.return Processes; Gen.return Energy; Gen.return Time;
+      Gen.map2 (fun a i -> Position (a, i)) axis leaf; Gen.map2 (fun a i -> Velocity (a, i)) axis leaf;
+      Gen.map (fun i -> Speed2 i) leaf; Gen.map2 (fun i j -> Distance2 (i, j)) leaf leaf;
+      Gen.map (fun a -> Momentum a) axis;
+    ]
+
+let prop_atom =
+  Gen.oneof
+    [
+      Gen.map (fun b -> Bool b) Gen.bool; Gen.map2 (fun i j -> Bound (i, j)) leaf leaf;
+      Gen.map2 (fun i j -> Same (i, j)) leaf leaf; Gen.map2 (fun i j -> Touching (i, j)) leaf leaf;
+      Gen.map2 (fun i k -> Behaviour (i, k)) leaf leaf;
+      Gen.map3 (fun i p a -> Offers (i, p, a)) leaf
+        (Gen.oneofl [ None; Some Behaviour.Name; Some Behaviour.Co_name ])
+        name;
+      Gen.return Quiescent; Gen.map (fun e -> Event e) event;
+    ]
+
+let rec num n =
+  if n <= 0 then num_atom
+  else
+    let sub = num (n / 2) in
+    Gen.oneof
+      [
+        num_atom; Gen.map (fun a -> Neg a) sub; Gen.map2 (fun a b -> Add (a, b)) sub sub;
+        Gen.map2 (fun a b -> Sub (a, b)) sub sub; Gen.map2 (fun a b -> Mul (a, b)) sub sub;
+        Gen.map2 (fun a b -> Div (a, b)) sub sub; Gen.map (fun ps -> Count ps) (few (prop (n / 2)));
+        Gen.map3 (fun p a b -> If (p, a, b)) (prop (n / 2)) sub sub;
+      ]
+
+and prop n =
+  if n <= 0 then prop_atom
+  else
+    let sub = prop (n / 2) in
+    Gen.oneof
+      [
+        prop_atom; Gen.map3 (fun c a b -> Compare (c, a, b)) comparison (num (n / 2)) (num (n / 2));
+        Gen.map (fun p -> Not p) sub; Gen.map (fun ps -> And ps) (few sub);
+        Gen.map (fun ps -> Or ps) (few sub);
+      ]
+
+let bound =
+  Gen.oneofl
+    [
+      { low = Rat.zero; high = None }; { low = Rat.zero; high = Some Rat.one };
+      { low = Rat.one; high = Some Rat.one };
+    ]
+
+let quantifier = Gen.oneofl [ All; Exists ]
+
+let rec temporal n =
+  if n <= 0 then Gen.map (fun p -> State p) prop_atom
+  else
+    let sub = temporal (n / 2) in
+    Gen.oneof
+      [
+        Gen.map (fun p -> State p) (prop n); Gen.map (fun f -> Temporal_not f) sub;
+        Gen.map (fun fs -> Temporal_and fs) (few sub); Gen.map (fun fs -> Temporal_or fs) (few sub);
+        Gen.map2 (fun q f -> Next (q, f)) quantifier sub;
+        Gen.map3 (fun q b f -> Finally (q, b, f)) quantifier bound sub;
+        Gen.map3 (fun q b f -> Globally (q, b, f)) quantifier bound sub;
+        Gen.map3 (fun (q, b) f g -> Until (q, b, f, g)) (Gen.pair quantifier bound) sub sub;
+      ]
+
+let formula = Gen.sized_size (Gen.int_range 0 16) temporal
+
+(* {1 The same in another order} *)
+
+let flip state = Random.State.bool state
+let swap state (i, j) = if flip state then (j, i) else (i, j)
+let shuffle state list =
+  List.map (fun x -> (Random.State.bits state, x)) list
+  |> List.stable_sort (fun (a, _) (b, _) -> Int.compare a b)
+  |> List.map snd
+
+let mirrored : Law.comparison -> Law.comparison = function
+  | Lt -> Gt
+  | Le -> Ge
+  | Gt -> Lt
+  | Ge -> Le
+  | (Eq | Ne) as c -> c
+
+let shuffled_ends s = function
+  | (Any | One _) as e -> e
+  | Two (i, j) ->
+    let i, j = swap s (i, j) in
+    Two (i, j)
+
+let rec shuffled_num s = function
+  | Bonds (a, Some ends) -> Bonds (a, Some (swap s ends))
+  | Distance2 (i, j) ->
+    let i, j = swap s (i, j) in
+    Distance2 (i, j)
+  | Count ps -> Count (shuffle s (List.map (shuffled_prop s) ps))
+  | Add (a, Add (b, c)) when flip s -> shuffled_num s (Add (Add (a, b), c))
+  | Mul (Mul (a, b), c) when flip s -> shuffled_num s (Mul (a, Mul (b, c)))
+  | Add (a, b) ->
+    let a, b = swap s (shuffled_num s a, shuffled_num s b) in
+    Add (a, b)
+  | Mul (a, b) ->
+    let a, b = swap s (shuffled_num s a, shuffled_num s b) in
+    Mul (a, b)
+  | Neg a -> Neg (shuffled_num s a)
+  | Sub (a, b) -> Sub (shuffled_num s a, shuffled_num s b)
+  | Div (a, b) -> Div (shuffled_num s a, shuffled_num s b)
+  | If (p, a, b) -> If (shuffled_prop s p, shuffled_num s a, shuffled_num s b)
+  | n -> n
+
+and shuffled_prop s = function
+  | Compare (c, a, b) ->
+    let a = shuffled_num s a and b = shuffled_num s b in
+    if flip s then Compare (mirrored c, b, a) else Compare (c, a, b)
+  | Bound (i, j) ->
+    let i, j = swap s (i, j) in
+    Bound (i, j)
+  | Same (i, j) ->
+    let i, j = swap s (i, j) in
+    Same (i, j)
+  | Touching (i, j) ->
+    let i, j = swap s (i, j) in
+    Touching (i, j)
+  | Event (Bond (c, n, e)) -> Event (Bond (c, n, shuffled_ends s e))
+  | Event (Bounce e) -> Event (Bounce (shuffled_ends s e))
+  | Not p -> Not (shuffled_prop s p)
+  | And (p :: (_ :: _ as rest)) when flip s -> shuffled_prop s (And [ p; And rest ])
+  | And ps -> And (shuffle s (List.map (shuffled_prop s) ps))
+  | Or (p :: (_ :: _ as rest)) when flip s -> shuffled_prop s (Or [ Or rest; p ])
+  | Or ps -> Or (shuffle s (List.map (shuffled_prop s) ps))
+  | p -> p
+
+let rec shuffled s = function
+  | State p -> State (shuffled_prop s p)
+  | Temporal_not f -> Temporal_not (shuffled s f)
+  | Temporal_and fs -> Temporal_and (shuffle s (List.map (shuffled s) fs))
+  | Temporal_or (f :: (_ :: _ as rest)) when flip s -> shuffled s (Temporal_or [ Temporal_or rest; f ])
+  | Temporal_or fs -> Temporal_or (shuffle s (List.map (shuffled s) fs))
+  | Next (q, f) -> Next (q, shuffled s f)
+  | Finally (q, b, f) -> Finally (q, b, shuffled s f)
+  | Globally (q, b, f) -> Globally (q, b, shuffled s f)
+  | Until (q, b, f, g) -> Until (q, b, shuffled s f, shuffled s g)
+
+(* {1 Laws} *)
+
+let test ?(count = 1000) name gen law = QCheck2.Test.make ~count ~name gen law
+let sign c = Int.compare c 0
+
+(* The numbers of these formulas are machine integers, so that the order of the standard library tells
+   whether two are the same. *)
+let same (f : temporal) (g : temporal) = Stdlib.compare f g = 0
+
+let orders =
+  [
+    test "equal exactly when the same" (Gen.pair formula formula) (fun (f, g) ->
+        Bool.equal (Formula.equal f g) (same f g));
+    test "equal exactly when the same, for predicates" (Gen.pair (prop 1) (prop 1)) (fun (p, q) ->
+        Bool.equal (Formula.equal_prop p q) (same (State p) (State q)));
+    test "equal exactly when the same, for atoms" (Gen.pair num_atom num_atom) (fun (a, b) ->
+        Bool.equal (Formula.equal_num a b) (Stdlib.compare a b = 0));
+    test "equal exactly when the same, for events" (Gen.pair event event) (fun (e, f) ->
+        Bool.equal (Formula.equal_event e f) (Stdlib.compare e f = 0));
+    test "equal exactly when the same, but for leaves" (Gen.triple formula leaf leaf) (fun (f, i, j) ->
+        let g = Formula.permuted (fun k -> if k = i then j else k) f in
+        Bool.equal (Formula.equal f g) (same f g));
+    test "antisymmetric" (Gen.pair formula formula) (fun (f, g) ->
+        sign (Order.temporal f g) = -sign (Order.temporal g f));
+    test "transitive" (Gen.triple formula formula formula) (fun (f, g, h) ->
+        match List.sort Order.temporal [ f; g; h ] with
+        | [ a; _; c ] -> Order.temporal a c <= 0
+        | _ -> false);
+    test "one form for all orders" (Gen.pair formula Gen.int) (fun (f, seed) ->
+        Formula.equal_modulo_order f (shuffled (Random.State.make [| seed |]) f));
+    test "the one form is its own" formula (fun f ->
+        let g = Rename.ordered f in
+        Formula.equal g (Rename.ordered g));
+  ]
+
+let transposition i j k = if k = i then j else if k = j then i else k
+
+let renaming =
+  [
+    test "a transposition is its own inverse" formula (fun f ->
+        let swap = Formula.permuted (transposition 0 2) in
+        Formula.equal f (swap (swap f)));
+    test "renamed leaves" formula (fun f ->
+        let shift i = i + 10 in
+        List.equal Int.equal
+          (Formula.leaves (Formula.permuted shift f))
+          (List.map shift (Formula.leaves f)));
+    test "what is not renamed stays" formula (fun f ->
+        let g = Formula.permuted (transposition 0 1) f in
+        Bool.equal (Formula.global f) (Formula.global g)
+        && Bool.equal (Formula.has_events f) (Formula.has_events g)
+        && Bool.equal (Formula.mentions_next f) (Formula.mentions_next g));
+    test "nothing changes without the leaves" formula (fun f ->
+        List.exists (fun i -> i < 2) (Formula.leaves f)
+        || Formula.equal f (Formula.permuted (transposition 0 1) f));
+  ]
+
+(* {1 Cases} *)
+
+let always p = Globally (All, { low = Rat.zero; high = None }, State p)
+let positive n = Compare (Gt, n, Const Rat.zero)
+
+let symmetric name f expected =
+  Alcotest.test_case name `Quick (fun () ->
+      Alcotest.(check bool) name expected
+        (Formula.equal_modulo_order f (Formula.permuted (transposition 0 1) f)))
+
+let symmetries =
+  [
+    symmetric "distance" (always (positive (Distance2 (0, 1)))) true;
+    symmetric "a sum" (always (positive (Add (Add (Size 2, Size 0), Size 1)))) true;
+    symmetric "a difference" (always (positive (Sub (Size 0, Size 1)))) false;
+    symmetric "an equation" (always (Compare (Eq, Size 0, Size 1))) true;
+    symmetric "an inequation" (always (Compare (Le, Size 0, Size 1))) false;
+    symmetric "both ways" (always (Or [ Compare (Lt, Size 0, Size 1); Compare (Gt, Size 0, Size 1) ])) true;
+    symmetric "brackets"
+      (always (And [ And [ Bound (2, 0); Quiescent ]; Bound (1, 2) ])) true;
+    symmetric "one of two" (always (Bound (0, 2))) false;
+    symmetric "twice and once" (always (And [ Bound (0, 2); Bound (0, 2); Bound (1, 2) ])) false;
+    symmetric "an event" (always (Event (Bounce (Two (0, 1))))) true;
+    symmetric "events of each" (always (Or [ Event (Bounce (One 0)); Event (Bounce (One 1)) ])) true;
+    symmetric "events of one" (always (Event (Bond (Made, None, Two (0, 2))))) false;
+    symmetric "a behaviour" (always (Behaviour (0, 0))) false;
+  ]
+
+let looks () =
+  let leaves f = Formula.leaves f and ints = Alcotest.(list int) in
+  Alcotest.check ints "sorted, each once" [ 0; 1; 2 ]
+    (leaves (always (And [ Bound (2, 1); Event (Bounce (One 0)); positive (Distance2 (1, 2)) ])));
+  Alcotest.check ints "of numbers of predicates" [ 1; 4 ]
+    (leaves (always (positive (Count [ Same (4, 1); positive (If (Bool true, Size 1, Time)) ]))));
+  let global name p expected = Alcotest.(check bool) name expected (Formula.global (always p)) in
+  global "all bonds" (positive (Bonds (Some "a", None))) true;
+  global "bonds of two" (positive (Bonds (Some "a", Some (0, 1)))) false;
+  global "deep inside" (Not (positive (Neg (Count [ Or [ Quiescent ] ])))) true;
+  global "an event without leaves" (Event (Bond (Made, Some "a", Any))) true;
+  global "an event of a leaf" (Event (Bond (Made, Some "a", One 0))) false;
+  global "time" (positive Time) false;
+  let next = Temporal_or [ always Quiescent; Temporal_not (Next (All, State Quiescent)) ] in
+  Alcotest.(check bool) "next" true (Formula.mentions_next next);
+  Alcotest.(check bool) "no next" false (Formula.mentions_next (always Quiescent));
+  Alcotest.(check bool) "events" true (Formula.has_events (always (positive (Count [ Event (Bounce Any) ]))))
+
+let () =
+  let cases = Scc_test_support.Property.cases in
+  Alcotest.run "formulas"
+    [
+      ("orders", cases orders);
+      ("renaming", cases renaming);
+      ("symmetries", symmetries);
+      ("looks", [ Alcotest.test_case "what formulas look at" `Quick looks ]);
+    ]

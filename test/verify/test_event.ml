@@ -1,0 +1,171 @@
+(* Which transitions the patterns of formulas mean, on the transitions of small models, and where the atom
+   [event] holds. *)
+
+open Scc_exact
+open Scc_semantics
+open Scc_property
+open Scc_verify
+open Scc_test_models
+
+let cube =
+  {|
+shape Cube {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+           e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]  right [b,c,g,f]  front [a,b,f,e]  back [d,h,g,c]
+}
+|}
+
+(* The initial state of a model, and what its checks say, without the operator of each. *)
+let load text =
+  let e = Load.exactly (Load.text (cube ^ text)) in
+  match Network.initial e.model e.declared with
+  | Error _ -> Alcotest.fail "no initial state"
+  | Ok s -> (e, s)
+
+let event_of (k : Property.check) =
+  match k.formula with
+  | Finally (_, _, State (Event e)) -> e
+  | _ -> Alcotest.fail "not a formula of this test"
+
+let successors m s =
+  match Network.successors m s with
+  | Ok list -> list
+  | Error _ -> Alcotest.fail "no successors"
+
+(* The first transition of a kind, breadth first. *)
+let find m start wanted =
+  let rec look depth states =
+    if depth = 0 then Alcotest.fail "no such transition"
+    else
+      let next = List.concat_map (fun s -> List.map (fun t -> (s, t)) (successors m s)) states in
+      match List.find_opt (fun (_, (t : Transition.t)) -> wanted t.label) next with
+      | Some found -> found
+      | None -> look (depth - 1) (List.map (fun (_, (t : Transition.t)) -> t.target) next)
+  in
+  look 6 [ start ]
+
+let is_time : Transition.label -> bool = function Time _ -> true | _ -> false
+let is_bind : Transition.label -> bool = function Bind _ -> true | _ -> false
+let is_bounce : Transition.label -> bool = function Bounce _ -> true | _ -> false
+let is_weak : Transition.label -> bool = function Weak_split _ -> true | _ -> false
+let is_strong : Transition.label -> bool = function Strong_split _ -> true | _ -> false
+
+(* Each pattern, and whether the first transition of the kind is one of it. *)
+let patterns model wanted cases () =
+  let check i (pattern, _) = Printf.sprintf "check k%d : possibly event %s\n" i pattern in
+  let checks = List.mapi check cases in
+  let e, start = load (model ^ String.concat "" checks) in
+  let source, t = find e.model start wanted in
+  List.iter2
+    (fun k (pattern, expected) ->
+       Alcotest.(check bool) pattern expected (Event.matches e.model ~source t.label (event_of k)))
+    e.checks cases
+
+(* p binds to q on the channel a with its right face, r is elsewhere; another name is around. *)
+let binding =
+  {|
+process p = Cube mass 1 velocity (1,0,0) at translate (-3,0,0) [<a, {right}>. nil + <b, {top}>. nil]
+process q = Cube mass 1 at translate (3,0,0) [<~a, {left}>. nil]
+process r = Cube mass 1 at translate (0,50,0) [nil]
+|}
+
+let of_a_bind =
+  [
+    ("bind", true); ("bind(a)", true); ("bind(b)", false); ("bind(a, p)", true); ("bind(a, q)", true);
+    ("bind(a, r)", false); ("bind(a, p, q)", true); ("bind(a, q, p)", true); ("bind(a, p, r)", false);
+    ("bind(b, p, q)", false); ("weak", false); ("strong", false); ("split(a)", false); ("bounce", false);
+    ("bounce(p, q)", false);
+  ]
+
+(* The pair p1-p2 meets q: the processes bounce, though p1 is not the one that is hit. *)
+let bouncing =
+  {|
+process p = p1 : Cube mass 1 velocity (1,0,0) at translate (-5,0,0) [nil] <a, {p1.right, p2.left}>
+            p2 : Cube mass 1 velocity (1,0,0) at translate (-3,0,0) [nil]
+process q = Cube mass 1 at translate (3,0,0) [nil]
+process r = Cube mass 1 at translate (0,50,0) [nil]
+|}
+
+let of_a_bounce =
+  [
+    ("bounce", true); ("bounce(p1)", true); ("bounce(p2)", true); ("bounce(q)", true); ("bounce(r)", false);
+    ("bounce(p1, q)", true); ("bounce(q, p2)", true); ("bounce(p1, p2)", false); ("bounce(p1, r)", false);
+    ("bounce(q, q)", false); ("bind", false); ("split", false); ("bind(a, p1, p2)", false);
+  ]
+
+let pair left right =
+  Printf.sprintf
+    {|
+process p = p1 : Cube mass 1 [%s] <a, {p1.right, p2.left}> p2 : Cube mass 1 at translate (2,0,0) [%s]
+            <b, {p2.right, p3.left}> p3 : Cube mass 1 at translate (4,0,0) [nil]
+|}
+    left right
+
+let splitting_weakly = pair "omega(a, {right}). nil" "omega(a, {left}). nil"
+
+let of_a_weak_split =
+  [
+    ("weak", true); ("weak(a)", true); ("weak(b)", false); ("weak(a, p1, p2)", true); ("weak(a, p3)", false);
+    ("strong", false); ("strong(a)", false); ("split", true); ("split(a, p2)", true); ("split(b)", false);
+    ("bind(a)", false); ("bounce(p1)", false);
+  ]
+
+(* Both bonds go at once: it is an event of each. *)
+let splitting_strongly =
+  {|
+process p = p1 : Cube mass 1 [rho({<a, {right}>}). nil] <a, {p1.right, p2.left}>
+            p2 : Cube mass 1 at translate (2,0,0) [rho({<a, {left}>, <b, {right}>}). nil]
+            <b, {p2.right, p3.left}> p3 : Cube mass 1 at translate (4,0,0) [rho({<b, {left}>}). nil]
+|}
+
+let of_a_strong_split =
+  [
+    ("strong", true); ("strong(a)", true); ("strong(b)", true); ("strong(a, p1, p2)", true);
+    ("strong(b, p3, p2)", true); ("strong(a, p3)", false); ("strong(b, p1)", false); ("weak(a)", false);
+    ("split(b)", true); ("split(a, p1, p3)", false); ("bind(b)", false);
+  ]
+
+let never pattern = (pattern, false)
+
+let of_time =
+  List.map never [ "bind"; "weak"; "strong"; "split"; "bounce"; "bind(a)"; "bounce(p)"; "bounce(p, q)" ]
+
+(* {1 Along a trajectory} *)
+
+let along () =
+  let e, s = load (binding ^ "check k : possibly event bind(a)") in
+  let event = event_of (List.hd e.checks) in
+  let truths ?arrived extent p =
+    let t = Trajectory.prop (Trajectory.make ?arrived e.model s extent) p in
+    (Timeline.at t Algebraic.zero, Timeline.at t (Algebraic.of_rat (Rat.make Z.one (Z.of_int 2))))
+  in
+  let check name expected (start, later) =
+    Alcotest.(check (pair bool bool)) name expected
+      (Truth.equal start True, Truth.equal later True)
+  in
+  let arrived e = Formula.equal_event e event in
+  let lasts = Timeline.Lasts Rat.one in
+  check "nothing has led here" (false, false) (truths lasts (Event event));
+  check "at the start alone" (true, false) (truths ~arrived lasts (Event event));
+  check "for ever after not" (true, false) (truths ~arrived Timeline.Forever (Event event));
+  check "another event" (false, false) (truths ~arrived lasts (Event (Bounce Any)));
+  check "not" (false, true) (truths ~arrived lasts (Not (Event event)));
+  check "not, without one" (true, true) (truths lasts (Not (Event event)));
+  check "with others" (true, false) (truths ~arrived lasts (And [ Event event; Not Quiescent ]))
+
+let case name run = Alcotest.test_case name `Quick run
+
+let () =
+  Alcotest.run "events"
+    [
+      ( "transitions",
+        [
+          case "a bind" (patterns binding is_bind of_a_bind);
+          case "a bounce" (patterns bouncing is_bounce of_a_bounce);
+          case "a weak split" (patterns splitting_weakly is_weak of_a_weak_split);
+          case "a strong split" (patterns splitting_strongly is_strong of_a_strong_split);
+          case "a passing of time" (patterns binding is_time of_time);
+        ] );
+      ("trajectories", [ case "where an event holds" along ]);
+    ]
