@@ -35,17 +35,15 @@ val mentions_next : temporal -> bool
 val has_events : temporal -> bool
 (** Whether an atom [event] occurs: the formula is then about the transitions that led to a state, too. *)
 
-<<<<<<< HEAD
 val events : temporal -> event list
 (** Those that occur, each once. *)
-=======
+
 val leaves : temporal -> int list
 (** The leaves that it names, in order, each once. *)
 
 val global : temporal -> bool
 (** Whether it has an atom that depends on the whole network: bonds or events without leaves, the number of
     processes, energy, momentum, [quiescent]. ([time] depends on no process.) *)
->>>>>>> b71514c6bedfaba3c665c20a23ffc80a0245e590
 
 val state_formula : temporal -> prop option
 (** The predicate, when no temporal operator occurs. *)
