@@ -50,6 +50,8 @@ let empty_channel = "SC0503"
 let wrong_template = "SC0504"
 let bad_law = "SC0601"
 let not_a_formula = "SC0701"
+let vacuous = "SC0702"
+let uneventful = "SC0703"
 let bad_schedule = "SC0801"
 let schedule_mismatch = "SC0802"
 let not_yet = "SC0901"
@@ -107,6 +109,8 @@ let all =
     (wrong_template, "a behaviour used on another template than its own");
     (bad_law, "a law of motion that cannot be evaluated");
     (not_a_formula, "a check that is not a temporal formula");
+    (vacuous, "a check that says nothing, since its premise never holds");
+    (uneventful, "a model in which nothing ever happens");
     (bad_schedule, "a schedule that does not fit its format or the model");
     (schedule_mismatch, "a choice that is not possible where it is made");
     (not_yet, "a feature of the language that this version does not execute");

@@ -175,6 +175,12 @@ val bad_law : t
 val not_a_formula : t
 (** SC0701: a check that is not a temporal formula. *)
 
+val vacuous : t
+(** SC0702: a check that says nothing, since its premise never holds (a warning). *)
+
+val uneventful : t
+(** SC0703: a model in which nothing ever happens (a warning). *)
+
 
 (** {1 Schedules and traces} *)
 

@@ -11,6 +11,7 @@ type t = {
   model : Model.t;
   declared : State.t;
   checks : Property.check list;
+  premises : Property.check list;
   warnings : Diag.t list;
 }
 
@@ -54,7 +55,7 @@ let is_steered (l : Model.leaf) =
   | Velocity _ -> not l.fixed
 
 (* Everything is in order. *)
-let build (c : Context.t) (program : Program.t) bodies composition joints initial definitions checks =
+let build (c : Context.t) (program : Program.t) bodies composition joints initial definitions checks premises =
   let leaves = Assembly.leaves bodies composition in
   let steered = Array.exists is_steered leaves in
   let keeps_time =
@@ -79,6 +80,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
     model;
     declared = Assembly.state bodies composition joints initial ~steered ~keeps_time;
     checks;
+    premises;
     warnings = Report.warnings c.report;
   }
 
@@ -102,6 +104,9 @@ let read c (program : Program.t) =
   Behaviours.settle table;
   let formulas = Formulas.create c bodies composition table in
   let checks = List.filter_map (Formulas.check formulas) program.checks in
+  let premises =
+    if Report.failed c.report then [] else List.concat_map (Formulas.premises formulas) program.checks
+  in
   Behaviours.seal table;
   check_unused_lets formulas program;
   ignore (behaviours_of table bodies (fun i -> not (included i)));
@@ -110,7 +115,7 @@ let read c (program : Program.t) =
   Templates.warn_off_centre c;
   warn_unused c program;
   if Report.failed c.report then None
-  else Some (build c program bodies composition joints initial definitions checks)
+  else Some (build c program bodies composition joints initial definitions checks premises)
 
 let elaborate ~read_file ~overrides syntax =
   let c = Context.create ~read_file in

@@ -14,6 +14,8 @@ type t = {
   model : Model.t;
   declared : State.t;  (** as declared: before {!Scc_semantics} sets clocks and steers *)
   checks : Property.check list;
+  premises : Property.check list;
+  (** what has to come true for the checks to say anything ({!Premises}), each with the name of its check *)
   warnings : Diag.t list;
 }
 

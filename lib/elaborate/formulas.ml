@@ -184,6 +184,18 @@ let check t (k : Program.check) =
     let text = Scc_syntax.Printer.expr k.formula in
     Some { Property.name = k.name; span = k.span; text; formula = f }
 
+(* What is read here has been read as part of the check, so that nothing is reported, and no budget is spent. *)
+let premises t (k : Program.check) =
+  let t = { t with budget = Typed.budget () } in
+  let read (premise, possibly) =
+    let* f = Eval.cond t k.env possibly in
+    match f with
+    | Property.Finally (_, _, State _) ->
+      Some { Property.name = k.name; span = premise.Ast.at; text = Scc_syntax.Printer.expr premise; formula = f }
+    | _ -> None
+  in
+  List.filter_map read (Premises.of_check k.formula)
+
 let check_let t env (e : Ast.expr) =
   if not (Laws.can_read env e) then
     if Laws.speaks_of_a_law env e then Laws.check t.c.report env e else ignore (Eval.eval t env e)

@@ -19,3 +19,7 @@ val check : t -> Program.check -> Property.check option
     is scaled where it is declared ([Cube scaled (…)]) counts as one of what is scaled, a leaf of a template
     that was declared by scaling counts as one of that template only. A quantifier over the name of a
     process or of a family ranges over its leaves. *)
+
+val premises : t -> Program.check -> Property.check list
+(** Of a check that {!check} took: for each of its {!Premises} that is a state predicate, whether some run ever
+    meets it. The name is the check's; place and text are the premise's. *)

@@ -39,6 +39,7 @@ type stats = {
   depth : int;
   model_time : Rat.t;
   complete : bool;
+  eventful : bool;
   decided_early : bool;
   stopped_by : Verdict.truncation list;
   faults : string list;
@@ -260,6 +261,18 @@ let rec questions context (plan : Plan.t) =
 
 (** {2 The report} *)
 
+(* Most models have an event early on, and then the rest is not looked at. *)
+let eventful r =
+  let is_event (e : Graph.edge) =
+    match e.transition.label with
+    | Time _ -> false
+    | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
+  in
+  let rec from i =
+    i < Graph.size r.graph && (Array.exists is_event (Graph.edges r.graph i) || from (i + 1))
+  in
+  from 0
+
 let stats r : stats =
   let unexpanded = Graph.unexpanded r.graph in
   let causes = List.map (fun (_, reason) -> cause r.options r.model r.horizon reason) unexpanded in
@@ -270,6 +283,7 @@ let stats r : stats =
     depth = Graph.greatest_depth r.graph;
     model_time = Graph.greatest_arrival r.graph;
     complete = (match unexpanded with [] -> true | _ :: _ -> false);
+    eventful = eventful r;
     decided_early = List.exists (function Early -> true | Bound _ | Fault _ -> false) causes;
     stopped_by = Verdict.distinct bounds;
     faults =

@@ -35,6 +35,7 @@ type stats = {
   depth : int;  (** the greatest of the states' least depths *)
   model_time : Rat.t;  (** the greatest of the states' earliest arrivals *)
   complete : bool;  (** every state was expanded *)
+  eventful : bool;  (** some transition is not a passing of time *)
   decided_early : bool;  (** the exploration ended because every property was decided *)
   stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
   faults : string list;  (** why transitions of states could not be computed, each text once *)

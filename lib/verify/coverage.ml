@@ -1,0 +1,305 @@
+open Scc_calculus
+open Scc_semantics
+
+type summand = { definition : int option; leaf : int; term : Behaviour.t; fired : int }
+type behaviour = { definition : int; species : string; leaf : int; reached : bool }
+type channel = { name : string; made : int; weak : int; strong : int }
+
+(* What is counted; the order of the list is that of the text. *)
+type counter = { owner : int option; first : int; node : Behaviour.t; mutable times : int }
+type uses = { mutable mades : int; mutable weaks : int; mutable strongs : int }
+
+module Seen = Hashtbl.Make (struct
+    type t = string * Behaviour.aged
+
+    let equal (s, a) (t, b) = String.equal s t && Behaviour.equal_aged a b
+    let hash (s, a) = (Hashtbl.hash s * 31) + Behaviour.hash_aged a
+  end)
+
+type t = {
+  model : Model.t;
+  counters : counter list;
+  of_definition : counter list array;
+  possible : (string * int * int) list;  (** species, definition, first leaf *)
+  reached : (string * int, unit) Hashtbl.t;
+  seen : unit Seen.t;  (** behaviours of species whose definitions are in [reached] *)
+  uses : (string, uses) Hashtbl.t;
+  rule_uses : (string, int) Hashtbl.t;
+}
+
+(** {2 What the text has} *)
+
+(* The prefixes of a term, those behind prefixes included, and the definitions that it names. *)
+let rec prefixes (nodes, calls) (b : Behaviour.t) =
+  match b with
+  | Nil -> (nodes, calls)
+  | Open (_, _, rest) | Weak (_, rest) | Strong (_, rest) -> prefixes (b :: nodes, calls) rest
+  | Delay (_, rest) -> prefixes (nodes, calls) rest
+  | Sum (one, two) -> prefixes (prefixes (nodes, calls) one) two
+  | Call k -> (nodes, k :: calls)
+
+let without_repetition nodes =
+  List.fold_left
+    (fun kept b -> if List.exists (Behaviour.equal b) kept then kept else b :: kept)
+    [] nodes
+
+let counters_of owner first nodes =
+  List.map (fun node -> { owner; first; node; times = 0 }) (without_repetition nodes)
+
+(* The definitions that a list of them may become. *)
+let closure calls_of start =
+  let seen = Hashtbl.create 8 in
+  let rec visit = function
+    | [] -> ()
+    | k :: rest when Hashtbl.mem seen k -> visit rest
+    | k :: rest ->
+      Hashtbl.add seen k ();
+      visit (List.rev_append calls_of.(k) rest)
+  in
+  visit start;
+  Hashtbl.fold (fun k () all -> k :: all) seen [] |> List.sort Int.compare
+
+(* The behaviours that leaves begin with, each once for each species, with the first leaf that has it. *)
+let beginnings (m : Model.t) (initial : State.t) =
+  let seen = Seen.create 8 in
+  let add found (l : State.leaf) =
+    let key = (m.leaves.(l.leaf).template, l.behaviour) in
+    if Seen.mem seen key then found
+    else begin
+      Seen.add seen key ();
+      (l.leaf, fst key, l.behaviour) :: found
+    end
+  in
+  let leaves = Array.to_list initial.processes |> List.concat_map (fun p -> Array.to_list p.State.leaves) in
+  List.sort (fun (a : State.leaf) (b : State.leaf) -> Int.compare a.leaf b.leaf) leaves
+  |> List.fold_left add [] |> List.rev
+
+let channels_of (b : Behaviour.t) =
+  match b with
+  | Open (_, c, _) | Weak (c, _) -> [ c ]
+  | Strong (list, _) -> list
+  | Nil | Delay _ | Sum _ | Call _ -> []
+
+let create (m : Model.t) ~initial =
+  let parts = Array.map (fun (d : Behaviour.definition) -> prefixes ([], []) d.body) m.definitions in
+  let calls_of = Array.map snd parts in
+  let beginnings = beginnings m initial in
+  let possible = Hashtbl.create 16 in
+  let add_species (leaf, species, (b : Behaviour.aged)) =
+    let _, calls = prefixes ([], []) b.term in
+    let add k = if not (Hashtbl.mem possible (species, k)) then Hashtbl.add possible (species, k) leaf in
+    List.iter add (closure calls_of calls)
+  in
+  List.iter add_species beginnings;
+  let possible = Hashtbl.fold (fun (s, k) leaf all -> (s, k, leaf) :: all) possible [] in
+  let in_order (s, k, _) (s', k', _) =
+    let c = Int.compare k k' in
+    if c <> 0 then c else String.compare s s'
+  in
+  let possible = List.sort in_order possible in
+  let first_leaf k = List.find_map (fun (_, k', leaf) -> if k = k' then Some leaf else None) possible in
+  let of_definition =
+    Array.mapi
+      (fun k (nodes, _) ->
+         match first_leaf k with
+         | None -> []
+         | Some leaf -> counters_of (Some k) leaf nodes)
+      parts
+  in
+  let written (leaf, _, (b : Behaviour.aged)) = counters_of None leaf (fst (prefixes ([], []) b.term)) in
+  let counters = List.concat (Array.to_list of_definition) @ List.concat_map written beginnings in
+  let uses = Hashtbl.create 8 in
+  let add_name (c : Behaviour.channel) =
+    if not (Hashtbl.mem uses c.name) then Hashtbl.add uses c.name { mades = 0; weaks = 0; strongs = 0 }
+  in
+  List.iter (fun c -> List.iter add_name (channels_of c.node)) counters;
+  {
+    model = m;
+    counters;
+    of_definition;
+    possible;
+    reached = Hashtbl.create 16;
+    seen = Seen.create 64;
+    uses;
+    rule_uses = Hashtbl.create 16;
+  }
+
+(** {2 What comes to be} *)
+
+(* The summands that a behaviour offers now, each with the definition that it stands in, where that is known, and
+   whether it took the rules Sum and Def to find it. *)
+type offered = { from : int option; summand : Behaviour.t; how : Behaviour.derivation }
+
+let rec offered (defs : Behaviour.definitions) from (how : Behaviour.derivation) found (b : Behaviour.t) =
+  match b with
+  | Nil | Delay _ -> found
+  | Open _ | Weak _ | Strong _ -> { from; summand = b; how } :: found
+  | Sum (one, two) ->
+    let how = { how with by_sum = true } in
+    offered defs from how (offered defs from how found one) two
+  | Call k -> offered defs (Some k) { how with by_def = true } found defs.(k).body
+
+let offers t (b : Behaviour.aged) =
+  offered t.model.definitions b.origin { by_sum = false; by_def = false } [] b.term
+
+(* The definitions that a behaviour is, or has among its summands. *)
+let rec shown (defs : Behaviour.definitions) found (b : Behaviour.t) =
+  match b with
+  | Nil | Open _ | Weak _ | Strong _ | Delay _ -> found
+  | Sum (one, two) -> shown defs (shown defs found one) two
+  | Call k -> shown defs (k :: found) defs.(k).body
+
+let leaf t (l : State.leaf) =
+  let key = (t.model.leaves.(l.leaf).template, l.behaviour) in
+  if not (Seen.mem t.seen key) then begin
+    Seen.add t.seen key ();
+    let names = shown t.model.definitions (Option.to_list l.behaviour.origin) l.behaviour.term in
+    List.iter (fun k -> Hashtbl.replace t.reached (fst key, k) ()) names
+  end
+
+let state t (s : State.t) =
+  Array.iter (fun (p : State.process) -> Array.iter (leaf t) p.leaves) s.processes
+
+let count_rules t rules =
+  let add r =
+    let id = Rule.id r in
+    Hashtbl.replace t.rule_uses id (1 + Option.value ~default:0 (Hashtbl.find_opt t.rule_uses id))
+  in
+  List.iter add rules
+
+let fire t (o : offered) =
+  let same c = Behaviour.equal c.node o.summand in
+  let own =
+    match o.from with
+    | Some k -> List.filter same t.of_definition.(k)
+    | None -> []
+  in
+  (* What follows a prefix does not tell which definition it stands in. *)
+  let fired = match own with [] -> List.filter same t.counters | _ :: _ -> own in
+  List.iter (fun c -> c.times <- c.times + 1) fired
+
+let next_of (b : Behaviour.t) =
+  match b with
+  | Open (_, _, next) | Weak (_, next) | Strong (_, next) -> Some next
+  | Nil | Delay _ | Sum _ | Call _ -> None
+
+(* The summands of a leaf that may have taken it from its behaviour before to that after. *)
+let used t ~(source : State.t) ~(target : State.t) at fits =
+  let _, before = State.find_leaf source at and _, after = State.find_leaf target at in
+  List.filter
+    (fun o ->
+       fits o.summand
+       && match next_of o.summand with
+       | Some next -> Behaviour.equal next after.behaviour.term
+       | None -> false)
+    (offers t before.behaviour)
+
+let opens name site polarity (b : Behaviour.t) =
+  match (b, polarity) with
+  | Open (Name, c, _), Behaviour.Name | Open (Co_name, c, _), Behaviour.Co_name ->
+    String.equal c.name name && Behaviour.active c site
+  | _, _ -> false
+
+let releases name site (b : Behaviour.t) =
+  match b with
+  | Weak (c, _) -> String.equal c.name name && Behaviour.active c site
+  | _ -> false
+
+(* Each bond has an entry and each entry a bond: a matching that is one to one has to exist as well, and does
+   for one of the summands, or there would be no transition. *)
+let reacts (ends : (string * Site.t) list) (b : Behaviour.t) =
+  let fits (name, site) (c : Behaviour.channel) = String.equal c.name name && Behaviour.active c site in
+  match b with
+  | Strong (entries, _) ->
+    List.compare_lengths entries ends = 0
+    && List.for_all (fun e -> List.exists (fits e) entries) ends
+    && List.for_all (fun c -> List.exists (fun e -> fits e c) ends) entries
+  | _ -> false
+
+let behaviour_rules prefix used =
+  let some f = List.exists f used in
+  match used with
+  | [] -> []
+  | _ :: _ ->
+    (prefix :: (if some (fun o -> o.how.by_sum) then [ Rule.Sum ] else []))
+    @ if some (fun o -> o.how.by_def) then [ Rule.Def ] else []
+
+let note t name change = Option.iter change (Hashtbl.find_opt t.uses name)
+
+let bind t ~source ~target (b : State.bond) =
+  let at (f : State.finish) polarity = used t ~source ~target f.at (opens b.name f.site polarity) in
+  let both one two = match (one, two) with [], _ | _, [] -> [] | _ :: _, _ :: _ -> one @ two in
+  let used = both (at b.one Name) (at b.two Co_name) @ both (at b.one Co_name) (at b.two Name) in
+  note t b.name (fun u -> u.mades <- u.mades + 1);
+  (Rule.Bind :: behaviour_rules Pre used, used)
+
+let weak t ~source ~target (b : State.bond) =
+  let at (f : State.finish) = used t ~source ~target f.at (releases b.name f.site) in
+  let used = at b.one @ at b.two in
+  note t b.name (fun u -> u.weaks <- u.weaks + 1);
+  (Rule.Weak_split :: behaviour_rules Weak used, used)
+
+let strong t ~source ~target bonds =
+  let ends = List.concat_map (fun (b : State.bond) -> [ (b.one, b.name); (b.two, b.name) ]) bonds in
+  let leaves = List.sort_uniq Int.compare (List.map (fun ((f : State.finish), _) -> f.at) ends) in
+  let at leaf =
+    let mine =
+      List.filter_map
+        (fun ((f : State.finish), name) -> if f.at = leaf then Some (name, f.site) else None)
+        ends
+    in
+    used t ~source ~target leaf (reacts mine)
+  in
+  let used = List.concat_map at leaves in
+  List.iter (fun (b : State.bond) -> note t b.name (fun u -> u.strongs <- u.strongs + 1)) bonds;
+  (Rule.Strong_split :: behaviour_rules Strong used, used)
+
+let is_steered (s : State.t) =
+  match s.step with
+  | Some { phase = Steered; _ } -> true
+  | Some { phase = Moving | Due; _ } | None -> false
+
+let transition t ~source (label : Transition.label) ~target =
+  let rules, used =
+    match label with
+    | Time _ -> (Network.time_rules, [])
+    | Bounce _ -> ([ Rule.Bounce ], [])
+    | Bind b -> bind t ~source ~target b
+    | Weak_split b -> weak t ~source ~target b
+    | Strong_split bonds -> strong t ~source ~target bonds
+  in
+  List.iter (fire t) used;
+  let passes = Scc_exact.Rat.sign (Transition.duration_of label) > 0 in
+  let steer = is_steered target && (passes || not (is_steered source)) in
+  count_rules t (if steer then rules @ [ Rule.Steer ] else rules)
+
+let of_space (s : Space.t) =
+  let t = create s.model ~initial:(s.state 0) in
+  for i = 0 to s.size - 1 do
+    let source = s.state i in
+    state t source;
+    Array.iter (fun (e : Space.edge) -> transition t ~source e.label ~target:(s.state e.target)) (s.edges i)
+  done;
+  t
+
+(** {2 The report} *)
+
+let summands t =
+  List.map (fun c -> { definition = c.owner; leaf = c.first; term = c.node; fired = c.times }) t.counters
+
+let behaviours t =
+  List.map
+    (fun (species, definition, leaf) ->
+       { definition; species; leaf; reached = Hashtbl.mem t.reached (species, definition) })
+    t.possible
+
+let channels t =
+  Hashtbl.fold
+    (fun name u all -> { name; made = u.mades; weak = u.weaks; strong = u.strongs } :: all)
+    t.uses []
+  |> List.sort (fun a b -> String.compare a.name b.name)
+
+let rules t =
+  Rule.all
+  |> List.filter (function Rule.Eps0 -> false | _ -> true)
+  |> List.map (fun r -> (r, Option.value ~default:0 (Hashtbl.find_opt t.rule_uses (Rule.id r))))
