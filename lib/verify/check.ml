@@ -264,7 +264,7 @@ let rec questions context (plan : Plan.t) =
 (* Most models have an event early on, and then the rest is not looked at. *)
 let eventful r =
   let is_event (e : Graph.edge) =
-    match e.transition.label with
+    match label r e with
     | Time _ -> false
     | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
   in
