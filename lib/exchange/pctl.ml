@@ -3,30 +3,30 @@ open Scc_property
 
 let ( let* ) = Result.bind
 
-let label predicates p =
+let label named predicates p =
   let same (q : State_predicates.t) = Formula.equal_prop q.prop p in
   match (p : Property.prop) with
   | Bool b -> Ok (string_of_bool b)
   | _ -> (
       match List.find_opt same (Array.to_list predicates) with
-      | Some q -> Ok (Printf.sprintf "\"%s\"" q.name)
+      | Some q -> Ok (named q.name)
       | None -> Error "it speaks of events")
 
 let unbounded (b : Property.bound) =
   if Rat.sign b.low = 0 && Option.is_none b.high then Ok () else Error "it has a bound of time"
 
-let rec formula predicates (f : Property.temporal) =
+let rec formula ~named predicates (f : Property.temporal) =
   match Formula.state_formula f with
-  | Some p -> label predicates p
+  | Some p -> label named predicates p
   | None -> (
-      let of_part = formula predicates in
+      let of_part = formula ~named predicates in
       match f with
-      | State p -> label predicates p
+      | State p -> label named predicates p
       | Temporal_not f ->
         let* f = of_part f in
         Ok (Printf.sprintf "!(%s)" f)
-      | Temporal_and fs -> several predicates " & " fs
-      | Temporal_or fs -> several predicates " | " fs
+      | Temporal_and fs -> several ~named predicates " & " fs
+      | Temporal_or fs -> several ~named predicates " | " fs
       | Next _ -> Error "it has the operator X"
       | Finally (q, b, f) ->
         let* () = unbounded b in
@@ -43,6 +43,8 @@ let rec formula predicates (f : Property.temporal) =
         let* () = unbounded b in
         let* f = of_part f in
         let* g = of_part g in
+        (* Where g begins right after an instant, an instant at which it holds comes after others. *)
+        let g = Printf.sprintf "(%s) & ((%s) | !(%s))" g f (named "right_after") in
         Ok (path q (Printf.sprintf "(%s) U" f) g))
 
 (* What ends in a state that is met. *)
@@ -53,10 +55,10 @@ and path (q : Property.path_quantifier) operator f =
 
 and bracket f = "(" ^ f ^ ")"
 
-and several predicates operator fs =
+and several ~named predicates operator fs =
   let add found f =
     let* found = found in
-    let* f = formula predicates f in
+    let* f = formula ~named predicates f in
     Ok (bracket f :: found)
   in
   let* parts = List.fold_left add (Ok []) fs in
