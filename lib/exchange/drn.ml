@@ -17,7 +17,6 @@ let write (e : Exported.t) mdp put =
   let line fmt = Printf.ksprintf (fun s -> put (s ^ "\n")) fmt in
   let l = Mdp.labelling mdp in
   let occurring = occurring mdp in
-  let named name = if Hashtbl.mem occurring name then Printf.sprintf "\"%s\"" name else "false" in
   List.iter (comment put) (Exported.summary e);
   List.iter (comment put) (Exported.label_notes l);
   Array.iter
@@ -27,7 +26,7 @@ let write (e : Exported.t) mdp put =
   List.iter
     (fun (c : Property.check) ->
        let asked =
-         match Pctl.formula ~named (Labelling.predicates l) c.formula with
+         match Pctl.formula ~occurs:(Hashtbl.mem occurring) (Labelling.predicates l) c.formula with
          | Ok f -> f
          | Error why -> "is not asked for by labels alone: " ^ why
        in
