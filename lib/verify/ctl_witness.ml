@@ -1,0 +1,288 @@
+open Scc_exact
+
+let never _ = false
+let always _ = true
+let stuck = Ctl_run.Follow { edge = never; flow = never }
+
+let run start (found : Ctl_run.finish Ctl_run.found) : Ctl_run.t =
+  { start; steps = found.steps; last = found.last; finish = found.result }
+
+let lost () = Scc_base.Bug.fail __POS__ "what was decided has no run that shows it"
+
+(* What happens first in the flow of a place. *)
+let first_of ~f ~g (place : Ctl_run.place) =
+  let p = place.position in
+  if Ctl_set.is_inside p then Ctl_flow.from ~f ~g p.offset else Ctl_flow.entering ~f ~g
+
+let first ~f ~g (place : Ctl_run.place) =
+  let s = place.position.node in
+  first_of ~f:(Ctl_set.along f s) ~g:(Ctl_set.along g s) place
+
+(* Since when f fails in the flow of a place. *)
+let failure ~f (place : Ctl_run.place) =
+  match first_of ~f:(Ctl_set.along f place.position.node) ~g:(Ctl_pieces.constant false) place with
+  | Lost m -> Some m
+  | Reached _ | Passes -> None
+
+(* To a moment inside the flow of s; where an open interval begins there, an offset in it, before the limit too.
+*)
+let during graph ~f ~g ?limit s (moment : Timeline.moment) =
+  let least a b =
+    match (a, b) with
+    | None, x | x, None -> x
+    | Some a, Some b -> Some (if Algebraic.compare a b <= 0 then a else b)
+  in
+  let next cuts =
+    Array.fold_left
+      (fun acc c -> if Algebraic.compare c moment.offset > 0 then least acc (Some c) else acc)
+      None cuts
+  in
+  let sample =
+    if moment.attained then moment.offset
+    else
+      let ending =
+        match Timed_graph.flow graph s with
+        | Lasts (d, _) -> Some (Algebraic.of_rat d)
+        | No_flow | Forever -> None
+      in
+      let cuts set = next (Ctl_set.along set s).Ctl_pieces.cuts in
+      let high = least (least (cuts f) (cuts g)) (least ending limit) in
+      Algebraic.of_rat (Ctl_pieces.inside moment.offset high)
+  in
+  Ctl_run.During { moment; sample }
+
+let same (a : Timeline.moment option) (b : Timeline.moment option) =
+  match (a, b) with
+  | Some a, Some b -> Timeline.compare_moment a b = 0
+  | None, None -> true
+  | Some _, None | None, Some _ -> false
+
+(* Which ways keep to the times: from a node those that take what is left to it exactly, from inside a flow
+   those to the best target. *)
+type tight = {
+  edge : int -> int -> bool;
+  flow : Ctl_set.position -> int -> bool;
+  own : Ctl_set.position -> Timeline.moment -> bool;  (** g in the flow itself *)
+}
+
+let tight graph ~best times =
+  let after d t = Option.map (Ctl_bounded.shift d) (times t) in
+  let flow (p : Ctl_set.position) t =
+    match Timed_graph.flow graph p.node with
+    | Lasts (d, targets) ->
+      if Ctl_set.is_inside p then same (times t) (best times targets)
+      else same (after d t) (times p.node)
+    | No_flow | Forever -> false
+  in
+  {
+    edge = (fun s t -> same (times t) (times s));
+    flow;
+    own = (fun p m -> Ctl_set.is_inside p || same (Some m) (times p.node));
+  }
+
+let anything = { edge = (fun _ -> always); flow = (fun _ -> always); own = (fun _ -> always) }
+
+let the_until (u : Ctl_eval.until) quantifier high =
+  Ctl_formula.Until (quantifier, { low = Rat.zero; high }, u.left, u.right)
+
+(** {2 Some run} *)
+
+let some_from_start e (u : Ctl_eval.until) high start =
+  let graph = Ctl_eval.graph e in
+  let f = (Ctl_eval.value e u.left).lower and g = (Ctl_eval.value e u.right).lower in
+  let keep =
+    match high with
+    | None -> anything
+    | Some bound ->
+      let times = Ctl_bounded.least (Ctl_eval.index e) ~generous:false ~bound ~f ~g in
+      tight graph ~best:Ctl_bounded.earliest times
+  in
+  let judge (place : Ctl_run.place) =
+    let p = place.position in
+    let s = p.node in
+    let inside = Ctl_set.is_inside p in
+    let limit = match high with None -> None | Some _ -> Some place.left in
+    if (not inside) && Ctl_set.at g s then Ctl_run.Found Ctl_run.At_state
+    else if not (graph.known s && (inside || Ctl_set.at f s)) then stuck
+    else
+      let edge = keep.edge s in
+      match (graph.flow s, first ~f ~g place) with
+      | No_flow, _ -> Follow { edge; flow = never }
+      | _, Reached m when keep.own p m -> Found (during graph ~f ~g ?limit s m)
+      | _, Passes -> Follow { edge; flow = keep.flow p }
+      | _, (Reached _ | Lost _) -> Follow { edge; flow = never }
+  in
+  match Ctl_run.search graph ?bound:high start judge with
+  | Ok found -> run start found
+  | Error _ -> lost ()
+
+(* The parts of an operator from [a, b] on: what is left of b, and the solution. *)
+let interval e (u : Ctl_eval.until) ~generous side =
+  let high = Option.map (fun h -> Rat.sub h u.bound.low) u.bound.high in
+  let phi = side (Ctl_eval.value e (the_until u u.quantifier high)) in
+  let f = side (Ctl_eval.value e u.left) in
+  let x =
+    Ctl_interval.solve (Ctl_eval.index e) u.quantifier ~generous ~from:u.bound.low ~f ~phi
+  in
+  (high, f, phi, x)
+
+(* Whether the instant [left] of a place lies inside its flow, or after the flow, of the given time. *)
+type reach = Within | After of Rat.t | Nowhere
+
+let reach graph (place : Ctl_run.place) =
+  match Timed_graph.flow graph place.position.node with
+  | No_flow -> Nowhere
+  | Forever -> Within
+  | Lasts (d, _) -> if Algebraic.compare_rat place.left d < 0 then Within else After d
+
+let is_now (place : Ctl_run.place) =
+  (not (Ctl_set.is_inside place.position)) && Algebraic.compare_rat place.left Rat.zero = 0
+
+let instant (place : Ctl_run.place) : Ctl_run.finish =
+  During { moment = { offset = place.left; attained = true }; sample = place.left }
+
+let later d (place : Ctl_run.place) = Algebraic.add_rat (Rat.neg d) place.left
+
+let then_ follow (first : Ctl_run.t) =
+  match Ctl_run.goal first with
+  | Some goal -> Ctl_run.append first (follow goal)
+  | None -> Scc_base.Bug.fail __POS__ "a run without end goes on"
+
+let some e (u : Ctl_eval.until) start =
+  if Rat.sign u.bound.low <= 0 then some_from_start e u u.bound.high start
+  else
+    let graph = Ctl_eval.graph e in
+    let high, f, phi, x = interval e u ~generous:false (fun v -> v.lower) in
+    let judge (place : Ctl_run.place) =
+      let s = place.position.node in
+      let inside = Ctl_set.is_inside place.position in
+      if is_now place then Ctl_run.Found Ctl_run.At_state
+      else if not (graph.known s && (inside || Ctl_set.at f s)) then stuck
+      else
+        let edge t = Ctl_interval.at x t place.left in
+        match (reach graph place, failure ~f place) with
+        | Within, lost ->
+          let holds = match lost with None -> true | Some m -> Algebraic.compare place.left m.offset <= 0 in
+          if holds && Ctl_pieces.at (Ctl_set.along phi s) place.left then Found (instant place)
+          else Follow { edge; flow = never }
+        | After d, None -> Follow { edge; flow = (fun t -> Ctl_interval.at x t (later d place)) }
+        | After _, Some _ | Nowhere, _ -> Follow { edge; flow = never }
+    in
+    match Ctl_run.search graph ~by_time:true ~bound:u.bound.low start judge with
+    | Ok found -> then_ (some_from_start e u high) (run start found)
+    | Error _ -> lost ()
+
+(** {2 Not every run} *)
+
+(* Whether a moment of a flow comes only after the bound, for which [left] is there. *)
+let comes_late high (place : Ctl_run.place) (m : Timeline.moment) =
+  match high with
+  | None -> false
+  | Some _ ->
+    let c = Algebraic.compare m.offset place.left in
+    if m.attained then c > 0 else c >= 0
+
+let every_from_start e (u : Ctl_eval.until) high start =
+  let graph = Ctl_eval.graph e in
+  let f = (Ctl_eval.value e u.left).upper and g = (Ctl_eval.value e u.right).upper in
+  let x = (Ctl_eval.value e (the_until u All None)).upper in
+  let avoids t = not (Ctl_set.at x t) in
+  let endless = not (Ctl_set.mem x start) in
+  let keep =
+    if endless then { anything with edge = (fun _ -> avoids); flow = (fun _ -> avoids) }
+    else
+      let times = Ctl_bounded.greatest (Ctl_eval.index e) ~generous:true ~f ~g in
+      tight graph ~best:Ctl_bounded.latest times
+  in
+  let judge (place : Ctl_run.place) =
+    let p = place.position in
+    let s = p.node in
+    let inside = Ctl_set.is_inside p in
+    let limit = match high with None -> None | Some _ -> Some place.left in
+    if (not inside) && Ctl_set.at g s then stuck
+    else if (not inside) && not (Ctl_set.at f s) then Ctl_run.Found Ctl_run.At_state
+    else if not (graph.known s) then stuck
+    else if Timed_graph.is_dead_end graph s then Found Stops
+    else
+      let edge = keep.edge s in
+      let flow = graph.flow s in
+      match (flow, first ~f ~g place) with
+      | No_flow, _ -> Follow { edge; flow = never }
+      | _, (Reached m | Lost m) when comes_late high place m -> Found Passes
+      | _, Lost m -> Found (during graph ~f ~g ?limit s m)
+      | _, Reached _ -> Follow { edge; flow = never }
+      | Forever, Passes -> Found (match high with None -> Rests | Some _ -> Passes)
+      | Lasts (d, _), Passes ->
+        let over = Option.is_some high && Algebraic.compare_rat place.left d < 0 in
+        if over then Found Passes else Follow { edge; flow = keep.flow p }
+  in
+  match Ctl_run.search graph ?bound:high start judge with
+  | Ok found -> run start found
+  | Error region -> (
+      let way = Ctl_until.ways graph ~f ~g in
+      let inside s (move : Timed_graph.move) t =
+        avoids t && match move with
+        | Edge _ -> true
+        | Flow _ -> ( match way s with Passes -> true | Reached | Lost -> false)
+      in
+      let cycle _ (move : Timed_graph.move) = match move with Edge _ -> false | Flow _ -> true in
+      match Ctl_run.lasso graph region ~cycle ~inside with
+      | Some run -> run
+      | None -> lost ())
+
+(* What a run leads to before the low end of the interval, or there. *)
+type leads = Ends of Ctl_run.finish | Goes_on of Ctl_run.finish
+
+let every e (u : Ctl_eval.until) start =
+  if Rat.sign u.bound.low <= 0 then every_from_start e u u.bound.high start
+  else
+    let graph = Ctl_eval.graph e in
+    let high, f, phi, x = interval e u ~generous:true (fun v -> v.upper) in
+    let judge (place : Ctl_run.place) =
+      let s = place.position.node in
+      let inside = Ctl_set.is_inside place.position in
+      if is_now place then Ctl_run.Found (Goes_on At_state)
+      else if (not inside) && not (Ctl_set.at f s) then Found (Ends At_state)
+      else if not (graph.known s) then stuck
+      else if Timed_graph.is_dead_end graph s then Found (Ends Stops)
+      else
+        let edge t = not (Ctl_interval.at x t place.left) in
+        let fails m = Ctl_run.Found (Ends (during graph ~f ~g:f ~limit:place.left s m)) in
+        match (reach graph place, failure ~f place) with
+        | Nowhere, _ -> Follow { edge; flow = never }
+        | Within, Some m when Algebraic.compare m.offset place.left < 0 -> fails m
+        | Within, _ ->
+          if Ctl_pieces.at (Ctl_set.along phi s) place.left then Follow { edge; flow = never }
+          else Found (Goes_on (instant place))
+        | After _, Some m -> fails m
+        | After d, None -> Follow { edge; flow = (fun t -> not (Ctl_interval.at x t (later d place))) }
+    in
+    match Ctl_run.search graph ~by_time:true ~bound:u.bound.low start judge with
+    | Ok { steps; last; result = Ends finish } -> { start; steps; last; finish }
+    | Ok { steps; last; result = Goes_on finish } ->
+      then_ (every_from_start e u high) { start; steps; last; finish }
+    | Error _ -> lost ()
+
+(** {2 The next edge} *)
+
+let next e ~holds ~leads start =
+  let graph = Ctl_eval.graph e in
+  let judge (place : Ctl_run.place) =
+    let s = place.position.node in
+    let by_edge =
+      if Ctl_set.is_inside place.position then None
+      else
+        let rec go k targets =
+          if k = Array.length targets then None else if holds targets.(k) then Some k else go (k + 1) targets
+        in
+        go 0 (Timed_graph.edges graph s)
+    in
+    match by_edge with
+    | Some k -> Ctl_run.Found k
+    | None -> Follow { edge = never; flow = leads }
+  in
+  match Ctl_run.search graph start judge with
+  | Error _ -> lost ()
+  | Ok { steps; last; result = k } ->
+    let step = { Ctl_run.source = last; move = Edge k } in
+    { Ctl_run.start; steps = steps @ [ step ]; last = Timed_graph.target graph last step.move; finish = At_state }

@@ -1,0 +1,26 @@
+(** Why a formula holds at a position, or why it does not: a tree with runs in it. *)
+
+type t = {
+  formula : Ctl_formula.t;
+  position : Ctl_set.position;
+  holds : bool;
+  because : because;
+}
+
+and because =
+  | Given  (** a predicate: it is so *)
+  | Parts of t list  (** of not, and, or: the parts that decide it *)
+  | Run of { run : Ctl_run.t; parts : t list }
+  (** a run from the position decides it, with what is so where it leads. Of "f until g" that holds on some run: g
+      holds there. Of "f until g" that does not hold on every run: f does not hold there, nor does g (but on an open
+      interval that begins so, or before the time of the bound), and g did not before; or the run goes on
+      without end, or past the bound, and never meets g. F and G are read as U. For X, the last step is the
+      edge. *)
+  | Everywhere of int  (** no run decides it otherwise: all of them go through these many nodes, in vain *)
+
+val explain : Ctl_eval.t -> Ctl_formula.t -> Ctl_set.position -> t option
+(** [None]: undecided there. *)
+
+val chain : t -> Ctl_run.t option
+(** The run of the explanation, followed by that of what is so where it leads, and so on: one run from the
+    position of the whole explanation (where runs have parts, the first that has a run). *)
