@@ -65,8 +65,73 @@ def text_of(result):
     return result.stdout.decode("utf-8")
 
 
+def region_of(place):
+    """A place of a diagnostic as SARIF's region."""
+    return {
+        "startLine": place["start"]["line"],
+        "startColumn": place["start"]["column"],
+        "endLine": place["end"]["line"],
+        "endColumn": place["end"]["column"],
+    }
+
+
+def text_at(region, text):
+    """What stands in a region of one line, or nothing."""
+    if region["startLine"] != region["endLine"]:
+        return ""
+    return text.splitlines()[region["startLine"] - 1][region["startColumn"] - 1:region["endColumn"] - 1]
+
+
+def sarif_faults(log, report, model):
+    """What is wrong with a SARIF file, by its own rules and beside the report on the same run."""
+    if log["version"] != "2.1.0" or len(log["runs"]) != 1:
+        return "no single run of version 2.1.0"
+    sarif = log["runs"][0]
+    rules = [rule["id"] for rule in sarif["tool"]["driver"]["rules"]]
+    if len(set(rules)) != len(rules):
+        return "a rule twice"
+    if sarif["invocations"][0]["exitCode"] != report["exit"]:
+        return "another exit code"
+    expected = [(d["code"], d["place"] and region_of(d["place"])) for d in report["diagnostics"]]
+    properties = [p for p in report.get("properties", []) if p["verdict"] in ("violated", "undecided")]
+    found = []
+    with open(model, encoding="utf-8", errors="replace") as file:
+        text = file.read()
+    for result in sarif["results"]:
+        if rules[result["ruleIndex"]] != result["ruleId"] or not result["message"]["text"]:
+            return f"the rule of {result}"
+        if (result["kind"] == "fail") == (result["level"] == "none"):
+            return f"the level of {result}"
+        places = [location["physicalLocation"] for location in result.get("locations", [])]
+        found.append((result["ruleId"], places[0].get("region") if places else None))
+    if found[:len(expected)] != expected:
+        return f"diagnostics {found} instead of {expected}"
+    if [rule for rule, _ in found[len(expected):]] != [p["verdict"] for p in properties]:
+        return "other properties than in the report"
+    for p, (_, region) in zip(properties, found[len(expected):]):
+        if text_at(region, text) != p["name"].split("[")[0]:
+            return f"{p['name']} is not at {region}"
+    for p, result in zip(properties, sarif["results"][len(expected):]):
+        steps = p["witness"]["steps"] if p["witness"] else []
+        flows = [f["threadFlows"][0]["locations"] for f in result.get("codeFlows", [])]
+        if steps and (len(flows) != 1 or len(flows[0]) < len(steps)):
+            return f"no flow of {len(steps)} steps for {p['name']}"
+        if any(s["executionOrder"] != i for flow in flows for i, s in enumerate(flow, 1)):
+            return "steps out of order"
+    return None
+
+
+def check_sarif(scc, model, folder):
+    path = os.path.join(folder, "log.sarif")
+    report = json.loads(text_of(run(scc, "check", model, "--json", "--seconds", "60", "--sarif", path)))
+    with open(path, encoding="utf-8") as file:
+        why = sarif_faults(json.load(file, parse_float=no_float), report, model)
+    os.remove(path)
+    count(why is None, f"SARIF of {model}", why)
+
+
 def check_model(scc, model, folder):
-    result = run(scc, "check", model, "--json", "--seconds", "60", "--witness", folder)
+    result = run(scc, "check", model, "--json", "--coverage", "--stats", "--seconds", "60", "--witness", folder)
     document = check("check", text_of(result), f"check {model}")
     if document is not None:
         count(document["exit"] == result.returncode, f"check {model}", "another exit code in the document")
@@ -124,6 +189,9 @@ def main():
             check_model(scc, model, folder)
             check_trace(scc, model)
             check_trace(scc, model, "--states=ends")
+            check_sarif(scc, model, folder)
+        for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
+            check_sarif(scc, model, folder)
     check_refusals(scc)
     check_shapes(scc)
     if len(sys.argv) > 2:

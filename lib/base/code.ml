@@ -54,6 +54,7 @@ let vacuous = "SC0702"
 let uneventful = "SC0703"
 let bad_schedule = "SC0801"
 let schedule_mismatch = "SC0802"
+let bad_graph = "SC0803"
 let not_yet = "SC0901"
 let spin_not_yet = "SC0902"
 
@@ -113,6 +114,7 @@ let all =
     (uneventful, "a model in which nothing ever happens");
     (bad_schedule, "a schedule that does not fit its format or the model");
     (schedule_mismatch, "a choice that is not possible where it is made");
+    (bad_graph, "a graph (.aut) that does not fit its format");
     (not_yet, "a feature of the language that this version does not execute");
     (spin_not_yet, "angular velocity, which this version does not execute");
   ]

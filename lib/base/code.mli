@@ -190,6 +190,9 @@ val bad_schedule : t
 val schedule_mismatch : t
 (** SC0802: a choice that is not possible where it is made. *)
 
+val bad_graph : t
+(** SC0803: a graph (.aut) that does not fit its format. *)
+
 
 (** {1 Not yet} *)
 

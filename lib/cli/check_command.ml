@@ -91,8 +91,13 @@ let write_witnesses model folder verdicts =
   in
   List.fold_left one (Ok ()) verdicts
 
-let print_json console (model : Input.model) (report : Check.report) verdicts code =
+(* What was asked for besides the verdicts. *)
+type extra = { covered : (Space.t * Coverage.t) option; measured : Measured.t option }
+
+let print_json console (model : Input.model) (report : Check.report) verdicts extra code =
   let e = model.elaborated in
+  let coverage (space, c) = ("coverage", Coverage_json.json space c) in
+  let measured m = ("measured", Measured.json m report.stats) in
   let json =
     Check_json.document ~source:(Console.source console)
       {
@@ -105,6 +110,9 @@ let print_json console (model : Input.model) (report : Check.report) verdicts co
         zeno = report.zeno;
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
+        extra =
+          Option.to_list (Option.map coverage extra.covered)
+          @ Option.to_list (Option.map measured extra.measured);
       }
   in
   Console.print console (Json.pretty json)
@@ -116,58 +124,88 @@ let is_zeno : Verdict.reason -> bool = function
 let shows_zeno (_, (v : Verdict.t)) =
   match v with Undecided reasons -> List.exists is_zeno reasons | Holds _ | Violated _ -> false
 
-let print_text console (model : Input.model) (report : Check.report) verdicts =
+let print_text console (model : Input.model) (report : Check.report) verdicts extra =
   let m = model.elaborated.model in
   let print = Console.print console in
   List.iter (fun v -> print (Check_text.property console m v ^ "\n")) verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno m w ^ "\n") in
   Option.iter zeno report.zeno;
   print (Check_text.explored report.stats);
-  print (Check_text.tally console (List.map snd verdicts))
-
-let progress console (p : Scc_explore.Limits.progress) =
-  Console.progress console
-    (Printf.sprintf "%d states, %d to expand, depth %d" p.states p.waiting p.depth)
+  Option.iter (fun (space, c) -> print (Coverage_text.lines console space c)) extra.covered;
+  print (Check_text.tally console (List.map snd verdicts));
+  Option.iter (fun m -> List.iter (Console.note console) (Measured.lines m report.stats)) extra.measured
 
 let law_faults (report : Check.report) =
   List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) report.stats.faults
 
-let check console bounds witness overrides path =
+let write_sarif console path code properties =
+  let ok =
+    match (code : Exit_code.t) with
+    | Holds | Violated | Undecided | Invalid -> true
+    | Stopped | Usage | Bug -> false
+  in
+  let json =
+    Sarif.document ~source:(Console.source console) ~version:Version.current ~exit:(Exit_code.to_int code) ~ok
+      ~diagnostics:(Console.kept console) ~properties
+  in
+  Result.map_error (fun d -> [ d ]) (Console.write_file ~path (Json.pretty json))
+
+let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i _ -> i >= n) list)
+
+(* All of the model, whether or not its properties were decided early. *)
+let cover options bounds (e : Scc_elaborate.Elaborate.t) initial =
+  Option.iter Interrupt.deadline bounds.Check_options.seconds;
+  let space = Space.explore options e.model ~initial in
+  (space, Coverage.of_space space)
+
+let check console bounds (extras : Check_extras.t) overrides path =
   let interrupted = Interrupt.install () in
-  let* model = Input.model console ~overrides path in
+  let measured = Measured.start () in
+  let* model = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
   let e = model.elaborated in
   Console.report console e.warnings;
   let* () = executable e.checks in
-  let* () = match witness with Some folder -> make_folder folder | None -> Ok () in
+  let* () = match extras.witness with Some folder -> make_folder folder | None -> Ok () in
   let* initial = initial e in
-  let options = Check_options.options bounds ~interrupted ~progress:(progress console) in
+  let options = Check_options.options bounds ~interrupted ~progress:(Progress.show console bounds) in
   Option.iter Interrupt.deadline bounds.Check_options.seconds;
-  let report = Check.run options e.model ~initial e.checks in
+  let checks = e.checks @ Vacuity.questions e in
+  let report = Measured.phase measured "explore" (fun () -> Check.run options e.model ~initial checks) in
+  let covered =
+    if extras.coverage then
+      Some (Measured.phase measured "coverage" (fun () -> cover options bounds e initial))
+    else None
+  in
   Console.progress_done console;
-  Console.report console (law_faults report);
-  let verdicts = verdicts report in
+  let verdicts, answers = split_at (List.length e.checks) (verdicts report) in
+  Console.report console (law_faults report @ Vacuity.warnings report.stats answers);
   let* () =
-    match witness with Some folder -> write_witnesses model folder verdicts | None -> Ok ()
+    match extras.witness with Some folder -> write_witnesses model folder verdicts | None -> Ok ()
   in
   let code = exit_code report verdicts in
-  if Console.is_json console then print_json console model report verdicts code
-  else print_text console model report verdicts;
+  let* () =
+    match extras.sarif with
+    | Some path -> write_sarif console path code (Some (e.model, verdicts))
+    | None -> Ok ()
+  in
+  let extra = { covered; measured = (if extras.stats then Some measured else None) } in
+  if Console.is_json console then print_json console model report verdicts extra code
+  else print_text console model report verdicts extra;
   Console.flush console;
   Ok code
 
-let run color json bounds witness overrides path =
+let run color json bounds (extras : Check_extras.t) overrides path =
   let console = Console.make ~color ~json in
   Guard.run console (fun () ->
-      match check console bounds witness overrides path with
+      match check console bounds extras overrides path with
       | Ok code -> code
-      | Error diagnostics -> Guard.invalid console diagnostics)
-
-let witness =
-  let doc =
-    "Writes a schedule for each property that has a witness to the folder $(docv), which is made if need \
-     be: $(docv)/$(i,PROPERTY).json. $(b,scc trace --schedule) replays it."
-  in
-  Arg.(value & opt (some string) None & info [ "witness" ] ~docv:"DIR" ~doc)
+      | Error diagnostics ->
+        let code = Guard.invalid console diagnostics in
+        let write path = write_sarif console path code None in
+        (match Option.map write extras.sarif with
+         | Some (Error more) -> Console.report console more
+         | Some (Ok ()) | None -> ());
+        code)
 
 let man =
   [
@@ -199,5 +237,5 @@ let command =
   Cmd.v
     (Cmd.info "check" ~doc:"explore a model and verify its properties" ~man ~exits:Exit_code.man)
     Term.(
-      const run $ Options.color $ Options.json $ Check_options.bounds $ witness $ Options.overrides
+      const run $ Options.color $ Options.json $ Check_options.bounds $ Check_extras.term $ Options.overrides
       $ Options.model_file)

@@ -17,6 +17,8 @@ val default_states : int
 val default_memory : int
 (** MiB. *)
 
+val words_of_mib : int -> int
+
 val options :
   bounds ->
   interrupted:(unit -> bool) ->

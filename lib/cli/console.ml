@@ -107,14 +107,15 @@ let progress_done c =
 let progress c line =
   if c.terminal && not c.json then begin
     c.progressing <- true;
-    prerr_string ("\r\027[K" ^ line);
+    (* Without the switch, a line that is too long for the terminal would go on in the next. *)
+    prerr_string ("\r\027[K\027[?7l" ^ line ^ "\027[?7h");
     Stdlib.flush stderr
   end
 
 let report c diagnostics =
   progress_done c;
-  if c.json then c.kept <- List.rev_append diagnostics c.kept
-  else begin
+  c.kept <- List.rev_append diagnostics c.kept;
+  if not c.json then begin
     (* What was printed before comes before. *)
     flush c;
     List.iter (fun d -> prerr_string (rendered c d)) diagnostics;

@@ -26,10 +26,10 @@ val print : t -> string -> unit
 (** To standard output. *)
 
 val report : t -> Diag.t list -> unit
-(** Shows diagnostics on standard error. *)
+(** Shows diagnostics on standard error (not in [json] mode). *)
 
 val kept : t -> Diag.t list
-(** What [report] was given in [json] mode, in order. *)
+(** What [report] was given, in order. *)
 
 val note : t -> string -> unit
 (** A line to standard error (not in [json] mode). *)

@@ -208,7 +208,7 @@ let options =
   in
   Term.(
     const make $ Options.model_file $ Options.overrides $ Check_options.bounds $ output $ format $ dialect
-    $ tau $ Hide.patterns $ instants $ positions)
+    $ tau $ Hide.patterns ~also:" For the format $(b,aut)." () $ instants $ positions)
 
 let command =
   Cmd.v

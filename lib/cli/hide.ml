@@ -16,10 +16,11 @@ let one =
   in
   Arg.conv ~docv:"PATTERN" (parse, fun ppf p -> Format.pp_print_string ppf p.source)
 
-let patterns =
+let patterns ?(also = "") () =
   let doc =
     "Makes the transitions invisible whose labels fit $(docv): a kind ($(b,time), $(b,bounce), $(b,bind), \
      $(b,weak), $(b,strong)), or the text of a label, in which $(b,*) stands for any characters: \
-     $(b,'bind(glc, *\\)'). Repeatable. For the format $(b,aut)."
+     $(b,'bind(glc, *\\)'). Repeatable."
+    ^ also
   in
   Arg.(value & opt_all one [] & info [ "hide" ] ~docv:"PATTERN" ~doc)

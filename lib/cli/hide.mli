@@ -1,9 +1,10 @@
-(** Which transitions an export does not show. *)
+(** Which transitions are not to be seen. *)
 
 type pattern
 
 val matches : pattern -> string -> bool
 (** The whole text of a label. *)
 
-val patterns : pattern list Cmdliner.Term.t
-(** [--hide PATTERN], repeatable: a pattern of {!Scc_equivalence.Label}, or a kind of labels such as [bounce]. *)
+val patterns : ?also:string -> unit -> pattern list Cmdliner.Term.t
+(** [--hide PATTERN], repeatable: a pattern of {!Scc_equivalence.Label}, or a kind of labels such as [bounce].
+    [also] ends the text of the manual. *)

@@ -3,7 +3,7 @@ open Scc_base
 let max_bytes = 64 * 1024 * 1024
 
 (* Devices and pipes do not tell their size, so the size is counted while reading. *)
-let slurp channel =
+let slurp ~max_bytes channel =
   let b = Buffer.create 65536 in
   let chunk = Bytes.create 65536 in
   let rec more () =
@@ -19,10 +19,10 @@ let slurp channel =
   | result -> result
   | exception Sys_error message -> Error message
 
-let bytes path =
+let bytes ?(max_bytes = max_bytes) path =
   if String.equal path "-" then begin
     set_binary_mode_in stdin true;
-    slurp stdin
+    slurp ~max_bytes stdin
   end
   else if (try Sys.is_directory path with Sys_error _ -> false) then
     Error "it is a directory"
@@ -30,13 +30,13 @@ let bytes path =
     match open_in_bin path with
     | exception Sys_error message -> Error (Os_error.reason path message)
     | channel ->
-      let result = slurp channel in
+      let result = slurp ~max_bytes channel in
       close_in_noerr channel;
       result
 
-let read path =
+let read ?max_bytes path =
   let name = if String.equal path "-" then "<standard input>" else path in
-  match bytes path with
+  match bytes ?max_bytes path with
   | Ok text -> Ok (Source.make ~name text)
   | Error reason ->
     Error (Diag.error Code.cannot_read (Span.make ~file:name ~start:0 ~stop:0) "cannot read: %s" reason)

@@ -6,8 +6,9 @@ open Scc_exact
 val max_bytes : int
 (** Files larger than this (64 MiB) are refused. *)
 
-val read : string -> (Source.t, Diag.t) result
-(** The bytes of a file; ["-"] is standard input. SC0101 when it cannot be read. *)
+val read : ?max_bytes:int -> string -> (Source.t, Diag.t) result
+(** The bytes of a file; ["-"] is standard input. SC0101 when it cannot be read. Not more than {!max_bytes},
+    unless told otherwise. *)
 
 val mesh_reader : Console.t -> string -> string -> (string, string) result
 (** [mesh_reader c model path] reads a mesh file that a model names, relative to the model's place. *)

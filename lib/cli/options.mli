@@ -5,6 +5,9 @@ open Cmdliner
 
 val rational : Rat.t Arg.conv
 val model_file : string Term.t
+val override : (string * Rat.t) Arg.conv
+(** [name=value]. *)
+
 val overrides : (string * Rat.t) list Term.t
 val color : Console.color Term.t
 val json : bool Term.t

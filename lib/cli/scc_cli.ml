@@ -14,15 +14,14 @@ let commands =
     Check_command.command;
     Trace_command.command;
     Explore_command.command;
+    Compare_command.command;
     Shape_command.command;
     Fmt_command.command;
   ]
 
-let version = "0.1.0"
-
 let main () =
   let info =
-    Cmd.info "scc" ~version ~doc:"interpreter and model checker for the Shape Calculus" ~man
+    Cmd.info "scc" ~version:Version.current ~doc:"interpreter and model checker for the Shape Calculus" ~man
       ~exits:Exit_code.man
   in
   (* Writing to a closed pipe is an error to be handled, and not the end. *)

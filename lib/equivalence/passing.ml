@@ -1,7 +1,5 @@
 open Scc_exact
 
-type t = { graph : Graph.t; deterministic : bool }
-
 let hide g =
   Graph.map_labels g (fun l -> if Option.is_some (Label.passing l) then Graph.tau else l)
 
@@ -42,7 +40,8 @@ let follow g passings ways s =
   let last, above = walk s [] in
   ignore (List.fold_left back last above)
 
-let merge (g : Graph.t) =
+(* One round, and whether it changed anything. *)
+let merge_once (g : Graph.t) =
   let passings = passings g in
   let ways = Array.make g.size Not_looked_at in
   for s = 0 to g.size - 1 do
@@ -50,33 +49,49 @@ let merge (g : Graph.t) =
     | Not_looked_at, Some _ -> follow g passings ways s
     | _ -> ()
   done;
+  let changed = ref false in
   let b = Graph.builder () in
   let numbers = Array.map (Graph.intern b) g.labels in
   let time p = Graph.intern b (Label.of_passing p) in
-  let forever = lazy (time Forever) in
+  (* where time passes for ever: a state of its own, after the others *)
+  let rest = g.size in
+  let for_ever source = Graph.add b ~source ~label:(time Forever) ~target:rest in
   let add_edge s label target =
-    let loop () = Graph.add b ~source:s ~label:(Lazy.force forever) ~target:s in
     match passings.(label) with
     | None -> Graph.add b ~source:s ~label:numbers.(label) ~target
-    | Some Forever -> loop ()
+    | Some Forever -> for_ever s
     | Some (For d) -> (
         match ways.(target) with
-        | For_ever -> loop ()
-        | Ends (last, rest) -> Graph.add b ~source:s ~label:(time (For (Rat.add d rest))) ~target:last
+        | For_ever ->
+          changed := true;
+          for_ever s
+        | Ends (last, more) ->
+          changed := true;
+          Graph.add b ~source:s ~label:(time (For (Rat.add d more))) ~target:last
         | Not_looked_at | Under_way -> Graph.add b ~source:s ~label:(time (For d)) ~target)
   in
   for s = 0 to g.size - 1 do
     match ways.(s) with
-    | For_ever -> Graph.add b ~source:s ~label:(Lazy.force forever) ~target:s
+    | For_ever -> for_ever s
     | _ -> Graph.iter g s (add_edge s)
   done;
-  let unknown s = not (Graph.known g s) in
-  let graph = Graph.reachable (Graph.finish b ~size:g.size ~initial:g.initial ~unknown) in
-  let is_time = Array.map (fun l -> Option.is_some (Label.passing l)) graph.labels in
+  for_ever rest;
+  let unknown s = s < g.size && not (Graph.known g s) in
+  let merged = Graph.finish b ~size:(g.size + 1) ~initial:g.initial ~unknown in
+  (Graph.reachable merged, !changed)
+
+(* Passings that have become the same may leave a state where nothing else can happen. Every round but the first
+   is due to fewer edges. *)
+let rec merge g =
+  let merged, changed = merge_once g in
+  if changed then merge merged else merged
+
+let deterministic (g : Graph.t) =
+  let is_time = Array.map (fun l -> Option.is_some (Label.passing l)) g.labels in
   let one s =
     let n = ref 0 in
-    Graph.iter graph s (fun label _ -> if is_time.(label) then incr n);
+    Graph.iter g s (fun label _ -> if is_time.(label) then incr n);
     !n <= 1
   in
-  let rec all s = s = graph.size || (one s && all (s + 1)) in
-  { graph; deterministic = all 0 }
+  let rec all s = s = g.size || (one s && all (s + 1)) in
+  all 0

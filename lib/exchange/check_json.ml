@@ -15,6 +15,7 @@ type t = {
   zeno : Witness.t option;
   diagnostics : Diag.t list;
   exit : int;
+  extra : (string * Json.t) list;
 }
 
 let kind : Verdict.t -> string = function
@@ -138,7 +139,7 @@ let explored (s : Check.stats) =
 
 let document ~source r =
   `Assoc
-    [
+    ([
       ("format", `String "scc-check");
       ("version", `Int 1);
       ("semantics", `String Trace.semantics_version);
@@ -151,3 +152,4 @@ let document ~source r =
       ("zeno", Json.option (witness r.model) r.zeno);
       ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
     ]
+      @ r.extra)

@@ -17,9 +17,13 @@ type t = {
   zeno : Witness.t option;
   diagnostics : Diag.t list;
   exit : int;
+  extra : (string * Json.t) list;  (** members that were asked for: [coverage], [measured] *)
 }
 
 val kind : Verdict.t -> string
 (** ["holds"], ["holds-up-to-bound"], ["violated"] or ["undecided"]. *)
+
+val truncation : Verdict.truncation -> Json.t
+(** A bound that was met. *)
 
 val document : source:(string -> Source.t option) -> t -> Json.t

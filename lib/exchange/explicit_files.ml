@@ -79,7 +79,7 @@ let names (e : Exported.t) mdp variables put =
   let label (p : State_predicates.t) = `Assoc [ ("name", Json.text p.name); ("text", Json.text p.text) ] in
   let action (name, text) = `Assoc [ ("name", Json.text name); ("text", Json.text text) ] in
   let check (c : Property.check) =
-    let asked = Pctl.formula (Labelling.predicates l) c.formula in
+    let asked = Pctl.formula ~occurs:(fun _ -> true) (Labelling.predicates l) c.formula in
     `Assoc
       [
         ("name", Json.text c.name);

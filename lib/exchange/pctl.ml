@@ -3,61 +3,81 @@ open Scc_property
 
 let ( let* ) = Result.bind
 
-let label predicates p =
+(* Constants are worked out: they stand alone or not at all. *)
+type asked = Constant of bool | Asked of string
+
+let text = function Constant b -> string_of_bool b | Asked s -> s
+let bracket f = "(" ^ text f ^ ")"
+
+let not_ = function
+  | Constant b -> Constant (not b)
+  | Asked s -> Asked (Printf.sprintf "!(%s)" s)
+
+(* [neutral] changes nothing, and its complement decides. *)
+let several operator ~neutral parts =
+  let is b = function Constant c -> Bool.equal b c | Asked _ -> false in
+  if List.exists (is (not neutral)) parts then Constant (not neutral)
+  else
+    match List.filter (fun f -> not (is neutral f)) parts with
+    | [] -> Constant neutral
+    | [ f ] -> f
+    | parts -> Asked (String.concat operator (List.map bracket parts))
+
+let both f g = several " & " ~neutral:true [ f; g ]
+let either f g = several " | " ~neutral:false [ f; g ]
+
+type labels = { predicates : State_predicates.t array; occurs : string -> bool }
+
+let label l name = if l.occurs name then Asked (Printf.sprintf "\"%s\"" name) else Constant false
+
+let state l (p : Property.prop) =
   let same (q : State_predicates.t) = Formula.equal_prop q.prop p in
-  match (p : Property.prop) with
-  | Bool b -> Ok (string_of_bool b)
+  match p with
+  | Bool b -> Ok (Constant b)
   | _ -> (
-      match List.find_opt same (Array.to_list predicates) with
-      | Some q -> Ok (Printf.sprintf "\"%s\"" q.name)
+      match List.find_opt same (Array.to_list l.predicates) with
+      | Some q -> Ok (label l q.name)
       | None -> Error "it speaks of events")
 
 let unbounded (b : Property.bound) =
   if Rat.sign b.low = 0 && Option.is_none b.high then Ok () else Error "it has a bound of time"
 
-let rec formula predicates (f : Property.temporal) =
+(* A path formula of all schedulers, or of some one. Runs have probability 0 or 1. *)
+let path (q : Property.path_quantifier) format =
+  match q with
+  | All -> Asked (Printf.sprintf "P>=1 [%s]" format)
+  | Exists -> Asked (Printf.sprintf "!(P<1 [%s])" format)
+
+let rec ask l (f : Property.temporal) =
   match Formula.state_formula f with
-  | Some p -> label predicates p
+  | Some p -> state l p
   | None -> (
-      let of_part = formula predicates in
       match f with
-      | State p -> label predicates p
-      | Temporal_not f ->
-        let* f = of_part f in
-        Ok (Printf.sprintf "!(%s)" f)
-      | Temporal_and fs -> several predicates " & " fs
-      | Temporal_or fs -> several predicates " | " fs
+      | State p -> state l p
+      | Temporal_not f -> Result.map not_ (ask l f)
+      | Temporal_and fs -> Result.map (several " & " ~neutral:true) (all l fs)
+      | Temporal_or fs -> Result.map (several " | " ~neutral:false) (all l fs)
       | Next _ -> Error "it has the operator X"
       | Finally (q, b, f) ->
         let* () = unbounded b in
-        let* f = of_part f in
-        Ok (path q "F" f)
+        Result.map (fun f -> path q ("F " ^ bracket f)) (ask l f)
       | Globally (q, b, f) ->
         let* () = unbounded b in
-        let* f = of_part f in
-        Ok
-          (match q with
-           | All -> Printf.sprintf "P>=1 [G (%s)]" f
-           | Exists -> Printf.sprintf "!(P<1 [G (%s)])" f)
+        Result.map (fun f -> path q ("G " ^ bracket f)) (ask l f)
       | Until (q, b, f, g) ->
         let* () = unbounded b in
-        let* f = of_part f in
-        let* g = of_part g in
-        Ok (path q (Printf.sprintf "(%s) U" f) g))
+        let* f = ask l f in
+        let* g = ask l g in
+        (* Where g begins right after an instant, an instant at which it holds comes after others. *)
+        let g = both g (either f (not_ (label l "right_after"))) in
+        Ok (path q (Printf.sprintf "%s U %s" (bracket f) (bracket g))))
 
-(* What ends in a state that is met. *)
-and path (q : Property.path_quantifier) operator f =
-  match q with
-  | All -> Printf.sprintf "P>=1 [%s %s]" operator (bracket f)
-  | Exists -> Printf.sprintf "!(P<=0 [%s %s])" operator (bracket f)
-
-and bracket f = "(" ^ f ^ ")"
-
-and several predicates operator fs =
+and all l fs =
   let add found f =
     let* found = found in
-    let* f = formula predicates f in
-    Ok (bracket f :: found)
+    let* f = ask l f in
+    Ok (f :: found)
   in
-  let* parts = List.fold_left add (Ok []) fs in
-  Ok (String.concat operator (List.rev parts))
+  Result.map List.rev (List.fold_left add (Ok []) fs)
+
+let formula ~occurs predicates f = Result.map text (ask { predicates; occurs } f)

@@ -128,16 +128,23 @@ let leaves_of_prop = function
   | Event (Bond (_, _, Two (i, j)) | Bounce (Two (i, j))) -> [ i; j ]
   | Event (Bond (_, _, Any) | Bounce Any) | Bool _ | Compare _ | Quiescent | Not _ | And _ | Or _ -> []
 
+let iter ~num ~prop f =
+  let visit g x = g x; false in
+  ignore (exists { of_num = visit num; of_prop = visit prop } f)
+
 module Leaves = Set.Make (Int)
 
 let leaves f =
   let found = ref Leaves.empty in
-  let note list =
-    found := List.fold_left (fun found i -> Leaves.add i found) !found list;
-    false
-  in
-  ignore (exists { of_num = (fun n -> note (leaves_of_num n)); of_prop = (fun p -> note (leaves_of_prop p)) } f);
+  let note list = found := List.fold_left (fun found i -> Leaves.add i found) !found list in
+  iter ~num:(fun n -> note (leaves_of_num n)) ~prop:(fun p -> note (leaves_of_prop p)) f;
   Leaves.elements !found
+
+let rec predicates = function
+  | State p -> [ p ]
+  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> predicates f
+  | Temporal_and fs | Temporal_or fs -> List.concat_map predicates fs
+  | Until (_, _, f, g) -> predicates f @ predicates g
 
 let rec state_formula = function
   | State p -> Some p

@@ -45,5 +45,11 @@ val global : temporal -> bool
 (** Whether it has an atom that depends on the whole network: bonds or events without leaves, the number of
     processes, energy, momentum, [quiescent]. ([time] depends on no process.) *)
 
+val iter : num:(num -> unit) -> prop:(prop -> unit) -> temporal -> unit
+(** Visits every number and every predicate, those inside others included. *)
+
+val predicates : temporal -> prop list
+(** The predicates that temporal operators are about, in order. *)
+
 val state_formula : temporal -> prop option
 (** The predicate, when no temporal operator occurs. *)

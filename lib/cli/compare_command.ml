@@ -1,0 +1,159 @@
+open Scc_exact
+open Scc_equivalence
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type options = {
+  relation : Compare.relation;
+  first : string;
+  second : string;
+  overrides : (string * Rat.t) list;
+  left : (string * Rat.t) list;
+  right : (string * Rat.t) list;
+  hidden : Hide.pattern list;
+  renamed : (string * string) list;
+  write : string option;
+  bounds : Check_options.bounds;
+}
+
+(* The labels of the first as the second has them, and those that are not to be seen. *)
+let labelled o ~first g =
+  let rules = if first then List.map (fun (from, into) -> Label.rule from into) o.renamed else [] in
+  Graph.map_labels g (fun label ->
+      let label = Label.rename rules label in
+      if List.exists (fun p -> Hide.matches p label) o.hidden then Graph.tau else label)
+
+(* Seconds are counted from the beginning of each exploration, and of the comparison. *)
+let stop_at (bounds : Check_options.bounds) interrupted =
+  let start = Unix.gettimeofday () in
+  let words = Check_options.words_of_mib (Option.value ~default:Check_options.default_memory bounds.memory) in
+  fun () ->
+    interrupted ()
+    || (match bounds.seconds with Some s -> Unix.gettimeofday () -. start > s | None -> false)
+    || (Gc.quick_stat ()).heap_words > words
+
+let exit_code (first : Compared.t) (second : Compared.t) (report : Compare.report) : Exit_code.t =
+  let resources c =
+    match Compared.stopped_by c with
+    | [] -> false
+    | bounds -> Scc_verify.Verdict.(resources (Holds { bounds; witness = None }))
+  in
+  match report.verdict with
+  | Equivalent -> Holds
+  | Different _ -> Violated
+  | Undecided Effort_spent -> Stopped
+  | Undecided Unknown_states when resources first || resources second -> Stopped
+  | Undecided _ -> Undecided
+
+let progress console path (p : Scc_explore.Limits.progress) =
+  Console.progress console
+    (Printf.sprintf "%s: %d states, %d to expand, depth %d" path p.states p.waiting p.depth)
+
+let write_graphs o first second =
+  match o.write with
+  | None -> Ok ()
+  | Some prefix ->
+    let file n g = (Printf.sprintf "%s-%d.aut" prefix n, Aut.write g) in
+    Result.map_error (fun d -> [ d ]) (Whole_file.write [ file 1 first; file 2 second ])
+
+let compare console o =
+  let interrupted = Interrupt.install () in
+  Option.iter (fun s -> Interrupt.deadline (3. *. s)) o.bounds.seconds;
+  let load path overrides =
+    let options = Check_options.options o.bounds ~interrupted ~progress:(progress console path) in
+    Compared.load console options ~overrides:(o.overrides @ overrides) path
+  in
+  let* first = load o.first o.left in
+  let* second = load o.second o.right in
+  let prepared ~first (c : Compared.t) = Compare.prepare o.relation (labelled o ~first c.graph) in
+  let one = prepared ~first:true first and two = prepared ~first:false second in
+  let* () = write_graphs o one two in
+  let effort = Effort.make ~stop:(stop_at o.bounds interrupted) in
+  let report = Compare.run effort o.relation one two in
+  let code = exit_code first second report in
+  let told = { Compare_report.relation = o.relation; first; second; report; exit = code } in
+  Console.print console
+    (if Console.is_json console then Scc_exchange.Json.pretty (Compare_report.json console told)
+     else Compare_report.text console told);
+  Console.flush console;
+  Ok code
+
+let usage message =
+  prerr_endline ("scc: " ^ message);
+  Exit_code.Usage
+
+let run color json o =
+  let console = Console.make ~color ~json in
+  if String.equal o.first "-" && String.equal o.second "-" then
+    usage "only one of the two can be read from standard input"
+  else
+    Guard.run console (fun () ->
+        match compare console o with
+        | Ok code -> code
+        | Error diagnostics -> Guard.invalid console diagnostics)
+
+(** {2 The command line} *)
+
+let input index docv =
+  let doc = Printf.sprintf "The %s model, or a graph in the format $(b,.aut)." docv in
+  Arg.(required & pos index (some string) None & info [] ~docv:(String.uppercase_ascii docv) ~doc)
+
+let relation =
+  let doc =
+    "What equivalent means: $(b,trace), $(b,weak), $(b,branching), $(b,strong) or $(b,timed) (see RELATIONS)."
+  in
+  Arg.(value & opt (enum Compare_report.relations) Compare.Branching & info [ "modulo" ] ~docv:"RELATION" ~doc)
+
+let definitions names what =
+  let doc = Printf.sprintf "As $(b,-D), for the %s model alone. Repeatable." what in
+  Arg.(value & opt_all Options.override [] & info names ~docv:"NAME=VALUE" ~doc)
+
+let overrides =
+  let doc = "Gives the parameter $(i,NAME) of both models the value $(i,VALUE), a rational. Repeatable." in
+  Arg.(value & opt_all Options.override [] & info [ "D"; "define" ] ~docv:"NAME=VALUE" ~doc)
+
+let renaming =
+  let refuse fmt = Printf.ksprintf (fun s -> Error (`Msg s)) fmt in
+  let parse s =
+    match String.index_opt s '=' with
+    | Some i when i > 0 ->
+      let from = String.sub s 0 i and into = String.sub s (i + 1) (String.length s - i - 1) in
+      if String.equal into "" then refuse "`%s' gives no new name" s
+      else if Label.stars into > Label.stars from then refuse "`%s' has more stars after the = than before" s
+      else Ok (from, into)
+    | _ -> refuse "`%s' is not of the form FROM=TO" s
+  in
+  Arg.conv ~docv:"FROM=TO" (parse, fun ppf (from, into) -> Format.fprintf ppf "%s=%s" from into)
+
+let renamed =
+  let doc =
+    "Changes the labels of the first model before they are compared. $(i,FROM) is a name of a body, a part or a \
+     channel, which is replaced wherever it stands in a label ($(b,p=left)); or, with a bracket or a $(b,*) in it, a \
+     pattern for whole labels: what its stars stand for takes the places of the stars of $(i,TO) \
+     ($(b,'bind(a, *\\)=bind(b, *\\)')). The first pattern that fits decides; else all names are replaced at once. \
+     Repeatable."
+  in
+  Arg.(value & opt_all renaming [] & info [ "rename" ] ~docv:"FROM=TO" ~doc)
+
+let write =
+  let doc =
+    "Writes the two graphs as they are compared, renamed, hidden and with time as the relation sees it, to \
+     $(docv)-1.aut and $(docv)-2.aut."
+  in
+  Arg.(value & opt (some string) None & info [ "write" ] ~docv:"PREFIX" ~doc)
+
+let options =
+  let make relation first second overrides left right hidden renamed write bounds =
+    { relation; first; second; overrides; left; right; hidden; renamed; write; bounds }
+  in
+  Term.(
+    const make $ relation $ input 0 "first" $ input 1 "second" $ overrides
+    $ definitions [ "left" ] "first" $ definitions [ "right" ] "second"
+    $ Hide.patterns ~also:" In both, and after $(b,--rename)." () $ renamed $ write $ Check_options.bounds)
+
+let command =
+  Cmd.v
+    (Cmd.info "compare" ~doc:"tell whether two models are equivalent, and why not" ~man:Compare_manual.text
+       ~exits:Compare_manual.exits)
+    Term.(const run $ Options.color $ Options.json $ options)

@@ -1,0 +1,175 @@
+open Scc_exchange
+open Scc_verify
+open Scc_equivalence
+
+type t = {
+  relation : Compare.relation;
+  first : Compared.t;
+  second : Compared.t;
+  report : Compare.report;
+  exit : Exit_code.t;
+}
+
+let relations =
+  [
+    ("trace", Compare.Trace);
+    ("weak", Weak);
+    ("branching", Branching);
+    ("strong", Strong);
+    ("timed", Timed);
+  ]
+
+let name relation = fst (List.find (fun (_, r) -> r = relation) relations)
+
+(* Longer formulas are no help to a person. *)
+let most_printed = 200
+
+(* Nor to a program. *)
+let most_written = 100_000
+
+let reason_text : Compare.reason -> string = function
+  | Unknown_states -> "no difference within what is known; it may lie in what was not explored"
+  | Effort_spent -> "a limit of seconds or memory, or an interruption, ended the comparison"
+  | Too_many_sets ->
+    Printf.sprintf "more than %d pairs of sets of states would have to be compared" Traces.most_sets
+  | Too_many_pairs ->
+    Printf.sprintf "more than %d pairs of states would have to be compared" Game.most_pairs
+
+let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
+
+(* Two files of one name are told apart. *)
+let title t first =
+  let own = if first then t.first.path else t.second.path in
+  if not (String.equal t.first.path t.second.path) then own
+  else if first then "the first " ^ own
+  else "the second " ^ own
+
+let limits (c : Compared.t) =
+  if Graph.complete c.graph then "complete"
+  else
+    match Verdict.distinct (Compared.stopped_by c) with
+    | [] -> "not complete"
+    | bounds ->
+      "not complete: stopped by " ^ String.concat ", " (List.map Verdict.truncation_to_string bounds)
+
+let side_text t first =
+  let c = if first then t.first else t.second in
+  let s = if first then t.report.first else t.report.second in
+  let states, transitions = Compared.size c in
+  let classes =
+    match s.classes with
+    | Some n -> Printf.sprintf ", %s" (plural n "class" "classes")
+    | None -> ""
+  in
+  Printf.sprintf "%s: %s, %s%s; %s\n" (title t first)
+    (plural states "state" "states")
+    (plural transitions "transition" "transitions")
+    classes (limits c)
+
+let indented lines = String.concat "" (List.map (fun l -> "    " ^ l ^ "\n") lines)
+
+let trace_text t (d : Compare.difference) =
+  match d.trace with
+  | Some (labels, first) ->
+    let numbered = List.mapi (fun i l -> Printf.sprintf "%d. %s" (i + 1) l) labels in
+    Printf.sprintf "  %s can do this, and %s cannot:\n%s" (title t first)
+      (title t (not first))
+      (indented numbered)
+  | None when d.trace_open -> "  whether their traces differ is not known\n"
+  | None -> "  their traces are the same\n"
+
+let formula_text t (d : Compare.difference) =
+  match d.formula with
+  | None -> "  a formula that tells them apart would be too large\n"
+  | Some f when Formula.size f > most_printed ->
+    Printf.sprintf "  a formula of %s tells them apart%s\n"
+      (plural (Formula.size f) "operator" "operators")
+      (if Formula.size f <= most_written then ": see --json" else "")
+  | Some f ->
+    Printf.sprintf "  this is true of %s, and not of %s:\n%s" (title t true) (title t false)
+      (indented [ t.report.show f ])
+
+let text console t =
+  let relation = name t.relation in
+  let verdict, why =
+    match t.report.verdict with
+    | Equivalent -> (Console.styled console Good "equivalent" ^ " modulo " ^ relation ^ "\n", "")
+    | Different d ->
+      ( Console.styled console Bad "not equivalent" ^ " modulo " ^ relation ^ "\n",
+        trace_text t d ^ formula_text t d )
+    | Undecided reason ->
+      ( Console.styled console Doubtful "undecided" ^ " modulo " ^ relation ^ ": " ^ reason_text reason ^ "\n",
+        "" )
+  in
+  verdict ^ why ^ side_text t true ^ side_text t false
+
+(* {1 JSON} *)
+
+let side_json (c : Compared.t) (s : Compare.side) =
+  let states, transitions = Compared.size c in
+  let kind, model, digest, parameters, faults =
+    match c.source with
+    | File -> ("graph", `Null, `Null, `Assoc [], [])
+    | Model { model; space } ->
+      let e = model.elaborated in
+      ( "model",
+        Json.option Json.text e.name,
+        `String model.digest,
+        `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) e.parameters),
+        space.faults )
+  in
+  `Assoc
+    [
+      ("file", Json.text c.path);
+      ("kind", `String kind);
+      ("model", model);
+      ("digest", digest);
+      ("parameters", parameters);
+      ("states", `Int states);
+      ("transitions", `Int transitions);
+      ("complete", `Bool (Graph.complete c.graph));
+      ("stopped_by", `List (List.map Check_json.truncation (Compared.stopped_by c)));
+      ("faults", `List (List.map Json.text faults));
+      ("compared_states", `Int s.states);
+      ("compared_transitions", `Int s.transitions);
+      ("classes", Json.option (fun n -> `Int n) s.classes);
+    ]
+
+let which first = `String (if first then "first" else "second")
+
+let trace_json (labels, first) =
+  `Assoc [ ("of", which first); ("labels", `List (List.map Json.text labels)) ]
+
+let formula_json t f =
+  let text = if Formula.size f <= most_written then Json.text (t.report.show f) else `Null in
+  `Assoc [ ("operators", `Int (Formula.size f)); ("text", text) ]
+
+let json console t =
+  let verdict, trace, trace_known, formula, reason =
+    match t.report.verdict with
+    | Equivalent -> ("equivalent", `Null, true, `Null, `Null)
+    | Different d ->
+      ( "different",
+        Json.option trace_json d.trace,
+        not d.trace_open,
+        Json.option (formula_json t) d.formula,
+        `Null )
+    | Undecided reason -> ("undecided", `Null, false, `Null, `String (reason_text reason))
+  in
+  `Assoc
+    [
+      ("format", `String "scc-compare");
+      ("version", `Int 1);
+      ("semantics", `String Trace.semantics_version);
+      ("relation", `String (name t.relation));
+      ("verdict", `String verdict);
+      ("exit", `Int (Exit_code.to_int t.exit));
+      ("trace", trace);
+      ("trace_known", `Bool trace_known);
+      ("formula", formula);
+      ("reason", reason);
+      ("first", side_json t.first t.report.first);
+      ("second", side_json t.second t.report.second);
+      ( "diagnostics",
+        `List (List.map (Diag_json.diagnostic ~source:(Console.source console)) (Console.kept console)) );
+    ]

@@ -1,0 +1,67 @@
+open Scc_base
+open Scc_semantics
+open Scc_verify
+open Scc_equivalence
+
+let ( let* ) = Result.bind
+
+type source = Model of { model : Input.model; space : Space.t } | File
+type t = { path : string; source : source; graph : Graph.t }
+
+let is_graph_file path = Filename.check_suffix path ".aut"
+
+(* A graph of ten million transitions has some 300 MB. *)
+let max_graph_bytes = 1024 * 1024 * 1024
+
+let graph_of_space (space : Space.t) =
+  let b = Graph.builder () in
+  for s = 0 to space.size - 1 do
+    Array.iter
+      (fun (e : Space.edge) ->
+         let label = Graph.intern b (Transition.label_to_string space.model e.label) in
+         Graph.add b ~source:s ~label ~target:e.target)
+      (space.edges s);
+    if space.rests s then
+      Graph.add b ~source:s ~label:(Graph.intern b (Label.of_passing Forever)) ~target:s
+  done;
+  Graph.finish b ~size:space.size ~initial:0 ~unknown:(fun s -> not (space.expanded s))
+
+let load_graph console path =
+  match Input.read ~max_bytes:max_graph_bytes path with
+  | Error d -> Error [ d ]
+  | Ok source -> (
+      match Aut.read ~file:path (Source.text source) with
+      | Ok graph -> Ok { path; source = File; graph }
+      | Error d ->
+        Console.add_source console source;
+        Error [ d ])
+
+let load_model console options ~overrides path =
+  let* model = Input.model console ~overrides path in
+  let e = model.elaborated in
+  Console.report console e.warnings;
+  let* initial =
+    Result.map_error
+      (fun f -> [ Diag.error Code.bad_law Span.none "%s" (Transition.fault_to_string e.model f) ])
+      (Network.initial e.model e.declared)
+  in
+  let space = Space.explore options e.model ~initial in
+  Console.progress_done console;
+  Console.report console
+    (List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) space.faults);
+  Ok { path; source = Model { model; space }; graph = graph_of_space space }
+
+let load console options ~overrides path =
+  if is_graph_file path then
+    if overrides = [] then load_graph console path
+    else
+      Error
+        [
+          Diag.error Code.unknown_parameter
+            (Span.make ~file:path ~start:0 ~stop:0)
+            "a graph has no parameters that could be given a value";
+        ]
+  else load_model console options ~overrides path
+
+let stopped_by t = match t.source with Model { space; _ } -> space.stopped_by | File -> []
+let size t = (t.graph.size, Graph.edges t.graph)

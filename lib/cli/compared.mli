@@ -1,0 +1,35 @@
+(** What [scc compare] is given: models and graphs. *)
+
+open Scc_base
+open Scc_exact
+open Scc_verify
+open Scc_equivalence
+
+type source =
+  | Model of { model : Input.model; space : Space.t }
+  | File  (** in the format .aut *)
+
+type t = {
+  path : string;
+  source : source;
+  graph : Graph.t;  (** with the labels of the model; where it is quiescent, time passes for ever *)
+}
+
+val is_graph_file : string -> bool
+(** By its extension, [.aut]. *)
+
+val graph_of_space : Space.t -> Graph.t
+
+val load :
+  Console.t ->
+  Check.options ->
+  overrides:(string * Rat.t) list ->
+  string ->
+  (t, Diag.t list) result
+(** Reads the file and, if it is a model, explores it; reports the model's warnings. *)
+
+val stopped_by : t -> Verdict.truncation list
+(** The bounds that left states of the model unexplored. *)
+
+val size : t -> int * int
+(** States and transitions, as they were read or explored. *)

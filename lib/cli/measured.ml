@@ -1,0 +1,74 @@
+open Scc_verify
+open Scc_exchange
+
+type t = { mutable phases : (string * float) list  (** the last first *) }
+
+let start () = { phases = [] }
+
+let phase t name f =
+  let before = Unix.gettimeofday () in
+  let ended () = t.phases <- (name, Float.max 0. (Unix.gettimeofday () -. before)) :: t.phases in
+  match f () with
+  | result ->
+    ended ();
+    result
+  | exception e ->
+    ended ();
+    raise e
+
+let bytes_of_words words = words * (Sys.word_size / 8)
+
+(* As the system counts it, where it says so. *)
+let peak_resident () =
+  let kib line =
+    match String.split_on_char ':' line with
+    | [ "VmHWM"; rest ] -> (
+        match String.split_on_char ' ' (String.trim rest) with
+        | [ n; "kB" ] -> Option.map (fun n -> n * 1024) (int_of_string_opt n)
+        | _ -> None)
+    | _ -> None
+  in
+  match open_in "/proc/self/status" with
+  | exception Sys_error _ -> None
+  | channel ->
+    let rec find () =
+      match input_line channel with
+      | line -> ( match kib line with Some n -> Some n | None -> find ())
+      | exception (End_of_file | Sys_error _) -> None
+    in
+    let found = find () in
+    close_in_noerr channel;
+    found
+
+let exploring t = Option.value ~default:0. (List.assoc_opt "explore" t.phases)
+let per_second n seconds = if seconds > 0. then int_of_float (float_of_int n /. seconds) else 0
+
+let lines t (s : Check.stats) =
+  let gc = Gc.quick_stat () in
+  let mib bytes = Printf.sprintf "%.1f MiB" (float_of_int bytes /. 1048576.) in
+  let rate = per_second s.states (exploring t) and edges = per_second s.transitions (exploring t) in
+  let resident = match peak_resident () with Some n -> ", resident " ^ mib n | None -> "" in
+  [
+    "measured (varies from run to run):";
+    Printf.sprintf "  states %d, transitions %d, depth %d" s.states s.transitions s.depth;
+    Printf.sprintf "  rate: %d states/s, %d transitions/s" rate edges;
+    Printf.sprintf "  memory, at most: heap %s%s" (mib (bytes_of_words gc.top_heap_words)) resident;
+    Printf.sprintf "  collections: %d minor, %d major" gc.minor_collections gc.major_collections;
+    "  seconds: "
+    ^ String.concat ", " (List.rev_map (fun (name, x) -> Printf.sprintf "%s %.3f" name x) t.phases);
+  ]
+
+let json t (s : Check.stats) =
+  let gc = Gc.quick_stat () in
+  let micros x = `Int (int_of_float (x *. 1e6)) in
+  `Assoc
+    [
+      ("varies", `Bool true);
+      ("states_per_second", `Int (per_second s.states (exploring t)));
+      ("transitions_per_second", `Int (per_second s.transitions (exploring t)));
+      ("peak_heap_bytes", `Int (bytes_of_words gc.top_heap_words));
+      ("peak_resident_bytes", Json.option (fun n -> `Int n) (peak_resident ()));
+      ("minor_collections", `Int gc.minor_collections);
+      ("major_collections", `Int gc.major_collections);
+      ("microseconds", `Assoc (List.rev_map (fun (name, x) -> (name, micros x)) t.phases));
+    ]

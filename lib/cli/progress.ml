@@ -1,0 +1,40 @@
+open Scc_exact
+open Scc_explore
+
+let duration s =
+  if s < 100. then Printf.sprintf "%.0f s" s
+  else if s < 6000. then Printf.sprintf "%.0f min" (s /. 60.)
+  else Printf.sprintf "%.1f h" (s /. 3600.)
+
+(* What is left of the bounds; nothing can be said of those of depth and model time, whose states nobody knows. *)
+let left (b : Check_options.bounds) ~elapsed (p : Limits.progress) =
+  let of_states n =
+    if p.states = 0 then None
+    else Some (elapsed *. float_of_int (max 0 (n - p.states)) /. float_of_int p.states)
+  in
+  let of_seconds s = Some (Float.max 0. (s -. elapsed)) in
+  match (Option.bind b.states of_states, Option.bind b.seconds of_seconds) with
+  | Some x, Some y -> Some (Float.min x y)
+  | Some x, None | None, Some x -> Some x
+  | None, None -> None
+
+let line ~bounds ~elapsed ~heap (p : Limits.progress) =
+  let rate = if elapsed > 0. then float_of_int p.states /. elapsed else 0. in
+  let estimate =
+    match left bounds ~elapsed p with
+    | Some s when elapsed >= 1. -> Printf.sprintf ", at most %s left" (duration s)
+    | Some _ | None -> ""
+  in
+  Printf.sprintf "%d states (%.0f/s), %d to expand, depth %d, model time %.5g, %d MiB%s" p.states rate p.waiting
+    p.depth (Rat.to_float p.model_time) (heap / 1048576) estimate
+
+let show console bounds =
+  let start = Unix.gettimeofday () in
+  let last = ref start in
+  fun p ->
+    let now = Unix.gettimeofday () in
+    if now -. !last >= 0.1 then begin
+      last := now;
+      let heap = (Gc.quick_stat ()).heap_words * (Sys.word_size / 8) in
+      Console.progress console (line ~bounds ~elapsed:(now -. start) ~heap p)
+    end

@@ -1,0 +1,12 @@
+(** The line on a terminal that says how far an exploration is. *)
+
+open Scc_explore
+
+val line : bounds:Check_options.bounds -> elapsed:float -> heap:int -> Limits.progress -> string
+(** States and how many of them a second, those still to expand, depth, model time, memory ([heap] in bytes);
+    and for a bound of states or seconds how long it takes to meet it at most, at the rate so far. [elapsed] is
+    in seconds. *)
+
+val show : Console.t -> Check_options.bounds -> Limits.progress -> unit
+(** Partial application starts the clock; the line is written at most ten times a second, and only if standard
+    error is a terminal. *)

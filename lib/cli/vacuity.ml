@@ -1,0 +1,26 @@
+open Scc_base
+open Scc_property
+open Scc_verify
+
+(* What this version cannot execute is not asked. *)
+let questions (e : Scc_elaborate.Elaborate.t) =
+  List.filter (fun (p : Property.check) -> Result.is_ok (Plan.of_formula p.formula)) e.premises
+
+let premise ((p : Property.check), (v : Verdict.t)) =
+  match v with
+  | Violated _ ->
+    Some
+      (Diag.warning Code.vacuous p.span "`%s` says nothing: no run ever meets its premise `%s`" p.name p.text)
+  | Holds _ | Undecided _ -> None
+
+let warnings (s : Check.stats) answers =
+  let uneventful =
+    if s.complete && not s.eventful then
+      [
+        Diag.warning Code.uneventful Span.none
+          "nothing ever happens in this model: no two bodies collide, and nothing splits"
+          ~hint:"`scc check --coverage` lists what never came to be";
+      ]
+    else []
+  in
+  uneventful @ List.filter_map premise answers

@@ -1,0 +1,13 @@
+(** Warnings about checks that hold for want of anything that could speak against them. Only what was explored
+    completely is warned of, so that no warning is wrong; a warning changes no verdict. *)
+
+open Scc_base
+open Scc_property
+open Scc_verify
+
+val questions : Scc_elaborate.Elaborate.t -> Property.check list
+(** Whether premises ever hold: to be decided beside the checks. They keep no exploration going, as a check is
+    never decided before its premise has been met or all is explored. *)
+
+val warnings : Check.stats -> (Property.check * Verdict.t) list -> Diag.t list
+(** SC0703 when nothing ever happens, SC0702 for each of the {!questions} whose answer is no. *)

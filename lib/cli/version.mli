@@ -1,0 +1,3 @@
+(** The version of the program. *)
+
+val current : string

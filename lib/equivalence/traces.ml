@@ -1,0 +1,138 @@
+open Scc_exact
+
+type view = Every_action | Observable
+type step = Action of int | Time of Rat.t
+
+type outcome =
+  | Trace of { steps : step list; first : bool }
+  | Same
+  | Too_large
+  | Unclear
+
+let most_sets = 200_000
+
+(* Where a trace can lead to. *)
+type set = {
+  number : int;
+  members : int list;  (* ascending *)
+  exact : bool;  (* no trace to here went through an unknown state, and no member is unknown *)
+}
+
+type t = {
+  effort : Effort.t;
+  view : view;
+  m : System.t;
+  sets : (string, set) Hashtbl.t;
+  pairs : (int * int, unit) Hashtbl.t;
+  queue : (set * set * step list) Queue.t;  (* with the trace, the last step first *)
+  mutable unclear : bool;
+}
+
+exception Found of outcome
+
+let set t ~exact positions =
+  let members =
+    List.sort_uniq Int.compare
+      (match t.view with Every_action -> positions | Observable -> System.silent_closure t.m positions)
+  in
+  Effort.spend t.effort (1 + List.length members);
+  let exact = exact && List.for_all (System.known t.m) members in
+  let key = String.concat "," (string_of_bool exact :: List.map string_of_int members) in
+  match Hashtbl.find_opt t.sets key with
+  | Some s -> s
+  | None ->
+    let s = { number = Hashtbl.length t.sets; members; exact } in
+    Hashtbl.add t.sets key s;
+    s
+
+let is_empty s = match s.members with [] -> true | _ :: _ -> false
+
+let visit t one two trace =
+  let key = (one.number, two.number) in
+  if one.number <> two.number && not (Hashtbl.mem t.pairs key) then begin
+    if Hashtbl.length t.pairs >= most_sets then raise (Found Too_large);
+    Hashtbl.add t.pairs key ();
+    Queue.add (one, two, trace) t.queue
+  end
+
+(* After a step of both: a difference, nothing, or a pair to look at. *)
+let arrive t one two step trace =
+  let trace = step :: trace in
+  let found first = raise (Found (Trace { steps = List.rev trace; first })) in
+  match (is_empty one, is_empty two) with
+  | true, true -> ()
+  | false, true -> if two.exact then found true else t.unclear <- true
+  | true, false -> if one.exact then found false else t.unclear <- true
+  | false, false -> visit t one two trace
+
+module Actions = Map.Make (Int)
+
+let by_action t s =
+  let add map p =
+    let map = ref map in
+    System.actions t.m p (fun a target ->
+        if not (t.view = Observable && Graph.is_tau a) then
+          map := Actions.update a (fun l -> Some (target :: Option.value ~default:[] l)) !map);
+    !map
+  in
+  List.fold_left add Actions.empty s.members
+
+let patience t s =
+  List.fold_left
+    (fun least p ->
+       match (least, System.patience t.m p) with
+       | System.Never, other | other, System.Never -> other
+       | Forever, other | other, Forever -> other
+       | For d, For e -> For (Rat.min d e))
+    System.Never s.members
+
+let expand t (one, two, trace) =
+  if not (one.exact && two.exact) then t.unclear <- true;
+  let first = by_action t one and second = by_action t two in
+  let step a l1 l2 =
+    let reached from l = set t ~exact:from.exact (Option.value ~default:[] l) in
+    arrive t (reached one l1) (reached two l2) (Action a) trace;
+    None
+  in
+  ignore (Actions.merge step first second);
+  match System.common (patience t one) (patience t two) with
+  | None -> ()
+  | Some d ->
+    let reached from = set t ~exact:from.exact (List.concat_map (fun p -> System.wait t.m p d) from.members) in
+    arrive t (reached one) (reached two) (Time d) trace
+
+let rec search t =
+  if Queue.is_empty t.queue then if t.unclear then Unclear else Same
+  else begin
+    expand t (Queue.pop t.queue);
+    search t
+  end
+
+let compare effort view m p q =
+  let t =
+    {
+      effort;
+      view;
+      m;
+      sets = Hashtbl.create 1024;
+      pairs = Hashtbl.create 1024;
+      queue = Queue.create ();
+      unclear = false;
+    }
+  in
+  match
+    visit t (set t ~exact:true [ p ]) (set t ~exact:true [ q ]) [];
+    search t
+  with
+  | outcome -> outcome
+  | exception Found outcome -> outcome
+
+(* Durations in a row are one. *)
+let formula store view steps =
+  let step s f =
+    match (s, view) with
+    | Time d, _ -> Formula.can store (Formula.Wait d) f
+    | Action a, Every_action -> Formula.can store (Formula.Now a) f
+    | Action a, Observable -> Formula.can store (Formula.Weakly a) f
+  in
+  List.fold_left (fun f s -> step s f) (Formula.yes store) (List.rev steps)

@@ -1,0 +1,26 @@
+(** Traces: what can be observed, one move after the other. Sets of states are made as they are needed (the subset
+    construction), in pairs, breadth first; so the first difference is a shortest one. *)
+
+open Scc_exact
+
+type view =
+  | Every_action  (** silent actions are seen like others; in a timed system time is seen as well *)
+  | Observable  (** silent actions are not seen *)
+
+type step = Action of int | Time of Rat.t
+
+type outcome =
+  | Trace of { steps : step list; first : bool }
+  (** a trace of the first system (of the second, when [first] is false) that the other certainly lacks *)
+  | Same  (** no difference: a proof of trace equivalence when everything is known *)
+  | Too_large  (** more than {!most_sets} pairs of sets *)
+  | Unclear  (** no certain difference; a trace led to states that are not known *)
+
+val most_sets : int
+
+val compare : Effort.t -> view -> System.t -> System.position -> System.position -> outcome
+(** [view] [Every_action] on a timed system splits the passing of time where either side meets an instant.
+    Raises {!Effort.Exhausted}. *)
+
+val formula : Formula.store -> view -> step list -> Formula.t
+(** That the trace is possible. *)

@@ -1,0 +1,57 @@
+"""What the validations share: running scc, and a table of what was compared."""
+
+import json
+import os
+import subprocess
+import sys
+
+MODELS = "specs/models"
+
+
+class Run:
+    """One validation: scc.py SCC FOLDER COUNTS."""
+
+    def __init__(self, title):
+        self.scc, self.folder, self.counts = sys.argv[1:4]
+        self.passed = 0
+        self.failed = 0
+        self.left_out = []
+        print(title)
+
+    def ok(self, condition, what):
+        """Counts a comparison; prints it when it fails."""
+        if condition:
+            self.passed += 1
+        else:
+            self.failed += 1
+            print(f"  FAILED: {what}")
+        return condition
+
+    def skip(self, what, why):
+        self.left_out.append((what, why))
+
+    def end(self):
+        by_reason = {}
+        for what, why in self.left_out:
+            by_reason.setdefault(why, []).append(what)
+        for why, what in by_reason.items():
+            print(f"  left out, {why}: {', '.join(what)}")
+        print(f"  {self.passed} passed, {self.failed} failed, {len(self.left_out)} left out")
+        with open(self.counts, "w", encoding="ascii") as file:
+            file.write(f"{self.passed} {self.failed}\n")
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def call(self, *words, timeout=120):
+        return subprocess.run([self.scc, *words], capture_output=True, text=True, timeout=timeout)
+
+    def verdicts(self, model, *words):
+        """The report of scc check, or None when it refuses the model."""
+        result = self.call("check", model, "--json", *words)
+        report = json.loads(result.stdout)
+        return report if report.get("format") == "scc-check" else None
+
+
+def models():
+    return sorted(name[:-3] for name in os.listdir(MODELS) if name.endswith(".sc"))
