@@ -25,7 +25,7 @@ let make_index bits : index =
 let create () = { chunks = [||]; size = 0; index = make_index 8; shift = 63 - 8 }
 let size p = p.size
 
-let key p i : int =
+let[@inline] key p i : int =
   let keys : keys = Array.unsafe_get p.chunks (i lsr chunk_bits) in
   Array1.unsafe_get keys (i land (chunk - 1))
 
@@ -40,7 +40,7 @@ let right p i =
   key p i land mask
 
 (* Fibonacci hashing: the upper bits of a product, after the upper half has been mixed into the lower. *)
-let slot p k = ((k lxor (k lsr 29)) * 0x1E3779B97F4A7C15) lsr p.shift
+let[@inline] slot p k = ((k lxor (k lsr 29)) * 0x1E3779B97F4A7C15) lsr p.shift
 
 (* The slot that has the key, or the free one where it belongs. *)
 let rec probe p (index : index) k i =
@@ -72,7 +72,7 @@ let add p k i =
   if 5 * p.size > 4 * Array1.dim p.index then enlarge p;
   id
 
-let pack l r =
+let[@inline] pack l r =
   if (l lor r) land lnot mask <> 0 then Scc_base.Bug.fail __POS__ "a number that is too great";
   (l lsl half) lor r
 

@@ -63,19 +63,22 @@ let rec all_ok acc = function
 let all transitions = Result.map distinct (all_ok [] transitions)
 let strong m s = all (splits m s Split.strong)
 let weak m s = all (splits m s Split.weak)
-let colliding m s = List.filter Collision.colliding (Collision.contacts m s)
-let collisions m s = all (resolved m s (colliding m s))
+let meeting m s = List.filter Collision.colliding (Collision.contacts m s)
+let collisions m s = all (resolved m s (meeting m s))
+
+let colliding m s =
+  List.map (fun (c : Collision.contact) -> (c.first, c.second)) (meeting m s)
 
 let successors m s =
   let strong = splits m s Split.strong in
   let weak = splits m s Split.weak in
-  let contacts = colliding m s in
+  let contacts = meeting m s in
   let time = if strong = [] && contacts = [] then time m s else [] in
   all (strong @ weak @ resolved m s contacts @ time)
 
 let quiescent m s =
   Array.for_all (fun p -> Split.strong m p = [] && Option.is_none p.State.clock) s.State.processes
-  && colliding m s = []
+  && meeting m s = []
   && Option.is_none (Time.delay m s)
 
 let initial (m : Model.t) (declared : State.t) =

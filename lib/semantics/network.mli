@@ -19,6 +19,9 @@ val strong : Model.t -> State.t -> (Transition.t list, Transition.fault) result
 val weak : Model.t -> State.t -> (Transition.t list, Transition.fault) result
 val collisions : Model.t -> State.t -> (Transition.t list, Transition.fault) result
 
+val colliding : Model.t -> State.t -> (int * int) list
+(** The pairs of processes that collide, by their indices, sorted. *)
+
 val time_rules : Rule.t list
 (** Those that a passing of time uses. It is possible when no strong split and no collision is. *)
 

@@ -51,7 +51,7 @@ module Steps = Interned (struct
     let hash (s : t) = Rat.hash s.remaining
   end)
 
-type body = { number : int; form : int; velocity : int; process : State.process }
+type body = { number : int; form : int; place : int; velocity : int; process : State.process }
 
 type t = {
   model : Model.t;
@@ -74,7 +74,7 @@ let no_body =
     { State.leaf = 0; position = Vec.zero; behaviour = Behaviour.fresh Behaviour.nil }
   in
   let process = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None in
-  { number = nobody; form = 0; velocity = 0; process }
+  { number = nobody; form = 0; place = 0; velocity = 0; process }
 
 let create ~marked ~memory model =
   let vectors = Vectors.create () in
@@ -106,21 +106,30 @@ let moved by (p : State.process) =
   if Vec.is_zero by then p
   else State.map_leaves (fun l -> { l with position = Vec.add l.position by }) p
 
+let numbered c ~form ~place ~velocity =
+  1 + Pairs.intern c.processes (Pairs.intern c.places form (Vectors.intern c.vectors place)) velocity
+
 let process c (p : State.process) =
   let place = p.leaves.(0).position in
   let form = Forms.intern c.forms (State.with_velocity Vec.zero (moved (Vec.neg place) p)) in
-  let placed = Pairs.intern c.places form (Vectors.intern c.vectors place) in
-  1 + Pairs.intern c.processes placed (Vectors.intern c.vectors p.velocity)
+  numbered c ~form ~place ~velocity:(Vectors.intern c.vectors p.velocity)
+
+let displaced c d b =
+  let velocity = Vectors.get c.vectors b.velocity in
+  let place = Vec.axpy d velocity (Vectors.get c.vectors b.place) in
+  numbered c ~form:b.form ~place ~velocity:b.velocity
+
+let form c i = Forms.get c.forms i
 
 let made c number =
   let placed = Pairs.left c.processes (number - 1) and velocity = Pairs.right c.processes (number - 1) in
-  let form = Pairs.left c.places placed in
+  let form = Pairs.left c.places placed and place = Pairs.right c.places placed in
   let process =
     Forms.get c.forms form
-    |> moved (Vectors.get c.vectors (Pairs.right c.places placed))
+    |> moved (Vectors.get c.vectors place)
     |> State.with_velocity (Vectors.get c.vectors velocity)
   in
-  { number; form; velocity; process }
+  { number; form; place; velocity; process }
 
 let body c number =
   let k = number land (Array.length c.recent - 1) in

@@ -48,11 +48,18 @@ val process : t -> State.process -> int
 type body = private {
   number : int;
   form : int;
+  place : int;
   velocity : int;
   process : State.process;
 }
 
 val body : t -> int -> body
+
+val displaced : t -> Rat.t -> body -> int
+(** Where its velocity takes it in a time, with nothing else changed. *)
+
+val form : t -> int -> State.process
+(** The process of this form whose first leaf is at the origin, at rest. *)
 val first_leaf : State.process -> int
 
 val label : t -> Transition.label -> int

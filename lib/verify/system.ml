@@ -15,13 +15,16 @@ type move = {
   entering : (int * int) list;  (** slot, process *)
 }
 
+(* What a form decides, wherever the process is. *)
+type nature = { splits : bool; wait : Rat.t option  (** until an eps expires or the next split instant *) }
+
 (* What a process does by itself. *)
 type alone = {
   body : Catalogue.body;
+  nature : nature;
   strong : move list;
   weak : move list;
-  wait : Rat.t option;  (** until an eps expires or the next split instant *)
-  ageless : bool;  (** it rests, and time changes nothing of it *)
+  rests : bool;
   mutable passed : Rat.t;  (** the last time that passed for it, and what became of it *)
   mutable after : int;
 }
@@ -38,7 +41,12 @@ module Marks = Catalogue.Interned (struct
   end)
 
 (* What numbers stand for, and the events to look for. *)
-type book = { catalogue : Catalogue.t; events : Property.event list; marks : Marks.t }
+type book = {
+  catalogue : Catalogue.t;
+  events : Property.event list;
+  marks : Marks.t;
+  natures : nature Growable.t;  (** of the first forms *)
+}
 
 type context = {
   book : book;
@@ -86,19 +94,31 @@ let least a b =
   | None, x | x, None -> x
   | Some s, Some t -> Some (Rat.min s t)
 
+let look_at_form m p =
+  let alone = network [ p ] in
+  let splits = sure (Network.strong m alone) <> [] || sure (Network.weak m alone) <> [] in
+  { splits; wait = least (Time.process_horizon m p) (Time.to_split_instant m p) }
+
+let nature b form =
+  let m = Catalogue.model b.catalogue in
+  for i = Growable.length b.natures to form do
+    Growable.push b.natures (look_at_form m (Catalogue.form b.catalogue i))
+  done;
+  Growable.get b.natures form
+
 let look b number =
   let m = Catalogue.model b.catalogue in
   let body = Catalogue.body b.catalogue number in
-  let p = body.process in
-  let source = network [ p ] in
-  let moves transitions = List.map (move b ~source) (sure transitions) in
-  let wait = least (Time.process_horizon m p) (Time.to_split_instant m p) in
+  let nature = nature b body.form in
+  let moves splits =
+    let source = network [ body.process ] in
+    List.map (move b ~source) (sure (splits m source))
+  in
   {
-    body;
-    strong = moves (Network.strong m source);
-    weak = moves (Network.weak m source);
-    wait;
-    ageless = Option.is_none wait && Catalogue.resting b.catalogue body.velocity;
+    body; nature;
+    strong = (if nature.splits then moves Network.strong else []);
+    weak = (if nature.splits then moves Network.weak else []);
+    rests = Catalogue.resting b.catalogue body.velocity;
     passed = Rat.zero;
     after = number;
   }
@@ -138,7 +158,7 @@ let together c a b =
 let make ?(events = []) ?(memory = 1 lsl 14) model initial =
   let marked = match events with [] -> false | _ :: _ -> true in
   let catalogue = Catalogue.create ~marked ~memory model in
-  let book = { catalogue; events; marks = Marks.create () } in
+  let book = { catalogue; events; marks = Marks.create (); natures = Growable.create () } in
   ignore (Marks.intern book.marks []);
   (* Any process will do to fill the memory: it is looked at like the others. *)
   let filler =
@@ -170,12 +190,18 @@ let step c tuple (m : move) : Lts.step =
   set_mark c target m.mark;
   { label = m.label; target }
 
+(* Nothing of it changes with time but its place. *)
+let ageless a = Option.is_none a.nature.wait
+
 let after c d a =
-  if a.ageless then a.body.number
+  if ageless a && a.rests then a.body.number
   else begin
     if not (Rat.equal d a.passed) then begin
-      let p = Time.move_process d (Time.age_process (model c) d a.body.process) in
-      a.after <- Catalogue.process (catalogue c) p;
+      a.after <-
+        (if ageless a then Catalogue.displaced (catalogue c) d a.body
+         else
+           Time.move_process d (Time.age_process (model c) d a.body.process)
+           |> Catalogue.process (catalogue c));
       a.passed <- d
     end;
     a.after
@@ -183,9 +209,7 @@ let after c d a =
 
 let pass c tuple present d : Lts.step =
   let target = Array.copy tuple in
-  Array.iter
-    (fun a -> if not a.ageless then target.(Catalogue.first_leaf a.body.process) <- after c d a)
-    present;
+  Array.iter (fun a -> target.(Catalogue.first_leaf a.body.process) <- after c d a) present;
   Catalogue.pass_time (catalogue c) target d;
   set_mark c target 0;
   { label = Catalogue.label (catalogue c) (Transition.Time d); target }
@@ -207,8 +231,8 @@ let in_relative_motion present =
   in
   from 1
 
-(* Collisions, the last first, and the first time of contact of all pairs in relative motion. *)
-let meetings c present =
+(* Collisions, the last first, and the first time of contact, of pairs one by one. *)
+let meetings_of_few c present =
   let collisions = ref [] and contact = ref None in
   let k = Array.length present in
   for i = 0 to k - 2 do
@@ -223,6 +247,26 @@ let meetings c present =
   done;
   (!collisions, !contact)
 
+(* The same of many: who is near whom is seen at once. *)
+let meetings_of_many c present ~limit =
+  let s = network (List.map (fun a -> a.body.process) (Array.to_list present)) in
+  let resolved acc (p, q) = List.rev_append (together c present.(p) present.(q)).collisions acc in
+  match List.fold_left resolved [] (Network.colliding (model c) s) with
+  | [] -> ([], Collision.first_time_of_contact (model c) s ~limit)
+  | _ :: _ as collisions -> (collisions, None)
+
+(* Whether there are so few basic shapes that it pays to remember what every two processes do. *)
+let few_shapes = 32
+
+let are_few present =
+  let shapes n a = n + Array.length a.body.process.State.leaves in
+  Array.length present <= few_shapes && Array.fold_left shapes 0 present <= few_shapes
+
+let meetings c present ~limit =
+  if not (in_relative_motion present) then ([], None)
+  else if are_few present then meetings_of_few c present
+  else meetings_of_many c present ~limit
+
 let whole c tuple =
   let source = Catalogue.decode (catalogue c) tuple in
   let encoded (t : Transition.t) : Lts.step =
@@ -233,14 +277,15 @@ let whole c tuple =
   Result.map (List.map encoded) (Network.successors (model c) source)
 
 (* In the order of {!Network.successors}. *)
-let by_parts c tuple present ~moving =
+let by_parts c tuple present =
   let strong = Array.fold_left (fun acc a -> List.rev_append a.strong acc) [] present in
   let weak = Array.fold_left (fun acc a -> List.rev_append a.weak acc) [] present in
-  let collisions, contact = if moving then meetings c present else ([], None) in
+  let wait = Array.fold_left (fun d a -> least d a.nature.wait) None present in
+  let collisions, contact = meetings c present ~limit:wait in
   let time =
     match (strong, collisions) with
     | [], [] -> (
-        match Array.fold_left (fun d a -> least d a.wait) contact present with
+        match least wait contact with
         | None -> []
         | Some d -> [ pass c tuple present d ])
     | _ -> []
@@ -248,13 +293,5 @@ let by_parts c tuple present ~moving =
   let steps later last_first = List.fold_left (fun acc m -> step c tuple m :: acc) later last_first in
   steps (steps (steps time collisions) weak) strong
 
-(* With more processes than this, pairs are sifted by where they are, and not remembered. *)
-let many = 32
-
 let successors c tuple =
-  if (model c).steered then whole c tuple
-  else
-    let present = present c tuple in
-    let moving = in_relative_motion present in
-    if moving && Array.length present > many then whole c tuple
-    else Ok (by_parts c tuple present ~moving)
+  if (model c).steered then whole c tuple else Ok (by_parts c tuple (present c tuple))
