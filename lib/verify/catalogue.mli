@@ -60,6 +60,7 @@ val displaced : t -> Rat.t -> body -> int
 
 val form : t -> int -> State.process
 (** The process of this form whose first leaf is at the origin, at rest. *)
+
 val first_leaf : State.process -> int
 
 val label : t -> Transition.label -> int
