@@ -111,7 +111,7 @@ let all =
     (bad_law, "a law of motion that cannot be evaluated");
     (not_a_formula, "a check that is not a temporal formula");
     (vacuous, "a check that says nothing, since its premise never holds");
-    (uneventful, "a model in which nothing ever happens");
+    (uneventful, "a model in which no event ever happens");
     (bad_schedule, "a schedule that does not fit its format or the model");
     (schedule_mismatch, "a choice that is not possible where it is made");
     (bad_graph, "a graph (.aut) that does not fit its format");

@@ -179,7 +179,7 @@ val vacuous : t
 (** SC0702: a check that says nothing, since its premise never holds (a warning). *)
 
 val uneventful : t
-(** SC0703: a model in which nothing ever happens (a warning). *)
+(** SC0703: a model in which no event ever happens (a warning). *)
 
 
 (** {1 Schedules and traces} *)

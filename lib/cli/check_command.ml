@@ -178,7 +178,7 @@ let check console bounds (extras : Check_extras.t) overrides path =
   in
   Console.progress_done console;
   let verdicts, answers = split_at (List.length e.checks) (verdicts report) in
-  Console.report console (law_faults report @ Vacuity.warnings report.stats answers);
+  Console.report console (law_faults report @ Vacuity.warnings report.stats ~verdicts ~answers);
   let* () =
     match extras.witness with Some folder -> write_witnesses model folder verdicts | None -> Ok ()
   in
@@ -201,10 +201,13 @@ let run color json bounds (extras : Check_extras.t) overrides path =
       | Ok code -> code
       | Error diagnostics ->
         let code = Guard.invalid console diagnostics in
-        let write path = write_sarif console path code None in
-        (match Option.map write extras.sarif with
-         | Some (Error more) -> Console.report console more
-         | Some (Ok ()) | None -> ());
+        let is_about path (d : Diag.t) = String.equal d.span.file path in
+        (match extras.sarif with
+         | Some path when not (List.exists (is_about path) diagnostics) ->
+           let written = write_sarif console path code None in
+           Result.iter_error (Console.report console) written
+         (* It is this file that could not be written. *)
+         | Some _ | None -> ());
         code)
 
 let man =

@@ -10,15 +10,21 @@ let premise ((p : Property.check), (v : Verdict.t)) =
   match v with
   | Violated _ ->
     Some
-      (Diag.warning Code.vacuous p.span "`%s` says nothing: no run ever meets its premise `%s`" p.name p.text)
+      (Diag.warning Code.vacuous p.span "no run ever meets `%s`, so that what `%s` says of it is never asked"
+         p.text p.name)
   | Holds _ | Undecided _ -> None
 
-let warnings (s : Check.stats) answers =
+let holds (_, (v : Verdict.t)) =
+  match v with
+  | Holds _ -> true
+  | Violated _ | Undecided _ -> false
+
+let warnings (s : Check.stats) ~verdicts ~answers =
   let uneventful =
-    if s.complete && not s.eventful then
+    if s.complete && (not s.eventful) && List.exists holds verdicts then
       [
         Diag.warning Code.uneventful Span.none
-          "nothing ever happens in this model: no two bodies collide, and nothing splits"
+          "no event ever happens in this model: no two bodies collide, and nothing splits"
           ~hint:"`scc check --coverage` lists what never came to be";
       ]
     else []

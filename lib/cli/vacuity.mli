@@ -9,5 +9,10 @@ val questions : Scc_elaborate.Elaborate.t -> Property.check list
 (** Whether premises ever hold: to be decided beside the checks. They keep no exploration going, as a check is
     never decided before its premise has been met or all is explored. *)
 
-val warnings : Check.stats -> (Property.check * Verdict.t) list -> Diag.t list
-(** SC0703 when nothing ever happens, SC0702 for each of the {!questions} whose answer is no. *)
+val warnings :
+  Check.stats ->
+  verdicts:(Property.check * Verdict.t) list ->
+  answers:(Property.check * Verdict.t) list ->
+  Diag.t list
+(** SC0703 when some check holds and no event ever happens, SC0702 for each of the {!questions} whose answer is
+    no. *)

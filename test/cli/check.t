@@ -84,6 +84,8 @@ The main job: a verdict for every property, with a witness.
   8 properties: 7 hold, 1 violated
   [1]
   $ scc check ../../specs/models/drift.sc
+  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+    hint: `scc check --coverage` lists what never came to be
   near: violated
     always x(p) <= 3
     a run that violates it:
@@ -178,7 +180,11 @@ user; the model is refused; the command line is wrong.
   > check slow : always vx(p) >= 0
   > END
   $ scc check ../../specs/models/figure5.sc > /dev/null
+  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+    hint: `scc check --coverage` lists what never came to be
   $ scc check ../../specs/models/drift.sc > /dev/null
+  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+    hint: `scc check --coverage` lists what never came to be
   [1]
   $ scc check forever.sc --states 100
   slow: holds up to the bound: the bound of 100 states
