@@ -27,8 +27,8 @@ let fact trajectory model offset p =
 
 let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> []
 
-let facts model state extent offset p =
-  let trajectory = Trajectory.make model state extent in
+let facts ?arrived model state extent offset p =
+  let trajectory = Trajectory.make ?arrived model state extent in
   let atoms = Show.atoms p in
   let shown = List.map (fact trajectory model offset) (take most atoms) in
   let more = List.length atoms - most in

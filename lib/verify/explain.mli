@@ -4,6 +4,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_property
 
-val facts : Model.t -> State.t -> Timeline.extent -> Algebraic.t -> Property.prop -> string list
+val facts :
+  ?arrived:(Property.event -> bool) ->
+  Model.t -> State.t -> Timeline.extent -> Algebraic.t -> Property.prop -> string list
 (** [facts model state extent offset p]: for each atom of [p], whether it holds at that offset of the
-    trajectory from the state, with the values of what it compares: ["x(p) <= 3 fails: x(p) = 25/8"]. *)
+    trajectory from the state, with the values of what it compares: ["x(p) <= 3 fails: x(p) = 25/8"]. [arrived] is that of {!Trajectory.make}. *)
