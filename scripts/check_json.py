@@ -176,6 +176,23 @@ def check_shapes(scc):
         check("shape" if result.returncode == 0 else "diagnostics", text_of(result), f"shape {model}")
 
 
+def check_comparisons(scc):
+    models = "specs/models/"
+    for first, second, *options in [
+        ("hexokinase.sc", "hexokinase.sc"),
+        ("figure7.sc", "figure7-offset.sc", "--modulo", "weak"),
+        ("dimer.sc", "dimers.sc", "--modulo", "timed"),
+        ("chain.sc", "chain.sc", "--left", "n=3", "--right", "n=4", "--modulo", "trace"),
+        ("chain.sc", "chain.sc", "--states", "2"),
+        ("chain.sc", "nothing.sc"),
+    ]:
+        result = run(scc, "compare", models + first, models + second, "--json", *options)
+        name = "diagnostics" if result.returncode == 3 else "compare"
+        document = check(name, text_of(result), f"compare {first} {second}")
+        if document is not None:
+            count(document["exit"] == result.returncode, f"compare {first} {second}", "another exit code")
+
+
 def main():
     scc = sys.argv[1]
     for name in sorted(SCHEMAS):
@@ -194,6 +211,7 @@ def main():
             check_sarif(scc, model, folder)
     check_refusals(scc)
     check_shapes(scc)
+    check_comparisons(scc)
     if len(sys.argv) > 2:
         with open(sys.argv[2], "w", encoding="utf-8") as file:
             file.write(f"{PASSED} passed, {FAILED} failed\n")
