@@ -275,7 +275,10 @@ let eventful r =
 
 let stats r : stats =
   let unexpanded = Graph.unexpanded r.graph in
-  let causes = List.map (fun (_, reason) -> cause r.options r.model r.horizon reason) unexpanded in
+  (* A state that was left may be one of millions. *)
+  let causes =
+    List.rev_map (fun (_, reason) -> cause r.options r.model r.horizon reason) unexpanded |> List.rev
+  in
   let bounds = List.filter_map (function Bound t -> Some t | Fault _ | Early -> None) causes in
   {
     states = Graph.size r.graph;

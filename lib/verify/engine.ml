@@ -245,7 +245,7 @@ module Make (L : Lts.S) = struct
     | Some place -> Yes (Some (trace_to m g place))
     | None -> (
         let relevant = List.filter (fun (i, _) -> arrives_in_time m g i) (Graph.unexpanded g) in
-        match Option.to_list (first_undefined m g) @ truncations (List.map snd relevant) with
+        match Option.to_list (first_undefined m g) @ truncations (List.rev (List.rev_map snd relevant)) with
         | [] -> No None
         | doubts -> Unknown doubts)
 
