@@ -156,6 +156,29 @@ def check_trace(scc, model, *options):
         count(len(lines) >= 3, f"trace {model}", "too short")
 
 
+def check_graphs(scc, model, folder):
+    """The graph of a model as JSON, complete and not, and the names of its explicit files."""
+    for states in ("300", "2"):
+        result = run(scc, "explore", model, "-o", "-", "--format", "json", "--states", states)
+        document = check("graph", text_of(result), f"explore {model}")
+        if document is None:
+            continue
+        left = [s["number"] for s in document["states"] if s["status"] == "unexplored"]
+        count(
+            len(left) == document["unexplored"] and document["complete"] == (not left)
+            and [s["number"] for s in document["states"]] == list(range(len(document["states"])))
+            and all(e["target"] < len(document["states"]) for s in document["states"] for e in s["edges"]),
+            f"explore {model}",
+            "states are not as they should be",
+        )
+    run(scc, "explore", model, "-o", os.path.join(folder, "graph.tra"), "--instants", "--states", "300")
+    for path in glob.glob(os.path.join(folder, "graph.*")):
+        if path.endswith(".names.json"):
+            with open(path, encoding="utf-8") as file:
+                check("names", file.read(), f"names of {model}")
+        os.remove(path)
+
+
 def check_refusals(scc):
     for model in sorted(glob.glob("specs/conformance/invalid/*.sc")) + sorted(
         glob.glob("specs/models/refused/*.sc")
@@ -207,6 +230,7 @@ def main():
             check_trace(scc, model)
             check_trace(scc, model, "--states=ends")
             check_sarif(scc, model, folder)
+            check_graphs(scc, model, folder)
         for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
             check_sarif(scc, model, folder)
     check_refusals(scc)
