@@ -57,10 +57,12 @@ let witness_of (v : Verdict.t) =
       (function Verdict.Zeno w -> Some w | Truncated _ | Undefined _ | Fault _ -> None)
       reasons
 
-let schedule (model : Input.model) (w : Witness.t) =
+(* With the path of the model, but not that of standard input. *)
+let schedule (model : Input.model) path (check : Property.check) (w : Witness.t) =
   let e = model.elaborated in
   let choice (s : Witness.step) = (s.choice, Transition.label_to_string e.model s.transition.label) in
-  Schedule.to_string ~digest:model.digest ~parameters:e.parameters (List.map choice w.steps)
+  let path = if String.equal path "-" then None else Some path in
+  Schedule.to_string ?model:path ~check:check.name ~digest:model.digest ~parameters:e.parameters (List.map choice w.steps)
     ~offset:(Witness.offset w)
 
 let make_folder path =
@@ -80,14 +82,14 @@ let make_folder path =
       | () -> Ok ()
       | exception Sys_error message -> fail (Os_error.reason path message))
 
-let write_witnesses model folder verdicts =
+let write_witnesses model path folder verdicts =
   let one acc ((check : Property.check), v) =
     let* () = acc in
     match witness_of v with
     | None -> Ok ()
     | Some w ->
-      let path = Filename.concat folder (check.name ^ ".json") in
-      Result.map_error (fun d -> [ d ]) (Console.write_file ~path (schedule model w))
+      let file = Filename.concat folder (check.name ^ ".json") in
+      Result.map_error (fun d -> [ d ]) (Console.write_file ~path:file (schedule model path check w))
   in
   List.fold_left one (Ok ()) verdicts
 
@@ -180,7 +182,7 @@ let check console bounds (extras : Check_extras.t) overrides path =
   let verdicts, answers = split_at (List.length e.checks) (verdicts report) in
   Console.report console (law_faults report @ Vacuity.warnings report.stats ~verdicts ~answers);
   let* () =
-    match extras.witness with Some folder -> write_witnesses model folder verdicts | None -> Ok ()
+    match extras.witness with Some folder -> write_witnesses model path folder verdicts | None -> Ok ()
   in
   let code = exit_code report verdicts in
   let* () =
@@ -234,6 +236,7 @@ let man =
     `Pre "  scc check specs/models/hexokinase.sc";
     `Pre "  scc check specs/models/chain.sc -D n=6 --time 20 --witness runs";
     `Pre "  scc trace specs/models/chain.sc --schedule runs/joined.json --human";
+    `Pre "  scc explain runs/joined.json";
   ]
 
 let command =
