@@ -268,7 +268,8 @@ check soon : always x(p) < 3 within 1
   has "reached on the way" drawn
     "s0 -> s1 [label=\"time(4)\\nviolates low\", color=\"#b3261e\", fontcolor=\"#b3261e\"]";
   has "holds in the state" drawn "reaches back";
-  has "legend" drawn "<td align=\"left\">violates far: always x(p) &lt;= 4</td>";
+  has "legend" drawn "<td align=\"left\">violates low: always x(p) &lt; 3</td>";
+  lacks "what does not occur" drawn "far: ";
   lacks "a bound of time" drawn "soon: "
 
 let escapes () =
