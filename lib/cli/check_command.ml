@@ -156,9 +156,8 @@ let write_sarif console path code properties =
 let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i _ -> i >= n) list)
 
 (* All of the model, whether or not its properties were decided early. *)
-let cover options bounds (e : Scc_elaborate.Elaborate.t) initial =
-  Option.iter Interrupt.deadline bounds.Check_options.seconds;
-  let space = Space.explore options e.model ~initial in
+let cover options (e : Scc_elaborate.Elaborate.t) initial =
+  let space = Space.explore (options ()) e.model ~initial in
   (space, Coverage.of_space space)
 
 let check console bounds (extras : Check_extras.t) overrides path =
@@ -170,13 +169,16 @@ let check console bounds (extras : Check_extras.t) overrides path =
   let* () = executable e.checks in
   let* () = match extras.witness with Some folder -> make_folder folder | None -> Ok () in
   let* initial = initial e in
-  let options = Check_options.options bounds ~interrupted ~progress:(Progress.show console bounds) in
-  Option.iter Interrupt.deadline bounds.Check_options.seconds;
+  (* The limit of seconds is that of one exploration. *)
+  let options () =
+    let now = Option.map Interrupt.clock bounds.Check_options.seconds in
+    Check_options.options ?now bounds ~interrupted ~progress:(Progress.show console bounds)
+  in
   let checks = e.checks @ Vacuity.questions e in
-  let report = Measured.phase measured "explore" (fun () -> Check.run options e.model ~initial checks) in
+  let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) e.model ~initial checks) in
   let covered =
     if extras.coverage then
-      Some (Measured.phase measured "coverage" (fun () -> cover options bounds e initial))
+      Some (Measured.phase measured "coverage" (fun () -> cover options e initial))
     else None
   in
   Console.progress_done console;

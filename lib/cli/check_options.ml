@@ -14,7 +14,7 @@ let default_states = 200_000
 let default_memory = 3072
 let words_of_mib mib = mib * 1024 * 1024 / (Sys.word_size / 8)
 
-let options b ~interrupted ~progress : Check.options =
+let options ?(now = Unix.gettimeofday) b ~interrupted ~progress : Check.options =
   let given = function Some x -> Check.Given x | None -> Check.Unbounded in
   let or_default default = function Some x -> Check.Given x | None -> Check.Default default in
   {
@@ -26,7 +26,7 @@ let options b ~interrupted ~progress : Check.options =
     memory = (match b.memory with
         | Some mib -> Check.Given (words_of_mib mib)
         | None -> Check.Default (words_of_mib default_memory));
-    surroundings = { now = Unix.gettimeofday; interrupted; progress };
+    surroundings = { now; interrupted; progress };
   }
 
 let positive_int what =
