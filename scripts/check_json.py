@@ -139,6 +139,7 @@ def check_model(scc, model, folder):
     for schedule in sorted(glob.glob(os.path.join(folder, "*.json"))):
         with open(schedule, encoding="utf-8") as file:
             check("schedule", file.read(), f"{os.path.basename(schedule)} of {model}")
+        check("explain", text_of(run(scc, "explain", schedule, "--json")), f"explain {schedule} of {model}")
         os.remove(schedule)
 
 

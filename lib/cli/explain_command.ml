@@ -29,8 +29,7 @@ let find_check name (checks : Property.check list) ~code ~at =
   | Some c -> Ok (Some c)
   | None ->
     let names = List.map (fun (c : Property.check) -> c.name) checks in
-    let hint = Option.map (Printf.sprintf "did you mean `%s`?") (Diag.suggest name names) in
-    Error [ Diag.error code at ?hint "the model has no check `%s`" name ]
+    Error [ Diag.error code at ?hint:(Diag.suggest name names) "the model has no check `%s`" name ]
 
 (* The property that the run is to be explained for, if any. *)
 let check_of o (s : Schedule.t) checks =

@@ -68,8 +68,13 @@ let heading console check (x : Omission.t) =
     | [], None -> "nothing has happened"
     | list, _ -> "because of " ^ reasons m events list
   in
-  let time = Rat.to_string (Causes.duration x.story) in
-  [ about; Printf.sprintf "at time %s:" time ] @ List.map (( ^ ) "  ") (shown_facts x) @ [ because; "" ]
+  let facts =
+    match shown_facts x with
+    | [] -> []
+    | facts ->
+      Printf.sprintf "at time %s:" (Rat.to_string (Causes.duration x.story)) :: List.map (( ^ ) "  ") facts
+  in
+  (about :: facts) @ [ because; "" ]
 
 let step_lines (x : Omission.t) of_step number label time =
   let m = (Causes.run x.story).model and events = Causes.events x.story in

@@ -67,6 +67,9 @@ let leaves_of (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (A
 let process_of (s : State.t) leaf = s.processes.(fst (State.find_leaf s leaf))
 let home s leaf = leaves_of (process_of s leaf)
 
+(* The leaf that takes part itself stands for its process. *)
+let first leaf leaves = leaf :: List.filter (fun l -> l <> leaf) leaves
+
 type telling = { model : Model.t; at : last; mutable told : event list; mutable count : int }
 
 let tell_event w ~step ~time happening leaves reasons =
@@ -116,7 +119,7 @@ let set_motion w event source target leaves =
     (List.filter (fun l -> not (Vec.equal (velocity source l) (velocity target l))) leaves)
 
 let collision w ~step ~time label source target p q ~behaving =
-  let one = home source p and two = home source q in
+  let one = first p (home source p) and two = first q (home source q) in
   let both = one @ two in
   let reasons =
     List.concat_map (fun leaves -> motion_of w.at leaves @ structure_of w.at leaves) [ one; two ]
@@ -130,7 +133,7 @@ let collision w ~step ~time label source target p q ~behaving =
 let split w ~step ~time label source (bonds : State.bond list) ~clocked =
   let ends = List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds in
   let ends = List.sort_uniq Int.compare ends in
-  let leaves = match ends with [] -> [] | leaf :: _ -> home source leaf in
+  let leaves = match ends with [] -> [] | leaf :: _ -> first leaf (home source leaf) in
   let reasons =
     structure_of w.at leaves @ behaviour_of w.at ends @ if clocked then clock_of w.at leaves else []
   in
@@ -198,11 +201,11 @@ let bonds t wanted =
     leaves = List.concat_map of_process (Array.to_list t.run.initial.processes);
   }
 
+let of_everyone table aspect leaves = { reasons = of_process table aspect leaves; leaves }
 let of_table table aspect leaves = { reasons = List.concat_map (changed table aspect) leaves; leaves }
 let moving t leaves = of_table t.last.motion Motion leaves
 let structured t leaves = of_table t.last.structure Structure leaves
 let behaving t leaves = of_table t.last.behaviour Behaviour leaves
-let clocked t leaves = of_table t.last.clock Clock leaves
 
 let union bases =
   {
@@ -222,10 +225,10 @@ let of_num t : Property.num -> basis = function
   | Bonds (name, Some ((p, q) as ends)) ->
     union [ bonds t (fun b -> named name b && joins ends b); { nothing with leaves = [ p; q ] } ]
   | Size p -> structured t [ p ]
-  | Processes -> structured t (everyone t)
+  | Processes -> of_everyone t.last.structure Structure (everyone t)
   | Position (_, p) | Velocity (_, p) | Speed2 p -> moving t [ p ]
   | Distance2 (p, q) -> moving t [ p; q ]
-  | Momentum _ | Energy -> moving t (movable t)
+  | Momentum _ | Energy -> of_everyone t.last.motion Motion (movable t)
   | Const _ | Time | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ -> nothing
 
 let discrete_events t =
@@ -256,8 +259,12 @@ let of_prop t : Property.prop -> basis = function
   | Behaviour (p, _) | Offers (p, _, _) -> behaving t [ p ]
   | Touching (p, q) -> moving t [ p; q ]
   | Quiescent ->
-    let all = everyone t in
-    union [ moving t all; structured t all; behaving t all; clocked t all ]
+    let all = everyone t and last = t.last in
+    union
+      [
+        of_everyone last.motion Motion all; of_everyone last.structure Structure all; behaving t all;
+        of_everyone last.clock Clock all;
+      ]
   | Event (Bond (_, _, ends) | Bounce ends) ->
     let leaves = match ends with Any -> [] | One p -> [ p ] | Two (p, q) -> [ p; q ] in
     union [ arrival t; { nothing with leaves } ]
