@@ -139,6 +139,7 @@ def check_model(scc, model, folder):
     for schedule in sorted(glob.glob(os.path.join(folder, "*.json"))):
         with open(schedule, encoding="utf-8") as file:
             check("schedule", file.read(), f"{os.path.basename(schedule)} of {model}")
+        check("explain", text_of(run(scc, "explain", schedule, "--json")), f"explain {schedule} of {model}")
         os.remove(schedule)
 
 
@@ -154,6 +155,29 @@ def check_trace(scc, model, *options):
             break
     if bad == FAILED:
         count(len(lines) >= 3, f"trace {model}", "too short")
+
+
+def check_graphs(scc, model, folder):
+    """The graph of a model as JSON, complete and not, and the names of its explicit files."""
+    for states in ("300", "2"):
+        result = run(scc, "explore", model, "-o", "-", "--format", "json", "--states", states)
+        document = check("graph", text_of(result), f"explore {model}")
+        if document is None:
+            continue
+        left = [s["number"] for s in document["states"] if s["status"] == "unexplored"]
+        count(
+            len(left) == document["unexplored"] and document["complete"] == (not left)
+            and [s["number"] for s in document["states"]] == list(range(len(document["states"])))
+            and all(e["target"] < len(document["states"]) for s in document["states"] for e in s["edges"]),
+            f"explore {model}",
+            "states are not as they should be",
+        )
+    run(scc, "explore", model, "-o", os.path.join(folder, "graph.tra"), "--instants", "--states", "300")
+    for path in glob.glob(os.path.join(folder, "graph.*")):
+        if path.endswith(".names.json"):
+            with open(path, encoding="utf-8") as file:
+                check("names", file.read(), f"names of {model}")
+        os.remove(path)
 
 
 def check_refusals(scc):
@@ -176,6 +200,23 @@ def check_shapes(scc):
         check("shape" if result.returncode == 0 else "diagnostics", text_of(result), f"shape {model}")
 
 
+def check_comparisons(scc):
+    models = "specs/models/"
+    for first, second, *options in [
+        ("hexokinase.sc", "hexokinase.sc"),
+        ("figure7.sc", "figure7-offset.sc", "--modulo", "weak"),
+        ("dimer.sc", "dimers.sc", "--modulo", "timed"),
+        ("chain.sc", "chain.sc", "--left", "n=3", "--right", "n=4", "--modulo", "trace"),
+        ("chain.sc", "chain.sc", "--states", "2"),
+        ("chain.sc", "nothing.sc"),
+    ]:
+        result = run(scc, "compare", models + first, models + second, "--json", *options)
+        name = "diagnostics" if result.returncode == 3 else "compare"
+        document = check(name, text_of(result), f"compare {first} {second}")
+        if document is not None:
+            count(document["exit"] == result.returncode, f"compare {first} {second}", "another exit code")
+
+
 def main():
     scc = sys.argv[1]
     for name in sorted(SCHEMAS):
@@ -190,10 +231,12 @@ def main():
             check_trace(scc, model)
             check_trace(scc, model, "--states=ends")
             check_sarif(scc, model, folder)
+            check_graphs(scc, model, folder)
         for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
             check_sarif(scc, model, folder)
     check_refusals(scc)
     check_shapes(scc)
+    check_comparisons(scc)
     if len(sys.argv) > 2:
         with open(sys.argv[2], "w", encoding="utf-8") as file:
             file.write(f"{PASSED} passed, {FAILED} failed\n")

@@ -7,16 +7,6 @@ open Cmdliner
 
 let ( let* ) = Result.bind
 
-(* The properties that this version executes; one diagnostic for each of the others. *)
-let executable checks =
-  let refuse (c : Property.check) =
-    match Plan.of_formula c.formula with
-    | Ok _ -> None
-    | Error why ->
-      Some (Diag.error Code.not_yet c.span "`%s` is beyond this version of scc: %s" c.name why)
-  in
-  match List.filter_map refuse checks with [] -> Ok () | faults -> Error faults
-
 let initial (e : Scc_elaborate.Elaborate.t) =
   Result.map_error
     (fun f -> [ Diag.error Code.bad_law Span.none "%s" (Transition.fault_to_string e.model f) ])
@@ -41,26 +31,21 @@ let exit_code (report : Check.report) verdicts =
   | [] -> stats_code report.stats
   | _ -> Exit_code.worst (List.map (fun (_, v) -> verdict_code v) verdicts)
 
-let verdicts (report : Check.report) =
-  List.map
-    (fun (check, outcome) ->
-       match outcome with
-       | Check.Verdict v -> (check, v)
-       | Check.Not_yet _ -> Bug.fail __POS__ "a property that was to be refused has been run")
-    report.outcomes
-
 let witness_of (v : Verdict.t) =
   match v with
   | Holds { witness; _ } | Violated { witness } -> witness
   | Undecided reasons ->
     List.find_map
-      (function Verdict.Zeno w -> Some w | Truncated _ | Undefined _ | Fault _ -> None)
+      (function Verdict.Zeno w | Unexplored { nearest = w; _ } -> Some w | Truncated _ | Undefined _ | Fault _ -> None)
       reasons
 
-let schedule (model : Input.model) (w : Witness.t) =
+(* With the path of the model, but not that of standard input. *)
+let schedule (model : Input.model) path (check : Property.check) (w : Witness.t) =
   let e = model.elaborated in
   let choice (s : Witness.step) = (s.choice, Transition.label_to_string e.model s.transition.label) in
-  Schedule.to_string ~digest:model.digest ~parameters:e.parameters (List.map choice w.steps)
+  let path = if String.equal path "-" then None else Some path in
+  Schedule.to_string ?model:path ~check:check.name ~digest:model.digest ~parameters:e.parameters
+    (List.map choice w.steps)
     ~offset:(Witness.offset w)
 
 let make_folder path =
@@ -80,14 +65,14 @@ let make_folder path =
       | () -> Ok ()
       | exception Sys_error message -> fail (Os_error.reason path message))
 
-let write_witnesses model folder verdicts =
+let write_witnesses model path folder verdicts =
   let one acc ((check : Property.check), v) =
     let* () = acc in
     match witness_of v with
     | None -> Ok ()
     | Some w ->
-      let path = Filename.concat folder (check.name ^ ".json") in
-      Result.map_error (fun d -> [ d ]) (Console.write_file ~path (schedule model w))
+      let file = Filename.concat folder (check.name ^ ".json") in
+      Result.map_error (fun d -> [ d ]) (Console.write_file ~path:file (schedule model path check w))
   in
   List.fold_left one (Ok ()) verdicts
 
@@ -119,7 +104,7 @@ let print_json console (model : Input.model) (report : Check.report) verdicts ex
 
 let is_zeno : Verdict.reason -> bool = function
   | Zeno _ -> true
-  | Truncated _ | Undefined _ | Fault _ -> false
+  | Truncated _ | Unexplored _ | Undefined _ | Fault _ -> false
 
 let shows_zeno (_, (v : Verdict.t)) =
   match v with Undecided reasons -> List.exists is_zeno reasons | Holds _ | Violated _ -> false
@@ -153,9 +138,8 @@ let write_sarif console path code properties =
 let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i _ -> i >= n) list)
 
 (* All of the model, whether or not its properties were decided early. *)
-let cover options bounds (e : Scc_elaborate.Elaborate.t) initial =
-  Option.iter Interrupt.deadline bounds.Check_options.seconds;
-  let space = Space.explore options e.model ~initial in
+let cover options (e : Scc_elaborate.Elaborate.t) initial =
+  let space = Space.explore (options ()) e.model ~initial in
   (space, Coverage.of_space space)
 
 let check console bounds (extras : Check_extras.t) overrides path =
@@ -164,23 +148,25 @@ let check console bounds (extras : Check_extras.t) overrides path =
   let* model = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
   let e = model.elaborated in
   Console.report console e.warnings;
-  let* () = executable e.checks in
   let* () = match extras.witness with Some folder -> make_folder folder | None -> Ok () in
   let* initial = initial e in
-  let options = Check_options.options bounds ~interrupted ~progress:(Progress.show console bounds) in
-  Option.iter Interrupt.deadline bounds.Check_options.seconds;
+  (* The limit of seconds is that of one exploration. *)
+  let options () =
+    let now = Option.map Interrupt.clock bounds.Check_options.seconds in
+    Check_options.options ?now bounds ~interrupted ~progress:(Progress.show console bounds)
+  in
   let checks = e.checks @ Vacuity.questions e in
-  let report = Measured.phase measured "explore" (fun () -> Check.run options e.model ~initial checks) in
+  let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) e.model ~initial checks) in
   let covered =
     if extras.coverage then
-      Some (Measured.phase measured "coverage" (fun () -> cover options bounds e initial))
+      Some (Measured.phase measured "coverage" (fun () -> cover options e initial))
     else None
   in
   Console.progress_done console;
-  let verdicts, answers = split_at (List.length e.checks) (verdicts report) in
+  let verdicts, answers = split_at (List.length e.checks) report.outcomes in
   Console.report console (law_faults report @ Vacuity.warnings report.stats ~verdicts ~answers);
   let* () =
-    match extras.witness with Some folder -> write_witnesses model folder verdicts | None -> Ok ()
+    match extras.witness with Some folder -> write_witnesses model path folder verdicts | None -> Ok ()
   in
   let code = exit_code report verdicts in
   let* () =
@@ -234,6 +220,7 @@ let man =
     `Pre "  scc check specs/models/hexokinase.sc";
     `Pre "  scc check specs/models/chain.sc -D n=6 --time 20 --witness runs";
     `Pre "  scc trace specs/models/chain.sc --schedule runs/joined.json --human";
+    `Pre "  scc explain runs/joined.json";
   ]
 
 let command =

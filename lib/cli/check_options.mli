@@ -20,6 +20,7 @@ val default_memory : int
 val words_of_mib : int -> int
 
 val options :
+  ?now:(unit -> float) ->
   bounds ->
   interrupted:(unit -> bool) ->
   progress:(Scc_explore.Limits.progress -> unit) ->

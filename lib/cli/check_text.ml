@@ -66,6 +66,7 @@ let property console m ((check : Property.check), (v : Verdict.t)) =
       List.filter_map
         (function
           | Verdict.Zeno w -> Some ("the run:", w)
+          | Unexplored { nearest; _ } -> Some ("the run to the nearest unexplored state that matters:", nearest)
           | Truncated _ | Undefined _ | Fault _ -> None)
         reasons
   in

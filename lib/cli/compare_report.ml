@@ -21,6 +21,9 @@ let relations =
 
 let name relation = fst (List.find (fun (_, r) -> r = relation) relations)
 
+(* A trace of more steps is shown in part. *)
+let shown_steps = 60
+
 (* Longer formulas are no help to a person. *)
 let most_printed = 200
 
@@ -68,13 +71,21 @@ let side_text t first =
 
 let indented lines = String.concat "" (List.map (fun l -> "    " ^ l ^ "\n") lines)
 
+let numbered labels =
+  let lines = List.mapi (fun i l -> Printf.sprintf "%d. %s" (i + 1) l) labels in
+  let n = List.length lines in
+  if n <= shown_steps then lines
+  else
+    let head = List.filteri (fun i _ -> i < shown_steps / 2) lines in
+    let tail = List.filteri (fun i _ -> i >= n - (shown_steps / 2)) lines in
+    head @ (Printf.sprintf "… %d more …" (n - shown_steps) :: tail)
+
 let trace_text t (d : Compare.difference) =
   match d.trace with
   | Some (labels, first) ->
-    let numbered = List.mapi (fun i l -> Printf.sprintf "%d. %s" (i + 1) l) labels in
     Printf.sprintf "  %s can do this, and %s cannot:\n%s" (title t first)
       (title t (not first))
-      (indented numbered)
+      (indented (numbered labels))
   | None when d.trace_open -> "  whether their traces differ is not known\n"
   | None -> "  their traces are the same\n"
 

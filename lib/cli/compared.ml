@@ -64,4 +64,10 @@ let load console options ~overrides path =
   else load_model console options ~overrides path
 
 let stopped_by t = match t.source with Model { space; _ } -> space.stopped_by | File -> []
-let size t = (t.graph.size, Graph.edges t.graph)
+
+let size t =
+  match t.source with
+  | File -> (t.graph.size, Graph.edges t.graph)
+  | Model { space; _ } ->
+    let rec count s n = if s = space.size then n else count (s + 1) (n + Array.length (space.edges s)) in
+    (space.size, count 0 0)

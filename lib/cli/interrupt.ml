@@ -10,9 +10,20 @@ let alarm seconds why =
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> give_up why));
   ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = seconds })
 
+let no_alarm () = ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = 0. })
+
 (* A timer takes no more than a machine's integer; nobody waits for years. *)
 let deadline seconds =
   if seconds < 1e8 then alarm (seconds +. grace) "the limit of seconds has passed"
+
+(* Who looks at the clock and sees that the time is over, stops by itself. *)
+let clock seconds =
+  let stop = Unix.gettimeofday () +. seconds in
+  deadline seconds;
+  fun () ->
+    let now = Unix.gettimeofday () in
+    if now >= stop then no_alarm ();
+    now
 
 let install () =
   let arrived = ref false in
@@ -24,4 +35,6 @@ let install () =
   in
   Sys.set_signal Sys.sigint (Sys.Signal_handle handle);
   Sys.set_signal Sys.sigterm (Sys.Signal_handle handle);
-  fun () -> !arrived
+  fun () ->
+    if !arrived then no_alarm ();
+    !arrived

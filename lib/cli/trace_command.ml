@@ -22,52 +22,16 @@ type options = {
 
 let default_steps = 1000
 let ( let* ) = Result.bind
-let one r = Result.map_error (fun d -> [ d ]) r
-
-let read_schedule console path =
-  let* source = one (Input.read path) in
-  Console.add_source console source;
-  one (Schedule.read source)
-
-let same_value (name, value) (name', value') = String.equal name name' && not (Rat.equal value value')
-
-(* The parameters of a schedule are part of it; an override may repeat but not change them. *)
-let merge (s : Schedule.t) overrides =
-  let clash = List.find_opt (fun o -> List.exists (same_value o) s.parameters) overrides in
-  match clash with
-  | Some (name, _) ->
-    Error
-      [
-        Diag.error Code.bad_schedule s.offset_at
-          "the schedule was made with another value of `%s` than -D gives" name;
-      ]
-  | None ->
-    let given (name, _) = List.exists (fun (name', _) -> String.equal name name') s.parameters in
-    Ok (s.parameters @ List.filter (fun o -> not (given o)) overrides)
-
-let check_digest (s : Schedule.t) (model : Input.model) =
-  match s.digest with
-  | Some d when not (String.equal d model.digest) ->
-    Error
-      [
-        Diag.error Code.bad_schedule s.offset_at
-          ~hint:"remove its `digest` to try it all the same: every choice is checked by its label"
-          "the schedule was made for another model, or for another text of this one";
-      ]
-  | _ -> Ok ()
 
 let prepare console o =
-  let* schedule =
-    match o.schedule with
-    | None -> Ok None
-    | Some path -> Result.map Option.some (read_schedule console path)
-  in
-  let* overrides =
-    match schedule with None -> Ok o.overrides | Some s -> merge s o.overrides
-  in
-  let* model = Input.model console ~overrides o.path in
-  let* () = match schedule with None -> Ok () | Some s -> check_digest s model in
-  Ok (model, schedule)
+  match o.schedule with
+  | None ->
+    let* model = Input.model console ~overrides:o.overrides o.path in
+    Ok (model, None)
+  | Some path ->
+    let* schedule = Scheduled.read console path in
+    let* model = Scheduled.model console schedule ~overrides:o.overrides o.path in
+    Ok (model, Some schedule)
 
 let policy o = function
   | Some s -> Replay.Scheduled s

@@ -50,7 +50,7 @@ let header l =
   l.at <- l.at + 3;
   expect l '(';
   let initial = number l "the initial state" in
-  let at_initial = (l.at, l.stop) in
+  let after_initial = l.at in
   expect l ',';
   let transitions = number l "the number of transitions" in
   expect l ',';
@@ -59,7 +59,7 @@ let header l =
   finish l;
   if states > most_states then fault l.stop l.stop "more than %d states" most_states;
   if initial >= states then
-    fault (fst at_initial - 1) (fst at_initial) "the initial state is not below the number of states, %d" states;
+    fault (after_initial - 1) after_initial "the initial state is not below the number of states, %d" states;
   (initial, transitions, states)
 
 let state l states what =

@@ -52,9 +52,16 @@ let checked t f =
   if Formula.certainly e f p && not (Formula.possibly e f q) then f
   else Bug.fail __POS__ "a formula that was to tell two graphs apart does not"
 
+let checked_trace t steps ~first =
+  let p, q = t.starts in
+  let has, lacks = if first then (p, q) else (q, p) in
+  let possible = Traces.possible (view t.relation) t.whole in
+  if not (possible ~sure:true has steps && not (possible ~sure:false lacks steps)) then
+    Bug.fail __POS__ "a trace that was to tell two graphs apart does not"
+
 let trace_formula t steps ~first =
-  let f = Traces.formula t.store (view t.relation) steps in
-  checked t (if first then f else Formula.negation t.store f)
+  Traces.formula t.store (view t.relation) steps
+  |> Option.map (fun f -> checked t (if first then f else Formula.negation t.store f))
 
 let merge_times steps =
   let open Scc_exact in
@@ -77,12 +84,15 @@ let traces t =
   let p, q = t.small_starts in
   Traces.compare t.effort (view t.relation) t.small p q
 
+(* A trace, and the formula that goes with it. *)
+let by_trace t steps ~first formula =
+  checked_trace t steps ~first;
+  let formula = match formula with Some f -> Some (checked t f) | None -> trace_formula t steps ~first in
+  Different { trace = Some (texts t steps, first); trace_open = false; formula }
+
 let different t formula =
   match traces t with
-  | Traces.Trace { steps; first } ->
-    let told = trace_formula t steps ~first in
-    let formula = match formula with Some f -> Some (checked t f) | None -> Some told in
-    Different { trace = Some (texts t steps, first); trace_open = false; formula }
+  | Traces.Trace { steps; first } -> by_trace t steps ~first formula
   | (exception Effort.Exhausted) | Too_large | Unclear ->
     Different { trace = None; trace_open = true; formula = Option.map (checked t) formula }
   | Same -> Different { trace = None; trace_open = false; formula = Option.map (checked t) formula }
@@ -95,9 +105,7 @@ let complete t = Graph.complete (System.graph t.whole)
 
 let compare_traces t =
   match traces t with
-  | Trace { steps; first } ->
-    let formula = Some (trace_formula t steps ~first) in
-    Different { trace = Some (texts t steps, first); trace_open = false; formula }
+  | Trace { steps; first } -> by_trace t steps ~first None
   | Same when complete t -> Equivalent
   | Same | Unclear -> Undecided Unknown_states
   | Too_large -> Undecided Too_many_sets
@@ -119,9 +127,7 @@ let compare_moves t =
       | Too_large -> (
           (* a distinguishing trace may be found where the game is too large *)
           match traces t with
-          | Trace { steps; first } ->
-            let formula = Some (trace_formula t steps ~first) in
-            Different { trace = Some (texts t steps, first); trace_open = false; formula }
+          | Trace { steps; first } -> by_trace t steps ~first None
           | Same | Unclear | Too_large ->
             Undecided (if complete t then Too_many_pairs else Unknown_states)))
 

@@ -151,6 +151,7 @@ type writer = {
   store : Formula.store;
   truth : Formula.evaluator;
   written : (int * int, Formula.t) Hashtbl.t;
+  mutable parts : int;  (* written or begun *)
 }
 
 let differed_before w time p q =
@@ -166,7 +167,8 @@ let rec tell w p q =
   match Hashtbl.find_opt w.written (p, q) with
   | Some f -> f
   | None ->
-    if Hashtbl.length w.written >= most_parts then raise Limit;
+    if w.parts >= most_parts then raise Limit;
+    w.parts <- w.parts + 1;
     let pair = find w.game p q in
     let why = Option.get pair.why in
     let attacker, defender = if why.by_one then (pair.one, pair.two) else (pair.two, pair.one) in
@@ -220,5 +222,5 @@ let play effort kind m ~same store p q =
     | exception Limit -> Too_large
     | false -> Alike
     | true -> (
-        let w = { game = t; store; truth = Formula.evaluator m; written = Hashtbl.create 64 } in
+        let w = { game = t; store; truth = Formula.evaluator m; written = Hashtbl.create 64; parts = 0 } in
         match tell w p q with f -> Differ (Some f) | exception Limit -> Differ None)

@@ -127,6 +127,23 @@ let compare effort view m p q =
   | outcome -> outcome
   | exception Found outcome -> outcome
 
+let possible view ~sure m p steps =
+  let seen set = match view with Every_action -> set | Observable -> System.silent_closure m set in
+  let after set = function
+    | Action a -> List.concat_map (fun p -> System.after m p a) set
+    | Time d -> List.concat_map (fun p -> System.wait m p d) set
+  in
+  let is_known = System.known m in
+  let rec follow set = function
+    | [] -> true
+    | step :: rest ->
+      ((not sure) && not (List.for_all is_known set))
+      ||
+      let next = seen (List.sort_uniq Int.compare (after set step)) in
+      (match next with [] -> false | _ :: _ -> follow next rest)
+  in
+  follow (seen [ p ]) steps
+
 (* Durations in a row are one. *)
 let formula store view steps =
   let step s f =
@@ -135,4 +152,5 @@ let formula store view steps =
     | Action a, Every_action -> Formula.can store (Formula.Now a) f
     | Action a, Observable -> Formula.can store (Formula.Weakly a) f
   in
-  List.fold_left (fun f s -> step s f) (Formula.yes store) (List.rev steps)
+  if List.compare_length_with steps Game.most_parts > 0 then None
+  else Some (List.fold_left (fun f s -> step s f) (Formula.yes store) (List.rev steps))

@@ -22,5 +22,9 @@ val compare : Effort.t -> view -> System.t -> System.position -> System.position
 (** [view] [Every_action] on a timed system splits the passing of time where either side meets an instant.
     Raises {!Effort.Exhausted}. *)
 
-val formula : Formula.store -> view -> step list -> Formula.t
-(** That the trace is possible. *)
+val possible : view -> sure:bool -> System.t -> System.position -> step list -> bool
+(** Whether the system has the trace: for certain, or with [sure] false perhaps, since it may lead through unknown
+    states. *)
+
+val formula : Formula.store -> view -> step list -> Formula.t option
+(** That the trace is possible; [None] for traces longer than {!Game.most_parts}. *)

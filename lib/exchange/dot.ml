@@ -73,6 +73,8 @@ type picture = {
   space : Space.t;
   digest : State_digest.t;
   aims : (string * bool) array;  (** the names of the checks, and whether they are goals *)
+  marked : bool array;  (** the aims that some mark was about *)
+  mutable aged : bool;  (** a behaviour was shown that has aged *)
 }
 
 let mark_count p = Array.length p.aims
@@ -101,6 +103,7 @@ let colour p marks ~bad ~good =
 
 let mark_text p k =
   let name, goal = p.aims.(k) in
+  p.marked.(k) <- true;
   (if goal then "reaches " else "violates ") ^ name
 
 (** {2 Folding} *)
@@ -144,10 +147,13 @@ let rec far p folded (d, target) steps met =
 
 let node p put i =
   let marks = marks_at p i in
+  let digest = State_digest.lines p.digest i in
+  if List.exists (fun line -> String.length line > 0 && Char.equal line.[String.length line - 1] '*') digest then
+    p.aged <- true;
   let met = match Labelling.status p.l i with Rests -> marks_on_the_way p i | _ -> [] in
   let later = List.filter (fun k -> not (List.mem k marks)) met in
   let lines =
-    (Printf.sprintf "%d" i :: State_digest.lines p.digest i)
+    (Printf.sprintf "%d" i :: digest)
     @ List.map (mark_text p) marks
     @ List.map (fun k -> mark_text p k ^ " later") later
   in
@@ -196,7 +202,8 @@ let legend p (e : Exported.t) put =
   let status s text = if Labelling.count p.l s > 0 then [ plain text ] else [] in
   let rows =
     List.map plain (Exported.summary e)
-    @ List.map of_aim (Array.to_list p.aims)
+    @ List.map of_aim (List.filteri (fun k _ -> p.marked.(k)) (Array.to_list p.aims))
+    @ (if p.aged then [ plain "K*: has aged since it became K" ] else [])
     @ status Rests "double border: nothing will ever happen again"
     @ status Stuck "octagon: nothing can happen, not even the passing of time"
     @ status Unexplored "dashed: not explored further"
@@ -209,12 +216,15 @@ let legend p (e : Exported.t) put =
 
 let write (e : Exported.t) l ~positions put =
   let space = e.space in
+  let aims = Array.of_list (List.map (fun (name, goal, _) -> (name, goal)) (coloured e.checks)) in
   let p =
     {
       l;
       space;
       digest = State_digest.make ~positions space;
-      aims = Array.of_list (List.map (fun (name, goal, _) -> (name, goal)) (coloured e.checks));
+      aims;
+      marked = Array.map (fun _ -> false) aims;
+      aged = false;
     }
   in
   let folded = folded p in

@@ -49,7 +49,9 @@ let plain text =
   in
   from 0;
   let s = squeezed (Buffer.contents b) in
-  let s = if String.length s > 0 && is_letter s.[0] then s else "p_" ^ s in
+  let s =
+    if String.length s = 0 then "p" else if is_letter s.[0] then s else "p_" ^ s
+  in
   if String.length s > greatest then String.sub s 0 greatest else s
 
 (* Room is left for the number. *)

@@ -4,6 +4,8 @@ open Scc_exact
 type choice = { index : int option; label : string option; at : Span.t }
 
 type t = {
+  model : string option;
+  check : string option;
   digest : string option;
   parameters : (string * Rat.t) list;
   choices : choice list;
@@ -14,11 +16,14 @@ type t = {
 let version = 1
 let ( let* ) = Result.bind
 
-let to_string ~digest ~parameters choices ~offset =
+let to_string ?model ?check ~digest ~parameters choices ~offset =
   let b = Buffer.create 1024 in
   let add fmt = Printf.bprintf b fmt in
   let parameter (name, value) = (name, Json.rat value) in
   add "{ \"format\": \"scc-schedule\",\n  \"version\": %d,\n" version;
+  let optional name = Option.iter (fun s -> add "  \"%s\": %s,\n" name (Json.line (Json.text s))) in
+  optional "model" model;
+  optional "check" check;
   add "  \"digest\": %s,\n" (Json.line (`String digest));
   add "  \"parameters\": %s,\n" (Json.line (`Assoc (List.map parameter parameters)));
   add "  \"choices\": [";
@@ -105,11 +110,19 @@ let collect items f =
   in
   Result.map List.rev (List.fold_left add (Ok []) items)
 
+let optional_text span name json =
+  match Json.member name json with
+  | None -> Ok None
+  | Some (`String s) -> Ok (Some s)
+  | Some _ -> Error (malformed span "`%s` is not a text" name)
+
 let of_schedule source json =
   let file = Source.name source in
   let whole = Span.make ~file ~start:0 ~stop:1 in
   let* () = check_version whole json in
   let* parameters = parameters whole json in
+  let* model = optional_text whole "model" json in
+  let* check = optional_text whole "check" json in
   let* items =
     match Json.member "choices" json with
     | Some (`List items) -> Ok items
@@ -128,7 +141,7 @@ let of_schedule source json =
     | None -> Ok None
     | Some json -> Result.map Option.some (duration whole json)
   in
-  Ok { digest = digest json; parameters; choices; offset; offset_at = whole }
+  Ok { model; check; digest = digest json; parameters; choices; offset; offset_at = whole }
 
 let line_bounds s start =
   let stop = Option.value (String.index_from_opt s start '\n') ~default:(String.length s) in
@@ -141,7 +154,11 @@ let of_trace source header =
   let* () = check_version (span first) header in
   let* parameters = parameters (span first) header in
   let result choices offset offset_at =
-    Ok { digest = digest header; parameters; choices = List.rev choices; offset; offset_at }
+    Ok
+      {
+        model = None; check = None; digest = digest header; parameters; choices = List.rev choices;
+        offset; offset_at;
+      }
   in
   let rec lines start choices =
     if start >= String.length s then result choices None (span first)

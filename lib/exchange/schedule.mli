@@ -8,6 +8,8 @@ open Scc_exact
 type choice = { index : int option; label : string option; at : Span.t }
 
 type t = {
+  model : string option;  (** the path of the model, as it was given when the schedule was made *)
+  check : string option;  (** the property that the run is a witness for *)
   digest : string option;  (** of the model it was made for, see {!Model_digest} *)
   parameters : (string * Rat.t) list;  (** with their values *)
   choices : choice list;
@@ -20,7 +22,13 @@ val version : int
 (** Of the format. *)
 
 val to_string :
-  digest:string -> parameters:(string * Rat.t) list -> (int * string) list -> offset:Rat.t option -> string
+  ?model:string ->
+  ?check:string ->
+  digest:string ->
+  parameters:(string * Rat.t) list ->
+  (int * string) list ->
+  offset:Rat.t option ->
+  string
 (** The file for the choices (number and label), one a line. *)
 
 val read : Source.t -> (t, Diag.t) result

@@ -65,7 +65,8 @@ let unexplored r states : Verdict.reason list =
     | Early -> Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going"
   in
   let fault = function Bounds.Fault text -> Some text | Bound _ | Early -> None in
-  let causes = List.map (reason_of r) states in
+  (* There may be millions of them. *)
+  let causes = List.rev (List.rev_map (reason_of r) states) in
   let bounds = Verdict.distinct (List.filter_map bound causes) in
   let faults = List.sort_uniq String.compare (List.filter_map fault causes) in
   let matter i =
@@ -201,7 +202,7 @@ let eventful r =
 
 let stats r : stats =
   let unexpanded = Graph.unexpanded r.graph in
-  let causes = List.map (fun (_, reason) -> cause r reason) unexpanded in
+  let causes = List.rev (List.rev_map (fun (_, reason) -> cause r reason) unexpanded) in
   let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
   {
     states = Graph.size r.graph;

@@ -20,10 +20,10 @@
 
     {1 Three values}
 
-    The lower set takes what is not known for false (from the point of view of the formula: under "not" for true), the
-    upper one for true: what follows nodes that are not known, predicates that are undecided, and runs that go
-    round for ever within one instant (rule Zeno). Such a run counts against A(f U g) in the lower set only, and
-    so it is no witness of EG f there. *)
+    The lower set takes what is not known for false (from the point of view of the formula: under "not" for
+    true), the upper one for true: what follows nodes that are not known, predicates that are undecided, and
+    runs that go round for ever within one instant (rule Zeno). Such a run counts against A(f U g) in the lower
+    set only, and so it is no witness of EG f there. *)
 
 type predicates = {
   at : int -> int -> Truth.t;  (** predicate and node *)

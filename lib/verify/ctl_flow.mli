@@ -1,5 +1,6 @@
-(** "f until g" along one flow, of which f and g are given strictly inside. A position satisfies g by itself, but to
-    go into an open interval on which g holds takes f there as well, since the interval has no first instant. *)
+(** "f until g" along one flow, of which f and g are given strictly inside. A position satisfies g by itself,
+    but to go into an open interval on which g holds takes f there as well, since the interval has no first
+    instant. *)
 
 open Scc_exact
 

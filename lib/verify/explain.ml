@@ -25,6 +25,8 @@ let fact trajectory model offset p =
     let why = match values with [] -> "" | _ -> ": " ^ String.concat ", " values in
     Printf.sprintf "%s %s%s" text verb why
 
+let every trajectory model offset p = List.map (fact trajectory model offset) (Show.atoms p)
+
 let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> []
 
 let facts ?arrived model state extent offset p =

@@ -12,11 +12,12 @@ and because =
   | Parts of t list  (** of not, and, or: the parts that decide it *)
   | Run of { run : Ctl_run.t; parts : t list }
   (** a run from the position decides it, with what is so where it leads. Of "f until g" that holds on some run: g
-      holds there. Of "f until g" that does not hold on every run: f does not hold there, nor does g (but on an open
-      interval that begins so, or before the time of the bound), and g did not before; or the run goes on
+      holds there. Of "f until g" that does not hold on every run: f does not hold there, nor does g (but on an
+      open interval that begins so, or before the time of the bound), and g did not before; or the run goes on
       without end, or past the bound, and never meets g. F and G are read as U. For X, the last step is the
       edge. *)
-  | Everywhere of int  (** no run decides it otherwise: all of them go through these many nodes, in vain *)
+  | Everywhere of int  (** no run decides it otherwise: all of them together go through these many nodes (0:
+                           they do not leave the flow of the position) *)
 
 val explain : Ctl_eval.t -> Ctl_formula.t -> Ctl_set.position -> t option
 (** [None]: undecided there. *)

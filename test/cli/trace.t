@@ -92,6 +92,8 @@ The witness of a violated property leads to the violating state: right after x(p
   $ sed 's/"md5:[^"]*"/"md5:…"/' runs/near.json
   { "format": "scc-schedule",
     "version": 1,
+    "model": "../../specs/models/drift.sc",
+    "check": "near",
     "digest": "md5:…",
     "parameters": {},
     "choices": [ ],

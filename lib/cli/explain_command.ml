@@ -1,0 +1,160 @@
+open Scc_base
+open Scc_exact
+open Scc_property
+open Scc_verify
+open Scc_exchange
+open Cmdliner
+
+type options = {
+  witness : string;
+  model : string option;
+  check : string option;
+  overrides : (string * Rat.t) list;
+}
+
+let ( let* ) = Result.bind
+
+let model_path o (s : Schedule.t) =
+  match (o.model, s.model) with
+  | Some path, _ | None, Some path -> Ok path
+  | None, None ->
+    Error
+      [
+        Diag.error Code.bad_schedule s.offset_at "this does not tell for which model it was made"
+          ~hint:"name the model: `scc explain WITNESS MODEL`";
+      ]
+
+let find_check name (checks : Property.check list) ~code ~at =
+  match List.find_opt (fun (c : Property.check) -> String.equal c.name name) checks with
+  | Some c -> Ok (Some c)
+  | None ->
+    let names = List.map (fun (c : Property.check) -> c.name) checks in
+    Error [ Diag.error code at ?hint:(Diag.suggest name names) "the model has no check `%s`" name ]
+
+(* The property that the run is to be explained for, if any. *)
+let check_of o (s : Schedule.t) checks =
+  match (o.check, s.check) with
+  | Some name, _ -> find_check name checks ~code:Code.unknown_name ~at:Span.none
+  | None, Some name -> find_check name checks ~code:Code.bad_schedule ~at:s.offset_at
+  | None, None -> Ok None
+
+(* {1 The run} *)
+
+type failure = Diagnosed of Diag.t list | Stopped of string
+
+let follow (model : Input.model) schedule ~interrupted =
+  let e = model.elaborated in
+  let initial = ref e.declared and steps = ref [] and offset = ref Rat.zero in
+  let note : Replay.event -> unit = function
+    | Start s -> initial := s
+    | Step { taken; state; _ } -> steps := (taken.label, state ()) :: !steps
+    | Instant i -> offset := i.offset
+    | End _ -> ()
+  in
+  let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
+  match Replay.run e.model e.declared (Scheduled schedule) limits ~interrupted note with
+  | Ok (Open | Quiescent | Stuck | Zeno) ->
+    let steps = Array.of_list (List.rev !steps) in
+    Ok { Causes.model = e.model; declared = e.declared; initial = !initial; steps; offset = !offset }
+  | Error Interrupted -> Error (Stopped "scc: interrupted")
+  | Error (Refused d) -> Error (Diagnosed [ d ])
+  | Error (Fault f) ->
+    let message = Scc_semantics.Transition.fault_to_string e.model f in
+    Error (Diagnosed [ Diag.error Code.bad_law Span.none "%s" message ])
+
+let explanation run (check : Property.check option) =
+  let story = Causes.tell run in
+  match check with
+  | Some c -> Omission.explain story (Causes.of_formula story c.formula) (Formula.predicates c.formula)
+  | None -> Omission.explain story (Causes.of_last_event story) []
+
+let print console (model : Input.model) check explanation =
+  if Console.is_json console then
+    let document =
+      Explain_json.document ~source:(Console.source console)
+        {
+          name = model.elaborated.name;
+          digest = model.digest;
+          parameters = model.elaborated.parameters;
+          check;
+          explanation;
+          diagnostics = Console.kept console;
+          exit = Exit_code.to_int Holds;
+        }
+    in
+    Console.print console (Json.pretty document)
+  else Console.print console (Explain_text.lines console check explanation);
+  Console.flush console
+
+let explain console o =
+  let interrupted = Interrupt.install () in
+  let diagnosed r = Result.map_error (fun list -> Diagnosed list) r in
+  let* schedule = diagnosed (Scheduled.read console o.witness) in
+  let* path = diagnosed (model_path o schedule) in
+  let* model = diagnosed (Scheduled.model console schedule ~overrides:o.overrides path) in
+  Console.report console model.elaborated.warnings;
+  let* check = diagnosed (check_of o schedule model.elaborated.checks) in
+  let* run = follow model schedule ~interrupted in
+  print console model check (explanation run check);
+  Ok ()
+
+let run color json o =
+  let console = Console.make ~color ~json in
+  Guard.run console (fun () ->
+      match explain console o with
+      | Ok () -> Exit_code.Holds
+      | Error (Diagnosed list) -> Guard.invalid console list
+      | Error (Stopped message) ->
+        Console.note console message;
+        Exit_code.Stopped)
+
+let witness =
+  let doc =
+    "The run: a schedule, as $(b,scc check --witness) writes it, or a trace, whose schedule is taken."
+  in
+  Arg.(required & pos 0 (some string) None & info [] ~docv:"WITNESS" ~doc)
+
+let model =
+  let doc = "The model. A schedule that $(b,scc check) wrote names its own, by the path given then." in
+  Arg.(value & pos 1 (some string) None & info [] ~docv:"MODEL" ~doc)
+
+let check =
+  let doc =
+    "Explains the facts that the check $(docv) of the model is about. By default it is the check that the \
+     schedule is a witness for; without one, the last event of the run is explained."
+  in
+  Arg.(value & opt (some string) None & info [ "check" ] ~docv:"NAME" ~doc)
+
+let options =
+  let make witness model check overrides = { witness; model; check; overrides } in
+  Term.(const make $ witness $ model $ check $ Options.overrides)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Follows a run and tells which of its events the facts at its end depend on: the atoms of a check, or \
+       the last event. An event depends on the earlier ones that last changed what takes part in it: how it \
+       moves, its bonds, its behaviour, since when its split clock runs; and on what these depend on. The \
+       steps that matter are marked with $(b,*), each with its reasons.";
+    `P
+      "What does not matter is tried, not assumed: a body that takes no part in the causes could have pushed \
+       another out of the way. The run is made again without all such bodies. If the same happens (the same \
+       causes at the same times, the same facts at the end), it says so; otherwise it tells which of them \
+       matter by what they keep away, and counts their collisions among the causes.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc check specs/models/hexokinase.sc --witness runs";
+    `Pre "  scc explain runs/reached.json";
+    `Pre "  scc trace model.sc > run.jsonl; scc explain run.jsonl model.sc --check meets";
+  ]
+
+let command =
+  let exits =
+    Cmd.Exit.info 0 ~doc:"if the run is explained."
+    :: List.filter (fun i -> not (List.mem (Cmd.Exit.info_code i) [ 0; 1; 2 ])) Exit_code.man
+  in
+  let info = Cmd.info "explain" ~doc:"tell why a run leads where it does" ~man ~exits in
+  Cmd.v info Term.(const run $ Options.color $ Options.json $ options)

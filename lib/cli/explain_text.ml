@@ -1,0 +1,135 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_verify
+
+let greatest_list = 40
+let name (m : Model.t) leaf = m.leaves.(leaf).name
+
+let aspect m (r : Causes.reason) =
+  let of_leaf what = Printf.sprintf "%s of %s" what (name m r.leaf) in
+  match r.aspect with
+  | Motion -> Some (of_leaf "motion")
+  | Structure -> Some (of_leaf "bonds")
+  | Behaviour -> Some (of_leaf "behaviour")
+  | Clock -> Some (of_leaf "split clock")
+  | Itself -> None
+
+(* Reasons come sorted by cause; those of one step are told together. *)
+let reasons m (events : Causes.event array) list =
+  let add groups (r : Causes.reason) =
+    let step = events.(r.cause).step and what = Option.to_list (aspect m r) in
+    match groups with
+    | (s, words) :: rest when s = step -> (s, words @ what) :: rest
+    | _ -> (step, what) :: groups
+  in
+  let group (step, words) =
+    match words with
+    | [] -> Printf.sprintf "step %d" (step + 1)
+    | _ -> Printf.sprintf "step %d (%s)" (step + 1) (String.concat ", " words)
+  in
+  match List.rev (List.fold_left add [] list) with
+  | [] -> "how everything started"
+  | groups -> String.concat ", " (List.map group groups)
+
+let listed words =
+  let n = List.length words in
+  if n > greatest_list then
+    let shown = List.filteri (fun i _ -> i < greatest_list) words in
+    Printf.sprintf "%s and %d more" (String.concat ", " shown) (n - greatest_list)
+  else
+    match List.rev words with
+    | [] -> "nothing"
+    | [ w ] -> w
+    | last :: first -> String.concat ", " (List.rev first) ^ " and " ^ last
+
+let body m leaves = String.concat "+" (List.map (name m) leaves)
+
+let matters = function
+  | Omission.Irrelevant -> false
+  | Cause | Keeps_away -> true
+
+let shown_facts (x : Omission.t) =
+  let n = List.length x.facts in
+  let shown = List.filteri (fun i _ -> i < greatest_list) x.facts in
+  if n > greatest_list then shown @ [ Printf.sprintf "and %d more" (n - greatest_list) ] else shown
+
+let heading console check (x : Omission.t) =
+  let m = (Causes.run x.story).model and events = Causes.events x.story in
+  let strong = Console.styled console Console.Strong in
+  let about =
+    match check with
+    | Some (c : Property.check) -> Printf.sprintf "%s: %s" (strong c.name) c.text
+    | None -> strong "the last event"
+  in
+  let because =
+    match (x.basis.reasons, check) with
+    | [], None -> "nothing has happened"
+    | list, _ -> "because of " ^ reasons m events list
+  in
+  let facts =
+    match shown_facts x with
+    | [] -> []
+    | facts ->
+      Printf.sprintf "at time %s:" (Rat.to_string (Causes.duration x.story)) :: List.map (( ^ ) "  ") facts
+  in
+  (about :: facts) @ [ because; "" ]
+
+let step_lines (x : Omission.t) of_step number label time =
+  let m = (Causes.run x.story).model and events = Causes.events x.story in
+  let relevant = List.filter (fun i -> matters x.roles.(i)) of_step in
+  let why i =
+    let e = events.(i) in
+    let keeps =
+      match x.roles.(i) with
+      | Keeps_away -> "keeps bodies out of the way; "
+      | Irrelevant | Cause -> ""
+    in
+    let subject =
+      match e.happening with
+      | Discrete _ -> ""
+      | Expiry leaf -> Printf.sprintf "a delay of %s is over, " (name m leaf)
+    in
+    Printf.sprintf "         %s%sbecause of %s" keeps subject (reasons m events e.reasons)
+  in
+  let mark = match relevant with [] -> " " | _ :: _ -> "*" in
+  Printf.sprintf "%s %4d. %s, at time %s" mark number (Run_text.label m label) (Rat.to_string time)
+  :: List.map why relevant
+
+let steps (x : Omission.t) =
+  let run = Causes.run x.story in
+  let of_step = Array.make (Array.length run.steps) [] in
+  Array.iteri (fun i (e : Causes.event) -> of_step.(e.step) <- i :: of_step.(e.step)) (Causes.events x.story);
+  let add (i, time, found) (label, _) =
+    let time = Rat.add time (Transition.duration_of label) in
+    (i + 1, time, List.rev_append (step_lines x (List.rev of_step.(i)) (i + 1) label time) found)
+  in
+  let _, _, lines = Array.fold_left add (0, Rat.zero, []) run.steps in
+  List.rev lines
+
+(* How many of the transitions other than passings of time matter. *)
+let counted (x : Omission.t) =
+  let count (relevant, all) role (e : Causes.event) =
+    match e.happening with
+    | Expiry _ -> (relevant, all)
+    | Discrete _ -> ((if matters role then relevant + 1 else relevant), all + 1)
+  in
+  let roles = Array.to_list x.roles and events = Array.to_list (Causes.events x.story) in
+  let relevant, all = List.fold_left2 count (0, 0) roles events in
+  Printf.sprintf "%d of %d events matter" relevant all
+
+let conclusion (x : Omission.t) =
+  let m = (Causes.run x.story).model in
+  let keeps (leaves, why) =
+    Printf.sprintf "%s matters by what it keeps away: without it, %s" (body m leaves) why
+  in
+  let tried =
+    match x.left_out with
+    | [] -> "every body takes part: none could be left out to try"
+    | list -> Printf.sprintf "checked: the same happens without %s" (listed (List.map (body m) list))
+  in
+  (counted x :: List.map keeps x.keep_away) @ [ tried ]
+
+let lines console check x =
+  String.concat "\n" (heading console check x @ steps x @ ("" :: conclusion x)) ^ "\n"

@@ -1,0 +1,8 @@
+(** What a fact depends on, in words. *)
+
+open Scc_property
+open Scc_verify
+
+val lines : Console.t -> Property.check option -> Omission.t -> string
+(** The fact, the steps of the run ([*] marks those that it depends on, each with its reasons), and what was
+    tried without bodies that seem not to matter. *)

@@ -1,0 +1,285 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+module Ints = Set.Make (Int)
+
+type run = {
+  model : Model.t;
+  declared : State.t;
+  initial : State.t;
+  steps : (Transition.label * State.t) array;
+  offset : Rat.t;
+}
+
+type aspect = Motion | Structure | Behaviour | Clock | Itself
+type reason = { cause : int; aspect : aspect; leaf : int }
+type happening = Discrete of Transition.label | Expiry of int
+
+type event = {
+  step : int;
+  time : Rat.t;
+  happening : happening;
+  leaves : int list;
+  reasons : reason list;
+}
+
+(* By leaf: the event that last changed it, -1 for none. *)
+type last = { motion : int array; structure : int array; behaviour : int array; clock : int array }
+
+type t = { run : run; events : event array; last : last; duration : Rat.t }
+type basis = { reasons : reason list; leaves : int list }
+
+let run t = t.run
+let events t = t.events
+let duration t = t.duration
+
+let rank = function Motion -> 0 | Structure -> 1 | Behaviour -> 2 | Clock -> 3 | Itself -> 4
+
+(* {1 Reasons} *)
+
+let order a b =
+  let c = Int.compare a.cause b.cause in
+  if c <> 0 then c
+  else
+    let c = Int.compare (rank a.aspect) (rank b.aspect) in
+    if c <> 0 then c else Int.compare a.leaf b.leaf
+
+let changed table aspect leaf = if table.(leaf) < 0 then [] else [ { cause = table.(leaf); aspect; leaf } ]
+
+(* The leaves of a process share what is its own: the same change is told once, of its first leaf. *)
+let of_process table aspect leaves =
+  let add (seen, found) leaf =
+    match changed table aspect leaf with
+    | [ r ] when not (Ints.mem r.cause seen) -> (Ints.add r.cause seen, r :: found)
+    | _ -> (seen, found)
+  in
+  snd (List.fold_left add (Ints.empty, []) leaves)
+
+let motion_of last = of_process last.motion Motion
+let structure_of last = of_process last.structure Structure
+let clock_of last = of_process last.clock Clock
+let behaviour_of last leaves = List.concat_map (changed last.behaviour Behaviour) leaves
+
+(* {1 The events of a run} *)
+
+let leaves_of (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves)
+let process_of (s : State.t) leaf = s.processes.(fst (State.find_leaf s leaf))
+let home s leaf = leaves_of (process_of s leaf)
+
+(* The leaf that takes part itself stands for its process. *)
+let first leaf leaves = leaf :: List.filter (fun l -> l <> leaf) leaves
+
+type telling = { model : Model.t; at : last; mutable told : event list; mutable count : int }
+
+let tell_event w ~step ~time happening leaves reasons =
+  let leaves = List.sort_uniq Int.compare leaves and reasons = List.sort_uniq order reasons in
+  w.told <- { step; time; happening; leaves; reasons } :: w.told;
+  w.count <- w.count + 1;
+  w.count - 1
+
+let set table event leaves = List.iter (fun l -> table.(l) <- event) leaves
+
+let expires (m : Model.t) d (l : State.leaf) =
+  match Behaviour.horizon m.definitions l.behaviour with
+  | Some h -> Rat.compare h d <= 0
+  | None -> false
+
+(* What expires at the end of a passing of time. All at once: none is a reason for another. *)
+let expiries w ~step ~time d (source : State.t) =
+  let of_one (p : State.process) =
+    let expiring = List.filter (expires w.model d) (Array.to_list p.leaves) in
+    List.map (fun (l : State.leaf) -> (l.leaf, leaves_of p)) expiring
+  in
+  let all = List.concat_map of_one (Array.to_list source.processes) in
+  let tell (leaf, process) =
+    let reasons = behaviour_of w.at [ leaf ] in
+    (tell_event w ~step ~time (Expiry leaf) [ leaf ] reasons, leaf, process)
+  in
+  List.iter
+    (fun (event, leaf, process) ->
+       set w.at.behaviour event [ leaf ];
+       set w.at.clock event process)
+    (List.map tell all)
+
+(* The leaves at which two processes touch: that they offer no bond makes it a bounce. *)
+let touching m (source : State.t) p q =
+  let i = fst (State.find_leaf source p) and j = fst (State.find_leaf source q) in
+  let of_contact (c : Collision.contact) =
+    if (c.first = i && c.second = j) || (c.first = j && c.second = i) then
+      List.concat_map (fun (t : Collision.touch) -> [ fst t.one; fst t.two ]) c.touches
+    else []
+  in
+  List.concat_map of_contact (Collision.contacts m source)
+
+let velocity s leaf = (process_of s leaf).State.velocity
+
+let set_motion w event source target leaves =
+  set w.at.motion event
+    (List.filter (fun l -> not (Vec.equal (velocity source l) (velocity target l))) leaves)
+
+let collision w ~step ~time label source target p q ~behaving =
+  let one = first p (home source p) and two = first q (home source q) in
+  let both = one @ two in
+  let reasons =
+    List.concat_map (fun leaves -> motion_of w.at leaves @ structure_of w.at leaves) [ one; two ]
+    @ behaviour_of w.at behaving
+  in
+  let event = tell_event w ~step ~time (Discrete label) both reasons in
+  set_motion w event source target both;
+  set w.at.clock event both;
+  (event, both)
+
+let split w ~step ~time label source (bonds : State.bond list) ~clocked =
+  let ends = List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds in
+  let ends = List.sort_uniq Int.compare ends in
+  let leaves = match ends with [] -> [] | leaf :: _ -> first leaf (home source leaf) in
+  let reasons =
+    structure_of w.at leaves @ behaviour_of w.at ends @ if clocked then clock_of w.at leaves else []
+  in
+  let event = tell_event w ~step ~time (Discrete label) leaves reasons in
+  set w.at.structure event leaves;
+  set w.at.clock event leaves;
+  set w.at.behaviour event ends
+
+let transition w ~step ~time (label : Transition.label) source target =
+  match label with
+  | Time d -> expiries w ~step ~time d source
+  | Bind b ->
+    let p = b.one.at and q = b.two.at in
+    let event, both = collision w ~step ~time label source target p q ~behaving:[ p; q ] in
+    set w.at.structure event both;
+    set w.at.behaviour event [ p; q ]
+  | Bounce (p, q) ->
+    let behaving = touching w.model source p q in
+    ignore (collision w ~step ~time label source target p q ~behaving)
+  | Weak_split b -> split w ~step ~time label source [ b ] ~clocked:true
+  | Strong_split bonds -> split w ~step ~time label source bonds ~clocked:false
+
+let tell (run : run) =
+  let none () = Array.make (Array.length run.model.leaves) (-1) in
+  let at = { motion = none (); structure = none (); behaviour = none (); clock = none () } in
+  let w = { model = run.model; at; told = []; count = 0 } in
+  let source = ref run.initial and time = ref Rat.zero in
+  Array.iteri
+    (fun step (label, target) ->
+       time := Rat.add !time (Transition.duration_of label);
+       transition w ~step ~time:!time label !source target;
+       source := target)
+    run.steps;
+  { run; events = Array.of_list (List.rev w.told); last = at; duration = Rat.add !time run.offset }
+
+(* {1 Facts} *)
+
+let everyone t = List.init (Array.length t.run.model.leaves) Fun.id
+let movable t = List.filter (fun l -> not t.run.model.leaves.(l).fixed) (everyone t)
+
+let of_label (label : Transition.label) =
+  match label with
+  | Bind b | Weak_split b -> [ b ]
+  | Strong_split bonds -> bonds
+  | Time _ | Bounce _ -> []
+
+let joins (p, q) (b : State.bond) = (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p)
+
+(* The events that made or released bonds of a kind, and the leaves that have such a bond. *)
+let bonds t wanted =
+  let of_event cause (e : event) =
+    match e.happening with
+    | Expiry _ -> []
+    | Discrete label ->
+      let made = List.filter wanted (of_label label) in
+      List.map (fun (b : State.bond) -> { cause; aspect = Structure; leaf = b.one.at }) made
+  in
+  let of_process (p : State.process) =
+    List.concat_map
+      (fun (b : State.bond) -> if wanted b then [ b.one.at; b.two.at ] else [])
+      (Array.to_list p.bonds)
+  in
+  {
+    reasons = List.concat (List.mapi of_event (Array.to_list t.events));
+    leaves = List.concat_map of_process (Array.to_list t.run.initial.processes);
+  }
+
+let of_everyone table aspect leaves = { reasons = of_process table aspect leaves; leaves }
+let of_table table aspect leaves = { reasons = List.concat_map (changed table aspect) leaves; leaves }
+let moving t leaves = of_table t.last.motion Motion leaves
+let structured t leaves = of_table t.last.structure Structure leaves
+let behaving t leaves = of_table t.last.behaviour Behaviour leaves
+
+let union bases =
+  {
+    reasons = List.sort_uniq order (List.concat_map (fun (b : basis) -> b.reasons) bases);
+    leaves = List.sort_uniq Int.compare (List.concat_map (fun (b : basis) -> b.leaves) bases);
+  }
+
+let nothing = { reasons = []; leaves = [] }
+
+let named name (b : State.bond) =
+  match name with
+  | None -> true
+  | Some n -> String.equal n b.name
+
+let of_num t : Property.num -> basis = function
+  | Bonds (name, None) -> bonds t (named name)
+  | Bonds (name, Some ((p, q) as ends)) ->
+    union [ bonds t (fun b -> named name b && joins ends b); { nothing with leaves = [ p; q ] } ]
+  | Size p -> structured t [ p ]
+  | Processes -> of_everyone t.last.structure Structure (everyone t)
+  | Position (_, p) | Velocity (_, p) | Speed2 p -> moving t [ p ]
+  | Distance2 (p, q) -> moving t [ p; q ]
+  | Momentum _ | Energy -> of_everyone t.last.motion Motion (movable t)
+  | Const _ | Time | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ -> nothing
+
+let discrete_events t =
+  let discrete (_, (e : event)) = match e.happening with Discrete _ -> true | Expiry _ -> false in
+  List.filter discrete (List.mapi (fun i e -> (i, e)) (Array.to_list t.events))
+
+let last_event t =
+  match List.rev (discrete_events t) with
+  | [] -> None
+  | (cause, e) :: _ -> Some (cause, e)
+
+let of_last_event t =
+  match last_event t with
+  | None -> nothing
+  | Some (cause, e) ->
+    let leaf = match e.leaves with l :: _ -> l | [] -> 0 in
+    { reasons = [ { cause; aspect = Itself; leaf } ]; leaves = e.leaves }
+
+(* The last transition, when the fact is about the instant right after it. *)
+let arrival t =
+  match last_event t with
+  | Some (_, e) when e.step = Array.length t.run.steps - 1 && Rat.sign t.run.offset = 0 -> of_last_event t
+  | _ -> nothing
+
+let of_prop t : Property.prop -> basis = function
+  | Bound (p, q) -> union [ bonds t (joins (p, q)); { nothing with leaves = [ p; q ] } ]
+  | Same (p, q) -> structured t [ p; q ]
+  | Behaviour (p, _) | Offers (p, _, _) -> behaving t [ p ]
+  | Touching (p, q) -> moving t [ p; q ]
+  | Quiescent ->
+    let all = everyone t and last = t.last in
+    union
+      [
+        of_everyone last.motion Motion all; of_everyone last.structure Structure all; behaving t all;
+        of_everyone last.clock Clock all;
+      ]
+  | Event (Bond (_, _, ends) | Bounce ends) ->
+    let leaves = match ends with Any -> [] | One p -> [ p ] | Two (p, q) -> [ p; q ] in
+    union [ arrival t; { nothing with leaves } ]
+  | Bool _ | Compare _ | Not _ | And _ | Or _ -> nothing
+
+let of_formula t f =
+  let found = ref [] in
+  let note basis = found := basis :: !found in
+  Formula.iter ~num:(fun n -> note (of_num t n)) ~prop:(fun p -> note (of_prop t p)) f;
+  union !found
+
+let closure t given =
+  let marks = Array.make (Array.length t.events) false in
+  List.iter (fun i -> marks.(i) <- true) given;
+  for i = Array.length t.events - 1 downto 0 do
+    if marks.(i) then List.iter (fun r -> marks.(r.cause) <- true) t.events.(i).reasons
+  done;
+  marks

@@ -1,0 +1,118 @@
+"""What scc does at a terminal: its line of progress, and Ctrl-C.
+
+    terminal_test.py SCC FOLDER      FOLDER is test/bench/checker
+
+Standard error is a pseudo-terminal; the interrupt is the character that the terminal turns into one.
+"""
+
+import os
+import pty
+import re
+import select
+import subprocess
+import sys
+import time
+import unittest
+
+SCC = FOLDER = None
+LINE = re.compile(r"(\d+) states \(\d+/s\), \d+ to expand, depth \d+, model time [\d.e+]+, \d+ MiB(, at most \d+ \w+ left)?")
+
+
+class Session:
+    """scc with a terminal of its own, from which only standard output is taken away."""
+
+    def __init__(self, *words):
+        self.seen = ""
+        out, self.out = os.pipe()
+        self.pid, self.terminal = pty.fork()
+        if self.pid == 0:
+            os.dup2(self.out, 1)
+            os.execv(SCC, [SCC, *words])
+        os.close(self.out)
+        self.out = os.fdopen(out)
+
+    def read(self):
+        """What the terminal shows next; nothing when it is closed."""
+        if not select.select([self.terminal], [], [], 1)[0]:
+            return True
+        try:
+            more = os.read(self.terminal, 65536)
+        except OSError:
+            return False
+        self.seen += more.decode("utf-8", "replace")
+        return bool(more)
+
+    def wait_for(self, found, seconds=60):
+        end = time.monotonic() + seconds
+        while not found(self.seen) and time.monotonic() < end and self.read():
+            pass
+        return found(self.seen)
+
+    def interrupt(self):
+        os.write(self.terminal, b"\x03")
+
+    def end(self):
+        """(exit code, standard output)."""
+        text = self.out.read()
+        while self.read():
+            pass
+        _, status = os.waitpid(self.pid, 0)
+        os.close(self.terminal)
+        self.out.close()
+        return os.WEXITSTATUS(status) if os.WIFEXITED(status) else -os.WTERMSIG(status), text
+
+
+def model(name):
+    return os.path.join(FOLDER, name + ".sc")
+
+
+LARGE = ["-D", "n=30", "--states", "100000000", "--memory", "2000"]
+
+
+class Terminal(unittest.TestCase):
+    def test_progress_and_interrupt(self):
+        session = Session("check", model("bonds"), *LARGE)
+        self.assertTrue(session.wait_for(lambda s: "left" in s), session.seen[-300:])
+        session.interrupt()
+        code, text = session.end()
+        self.assertEqual(code, 4, text)
+        line = LINE.search(session.seen)
+        self.assertTrue(line and int(line.group(1)) > 0, session.seen[-300:])
+        self.assertTrue("conserved: holds up to the bound: the interruption" in text, text)
+        explored = re.search(r"^explored: (\d+) states, .*; not complete: stopped by the interruption$", text, re.M)
+        self.assertTrue(explored, text)
+        self.assertGreaterEqual(int(explored.group(1)), int(line.group(1)))
+        # The line is wiped away in the end.
+        self.assertTrue(session.seen.rstrip("^C\r\n").endswith("\x1b[K"), repr(session.seen[-100:]))
+
+    def test_interrupt_of_many_states(self):
+        """To look over what is known takes longer than a step may."""
+        session = Session("check", model("bonds"), *LARGE)
+        many = re.compile(r"\d{7,} states")
+        if not session.wait_for(many.search, seconds=100):
+            self.skipTest("not fast enough")
+        session.interrupt()
+        code, text = session.end()
+        self.assertEqual(code, 4, text)
+        self.assertIn("conserved: holds up to the bound: the interruption", text)
+
+    def test_interrupt_in_json(self):
+        session = Session("check", model("bonds"), "--json", *LARGE)
+        time.sleep(2)
+        session.interrupt()
+        code, text = session.end()
+        self.assertEqual(code, 4, text)
+        self.assertIn('"verdict": "holds-up-to-bound"', text)
+        self.assertIn('{"limit": "interrupted", "value": null, "origin": "user"}', text)
+        self.assertNotIn("states", session.seen)
+
+    def test_no_progress_without_terminal(self):
+        command = [SCC, "check", model("bonds"), *LARGE, "--seconds", "2"]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stderr), (4, ""))
+        self.assertIn("holds up to the bound: ", done.stdout)
+
+
+if __name__ == "__main__":
+    SCC, FOLDER = os.path.abspath(sys.argv.pop(1)), os.path.abspath(sys.argv.pop(1))
+    unittest.main()

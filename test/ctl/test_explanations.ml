@@ -1,0 +1,271 @@
+(* Every explanation is checked: its runs are followed, and what is claimed along them is looked up in the naive
+   evaluator. *)
+
+open Scc_exact
+open Scc_verify
+open Scc_test_ctl
+module Gen = QCheck2.Gen
+
+type case = { graph : Small.t; formula : Ctl_formula.t }
+
+let print c = Small.print c.graph ^ "\n" ^ Small.print_formula c.formula
+
+let case_gen ~unsure ~truncated ~depth =
+  let open Gen in
+  let* graph = Small.gen ~unsure ~truncated in
+  let* formula = Small.formula_gen graph.unit depth in
+  return { graph; formula }
+
+let value c naive f (p : Ctl_set.position) =
+  match Walk.cell c.graph p with None -> Naive.node naive f p.node | Some i -> Naive.cell naive f p.node i
+
+let surely c naive f p = (value c naive f p : Naive.answer).surely
+let perhaps c naive f p = (value c naive f p : Naive.answer).perhaps
+let fail c format =
+  Printf.ksprintf (fun text -> QCheck2.Test.fail_reportf "%s\n%s" text (print c)) format
+
+let ensure c text b = if not b then fail c "%s" text
+let always : Ctl_formula.t = And []
+
+let same_position (p : Ctl_set.position) (q : Ctl_set.position) =
+  Int.equal p.node q.node && Algebraic.equal p.offset q.offset
+
+let opposite : Scc_property.Property.path_quantifier -> Scc_property.Property.path_quantifier = function
+  | All -> Exists
+  | Exists -> All
+
+(* Rounds of a cycle until the window is passed, or has been reached and gone through once. *)
+let rounds (w : Walk.window) c =
+  let far = match w.high with Some h -> h | None -> w.low in
+  2 + Z.to_int (Rat.floor (Rat.div far c.graph.unit))
+
+let ends_at pieces = match List.rev pieces with [] -> None | (p : Walk.piece) :: _ -> Some p
+
+(* A run within a bound, from a node, is the earliest: within any less there is none. *)
+let earliest c naive (b : Scc_property.Property.bound) f g (run : Ctl_run.t) (last : Walk.piece) =
+  match b.high with
+  | Some _ when Rat.sign b.low = 0 && not (Ctl_set.is_inside run.start) ->
+    let before =
+      match run.finish with
+      | During { moment = { attained = false; offset }; sample } ->
+        Rat.add last.from (Rat.sub (Walk.rational offset) (Walk.rational sample))
+      | _ -> Rat.sub last.from c.graph.unit
+    in
+    if Rat.sign before >= 0 then
+      let sooner = Ctl_formula.Until (Exists, { b with high = Some before }, f, g) in
+      ensure c "not the earliest" (not (surely c naive sooner run.start))
+  | Some _ | None -> ()
+
+(* [holds] is the truth of the U; [show] that of what its right side was made of. *)
+let rec check_until c naive q (b : Scc_property.Property.bound) f g ~holds (e : Explanation.t) =
+  let w = { Walk.low = b.low; high = b.high } in
+  match e.because with
+  | Everywhere n ->
+    ensure c "something is reached" (n > 0 || Ctl_set.is_inside e.position);
+    ensure c "only what no run shows is so everywhere"
+      (match (q : Scc_property.Property.path_quantifier) with All -> holds | Exists -> not holds)
+  | Given | Parts _ -> fail c "an operator without a run"
+  | Run { run; parts } -> (
+      ensure c "the run starts elsewhere" (same_position run.start e.position);
+      match Walk.pieces c.graph ~rounds:(rounds w c) run with
+      | Error text -> fail c "%s" text
+      | Ok pieces -> (
+          List.iter (fun (p : Explanation.t) ->
+              match Ctl_run.goal run with
+              | Some goal -> ensure c "a part elsewhere" (same_position goal p.position)
+              | None -> fail c "a part of a run without end") parts;
+          List.iter (check c naive) parts;
+          match q with
+          | Exists -> (
+              ensure c "a run decides E only when it holds" holds;
+              ensure c "one part" (List.length parts = 1);
+              match Walk.until w ~f:(surely c naive f) ~g:(surely c naive g) pieces with
+              | Met, _ -> (
+                  (* Not only on the way: at its end. *)
+                  match ends_at pieces with
+                  | Some last ->
+                    earliest c naive b f g run last;
+                    ensure c "the goal is not met at the end"
+                      (surely c naive g last.position
+                       && Rat.compare last.from w.low >= 0
+                       && match w.high with None -> true | Some h -> Rat.compare last.from h <= 0)
+                  | None -> fail c "an empty run")
+              | (Broken | Past | Open), _ -> fail c "the run does not show it")
+          | All -> (
+              ensure c "a run decides A only when it does not hold" (not holds);
+              match (Walk.until w ~f:(perhaps c naive f) ~g:(perhaps c naive g) pieces, run.finish) with
+              | (Met, _), _ -> fail c "the goal is met"
+              | (Broken, rest), (At_state | During _) ->
+                let broken (p : Walk.piece) = not (perhaps c naive f p.position) in
+                ensure c "it is broken before the end" (List.for_all broken rest);
+                ensure c "no part" (parts <> [])
+              | (Broken, _), (Rests | Stops | Repeats _ | Passes) -> fail c "broken on the way"
+              | (Open, _), (Rests | Stops) | (Past, _), (Passes | Repeats _) -> ()
+              | (Past, _), (At_state | During _ | Rests | Stops) -> fail c "more than is needed"
+              | (Open, _), Repeats k ->
+                let cycle = List.filteri (fun i _ -> i >= k) run.steps in
+                let timed (s : Ctl_run.step) = match s.move with Flow _ -> true | Edge _ -> false in
+                ensure c "no time passes" (List.exists timed cycle)
+              | (Open, _), Passes ->
+                let beyond =
+                  match (ends_at pieces, w.high) with
+                  | Some { until = None; _ }, Some _ -> true
+                  | Some { until = Some t; _ }, Some h -> Rat.compare t h > 0
+                  | _, None | None, _ -> false
+                in
+                ensure c "the bound is not passed" beyond
+              | (Open, _), (At_state | During _) -> fail c "the run shows nothing")))
+
+and check_next c naive f ~wanted (e : Explanation.t) =
+  match e.because with
+  | Everywhere n -> ensure c "something is reached" (n > 0 || Ctl_set.is_inside e.position)
+  | Given | Parts _ -> fail c "an operator without a run"
+  | Run { run; parts } ->
+    (match Walk.pieces c.graph ~rounds:1 run with Ok _ -> () | Error text -> fail c "%s" text);
+    ensure c "it starts elsewhere" (same_position run.start e.position);
+    let is_edge (s : Ctl_run.step) = match s.move with Edge _ -> true | Flow _ -> false in
+    (match List.rev run.steps with
+     | last :: before -> ensure c "one edge, at last" (is_edge last && not (List.exists is_edge before))
+     | [] -> fail c "no edge");
+    (match parts with
+     | [ p ] ->
+       ensure c "the part" (same_position p.position (Ctl_set.start run.last));
+       ensure c "of the formula" (Ctl_formula.compare p.formula f = 0 && Bool.equal p.holds wanted)
+     | _ -> fail c "not one part");
+    List.iter (check c naive) parts
+
+and check c naive (e : Explanation.t) =
+  let a = value c naive e.formula e.position in
+  ensure c "it is as claimed" (if e.holds then a.surely else not a.perhaps);
+  let parts l =
+    List.iter
+      (fun (p : Explanation.t) ->
+         ensure c "a part elsewhere" (same_position p.position e.position);
+         check c naive p)
+      l
+  in
+  match (e.formula, e.because) with
+  | Predicate _, Given -> ()
+  | Not _, Parts [ p ] ->
+    ensure c "not" (not (Bool.equal p.holds e.holds));
+    parts [ p ]
+  | And fs, Parts l ->
+    let all = List.length l = List.length fs in
+    ensure c "and" (if e.holds then all else List.exists (fun (p : Explanation.t) -> not p.holds) l);
+    parts l
+  | Or fs, Parts l ->
+    let all = List.length l = List.length fs in
+    ensure c "or" (if e.holds then List.exists (fun (p : Explanation.t) -> p.holds) l else all);
+    parts l
+  | Next (q, f), _ ->
+    let by_run = match q with Exists -> e.holds | All -> not e.holds in
+    (match e.because with
+     | Run _ -> ensure c "a run" by_run
+     | _ -> ensure c "no run" (not by_run));
+    check_next c naive f ~wanted:e.holds e
+  | Until (q, b, f, g), _ -> check_until c naive q b f g ~holds:e.holds e
+  | Finally (q, b, g), _ -> check_until c naive q b always g ~holds:e.holds e
+  | Globally (q, b, g), _ -> check_until c naive (opposite q) b always (Not g) ~holds:(not e.holds) e
+  | (Predicate _ | Not _ | And _ | Or _), _ -> fail c "an explanation of another kind"
+
+let check_chain c (e : Explanation.t) =
+  match Explanation.chain e with
+  | None -> ()
+  | Some run -> (
+      ensure c "the chain starts elsewhere" (same_position run.start e.position);
+      match Walk.pieces c.graph ~rounds:2 run with Ok _ -> () | Error text -> fail c "chain: %s" text)
+
+let everywhere c =
+  let nodes = List.init (Array.length c.graph.nodes) Ctl_set.start in
+  let inside s =
+    let x = c.graph.nodes.(s) in
+    if x.known then
+      List.init (Small.cells x) (fun i -> { Ctl_set.node = s; offset = Small.offset c.graph i })
+    else []
+  in
+  nodes @ List.concat_map inside (List.init (Array.length c.graph.nodes) Fun.id)
+
+let explained c =
+  let e = Small.evaluator c.graph and naive = Naive.make c.graph in
+  List.iter
+    (fun p ->
+       match (Explanation.explain e c.formula p, Ctl_eval.truth e c.formula p) with
+       | None, None -> ()
+       | Some x, Some v ->
+         ensure c "another truth" (Bool.equal x.holds v);
+         check c naive x;
+         check_chain c x
+       | Some _, None | None, Some _ -> fail c "decided and not explained")
+    (everywhere c);
+  true
+
+let explanations name ~unsure ~truncated ~depth count =
+  QCheck2.Test.make ~count ~name ~print (case_gen ~unsure ~truncated ~depth) explained
+
+(* {1 Doubts} *)
+
+let doubts e c = Ctl_doubts.find e c.formula (Ctl_set.start 0)
+
+let sum c steps =
+  List.fold_left
+    (fun t (s : Ctl_run.step) -> Rat.add t (Timed_graph.duration (Small.graph c.graph) s.source s.move))
+    Rat.zero steps
+
+let doubted c =
+  let e = Small.evaluator c.graph in
+  let d = doubts e c in
+  let none = d.unexplored = [] && List.length d.undefined = 0 && Option.is_none d.zeno in
+  let undecided = Option.is_none (Ctl_eval.truth e c.formula (Ctl_set.start 0)) in
+  ensure c "doubts where it is undecided, and only there" (Bool.equal none (not undecided));
+  List.iter (fun s -> ensure c "a known node" (not c.graph.nodes.(s).known)) d.unexplored;
+  List.iter
+    (fun (u : Ctl_doubts.undefined) ->
+       match Ctl_eval.truth e (Predicate u.predicate) u.position with
+       | None -> ()
+       | Some _ -> fail c "a predicate that is decided")
+    d.undefined;
+  (match d.zeno with
+   | None -> ()
+   | Some ({ finish = Repeats k; _ } as run) -> (
+       ensure c "from the initial node" (same_position run.start (Ctl_set.start 0));
+       let cycle = List.filteri (fun i _ -> i >= k) run.steps in
+       ensure c "time passes" (cycle <> [] && Rat.sign (sum c cycle) = 0);
+       match Walk.pieces c.graph ~rounds:2 run with Ok _ -> () | Error text -> fail c "zeno: %s" text)
+   | Some _ -> fail c "no cycle");
+  true
+
+(* When only unexplored nodes matter, it is decided once they are known to lead nowhere. *)
+let settled c =
+  let e = Small.evaluator c.graph in
+  let d = doubts e c in
+  let close s (x : Small.node) =
+    if List.mem s d.unexplored then { x with known = true; edges = []; flow = Small.No_flow } else x
+  in
+  let closed = { c with graph = { c.graph with nodes = Array.mapi close c.graph.nodes } } in
+  (match (d.undefined, d.zeno) with
+   | [], None ->
+     let e = Small.evaluator closed.graph in
+     ensure c "still undecided" (Option.is_some (Ctl_eval.truth e c.formula (Ctl_set.start 0)))
+   | _ -> ());
+  true
+
+let test name ~unsure ~truncated ~depth count f =
+  QCheck2.Test.make ~count ~name ~print (case_gen ~unsure ~truncated ~depth) f
+
+let () =
+  Alcotest.run "explanations"
+    [
+      ( "explanations",
+        Scc_test_support.Property.cases
+          [
+            explanations "one operator" ~unsure:false ~truncated:false ~depth:1 5000;
+            explanations "nested operators" ~unsure:false ~truncated:false ~depth:3 2000;
+            explanations "undecided predicates, truncated graphs" ~unsure:true ~truncated:true ~depth:2 3000;
+          ] );
+      ( "doubts",
+        Scc_test_support.Property.cases
+          [
+            test "what cannot be decided" ~unsure:true ~truncated:true ~depth:3 6000 doubted;
+            test "which unexplored nodes matter" ~unsure:false ~truncated:true ~depth:3 6000 settled;
+          ] );
+    ]

@@ -1,0 +1,26 @@
+(** Runs followed step by step, and what they show of "f until g", by what holds in each cell. *)
+
+open Scc_exact
+open Scc_verify
+
+val rational : Algebraic.t -> Rat.t
+val cell : Small.t -> Ctl_set.position -> int option
+(** The cell of an offset inside a flow; [None] at a node. *)
+
+(** A piece of a run: an instant, or an open interval of elapsed time. *)
+type piece = { position : Ctl_set.position; from : Rat.t; until : Rat.t option  (** [None]: for ever *) }
+
+val pieces : Small.t -> rounds:int -> Ctl_run.t -> (piece list, string) result
+(** In order, or why it is no run of the graph. A cycle is gone round so many times. *)
+
+type window = { low : Rat.t; high : Rat.t option }
+
+type verdict =
+  | Met  (** g, within the window, with f before *)
+  | Broken  (** f fails first *)
+  | Past  (** neither happens before the end of the window *)
+  | Open  (** neither happens *)
+
+val until : window -> f:(Ctl_set.position -> bool) -> g:(Ctl_set.position -> bool) -> piece list -> verdict *
+                                                                                                    piece list
+(** With the pieces that come after the one that decides it. *)
