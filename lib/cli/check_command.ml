@@ -36,7 +36,9 @@ let witness_of (v : Verdict.t) =
   | Holds { witness; _ } | Violated { witness } -> witness
   | Undecided reasons ->
     List.find_map
-      (function Verdict.Zeno w | Unexplored { nearest = w; _ } -> Some w | Truncated _ | Undefined _ | Fault _ -> None)
+      (function
+        | Verdict.Zeno w | Unexplored { nearest = w; _ } -> Some w
+        | Truncated _ | Undefined _ | Fault _ -> None)
       reasons
 
 (* With the path of the model, but not that of standard input. *)

@@ -79,13 +79,16 @@ let unexplored r states : Verdict.reason list =
 let search_doubts r (d : Engine.doubts) =
   List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined) @ unexplored r d.unexplored
 
-let formula_doubts r temporal (d : Ctl_doubts.t) =
+let formula_doubts r temporal i =
+  let d = Temporal.doubts temporal i in
+  let cycle run =
+    Verdict.Zeno (Evidence.of_cycle r.context r.graph temporal (Temporal.formula temporal i) run)
+  in
   let undefined =
     List.map (fun (u : Ctl_doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
   in
   List.map (fun text -> Verdict.Undefined text) undefined
-  @ Option.to_list
-    (Option.map (fun run -> Verdict.Zeno (Evidence.of_cycle r.context r.graph temporal run)) d.zeno)
+  @ Option.to_list (Option.map cycle d.zeno)
   @ unexplored r d.unexplored
 
 (** {2 Verdicts} *)
@@ -118,7 +121,7 @@ let now r p =
 
 let formula r temporal i =
   match Temporal.truth temporal i with
-  | None -> Verdict.Undecided (formula_doubts r temporal (Temporal.doubts temporal i))
+  | None -> Verdict.Undecided (formula_doubts r temporal i)
   | Some truth -> (
       match (truth, Evidence.of_explanation r.context r.graph temporal (Temporal.explain temporal i)) with
       | true, witness -> Holds { bounds = []; witness }

@@ -114,27 +114,32 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     | None -> true
     | Some bound -> Rat.compare (Graph.arrival g i) bound <= 0
 
-  (* The first choice of a state, or its ray, after which the chosen moment exists and counts. *)
+  (* The choice of a state, or its ray, after which the chosen moment exists and counts; the earliest of them. *)
   let find_ahead m g i ahead choose =
     let counts p = match choose p with Some t when in_time m g i t -> Some t | _ -> None in
     match ahead with
     | Unknown_yet | Nothing -> None
     | Ray p -> Option.map (fun t -> (None, t)) (counts p)
     | Edges (_, list) ->
-      let rec go k =
-        if k = Array.length list then None
-        else match counts list.(k) with Some t -> Some (Some k, t) | None -> go (k + 1)
+      let earlier best k p =
+        match (counts p, best) with
+        | Some t, Some (_, known) when Timeline.compare_moment known t <= 0 -> best
+        | Some t, _ -> Some (Some k, t)
+        | None, _ -> best
       in
-      go 0
+      snd (Array.fold_left (fun (k, best) p -> (k + 1, earlier best k p)) (0, None) list)
 
-  let instant g (i, _, moment) =
-    let offset = match moment with None -> Algebraic.zero | Some m -> m.Timeline.offset in
-    Algebraic.add_rat (Graph.arrival g i) offset
+  (* When, counted from the start of the run. *)
+  let moment_of g (i, _, moment) : Timeline.moment =
+    let { Timeline.offset; attained } =
+      match moment with None -> { Timeline.offset = Algebraic.zero; attained = true } | Some m -> m
+    in
+    { offset = Algebraic.add_rat (Graph.arrival g i) offset; attained }
 
   (* With the order of time the first that is met need not be the earliest. *)
   let meet m g place =
     match m.met with
-    | Some known when Algebraic.compare (instant g known) (instant g place) <= 0 -> ()
+    | Some known when Timeline.compare_moment (moment_of g known) (moment_of g place) <= 0 -> ()
     | Some _ | None ->
       m.met <- Some place;
       if not m.by_time then m.decided <- true
@@ -152,8 +157,11 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   (* Whatever is still to be expanded is reached no earlier than the state that is. *)
   let close m g i =
     match m.met with
-    | Some place when Algebraic.compare_rat (instant g place) (Graph.arrival g i) <= 0 -> m.decided <- true
-    | Some _ | None -> ()
+    | None -> ()
+    | Some place ->
+      let { Timeline.offset; attained } = moment_of g place in
+      let c = Algebraic.compare_rat offset (Graph.arrival g i) in
+      if c < 0 || (c = 0 && attained) then m.decided <- true
 
   let doubt m i = m.doubtful <- i :: m.doubtful
 

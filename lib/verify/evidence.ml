@@ -61,9 +61,9 @@ let puts_off context (cycle : Witness.step list) ~from =
 let repeats context run cycle : Witness.finish =
   let steps = List.rev run.steps in
   let from =
-    match List.nth_opt steps (cycle - 1) with
-    | Some s when cycle > 0 -> s.Witness.transition.target
-    | Some _ | None -> System.start context
+    match if cycle = 0 then None else List.nth_opt steps (cycle - 1) with
+    | Some s -> s.Witness.transition.target
+    | None -> System.start context
   in
   Repeats { cycle; puts_off = puts_off context (drop cycle steps) ~from }
 
@@ -106,7 +106,9 @@ let of_trace context graph predicate (trace : Engine.trace) =
   let facts =
     match predicate with
     | None -> no_facts
-    | Some p -> fun state extent offset -> Explain.facts (System.model context) state extent offset p
+    | Some p ->
+      let arrived = System.arrived context (Graph.tuple graph trace.last) in
+      fun state extent offset -> Explain.facts ~arrived (System.model context) state extent offset p
   in
   match trace.finish with
   | At_state ->
@@ -145,7 +147,9 @@ let of_run context graph temporal (run : Ctl_run.t) =
     in
     witness context followed finish []
 
-let of_cycle = of_run
+let of_cycle context graph temporal formula (run : Ctl_run.t) =
+  let facts = Reasoning.about context graph temporal formula run.last in
+  { (of_run context graph temporal run) with facts }
 
 let of_explanation context graph temporal e =
   Option.map

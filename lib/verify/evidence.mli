@@ -13,5 +13,5 @@ val of_path : System.context -> State_graph.t -> int -> Witness.t
 val of_explanation : System.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.t option
 (** The run that the explanation begins with, with the whole of it in words; [None] when there is no run in it. *)
 
-val of_cycle : System.context -> State_graph.t -> Temporal.t -> Ctl_run.t -> Witness.t
-(** A run from the initial state that goes round within one instant. *)
+val of_cycle : System.context -> State_graph.t -> Temporal.t -> Ctl_formula.t -> Ctl_run.t -> Witness.t
+(** A run from the initial state that goes round within one instant, on which a formula depends. *)

@@ -33,6 +33,12 @@ let subject (f : Ctl_formula.t) =
   | Finally (_, _, f) | Globally (_, _, f) | Until (_, _, _, f) | Next (_, f) -> awaited f
   | Predicate _ | Not _ | And _ | Or _ -> awaited f
 
+let distinct facts =
+  List.rev (List.fold_left (fun kept f -> if List.mem f kept then kept else f :: kept) [] facts)
+
+let about context graph temporal formula node =
+  List.concat_map (facts_at context graph temporal (Ctl_set.start node)) (subject formula) |> distinct
+
 let rec given (e : Explanation.t) =
   match (e.formula, e.because) with
   | Predicate p, Given -> [ (p, e.position) ]
@@ -55,14 +61,12 @@ let facts context graph temporal e =
   match last_run e with
   | None -> []
   | Some (formula, run, parts) ->
-    let known =
-      match Ctl_run.goal run with
-      | Some _ -> List.concat_map given parts
-      | None -> List.map (fun p -> (p, Ctl_set.start run.last)) (subject formula)
-    in
-    List.concat_map (fun (p, at) -> facts_at context graph temporal at p) known
-    |> List.fold_left (fun kept fact -> if List.mem fact kept then kept else fact :: kept) []
-    |> List.rev
+    (match Ctl_run.goal run with
+     | None -> about context graph temporal formula run.last
+     | Some _ ->
+       List.concat_map given parts
+       |> List.concat_map (fun (p, at) -> facts_at context graph temporal at p)
+       |> distinct)
 
 (** {2 The tree} *)
 

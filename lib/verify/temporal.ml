@@ -71,6 +71,7 @@ let explain t i =
   | None -> Scc_base.Bug.fail __POS__ "an undecided formula is explained"
 
 let doubts t i = Ctl_doubts.find t.eval t.asked.formulas.(i) origin
+let formula t i = t.asked.formulas.(i)
 let predicate t i = t.asked.props.(i)
 
 let choice t (s : Ctl_run.step) : Graph.step =

@@ -23,6 +23,9 @@ val explain : t -> int -> Explanation.t
 val doubts : t -> int -> Ctl_doubts.t
 (** Of one that is not. *)
 
+val formula : t -> int -> Ctl_formula.t
+(** That of an index. *)
+
 val predicate : t -> int -> Property.prop
 (** That of a number in explanations and doubts. *)
 
