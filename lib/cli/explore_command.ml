@@ -139,6 +139,7 @@ let explore console o format =
   let options = Check_options.options o.bounds ~interrupted ~progress:(progress console) in
   Option.iter Interrupt.deadline o.bounds.seconds;
   let space = Space.explore options e.model ~initial in
+  Interrupt.in_time ();
   Console.progress_done console;
   Console.report console (List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) space.faults);
   let exported =
