@@ -136,8 +136,8 @@ let explore console o format =
   let e = model.elaborated in
   Console.report console e.warnings;
   let* initial = initial e in
-  let options = Check_options.options o.bounds ~interrupted ~progress:(progress console) in
-  Option.iter Interrupt.deadline o.bounds.seconds;
+  let now = Option.map Interrupt.clock o.bounds.seconds in
+  let options = Check_options.options ?now o.bounds ~interrupted ~progress:(progress console) in
   let space = Space.explore options e.model ~initial in
   Interrupt.in_time ();
   Console.progress_done console;
