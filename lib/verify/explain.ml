@@ -29,8 +29,8 @@ let every trajectory model offset p = List.map (fact trajectory model offset) (S
 
 let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> []
 
-let facts model state extent offset p =
-  let trajectory = Trajectory.make model state extent in
+let facts ?arrived model state extent offset p =
+  let trajectory = Trajectory.make ?arrived model state extent in
   let atoms = Show.atoms p in
   let shown = List.map (fact trajectory model offset) (take most atoms) in
   let more = List.length atoms - most in
