@@ -2,6 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_semantics
 open Scc_verify
+open Scc_equivalence
 open Scc_exchange
 open Cmdliner
 
@@ -16,7 +17,8 @@ type options = {
   output : string;
   format : format option;
   dialect : Explicit_files.dialect;
-  tau : Aut.tau;
+  cadp : bool;
+  all_steps : bool;
   hidden : Hide.pattern list;
   instants : bool;
   positions : bool;
@@ -58,7 +60,11 @@ let files o format (e : Exported.t) =
   let hidden text = List.exists (fun p -> Hide.matches p text) o.hidden in
   let one write = [ (o.output, write) ] in
   match format with
-  | Aut -> (one (Aut.write o.tau ~hidden e.space), [])
+  | Aut ->
+    let graph = Compared.graph_of_space e.space in
+    let graph = if o.all_steps then graph else Passing.merge graph in
+    let graph = Graph.map_labels graph (fun text -> if hidden text then Graph.tau else text) in
+    (one (Scc_equivalence.Aut.write ~cadp:o.cadp graph), [])
   | Dot ->
     let l = Labelling.make ~instants:true e.space (Dot.predicates e.checks) in
     (one (Dot.write e l ~positions:o.positions), [])
@@ -136,9 +142,10 @@ let explore console o format =
   let e = model.elaborated in
   Console.report console e.warnings;
   let* initial = initial e in
-  let options = Check_options.options o.bounds ~interrupted ~progress:(progress console) in
-  Option.iter Interrupt.deadline o.bounds.seconds;
+  let now = Option.map Interrupt.clock o.bounds.seconds in
+  let options = Check_options.options ?now o.bounds ~interrupted ~progress:(progress console) in
   let space = Space.explore options e.model ~initial in
+  Interrupt.in_time ();
   Console.progress_done console;
   Console.report console (List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) space.faults);
   let exported =
@@ -187,9 +194,16 @@ let dialect =
   let dialects = [ ("prism", Explicit_files.Prism); ("storm", Explicit_files.Storm) ] in
   Arg.(value & opt (enum dialects) Explicit_files.Prism & info [ "dialect" ] ~docv:"TOOL" ~doc)
 
-let tau =
+let cadp =
   let doc = "Writes the invisible action as $(b,i), as CADP does, and not as $(b,\"tau\"). For the format $(b,aut)." in
-  Arg.(value & vflag Aut.Tau [ (Aut.Cadp, info [ "cadp" ] ~doc) ])
+  Arg.(value & flag & info [ "cadp" ] ~doc)
+
+let all_steps =
+  let doc =
+    "Keeps passings of time apart that follow each other with nothing else possible between them: every state is in \
+     the file, under its number. For the format $(b,aut)."
+  in
+  Arg.(value & flag & info [ "all-steps" ] ~doc)
 
 let instants =
   let doc =
@@ -203,12 +217,12 @@ let positions =
   Arg.(value & flag & info [ "positions" ] ~doc)
 
 let options =
-  let make path overrides bounds output format dialect tau hidden instants positions =
-    { path; overrides; bounds; output; format; dialect; tau; hidden; instants; positions }
+  let make path overrides bounds output format dialect cadp all_steps hidden instants positions =
+    { path; overrides; bounds; output; format; dialect; cadp; all_steps; hidden; instants; positions }
   in
   Term.(
     const make $ Options.model_file $ Options.overrides $ Check_options.bounds $ output $ format $ dialect
-    $ tau $ Hide.patterns ~also:" For the format $(b,aut)." () $ instants $ positions)
+    $ cadp $ all_steps $ Hide.patterns ~also:" For the format $(b,aut)." () $ instants $ positions)
 
 let command =
   Cmd.v

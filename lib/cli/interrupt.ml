@@ -10,7 +10,7 @@ let alarm seconds why =
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> give_up why));
   ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = seconds })
 
-let no_alarm () = ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = 0. })
+let in_time () = ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = 0. })
 
 (* A timer takes no more than a machine's integer; nobody waits for years. *)
 let deadline seconds =
@@ -22,7 +22,7 @@ let clock seconds =
   deadline seconds;
   fun () ->
     let now = Unix.gettimeofday () in
-    if now >= stop then no_alarm ();
+    if now >= stop then in_time ();
     now
 
 let install () =
@@ -36,5 +36,5 @@ let install () =
   Sys.set_signal Sys.sigint (Sys.Signal_handle handle);
   Sys.set_signal Sys.sigterm (Sys.Signal_handle handle);
   fun () ->
-    if !arrived then no_alarm ();
+    if !arrived then in_time ();
     !arrived

@@ -8,6 +8,10 @@ val install : unit -> unit -> bool
     arrived, so that the work can stop and report, for which it may take its time. Work that does not ask in time
     (see {!grace}) is given up: a message, and exit code 4. The second signal ends the program at once. *)
 
+val in_time : unit -> unit
+(** The work has stopped in time: what is left to do, such as writing what is known, takes as long as it takes. Another
+    signal ends the program at once. *)
+
 val deadline : float -> unit
 (** [deadline s]: unless the program ends before, work is given up after [s] seconds and the {!grace}. *)
 

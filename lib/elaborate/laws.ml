@@ -92,12 +92,12 @@ end
 
 module Eval = Typed.Make (Algebra)
 
-let can_read env e =
-  let scratch = Report.create () in
-  ignore (Eval.eval { Algebra.report = scratch; budget = Typed.budget () } env e);
-  not (Report.failed scratch)
+let check report budget env e = ignore (Eval.eval { Algebra.report; budget } env e)
 
-let check report env e = ignore (Eval.eval { Algebra.report; budget = Typed.budget () } env e)
+let can_read budget env e =
+  let scratch = Report.create () in
+  check scratch budget env e;
+  not (Report.failed scratch)
 
 (* [time] is a word of both. *)
 let speaks_of_a_law env e =

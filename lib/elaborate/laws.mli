@@ -4,10 +4,10 @@
 open Scc_syntax
 open Scc_calculus
 
-val can_read : Env.t -> Ast.expr -> bool
+val can_read : Typed.budget -> Env.t -> Ast.expr -> bool
 (** Whether an expression makes sense in a law. *)
 
-val check : Report.t -> Env.t -> Ast.expr -> unit
+val check : Report.t -> Typed.budget -> Env.t -> Ast.expr -> unit
 (** Reports what is wrong with an expression as a part of a law. *)
 
 val speaks_of_a_law : Env.t -> Ast.expr -> bool

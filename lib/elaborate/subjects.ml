@@ -12,6 +12,7 @@ type t = {
   by_template : (string, int list) Hashtbl.t;  (* indices in the model, in order *)
   numbers : int array;  (* the declared number of each leaf of the model *)
   budget : Typed.budget;
+  law_budget : Typed.budget;
 }
 
 let error t ?hint ?near code at fmt = Report.error t.c.report ?hint ?near code at fmt
@@ -122,5 +123,5 @@ let create (c : Context.t) (bodies : Bodies.t) (composition : Composition.t) beh
       Hashtbl.replace by_template label (composition.index.(i) :: others)
   in
   List.iter enter (List.rev numbers);
-  let budget = Typed.budget () in
-  { c; bodies; composition; behaviours; by_template; numbers = Array.of_list numbers; budget }
+  let budget = Typed.budget () and law_budget = Typed.budget () in
+  { c; bodies; composition; behaviours; by_template; numbers = Array.of_list numbers; budget; law_budget }

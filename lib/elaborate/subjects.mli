@@ -13,6 +13,7 @@ type t = {
   by_template : (string, int list) Hashtbl.t;  (** indices in the model, in order *)
   numbers : int array;  (** the declared number of each leaf of the model *)
   budget : Typed.budget;
+  law_budget : Typed.budget;  (** for what may be parts of laws, though no law uses it *)
 }
 
 val create : Context.t -> Bodies.t -> Composition.t -> Behaviours.t -> t

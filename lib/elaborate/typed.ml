@@ -209,7 +209,11 @@ module Make (A : ALGEBRA) = struct
     | Some (Cond x, Cond y) -> (
         match A.truth condition with
         | Some t -> Some (Cond (if t then x else y))
-        | None -> Some (Cond (A.choose_cond condition x y)))
+        | None ->
+          (* What is made has the condition twice: read again, it is counted twice. Otherwise conditions
+             within conditions would make terms beyond every limit. *)
+          let* _ = cond_at ctx (depth + 1) env c in
+          Some (Cond (A.choose_cond condition x y)))
     | Some (Num _, Cond _) | Some (Cond _, Num _) ->
       error ctx Code.type_mismatch b.at "the branches of `if` are a number and a truth value";
       None

@@ -139,14 +139,18 @@ let read ~file text =
   | exception Fault (start, stop, message) ->
     Error (Diag.error Code.bad_graph (Span.make ~file ~start ~stop) "%s" message)
 
-let write (g : Graph.t) put =
+let write ?(cadp = false) (g : Graph.t) put =
   let open_ = ref 0 in
   for s = 0 to g.size - 1 do
     if not (Graph.known g s) then incr open_
   done;
-  let quoted = Array.map (String.map (function '"' -> '\'' | '\x00' .. '\x1f' -> ' ' | c -> c)) g.labels in
+  let quoted label text =
+    if cadp && Graph.is_tau label then "i"
+    else "\"" ^ String.map (function '"' -> '\'' | '\x00' .. '\x1f' | '\x7f' -> ' ' | c -> c) text ^ "\""
+  in
+  let quoted = Array.mapi quoted g.labels in
   put (Printf.sprintf "des (%d, %d, %d)\n" g.initial (Graph.edges g + !open_) g.size);
   for s = 0 to g.size - 1 do
-    Graph.iter g s (fun label target -> put (Printf.sprintf "(%d, \"%s\", %d)\n" s quoted.(label) target));
+    Graph.iter g s (fun label target -> put (Printf.sprintf "(%d, %s, %d)\n" s quoted.(label) target));
     if not (Graph.known g s) then put (Printf.sprintf "(%d, \"%s\", %d)\n" s unexplored s)
   done

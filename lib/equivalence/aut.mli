@@ -16,5 +16,5 @@ open Scc_base
 val read : file:string -> string -> (Graph.t, Diag.t) result
 (** SC0803, at its place, for what does not fit. The states keep their numbers. *)
 
-val write : Graph.t -> (string -> unit) -> unit
-(** Piece by piece. Silent labels are ["tau"]; unknown states get a loop ["unexplored"]. *)
+val write : ?cadp:bool -> Graph.t -> (string -> unit) -> unit
+(** Piece by piece. Silent labels are ["tau"], or [i] without quotes with [cadp] (off by default); unknown states get a loop ["unexplored"]. *)

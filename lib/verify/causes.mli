@@ -2,8 +2,9 @@
 
     An event depends on the earlier events that last changed what takes part in it: how the processes move,
     of what they consist, what their leaves do, since when a split clock runs. That is enough: the rules look
-    at nothing else of a process. What they look at beside is the absence of others, which no list of events
-    can show; {!Omission} tries it out. *)
+    at nothing else of a process (a law of motion looks at its own body alone, so that a steer is no event).
+    What they look at beside is the absence of others, which no list of events can show; {!Omission} tries it
+    out. *)
 
 open Scc_exact
 open Scc_calculus

@@ -55,21 +55,31 @@ let least index ~generous ~bound ~f ~g =
             | Reached m -> offer s m
             | Lost _ | Passes -> ())
   done;
-  let relax m s timed =
+  (* What leads to the least in no time is as near, and needs no place in the heap. *)
+  let same = Stack.create () in
+  let relax least m s timed =
     if Ctl_set.at f s then
-      if not timed then offer s m
-      else
+      if timed then
         match (way s, Timed_graph.flow graph s) with
         | Passes, Lasts (d, _) -> offer s (shift d m)
         | _ -> ()
+      else
+        match times.(s) with
+        | Some old when Timeline.compare_moment old m <= 0 -> ()
+        | Some _ | None ->
+          times.(s) <- least;
+          Stack.push s same
   in
   let rec go () =
     match Ctl_heap.pop heap with
     | None -> ()
     | Some (m, t) ->
       (match times.(t) with
-       | Some best when Timeline.compare_moment m best <= 0 ->
-         Timed_graph.iter_sources index t (relax m)
+       | Some best as least when Timeline.compare_moment m best <= 0 ->
+         Stack.push t same;
+         while not (Stack.is_empty same) do
+           Timed_graph.iter_sources index (Stack.pop same) (relax least m)
+         done
        | Some _ | None -> ());
       go ()
   in

@@ -76,7 +76,7 @@ let zeno t nodes =
     in
     let cycle = Ctl_run.cycle t.graph s ~inside:together in
     let finish = Ctl_run.Repeats (List.length stem) in
-    t.cycle <- Some { start = Ctl_set.start start; steps = stem @ cycle; last = s; finish }
+    t.cycle <- Some { start = Ctl_set.start start; steps = List.rev_append (List.rev stem) cycle; last = s; finish }
 
 (** {2 Formulas} *)
 
@@ -106,7 +106,7 @@ let next t (f : Ctl_eval.value) sources =
       go (Array.fold_left (fun acc u -> u :: acc) rest (Timed_graph.targets (Timed_graph.flow t.graph s)))
   in
   let ends s = Array.to_list (Timed_graph.targets (Timed_graph.flow t.graph s)) in
-  go (sources.nodes @ List.concat_map ends sources.flows);
+  go (List.rev_append (List.concat_map ends sources.flows) sources.nodes);
   { nodes = List.sort_uniq Int.compare !found; flows = [] }
 
 (* What is visited on the way of an operator: as long as f may hold and, unless the bound begins later, g need

@@ -3,20 +3,42 @@ The graph of a model, for other tools. The extension tells the format.
   $ scc explore ../../specs/models/figure7.sc -o figure7.aut
   scc: explored: 4 states, 3 transitions; complete
   $ cat figure7.aut
-  des (0, 5, 4)
+  des (0, 6, 5)
   (0, "time(2)", 1)
   (1, "bind(a, P0.s0.[v2,v3], s2.f4)", 2)
   (1, "bind(a, P0.s1.[v2,v3], s2.f4)", 3)
-  (2, "time(forever)", 2)
-  (3, "time(forever)", 3)
+  (2, "time(forever)", 4)
+  (3, "time(forever)", 4)
+  (4, "time(forever)", 4)
   $ scc explore ../../specs/models/figure7.sc -o - --format aut --cadp --hide time --hide 'bind(a, P0.s1*'
-  des (0, 5, 4)
+  des (0, 6, 5)
   (0, i, 1)
-  (1, "bind(a, P0.s0.[v2,v3], s2.f4)", 2)
   (1, i, 3)
-  (2, i, 2)
-  (3, i, 3)
+  (1, "bind(a, P0.s0.[v2,v3], s2.f4)", 2)
+  (2, i, 4)
+  (3, i, 4)
+  (4, i, 4)
   scc: explored: 4 states, 3 transitions; complete
+  $ scc explore ../../specs/models/dimer.sc -o dimer.aut && head -4 dimer.aut
+  scc: explored: 11 states, 14 transitions; complete
+  des (0, 14, 10)
+  (0, "time(2)", 1)
+  (1, "time(1/2)", 2)
+  (1, "weak(bond, w1.right, w2.left)", 3)
+  $ scc explore ../../specs/models/dimer.sc -o dimer-steps.aut --all-steps && head -4 dimer-steps.aut
+  scc: explored: 11 states, 14 transitions; complete
+  des (0, 15, 11)
+  (0, "time(1)", 1)
+  (1, "time(1/2)", 2)
+  (2, "time(1/2)", 3)
+  $ scc compare dimer.aut dimer-steps.aut --modulo timed
+  equivalent modulo timed
+  dimer.aut: 10 states, 14 transitions, 9 classes; complete
+  dimer-steps.aut: 11 states, 15 transitions, 9 classes; complete
+  $ scc compare dimer-steps.aut ../../specs/models/dimer.sc --modulo strong
+  equivalent modulo strong
+  dimer-steps.aut: 11 states, 15 transitions, 8 classes; complete
+  ../../specs/models/dimer.sc: 11 states, 14 transitions, 8 classes; complete
 
 Without instants, labels tell of the states alone; with them, of the whole run.
 
@@ -73,6 +95,7 @@ Explicit files, in two dialects.
   $ scc explore ../../specs/models/dimer.sc -o dimer.tra
   scc: explored: 11 states, 14 transitions; complete
   $ ls dimer.*
+  dimer.aut
   dimer.lab
   dimer.names.json
   dimer.sta
@@ -94,6 +117,7 @@ Explicit files, in two dialects.
   $ scc explore ../../specs/models/dimer.sc -o dimer.tra --dialect storm
   scc: explored: 11 states, 14 transitions; complete
   $ ls dimer.*
+  dimer.aut
   dimer.clab
   dimer.lab
   dimer.names.json
@@ -180,8 +204,9 @@ A file is there as a whole or not at all.
   x.tra
   $ ln -s target.aut link.aut && scc explore ../../specs/models/drift.sc -o link.aut && cat target.aut
   scc: explored: 1 states, 0 transitions; complete
-  des (0, 1, 1)
-  (0, "time(forever)", 0)
+  des (0, 2, 2)
+  (0, "time(forever)", 1)
+  (1, "time(forever)", 1)
   $ scc explore ../../specs/models/drift.sc -o /dev/full --format aut
   /dev/full: error[SC0103]: cannot write: No space left on device
   [3]

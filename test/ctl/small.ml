@@ -35,8 +35,13 @@ let truth = function F -> Truth.False | T -> Truth.True | U -> Truth.Undecided "
 
 let predicates g : Ctl_eval.predicates =
   let at p s = truth g.nodes.(s).at.(p) in
+  let is_steady p =
+    let same node = Array.for_all (fun v -> v = node.at.(p)) node.cells.(p) in
+    Array.for_all same g.nodes
+  in
   let along p s extent =
     let node = g.nodes.(s) in
+    if is_steady p then failwith "asked along flows of what is steady";
     if not node.known then failwith "the flow of a node that is not known";
     let value r =
       if Rat.sign r = 0 then at p s
@@ -48,7 +53,7 @@ let predicates g : Ctl_eval.predicates =
     let cuts = List.init (cells node) (fun k -> time g (k + 1)) in
     Timeline.of_cuts extent cuts Truth.equal value
   in
-  { at; along; steady = (fun _ -> false) }
+  { at; along; steady = is_steady }
 
 let evaluator g = Ctl_eval.create (Timed_graph.index (graph g)) (predicates g)
 

@@ -62,6 +62,19 @@ let sound =
        in
        List.for_all node (List.init (Array.length c.graph.nodes) Fun.id))
 
+let heap =
+  QCheck2.Test.make ~count:500 ~name:"a heap gives the least first" ~print:QCheck2.Print.(list int)
+    Gen.(list (int_range 0 50))
+    (fun keys ->
+       let h = Ctl_heap.create ~compare:Int.compare 0 in
+       List.iter (fun k -> Ctl_heap.push h k (2 * k)) keys;
+       let rec all acc =
+         match Ctl_heap.pop h with
+         | None -> List.rev acc
+         | Some (k, v) -> if v = 2 * k then all (k :: acc) else []
+       in
+       List.equal Int.equal (all []) (List.sort Int.compare keys))
+
 let () =
   Alcotest.run "ctl"
     [
@@ -74,4 +87,5 @@ let () =
             exact "truncated graphs" ~unsure:true ~truncated:true ~depth:2 4000;
             sound;
           ] );
+      ("parts", Scc_test_support.Property.cases [ heap ]);
     ]

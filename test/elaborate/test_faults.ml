@@ -297,6 +297,17 @@ let many_denominators =
     Printf.sprintf "v%d (%s, %s, %s)" i (fraction (3 * i)) (fraction ((3 * i) + 1)) (fraction ((3 * i) + 2)) in
   Printf.sprintf "vertices %s faces f [v0, v1, v2]" (String.concat " " (List.init 120 vertex))
 
+(* Each condition stands twice in the formula that an `if` between formulas is. *)
+let rec conditions n =
+  if n = 0 then "AF time > 1"
+  else Printf.sprintf "if %s then time > %d else AF time < %d" (conditions (n - 1)) n n
+
+let conditions_of_law n =
+  let rec nested n =
+    if n = 0 then "x > 1" else Printf.sprintf "if %s then y > %d else z < %d" (nested (n - 1)) n n
+  in
+  Printf.sprintf "if %s then 1 else 2" (nested n)
+
 let limits =
   [
     case "too many declarations" "SC0111" "for i in 1..2000000 { }" "for i in 1..2000000 { }";
@@ -306,9 +317,17 @@ let limits =
       "param a = 1e3900 let b = a*a let c = b*b let d = c*c let e = d*d let f = e*e let g = f*f let h = g*g \
        timestep h";
     case "a common denominator that explodes" "SC0106" many_denominators ("shape S {" ^ many_denominators ^ "}");
+    case "conditions within conditions of a formula" "SC0111" (conditions 40) ~says:"terms"
+      ("check k : " ^ conditions 40);
+    case "conditions within conditions of a law" "SC0111" (conditions_of_law 40) ~says:"terms"
+      ("motion (" ^ conditions_of_law 40 ^ ", 0, 0)");
     case "a formula that explodes" "SC0111" "always l40 > 1"
       (let step i = Printf.sprintf "let l%d = l%d + l%d\n" i (i - 1) (i - 1) in
        "let l0 = time\n" ^ String.concat "" (List.init 40 (fun i -> step (i + 1))) ^ "check k : always l40 > 1");
+    case "a let that explodes and that nothing uses" "SC0111" "l40 + 1"
+      (let step i = Printf.sprintf "let l%d = l%d + l%d\n" i (i - 1) (i - 1) in
+       "let l0 = time\n" ^ String.concat "" (List.init 40 (fun i -> step (i + 1)))
+       ^ "for i in 1..1000 { let k = l40 + 1 }");
     case "an empty model" "SC0112" "" "";
   ]
 

@@ -119,26 +119,9 @@ check c : %s
   is "it has a bound of time" "AF[<= 2] x(p) = 1";
   is "it has the operator X" "EX x(p) = 1"
 
-(* {1 Labelled transition systems} *)
-
 let four () =
   Graphs.made ~unexplored:[ 3 ] ~resting:[ 2 ]
     [| [ (time 1 2, 1) ]; [ (Bounce (0, 1), 2); (Bounce (0, 1), 3) ]; []; []; [] |]
-
-let aut () =
-  let e = four () in
-  let write ?(hidden = fun _ -> false) tau = Graphs.written (Aut.write tau ~hidden e.space) in
-  text "tau"
-    (lines
-       [
-         "des (0, 5, 5)"; "(0, \"time(1/2)\", 1)"; "(1, \"bounce(p, q)\", 2)"; "(1, \"bounce(p, q)\", 3)";
-         "(2, \"time(forever)\", 2)"; "(3, \"unexplored\", 3)";
-       ])
-    (write Tau);
-  let hidden s = String.equal s "bounce(p, q)" in
-  has "hidden" (write ~hidden Tau) "(1, \"tau\", 2)\n";
-  has "hidden for CADP" (write ~hidden Cadp) "(1, i, 2)\n";
-  text "no quote ends a label early" "\"a'b c\"" (Aut.label "a\"b\nc")
 
 (* {1 Markov decision processes} *)
 
@@ -231,8 +214,7 @@ process r = Cube mass 1 velocity (-1,0,0) at translate (15,0,0) [nil]
   has "drn" (Graphs.written (Drn.write e (Mdp.make l))) "// TRUNCATED: 1 states unexplored, by the bound of 3 states\n";
   has "drn" (Graphs.written (Drn.write e (Mdp.make l))) "state 2 [0] unexplored\n\taction unexplored [0]\n\t\t2 : 1\n";
   has "json" (Graphs.written (Graph_json.write e l)) "\"complete\": false,\n\"unexplored\": 1,\n";
-  has "dot" (Graphs.written (Dot.write e l ~positions:false)) "style=\"rounded,filled,dashed\"";
-  has "aut" (Graphs.written (Aut.write Tau ~hidden:(fun _ -> false) e.space)) "(2, \"unexplored\", 2)"
+  has "dot" (Graphs.written (Dot.write e l ~positions:false)) "style=\"rounded,filled,dashed\""
 
 (* {1 Pictures} *)
 
@@ -294,7 +276,6 @@ let large () =
   List.iter
     (fun (what, write) -> Alcotest.(check bool) what true (bytes write))
     [
-      ("aut", Aut.write Tau ~hidden:(fun _ -> false) e.space);
       ("drn", Drn.write e m);
       ("tra", Explicit_files.transitions Prism m);
       ("sta", Explicit_files.states m (State_variables.make e.space));
@@ -339,7 +320,6 @@ let () =
       ( "names",
         [ case "examples" names; Scc_test_support.Property.case names_are_safe ] );
       ("predicates", [ case "of checks" predicates; case "questions" asked ]);
-      ("aut", [ case "bytes" aut ]);
       ("mdp", [ case "explicit files" explicit; case "drn" drn; case "truncated" truncated ]);
       ("dot", [ case "folding" folding; case "colours" colours; case "escapes" escapes ]);
       ("large", [ case "300 000 states" large ]);
