@@ -47,7 +47,7 @@ let schedule (model : Input.model) path (check : Property.check) (w : Witness.t)
   let choice (s : Witness.step) = (s.choice, Transition.label_to_string e.model s.transition.label) in
   let path = if String.equal path "-" then None else Some path in
   Schedule.to_string ?model:path ~check:check.name ~digest:model.digest ~parameters:e.parameters
-    (List.map choice w.steps)
+    (Long_list.map choice w.steps)
     ~offset:(Witness.offset w)
 
 let make_folder path =

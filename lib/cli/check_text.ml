@@ -29,17 +29,14 @@ let step_lines ?(most = shown_steps) m (w : Witness.t) =
       (Run_text.label m s.transition.label)
       preposition (Rat.to_string s.time)
   in
-  let lines = List.mapi line w.steps in
-  if n <= most then lines
+  (* Only what is shown is put into words. *)
+  let lines from count =
+    List.filteri (fun i _ -> i >= from && i < from + count) w.steps |> List.mapi (fun i s -> line (from + i) s)
+  in
+  if n <= most then lines 0 n
   else
-    let head = List.filteri (fun i _ -> i < most / 2) lines in
-    let tail = List.filteri (fun i _ -> i >= n - (most / 2)) lines in
-    head @ (Printf.sprintf "… %d more …" (n - most) :: tail)
-
-let rec drop n = function _ :: rest when n > 0 -> drop (n - 1) rest | list -> list
-
-(* The verifier's own lines, without those of the steps: where the run leads, and the facts there. *)
-let after_steps m (w : Witness.t) = drop (List.length w.steps) (Witness.lines m w)
+    let half = most / 2 in
+    lines 0 half @ (Printf.sprintf "… %d more …" (n - most) :: lines (n - half) half)
 
 let state_lines m (w : Witness.t) =
   let s = final_state m w in
@@ -51,10 +48,10 @@ let state_lines m (w : Witness.t) =
     in
     heading :: List.map (fun l -> "  " ^ l) (Run_text.state m s)
 
-let witness m w = step_lines m w @ after_steps m w @ state_lines m w
+let witness m w = step_lines m w @ Witness.ending m w @ state_lines m w
 
 (* Where more was to be explored: the way there in short. *)
-let way m w = step_lines ~most:12 m w @ after_steps m w
+let way m w = step_lines ~most:12 m w @ Witness.ending m w
 let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
 
 let property console m ((check : Property.check), (v : Verdict.t)) =

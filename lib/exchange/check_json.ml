@@ -90,7 +90,7 @@ let witness m (w : Witness.t) =
   `Assoc
     [
       ("initial", State_json.state m w.initial);
-      ("steps", `List (List.map (step m) w.steps));
+      ("steps", `List (Long_list.map (step m) w.steps));
       ("finish", `String (finish w));
       ("cycle", cycle w);
       ("instant", instant w);

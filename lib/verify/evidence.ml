@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -12,11 +13,11 @@ type followed = { last : State.t; steps : Witness.step list  (** the last first 
 let follow context graph from (step : Graph.step) =
   let target = Graph.tuple graph (Graph.edges graph step.source).(step.choice).target in
   match System.choices context from.last with
-  | Error _ -> Scc_base.Bug.fail __POS__ "a witness does not replay: a fault on its way"
+  | Error _ -> Bug.fail __POS__ "a witness does not replay: a fault on its way"
   | Ok choices -> (
       let fits k = match List.nth_opt choices k with Some (_, t) -> t = target | None -> false in
       let rec first k = function
-        | [] -> Scc_base.Bug.fail __POS__ "a witness does not replay"
+        | [] -> Bug.fail __POS__ "a witness does not replay"
         | (_, t) :: rest -> if t = target then k else first (k + 1) rest
       in
       let choice = if fits step.choice then step.choice else first 0 choices in
@@ -45,7 +46,7 @@ let follow_lasso context graph steps cycle =
 
 (* A weak split that is enabled somewhere on a cycle and never made on it. *)
 let puts_off context (cycle : Witness.step list) ~from =
-  let made = List.map (fun (s : Witness.step) -> s.transition.label) cycle in
+  let made = Long_list.map (fun (s : Witness.step) -> s.transition.label) cycle in
   let is_put_off (t : Transition.t) =
     match t.label with
     | Weak_split _ when not (List.exists (Transition.equal_label t.label) made) -> Some t.label
@@ -56,7 +57,7 @@ let puts_off context (cycle : Witness.step list) ~from =
     | Ok transitions -> List.find_map is_put_off transitions
     | Error _ -> None
   in
-  List.find_map at (from :: List.map (fun (s : Witness.step) -> s.transition.target) cycle)
+  List.find_map at (from :: Long_list.map (fun (s : Witness.step) -> s.transition.target) cycle)
 
 let repeats context run cycle : Witness.finish =
   let steps = List.rev run.steps in
@@ -127,7 +128,7 @@ let of_path context graph i =
 
 (** {2 Explanations} *)
 
-let steps_of temporal (run : Ctl_run.t) = List.map (Temporal.choice temporal) run.steps
+let steps_of temporal (run : Ctl_run.t) = Long_list.map (Temporal.choice temporal) run.steps
 
 let of_run context graph temporal (run : Ctl_run.t) =
   let steps = steps_of temporal run in

@@ -84,7 +84,7 @@ let most = 12
 
 (* What happens on a run, seen from where it starts. *)
 let story context graph temporal (run : Ctl_run.t) =
-  let steps = List.map (Temporal.choice temporal) run.steps in
+  let steps = Scc_base.Long_list.map (Temporal.choice temporal) run.steps in
   let start = Algebraic.to_rat run.start.offset in
   let clock, events =
     List.fold_left

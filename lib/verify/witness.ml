@@ -28,7 +28,7 @@ type t = {
   argument : argument option;
 }
 
-let choices w = List.map (fun s -> s.choice) w.steps
+let choices w = Scc_base.Long_list.map (fun s -> s.choice) w.steps
 
 let time w =
   match List.rev w.steps with [] -> Rat.zero | last :: _ -> last.time
@@ -96,7 +96,9 @@ let rec argument_lines depth a =
   in
   List.mapi line because @ List.concat_map (argument_lines (depth + 1)) a.parts
 
-let lines model w =
-  List.mapi (step_line model) w.steps
-  @ finish_lines model w @ w.facts
+let ending model w =
+  finish_lines model w @ w.facts
   @ match w.argument with None -> [] | Some a -> "why:" :: argument_lines 1 a
+
+let lines model w =
+  Scc_base.Long_list.(append (mapi (step_line model) w.steps) (ending model w))

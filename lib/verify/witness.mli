@@ -64,4 +64,7 @@ val offset : t -> Rat.t option
     10^-12 of it. *)
 
 val lines : Model.t -> t -> string list
-(** The run in words: the steps, where it leads and the facts there. *)
+(** The run in words: the steps, and the {!ending}. *)
+
+val ending : Model.t -> t -> string list
+(** Where the run leads, the facts there, and the argument. *)

@@ -282,19 +282,27 @@ Standard input.
   explored: 3 states, 2 transitions, depth 2, model time 2; not complete: stopped by the depth bound 1
   1 property: 1 holds up to the bound
 
-Properties that this version does not run are refused before anything is explored.
+What is not known within the bounds: which unexplored state matters.
 
   $ (grep -v check forever.sc; echo 'check next : AX vx(p) > 0'; echo 'check back : always (possibly vx(p) > 0)') > later.sc
-  $ scc check later.sc
-  later.sc:11:7: error[SC0901]: `next` is beyond this version of scc: the operator `X` cannot be checked by this version
-      |
-   11 | check next : AX vx(p) > 0
-      |       ^^^^
-  later.sc:12:7: error[SC0901]: `back` is beyond this version of scc: a temporal operator inside another cannot be checked by this version
-      |
-   12 | check back : always (possibly vx(p) > 0)
-      |       ^^^^
-  [3]
+  $ scc check later.sc --depth 2
+  next: undecided: the exploration ended at the depth bound 2; one unexplored state matters
+    AX vx(p) > 0
+    to the nearest unexplored state that matters:
+      1. time passes by 1, to time 1
+      2. time passes by 1, to time 2
+      3. time passes by 1, to time 3
+  
+  back: undecided: the exploration ended at the depth bound 2; one unexplored state matters
+    always possibly vx(p) > 0
+    to the nearest unexplored state that matters:
+      1. time passes by 1, to time 1
+      2. time passes by 1, to time 2
+      3. time passes by 1, to time 3
+  
+  explored: 4 states, 3 transitions, depth 3, model time 3; not complete: stopped by the depth bound 2
+  2 properties: 2 undecided
+  [2]
 
 A model without properties is explored all the same.
 

@@ -174,7 +174,7 @@ A model can be compared with its graph, and what is compared can be written:
   $ scc compare ../../specs/models/hexokinase.sc hexokinase.aut --modulo weak
   equivalent modulo weak
   ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete
-  hexokinase.aut: 11 states, 18 transitions, 9 classes; complete
+  hexokinase.aut: 12 states, 19 transitions, 9 classes; complete
   $ scc compare ../../specs/models/hexokinase.sc hexokinase.aut --modulo strong --write graph | head -1
   equivalent modulo strong
   $ cat graph-1.aut
