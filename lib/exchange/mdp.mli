@@ -1,7 +1,7 @@
-(** An explored graph as a Markov decision process in which nothing is left to chance: each transition is an action that
-    leads to its target with probability 1. A state in which nothing happens gets a loop, since every state of an MDP
-    has an action: [rest] where time passes for ever, [stuck] where not even time passes, and [unexplored] where it
-    is not known what happens. *)
+(** An explored graph as a Markov decision process in which nothing is left to chance: each transition is an
+    action that leads to its target with probability 1. A state in which nothing happens gets a loop, since
+    every state of an MDP has an action: [rest] where time passes for ever, [stuck] where not even time
+    passes, and [unexplored] where it is not known what happens. *)
 
 open Scc_exact
 
