@@ -76,7 +76,8 @@ let zeno t nodes =
     in
     let cycle = Ctl_run.cycle t.graph s ~inside:together in
     let finish = Ctl_run.Repeats (List.length stem) in
-    t.cycle <- Some { start = Ctl_set.start start; steps = List.rev_append (List.rev stem) cycle; last = s; finish }
+    let steps = List.rev_append (List.rev stem) cycle in
+    t.cycle <- Some { start = Ctl_set.start start; steps; last = s; finish }
 
 (** {2 Formulas} *)
 
