@@ -16,7 +16,8 @@ let text =
         "Aldebaran's labelled transition systems, for CADP, mCRL2 and merc. Labels are those of $(b,scc \
          trace), such as $(b,time(1/2\\)) and $(b,bind(a, p.right, q.left\\)). $(b,--hide) makes some \
          invisible. Passings of time that follow each other, with nothing else possible between them, are \
-         one ($(b,--all-steps) keeps them apart); where nothing will ever happen again there is the loop $(b,time(forever\\))." );
+         one ($(b,--all-steps) keeps them apart); where nothing will ever happen again there \
+         is the loop $(b,time(forever\\))." );
     `I
       ( "$(b,dot)",
         "A picture for Graphviz, for small graphs. Nodes show the bonds and behaviours that differ between \
