@@ -7,16 +7,6 @@ open Cmdliner
 
 let ( let* ) = Result.bind
 
-(* The properties that this version executes; one diagnostic for each of the others. *)
-let executable checks =
-  let refuse (c : Property.check) =
-    match Plan.of_formula c.formula with
-    | Ok _ -> None
-    | Error why ->
-      Some (Diag.error Code.not_yet c.span "`%s` is beyond this version of scc: %s" c.name why)
-  in
-  match List.filter_map refuse checks with [] -> Ok () | faults -> Error faults
-
 let initial (e : Scc_elaborate.Elaborate.t) =
   Result.map_error
     (fun f -> [ Diag.error Code.bad_law Span.none "%s" (Transition.fault_to_string e.model f) ])
@@ -41,20 +31,14 @@ let exit_code (report : Check.report) verdicts =
   | [] -> stats_code report.stats
   | _ -> Exit_code.worst (List.map (fun (_, v) -> verdict_code v) verdicts)
 
-let verdicts (report : Check.report) =
-  List.map
-    (fun (check, outcome) ->
-       match outcome with
-       | Check.Verdict v -> (check, v)
-       | Check.Not_yet _ -> Bug.fail __POS__ "a property that was to be refused has been run")
-    report.outcomes
-
 let witness_of (v : Verdict.t) =
   match v with
   | Holds { witness; _ } | Violated { witness } -> witness
   | Undecided reasons ->
     List.find_map
-      (function Verdict.Zeno w -> Some w | Truncated _ | Undefined _ | Fault _ -> None)
+      (function
+        | Verdict.Zeno w | Unexplored { nearest = w; _ } -> Some w
+        | Truncated _ | Undefined _ | Fault _ -> None)
       reasons
 
 (* With the path of the model, but not that of standard input. *)
@@ -122,7 +106,7 @@ let print_json console (model : Input.model) (report : Check.report) verdicts ex
 
 let is_zeno : Verdict.reason -> bool = function
   | Zeno _ -> true
-  | Truncated _ | Undefined _ | Fault _ -> false
+  | Truncated _ | Unexplored _ | Undefined _ | Fault _ -> false
 
 let shows_zeno (_, (v : Verdict.t)) =
   match v with Undecided reasons -> List.exists is_zeno reasons | Holds _ | Violated _ -> false
@@ -166,7 +150,6 @@ let check console bounds (extras : Check_extras.t) overrides path =
   let* model = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
   let e = model.elaborated in
   Console.report console e.warnings;
-  let* () = executable e.checks in
   let* () = match extras.witness with Some folder -> make_folder folder | None -> Ok () in
   let* initial = initial e in
   (* The limit of seconds is that of one exploration. *)
@@ -182,7 +165,7 @@ let check console bounds (extras : Check_extras.t) overrides path =
     else None
   in
   Console.progress_done console;
-  let verdicts, answers = split_at (List.length e.checks) (verdicts report) in
+  let verdicts, answers = split_at (List.length e.checks) report.outcomes in
   Console.report console (law_faults report @ Vacuity.warnings report.stats ~verdicts ~answers);
   let* () =
     match extras.witness with Some folder -> write_witnesses model path folder verdicts | None -> Ok ()

@@ -15,19 +15,19 @@ let default_memory = 3072
 let words_of_mib mib = mib * 1024 * 1024 / (Sys.word_size / 8)
 
 let options ?(now = Unix.gettimeofday) b ~interrupted ~progress : Check.options =
-  let given = function Some x -> Check.Given x | None -> Check.Unbounded in
-  let or_default default = function Some x -> Check.Given x | None -> Check.Default default in
-  {
-    Check.default with
-    depth = given b.depth;
-    time = given b.time;
-    states = or_default default_states b.states;
-    seconds = given b.seconds;
-    memory = (match b.memory with
-        | Some mib -> Check.Given (words_of_mib mib)
-        | None -> Check.Default (words_of_mib default_memory));
-    surroundings = { now; interrupted; progress };
-  }
+  let given = function Some x -> Bounds.Given x | None -> Bounds.Unbounded in
+  let or_default default = function Some x -> Bounds.Given x | None -> Bounds.Default default in
+  let bounds =
+    {
+      Bounds.default with
+      depth = given b.depth;
+      time = given b.time;
+      states = or_default default_states b.states;
+      seconds = given b.seconds;
+      memory = or_default (words_of_mib default_memory) (Option.map words_of_mib b.memory);
+    }
+  in
+  { Check.default with bounds; surroundings = { now; interrupted; progress } }
 
 let positive_int what =
   let parse s =

@@ -20,7 +20,7 @@ let final_state m (w : Witness.t) =
   | Some d when Rat.sign d > 0 -> Time.pass m d w.last
   | _ -> w.last
 
-let step_lines m (w : Witness.t) =
+let step_lines ?(most = shown_steps) m (w : Witness.t) =
   let n = List.length w.steps in
   let width = String.length (string_of_int n) in
   let line i (s : Witness.step) =
@@ -30,11 +30,11 @@ let step_lines m (w : Witness.t) =
       preposition (Rat.to_string s.time)
   in
   let lines = List.mapi line w.steps in
-  if n <= shown_steps then lines
+  if n <= most then lines
   else
-    let head = List.filteri (fun i _ -> i < shown_steps / 2) lines in
-    let tail = List.filteri (fun i _ -> i >= n - (shown_steps / 2)) lines in
-    head @ (Printf.sprintf "… %d more …" (n - shown_steps) :: tail)
+    let head = List.filteri (fun i _ -> i < most / 2) lines in
+    let tail = List.filteri (fun i _ -> i >= n - (most / 2)) lines in
+    head @ (Printf.sprintf "… %d more …" (n - most) :: tail)
 
 let rec drop n = function _ :: rest when n > 0 -> drop (n - 1) rest | list -> list
 
@@ -52,6 +52,9 @@ let state_lines m (w : Witness.t) =
     heading :: List.map (fun l -> "  " ^ l) (Run_text.state m s)
 
 let witness m w = step_lines m w @ after_steps m w @ state_lines m w
+
+(* Where more was to be explored: the way there in short. *)
+let way m w = step_lines ~most:12 m w @ after_steps m w
 let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
 
 let property console m ((check : Property.check), (v : Verdict.t)) =
@@ -59,13 +62,14 @@ let property console m ((check : Property.check), (v : Verdict.t)) =
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
   let run =
     match v with
-    | Holds { witness = Some w; _ } -> ("a run that shows it:", w) :: []
-    | Violated { witness = Some w } -> [ ("a run that violates it:", w) ]
+    | Holds { witness = Some w; _ } -> [ ("a run that shows it:", witness m w) ]
+    | Violated { witness = Some w } -> [ ("a run that violates it:", witness m w) ]
     | Holds _ | Violated _ -> []
     | Undecided reasons ->
       List.filter_map
         (function
-          | Verdict.Zeno w -> Some ("the run:", w)
+          | Verdict.Zeno w -> Some ("the run:", witness m w)
+          | Unexplored { nearest; _ } -> Some ("to the nearest unexplored state that matters:", way m nearest)
           | Truncated _ | Undefined _ | Fault _ -> None)
         reasons
   in
@@ -74,7 +78,7 @@ let property console m ((check : Property.check), (v : Verdict.t)) =
     | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
     | _ -> []
   in
-  let show (what, w) = Printf.sprintf "  %s\n" what :: indented 4 (witness m w) in
+  let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
   String.concat "" ((head :: none) @ List.concat_map show run)
 
 let zeno m w =

@@ -77,6 +77,15 @@ let final_state m (w : Witness.t) =
   | Some d when Rat.sign d > 0 -> State_json.state m (Time.pass m d w.last)
   | _ -> State_json.state m w.last
 
+let rec argument (a : Witness.argument) =
+  `Assoc
+    [
+      ("claim", Json.text a.claim);
+      ("holds", `Bool a.holds);
+      ("because", `List (List.map Json.text a.because));
+      ("parts", `List (List.map argument a.parts));
+    ]
+
 let witness m (w : Witness.t) =
   `Assoc
     [
@@ -88,6 +97,7 @@ let witness m (w : Witness.t) =
       ("offset", Json.option Json.rat (Witness.offset w));
       ("state", final_state m w);
       ("facts", `List (List.map Json.text w.facts));
+      ("argument", Json.option argument w.argument);
     ]
 
 let reason m (r : Verdict.reason) =
@@ -97,6 +107,7 @@ let reason m (r : Verdict.reason) =
     | Undefined _ -> ("undefined", `Null, `Null)
     | Fault _ -> ("fault", `Null, `Null)
     | Zeno w -> ("zeno", `Null, witness m w)
+    | Unexplored { nearest; _ } -> ("unexplored", `Null, witness m nearest)
   in
   `Assoc
     [

@@ -93,7 +93,7 @@ let flow ~source m (check : Property.check) (w : Witness.t) =
 
 let witness_of_reason : Verdict.reason -> Witness.t option = function
   | Zeno w -> Some w
-  | Truncated _ | Undefined _ | Fault _ -> None
+  | Truncated _ | Unexplored _ | Undefined _ | Fault _ -> None
 
 let property ~source m ((check : Property.check), (v : Verdict.t)) =
   let said what = Printf.sprintf "`%s` is %s: %s" check.name what check.text in

@@ -1,37 +1,20 @@
 open Scc_exact
 open Scc_calculus
-open Scc_property
 open Scc_semantics
+open Scc_property
 open Scc_explore
-module Engine = Engine.Make (System)
-module Graph = Engine.Graph
-
-type 'a bound = Unbounded | Default of 'a | Given of 'a
+module Graph = State_graph
+module Engine = Evidence.Engine
 
 type options = {
-  depth : int bound;
-  time : Rat.t bound;
-  states : int bound;
-  seconds : float bound;
-  memory : int bound;
-  instant : int bound;
+  bounds : Bounds.t;
+  order : Graph.order;
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
 }
 
 let default =
-  {
-    depth = Unbounded;
-    time = Unbounded;
-    states = Unbounded;
-    seconds = Unbounded;
-    memory = Unbounded;
-    instant = Default 10_000;
-    surroundings = Limits.quiet;
-    observe = None;
-  }
-
-type outcome = Verdict of Verdict.t | Not_yet of string
+  { bounds = Bounds.default; order = By_steps; surroundings = Limits.quiet; observe = None }
 
 type stats = {
   states : int;
@@ -46,53 +29,10 @@ type stats = {
 }
 
 type report = {
-  outcomes : (Property.check * outcome) list;
+  outcomes : (Property.check * Verdict.t) list;
   stats : stats;
   zeno : Witness.t option;
 }
-
-(** {2 Bounds} *)
-
-let value = function Unbounded -> None | Default v | Given v -> Some v
-
-let limits (o : options) : Limits.t =
-  {
-    depth = value o.depth;
-    time = value o.time;
-    instant = value o.instant;
-    states = value o.states;
-    seconds = value o.seconds;
-    memory = value o.memory;
-  }
-
-let truncation bound make : Verdict.truncation =
-  match bound with
-  | Given v -> { limit = make v; origin = By_user }
-  | Default v -> { limit = make v; origin = By_default }
-  | Unbounded -> Scc_base.Bug.fail __POS__ "a bound that is off was met"
-
-(* The bound of time is the properties' own when theirs is the lesser. *)
-let time_truncation (o : options) horizon : Verdict.truncation =
-  match (horizon, value o.time) with
-  | Some h, Some t when Rat.equal h t -> truncation o.time (fun t -> Verdict.Time t)
-  | Some h, _ -> { limit = Time h; origin = By_property }
-  | None, _ -> truncation o.time (fun t -> Verdict.Time t)
-
-type cause = Bound of Verdict.truncation | Fault of string | Early
-
-let cause (o : options) model horizon (r : _ Explore.reason) =
-  match r with
-  | Depth -> Bound (truncation o.depth (fun n -> Verdict.Depth n))
-  | Time -> Bound (time_truncation o horizon)
-  | Instant -> Bound (truncation o.instant (fun n -> Verdict.Instant n))
-  | States -> Bound (truncation o.states (fun n -> Verdict.States n))
-  | Seconds -> Bound (truncation o.seconds (fun s -> Verdict.Seconds s))
-  | Memory -> Bound (truncation o.memory (fun w -> Verdict.Memory w))
-  | Interrupted -> Bound { limit = Interrupted; origin = By_user }
-  | Stopped -> Early
-  | Fault f -> Fault (Transition.fault_to_string model f)
-
-(** {2 Witnesses} *)
 
 type run = {
   options : options;
@@ -102,141 +42,115 @@ type run = {
   horizon : Rat.t option;
 }
 
-let state r i = Catalogue.decode (System.catalogue r.context) (Graph.tuple r.graph i)
-let label r (e : Graph.edge) = Catalogue.label_of (System.catalogue r.context) e.label
+let cause r reason = Bounds.cause r.options.bounds r.model ~horizon:r.horizon reason
 
-(* A witness is followed through the successors afresh before anyone is shown it. *)
-let replayed r (trace : Engine.trace) =
-  let choices = List.map (fun (s : Graph.step) -> s.choice) trace.steps in
-  let initial = System.start r.context in
-  match Network.follow r.model initial choices with
-  | Error _ -> Scc_base.Bug.fail __POS__ "a witness does not replay"
-  | Ok transitions ->
-    let last = match List.rev transitions with [] -> initial | t :: _ -> t.Transition.target in
-    if not (State.equal last (state r trace.last)) then
-      Scc_base.Bug.fail __POS__ "a witness replays to another state";
-    let step (time, acc) choice transition =
-      let time = Rat.add time (Transition.duration transition) in
-      (time, { Witness.choice; transition; time } :: acc)
-    in
-    let _, steps = List.fold_left2 step (Rat.zero, []) choices transitions in
-    List.rev steps
+(** {2 Why there is no answer} *)
 
-let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ -> l
+let reason_of r i =
+  match Graph.status r.graph i with
+  | Graph.Unexpanded reason -> cause r reason
+  | Expanded | Queued -> Scc_base.Bug.fail __POS__ "a state that was expanded is in doubt"
 
-(* A weak split that is enabled somewhere on a cycle and never made on it. *)
-let puts_off r (cycle : Graph.step list) =
-  let made =
-    List.map (fun (s : Graph.step) -> label r (Graph.edges r.graph s.source).(s.choice)) cycle
+(* The nearest of some states, in steps. *)
+let nearest r = function
+  | [] -> None
+  | i :: rest ->
+    let nearer best j = if Graph.depth r.graph j < Graph.depth r.graph best then j else best in
+    Some (List.fold_left nearer i rest)
+
+let unexplored r states : Verdict.reason list =
+  let bound = function
+    | Bounds.Bound t -> Some t
+    | Fault _ -> None
+    | Early -> Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going"
   in
-  let is_put_off (e : Graph.edge) =
-    match label r e with
-    | Weak_split _ as l when not (List.exists (Transition.equal_label l) made) -> Some l
-    | Weak_split _ | Time _ | Bind _ | Bounce _ | Strong_split _ -> None
+  let fault = function Bounds.Fault text -> Some text | Bound _ | Early -> None in
+  (* There may be millions of them. *)
+  let causes = List.rev (List.rev_map (reason_of r) states) in
+  let bounds = Verdict.distinct (List.filter_map bound causes) in
+  let faults = List.sort_uniq String.compare (List.filter_map fault causes) in
+  let matter i =
+    Verdict.Unexplored { count = List.length states; nearest = Evidence.of_path r.context r.graph i }
   in
-  List.find_map
-    (fun (s : Graph.step) ->
-       List.find_map is_put_off (Array.to_list (Graph.edges r.graph s.source)))
-    cycle
+  List.map (fun t -> Verdict.Truncated t) bounds
+  @ List.map (fun text -> Verdict.Fault text) faults
+  @ Option.to_list (Option.map matter (nearest r states))
 
-let finish r (trace : Engine.trace) : Witness.finish =
-  match trace.finish with
-  | At_state -> At_state
-  | Rests -> Rests
-  | Stops -> Stops
-  | Passes choice -> Passes { choice }
-  | Repeats cycle -> Repeats { cycle; puts_off = puts_off r (drop cycle trace.steps) }
-  | During { choice; moment; sample } ->
-    During
-      { choice; offset = sample; open_piece = not moment.attained; from = moment.offset }
+let search_doubts r (d : Engine.doubts) =
+  List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined) @ unexplored r d.unexplored
 
-let facts r (trace : Engine.trace) p =
-  let state = state r trace.last in
-  match trace.finish with
-  | At_state | Rests | Stops | Repeats _ | Passes _ ->
-    Explain.facts r.model state Timeline.Instant Algebraic.zero p
-  | During { choice; sample; _ } ->
-    let extent =
-      match choice with
-      | None -> Timeline.Forever
-      | Some k ->
-        Lasts (Graph.duration r.graph (Graph.edges r.graph trace.last).(k))
-    in
-    Explain.facts r.model state extent sample p
-
-let witness r predicate (trace : Engine.trace) : Witness.t =
-  {
-    initial = System.start r.context;
-    steps = replayed r trace;
-    last = state r trace.last;
-    finish = finish r trace;
-    facts = (match predicate with None -> [] | Some p -> facts r trace p);
-  }
+let formula_doubts r temporal i =
+  let d = Temporal.doubts temporal i in
+  let cycle run =
+    Verdict.Zeno (Evidence.of_cycle r.context r.graph temporal (Temporal.formula temporal i) run)
+  in
+  let undefined =
+    List.map (fun (u : Ctl_doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
+  in
+  List.map (fun text -> Verdict.Undefined text) undefined
+  @ Option.to_list (Option.map cycle d.zeno)
+  @ unexplored r d.unexplored
 
 (** {2 Verdicts} *)
 
-let reason r p : Engine.doubt -> Verdict.reason = function
-  | Undefined text -> Undefined text
-  | Zeno trace -> Zeno (witness r (Some p) trace)
-  | Truncated reason -> (
-      match cause r.options r.model r.horizon reason with
-      | Bound t -> Truncated t
-      | Fault text -> Fault text
-      | Early -> Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going")
-
-let undecided r p doubts = Verdict.Undecided (List.map (reason r p) doubts)
-
-let holds ?trace r p =
-  Verdict.Holds { bounds = []; witness = Option.map (witness r (Some p)) trace }
-
-let violated r p trace = Verdict.Violated { witness = Option.map (witness r (Some p)) trace }
+let trace r p trace = Evidence.of_trace r.context r.graph (Some p) trace
+let holds = Verdict.Holds { bounds = []; witness = None }
 
 (* Success up to a bound is one kind of verdict; what was not decided for another reason is not success. *)
-let up_to_bound r p doubts =
+let up_to_bound r doubts =
+  let reasons = search_doubts r doubts in
   let bound = function
-    | Verdict.Truncated { limit = Instant _; _ } -> None
-    | Truncated t -> Some t
-    | Undefined _ | Fault _ | Zeno _ -> None
+    | Verdict.Truncated { limit = Instant _; _ } | Undefined _ | Fault _ | Zeno _ -> Error ()
+    | Unexplored _ -> Ok None
+    | Truncated t -> Ok (Some t)
   in
-  let reasons = List.map (reason r p) doubts in
-  let bounds = List.filter_map bound reasons in
-  if List.length bounds = List.length reasons then Verdict.Holds { bounds; witness = None }
-  else Undecided reasons
+  let add acc reason =
+    match (acc, bound reason) with
+    | Ok bounds, Ok b -> Ok (Option.to_list b @ bounds)
+    | Error (), _ | _, Error () -> Error ()
+  in
+  match List.fold_left add (Ok []) reasons with
+  | Ok bounds -> Verdict.Holds { bounds = List.rev bounds; witness = None }
+  | Error () -> Undecided reasons
 
 let now r p =
   match Trajectory.holds r.model (System.start r.context) p with
-  | True -> holds r p
-  | False -> violated r p (Some { steps = []; last = 0; finish = At_state })
+  | True -> Verdict.Holds { bounds = []; witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
+  | False -> Violated { witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
   | Undecided text -> Undecided [ Undefined text ]
 
-(* A plan whose leaves are answered in the order of {!questions}. *)
-let rec verdict r (plan : Plan.t) (answers : Engine.answer list) =
-  match (plan, answers) with
+let formula r temporal i =
+  match Temporal.truth temporal i with
+  | None -> Verdict.Undecided (formula_doubts r temporal i)
+  | Some truth -> (
+      match (truth, Evidence.of_explanation r.context r.graph temporal (Temporal.explain temporal i)) with
+      | true, witness -> Holds { bounds = []; witness }
+      | false, witness -> Violated { witness })
+
+(* Answers and formulas are taken up in the order of {!questions} and {!formulas}. *)
+type answers = { searches : Engine.answer list; next_formula : int; temporal : Temporal.t option }
+
+let rec verdict r (plan : Plan.t) answers =
+  match (plan, answers.searches) with
   | Now p, _ -> (now r p, answers)
-  | Possibly (_, p), a :: rest ->
+  | Possibly (_, p), a :: searches ->
     ((match a with
-        | Yes trace -> holds ?trace r p
-        | No trace -> violated r p trace
-        | Unknown doubts -> undecided r p doubts), rest)
-  | Always (_, p), a :: rest ->
+        | Met t -> Verdict.Holds { bounds = []; witness = Some (trace r p t) }
+        | Never -> Violated { witness = None }
+        | Open doubts -> Undecided (search_doubts r doubts)), { answers with searches })
+  | Always (_, p), a :: searches ->
     ((match a with
-        | Yes trace -> violated r p trace
-        | No _ -> holds r p
-        | Unknown doubts -> up_to_bound r p doubts), rest)
-  | Eventually (_, p), a :: rest ->
-    ((match a with
-        | Yes _ -> holds r p
-        | No trace -> violated r p trace
-        | Unknown doubts -> undecided r p doubts), rest)
-  | Not_eventually (_, p), a :: rest ->
-    ((match a with
-        | Yes _ -> violated r p None
-        | No trace -> holds ?trace r p
-        | Unknown doubts -> undecided r p doubts), rest)
+        | Met t -> Verdict.Violated { witness = Some (trace r p t) }
+        | Never -> holds
+        | Open doubts -> up_to_bound r doubts), { answers with searches })
+  | Formula _, _ -> (
+      match answers.temporal with
+      | None -> Scc_base.Bug.fail __POS__ "a formula that was not asked"
+      | Some t ->
+        (formula r t answers.next_formula, { answers with next_formula = answers.next_formula + 1 }))
   | All plans, _ -> verdicts r Verdict.conjunction plans answers
   | Any plans, _ -> verdicts r Verdict.disjunction plans answers
-  | (Possibly _ | Always _ | Eventually _ | Not_eventually _), [] ->
-    Scc_base.Bug.fail __POS__ "a question without an answer"
+  | (Possibly _ | Always _), [] -> Scc_base.Bug.fail __POS__ "a question without an answer"
 
 and verdicts r combine plans answers =
   let step (found, answers) plan =
@@ -248,18 +162,34 @@ and verdicts r combine plans answers =
 
 (** {2 Questions} *)
 
-let question context operator within p : Engine.question =
-  { operator; within; goal = Predicate.make context p }
-
-let rec questions context (plan : Plan.t) =
+let rec questions context (plan : Plan.t) : Engine.question list =
   match plan with
-  | Now _ -> []
-  | Possibly (within, p) -> [ question context Reach within p ]
-  | Always (within, p) -> [ question context Reach within (Formula.negate p) ]
-  | Eventually (within, p) | Not_eventually (within, p) -> [ question context Inevitable within p ]
+  | Now _ | Formula _ -> []
+  | Possibly (within, p) -> [ { within; goal = Predicate.make context p } ]
+  | Always (within, p) -> [ { within; goal = Predicate.make context (Formula.negate p) } ]
   | All plans | Any plans -> List.concat_map (questions context) plans
 
+let rec formulas (plan : Plan.t) =
+  match plan with
+  | Now _ | Possibly _ | Always _ -> []
+  | Formula f -> [ f ]
+  | All plans | Any plans -> List.concat_map formulas plans
+
+(* Time beyond which nothing is asked. *)
+let horizon (checks : Property.check list) =
+  match checks with
+  | [] -> None
+  | _ :: _ ->
+    let join acc (c : Property.check) =
+      match (acc, Plan.horizon c.formula) with
+      | Some a, Some b -> Some (Rat.max a b)
+      | None, _ | _, None -> None
+    in
+    List.fold_left join (Some Rat.zero) checks
+
 (** {2 The report} *)
+
+let label r (e : Graph.edge) = Catalogue.label_of (System.catalogue r.context) e.label
 
 (* Most models have an event early on, and then the rest is not looked at. *)
 let eventful r =
@@ -275,11 +205,8 @@ let eventful r =
 
 let stats r : stats =
   let unexpanded = Graph.unexpanded r.graph in
-  (* A state that was left may be one of millions. *)
-  let causes =
-    List.rev_map (fun (_, reason) -> cause r.options r.model r.horizon reason) unexpanded |> List.rev
-  in
-  let bounds = List.filter_map (function Bound t -> Some t | Fault _ | Early -> None) causes in
+  let causes = List.rev (List.rev_map (fun (_, reason) -> cause r reason) unexpanded) in
+  let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
   {
     states = Graph.size r.graph;
     transitions = Graph.transitions r.graph;
@@ -287,63 +214,71 @@ let stats r : stats =
     model_time = Graph.greatest_arrival r.graph;
     complete = (match unexpanded with [] -> true | _ :: _ -> false);
     eventful = eventful r;
-    decided_early = List.exists (function Early -> true | Bound _ | Fault _ -> false) causes;
+    decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
     stopped_by = Verdict.distinct bounds;
     faults =
       List.sort_uniq String.compare
-        (List.filter_map (function Fault text -> Some text | Bound _ | Early -> None) causes);
+        (List.filter_map (function Bounds.Fault text -> Some text | Bound _ | Early -> None) causes);
   }
 
 (* A cycle without duration, or else a run that met the guard. *)
 let zeno r (result : Engine.result) =
   match result.zeno with
-  | Some trace -> Some (witness r None trace)
+  | Some t -> Some (Evidence.of_trace r.context r.graph None t)
   | None ->
     List.find_map
       (fun (i, (reason : _ Explore.reason)) ->
          match reason with
-         | Instant ->
-           Some (witness r None { steps = Graph.shortest_path r.graph i; last = i; finish = At_state })
+         | Instant -> Some (Evidence.of_path r.context r.graph i)
          | Depth | Time | States | Seconds | Memory | Interrupted | Stopped | Fault _ -> None)
       (Graph.unexpanded r.graph)
 
-(* Without edges a state takes a quarter of the memory; they are needed to look back from states to those before, and
-   to pass on earlier times. *)
-let needs_edges (q : Engine.question) =
-  match q.operator with Engine.Reach -> Option.is_some q.within | Inevitable -> true
+(* Without edges a state takes a quarter of the memory. They are needed to look back from states to those before,
+   and worth keeping where earlier times may have to be passed on. *)
+let needs_edges plans limits =
+  List.exists (fun p -> formulas p <> []) plans || Option.is_some limits.Limits.time
 
 let rests context tuple =
   Network.quiescent (System.model context) (Catalogue.decode (System.catalogue context) tuple)
 
 let run options model ~initial (checks : Property.check list) =
-  let plans = List.map (fun (c : Property.check) -> (c, Plan.of_formula c.formula)) checks in
+  let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
   let events = List.concat_map (fun (c : Property.check) -> Formula.events c.formula) checks in
   let context = System.make ~events model initial in
-  let asked =
-    List.concat_map (function _, Ok plan -> questions context plan | _, Error _ -> []) plans
-  in
+  let asked = List.concat_map (questions context) plans in
+  let temporals = List.concat_map formulas plans in
+  let horizon = horizon checks in
+  let limits = Bounds.limits options.bounds ~horizon in
+  let rests = rests context in
   let observe =
     Option.map (fun f _ _ tuple -> f (Catalogue.decode (System.catalogue context) tuple)) options.observe
   in
-  let limits = limits options in
-  let keep_edges = List.exists needs_edges asked || Option.is_some limits.time in
+  let formulas = Temporal.ask context temporals in
+  let settled g =
+    let temporal = Temporal.on formulas ~rests g in
+    List.for_all Fun.id (List.mapi (fun i _ -> Option.is_some (Temporal.truth temporal i)) temporals)
+  in
+  let settled = match temporals with [] -> None | _ :: _ -> Some settled in
   let result =
-    Engine.run ?observe ~keep_edges ~rests:(rests context) limits options.surroundings context asked
+    Engine.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits) ~rests limits
+      options.surroundings context asked
   in
-  let horizon = Engine.horizon limits asked in
-  let r = { options; model; context; graph = result.graph; horizon } in
+  let graph = result.graph in
+  let r = { options; model; context; graph; horizon } in
+  let temporal =
+    match temporals with [] -> None | _ :: _ -> Some (Temporal.on formulas ~rests graph)
+  in
   let step (outcomes, answers) (check, plan) =
-    match plan with
-    | Error what -> ((check, Not_yet what) :: outcomes, answers)
-    | Ok plan ->
-      let v, answers = verdict r plan answers in
-      ((check, Verdict v) :: outcomes, answers)
+    let v, answers = verdict r plan answers in
+    ((check, v) :: outcomes, answers)
   in
-  let outcomes, _ = List.fold_left step ([], result.answers) plans in
+  let answers = { searches = result.answers; next_formula = 0; temporal } in
+  let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
   { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result }
 
 let explore options model ~initial =
   let context = System.make model initial in
-  let graph = Graph.run (limits options) options.surroundings context in
+  let limits = Bounds.limits options.bounds ~horizon:None in
+  let graph = Graph.run ~order:options.order limits options.surroundings context in
   let r = { options; model; context; graph; horizon = None } in
   (context, graph, stats r)

@@ -6,28 +6,16 @@ open Scc_calculus
 open Scc_property
 open Scc_explore
 
-module Graph : module type of Explore.Make (System)
-
-(** A bound on the exploration, and whose it is. *)
-type 'a bound = Unbounded | Default of 'a | Given of 'a
-
 type options = {
-  depth : int bound;
-  time : Rat.t bound;
-  states : int bound;
-  seconds : float bound;
-  memory : int bound;  (** words of the heap *)
-  instant : int bound;  (** the guard against runs that go on for ever within one instant *)
+  bounds : Bounds.t;
+  order : State_graph.order;
+  (** of the exploration: with [By_steps] runs that decide a search are as short as can be, with [By_time] as early *)
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;  (** called with each new state, in order *)
 }
 
 val default : options
-(** No bounds but an instant of 10 000 transitions (by default); quiet surroundings. *)
-
-type outcome =
-  | Verdict of Verdict.t
-  | Not_yet of string  (** SC0901: the property is beyond this version; why *)
+(** Default bounds, by steps, in quiet surroundings. *)
 
 type stats = {
   states : int;
@@ -42,7 +30,7 @@ type stats = {
 }
 
 type report = {
-  outcomes : (Property.check * outcome) list;  (** in the order given *)
+  outcomes : (Property.check * Verdict.t) list;  (** in the order given *)
   stats : stats;
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
@@ -52,5 +40,5 @@ val run : options -> Model.t -> initial:State.t -> Property.check list -> report
 (** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
     replayed before they are returned. *)
 
-val explore : options -> Model.t -> initial:State.t -> System.context * Graph.t * stats
+val explore : options -> Model.t -> initial:State.t -> System.context * State_graph.t * stats
 (** The exploration alone. *)

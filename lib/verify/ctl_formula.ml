@@ -54,54 +54,10 @@ let rec compare a b =
 
 (** {2 From properties} *)
 
-let equal_axis (a : Property.axis) (b : Property.axis) =
-  match (a, b) with X, X | Y, Y | Z, Z -> true | (X | Y | Z), _ -> false
-
-let equal_ends = Option.equal (fun (a, b) (c, d) -> Int.equal a c && Int.equal b d)
-
-let equal_polarity (a : Scc_calculus.Behaviour.polarity) (b : Scc_calculus.Behaviour.polarity) =
-  match (a, b) with Name, Name | Co_name, Co_name -> true | (Name | Co_name), _ -> false
-
-let equal_comparison (a : Scc_calculus.Law.comparison) (b : Scc_calculus.Law.comparison) =
-  match (a, b) with
-  | Lt, Lt | Le, Le | Gt, Gt | Ge, Ge | Eq, Eq | Ne, Ne -> true
-  | (Lt | Le | Gt | Ge | Eq | Ne), _ -> false
-
-(* What is not known to be equal is kept apart, which costs time and no more. *)
-let rec equal_num (a : Property.num) (b : Property.num) =
-  match (a, b) with
-  | Const a, Const b -> Rat.equal a b
-  | Bonds (n, e), Bonds (m, f) -> Option.equal String.equal n m && equal_ends e f
-  | Size p, Size q | Speed2 p, Speed2 q -> Int.equal p q
-  | Processes, Processes | Energy, Energy | Time, Time -> true
-  | Position (a, p), Position (b, q) | Velocity (a, p), Velocity (b, q) ->
-    equal_axis a b && Int.equal p q
-  | Distance2 (p, q), Distance2 (r, s) -> Int.equal p r && Int.equal q s
-  | Momentum a, Momentum b -> equal_axis a b
-  | Count l, Count m -> List.equal equal_prop l m
-  | Neg a, Neg b -> equal_num a b
-  | Add (a, b), Add (c, d) | Sub (a, b), Sub (c, d) | Mul (a, b), Mul (c, d) | Div (a, b), Div (c, d) ->
-    equal_num a c && equal_num b d
-  | If (p, a, b), If (q, c, d) -> equal_prop p q && equal_num a c && equal_num b d
-  | _ -> false
-
-and equal_prop (a : Property.prop) (b : Property.prop) =
-  match (a, b) with
-  | Bool a, Bool b -> Bool.equal a b
-  | Compare (o, a, b), Compare (p, c, d) -> equal_comparison o p && equal_num a c && equal_num b d
-  | Bound (p, q), Bound (r, s) | Same (p, q), Same (r, s) | Touching (p, q), Touching (r, s)
-  | Behaviour (p, q), Behaviour (r, s) -> Int.equal p r && Int.equal q s
-  | Offers (p, o, n), Offers (q, r, m) ->
-    Int.equal p q && Option.equal equal_polarity o r && String.equal n m
-  | Quiescent, Quiescent -> true
-  | Not a, Not b -> equal_prop a b
-  | And l, And m | Or l, Or m -> List.equal equal_prop l m
-  | _ -> false
-
 let of_temporal formulas =
   let found = ref [] and count = ref 0 in
   let number p =
-    match List.find_opt (fun (q, _) -> equal_prop p q) !found with
+    match List.find_opt (fun (q, _) -> Formula.equal_prop p q) !found with
     | Some (_, k) -> k
     | None ->
       let k = !count in

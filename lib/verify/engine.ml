@@ -6,30 +6,17 @@ type predicate = {
   along : (int array -> Timeline.extent -> Truth.t Timeline.t) option;
 }
 
-module Make (L : Lts.S) = struct
-  module Graph = Explore.Make (L)
-
-  type operator = Reach | Inevitable
-
-  type question = { operator : operator; within : Rat.t option; goal : predicate }
+module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
+  type question = { within : Rat.t option; goal : predicate }
 
   type finish =
     | At_state
     | During of { choice : int option; moment : Timeline.moment; sample : Algebraic.t }
-    | Rests
-    | Stops
     | Repeats of int
-    | Passes of int option
 
   type trace = { steps : Graph.step list; last : int; finish : finish }
-
-  type doubt =
-    | Truncated of L.fault Explore.reason
-    | Undefined of string
-    | Zeno of trace
-
-  type answer = Yes of trace option | No of trace option | Unknown of doubt list
-
+  type doubts = { unexplored : int list; undefined : string option }
+  type answer = Met of trace | Never | Open of doubts
   type result = { graph : Graph.t; answers : answer list; zeno : trace option }
 
   (** {2 What is known of a goal at each state}
@@ -57,12 +44,11 @@ module Make (L : Lts.S) = struct
   type monitor = {
     question : question;
     rests : int array -> bool;
-    labels : label Growable.t;  (** [Inevitable]: of the states looked at so far *)
+    by_time : bool;  (** the earliest run is looked for, and not just any *)
     mutable met : (int * int option * Timeline.moment option) option;
-    (** [Reach]: a state, and the choice and moment after it, where the goal holds *)
-    mutable settled : answer option;  (** [Inevitable] *)
+    (** a state, and the choice and moment after it, where the goal holds *)
+    mutable decided : bool;
     mutable doubtful : int list;  (** states where, or after which, the goal could not be decided *)
-    mutable next_look : int;  (** [Inevitable]: the number of states at which to look again *)
   }
 
   let phases timeline =
@@ -113,7 +99,7 @@ module Make (L : Lts.S) = struct
     | Ray p -> unsure p
     | Edges (_, list) -> Array.exists unsure list
 
-  (** {2 Reach} *)
+  (** {2 Meeting the goal} *)
 
   (* Whether a moment after the arrival in a state counts. *)
   let in_time m g i (moment : Timeline.moment) =
@@ -128,57 +114,86 @@ module Make (L : Lts.S) = struct
     | None -> true
     | Some bound -> Rat.compare (Graph.arrival g i) bound <= 0
 
-  (* The first choice of a state, or its ray, after which the chosen moment exists and counts. *)
+  (* The choice of a state, or its ray, after which the chosen moment exists and counts; the earliest of them. *)
   let find_ahead m g i ahead choose =
     let counts p = match choose p with Some t when in_time m g i t -> Some t | _ -> None in
     match ahead with
     | Unknown_yet | Nothing -> None
     | Ray p -> Option.map (fun t -> (None, t)) (counts p)
     | Edges (_, list) ->
-      let rec go k =
-        if k = Array.length list then None
-        else match counts list.(k) with Some t -> Some (Some k, t) | None -> go (k + 1)
+      let earlier best k p =
+        match (counts p, best) with
+        | Some t, Some (_, known) when Timeline.compare_moment known t <= 0 -> best
+        | Some t, _ -> Some (Some k, t)
+        | None, _ -> best
       in
-      go 0
+      snd (Array.fold_left (fun (k, best) p -> (k + 1, earlier best k p)) (0, None) list)
+
+  (* When, counted from the start of the run. *)
+  let moment_of g (i, _, moment) : Timeline.moment =
+    let { Timeline.offset; attained } =
+      match moment with None -> { Timeline.offset = Algebraic.zero; attained = true } | Some m -> m
+    in
+    { offset = Algebraic.add_rat (Graph.arrival g i) offset; attained }
+
+  (* With the order of time the first that is met need not be the earliest. *)
+  let meet m g place =
+    match m.met with
+    | Some known when Timeline.compare_moment (moment_of g known) (moment_of g place) <= 0 -> ()
+    | Some _ | None ->
+      m.met <- Some place;
+      if not m.by_time then m.decided <- true
 
   let look_at_state m g i truth =
     match truth with
-    | Truth.True when arrives_in_time m g i -> m.met <- Some (i, None, None)
+    | Truth.True when arrives_in_time m g i -> meet m g (i, None, None)
     | True | False | Undecided _ -> ()
 
   let look_ahead m g i ahead =
     match find_ahead m g i ahead (fun p -> p.surely) with
-    | Some (choice, moment) -> m.met <- Some (i, choice, Some moment)
+    | Some (choice, moment) -> meet m g (i, choice, Some moment)
     | None -> ()
+
+  (* Whatever is still to be expanded is reached no earlier than the state that is. *)
+  let close m g i =
+    match m.met with
+    | None -> ()
+    | Some place ->
+      let { Timeline.offset; attained } = moment_of g place in
+      let c = Algebraic.compare_rat offset (Graph.arrival g i) in
+      if c < 0 || (c = 0 && attained) then m.decided <- true
 
   let doubt m i = m.doubtful <- i :: m.doubtful
 
-  let found_reach m g i tuple =
-    if Option.is_none m.met then begin
+  let found m g i tuple =
+    if not m.decided then begin
       let truth = m.question.goal.at tuple in
       if undecided truth then doubt m i;
       look_at_state m g i truth
     end
 
   (* A goal that does not change along a trajectory has been looked at where that starts. *)
-  let opened_reach m g i tuple edges =
-    if Option.is_none m.met && Option.is_some m.question.goal.along then begin
-      let ahead = ahead_of_state m g tuple edges in
-      if doubts_of ahead then doubt m i;
-      look_ahead m g i ahead
+  let opened m g i tuple edges =
+    if not m.decided then begin
+      if Option.is_some m.question.goal.along then begin
+        let ahead = ahead_of_state m g tuple edges in
+        if doubts_of ahead then doubt m i;
+        look_ahead m g i ahead
+      end;
+      if m.by_time then close m g i
     end
 
-  let earlier_reach m g i =
-    if Option.is_none m.met && Option.is_some m.question.within then begin
+  let earlier m g i =
+    if (not m.decided) && (m.by_time || Option.is_some m.question.within) then begin
       let { at; ahead } = judge m g i in
       look_at_state m g i at;
-      if Option.is_none m.met then look_ahead m g i ahead
+      if not m.decided then look_ahead m g i ahead
     end
 
   let path_for m g i =
     match m.question.within with
-    | None -> Graph.shortest_path g i
-    | Some _ -> Graph.earliest_path g i
+    | None when not m.by_time -> Graph.shortest_path g i
+    | Some _ | None -> Graph.earliest_path g i
 
   let extent_of g i = function
     | None -> Timeline.Forever
@@ -206,19 +221,6 @@ module Make (L : Lts.S) = struct
 
   (** {2 Doubts} *)
 
-  let same_reason (a : L.fault Explore.reason) (b : L.fault Explore.reason) =
-    match (a, b) with
-    | Depth, Depth | Time, Time | Instant, Instant | States, States | Seconds, Seconds
-    | Memory, Memory | Interrupted, Interrupted | Stopped, Stopped | Fault _, Fault _ -> true
-    | (Depth | Time | Instant | States | Seconds | Memory | Interrupted | Stopped | Fault _), _ -> false
-
-  (* Each kind once, in the order of states. *)
-  let truncations reasons =
-    List.fold_left
-      (fun kept r -> if List.exists (same_reason r) kept then kept else r :: kept)
-      [] reasons
-    |> List.rev_map (fun r -> Truncated r)
-
   let undefined_at m g i =
     let { at; ahead } = judge m g i in
     let state_reason =
@@ -235,147 +237,23 @@ module Make (L : Lts.S) = struct
         | Some (Some k, _), Edges (_, list) -> list.(k).why
         | _ -> None)
 
-  let first_undefined m g =
-    List.find_map
-      (fun i -> Option.map (fun reason -> Undefined reason) (undefined_at m g i))
-      (List.sort_uniq Int.compare m.doubtful)
-
-  let answer_reach m g =
-    match m.met with
-    | Some place -> Yes (Some (trace_to m g place))
-    | None -> (
-        let relevant = List.filter (fun (i, _) -> arrives_in_time m g i) (Graph.unexpanded g) in
-        match Option.to_list (first_undefined m g) @ truncations (List.rev (List.rev_map snd relevant)) with
-        | [] -> No None
-        | doubts -> Unknown doubts)
-
-  (** {2 Inevitable} *)
-
-  (* A state that was expanded since it was looked at is looked at again. *)
-  let update m g =
-    let fresh = Growable.length m.labels in
-    for i = 0 to Graph.size g - 1 do
-      if i >= fresh then Growable.push m.labels (judge m g i)
-      else
-        match ((Growable.get m.labels i).ahead, Graph.status g i) with
-        | Unknown_yet, Graph.Expanded -> Growable.set m.labels i (judge m g i)
-        | (Unknown_yet | Edges _ | Ray _ | Nothing), _ -> ()
-    done;
-    m.doubtful <- [];
-    for i = Graph.size g - 1 downto 0 do
-      let l = Growable.get m.labels i in
-      if undecided l.at || doubts_of l.ahead then doubt m i
-    done
-
-  (* The graph with what cannot be decided taken as true ([generous]) or as false. *)
-  let abstract m g ~generous : Inevitable.graph =
-    let choose p = if generous then p.perhaps else p.surely in
-    let holds i =
-      match (Growable.get m.labels i).at with True -> true | False -> false | Undecided _ -> generous
-    in
-    let node i : Inevitable.node =
-      match (Growable.get m.labels i).ahead with
-      | Unknown_yet -> Unexplored
-      | Nothing -> Dead_end
-      | Ray p -> Ray (choose p)
-      | Edges (edges, list) ->
-        Arcs
-          (Array.mapi
-             (fun k (e : Graph.edge) : Inevitable.arc ->
-                { target = e.target; duration = Graph.duration g e; first = choose list.(k) })
-             edges)
-    in
-    { size = Graph.size g; holds; node }
-
-  let trace_of (t : Inevitable.trace) =
-    let finish =
-      match t.finish with
-      | Rests -> Rests
-      | Stops -> Stops
-      | Repeats k -> Repeats k
-      | Passes choice -> Passes choice
-    in
-    let steps = List.map (fun (source, choice) -> { Graph.source; choice }) t.steps in
-    { steps; last = t.last; finish }
-
-  let reasons_of g nodes =
-    List.filter_map
-      (fun i -> match Graph.status g i with Graph.Unexpanded r -> Some r | Expanded | Queued -> None)
-      nodes
-
-  (* [None] while it depends on states that are still queued. *)
-  let answer_inevitable m g =
-    update m g;
-    let within = m.question.within in
-    let doubtful = List.length m.doubtful > 0 in
-    let search generous = Inevitable.search (abstract m g ~generous) ~within in
-    let sure = search doubtful in
-    match sure.avoided with
-    | Some trace -> Some (No (Some (trace_of trace)))
-    | None ->
-      let o = if doubtful then search false else sure in
-      let queued i = match Graph.status g i with Graph.Queued -> true | Expanded | Unexpanded _ -> false in
-      if List.exists queued o.unexplored then None
-      else
-        let unclear = Undefined "the goal cannot be decided where it matters" in
-        let undefined =
-          if Option.is_none o.avoided then None
-          else Some (Option.value ~default:unclear (first_undefined m g))
-        in
-        let zeno = Option.map (fun t -> Zeno (trace_of t)) o.zeno in
-        Some
-          (match
-             Option.to_list undefined @ Option.to_list zeno @ truncations (reasons_of g o.unexplored)
-           with
-           | [] -> Yes None
-           | doubts -> Unknown doubts)
-
-  (* Looking costs time in proportion to the graph: it is done each time that the graph has doubled. An
-     answer that depends on nothing unexpanded stays. *)
-  let watch_inevitable m g =
-    if Option.is_none m.settled && Graph.size g >= m.next_look then begin
-      m.next_look <- 2 * Graph.size g;
-      match answer_inevitable m g with
-      | Some (Yes _ | No _) as settled -> m.settled <- settled
-      | Some (Unknown _) | None -> ()
-    end
+  let first_undefined m g = List.find_map (undefined_at m g) (List.sort_uniq Int.compare m.doubtful)
 
   let answer m g =
-    match (m.question.operator, m.settled) with
-    | Reach, _ -> answer_reach m g
-    | Inevitable, Some settled -> settled
-    | Inevitable, None -> (
-        match answer_inevitable m g with
-        | Some a -> a
-        | None -> Scc_base.Bug.fail __POS__ "states are queued after the end of the exploration")
+    match m.met with
+    | Some place -> Met (trace_to m g place)
+    | None -> (
+        let unexplored =
+          List.filter_map (fun (i, _) -> if arrives_in_time m g i then Some i else None) (Graph.unexpanded g)
+        in
+        match (unexplored, first_undefined m g) with
+        | [], None -> Never
+        | unexplored, undefined -> Open { unexplored; undefined })
 
   (** {2 All together} *)
 
-  let decided m =
-    match m.question.operator with
-    | Reach -> Option.is_some m.met
-    | Inevitable -> Option.is_some m.settled
-
-  let is_reach m = match m.question.operator with Reach -> true | Inevitable -> false
-
-  let monitor rests question =
-    {
-      question; rests;
-      labels = Growable.create ();
-      met = None; settled = None; doubtful = []; next_look = 16;
-    }
-
-  let greatest_bound questions =
-    let join acc q =
-      match (acc, q.within) with Some a, Some b -> Some (Rat.max a b) | _ -> None
-    in
-    match questions with [] -> None | q :: rest -> List.fold_left join q.within rest
-
-  let horizon (limits : Limits.t) questions =
-    match (limits.time, greatest_bound questions) with
-    | Some a, Some b -> Some (Rat.min a b)
-    | Some a, None | None, Some a -> Some a
-    | None, None -> None
+  let monitor rests by_time question =
+    { question; rests; by_time; met = None; decided = false; doubtful = [] }
 
   (* A cycle of the whole graph along which no time passes. *)
   let find_zeno_cycle g =
@@ -414,24 +292,41 @@ module Make (L : Lts.S) = struct
 
   let zeno_cycle g = if Graph.turns g then find_zeno_cycle g else None
 
-  let visitor observe monitors : Graph.visitor =
-    let reach, inevitable = List.partition is_reach monitors in
+  (* Looking at a whole graph costs time in proportion to it: it is done each time that it has doubled. *)
+  let at_doublings settled =
+    let next = ref 16 and result = ref false in
+    fun g ->
+      if (not !result) && Graph.size g >= !next then begin
+        next := 2 * Graph.size g;
+        result := settled g
+      end;
+      !result
+
+  let visitor observe monitors settled : Graph.visitor =
+    let rest_settled = ref (match settled with None -> true | Some _ -> false) in
+    let look = Option.map at_doublings settled in
     {
       found =
         (fun g i tuple ->
            observe g i tuple;
-           List.iter (fun m -> found_reach m g i tuple) reach);
+           List.iter (fun m -> found m g i tuple) monitors);
       opened =
         (fun g i tuple edges ->
-           List.iter (fun m -> opened_reach m g i tuple edges) reach;
-           List.iter (fun m -> watch_inevitable m g) inevitable);
-      earlier = (fun g i -> List.iter (fun m -> earlier_reach m g i) reach);
-      enough = (fun () -> match monitors with [] -> false | _ :: _ -> List.for_all decided monitors);
+           List.iter (fun m -> opened m g i tuple edges) monitors;
+           Option.iter (fun look -> rest_settled := look g) look);
+      earlier = (fun g i -> List.iter (fun m -> earlier m g i) monitors);
+      enough =
+        (fun () ->
+           match (monitors, look) with
+           | [], None -> false
+           | _ -> !rest_settled && List.for_all (fun m -> m.decided) monitors);
     }
 
-  let run ?(observe = fun _ _ _ -> ()) ?keep_edges ~rests limits around context questions =
-    let monitors = List.map (monitor rests) questions in
-    let limits = { limits with Limits.time = horizon limits questions } in
-    let graph = Graph.run ~visitor:(visitor observe monitors) ?keep_edges limits around context in
+  let run ?(observe = fun _ _ _ -> ()) ?(order = Graph.By_steps) ?keep_edges ?settled ~rests limits around
+      context questions =
+    let by_time = match order with Graph.By_time -> true | By_steps -> false in
+    let monitors = List.map (monitor rests by_time) questions in
+    let visitor = visitor observe monitors settled in
+    let graph = Graph.run ~visitor ~order ?keep_edges limits around context in
     { graph; answers = List.map (fun m -> answer m graph) monitors; zeno = zeno_cycle graph }
 end

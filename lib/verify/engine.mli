@@ -11,15 +11,9 @@ type predicate = {
   (** along the trajectory that starts in a state; [None] when it is what it is at the start *)
 }
 
-module Make (L : Lts.S) : sig
-  module Graph : module type of Explore.Make (L)
-
-  type operator =
-    | Reach  (** some run meets the goal at some instant: EF *)
-    | Inevitable  (** every run does: AF. No fairness is assumed. *)
-
+module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
+  (** Does some run meet the goal: EF. *)
   type question = {
-    operator : operator;
     within : Rat.t option;  (** only the instants in [0, b] count *)
     goal : predicate;
   }
@@ -30,26 +24,20 @@ module Make (L : Lts.S) : sig
     | During of { choice : int option; moment : Timeline.moment; sample : Algebraic.t }
     (** to a moment in the middle of the time transition of this choice (of the ray of the last state,
         when [None]); the sample is an offset at which the goal's value is the one met *)
-    | Rests  (** the ray of the last state, all of it *)
-    | Stops  (** nothing: the run is over, and no time passes any more *)
     | Repeats of int  (** back to the state before the step of this index, for ever *)
-    | Passes of int option
-    (** past the bound of time in the middle of this choice, or of the ray *)
 
   type trace = { steps : Graph.step list; last : int; finish : finish }
 
-  (** Why there is no answer. *)
-  type doubt =
-    | Truncated of L.fault Explore.reason
-    (** states were not expanded, for this reason, that could matter *)
-    | Undefined of string  (** the goal could not be decided somewhere where it matters *)
-    | Zeno of trace  (** a run that goes on for ever within one instant *)
+  (** Why there is no answer; not both empty. *)
+  type doubts = {
+    unexplored : int list;  (** the states that were not expanded and could matter *)
+    undefined : string option;  (** the goal could not be decided somewhere where it matters *)
+  }
 
   type answer =
-    | Yes of trace option  (** with a run that meets the goal, for [Reach] *)
-    | No of trace option
-    (** with a run that avoids it, for [Inevitable]; for [Reach], the whole of what counts was explored *)
-    | Unknown of doubt list  (** not empty *)
+    | Met of trace  (** by this run: with the fewest steps, or the earliest when there is a bound of time *)
+    | Never  (** the whole of what counts was explored *)
+    | Open of doubts
 
   type result = {
     graph : Graph.t;
@@ -59,17 +47,16 @@ module Make (L : Lts.S) : sig
 
   val run :
     ?observe:(Graph.t -> int -> int array -> unit) ->
+    ?order:Graph.order ->
     ?keep_edges:bool ->
+    ?settled:(Graph.t -> bool) ->
     rests:(int array -> bool) ->
     Limits.t ->
     Limits.surroundings ->
     L.context ->
     question list ->
     result
-  (** [rests] says of a state without transitions whether time passes there for ever. [observe] is called with each new
-      state. The exploration ends as soon as every question is answered (when there is one); when all of them have a
-      bound of time, it does not go past the greatest. *)
-
-  val horizon : Limits.t -> question list -> Rat.t option
-  (** The bound of time that {!run} explores up to. *)
+  (** [rests] says of a state without transitions whether time passes there for ever. [observe] is called with each
+      new state. [settled] says whether what else is asked has an answer that will stay; it is asked each time that
+      the graph has doubled. The exploration ends as soon as everything is answered, when anything is asked. *)
 end

@@ -6,15 +6,10 @@ open Scc_property
 
 val facts :
   ?arrived:(Property.event -> bool) ->
-  Model.t ->
-  State.t ->
-  Timeline.extent ->
-  Algebraic.t ->
-  Property.prop ->
-  string list
+  Model.t -> State.t -> Timeline.extent -> Algebraic.t -> Property.prop -> string list
 (** [facts model state extent offset p]: for each atom of [p], whether it holds at that offset of the
-    trajectory from the state (see {!Trajectory.make}), with the values of what it compares:
-    ["x(p) <= 3 fails: x(p) = 25/8"]. *)
+    trajectory from the state, with the values of what it compares: ["x(p) <= 3 fails: x(p) = 25/8"].
+    [arrived] is that of {!Trajectory.make}. *)
 
 val every : Trajectory.t -> Model.t -> Algebraic.t -> Property.prop -> string list
 (** The same for all atoms, however many, at an offset of a trajectory. *)

@@ -5,50 +5,58 @@ type t =
   | Now of Property.prop
   | Possibly of Rat.t option * Property.prop
   | Always of Rat.t option * Property.prop
-  | Eventually of Rat.t option * Property.prop
-  | Not_eventually of Rat.t option * Property.prop
+  | Formula of Property.temporal
   | All of t list
   | Any of t list
 
-let not_yet what = Error (what ^ " cannot be checked by this version")
-
-(* What an operator applies to must be a predicate, its bound an interval from 0. *)
-let simple (bound : Property.bound) f make =
-  if Rat.sign bound.low > 0 then not_yet "a time interval that does not begin at 0"
-  else
-    match Formula.state_formula f with
-    | Some p -> Ok (make bound.high p)
-    | None -> not_yet "a temporal operator inside another"
-
-let rec all_ok acc = function
-  | [] -> Ok (List.rev acc)
-  | Ok x :: rest -> all_ok (x :: acc) rest
-  | Error e :: _ -> Error e
+let from_now (b : Property.bound) = Rat.sign b.low = 0
 
 (* [positive] is false under an odd number of negations. *)
 let rec plan positive (f : Property.temporal) =
+  let whole () = Formula (if positive then f else Temporal_not f) in
   match Formula.state_formula f with
-  | Some p -> Ok (Now (if positive then p else Formula.negate p))
+  | Some p -> Now (if positive then p else Formula.negate p)
   | None -> (
       match f with
-      | State p -> Ok (Now (if positive then p else Formula.negate p))
       | Temporal_not f -> plan (not positive) f
       | Temporal_and list -> connect positive ~all:positive list
       | Temporal_or list -> connect positive ~all:(not positive) list
-      | Finally (Exists, bound, f) ->
-        simple bound f (fun b p ->
-            if positive then Possibly (b, p) else Always (b, Formula.negate p))
-      | Globally (All, bound, f) ->
-        simple bound f (fun b p ->
-            if positive then Always (b, p) else Possibly (b, Formula.negate p))
-      | Finally (All, bound, f) ->
-        simple bound f (fun b p -> if positive then Eventually (b, p) else Not_eventually (b, p))
-      | Globally (Exists, _, _) -> not_yet "`EG`"
-      | Next _ -> not_yet "the operator `X`"
-      | Until _ -> not_yet "the operator `U`")
+      | Finally (Exists, bound, g) when from_now bound -> (
+          match Formula.state_formula g with
+          | Some p when positive -> Possibly (bound.high, p)
+          | Some p -> Always (bound.high, Formula.negate p)
+          | None -> whole ())
+      | Globally (All, bound, g) when from_now bound -> (
+          match Formula.state_formula g with
+          | Some p when positive -> Always (bound.high, p)
+          | Some p -> Possibly (bound.high, Formula.negate p)
+          | None -> whole ())
+      | State _ | Next _ | Until _ | Finally _ | Globally _ -> whole ())
 
 and connect positive ~all list =
-  all_ok [] (List.map (plan positive) list)
-  |> Result.map (fun plans -> if all then All plans else Any plans)
+  let plans = List.map (plan positive) list in
+  if all then All plans else Any plans
 
-let of_formula f = if Formula.has_events f then not_yet "the atom `event`" else plan true f
+let of_formula f = plan true f
+
+let rec horizon (f : Property.temporal) =
+  match f with
+  | State _ -> Some Rat.zero
+  | Temporal_not f -> horizon f
+  | Temporal_and fs | Temporal_or fs -> latest (List.map horizon fs)
+  | Next _ -> None
+  | Finally (_, b, f) | Globally (_, b, f) -> after b.high (horizon f)
+  | Until (_, b, f, g) -> after b.high (latest [ horizon f; horizon g ])
+
+and after a b =
+  match (a, b) with
+  | Some a, Some b -> Some (Rat.add a b)
+  | None, _ | _, None -> None
+
+and latest list =
+  List.fold_left
+    (fun acc h ->
+       match (acc, h) with
+       | Some a, Some b -> Some (Rat.max a b)
+       | None, _ | _, None -> None)
+    (Some Rat.zero) list

@@ -1,6 +1,6 @@
 open Scc_calculus
 open Scc_semantics
-module Graph = Check.Graph
+module Graph = State_graph
 
 type edge = { label : Transition.label; target : int }
 

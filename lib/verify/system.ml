@@ -267,14 +267,19 @@ let meetings c present ~limit =
   else if are_few present then meetings_of_few c present
   else meetings_of_many c present ~limit
 
-let whole c tuple =
-  let source = Catalogue.decode (catalogue c) tuple in
-  let encoded (t : Transition.t) : Lts.step =
+let choices c source =
+  let encoded (t : Transition.t) =
     let target = Catalogue.encode (catalogue c) t.target in
     set_mark c target (mark c.book ~source t.label);
-    { label = Catalogue.label (catalogue c) t.label; target }
+    (t, target)
   in
   Result.map (List.map encoded) (Network.successors (model c) source)
+
+let whole c tuple =
+  let step ((t : Transition.t), target) : Lts.step =
+    { label = Catalogue.label (catalogue c) t.label; target }
+  in
+  Result.map (List.map step) (choices c (Catalogue.decode (catalogue c) tuple))
 
 (* In the order of {!Network.successors}. *)
 let by_parts c tuple present =

@@ -22,4 +22,7 @@ val start : context -> State.t
 val unmarked : context -> int array -> int array
 (** The same state with no event right before. *)
 
+val choices : context -> State.t -> ((Transition.t * int array) list, Transition.fault) result
+(** Every transition of a state by the rules ({!Network.successors}), each with the tuple of where it leads. *)
+
 include Scc_explore.Lts.S with type context := context and type fault = Transition.fault

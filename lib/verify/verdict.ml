@@ -14,6 +14,7 @@ type truncation = { limit : limit; origin : origin }
 
 type reason =
   | Truncated of truncation
+  | Unexplored of { count : int; nearest : Witness.t }
   | Undefined of string
   | Fault of string
   | Zeno of Witness.t
@@ -75,7 +76,7 @@ let truncations = function
   | Violated _ -> []
   | Undecided reasons ->
     List.filter_map
-      (function Truncated t -> Some t | Undefined _ | Fault _ | Zeno _ -> None)
+      (function Truncated t -> Some t | Unexplored _ | Undefined _ | Fault _ | Zeno _ -> None)
       reasons
 
 let resources v =
@@ -111,6 +112,8 @@ let truncation_to_string t =
 
 let reason_to_string = function
   | Truncated t -> "the exploration ended at " ^ truncation_to_string t
+  | Unexplored { count = 1; _ } -> "one unexplored state matters"
+  | Unexplored { count; _ } -> Printf.sprintf "%d unexplored states matter" count
   | Undefined reason -> reason
   | Fault fault -> fault
   | Zeno _ -> "Zeno: a run goes on for ever within one instant"

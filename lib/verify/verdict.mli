@@ -19,6 +19,8 @@ type truncation = { limit : limit; origin : origin }
 
 type reason =
   | Truncated of truncation  (** the exploration did not go far enough *)
+  | Unexplored of { count : int; nearest : Witness.t }
+  (** so many of the states that were not expanded matter; a shortest run to one of them *)
   | Undefined of string  (** the property has no truth value somewhere: a division by zero *)
   | Fault of string  (** the transitions of a state cannot be computed *)
   | Zeno of Witness.t  (** it depends on a run that goes on for ever within one instant *)

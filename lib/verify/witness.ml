@@ -17,12 +17,15 @@ type finish =
   | Repeats of { cycle : int; puts_off : Transition.label option }
   | Passes of { choice : int option }
 
+type argument = { claim : string; holds : bool; because : string list; parts : argument list }
+
 type t = {
   initial : State.t;
   steps : step list;
   last : State.t;
   finish : finish;
   facts : string list;
+  argument : argument option;
 }
 
 let choices w = List.map (fun s -> s.choice) w.steps
@@ -82,4 +85,18 @@ let finish_lines model w =
     in
     again :: Option.to_list (Option.map reason puts_off)
 
-let lines model w = List.mapi (step_line model) w.steps @ finish_lines model w @ w.facts
+let rec argument_lines depth a =
+  let indented text = String.make (2 * depth) ' ' ^ text in
+  let verb = if a.holds then " holds" else " does not hold" in
+  let because = match a.because with [] -> [ "" ] | because -> because in
+  let line i text =
+    if i > 0 then indented ("  " ^ text)
+    else if String.equal text "" then indented (a.claim ^ verb)
+    else indented (a.claim ^ verb ^ ": " ^ text)
+  in
+  List.mapi line because @ List.concat_map (argument_lines (depth + 1)) a.parts
+
+let lines model w =
+  List.mapi (step_line model) w.steps
+  @ finish_lines model w @ w.facts
+  @ match w.argument with None -> [] | Some a -> "why:" :: argument_lines 1 a

@@ -30,12 +30,21 @@ type finish =
   | Passes of { choice : int option }
   (** the bound of time of the property is passed in the middle of this time transition, or of the ray *)
 
+(** Why a formula holds, or does not: a tree of claims. *)
+type argument = {
+  claim : string;
+  holds : bool;
+  because : string list;  (** a sentence each *)
+  parts : argument list;
+}
+
 type t = {
   initial : State.t;
   steps : step list;
   last : State.t;  (** after the steps *)
   finish : finish;
   facts : string list;  (** what holds there, and with which values, a sentence each *)
+  argument : argument option;  (** of a formula with operators within operators *)
 }
 
 val choices : t -> int list

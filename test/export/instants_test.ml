@@ -13,7 +13,10 @@ let space_of name =
   match Scc_semantics.Network.initial e.model e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
-    let options = { Check.default with time = Given (Rat.of_int 3); states = Given 200 } in
+    let options = 
+      let bounds = { Bounds.default with time = Given (Rat.of_int 3); states = Given 200 } in
+      { Check.default with bounds }
+    in
     (e, Space.explore options e.model ~initial)
 
 let passing (space : Space.t) i =

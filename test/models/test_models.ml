@@ -176,13 +176,17 @@ let replayed m states =
 
 (* {1 Expected verdicts} *)
 
-let options = { Scc_verify.Check.default with depth = Default 1_000; states = Default 20_000 }
+let options =
+  let open Scc_verify in
+  { Check.default with bounds = { Bounds.default with depth = Default 1_000; states = Default 20_000 } }
 
-let verdict : Scc_verify.Check.outcome -> string = function
-  | Not_yet why -> "not yet: " ^ why
-  | Verdict v ->
-    if Scc_verify.Verdict.exhaustive v then "holds"
-    else ( match v with Holds _ -> "bounded" | Violated _ -> "violated" | Undecided _ -> "undecided")
+let verdict (v : Scc_verify.Verdict.t) =
+  if Scc_verify.Verdict.exhaustive v then "holds"
+  else
+    match v with
+    | Holds _ -> "bounded"
+    | Violated _ -> "violated"
+    | Undecided _ -> "undecided"
 
 let pair = Alcotest.(list (pair string string))
 
@@ -237,8 +241,8 @@ let witnesses () =
     List.filter_map
       (fun (_, outcome) ->
          match outcome with
-         | Scc_verify.Check.Verdict (Holds { witness; _ } | Violated { witness }) -> witness
-         | Verdict (Undecided _) | Not_yet _ -> None)
+         | Scc_verify.Verdict.Holds { witness; _ } | Violated { witness } -> witness
+         | Undecided _ -> None)
       report.outcomes
     |> fun ws -> List.iter (check m initial name) ws; List.length ws
   in

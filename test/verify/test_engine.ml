@@ -4,20 +4,19 @@ open Scc_exact
 open Scc_explore
 open Scc_verify
 module Gen = QCheck2.Gen
-module E = Engine.Make (Toy.System)
-module Graph = E.Graph
+module Graph = Explore.Make (Toy.System)
+module E = Engine.Make (Toy.System) (Graph)
 
 type case = {
   graph : Toy.t;
-  asked : (E.operator * int option) list;
+  asked : int option list;  (** bounds *)
   depth : int option;
   time : int option;
   states : int option;
 }
 
-let question g (operator, within) : E.question =
+let question g within : E.question =
   {
-    operator;
     within = Option.map Rat.of_int within;
     goal =
       {
@@ -26,14 +25,21 @@ let question g (operator, within) : E.question =
       };
   }
 
-let run c =
-  let limits =
-    { Limits.unlimited with depth = c.depth; time = Option.map Rat.of_int c.time; states = c.states }
-  in
-  E.run ~rests:(fun s -> Toy.rests c.graph s.(0)) limits Limits.quiet c.graph (List.map (question c.graph) c.asked)
+(* As far as the questions go. *)
+let horizon c =
+  let bounds = List.map (Option.map Rat.of_int) c.asked in
+  match (bounds, Option.map Rat.of_int c.time) with
+  | [], limit -> limit
+  | _, limit when List.exists Option.is_none bounds -> limit
+  | _, limit -> (
+      let last = List.fold_left (fun m b -> Rat.max m (Option.get b)) Rat.zero bounds in
+      match limit with None -> Some last | Some t -> Some (Rat.min t last))
 
-let operator_gen = Gen.oneofl [ E.Reach; E.Inevitable ]
-let question_gen = Gen.pair operator_gen (Gen.opt (Gen.int_range 0 8))
+let run ?order c =
+  let limits = { Limits.unlimited with depth = c.depth; time = horizon c; states = c.states } in
+  E.run ?order ~rests:(fun s -> Toy.rests c.graph s.(0)) limits Limits.quiet c.graph (List.map (question c.graph) c.asked)
+
+let question_gen = Gen.opt (Gen.int_range 0 8)
 
 let case_gen ~bounded =
   let open Gen in
@@ -47,29 +53,20 @@ let case_gen ~bounded =
 
 let print c =
   let bound = function None -> "-" | Some n -> string_of_int n in
-  let asked (op, w) =
-    (match op with E.Reach -> "EF" | Inevitable -> "AF") ^ " within " ^ bound w
-  in
+  let asked w = "EF within " ^ bound w in
   Printf.sprintf "%s\n%s\ndepth %s, time %s, states %s" (Toy.print c.graph)
     (String.concat "; " (List.map asked c.asked))
     (bound c.depth) (bound c.time) (bound c.states)
 
 type expected = Certainly | Certainly_not | Open
 
-let expected g (operator, within) =
-  match (operator : E.operator) with
-  | Reach ->
-    if Toy.possibly g ~within ~unsure:false then Certainly
-    else if Toy.possibly g ~within ~unsure:true then Open
-    else Certainly_not
-  | Inevitable -> (
-      match (Toy.inevitable g ~within ~unsure:true, Toy.inevitable g ~within ~unsure:false) with
-      | No, _ -> Certainly_not
-      | _, Yes -> Certainly
-      | _ -> Open)
+let expected g within =
+  if Toy.possibly g ~within ~unsure:false then Certainly
+  else if Toy.possibly g ~within ~unsure:true then Open
+  else Certainly_not
 
 let shown = function Certainly -> "yes" | Certainly_not -> "no" | Open -> "unknown"
-let answered = function E.Yes _ -> Certainly | No _ -> Certainly_not | Unknown _ -> Open
+let answered = function E.Met _ -> Certainly | Never -> Certainly_not | Open _ -> Open
 let agree a b = String.equal (shown a) (shown b)
 
 let exact =
@@ -114,60 +111,41 @@ let meets c (r : E.result) within (t : E.trace) =
   | During { choice; sample; _ } ->
     let timeline = Toy.timeline c.graph state (extent r t.last choice) in
     Truth.equal (Timeline.at timeline sample) True && before (Algebraic.add_rat start sample)
-  | Rests | Stops | Repeats _ | Passes _ -> false
-
-(* No instant of the run meets the goal: along the steps, and after them as the finish says. *)
-let avoids c (r : E.result) within (t : E.trace) =
-  let not_met v = not (Truth.equal v Truth.True) in
-  let state i = (Graph.tuple r.graph i).(0) in
-  let clear i choice = Toy.timeline c.graph (state i) (extent r i choice) in
-  let never timeline = Option.is_none (Timeline.first_after_start (fun v -> not (not_met v)) timeline) in
-  let at i = c.graph.(state i).at <> Toy.T in
-  let step (s : Graph.step) =
-    at s.source && (Rat.sign (duration r s) = 0 || never (clear s.source (Some s.choice)))
-  in
-  let rec drop n l = if n = 0 then l else drop (n - 1) (List.tl l) in
-  List.for_all step t.steps && at t.last
-  &&
-  match (t.finish, within) with
-  | At_state, _ | During _, _ | Passes _, None -> false
-  | Rests, _ -> Toy.rests c.graph (state t.last) && never (clear t.last None)
-  | Stops, _ -> Array.length (Graph.edges r.graph t.last) = 0 && not (Toy.rests c.graph (state t.last))
-  | Repeats k, _ ->
-    let cycle = drop k t.steps in
-    Rat.sign (total r cycle) > 0 && (List.hd cycle).source = t.last
-  | Passes choice, Some bound -> (
-      let left = Rat.sub (Rat.of_int bound) (total r t.steps) in
-      let long = match extent r t.last choice with Lasts d -> Rat.compare d left > 0 | _ -> true in
-      let timeline = clear t.last choice in
-      match Timeline.first_after_start (fun v -> not (not_met v)) timeline with
-      | None -> long
-      | Some m ->
-        let c = Algebraic.compare_rat m.offset left in
-        long && if m.attained then c > 0 else c >= 0)
+  | Repeats _ -> false
 
 let traced c =
   let r = run c in
-  let good (operator, within) (a : E.answer) =
-    match (operator, a) with
-    | E.Reach, Yes (Some t) -> connected r t && meets c r within t
-    | Inevitable, No (Some t) -> connected r t && avoids c r within t
-    | Reach, Yes None | Inevitable, No None -> false
-    | _, Unknown doubts ->
-      List.for_all
-        (function
-          | E.Zeno { finish = Repeats k; steps; _ } ->
-            let cycle = List.filteri (fun i _ -> i >= k) steps in
-            cycle <> [] && Rat.sign (total r cycle) = 0
-          | Zeno _ -> false
-          | Truncated _ | Undefined _ -> true)
-        doubts
-    | Reach, No _ | Inevitable, Yes _ -> true
+  let good within (a : E.answer) =
+    match a with
+    | Met t -> connected r t && meets c r within t
+    | Never | Open _ -> true
   in
   List.for_all2 good c.asked r.answers
 
 let traces =
   QCheck2.Test.make ~count:8000 ~name:"traces show what they should" ~print (case_gen ~bounded:true) traced
+
+(* Goals begin at, or right after, whole times. With the order of time the run shown is as early as any. *)
+let earliest c =
+  let c = { c with asked = [ None ]; depth = None; time = None; states = None } in
+  let r = run ~order:Graph.By_time c in
+  match r.answers with
+  | [ Met t ] ->
+    let start = total r t.steps in
+    let instant, attained =
+      match t.finish with
+      | During { moment; _ } -> (Algebraic.add_rat start moment.offset, moment.attained)
+      | At_state | Repeats _ -> (Algebraic.of_rat start, true)
+    in
+    let k = Z.to_int (Rat.floor (Option.get (Algebraic.to_rat instant))) in
+    let met_within k = Toy.possibly c.graph ~within:(Some k) ~unsure:false in
+    connected r t && meets c r None t && (k = 0 || not (met_within (k - 1))) && Bool.equal attained (met_within k)
+  | [ answer ] -> agree (expected c.graph None) (answered answer)
+  | _ -> false
+
+let by_time =
+  QCheck2.Test.make ~count:5000 ~name:"the order of time finds the earliest" ~print (case_gen ~bounded:false)
+    earliest
 
 (* {1 Cycles without duration} *)
 
@@ -226,22 +204,15 @@ let answers graph asked =
 let at_the_bound () =
   let after = [| { Toy.at = F; ahead = Ray [| F; F; F; F; T |] } |] in
   let exactly = [| { Toy.at = F; ahead = Ray [| F; F; F; T; F |] } |] in
-  let asked = [ (E.Reach, Some 2); (E.Inevitable, Some 2); (E.Reach, Some 3); (E.Inevitable, Some 3) ] in
-  Alcotest.(check (list string)) "right after" [ "no"; "no"; "yes"; "yes" ] (answers after asked);
-  Alcotest.(check (list string)) "exactly" [ "yes"; "yes"; "yes"; "yes" ] (answers exactly asked)
+  let asked = [ Some 2; Some 3 ] in
+  Alcotest.(check (list string)) "right after" [ "no"; "yes" ] (answers after asked);
+  Alcotest.(check (list string)) "exactly" [ "yes"; "yes" ] (answers exactly asked)
 
 (* The goal holds in a state that is met at the bound, after a transition that takes no time. *)
 let instant_at_the_bound () =
   let goal = { Toy.at = T; ahead = Ray [| T |] } in
   let g = [| node [ edge 1 2 ~cells:[| F; F; F |] ]; node [ edge 2 0 ]; goal |] in
-  Alcotest.(check (list string)) "at 2" [ "yes"; "yes"; "no"; "no" ]
-    (answers g [ (E.Reach, Some 2); (E.Inevitable, Some 2); (E.Reach, Some 1); (E.Inevitable, Some 1) ])
-
-(* Nothing makes the run leave the cycle: no fairness. *)
-let no_fairness () =
-  let g = [| node [ edge 1 0; edge 0 1 ~cells:[| F |] ]; { Toy.at = T; ahead = Ray [| T |] } |] in
-  Alcotest.(check (list string)) "may stay" [ "yes"; "no" ]
-    (answers g [ (E.Reach, None); (E.Inevitable, None) ])
+  Alcotest.(check (list string)) "at 2" [ "yes"; "no" ] (answers g [ Some 2; Some 1 ])
 
 (* An endless graph: the goal is met everywhere before depth 5, and the exploration ends by itself. *)
 module Endless = struct
@@ -257,31 +228,30 @@ module Endless = struct
   let duration () _ = Rat.one
 end
 
-module Endless_engine = Engine.Make (Endless)
+module Endless_graph = Explore.Make (Endless)
+module Endless_engine = Engine.Make (Endless) (Endless_graph)
 
 let ends_early () =
   let at (s : int array) = Truth.of_bool (s.(0) >= 16) in
-  let question : Endless_engine.question =
-    { operator = Inevitable; within = None; goal = { at; along = None } }
-  in
-  let r =
-    Endless_engine.run ~rests:(fun _ -> false) Limits.unlimited Limits.quiet () [ question ]
-  in
+  let question : Endless_engine.question = { within = None; goal = { at; along = None } } in
+  let rests _ = false in
+  let r = Endless_engine.run ~rests Limits.unlimited Limits.quiet () [ question ] in
   (match r.answers with
-   | [ Yes _ ] -> ()
-   | _ -> Alcotest.fail "not proved");
-  Alcotest.(check bool) "few states" true (Endless_engine.Graph.size r.graph <= 128)
+   | [ Met { steps; _ } ] -> Alcotest.(check int) "shortest" 4 (List.length steps)
+   | _ -> Alcotest.fail "not found");
+  let settled g = Endless_graph.size g >= 40 in
+  let r = Endless_engine.run ~settled ~rests Limits.unlimited Limits.quiet () [] in
+  Alcotest.(check bool) "few states" true (Endless_graph.size r.graph <= 128)
 
 let () =
   let quick name f = Alcotest.test_case name `Quick f in
   Alcotest.run "engine"
     [
-      ("random graphs", Scc_test_support.Property.cases [ exact; sound; traces; zeno ]);
+      ("random graphs", Scc_test_support.Property.cases [ exact; sound; traces; by_time; zeno ]);
       ( "cases",
         [
           quick "the bound of time is closed" at_the_bound;
           quick "what takes no time at the bound counts" instant_at_the_bound;
-          quick "no fairness is assumed" no_fairness;
           quick "an endless graph" ends_early;
         ] );
     ]

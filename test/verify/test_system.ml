@@ -6,7 +6,7 @@ open Scc_property
 open Scc_explore
 open Scc_verify
 open Scc_test_networks
-module Graph = Check.Graph
+module Graph = State_graph
 
 (* What differs in the transitions of a state, if anything. *)
 let difference context m tuple =

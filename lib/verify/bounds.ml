@@ -1,0 +1,70 @@
+open Scc_exact
+open Scc_semantics
+open Scc_explore
+
+type 'a bound = Unbounded | Default of 'a | Given of 'a
+
+type t = {
+  depth : int bound;
+  time : Rat.t bound;
+  states : int bound;
+  seconds : float bound;
+  memory : int bound;
+  instant : int bound;
+}
+
+let default =
+  {
+    depth = Unbounded;
+    time = Unbounded;
+    states = Unbounded;
+    seconds = Unbounded;
+    memory = Unbounded;
+    instant = Default 10_000;
+  }
+
+let value = function
+  | Unbounded -> None
+  | Default v | Given v -> Some v
+
+let earlier a b =
+  match (a, b) with
+  | Some a, Some b -> Some (Rat.min a b)
+  | None, x | x, None -> x
+
+let limits b ~horizon : Limits.t =
+  {
+    depth = value b.depth;
+    time = earlier (value b.time) horizon;
+    instant = value b.instant;
+    states = value b.states;
+    seconds = value b.seconds;
+    memory = value b.memory;
+  }
+
+type cause = Bound of Verdict.truncation | Fault of string | Early
+
+let truncation bound make : Verdict.truncation =
+  match bound with
+  | Given v -> { limit = make v; origin = By_user }
+  | Default v -> { limit = make v; origin = By_default }
+  | Unbounded -> Scc_base.Bug.fail __POS__ "a bound that is off was met"
+
+(* The bound of time is the properties' own when theirs is the lesser. *)
+let time b horizon : Verdict.truncation =
+  match (horizon, value b.time) with
+  | Some h, Some t when Rat.compare t h <= 0 -> truncation b.time (fun t -> Verdict.Time t)
+  | Some h, _ -> { limit = Time h; origin = By_property }
+  | None, _ -> truncation b.time (fun t -> Verdict.Time t)
+
+let cause b model ~horizon (r : _ Explore.reason) =
+  match r with
+  | Depth -> Bound (truncation b.depth (fun n -> Verdict.Depth n))
+  | Time -> Bound (time b horizon)
+  | Instant -> Bound (truncation b.instant (fun n -> Verdict.Instant n))
+  | States -> Bound (truncation b.states (fun n -> Verdict.States n))
+  | Seconds -> Bound (truncation b.seconds (fun s -> Verdict.Seconds s))
+  | Memory -> Bound (truncation b.memory (fun w -> Verdict.Memory w))
+  | Interrupted -> Bound { limit = Interrupted; origin = By_user }
+  | Stopped -> Early
+  | Fault f -> Fault (Transition.fault_to_string model f)

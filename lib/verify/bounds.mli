@@ -1,0 +1,32 @@
+(** Bounds on an exploration, and what it means that one was met. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_explore
+
+(** A bound, and whose it is. *)
+type 'a bound = Unbounded | Default of 'a | Given of 'a
+
+type t = {
+  depth : int bound;
+  time : Rat.t bound;
+  states : int bound;
+  seconds : float bound;
+  memory : int bound;  (** words of the heap *)
+  instant : int bound;  (** the guard against runs that go on for ever within one instant *)
+}
+
+val default : t
+(** None but an instant of 10 000 transitions (by default). *)
+
+val limits : t -> horizon:Rat.t option -> Limits.t
+(** [horizon] is the time up to which the properties look. *)
+
+(** Why a state was not expanded. *)
+type cause =
+  | Bound of Verdict.truncation
+  | Fault of string
+  | Early  (** everything was decided *)
+
+val cause : t -> Model.t -> horizon:Rat.t option -> Transition.fault Explore.reason -> cause

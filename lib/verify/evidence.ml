@@ -1,0 +1,160 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+module Graph = State_graph
+module Engine = Engine.Make (System) (State_graph)
+
+(** {2 Following a run} *)
+
+(* The real states that the steps on the graph lead through: a state of the graph may stand for several. *)
+type followed = { last : State.t; steps : Witness.step list  (** the last first *) }
+
+let follow context graph from (step : Graph.step) =
+  let target = Graph.tuple graph (Graph.edges graph step.source).(step.choice).target in
+  match System.choices context from.last with
+  | Error _ -> Scc_base.Bug.fail __POS__ "a witness does not replay: a fault on its way"
+  | Ok choices -> (
+      let fits k = match List.nth_opt choices k with Some (_, t) -> t = target | None -> false in
+      let rec first k = function
+        | [] -> Scc_base.Bug.fail __POS__ "a witness does not replay"
+        | (_, t) :: rest -> if t = target then k else first (k + 1) rest
+      in
+      let choice = if fits step.choice then step.choice else first 0 choices in
+      let transition = fst (List.nth choices choice) in
+      let before = match from.steps with [] -> Rat.zero | s :: _ -> s.time in
+      let time = Rat.add before (Transition.duration transition) in
+      { last = transition.target; steps = { Witness.choice; transition; time } :: from.steps })
+
+let start context = { last = System.start context; steps = [] }
+let follow_all context graph = List.fold_left (follow context graph)
+
+let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ -> l
+
+(* A round on the graph may lead to another state than it began in, one that the same state of the graph stands
+   for: it is made again until a state recurs. *)
+let most_rounds = 64
+
+let follow_lasso context graph steps cycle =
+  let stem = List.filteri (fun i _ -> i < cycle) steps and round = drop cycle steps in
+  let entry = follow_all context graph (start context) stem in
+  let rec again n from =
+    let next = follow_all context graph from round in
+    if State.equal next.last entry.last || n >= most_rounds then next else again (n + 1) next
+  in
+  again 1 entry
+
+(* A weak split that is enabled somewhere on a cycle and never made on it. *)
+let puts_off context (cycle : Witness.step list) ~from =
+  let made = List.map (fun (s : Witness.step) -> s.transition.label) cycle in
+  let is_put_off (t : Transition.t) =
+    match t.label with
+    | Weak_split _ when not (List.exists (Transition.equal_label t.label) made) -> Some t.label
+    | Weak_split _ | Time _ | Bind _ | Bounce _ | Strong_split _ -> None
+  in
+  let at state =
+    match Network.successors (System.model context) state with
+    | Ok transitions -> List.find_map is_put_off transitions
+    | Error _ -> None
+  in
+  List.find_map at (from :: List.map (fun (s : Witness.step) -> s.transition.target) cycle)
+
+let repeats context run cycle : Witness.finish =
+  let steps = List.rev run.steps in
+  let from =
+    match if cycle = 0 then None else List.nth_opt steps (cycle - 1) with
+    | Some s -> s.Witness.transition.target
+    | None -> System.start context
+  in
+  Repeats { cycle; puts_off = puts_off context (drop cycle steps) ~from }
+
+(* Time passes in at most one way from a state. *)
+let time_choice context state =
+  match Network.successors (System.model context) state with
+  | Error _ -> None
+  | Ok transitions ->
+    let rec find k = function
+      | [] -> None
+      | (t : Transition.t) :: rest -> (
+          match t.label with
+          | Time d -> Some (k, d)
+          | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> find (k + 1) rest)
+    in
+    find 0 transitions
+
+let extent context state =
+  match time_choice context state with
+  | Some (_, d) -> Timeline.Lasts d
+  | None -> Timeline.Forever
+
+let witness context run finish facts : Witness.t =
+  {
+    initial = System.start context;
+    steps = List.rev run.steps;
+    last = run.last;
+    finish;
+    facts;
+    argument = None;
+  }
+
+let during context state (moment : Timeline.moment) sample : Witness.finish =
+  let choice = Option.map fst (time_choice context state) in
+  During { choice; offset = sample; open_piece = not moment.attained; from = moment.offset }
+
+let no_facts _ _ _ = []
+
+let of_trace context graph predicate (trace : Engine.trace) =
+  let facts =
+    match predicate with
+    | None -> no_facts
+    | Some p ->
+      let arrived = System.arrived context (Graph.tuple graph trace.last) in
+      fun state extent offset -> Explain.facts ~arrived (System.model context) state extent offset p
+  in
+  match trace.finish with
+  | At_state ->
+    let run = follow_all context graph (start context) trace.steps in
+    witness context run At_state (facts run.last Timeline.Instant Algebraic.zero)
+  | During { moment; sample; _ } ->
+    let run = follow_all context graph (start context) trace.steps in
+    let finish = during context run.last moment sample in
+    witness context run finish (facts run.last (extent context run.last) sample)
+  | Repeats cycle ->
+    let run = follow_lasso context graph trace.steps cycle in
+    witness context run (repeats context run cycle) (facts run.last Timeline.Instant Algebraic.zero)
+
+let of_path context graph i =
+  of_trace context graph None { steps = Graph.shortest_path graph i; last = i; finish = At_state }
+
+(** {2 Explanations} *)
+
+let steps_of temporal (run : Ctl_run.t) = List.map (Temporal.choice temporal) run.steps
+
+let of_run context graph temporal (run : Ctl_run.t) =
+  let steps = steps_of temporal run in
+  match run.finish with
+  | Repeats cycle ->
+    let followed = follow_lasso context graph steps cycle in
+    witness context followed (repeats context followed cycle) []
+  | At_state | During _ | Rests | Stops | Passes ->
+    let followed = follow_all context graph (start context) steps in
+    let finish : Witness.finish =
+      match run.finish with
+      | At_state | Repeats _ -> At_state
+      | During { moment; sample } -> during context followed.last moment sample
+      | Rests -> Rests
+      | Stops -> Stops
+      | Passes -> Passes { choice = Option.map fst (time_choice context followed.last) }
+    in
+    witness context followed finish []
+
+let of_cycle context graph temporal formula (run : Ctl_run.t) =
+  let facts = Reasoning.about context graph temporal formula run.last in
+  { (of_run context graph temporal run) with facts }
+
+let of_explanation context graph temporal e =
+  Option.map
+    (fun run ->
+       let w = of_run context graph temporal run in
+       let facts = Reasoning.facts context graph temporal e in
+       { w with Witness.facts; argument = Reasoning.argument context graph temporal e })
+    (Explanation.chain e)

@@ -1,0 +1,158 @@
+open Scc_exact
+open Scc_property
+open Scc_semantics
+module Graph = State_graph
+
+let text model temporal f =
+  Ctl_formula.to_string (fun p -> Show.prop model (Temporal.predicate temporal p)) f
+
+(** {2 Facts} *)
+
+let facts_at context graph temporal (at : Ctl_set.position) p =
+  let state = Catalogue.decode (System.catalogue context) (Graph.tuple graph at.node) in
+  let extent =
+    if not (Ctl_set.is_inside at) then Timeline.Instant
+    else
+      match Temporal.flow_choice temporal at.node with
+      | None -> Timeline.Forever
+      | Some k -> Lasts (Graph.duration graph (Graph.edges graph at.node).(k))
+  in
+  let arrived = System.arrived context (Graph.tuple graph at.node) in
+  Explain.facts ~arrived (System.model context) state extent at.offset (Temporal.predicate temporal p)
+
+(* The predicates that a run never satisfies when it goes on for ever: what the operator is about. *)
+let rec awaited (f : Ctl_formula.t) =
+  match f with
+  | Predicate p -> [ p ]
+  | Not f -> awaited f
+  | And fs | Or fs -> List.concat_map awaited fs
+  | Next _ | Until _ | Finally _ | Globally _ -> []
+
+let subject (f : Ctl_formula.t) =
+  match f with
+  | Finally (_, _, f) | Globally (_, _, f) | Until (_, _, _, f) | Next (_, f) -> awaited f
+  | Predicate _ | Not _ | And _ | Or _ -> awaited f
+
+let distinct facts =
+  List.rev (List.fold_left (fun kept f -> if List.mem f kept then kept else f :: kept) [] facts)
+
+let about context graph temporal formula node =
+  List.concat_map (facts_at context graph temporal (Ctl_set.start node)) (subject formula) |> distinct
+
+let rec given (e : Explanation.t) =
+  match (e.formula, e.because) with
+  | Predicate p, Given -> [ (p, e.position) ]
+  | _, Parts parts -> List.concat_map given parts
+  | _, (Given | Run _ | Everywhere _) -> []
+
+let has_run e = Option.is_some (Explanation.chain e)
+
+(* The last run of the chain, and the explanations where it leads. *)
+let rec last_run (e : Explanation.t) =
+  match e.because with
+  | Given | Everywhere _ -> None
+  | Parts parts -> Option.bind (List.find_opt has_run parts) last_run
+  | Run { run; parts } -> (
+      match (Ctl_run.goal run, List.find_opt has_run parts) with
+      | Some _, Some part -> last_run part
+      | _ -> Some (e.formula, run, parts))
+
+let facts context graph temporal e =
+  match last_run e with
+  | None -> []
+  | Some (formula, run, parts) ->
+    (match Ctl_run.goal run with
+     | None -> about context graph temporal formula run.last
+     | Some _ ->
+       List.concat_map given parts
+       |> List.concat_map (fun (p, at) -> facts_at context graph temporal at p)
+       |> distinct)
+
+(** {2 The tree} *)
+
+let duration context graph (s : Graph.step) =
+  Catalogue.duration (System.catalogue context) (Graph.edges graph s.source).(s.choice).label
+
+(* Passing time is told by the clock alone. *)
+let event context graph (s : Graph.step) =
+  match Catalogue.label_of (System.catalogue context) (Graph.edges graph s.source).(s.choice).label with
+  | Time _ -> None
+  | (Bind _ | Bounce _ | Weak_split _ | Strong_split _) as label ->
+    Some (Transition.label_to_string (System.model context) label)
+
+let most = 12
+
+(* What happens on a run, seen from where it starts. *)
+let story context graph temporal (run : Ctl_run.t) =
+  let steps = List.map (Temporal.choice temporal) run.steps in
+  let start = Algebraic.to_rat run.start.offset in
+  let clock, events =
+    List.fold_left
+      (fun (clock, events) step ->
+         let clock = Rat.add clock (duration context graph step) in
+         match event context graph step with
+         | None -> (clock, events)
+         | Some e -> (clock, Printf.sprintf "%s after %s" e (Rat.to_string clock) :: events))
+      (Rat.neg (Option.value start ~default:Rat.zero), [])
+      steps
+  in
+  let events = List.rev events in
+  let shown = List.filteri (fun i _ -> i < most) events in
+  let more = List.length events - List.length shown in
+  let rest = if more > 0 then [ Printf.sprintf "%d events more" more ] else [] in
+  (clock, shown @ rest)
+
+let finish_text (run : Ctl_run.t) clock =
+  let at offset = Algebraic.to_string (Algebraic.add_rat clock offset) in
+  match run.finish with
+  | At_state when run.steps = [] -> "here"
+  | At_state -> Printf.sprintf "in the state after time %s from here" (Rat.to_string clock)
+  | During { moment; _ } when moment.attained -> Printf.sprintf "after time %s from here" (at moment.offset)
+  | During { moment; _ } -> Printf.sprintf "right after time %s from here" (at moment.offset)
+  | Rests -> "the run then rests for ever"
+  | Stops -> "the run then is over"
+  | Repeats k -> Printf.sprintf "the run then repeats its steps from %d on, for ever" (k + 1)
+  | Passes -> "the run then passes the bound of time"
+
+let because context graph temporal (e : Explanation.t) =
+  match e.because with
+  | Given -> (
+      match e.formula with
+      | Predicate p -> facts_at context graph temporal e.position p
+      | _ -> [])
+  | Parts _ -> []
+  | Everywhere n ->
+    [
+      (match (e.formula, n) with
+       | _, 0 -> "nothing on the way says otherwise"
+       | _, 1 -> "the one state that counts from here on was looked at"
+       | _ -> Printf.sprintf "all %d states that count from here on were looked at" n);
+    ]
+  | Run { run; _ } ->
+    let clock, events = story context graph temporal run in
+    let events = match events with [] -> [] | l -> [ String.concat "; " l ] in
+    events @ [ finish_text run clock ]
+
+let rec tree context graph temporal (e : Explanation.t) : Witness.argument =
+  let parts =
+    match e.because with
+    | Given | Everywhere _ -> []
+    | Parts parts | Run { parts; _ } -> parts
+  in
+  {
+    claim = text (System.model context) temporal e.formula;
+    holds = e.holds;
+    because = because context graph temporal e;
+    parts = List.map (tree context graph temporal) parts;
+  }
+
+let rec is_plain (e : Explanation.t) =
+  match e.because with
+  | Given -> true
+  | Everywhere _ | Run _ -> false
+  | Parts parts -> List.for_all is_plain parts
+
+let argument context graph temporal (e : Explanation.t) =
+  match e.because with
+  | Run { parts; _ } when List.for_all is_plain parts -> None
+  | Run _ | Given | Parts _ | Everywhere _ -> Some (tree context graph temporal e)

@@ -1,0 +1,14 @@
+(** Explanations in words. *)
+
+open Scc_calculus
+
+val facts : System.context -> State_graph.t -> Temporal.t -> Explanation.t -> string list
+(** What holds where the run of an explanation ({!Explanation.chain}) leads, a sentence for each atom. *)
+
+val about : System.context -> State_graph.t -> Temporal.t -> Ctl_formula.t -> int -> string list
+(** The same, in a state, of the predicates that an operator waits for. *)
+
+val argument : System.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.argument option
+(** The whole tree; [None] when it is but one run, with what holds at its end. *)
+
+val text : Model.t -> Temporal.t -> Ctl_formula.t -> string

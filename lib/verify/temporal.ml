@@ -1,0 +1,90 @@
+open Scc_exact
+open Scc_property
+module Graph = State_graph
+
+type asked = {
+  formulas : Ctl_formula.t array;
+  props : Property.prop array;
+  predicates : Engine.predicate array;
+}
+
+type t = { asked : asked; graph : Graph.t; eval : Ctl_eval.t }
+
+let ask context temporals =
+  let formulas, props = Ctl_formula.of_temporal temporals in
+  { formulas = Array.of_list formulas; props; predicates = Array.map (Predicate.make context) props }
+
+let is_timed g (e : Graph.edge) = Rat.sign (Graph.duration g e) > 0
+let targets edges = Array.map (fun (e : Graph.edge) -> e.target) edges
+
+(* The edges of some kind, with their indices among all. *)
+let indexed test edges =
+  let all = Array.to_list (Array.mapi (fun k e -> (k, e)) edges) in
+  Array.of_list (List.filter (fun (_, e) -> test e) all)
+
+let filter test edges = Array.map snd (indexed test edges)
+
+let timed_graph ~rests g : Timed_graph.t =
+  let size = Graph.size g in
+  let known i =
+    match Graph.status g i with
+    | Graph.Expanded -> true
+    | Queued | Unexpanded _ -> false
+  in
+  (* Whether a state without transitions rests is asked often, and is not quickly answered. *)
+  let resting = Bytes.make size '?' in
+  let rests i =
+    if Char.equal (Bytes.get resting i) '?' then
+      Bytes.set resting i (if rests (Graph.tuple g i) then 'y' else 'n');
+    Char.equal (Bytes.get resting i) 'y'
+  in
+  let flow i : Timed_graph.flow =
+    let edges = Graph.edges g i in
+    match filter (is_timed g) edges with
+    | [||] -> if Array.length edges = 0 && rests i then Forever else No_flow
+    | timed -> Lasts (Graph.duration g timed.(0), targets timed)
+  in
+  let edges i = targets (filter (fun e -> not (is_timed g e)) (Graph.edges g i)) in
+  { size; known; edges; flow }
+
+let on asked ~rests graph =
+  let along p node extent =
+    match asked.predicates.(p).along with
+    | Some along -> along (Graph.tuple graph node) extent
+    | None -> Timeline.constant extent (asked.predicates.(p).at (Graph.tuple graph node))
+  in
+  let predicates =
+    {
+      Ctl_eval.at = (fun p node -> asked.predicates.(p).at (Graph.tuple graph node));
+      along;
+      steady = (fun p -> Option.is_none asked.predicates.(p).along);
+    }
+  in
+  { asked; graph; eval = Ctl_eval.create (Timed_graph.index (timed_graph ~rests graph)) predicates }
+
+let origin = Ctl_set.start 0
+let truth t i = Ctl_eval.truth t.eval t.asked.formulas.(i) origin
+
+let explain t i =
+  match Explanation.explain t.eval t.asked.formulas.(i) origin with
+  | Some e -> e
+  | None -> Scc_base.Bug.fail __POS__ "an undecided formula is explained"
+
+let doubts t i = Ctl_doubts.find t.eval t.asked.formulas.(i) origin
+let formula t i = t.asked.formulas.(i)
+let predicate t i = t.asked.props.(i)
+
+let choice t (s : Ctl_run.step) : Graph.step =
+  let edges = Graph.edges t.graph s.source in
+  let nth test k = fst (indexed test edges).(k) in
+  let choice =
+    match s.move with
+    | Edge k -> nth (fun e -> not (is_timed t.graph e)) k
+    | Flow k -> nth (is_timed t.graph) k
+  in
+  { source = s.source; choice }
+
+let flow_choice t i =
+  match indexed (is_timed t.graph) (Graph.edges t.graph i) with
+  | [||] -> None
+  | timed -> Some (fst timed.(0))

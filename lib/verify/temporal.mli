@@ -1,0 +1,38 @@
+(** Formulas of timed CTL on the state space of a model, as far as it was explored. *)
+
+open Scc_property
+
+type asked
+(** Formulas over one system. *)
+
+val ask : System.context -> Property.temporal list -> asked
+
+type t
+(** The formulas on a graph. *)
+
+val on : asked -> rests:(int array -> bool) -> State_graph.t -> t
+(** States whose expansion is not done, for whatever reason, count as unexplored. [rests] says of a state without
+    transitions whether time passes there for ever. *)
+
+val truth : t -> int -> bool option
+(** Of the formula of this index, in the initial state; [None]: undecided. *)
+
+val explain : t -> int -> Explanation.t
+(** Of one that is decided. *)
+
+val doubts : t -> int -> Ctl_doubts.t
+(** Of one that is not. *)
+
+val formula : t -> int -> Ctl_formula.t
+(** That of an index. *)
+
+val predicate : t -> int -> Property.prop
+(** That of a number in explanations and doubts. *)
+
+(** {1 Runs} *)
+
+val choice : t -> Ctl_run.step -> State_graph.step
+(** The step by its index among all transitions of the state. *)
+
+val flow_choice : t -> int -> int option
+(** The first time transition of a state; [None] where time passes for ever. *)
