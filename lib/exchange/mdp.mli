@@ -32,5 +32,8 @@ val labels : t -> int -> string list
 val label_names : t -> string list
 (** Every label, in the order of {!labels}, held anywhere or not. *)
 
+val occurs : t -> string -> bool
+(** [occurs m] looks at every state once, and then tells which labels hold somewhere. *)
+
 val actions : t -> (string * string) list
 (** Each action with the text of the transition's label. *)

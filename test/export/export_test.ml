@@ -114,7 +114,11 @@ check c : %s
   is "P>=1 [G (\"x_p_eq_1\")]" "AG x(p) = 1";
   is "P>=1 [F (false)]" "AF x(p) > 9";
   is "P>=1 [G ((\"check_c\") | (P>=1 [F (\"x_p_eq_2\")]))]" "x(p) = 1 leads_to x(p) = 2";
-  is "P>=1 [(\"x_p_eq_1\") U ((\"x_p_eq_2\") & ((\"x_p_eq_1\") | (!(\"right_after\"))))]"
+  let until =
+    "P>=1 [(\"x_p_eq_1\") U ((\"x_p_eq_2\") & ((\"x_p_eq_1\") | (!(\"right_after\"))))]"
+  in
+  is
+    (Printf.sprintf "((\"right_after\") & (\"x_p_eq_2\")) | (%s)" until)
     "A[ x(p) = 1 U x(p) = 2 ]";
   is "it has a bound of time" "AF[<= 2] x(p) = 1";
   is "it has the operator X" "EX x(p) = 1"
