@@ -154,10 +154,10 @@ and until t (u : Ctl_eval.until) value sources =
   let { visited; through } = way t u f g value sources in
   let known, unknown = List.partition t.graph.known through in
   List.iter (unexplored t) unknown;
+  let is_zeno = Option.is_none t.cycle && Timed_graph.has_instant_cycle (Ctl_eval.index t.eval) in
   (match u.quantifier with
    | Exists -> ()
-   | All ->
-     if Option.is_none t.cycle && Timed_graph.has_instant_cycle (Ctl_eval.index t.eval) then zeno t known);
+   | All -> if is_zeno then zeno t (List.filter (Ctl_set.at f.upper) known));
   let flows = List.filter (has_flow t) (List.rev_append sources.flows known) in
   walk t u.left { nodes = visited; flows };
   walk t u.right { nodes = visited; flows }
