@@ -195,20 +195,22 @@ let dialect =
   Arg.(value & opt (enum dialects) Explicit_files.Prism & info [ "dialect" ] ~docv:"TOOL" ~doc)
 
 let cadp =
-  let doc = "Writes the invisible action as $(b,i), as CADP does, and not as $(b,\"tau\"). For the format $(b,aut)." in
+  let doc =
+    "Writes the invisible action as $(b,i), as CADP does, and not as $(b,\"tau\"). For the format $(b,aut)."
+  in
   Arg.(value & flag & info [ "cadp" ] ~doc)
 
 let all_steps =
   let doc =
-    "Keeps passings of time apart that follow each other with nothing else possible between them: every state is in \
-     the file, under its number. For the format $(b,aut)."
+    "Keeps passings of time apart that follow each other with nothing else possible between them: every state \
+     is in the file, under its number. For the format $(b,aut)."
   in
   Arg.(value & flag & info [ "all-steps" ] ~doc)
 
 let instants =
   let doc =
-    "Makes states of the instants, and of the times between them, at which a predicate of some check changes while \
-     time passes, so that the labels tell all of a run. For the formats $(b,tra) and $(b,drn)."
+    "Makes states of the instants, and of the times between them, at which a predicate of some check changes \
+     while time passes, so that the labels tell all of a run. For the formats $(b,tra) and $(b,drn)."
   in
   Arg.(value & flag & info [ "instants" ] ~doc)
 

@@ -5,18 +5,11 @@ open Scc_property
 let comment write text =
   write ("// " ^ String.map (function '\n' | '\r' -> ' ' | c -> c) text ^ "\n")
 
-(* The labels that hold somewhere. The format has no declarations, and Storm does not know the others. *)
-let occurring mdp =
-  let found = Hashtbl.create 64 in
-  for i = 0 to Mdp.states mdp - 1 do
-    List.iter (fun name -> Hashtbl.replace found name ()) (Mdp.labels mdp i)
-  done;
-  found
-
 let write (e : Exported.t) mdp put =
   let line fmt = Printf.ksprintf (fun s -> put (s ^ "\n")) fmt in
   let l = Mdp.labelling mdp in
-  let occurring = occurring mdp in
+  (* The format has no declarations, and Storm does not know labels that hold nowhere. *)
+  let occurs = Mdp.occurs mdp in
   List.iter (comment put) (Exported.summary e);
   List.iter (comment put) (Exported.label_notes l);
   Array.iter
@@ -26,7 +19,7 @@ let write (e : Exported.t) mdp put =
   List.iter
     (fun (c : Property.check) ->
        let asked =
-         match Pctl.formula ~occurs:(Hashtbl.mem occurring) (Labelling.predicates l) c.formula with
+         match Pctl.formula ~occurs (Labelling.predicates l) c.formula with
          | Ok f -> f
          | Error why -> "is not asked for by labels alone: " ^ why
        in

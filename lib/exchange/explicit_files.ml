@@ -78,8 +78,9 @@ let names (e : Exported.t) mdp variables put =
   let texts list = `List (List.map Json.text list) in
   let label (p : State_predicates.t) = `Assoc [ ("name", Json.text p.name); ("text", Json.text p.text) ] in
   let action (name, text) = `Assoc [ ("name", Json.text name); ("text", Json.text text) ] in
+  let occurs = Mdp.occurs mdp in
   let check (c : Property.check) =
-    let asked = Pctl.formula ~occurs:(fun _ -> true) (Labelling.predicates l) c.formula in
+    let asked = Pctl.formula ~occurs (Labelling.predicates l) c.formula in
     `Assoc
       [
         ("name", Json.text c.name);

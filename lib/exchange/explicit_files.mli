@@ -1,5 +1,5 @@
-(** The explicit files of probabilistic model checkers: transitions (.tra), labels (.lab) and states (.sta) of the graph as
-    an MDP ({!Mdp}), in two dialects.
+(** The explicit files of probabilistic model checkers: transitions (.tra), labels (.lab) and states (.sta) of
+    the graph as an MDP ({!Mdp}), in two dialects.
 
     {v
             PRISM                               Storm
@@ -10,8 +10,8 @@
     .clab   none                                the actions, like .lab: 'i k action'
     v}
 
-    Neither has comments, and their numbers are floats: what names stand for is in a file beside them, and durations
-    are in the names of actions only ({!Drn} has them as rewards). *)
+    Neither has comments, and their numbers are floats: what names stand for is in a file beside them, and
+    durations are in the names of actions only ({!Drn} has them as rewards). *)
 
 type dialect = Prism | Storm
 
@@ -25,5 +25,5 @@ val states : Mdp.t -> State_variables.t -> (string -> unit) -> unit
 (** As PRISM writes them; Storm reads none. *)
 
 val names : Exported.t -> Mdp.t -> State_variables.t -> (string -> unit) -> unit
-(** What labels, actions and the values of variables stand for, and what to ask for the model's checks ({!Pctl}); see
-    [specs/schema/names.schema.json]. *)
+(** What labels, actions and the values of variables stand for, and what to ask for the model's checks
+    ({!Pctl}); see [specs/schema/names.schema.json]. *)

@@ -16,7 +16,8 @@ val unexpanded : t -> int
 (** How many states have transitions that are not known. *)
 
 val summary : t -> string list
-(** For comments, a line each: the model with its parameters, how much was explored, and what is missing and why. *)
+(** For comments, a line each: the model with its parameters, how much was explored, and what is missing and
+    why. *)
 
 val label_notes : Labelling.t -> string list
 (** For comments: the labels that do not tell all, and why. *)

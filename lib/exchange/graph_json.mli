@@ -1,5 +1,5 @@
-(** An explored graph as JSON (see [specs/schema/graph.schema.json]): states in full, transitions, and which predicates of the
-    checks hold where. *)
+(** An explored graph as JSON (see [specs/schema/graph.schema.json]): states in full, transitions, and which
+    predicates of the checks hold where. *)
 
 val version : int
 

@@ -1,8 +1,8 @@
 (** Runs as traces in the Informal Trace Format of Apalache (JSON, [.itf.json]).
 
-    Every number is exact and no JSON number: an integer is [{"#bigint": "5"}], and a rational the pair of numerator and
-    denominator (positive, in lowest terms), [{"#tup": [{"#bigint": "1"}, {"#bigint": "2"}]}]. Every state has every
-    variable, and each variable is of one type in all states:
+    Every number is exact and no JSON number: an integer is [{"#bigint": "5"}], and a rational the pair of
+    numerator and denominator (positive, in lowest terms), [{"#tup": [{"#bigint": "1"}, {"#bigint": "2"}]}].
+    Every state has every variable, and each variable is of one type in all states:
 
     {v
     action     what led here: the text of the label; "init" at first, "pass" in the midst of a passing of time
@@ -14,7 +14,8 @@
     process    from each leaf to the first leaf of its process
     bonds      the set of bonds, each a record of a name and the features at its ends, one and two
     clock      from the first leaf of each process that may split to the time since its split clock was set
-    step       a record of the time that remains of the movement step, and its phase: "none" without laws of motion
+    step       a record of the time that remains of the movement step, and its phase: "none" without laws of
+    motion
     v} *)
 
 open Scc_exact

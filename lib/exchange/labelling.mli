@@ -1,5 +1,5 @@
-(** Which predicates hold where in an explored graph: in its states, and, on request, at the instants between two states
-    at which one of them changes. *)
+(** Which predicates hold where in an explored graph: in its states, and, on request, at the instants between
+    two states at which one of them changes. *)
 
 open Scc_exact
 open Scc_verify

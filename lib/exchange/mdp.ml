@@ -79,4 +79,11 @@ let label_names m =
   State_predicates.reserved
   @ List.map (fun (p : State_predicates.t) -> p.name) (Array.to_list (Labelling.predicates m.labelling))
 
+let occurs m =
+  let found = Hashtbl.create 64 in
+  for i = 0 to states m - 1 do
+    List.iter (fun name -> Hashtbl.replace found name ()) (labels m i)
+  done;
+  Hashtbl.mem found
+
 let actions m = Safe_names.listed m.names

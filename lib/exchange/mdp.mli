@@ -1,7 +1,7 @@
-(** An explored graph as a Markov decision process in which nothing is left to chance: each transition is an action that
-    leads to its target with probability 1. A state in which nothing happens gets a loop, since every state of an MDP
-    has an action: [rest] where time passes for ever, [stuck] where not even time passes, and [unexplored] where it
-    is not known what happens. *)
+(** An explored graph as a Markov decision process in which nothing is left to chance: each transition is an
+    action that leads to its target with probability 1. A state in which nothing happens gets a loop, since
+    every state of an MDP has an action: [rest] where time passes for ever, [stuck] where not even time
+    passes, and [unexplored] where it is not known what happens. *)
 
 open Scc_exact
 
@@ -31,6 +31,9 @@ val labels : t -> int -> string list
 
 val label_names : t -> string list
 (** Every label, in the order of {!labels}, held anywhere or not. *)
+
+val occurs : t -> string -> bool
+(** [occurs m] looks at every state once, and then tells which labels hold somewhere. *)
 
 val actions : t -> (string * string) list
 (** Each action with the text of the transition's label. *)

@@ -68,9 +68,11 @@ let rec ask l (f : Property.temporal) =
         let* () = unbounded b in
         let* f = ask l f in
         let* g = ask l g in
-        (* Where g begins right after an instant, an instant at which it holds comes after others. *)
-        let g = both g (either f (not_ (label l "right_after"))) in
-        Ok (path q (Printf.sprintf "%s U %s" (bracket f) (bracket g))))
+        (* A stretch that begins right after an instant has no first instant: who comes from before meets g there
+           only after instants of the same stretch; at each of those themselves, g is enough (rule Until). *)
+        let after = label l "right_after" in
+        let met = both g (either f (not_ after)) in
+        Ok (either (both after g) (path q (Printf.sprintf "%s U %s" (bracket f) (bracket met)))))
 
 and all l fs =
   let add found f =

@@ -1,4 +1,5 @@
-(** What matters in a state, for people who look at a graph: what differs between its states, but for where things are. *)
+(** What matters in a state, for people who look at a graph: what differs between its states, but for where
+    things are. *)
 
 open Scc_verify
 
@@ -8,5 +9,5 @@ val make : positions:bool -> Space.t -> t
 (** With [positions], also where things that are not fixed are, and how they move. *)
 
 val lines : t -> int -> string list
-(** Of a state: the bonds that not every state has, then the behaviours that are not everywhere the same. A behaviour
-    that has aged since it became K is [K*]; long ones are cut. *)
+(** Of a state: the bonds that not every state has, then the behaviours that are not everywhere the same. A
+    behaviour that has aged since it became K is [K*]; long ones are cut. *)

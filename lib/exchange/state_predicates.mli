@@ -15,9 +15,9 @@ val reserved : string list
     explored) and [right_after] (a stretch of time that does not contain its first instant, see {!Labelling}). *)
 
 val of_checks : Model.t -> Property.check list -> t list
-(** Each atomic predicate but [quiescent] once, in the order of the text, then the greatest state predicates of each check: [check_NAME], and
-    [check_NAME_2] for its second one. Predicates about transitions ([event]) are none about states and are left
-    out. *)
+(** Each atomic predicate but [quiescent] once, in the order of the text, then the greatest state predicates
+    of each check: [check_NAME], and [check_NAME_2] for its second one. Predicates about transitions ([event])
+    are none about states and are left out. *)
 
 (** What a check wants of states by themselves. *)
 type aim =
@@ -25,4 +25,5 @@ type aim =
   | Kept of Property.prop  (** it asks for all states to have this: AG *)
 
 val aims : Property.check list -> (string * aim) list
-(** By check; none for those of another form, nor for those with a bound of time, since a state does not tell the time. *)
+(** By check; none for those of another form, nor for those with a bound of time, since a state does not tell
+    the time. *)

@@ -76,7 +76,8 @@ let zeno t nodes =
     in
     let cycle = Ctl_run.cycle t.graph s ~inside:together in
     let finish = Ctl_run.Repeats (List.length stem) in
-    t.cycle <- Some { start = Ctl_set.start start; steps = List.rev_append (List.rev stem) cycle; last = s; finish }
+    let steps = List.rev_append (List.rev stem) cycle in
+    t.cycle <- Some { start = Ctl_set.start start; steps; last = s; finish }
 
 (** {2 Formulas} *)
 
@@ -153,10 +154,10 @@ and until t (u : Ctl_eval.until) value sources =
   let { visited; through } = way t u f g value sources in
   let known, unknown = List.partition t.graph.known through in
   List.iter (unexplored t) unknown;
+  let is_zeno = Option.is_none t.cycle && Timed_graph.has_instant_cycle (Ctl_eval.index t.eval) in
   (match u.quantifier with
    | Exists -> ()
-   | All ->
-     if Option.is_none t.cycle && Timed_graph.has_instant_cycle (Ctl_eval.index t.eval) then zeno t known);
+   | All -> if is_zeno then zeno t (List.filter (Ctl_set.at f.upper) known));
   let flows = List.filter (has_flow t) (List.rev_append sources.flows known) in
   walk t u.left { nodes = visited; flows };
   walk t u.right { nodes = visited; flows }

@@ -9,7 +9,7 @@
     ends at a dead end, stays in a flow that lasts for ever, or takes infinitely many transitions. No fairness
     is assumed.
 
-    {1 Operators} (rules Next, Until, Intervals)
+    {1 Operators} (rule Next, rule Until, rule Intervals)
 
     - EX f: some run takes an edge at last, if need be after time has passed, and f holds where its first edge
       leads. AX f is not EX not f, so that it holds where no run takes any edge.
@@ -18,7 +18,7 @@
       going into one, f must hold there as well. A(f U g): every run does.
     - F g is (true U g); G f is not F not f, with the other quantifier.
 
-    {1 Three values}
+    {1 Three values} (rule Truncated)
 
     The lower set takes what is not known for false (from the point of view of the formula: under "not" for
     true), the upper one for true: what follows nodes that are not known, predicates that are undecided, and

@@ -52,6 +52,18 @@ let rec compare a b =
   | ( ( Predicate _ | Not _ | And _ | Or _ | Next _ | Until _ | Finally _ | Globally _ ), _ ) ->
     Int.compare (rank a) (rank b)
 
+let latest a b = match (a, b) with Some a, Some b -> Some (Rat.max a b) | _ -> None
+
+let rec horizon = function
+  | Predicate _ -> Some Rat.zero
+  | Not f -> horizon f
+  | And fs | Or fs -> List.fold_left (fun h f -> latest h (horizon f)) (Some Rat.zero) fs
+  | Next _ -> None
+  | Finally (_, b, f) | Globally (_, b, f) -> after b (horizon f)
+  | Until (_, b, f, g) -> after b (latest (horizon f) (horizon g))
+
+and after b h = match (b.high, h) with Some b, Some h -> Some (Rat.add b h) | _ -> None
+
 (** {2 From properties} *)
 
 let of_temporal formulas =

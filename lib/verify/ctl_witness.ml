@@ -285,4 +285,5 @@ let next e ~holds ~leads start =
   | Error _ -> lost ()
   | Ok { steps; last; result = k } ->
     let step = { Ctl_run.source = last; move = Edge k } in
-    { Ctl_run.start; steps = List.rev (step :: List.rev steps); last = Timed_graph.target graph last step.move; finish = At_state }
+    let steps = List.rev (step :: List.rev steps) in
+    { Ctl_run.start; steps; last = Timed_graph.target graph last step.move; finish = At_state }

@@ -1,5 +1,6 @@
 (* The evaluator against the naive one, on random small graphs and formulas. *)
 
+open Scc_exact
 open Scc_verify
 open Scc_test_ctl
 module Gen = QCheck2.Gen
@@ -62,6 +63,40 @@ let sound =
        in
        List.for_all node (List.init (Array.length c.graph.nodes) Fun.id))
 
+(* Nodes that are met only after the horizon may as well not be known. *)
+let arrivals (g : Small.t) =
+  let times = Array.make (Array.length g.nodes) None in
+  let rec reach s time =
+    match times.(s) with
+    | Some t when t <= time -> ()
+    | Some _ | None -> (
+        times.(s) <- Some time;
+        List.iter (fun t -> reach t time) g.nodes.(s).edges;
+        match g.nodes.(s).flow with
+        | Lasts (d, targets) -> List.iter (fun t -> reach t (time + d)) targets
+        | No_flow | Ray _ -> ())
+  in
+  reach 0 0;
+  times
+
+let horizon =
+  QCheck2.Test.make ~count:6000 ~name:"nothing counts after the horizon" ~print
+    (case_gen ~unsure:false ~truncated:false ~depth:2)
+    (fun c ->
+       match Ctl_formula.horizon c.formula with
+       | None -> true
+       | Some h ->
+         let times = arrivals c.graph in
+         let in_time s =
+           match times.(s) with
+           | None -> false
+           | Some t -> Rat.compare (Rat.mul c.graph.unit (Rat.of_int t)) h <= 0
+         in
+         let cut s (x : Small.node) = { x with known = in_time s } in
+         let short = { c.graph with nodes = Array.mapi cut c.graph.nodes } in
+         let truth g = Ctl_eval.truth (Small.evaluator g) c.formula (Ctl_set.start 0) in
+         Option.equal Bool.equal (truth c.graph) (truth short))
+
 let heap =
   QCheck2.Test.make ~count:500 ~name:"a heap gives the least first" ~print:QCheck2.Print.(list int)
     Gen.(list (int_range 0 50))
@@ -86,6 +121,7 @@ let () =
             exact "undecided predicates" ~unsure:true ~truncated:false ~depth:2 4000;
             exact "truncated graphs" ~unsure:true ~truncated:true ~depth:2 4000;
             sound;
+            horizon;
           ] );
       ("parts", Scc_test_support.Property.cases [ heap ]);
     ]

@@ -234,6 +234,16 @@ let doubted c =
    | Some _ -> fail c "no cycle");
   true
 
+(* Where everything is known, only such runs are left to doubt. *)
+let only_zeno c =
+  let e = Small.evaluator c.graph in
+  let d = doubts e c in
+  ensure c "nothing to explore" (d.unexplored = [] && List.length d.undefined = 0);
+  ensure c "a run within one instant, and only where it is undecided"
+    (Bool.equal (Option.is_some d.zeno)
+       (Option.is_none (Ctl_eval.truth e c.formula (Ctl_set.start 0))));
+  doubted c
+
 (* When only unexplored nodes matter, it is decided once they are known to lead nowhere. *)
 let settled c =
   let e = Small.evaluator c.graph in
@@ -266,6 +276,7 @@ let () =
         Scc_test_support.Property.cases
           [
             test "what cannot be decided" ~unsure:true ~truncated:true ~depth:3 6000 doubted;
+            test "runs within one instant" ~unsure:false ~truncated:false ~depth:3 8000 only_zeno;
             test "which unexplored nodes matter" ~unsure:false ~truncated:true ~depth:3 6000 settled;
           ] );
     ]

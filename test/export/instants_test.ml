@@ -5,7 +5,8 @@ open Scc_verify
 open Scc_exchange
 open Scc_test_models
 
-let models = [ "billiard"; "dimer"; "drift"; "figure1"; "figure4"; "figure7"; "gravity"; "graze"; "tiles"; "vertex" ]
+let models =
+  [ "billiard"; "dimer"; "drift"; "figure1"; "figure4"; "figure7"; "gravity"; "graze"; "tiles"; "vertex" ]
 
 let space_of name =
   let e = Load.exactly (Load.file (Printf.sprintf "../../specs/models/%s.sc" name)) in

@@ -130,6 +130,30 @@ def same_shape(run, name, exact, floats):
     )
 
 
+def prism_dialect(run, source, name, words, storm):
+    """PRISM's dialect, read as its manual says, against what Storm has read in its own."""
+    tra = run.path(name + "-prism.tra")
+    run.call("explore", source, "-o", tra, "--instants", *words)
+    with open(tra, encoding="utf-8") as file:
+        states, choices, transitions = map(int, file.readline().split())
+        rows = [line.split() for line in file]
+    model = storm.model
+    matrix, first = model.transition_matrix, model.nondeterministic_choice_indices
+    read = {}
+    for i in range(model.nr_states):
+        for k, row in enumerate(range(first[i], first[i + 1])):
+            actions = sorted(model.choice_labeling.get_labels_of_choice(row))
+            read[i, k] = [(e.column, e.value) for e in matrix.get_row(row)] + actions
+    ok = (states, choices, transitions) == (model.nr_states, model.nr_choices, model.nr_transitions)
+    ok = ok and {(int(i), int(k)): [(int(j), float(p)), a] for i, k, j, p, a in rows} == read
+    run.ok(ok and len(rows) == transitions, f"{name}: transitions in PRISM's dialect")
+    with open(run.path(name + "-prism.lab"), encoding="utf-8") as file:
+        names = dict(entry.split("=") for entry in file.readline().split())
+        held = {int(i): {names[k].strip('"') for k in ks.split()} for i, ks in (line.split(":") for line in file)}
+    labels = {i: set(model.labeling.get_labels_of_state(i)) for i in range(model.nr_states)}
+    run.ok({i: held.get(i, set()) for i in labels} == labels, f"{name}: labels in PRISM's dialect")
+
+
 def compare(run, name, prop, question, exact, floats, truncated):
     """One check: the verdict of scc, and what Storm says in each format."""
     what = f"{name}.{prop['name']}"
@@ -144,7 +168,7 @@ def compare(run, name, prop, question, exact, floats, truncated):
     if question is not None and not truncated:
         answers.append(floats.holds(question))
         answers.append(exact.holds(prop["asked"]))
-    one = len(re.findall(r"\b(possibly|always|eventually|[AE][FGU])\b|U\[| U ", prop["formula"])) == 1
+    one = len(re.findall(r"\b(possibly|always|eventually|[AE][FGX])\b|U\[| U ", prop["formula"])) == 1
     if simple and one:
         operator, label = simple.group(1), f"check_{prop['name']}"
         if bound is not None:
@@ -172,6 +196,7 @@ def one(run, source, name, words):
         return
     exact, floats, names = exported
     same_shape(run, name, exact, floats)
+    prism_dialect(run, source, name, words, floats)
     truncated = any("TRUNCATED" in note for note in names["notes"])
     questions = {check["name"]: check["formula"] for check in names["checks"]}
     with open(run.path(name + ".drn"), encoding="utf-8") as file:
