@@ -179,7 +179,8 @@ let split t b parts =
     moved;
   moved
 
-(* The states whose signatures speak of states that have moved. Marking reorders a block, so they are listed
+(* The states whose signatures speak of states that have moved. What has become visible of a state that has moved
+   itself was in its signature already, as a class. Marking reorders a block, so they are listed
    first. *)
 let touch t kind moved =
   let states =
@@ -189,13 +190,7 @@ let touch t kind moved =
   in
   match kind with
   | Strong -> List.iter (fun s -> Graph.sources t.back s (fun _ source -> mark_once t source)) states
-  | Branching ->
-    List.iter
-      (fun s ->
-         (* what was inert for s may not be so any more *)
-         mark_above t s;
-         Graph.sources t.back s (fun _ source -> mark_above t source))
-      states
+  | Branching -> List.iter (fun s -> Graph.sources t.back s (fun _ source -> mark_above t source)) states
   | Weak -> Closure.weak_sources t.closure states (mark_once t)
 
 let process t kind b =
