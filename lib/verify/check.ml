@@ -32,6 +32,7 @@ type report = {
   outcomes : (Property.check * Verdict.t) list;
   stats : stats;
   zeno : Witness.t option;
+  stores : (string * int) list;
 }
 
 type run = {
@@ -241,6 +242,10 @@ let needs_edges plans limits =
 let rests context tuple =
   Network.quiescent (System.model context) (Catalogue.decode (System.catalogue context) tuple)
 
+let stores r =
+  let m = Graph.memory r.graph in
+  [ ("states", m.states); ("labels", m.labels); ("edges", m.edges) ]
+
 let run options model ~initial (checks : Property.check list) =
   let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
   let events = List.concat_map (fun (c : Property.check) -> Formula.events c.formula) checks in
@@ -274,7 +279,7 @@ let run options model ~initial (checks : Property.check list) =
   in
   let answers = { searches = result.answers; next_formula = 0; temporal } in
   let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
-  { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result }
+  { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result; stores = stores r }
 
 let explore options model ~initial =
   let context = System.make model initial in
