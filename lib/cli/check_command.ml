@@ -84,7 +84,7 @@ type extra = { covered : (Space.t * Coverage.t) option; measured : Measured.t op
 let print_json console (model : Input.model) (report : Check.report) verdicts extra code =
   let e = model.elaborated in
   let coverage (space, c) = ("coverage", Coverage_json.json space c) in
-  let measured m = ("measured", Measured.json m report.stats) in
+  let measured m = ("measured", Measured.json m report) in
   let json =
     Check_json.document ~source:(Console.source console)
       {
@@ -120,7 +120,7 @@ let print_text console (model : Input.model) (report : Check.report) verdicts ex
   print (Check_text.explored report.stats);
   Option.iter (fun (space, c) -> print (Coverage_text.lines console space c)) extra.covered;
   print (Check_text.tally console (List.map snd verdicts));
-  Option.iter (fun m -> List.iter (Console.note console) (Measured.lines m report.stats)) extra.measured
+  Option.iter (fun m -> List.iter (Console.note console) (Measured.lines m report)) extra.measured
 
 let law_faults (report : Check.report) =
   List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) report.stats.faults
@@ -155,7 +155,8 @@ let check console bounds (extras : Check_extras.t) overrides path =
   (* The limit of seconds is that of one exploration. *)
   let options () =
     let now = Option.map Interrupt.clock bounds.Check_options.seconds in
-    Check_options.options ?now bounds ~interrupted ~progress:(Progress.show console bounds)
+    let options = Check_options.options ?now bounds ~interrupted ~progress:(Progress.show console bounds) in
+    { options with reductions = extras.reductions; order = extras.order }
   in
   let checks = e.checks @ Vacuity.questions e in
   let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) e.model ~initial checks) in

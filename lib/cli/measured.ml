@@ -43,7 +43,8 @@ let peak_resident () =
 let exploring t = Option.value ~default:0. (List.assoc_opt "explore" t.phases)
 let per_second n seconds = if seconds > 0. then int_of_float (float_of_int n /. seconds) else 0
 
-let lines t (s : Check.stats) =
+let lines t (r : Check.report) =
+  let s = r.stats in
   let gc = Gc.quick_stat () in
   let mib bytes = Printf.sprintf "%.1f MiB" (float_of_int bytes /. 1048576.) in
   let rate = per_second s.states (exploring t) and edges = per_second s.transitions (exploring t) in
@@ -53,12 +54,15 @@ let lines t (s : Check.stats) =
     Printf.sprintf "  states %d, transitions %d, depth %d" s.states s.transitions s.depth;
     Printf.sprintf "  rate: %d states/s, %d transitions/s" rate edges;
     Printf.sprintf "  memory, at most: heap %s%s" (mib (bytes_of_words gc.top_heap_words)) resident;
+    "  stores: "
+    ^ String.concat ", " (List.map (fun (name, n) -> Printf.sprintf "%s %s" name (mib n)) r.stores);
     Printf.sprintf "  collections: %d minor, %d major" gc.minor_collections gc.major_collections;
     "  seconds: "
     ^ String.concat ", " (List.rev_map (fun (name, x) -> Printf.sprintf "%s %.3f" name x) t.phases);
   ]
 
-let json t (s : Check.stats) =
+let json t (r : Check.report) =
+  let s = r.stats in
   let gc = Gc.quick_stat () in
   let micros x = `Int (int_of_float (x *. 1e6)) in
   `Assoc
@@ -68,6 +72,7 @@ let json t (s : Check.stats) =
       ("transitions_per_second", `Int (per_second s.transitions (exploring t)));
       ("peak_heap_bytes", `Int (bytes_of_words gc.top_heap_words));
       ("peak_resident_bytes", Json.option (fun n -> `Int n) (peak_resident ()));
+      ("store_bytes", `Assoc (List.map (fun (name, n) -> (name, `Int n)) r.stores));
       ("minor_collections", `Int gc.minor_collections);
       ("major_collections", `Int gc.major_collections);
       ("microseconds", `Assoc (List.rev_map (fun (name, x) -> (name, micros x)) t.phases));

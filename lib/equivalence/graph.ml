@@ -70,53 +70,66 @@ let starts ~keys ~items key =
   done;
   first
 
-(* The items (a permutation of them, or all in order) sorted by a key, those of one key as they stood. *)
-let sorted ~keys ~items ?order key =
-  let next = starts ~keys ~items key in
-  let result = Ints.make items in
-  for i = 0 to items - 1 do
-    let item = match order with Some o -> Ints.get o i | None -> i in
-    let k = key item in
-    Ints.set result (Ints.get next k) item;
-    Ints.set next k (Ints.get next k + 1)
-  done;
-  result
+(* Codes of labels and targets in the order of the labels. *)
+let code label target = (label lsl 31) lor target
+let label_of code = code lsr 31
+let target_of code = code land Ints.max_value
+
+(* Sorts [n] codes; most states have few edges. *)
+let sort_codes codes n =
+  if n > 32 then begin
+    let part = Array.sub codes 0 n in
+    Array.stable_sort Int.compare part;
+    Array.blit part 0 codes 0 n
+  end
+  else
+    for i = 1 to n - 1 do
+      let x = codes.(i) in
+      let j = ref (i - 1) in
+      while !j >= 0 && codes.(!j) > x do
+        codes.(!j + 1) <- codes.(!j);
+        decr j
+      done;
+      codes.(!j + 1) <- x
+    done
 
 let flags size unknown = Bytes.init size (fun s -> if unknown s then '\001' else '\000')
 
+(* Edges are put to their sources, and sorted there; repetitions leave a gap, which the next ones fill. *)
 let finish b ~size ~initial ~unknown =
   let items = Ints.size b.from in
   let labels = Array.of_list (List.rev b.names) in
-  let order = sorted ~keys:size ~items (Ints.nth b.into) in
-  let order = sorted ~keys:(Array.length labels) ~items ~order (Ints.nth b.by) in
-  let order = sorted ~keys:size ~items ~order (Ints.nth b.from) in
-  let repeats i =
-    i > 0
-    &&
-    let e = Ints.get order i and before = Ints.get order (i - 1) in
-    Ints.nth b.from e = Ints.nth b.from before
-    && Ints.nth b.by e = Ints.nth b.by before
-    && Ints.nth b.into e = Ints.nth b.into before
-  in
-  let kept = ref 0 in
-  for i = 0 to items - 1 do
-    if not (repeats i) then incr kept
+  let begin_ = starts ~keys:size ~items (Ints.nth b.from) in
+  let next = starts ~keys:size ~items (Ints.nth b.from) in
+  let label = Ints.make items and target = Ints.make items in
+  for e = 0 to items - 1 do
+    let s = Ints.nth b.from e in
+    let i = Ints.get next s in
+    Ints.set label i (Ints.nth b.by e);
+    Ints.set target i (Ints.nth b.into e);
+    Ints.set next s (i + 1)
   done;
-  let label = Ints.make !kept and target = Ints.make !kept and first = Ints.make (size + 1) in
-  let next = ref 0 in
-  for i = 0 to items - 1 do
-    if not (repeats i) then begin
-      let e = Ints.get order i in
-      Ints.set label !next (Ints.nth b.by e);
-      Ints.set target !next (Ints.nth b.into e);
-      incr next;
-      Ints.set first (Ints.nth b.from e + 1) !next
-    end
+  let codes = ref (Array.make 64 0) and kept = ref 0 in
+  let first = Ints.make (size + 1) in
+  for s = 0 to size - 1 do
+    let from = Ints.get begin_ s in
+    let n = Ints.get begin_ (s + 1) - from in
+    if n > Array.length !codes then codes := Array.make (2 * n) 0;
+    for i = 0 to n - 1 do
+      !codes.(i) <- code (Ints.get label (from + i)) (Ints.get target (from + i))
+    done;
+    sort_codes !codes n;
+    for i = 0 to n - 1 do
+      let c = !codes.(i) in
+      if i = 0 || c <> !codes.(i - 1) then begin
+        Ints.set label !kept (label_of c);
+        Ints.set target !kept (target_of c);
+        incr kept
+      end
+    done;
+    Ints.set first (s + 1) !kept
   done;
-  (* states without edges begin where the one before them ends *)
-  for s = 1 to size do
-    if Ints.get first s < Ints.get first (s - 1) then Ints.set first s (Ints.get first (s - 1))
-  done;
+  let label = Ints.prefix label !kept and target = Ints.prefix target !kept in
   { size; initial; labels; first; label; target; unknown = flags size unknown }
 
 let is_unknown g s = not (known g s)

@@ -14,6 +14,8 @@ let make n =
   fill a 0;
   a
 
+let prefix (a : t) n : t = Array1.sub a 0 n
+
 type buffer = { mutable data : t; mutable used : int }
 
 let buffer () = { data = raw 16; used = 0 }

@@ -14,6 +14,9 @@ val get : t -> int -> int
 val set : t -> int -> int -> unit
 val fill : t -> int -> unit
 
+val prefix : t -> int -> t
+(** The first so many, sharing their place with the array. *)
+
 (** {1 Growing} *)
 
 type buffer

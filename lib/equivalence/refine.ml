@@ -45,7 +45,7 @@ let mark t s =
 
 let mark_once t s = if not (is_dirty t s) then mark t s
 
-(* Also the states that see the signature of [s] as theirs, over inert steps. If [s] is dirty already then they
+(* Also the states whose signatures rest on that of [s], over inert steps. If [s] is dirty already then they
    are too: blocks only fall apart, so there are never more of them than when [s] was marked. *)
 let mark_above t s =
   let visit s =
@@ -73,23 +73,32 @@ let strong_signature t s =
   Graph.iter t.g s (fun label target -> add t label (block t target));
   Signatures.finish t.signatures
 
-(* [clean] is the number of the signature of clean states. Inert successors that are dirty have theirs already:
-   states are taken in the order of their numbers. *)
-let branching_signature t ~clean s =
-  let own = block t s in
+(* Inert successors are looked at before (states are taken in the order of their numbers), so their place in the
+   partition to come is known: their signature's number, 0 for clean ones. A state either joins one of them, if it
+   has nothing more to offer, or else sees all of them as blocks of their own. That one can only be the one of the
+   greatest number: its signature has to name the others, and a signature names earlier ones alone. So signatures
+   are never longer than the states' edges, and states are split only when they are not bisimilar: those without
+   inert successors to their own class see the same classes, and the others join them. *)
+let branching_signature t s =
+  let own = block t s and greatest = ref (-1) in
+  let class_ k = entry (Array.length t.g.labels) k in
   Signatures.start t.signatures;
   Graph.iter t.g s (fun label target ->
       if not (Graph.is_tau label && block t target = own) then add t label (block t target)
-      else if is_dirty t target then Signatures.add_all t.signatures (Ints.get t.signature target)
-      else Signatures.add_all t.signatures clean);
-  Signatures.finish t.signatures
+      else begin
+        let k = if is_dirty t target then Ints.get t.signature target else 0 in
+        if k > !greatest then greatest := k;
+        Signatures.add t.signatures (class_ k)
+      end);
+  if !greatest >= 0 && Signatures.within t.signatures ~except:(class_ !greatest) !greatest then !greatest
+  else Signatures.finish t.signatures
 
 let weak_signature t s =
   Signatures.start t.signatures;
   Closure.weak_steps t.closure s (fun label target -> add t label (block t target));
   Signatures.finish t.signatures
 
-(* A clean state that all its inert successors' entries are its own: one without inert successors. *)
+(* A clean state without inert successors: its own entries are the signature of all clean ones. *)
 let rec bottom t s =
   let inert label target = Graph.is_tau label && block t target = block t s in
   let next = ref (-1) in
@@ -111,8 +120,8 @@ let sign t kind b states =
       strong_signature t
     | Branching ->
       Array.stable_sort Int.compare states;
-      Option.iter (fun c -> ignore (branching_signature t ~clean:0 (bottom t c))) clean;
-      branching_signature t ~clean:0
+      Option.iter (fun c -> ignore (branching_signature t (bottom t c))) clean;
+      branching_signature t
     | Weak ->
       Option.iter (fun c -> ignore (weak_signature t c)) clean;
       weak_signature t
@@ -170,7 +179,8 @@ let split t b parts =
     moved;
   moved
 
-(* The states whose signatures speak of states that have moved. Marking reorders a block, so they are listed
+(* The states whose signatures speak of states that have moved. What has become visible of a state that has moved
+   itself was in its signature already, as a class. Marking reorders a block, so they are listed
    first. *)
 let touch t kind moved =
   let states =
@@ -180,13 +190,7 @@ let touch t kind moved =
   in
   match kind with
   | Strong -> List.iter (fun s -> Graph.sources t.back s (fun _ source -> mark_once t source)) states
-  | Branching ->
-    List.iter
-      (fun s ->
-         (* what was inert for s may not be so any more *)
-         mark_above t s;
-         Graph.sources t.back s (fun _ source -> mark_above t source))
-      states
+  | Branching -> List.iter (fun s -> Graph.sources t.back s (fun _ source -> mark_above t source)) states
   | Weak -> Closure.weak_sources t.closure states (mark_once t)
 
 let process t kind b =

@@ -43,11 +43,6 @@ let add t x =
 
 let begin_of t set = if set = 0 then 0 else Ints.nth t.ends (set - 1)
 
-let add_all t set =
-  for i = begin_of t set to Ints.nth t.ends set - 1 do
-    add t t.pool.(i)
-  done
-
 (* Up to this many, insertion is faster than merging. *)
 let few = 24
 
@@ -79,6 +74,19 @@ let drop_repetitions t =
     end
   done;
   t.drafted <- !kept
+
+let is_member t set x =
+  let rec search lo hi =
+    lo < hi
+    &&
+    let mid = (lo + hi) / 2 in
+    t.pool.(mid) = x || if t.pool.(mid) < x then search (mid + 1) hi else search lo mid
+  in
+  search (begin_of t set) (Ints.nth t.ends set)
+
+let within t ~except set =
+  let rec all i = i = t.drafted || ((t.draft.(i) = except || is_member t set t.draft.(i)) && all (i + 1)) in
+  all 0
 
 let hash from a n =
   let h = ref n in

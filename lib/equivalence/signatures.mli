@@ -14,8 +14,8 @@ val clear : t -> unit
 val start : t -> unit
 val add : t -> int -> unit
 
-val add_all : t -> int -> unit
-(** Adds the members of a set that has a number. *)
+val within : t -> except:int -> int -> bool
+(** Whether what was added so far, but for the number [except], are members of a set that has a number. *)
 
 val finish : t -> int
 (** The number of the set that was written, from 0 in the order of first appearance. *)

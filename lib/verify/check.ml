@@ -39,6 +39,7 @@ type report = {
   outcomes : (Property.check * Verdict.t) list;
   stats : stats;
   zeno : Witness.t option;
+  stores : (string * int) list;
 }
 
 type run = {
@@ -248,6 +249,10 @@ let needs_edges plans limits =
 let rests context tuple =
   Network.quiescent (System.model context) (Catalogue.decode (System.catalogue context) tuple)
 
+let stores r =
+  let m = Graph.memory r.graph in
+  [ ("states", m.states); ("labels", m.labels); ("edges", m.edges) ]
+
 (* Those that are searched for, and those that are evaluated on the graph. *)
 let kinds_of (checks : Property.check list) plans =
   let all = List.combine checks plans in
@@ -299,7 +304,7 @@ let check options model ~initial (checks : Property.check list) =
   in
   let answers = { searches = result.answers; next_formula = 0; temporal } in
   let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
-  { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result }
+  { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result; stores = stores r }
 
 let run options model ~initial checks =
   let stepwise = Reduction.without_jumps options.reductions model in

@@ -35,6 +35,7 @@ type report = {
   stats : stats;
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
+  stores : (string * int) list;  (** what the explored graph takes: states, labels and edges, in bytes *)
 }
 
 val run : options -> Model.t -> initial:State.t -> Property.check list -> report

@@ -38,10 +38,12 @@ let rec prefixes (nodes, calls) (b : Behaviour.t) =
   | Sum (one, two) -> prefixes (prefixes (nodes, calls) one) two
   | Call k -> (nodes, k :: calls)
 
+(* The nodes come last first. *)
 let without_repetition nodes =
   List.fold_left
     (fun kept b -> if List.exists (Behaviour.equal b) kept then kept else b :: kept)
-    [] nodes
+    [] (List.rev nodes)
+  |> List.rev
 
 let counters_of owner first nodes =
   List.map (fun node -> { owner; first; node; times = 0 }) (without_repetition nodes)

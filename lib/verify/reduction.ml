@@ -13,7 +13,8 @@ let name = function
   | Slice -> "slice"
 
 let of_name text = List.find_opt (fun k -> String.equal (name k) text) all
-let used kinds kind = List.exists (fun k -> String.equal (name k) (name kind)) kinds
+let equal a b = String.equal (name a) (name b)
+let used kinds kind = List.exists (equal kind) kinds
 
 let quotient kinds model state ~searched ~evaluated : Quotient.t =
   {

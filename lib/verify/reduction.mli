@@ -11,6 +11,7 @@ type kind =
   | Jump  (** time does not stop at the ends of movement steps that change nothing (rule Jump) *)
   | Slice  (** what cannot influence a property is left out: {!Slice} *)
 
+val equal : kind -> kind -> bool
 val all : kind list
 val name : kind -> string
 val of_name : string -> kind option

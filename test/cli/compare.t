@@ -117,7 +117,7 @@ Graphs that others have written. Where the traces are the same, the formula says
     early.aut can do this, and late.aut cannot:
       1. a
     this is true of late.aut, and not of early.aut:
-      (true until <x>true)
+      not (true until <a>true)
   late.aut: 4 states, 3 transitions, 3 classes; complete
   early.aut: 5 states, 4 transitions, 4 classes; complete
   [1]

@@ -96,6 +96,7 @@ Statistics vary, and are not part of the report:
     states N, transitions N, depth N
     rate: N states/s, N transitions/s
     memory, at most: heap N MiB, resident N MiB
+    stores: states N MiB, labels N MiB, edges N MiB
     collections: N minor, N major
     seconds: read N, explore N
   $ scc check $models/chain.sc --stats --json | grep -c '"varies": true'

@@ -115,4 +115,7 @@ class Terminal(unittest.TestCase):
 
 if __name__ == "__main__":
     SCC, FOLDER = os.path.abspath(sys.argv.pop(1)), os.path.abspath(sys.argv.pop(1))
-    unittest.main()
+    result = unittest.main(exit=False).result
+    bad = len(result.failures) + len(result.errors)
+    print("%d passed, %d failed" % (result.testsRun - bad - len(result.skipped), bad))
+    sys.exit(1 if bad else 0)

@@ -5,9 +5,9 @@ open Scc_naive_equivalence
 
 let labels = [ "tau"; "tau"; "a"; "b" ]
 
-let graph_gen =
+let graph_gen ?(most = 6) () =
   let open QCheck2.Gen in
-  let* size = int_range 1 6 in
+  let* size = int_range 1 most in
   let* edges = int_range 0 (2 * size) in
   let+ list =
     list_repeat edges (triple (int_range 0 (size - 1)) (oneofl labels) (int_range 0 (size - 1)))
@@ -17,8 +17,8 @@ let graph_gen =
 (* A graph and one that is like it: an edge more or less, or a silent detour. *)
 let pair_gen =
   let open QCheck2.Gen in
-  let* (size, edges) = graph_gen in
-  let* other = graph_gen in
+  let* (size, edges) = graph_gen () in
+  let* other = graph_gen () in
   let* how = int_range 0 4 in
   let* s = int_range 0 (size - 1) and* t = int_range 0 (size - 1) and* l = oneofl labels in
   let detour = function (a, m, b) :: rest -> (a, "tau", size) :: (size, m, b) :: rest | [] -> [] in
@@ -52,8 +52,9 @@ let agrees name relation naive count =
       let g = make a and h = make b in
       Naive.related naive g h = equivalent relation g h)
 
-let partitions name kind naive =
-  QCheck2.Test.make ~name ~count:3000 ~print graph_gen (fun a ->
+let partitions ?most name kind naive =
+  let count = if Option.is_none most then 3000 else 1000 in
+  QCheck2.Test.make ~name ~count ~print (graph_gen ?most ()) (fun a ->
       let g = make a in
       let p = Quotient.blocks (Effort.unlimited ()) kind g in
       let r = Naive.bisimilar naive g in
@@ -137,6 +138,9 @@ let () =
             partitions "strong" Refine.Strong Strong;
             partitions "branching" Refine.Branching Branching;
             partitions "weak" Refine.Weak Weak;
+            partitions ~most:14 "strong, larger" Refine.Strong Strong;
+            partitions ~most:14 "branching, larger" Refine.Branching Branching;
+            partitions ~most:14 "weak, larger" Refine.Weak Weak;
           ] );
       ( "comparison",
         Scc_test_support.Property.cases
