@@ -74,20 +74,67 @@ and holds env = function
     let* a = holds env a in
     if a then Ok true else holds env b
 
-let rec expr_mentions = function
+let rec expr_mentions test = function
   | Const _ -> false
-  | Var v -> ( match v with Time -> true | X | Y | Z | Vx | Vy | Vz | Mass | Dt -> false)
-  | Neg a -> expr_mentions a
+  | Var v -> test v
+  | Neg a -> expr_mentions test a
   | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) | Round (a, b) ->
-    expr_mentions a || expr_mentions b
-  | If (c, a, b) -> cond_mentions c || expr_mentions a || expr_mentions b
+    expr_mentions test a || expr_mentions test b
+  | If (c, a, b) -> cond_mentions test c || expr_mentions test a || expr_mentions test b
 
-and cond_mentions = function
+and cond_mentions test = function
   | Bool _ -> false
-  | Compare (_, a, b) -> expr_mentions a || expr_mentions b
-  | And (a, b) | Or (a, b) -> cond_mentions a || cond_mentions b
-  | Not c -> cond_mentions c
+  | Compare (_, a, b) -> expr_mentions test a || expr_mentions test b
+  | And (a, b) | Or (a, b) -> cond_mentions test a || cond_mentions test b
+  | Not c -> cond_mentions test c
 
-let mentions_time = function
+let mentions test = function
   | Inertial -> false
-  | Velocity (a, b, c) -> expr_mentions a || expr_mentions b || expr_mentions c
+  | Velocity (a, b, c) -> expr_mentions test a || expr_mentions test b || expr_mentions test c
+
+let mentions_time =
+  mentions (function
+      | Time -> true
+      | X | Y | Z | Vx | Vy | Vz | Mass | Dt -> false)
+
+let mentions_position =
+  mentions (function
+      | X | Y | Z -> true
+      | Vx | Vy | Vz | Mass | Time | Dt -> false)
+
+let equal_variable a b =
+  match (a, b) with
+  | X, X | Y, Y | Z, Z | Vx, Vx | Vy, Vy | Vz, Vz | Mass, Mass | Time, Time | Dt, Dt -> true
+  | (X | Y | Z | Vx | Vy | Vz | Mass | Time | Dt), _ -> false
+
+let equal_comparison a b =
+  match (a, b) with
+  | Lt, Lt | Le, Le | Gt, Gt | Ge, Ge | Eq, Eq | Ne, Ne -> true
+  | (Lt | Le | Gt | Ge | Eq | Ne), _ -> false
+
+let rec equal_expr a b =
+  match (a, b) with
+  | Const x, Const y -> Rat.equal x y
+  | Var v, Var w -> equal_variable v w
+  | Neg a, Neg b -> equal_expr a b
+  | Add (a, b), Add (c, d)
+  | Sub (a, b), Sub (c, d)
+  | Mul (a, b), Mul (c, d)
+  | Div (a, b), Div (c, d)
+  | Round (a, b), Round (c, d) -> equal_expr a c && equal_expr b d
+  | If (c, a, b), If (d, x, y) -> equal_cond c d && equal_expr a x && equal_expr b y
+  | (Const _ | Var _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | Round _ | If _), _ -> false
+
+and equal_cond a b =
+  match (a, b) with
+  | Bool x, Bool y -> Bool.equal x y
+  | Compare (o, a, b), Compare (p, c, d) -> equal_comparison o p && equal_expr a c && equal_expr b d
+  | And (a, b), And (c, d) | Or (a, b), Or (c, d) -> equal_cond a c && equal_cond b d
+  | Not a, Not b -> equal_cond a b
+  | (Bool _ | Compare _ | And _ | Or _ | Not _), _ -> false
+
+let equal a b =
+  match (a, b) with
+  | Inertial, Inertial -> true
+  | Velocity (a, b, c), Velocity (d, e, f) -> equal_expr a d && equal_expr b e && equal_expr c f
+  | (Inertial | Velocity _), _ -> false

@@ -35,5 +35,10 @@ type fault = Division_by_zero | Bad_quantum  (** a quantum of [round] that is no
 val compare_rationals : comparison -> Rat.t -> Rat.t -> bool
 val eval : (variable -> Rat.t) -> expr -> (Rat.t, fault) result
 
+val equal : t -> t -> bool
+
 val mentions_time : t -> bool
 (** Whether [Time] occurs. *)
+
+val mentions_position : t -> bool
+(** Whether it depends on where the body is. *)

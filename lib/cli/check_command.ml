@@ -155,7 +155,8 @@ let check console bounds (extras : Check_extras.t) overrides path =
   (* The limit of seconds is that of one exploration. *)
   let options () =
     let now = Option.map Interrupt.clock bounds.Check_options.seconds in
-    Check_options.options ?now bounds ~interrupted ~progress:(Progress.show console bounds)
+    let options = Check_options.options ?now bounds ~interrupted ~progress:(Progress.show console bounds) in
+    { options with reductions = extras.reductions; order = extras.order }
   in
   let checks = e.checks @ Vacuity.questions e in
   let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) e.model ~initial checks) in

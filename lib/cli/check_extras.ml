@@ -1,6 +1,14 @@
+open Scc_verify
 open Cmdliner
 
-type t = { witness : string option; coverage : bool; stats : bool; sarif : string option }
+type t = {
+  witness : string option;
+  coverage : bool;
+  stats : bool;
+  sarif : string option;
+  reductions : Reduction.kind list;
+  order : State_graph.order;
+}
 
 let witness =
   let doc =
@@ -30,6 +38,38 @@ let sarif =
   in
   Arg.(value & opt (some string) None & info [ "sarif" ] ~docv:"FILE" ~doc)
 
+let kind =
+  let parse text =
+    match Reduction.of_name text with
+    | Some kind -> Ok [ kind ]
+    | None when String.equal text "all" -> Ok Reduction.all
+    | None ->
+      let names = String.concat ", " (List.map Reduction.name Reduction.all @ [ "all" ]) in
+      Error (`Msg (Printf.sprintf "`%s' is no reduction: expected %s" text names))
+  in
+  let print ppf kinds = Format.pp_print_string ppf (String.concat "," (List.map Reduction.name kinds)) in
+  Arg.conv ~docv:"NAME" (parse, print)
+
+let reductions =
+  let doc =
+    "Does without some of the ways to explore less: $(b,symmetry), $(b,translation), $(b,order), $(b,jump), \
+     $(b,slice), or $(b,all); separated by commas. None of them changes a verdict; see REDUCTIONS."
+  in
+  let without off = List.filter (fun k -> not (List.exists (Reduction.equal k) (List.concat off))) Reduction.all in
+  Term.(
+    const (fun off -> without (List.concat off))
+    $ Arg.(value & opt_all (list kind) [] & info [ "no-reduce" ] ~docv:"NAME,..." ~doc))
+
+let order =
+  let doc =
+    "Which runs to show for $(b,possibly) and $(b,always): those with the fewest $(b,steps), or the earliest in \
+     model $(b,time). The exploration goes in this order."
+  in
+  let orders = [ ("steps", State_graph.By_steps); ("time", By_time) ] in
+  Arg.(value & opt (enum orders) State_graph.By_steps & info [ "shortest" ] ~docv:"ORDER" ~doc)
+
 let term =
-  let make witness coverage stats sarif = { witness; coverage; stats; sarif } in
-  Term.(const make $ witness $ coverage $ stats $ sarif)
+  let make witness coverage stats sarif reductions order =
+    { witness; coverage; stats; sarif; reductions; order }
+  in
+  Term.(const make $ witness $ coverage $ stats $ sarif $ reductions $ order)

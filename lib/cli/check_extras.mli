@@ -1,10 +1,12 @@
-(** What [scc check] tells or writes when it is asked to, besides its verdicts. *)
+(** What [scc check] tells or writes when it is asked to, besides its verdicts, and how it explores. *)
 
 type t = {
   witness : string option;  (** a folder for schedules *)
   coverage : bool;
   stats : bool;
   sarif : string option;  (** a file *)
+  reductions : Scc_verify.Reduction.kind list;
+  order : Scc_verify.State_graph.order;
 }
 
 val term : t Cmdliner.Term.t

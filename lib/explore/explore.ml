@@ -138,9 +138,13 @@ module Make (L : Lts.S) = struct
 
   (** {2 Edges} *)
 
+  (* Those that were put off when the state was expanded may lead to states that are not there. *)
   let edges_of_steps g steps =
-    List.map
-      (fun (s : Lts.step) -> { label = s.label; target = Tuples.find g.tuples ~near:g.reader s.target })
+    List.filter_map
+      (fun (s : Lts.step) ->
+         match Tuples.find g.tuples ~near:g.reader s.target with
+         | -1 -> None
+         | target -> Some { label = s.label; target })
       steps
     |> Array.of_list
 
@@ -337,11 +341,18 @@ module Make (L : Lts.S) = struct
     end;
     { label; target = id }
 
+  let is_new g (s : Lts.step) = Tuples.find g.tuples ~near:g.near s.target < 0
+
+  let successors g tuple =
+    match L.reduced g.context tuple with
+    | Some steps when List.for_all (is_new g) steps -> Ok steps
+    | Some _ | None -> L.successors g.context tuple
+
   (* Expands a state; or says what ends the exploration. *)
   let expand g (limits : Limits.t) visitor i =
     Tuples.load g.tuples g.near i;
     let tuple = Tuples.slots g.near in
-    match L.successors g.context tuple with
+    match successors g tuple with
     | Error fault ->
       leave_out g i (Fault fault);
       None

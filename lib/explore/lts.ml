@@ -16,6 +16,11 @@ module type S = sig
   val successors : context -> int array -> (step list, fault) result
   (** Every transition, in a fixed order. Numbers are in [0, 2{^31}). *)
 
+  val reduced : context -> int array -> step list option
+  (** Some of the transitions of {!successors}, in the same order, that will do for what is asked as long as they lead
+      to states that have not been seen yet: what else is possible is put off, and possible afterwards. [None]: no less
+      than all will do. *)
+
   val duration : context -> int -> Scc_exact.Rat.t
   (** Of a label; 0 for a discrete transition. *)
 end

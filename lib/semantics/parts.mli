@@ -15,6 +15,9 @@ type part = private {
 val of_state : Model.t -> State.t -> part array
 (** In the order of processes, leaves and parts. *)
 
+val box : part -> Scc_geometry.Float_box.t
+(** Contains the part where it is. *)
+
 val near : part array -> (int * int) list
 (** The pairs (lesser index first) of parts of processes in relative motion whose boxes, rounded outward, meet:
     all that touch are among them. Sorted. *)

@@ -114,13 +114,6 @@ let process c (p : State.process) =
   let form = Forms.intern c.forms (State.with_velocity Vec.zero (moved (Vec.neg place) p)) in
   numbered c ~form ~place ~velocity:(Vectors.intern c.vectors p.velocity)
 
-let displaced c d b =
-  let velocity = Vectors.get c.vectors b.velocity in
-  let place = Vec.axpy d velocity (Vectors.get c.vectors b.place) in
-  numbered c ~form:b.form ~place ~velocity:b.velocity
-
-let form c i = Forms.get c.forms i
-
 let made c number =
   let placed = Pairs.left c.processes (number - 1) and velocity = Pairs.right c.processes (number - 1) in
   let form = Pairs.left c.places placed and place = Pairs.right c.places placed in
@@ -140,6 +133,17 @@ let body c number =
     c.recent.(k) <- b;
     b
   end
+
+let displaced c d b =
+  let velocity = Vectors.get c.vectors b.velocity in
+  let place = Vec.axpy d velocity (Vectors.get c.vectors b.place) in
+  numbered c ~form:b.form ~place ~velocity:b.velocity
+
+let shifted c by number =
+  let b = body c number in
+  numbered c ~form:b.form ~place:(Vec.add (Vectors.get c.vectors b.place) by) ~velocity:b.velocity
+
+let form c i = Forms.get c.forms i
 
 let encode c (s : State.t) =
   let tuple = Array.make (width c) nobody in

@@ -58,6 +58,9 @@ val body : t -> int -> body
 val displaced : t -> Rat.t -> body -> int
 (** Where its velocity takes it in a time, with nothing else changed. *)
 
+val shifted : t -> Vec.t -> int -> int
+(** The same process elsewhere, by this vector. *)
+
 val form : t -> int -> State.process
 (** The process of this form whose first leaf is at the origin, at rest. *)
 

@@ -8,13 +8,20 @@ module Engine = Evidence.Engine
 
 type options = {
   bounds : Bounds.t;
+  reductions : Reduction.kind list;
   order : Graph.order;
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
 }
 
 let default =
-  { bounds = Bounds.default; order = By_steps; surroundings = Limits.quiet; observe = None }
+  {
+    bounds = Bounds.default;
+    reductions = Reduction.all;
+    order = By_steps;
+    surroundings = Limits.quiet;
+    observe = None;
+  }
 
 type stats = {
   states : int;
@@ -246,10 +253,28 @@ let stores r =
   let m = Graph.memory r.graph in
   [ ("states", m.states); ("labels", m.labels); ("edges", m.edges) ]
 
-let run options model ~initial (checks : Property.check list) =
-  let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
+(* Those that are searched for, and those that are evaluated on the graph. *)
+let kinds_of (checks : Property.check list) plans =
+  let all = List.combine checks plans in
+  let formulas_of test =
+    List.filter_map (fun ((c : Property.check), plan) -> if test plan then Some c.formula else None) all
+  in
+  let is_search plan = match formulas plan with [] -> true | _ :: _ -> false in
+  (formulas_of is_search, formulas_of (fun plan -> not (is_search plan)))
+
+let system options model ~initial checks plans =
+  let searched, evaluated = kinds_of checks plans in
   let events = List.concat_map (fun (c : Property.check) -> Formula.events c.formula) checks in
-  let context = System.make ~events model initial in
+  let deep = match options.bounds.depth with Unbounded -> false | Default _ | Given _ -> true in
+  System.make ~events
+    ~quotient:(Reduction.quotient options.reductions model initial ~searched ~evaluated)
+    ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
+    model initial
+
+(* One exploration for some checks. *)
+let check options model ~initial (checks : Property.check list) =
+  let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
+  let context = system options model ~initial checks plans in
   let asked = List.concat_map (questions context) plans in
   let temporals = List.concat_map formulas plans in
   let horizon = horizon checks in
@@ -280,6 +305,14 @@ let run options model ~initial (checks : Property.check list) =
   let answers = { searches = result.answers; next_formula = 0; temporal } in
   let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
   { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result; stores = stores r }
+
+let run options model ~initial checks =
+  let stepwise = Reduction.without_jumps options.reductions model in
+  if Bool.equal stepwise.steered model.steered then check options model ~initial checks
+  else
+    match Network.initial stepwise initial with
+    | Ok initial -> check options stepwise ~initial checks
+    | Error _ -> Scc_base.Bug.fail __POS__ "a fault in a network that is not steered"
 
 let explore options model ~initial =
   let context = System.make model initial in

@@ -8,6 +8,7 @@ open Scc_explore
 
 type options = {
   bounds : Bounds.t;
+  reductions : Reduction.kind list;
   order : State_graph.order;
   (** of the exploration: with [By_steps] runs that decide a search are as short as can be, with [By_time] as early *)
   surroundings : Limits.surroundings;
@@ -15,7 +16,7 @@ type options = {
 }
 
 val default : options
-(** Default bounds, by steps, in quiet surroundings. *)
+(** Default bounds, all reductions, by steps, in quiet surroundings. *)
 
 type stats = {
   states : int;

@@ -50,6 +50,8 @@ type book = {
 
 type context = {
   book : book;
+  quotient : Quotient.t;
+  visible : (int -> bool) option;
   initial : State.t;
   singles : alone array;  (** the last that were asked for, at their numbers modulo the size *)
   pairs : together array;  (** likewise *)
@@ -61,7 +63,7 @@ let catalogue c = c.book.catalogue
 let model c = Catalogue.model (catalogue c)
 let start c = c.initial
 let width c = Catalogue.width (catalogue c)
-let initial c = Catalogue.encode (catalogue c) c.initial
+let initial c = Quotient.representative c.quotient (catalogue c) (Catalogue.encode (catalogue c) c.initial)
 let duration c label = Catalogue.duration (catalogue c) label
 let network processes = State.make ~processes ~step:None ~time:None
 
@@ -155,7 +157,7 @@ let together c a b =
     t
   end
 
-let make ?(events = []) ?(memory = 1 lsl 14) model initial =
+let make ?(events = []) ?(quotient = Quotient.none) ?visible ?(memory = 1 lsl 14) model initial =
   let marked = match events with [] -> false | _ :: _ -> true in
   let catalogue = Catalogue.create ~marked ~memory model in
   let book = { catalogue; events; marks = Marks.create (); natures = Growable.create () } in
@@ -167,7 +169,7 @@ let make ?(events = []) ?(memory = 1 lsl 14) model initial =
     | p :: _ when not model.Model.steered -> Array.make memory (look book (Catalogue.process catalogue p))
     | _ :: _ -> [||]
   in
-  { book; initial; singles = filler; pairs = Array.make memory no_pair }
+  { book; quotient; visible; initial; singles = filler; pairs = Array.make memory no_pair }
 
 let set_mark c tuple mark =
   match c.book.events with [] -> () | _ :: _ -> tuple.(Catalogue.mark_slot (catalogue c)) <- mark
@@ -207,11 +209,13 @@ let after c d a =
     a.after
   end
 
+(* Places only change with time, so that other transitions lead from representatives to representatives. *)
 let pass c tuple present d : Lts.step =
   let target = Array.copy tuple in
   Array.iter (fun a -> target.(Catalogue.first_leaf a.body.process) <- after c d a) present;
   Catalogue.pass_time (catalogue c) target d;
   set_mark c target 0;
+  let target = Quotient.representative c.quotient (catalogue c) target in
   { label = Catalogue.label (catalogue c) (Transition.Time d); target }
 
 let present c tuple =
@@ -271,7 +275,7 @@ let choices c source =
   let encoded (t : Transition.t) =
     let target = Catalogue.encode (catalogue c) t.target in
     set_mark c target (mark c.book ~source t.label);
-    (t, target)
+    (t, Quotient.representative c.quotient (catalogue c) target)
   in
   Result.map (List.map encoded) (Network.successors (model c) source)
 
@@ -281,22 +285,59 @@ let whole c tuple =
   in
   Result.map (List.map step) (choices c (Catalogue.decode (catalogue c) tuple))
 
+(* The discrete moves, each kind with the last first. *)
+type discrete = { strong : move list; weak : move list; collisions : move list }
+
+let steps_of c tuple d later =
+  let steps later last_first = List.fold_left (fun acc m -> step c tuple m :: acc) later last_first in
+  steps (steps (steps later d.collisions) d.weak) d.strong
+
+let discrete c present ~limit =
+  let strong = Array.fold_left (fun acc (a : alone) -> List.rev_append a.strong acc) [] present in
+  let weak = Array.fold_left (fun acc (a : alone) -> List.rev_append a.weak acc) [] present in
+  let collisions, contact = meetings c present ~limit in
+  ({ strong; weak; collisions }, contact)
+
+let wait present = Array.fold_left (fun d a -> least d a.nature.wait) None present
+
 (* In the order of {!Network.successors}. *)
 let by_parts c tuple present =
-  let strong = Array.fold_left (fun acc a -> List.rev_append a.strong acc) [] present in
-  let weak = Array.fold_left (fun acc a -> List.rev_append a.weak acc) [] present in
-  let wait = Array.fold_left (fun d a -> least d a.nature.wait) None present in
-  let collisions, contact = meetings c present ~limit:wait in
+  let wait = wait present in
+  let d, contact = discrete c present ~limit:wait in
   let time =
-    match (strong, collisions) with
-    | [], [] -> (
-        match least wait contact with
-        | None -> []
-        | Some d -> [ pass c tuple present d ])
+    match (d.strong, d.collisions, least wait contact) with
+    | [], [], Some delay -> [ pass c tuple present delay ]
     | _ -> []
   in
-  let steps later last_first = List.fold_left (fun acc m -> step c tuple m :: acc) later last_first in
-  steps (steps (steps time collisions) weak) strong
+  steps_of c tuple d time
 
 let successors c tuple =
   if (model c).steered then whole c tuple else Ok (by_parts c tuple (present c tuple))
+
+(** {2 One group of many} *)
+
+(* Of the groups with something urgent to do, the first in which nobody can be seen, if others could act as well. *)
+let group_moves model visible present d =
+  let groups = Groups.of_processes model (Array.map (fun a -> a.body.process) present) in
+  let group m = Groups.of_leaf groups (List.hd m.leaving) in
+  let hidden g = not (List.exists visible (Groups.leaves groups g)) in
+  let urgent = List.rev_append d.strong d.collisions in
+  let candidates = List.sort_uniq Int.compare (List.map group urgent) in
+  match List.find_opt hidden candidates with
+  | None -> None
+  | Some g ->
+    let inside = List.filter (fun m -> group m = g) in
+    let mine = { strong = inside d.strong; weak = inside d.weak; collisions = inside d.collisions } in
+    let count d = List.length d.strong + List.length d.weak + List.length d.collisions in
+    if count mine < count d then Some mine else None
+
+let reduced c tuple =
+  match c.visible with
+  | None -> None
+  | Some _ when (model c).steered -> None
+  | Some visible -> (
+      let present = present c tuple in
+      let d, _ = discrete c present ~limit:(wait present) in
+      match (d.strong, d.collisions) with
+      | [], [] -> None
+      | _ -> Option.map (fun mine -> steps_of c tuple mine []) (group_moves (model c) visible present d))

@@ -7,9 +7,15 @@ open Scc_property
 
 type context
 
-val make : ?events:Property.event list -> ?memory:int -> Model.t -> State.t -> context
+val make :
+  ?events:Property.event list ->
+  ?quotient:Quotient.t ->
+  ?visible:(int -> bool) ->
+  ?memory:int ->
+  Model.t -> State.t -> context
 (** With the initial state, as {!Network.initial} gives it. States are told apart by which of the events has just led
-    to them. [memory] is how many results are remembered of each kind, a power of two: it changes nothing but the
+    to them. States stand for all that are equal modulo the [quotient]. With [visible], which leaves can be seen by what
+    is asked, independent events of one instant that cannot be seen are made in one order only ({!reduced}). [memory] is how many results are remembered of each kind, a power of two: it changes nothing but the
     speed. *)
 
 val arrived : context -> int array -> Property.event -> bool

@@ -20,6 +20,7 @@ module Toy = struct
     | Some l -> Ok (List.map (fun (target, d) -> { Lts.label = d; target = [| target |] }) l)
     | None -> Error "broken"
 
+  let reduced _ _ = None
   let duration _ d = Rat.of_int d
 end
 

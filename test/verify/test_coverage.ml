@@ -160,7 +160,7 @@ let named (s : Space.t) =
   counts
 
 let rules_agree name () =
-  let options = { Check.default with states = Given 400 } in
+  let options = { Check.default with bounds = { Bounds.default with states = Given 400 } } in
   let s = space ~options (Load.exactly (Load.file (Filename.concat folder name))) in
   let counts = named s in
   let show (r, n) = Printf.sprintf "%s %d" (Rule.id r) n in
@@ -170,7 +170,7 @@ let rules_agree name () =
 
 (* Each bond that is made has two summands behind it, and each that is released as well. *)
 let nothing_unattributed name () =
-  let options = { Check.default with states = Given 400 } in
+  let options = { Check.default with bounds = { Bounds.default with states = Given 400 } } in
   let s = space ~options (Load.exactly (Load.file (Filename.concat folder name))) in
   let c = Coverage.of_space s in
   let fired kind =

@@ -225,6 +225,7 @@ module Endless = struct
   let successors () (s : int array) =
     Ok (List.map (fun t -> { Lts.label = 1; target = [| t |] }) [ 2 * s.(0); (2 * s.(0)) + 1 ])
 
+  let reduced _ _ = None
   let duration () _ = Rat.one
 end
 

@@ -23,6 +23,7 @@ module System = struct
     let step e = { Scc_explore.Lts.label = e.duration; target = [| e.target |] } in
     Ok (match g.(s.(0)).ahead with Edges l -> List.map step l | Ray _ | Dead_end -> [])
 
+  let reduced _ _ = None
   let duration _ d = Rat.of_int d
 end
 

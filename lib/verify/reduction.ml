@@ -1,0 +1,33 @@
+open Scc_calculus
+open Scc_property
+
+type kind = Symmetry | Translation | Order | Jump | Slice
+
+let all = [ Symmetry; Translation; Order; Jump; Slice ]
+
+let name = function
+  | Symmetry -> "symmetry"
+  | Translation -> "translation"
+  | Order -> "order"
+  | Jump -> "jump"
+  | Slice -> "slice"
+
+let of_name text = List.find_opt (fun k -> String.equal (name k) text) all
+let equal a b = String.equal (name a) (name b)
+let used kinds kind = List.exists (equal kind) kinds
+
+let quotient kinds model state ~searched ~evaluated : Quotient.t =
+  {
+    symmetry =
+      (if used kinds Symmetry then Symmetry.find model ~searched ~evaluated else Symmetry.none);
+    translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated);
+  }
+
+let visible kinds ~deep ~searched ~evaluated =
+  match (searched, evaluated) with
+  | _ :: _, [] when used kinds Order && (not deep) && not (List.exists Formula.global searched) ->
+    let leaves = List.concat_map Formula.leaves searched in
+    Some (fun leaf -> List.exists (Int.equal leaf) leaves)
+  | _ -> None
+
+let without_jumps kinds (m : Model.t) = if used kinds Jump then m else { m with steered = true }

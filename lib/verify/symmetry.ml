@@ -1,0 +1,108 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+open Scc_property
+
+(* For each leaf its class, or -1; and the leaves of each class, increasing. *)
+type t = { class_of : int array; members : int array array }
+
+let none = { class_of = [||]; members = [||] }
+let is_none s = Array.length s.members = 0
+let classes s = Array.to_list (Array.map Array.to_list s.members)
+
+(** {2 Which leaves} *)
+
+let equal_part (a : Model.part) (b : Model.part) =
+  a.solid.Solid.id = b.solid.Solid.id && Vec.equal a.offset b.offset && Rat.equal a.mass b.mass
+
+let equal_arrays equal a b =
+  Array.length a = Array.length b
+  &&
+  let rec from i = i = Array.length a || (equal a.(i) b.(i) && from (i + 1)) in
+  from 0
+
+let alike (a : Model.leaf) (b : Model.leaf) =
+  (not a.fixed) && (not b.fixed)
+  && String.equal a.template b.template
+  && equal_arrays equal_part a.parts b.parts
+  && Rat.equal a.mass b.mass && Law.equal a.law b.law
+
+let swap i j k = if k = i then j else if k = j then i else k
+
+let invariant formulas i j =
+  List.for_all
+    (fun f -> Formula.equal_modulo_order f (Formula.permuted (swap i j) f))
+    formulas
+
+let event_leaves formulas =
+  List.concat_map Formula.events formulas |> List.concat_map (fun e -> Formula.leaves (State (Event e)))
+
+(* To change places with is an equivalence, so that one member speaks for its class. *)
+let find (m : Model.t) ~searched ~evaluated =
+  let named = Array.make (Array.length m.leaves) false and apart = Array.make (Array.length m.leaves) false in
+  let set a i = a.(i) <- true in
+  List.iter (set apart) (List.concat_map Formula.leaves evaluated @ event_leaves (searched @ evaluated));
+  List.iter (set named) (List.concat_map Formula.leaves searched);
+  let fits i = function
+    | [] -> false
+    | j :: _ -> alike m.leaves.(i) m.leaves.(j) && ((not (named.(i) || named.(j))) || invariant searched i j)
+  in
+  let rec join i = function
+    | [] -> [ [ i ] ]
+    | group :: rest -> if fits i group then (i :: group) :: rest else group :: join i rest
+  in
+  let place groups i = if apart.(i) || m.leaves.(i).fixed then groups else join i groups in
+  let groups = List.fold_left place [] (List.init (Array.length m.leaves) Fun.id) in
+  let classes = List.filter (fun g -> List.compare_length_with g 2 >= 0) groups in
+  let members = Array.of_list (List.map (fun g -> Array.of_list (List.rev g)) classes) in
+  let class_of = Array.make (Array.length m.leaves) (-1) in
+  Array.iteri (fun c leaves -> Array.iter (fun l -> class_of.(l) <- c) leaves) members;
+  { class_of; members }
+
+(** {2 Canonical form} *)
+
+(* A process, the leaves of which get other numbers. *)
+let renamed image (p : State.process) =
+  let finish (f : State.finish) = { f with at = image f.at } in
+  let bond (b : State.bond) = State.bond b.name (finish b.one) (finish b.two) in
+  let leaf (l : State.leaf) = { l with leaf = image l.leaf } in
+  State.process
+    ~leaves:(List.map leaf (Array.to_list p.leaves))
+    ~bonds:(List.map bond (Array.to_list p.bonds))
+    ~velocity:p.velocity ~clock:p.clock
+
+let in_order places members =
+  let rec from i =
+    i >= Array.length members
+    || (Vec.compare places.(members.(i - 1)) places.(members.(i)) < 0 && from (i + 1))
+  in
+  from 1
+
+(* Leaves that are not in the state are left out of their class. *)
+let canonical s processes =
+  if is_none s then None
+  else begin
+    let n = Array.length s.class_of in
+    let places = Array.make n Vec.zero and present = Array.make n false in
+    Array.iter
+      (fun (p : State.process) ->
+         Array.iter
+           (fun (l : State.leaf) ->
+              places.(l.leaf) <- l.position;
+              present.(l.leaf) <- true)
+           p.leaves)
+      processes;
+    let here members = Array.of_list (List.filter (fun l -> present.(l)) (Array.to_list members)) in
+    let members = Array.map here s.members in
+    if Array.for_all (in_order places) members then None
+    else begin
+      let image = Array.init n Fun.id in
+      let sort leaves =
+        let sorted = Array.copy leaves in
+        Array.sort (fun a b -> Vec.compare places.(a) places.(b)) sorted;
+        Array.iteri (fun i leaf -> image.(leaf) <- leaves.(i)) sorted
+      in
+      Array.iter sort members;
+      Some (List.map (renamed (fun l -> image.(l))) (Array.to_list processes))
+    end
+  end
