@@ -128,11 +128,11 @@ let renaming =
 
 let renamed =
   let doc =
-    "Changes the labels of the first model before they are compared. $(i,FROM) is a name of a body, a part or a \
-     channel, which is replaced wherever it stands in a label ($(b,p=left)); or, with a bracket or a $(b,*) in it, a \
-     pattern for whole labels: what its stars stand for takes the places of the stars of $(i,TO) \
-     ($(b,'bind(a, *\\)=bind(b, *\\)')). The first pattern that fits decides; else all names are replaced at once. \
-     Repeatable."
+    "Changes the labels of the first model before they are compared. $(i,FROM) is a name of a body, a part \
+     or a channel, which is replaced wherever it stands in a label ($(b,p=left)); or, with a bracket or a \
+     $(b,*) in it, a pattern for whole labels: what its stars stand for takes the places of the stars of \
+     $(i,TO) ($(b,'bind(a, *\\)=bind(b, *\\)')). The first pattern that fits decides; else all names are \
+     replaced at once. Repeatable."
   in
   Arg.(value & opt_all renaming [] & info [ "rename" ] ~docv:"FROM=TO" ~doc)
 

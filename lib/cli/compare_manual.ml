@@ -4,13 +4,13 @@ let text =
   [
     `S Manpage.s_description;
     `P
-      "Explores two models and tells whether they are equivalent: whether whoever sees their transitions, and not \
-       their states, can tell them apart. If so, it says how: by a shortest trace of one that the other does not \
-       have, if there is one, and by a formula that is true of the first and false of the second. Both are checked \
-       on the two graphs before they are printed.";
+      "Explores two models and tells whether they are equivalent: whether whoever sees their transitions, \
+       and not their states, can tell them apart. If so, it says how: by a shortest trace of one that the \
+       other does not have, if there is one, and by a formula that is true of the first and false of the \
+       second. Both are checked on the two graphs before they are printed.";
     `P
-      "Labels are those of $(b,scc trace), $(b,bind(a, p.right, q.left\\)) say, with the two ends (and the bonds of \
-       a reaction) in the order of their texts. Where a model is at rest time passes for ever: \
+      "Labels are those of $(b,scc trace), $(b,bind(a, p.right, q.left\\)) say, with the two ends (and the \
+       bonds of a reaction) in the order of their texts. Where a model is at rest time passes for ever: \
        $(b,time(forever\\)).";
     `S "RELATIONS";
     `I
@@ -18,16 +18,17 @@ let text =
         "the same sequences of labels. Silent transitions are not seen, nor is the passing of time." );
     `I
       ( "$(b,weak)",
-        "weak bisimilarity: each transition of one is answered by the other with the same label, with silent ones \
-         before and after it, and so on from there. The passing of time is silent." );
+        "weak bisimilarity: each transition of one is answered by the other with the same label, with silent \
+         ones before and after it, and so on from there. The passing of time is silent." );
     `I
       ( "$(b,branching)",
-        "branching bisimilarity: as weak, and the silent transitions of an answer change nothing that could be done. \
-         This is the default. Neither relation looks at divergence: to be silent for ever is no difference." );
+        "branching bisimilarity: as weak, and the silent transitions of an answer change nothing that could \
+         be done. This is the default. Neither relation looks at divergence: to be silent for ever is no \
+         difference." );
     `I
       ( "$(b,strong)",
-        "bisimilarity, transition by transition. A passing of time is a transition $(b,time), whatever its duration; \
-         consecutive passings, with nothing else possible in between, are one." );
+        "bisimilarity, transition by transition. A passing of time is a transition $(b,time), whatever its \
+         duration; consecutive passings, with nothing else possible in between, are one." );
     `I
       ( "$(b,timed)",
         "as strong, and durations count: time is additive, $(b,time(1\\)) and then $(b,time(2\\)) is \
@@ -49,9 +50,9 @@ let text =
        $(b,unexplored) says that not all transitions of its state are known.";
     `S "BOUNDS";
     `P
-      "Bounds are for each of the two models; those of seconds and of memory are for the comparison as well. When \
-       a model was not explored completely, two models are never called equivalent, and different only if what is \
-       known makes sure of it.";
+      "Bounds are for each of the two models; those of seconds and of memory are for the comparison as well. \
+       When a model was not explored completely, two models are never called equivalent, and different only \
+       if what is known makes sure of it.";
   ]
   @ Options.diagnostics_man
   @ [

@@ -5,8 +5,8 @@ val grace : float
 
 val install : unit -> unit -> bool
 (** [install ()] catches the signals from now on; the function that it returns tells whether one has
-    arrived, so that the work can stop and report, for which it may take its time. Work that does not ask in time
-    (see {!grace}) is given up: a message, and exit code 4. The second signal ends the program at once. *)
+    arrived, so that the work can stop and report, for which it may take its time. Work that does not ask in
+    time (see {!grace}) is given up: a message, and exit code 4. The second signal ends the program at once. *)
 
 val in_time : unit -> unit
 (** The work has stopped in time: what is left to do, such as writing what is known, takes as long as it takes. Another
@@ -16,5 +16,5 @@ val deadline : float -> unit
 (** [deadline s]: unless the program ends before, work is given up after [s] seconds and the {!grace}. *)
 
 val clock : float -> unit -> float
-(** [clock s] is {!deadline}[ s], and gives a clock in seconds: work that has read off it that the [s] seconds are
-    over is not given up, as it is about to stop. *)
+(** [clock s] is {!deadline}[ s], and gives a clock in seconds: work that has read off it that the [s] seconds
+    are over is not given up, as it is about to stop. *)

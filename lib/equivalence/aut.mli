@@ -17,4 +17,5 @@ val read : file:string -> string -> (Graph.t, Diag.t) result
 (** SC0803, at its place, for what does not fit. The states keep their numbers. *)
 
 val write : ?cadp:bool -> Graph.t -> (string -> unit) -> unit
-(** Piece by piece. Silent labels are ["tau"], or [i] without quotes with [cadp] (off by default); unknown states get a loop ["unexplored"]. *)
+(** Piece by piece. Silent labels are ["tau"], or [i] without quotes with [cadp] (off by default); unknown states
+    get a loop ["unexplored"]. *)

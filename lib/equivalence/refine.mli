@@ -6,9 +6,9 @@
     times (n states, m edges):
 
     - [Strong]: each edge is looked at O(log n) times for each edge beside it.
-    - [Branching], by the definition that does not look at divergence: the same, what can be done after inert silent
-      steps (within the block) counting as the state's own. Signatures are inductive over these steps and no longer
-      than in [Strong].
+    - [Branching], by the definition that does not look at divergence: the same, what can be done after inert
+      silent steps (within the block) counting as the state's own. Signatures are inductive over these steps and
+      no longer than in [Strong].
     - [Weak], likewise: steps are [tau* a tau*] and [tau*]. They are searched for when they are needed and never
       stored, so memory stays linear; time may be O(n m), so {!Quotient.make} reduces by branching
       bisimilarity first, which is finer. *)

@@ -42,5 +42,5 @@ val wait : t -> position -> Rat.t -> position list
 (** Where one can be after exactly so long, over any instants on the way. Time is additive. *)
 
 val stuck_waiting : t -> position -> Rat.t -> bool
-(** Whether some way of waiting so long leads to, or through, a state whose moves are not all known, so that {!wait} may
-    lack something. *)
+(** Whether some way of waiting so long meets a state whose moves are not all known before it is over, so that
+    {!wait} may lack something. *)

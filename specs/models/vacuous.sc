@@ -20,5 +20,5 @@ fixed   plate = Cube [Bare]
 process ball  = Cube mass 1 velocity (1,0,0) at translate (-5,3,0) [Free]
 
 check no_loss  : always (bound(ball, plate) => vx(ball) = 0)                            // expect: holds
-check released : always (behaviour(ball) = Stuck => speed2(ball) = 0)                    // expect: holds
+check released : behaviour(ball) = Stuck leads_to behaviour(ball) = Spent within 5      // expect: holds
 check at_most  : always bonds(stick) <= 1                                                // expect: holds

@@ -8,10 +8,10 @@ A model that holds because nothing happens is told so, without being asked:
       |
    22 | check no_loss  : always (bound(ball, plate) => vx(ball) = 0)                            // expect: holds
       |                          ^^^^^^^^^^^^^^^^^^
-  ../../specs/models/vacuous.sc:23:26: warning[SC0702]: no run ever meets `behaviour(ball) = Stuck`, so that what `released` says of it is never asked
+  ../../specs/models/vacuous.sc:23:18: warning[SC0702]: no run ever meets `behaviour(ball) = Stuck`, so that what `released` says of it is never asked
       |
-   23 | check released : always (behaviour(ball) = Stuck => speed2(ball) = 0)                    // expect: holds
-      |                          ^^^^^^^^^^^^^^^^^^^^^^^
+   23 | check released : behaviour(ball) = Stuck leads_to behaviour(ball) = Spent within 5      // expect: holds
+      |                  ^^^^^^^^^^^^^^^^^^^^^^^
 
 Coverage lists what never came to be.
 
@@ -75,14 +75,16 @@ Warnings change no verdict and no exit code, and are diagnostics in JSON:
 Nothing is said of premises that some run meets, and nothing when the exploration is not complete:
 
   $ sed 's/velocity (1,0,0) at translate (-5,3,0)/velocity (0,-1,0) at translate (0,3,0)/' $models/vacuous.sc > meets.sc
-  $ scc check meets.sc 2>&1 | grep -e warning -e holds
+  $ scc check meets.sc 2>&1 | grep -e warning -e '^[a-z_]*: '
   no_loss: holds (exhaustive)
-  released: holds (exhaustive)
+  released: violated
   at_most: holds (exhaustive)
-  $ scc check meets.sc --depth 0 2>&1 | grep -e warning -e holds
+  explored: 5 states, 4 transitions, depth 3, model time 1; complete
+  $ scc check meets.sc --depth 0 2>&1 | grep -e warning -e '^[a-z_]*: '
   no_loss: holds up to the bound: the depth bound 0
-  released: holds up to the bound: the depth bound 0
+  released: undecided: the exploration ended at the depth bound 0; one unexplored state matters
   at_most: holds up to the bound: the depth bound 0
+  explored: 2 states, 1 transition, depth 1, model time 1; not complete: stopped by the depth bound 0
 
 Statistics vary, and are not part of the report:
 
@@ -115,7 +117,7 @@ SARIF has the faults of a model, its warnings, and what is violated or undecided
   "region": {"startLine": 22, "startColumn": 26, "endLine": 22, "endColumn": 44}
   "ruleId": "SC0702",
   "level": "warning",
-  "region": {"startLine": 23, "startColumn": 26, "endLine": 23, "endColumn": 49}
+  "region": {"startLine": 23, "startColumn": 18, "endLine": 23, "endColumn": 41}
   $ scc check ../../specs/conformance/invalid/SC0201-template.sc --sarif log.sarif > /dev/null 2>&1
   [3]
   $ results log.sarif

@@ -78,7 +78,8 @@ let traces depth g =
   let edges = edges g in
   let rec close set =
     let more =
-      List.filter_map (fun (s, l, t) -> if l = "tau" && List.mem s set && not (List.mem t set) then Some t else None)
+      List.filter_map
+        (fun (s, l, t) -> if l = "tau" && List.mem s set && not (List.mem t set) then Some t else None)
         edges
     in
     if more = [] then set else close (List.sort_uniq compare (more @ set))
@@ -88,7 +89,8 @@ let traces depth g =
     ::
     (if depth = 0 then []
      else
-       List.sort_uniq compare (List.filter_map (fun (s, l, _) -> if l <> "tau" && List.mem s set then Some l else None) edges)
+       List.filter_map (fun (s, l, _) -> if l <> "tau" && List.mem s set then Some l else None) edges
+       |> List.sort_uniq compare
        |> List.concat_map (fun l ->
            let next = List.filter_map (fun (s, m, t) -> if m = l && List.mem s set then Some t else None) edges in
            List.map (fun rest -> l :: rest) (from (depth - 1) (close next))))

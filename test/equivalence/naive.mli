@@ -20,5 +20,5 @@ val traces : int -> Graph.t -> string list list
 (** The observable traces of at most so many actions, sorted. *)
 
 val time_steps : unit_:int -> Graph.t -> Graph.t
-(** Each [time(n/unit)] in n steps [tick], and [time(forever)] as a step to where there are only steps: timed bisimilarity is then strong
-    bisimilarity, when every duration is a multiple of 1/unit. *)
+(** Each [time(n/unit)] in n steps [tick], and [time(forever)] as a step to where there are only steps: timed
+    bisimilarity is then strong bisimilarity, when every duration is a multiple of 1/unit. *)

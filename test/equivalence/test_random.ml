@@ -29,7 +29,9 @@ let pair_gen =
       | 1 -> (size, (s, l, t) :: edges)
       | 2 -> (size, (match edges with _ :: rest -> rest | [] -> []))
       | 3 -> (size + 1, detour edges)
-      | _ -> (size + 1, (s, "tau", size) :: List.filter_map (fun (a, m, b) -> if a = s then Some (size, m, b) else None) edges @ edges) )
+      | _ ->
+        let copied = List.filter_map (fun (a, m, b) -> if a = s then Some (size, m, b) else None) edges in
+        (size + 1, (s, "tau", size) :: (copied @ edges)) )
 
 let print (size, edges) =
   Printf.sprintf "%d states: %s" size

@@ -59,7 +59,8 @@ let by_hand =
 let texts relation g h =
   match (run relation g h).verdict with
   | Different { formula = Some f; trace; _ } ->
-    ((run relation g h).show f, Option.map (fun (t, first) -> String.concat " " t ^ (if first then "" else " !")) trace)
+    let line (t, first) = String.concat " " t ^ if first then "" else " !" in
+    ((run relation g h).show f, Option.map line trace)
   | _ -> ("", None)
 
 let explanations () =
@@ -80,8 +81,9 @@ let graph_gen ~deterministic =
   let* size = int_range 1 5 in
   let state = int_range 0 (size - 1) in
   let* actions = list_size (int_range 0 size) (triple state (oneofl [ "a"; "b"; "tau" ]) state) in
-  let passing = map (fun n -> Label.of_passing (For (Scc_exact.Rat.div (Scc_exact.Rat.of_int n) (Scc_exact.Rat.of_int 2)))) (int_range 1 4) in
-  let+ times = list_size (int_range 0 size) (triple state (frequency [ (5, passing); (1, return "time(forever)") ]) state) in
+  let halves n = Label.of_passing (For Scc_exact.Rat.(div (of_int n) (of_int 2))) in
+  let passing = frequency [ (5, map halves (int_range 1 4)); (1, return "time(forever)") ] in
+  let+ times = list_size (int_range 0 size) (triple state passing state) in
   let times = List.map (fun (s, l, t) -> if l = "time(forever)" then (s, l, s) else (s, l, t)) times in
   let first_only =
     List.fold_left

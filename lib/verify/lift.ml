@@ -1,0 +1,129 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+type t = {
+  model : Model.t;
+  run : Event_run.t;
+  kept : bool array;  (** the leaves of the slice *)
+  mutable steps : Witness.step list;  (** the last first *)
+  mutable within_instant : int;  (** transitions since time has passed *)
+}
+
+let fail () = Scc_base.Bug.fail __POS__ "a run of a slice is no run of the whole network"
+
+(* Groups that are left out make so many at most, each of them. *)
+let patience t = 10_000 * Array.length t.model.leaves
+
+let take t choice (a : Event_run.alternative) =
+  Event_run.take t.run choice;
+  let target = Event_run.state t.run in
+  let transition = { Transition.label = a.label; rules = a.rules; target } in
+  t.within_instant <- (match a.label with Time _ -> 0 | _ -> t.within_instant + 1);
+  if t.within_instant > patience t then fail ();
+  t.steps <- { choice; transition; time = Event_run.elapsed t.run } :: t.steps
+
+(* The alternatives with their choices that satisfy a condition. *)
+let those alternatives condition =
+  List.mapi (fun k (a : Event_run.alternative) -> (k, a)) alternatives
+  |> List.filter (fun (_, (a : Event_run.alternative)) -> condition a.label)
+
+let is_time : Transition.label -> bool = function
+  | Time _ -> true
+  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> false
+
+let is_urgent : Transition.label -> bool = function
+  | Bind _ | Bounce _ | Strong_split _ -> true
+  | Time _ | Weak_split _ -> false
+
+let some_leaf : Transition.label -> int option = function
+  | Bind b | Weak_split b | Strong_split (b :: _) -> Some b.one.at
+  | Bounce (i, _) -> Some i
+  | Time _ | Strong_split [] -> None
+
+let is_of_slice t label = match some_leaf label with Some i -> t.kept.(i) | None -> false
+
+(** Where a run is that was to go on to an instant. *)
+type place =
+  | There
+  | Before of int option  (** in a state before it, and time passes beyond it by this choice, or for ever *)
+
+let rec advance t ~until =
+  if Algebraic.compare_rat until (Event_run.elapsed t.run) = 0 then There
+  else
+    let alternatives = Event_run.alternatives t.run in
+    match (those alternatives is_time, those alternatives is_urgent) with
+    | (k, a) :: _, _ ->
+      let next = Rat.add (Event_run.elapsed t.run) (Transition.duration_of a.label) in
+      if Algebraic.compare_rat until next < 0 then Before (Some k)
+      else begin
+        take t k a;
+        advance t ~until
+      end
+    | [], (k, a) :: _ ->
+      if is_of_slice t a.label then fail ();
+      take t k a;
+      advance t ~until
+    | [], [] -> if alternatives = [] then Before None else fail ()
+
+let arrive t time =
+  if Algebraic.compare_rat (Algebraic.of_rat time) (Event_run.elapsed t.run) < 0 then fail ();
+  match advance t ~until:(Algebraic.of_rat time) with There -> () | Before _ -> fail ()
+
+(* The processes of the slice in a state of the whole. *)
+let same_in_slice t (slice : State.t) (whole : State.t) =
+  let of_slice (p : State.process) = t.kept.(p.leaves.(0).leaf) in
+  let processes = Array.of_list (List.filter of_slice (Array.to_list whole.processes)) in
+  Array.length processes = Array.length slice.processes
+  && Array.for_all2 State.equal_process processes slice.processes
+
+(* Transitions with the same label may lead to different behaviours. *)
+let choose t (step : Witness.step) =
+  let label = step.transition.label and target = step.transition.target in
+  match those (Event_run.alternatives t.run) (Transition.equal_label label) with
+  | [] -> fail ()
+  | [ found ] -> found
+  | several -> (
+      match Network.successors t.model (Event_run.state t.run) with
+      | Error _ -> fail ()
+      | Ok transitions ->
+        let leads (k, _) = same_in_slice t target (List.nth transitions k).target in
+        (match List.find_opt leads several with Some found -> found | None -> fail ()))
+
+let repeat t (step : Witness.step) =
+  match step.transition.label with
+  | Time _ -> ()
+  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ ->
+    arrive t step.time;
+    let k, a = choose t step in
+    take t k a;
+    if not (same_in_slice t step.transition.target (Event_run.state t.run)) then fail ()
+
+let since t instant = Algebraic.add_rat (Rat.neg (Event_run.elapsed t.run)) instant
+
+let finish t (w : Witness.t) : Witness.finish =
+  match w.finish with
+  | At_state ->
+    arrive t (Witness.time w);
+    At_state
+  | During { from; open_piece; _ } -> (
+      let instant = Witness.instant w in
+      match advance t ~until:instant with
+      | There -> At_state
+      | Before choice ->
+        let offset = since t instant in
+        let from = since t (Algebraic.add_rat (Witness.time w) from) in
+        if open_piece && Algebraic.compare_rat from Rat.zero >= 0 then
+          During { choice; offset; open_piece; from }
+        else During { choice; offset; open_piece = false; from = offset })
+  | Rests | Stops | Repeats _ | Passes _ -> Scc_base.Bug.fail __POS__ "not the witness of a search"
+
+let timed model ~initial (w : Witness.t) =
+  let kept = Array.make (Array.length model.Model.leaves) false in
+  Array.iter
+    (fun (p : State.process) -> Array.iter (fun (l : State.leaf) -> kept.(l.leaf) <- true) p.leaves)
+    w.initial.processes;
+  let t = { model; run = Event_run.start model initial; kept; steps = []; within_instant = 0 } in
+  List.iter (repeat t) w.steps;
+  let finish = finish t w in
+  { w with initial; steps = List.rev t.steps; last = Event_run.state t.run; finish }

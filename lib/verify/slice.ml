@@ -1,0 +1,324 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+
+(** {1 Formulas} *)
+
+(* Whether a predicate can only become true, never false, by events that have just happened; or only false. *)
+let rec favours positive (p : Property.prop) =
+  match p with
+  | Event _ -> positive
+  | Not p -> favours (not positive) p
+  | And ps | Or ps -> List.for_all (favours positive) ps
+  | Compare _ -> not (Formula.has_events (State p))
+  | Bool _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent -> true
+
+let rec is_search (plan : Plan.t) =
+  match plan with
+  | Now _ -> true
+  | Possibly (_, p) -> favours true p
+  | Always (_, p) -> favours false p
+  | Formula _ -> false
+  | All plans | Any plans -> List.for_all is_search plans
+
+let can_be_sliced f =
+  is_search (Plan.of_formula f) && (not (Formula.global f)) && Formula.leaves f <> []
+
+(* The latest horizon; [None] when one of them has none. *)
+let horizon formulas =
+  List.fold_left
+    (fun latest f ->
+       match (latest, Plan.horizon f) with
+       | Some a, Some b -> Some (Rat.max a b)
+       | None, _ | _, None -> None)
+    (Some Rat.zero) formulas
+
+let leaves_of_event : Property.event -> int list = function
+  | Bond (_, _, One i) | Bounce (One i) -> [ i ]
+  | Bond (_, _, Two (i, j)) | Bounce (Two (i, j)) -> [ i; j ]
+  | Bond (_, _, Any) | Bounce Any -> []
+
+(** {1 Walls} *)
+
+(* Whether an offer to bind is exposed, or will be once delays have expired. *)
+let may_bind (definitions : Behaviour.definitions) (b : Behaviour.aged) =
+  let rec look seen (b : Behaviour.t) =
+    match b with
+    | Nil | Weak _ | Strong _ -> false
+    | Open _ -> true
+    | Delay (_, b) -> look seen b
+    | Sum (a, b) -> look seen a || look seen b
+    | Call k -> (not (List.mem k seen)) && look (k :: seen) definitions.(k).body
+  in
+  look [] b.term
+
+let is_wall (m : Model.t) ~in_events (p : State.process) =
+  match p.leaves with
+  | [| l |] ->
+    m.leaves.(l.leaf).fixed && (not (List.mem l.leaf in_events)) && not (may_bind m.definitions l.behaviour)
+  | _ -> false
+
+(** {1 Groups} *)
+
+type swarm = {
+  model : Model.t;
+  horizon : Rat.t option;
+  processes : State.process array;
+  parts : Parts.part array;
+  walls : bool array;  (** by process *)
+  lines : Moving_boxes.t;  (** of parts, which do not collide *)
+  present : Box_tree.t;  (** where parts may be until the horizon, those of walls apart *)
+  still : Box_tree.t;  (** the parts of walls *)
+  parent : int array;  (** of each process towards the representative of its group *)
+  members : int list array;  (** the parts of a group, by representative *)
+  energy : Rat.t array;  (** 2E of a group, by representative *)
+  stirred : bool array;  (** the group may have a collision, by representative *)
+  grown : bool array;  (** and its boxes have been grown by what that may lead to *)
+}
+
+let rec find s i =
+  let up = s.parent.(i) in
+  if up = i then i
+  else begin
+    s.parent.(i) <- s.parent.(up);
+    find s up
+  end
+
+(* The greater group keeps its representative, which keeps the ways to it short. *)
+let join s g h =
+  let g, h = if List.compare_lengths s.members.(g) s.members.(h) < 0 then (h, g) else (g, h) in
+  s.parent.(h) <- g;
+  s.members.(g) <- List.rev_append s.members.(h) s.members.(g);
+  s.members.(h) <- [];
+  s.energy.(g) <- Rat.add s.energy.(g) s.energy.(h);
+  s.stirred.(g) <- true;
+  s.grown.(g) <- false
+
+let is_fixed s i = s.model.leaves.(s.parts.(i).leaf).fixed
+
+let twice_energy m (p : State.process) =
+  match State.mass m p with
+  | Some mass -> Rat.mul mass (Vec.norm2 p.velocity)
+  | None -> Rat.zero
+
+let create model ~horizon ~in_events (initial : State.t) =
+  let processes = initial.processes in
+  let parts = Parts.of_state model initial in
+  let n = Array.length processes in
+  let lines = Moving_boxes.create (Array.length parts) in
+  (* The ends of sweeps must be later than 0. *)
+  let until =
+    match horizon with None -> infinity | Some h -> Float.max Float.min_float (Float_box.up h)
+  in
+  let members = Array.make n [] in
+  Array.iteri
+    (fun i (p : Parts.part) ->
+       Moving_boxes.set lines i p.shape ~at:p.position ~velocity:p.velocity;
+       Moving_boxes.set_until lines i until;
+       members.(p.process) <- i :: members.(p.process))
+    parts;
+  {
+    model; horizon; processes; parts; lines; members;
+    walls = Array.map (is_wall model ~in_events) processes;
+    present = Box_tree.create ();
+    still = Box_tree.create ();
+    parent = Array.init n Fun.id;
+    energy = Array.map (twice_energy model) processes;
+    stirred = Array.make n false;
+    grown = Array.make n false;
+  }
+
+(** {2 On their lines} *)
+
+let collide s i j =
+  let a = s.parts.(i) and b = s.parts.(j) in
+  let w = Vec.sub b.velocity a.velocity in
+  (not (Vec.is_zero w))
+  && Moving_boxes.may_meet s.lines i j ~from:0.
+  &&
+  let obstacle = Model.obstacle s.model (a.leaf, a.part) (b.leaf, b.part) in
+  match Obstacle.first_time_of_contact obstacle (Vec.sub b.position a.position) w with
+  | Never -> false
+  | At t -> ( match s.horizon with None -> true | Some h -> Rat.compare t h <= 0)
+  | Inside -> Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
+
+(* Puts the parts in the trees, and finds who collides with whom as long as nobody has collided. Where the boxes of
+   groups will be grown (those then hold their lines), nothing is to be found. *)
+let fly s =
+  let all_stirred = ref false in
+  let is_calm g = not (s.stirred.(g) || !all_stirred) in
+  (* Without a horizon, a group that may have a collision gets everywhere. *)
+  let stir () = if Option.is_none s.horizon then all_stirred := true in
+  let meet i j =
+    let g = find s s.parts.(i).process and h = find s s.parts.(j).process in
+    if g <> h && is_calm g && is_calm h && collide s i j then begin
+      join s g h;
+      stir ()
+    end
+  in
+  let hit wall i =
+    let g = find s s.parts.(i).process in
+    if is_calm g && collide s i wall then begin
+      s.stirred.(g) <- true;
+      stir ()
+    end
+  in
+  let enter i (p : Parts.part) =
+    let box = Moving_boxes.swept s.lines i ~from:0. in
+    if s.walls.(p.process) then begin
+      Box_tree.iter_meeting s.present box (hit i);
+      Box_tree.insert s.still i box
+    end
+    else begin
+      Box_tree.iter_meeting s.present box (meet i);
+      Box_tree.iter_meeting s.still box (fun wall -> hit wall i);
+      Box_tree.insert s.present i box
+    end
+  in
+  Array.iteri enter s.parts
+
+(** {2 After collisions} *)
+
+(* v^2 <= 2E/m, so that the way until h is at most the root of 2E h^2/m. The root of a float is rounded to the
+   nearest, and so is below the next float. *)
+let reach s ~energy i =
+  if is_fixed s i || Rat.sign energy = 0 then 0.
+  else
+    match s.horizon with
+    | None -> infinity
+    | Some h ->
+      let mass = s.model.leaves.(s.parts.(i).leaf).mass in
+      Float.succ (Float.sqrt (Float_box.up (Rat.div (Rat.mul energy (Rat.mul h h)) mass)))
+
+(* Sums and differences are rounded to the nearest; none is infinity - infinity, as least coordinates are never
+   +infinity, nor greatest ones -infinity. *)
+let grown_box s ~energy i =
+  let p = s.parts.(i) in
+  let box = Float_box.at p.position p.shape and r = reach s ~energy i in
+  let low k = Float.pred (Float_box.low box k -. r) and high k = Float.succ (Float_box.high box k +. r) in
+  Float_box.make ~low:(Array.init 3 low) ~high:(Array.init 3 high)
+
+let withdraw s g =
+  List.iter (fun i -> if Box_tree.mem s.present i then Box_tree.remove s.present i) s.members.(g)
+
+(* Those that a part of a group may meet, which is not in the tree itself. Two fixed leaves never meet. *)
+let found s box i =
+  let groups = ref [] in
+  Box_tree.iter_meeting s.present box (fun j ->
+      if not (is_fixed s i && is_fixed s j) then groups := find s s.parts.(j).process :: !groups);
+  List.sort_uniq Int.compare !groups
+
+(* Grows a group, joins it with those that it may meet, and grows the whole, until it meets nobody. *)
+let rec grow s g =
+  withdraw s g;
+  let energy = s.energy.(g) in
+  let boxes = List.rev_map (fun i -> (i, grown_box s ~energy i)) s.members.(g) in
+  let take_in whole h =
+    withdraw s h;
+    join s whole h;
+    find s h
+  in
+  let whole = List.fold_left (fun whole (i, box) -> List.fold_left take_in whole (found s box i)) g boxes in
+  if List.compare_lengths s.members.(whole) boxes <> 0 then grow s whole
+  else begin
+    List.iter (fun (i, box) -> Box_tree.insert s.present i box) boxes;
+    s.grown.(g) <- true
+  end
+
+let is_group s i = s.parent.(i) = i && not s.walls.(i)
+
+let settle s =
+  Array.iteri
+    (fun i _ ->
+       let g = find s i in
+       if s.stirred.(g) && not s.grown.(g) then grow s g)
+    s.parent
+
+(** {1 What is left out} *)
+
+(* The walls that some groups may reach. *)
+let reached s groups =
+  let near = Array.make (Array.length s.processes) false in
+  let note energy i =
+    Box_tree.iter_meeting s.still (grown_box s ~energy i) (fun j -> near.(s.parts.(j).process) <- true)
+  in
+  List.iter (fun g -> if s.stirred.(g) then List.iter (note s.energy.(g)) s.members.(g)) groups;
+  near
+
+let restricted (initial : State.t) stays =
+  let processes = List.filteri (fun i _ -> stays i) (Array.to_list initial.processes) in
+  State.make ~processes ~step:initial.step ~time:initial.time
+
+(* How many transitions a group may make until the horizon. *)
+let patience = 10_000
+
+let is_urgent : Transition.label -> bool = function
+  | Weak_split _ -> false
+  | Time _ | Bind _ | Bounce _ | Strong_split _ -> true
+
+(* Whether time gets to the horizon when a group does at once what it must, and only that. *)
+let lasts s initial g =
+  let near = reached s [ g ] in
+  let run = Event_run.start s.model (restricted initial (fun i -> find s i = g || near.(i))) in
+  let over time = match s.horizon with None -> false | Some h -> Rat.compare h time <= 0 in
+  let rec go fuel =
+    fuel > 0
+    &&
+    let alternatives = Event_run.alternatives run in
+    let rec first k = function
+      | [] -> None
+      | (a : Event_run.alternative) :: rest -> if is_urgent a.label then Some (k, a.label) else first (k + 1) rest
+    in
+    match first 0 alternatives with
+    | None -> true
+    | Some (k, label) ->
+      over (Rat.add (Event_run.elapsed run) (Transition.duration_of label))
+      || begin
+        Event_run.take run k;
+        go (fuel - 1)
+      end
+  in
+  go patience
+
+let owners (m : Model.t) (initial : State.t) =
+  let owner = Array.make (Array.length m.leaves) (-1) in
+  Array.iteri
+    (fun i (p : State.process) -> Array.iter (fun (l : State.leaf) -> owner.(l.leaf) <- i) p.leaves)
+    initial.processes;
+  owner
+
+let kept s initial named =
+  let n = Array.length s.processes in
+  let wanted = Array.make n false in
+  List.iter (fun p -> wanted.(find s p) <- true) named;
+  for g = 0 to n - 1 do
+    if is_group s g && s.stirred.(g) && (not wanted.(g)) && not (lasts s initial g) then wanted.(g) <- true
+  done;
+  let groups = List.filter (fun g -> is_group s g && wanted.(g)) (List.init n Fun.id) in
+  let near = reached s groups in
+  let stays = Array.init n (fun i -> wanted.(find s i) || near.(i)) in
+  if Array.for_all Fun.id stays then None else Some (restricted initial (fun i -> stays.(i)))
+
+let make (m : Model.t) ~(initial : State.t) formulas =
+  let owner = owners m initial in
+  let named = List.concat_map (fun f -> List.map (fun l -> owner.(l)) (Formula.leaves f)) formulas in
+  if
+    m.steered || formulas = []
+    || not (List.for_all can_be_sliced formulas)
+    || List.exists (fun p -> p < 0) named
+  then None
+  else begin
+    let in_events = List.concat_map (fun f -> List.concat_map leaves_of_event (Formula.events f)) formulas in
+    let s = create m ~horizon:(horizon formulas) ~in_events initial in
+    fly s;
+    settle s;
+    kept s initial named
+  end
+
+let left_out (m : Model.t) ~initial slice =
+  let before = owners m initial and after = owners m slice in
+  Array.to_list m.leaves
+  |> List.filteri (fun i _ -> before.(i) >= 0 && after.(i) < 0)
+  |> List.map (fun (l : Model.leaf) -> l.name)
