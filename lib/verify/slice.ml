@@ -203,8 +203,8 @@ let grown_box s ~energy i =
 let withdraw s g =
   List.iter (fun i -> if Box_tree.mem s.present i then Box_tree.remove s.present i) s.members.(g)
 
-(* The groups that a part of a group may meet, which is not in the tree itself. Two fixed leaves never meet, and what
-   is on its line meets a fixed leaf or does not. *)
+(* The groups that a part of a group may meet, which is not in the tree itself. Two fixed leaves never meet, and
+   what is on its line meets a fixed leaf or does not. *)
 let found s box i =
   let groups = ref [] in
   Box_tree.iter_meeting s.present box (fun j ->
