@@ -249,7 +249,24 @@ process b = Cube mass 9 velocity (1,0,0) at translate (-9,-6,0) [nil]
 |}
   in
   is "a light one may be three times as fast" all_kept (sideways ^ "check a : always x(s) = 0 within 7/5");
-  is "no faster" [ "c"; "b" ] (sideways ^ "check a : always x(s) = 0 within 13/10")
+  is "no faster" [ "c"; "b" ] (sideways ^ "check a : always x(s) = 0 within 13/10");
+  let head_on =
+    still
+    ^ {|
+process c = Cube mass 1 velocity (-1,0,0) at translate (-6,-6,0) [nil]
+process b = Cube mass 1 velocity (1,0,0) at translate (-9,-6,0) [nil]
+|}
+  in
+  is "one may get the energy of both" all_kept (head_on ^ "check a : always x(s) = 0 within 29/10");
+  is "no more" [ "c"; "b" ] (head_on ^ "check a : always x(s) = 0 within 28/10");
+  is "one that is met on the way may be light" all_kept
+    (still
+     ^ {|
+process d = Cube mass 1 at translate (-6,-3,0) [nil]
+process c = Cube mass 9 at translate (-6,-6,0) [nil]
+process b = Cube mass 9 velocity (1,0,0) at translate (-9,-6,0) [nil]
+check a : always x(s) = 0 within 7/5
+|})
 
 let walls () =
   let scene =
