@@ -259,6 +259,7 @@ process b = Cube mass 1 velocity (1,0,0) at translate (-9,-6,0) [nil]
   in
   is "one may get the energy of both" all_kept (head_on ^ "check a : always x(s) = 0 within 29/10");
   is "no more" [ "c"; "b" ] (head_on ^ "check a : always x(s) = 0 within 28/10");
+  is "with all the time there is, anywhere" all_kept (head_on ^ "check a : always x(s) = 0");
   is "one that is met on the way may be light" all_kept
     (still
      ^ {|
