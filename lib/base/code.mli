@@ -181,6 +181,9 @@ val vacuous : t
 val uneventful : t
 (** SC0703: a model in which no event ever happens (a warning). *)
 
+val impossible_event : t
+(** SC0704: an event that no behaviour can bring about (a warning). *)
+
 
 (** {1 Schedules and traces} *)
 

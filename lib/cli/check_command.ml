@@ -149,7 +149,7 @@ let check console bounds (extras : Check_extras.t) overrides path =
   let measured = Measured.start () in
   let* model = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
   let e = model.elaborated in
-  Console.report console e.warnings;
+  Console.report console (e.warnings @ Vacuity.impossible e);
   let* () = match extras.witness with Some folder -> make_folder folder | None -> Ok () in
   let* initial = initial e in
   (* The limit of seconds is that of one exploration. *)

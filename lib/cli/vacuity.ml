@@ -1,6 +1,39 @@
 open Scc_base
+open Scc_calculus
 open Scc_property
 open Scc_verify
+
+(* Whether some behaviour that a body may come to has a summand that does this to bonds of this name. *)
+let can_happen terms (change : Property.change) name =
+  let is (c : Behaviour.channel) = match name with None -> true | Some a -> String.equal c.name a in
+  let opened polarity (b : Behaviour.t) =
+    match (b, polarity) with
+    | Open (Name, c, _), Behaviour.Name | Open (Co_name, c, _), Behaviour.Co_name -> is c
+    | _, _ -> false
+  in
+  let weak : Behaviour.t -> bool = function Weak (c, _) -> is c | _ -> false in
+  let strong : Behaviour.t -> bool = function Strong (list, _) -> List.exists is list | _ -> false in
+  let some f = List.exists f terms in
+  match change with
+  | Made -> some (opened Name) && some (opened Co_name)
+  | Released_weakly -> some weak
+  | Released_strongly -> some strong
+  | Released -> some weak || some strong
+
+let impossible (e : Scc_elaborate.Elaborate.t) =
+  let counted = Coverage.create e.model ~initial:e.declared in
+  let terms = List.map (fun (s : Coverage.summand) -> s.term) (Coverage.summands counted) in
+  let impossible : Property.event -> bool = function
+    | Bond (change, name, _) -> not (can_happen terms change name)
+    | Bounce _ -> false
+  in
+  let warning (c : Property.check) event =
+    Diag.warning Code.impossible_event c.span "no behaviour can bring about `event %s`, of which `%s` speaks"
+      (Show.event e.model event) c.name
+  in
+  List.concat_map
+    (fun (c : Property.check) -> List.map (warning c) (List.filter impossible (Formula.events c.formula)))
+    e.checks
 
 let questions (e : Scc_elaborate.Elaborate.t) = e.premises
 

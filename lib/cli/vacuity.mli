@@ -5,6 +5,11 @@ open Scc_base
 open Scc_property
 open Scc_verify
 
+val impossible : Scc_elaborate.Elaborate.t -> Diag.t list
+(** SC0704 for each event of a check that no behaviour can bring about: a bind on a channel that is not open
+    both as [a] and as [~a] anywhere, a split of bonds that none releases in this way. The text of the
+    behaviours tells, without exploration. *)
+
 val questions : Scc_elaborate.Elaborate.t -> Property.check list
 (** Whether premises ever hold: to be decided beside the checks. They keep no exploration going, as a check is
     never decided before its premise has been met or all is explored. *)

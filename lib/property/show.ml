@@ -109,18 +109,48 @@ let bound b =
   | _, Some t -> Printf.sprintf "[%s, %s]" (Rat.to_string b.low) (Rat.to_string t)
   | _, None -> Printf.sprintf "[>= %s]" (Rat.to_string b.low)
 
-let rec temporal m = function
-  | State p -> prop m p
-  | Temporal_not f -> Printf.sprintf "not (%s)" (temporal m f)
-  | Temporal_and fs -> String.concat " and " (Long_list.map (part m) fs)
-  | Temporal_or fs -> String.concat " or " (Long_list.map (part m) fs)
-  | Next (q, f) -> Printf.sprintf "%sX %s" (quantifier q) (part m f)
-  | Finally (q, b, f) -> Printf.sprintf "%sF%s %s" (quantifier q) (bound b) (part m f)
-  | Globally (q, b, f) -> Printf.sprintf "%sG%s %s" (quantifier q) (bound b) (part m f)
-  | Until (q, b, f, g) ->
-    Printf.sprintf "%s[ %s U%s %s ]" (quantifier q) (temporal m f) (bound b) (temporal m g)
+let states ps = Long_list.map (fun p -> State p) ps
 
-and part m f = Printf.sprintf "(%s)" (temporal m f)
+(* Of what a formula is the negation. *)
+let negated = function
+  | Temporal_not f -> Some f
+  | State (Not p) -> Some (State p)
+  | _ -> None
+
+(* The levels of the syntax: 0 [=>], 1 [or], 2 [and], 3 prefixes, 4 what never needs brackets. *)
+let rec levelled m f =
+  let prefix word f = (3, Printf.sprintf "%s %s" word (at 3 m f)) in
+  let joined level word f fs =
+    (level, String.concat (" " ^ word ^ " ") (Long_list.map (at (level + 1) m) (f :: fs)))
+  in
+  match f with
+  | State (And ps) -> levelled m (Temporal_and (states ps))
+  | State (Or ps) -> levelled m (Temporal_or (states ps))
+  | State (Not p) -> levelled m (Temporal_not (State p))
+  | State p -> (4, prop m p)
+  | Temporal_and [] -> (4, "true")
+  | Temporal_or [] -> (4, "false")
+  | Temporal_and [ f ] | Temporal_or [ f ] -> levelled m f
+  | Temporal_not f -> (
+      match negated f with
+      | Some f -> levelled m f
+      | None -> prefix "not" f)
+  | Temporal_and (f :: fs) -> joined 2 "and" f fs
+  | Temporal_or (f :: fs) -> (
+      match (negated f, fs) with
+      | Some premise, [ g ] -> (0, Printf.sprintf "%s => %s" (at 1 m premise) (at 0 m g))
+      | _ -> joined 1 "or" f fs)
+  | Next (q, f) -> prefix (quantifier q ^ "X") f
+  | Finally (q, b, f) -> prefix (quantifier q ^ "F" ^ bound b) f
+  | Globally (q, b, f) -> prefix (quantifier q ^ "G" ^ bound b) f
+  | Until (q, b, f, g) ->
+    (4, Printf.sprintf "%s[ %s U%s %s ]" (quantifier q) (temporal m f) (bound b) (temporal m g))
+
+and at level m f =
+  let own, text = levelled m f in
+  if own < level then "(" ^ text ^ ")" else text
+
+and temporal m f = snd (levelled m f)
 
 let atoms p =
   let rec collect found = function

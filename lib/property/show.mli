@@ -10,7 +10,10 @@ val num : Model.t -> Property.num -> string
 (** [x(p)], [bonds(a, p, q)], [(x(p) + 1)]: fully bracketed. *)
 
 val prop : Model.t -> Property.prop -> string
+
 val temporal : Model.t -> Property.temporal -> string
+(** As one would write it, with as few brackets as can be; a disjunction of two that begins with a negation is an
+    implication. *)
 
 val atoms : Property.prop -> Property.prop list
 (** The predicates under the connectives, without repetition, in order: those whose truth explains the

@@ -93,7 +93,19 @@ let of_temporal formulas =
   let formulas = List.map go formulas in
   (formulas, Array.of_list (List.rev_map fst !found))
 
-(** {2 In words} *)
+let rec to_temporal prop f =
+  let go = to_temporal prop in
+  match f with
+  | Predicate k -> Property.State (prop k)
+  | Not f -> Temporal_not (go f)
+  | And fs -> Temporal_and (Scc_base.Long_list.map go fs)
+  | Or fs -> Temporal_or (Scc_base.Long_list.map go fs)
+  | Next (q, f) -> Next (q, go f)
+  | Finally (q, b, f) -> Finally (q, b, go f)
+  | Globally (q, b, f) -> Globally (q, b, go f)
+  | Until (q, b, f, g) -> Until (q, b, go f, go g)
+
+(** {2 For messages} *)
 
 let letter : Property.path_quantifier -> string = function All -> "A" | Exists -> "E"
 

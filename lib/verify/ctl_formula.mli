@@ -21,5 +21,8 @@ val horizon : t -> Scc_exact.Rat.t option
 val of_temporal : Property.temporal list -> t list * Property.prop array
 (** The same formulas over the state predicates that occur in them, equal ones shared. *)
 
+val to_temporal : (int -> Property.prop) -> t -> Property.temporal
+(** Back, with the predicates as given. *)
+
 val to_string : (int -> string) -> t -> string
-(** With the predicates as given; for people and for messages of tests. *)
+(** With the predicates as given; for messages of tests. *)

@@ -31,8 +31,19 @@ let follow_all context graph = List.fold_left (follow context graph)
 
 let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ -> l
 
+(* By how much a state is the other one moved as a whole. *)
+let moved (from : State.t) (state : State.t) =
+  match (from.processes, state.processes) with
+  | [||], _ | _, [||] -> if State.equal from state then Some Vec.zero else None
+  | ps, qs ->
+    let by = Vec.sub qs.(0).leaves.(0).position ps.(0).leaves.(0).position in
+    let move (l : State.leaf) = { l with position = Vec.add l.position by } in
+    let processes = List.map (State.map_leaves move) (Array.to_list ps) in
+    let there = State.make ~processes ~step:from.step ~time:from.time in
+    if State.equal there state then Some by else None
+
 (* A round on the graph may lead to another state than it began in, one that the same state of the graph stands
-   for: it is made again until a state recurs. *)
+   for: it is made again until a state recurs, where it was or somewhere else. *)
 let most_rounds = 64
 
 let follow_lasso context graph steps cycle =
@@ -40,7 +51,9 @@ let follow_lasso context graph steps cycle =
   let entry = follow_all context graph (start context) stem in
   let rec again n from =
     let next = follow_all context graph from round in
-    if State.equal next.last entry.last || n >= most_rounds then next else again (n + 1) next
+    match moved entry.last next.last with
+    | Some by -> (next, by)
+    | None -> if n >= most_rounds then (next, Vec.zero) else again (n + 1) next
   in
   again 1 entry
 
@@ -59,14 +72,14 @@ let puts_off context (cycle : Witness.step list) ~from =
   in
   List.find_map at (from :: Long_list.map (fun (s : Witness.step) -> s.transition.target) cycle)
 
-let repeats context run cycle : Witness.finish =
+let repeats context (run, moved) cycle : Witness.finish =
   let steps = List.rev run.steps in
   let from =
     match if cycle = 0 then None else List.nth_opt steps (cycle - 1) with
     | Some s -> s.Witness.transition.target
     | None -> System.start context
   in
-  Repeats { cycle; puts_off = puts_off context (drop cycle steps) ~from }
+  Repeats { cycle; moved; puts_off = puts_off context (drop cycle steps) ~from }
 
 (* Time passes in at most one way from a state. *)
 let time_choice context state =
@@ -120,8 +133,8 @@ let of_trace context graph predicate (trace : Engine.trace) =
     let finish = during context run.last moment sample in
     witness context run finish (facts run.last (extent context run.last) sample)
   | Repeats cycle ->
-    let run = follow_lasso context graph trace.steps cycle in
-    witness context run (repeats context run cycle) (facts run.last Timeline.Instant Algebraic.zero)
+    let ((run, _) as lasso) = follow_lasso context graph trace.steps cycle in
+    witness context run (repeats context lasso cycle) (facts run.last Timeline.Instant Algebraic.zero)
 
 let of_path context graph i =
   of_trace context graph None { steps = Graph.shortest_path graph i; last = i; finish = At_state }
@@ -134,8 +147,8 @@ let of_run context graph temporal (run : Ctl_run.t) =
   let steps = steps_of temporal run in
   match run.finish with
   | Repeats cycle ->
-    let followed = follow_lasso context graph steps cycle in
-    witness context followed (repeats context followed cycle) []
+    let ((followed, _) as lasso) = follow_lasso context graph steps cycle in
+    witness context followed (repeats context lasso cycle) []
   | At_state | During _ | Rests | Stops | Passes ->
     let followed = follow_all context graph (start context) steps in
     let finish : Witness.finish =

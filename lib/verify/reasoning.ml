@@ -3,8 +3,7 @@ open Scc_property
 open Scc_semantics
 module Graph = State_graph
 
-let text model temporal f =
-  Ctl_formula.to_string (fun p -> Show.prop model (Temporal.predicate temporal p)) f
+let text model temporal f = Show.temporal model (Ctl_formula.to_temporal (Temporal.predicate temporal) f)
 
 (** {2 Facts} *)
 
@@ -20,18 +19,12 @@ let facts_at context graph temporal (at : Ctl_set.position) p =
   let arrived = System.arrived context (Graph.tuple graph at.node) in
   Explain.facts ~arrived (System.model context) state extent at.offset (Temporal.predicate temporal p)
 
-(* The predicates that a run never satisfies when it goes on for ever: what the operator is about. *)
-let rec awaited (f : Ctl_formula.t) =
+(* What an operator waits for, and what that waits for in turn. *)
+let rec subject (f : Ctl_formula.t) =
   match f with
   | Predicate p -> [ p ]
-  | Not f -> awaited f
-  | And fs | Or fs -> List.concat_map awaited fs
-  | Next _ | Until _ | Finally _ | Globally _ -> []
-
-let subject (f : Ctl_formula.t) =
-  match f with
-  | Finally (_, _, f) | Globally (_, _, f) | Until (_, _, _, f) | Next (_, f) -> awaited f
-  | Predicate _ | Not _ | And _ | Or _ -> awaited f
+  | And fs | Or fs -> List.concat_map subject fs
+  | Not f | Finally (_, _, f) | Globally (_, _, f) | Until (_, _, _, f) | Next (_, f) -> subject f
 
 let distinct facts =
   List.rev (List.fold_left (fun kept f -> if List.mem f kept then kept else f :: kept) [] facts)
@@ -80,8 +73,6 @@ let event context graph (s : Graph.step) =
   | (Bind _ | Bounce _ | Weak_split _ | Strong_split _) as label ->
     Some (Transition.label_to_string (System.model context) label)
 
-let most = 12
-
 (* What happens on a run, seen from where it starts. *)
 let story context graph temporal (run : Ctl_run.t) =
   let steps = Scc_base.Long_list.map (Temporal.choice temporal) run.steps in
@@ -96,22 +87,37 @@ let story context graph temporal (run : Ctl_run.t) =
       (Rat.neg (Option.value start ~default:Rat.zero), [])
       steps
   in
-  let events = List.rev events in
+  (clock, List.rev events)
+
+let most = 12
+
+let listed events =
   let shown = List.filteri (fun i _ -> i < most) events in
   let more = List.length events - List.length shown in
   let rest = if more > 0 then [ Printf.sprintf "%d events more" more ] else [] in
-  (clock, shown @ rest)
+  match shown @ rest with [] -> [] | lines -> [ String.concat "; " lines ]
 
-let finish_text (run : Ctl_run.t) clock =
+(* A run that repeats its steps from [k] on. *)
+let again context graph temporal (run : Ctl_run.t) k =
+  let first = { run with steps = List.filteri (fun i _ -> i < k) run.steps } in
+  let clock, before = story context graph temporal first and _, all = story context graph temporal run in
+  match (k, List.compare_lengths before all) with
+  | 0, 0 -> "nothing else happens, for ever"
+  | 0, _ -> "the run then repeats all of this, for ever"
+  | _, 0 -> Printf.sprintf "nothing else happens after time %s from here, for ever" (Rat.to_string clock)
+  | _ -> Printf.sprintf "the run then repeats what happens after time %s from here, for ever" (Rat.to_string clock)
+
+let finish_text context graph temporal (run : Ctl_run.t) clock =
   let at offset = Algebraic.to_string (Algebraic.add_rat clock offset) in
   match run.finish with
   | At_state when run.steps = [] -> "here"
   | At_state -> Printf.sprintf "in the state after time %s from here" (Rat.to_string clock)
   | During { moment; _ } when moment.attained -> Printf.sprintf "after time %s from here" (at moment.offset)
-  | During { moment; _ } -> Printf.sprintf "right after time %s from here" (at moment.offset)
+  | During { moment; sample } ->
+    Printf.sprintf "right after time %s from here, for example after %s" (at moment.offset) (at sample)
   | Rests -> "the run then rests for ever"
   | Stops -> "the run then is over"
-  | Repeats k -> Printf.sprintf "the run then repeats its steps from %d on, for ever" (k + 1)
+  | Repeats k -> again context graph temporal run k
   | Passes -> "the run then passes the bound of time"
 
 let because context graph temporal (e : Explanation.t) =
@@ -130,8 +136,7 @@ let because context graph temporal (e : Explanation.t) =
     ]
   | Run { run; _ } ->
     let clock, events = story context graph temporal run in
-    let events = match events with [] -> [] | l -> [ String.concat "; " l ] in
-    events @ [ finish_text run clock ]
+    listed events @ [ finish_text context graph temporal run clock ]
 
 let rec tree context graph temporal (e : Explanation.t) : Witness.argument =
   let parts =

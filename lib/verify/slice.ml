@@ -203,11 +203,18 @@ let grown_box s ~energy i =
 let withdraw s g =
   List.iter (fun i -> if Box_tree.mem s.present i then Box_tree.remove s.present i) s.members.(g)
 
-(* Those that a part of a group may meet, which is not in the tree itself. Two fixed leaves never meet. *)
+(* The groups that a part of a group may meet, which is not in the tree itself. Two fixed leaves never meet, and
+   what is on its line meets a fixed leaf or does not. *)
 let found s box i =
   let groups = ref [] in
   Box_tree.iter_meeting s.present box (fun j ->
-      if not (is_fixed s i && is_fixed s j) then groups := find s s.parts.(j).process :: !groups);
+      let h = find s s.parts.(j).process in
+      let may_meet =
+        if not (is_fixed s i) then true
+        else if is_fixed s j then false
+        else s.stirred.(h) || collide s i j
+      in
+      if may_meet then groups := h :: !groups);
   List.sort_uniq Int.compare !groups
 
 (* Grows a group, joins it with those that it may meet, and grows the whole, until it meets nobody. *)

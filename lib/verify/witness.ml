@@ -14,7 +14,7 @@ type finish =
     }
   | Rests
   | Stops
-  | Repeats of { cycle : int; puts_off : Transition.label option }
+  | Repeats of { cycle : int; moved : Vec.t; puts_off : Transition.label option }
   | Passes of { choice : int option }
 
 type argument = { claim : string; holds : bool; because : string list; parts : argument list }
@@ -74,10 +74,14 @@ let finish_lines model w =
   | Rests -> [ "then nothing happens any more, and time passes for ever" ]
   | Stops -> [ "then the run is over: neither time nor anything else can go on" ]
   | Passes _ -> [ "then time passes beyond the bound" ]
-  | Repeats { cycle; puts_off } ->
+  | Repeats { cycle; moved; puts_off } ->
     let again =
       if cycle + 1 = List.length w.steps then Printf.sprintf "and step %d again, for ever" (cycle + 1)
       else Printf.sprintf "and the steps from %d on again, for ever" (cycle + 1)
+    in
+    let again =
+      if Vec.is_zero moved then again
+      else Printf.sprintf "%s, each time with everything moved by %s" again (Vec.to_string moved)
     in
     let reason label =
       Printf.sprintf "it puts off %s for ever: no fairness is assumed"

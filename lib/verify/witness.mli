@@ -24,9 +24,9 @@ type finish =
     }
   | Rests  (** the network is quiescent: time passes for ever *)
   | Stops  (** the run is over: neither time nor anything else can go on *)
-  | Repeats of { cycle : int; puts_off : Transition.label option }
-  (** the steps from the index [cycle] on are repeated for ever; on the way, a weak split that is enabled
-      is put off each time *)
+  | Repeats of { cycle : int; moved : Vec.t; puts_off : Transition.label option }
+  (** the steps from the index [cycle] on are repeated for ever, each time with everything moved by [moved] from
+      where it was; on the way, a weak split that is enabled is put off each time *)
   | Passes of { choice : int option }
   (** the bound of time of the property is passed in the middle of this time transition, or of the ray *)
 

@@ -149,6 +149,32 @@ let definition deterministic name =
        let expected = Naive.related Strong (steps g) (steps h) in
        verdict Timed g h = if expected then "equivalent" else "different")
 
+(* What is said of the known part holds of the whole. *)
+let truncated deterministic name =
+  let open QCheck2.Gen in
+  let gen =
+    let* g = graph_gen ~deterministic in
+    let* h = graph_gen ~deterministic in
+    let* how = bool in
+    let h = if how then cut 0 g else h in
+    let* i = int_range 0 (fst g - 1) in
+    let+ j = int_range 0 (fst h - 1) in
+    ((g, i), (h, j))
+  in
+  let known ((size, edges), unknown) =
+    Naive.make ~unknown:[ unknown ] size (List.filter (fun (s, _, _) -> s <> unknown) edges)
+  in
+  QCheck2.Test.make ~name ~count:2000
+    ~print:(fun ((g, i), (h, j)) -> Printf.sprintf "%s cut at %d\n%s cut at %d" (print g) i (print h) j)
+    gen
+    (fun (g, h) ->
+       let steps x = Naive.time_steps ~unit_:4 (make (fst x)) in
+       let same = Naive.related Strong (steps g) (steps h) in
+       match verdict Timed (known g) (known h) with
+       | "equivalent" -> same
+       | "undecided" -> true
+       | _ -> not same)
+
 let () =
   Alcotest.run "timed"
     [
@@ -158,6 +184,8 @@ let () =
           [
             refinement true "a passing of time may be cut";
             refinement false "also where time passes in several ways";
+            truncated true "nothing is claimed of what is not known";
+            truncated false "nor where time passes in several ways";
             definition true "agrees with steps of a unit";
             definition false "agrees with steps of a unit where time passes in several ways";
           ] );

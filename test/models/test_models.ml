@@ -207,6 +207,14 @@ let expected name () =
   in
   Alcotest.check pair name wanted got
 
+let steps_again () =
+  let _, _, report = checked "raft.sc" in
+  let surely = List.find (fun ((c : Scc_property.Property.check), _) -> String.equal c.name "surely") report.outcomes in
+  match snd surely with
+  | Violated { witness = Some { steps = [ _ ]; finish = Repeats { cycle = 0; moved; puts_off = Some _ }; _ } } ->
+    Alcotest.(check string) "each time farther" "(1, 0, 0)" (Vec.to_string moved)
+  | _ -> Alcotest.fail "not a step that is repeated for ever"
+
 (* The first model of the guide, as it stands there. *)
 let guide () =
   let fence = "```" in
@@ -266,7 +274,7 @@ let () =
         ] );
       ("expected verdicts", List.map (fun name -> case name (expected name)) (models_in folder));
       ("the guide", [ case "its first model" guide ]);
-      ("witnesses", [ case "lead where they say" witnesses ]);
+      ("witnesses", [ case "lead where they say" witnesses; case "a raft drifts on for ever" steps_again ]);
       ( "every model",
         [
           case "WellFormed: every explored state" (holds_in_every_model well_formed);

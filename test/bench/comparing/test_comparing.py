@@ -10,10 +10,42 @@ import tempfile
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from checker import programs, tables  # noqa: E402
 from comparing import answers, gas  # noqa: E402
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GEOMETRY = None
+
+
+class Checking(unittest.TestCase):
+    """The chain in Promela, and the runs of the model checkers."""
+
+    def test_promela(self):
+        text = programs.promela(3)
+        self.assertEqual(text.count("d_step"), 3)
+        self.assertEqual(text.count("::"), 4)
+        self.assertIn("byte bonds = N;", text)
+
+    def test_spin_counts(self):
+        class Said(programs.Spin):
+            def build(self, n):
+                return "said"
+
+        said = "State-vector 20 byte, depth reached 4, errors: 0\n        8 states, stored\n       12 states, matched\n" \
+               "       20 transitions (= stored+matched)\n"
+        measure, programs.measure = programs.measure, lambda command, timeout: (said, 0.5, 1024)
+        try:
+            run = Said("SPIN, COLLAPSE", "", [], 1).chain(3)
+        finally:
+            programs.measure = measure
+        self.assertEqual((run.states, run.transitions, run.note), (8, 19, "holds"))
+
+    def test_rounds_have_to_agree(self):
+        runs = iter([programs.Run(8, 19, 2.0, 300), programs.Run(8, 19, 1.0, 400)])
+        best = tables.best(lambda: next(runs), 2)
+        self.assertEqual((best.seconds, best.memory), (1.0, 300))
+        runs = iter([programs.Run(8, 19, 2.0, 300), programs.Run(8, 18, 1.0, 400)])
+        self.assertRaises(programs.Failed, tables.best, lambda: next(runs), 2)
 
 
 class Judging(unittest.TestCase):
