@@ -35,6 +35,7 @@ module Make (L : Lts.S) = struct
     edges : kept option;
     mutable transitions : int;
     mutable turns : bool;
+    mutable timed : Bytes.t;  (** whether labels take time, as far as is known *)
   }
 
   (* The edges of a state stand side by side, after their number. *)
@@ -42,7 +43,7 @@ module Make (L : Lts.S) = struct
 
   type visitor = {
     found : t -> int -> int array -> unit;
-    opened : t -> int -> int array -> edge array -> unit;
+    opened : (t -> int -> int array -> edge array -> unit) option;
     earlier : t -> int -> unit;
     enough : unit -> bool;
   }
@@ -50,7 +51,7 @@ module Make (L : Lts.S) = struct
   let blind =
     {
       found = (fun _ _ _ -> ());
-      opened = (fun _ _ _ _ -> ());
+      opened = None;
       earlier = (fun _ _ -> ());
       enough = (fun () -> false);
     }
@@ -142,7 +143,7 @@ module Make (L : Lts.S) = struct
   let edges_of_steps g steps =
     List.filter_map
       (fun (s : Lts.step) ->
-         match Tuples.find g.tuples ~near:g.reader s.target with
+         match Tuples.find g.tuples ~near:g.reader s.changes with
          | -1 -> None
          | target -> Some { label = s.label; target })
       steps
@@ -170,8 +171,8 @@ module Make (L : Lts.S) = struct
     | Some k ->
       Int_vector.set k.first i (Int_vector.length k.targets);
       Int_vector.push k.labels 0;
-      Int_vector.push k.targets (Array.length edges);
-      Array.iter
+      Int_vector.push k.targets (List.length edges);
+      List.iter
         (fun e ->
            Int_vector.push k.labels e.label;
            Int_vector.push k.targets e.target)
@@ -255,11 +256,27 @@ module Make (L : Lts.S) = struct
     mark g i queued;
     Frontier.push g.frontier i (Rationals.get g.times arrival)
 
-  (* Times and instants after a transition; most take no time. *)
+  (* Most transitions take no time: that is looked up once for each label. *)
+  let takes_time g label =
+    if label >= Bytes.length g.timed then begin
+      let timed = Bytes.make (2 * (label + 1)) '?' in
+      Bytes.blit g.timed 0 timed 0 (Bytes.length g.timed);
+      g.timed <- timed
+    end;
+    match Bytes.unsafe_get g.timed label with
+    | 'y' -> true
+    | 'n' -> false
+    | _ ->
+      let yes = Rat.sign (L.duration g.context label) > 0 in
+      Bytes.set g.timed label (if yes then 'y' else 'n');
+      yes
+
+  (* Times and instants after a transition. *)
   let after g i label =
-    let d = L.duration g.context label in
     let arrival = Int_vector.get g.arrival i in
-    if Rat.sign d > 0 then (Rationals.intern g.times (Rat.add (Rationals.get g.times arrival) d), 0)
+    if takes_time g label then
+      let d = L.duration g.context label in
+      (Rationals.intern g.times (Rat.add (Rationals.get g.times arrival) d), 0)
     else (arrival, Int_vector.get g.instant i + 1)
 
   (* Better labels for the target of an edge; whether there were any, and whether it is reached earlier. *)
@@ -319,29 +336,42 @@ module Make (L : Lts.S) = struct
     done
 
   (* Whether the targets that are new fit a number of them. *)
-  let fits g room (steps : Lts.step list) =
+  let fits g room tuple (steps : Lts.step list) =
     List.compare_length_with steps room <= 0
     ||
     let fresh = Hashtbl.create 16 in
     List.iter
       (fun (s : Lts.step) ->
-         if Tuples.find g.tuples ~near:g.near s.target < 0 then
-           Hashtbl.replace fresh (Array.to_list s.target) ())
+         if Tuples.find g.tuples ~near:g.near s.changes < 0 then
+           Hashtbl.replace fresh (Array.to_list (Tuples.apply s.changes tuple)) ())
       steps;
     Hashtbl.length fresh <= room
 
-  (* The edge of a transition, and whether its target is new. *)
-  let connect g visitor i ({ label; target } : Lts.step) =
+  (* The target of a transition, which may be new. *)
+  let connect g visitor i tuple n ({ label; changes } : Lts.step) =
     let known = size g in
-    let id = Tuples.intern g.tuples ~near:g.near target in
+    let id = Tuples.intern_prepared g.tuples n in
     if id = known then begin
       let arrival, instant = after g i label in
       add g id ~depth:(depth g i + 1) ~arrival ~instant ~before:i;
-      visitor.found g id target
+      visitor.found g id (Tuples.apply changes tuple)
     end;
-    { label; target = id }
+    id
 
-  let is_new g (s : Lts.step) = Tuples.find g.tuples ~near:g.near s.target < 0
+  (* Whether an edge to a known state changes nothing: it takes no time, and leads deeper, but not by a shorter way. *)
+  let is_plain g i label target =
+    (not (takes_time g label))
+    && Int_vector.get g.arrival target = Int_vector.get g.arrival i
+    && depth g target = depth g i + 1
+
+  let relax g limits visitor i e =
+    if not (is_plain g i e.label e.target) then begin
+      let better, is_earlier = improve g i e in
+      if is_earlier then visitor.earlier g e.target;
+      if better then settle g limits visitor e.target
+    end
+
+  let is_new g (s : Lts.step) = Tuples.find g.tuples ~near:g.near s.changes < 0
 
   let successors g tuple =
     match L.reduced g.context tuple with
@@ -356,20 +386,21 @@ module Make (L : Lts.S) = struct
     | Error fault ->
       leave_out g i (Fault fault);
       None
-    | Ok steps when match limits.states with None -> false | Some n -> not (fits g (n - size g) steps) ->
+    | Ok steps when match limits.states with None -> false | Some n -> not (fits g (n - size g) tuple steps) ->
       Some States
     | Ok steps ->
       mark g i expanded;
-      let edges = Array.of_list (List.map (connect g visitor i) steps) in
-      keep g i edges;
-      g.transitions <- g.transitions + Array.length edges;
-      Array.iter
-        (fun e ->
-           let better, is_earlier = improve g i e in
-           if is_earlier then visitor.earlier g e.target;
-           if better then settle g limits visitor e.target)
-        edges;
-      visitor.opened g i tuple edges;
+      List.iteri (fun n (s : Lts.step) -> Tuples.prepare g.tuples ~near:g.near s.changes n) steps;
+      let count = List.length steps in
+      Tuples.fetch g.tuples count;
+      let targets = List.mapi (connect g visitor i tuple) steps in
+      g.transitions <- g.transitions + count;
+      let edge (s : Lts.step) target = { label = s.label; target } in
+      if Option.is_some g.edges then keep g i (List.map2 edge steps targets);
+      List.iter2 (fun s target -> relax g limits visitor i (edge s target)) steps targets;
+      (match visitor.opened with
+       | None -> ()
+       | Some opened -> opened g i tuple (Array.of_list (List.map2 edge steps targets)));
       None
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
@@ -398,6 +429,7 @@ module Make (L : Lts.S) = struct
         (if keep_edges then Some { first = vector (); labels = vector (); targets = vector () } else None);
       transitions = 0;
       turns = false;
+      timed = Bytes.empty;
     }
 
   let progress g i : Limits.progress =
@@ -423,7 +455,7 @@ module Make (L : Lts.S) = struct
     let g = empty context order keep_edges in
     let start = around.now () in
     let first = L.initial context in
-    let i = Tuples.intern g.tuples ~near:g.near first in
+    let i = Tuples.intern g.tuples ~near:g.near (Tuples.difference (Array.map (fun _ -> -1) first) first) in
     add g i ~depth:0 ~arrival:0 ~instant:0 ~before:(-1);
     visitor.found g i first;
     let rec loop round =

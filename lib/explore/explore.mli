@@ -30,7 +30,7 @@ module Make (L : Lts.S) : sig
   (** Who is told what is found, each once the graph shows it. *)
   type visitor = {
     found : t -> int -> int array -> unit;  (** a new state, with its tuple *)
-    opened : t -> int -> int array -> edge array -> unit;
+    opened : (t -> int -> int array -> edge array -> unit) option;
     (** a state has been expanded: its tuple and edges, whose targets are all found. Not when the edges are made
         anew *)
     earlier : t -> int -> unit;  (** a shorter time to a known state *)

@@ -1,7 +1,8 @@
 (** What the explorer knows of a transition system: states are tuples of numbers of one width, and labels are numbers;
     what they stand for is known to the context, which gives numbers to things as they come up. *)
 
-type step = { label : int; target : int array }
+(** A transition, with what it changes of the state. *)
+type step = { label : int; changes : Tuples.changes }
 
 module type S = sig
   type context

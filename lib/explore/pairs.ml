@@ -76,15 +76,27 @@ let[@inline] pack l r =
   if (l lor r) land lnot mask <> 0 then Scc_base.Bug.fail __POS__ "a number that is too great";
   (l lsl half) lor r
 
-let intern p l r =
-  let k = pack l r in
+let intern_key p k =
   let i = probe p p.index k (slot p k) in
   let id = Int32.to_int (Array1.unsafe_get p.index i) in
   if id >= 0 then id else add p k i
 
-let find p l r =
-  let k = pack l r in
-  Int32.to_int (Array1.unsafe_get p.index (probe p p.index k (slot p k)))
+let find_key p k = Int32.to_int (Array1.unsafe_get p.index (probe p p.index k (slot p k)))
+let intern p l r = intern_key p (pack l r)
+let find p l r = find_key p (pack l r)
+
+(* The loads of each loop do not wait for each other, as they do when each key is looked up by itself. *)
+let touch p (keys : int array) (ids : int array) count =
+  let index = p.index in
+  for n = 0 to count - 1 do
+    Array.unsafe_set ids n (Int32.to_int (Array1.unsafe_get index (slot p (Array.unsafe_get keys n))))
+  done;
+  let sum = ref 0 in
+  for n = 0 to count - 1 do
+    let id = Array.unsafe_get ids n in
+    if id >= 0 then sum := !sum lxor key p id
+  done;
+  !sum
 
 let bytes p =
   (8 * chunk * Array.fold_left (fun n k -> if Array1.dim k > 0 then n + 1 else n) 0 p.chunks)

@@ -12,6 +12,20 @@ val intern : t -> int -> int -> int
 val find : t -> int -> int -> int
 (** -1 when it has not been seen. *)
 
+(** {1 Many at once} *)
+
+val pack : int -> int -> int
+(** A pair as one number. *)
+
+val intern_key : t -> int -> int
+val find_key : t -> int -> int
+
+val touch : t -> int array -> int array -> int -> int
+(** [touch p keys room n] reads what it will take to look up the first [n] packed pairs, into [room]: of those that are far
+    apart in memory, all are fetched at the same time. The result has no meaning. *)
+
+(** {1 Reading} *)
+
 val left : t -> int -> int
 val right : t -> int -> int
 

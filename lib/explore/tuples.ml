@@ -1,45 +1,61 @@
+type changes = int array
+
 (* Nodes of the tree are numbered from the slots, 0 to width - 1, upwards; the root is the last. Node k has the
    children [left.(k)] and [right.(k)], of smaller numbers. *)
 type t = {
   width : int;
   left : int array;
   right : int array;
+  parent : int array;  (** -1 for none *)
   inner : Pairs.t;
   roots : Pairs.t;
-  work : int array;  (** of {!intern} *)
+  work : int array;  (** of the tuple that is looked for: the nodes that differ from those of the one near it *)
+  stamp : int array;  (** the round in which a node of [work] was written *)
+  mutable round : int;
+  pending : int array;  (** nodes a child of which differs, increasing *)
+  mutable keys : int array;  (** of several tuples: the pairs of their roots *)
+  mutable room : int array;
 }
 
 type spread = { count : int; node : int array }
 
-(* Neighbours are paired level by level, and an odd one is passed on. *)
+(* Halves of halves: few different parts, and so few to look up, are on the way from a slot to the root. *)
 let shape width =
   let left = Array.make ((2 * width) - 1) (-1) and right = Array.make ((2 * width) - 1) (-1) in
-  let rec level next nodes =
-    match nodes with
-    | [] | [ _ ] -> ()
-    | _ ->
-      let rec pair next acc = function
-        | a :: b :: rest ->
-          left.(next) <- a;
-          right.(next) <- b;
-          pair (next + 1) (next :: acc) rest
-        | [ a ] -> (next, List.rev (a :: acc))
-        | [] -> (next, List.rev acc)
-      in
-      let next, above = pair next [] nodes in
-      level next above
+  (* The node of the slots from [low] on, below [high], and the next number that is free: children come first. *)
+  let rec build next low high =
+    if high - low = 1 then (low, next)
+    else begin
+      let middle = (low + high) / 2 in
+      let l, next = build next low middle in
+      let r, next = build next middle high in
+      left.(next) <- l;
+      right.(next) <- r;
+      (next, next + 1)
+    end
   in
-  level width (List.init width Fun.id);
+  ignore (build width 0 width);
   (left, right)
 
 let create ~width =
   if width < 1 then Scc_base.Bug.fail __POS__ "a tuple of no numbers";
   let left, right = shape width in
+  let nodes = (2 * width) - 1 in
+  let parent = Array.make nodes (-1) in
+  for k = width to nodes - 1 do
+    parent.(left.(k)) <- k;
+    parent.(right.(k)) <- k
+  done;
   {
-    width; left; right;
+    width; left; right; parent;
     inner = Pairs.create ();
     roots = Pairs.create ();
-    work = Array.make ((2 * width) - 1) 0;
+    work = Array.make nodes 0;
+    stamp = Array.make nodes 0;
+    round = 0;
+    pending = Array.make nodes 0;
+    keys = [||];
+    room = [||];
   }
 
 let width t = t.width
@@ -61,41 +77,100 @@ let load t s id =
     done
   end
 
-(* The numbers of all parts but the root, into [t.work]; false when [look] knows one of them not. *)
-let parts t ~near slots look =
-  let work = t.work and known = near.node in
-  Array.blit slots 0 work 0 t.width;
-  let root = (2 * t.width) - 2 in
-  let rec go k =
-    k >= root
-    ||
-    let l = Array.unsafe_get t.left k and r = Array.unsafe_get t.right k in
-    let a = Array.unsafe_get work l and b = Array.unsafe_get work r in
-    let id =
-      if a = Array.unsafe_get known l && b = Array.unsafe_get known r then Array.unsafe_get known k
-      else look t.inner a b
-    in
-    Array.unsafe_set work k id;
-    id >= 0 && go (k + 1)
+(** {2 Changes} *)
+
+let apply changes tuple =
+  let copy = Array.copy tuple in
+  for i = 0 to (Array.length changes / 2) - 1 do
+    copy.(changes.(2 * i)) <- changes.((2 * i) + 1)
+  done;
+  copy
+
+let difference a b =
+  let rec from i acc =
+    if i < 0 then Array.of_list acc
+    else from (i - 1) (if a.(i) = b.(i) then acc else i :: b.(i) :: acc)
   in
-  go t.width
+  from (Array.length a - 1) []
 
-let root t look =
-  if t.width = 1 then look t.roots t.work.(0) 0
+(** {2 Looking up} *)
+
+let write t k v =
+  Array.unsafe_set t.work k v;
+  Array.unsafe_set t.stamp k t.round
+
+let[@inline] value t near k =
+  if Array.unsafe_get t.stamp k = t.round then Array.unsafe_get t.work k else Array.unsafe_get near.node k
+
+(* Puts a node among the pending ones from [first] on, of which there are [count] with those before; it may be there
+   already. The new count. *)
+let rec put t first count k =
+  if count = first || Array.unsafe_get t.pending (count - 1) < k then begin
+    Array.unsafe_set t.pending count k;
+    count + 1
+  end
   else
-    let root = (2 * t.width) - 2 in
-    look t.roots t.work.(t.left.(root)) t.work.(t.right.(root))
+    let last = Array.unsafe_get t.pending (count - 1) in
+    if last = k then count
+    else begin
+      let n = put t first (count - 1) k in
+      Array.unsafe_set t.pending n last;
+      n + 1
+    end
 
-let check t slots =
-  if Array.length slots <> t.width then Scc_base.Bug.fail __POS__ "a tuple of another width"
+(* The pair of the root. Nodes are taken from the lowest up, so that children come before their parents; the last is the
+   root. Of a part that [look] does not know, -1. *)
+let rec climb t near look first count =
+  let k = Array.unsafe_get t.pending first in
+  let l = value t near (Array.unsafe_get t.left k) and r = value t near (Array.unsafe_get t.right k) in
+  let above = Array.unsafe_get t.parent k in
+  if above < 0 then Pairs.pack l r
+  else
+    let id = look t.inner l r in
+    if id < 0 then -1
+    else begin
+      write t k id;
+      climb t near look (first + 1) (put t (first + 1) count above)
+    end
 
-let intern t ~near slots =
-  check t slots;
-  ignore (parts t ~near slots Pairs.intern);
-  root t Pairs.intern
+let unchanged t near =
+  let root = (2 * t.width) - 2 in
+  Pairs.pack near.node.(t.left.(root)) near.node.(t.right.(root))
 
-let find t ~near slots =
-  check t slots;
-  if parts t ~near slots Pairs.find then root t Pairs.find else -1
+let key t ~near changes look =
+  if t.width = 1 then Pairs.pack (if Array.length changes = 0 then near.node.(0) else changes.(1)) 0
+  else begin
+    t.round <- t.round + 1;
+    let rec enter i count =
+      if i >= Array.length changes then count
+      else
+        let slot = changes.(i) and v = Array.unsafe_get changes (i + 1) in
+        if near.node.(slot) = v then enter (i + 2) count
+        else begin
+          write t slot v;
+          enter (i + 2) (put t 0 count t.parent.(slot))
+        end
+    in
+    match enter 0 0 with
+    | 0 -> unchanged t near
+    | count -> climb t near look 0 count
+  end
 
+let intern t ~near changes = Pairs.intern_key t.roots (key t ~near changes Pairs.intern)
+
+let find t ~near changes =
+  match key t ~near changes Pairs.find with
+  | -1 -> -1
+  | k -> Pairs.find_key t.roots k
+
+let prepare t ~near changes n =
+  if n >= Array.length t.keys then begin
+    let longer a = Array.append a (Array.make (n + 16) 0) in
+    t.keys <- longer t.keys;
+    t.room <- longer t.room
+  end;
+  t.keys.(n) <- key t ~near changes Pairs.intern
+
+let fetch t count = ignore (Sys.opaque_identity (Pairs.touch t.roots t.keys t.room count))
+let intern_prepared t n = Pairs.intern_key t.roots t.keys.(n)
 let bytes t = Pairs.bytes t.inner + Pairs.bytes t.roots

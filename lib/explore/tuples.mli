@@ -1,6 +1,6 @@
 (** Tuples of one width, numbered as they are first seen, in a tree of pairs: a tuple is the pair of its two halves,
     each of which is stored once, whatever tuples share it. A new tuple that shares most of itself with known ones
-    takes about 13 bytes (Laarman, van de Pol and Weber, Parallel Recursive State Compression for Free, 2011). *)
+    takes about 15 bytes (Laarman, van de Pol and Weber, Parallel Recursive State Compression for Free, 2011). *)
 
 type t
 
@@ -22,11 +22,33 @@ val load : t -> spread -> int -> unit
 val slots : spread -> int array
 (** A fresh array of the tuple's numbers. *)
 
-val intern : t -> near:spread -> int array -> int
-(** The number of a tuple of numbers in [0, 2{^31}). It is new iff its number is the {!size} before. The parts that it
-    shares with [near] (if a tuple has been loaded there) are not looked up. *)
+(** What a tuple has in other places than another: places and numbers in [0, 2{^31}) by turns, each place once. *)
+type changes = int array
 
-val find : t -> near:spread -> int array -> int
+val apply : changes -> int array -> int array
+(** A fresh array. *)
+
+val difference : int array -> int array -> changes
+(** From the first to the second. *)
+
+val intern : t -> near:spread -> changes -> int
+(** The number of the tuple that differs by the changes from the one that has been loaded into [near] (if none has been,
+    all places are given). It is new iff its number is the {!size} before. What the two share is not looked up. *)
+
+val find : t -> near:spread -> changes -> int
 (** -1 when it has not been seen. *)
+
+(** {1 Several at once}
+
+    The same as {!intern} of each in turn, in three rounds, so that what is far apart in memory is fetched at the same
+    time. *)
+
+val prepare : t -> near:spread -> changes -> int -> unit
+(** [prepare t ~near changes n]: the tuple of this number, from 0, of those that are to come. *)
+
+val fetch : t -> int -> unit
+(** So many have been prepared. *)
+
+val intern_prepared : t -> int -> int
 
 val bytes : t -> int

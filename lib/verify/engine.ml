@@ -305,15 +305,18 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   let visitor observe monitors settled : Graph.visitor =
     let rest_settled = ref (match settled with None -> true | Some _ -> false) in
     let look = Option.map at_doublings settled in
+    let on_edges g i tuple edges =
+      List.iter (fun m -> opened m g i tuple edges) monitors;
+      Option.iter (fun look -> rest_settled := look g) look
+    in
+    let changes m = m.by_time || Option.is_some m.question.goal.along in
+    let sees_edges = Option.is_some look || List.exists changes monitors in
     {
       found =
         (fun g i tuple ->
            observe g i tuple;
            List.iter (fun m -> found m g i tuple) monitors);
-      opened =
-        (fun g i tuple edges ->
-           List.iter (fun m -> opened m g i tuple edges) monitors;
-           Option.iter (fun look -> rest_settled := look g) look);
+      opened = (if sees_edges then Some on_edges else None);
       earlier = (fun g i -> List.iter (fun m -> earlier m g i) monitors);
       enough =
         (fun () ->

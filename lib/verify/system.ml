@@ -6,14 +6,8 @@ open Scc_explore
 
 type fault = Transition.fault
 
-(* What a transition of a part of the network does: processes to put into slots; those that took part leave theirs
-   first. *)
-type move = {
-  label : int;
-  mark : int;
-  leaving : int list;  (** slots *)
-  entering : (int * int) list;  (** slot, process *)
-}
+(* What a transition of some processes changes of the whole. *)
+type move = { step : Lts.step; leaf : int  (** of one of them *) }
 
 (* What a form decides, wherever the process is. *)
 type nature = { splits : bool; wait : Rat.t option  (** until an eps expires or the next split instant *) }
@@ -80,15 +74,25 @@ let mark b ~source label =
     let happened = List.mapi (fun i e -> if Event.matches m ~source label e then Some i else None) b.events in
     Marks.intern b.marks (List.filter_map Fun.id happened)
 
-(* A transition of some processes by themselves. *)
+(* A transition of some processes by themselves: they leave their slots, and others enter theirs. *)
 let move b ~source (t : Transition.t) =
-  let enter p = (Catalogue.first_leaf p, Catalogue.process b.catalogue p) in
-  let leaving = List.map Catalogue.first_leaf (Array.to_list source.State.processes) in
+  let slots = Hashtbl.create 8 in
+  let leave p = Hashtbl.replace slots (Catalogue.first_leaf p) Catalogue.nobody in
+  let enter p = Hashtbl.replace slots (Catalogue.first_leaf p) (Catalogue.process b.catalogue p) in
+  Array.iter leave source.State.processes;
+  Array.iter enter t.target.processes;
+  (match b.events with
+   | [] -> ()
+   | _ :: _ -> Hashtbl.replace slots (Catalogue.mark_slot b.catalogue) (mark b ~source t.label));
+  let changes = Hashtbl.fold (fun slot v acc -> (slot, v) :: acc) slots [] in
+  let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) changes in
   {
-    label = Catalogue.label b.catalogue t.label;
-    mark = mark b ~source t.label;
-    leaving;
-    entering = List.map enter (Array.to_list t.target.processes);
+    step =
+      {
+        label = Catalogue.label b.catalogue t.label;
+        changes = Array.of_list (List.concat_map (fun (slot, v) -> [ slot; v ]) in_order);
+      };
+    leaf = Catalogue.first_leaf source.processes.(0);
   }
 
 let least a b =
@@ -185,13 +189,6 @@ let arrived c tuple event =
 
 (** {2 Transitions of the whole} *)
 
-let step c tuple (m : move) : Lts.step =
-  let target = Array.copy tuple in
-  List.iter (fun slot -> target.(slot) <- Catalogue.nobody) m.leaving;
-  List.iter (fun (slot, p) -> target.(slot) <- p) m.entering;
-  set_mark c target m.mark;
-  { label = m.label; target }
-
 (* Nothing of it changes with time but its place. *)
 let ageless a = Option.is_none a.nature.wait
 
@@ -211,12 +208,14 @@ let after c d a =
 
 (* Places only change with time, so that other transitions lead from representatives to representatives. *)
 let pass c tuple present d : Lts.step =
+  let label = Catalogue.label (catalogue c) (Transition.Time d) in
   let target = Array.copy tuple in
   Array.iter (fun a -> target.(Catalogue.first_leaf a.body.process) <- after c d a) present;
   Catalogue.pass_time (catalogue c) target d;
   set_mark c target 0;
-  let target = Quotient.representative c.quotient (catalogue c) target in
-  { label = Catalogue.label (catalogue c) (Transition.Time d); target }
+  let moves = Array.exists (fun a -> not a.rests) present in
+  let target = if moves then Quotient.representative c.quotient (catalogue c) target else target in
+  { label; changes = Tuples.difference tuple target }
 
 let present c tuple =
   let n = Array.length (model c).leaves in
@@ -281,15 +280,15 @@ let choices c source =
 
 let whole c tuple =
   let step ((t : Transition.t), target) : Lts.step =
-    { label = Catalogue.label (catalogue c) t.label; target }
+    { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple target }
   in
   Result.map (List.map step) (choices c (Catalogue.decode (catalogue c) tuple))
 
 (* The discrete moves, each kind with the last first. *)
 type discrete = { strong : move list; weak : move list; collisions : move list }
 
-let steps_of c tuple d later =
-  let steps later last_first = List.fold_left (fun acc m -> step c tuple m :: acc) later last_first in
+let steps_of d later =
+  let steps later last_first = List.fold_left (fun acc m -> m.step :: acc) later last_first in
   steps (steps (steps later d.collisions) d.weak) d.strong
 
 let discrete c present ~limit =
@@ -309,7 +308,7 @@ let by_parts c tuple present =
     | [], [], Some delay -> [ pass c tuple present delay ]
     | _ -> []
   in
-  steps_of c tuple d time
+  steps_of d time
 
 let successors c tuple =
   if (model c).steered then whole c tuple else Ok (by_parts c tuple (present c tuple))
@@ -319,7 +318,7 @@ let successors c tuple =
 (* Of the groups with something urgent to do, the first in which nobody can be seen, if others could act as well. *)
 let group_moves model visible present d =
   let groups = Groups.of_processes model (Array.map (fun a -> a.body.process) present) in
-  let group m = Groups.of_leaf groups (List.hd m.leaving) in
+  let group m = Groups.of_leaf groups m.leaf in
   let hidden g = not (List.exists visible (Groups.leaves groups g)) in
   let urgent = List.rev_append d.strong d.collisions in
   let candidates = List.sort_uniq Int.compare (List.map group urgent) in
@@ -340,4 +339,4 @@ let reduced c tuple =
       let d, _ = discrete c present ~limit:(wait present) in
       match (d.strong, d.collisions) with
       | [], [] -> None
-      | _ -> Option.map (fun mine -> steps_of c tuple mine []) (group_moves (model c) visible present d))
+      | _ -> Option.map (fun mine -> steps_of mine []) (group_moves (model c) visible present d))

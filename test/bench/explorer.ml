@@ -80,7 +80,7 @@ let first_steps path overrides steps =
     if n = 0 then ()
     else
       match System.successors c s with
-      | Ok (t :: _) -> step (n - 1) t.target
+      | Ok (t :: _) -> step (n - 1) (Tuples.apply t.changes s)
       | _ -> ()
   in
   let (), time = seconds (fun () -> step steps (System.initial c)) in

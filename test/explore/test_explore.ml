@@ -17,7 +17,7 @@ module Toy = struct
   (* The label of a transition is its duration. *)
   let successors g s =
     match g.(s.(0)) with
-    | Some l -> Ok (List.map (fun (target, d) -> { Lts.label = d; target = [| target |] }) l)
+    | Some l -> Ok (List.map (fun (target, d) -> { Lts.label = d; changes = [| 0; target |] }) l)
     | None -> Error "broken"
 
   let reduced _ _ = None
@@ -157,7 +157,7 @@ let in_order (toy, _, time) =
     last := Graph.arrival g i
   in
   let limits = { none with Limits.time = Option.map Rat.of_int time } in
-  ignore (explore ~visitor:{ Graph.blind with opened } ~order:By_time ~limits toy);
+  ignore (explore ~visitor:{ Graph.blind with opened = Some opened } ~order:By_time ~limits toy);
   true
 
 let ordered = QCheck2.Test.make ~count:2000 ~name:"the order of time" ~print case_gen in_order
@@ -198,7 +198,7 @@ let visited (toy, depth, time) =
     Hashtbl.add opened_states i ();
     Array.iter (fun (e : Graph.edge) -> assert (Hashtbl.mem arrivals e.target)) edges
   in
-  let g = explore ~visitor:{ Graph.blind with found; opened; earlier } ~limits toy in
+  let g = explore ~visitor:{ Graph.blind with found; opened = Some opened; earlier } ~limits toy in
   List.for_all
     (fun i ->
        Rat.equal (Hashtbl.find arrivals i) (Graph.arrival g i)
@@ -262,7 +262,7 @@ let surroundings () =
     (explore ~around:{ Limits.quiet with interrupted } (line 10));
   let stop = ref false in
   let opened _ i _ _ = if i = 4 then stop := true in
-  let visitor = { Graph.blind with opened; enough = (fun () -> !stop) } in
+  let visitor = { Graph.blind with opened = Some opened; enough = (fun () -> !stop) } in
   check_left "visitor" [ (5, "stopped") ] (explore ~visitor (line 10))
 
 let faults () =

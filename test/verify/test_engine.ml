@@ -223,7 +223,7 @@ module Endless = struct
   let initial () = [| 1 |]
 
   let successors () (s : int array) =
-    Ok (List.map (fun t -> { Lts.label = 1; target = [| t |] }) [ 2 * s.(0); (2 * s.(0)) + 1 ])
+    Ok (List.map (fun t -> { Lts.label = 1; changes = [| 0; t |] }) [ 2 * s.(0); (2 * s.(0)) + 1 ])
 
   let reduced _ _ = None
   let duration () _ = Rat.one

@@ -19,7 +19,7 @@ let difference context m tuple =
     | Ok expected, Ok steps ->
       let same (t : Transition.t) (s : Lts.step) =
         Transition.equal_label t.label (Catalogue.label_of catalogue s.label)
-        && State.equal t.target (Catalogue.decode catalogue s.target)
+        && State.equal t.target (Catalogue.decode catalogue (Tuples.apply s.changes tuple))
       in
       if List.compare_lengths expected steps = 0 && List.for_all2 same expected steps then None
       else Some "transitions differ"
