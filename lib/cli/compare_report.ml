@@ -34,7 +34,8 @@ let reason_text : Compare.reason -> string = function
   | Unknown_states -> "no difference within what is known; it may lie in what was not explored"
   | Effort_spent -> "a limit of seconds or memory, or an interruption, ended the comparison"
   | Too_many_sets ->
-    Printf.sprintf "more than %d pairs of sets of states, or sets of %d states altogether, would have to be compared"
+    Printf.sprintf
+      "more than %d pairs of sets of states, or sets of %d states altogether, would have to be compared"
       Traces.to_decide.pairs Traces.to_decide.members
   | Too_many_pairs ->
     Printf.sprintf "more than %d pairs of states would have to be compared" Game.most_pairs

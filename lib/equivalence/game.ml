@@ -232,7 +232,8 @@ let play effort kind m ~most ~same store p q =
     | exception Limit -> Too_large
     | false -> Alike
     | true -> (
-        let w = { game = t; store; truth = Formula.evaluator ~most:most_steps m; written = Hashtbl.create 64; parts = 0 } in
+        let truth = Formula.evaluator ~most:most_steps m in
+        let w = { game = t; store; truth; written = Hashtbl.create 64; parts = 0 } in
         match tell w p q with
         | f -> Differ (Some f)
         | exception (Limit | Formula.Too_much) -> Differ None)

@@ -16,7 +16,16 @@ type t = {
   (* of target and the text of the rest; (-1, "") for [Rest] *)
 }
 
-let make graph passings = { graph; passings; ways = [||]; used = 0; closures = Hashtbl.create 16; remembered = 0; numbers = Hashtbl.create 16 }
+let make graph passings =
+  {
+    graph;
+    passings;
+    ways = [||];
+    used = 0;
+    closures = Hashtbl.create 16;
+    remembered = 0;
+    numbers = Hashtbl.create 16;
+  }
 let untimed (g : Graph.t) = make g (Array.map (fun _ -> None) g.labels)
 let timed (g : Graph.t) = make g (Array.map Label.passing g.labels)
 let graph m = m.graph
