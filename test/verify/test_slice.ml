@@ -352,18 +352,33 @@ check a : always z(s) <= 3/2 within 2
   in
   let m, initial, formulas = load ("split_step 1\n" ^ scene) in
   let formula = List.hd formulas in
-  match Slice.make m ~initial formulas with
-  | None -> Alcotest.fail "no slice"
-  | Some slice -> (
-      match witness (check Check.default m slice formula) with
-      | None -> Alcotest.fail "no witness"
-      | Some w ->
-        let lifted = Lift.timed m ~initial w in
-        let label (s : Witness.step) = Transition.label_to_string m s.transition.label in
-        Alcotest.(check (list string))
-          "the run" [ "time(1)"; "bounce(b, c)" ]
-          (List.map label lifted.steps);
-        Alcotest.(check (option string)) "lifted" None (fault m initial formula w lifted))
+  let slice = Option.get (Slice.make m ~initial formulas) in
+  let w = Option.get (witness (check Check.default m slice formula)) in
+  let lifted = Lift.timed m ~initial w in
+  let label (s : Witness.step) = Transition.label_to_string m s.transition.label in
+  Alcotest.(check (list string)) "the run" [ "time(1)"; "bounce(b, c)" ] (List.map label lifted.steps);
+  Alcotest.(check (option string)) "lifted" None (fault m initial formula w lifted)
+
+(* Two transitions have the same label, and the second one is meant. *)
+let same_label () =
+  let scene =
+    {|
+behaviour Left  on Cube = omega(bond, {right}). One + omega(bond, {right}). Two
+behaviour One   on Cube = nil
+behaviour Two   on Cube = nil
+behaviour Right on Cube = omega(bond, {left}). nil
+process d = p : Cube mass 1 [Left] <bond, {p.right, q.left}> q : Cube mass 1 at translate (2,0,0) [Right]
+process s = Cube mass 1 at translate (0,100,0) [nil]
+|}
+  in
+  let lifts name =
+    let m, initial, formulas = load (scene ^ "check a : possibly behaviour(p) = " ^ name) in
+    let formula = List.hd formulas in
+    let slice = Option.get (Slice.make m ~initial formulas) in
+    let w = Option.get (witness (check Check.default m slice formula)) in
+    Alcotest.(check (option string)) name None (fault m initial formula w (Lift.timed m ~initial w))
+  in
+  List.iter lifts [ "One"; "Two" ]
 
 let () =
   Alcotest.run "slice"
@@ -379,5 +394,6 @@ let () =
           Alcotest.test_case "steered" `Quick steered;
           Alcotest.test_case "urgent for ever" `Quick urgent_for_ever;
           Alcotest.test_case "only what must" `Quick only_what_must;
+          Alcotest.test_case "same label" `Quick same_label;
         ] );
     ]
