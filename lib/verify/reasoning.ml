@@ -3,8 +3,6 @@ open Scc_property
 open Scc_semantics
 module Graph = State_graph
 
-let text model temporal f = Show.temporal model (Ctl_formula.to_temporal (Temporal.predicate temporal) f)
-
 (** {2 Facts} *)
 
 let facts_at context graph temporal (at : Ctl_set.position) p =
@@ -138,16 +136,33 @@ let because context graph temporal (e : Explanation.t) =
     let clock, events = story context graph temporal run in
     listed events @ [ finish_text context graph temporal run clock ]
 
+(* That "not p" fails is told as that p holds. *)
+let affirmed temporal (e : Explanation.t) =
+  match (Ctl_formula.to_temporal (Temporal.predicate temporal) e.formula, e.because) with
+  | State (Not p), Given -> (Property.State p, not e.holds)
+  | formula, _ -> (formula, e.holds)
+
+(* What a fact says that a claim does not. *)
+let beyond claim holds fact =
+  let start = claim ^ if holds then " holds" else " fails" in
+  let n = String.length start and m = String.length fact in
+  if m < n || not (String.equal (String.sub fact 0 n) start) then Some fact
+  else if m = n then None
+  else if m > n + 2 && fact.[n] = ':' then Some (String.sub fact (n + 2) (m - n - 2))
+  else Some fact
+
 let rec tree context graph temporal (e : Explanation.t) : Witness.argument =
   let parts =
     match e.because with
     | Given | Everywhere _ -> []
     | Parts parts | Run { parts; _ } -> parts
   in
+  let formula, holds = affirmed temporal e in
+  let claim = Show.temporal (System.model context) formula in
   {
-    claim = text (System.model context) temporal e.formula;
-    holds = e.holds;
-    because = because context graph temporal e;
+    claim;
+    holds;
+    because = List.filter_map (beyond claim holds) (because context graph temporal e);
     parts = List.map (tree context graph temporal) parts;
   }
 

@@ -1,7 +1,5 @@
 (** Explanations in words. *)
 
-open Scc_calculus
-
 val facts : System.context -> State_graph.t -> Temporal.t -> Explanation.t -> string list
 (** What holds where the run of an explanation ({!Explanation.chain}) leads, a sentence for each atom. *)
 
@@ -10,5 +8,3 @@ val about : System.context -> State_graph.t -> Temporal.t -> Ctl_formula.t -> in
 
 val argument : System.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.argument option
 (** The whole tree; [None] when it is but one run, with what holds at its end. *)
-
-val text : Model.t -> Temporal.t -> Ctl_formula.t -> string

@@ -359,13 +359,16 @@ The model and the run that the README shows.
     eventually bound(p, q) within 3
   
   parts: holds (exhaustive)
-    eventually processes = 2 and time > 4
+    event bind(bond) leads_to event strong(bond) within 2
+  
+  once: holds (exhaustive)
+    AG (event strong(bond) => AG not bound(p, q))
   
   close: holds (exhaustive)
     always x(q) - x(p) >= 2
   
   explored: 5 states, 4 transitions, depth 4, model time 9/2; complete
-  3 properties: 3 hold
+  4 properties: 4 hold
   $ scc check ../../specs/models/hexokinase.sc > run
   [1]
   $ awk '/^\$ scc check/ { p = 1; next } /^```/ { p = 0 } p && !/…/' ../../README.md > shown

@@ -207,13 +207,33 @@ let expected name () =
   in
   Alcotest.check pair name wanted got
 
+let verdict_of (report : Scc_verify.Check.report) name =
+  let is_it ((c : Scc_property.Property.check), _) = String.equal c.name name in
+  snd (List.find is_it report.outcomes)
+
 let steps_again () =
   let _, _, report = checked "raft.sc" in
-  let surely = List.find (fun ((c : Scc_property.Property.check), _) -> String.equal c.name "surely") report.outcomes in
-  match snd surely with
+  match verdict_of report "surely" with
   | Violated { witness = Some { steps = [ _ ]; finish = Repeats { cycle = 0; moved; puts_off = Some _ }; _ } } ->
     Alcotest.(check string) "each time farther" "(1, 0, 0)" (Vec.to_string moved)
   | _ -> Alcotest.fail "not a step that is repeated for ever"
+
+(* Why a nested formula fails, in words. *)
+let reasons () =
+  let m, _, report = checked "latch.sc" in
+  match verdict_of report "parts" with
+  | Violated { witness = Some w } ->
+    Alcotest.(check (list string)) "its ending"
+      [
+        "and step 4 again, for ever"; "it puts off weak(dock, p.right, q.left) for ever: no fairness is assumed";
+        "event weak(dock) fails"; "why:";
+        "  AG (event bind(dock) => AF event weak(dock)) does not hold: bind(dock, p.right, q.left) after 2";
+        "    in the state after time 2 from here"; "    event bind(dock) => AF event weak(dock) does not hold";
+        "      event bind(dock) holds";
+        "      AF event weak(dock) does not hold: nothing else happens after time 1 from here, for ever";
+      ]
+      (Scc_verify.Witness.ending m w)
+  | _ -> Alcotest.fail "not violated by a run"
 
 (* The first model of the guide, as it stands there. *)
 let guide () =
@@ -274,7 +294,12 @@ let () =
         ] );
       ("expected verdicts", List.map (fun name -> case name (expected name)) (models_in folder));
       ("the guide", [ case "its first model" guide ]);
-      ("witnesses", [ case "lead where they say" witnesses; case "a raft drifts on for ever" steps_again ]);
+      ( "witnesses",
+        [
+          case "lead where they say" witnesses;
+          case "a raft drifts on for ever" steps_again;
+          case "reasons in words" reasons;
+        ] );
       ( "every model",
         [
           case "WellFormed: every explored state" (holds_in_every_model well_formed);
