@@ -168,7 +168,9 @@ def compare(run, name, prop, question, exact, floats, truncated):
     if question is not None and not truncated:
         answers.append(floats.holds(question))
         answers.append(exact.holds(prop["asked"]))
-    one = len(re.findall(r"\b(possibly|always|eventually|[AE][FGX])\b|U\[| U ", prop["formula"])) == 1
+    # States do not tell of events.
+    plain = not re.search(r"\bevent\b", prop["formula"])
+    one = plain and len(re.findall(r"\b(possibly|always|eventually|[AE][FGX])\b|U\[| U ", prop["formula"])) == 1
     if simple and one:
         operator, label = simple.group(1), f"check_{prop['name']}"
         if bound is not None:
