@@ -217,6 +217,32 @@ let man =
       "Without bounds the exploration ends when every property is decided or nothing is left to explore, and \
        at the default bounds. A default bound that cut the exploration short makes the exit code 2; a bound \
        that you gave does not, but a limit of seconds or of memory makes it 4.";
+    `P
+      "A state takes some 20 to 30 bytes. Where operators are nested, or time is bounded, its transitions are \
+       kept too, at 8 bytes each. $(b,--stats) tells what a run took.";
+    `S "REDUCTIONS";
+    `P
+      "What is asked tells what can be left unexplored. Each of these is used where it changes no verdict, and \
+       can be switched off with $(b,--no-reduce).";
+    `I ("$(b,symmetry)", "bodies that differ by their names alone are told apart by their places alone.");
+    `I
+      ( "$(b,translation)",
+        "where the whole network is does not matter, unless a property, a law of motion or a fixed body makes it \
+         matter." );
+    `I
+      ( "$(b,order)",
+        "events of one instant that cannot influence each other, nor what is asked, happen in one order. Only for \
+         $(b,possibly) and $(b,always) of bodies that are named." );
+    `I
+      ( "$(b,slice)",
+        "bodies that cannot come near those that are asked about, before the time that is asked about, are left \
+         out. Only for $(b,possibly) and $(b,always) of bodies that are named." );
+    `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
+    `P
+      "With $(b,order) and $(b,slice) a run that is shown may contain events of other bodies, which the fact does \
+       not need; $(b,scc explain) tells which of them matter. Without reductions it is the shortest of all runs \
+       that show the fact: that with the fewest steps, or with $(b,--shortest time) the earliest one. Runs of \
+       nested formulas are as short as can be from each operator to the next.";
   ]
   @ Options.diagnostics_man
   @ [

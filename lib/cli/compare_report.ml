@@ -34,7 +34,9 @@ let reason_text : Compare.reason -> string = function
   | Unknown_states -> "no difference within what is known; it may lie in what was not explored"
   | Effort_spent -> "a limit of seconds or memory, or an interruption, ended the comparison"
   | Too_many_sets ->
-    Printf.sprintf "more than %d pairs of sets of states would have to be compared" Traces.most_sets
+    Printf.sprintf
+      "more than %d pairs of sets of states, or sets of %d states altogether, would have to be compared"
+      Traces.to_decide.pairs Traces.to_decide.members
   | Too_many_pairs ->
     Printf.sprintf "more than %d pairs of states would have to be compared" Game.most_pairs
 
@@ -91,7 +93,7 @@ let trace_text t (d : Compare.difference) =
 
 let formula_text t (d : Compare.difference) =
   match d.formula with
-  | None -> "  a formula that tells them apart would be too large\n"
+  | None -> "  a formula that tells them apart is too large, or too hard to find\n"
   | Some f when Formula.size f > most_printed ->
     Printf.sprintf "  a formula of %s tells them apart%s\n"
       (plural (Formula.size f) "operator" "operators")

@@ -80,9 +80,9 @@ let texts t steps =
       | Time d -> Label.of_passing (For d))
     (merge_times steps)
 
-let traces t =
+let traces t limits =
   let p, q = t.small_starts in
-  Traces.compare t.effort (view t.relation) t.small p q
+  Traces.compare t.effort limits (view t.relation) t.small p q
 
 (* A trace, and the formula that goes with it. *)
 let by_trace t steps ~first formula =
@@ -91,7 +91,7 @@ let by_trace t steps ~first formula =
   Different { trace = Some (texts t steps, first); trace_open = false; formula }
 
 let different t formula =
-  match traces t with
+  match traces t Traces.to_explain with
   | Traces.Trace { steps; first } -> by_trace t steps ~first formula
   | (exception Effort.Exhausted) | Too_large | Unclear ->
     Different { trace = None; trace_open = true; formula = Option.map (checked t) formula }
@@ -99,12 +99,13 @@ let different t formula =
 
 let play t =
   let p, q = t.small_starts in
-  Game.play t.effort (kind t.relation) t.small ~same:(fun _ _ -> false) t.store p q
+  let most = if Option.is_some t.bisimilar then Game.to_explain else Game.to_decide in
+  Game.play t.effort (kind t.relation) t.small ~most ~same:(fun _ _ -> false) t.store p q
 
 let complete t = Graph.complete (System.graph t.whole)
 
 let compare_traces t =
-  match traces t with
+  match traces t Traces.to_decide with
   | Trace { steps; first } -> by_trace t steps ~first None
   | Same when complete t -> Equivalent
   | Same | Unclear -> Undecided Unknown_states
@@ -126,7 +127,7 @@ let compare_moves t =
       | Alike -> Undecided Unknown_states
       | Too_large -> (
           (* a distinguishing trace may be found where the game is too large *)
-          match traces t with
+          match traces t Traces.to_decide with
           | Trace { steps; first } -> by_trace t steps ~first None
           | Same | Unclear | Too_large ->
             Undecided (if complete t then Too_many_pairs else Unknown_states)))

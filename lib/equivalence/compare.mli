@@ -25,7 +25,7 @@ type difference = {
 type reason =
   | Unknown_states  (** the difference, if there is one, lies beyond what is known *)
   | Effort_spent  (** {!Effort} *)
-  | Too_many_sets  (** {!Traces.most_sets} *)
+  | Too_many_sets  (** {!Traces.to_decide} *)
   | Too_many_pairs  (** {!Game.most_pairs}: only when time passes in two ways from one state *)
 
 type verdict = Equivalent | Different of difference | Undecided of reason

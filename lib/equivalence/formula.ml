@@ -41,9 +41,16 @@ let until store phi a psi = make store (Until (phi, a, psi)) (1 + phi.size + psi
 type evaluator = {
   system : System.t;
   known : (int * bool * int, bool) Hashtbl.t;  (* of a formula, how sure one is to be, and a position *)
+  mutable left : int;  (* steps that may still be made *)
 }
 
-let evaluator system = { system; known = Hashtbl.create 256 }
+exception Too_much
+
+let evaluator ?(most = max_int) system = { system; known = Hashtbl.create 256; left = most }
+
+let step e =
+  e.left <- e.left - 1;
+  if e.left < 0 then raise Too_much
 
 (* With [sure], whether it holds whatever unknown states can do; without, whether it may hold. *)
 let rec holds e ~sure f p =
@@ -61,6 +68,7 @@ let rec holds e ~sure f p =
         b)
 
 and modal e ~sure f p =
+  step e;
   let m = e.system in
   let unclear ps = (not sure) && List.exists (fun p -> not (System.known m p)) ps in
   let some g = List.exists (holds e ~sure g) in
@@ -84,6 +92,7 @@ and search e ~sure phi a psi from =
     | [] -> false
     | p :: rest when Hashtbl.mem seen p -> visit rest
     | p :: rest ->
+      step e;
       Hashtbl.add seen p ();
       let holds g p = holds e ~sure g p in
       (Graph.is_tau a && holds psi p)

@@ -39,7 +39,11 @@ val large : int
 type evaluator
 (** Remembers what it has found out. *)
 
-val evaluator : System.t -> evaluator
+exception Too_much
+
+val evaluator : ?most:int -> System.t -> evaluator
+(** With [most], evaluation raises {!Too_much} after so many steps. *)
+
 
 val certainly : evaluator -> t -> System.position -> bool
 (** The formula holds, whatever the unknown states can do. The recursion is as deep as the formula. *)

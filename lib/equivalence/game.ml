@@ -5,6 +5,11 @@ type outcome = Differ of Formula.t option | Alike | Too_large
 
 let most_pairs = 400_000
 let most_parts = 2_000
+let to_decide = 1_000_000_000
+let to_explain = 50_000_000
+
+(* Of the evaluations that keep a formula short. *)
+let most_steps = 1_000_000
 
 type step = Action of int | Time of Rat.t
 
@@ -27,6 +32,7 @@ type t = {
   queue : pair Queue.t;  (* pairs never looked at *)
   again : pair Stack.t;
   mutable clock : int;
+  mutable left : int;  (* questions about pairs that may still be asked *)
 }
 
 exception Limit
@@ -44,7 +50,10 @@ let find t p q =
     Queue.add pair t.queue;
     pair
 
-let are_same t p q = p = q || t.same p q
+let are_same t p q =
+  t.left <- t.left - 1;
+  if t.left < 0 then raise Limit;
+  p = q || t.same p q
 
 (* Whether the two are known to differ; if not, [watcher] will hear of it. *)
 let differ t watcher p q =
@@ -203,7 +212,7 @@ and move w why ~attacker ~defender =
     let answers = if Graph.is_tau a then defender :: answers else answers in
     Formula.until w.store (tell_all w attacker by_before) a (tell_all w why.into answers)
 
-let play effort kind m ~same store p q =
+let play effort kind m ~most ~same store p q =
   let t =
     {
       effort;
@@ -214,13 +223,17 @@ let play effort kind m ~same store p q =
       queue = Queue.create ();
       again = Stack.create ();
       clock = 0;
+      left = most;
     }
   in
-  if are_same t p q then Alike
+  if p = q || same p q then Alike
   else
     match decide t (find t p q) with
     | exception Limit -> Too_large
     | false -> Alike
     | true -> (
-        let w = { game = t; store; truth = Formula.evaluator m; written = Hashtbl.create 64; parts = 0 } in
-        match tell w p q with f -> Differ (Some f) | exception Limit -> Differ None)
+        let truth = Formula.evaluator ~most:most_steps m in
+        let w = { game = t; store; truth; written = Hashtbl.create 64; parts = 0 } in
+        match tell w p q with
+        | f -> Differ (Some f)
+        | exception (Limit | Formula.Too_much) -> Differ None)

@@ -19,15 +19,22 @@ type outcome =
   (** certainly holds of the first and possibly holds not of the second: checked by the caller. [None] when
       it would be larger than {!most_parts}. *)
   | Alike  (** no certain difference: a proof of bisimilarity when everything is known *)
-  | Too_large  (** more than {!most_pairs} pairs *)
+  | Too_large  (** more than {!most_pairs} pairs, or more questions about them than allowed *)
 
 val most_pairs : int
 val most_parts : int
+
+val to_decide : int
+(** Questions for up to a minute or two. *)
+
+val to_explain : int
+(** Questions for a few seconds: about graphs that are known to differ. *)
 
 val play :
   Effort.t ->
   kind ->
   System.t ->
+  most:int ->
   same:(System.position -> System.position -> bool) ->
   Formula.store ->
   System.position ->

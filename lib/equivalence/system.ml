@@ -10,11 +10,22 @@ type t = {
   passings : Label.passing option array;  (* of each label; none in an untimed system *)
   mutable ways : way array;  (* positions from [graph.size] on *)
   mutable used : int;
+  closures : (position, position list) Hashtbl.t;
+  mutable remembered : int;  (* how many positions are in these *)
   numbers : (int * string, position) Hashtbl.t;
   (* of target and the text of the rest; (-1, "") for [Rest] *)
 }
 
-let make graph passings = { graph; passings; ways = [||]; used = 0; numbers = Hashtbl.create 16 }
+let make graph passings =
+  {
+    graph;
+    passings;
+    ways = [||];
+    used = 0;
+    closures = Hashtbl.create 16;
+    remembered = 0;
+    numbers = Hashtbl.create 16;
+  }
 let untimed (g : Graph.t) = make g (Array.map (fun _ -> None) g.labels)
 let timed (g : Graph.t) = make g (Array.map Label.passing g.labels)
 let graph m = m.graph
@@ -31,7 +42,7 @@ let after m p action =
   actions m p (fun label target -> if label = action then found := target :: !found);
   List.rev !found
 
-let silent_closure m positions =
+let closure_of_all m positions =
   let seen = Hashtbl.create 16 in
   let rec visit found = function
     | [] -> List.rev found
@@ -41,6 +52,25 @@ let silent_closure m positions =
       visit (p :: found) (List.rev_append (List.rev (after m p 0)) rest)
   in
   visit [] positions
+
+(* Games ask for the closures of the same positions again and again. *)
+let most_remembered = 4_000_000
+
+let closure_of m p =
+  match Hashtbl.find_opt m.closures p with
+  | Some closure -> closure
+  | None ->
+    let closure = closure_of_all m [ p ] in
+    let n = List.length closure in
+    if m.remembered + n <= most_remembered then begin
+      m.remembered <- m.remembered + n;
+      Hashtbl.add m.closures p closure
+    end;
+    closure
+
+let silent_closure m = function
+  | [ p ] -> closure_of m p
+  | positions -> closure_of_all m positions
 
 type patience = Never | For of Rat.t | Forever
 

@@ -9,7 +9,10 @@ type outcome =
   | Too_large
   | Unclear
 
-let most_sets = 200_000
+type limits = { pairs : int; members : int }
+
+let to_decide = { pairs = 400_000; members = 40_000_000 }
+let to_explain = { pairs = 100_000; members = 2_000_000 }
 
 (* Where a trace can lead to. *)
 type set = {
@@ -20,6 +23,8 @@ type set = {
 
 type t = {
   effort : Effort.t;
+  limits : limits;
+  mutable members_seen : int;
   view : view;
   m : System.t;
   sets : (string, set) Hashtbl.t;
@@ -30,12 +35,18 @@ type t = {
 
 exception Found of outcome
 
+(* Of every set that is made, whether it is new or not: the work there is in it. *)
+let count t n =
+  t.members_seen <- t.members_seen + n;
+  if t.members_seen > t.limits.members then raise (Found Too_large);
+  Effort.spend t.effort (1 + n)
+
 let set t ~exact positions =
   let members =
     List.sort_uniq Int.compare
       (match t.view with Every_action -> positions | Observable -> System.silent_closure t.m positions)
   in
-  Effort.spend t.effort (1 + List.length members);
+  count t (List.length members);
   let exact = exact && List.for_all (System.known t.m) members in
   let key = String.concat "," (string_of_bool exact :: List.map string_of_int members) in
   match Hashtbl.find_opt t.sets key with
@@ -50,7 +61,7 @@ let is_empty s = match s.members with [] -> true | _ :: _ -> false
 let visit t one two trace =
   let key = (one.number, two.number) in
   if one.number <> two.number && not (Hashtbl.mem t.pairs key) then begin
-    if Hashtbl.length t.pairs >= most_sets then raise (Found Too_large);
+    if Hashtbl.length t.pairs >= t.limits.pairs then raise (Found Too_large);
     Hashtbl.add t.pairs key ();
     Queue.add (one, two, trace) t.queue
   end
@@ -108,10 +119,12 @@ let rec search t =
     search t
   end
 
-let compare effort view m p q =
+let compare effort limits view m p q =
   let t =
     {
       effort;
+      limits;
+      members_seen = 0;
       view;
       m;
       sets = Hashtbl.create 1024;

@@ -13,12 +13,18 @@ type outcome =
   | Trace of { steps : step list; first : bool }
   (** a trace of the first system (of the second, when [first] is false) that the other certainly lacks *)
   | Same  (** no difference: a proof of trace equivalence when everything is known *)
-  | Too_large  (** more than {!most_sets} pairs of sets *)
+  | Too_large  (** more than so many pairs of sets, or sets with so many members altogether *)
   | Unclear  (** no certain difference; a trace led to states that are not known *)
 
-val most_sets : int
+type limits = { pairs : int; members : int }
 
-val compare : Effort.t -> view -> System.t -> System.position -> System.position -> outcome
+val to_decide : limits
+(** Up to a minute. *)
+
+val to_explain : limits
+(** A few seconds: of graphs that are known to differ. *)
+
+val compare : Effort.t -> limits -> view -> System.t -> System.position -> System.position -> outcome
 (** [view] [Every_action] on a timed system splits the passing of time where either side meets an instant.
     Raises {!Effort.Exhausted}. *)
 

@@ -290,6 +290,15 @@ process s = Cube mass 1 velocity (0,-1,0) at translate (0,2,0) [nil]
 process t = Cube mass 1 velocity (0,-1,0) at translate (30,2,0) [nil]
 process u = Cube mass 1 at translate (60,1,0) [nil]
 |}
+     ^ "check a : possibly y(s) > 4 within 10");
+  is "two sticky ones side by side" [ "wing"; "u" ]
+    ({|
+behaviour Stick on Cube = <grip, {top}>. nil
+fixed floor = Cube scaled (50,1,50) at translate (0,-1,0) [Stick]
+fixed wing = Cube scaled (50,1,50) at translate (100,-1,0) [Stick]
+process s = Cube mass 1 velocity (0,-1,0) at translate (0,2,0) [nil]
+process u = Cube mass 1 velocity (0,-1,0) at translate (100,2,0) [nil]
+|}
      ^ "check a : possibly y(s) > 4 within 10")
 
 let steered () =
@@ -327,6 +336,35 @@ check a : always x(s) = 0 within 10
   is "they bounce to and fro" [ "w[1]"; "w[2]"; "a" ] (between 1);
   is "too often" all_kept (between 3000)
 
+(* What is left out bounces at 1, which it must, while one of its bonds may be released, which it need not. *)
+let only_what_must () =
+  let scene =
+    {|
+behaviour Left  on Cube = omega(bond, {right}). nil
+behaviour Right on Cube = omega(bond, {left}). nil
+process s = Cube mass 1 velocity (0,0,1) [nil]
+process d = p : Cube mass 1 at translate (0,100,0) [Left] <bond, {p.right, q.left}>
+            q : Cube mass 1 at translate (2,100,0) [Right]
+process b = Cube mass 1 velocity (1,0,0) at translate (100,0,0) [nil]
+process c = Cube mass 1 velocity (-1,0,0) at translate (104,0,0) [nil]
+check a : always z(s) <= 3/2 within 2
+|}
+  in
+  let m, initial, formulas = load ("split_step 1\n" ^ scene) in
+  let formula = List.hd formulas in
+  match Slice.make m ~initial formulas with
+  | None -> Alcotest.fail "no slice"
+  | Some slice -> (
+      match witness (check Check.default m slice formula) with
+      | None -> Alcotest.fail "no witness"
+      | Some w ->
+        let lifted = Lift.timed m ~initial w in
+        let label (s : Witness.step) = Transition.label_to_string m s.transition.label in
+        Alcotest.(check (list string))
+          "the run" [ "time(1)"; "bounce(b, c)" ]
+          (List.map label lifted.steps);
+        Alcotest.(check (option string)) "lifted" None (fault m initial formula w lifted))
+
 let () =
   Alcotest.run "slice"
     [
@@ -340,5 +378,6 @@ let () =
           Alcotest.test_case "walls" `Quick walls;
           Alcotest.test_case "steered" `Quick steered;
           Alcotest.test_case "urgent for ever" `Quick urgent_for_ever;
+          Alcotest.test_case "only what must" `Quick only_what_must;
         ] );
     ]
