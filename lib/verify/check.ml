@@ -74,17 +74,24 @@ let lift model ~initial (w : Witness.t) : Witness.t =
     { lifted with finish = Repeats { r with cycle = r.cycle + more } }
   | Rests | Stops | Passes _ -> Scc_base.Bug.fail __POS__ "a search that ends in no instant"
 
-let lift_reason lift (r : Verdict.reason) : Verdict.reason =
+(* A slice does for the whole up to the horizon of its properties; a run that goes on from there is not one of the
+   whole, and is not shown. *)
+let lift_in_time model ~initial horizon w =
+  let in_time = match horizon with None -> true | Some h -> Rat.compare (Witness.time w) h <= 0 in
+  if in_time then Some (lift model ~initial w) else None
+
+let lift_reason lift (r : Verdict.reason) : Verdict.reason option =
   match r with
-  | Unexplored { count; nearest } -> Unexplored { count; nearest = lift nearest }
-  | Zeno w -> Zeno (lift w)
-  | Truncated _ | Undefined _ | Fault _ -> r
+  | Unexplored { count; nearest } ->
+    Option.map (fun nearest -> Verdict.Unexplored { count; nearest }) (lift nearest)
+  | Zeno w -> Option.map (fun w -> Verdict.Zeno w) (lift w)
+  | Truncated _ | Undefined _ | Fault _ -> Some r
 
 let lift_verdict lift (v : Verdict.t) : Verdict.t =
   match v with
-  | Holds { bounds; witness } -> Holds { bounds; witness = Option.map lift witness }
-  | Violated { witness } -> Violated { witness = Option.map lift witness }
-  | Undecided reasons -> Undecided (List.map (lift_reason lift) reasons)
+  | Holds { bounds; witness } -> Holds { bounds; witness = Option.bind witness lift }
+  | Violated { witness } -> Violated { witness = Option.bind witness lift }
+  | Undecided reasons -> Undecided (List.filter_map (lift_reason lift) reasons)
 
 (** {2 All explorations} *)
 
@@ -121,7 +128,8 @@ let explored options model ~initial start group =
   let members = List.rev group.members in
   let part = Option.value group.part ~default:initial in
   let result = Exploration.check options model ~initial:part (List.map snd members) in
-  let lifted v = if Option.is_none group.part then v else lift_verdict (lift model ~initial) v in
+  let lift = lift_in_time model ~initial (Exploration.horizon (List.map snd members)) in
+  let lifted v = if Option.is_none group.part then v else lift_verdict lift v in
   let outcomes = List.map2 (fun (i, c) (_, v) -> (i, (c, lifted v))) members result.outcomes in
   let slice part =
     {
@@ -130,10 +138,10 @@ let explored options model ~initial start group =
       explored = result.stats;
     }
   in
-  let zeno = if Option.is_none group.part then result.zeno else Option.map (lift model ~initial) result.zeno in
+  let zeno = if Option.is_none group.part then result.zeno else Option.bind result.zeno lift in
   (outcomes, Option.map slice group.part, { result with zeno })
 
-let merge parts =
+let merge parts ~events_elsewhere =
   let outcomes = List.concat_map (fun (outcomes, _, _) -> outcomes) parts in
   let results = List.map (fun (_, _, (r : Exploration.result)) -> r) parts in
   let slices = List.filter_map (fun (_, slice, _) -> slice) parts in
@@ -145,8 +153,7 @@ let merge parts =
     let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) outcomes in
     {
       outcomes = List.map snd in_order;
-      (* What was left out may have events. *)
-      stats = { stats with eventful = stats.eventful || List.length slices > 0 };
+      stats = { stats with eventful = stats.eventful || (List.length slices > 0 && events_elsewhere ()) };
       slices;
       zeno = List.find_map (fun (r : Exploration.result) -> r.zeno) results;
       stores;
@@ -154,7 +161,10 @@ let merge parts =
 
 let whole options model ~initial checks =
   let start = options.surroundings.now () in
-  groups options model ~initial checks |> List.map (explored options model ~initial start) |> merge
+  let events_elsewhere () = Exploration.may_have_events options model ~initial in
+  groups options model ~initial checks
+  |> List.map (explored options model ~initial start)
+  |> merge ~events_elsewhere
 
 let run options model ~initial checks =
   let stepwise = Reduction.without_jumps options.reductions model in

@@ -312,3 +312,18 @@ let explore options model ~initial =
   let graph = Graph.run ~order:options.order limits options.surroundings context in
   let r = { options; model; context; graph; horizon = None } in
   (context, graph, stats r)
+
+let may_have_events options model ~initial =
+  let context = System.make model initial in
+  let few = { Limits.unlimited with states = Some 5_000; seconds = Some 5. } in
+  let found = ref false in
+  let label (e : Graph.edge) = Catalogue.label_of (System.catalogue context) e.label in
+  let is_event e =
+    match label e with
+    | Time _ -> false
+    | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
+  in
+  let opened _ _ _ edges = if Array.exists is_event edges then found := true in
+  let visitor = { Graph.blind with opened = Some opened; enough = (fun () -> !found) } in
+  let graph = Graph.run ~visitor few options.surroundings context in
+  !found || not (Graph.complete graph)

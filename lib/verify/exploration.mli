@@ -37,9 +37,15 @@ type result = {
   stores : (string * int) list;  (** what the explored graph takes: states, labels and edges, in bytes *)
 }
 
+val horizon : Property.check list -> Rat.t option
+(** The time beyond which none of the properties looks; [None]: one looks at all times. *)
+
 val check : options -> Model.t -> initial:State.t -> Property.check list -> result
 (** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
     replayed before they are returned. *)
+
+val may_have_events : options -> Model.t -> initial:State.t -> bool
+(** False when it is known, after a look at no more than some thousands of states, that nothing ever happens. *)
 
 val explore : options -> Model.t -> initial:State.t -> System.context * State_graph.t * stats
 (** The exploration alone. *)
