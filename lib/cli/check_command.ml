@@ -94,6 +94,7 @@ let print_json console (model : Input.model) (report : Check.report) verdicts ex
         model = e.model;
         verdicts;
         stats = report.stats;
+        slices = report.slices;
         zeno = report.zeno;
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
@@ -117,7 +118,7 @@ let print_text console (model : Input.model) (report : Check.report) verdicts ex
   List.iter (fun v -> print (Check_text.property console m v ^ "\n")) verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno m w ^ "\n") in
   Option.iter zeno report.zeno;
-  print (Check_text.explored report.stats);
+  print (Check_text.explored report.stats ^ Check_text.slices report.slices);
   Option.iter (fun (space, c) -> print (Coverage_text.lines console space c)) extra.covered;
   print (Check_text.tally console (List.map snd verdicts));
   Option.iter (fun m -> List.iter (Console.note console) (Measured.lines m report)) extra.measured

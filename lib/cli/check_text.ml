@@ -100,6 +100,16 @@ let explored (s : Check.stats) =
     (plural s.transitions "transition" "transitions")
     s.depth (Rat.to_string s.model_time) how
 
+let left_out (slice : Check.slice) =
+  let shown = List.filteri (fun i _ -> i < 8) slice.left_out in
+  let more = List.length slice.left_out - List.length shown in
+  let names = String.concat ", " shown ^ if more > 0 then Printf.sprintf " and %d more" more else "" in
+  Printf.sprintf "  of that, without %s, which cannot matter: %s for %s\n" names
+    (plural slice.explored.states "state" "states")
+    (String.concat ", " slice.properties)
+
+let slices list = String.concat "" (List.map left_out list)
+
 let tally console verdicts =
   let count f = List.length (List.filter f verdicts) in
   let exhaustive = count Verdict.exhaustive in

@@ -13,5 +13,8 @@ val zeno : Model.t -> Witness.t -> string
 val explored : Check.stats -> string
 (** One line, and one for each fault. *)
 
+val slices : Check.slice list -> string
+(** A line for each: who was left out for which properties, and what was explored without them. *)
+
 val tally : Console.t -> Verdict.t list -> string
 (** ["4 properties: 3 hold, 1 violated"]. *)

@@ -12,6 +12,7 @@ type t = {
   model : Model.t;
   verdicts : (Property.check * Verdict.t) list;
   stats : Check.stats;
+  slices : Check.slice list;
   zeno : Witness.t option;
   diagnostics : Diag.t list;
   exit : int;
@@ -148,6 +149,14 @@ let explored (s : Check.stats) =
       ("faults", `List (List.map Json.text s.faults));
     ]
 
+let slice (s : Check.slice) =
+  `Assoc
+    [
+      ("properties", `List (List.map Json.text s.properties));
+      ("left_out", `List (List.map Json.text s.left_out));
+      ("explored", explored s.explored);
+    ]
+
 let document ~source r =
   `Assoc
     ([
@@ -160,6 +169,7 @@ let document ~source r =
       ("exit", `Int r.exit);
       ("properties", `List (List.map (property r.model) r.verdicts));
       ("explored", explored r.stats);
+      ("slices", `List (List.map slice r.slices));
       ("zeno", Json.option (witness r.model) r.zeno);
       ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
     ]

@@ -14,6 +14,7 @@ type t = {
   model : Model.t;
   verdicts : (Property.check * Verdict.t) list;
   stats : Check.stats;
+  slices : Check.slice list;
   zeno : Witness.t option;
   diagnostics : Diag.t list;
   exit : int;

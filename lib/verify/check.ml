@@ -3,27 +3,18 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_explore
-module Graph = State_graph
-module Engine = Evidence.Engine
 
-type options = {
+type options = Exploration.options = {
   bounds : Bounds.t;
   reductions : Reduction.kind list;
-  order : Graph.order;
+  order : State_graph.order;
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
 }
 
-let default =
-  {
-    bounds = Bounds.default;
-    reductions = Reduction.all;
-    order = By_steps;
-    surroundings = Limits.quiet;
-    observe = None;
-  }
+let default = Exploration.default
 
-type stats = {
+type stats = Exploration.stats = {
   states : int;
   transitions : int;
   depth : int;
@@ -35,288 +26,150 @@ type stats = {
   faults : string list;
 }
 
+type slice = { properties : string list; left_out : string list; explored : stats }
+
 type report = {
   outcomes : (Property.check * Verdict.t) list;
   stats : stats;
+  slices : slice list;
   zeno : Witness.t option;
   stores : (string * int) list;
 }
 
-type run = {
-  options : options;
-  model : Model.t;
-  context : System.context;
-  graph : Graph.t;
-  horizon : Rat.t option;
-}
+(** {2 Which properties go together} *)
 
-let cause r reason = Bounds.cause r.options.bounds r.model ~horizon:r.horizon reason
+(* Some properties, by their places in the list of all, and the part of the network that does for them ([None]: all of
+   it). *)
+type group = { part : State.t option; members : (int * Property.check) list  (** the last first *) }
 
-(** {2 Why there is no answer} *)
+let equal_part a b = Option.equal State.equal a b
 
-let reason_of r i =
-  match Graph.status r.graph i with
-  | Graph.Unexpanded reason -> cause r reason
-  | Expanded | Queued -> Scc_base.Bug.fail __POS__ "a state that was expanded is in doubt"
-
-(* The nearest of some states, in steps. *)
-let nearest r = function
-  | [] -> None
-  | i :: rest ->
-    let nearer best j = if Graph.depth r.graph j < Graph.depth r.graph best then j else best in
-    Some (List.fold_left nearer i rest)
-
-let unexplored r states : Verdict.reason list =
-  let bound = function
-    | Bounds.Bound t -> Some t
-    | Fault _ -> None
-    | Early -> Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going"
+let groups options model ~initial checks =
+  let part (c : Property.check) =
+    if List.exists (Reduction.equal Slice) options.reductions then Slice.make model ~initial [ c.formula ]
+    else None
   in
-  let fault = function Bounds.Fault text -> Some text | Bound _ | Early -> None in
-  (* There may be millions of them. *)
-  let causes = List.rev (List.rev_map (reason_of r) states) in
-  let bounds = Verdict.distinct (List.filter_map bound causes) in
-  let faults = List.sort_uniq String.compare (List.filter_map fault causes) in
-  let matter i =
-    Verdict.Unexplored { count = List.length states; nearest = Evidence.of_path r.context r.graph i }
+  let rec join part member = function
+    | [] -> [ { part; members = [ member ] } ]
+    | g :: rest when equal_part g.part part -> { g with members = member :: g.members } :: rest
+    | g :: rest -> g :: join part member rest
   in
-  List.map (fun t -> Verdict.Truncated t) bounds
-  @ List.map (fun text -> Verdict.Fault text) faults
-  @ Option.to_list (Option.map matter (nearest r states))
-
-let search_doubts r (d : Engine.doubts) =
-  List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined) @ unexplored r d.unexplored
-
-let formula_doubts r temporal i =
-  let d = Temporal.doubts temporal i in
-  let cycle run =
-    Verdict.Zeno (Evidence.of_cycle r.context r.graph temporal (Temporal.formula temporal i) run)
-  in
-  let undefined =
-    List.map (fun (u : Ctl_doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
-  in
-  List.map (fun text -> Verdict.Undefined text) undefined
-  @ Option.to_list (Option.map cycle d.zeno)
-  @ unexplored r d.unexplored
-
-(** {2 Verdicts} *)
-
-let trace r p trace = Evidence.of_trace r.context r.graph (Some p) trace
-let holds = Verdict.Holds { bounds = []; witness = None }
-
-(* Success up to a bound is one kind of verdict; what was not decided for another reason is not success. *)
-let up_to_bound r doubts =
-  let reasons = search_doubts r doubts in
-  let bound = function
-    | Verdict.Truncated { limit = Instant _; _ } | Undefined _ | Fault _ | Zeno _ -> Error ()
-    | Unexplored _ -> Ok None
-    | Truncated t -> Ok (Some t)
-  in
-  let add acc reason =
-    match (acc, bound reason) with
-    | Ok bounds, Ok b -> Ok (Option.to_list b @ bounds)
-    | Error (), _ | _, Error () -> Error ()
-  in
-  match List.fold_left add (Ok []) reasons with
-  | Ok bounds -> Verdict.Holds { bounds = List.rev bounds; witness = None }
-  | Error () -> Undecided reasons
-
-let now r p =
-  match Trajectory.holds r.model (System.start r.context) p with
-  | True -> Verdict.Holds { bounds = []; witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
-  | False -> Violated { witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
-  | Undecided text -> Undecided [ Undefined text ]
-
-let formula r temporal i =
-  match Temporal.truth temporal i with
-  | None -> Verdict.Undecided (formula_doubts r temporal i)
-  | Some truth -> (
-      match (truth, Evidence.of_explanation r.context r.graph temporal (Temporal.explain temporal i)) with
-      | true, witness -> Holds { bounds = []; witness }
-      | false, witness -> Violated { witness })
-
-(* Answers and formulas are taken up in the order of {!questions} and {!formulas}. *)
-type answers = { searches : Engine.answer list; next_formula : int; temporal : Temporal.t option }
-
-let rec verdict r (plan : Plan.t) answers =
-  match (plan, answers.searches) with
-  | Now p, _ -> (now r p, answers)
-  | Possibly (_, p), a :: searches ->
-    ((match a with
-        | Met t -> Verdict.Holds { bounds = []; witness = Some (trace r p t) }
-        | Never -> Violated { witness = None }
-        | Open doubts -> Undecided (search_doubts r doubts)), { answers with searches })
-  | Always (_, p), a :: searches ->
-    ((match a with
-        | Met t -> Verdict.Violated { witness = Some (trace r p t) }
-        | Never -> holds
-        | Open doubts -> up_to_bound r doubts), { answers with searches })
-  | Formula _, _ -> (
-      match answers.temporal with
-      | None -> Scc_base.Bug.fail __POS__ "a formula that was not asked"
-      | Some t ->
-        (formula r t answers.next_formula, { answers with next_formula = answers.next_formula + 1 }))
-  | All plans, _ -> verdicts r Verdict.conjunction plans answers
-  | Any plans, _ -> verdicts r Verdict.disjunction plans answers
-  | (Possibly _ | Always _), [] -> Scc_base.Bug.fail __POS__ "a question without an answer"
-
-and verdicts r combine plans answers =
-  let step (found, answers) plan =
-    let v, answers = verdict r plan answers in
-    (v :: found, answers)
-  in
-  let found, answers = List.fold_left step ([], answers) plans in
-  (combine (List.rev found), answers)
-
-(** {2 Questions} *)
-
-let rec questions context (plan : Plan.t) : Engine.question list =
-  match plan with
-  | Now _ | Formula _ -> []
-  | Possibly (within, p) -> [ { within; goal = Predicate.make context p } ]
-  | Always (within, p) -> [ { within; goal = Predicate.make context (Formula.negate p) } ]
-  | All plans | Any plans -> List.concat_map (questions context) plans
-
-let rec formulas (plan : Plan.t) =
-  match plan with
-  | Now _ | Possibly _ | Always _ -> []
-  | Formula f -> [ f ]
-  | All plans | Any plans -> List.concat_map formulas plans
-
-(* Time beyond which nothing is asked. *)
-let horizon (checks : Property.check list) =
   match checks with
-  | [] -> None
+  | [] -> [ { part = None; members = [] } ]
   | _ :: _ ->
-    let join acc (c : Property.check) =
-      match (acc, Plan.horizon c.formula) with
-      | Some a, Some b -> Some (Rat.max a b)
-      | None, _ | _, None -> None
-    in
-    List.fold_left join (Some Rat.zero) checks
+    List.fold_left
+      (fun (i, groups) c -> (i + 1, join (part c) (i, c) groups))
+      (0, []) checks
+    |> snd
 
-(** {2 The report} *)
+(** {2 Back to the whole} *)
 
-let label r (e : Graph.edge) = Catalogue.label_of (System.catalogue r.context) e.label
+let lift model ~initial (w : Witness.t) : Witness.t =
+  match w.finish with
+  | At_state | During _ -> Lift.timed model ~initial w
+  | Repeats r ->
+    (* The cycle takes no time: what is left out has nothing to do in it. *)
+    let lifted = Lift.timed model ~initial { w with finish = At_state } in
+    let more = List.length lifted.steps - List.length w.steps in
+    { lifted with finish = Repeats { r with cycle = r.cycle + more } }
+  | Rests | Stops | Passes _ -> Scc_base.Bug.fail __POS__ "a search that ends in no instant"
 
-(* Most models have an event early on, and then the rest is not looked at. *)
-let eventful r =
-  let is_event (e : Graph.edge) =
-    match label r e with
-    | Time _ -> false
-    | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
+(* A slice does for the whole up to the horizon of its properties; a run that goes on from there is not one of the
+   whole, and is not shown. *)
+let lift_in_time model ~initial horizon w =
+  let in_time = match horizon with None -> true | Some h -> Rat.compare (Witness.time w) h <= 0 in
+  if in_time then Some (lift model ~initial w) else None
+
+let lift_reason lift (r : Verdict.reason) : Verdict.reason option =
+  match r with
+  | Unexplored { count; nearest } ->
+    Option.map (fun nearest -> Verdict.Unexplored { count; nearest }) (lift nearest)
+  | Zeno w -> Option.map (fun w -> Verdict.Zeno w) (lift w)
+  | Truncated _ | Undefined _ | Fault _ -> Some r
+
+let lift_verdict lift (v : Verdict.t) : Verdict.t =
+  match v with
+  | Holds { bounds; witness } -> Holds { bounds; witness = Option.bind witness lift }
+  | Violated { witness } -> Violated { witness = Option.bind witness lift }
+  | Undecided reasons -> Undecided (List.filter_map (lift_reason lift) reasons)
+
+(** {2 All explorations} *)
+
+(* What is left of the seconds is left for the next exploration: its clock goes on where the last one stopped. *)
+let going_on (around : Limits.surroundings) start =
+  let first = ref true in
+  let now () =
+    if !first then begin
+      first := false;
+      start
+    end
+    else around.now ()
   in
-  let rec from i =
-    i < Graph.size r.graph && (Array.exists is_event (Graph.edges r.graph i) || from (i + 1))
-  in
-  from 0
+  { around with now }
 
-let stats r : stats =
-  let unexpanded = Graph.unexpanded r.graph in
-  let causes = List.rev (List.rev_map (fun (_, reason) -> cause r reason) unexpanded) in
-  let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
+let add (a : stats) (b : stats) =
   {
-    states = Graph.size r.graph;
-    transitions = Graph.transitions r.graph;
-    depth = Graph.greatest_depth r.graph;
-    model_time = Graph.greatest_arrival r.graph;
-    complete = (match unexpanded with [] -> true | _ :: _ -> false);
-    eventful = eventful r;
-    decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
-    stopped_by = Verdict.distinct bounds;
-    faults =
-      List.sort_uniq String.compare
-        (List.filter_map (function Bounds.Fault text -> Some text | Bound _ | Early -> None) causes);
+    states = a.states + b.states;
+    transitions = a.transitions + b.transitions;
+    depth = Int.max a.depth b.depth;
+    model_time = Rat.max a.model_time b.model_time;
+    complete = a.complete && b.complete;
+    eventful = a.eventful || b.eventful;
+    decided_early = a.decided_early || b.decided_early;
+    stopped_by = Verdict.distinct (a.stopped_by @ b.stopped_by);
+    faults = List.sort_uniq String.compare (a.faults @ b.faults);
   }
 
-(* A cycle without duration, or else a run that met the guard. *)
-let zeno r (result : Engine.result) =
-  match result.zeno with
-  | Some t -> Some (Evidence.of_trace r.context r.graph None t)
-  | None ->
-    List.find_map
-      (fun (i, (reason : _ Explore.reason)) ->
-         match reason with
-         | Instant -> Some (Evidence.of_path r.context r.graph i)
-         | Depth | Time | States | Seconds | Memory | Interrupted | Stopped | Fault _ -> None)
-      (Graph.unexpanded r.graph)
+let sum_stores a b =
+  List.map (fun (name, n) -> (name, n + Option.value (List.assoc_opt name b) ~default:0)) a
 
-(* Without edges a state takes a quarter of the memory. They are needed to look back from states to those before,
-   and worth keeping where earlier times may have to be passed on. *)
-let needs_edges plans limits =
-  List.exists (fun p -> formulas p <> []) plans || Option.is_some limits.Limits.time
+let explored options model ~initial start group =
+  let options = { options with surroundings = going_on options.surroundings start } in
+  let members = List.rev group.members in
+  let part = Option.value group.part ~default:initial in
+  let result = Exploration.check options model ~initial:part (List.map snd members) in
+  let lift = lift_in_time model ~initial (Exploration.horizon (List.map snd members)) in
+  let lifted v = if Option.is_none group.part then v else lift_verdict lift v in
+  let outcomes = List.map2 (fun (i, c) (_, v) -> (i, (c, lifted v))) members result.outcomes in
+  let slice part =
+    {
+      properties = List.sort_uniq String.compare (List.map (fun (_, (c : Property.check)) -> c.name) members);
+      left_out = Slice.left_out model ~initial part;
+      explored = result.stats;
+    }
+  in
+  let zeno = if Option.is_none group.part then result.zeno else Option.bind result.zeno lift in
+  (outcomes, Option.map slice group.part, { result with zeno })
 
-let rests context tuple =
-  Network.quiescent (System.model context) (Catalogue.decode (System.catalogue context) tuple)
+let merge parts ~events_elsewhere =
+  let outcomes = List.concat_map (fun (outcomes, _, _) -> outcomes) parts in
+  let results = List.map (fun (_, _, (r : Exploration.result)) -> r) parts in
+  let slices = List.filter_map (fun (_, slice, _) -> slice) parts in
+  match results with
+  | [] -> Scc_base.Bug.fail __POS__ "nothing was explored"
+  | first :: rest ->
+    let stats = List.fold_left (fun s (r : Exploration.result) -> add s r.stats) first.stats rest in
+    let stores = List.fold_left (fun s (r : Exploration.result) -> sum_stores s r.stores) first.stores rest in
+    let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) outcomes in
+    {
+      outcomes = List.map snd in_order;
+      stats = { stats with eventful = stats.eventful || (List.length slices > 0 && events_elsewhere ()) };
+      slices;
+      zeno = List.find_map (fun (r : Exploration.result) -> r.zeno) results;
+      stores;
+    }
 
-let stores r =
-  let m = Graph.memory r.graph in
-  [ ("states", m.states); ("labels", m.labels); ("edges", m.edges) ]
-
-(* Those that are searched for, and those that are evaluated on the graph. *)
-let kinds_of (checks : Property.check list) plans =
-  let all = List.combine checks plans in
-  let formulas_of test =
-    List.filter_map (fun ((c : Property.check), plan) -> if test plan then Some c.formula else None) all
-  in
-  let is_search plan = match formulas plan with [] -> true | _ :: _ -> false in
-  (formulas_of is_search, formulas_of (fun plan -> not (is_search plan)))
-
-let system options model ~initial checks plans =
-  let searched, evaluated = kinds_of checks plans in
-  let events = List.concat_map (fun (c : Property.check) -> Formula.events c.formula) checks in
-  let deep = match options.bounds.depth with Unbounded -> false | Default _ | Given _ -> true in
-  System.make ~events
-    ~quotient:(Reduction.quotient options.reductions model initial ~searched ~evaluated)
-    ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
-    model initial
-
-(* One exploration for some checks. *)
-let check options model ~initial (checks : Property.check list) =
-  let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
-  let context = system options model ~initial checks plans in
-  let asked = List.concat_map (questions context) plans in
-  let temporals = List.concat_map formulas plans in
-  let horizon = horizon checks in
-  let limits = Bounds.limits options.bounds ~horizon in
-  let rests = rests context in
-  let observe =
-    Option.map (fun f _ _ tuple -> f (Catalogue.decode (System.catalogue context) tuple)) options.observe
-  in
-  let formulas = Temporal.ask context temporals in
-  let settled g =
-    let temporal = Temporal.on formulas ~rests g in
-    List.for_all Fun.id (List.mapi (fun i _ -> Option.is_some (Temporal.truth temporal i)) temporals)
-  in
-  let settled = match temporals with [] -> None | _ :: _ -> Some settled in
-  let result =
-    Engine.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits) ~rests limits
-      options.surroundings context asked
-  in
-  let graph = result.graph in
-  let r = { options; model; context; graph; horizon } in
-  let temporal =
-    match temporals with [] -> None | _ :: _ -> Some (Temporal.on formulas ~rests graph)
-  in
-  let step (outcomes, answers) (check, plan) =
-    let v, answers = verdict r plan answers in
-    ((check, v) :: outcomes, answers)
-  in
-  let answers = { searches = result.answers; next_formula = 0; temporal } in
-  let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
-  { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result; stores = stores r }
+let whole options model ~initial checks =
+  let start = options.surroundings.now () in
+  let events_elsewhere () = Exploration.may_have_events options model ~initial in
+  groups options model ~initial checks
+  |> List.map (explored options model ~initial start)
+  |> merge ~events_elsewhere
 
 let run options model ~initial checks =
   let stepwise = Reduction.without_jumps options.reductions model in
-  if Bool.equal stepwise.steered model.steered then check options model ~initial checks
+  if Bool.equal stepwise.steered model.steered then whole options model ~initial checks
   else
     match Network.initial stepwise initial with
-    | Ok initial -> check options stepwise ~initial checks
+    | Ok initial -> whole options stepwise ~initial checks
     | Error _ -> Scc_base.Bug.fail __POS__ "a fault in a network that is not steered"
-
-let explore options model ~initial =
-  let context = System.make model initial in
-  let limits = Bounds.limits options.bounds ~horizon:None in
-  let graph = Graph.run ~order:options.order limits options.surroundings context in
-  let r = { options; model; context; graph; horizon = None } in
-  (context, graph, stats r)

@@ -1,46 +1,50 @@
-(** Checking properties: one exploration that serves all of them, over the whole continuous run (rules
-    Instants, Verdict, Zeno). *)
+(** Checking the properties of a model. *)
 
 open Scc_exact
 open Scc_calculus
 open Scc_property
 open Scc_explore
 
-type options = {
+type options = Exploration.options = {
   bounds : Bounds.t;
   reductions : Reduction.kind list;
   order : State_graph.order;
-  (** of the exploration: with [By_steps] runs that decide a search are as short as can be, with [By_time] as early *)
   surroundings : Limits.surroundings;
-  observe : (State.t -> unit) option;  (** called with each new state, in order *)
+  observe : (State.t -> unit) option;
 }
 
 val default : options
-(** Default bounds, all reductions, by steps, in quiet surroundings. *)
 
-type stats = {
+type stats = Exploration.stats = {
   states : int;
   transitions : int;
-  depth : int;  (** the greatest of the states' least depths *)
-  model_time : Rat.t;  (** the greatest of the states' earliest arrivals *)
-  complete : bool;  (** every state was expanded *)
-  eventful : bool;  (** some transition is not a passing of time *)
-  decided_early : bool;  (** the exploration ended because every property was decided *)
-  stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
-  faults : string list;  (** why transitions of states could not be computed, each text once *)
+  depth : int;
+  model_time : Rat.t;
+  complete : bool;
+  eventful : bool;
+  decided_early : bool;
+  stopped_by : Verdict.truncation list;
+  faults : string list;
+}
+(** Of several explorations: sums, and the greatest depth and time. *)
+
+(** An exploration of a part of the network, which does for some of the properties (rule Slice). *)
+type slice = {
+  properties : string list;  (** their names *)
+  left_out : string list;  (** leaves, in order *)
+  explored : stats;
 }
 
 type report = {
   outcomes : (Property.check * Verdict.t) list;  (** in the order given *)
-  stats : stats;
+  stats : stats;  (** [eventful] unless it is known that nothing ever happens in the whole network *)
+  slices : slice list;  (** of all the explorations, those that left something out *)
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
-  stores : (string * int) list;  (** what the explored graph takes: states, labels and edges, in bytes *)
+  stores : (string * int) list;  (** what the explored graphs take, by name, in bytes *)
 }
 
 val run : options -> Model.t -> initial:State.t -> Property.check list -> report
-(** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
-    replayed before they are returned. *)
-
-val explore : options -> Model.t -> initial:State.t -> System.context * State_graph.t * stats
-(** The exploration alone. *)
+(** One exploration serves all properties, but for those that do with a part of the network. [initial] is the initial state
+    ({!Scc_semantics.Network.initial} of what was declared). Witnesses are replayed before they are returned, and
+    are runs of the whole network. *)

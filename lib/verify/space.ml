@@ -16,7 +16,7 @@ type t = {
 }
 
 let explore options model ~initial =
-  let context, graph, (stats : Check.stats) = Check.explore options model ~initial in
+  let context, graph, (stats : Exploration.stats) = Exploration.explore options model ~initial in
   let catalogue = System.catalogue context in
   let edge (e : Graph.edge) = { label = Catalogue.label_of catalogue e.label; target = e.target } in
   let expanded i =

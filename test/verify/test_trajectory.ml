@@ -231,9 +231,44 @@ let gen =
 let print (network, p) =
   Random_network.print network ^ "\n" ^ Show.prop (Random_network.model network) p
 
+(* What is judged by components, against the same naive truth. *)
+let components_agree (network, (p : Property.prop)) =
+  let m, start = Random_network.start network in
+  let context = System.make ~events:(Formula.events (State p)) ~memory:4 m start in
+  let predicate = Predicate.make context p in
+  let tuple s = Catalogue.encode (System.catalogue context) s in
+  let agrees_along s extent =
+    match predicate.along with
+    | Some along ->
+      let timeline = along (tuple s) extent and expected = Trajectory.prop (Trajectory.make m s extent) p in
+      List.for_all
+        (fun r ->
+           let r = Algebraic.of_rat r in
+           agree (Timeline.at timeline r) (Timeline.at expected r))
+        (offsets expected)
+    | None ->
+      (* It does not change on the way. *)
+      let now = predicate.at (tuple s) in
+      let expected = Trajectory.prop (Trajectory.make m s extent) p in
+      List.for_all (fun r -> agree now (Timeline.at expected (Algebraic.of_rat r))) (offsets expected)
+  in
+  List.for_all
+    (fun (s, transitions) ->
+       agree (predicate.at (tuple s)) (naive m s p)
+       && List.for_all
+         (fun (t : Transition.t) ->
+            match t.label with
+            | Time d -> agrees_along s (Timeline.Lasts d)
+            | _ -> true)
+         transitions)
+    (Reach.states m start ~limit:6)
+
 let random =
   QCheck2.Test.make ~count:5000 ~name:"a timeline tells what the states at its instants do" ~print gen
     run_agrees
+
+let components =
+  QCheck2.Test.make ~count:3000 ~name:"predicates by components tell the same" ~print gen components_agree
 
 (* {1 Timelines alone} *)
 
@@ -281,6 +316,6 @@ let () =
   let quick name f = Alcotest.test_case name `Quick f in
   Alcotest.run "trajectory"
     [
-      ("random runs", Scc_test_support.Property.cases [ random ]);
+      ("random runs", Scc_test_support.Property.cases [ random; components ]);
       ("cases", [ quick "pieces" pieces; quick "irrational instants" irrational ]);
     ]
