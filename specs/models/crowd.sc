@@ -1,7 +1,7 @@
 // Six pairs of cubes collide, all at one instant and far from each other, while a ball falls to the ground at
-// another place. What is asked is about the ball and one of the pairs, up to the time 10. Whatever the other
-// pairs do, they cannot come near enough by then to influence it, and are left out (rule Slice). With
-// `--no-reduce slice` they are there, and collide in one order instead of all (rule Order). With
+// another place. What is asked is about the ball or one of the pairs, up to the time 10. Whatever the others
+// do, they cannot come near enough by then to influence it, and are left out, check by check (rule Slice).
+// With `--no-reduce slice` they are there, and collide in one order instead of all (rule Order). With
 // `--no-reduce slice,order` each of the 2^6 sets of pairs that may have collided already is a state.
 model crowd
 
