@@ -1,6 +1,6 @@
 open Scc_exact
 
-type 'fault reason =
+type 'fault reason = 'fault Statuses.reason =
   | Depth
   | Time
   | Instant
@@ -11,9 +11,10 @@ type 'fault reason =
   | Stopped
   | Fault of 'fault
 
+type 'fault status = 'fault Statuses.status = Expanded | Queued | Unexpanded of 'fault reason
+
 module Make (L : Lts.S) = struct
   type edge = { label : int; target : int }
-  type status = Expanded | Queued | Unexpanded of L.fault reason
   type step = { source : int; choice : int }
   type order = By_steps | By_time
 
@@ -23,23 +24,14 @@ module Make (L : Lts.S) = struct
     tuples : Tuples.t;
     near : Tuples.spread;  (** the state being expanded *)
     reader : Tuples.spread;  (** for those who ask *)
-    depth : Int_vector.t;
-    instant : Int_vector.t;  (** transitions without passing time at the end of the nearest path *)
-    nearest : Int_vector.t;  (** the state before on the nearest path; -1 at the initial state *)
-    earliest : (int, int) Hashtbl.t;  (** the state before on the earliest path, when that is another *)
-    times : Rationals.t;
-    arrival : Int_vector.t;  (** into [times] *)
-    mutable marks : Bytes.t;  (** statuses *)
-    faults : (int, L.fault) Hashtbl.t;
+    distances : Distances.t;
+    statuses : L.fault Statuses.t;
     frontier : Frontier.t;
-    edges : kept option;
+    edges : Edge_store.t option;
     mutable transitions : int;
     mutable turns : bool;
     mutable timed : Bytes.t;  (** whether labels take time, as far as is known *)
   }
-
-  (* The edges of a state stand side by side, after their number. *)
-  and kept = { first : Int_vector.t;  (** -1 for none *) labels : Int_vector.t; targets : Int_vector.t }
 
   type visitor = {
     found : t -> int -> int array -> unit;
@@ -58,8 +50,8 @@ module Make (L : Lts.S) = struct
 
   let context g = g.context
   let size g = Tuples.size g.tuples
-  let depth g i = Int_vector.get g.depth i
-  let arrival g i = Rationals.get g.times (Int_vector.get g.arrival i)
+  let depth g i = Distances.depth g.distances i
+  let arrival g i = Distances.arrival g.distances i
   let transitions g = g.transitions
   let turns g = g.turns
   let duration g e = L.duration g.context e.label
@@ -70,44 +62,10 @@ module Make (L : Lts.S) = struct
 
   (** {2 Statuses} *)
 
-  let codes = [| Depth; Time; Instant; States; Seconds; Memory; Interrupted; Stopped |]
-
-  let code = function
-    | Depth -> 0
-    | Time -> 1
-    | Instant -> 2
-    | States -> 3
-    | Seconds -> 4
-    | Memory -> 5
-    | Interrupted -> 6
-    | Stopped -> 7
-    | Fault _ -> 8
-
-  let queued = 'q'
-  let expanded = 'e'
-
-  let status g i =
-    match Bytes.get g.marks i with
-    | 'q' -> Queued
-    | 'e' -> Expanded
-    | '8' -> Unexpanded (Fault (Hashtbl.find g.faults i))
-    | c -> Unexpanded codes.(Char.code c - Char.code '0')
-
-  let mark g i c =
-    if i >= Bytes.length g.marks then begin
-      let marks = Bytes.make (2 * i) queued in
-      Bytes.blit g.marks 0 marks 0 i;
-      g.marks <- marks
-    end;
-    Bytes.set g.marks i c
-
-  let leave_out g i reason =
-    (match reason with
-     | Fault f -> Hashtbl.replace g.faults i f
-     | Depth | Time | Instant | States | Seconds | Memory | Interrupted | Stopped -> ());
-    mark g i (Char.chr (Char.code '0' + code reason))
-
-  let is_expanded g i = Char.equal (Bytes.get g.marks i) expanded
+  let status g i = Statuses.get g.statuses i
+  let is_expanded g i = Statuses.is_expanded g.statuses i
+  let mark g i status = Statuses.set g.statuses i status
+  let leave_out g i reason = mark g i (Unexpanded reason)
 
   let unexpanded g =
     let rec from i acc =
@@ -132,8 +90,8 @@ module Make (L : Lts.S) = struct
     let rec from i last best =
       if i = size g then best
       else
-        let a = Int_vector.get g.arrival i in
-        from (i + 1) a (if a = last then best else Rat.max best (Rationals.get g.times a))
+        let a = Distances.arrival_number g.distances i in
+        from (i + 1) a (if a = last then best else Rat.max best (Distances.time g.distances a))
     in
     from 0 0 Rat.zero
 
@@ -160,30 +118,9 @@ module Make (L : Lts.S) = struct
     else
       match g.edges with
       | None -> made_anew g i
-      | Some k ->
-        let at = Int_vector.get k.first i in
-        Array.init (Int_vector.get k.targets at) (fun n ->
-            { label = Int_vector.get k.labels (at + n + 1); target = Int_vector.get k.targets (at + n + 1) })
-
-  let keep g i edges =
-    match g.edges with
-    | None -> ()
-    | Some k ->
-      Int_vector.set k.first i (Int_vector.length k.targets);
-      Int_vector.push k.labels 0;
-      Int_vector.push k.targets (List.length edges);
-      List.iter
-        (fun e ->
-           Int_vector.push k.labels e.label;
-           Int_vector.push k.targets e.target)
-        edges
+      | Some store -> Edge_store.get store i (fun label target -> { label; target })
 
   (** {2 Paths} *)
-
-  let before_nearest g i = Int_vector.get g.nearest i
-
-  let before_earliest g i =
-    match Hashtbl.find_opt g.earliest i with Some j -> j | None -> before_nearest g i
 
   (* The first choice that leads from the one state to the other and passes the test. *)
   let choice g source target test =
@@ -197,17 +134,17 @@ module Make (L : Lts.S) = struct
 
   let path g before test i =
     let rec go i acc =
-      match before g i with
+      match before g.distances i with
       | -1 -> acc
       | source -> go source ({ source; choice = choice g source i (test source i) } :: acc)
     in
     go i []
 
-  let shortest_path g i = path g before_nearest (fun _ _ _ -> true) i
+  let shortest_path g i = path g Distances.before_nearest (fun _ _ _ -> true) i
 
   let earliest_path g i =
     let in_time source target e = Rat.equal (arrival g target) (Rat.add (arrival g source) (duration g e)) in
-    path g before_earliest in_time i
+    path g Distances.before_earliest in_time i
 
   (** {2 Bounds} *)
 
@@ -217,19 +154,16 @@ module Make (L : Lts.S) = struct
   let out_of_bounds g (limits : Limits.t) i =
     if beyond (depth g i) limits.depth then Some Depth
     else if match limits.time with None -> false | Some t -> Rat.compare (arrival g i) t > 0 then Some Time
-    else if beyond (Int_vector.get g.instant i) limits.instant then Some Instant
+    else if beyond (Distances.instant g.distances i) limits.instant then Some Instant
     else None
 
   type memory = { states : int; labels : int; edges : int }
 
   let memory g =
-    let kept k = Int_vector.bytes k.first + Int_vector.bytes k.labels + Int_vector.bytes k.targets in
     {
       states = Tuples.bytes g.tuples;
-      labels =
-        Int_vector.bytes g.depth + Int_vector.bytes g.instant + Int_vector.bytes g.nearest
-        + Int_vector.bytes g.arrival + Bytes.length g.marks;
-      edges = Option.fold ~none:0 ~some:kept g.edges;
+      labels = Distances.bytes g.distances + Statuses.bytes g.statuses;
+      edges = Option.fold ~none:0 ~some:Edge_store.bytes g.edges;
     }
 
   (* Of the heap and of what stands beside it. *)
@@ -247,14 +181,11 @@ module Make (L : Lts.S) = struct
 
   (** {2 Growing the graph} *)
 
-  let add g i ~depth ~arrival ~instant ~before =
-    Int_vector.push g.depth depth;
-    Int_vector.push g.arrival arrival;
-    Int_vector.push g.instant instant;
-    Int_vector.push g.nearest before;
-    Option.iter (fun k -> Int_vector.push k.first (-1)) g.edges;
-    mark g i queued;
-    Frontier.push g.frontier i (Rationals.get g.times arrival)
+  let add g i label =
+    Distances.push g.distances label;
+    Option.iter Edge_store.make_room g.edges;
+    mark g i Queued;
+    Frontier.push g.frontier i (Distances.time g.distances label.arrival)
 
   (* Most transitions take no time: that is looked up once for each label. *)
   let takes_time g label =
@@ -271,44 +202,23 @@ module Make (L : Lts.S) = struct
       Bytes.set g.timed label (if yes then 'y' else 'n');
       yes
 
-  (* Times and instants after a transition. *)
+  (* The label of the path to a state with a transition more. *)
   let after g i label =
-    let arrival = Int_vector.get g.arrival i in
-    if takes_time g label then
-      let d = L.duration g.context label in
-      (Rationals.intern g.times (Rat.add (Rationals.get g.times arrival) d), 0)
-    else (arrival, Int_vector.get g.instant i + 1)
+    Distances.after g.distances i (if takes_time g label then Some (L.duration g.context label) else None)
 
   (* Better labels for the target of an edge; whether there were any, and whether it is reached earlier. *)
   let improve g i e =
-    let j = e.target in
-    let arrival, instant = after g i e.label in
-    let nearer = depth g i + 1 < depth g j in
-    let known = Int_vector.get g.arrival j in
-    let is_earlier =
-      arrival <> known && Rat.compare (Rationals.get g.times arrival) (Rationals.get g.times known) < 0
-    in
+    let known = depth g e.target in
+    let nearer, is_earlier = Distances.improve g.distances e.target (after g i e.label) in
     (* An edge that leads deeper when it is found may not do so once a shorter path to its end is known. *)
-    if nearer || (instant > 0 && depth g j <= depth g i) then g.turns <- true;
-    if nearer || is_earlier then begin
-      (* The two paths may be one, and then part here. *)
-      let earliest = if is_earlier then i else before_earliest g j in
-      if nearer then begin
-        Int_vector.set g.depth j (depth g i + 1);
-        Int_vector.set g.instant j instant;
-        Int_vector.set g.nearest j i
-      end;
-      if is_earlier then Int_vector.set g.arrival j arrival;
-      if earliest = before_nearest g j then Hashtbl.remove g.earliest j
-      else Hashtbl.replace g.earliest j earliest
-    end;
+    if nearer || ((not (takes_time g e.label)) && known <= depth g i) then g.turns <- true;
     (nearer || is_earlier, is_earlier)
 
   (* A state left out for its labels alone, and now within the bounds, is taken up again. *)
   let reconsider g limits i =
     match status g i with
     | Unexpanded (Depth | Time | Instant) when Option.is_none (out_of_bounds g limits i) ->
-      mark g i queued;
+      mark g i Queued;
       Frontier.push g.frontier i (arrival g i)
     | Queued -> (match g.order with By_steps -> () | By_time -> Frontier.push g.frontier i (arrival g i))
     | Expanded | Unexpanded _ -> ()
@@ -352,16 +262,15 @@ module Make (L : Lts.S) = struct
     let known = size g in
     let id = Tuples.intern_prepared g.tuples n in
     if id = known then begin
-      let arrival, instant = after g i label in
-      add g id ~depth:(depth g i + 1) ~arrival ~instant ~before:i;
+      add g id (after g i label);
       visitor.found g id (Tuples.apply changes tuple)
     end;
     id
 
-  (* Whether an edge to a known state changes nothing: it takes no time, and leads deeper, but not by a shorter way. *)
+  (* Whether an edge to a known state changes nothing: it takes no time, and leads deeper, but by no shorter way. *)
   let is_plain g i label target =
     (not (takes_time g label))
-    && Int_vector.get g.arrival target = Int_vector.get g.arrival i
+    && Distances.arrival_number g.distances target = Distances.arrival_number g.distances i
     && depth g target = depth g i + 1
 
   let relax g limits visitor i e =
@@ -389,14 +298,15 @@ module Make (L : Lts.S) = struct
     | Ok steps when match limits.states with None -> false | Some n -> not (fits g (n - size g) tuple steps) ->
       Some States
     | Ok steps ->
-      mark g i expanded;
+      mark g i Expanded;
       List.iteri (fun n (s : Lts.step) -> Tuples.prepare g.tuples ~near:g.near s.changes n) steps;
       let count = List.length steps in
       Tuples.fetch g.tuples count;
       let targets = List.mapi (connect g visitor i tuple) steps in
       g.transitions <- g.transitions + count;
       let edge (s : Lts.step) target = { label = s.label; target } in
-      if Option.is_some g.edges then keep g i (List.map2 edge steps targets);
+      let keep store = Edge_store.set store i (List.map2 (fun (s : Lts.step) t -> (s.label, t)) steps targets) in
+      Option.iter keep g.edges;
       List.iter2 (fun s target -> relax g limits visitor i (edge s target)) steps targets;
       (match visitor.opened with
        | None -> ()
@@ -413,20 +323,14 @@ module Make (L : Lts.S) = struct
 
   let empty context order keep_edges =
     let tuples = Tuples.create ~width:(L.width context) in
-    let vector = Int_vector.create in
     {
       context; order; tuples;
       near = Tuples.spread tuples;
       reader = Tuples.spread tuples;
-      depth = vector (); instant = vector (); nearest = vector ();
-      earliest = Hashtbl.create 16;
-      times = Rationals.create ();
-      arrival = vector ();
-      marks = Bytes.make 1024 queued;
-      faults = Hashtbl.create 1;
+      distances = Distances.create ();
+      statuses = Statuses.create ();
       frontier = (match order with By_steps -> Frontier.by_steps () | By_time -> Frontier.by_time ());
-      edges =
-        (if keep_edges then Some { first = vector (); labels = vector (); targets = vector () } else None);
+      edges = (if keep_edges then Some (Edge_store.create ()) else None);
       transitions = 0;
       turns = false;
       timed = Bytes.empty;
@@ -456,7 +360,7 @@ module Make (L : Lts.S) = struct
     let start = around.now () in
     let first = L.initial context in
     let i = Tuples.intern g.tuples ~near:g.near (Tuples.difference (Array.map (fun _ -> -1) first) first) in
-    add g i ~depth:0 ~arrival:0 ~instant:0 ~before:(-1);
+    add g i Distances.origin;
     visitor.found g i first;
     let rec loop round =
       match Frontier.take g.frontier with

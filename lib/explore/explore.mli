@@ -5,7 +5,7 @@
 open Scc_exact
 
 (** Why a state has not been expanded. *)
-type 'fault reason =
+type 'fault reason = 'fault Statuses.reason =
   | Depth
   | Time
   | Instant
@@ -16,16 +16,16 @@ type 'fault reason =
   | Stopped  (** the visitor had seen enough *)
   | Fault of 'fault  (** its transitions cannot be computed *)
 
+type 'fault status = 'fault Statuses.status =
+  | Expanded
+  | Queued  (** only while the exploration goes on *)
+  | Unexpanded of 'fault reason
+
 module Make (L : Lts.S) : sig
   type t
   (** A graph. States are numbered from 0, the initial one, in the order in which they are found. *)
 
   type edge = { label : int; target : int }
-
-  type status =
-    | Expanded
-    | Queued  (** only while the exploration goes on *)
-    | Unexpanded of L.fault reason
 
   (** Who is told what is found, each once the graph shows it. *)
   type visitor = {
@@ -53,7 +53,7 @@ module Make (L : Lts.S) : sig
   val context : t -> L.context
   val size : t -> int
   val tuple : t -> int -> int array
-  val status : t -> int -> status
+  val status : t -> int -> L.fault status
 
   val edges : t -> int -> edge array
   (** In the order of {!Lts.S.successors}; empty while the state is not expanded. *)

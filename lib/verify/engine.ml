@@ -85,7 +85,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     let tuple = Graph.tuple g i in
     let ahead =
       match Graph.status g i with
-      | Graph.Expanded -> ahead_of_state m g tuple (Graph.edges g i)
+      | Explore.Expanded -> ahead_of_state m g tuple (Graph.edges g i)
       | Queued | Unexpanded _ -> Unknown_yet
     in
     { at = m.question.goal.at tuple; ahead }

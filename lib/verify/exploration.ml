@@ -56,7 +56,7 @@ let cause r reason = Bounds.cause r.options.bounds r.model ~horizon:r.horizon re
 
 let reason_of r i =
   match Graph.status r.graph i with
-  | Graph.Unexpanded reason -> cause r reason
+  | Explore.Unexpanded reason -> cause r reason
   | Expanded | Queued -> Scc_base.Bug.fail __POS__ "a state that was expanded is in doubt"
 
 (* The nearest of some states, in steps. *)

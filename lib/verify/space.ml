@@ -20,7 +20,7 @@ let explore options model ~initial =
   let catalogue = System.catalogue context in
   let edge (e : Graph.edge) = { label = Catalogue.label_of catalogue e.label; target = e.target } in
   let expanded i =
-    match Graph.status graph i with Graph.Expanded -> true | Queued | Unexpanded _ -> false
+    match Graph.status graph i with Scc_explore.Explore.Expanded -> true | Queued | Unexpanded _ -> false
   in
   let state i = Catalogue.decode catalogue (Graph.tuple graph i) in
   {

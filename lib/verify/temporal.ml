@@ -28,7 +28,7 @@ let timed_graph ~rests g : Timed_graph.t =
   let size = Graph.size g in
   let known i =
     match Graph.status g i with
-    | Graph.Expanded -> true
+    | Scc_explore.Explore.Expanded -> true
     | Queued | Unexpanded _ -> false
   in
   (* Whether a state without transitions rests is asked often, and is not quickly answered. *)

@@ -125,7 +125,7 @@ let agrees ?order ~keep_edges (toy, depth, time) =
     match (best.(s), find g s) with
     | None, None -> true
     | Some (d, t), Some i ->
-      let is_expanded = match Graph.status g i with Graph.Expanded -> true | _ -> false in
+      let is_expanded = match Graph.status g i with Explore.Expanded -> true | _ -> false in
       let edges = match toy.(s) with Some l when is_expanded -> l | _ -> [] in
       Graph.depth g i = d
       && Rat.equal (Graph.arrival g i) (Rat.of_int t)
@@ -203,7 +203,7 @@ let visited (toy, depth, time) =
     (fun i ->
        Rat.equal (Hashtbl.find arrivals i) (Graph.arrival g i)
        && Bool.equal (Hashtbl.mem opened_states i)
-         (match Graph.status g i with Graph.Expanded -> true | _ -> false))
+         (match Graph.status g i with Explore.Expanded -> true | _ -> false))
     (List.init (Graph.size g) (fun i -> i))
 
 let events =

@@ -12,7 +12,7 @@ from comparing.peers import ROOT, RUST_HINT, Missing, run, say
 HERE = os.path.dirname(os.path.abspath(__file__))
 # Options of scc that switch what makes a state space smaller. One place to change when they change.
 REDUCTIONS = ["symmetry", "translation", "order", "jump", "slice"]
-ALL_OFF = ["--reduce", "none"]
+ALL_OFF = ["--no-reduce", "all"]
 
 
 def without(names):
@@ -56,7 +56,7 @@ class Scc:
     def __init__(self, program, prefix, timeout):
         self.program, self.prefix, self.timeout = program, prefix, timeout
         manual = subprocess.run([program, "check", "--help=plain"], stdout=subprocess.PIPE, text=True).stdout
-        self.reduces = "--reduce" in manual
+        self.reduces = "--no-reduce" in manual
 
     def check(self, model, n, options=(), timeout=None):
         path = os.path.join(HERE, model + ".sc")

@@ -104,8 +104,8 @@ class Tables:
                     options = options + ["--states", str(2 ** (n + 1)), "--memory", "16384"]
                     r = best(lambda o=options, n=n: self.scc.check("lattice", n, o), self.rounds)
                     row += [thousands(r.states), thousands(r.transitions), seconds(r.seconds)]
-                    self.note("lattice-%d" % n, "whole" if options[0] == "--reduce" else "reduced", r)
-                    if options[0] != "--reduce":
+                    self.note("lattice-%d" % n, "whole" if options[0] == "--no-reduce" else "reduced", r)
+                    if options[0] != "--no-reduce":
                         last = last or (n, r)
                         end = (n, r)
                 except Failed as failure:
@@ -139,8 +139,8 @@ class Tables:
         """Each reduction alone, all but one, and all: states over those without any."""
         print("\nReductions: states, and in brackets how many times fewer than without any")
         if not self.scc.reduces:
-            print("not measured: this scc has no --reduce")
-            self.bars.unknown("reductions", "this scc has no --reduce")
+            print("not measured: this scc has no --no-reduce")
+            self.bars.unknown("reductions", "this scc has no --no-reduce")
             return
         names = programs.REDUCTIONS
         ways = [("none", programs.ALL_OFF)]

@@ -1,0 +1,25 @@
+(* The edges of a state stand side by side, after their number. *)
+type t = { first : Int_vector.t;  (** -1 for none *) labels : Int_vector.t; targets : Int_vector.t }
+
+let create () =
+  { first = Int_vector.create (); labels = Int_vector.create (); targets = Int_vector.create () }
+
+let make_room s = Int_vector.push s.first (-1)
+
+let push s label target =
+  Int_vector.push s.labels label;
+  Int_vector.push s.targets target
+
+let set s i edges =
+  Int_vector.set s.first i (Int_vector.length s.targets);
+  push s 0 (List.length edges);
+  List.iter (fun (label, target) -> push s label target) edges
+
+let get s i edge =
+  match Int_vector.get s.first i with
+  | -1 -> [||]
+  | at ->
+    Array.init (Int_vector.get s.targets at) (fun n ->
+        edge (Int_vector.get s.labels (at + n + 1)) (Int_vector.get s.targets (at + n + 1)))
+
+let bytes s = Int_vector.bytes s.first + Int_vector.bytes s.labels + Int_vector.bytes s.targets

@@ -1,0 +1,17 @@
+(** The edges of the states of a graph: 8 bytes for each edge and 12 for each state. *)
+
+type t
+
+val create : unit -> t
+
+val make_room : t -> unit
+(** For one state more, without edges as yet. *)
+
+val set : t -> int -> (int * int) list -> unit
+(** The labels and targets of the edges of a state, once. *)
+
+val get : t -> int -> (int -> int -> 'edge) -> 'edge array
+(** [get s i edge]: the edges of a state, made from labels and targets. *)
+
+val bytes : t -> int
+(** About how much memory it takes. *)

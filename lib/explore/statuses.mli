@@ -1,0 +1,31 @@
+(** What has become of each state of a graph: a byte for each. *)
+
+(** Why a state has not been expanded. *)
+type 'fault reason =
+  | Depth
+  | Time
+  | Instant
+  | States
+  | Seconds
+  | Memory
+  | Interrupted
+  | Stopped  (** the visitor had seen enough *)
+  | Fault of 'fault  (** its transitions cannot be computed *)
+
+type 'fault status =
+  | Expanded
+  | Queued
+  | Unexpanded of 'fault reason
+
+type 'fault t
+
+val create : unit -> 'fault t
+
+val get : 'fault t -> int -> 'fault status
+(** Of a state whose status has been set. *)
+
+val set : 'fault t -> int -> 'fault status -> unit
+val is_expanded : 'fault t -> int -> bool
+
+val bytes : 'fault t -> int
+(** About how much memory it takes. *)
