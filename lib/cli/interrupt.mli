@@ -9,8 +9,8 @@ val install : unit -> unit -> bool
     time (see {!grace}) is given up: a message, and exit code 4. The second signal ends the program at once. *)
 
 val in_time : unit -> unit
-(** The work has stopped in time: what is left to do, such as writing what is known, takes as long as it takes. Another
-    signal ends the program at once. *)
+(** The work has stopped in time: what is left to do, such as writing what is known, takes as long as it takes.
+    Another signal ends the program at once. *)
 
 val deadline : float -> unit
 (** [deadline s]: unless the program ends before, work is given up after [s] seconds and the {!grace}. *)

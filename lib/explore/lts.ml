@@ -1,5 +1,5 @@
-(** What the explorer knows of a transition system: states are tuples of numbers of one width, and labels are numbers;
-    what they stand for is known to the context, which gives numbers to things as they come up. *)
+(** What the explorer knows of a transition system: states are tuples of numbers of one width, and labels are
+    numbers; what they stand for is known to the context, which gives numbers to things as they come up. *)
 
 (** A transition, with what it changes of the state. *)
 type step = { label : int; changes : Tuples.changes }
@@ -18,9 +18,9 @@ module type S = sig
   (** Every transition, in a fixed order. Numbers are in [0, 2{^31}). *)
 
   val reduced : context -> int array -> step list option
-  (** Some of the transitions of {!successors}, in the same order, that will do for what is asked as long as they lead
-      to states that have not been seen yet: what else is possible is put off, and possible afterwards. [None]: no less
-      than all will do. *)
+  (** Some of the transitions of {!successors}, in the same order, that will do for what is asked as long as
+      they lead to states that have not been seen yet: what else is possible is put off, and possible
+      afterwards. [None]: no less than all will do. *)
 
   val duration : context -> int -> Scc_exact.Rat.t
   (** Of a label; 0 for a discrete transition. *)

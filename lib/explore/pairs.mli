@@ -6,8 +6,8 @@ val create : unit -> t
 val size : t -> int
 
 val intern : t -> int -> int -> int
-(** The number of a pair of numbers in [0, 2{^31}): numbers run from 0 in the order of first sight, so that a pair is
-    new iff its number is the {!size} before. *)
+(** The number of a pair of numbers in [0, 2{^31}): numbers run from 0 in the order of first sight, so that a
+    pair is new iff its number is the {!size} before. *)
 
 val find : t -> int -> int -> int
 (** -1 when it has not been seen. *)
@@ -21,8 +21,8 @@ val intern_key : t -> int -> int
 val find_key : t -> int -> int
 
 val touch : t -> int array -> int array -> int -> int
-(** [touch p keys room n] reads what it will take to look up the first [n] packed pairs, into [room]: of those that are far
-    apart in memory, all are fetched at the same time. The result has no meaning. *)
+(** [touch p keys room n] reads what it will take to look up the first [n] packed pairs, into [room]: of those
+    that are far apart in memory, all are fetched at the same time. The result has no meaning. *)
 
 (** {1 Reading} *)
 

@@ -102,8 +102,8 @@ let write t k v =
 let[@inline] value t near k =
   if Array.unsafe_get t.stamp k = t.round then Array.unsafe_get t.work k else Array.unsafe_get near.node k
 
-(* Puts a node among the pending ones from [first] on, of which there are [count] with those before; it may be there
-   already. The new count. *)
+(* Puts a node among the pending ones from [first] on, of which there are [count] with those before; it may be
+   there already. The new count. *)
 let rec put t first count k =
   if count = first || Array.unsafe_get t.pending (count - 1) < k then begin
     Array.unsafe_set t.pending count k;
@@ -118,8 +118,8 @@ let rec put t first count k =
       n + 1
     end
 
-(* The pair of the root. Nodes are taken from the lowest up, so that children come before their parents; the last is the
-   root. Of a part that [look] does not know, -1. *)
+(* The pair of the root. Nodes are taken from the lowest up, so that children come before their parents; the
+   last is the root. Of a part that [look] does not know, -1. *)
 let rec climb t near look first count =
   let k = Array.unsafe_get t.pending first in
   let l = value t near (Array.unsafe_get t.left k) and r = value t near (Array.unsafe_get t.right k) in

@@ -1,6 +1,7 @@
-(** Tuples of one width, numbered as they are first seen, in a tree of pairs: a tuple is the pair of its two halves,
-    each of which is stored once, whatever tuples share it. A new tuple that shares most of itself with known ones
-    takes about 15 bytes (Laarman, van de Pol and Weber, Parallel Recursive State Compression for Free, 2011). *)
+(** Tuples of one width, numbered as they are first seen, in a tree of pairs: a tuple is the pair of its two
+    halves, each of which is stored once, whatever tuples share it. A new tuple that shares most of itself with
+    known ones takes about 15 bytes (Laarman, van de Pol and Weber, Parallel Recursive State Compression for
+    Free, 2011). *)
 
 type t
 
@@ -32,16 +33,17 @@ val difference : int array -> int array -> changes
 (** From the first to the second. *)
 
 val intern : t -> near:spread -> changes -> int
-(** The number of the tuple that differs by the changes from the one that has been loaded into [near] (if none has been,
-    all places are given). It is new iff its number is the {!size} before. What the two share is not looked up. *)
+(** The number of the tuple that differs by the changes from the one that has been loaded into [near] (if none
+    has been, all places are given). It is new iff its number is the {!size} before. What the two share is not
+    looked up. *)
 
 val find : t -> near:spread -> changes -> int
 (** -1 when it has not been seen. *)
 
 (** {1 Several at once}
 
-    The same as {!intern} of each in turn, in three rounds, so that what is far apart in memory is fetched at the same
-    time. *)
+    The same as {!intern} of each in turn, in three rounds, so that what is far apart in memory is fetched at
+    the same time. *)
 
 val prepare : t -> near:spread -> changes -> int -> unit
 (** [prepare t ~near changes n]: the tuple of this number, from 0, of those that are to come. *)

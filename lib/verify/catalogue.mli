@@ -1,7 +1,7 @@
 (** Numbers for the components of states (collapse compression): a process is the triple of its form (its leaves
-    relative to the first of them, with their behaviours, its bonds and its split clock), its place and its velocity,
-    each stored once; a state is a tuple of numbers of processes. Exact: equal numbers mean equal things, and only
-    they. *)
+    relative to the first of them, with their behaviours, its bonds and its split clock), its place and its
+    velocity, each stored once; a state is a tuple of numbers of processes. Exact: equal numbers mean equal
+    things, and only they. *)
 
 open Scc_exact
 open Scc_calculus
@@ -15,8 +15,8 @@ val create : marked:bool -> memory:int -> Model.t -> t
 val model : t -> Model.t
 
 val width : t -> int
-(** Of the tuples: a slot for each leaf, which holds the process whose first leaf it is, or {!nobody}; and slots for
-    the movement step and for the time, when the model keeps them. *)
+(** Of the tuples: a slot for each leaf, which holds the process whose first leaf it is, or {!nobody}; and slots
+    for the movement step and for the time, when the model keeps them. *)
 
 val nobody : int
 

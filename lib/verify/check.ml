@@ -38,8 +38,8 @@ type report = {
 
 (** {2 Which properties go together} *)
 
-(* Some properties, by their places in the list of all, and the part of the network that does for them ([None]: all of
-   it). *)
+(* Some properties, by their places in the list of all, and the part of the network that does for them ([None]:
+   all of it). *)
 type group = { part : State.t option; members : (int * Property.check) list  (** the last first *) }
 
 let equal_part a b = Option.equal State.equal a b

@@ -56,7 +56,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
     L.context ->
     question list ->
     result
-  (** [rests] says of a state without transitions whether time passes there for ever. [observe] is called with each
-      new state. [settled] says whether what else is asked has an answer that will stay; it is asked each time that
-      the graph has doubled. The exploration ends as soon as everything is answered, when anything is asked. *)
+    (** [rests] says of a state without transitions whether time passes there for ever. [observe] is called with
+        each new state. [settled] says whether what else is asked has an answer that will stay; it is asked each
+        time that the graph has doubled. The exploration ends as soon as everything is answered, when anything is
+        asked. *)
 end

@@ -9,7 +9,8 @@ type options = {
   bounds : Bounds.t;
   reductions : Reduction.kind list;
   order : State_graph.order;
-  (** of the exploration: with [By_steps] runs that decide a search are as short as can be, with [By_time] as early *)
+  (** of the exploration: with [By_steps] runs that decide a search are as short as can be, with [By_time] as
+      early *)
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;  (** called with each new state, in order *)
 }

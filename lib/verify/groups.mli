@@ -1,6 +1,7 @@
-(** Processes that may act on each other without time passing: those whose boxes meet, directly or through others. What
-    happens within an instant in one group does not change what can happen in another, since nothing moves: bodies that
-    do not touch now do not touch before time passes, and splits and bindings concern one group. *)
+(** Processes that may act on each other without time passing: those whose boxes meet, directly or through
+    others. What happens within an instant in one group does not change what can happen in another, since
+    nothing moves: bodies that do not touch now do not touch before time passes, and splits and bindings concern
+    one group. *)
 
 open Scc_calculus
 

@@ -11,7 +11,8 @@ type t = {
 val none : t
 
 val translatable : Model.t -> State.t -> Property.temporal list -> bool
-(** Whether nothing depends on where the whole is: no law and no formula speaks of positions, and nothing is fixed. *)
+(** Whether nothing depends on where the whole is: no law and no formula speaks of positions, and nothing is
+    fixed. *)
 
 val representative : t -> Catalogue.t -> int array -> int array
 (** Of the states that are equal to one, the one that stands for them all. *)

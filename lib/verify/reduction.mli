@@ -1,5 +1,5 @@
-(** Ways to explore less, each of which can be switched off. Each keeps the verdicts of a fragment of the properties, and
-    is not used outside of it (rules Symmetry, Translation, Order, Jump, Slice). *)
+(** Ways to explore less, each of which can be switched off. Each keeps the verdicts of a fragment of the
+    properties, and is not used outside of it (rules Symmetry, Translation, Order, Jump, Slice). *)
 
 open Scc_calculus
 open Scc_property
@@ -19,13 +19,18 @@ val of_name : string -> kind option
 val quotient :
   kind list ->
   Model.t -> State.t -> searched:Property.temporal list -> evaluated:Property.temporal list -> Quotient.t
-(** What keeps the truth of all these formulas. Those that are [evaluated] on the graph, and not just [searched] for, have
-    their parts explained. *)
+(** What keeps the truth of all these formulas. Those that are [evaluated] on the graph, and not just [searched]
+    for, have their parts explained. *)
 
 val visible :
-  kind list -> deep:bool -> searched:Property.temporal list -> evaluated:Property.temporal list -> (int -> bool) option
-(** The leaves that can be seen, when independent events need only be looked at in one order: for searches, of which
-    none looks at the network as a whole. [deep]: the depth of states is bounded, which other orders would change. *)
+  kind list ->
+  deep:bool ->
+  searched:Property.temporal list ->
+  evaluated:Property.temporal list ->
+  (int -> bool) option
+(** The leaves that can be seen, when independent events need only be looked at in one order: for searches, of
+    which none looks at the network as a whole. [deep]: the depth of states is bounded, which other orders would
+    change. *)
 
 val without_jumps : kind list -> Model.t -> Model.t
 (** The model, with movement steps as part of the state when {!Jump} is not among the kinds. *)

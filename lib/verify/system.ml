@@ -315,7 +315,8 @@ let successors c tuple =
 
 (** {2 One group of many} *)
 
-(* Of the groups with something urgent to do, the first in which nobody can be seen, if others could act as well. *)
+(* Of the groups with something urgent to do, the first in which nobody can be seen, if others could act as
+   well. *)
 let group_moves model visible present d =
   let groups = Groups.of_processes model (Array.map (fun a -> a.body.process) present) in
   let group m = Groups.of_leaf groups m.leaf in

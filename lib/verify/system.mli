@@ -1,5 +1,6 @@
 (** Networks as a timed transition system over tuples, for the explorer. What a process may do alone, and two by
-    themselves, is computed once and remembered, so that a transition in a corner of a large network costs little. *)
+    themselves, is computed once and remembered, so that a transition in a corner of a large network costs
+    little. *)
 
 open Scc_calculus
 open Scc_semantics
@@ -13,10 +14,11 @@ val make :
   ?visible:(int -> bool) ->
   ?memory:int ->
   Model.t -> State.t -> context
-(** With the initial state, as {!Network.initial} gives it. States are told apart by which of the events has just led
-    to them. States stand for all that are equal modulo the [quotient]. With [visible], which leaves can be seen by what
-    is asked, independent events of one instant that cannot be seen are made in one order only ({!reduced}). [memory] is how many results are remembered of each kind, a power of two: it changes nothing but the
-    speed. *)
+(** With the initial state, as {!Network.initial} gives it. States are told apart by which of the events has
+    just led to them. States stand for all that are equal modulo the [quotient]. With [visible], which leaves
+    can be seen by what is asked, independent events of one instant that cannot be seen are made in one order
+    only ({!reduced}). [memory] is how many results are remembered of each kind, a power of two: it changes
+    nothing but the speed. *)
 
 val arrived : context -> int array -> Property.event -> bool
 (** Whether the transition that has just led to the state was of the event, one of those of {!make}. *)

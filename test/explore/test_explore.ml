@@ -280,7 +280,8 @@ let () =
   let quick name f = Alcotest.test_case name `Quick f in
   Alcotest.run "explore"
     [
-      ("random graphs", Scc_test_support.Property.cases [ random; random_anew; random_by_time; ordered; turning; events ]);
+      ( "random graphs",
+        Scc_test_support.Property.cases [ random; random_anew; random_by_time; ordered; turning; events ] );
       ( "cases",
         [
           quick "a later path that is earlier in time" relaxation;

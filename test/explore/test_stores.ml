@@ -75,7 +75,8 @@ let tuples =
               end
             in
             let needed = Tuples.difference from tuple in
-            let changes = if n mod 2 = 0 || width < 2 then needed else Tuples.difference (Array.make width (-1)) tuple in
+            let all = Tuples.difference (Array.make width (-1)) tuple in
+            let changes = if n mod 2 = 0 || width < 2 then needed else all in
             assert (Tuples.apply needed from = tuple);
             let expected = Option.value (Hashtbl.find_opt known tuple) ~default:(-1) in
             assert (Tuples.find t ~near changes = expected);

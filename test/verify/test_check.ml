@@ -141,7 +141,9 @@ let bounds () =
   expect "within is no truncation" [ "holds (exhaustive)"; "violated" ]
     (verdicts (falls ^ "check a : always z(p) <= 0 within 9\ncheck b : possibly z(p) > 0 within 9"));
   expect "unless it is not reached" [ "holds up to the bound: the depth bound 3 (a default)" ]
-    (verdicts ~options:(bounded { Bounds.default with depth = Default 3 }) (falls ^ "check a : always z(p) <= 0 within 9"))
+    (verdicts
+       ~options:(bounded { Bounds.default with depth = Default 3 })
+       (falls ^ "check a : always z(p) <= 0 within 9"))
 
 let interruption () =
   let polls = ref 0 in

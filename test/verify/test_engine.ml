@@ -37,7 +37,8 @@ let horizon c =
 
 let run ?order c =
   let limits = { Limits.unlimited with depth = c.depth; time = horizon c; states = c.states } in
-  E.run ?order ~rests:(fun s -> Toy.rests c.graph s.(0)) limits Limits.quiet c.graph (List.map (question c.graph) c.asked)
+  let rests s = Toy.rests c.graph s.(0) in
+  E.run ?order ~rests limits Limits.quiet c.graph (List.map (question c.graph) c.asked)
 
 let question_gen = Gen.opt (Gen.int_range 0 8)
 

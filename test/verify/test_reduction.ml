@@ -1,5 +1,5 @@
-(* Each way to explore less against exploring everything: the same verdicts on random crowds of equal bodies, witnesses
-   that replay by the rules, and no more states. *)
+(* Each way to explore less against exploring everything: the same verdicts on random crowds of equal bodies,
+   witnesses that replay by the rules, and no more states. *)
 
 open Scc_exact
 open Scc_calculus
@@ -81,7 +81,8 @@ let atom_gen n =
         return "energy > 1";
       ]
   in
-  frequency [ (3, one); (3, all); (1, map (Printf.sprintf "event bind(dock, %s)") leaf); (1, return "event bounce") ]
+  let bind = map (Printf.sprintf "event bind(dock, %s)") leaf in
+  frequency [ (3, one); (3, all); (1, bind); (1, return "event bounce") ]
 
 let formula_gen n =
   let open Gen in
@@ -150,7 +151,8 @@ let replays (e : Scc_elaborate.Elaborate.t) initial (_, v) =
 (* What was searched for is so where the witness ends: whether p holds there, after its last transition. *)
 let shows (e : Scc_elaborate.Elaborate.t) ((c : Property.check), v) =
   match (witness v, Plan.of_formula c.formula) with
-  | Some ({ finish = At_state; _ } as w), (Possibly (_, p) | Always (_, p)) when not (Formula.has_events (State p)) ->
+  | Some ({ finish = At_state; _ } as w), (Possibly (_, p) | Always (_, p))
+    when not (Formula.has_events (State p)) ->
     let holds = Trajectory.holds e.model w.last p in
     let wanted = match v with Holds _ -> Truth.True | Violated _ | Undecided _ -> False in
     Truth.equal holds wanted
@@ -200,7 +202,8 @@ let fewer kind text ~with_it ~without () =
   Alcotest.(check int) "without" without (states [ Reduction.Jump ] text);
   Alcotest.(check int) "with" with_it (states [ kind; Reduction.Jump ] text)
 
-(* Four pairs collide at one instant, and nobody asks: in one order, or in each of the 2^4 sets that may have done so. *)
+(* Four pairs collide at one instant, and nobody asks: in one order, or in each of the 2^4 sets that may have
+   done so. *)
 let four_pairs =
   shapes
   ^ {|
