@@ -157,7 +157,9 @@ let check console bounds (extras : Check_extras.t) overrides path =
   let options () =
     let now = Option.map Interrupt.clock bounds.Check_options.seconds in
     let options = Check_options.options ?now bounds ~interrupted ~progress:(Progress.show console bounds) in
-    { options with reductions = extras.reductions; order = extras.order }
+    let states = Option.value bounds.states ~default:Check_options.default_states in
+    let compact = if extras.compact then Some states else None in
+    { options with reductions = extras.reductions; order = extras.order; compact }
   in
   let checks = e.checks @ Vacuity.questions e in
   let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) e.model ~initial checks) in

@@ -8,6 +8,7 @@ type t = {
   sarif : string option;
   reductions : Reduction.kind list;
   order : State_graph.order;
+  compact : bool;
 }
 
 let witness =
@@ -68,8 +69,17 @@ let order =
   let orders = [ ("steps", State_graph.By_steps); ("time", By_time) ] in
   Arg.(value & opt (enum orders) State_graph.By_steps & info [ "shortest" ] ~docv:"ORDER" ~doc)
 
-let term =
-  let make witness coverage stats sarif reductions order =
-    { witness; coverage; stats; sarif; reductions; order }
+let compact =
+  let doc =
+    "Hash compaction: keeps a fingerprint of each state instead of the state, which takes 8 to 12 bytes a state less. Two \
+     states with one fingerprint are taken for one, so that nothing is proved by finding nothing: such verdicts hold \
+     up to a bound, which names the probability that a state was left out. For $(b,always) and $(b,possibly) without a \
+     bound of time; other properties are checked as ever. Room is made for the states of $(b,--states) at once."
   in
-  Term.(const make $ witness $ coverage $ stats $ sarif $ reductions $ order)
+  Arg.(value & flag & info [ "hash-compact" ] ~doc)
+
+let term =
+  let make witness coverage stats sarif reductions order compact =
+    { witness; coverage; stats; sarif; reductions; order; compact }
+  in
+  Term.(const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact)

@@ -7,6 +7,7 @@ type t = {
   sarif : string option;  (** a file *)
   reductions : Scc_verify.Reduction.kind list;
   order : Scc_verify.State_graph.order;
+  compact : bool;  (** hash compaction *)
 }
 
 val term : t Cmdliner.Term.t

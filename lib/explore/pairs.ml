@@ -31,13 +31,16 @@ let[@inline] key p i : int =
 
 let check p i = if i < 0 || i >= p.size then Scc_base.Bug.fail __POS__ "an index out of range"
 
+let unpack_left k = k lsr half
+let unpack_right k = k land mask
+
 let left p i =
   check p i;
-  key p i lsr half
+  unpack_left (key p i)
 
 let right p i =
   check p i;
-  key p i land mask
+  unpack_right (key p i)
 
 (* Fibonacci hashing: the upper bits of a product, after the upper half has been mixed into the lower. *)
 let[@inline] slot p k = ((k lxor (k lsr 29)) * 0x1E3779B97F4A7C15) lsr p.shift

@@ -26,6 +26,11 @@ val touch : t -> int array -> int array -> int -> int
 
 (** {1 Reading} *)
 
+val key : t -> int -> int
+(** The packed pair of a number. *)
+
+val unpack_left : int -> int
+val unpack_right : int -> int
 val left : t -> int -> int
 val right : t -> int -> int
 

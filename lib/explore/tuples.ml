@@ -64,18 +64,20 @@ let spread t = { count = t.width; node = Array.make ((2 * t.width) - 1) (-1) }
 let slots s = Array.sub s.node 0 s.count
 
 (* The root is the pair of its children; of a single slot, the slot and nothing. *)
-let load t s id =
+let load_key t s key =
   let node = s.node in
-  if t.width = 1 then node.(0) <- Pairs.left t.roots id
+  if t.width = 1 then node.(0) <- Pairs.unpack_left key
   else begin
     let root = (2 * t.width) - 2 in
-    node.(t.left.(root)) <- Pairs.left t.roots id;
-    node.(t.right.(root)) <- Pairs.right t.roots id;
+    node.(t.left.(root)) <- Pairs.unpack_left key;
+    node.(t.right.(root)) <- Pairs.unpack_right key;
     for k = root - 1 downto t.width do
       node.(t.left.(k)) <- Pairs.left t.inner node.(k);
       node.(t.right.(k)) <- Pairs.right t.inner node.(k)
     done
   end
+
+let load t s id = load_key t s (Pairs.key t.roots id)
 
 (** {2 Changes} *)
 
@@ -137,7 +139,7 @@ let unchanged t near =
   let root = (2 * t.width) - 2 in
   Pairs.pack near.node.(t.left.(root)) near.node.(t.right.(root))
 
-let key t ~near changes look =
+let root_key t ~near changes look =
   if t.width = 1 then Pairs.pack (if Array.length changes = 0 then near.node.(0) else changes.(1)) 0
   else begin
     t.round <- t.round + 1;
@@ -156,10 +158,11 @@ let key t ~near changes look =
     | count -> climb t near look 0 count
   end
 
-let intern t ~near changes = Pairs.intern_key t.roots (key t ~near changes Pairs.intern)
+let key t ~near changes = root_key t ~near changes Pairs.intern
+let intern t ~near changes = Pairs.intern_key t.roots (root_key t ~near changes Pairs.intern)
 
 let find t ~near changes =
-  match key t ~near changes Pairs.find with
+  match root_key t ~near changes Pairs.find with
   | -1 -> -1
   | k -> Pairs.find_key t.roots k
 
@@ -169,7 +172,7 @@ let prepare t ~near changes n =
     t.keys <- longer t.keys;
     t.room <- longer t.room
   end;
-  t.keys.(n) <- key t ~near changes Pairs.intern
+  t.keys.(n) <- root_key t ~near changes Pairs.intern
 
 let fetch t count = ignore (Sys.opaque_identity (Pairs.touch t.roots t.keys t.room count))
 let intern_prepared t n = Pairs.intern_key t.roots t.keys.(n)

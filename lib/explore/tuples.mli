@@ -40,6 +40,13 @@ val intern : t -> near:spread -> changes -> int
 val find : t -> near:spread -> changes -> int
 (** -1 when it has not been seen. *)
 
+(** {1 Without numbers} *)
+
+val key : t -> near:spread -> changes -> int
+(** A tuple as one number: the pair of its two halves, which are interned. The tuple is not. *)
+
+val load_key : t -> spread -> int -> unit
+
 (** {1 Several at once}
 
     The same as {!intern} of each in turn, in three rounds, so that what is far apart in memory is fetched at

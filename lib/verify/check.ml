@@ -7,6 +7,7 @@ open Scc_explore
 type options = Exploration.options = {
   bounds : Bounds.t;
   reductions : Reduction.kind list;
+  compact : int option;
   order : State_graph.order;
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
@@ -40,7 +41,11 @@ type report = {
 
 (* Some properties, by their places in the list of all, and the part of the network that does for them ([None]:
    all of it). *)
-type group = { part : State.t option; members : (int * Property.check) list  (** the last first *) }
+type group = {
+  part : State.t option;
+  compact : int option;  (** with hash compaction *)
+  members : (int * Property.check) list;  (** the last first *)
+}
 
 let equal_part a b = Option.equal State.equal a b
 
@@ -49,16 +54,18 @@ let groups options model ~initial checks =
     if List.exists (Reduction.equal Slice) options.reductions then Slice.make model ~initial [ c.formula ]
     else None
   in
-  let rec join part member = function
-    | [] -> [ { part; members = [ member ] } ]
-    | g :: rest when equal_part g.part part -> { g with members = member :: g.members } :: rest
-    | g :: rest -> g :: join part member rest
+  let compact c = if Compact_check.serves c then options.compact else None in
+  let rec join part compact member = function
+    | [] -> [ { part; compact; members = [ member ] } ]
+    | g :: rest when equal_part g.part part && Option.equal Int.equal g.compact compact ->
+      { g with members = member :: g.members } :: rest
+    | g :: rest -> g :: join part compact member rest
   in
   match checks with
-  | [] -> [ { part = None; members = [] } ]
+  | [] -> [ { part = None; compact = None; members = [] } ]
   | _ :: _ ->
     List.fold_left
-      (fun (i, groups) c -> (i + 1, join (part c) (i, c) groups))
+      (fun (i, groups) c -> (i + 1, join (part c) (compact c) (i, c) groups))
       (0, []) checks
     |> snd
 
@@ -127,7 +134,12 @@ let explored options model ~initial start group =
   let options = { options with surroundings = going_on options.surroundings start } in
   let members = List.rev group.members in
   let part = Option.value group.part ~default:initial in
-  let result = Exploration.check options model ~initial:part (List.map snd members) in
+  let check =
+    match group.compact with
+    | None -> Exploration.check options
+    | Some capacity -> Compact_check.check options ~capacity
+  in
+  let result = check model ~initial:part (List.map snd members) in
   let lift = lift_in_time model ~initial (Exploration.horizon (List.map snd members)) in
   let lifted v = if Option.is_none group.part then v else lift_verdict lift v in
   let outcomes = List.map2 (fun (i, c) (_, v) -> (i, (c, lifted v))) members result.outcomes in

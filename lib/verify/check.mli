@@ -8,6 +8,7 @@ open Scc_explore
 type options = Exploration.options = {
   bounds : Bounds.t;
   reductions : Reduction.kind list;
+  compact : int option;
   order : State_graph.order;
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;

@@ -10,8 +10,7 @@ module Engine = Engine.Make (System) (State_graph)
 (* The real states that the steps on the graph lead through: a state of the graph may stand for several. *)
 type followed = { last : State.t; steps : Witness.step list  (** the last first *) }
 
-let follow context graph from (step : Graph.step) =
-  let target = Graph.tuple graph (Graph.edges graph step.source).(step.choice).target in
+let follow context from wanted target =
   match System.choices context from.last with
   | Error _ -> Bug.fail __POS__ "a witness does not replay: a fault on its way"
   | Ok choices -> (
@@ -20,14 +19,18 @@ let follow context graph from (step : Graph.step) =
         | [] -> Bug.fail __POS__ "a witness does not replay"
         | (_, t) :: rest -> if t = target then k else first (k + 1) rest
       in
-      let choice = if fits step.choice then step.choice else first 0 choices in
+      let choice = if fits wanted then wanted else first 0 choices in
       let transition = fst (List.nth choices choice) in
       let before = match from.steps with [] -> Rat.zero | s :: _ -> s.time in
       let time = Rat.add before (Transition.duration transition) in
       { last = transition.target; steps = { Witness.choice; transition; time } :: from.steps })
 
 let start context = { last = System.start context; steps = [] }
-let follow_all context graph = List.fold_left (follow context graph)
+
+let follow_all context graph =
+  List.fold_left (fun from (step : Graph.step) ->
+      let target = Graph.tuple graph (Graph.edges graph step.source).(step.choice).target in
+      follow context from step.choice target)
 
 let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ -> l
 
@@ -135,6 +138,28 @@ let of_trace context graph predicate (trace : Engine.trace) =
   | Repeats cycle ->
     let ((run, _) as lasso) = follow_lasso context graph trace.steps cycle in
     witness context run (repeats context lasso cycle) (facts run.last Timeline.Instant Algebraic.zero)
+
+(* The tuples that choices lead through, from the initial one. *)
+let targets context choices =
+  let step (tuple, acc) choice =
+    match System.successors context tuple with
+    | Error _ -> Bug.fail __POS__ "a run does not replay: a fault on its way"
+    | Ok steps ->
+      let next = Scc_explore.Tuples.apply (List.nth steps choice).changes tuple in
+      (next, (choice, next) :: acc)
+  in
+  let last, reached = List.fold_left step (System.initial context, []) choices in
+  (last, List.rev reached)
+
+let of_met context p (met : Compaction.met) =
+  let last, reached = targets context met.choices in
+  let run = List.fold_left (fun from (choice, target) -> follow context from choice target) (start context) reached in
+  let arrived = System.arrived context last in
+  let facts extent offset = Explain.facts ~arrived (System.model context) run.last extent offset p in
+  match met.during with
+  | None -> witness context run At_state (facts Timeline.Instant Algebraic.zero)
+  | Some (moment, sample) ->
+    witness context run (during context run.last moment sample) (facts (extent context run.last) sample)
 
 let of_path context graph i =
   of_trace context graph None { steps = Graph.shortest_path graph i; last = i; finish = At_state }

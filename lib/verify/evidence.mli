@@ -7,6 +7,9 @@ module Engine : module type of Engine.Make (System) (State_graph)
 val of_trace : System.context -> State_graph.t -> Property.prop option -> Engine.trace -> Witness.t
 (** With the facts of the predicate where the run leads. *)
 
+val of_met : System.context -> Property.prop -> Compaction.met -> Witness.t
+(** With the facts of the predicate where the run leads. *)
+
 val of_path : System.context -> State_graph.t -> int -> Witness.t
 (** The shortest run to a state. *)
 

@@ -9,6 +9,7 @@ module Engine = Evidence.Engine
 type options = {
   bounds : Bounds.t;
   reductions : Reduction.kind list;
+  compact : int option;
   order : Graph.order;
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
@@ -18,6 +19,7 @@ let default =
   {
     bounds = Bounds.default;
     reductions = Reduction.all;
+    compact = None;
     order = By_steps;
     surroundings = Limits.quiet;
     observe = None;

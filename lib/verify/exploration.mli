@@ -8,6 +8,8 @@ open Scc_explore
 type options = {
   bounds : Bounds.t;
   reductions : Reduction.kind list;
+  compact : int option;
+  (** hash compaction with room for so many states, for searches without a bound of time *)
   order : State_graph.order;
   (** of the exploration: with [By_steps] runs that decide a search are as short as can be, with [By_time] as
       early *)
@@ -40,6 +42,9 @@ type result = {
 
 val horizon : Property.check list -> Rat.t option
 (** The time beyond which none of the properties looks; [None]: one looks at all times. *)
+
+val system : options -> Model.t -> initial:State.t -> Property.check list -> Plan.t list -> System.context
+(** The system to explore for some checks, of which these are the plans, with the reductions that keep them. *)
 
 val check : options -> Model.t -> initial:State.t -> Property.check list -> result
 (** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are

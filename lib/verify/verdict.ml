@@ -8,6 +8,7 @@ type limit =
   | Seconds of float
   | Memory of int
   | Interrupted
+  | Omission of float
 
 type origin = By_default | By_user | By_property
 type truncation = { limit : limit; origin : origin }
@@ -34,6 +35,7 @@ let rank = function
   | Seconds _ -> 4
   | Memory _ -> 5
   | Interrupted -> 6
+  | Omission _ -> 7
 
 let same_limit a b = Int.equal (rank a.limit) (rank b.limit)
 
@@ -84,7 +86,7 @@ let resources v =
     (fun t ->
        match t.limit with
        | Seconds _ | Memory _ | Interrupted -> true
-       | Depth _ | Time _ | Instant _ | States _ -> false)
+       | Depth _ | Time _ | Instant _ | States _ | Omission _ -> false)
     (truncations v)
 
 let by_default = function
@@ -100,6 +102,8 @@ let limit_to_string = function
   | Seconds s -> Printf.sprintf "the limit of %g seconds" s
   | Memory w -> Printf.sprintf "the memory limit of %d MB" (w / 1024 * (Sys.word_size / 8) / 1024)
   | Interrupted -> "the interruption"
+  | Omission p ->
+    Printf.sprintf "hash compaction, by which some state was left out with a probability of at most %.1g" p
 
 let truncation_to_string t =
   let whose =

@@ -11,6 +11,8 @@ type limit =
   | Seconds of float
   | Memory of int  (** words *)
   | Interrupted
+  | Omission of float
+  (** hash compaction: some state may have been left out unseen, with a probability of at most this *)
 
 (** Whose bound. *)
 type origin = By_default | By_user | By_property

@@ -304,6 +304,20 @@ What is not known within the bounds: which unexplored state matters.
   2 properties: 2 undecided
   [2]
 
+Hash compaction proves nothing by finding nothing.
+
+  $ scc check ../../specs/models/dimers.sc -D n=2 --hash-compact | grep -v '^ '
+  all_fall: holds (exhaustive)
+  
+  none: violated
+  
+  pieces: holds up to the bound: hash compaction, by which some state was left out with a probability of at most 4e-09
+  
+  at_rest: holds up to the bound: hash compaction, by which some state was left out with a probability of at most 4e-09
+  
+  explored: 8 states, 14 transitions, depth 2, model time 0; not complete: stopped by hash compaction, by which some state was left out with a probability of at most 4e-09
+  4 properties: 1 holds, 2 hold up to the bound, 1 violated
+
 A model without properties is explored all the same.
 
   $ grep -v check ../../specs/models/dimer.sc > bare.sc

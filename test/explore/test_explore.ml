@@ -209,6 +209,35 @@ let visited (toy, depth, time) =
 let events =
   QCheck2.Test.make ~count:2000 ~name:"the visitor hears of every state, edge and label" ~print case_gen visited
 
+(* Hash compaction finds the same states at the same depths, on graphs so small that nothing collides. *)
+module Compact = Compacted.Make (Toy)
+
+let compacted (toy, depth, _) =
+  let limits = { none with Limits.depth } in
+  let found = Hashtbl.create 8 in
+  let visitor =
+    {
+      Compact.found = (fun i tuple -> Hashtbl.add found tuple.(0) i);
+      opened = (fun _ _ _ -> ());
+      enough = (fun () -> false);
+    }
+  in
+  let r = Compact.run visitor ~capacity:100 limits Limits.quiet toy in
+  let g = explore ~limits toy in
+  let follow s choice = match toy.(s) with Some l -> fst (List.nth l choice) | None -> -1 in
+  r.size = Graph.size g
+  && r.transitions = Graph.transitions g
+  && r.depth = Graph.greatest_depth g
+  && Hashtbl.fold
+    (fun s i good ->
+       let path = r.path i in
+       good && List.fold_left follow 0 path = s
+       && match find g s with Some j -> List.length path = Graph.depth g j | None -> false)
+    found true
+
+let hashed =
+  QCheck2.Test.make ~count:3000 ~name:"hash compaction finds the same" ~print case_gen compacted
+
 (** {2 Particular cases} *)
 
 let reason = function
@@ -281,7 +310,7 @@ let () =
   Alcotest.run "explore"
     [
       ( "random graphs",
-        Scc_test_support.Property.cases [ random; random_anew; random_by_time; ordered; turning; events ] );
+        Scc_test_support.Property.cases [ random; random_anew; random_by_time; ordered; turning; events; hashed ] );
       ( "cases",
         [
           quick "a later path that is earlier in time" relaxation;

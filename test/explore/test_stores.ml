@@ -119,8 +119,39 @@ let frontier by_time =
       Frontier.iter (fun i -> left := i :: !left) f;
       List.rev !left = List.map fst !waiting)
 
+let queue =
+  let open Gen in
+  QCheck2.Test.make ~count:300 ~name:"Int_queue is a queue"
+    (list_size (int_range 0 40) (pair (int_range 0 900) (int_range 0 900)))
+    (fun rounds ->
+       let q = Int_queue.create () and known = Queue.create () and next = ref 0 in
+       List.for_all
+         (fun (pushes, takes) ->
+            for _ = 1 to pushes do
+              incr next;
+              Int_queue.push q !next;
+              Queue.push !next known
+            done;
+            List.for_all
+              (fun _ -> Int_queue.take q = Queue.take_opt known)
+              (List.init takes Fun.id)
+            && Int_queue.length q = Queue.length known)
+         rounds)
+
+(* Few are taken for known, no more than the bound says, by far; and none that is known is taken for new. *)
+let fingerprints () =
+  let n = 200_000 in
+  let s = Fingerprints.create ~capacity:n in
+  let omitted = ref 0 in
+  for i = 1 to n do if not (Fingerprints.add s (i * i)) then incr omitted done;
+  for i = 1 to n do if Fingerprints.add s (i * i) then Alcotest.fail "a member is new" done;
+  Alcotest.(check bool) "few" true (!omitted <= 2);
+  let p = Fingerprints.omission s in
+  Alcotest.(check bool) "a bound" true (p > 0. && p < 1e-2)
+
 let () =
   Alcotest.run "stores"
     [
-      ("random", Scc_test_support.Property.cases [ vector; pairs; tuples; frontier false; frontier true ]);
+      ("random", Scc_test_support.Property.cases [ vector; pairs; tuples; frontier false; frontier true; queue ]);
+      ("cases", [ Alcotest.test_case "fingerprints" `Quick fingerprints ]);
     ]

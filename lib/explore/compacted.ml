@@ -1,0 +1,196 @@
+open Scc_exact
+
+(* Small numbers, a byte each, and the few great ones beside. *)
+module Choices = struct
+  type t = { mutable small : Bytes.t; great : (int, int) Hashtbl.t; mutable length : int }
+
+  let create () = { small = Bytes.create 1024; great = Hashtbl.create 8; length = 0 }
+  let length c = c.length
+
+  let push c x =
+    if c.length = Bytes.length c.small then c.small <- Bytes.extend c.small 0 (c.length / 4);
+    if x < 255 then Bytes.set c.small c.length (Char.chr x)
+    else begin
+      Bytes.set c.small c.length '\255';
+      Hashtbl.replace c.great c.length x
+    end;
+    c.length <- c.length + 1
+
+  let get c i =
+    match Bytes.get c.small i with
+    | '\255' -> Hashtbl.find c.great i
+    | x -> Char.code x
+
+  let bytes c = Bytes.length c.small
+end
+
+module Make (L : Lts.S) = struct
+  type visitor = {
+    found : int -> int array -> unit;
+    opened : int -> int array -> Lts.step list -> unit;
+    enough : unit -> bool;
+  }
+
+  type result = {
+    size : int;
+    transitions : int;
+    depth : int;
+    arrival : Rat.t;
+    left : L.fault Explore.reason list;
+    omission : float;
+    path : int -> int list;
+    bytes : int;
+  }
+
+  type search = {
+    context : L.context;
+    limits : Limits.t;
+    room : int;
+    tuples : Tuples.t;  (** only for the parts of tuples *)
+    near : Tuples.spread;
+    seen : Fingerprints.t;
+    paths : Distances.t;  (** of the paths on which states were found *)
+    choices : Choices.t;  (** the last one of each of them *)
+    frontier : Int_queue.t;  (** the pairs of the roots of states that wait; they are expanded in the order of numbers *)
+    mutable transitions : int;
+    mutable left : L.fault Explore.reason list;
+    mutable full : bool;
+  }
+
+  let size s = Choices.length s.choices
+
+  let leave s reason =
+    let same a b =
+      match (a, b) with
+      | Explore.Fault _, _ | _, Explore.Fault _ -> false
+      | a, b -> a = b
+    in
+    if not (List.exists (same reason) s.left) then s.left <- reason :: s.left
+
+  let add s key label ~choice =
+    Distances.push s.paths label;
+    Choices.push s.choices choice;
+    Int_queue.push s.frontier key
+
+  let beyond value = function None -> false | Some bound -> value > (bound : int)
+
+  let out_of_bounds s i =
+    if beyond (Distances.depth s.paths i) s.limits.depth then Some Explore.Depth
+    else if beyond (Distances.instant s.paths i) s.limits.instant then Some Explore.Instant
+    else None
+
+  let bytes s =
+    Tuples.bytes s.tuples + Fingerprints.bytes s.seen + Distances.bytes s.paths + Choices.bytes s.choices
+
+  let exhausted s (around : Limits.surroundings) ~start ~round =
+    let words () = (Gc.quick_stat ()).Gc.heap_words + (bytes s / (Sys.word_size / 8)) in
+    if around.interrupted () then Some Explore.Interrupted
+    else if match s.limits.seconds with None -> false | Some t -> around.now () -. start > t then
+      Some Explore.Seconds
+    else if round land 255 = 0 && Option.is_some s.limits.memory && beyond (words ()) s.limits.memory then
+      Some Explore.Memory
+    else None
+
+  let after s i (step : Lts.step) =
+    let d = L.duration s.context step.label in
+    Distances.after s.paths i (if Rat.sign d > 0 then Some d else None)
+
+  (* The last states may not fit any more. *)
+  let follow s visitor i tuple choice (step : Lts.step) =
+    s.transitions <- s.transitions + 1;
+    let key = Tuples.key s.tuples ~near:s.near step.changes in
+    if s.full then ()
+    else if size s >= s.room then begin
+      leave s Explore.States;
+      s.full <- true
+    end
+    else if Fingerprints.add s.seen key then begin
+      let number = size s in
+      add s key (after s i step) ~choice;
+      visitor.found number (Tuples.apply step.changes tuple)
+    end
+
+  let expand s visitor i key =
+    Tuples.load_key s.tuples s.near key;
+    let tuple = Tuples.slots s.near in
+    match L.successors s.context tuple with
+    | Error fault -> leave s (Explore.Fault fault)
+    | Ok steps ->
+      visitor.opened i tuple steps;
+      List.iteri (follow s visitor i tuple) steps
+
+  let path s i =
+    let rec go i choices =
+      match Distances.before_nearest s.paths i with
+      | -1 -> choices
+      | before -> go before (Choices.get s.choices i :: choices)
+    in
+    go i []
+
+  let start (limits : Limits.t) capacity context =
+    let tuples = Tuples.create ~width:(L.width context) in
+    let room = match limits.states with None -> capacity | Some n -> Int.min n capacity in
+    let near = Tuples.spread tuples in
+    let first = L.initial context in
+    let key = Tuples.key tuples ~near (Tuples.difference (Array.map (fun _ -> -1) first) first) in
+    let s =
+      {
+        context; limits; room; tuples; near;
+        seen = Fingerprints.create ~capacity:room;
+        paths = Distances.create ();
+        choices = Choices.create ();
+        frontier = Int_queue.create ();
+        transitions = 0;
+        left = [];
+        full = false;
+      }
+    in
+    ignore (Fingerprints.add s.seen key);
+    add s key Distances.origin ~choice:0;
+    (s, first)
+
+  let progress s i : Limits.progress =
+    {
+      states = size s;
+      transitions = s.transitions;
+      waiting = Int_queue.length s.frontier;
+      depth = Distances.depth s.paths i;
+      model_time = Distances.arrival s.paths i;
+    }
+
+  let run visitor ~capacity limits (around : Limits.surroundings) context =
+    let began = around.now () in
+    let s, first = start limits capacity context in
+    visitor.found 0 first;
+    (* States are taken as they were found. *)
+    let rec loop i =
+      match Int_queue.take s.frontier with
+      | None -> ()
+      | Some _ when visitor.enough () -> leave s Explore.Stopped
+      | Some _ when s.full -> ()
+      | Some key -> (
+          if i land 255 = 0 then around.progress (progress s i);
+          match exhausted s around ~start:began ~round:i with
+          | Some reason -> leave s reason
+          | None ->
+            (match out_of_bounds s i with
+             | Some reason -> leave s reason
+             | None -> expand s visitor i key);
+            loop (i + 1))
+    in
+    loop 0;
+    let greatest of_state choose least =
+      let rec from i best = if i = size s then best else from (i + 1) (choose best (of_state i)) in
+      from 0 least
+    in
+    {
+      size = size s;
+      transitions = s.transitions;
+      depth = greatest (Distances.depth s.paths) Int.max 0;
+      arrival = greatest (Distances.arrival s.paths) Rat.max Rat.zero;
+      left = List.rev s.left;
+      omission = Fingerprints.omission s.seen;
+      path = path s;
+      bytes = bytes s;
+    }
+end

@@ -1,0 +1,26 @@
+(** Breadth-first search that keeps of each state a fingerprint, and how it was found: 10 to 16 bytes. It may take a
+    new state for a known one, and says how probable that is. *)
+
+open Scc_exact
+
+module Make (L : Lts.S) : sig
+  type visitor = {
+    found : int -> int array -> unit;  (** a new state: its number, from 0, and its tuple *)
+    opened : int -> int array -> Lts.step list -> unit;  (** a state is expanded *)
+    enough : unit -> bool;  (** asked before each expansion: whether to stop *)
+  }
+
+  type result = {
+    size : int;
+    transitions : int;
+    depth : int;  (** the greatest *)
+    arrival : Rat.t;  (** the greatest model time of the paths on which states were found *)
+    left : L.fault Explore.reason list;  (** why some states were not expanded, each kind once, but for faults *)
+    omission : float;  (** a bound on the probability that some state was left out unseen *)
+    path : int -> int list;  (** a shortest path to a state: the choices made *)
+    bytes : int;
+  }
+
+  val run : visitor -> capacity:int -> Limits.t -> Limits.surroundings -> L.context -> result
+  (** Of the limits that on time is not observed. At most [capacity] states are kept, and no more than the limit. *)
+end

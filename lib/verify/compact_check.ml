@@ -1,0 +1,96 @@
+open Scc_semantics
+open Scc_property
+
+let rec is_search (plan : Plan.t) =
+  match plan with
+  | Possibly (None, _) | Always (None, _) -> true
+  | Now _ | Possibly (Some _, _) | Always (Some _, _) | Formula _ -> false
+  | All plans | Any plans -> List.for_all is_search plans
+
+let serves (c : Property.check) = is_search (Plan.of_formula c.formula)
+
+let rec goals (plan : Plan.t) =
+  match plan with
+  | Possibly (_, p) -> [ p ]
+  | Always (_, p) -> [ Formula.negate p ]
+  | All plans | Any plans -> List.concat_map goals plans
+  | Now _ | Formula _ -> []
+
+(* Bounds that were met, the possible omission first among them, and faults. *)
+let limits_met options model (r : Compaction.result) =
+  let omission : Verdict.truncation = { limit = Omission r.omission; origin = By_user } in
+  let cause reason = Bounds.cause options.Exploration.bounds model ~horizon:None reason in
+  let causes = List.map cause r.left in
+  let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
+  let faults = List.filter_map (function Bounds.Fault text -> Some text | Bound _ | Early -> None) causes in
+  (omission :: bounds, List.sort_uniq String.compare faults)
+
+(* Why a goal that was not met may be met all the same. *)
+let doubts (bounds, faults) undefined : Verdict.reason list =
+  List.map (fun why -> Verdict.Undefined why) (Option.to_list undefined)
+  @ List.map (fun text -> Verdict.Fault text) faults
+  @ List.map (fun t -> Verdict.Truncated t) bounds
+
+let is_guard (t : Verdict.truncation) =
+  match t.limit with
+  | Instant _ -> true
+  | Depth _ | Time _ | States _ | Seconds _ | Memory _ | Interrupted | Omission _ -> false
+
+let search context met ~always p (answer : Compaction.answer) : Verdict.t =
+  match answer with
+  | Met m ->
+    let witness = Some (Evidence.of_met context p m) in
+    if always then Violated { witness } else Holds { bounds = []; witness }
+  | Unmet undefined ->
+    let bounds, faults = met in
+    let only_bounds = Option.is_none undefined && faults = [] && not (List.exists is_guard bounds) in
+    if always && only_bounds then Holds { bounds; witness = None } else Undecided (doubts met undefined)
+
+let rec verdict context met (plan : Plan.t) answers =
+  let both combine plans =
+    let step (found, answers) plan =
+      let v, answers = verdict context met plan answers in
+      (v :: found, answers)
+    in
+    let found, answers = List.fold_left step ([], answers) plans in
+    (combine (List.rev found), answers)
+  in
+  match (plan, answers) with
+  | Possibly (_, p), a :: rest -> (search context met ~always:false p a, rest)
+  | Always (_, p), a :: rest -> (search context met ~always:true p a, rest)
+  | All plans, _ -> both Verdict.conjunction plans
+  | Any plans, _ -> both Verdict.disjunction plans
+  | (Possibly _ | Always _ | Now _ | Formula _), _ ->
+    Scc_base.Bug.fail __POS__ "what hash compaction does not serve"
+
+let check (options : Exploration.options) ~capacity model ~initial checks : Exploration.result =
+  let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
+  let context = Exploration.system options model ~initial checks plans in
+  let goals = List.map (Predicate.make context) (List.concat_map goals plans) in
+  let limits = Bounds.limits options.bounds ~horizon:None in
+  let rests tuple = Network.quiescent model (Catalogue.decode (System.catalogue context) tuple) in
+  let r = Compaction.search limits options.surroundings context ~capacity ~rests goals in
+  let ((bounds, faults) as met) = limits_met options model r in
+  let step (outcomes, answers) (check, plan) =
+    let v, answers = verdict context met plan answers in
+    ((check, v) :: outcomes, answers)
+  in
+  let outcomes, _ = List.fold_left step ([], r.answers) (List.combine checks plans) in
+  {
+    outcomes = List.rev outcomes;
+    stats =
+      {
+        states = r.states;
+        transitions = r.transitions;
+        depth = r.depth;
+        model_time = r.arrival;
+        complete = false;
+        (* Not looked at. *)
+        eventful = true;
+        decided_early = List.exists (function Scc_explore.Explore.Stopped -> true | _ -> false) r.left;
+        stopped_by = bounds;
+        faults;
+      };
+    zeno = None;
+    stores = [ ("states", r.bytes); ("labels", 0); ("edges", 0) ];
+  }
