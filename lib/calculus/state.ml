@@ -49,6 +49,7 @@ let leaf_opt p leaf =
   in
   from 0
 
+let has_leaf p leaf = Array.exists (fun (l : leaf) -> l.leaf = leaf) p.leaves
 let no_leaf () = Scc_base.Bug.fail __POS__ "a leaf that no process has"
 let leaf_of p leaf = match leaf_opt p leaf with Some l -> l | None -> no_leaf ()
 

@@ -56,6 +56,8 @@ val find_leaf : t -> int -> int * leaf
 val leaf_of : process -> int -> leaf
 (** The leaf of a process with this index into {!Model.leaves} (a bug when it has none). *)
 
+val has_leaf : process -> int -> bool
+
 val mass : Model.t -> process -> Rat.t option
 (** [None] for a process that holds a fixed leaf. *)
 

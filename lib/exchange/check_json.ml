@@ -53,7 +53,10 @@ let finish (w : Witness.t) =
   | Repeats _ -> "repeats"
   | Passes _ -> "passes"
 
-let cycle (w : Witness.t) = match w.finish with Repeats { cycle; _ } -> `Int cycle | _ -> `Null
+let cycle (w : Witness.t) =
+  match w.finish with
+  | Repeats { cycle; moved; _ } -> (`Int cycle, Json.vec moved)
+  | At_state | During _ | Rests | Stops | Passes _ -> (`Null, `Null)
 
 let step m (s : Witness.step) =
   `Assoc
@@ -89,12 +92,14 @@ let rec argument (a : Witness.argument) =
     ]
 
 let witness m (w : Witness.t) =
+  let cycle, moved = cycle w in
   `Assoc
     [
       ("initial", State_json.state m w.initial);
       ("steps", `List (Long_list.map (step m) w.steps));
       ("finish", `String (finish w));
-      ("cycle", cycle w);
+      ("cycle", cycle);
+      ("moved", moved);
       ("instant", instant w);
       ("offset", Json.option Json.rat (Witness.offset w));
       ("state", final_state m w);

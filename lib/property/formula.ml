@@ -163,34 +163,11 @@ and all fs =
 
 let events f =
   let found = ref [] in
-  let rec look = function
+  let note = function
     | Event e -> if not (List.exists (equal_event e) !found) then found := e :: !found
-    | Not p -> look p
-    | And ps | Or ps -> List.iter look ps
-    | Compare (_, a, b) ->
-      look_num a;
-      look_num b
-    | Bool _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent -> ()
-  and look_num = function
-    | Count ps -> List.iter look ps
-    | If (p, a, b) ->
-      look p;
-      look_num a;
-      look_num b
-    | Neg a -> look_num a
-    | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) ->
-      look_num a;
-      look_num b
-    | Const _ | Bonds _ | Size _ | Processes | Position _ | Velocity _ | Speed2 _ | Distance2 _ | Momentum _
-    | Energy | Time -> ()
+    | _ -> ()
   in
-  let rec walk = function
-    | State p -> look p
-    | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> walk f
-    | Temporal_and fs | Temporal_or fs -> List.iter walk fs
-    | Until (_, _, f, g) ->
-      walk f;
-      walk g
-  in
-  walk f;
+  iter ~num:ignore ~prop:note f;
   List.rev !found
+
+let leaves_of_events f = List.concat_map (fun e -> leaves_of_prop (Event e)) (events f)

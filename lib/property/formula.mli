@@ -41,6 +41,9 @@ val events : temporal -> event list
 val leaves : temporal -> int list
 (** The leaves that it names, in order, each once. *)
 
+val leaves_of_events : temporal -> int list
+(** Those that its events name. *)
+
 val global : temporal -> bool
 (** Whether it has an atom that depends on the whole network: bonds or events without leaves, the number of
     processes, energy, momentum, [quiescent]. ([time] depends on no process.) *)

@@ -6,3 +6,5 @@ val num : num -> num -> int
 val prop : prop -> prop -> int
 val event : event -> event -> int
 val temporal : temporal -> temporal -> int
+val quantifier : path_quantifier -> path_quantifier -> int
+val bound : bound -> bound -> int

@@ -15,6 +15,10 @@ let duration_of = function
   | Time d -> d
   | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> Rat.zero
 
+let is_time = function
+  | Time _ -> true
+  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> false
+
 let duration t = duration_of t.label
 
 let rec equal_bonds a b =

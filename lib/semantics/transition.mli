@@ -24,6 +24,9 @@ val duration : t -> Rat.t
 
 val duration_of : label -> Rat.t
 
+val is_time : label -> bool
+(** The others are events. *)
+
 val equal_label : label -> label -> bool
 
 val label_to_string : Model.t -> label -> string

@@ -13,22 +13,6 @@ type t =
 
 let first_difference list = match List.find_opt (fun c -> c <> 0) list with Some c -> c | None -> 0
 
-let compare_quantifier (a : Property.path_quantifier) (b : Property.path_quantifier) =
-  match (a, b) with
-  | All, All | Exists, Exists -> 0
-  | All, Exists -> -1
-  | Exists, All -> 1
-
-let compare_high a b =
-  match (a, b) with
-  | None, None -> 0
-  | None, Some _ -> 1
-  | Some _, None -> -1
-  | Some a, Some b -> Rat.compare a b
-
-let compare_bound (a : Property.bound) (b : Property.bound) =
-  first_difference [ Rat.compare a.low b.low; compare_high a.high b.high ]
-
 let rank = function
   | Predicate _ -> 0
   | Not _ -> 1
@@ -44,25 +28,13 @@ let rec compare a b =
   | Predicate i, Predicate j -> Int.compare i j
   | Not f, Not g -> compare f g
   | And l, And m | Or l, Or m -> List.compare compare l m
-  | Next (p, f), Next (q, g) -> first_difference [ compare_quantifier p q; compare f g ]
+  | Next (p, f), Next (q, g) -> first_difference [ Order.quantifier p q; compare f g ]
   | Until (p, b, f, g), Until (q, c, h, i) ->
-    first_difference [ compare_quantifier p q; compare_bound b c; compare f h; compare g i ]
+    first_difference [ Order.quantifier p q; Order.bound b c; compare f h; compare g i ]
   | Finally (p, b, f), Finally (q, c, g) | Globally (p, b, f), Globally (q, c, g) ->
-    first_difference [ compare_quantifier p q; compare_bound b c; compare f g ]
+    first_difference [ Order.quantifier p q; Order.bound b c; compare f g ]
   | ( ( Predicate _ | Not _ | And _ | Or _ | Next _ | Until _ | Finally _ | Globally _ ), _ ) ->
     Int.compare (rank a) (rank b)
-
-let latest a b = match (a, b) with Some a, Some b -> Some (Rat.max a b) | _ -> None
-
-let rec horizon = function
-  | Predicate _ -> Some Rat.zero
-  | Not f -> horizon f
-  | And fs | Or fs -> List.fold_left (fun h f -> latest h (horizon f)) (Some Rat.zero) fs
-  | Next _ -> None
-  | Finally (_, b, f) | Globally (_, b, f) -> after b (horizon f)
-  | Until (_, b, f, g) -> after b (latest (horizon f) (horizon g))
-
-and after b h = match (b.high, h) with Some b, Some h -> Some (Rat.add b h) | _ -> None
 
 (** {2 From properties} *)
 

@@ -15,9 +15,6 @@ type t =
 val compare : t -> t -> int
 (** A total order on formulas: structure, with bounds as numbers. *)
 
-val horizon : t -> Scc_exact.Rat.t option
-(** The time from a position on after which nothing counts for the truth there; [None]: there is no such time. *)
-
 val of_temporal : Property.temporal list -> t list * Property.prop array
 (** The same formulas over the state predicates that occur in them, equal ones shared. *)
 

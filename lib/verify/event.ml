@@ -17,7 +17,7 @@ let fits_ends (wanted : Property.ends) (b : State.bond) =
 (* The two that bounced are still apart, with the leaves that they had before. *)
 let fits_processes (source : State.t) one two (wanted : Property.ends) =
   let home leaf = source.processes.(fst (State.find_leaf source leaf)) in
-  let has (p : State.process) leaf = Array.exists (fun (l : State.leaf) -> l.leaf = leaf) p.leaves in
+  let has = State.has_leaf in
   let one = home one and two = home two in
   match wanted with
   | Any -> true
@@ -36,7 +36,7 @@ let released_strongly : Property.change -> bool = function
   | Released_strongly | Released -> true
   | Made | Released_weakly -> false
 
-let matches (_ : Model.t) ~source (label : Transition.label) (event : Property.event) =
+let matches ~source (label : Transition.label) (event : Property.event) =
   match (event, label) with
   | Bond (change, name, ends), Bind b -> made change && fits_name name b && fits_ends ends b
   | Bond (change, name, ends), Weak_split b -> released_weakly change && fits_name name b && fits_ends ends b

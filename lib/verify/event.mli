@@ -4,7 +4,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 
-val matches : Model.t -> source:State.t -> Transition.label -> Property.event -> bool
+val matches : source:State.t -> Transition.label -> Property.event -> bool
 (** Whether a transition from the state is of the event. Leaves are those at the ends of the bond for binds
     and splits, and any leaf of the two processes for bounces. A strong split is an event of each bond that
     it releases; a passing of time is none. *)

@@ -189,27 +189,17 @@ let rec formulas (plan : Plan.t) =
 let horizon (checks : Property.check list) =
   match checks with
   | [] -> None
-  | _ :: _ ->
-    let join acc (c : Property.check) =
-      match (acc, Plan.horizon c.formula) with
-      | Some a, Some b -> Some (Rat.max a b)
-      | None, _ | _, None -> None
-    in
-    List.fold_left join (Some Rat.zero) checks
+  | _ :: _ -> Plan.latest_horizon (List.map (fun (c : Property.check) -> c.formula) checks)
 
 (** {2 The report} *)
 
-let label r (e : Graph.edge) = Catalogue.label_of (System.catalogue r.context) e.label
+let is_event context (e : Graph.edge) =
+  not (Transition.is_time (Catalogue.label_of (System.catalogue context) e.label))
 
 (* Most models have an event early on, and then the rest is not looked at. *)
 let eventful r =
-  let is_event (e : Graph.edge) =
-    match label r e with
-    | Time _ -> false
-    | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
-  in
   let rec from i =
-    i < Graph.size r.graph && (Array.exists is_event (Graph.edges r.graph i) || from (i + 1))
+    i < Graph.size r.graph && (Array.exists (is_event r.context) (Graph.edges r.graph i) || from (i + 1))
   in
   from 0
 
@@ -246,7 +236,7 @@ let zeno r (result : Engine.result) =
 (* Without edges a state takes a quarter of the memory. They are needed to look back from states to those before,
    and worth keeping where earlier times may have to be passed on. *)
 let needs_edges plans limits =
-  List.exists (fun p -> formulas p <> []) plans || Option.is_some limits.Limits.time
+  List.exists (fun p -> List.length (formulas p) > 0) plans || Option.is_some limits.Limits.time
 
 let rests context tuple =
   Network.quiescent (System.model context) (Catalogue.decode (System.catalogue context) tuple)
@@ -319,13 +309,7 @@ let may_have_events options model ~initial =
   let context = System.make model initial in
   let few = { Limits.unlimited with states = Some 5_000; seconds = Some 5. } in
   let found = ref false in
-  let label (e : Graph.edge) = Catalogue.label_of (System.catalogue context) e.label in
-  let is_event e =
-    match label e with
-    | Time _ -> false
-    | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
-  in
-  let opened _ _ _ edges = if Array.exists is_event edges then found := true in
+  let opened _ _ _ edges = if Array.exists (is_event context) edges then found := true in
   let visitor = { Graph.blind with opened = Some opened; enough = (fun () -> !found) } in
   let graph = Graph.run ~visitor few options.surroundings context in
   !found || not (Graph.complete graph)

@@ -28,10 +28,6 @@ let those alternatives condition =
   List.mapi (fun k (a : Event_run.alternative) -> (k, a)) alternatives
   |> List.filter (fun (_, (a : Event_run.alternative)) -> condition a.label)
 
-let is_time : Transition.label -> bool = function
-  | Time _ -> true
-  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> false
-
 let is_urgent : Transition.label -> bool = function
   | Bind _ | Bounce _ | Strong_split _ -> true
   | Time _ | Weak_split _ -> false
@@ -52,7 +48,7 @@ let rec advance t ~until =
   if Algebraic.compare_rat until (Event_run.elapsed t.run) = 0 then There
   else
     let alternatives = Event_run.alternatives t.run in
-    match (those alternatives is_time, those alternatives is_urgent) with
+    match (those alternatives Transition.is_time, those alternatives is_urgent) with
     | (k, a) :: _, _ ->
       let next = Rat.add (Event_run.elapsed t.run) (Transition.duration_of a.label) in
       if Algebraic.compare_rat until next < 0 then Before (Some k)

@@ -35,7 +35,7 @@ let patience = 100_000
 let facts model props place =
   let arrived event =
     match place.arrival with
-    | Some (source, label) -> Event.matches model ~source label event
+    | Some (source, label) -> Event.matches ~source label event
     | None -> false
   in
   let trajectory = Trajectory.make ~arrived model place.state Timeline.Instant in
@@ -63,7 +63,7 @@ let make (place : place) (t : Transition.t) =
   | Bind _ | Bounce _ | Weak_split _ | Strong_split _ ->
     { place with state = t.target; arrival = Some (place.state, t.label) }
 
-let is_time (t : Transition.t) = match t.label with Time _ -> true | _ -> false
+let is_time (t : Transition.t) = Transition.is_time t.label
 
 let rec follow w place (expected : expected list) fuel =
   if fuel = 0 then Error "the run does not come to its end"

@@ -43,20 +43,20 @@ let rec horizon (f : Property.temporal) =
   match f with
   | State _ -> Some Rat.zero
   | Temporal_not f -> horizon f
-  | Temporal_and fs | Temporal_or fs -> latest (List.map horizon fs)
+  | Temporal_and fs | Temporal_or fs -> latest_horizon fs
   | Next _ -> None
   | Finally (_, b, f) | Globally (_, b, f) -> after b.high (horizon f)
-  | Until (_, b, f, g) -> after b.high (latest [ horizon f; horizon g ])
+  | Until (_, b, f, g) -> after b.high (latest_horizon [ f; g ])
 
 and after a b =
   match (a, b) with
   | Some a, Some b -> Some (Rat.add a b)
   | None, _ | _, None -> None
 
-and latest list =
+and latest_horizon formulas =
   List.fold_left
-    (fun acc h ->
-       match (acc, h) with
+    (fun latest f ->
+       match (latest, horizon f) with
        | Some a, Some b -> Some (Rat.max a b)
        | None, _ | _, None -> None)
-    (Some Rat.zero) list
+    (Some Rat.zero) formulas

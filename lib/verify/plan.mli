@@ -16,3 +16,6 @@ val of_formula : Property.temporal -> t
 
 val horizon : Property.temporal -> Rat.t option
 (** What happens later than this does not matter; [None]: everything may. *)
+
+val latest_horizon : Property.temporal list -> Rat.t option
+(** Of several formulas together; 0 of none. *)

@@ -33,8 +33,6 @@ let fold c f acc (tuple : int array) =
   in
   from 0 acc
 
-let has (p : State.process) leaf = Array.exists (fun (l : State.leaf) -> l.leaf = leaf) p.leaves
-
 (* The number of the process of a leaf: it is in the slot of its first leaf, which comes no later. *)
 let home_number c leaf =
   let catalogue = System.catalogue c in
@@ -43,7 +41,7 @@ let home_number c leaf =
       if i < 0 then Scc_base.Bug.fail __POS__ "a leaf of the model is not in the state"
       else if tuple.(i) <> Catalogue.nobody then
         let p = (Catalogue.body catalogue tuple.(i)).process in
-        if has p leaf then tuple.(i) else from (i - 1)
+        if State.has_leaf p leaf then tuple.(i) else from (i - 1)
       else from (i - 1)
     in
     from leaf
@@ -154,7 +152,7 @@ and prop c (p : Property.prop) : int array -> Truth.t =
     fun t -> Truth.of_bool (Array.exists (joins p q) (home t).bonds)
   | Same (p, q) ->
     let home = home c p in
-    fun t -> Truth.of_bool (has (home t) q)
+    fun t -> Truth.of_bool (State.has_leaf (home t) q)
   | Behaviour (leaf, _) | Offers (leaf, _, _) ->
     let network process = State.make ~processes:[ process ] ~step:None ~time:None in
     let alone = by_process c Truth.False (fun process -> Trajectory.holds model (network process) p) in

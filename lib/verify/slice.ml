@@ -26,20 +26,6 @@ let rec is_search (plan : Plan.t) =
 let can_be_sliced f =
   is_search (Plan.of_formula f) && (not (Formula.global f)) && Formula.leaves f <> []
 
-(* The latest horizon; [None] when one of them has none. *)
-let horizon formulas =
-  List.fold_left
-    (fun latest f ->
-       match (latest, Plan.horizon f) with
-       | Some a, Some b -> Some (Rat.max a b)
-       | None, _ | _, None -> None)
-    (Some Rat.zero) formulas
-
-let leaves_of_event : Property.event -> int list = function
-  | Bond (_, _, One i) | Bounce (One i) -> [ i ]
-  | Bond (_, _, Two (i, j)) | Bounce (Two (i, j)) -> [ i; j ]
-  | Bond (_, _, Any) | Bounce Any -> []
-
 (** {1 Walls} *)
 
 (* Whether an offer to bind is exposed, or will be once delays have expired. *)
@@ -317,8 +303,8 @@ let make (m : Model.t) ~(initial : State.t) formulas =
     || List.exists (fun p -> p < 0) named
   then None
   else begin
-    let in_events = List.concat_map (fun f -> List.concat_map leaves_of_event (Formula.events f)) formulas in
-    let s = create m ~horizon:(horizon formulas) ~in_events initial in
+    let in_events = List.concat_map Formula.leaves_of_events formulas in
+    let s = create m ~horizon:(Plan.latest_horizon formulas) ~in_events initial in
     fly s;
     settle s;
     kept s initial named

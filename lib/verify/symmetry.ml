@@ -34,14 +34,12 @@ let invariant formulas i j =
     (fun f -> Formula.equal_modulo_order f (Formula.permuted (swap i j) f))
     formulas
 
-let event_leaves formulas =
-  List.concat_map Formula.events formulas |> List.concat_map (fun e -> Formula.leaves (State (Event e)))
-
 (* To change places with is an equivalence, so that one member speaks for its class. *)
 let find (m : Model.t) ~searched ~evaluated =
   let named = Array.make (Array.length m.leaves) false and apart = Array.make (Array.length m.leaves) false in
   let set a i = a.(i) <- true in
-  List.iter (set apart) (List.concat_map Formula.leaves evaluated @ event_leaves (searched @ evaluated));
+  List.iter (set apart) (List.concat_map Formula.leaves evaluated);
+  List.iter (set apart) (List.concat_map Formula.leaves_of_events (searched @ evaluated));
   List.iter (set named) (List.concat_map Formula.leaves searched);
   let fits i = function
     | [] -> false

@@ -70,8 +70,7 @@ let mark b ~source label =
   match b.events with
   | [] -> 0
   | _ :: _ ->
-    let m = Catalogue.model b.catalogue in
-    let happened = List.mapi (fun i e -> if Event.matches m ~source label e then Some i else None) b.events in
+    let happened = List.mapi (fun i e -> if Event.matches ~source label e then Some i else None) b.events in
     Marks.intern b.marks (List.filter_map Fun.id happened)
 
 (* A transition of some processes by themselves: they leave their slots, and others enter theirs. *)

@@ -83,7 +83,7 @@ let horizon =
   QCheck2.Test.make ~count:6000 ~name:"nothing counts after the horizon" ~print
     (case_gen ~unsure:false ~truncated:false ~depth:2)
     (fun c ->
-       match Ctl_formula.horizon c.formula with
+       match Plan.horizon (Ctl_formula.to_temporal (fun _ -> Scc_property.Property.Bool true) c.formula) with
        | None -> true
        | Some h ->
          let times = arrivals c.graph in

@@ -59,7 +59,7 @@ let patterns model wanted cases () =
   let source, t = find e.model start wanted in
   List.iter2
     (fun k (pattern, expected) ->
-       Alcotest.(check bool) pattern expected (Event.matches e.model ~source t.label (event_of k)))
+       Alcotest.(check bool) pattern expected (Event.matches ~source t.label (event_of k)))
     e.checks cases
 
 (* p binds to q on the channel a with its right face, r is elsewhere; another name is around. *)

@@ -32,7 +32,7 @@ let facts m formula (w : Witness.t) =
     | [] -> fun _ -> false
     | last :: before ->
       let source = match before with [] -> w.initial | s :: _ -> s.transition.target in
-      Event.matches m ~source last.transition.label
+      Event.matches ~source last.transition.label
   in
   let extent, offset =
     match w.finish with
