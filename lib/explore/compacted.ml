@@ -51,7 +51,8 @@ module Make (L : Lts.S) = struct
     seen : Fingerprints.t;
     paths : Distances.t;  (** of the paths on which states were found *)
     choices : Choices.t;  (** the last one of each of them *)
-    frontier : Int_queue.t;  (** the pairs of the roots of states that wait; they are expanded in the order of numbers *)
+    frontier : Int_queue.t;
+    (** the pairs of the roots of states that wait; they are expanded in the order of numbers *)
     mutable transitions : int;
     mutable left : L.fault Explore.reason list;
     mutable full : bool;
@@ -59,13 +60,13 @@ module Make (L : Lts.S) = struct
 
   let size s = Choices.length s.choices
 
-  let leave s reason =
-    let same a b =
-      match (a, b) with
-      | Explore.Fault _, _ | _, Explore.Fault _ -> false
-      | a, b -> a = b
-    in
-    if not (List.exists (same reason) s.left) then s.left <- reason :: s.left
+  (* Each bound once. Faults may be many, and hold no matter that structural equality could compare. *)
+  let leave s (reason : L.fault Explore.reason) =
+    match reason with
+    | Fault _ -> s.left <- reason :: s.left
+    | Depth | Time | Instant | States | Seconds | Memory | Interrupted | Stopped ->
+      let same : L.fault Explore.reason -> bool = function Fault _ -> false | other -> other = reason in
+      if not (List.exists same s.left) then s.left <- reason :: s.left
 
   let add s key label ~choice =
     Distances.push s.paths label;

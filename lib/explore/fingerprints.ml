@@ -5,7 +5,7 @@ type t = {
   cells : (int32, int32_elt, c_layout) Array1.t;
   capacity : int;
   mutable size : int;
-  mutable compared : float;  (** fingerprints, in the answers "known" *)
+  mutable compared : float;  (** fingerprints, in all answers *)
 }
 
 (* At most three quarters of the cells are taken. *)
@@ -32,15 +32,16 @@ let add s key =
       if s.size >= s.capacity then Scc_base.Bug.fail __POS__ "more members than there is room for";
       s.cells.{i} <- print;
       s.size <- s.size + 1;
+      s.compared <- s.compared +. float_of_int seen;
       true
     end
     else if Int32.equal cell print then begin
-      s.compared <- s.compared +. float_of_int seen;
+      s.compared <- s.compared +. float_of_int (seen + 1);
       false
     end
     else probe ((i + 1) land mask) (seen + 1)
   in
-  probe ((mix (key lxor 0x2545F4914F6CDD1D) lsr 8) land mask) 1
+  probe ((mix (key lxor 0x2545F4914F6CDD1D) lsr 8) land mask) 0
 
 (* A fingerprint has 30 bits besides the lowest, which is set. *)
 let omission s = Float.min 1. (s.compared /. 1073741824.)

@@ -94,6 +94,13 @@ let by_default = function
     List.exists (fun t -> match t.origin with By_default -> true | By_user | By_property -> false) bounds
   | Violated _ | Undecided _ -> false
 
+(* Rounded up to one digit. *)
+let at_most p =
+  let rec digit p e =
+    if p >= 1. then Printf.sprintf "%.0fe-%02d" (Float.ceil p) e else digit (10. *. p) (e + 1)
+  in
+  if p <= 0. then "0" else if p >= 1. then "1" else digit p 0
+
 let limit_to_string = function
   | Depth n -> Printf.sprintf "the depth bound %d" n
   | Time t -> Printf.sprintf "the time bound %s" (Rat.to_string t)
@@ -103,7 +110,8 @@ let limit_to_string = function
   | Memory w -> Printf.sprintf "the memory limit of %d MB" (w / 1024 * (Sys.word_size / 8) / 1024)
   | Interrupted -> "the interruption"
   | Omission p ->
-    Printf.sprintf "hash compaction, by which some state was left out with a probability of at most %.1g" p
+    Printf.sprintf "hash compaction, by which some state was left out with a probability of at most %s"
+      (at_most p)
 
 let truncation_to_string t =
   let whose =
