@@ -1,5 +1,5 @@
-(** Breadth-first search that keeps of each state a fingerprint, and how it was found: 10 to 16 bytes. It may take a
-    new state for a known one, and says how probable that is. *)
+(** Breadth-first search that keeps of each state a fingerprint, and how it was found: 10 to 16 bytes. It may
+    take a new state for a known one, and says how probable that is. *)
 
 open Scc_exact
 
@@ -22,5 +22,6 @@ module Make (L : Lts.S) : sig
   }
 
   val run : visitor -> capacity:int -> Limits.t -> Limits.surroundings -> L.context -> result
-  (** Of the limits that on time is not observed. At most [capacity] states are kept, and no more than the limit. *)
+  (** Of the limits that on time is not observed. At most [capacity] states are kept, and no more than the
+      limit. *)
 end

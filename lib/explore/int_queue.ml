@@ -1,6 +1,7 @@
 let span = 1024
 
-(* Blocks of [span] numbers: those at the head have been taken, and those at the end of the last are still to come. *)
+(* Blocks of [span] numbers: those at the head have been taken, and those at the end of the last are still to
+   come. *)
 type t = { blocks : int array Queue.t; mutable last : int array; mutable first : int; mutable length : int }
 
 let create () = { blocks = Queue.create (); last = [||]; first = 0; length = 0 }

@@ -4,10 +4,10 @@ open Scc_calculus
 open Scc_property
 
 val serves : Property.check -> bool
-(** Whether it will do for a property: searches (EF, AG) for state predicates without a bound of time, and what [not],
-    [and] and [or] make of them. *)
+(** Whether it will do for a property: searches (EF, AG) for state predicates without a bound of time, and what
+    [not], [and] and [or] make of them. *)
 
 val check :
   Exploration.options -> capacity:int -> Model.t -> initial:State.t -> Property.check list -> Exploration.result
-(** Of properties that it serves. What is found is as sure as ever; what is not may have been left out. Cycles without
-    duration are not looked for. *)
+(** Of properties that it serves. What is found is as sure as ever; what is not may have been left out. Cycles
+    without duration are not looked for. *)

@@ -4,8 +4,8 @@ open Scc_exact
 open Scc_explore
 open Scc_semantics
 
-(** A run that meets a goal, replayed: where it leads, and the moment in the time transition from there, if it is not the
-    state itself, with an offset at which the goal holds. *)
+(** A run that meets a goal, replayed: where it leads, and the moment in the time transition from there, if it
+    is not the state itself, with an offset at which the goal holds. *)
 type met = { choices : int list; during : (Timeline.moment * Algebraic.t) option }
 
 type answer =

@@ -153,7 +153,8 @@ let targets context choices =
 
 let of_met context p (met : Compaction.met) =
   let last, reached = targets context met.choices in
-  let run = List.fold_left (fun from (choice, target) -> follow context from choice target) (start context) reached in
+  let on from (choice, target) = follow context from choice target in
+  let run = List.fold_left on (start context) reached in
   let arrived = System.arrived context last in
   let facts extent offset = Explain.facts ~arrived (System.model context) run.last extent offset p in
   match met.during with

@@ -310,7 +310,8 @@ let () =
   Alcotest.run "explore"
     [
       ( "random graphs",
-        Scc_test_support.Property.cases [ random; random_anew; random_by_time; ordered; turning; events; hashed ] );
+        Scc_test_support.Property.cases
+          [ random; random_anew; random_by_time; ordered; turning; events; hashed ] );
       ( "cases",
         [
           quick "a later path that is earlier in time" relaxation;
