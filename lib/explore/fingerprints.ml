@@ -10,7 +10,7 @@ type t = {
 
 (* At most three quarters of the cells are taken. *)
 let create ~capacity =
-  let rec enough bits = if 3 * (1 lsl bits) >= 4 * (capacity + 1) then bits else enough (bits + 1) in
+  let rec enough bits = if bits = 60 || 3 * (1 lsl (bits - 2)) > capacity then bits else enough (bits + 1) in
   let cells = Array1.create int32 c_layout (1 lsl enough 8) in
   Array1.fill cells 0l;
   { cells; capacity; size = 0; compared = 0. }
