@@ -46,10 +46,6 @@ let exit_code (first : Compared.t) (second : Compared.t) (report : Compare.repor
   | Undecided Unknown_states when resources first || resources second -> Stopped
   | Undecided _ -> Undecided
 
-let progress console path (p : Scc_explore.Limits.progress) =
-  Console.progress console
-    (Printf.sprintf "%s: %d states, %d to expand, depth %d" path p.states p.waiting p.depth)
-
 let write_graphs o first second =
   match o.write with
   | None -> Ok ()
@@ -61,7 +57,8 @@ let compare console o =
   let interrupted = Interrupt.install () in
   Option.iter (fun s -> Interrupt.deadline (3. *. s)) o.bounds.seconds;
   let load path overrides =
-    let options = Check_options.options o.bounds ~interrupted ~progress:(progress console path) in
+    let progress = Progress.show ~about:path console o.bounds in
+    let options = Check_options.options o.bounds ~interrupted ~progress in
     Compared.load console options ~overrides:(o.overrides @ overrides) path
   in
   let* first = load o.first o.left in
@@ -71,6 +68,7 @@ let compare console o =
   let* () = write_graphs o one two in
   let effort = Effort.make ~stop:(stop_at o.bounds interrupted) in
   let report = Compare.run effort o.relation one two in
+  Interrupt.in_time ();
   let code = exit_code first second report in
   let told = { Compare_report.relation = o.relation; first; second; report; exit = code } in
   Console.print console

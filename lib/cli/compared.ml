@@ -68,6 +68,4 @@ let stopped_by t = match t.source with Model { space; _ } -> space.stopped_by | 
 let size t =
   match t.source with
   | File -> (t.graph.size, Graph.edges t.graph)
-  | Model { space; _ } ->
-    let rec count s n = if s = space.size then n else count (s + 1) (n + Array.length (space.edges s)) in
-    (space.size, count 0 0)
+  | Model { space; _ } -> (space.size, Space.transitions space)

@@ -127,10 +127,6 @@ let exit_code (space : Space.t) : Exit_code.t =
   else if Verdict.by_default known then Undecided
   else Holds
 
-let progress console (p : Scc_explore.Limits.progress) =
-  Console.progress console
-    (Printf.sprintf "%d states, %d to expand, depth %d" p.states p.waiting p.depth)
-
 let tell console exported notes =
   List.iter
     (fun line -> Console.note console ("scc: " ^ line))
@@ -143,7 +139,7 @@ let explore console o format =
   Console.report console e.warnings;
   let* initial = initial e in
   let now = Option.map Interrupt.clock o.bounds.seconds in
-  let options = Check_options.options ?now o.bounds ~interrupted ~progress:(progress console) in
+  let options = Check_options.options ?now o.bounds ~interrupted ~progress:(Progress.show console o.bounds) in
   let space = Space.explore options e.model ~initial in
   Interrupt.in_time ();
   Console.progress_done console;

@@ -28,7 +28,8 @@ let line ~bounds ~elapsed ~heap (p : Limits.progress) =
   Printf.sprintf "%d states (%.0f/s), %d to expand, depth %d, model time %.5g, %d MiB%s" p.states rate p.waiting
     p.depth (Rat.to_float p.model_time) (heap / 1048576) estimate
 
-let show console bounds =
+let show ?about console bounds =
+  let title = match about with None -> "" | Some name -> name ^ ": " in
   let start = Unix.gettimeofday () in
   let last = ref start in
   fun p ->
@@ -36,5 +37,5 @@ let show console bounds =
     if now -. !last >= 0.1 then begin
       last := now;
       let heap = (Gc.quick_stat ()).heap_words * (Sys.word_size / 8) in
-      Console.progress console (line ~bounds ~elapsed:(now -. start) ~heap p)
+      Console.progress console (title ^ line ~bounds ~elapsed:(now -. start) ~heap p)
     end

@@ -7,6 +7,6 @@ val line : bounds:Check_options.bounds -> elapsed:float -> heap:int -> Limits.pr
     and for a bound of states or seconds how long it takes to meet it at most, at the rate so far. [elapsed] is
     in seconds. *)
 
-val show : Console.t -> Check_options.bounds -> Limits.progress -> unit
+val show : ?about:string -> Console.t -> Check_options.bounds -> Limits.progress -> unit
 (** Partial application starts the clock; the line is written at most ten times a second, and only if standard
-    error is a terminal. *)
+    error is a terminal. It begins with what it is [about], where there are several explorations. *)

@@ -70,11 +70,11 @@ let merge_times steps =
     | Traces.Time d, Traces.Time e :: rest -> Traces.Time (Rat.add d e) :: rest
     | _ -> step :: acc
   in
-  List.fold_right add steps []
+  List.fold_left (fun acc step -> add step acc) [] (List.rev steps)
 
 let texts t steps =
   let labels = (System.graph t.whole).labels in
-  List.map
+  Long_list.map
     (function
       | Traces.Action a -> labels.(a)
       | Time d -> Label.of_passing (For d))

@@ -35,6 +35,9 @@ type patience = Never | For of Rat.t  (** the shortest passing of time *) | Fore
 
 val patience : t -> position -> patience
 
+val shorter : patience -> patience -> patience
+(** The lesser; [Never] says nothing. *)
+
 val common : patience -> patience -> Rat.t option
 (** The longest time for which neither side meets an instant of its own; [None] when neither can wait. *)
 

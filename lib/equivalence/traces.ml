@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 
 type view = Every_action | Observable
@@ -48,7 +49,7 @@ let set t ~exact positions =
   in
   count t (List.length members);
   let exact = exact && List.for_all (System.known t.m) members in
-  let key = String.concat "," (string_of_bool exact :: List.map string_of_int members) in
+  let key = String.concat "," (string_of_bool exact :: Long_list.map string_of_int members) in
   match Hashtbl.find_opt t.sets key with
   | Some s -> s
   | None ->
@@ -89,13 +90,7 @@ let by_action t s =
   List.fold_left add Actions.empty s.members
 
 let patience t s =
-  List.fold_left
-    (fun least p ->
-       match (least, System.patience t.m p) with
-       | System.Never, other | other, System.Never -> other
-       | Forever, other | other, Forever -> other
-       | For d, For e -> For (Rat.min d e))
-    System.Never s.members
+  List.fold_left (fun least p -> System.shorter least (System.patience t.m p)) System.Never s.members
 
 let expand t (one, two, trace) =
   if not (one.exact && two.exact) then t.unclear <- true;

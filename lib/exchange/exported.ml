@@ -10,24 +10,14 @@ type t = {
   space : Space.t;
 }
 
-let unexpanded e =
-  let rec from i n =
-    if i = e.space.size then n else from (i + 1) (if e.space.expanded i then n else n + 1)
-  in
-  from 0 0
-
-let transitions e =
-  let rec from i n = if i = e.space.size then n else from (i + 1) (n + Array.length (e.space.edges i)) in
-  from 0 0
-
 let summary e =
   let parameter (name, value) = Printf.sprintf "%s = %s" name (Rat.to_string value) in
   let model =
     String.concat ", "
       (("model " ^ Option.value e.name ~default:"without a name") :: List.map parameter e.parameters)
   in
-  let explored = Printf.sprintf "explored: %d states, %d transitions" e.space.size (transitions e) in
-  match unexpanded e with
+  let explored = Printf.sprintf "explored: %d states, %d transitions" e.space.size (Space.transitions e.space) in
+  match Space.unexpanded e.space with
   | 0 -> [ model; explored ^ "; complete" ]
   | n ->
     let why = List.map Verdict.truncation_to_string e.space.stopped_by @ e.space.faults in

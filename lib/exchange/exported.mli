@@ -12,9 +12,6 @@ type t = {
   space : Space.t;
 }
 
-val unexpanded : t -> int
-(** How many states have transitions that are not known. *)
-
 val summary : t -> string list
 (** For comments, a line each: the model with its parameters, how much was explored, and what is missing and
     why. *)

@@ -55,8 +55,8 @@ let write (e : Exported.t) l put =
   add "model" (Json.option text e.name);
   add "digest" (`String e.digest);
   add "parameters" (`Assoc (List.map (fun (name, value) -> (name, Json.rat value)) e.parameters));
-  add "complete" (`Bool (Exported.unexpanded e = 0));
-  add "unexplored" (`Int (Exported.unexpanded e));
+  add "complete" (`Bool (Space.complete space));
+  add "unexplored" (`Int (Space.unexpanded space));
   add "bounds" (texts bounds);
   add "faults" (texts space.faults);
   add "checks" (`List (List.map check e.checks));

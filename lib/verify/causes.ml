@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -197,7 +198,7 @@ let bonds t wanted =
       (Array.to_list p.bonds)
   in
   {
-    reasons = List.concat (List.mapi of_event (Array.to_list t.events));
+    reasons = Long_list.(concat (mapi of_event (Array.to_list t.events)));
     leaves = List.concat_map of_process (Array.to_list t.run.initial.processes);
   }
 
@@ -233,7 +234,7 @@ let of_num t : Property.num -> basis = function
 
 let discrete_events t =
   let discrete (_, (e : event)) = match e.happening with Discrete _ -> true | Expiry _ -> false in
-  List.filter discrete (List.mapi (fun i e -> (i, e)) (Array.to_list t.events))
+  List.filter discrete (Long_list.mapi (fun i e -> (i, e)) (Array.to_list t.events))
 
 let last_event t =
   match List.rev (discrete_events t) with

@@ -1,15 +1,18 @@
-(** Strongly connected components of a graph on the numbers below [size] (Tarjan's algorithm with a stack
-    of its own: depth costs heap, not stack). *)
+(** Strongly connected components of a part of a graph on 0 .. size - 1 (Tarjan's algorithm with a stack of its
+    own, in arrays: for millions of nodes). *)
 
-type t = {
-  number : int array;  (** of the component of each node; -1 for nodes out of reach of the roots *)
-  count : int;  (** numbers are in reverse topological order: no arc leads to a greater one *)
-}
+type t
 
-val compute : size:int -> roots:int list -> successors:(int -> int list) -> t
+val compute : size:int -> inside:(int -> bool) -> successors:(int -> int array) -> t
+(** Of the nodes that are inside; successors outside are left out. *)
 
-val members : t -> int list array
-(** The nodes of each component, increasing. *)
+val count : t -> int
+
+val number : t -> int -> int
+(** The component of a node, -1 outside. They are numbered so that no way leads to a greater number. *)
+
+val iter : t -> (int -> int -> unit) -> unit
+(** [iter c f] calls [f k v] for each node v with its component k, by increasing components. *)
 
 val path :
   successors:(int -> (int * 'step) list) -> from:int -> goal:(int -> bool) -> (int * 'step) list option

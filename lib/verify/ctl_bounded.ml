@@ -94,11 +94,11 @@ let greatest index ~generous ~f ~g =
   let certain = Ctl_until.every index ~generous ~f ~g in
   let inside s = Ctl_set.at certain s && (not (Ctl_set.at g s)) && graph.known s in
   let components =
-    Ctl_components.compute ~size:graph.size ~inside ~successors:(Ctl_until.successors graph way)
+    Components.compute ~size:graph.size ~inside ~successors:(Ctl_until.successors graph way)
   in
-  let latest = Array.make (Ctl_components.count components) now in
+  let latest = Array.make (Components.count components) now in
   let time s =
-    let k = Ctl_components.number components s in
+    let k = Components.number components s in
     if k >= 0 then Some latest.(k) else if Ctl_set.at certain s then Some now else None
   in
   let visit k s =
@@ -108,7 +108,7 @@ let greatest index ~generous ~f ~g =
       | Some m -> later (delay m)
       | None -> Scc_base.Bug.fail __POS__ "what is certain leads to what is not"
     in
-    let outside t = not (Int.equal (Ctl_components.number components t) k) in
+    let outside t = not (Int.equal (Components.number components t) k) in
     Array.iter (fun t -> if outside t then leads Fun.id t) (graph.edges s);
     match (graph.flow s, way s) with
     | Lasts (d, targets), Passes -> Array.iter (leads (shift d)) targets
@@ -118,7 +118,7 @@ let greatest index ~generous ~f ~g =
         | Lost _ | Passes -> ())
     | _ -> ()
   in
-  Ctl_components.iter components visit;
+  Components.iter components visit;
   time
 
 (** {2 As sets} *)

@@ -64,9 +64,9 @@ let zeno t nodes =
   List.iter (fun s -> Bytes.set inside s '\001') nodes;
   let is_inside s = Char.equal (Bytes.get inside s) '\001' in
   let components =
-    Ctl_components.compute ~size:t.graph.size ~inside:is_inside ~successors:(Timed_graph.edges t.graph)
+    Components.compute ~size:t.graph.size ~inside:is_inside ~successors:(Timed_graph.edges t.graph)
   in
-  let number = Ctl_components.number components in
+  let number = Components.number components in
   let together s u = is_inside u && Int.equal (number s) (number u) in
   match List.find_opt (fun s -> Array.exists (together s) (Timed_graph.edges t.graph s)) nodes with
   | None -> ()

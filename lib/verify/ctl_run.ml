@@ -166,8 +166,8 @@ let lasso (g : Timed_graph.t) region ~cycle ~inside =
     |> List.filter (fun (move, t) -> inside s move t)
     |> List.map snd |> Array.of_list
   in
-  let components = Ctl_components.compute ~size:g.size ~inside:is_seen ~successors in
-  let number = Ctl_components.number components in
+  let components = Components.compute ~size:g.size ~inside:is_seen ~successors in
+  let number = Components.number components in
   let stays s move t = inside s move t && Int.equal (number s) (number t) in
   let closing i =
     let s = Growable.get region.nodes i in

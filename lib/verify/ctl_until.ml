@@ -105,9 +105,9 @@ let honest index ~f way avoids =
   let graph = Timed_graph.graph index in
   let inside s = avoids s && Ctl_set.at f s && graph.known s in
   let components =
-    Ctl_components.compute ~size:graph.size ~inside ~successors:(successors graph way)
+    Components.compute ~size:graph.size ~inside ~successors:(successors graph way)
   in
-  let number = Ctl_components.number components in
+  let number = Components.number components in
   let w = work graph.size in
   for s = 0 to graph.size - 1 do
     if avoids s then

@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_explore
 
@@ -265,21 +266,22 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     let size = Graph.size g in
     let components =
       Components.compute ~size
-        ~roots:(List.init size (fun i -> i))
-        ~successors:(fun i -> List.map fst (arcs i))
+        ~inside:(fun _ -> true)
+        ~successors:(fun i -> Array.of_list (List.map fst (arcs i)))
     in
-    let inside i (j, _) = Int.equal components.number.(i) components.number.(j) in
+    let number = Components.number components in
+    let inside i (j, _) = Int.equal (number i) (number j) in
     let cycle i =
       Option.map
         (fun (j, choice) ->
            let successors u = List.filter (inside u) (arcs u) in
            match Components.path ~successors ~from:j ~goal:(Int.equal i) with
-           | None -> Scc_base.Bug.fail __POS__ "a component is not connected"
+           | None -> Bug.fail __POS__ "a component is not connected"
            | Some back ->
-             let steps = List.map (fun (source, choice) -> { Graph.source; choice }) in
+             let steps = Long_list.map (fun (source, choice) -> { Graph.source; choice }) in
              let stem = Graph.shortest_path g i in
              {
-               steps = stem @ ({ Graph.source = i; choice } :: steps back);
+               steps = Long_list.append stem ({ Graph.source = i; choice } :: steps back);
                last = i;
                finish = Repeats (List.length stem);
              })

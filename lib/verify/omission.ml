@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -108,7 +109,7 @@ let expected_events story roles absent =
       [ { label; at = e.time; needed = is_relevant roles.(i) } ]
     | Discrete _ | Expiry _ -> []
   in
-  List.concat (List.mapi expect (Array.to_list (Causes.events story)))
+  Long_list.(concat (mapi expect (Array.to_list (Causes.events story))))
 
 let try_without story roles w bodies =
   let absent = Ints.of_list (List.concat bodies) in
@@ -157,13 +158,13 @@ let involved story (basis : Causes.basis) roles keep_away =
 let count_in story roles matter =
   let leaves = Ints.of_list (List.concat_map fst matter) in
   let met (e : Causes.event) = meets leaves e.leaves && List.exists (fun l -> not (Ints.mem l leaves)) e.leaves in
-  let events = Array.to_list (Array.mapi (fun i e -> (i, e)) (Causes.events story)) in
-  let meetings = List.filter_map (fun (i, e) -> if met e then Some i else None) events in
-  let causes = Causes.closure story meetings in
+  let meetings = Array.map met (Causes.events story) in
+  let numbers = List.init (Array.length meetings) Fun.id in
+  let causes = Causes.closure story (List.filter (Array.get meetings) numbers) in
   Array.mapi
     (fun i role ->
        match role with
-       | Irrelevant when List.mem i meetings -> Keeps_away
+       | Irrelevant when meetings.(i) -> Keeps_away
        | Irrelevant when causes.(i) -> Cause
        | role -> role)
     roles

@@ -37,3 +37,10 @@ let explore options model ~initial =
 let complete s =
   let rec from i = i = s.size || (s.expanded i && from (i + 1)) in
   from 0
+
+let sum s f =
+  let rec from i n = if i = s.size then n else from (i + 1) (n + f i) in
+  from 0 0
+
+let unexpanded s = sum s (fun i -> if s.expanded i then 0 else 1)
+let transitions s = sum s (fun i -> Array.length (s.edges i))

@@ -22,3 +22,9 @@ val explore : Check.options -> Model.t -> initial:State.t -> t
 
 val complete : t -> bool
 (** Every state is expanded. *)
+
+val unexpanded : t -> int
+(** How many states have transitions that are not known. *)
+
+val transitions : t -> int
+(** How many are known. *)
