@@ -81,19 +81,9 @@ module Make (L : Lts.S) = struct
     let rec from i = i = size g || (is_expanded g i && from (i + 1)) in
     from 0
 
-  let greatest_depth g =
-    let rec from i best = if i = size g then best else from (i + 1) (Int.max best (depth g i)) in
-    from 0 0
+  let greatest_depth g = Distances.greatest_depth g.distances
 
-  (* Few of the numbers of times differ from one state to the next. *)
-  let greatest_arrival g =
-    let rec from i last best =
-      if i = size g then best
-      else
-        let a = Distances.arrival_number g.distances i in
-        from (i + 1) a (if a = last then best else Rat.max best (Distances.time g.distances a))
-    in
-    from 0 0 Rat.zero
+  let greatest_arrival g = Distances.greatest_arrival g.distances
 
   (** {2 Edges} *)
 
