@@ -180,15 +180,11 @@ module Make (L : Lts.S) = struct
             loop (i + 1))
     in
     loop 0;
-    let greatest of_state choose least =
-      let rec from i best = if i = size s then best else from (i + 1) (choose best (of_state i)) in
-      from 0 least
-    in
     {
       size = size s;
       transitions = s.transitions;
-      depth = greatest (Distances.depth s.paths) Int.max 0;
-      arrival = greatest (Distances.arrival s.paths) Rat.max Rat.zero;
+      depth = Distances.greatest_depth s.paths;
+      arrival = Distances.greatest_arrival s.paths;
       left = List.rev s.left;
       omission = Fingerprints.omission s.seen;
       path = path s;

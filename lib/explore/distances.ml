@@ -62,5 +62,21 @@ let improve d i l =
   end;
   (nearer, is_earlier)
 
+let greatest_depth d =
+  let n = Int_vector.length d.depths in
+  let rec from i best = if i = n then best else from (i + 1) (Int.max best (depth d i)) in
+  from 0 0
+
+(* Few of the numbers of times differ from one state to the next. *)
+let greatest_arrival d =
+  let n = Int_vector.length d.arrivals in
+  let rec from i last best =
+    if i = n then best
+    else
+      let a = arrival_number d i in
+      from (i + 1) a (if a = last then best else Rat.max best (time d a))
+  in
+  from 0 0 Rat.zero
+
 let bytes d =
   List.fold_left (fun n v -> n + Int_vector.bytes v) 0 [ d.depths; d.instants; d.nearest; d.arrivals ]

@@ -37,5 +37,8 @@ val before_nearest : t -> int -> int
 
 val before_earliest : t -> int -> int
 
+val greatest_depth : t -> int
+val greatest_arrival : t -> Rat.t
+
 val bytes : t -> int
 (** About how much memory it takes. *)

@@ -22,4 +22,37 @@ let get s i edge =
     Array.init (Int_vector.get s.targets at) (fun n ->
         edge (Int_vector.get s.labels (at + n + 1)) (Int_vector.get s.targets (at + n + 1)))
 
+let targets s i test =
+  match Int_vector.get s.first i with
+  | -1 -> [||]
+  | at ->
+    let last = at + Int_vector.get s.targets at in
+    let rec count k n =
+      if k > last then n else count (k + 1) (if test (Int_vector.get s.labels k) then n + 1 else n)
+    in
+    let found = Array.make (count (at + 1) 0) 0 in
+    let rec fill k n =
+      if k <= last then
+        if test (Int_vector.get s.labels k) then begin
+          found.(n) <- Int_vector.get s.targets k;
+          fill (k + 1) (n + 1)
+        end
+        else fill (k + 1) n
+    in
+    fill (at + 1) 0;
+    found
+
+let find_label s i test =
+  match Int_vector.get s.first i with
+  | -1 -> None
+  | at ->
+    let last = at + Int_vector.get s.targets at in
+    let rec from k =
+      if k > last then None
+      else
+        let label = Int_vector.get s.labels k in
+        if test label then Some label else from (k + 1)
+    in
+    from (at + 1)
+
 let bytes s = Int_vector.bytes s.first + Int_vector.bytes s.labels + Int_vector.bytes s.targets

@@ -13,5 +13,11 @@ val set : t -> int -> (int * int) list -> unit
 val get : t -> int -> (int -> int -> 'edge) -> 'edge array
 (** [get s i edge]: the edges of a state, made from labels and targets. *)
 
+val targets : t -> int -> (int -> bool) -> int array
+(** The targets of those edges of a state whose labels satisfy the test. *)
+
+val find_label : t -> int -> (int -> bool) -> int option
+(** The first label of the edges of a state that satisfies the test. *)
+
 val bytes : t -> int
 (** About how much memory it takes. *)

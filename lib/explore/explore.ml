@@ -81,21 +81,26 @@ module Make (L : Lts.S) = struct
     let rec from i = i = size g || (is_expanded g i && from (i + 1)) in
     from 0
 
-  let greatest_depth g =
-    let rec from i best = if i = size g then best else from (i + 1) (Int.max best (depth g i)) in
-    from 0 0
+  let greatest_depth g = Distances.greatest_depth g.distances
 
-  (* Few of the numbers of times differ from one state to the next. *)
-  let greatest_arrival g =
-    let rec from i last best =
-      if i = size g then best
-      else
-        let a = Distances.arrival_number g.distances i in
-        from (i + 1) a (if a = last then best else Rat.max best (Distances.time g.distances a))
-    in
-    from 0 0 Rat.zero
+  let greatest_arrival g = Distances.greatest_arrival g.distances
 
   (** {2 Edges} *)
+
+  (* Most transitions take no time: that is looked up once for each label. *)
+  let takes_time g label =
+    if label >= Bytes.length g.timed then begin
+      let timed = Bytes.make (2 * (label + 1)) '?' in
+      Bytes.blit g.timed 0 timed 0 (Bytes.length g.timed);
+      g.timed <- timed
+    end;
+    match Bytes.unsafe_get g.timed label with
+    | 'y' -> true
+    | 'n' -> false
+    | _ ->
+      let yes = Rat.sign (L.duration g.context label) > 0 in
+      Bytes.set g.timed label (if yes then 'y' else 'n');
+      yes
 
   (* Those that were put off when the state was expanded may lead to states that are not there. *)
   let edges_of_steps g steps =
@@ -119,6 +124,23 @@ module Make (L : Lts.S) = struct
       match g.edges with
       | None -> made_anew g i
       | Some store -> Edge_store.get store i (fun label target -> { label; target })
+
+  let passing g i =
+    let label =
+      match g.edges with
+      | Some store when is_expanded g i -> Edge_store.find_label store i (takes_time g)
+      | Some _ | None ->
+        Option.map (fun e -> e.label) (List.find_opt (fun e -> takes_time g e.label) (Array.to_list (edges g i)))
+    in
+    Option.map (L.duration g.context) label
+
+  let targets g ~timed i =
+    let wanted label = Bool.equal timed (takes_time g label) in
+    match g.edges with
+    | Some store when is_expanded g i -> Edge_store.targets store i wanted
+    | Some _ | None ->
+      let fitting = List.filter (fun e -> wanted e.label) (Array.to_list (edges g i)) in
+      Array.of_list (List.map (fun e -> e.target) fitting)
 
   (** {2 Paths} *)
 
@@ -186,21 +208,6 @@ module Make (L : Lts.S) = struct
     Option.iter Edge_store.make_room g.edges;
     mark g i Queued;
     Frontier.push g.frontier i (Distances.time g.distances label.arrival)
-
-  (* Most transitions take no time: that is looked up once for each label. *)
-  let takes_time g label =
-    if label >= Bytes.length g.timed then begin
-      let timed = Bytes.make (2 * (label + 1)) '?' in
-      Bytes.blit g.timed 0 timed 0 (Bytes.length g.timed);
-      g.timed <- timed
-    end;
-    match Bytes.unsafe_get g.timed label with
-    | 'y' -> true
-    | 'n' -> false
-    | _ ->
-      let yes = Rat.sign (L.duration g.context label) > 0 in
-      Bytes.set g.timed label (if yes then 'y' else 'n');
-      yes
 
   (* The label of the path to a state with a transition more. *)
   let after g i label =

@@ -58,6 +58,12 @@ module Make (L : Lts.S) : sig
   val edges : t -> int -> edge array
   (** In the order of {!Lts.S.successors}; empty while the state is not expanded. *)
 
+  val targets : t -> timed:bool -> int -> int array
+  (** Those of the edges of a state that take time, or of those that take none, in order. *)
+
+  val passing : t -> int -> Rat.t option
+  (** The duration of the first edge of a state that takes time. *)
+
   val duration : t -> edge -> Rat.t
 
   val transitions : t -> int

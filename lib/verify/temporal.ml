@@ -15,14 +15,11 @@ let ask context temporals =
   { formulas = Array.of_list formulas; props; predicates = Array.map (Predicate.make context) props }
 
 let is_timed g (e : Graph.edge) = Rat.sign (Graph.duration g e) > 0
-let targets edges = Array.map (fun (e : Graph.edge) -> e.target) edges
 
 (* The edges of some kind, with their indices among all. *)
 let indexed test edges =
   let all = Array.to_list (Array.mapi (fun k e -> (k, e)) edges) in
   Array.of_list (List.filter (fun (_, e) -> test e) all)
-
-let filter test edges = Array.map snd (indexed test edges)
 
 let timed_graph ~rests g : Timed_graph.t =
   let size = Graph.size g in
@@ -38,13 +35,13 @@ let timed_graph ~rests g : Timed_graph.t =
       Bytes.set resting i (if rests (Graph.tuple g i) then 'y' else 'n');
     Char.equal (Bytes.get resting i) 'y'
   in
+  let edges = Graph.targets g ~timed:false in
+  (* All time transitions of a state have the same duration: that of its trajectory. *)
   let flow i : Timed_graph.flow =
-    let edges = Graph.edges g i in
-    match filter (is_timed g) edges with
-    | [||] -> if Array.length edges = 0 && rests i then Forever else No_flow
-    | timed -> Lasts (Graph.duration g timed.(0), targets timed)
+    match Graph.passing g i with
+    | Some d -> Lasts (d, Graph.targets g ~timed:true i)
+    | None -> if Array.length (edges i) = 0 && rests i then Forever else No_flow
   in
-  let edges i = targets (filter (fun e -> not (is_timed g e)) (Graph.edges g i)) in
   { size; known; edges; flow }
 
 let on asked ~rests graph =
