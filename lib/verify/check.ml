@@ -123,7 +123,7 @@ let add (a : stats) (b : stats) =
     complete = a.complete && b.complete;
     eventful = a.eventful || b.eventful;
     decided_early = a.decided_early || b.decided_early;
-    stopped_by = Verdict.distinct (a.stopped_by @ b.stopped_by);
+    stopped_by = Verdict.together a.stopped_by b.stopped_by;
     faults = List.sort_uniq String.compare (a.faults @ b.faults);
   }
 

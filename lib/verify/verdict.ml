@@ -47,6 +47,12 @@ let distinct list =
        (fun kept t -> if List.exists (same_limit t) kept then kept else t :: kept)
        [] list)
 
+let together a b =
+  let chance = List.fold_left (fun sum t -> match t.limit with Omission p -> sum +. p | _ -> sum) 0. in
+  let both = Omission (Float.min 1. (chance a +. chance b)) in
+  let sum t = match t.limit with Omission _ -> { t with limit = both } | _ -> t in
+  List.map sum (distinct (a @ b))
+
 (* As good as the worst of them. *)
 let both a b =
   match (a, b) with
@@ -97,7 +103,9 @@ let by_default = function
 (* Rounded up to one digit. *)
 let at_most p =
   let rec digit p e =
-    if p >= 1. then Printf.sprintf "%.0fe-%02d" (Float.ceil p) e else digit (10. *. p) (e + 1)
+    if p > 9. then Printf.sprintf "1e-%02d" (e - 1)
+    else if p >= 1. then Printf.sprintf "%.0fe-%02d" (Float.ceil p) e
+    else digit (10. *. p) (e + 1)
   in
   if p <= 0. then "0" else if p >= 1. then "1" else digit p 0
 

@@ -40,6 +40,9 @@ type t =
 val distinct : truncation list -> truncation list
 (** Each kind of limit once. *)
 
+val together : truncation list -> truncation list -> truncation list
+(** Of two explorations, likewise: the chances that a state was left out add up. *)
+
 val exhaustive : t -> bool
 (** Holds, as a proof. *)
 
