@@ -96,7 +96,7 @@ class Tables:
         rows, last = [], None
         for n in sizes:
             row = [str(n)]
-            for options in ([], programs.ALL_OFF):
+            for options in ([], programs.WHOLE):
                 if options and not self.scc.reduces:
                     row += ["-", "-", "-"]
                     continue
