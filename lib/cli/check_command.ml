@@ -186,21 +186,30 @@ let check console bounds (extras : Check_extras.t) overrides path =
   Console.flush console;
   Ok code
 
+(* A schedule is replayed with jumps: runs that stop at each step would not fit. *)
+let unfit (extras : Check_extras.t) =
+  Option.is_some extras.witness && not (List.exists (Reduction.equal Jump) extras.reductions)
+
 let run color json bounds (extras : Check_extras.t) overrides path =
   let console = Console.make ~color ~json in
-  Guard.run console (fun () ->
-      match check console bounds extras overrides path with
-      | Ok code -> code
-      | Error diagnostics ->
-        let code = Guard.invalid console diagnostics in
-        let is_about path (d : Diag.t) = String.equal d.span.file path in
-        (match extras.sarif with
-         | Some path when not (List.exists (is_about path) diagnostics) ->
-           let written = write_sarif console path code None in
-           Result.iter_error (Console.report console) written
-         (* It is this file that could not be written. *)
-         | Some _ | None -> ());
-        code)
+  if unfit extras then begin
+    prerr_endline "scc: --witness does not go with --no-reduce jump: schedules are replayed with jumps";
+    Exit_code.Usage
+  end
+  else
+    Guard.run console (fun () ->
+        match check console bounds extras overrides path with
+        | Ok code -> code
+        | Error diagnostics ->
+          let code = Guard.invalid console diagnostics in
+          let is_about path (d : Diag.t) = String.equal d.span.file path in
+          (match extras.sarif with
+           | Some path when not (List.exists (is_about path) diagnostics) ->
+             let written = write_sarif console path code None in
+             Result.iter_error (Console.report console) written
+           (* It is this file that could not be written. *)
+           | Some _ | None -> ());
+          code)
 
 let man =
   [

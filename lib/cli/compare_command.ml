@@ -17,11 +17,16 @@ type options = {
   bounds : Check_options.bounds;
 }
 
-(* The labels of the first as the second has them, and those that are not to be seen. *)
-let labelled o ~first g =
+(* Names and labels of the first as the second has them. *)
+let renaming o ~first =
   let rules = if first then List.map (fun (from, into) -> Label.rule from into) o.renamed else [] in
+  Label.rename rules
+
+(* With those that are not to be seen. *)
+let labelled o ~first g =
+  let rename = renaming o ~first in
   Graph.map_labels g (fun label ->
-      let label = Label.rename rules label in
+      let label = rename label in
       if List.exists (fun p -> Hide.matches p label) o.hidden then Graph.tau else label)
 
 (* Seconds are counted from the beginning of each exploration, and of the comparison. *)
@@ -56,13 +61,13 @@ let write_graphs o first second =
 let compare console o =
   let interrupted = Interrupt.install () in
   Option.iter (fun s -> Interrupt.deadline (3. *. s)) o.bounds.seconds;
-  let load path overrides =
+  let load ~first path overrides =
     let progress = Progress.show ~about:path console o.bounds in
     let options = Check_options.options o.bounds ~interrupted ~progress in
-    Compared.load console options ~overrides:(o.overrides @ overrides) path
+    Compared.load console options ~renamed:(renaming o ~first) ~overrides:(o.overrides @ overrides) path
   in
-  let* first = load o.first o.left in
-  let* second = load o.second o.right in
+  let* first = load ~first:true o.first o.left in
+  let* second = load ~first:false o.second o.right in
   let prepared ~first (c : Compared.t) = Compare.prepare o.relation (labelled o ~first c.graph) in
   let one = prepared ~first:true first and two = prepared ~first:false second in
   let* () = write_graphs o one two in

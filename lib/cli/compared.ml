@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_calculus
 open Scc_semantics
 open Scc_verify
 open Scc_equivalence
@@ -13,12 +14,31 @@ let is_graph_file path = Filename.check_suffix path ".aut"
 (* A graph of ten million transitions has some 300 MB. *)
 let max_graph_bytes = 1024 * 1024 * 1024
 
-let graph_of_space (space : Space.t) =
+(* The leaf of a process by which it is called: the least by name, since the order in which bodies are declared
+   should not be seen. [renamed] is what a name means to the other side. *)
+let representative (space : Space.t) ~renamed state leaf =
+  let name l = renamed space.model.leaves.(l).Model.name in
+  let process = state.State.processes.(fst (State.find_leaf state leaf)) in
+  Array.fold_left
+    (fun best (l : State.leaf) -> if String.compare (name l.leaf) (name best) < 0 then l.leaf else best)
+    leaf process.leaves
+
+let label_text (space : Space.t) ~renamed s (label : Transition.label) =
+  let label : Transition.label =
+    match label with
+    | Bounce (p, q) ->
+      let state = space.state s in
+      Bounce (representative space ~renamed state p, representative space ~renamed state q)
+    | Time _ | Bind _ | Weak_split _ | Strong_split _ -> label
+  in
+  Transition.label_to_string space.model label
+
+let graph_of_space ?(renamed = Fun.id) (space : Space.t) =
   let b = Graph.builder () in
   for s = 0 to space.size - 1 do
     Array.iter
       (fun (e : Space.edge) ->
-         let label = Graph.intern b (Transition.label_to_string space.model e.label) in
+         let label = Graph.intern b (label_text space ~renamed s e.label) in
          Graph.add b ~source:s ~label ~target:e.target)
       (space.edges s);
     if space.rests s then
@@ -36,7 +56,7 @@ let load_graph console path =
         Console.add_source console source;
         Error [ d ])
 
-let load_model console options ~overrides path =
+let load_model console options ?renamed ~overrides path =
   let* model = Input.model console ~overrides path in
   let e = model.elaborated in
   Console.report console e.warnings;
@@ -49,9 +69,9 @@ let load_model console options ~overrides path =
   Console.progress_done console;
   Console.report console
     (List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) space.faults);
-  Ok { path; source = Model { model; space }; graph = graph_of_space space }
+  Ok { path; source = Model { model; space }; graph = graph_of_space ?renamed space }
 
-let load console options ~overrides path =
+let load console options ?renamed ~overrides path =
   if is_graph_file path then
     if overrides = [] then load_graph console path
     else
@@ -61,7 +81,7 @@ let load console options ~overrides path =
             (Span.make ~file:path ~start:0 ~stop:0)
             "a graph has no parameters that could be given a value";
         ]
-  else load_model console options ~overrides path
+  else load_model console options ?renamed ~overrides path
 
 let stopped_by t = match t.source with Model { space; _ } -> space.stopped_by | File -> []
 

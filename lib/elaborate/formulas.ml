@@ -172,15 +172,24 @@ module Eval = Typed.Make (Algebra)
 
 let create = Subjects.create
 
+(* Whether an operator stands there, even if the rest of the formula decides it without it. *)
+let rec is_temporal (e : Ast.expr) =
+  match e.it with
+  | Temporal _ | Until _ | Leads_to _ -> true
+  | Not a | Quantified (_, _, _, a) -> is_temporal a
+  | Binary (_, a, b) -> is_temporal a || is_temporal b
+  | If (c, a, b) -> is_temporal c || is_temporal a || is_temporal b
+  | Number _ | True | False | Path _ | Co _ | Apply _ | Neg _ | Event _ -> false
+
 let check t (k : Program.check) =
   let* f = Eval.cond t k.env k.formula in
   match Formula.state_formula f with
-  | Some _ ->
+  | Some _ when not (is_temporal k.formula) ->
     error t Code.not_a_formula k.formula.at
       "a check needs a temporal operator: this holds or not at an instant"
       ~hint:"write `always …`, `possibly …` or `eventually …`";
     None
-  | None ->
+  | Some _ | None ->
     let text = Scc_syntax.Printer.expr k.formula in
     Some { Property.name = k.name; span = k.span; text; formula = f }
 

@@ -33,7 +33,7 @@ let limit : Verdict.limit -> string * Json.t = function
   | Seconds s -> ("seconds", `String (Printf.sprintf "%g" s))
   | Memory words -> ("memory", `Int (words * (Sys.word_size / 8)))
   | Interrupted -> ("interrupted", `Null)
-  | Omission p -> ("hash-compaction", `String (Printf.sprintf "%.3g" p))
+  | Omission p -> ("hash-compaction", `String (Verdict.at_most p))
 
 let origin : Verdict.origin -> string = function
   | By_default -> "default"

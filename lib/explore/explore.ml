@@ -274,7 +274,7 @@ module Make (L : Lts.S) = struct
     end;
     id
 
-  (* Whether an edge to a known state changes nothing: it takes no time, and leads deeper, but by no shorter way. *)
+  (* Whether an edge to a known state changes nothing: it takes no time, and leads deeper by no shorter way. *)
   let is_plain g i label target =
     (not (takes_time g label))
     && Distances.arrival_number g.distances target = Distances.arrival_number g.distances i

@@ -1,6 +1,6 @@
 (** Breadth-first exploration of a timed transition system. Deterministic: the same system and bounds give the same
-    graph, unless a clock, the memory or an interruption ends it. States take about 20 bytes each and edges 8; without
-    its edges, a graph makes them anew when they are asked for. *)
+    graph, unless a clock, the memory or an interruption ends it. States take about 20 bytes each and edges 8;
+    without its edges, a graph makes them anew when they are asked for. *)
 
 open Scc_exact
 

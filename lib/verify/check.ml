@@ -54,7 +54,9 @@ let groups options model ~initial checks =
     if List.exists (Reduction.equal Slice) options.reductions then Slice.make model ~initial [ c.formula ]
     else None
   in
-  let compact c = if Compact_check.serves c then options.compact else None in
+  (* Times are not passed on there, so that a bound on them cannot be kept. *)
+  let timeless = match options.bounds.time with Unbounded -> true | Default _ | Given _ -> false in
+  let compact c = if timeless && Compact_check.serves c then options.compact else None in
   let rec join part compact member = function
     | [] -> [ { part; compact; members = [ member ] } ]
     | g :: rest when equal_part g.part part && Option.equal Int.equal g.compact compact ->

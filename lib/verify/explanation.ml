@@ -85,11 +85,16 @@ let rec of_known e (formula : Ctl_formula.t) position : t =
 let explain e f position =
   match Ctl_eval.truth e f position with None -> None | Some _ -> Some (of_known e f position)
 
+let goes_on (run : Ctl_run.t) =
+  match (run.steps, Ctl_run.goal run) with
+  | [], None -> not (Ctl_set.is_inside run.start)
+  | _ -> true
+
 let rec chain t =
   match t.because with
   | Given | Everywhere _ -> None
   | Parts parts -> List.find_map chain parts
   | Run { run; parts } -> (
       match (Ctl_run.goal run, List.find_map chain parts) with
-      | Some _, Some more -> Some (Ctl_run.append run more)
+      | Some _, Some more when goes_on more -> Some (Ctl_run.append run more)
       | _ -> Some run)

@@ -22,6 +22,10 @@ and because =
 val explain : Ctl_eval.t -> Ctl_formula.t -> Ctl_set.position -> t option
 (** [None]: undecided there. *)
 
+val goes_on : Ctl_run.t -> bool
+(** Whether a run is worth following from where another leads. One that only stays in the flow in which it begins,
+    to rest there or to pass a bound, would hide the instant at which it begins. *)
+
 val chain : t -> Ctl_run.t option
 (** The run of the explanation, followed by that of what is so where it leads, and so on: one run from the
     position of the whole explanation (where runs have parts, the first that has a run). *)

@@ -307,7 +307,7 @@ let explore options model ~initial =
 
 let may_have_events options model ~initial =
   let context = System.make model initial in
-  let few = { Limits.unlimited with states = Some 5_000; seconds = Some 5. } in
+  let few = { Limits.unlimited with states = Some 5_000 } in
   let found = ref false in
   let opened _ _ _ edges = if Array.exists (is_event context) edges then found := true in
   let visitor = { Graph.blind with opened = Some opened; enough = (fun () -> !found) } in

@@ -27,8 +27,11 @@ let rec subject (f : Ctl_formula.t) =
 let distinct facts =
   List.rev (List.fold_left (fun kept f -> if List.mem f kept then kept else f :: kept) [] facts)
 
+let about_at context graph temporal formula position =
+  List.concat_map (facts_at context graph temporal position) (subject formula)
+
 let about context graph temporal formula node =
-  List.concat_map (facts_at context graph temporal (Ctl_set.start node)) (subject formula) |> distinct
+  distinct (about_at context graph temporal formula (Ctl_set.start node))
 
 let rec given (e : Explanation.t) =
   match (e.formula, e.because) with
@@ -37,6 +40,7 @@ let rec given (e : Explanation.t) =
   | _, (Given | Run _ | Everywhere _) -> []
 
 let has_run e = Option.is_some (Explanation.chain e)
+let leads_on e = match Explanation.chain e with Some run -> Explanation.goes_on run | None -> false
 
 (* The last run of the chain, and the explanations where it leads. *)
 let rec last_run (e : Explanation.t) =
@@ -45,7 +49,7 @@ let rec last_run (e : Explanation.t) =
   | Parts parts -> Option.bind (List.find_opt has_run parts) last_run
   | Run { run; parts } -> (
       match (Ctl_run.goal run, List.find_opt has_run parts) with
-      | Some _, Some part -> last_run part
+      | Some _, Some part when leads_on part -> last_run part
       | _ -> Some (e.formula, run, parts))
 
 let facts context graph temporal e =
@@ -55,9 +59,13 @@ let facts context graph temporal e =
     (match Ctl_run.goal run with
      | None -> about context graph temporal formula run.last
      | Some _ ->
-       List.concat_map given parts
-       |> List.concat_map (fun (p, at) -> facts_at context graph temporal at p)
-       |> distinct)
+       let at_goal (part : Explanation.t) =
+         match part.because with
+         | Run _ -> about_at context graph temporal part.formula part.position
+         | Given | Parts _ | Everywhere _ ->
+           List.concat_map (fun (p, at) -> facts_at context graph temporal at p) (given part)
+       in
+       distinct (List.concat_map at_goal parts))
 
 (** {2 The tree} *)
 

@@ -56,6 +56,9 @@ val resources : t -> bool
 val by_default : t -> bool
 (** It holds up to a bound that nobody gave. *)
 
+val at_most : float -> string
+(** A probability, rounded up to one digit. *)
+
 val truncation_to_string : truncation -> string
 (** E.g. ["the depth bound 100 (a default)"]. *)
 

@@ -304,6 +304,10 @@ What is not known within the bounds: which unexplored state matters.
   2 properties: 2 undecided
   [2]
 
+Schedules are replayed with jumps.
+
+  $ scc check ../../specs/models/latch.sc --no-reduce jump --witness runs
+
 Hash compaction proves nothing by finding nothing.
 
   $ scc check ../../specs/models/dimers.sc -D n=2 --hash-compact | grep -v '^ '

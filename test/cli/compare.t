@@ -248,3 +248,17 @@ Wrong inputs:
   scc: option '--rename': `a' is not of the form FROM=TO
   $ scc compare late.aut early.aut --rename 'a*=*b*' 2>&1 | head -1
   scc: option '--rename': `a*=*b*' has more stars after the = than before
+
+The order in which bodies are declared is not seen, not even when what bounces is a process of several.
+
+  $ shape() { echo 'shape Cube { vertices a (-1,-1,-1) b (1,-1,-1) c (1,1,-1) d (-1,1,-1)'
+  >   echo ' e (-1,-1,1) f (1,-1,1) g (1,1,1) h (-1,1,1)'
+  >   echo ' faces bottom [a,d,c,b] top [e,f,g,h] left [a,e,h,d] right [b,c,g,f] front [a,b,f,e] back [d,h,g,c] }'
+  >   echo 'behaviour R = <a, {right}>. nil'; echo 'behaviour L = <~a, {left}>. nil'; }
+  $ p='process p = Cube mass 1 velocity (1,0,0) at translate (0,0,0) [R]'
+  $ q='process q = Cube mass 1 at translate (3,0,0) [L]'
+  $ w='fixed w = Cube at translate (9,0,0)'
+  $ { shape; echo "$p"; echo "$q"; echo "$w"; } > one.sc; { shape; echo "$w"; echo "$q"; echo "$p"; } > two.sc
+  $ scc compare one.sc two.sc --modulo timed | head -1
+  $ sed 's/process q/process b/' two.sc > three.sc
+  $ scc compare one.sc three.sc --modulo timed --rename q=b | head -1

@@ -111,6 +111,16 @@ check h : x(p) = 0 leads_to[<= 2] x(p) = 3
 check i : EF (x(p) = 2 and AG x(p) >= 2)
 |}))
 
+(* The instant at which an outer operator fails is not lost when the inner one goes on from there for ever. *)
+let inner_instants () =
+  Alcotest.(check (list string)) "right after the start"
+    [
+      "then time passes: right after time 0, for example at time 1"; "x(p) = -3 fails: x(p) = -2"; "why:";
+      "  AG AF[<= 0] x(p) = -3 does not hold: right after time 0 from here, for example after 1";
+      "    AF[<= 0] x(p) = -3 does not hold: the run then passes the bound of time";
+    ]
+    (witness_lines (drift ^ "check a : AG AF[<= 0] x(p) = -3"))
+
 (* {1 Bounds} *)
 
 (* A state for each step: gravity without a floor never closes. *)
@@ -262,6 +272,7 @@ let () =
           quick "a division by zero" undefined;
           quick "a polynomial of high degree" high_degree;
           quick "operators within operators" nested;
+          quick "instants of operators within operators" inner_instants;
           quick "bounds" bounds;
           quick "interruption" interruption;
           quick "early end" early;
