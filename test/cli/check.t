@@ -307,6 +307,8 @@ What is not known within the bounds: which unexplored state matters.
 Schedules are replayed with jumps.
 
   $ scc check ../../specs/models/latch.sc --no-reduce jump --witness runs
+  scc: --witness does not go with --no-reduce jump: schedules are replayed with jumps
+  [64]
 
 Hash compaction proves nothing by finding nothing.
 

@@ -260,5 +260,7 @@ The order in which bodies are declared is not seen, not even when what bounces i
   $ w='fixed w = Cube at translate (9,0,0)'
   $ { shape; echo "$p"; echo "$q"; echo "$w"; } > one.sc; { shape; echo "$w"; echo "$q"; echo "$p"; } > two.sc
   $ scc compare one.sc two.sc --modulo timed | head -1
+  equivalent modulo timed
   $ sed 's/process q/process b/' two.sc > three.sc
   $ scc compare one.sc three.sc --modulo timed --rename q=b | head -1
+  equivalent modulo timed

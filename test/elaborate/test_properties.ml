@@ -27,6 +27,8 @@ let properties =
     property "interval" "EF[1, 3/2] touching(p, q)" "EF[1, 3/2] touching(p, q)";
     property "until" "A[ not bound(p, q) U[<= 5] E[ same(p, q) U quiescent ] ]"
       "A[ not bound(p, q) U[<= 5] E[ same(p, q) U quiescent ] ]";
+    property "decided by a constant" "true or EF x(p) = 1" "true";
+    property "decided by no one" "forall b in c: AG false" "AG false and AG false";
     property "next" "EX AX processes = 2" "EX AX processes = 2";
     property "events" "always event bind or event weak(a) or event strong(a, p) or event split(a, q, p)"
       "AG (((event bind or event weak(a)) or event strong(a, p)) or event split(a, q, p))";
