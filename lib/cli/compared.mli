@@ -19,8 +19,8 @@ val is_graph_file : string -> bool
 (** By its extension, [.aut]. *)
 
 val graph_of_space : ?renamed:(string -> string) -> Space.t -> Graph.t
-(** With the labels of the transitions, but that the two that bounce are called by the least names of their bodies, so
-    that the order of declarations is not seen; [renamed] gives the names that count. *)
+(** With the labels of the transitions, but that the two that bounce are called by the least names of their bodies,
+    so that the order of declarations is not seen; [renamed] gives the names that count. *)
 
 val load :
   Console.t ->
