@@ -71,11 +71,11 @@ let order =
 
 let compact =
   let doc =
-    "Hash compaction: keeps a fingerprint of each state instead of the state, which takes about 5 bytes a state less. \
-     Two states with one fingerprint are taken for one, so that nothing is proved by finding nothing: such verdicts \
-     hold up to a bound, which names the probability that a state was left out. For $(b,always) and $(b,possibly) \
-     without a bound of time, their own or $(b,--time); other properties are checked as ever. Room is made for the \
-     states of $(b,--states) at once."
+    "Hash compaction: keeps a fingerprint of each state instead of the state, which takes about 5 bytes a state \
+     less. Two states with one fingerprint are taken for one, so that nothing is proved by finding nothing: such \
+     verdicts hold up to a bound, which names the probability that a state was left out. For $(b,always) and \
+     $(b,possibly) without a bound of time, their own or $(b,--time); other properties are checked as ever. Room \
+     is made for the states of $(b,--states) at once."
   in
   Arg.(value & flag & info [ "hash-compact" ] ~doc)
 
