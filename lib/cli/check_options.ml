@@ -27,7 +27,7 @@ let options ?(now = Unix.gettimeofday) b ~interrupted ~progress : Check.options 
       memory = or_default (words_of_mib default_memory) (Option.map words_of_mib b.memory);
     }
   in
-  { Check.default with bounds; surroundings = { now; interrupted; progress } }
+  { Check.default with bounds; surroundings = { now; interrupted; progress; attempt = Interrupt.attempt } }
 
 let positive_int what =
   let parse s =

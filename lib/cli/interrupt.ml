@@ -6,11 +6,43 @@ let give_up why =
   flush stderr;
   Unix._exit (Exit_code.to_int Stopped)
 
-let alarm seconds why =
-  Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> give_up why));
-  ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = seconds })
+exception Given_up
 
-let in_time () = ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = 0. })
+(* Signals are the program's, and so is what to do about them. *)
+type state = { mutable attempting : bool; mutable over : bool  (** the time, or after a signal *) }
+
+let state = { attempting = false; over = false }
+let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = seconds })
+
+let alarm seconds why =
+  let ring _ = if state.attempting then raise Given_up else give_up why in
+  Sys.set_signal Sys.sigalrm (Sys.Signal_handle ring);
+  timer seconds
+
+let in_time () =
+  state.over <- true;
+  timer 0.
+
+let attempted f =
+  state.attempting <- true;
+  match
+    if state.over then alarm grace "the time is over";
+    let x = f () in
+    (* Before the alarm could ring for somebody else. *)
+    if state.over then timer 0.;
+    x
+  with
+  | x ->
+    state.attempting <- false;
+    Some x
+  | exception Given_up ->
+    state.attempting <- false;
+    None
+  | exception e ->
+    state.attempting <- false;
+    raise e
+
+let attempt = { Scc_explore.Limits.run = attempted }
 
 (* A timer takes no more than a machine's integer; nobody waits for years. *)
 let deadline seconds =

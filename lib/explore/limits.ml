@@ -13,10 +13,19 @@ let unlimited = { depth = None; time = None; instant = None; states = None; seco
 
 type progress = { states : int; transitions : int; waiting : int; depth : int; model_time : Rat.t }
 
+type attempt = { run : 'a. (unit -> 'a) -> 'a option }
+
 type surroundings = {
   now : unit -> float;
   interrupted : unit -> bool;
   progress : progress -> unit;
+  attempt : attempt;
 }
 
-let quiet = { now = (fun () -> 0.); interrupted = (fun () -> false); progress = (fun _ -> ()) }
+let quiet =
+  {
+    now = (fun () -> 0.);
+    interrupted = (fun () -> false);
+    progress = (fun _ -> ());
+    attempt = { run = (fun f -> Some (f ())) };
+  }

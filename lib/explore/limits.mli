@@ -25,11 +25,15 @@ type progress = {
   model_time : Rat.t;  (** the earliest arrival in the state that is looked at *)
 }
 
+(** Does something that may take long and does not look at the clock; [None] when it was given up. *)
+type attempt = { run : 'a. (unit -> 'a) -> 'a option }
+
 type surroundings = {
   now : unit -> float;  (** a clock in seconds; only differences count *)
   interrupted : unit -> bool;
   progress : progress -> unit;  (** called now and then *)
+  attempt : attempt;
 }
 
 val quiet : surroundings
-(** A clock that stands still, no interruption, no progress shown. *)
+(** A clock that stands still, no interruption, no progress shown, and nothing given up. *)

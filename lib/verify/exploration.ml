@@ -129,13 +129,25 @@ let now r p =
   | False -> Violated { witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
   | Undecided text -> Undecided [ Undefined text ]
 
-let formula r temporal i =
+let evaluated r temporal i =
   match Temporal.truth temporal i with
   | None -> Verdict.Undecided (formula_doubts r temporal i)
   | Some truth -> (
       match (truth, Evidence.of_explanation r.context r.graph temporal (Temporal.explain temporal i)) with
       | true, witness -> Holds { bounds = []; witness }
       | false, witness -> Violated { witness })
+
+(* An evaluation that takes longer than there is time for leaves one formula open, and nothing else. *)
+let out_of_time r : Verdict.truncation =
+  let around = r.options.surroundings in
+  match r.options.bounds.seconds with
+  | (Given s | Default s) when not (around.interrupted ()) -> { limit = Seconds s; origin = By_user }
+  | Given _ | Default _ | Unbounded -> { limit = Interrupted; origin = By_user }
+
+let formula r temporal i =
+  match r.options.surroundings.attempt.run (fun () -> evaluated r temporal i) with
+  | Some v -> v
+  | None -> Undecided [ Truncated (out_of_time r) ]
 
 (* Answers and formulas are taken up in the order of {!questions} and {!formulas}. *)
 type answers = { searches : Engine.answer list; next_formula : int; temporal : Temporal.t option }
@@ -277,8 +289,11 @@ let check options model ~initial (checks : Property.check list) =
   in
   let formulas = Temporal.ask context temporals in
   let settled g =
-    let temporal = Temporal.on formulas ~rests g in
-    List.for_all Fun.id (List.mapi (fun i _ -> Option.is_some (Temporal.truth temporal i)) temporals)
+    let look () =
+      let temporal = Temporal.on formulas ~rests g in
+      List.for_all Fun.id (List.mapi (fun i _ -> Option.is_some (Temporal.truth temporal i)) temporals)
+    in
+    Option.value (options.surroundings.attempt.run look) ~default:false
   in
   let settled = match temporals with [] -> None | _ :: _ -> Some settled in
   let result =

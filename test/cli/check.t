@@ -304,6 +304,36 @@ What is not known within the bounds: which unexplored state matters.
   2 properties: 2 undecided
   [2]
 
+An evaluation that takes too long leaves its own formula open, and no other.
+
+  $ cat > far.sc <<'END'
+  > shape Cube {
+  >   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+  >            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  >   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]  right [b,c,g,f]  front [a,b,f,e]  back [d,h,g,c]
+  > }
+  > fixed west = Cube at translate (-5,0,0)
+  > fixed east = Cube at translate (5,0,0)
+  > process ball = Cube mass 1 velocity (1,0,0) [nil]
+  > check near : AG EF x(ball) = 1
+  > check far  : AG EF[1e12, 1e12] x(ball) = 0
+  > END
+  $ scc check far.sc --seconds 1
+  near: holds (exhaustive)
+    AG EF x(ball) = 1
+  
+  far: undecided: the exploration ended at the limit of 1 seconds
+    AG EF[1000000000000, 1000000000000] x(ball) = 0
+  
+  explored: 5 states, 5 transitions, depth 4, model time 9; complete
+  2 properties: 1 holds, 1 undecided
+  [4]
+  $ timeout -s INT 1 scc check far.sc | grep ': '
+  near: holds (exhaustive)
+  far: undecided: the exploration ended at the interruption
+  explored: 5 states, 5 transitions, depth 4, model time 9; complete
+  2 properties: 1 holds, 1 undecided
+
 Schedules are replayed with jumps.
 
   $ scc check ../../specs/models/latch.sc --no-reduce jump --witness runs
