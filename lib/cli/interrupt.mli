@@ -13,8 +13,8 @@ val in_time : unit -> unit
     Another signal ends the program at once. *)
 
 val attempt : Scc_explore.Limits.attempt
-(** Does something that does not ask whether it is to stop: once the time is over, or a signal has arrived, it has the
-    {!grace} to end, and is given up otherwise. What it was to find is then not known; all else is. *)
+(** Does something that does not ask whether it is to stop: once the time is over, or a signal has arrived, it has
+    the {!grace} to end, and is given up otherwise. What it was to find is then not known; all else is. *)
 
 val deadline : float -> unit
 (** [deadline s]: unless the program ends before, work is given up after [s] seconds and the {!grace}. *)
