@@ -96,7 +96,9 @@ let option_slot used = if used then 1 else 0
 let step_slot = leaves
 let time_slot c = leaves c + option_slot c.model.steered
 let mark_slot c = time_slot c + option_slot c.model.keeps_time
-let width c = mark_slot c + option_slot c.marked
+
+(* The tuple of the empty network has a slot all the same. *)
+let width c = Int.max 1 (mark_slot c + option_slot c.marked)
 let bodies c = Pairs.size c.processes
 let forms c = Forms.size c.forms
 let resting _ velocity = velocity = 0

@@ -334,6 +334,21 @@ An evaluation that takes too long leaves its own formula open, and no other.
   explored: 5 states, 5 transitions, depth 4, model time 9; complete
   2 properties: 1 holds, 1 undecided
 
+A network of nobody.
+
+  $ printf 'network nil\ncheck none : always processes = 0\ncheck rest : AF AG quiescent\n' > nobody.sc
+  $ scc check nobody.sc 2> /dev/null | grep ': '
+  none: holds (exhaustive)
+  rest: holds (exhaustive)
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  2 properties: 2 hold
+  $ scc explore nobody.sc -o - --format aut 2> /dev/null
+  des (0, 2, 2)
+  (0, "time(forever)", 1)
+  (1, "time(forever)", 1)
+  $ scc compare nobody.sc nobody.sc --modulo timed | head -1
+  equivalent modulo timed
+
 Schedules are replayed with jumps.
 
   $ scc check ../../specs/models/latch.sc --no-reduce jump --witness runs
