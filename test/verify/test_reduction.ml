@@ -239,6 +239,26 @@ check held : possibly bonds(dock) = 0
 check same : eventually bonds(dock) = 0
 |}
 
+(* Two pairs collide at one instant: between their bounces either may be first, which is seen by who names both. *)
+let seen () =
+  let text =
+    shapes
+    ^ {|
+for i in 1..2 {
+  process p[i] = Cube mass 1 velocity (1,0,0) at translate (0,4*i,0) [Shy]
+  process q[i] = Cube mass 1 velocity (-1,0,0) at translate (8,4*i,0) [Shy]
+}
+check first  : possibly vx(p[1]) < 0 and vx(p[2]) > 0
+check second : possibly vx(p[1]) > 0 and vx(p[2]) < 0
+|}
+  in
+  match load text with
+  | None -> Alcotest.fail "the model is refused"
+  | Some (e, initial) ->
+    let report = Check.run { Check.default with reductions = [ Order; Jump ] } e.model ~initial e.checks in
+    let verdicts = List.map (fun (_, v) -> Verdict.to_string v) report.outcomes in
+    Alcotest.(check (list string)) "both" [ "holds (exhaustive)"; "holds (exhaustive)" ] verdicts
+
 let drift () =
   Alcotest.(check int) "with" 2 (states [ Reduction.Translation; Jump ] drifting)
 
@@ -267,5 +287,6 @@ let () =
           quick "order" (fewer Order four_pairs ~with_it:6 ~without:17);
           quick "symmetry" (fewer Symmetry two_balls ~with_it:9 ~without:17);
           quick "translation" drift;
+          quick "what is seen happens in every order" seen;
         ] );
     ]
