@@ -259,6 +259,26 @@ check second : possibly vx(p[1]) > 0 and vx(p[2]) < 0
     let verdicts = List.map (fun (_, v) -> Verdict.to_string v) report.outcomes in
     Alcotest.(check (list string)) "both" [ "holds (exhaustive)"; "holds (exhaustive)" ] verdicts
 
+(* A plate bounces for ever within the first instant, unseen; what others do at that instant is not put off for ever. *)
+let not_put_off () =
+  let text =
+    shapes
+    ^ {|
+fixed floor   = Cube at translate (0,-2,0)
+fixed ceiling = Cube at translate (0,2,0)
+process plate = Cube mass 1 velocity (0,1,0) [Shy]
+process p = Cube mass 1 velocity (1,0,0)  at translate (40,0,0) [Shy]
+process q = Cube mass 1 velocity (-1,0,0) at translate (42,0,0) [Shy]
+check away : possibly vx(q) = 1
+|}
+  in
+  match load text with
+  | None -> Alcotest.fail "the model is refused"
+  | Some (e, initial) ->
+    let report = Check.run { Check.default with reductions = [ Order; Jump ] } e.model ~initial e.checks in
+    let verdicts = List.map (fun (_, v) -> Verdict.to_string v) report.outcomes in
+    Alcotest.(check (list string)) "reached" [ "holds (exhaustive)" ] verdicts
+
 let drift () =
   Alcotest.(check int) "with" 2 (states [ Reduction.Translation; Jump ] drifting)
 
@@ -288,5 +308,6 @@ let () =
           quick "symmetry" (fewer Symmetry two_balls ~with_it:9 ~without:17);
           quick "translation" drift;
           quick "what is seen happens in every order" seen;
+          quick "nothing is put off for ever" not_put_off;
         ] );
     ]
