@@ -259,7 +259,7 @@ check second : possibly vx(p[1]) > 0 and vx(p[2]) < 0
     let verdicts = List.map (fun (_, v) -> Verdict.to_string v) report.outcomes in
     Alcotest.(check (list string)) "both" [ "holds (exhaustive)"; "holds (exhaustive)" ] verdicts
 
-(* A plate bounces for ever within the first instant, unseen; what others do at that instant is not put off for ever. *)
+(* A plate bounces for ever within the first instant, unseen; what others do then is not put off for ever. *)
 let not_put_off () =
   let text =
     shapes
