@@ -233,7 +233,8 @@ let in_relative_motion present =
   in
   from 1
 
-(* Collisions, the last first, and the first time of contact, of pairs one by one. *)
+(* Collisions, the last first, and what tells the first time of contact, of pairs one by one. Who asks for
+   collisions alone need not wait for the rest. *)
 let meetings_of_few c present =
   let collisions = ref [] and contact = ref None in
   let k = Array.length present in
@@ -247,15 +248,14 @@ let meetings_of_few c present =
       end
     done
   done;
-  (!collisions, !contact)
+  (!collisions, fun ~limit:_ -> !contact)
 
 (* The same of many: who is near whom is seen at once. *)
-let meetings_of_many c present ~limit =
+let meetings_of_many c present =
   let s = network (List.map (fun a -> a.body.process) (Array.to_list present)) in
   let resolved acc (p, q) = List.rev_append (together c present.(p) present.(q)).collisions acc in
-  match List.fold_left resolved [] (Network.colliding (model c) s) with
-  | [] -> ([], Collision.first_time_of_contact (model c) s ~limit)
-  | _ :: _ as collisions -> (collisions, None)
+  let collisions = List.fold_left resolved [] (Network.colliding (model c) s) in
+  (collisions, fun ~limit -> Collision.first_time_of_contact (model c) s ~limit)
 
 (* Whether there are so few basic shapes that it pays to remember what every two processes do. *)
 let few_shapes = 32
@@ -264,10 +264,10 @@ let are_few present =
   let shapes n a = n + Array.length a.body.process.State.leaves in
   Array.length present <= few_shapes && Array.fold_left shapes 0 present <= few_shapes
 
-let meetings c present ~limit =
-  if not (in_relative_motion present) then ([], None)
+let meetings c present =
+  if not (in_relative_motion present) then ([], fun ~limit:_ -> None)
   else if are_few present then meetings_of_few c present
-  else meetings_of_many c present ~limit
+  else meetings_of_many c present
 
 let choices c source =
   let encoded (t : Transition.t) =
@@ -290,21 +290,23 @@ let steps_of d later =
   let steps later last_first = List.fold_left (fun acc m -> m.step :: acc) later last_first in
   steps (steps (steps later d.collisions) d.weak) d.strong
 
-let discrete c present ~limit =
+let discrete c present =
   let strong = Array.fold_left (fun acc (a : alone) -> List.rev_append a.strong acc) [] present in
   let weak = Array.fold_left (fun acc (a : alone) -> List.rev_append a.weak acc) [] present in
-  let collisions, contact = meetings c present ~limit in
+  let collisions, contact = meetings c present in
   ({ strong; weak; collisions }, contact)
 
 let wait present = Array.fold_left (fun d a -> least d a.nature.wait) None present
 
 (* In the order of {!Network.successors}. *)
 let by_parts c tuple present =
-  let wait = wait present in
-  let d, contact = discrete c present ~limit:wait in
+  let d, contact = discrete c present in
   let time =
-    match (d.strong, d.collisions, least wait contact) with
-    | [], [], Some delay -> [ pass c tuple present delay ]
+    match (d.strong, d.collisions) with
+    | [], [] ->
+      let wait = wait present in
+      let delay = least wait (contact ~limit:wait) in
+      Option.to_list (Option.map (pass c tuple present) delay)
     | _ -> []
   in
   steps_of d time
@@ -336,7 +338,7 @@ let reduced c tuple =
   | Some _ when (model c).steered -> None
   | Some visible -> (
       let present = present c tuple in
-      let d, _ = discrete c present ~limit:(wait present) in
+      let d, _ = discrete c present in
       match (d.strong, d.collisions) with
       | [], [] -> None
       | _ -> Option.map (fun mine -> steps_of mine []) (group_moves (model c) visible present d))

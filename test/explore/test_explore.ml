@@ -149,6 +149,10 @@ let random_by_time =
   QCheck2.Test.make ~count:5000 ~name:"also in the order of time" ~print case_gen
     (agrees ~order:By_time ~keep_edges:true)
 
+let random_by_time_anew =
+  QCheck2.Test.make ~count:5000 ~name:"in the order of time, and made anew" ~print case_gen
+    (agrees ~order:By_time ~keep_edges:false)
+
 (* In the order of time, states are opened in the order of their earliest arrivals. *)
 let in_order (toy, _, time) =
   let last = ref Rat.zero in
@@ -311,7 +315,7 @@ let () =
     [
       ( "random graphs",
         Scc_test_support.Property.cases
-          [ random; random_anew; random_by_time; ordered; turning; events; hashed ] );
+          [ random; random_anew; random_by_time; random_by_time_anew; ordered; turning; events; hashed ] );
       ( "cases",
         [
           quick "a later path that is earlier in time" relaxation;
