@@ -1,0 +1,47 @@
+open Scc_exact
+open Scc_geometry
+
+type t = {
+  solid : Solid.t;
+  turned : Quaternion.t;
+  arm : Vec.t;
+  centre : Vec.t;
+  velocity : Vec.t;
+  spin : Vec.t;
+  since : Rat.t;
+}
+
+let turns m = not (Vec.is_zero m.spin)
+let half = Rat.make Z.one (Z.of_int 2)
+
+(* C(spin (since + t)/2). *)
+let turn m t =
+  if turns m then Quaternion.cayley (Vec.scale (Rat.mul half (Rat.add m.since t)) m.spin)
+  else Quaternion.identity
+
+let rotation m t = Quaternion.mul (turn m t) m.turned
+let centre m t = Vec.axpy t m.velocity m.centre
+let reference m t = Vec.add (centre m t) (Quaternion.apply (turn m t) m.arm)
+
+let point m t p =
+  Vec.add (centre m t) (Quaternion.apply (turn m t) (Vec.add m.arm (Quaternion.apply m.turned p)))
+
+let vertices m t =
+  let reference = reference m t and rotation = rotation m t in
+  let vertex i = Vec.add reference (Quaternion.apply rotation (Solid.vertex m.solid i)) in
+  Array.init (Array.length m.solid.vertices) vertex
+
+let placed m t =
+  let rotation = rotation m t in
+  let solid =
+    if Quaternion.is_identity rotation then m.solid
+    else
+      Solid.make ~id:m.solid.id m.solid.polyhedron (Mat.mul (Quaternion.to_mat rotation) m.solid.linear)
+  in
+  (solid, reference m t)
+
+let reach2 m =
+  let add best i =
+    Rat.max best (Vec.norm2 (Vec.add m.arm (Quaternion.apply m.turned (Solid.vertex m.solid i))))
+  in
+  List.fold_left add Rat.zero (List.init (Array.length m.solid.vertices) Fun.id)
