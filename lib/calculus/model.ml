@@ -12,6 +12,15 @@ type leaf = {
   law : Law.t;
 }
 
+type dynamics = Constant_spin | Free_body
+
+type rigid = {
+  dynamics : dynamics;
+  resolution : Rat.t;
+  round_orientation : int option;
+  round_velocity : int option;
+}
+
 type t = {
   leaves : leaf array;
   definitions : Behaviour.definitions;
@@ -19,6 +28,7 @@ type t = {
   split_step : Rat.t;
   keeps_time : bool;
   steered : bool;
+  rigid : rigid option;
   obstacles : Obstacle_cache.t;
 }
 

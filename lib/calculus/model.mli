@@ -24,13 +24,28 @@ type leaf = {
   law : Law.t;
 }
 
+(** What a turning body keeps from one turn to the next (rule Turn). *)
+type dynamics =
+  | Constant_spin  (** its spin, as the paper's steps do *)
+  | Free_body  (** its angular momentum: the spin is computed anew from it *)
+
+(** The rigid calculus: bodies turn as they move, and contact is known within a resolution. *)
+type rigid = {
+  dynamics : dynamics;
+  resolution : Rat.t;  (** a positive length *)
+  round_orientation : int option;  (** orientations are rounded to quaternions of so many bits (rule Round) *)
+  round_velocity : int option;  (** velocities and spins are rounded to multiples of 2^-k *)
+}
+
 type t = {
   leaves : leaf array;
   definitions : Behaviour.definitions;
   timestep : Rat.t;  (** Delta *)
   split_step : Rat.t;
   keeps_time : bool;  (** absolute time is part of the state: a law or a property needs it *)
-  steered : bool;  (** some law is not inertial: the step is part of the state *)
+  steered : bool;
+  (** some law is not inertial, or the model is rigid: the movement step is part of the state *)
+  rigid : rigid option;  (** [None]: the translational calculus, in which nothing turns *)
   obstacles : Obstacle_cache.t;
 }
 

@@ -1,6 +1,7 @@
 open Scc_exact
+open Scc_geometry
 
-type leaf = { leaf : int; position : Vec.t; behaviour : Behaviour.aged }
+type leaf = { leaf : int; position : Vec.t; turned : Quaternion.t; behaviour : Behaviour.aged }
 type finish = { at : int; site : Site.t }
 type bond = { name : string; one : finish; two : finish }
 
@@ -15,9 +16,17 @@ let compare_bond (a : bond) (b : bond) =
 let equal_bond a b = compare_bond a b = 0
 let bond name a b = if compare_finish a b <= 0 then { name; one = a; two = b } else { name; one = b; two = a }
 
-type process = { leaves : leaf array; bonds : bond array; velocity : Vec.t; clock : Rat.t option }
+type process = {
+  leaves : leaf array;
+  bonds : bond array;
+  velocity : Vec.t;
+  spin : Vec.t;
+  since : Rat.t;
+  clock : Rat.t option;
+}
+
 type phase = Moving | Due | Steered
-type step = { remaining : Rat.t; phase : phase }
+type step = { remaining : Rat.t; length : Rat.t; phase : phase }
 type t = { processes : process array; step : step option; time : Rat.t option }
 
 let sorted compare list =
@@ -28,13 +37,18 @@ let sorted compare list =
 
 let compare_leaf_index (a : leaf) (b : leaf) = Int.compare a.leaf b.leaf
 
-let process ~leaves ~bonds ~velocity ~clock =
+let process ?(spin = Vec.zero) ?(since = Rat.zero) ~leaves ~bonds ~velocity ~clock () =
   if List.length bonds <> List.length leaves - 1 then
     Scc_base.Bug.fail __POS__ "the bonds of a process are not a tree";
-  { leaves = sorted compare_leaf_index leaves; bonds = sorted compare_bond bonds; velocity; clock }
+  {
+    leaves = sorted compare_leaf_index leaves;
+    bonds = sorted compare_bond bonds;
+    velocity; spin; since; clock;
+  }
 
 let map_leaves f p = { p with leaves = Array.map f p.leaves }
 let with_velocity velocity p = { p with velocity }
+let with_turn ~spin ~since p = { p with spin; since }
 let with_clock clock p = { p with clock }
 let first p = p.leaves.(0).leaf
 
@@ -75,7 +89,26 @@ let mass (m : Model.t) p =
 let size (m : Model.t) p =
   Array.fold_left (fun n l -> n + Array.length m.leaves.(l.leaf).parts) 0 p.leaves
 
-let part_position (m : Model.t) l part = Vec.add l.position m.leaves.(l.leaf).parts.(part).offset
+let part_position (m : Model.t) l part =
+  Vec.add l.position (Quaternion.apply l.turned m.leaves.(l.leaf).parts.(part).offset)
+
+let placed_part (m : Model.t) l part =
+  let solid = m.leaves.(l.leaf).parts.(part).solid in
+  let turned =
+    if Quaternion.is_identity l.turned then solid
+    else Solid.make ~id:solid.id solid.polyhedron (Mat.mul (Quaternion.to_mat l.turned) solid.linear)
+  in
+  (turned, part_position m l part)
+
+let centroid (m : Model.t) l =
+  Vec.add l.position (Quaternion.apply l.turned (Model.leaf_centroid m.leaves.(l.leaf)))
+
+let centre_of_mass m p =
+  match mass m p with
+  | Some total when Array.length p.leaves > 1 ->
+    let add sum l = Vec.axpy m.leaves.(l.leaf).mass (centroid m l) sum in
+    Vec.scale (Rat.div Rat.one total) (Array.fold_left add Vec.zero p.leaves)
+  | Some _ | None -> centroid m p.leaves.(0)
 
 let components leaves bonds =
   let n = Array.length leaves in
@@ -111,7 +144,8 @@ let components leaves bonds =
 
 let compare_leaf a b =
   Int.compare a.leaf b.leaf <?> fun () ->
-    Vec.compare a.position b.position <?> fun () -> Behaviour.compare_aged a.behaviour b.behaviour
+    Vec.compare a.position b.position <?> fun () ->
+      Behaviour.compare_aged a.behaviour b.behaviour <?> fun () -> Quaternion.compare a.turned b.turned
 
 let compare_arrays compare a b =
   let n = Array.length a in
@@ -123,7 +157,9 @@ let compare_process p q =
   else
     compare_arrays compare_leaf p.leaves q.leaves <?> fun () ->
       compare_arrays compare_bond p.bonds q.bonds <?> fun () ->
-        Vec.compare p.velocity q.velocity <?> fun () -> Option.compare Rat.compare p.clock q.clock
+        Vec.compare p.velocity q.velocity <?> fun () ->
+          Option.compare Rat.compare p.clock q.clock <?> fun () ->
+            Vec.compare p.spin q.spin <?> fun () -> Rat.compare p.since q.since
 
 let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
 
@@ -131,7 +167,7 @@ let equal_phase a b = Int.equal (phase_rank a) (phase_rank b)
 
 let compare_step a b =
   Rat.compare a.remaining b.remaining <?> fun () ->
-    Int.compare (phase_rank a.phase) (phase_rank b.phase)
+    Int.compare (phase_rank a.phase) (phase_rank b.phase) <?> fun () -> Rat.compare a.length b.length
 
 let compare a b =
   compare_arrays compare_process a.processes b.processes <?> fun () ->
@@ -142,7 +178,8 @@ let mix h k = (h * 1_000_003) lxor k
 let hash_option hash = function None -> 3 | Some x -> hash x
 
 let hash_leaf h l =
-  mix (mix (mix h l.leaf) (Vec.hash l.position)) (Behaviour.hash_aged l.behaviour)
+  let turned = if Quaternion.is_identity l.turned then 0 else Quaternion.hash l.turned in
+  mix (mix (mix h l.leaf) (Vec.hash l.position)) (Behaviour.hash_aged l.behaviour) lxor turned
 
 let hash_finish f = mix f.at (Site.hash f.site)
 let hash_bond (b : bond) = mix (hash_finish b.one) (hash_finish b.two)
@@ -150,7 +187,8 @@ let hash_bond (b : bond) = mix (hash_finish b.one) (hash_finish b.two)
 let hash_process_from h p =
   let h = Array.fold_left hash_leaf h p.leaves in
   let h = Array.fold_left (fun h b -> mix h (hash_bond b)) h p.bonds in
-  mix (mix h (Vec.hash p.velocity)) (hash_option Rat.hash p.clock)
+  let spin = if Vec.is_zero p.spin then 0 else mix (Vec.hash p.spin) (Rat.hash p.since) in
+  mix (mix h (Vec.hash p.velocity)) (hash_option Rat.hash p.clock) lxor spin
 
 let hash_process p = hash_process_from 7 p land max_int
 let equal_process p q = compare_process p q = 0

@@ -2,10 +2,12 @@
     canonical form, so that equality is structural congruence (rule State). *)
 
 open Scc_exact
+open Scc_geometry
 
 type leaf = {
   leaf : int;  (** index into {!Model.leaves} *)
   position : Vec.t;  (** of the leaf's reference point, in the world *)
+  turned : Quaternion.t;  (** how it has turned since it was declared; the identity where nothing turns *)
   behaviour : Behaviour.aged;
 }
 
@@ -20,7 +22,9 @@ val bond : string -> finish -> finish -> bond
 type process = private {
   leaves : leaf array;  (** in order of [leaf]; not empty *)
   bonds : bond array;  (** sorted; a tree over the leaves *)
-  velocity : Vec.t;
+  velocity : Vec.t;  (** of the centre of mass *)
+  spin : Vec.t;  (** angular velocity, radians per unit of time; zero in the translational calculus *)
+  since : Rat.t;  (** how long ago its present turn began (rule Turn); 0 where nothing turns *)
   clock : Rat.t option;
   (** time since the split clock was set (reading I-9), modulo the split step (reading I-16); [Some] iff a
       weak split is enabled *)
@@ -32,7 +36,11 @@ type phase =
   | Due  (** the step is over, and this instant has not been steered *)
   | Steered  (** this instant has been steered *)
 
-type step = { remaining : Rat.t;  (** 0 <= r <= Delta; 0 only while [Due] *) phase : phase }
+type step = {
+  remaining : Rat.t;  (** 0 <= r <= length; 0 only while [Due] *)
+  length : Rat.t;  (** of the whole step: Delta, or less in the rigid calculus (rule Turn) *)
+  phase : phase;
+}
 
 type t = private {
   processes : process array;  (** in order of their first leaves *)
@@ -40,13 +48,17 @@ type t = private {
   time : Rat.t option;  (** absolute, only when {!Model.keeps_time} *)
 }
 
-val process : leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> process
+val process :
+  ?spin:Vec.t -> ?since:Rat.t ->
+  leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> unit -> process
 (** Canonical order. The bonds must join the leaves into a tree (a bug otherwise). *)
 
 val map_leaves : (leaf -> leaf) -> process -> process
 (** The function keeps the index of each leaf. *)
 
 val with_velocity : Vec.t -> process -> process
+
+val with_turn : spin:Vec.t -> since:Rat.t -> process -> process
 val with_clock : Rat.t option -> process -> process
 val make : processes:process list -> step:step option -> time:Rat.t option -> t
 
@@ -66,6 +78,16 @@ val size : Model.t -> process -> int
 
 val part_position : Model.t -> leaf -> int -> Vec.t
 (** World position of the reference point of a part. *)
+
+val placed_part : Model.t -> leaf -> int -> Solid.t * Vec.t
+(** A part as it is turned, and the world position of its reference point. A turned solid is made anew by every call:
+    its [id] is that of the unturned one, and caches are not to see it. *)
+
+val centroid : Model.t -> leaf -> Vec.t
+(** World position of the centroid of the leaf's shape. *)
+
+val centre_of_mass : Model.t -> process -> Vec.t
+(** World position of what a process turns about; the centroid of its first leaf if it is fixed. *)
 
 val components : leaf array -> bond array -> (leaf list * bond list) list
 (** The connected components, in order of their first leaves: the pieces that remain when bonds go. *)

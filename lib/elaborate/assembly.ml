@@ -68,7 +68,7 @@ let state bodies (composition : Composition.t) joints behaviours ~steered ~keeps
   Array.iteri
     (fun i (_, (l : Bodies.leaf)) ->
        put leaves_of (Union_find.find joined i)
-         { State.leaf = i; position = l.position; behaviour = Behaviour.fresh behaviours.(i) })
+         { State.leaf = i; position = l.position; turned = Quaternion.identity; behaviour = Behaviour.fresh behaviours.(i) })
     members;
   List.iter (fun (b : State.bond) -> put bonds_of (Union_find.find joined b.one.at) b) bonds;
   let process root =
@@ -76,9 +76,9 @@ let state bodies (composition : Composition.t) joints behaviours ~steered ~keeps
     | [] -> None
     | leaves ->
       let _, (l : Bodies.leaf) = members.(root) in
-      Some (State.process ~leaves ~bonds:bonds_of.(root) ~velocity:l.velocity ~clock:None)
+      Some (State.process ~leaves ~bonds:bonds_of.(root) ~velocity:l.velocity ~clock:None ())
   in
   State.make
     ~processes:(List.filter_map process (List.init n Fun.id))
-    ~step:(if steered then Some { State.remaining = Rat.zero; phase = Due } else None)
+    ~step:(if steered then Some { State.remaining = Rat.zero; length = Rat.zero; phase = Due } else None)
     ~time:(if keeps_time then Some Rat.zero else None)

@@ -70,6 +70,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       split_step = program.split_step;
       keeps_time;
       steered;
+      rigid = None;
       obstacles = c.obstacles;
     }
   in

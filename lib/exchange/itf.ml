@@ -55,9 +55,9 @@ let step (s : State.t) =
   in
   match s.step with
   | None -> record Rat.zero "none"
-  | Some { remaining; phase = Moving } -> record remaining "moving"
-  | Some { remaining; phase = Due } -> record remaining "due"
-  | Some { remaining; phase = Steered } -> record remaining "steered"
+  | Some { remaining; phase = Moving; _ } -> record remaining "moving"
+  | Some { remaining; phase = Due; _ } -> record remaining "due"
+  | Some { remaining; phase = Steered; _ } -> record remaining "steered"
 
 let values (m : Model.t) ~action ~time (s : State.t) =
   let leaves = by_leaf s in

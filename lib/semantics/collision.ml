@@ -121,7 +121,7 @@ let bind m (s : State.t) c =
     {
       label = Transition.Bind candidate.bond;
       rules = Rule.Bind :: candidate.used;
-      results = [ Process.restart_clock m (State.process ~leaves ~bonds ~velocity ~clock:None) ];
+      results = [ Process.restart_clock m (State.process ~leaves ~bonds ~velocity ~clock:None ()) ];
     }
   in
   List.filter (fun t -> t.approaching) c.touches

@@ -83,7 +83,7 @@ let quiescent m s =
 
 let initial (m : Model.t) (declared : State.t) =
   let step =
-    if m.steered then Some { State.remaining = m.timestep; phase = State.Due } else None
+    if m.steered then Some { State.remaining = m.timestep; length = m.timestep; phase = State.Due } else None
   in
   let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
   let processes = List.map (Process.restart_clock m) (Array.to_list declared.processes) in

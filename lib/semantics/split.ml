@@ -12,7 +12,7 @@ let fall_apart m (p : State.process) ~released continuations =
   let leaves = Array.map (Process.continue continuations) p.leaves in
   State.components leaves (Array.of_list kept)
   |> List.map (fun (leaves, bonds) ->
-      Process.restart_clock m (State.process ~leaves ~bonds ~velocity:p.velocity ~clock:None))
+      Process.restart_clock m (State.process ~leaves ~bonds ~velocity:p.velocity ~clock:None ()))
 
 let weak m (p : State.process) =
   let release (b : State.bond) =

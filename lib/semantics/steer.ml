@@ -53,7 +53,7 @@ let run (m : Model.t) (s : State.t) =
   match s.step with
   | None -> Scc_base.Bug.fail __POS__ "a steered state without a movement step"
   | Some step ->
-    let dt = Rat.sub m.timestep step.remaining in
+    let dt = Rat.sub step.length step.remaining in
     let time = Option.value s.time ~default:Rat.zero in
     let add done_ p =
       let* done_ = done_ in
@@ -61,7 +61,7 @@ let run (m : Model.t) (s : State.t) =
       Ok (p :: done_)
     in
     let* processes = Array.fold_left add (Ok []) s.processes in
-    let step = Some { State.remaining = m.timestep; phase = State.Steered } in
+    let step = Some { State.remaining = m.timestep; length = m.timestep; phase = State.Steered } in
     Ok (State.make ~processes ~step ~time:s.time)
 
 let settle m (s : State.t) =

@@ -53,9 +53,9 @@ let pass_step (m : Model.t) d (step : State.step) =
   let beyond = Rat.sub d step.remaining in
   let into = if Rat.sign beyond < 0 then beyond else Rat.modulo beyond m.timestep in
   match Rat.sign into with
-  | 0 -> { State.remaining = Rat.zero; phase = State.Due }
-  | s when s < 0 -> { State.remaining = Rat.neg into; phase = State.Moving }
-  | _ -> { State.remaining = Rat.sub m.timestep into; phase = State.Moving }
+  | 0 -> { step with remaining = Rat.zero; phase = State.Due }
+  | s when s < 0 -> { step with remaining = Rat.neg into; phase = State.Moving }
+  | _ -> { step with remaining = Rat.sub m.timestep into; phase = State.Moving }
 
 let pass m d (s : State.t) =
   State.make

@@ -71,9 +71,9 @@ let nobody = 0
 
 let no_body =
   let leaf =
-    { State.leaf = 0; position = Vec.zero; behaviour = Behaviour.fresh Behaviour.nil }
+    { State.leaf = 0; position = Vec.zero; turned = Quaternion.identity; behaviour = Behaviour.fresh Behaviour.nil }
   in
-  let process = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None in
+  let process = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None () in
   { number = nobody; form = 0; place = 0; velocity = 0; process }
 
 let create ~marked ~memory model =

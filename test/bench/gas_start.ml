@@ -94,8 +94,8 @@ let network t =
       s
   in
   let place i position velocity =
-    let leaf : State.leaf = { leaf = i; position; behaviour = Behaviour.fresh Behaviour.nil } in
-    State.process ~leaves:[ leaf ] ~bonds:[] ~velocity ~clock:None
+    let leaf : State.leaf = { leaf = i; position; turned = Quaternion.identity; behaviour = Behaviour.fresh Behaviour.nil } in
+    State.process ~leaves:[ leaf ] ~bonds:[] ~velocity ~clock:None ()
   in
   let n = Array.length t.bodies in
   let of_body i b =
@@ -114,6 +114,7 @@ let network t =
       timestep = Rat.one;
       split_step = Rat.one;
       keeps_time = false;
+      rigid = None;
       steered = false;
       obstacles = Obstacle_cache.create ();
     }

@@ -21,13 +21,13 @@ let found ?(model = (accept text).model) state =
   List.map (Well_formed.to_string model state) (Well_formed.check model state)
 
 let strings = Alcotest.(list string)
-let at leaf position = { State.leaf; position; behaviour = Behaviour.fresh Behaviour.nil }
+let at leaf position = { State.leaf; position; turned = Quaternion.identity; behaviour = Behaviour.fresh Behaviour.nil }
 
 (* The declared state with its one split clock set, and its processes by a change of each. *)
 let processes () = Array.to_list (accept text).declared.processes
 
 let clocked clock (x : State.process) =
-  State.process ~leaves:(Array.to_list x.leaves) ~bonds:(Array.to_list x.bonds) ~velocity:x.velocity ~clock
+  State.process ~leaves:(Array.to_list x.leaves) ~bonds:(Array.to_list x.bonds) ~velocity:x.velocity ~clock ()
 
 let state processes = State.make ~processes ~step:None ~time:None
 
@@ -43,11 +43,11 @@ let nothing () =
 let leaves () =
   let pq, rest = sound () in
   Alcotest.(check strings) "lost" [ "`r` is in no process"; "`w` is in no process" ] (found (state [ pq ]));
-  let twice = State.process ~leaves:[ at r (Vec.of_ints 50 0 0) ] ~bonds:[] ~velocity:Vec.zero ~clock:None in
+  let twice = State.process ~leaves:[ at r (Vec.of_ints 50 0 0) ] ~bonds:[] ~velocity:Vec.zero ~clock:None () in
   Alcotest.(check strings) "twice" [ "`r` is there more than once" ] (found (state (pq :: twice :: rest)))
 
 let alone ?(velocity = Vec.zero) leaf position =
-  State.process ~leaves:[ at leaf position ] ~bonds:[] ~velocity ~clock:None
+  State.process ~leaves:[ at leaf position ] ~bonds:[] ~velocity ~clock:None ()
 
 let overlaps () =
   let pq, _ = sound () in
@@ -72,7 +72,7 @@ let bonds () =
   let _, rest = sound () in
   let joined position bond =
     state (State.process ~leaves:[ at p Vec.zero; at q position ] ~bonds:[ bond ] ~velocity:Vec.zero
-             ~clock:None :: rest)
+             ~clock:None () :: rest)
   in
   let beside = Vec.of_ints 2 0 0 in
   Alcotest.(check strings) "sound" [] (found (joined beside (bond (face 3) (face 2))));
@@ -90,7 +90,7 @@ let trees () =
   let walls = List.filter (fun (x : State.process) -> x.leaves.(0).leaf = w) rest in
   let twice = bond (face 3) (face 2) in
   let leaves = [ at p Vec.zero; at q (Vec.of_ints 2 0 0); at r (Vec.of_ints 0 9 0) ] in
-  let cyclic = State.process ~leaves ~bonds:[ twice; twice ] ~velocity:Vec.zero ~clock:None in
+  let cyclic = State.process ~leaves ~bonds:[ twice; twice ] ~velocity:Vec.zero ~clock:None () in
   Alcotest.(check strings) "a cycle and a piece apart" [ "the bonds of the process of `p` are not a tree" ]
     (found (state (cyclic :: walls)))
 
@@ -111,7 +111,7 @@ let steps () =
   let with_step step time =
     found ~model:t.model (State.make ~processes:(Array.to_list t.declared.processes) ~step ~time)
   in
-  let step remaining phase = Some { State.remaining; phase } in
+  let step remaining phase = Some { State.remaining; length = Rat.one; phase } in
   let half = Rat.make Z.one (Z.of_int 2) in
   let bad = [ "the movement step is wrong" ] in
   Alcotest.(check strings) "sound" [] (with_step (step half State.Steered) (Some Rat.zero));

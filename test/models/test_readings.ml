@@ -128,7 +128,7 @@ let recognised () =
   Alcotest.(check bool) "another place, another state" false (State.equal s moved);
   let p = s.processes.(0) in
   let slower =
-    State.process ~leaves:(Array.to_list p.leaves) ~bonds:[] ~velocity:Vec.zero ~clock:None
+    State.process ~leaves:(Array.to_list p.leaves) ~bonds:[] ~velocity:Vec.zero ~clock:None ()
   in
   let s' =
     State.make ~processes:[ s.processes.(1); slower ] ~step:s.step ~time:s.time

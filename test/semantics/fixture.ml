@@ -62,17 +62,18 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
     timestep;
     split_step;
     keeps_time = false;
+    rigid = None;
     steered = List.exists (fun b -> not (inertial b.law)) bodies;
     obstacles = Obstacle_cache.create ();
   }
 
 let leaf i b : State.leaf =
-  { leaf = i; position = vec b.at; behaviour = Behaviour.fresh b.behaviour }
+  { leaf = i; position = vec b.at; turned = Quaternion.identity; behaviour = Behaviour.fresh b.behaviour }
 
 (* One process for each body. *)
 let declared bodies =
   let process i b =
-    State.process ~leaves:[ leaf i b ] ~bonds:[] ~velocity:(vec b.velocity) ~clock:None
+    State.process ~leaves:[ leaf i b ] ~bonds:[] ~velocity:(vec b.velocity) ~clock:None ()
   in
   State.make ~processes:(List.mapi process bodies) ~step:None ~time:None
 
@@ -82,7 +83,7 @@ let joined ?(velocity = (0, 0, 0)) bodies bonds =
   let bonds = List.map (fun (name, one, two) -> State.bond name (finish one) (finish two)) bonds in
   let leaves = List.mapi leaf bodies in
   State.make
-    ~processes:[ State.process ~leaves ~bonds ~velocity:(vec velocity) ~clock:None ]
+    ~processes:[ State.process ~leaves ~bonds ~velocity:(vec velocity) ~clock:None () ]
     ~step:None ~time:None
 
 let ok = function Ok x -> x | Error _ -> Alcotest.fail "a law of motion could not be evaluated"

@@ -115,13 +115,14 @@ let boxed ?(keeps_time = false) velocities =
       timestep = Rat.one;
       split_step = Rat.one;
       keeps_time;
+      rigid = None;
       steered = false;
       obstacles = Obstacle_cache.create ();
     }
   in
   let process i (_, position, velocity) =
     let behaviour = Behaviour.fresh Behaviour.nil in
-    State.process ~leaves:[ { State.leaf = i; position; behaviour } ] ~bonds:[] ~velocity ~clock:None
+    State.process ~leaves:[ { State.leaf = i; position; turned = Quaternion.identity; behaviour } ] ~bonds:[] ~velocity ~clock:None ()
   in
   (m, Reach.initial m (State.make ~processes:(List.mapi process all) ~step:None ~time:None))
 
@@ -181,8 +182,8 @@ let splits_of_the_bound () =
     match List.mapi leaf bodies with [ p; q; r ] -> (p, q, r) | _ -> Alcotest.fail "three bodies"
   in
   let bond = State.bond "a" { at = 1; site = site "right" } { at = 2; site = site "left" } in
-  let alone = State.process ~leaves:[ p ] ~bonds:[] ~velocity:(vec (1, 0, 0)) ~clock:None in
-  let pair = State.process ~leaves:[ q; r ] ~bonds:[ bond ] ~velocity:Vec.zero ~clock:None in
+  let alone = State.process ~leaves:[ p ] ~bonds:[] ~velocity:(vec (1, 0, 0)) ~clock:None () in
+  let pair = State.process ~leaves:[ q; r ] ~bonds:[ bond ] ~velocity:Vec.zero ~clock:None () in
   let s = start m (State.make ~processes:[ alone; pair ] ~step:None ~time:None) in
   check_labels "a choice" [ "weak(a, q.right, r.left)"; "bind(b, p.right, q.left)" ] m s;
   let agree choices = Alcotest.(check bool) "as the transition relation" true (follow m s choices ~looks:always) in
@@ -205,8 +206,8 @@ let split_clock_of_the_fixed () =
     match List.mapi leaf bodies with [ p; q; r ] -> (p, q, r) | _ -> Alcotest.fail "three bodies"
   in
   let bond = State.bond "a" { at = 1; site = site "right" } { at = 2; site = site "left" } in
-  let alone = State.process ~leaves:[ p ] ~bonds:[] ~velocity:(vec (3, 0, 0)) ~clock:None in
-  let pair = State.process ~leaves:[ q; r ] ~bonds:[ bond ] ~velocity:Vec.zero ~clock:None in
+  let alone = State.process ~leaves:[ p ] ~bonds:[] ~velocity:(vec (3, 0, 0)) ~clock:None () in
+  let pair = State.process ~leaves:[ q; r ] ~bonds:[ bond ] ~velocity:Vec.zero ~clock:None () in
   let s = start m (State.make ~processes:[ alone; pair ] ~step:None ~time:None) in
   let wait = List.init 8 (fun _ -> 1) in
   Alcotest.(check bool) "as the transition relation" true (follow m s wait ~looks:always)

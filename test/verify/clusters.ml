@@ -25,14 +25,14 @@ let process_of_dimer ~first k d =
   let face k : Site.t = { part = 0; feature = Scc_geometry.Feature.Face k } in
   let leaf i behaviour : State.leaf =
     let behaviour = Behaviour.fresh (Behaviour.call behaviour) in
-    { leaf = first + i; position = Vec.of_ints (d.x + (2 * i)) (14 + (6 * k)) 0; behaviour }
+    { leaf = first + i; position = Vec.of_ints (d.x + (2 * i)) (14 + (6 * k)) 0; turned = Quaternion.identity; behaviour }
   in
   let bond = State.bond "a" { at = first; site = face 3 } { at = first + 1; site = face 2 } in
   State.process
     ~leaves:[ leaf 0 (fst d.behaviours); leaf 1 (snd d.behaviours) ]
     ~bonds:[ bond ]
     ~velocity:(Vec.make Rat.zero (rational d.speed 2) Rat.zero)
-    ~clock:None
+    ~clock:None ()
 
 (* Puts networks side by side, [apart] from each other along x, with one numbering of leaves. *)
 let assemble c =
@@ -45,11 +45,11 @@ let assemble c =
       let move (l : State.leaf) =
         let pulses = c.pulses && k > 0 && l.leaf mod 2 = 0 in
         let behaviour = if pulses then Behaviour.fresh (Behaviour.call 9) else l.behaviour in
-        { State.leaf = before + l.leaf; position = Vec.add shift l.position; behaviour }
+        { State.leaf = before + l.leaf; position = Vec.add shift l.position; turned = Quaternion.identity; behaviour }
       in
       State.process
         ~leaves:(List.map move (Array.to_list p.leaves))
-        ~bonds:[] ~velocity:p.velocity ~clock:None
+        ~bonds:[] ~velocity:p.velocity ~clock:None ()
     in
     let declared = Array.to_list (Random_network.declared network).processes in
     (k + 1, leaves @ List.map named (Array.to_list m.leaves), processes @ List.map moved declared)

@@ -103,6 +103,7 @@ let model bodies : Model.t =
     timestep = rational 1 2;
     split_step = rational 1 2;
     keeps_time = false;
+    rigid = None;
     steered = List.exists (fun b -> b.falls) bodies;
     obstacles = Obstacle_cache.create ();
   }
@@ -122,8 +123,8 @@ let velocity b =
 let declared bodies =
   let process i b =
     let behaviour = Behaviour.fresh (behaviour b.behaviour) in
-    let leaf : State.leaf = { leaf = i; position = position b; behaviour } in
-    State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:(velocity b) ~clock:None
+    let leaf : State.leaf = { leaf = i; position = position b; turned = Quaternion.identity; behaviour } in
+    State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:(velocity b) ~clock:None ()
   in
   State.make ~processes:(List.mapi process bodies) ~step:None ~time:None
 

@@ -20,7 +20,7 @@ let move ~position ~velocity =
       let leaf (l : State.leaf) = { l with position = position l.position } in
       State.process
         ~leaves:(List.map leaf (Array.to_list p.leaves))
-        ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~clock:p.clock)
+        ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~clock:p.clock ())
 
 let translation by =
   {
@@ -79,7 +79,7 @@ let permutation perm =
     State.process
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(List.map bond (Array.to_list p.bonds))
-      ~velocity:p.velocity ~clock:p.clock
+      ~velocity:p.velocity ~clock:p.clock ()
   in
   let name =
     "order " ^ String.concat ", " (List.map string_of_int (Array.to_list perm))
