@@ -19,3 +19,9 @@ val touching : Obstacle.t -> Vec.t -> pair list
 val highest : Obstacle.t -> Vec.t -> pair
 (** Rule Highest: the one pair that has the whole relative interior of the contact region in the relative
     interiors of both its features. *)
+
+(** {1 Of flat features} *)
+
+val pairs : (Feature.t * Flat.shape) list -> (Feature.t * Flat.shape) list -> pair list
+(** All pairs of a feature of A and one of B whose relative interiors intersect, given as shapes of one plane.
+    Sorted. *)

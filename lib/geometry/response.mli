@@ -8,6 +8,10 @@ type touching = {
   offset : Vec.t;  (** from the part of the first to that of the second *)
 }
 
+val kept : (Ivec.t list * bool) list -> Ivec.t list list
+(** Reading I-13. Given for each touching pair of parts the extreme directions that separate it, and whether it
+    approaches: those of its directions that count, none if it does not approach. *)
+
 val directions : touching list -> Vec.t -> Vec.t list
 (** [directions touching w]: the directions (from the first body to the second) that span the cone of the
     collision, given all touching pairs of parts of the two bodies and the velocity [w] of the second less

@@ -13,6 +13,7 @@ type t = {
   shadow : Shadow.t;
   centroid : Vec.t;
   volume : Rat.t;
+  inertia : Mat.t;
   box : Float_box.t;
 }
 
@@ -47,7 +48,15 @@ let make ~id (polyhedron : Polyhedron.t) linear =
     shadow = Shadow.make vertices denominator ~centroid:mass.centroid ~normals ~corners;
     centroid = mass.centroid;
     volume = mass.volume;
+    inertia = mass.inertia;
     box = Float_box.of_corners low high;
   }
 
 let vertex s i = position s.denominator s.vertices.(i)
+
+let corners s = function
+  | Feature.Vertex i -> [ i ]
+  | Feature.Edge i ->
+    let v, w = s.polyhedron.edges.(i) in
+    [ v; w ]
+  | Feature.Face i -> Array.to_list (snd s.polyhedron.faces.(i))

@@ -16,6 +16,7 @@ type t = private {
   shadow : Shadow.t;  (** the vertices as floats *)
   centroid : Vec.t;  (** of the uniform solid, about the same point *)
   volume : Rat.t;
+  inertia : Mat.t;  (** about the centroid, along the axes of the solid, for unit density (rule Mass) *)
   box : Float_box.t;  (** about the reference point *)
 }
 
@@ -24,3 +25,6 @@ val make : id:int -> Polyhedron.t -> Mat.t -> t
 
 val vertex : t -> int -> Vec.t
 (** The rational position of a vertex about the reference point. *)
+
+val corners : t -> Feature.t -> int list
+(** The vertices of a feature; those of a face in its order. *)
