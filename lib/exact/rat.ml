@@ -111,3 +111,14 @@ let of_literal s =
     | '-' -> Result.map Q.neg (unsigned (tail ()))
     | '+' -> unsigned (tail ())
     | _ -> unsigned s
+
+(* Scaled by 4^e, the number lies between 2^16 and 2^20, so that its root is at least 2^8. *)
+let sqrt_above q =
+  if Q.sign q = 0 then Q.zero
+  else
+    let e = (18 - (Z.numbits (Q.num q) - Z.numbits (Q.den q))) asr 1 in
+    let num, den =
+      if e >= 0 then (Z.shift_left (Q.num q) (2 * e), Q.den q) else (Q.num q, Z.shift_left (Q.den q) (-2 * e))
+    in
+    let root = Z.succ (Z.sqrt (Z.cdiv num den)) in
+    if e >= 0 then Q.make root (Z.shift_left Z.one e) else Q.of_bigint (Z.shift_left root (-e))

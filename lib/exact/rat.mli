@@ -58,3 +58,6 @@ type literal_error = Malformed | Too_large | Zero_denominator
 val of_literal : string -> (t, literal_error) result
 (** Reads ["3"], ["0.125"], ["1e-3"], ["-1/4"], ["+2"]: exact. [Too_large] is found before the number is
     built. *)
+
+val sqrt_above : t -> t
+(** A short number that is at least the square root of a number >= 0, by at most 1 part in 128. *)
