@@ -14,6 +14,7 @@ type t = {
   centroid : Vec.t;
   volume : Rat.t;
   inertia : Mat.t;
+  radius : Rat.t;
   box : Float_box.t;
 }
 
@@ -23,6 +24,10 @@ let position denominator (v : Ivec.t) =
 let bound choose (vertices : Ivec.t array) =
   let merge (a : Ivec.t) (b : Ivec.t) = Ivec.make (choose a.x b.x) (choose a.y b.y) (choose a.z b.z) in
   Array.fold_left merge vertices.(0) vertices
+
+let radius vertices denominator centroid =
+  let far best v = Rat.max best (Vec.norm2 (Vec.sub (position denominator v) centroid)) in
+  Rat.sqrt_above (Array.fold_left far Rat.zero vertices)
 
 let make ~id (polyhedron : Polyhedron.t) linear =
   if Rat.sign (Mat.det linear) <= 0 then Bug.fail __POS__ "a solid through a singular map or a reflection";
@@ -49,6 +54,7 @@ let make ~id (polyhedron : Polyhedron.t) linear =
     centroid = mass.centroid;
     volume = mass.volume;
     inertia = mass.inertia;
+    radius = radius vertices denominator mass.centroid;
     box = Float_box.of_corners low high;
   }
 

@@ -17,6 +17,7 @@ type t = private {
   centroid : Vec.t;  (** of the uniform solid, about the same point *)
   volume : Rat.t;
   inertia : Mat.t;  (** about the centroid, along the axes of the solid, for unit density (rule Mass) *)
+  radius : Rat.t;  (** no vertex is farther from the centroid; a short number *)
   box : Float_box.t;  (** about the reference point *)
 }
 
