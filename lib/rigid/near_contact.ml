@@ -1,0 +1,128 @@
+open Scc_exact
+open Scc_geometry
+
+type t = {
+  gap : Vec.t;
+  normals : Ivec.t list;
+  corners : Vec.t list;
+  pairs : Contact.pair list;
+  highest : Contact.pair;
+  plane : Ivec.t * Rat.t;
+}
+
+let in_resolution ~resolution d = Rat.compare (Vec.norm2 d) (Rat.mul resolution resolution) <= 0
+
+let within ~resolution p q =
+  in_resolution ~resolution (Closest.vector (Array.of_list p) (Array.of_list q))
+
+(* {1 Solids that touch} *)
+
+let touching (a : Placed.t) (b : Placed.t) =
+  let o = Obstacle.make (Placed.fixed_solid a) (Placed.fixed_solid b) in
+  let r = Vec.sub b.at a.at in
+  match Obstacle.relation o r with
+  | Apart | Interpenetrating -> Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
+  | Touching ->
+    let normals = Obstacle.separating o r in
+    let corners = List.map (Vec.add a.at) (Contact.region o r) in
+    let n = Ivec.primitive (List.fold_left Ivec.add Ivec.zero normals) in
+    {
+      gap = Vec.zero;
+      normals;
+      corners;
+      pairs = Contact.touching o r;
+      highest = Contact.highest o r;
+      plane = (n, Vec.dot (Ivec.to_vec n) (List.hd corners));
+    }
+
+(* {1 Solids that are apart} *)
+
+(* The feature that has these vertices, or the smallest one that holds them all. *)
+let holding (s : Solid.t) = function
+  | [] -> None
+  | [ v ] -> Some (Feature.Vertex v)
+  | v :: w :: rest as vs -> (
+      match (rest, Topology.edge_between s.topology v w) with
+      | [], Some e -> Some (Feature.Edge e)
+      | _ ->
+        let has (_, corners) = List.for_all (fun v -> Array.exists (Int.equal v) corners) vs in
+        let faces = s.polyhedron.faces in
+        List.find_opt (fun f -> has faces.(f)) (List.init (Array.length faces) Fun.id)
+        |> Option.map (fun f -> Feature.Face f))
+
+(* Distances from the plane through [middle] along n, times |n|. *)
+let contact_feature ~resolution (s : Solid.t) n middle vertices =
+  let distances = Array.map (fun v -> Rat.abs (Rat.sub (Vec.dot n v) middle)) vertices in
+  let those keep =
+    List.filter (fun i -> keep distances.(i)) (List.init (Array.length vertices) Fun.id)
+  in
+  let bound = Rat.mul (Rat.mul resolution resolution) (Vec.norm2 n) in
+  match holding s (those (fun d -> Rat.compare (Rat.mul d d) bound <= 0)) with
+  | Some f -> f
+  | None -> (
+      let least = Array.fold_left Rat.min distances.(0) distances in
+      match holding s (those (fun d -> Rat.equal d least)) with
+      | Some f -> f
+      | None -> Scc_base.Bug.fail __POS__ "a supporting plane holds no feature")
+
+(* Two vectors of the plane across n, orthogonal, right-handed with n. *)
+let axes (n : Ivec.t) =
+  let other = if Z.sign n.x = 0 && Z.sign n.y = 0 then Ivec.of_ints 1 0 0 else Ivec.of_ints 0 0 1 in
+  let u = Ivec.primitive (Ivec.cross other n) in
+  (u, Ivec.primitive (Ivec.cross n u))
+
+(* The product with u and v takes space to the plane; what is left out is the part along n. *)
+let project u v (p : Ivec.t) = { Flat.x = Ivec.dot u p; y = Ivec.dot v p }
+
+(* The point of the plane n.x = height with given products with u and v, over [denominator]. *)
+let lift (n, height) u v denominator (p : Flat.point) =
+  let along axis amount = Vec.scale (Rat.div amount (Vec.norm2 axis)) axis in
+  let over c = Rat.make c denominator in
+  Vec.add (along n height) (Vec.add (along (Ivec.to_vec u) (over p.x)) (along (Ivec.to_vec v) (over p.y)))
+
+let shapes (s : Solid.t) points f =
+  let shape f = Flat.hull (List.map (Array.get points) (Solid.corners s f)) in
+  List.map (fun f -> (f, shape f)) (Polyhedron.closure s.polyhedron [ f ])
+
+(* The pair whose relative interiors hold that of the region is the one whose intersection has its dimension (reading
+   I-4). A face may be seen edge-on when the resolution is coarse; of several pairs, the last is taken then. *)
+let highest_of pairs =
+  let higher best (p : Contact.pair) =
+    match best with
+    | Some (b : Contact.pair) when b.dimension > p.dimension -> best
+    | Some _ | None -> Some p
+  in
+  match List.fold_left higher None pairs with
+  | Some p -> p
+  | None -> Scc_base.Bug.fail __POS__ "the projections of two contact features do not meet"
+
+let apart ~resolution (a : Placed.t) va (b : Placed.t) vb gap =
+  let normal = Ivec.primitive (fst (Ivec.of_vec gap)) in
+  let n = Ivec.to_vec normal in
+  let extreme choose points =
+    Array.fold_left (fun m p -> choose m (Vec.dot n p)) (Vec.dot n points.(0)) points
+  in
+  let height = Rat.div (Rat.add (extreme Rat.max va) (extreme Rat.min vb)) (Rat.of_int 2) in
+  let fa = contact_feature ~resolution a.solid n height va in
+  let fb = contact_feature ~resolution b.solid n height vb in
+  let u, v = axes normal in
+  let points, denominator = Ivec.of_vecs (Array.append va vb) in
+  let flat = Array.map (project u v) points in
+  let k = Array.length va in
+  let of_a = shapes a.solid (Array.sub flat 0 k) fa in
+  let of_b = shapes b.solid (Array.sub flat k (Array.length vb)) fb in
+  let pairs = Contact.pairs of_a of_b in
+  let highest = highest_of pairs in
+  let side f shapes =
+    let _, shape = List.find (fun (g, _) -> Feature.equal f g) shapes in
+    (shape, List.map (lift (n, height) u v denominator) (Flat.corners shape))
+  in
+  let corners = Flat.region ~normal:n (side highest.first of_a) (side highest.second of_b) in
+  { gap; normals = [ normal ]; corners; pairs; highest; plane = (normal, height) }
+
+let find ~resolution a b =
+  let va = Placed.vertices a and vb = Placed.vertices b in
+  let gap = Closest.vector va vb in
+  if Vec.is_zero gap then Some (touching a b)
+  else if in_resolution ~resolution gap then Some (apart ~resolution a va b vb gap)
+  else None
