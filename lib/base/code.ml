@@ -22,6 +22,7 @@ let unknown_parameter = "SC0209"
 let wrong_kind = "SC0210"
 let unused = "SC0211"
 let repeated_attribute = "SC0212"
+let no_effect = "SC0213"
 let no_solid = "SC0301"
 let open_solid = "SC0302"
 let overused_edge = "SC0303"
@@ -57,7 +58,6 @@ let bad_schedule = "SC0801"
 let schedule_mismatch = "SC0802"
 let bad_graph = "SC0803"
 let not_yet = "SC0901"
-let spin_not_yet = "SC0902"
 
 let all =
   [
@@ -83,6 +83,7 @@ let all =
     (wrong_kind, "a name that stands for something else than is needed here");
     (unused, "a declaration that nothing uses");
     (repeated_attribute, "an attribute or setting given twice");
+    (no_effect, "a setting that has no effect");
     (no_solid, "a set of faces that encloses no solid (E0)");
     (open_solid, "an edge that belongs to one face only (E2)");
     (overused_edge, "a directed edge that occurs in two faces (E1)");
@@ -118,5 +119,4 @@ let all =
     (schedule_mismatch, "a choice that is not possible where it is made");
     (bad_graph, "a graph (.aut) that does not fit its format");
     (not_yet, "a feature of the language that this version does not execute");
-    (spin_not_yet, "angular velocity, which this version does not execute");
   ]

@@ -76,6 +76,9 @@ val unused : t
 val repeated_attribute : t
 (** SC0212: an attribute or setting given twice. *)
 
+val no_effect : t
+(** SC0213: a setting that has no effect (a warning). *)
+
 
 (** {1 Templates (Definitions 4.1 to 4.4)} *)
 
@@ -202,5 +205,3 @@ val bad_graph : t
 val not_yet : t
 (** SC0901: a feature of the language that this version does not execute. *)
 
-val spin_not_yet : t
-(** SC0902: angular velocity, which this version does not execute. *)

@@ -56,8 +56,12 @@ let bond (composition : Composition.t) (j : Joints.t) =
   let finish (i, site) = { State.at = composition.index.(i); site } in
   State.bond j.name (finish j.one) (finish j.two)
 
-(* The processes are the connected components of the bonds. *)
-let state bodies (composition : Composition.t) joints behaviours ~steered ~keeps_time =
+let spins bodies composition =
+  List.exists (fun (_, (l : Bodies.leaf)) -> not (Vec.is_zero l.spin)) (numbered bodies composition)
+
+(* The processes are the connected components of the bonds. The velocity of a leaf is that of its own centroid,
+   and of a process that of its centre of mass. *)
+let state bodies (composition : Composition.t) joints behaviours (model : Model.t) =
   let members = Array.of_list (numbered bodies composition) in
   let n = Array.length members in
   let joined = Union_find.create n in
@@ -68,17 +72,28 @@ let state bodies (composition : Composition.t) joints behaviours ~steered ~keeps
   Array.iteri
     (fun i (_, (l : Bodies.leaf)) ->
        put leaves_of (Union_find.find joined i)
-         { State.leaf = i; position = l.position; turned = Quaternion.identity; behaviour = Behaviour.fresh behaviours.(i) })
+         {
+           State.leaf = i;
+           position = l.position;
+           turned = Quaternion.identity;
+           behaviour = Behaviour.fresh behaviours.(i);
+         })
     members;
   List.iter (fun (b : State.bond) -> put bonds_of (Union_find.find joined b.one.at) b) bonds;
+  let turning p (l : Bodies.leaf) =
+    let arm = Vec.sub (State.centre_of_mass model p) (Bodies.centroid l) in
+    State.with_turn ~spin:l.spin ~since:Rat.zero p
+    |> State.with_velocity (Vec.add l.velocity (Vec.cross l.spin arm))
+  in
   let process root =
     match leaves_of.(root) with
     | [] -> None
     | leaves ->
       let _, (l : Bodies.leaf) = members.(root) in
-      Some (State.process ~leaves ~bonds:bonds_of.(root) ~velocity:l.velocity ~clock:None ())
+      let still = State.process ~leaves ~bonds:bonds_of.(root) ~velocity:l.velocity ~clock:None () in
+      Some (if Vec.is_zero l.spin then still else turning still l)
   in
   State.make
     ~processes:(List.filter_map process (List.init n Fun.id))
-    ~step:(if steered then Some { State.remaining = Rat.zero; length = Rat.zero; phase = Due } else None)
-    ~time:(if keeps_time then Some Rat.zero else None)
+    ~step:(if model.steered then Some { State.remaining = Rat.zero; length = Rat.zero; phase = Due } else None)
+    ~time:(if model.keeps_time then Some Rat.zero else None)

@@ -8,13 +8,9 @@ val check_overlaps : Context.t -> Bodies.t -> Composition.t -> unit
 val leaves : Bodies.t -> Composition.t -> Model.leaf array
 (** No body of the network has faults (a bug otherwise). *)
 
-val state :
-  Bodies.t ->
-  Composition.t ->
-  Joints.t list ->
-  Behaviour.t array ->
-  steered:bool ->
-  keeps_time:bool ->
-  State.t
+val spins : Bodies.t -> Composition.t -> bool
+(** Some body of the network does. *)
+
+val state : Bodies.t -> Composition.t -> Joints.t list -> Behaviour.t array -> Model.t -> State.t
 (** The behaviours are by index in the model. No split clock is set yet; a steered network is due to be
     steered. *)

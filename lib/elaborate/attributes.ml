@@ -5,7 +5,7 @@ open Scc_syntax
 type t = {
   mass : (Rat.t * Span.t) option;
   velocity : (Vec.t * Span.t) option;
-  spin : Span.t option;
+  spin : (Vec.t * Span.t) option;
   at : Affine.t;
   complete : bool;
 }
@@ -31,12 +31,6 @@ let once report attributes =
   in
   List.rev (List.fold_left keep [] attributes)
 
-let check_spin report (at : Span.t) spin =
-  if not (Vec.is_zero spin) then
-    Report.error report Code.spin_not_yet at
-      "angular velocity is not supported yet: a spin other than (0, 0, 0) cannot be run"
-      ~hint:"this version executes the translational calculus; leave `spin` out or set it to (0, 0, 0)"
-
 let add report env t (a : Ast.attribute) =
   let incomplete = { t with complete = false } in
   match a.it with
@@ -50,10 +44,8 @@ let add report env t (a : Ast.attribute) =
       | None -> { incomplete with velocity = Some (Vec.zero, a.at) })
   | Spin v -> (
       match Constant.vector report env v with
-      | Some v ->
-        check_spin report a.at v;
-        { t with spin = Some a.at }
-      | None -> incomplete)
+      | Some v -> { t with spin = Some (v, a.at) }
+      | None -> { incomplete with spin = Some (Vec.zero, a.at) })
   | At ts -> (
       match Constant.transform report env ts with
       | Some at -> { t with at }
@@ -61,7 +53,9 @@ let add report env t (a : Ast.attribute) =
 
 let read report env attributes = List.fold_left (add report env) none (once report attributes)
 
-let velocity t =
-  match t.velocity with
+let vector = function
   | Some (v, _) -> v
   | None -> Vec.zero
+
+let velocity t = vector t.velocity
+let spin t = vector t.spin

@@ -7,13 +7,16 @@ open Scc_syntax
 type t = {
   mass : (Rat.t * Span.t) option;  (** positive *)
   velocity : (Vec.t * Span.t) option;
-  spin : Span.t option;  (** given; it is zero, or was reported *)
+  spin : (Vec.t * Span.t) option;
   at : Affine.t;  (** the identity when not given *)
   complete : bool;  (** whether all that was written could be read *)
 }
 
 val read : Report.t -> Env.t -> Ast.attribute list -> t
-(** Each at most once (SC0212); a spin that is not zero is SC0902. *)
+(** Each at most once (SC0212). *)
 
 val velocity : t -> Vec.t
+(** Zero when not given. *)
+
+val spin : t -> Vec.t
 (** Zero when not given. *)

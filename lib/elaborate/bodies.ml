@@ -12,6 +12,7 @@ type leaf = {
   fixed : bool;
   position : Vec.t;
   velocity : Vec.t;
+  spin : Vec.t;
   behaviour : (Env.t * Ast.behaviour) option;
   span : Span.t;
 }
@@ -38,7 +39,7 @@ let check_fixed report (a : Attributes.t) =
   in
   refuse "mass" (Option.map snd a.mass);
   refuse "velocity" (Option.map snd a.velocity);
-  refuse "spin" a.spin
+  refuse "spin" (Option.map snd a.spin)
 
 let basic_mass report name (at : Span.t) (a : Attributes.t) =
   match a.mass with
@@ -75,9 +76,13 @@ let compound_parts (c : Context.t) name (a : Attributes.t) (compound : Shape.com
   Array.map place compound.parts
 
 let check_fixed_compound report at (compound : Shape.compound) =
-  if not (Vec.is_zero compound.velocity) then
-    Report.error report Code.fixed_motion at "the parts of `%s` have a velocity, and a fixed body never moves"
-      compound.clabel
+  let refuse what v =
+    if not (Vec.is_zero v) then
+      Report.error report Code.fixed_motion at "the parts of `%s` have a %s, and a fixed body never moves"
+        compound.clabel what
+  in
+  refuse "velocity" compound.velocity;
+  refuse "spin" compound.spin
 
 let parts (c : Context.t) ~fixed name at (a : Attributes.t) shape =
   if fixed then check_fixed c.report a;
@@ -88,12 +93,15 @@ let parts (c : Context.t) ~fixed name at (a : Attributes.t) shape =
     else check_compound_mass c.report compound a;
     Some (compound_parts c name a compound)
 
-let velocity ~fixed (a : Attributes.t) (shape : Shape.t) =
-  match (a.velocity, shape) with
-  | _ when fixed -> Vec.zero
-  | Some (v, _), _ -> v
-  | None, Compound compound -> compound.velocity
-  | None, Basic _ -> Vec.zero
+(* What the body gives, else what the parts of its compound do, in the world. *)
+let own_motion ~fixed (a : Attributes.t) (shape : Shape.t) =
+  let velocity, spin =
+    match shape with
+    | Compound compound -> (compound.velocity, compound.spin)
+    | Basic _ -> (Vec.zero, Vec.zero)
+  in
+  let given attribute default = Option.fold ~none:default ~some:fst attribute in
+  if fixed then (Vec.zero, Vec.zero) else (given a.velocity velocity, given a.spin spin)
 
 let leaf (c : Context.t) (body : Program.body) ~process ~name (at : Span.t) (l : Ast.leaf) =
   let shape = Templates.shape c body.env ~label:name l.solid in
@@ -102,6 +110,7 @@ let leaf (c : Context.t) (body : Program.body) ~process ~name (at : Span.t) (l :
   let* parts = parts c ~fixed:body.fixed name at a shape in
   if not a.complete then None
   else
+    let velocity, spin = own_motion ~fixed:body.fixed a shape in
     Some
       {
         name;
@@ -111,10 +120,17 @@ let leaf (c : Context.t) (body : Program.body) ~process ~name (at : Span.t) (l :
         mass = Array.fold_left (fun sum (p : Model.part) -> Rat.add sum p.mass) Rat.zero parts;
         fixed = body.fixed;
         position = a.at.translation;
-        velocity = velocity ~fixed:body.fixed a shape;
+        velocity;
+        spin;
         behaviour = Option.map (fun b -> (body.env, b)) l.behaviour;
         span = at;
       }
+
+let centroid (l : leaf) =
+  let shape : Model.leaf =
+    { name = l.name; template = ""; parts = l.parts; fixed = l.fixed; mass = l.mass; law = Inertial }
+  in
+  Vec.add l.position (Model.leaf_centroid shape)
 
 (* What is read so far; numbers are given in the order of declaration. *)
 type reading = {

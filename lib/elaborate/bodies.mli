@@ -13,7 +13,8 @@ type leaf = {
   mass : Rat.t;
   fixed : bool;
   position : Vec.t;
-  velocity : Vec.t;
+  velocity : Vec.t;  (** of its own centroid *)
+  spin : Vec.t;
   behaviour : (Env.t * Ast.behaviour) option;
   span : Span.t;
 }
@@ -31,5 +32,8 @@ type t = {
   processes : process array;
   registry : Registry.t;
 }
+
+val centroid : leaf -> Vec.t
+(** In the world. *)
 
 val read : Context.t -> Program.body list -> t

@@ -37,21 +37,47 @@ let check_names (c : Context.t) (parts : Ast.part list) =
   in
   List.for_all Fun.id (Long_list.map fresh parts)
 
-(* Without spin, the parts of one rigid body have one velocity (Definition 4.5). *)
-let check_velocities (c : Context.t) (name : Ast.name) drafts =
+let centroid d = Vec.add d.part.placement.translation d.part.solid.centroid
+
+let mismatch (c : Context.t) (name : Ast.name) given first d what of_one of_other explanation =
+  let place d = match given d.motion with Some (_, at) -> at | None -> d.part.span in
+  Report.error c.report Code.velocity_mismatch (place d)
+    "the parts `%s` and `%s` of `%s` have the %s %s and %s, and %s"
+    first.part.name d.part.name name.it what (Vec.to_string of_one) (Vec.to_string of_other) explanation
+    ~notes:[ (place first, Printf.sprintf "the %s of `%s` is here" what first.part.name) ]
+
+(* The parts of one rigid body have one spin, and the velocities of their centroids differ by what it gives
+   (Definition 4.5). *)
+let check_motion (c : Context.t) (name : Ast.name) drafts =
   let first = drafts.(0) in
-  let v = Attributes.velocity first.motion in
-  let differs d = not (Vec.equal v (Attributes.velocity d.motion)) in
-  match List.find_opt differs (Array.to_list drafts) with
-  | None -> true
-  | Some d ->
-    let place d = match d.motion.velocity with Some (_, at) -> at | None -> d.part.span in
-    Report.error c.report Code.velocity_mismatch (place d)
-      "the parts `%s` and `%s` of `%s` have the velocities %s and %s, and glued parts move as one"
-      first.part.name d.part.name name.it (Vec.to_string v)
-      (Vec.to_string (Attributes.velocity d.motion))
-      ~notes:[ (place first, Printf.sprintf "the velocity of `%s` is here" first.part.name) ];
+  let v = Attributes.velocity first.motion and spin = Attributes.spin first.motion in
+  let spins_apart d = not (Vec.equal spin (Attributes.spin d.motion)) in
+  let expected d = Vec.add v (Vec.cross spin (Vec.sub (centroid d) (centroid first))) in
+  let moves_apart d = not (Vec.equal (expected d) (Attributes.velocity d.motion)) in
+  let drafts = Array.to_list drafts in
+  match (List.find_opt spins_apart drafts, List.find_opt moves_apart drafts) with
+  | None, None -> true
+  | Some d, _ ->
+    mismatch c name (fun (a : Attributes.t) -> a.spin) first d "spins" spin (Attributes.spin d.motion)
+      "glued parts turn as one";
     false
+  | None, Some d ->
+    mismatch c name (fun (a : Attributes.t) -> a.velocity) first d "velocities" v
+      (Attributes.velocity d.motion)
+      (if Vec.is_zero spin then "glued parts move as one"
+       else
+         Printf.sprintf "glued parts move as one: with this spin the velocity of `%s` is %s" d.part.name
+           (Vec.to_string (expected d)));
+    false
+
+(* Of the centre of mass. *)
+let common_velocity drafts =
+  let add (momentum, mass) d =
+    let m = d.part.Shape.mass in
+    (Vec.axpy m (Attributes.velocity d.motion) momentum, Rat.add mass m)
+  in
+  let momentum, mass = Array.fold_left add (Vec.zero, Rat.zero) drafts in
+  Vec.scale (Rat.div Rat.one mass) momentum
 
 let placed i (p : Shape.part) = { Overlap.body = i; solid = p.solid; position = p.placement.translation }
 
@@ -130,10 +156,10 @@ let check_connected (c : Context.t) (name : Ast.name) (parts : Shape.part array)
 
 let build (c : Context.t) env (name : Ast.name) drafts glues =
   let parts = Array.map (fun d -> d.part) drafts in
-  let velocity = Attributes.velocity drafts.(0).motion in
-  let compound = { Shape.cid = c.fresh (); clabel = name.it; parts; velocity } in
+  let velocity = common_velocity drafts and spin = Attributes.spin drafts.(0).motion in
+  let compound = { Shape.cid = c.fresh (); clabel = name.it; parts; velocity; spin } in
   let joined = Union_find.create (Array.length parts) in
-  let rigid = check_velocities c name drafts in
+  let rigid = check_motion c name drafts in
   let disjoint = check_overlaps c name parts in
   let read = Long_list.map (read_glue c env compound joined) glues in
   if List.for_all Fun.id read then check_connected c name parts joined;

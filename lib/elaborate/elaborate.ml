@@ -57,7 +57,8 @@ let is_steered (l : Model.leaf) =
 (* Everything is in order. *)
 let build (c : Context.t) (program : Program.t) bodies composition joints initial definitions checks premises =
   let leaves = Assembly.leaves bodies composition in
-  let steered = Array.exists is_steered leaves in
+  let rigid = Settings.rigid program.settings c.report ~spins:(Assembly.spins bodies composition) leaves in
+  let steered = Option.is_some rigid || Array.exists is_steered leaves in
   let keeps_time =
     Array.exists (fun (l : Model.leaf) -> Law.mentions_time l.law) leaves
     || List.exists (fun (k : Property.check) -> Formula.mentions_time k.formula) checks
@@ -70,7 +71,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       split_step = program.split_step;
       keeps_time;
       steered;
-      rigid = None;
+      rigid;
       obstacles = c.obstacles;
     }
   in
@@ -79,7 +80,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
     parameters = program.parameters;
     templates = templates c program;
     model;
-    declared = Assembly.state bodies composition joints initial ~steered ~keeps_time;
+    declared = Assembly.state bodies composition joints initial model;
     checks;
     premises;
     warnings = Report.warnings c.report;

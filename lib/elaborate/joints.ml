@@ -58,20 +58,30 @@ let check_contact (c : Context.t) at ((p : Bodies.leaf), (f : Site.t)) ((q : Bod
              (site_text p { f with feature = highest.first })
              (site_text q { g with feature = highest.second }))
 
+(* What is bound has one spin, and the velocities of centroids differ by what it gives (Definition 4.5). *)
 let check_motion (c : Context.t) at (p : Bodies.leaf) (q : Bodies.leaf) =
-  if not (Vec.equal p.velocity q.velocity) then
-    let note (l : Bodies.leaf) = (l.span, Printf.sprintf "`%s` is here" l.name) in
+  let note (l : Bodies.leaf) = (l.span, Printf.sprintf "`%s` is here" l.name) in
+  let differ what of_p of_q explanation =
     let notes = [ note p; note q ] in
     if p.fixed || q.fixed then
-      let wall, other = if p.fixed then (p, q) else (q, p) in
-      Report.error c.report Code.velocity_mismatch at
-        "`%s` has the velocity %s, and is bound to `%s`, which is fixed" other.name
-        (Vec.to_string other.velocity)
-        wall.name ~notes
+      let wall, other, value = if p.fixed then (p, q, of_q) else (q, p, of_p) in
+      Report.error c.report Code.velocity_mismatch at "`%s` has the %s %s, and is bound to `%s`, which is fixed"
+        other.name what (Vec.to_string value) wall.name ~notes
     else
-      Report.error c.report Code.velocity_mismatch at
-        "`%s` and `%s` have the velocities %s and %s, and what is bound moves as one" p.name q.name
-        (Vec.to_string p.velocity) (Vec.to_string q.velocity) ~notes
+      Report.error c.report Code.velocity_mismatch at "`%s` and `%s` have the %s %s and %s, and %s" p.name q.name
+        (match what with "spin" -> "spins" | _ -> "velocities")
+        (Vec.to_string of_p) (Vec.to_string of_q) explanation ~notes
+  in
+  let turn () = Vec.cross p.spin (Vec.sub (Bodies.centroid q) (Bodies.centroid p)) in
+  if not (Vec.equal p.spin q.spin) then differ "spin" p.spin q.spin "what is bound turns as one"
+  else
+    let expected = if Vec.is_zero p.spin then p.velocity else Vec.add p.velocity (turn ()) in
+    if not (Vec.equal expected q.velocity) then
+      differ "velocity" p.velocity q.velocity
+        (if Vec.is_zero p.spin then "what is bound moves as one"
+         else
+           Printf.sprintf "what is bound moves as one: with this spin the velocity of `%s` is %s" q.name
+             (Vec.to_string expected))
 
 (* A bond between processes that are both left out of the network is left out with them. *)
 let check_included (c : Context.t) (composition : Composition.t) bodies (at, i) (at', j) =

@@ -82,8 +82,9 @@ let glue (g : Ast.glue) = feature g.glue_first @ feature g.glue_second
 
 let item_children (i : Ast.item) =
   match i.it with
-  | Model _ -> []
-  | Param (_, e) | Timestep e | Split_step e | Let (_, e) | Check (_, e) -> [ Expr e ]
+  | Model _ | Dynamics _ -> []
+  | Param (_, e) | Timestep e | Split_step e | Resolution e | Round (_, e) | Let (_, e)
+  | Check (_, e) -> [ Expr e ]
   | Shape (_, s) -> [ Solid s ]
   | Compound (_, parts, glues) -> Long_list.append (List.concat_map part parts) (List.concat_map glue glues)
   | Behaviour (_, _, b) -> [ Behaviour b ]

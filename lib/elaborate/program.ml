@@ -28,6 +28,7 @@ type t = {
   shapes : string list;
   timestep : Rat.t;
   split_step : Rat.t;
+  settings : Settings.t;
   bodies : body list;
   bonds : (Env.t * Ast.bond) list;
   behaviours : (string, behaviour) Hashtbl.t;
@@ -49,6 +50,7 @@ type gathered = {
   mutable templates : string list;
   mutable delta : (Rat.t option * Span.t) option;
   mutable split : (Rat.t option * Span.t) option;
+  turning : Settings.t;
   mutable all_bodies : body list;
   mutable all_bonds : (Env.t * Ast.bond) list;
   mutable composition : (Env.t * Ast.path list * Span.t) option;
@@ -135,7 +137,8 @@ let body g place fixed name first rest span =
 let allowed_in_loop (item : Ast.item) =
   match item.it with
   | Process _ | Fixed _ | Bond _ | For _ | Motion _ | Let _ | Check _ -> true
-  | Model _ | Param _ | Timestep _ | Split_step _ | Shape _ | Compound _ | Behaviour _ | Network _ -> false
+  | Model _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Resolution _ | Round _ | Shape _ | Compound _
+  | Behaviour _ | Network _ -> false
 
 let range g place ((name : Ast.name), low, high) =
   match
@@ -175,6 +178,9 @@ and simple g place (i : Ast.item) =
     g.model <- Some name
   | Timestep e -> g.delta <- step g place g.delta "timestep" e
   | Split_step e -> g.split <- step g place g.split "split_step" e
+  | Dynamics name -> Settings.dynamics g.turning g.c.report name
+  | Resolution e -> Settings.resolution g.turning g.c.report place.env e
+  | Round (what, e) -> Settings.round g.turning g.c.report place.env what e
   | Shape (name, solid) ->
     g.templates <- name.it :: g.templates;
     Templates.declare g.c place.env name solid
@@ -226,6 +232,7 @@ let gather c overrides =
     templates = [];
     delta = None;
     split = None;
+    turning = Settings.create ();
     all_bodies = [];
     all_bonds = [];
     composition = None;
@@ -254,6 +261,7 @@ let program g =
     shapes = List.rev g.templates;
     timestep;
     split_step = value g.split ~default:timestep;
+    settings = g.turning;
     bodies = List.rev g.all_bodies;
     bonds = List.rev g.all_bonds;
     behaviours = g.behaviour_table;

@@ -38,6 +38,7 @@ type t = {
   shapes : string list;  (** names of shapes and compounds in order *)
   timestep : Rat.t;
   split_step : Rat.t;
+  settings : Settings.t;  (** of rigid motion *)
   bodies : body list;
   bonds : (Env.t * Ast.bond) list;
   behaviours : (string, behaviour) Hashtbl.t;

@@ -13,7 +13,7 @@ type part = {
   span : Span.t;
 }
 
-type compound = { cid : int; clabel : string; parts : part array; velocity : Vec.t }
+type compound = { cid : int; clabel : string; parts : part array; velocity : Vec.t; spin : Vec.t }
 type t = Basic of basic | Compound of compound
 
 let structure = function

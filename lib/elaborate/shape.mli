@@ -27,7 +27,8 @@ type compound = {
   cid : int;
   clabel : string;
   parts : part array;
-  velocity : Vec.t;  (** of every part; a process of this shape that gives none has it *)
+  velocity : Vec.t;  (** of the centre of mass; a process of this shape that gives none has it *)
+  spin : Vec.t;  (** of every part; likewise *)
 }
 
 type t = Basic of basic | Compound of compound

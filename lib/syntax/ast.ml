@@ -126,6 +126,9 @@ and item_kind =
   | Param of name * expr
   | Timestep of expr
   | Split_step of expr
+  | Dynamics of name
+  | Resolution of expr
+  | Round of name * expr  (** of what, [orientation] or [velocity]; to multiples of what *)
   | Shape of name * solid
   | Compound of name * part list * glue list
   | Behaviour of name * name option * behaviour  (** name, [on] template *)

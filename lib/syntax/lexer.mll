@@ -22,7 +22,8 @@
       ("A", A); ("AF", AF); ("AG", AG); ("AX", AX); ("E", E); ("EF", EF); ("EG", EG); ("EX", EX);
       ("F", RESERVED); ("G", RESERVED); ("U", U); ("X", RESERVED);
       ("always", ALWAYS); ("and", AND); ("at", AT); ("behaviour", BEHAVIOUR); ("bond", BOND);
-      ("check", CHECK); ("choose", CHOOSE); ("compound", COMPOUND); ("count", COUNT); ("else", ELSE);
+      ("check", CHECK); ("choose", CHOOSE); ("compound", COMPOUND); ("count", COUNT);
+      ("dynamics", DYNAMICS); ("else", ELSE);
       ("eps", EPS); ("event", EVENT); ("eventually", EVENTUALLY); ("exists", EXISTS); ("faces", FACES);
       ("false", FALSE);
       ("fixed", FIXED); ("for", FOR); ("forall", FORALL); ("glue", GLUE); ("if", IF); ("in", IN);
@@ -30,8 +31,8 @@
       ("mesh", MESH);
       ("model", MODEL); ("motion", MOTION); ("network", NETWORK); ("nil", NIL); ("not", NOT);
       ("omega", OMEGA); ("on", ON); ("or", OR); ("param", PARAM); ("part", PART);
-      ("possibly", POSSIBLY); ("process", PROCESS); ("quaternion", QUATERNION); ("rho", RHO);
-      ("rotate", ROTATE); ("scale", SCALE); ("scaled", SCALED); ("shape", SHAPE); ("spin", SPIN);
+      ("possibly", POSSIBLY); ("process", PROCESS); ("quaternion", QUATERNION);
+      ("resolution", RESOLUTION); ("rho", RHO); ("rotate", ROTATE); ("round", ROUND); ("scale", SCALE); ("scaled", SCALED); ("shape", SHAPE); ("spin", SPIN);
       ("split_step", SPLIT_STEP); ("then", THEN); ("timestep", TIMESTEP); ("translate", TRANSLATE);
       ("true", TRUE); ("velocity", VELOCITY); ("vertices", VERTICES); ("weight", WEIGHT);
       ("within", WITHIN);
@@ -60,6 +61,15 @@
         (Printf.sprintf "this number has more than %d digits when written out" Scc_exact.Rat.max_digits)
         ~instead:(NUMBER Scc_exact.Rat.one)
     | Error (Malformed | Zero_denominator) -> Bug.fail __POS__ ("not a number: " ^ text)
+
+  (* 2^-k, for the digits of k: a number of k decimal places. *)
+  let power_of_two digits =
+    match int_of_string_opt digits with
+    | Some k when k <= Scc_exact.Rat.max_digits -> Token (NUMBER (Q.make Z.one (Z.shift_left Z.one k)))
+    | Some _ | None ->
+      fault Code.number_too_large
+        (Printf.sprintf "this number has more than %d digits when written out" Scc_exact.Rat.max_digits)
+        ~instead:(NUMBER Scc_exact.Rat.one)
 
   (* The letter under a macron. Code points that carry none stand for themselves. *)
   let unbarred = function
@@ -91,9 +101,7 @@
   let barred text =
     match word (strip_bars text) with
     | NAME n -> Token (BARRED n)
-    | BOND -> Token (BARRED "bond")
-    | MASS -> Token (BARRED "mass")
-    | EVENT -> Token (BARRED "event")
+    | (BOND | MASS | EVENT | DYNAMICS | RESOLUTION | ROUND) -> Token (BARRED (strip_bars text))
     | _ ->
       fault Code.lexical
         (Printf.sprintf "`%s` is a word of the language and cannot be a co-name" (strip_bars text))
@@ -111,6 +119,7 @@
       | "\xE2\x88\xA8" -> Some "write `or`"
       | "\xC2\xAC" -> Some "write `not`"
       | "\xE2\x80\x9C" | "\xE2\x80\x9D" | "'" -> Some "a string stands between two `\"`"
+      | "^" -> Some "the powers that can be written are those of two, as in `2^-20`"
       | "\xC2\xA0" -> Some "this is a no-break space: write an ordinary one"
       | _ when Utf8.code_point text > 0x7F -> Some "names are made of ASCII letters, digits, `_` and `'`"
       | _ -> None
@@ -140,6 +149,7 @@ rule next = parse
 | "/*" { block lexbuf.Lexing.lex_start_p 1 lexbuf }
 | '"' { text (Buffer.create 40) (Lexing.lexeme_start_p lexbuf) lexbuf }
 | number { number (Lexing.lexeme lexbuf) }
+| "2^-" (digit+ as k) { power_of_two k }
 | name { Token (word (Lexing.lexeme lexbuf)) }
 | barred_name { barred (Lexing.lexeme lexbuf) }
 | '(' { Token LPAREN } | ')' { Token RPAREN }

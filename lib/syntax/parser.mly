@@ -18,7 +18,7 @@
 %}
 
 (* Words of the language *)
-%token MODEL PARAM TIMESTEP SPLIT_STEP SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND FOR NETWORK MOTION
+%token MODEL PARAM TIMESTEP SPLIT_STEP DYNAMICS RESOLUTION ROUND SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND FOR NETWORK MOTION
 %token LET CHECK
 %token VERTICES FACES SCALED MESH PART GLUE ON IN MASS VELOCITY SPIN AT
 %token TRANSLATE ROTATE QUATERNION SCALE MATRIX
@@ -97,6 +97,9 @@ name:
 | BOND { at $loc "bond" }
 | MASS { at $loc "mass" }
 | EVENT { at $loc "event" }
+| DYNAMICS { at $loc "dynamics" }
+| RESOLUTION { at $loc "resolution" }
+| ROUND { at $loc "round" }
 
 segment:
 | name = name { { name; indices = [] } }
@@ -243,6 +246,10 @@ item_kind:
 | PARAM n = name EQ e = expr { Param (n, e) }
 | TIMESTEP e = expr { Timestep e }
 | SPLIT_STEP e = expr { Split_step e }
+| DYNAMICS d = NAME { Dynamics (at $loc(d) d) }
+| RESOLUTION e = expr { Resolution e }
+| ROUND n = NAME e = expr { Round (at $loc(n) n, e) }
+| ROUND VELOCITY e = expr { Round (at $loc($2) "velocity", e) }
 | SHAPE n = name EQ s = solid { Shape (n, s) }
 | SHAPE n = name LBRACE t = template RBRACE { Shape (n, at $loc(t) t) }
 | COMPOUND n = name LBRACE parts = many(part) glues = many(glue) RBRACE { Compound (n, parts, glues) }

@@ -82,6 +82,15 @@ let process_doc span word name l rest =
 
 (* {1 Declarations} *)
 
+(* A small power of two as such. *)
+let fineness e =
+  match e.it with
+  | Number q ->
+    (match Text.power_of_two q with
+     | Some s -> text ~at:(at e) s
+     | None -> formula e)
+  | _ -> formula e
+
 let definition head body = group (cat [ head; nest 2 (cat [ space; body ]) ])
 
 let block span head lines =
@@ -151,6 +160,9 @@ let rec item i =
   | Param (n, e) -> definition (head "param %s =" n.it) (formula e)
   | Timestep e -> definition (head "timestep") (formula e)
   | Split_step e -> definition (head "split_step") (formula e)
+  | Dynamics n -> head "dynamics %s" n.it
+  | Resolution e -> definition (head "resolution") (fineness e)
+  | Round (n, e) -> definition (head "round %s" n.it) (fineness e)
   | Shape (n, { it = Faces (vs, fs); _ }) -> template span (head "shape %s {" n.it) vs fs
   | Shape (n, s) -> definition (head "shape %s =" n.it) (text ~at:(at s) (Text.solid s))
   | Compound (n, parts, glues) ->

@@ -51,6 +51,10 @@ let decimal q =
       let digits = Z.to_string m in
       Some (shorter (plain_integer digits tens) digits tens)
 
+let power_of_two q =
+  let rest, k = remove (Q.den q) (Z.of_int 2) in
+  if Z.equal (Q.num q) Z.one && Z.equal rest Z.one && k > 0 then Some (Printf.sprintf "2^-%d" k) else None
+
 let number q =
   match decimal (Q.abs q) with
   | Some s -> if Q.sign q < 0 then "-" ^ s else s

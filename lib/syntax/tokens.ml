@@ -151,6 +151,18 @@ let begins_bond tokens i =
       | _ -> false)
   | _ -> false
 
+(* So are the words of the settings of rigid motion, which are followed by a name or a number. *)
+let begins_setting tokens i =
+  let ended () =
+    i = 0 || (match tokens.(i - 1).token with
+        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL | TRUE | FALSE -> true
+        | _ -> false)
+  in
+  match (tokens.(i).token, tokens.(i + 1).token) with
+  | DYNAMICS, NAME _ | ROUND, (NAME _ | VELOCITY) -> ended ()
+  | RESOLUTION, (NUMBER _ | NAME _ | LPAREN) -> ended ()
+  | _ -> false
+
 type structure = {
   tokens : token array;
   opening : int array;
@@ -229,7 +241,8 @@ let visit s i =
     l.operators <- 0;
     l.deepest <- 0
   | t ->
-    if begins_bond s.tokens i && ((top s).index < 0 || (top s).loop) then s.restart.(i) <- true;
+    let begins = begins_bond s.tokens i || begins_setting s.tokens i in
+    if begins && ((top s).index < 0 || (top s).loop) then s.restart.(i) <- true;
     if nests t then begin
       let l = top s in
       l.operators <- l.operators + 1;

@@ -21,7 +21,9 @@ let found ?(model = (accept text).model) state =
   List.map (Well_formed.to_string model state) (Well_formed.check model state)
 
 let strings = Alcotest.(list string)
-let at leaf position = { State.leaf; position; turned = Quaternion.identity; behaviour = Behaviour.fresh Behaviour.nil }
+
+let at leaf position =
+  { State.leaf; position; turned = Quaternion.identity; behaviour = Behaviour.fresh Behaviour.nil }
 
 (* The declared state with its one split clock set, and its processes by a change of each. *)
 let processes () = Array.to_list (accept text).declared.processes
@@ -111,13 +113,15 @@ let steps () =
   let with_step step time =
     found ~model:t.model (State.make ~processes:(Array.to_list t.declared.processes) ~step ~time)
   in
-  let step remaining phase = Some { State.remaining; length = Rat.one; phase } in
   let half = Rat.make Z.one (Z.of_int 2) in
+  let step ?(length = half) remaining phase = Some { State.remaining; length; phase } in
   let bad = [ "the movement step is wrong" ] in
   Alcotest.(check strings) "sound" [] (with_step (step half State.Steered) (Some Rat.zero));
   Alcotest.(check strings) "due" [] (with_step (step Rat.zero State.Due) (Some Rat.one));
   Alcotest.(check strings) "none" bad (with_step None (Some Rat.zero));
   Alcotest.(check strings) "too long" bad (with_step (step Rat.one State.Moving) (Some Rat.zero));
+  Alcotest.(check strings) "of too long a step" bad
+    (with_step (step ~length:Rat.one half State.Moving) (Some Rat.zero));
   Alcotest.(check strings) "over but not due" bad (with_step (step Rat.zero State.Moving) (Some Rat.zero));
   Alcotest.(check strings) "no time" [ "the time is wrong" ] (with_step (step half State.Moving) None);
   let pq, rest = sound () in

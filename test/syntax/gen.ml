@@ -9,7 +9,7 @@ let some g = list_size (int_range 1 3) g
 
 let name =
   located
-    (oneofl [ "a"; "b"; "p"; "q"; "x'"; "x_1"; "Cube"; "bond"; "mass"; "event"; "momentum"; "U2"; "Ax"; "omega_" ])
+    (oneofl [ "a"; "b"; "p"; "q"; "x'"; "x_1"; "Cube"; "bond"; "mass"; "event"; "momentum"; "round"; "resolution"; "dynamics"; "U2"; "Ax"; "omega_" ])
 
 let number =
   let decimal m k = Q.div (Q.of_int m) (Q.of_bigint (Z.pow (Z.of_int 10) k)) in
@@ -208,6 +208,10 @@ let law =
 
 let range = triple name expr expr
 
+let fineness =
+  let power k = loc (Number (Q.of_string (Printf.sprintf "1/%d" (1 lsl k)))) in
+  oneof [ expr; map power (int_range 0 40) ]
+
 let simple_item =
   let chain behaviour =
     let leaf = leaf_of behaviour in
@@ -219,6 +223,9 @@ let simple_item =
       map2 (fun n e -> Param (n, e)) name expr;
       map (fun e -> Timestep e) expr;
       map (fun e -> Split_step e) expr;
+      map (fun n -> Dynamics n) (located (oneofl [ "constant_spin"; "free_body"; "other" ]));
+      map (fun e -> Resolution e) fineness;
+      map2 (fun n e -> Round (n, e)) (located (oneofl [ "orientation"; "velocity"; "other" ])) fineness;
       map2 (fun n s -> Shape (n, s)) name solid;
       (let* vs = few (pair name vector) in
        let* fs = few (pair name (some name)) in

@@ -65,6 +65,12 @@ let notations =
     ("let x = offers(p, \xC4\x81)", "let x = offers(p, ~a)");
     ("let x = offers(p, \xC4\x93vent)", "let x = offers(p, ~event)");
     ("let x = event bond <event, {event.f, b.f}>", "let x = event\nbond <event, {event.f, b.f}>");
+    ("let x = 2^-3*round  round velocity 0.125  round orientation n",
+     "let x = 0.125*round\nround velocity 2^-3\nround orientation n");
+    ("let round = 2  let x = round dynamics free_body resolution 1/2",
+     "let round = 2\nlet x = round\ndynamics free_body\nresolution 1/2");
+    ("behaviour K = <r\xCC\x84ound,{f}>.resolution network p",
+     "behaviour K = <~round, {f}>. resolution\nnetwork p");
     ("\xEF\xBB\xBFmodel m\r\nparam n = 1\r\n", "model m param n = 1");
     ("/* a /* b */ c */ model m // x", "model m");
     ("for i in 1..2 { }", "for i in 1 .. 2 {}");
@@ -84,6 +90,10 @@ let whole =
 param n = 1/4
 timestep n
 split_step n/2
+dynamics free_body
+resolution 2^-20
+round orientation 1/1048576
+round velocity 2^-3
 shape S { vertices a (0, 0, 1) faces f [a, b, c] }
 shape T = S scaled (1, 2, 3) scaled (2, 2, 2)
 shape U1 = mesh "x.obj"

@@ -1,0 +1,128 @@
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_syntax
+open Scc_calculus
+
+(* What was given, and whether it could be read. *)
+type 'a given = { value : 'a option; at : Span.t }
+
+type t = {
+  mutable dynamics : Model.dynamics given option;
+  mutable resolution : Rat.t given option;
+  mutable orientation : int given option;
+  mutable velocity : int given option;
+}
+
+let create () = { dynamics = None; resolution = None; orientation = None; velocity = None }
+
+let once report earlier what (at : Span.t) value =
+  match earlier with
+  | Some first ->
+    Report.error report Code.repeated_attribute at "`%s` is given twice" what
+      ~notes:[ (first.at, "the first is here") ];
+    earlier
+  | None -> Some { value = value (); at }
+
+let kinds : (string * Model.dynamics) list = [ ("constant_spin", Constant_spin); ("free_body", Free_body) ]
+
+let dynamics t report (name : Ast.name) =
+  let value () =
+    let found = List.assoc_opt name.it kinds in
+    if Option.is_none found then
+      Report.error report Code.unknown_name name.at
+        "unknown dynamics `%s`; it is constant_spin or free_body" name.it
+        ~near:(name.it, fun () -> List.map fst kinds);
+    found
+  in
+  t.dynamics <- once report t.dynamics "dynamics" name.at value
+
+let resolution t report env (e : Ast.expr) =
+  let value () = Constant.positive report env "resolution" e in
+  t.resolution <- once report t.resolution "resolution" e.at value
+
+(* k, of 2^-k; nothing coarser than halves. *)
+let halvings q =
+  let k = Z.numbits (Q.den q) - 1 in
+  if Z.equal (Q.num q) Z.one && Z.equal (Q.den q) (Z.shift_left Z.one k) && k > 0 then Some k else None
+
+let quantum report env what (e : Ast.expr) () =
+  match Constant.number report env e with
+  | None -> None
+  | Some q ->
+    let k = halvings q in
+    if Option.is_none k then
+      Report.error report Code.bad_value e.at
+        "`round %s` takes a power of two that is at most 1/2, and this is %s" what (Rat.to_string q)
+        ~hint:"write it as in `2^-20`";
+    k
+
+let round t report env (what : Ast.name) (e : Ast.expr) =
+  let read earlier = once report earlier ("round " ^ what.it) what.at (quantum report env what.it e) in
+  match what.it with
+  | "orientation" -> t.orientation <- read t.orientation
+  | "velocity" -> t.velocity <- read t.velocity
+  | name ->
+    Report.error report Code.unknown_name what.at "`round` is for `orientation` and `velocity`, not for `%s`" name
+      ~near:(name, fun () -> [ "orientation"; "velocity" ])
+
+(* {1 The default resolution} *)
+
+let least a b =
+  match (a, b) with
+  | None, x | x, None -> x
+  | Some a, Some b -> Some (Rat.min a b)
+
+let least_edge2 leaves =
+  let of_edge (solid : Solid.t) (i, j) = Vec.norm2 (Vec.sub (Solid.vertex solid i) (Solid.vertex solid j)) in
+  let of_part found (p : Model.part) =
+    Array.fold_left
+      (fun found edge -> least found (Some (of_edge p.solid edge)))
+      found p.solid.polyhedron.edges
+  in
+  Array.fold_left (fun found (l : Model.leaf) -> Array.fold_left of_part found l.parts) None leaves
+
+let power_of_two e =
+  if e >= 0 then Rat.make (Z.shift_left Z.one e) Z.one else Rat.make Z.one (Z.shift_left Z.one (-e))
+
+(* The greatest power of two whose square is at most q, for q > 0: the lengths of q tell its exponent within
+   two. *)
+let power_below_root q =
+  let rec down e = if Rat.compare (power_of_two (2 * e)) q <= 0 then power_of_two e else down (e - 1) in
+  down (((Z.numbits (Q.num q) - Z.numbits (Q.den q)) / 2) + 2)
+
+let default_resolution leaves =
+  match least_edge2 leaves with
+  | None -> Rat.one
+  | Some edge2 -> power_below_root (Rat.mul edge2 (power_of_two (-40)))
+
+let warn_without_effect t report =
+  let warn what = function
+    | None -> ()
+    | Some at ->
+      Report.warning report Code.no_effect at
+        "`%s` has no effect: nothing spins, and the model has no `dynamics`" what
+  in
+  warn "resolution" (Option.map (fun g -> g.at) t.resolution);
+  List.iter
+    (fun (what, given) -> warn what (Option.map (fun g -> g.at) given))
+    [ ("round orientation", t.orientation); ("round velocity", t.velocity) ]
+
+let value given = Option.bind given (fun g -> g.value)
+
+let rigid t report ~spins leaves =
+  if Option.is_none t.dynamics && not spins then begin
+    warn_without_effect t report;
+    None
+  end
+  else
+    Some
+      {
+        Model.dynamics = Option.value ~default:Model.Constant_spin (value t.dynamics);
+        resolution =
+          (match value t.resolution with
+           | Some q -> q
+           | None -> default_resolution leaves);
+        round_orientation = value t.orientation;
+        round_velocity = value t.velocity;
+      }

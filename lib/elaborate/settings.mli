@@ -1,0 +1,19 @@
+(** The settings of rigid motion: [dynamics], [resolution] and [round], each at most once (rules Turn and
+    Round). *)
+
+open Scc_syntax
+open Scc_calculus
+
+type t
+
+val create : unit -> t
+val dynamics : t -> Report.t -> Ast.name -> unit
+val resolution : t -> Report.t -> Env.t -> Ast.expr -> unit
+
+val round : t -> Report.t -> Env.t -> Ast.name -> Ast.expr -> unit
+(** Of [orientation] or [velocity], to multiples of 2^-k with k > 0. *)
+
+val rigid : t -> Report.t -> spins:bool -> Model.leaf array -> Model.rigid option
+(** Of the network of these bodies, of which one spins or none: some iff one does or [dynamics] is given;
+    otherwise the settings that are given have no effect (SC0213). Where no resolution is given it is the
+    greatest power of two that is at most 2^-20 times the least edge. *)

@@ -1,0 +1,107 @@
+(* Rigid motion as declared (rule Turn): when a model is rigid, its settings, and the motion of what is bound. *)
+
+open Scc_exact
+open Scc_calculus
+open Models
+
+let half_cube = cube ^ "shape Half = Cube scaled (1/2, 1/2, 1/2)\n"
+let rigid text = (accept text).model.rigid
+let same name expected x = Alcotest.(check string) name expected (Rat.to_string x)
+let vector name expected x = Alcotest.(check string) name expected (Vec.to_string x)
+
+let settings text =
+  match rigid text with
+  | Some r -> r
+  | None -> Alcotest.fail "the model was to be rigid"
+
+let is_free (r : Model.rigid) = match r.dynamics with Free_body -> true | Constant_spin -> false
+
+let whether () =
+  let body = "process p = Cube mass 1 " in
+  let is_rigid text = Option.is_some (rigid (cube ^ text)) in
+  Alcotest.(check bool) "nothing spins" false (is_rigid (body ^ "spin (0, 0, 0) [nil]"));
+  Alcotest.(check bool) "a spin" true (is_rigid (body ^ "spin (0, 0, 1) [nil]"));
+  Alcotest.(check bool) "dynamics" true (is_rigid (body ^ "[nil] dynamics constant_spin"));
+  Alcotest.(check bool) "a spin that is left out" false
+    (is_rigid (body ^ "spin (0, 0, 1) [nil] process q = Cube mass 1 at translate (9, 0, 0) [nil] network q"));
+  let t = accept (cube ^ body ^ "[nil] dynamics constant_spin") in
+  Alcotest.(check bool) "steered" true t.model.steered;
+  Alcotest.(check bool) "a step" true (Option.is_some t.declared.step)
+
+let values () =
+  let r = settings (cube ^ "process p = Cube mass 1 spin (0, 0, 1) [nil]") in
+  Alcotest.(check bool) "constant spin" false (is_free r);
+  Alcotest.(check (option int)) "not rounded" None r.round_orientation;
+  let r =
+    settings
+      (cube ^ "param n = 7 dynamics free_body resolution 1/n round orientation 1/1024 round velocity 2^-3 \
+               process p = Cube mass 1 [nil]")
+  in
+  Alcotest.(check bool) "free body" true (is_free r);
+  same "resolution" "1/7" r.resolution;
+  Alcotest.(check (option int)) "orientation" (Some 10) r.round_orientation;
+  Alcotest.(check (option int)) "velocity" (Some 3) r.round_velocity
+
+(* Cubes of edge 2 and 1: of a network without the smaller, the greater counts. *)
+let resolution () =
+  let two =
+    "process p = Cube mass 1 [nil] process q = Half mass 1 at translate (5, 0, 0) [nil] dynamics free_body "
+  in
+  same "of the smallest edge" "1/1048576" (settings (half_cube ^ two)).resolution;
+  same "of the network" "1/524288" (settings (half_cube ^ two ^ "network p")).resolution;
+  let scaled factor =
+    (settings (cube ^ Printf.sprintf "process p = Cube scaled (%s, 9, 9) mass 1 [nil] dynamics free_body" factor))
+    .resolution
+  in
+  (* Edges of 3, of 4 less a little, of 4, and of 2/3: between powers of two, the lower. *)
+  same "3" "1/524288" (scaled "3/2");
+  same "almost 4" "1/524288" (scaled "1.999999999");
+  same "4" "1/262144" (scaled "2");
+  same "2/3" "1/2097152" (scaled "1/3")
+
+let process text = (accept text).declared.processes.(0)
+
+let one () =
+  let body = "process p = Cube mass 1 velocity (1, 0, 0) spin (0, 0, 2) at translate (7, 0, 0) [nil]" in
+  let p = process (cube ^ body) in
+  vector "velocity" "(1, 0, 0)" p.velocity;
+  vector "spin" "(0, 0, 2)" p.spin;
+  same "since" "0" p.since;
+  Alcotest.(check bool) "not turned" true (Quaternion.is_identity p.leaves.(0).turned)
+
+(* The centres of two cubes of masses 1 and 3 are 2 apart: the whole turns about a point 3/2 from the first. *)
+let bound () =
+  let pair first second =
+    Printf.sprintf
+      "%sprocess p = a : Cube mass 1 velocity %s spin (0, 0, 2) [nil] <x, {a.right, b.left}> \
+       b : Cube mass 3 velocity %s spin (0, 0, 2) at translate (2, 0, 0) [nil]" cube first second
+  in
+  let p = process (pair "(1, -3, 0)" "(1, 1, 0)") in
+  vector "velocity" "(1, 0, 0)" p.velocity;
+  vector "spin" "(0, 0, 2)" p.spin;
+  match elaborate (pair "(1, 0, 0)" "(1, 0, 0)") with
+  | Ok _ -> Alcotest.fail "accepted parts that come apart"
+  | Error _ -> ()
+
+let compound () =
+  let text =
+    cube
+    ^ "compound C { part l : Cube mass 1 velocity (0, -3, 0) spin (0, 0, 2) \
+       part r : Cube mass 3 velocity (0, 1, 0) spin (0, 0, 2) at translate (2, 0, 0) glue l.right ~ r.left }\n"
+  in
+  let p = process (text ^ "process p = C [nil]") in
+  vector "velocity of the parts" "(0, 0, 0)" p.velocity;
+  vector "spin of the parts" "(0, 0, 2)" p.spin;
+  let p = process (text ^ "process p = C velocity (0, 0, 1) spin (1, 0, 0) [nil]") in
+  vector "its own velocity" "(0, 0, 1)" p.velocity;
+  vector "its own spin" "(1, 0, 0)" p.spin
+
+let () =
+  let case name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "turning bodies"
+    [
+      ( "models",
+        [ case "when rigid" whether; case "settings" values; case "the default resolution" resolution ] );
+      ( "motion",
+        [ case "of one leaf" one; case "of several leaves" bound; case "of compounds" compound ] );
+    ]
