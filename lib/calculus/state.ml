@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_geometry
+open Scc_rigid
 
 type leaf = { leaf : int; position : Vec.t; turned : Quaternion.t; behaviour : Behaviour.aged }
 type finish = { at : int; site : Site.t }
@@ -92,13 +92,8 @@ let size (m : Model.t) p =
 let part_position (m : Model.t) l part =
   Vec.add l.position (Quaternion.apply l.turned m.leaves.(l.leaf).parts.(part).offset)
 
-let placed_part (m : Model.t) l part =
-  let solid = m.leaves.(l.leaf).parts.(part).solid in
-  let turned =
-    if Quaternion.is_identity l.turned then solid
-    else Solid.make ~id:solid.id solid.polyhedron (Mat.mul (Quaternion.to_mat l.turned) solid.linear)
-  in
-  (turned, part_position m l part)
+let placed (m : Model.t) l part =
+  { Placed.solid = m.leaves.(l.leaf).parts.(part).solid; turned = l.turned; at = part_position m l part }
 
 let centroid (m : Model.t) l =
   Vec.add l.position (Quaternion.apply l.turned (Model.leaf_centroid m.leaves.(l.leaf)))

@@ -2,7 +2,7 @@
     canonical form, so that equality is structural congruence (rule State). *)
 
 open Scc_exact
-open Scc_geometry
+open Scc_rigid
 
 type leaf = {
   leaf : int;  (** index into {!Model.leaves} *)
@@ -79,9 +79,8 @@ val size : Model.t -> process -> int
 val part_position : Model.t -> leaf -> int -> Vec.t
 (** World position of the reference point of a part. *)
 
-val placed_part : Model.t -> leaf -> int -> Solid.t * Vec.t
-(** A part as it is turned, and the world position of its reference point. A turned solid is made anew by every call:
-    its [id] is that of the unturned one, and caches are not to see it. *)
+val placed : Model.t -> leaf -> int -> Placed.t
+(** A part where it stands, turned as it is. *)
 
 val centroid : Model.t -> leaf -> Vec.t
 (** World position of the centroid of the leaf's shape. *)

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
+open Scc_rigid
 
 type fault =
   | Lost_leaf of int
@@ -11,6 +12,7 @@ type fault =
   | Not_a_tree of int
   | Moving_wall of int
   | Bad_clock of int
+  | Bad_turn of int
   | Bad_step
   | Bad_time
 
@@ -38,17 +40,32 @@ let parts (m : Model.t) state =
         let placed =
           { Overlap.body = l.leaf; solid = part.solid; position = State.part_position m l i }
         in
-        ((l.leaf, i), placed))
+        ((l, i), placed))
   in
   Array.of_list (List.concat_map of_leaf (leaves state))
 
+(* Solids that are turned are made anew, with numbers of their own: the obstacles of the model do not know them. *)
+let as_turned k ((l : State.leaf), (placed : Overlap.placed)) =
+  let polyhedron = placed.solid.polyhedron in
+  let linear = Mat.mul (Quaternion.to_mat l.turned) placed.solid.linear in
+  { placed with solid = Solid.make ~id:k polyhedron linear }
+
 let check_overlaps (m : Model.t) state =
   let parts = parts m state in
-  let fault (i, j) =
-    let first, p = parts.(i) and second, q = parts.(j) in
-    Interpenetration { first; second; point = Overlap.common_point p q }
+  let obstacles, placed =
+    match m.rigid with
+    | None -> (m.obstacles, Array.map snd parts)
+    | Some _ -> (Obstacle_cache.create (), Array.mapi (fun k ((l, _), p) -> as_turned k (l, p)) parts)
   in
-  Long_list.map fault (Overlap.pairs m.obstacles (Array.map snd parts))
+  let name i =
+    let (l : State.leaf), part = fst parts.(i) in
+    (l.leaf, part)
+  in
+  let fault (i, j) =
+    let point = Overlap.common_point placed.(i) placed.(j) in
+    Interpenetration { first = name i; second = name j; point }
+  in
+  Long_list.map fault (Overlap.pairs obstacles placed)
 
 let has_feature (polyhedron : Polyhedron.t) : Feature.t -> bool = function
   | Vertex i -> 0 <= i && i < Array.length polyhedron.vertices
@@ -77,9 +94,18 @@ let find_end (m : Model.t) (p : State.process) (f : State.finish) =
       Some (l, i)
     else None
 
+(* Definition 5.2 asks that the two touch; of turning bodies, within the resolution (rule Near). *)
+let near (m : Model.t) resolution (l1, p1) (l2, p2) (bond : State.bond) =
+  let corners l part (f : State.finish) = Placed.corners (State.placed m l part) f.site.feature in
+  Near_contact.within ~resolution (corners l1 p1 bond.one) (corners l2 p2 bond.two)
+
 let check_bond (m : Model.t) p (bond : State.bond) =
-  match (find_end m p bond.one, find_end m p bond.two) with
-  | Some (l1, p1), Some (l2, p2) when not (Int.equal l1.leaf l2.leaf) ->
+  match (find_end m p bond.one, find_end m p bond.two, m.rigid) with
+  | Some (l1, p1), Some (l2, p2), Some rigid when not (Int.equal l1.leaf l2.leaf) ->
+    (* features whose projections meet are at most so far apart *)
+    let resolution = Rat.mul (Rat.of_int 2) rigid.resolution in
+    if near m resolution (l1, p1) (l2, p2) bond then None else Some (Loose_bond bond)
+  | Some (l1, p1), Some (l2, p2), None when not (Int.equal l1.leaf l2.leaf) ->
     let obstacle = Model.obstacle m (l1.leaf, p1) (l2.leaf, p2) in
     let offset = Vec.sub (State.part_position m l2 p2) (State.part_position m l1 p1) in
     let is_bond (c : Contact.pair) =
@@ -112,6 +138,14 @@ let clock_is_right (m : Model.t) (p : State.process) =
   | Some c, true -> Rat.sign c >= 0 && Rat.compare c m.split_step < 0
   | Some _, false | None, true -> false
 
+let turn_is_right (m : Model.t) (p : State.process) =
+  match m.rigid with
+  | Some _ -> Rat.sign p.since = 0 || (Rat.sign p.since > 0 && not (Vec.is_zero p.spin))
+  | None ->
+    Vec.is_zero p.spin
+    && Rat.sign p.since = 0
+    && Array.for_all (fun (l : State.leaf) -> Quaternion.is_identity l.turned) p.leaves
+
 let is_tree (p : State.process) =
   Array.length p.bonds = Array.length p.leaves - 1
   &&
@@ -132,8 +166,9 @@ let check_process (m : Model.t) i (p : State.process) =
   let faults =
     [
       ((not bad_ends) && not (is_tree p), Not_a_tree i);
-      (wall && not (Vec.is_zero p.velocity), Moving_wall i);
+      (wall && not (Vec.is_zero p.velocity && Vec.is_zero p.spin), Moving_wall i);
       (not (clock_is_right m p), Bad_clock i);
+      (not (turn_is_right m p), Bad_turn i);
     ]
   in
   Long_list.append bonds @@ List.filter_map (fun (holds, fault) -> if holds then Some fault else None) faults
@@ -189,5 +224,6 @@ let to_string (m : Model.t) (s : State.t) fault =
   | Not_a_tree i -> Printf.sprintf "the bonds of the process of `%s` are not a tree" (process i)
   | Moving_wall i -> Printf.sprintf "the process of `%s` holds a fixed body and moves" (process i)
   | Bad_clock i -> Printf.sprintf "the split clock of the process of `%s` is wrong" (process i)
+  | Bad_turn i -> Printf.sprintf "the process of `%s` turns as it cannot" (process i)
   | Bad_step -> "the movement step is wrong"
   | Bad_time -> "the time is wrong"

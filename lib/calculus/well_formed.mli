@@ -16,6 +16,8 @@ type fault =
   | Bad_clock of int
   (** a split clock where no weak split is enabled, none where one is, or one that is not in
       [0, split step) (reading I-9) *)
+  | Bad_turn of int
+  (** a turn or an orientation in the translational calculus, or a turn that began in the future (rule Turn) *)
   | Bad_step  (** a step where nothing is steered, none where something is, or one that is out of range *)
   | Bad_time  (** a time where nothing needs it, none where something does, or a negative one *)
 

@@ -52,54 +52,6 @@ type outcome = { label : Transition.label; rules : Rule.t list; results : State.
 
 (* {1 Rule Bind} *)
 
-type candidate = { bond : State.bond; continuations : (int * Behaviour.t) list; used : Rule.t list }
-
-let open_channels (m : Model.t) (p : State.process) leaf =
-  Behaviour.derivations m.definitions (State.leaf_of p leaf).behaviour
-  |> List.filter_map (fun (offer, derivation) ->
-      match offer with
-      | Behaviour.Offer_open (polarity, channel, b) ->
-        Some (polarity, channel, b, Process.rules Rule.Pre derivation)
-      | Offer_weak _ | Offer_strong _ -> None)
-
-let complementary a b =
-  match (a, b) with
-  | Behaviour.Name, Behaviour.Co_name | Co_name, Name -> true
-  | Name, Name | Co_name, Co_name -> false
-
-(* The touching pairs that two channels share, of the highest dimension among them. *)
-let shared_pairs pairs ~active_one ~active_two =
-  let shared =
-    List.filter (fun (c : Contact.pair) -> active_one c.first && active_two c.second) pairs
-  in
-  let highest = List.fold_left (fun d (c : Contact.pair) -> max d c.dimension) 0 shared in
-  List.filter (fun (c : Contact.pair) -> c.dimension = highest) shared
-
-let candidates_of_touch m p q t =
-  let l1, part1 = t.one and l2, part2 = t.two in
-  let site part feature : Site.t = { part; feature } in
-  let ones = open_channels m p l1 and twos = open_channels m q l2 in
-  if ones = [] || twos = [] then []
-  else
-    let pairs = Contact.touching t.obstacle t.offset in
-    let meet (pol1, (c1 : Behaviour.channel), b1, r1) (pol2, (c2 : Behaviour.channel), b2, r2) =
-      if not (complementary pol1 pol2 && String.equal c1.name c2.name) then []
-      else
-        shared_pairs pairs
-          ~active_one:(fun f -> Behaviour.active c1 (site part1 f))
-          ~active_two:(fun f -> Behaviour.active c2 (site part2 f))
-        |> List.map (fun (c : Contact.pair) ->
-            {
-              bond =
-                State.bond c1.name
-                  { at = l1; site = site part1 c.first }
-                  { at = l2; site = site part2 c.second };
-              continuations = [ (l1, b1); (l2, b2) ];
-              used = Process.union r1 r2;
-            })
-    in
-    List.concat_map (fun one -> List.concat_map (meet one) twos) ones
-
 (* Conservation of linear momentum; what binds to a fixed body stops. *)
 let joint_velocity m (p : State.process) (q : State.process) =
   match (State.mass m p, State.mass m q) with
@@ -112,21 +64,17 @@ let joint_velocity m (p : State.process) (q : State.process) =
 let bind m (s : State.t) c =
   let p = s.processes.(c.first) and q = s.processes.(c.second) in
   let velocity = joint_velocity m p q in
-  let join candidate =
-    let leaves =
-      Array.to_list (Array.append p.leaves q.leaves)
-      |> List.map (Process.continue candidate.continuations)
-    in
-    let bonds = candidate.bond :: Array.to_list (Array.append p.bonds q.bonds) in
+  let join (candidate : Binding.candidate) =
     {
       label = Transition.Bind candidate.bond;
       rules = Rule.Bind :: candidate.used;
-      results = [ Process.restart_clock m (State.process ~leaves ~bonds ~velocity ~clock:None ()) ];
+      results = [ State.with_velocity velocity (Binding.joined m p q candidate) ];
     }
   in
-  List.filter (fun t -> t.approaching) c.touches
-  |> List.concat_map (candidates_of_touch m p q)
-  |> List.map join
+  let candidates t =
+    Binding.candidates m p q ~one:t.one ~two:t.two (fun () -> Contact.touching t.obstacle t.offset)
+  in
+  List.filter (fun t -> t.approaching) c.touches |> List.concat_map candidates |> List.map join
 
 (* {1 Rule Bounce} *)
 

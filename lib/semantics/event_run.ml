@@ -251,7 +251,7 @@ let offer t =
 
 let alternatives t =
   let o = offer t in
-  let time = Option.map (fun d -> { label = Transition.Time d; rules = Network.time_rules }) o.delay in
+  let time = Option.map (fun d -> { label = Transition.Time d; rules = Network.time_rules t.model }) o.delay in
   List.map
     (fun (_, (t : Transition.t)) -> { label = t.label; rules = t.rules })
     (Array.to_list o.discrete)

@@ -9,10 +9,16 @@ let replace (s : State.t) indices processes ~step =
   in
   State.make ~processes:(processes @ kept) ~step ~time:s.time
 
+(* What collides in the rigid calculus begins new turns for all (rule Turn). *)
+let at_contact (m : Model.t) (s : State.t) =
+  let turning (p : State.process) = Scc_exact.Rat.sign p.since > 0 in
+  match m.rigid with
+  | Some _ when Array.exists turning s.processes && Encounter.colliding m s <> [] -> Steer.renewed m s
+  | Some _ | None -> s
+
 let finish m label rules target =
-  let* target, steered = Steer.settle m target in
-  let rules = if steered then rules @ [ Rule.Steer ] else rules in
-  Ok { Transition.label; rules; target }
+  let* target, later = Steer.settle m (at_contact m target) in
+  Ok { Transition.label; rules = rules @ later; target }
 
 (* A collision ends the movement step, unless this instant has been steered already. *)
 let after_collision (step : State.step option) =
@@ -30,21 +36,47 @@ let splits m (s : State.t) outcomes_of =
         (outcomes_of m p))
   |> List.concat
 
-let resolved m (s : State.t) contacts =
-  List.concat_map
-    (fun (c : Collision.contact) ->
-       Collision.resolve m s c
-       |> List.map (fun (o : Collision.outcome) ->
-           let step = after_collision s.step in
-           finish m o.label o.rules (replace s [ c.first; c.second ] o.results ~step)))
-    contacts
+(* Two processes that collide, with what may come of it. *)
+type meeting = {
+  first : int;
+  second : int;
+  outcomes : unit -> (Collision.outcome list, Transition.fault) result;
+}
 
-let time_rules = [ Rule.Time; Time_behaviour ]
+let meetings (m : Model.t) s =
+  match m.rigid with
+  | None ->
+    List.filter Collision.colliding (Collision.contacts m s)
+    |> List.map (fun (c : Collision.contact) ->
+        { first = c.first; second = c.second; outcomes = (fun () -> Ok (Collision.resolve m s c)) })
+  | Some _ ->
+    List.map
+      (fun (e : Encounter.t) ->
+         { first = e.first; second = e.second; outcomes = (fun () -> Encounter.outcomes m s e) })
+      (Encounter.colliding m s)
+
+let resolved m (s : State.t) meetings =
+  List.concat_map
+    (fun c ->
+       match c.outcomes () with
+       | Error fault -> [ Error fault ]
+       | Ok outcomes ->
+         List.map
+           (fun (o : Collision.outcome) ->
+              let step = after_collision s.step in
+              finish m o.label o.rules (replace s [ c.first; c.second ] o.results ~step))
+           outcomes)
+    meetings
+
+let time_rules (m : Model.t) =
+  match m.rigid with
+  | None -> [ Rule.Time; Time_behaviour ]
+  | Some _ -> [ Rule.Time; Time_behaviour; Turn ]
 
 let time m s =
   match Time.delay m s with
   | None -> []
-  | Some d -> [ finish m (Transition.Time d) time_rules (Time.pass m d s) ]
+  | Some d -> [ finish m (Transition.Time d) (time_rules m) (Time.pass m d s) ]
 
 let distinct transitions =
   let same (a : Transition.t) (b : Transition.t) =
@@ -63,22 +95,19 @@ let rec all_ok acc = function
 let all transitions = Result.map distinct (all_ok [] transitions)
 let strong m s = all (splits m s Split.strong)
 let weak m s = all (splits m s Split.weak)
-let meeting m s = List.filter Collision.colliding (Collision.contacts m s)
-let collisions m s = all (resolved m s (meeting m s))
-
-let colliding m s =
-  List.map (fun (c : Collision.contact) -> (c.first, c.second)) (meeting m s)
+let collisions m s = all (resolved m s (meetings m s))
+let colliding m s = List.map (fun c -> (c.first, c.second)) (meetings m s)
 
 let successors m s =
   let strong = splits m s Split.strong in
   let weak = splits m s Split.weak in
-  let contacts = meeting m s in
+  let contacts = meetings m s in
   let time = if strong = [] && contacts = [] then time m s else [] in
   all (strong @ weak @ resolved m s contacts @ time)
 
 let quiescent m s =
   Array.for_all (fun p -> Split.strong m p = [] && Option.is_none p.State.clock) s.State.processes
-  && meeting m s = []
+  && colliding m s = []
   && Option.is_none (Time.delay m s)
 
 let initial (m : Model.t) (declared : State.t) =

@@ -22,7 +22,7 @@ val collisions : Model.t -> State.t -> (Transition.t list, Transition.fault) res
 val colliding : Model.t -> State.t -> (int * int) list
 (** The pairs of processes that collide, by their indices, sorted. *)
 
-val time_rules : Rule.t list
+val time_rules : Model.t -> Rule.t list
 (** Those that a passing of time uses. It is possible when no strong split and no collision is. *)
 
 val quiescent : Model.t -> State.t -> bool

@@ -12,6 +12,8 @@ type t =
   | Bounce
   | Time
   | Steer
+  | Turn
+  | Round
 
 let id = function
   | Pre -> "Pre"
@@ -27,8 +29,16 @@ let id = function
   | Bounce -> "Bounce"
   | Time -> "Time"
   | Steer -> "Steer"
+  | Turn -> "Turn"
+  | Round -> "Round"
 
 let all =
   [
-    Pre; Weak; Strong; Sum; Def; Eps0; Time_behaviour; Weak_split; Strong_split; Bind; Bounce; Time; Steer;
+    Pre; Weak; Strong; Sum; Def; Eps0; Time_behaviour; Weak_split; Strong_split; Bind; Bounce; Time; Steer; Turn;
+    Round;
   ]
+
+let of_model (m : Scc_calculus.Model.t) =
+  match m.rigid with
+  | Some _ -> all
+  | None -> List.filter (function Turn | Round -> false | _ -> true) all

@@ -14,8 +14,13 @@ type t =
   | Bounce
   | Time
   | Steer
+  | Turn  (** of the rigid calculus only, as is *)
+  | Round
 
 val id : t -> string
 (** As in the rule book: ["Pre"], ["WeakSplit"], ["StrongSplit"], ["TimeBehaviour"], … *)
 
 val all : t list
+
+val of_model : Scc_calculus.Model.t -> t list
+(** Those that apply to a model: without {!Turn} and {!Round} when it is not rigid. *)

@@ -5,14 +5,15 @@ module Ints = Set.Make (Int)
 type outcome = { label : Transition.label; rules : Rule.t list; pieces : State.process list }
 
 (* Takes bonds out of a process, lets leaves continue, and makes a process of each component. *)
-let fall_apart m (p : State.process) ~released continuations =
+let fall_apart (m : Model.t) (p : State.process) ~released continuations =
   let kept =
     Array.to_list p.bonds |> List.filter (fun b -> not (List.exists (State.equal_bond b) released))
   in
   let leaves = Array.map (Process.continue continuations) p.leaves in
   State.components leaves (Array.of_list kept)
   |> List.map (fun (leaves, bonds) ->
-      Process.restart_clock m (State.process ~leaves ~bonds ~velocity:p.velocity ~clock:None ()))
+      let piece = State.process ~leaves ~bonds ~velocity:p.velocity ~clock:None () in
+      Process.restart_clock m (match m.rigid with None -> piece | Some _ -> Turn.piece m ~whole:p piece))
 
 let weak m (p : State.process) =
   let release (b : State.bond) =

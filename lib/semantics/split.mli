@@ -1,4 +1,4 @@
-(** Splits of one process (rules WeakSplit and StrongSplit). The pieces keep the velocity of the whole
+(** Splits of one process (rules WeakSplit and StrongSplit). The pieces keep the motion of the whole
     (reading I-11); each starts its split clock anew. *)
 
 open Scc_calculus

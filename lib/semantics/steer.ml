@@ -15,14 +15,19 @@ let change (m : Model.t) ~time ~dt (p : State.process) (l : State.leaf) =
   match leaf.law with
   | Inertial -> Ok Vec.zero
   | Velocity (x, y, z) ->
-    let centre = Vec.add l.position (Model.leaf_centroid leaf) in
+    let centre = State.centroid m l in
+    let v =
+      if Turn.spinning p then
+        Vec.add p.velocity (Vec.cross p.spin (Vec.sub centre (State.centre_of_mass m p)))
+      else p.velocity
+    in
     let env : Law.variable -> Rat.t = function
       | X -> centre.x
       | Y -> centre.y
       | Z -> centre.z
-      | Vx -> p.velocity.x
-      | Vy -> p.velocity.y
-      | Vz -> p.velocity.z
+      | Vx -> v.x
+      | Vy -> v.y
+      | Vz -> v.z
       | Mass -> leaf.mass
       | Time -> time
       | Dt -> dt
@@ -34,7 +39,7 @@ let change (m : Model.t) ~time ~dt (p : State.process) (l : State.leaf) =
     let* x = eval x in
     let* y = eval y in
     let* z = eval z in
-    Ok (Vec.sub (Vec.make x y z) p.velocity)
+    Ok (Vec.sub (Vec.make x y z) v)
 
 (* The whole takes the mean of the changes of its leaves, weighted by mass. *)
 let steer_process (m : Model.t) ~time ~dt (p : State.process) =
@@ -49,6 +54,9 @@ let steer_process (m : Model.t) ~time ~dt (p : State.process) =
     let* sum, total = Array.fold_left add (Ok (Vec.zero, Rat.zero)) p.leaves in
     Ok (State.with_velocity (Vec.axpy (Rat.div Rat.one total) sum p.velocity) p)
 
+let renewed m (s : State.t) =
+  State.make ~processes:(List.map (Turn.renew m) (Array.to_list s.processes)) ~step:s.step ~time:s.time
+
 let run (m : Model.t) (s : State.t) =
   match s.step with
   | None -> Scc_base.Bug.fail __POS__ "a steered state without a movement step"
@@ -61,11 +69,25 @@ let run (m : Model.t) (s : State.t) =
       Ok (p :: done_)
     in
     let* processes = Array.fold_left add (Ok []) s.processes in
-    let step = Some { State.remaining = m.timestep; length = m.timestep; phase = State.Steered } in
-    Ok (State.make ~processes ~step ~time:s.time)
+    let begun ~length s =
+      let step = Some { State.remaining = length; length; phase = State.Steered } in
+      State.make ~processes:(Array.to_list s.State.processes) ~step ~time:s.time
+    in
+    let steered = State.make ~processes ~step:s.step ~time:s.time in
+    let rules = if Array.exists (steers m) s.processes || Option.is_none m.rigid then [ Rule.Steer ] else [] in
+    (match m.rigid with
+     | None -> Ok (begun ~length:m.timestep steered, rules)
+     | Some _ ->
+       let rounded, changed = Round.run m (renewed m steered) in
+       let rules = if changed then rules @ [ Rule.Round ] else rules in
+       Ok (begun ~length:(Turn.step_length m rounded) rounded, rules))
+
+let collide (m : Model.t) s =
+  match m.rigid with
+  | None -> List.exists Collision.colliding (Collision.contacts m s)
+  | Some _ -> Encounter.colliding m s <> []
 
 let settle m (s : State.t) =
   match s.step with
-  | Some { phase = Due; _ } when not (List.exists Collision.colliding (Collision.contacts m s)) ->
-    Result.map (fun s -> (s, true)) (run m s)
-  | Some { phase = Due | Moving | Steered; _ } | None -> Ok (s, false)
+  | Some { phase = Due; _ } when not (collide m s) -> run m s
+  | Some { phase = Due | Moving | Steered; _ } | None -> Ok (s, [])

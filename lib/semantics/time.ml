@@ -14,16 +14,20 @@ let process_horizon (m : Model.t) (p : State.process) =
 let to_split_instant (m : Model.t) (p : State.process) =
   Option.map (fun clock -> Rat.sub m.split_step clock) p.clock
 
-let delay m (s : State.t) =
+let delay (m : Model.t) (s : State.t) =
   let next =
     Array.fold_left
       (fun d p -> least d (least (process_horizon m p) (to_split_instant m p)))
       None s.processes
   in
-  let steered = Array.exists (Steer.steers m) s.processes in
+  let in_steps p = Steer.steers m p || Turn.spinning p in
   let step = Option.map (fun (step : State.step) -> step.remaining) s.step in
-  let limit = if steered then least next step else next in
-  let contact = Collision.first_time_of_contact m s ~limit in
+  let limit = if Array.exists in_steps s.processes then least next step else next in
+  let contact =
+    match m.rigid with
+    | None -> Collision.first_time_of_contact m s ~limit
+    | Some _ -> Encounter.first_time_of_contact m s ~limit
+  in
   match least limit contact with
   | None -> None
   | Some d -> least (Some d) step
@@ -46,7 +50,9 @@ let move_process d (p : State.process) =
     let move (l : State.leaf) = { l with position = Vec.axpy d p.velocity l.position } in
     State.map_leaves move p
 
-let pass_process m d p = move_process d (age_process m d p)
+let pass_process (m : Model.t) d p =
+  let aged = age_process m d p in
+  match m.rigid with None -> move_process d aged | Some _ -> Turn.pass m d aged
 
 (* Where nothing is steered, time may pass over the ends of steps: they come every timestep. *)
 let pass_step (m : Model.t) d (step : State.step) =

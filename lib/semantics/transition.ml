@@ -9,7 +9,9 @@ type label =
   | Strong_split of State.bond list
 
 type t = { label : label; rules : Rule.t list; target : State.t }
-type fault = Bad_law of { leaf : int; fault : Law.fault }
+type fault =
+  | Bad_law of { leaf : int; fault : Law.fault }
+  | Persistent_contact of int * int
 
 let duration_of = function
   | Time d -> d
@@ -48,8 +50,13 @@ let label_to_string (m : Model.t) = function
     |> String.concat ", "
     |> Printf.sprintf "strong({%s})"
 
-let fault_to_string (m : Model.t) (Bad_law { leaf; fault }) =
-  Printf.sprintf "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
-    (match fault with
-     | Division_by_zero -> "it divides by zero"
-     | Bad_quantum -> "it rounds to a quantum that is not positive")
+let fault_to_string (m : Model.t) = function
+  | Bad_law { leaf; fault } ->
+    Printf.sprintf "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
+      (match fault with
+       | Division_by_zero -> "it divides by zero"
+       | Bad_quantum -> "it rounds to a quantum that is not positive")
+  | Persistent_contact (p, q) ->
+    Printf.sprintf
+      "persistent contact: %s and %s would interpenetrate at once, though they do not approach where they touch"
+      m.leaves.(p).name m.leaves.(q).name

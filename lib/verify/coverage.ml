@@ -264,7 +264,7 @@ let is_steered (s : State.t) =
 let transition t ~source (label : Transition.label) ~target =
   let rules, used =
     match label with
-    | Time _ -> (Network.time_rules, [])
+    | Time _ -> (Network.time_rules t.model, [])
     | Bounce _ -> ([ Rule.Bounce ], [])
     | Bind b -> bind t ~source ~target b
     | Weak_split b -> weak t ~source ~target b
@@ -272,7 +272,8 @@ let transition t ~source (label : Transition.label) ~target =
   in
   List.iter (fire t) used;
   let passes = Scc_exact.Rat.sign (Transition.duration_of label) > 0 in
-  let steer = is_steered target && (passes || not (is_steered source)) in
+  let lawful = Option.is_none t.model.rigid || Array.exists (Steer.steers t.model) source.processes in
+  let steer = lawful && is_steered target && (passes || not (is_steered source)) in
   count_rules t (if steer then rules @ [ Rule.Steer ] else rules)
 
 let of_space (s : Space.t) =
@@ -302,6 +303,7 @@ let channels t =
   |> List.sort (fun a b -> String.compare a.name b.name)
 
 let rules t =
-  Rule.all
-  |> List.filter (function Rule.Eps0 -> false | _ -> true)
+  (* a graph does not show where canonical form used Eps0, nor what was rounded *)
+  Rule.of_model t.model
+  |> List.filter (function Rule.Eps0 | Round -> false | _ -> true)
   |> List.map (fun r -> (r, Option.value ~default:0 (Hashtbl.find_opt t.rule_uses (Rule.id r))))

@@ -1,0 +1,74 @@
+open Scc_exact
+open Scc_calculus
+
+let replace (s : State.t) i p =
+  let processes = List.mapi (fun j q -> if i = j then p else q) (Array.to_list s.processes) in
+  State.make ~processes ~step:s.step ~time:s.time
+
+(* Each process in turn, against the others as they are by then. *)
+let each (s : State.t) f =
+  let step (s, changed) i =
+    match f s i s.State.processes.(i) with
+    | Some p -> (replace s i p, true)
+    | None -> (s, changed)
+  in
+  List.fold_left step (s, false) (List.init (Array.length s.processes) Fun.id)
+
+let fixed m p = Option.is_none (State.mass m p)
+
+let reach m p centre =
+  Array.fold_left
+    (fun far (l : State.leaf) ->
+       let parts = Array.length m.Model.leaves.(l.leaf).parts in
+       List.fold_left (fun far i -> Rat.max far (Turn.reach m ~centre l i)) far (List.init parts Fun.id))
+    Rat.zero p.State.leaves
+
+let orientation m k s i (p : State.process) =
+  let old = p.leaves.(0).turned in
+  let rounded = Quaternion.round k old in
+  if fixed m p || Quaternion.equal old rounded then None
+  else
+    let centre = State.centre_of_mass m p in
+    let by = Rat.mul (Quaternion.round_error k) (reach m p centre) in
+    if not (Encounter.apart m s i ~by) then None
+    else
+      let turn = Quaternion.mul rounded (Quaternion.inverse old) in
+      let move (l : State.leaf) =
+        {
+          l with
+          position = Vec.add centre (Quaternion.apply turn (Vec.sub l.position centre));
+          turned = Quaternion.mul turn l.turned;
+        }
+      in
+      Some (State.map_leaves move p)
+
+let quantum k = Rat.make Z.one (Z.shift_left Z.one k)
+
+let near k (v : Vec.t) =
+  let round x = Rat.round_to x ~quantum:(quantum k) in
+  Vec.make (round v.x) (round v.y) (round v.z)
+
+let velocity m k (p : State.process) =
+  let v = near k p.velocity and spin = near k p.spin in
+  if fixed m p || (Vec.equal v p.velocity && Vec.equal spin p.spin) then None
+  else Some (State.with_velocity v (State.with_turn ~spin ~since:p.since p))
+
+let nothing_collides m s = Encounter.colliding m s = []
+
+let velocities m k s =
+  let rounded, changed = each s (fun _ _ p -> velocity m k p) in
+  if not changed then (s, false)
+  else if nothing_collides m rounded then (rounded, true)
+  else
+    each s (fun s i p ->
+        match velocity m k p with
+        | Some q when nothing_collides m (replace s i q) -> Some q
+        | Some _ | None -> None)
+
+let run m s =
+  let { Model.round_orientation; round_velocity; _ } = Turn.rigid m in
+  let s, turned =
+    match round_orientation with None -> (s, false) | Some k -> each s (orientation m k)
+  in
+  let s, changed = match round_velocity with None -> (s, false) | Some k -> velocities m k s in
+  (s, turned || changed)

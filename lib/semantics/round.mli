@@ -1,0 +1,13 @@
+(** Rule Round: the one place where the numbers of a rigid model are rounded, when it asks for that: as a movement
+    step begins. *)
+
+open Scc_calculus
+
+val run : Model.t -> State.t -> State.t * bool
+(** The state with every orientation that is longer than declared rounded, and every velocity and spin; whether
+    anything changed.
+
+    An orientation stays exactly orthogonal, and the process is turned about its centre of mass as a whole. It waits
+    for a later step when another process is not farther away than the rounding may move a point. Velocities and
+    spins are rounded to the nearest multiples; they wait when something would collide with them that does not
+    without. *)

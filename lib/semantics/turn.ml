@@ -1,0 +1,94 @@
+open Scc_exact
+open Scc_calculus
+open Scc_rigid
+
+let rigid (m : Model.t) =
+  match m.rigid with
+  | Some r -> r
+  | None -> Scc_base.Bug.fail __POS__ "a translational model does not turn"
+
+let spinning (p : State.process) = not (Vec.is_zero p.spin)
+let half = Rat.make Z.one (Z.of_int 2)
+
+(* What a turn by a spin has done after a time. *)
+let turned spin time = Quaternion.cayley (Vec.scale (Rat.mul half time) spin)
+
+let pass m d (p : State.process) =
+  if Rat.sign d = 0 then p
+  else if not (spinning p) then
+    if Vec.is_zero p.velocity then p
+    else State.map_leaves (fun l -> { l with position = Vec.axpy d p.velocity l.position }) p
+  else
+    let since = Rat.add p.since d in
+    let turn = Quaternion.mul (turned p.spin since) (Quaternion.inverse (turned p.spin p.since)) in
+    let from = State.centre_of_mass m p in
+    let centre = Vec.axpy d p.velocity from in
+    let move (l : State.leaf) =
+      {
+        l with
+        position = Vec.add centre (Quaternion.apply turn (Vec.sub l.position from));
+        turned = Quaternion.mul turn l.turned;
+      }
+    in
+    State.with_turn ~spin:p.spin ~since (State.map_leaves move p)
+
+(* {1 Mass} *)
+
+let mass_parts (m : Model.t) (p : State.process) =
+  let of_leaf (l : State.leaf) =
+    Array.to_list m.leaves.(l.leaf).parts
+    |> List.mapi (fun i (part : Model.part) -> { Mass.body = State.placed m l i; mass = part.mass })
+  in
+  List.concat_map of_leaf (Array.to_list p.leaves)
+
+let mass m (p : State.process) = Option.map (fun _ -> Mass.of_parts (mass_parts m p)) (State.mass m p)
+let mover m (p : State.process) : Impact.mover = { mass = mass m p; velocity = p.velocity; spin = p.spin }
+
+(* Turning about the spin by q takes the inertia from I to q I q^-1 and leaves the spin as it is: now the angular
+   momentum would be q L, where L is that at the start of the turn. *)
+let renew (m : Model.t) (p : State.process) =
+  if Rat.sign p.since = 0 || not (spinning p) then State.with_turn ~spin:p.spin ~since:Rat.zero p
+  else
+    match (rigid m).dynamics with
+    | Constant_spin -> State.with_turn ~spin:p.spin ~since:Rat.zero p
+    | Free_body -> (
+        match mass m p with
+        | None -> Scc_base.Bug.fail __POS__ "a fixed body spins"
+        | Some mass ->
+          let back = Quaternion.inverse (turned p.spin p.since) in
+          let momentum = Quaternion.apply back (Mat.apply mass.inertia p.spin) in
+          State.with_turn ~spin:(Mass.turn_rate mass momentum) ~since:Rat.zero p)
+
+let piece m ~whole p =
+  let mover = Impact.piece (mover m (renew m whole)) (mass m p) in
+  State.with_velocity mover.velocity (State.with_turn ~spin:mover.spin ~since:Rat.zero p)
+
+(* {1 Steps} *)
+
+let step_length (m : Model.t) (s : State.t) =
+  let fastest =
+    Array.fold_left (fun f (p : State.process) -> Rat.max f (Vec.norm2 p.spin)) Rat.zero s.processes
+  in
+  (* |spin| d / 2 <= 1/4 *)
+  let rec cut d =
+    if Rat.compare (Rat.mul fastest (Rat.mul d d)) (Rat.make Z.one (Z.of_int 4)) <= 0 then d
+    else cut (Rat.mul half d)
+  in
+  cut m.timestep
+
+let motion (m : Model.t) (p : State.process) ~centre (l : State.leaf) part : Motion.t =
+  let back = if spinning p then Quaternion.inverse (turned p.spin p.since) else Quaternion.identity in
+  {
+    solid = m.leaves.(l.leaf).parts.(part).solid;
+    turned = Quaternion.mul back l.turned;
+    arm = Quaternion.apply back (Vec.sub (State.part_position m l part) centre);
+    centre;
+    velocity = p.velocity;
+    spin = p.spin;
+    since = p.since;
+  }
+
+let reach (m : Model.t) ~centre (l : State.leaf) part =
+  let solid = m.leaves.(l.leaf).parts.(part).solid in
+  let arm = Vec.add (State.part_position m l part) (Quaternion.apply l.turned solid.centroid) in
+  Rat.add (Rat.sqrt_above (Vec.norm2 (Vec.sub arm centre))) solid.radius
