@@ -32,6 +32,7 @@ type t = {
   obstacles : Obstacle_cache.t;
 }
 
+let resolution m = Option.map (fun r -> r.resolution) m.rigid
 let part_count m = Array.fold_left (fun n l -> n + Array.length l.parts) 0 m.leaves
 
 let site_name m ~leaf (site : Site.t) =

@@ -49,6 +49,9 @@ type t = {
   obstacles : Obstacle_cache.t;
 }
 
+val resolution : t -> Rat.t option
+(** Of a rigid model. *)
+
 val part_count : t -> int
 
 val site_name : t -> leaf:int -> Site.t -> string

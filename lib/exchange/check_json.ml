@@ -136,7 +136,7 @@ let property m ((check : Property.check), (v : Verdict.t)) =
       ("name", Json.text check.name);
       ("formula", Json.text check.text);
       ("verdict", `String (kind v));
-      ("text", Json.text (Verdict.to_string v));
+      ("text", Json.text (Verdict.to_string ?resolution:(Model.resolution m) v));
       ("bounds", `List (List.map truncation bounds));
       ("reasons", `List (List.map (reason m) reasons));
       ("witness", Json.option (witness m) run);
@@ -173,10 +173,15 @@ let document ~source r =
       ("digest", `String r.digest);
       ("parameters", `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) r.parameters));
       ("exit", `Int r.exit);
-      ("properties", `List (List.map (property r.model) r.verdicts));
-      ("explored", explored r.stats);
-      ("slices", `List (List.map slice r.slices));
-      ("zeno", Json.option (witness r.model) r.zeno);
-      ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
     ]
+      @ (match Model.resolution r.model with
+          | Some resolution -> [ ("resolution", Json.rat resolution) ]
+          | None -> [])
+      @ [
+        ("properties", `List (List.map (property r.model) r.verdicts));
+        ("explored", explored r.stats);
+        ("slices", `List (List.map slice r.slices));
+        ("zeno", Json.option (witness r.model) r.zeno);
+        ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
+      ]
       @ r.extra)

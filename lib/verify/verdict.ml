@@ -138,9 +138,15 @@ let reason_to_string = function
   | Fault fault -> fault
   | Zeno _ -> "Zeno: a run goes on for ever within one instant"
 
-let to_string = function
-  | Holds { bounds = []; _ } -> "holds (exhaustive)"
+let to_string ?resolution v =
+  let meant =
+    match resolution with
+    | Some r -> ", at resolution " ^ Rat.to_string r
+    | None -> ""
+  in
+  match v with
+  | Holds { bounds = []; _ } -> "holds (exhaustive)" ^ meant
   | Holds { bounds; _ } ->
-    "holds up to the bound: " ^ String.concat ", " (List.map truncation_to_string bounds)
-  | Violated _ -> "violated"
+    "holds up to the bound: " ^ String.concat ", " (List.map truncation_to_string bounds) ^ meant
+  | Violated _ -> "violated" ^ meant
   | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)
