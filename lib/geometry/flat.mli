@@ -20,6 +20,7 @@ val dimension : shape -> shape -> int
 (** Of the intersection, for shapes whose relative interiors intersect. *)
 
 val region : normal:Vec.t -> shape * Vec.t list -> shape * Vec.t list -> Vec.t list
-(** The corners of the intersection of two shapes whose relative interiors intersect (a bug otherwise for a segment).
-    Each shape comes with its corners in space, in the same order; those of polygons are counter-clockwise about
-    [normal]. One corner for a point, two for a segment, the corners of a convex polygon in order otherwise. *)
+(** The corners of the intersection of two shapes whose relative interiors intersect (a bug otherwise for a
+    segment). Each shape comes with its corners in space, in the same order; those of polygons are
+    counter-clockwise about [normal]. One corner for a point, two for a segment, the corners of a convex polygon
+    in order otherwise. *)

@@ -1,13 +1,13 @@
 open Scc_exact
 
-(* The point of least norm of conv { q - p | p of A, q of B } (Gilbert, Johnson and Keerthi). The corral, a few of these
-   differences, has its point of least norm x in the relative interior of its hull, so that x.c = x.x for all c of the
-   corral. The lowest difference s along x proves that x is the answer, if x.s >= x.x. Else it joins the corral, whose
-   least norm falls strictly: in exact arithmetic no corral occurs twice, and the search ends.
+(* The point of least norm of conv { q - p | p of A, q of B } (Gilbert, Johnson and Keerthi). The corral, a few of
+   these differences, has its point of least norm x in the relative interior of its hull, so that x.c = x.x for
+   all c of the corral. The lowest difference s along x proves that x is the answer, if x.s >= x.x. Else it joins
+   the corral, whose least norm falls strictly: in exact arithmetic no corral occurs twice, and the search ends.
 
    x.c = x.x on the affine hull of the corral, so that an s with x.s < x.x is not on it: the corral stays affinely
-   independent. Four points with x in the interior of their hull have x = 0; so a corral has at most three as long as
-   x is not 0. *)
+   independent. Four points with x in the interior of their hull have x = 0; so a corral has at most three as long
+   as x is not 0. *)
 
 (* x = num / den, den > 0. *)
 type least = { num : Ivec.t; den : Z.t; corral : Ivec.t list }
@@ -27,8 +27,8 @@ let foot corral =
       Some { num = Ivec.add (Ivec.scale wp p) (Ivec.scale wq q); den = Ivec.dot e e; corral }
     else None
   | [ p; q; r ] ->
-    (* The foot f is parallel to n. The triangle f q r has the area n.((q - f) x (r - f)) = n.(q x r), up to the factor
-       1 / 2|n|, and these areas are the weights of the corners opposite. *)
+    (* The foot f is parallel to n. The triangle f q r has the area n.((q - f) x (r - f)) = n.(q x r), up to the
+       factor 1 / 2|n|, and these areas are the weights of the corners opposite. *)
     let n = Ivec.cross (Ivec.sub q p) (Ivec.sub r p) in
     if all_positive [ Ivec.det n q r; Ivec.det n r p; Ivec.det n p q ] then
       Some { num = Ivec.scale (Ivec.dot n p) n; den = Ivec.dot n n; corral }

@@ -3,8 +3,8 @@
 open Scc_exact
 
 val vector : Vec.t array -> Vec.t array -> Vec.t
-(** [vector a b] is the one vector of least length that leads from a point of the hull of [a] to a point of the hull
-    of [b]: zero iff the closed sets meet. Neither array is empty. It is the vector x with
+(** [vector a b] is the one vector of least length that leads from a point of the hull of [a] to a point of the
+    hull of [b]: zero iff the closed sets meet. Neither array is empty. It is the vector x with
     x.(q - p) >= x.x for all p of [a] and q of [b]. *)
 
 val distance2 : Vec.t array -> Vec.t array -> Rat.t

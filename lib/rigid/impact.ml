@@ -22,7 +22,8 @@ let approaching a b (c : Near_contact.t) =
 (* A row J of generalized normals: J q = n.w(x). *)
 type row = { normal : Vec.t; corner : Vec.t }
 
-(* What an impulse of size 1 along a row changes of one body that it pushes along [push]: M^-1 J^T, its share of it. *)
+(* What an impulse of size 1 along a row changes of one body that it pushes along [push]: M^-1 J^T, its share of
+   it. *)
 type change = { push : Vec.t; twist : Vec.t; velocity : Vec.t; spin : Vec.t }
 
 let change (b : Mass.t) inverse row push =
@@ -68,8 +69,8 @@ let moved (m : mover) changes x =
 
 type response = Bounced of mover * mover | Persistent
 
-(* The normals that count of each contact (reading I-13), none of those that do not approach. Parts that touch exactly
-   may cover each other; across a gap there is one normal. *)
+(* The normals that count of each contact (reading I-13), none of those that do not approach. Parts that touch
+   exactly may cover each other; across a gap there is one normal. *)
 let counting a b contacts =
   let approaching = List.map (fun c -> (c, approaching a b c)) contacts in
   let exact, near =
@@ -90,8 +91,8 @@ let rows_of ((c : Near_contact.t), normals) =
   in
   List.concat_map of_normal normals
 
-(* For y = -q and x its projection on N, which is a cone: y - x is orthogonal to x and has no positive product with any
-   element of N. So |q + 2x| = |q| in the kinetic metric, that is the energy is kept; and for each row
+(* For y = -q and x its projection on N, which is a cone: y - x is orthogonal to x and has no positive product
+   with any element of N. So |q + 2x| = |q| in the kinetic metric, that is the energy is kept; and for each row
    J (q + x) >= 0, hence J (q + 2x) = 2 J (q + x) - J q >= -J q.
    Impulses come in pairs on one line, n and -n at the corner: momentum and angular momentum are kept. *)
 let bounce a b contacts =

@@ -1,5 +1,6 @@
-(** What a collision, a bond and a split do to the velocities and spins of rigid bodies (rules Bounce, Bind and Split
-    of the rigid calculus). Exact: momentum, angular momentum and kinetic energy are kept as each rule says. *)
+(** What a collision, a bond and a split do to the velocities and spins of rigid bodies (rules Bounce, Bind and
+    Split of the rigid calculus). Exact: momentum, angular momentum and kinetic energy are kept as each rule says.
+*)
 
 open Scc_exact
 
@@ -13,8 +14,8 @@ val velocity_at : mover -> Vec.t -> Vec.t
 (** Of the point of the body that is now at a place; zero for a fixed body. *)
 
 val approaching : mover -> mover -> Near_contact.t -> bool
-(** Whether at some corner x of the region n.w(x) < 0 for every normal n of the contact, where w(x) is the velocity of
-    the second body at x less that of the first. *)
+(** Whether at some corner x of the region n.w(x) < 0 for every normal n of the contact, where w(x) is the
+    velocity of the second body at x less that of the first. *)
 
 type response =
   | Bounced of mover * mover
@@ -22,16 +23,16 @@ type response =
 
 val bounce : mover -> mover -> Near_contact.t list -> response
 (** The elastic response of two bodies, given all contacts of a part of the first with a part of the second. For a
-    corner x and a normal n let the generalized normal be the row J that takes the velocities q of the two bodies to
-    n.w(x). N is the cone spanned by those of the approaching contacts, less the normals that reading I-13 drops
-    (of parts that touch exactly: of others, each has one normal, which counts). Then
-    q+ = q + 2 proj(-q), the projection on N in the kinetic metric (Moreau). Where J q < 0 before, J q+ >= -J q after;
-    another corner may approach then, and that is another collision of the same instant. A fixed body takes nothing. *)
+    corner x and a normal n let the generalized normal be the row J that takes the velocities q of the two bodies
+    to n.w(x). N is the cone spanned by those of the approaching contacts, less the normals that reading I-13 drops
+    (of parts that touch exactly: of others, each has one normal, which counts). Then q+ = q + 2 proj(-q), the
+    projection on N in the kinetic metric (Moreau). Where J q < 0 before, J q+ >= -J q after; another corner may
+    approach then, and that is another collision of the same instant. A fixed body takes nothing. *)
 
 val bind : mover list -> mover
 (** The whole of some bodies (at least one), which moves by conservation of linear and angular momentum. What is
     bound to a fixed body is fixed. *)
 
 val piece : mover -> Mass.t option -> mover
-(** What splits off from a body keeps its rigid motion: the velocity of its own centre of mass, and the spin. A piece
-    of a fixed body starts from rest. *)
+(** What splits off from a body keeps its rigid motion: the velocity of its own centre of mass, and the spin. A
+    piece of a fixed body starts from rest. *)

@@ -84,8 +84,9 @@ let shapes (s : Solid.t) points f =
   let shape f = Flat.hull (List.map (Array.get points) (Solid.corners s f)) in
   List.map (fun f -> (f, shape f)) (Polyhedron.closure s.polyhedron [ f ])
 
-(* The pair whose relative interiors hold that of the region is the one whose intersection has its dimension (reading
-   I-4). A face may be seen edge-on when the resolution is coarse; of several pairs, the last is taken then. *)
+(* The pair whose relative interiors hold that of the region is the one whose intersection has its dimension
+   (reading I-4). A face may be seen edge-on when the resolution is coarse; of several pairs, the last is taken
+   then. *)
 let highest_of pairs =
   let higher best (p : Contact.pair) =
     match best with

@@ -21,5 +21,5 @@ val corners : t -> Feature.t -> Vec.t list
 val centroid : t -> Vec.t
 
 val fixed_solid : t -> Solid.t
-(** The solid, turned: with {!field-at} as its place, what the queries of {!Scc_geometry} take. Not cheap, unless it
-    is not turned. *)
+(** The solid, turned: with {!field-at} as its place, what the queries of {!Scc_geometry} take. Not cheap, unless
+    it is not turned. *)

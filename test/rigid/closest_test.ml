@@ -111,4 +111,5 @@ let () =
           [ property "the least over all pairs of features" ~count:150 anywhere same_as_trying;
             property "also for aligned solids" ~count:150 aligned same_as_trying;
             property "no two points are nearer" ~count:1000 anywhere is_optimal;
-            property "from B to A it is the opposite" ~count:500 aligned symmetric; touching; interpenetrating ] ) ]
+            property "from B to A it is the opposite" ~count:500 aligned symmetric; touching;
+            interpenetrating ] ) ]

@@ -181,7 +181,8 @@ let real =
       let n = List.fold_left Ivec.add Ivec.zero (Obstacle.separating o (Vec.sub b.at a.at)) in
       let b = if lift then { b with at = Vec.axpy (ratio 1 1000000000) (Ivec.to_vec n) b.at } else b in
       let mover body velocity spin =
-        { Impact.mass = Some (Mass.of_part { body; mass = Rat.of_int (1 + body.Placed.solid.id) }); velocity; spin }
+        let mass = Rat.of_int (1 + body.Placed.solid.id) in
+        { Impact.mass = Some (Mass.of_part { body; mass }); velocity; spin }
       in
       Option.map
         (fun c -> { a = mover a va sa; b = mover b vb sb; contacts = [ c ] })
@@ -248,7 +249,9 @@ let flush_tiles () =
 (* Two cubes that meet edge to edge and spin, each the image of the other. *)
 let head_on () =
   let a = place "cube" (v (-1) (-1) 0) and b = place "cube" (v 1 1 0) in
-  let mover body velocity spin = { Impact.mass = Some (Mass.of_part { Mass.body; mass = Rat.one }); velocity; spin } in
+  let mover body velocity spin =
+    { Impact.mass = Some (Mass.of_part { Mass.body; mass = Rat.one }); velocity; spin }
+  in
   let contacts = Option.to_list (Near_contact.find ~resolution a b) in
   match Impact.bounce (mover a (v 2 0 0) (v 0 0 1)) (mover b (v (-2) 0 0) (v 0 0 1)) contacts with
   | Persistent -> Alcotest.fail "head on"
@@ -307,4 +310,5 @@ let () =
             property "exchanged" ~count:500 ~gen:also_fixed exchanged;
             of_real "real contacts: kept" ~count:200 (bounced keeps);
             of_real "real contacts: what approached leaves" ~count:200 (bounced reflected);
-            property "bind" ~count:500 ~gen:also_fixed bound; property "split" ~count:500 ~gen:also_fixed split ] ) ]
+            property "bind" ~count:500 ~gen:also_fixed bound;
+            property "split" ~count:500 ~gen:also_fixed split ] ) ]
