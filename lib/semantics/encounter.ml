@@ -128,12 +128,48 @@ let straight m a b =
   | At t -> Some t
   | Inside -> Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
 
+(* {1 Rule Quiescent} *)
+
+let cube =
+  let vertex i =
+    let side bit = if i land bit = 0 then -1 else 1 in
+    (Printf.sprintf "v%d" i, Vec.of_ints (side 1) (side 2) (side 4))
+  in
+  let faces =
+    [ [ 0; 2; 3; 1 ]; [ 4; 5; 7; 6 ]; [ 0; 4; 6; 2 ]; [ 1; 3; 7; 5 ]; [ 0; 1; 5; 4 ]; [ 2; 6; 7; 3 ] ]
+  in
+  let face i corners = (Printf.sprintf "f%d" i, Array.of_list corners) in
+  let set =
+    {
+      Polyhedron.ifs_vertices = Array.init 8 vertex;
+      ifs_faces = Array.of_list (List.mapi face faces);
+    }
+  in
+  match Polyhedron.of_ifs set with
+  | Ok cube -> cube
+  | Error _ -> Scc_base.Bug.fail __POS__ "a cube is no convex polyhedron"
+
+(* A solid that only moves in a straight line and never leaves a part outside: the part itself if it does not spin,
+   else a cube about the ball that it turns in. *)
+let hull m p =
+  if Turn.spinning p.state then (Solid.make ~id:0 cube (Mat.scale p.reach Mat.identity), p.centre)
+  else (Placed.fixed_solid (placed m p), State.part_position m p.leaf p.index)
+
+let never_meet m (a, b) =
+  let solid_a, at_a = hull m a and solid_b, at_b = hull m b in
+  let w = Vec.sub b.state.velocity a.state.velocity in
+  match Obstacle.first_time_of_contact (Obstacle.make solid_a solid_b) (Vec.sub at_b at_a) w with
+  | Never -> true
+  | At _ | Inside -> false
+
 let least a b = match (a, b) with None, x | x, None -> x | Some s, Some t -> Some (Rat.min s t)
 
 let all_pairs parts =
   let all = Array.to_list parts in
   List.concat_map (fun a -> List.filter_map (fun b ->
       if a.process < b.process && in_relative_motion a b then Some (a, b) else None) all) all
+
+let none_ahead m s = List.for_all (never_meet m) (all_pairs (parts m s))
 
 let first_time_of_contact m s ~limit =
   let parts = parts m s in

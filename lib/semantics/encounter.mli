@@ -25,5 +25,9 @@ val first_time_of_contact : Model.t -> State.t -> limit:Rat.t option -> Rat.t op
     collide now: a multiple of 2^-K, before the bodies would interpenetrate by less than 2^-K. Without a limit
     nothing may be spinning. *)
 
+val none_ahead : Model.t -> State.t -> bool
+(** Whether it is proved that no two processes ever collide again, if nothing else happens to them: each stays in a
+    straight prism, and those never meet. *)
+
 val apart : Model.t -> State.t -> int -> by:Rat.t -> bool
 (** Whether a process (by its index) is farther than a distance from every other one. *)

@@ -20,9 +20,10 @@ let delay (m : Model.t) (s : State.t) =
       (fun d p -> least d (least (process_horizon m p) (to_split_instant m p)))
       None s.processes
   in
-  let in_steps p = Steer.steers m p || Turn.spinning p in
+  let steered = Array.exists (Steer.steers m) s.processes in
+  let spinning = Array.exists Turn.spinning s.processes in
   let step = Option.map (fun (step : State.step) -> step.remaining) s.step in
-  let limit = if Array.exists in_steps s.processes then least next step else next in
+  let limit = if steered || spinning then least next step else next in
   let contact =
     match m.rigid with
     | None -> Collision.first_time_of_contact m s ~limit
@@ -30,6 +31,7 @@ let delay (m : Model.t) (s : State.t) =
   in
   match least limit contact with
   | None -> None
+  | Some _ when spinning && (not steered) && Option.is_none next && Encounter.none_ahead m s -> None
   | Some d -> least (Some d) step
 
 (* The clock after d: started anew when an eps of the process has just expired (reading I-9). *)
