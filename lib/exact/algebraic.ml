@@ -10,6 +10,7 @@ let of_root = function
   | Polynomial.Within { polynomial; low; high } -> Irrational { polynomial; low; high }
 
 let roots p ~low ~high = List.map of_root (Polynomial.roots p ~low ~high)
+let isolated p ~low ~high = of_root (Polynomial.isolated p ~low ~high)
 let to_rat = function Rational r -> Some r | Irrational _ -> None
 let low_end = function Rational r -> r | Irrational i -> i.low
 let high_end = function Rational r -> r | Irrational i -> i.high

@@ -13,6 +13,10 @@ val roots : Polynomial.t -> low:Rat.t -> high:Rat.t option -> t list
 (** The real roots of a non-zero polynomial in the open interval (low, high), increasing, each once;
     [high = None] is infinity. *)
 
+val isolated : Polynomial.t -> low:Rat.t -> high:Rat.t -> t
+(** The root in the open interval (low, high) of a polynomial that has one only there, and has different signs, not
+    zero, at the ends. *)
+
 val to_rat : t -> Rat.t option
 (** The number, when it is rational. *)
 

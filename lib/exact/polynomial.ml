@@ -87,6 +87,20 @@ let square_free p =
     let g = gcd p (derivative p) in
     if degree g = 0 then p else primitive (fst (divide p g))
 
+(* With p = p_1 p_2^2 p_3^3 ..., the p_i without common and multiple roots: g = gcd(p, p') is p_2 p_3^2 ..., p/g is
+   p_1 p_2 p_3 ..., and the odd part of g, which is p_2 p_4 ..., divides it. The leading coefficient of g,
+   hence of its odd part, is positive, so that signs are those of p. *)
+let rec odd_part p =
+  let p = primitive p in
+  if degree p <= 1 then p
+  else
+    let g = gcd p (derivative p) in
+    if degree g = 0 then p else primitive (fst (divide (fst (divide p g)) (odd_part g)))
+
+let substitute p ~scale:k ~shift =
+  let linear = trim [| shift; k |] in
+  Array.fold_right (fun c acc -> add (constant c) (mul linear acc)) p zero
+
 (* Cauchy: every root is at most 1 + max |c_i / c_n| in magnitude, and strictly below one more. *)
 let root_bound p =
   let top = leading p in
@@ -194,6 +208,18 @@ and simple p =
   | 2 -> quadratic_roots p
   | _ -> Scc_base.Bug.fail __POS__ "degree above two"
 
+(* A rational root of an integer polynomial is one modulo a prime too, unless the prime divides its denominator
+   and so the leading coefficient. A prime without a root proves that all roots are irrational. *)
+let proves_irrational p prime =
+  let modulo c = Z.to_int (Z.erem (Q.num c) (Z.of_int prime)) in
+  let c = Array.map modulo p in
+  let rec no_root x =
+    x = prime || (Array.fold_right (fun c acc -> ((acc * x) + c) mod prime) c 0 <> 0 && no_root (x + 1))
+  in
+  c.(Array.length c - 1) <> 0 && no_root 0
+
+let primes = [ 3; 5; 7; 11; 13; 17; 19; 23; 29; 31; 37; 41; 43; 47; 53; 59; 61 ]
+
 let compare_rational_root r = function
   | Exactly x -> Rat.compare r x
   | Within { polynomial; low; high } ->
@@ -211,6 +237,19 @@ let compare_roots a b =
 let in_range ~low ~high root =
   compare_rational_root low root < 0
   && match high with None -> true | Some h -> compare_rational_root h root > 0
+
+let isolated p ~low ~high =
+  let p = positive (square_free p) in
+  if degree p <= 2 then
+    match List.filter (in_range ~low ~high:(Some high)) (simple p) with
+    | [ root ] -> root
+    | _ -> Scc_base.Bug.fail __POS__ "the root is not alone"
+  else if List.exists (proves_irrational p) primes then Within { polynomial = p; low; high }
+  else
+    match single p low high with
+    | Rational r -> Exactly r
+    | Isolated [ root ] -> root
+    | Isolated _ -> Scc_base.Bug.fail __POS__ "the root is not alone"
 
 let roots p ~low ~high =
   if is_zero p then Scc_base.Bug.fail __POS__ "the zero polynomial has no isolated roots"

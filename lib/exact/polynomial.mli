@@ -51,6 +51,13 @@ val gcd : t -> t -> t
 val square_free : t -> t
 (** A primitive polynomial with the same roots, each of them simple. *)
 
+val odd_part : t -> t
+(** A primitive polynomial, with simple roots only, that has the same sign everywhere but at finitely many
+    points: its roots are those at which the polynomial changes sign. Zero for zero. *)
+
+val substitute : t -> scale:Rat.t -> shift:Rat.t -> t
+(** [substitute p ~scale ~shift] is p(scale t + shift). *)
+
 val root_bound : t -> Rat.t
 (** A positive bound that every real root of a non-zero polynomial is strictly below, in magnitude. *)
 
@@ -76,6 +83,10 @@ type root =
 val roots : t -> low:Rat.t -> high:Rat.t option -> root list
 (** The real roots in the open interval (low, high), each once, increasing; [high = None] is infinity. The
     polynomial is not zero (a bug otherwise). *)
+
+val isolated : t -> low:Rat.t -> high:Rat.t -> root
+(** The root in the open interval (low, high) of a polynomial that has one only there, and has different signs, not
+    zero, at the ends. *)
 
 val to_string : ?variable:string -> t -> string
 (** E.g. ["2t^2 - 3"]. *)

@@ -1,9 +1,10 @@
 (** When two turning convex solids first interpenetrate, exactly: the reference that every faster answer is held
     against, and what decides near contact, in resting and in sliding contact (rule Turn).
 
-    The interiors of two convex solids are disjoint at an instant iff some axis of the bodies separates them then. Each
-    axis does so on a finite union of closed intervals whose ends are roots of polynomials, hence the first instant
-    after which no axis goes on is found by going from the end of one interval to that of another. *)
+    The interiors of two convex solids are disjoint at an instant iff some axis of {!Axis} separates them
+    then. Each axis does so on a finite union of closed intervals whose ends are roots of polynomials, hence
+    the first instant after which no axis goes on is found by going from the end of one interval to that of
+    another. *)
 
 open Scc_exact
 open Scc_geometry
@@ -14,9 +15,9 @@ type outcome =
   (** The last t in [from, until) such that the interiors are disjoint on [from, t]: they meet right after it. *)
 
 val first_penetration : Motion.t -> Motion.t -> from:Rat.t -> until:Rat.t -> outcome
-(** For 0 <= from <= until, times from now as in {!Motion}; the solids do not interpenetrate at [from] (if they do, the
-    answer is [At from], or [Never] for [from = until]). A graze, sliding and resting contact are no penetration. Exact
-    for every input, and symmetric in the two solids. *)
+(** For 0 <= from <= until, times from now as in {!Motion}; the solids do not interpenetrate at [from] (if they
+    do, the answer is [At from], or [Never] for [from = until]). A graze, sliding and resting contact are no
+    penetration. Exact for every input, and symmetric in the two solids. *)
 
 val relation : Motion.t -> Motion.t -> Rat.t -> Obstacle.relation
 (** Rule Contact at an instant. Not cheap: both solids are made anew. *)
