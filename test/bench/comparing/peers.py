@@ -38,14 +38,13 @@ def run(command, **options):
     return done.returncode, done.stdout
 
 
-def build_scc():
+def build_scc(programs=("test/bench/geometry.exe", "test/bench/gas.exe")):
     """The folder of scc's bench programs."""
     target = os.path.join(ROOT, os.environ.get("DUNE_BUILD_DIR", "_release"))
-    programs = ["test/bench/geometry.exe", "test/bench/gas.exe"]
     code, output = run(["sh", "-c", ". scripts/dependencies.sh && require build"], cwd=ROOT)
     if code != 0:
         raise Missing("scc's own dependencies:\n" + output)
-    code, output = run(["dune", "build", "--profile", "release", "--build-dir", target] + programs, cwd=ROOT)
+    code, output = run(["dune", "build", "--profile", "release", "--build-dir", target, *programs], cwd=ROOT)
     if code != 0:
         raise Missing("scc does not build:\n" + output)
     return os.path.join(target, "default", "test", "bench")
