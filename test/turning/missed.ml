@@ -11,18 +11,20 @@ open Scc_rigid
 
 let () =
   let random = ref 100_000 and grazing = ref 10_000 and seed = ref 1 and from = ref 0 in
-  let hull = ref "" and reference = ref false in
+  let hull = ref "" and reference = ref false and sweep = ref false in
   Arg.parse
     [ ("--random", Arg.Set_int random, "N cases by chance; a tenth of them aligned, in addition");
       ("--grazing", Arg.Set_int grazing, "N cases that nearly touch, and as many at a peak");
       ("--seed", Arg.Set_int seed, "N of the generator");
       ("--from", Arg.Set_int from, "N number of the first case of each kind");
       ("--hull", Arg.Set_string hull, "FILE hulls, for one case in a hundred; a shape of test/data/geometry");
+      ("--sweep", Arg.Set sweep, " the exact sweep instead of the cast: slow");
       ("--reference", Arg.Set reference, " the reference alone") ]
     (fun arg -> raise (Arg.Bad ("unexpected " ^ arg)))
     "missed [--random N] [--grazing N] [--seed N] [--from N] [--hull FILE]";
   let cast : Turning_check.cast =
     if !reference then fun _ _ ~span:_ ~grid:_ -> Cast.Never
+    else if !sweep then Turning_check.by_sweep
     else fun a b -> Cast.first_time_of_contact a b
   in
   let all = Turning_check.tally () in

@@ -6,6 +6,18 @@ module Rng = Scc_long.Rng
 
 type cast = Motion.t -> Motion.t -> span:Rat.t -> grid:int -> Cast.outcome
 
+let by_sweep a b ~span ~grid =
+  match Sweep.relation a b Rat.zero with
+  | Interpenetrating -> Cast.Inside
+  | Apart | Touching -> (
+      match Sweep.first_penetration a b ~from:Rat.zero ~until:span with
+      | Never -> Never
+      | At t ->
+        let instant k = Rat.make k (Z.shift_left Z.one grid) in
+        let low, _ = Algebraic.enclose t ~width:(instant Z.one) in
+        let rec up k = if Algebraic.compare_rat t (instant (Z.succ k)) >= 0 then up (Z.succ k) else k in
+        At (instant (up (Rat.floor (Rat.mul low (Rat.make (Z.shift_left Z.one grid) Z.one))))))
+
 type verdict =
   | Agreed
   | Open

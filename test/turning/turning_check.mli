@@ -5,6 +5,9 @@ open Scc_rigid
 
 type cast = Motion.t -> Motion.t -> span:Rat.t -> grid:int -> Cast.outcome
 
+val by_sweep : cast
+(** What {!Scc_rigid.Sweep} finds, on the grid. *)
+
 type verdict =
   | Agreed
   | Open  (** the bodies touch, or nearly so, for a moment, and either answer may be right *)
