@@ -2,36 +2,37 @@ open Scc_exact
 
 (* The point of least norm of conv { q - p | p of A, q of B } (Gilbert, Johnson and Keerthi). The corral, a few of
    these differences, has its point of least norm x in the relative interior of its hull, so that x.c = x.x for
-   all c of the corral. The lowest difference s along x proves that x is the answer, if x.s >= x.x. Else it joins
+   every c of the corral. The lowest difference s along x proves that x is the answer, if x.s >= x.x. Else it joins
    the corral, whose least norm falls strictly: in exact arithmetic no corral occurs twice, and the search ends.
 
    x.c = x.x on the affine hull of the corral, so that an s with x.s < x.x is not on it: the corral stays affinely
    independent. Four points with x in the interior of their hull have x = 0; so a corral has at most three as long
    as x is not 0. *)
 
-(* x = num / den, den > 0. *)
-type least = { num : Ivec.t; den : Z.t; corral : Ivec.t list }
+(* [along] is a positive multiple of x, so that x.s - x.x has the sign of along.s - along.c for the first c of the
+   corral. *)
+type least = { along : Ivec.t; corral : Ivec.t list }
 
-(* x.s - x.x, up to a positive factor. *)
-let above x s = Z.compare (Z.mul x.den (Ivec.dot x.num s)) (Ivec.dot x.num x.num)
+let above x s = Z.compare (Ivec.dot x.along s) (Ivec.dot x.along (List.hd x.corral))
 let all_positive = List.for_all (fun w -> Z.sign w > 0)
 
 (* The foot of the origin on the affine hull of some points, if its weights are all positive. *)
 let foot corral =
   match corral with
-  | [ p ] -> Some { num = p; den = Z.one; corral }
+  | [ p ] -> Some { along = p; corral }
   | [ p; q ] ->
     let e = Ivec.sub q p in
     let wp = Ivec.dot q e and wq = Z.neg (Ivec.dot p e) in
     if all_positive [ wp; wq ] then
-      Some { num = Ivec.add (Ivec.scale wp p) (Ivec.scale wq q); den = Ivec.dot e e; corral }
+      Some { along = Ivec.add (Ivec.scale wp p) (Ivec.scale wq q); corral }
     else None
   | [ p; q; r ] ->
     (* The foot f is parallel to n. The triangle f q r has the area n.((q - f) x (r - f)) = n.(q x r), up to the
        factor 1 / 2|n|, and these areas are the weights of the corners opposite. *)
     let n = Ivec.cross (Ivec.sub q p) (Ivec.sub r p) in
     if all_positive [ Ivec.det n q r; Ivec.det n r p; Ivec.det n p q ] then
-      Some { num = Ivec.scale (Ivec.dot n p) n; den = Ivec.dot n n; corral }
+      let side = Z.of_int (Z.sign (Ivec.dot n p)) in
+      Some { along = Ivec.scale side n; corral }
     else None
   | _ -> None
 
@@ -48,29 +49,41 @@ let least_of points =
   let proper corral = match foot corral with Some x when is_least x -> Some x | Some _ | None -> None in
   match List.find_map proper (List.concat_map (fun k -> choose k points) [ 1; 2; 3 ]) with
   | Some x -> x
-  | None -> { num = Ivec.zero; den = Z.one; corral = points }
+  | None -> { along = Ivec.zero; corral = points }
 
 let lowest n points =
-  let value p = Ivec.dot n p in
-  let lower (best, at) p =
-    let v = value p in
-    if Z.lt v at then (p, v) else (best, at)
+  let best = ref points.(0) and at = ref (Ivec.dot n points.(0)) in
+  for i = 1 to Array.length points - 1 do
+    let v = Ivec.dot n points.(i) in
+    if Z.lt v !at then begin
+      best := points.(i);
+      at := v
+    end
+  done;
+  !best
+
+let find a b =
+  let support n = Ivec.sub (lowest n b) (lowest (Ivec.neg n) a) in
+  let rec search x =
+    if Ivec.is_zero x.along then None
+    else
+      let s = support x.along in
+      if above x s >= 0 then Some x else search (least_of (s :: x.corral))
   in
-  fst (Array.fold_left lower (points.(0), value points.(0)) points)
+  search (least_of [ Ivec.sub b.(0) a.(0) ])
+
+(* x = along (along.c) / (along.along), as x.c = x.x. *)
+let vector_over denominator a b =
+  match find a b with
+  | None -> Vec.zero
+  | Some { along; corral } ->
+    let n = Ivec.primitive along in
+    let k = Rat.make (Ivec.dot n (List.hd corral)) (Z.mul denominator (Ivec.dot n n)) in
+    Vec.scale k (Ivec.to_vec n)
 
 let vector a b =
   let k = Array.length a in
   let points, denominator = Ivec.of_vecs (Array.append a b) in
-  let a = Array.sub points 0 k and b = Array.sub points k (Array.length b) in
-  let support n = Ivec.sub (lowest n b) (lowest (Ivec.neg n) a) in
-  let rec search x =
-    if Ivec.is_zero x.num then x
-    else
-      let s = support (Ivec.primitive x.num) in
-      if above x s >= 0 then x else search (least_of (s :: x.corral))
-  in
-  let x = search (least_of [ Ivec.sub b.(0) a.(0) ]) in
-  let den = Z.mul denominator x.den in
-  Vec.make (Rat.make x.num.x den) (Rat.make x.num.y den) (Rat.make x.num.z den)
+  vector_over denominator (Array.sub points 0 k) (Array.sub points k (Array.length b))
 
 let distance2 a b = Vec.norm2 (vector a b)

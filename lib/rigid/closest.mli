@@ -1,11 +1,14 @@
-(** The distance of two convex sets, each the hull of some points: exact, without any tolerance. *)
+(** The distance of two convex sets, each the hull of some points (at least one): exact, without any tolerance. *)
 
 open Scc_exact
 
 val vector : Vec.t array -> Vec.t array -> Vec.t
 (** [vector a b] is the one vector of least length that leads from a point of the hull of [a] to a point of the
-    hull of [b]: zero iff the closed sets meet. Neither array is empty. It is the vector x with
-    x.(q - p) >= x.x for all p of [a] and q of [b]. *)
+    hull of [b]: zero iff the closed sets meet. It is the vector x with x.(q - p) >= x.x for all p of [a] and q of
+    [b]. *)
 
 val distance2 : Vec.t array -> Vec.t array -> Rat.t
 (** The squared distance. *)
+
+val vector_over : Z.t -> Ivec.t array -> Ivec.t array -> Vec.t
+(** The same for integer points over one denominator, which is positive. *)

@@ -50,18 +50,17 @@ let holding (s : Solid.t) = function
         List.find_opt (fun f -> has faces.(f)) (List.init (Array.length faces) Fun.id)
         |> Option.map (fun f -> Feature.Face f))
 
-(* Distances from the plane through [middle] along n, times |n|. *)
-let contact_feature ~resolution (s : Solid.t) n middle vertices =
-  let distances = Array.map (fun v -> Rat.abs (Rat.sub (Vec.dot n v) middle)) vertices in
+(* All in the units of twice n.v: [sum] is that of the middle, [reach2] the square of the resolution. *)
+let contact_feature (s : Solid.t) n vertices ~sum ~reach2 =
+  let distances = Array.map (fun v -> Z.abs (Z.sub (Z.shift_left (Ivec.dot n v) 1) sum)) vertices in
   let those keep =
     List.filter (fun i -> keep distances.(i)) (List.init (Array.length vertices) Fun.id)
   in
-  let bound = Rat.mul (Rat.mul resolution resolution) (Vec.norm2 n) in
-  match holding s (those (fun d -> Rat.compare (Rat.mul d d) bound <= 0)) with
+  match holding s (those (fun d -> Z.leq (Z.mul d d) reach2)) with
   | Some f -> f
   | None -> (
-      let least = Array.fold_left Rat.min distances.(0) distances in
-      match holding s (those (fun d -> Rat.equal d least)) with
+      let least = Array.fold_left Z.min distances.(0) distances in
+      match holding s (those (Z.equal least)) with
       | Some f -> f
       | None -> Scc_base.Bug.fail __POS__ "a supporting plane holds no feature")
 
@@ -76,12 +75,14 @@ let project u v (p : Ivec.t) = { Flat.x = Ivec.dot u p; y = Ivec.dot v p }
 
 (* The point of the plane n.x = height with given products with u and v, over [denominator]. *)
 let lift (n, height) u v denominator (p : Flat.point) =
-  let along axis amount = Vec.scale (Rat.div amount (Vec.norm2 axis)) axis in
+  let along axis amount =
+    Vec.scale (Rat.div amount (Rat.make (Ivec.dot axis axis) Z.one)) (Ivec.to_vec axis)
+  in
   let over c = Rat.make c denominator in
-  Vec.add (along n height) (Vec.add (along (Ivec.to_vec u) (over p.x)) (along (Ivec.to_vec v) (over p.y)))
+  Vec.add (along n height) (Vec.add (along u (over p.x)) (along v (over p.y)))
 
-let shapes (s : Solid.t) points f =
-  let shape f = Flat.hull (List.map (Array.get points) (Solid.corners s f)) in
+let shapes (s : Solid.t) project vertices f =
+  let shape f = Flat.hull (List.map (fun i -> project vertices.(i)) (Solid.corners s f)) in
   List.map (fun f -> (f, shape f)) (Polyhedron.closure s.polyhedron [ f ])
 
 (* The pair whose relative interiors hold that of the region is the one whose intersection has its dimension
@@ -97,33 +98,31 @@ let highest_of pairs =
   | Some p -> p
   | None -> Scc_base.Bug.fail __POS__ "the projections of two contact features do not meet"
 
-let apart ~resolution (a : Placed.t) va (b : Placed.t) vb gap =
-  let normal = Ivec.primitive (fst (Ivec.of_vec gap)) in
-  let n = Ivec.to_vec normal in
+let apart ~resolution (a : Placed.t) (b : Placed.t) (va, vb, denominator) gap =
+  let n = Ivec.primitive (fst (Ivec.of_vec gap)) in
   let extreme choose points =
-    Array.fold_left (fun m p -> choose m (Vec.dot n p)) (Vec.dot n points.(0)) points
+    Array.fold_left (fun m p -> choose m (Ivec.dot n p)) (Ivec.dot n points.(0)) points
   in
-  let height = Rat.div (Rat.add (extreme Rat.max va) (extreme Rat.min vb)) (Rat.of_int 2) in
-  let fa = contact_feature ~resolution a.solid n height va in
-  let fb = contact_feature ~resolution b.solid n height vb in
-  let u, v = axes normal in
-  let points, denominator = Ivec.of_vecs (Array.append va vb) in
-  let flat = Array.map (project u v) points in
-  let k = Array.length va in
-  let of_a = shapes a.solid (Array.sub flat 0 k) fa in
-  let of_b = shapes b.solid (Array.sub flat k (Array.length vb)) fb in
+  let sum = Z.add (extreme Z.max va) (extreme Z.min vb) in
+  let height = Rat.make sum (Z.shift_left denominator 1) in
+  let reach = Rat.mul resolution (Rat.make (Z.shift_left denominator 1) Z.one) in
+  let reach2 = Rat.floor (Rat.mul (Rat.mul reach reach) (Rat.make (Ivec.dot n n) Z.one)) in
+  let fa = contact_feature a.solid n va ~sum ~reach2 and fb = contact_feature b.solid n vb ~sum ~reach2 in
+  let u, v = axes n in
+  let of_a = shapes a.solid (project u v) va fa and of_b = shapes b.solid (project u v) vb fb in
   let pairs = Contact.pairs of_a of_b in
   let highest = highest_of pairs in
   let side f shapes =
     let _, shape = List.find (fun (g, _) -> Feature.equal f g) shapes in
     (shape, List.map (lift (n, height) u v denominator) (Flat.corners shape))
   in
-  let corners = Flat.region ~normal:n (side highest.first of_a) (side highest.second of_b) in
-  { gap; normals = [ normal ]; corners; pairs; highest; plane = (normal, height) }
+  let normal = Ivec.to_vec n in
+  let corners = Flat.region ~normal (side highest.first of_a) (side highest.second of_b) in
+  { gap; normals = [ n ]; corners; pairs; highest; plane = (n, height) }
 
-let find ~resolution a b =
-  let va = Placed.vertices a and vb = Placed.vertices b in
-  let gap = Closest.vector va vb in
+let find ~resolution (a : Placed.t) (b : Placed.t) =
+  let ((va, vb, denominator) as vertices) = Placed.over_one a b in
+  let gap = Closest.vector_over denominator va vb in
   if Vec.is_zero gap then Some (touching a b)
-  else if in_resolution ~resolution gap then Some (apart ~resolution a va b vb gap)
+  else if in_resolution ~resolution gap then Some (apart ~resolution a b vertices gap)
   else None

@@ -16,6 +16,12 @@ val point : t -> Vec.t -> Vec.t
 (** Where the point of the solid is that is at a vector from its reference point before any turn. *)
 
 val vertices : t -> Vec.t array
+val integers : t -> Ivec.t array * Z.t
+(** The vertices over one denominator, which is positive but need not be the least. *)
+
+val over_one : t -> t -> Ivec.t array * Ivec.t array * Z.t
+(** The vertices of both over one denominator. *)
+
 val corners : t -> Feature.t -> Vec.t list
 
 val centroid : t -> Vec.t
