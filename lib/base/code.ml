@@ -50,6 +50,7 @@ let negative_delay = "SC0502"
 let empty_channel = "SC0503"
 let wrong_template = "SC0504"
 let bad_law = "SC0601"
+let persistent_contact = "SC0602"
 let not_a_formula = "SC0701"
 let vacuous = "SC0702"
 let uneventful = "SC0703"
@@ -111,6 +112,7 @@ let all =
     (empty_channel, "a channel or a strong split without entries");
     (wrong_template, "a behaviour used on another template than its own");
     (bad_law, "a law of motion that cannot be evaluated");
+    (persistent_contact, "a contact of turning bodies at which time cannot pass");
     (not_a_formula, "a check that is not a temporal formula");
     (vacuous, "a check that says nothing, since its premise never holds");
     (uneventful, "a model in which no event ever happens");

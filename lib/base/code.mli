@@ -172,6 +172,9 @@ val wrong_template : t
 val bad_law : t
 (** SC0601: a law of motion that cannot be evaluated. *)
 
+val persistent_contact : t
+(** SC0602: two turning bodies that would interpenetrate at once though their response is zero. *)
+
 
 (** {1 Properties} *)
 

@@ -9,7 +9,7 @@ let ( let* ) = Result.bind
 
 let initial (e : Scc_elaborate.Elaborate.t) =
   Result.map_error
-    (fun f -> [ Diag.error Code.bad_law Span.none "%s" (Transition.fault_to_string e.model f) ])
+    (fun f -> [ Transition.diagnostic e.model f ])
     (Network.initial e.model e.declared)
 
 let verdict_code (v : Verdict.t) : Exit_code.t =
@@ -123,9 +123,6 @@ let print_text console (model : Input.model) (report : Check.report) verdicts ex
   print (Check_text.tally console (List.map snd verdicts));
   Option.iter (fun m -> List.iter (Console.note console) (Measured.lines m report)) extra.measured
 
-let law_faults (report : Check.report) =
-  List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) report.stats.faults
-
 let write_sarif console path code properties =
   let ok =
     match (code : Exit_code.t) with
@@ -170,7 +167,7 @@ let check console bounds (extras : Check_extras.t) overrides path =
   in
   Console.progress_done console;
   let verdicts, answers = split_at (List.length e.checks) report.outcomes in
-  Console.report console (law_faults report @ Vacuity.warnings report.stats ~verdicts ~answers);
+  Console.report console (report.stats.faults @ Vacuity.warnings report.stats ~verdicts ~answers);
   let* () =
     match extras.witness with Some folder -> write_witnesses model path folder verdicts | None -> Ok ()
   in

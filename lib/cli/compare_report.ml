@@ -142,7 +142,7 @@ let side_json (c : Compared.t) (s : Compare.side) =
       ("transitions", `Int transitions);
       ("complete", `Bool (Graph.complete c.graph));
       ("stopped_by", `List (List.map Check_json.truncation (Compared.stopped_by c)));
-      ("faults", `List (List.map Json.text faults));
+      ("faults", `List (List.map (fun (f : Scc_base.Diag.t) -> Json.text f.message) faults));
       ("compared_states", `Int s.states);
       ("compared_transitions", `Int s.transitions);
       ("classes", Json.option (fun n -> `Int n) s.classes);

@@ -62,13 +62,12 @@ let load_model console options ?renamed ~overrides path =
   Console.report console e.warnings;
   let* initial =
     Result.map_error
-      (fun f -> [ Diag.error Code.bad_law Span.none "%s" (Transition.fault_to_string e.model f) ])
+      (fun f -> [ Transition.diagnostic e.model f ])
       (Network.initial e.model e.declared)
   in
   let space = Space.explore options e.model ~initial in
   Console.progress_done console;
-  Console.report console
-    (List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) space.faults);
+  Console.report console space.faults;
   Ok { path; source = Model { model; space }; graph = graph_of_space ?renamed space }
 
 let load console options ?renamed ~overrides path =

@@ -59,8 +59,7 @@ let follow (model : Input.model) schedule ~interrupted =
   | Error Interrupted -> Error (Stopped "scc: interrupted")
   | Error (Refused d) -> Error (Diagnosed [ d ])
   | Error (Fault f) ->
-    let message = Scc_semantics.Transition.fault_to_string e.model f in
-    Error (Diagnosed [ Diag.error Code.bad_law Span.none "%s" message ])
+    Error (Diagnosed [ Scc_semantics.Transition.diagnostic e.model f ])
 
 let explanation run (check : Property.check option) =
   let story = Causes.tell run in

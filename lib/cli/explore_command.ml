@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_semantics
 open Scc_verify
@@ -115,7 +114,7 @@ let write_all console o interrupted files =
 
 let initial (e : Scc_elaborate.Elaborate.t) =
   Result.map_error
-    (fun f -> [ Diag.error Code.bad_law Span.none "%s" (Transition.fault_to_string e.model f) ])
+    (fun f -> [ Transition.diagnostic e.model f ])
     (Network.initial e.model e.declared)
 
 (* As that of an exploration by [scc check]. *)
@@ -143,7 +142,7 @@ let explore console o format =
   let space = Space.explore options e.model ~initial in
   Interrupt.in_time ();
   Console.progress_done console;
-  Console.report console (List.map (fun f -> Diag.error Code.bad_law Span.none "%s" f) space.faults);
+  Console.report console space.faults;
   let exported =
     { Exported.name = e.name; digest = model.digest; parameters = e.parameters; checks = e.checks; space }
   in

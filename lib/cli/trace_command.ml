@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_exchange
 open Cmdliner
@@ -109,8 +108,8 @@ let finish console (model : Input.model) (result : (Replay.ending, Replay.failur
     report d;
     Exit_code.Invalid
   | Error (Fault f) ->
-    report (Diag.error Code.bad_law Span.none "%s" (Scc_semantics.Transition.fault_to_string m f));
-    Exit_code.Invalid
+    report (Scc_semantics.Transition.diagnostic m f);
+    (match f with Bad_law _ -> Exit_code.Invalid | Persistent_contact _ -> Undecided)
 
 let run color o =
   let console = Console.make ~color ~json:false in

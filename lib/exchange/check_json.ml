@@ -152,7 +152,7 @@ let explored (s : Check.stats) =
       ("complete", `Bool s.complete);
       ("decided_early", `Bool s.decided_early);
       ("stopped_by", `List (List.map truncation s.stopped_by));
-      ("faults", `List (List.map Json.text s.faults));
+      ("faults", `List (List.map (fun (f : Diag.t) -> Json.text f.message) s.faults));
     ]
 
 let slice (s : Check.slice) =

@@ -58,7 +58,7 @@ let write (e : Exported.t) l put =
   add "complete" (`Bool (Space.complete space));
   add "unexplored" (`Int (Space.unexpanded space));
   add "bounds" (texts bounds);
-  add "faults" (texts space.faults);
+  add "faults" (texts (List.map (fun (f : Scc_base.Diag.t) -> f.message) space.faults));
   add "checks" (`List (List.map check e.checks));
   add "predicates" (`List predicates);
   put "\"states\": [\n";

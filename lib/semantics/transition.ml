@@ -50,13 +50,15 @@ let label_to_string (m : Model.t) = function
     |> String.concat ", "
     |> Printf.sprintf "strong({%s})"
 
-let fault_to_string (m : Model.t) = function
+let diagnostic (m : Model.t) fault =
+  let error code = Scc_base.Diag.error code Scc_base.Span.none in
+  match fault with
   | Bad_law { leaf; fault } ->
-    Printf.sprintf "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
+    error Scc_base.Code.bad_law "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
       (match fault with
        | Division_by_zero -> "it divides by zero"
        | Bad_quantum -> "it rounds to a quantum that is not positive")
   | Persistent_contact (p, q) ->
-    Printf.sprintf
+    error Scc_base.Code.persistent_contact
       "persistent contact: %s and %s would interpenetrate at once, though they do not approach where they touch"
       m.leaves.(p).name m.leaves.(q).name

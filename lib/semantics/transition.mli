@@ -37,4 +37,5 @@ val label_to_string : Model.t -> label -> string
 (** [time(1/2)], [bind(a, p.right, q.left)], [bounce(p, q)], [weak(a, p.right, q.left)],
     [strong({<a, {p.right, q.left}>, …})]. *)
 
-val fault_to_string : Model.t -> fault -> string
+val diagnostic : Model.t -> fault -> Scc_base.Diag.t
+(** SC0601 or SC0602. *)

@@ -42,7 +42,7 @@ let limits b ~horizon : Limits.t =
     memory = value b.memory;
   }
 
-type cause = Bound of Verdict.truncation | Fault of string | Early
+type cause = Bound of Verdict.truncation | Fault of Scc_base.Diag.t | Early
 
 let truncation bound make : Verdict.truncation =
   match bound with
@@ -67,4 +67,4 @@ let cause b model ~horizon (r : _ Explore.reason) =
   | Memory -> Bound (truncation b.memory (fun w -> Verdict.Memory w))
   | Interrupted -> Bound { limit = Interrupted; origin = By_user }
   | Stopped -> Early
-  | Fault f -> Fault (Transition.fault_to_string model f)
+  | Fault f -> Fault (Transition.diagnostic model f)

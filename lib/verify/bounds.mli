@@ -26,7 +26,7 @@ val limits : t -> horizon:Rat.t option -> Limits.t
 (** Why a state was not expanded. *)
 type cause =
   | Bound of Verdict.truncation
-  | Fault of string
+  | Fault of Scc_base.Diag.t
   | Early  (** everything was decided *)
 
 val cause : t -> Model.t -> horizon:Rat.t option -> Transition.fault Explore.reason -> cause

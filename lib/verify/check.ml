@@ -24,7 +24,7 @@ type stats = Exploration.stats = {
   eventful : bool;
   decided_early : bool;
   stopped_by : Verdict.truncation list;
-  faults : string list;
+  faults : Scc_base.Diag.t list;
 }
 
 type slice = { properties : string list; left_out : string list; explored : stats }
@@ -126,7 +126,7 @@ let add (a : stats) (b : stats) =
     eventful = a.eventful || b.eventful;
     decided_early = a.decided_early || b.decided_early;
     stopped_by = Verdict.together a.stopped_by b.stopped_by;
-    faults = List.sort_uniq String.compare (a.faults @ b.faults);
+    faults = List.sort_uniq Scc_base.Diag.compare (a.faults @ b.faults);
   }
 
 let sum_stores a b =

@@ -25,7 +25,7 @@ type stats = Exploration.stats = {
   eventful : bool;
   decided_early : bool;
   stopped_by : Verdict.truncation list;
-  faults : string list;
+  faults : Scc_base.Diag.t list;
 }
 (** Of several explorations: sums, and the greatest depth and time. *)
 

@@ -22,13 +22,13 @@ let limits_met options model (r : Compaction.result) =
   let cause reason = Bounds.cause options.Exploration.bounds model ~horizon:None reason in
   let causes = List.map cause r.left in
   let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
-  let faults = List.filter_map (function Bounds.Fault text -> Some text | Bound _ | Early -> None) causes in
-  (omission :: bounds, List.sort_uniq String.compare faults)
+  let faults = List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes in
+  (omission :: bounds, List.sort_uniq Scc_base.Diag.compare faults)
 
 (* Why a goal that was not met may be met all the same. *)
 let doubts (bounds, faults) undefined : Verdict.reason list =
   List.map (fun why -> Verdict.Undefined why) (Option.to_list undefined)
-  @ List.map (fun text -> Verdict.Fault text) faults
+  @ List.map (fun (f : Scc_base.Diag.t) -> Verdict.Fault f.message) faults
   @ List.map (fun t -> Verdict.Truncated t) bounds
 
 let is_guard (t : Verdict.truncation) =

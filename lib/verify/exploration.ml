@@ -34,7 +34,7 @@ type stats = {
   eventful : bool;
   decided_early : bool;
   stopped_by : Verdict.truncation list;
-  faults : string list;
+  faults : Scc_base.Diag.t list;
 }
 
 type result = {
@@ -74,7 +74,7 @@ let unexplored r states : Verdict.reason list =
     | Fault _ -> None
     | Early -> Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going"
   in
-  let fault = function Bounds.Fault text -> Some text | Bound _ | Early -> None in
+  let fault = function Bounds.Fault f -> Some f.Scc_base.Diag.message | Bound _ | Early -> None in
   (* There may be millions of them. *)
   let causes = List.rev (List.rev_map (reason_of r) states) in
   let bounds = Verdict.distinct (List.filter_map bound causes) in
@@ -229,8 +229,8 @@ let stats r : stats =
     decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
     stopped_by = Verdict.distinct bounds;
     faults =
-      List.sort_uniq String.compare
-        (List.filter_map (function Bounds.Fault text -> Some text | Bound _ | Early -> None) causes);
+      List.sort_uniq Scc_base.Diag.compare
+        (List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes);
   }
 
 (* A cycle without duration, or else a run that met the guard. *)

@@ -29,7 +29,7 @@ type stats = {
   eventful : bool;  (** some transition is not a passing of time *)
   decided_early : bool;  (** the exploration ended because every property was decided *)
   stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
-  faults : string list;  (** why transitions of states could not be computed, each text once *)
+  faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
 }
 
 type result = {

@@ -70,7 +70,7 @@ let rec follow w place (expected : expected list) fuel =
   if fuel = 0 then Error "the run does not come to its end"
   else
     match (Network.successors w.model place.state, expected) with
-    | Error fault, _ -> Error (Transition.fault_to_string w.model fault)
+    | Error fault, _ -> Error ((Transition.diagnostic w.model fault).message)
     | Ok all, e :: rest when Rat.equal e.at place.time -> (
         match List.find_opt (fun (t : Transition.t) -> Transition.equal_label e.label t.label) all with
         | Some t -> follow w (make place t) rest (fuel - 1)
@@ -114,7 +114,7 @@ let expected_events story roles absent =
 let try_without story roles w bodies =
   let absent = Ints.of_list (List.concat bodies) in
   match Network.initial w.model (without (Causes.run story) absent) with
-  | Error fault -> Error (Transition.fault_to_string w.model fault)
+  | Error fault -> Error ((Transition.diagnostic w.model fault).message)
   | Ok state ->
     follow w { state; time = Rat.zero; arrival = None } (expected_events story roles absent) patience
 

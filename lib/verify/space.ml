@@ -12,7 +12,7 @@ type t = {
   expanded : int -> bool;
   rests : int -> bool;
   stopped_by : Verdict.truncation list;
-  faults : string list;
+  faults : Scc_base.Diag.t list;
 }
 
 let explore options model ~initial =

@@ -14,7 +14,7 @@ type t = {
   expanded : int -> bool;  (** whether all transitions of the state are known *)
   rests : int -> bool;  (** the state is quiescent: nothing happens any more, and time passes for ever *)
   stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
-  faults : string list;  (** why transitions of states could not be computed, each text once *)
+  faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
 }
 
 val explore : Check.options -> Model.t -> initial:State.t -> t

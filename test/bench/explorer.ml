@@ -37,7 +37,7 @@ let load path overrides =
 let context (e : Scc_elaborate.Elaborate.t) =
   match Scc_semantics.Network.initial e.model e.declared with
   | Ok initial -> System.make e.model initial
-  | Error f -> fail (Scc_semantics.Transition.fault_to_string e.model f)
+  | Error f -> fail (Scc_semantics.Transition.diagnostic e.model f).message
 
 let live_words () =
   Gc.compact ();

@@ -158,7 +158,7 @@ let bad_law () =
   | Ok _ -> Alcotest.fail "1/dt was evaluated at dt = 0"
   | Error fault ->
     Alcotest.(check string) "the fault is named" "the law of motion of p cannot be evaluated: it divides by zero"
-      (Transition.fault_to_string m fault)
+      (Transition.diagnostic m fault).message
 
 let zeno () =
   let wall name x = body name (x, 0, 0) ~fixed:true in

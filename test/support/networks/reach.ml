@@ -10,7 +10,7 @@ module Seen = Hashtbl.Make (struct
 
 let ok m = function
   | Ok x -> x
-  | Error fault -> failwith (Transition.fault_to_string m fault)
+  | Error fault -> failwith (Transition.diagnostic m fault).message
 
 let initial m declared = ok m (Network.initial m declared)
 let successors m s = ok m (Network.successors m s)
