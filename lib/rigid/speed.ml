@@ -1,5 +1,4 @@
 open Scc_exact
-open Scc_geometry
 
 (* q 2^k for an integer k of either sign, rounded up to an integer. *)
 let scaled_up q k =
@@ -28,15 +27,13 @@ let root_up q =
     let root = Z.sqrt n in
     over_power (if Z.lt (Z.mul root root) n then Z.succ root else root) k
 
-(* No point of the solid is farther from the reference point than the farthest vertex. *)
-let radius (s : Solid.t) =
-  let far = Array.fold_left (fun far v -> Z.max far (Ivec.dot v v)) Z.zero s.vertices in
-  root_up (Rat.make far (Z.mul s.denominator s.denominator))
+(* The centroid keeps its distance from the centre that the solid turns about. *)
+let reach (m : Motion.t) =
+  let centroid = Vec.add m.arm (Quaternion.apply m.turned m.solid.centroid) in
+  Rat.add (root_up (Vec.norm2 centroid)) m.solid.radius
 
 let speed_of_turning (m : Motion.t) =
-  if Motion.turns m then
-    Rat.mul (root_up (Vec.norm2 m.spin)) (Rat.add (root_up (Vec.norm2 m.arm)) (radius m.solid))
-  else Rat.zero
+  if Motion.turns m then Rat.mul (root_up (Vec.norm2 m.spin)) (reach m) else Rat.zero
 
 let bound (a : Motion.t) (b : Motion.t) =
   let straight = root_up (Vec.norm2 (Vec.sub b.velocity a.velocity)) in
