@@ -17,6 +17,10 @@ let one_leaf : (string * (int -> Property.num)) list =
     ("vy", fun p -> Property.Velocity (Y, p));
     ("vz", fun p -> Property.Velocity (Z, p));
     ("speed2", fun p -> Property.Speed2 p);
+    ("wx", fun p -> Property.Spin (X, p));
+    ("wy", fun p -> Property.Spin (Y, p));
+    ("wz", fun p -> Property.Spin (Z, p));
+    ("spin2", fun p -> Property.Spin2 p);
   ]
 
 let two_leaves : (string * (int -> int -> (Property.num, Property.prop) Typed.value)) list =
@@ -128,11 +132,12 @@ let variable t env (path : Ast.path) =
         error t Code.unknown_name path.at "unknown name `%s` in a formula" name.it
           ~near:(name.it, fun () -> Long_list.map fst constants @ Env.names env);
         None)
-  | [ { name = { it = "momentum"; _ }; indices = [] }; { name; indices = [] } ] -> (
-      match List.assoc_opt name.it axes with
-      | Some axis -> Some (Num (Property.Momentum axis))
-      | None ->
-        error t Code.unknown_name name.at "`momentum` has the components x, y and z";
+  | [ { name = { it = ("momentum" | "angular") as of_what; _ }; indices = [] }; { name; indices = [] } ] -> (
+      match (of_what, List.assoc_opt name.it axes) with
+      | "angular", Some axis -> Some (Num (Property.Angular axis))
+      | _, Some axis -> Some (Num (Property.Momentum axis))
+      | _, None ->
+        error t Code.unknown_name name.at "`%s` has the components x, y and z" of_what;
         None)
   | _ ->
     error t Code.type_mismatch path.at "a value is expected here"

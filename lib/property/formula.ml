@@ -57,8 +57,8 @@ let rec exists_num t n =
   t.of_num n
   ||
   match n with
-  | Const _ | Bonds _ | Size _ | Processes | Position _ | Velocity _ | Speed2 _ | Distance2 _ | Momentum _
-  | Energy | Time -> false
+  | Const _ | Bonds _ | Size _ | Processes | Position _ | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Distance2 _
+  | Momentum _ | Angular _ | Energy | Time -> false
   | Count ps -> List.exists (exists_prop t) ps
   | Neg a -> exists_num t a
   | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> exists_num t a || exists_num t b
@@ -88,7 +88,7 @@ let mentions_time f =
 
 let mentions_position f =
   exists
-    { of_num = (function Position _ -> true | _ -> false); of_prop = no }
+    { of_num = (function Position _ | Angular _ -> true | _ -> false); of_prop = no }
     f
 
 let has_events f =
@@ -104,9 +104,9 @@ let rec mentions_next = function
   | Until (_, _, f, g) -> mentions_next f || mentions_next g
 
 let depends_on_all_num = function
-  | Bonds (_, None) | Processes | Momentum _ | Energy -> true
-  | Const _ | Bonds (_, Some _) | Size _ | Position _ | Velocity _ | Speed2 _ | Distance2 _ | Time | Count _
-  | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ -> false
+  | Bonds (_, None) | Processes | Momentum _ | Angular _ | Energy -> true
+  | Const _ | Bonds (_, Some _) | Size _ | Position _ | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Distance2 _
+  | Time | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ -> false
 
 let depends_on_all_prop = function
   | Quiescent | Event (Bond (_, _, Any) | Bounce Any) -> true
@@ -116,10 +116,10 @@ let depends_on_all_prop = function
 let global f = exists { of_num = depends_on_all_num; of_prop = depends_on_all_prop } f
 
 let leaves_of_num = function
-  | Size i | Position (_, i) | Velocity (_, i) | Speed2 i -> [ i ]
+  | Size i | Position (_, i) | Velocity (_, i) | Speed2 i | Spin (_, i) | Spin2 i -> [ i ]
   | Bonds (_, Some (i, j)) | Distance2 (i, j) -> [ i; j ]
-  | Const _ | Bonds (_, None) | Processes | Momentum _ | Energy | Time | Count _ | Neg _ | Add _ | Sub _
-  | Mul _ | Div _ | If _ -> []
+  | Const _ | Bonds (_, None) | Processes | Momentum _ | Angular _ | Energy | Time | Count _ | Neg _ | Add _
+  | Sub _ | Mul _ | Div _ | If _ -> []
 
 let leaves_of_prop = function
   | Behaviour (i, _) | Offers (i, _, _) -> [ i ]

@@ -61,6 +61,9 @@ let num_rank = function
   | Mul _ -> 15
   | Div _ -> 16
   | If _ -> 17
+  | Spin _ -> 18
+  | Spin2 _ -> 19
+  | Angular _ -> 20
 
 let prop_rank = function
   | Bool _ -> 0
@@ -82,18 +85,20 @@ let rec num a b =
   | Const x, Const y -> Rat.compare x y
   | Bonds (n, p), Bonds (o, q) ->
     next (Option.compare String.compare n o) (fun () -> Option.compare pair p q)
-  | Size i, Size j | Speed2 i, Speed2 j -> Int.compare i j
-  | Position (x, i), Position (y, j) | Velocity (x, i), Velocity (y, j) ->
+  | Size i, Size j | Speed2 i, Speed2 j | Spin2 i, Spin2 j -> Int.compare i j
+  | Position (x, i), Position (y, j) | Velocity (x, i), Velocity (y, j)
+  | Spin (x, i), Spin (y, j) ->
     next (axis x y) (fun () -> Int.compare i j)
   | Distance2 (i, j), Distance2 (k, l) -> pair (i, j) (k, l)
-  | Momentum x, Momentum y -> axis x y
+  | Momentum x, Momentum y | Angular x, Angular y -> axis x y
   | Count ps, Count qs -> List.compare prop ps qs
   | Neg a, Neg b -> num a b
   | Add (a, b), Add (c, d) | Sub (a, b), Sub (c, d) | Mul (a, b), Mul (c, d) | Div (a, b), Div (c, d) ->
     next (num a c) (fun () -> num b d)
   | If (p, a, b), If (q, c, d) -> next (prop p q) (fun () -> next (num a c) (fun () -> num b d))
-  | ( ( Const _ | Bonds _ | Size _ | Speed2 _ | Processes | Energy | Time | Position _ | Velocity _
-      | Distance2 _ | Momentum _ | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ ),
+  | ( ( Const _ | Bonds _ | Size _ | Speed2 _ | Spin _ | Spin2 _ | Processes | Energy | Time | Position _
+      | Velocity _ | Distance2 _ | Momentum _ | Angular _ | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _
+      | If _ ),
       _ ) -> Int.compare (num_rank a) (num_rank b)
 
 and prop a b =

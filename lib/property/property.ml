@@ -32,8 +32,12 @@ type num =
   | Position of axis * int  (** of the centroid of the leaf's own shape *)
   | Velocity of axis * int
   | Speed2 of int
+  | Spin of axis * int  (** of the leaf's process *)
+  | Spin2 of int
   | Distance2 of int * int  (** between centroids *)
   | Momentum of axis  (** of everything that is not fixed *)
+  | Angular of axis
+  (** angular momentum of everything that is not fixed, about the origin of the world *)
   | Energy  (** kinetic, of everything that is not fixed *)
   | Time
   | Count of prop list  (** how many of these hold *)

@@ -2,12 +2,14 @@ open Scc_base
 open Property
 
 let rec num f = function
-  | (Const _ | Processes | Momentum _ | Energy | Time | Bonds (_, None)) as n -> n
+  | (Const _ | Processes | Momentum _ | Angular _ | Energy | Time | Bonds (_, None)) as n -> n
   | Bonds (a, Some (i, j)) -> Bonds (a, Some (f i, f j))
   | Size i -> Size (f i)
   | Position (a, i) -> Position (a, f i)
   | Velocity (a, i) -> Velocity (a, f i)
   | Speed2 i -> Speed2 (f i)
+  | Spin (a, i) -> Spin (a, f i)
+  | Spin2 i -> Spin2 (f i)
   | Distance2 (i, j) -> Distance2 (f i, f j)
   | Count ps -> Count (Long_list.map (prop f) ps)
   | Neg a -> Neg (num f a)
@@ -83,8 +85,8 @@ let rebuild make = function
 
 let rec ordered_num n =
   match n with
-  | Const _ | Processes | Momentum _ | Energy | Time | Bonds (_, None) | Size _ | Position _ | Velocity _
-  | Speed2 _ -> n
+  | Const _ | Processes | Momentum _ | Angular _ | Energy | Time | Bonds (_, None) | Size _ | Position _
+  | Velocity _ | Speed2 _ | Spin _ | Spin2 _ -> n
   | Bonds (a, Some ends) -> Bonds (a, Some (ordered_pair ends))
   | Distance2 (i, j) ->
     let i, j = ordered_pair (i, j) in

@@ -55,8 +55,11 @@ let rec num m = function
   | Position (a, i) -> call (axis a) [ leaf m i ]
   | Velocity (a, i) -> call ("v" ^ axis a) [ leaf m i ]
   | Speed2 i -> call "speed2" [ leaf m i ]
+  | Spin (a, i) -> call ("w" ^ axis a) [ leaf m i ]
+  | Spin2 i -> call "spin2" [ leaf m i ]
   | Distance2 (i, j) -> call "distance2" [ leaf m i; leaf m j ]
   | Momentum a -> "momentum." ^ axis a
+  | Angular a -> "angular." ^ axis a
   | Energy -> "energy"
   | Time -> "time"
   | Count ps -> call "count" (Long_list.map (prop m) ps)

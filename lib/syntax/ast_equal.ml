@@ -129,6 +129,7 @@ let rec item a b =
   | Network ps, Network qs -> list path ps qs
   | Motion (p, l), Motion (q, m) -> option path p q && law l m
   | ( ( Model _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Resolution _ | Round _ | Shape _
-      | Compound _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _ | Check _ ), _ ) -> false
+      | Compound _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _
+      | Check _ ), _ ) -> false
 
 let model = list item

@@ -104,20 +104,28 @@ let expiries w ~step ~time d (source : State.t) =
     (List.map tell all)
 
 (* The leaves at which two processes touch: that they offer no bond makes it a bounce. *)
-let touching m (source : State.t) p q =
+let touching (m : Model.t) (source : State.t) p q =
   let i = fst (State.find_leaf source p) and j = fst (State.find_leaf source q) in
+  let of_encounter (e : Encounter.t) =
+    if (e.first = i && e.second = j) || (e.first = j && e.second = i) then
+      List.concat_map (fun (one, two) -> [ fst one; fst two ]) e.parts
+    else []
+  in
   let of_contact (c : Collision.contact) =
     if (c.first = i && c.second = j) || (c.first = j && c.second = i) then
       List.concat_map (fun (t : Collision.touch) -> [ fst t.one; fst t.two ]) c.touches
     else []
   in
-  List.concat_map of_contact (Collision.contacts m source)
+  match m.rigid with
+  | None -> List.concat_map of_contact (Collision.contacts m source)
+  | Some _ -> List.concat_map of_encounter (Encounter.colliding m source)
 
-let velocity s leaf = (process_of s leaf).State.velocity
+let same_motion (p : State.process) (q : State.process) =
+  Vec.equal p.velocity q.velocity && Vec.equal p.spin q.spin
 
 let set_motion w event source target leaves =
   set w.at.motion event
-    (List.filter (fun l -> not (Vec.equal (velocity source l) (velocity target l))) leaves)
+    (List.filter (fun l -> not (same_motion (process_of source l) (process_of target l))) leaves)
 
 let collision w ~step ~time label source target p q ~behaving =
   let one = first p (home source p) and two = first q (home source q) in
@@ -227,9 +235,9 @@ let of_num t : Property.num -> basis = function
     union [ bonds t (fun b -> named name b && joins ends b); { nothing with leaves = [ p; q ] } ]
   | Size p -> structured t [ p ]
   | Processes -> of_everyone t.last.structure Structure (everyone t)
-  | Position (_, p) | Velocity (_, p) | Speed2 p -> moving t [ p ]
+  | Position (_, p) | Velocity (_, p) | Speed2 p | Spin (_, p) | Spin2 p -> moving t [ p ]
   | Distance2 (p, q) -> moving t [ p; q ]
-  | Momentum _ | Energy -> of_everyone t.last.motion Motion (movable t)
+  | Momentum _ | Angular _ | Energy -> of_everyone t.last.motion Motion (movable t)
   | Const _ | Time | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ -> nothing
 
 let discrete_events t =

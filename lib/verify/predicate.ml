@@ -100,12 +100,19 @@ let rec num c (n : Property.num) : int array -> value =
     let home = home c leaf in
     integer (fun t -> State.size model (home t))
   | Processes -> integer (fold c (fun acc _ -> acc + 1) 0)
+  | (Velocity _ | Speed2 _ | Energy) when Option.is_some model.rigid -> raise_notrace Moves
   | Velocity (a, leaf) ->
     let home = home c leaf in
     fun t -> Ok (axis a (home t).velocity)
   | Speed2 leaf ->
     let home = home c leaf in
     fun t -> Ok (Vec.norm2 (home t).velocity)
+  | Spin (a, leaf) ->
+    let home = home c leaf in
+    fun t -> Ok (axis a (home t).spin)
+  | Spin2 leaf ->
+    let home = home c leaf in
+    fun t -> Ok (Vec.norm2 (home t).spin)
   | Momentum a -> sum c (fun m v -> Rat.mul m (axis a v))
   | Energy -> sum c (fun m v -> Rat.div (Rat.mul m (Vec.norm2 v)) (Rat.of_int 2))
   | Neg a ->
@@ -135,7 +142,7 @@ let rec num c (n : Property.num) : int array -> value =
            | Ok n, True -> Ok (Rat.add n Rat.one)
            | Ok _, Undecided reason -> Error reason)
         (Ok Rat.zero) props
-  | Position _ | Distance2 _ | Time -> raise_notrace Moves
+  | Position _ | Distance2 _ | Angular _ | Time -> raise_notrace Moves
 
 and prop c (p : Property.prop) : int array -> Truth.t =
   let model = System.model c in

@@ -29,6 +29,8 @@ let same_process c p q =
   | Some (i, _), Some (j, _) -> Int.equal i j
   | _ -> Scc_base.Bug.fail __POS__ "a leaf of the model is not in the state"
 
+let is_rigid c = Option.is_some c.model.rigid
+
 (** {2 Constant atoms} *)
 
 let joins p q (b : State.bond) =
@@ -52,7 +54,7 @@ let total c quantity =
     (fun acc (p : State.process) ->
        match State.mass c.model p with
        | None -> acc
-       | Some m -> Rat.add acc (quantity m p.velocity))
+       | Some m -> Rat.add acc (quantity m p))
     Rat.zero c.state.processes
 
 let offers_in c (b : Behaviour.aged) polarity name =
@@ -116,6 +118,7 @@ let parts_touching c p q i j =
 
 let touching c p q =
   if Int.equal p q then Timeline.constant c.extent Truth.False
+  else if is_rigid c then Near.touching c.model c.extent (home c p) (home c q)
   else
     let indices leaf = List.init (Array.length c.model.leaves.(leaf).parts) (fun i -> i) in
     let pairs = List.concat_map (fun i -> List.map (fun j -> (i, j)) (indices q)) (indices p) in
@@ -123,6 +126,46 @@ let touching c p q =
       (fun acc (i, j) -> Timeline.map2 ( || ) acc (parts_touching c p q i j))
       (Timeline.constant c.extent false) pairs
     |> Timeline.map Truth.of_bool
+
+(** {2 Motion of bodies that turn} *)
+
+let spinning c leaf =
+  let p, l = home c leaf in
+  (Spinning.make c.model p, State.centroid c.model l)
+
+(* What is a curve along a trajectory is its first value at an instant. *)
+let curve c value =
+  let at_start (v : Value.t) : Value.t =
+    match (c.extent, v) with
+    | Instant, Ratio (n, d) -> Value.of_rat (Rat.div (Polynomial.eval n Rat.zero) (Polynomial.eval d Rat.zero))
+    | (Lasts _ | Forever), _ | _, Undefined _ -> v
+  in
+  Timeline.constant c.extent (at_start value)
+
+let rigid_distance2 c p q =
+  let of_p, from = spinning c p and of_q, towards = spinning c q in
+  if same_process c p q then Value.of_rat (Vec.norm2 (Vec.sub from towards))
+  else Spinning.distance2 of_p from of_q towards
+
+(* A sum over the processes that turn. *)
+let rigid_total c quantity =
+  let add sum p = Value.add sum (quantity (Spinning.make c.model p)) in
+  Array.fold_left add (Value.of_rat Rat.zero) c.state.processes
+
+let rigid_num c (n : Property.num) =
+  let of_leaf f leaf =
+    let process, place = spinning c leaf in
+    f process place
+  in
+  match n with
+  | Position (a, leaf) -> Some (of_leaf (fun p -> Spinning.coordinate p a) leaf)
+  | Velocity (a, leaf) -> Some (of_leaf (fun p -> Spinning.velocity p a) leaf)
+  | Speed2 leaf -> Some (of_leaf Spinning.speed2 leaf)
+  | Distance2 (p, q) -> Some (rigid_distance2 c p q)
+  | Angular a -> Some (rigid_total c (fun p -> Spinning.angular p a))
+  | Energy -> Some (rigid_total c (fun p -> Value.of_rat (Spinning.energy p)))
+  | Const _ | Bonds _ | Size _ | Processes | Spin _ | Spin2 _ | Momentum _ | Time | Count _ | Neg _ | Add _
+  | Sub _ | Mul _ | Div _ | If _ -> None
 
 let time c =
   match c.state.time with
@@ -144,21 +187,33 @@ let at_the_start c holds =
     (Timeline.constant c.extent ())
 
 let rec num c (n : Property.num) : Value.t Timeline.t =
+  match if is_rigid c then rigid_num c n else None with
+  | Some value -> curve c value
+  | None -> straight_num c n
+
+and straight_num c (n : Property.num) =
   let constant r = Timeline.constant c.extent (Value.of_rat r) in
   let integer k = Timeline.constant c.extent (Value.of_int k) in
-  let curve p = Timeline.constant c.extent (Value.polynomial p) in
+  let line p = Timeline.constant c.extent (Value.polynomial p) in
   match n with
   | Const r -> constant r
   | Bonds (name, ends) -> integer (count_bonds c name ends)
   | Size leaf -> integer (State.size c.model (fst (home c leaf)))
   | Processes -> integer (Array.length c.state.processes)
-  | Position (a, leaf) -> curve (coordinate c a leaf)
+  | Position (a, leaf) -> line (coordinate c a leaf)
   | Velocity (a, leaf) -> constant (axis a (fst (home c leaf)).velocity)
   | Speed2 leaf -> constant (Vec.norm2 (fst (home c leaf)).velocity)
-  | Distance2 (p, q) -> curve (distance2 c p q)
-  | Momentum a -> constant (total c (fun m v -> Rat.mul m (axis a v)))
-  | Energy -> constant (total c (fun m v -> Rat.div (Rat.mul m (Vec.norm2 v)) (Rat.of_int 2)))
-  | Time -> curve (time c)
+  | Distance2 (p, q) -> line (distance2 c p q)
+  | Spin (a, leaf) -> constant (axis a (fst (home c leaf)).spin)
+  | Spin2 leaf -> constant (Vec.norm2 (fst (home c leaf)).spin)
+  | Momentum a -> constant (total c (fun m p -> Rat.mul m (axis a p.velocity)))
+  | Angular a ->
+    let of_process m (p : State.process) =
+      Rat.mul m (axis a (Vec.cross (State.centre_of_mass c.model p) p.velocity))
+    in
+    constant (total c of_process)
+  | Energy -> constant (total c (fun m p -> Rat.div (Rat.mul m (Vec.norm2 p.velocity)) (Rat.of_int 2)))
+  | Time -> line (time c)
   | Count props -> count c props
   | Neg a -> Timeline.map Value.neg (num c a)
   | Add (a, b) -> Timeline.map2 Value.add (num c a) (num c b)

@@ -3,36 +3,7 @@
 open Scc_base
 open Scc_exact
 open Models
-
-type case = {
-  name : string;
-  code : string;
-  at : string;  (** the text that the span covers; [""] for no place *)
-  says : string;  (** a piece of the message or the hint *)
-  text : string;
-}
-
-let case name code at ?(says = "") text = { name; code; at; says; text }
-
-let contains whole piece =
-  let n = String.length whole and k = String.length piece in
-  let rec from i = i + k <= n && (String.equal (String.sub whole i k) piece || from (i + 1)) in
-  from 0
-
-let fits c (d : Diag.t) =
-  let at = if Span.is_none d.span then "" else underlined c.text d.span in
-  let words = d.message ^ Option.value ~default:"" d.hint in
-  String.equal d.code c.code && String.equal at c.at && contains words c.says
-
-let check ?overrides ?read_file c () =
-  let found =
-    match elaborate ?overrides ?read_file c.text with
-    | Ok t -> t.warnings
-    | Error diagnostics -> diagnostics
-  in
-  if not (List.exists (fits c) found) then
-    Alcotest.failf "expected %s at `%s` (%s), found:\n%s" c.code c.at c.says
-      (String.concat "" (List.map (show c.text) found))
+open Fault_case
 
 let names_and_values =
   [
@@ -288,45 +259,6 @@ let behaviours_and_laws =
     case "choose" "SC0901" "choose { (1,0,0), (0,1,0) }" "motion choose { (1,0,0), (0,1,0) }";
   ]
 
-let turning =
-  let flush = "process q = Cube mass 1 " and bond = " bond <a, {p.right, q.left}>" in
-  let bound p q =
-    cube ^ "process p = Cube mass 1 " ^ p ^ " [nil] " ^ flush ^ q ^ " at translate (2,0,0) [nil]" ^ bond
-  in
-  [
-    case "unknown dynamics" "SC0201" "constant" ~says:"constant_spin or free_body" "dynamics constant";
-    case "rounding of something else" "SC0201" "orientatoin" ~says:"did you mean `orientation`"
-      "round orientatoin 2^-8";
-    case "dynamics twice" "SC0212" "free_body" "dynamics constant_spin dynamics free_body";
-    case "resolution twice" "SC0212" "2^-3" "dynamics free_body resolution 1/7 resolution 2^-3";
-    case "rounding twice" "SC0212" "velocity" "dynamics free_body round velocity 2^-3 round velocity 2^-4";
-    case "a resolution that is not positive" "SC0208" "0" "dynamics free_body resolution 0";
-    case "a quantum that is no power of two" "SC0208" "1/10" ~says:"a power of two" "round velocity 1/10";
-    case "a quantum of one" "SC0208" "1" ~says:"at most 1/2" "round orientation 1";
-    case "a power of two above one" "SC0208" "4" "round orientation 4";
-    case "a power of two with too many digits" "SC0106" "2^-4001" "resolution 2^-4001";
-    case "a setting in a loop" "SC0210" "dynamics free_body" "for i in 1..2 { dynamics free_body }";
-    case "a resolution where nothing turns" "SC0213" "1/8" (cube ^ "process p = Cube mass 1 [nil] resolution 1/8");
-    case "rounding where nothing turns" "SC0213" "velocity"
-      (cube ^ "process p = Cube mass 1 spin (0, 0, 0) [nil] round velocity 1/8");
-    case "parts with two spins" "SC0404" "spin (0,0,1)" ~says:"the spins (0, 0, 0) and (0, 0, 1)"
-      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 spin (0,0,1) at translate (2,0,0) \
-               glue l.right ~ r.left }");
-    case "parts that do not turn as one" "SC0404" "r" ~says:"the velocity of `r` is (0, 2, 0)"
-      (cube ^ "compound C { part l : Cube mass 1 spin (0,0,1) part r : Cube mass 1 spin (0,0,1) \
-               at translate (2,0,0) glue l.right ~ r.left }");
-    case "bound bodies with two spins" "SC0404" "<a, {p.right, q.left}>" ~says:"turns as one"
-      (bound "spin (0,0,1)" "");
-    case "bound bodies that do not turn as one" "SC0404" "<a, {p.right, q.left}>"
-      ~says:"the velocity of `q` is (1, 2, 0)"
-      (bound "velocity (1,0,0) spin (0,0,1)" "velocity (1,0,0) spin (0,0,1)");
-    case "a spinning body bound to a wall" "SC0404" "<a, {p.right, q.left}>" ~says:"the spin (0, 0, 1)"
-      (cube ^ "process p = Cube mass 1 spin (0,0,1) [nil] fixed q = Cube at translate (2,0,0)" ^ bond);
-    case "a fixed body that spins" "SC0407" "spin (0,0,1)" (cube ^ "fixed p = Cube spin (0,0,1)");
-    case "a fixed compound that spins" "SC0407" "p"
-      (cube ^ "compound C { part l : Cube mass 1 spin (0,0,1) } fixed p = C");
-  ]
-
 (* Neighbours among the denominators have almost no common factors. *)
 let many_denominators =
   let fraction i = Printf.sprintf "1/1%s%03d" (String.make 3_900 '0') i in
@@ -398,14 +330,12 @@ let several () =
     Alcotest.(check (list string)) "codes" [ "SC0208"; "SC0201"; "SC0208"; "SC0201"; "SC0201" ] codes
 
 let () =
-  let cases list = List.map (fun c -> Alcotest.test_case (c.code ^ " " ^ c.name) `Quick (check c)) list in
   Alcotest.run "faults"
     [
       ("names and values", cases names_and_values);
       ("templates", cases templates);
       ("networks", cases networks);
       ("behaviours and laws", cases behaviours_and_laws);
-      ("turning", cases turning);
       ("limits", cases limits);
       ( "reports",
         [

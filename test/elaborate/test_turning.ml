@@ -3,6 +3,7 @@
 open Scc_exact
 open Scc_calculus
 open Models
+open Fault_case
 
 let half_cube = cube ^ "shape Half = Cube scaled (1/2, 1/2, 1/2)\n"
 let rigid text = (accept text).model.rigid
@@ -96,12 +97,66 @@ let compound () =
   vector "its own velocity" "(0, 0, 1)" p.velocity;
   vector "its own spin" "(1, 0, 0)" p.spin
 
+let atoms () =
+  let t =
+    accept
+      (cube ^ "process p = Cube mass 1 spin (0, 0, 1) [nil] \
+               check k : always wx(p) + wy(p) + wz(p) < spin2(p) + angular.x + angular.y + angular.z")
+  in
+  let check = List.hd t.checks in
+  Alcotest.(check string) "shown"
+    "AG ((wx(p) + wy(p)) + wz(p)) < (((spin2(p) + angular.x) + angular.y) + angular.z)"
+    (Scc_property.Show.temporal t.model check.formula)
+
+(* {1 Faults} *)
+
+let faults =
+  let flush = "process q = Cube mass 1 " and bond = " bond <a, {p.right, q.left}>" in
+  let bound p q =
+    cube ^ "process p = Cube mass 1 " ^ p ^ " [nil] " ^ flush ^ q ^ " at translate (2,0,0) [nil]" ^ bond
+  in
+  [
+    case "unknown dynamics" "SC0201" "constant" ~says:"constant_spin or free_body" "dynamics constant";
+    case "rounding of something else" "SC0201" "orientatoin" ~says:"did you mean `orientation`"
+      "round orientatoin 2^-8";
+    case "dynamics twice" "SC0212" "free_body" "dynamics constant_spin dynamics free_body";
+    case "resolution twice" "SC0212" "2^-3" "dynamics free_body resolution 1/7 resolution 2^-3";
+    case "rounding twice" "SC0212" "velocity" "dynamics free_body round velocity 2^-3 round velocity 2^-4";
+    case "a resolution that is not positive" "SC0208" "0" "dynamics free_body resolution 0";
+    case "a quantum that is no power of two" "SC0208" "1/10" ~says:"a power of two" "round velocity 1/10";
+    case "a quantum of one" "SC0208" "1" ~says:"at most 1/2" "round orientation 1";
+    case "a power of two above one" "SC0208" "4" "round orientation 4";
+    case "a power of two with too many digits" "SC0106" "2^-4001" "resolution 2^-4001";
+    case "a setting in a loop" "SC0210" "dynamics free_body" "for i in 1..2 { dynamics free_body }";
+    case "a resolution where nothing turns" "SC0213" "1/8" (cube ^ "process p = Cube mass 1 [nil] resolution 1/8");
+    case "rounding where nothing turns" "SC0213" "velocity"
+      (cube ^ "process p = Cube mass 1 spin (0, 0, 0) [nil] round velocity 1/8");
+    case "parts with two spins" "SC0404" "spin (0,0,1)" ~says:"the spins (0, 0, 0) and (0, 0, 1)"
+      (cube ^ "compound C { part l : Cube mass 1 part r : Cube mass 1 spin (0,0,1) at translate (2,0,0) \
+               glue l.right ~ r.left }");
+    case "parts that do not turn as one" "SC0404" "r" ~says:"the velocity of `r` is (0, 2, 0)"
+      (cube ^ "compound C { part l : Cube mass 1 spin (0,0,1) part r : Cube mass 1 spin (0,0,1) \
+               at translate (2,0,0) glue l.right ~ r.left }");
+    case "bound bodies with two spins" "SC0404" "<a, {p.right, q.left}>" ~says:"turns as one"
+      (bound "spin (0,0,1)" "");
+    case "bound bodies that do not turn as one" "SC0404" "<a, {p.right, q.left}>"
+      ~says:"the velocity of `q` is (1, 2, 0)"
+      (bound "velocity (1,0,0) spin (0,0,1)" "velocity (1,0,0) spin (0,0,1)");
+    case "a spinning body bound to a wall" "SC0404" "<a, {p.right, q.left}>" ~says:"the spin (0, 0, 1)"
+      (cube ^ "process p = Cube mass 1 spin (0,0,1) [nil] fixed q = Cube at translate (2,0,0)" ^ bond);
+    case "a fixed body that spins" "SC0407" "spin (0,0,1)" (cube ^ "fixed p = Cube spin (0,0,1)");
+    case "a fixed compound that spins" "SC0407" "p"
+      (cube ^ "compound C { part l : Cube mass 1 spin (0,0,1) } fixed p = C");
+  ]
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "turning bodies"
     [
       ( "models",
         [ case "when rigid" whether; case "settings" values; case "the default resolution" resolution ] );
+      ("properties", [ case "atoms" atoms ]);
+      ("faults", cases faults);
       ( "motion",
         [ case "of one leaf" one; case "of several leaves" bound; case "of compounds" compound ] );
     ]

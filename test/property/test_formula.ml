@@ -32,7 +32,8 @@ let num_atom =
       Gen.map (fun i -> Size i) leaf; Gen.return Processes; Gen.return Energy; Gen.return Time;
       Gen.map2 (fun a i -> Position (a, i)) axis leaf; Gen.map2 (fun a i -> Velocity (a, i)) axis leaf;
       Gen.map (fun i -> Speed2 i) leaf; Gen.map2 (fun i j -> Distance2 (i, j)) leaf leaf;
-      Gen.map (fun a -> Momentum a) axis;
+      Gen.map (fun a -> Momentum a) axis; Gen.map (fun a -> Angular a) axis;
+      Gen.map2 (fun a i -> Spin (a, i)) axis leaf; Gen.map (fun i -> Spin2 i) leaf;
     ]
 
 let prop_atom =

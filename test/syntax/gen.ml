@@ -9,7 +9,11 @@ let some g = list_size (int_range 1 3) g
 
 let name =
   located
-    (oneofl [ "a"; "b"; "p"; "q"; "x'"; "x_1"; "Cube"; "bond"; "mass"; "event"; "momentum"; "round"; "resolution"; "dynamics"; "U2"; "Ax"; "omega_" ])
+    (oneofl
+       [
+         "a"; "b"; "p"; "q"; "x'"; "x_1"; "Cube"; "bond"; "mass"; "event"; "momentum"; "round"; "resolution";
+         "dynamics"; "U2"; "Ax"; "omega_";
+       ])
 
 let number =
   let decimal m k = Q.div (Q.of_int m) (Q.of_bigint (Z.pow (Z.of_int 10) k)) in

@@ -33,6 +33,9 @@ let rec num_gen leaves depth : Property.num Gen.t =
         return Property.Processes;
         return Property.Energy;
         map (fun a -> Property.Momentum a) axis_gen;
+        map (fun a -> Property.Angular a) axis_gen;
+        map2 (fun a l -> Property.Spin (a, l)) axis_gen leaf;
+        map (fun l -> Property.Spin2 l) leaf;
       ]
   in
   if depth = 0 then atom
@@ -124,6 +127,16 @@ let rec num m s (n : Property.num) =
   | Velocity (a, l) -> axis a (process_of s l).velocity
   | Speed2 l -> Vec.norm2 (process_of s l).velocity
   | Distance2 (p, q) -> Vec.norm2 (Vec.sub (centroid m s p) (centroid m s q))
+  | Spin _ | Spin2 _ -> Rat.zero
+  | Angular a ->
+    (* Every leaf by itself: nothing turns. *)
+    let of_leaf sum l =
+      let leaf = m.Model.leaves.(l) in
+      let v = (process_of s l).velocity in
+      if leaf.fixed || State.mass m (process_of s l) = None then sum
+      else Rat.add sum (Rat.mul leaf.mass (axis a (Vec.cross (centroid m s l) v)))
+    in
+    List.fold_left of_leaf Rat.zero (List.init (Array.length m.leaves) Fun.id)
   | Momentum a -> total m s (fun k v -> Rat.mul k (axis a v))
   | Energy -> total m s (fun k v -> Rat.div (Rat.mul k (Vec.norm2 v)) (Rat.of_int 2))
   | Time -> Option.get s.time

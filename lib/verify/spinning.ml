@@ -1,0 +1,107 @@
+open Scc_exact
+open Scc_calculus
+open Scc_property
+open Scc_rigid
+open Scc_semantics
+
+(* [since] and [spin] say how it turns; the denominator of all that turns with it is [bottom]. *)
+type t = { process : State.process; mover : Impact.mover Lazy.t; centre : Vec.t; bottom : Polynomial.t }
+
+(* A vector of polynomials. *)
+type curve = { x : Polynomial.t; y : Polynomial.t; z : Polynomial.t }
+
+let two = Rat.of_int 2
+let quarter = Rat.make Z.one (Z.of_int 4)
+let component (a : Property.axis) c = match a with X -> c.x | Y -> c.y | Z -> c.z
+let of_vec (a : Property.axis) (v : Vec.t) = match a with X -> v.x | Y -> v.y | Z -> v.z
+let dot (v : Vec.t) c = Polynomial.(add (scale v.x c.x) (add (scale v.y c.y) (scale v.z c.z)))
+
+(* The value of a + b s + c s^2 at s = since + t, as a polynomial in t. *)
+let shifted since a b c =
+  let linear = Rat.add b (Rat.mul two (Rat.mul c since)) in
+  let constant = Rat.add a (Rat.mul since (Rat.add b (Rat.mul c since))) in
+  Polynomial.of_coefficients [ constant; linear; c ]
+
+let make m (p : State.process) =
+  {
+    process = p;
+    mover = lazy (Turn.mover m p);
+    centre = State.centre_of_mass m p;
+    bottom = shifted p.since Rat.one Rat.zero (Rat.mul quarter (Vec.norm2 p.spin));
+  }
+
+let spins t = not (Vec.is_zero t.process.spin)
+
+(* Over [t.bottom]: where a vector that turns with the process, and is [r] now, goes. With u = w s/2 the Cayley map
+   takes a to ((1 - |u|^2) a + 2 (u.a) u + 2 u x a) / (1 + |u|^2). *)
+let turning t r =
+  let w = t.process.spin and since = t.process.since in
+  let a =
+    if spins t then
+      let back = Quaternion.cayley (Vec.scale (Rat.div since two) w) in
+      Quaternion.apply (Quaternion.inverse back) r
+    else r
+  in
+  let b = Vec.cross w a in
+  let c =
+    Vec.scale quarter (Vec.sub (Vec.scale (Rat.mul two (Vec.dot w a)) w) (Vec.scale (Vec.norm2 w) a))
+  in
+  {
+    x = shifted since a.x b.x c.x;
+    y = shifted since a.y b.y c.y;
+    z = shifted since a.z b.z c.z;
+  }
+
+let centre_curve t a = Polynomial.of_coefficients [ of_vec a t.centre; of_vec a t.process.velocity ]
+
+let coordinate t a place =
+  let arm = turning t (Vec.sub place t.centre) in
+  Value.Ratio (Polynomial.add (Polynomial.mul (centre_curve t a) t.bottom) (component a arm), t.bottom)
+
+(* The velocity over [t.bottom], less that of the centre: w x r turns as r does. *)
+let swing t place = turning t (Vec.cross t.process.spin (Vec.sub place t.centre))
+
+let velocity t a place =
+  let own = Polynomial.scale (of_vec a t.process.velocity) t.bottom in
+  Value.Ratio (Polynomial.add own (component a (swing t place)), t.bottom)
+
+(* |v|^2 + |w x r|^2 + 2 v.(w x r), of which the second does not change. *)
+let speed2 t place =
+  let v = t.process.velocity in
+  let round = Vec.norm2 (Vec.cross t.process.spin (Vec.sub place t.centre)) in
+  let constant = Polynomial.scale (Rat.add (Vec.norm2 v) round) t.bottom in
+  Value.Ratio (Polynomial.add constant (Polynomial.scale two (dot v (swing t place))), t.bottom)
+
+(* |d + s - r|^2 for the vector d from centre to centre and the arms r and s, whose lengths do not change:
+   |d|^2 + |r|^2 + |s|^2 + 2 d.s - 2 d.r - 2 r.s. *)
+let distance2 p from q towards =
+  let open Polynomial in
+  let along a = sub (centre_curve q a) (centre_curve p a) in
+  let d = { x = along X; y = along Y; z = along Z } in
+  let product a b = add (mul a.x b.x) (add (mul a.y b.y) (mul a.z b.z)) in
+  let arm t place = Vec.sub place t.centre in
+  let r = turning p (arm p from) and s = turning q (arm q towards) in
+  let lengths = Rat.add (Vec.norm2 (arm p from)) (Vec.norm2 (arm q towards)) in
+  let bottom = mul p.bottom q.bottom in
+  let straight = mul (add (product d d) (constant lengths)) bottom in
+  let bent = sub (mul (product d s) p.bottom) (add (mul (product d r) q.bottom) (product r s)) in
+  Value.Ratio (add straight (scale two bent), bottom)
+
+(* The angular momentum of the turn when the turn has gone on for [since]: I w, for what is turned as it is. *)
+let angular t a =
+  match (Lazy.force t.mover).mass with
+  | None -> Value.of_rat Rat.zero
+  | Some mass ->
+    let still =
+      Mass.angular_momentum mass ~velocity:t.process.velocity ~spin:Vec.zero ~about:Vec.zero
+    in
+    let own = Mat.apply mass.inertia t.process.spin in
+    if Vec.is_zero (Vec.cross own t.process.spin) then Value.of_rat (Rat.add (of_vec a still) (of_vec a own))
+    else
+      let orbit = Polynomial.scale (of_vec a still) t.bottom in
+      Value.Ratio (Polynomial.add orbit (component a (turning t own)), t.bottom)
+
+let energy t =
+  match (Lazy.force t.mover).mass with
+  | None -> Rat.zero
+  | Some mass -> Mass.energy mass ~velocity:t.process.velocity ~spin:t.process.spin
