@@ -303,7 +303,7 @@ let most_pieces = 20_000
 
 exception Decided
 
-let first ?(finest = 28) a b ~span =
+let first ?(finest = 42) a b ~span =
   let guide = guide a b ~span in
   let p = pair a b ~span in
   let known = Hashtbl.create 16 in

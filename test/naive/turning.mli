@@ -36,7 +36,7 @@ type answer = {
 }
 
 val first : ?finest:int -> body -> body -> span:Rat.t -> answer
-(** Over [0, span]; the shortest pieces are span/2^finest (2^28 unless given). *)
+(** Over [0, span]; the shortest pieces are span/2^finest (2^42 unless given). *)
 
 val interpenetrate : body -> body -> Rat.t -> bool
 (** At a time >= 0. *)

@@ -11,7 +11,7 @@ open Scc_rigid
 
 let () =
   let random = ref 100_000 and grazing = ref 10_000 and seed = ref 1 and from = ref 0 in
-  let hull = ref "" and reference = ref false and sweep = ref false in
+  let hull = ref "" and reference = ref false and sweep = ref false and show = ref false in
   Arg.parse
     [ ("--random", Arg.Set_int random, "N cases by chance; a tenth of them aligned, in addition");
       ("--grazing", Arg.Set_int grazing, "N cases that nearly touch, and as many at a peak");
@@ -19,6 +19,7 @@ let () =
       ("--from", Arg.Set_int from, "N number of the first case of each kind");
       ("--hull", Arg.Set_string hull, "FILE hulls, for one case in a hundred; a shape of test/data/geometry");
       ("--sweep", Arg.Set sweep, " the exact sweep instead of the cast: slow");
+      ("--open", Arg.Set show, " show what is left open as well");
       ("--reference", Arg.Set reference, " the reference alone") ]
     (fun arg -> raise (Arg.Bad ("unexpected " ^ arg)))
     "missed [--random N] [--grazing N] [--seed N] [--from N] [--hull FILE]";
@@ -53,6 +54,7 @@ let () =
       row name t;
       if !reference then Printf.printf "%.1f ms each\n" ((Sys.time () -. start) *. 1e3 /. float_of_int count)
       else List.iter (fun s -> Printf.printf "  WRONG: %s\n%!" s) t.complaints;
+      if !show then List.iter (fun s -> Printf.printf "  open: %s\n%!" s) t.opened;
       all.checked <- all.checked + t.checked;
       all.hits <- all.hits + t.hits;
       all.agreed <- all.agreed + t.agreed;

@@ -20,7 +20,7 @@ let by_sweep a b ~span ~grid =
 
 type verdict =
   | Agreed
-  | Open
+  | Open of string
   | Wrong_time of string
   | Missed of string
   | Spurious of string
@@ -47,12 +47,13 @@ let judge (cast : cast) (c : Cases.case) =
     | Inside, Inside -> Agreed
     | Inside, (Never | At _) -> Missed (told "inside")
     | (Never | Within _), Inside -> Spurious (told "apart at first")
-    | Never, Never -> if naive.given_up then Open else Agreed
-    | Never, At t -> if naive.given_up || momentary t then Open else Spurious (told "never")
+    | Never, Never -> if naive.given_up then Open (told "given up") else Agreed
+    | Never, At t -> if naive.given_up || momentary t then Open (told "perhaps")
+      else Spurious (told "never")
     | Within (lo, hi), Never -> Missed (told (during (lo, hi)))
     | Within (lo, hi), At t ->
       if within t (lo, hi) then Agreed
-      else if momentary t then Open
+      else if momentary t then Open (told (during (lo, hi)))
       else Wrong_time (told (during (lo, hi)))
   in
   (naive.first, verdict)
@@ -66,10 +67,11 @@ type tally = {
   mutable spurious : int;
   mutable wrong_times : int;
   mutable complaints : string list;
+  mutable opened : string list;
 }
 
 let tally () =
-  { checked = 0; hits = 0; agreed = 0; undecided = 0; missed = 0; spurious = 0; wrong_times = 0; complaints = [] }
+  { checked = 0; hits = 0; agreed = 0; undecided = 0; missed = 0; spurious = 0; wrong_times = 0; complaints = []; opened = [] }
 
 let kind_key : Cases.kind -> int = function
   | Hit -> 0
@@ -91,10 +93,11 @@ let run cast t ~seed kind shapes ~from ~count =
     in
     t.checked <- t.checked + 1;
     (match naive with Never -> () | Inside | Within _ -> t.hits <- t.hits + 1);
-    let complain s = if List.length t.complaints < 10 then t.complaints <- t.complaints @ [ s ] in
+    let keep s all = if List.length all < 10 then all @ [ s ] else all in
+    let complain s = t.complaints <- keep s t.complaints in
     match verdict with
     | Agreed -> t.agreed <- t.agreed + 1
-    | Open -> t.undecided <- t.undecided + 1
+    | Open s -> t.undecided <- t.undecided + 1; t.opened <- keep s t.opened
     | Wrong_time s -> t.wrong_times <- t.wrong_times + 1; complain s
     | Missed s -> t.missed <- t.missed + 1; complain s
     | Spurious s -> t.spurious <- t.spurious + 1; complain s

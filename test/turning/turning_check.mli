@@ -10,7 +10,7 @@ val by_sweep : cast
 
 type verdict =
   | Agreed
-  | Open  (** the bodies touch, or nearly so, for a moment, and either answer may be right *)
+  | Open of string  (** the bodies touch, or nearly so, for a moment, and either answer may be right *)
   | Wrong_time of string  (** a contact, in another cell of the grid *)
   | Missed of string  (** no contact, though they interpenetrate *)
   | Spurious of string  (** a contact, though they do not *)
@@ -30,6 +30,7 @@ type tally = {
   mutable spurious : int;
   mutable wrong_times : int;
   mutable complaints : string list;  (** the first ten *)
+  mutable opened : string list;  (** the first ten *)
 }
 
 val tally : unit -> tally
