@@ -56,6 +56,8 @@ let lines t (r : Check.report) =
     Printf.sprintf "  memory, at most: heap %s%s" (mib (bytes_of_words gc.top_heap_words)) resident;
     "  stores: "
     ^ String.concat ", " (List.map (fun (name, n) -> Printf.sprintf "%s %s" name (mib n)) r.stores);
+    "  longest numbers, in bits: "
+    ^ String.concat ", " (List.map (fun (name, n) -> Printf.sprintf "%s %d" name n) (r.numbers ()));
     Printf.sprintf "  collections: %d minor, %d major" gc.minor_collections gc.major_collections;
     "  seconds: "
     ^ String.concat ", " (List.rev_map (fun (name, x) -> Printf.sprintf "%s %.3f" name x) t.phases);
@@ -73,6 +75,7 @@ let json t (r : Check.report) =
       ("peak_heap_bytes", `Int (bytes_of_words gc.top_heap_words));
       ("peak_resident_bytes", Json.option (fun n -> `Int n) (peak_resident ()));
       ("store_bytes", `Assoc (List.map (fun (name, n) -> (name, `Int n)) r.stores));
+      ("longest_numbers", `Assoc (List.map (fun (name, n) -> (name, `Int n)) (r.numbers ())));
       ("minor_collections", `Int gc.minor_collections);
       ("major_collections", `Int gc.major_collections);
       ("microseconds", `Assoc (List.rev_map (fun (name, x) -> (name, micros x)) t.phases));

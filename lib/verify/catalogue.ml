@@ -173,3 +173,28 @@ let pass_time c tuple d =
 let label c l = Labels.intern c.labels l
 let label_of c i = Labels.get c.labels i
 let duration c i = Transition.duration_of (label_of c i)
+
+let bits_of (v : Vec.t) = Int.max (Rat.bits v.x) (Int.max (Rat.bits v.y) (Rat.bits v.z))
+
+let longest c =
+  let greatest count bits =
+    let rec from i most = if i = count then most else from (i + 1) (Int.max most (bits i)) in
+    from 0 0
+  in
+  let vector i = bits_of (Vectors.get c.vectors i) in
+  let in_form of_process i = of_process (Forms.get c.forms i) in
+  let turned (p : State.process) =
+    Array.fold_left (fun most (l : State.leaf) -> Int.max most (Quaternion.bits l.turned)) 0 p.leaves
+  in
+  [
+    ("positions", greatest (Pairs.size c.places) (fun i -> vector (Pairs.right c.places i)));
+    ("velocities", greatest (Pairs.size c.processes) (fun i -> vector (Pairs.right c.processes i)));
+  ]
+  @
+  match c.model.rigid with
+  | None -> []
+  | Some _ ->
+    [
+      ("spins", greatest (Forms.size c.forms) (in_form (fun p -> bits_of p.spin)));
+      ("orientations", greatest (Forms.size c.forms) (in_form turned));
+    ]

@@ -35,6 +35,7 @@ type report = {
   slices : slice list;
   zeno : Witness.t option;
   stores : (string * int) list;
+  numbers : unit -> (string * int) list;
 }
 
 (** {2 Which properties go together} *)
@@ -132,6 +133,8 @@ let add (a : stats) (b : stats) =
 let sum_stores a b =
   List.map (fun (name, n) -> (name, n + Option.value (List.assoc_opt name b) ~default:0)) a
 
+let most a b = List.map (fun (name, n) -> (name, Int.max n (Option.value (List.assoc_opt name b) ~default:0))) a
+
 let explored options model ~initial start group =
   let options = { options with surroundings = going_on options.surroundings start } in
   let members = List.rev group.members in
@@ -171,6 +174,9 @@ let merge parts ~events_elsewhere =
       slices;
       zeno = List.find_map (fun (r : Exploration.result) -> r.zeno) results;
       stores;
+      numbers =
+        (fun () ->
+           List.fold_left (fun n (r : Exploration.result) -> most n (r.numbers ())) (first.numbers ()) rest);
     }
 
 let whole options model ~initial checks =

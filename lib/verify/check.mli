@@ -43,6 +43,7 @@ type report = {
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
   stores : (string * int) list;  (** what the explored graphs take, by name, in bytes *)
+  numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
 }
 
 val run : options -> Model.t -> initial:State.t -> Property.check list -> report

@@ -93,4 +93,5 @@ let check (options : Exploration.options) ~capacity model ~initial checks : Expl
       };
     zeno = None;
     stores = [ ("states", r.bytes); ("labels", 0); ("edges", 0) ];
+    numbers = (fun () -> Catalogue.longest (System.catalogue context));
   }

@@ -42,6 +42,7 @@ type result = {
   stats : stats;
   zeno : Witness.t option;
   stores : (string * int) list;
+  numbers : unit -> (string * int) list;
 }
 
 type run = {
@@ -311,7 +312,13 @@ let check options model ~initial (checks : Property.check list) =
   in
   let answers = { searches = result.answers; next_formula = 0; temporal } in
   let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
-  { outcomes = List.rev outcomes; stats = stats r; zeno = zeno r result; stores = stores r }
+  {
+    outcomes = List.rev outcomes;
+    stats = stats r;
+    zeno = zeno r result;
+    stores = stores r;
+    numbers = (fun () -> Catalogue.longest (System.catalogue r.context));
+  }
 
 let explore options model ~initial =
   let context = System.make model initial in

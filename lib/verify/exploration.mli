@@ -38,6 +38,7 @@ type result = {
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
   stores : (string * int) list;  (** what the explored graph takes: states, labels and edges, in bytes *)
+  numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
 }
 
 val horizon : Property.check list -> Rat.t option
