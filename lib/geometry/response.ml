@@ -80,21 +80,18 @@ let with_others xs =
   in
   go [] xs
 
-let kept contacts =
-  let exposed ((own, approaches), others) =
-    if approaches then List.filter (fun n -> not (covered own (List.map fst others) n)) own else []
-  in
-  let all = List.map exposed (with_others contacts) in
-  if List.exists (function [] -> false | _ :: _ -> true) all then all
-  else List.map (fun (own, approaches) -> if approaches then own else []) contacts
+let exposed own others = List.filter (fun n -> not (covered own others n)) own
 
 let directions touching w =
   let w, _ = Ivec.of_vec w in
-  let contact t =
-    let tight = Obstacle.separating t.obstacle t.offset in
-    (tight, approaches w tight)
+  let all = List.map (fun t -> Obstacle.separating t.obstacle t.offset) touching in
+  let approaching = List.filter (fun (own, _) -> approaches w own) (with_others all) in
+  let kept =
+    match List.concat_map (fun (own, others) -> exposed own others) approaching with
+    | [] -> List.concat_map fst approaching
+    | kept -> kept
   in
-  List.map Ivec.to_vec (List.sort_uniq Ivec.compare (List.concat (kept (List.map contact touching))))
+  List.map Ivec.to_vec (List.sort_uniq Ivec.compare kept)
 
 (* For x = proj_N(-w) the projection on a cone has x.(-w - x) = 0, so that |w + 2x| = |w|; and n.(x + w) >= 0
    for every n of the cone, so that n.(w + 2x) >= -n.w > 0: a pair that approached no longer does. In

@@ -8,9 +8,13 @@ type touching = {
   offset : Vec.t;  (** from the part of the first to that of the second *)
 }
 
-val kept : (Ivec.t list * bool) list -> Ivec.t list list
-(** Reading I-13. Given for each touching pair of parts the extreme directions that separate it, and whether it
-    approaches: those of its directions that count, none if it does not approach. *)
+val exposed : Ivec.t list -> Ivec.t list list -> Ivec.t list
+(** Reading I-13. [exposed own others]: of the extreme directions [own] that separate a pair of parts, those whose
+    facets are not covered by the pairs that the [others] are the directions of, one list for each. A pair that
+    interpenetrates has none, and covers all. *)
+
+val with_others : 'a list -> ('a * 'a list) list
+(** Each element with all the others. *)
 
 val directions : touching list -> Vec.t -> Vec.t list
 (** [directions touching w]: the directions (from the first body to the second) that span the cone of the

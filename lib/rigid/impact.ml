@@ -1,5 +1,4 @@
 open Scc_exact
-open Scc_geometry
 
 type mover = { mass : Mass.t option; velocity : Vec.t; spin : Vec.t }
 
@@ -69,44 +68,34 @@ let moved (m : mover) changes x =
 
 type response = Bounced of mover * mover | Persistent
 
-(* The normals that count of each contact (reading I-13), none of those that do not approach. Parts that touch
-   exactly may cover each other; across a gap there is one normal. *)
-let counting a b contacts =
-  let approaching = List.map (fun c -> (c, approaching a b c)) contacts in
-  let exact, near =
-    List.partition (fun ((c : Near_contact.t), _) -> Vec.is_zero c.gap) approaching
-  in
-  let kept = Response.kept (List.map (fun ((c : Near_contact.t), is) -> (c.normals, is)) exact) in
-  let of_near ((c : Near_contact.t), is) = (c, if is then c.normals else []) in
-  List.map2 (fun (c, _) normals -> (c, normals)) exact kept @ List.map of_near near
-
 let compare_rows p q =
   let c = Vec.compare p.normal q.normal in
   if c <> 0 then c else Vec.compare p.corner q.corner
 
-let rows_of ((c : Near_contact.t), normals) =
-  let of_normal n =
-    let normal = Ivec.to_vec n in
-    List.map (fun corner -> { normal; corner }) c.corners
-  in
-  List.concat_map of_normal normals
-
-(* For y = -q and x its projection on N, which is a cone: y - x is orthogonal to x and has no positive product
-   with any element of N. So |q + 2x| = |q| in the kinetic metric, that is the energy is kept; and for each row
+(* For y = -q and x its projection on N, which is a cone: y - x is orthogonal to x and has no positive product with
+   any element of N. So |q + 2x| = |q| in the kinetic metric, that is the energy is kept; and for each row
    J (q + x) >= 0, hence J (q + 2x) = 2 J (q + x) - J q >= -J q.
-   Impulses come in pairs on one line, n and -n at the corner: momentum and angular momentum are kept. *)
+   Impulses come in pairs on one line, n and -n at the corner: momentum and angular momentum are kept.
+   x = 0 iff J q >= 0 for all rows. *)
+let reflect a b normals =
+  let row (n, corner) = { normal = Ivec.to_vec n; corner } in
+  let rows = Array.of_list (List.sort_uniq compare_rows (List.map row normals)) in
+  let target = Array.map (fun r -> Rat.neg (Vec.dot r.normal (relative a b r.corner))) rows in
+  if not (Array.exists (fun t -> Rat.sign t > 0) target) then Persistent
+  else
+    let of_a = changes (Rat.of_int (-1)) rows a and of_b = changes Rat.one rows b in
+    let x = Nnls.solve ~gram:(gram rows [ of_a; of_b ]) ~target in
+    Bounced (moved a of_a x, moved b of_b x)
+
 let bounce a b contacts =
-  match List.sort_uniq compare_rows (List.concat_map rows_of (counting a b contacts)) with
-  | [] -> Persistent
-  | rows -> (
-      let rows = Array.of_list rows in
-      let of_a = changes (Rat.of_int (-1)) rows a and of_b = changes Rat.one rows b in
-      match (of_a, of_b) with
-      | None, None -> Persistent
-      | _ ->
-        let target = Array.map (fun r -> Rat.neg (Vec.dot r.normal (relative a b r.corner))) rows in
-        let x = Nnls.solve ~gram:(gram rows [ of_a; of_b ]) ~target in
-        Bounced (moved a of_a x, moved b of_b x))
+  let contacts = List.map (fun c -> (c, approaching a b c)) contacts in
+  let at ((c : Near_contact.t), normals) =
+    List.concat_map (fun n -> List.map (fun corner -> (n, corner)) c.corners) normals
+  in
+  let all ((c : Near_contact.t), approaches) = if approaches then at (c, c.normals) else [] in
+  match reflect a b (List.concat_map at (Inner_corners.counting contacts)) with
+  | Bounced _ as response -> response
+  | Persistent -> reflect a b (List.concat_map all contacts)
 
 (* {1 Bind and split} *)
 

@@ -2,6 +2,8 @@ open Scc_exact
 open Scc_geometry
 
 type t = {
+  first : Placed.t;
+  second : Placed.t;
   gap : Vec.t;
   normals : Ivec.t list;
   corners : Vec.t list;
@@ -11,6 +13,10 @@ type t = {
 }
 
 let in_resolution ~resolution d = Rat.compare (Vec.norm2 d) (Rat.mul resolution resolution) <= 0
+
+let distance2 a b =
+  let va, vb, denominator = Placed.over_one a b in
+  Vec.norm2 (Closest.vector_over denominator va vb)
 
 let within ~resolution p q =
   in_resolution ~resolution (Closest.vector (Array.of_list p) (Array.of_list q))
@@ -27,6 +33,8 @@ let touching (a : Placed.t) (b : Placed.t) =
     let corners = List.map (Vec.add a.at) (Contact.region o r) in
     let n = Ivec.primitive (List.fold_left Ivec.add Ivec.zero normals) in
     {
+      first = a;
+      second = b;
       gap = Vec.zero;
       normals;
       corners;
@@ -118,7 +126,7 @@ let apart ~resolution (a : Placed.t) (b : Placed.t) (va, vb, denominator) gap =
   in
   let normal = Ivec.to_vec n in
   let corners = Flat.region ~normal (side highest.first of_a) (side highest.second of_b) in
-  { gap; normals = [ n ]; corners; pairs; highest; plane = (n, height) }
+  { first = a; second = b; gap; normals = [ n ]; corners; pairs; highest; plane = (n, height) }
 
 let find ~resolution (a : Placed.t) (b : Placed.t) =
   let ((va, vb, denominator) as vertices) = Placed.over_one a b in

@@ -14,6 +14,8 @@ open Scc_exact
 open Scc_geometry
 
 type t = {
+  first : Placed.t;  (** A *)
+  second : Placed.t;  (** B *)
   gap : Vec.t;  (** d: zero iff they touch *)
   normals : Ivec.t list;
   (** primitive, from A to B: that of the witness plane, or all extreme directions that separate two solids that
@@ -28,6 +30,9 @@ type t = {
 
 val find : resolution:Rat.t -> Placed.t -> Placed.t -> t option
 (** [None] when the two are farther apart than [resolution]. Two solids that interpenetrate are a bug. *)
+
+val distance2 : Placed.t -> Placed.t -> Rat.t
+(** The squared distance of two solids. *)
 
 val within : resolution:Rat.t -> Vec.t list -> Vec.t list -> bool
 (** Whether the hulls of two features are at most [resolution] apart. *)
