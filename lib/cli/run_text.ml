@@ -32,13 +32,13 @@ let cut s =
 let behaviour m (l : State.leaf) = cut (State_json.behaviour m ~leaf:l.leaf l.behaviour)
 
 let leaf m (l : State.leaf) =
-  Printf.sprintf "%s at %s [%s]" (name m l.leaf) (Vec.to_string l.position) (behaviour m l)
+  Printf.sprintf "%s at %s [%s]" (name m l.leaf) (Short_text.position m l) (behaviour m l)
 
 let fixed (m : Model.t) (p : State.process) =
   Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves
 
 let motion m (p : State.process) =
-  if fixed m p then "fixed" else "velocity " ^ Vec.to_string p.velocity
+  if fixed m p then "fixed" else Short_text.motion m p
 
 let process m (p : State.process) =
   match p.leaves with

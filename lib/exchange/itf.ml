@@ -14,9 +14,14 @@ type t = {
 let variables =
   [ "action"; "time"; "position"; "velocity"; "behaviour"; "origin"; "process"; "bonds"; "clock"; "step" ]
 
+(* Those of rigid models come last. *)
+let variables (m : Model.t) =
+  if Option.is_some m.rigid then variables @ [ "turned"; "spin"; "since" ] else variables
+
 let integer z = `Assoc [ ("#bigint", `String (Z.to_string z)) ]
 let tuple items = `Assoc [ ("#tup", `List items) ]
 let rational (q : Rat.t) = tuple [ integer (Q.num q); integer (Q.den q) ]
+let quaternion (q : Quaternion.t) = tuple [ integer q.w; integer q.x; integer q.y; integer q.z ]
 let vector (v : Vec.t) = tuple [ rational v.x; rational v.y; rational v.z ]
 let map pairs = `Assoc [ ("#map", `List (List.map (fun (key, value) -> `List [ key; value ]) pairs)) ]
 let set items = `Assoc [ ("#set", `List items) ]
@@ -36,7 +41,7 @@ let start model ~model:name ~digest ~parameters put =
   put (Printf.sprintf "{\n\"#meta\": %s,\n" (Json.line meta));
   put
     (Printf.sprintf "\"vars\": %s,\n\"states\": [\n"
-       (Json.line (`List (List.map (fun v -> `String v) variables))));
+       (Json.line (`List (List.map (fun v -> `String v) (variables model)))));
   { model; put; number = 0; waiting = None; closed = false }
 
 let by_leaf (s : State.t) =
@@ -49,15 +54,16 @@ let bond m (b : State.bond) =
   let site (f : State.finish) = Json.text (Model.site_name m ~leaf:f.at f.site) in
   `Assoc [ ("name", Json.text b.name); ("one", site b.one); ("two", site b.two) ]
 
-let step (s : State.t) =
-  let record remaining phase =
-    `Assoc [ ("remaining", rational remaining); ("phase", `String phase) ]
+let step (m : Model.t) (s : State.t) =
+  let record remaining length phase =
+    let length = if Option.is_some m.rigid then [ ("length", rational length) ] else [] in
+    `Assoc ((("remaining", rational remaining) :: length) @ [ ("phase", `String phase) ])
   in
   match s.step with
-  | None -> record Rat.zero "none"
-  | Some { remaining; phase = Moving; _ } -> record remaining "moving"
-  | Some { remaining; phase = Due; _ } -> record remaining "due"
-  | Some { remaining; phase = Steered; _ } -> record remaining "steered"
+  | None -> record Rat.zero Rat.zero "none"
+  | Some { remaining; length; phase = Moving } -> record remaining length "moving"
+  | Some { remaining; length; phase = Due } -> record remaining length "due"
+  | Some { remaining; length; phase = Steered } -> record remaining length "steered"
 
 let values (m : Model.t) ~action ~time (s : State.t) =
   let leaves = by_leaf s in
@@ -88,8 +94,16 @@ let values (m : Model.t) ~action ~time (s : State.t) =
         (List.filter_map
            (fun (p : State.process) -> Option.map (fun c -> (first p, rational c)) p.clock)
            processes) );
-    ("step", step s);
+    ("step", step m s);
   ]
+  @
+  if Option.is_none m.rigid then []
+  else
+    [
+      ("turned", each (fun _ (l : State.leaf) -> quaternion l.turned));
+      ("spin", each (fun (p : State.process) _ -> vector p.spin));
+      ("since", each (fun (p : State.process) _ -> rational p.since));
+    ]
 
 let flush t ~last meta =
   Option.iter

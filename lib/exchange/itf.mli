@@ -16,6 +16,14 @@
     clock      from the first leaf of each process that may split to the time since its split clock was set
     step       a record of the time that remains of the movement step, and its phase: "none" without laws of
     motion
+    v}
+
+    A rigid model has the length of the whole movement step in [step], and three more variables:
+
+    {v
+    turned     from each leaf to how it is turned, a quaternion of integers w, x, y, z
+    spin       from each leaf to that of its process
+    since      from each leaf to how long ago the present turn of its process began
     v} *)
 
 open Scc_exact

@@ -1,5 +1,4 @@
 open Scc_calculus
-open Scc_exact
 open Scc_verify
 
 module Bonds = Set.Make (struct
@@ -64,8 +63,7 @@ let bond (m : Model.t) (b : State.bond) =
   Printf.sprintf "<%s, {%s, %s}>" b.name (site b.one) (site b.two)
 
 let place (m : Model.t) ((p : State.process), (l : State.leaf)) =
-  Printf.sprintf "%s at %s, velocity %s" m.leaves.(l.leaf).name (Vec.to_string l.position)
-    (Vec.to_string p.velocity)
+  Printf.sprintf "%s at %s, %s" m.leaves.(l.leaf).name (Short_text.position m l) (Short_text.motion m p)
 
 let fixed (m : Model.t) ((_ : State.process), (l : State.leaf)) = m.leaves.(l.leaf).fixed
 

@@ -1,3 +1,4 @@
+open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
@@ -30,34 +31,43 @@ let behaviour m ~leaf (b : Behaviour.aged) = Behaviour_text.to_string m ~leaf b.
 let origin (m : Model.t) (b : Behaviour.aged) =
   Json.option (fun k -> Json.text m.definitions.(k).name) b.origin
 
+(* What is told of rigid models alone. *)
+let rigid (m : Model.t) members = if Option.is_some m.rigid then members () else []
+
+let quaternion (q : Quaternion.t) =
+  `List (List.map (fun z -> `String (Z.to_string z)) [ q.w; q.x; q.y; q.z ])
+
 let leaf m (l : State.leaf) =
   `Assoc
-    [
-      ("name", leaf_name m l.leaf);
-      ("position", Json.vec l.position);
-      ("behaviour", Json.text (behaviour m ~leaf:l.leaf l.behaviour));
-      ("origin", origin m l.behaviour);
-    ]
+    ([ ("name", leaf_name m l.leaf); ("position", Json.vec l.position) ]
+     @ rigid m (fun () -> [ ("turned", quaternion l.turned) ])
+     @ [
+       ("behaviour", Json.text (behaviour m ~leaf:l.leaf l.behaviour));
+       ("origin", origin m l.behaviour);
+     ])
 
 let list encode array = `List (List.map encode (Array.to_list array))
 
 let process m (p : State.process) =
   `Assoc
-    [
-      ("velocity", Json.vec p.velocity);
-      ("clock", Json.option Json.rat p.clock);
-      ("leaves", list (leaf m) p.leaves);
-      ("bonds", list (bond m) p.bonds);
-    ]
+    ((("velocity", Json.vec p.velocity)
+      :: rigid m (fun () -> [ ("spin", Json.vec p.spin); ("since", Json.rat p.since) ]))
+     @ [
+       ("clock", Json.option Json.rat p.clock);
+       ("leaves", list (leaf m) p.leaves);
+       ("bonds", list (bond m) p.bonds);
+     ])
 
 let phase : State.phase -> string = function
   | Moving -> "moving"
   | Due -> "due"
   | Steered -> "steered"
 
-let step (s : State.step) =
-  `Assoc [ ("remaining", Json.rat s.remaining); ("phase", `String (phase s.phase)) ]
+let step m (s : State.step) =
+  `Assoc
+    ((("remaining", Json.rat s.remaining) :: rigid m (fun () -> [ ("length", Json.rat s.length) ]))
+     @ [ ("phase", `String (phase s.phase)) ])
 
 let state m (s : State.t) =
   `Assoc
-    [ ("processes", list (process m) s.processes); ("step", Json.option step s.step) ]
+    [ ("processes", list (process m) s.processes); ("step", Json.option (step m) s.step) ]
