@@ -278,6 +278,21 @@ let beside_the_seam () =
      inertia is 1/5: the impulse is 2 * 5 / (5 + 5) n *)
   bounce "an edge" [ v 1 0 0 ] (v 0 0 0)
 
+(* Where no corner is an inner one, each contact has the normal of its gap: beside an edge, and against a wall. *)
+let edge_and_wall () =
+  let d = ratio 1 4194304 in
+  let at = Vec.make (Rat.neg d) Rat.zero (Rat.add (Rat.of_int 2) (Rat.add d d)) in
+  let top = place "octahedron" at in
+  let mass = Some (Mass.of_part { Mass.body = top; mass = Rat.one }) in
+  let falling = { Impact.mass; velocity = v 1 0 (-2); spin = Vec.zero } in
+  let ground = { Impact.mass = None; velocity = Vec.zero; spin = Vec.zero } in
+  let parts = [ place "cube" (v 1 0 0); place "cube" { at with x = Rat.of_int 2 } ] in
+  let contacts = List.filter_map (fun p -> Near_contact.find ~resolution p top) parts in
+  Alcotest.(check (list string)) "normals" [ "(-1, 0, 2)"; "(-1, 0, 0)" ]
+    (List.concat_map (fun (c : Near_contact.t) -> List.map Ivec.to_string c.normals) contacts);
+  Alcotest.(check bool) "both count" true
+    (same_response (Impact.bounce ground falling contacts) (respond ground falling contacts))
+
 (* Two cubes that meet edge to edge and spin, each the image of the other. *)
 let head_on () =
   let a = place "cube" (v (-1) (-1) 0) and b = place "cube" (v 1 1 0) in
@@ -331,6 +346,7 @@ let () =
         [ Alcotest.test_case "central hits" `Quick central; Alcotest.test_case "off centre" `Quick off_centre;
           Alcotest.test_case "two flush tiles (reading I-13)" `Quick flush_tiles;
           Alcotest.test_case "beside a seam" `Quick beside_the_seam;
+          Alcotest.test_case "beside an edge, and a wall" `Quick edge_and_wall;
           Alcotest.test_case "symmetric spins" `Quick head_on ] );
       ( "properties",
         Scc_test_support.Property.cases
