@@ -47,9 +47,11 @@ let turning q = Motion.turns q.a || Motion.turns q.b
 
 (* The interiors are disjoint up to [from]. *)
 let sweep q from until =
-  match Sweep.first_penetration q.a q.b ~from ~until with
-  | Never -> Never
-  | At t -> floor_of q.grid t
+  if not (turning q) then straight q.obstacle q.a q.b ~span:q.span ~grid:q.grid
+  else
+    match Sweep.first_penetration q.a q.b ~from ~until with
+    | Never -> Never
+    | At t -> floor_of q.grid t
 
 let exactly q =
   if not (turning q) then straight q.obstacle q.a q.b ~span:q.span ~grid:q.grid
@@ -60,96 +62,113 @@ let exactly q =
 
 (* {1 In floats} *)
 
+let most_steps = 64
+
+(* At a delay, until a proof holds for one. *)
+let most_tries = 6
+
 type search = {
   query : query;
   flight : Flight.t;
   simplex : Simplex.t;
   plane : Separation.t;
   last : float;  (** the span, rounded down *)
-  fine : bool;  (** the grid is coarse enough for floats *)
+  fine : bool;  (** every instant of the grid in the span is a float *)
 }
 
-(* Whether the interiors meet at the instant that the flight is at: the point that [Simplex.miss] finds in the set of
-   all vectors from A to B, displaced by k c, is q, c the vector between inner points and r the radius of a ball around
-   it in the set. The origin is on the way from q - k c, which is in the set, to x = c - q / k. If |q| < k r, x is
-   inside that ball, and the origin in the interior of the set. *)
+(* How the search stands: the interiors are disjoint up to [t]. *)
+type stand = {
+  t : float;
+  steps : int;  (** that may still be taken *)
+  probes : int;  (** how often a penetration was looked for in vain *)
+  sweeps : int;  (** how often exact arithmetic had to help *)
+}
+
+(* Whether the interiors meet at the instant that the flight is at. [Simplex.miss] finds a point q + k c of the
+   displaced set, q a vector from A to B, c the vector between inner points, around which there is a ball of radius
+   r in the set of all such vectors. If |q + k c| < k r, then -q/k is in that ball; and the origin, which lies
+   between -q/k and q, is in the interior of the set. *)
 let meets s =
   let noise = Flight.epsilon *. s.flight.scales.length and r = Simplex.depth s.simplex in
   let k = 4. *. noise /. r in
   k < 0x1p-10 && Simplex.miss s.simplex k < 0.5 *. k *. r
 
-let point s t = Float.of_int (int_of_float (Float.ldexp t s.query.grid))
-let instant_of s k = instant s.query.grid (Z.of_float k)
-let time s k = Float.ldexp k (-s.query.grid)
+(* Of an instant of the span: the cell of the grid that holds it, and where a cell begins. *)
+let cell_of s t = Float.of_int (int_of_float (Float.ldexp t s.query.grid))
+let begin_of s k = Float.ldexp k (-s.query.grid)
 
-(* A proof for [delay t t'] covers all instants from t to t' > t: the difference is rounded up. *)
+(* A delay that leads from t beyond t' >= t or just there: the difference is rounded up. *)
 let delay t t' = Float.succ (t' -. t)
-let most_steps = 64
-let most_fits = 6
 
-(* The interiors are disjoint up to [t]. [tries]: how often a penetration was looked for in vain. *)
-let rec advance s t steps tries =
-  if steps = 0 then sweep s.query (Q.of_float t) s.query.span
+let rec advance s at =
+  if at.steps = 0 then sweep s.query (Q.of_float at.t) s.query.span
   else begin
-    Flight.move s.flight t;
+    Flight.move s.flight at.t;
     match Simplex.search s.simplex with
-    | Near -> if t = 0. then begin_near s steps else slowly s t steps
-    | Apart _ -> look_ahead s t steps tries
+    | Near -> if at.t = 0. then begin_near s at else slowly s at
+    | Apart _ -> look_ahead s at
   end
 
-and look_ahead s t steps tries =
+(* The instant of contact is guessed between two bounds, which are the closer together the nearer it is. *)
+and look_ahead s at =
   Heading.aim s.plane s.simplex;
   let { Heading.sooner; later } = Heading.delays s.plane s.simplex in
-  let rest = delay t s.flight.scales.end_ in
-  if sooner >= rest then if Separation.holds s.plane rest then Never else fit s t steps tries rest most_fits
+  let rest = delay at.t s.flight.scales.end_ in
+  if sooner >= rest then if Separation.holds s.plane rest then Never else shorten s at rest most_tries
   else
-    let careful = sooner *. (1. -. 0x1p-10) in
-    let k = if s.fine && t +. later < s.last then point s (t +. sooner) else -1. in
-    if k >= 0. && point s (t +. later) = k then
-      let from = time s k in
-      if from <= t then enter s t k t ((2. *. later) -. sooner) steps tries careful
-      else if delay t from < sooner && Separation.holds s.plane (delay t from) then
-        enter s t k from ((2. *. later) -. sooner) steps tries careful
-      else step s t steps tries careful most_fits
-    else step s t steps tries careful most_fits
+    let careful = 0x0.ffcp0 *. sooner in
+    let expected = at.t +. later in
+    let k = if s.fine && expected < s.last then cell_of s (at.t +. sooner) else -1. in
+    if k < 0. || cell_of s expected <> k then step s at careful most_tries
+    else
+      let from = begin_of s k in
+      let apart_until_cell =
+        from <= at.t || (delay at.t from < sooner && Separation.holds s.plane (delay at.t from))
+      in
+      if apart_until_cell then probe s at k (expected +. (later -. sooner)) careful
+      else step s at careful most_tries
 
-(* The interiors are disjoint up to [from], which lies in cell k; they are expected to meet at some delay after [t]. *)
-and enter s t k from expected steps tries careful =
-  let scale = Float.ldexp s.last (-8 - (6 * tries)) in
-  let probe = Float.min s.last (Float.min (time s (k +. 1.)) (t +. expected +. scale)) in
-  Flight.move s.flight probe;
-  if meets s then instant_of s k
+(* The interiors are disjoint until cell k begins, and are expected to meet in it. Whether they do is looked at a
+   while after the expected instant, but not long after, as they might be apart again; and not at the expected
+   instant, where they may hardly meet. *)
+and probe s at k expected careful =
+  let while_ = Float.ldexp s.last (-8 - (6 * at.probes)) in
+  let probed = Float.min s.last (Float.min (begin_of s (k +. 1.)) (expected +. while_)) in
+  Flight.move s.flight probed;
+  if meets s then instant s.query.grid (Z.of_float k)
   else begin
-    ignore (from : float);
-    Flight.move s.flight t;
-    ignore (Simplex.search s.simplex);
-    step s t steps (tries + 1) careful most_fits
+    Flight.move s.flight at.t;
+    step s { at with probes = at.probes + 1 } careful most_tries
   end
 
-and step s t steps tries delay fits =
-  if Separation.holds s.plane delay then advance s (Float.pred (t +. delay)) (steps - 1) tries
-  else fit s t steps tries delay fits
+and step s at delay tries =
+  if Separation.holds s.plane delay then
+    advance s { at with t = Float.pred (at.t +. delay); steps = at.steps - 1 }
+  else shorten s at delay tries
 
-and fit s t steps tries delay fits =
+and shorten s at delay tries =
   let shorter = Heading.fitted s.plane delay in
-  if fits = 0 || not (s.plane.low.(0) > 0.) || not (t +. shorter > t +. (0x1p-30 *. s.last)) then slowly s t steps
-  else step s t steps tries shorter (fits - 1)
+  let gains = at.t +. shorter > at.t +. (0x1p-30 *. s.last) in
+  if tries > 0 && s.plane.low.(0) > 0. && gains then step s at shorter (tries - 1) else slowly s at
 
-(* What floats cannot tell at [t]. *)
-and slowly s t steps =
-  let until = t +. Float.max (0x1p-6 *. s.last) (0x1p-40 *. t) in
-  if until >= s.last then sweep s.query (Q.of_float t) s.query.span
+(* What floats cannot tell is left to exact arithmetic for a while, between short numbers; each time for longer. *)
+and slowly s at =
+  let unit = Float.ldexp 1. (snd (Float.frexp s.last) - 8) in
+  let from = unit *. Float.floor (at.t /. unit) in
+  let until = from +. (Float.ldexp unit (2 + (3 * at.sweeps))) in
+  if at.sweeps > 3 || not (until < s.last) || not (turning s.query) then
+    sweep s.query (Q.of_float from) s.query.span
   else
-    match sweep s.query (Q.of_float t) (Q.of_float until) with
-    | Never -> advance s until (steps - 1) 0
+    match sweep s.query (Q.of_float from) (Q.of_float until) with
+    | Never -> advance s { at with t = until; steps = at.steps - 1; sweeps = at.sweeps + 1 }
     | known -> known
 
-and begin_near s steps =
+and begin_near s at =
   if meets s then Inside
   else
     match Sweep.relation s.query.a s.query.b Rat.zero with
     | Interpenetrating -> Inside
-    | Apart | Touching -> slowly s 0. steps
+    | Apart | Touching -> slowly s at
 
 let first_time_of_contact ?obstacle a b ~span ~grid =
   let q = { a; b; obstacle; span; grid } in
@@ -169,7 +188,7 @@ let first_time_of_contact ?obstacle a b ~span ~grid =
             simplex = Simplex.make flight;
             plane = Separation.make flight;
             last = Float_box.down span;
-            fine = grid < 1000 && Float.ldexp end_ grid < 0x1p51;
+            fine = grid < 900 && Float.ldexp end_ grid < 0x1p51;
           }
         in
-        advance s 0. most_steps 0
+        advance s { t = 0.; steps = most_steps; probes = 0; sweeps = 0 }

@@ -7,9 +7,9 @@ open Scc_geometry
 
 val speed_bound : Motion.t -> Motion.t -> Rat.t
 (** A number that the speed of any point of one of the two as seen from any point of the other never exceeds:
-    |v_B - v_A| + |spin_A| reach_A + |spin_B| reach_B, where the reach of a solid is at least the distance of each of
-    its points from the centre that it turns about. Each square root and the sum are rounded up to ten bits, so
-    that the number is short. It does not change while the two move on, nor when they are swapped. *)
+    |v_B - v_A| + |spin_A| reach_A + |spin_B| reach_B, where the reach of a solid is at least the distance of
+    each of its points from the centre that it turns about. Each square root and the sum are rounded up to ten
+    bits, so that the number is short. It does not change while the two move on, nor when they are swapped. *)
 
 val grid : Motion.t -> Motion.t -> resolution:Rat.t -> int
 (** The least K >= 0 with {!speed_bound} 2^-K <= resolution, for a resolution > 0: in 2^-K no gap between the two

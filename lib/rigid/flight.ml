@@ -30,7 +30,7 @@ type body = {
   sizes : sizes;
 }
 
-type scales = { length : float; whirl : float; acceleration : float; end_ : float }
+type scales = { length : float; whirl : float; end_ : float }
 
 type t = {
   a : body;
@@ -44,19 +44,19 @@ type t = {
 (* Errors, in units of u = 2^-53. Coordinates that come from rationals are within 3u of them, relatively, and
    components of [turned] within 2u.
 
-   [rotation_to], from a quaternion (w, v): N is within 4u, k within 5u, each entry within 17u, as no product of k
-   with the sum of the sizes of what it multiplies is greater than 2. So the matrix is within 51u in the Frobenius
-   norm of that of the quaternion as given in floats. Components of [turned] that are wrong by 2u turn by another 4u,
-   hence 57u. The u of the Cayley map is within 9u, relatively: since + t within 4u, spin within 3u, and two products;
-   that turns by 18u at most, hence 69u.
+   [rotation_to], from a quaternion (w, v): N is within 4u, k within 5u, each entry within 17u, as no product of
+   k with the sum of the sizes of what it multiplies is greater than 2. So the matrix is within 51u, in the
+   Frobenius norm, of that of the quaternion as given in floats. Components of [turned] that are wrong by 2u
+   turn by another 4u, hence 57u. The vector of the Cayley map is within 9u, relatively: since + t within 4u,
+   spin within 3u, and two products; that turns by 18u at most, hence 69u.
 
-   The product of both is within 57u + 69u + 9u = 135u; the arm, turned, within 69u + 3u + 5u = 77u of its length; the
-   offset within 3u + 3u + 2u = 8u of |c| + t |v|; a vertex p, turned, within 135u + 3u + 5u = 143u of its length. A
-   sum of such terms has an error of at most 5u more, and a product with a vector m of 6u |m|. All that is less than
-   160u of S = |c| + T |v| + extent_A + extent_B.
+   The product of both is within 57u + 69u + 9u = 135u; the arm, turned, within 69u + 3u + 5u = 77u of its
+   length; the offset within 3u + 3u + 2u = 8u of |c| + t |v|; a vertex p, turned, within 135u + 3u + 5u = 143u
+   of its length. A sum of such terms has an error of at most 5u more, a product with a vector m one of 6u |m|.
+   All that is less than 160u of S = |c| + T |v| + extent_A + extent_B.
 
-   In [separation.ml] the vector m itself is wrong by at most 40u of its bound, which adds up to 200u at most. With
-   256u for all of this, the error bounds need no care about the rounding of themselves. *)
+   In [separation.ml] the vector m itself is wrong by at most 40u of a bound on it, which adds up to 200u. With
+   256u for all of this, the error bounds need no care about their own rounding. *)
 let epsilon = 0x1p-45
 let widen x = x *. (1. +. 0x1p-40)
 
@@ -119,7 +119,8 @@ let body (m : Motion.t) =
     (* [widen] of the extent makes up for the errors of the middle *)
     let reach = length (middle shadow start) +. shadow.outer +. (extent *. epsilon) in
     let sizes = { since; spin = widen (length spin); reach = widen reach; extent = widen extent } in
-    Some { solid = m.solid; turning = Motion.turns m; spin; start; now = { start with ex = start.ex }; sizes }
+    let now = { start with ex = start.ex } in
+    Some { solid = m.solid; turning = Motion.turns m; spin; start; now; sizes }
   end
 
 let make (a : Motion.t) (b : Motion.t) span =
@@ -130,12 +131,10 @@ let make (a : Motion.t) (b : Motion.t) span =
     if not (sane offset && sane velocity && Shadow.sane span) then None
     else
       let path = length offset +. (span *. length velocity) in
-      let bend (f : body) = f.sizes.spin *. f.sizes.spin *. f.sizes.reach in
       let scales =
         {
           length = widen (path +. fa.sizes.extent +. fb.sizes.extent);
           whirl = Float.max fa.sizes.spin fb.sizes.spin;
-          acceleration = widen (bend fa +. bend fb);
           end_ = span;
         }
       in
@@ -177,11 +176,8 @@ let move f t =
   f.here.(1) <- f.offset.y +. (t *. f.velocity.y);
   f.here.(2) <- f.offset.z +. (t *. f.velocity.z)
 
-(* The least distance of the centres, up to rounding, is at the instant t: the distance there is within [epsilon] S
-   of the exact one. The exact one at the exact instant of the least, t', is not less by more than |v| |t - t'|; so t
-   is not trusted, and the squares are compared along the line: |c + t v|^2 >= ((c + t v).n)^2 for the direction n of
-   the middle of what is left. That is simplest with a direction: n.(c + t v) > r at both ends of the span proves it
-   throughout. *)
+(* Along the direction from A's centre to B's when they are nearest, or nearly so, the one is ahead of the other by
+   more than both reaches at the start and at the end; then it is so in between. *)
 let apart_forever f =
   let c = f.offset and v = f.velocity and last = f.scales.end_ in
   let vv = (v.x *. v.x) +. (v.y *. v.y) +. (v.z *. v.z) in
@@ -189,6 +185,6 @@ let apart_forever f =
   let t = if cv >= 0. then 0. else Float.min last (-.cv /. vv) in
   let x = c.x +. (t *. v.x) and y = c.y +. (t *. v.y) and z = c.z +. (t *. v.z) in
   let n = sqrt ((x *. x) +. (y *. y) +. (z *. z)) in
-  let first = ((x *. c.x) +. (y *. c.y) +. (z *. c.z)) and rate = (x *. v.x) +. (y *. v.y) +. (z *. v.z) in
+  let first = (x *. c.x) +. (y *. c.y) +. (z *. c.z) and rate = (x *. v.x) +. (y *. v.y) +. (z *. v.z) in
   let least = Float.min first (first +. (last *. rate)) in
   least > n *. (f.a.sizes.reach +. f.b.sizes.reach +. (epsilon *. f.scales.length))

@@ -1,5 +1,5 @@
-(** Two solids that move and turn, in floats, with bounds on the errors: what the search for their contact is made
-    of. Positions are those of B's centre of turning as seen from A's; times count from now. *)
+(** Two solids that move and turn, in floats, with bounds on the errors: what the search for their contact works
+    with. World axes; B's centre of turning is seen from that of A; times count from now. *)
 
 open Scc_geometry
 
@@ -43,9 +43,7 @@ type body = {
 (** The same for both. *)
 type scales = {
   length : float;  (** S of the error bounds below *)
-  whirl : float;  (** |spin| of either is at most this *)
-  acceleration : float;
-  (** of any point of one relative to any point of the other, throughout: |spin_A|^2 reach_A + |spin_B|^2 reach_B *)
+  whirl : float;  (** neither |spin| is greater *)
   end_ : float;  (** the span, rounded up *)
 }
 
@@ -54,7 +52,7 @@ type t = {
   b : body;
   offset : Shadow.floats;  (** of B's centre, at time 0 *)
   velocity : Shadow.floats;  (** of B less that of A *)
-  here : float array;  (** three coordinates: the offset at the instant {!move}d to *)
+  here : float array;  (** the offset at the instant {!move}d to: three coordinates *)
   scales : scales;
 }
 
@@ -68,5 +66,5 @@ val apart_forever : t -> bool
 (** Whether the balls that the solids turn in are seen to be apart throughout the span. *)
 
 val epsilon : float
-(** A coordinate of a vertex of B less one of A at the instant moved to is within [epsilon] S of the exact one; so is
-    the product of any vector of a length <= 1 with the vector between the two. *)
+(** Coordinates of a vertex of B less those of one of A, at the instant moved to, are within [epsilon] S of the
+    exact ones; so is the product of that difference with a vector of a length <= 1. *)

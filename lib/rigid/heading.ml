@@ -92,7 +92,7 @@ let delays (p : Separation.t) (s : Simplex.t) =
     +. ((get n 0 *. x) +. (get n 1 *. y) +. (get n 2 *. z))
   in
   let c2 = (get rate 0 *. x) +. (get rate 1 *. y) +. (get rate 2 *. z) in
-  let bend = 0.5 *. f.scales.acceleration in
+  let bend = 0.5 *. Separation.acceleration p 0. in
   { sooner = first_root c0 c1 (c2 -. bend); later = first_root c0 c1 (c2 +. bend) }
 
 let fitted (p : Separation.t) s =

@@ -2,8 +2,8 @@
     features that are nearest at an instant. *)
 
 val aim : Separation.t -> Simplex.t -> unit
-(** After a search that found them apart: the direction is that of the search, and its rate is such that it turns with
-    the features of the corners. *)
+(** After a search that found them apart: the direction is that of the search, and its rate is such that it turns
+    with the features of the corners. *)
 
 (** As the gap of these features closes, within the bound on the acceleration. *)
 type delays = {

@@ -9,19 +9,22 @@ let make flight =
 let[@inline] get (a : float array) i = Array.unsafe_get a i
 let[@inline] set (a : float array) i x = Array.unsafe_set a i x
 
-(* Let a point of a solid be at e + y at the instant, e the centre of turning, v its velocity, w the angular velocity.
-   After a delay r <= s it is at e + y + r (v + w x y) + r^2/2 z with |z| at most the acceleration, and its product
-   with n + r n' is, without z and the part of the centre, y.(n + r (n' + n x w) + r^2 n' x w). Over 0 to s the
-   coefficients of that in Bernstein form are the products of y with
+(* Let a point of a solid be at e + y at the instant, e the centre of turning, v its velocity, w the angular
+   velocity. After a delay r <= s it is at e + y + r (v + w x y) + z, and its product with n + r n' is, without
+   z and the part of the centre, y.(n + r (n' + n x w) + r^2 n' x w). Over 0 to s the coefficients of that in
+   Bernstein form are the products of y with
 
    m0 = n,  m1 = n + s/2 (n' + n x w),  m2 = n + s (n' + n x w) + s^2 n' x w.
 
-   As r^2/2 = s^2/2 times the last polynomial of the form, z lowers the last coefficient alone, by s^2/2 times the
-   acceleration times the greatest length of n + r n', which is that at one of the ends. The least of a sum over all
-   pairs of vertices is at least the sum of the least of each coefficient of B, the greatest of A taken off.
+   The acceleration of the point is orthogonal to the axis and, as w = spin / (1 + |u|^2), of the size |spin|^2
+   h (1 + |u|^2)^(-3/2), h its distance from the axis. So z is orthogonal to the axis too, |z| is at most r^2/2
+   |spin|^2 reach, and |(n + r n').z| at most r^2/2 |spin| reach |(n + r n') x spin|; the last factor is
+   greatest at one of the ends. As r^2/2 = s^2/2 times the last polynomial of the form, that lowers the last
+   coefficient alone. The least of a sum over all pairs of vertices is at least the sum of the least of each
+   coefficient of B, the greatest of A taken off.
 
-   No |m| and neither product of the centre's with them exceeds N = (|n| + s |n'|) (1 + s |spin|); the error of a
-   coefficient is at most 200u N S (see flight.ml). *)
+   No |m| exceeds N = (|n| + s |n'|) (1 + s |spin|); the error of a coefficient is at most 200u N S (see
+   flight.ml), and that of what z does less than 20u N (1 + s |spin|) S. *)
 let vectors p (f : Flight.body) s sign =
   let w = p.work and r = f.now in
   let nx = sign *. get p.n 0 and ny = sign *. get p.n 1 and nz = sign *. get p.n 2 in
@@ -68,6 +71,21 @@ let extremes p (f : Flight.body) =
   set w (far + 1) (!b +. ((r.ex *. get w 3) +. (r.ey *. get w 4) +. (r.ez *. get w 5)));
   set w (far + 2) (!c +. ((r.ex *. get w 6) +. (r.ey *. get w 7) +. (r.ez *. get w 8)))
 
+let acceleration p s =
+  let nx = get p.n 0 and ny = get p.n 1 and nz = get p.n 2 in
+  let mx = nx +. (s *. get p.rate 0) and my = ny +. (s *. get p.rate 1) and mz = nz +. (s *. get p.rate 2) in
+  let bend (f : Flight.body) =
+    if not f.turning then 0.
+    else
+      let w = f.spin in
+      let x = (ny *. w.z) -. (nz *. w.y) and y = (nz *. w.x) -. (nx *. w.z) and z = (nx *. w.y) -. (ny *. w.x) in
+      let first = (x *. x) +. (y *. y) +. (z *. z) in
+      let x = (my *. w.z) -. (mz *. w.y) and y = (mz *. w.x) -. (mx *. w.z) and z = (mx *. w.y) -. (my *. w.x) in
+      let last = (x *. x) +. (y *. y) +. (z *. z) in
+      sqrt (Float.max first last) *. f.sizes.spin *. f.sizes.reach *. (1. +. 0x1p-40)
+  in
+  bend p.flight.a +. bend p.flight.b
+
 let holds p s =
   let f = p.flight and w = p.work in
   let v = f.velocity in
@@ -85,8 +103,9 @@ let holds p s =
   extremes p f.b;
   let size = sqrt ((nx *. nx) +. (ny *. ny) +. (nz *. nz)) in
   let last = sqrt ((mx *. mx) +. (my *. my) +. (mz *. mz)) in
-  let error = Flight.epsilon *. f.scales.length *. (size +. size +. last) *. (1. +. (s *. f.scales.whirl)) in
-  let bend = 0.5 *. s *. s *. f.scales.acceleration *. Float.max size last *. (1. +. 0x1p-40) in
+  let whirl = 1. +. (s *. f.scales.whirl) in
+  let error = Flight.epsilon *. f.scales.length *. (size +. size +. last) *. whirl *. whirl in
+  let bend = 0.5 *. s *. s *. acceleration p s in
   set p.low 0 (c0 -. a0 -. get w far -. error);
   set p.low 1 ((0.5 *. (c0 +. c1)) -. a1 -. get w (far + 1) -. error);
   set p.low 2 (c2 -. a2 -. get w (far + 2) -. error -. bend);

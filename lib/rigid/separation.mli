@@ -13,6 +13,10 @@ type t = {
 
 val make : Flight.t -> t
 
+val acceleration : t -> float -> float
+(** At most this much the gap accelerates along the direction, times its length, anywhere until s later, beyond
+    what the turning of the direction does. *)
+
 val holds : t -> float -> bool
 (** [holds p s]: the interiors are disjoint from the instant that the flight is moved to, until s >= 0 later. False
     only means that this plane does not prove it. *)

@@ -154,8 +154,8 @@ let segment s =
 
 (* {1 The nearest point of a tetrahedron} *)
 
-(* For the plane of corners i, j and k: the height of the origin over that of corner l, the plane being at height 0.
-   Positive when both are on one side of it. *)
+(* For the plane of corners i, j and k: the height of the origin over that of corner l, the plane being at
+   height 0. Positive when both are on one side of it. *)
 let height s i j k l =
   let p = s.p and a = 3 * i and b = 3 * j and c = 3 * k and d = 3 * l in
   let ax = get p a and ay = get p (a + 1) and az = get p (a + 2) in

@@ -22,8 +22,8 @@ val search : t -> found
 (** At the instant that the flight was moved to; begins with the corners found last. *)
 
 val miss : t -> float -> float
-(** [miss s k] searches in the set displaced by k times the vector from a point well inside A to one well inside B, and
-    says how far from the origin the point is that it finds: a point of the displaced set, up to an error of
+(** [miss s k] searches in the set displaced by k times the vector from a point well inside A to one well inside B,
+    and says how far from the origin the point is that it finds: a point of the displaced set, up to an error of
     [Flight.epsilon] (1 + k) S. The search ends as soon as that is within [Flight.epsilon] S. *)
 
 val depth : t -> float

@@ -1,9 +1,9 @@
 (* Times the cast of turning solids:
 
-     turning.exe [SHAPE ...]      nanoseconds for each query; cube.txt and poly50.txt of test/data/geometry if none given
+     turning.exe [SHAPE ...]      nanoseconds for each query (cube.txt and poly50.txt of test/data/geometry)
 
    Two solids of one shape, about two of their radii wide, turn as far as a step allows while B flies past A: 'far'
-   always at a good distance; 'aimed' at A, so that most of them collide; 'near' so that about half of them miss. *)
+   always at a good distance; 'aimed' at A, so that most of them collide; 'near' so that many miss. *)
 
 open Scc_exact
 open Scc_geometry
@@ -55,7 +55,8 @@ let repeat = 200
 let count = 1000
 
 let time name shape kind =
-  let a = Data.solid ~id:0 (Data.shape shape) Mat.identity and b = Data.solid ~id:1 (Data.shape shape) Mat.identity in
+  let solid id = Data.solid ~id (Data.shape shape) Mat.identity in
+  let a = solid 0 and b = solid 1 in
   let pairs = Array.init count (fun _ -> pair kind a b) in
   let grid (a, b) = Cast.grid a b ~resolution:(Rat.mul a.Motion.solid.radius (one_in 1048576)) in
   let grids = Array.map grid pairs in

@@ -106,8 +106,8 @@ let surface_point (a : Motion.t) t (face, (x, y, z)) =
   let corners = snd faces.(face mod Array.length faces) in
   let at i = Motion.point a t (Solid.vertex a.solid corners.(i)) in
   let x, y, z = if x + y + z = 0 then (1, 1, 1) else (x, y, z) in
-  Vec.scale (ratio 1 (x + y + z))
-    (Vec.add (Vec.scale (Rat.of_int x) (at 0)) (Vec.add (Vec.scale (Rat.of_int y) (at 1)) (Vec.scale (Rat.of_int z) (at 2))))
+  let share k i = Vec.scale (ratio k (x + y + z)) (at i) in
+  Vec.add (share x 0) (Vec.add (share y 1) (share z 2))
 
 (* How fast a point of the solid moves, nearly. *)
 let speed m t p =
@@ -127,7 +127,8 @@ let meeting solid =
     let way =
       if graze then
         (* what the vertex needs to move along the surface as it is seen from A *)
-        let local = Quaternion.apply (Quaternion.inverse (Motion.rotation a t)) (Vec.sub point (Motion.reference a t)) in
+        let back = Quaternion.inverse (Motion.rotation a t) in
+        let local = Quaternion.apply back (Vec.sub point (Motion.reference a t)) in
         let along = Vec.cross normal way in
         Vec.sub (Vec.add along (speed a t local)) (speed b t p)
       else way
@@ -136,7 +137,8 @@ let meeting solid =
     let centre = Vec.sub goal (Motion.point b t p) in
     { a; b = { b with centre = Vec.add b.centre centre }; span; grid }
   in
-  let times = Gen.oneof [ Gen.map (fun k -> ratio k 8) Gen.(0 -- 8); Gen.map (fun k -> ratio k 997) Gen.(0 -- 997) ] in
+  let upto n = Gen.map (fun k -> ratio k n) Gen.(0 -- n) in
+  let times = Gen.oneof [ upto 8; upto 997 ] in
   let slips =
     Gen.oneof
       [ Gen.return Rat.zero;
