@@ -10,8 +10,8 @@ let rational = Gen.map2 ratio Gen.(-12 -- 12) Gen.(1 -- 6)
 (* Products of a few factors with repeated ones, so that roots are multiple, shared, rational and irrational. *)
 let factors =
   List.map poly
-    [ [ 0; 1 ]; [ -1; 1 ]; [ -1; 2 ]; [ 1; 3 ]; [ -2; 0; 1 ]; [ -1; 1; 1 ]; [ 1; 0; 1 ]; [ -1; -1; 0; 1 ]; [ 1;
-                                                                                                             -3; 1 ] ]
+    [ [ 0; 1 ]; [ -1; 1 ]; [ -1; 2 ]; [ 1; 3 ]; [ -2; 0; 1 ]; [ -1; 1; 1 ]; [ 1; 0; 1 ]; [ -1; -1; 0; 1 ];
+      [ 1; -3; 1 ] ]
 
 let product =
   let power = Gen.(pair (oneofl factors) (1 -- 3)) in
