@@ -121,14 +121,15 @@ let shape b =
 
 let half = Rat.make Z.one (Z.of_int 2)
 
-let guide ?law a b ~span =
+(* Seen from the centre of A, so that floats are as good as they can be. *)
+let guide ?law (a : body) (b : body) ~span =
   let floats v = Array.of_list (List.map Rat.to_float (coordinates v)) in
-  let body b =
+  let body (b : body) =
     let s = shape b in
     { Guide.corners = Array.map floats s.corners;
       faces = s.faces;
-      centre = floats b.centre;
-      travel = floats (Vec.scale span b.velocity);
+      centre = floats (Vec.sub b.centre a.centre);
+      travel = floats (Vec.scale span (Vec.sub b.velocity a.velocity));
       half_spin = floats (Vec.scale half b.spin);
       since = Rat.to_float b.since;
       span = Rat.to_float span }

@@ -42,7 +42,7 @@ let tetrahedron =
   let v x y z = Vec.make (dyadic x 2) (dyadic y 2) (dyadic z 2) in
   shape "tetrahedron" (Naive.hull [ v 2 2 2; v 2 (-2) (-2); v (-2) 2 (-2); v (-2) (-2) 2 ])
 
-let small = [| cube; cube; tetrahedron; box "plank" 12 6 1; hull 1; hull 2 |]
+let small = [| cube; cube; tetrahedron; box "plank" 12 6 1; hull 1; hull 2; box "pebble" 1 1 1; box "slab" 64 48 2 |]
 
 let read path =
   let plain = Data.shape path in
@@ -167,6 +167,21 @@ let passing g shape_a shape_b ~distance ~finely =
       a = { c.a with since = (if Rng.chance g 2 then since else Rat.zero); arm = arm_a };
       b = { c.b with since; arm = arm_b };
       span = Rat.sub Rat.one (dyadic (Rng.choose g [| 0; 16; 16; 24 |]) 5) }
+
+(* The same seen from elsewhere, or with thirds in the velocities: longer numbers, less from floats. *)
+let disguised g c =
+  let both f = { c with a = f c.a; b = f c.b } in
+  match Rng.below g 6 with
+  | 0 ->
+    let far = Vec.of_ints (1 lsl Rng.range g 10 60) (1 lsl Rng.range g 10 60) 12_345_679 in
+    both (fun b -> { b with centre = Vec.add b.centre far })
+  | 1 ->
+    let third = vec_of (fun () -> Rat.make (Z.of_int (Rng.range g (-3) 3)) (Z.of_int 3)) in
+    both (fun b -> { b with velocity = Vec.add b.velocity third })
+  | 2 ->
+    let much = Vec.of_ints (1 lsl Rng.range g 1 40) (-7) 5 in
+    both (fun b -> { b with velocity = Vec.add b.velocity much })
+  | _ -> c
 
 let displaced c v = { c with b = { c.b with centre = Vec.add c.b.centre v } }
 let guide c = Turning.guide c.a c.b ~span:c.span
@@ -314,7 +329,7 @@ let make kind shape_a shape_b g =
   | Hit | Near_miss | Far -> sorted_out g kind shape_a shape_b
   | Chance ->
     let distance = 1.3 *. (radius shape_a +. radius shape_b) *. unit_float g in
-    passing g shape_a shape_b ~distance ~finely:(Rng.chance g 2)
-  | Grazing -> grazing g shape_a shape_b
-  | Aligned -> aligned g shape_a shape_b
-  | Peak -> peak g shape_b
+    disguised g (passing g shape_a shape_b ~distance ~finely:(Rng.chance g 2))
+  | Grazing -> disguised g (grazing g shape_a shape_b)
+  | Aligned -> disguised g (aligned g shape_a shape_b)
+  | Peak -> disguised g (peak g shape_b)

@@ -16,7 +16,7 @@ val shape : string -> Naive.solid -> shape
 val cube : shape
 
 val small : shape array
-(** A cube, a tetrahedron, a flat box, and hulls of about ten points. *)
+(** A cube, a tetrahedron, hulls of about ten points, and boxes: flat, small, and large. *)
 
 val read : string -> shape
 (** A file of test/data/geometry, at 1/1024 of its size. *)
