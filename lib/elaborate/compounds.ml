@@ -39,12 +39,12 @@ let check_names (c : Context.t) (parts : Ast.part list) =
 
 let centroid d = Vec.add d.part.placement.translation d.part.solid.centroid
 
-let mismatch (c : Context.t) (name : Ast.name) given first d what of_one of_other explanation =
+let mismatch (c : Context.t) (name : Ast.name) given first d (one, several) of_one of_other explanation =
   let place d = match given d.motion with Some (_, at) -> at | None -> d.part.span in
   Report.error c.report Code.velocity_mismatch (place d)
     "the parts `%s` and `%s` of `%s` have the %s %s and %s, and %s"
-    first.part.name d.part.name name.it what (Vec.to_string of_one) (Vec.to_string of_other) explanation
-    ~notes:[ (place first, Printf.sprintf "the %s of `%s` is here" what first.part.name) ]
+    first.part.name d.part.name name.it several (Vec.to_string of_one) (Vec.to_string of_other) explanation
+    ~notes:[ (place first, Printf.sprintf "the %s of `%s` is here" one first.part.name) ]
 
 (* The parts of one rigid body have one spin, and the velocities of their centroids differ by what it gives
    (Definition 4.5). *)
@@ -58,11 +58,11 @@ let check_motion (c : Context.t) (name : Ast.name) drafts =
   match (List.find_opt spins_apart drafts, List.find_opt moves_apart drafts) with
   | None, None -> true
   | Some d, _ ->
-    mismatch c name (fun (a : Attributes.t) -> a.spin) first d "spins" spin (Attributes.spin d.motion)
+    mismatch c name (fun (a : Attributes.t) -> a.spin) first d ("spin", "spins") spin (Attributes.spin d.motion)
       "glued parts turn as one";
     false
   | None, Some d ->
-    mismatch c name (fun (a : Attributes.t) -> a.velocity) first d "velocities" v
+    mismatch c name (fun (a : Attributes.t) -> a.velocity) first d ("velocity", "velocities") v
       (Attributes.velocity d.motion)
       (if Vec.is_zero spin then "glued parts move as one"
        else

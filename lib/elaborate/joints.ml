@@ -61,23 +61,22 @@ let check_contact (c : Context.t) at ((p : Bodies.leaf), (f : Site.t)) ((q : Bod
 (* What is bound has one spin, and the velocities of centroids differ by what it gives (Definition 4.5). *)
 let check_motion (c : Context.t) at (p : Bodies.leaf) (q : Bodies.leaf) =
   let note (l : Bodies.leaf) = (l.span, Printf.sprintf "`%s` is here" l.name) in
-  let differ what of_p of_q explanation =
+  let differ (what, several) of_p of_q explanation =
     let notes = [ note p; note q ] in
     if p.fixed || q.fixed then
       let wall, other, value = if p.fixed then (p, q, of_q) else (q, p, of_p) in
       Report.error c.report Code.velocity_mismatch at "`%s` has the %s %s, and is bound to `%s`, which is fixed"
         other.name what (Vec.to_string value) wall.name ~notes
     else
-      Report.error c.report Code.velocity_mismatch at "`%s` and `%s` have the %s %s and %s, and %s" p.name q.name
-        (match what with "spin" -> "spins" | _ -> "velocities")
-        (Vec.to_string of_p) (Vec.to_string of_q) explanation ~notes
+      Report.error c.report Code.velocity_mismatch at "`%s` and `%s` have the %s %s and %s, and %s" p.name
+        q.name several (Vec.to_string of_p) (Vec.to_string of_q) explanation ~notes
   in
   let turn () = Vec.cross p.spin (Vec.sub (Bodies.centroid q) (Bodies.centroid p)) in
-  if not (Vec.equal p.spin q.spin) then differ "spin" p.spin q.spin "what is bound turns as one"
+  if not (Vec.equal p.spin q.spin) then differ ("spin", "spins") p.spin q.spin "what is bound turns as one"
   else
     let expected = if Vec.is_zero p.spin then p.velocity else Vec.add p.velocity (turn ()) in
     if not (Vec.equal expected q.velocity) then
-      differ "velocity" p.velocity q.velocity
+      differ ("velocity", "velocities") p.velocity q.velocity
         (if Vec.is_zero p.spin then "what is bound moves as one"
          else
            Printf.sprintf "what is bound moves as one: with this spin the velocity of `%s` is %s" q.name
