@@ -99,6 +99,7 @@ Statistics vary, and are not part of the report:
     rate: N states/s, N transitions/s
     memory, at most: heap N MiB, resident N MiB
     stores: states N MiB, labels N MiB, edges N MiB
+    longest numbers, in bits: positions N, velocities N
     collections: N minor, N major
     seconds: read N, explore N
   $ scc check $models/chain.sc --stats --json | grep -c '"varies": true'

@@ -1,0 +1,138 @@
+Rigid models: bodies that spin. One that turns hits one at rest.
+
+  $ cat > spin.sc <<'END'
+  > shape Cube {
+  >   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+  >            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  >   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]  right [b,c,g,f]  front [a,b,f,e]  back [d,h,g,c]
+  > }
+  > process p = Cube mass 1 velocity (1,0,0) spin (0,1/3,1/2) [nil]
+  > process q = Cube mass 1 at translate (4,1/2,0) [nil]
+  > timestep 1/2
+  > resolution 2^-10
+  > check meet : possibly touching(p, q) within 3
+  > check kept : always energy = 67/108 and spin2(p) + spin2(q) > 1/4 within 2
+  > check turn : always angular.z = 1/3 within 2
+  > END
+
+Verdicts say at which resolution they hold.
+
+  $ scc check spin.sc
+  meet: holds (exhaustive), at resolution 1/1024
+    possibly touching(p, q) within 3
+    a run that shows it:
+      1. time passes by 1/2, to time 1/2
+      2. time passes by 1/2, to time 1
+      3. time passes by 5/16, to time 21/16
+      touching(p, q) holds
+      there:
+        p at (21/16, 0, 0) turned (104976, 0, 24062, 36093) [nil], velocity (1, 0, 0), spin (0, 1/3, 1/2)
+        q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
+  
+  kept: holds (exhaustive), at resolution 1/1024
+    always energy = 67/108 and spin2(p) + spin2(q) > 1/4 within 2
+  
+  turn: holds (exhaustive), at resolution 1/1024
+    always angular.z = 1/3 within 2
+  
+  explored: 8 states, 7 transitions, depth 7, model time 45/16; complete
+  3 properties: 3 hold
+  $ scc trace spin.sc --steps 5 --human
+  time 0
+          p at (0, 0, 0) [nil], velocity (1, 0, 0), spin (0, 1/3, 1/2)
+          q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
+      1.  time passes by 1/2   {Time, TimeBehaviour, Turn}
+  time 1/2
+          p at (1/2, 0, 0) turned (24, 0, 2, 3) [nil], velocity (1, 0, 0), spin (0, 1/3, 1/2)
+          q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
+      2.  time passes by 1/2   {Time, TimeBehaviour, Turn}
+  time 1
+          p at (1, 0, 0) turned (563, 0, 96, 144) [nil], velocity (1, 0, 0), spin (0, 1/3, 1/2)
+          q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
+      3.  time passes by 5/16   {Time, TimeBehaviour, Turn}
+  time 21/16
+          p at (21/16, 0, 0) turned (104976, 0, 24062, 36093) [nil], velocity (1, 0, 0), spin (0, 1/3, 1/2)
+          q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
+      4.  p and q collide and bounce   {Bounce}
+  time 21/16
+          p at (21/16, 0, 0) turned (104976, 0, 24062, 36093) [nil], velocity (~0.209176, 0, 0), spin (0, ~-0.122241, ~0.409757)
+          q at (4, 1/2, 0) [nil], velocity (~0.790824, 0, 0), spin (0, ~0.455575, ~0.683362)
+      5.  time passes by 1/2   {Time, TimeBehaviour, Turn}
+  time 29/16
+          p at (~1.417088, 0, 0) turned ~(0.588715, -0.020590, 0.120346, 0.270348) [nil], velocity (~0.209176, 0, 0), spin (0, ~-0.122241, ~0.409757)
+          q at (~4.395412, 1/2, 0) turned ~(0.778371, 0.000000, 0.088652, 0.132977) [nil], velocity (~0.790824, 0, 0), spin (0, ~0.455575, ~0.683362)
+  5 transitions, time 29/16: more can happen
+
+A trace tells orientations, spins and how long ago each turn began; it is its own schedule.
+
+  $ scc trace spin.sc --steps 6 -o run.jsonl
+  $ sed -n 4p run.jsonl
+  {"type":"transition","step":2,"choice":0,"of":1,"label":{"kind":"time","text":"time(1/2)","duration":"1/2"},"rules":["Time","TimeBehaviour","Turn"],"time":"1/1","state":{"processes":[{"velocity":["1/1","0/1","0/1"],"spin":["0/1","1/3","1/2"],"since":"0/1","clock":null,"leaves":[{"name":"p","position":["1/1","0/1","0/1"],"turned":["563","0","96","144"],"behaviour":"nil","origin":null}],"bonds":[]},{"velocity":["0/1","0/1","0/1"],"spin":["0/1","0/1","0/1"],"since":"0/1","clock":null,"leaves":[{"name":"q","position":["4/1","1/2","0/1"],"turned":["1","0","0","0"],"behaviour":"nil","origin":null}],"bonds":[]}],"step":{"remaining":"1/2","length":"1/2","phase":"steered"}}}
+  $ scc trace spin.sc --schedule run.jsonl | cmp - run.jsonl
+  $ scc trace spin.sc --steps 1 --itf | grep vars
+  "vars": ["action","time","position","velocity","behaviour","origin","process","bonds","clock","step","turned","spin","since"],
+  $ scc trace spin.sc --steps 1 --itf | tail -3 | head -1 | cut -d , -f 1-2
+  {"#meta":{"index":1,"ending":"open"}
+
+Graphs give the motion with the places.
+
+  $ scc explore spin.sc --time 1 --format dot --positions -o - | grep velocity
+  scc: explored: 4 states, 3 transitions
+  scc: TRUNCATED: 1 states unexplored, by the time bound 1
+    s0 [label="0\np at (0, 0, 0), velocity (1, 0, 0), spin (0, 1/3, 1/2)\nq at (4, 1/2, 0), velocity (0, 0, 0)", style="rounded,filled", fillcolor="white"]
+    s1 [label="1\np at (1/2, 0, 0) turned (24, 0, 2, 3), velocity (1, 0, 0), spin (0, 1/3, 1/2)\nq at (4, 1/2, 0), velocity (0, 0, 0)", style="rounded,filled", fillcolor="white"]
+    s2 [label="2\np at (1, 0, 0) turned (563, 0, 96, 144), velocity (1, 0, 0), spin (0, 1/3, 1/2)\nq at (4, 1/2, 0), velocity (0, 0, 0)", style="rounded,filled", fillcolor="white"]
+    s3 [label="3\np at (21/16, 0, 0) turned (104976, 0, 24062, 36093), velocity (1, 0, 0), spin (0, 1/3, 1/2)\nq at (4, 1/2, 0), velocity (0, 0, 0)", style="rounded,filled,dashed", fillcolor="white"]
+
+The settings are printed in one form.
+
+  $ cat > settings.sc <<'END'
+  > dynamics   free_body resolution 1/1048576
+  > round orientation 1/1024  round velocity 0.125 param round = 2
+  > END
+  $ scc fmt settings.sc
+  dynamics free_body
+  resolution 1/1048576
+  round orientation 1/1024
+  round velocity 2^-3
+  param round = 2
+
+Where nothing turns they have no effect.
+
+  $ sed -e 's/spin (0,1\/3,1\/2)//' spin.sc > still.sc
+  $ scc check still.sc
+  still.sc:9:12: warning[SC0213]: `resolution` has no effect: nothing spins, and the model has no `dynamics`
+     |
+   9 | resolution 2^-10
+     |            ^^^^^
+  meet: holds (exhaustive)
+    possibly touching(p, q) within 3
+    a run that shows it:
+      1. time passes by 2, to time 2
+      touching(p, q) holds
+      there:
+        p at (2, 0, 0) [nil], velocity (1, 0, 0)
+        q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
+  
+  kept: violated
+    always energy = 67/108 and spin2(p) + spin2(q) > 1/4 within 2
+    a run that violates it:
+      in the initial state
+      energy = 67/108 fails: energy = 1/2
+      (spin2(p) + spin2(q)) > 1/4 fails: (spin2(p) + spin2(q)) = 0
+      there:
+        p at (0, 0, 0) [nil], velocity (1, 0, 0)
+        q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
+  
+  turn: violated
+    always angular.z = 1/3 within 2
+    a run that violates it:
+      in the initial state
+      angular.z = 1/3 fails: angular.z = 0
+      there:
+        p at (0, 0, 0) [nil], velocity (1, 0, 0)
+        q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
+  
+  explored: 2 states, 1 transition, depth 1, model time 2; not complete: every property was decided before
+  3 properties: 1 holds, 2 violated
+  [1]
