@@ -17,7 +17,8 @@ type outcome =
 val first_penetration : Motion.t -> Motion.t -> from:Rat.t -> until:Rat.t -> outcome
 (** For 0 <= from <= until, times from now as in {!Motion}; the solids do not interpenetrate at [from] (if they
     do, the answer is [At from], or [Never] for [from = until]). A graze, sliding and resting contact are no
-    penetration. Exact for every input, and symmetric in the two solids. *)
+    penetration. Exact for every input. The number is a function of the two motions, in either order; the
+    polynomial that it is told by need not be. *)
 
 val relation : Motion.t -> Motion.t -> Rat.t -> Obstacle.relation
 (** Rule Contact at an instant. Not cheap: both solids are made anew. *)
