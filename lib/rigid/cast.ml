@@ -76,7 +76,7 @@ type search = {
   fine : bool;  (** every instant of the grid in the span is a float *)
 }
 
-(* How the search stands: the interiors are disjoint up to [t]. *)
+(* How the search stands: the interiors are disjoint up to [t], which is 0 only at first. *)
 type stand = {
   t : float;
   steps : int;  (** that may still be taken *)
@@ -106,12 +106,14 @@ let rec advance s at =
     Flight.move s.flight at.t;
     match Simplex.search s.simplex with
     | Near -> if at.t = 0. then begin_near s at else slowly s at
-    | Apart _ -> look_ahead s at
+    | Apart _ ->
+      Heading.aim s.plane s.simplex;
+      (* as yet no one knows that they do not meet now *)
+      if at.t = 0. && not (Separation.holds s.plane 0.) then begin_near s at else look_ahead s at
   end
 
 (* The instant of contact is guessed between two bounds, which are the closer together the nearer it is. *)
 and look_ahead s at =
-  Heading.aim s.plane s.simplex;
   let { Heading.sooner; later } = Heading.delays s.plane s.simplex in
   let rest = delay at.t s.flight.scales.end_ in
   if sooner >= rest then if Separation.holds s.plane rest then Never else shorten s at rest most_tries

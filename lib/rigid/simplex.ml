@@ -277,7 +277,7 @@ let rec descend s left =
       end
 
 (* The vector between the inner points is the first direction. *)
-let inner (f : Flight.t) (n : float array) =
+let between (f : Flight.t) (n : float array) =
   let a = f.a.now and b = f.b.now and sa = f.a.solid.shadow and sb = f.b.solid.shadow in
   let across ax ay az ae bx by bz be =
     be +. ((bx *. sb.cx) +. (by *. sb.cy) +. (bz *. sb.cz))
@@ -289,7 +289,7 @@ let inner (f : Flight.t) (n : float array) =
 
 let search s =
   if s.count = 0 then begin
-    inner s.flight s.n;
+    between s.flight s.n;
     place s 0 (highest s.flight.a s.n 1. (-1)) (highest s.flight.b s.n (-1.) (-1));
     s.count <- 1
   end
@@ -300,7 +300,7 @@ let search s =
   descend s most_corners
 
 let miss s k =
-  inner s.flight s.shift;
+  between s.flight s.shift;
   for c = 0 to 2 do
     set s.shift c (k *. get s.shift c)
   done;

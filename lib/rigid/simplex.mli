@@ -21,10 +21,13 @@ type found =
 val search : t -> found
 (** At the instant that the flight was moved to; begins with the corners found last. *)
 
+val between : Flight.t -> float array -> unit
+(** Sets three coordinates to the vector from a point well inside A to one well inside B. *)
+
 val miss : t -> float -> float
-(** [miss s k] searches in the set displaced by k times the vector from a point well inside A to one well inside B,
-    and says how far from the origin the point is that it finds: a point of the displaced set, up to an error of
+(** [miss s k] searches in the set displaced by k times the vector {!between}, and
+    says how far from the origin the point is that it finds: a point of the displaced set, up to an error of
     [Flight.epsilon] (1 + k) S. The search ends as soon as that is within [Flight.epsilon] S. *)
 
 val depth : t -> float
-(** A ball of this radius around the vector between these inner points lies in the set. *)
+(** A ball of this radius around the vector {!between} lies in the set. *)

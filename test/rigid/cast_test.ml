@@ -189,6 +189,73 @@ let changed case =
   in
   Gen.map2 (fun k c -> change k c) (Gen.int_bound 3) case
 
+(* {1 Proofs} *)
+
+(* The exact gap along a direction. *)
+let gap a b t n =
+  let extreme choose m =
+    let heights = Array.map (Vec.dot n) (Motion.vertices m t) in
+    Array.fold_left choose heights.(0) heights
+  in
+  Rat.sub (extreme Rat.min b) (extreme Rat.max a)
+
+(* For as long as a plane can be proved to keep them apart, at an instant and with a rate that may be a bad one, it
+   does so. B is drawn near along the direction, so that not much is left but errors. *)
+let proofs_hold (c, (at, rate, left)) =
+  let end_ = Float_box.up c.span in
+  let start = Float.of_int at *. end_ /. 16. in
+  let exact x = Q.of_float x in
+  let searched (b : Motion.t) =
+    match Flight.make c.a b end_ with
+    | None -> None
+    | Some flight ->
+      Flight.move flight start;
+      let simplex = Simplex.make flight and plane = Separation.make flight in
+      (match Simplex.search simplex with
+       | Apart _ -> Heading.aim plane simplex
+       | Near -> Simplex.between flight plane.n);
+      Some plane
+  in
+  match searched c.b with
+  | None -> true
+  | Some plane -> (
+      let n = Array.copy plane.n in
+      let direction x = Vec.make (exact x.(0)) (exact x.(1)) (exact x.(2)) in
+      let now = gap c.a c.b (exact start) (direction n) in
+      let size = Rat.to_float (Vec.norm2 (direction n)) in
+      let closer = Rat.div (Rat.sub (Rat.mul (power_of_two left) c.a.solid.radius) now) (exact size) in
+      let b = { c.b with centre = Vec.axpy closer (direction n) c.b.centre } in
+      match Flight.make c.a b end_ with
+      | None -> true
+      | Some flight ->
+        Flight.move flight start;
+        let near = Separation.make flight in
+        Array.blit n 0 near.n 0 3;
+        List.iteri (fun k r -> near.rate.(k) <- plane.rate.(k) +. r) rate;
+        let rest = end_ -. start in
+        let longest =
+          if Separation.holds near rest then rest
+          else
+            let rec search low high k =
+              let middle = 0.5 *. (low +. high) in
+              if k = 0 then low
+              else if Separation.holds near middle then search middle high (k - 1)
+              else search low middle (k - 1)
+            in
+            search 0. rest 40
+        in
+        let holds k =
+          let delay = Rat.mul (exact longest) (ratio k 8) in
+          let n = Vec.axpy delay (direction near.rate) (direction n) in
+          Rat.sign (gap c.a b (Rat.add (exact start) delay) n) > 0
+        in
+        (longest = 0. && not (Separation.holds near 0.)) || List.for_all holds [ 0; 1; 3; 6; 7; 8 ])
+
+let proof =
+  let rate = Gen.map (fun k -> float_of_int k /. 1000.) Gen.(-300 -- 300) in
+  let rates = Gen.oneof [ Gen.return [ 0.; 0.; 0. ]; Gen.list_repeat 3 rate ] in
+  Gen.triple Gen.(0 -- 15) rates (Gen.oneof [ Gen.(0 -- 12); Gen.(30 -- 56) ])
+
 (* {1 Bounds} *)
 
 let sound_bound c =
@@ -223,16 +290,19 @@ let () =
   let cases =
     Scc_test_support.Property.cases
       [
-        property ~count:300 "flying solids" (flying any_solid) agrees;
+        QCheck2.Test.make ~count:500 ~name:"what is proved is so"
+          ~print:(fun (c, _) -> print c)
+          (Gen.pair (flying any_solid) proof) proofs_hold;
+        property ~count:1000 "flying solids" (flying any_solid) agrees;
         property ~count:30 "flying hulls" (flying hulls) agrees;
-        property ~count:300 "a vertex to a place on the surface" (meeting any_solid) agrees;
+        property ~count:2000 "a vertex to a place on the surface" (meeting any_solid) agrees;
         property ~count:20 "a vertex to a place on the surface of a hull" (meeting hulls) agrees;
-        QCheck2.Test.make ~count:200 ~name:"touching at first"
+        QCheck2.Test.make ~count:400 ~name:"touching at first"
           ~print:(QCheck2.Print.option print)
           resting
           (Option.fold ~none:true ~some:agrees);
-        property ~count:150 "far away, great and small" (changed (flying any_solid)) agrees;
-        property ~count:100 "far away, great and small: a vertex to a place" (changed (meeting simple)) agrees;
+        property ~count:300 "far away, great and small" (changed (flying any_solid)) agrees;
+        property ~count:300 "far away, great and small: a vertex to a place" (changed (meeting simple)) agrees;
         property ~count:100 "no point is faster than the bound" (flying any_solid) sound_bound;
         QCheck2.Test.make ~count:100 ~name:"the grid is the coarsest that will do"
           (Gen.pair (flying any_solid) (Gen.map2 (fun a b -> ratio a b) Gen.(1 -- 99) Gen.(1 -- 1_000_000)))
