@@ -54,3 +54,11 @@ let state m (s : State.t) =
   let lines = List.concat_map (process m) (Array.to_list shown) in
   if n > greatest_list then lines @ [ Printf.sprintf "… and %d more processes" (n - greatest_list) ]
   else lines
+
+let rounded (t : Scc_semantics.Totals.t) =
+  [
+    "rounding has added, exactly:";
+    "  to the momentum " ^ Vec.to_string t.momentum;
+    "  to the angular momentum about the origin " ^ Vec.to_string t.angular;
+    "  to the kinetic energy " ^ Rat.to_string t.energy;
+  ]

@@ -9,3 +9,6 @@ val label : Model.t -> Transition.label -> string
 val state : Model.t -> State.t -> string list
 (** A line for each process, and one more for each leaf of a process of several. Long lists and long
     behaviours are cut, and say so. *)
+
+val rounded : Totals.t -> string list
+(** What rule Round has added to the totals of a network. *)

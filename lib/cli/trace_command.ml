@@ -63,7 +63,7 @@ let human_event model (states : Trace.states) write (e : Replay.event) =
     line "        time passes by %s" (Rat.to_string offset);
     line "time %s" (Rat.to_string time);
     state s
-  | End { steps; time; ending; last } ->
+  | End { steps; time; ending; last; rounded } ->
     (match (states, last) with
      | Ends, Some s when steps > 0 -> state (s ())
      | (All | Ends), _ -> ());
@@ -74,7 +74,8 @@ let human_event model (states : Trace.states) write (e : Replay.event) =
       | Stuck -> "nothing can happen, not even the passing of time"
       | Zeno -> "stopped: too many transitions without time passing"
     in
-    line "%d transitions, time %s: %s" steps (Rat.to_string time) word
+    line "%d transitions, time %s: %s" steps (Rat.to_string time) word;
+    Option.iter (fun t -> List.iter (line "%s") (Run_text.rounded t)) rounded
 
 let write_run o (model : Input.model) policy limits ~interrupted write =
   let e = model.elaborated in

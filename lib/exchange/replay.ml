@@ -21,7 +21,13 @@ type event =
       state : unit -> State.t;
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
-  | End of { steps : int; time : Rat.t; ending : ending; last : (unit -> State.t) option }
+  | End of {
+      steps : int;
+      time : Rat.t;
+      ending : ending;
+      last : (unit -> State.t) option;
+      rounded : Totals.t option;
+    }
 
 type failure = Fault of Transition.fault | Refused of Diag.t | Interrupted
 
@@ -110,7 +116,7 @@ let room run transitions =
 let finish ?(told = false) run limits emit place transitions =
   let ending = ending run limits place transitions in
   let last = if told then None else Some (fun () -> Run.state run) in
-  emit (End { steps = place.taken; time = place.time; ending; last });
+  emit (End { steps = place.taken; time = place.time; ending; last; rounded = Run.rounded run });
   Ok ending
 
 (* Leaves the run after [offset] more of undisturbed time, if that is possible. *)
@@ -151,7 +157,8 @@ let advance place guide (t : Run.alternative) =
 let leave model run (limits : limits) emit place transitions (offset : (Rat.t * Span.t) option) =
   match (offset, limits.time) with
   | Some (d, at), _ -> leave_at model run limits emit place transitions d ~at
-  | None, Some t when none transitions && Rat.compare t place.time > 0 && Run.quiescent run ->
+  | None, Some t
+    when none transitions && Rat.compare t place.time > 0 && Run.quiescent run && not (Run.spinning run) ->
     leave_at model run limits emit place transitions (Rat.sub t place.time) ~at:Span.none
   | None, _ -> finish run limits emit place transitions
 

@@ -40,8 +40,13 @@ type event =
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
   (** the run is left in the midst of a passing of time, [offset] after the last transition *)
-  | End of { steps : int; time : Rat.t; ending : ending; last : (unit -> State.t) option }
-  (** [last] is the state there, unless an [Instant] told it *)
+  | End of {
+      steps : int;
+      time : Rat.t;
+      ending : ending;
+      last : (unit -> State.t) option;  (** the state there, unless an [Instant] told it *)
+      rounded : Totals.t option;  (** what rule Round has added, where anything is rounded *)
+    }
 
 type failure =
   | Fault of Transition.fault

@@ -28,6 +28,10 @@ type states = All | Ends
 let state m ~time s =
   `Assoc [ ("type", `String "state"); ("time", Json.rat time); ("state", State_json.state m s) ]
 
+let totals (t : Totals.t) =
+  `Assoc
+    [ ("momentum", Json.vec t.momentum); ("angular", Json.vec t.angular); ("energy", Json.rat t.energy) ]
+
 let event (m : Model.t) states (e : Replay.event) =
   match e with
   | Start s -> [ state m ~time:Rat.zero s ]
@@ -56,7 +60,7 @@ let event (m : Model.t) states (e : Replay.event) =
           ("state", State_json.state m state);
         ];
     ]
-  | End { steps; time; ending = e; last } ->
+  | End { steps; time; ending = e; last; rounded } ->
     let last =
       match (states, last) with
       | Ends, Some s when steps > 0 -> [ state m ~time (s ()) ]
@@ -65,10 +69,11 @@ let event (m : Model.t) states (e : Replay.event) =
     last
     @ [
       `Assoc
-        [
+        ([
           ("type", `String "end");
           ("steps", `Int steps);
           ("time", Json.rat time);
           ("ending", `String (ending e));
-        ];
+        ]
+          @ Option.to_list (Option.map (fun t -> ("rounded", totals t)) rounded));
     ]

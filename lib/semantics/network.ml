@@ -17,8 +17,8 @@ let at_contact (m : Model.t) (s : State.t) =
   | Some _ | None -> s
 
 let finish m label rules target =
-  let* target, later = Steer.settle m (at_contact m target) in
-  Ok { Transition.label; rules = rules @ later; target }
+  let* settled = Steer.settle m (at_contact m target) in
+  Ok { Transition.label; rules = rules @ settled.rules; target = settled.state; rounded = settled.rounded }
 
 (* A collision ends the movement step, unless this instant has been steered already. *)
 let after_collision (step : State.step option) =
@@ -116,8 +116,8 @@ let initial (m : Model.t) (declared : State.t) =
   in
   let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
   let processes = List.map (Process.restart_clock m) (Array.to_list declared.processes) in
-  let* s, _ = Steer.settle m (State.make ~processes ~step ~time) in
-  Ok s
+  let* settled = Steer.settle m (State.make ~processes ~step ~time) in
+  Ok settled.state
 
 let follow m s choices =
   let rec go s place acc = function

@@ -67,8 +67,11 @@ let velocities m k s =
 
 let run m s =
   let { Model.round_orientation; round_velocity; _ } = Turn.rigid m in
-  let s, turned =
+  let rounded, turned =
     match round_orientation with None -> (s, false) | Some k -> each s (orientation m k)
   in
-  let s, changed = match round_velocity with None -> (s, false) | Some k -> velocities m k s in
-  (s, turned || changed)
+  let rounded, changed =
+    match round_velocity with None -> (rounded, false) | Some k -> velocities m k rounded
+  in
+  let added = lazy (Totals.sub (Totals.of_state m rounded) (Totals.of_state m s)) in
+  (rounded, if turned || changed then Some added else None)

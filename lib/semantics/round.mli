@@ -3,9 +3,9 @@
 
 open Scc_calculus
 
-val run : Model.t -> State.t -> State.t * bool
-(** The state with every orientation that is longer than declared rounded, and every velocity and spin; whether
-    anything changed.
+val run : Model.t -> State.t -> State.t * Totals.t Lazy.t option
+(** The state with every orientation that is longer than declared rounded, and every velocity and spin; and, if
+    anything changed, what that added to momentum, angular momentum and energy.
 
     An orientation stays exactly orthogonal, and the process is turned about its centre of mass as a whole. It waits
     for a later step when another process is not farther away than the rounding may move a point. Velocities and

@@ -7,6 +7,7 @@ type steered = {
   model : Model.t;
   mutable present : State.t;
   mutable next : (Transition.t list, Transition.fault) result option;
+  mutable rounded : Totals.t;
 }
 
 type t = Steered of steered | Inertial of Event_run.t
@@ -14,7 +15,7 @@ type t = Steered of steered | Inertial of Event_run.t
 let start (m : Model.t) declared =
   Result.map
     (fun s ->
-       if m.steered then Steered { model = m; present = s; next = None }
+       if m.steered then Steered { model = m; present = s; next = None; rounded = Totals.zero }
        else Inertial (Event_run.start m s))
     (Network.initial m declared)
 
@@ -38,7 +39,9 @@ let take t i =
   | Steered s -> (
       match next s with
       | Ok transitions when i >= 0 && i < List.length transitions ->
-        s.present <- (List.nth transitions i).target;
+        let t = List.nth transitions i in
+        Option.iter (fun added -> s.rounded <- Totals.add s.rounded (Lazy.force added)) t.rounded;
+        s.present <- t.target;
         s.next <- None
       | Ok _ | Error _ -> Scc_base.Bug.fail __POS__ "an alternative that is not there")
 
@@ -48,3 +51,11 @@ let state = function Inertial run -> Event_run.state run | Steered s -> s.presen
 let quiescent = function
   | Inertial run -> Event_run.alternatives run = []
   | Steered s -> Network.quiescent s.model s.present
+
+let spinning t = Array.exists Turn.spinning (state t).processes
+
+let rounded = function
+  | Inertial _ -> None
+  | Steered { model = { rigid = Some r; _ }; rounded; _ } ->
+    if Option.is_some r.round_orientation || Option.is_some r.round_velocity then Some rounded else None
+  | Steered { model = { rigid = None; _ }; _ } -> None

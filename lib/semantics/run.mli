@@ -24,3 +24,9 @@ val state : t -> State.t
 
 val quiescent : t -> bool
 (** {!Network.quiescent} of the present state, in which nothing is possible (of no meaning otherwise). *)
+
+val spinning : t -> bool
+(** Whether something spins now. *)
+
+val rounded : t -> Totals.t option
+(** What rule Round has added to the totals of the network so far, exactly; [None] where nothing is rounded. *)

@@ -54,6 +54,8 @@ let steer_process (m : Model.t) ~time ~dt (p : State.process) =
     let* sum, total = Array.fold_left add (Ok (Vec.zero, Rat.zero)) p.leaves in
     Ok (State.with_velocity (Vec.axpy (Rat.div Rat.one total) sum p.velocity) p)
 
+type outcome = { state : State.t; rules : Rule.t list; rounded : Totals.t Lazy.t option }
+
 let renewed m (s : State.t) =
   State.make ~processes:(List.map (Turn.renew m) (Array.to_list s.processes)) ~step:s.step ~time:s.time
 
@@ -63,6 +65,7 @@ let run (m : Model.t) (s : State.t) =
   | Some step ->
     let dt = Rat.sub step.length step.remaining in
     let time = Option.value s.time ~default:Rat.zero in
+    let s = match m.rigid with None -> s | Some _ -> renewed m s in
     let add done_ p =
       let* done_ = done_ in
       let* p = steer_process m ~time ~dt p in
@@ -76,11 +79,11 @@ let run (m : Model.t) (s : State.t) =
     let steered = State.make ~processes ~step:s.step ~time:s.time in
     let rules = if Array.exists (steers m) s.processes || Option.is_none m.rigid then [ Rule.Steer ] else [] in
     (match m.rigid with
-     | None -> Ok (begun ~length:m.timestep steered, rules)
+     | None -> Ok { state = begun ~length:m.timestep steered; rules; rounded = None }
      | Some _ ->
-       let rounded, changed = Round.run m (renewed m steered) in
-       let rules = if changed then rules @ [ Rule.Round ] else rules in
-       Ok (begun ~length:(Turn.step_length m rounded) rounded, rules))
+       let state, rounded = Round.run m steered in
+       let rules = if Option.is_some rounded then rules @ [ Rule.Round ] else rules in
+       Ok { state = begun ~length:(Turn.step_length m state) state; rules; rounded })
 
 let collide (m : Model.t) s =
   match m.rigid with
@@ -90,4 +93,4 @@ let collide (m : Model.t) s =
 let settle m (s : State.t) =
   match s.step with
   | Some { phase = Due; _ } when not (collide m s) -> run m s
-  | Some { phase = Due | Moving | Steered; _ } | None -> Ok (s, [])
+  | Some { phase = Due | Moving | Steered; _ } | None -> Ok { state = s; rules = []; rounded = None }

@@ -5,13 +5,19 @@ open Scc_calculus
 val steers : Model.t -> State.process -> bool
 (** Whether a law that is not inertial moves this process: not when it is bound to a fixed leaf. *)
 
+type outcome = {
+  state : State.t;
+  rules : Rule.t list;  (** Steer and Round, if they were used *)
+  rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals *)
+}
+
 val renewed : Model.t -> State.t -> State.t
 (** Every turn of a rigid model begins anew ({!Turn.renew}). *)
 
-val run : Model.t -> State.t -> (State.t * Rule.t list, Transition.fault) result
+val run : Model.t -> State.t -> (outcome, Transition.fault) result
 (** New velocities for every process, and a new movement step: r := Delta. The time since the last update is
     what the step has used up (reading I-10). For steered models only. *)
 
-val settle : Model.t -> State.t -> (State.t * Rule.t list, Transition.fault) result
+val settle : Model.t -> State.t -> (outcome, Transition.fault) result
 (** {!run} if the movement step is over, this instant has not been steered and nothing collides (reading
-    I-15); which rules were used. *)
+    I-15); and it is as it was otherwise. *)

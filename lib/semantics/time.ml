@@ -65,8 +65,18 @@ let pass_step (m : Model.t) d (step : State.step) =
   | s when s < 0 -> { step with remaining = Rat.neg into; phase = State.Moving }
   | _ -> { step with remaining = Rat.sub m.timestep into; phase = State.Moving }
 
-let pass m d (s : State.t) =
+let pass_within m d (s : State.t) =
   State.make
     ~processes:(List.map (pass_process m d) (Array.to_list s.processes))
     ~step:(Option.map (pass_step m d) s.step)
     ~time:(Option.map (Rat.add d) s.time)
+
+(* Turns begin anew at the end of each movement step. *)
+let rec pass (m : Model.t) d (s : State.t) =
+  match s.step with
+  | Some step
+    when Option.is_some m.rigid && Array.exists Turn.spinning s.processes && Rat.compare d step.remaining > 0 -> (
+      match Steer.run m (pass_within m step.remaining s) with
+      | Ok next -> pass m (Rat.sub d step.remaining) next.state
+      | Error _ -> Scc_base.Bug.fail __POS__ "time passes beyond a movement step under laws of motion")
+  | Some _ | None -> pass_within m d s

@@ -8,7 +8,12 @@ type label =
   | Weak_split of State.bond
   | Strong_split of State.bond list
 
-type t = { label : label; rules : Rule.t list; target : State.t }
+type t = {
+  label : label;
+  rules : Rule.t list;
+  target : State.t;
+  rounded : Totals.t Lazy.t option;
+}
 type fault =
   | Bad_law of { leaf : int; fault : Law.fault }
   | Persistent_contact of int * int

@@ -14,6 +14,7 @@ type t = {
   label : label;
   rules : Rule.t list;  (** which rules made it, the network's rule first *)
   target : State.t;
+  rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals, if it was used *)
 }
 
 (** Why a state's transitions cannot be computed. *)

@@ -1,0 +1,34 @@
+open Scc_exact
+open Scc_calculus
+open Scc_rigid
+
+type t = { momentum : Vec.t; angular : Vec.t; energy : Rat.t }
+
+let zero = { momentum = Vec.zero; angular = Vec.zero; energy = Rat.zero }
+
+let add a b =
+  {
+    momentum = Vec.add a.momentum b.momentum;
+    angular = Vec.add a.angular b.angular;
+    energy = Rat.add a.energy b.energy;
+  }
+
+let sub a b =
+  {
+    momentum = Vec.sub a.momentum b.momentum;
+    angular = Vec.sub a.angular b.angular;
+    energy = Rat.sub a.energy b.energy;
+  }
+
+let of_process m p =
+  let { Impact.mass; velocity; spin } = Turn.mover m p in
+  match mass with
+  | None -> zero
+  | Some mass ->
+    {
+      momentum = Mass.momentum mass ~velocity;
+      angular = Mass.angular_momentum mass ~velocity ~spin ~about:Vec.zero;
+      energy = Mass.energy mass ~velocity ~spin;
+    }
+
+let of_state m (s : State.t) = Array.fold_left (fun sum p -> add sum (of_process m p)) zero s.processes
