@@ -20,7 +20,8 @@ let summary e =
   match Space.unexpanded e.space with
   | 0 -> [ model; explored ^ "; complete" ]
   | n ->
-    let why = List.map Verdict.truncation_to_string e.space.stopped_by @ List.map (fun (f : Scc_base.Diag.t) -> f.message) e.space.faults in
+    let faults = List.map (fun (f : Scc_base.Diag.t) -> f.message) e.space.faults in
+    let why = List.map Verdict.truncation_to_string e.space.stopped_by @ faults in
     [ model; explored; Printf.sprintf "TRUNCATED: %d states unexplored, by %s" n (String.concat ", " why) ]
 
 let label_notes l =

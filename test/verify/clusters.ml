@@ -25,7 +25,8 @@ let process_of_dimer ~first k d =
   let face k : Site.t = { part = 0; feature = Scc_geometry.Feature.Face k } in
   let leaf i behaviour : State.leaf =
     let behaviour = Behaviour.fresh (Behaviour.call behaviour) in
-    { leaf = first + i; position = Vec.of_ints (d.x + (2 * i)) (14 + (6 * k)) 0; turned = Quaternion.identity; behaviour }
+    let position = Vec.of_ints (d.x + (2 * i)) (14 + (6 * k)) 0 in
+    { leaf = first + i; position; turned = Quaternion.identity; behaviour }
   in
   let bond = State.bond "a" { at = first; site = face 3 } { at = first + 1; site = face 2 } in
   State.process
@@ -45,7 +46,8 @@ let assemble c =
       let move (l : State.leaf) =
         let pulses = c.pulses && k > 0 && l.leaf mod 2 = 0 in
         let behaviour = if pulses then Behaviour.fresh (Behaviour.call 9) else l.behaviour in
-        { State.leaf = before + l.leaf; position = Vec.add shift l.position; turned = Quaternion.identity; behaviour }
+        let position = Vec.add shift l.position in
+        { State.leaf = before + l.leaf; position; turned = Quaternion.identity; behaviour }
       in
       State.process
         ~leaves:(List.map move (Array.to_list p.leaves))
