@@ -8,33 +8,43 @@ type outcome = Never | Inside | At of Rat.t
 
 (* {1 The grid} *)
 
-let power grid = Z.shift_left Z.one grid
-let cell grid t = Rat.floor (Rat.mul t (Q.of_bigint (power grid)))
-let instant grid k = At (Rat.make k (power grid))
+let cell grid (t : Rat.t) = Z.fdiv (Z.shift_left t.num grid) t.den
+
+(* k / 2^grid. *)
+let point grid k =
+  if Z.sign k = 0 then Rat.zero
+  else
+    let twos = Int.min grid (Z.trailing_zeros k) in
+    { Q.num = Z.shift_right k twos; den = Z.shift_left Z.one (grid - twos) }
+
+let instant grid k = At (point grid k)
 
 (* Of an interval no wider than a cell at most one grid point lies strictly inside. *)
 let floor_of grid t =
   match Algebraic.to_rat t with
   | Some t -> instant grid (cell grid t)
   | None ->
-    let low, high = Algebraic.enclose t ~width:(Rat.make Z.one (power grid)) in
+    let low, high = Algebraic.enclose t ~width:(point grid Z.one) in
     let k = cell grid high in
-    let point = Rat.make k (power grid) in
-    if Rat.compare low point >= 0 || Algebraic.compare_rat t point > 0 then instant grid k
+    let at = point grid k in
+    if Rat.compare low at >= 0 || Algebraic.compare_rat t at > 0 then instant grid k
     else instant grid (Z.pred k)
 
 (* {1 Without a turn} *)
+
+let add v w = if Vec.is_zero w then v else Vec.add v w
+let sub v w = if Vec.is_zero w then v else Vec.sub v w
 
 let straight obstacle (a : Motion.t) (b : Motion.t) ~span ~grid =
   let obstacle, offset =
     match obstacle with
     | Some o when Quaternion.is_identity a.turned && Quaternion.is_identity b.turned ->
-      (o, Vec.sub (Vec.add b.centre b.arm) (Vec.add a.centre a.arm))
+      (o, sub (add b.centre b.arm) (add a.centre a.arm))
     | _ ->
       let sa, pa = Motion.placed a Rat.zero and sb, pb = Motion.placed b Rat.zero in
       (Obstacle.make sa sb, Vec.sub pb pa)
   in
-  match Obstacle.first_time_of_contact obstacle offset (Vec.sub b.velocity a.velocity) with
+  match Obstacle.first_time_of_contact obstacle offset (sub b.velocity a.velocity) with
   | Never -> Never
   | Inside -> Inside
   | At t -> if Rat.compare t span < 0 then instant grid (cell grid t) else Never

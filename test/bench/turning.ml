@@ -48,7 +48,7 @@ let pair kind a b =
   let aside k = times (k *. radius /. wide) side in
   let start = times (2.5 *. radius /. length) direction and path = times (-3. *. radius /. length) direction in
   let k = float_of_int (next 1000) /. 1000. in
-  let shift = aside (match kind with Far -> 3. +. k | Aimed -> 0.8 *. k | Near -> 1.2 +. (0.5 *. k)) in
+  let shift = aside (match kind with Far -> 3. +. k | Aimed -> 0.8 *. k | Near -> 1.2 +. (0.8 *. k)) in
   (motion a Vec.zero Vec.zero, motion b (Vec.add start shift) path)
 
 let repeat = 200
@@ -86,10 +86,44 @@ let time name shape kind =
     (match kind with Far -> "far" | Aimed -> "aimed" | Near -> "near")
     ns !hits count !exact for_grid
 
+(* Neither turns nor has turned: against the cast that knows no turns, each with the obstacle made before. *)
+let time_straight name shape =
+  let solid id = Data.solid ~id (Data.shape shape) Mat.identity in
+  let a = solid 0 and b = solid 1 in
+  let still (m : Motion.t) = { m with turned = Quaternion.identity; arm = Vec.zero; spin = Vec.zero } in
+  let one _ =
+    let a, b = pair Aimed a b in
+    let a = still a and b = still b in
+    let resolution = Rat.mul a.solid.radius (one_in 1048576) in
+    (a, b, Cast.grid a b ~resolution)
+  in
+  let pairs = Array.init count one in
+  let obstacle = Obstacle.make a b in
+  let clock ask =
+    let start = Sys.time () in
+    for _ = 1 to repeat do
+      Array.iter ask pairs
+    done;
+    (Sys.time () -. start) *. 1e9 /. float_of_int (repeat * count)
+  in
+  let turning (a, b, grid) =
+    ignore (Cast.first_time_of_contact ~obstacle a b ~span:Rat.one ~grid : Cast.outcome)
+  in
+  let plain ((a : Motion.t), (b : Motion.t), _) =
+    let offset = Vec.sub b.centre a.centre and velocity = Vec.sub b.velocity a.velocity in
+    ignore (Obstacle.first_time_of_contact obstacle offset velocity : Obstacle.cast)
+  in
+  let plain = clock plain in
+  Printf.printf "%-40s no turns %.0f ns; %.0f ns without motions\n%!" name (clock turning) plain
+
 let () =
   let shapes =
     match List.tl (Array.to_list Sys.argv) with
     | [] -> [ "test/data/geometry/cube.txt"; "test/data/geometry/poly50.txt" ]
     | shapes -> shapes
   in
-  List.iter (fun shape -> List.iter (time shape shape) [ Far; Aimed; Near ]) shapes
+  List.iter
+    (fun shape ->
+       List.iter (time shape shape) [ Far; Aimed; Near ];
+       time_straight shape shape)
+    shapes
