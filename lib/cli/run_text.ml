@@ -55,10 +55,16 @@ let state m (s : State.t) =
   if n > greatest_list then lines @ [ Printf.sprintf "… and %d more processes" (n - greatest_list) ]
   else lines
 
+(* A few digits of what may take thousands: the JSON has them all. *)
+let brief q =
+  let exact = Rat.to_string q in
+  if String.length exact <= 24 then exact else Printf.sprintf "about %.6g" (Rat.to_float q)
+
 let rounded (t : Scc_semantics.Totals.t) =
+  let vector (v : Vec.t) = Printf.sprintf "(%s, %s, %s)" (brief v.x) (brief v.y) (brief v.z) in
   [
-    "rounding has added, exactly:";
-    "  to the momentum " ^ Vec.to_string t.momentum;
-    "  to the angular momentum about the origin " ^ Vec.to_string t.angular;
-    "  to the kinetic energy " ^ Rat.to_string t.energy;
+    "rounding has added";
+    "  to the momentum " ^ vector t.momentum;
+    "  to the angular momentum about the origin " ^ vector t.angular;
+    "  to the kinetic energy " ^ brief t.energy;
   ]
