@@ -42,7 +42,8 @@ let tetrahedron =
   let v x y z = Vec.make (dyadic x 2) (dyadic y 2) (dyadic z 2) in
   shape "tetrahedron" (Naive.hull [ v 2 2 2; v 2 (-2) (-2); v (-2) 2 (-2); v (-2) (-2) 2 ])
 
-let small = [| cube; cube; tetrahedron; box "plank" 12 6 1; hull 1; hull 2; box "pebble" 1 1 1; box "slab" 64 48 2 |]
+let small =
+  [| cube; cube; tetrahedron; hull 1; hull 2; box "plank" 12 6 1; box "pebble" 1 1 1; box "slab" 64 48 2 |]
 
 let read path =
   let plain = Data.shape path in
@@ -141,7 +142,7 @@ let passing g shape_a shape_b ~distance ~finely =
   let way = direction g in
   let side = across way (direction g) in
   let travel = 0.25 +. (2.5 *. unit_float g) in
-  let at = 0.15 +. (0.7 *. unit_float g) in
+  let at = if Rng.chance g 4 then (1.2 *. unit_float g) -. 0.1 else 0.15 +. (0.7 *. unit_float g) in
   let velocity = vec_of_floats coarse (scaled (travel /. 2.) way) in
   let base = vec_of (fun () -> dyadic (Rng.range g (-64) 64) 4) in
   let from = sum (scaled (-.at *. travel) way) (scaled distance side) in
@@ -160,12 +161,17 @@ let passing g shape_a shape_b ~distance ~finely =
   else
     (* Turned for a while already, about another point; a part of the span. *)
     let since = dyadic (Rng.below g 17) 5 in
-    let arm () = vec_of (fun () -> dyadic (Rng.range g (-8) 8) 5) in
+    let reach = Rng.choose g [| 8; 40 |] in
+    let arm () = vec_of (fun () -> dyadic (Rng.range g (-reach) reach) 5) in
     let arm_a = arm () in
     let arm_b = arm () in
     { c with
-      a = { c.a with since = (if Rng.chance g 2 then since else Rat.zero); arm = arm_a };
-      b = { c.b with since; arm = arm_b };
+      a =
+        { c.a with
+          since = (if Rng.chance g 2 then since else Rat.zero);
+          arm = arm_a;
+          centre = Vec.sub c.a.centre arm_a };
+      b = { c.b with since; arm = arm_b; centre = Vec.sub c.b.centre arm_b };
       span = Rat.sub Rat.one (dyadic (Rng.choose g [| 0; 16; 16; 24 |]) 5) }
 
 (* The same seen from elsewhere, or with thirds in the velocities: longer numbers, less from floats. *)
@@ -230,7 +236,8 @@ let rec grazing g shape_a shape_b =
   let l, slope = secant lo (least lo) hi (least hi) 8 in
   if not (Float.abs (least l) < 1e-12 && slope > 0.05 && slope < 2.) then grazing g shape_a shape_b
   else
-    let depth = ldexp (if Rng.chance g 2 then 1. else -1.) (-Rng.range g 10 40) in
+    let nearer = if Rng.chance g 2 then Rng.range g 4 12 else Rng.range g 12 40 in
+    let depth = ldexp (if Rng.chance g 3 then 1. else -1.) (-nearer) in
     at (l +. (depth /. slope))
 
 let aligned g shape_a shape_b =

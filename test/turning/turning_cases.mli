@@ -40,7 +40,7 @@ type kind =
   | Near_miss  (** within a sixth, or a little nearer *)
   | Far
   | Chance  (** whatever comes; some interpenetrate from the start *)
-  | Grazing  (** at the closest they are apart by, or overlap by, something between 2^-10 and 2^-40 *)
+  | Grazing  (** at the closest they are apart by, or overlap by, something from 2^-4 to 2^-40 *)
   | Aligned  (** faces and edges are parallel and touch; spins along the axes, equal spins, none *)
   | Peak
   (** a corner is lowest over a face at 1/2, 1/3, 2/5 or 5/8, and touches it exactly, or is off by 2^-8 to 2^-50; A

@@ -71,7 +71,15 @@ type tally = {
 }
 
 let tally () =
-  { checked = 0; hits = 0; agreed = 0; undecided = 0; missed = 0; spurious = 0; wrong_times = 0; complaints = []; opened = [] }
+  { checked = 0;
+    hits = 0;
+    agreed = 0;
+    undecided = 0;
+    missed = 0;
+    spurious = 0;
+    wrong_times = 0;
+    complaints = [];
+    opened = [] }
 
 let kind_key : Cases.kind -> int = function
   | Hit -> 0
