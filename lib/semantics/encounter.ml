@@ -150,9 +150,11 @@ let cube =
   | Error _ -> Scc_base.Bug.fail __POS__ "a cube is no convex polyhedron"
 
 (* A solid that only moves in a straight line and never leaves a part outside: the part itself if it does not spin,
-   else a cube about the ball that it turns in. *)
+   else a cube about the ball that it turns in, with room for more than the resolution. *)
 let hull m p =
-  if Turn.spinning p.state then (Solid.make ~id:0 cube (Mat.scale p.reach Mat.identity), p.centre)
+  if Turn.spinning p.state then
+    let room = Rat.add p.reach (Rat.mul (Rat.of_int 2) (Turn.rigid m).resolution) in
+    (Solid.make ~id:0 cube (Mat.scale room Mat.identity), p.centre)
   else (Placed.fixed_solid (placed m p), State.part_position m p.leaf p.index)
 
 let never_meet m (a, b) =

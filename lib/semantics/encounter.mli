@@ -27,7 +27,8 @@ val first_time_of_contact : Model.t -> State.t -> limit:Rat.t option -> Rat.t op
 
 val none_ahead : Model.t -> State.t -> bool
 (** Whether it is proved that no two processes ever collide again, if nothing else happens to them: each stays in a
-    straight prism, and those never meet. *)
+    straight prism, and those never meet. Then no two of which one spins are ever within the resolution of each
+    other, now included. *)
 
 val apart : Model.t -> State.t -> int -> by:Rat.t -> bool
 (** Whether a process (by its index) is farther than a distance from every other one. *)

@@ -82,11 +82,25 @@ let over p d =
 
 let turns_or_moves p = Motion.turns p.one || Motion.turns p.two || not (Vec.equal p.one.velocity p.two.velocity)
 
-(* For ever: nothing turns in a network at rest, so that the two part in the end, or keep their distance. *)
+(* A time from which on two straight ways lead apart, so far that the parts are not near: the distance of the
+   centres grows from where it is least. *)
+let parted p =
+  let c = Vec.sub p.two.centre p.one.centre and w = Vec.sub p.two.velocity p.one.velocity in
+  let nearest = Rat.max Rat.zero (Rat.neg (Rat.div (Vec.dot c w) (Vec.norm2 w))) in
+  let rec from t = if far_at p t p.resolution then t else from (Rat.add (Rat.mul (Rat.of_int 2) t) Rat.one) in
+  from nearest
+
+(* For ever, in a quiescent network: two of which one turns stay apart by more than the resolution
+   ({!Encounter.none_ahead}). *)
 let for_ever p =
-  let now = Truth.of_bool (at p Rat.zero) in
-  if turns_or_moves p then Timeline.after_start Timeline.Forever now (of_known None)
-  else Timeline.constant Timeline.Forever now
+  if Motion.turns p.one || Motion.turns p.two then Timeline.constant Timeline.Forever Truth.False
+  else if turns_or_moves p then
+    let d = Rat.add (parted p) Rat.one in
+    let piece = over p d in
+    let value t = if Rat.compare t d >= 0 then Truth.False else Timeline.at piece (Algebraic.of_rat t) in
+    let cuts = List.filter_map (fun (c : Truth.t Timeline.piece) -> Algebraic.to_rat c.cut) piece.rest in
+    Timeline.of_cuts Timeline.Forever (d :: cuts) Truth.equal value
+  else Timeline.constant Timeline.Forever (Truth.of_bool (at p Rat.zero))
 
 let pair_touching p (extent : Timeline.extent) =
   match extent with

@@ -5,7 +5,13 @@ open Scc_rigid
 open Scc_semantics
 
 (* [since] and [spin] say how it turns; the denominator of all that turns with it is [bottom]. *)
-type t = { process : State.process; mover : Impact.mover Lazy.t; centre : Vec.t; bottom : Polynomial.t }
+type t = {
+  process : State.process;
+  mover : Impact.mover Lazy.t;
+  centre : Vec.t;
+  bottom : Polynomial.t;
+  for_ever : bool;
+}
 
 (* A vector of polynomials. *)
 type curve = { x : Polynomial.t; y : Polynomial.t; z : Polynomial.t }
@@ -22,12 +28,13 @@ let shifted since a b c =
   let constant = Rat.add a (Rat.mul since (Rat.add b (Rat.mul c since))) in
   Polynomial.of_coefficients [ constant; linear; c ]
 
-let make m (p : State.process) =
+let make ?(for_ever = false) m (p : State.process) =
   {
     process = p;
     mover = lazy (Turn.mover m p);
     centre = State.centre_of_mass m p;
     bottom = shifted p.since Rat.one Rat.zero (Rat.mul quarter (Vec.norm2 p.spin));
+    for_ever;
   }
 
 let spins t = not (Vec.is_zero t.process.spin)
@@ -52,21 +59,34 @@ let turning t r =
     z = shifted since a.z b.z c.z;
   }
 
+(* The curve is that of one turn. Over the ray of a network in which nothing happens any more, turn follows on turn,
+   and what changes with them is not followed. *)
+let unfollowed t r = t.for_ever && not (Vec.is_zero (Vec.cross t.process.spin r))
+
+let followed ts value =
+  if List.exists (fun (t, r) -> unfollowed t r) ts then
+    Value.Undefined "what turns with a body that spins for ever is not followed"
+  else value ()
+
+let arm t place = Vec.sub place t.centre
 let centre_curve t a = Polynomial.of_coefficients [ of_vec a t.centre; of_vec a t.process.velocity ]
 
 let coordinate t a place =
-  let arm = turning t (Vec.sub place t.centre) in
-  Value.Ratio (Polynomial.add (Polynomial.mul (centre_curve t a) t.bottom) (component a arm), t.bottom)
+  followed [ (t, arm t place) ] (fun () ->
+      let arm = turning t (arm t place) in
+      Value.Ratio (Polynomial.add (Polynomial.mul (centre_curve t a) t.bottom) (component a arm), t.bottom))
 
 (* The velocity over [t.bottom], less that of the centre: w x r turns as r does. *)
 let swing t place = turning t (Vec.cross t.process.spin (Vec.sub place t.centre))
 
 let velocity t a place =
-  let own = Polynomial.scale (of_vec a t.process.velocity) t.bottom in
-  Value.Ratio (Polynomial.add own (component a (swing t place)), t.bottom)
+  followed [ (t, arm t place) ] (fun () ->
+      let own = Polynomial.scale (of_vec a t.process.velocity) t.bottom in
+      Value.Ratio (Polynomial.add own (component a (swing t place)), t.bottom))
 
 (* |v|^2 + |w x r|^2 + 2 v.(w x r), of which the second does not change. *)
 let speed2 t place =
+  followed [ (t, arm t place) ] @@ fun () ->
   let v = t.process.velocity in
   let round = Vec.norm2 (Vec.cross t.process.spin (Vec.sub place t.centre)) in
   let constant = Polynomial.scale (Rat.add (Vec.norm2 v) round) t.bottom in
@@ -75,11 +95,11 @@ let speed2 t place =
 (* |d + s - r|^2 for the vector d from centre to centre and the arms r and s, whose lengths do not change:
    |d|^2 + |r|^2 + |s|^2 + 2 d.s - 2 d.r - 2 r.s. *)
 let distance2 p from q towards =
+  followed [ (p, arm p from); (q, arm q towards) ] @@ fun () ->
   let open Polynomial in
   let along a = sub (centre_curve q a) (centre_curve p a) in
   let d = { x = along X; y = along Y; z = along Z } in
   let product a b = add (mul a.x b.x) (add (mul a.y b.y) (mul a.z b.z)) in
-  let arm t place = Vec.sub place t.centre in
   let r = turning p (arm p from) and s = turning q (arm q towards) in
   let lengths = Rat.add (Vec.norm2 (arm p from)) (Vec.norm2 (arm q towards)) in
   let bottom = mul p.bottom q.bottom in
@@ -98,6 +118,7 @@ let angular t a =
     let own = Mat.apply mass.inertia t.process.spin in
     if Vec.is_zero (Vec.cross own t.process.spin) then Value.of_rat (Rat.add (of_vec a still) (of_vec a own))
     else
+      followed [ (t, own) ] @@ fun () ->
       let orbit = Polynomial.scale (of_vec a still) t.bottom in
       Value.Ratio (Polynomial.add orbit (component a (turning t own)), t.bottom)
 

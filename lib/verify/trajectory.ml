@@ -129,9 +129,11 @@ let touching c p q =
 
 (** {2 Motion of bodies that turn} *)
 
+let for_ever c = match c.extent with Forever -> true | Instant | Lasts _ -> false
+
 let spinning c leaf =
   let p, l = home c leaf in
-  (Spinning.make c.model p, State.centroid c.model l)
+  (Spinning.make ~for_ever:(for_ever c) c.model p, State.centroid c.model l)
 
 (* What is a curve along a trajectory is its first value at an instant. *)
 let curve c value =
@@ -149,7 +151,7 @@ let rigid_distance2 c p q =
 
 (* A sum over the processes that turn. *)
 let rigid_total c quantity =
-  let add sum p = Value.add sum (quantity (Spinning.make c.model p)) in
+  let add sum p = Value.add sum (quantity (Spinning.make ~for_ever:(for_ever c) c.model p)) in
   Array.fold_left add (Value.of_rat Rat.zero) c.state.processes
 
 let rigid_num c (n : Property.num) =
