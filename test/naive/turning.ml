@@ -193,8 +193,10 @@ let pair a b ~span =
 
 (* {1 Separated over a piece of time} *)
 
-(* What must not be negative for a candidate to separate the bodies; nothing when its axis is zero all the time.
-   Where it is zero for an instant only, the bodies are separated just before and after, and so they are then. *)
+(* What must not be negative for a candidate to separate the bodies: A is behind the plane through its corner, B
+   in front of it; or, when the axis is of a face of B, the other way round. Nothing when the axis is zero all
+   the time. Where it is zero for an instant only, the bodies are separated just before and after, and so they
+   are then. *)
 let conditions { a; b } (c : Guide.candidate) =
   let n =
     match c.axis with
@@ -205,15 +207,14 @@ let conditions { a; b } (c : Guide.candidate) =
   let n = if c.reversed then Array.map Poly.neg n else n in
   if Array.for_all Poly.is_zero n then None
   else
-    let others corner count = List.filter (fun i -> i <> corner) (List.init count Fun.id) in
-    let below i = Pvec.dot n (Pvec.sub a.from_centre.(c.corner_a) a.from_centre.(i)) in
-    let above i = Pvec.dot n (Pvec.sub b.from_centre.(i) b.from_centre.(c.corner_b)) in
-    let gap =
-      Pvec.dot n (Pvec.sub (Pvec.scale a.norm b.x.(c.corner_b)) (Pvec.scale b.norm a.x.(c.corner_a)))
-    in
+    let corners m = List.init (Array.length m.x) Fun.id in
+    let ahead m i j = Pvec.dot n (Pvec.sub m.from_centre.(i) m.from_centre.(j)) in
+    let gap i j = Pvec.dot n (Pvec.sub (Pvec.scale a.norm b.x.(j)) (Pvec.scale b.norm a.x.(i))) in
+    let first, last = (c.corner_a, c.corner_b) in
     Some
-      ((gap :: List.map below (others c.corner_a (Array.length a.x)))
-       @ List.map above (others c.corner_b (Array.length b.x)))
+      (match c.axis with
+       | Face_b _ -> List.map (fun j -> ahead b j last) (corners b) @ List.map (fun i -> gap i last) (corners a)
+       | Face_a _ | Edges _ -> List.map (ahead a first) (corners a) @ List.map (gap first) (corners b))
 
 let separated conditions at = List.for_all (fun p -> Poly.not_negative p at) conditions
 

@@ -11,13 +11,14 @@ open Scc_rigid
 
 let () =
   let random = ref 100_000 and grazing = ref 10_000 and seed = ref 1 and from = ref 0 in
-  let hull = ref "" and reference = ref false and sweep = ref false and show = ref false in
+  let hull = ref "" and reference = ref false and sweep = ref false and show = ref false and only = ref "" in
   Arg.parse
     [ ("--random", Arg.Set_int random, "N cases by chance; a tenth of them aligned, in addition");
       ("--grazing", Arg.Set_int grazing, "N cases that nearly touch, and as many at a peak");
       ("--seed", Arg.Set_int seed, "N of the generator");
       ("--from", Arg.Set_int from, "N number of the first case of each kind");
       ("--hull", Arg.Set_string hull, "FILE hulls, for one case in a hundred; a shape of test/data/geometry");
+      ("--only", Arg.Set_string only, "KIND one kind alone, by the name in the table");
       ("--sweep", Arg.Set sweep, " the exact sweep instead of the cast: slow");
       ("--open", Arg.Set show, " show what is left open as well");
       ("--reference", Arg.Set reference, " the reference alone") ]
@@ -36,7 +37,7 @@ let () =
   Printf.printf "%-26s %8s %8s %8s %6s %7s %9s %11s\n" "" "checked" "hits" "agreed" "open" "missed" "spurious"
     "wrong times";
   let group name kind shapes count =
-    if count > 0 then begin
+    if count > 0 && (String.equal !only "" || String.equal !only name) then begin
       let start = Sys.time () in
       let t = Turning_check.tally () in
       let start_at = !from in

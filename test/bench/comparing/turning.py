@@ -134,7 +134,7 @@ def missed(program, random, seed, hull, jobs):
         command = [program, "--random", str(share(random, k)), "--grazing", str(share(max(1, random // 10), k)),
                    "--from", str(k * random), "--seed", str(seed), "--hull", hull]
         running.append(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
-    totals, order, bad, headings = {}, [], False, []
+    totals, order, bad = {}, [], False
     for process in running:
         output, _ = process.communicate()
         bad = bad or process.returncode != 0
@@ -142,8 +142,6 @@ def missed(program, random, seed, hull, jobs):
             if line.startswith(" "):
                 if "WRONG" in line:
                     print(line)
-                else:
-                    headings = line.split("  ")
                 continue
             words = line.split()
             numbers = [int(w) for w in words[-7:]]
@@ -152,6 +150,6 @@ def missed(program, random, seed, hull, jobs):
                 totals[name] = [0] * 7
                 order.append(name)
             totals[name] = [x + y for x, y in zip(totals[name], numbers)]
-    headings = [h.strip() for h in headings if h.strip()]
-    report.table([""] + headings, [[name] + [str(x) for x in totals[name]] for name in order])
+    report.table(["", "checked", "hits", "agreed", "open", "missed", "spurious", "wrong times"],
+                 [[name] + [str(x) for x in totals[name]] for name in order])
     return 1 if bad or not order else 0
