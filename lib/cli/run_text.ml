@@ -58,12 +58,13 @@ let state m (s : State.t) =
 (* A few digits of what may take thousands: the JSON has them all. *)
 let brief q =
   let exact = Rat.to_string q in
-  if String.length exact <= 24 then exact else Printf.sprintf "about %.6g" (Rat.to_float q)
+  if String.length exact <= 12 then exact else Printf.sprintf "%.6g" (Rat.to_float q)
 
-let rounded (t : Scc_semantics.Totals.t) =
+(* Of bounds that are less than 2^-100 apart, the lower one says enough. *)
+let rounded ((t : Scc_semantics.Totals.t), _) =
   let vector (v : Vec.t) = Printf.sprintf "(%s, %s, %s)" (brief v.x) (brief v.y) (brief v.z) in
   [
-    "rounding has added";
+    "rounding has added, to six digits (the JSON tells more):";
     "  to the momentum " ^ vector t.momentum;
     "  to the angular momentum about the origin " ^ vector t.angular;
     "  to the kinetic energy " ^ brief t.energy;

@@ -26,7 +26,7 @@ type event =
       time : Rat.t;
       ending : ending;
       last : (unit -> State.t) option;
-      rounded : Totals.t option;
+      rounded : (Totals.t * Totals.t) option;
     }
 
 type failure = Fault of Transition.fault | Refused of Diag.t | Interrupted

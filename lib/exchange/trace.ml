@@ -32,11 +32,18 @@ let totals (t : Totals.t) =
   `Assoc
     [ ("momentum", Json.vec t.momentum); ("angular", Json.vec t.angular); ("energy", Json.rat t.energy) ]
 
+let enclosure (low, high) = `Assoc [ ("low", totals low); ("high", totals high) ]
+
 let event (m : Model.t) states (e : Replay.event) =
   match e with
   | Start s -> [ state m ~time:Rat.zero s ]
   | Step { number; index; among; time; taken; state } ->
-    let after = match states with All -> [ ("state", State_json.state m (state ())) ] | Ends -> [] in
+    let rounded = Option.map (fun t -> ("rounded", totals (Lazy.force t))) taken.rounded in
+    let after =
+      match states with
+      | All -> Option.to_list rounded @ [ ("state", State_json.state m (state ())) ]
+      | Ends -> []
+    in
     [
       `Assoc
         ([
@@ -75,5 +82,5 @@ let event (m : Model.t) states (e : Replay.event) =
           ("time", Json.rat time);
           ("ending", `String (ending e));
         ]
-          @ Option.to_list (Option.map (fun t -> ("rounded", totals t)) rounded));
+          @ Option.to_list (Option.map (fun bounds -> ("rounded", enclosure bounds)) rounded));
     ]

@@ -22,7 +22,11 @@ type event =
   | Horizon of { time : Rat.t; body : body; age : int }  (** an eps expires *)
   | Split_instant of { time : Rat.t; body : body; age : int }
 
-type alternative = { label : Transition.label; rules : Rule.t list }
+type alternative = {
+  label : Transition.label;
+  rules : Rule.t list;
+  rounded : Totals.t Lazy.t option;
+}
 
 (* Transitions of some processes, taken by themselves. *)
 type group = { involved : State.process array; transitions : Transition.t list }
@@ -251,9 +255,11 @@ let offer t =
 
 let alternatives t =
   let o = offer t in
-  let time = Option.map (fun d -> { label = Transition.Time d; rules = Network.time_rules t.model }) o.delay in
+  let time =
+    Option.map (fun d -> { label = Transition.Time d; rules = Network.time_rules t.model; rounded = None }) o.delay
+  in
   List.map
-    (fun (_, (t : Transition.t)) -> { label = t.label; rules = t.rules })
+    (fun (_, (t : Transition.t)) -> { label = t.label; rules = t.rules; rounded = t.rounded })
     (Array.to_list o.discrete)
   @ Option.to_list time
 

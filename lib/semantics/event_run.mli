@@ -11,7 +11,11 @@ val start : Model.t -> State.t -> t
 (** From any state of a model that is not steered. *)
 
 (** A transition that is possible now. *)
-type alternative = { label : Transition.label; rules : Rule.t list }
+type alternative = {
+  label : Transition.label;
+  rules : Rule.t list;
+  rounded : Totals.t Lazy.t option;  (** [None]: nothing is rounded here *)
+}
 
 val alternatives : t -> alternative list
 (** As in {!Network.successors} of the present state. *)

@@ -1,13 +1,17 @@
 open Scc_calculus
 
-type alternative = Event_run.alternative = { label : Transition.label; rules : Rule.t list }
+type alternative = Event_run.alternative = {
+  label : Transition.label;
+  rules : Rule.t list;
+  rounded : Totals.t Lazy.t option;
+}
 
 (* Under laws of motion: the present state and, once they have been asked for, its transitions. *)
 type steered = {
   model : Model.t;
   mutable present : State.t;
   mutable next : (Transition.t list, Transition.fault) result option;
-  mutable rounded : Totals.t;
+  mutable rounded : Totals.sum;
 }
 
 type t = Steered of steered | Inertial of Event_run.t
@@ -15,7 +19,7 @@ type t = Steered of steered | Inertial of Event_run.t
 let start (m : Model.t) declared =
   Result.map
     (fun s ->
-       if m.steered then Steered { model = m; present = s; next = None; rounded = Totals.zero }
+       if m.steered then Steered { model = m; present = s; next = None; rounded = Totals.no_sum }
        else Inertial (Event_run.start m s))
     (Network.initial m declared)
 
@@ -30,7 +34,7 @@ let next s =
 let alternatives = function
   | Inertial run -> Ok (Event_run.alternatives run)
   | Steered s ->
-    let seen (t : Transition.t) = { label = t.label; rules = t.rules } in
+    let seen (t : Transition.t) = { label = t.label; rules = t.rules; rounded = t.rounded } in
     Result.map (List.map seen) (next s)
 
 let take t i =
@@ -40,7 +44,7 @@ let take t i =
       match next s with
       | Ok transitions when i >= 0 && i < List.length transitions ->
         let t = List.nth transitions i in
-        Option.iter (fun added -> s.rounded <- Totals.add s.rounded (Lazy.force added)) t.rounded;
+        Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) t.rounded;
         s.present <- t.target;
         s.next <- None
       | Ok _ | Error _ -> Scc_base.Bug.fail __POS__ "an alternative that is not there")
@@ -57,5 +61,6 @@ let spinning t = Array.exists Turn.spinning (state t).processes
 let rounded = function
   | Inertial _ -> None
   | Steered { model = { rigid = Some r; _ }; rounded; _ } ->
-    if Option.is_some r.round_orientation || Option.is_some r.round_velocity then Some rounded else None
+    if Option.is_some r.round_orientation || Option.is_some r.round_velocity then Some (Totals.bounds rounded)
+    else None
   | Steered { model = { rigid = None; _ }; _ } -> None

@@ -11,7 +11,11 @@ type t
 val start : Model.t -> State.t -> (t, Transition.fault) result
 (** At the initial state, from the declared one. *)
 
-type alternative = Event_run.alternative = { label : Transition.label; rules : Rule.t list }
+type alternative = Event_run.alternative = {
+  label : Transition.label;
+  rules : Rule.t list;
+  rounded : Totals.t Lazy.t option;  (** as in {!Transition.t} *)
+}
 
 val alternatives : t -> (alternative list, Transition.fault) result
 (** Labels and rules of {!Network.successors} of the present state, in that order. *)
@@ -28,5 +32,6 @@ val quiescent : t -> bool
 val spinning : t -> bool
 (** Whether something spins now. *)
 
-val rounded : t -> Totals.t option
-(** What rule Round has added to the totals of the network so far, exactly; [None] where nothing is rounded. *)
+val rounded : t -> (Totals.t * Totals.t) option
+(** Bounds on what rule Round has added to the totals of the network so far, closely; [None] where nothing is
+    rounded. *)

@@ -32,3 +32,21 @@ let of_process m p =
     }
 
 let of_state m (s : State.t) = Array.fold_left (fun sum p -> add sum (of_process m p)) zero s.processes
+
+let map f t =
+  let vector (v : Vec.t) = Vec.make (f v.x) (f v.y) (f v.z) in
+  { momentum = vector t.momentum; angular = vector t.angular; energy = f t.energy }
+
+(* In units of 2^-128, each term rounded down. *)
+type sum = { down : t; terms : int }
+
+let no_sum = { down = zero; terms = 0 }
+let unit = Rat.make Z.one (Z.shift_left Z.one 128)
+
+let accumulate sum t =
+  let down x = Rat.mul unit (Rat.make (Rat.floor (Rat.div x unit)) Z.one) in
+  { down = add sum.down (map down t); terms = sum.terms + 1 }
+
+let bounds sum =
+  let width = Rat.mul unit (Rat.of_int sum.terms) in
+  (sum.down, map (Rat.add width) sum.down)
