@@ -3,6 +3,8 @@
     test_comparing.py GEOMETRY_EXE
 """
 
+import contextlib
+import io
 import os
 import subprocess
 import sys
@@ -11,10 +13,40 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from checker import programs, tables  # noqa: E402
-from comparing import answers, gas  # noqa: E402
+from comparing import answers, gas, turning  # noqa: E402
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GEOMETRY = None
+
+
+class Turning(unittest.TestCase):
+    def test_least(self):
+        def rows(ns):
+            return [{"query": "all", "name": "scc", "ns": ns, "answers": ["never"]}]
+
+        self.assertEqual(turning.least([rows(3.0), rows(1.0), rows(2.0)])[("all", "scc")]["ns"], 1.0)
+
+    def test_differences(self):
+        own = ["never", "hit 0.5", "hit 0.25", "inside", "hit 0.125"]
+        other = ["never", "hit 0.75", "never", "hit 0", "failed 0.125"]
+        self.assertEqual(turning.differences(own, other), ([2, 3], 0.25))
+
+    def test_counts(self):
+        self.assertEqual(turning.Comparison.counts(["never", "hit 0.5", "never"]), "1 hit, 2 never")
+
+    def test_missed(self):
+        """The shares of the processes are added up, and one that finds something wrong is heard."""
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "missed")
+            with open(program, "w") as file:
+                file.write("#!/bin/sh\necho '   checked hits'\necho \"all $2 1 2 3 4 5 6\"\n[ $6 = 0 ]\n")
+            os.chmod(program, 0o755)
+            said = io.StringIO()
+            with contextlib.redirect_stdout(said):
+                alone = turning.missed(program, 7, 1, "hull", 1)
+                together = turning.missed(program, 7, 1, "hull", 2)
+        self.assertEqual((alone, together), (0, 1))
+        self.assertEqual(said.getvalue().splitlines()[-1].split(), ["all", "7", "2", "4", "6", "8", "10", "12"])
 
 
 class Checking(unittest.TestCase):
