@@ -1,0 +1,321 @@
+(* Laws of the rigid calculus (rules Turn, Near, Bind, Bounce, Split, Time, Round and Steer), tried on every
+   transition of random networks. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_test_networks
+module Gen = QCheck2.Gen
+
+let rational n d = Rat.make (Z.of_int n) (Z.of_int d)
+
+(* {1 Where networks get to} *)
+
+(* How long the numbers of a state are. *)
+let bits (s : State.t) =
+  let of_rat q = max (Z.numbits (Q.num q)) (Z.numbits (Q.den q)) in
+  let of_vec (v : Vec.t) = max (of_rat v.x) (max (of_rat v.y) (of_rat v.z)) in
+  let of_leaf most (l : State.leaf) = max most (max (of_vec l.position) (Quaternion.bits l.turned)) in
+  let of_process most (p : State.process) =
+    Array.fold_left of_leaf (max most (max (of_vec p.velocity) (of_vec p.spin))) p.leaves
+  in
+  Array.fold_left of_process 0 s.processes
+
+(* Exact numbers grow quickly where nothing is rounded: states with longer ones are left alone. *)
+let longest = 800
+
+let successors m s =
+  match Network.successors m s with
+  | Ok ts -> ts
+  | Error (Persistent_contact _) -> []
+  | Error (Bad_law _) -> failwith "a law of motion could not be evaluated"
+
+(* The first states breadth first, each with its transitions. *)
+let explored m start ~limit =
+  let rec go seen found = function
+    | [] -> List.rev found
+    | s :: rest ->
+      let ts = if bits s > longest then [] else successors m s in
+      let fresh =
+        List.filter_map
+          (fun (t : Transition.t) ->
+             if List.exists (State.equal t.target) seen then None else Some t.target)
+          ts
+      in
+      let seen = fresh @ seen in
+      if List.length found >= limit then List.rev found else go seen ((s, ts) :: found) (rest @ fresh)
+  in
+  go [ start ] [] [ start ]
+
+(* A run that chooses now this, now that. *)
+let run m start ~steps =
+  let rec go s n found =
+    if n >= steps || bits s > longest then List.rev found
+    else
+      match successors m s with
+      | [] -> List.rev ((s, []) :: found)
+      | ts -> go (List.nth ts (n * 7 mod List.length ts)).target (n + 1) ((s, ts) :: found)
+  in
+  go start 0 []
+
+let reached network =
+  let m, start = Random_rigid.start network in
+  (m, explored m start ~limit:8 @ run m start ~steps:16)
+
+(* {1 What is kept} *)
+
+type sums = { momentum : Vec.t; angular : Vec.t; energy : Rat.t  (** twice *) }
+
+(* Part by part, about the origin, of all that is not fixed. *)
+let sums (m : Model.t) (s : State.t) =
+  let of_part (p : State.process) centre sums (l : State.leaf) i =
+    let part = m.leaves.(l.leaf).parts.(i) in
+    let solid = part.solid in
+    let turned = Quaternion.to_mat l.turned in
+    let at = Vec.add (State.part_position m l i) (Quaternion.apply l.turned solid.centroid) in
+    let v = Vec.add p.velocity (Vec.cross p.spin (Vec.sub at centre)) in
+    let inertia = Mat.mul turned (Mat.mul solid.inertia (Mat.transpose turned)) in
+    let own = Vec.scale (Rat.div part.mass solid.volume) (Mat.apply inertia p.spin) in
+    let momentum = Vec.scale part.mass v in
+    {
+      momentum = Vec.add sums.momentum momentum;
+      angular = Vec.add sums.angular (Vec.add own (Vec.cross at momentum));
+      energy = Rat.add sums.energy (Rat.add (Vec.dot v momentum) (Vec.dot p.spin own));
+    }
+  in
+  let of_process sums (p : State.process) =
+    if Option.is_none (State.mass m p) then sums
+    else
+      let centre = State.centre_of_mass m p in
+      Array.fold_left
+        (fun sums (l : State.leaf) ->
+           let parts = List.init (Array.length m.leaves.(l.leaf).parts) Fun.id in
+           List.fold_left (fun sums i -> of_part p centre sums l i) sums parts)
+        sums p.leaves
+  in
+  Array.fold_left of_process { momentum = Vec.zero; angular = Vec.zero; energy = Rat.zero } s.processes
+
+let involved : Transition.label -> int list = function
+  | Time _ -> []
+  | Bind b | Weak_split b -> [ b.one.at; b.two.at ]
+  | Bounce (p, q) -> [ p; q ]
+  | Strong_split bonds -> List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds
+
+let is_fixed m (s : State.t) leaf =
+  let i, _ = State.find_leaf s leaf in
+  Option.is_none (State.mass m s.processes.(i))
+
+let uses rule (t : Transition.t) = List.memq rule t.rules
+let say = Printf.sprintf
+
+(* What bodies keep is their momentum when a turn of a free body is cut short: its spin is that of a new turn
+   then. *)
+let conserved m s (t : Transition.t) =
+  let fixed = List.exists (is_fixed m s) (involved t.label) in
+  let before = sums m (Steer.renewed m s) and after = sums m (Steer.renewed m t.target) in
+  let needs what holds = if holds then None else Some (Transition.label_to_string m t.label ^ " changes " ^ what) in
+  let linear () = needs "momentum" (fixed || Vec.equal before.momentum after.momentum) in
+  let angular () = needs "angular momentum" (fixed || Vec.equal before.angular after.angular) in
+  let energy () = needs "energy" (Rat.equal before.energy after.energy) in
+  let ( <|> ) a b = match a with Some _ -> a | None -> b () in
+  if uses Rule.Steer t || uses Rule.Round t then None
+  else
+    match t.label with
+    | Time _ -> None
+    | Bind _ ->
+      linear () <|> angular <|> fun () -> needs "energy (it grows)" (Rat.compare after.energy before.energy <= 0)
+    | Bounce _ -> linear () <|> angular <|> energy
+    | Weak_split _ | Strong_split _ ->
+      (* a piece of a fixed body starts from rest *)
+      linear () <|> angular <|> fun () -> if fixed then None else energy ()
+
+(* {1 Laws of a state or a transition} *)
+
+let well_formed m s =
+  match Well_formed.check m s with
+  | [] -> None
+  | fault :: _ -> Some (Well_formed.to_string m s fault)
+
+(* No step lets a process turn by more than 2 atan(1/4); a step that is over is steered unless something
+   collides. *)
+let steps_are_right m (s : State.t) =
+  match s.step with
+  | None -> Some "no step"
+  | Some step ->
+    let turns_too_far (p : State.process) =
+      let d = Rat.add p.since step.remaining in
+      Rat.compare (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) (rational 1 4) > 0
+    in
+    if Encounter.colliding m s <> [] then None
+    else if State.equal_phase step.phase Due then Some "a step that is over goes on"
+    else if Array.exists turns_too_far s.processes then Some "a process turns too far in a step"
+    else None
+
+let find (s : State.t) (p : State.process) =
+  s.processes.(fst (State.find_leaf s p.leaves.(0).leaf))
+
+(* Relative poses of the leaves of a process, as its first leaf sees them. *)
+let poses (p : State.process) =
+  let first = p.leaves.(0) in
+  let back = Quaternion.inverse first.turned in
+  Array.to_list p.leaves
+  |> List.map (fun (l : State.leaf) ->
+      (Quaternion.apply back (Vec.sub l.position first.position), Quaternion.mul back l.turned))
+
+let same_poses = List.equal (fun (a, q) (b, r) -> Vec.equal a b && Quaternion.equal q r)
+
+let about_centre m (p : State.process) =
+  match (Turn.mover m p).mass with
+  | None -> (Vec.zero, Rat.zero)
+  | Some mass ->
+    ( Scc_rigid.Mass.angular_momentum mass ~velocity:Vec.zero ~spin:p.spin ~about:mass.centre,
+      Scc_rigid.Mass.energy mass ~velocity:p.velocity ~spin:p.spin )
+
+let is_free (m : Model.t) =
+  match m.rigid with Some { dynamics = Free_body; _ } -> true | Some { dynamics = Constant_spin; _ } | None -> false
+
+(* What a passing of time does to one process. *)
+let passes m d (t : Transition.t) (p : State.process) =
+  let q = find t.target p in
+  let centre = State.centre_of_mass m in
+  let rounded = uses Rule.Round t and steered = uses Rule.Steer t in
+  let l_before, e_before = about_centre m (Turn.renew m p) and l_after, e_after = about_centre m (Turn.renew m q) in
+  if not (Vec.equal (centre q) (Vec.axpy d p.velocity (centre p))) then Some "a centre strays"
+  else if not (same_poses (poses p) (poses q)) then Some "the leaves of a process come apart"
+  else if (not (steered || rounded)) && not (Vec.equal p.velocity q.velocity) then Some "a velocity changes"
+  else if rounded then None
+  else if is_free m then
+    if Vec.equal l_before l_after then None else Some "angular momentum changes on the way"
+  else if not (Vec.equal p.spin q.spin) then Some "a spin changes"
+  else if steered || Rat.equal e_before e_after then None
+  else Some "energy changes on the way"
+
+let time_law m (s : State.t) (t : Transition.t) =
+  match t.label with
+  | Time d -> Array.to_list s.processes |> List.find_map (passes m d t)
+  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+
+(* Within a turn, time passes in two goes as in one. *)
+let additive m (s : State.t) (t : Transition.t) =
+  match t.label with
+  | Time d ->
+    let first = Rat.mul (rational 2 7) d in
+    let each p = Turn.pass m (Rat.sub d first) (Turn.pass m first p) in
+    if Array.for_all (fun p -> State.equal_process (each p) (Turn.pass m d p)) s.processes then None
+    else Some "two passings are not one"
+  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+
+let interpenetrate m s =
+  List.find_map
+    (function
+      | Well_formed.Interpenetration _ as fault -> Some (Well_formed.to_string m s fault)
+      | _ -> None)
+    (Well_formed.check m s)
+
+let between m (s : State.t) (t : Transition.t) =
+  match t.label with
+  | Time d ->
+    List.find_map
+      (fun (n, k) -> interpenetrate m (Time.pass m (Rat.mul (rational n k) d) s))
+      [ (1, 3); (1, 2); (9, 10); (999, 1000) ]
+  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+
+let resolution m = (Turn.rigid m).resolution
+
+let placed m (s : State.t) (leaf, part) =
+  let _, l = State.find_leaf s leaf in
+  State.placed m l part
+
+(* Processes collide only when they are within the resolution, and only if they would soon interpenetrate. *)
+let collides_in_time m (s : State.t) =
+  let near (a, b) =
+    let r = resolution m in
+    Rat.compare (Scc_rigid.Near_contact.distance2 (placed m s a) (placed m s b)) (Rat.mul r r) <= 0
+  in
+  let colliding = Encounter.colliding m s in
+  if List.exists (fun (e : Encounter.t) -> not (List.for_all near e.parts)) colliding then
+    Some "a collision from afar"
+  else None
+
+let rules_are_right m (_ : State.t) (t : Transition.t) =
+  let time = match t.label with Time _ -> true | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> false in
+  let rounds = (Turn.rigid m).round_orientation <> None in
+  let laws = Array.exists (Steer.steers m) t.target.processes in
+  if uses Rule.Turn t <> time then Some "rule Turn where no time passes"
+  else if uses Rule.Round t && not rounds then Some "rule Round where nothing rounds"
+  else if uses Rule.Steer t && not laws then Some "rule Steer without a law"
+  else None
+
+(* {1 Properties} *)
+
+let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
+
+let property name ?(count = 25) features holds =
+  QCheck2.Test.make ~name ~count ~print:Random_rigid.print (Random_rigid.generate features) holds
+
+let any = Random_rigid.anything
+let rounded = { any with rounds = true }
+let falling = { any with laws = true; rounds = true }
+
+(* One law after the other at each state, and at each transition. *)
+let of_state = [ ("well-formed", well_formed); ("step", steps_are_right); ("contact", collides_in_time) ]
+
+let of_transition =
+  [
+    ("conservation", conserved);
+    ("time on a process", time_law);
+    ("time is additive within a turn", additive);
+    ("nothing interpenetrates on the way", between);
+    ("rules", rules_are_right);
+  ]
+
+let broken network =
+  let m, states = reached network in
+  let check x (law, fault) = Option.map (say "%s: %s" law) (fault x) in
+  List.find_map
+    (fun (s, ts) ->
+       match List.find_map (check s) (List.map (fun (law, fault) -> (law, fault m)) of_state) with
+       | Some _ as why -> why
+       | None ->
+         List.find_map
+           (fun t -> List.find_map (check t) (List.map (fun (law, fault) -> (law, fault m s)) of_transition))
+           ts)
+    states
+
+let laws =
+  List.map
+    (fun (name, features) -> property name features (fun network -> fail_on (broken network)))
+    [
+      ("laws of states and transitions", any); ("so they are with rounding", rounded);
+      ("so they are with laws of motion", falling);
+    ]
+
+(* So that the properties are about something: over some networks, every kind of transition comes up. *)
+let varied () =
+  let rand = Random.State.make [| 42 |] in
+  let seen = Hashtbl.create 8 in
+  let kind m s (t : Transition.t) =
+    match t.label with
+    | Time _ -> if uses Rule.Round t then "time, rounded" else "time"
+    | Bind _ -> "bind"
+    | Bounce _ -> if List.exists (is_fixed m s) (involved t.label) then "bounce, fixed" else "bounce"
+    | Weak_split _ -> "weak"
+    | Strong_split _ -> "strong"
+  in
+  List.iter
+    (fun network ->
+       let m, states = reached network in
+       List.iter (fun (s, ts) -> List.iter (fun t -> Hashtbl.replace seen (kind m s t) ()) ts) states)
+    (Gen.generate ~rand ~n:60 (Random_rigid.generate rounded));
+  let kinds = Hashtbl.fold (fun kind () found -> kind :: found) seen [] in
+  Alcotest.(check (list string))
+    "kinds of transitions"
+    [ "bind"; "bounce"; "bounce, fixed"; "strong"; "time"; "time, rounded"; "weak" ]
+    (List.sort String.compare kinds)
+
+let () =
+  Alcotest.run "rigid laws"
+    [
+      ("scope", [ Alcotest.test_case "every kind of transition comes up" `Quick varied ]);
+      ("laws", Scc_test_support.Property.cases laws);
+    ]

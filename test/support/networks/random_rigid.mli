@@ -1,0 +1,37 @@
+(** Random networks of the rigid calculus: cubes, planks, tetrahedra and glued parts, off their centres too, some
+    bound at birth, some fixed; most fly at each other. *)
+
+open Scc_calculus
+
+(** What a network may have. *)
+type features = {
+  dynamics : [ `Any | `Constant_spin | `Free_body ];
+  rounds : bool;  (** orientations and velocities are rounded, coarsely *)
+  laws : bool;  (** some bodies fall *)
+  behaves : bool;  (** bodies have channels, delays and splits; else all are nil *)
+}
+
+val anything : features
+(** But laws of motion and rounding. *)
+
+type t
+
+val generate : features -> t QCheck2.Gen.t
+(** Two to four bodies. *)
+
+val model : t -> Model.t
+val declared : t -> State.t
+
+val start : t -> Model.t * State.t
+(** The model and its initial state. *)
+
+val print : t -> string
+
+val cube : id:int -> Scc_geometry.Solid.t
+(** Of side 2 about its reference point. *)
+
+val plank : id:int -> Scc_geometry.Solid.t
+(** Of sides 2, 1 and 1/2. *)
+
+val tetrahedron : id:int -> Scc_geometry.Solid.t
+(** With a corner of edges 2, 2 and 3 at its reference point: its centroid is elsewhere. *)
