@@ -126,7 +126,8 @@ let rec advance s at =
 and look_ahead s at =
   let { Heading.sooner; later } = Heading.delays s.plane s.simplex in
   let rest = delay at.t s.flight.scales.end_ in
-  if sooner >= rest then if Separation.holds s.plane rest then Never else shorten s at rest most_tries
+  if not (sooner > 0.) then slowly s at
+  else if sooner >= rest then if Separation.holds s.plane rest then Never else shorten s at rest most_tries
   else
     let careful = 0x0.ffcp0 *. sooner in
     let expected = at.t +. later in
@@ -147,7 +148,7 @@ and probe s at k expected careful =
   let while_ = Float.ldexp s.last (-8 - (6 * at.probes)) in
   let probed = Float.min s.last (Float.min (begin_of s (k +. 1.)) (expected +. while_)) in
   Flight.move s.flight probed;
-  if meets s then instant s.query.grid (Z.of_float k)
+  if probed > at.t && meets s then instant s.query.grid (Z.of_float k)
   else begin
     Flight.move s.flight at.t;
     step s { at with probes = at.probes + 1 } careful most_tries
