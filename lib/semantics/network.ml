@@ -18,7 +18,8 @@ let at_contact (m : Model.t) (s : State.t) =
 
 let finish m label rules target =
   let* settled = Steer.settle m (at_contact m target) in
-  Ok { Transition.label; rules = rules @ settled.rules; target = settled.state; rounded = settled.rounded }
+  let target = match m.Model.rigid with None -> settled.state | Some _ -> Turn.shortened settled.state in
+  Ok { Transition.label; rules = rules @ settled.rules; target; rounded = settled.rounded }
 
 (* A collision ends the movement step, unless this instant has been steered already. *)
 let after_collision (step : State.step option) =

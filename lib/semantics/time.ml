@@ -63,7 +63,7 @@ let pass_step (m : Model.t) d (step : State.step) =
   match Rat.sign into with
   | 0 -> { step with remaining = Rat.zero; phase = State.Due }
   | s when s < 0 -> { step with remaining = Rat.neg into; phase = State.Moving }
-  | _ -> { step with remaining = Rat.sub m.timestep into; phase = State.Moving }
+  | _ -> { State.remaining = Rat.sub m.timestep into; length = m.timestep; phase = State.Moving }
 
 let pass_within m d (s : State.t) =
   State.make

@@ -76,6 +76,25 @@ let step_length (m : Model.t) (s : State.t) =
   in
   cut m.timestep
 
+let shortened (s : State.t) =
+  (* against the greatest *)
+  let turn d (p : State.process) =
+    let d = Rat.add p.since d in
+    Rat.compare (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) (Rat.make Z.one (Z.of_int 4))
+  in
+  (* a turn that has gone so far already is not mended by a shorter step *)
+  let in_time = List.filter (fun p -> turn Rat.zero p < 0) (Array.to_list s.processes) in
+  let rec cut d = if List.exists (fun p -> turn d p > 0) in_time then cut (Rat.mul half d) else d in
+  match s.step with
+  | Some ({ phase = Moving | Steered; _ } as step) ->
+    let remaining = cut step.remaining in
+    let less = Rat.sub step.remaining remaining in
+    if Rat.sign less = 0 then s
+    else
+      let step = Some { step with remaining; length = Rat.sub step.length less } in
+      State.make ~processes:(Array.to_list s.processes) ~step ~time:s.time
+  | Some { phase = Due; _ } | None -> s
+
 let motion (m : Model.t) (p : State.process) ~centre (l : State.leaf) part : Motion.t =
   let back = if spinning p then Quaternion.inverse (turned p.spin p.since) else Quaternion.identity in
   {

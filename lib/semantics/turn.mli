@@ -31,6 +31,11 @@ val step_length : Model.t -> State.t -> Rat.t
     by more than 2 atan(1/4), about 28 degrees, in it. The angle by which a process turns in a step of length d is
     2 atan(|spin| d / 2), less than |spin| d by at most one part in 48. *)
 
+val shortened : State.t -> State.t
+(** The state with what is left of its movement step halved as often as it takes for that to be true again: a
+    collision of an instant that has been steered already, and a turn of a free body that begins within a step, give
+    spins that the step was not made for. *)
+
 val motion : Model.t -> State.process -> centre:Vec.t -> State.leaf -> int -> Motion.t
 (** [motion m p ~centre leaf i]: of part [i] of a leaf of the process, whose centre of mass is at [centre]. *)
 
