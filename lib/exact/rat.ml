@@ -112,13 +112,24 @@ let of_literal s =
     | '+' -> unsigned (tail ())
     | _ -> unsigned s
 
-(* Scaled by 4^e, the number lies between 2^16 and 2^20, so that its root is at least 2^8. *)
-let sqrt_above q =
+(* n/d 2^k for an integer k of either sign, rounded up to an integer. *)
+let scaled_up n d k = if k >= 0 then Z.cdiv (Z.shift_left n k) d else Z.cdiv n (Z.shift_left d (-k))
+let over_power n k = if k >= 0 then Q.make n (Z.shift_left Z.one k) else Q.of_bigint (Z.shift_left n (-k))
+
+(* 2^(size - 1) < n/d < 2^(size + 1), for positive n and d. *)
+let size n d = Z.numbits n - Z.numbits d
+let kept = 10
+
+let short_above q =
   if Q.sign q = 0 then Q.zero
   else
-    let e = (18 - (Z.numbits (Q.num q) - Z.numbits (Q.den q))) asr 1 in
-    let num, den =
-      if e >= 0 then (Z.shift_left (Q.num q) (2 * e), Q.den q) else (Q.num q, Z.shift_left (Q.den q) (-2 * e))
-    in
-    let root = Z.succ (Z.sqrt (Z.cdiv num den)) in
-    if e >= 0 then Q.make root (Z.shift_left Z.one e) else Q.of_bigint (Z.shift_left root (-e))
+    let k = kept - size (Q.num q) (Q.den q) in
+    over_power (scaled_up (Q.num q) (Q.den q) k) k
+
+let sqrt_above n d =
+  if Z.sign n = 0 then Q.zero
+  else
+    let k = ((2 * kept) - size n d) asr 1 in
+    let n = scaled_up n d (2 * k) in
+    let root = Z.sqrt n in
+    over_power (if Z.lt (Z.mul root root) n then Z.succ root else root) k

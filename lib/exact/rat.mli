@@ -59,5 +59,9 @@ val of_literal : string -> (t, literal_error) result
 (** Reads ["3"], ["0.125"], ["1e-3"], ["-1/4"], ["+2"]: exact. [Too_large] is found before the number is
     built. *)
 
-val sqrt_above : t -> t
-(** A short number that is at least the square root of a number >= 0, by at most 1 part in 128. *)
+val short_above : t -> t
+(** A number >= 0, rounded up to ten bits or one more. *)
+
+val sqrt_above : Z.t -> Z.t -> t
+(** [sqrt_above n d], for n >= 0 and d > 0: at least the square root of n/d, and more by less than two in ten bits;
+    a short number. *)

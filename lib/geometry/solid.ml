@@ -27,7 +27,8 @@ let bound choose (vertices : Ivec.t array) =
 
 let radius vertices denominator centroid =
   let far best v = Rat.max best (Vec.norm2 (Vec.sub (position denominator v) centroid)) in
-  Rat.sqrt_above (Array.fold_left far Rat.zero vertices)
+  let farthest = Array.fold_left far Rat.zero vertices in
+  Rat.sqrt_above farthest.Q.num farthest.den
 
 let make ~id (polyhedron : Polyhedron.t) linear =
   if Rat.sign (Mat.det linear) <= 0 then Bug.fail __POS__ "a solid through a singular map or a reflection";

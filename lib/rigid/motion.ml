@@ -39,9 +39,3 @@ let placed m t =
       Solid.make ~id:m.solid.id m.solid.polyhedron (Mat.mul (Quaternion.to_mat rotation) m.solid.linear)
   in
   (solid, reference m t)
-
-let reach2 m =
-  let add best i =
-    Rat.max best (Vec.norm2 (Vec.add m.arm (Quaternion.apply m.turned (Solid.vertex m.solid i))))
-  in
-  List.fold_left add Rat.zero (List.init (Array.length m.solid.vertices) Fun.id)

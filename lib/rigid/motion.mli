@@ -39,6 +39,3 @@ val vertices : t -> Rat.t -> Vec.t array
 val placed : t -> Rat.t -> Solid.t * Vec.t
 (** The solid, turned as it is at a time, and where its reference point is: what the queries of {!Scc_geometry} take.
     Not cheap: the turned solid is made anew. *)
-
-val reach2 : t -> Rat.t
-(** The greatest squared distance of a vertex from the centre; it does not change. *)

@@ -76,18 +76,7 @@ let near m ~span ~margin parts =
 
 (* {1 Rule Ftoc} *)
 
-(* What no point of a part exceeds as seen from the other. *)
-let speed a b =
-  let turning p = Rat.mul (Rat.sqrt_above (Vec.norm2 p.state.spin)) p.reach in
-  Rat.add
-    (Rat.sqrt_above (Vec.norm2 (Vec.sub b.state.velocity a.state.velocity)))
-    (Rat.add (turning a) (turning b))
-
-let grid m a b =
-  let resolution = (Turn.rigid m).resolution and speed = speed a b in
-  let rec from k step = if Rat.compare step resolution <= 0 then k else from (k + 1) (Rat.mul Turn.half step) in
-  from 0 speed
-
+let grid m a b = Cast.grid (motion m a) (motion m b) ~resolution:(Turn.rigid m).resolution
 let cell k = Rat.make Z.one (Z.shift_left Z.one k)
 
 let cast m a b ~span ~grid =

@@ -110,4 +110,4 @@ let motion (m : Model.t) (p : State.process) ~centre (l : State.leaf) part : Mot
 let reach (m : Model.t) ~centre (l : State.leaf) part =
   let solid = m.leaves.(l.leaf).parts.(part).solid in
   let arm = Vec.add (State.part_position m l part) (Quaternion.apply l.turned solid.centroid) in
-  Rat.add (Rat.sqrt_above (Vec.norm2 (Vec.sub arm centre))) solid.radius
+  Speed.reach solid (Vec.sub arm centre)
