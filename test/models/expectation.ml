@@ -29,7 +29,8 @@ let starts_with prefix line =
   && String.equal (String.sub line 0 (String.length prefix)) prefix
 
 let check_name line =
-  match String.split_on_char ' ' line |> List.filter (fun w -> w <> "") with
+  let before_colon = List.hd (String.split_on_char ':' line) in
+  match String.split_on_char ' ' before_colon |> List.filter (fun w -> w <> "") with
   | "check" :: name :: _ -> name
   | _ -> failwith ("no check: " ^ line)
 

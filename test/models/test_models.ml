@@ -137,20 +137,32 @@ let well_formed m states =
 let conserved m states =
   List.find_map (fun (s, ts) -> List.find_map (Conservation.fault m s) ts) states
 
+let rounds (m : Model.t) =
+  match m.rigid with
+  | None -> false
+  | Some r -> Option.is_some r.round_orientation || Option.is_some r.round_velocity
+
+(* One body after the other is rounded, each as its first leaf is turned (rule Round). *)
 let reversed m states =
   let n = Array.length m.Model.leaves in
-  Symmetry.broken (Symmetry.permutation (Array.init n (fun i -> n - 1 - i))) m states
+  if rounds m then None
+  else Symmetry.broken (Symmetry.permutation (Array.init n (fun i -> n - 1 - i))) m states
 
 (* Laws of motion may speak of places and directions. *)
-let unless_steered symmetry m states = if m.Model.steered then None else symmetry m states
+let unless_laws symmetry (m : Model.t) states =
+  let inertial (l : Model.leaf) = match l.law with Inertial -> true | Velocity _ -> false in
+  if Array.for_all inertial m.leaves then symmetry m states else None
 
 let translated =
-  unless_steered
+  unless_laws
     (Symmetry.broken
        (Symmetry.translation (Vec.make (Rat.of_int 11) (Rat.make Z.one (Z.of_int 3)) (Rat.of_int (-4)))))
 
 let turned =
-  unless_steered (fun m states -> List.find_map (fun r -> Symmetry.broken r m states) Symmetry.rotations)
+  unless_laws (fun m states ->
+      (* what turns takes its time *)
+      let states = if Option.is_some m.rigid then List.filteri (fun i _ -> i mod 5 = 0) states else states in
+      List.find_map (fun r -> Symmetry.broken r m states) Symmetry.rotations)
 
 (* The states of a path, found again by the numbers of its choices. *)
 let replayed m states =

@@ -62,72 +62,13 @@ let reached network =
   let m, start = Random_rigid.start network in
   (m, explored m start ~limit:8 @ run m start ~steps:16)
 
-(* {1 What is kept} *)
-
-type sums = { momentum : Vec.t; angular : Vec.t; energy : Rat.t  (** twice *) }
-
-(* Part by part, about the origin, of all that is not fixed. *)
-let sums (m : Model.t) (s : State.t) =
-  let of_part (p : State.process) centre sums (l : State.leaf) i =
-    let part = m.leaves.(l.leaf).parts.(i) in
-    let solid = part.solid in
-    let turned = Quaternion.to_mat l.turned in
-    let at = Vec.add (State.part_position m l i) (Quaternion.apply l.turned solid.centroid) in
-    let v = Vec.add p.velocity (Vec.cross p.spin (Vec.sub at centre)) in
-    let inertia = Mat.mul turned (Mat.mul solid.inertia (Mat.transpose turned)) in
-    let own = Vec.scale (Rat.div part.mass solid.volume) (Mat.apply inertia p.spin) in
-    let momentum = Vec.scale part.mass v in
-    {
-      momentum = Vec.add sums.momentum momentum;
-      angular = Vec.add sums.angular (Vec.add own (Vec.cross at momentum));
-      energy = Rat.add sums.energy (Rat.add (Vec.dot v momentum) (Vec.dot p.spin own));
-    }
-  in
-  let of_process sums (p : State.process) =
-    if Option.is_none (State.mass m p) then sums
-    else
-      let centre = State.centre_of_mass m p in
-      Array.fold_left
-        (fun sums (l : State.leaf) ->
-           let parts = List.init (Array.length m.leaves.(l.leaf).parts) Fun.id in
-           List.fold_left (fun sums i -> of_part p centre sums l i) sums parts)
-        sums p.leaves
-  in
-  Array.fold_left of_process { momentum = Vec.zero; angular = Vec.zero; energy = Rat.zero } s.processes
-
-let involved : Transition.label -> int list = function
-  | Time _ -> []
-  | Bind b | Weak_split b -> [ b.one.at; b.two.at ]
-  | Bounce (p, q) -> [ p; q ]
-  | Strong_split bonds -> List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds
-
-let is_fixed m (s : State.t) leaf =
-  let i, _ = State.find_leaf s leaf in
-  Option.is_none (State.mass m s.processes.(i))
-
 let uses rule (t : Transition.t) = List.memq rule t.rules
 let say = Printf.sprintf
 
-(* What bodies keep is their momentum when a turn of a free body is cut short: its spin is that of a new turn
-   then. *)
-let conserved m s (t : Transition.t) =
-  let fixed = List.exists (is_fixed m s) (involved t.label) in
-  let before = sums m (Steer.renewed m s) and after = sums m (Steer.renewed m t.target) in
-  let needs what holds = if holds then None else Some (Transition.label_to_string m t.label ^ " changes " ^ what) in
-  let linear () = needs "momentum" (fixed || Vec.equal before.momentum after.momentum) in
-  let angular () = needs "angular momentum" (fixed || Vec.equal before.angular after.angular) in
-  let energy () = needs "energy" (Rat.equal before.energy after.energy) in
-  let ( <|> ) a b = match a with Some _ -> a | None -> b () in
-  if uses Rule.Steer t || uses Rule.Round t then None
-  else
-    match t.label with
-    | Time _ -> None
-    | Bind _ ->
-      linear () <|> angular <|> fun () -> needs "energy (it grows)" (Rat.compare after.energy before.energy <= 0)
-    | Bounce _ -> linear () <|> angular <|> energy
-    | Weak_split _ | Strong_split _ ->
-      (* a piece of a fixed body starts from rest *)
-      linear () <|> angular <|> fun () -> if fixed then None else energy ()
+let with_fixed m (s : State.t) : Transition.label -> bool = function
+  | Bounce (p, q) ->
+    List.exists (fun leaf -> Option.is_none (State.mass m s.processes.(fst (State.find_leaf s leaf)))) [ p; q ]
+  | Time _ | Bind _ | Weak_split _ | Strong_split _ -> false
 
 (* {1 Laws of a state or a transition} *)
 
@@ -164,12 +105,12 @@ let poses (p : State.process) =
 
 let same_poses = List.equal (fun (a, q) (b, r) -> Vec.equal a b && Quaternion.equal q r)
 
-let about_centre m (p : State.process) =
-  match (Turn.mover m p).mass with
-  | None -> (Vec.zero, Rat.zero)
-  | Some mass ->
-    ( Scc_rigid.Mass.angular_momentum mass ~velocity:Vec.zero ~spin:p.spin ~about:mass.centre,
-      Scc_rigid.Mass.energy mass ~velocity:p.velocity ~spin:p.spin )
+(* Of a process that does not move on: about its centre. *)
+let about_centre m p =
+  let energy = (Conservation.of_process m p).energy in
+  let centre = State.centre_of_mass m p in
+  let home (l : State.leaf) = { l with position = Vec.sub l.position centre } in
+  ((Conservation.of_process m (State.with_velocity Vec.zero (State.map_leaves home p))).angular, energy)
 
 let is_free (m : Model.t) =
   match m.rigid with Some { dynamics = Free_body; _ } -> true | Some { dynamics = Constant_spin; _ } | None -> false
@@ -262,7 +203,7 @@ let of_state = [ ("well-formed", well_formed); ("step", steps_are_right); ("cont
 
 let of_transition =
   [
-    ("conservation", conserved);
+    ("conservation", Conservation.fault);
     ("time on a process", time_law);
     ("time is additive within a turn", additive);
     ("nothing interpenetrates on the way", between);
@@ -298,7 +239,7 @@ let varied () =
     match t.label with
     | Time _ -> if uses Rule.Round t then "time, rounded" else "time"
     | Bind _ -> "bind"
-    | Bounce _ -> if List.exists (is_fixed m s) (involved t.label) then "bounce, fixed" else "bounce"
+    | Bounce _ -> if with_fixed m s t.label then "bounce, fixed" else "bounce"
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"
   in

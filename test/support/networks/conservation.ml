@@ -2,14 +2,44 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
-let sum zero add f m (s : State.t) =
-  let count total (p : State.process) =
-    match State.mass m p with None -> total | Some mass -> add total (f mass p.velocity)
-  in
-  Array.fold_left count zero s.processes
+type sums = { momentum : Vec.t; angular : Vec.t; energy : Rat.t }
 
-let momentum m s = sum Vec.zero Vec.add Vec.scale m s
-let energy m s = sum Rat.zero Rat.add (fun mass v -> Rat.mul mass (Vec.norm2 v)) m s
+let nothing = { momentum = Vec.zero; angular = Vec.zero; energy = Rat.zero }
+
+let add a b =
+  {
+    momentum = Vec.add a.momentum b.momentum;
+    angular = Vec.add a.angular b.angular;
+    energy = Rat.add a.energy b.energy;
+  }
+
+(* Of a part that moves with its process, which turns about [centre]. *)
+let of_part (m : Model.t) (p : State.process) centre (l : State.leaf) i =
+  let part = m.leaves.(l.leaf).parts.(i) in
+  let solid = part.solid in
+  let turned = Quaternion.to_mat l.turned in
+  let at = Vec.add (State.part_position m l i) (Mat.apply turned solid.centroid) in
+  let v = Vec.add p.velocity (Vec.cross p.spin (Vec.sub at centre)) in
+  let inertia = Mat.mul turned (Mat.mul solid.inertia (Mat.transpose turned)) in
+  let own = Vec.scale (Rat.div part.mass solid.volume) (Mat.apply inertia p.spin) in
+  let momentum = Vec.scale part.mass v in
+  {
+    momentum;
+    angular = Vec.add own (Vec.cross at momentum);
+    energy = Rat.add (Vec.dot v momentum) (Vec.dot p.spin own);
+  }
+
+let of_process (m : Model.t) (p : State.process) =
+  if Option.is_none (State.mass m p) then nothing
+  else
+    let centre = State.centre_of_mass m p in
+    let of_leaf sums (l : State.leaf) =
+      let parts = List.init (Array.length m.leaves.(l.leaf).parts) Fun.id in
+      List.fold_left (fun sums i -> add sums (of_part m p centre l i)) sums parts
+    in
+    Array.fold_left of_leaf nothing p.leaves
+
+let sums m (s : State.t) = Array.fold_left (fun sums p -> add sums (of_process m p)) nothing s.processes
 
 (* Leaves of all the processes that take part. *)
 let involved : Transition.label -> int list = function
@@ -22,15 +52,25 @@ let is_fixed m s leaf =
   let i, _ = State.find_leaf s leaf in
   Option.is_none (State.mass m s.State.processes.(i))
 
+(* Free bodies keep their momentum from turn to turn: what they have now is what they begin a new turn with. *)
+let renewed m s =
+  match m.Model.rigid with
+  | None -> s
+  | Some _ -> Steer.renewed m s
+
 let fault m s (t : Transition.t) =
-  let before = energy m s and after = energy m t.target in
-  let keeps_momentum = Vec.equal (momentum m s) (momentum m t.target) in
+  let before = sums m (renewed m s) and after = sums m (renewed m t.target) in
   let free = not (List.exists (is_fixed m s) (involved t.label)) in
   let broken what = Some (Printf.sprintf "%s changes %s" (Transition.label_to_string m t.label) what) in
+  let rigid = Option.is_some m.Model.rigid in
+  let energy = Rat.compare after.energy before.energy in
   match t.label with
   | Time _ -> None
-  | (Bind _ | Bounce _ | Weak_split _ | Strong_split _) when List.memq Rule.Steer t.rules -> None
-  | (Bind _ | Bounce _ | Weak_split _ | Strong_split _) when free && not keeps_momentum -> broken "momentum"
-  | Bind _ -> if Rat.compare after before > 0 then broken "energy (it grows)" else None
-  | Bounce _ | Weak_split _ | Strong_split _ ->
-    if Rat.equal before after then None else broken "energy"
+  | (Bind _ | Bounce _ | Weak_split _ | Strong_split _)
+    when List.memq Rule.Steer t.rules || List.memq Rule.Round t.rules -> None
+  | (Bind _ | Bounce _ | Weak_split _ | Strong_split _)
+    when free && not (Vec.equal before.momentum after.momentum) -> broken "momentum"
+  | (Bind _ | Bounce _ | Weak_split _ | Strong_split _)
+    when free && rigid && not (Vec.equal before.angular after.angular) -> broken "angular momentum"
+  | Bind _ -> if energy > 0 then broken "energy (it grows)" else None
+  | Bounce _ | Weak_split _ | Strong_split _ -> if energy = 0 then None else broken "energy"

@@ -4,13 +4,17 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
-val momentum : Model.t -> State.t -> Vec.t
-(** Of all processes that are not fixed. *)
+(** Of all processes that are not fixed, summed over their parts. *)
+type sums = {
+  momentum : Vec.t;
+  angular : Vec.t;  (** momentum, about the origin *)
+  energy : Rat.t;  (** twice the kinetic *)
+}
 
-val energy : Model.t -> State.t -> Rat.t
-(** Twice the kinetic energy of the same. *)
+val sums : Model.t -> State.t -> sums
+val of_process : Model.t -> State.process -> sums
 
 val fault : Model.t -> State.t -> Transition.t -> string option
 (** What a transition of a state breaks: momentum for bindings, bounces and splits in which nothing fixed
-    takes part, energy for bounces and splits; a binding must not gain any. A transition that steers is
-    not looked at: laws of motion conserve nothing. *)
+    takes part, and in a rigid model angular momentum; energy for bounces and splits; a binding must not gain
+    any. A transition that steers or rounds is not looked at: laws of motion and rounding conserve nothing. *)

@@ -14,19 +14,20 @@ type t = {
 let map_processes f (s : State.t) =
   State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
 
-(* Moves every position by one map and every velocity by another. *)
-let move ~position ~velocity =
+(* Moves every position by one map, every velocity and spin by another, and every orientation by a third. *)
+let move ~position ~velocity ~turned =
   map_processes (fun (p : State.process) ->
-      let leaf (l : State.leaf) = { l with position = position l.position } in
+      let leaf (l : State.leaf) = { l with position = position l.position; turned = turned l.turned } in
       State.process
         ~leaves:(List.map leaf (Array.to_list p.leaves))
-        ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~clock:p.clock ())
+        ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~spin:(velocity p.spin) ~since:p.since
+        ~clock:p.clock ())
 
 let translation by =
   {
     name = "translation by " ^ Vec.to_string by;
     model = Fun.id;
-    state = move ~position:(Vec.add by) ~velocity:Fun.id;
+    state = move ~position:(Vec.add by) ~velocity:Fun.id ~turned:Fun.id;
     bond = Fun.id;
     leaf = Fun.id;
   }
@@ -39,11 +40,38 @@ let turned_model r (m : Model.t) =
   let leaf (l : Model.leaf) = { l with parts = Array.map part l.parts } in
   { m with leaves = Array.map leaf m.leaves; obstacles = Obstacle_cache.create () }
 
+(* A rotation of a cube as a quaternion. *)
+let quaternion_of r =
+  let digits = List.map Z.of_int [ 0; 1; -1 ] in
+  let all = List.concat_map (fun x -> List.map (fun y -> (x, y)) digits) digits in
+  let is_it ((w, x), (y, z)) =
+    if List.for_all (fun c -> Z.sign c = 0) [ w; x; y; z ] then None
+    else
+      let q = Quaternion.make w x y z in
+      if Mat.equal (Quaternion.to_mat q) r then Some q else None
+  in
+  match List.find_map is_it (List.concat_map (fun a -> List.map (fun b -> (a, b)) all) all) with
+  | Some q -> q
+  | None -> failwith "not a rotation of a cube"
+
+(* The shapes are turned as declared; how they have turned since then is seen from elsewhere. *)
 let rotation name r =
+  let q = quaternion_of r in
+  let turned t = Quaternion.mul q (Quaternion.mul t (Quaternion.inverse q)) in
   {
     name;
     model = turned_model r;
-    state = move ~position:(Mat.apply r) ~velocity:(Mat.apply r);
+    state = move ~position:(Mat.apply r) ~velocity:(Mat.apply r) ~turned;
+    bond = Fun.id;
+    leaf = Fun.id;
+  }
+
+let turning q =
+  let apply = Quaternion.apply q in
+  {
+    name = "turning by " ^ Quaternion.to_string q;
+    model = Fun.id;
+    state = move ~position:apply ~velocity:apply ~turned:(Quaternion.mul q);
     bond = Fun.id;
     leaf = Fun.id;
   }
@@ -79,7 +107,7 @@ let permutation perm =
     State.process
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(List.map bond (Array.to_list p.bonds))
-      ~velocity:p.velocity ~clock:p.clock ()
+      ~velocity:p.velocity ~spin:p.spin ~since:p.since ~clock:p.clock ()
   in
   let name =
     "order " ^ String.concat ", " (List.map string_of_int (Array.to_list perm))

@@ -15,7 +15,11 @@ val translation : Vec.t -> t
 (** The whole network elsewhere. *)
 
 val rotation : string -> Mat.t -> t
-(** The whole network turned. Laws of motion are not turned: for inertial models. *)
+(** The whole network turned by a rotation of a cube, its shapes as they are declared. Laws of motion are not turned:
+    for inertial models. *)
+
+val turning : Quaternion.t -> t
+(** The whole network turned, by the orientations of its leaves: for rigid inertial models that do not round. *)
 
 val rotations : t list
 (** The 24 rotations of a cube. *)
