@@ -37,10 +37,10 @@ let sub v w = if Vec.is_zero w then v else Vec.sub v w
 
 let straight obstacle (a : Motion.t) (b : Motion.t) ~span ~grid =
   let obstacle, offset =
-    match obstacle with
-    | Some o when Quaternion.is_identity a.turned && Quaternion.is_identity b.turned ->
-      (o, sub (add b.centre b.arm) (add a.centre a.arm))
-    | _ ->
+    if Quaternion.is_identity a.turned && Quaternion.is_identity b.turned then
+      let obstacle = match obstacle with Some o -> o | None -> Obstacle.make a.solid b.solid in
+      (obstacle, sub (add b.centre b.arm) (add a.centre a.arm))
+    else
       let sa, pa = Motion.placed a Rat.zero and sb, pb = Motion.placed b Rat.zero in
       (Obstacle.make sa sb, Vec.sub pb pa)
   in
