@@ -231,6 +231,68 @@ let laws =
       ("so they are with laws of motion", falling);
     ]
 
+(* {1 Symmetries} *)
+
+let keeps symmetry network =
+  let m, states = reached network in
+  fail_on (Symmetry.broken (symmetry m) m (List.filter (fun (s, _) -> bits s <= longest) states))
+
+let turning w x y z =
+  let z_of = Z.of_int in
+  Symmetry.turning (Quaternion.make (z_of w) (z_of x) (z_of y) (z_of z))
+
+let reversed (m : Model.t) =
+  let n = Array.length m.leaves in
+  Symmetry.permutation (Array.init n (fun i -> n - 1 - i))
+
+(* In the origin: spins and orientations are seen as they were. *)
+let reflection _ : Symmetry.t =
+  let process (p : State.process) =
+    State.with_velocity (Vec.neg p.velocity)
+      (State.map_leaves (fun (l : State.leaf) -> { l with position = Vec.neg l.position }) p)
+  in
+  let state (s : State.t) =
+    State.make ~processes:(List.map process (Array.to_list s.processes)) ~step:s.step ~time:s.time
+  in
+  { name = "point reflection"; model = Fun.id; state; bond = Fun.id; leaf = Fun.id }
+
+let elsewhere _ = Symmetry.translation (Vec.make (Rat.of_int 5) (rational 1 3) (Rat.of_int (-7)))
+let rotation i _ = List.nth Symmetry.rotations i
+
+let symmetries =
+  [
+    property "nothing depends on where the network is" ~count:20 falling (keeps elsewhere);
+    property "a quarter turn" ~count:20 any (keeps (fun _ -> turning 1 0 0 1));
+    property "any turn" ~count:10 any (keeps (fun _ -> turning 3 1 (-2) 0));
+    property "rotations of a cube, with rounding" ~count:20 rounded (keeps (rotation 7));
+    property "parallel components in reverse order" ~count:20 { any with laws = true } (keeps reversed);
+    property "point reflection" ~count:20 { rounded with plain = true; behaves = false } (keeps reflection);
+  ]
+
+(* {1 Quiescent networks} *)
+
+(* Followed step by step, as if one did not know. *)
+let rec nothing_ahead m (s : State.t) n =
+  match s.step with
+  | Some { remaining; _ } when n > 0 && bits s < longest ->
+    let limit = Some remaining in
+    if Rat.sign remaining > 0 && Option.is_some (Encounter.first_time_of_contact m s ~limit) then false
+    else
+      let later = if Rat.sign remaining > 0 then Time.pass m remaining s else s in
+      (match Steer.run m later with
+       | Ok next -> nothing_ahead m next.state (n - 1)
+       | Error _ -> false)
+  | Some _ | None -> true
+
+let quiescent_and_spins m (s : State.t) = Array.exists Turn.spinning s.processes && Network.quiescent m s
+
+let stays_quiescent network =
+  let m, states = reached network in
+  List.for_all (fun (s, _) -> (not (quiescent_and_spins m s)) || nothing_ahead m s 50) states
+
+let quiescence =
+  [ property "where nothing is ahead, nothing happens" { rounded with behaves = false } stays_quiescent ]
+
 (* So that the properties are about something: over some networks, every kind of transition comes up. *)
 let varied () =
   let rand = Random.State.make [| 42 |] in
@@ -243,15 +305,18 @@ let varied () =
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"
   in
+  let add kind = Hashtbl.replace seen kind () in
   List.iter
     (fun network ->
        let m, states = reached network in
-       List.iter (fun (s, ts) -> List.iter (fun t -> Hashtbl.replace seen (kind m s t) ()) ts) states)
+       List.iter (fun (s, ts) -> 
+           if quiescent_and_spins m s then add "quiescent";
+           List.iter (fun t -> add (kind m s t)) ts) states)
     (Gen.generate ~rand ~n:60 (Random_rigid.generate rounded));
   let kinds = Hashtbl.fold (fun kind () found -> kind :: found) seen [] in
   Alcotest.(check (list string))
     "kinds of transitions"
-    [ "bind"; "bounce"; "bounce, fixed"; "strong"; "time"; "time, rounded"; "weak" ]
+    [ "bind"; "bounce"; "bounce, fixed"; "quiescent"; "strong"; "time"; "time, rounded"; "weak" ]
     (List.sort String.compare kinds)
 
 let () =
@@ -259,4 +324,6 @@ let () =
     [
       ("scope", [ Alcotest.test_case "every kind of transition comes up" `Quick varied ]);
       ("laws", Scc_test_support.Property.cases laws);
+      ("symmetries", Scc_test_support.Property.cases symmetries);
+      ("quiescence", Scc_test_support.Property.cases quiescence);
     ]

@@ -9,6 +9,7 @@ type features = {
   rounds : bool;  (** orientations and velocities are rounded, coarsely *)
   laws : bool;  (** some bodies fall *)
   behaves : bool;  (** bodies have channels, delays and splits; else all are nil *)
+  plain : bool;  (** each body is one part, the same when reflected in its centre *)
 }
 
 val anything : features
