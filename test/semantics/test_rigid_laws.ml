@@ -113,14 +113,17 @@ let about_centre m p =
   ((Conservation.of_process m (State.with_velocity Vec.zero (State.map_leaves home p))).angular, energy)
 
 let is_free (m : Model.t) =
-  match m.rigid with Some { dynamics = Free_body; _ } -> true | Some { dynamics = Constant_spin; _ } | None -> false
+  match m.rigid with
+  | Some { dynamics = Free_body; _ } -> true
+  | Some { dynamics = Constant_spin; _ } | None -> false
 
 (* What a passing of time does to one process. *)
 let passes m d (t : Transition.t) (p : State.process) =
   let q = find t.target p in
   let centre = State.centre_of_mass m in
   let rounded = uses Rule.Round t and steered = uses Rule.Steer t in
-  let l_before, e_before = about_centre m (Turn.renew m p) and l_after, e_after = about_centre m (Turn.renew m q) in
+  let l_before, e_before = about_centre m (Turn.renew m p) in
+  let l_after, e_after = about_centre m (Turn.renew m q) in
   if not (Vec.equal (centre q) (Vec.axpy d p.velocity (centre p))) then Some "a centre strays"
   else if not (same_poses (poses p) (poses q)) then Some "the leaves of a process come apart"
   else if (not (steered || rounded)) && not (Vec.equal p.velocity q.velocity) then Some "a velocity changes"

@@ -196,7 +196,8 @@ let body (features : features) =
   let open Gen in
   let* cell = three (0 -- 1) and* aim = three (-2 -- 2) and* speed = 1 -- 6 in
   let* spin = three (-3 -- 3) and* spins = map (fun n -> n > 0) (0 -- 3) and* mass = 1 -- 3 in
-  let* shape = if features.plain then oneofl [ 0; 1; 3 ] else 0 -- (Array.length shapes - 1) and* fixed = map (fun n -> n = 0) (0 -- 4) in
+  let* shape = if features.plain then oneofl [ 0; 1; 3 ] else 0 -- (Array.length shapes - 1) in
+  let* fixed = map (fun n -> n = 0) (0 -- 4) in
   let any = if features.behaves then oneof [ 0 -- (behaviours - 1); oneofl [ 1; 3 ] ] else pure 0 in
   let* behaviour = any and* second = any in
   let+ falls = if features.laws then map (fun n -> n = 0) (0 -- 1) else pure false in

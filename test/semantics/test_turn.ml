@@ -1,0 +1,405 @@
+(* Rules Turn, Cast, Near and Round on small networks, by hand. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Fixture
+
+let third a = ratio a 3
+let vec x y z = Vec.make x y z
+let ints = Vec.of_ints
+let quaternion w x y z = Quaternion.make (Z.of_int w) (Z.of_int x) (Z.of_int y) (Z.of_int z)
+
+let rigid ?(dynamics = Model.Constant_spin) ?rounding ?(resolution = ratio 1 1024) (m : Model.t) : Model.t =
+  {
+    m with
+    steered = true;
+    rigid = Some { dynamics; resolution; round_orientation = rounding; round_velocity = rounding };
+  }
+
+(* A plank of sides 2, 1 and 1/2 instead of the cube: no two of its moments of inertia are equal. *)
+let planks (m : Model.t) =
+  let solid = Scc_test_networks.Random_rigid.plank ~id:7 in
+  let part (p : Model.part) = { p with solid } in
+  { m with leaves = Array.map (fun (l : Model.leaf) -> { l with parts = Array.map part l.parts }) m.leaves }
+
+(* Each process gets its spin. *)
+let spinning spins (s : State.t) =
+  let processes =
+    List.map2 (fun spin p -> State.with_turn ~spin ~since:Rat.zero p) spins (Array.to_list s.processes)
+  in
+  State.make ~processes ~step:s.step ~time:s.time
+
+let moving velocities (s : State.t) =
+  State.make
+    ~processes:(List.map2 State.with_velocity velocities (Array.to_list s.processes))
+    ~step:s.step ~time:s.time
+
+let turned_by quaternions (s : State.t) =
+  let turn q = State.map_leaves (fun l -> { l with State.turned = q }) in
+  State.make ~processes:(List.map2 turn quaternions (Array.to_list s.processes)) ~step:s.step ~time:s.time
+
+let check_rat what expected x = Alcotest.(check string) what expected (Rat.to_string x)
+let check_vec what expected v = Alcotest.(check string) what expected (Vec.to_string v)
+let check_turned what expected q = Alcotest.(check string) what expected (Quaternion.to_string q)
+
+(* {1 Turn} *)
+
+let step_length () =
+  let m = rigid (model [ body "p" (0, 0, 0); body "q" (9, 0, 0) ]) in
+  let s = declared [ body "p" (0, 0, 0); body "q" (9, 0, 0) ] in
+  let length a b = Turn.step_length m (spinning [ vec Rat.zero Rat.zero a; vec b Rat.zero Rat.zero ] s) in
+  check_rat "nothing spins: the timestep" "1" (length Rat.zero Rat.zero);
+  check_rat "just slow enough" "1" (length (ratio 1 2) Rat.zero);
+  check_rat "hardly too fast" "1/2" (length (ratio 501 1000) Rat.zero);
+  check_rat "half a step is enough up to twice that" "1/2" (length (q 1) (ratio (-1) 3));
+  check_rat "the fastest counts" "1/64" (length (q 1) (q (-17)))
+
+let pass () =
+  (* u = spin t / 2 = (0, 0, 1): a quarter turn *)
+  let bodies = [ body "p" (1, 0, 0); body "q" (3, 0, 0) ~mass:3 ] in
+  let m = rigid (model bodies) in
+  let s = joined ~velocity:(1, 0, 0) bodies [ ("a", (0, "right"), (1, "left")) ] in
+  let p = State.with_turn ~spin:(ints 0 0 2) ~since:Rat.zero s.processes.(0) in
+  check_vec "the centre of mass" "(5/2, 0, 0)" (State.centre_of_mass m p);
+  let after = Turn.pass m (q 1) p in
+  check_vec "it moves on" "(7/2, 0, 0)" (State.centre_of_mass m after);
+  check_vec "the first leaf" "(7/2, -3/2, 0)" after.leaves.(0).position;
+  check_vec "the second leaf" "(7/2, 1/2, 0)" after.leaves.(1).position;
+  check_turned "both are turned" "(1, 0, 0, 1)" after.leaves.(1).turned;
+  check_rat "the turn goes on" "1" after.since;
+  let twice = Turn.pass m (ratio 2 3) (Turn.pass m (third 1) p) in
+  Alcotest.(check bool) "in two goes" true (State.equal_process after twice);
+  (* the map is not additive across turns *)
+  let anew = Turn.pass m (ratio 2 3) (Turn.renew m (Turn.pass m (third 1) p)) in
+  Alcotest.(check bool) "with a new turn in between" false (State.equal_process after anew)
+
+let momentum m (p : State.process) =
+  let mover = Turn.mover m p in
+  match mover.mass with
+  | Some mass ->
+    Scc_rigid.Mass.angular_momentum mass ~velocity:p.velocity ~spin:p.spin ~about:(State.centre_of_mass m p)
+  | None -> Alcotest.fail "it is fixed"
+
+let renew () =
+  let bodies = [ body "p" (0, 0, 0) ] in
+  let free = rigid ~dynamics:Free_body (planks (model bodies)) in
+  let constant = rigid (planks (model bodies)) in
+  let start spin = State.with_turn ~spin ~since:Rat.zero (declared bodies).processes.(0) in
+  let after m p = Turn.renew m (Turn.pass m (ratio 1 3) p) in
+  let tumbling = start (vec (q 1) (ratio 1 2) (third 1)) in
+  let renewed = after free tumbling in
+  check_rat "a new turn" "0" renewed.since;
+  Alcotest.(check bool) "the spin of a free body changes" false (Vec.equal tumbling.spin renewed.spin);
+  check_vec "its angular momentum stays" (Vec.to_string (momentum free tumbling)) (momentum free renewed);
+  check_vec "a constant spin" (Vec.to_string tumbling.spin) (after constant tumbling).spin;
+  let steady = start (ints 0 2 0) in
+  check_vec "about a principal axis" "(0, 2, 0)" (after free steady).spin;
+  Alcotest.(check bool) "nothing to renew" true (State.equal_process tumbling (Turn.renew free tumbling))
+
+(* Two cubes that spin about the middle between them let go of each other. *)
+let piece () =
+  let bodies = [ body "p" (-1, 0, 0); body "q" (1, 0, 0) ] in
+  let m = rigid (model bodies) in
+  let s = joined ~velocity:(0, 0, 5) bodies [ ("a", (0, "right"), (1, "left")) ] in
+  let whole = State.with_turn ~spin:(ints 0 0 2) ~since:Rat.zero s.processes.(0) in
+  let alone i =
+    State.process ~leaves:[ whole.leaves.(i) ] ~bonds:[] ~velocity:whole.velocity ~clock:None ()
+  in
+  let p = Turn.piece m ~whole (alone 0) and q' = Turn.piece m ~whole (alone 1) in
+  check_vec "one way" "(0, -2, 5)" p.velocity;
+  check_vec "the other way" "(0, 2, 5)" q'.velocity;
+  check_vec "as it was" "(0, 0, 2)" q'.spin;
+  let walls = [ body "p" (-1, 0, 0); body "q" (1, 0, 0) ~fixed:true ] in
+  let m = rigid (model walls) in
+  let s = joined walls [ ("a", (0, "right"), (1, "left")) ] in
+  let whole = s.processes.(0) in
+  let p = State.process ~leaves:[ whole.leaves.(0) ] ~bonds:[] ~velocity:Vec.zero ~clock:None () in
+  let p = Turn.piece m ~whole p in
+  check_vec "from a fixed body: at rest" "(0, 0, 0)" p.velocity;
+  check_vec "and without spin" "(0, 0, 0)" p.spin
+
+let shortened () =
+  let bodies = [ body "p" (0, 0, 0) ] in
+  let with_step remaining phase spin =
+    let s = spinning [ ints 0 0 spin ] (declared bodies) in
+    let step = Some { State.remaining; length = q 1; phase } in
+    let s = State.make ~processes:(Array.to_list s.processes) ~step ~time:None in
+    match (Turn.shortened s).step with
+    | Some step -> Rat.to_string step.remaining ^ " of " ^ Rat.to_string step.length
+    | None -> Alcotest.fail "the step is lost"
+  in
+  let check = Alcotest.(check string) in
+  check "fast enough" "1/16 of 1/16" (with_step (q 1) Steered 8);
+  check "what has passed counts for the laws" "3/32 of 11/32" (with_step (ratio 3 4) Moving 4);
+  check "slow enough" "1/8 of 1" (with_step (ratio 1 8) Moving 4);
+  check "a step that is over" "1/2 of 1" (with_step (ratio 1 2) Due 8)
+
+(* {1 Cast} *)
+
+let off_centre () =
+  (* the cube of p is 5 to the right of p's reference point: its face is at 6, and that of q at 9 *)
+  let bodies = [ body "p" (0, 0, 0) ~velocity:(2, 0, 0); body "q" (10, 0, 0) ] in
+  let m = model bodies in
+  let shift (l : Model.leaf) =
+    if l.name <> "p" then l
+    else { l with parts = Array.map (fun (p : Model.part) -> { p with Model.offset = ints 5 0 0 }) l.parts }
+  in
+  let m = rigid { m with leaves = Array.map shift m.leaves } in
+  let s = declared bodies in
+  let contact s = Option.map Rat.to_string (Encounter.first_time_of_contact m s ~limit:(Some (q 4))) in
+  Alcotest.(check (option string)) "exact on the grid" (Some "3/2") (contact s);
+  (* turned upside down about its centre, nothing changes but where the reference point is *)
+  let upside_down = turned_by [ quaternion 0 0 0 1; Quaternion.identity ] s in
+  let p = upside_down.processes.(0) in
+  check_vec "the centre is behind" "(-5, 0, 0)" (State.centre_of_mass m p);
+  let to_left = State.map_leaves (fun l -> { l with State.position = ints 10 0 0 }) p in
+  let s = State.make ~processes:[ to_left; s.processes.(1) ] ~step:None ~time:None in
+  Alcotest.(check (option string)) "the same" (Some "3/2") (contact s);
+  Alcotest.(check (option string)) "not within the limit" None
+    (Option.map Rat.to_string (Encounter.first_time_of_contact m s ~limit:(Some (q 1))))
+
+let thirds () =
+  (* they meet after 4/3, which is rounded down to a multiple of 2^-K with 3 2^-K <= 1/1024: K = 12 *)
+  let bodies = [ body "p" (0, 0, 0) ~velocity:(3, 0, 0); body "q" (6, 0, 0) ] in
+  let m = rigid (model bodies) in
+  let s = declared bodies in
+  let found = Encounter.first_time_of_contact m s ~limit:None in
+  Alcotest.(check (option string)) "rounded down" (Some "5461/4096") (Option.map Rat.to_string found)
+
+let apart () =
+  let bodies = [ body "p" (0, 0, 0); body "q" (3, 0, 0); body "r" (0, 40, 0) ] in
+  let m = rigid (model bodies) in
+  let s = declared bodies in
+  let check what expected i by = Alcotest.(check bool) what expected (Encounter.apart m s i ~by) in
+  check "exactly as far is not farther" false 0 (q 1);
+  check "farther" true 0 (ratio 999 1000);
+  check "the other way round" false 1 (q 1);
+  check "alone" true 2 (q 30);
+  check "not so alone" false 2 (q 39);
+  let touching = declared [ body "p" (0, 0, 0); body "q" (2, 0, 0); body "r" (0, 40, 0) ] in
+  Alcotest.(check bool) "touching" false (Encounter.apart m touching 0 ~by:Rat.zero)
+
+(* {1 Round} *)
+
+let long = quaternion 1_000_003 77_777 3 999
+
+let orientation () =
+  let bodies = [ body "p" (0, 0, 0); body "q" (40, 0, 0) ] in
+  let m = rigid ~rounding:8 (model bodies) in
+  let rounded others =
+    let s = turned_by [ long; Quaternion.identity ] (declared others) in
+    let s, changed = Round.run m s in
+    (s.processes.(0).leaves.(0), Option.is_some changed)
+  in
+  let leaf, changed = rounded bodies in
+  check_turned "to 8 bits" "(64, 5, 0, 0)" leaf.turned;
+  Alcotest.(check bool) "it says so" true changed;
+  let leaf, changed = rounded [ body "p" (0, 0, 0); body "q" (2, 0, 0) ] in
+  check_turned "not where another body is too near" (Quaternion.to_string long) leaf.turned;
+  Alcotest.(check bool) "nothing changes" false changed;
+  let off = rigid (model bodies) in
+  Alcotest.(check bool) "rounding is off" true
+    (let s = turned_by [ long; Quaternion.identity ] (declared bodies) in
+     let t, changed = Round.run off s in
+     State.equal s t && Option.is_none changed)
+
+(* A process is rounded as a whole: its leaves keep their places in it. *)
+let whole () =
+  let bodies = [ body "p" (-1, 0, 0); body "q" (1, 0, 0) ~mass:2 ] in
+  let m = rigid ~rounding:8 (model bodies) in
+  let s = joined bodies [ ("a", (0, "right"), (1, "left")) ] in
+  let s =
+    spinning [ vec (third 1) (third 2) (ratio 1 7) ] s
+    |> fun s -> State.make ~processes:[ Turn.pass m (ratio 1 3) s.processes.(0) ] ~step:None ~time:None
+  in
+  let centre (s : State.t) = State.centre_of_mass m s.processes.(0) in
+  let arm (s : State.t) =
+    let p = s.processes.(0) in
+    Quaternion.apply
+      (Quaternion.inverse p.leaves.(0).turned)
+      (Vec.sub p.leaves.(1).position p.leaves.(0).position)
+  in
+  let t, _ = Round.run m s in
+  check_vec "the centre of mass stays" (Vec.to_string (centre s)) (centre t);
+  check_vec "and the leaves side by side" "(2, 0, 0)" (arm t);
+  Alcotest.(check bool) "not long" true (Quaternion.bits t.processes.(0).leaves.(1).turned <= 9);
+  Alcotest.(check bool) "they differ" false (State.equal s t)
+
+let velocities () =
+  (* Two cubes face to face; the normal is (3, 4, 0). With halves the first would come nearer. *)
+  let at = vec (ratio 6 5) (ratio 8 5) Rat.zero in
+  let v = vec (ratio 26 100) (ratio (-2) 10) Rat.zero in
+  let m = rigid ~rounding:1 (model [ body "p" (0, 0, 0); body "q" (0, 0, 0) ]) in
+  let place (s : State.t) =
+    let far = State.map_leaves (fun l -> { l with State.position = at }) s.processes.(1) in
+    State.make ~processes:[ s.processes.(0); far ] ~step:None ~time:None
+  in
+  let s =
+    declared [ body "p" (0, 0, 0); body "q" (0, 0, 0) ]
+    |> place |> moving [ v; Vec.zero ]
+    |> turned_by [ quaternion 2 0 0 1; quaternion 2 0 0 1 ]
+  in
+  Alcotest.(check bool) "they do not collide" true (Encounter.colliding m s = []);
+  let t, changed = Round.run m s in
+  Alcotest.(check bool) "it waits" true (State.equal s t && Option.is_none changed);
+  let away = moving [ Vec.neg v; Vec.zero ] s in
+  let t, _ = Round.run m away in
+  check_vec "-26/100 and 2/10, to halves" "(-1/2, 0, 0)" t.processes.(0).velocity
+
+(* {1 Bodies that meet} *)
+
+let network ?dynamics ?definitions ?timestep ~spins bodies =
+  let m = rigid ?dynamics (model ?definitions ?timestep bodies) in
+  (m, start m (spinning (List.map (fun (x, y, z) -> ints x y z) spins) (declared bodies)))
+
+let run m s ~steps =
+  let rec go s n found =
+    match if n = 0 then [] else successors m s with
+    | t :: _ -> go t.Transition.target (n - 1) (s :: found)
+    | [] -> List.rev (s :: found)
+  in
+  go s steps []
+
+(* Mirror images stay mirror images: x becomes -x, and spins are axial. *)
+let mirror () =
+  let bodies = [ body "p" (-4, 0, 0) ~velocity:(2, 1, 0); body "q" (4, 0, 0) ~velocity:(-2, 1, 0) ] in
+  let m, s = network ~spins:[ (1, 1, 1); (1, -1, -1) ] bodies in
+  let states = run m s ~steps:40 in
+  let flipped (v : Vec.t) = Vec.make (Rat.neg v.x) v.y v.z
+  and axial (v : Vec.t) = Vec.make v.x (Rat.neg v.y) (Rat.neg v.z) in
+  let check i (s : State.t) =
+    let p = s.processes.(0) and q' = s.processes.(1) in
+    let what = Printf.sprintf "state %d" i in
+    check_vec what (Vec.to_string (flipped p.leaves.(0).position)) q'.leaves.(0).position;
+    check_vec what (Vec.to_string (flipped p.velocity)) q'.velocity;
+    check_vec what (Vec.to_string (axial p.spin)) q'.spin;
+    let { Quaternion.w; x; y; z } = p.leaves.(0).turned in
+    let turned = Quaternion.make w x (Z.neg y) (Z.neg z) in
+    check_turned what (Quaternion.to_string turned) q'.leaves.(0).turned
+  in
+  List.iteri check states;
+  let last = List.nth states (List.length states - 1) in
+  Alcotest.(check bool) "they have met" false
+    (Vec.equal last.processes.(0).velocity (List.hd states).processes.(0).velocity)
+
+let fixed_bind () =
+  let bodies =
+    [
+      body "p" (0, 0, 0) ~velocity:(2, 0, 0) ~behaviour:(open_ "a" [ "right" ] nil);
+      body "w" (5, 0, 0) ~fixed:true ~behaviour:(co_open "a" [ "left" ] nil);
+    ]
+  in
+  let m, s = network ~timestep:(q 4) ~spins:[ (1, 0, 0); (0, 0, 0) ] bodies in
+  let states = run m s ~steps:12 in
+  let last = List.nth states (List.length states - 1) in
+  Alcotest.(check int) "one process" 1 (Array.length last.processes);
+  check_vec "that stands" "(0, 0, 0)" last.processes.(0).velocity;
+  check_vec "and does not turn" "(0, 0, 0)" last.processes.(0).spin;
+  Alcotest.(check bool) "well-formed" true (Well_formed.check m last = [])
+
+(* Cubes in a row that meet face to face never turn: it is as if nothing could. *)
+let translational () =
+  let bodies =
+    [
+      body "l" (-12, 0, 0) ~fixed:true; body "p" (-7, 0, 0) ~velocity:(3, 0, 0) ~mass:2;
+      body "q" (-1, 0, 0) ~velocity:(-1, 0, 0); body "r" (5, 0, 0) ~velocity:(-5, 0, 0) ~mass:3;
+      body "w" (13, 0, 0) ~fixed:true;
+    ]
+  in
+  let m = model bodies in
+  let resolution = ratio 1 (1 lsl 40) in
+  let events m s =
+    let rec go s time n found =
+      if n = 0 then List.rev found
+      else
+        match successors m s with
+        | [] -> List.rev found
+        | t :: _ ->
+          let time = Rat.add time (Transition.duration t) in
+          let found =
+            match t.label with
+            | Time _ -> found
+            | _ -> (Transition.label_to_string m t.label, time) :: found
+          in
+          go t.target time (n - 1) found
+    in
+    go s Rat.zero 60 []
+  in
+  let exact = events m (start m (declared bodies)) in
+  let rm = rigid ~resolution m in
+  let rigid = events rm (start rm (declared bodies)) in
+  let names = List.map fst in
+  let n = 15 in
+  let first list = List.filteri (fun i _ -> i < n) list in
+  Alcotest.(check int) "enough of them" n (List.length (first exact));
+  Alcotest.(check (list string)) "the same collisions" (names (first exact)) (names (first rigid));
+  List.iter2
+    (fun (what, a) (_, b) ->
+       let late = Rat.abs (Rat.sub a b) in
+       if Rat.compare late (ratio 1 (1 lsl 30)) > 0 then Alcotest.failf "%s: at another time" what)
+    (first exact) (first rigid)
+
+(* A tip under a face that turns about the face's middle: no point approaches, and yet the face turns into it. *)
+let persistent () =
+  let solid = Scc_test_networks.Random_rigid.tetrahedron ~id:9 in
+  let bodies = [ body "p" (0, 0, 0); body "tip" (0, 0, -4) ~fixed:true ] in
+  let m = model bodies in
+  let part (p : Model.part) = { p with solid } in
+  let tip (l : Model.leaf) = if l.fixed then { l with parts = Array.map part l.parts } else l in
+  let m = rigid { m with leaves = Array.map tip m.leaves } in
+  (* its corner (0, 0, 3) is at (0, 0, -1) *)
+  let s = spinning [ ints 0 1 0; Vec.zero ] (declared bodies) in
+  Alcotest.(check int) "they would interpenetrate" 1 (List.length (Encounter.colliding m s));
+  let s = start m s in
+  (match Network.successors m s with
+   | Error (Persistent_contact (0, 1)) -> ()
+   | Error _ -> Alcotest.fail "another fault"
+   | Ok _ -> Alcotest.fail "no fault");
+  let still = start m (spinning [ ints 0 0 1; Vec.zero ] (declared bodies)) in
+  Alcotest.(check bool) "turning on the tip is no contact" true (Result.is_ok (Network.successors m still))
+
+(* What is left of a step must not outlast the turns that a collision of the instant begins. *)
+let steered_into () =
+  let var v = Law.Var v in
+  let law = Law.Velocity (var Vx, var Vy, Law.Sub (var Vz, Law.Mul (Const (q 40), var Dt))) in
+  let bodies = [ body "p" (0, 0, 2) ~law; body "floor" (1, 0, 0) ~fixed:true ] in
+  let m = rigid (model bodies) in
+  (* the edge of the floor is not under the middle of p *)
+  let aside (l : State.leaf) = { l with position = vec (ratio 3 2) Rat.zero Rat.zero } in
+  let s = declared bodies in
+  let processes = [ s.processes.(0); State.map_leaves aside s.processes.(1) ] in
+  let s = start m (State.make ~processes ~step:None ~time:None) in
+  let s = take m s "time(1)" in
+  check_labels "steered into the floor" [ "bounce(p, floor)" ] m s;
+  let s = take m s "bounce(p, floor)" in
+  match s.step with
+  | Some step ->
+    let spin2 = Vec.norm2 s.processes.(0).spin in
+    Alcotest.(check bool) "it spins fast" true (Rat.compare spin2 (q 1) > 0);
+    let turn = Rat.mul spin2 (Rat.mul step.remaining step.remaining) in
+    Alcotest.(check bool) "in short steps" true (Rat.compare turn (ratio 1 4) <= 0)
+  | None -> Alcotest.fail "no step"
+
+let () =
+  let case name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "turn"
+    [
+      ( "turn",
+        [
+          case "the length of a step" step_length; case "time on a body that turns" pass;
+          case "a new turn" renew; case "pieces of what turned" piece; case "shorter steps" shortened;
+          case "steered into a contact" steered_into;
+        ] );
+      ( "cast",
+        [ case "parts off their centres" off_centre; case "rounded down" thirds; case "apart" apart ] );
+      ( "round",
+        [
+          case "orientations" orientation; case "a process as a whole" whole; case "velocities wait" velocities;
+        ] );
+      ( "meeting",
+        [
+          case "mirror images" mirror; case "bound to a fixed body" fixed_bind;
+          case "face to face as without turns" translational; case "persistent contact" persistent;
+        ] );
+    ]
