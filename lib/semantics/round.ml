@@ -53,6 +53,11 @@ let velocity m k (p : State.process) =
   if fixed m p || (Vec.equal v p.velocity && Vec.equal spin p.spin) then None
   else Some (State.with_velocity v (State.with_turn ~spin ~since:p.since p))
 
+let settled m p =
+  match (Turn.rigid m).round_velocity with
+  | None -> true
+  | Some k -> Option.is_none (velocity m k p)
+
 let nothing_collides m s = Encounter.colliding m s = []
 
 let velocities m k s =

@@ -3,6 +3,9 @@
 
 open Scc_calculus
 
+val settled : Model.t -> State.process -> bool
+(** Whether velocity and spin are rounded already, or never to be. *)
+
 val run : Model.t -> State.t -> State.t * Totals.t Lazy.t option
 (** The state with every orientation that is longer than declared rounded, and every velocity and spin; and, if
     anything changed, what that added to momentum, angular momentum and energy.

@@ -31,7 +31,9 @@ let delay (m : Model.t) (s : State.t) =
   in
   match least limit contact with
   | None -> None
-  | Some _ when spinning && (not steered) && Option.is_none next && Encounter.none_ahead m s -> None
+  | Some _ when spinning && (not steered) && Option.is_none next
+                && Array.for_all (Round.settled m) s.processes
+                && Encounter.none_ahead m s -> None
   | Some d -> least (Some d) step
 
 (* The clock after d: started anew when an eps of the process has just expired (reading I-9). *)

@@ -100,7 +100,7 @@ let rec num c (n : Property.num) : int array -> value =
     let home = home c leaf in
     integer (fun t -> State.size model (home t))
   | Processes -> integer (fold c (fun acc _ -> acc + 1) 0)
-  | (Velocity _ | Speed2 _ | Energy) when Option.is_some model.rigid -> raise_notrace Moves
+  | (Velocity _ | Speed2 _ | Energy | Spin _ | Spin2 _) when Option.is_some model.rigid -> raise_notrace Moves
   | Velocity (a, leaf) ->
     let home = home c leaf in
     fun t -> Ok (axis a (home t).velocity)

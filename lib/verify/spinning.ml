@@ -6,6 +6,7 @@ open Scc_semantics
 
 (* [since] and [spin] say how it turns; the denominator of all that turns with it is [bottom]. *)
 type t = {
+  model : Model.t;
   process : State.process;
   mover : Impact.mover Lazy.t;
   centre : Vec.t;
@@ -30,6 +31,7 @@ let shifted since a b c =
 
 let make ?(for_ever = false) m (p : State.process) =
   {
+    model = m;
     process = p;
     mover = lazy (Turn.mover m p);
     centre = State.centre_of_mass m p;
@@ -59,20 +61,45 @@ let turning t r =
     z = shifted since a.z b.z c.z;
   }
 
-(* The curve is that of one turn. Over the ray of a network in which nothing happens any more, turn follows on turn,
-   and what changes with them is not followed. *)
-let unfollowed t r = t.for_ever && not (Vec.is_zero (Vec.cross t.process.spin r))
+(* {1 For ever}
 
-let followed ts value =
-  if List.exists (fun (t, r) -> unfollowed t r) ts then
-    Value.Undefined "what turns with a body that spins for ever is not followed"
-  else value ()
+   The curves are those of one turn. Over the ray of a network in which nothing happens any more, turn follows on turn,
+   spins may be computed anew and orientations rounded: what changes with that is not followed. *)
+
+let isotropic (i : Mat.t) = Mat.equal i (Mat.scale i.r0.x Mat.identity)
+
+(* The inertia, and the angular momentum of the turn. *)
+let own t =
+  match (Lazy.force t.mover).mass with
+  | None -> (Mat.identity, Vec.zero)
+  | Some mass -> (mass.inertia, Mat.apply mass.inertia t.process.spin)
+
+let along t r = Vec.is_zero (Vec.cross t.process.spin r)
+let rounded t = Option.is_some (Turn.rigid t.model).round_orientation
+
+let steady_spin t =
+  (not (t.for_ever && spins t))
+  ||
+  match (Turn.rigid t.model).dynamics with
+  | Constant_spin -> true
+  | Free_body ->
+    let inertia, momentum = own t in
+    isotropic inertia || (along t momentum && not (rounded t))
+
+(* A vector that turns with the process stays what it is when it lies along the spin. *)
+let steady t r = Vec.is_zero r || (not (t.for_ever && spins t)) || (steady_spin t && along t r && not (rounded t))
+
+let steady_energy t =
+  (not (t.for_ever && spins t)) || (steady_spin t && ((not (rounded t)) || isotropic (fst (own t))))
+
+let followed so value =
+  if so then value () else Value.Undefined "what turns with a body that spins for ever is not followed"
 
 let arm t place = Vec.sub place t.centre
 let centre_curve t a = Polynomial.of_coefficients [ of_vec a t.centre; of_vec a t.process.velocity ]
 
 let coordinate t a place =
-  followed [ (t, arm t place) ] (fun () ->
+  followed (steady t (arm t place)) (fun () ->
       let arm = turning t (arm t place) in
       Value.Ratio (Polynomial.add (Polynomial.mul (centre_curve t a) t.bottom) (component a arm), t.bottom))
 
@@ -80,13 +107,13 @@ let coordinate t a place =
 let swing t place = turning t (Vec.cross t.process.spin (Vec.sub place t.centre))
 
 let velocity t a place =
-  followed [ (t, arm t place) ] (fun () ->
+  followed (steady t (arm t place)) (fun () ->
       let own = Polynomial.scale (of_vec a t.process.velocity) t.bottom in
       Value.Ratio (Polynomial.add own (component a (swing t place)), t.bottom))
 
 (* |v|^2 + |w x r|^2 + 2 v.(w x r), of which the second does not change. *)
 let speed2 t place =
-  followed [ (t, arm t place) ] @@ fun () ->
+  followed (steady t (arm t place)) @@ fun () ->
   let v = t.process.velocity in
   let round = Vec.norm2 (Vec.cross t.process.spin (Vec.sub place t.centre)) in
   let constant = Polynomial.scale (Rat.add (Vec.norm2 v) round) t.bottom in
@@ -95,7 +122,7 @@ let speed2 t place =
 (* |d + s - r|^2 for the vector d from centre to centre and the arms r and s, whose lengths do not change:
    |d|^2 + |r|^2 + |s|^2 + 2 d.s - 2 d.r - 2 r.s. *)
 let distance2 p from q towards =
-  followed [ (p, arm p from); (q, arm q towards) ] @@ fun () ->
+  followed (steady p (arm p from) && steady q (arm q towards)) @@ fun () ->
   let open Polynomial in
   let along a = sub (centre_curve q a) (centre_curve p a) in
   let d = { x = along X; y = along Y; z = along Z } in
@@ -107,6 +134,9 @@ let distance2 p from q towards =
   let bent = sub (mul (product d s) p.bottom) (add (mul (product d r) q.bottom) (product r s)) in
   Value.Ratio (add straight (scale two bent), bottom)
 
+let spin t a = followed (steady_spin t) (fun () -> Value.of_rat (of_vec a t.process.spin))
+let spin2 t = followed (steady_spin t) (fun () -> Value.of_rat (Vec.norm2 t.process.spin))
+
 (* The angular momentum of the turn when the turn has gone on for [since]: I w, for what is turned as it is. *)
 let angular t a =
   match (Lazy.force t.mover).mass with
@@ -115,14 +145,17 @@ let angular t a =
     let still =
       Mass.angular_momentum mass ~velocity:t.process.velocity ~spin:Vec.zero ~about:Vec.zero
     in
-    let own = Mat.apply mass.inertia t.process.spin in
-    if Vec.is_zero (Vec.cross own t.process.spin) then Value.of_rat (Rat.add (of_vec a still) (of_vec a own))
+    let inertia, own = own t in
+    let constant = isotropic inertia || along t own in
+    followed ((isotropic inertia && steady_spin t) || steady t own) @@ fun () ->
+    if constant then Value.of_rat (Rat.add (of_vec a still) (of_vec a own))
     else
-      followed [ (t, own) ] @@ fun () ->
       let orbit = Polynomial.scale (of_vec a still) t.bottom in
       Value.Ratio (Polynomial.add orbit (component a (turning t own)), t.bottom)
 
 let energy t =
   match (Lazy.force t.mover).mass with
-  | None -> Rat.zero
-  | Some mass -> Mass.energy mass ~velocity:t.process.velocity ~spin:t.process.spin
+  | None -> Value.of_rat Rat.zero
+  | Some mass ->
+    followed (steady_energy t) (fun () ->
+        Value.of_rat (Mass.energy mass ~velocity:t.process.velocity ~spin:t.process.spin))

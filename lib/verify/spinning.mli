@@ -29,5 +29,8 @@ val angular : t -> Property.axis -> Value.t
 (** The angular momentum about the origin of the world; zero for a fixed process. That of the turn is turned as
     the body is. *)
 
-val energy : t -> Rat.t
+val energy : t -> Value.t
 (** Kinetic, which does not change during a turn; zero for a fixed process. *)
+
+val spin : t -> Property.axis -> Value.t
+val spin2 : t -> Value.t

@@ -165,8 +165,10 @@ let rigid_num c (n : Property.num) =
   | Speed2 leaf -> Some (of_leaf Spinning.speed2 leaf)
   | Distance2 (p, q) -> Some (rigid_distance2 c p q)
   | Angular a -> Some (rigid_total c (fun p -> Spinning.angular p a))
-  | Energy -> Some (rigid_total c (fun p -> Value.of_rat (Spinning.energy p)))
-  | Const _ | Bonds _ | Size _ | Processes | Spin _ | Spin2 _ | Momentum _ | Time | Count _ | Neg _ | Add _
+  | Energy -> Some (rigid_total c Spinning.energy)
+  | Spin (a, leaf) -> Some (of_leaf (fun p _ -> Spinning.spin p a) leaf)
+  | Spin2 leaf -> Some (of_leaf (fun p _ -> Spinning.spin2 p) leaf)
+  | Const _ | Bonds _ | Size _ | Processes | Momentum _ | Time | Count _ | Neg _ | Add _
   | Sub _ | Mul _ | Div _ | If _ -> None
 
 let time c =
