@@ -136,3 +136,52 @@ Where nothing turns they have no effect.
   explored: 2 states, 1 transition, depth 1, model time 2; not complete: every property was decided before
   3 properties: 1 holds, 2 violated
   [1]
+
+What turns after turns change is not followed for ever: the spin of a free body that does not spin about a principal
+axis, the energy of one whose orientation is rounded, and the place of a part off the centre.
+
+  $ cat > free.sc <<'EOF'
+  > shape Cube {
+  >   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+  >            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  >   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+  >            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+  > }
+  > dynamics free_body
+  > process p = Cube scaled (1,2,3) mass 1 spin (1,1/10,1/5) [nil]
+  > process q = Cube mass 1 spin (1,1/10,1/5) at translate (100,0,0) [nil]
+  > check changes : always wx(p) = 1
+  > check cube    : always wx(q) = 1
+  > check place   : always x(p) = 0
+  > EOF
+  $ scc check free.sc
+  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+    hint: `scc check --coverage` lists what never came to be
+  changes: undecided: what turns with a body that spins for ever is not followed
+    always wx(p) = 1
+  
+  cube: holds (exhaustive), at resolution 1/524288
+    always wx(q) = 1
+  
+  place: holds (exhaustive), at resolution 1/524288
+    always x(p) = 0
+  
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  3 properties: 2 hold, 1 undecided
+  [2]
+  $ sed 's/dynamics free_body/round orientation 2^-3/; s/always wx(p) = 1/always energy = energy + 0 * wx(p)/' free.sc > rounded.sc
+  $ scc check rounded.sc
+  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+    hint: `scc check --coverage` lists what never came to be
+  changes: undecided: what turns with a body that spins for ever is not followed
+    always energy = energy + 0*wx(p)
+  
+  cube: holds (exhaustive), at resolution 1/524288
+    always wx(q) = 1
+  
+  place: holds (exhaustive), at resolution 1/524288
+    always x(p) = 0
+  
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  3 properties: 2 hold, 1 undecided
+  [2]
