@@ -33,8 +33,8 @@ val step_length : Model.t -> State.t -> Rat.t
 
 val shortened : State.t -> State.t
 (** The state with what is left of its movement step halved as often as it takes for that to be true again: a
-    collision of an instant that has been steered already, and a turn of a free body that begins within a step, give
-    spins that the step was not made for. *)
+    collision of an instant that has been steered already, and a turn of a free body that begins within a step,
+    give spins that the step was not made for. *)
 
 val motion : Model.t -> State.process -> centre:Vec.t -> State.leaf -> int -> Motion.t
 (** [motion m p ~centre leaf i]: of part [i] of a leaf of the process, whose centre of mass is at [centre]. *)

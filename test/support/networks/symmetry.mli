@@ -15,8 +15,8 @@ val translation : Vec.t -> t
 (** The whole network elsewhere. *)
 
 val rotation : string -> Mat.t -> t
-(** The whole network turned by a rotation of a cube, its shapes as they are declared. Laws of motion are not turned:
-    for inertial models. *)
+(** The whole network turned by a rotation of a cube, its shapes as they are declared. Laws of motion are not
+    turned: for inertial models. *)
 
 val turning : Quaternion.t -> t
 (** The whole network turned, by the orientations of its leaves: for rigid inertial models that do not round. *)
