@@ -301,7 +301,7 @@ let itf () =
   let t = start () in
   Itf.event t (Start s);
   Itf.event t (Instant { offset = Rat.one; time = Rat.one; state = s });
-  Itf.event t (End { steps = 0; time = Rat.one; ending = Quiescent; last = None });
+  Itf.event t (End { steps = 0; time = Rat.one; ending = Quiescent; last = None; rounded = None });
   Itf.close t;
   let whole = Buffer.contents b in
   let json = Yojson.Basic.from_string whole in
