@@ -47,7 +47,9 @@ module Labels = Interned (struct
 module Steps = Interned (struct
     type t = State.step
 
-    let equal (a : t) (b : t) = Rat.equal a.remaining b.remaining && State.equal_phase a.phase b.phase
+    let equal (a : t) (b : t) =
+      Rat.equal a.remaining b.remaining && Rat.equal a.length b.length && State.equal_phase a.phase b.phase
+
     let hash (s : t) = Rat.hash s.remaining
   end)
 
@@ -71,7 +73,12 @@ let nobody = 0
 
 let no_body =
   let leaf =
-    { State.leaf = 0; position = Vec.zero; turned = Quaternion.identity; behaviour = Behaviour.fresh Behaviour.nil }
+    {
+      State.leaf = 0;
+      position = Vec.zero;
+      turned = Quaternion.identity;
+      behaviour = Behaviour.fresh Behaviour.nil;
+    }
   in
   let process = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None () in
   { number = nobody; form = 0; place = 0; velocity = 0; process }

@@ -43,6 +43,30 @@ let property name ?steered ~memory count =
     (Random_network.generate ?steered ())
     (agrees ~memory)
 
+(* Laws of motion see how long a step has lasted: two with the same rest are not one. *)
+let steps () =
+  let e = Scc_test_models.Load.(exactly (file "../../specs/models/tumble.sc")) in
+  let catalogue = System.catalogue (System.make e.model e.declared) in
+  let state length =
+    let step = Some { State.remaining = Scc_exact.Rat.one; length; phase = Moving } in
+    State.make ~processes:(Array.to_list e.declared.processes) ~step ~time:e.declared.time
+  in
+  List.iter
+    (fun length ->
+       let s = state (Scc_exact.Rat.of_int length) in
+       Alcotest.(check bool) "back from its numbers" true
+         (State.equal s (Catalogue.decode catalogue (Catalogue.encode catalogue s))))
+    [ 1; 2 ]
+
+let rigid =
+  let features = { Random_rigid.anything with rounds = true; laws = true } in
+  QCheck2.Test.make ~name:"rigid" ~count:25 ~print:Random_rigid.print (Random_rigid.generate features)
+    (fun network ->
+       let m, start = Random_rigid.start network in
+       match explored ~memory:1024 m start ~states:15 with
+       | _, [] -> true
+       | _, why :: _ -> QCheck2.Test.fail_report why)
+
 let crowd =
   QCheck2.Test.make ~name:"crowds" ~count:30 ~print:Random_network.print Random_network.crowd
     (agrees ~memory:1024)
@@ -89,8 +113,9 @@ let () =
             property "inertial" ~memory:1024 200;
             property "steered" ~steered:true ~memory:1024 60;
             property "little memory" ~memory:2 100;
-            crowd;
+            crowd; rigid;
           ] );
       ("models", List.map (fun name -> Alcotest.test_case name `Quick (model name)) models);
       ("events", [ Alcotest.test_case "what led to a state" `Quick events ]);
+      ("steps", [ Alcotest.test_case "rest and length" `Quick steps ]);
     ]
