@@ -75,8 +75,8 @@ let round k q =
 (* Scaled so that its greatest component is 2^k, the quaternion q has |q| >= 2^k, and rounding moves it by e with
    |e| <= sqrt(3)/2 (the greatest component is not moved). The angle between q and q + e, as vectors of four
    components, is at most asin(|e|/|q|), and a rotation differs from another by twice the angle between their
-   quaternions; a point at distance d moves by at most d times that angle. With s = |e|/|q| <= sqrt(3)/2 2^-k <= 1/2,
-   asin s <= 1.05 s, and 2 * 1.05 * sqrt(3)/2 < 2. *)
+   quaternions; a point at distance d moves by at most d times that angle. With s = |e|/|q| <= sqrt(3)/2 2^-k
+   <= 1/2, asin s <= 1.05 s, and 2 * 1.05 * sqrt(3)/2 < 2. *)
 let round_error k = Rat.make (Z.of_int 2) (Z.shift_left Z.one k)
 let bits q = Z.numbits (greatest q)
 

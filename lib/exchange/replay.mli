@@ -45,7 +45,8 @@ type event =
       time : Rat.t;
       ending : ending;
       last : (unit -> State.t) option;  (** the state there, unless an [Instant] told it *)
-      rounded : (Totals.t * Totals.t) option;  (** bounds on what rule Round has added, where anything is rounded *)
+      rounded : (Totals.t * Totals.t) option;
+      (** bounds on what rule Round has added, where anything is rounded *)
     }
 
 type failure =

@@ -1,4 +1,4 @@
-(** A convex solid that moves and turns over a movement step (rule Turn). World frame; time t >= 0 is counted from now.
+(** A convex solid that moves and turns over a movement step (rule Turn). World frame; times t >= 0 count from now.
 
     The solid turns about a centre that moves in a straight line:
     a point of the solid that is at p about the reference point of {!Solid.t} is at
@@ -37,5 +37,5 @@ val vertices : t -> Rat.t -> Vec.t array
 (** Where the vertices are. *)
 
 val placed : t -> Rat.t -> Solid.t * Vec.t
-(** The solid, turned as it is at a time, and where its reference point is: what the queries of {!Scc_geometry} take.
-    Not cheap: the turned solid is made anew. *)
+(** The solid, turned as it is at a time, and where its reference point is: what the queries of {!Scc_geometry}
+    take. Not cheap: the turned solid is made anew. *)

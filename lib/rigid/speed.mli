@@ -7,7 +7,7 @@ val length : Vec.t -> Rat.t
 (** The length of a vector, rounded up to ten bits or so. *)
 
 val reach : Solid.t -> Vec.t -> Rat.t
-(** [reach solid arm]: no point of a solid, the centroid of which is at [arm] from a centre, is farther from that. *)
+(** [reach solid arm]: no point of a solid with its centroid at [arm] from a centre is farther from that centre. *)
 
 val bound : Motion.t -> Motion.t -> Rat.t
 (** See {!Cast.speed_bound}. *)

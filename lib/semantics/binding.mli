@@ -1,4 +1,4 @@
-(** Binding candidates (rule Bind, reading I-12): which channels of two leaves that touch fit each other, and where. *)
+(** Binding candidates (rule Bind, reading I-12): which channels of two touching leaves fit, and where. *)
 
 open Scc_geometry
 open Scc_calculus
@@ -12,8 +12,8 @@ type candidate = {
 val candidates :
   Model.t -> State.process -> State.process -> one:int * int -> two:int * int ->
   (unit -> Contact.pair list) -> candidate list
-(** [candidates m p q ~one ~two touching]: of a leaf of [p] and one of [q], each with the part that takes part, whose
-    features touch as [touching ()] says, which is asked only if it matters. *)
+(** [candidates m p q ~one ~two touching]: of a leaf of [p] and one of [q], each with the part that takes part,
+    whose features touch as [touching ()] says, which is asked only if it matters. *)
 
 val joined : Model.t -> State.process -> State.process -> candidate -> State.process
 (** The two as one process, with the velocity and spin of neither: the caller sets them. *)

@@ -13,16 +13,16 @@ type t = {
 }
 
 val colliding : Model.t -> State.t -> t list
-(** Every two processes that collide: some pair of their parts first interpenetrates less than 2^-K from now, where K
-    is the least number at which no gap between the two changes by more than the resolution meanwhile. Sorted. *)
+(** Every two processes that collide: some pair of their parts first interpenetrates less than 2^-K from now, where
+    K is the least number at which no gap between the two changes by more than the resolution meanwhile. Sorted. *)
 
 val outcomes : Model.t -> State.t -> t -> (Collision.outcome list, Transition.fault) result
 (** One for each binding candidate (rule Bind), or the bounce (rule Bounce). A fault when the bounce would change
     nothing: a persistent contact. *)
 
 val first_time_of_contact : Model.t -> State.t -> limit:Rat.t option -> Rat.t option
-(** The least time at which two processes collide, if there is one that is at most [limit], for a state in which none
-    collide now: a multiple of 2^-K, before the bodies would interpenetrate by less than 2^-K. Without a limit
+(** The least time at which two processes collide, if there is one that is at most [limit], for a state in which
+    none collide now: a multiple of 2^-K, before the bodies would interpenetrate by less than 2^-K. Without a limit
     nothing may be spinning. *)
 
 val none_ahead : Model.t -> State.t -> bool

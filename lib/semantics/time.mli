@@ -10,8 +10,8 @@ val delay : Model.t -> State.t -> Rat.t option
     quiescent. *)
 
 val pass : Model.t -> Rat.t -> State.t -> State.t
-(** The state after a time d > 0 that is at most {!delay}, or any for a quiescent network (in which what spins goes on
-    from step to step: it takes as long); split clocks run modulo the split step (reading I-16). *)
+(** The state after a time d > 0 that is at most {!delay}, or any for a quiescent network (in which what spins goes
+    on from step to step: it takes as long); split clocks run modulo the split step (reading I-16). *)
 
 (** {1 One process} *)
 

@@ -21,8 +21,8 @@ type t = {
 type fault =
   | Bad_law of { leaf : int; fault : Law.fault }
   | Persistent_contact of int * int
-  (** two processes, by their first leaves, would interpenetrate at once, and their response is zero (rule Bounce of
-      the rigid calculus): time cannot pass *)
+  (** two processes, by their first leaves, would interpenetrate at once, and their response is zero (rule Bounce
+      of the rigid calculus): time cannot pass *)
 
 val duration : t -> Rat.t
 (** 0 for a discrete transition. *)

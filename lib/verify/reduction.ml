@@ -25,7 +25,8 @@ let rounds (m : Model.t) =
 let quotient kinds model state ~searched ~evaluated : Quotient.t =
   {
     symmetry =
-      (if used kinds Symmetry && not (rounds model) then Symmetry.find model ~searched ~evaluated else Symmetry.none);
+      (if used kinds Symmetry && not (rounds model) then Symmetry.find model ~searched ~evaluated
+       else Symmetry.none);
     translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated);
   }
 

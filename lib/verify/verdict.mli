@@ -65,5 +65,5 @@ val truncation_to_string : truncation -> string
 val reason_to_string : reason -> string
 
 val to_string : ?resolution:Rat.t -> t -> string
-(** ["holds (exhaustive)"], ["holds up to the bound: ..."], ["violated"], ["undecided: ..."]; the first three with the
-    resolution of a rigid model, if it is given: contacts are known within it, and no better. *)
+(** ["holds (exhaustive)"], ["holds up to the bound: ..."], ["violated"], ["undecided: ..."]; the first three with
+    the resolution of a rigid model, if it is given: contacts are known within it, and no better. *)

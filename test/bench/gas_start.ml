@@ -94,7 +94,8 @@ let network t =
       s
   in
   let place i position velocity =
-    let leaf : State.leaf = { leaf = i; position; turned = Quaternion.identity; behaviour = Behaviour.fresh Behaviour.nil } in
+    let behaviour = Behaviour.fresh Behaviour.nil in
+    let leaf : State.leaf = { leaf = i; position; turned = Quaternion.identity; behaviour } in
     State.process ~leaves:[ leaf ] ~bonds:[] ~velocity ~clock:None ()
   in
   let n = Array.length t.bodies in

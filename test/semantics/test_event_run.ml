@@ -122,7 +122,8 @@ let boxed ?(keeps_time = false) velocities =
   in
   let process i (_, position, velocity) =
     let behaviour = Behaviour.fresh Behaviour.nil in
-    State.process ~leaves:[ { State.leaf = i; position; turned = Quaternion.identity; behaviour } ] ~bonds:[] ~velocity ~clock:None ()
+    let leaf = { State.leaf = i; position; turned = Quaternion.identity; behaviour } in
+    State.process ~leaves:[ leaf ] ~bonds:[] ~velocity ~clock:None ()
   in
   (m, Reach.initial m (State.make ~processes:(List.mapi process all) ~step:None ~time:None))
 
