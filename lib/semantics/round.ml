@@ -53,10 +53,15 @@ let velocity m k (p : State.process) =
   if fixed m p || (Vec.equal v p.velocity && Vec.equal spin p.spin) then None
   else Some (State.with_velocity v (State.with_turn ~spin ~since:p.since p))
 
-let settled m p =
-  match (Turn.rigid m).round_velocity with
+(* How a body is turned does not matter to the ball that it spins in. *)
+let settled (m : Model.t) (p : State.process) =
+  match m.rigid with
   | None -> true
-  | Some k -> Option.is_none (velocity m k p)
+  | Some { round_orientation; round_velocity; _ } ->
+    let old = p.leaves.(0).turned in
+    let turned k = Turn.spinning p || Quaternion.equal old (Quaternion.round k old) in
+    Option.fold ~none:true ~some:(fun k -> Option.is_none (velocity m k p)) round_velocity
+    && (fixed m p || Option.fold ~none:true ~some:turned round_orientation)
 
 let nothing_collides m s = Encounter.colliding m s = []
 

@@ -4,13 +4,14 @@
 open Scc_calculus
 
 val settled : Model.t -> State.process -> bool
-(** Whether velocity and spin are rounded already, or never to be. *)
+(** Whether rounding is not going to change where the process goes: its velocity and spin are rounded, or never to
+    be, and so is its orientation if it does not spin. Always in the translational calculus. *)
 
 val run : Model.t -> State.t -> State.t * Totals.t Lazy.t option
 (** The state with every orientation that is longer than declared rounded, and every velocity and spin; and, if
     anything changed, what that added to momentum, angular momentum and energy.
 
-    An orientation stays exactly orthogonal, and the process is turned about its centre of mass as a whole. It waits
-    for a later step when another process is not farther away than the rounding may move a point. Velocities and
-    spins are rounded to the nearest multiples; they wait when something would collide with them that does not
+    An orientation stays exactly orthogonal, and the process is turned about its centre of mass as a whole. It
+    waits for a later step when another process is not farther away than the rounding may move a point. Velocities
+    and spins are rounded to the nearest multiples; they wait when something would collide with them that does not
     without. *)

@@ -23,7 +23,9 @@ let delay (m : Model.t) (s : State.t) =
   let steered = Array.exists (Steer.steers m) s.processes in
   let spinning = Array.exists Turn.spinning s.processes in
   let step = Option.map (fun (step : State.step) -> step.remaining) s.step in
-  let limit = if steered || spinning then least next step else next in
+  (* what waits to be rounded goes another way when the next step begins *)
+  let settled = Array.for_all (Round.settled m) s.processes in
+  let limit = if steered || spinning || not settled then least next step else next in
   let contact =
     match m.rigid with
     | None -> Collision.first_time_of_contact m s ~limit
@@ -31,9 +33,7 @@ let delay (m : Model.t) (s : State.t) =
   in
   match least limit contact with
   | None -> None
-  | Some _ when spinning && (not steered) && Option.is_none next
-                && Array.for_all (Round.settled m) s.processes
-                && Encounter.none_ahead m s -> None
+  | Some _ when spinning && settled && (not steered) && Option.is_none next && Encounter.none_ahead m s -> None
   | Some d -> least (Some d) step
 
 (* The clock after d: started anew when an eps of the process has just expired (reading I-9). *)

@@ -210,6 +210,21 @@ let velocities () =
   let t, _ = Round.run m away in
   check_vec "-26/100 and 2/10, to halves" "(-1/2, 0, 0)" t.processes.(0).velocity
 
+(* Alone and without spin, but what waits to be rounded goes another way from the next step on. *)
+let waiting () =
+  let bodies = [ body "p" (0, 0, 0) ] in
+  let m = rigid ~rounding:1 (model bodies) in
+  let step = Some { State.remaining = ratio 1 3; length = q 1; phase = State.Steered } in
+  let s = State.make ~processes:(Array.to_list (declared bodies).processes) ~step ~time:None in
+  let waits what s = Alcotest.(check bool) what false (Network.quiescent m s) in
+  Alcotest.(check bool) "nothing to round" true (Network.quiescent m s);
+  waits "a velocity" (moving [ vec (ratio 2 3) Rat.zero Rat.zero ] s);
+  let turned = turned_by [ quaternion 9 0 0 1 ] s in
+  waits "an orientation" turned;
+  let rounded = take m turned "time(1/3)" in
+  check_turned "it was rounded" "(1, 0, 0, 0)" rounded.processes.(0).leaves.(0).turned;
+  Alcotest.(check bool) "and then rests" true (Network.quiescent m rounded)
+
 (* {1 Bodies that meet} *)
 
 let network ?dynamics ?definitions ?timestep ~spins bodies =
@@ -359,6 +374,7 @@ let () =
       ( "round",
         [
           case "orientations" orientation; case "a process as a whole" whole; case "velocities wait" velocities;
+          case "no rest before it is rounded" waiting;
         ] );
       ( "meeting",
         [
