@@ -22,6 +22,7 @@ type process = {
   velocity : Vec.t;
   spin : Vec.t;
   since : Rat.t;
+  kept : Vec.t;
   clock : Rat.t option;
 }
 
@@ -37,18 +38,19 @@ let sorted compare list =
 
 let compare_leaf_index (a : leaf) (b : leaf) = Int.compare a.leaf b.leaf
 
-let process ?(spin = Vec.zero) ?(since = Rat.zero) ~leaves ~bonds ~velocity ~clock () =
+let process ?(spin = Vec.zero) ?(since = Rat.zero) ?(kept = Vec.zero) ~leaves ~bonds ~velocity ~clock () =
   if List.length bonds <> List.length leaves - 1 then
     Scc_base.Bug.fail __POS__ "the bonds of a process are not a tree";
   {
     leaves = sorted compare_leaf_index leaves;
     bonds = sorted compare_bond bonds;
-    velocity; spin; since; clock;
+    velocity; spin; since; kept; clock;
   }
 
 let map_leaves f p = { p with leaves = Array.map f p.leaves }
 let with_velocity velocity p = { p with velocity }
 let with_turn ~spin ~since p = { p with spin; since }
+let with_kept kept p = { p with kept }
 let with_clock clock p = { p with clock }
 let first p = p.leaves.(0).leaf
 
@@ -154,7 +156,8 @@ let compare_process p q =
       compare_arrays compare_bond p.bonds q.bonds <?> fun () ->
         Vec.compare p.velocity q.velocity <?> fun () ->
           Option.compare Rat.compare p.clock q.clock <?> fun () ->
-            Vec.compare p.spin q.spin <?> fun () -> Rat.compare p.since q.since
+            Vec.compare p.spin q.spin <?> fun () ->
+              Rat.compare p.since q.since <?> fun () -> Vec.compare p.kept q.kept
 
 let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
 

@@ -25,6 +25,8 @@ type process = private {
   velocity : Vec.t;  (** of the centre of mass *)
   spin : Vec.t;  (** angular velocity, radians per unit of time; zero in the translational calculus *)
   since : Rat.t;  (** how long ago its present turn began (rule Turn); 0 where nothing turns *)
+  kept : Vec.t;
+  (** with {!Model.Free_body}, the angular momentum about the centre of mass, which turns keep; else zero *)
   clock : Rat.t option;
   (** time since the split clock was set (reading I-9), modulo the split step (reading I-16); [Some] iff a
       weak split is enabled *)
@@ -49,7 +51,7 @@ type t = private {
 }
 
 val process :
-  ?spin:Vec.t -> ?since:Rat.t ->
+  ?spin:Vec.t -> ?since:Rat.t -> ?kept:Vec.t ->
   leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> unit -> process
 (** Canonical order. The bonds must join the leaves into a tree (a bug otherwise). *)
 
@@ -59,6 +61,7 @@ val map_leaves : (leaf -> leaf) -> process -> process
 val with_velocity : Vec.t -> process -> process
 
 val with_turn : spin:Vec.t -> since:Rat.t -> process -> process
+val with_kept : Vec.t -> process -> process
 val with_clock : Rat.t option -> process -> process
 val make : processes:process list -> step:step option -> time:Rat.t option -> t
 

@@ -140,6 +140,7 @@ let clock_is_right (m : Model.t) (p : State.process) =
 
 let turn_is_right (m : Model.t) (p : State.process) =
   match m.rigid with
+  | Some { dynamics = Constant_spin; _ } when not (Vec.is_zero p.kept) -> false
   | Some _ -> Rat.sign p.since = 0 || (Rat.sign p.since > 0 && not (Vec.is_zero p.spin))
   | None ->
     Vec.is_zero p.spin

@@ -16,7 +16,10 @@ let variables =
 
 (* Those of rigid models come last. *)
 let variables (m : Model.t) =
-  if Option.is_some m.rigid then variables @ [ "turned"; "spin"; "since" ] else variables
+  match m.rigid with
+  | None -> variables
+  | Some _ ->
+    variables @ [ "turned"; "spin"; "since" ] @ if Turn.is_free m then [ "angular_momentum" ] else []
 
 let integer z = `Assoc [ ("#bigint", `String (Z.to_string z)) ]
 let tuple items = `Assoc [ ("#tup", `List items) ]
@@ -104,6 +107,10 @@ let values (m : Model.t) ~action ~time (s : State.t) =
       ("spin", each (fun (p : State.process) _ -> vector p.spin));
       ("since", each (fun (p : State.process) _ -> rational p.since));
     ]
+    @
+    if Turn.is_free m then
+      [ ("angular_momentum", each (fun (p : State.process) _ -> vector p.kept)) ]
+    else []
 
 let flush t ~last meta =
   Option.iter

@@ -51,7 +51,9 @@ let list encode array = `List (List.map encode (Array.to_list array))
 let process m (p : State.process) =
   `Assoc
     ((("velocity", Json.vec p.velocity)
-      :: rigid m (fun () -> [ ("spin", Json.vec p.spin); ("since", Json.rat p.since) ]))
+      :: rigid m (fun () ->
+          [ ("spin", Json.vec p.spin); ("since", Json.rat p.since) ]
+          @ if Turn.is_free m then [ ("angular_momentum", Json.vec p.kept) ] else []))
      @ [
        ("clock", Json.option Json.rat p.clock);
        ("leaves", list (leaf m) p.leaves);

@@ -38,8 +38,8 @@ let in_relative_motion a b =
 
 (* {1 Neighbours}
 
-   A box that holds a part during [0, span] and all that is within a margin of it: that of the solid where it has not
-   turned and does not, else of the ball that it turns in. *)
+   A box that holds a part during [0, span] and all that is within a margin of it: that of the solid where it has
+   not turned and does not, else of the ball that it turns in. *)
 
 let upright (m : Model.t) p =
   let box = m.leaves.(p.leaf.leaf).parts.(p.index).solid.box in
@@ -193,9 +193,6 @@ let touching m a b =
   | Some c -> c.pairs
   | None -> Scc_base.Bug.fail __POS__ "two bodies collide from afar"
 
-let moving (mover : Impact.mover) p =
-  State.with_velocity mover.velocity (State.with_turn ~spin:mover.spin ~since:Rat.zero p)
-
 let bind m (s : State.t) parts e =
   let p = s.processes.(e.first) and q = s.processes.(e.second) in
   let whole = Impact.bind [ Turn.mover m p; Turn.mover m q ] in
@@ -203,7 +200,7 @@ let bind m (s : State.t) parts e =
     {
       Collision.label = Transition.Bind candidate.bond;
       rules = Rule.Bind :: candidate.used;
-      results = [ moving whole (Binding.joined m p q candidate) ];
+      results = [ Turn.moving m whole (Binding.joined m p q candidate) ];
     }
   in
   let candidates (one, two) =
@@ -221,7 +218,7 @@ let bounce m (s : State.t) parts e =
   match Impact.bounce (Turn.mover m p) (Turn.mover m q) contacts with
   | Persistent -> Error (Transition.Persistent_contact (p.leaves.(0).leaf, q.leaves.(0).leaf))
   | Bounced (first, second) ->
-    let moved mover r = Process.restart_clock m (moving mover r) in
+    let moved mover r = Process.restart_clock m (Turn.moving m mover r) in
     Ok
       {
         Collision.label = Transition.Bounce (p.leaves.(0).leaf, q.leaves.(0).leaf);

@@ -13,7 +13,7 @@ let replace (s : State.t) indices processes ~step =
 let at_contact (m : Model.t) (s : State.t) =
   let turning (p : State.process) = Scc_exact.Rat.sign p.since > 0 in
   match m.rigid with
-  | Some _ when Array.exists turning s.processes && Encounter.colliding m s <> [] -> Steer.renewed m s
+  | Some _ when (Turn.is_free m || Array.exists turning s.processes) && Encounter.colliding m s <> [] -> Steer.renewed m s
   | Some _ | None -> s
 
 let finish m label rules target =
@@ -116,7 +116,11 @@ let initial (m : Model.t) (declared : State.t) =
     if m.steered then Some { State.remaining = m.timestep; length = m.timestep; phase = State.Due } else None
   in
   let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
-  let processes = List.map (Process.restart_clock m) (Array.to_list declared.processes) in
+  let start p =
+    let p = Process.restart_clock m p in
+    match m.rigid with None -> p | Some _ -> Turn.start m p
+  in
+  let processes = List.map start (Array.to_list declared.processes) in
   let* settled = Steer.settle m (State.make ~processes ~step ~time) in
   Ok settled.state
 

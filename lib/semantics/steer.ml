@@ -59,6 +59,15 @@ type outcome = { state : State.t; rules : Rule.t list; rounded : Totals.t Lazy.t
 let renewed m (s : State.t) =
   State.make ~processes:(List.map (Turn.renew m) (Array.to_list s.processes)) ~step:s.step ~time:s.time
 
+(* The spins of the turns that begin, unless something would collide with them that does not otherwise. *)
+let with_spins m (s : State.t) =
+  if not (Turn.is_free m) then s
+  else
+    let d = Turn.step_length m s in
+    let processes = List.map (Turn.midway m d) (Array.to_list s.processes) in
+    let turning = State.make ~processes ~step:s.step ~time:s.time in
+    match Encounter.colliding m turning with [] -> turning | _ :: _ -> s
+
 let run (m : Model.t) (s : State.t) =
   match s.step with
   | None -> Scc_base.Bug.fail __POS__ "a steered state without a movement step"
@@ -81,7 +90,7 @@ let run (m : Model.t) (s : State.t) =
     (match m.rigid with
      | None -> Ok { state = begun ~length:m.timestep steered; rules; rounded = None }
      | Some _ ->
-       let state, rounded = Round.run m steered in
+       let state, rounded = Round.run m (with_spins m steered) in
        let rules = if Option.is_some rounded then rules @ [ Rule.Round ] else rules in
        Ok { state = begun ~length:(Turn.step_length m state) state; rules; rounded })
 

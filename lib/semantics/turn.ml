@@ -42,26 +42,42 @@ let mass_parts (m : Model.t) (p : State.process) =
   List.concat_map of_leaf (Array.to_list p.leaves)
 
 let mass m (p : State.process) = Option.map (fun _ -> Mass.of_parts (mass_parts m p)) (State.mass m p)
-let mover m (p : State.process) : Impact.mover = { mass = mass m p; velocity = p.velocity; spin = p.spin }
 
-(* Turning about the spin by q takes the inertia from I to q I q^-1 and leaves the spin as it is: now the angular
-   momentum would be q L, where L is that at the start of the turn. *)
-let renew (m : Model.t) (p : State.process) =
-  if Rat.sign p.since = 0 || not (spinning p) then State.with_turn ~spin:p.spin ~since:Rat.zero p
-  else
-    match (rigid m).dynamics with
-    | Constant_spin -> State.with_turn ~spin:p.spin ~since:Rat.zero p
-    | Free_body -> (
-        match mass m p with
-        | None -> Scc_base.Bug.fail __POS__ "a fixed body spins"
-        | Some mass ->
-          let back = Quaternion.inverse (turned p.spin p.since) in
-          let momentum = Quaternion.apply back (Mat.apply mass.inertia p.spin) in
-          State.with_turn ~spin:(Mass.turn_rate mass momentum) ~since:Rat.zero p)
+(* {1 Spin and angular momentum} *)
 
-let piece m ~whole p =
-  let mover = Impact.piece (mover m (renew m whole)) (mass m p) in
-  State.with_velocity mover.velocity (State.with_turn ~spin:mover.spin ~since:Rat.zero p)
+let is_free m = match (rigid m).dynamics with Constant_spin -> false | Free_body -> true
+
+let settled_spin m (p : State.process) =
+  if is_free m then
+    match mass m p with
+    | Some mass when not (Vec.is_zero p.kept) -> Mass.turn_rate mass p.kept
+    | Some _ | None -> Vec.zero
+  else p.spin
+
+let mover m p : Impact.mover =
+  { mass = mass m p; velocity = p.State.velocity; spin = settled_spin m p }
+
+let renew m p = State.with_turn ~spin:(settled_spin m p) ~since:Rat.zero p
+
+let start m p =
+  match mass m p with
+  | Some mass when is_free m -> State.with_kept (Mat.apply mass.inertia p.State.spin) p
+  | Some _ | None -> p
+
+let moving m (mover : Impact.mover) p =
+  State.with_velocity mover.velocity p |> State.with_turn ~spin:mover.spin ~since:Rat.zero |> start m
+
+let piece m ~whole p = moving m (Impact.piece (mover m (renew m whole)) (mass m p)) p
+
+(* I_mid = C I C^-1, with C the turn of half the time. *)
+let midway m d (p : State.process) =
+  match mass m p with
+  | Some mass when is_free m && spinning p ->
+    let half_way = turned p.spin (Rat.mul half d) in
+    let seen = Quaternion.apply (Quaternion.inverse half_way) p.kept in
+    let spin = Quaternion.apply half_way (Mass.turn_rate mass seen) in
+    State.with_turn ~spin ~since:Rat.zero p
+  | Some _ | None -> p
 
 (* {1 Steps} *)
 

@@ -1,8 +1,8 @@
 (** Rule Turn: how the processes of a rigid model turn (the rigid calculus; in the translational one nothing
     turns, and none of this is asked).
 
-    A process moves as one rigid body: its centre of mass in a straight line, and all of it about that centre by the
-    Cayley map of its spin ({!Scc_rigid.Motion}). A turn begins with a movement step, at a contact, and for the
+    A process moves as one rigid body: its centre of mass in a straight line, and all of it about that centre by
+    the Cayley map of its spin ({!Scc_rigid.Motion}). A turn begins with a movement step, at a contact, and for the
     pieces of a split; the map is not additive in time, so that a process remembers how long ago its turn began. *)
 
 open Scc_exact
@@ -18,18 +18,41 @@ val spinning : State.process -> bool
 val pass : Model.t -> Rat.t -> State.process -> State.process
 (** Where the process is after a time d >= 0, if nothing happens meanwhile. *)
 
+(** {1 Spin and angular momentum}
+
+    With [constant_spin] a process keeps its spin. With [free_body] it keeps its angular momentum L ({!State.process}
+    has it as [kept]), and has one spin for each turn: that which L gives half-way through the turn, estimated from
+    that at its start (the explicit midpoint rule, of second order). Collisions, bonds and splits see the spin that L
+    gives at that instant. *)
+
+val is_free : Model.t -> bool
+(** [free_body]. *)
+
+val mover : Model.t -> State.process -> Impact.mover
+(** Its mass, where that is now, velocity, and the spin that collisions see. *)
+
 val renew : Model.t -> State.process -> State.process
-(** The process at the start of a new turn: with [constant_spin] its spin is what it was; with [free_body] it is
-    computed from the angular momentum that the process had at the start of the last turn. *)
+(** The process at the start of a new turn, with the spin that collisions see. *)
+
+val start : Model.t -> State.process -> State.process
+(** The process, which from now on keeps the angular momentum that its spin gives it. *)
+
+val moving : Model.t -> Impact.mover -> State.process -> State.process
+(** The process with another velocity and spin, at the start of a new turn. *)
 
 val piece : Model.t -> whole:State.process -> State.process -> State.process
 (** A piece of a process that has just split, in the motion that the whole had, at the start of a new turn
     (reading I-11). *)
 
+val midway : Model.t -> Rat.t -> State.process -> State.process
+(** [midway m d p]: a renewed process with the spin for a turn of a length d > 0. *)
+
+(** {1 Steps} *)
+
 val step_length : Model.t -> State.t -> Rat.t
-(** The length of a movement step that begins in a state: Delta / 2^k for the least k >= 0 such that no process turns
-    by more than 2 atan(1/4), about 28 degrees, in it. The angle by which a process turns in a step of length d is
-    2 atan(|spin| d / 2), less than |spin| d by at most one part in 48. *)
+(** The length of a movement step that begins in a state: Delta / 2^k for the least k >= 0 such that no process
+    turns by more than 2 atan(1/4), about 28 degrees, in it. The angle by which a process turns in a step of length
+    d is 2 atan(|spin| d / 2), less than |spin| d by at most one part in 48. *)
 
 val shortened : State.t -> State.t
 (** The state with what is left of its movement step halved as often as it takes for that to be true again: a
@@ -40,7 +63,4 @@ val motion : Model.t -> State.process -> centre:Vec.t -> State.leaf -> int -> Mo
 (** [motion m p ~centre leaf i]: of part [i] of a leaf of the process, whose centre of mass is at [centre]. *)
 
 val reach : Model.t -> centre:Vec.t -> State.leaf -> int -> Rat.t
-(** An upper bound on the distance of the part's points from the centre; it does not change as the process turns. *)
-
-val mover : Model.t -> State.process -> Impact.mover
-(** Its mass, where that is now, velocity and spin. *)
+(** An upper bound on the distance of the part's points from the centre; turning does not change it. *)

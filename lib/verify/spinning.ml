@@ -41,16 +41,11 @@ let make ?(for_ever = false) m (p : State.process) =
 
 let spins t = not (Vec.is_zero t.process.spin)
 
-(* Over [t.bottom]: where a vector that turns with the process, and is [r] now, goes. With u = w s/2 the Cayley map
+(* Over [t.bottom]: where a vector that turns with the process goes that was [a] at the start of the turn, [since] ago;
+   or is [r] now. With u = w s/2 the Cayley map
    takes a to ((1 - |u|^2) a + 2 (u.a) u + 2 u x a) / (1 + |u|^2). *)
-let turning t r =
-  let w = t.process.spin and since = t.process.since in
-  let a =
-    if spins t then
-      let back = Quaternion.cayley (Vec.scale (Rat.div since two) w) in
-      Quaternion.apply (Quaternion.inverse back) r
-    else r
-  in
+let turning_from since t a =
+  let w = t.process.spin in
   let b = Vec.cross w a in
   let c =
     Vec.scale quarter (Vec.sub (Vec.scale (Rat.mul two (Vec.dot w a)) w) (Vec.scale (Vec.norm2 w) a))
@@ -61,30 +56,38 @@ let turning t r =
     z = shifted since a.z b.z c.z;
   }
 
+let turning t r =
+  let since = t.process.since in
+  if spins t then
+    let back = Quaternion.cayley (Vec.scale (Rat.div since two) t.process.spin) in
+    turning_from since t (Quaternion.apply (Quaternion.inverse back) r)
+  else turning_from since t r
+
 (* {1 For ever}
 
-   The curves are those of one turn. Over the ray of a network in which nothing happens any more, turn follows on turn,
-   spins may be computed anew and orientations rounded: what changes with that is not followed. *)
+   The curves are those of one turn. Over the ray of a network in which nothing happens any more, turn follows on
+   turn, spins may be computed anew and orientations rounded: what changes with that is not followed. *)
 
 let isotropic (i : Mat.t) = Mat.equal i (Mat.scale i.r0.x Mat.identity)
 
-(* The inertia, and the angular momentum of the turn. *)
+let free t = Turn.is_free t.model
+
+(* The inertia, and the angular momentum about the centre. *)
 let own t =
   match (Lazy.force t.mover).mass with
   | None -> (Mat.identity, Vec.zero)
-  | Some mass -> (mass.inertia, Mat.apply mass.inertia t.process.spin)
+  | Some mass ->
+    (mass.inertia, if free t then t.process.kept else Mat.apply mass.inertia t.process.spin)
 
 let along t r = Vec.is_zero (Vec.cross t.process.spin r)
 let rounded t = Option.is_some (Turn.rigid t.model).round_orientation
 
 let steady_spin t =
   (not (t.for_ever && spins t))
+  || (not (free t))
   ||
-  match (Turn.rigid t.model).dynamics with
-  | Constant_spin -> true
-  | Free_body ->
-    let inertia, momentum = own t in
-    isotropic inertia || (along t momentum && not (rounded t))
+  let inertia, momentum = own t in
+  isotropic inertia || (along t momentum && not (rounded t))
 
 (* A vector that turns with the process stays what it is when it lies along the spin. *)
 let steady t r = Vec.is_zero r || (not (t.for_ever && spins t)) || (steady_spin t && along t r && not (rounded t))
@@ -137,7 +140,7 @@ let distance2 p from q towards =
 let spin t a = followed (steady_spin t) (fun () -> Value.of_rat (of_vec a t.process.spin))
 let spin2 t = followed (steady_spin t) (fun () -> Value.of_rat (Vec.norm2 t.process.spin))
 
-(* The angular momentum of the turn when the turn has gone on for [since]: I w, for what is turned as it is. *)
+(* That of a free body is kept. Else it is I w, and turns with the body. *)
 let angular t a =
   match (Lazy.force t.mover).mass with
   | None -> Value.of_rat Rat.zero
@@ -146,16 +149,32 @@ let angular t a =
       Mass.angular_momentum mass ~velocity:t.process.velocity ~spin:Vec.zero ~about:Vec.zero
     in
     let inertia, own = own t in
-    let constant = isotropic inertia || along t own in
-    followed ((isotropic inertia && steady_spin t) || steady t own) @@ fun () ->
+    let constant = free t || isotropic inertia || along t own in
+    followed (free t || (isotropic inertia && steady_spin t) || steady t own) @@ fun () ->
     if constant then Value.of_rat (Rat.add (of_vec a still) (of_vec a own))
     else
       let orbit = Polynomial.scale (of_vec a still) t.bottom in
       Value.Ratio (Polynomial.add orbit (component a (turning t own)), t.bottom)
 
+(* m |v|^2 / 2 + (l . J l) / 2, with J the inverse of the inertia now, and l the angular momentum, which stays, as seen
+   from the body, which turns: it turns the other way, C(since) C(since + t)^-1. *)
+let free_energy t (mass : Mass.t) =
+  let back = { t with process = State.with_turn ~spin:(Vec.neg t.process.spin) ~since:Rat.zero t.process } in
+  let l = turning_from t.process.since back t.process.kept in
+  let here = Quaternion.to_mat (Quaternion.cayley (Vec.scale (Rat.div t.process.since two) t.process.spin)) in
+  let apply (m : Mat.t) c = { x = dot m.r0 c; y = dot m.r1 c; z = dot m.r2 c } in
+  let l = apply here l in
+  let j = apply (Mass.inverse_inertia mass) l in
+  let product = Polynomial.(add (mul l.x j.x) (add (mul l.y j.y) (mul l.z j.z))) in
+  let straight = Rat.mul mass.mass (Vec.norm2 t.process.velocity) in
+  let bottom = Polynomial.mul t.bottom t.bottom in
+  Value.Ratio (Polynomial.add (Polynomial.scale straight bottom) product, Polynomial.scale two bottom)
+
 let energy t =
   match (Lazy.force t.mover).mass with
   | None -> Value.of_rat Rat.zero
   | Some mass ->
+    let velocity = t.process.velocity and spin = (Lazy.force t.mover).spin in
     followed (steady_energy t) (fun () ->
-        Value.of_rat (Mass.energy mass ~velocity:t.process.velocity ~spin:t.process.spin))
+        if free t && not (isotropic mass.inertia || along t t.process.kept) then free_energy t mass
+        else Value.of_rat (Mass.energy mass ~velocity ~spin))

@@ -10,8 +10,8 @@ open Scc_property
 type t
 
 val make : ?for_ever:bool -> Model.t -> State.process -> t
-(** A process of a rigid model, until its present turn ends; or [for_ever], over the ray of a quiescent network: then
-    what turn after turn would change is [Undefined]. *)
+(** A process of a rigid model, until its present turn ends; or [for_ever], over the ray of a quiescent network:
+    then what turn after turn would change is [Undefined]. *)
 
 val coordinate : t -> Property.axis -> Vec.t -> Value.t
 (** Of the point of the process that is now at a place. *)

@@ -48,17 +48,44 @@ let renew () =
   let bodies = [ body "p" (0, 0, 0) ] in
   let free = rigid ~dynamics:Free_body (planks (model bodies)) in
   let constant = rigid (planks (model bodies)) in
-  let start spin = State.with_turn ~spin ~since:Rat.zero (declared bodies).processes.(0) in
+  let start m spin = Turn.start m (State.with_turn ~spin ~since:Rat.zero (declared bodies).processes.(0)) in
   let after m p = Turn.renew m (Turn.pass m (ratio 1 3) p) in
-  let tumbling = start (vec (q 1) (ratio 1 2) (third 1)) in
+  let spin = vec (q 1) (ratio 1 2) (third 1) in
+  let tumbling = start free spin in
   let renewed = after free tumbling in
   check_rat "a new turn" "0" renewed.since;
   Alcotest.(check bool) "the spin of a free body changes" false (Vec.equal tumbling.spin renewed.spin);
   check_vec "its angular momentum stays" (Vec.to_string (momentum free tumbling)) (momentum free renewed);
-  check_vec "a constant spin" (Vec.to_string tumbling.spin) (after constant tumbling).spin;
-  let steady = start (ints 0 2 0) in
+  check_vec "a constant spin" (Vec.to_string spin) (after constant (start constant spin)).spin;
+  let steady = start free (ints 0 2 0) in
   check_vec "about a principal axis" "(0, 2, 0)" (after free steady).spin;
+  check_vec "half-way about a principal axis" "(0, 2, 0)" (Turn.midway free (ratio 1 3) steady).spin;
   Alcotest.(check bool) "nothing to renew" true (State.equal_process tumbling (Turn.renew free tumbling))
+
+(* The energy of a free body that tumbles wanders a little and does not grow: with the spin of the start of each turn
+   it would double within these turns. *)
+let midway () =
+  let free = rigid ~dynamics:Free_body (planks (model [ body "p" (0, 0, 0) ])) in
+  let energy p =
+    let mover = Turn.mover free p in
+    Rat.to_float (Scc_rigid.Mass.energy (Option.get mover.mass) ~velocity:Vec.zero ~spin:mover.spin)
+  in
+  let short (p : State.process) =
+    let near x = Rat.round_to x ~quantum:(ratio 1 1_000_000) in
+    let leaf (l : State.leaf) = { l with turned = Quaternion.round 40 l.turned } in
+    State.map_leaves leaf
+      (State.with_turn ~spin:(vec (near p.spin.x) (near p.spin.y) (near p.spin.z)) ~since:p.since p)
+  in
+  let d = ratio 1 4 in
+  let turn p = Turn.renew free (Turn.pass free d (short (Turn.midway free d p))) in
+  let first =
+    Turn.start free
+      (State.with_turn ~spin:(vec (q 1) (ratio 1 2) (third 1)) ~since:Rat.zero
+         (declared [ body "p" (0, 0, 0) ]).processes.(0))
+  in
+  let rec run n p = if n = 0 then p else run (n - 1) (turn p) in
+  let ratio = energy (run 200 first) /. energy first in
+  Alcotest.(check bool) (Printf.sprintf "the energy stays (x %.4f)" ratio) true (ratio > 0.98 && ratio < 1.02)
 
 (* Two cubes that spin about the middle between them let go of each other. *)
 let piece () =
@@ -366,7 +393,8 @@ let () =
       ( "turn",
         [
           case "the length of a step" step_length; case "time on a body that turns" pass;
-          case "a new turn" renew; case "pieces of what turned" piece; case "shorter steps" shortened;
+          case "a new turn" renew;
+          case "half-way through a turn" midway; case "pieces of what turned" piece; case "shorter steps" shortened;
           case "steered into a contact" steered_into;
         ] );
       ( "cast",

@@ -21,7 +21,7 @@ let move ~position ~velocity ~turned =
       State.process
         ~leaves:(List.map leaf (Array.to_list p.leaves))
         ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~spin:(velocity p.spin) ~since:p.since
-        ~clock:p.clock ())
+        ~kept:(velocity p.kept) ~clock:p.clock ())
 
 let translation by =
   {
@@ -107,7 +107,7 @@ let permutation perm =
     State.process
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(List.map bond (Array.to_list p.bonds))
-      ~velocity:p.velocity ~spin:p.spin ~since:p.since ~clock:p.clock ()
+      ~velocity:p.velocity ~spin:p.spin ~since:p.since ~kept:p.kept ~clock:p.clock ()
   in
   let name =
     "order " ^ String.concat ", " (List.map string_of_int (Array.to_list perm))
