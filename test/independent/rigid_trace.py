@@ -1,0 +1,384 @@
+"""Checks a trace of a rigid model, transition by transition."""
+
+from fractions import Fraction as F
+from math import isqrt, sqrt
+
+import rigid as r
+from rigid import Difference
+import solids as s
+
+
+def require(condition, text, *details):
+    if not condition:
+        raise Difference(text % tuple(map(r.show, details)) if details else text)
+
+
+# What lasts between an instant and the next of a grid that is perhaps finer than the one it is measured by.
+FRACTIONS = [F(n, 16) for n in (16, 12, 8, 14, 10, 6, 4, 2, 1)] + [F(1, 2 ** k) for k in (5, 6, 7, 8, 10, 12)]
+
+
+class Check:
+    """One model. `samples`: instants between two states at which it is looked for interpenetration."""
+
+    def __init__(self, bodies, timestep, resolution, free, orientation, velocity, samples=5):
+        self.bodies, self.timestep, self.resolution, self.free = bodies, timestep, resolution, free
+        self.orientation, self.velocity, self.samples = orientation, velocity, samples
+        self.seen = {}
+
+    def found(self, kind):
+        self.seen[kind] = self.seen.get(kind, 0) + 1
+
+    def run(self, lines, longest=20000):
+        """All lines of a trace; stops early where numbers have grown too long."""
+        state, pending = None, None
+        for j in lines:
+            if j['type'] == 'state':
+                state = r.State(self.bodies, j['state'])
+                self.whole_step(state)
+                self.apart(state, F(0))
+            elif j['type'] == 'transition':
+                if len(str(j)) > longest:
+                    self.found('cut')
+                    return
+                after = r.State(self.bodies, j['state'])
+                kind = j['label']['kind']
+                try:
+                    if pending is not None:
+                        # Time stopped within a step and the turns began anew: there must be a contact.
+                        require(any(self.meets_soon(state.processes, *pair) for pair in self.pairs(state)),
+                                'turns begin anew where nothing collides')
+                        pending = None
+                    pending = self.transition(kind, j, state, after)
+                    self.invariants(after)
+                except Difference as d:
+                    raise Difference('step %d, %s: %s' % (j['step'], j['label']['text'], d))
+                self.found(kind)
+                state = after
+            elif j['type'] == 'end':
+                self.found('end ' + j['ending'])
+                if j['ending'] == 'stuck':
+                    require(any(self.meets_soon(state.processes, *pair) for pair in self.pairs(state)),
+                            'stuck, and nothing collides')
+
+    def pairs(self, state):
+        ps = state.processes
+        return [(i, j) for i in range(len(ps)) for j in range(i) if not (ps[i].fixed and ps[j].fixed)]
+
+    # Invariants of states
+
+    def invariants(self, state):
+        self.apart(state, F(0))
+        for p in state.processes:
+            turn = p.since + (0 if state.phase == 'due' else state.remaining)
+            require(s.dot(p.spin, p.spin) * turn * turn <= F(1, 4), 'the turn of %s is too long', p.leaves[0].name)
+        require(0 < state.remaining <= state.length or state.phase == 'due', 'remaining')
+
+    def whole_step(self, state):
+        """A movement step begins: its length is Delta/2^k for the least k."""
+        length, spins = self.timestep, [s.dot(p.spin, p.spin) for p in state.processes]
+        while any(w * length * length > F(1, 4) for w in spins):
+            length /= 2
+        require(state.remaining == state.length == length, 'a step of %s, not %s', state.length, length)
+        require(all(p.since == 0 for p in state.processes), 'a step begins, and a turn does not')
+
+    def apart(self, state, t):
+        """No two parts of different processes interpenetrate t after the state."""
+        for i, j in self.pairs(state):
+            if self.overlap(state.processes[i], state.processes[j], t):
+                raise Difference('%s and %s interpenetrate at %s' % (
+                    state.processes[i].leaves[0].name, state.processes[j].leaves[0].name, t))
+
+    def overlap(self, p, q, t):
+        """Far pairs are told apart by balls, in floats with room to spare."""
+        if not (p.fixed or q.fixed):
+            d = [float(a + t * b) for a, b in zip(s.sub(p.centre(), q.centre()), s.sub(p.velocity, q.velocity))]
+            if sqrt(s.dot(d, d)) > 1.001 * (sqrt(p.reach2()) + sqrt(q.reach2())) + 1e-6:
+                return False
+        return any(s.interpenetrate(a, b) for a in p.parts(t) for b in q.parts(t))
+
+    # Collisions
+
+    def grid(self, p, q):
+        """A step that is no less than that of the grid on which contacts of some of their parts are looked for."""
+        w = sqrt(sum(float(a) ** 2 for a in s.sub(p.velocity, q.velocity)))
+        w += sum(sqrt(s.dot(o.spin, o.spin)) * sqrt(o.least_reach2()) for o in (p, q) if not o.fixed)
+        step = F(1)
+        while step * F(w) > self.resolution:
+            step /= 2
+        return step
+
+    def meets_soon(self, processes, i, j, d=F(0)):
+        """Time stops at d: they meet before the next instant of the grid, if they go on as they did."""
+        p, q = processes[i], processes[j]
+        step = self.grid(p, q)
+        return any(self.overlap(p, q, d + f * step) for f in FRACTIONS)
+
+    def collide(self, state, names):
+        i, j = (state.processes.index(state.of(n)) for n in names)
+        require(i != j, 'a process collides with itself')
+        for p in state.processes:
+            require(p.since == 0, 'a collision, and %s turns on', p.leaves[0].name)
+        if not self.meets_soon(state.processes, i, j):
+            raise Difference('%s and %s do not collide' % tuple(names))
+        return state.processes[i], state.processes[j]
+
+    def near(self, p, q):
+        """Pairs of parts at most the resolution apart (at least: on the axis that is widest): (axis, a, b)."""
+        found = []
+        for a in p.parts():
+            for b in q.parts():
+                axis, width2 = s.widest(a, b)
+                if width2 <= self.resolution ** 2:
+                    found.append((axis, width2, a, b))
+        return found
+
+    # Transitions
+
+    def transition(self, kind, j, before, after):
+        """Returns whether it claims that something collides in the next state."""
+        label, claim = j['label'], None
+        if kind == 'time':
+            expected, claim = self.time(F(label['duration']), before, after)
+        elif kind == 'bounce':
+            expected = self.bounce(j, before, after)
+        elif kind == 'bind':
+            expected = self.bind(label, before, after)
+        elif kind in ('weak', 'strong'):
+            expected = self.split(before, after)
+        else:
+            raise Difference('label')
+        self.rounding(j, expected, after)
+        return claim
+
+    def time(self, d, before, after):
+        require(before.phase != 'due' and 0 < d <= before.remaining, 'passes %s of %s', d, before.remaining)
+        for i in range(1, self.samples + 1):
+            self.apart(before, d * i / (self.samples + 1))
+        self.apart(before, d * F(1023, 1024))
+        moved = [p.passed(d) for p in before.processes]
+        if d == before.remaining and after.phase == 'steered':
+            self.whole_step(after)
+            return [p.renewed(self.free) for p in moved], None
+        if d == before.remaining:
+            require(after.phase == 'due', 'the step is over, and the state is %s' % after.phase)
+        else:
+            require(after.remaining == before.remaining - d and after.length == before.length, 'remaining')
+        going = [i for i, p in enumerate(after.processes) if not p.fixed and p.since != 0]
+        if going:
+            require(d < before.remaining, 'the step is over, and a turn goes on')
+            return moved, None
+        # All began anew: they collide now, and would have collided soon after d as well.
+        if d < before.remaining or after.phase == 'due':
+            hits = [(a, b) for a, b in self.pairs(before)
+                    if self.meets_soon(before.processes, a, b, d)]
+            spinning = any(p.spin != s.ZERO for p in before.processes)
+            require(hits or not spinning, 'turns begin anew after %s, and nothing would have met', d)
+            if hits:
+                self.found('contacts')
+                return [p.renewed(self.free) for p in moved], True
+        return [p.moved(p.leaves, since=F(0)) for p in moved], None
+
+    def bounce(self, j, before, after):
+        p, q = self.collide(before, j['label']['between'])
+        near = self.near(p, q)
+        require(near, 'a bounce, and nothing is within the resolution')
+        clean = self.single(p, q, near)
+        if clean:
+            self.found('bounces computed')
+            change = dict(zip((p, q), clean))
+            return [change.get(o, o) for o in before.processes]
+        if 'Round' in j['rules']:
+            # What the two were before they were rounded is not known: totals only.
+            self.found('bounces rounded')
+            self.rounded_totals(j, before.processes, after.processes, 6 if p.fixed or q.fixed else 0)
+            return [None if o in (p, q) else o for o in before.processes]
+        p2, q2 = after.of(p.leaves[0].name), after.of(q.leaves[0].name)
+        self.conserved(p, q, p2, q2)
+        self.line_of_action(p, q, p2, q2)
+        return [o if o not in (p, q) else p2 if o is p else q2 for o in before.processes]
+
+    def conserved(self, p, q, p2, q2):
+        energy = sum(o.energy() for o in (p, q) if not o.fixed)
+        require(energy == sum(o.energy() for o in (p2, q2) if not o.fixed), 'kinetic energy')
+        if not (p.fixed or q.fixed):
+            for a, b, c, d in zip(p.momenta(), q.momenta(), p2.momenta(), q2.momenta()):
+                require(s.add(a, b) == s.add(c, d), 'momentum')
+        for o, o2 in ((p, p2), (q, q2)):
+            require(all(a.position == b.position and a.turned == b.turned for a, b in zip(o.leaves, o2.leaves)),
+                    'a bounce moves %s', o.leaves[0].name)
+            if o.fixed:
+                require(o2.velocity == o2.spin == s.ZERO, 'a fixed body moves')
+
+    def line_of_action(self, p, q, p2, q2):
+        """If the impulses have a resultant: both bodies are near its line, and it pushes them apart."""
+        a, b = (p, p2) if not p.fixed else (q, q2)
+        (m0, l0), (m1, l1) = a.momenta(), b.momenta()
+        impulse, torque = s.sub(m1, m0), s.sub(l1, l0)
+        require(impulse != s.ZERO, 'a bounce without an impulse')
+        if s.dot(impulse, torque) != 0:
+            self.found('bounces of several lines')
+            return
+        self.found('bounces along a line')
+        x = s.mul(1 / s.dot(impulse, impulse), s.cross(impulse, torque))
+        for o in (p, q):
+            require(any(distance2_to_line(part.points, x, impulse) <= 4 * self.resolution ** 2 for part in o.parts()),
+                    'an impulse misses %s', o.leaves[0].name)
+
+    def single(self, p, q, near):
+        """The outcome when one corner meets one face, or one edge another, and nothing else is near; else None."""
+        if len(near) != 1:
+            return None
+        axis, width2, a, b = near[0]
+        if width2 <= 0:
+            return None
+        x = touching_point(axis, a, b, 4 * self.resolution)
+        if x is None:
+            return None
+        return reflected(p, q, axis, x)
+
+    def bind(self, label, before, after):
+        names = [e.split('.')[0] for e in label['ends']]
+        p, q = self.collide(before, names)
+        ends = [e.split('.') for e in label['ends']]
+        near = [part_of(before, e) for e in ends]
+        _, width2 = s.widest(*near)
+        require(width2 <= self.resolution ** 2, 'bound at a distance of %s', float(width2) ** 0.5)
+        whole = r.bound(p, q, after.of(names[0]).bonds)
+        return self.replaced(before, (p, q), [whole], after)
+
+    def split(self, before, after):
+        whole = next(p for p in before.processes if all(p.names != o.names for o in after.processes))
+        turning = whole.renewed(self.free)
+        made = [o for o in after.processes if o.names < whole.names]
+        require(frozenset().union(*(o.names for o in made)) == whole.names, 'pieces')
+        # Where the pieces are after rounding is not where they were split.
+        leaves = {l.name: l for l in whole.leaves}
+        pieces = [r.piece(turning, o.moved([leaves[l.name] for l in o.leaves])) for o in made]
+        if not whole.fixed:
+            old, new = r.totals([turning]), r.totals(pieces)
+            require(old == new or any(o.fixed for o in made), 'a split keeps %s, not %s', new, old)
+        return self.replaced(before, (whole,), pieces, after)
+
+    def replaced(self, before, gone, new, after):
+        rest = [p for p in before.processes if p not in gone] + new
+        return [next(p for p in rest if p.names == o.names) for o in after.processes]
+
+    # Rounding
+
+    def rounding(self, j, expected, after):
+        if 'Round' not in j['rules']:
+            for p, e in zip(after.processes, expected):
+                found = p.difference(e)
+                require(found is None, str(found))
+            return
+        for p, e in zip(after.processes, expected):
+            if e is None:
+                continue
+            options = r.roundings(e, self.orientation, self.velocity)
+            require(any(p.same(o) for o in options), str(p.difference(options[0])))
+            self.found('waits' if not p.same(options[0]) else 'rounded')
+        if None not in expected:
+            self.rounded_totals(j, expected, after.processes)
+
+    def rounded_totals(self, j, before, after, skip=0):
+        """What rounding is said to have added to momentum, angular momentum and energy, from number `skip` on."""
+        told = tuple(map(F, j['rounded']['momentum'] + j['rounded']['angular'] + [j['rounded']['energy']]))
+        change = tuple(b - a for a, b in zip(r.totals(before), r.totals(after)))
+        require(told[skip:] == change[skip:], 'rounding adds %s, and is said to add %s', change, told)
+
+
+def part_of(state, end):
+    process = state.of(end[0])
+    leaf = next(l for l in process.leaves if l.name == end[0])
+    name = end[1] if len(leaf.body.parts) > 1 else None
+    return s.Placed(leaf.body.parts[name], leaf.turned, leaf.position)
+
+
+def distance2_to_line(points, x, along):
+    """Squared, from a convex solid to the line through x: in the plane across it, from a polygon to the origin."""
+    u = s.cross(along, (F(1), F(0), F(0)) if along[1] or along[2] else (F(0), F(1), F(0)))
+    v = s.cross(along, u)
+    uu, vv = s.dot(u, u), s.dot(v, v)
+    flat = [(s.dot(u, d), s.dot(v, d)) for d in (s.sub(p, x) for p in points)]
+    least = None
+    for i, a in enumerate(flat):
+        for b in flat[:i]:
+            d = (b[0] - a[0], b[1] - a[1])
+            length2 = d[0] ** 2 / uu + d[1] ** 2 / vv
+            t = 0 if length2 == 0 else min(F(1), max(F(0), -(a[0] * d[0] / uu + a[1] * d[1] / vv) / length2))
+            e = (a[0] + t * d[0], a[1] + t * d[1])
+            e = e[0] ** 2 / uu + e[1] ** 2 / vv
+            least = e if least is None or e < least else least
+    inside = not any(outside(flat, a, b) for i, a in enumerate(flat) for b in flat[:i] if a != b)
+    return F(0) if inside else least
+
+
+def outside(flat, a, b):
+    """All points lie on one side of the line through a and b, and the origin strictly on the other."""
+    n = (a[1] - b[1], b[0] - a[0])
+    here = n[0] * a[0] + n[1] * a[1]
+    sides = [n[0] * p[0] + n[1] * p[1] - here for p in flat]
+    return (all(x >= 0 for x in sides) and here > 0) or (all(x <= 0 for x in sides) and here < 0)
+
+
+def touching_point(axis, a, b, room):
+    """The point of the witness plane where a corner meets a face or an edge an edge, or None if it is neither.
+
+    The axis points from a to b. Corners within `room` of the extreme ones count as extreme."""
+    room = room * (isqrt(s.dot(axis, axis)) + 1)
+    heights = [[s.dot(axis, x) for x in o.points] for o in (a, b)]
+    top, low = max(heights[0]), min(heights[1])
+    above = [x for x, h in zip(a.points, heights[0]) if h >= top - room]
+    below = [x for x, h in zip(b.points, heights[1]) if h <= low + room]
+    middle = (top + low) / 2
+    nn = s.dot(axis, axis)
+
+    def on_plane(x):
+        return s.add(x, s.mul((middle - s.dot(axis, x)) / nn, axis))
+    if len(above) == 1 and len(below) >= 3:
+        return on_plane(above[0]) if inside_polygon(axis, below, above[0]) else None
+    if len(below) == 1 and len(above) >= 3:
+        return on_plane(below[0]) if inside_polygon(axis, above, below[0]) else None
+    if len(above) == 2 and len(below) == 2:
+        d, e, c = s.sub(above[1], above[0]), s.sub(below[1], below[0]), s.sub(below[0], above[0])
+        n = s.cross(d, e)
+        if s.cross(n, axis) != s.ZERO:
+            return None
+        t = s.dot(s.cross(c, e), n) / s.dot(n, n)
+        u = s.dot(s.cross(c, d), n) / s.dot(n, n)
+        return on_plane(s.add(above[0], s.mul(t, d))) if 0 < t < 1 and 0 < u < 1 else None
+    return None
+
+
+def inside_polygon(axis, corners, x):
+    """Strictly, along the axis: no line through two corners has all on one side and x on the other or on it."""
+    for i, a in enumerate(corners):
+        for b in corners[:i]:
+            n = s.cross(axis, s.sub(b, a))
+            sides = [s.dot(n, s.sub(c, a)) for c in corners]
+            here = s.dot(n, s.sub(x, a))
+            if (all(v >= 0 for v in sides) and here <= 0) or (all(v <= 0 for v in sides) and here >= 0):
+                return False
+    return True
+
+
+def reflected(p, q, n, x):
+    """An elastic impulse along n at x."""
+    w = s.dot(n, s.sub(q.velocity_at(x), p.velocity_at(x)))
+    if w >= 0:
+        return None
+    inverse, arms = F(0), []
+    for o in (p, q):
+        arm = None if o.fixed else s.cross(s.sub(x, o.centre()), n)
+        arms.append(arm)
+        if arm is not None:
+            inverse += s.dot(n, n) / o.mass() + s.dot(arm, s.solve(o.inertia(), arm))
+    impulse = -2 * w / inverse
+    made = []
+    for o, arm, sign in ((p, arms[0], -1), (q, arms[1], 1)):
+        if arm is None:
+            made.append(o)
+        else:
+            made.append(o.moved(o.leaves, s.add(o.velocity, s.mul(sign * impulse / o.mass(), n)),
+                                s.add(o.spin, s.mul(sign * impulse, s.solve(o.inertia(), arm)))))
+    return made
