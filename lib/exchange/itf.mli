@@ -18,12 +18,14 @@
     motion
     v}
 
-    A rigid model has the length of the whole movement step in [step], and three more variables:
+    A rigid model has the length of the whole movement step in [step], and three more variables, or four:
 
     {v
     turned     from each leaf to how it is turned, a quaternion of integers w, x, y, z
     spin       from each leaf to that of its process
     since      from each leaf to how long ago the present turn of its process began
+    angular_momentum
+               from each leaf to what its process keeps with [dynamics free_body]
     v} *)
 
 open Scc_exact

@@ -26,6 +26,9 @@ val inertia_about : t -> Vec.t -> Mat.t
 
 val inverse_inertia : t -> Mat.t
 
+val scale : t -> Rat.t
+(** The greatest power of two that is at most the trace of the inertia, which does not change as the body turns. *)
+
 val turn_rate : t -> Vec.t -> Vec.t
 (** The spin of a body with this angular momentum about its centre. *)
 

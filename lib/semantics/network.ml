@@ -12,8 +12,9 @@ let replace (s : State.t) indices processes ~step =
 (* What collides in the rigid calculus begins new turns for all (rule Turn). *)
 let at_contact (m : Model.t) (s : State.t) =
   let turning (p : State.process) = Scc_exact.Rat.sign p.since > 0 in
+  let stale () = Turn.is_free m || Array.exists turning s.processes in
   match m.rigid with
-  | Some _ when (Turn.is_free m || Array.exists turning s.processes) && Encounter.colliding m s <> [] -> Steer.renewed m s
+  | Some _ when stale () && Encounter.colliding m s <> [] -> Steer.renewed m s
   | Some _ | None -> s
 
 let finish m label rules target =

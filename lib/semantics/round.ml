@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_calculus
+open Scc_rigid
 
 let replace (s : State.t) i p =
   let processes = List.mapi (fun j q -> if i = j then p else q) (Array.to_list s.processes) in
@@ -44,14 +45,20 @@ let orientation m k s i (p : State.process) =
 
 let quantum k = Rat.make Z.one (Z.shift_left Z.one k)
 
-let near k (v : Vec.t) =
-  let round x = Rat.round_to x ~quantum:(quantum k) in
+let near quantum (v : Vec.t) =
+  let round x = Rat.round_to x ~quantum in
   Vec.make (round v.x) (round v.y) (round v.z)
 
+(* An angular momentum is in proportion to inertia: the trace is that of the body however it is turned. *)
+let kept m k (p : State.process) =
+  match Turn.mass m p with
+  | Some mass when not (Vec.is_zero p.kept) -> near (Rat.mul (quantum k) (Mass.scale mass)) p.kept
+  | Some _ | None -> p.kept
+
 let velocity m k (p : State.process) =
-  let v = near k p.velocity and spin = near k p.spin in
-  if fixed m p || (Vec.equal v p.velocity && Vec.equal spin p.spin) then None
-  else Some (State.with_velocity v (State.with_turn ~spin ~since:p.since p))
+  let v = near (quantum k) p.velocity and spin = near (quantum k) p.spin and kept = kept m k p in
+  if fixed m p || (Vec.equal v p.velocity && Vec.equal spin p.spin && Vec.equal kept p.kept) then None
+  else Some (State.with_velocity v (State.with_kept kept (State.with_turn ~spin ~since:p.since p)))
 
 (* How a body is turned does not matter to the ball that it spins in. *)
 let settled (m : Model.t) (p : State.process) =

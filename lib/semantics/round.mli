@@ -13,5 +13,5 @@ val run : Model.t -> State.t -> State.t * Totals.t Lazy.t option
 
     An orientation stays exactly orthogonal, and the process is turned about its centre of mass as a whole. It
     waits for a later step when another process is not farther away than the rounding may move a point. Velocities
-    and spins are rounded to the nearest multiples; they wait when something would collide with them that does not
-    without. *)
+    and spins are rounded to the nearest multiples of 2^-k, and what free bodies keep to those of 2^-k
+    {!Scc_rigid.Mass.scale}; they wait when something would collide with them that does not without. *)

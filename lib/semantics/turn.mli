@@ -20,13 +20,16 @@ val pass : Model.t -> Rat.t -> State.process -> State.process
 
 (** {1 Spin and angular momentum}
 
-    With [constant_spin] a process keeps its spin. With [free_body] it keeps its angular momentum L ({!State.process}
-    has it as [kept]), and has one spin for each turn: that which L gives half-way through the turn, estimated from
-    that at its start (the explicit midpoint rule, of second order). Collisions, bonds and splits see the spin that L
-    gives at that instant. *)
+    With [constant_spin] a process keeps its spin. With [free_body] it keeps its angular momentum L (the field
+    [kept] of {!State.process}), and has one spin for each turn: that which L gives half-way through the turn,
+    estimated from that at its start (the explicit midpoint rule, of second order). Collisions, bonds and splits see
+    the spin that L gives at that instant. *)
 
 val is_free : Model.t -> bool
 (** [free_body]. *)
+
+val mass : Model.t -> State.process -> Mass.t option
+(** Where it is now; [None] for a fixed process. *)
 
 val mover : Model.t -> State.process -> Impact.mover
 (** Its mass, where that is now, velocity, and the spin that collisions see. *)

@@ -41,9 +41,8 @@ let make ?(for_ever = false) m (p : State.process) =
 
 let spins t = not (Vec.is_zero t.process.spin)
 
-(* Over [t.bottom]: where a vector that turns with the process goes that was [a] at the start of the turn, [since] ago;
-   or is [r] now. With u = w s/2 the Cayley map
-   takes a to ((1 - |u|^2) a + 2 (u.a) u + 2 u x a) / (1 + |u|^2). *)
+(* Over [t.bottom]: where a vector goes that turns with the process, and was [a] at the start of the turn, [since]
+   ago; or is [r] now. With u = w s/2 the Cayley map takes a to ((1 - |u|^2) a + 2 (u.a) u + 2 u x a) / (1 + |u|^2). *)
 let turning_from since t a =
   let w = t.process.spin in
   let b = Vec.cross w a in
@@ -156,8 +155,8 @@ let angular t a =
       let orbit = Polynomial.scale (of_vec a still) t.bottom in
       Value.Ratio (Polynomial.add orbit (component a (turning t own)), t.bottom)
 
-(* m |v|^2 / 2 + (l . J l) / 2, with J the inverse of the inertia now, and l the angular momentum, which stays, as seen
-   from the body, which turns: it turns the other way, C(since) C(since + t)^-1. *)
+(* m |v|^2 / 2 + (l . J l) / 2, with J the inverse of the inertia now, and l the angular momentum, which stays, as
+   seen from the body, which turns: it turns the other way, C(since) C(since + t)^-1. *)
 let free_energy t (mass : Mass.t) =
   let back = { t with process = State.with_turn ~spin:(Vec.neg t.process.spin) ~since:Rat.zero t.process } in
   let l = turning_from t.process.since back t.process.kept in

@@ -1,4 +1,4 @@
-(* Rules Turn, Cast, Near and Round on small networks, by hand. *)
+(* Rules Turn, Cast and Near on small networks, by hand. *)
 
 open Scc_exact
 open Scc_calculus
@@ -62,8 +62,8 @@ let renew () =
   check_vec "half-way about a principal axis" "(0, 2, 0)" (Turn.midway free (ratio 1 3) steady).spin;
   Alcotest.(check bool) "nothing to renew" true (State.equal_process tumbling (Turn.renew free tumbling))
 
-(* The energy of a free body that tumbles wanders a little and does not grow: with the spin of the start of each turn
-   it would double within these turns. *)
+(* The energy of a free body that tumbles wanders a little and does not grow: with the spin of the start of each
+   turn it would double within these turns. *)
 let midway () =
   let free = rigid ~dynamics:Free_body (planks (model [ body "p" (0, 0, 0) ])) in
   let energy p =
@@ -156,101 +156,6 @@ let thirds () =
   let s = declared bodies in
   let found = Encounter.first_time_of_contact m s ~limit:None in
   Alcotest.(check (option string)) "rounded down" (Some "5461/4096") (Option.map Rat.to_string found)
-
-let apart () =
-  let bodies = [ body "p" (0, 0, 0); body "q" (3, 0, 0); body "r" (0, 40, 0) ] in
-  let m = rigid (model bodies) in
-  let s = declared bodies in
-  let check what expected i by = Alcotest.(check bool) what expected (Encounter.apart m s i ~by) in
-  check "exactly as far is not farther" false 0 (q 1);
-  check "farther" true 0 (ratio 999 1000);
-  check "the other way round" false 1 (q 1);
-  check "alone" true 2 (q 30);
-  check "not so alone" false 2 (q 39);
-  let touching = declared [ body "p" (0, 0, 0); body "q" (2, 0, 0); body "r" (0, 40, 0) ] in
-  Alcotest.(check bool) "touching" false (Encounter.apart m touching 0 ~by:Rat.zero)
-
-(* {1 Round} *)
-
-let long = quaternion 1_000_003 77_777 3 999
-
-let orientation () =
-  let bodies = [ body "p" (0, 0, 0); body "q" (40, 0, 0) ] in
-  let m = rigid ~rounding:8 (model bodies) in
-  let rounded others =
-    let s = turned_by [ long; Quaternion.identity ] (declared others) in
-    let s, changed = Round.run m s in
-    (s.processes.(0).leaves.(0), Option.is_some changed)
-  in
-  let leaf, changed = rounded bodies in
-  check_turned "to 8 bits" "(64, 5, 0, 0)" leaf.turned;
-  Alcotest.(check bool) "it says so" true changed;
-  let leaf, changed = rounded [ body "p" (0, 0, 0); body "q" (2, 0, 0) ] in
-  check_turned "not where another body is too near" (Quaternion.to_string long) leaf.turned;
-  Alcotest.(check bool) "nothing changes" false changed;
-  let off = rigid (model bodies) in
-  Alcotest.(check bool) "rounding is off" true
-    (let s = turned_by [ long; Quaternion.identity ] (declared bodies) in
-     let t, changed = Round.run off s in
-     State.equal s t && Option.is_none changed)
-
-(* A process is rounded as a whole: its leaves keep their places in it. *)
-let whole () =
-  let bodies = [ body "p" (-1, 0, 0); body "q" (1, 0, 0) ~mass:2 ] in
-  let m = rigid ~rounding:8 (model bodies) in
-  let s = joined bodies [ ("a", (0, "right"), (1, "left")) ] in
-  let s =
-    spinning [ vec (third 1) (third 2) (ratio 1 7) ] s
-    |> fun s -> State.make ~processes:[ Turn.pass m (ratio 1 3) s.processes.(0) ] ~step:None ~time:None
-  in
-  let centre (s : State.t) = State.centre_of_mass m s.processes.(0) in
-  let arm (s : State.t) =
-    let p = s.processes.(0) in
-    Quaternion.apply
-      (Quaternion.inverse p.leaves.(0).turned)
-      (Vec.sub p.leaves.(1).position p.leaves.(0).position)
-  in
-  let t, _ = Round.run m s in
-  check_vec "the centre of mass stays" (Vec.to_string (centre s)) (centre t);
-  check_vec "and the leaves side by side" "(2, 0, 0)" (arm t);
-  Alcotest.(check bool) "not long" true (Quaternion.bits t.processes.(0).leaves.(1).turned <= 9);
-  Alcotest.(check bool) "they differ" false (State.equal s t)
-
-let velocities () =
-  (* Two cubes face to face; the normal is (3, 4, 0). With halves the first would come nearer. *)
-  let at = vec (ratio 6 5) (ratio 8 5) Rat.zero in
-  let v = vec (ratio 26 100) (ratio (-2) 10) Rat.zero in
-  let m = rigid ~rounding:1 (model [ body "p" (0, 0, 0); body "q" (0, 0, 0) ]) in
-  let place (s : State.t) =
-    let far = State.map_leaves (fun l -> { l with State.position = at }) s.processes.(1) in
-    State.make ~processes:[ s.processes.(0); far ] ~step:None ~time:None
-  in
-  let s =
-    declared [ body "p" (0, 0, 0); body "q" (0, 0, 0) ]
-    |> place |> moving [ v; Vec.zero ]
-    |> turned_by [ quaternion 2 0 0 1; quaternion 2 0 0 1 ]
-  in
-  Alcotest.(check bool) "they do not collide" true (Encounter.colliding m s = []);
-  let t, changed = Round.run m s in
-  Alcotest.(check bool) "it waits" true (State.equal s t && Option.is_none changed);
-  let away = moving [ Vec.neg v; Vec.zero ] s in
-  let t, _ = Round.run m away in
-  check_vec "-26/100 and 2/10, to halves" "(-1/2, 0, 0)" t.processes.(0).velocity
-
-(* Alone and without spin, but what waits to be rounded goes another way from the next step on. *)
-let waiting () =
-  let bodies = [ body "p" (0, 0, 0) ] in
-  let m = rigid ~rounding:1 (model bodies) in
-  let step = Some { State.remaining = ratio 1 3; length = q 1; phase = State.Steered } in
-  let s = State.make ~processes:(Array.to_list (declared bodies).processes) ~step ~time:None in
-  let waits what s = Alcotest.(check bool) what false (Network.quiescent m s) in
-  Alcotest.(check bool) "nothing to round" true (Network.quiescent m s);
-  waits "a velocity" (moving [ vec (ratio 2 3) Rat.zero Rat.zero ] s);
-  let turned = turned_by [ quaternion 9 0 0 1 ] s in
-  waits "an orientation" turned;
-  let rounded = take m turned "time(1/3)" in
-  check_turned "it was rounded" "(1, 0, 0, 0)" rounded.processes.(0).leaves.(0).turned;
-  Alcotest.(check bool) "and then rests" true (Network.quiescent m rounded)
 
 (* {1 Bodies that meet} *)
 
@@ -394,16 +299,11 @@ let () =
         [
           case "the length of a step" step_length; case "time on a body that turns" pass;
           case "a new turn" renew;
-          case "half-way through a turn" midway; case "pieces of what turned" piece; case "shorter steps" shortened;
+          case "half-way through a turn" midway; case "pieces of what turned" piece;
+          case "shorter steps" shortened;
           case "steered into a contact" steered_into;
         ] );
-      ( "cast",
-        [ case "parts off their centres" off_centre; case "rounded down" thirds; case "apart" apart ] );
-      ( "round",
-        [
-          case "orientations" orientation; case "a process as a whole" whole; case "velocities wait" velocities;
-          case "no rest before it is rounded" waiting;
-        ] );
+      ("cast", [ case "parts off their centres" off_centre; case "rounded down" thirds ]);
       ( "meeting",
         [
           case "mirror images" mirror; case "bound to a fixed body" fixed_bind;
