@@ -22,8 +22,8 @@ val pass : Model.t -> Rat.t -> State.process -> State.process
 
     With [constant_spin] a process keeps its spin. With [free_body] it keeps its angular momentum L (the field
     [kept] of {!State.process}), and has one spin for each turn: that which L gives half-way through the turn,
-    estimated from that at its start (the explicit midpoint rule, of second order). Collisions, bonds and splits see
-    the spin that L gives at that instant. *)
+    estimated from that at its start (the explicit midpoint rule, of second order). Collisions, bonds and splits
+    see the spin that L gives at that instant. *)
 
 val is_free : Model.t -> bool
 (** [free_body]. *)

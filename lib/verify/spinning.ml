@@ -42,7 +42,8 @@ let make ?(for_ever = false) m (p : State.process) =
 let spins t = not (Vec.is_zero t.process.spin)
 
 (* Over [t.bottom]: where a vector goes that turns with the process, and was [a] at the start of the turn, [since]
-   ago; or is [r] now. With u = w s/2 the Cayley map takes a to ((1 - |u|^2) a + 2 (u.a) u + 2 u x a) / (1 + |u|^2). *)
+   ago; or is [r] now. With u = w s/2 the Cayley map takes a to
+   ((1 - |u|^2) a + 2 (u.a) u + 2 u x a) / (1 + |u|^2). *)
 let turning_from since t a =
   let w = t.process.spin in
   let b = Vec.cross w a in

@@ -99,8 +99,8 @@ let waiting () =
   check_turned "it was rounded" "(1, 0, 0, 0)" rounded.processes.(0).leaves.(0).turned;
   Alcotest.(check bool) "and then rests" true (Network.quiescent m rounded)
 
-(* What a free body keeps is rounded once, and then kept, however the body turns: to multiples of 1/512 here, as the
-   trace of its inertia is 7/8. *)
+(* What a free body keeps is rounded once, and then kept, however the body turns: to multiples of 1/512 here, as
+   the trace of its inertia is 7/8. *)
 let free () =
   let bodies = [ body "p" (0, 0, 0) ] in
   let m = rigid ~dynamics:Free_body ~rounding:8 (planks (model bodies)) in
