@@ -200,8 +200,11 @@ let longest c =
   @
   match c.model.rigid with
   | None -> []
-  | Some _ ->
-    [
-      ("spins", greatest (Forms.size c.forms) (in_form (fun p -> bits_of p.spin)));
-      ("orientations", greatest (Forms.size c.forms) (in_form turned));
-    ]
+  | Some { dynamics; _ } ->
+    let of_forms name bits = (name, greatest (Forms.size c.forms) (in_form bits)) in
+    let kept =
+      match dynamics with
+      | Constant_spin -> []
+      | Free_body -> [ of_forms "angular_momenta" (fun p -> bits_of p.kept) ]
+    in
+    [ of_forms "spins" (fun p -> bits_of p.spin); of_forms "orientations" turned ] @ kept

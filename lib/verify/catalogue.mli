@@ -80,7 +80,7 @@ val forms : t -> int
 val longest : t -> (string * int) list
 (** How far numbers have grown: by what they are numbers of, the most bits that one of them takes, numerator and
     denominator together: [positions], [velocities] and, for rigid models, [spins] and [orientations] (a component
-    of a quaternion). Looks at everything. *)
+    of a quaternion), with [free_body] also [angular_momenta]. Looks at everything. *)
 
 val resting : t -> int -> bool
 (** Whether the velocity of this number is zero. *)
