@@ -51,9 +51,11 @@ let near quantum (v : Vec.t) =
 
 (* An angular momentum is in proportion to inertia: the trace is that of the body however it is turned. *)
 let kept m k (p : State.process) =
-  match Turn.mass m p with
-  | Some mass when not (Vec.is_zero p.kept) -> near (Rat.mul (quantum k) (Mass.scale mass)) p.kept
-  | Some _ | None -> p.kept
+  if Vec.is_zero p.kept then p.kept
+  else
+    match Turn.mass_from_first m p with
+    | Some mass -> near (Rat.mul (quantum k) (Mass.scale mass)) p.kept
+    | None -> p.kept
 
 let velocity m k (p : State.process) =
   let v = near (quantum k) p.velocity and spin = near (quantum k) p.spin and kept = kept m k p in

@@ -47,12 +47,29 @@ let mass m (p : State.process) = Option.map (fun _ -> Mass.of_parts (mass_parts 
 
 let is_free m = match (rigid m).dynamics with Constant_spin -> false | Free_body -> true
 
+(* Seen from its first leaf, a process has the numbers that it was made with. *)
+let mass_from_first m (p : State.process) =
+  let { State.position; turned; _ } = p.leaves.(0) in
+  let back = Quaternion.inverse turned in
+  let seen (l : State.leaf) =
+    {
+      l with
+      position = Quaternion.apply back (Vec.sub l.position position);
+      turned = Quaternion.mul back l.turned;
+    }
+  in
+  mass m (State.map_leaves seen p)
+
+(* I^-1 l when what has this mass is turned by q. *)
+let turn_rate mass q l = Quaternion.apply q (Mass.turn_rate mass (Quaternion.apply (Quaternion.inverse q) l))
+
 let settled_spin m (p : State.process) =
-  if is_free m then
-    match mass m p with
-    | Some mass when not (Vec.is_zero p.kept) -> Mass.turn_rate mass p.kept
-    | Some _ | None -> Vec.zero
-  else p.spin
+  if not (is_free m) then p.spin
+  else if Vec.is_zero p.kept then Vec.zero
+  else
+    match mass_from_first m p with
+    | Some mass -> turn_rate mass p.leaves.(0).turned p.kept
+    | None -> Vec.zero
 
 let mover m p : Impact.mover =
   { mass = mass m p; velocity = p.State.velocity; spin = settled_spin m p }
@@ -71,13 +88,13 @@ let piece m ~whole p = moving m (Impact.piece (mover m (renew m whole)) (mass m 
 
 (* I_mid = C I C^-1, with C the turn of half the time. *)
 let midway m d (p : State.process) =
-  match mass m p with
-  | Some mass when is_free m && spinning p ->
-    let half_way = turned p.spin (Rat.mul half d) in
-    let seen = Quaternion.apply (Quaternion.inverse half_way) p.kept in
-    let spin = Quaternion.apply half_way (Mass.turn_rate mass seen) in
-    State.with_turn ~spin ~since:Rat.zero p
-  | Some _ | None -> p
+  if not (is_free m && spinning p) then p
+  else
+    match mass_from_first m p with
+    | None -> p
+    | Some mass ->
+      let half_way = Quaternion.mul (turned p.spin (Rat.mul half d)) p.leaves.(0).turned in
+      State.with_turn ~spin:(turn_rate mass half_way p.kept) ~since:Rat.zero p
 
 (* {1 Steps} *)
 

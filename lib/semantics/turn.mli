@@ -28,8 +28,8 @@ val pass : Model.t -> Rat.t -> State.process -> State.process
 val is_free : Model.t -> bool
 (** [free_body]. *)
 
-val mass : Model.t -> State.process -> Mass.t option
-(** Where it is now; [None] for a fixed process. *)
+val mass_from_first : Model.t -> State.process -> Mass.t option
+(** As seen from its first leaf: it does not change as the process moves and turns. [None] for a fixed process. *)
 
 val mover : Model.t -> State.process -> Impact.mover
 (** Its mass, where that is now, velocity, and the spin that collisions see. *)
