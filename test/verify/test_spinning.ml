@@ -69,26 +69,26 @@ let velocity s l =
   Vec.add p.velocity (Vec.cross p.spin arm)
 
 (* By the masses and inertias of the parts where they are. *)
-let total (s : State.t) f =
+let total m (s : State.t) f =
   Array.fold_left
     (fun sum (p : State.process) ->
-       match (Turn.mover (elaborated ()).model p).mass with
-       | Some mass -> Rat.add sum (f mass p)
-       | None -> sum)
+       match Turn.mover m p with
+       | { mass = Some mass; velocity; spin } -> Rat.add sum (f mass ~velocity ~spin)
+       | { mass = None; _ } -> sum)
     Rat.zero s.processes
 
-let expected s : Property.num -> Rat.t = function
+let expected m s : Property.num -> Rat.t = function
   | Position (a, l) -> axis a (centroid s l)
   | Velocity (a, l) -> axis a (velocity s l)
   | Speed2 l -> Vec.norm2 (velocity s l)
   | Distance2 (p, q) -> Vec.norm2 (Vec.sub (centroid s p) (centroid s q))
   | Spin (a, l) -> axis a (process_of s l).spin
   | Spin2 l -> Vec.norm2 (process_of s l).spin
-  | Momentum a -> total s (fun mass p -> axis a (Scc_rigid.Mass.momentum mass ~velocity:p.velocity))
+  | Momentum a -> total m s (fun mass ~velocity ~spin:_ -> axis a (Scc_rigid.Mass.momentum mass ~velocity))
   | Angular a ->
-    total s (fun mass p ->
-        axis a (Scc_rigid.Mass.angular_momentum mass ~velocity:p.velocity ~spin:p.spin ~about:Vec.zero))
-  | Energy -> total s (fun mass p -> Scc_rigid.Mass.energy mass ~velocity:p.velocity ~spin:p.spin)
+    total m s (fun mass ~velocity ~spin ->
+        axis a (Scc_rigid.Mass.angular_momentum mass ~velocity ~spin ~about:Vec.zero))
+  | Energy -> total m s Scc_rigid.Mass.energy
   | _ -> Alcotest.fail "not generated"
 
 let leaf = Gen.int_range 0 4
@@ -120,15 +120,32 @@ let print (s, n, t) =
   String.concat "\n" (Array.to_list (Array.map motion s.State.processes))
   ^ Printf.sprintf "\n%s at %s" (Show.num m n) (Rat.to_string t)
 
-let curves =
-  QCheck2.Test.make ~count:2000 ~name:"the value of an atom along a turn is that in the state there" ~print
-    (Gen.triple state atom positive)
+(* What a process keeps may belong to another spin than that of its turn. *)
+let keeping (s : State.t) kept =
+  State.make ~processes:(List.map2 State.with_kept kept (Array.to_list s.processes)) ~step:None ~time:None
+
+let with_dynamics dynamics =
+  let m = (elaborated ()).model in
+  { m with rigid = Option.map (fun r -> { r with Model.dynamics }) m.rigid }
+
+let curves name dynamics kept =
+  QCheck2.Test.make ~count:1000 ~name ~print
+    (Gen.triple (Gen.map2 keeping state kept) atom positive)
     (fun (s, n, t) ->
-       let m = (elaborated ()).model in
+       let m = with_dynamics dynamics in
        let along = Timeline.at (Trajectory.num (Trajectory.make m s four) n) (Algebraic.of_rat Rat.one) in
        let later = pass t s in
        let now = Timeline.at (Trajectory.num (Trajectory.make m later Timeline.Instant) n) Algebraic.zero in
-       Rat.equal (value along t) (expected later n) && Rat.equal (value now Rat.zero) (expected later n))
+       Rat.equal (value along t) (expected m later n) && Rat.equal (value now Rat.zero) (expected m later n))
+
+let of_constant_spin =
+  curves "the value of an atom along a turn is that in the state there" Constant_spin
+    (Gen.return [ Vec.zero; Vec.zero; Vec.zero; Vec.zero ])
+
+let of_free_body =
+  let moving = or_zero vector in
+  curves "also of a free body" Free_body
+    (Gen.flatten_l [ moving; moving; moving; Gen.return Vec.zero ])
 
 (* {1 Contact within resolution} *)
 
@@ -204,6 +221,6 @@ let leaving () =
 let () =
   Alcotest.run "atoms over turns"
     [
-      ("random", Scc_test_support.Property.cases [ curves; touching ]);
+      ("random", Scc_test_support.Property.cases [ of_constant_spin; of_free_body; touching ]);
       ("cases", [ Alcotest.test_case "leaving" `Quick leaving ]);
     ]
