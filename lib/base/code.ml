@@ -23,6 +23,7 @@ let wrong_kind = "SC0210"
 let unused = "SC0211"
 let repeated_attribute = "SC0212"
 let no_effect = "SC0213"
+let coarse_resolution = "SC0214"
 let no_solid = "SC0301"
 let open_solid = "SC0302"
 let overused_edge = "SC0303"
@@ -85,6 +86,7 @@ let all =
     (unused, "a declaration that nothing uses");
     (repeated_attribute, "an attribute or setting given twice");
     (no_effect, "a setting that has no effect");
+    (coarse_resolution, "a resolution that is coarse for the bodies");
     (no_solid, "a set of faces that encloses no solid (E0)");
     (open_solid, "an edge that belongs to one face only (E2)");
     (overused_edge, "a directed edge that occurs in two faces (E1)");

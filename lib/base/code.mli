@@ -79,6 +79,9 @@ val repeated_attribute : t
 val no_effect : t
 (** SC0213: a setting that has no effect (a warning). *)
 
+val coarse_resolution : t
+(** SC0214: a resolution that is coarse for the bodies (a warning). *)
+
 
 (** {1 Templates (Definitions 4.1 to 4.4)} *)
 

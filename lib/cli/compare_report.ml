@@ -57,6 +57,11 @@ let limits (c : Compared.t) =
     | bounds ->
       "not complete: stopped by " ^ String.concat ", " (List.map Verdict.truncation_to_string bounds)
 
+let resolution (c : Compared.t) =
+  match c.source with
+  | File -> None
+  | Model { model; _ } -> Scc_calculus.Model.resolution model.elaborated.model
+
 let side_text t first =
   let c = if first then t.first else t.second in
   let s = if first then t.report.first else t.report.second in
@@ -66,10 +71,15 @@ let side_text t first =
     | Some n -> Printf.sprintf ", %s" (plural n "class" "classes")
     | None -> ""
   in
-  Printf.sprintf "%s: %s, %s%s; %s\n" (title t first)
+  let meant =
+    match resolution c with
+    | Some r -> ", at resolution " ^ Scc_exact.Rat.to_string r
+    | None -> ""
+  in
+  Printf.sprintf "%s: %s, %s%s; %s%s\n" (title t first)
     (plural states "state" "states")
     (plural transitions "transition" "transitions")
-    classes (limits c)
+    classes (limits c) meant
 
 let indented lines = String.concat "" (List.map (fun l -> "    " ^ l ^ "\n") lines)
 

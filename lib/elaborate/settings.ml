@@ -108,6 +108,15 @@ let warn_without_effect t report =
     (fun (what, given) -> warn what (Option.map (fun g -> g.at) given))
     [ ("round orientation", t.orientation); ("round velocity", t.velocity) ]
 
+(* Within so much of a plane there may be all of a body, or features far from where it touches. *)
+let warn_coarse report leaves (given : Rat.t given) =
+  match (given.value, least_edge2 leaves) with
+  | Some q, Some edge2 when Rat.compare (Rat.mul (Rat.of_int 64) (Rat.mul q q)) edge2 > 0 ->
+    Report.warning report Code.coarse_resolution given.at
+      "the resolution %s is coarse: it is more than an eighth of the shortest edge of the bodies" (Rat.to_string q)
+      ~hint:"contacts are known within it: what is not near may count as touching"
+  | _ -> ()
+
 let value given = Option.bind given (fun g -> g.value)
 
 let rigid t report ~spins leaves =
@@ -115,7 +124,8 @@ let rigid t report ~spins leaves =
     warn_without_effect t report;
     None
   end
-  else
+  else begin
+    Option.iter (warn_coarse report leaves) t.resolution;
     Some
       {
         Model.dynamics = Option.value ~default:Model.Constant_spin (value t.dynamics);
@@ -126,3 +136,4 @@ let rigid t report ~spins leaves =
         round_orientation = value t.orientation;
         round_velocity = value t.velocity;
       }
+  end

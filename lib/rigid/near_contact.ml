@@ -106,6 +106,11 @@ let highest_of pairs =
   | Some p -> p
   | None -> Scc_base.Bug.fail __POS__ "the projections of two contact features do not meet"
 
+(* A contact feature may have vertices that are not within the resolution of the plane, when it is long and others of
+   its vertices are: what is far apart does not touch. *)
+let near ~resolution a b (p : Contact.pair) =
+  within ~resolution:(Rat.mul (Rat.of_int 2) resolution) (Placed.corners a p.first) (Placed.corners b p.second)
+
 let apart ~resolution (a : Placed.t) (b : Placed.t) (va, vb, denominator) gap =
   let n = Ivec.primitive (fst (Ivec.of_vec gap)) in
   let extreme choose points =
@@ -120,6 +125,7 @@ let apart ~resolution (a : Placed.t) (b : Placed.t) (va, vb, denominator) gap =
   let of_a = shapes a.solid (project u v) va fa and of_b = shapes b.solid (project u v) vb fb in
   let pairs = Contact.pairs of_a of_b in
   let highest = highest_of pairs in
+  let pairs = List.filter (near ~resolution a b) pairs in
   let side f shapes =
     let _, shape = List.find (fun (g, _) -> Feature.equal f g) shapes in
     (shape, List.map (lift (n, height) u v denominator) (Flat.corners shape))
