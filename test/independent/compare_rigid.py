@@ -21,7 +21,7 @@ def run(scc, path, seed, steps, samples, seen):
     with open(path, 'w') as f:
         f.write(model.text())
     done = subprocess.run([scc, 'trace', path, '--choose', 'random:%d' % seed, '--steps', str(min(steps, model.steps))],
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=60)
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=20)
     if done.returncode not in (0, 2):
         raise Difference('exit code %d: %s' % (done.returncode, done.stderr.strip()[:600]))
     check = Check(model.bodies, model.timestep, model.the_resolution(), model.free, model.orientation,
@@ -51,6 +51,7 @@ def main():
                 run(options.scc, path, seed, options.steps, options.samples, seen)
                 passed += 1
             except subprocess.TimeoutExpired:  # numbers can grow without bound
+                print('model %d: too slow' % seed, flush=True)
                 seen['too slow'] = seen.get('too slow', 0) + 1
             except Difference as fault:
                 failed += 1

@@ -24,15 +24,25 @@ class Leaf:
 
 
 class Process:
-    def __init__(self, leaves, velocity, spin, since, bonds):
+    """`kept` is the angular momentum of a free body about its centre of mass; else None."""
+
+    def __init__(self, leaves, velocity, spin, since, bonds, kept=None):
         self.leaves, self.velocity, self.spin, self.since, self.bonds = leaves, velocity, spin, since, bonds
+        self.kept = kept
         self.names = frozenset(l.name for l in leaves)
         self.fixed = any(l.body.fixed for l in leaves)
         self.known = {}
 
-    def moved(self, leaves, velocity=None, spin=None, since=None):
+    def moved(self, leaves, velocity=None, spin=None, since=None, kept=None):
         return Process(leaves, self.velocity if velocity is None else velocity,
-                       self.spin if spin is None else spin, self.since if since is None else since, self.bonds)
+                       self.spin if spin is None else spin, self.since if since is None else since, self.bonds,
+                       self.kept if kept is None else kept)
+
+    def begun(self):
+        """A free body keeps the angular momentum that its spin gives it now."""
+        if self.kept is None:
+            return self
+        return self.moved(self.leaves, kept=s.ZERO if self.fixed else s.apply(self.inertia(), self.spin))
 
     def mass(self):
         if 'mass' not in self.known:
@@ -89,14 +99,22 @@ class Process:
             return self
         return self.moved(self.leaves_at(t), since=F(0) if self.spin == s.ZERO else self.since + t)
 
-    def renewed(self, free):
+    def rate(self):
+        """The spin that collisions see."""
+        if self.kept is None or self.fixed:
+            return self.spin
+        return s.solve(self.inertia(), self.kept)
+
+    def renewed(self):
         """At the start of a new turn."""
-        spin = self.spin
-        if free and not self.fixed and self.since != 0 and spin != s.ZERO:
-            # The angular momentum at the start of the turn: the inertia of then.
-            back = self.moved(self.turned_by(self.delta(-self.since)))
-            spin = s.solve(self.inertia(), s.apply(back.inertia(), spin))
-        return self.moved(self.leaves, spin=spin, since=F(0))
+        return self.moved(self.leaves, spin=self.rate(), since=F(0))
+
+    def midway(self, d):
+        """A free body's spin for a turn of length d: what its angular momentum gives half-way, C I^-1 C^-1 L."""
+        if self.kept is None or self.fixed or self.spin == s.ZERO:
+            return self
+        half = self.moved(self.turned_by(s.cayley(s.mul(d / 4, self.spin))))
+        return self.moved(self.leaves, spin=s.solve(half.inertia(), self.kept))
 
     def velocity_at(self, x):
         if self.fixed:
@@ -105,11 +123,12 @@ class Process:
 
     def momenta(self):
         p = s.mul(self.mass(), self.velocity)
-        return p, s.add(s.cross(self.centre(), p), s.apply(self.inertia(), self.spin))
+        own = s.apply(self.inertia(), self.spin) if self.kept is None else self.kept
+        return p, s.add(s.cross(self.centre(), p), own)
 
     def energy(self):
-        return (self.mass() * s.dot(self.velocity, self.velocity)
-                + s.dot(self.spin, s.apply(self.inertia(), self.spin))) / 2
+        spin = self.rate()
+        return (self.mass() * s.dot(self.velocity, self.velocity) + s.dot(spin, s.apply(self.inertia(), spin))) / 2
 
     def parts(self, t=F(0)):
         if t not in self.known:
@@ -138,7 +157,7 @@ class Process:
             if a.name != b.name or a.position != b.position or a.turned != b.turned:
                 return 'leaf %s: position %s, turned %s; computed %s, %s' % (
                     a.name, show(a.position), a.turned, show(b.position), b.turned)
-        for what in ('velocity', 'spin', 'since'):
+        for what in ('velocity', 'spin', 'since', 'kept'):
             if getattr(self, what) != getattr(other, what):
                 return '%s of %s: %s; computed %s' % (what, self.leaves[0].name, show(getattr(self, what)),
                                                       show(getattr(other, what)))
@@ -158,7 +177,8 @@ class State:
             leaves = [Leaf(bodies[l['name']], l['name'], vector(l['position']), tuple(map(int, l['turned'])))
                       for l in p['leaves']]
             bonds = [(b['name'], frozenset(b['ends'])) for b in p['bonds']]
-            self.processes.append(Process(leaves, vector(p['velocity']), vector(p['spin']), F(p['since']), bonds))
+            kept = vector(p['angular_momentum']) if 'angular_momentum' in p else None
+            self.processes.append(Process(leaves, vector(p['velocity']), vector(p['spin']), F(p['since']), bonds, kept))
         step = j['step']
         self.remaining, self.length, self.phase = F(step['remaining']), F(step['length']), step['phase']
 
@@ -169,20 +189,20 @@ class State:
 def bound(p, q, bonds):
     """Rule Bind: momentum and angular momentum are kept; with something fixed the whole is fixed."""
     leaves = sorted(p.leaves + q.leaves, key=lambda l: l.name)
-    whole = Process(leaves, s.ZERO, s.ZERO, F(0), bonds)
+    whole = Process(leaves, s.ZERO, s.ZERO, F(0), bonds, None if p.kept is None else s.ZERO)
     if whole.fixed:
         return whole
     (pp, pl), (qp, ql) = p.momenta(), q.momenta()
     momentum = s.add(pp, qp)
     spin = s.solve(whole.inertia(), s.sub(s.add(pl, ql), s.cross(whole.centre(), momentum)))
-    return whole.moved(leaves, s.mul(1 / whole.mass(), momentum), spin)
+    return whole.moved(leaves, s.mul(1 / whole.mass(), momentum), spin).begun()
 
 
 def piece(whole, after):
     """Reading I-23, of a whole that begins a turn: the spin of the whole, the velocity of the piece's own centre."""
     if after.fixed or whole.fixed:
-        return after.moved(after.leaves, s.ZERO, s.ZERO, F(0))
-    return after.moved(after.leaves, whole.velocity_at(after.centre()), whole.spin, F(0))
+        return after.moved(after.leaves, s.ZERO, s.ZERO, F(0)).begun()
+    return after.moved(after.leaves, whole.velocity_at(after.centre()), whole.spin, F(0)).begun()
 
 
 def totals(processes):
@@ -208,8 +228,21 @@ def to_nearest(x):
     return n if x >= 0 else -n
 
 
-def rounded_vector(k, v):
-    return tuple(F(to_nearest(a * 2 ** k), 2 ** k) for a in v)
+def rounded_vector(quantum, v):
+    return tuple(to_nearest(a / quantum) * quantum for a in v)
+
+
+def rounded_motion(p, quantum):
+    """What is kept in proportion to the greatest power of two that is at most the trace of the inertia."""
+    kept = p.kept
+    if kept is not None:
+        trace, scale = sum(p.inertia()[i][i] for i in range(3)), F(1)
+        while scale > trace:
+            scale /= 2
+        while 2 * scale <= trace:
+            scale *= 2
+        kept = rounded_vector(quantum * scale, kept)
+    return p.moved(p.leaves, rounded_vector(quantum, p.velocity), rounded_vector(quantum, p.spin), kept=kept)
 
 
 def roundings(p, orientation, velocity):
@@ -223,6 +256,5 @@ def roundings(p, orientation, velocity):
         if r != q:
             found.insert(0, p.moved(p.turned_by(s.times(r, s.inverse(q)))))
     if velocity is not None:
-        found = [f.moved(f.leaves, rounded_vector(velocity, f.velocity), rounded_vector(velocity, f.spin))
-                 for f in found] + found
+        found = [rounded_motion(f, F(1, 2 ** velocity)) for f in found] + found
     return found

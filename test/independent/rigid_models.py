@@ -42,7 +42,7 @@ class Model:
         self.orientation = rng.choice([None, 10, 20, 40])
         self.velocity = rng.choice([None, 8, 20, 40]) if self.orientation else None
         # Numbers grow without it: quickly with every bounce, and those of a free body with every step.
-        self.steps = 20 if self.velocity else 4 if self.free else 10
+        self.steps = 20 if self.velocity else 2 if self.free else 10
         self.plain = rng.random() < 0.3  # everything along axes, where faces and edges meet flush
         self.bodies, self.lines, self.edges = {}, [], []
         self.lively = rng.random() < 0.6

@@ -1,8 +1,9 @@
 """Checks a trace of a rigid model, transition by transition."""
 
 from fractions import Fraction as F
-from math import isqrt, sqrt
+from math import sqrt
 
+from contacts import distance2_to_line, reflected, touching_point
 import rigid as r
 from rigid import Difference
 import solids as s
@@ -45,7 +46,8 @@ class Check:
                 try:
                     if pending is not None:
                         # Time stopped within a step and the turns began anew: there must be a contact.
-                        require(any(self.meets_soon(state.processes, *pair) for pair in self.pairs(state)),
+                        require(kind != 'time' or any(self.meets_soon(state.processes, *pair)
+                                                      for pair in self.pairs(state)),
                                 'turns begin anew where nothing collides')
                         pending = None
                     pending = self.transition(kind, j, state, after)
@@ -73,11 +75,15 @@ class Check:
             require(s.dot(p.spin, p.spin) * turn * turn <= F(1, 4), 'the turn of %s is too long', p.leaves[0].name)
         require(0 < state.remaining <= state.length or state.phase == 'due', 'remaining')
 
-    def whole_step(self, state):
-        """A movement step begins: its length is Delta/2^k for the least k."""
-        length, spins = self.timestep, [s.dot(p.spin, p.spin) for p in state.processes]
+    def step_of(self, processes):
+        """The length of a movement step: Delta/2^k for the least k."""
+        length, spins = self.timestep, [s.dot(p.spin, p.spin) for p in processes]
         while any(w * length * length > F(1, 4) for w in spins):
             length /= 2
+        return length
+
+    def whole_step(self, state):
+        length = self.step_of(state.processes)
         require(state.remaining == state.length == length, 'a step of %s, not %s', state.length, length)
         require(all(p.since == 0 for p in state.processes), 'a step begins, and a turn does not')
 
@@ -138,7 +144,7 @@ class Check:
         """Returns whether it claims that something collides in the next state."""
         label, claim = j['label'], None
         if kind == 'time':
-            expected, claim = self.time(F(label['duration']), before, after)
+            expected, claim, ends = self.time(F(label['duration']), before, after)
         elif kind == 'bounce':
             expected = self.bounce(j, before, after)
         elif kind == 'bind':
@@ -147,45 +153,57 @@ class Check:
             expected = self.split(before, after)
         else:
             raise Difference('label')
+        if kind != 'time':
+            ends = before.phase == 'due' or (before.phase == 'moving' and kind in ('bounce', 'bind'))
+        if ends and after.phase == 'steered':
+            self.whole_step(after)
+            expected = [p and p.renewed() for p in expected]
+            if self.free and None in expected:  # Not known either, as the step may be shorter or longer.
+                expected = [None for _ in expected]
+            elif self.free:
+                # The spins of the turns that begin, unless something would collide with them.
+                spins = [p.midway(self.step_of(expected)) for p in expected]
+                if all(any(p.same(o) for o in self.roundings(j, e)) for p, e in zip(after.processes, spins)):
+                    expected = spins
+                else:
+                    self.found('without midway')
         self.rounding(j, expected, after)
         return claim
 
     def time(self, d, before, after):
+        """What is expected, whether it claims that something collides now, and whether the step is over."""
         require(before.phase != 'due' and 0 < d <= before.remaining, 'passes %s of %s', d, before.remaining)
         for i in range(1, self.samples + 1):
             self.apart(before, d * i / (self.samples + 1))
         self.apart(before, d * F(1023, 1024))
         moved = [p.passed(d) for p in before.processes]
-        if d == before.remaining and after.phase == 'steered':
-            self.whole_step(after)
-            return [p.renewed(self.free) for p in moved], None
         if d == before.remaining:
-            require(after.phase == 'due', 'the step is over, and the state is %s' % after.phase)
+            require(after.phase in ('due', 'steered'), 'the step is over, and the state is %s' % after.phase)
+            if after.phase == 'steered':
+                return moved, None, True
         else:
-            require(after.remaining == before.remaining - d and after.length == before.length, 'remaining')
-        going = [i for i, p in enumerate(after.processes) if not p.fixed and p.since != 0]
-        if going:
-            require(d < before.remaining, 'the step is over, and a turn goes on')
-            return moved, None
-        # All began anew: they collide now, and would have collided soon after d as well.
-        if d < before.remaining or after.phase == 'due':
-            hits = [(a, b) for a, b in self.pairs(before)
-                    if self.meets_soon(before.processes, a, b, d)]
-            spinning = any(p.spin != s.ZERO for p in before.processes)
-            require(hits or not spinning, 'turns begin anew after %s, and nothing would have met', d)
-            if hits:
-                self.found('contacts')
-                return [p.renewed(self.free) for p in moved], True
-        return [p.moved(p.leaves, since=F(0)) for p in moved], None
+            left = before.remaining - d
+            while any(s.dot(p.spin, p.spin) * (p.since + left) ** 2 > F(1, 4) for p in after.processes):
+                left /= 2
+            require(after.remaining == left, 'remaining %s, not %s', after.remaining, left)
+        spinning = [i for i, p in enumerate(moved) if p.since != 0]
+        if d < before.remaining and all(after.processes[i].since != 0 for i in spinning):
+            return moved, None, False
+        hits = [pair for pair in self.pairs(before) if self.meets_soon(before.processes, *pair, d)]
+        require(hits, 'turns begin anew after %s, and nothing would have met', d)
+        self.found('contacts')
+        return [p.renewed() for p in moved], True, False
 
     def bounce(self, j, before, after):
         p, q = self.collide(before, j['label']['between'])
+        if self.free:
+            require(p.spin == p.rate() and q.spin == q.rate(), 'a collision of spins that are not of now')
         near = self.near(p, q)
         require(near, 'a bounce, and nothing is within the resolution')
         clean = self.single(p, q, near)
         if clean:
             self.found('bounces computed')
-            change = dict(zip((p, q), clean))
+            change = dict(zip((p, q), (o.begun() for o in clean)))
             return [change.get(o, o) for o in before.processes]
         if 'Round' in j['rules']:
             # What the two were before they were rounded is not known: totals only.
@@ -195,6 +213,8 @@ class Check:
         p2, q2 = after.of(p.leaves[0].name), after.of(q.leaves[0].name)
         self.conserved(p, q, p2, q2)
         self.line_of_action(p, q, p2, q2)
+        if self.free:  # They have the spins of their next turns by now.
+            return [None if o in (p, q) else o for o in before.processes]
         return [o if o not in (p, q) else p2 if o is p else q2 for o in before.processes]
 
     def conserved(self, p, q, p2, q2):
@@ -221,7 +241,8 @@ class Check:
         self.found('bounces along a line')
         x = s.mul(1 / s.dot(impulse, impulse), s.cross(impulse, torque))
         for o in (p, q):
-            require(any(distance2_to_line(part.points, x, impulse) <= 4 * self.resolution ** 2 for part in o.parts()),
+            points = [x for part in o.parts() for x in part.points]  # of all: there can be several impulses
+            require(distance2_to_line(points, x, impulse) <= 4 * self.resolution ** 2,
                     'an impulse misses %s', o.leaves[0].name)
 
     def single(self, p, q, near):
@@ -248,7 +269,7 @@ class Check:
 
     def split(self, before, after):
         whole = next(p for p in before.processes if all(p.names != o.names for o in after.processes))
-        turning = whole.renewed(self.free)
+        turning = whole.renewed()
         made = [o for o in after.processes if o.names < whole.names]
         require(frozenset().union(*(o.names for o in made)) == whole.names, 'pieces')
         # Where the pieces are after rounding is not where they were split.
@@ -265,16 +286,21 @@ class Check:
 
     # Rounding
 
+    def roundings(self, j, p):
+        if 'Round' not in j['rules']:
+            return [p]
+        return r.roundings(p, self.orientation, self.velocity)
+
     def rounding(self, j, expected, after):
         if 'Round' not in j['rules']:
             for p, e in zip(after.processes, expected):
-                found = p.difference(e)
+                found = e and p.difference(e)
                 require(found is None, str(found))
             return
         for p, e in zip(after.processes, expected):
             if e is None:
                 continue
-            options = r.roundings(e, self.orientation, self.velocity)
+            options = self.roundings(j, e)
             require(any(p.same(o) for o in options), str(p.difference(options[0])))
             self.found('waits' if not p.same(options[0]) else 'rounded')
         if None not in expected:
@@ -292,93 +318,3 @@ def part_of(state, end):
     leaf = next(l for l in process.leaves if l.name == end[0])
     name = end[1] if len(leaf.body.parts) > 1 else None
     return s.Placed(leaf.body.parts[name], leaf.turned, leaf.position)
-
-
-def distance2_to_line(points, x, along):
-    """Squared, from a convex solid to the line through x: in the plane across it, from a polygon to the origin."""
-    u = s.cross(along, (F(1), F(0), F(0)) if along[1] or along[2] else (F(0), F(1), F(0)))
-    v = s.cross(along, u)
-    uu, vv = s.dot(u, u), s.dot(v, v)
-    flat = [(s.dot(u, d), s.dot(v, d)) for d in (s.sub(p, x) for p in points)]
-    least = None
-    for i, a in enumerate(flat):
-        for b in flat[:i]:
-            d = (b[0] - a[0], b[1] - a[1])
-            length2 = d[0] ** 2 / uu + d[1] ** 2 / vv
-            t = 0 if length2 == 0 else min(F(1), max(F(0), -(a[0] * d[0] / uu + a[1] * d[1] / vv) / length2))
-            e = (a[0] + t * d[0], a[1] + t * d[1])
-            e = e[0] ** 2 / uu + e[1] ** 2 / vv
-            least = e if least is None or e < least else least
-    inside = not any(outside(flat, a, b) for i, a in enumerate(flat) for b in flat[:i] if a != b)
-    return F(0) if inside else least
-
-
-def outside(flat, a, b):
-    """All points lie on one side of the line through a and b, and the origin strictly on the other."""
-    n = (a[1] - b[1], b[0] - a[0])
-    here = n[0] * a[0] + n[1] * a[1]
-    sides = [n[0] * p[0] + n[1] * p[1] - here for p in flat]
-    return (all(x >= 0 for x in sides) and here > 0) or (all(x <= 0 for x in sides) and here < 0)
-
-
-def touching_point(axis, a, b, room):
-    """The point of the witness plane where a corner meets a face or an edge an edge, or None if it is neither.
-
-    The axis points from a to b. Corners within `room` of the extreme ones count as extreme."""
-    room = room * (isqrt(s.dot(axis, axis)) + 1)
-    heights = [[s.dot(axis, x) for x in o.points] for o in (a, b)]
-    top, low = max(heights[0]), min(heights[1])
-    above = [x for x, h in zip(a.points, heights[0]) if h >= top - room]
-    below = [x for x, h in zip(b.points, heights[1]) if h <= low + room]
-    middle = (top + low) / 2
-    nn = s.dot(axis, axis)
-
-    def on_plane(x):
-        return s.add(x, s.mul((middle - s.dot(axis, x)) / nn, axis))
-    if len(above) == 1 and len(below) >= 3:
-        return on_plane(above[0]) if inside_polygon(axis, below, above[0]) else None
-    if len(below) == 1 and len(above) >= 3:
-        return on_plane(below[0]) if inside_polygon(axis, above, below[0]) else None
-    if len(above) == 2 and len(below) == 2:
-        d, e, c = s.sub(above[1], above[0]), s.sub(below[1], below[0]), s.sub(below[0], above[0])
-        n = s.cross(d, e)
-        if s.cross(n, axis) != s.ZERO:
-            return None
-        t = s.dot(s.cross(c, e), n) / s.dot(n, n)
-        u = s.dot(s.cross(c, d), n) / s.dot(n, n)
-        return on_plane(s.add(above[0], s.mul(t, d))) if 0 < t < 1 and 0 < u < 1 else None
-    return None
-
-
-def inside_polygon(axis, corners, x):
-    """Strictly, along the axis: no line through two corners has all on one side and x on the other or on it."""
-    for i, a in enumerate(corners):
-        for b in corners[:i]:
-            n = s.cross(axis, s.sub(b, a))
-            sides = [s.dot(n, s.sub(c, a)) for c in corners]
-            here = s.dot(n, s.sub(x, a))
-            if (all(v >= 0 for v in sides) and here <= 0) or (all(v <= 0 for v in sides) and here >= 0):
-                return False
-    return True
-
-
-def reflected(p, q, n, x):
-    """An elastic impulse along n at x."""
-    w = s.dot(n, s.sub(q.velocity_at(x), p.velocity_at(x)))
-    if w >= 0:
-        return None
-    inverse, arms = F(0), []
-    for o in (p, q):
-        arm = None if o.fixed else s.cross(s.sub(x, o.centre()), n)
-        arms.append(arm)
-        if arm is not None:
-            inverse += s.dot(n, n) / o.mass() + s.dot(arm, s.solve(o.inertia(), arm))
-    impulse = -2 * w / inverse
-    made = []
-    for o, arm, sign in ((p, arms[0], -1), (q, arms[1], 1)):
-        if arm is None:
-            made.append(o)
-        else:
-            made.append(o.moved(o.leaves, s.add(o.velocity, s.mul(sign * impulse / o.mass(), n)),
-                                s.add(o.spin, s.mul(sign * impulse, s.solve(o.inertia(), arm)))))
-    return made
