@@ -17,6 +17,8 @@ def require(condition, text, *details):
 # What lasts between an instant and the next of a grid that is perhaps finer than the one it is measured by.
 FRACTIONS = [F(n, 16) for n in (16, 12, 8, 14, 10, 6, 4, 2, 1)] + [F(1, 2 ** k) for k in (5, 6, 7, 8, 10, 12)]
 
+LATER = FRACTIONS + [F(3, 2), F(2), F(3), F(4), F(8)]
+
 
 class Check:
     """One model. `samples`: instants between two states at which it is looked for interpenetration."""
@@ -45,8 +47,9 @@ class Check:
                 kind = j['label']['kind']
                 try:
                     if pending is not None:
-                        # Time stopped within a step and the turns began anew: there must be a contact.
-                        require(kind != 'time' or any(self.meets_soon(state.processes, *pair)
+                        # Time stopped within a step and the turns began anew: there must be a contact, if not now
+                        # then a little later, as what begins anew turns in another way.
+                        require(kind != 'time' or any(self.meets_soon(state.processes, *pair, fractions=LATER)
                                                       for pair in self.pairs(state)),
                                 'turns begin anew where nothing collides')
                         pending = None
@@ -113,11 +116,11 @@ class Check:
             step /= 2
         return step
 
-    def meets_soon(self, processes, i, j, d=F(0)):
+    def meets_soon(self, processes, i, j, d=F(0), fractions=FRACTIONS):
         """Time stops at d: they meet before the next instant of the grid, if they go on as they did."""
         p, q = processes[i], processes[j]
         step = self.grid(p, q)
-        return any(self.overlap(p, q, d + f * step) for f in FRACTIONS)
+        return any(self.overlap(p, q, d + f * step) for f in fractions)
 
     def collide(self, state, names):
         i, j = (state.processes.index(state.of(n)) for n in names)
