@@ -15,6 +15,6 @@ val round : t -> Report.t -> Env.t -> Ast.name -> Ast.expr -> unit
 
 val rigid : t -> Report.t -> spins:bool -> Model.leaf array -> Model.rigid option
 (** Of the network of these bodies, of which one spins or none: some iff one does or [dynamics] is given;
-    otherwise the settings that are given have no effect (SC0213). A resolution of more than an eighth of the shortest
-    edge is coarse (SC0214). Where no resolution is given it is the
+    otherwise the settings that are given have no effect (SC0213). A resolution of more than an eighth of the
+    shortest edge is coarse (SC0214). Where no resolution is given it is the
     greatest power of two that is at most 2^-20 times the least edge. *)

@@ -106,8 +106,8 @@ let highest_of pairs =
   | Some p -> p
   | None -> Scc_base.Bug.fail __POS__ "the projections of two contact features do not meet"
 
-(* A contact feature may have vertices that are not within the resolution of the plane, when it is long and others of
-   its vertices are: what is far apart does not touch. *)
+(* A contact feature may have vertices that are not within the resolution of the plane, when it is long and others
+   of its vertices are: what is far apart does not touch. *)
 let near ~resolution a b (p : Contact.pair) =
   within ~resolution:(Rat.mul (Rat.of_int 2) resolution) (Placed.corners a p.first) (Placed.corners b p.second)
 

@@ -86,6 +86,22 @@ let moving m (mover : Impact.mover) p =
 
 let piece m ~whole p = moving m (Impact.piece (mover m (renew m whole)) (mass m p)) p
 
+(* Any spin would do: what a free body keeps is not computed from it. So an estimate has no more digits than it is
+   worth, and orientations grow no faster than those of bodies that keep their spin. *)
+let estimated_bits = 40
+
+let power_of_two e = Rat.make (Z.shift_left Z.one (Int.max e 0)) (Z.shift_left Z.one (Int.max (-e) 0))
+
+let estimate (v : Vec.t) =
+  let greatest = Rat.max (Rat.abs v.x) (Rat.max (Rat.abs v.y) (Rat.abs v.z)) in
+  if Rat.sign greatest = 0 then v
+  else
+    (* 2^e <= greatest < 2^(e + 1) *)
+    let about = Z.numbits (Q.num greatest) - Z.numbits (Q.den greatest) in
+    let e = if Rat.compare (power_of_two about) greatest <= 0 then about else about - 1 in
+    let round x = Rat.round_to x ~quantum:(power_of_two (e - estimated_bits)) in
+    Vec.make (round v.x) (round v.y) (round v.z)
+
 (* I_mid = C I C^-1, with C the turn of half the time. *)
 let midway m d (p : State.process) =
   if not (is_free m && spinning p) then p
@@ -93,8 +109,8 @@ let midway m d (p : State.process) =
     match mass_from_first m p with
     | None -> p
     | Some mass ->
-      let half_way = Quaternion.mul (turned p.spin (Rat.mul half d)) p.leaves.(0).turned in
-      State.with_turn ~spin:(turn_rate mass half_way p.kept) ~since:Rat.zero p
+      let half_way = Quaternion.mul (turned (estimate p.spin) (Rat.mul half d)) p.leaves.(0).turned in
+      State.with_turn ~spin:(estimate (turn_rate mass half_way p.kept)) ~since:Rat.zero p
 
 (* {1 Steps} *)
 

@@ -18,6 +18,20 @@ class Body:
         self.fixed = fixed
 
 
+def estimate(v):
+    """A spin to forty bits of its greatest component, halves away from zero."""
+    greatest = max(map(abs, v))
+    if greatest == 0:
+        return v
+    unit = F(1)
+    while unit > greatest:
+        unit /= 2
+    while 2 * unit <= greatest:
+        unit *= 2
+    unit /= 2 ** 40
+    return tuple((1 if x > 0 else -1) * ((2 * abs(x) / unit + 1) // 2) * unit for x in v)
+
+
 class Leaf:
     def __init__(self, body, name, position, turned):
         self.body, self.name, self.position, self.turned = body, name, position, turned
@@ -113,8 +127,8 @@ class Process:
         """A free body's spin for a turn of length d: what its angular momentum gives half-way, C I^-1 C^-1 L."""
         if self.kept is None or self.fixed or self.spin == s.ZERO:
             return self
-        half = self.moved(self.turned_by(s.cayley(s.mul(d / 4, self.spin))))
-        return self.moved(self.leaves, spin=s.solve(half.inertia(), self.kept))
+        half = self.moved(self.turned_by(s.cayley(s.mul(d / 4, estimate(self.spin)))))
+        return self.moved(self.leaves, spin=estimate(s.solve(half.inertia(), self.kept)))
 
     def velocity_at(self, x):
         if self.fixed:
