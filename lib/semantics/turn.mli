@@ -48,8 +48,8 @@ val piece : Model.t -> whole:State.process -> State.process -> State.process
     (reading I-11). *)
 
 val midway : Model.t -> Rat.t -> State.process -> State.process
-(** [midway m d p]: a renewed process with the spin for a turn of a length d > 0. Estimates of spins have 40 bits: they
-    are rounded to the nearest multiples of 2^(e - 40), where 2^e <= the greatest component < 2^(e + 1). *)
+(** [midway m d p]: a renewed process with the spin for a turn of a length d > 0. Estimates of spins have 40 bits:
+    they are rounded to the nearest multiples of 2^(e - 40), where 2^e <= the greatest component < 2^(e + 1). *)
 
 (** {1 Steps} *)
 
