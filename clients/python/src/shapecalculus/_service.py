@@ -1,0 +1,130 @@
+"""The process of the service and its pipes: lines out, lines in, in order, without threads.
+
+Both ends of a pipe may be full at the same time: the service waits until somebody reads its answers, and does not read
+requests meanwhile. So nothing here blocks but ``receive``, which writes what is left to write while it waits.
+"""
+
+from __future__ import annotations
+
+import os
+import select
+import subprocess
+import time
+from typing import List, Optional, Sequence
+
+from .errors import ServiceError
+
+_CHUNK = 1 << 18
+
+
+class Service:
+    """One process of ``command``. ``timeout`` (seconds) bounds each wait for an answer; None: for ever."""
+
+    def __init__(self, command: Sequence[str], timeout: Optional[float] = None) -> None:
+        try:
+            self._process = subprocess.Popen(
+                list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, close_fds=True
+            )
+        except OSError as error:
+            raise ServiceError("cannot start %s: %s" % (command[0], error)) from error
+        assert self._process.stdin is not None and self._process.stdout is not None
+        self._stdin, self._stdout = self._process.stdin, self._process.stdout
+        self._in = self._stdin.fileno()
+        self._out = self._stdout.fileno()
+        os.set_blocking(self._in, False)
+        os.set_blocking(self._out, False)
+        self._poll = select.poll()
+        self._poll.register(self._out, select.POLLIN)
+        self._writing = False
+        self._timeout = timeout
+        self._to_write: memoryview = memoryview(b"")
+        self._read: List[bytes] = []  # an unfinished line
+        self._lines: List[bytes] = []  # finished ones, the next one last
+        self._closed = False
+
+    # Requests.
+
+    def send(self, line: bytes) -> None:
+        """Queues a line (with its newline), and writes what can be written at once."""
+        if self._closed:
+            raise ServiceError("the oracle is closed")
+        rest = self._to_write
+        self._to_write = memoryview(bytes(rest) + line if rest else line)
+        self._write()
+
+    def _write(self) -> None:
+        try:
+            while self._to_write:
+                self._to_write = self._to_write[os.write(self._in, self._to_write) :]
+        except BlockingIOError:
+            pass
+        except OSError as error:
+            raise self._lost("no longer reads: %s" % error) from error
+        waiting = len(self._to_write) > 0
+        if waiting != self._writing:
+            self._writing = waiting
+            if waiting:
+                self._poll.register(self._in, select.POLLOUT)
+            else:
+                self._poll.unregister(self._in)
+
+    # Answers.
+
+    def receive(self) -> bytes:
+        """The next line, without its newline."""
+        if self._closed:
+            raise ServiceError("the oracle is closed")
+        limit = None if self._timeout is None else time.monotonic() + self._timeout
+        while not self._lines:
+            wait = None if limit is None else max(0.0, limit - time.monotonic()) * 1000
+            events = self._poll.poll(wait)
+            if not events:
+                raise self._lost("gave no answer within %g s" % (self._timeout or 0))
+            for fd, _ in events:
+                if fd == self._in:
+                    self._write()
+                else:
+                    self._take()
+        return self._lines.pop()
+
+    def _take(self) -> None:
+        try:
+            chunk = os.read(self._out, _CHUNK)
+        except BlockingIOError:
+            return
+        if not chunk:
+            raise self._lost("has ended")
+        if b"\n" not in chunk:
+            self._read.append(chunk)
+            return
+        lines = b"".join(self._read + [chunk]).split(b"\n")
+        rest = lines.pop()
+        self._read = [rest] if rest else []
+        lines.reverse()
+        self._lines = lines
+
+    # Ends.
+
+    def _lost(self, what: str) -> ServiceError:
+        """Ends a service that cannot be used any more, and says why."""
+        self._stop(0.2)
+        code = self._process.returncode
+        ended = "" if code is None or code < 0 else " (exit code %d)" % code
+        return ServiceError("the service %s%s" % (what, ended))
+
+    def close(self) -> int:
+        """Closes its input, waits until it ends and returns its exit code; again: the same."""
+        self._stop(5.0)
+        return int(self._process.returncode)
+
+    def _stop(self, patience: float) -> None:
+        if self._closed:
+            return
+        self._closed = True
+        self._stdin.close()
+        self._stdout.close()
+        try:
+            self._process.wait(patience)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()

@@ -1,0 +1,350 @@
+"""The requests of the protocol, each with its params and how its answer is read.
+
+``Oracle`` has a method for each that sends it at once, ``Batch`` one that puts it into the batch; their parameters are
+documented here. The names of what is asked, and what it means, are those of specs/oracle.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, Generic, Iterable, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+
+from .geometry import Contact, MassProperties, Meeting, Response, Shape, ShapeReport
+from .models import Description, Evaluation, Model, Replay, Step, Successors
+from .numbers import (
+    MatrixLike,
+    Number,
+    QuaternionLike,
+    VectorLike,
+    matrix_to_json,
+    quaternion_to_json,
+    to_json,
+    vector_to_json,
+)
+
+T = TypeVar("T")
+
+Params = Dict[str, Any]
+ShapeLike = Union[Shape, str]
+ModelLike = Union[Model, str]
+#: A choice: its index, the text of its label, or both in an object.
+Choice = Union[int, str, Mapping[str, Union[int, str]]]
+
+
+@dataclass(frozen=True)
+class Request(Generic[T]):
+    """``read`` makes the answer of the member ``result``."""
+
+    method: str
+    params: Params
+    read: Callable[[Any], T]
+
+
+@dataclass(frozen=True)
+class Touch:
+    """Two parts that touch, one of the first body and one of the second. ``at`` and turns: of turning bodies."""
+
+    a: ShapeLike
+    b: ShapeLike
+    offset: VectorLike
+    turned_a: Optional[QuaternionLike] = None
+    turned_b: Optional[QuaternionLike] = None
+    at: Optional[VectorLike] = None
+
+
+@dataclass(frozen=True)
+class Body:
+    """A body that moves. The last three members are those of turning bodies: in the world, about the centre of mass."""
+
+    mass: Number
+    velocity: VectorLike
+    centre: Optional[VectorLike] = None
+    inertia: Optional[MatrixLike] = None
+    spin: Optional[VectorLike] = None
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """A body that nothing moves."""
+
+
+def _shape(shape: ShapeLike) -> str:
+    return shape if isinstance(shape, str) else shape.handle
+
+
+def _model(model: ModelLike) -> str:
+    return model if isinstance(model, str) else model.handle
+
+
+def _set(params: Params, write: Callable[[Any], Any], **members: Any) -> None:
+    """Those that are not None."""
+    for name, value in members.items():
+        if value is not None:
+            params[name] = write(value)
+
+
+def _limited(params: Params, seconds: Optional[Number]) -> Params:
+    if seconds is not None:
+        params["limits"] = {"seconds": to_json(seconds)}
+    return params
+
+
+# Shapes.
+
+
+def _polyhedron(
+    vertices: Iterable[VectorLike],
+    faces: Iterable[Sequence[Union[int, str]]],
+    vertex_names: Optional[Iterable[str]],
+    face_names: Optional[Iterable[str]],
+) -> Params:
+    params: Params = {
+        "vertices": [vector_to_json(v) for v in vertices],
+        "faces": [list(face) for face in faces],
+    }
+    names: Params = {}
+    _set(names, list, vertices=vertex_names, faces=face_names)
+    if names:
+        params["names"] = names
+    return params
+
+
+def define_shape(
+    vertices: Iterable[VectorLike],
+    faces: Iterable[Sequence[Union[int, str]]],
+    *,
+    vertex_names: Optional[Iterable[str]] = None,
+    face_names: Optional[Iterable[str]] = None,
+    linear: Optional[MatrixLike] = None,
+    quaternion: Optional[QuaternionLike] = None,
+) -> Request[Shape]:
+    """Makes a shape of ``vertices`` and ``faces``: indices (or names) of vertices, counter-clockwise from outside.
+
+    It is seen through the matrix ``linear``, or turned by ``quaternion``. Raises ShapeRefused.
+    """
+    params = _polyhedron(vertices, faces, vertex_names, face_names)
+    _set(params, matrix_to_json, linear=linear)
+    _set(params, quaternion_to_json, quaternion=quaternion)
+    return Request("shape.define", params, Shape.from_json)
+
+
+def check_shape(
+    vertices: Iterable[VectorLike],
+    faces: Iterable[Sequence[Union[int, str]]],
+    *,
+    vertex_names: Optional[Iterable[str]] = None,
+    face_names: Optional[Iterable[str]] = None,
+) -> Request[ShapeReport]:
+    """Whether these make a shape, and why not."""
+    return Request("shape.check", _polyhedron(vertices, faces, vertex_names, face_names), ShapeReport.from_json)
+
+
+def mass(
+    shape: ShapeLike,
+    *,
+    mass: Optional[Number] = None,
+    turned: Optional[QuaternionLike] = None,
+    at: Optional[VectorLike] = None,
+) -> Request[MassProperties]:
+    """Volume, centroid and inertia of a shape of that mass (1), in the world."""
+    params: Params = {"shape": _shape(shape)}
+    _set(params, to_json, mass=mass)
+    _set(params, quaternion_to_json, turned=turned)
+    _set(params, vector_to_json, at=at)
+    return Request("shape.mass", params, MassProperties.from_json)
+
+
+def release_shape(shape: ShapeLike) -> Request[None]:
+    """Makes room for another shape; the handle is never used again."""
+    return Request("shape.release", {"shape": _shape(shape)}, lambda _: None)
+
+
+# Contact.
+
+
+def contact(
+    a: ShapeLike,
+    b: ShapeLike,
+    offset: VectorLike,
+    *,
+    velocity: Optional[VectorLike] = None,
+    resolution: Optional[Number] = None,
+    turned_a: Optional[QuaternionLike] = None,
+    turned_b: Optional[QuaternionLike] = None,
+) -> Request[Contact]:
+    """How B, at ``offset`` from A, lies to A; with ``velocity`` (of B less that of A) whether they approach.
+
+    With ``resolution`` shapes that are no farther apart than that count as near; only then they may be turned.
+    """
+    params: Params = {"a": _shape(a), "b": _shape(b), "offset": vector_to_json(offset)}
+    _set(params, vector_to_json, velocity=velocity)
+    _set(params, to_json, resolution=resolution)
+    _set(params, quaternion_to_json, turned_a=turned_a, turned_b=turned_b)
+    return Request("contact", params, Contact.from_json)
+
+
+def first_time_of_contact(
+    a: ShapeLike,
+    b: ShapeLike,
+    offset: VectorLike,
+    velocity: VectorLike,
+    *,
+    span: Optional[Number] = None,
+    resolution: Optional[Number] = None,
+    grid: Optional[int] = None,
+    turned_a: Optional[QuaternionLike] = None,
+    turned_b: Optional[QuaternionLike] = None,
+    spin_a: Optional[VectorLike] = None,
+    spin_b: Optional[VectorLike] = None,
+    since_a: Optional[Number] = None,
+    since_b: Optional[Number] = None,
+    arm_a: Optional[VectorLike] = None,
+    arm_b: Optional[VectorLike] = None,
+    seconds: Optional[Number] = None,
+) -> Request[Meeting]:
+    """When B, at ``offset`` from A and with ``velocity`` (less that of A), first collides with A.
+
+    With ``span`` and either ``resolution`` or ``grid`` for bodies that turn: within that time, on a grid of instants.
+    """
+    params: Params = {
+        "a": _shape(a),
+        "b": _shape(b),
+        "offset": vector_to_json(offset),
+        "velocity": vector_to_json(velocity),
+    }
+    _set(params, to_json, span=span, resolution=resolution, since_a=since_a, since_b=since_b)
+    _set(params, int, grid=grid)
+    _set(params, quaternion_to_json, turned_a=turned_a, turned_b=turned_b)
+    _set(params, vector_to_json, spin_a=spin_a, spin_b=spin_b, arm_a=arm_a, arm_b=arm_b)
+    return Request("first_time_of_contact", _limited(params, seconds), Meeting.from_json)
+
+
+def _touch(touch: Union[Touch, Tuple[ShapeLike, ShapeLike, VectorLike]]) -> Params:
+    touch = touch if isinstance(touch, Touch) else Touch(*touch)
+    params: Params = {"a": _shape(touch.a), "b": _shape(touch.b), "offset": vector_to_json(touch.offset)}
+    _set(params, quaternion_to_json, turned_a=touch.turned_a, turned_b=touch.turned_b)
+    _set(params, vector_to_json, at=touch.at)
+    return params
+
+
+def _body(body: Union[Body, Fixed]) -> Params:
+    if isinstance(body, Fixed):
+        return {"fixed": True}
+    params: Params = {"mass": to_json(body.mass), "velocity": vector_to_json(body.velocity)}
+    _set(params, vector_to_json, centre=body.centre, spin=body.spin)
+    _set(params, matrix_to_json, inertia=body.inertia)
+    return params
+
+
+def response(
+    touching: Iterable[Union[Touch, Tuple[ShapeLike, ShapeLike, VectorLike]]],
+    first: Union[Body, Fixed],
+    second: Union[Body, Fixed],
+    *,
+    resolution: Optional[Number] = None,
+) -> Request[Response]:
+    """The velocities of two bodies after they have met. ``touching``: all pairs (a, b, offset) of parts that touch."""
+    params: Params = {"touching": [_touch(t) for t in touching], "first": _body(first), "second": _body(second)}
+    _set(params, to_json, resolution=resolution)
+    return Request("response", params, Response.from_json)
+
+
+# Models.
+
+
+def load_model(
+    text: str,
+    *,
+    files: Optional[Mapping[str, str]] = None,
+    parameters: Optional[Mapping[str, Number]] = None,
+    seconds: Optional[Number] = None,
+) -> Request[Model]:
+    """Reads a model. ``files``: the texts of the meshes that it names. Raises ModelRefused."""
+    params: Params = {"text": text}
+    _set(params, dict, files=files)
+    if parameters is not None:
+        params["parameters"] = {name: to_json(value) for name, value in parameters.items()}
+    return Request("model.load", _limited(params, seconds), Model.from_json)
+
+
+def release_model(model: ModelLike) -> Request[None]:
+    """Makes room for another model; the handle is never used again."""
+    return Request("model.release", {"model": _model(model)}, lambda _: None)
+
+
+def successors(
+    model: ModelLike, path: Sequence[int] = (), *, states: str = "here", seconds: Optional[Number] = None
+) -> Request[Successors]:
+    """All that may happen in the state that ``path`` leads to. ``states``: "here", "all" or "none"."""
+    params: Params = {"model": _model(model), "path": list(path), "states": states}
+    return Request("successors", _limited(params, seconds), Successors.from_json)
+
+
+def step(
+    model: ModelLike, path: Sequence[int], choice: Union[int, str], *, seconds: Optional[Number] = None
+) -> Request[Step]:
+    """Takes a transition, told by its index or the text of its label. Raises NotPossible."""
+    params: Params = {"model": _model(model), "path": list(path), "choice": choice}
+    return Request("step", _limited(params, seconds), Step.from_json)
+
+
+def replay(
+    model: ModelLike,
+    choices: Optional[Iterable[Choice]] = None,
+    *,
+    offset: Optional[Number] = None,
+    choose: Optional[str] = None,
+    seed: Optional[int] = None,
+    steps: Optional[int] = None,
+    time: Optional[Number] = None,
+    states: str = "all",
+    seconds: Optional[Number] = None,
+) -> Request[Replay]:
+    """Follows ``choices``, or chooses: ``choose="first"``, or by chance from ``seed``. ``states``: "all" or "ends"."""
+    params: Params = {"model": _model(model), "states": states}
+    if choices is not None:
+        params["choices"] = [dict(c) if isinstance(c, Mapping) else c for c in choices]
+    if seed is not None:
+        params["choose"] = {"random": seed}
+    _set(params, str, choose=choose)
+    _set(params, to_json, offset=offset, time=time)
+    _set(params, int, steps=steps)
+    return Request("replay", _limited(params, seconds), Replay.from_json)
+
+
+def evaluate(
+    model: ModelLike,
+    formula: str,
+    path: Sequence[int] = (),
+    *,
+    states: Optional[int] = None,
+    depth: Optional[int] = None,
+    time: Optional[Number] = None,
+    seconds: Optional[Number] = None,
+) -> Request[Evaluation]:
+    """What ``formula`` says in the state that ``path`` leads to; limits are those of the exploration, if any."""
+    params = _limited({"model": _model(model), "path": list(path), "formula": formula}, seconds)
+    limits: Params = params.get("limits", {})
+    _set(limits, int, states=states, depth=depth)
+    _set(limits, to_json, time=time)
+    if limits:
+        params["limits"] = limits
+    return Request("evaluate", params, Evaluation.from_json)
+
+
+def describe() -> Request[Description]:
+    """What the service is, and its limits."""
+    return Request("service.describe", {}, Description.from_json)
+
+
+
+
+def cast_template(a: ShapeLike, b: ShapeLike) -> str:
+    """A request for first_time_of_contact without its numbers: to be filled with id, offset and velocity."""
+    for handle in (_shape(a), _shape(b)):
+        if not handle.isalnum():
+            raise ValueError("not a handle: %r" % handle)
+    return (
+        '{"jsonrpc":"2.0","id":%%d,"method":"first_time_of_contact","params":{"a":"%s","b":"%s",'
+        '"offset":[%%s],"velocity":[%%s]}}' % (_shape(a), _shape(b))
+    )

@@ -1,0 +1,184 @@
+"""What the client makes of a service that does not do what it should, and how it writes what it sends."""
+
+import json
+import os
+import sys
+import unittest
+from decimal import Decimal
+from fractions import Fraction
+
+from shapecalculus import Batch, LimitExceeded, Meeting, Oracle, OracleError, RequestError, ServiceError, UnknownHandle
+from shapecalculus import numbers, requests
+from shapecalculus.oracle import _batch, _cast_texts, _lines
+
+FAKE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "fake.py")
+
+
+def fake(way):
+    return Oracle([sys.executable, FAKE, way], timeout=20)
+
+
+def casts(count):
+    return [("s1", "s2", (i, 0, 0), (-1, 0, 0)) for i in range(count)]
+
+
+class Services(unittest.TestCase):
+    def test_another_protocol(self):
+        with self.assertRaisesRegex(ServiceError, "protocol 2"):
+            fake("newer")
+
+    def test_no_oracle_at_all(self):
+        with self.assertRaises(ServiceError):
+            Oracle([sys.executable, "-c", ""])
+
+    def test_all_is_well(self):
+        with fake("well") as oracle:
+            self.assertEqual(oracle.first_times_of_contact(casts(3000)), [Meeting("never")] * 3000)
+            self.assertEqual(oracle.first_time_of_contact("s1", "s1", (3, 0, 0), (1, 0, 0)).outcome, "never")
+            self.assertEqual(oracle.first_times_of_contact([]), [])
+
+    def test_garbage(self):
+        with fake("garbage") as oracle:
+            with self.assertRaisesRegex(ServiceError, "no JSON"):
+                oracle.first_time_of_contact("s1", "s1", (3, 0, 0), (1, 0, 0))
+            with self.assertRaises(ServiceError):
+                oracle.describe()
+
+    def test_answers_to_something_else(self):
+        with fake("wrong-ids") as oracle:
+            with self.assertRaises(ServiceError):
+                oracle.first_time_of_contact("s1", "s1", (3, 0, 0), (1, 0, 0))
+        for way in ("wrong-ids", "one-too-few", "turned-round"):
+            with self.subTest(way), fake(way) as oracle:
+                with self.assertRaisesRegex(ServiceError, "one by one"):
+                    oracle.first_times_of_contact(casts(1000))
+
+    def test_code_of_a_later_version(self):
+        with fake("strange-code") as oracle:
+            with self.assertRaises(RequestError) as caught:
+                oracle.first_time_of_contact("s1", "s1", (3, 0, 0), (1, 0, 0))
+        self.assertEqual((caught.exception.code, caught.exception.data), (-32099, {"a": 1}))
+        self.assertIsInstance(caught.exception, OracleError)
+
+
+class Refusals(unittest.TestCase):
+    def test_bulk_tells_the_first(self):
+        with fake("every-third-refused") as oracle:
+            with self.assertRaises(UnknownHandle) as caught:
+                oracle.first_times_of_contact(casts(2000))
+            self.assertEqual((caught.exception.index, caught.exception.data["handle"]), (2, "s9"))
+            self.assertEqual(len(oracle.first_times_of_contact(casts(2))), 2)
+
+    def test_each_future_has_its_own(self):
+        with fake("every-third-refused") as oracle:
+            with oracle.batch() as batch:
+                futures = [batch.first_time_of_contact(*cast) for cast in casts(1000)]
+                self.assertFalse(futures[0].done)
+                with self.assertRaises(RuntimeError):
+                    futures[0].result()
+            refused = [i for i, future in enumerate(futures) if future.error() is not None]
+            self.assertEqual(refused, list(range(2, 1000, 3)))
+            self.assertEqual(futures[0].result(), Meeting("never"))
+            with self.assertRaises(UnknownHandle):
+                futures[2].result()
+
+    def test_a_line_is_refused(self):
+        with fake("line-refused") as oracle:
+            with oracle.batch() as batch:
+                futures = [batch.first_time_of_contact(*cast) for cast in casts(3)]
+            self.assertTrue(all(isinstance(future.error(), LimitExceeded) for future in futures))
+
+    def test_nothing_is_sent_when_the_block_fails(self):
+        with fake("well") as oracle:
+            with self.assertRaises(ZeroDivisionError):
+                with oracle.batch() as batch:
+                    future = batch.first_time_of_contact("s1", "s1", (3, 0, 0), (1, 0, 0))
+                    raise ZeroDivisionError
+            self.assertFalse(future.done)
+
+    def test_a_mistake_amid_a_bulk_call(self):
+        def wrong():
+            yield from casts(1700)
+            yield ("s1", "s2", (1, 2), (3, 4, 5))
+
+        with fake("well") as oracle:
+            with self.assertRaises(ValueError):
+                oracle.first_times_of_contact(wrong())
+            self.assertEqual(len(oracle.first_times_of_contact(casts(600))), 600)
+            oracle.describe()
+
+
+class Writing(unittest.TestCase):
+    def test_numbers(self):
+        for number, json_value in [
+            (3, 3),
+            (-0, 0),
+            (Fraction(-3, 6), "-1/2"),
+            (Fraction(4), 4),
+            (0.5, "1/2"),
+            (0.1, "3602879701896397/36028797018963968"),
+            ("0.1", "1/10"),
+            ("-6/4", "-3/2"),
+            (Decimal("1.25"), "5/4"),
+            (True, 1),
+            (10**50, 10**50),
+        ]:
+            with self.subTest(number):
+                self.assertEqual(numbers.to_json(number), json_value)
+                self.assertEqual(Fraction(json.loads(numbers.to_text(number))), Fraction(json_value))
+
+    def test_what_is_no_number(self):
+        for wrong in (float("nan"), float("inf"), "x", "1/0", '1","a":"', ""):
+            with self.subTest(wrong):
+                self.assertRaises(ValueError, numbers.to_json, wrong)
+                self.assertRaises(ValueError, numbers.to_text, wrong)
+        for wrong in ((1, 2), (1, 2, 3, 4), "123"):
+            with self.subTest(wrong):
+                self.assertRaises(ValueError, numbers.vector_to_json, wrong)
+        self.assertRaises(ValueError, numbers.matrix_to_json, [(1, 0, 0)])
+        self.assertRaises(TypeError, numbers.to_json, None)
+
+    def test_bulk_casts_are_written_as_single_ones(self):
+        offset, velocity = (1, Fraction(2, 3), 0.25), ("1e-1", -7, Decimal(3))
+        for count, text in enumerate(_cast_texts([("s1", "s22", offset, velocity)] * 2)):
+            request = requests.first_time_of_contact("s1", "s22", offset, velocity)
+            read = json.loads(text)
+            self.assertEqual(read["id"], count)
+            self.assertEqual(read["method"], request.method)
+            for name in ("offset", "velocity"):
+                exact = [Fraction(x) for x in read["params"][name]]
+                self.assertEqual(exact, [Fraction(x) for x in request.params[name]])
+
+    def test_handles_are_no_way_in(self):
+        self.assertRaises(ValueError, requests.cast_template, 's1","x":"', "s1")
+
+    def test_lines(self):
+        texts = [str(i) for i in range(1100)]
+        lines = list(_lines(texts))
+        self.assertEqual([(first, count) for first, count, _ in lines], [(0, 512), (512, 512), (1024, 76)])
+        self.assertEqual([x for _, _, line in lines for x in json.loads(line)], list(range(1100)))
+        long = ['"%s"' % ("x" * 700_000)] * 3
+        self.assertEqual([count for _, count, _ in _lines(long)], [1, 1, 1])
+        self.assertEqual(_batch(["1", "2"]), b"[1,2]\n")
+
+
+class Answers(unittest.TestCase):
+    def test_meetings(self):
+        hit = Meeting("at", "6/4")
+        self.assertEqual((hit.time, hit.collides), (Fraction(3, 2), True))
+        self.assertEqual(repr(hit), "Meeting(outcome='at', time=Fraction(3, 2))")
+        self.assertEqual(len({Meeting("never"), Meeting("never"), Meeting("inside")}), 2)
+        self.assertNotEqual(Meeting("at", "1/1", 3), Meeting("at", "1/1"))
+        self.assertIsNone(Meeting("never").time)
+
+    def test_all_methods_are_in_batches_too(self):
+        returns = {name: getattr(value, "__annotations__", {}).get("return") for name, value in vars(requests).items()}
+        methods = [name for name, made in returns.items() if str(made).startswith("Request[")]
+        self.assertGreaterEqual(len(methods), 14)
+        for name in sorted(methods):
+            self.assertTrue(callable(getattr(Oracle, name)), name)
+            self.assertTrue(callable(getattr(Batch, name)), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
