@@ -59,6 +59,7 @@ let impossible_event = "SC0704"
 let bad_schedule = "SC0801"
 let schedule_mismatch = "SC0802"
 let bad_graph = "SC0803"
+let bad_trace = "SC0804"
 let not_yet = "SC0901"
 
 let all =
@@ -122,5 +123,6 @@ let all =
     (bad_schedule, "a schedule that does not fit its format or the model");
     (schedule_mismatch, "a choice that is not possible where it is made");
     (bad_graph, "a graph (.aut) that does not fit its format");
+    (bad_trace, "a recorded trace that does not fit its format or the model");
     (not_yet, "a feature of the language that this version does not execute");
   ]

@@ -205,6 +205,9 @@ val schedule_mismatch : t
 val bad_graph : t
 (** SC0803: a graph (.aut) that does not fit its format. *)
 
+val bad_trace : t
+(** SC0804: a recorded trace that does not fit its format or the model. *)
+
 
 (** {1 Not yet} *)
 

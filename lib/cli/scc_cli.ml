@@ -16,6 +16,8 @@ let commands =
     Explore_command.command;
     Explain_command.command;
     Compare_command.command;
+    Conform_command.command;
+    Diff_command.command;
     Shape_command.command;
     Fmt_command.command;
   ]

@@ -1,0 +1,204 @@
+open Scc_base
+open Scc_exact
+open Scc_exchange
+open Scc_conform
+open Scc_equivalence
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type options = {
+  path : string;
+  trace : string;
+  overrides : (string * Rat.t) list;
+  tolerance : Rat.t option;
+  unobserved : Label.pattern list;
+  states : int;
+  run : string option;
+}
+
+let same_value (name, value) (name', value') = String.equal name name' && not (Rat.equal value value')
+
+(* The parameters of the trace, which -D may repeat but not change. *)
+let parameters (trace : Recorded.t) overrides =
+  match List.find_opt (fun o -> List.exists (same_value o) trace.parameters) overrides with
+  | Some (name, _) ->
+    Error [ Recorded.malformed Span.none "the trace was made with another value of `%s` than -D gives" name ]
+  | None ->
+    let given (name, _) = List.mem_assoc name trace.parameters in
+    Ok (trace.parameters @ List.filter (fun o -> not (given o)) overrides)
+
+let check_digest (trace : Recorded.t) (model : Input.model) =
+  match trace.digest with
+  | Some (d, at) when not (String.equal d model.digest) ->
+    Error
+      [
+        Diag.error Code.bad_trace at ~hint:"remove its `digest` to look at it all the same"
+          "the trace is of another model, or of another text of this one";
+      ]
+  | Some _ | None -> Ok ()
+
+let read console path =
+  let* source = Result.map_error (fun d -> [ d ]) (Input.read path) in
+  Console.add_source console source;
+  Read.trace source
+
+let write_run path (model : Input.model) choices =
+  let e = model.elaborated in
+  let text = Schedule.to_string ~digest:model.digest ~parameters:e.parameters choices ~offset:None in
+  Result.map_error (fun d -> [ d ]) (Console.write_file ~path text)
+
+let exit_code : Verdict.answer -> Exit_code.t = function
+  | Conforms _ -> Holds
+  | Diverges _ -> Violated
+  | Undecided { reason = Interrupted; _ } -> Stopped
+  | Undecided { reason = Fault (Bad_law _); _ } -> Invalid
+  | Undecided _ -> Undecided
+
+let conform console o =
+  let interrupted = Interrupt.install () in
+  let* trace = read console o.trace in
+  let* overrides = parameters trace o.overrides in
+  let* model = Input.model console ~overrides o.path in
+  let* () = check_digest trace model in
+  let e = model.elaborated in
+  Console.report console e.warnings;
+  let* tolerance = Verdict.tolerance e.model trace o.tolerance in
+  let observed label = not (List.exists (fun p -> Option.is_some (Label.matches p label)) o.unobserved) in
+  let limits = { Search.states = o.states; interrupted } in
+  let* answer =
+    match Verdict.check e.model e.declared trace ~tolerance ~observed limits with
+    | Ok answer -> Ok answer
+    | Error (`Invalid diagnostics) -> Error diagnostics
+    | Error (`Fault fault) -> Error [ Scc_semantics.Transition.diagnostic e.model fault ]
+  in
+  let* () =
+    match (answer, o.run) with
+    | Conforms { choices; _ }, Some path -> write_run path model choices
+    | _ -> Ok ()
+  in
+  let code = exit_code answer in
+  let report =
+    {
+      Report.file = o.path; name = e.name; digest = model.digest; parameters = e.parameters; model = e.model;
+      trace; tolerance; answer;
+    }
+  in
+  Console.print console
+    (if Console.is_json console then
+       let source = Console.source console in
+       let diagnostics = List.map (Diag_json.diagnostic ~source) (Console.kept console) in
+       Json.pretty (Report.json report ~exit:(Exit_code.to_int code) ~diagnostics)
+     else Report.text report);
+  Console.flush console;
+  Ok code
+
+let run color json o =
+  let console = Console.make ~color ~json in
+  if String.equal o.path "-" && String.equal o.trace "-" then begin
+    prerr_endline "scc: only one of the two can be read from standard input";
+    Exit_code.Usage
+  end
+  else
+    Guard.run console (fun () ->
+        match conform console o with
+        | Ok code -> code
+        | Error diagnostics -> Guard.invalid console diagnostics)
+
+(* The command line. *)
+
+let trace =
+  let doc = "The trace, as JSON Lines or CSV; $(b,-) reads it from standard input." in
+  Arg.(required & pos 1 (some string) None & info [] ~docv:"TRACE" ~doc)
+
+let tolerance =
+  let doc =
+    "How far off the times, positions, velocities and other numbers of the trace may be, each by itself. With 0, \
+     the default, they have to be equal. A trace with floats (numbers with a point or an exponent) needs one; in a \
+     rigid model not less than its resolution, unless it is 0."
+  in
+  Arg.(value & opt (some Options.rational) None & info [ "tolerance" ] ~docv:"T" ~doc)
+
+(* A kind stands for all labels of it. *)
+let pattern =
+  let parse s =
+    let is_kind = not (String.exists (function '(' | '*' -> true | _ -> false) s) in
+    if String.equal s "" then Error (`Msg "an empty pattern fits no label")
+    else Ok (Label.pattern (if is_kind then s ^ "(*)" else s))
+  in
+  Arg.conv ~docv:"PATTERN" (parse, fun ppf _ -> Format.pp_print_string ppf "PATTERN")
+
+let unobserved =
+  let doc =
+    "Events that the trace need not tell: a kind ($(b,bounce), $(b,bind), $(b,weak), $(b,strong)), or the text of a \
+     label, in which $(b,*) stands for any characters: $(b,'bounce(p, *\\)'). Repeatable. Every other event has to \
+     be told."
+  in
+  Arg.(value & opt_all pattern [] & info [ "unobserved" ] ~docv:"PATTERN" ~doc)
+
+let states =
+  let doc =
+    "Looks at no more than $(docv) states for each line of the trace. When that does not do, the trace is undecided, \
+     unless it conforms all the same."
+  in
+  let count =
+    let parse s =
+      match int_of_string_opt s with
+      | Some n when n >= 1 -> Ok n
+      | _ -> Error (`Msg (Printf.sprintf "`%s' is no number of states" s))
+    in
+    Arg.conv ~docv:"N" (parse, Format.pp_print_int)
+  in
+  Arg.(value & opt count Search.default_states & info [ "states" ] ~docv:"N" ~doc)
+
+let run_file =
+  let doc = "Writes a run that the trace is of to $(docv), as a schedule for $(b,scc trace --schedule)." in
+  Arg.(value & opt (some string) None & info [ "run" ] ~docv:"FILE" ~doc)
+
+let options =
+  let make path trace overrides tolerance unobserved states run =
+    { path; trace; overrides; tolerance; unobserved; states; run }
+  in
+  Term.(
+    const make $ Options.model_file $ trace $ Options.overrides $ tolerance $ unobserved $ states $ run_file)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Tells whether a trace that somebody else recorded, another simulator say, is one of the model: each of its \
+       events is matched to a transition that is allowed. Where the trace leaves a choice open (which candidate \
+       bound, in which order things happened that happened at once), all are followed. Otherwise the first thing is \
+       told that no run does: what the trace did, what was allowed there, which rules say so, how far off it is.";
+    `P
+      "A trace is the JSON Lines of $(b,scc trace), most of whose members may be left out, or CSV with the columns \
+       $(b,time), $(b,event), $(b,bodies), $(b,features) and some more. Both are described, with examples, in \
+       $(b,specs/conform.md).";
+    `P
+      "Events that happen at times that differ by no more than the tolerance, to separate bodies, may stand in \
+       either order.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc conform model.sc theirs.csv --tolerance 1e-9";
+    `Pre "  scc conform model.sc theirs.jsonl --unobserved bounce --json";
+    `Pre "  scc conform model.sc theirs.csv --tolerance 1e-6 --run same.json && scc trace model.sc --schedule same.json";
+  ]
+
+let exits =
+  let info code doc = Cmd.Exit.info (Exit_code.to_int code) ~doc in
+  [
+    info Holds "if the trace is one of the model, within the tolerance.";
+    info Violated "if it is not.";
+    info Undecided "if that is not known: a limit was reached.";
+    info Invalid "if the model or the trace is invalid.";
+    info Stopped "if it is not known since it was interrupted.";
+    info Usage "if the command line is wrong.";
+    info Bug "if scc itself is at fault: the message says what to send.";
+  ]
+
+let command =
+  Cmd.v
+    (Cmd.info "conform" ~doc:"tell whether a recorded trace is one of a model, and where not" ~man ~exits)
+    Term.(const run $ Options.color $ Options.json $ options)

@@ -1,0 +1,97 @@
+open Scc_exact
+open Scc_exchange
+open Scc_conform
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type options = { first : string; second : string; tolerance : Rat.t option }
+
+let read console path =
+  let* source = Result.map_error (fun d -> [ d ]) (Input.read path) in
+  Console.add_source console source;
+  Read.trace source
+
+let tolerance asked (a : Recorded.t) (b : Recorded.t) =
+  let refuse at fmt = Printf.ksprintf (fun s -> Error [ Recorded.malformed at "%s" s ]) fmt in
+  match (asked, a.inexact, b.inexact) with
+  | Some t, _, _ when Rat.sign t < 0 -> refuse Scc_base.Span.none "the tolerance is negative"
+  | Some t, _, _ -> Ok t
+  | None, Some at, _ | None, None, Some at ->
+    refuse at "the trace has floats: say by --tolerance how far off they may be (0 for not at all)"
+  | None, None, None -> Ok Rat.zero
+
+let diff console o =
+  let* a = read console o.first in
+  let* b = read console o.second in
+  let* tolerance = tolerance o.tolerance a b in
+  let found = Difference.find a b ~tolerance in
+  let code : Exit_code.t = if Option.is_none found then Holds else Violated in
+  Console.print console
+    (if Console.is_json console then
+       Json.pretty (Difference_report.json a b ~tolerance ~exit:(Exit_code.to_int code) found)
+     else Difference_report.text a b found);
+  Console.flush console;
+  Ok code
+
+let run color json o =
+  let console = Console.make ~color ~json in
+  if String.equal o.first "-" && String.equal o.second "-" then begin
+    prerr_endline "scc: only one of the two can be read from standard input";
+    Exit_code.Usage
+  end
+  else
+    Guard.run console (fun () ->
+        match diff console o with
+        | Ok code -> code
+        | Error diagnostics -> Guard.invalid console diagnostics)
+
+(* The command line. *)
+
+let trace index docv =
+  let doc = Printf.sprintf "The %s trace, as JSON Lines or CSV." (String.lowercase_ascii docv) in
+  Arg.(required & pos index (some string) None & info [] ~docv ~doc)
+
+let tolerance_option =
+  let doc =
+    "How far the numbers of the two may be apart, each by itself. With 0, the default, they have to be equal. A trace \
+     with floats needs one."
+  in
+  Arg.(value & opt (some Options.rational) None & info [ "tolerance" ] ~docv:"T" ~doc)
+
+let options =
+  let make first second tolerance = { first; second; tolerance } in
+  Term.(const make $ trace 0 "FIRST" $ trace 1 "SECOND" $ tolerance_option)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Tells the first difference of two traces in terms of the calculus: whether they are of one model, with the \
+       same parameters; the first event that is another, at another time, or another choice; the first state in \
+       which a body differs, in which quantity, by how much. What only one of the two tells (features, states, \
+       behaviours) is not compared. The formats are those of $(b,scc conform), which tells whether a trace is \
+       allowed; two different traces may both be.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc diff one.jsonl two.jsonl";
+    `Pre "  scc diff exact.jsonl floats.csv --tolerance 1e-9 --json";
+  ]
+
+let exits =
+  let info code doc = Cmd.Exit.info (Exit_code.to_int code) ~doc in
+  [
+    info Holds "if the two are the same, as far as both tell.";
+    info Violated "if they differ.";
+    info Invalid "if a trace is invalid.";
+    info Stopped "if an output could not be written.";
+    info Usage "if the command line is wrong.";
+    info Bug "if scc itself is at fault: the message says what to send.";
+  ]
+
+let command =
+  Cmd.v
+    (Cmd.info "diff" ~doc:"tell the first difference of two traces" ~man ~exits)
+    Term.(const run $ Options.color $ Options.json $ options)

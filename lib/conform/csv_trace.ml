@@ -1,0 +1,190 @@
+open Scc_base
+open Recorded
+
+let ( let* ) = Result.bind
+let columns = [ "time"; "event"; "bodies"; "channel"; "features"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "behaviour" ]
+
+(* {1 Rows and cells} *)
+
+(* A cell may be quoted, with a quote in it written twice; it ends with its line. *)
+let cells text =
+  let n = String.length text in
+  let b = Buffer.create 64 in
+  let cell () =
+    let c = String.trim (Buffer.contents b) in
+    Buffer.clear b;
+    c
+  in
+  let rec plain i acc =
+    if i >= n then Some (List.rev (cell () :: acc))
+    else
+      match text.[i] with
+      | ',' -> plain (i + 1) (cell () :: acc)
+      | '"' when String.trim (Buffer.contents b) = "" ->
+        Buffer.clear b;
+        quoted (i + 1) acc
+      | c ->
+        Buffer.add_char b c;
+        plain (i + 1) acc
+  and quoted i acc =
+    if i >= n then None
+    else if text.[i] <> '"' then begin
+      Buffer.add_char b text.[i];
+      quoted (i + 1) acc
+    end
+    else if i + 1 < n && text.[i + 1] = '"' then begin
+      Buffer.add_char b '"';
+      quoted (i + 2) acc
+    end
+    else plain (i + 1) acc
+  in
+  plain 0 []
+
+let words ~spaces text =
+  let text = if spaces then String.map (fun c -> if c = ' ' || c = '\t' then ';' else c) text else text in
+  String.split_on_char ';' text |> List.map String.trim |> List.filter (fun w -> w <> "")
+
+type row = { line : int; at : Span.t; get : string -> string }
+
+(* {1 Rows as items} *)
+
+let number row column =
+  match literal (row.get column) with
+  | Some n -> Ok n
+  | None -> Error (malformed row.at "`%s` is no number: `%s`" column (row.get column))
+
+let untold row allowed =
+  match List.find_opt (fun c -> row.get c <> "" && not (List.mem c allowed)) columns with
+  | None -> Ok ()
+  | Some c -> Error (malformed row.at "a row `%s` has nothing in the column `%s`" (row.get "event") c)
+
+let event row kind =
+  let allowed = [ "time"; "event"; "bodies" ] @ if kind = Bounce then [] else [ "channel"; "features" ] in
+  let* () = untold row allowed in
+  let bodies = words ~spaces:true (row.get "bodies") in
+  let features = sort (List.map normal (words ~spaces:false (row.get "features"))) in
+  let channels = List.sort_uniq String.compare (words ~spaces:true (row.get "channel")) in
+  let count = List.length bodies in
+  let* () =
+    match kind with
+    | Bounce when count <> 2 -> Error (malformed row.at "a bounce is of two bodies, not of %d" count)
+    | (Bind | Weak) when count <> 2 && not (count = 0 && features <> []) ->
+      Error (malformed row.at "a row `%s` is of two bodies, not of %d" (kind_name kind) count)
+    | Strong when count = 0 && features = [] -> Error (malformed row.at "a row `strong` names no bodies")
+    | Bounce | Bind | Weak | Strong -> Ok ()
+  in
+  Ok (Event { kind; channels; bodies; features }, false)
+
+let state row =
+  let* () = untold row [ "time"; "event"; "bodies"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "behaviour" ] in
+  match words ~spaces:true (row.get "bodies") with
+  | [ name ] ->
+    let read acc (column, quantity) =
+      let* numbers, inexact = acc in
+      if row.get column = "" then Ok (numbers, inexact)
+      else
+        let* q, is_float = number row column in
+        Ok ((quantity, q) :: numbers, inexact || is_float)
+    in
+    let all = [ Position 0; Position 1; Position 2; Velocity 0; Velocity 1; Velocity 2 ] in
+    let* numbers, inexact =
+      List.fold_left read (Ok ([], false)) (List.map (fun q -> (quantity_text q, q)) all)
+    in
+    let behaviour = match row.get "behaviour" with "" -> None | b -> Some b in
+    let body =
+      {
+        name; numbers = List.rev numbers; turned = None; clock = None; behaviour; origin = None; group = None;
+        bonds = None;
+      }
+    in
+    Ok (State ([ body ], None), inexact)
+  | bodies -> Error (malformed row.at "a row `state` is of one body, not of %d" (List.length bodies))
+
+let bare row what =
+  let* () = untold row [ "time"; "event" ] in
+  Ok (what, false)
+
+let item row =
+  let* time, time_float = number row "time" in
+  let* what, inexact =
+    match row.get "event" with
+    | "state" -> state row
+    | "time" -> bare row (State ([], None))
+    | "end" -> bare row Watched
+    | "quiescent" -> bare row Quiescent
+    | "stuck" -> bare row Stuck
+    | name -> (
+        match kind_of_name name with
+        | Some kind -> event row kind
+        | None ->
+          Error
+            (malformed row.at
+               "`%s` is none of bind, bounce, weak, strong, state, time, end, quiescent and stuck" name))
+  in
+  Ok ({ line = row.line; at = row.at; time; what }, time_float || inexact)
+
+(* {1 The file} *)
+
+let heading at names =
+  let unknown = List.find_opt (fun c -> not (List.mem c columns)) names in
+  let twice = List.find_opt (fun c -> List.length (List.filter (String.equal c) names) > 1) names in
+  match (unknown, twice) with
+  | Some c, _ ->
+    Error (Diag.error Code.bad_trace at ?hint:(Diag.suggest c columns) "there is no column `%s`" c)
+  | None, Some c -> Error (malformed at "the column `%s` stands twice" c)
+  | None, None ->
+    if List.mem "time" names && List.mem "event" names then Ok ()
+    else Error (malformed at "the first row names the columns, `time` and `event` among them")
+
+let lines source =
+  let text = Source.text source and file = Source.name source in
+  let rec from number start acc =
+    if start >= String.length text then List.rev acc
+    else
+      let stop = Option.value (String.index_from_opt text start '\n') ~default:(String.length text) in
+      let line = String.sub text start (stop - start) in
+      let at = Span.make ~file ~start ~stop:(max (start + 1) stop) in
+      let told = String.trim line in
+      let acc = if told = "" || told.[0] = '#' then acc else (number, at, line) :: acc in
+      from (number + 1) (stop + 1) acc
+  in
+  from 1 0 []
+
+let row names (line, at, text) =
+  match cells text with
+  | None -> Error (malformed at "a quote is not closed")
+  | Some values when List.length values > List.length names -> Error (malformed at "more cells than columns")
+  | Some values ->
+    let rec find names values column =
+      match (names, values) with
+      | n :: _, v :: _ when String.equal n column -> v
+      | _ :: names, _ :: values -> find names values column
+      | _, _ -> ""
+    in
+    Ok { line; at; get = find names values }
+
+let most_faults = 20
+
+let read source =
+  let empty = Span.make ~file:(Source.name source) ~start:0 ~stop:1 in
+  match lines source with
+  | [] -> Error [ malformed empty "the trace is empty" ]
+  | (_, at, first) :: rest ->
+    let names = Option.map (List.map String.lowercase_ascii) (cells first) in
+    let* names = Option.to_result ~none:[ malformed at "a quote is not closed" ] names in
+    let* () = Result.map_error (fun d -> [ d ]) (heading at names) in
+    let add (items, inexact, faults) line =
+      match Result.bind (row names line) item with
+      | Ok (i, is_float) ->
+        let inexact = if is_float && Option.is_none inexact then Some i.at else inexact in
+        (i :: items, inexact, faults)
+      | Error d -> (items, inexact, d :: faults)
+    in
+    let items, inexact, faults = List.fold_left add ([], None, []) rest in
+    if faults <> [] then Error (List.filteri (fun i _ -> i < most_faults) (List.rev faults))
+    else
+      Ok
+        {
+          name = Source.name source; format = "csv"; digest = None; parameters = [];
+          items = Array.of_list (List.rev items); choices = []; inexact;
+        }

@@ -1,0 +1,31 @@
+(** The first difference of two recorded traces, in terms of the calculus. No model is needed: what only one of the two
+    tells is not compared, but for events, of which both tell all. *)
+
+open Scc_exact
+
+type side = First | Second
+
+type t =
+  | Header of { what : string; first : string; second : string }
+  (** ["digest"], or a parameter: the two are not of one model *)
+  | Event of { number : int;  (** from 1 *) first : Recorded.item; second : Recorded.item; what : event_difference }
+  | More of { side : side; number : int; item : Recorded.item }  (** an event that only one has *)
+  | State of {
+      first : Recorded.item;
+      second : Recorded.item;
+      events : int;  (** so many events came before *)
+      body : string;
+      quantity : string;
+      told : string * string;
+      off : Rat.t option;  (** the second less the first *)
+    }
+  | Ending of { first : string; second : string }
+
+and event_difference =
+  | Label  (** something else happens *)
+  | Time of Rat.t  (** the same later, in the second, by so much *)
+  | Choice of int * int  (** the same, but it was another choice *)
+  | Rules of string list * string list
+
+val find : Recorded.t -> Recorded.t -> tolerance:Rat.t -> t option
+(** The first difference; [None] when there is none. *)

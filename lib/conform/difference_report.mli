@@ -1,0 +1,7 @@
+(** What {!Difference} found, for people and as JSON ([specs/schema/diff.schema.json]). *)
+
+open Scc_exact
+open Scc_exchange
+
+val text : Recorded.t -> Recorded.t -> Difference.t option -> string
+val json : Recorded.t -> Recorded.t -> tolerance:Rat.t -> exit:int -> Difference.t option -> Json.t

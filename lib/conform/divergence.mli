@@ -1,0 +1,49 @@
+(** Why a recorded trace is none of the model: what it did first that no run does, and what was allowed. *)
+
+open Scc_exact
+open Scc_semantics
+
+type kind =
+  | Wrong_time  (** the event is allowed, at another time *)
+  | Wrong_features
+  | Wrong_channel
+  | Wrong_kind  (** something else happens to these bodies *)
+  | Wrong_partner  (** it happens, to other bodies *)
+  | Wrong_order  (** what was recorded next has to come first *)
+  | Missing_event  (** something has to happen before, and was not recorded *)
+  | Extra_event  (** nothing like it is allowed *)
+  | Wrong_position
+  | Wrong_velocity
+  | Wrong_spin
+  | Wrong_orientation
+  | Wrong_bonds  (** the bodies of a process, or its bonds *)
+  | Wrong_behaviour
+  | Wrong_clock
+  | Wrong_step
+  | Wrong_ending  (** it claims that nothing can happen *)
+  | Time_back  (** its times decrease *)
+
+val kind_name : kind -> string
+(** ["wrong-time"], … *)
+
+val all : kind list
+
+(** An event that was allowed. *)
+type allowed = { label : Transition.label; rules : Rule.t list; time : Rat.t }
+
+type t = {
+  kind : kind;
+  item : Recorded.item;  (** the first that does not fit *)
+  rules : string list;  (** entries of the rule book that are not kept, the most telling one first *)
+  why : string;  (** a sentence *)
+  closest : allowed option;
+  off : Rat.t option;  (** of the trace's time from that of the closest, later is positive *)
+  differences : Against.difference list;  (** of a state *)
+  allowed : allowed list;  (** in order of time, at most {!most_allowed} *)
+  after : allowed option;  (** the latest transition before it *)
+}
+
+val most_allowed : int
+
+val find :
+  Against.t -> Recorded.t -> observed:(string -> bool) -> Search.dead_end -> t

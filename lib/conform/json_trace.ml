@@ -1,0 +1,228 @@
+open Scc_base
+open Scc_exact
+open Scc_exchange
+open Recorded
+
+let ( let* ) = Result.bind
+
+(* What is read of a line; [inexact] tells that a number in it was written as a float. *)
+type context = { at : Span.t; line : int; inexact : bool ref }
+
+let wrong c fmt = Printf.ksprintf (fun m -> Error (malformed c.at "%s" m)) fmt
+
+let all c what read items =
+  let rec go acc = function
+    | [] -> Ok (List.rev acc)
+    | x :: rest ->
+      let* y = read c x in
+      go (y :: acc) rest
+  in
+  match items with `List l -> go [] l | _ -> wrong c "`%s` is not an array" what
+
+let rational c what json =
+  match number json with
+  | Some (q, is_float) ->
+    if is_float then c.inexact := true;
+    Ok q
+  | None -> wrong c "`%s` is no number" what
+
+let optional json key read = match Json.member key json with None -> Ok None | Some v -> Result.map Option.some (read v)
+
+let required c json key read =
+  match Json.member key json with None -> wrong c "there is no `%s`" key | Some v -> read v
+
+let text c what = function `String s -> Ok s | _ -> wrong c "`%s` is not a text" what
+let texts c what json = all c what (fun c j -> text c what j) json
+
+(* {1 Labels} *)
+
+let bond_ends c json =
+  let* ends = texts c "ends" json in
+  if List.length ends = 2 then Ok ends else wrong c "`ends` are two"
+
+let bond c json =
+  let* name = optional json "name" (text c "name") in
+  let* ends = optional json "ends" (bond_ends c) in
+  Ok (Option.to_list name, Option.value ends ~default:[])
+
+(* Either names of leaves in `between` or `bodies`, or the ends of bonds. *)
+let label c json =
+  let* kind = required c json "kind" (text c "kind") in
+  let* between = optional json "between" (texts c "between") in
+  let* listed = optional json "bodies" (texts c "bodies") in
+  let bodies = Option.value between ~default:[] @ Option.value listed ~default:[] in
+  match (kind, kind_of_name kind) with
+  | "time", _ -> Ok None
+  | _, None -> wrong c "`%s` is none of time, bind, bounce, weak and strong" kind
+  | _, Some Bounce ->
+    if List.length bodies = 2 then Ok (Some { kind = Bounce; channels = []; bodies; features = [] })
+    else wrong c "a bounce is of two bodies, `between`"
+  | _, Some kind ->
+    let* own = bond c json in
+    let* more = match Json.member "bonds" json with None -> Ok [] | Some l -> all c "bonds" bond l in
+    let bonds = own :: more in
+    let channels = List.sort_uniq String.compare (List.concat_map fst bonds) in
+    let features = sort (List.map normal (List.concat_map snd bonds)) in
+    if bodies = [] && features = [] then wrong c "neither `ends` nor `bodies` tell what takes part"
+    else Ok (Some { kind; channels; bodies; features })
+
+(* {1 States} *)
+
+let axes c what quantity json =
+  let* numbers = all c what (fun c j -> rational c what j) json in
+  match numbers with
+  | [ x; y; z ] -> Ok [ (quantity 0, x); (quantity 1, y); (quantity 2, z) ]
+  | _ -> wrong c "`%s` has three coordinates" what
+
+let quaternion c json =
+  let* numbers = all c "turned" (fun c j -> rational c "turned" j) json in
+  match numbers with
+  | [ w; x; y; z ] when List.exists (fun q -> Rat.sign q <> 0) numbers -> Ok (w, Vec.make x y z)
+  | _ -> wrong c "`turned` is a quaternion that is not 0"
+
+(* [Some None] where null is written. *)
+let nullable json key read =
+  match json with
+  | `Assoc members -> (
+      match List.assoc_opt key members with
+      | None -> Ok None
+      | Some `Null -> Ok (Some None)
+      | Some v -> Result.map (fun x -> Some (Some x)) (read v))
+  | _ -> Ok None
+
+let leaf c json =
+  let* name = required c json "name" (text c "name") in
+  let* position = optional json "position" (axes c "position" (fun i -> Position i)) in
+  let* turned = optional json "turned" (quaternion c) in
+  let* behaviour = optional json "behaviour" (text c "behaviour") in
+  let* origin = nullable json "origin" (text c "origin") in
+  Ok
+    {
+      name; numbers = Option.value position ~default:[]; turned; clock = None; behaviour; origin; group = None;
+      bonds = None;
+    }
+
+let process c json =
+  let* leaves = required c json "leaves" (all c "leaves" leaf) in
+  let* velocity = optional json "velocity" (axes c "velocity" (fun i -> Velocity i)) in
+  let* spin = optional json "spin" (axes c "spin" (fun i -> Spin i)) in
+  let* clock = nullable json "clock" (rational c "clock") in
+  let* bonds = optional json "bonds" (all c "bonds" bond) in
+  let moving = Option.value velocity ~default:[] @ Option.value spin ~default:[] in
+  let group = sort (List.map (fun (b : body) -> b.name) leaves) in
+  let named (names, ends) = bond_text (String.concat "" names) (List.map normal ends) in
+  let bonds = Option.map (fun l -> sort (List.map named l)) bonds in
+  Ok (List.map (fun b -> { b with numbers = b.numbers @ moving; clock; group = Some group; bonds }) leaves)
+
+let step c json =
+  let* remaining = required c json "remaining" (rational c "remaining") in
+  let* phase = required c json "phase" (text c "phase") in
+  Ok { remaining; phase }
+
+let state c json =
+  let* processes = required c json "processes" (all c "processes" process) in
+  let* step = optional json "step" (step c) in
+  Ok (State (List.concat processes, step))
+
+(* {1 Lines} *)
+
+let item c time what = { line = c.line; at = c.at; time; what }
+
+let transition c json =
+  let* time = required c json "time" (rational c "time") in
+  let* event = required c json "label" (label c) in
+  let* after = optional json "state" (state c) in
+  let* rules = optional json "rules" (texts c "rules") in
+  let number = Option.bind (Json.member "choice" json) Json.int in
+  let choice = { number; rules } in
+  let first = match event with Some e -> [ Event e ] | None when after = None -> [ State ([], None) ] | None -> [] in
+  Ok (List.map (item c time) (first @ Option.to_list after), Some choice)
+
+let ended c json =
+  let* time = required c json "time" (rational c "time") in
+  let* ending = optional json "ending" (text c "ending") in
+  let* claims =
+    match ending with
+    | Some "quiescent" -> Ok [ Quiescent ]
+    | Some "stuck" -> Ok [ Stuck ]
+    | Some ("open" | "zeno") | None -> Ok []
+    | Some e -> wrong c "`%s` is none of open, quiescent, stuck and zeno" e
+  in
+  Ok (List.map (item c time) (State ([], None) :: claims), None)
+
+let one_line c json =
+  match Json.member "type" json with
+  | Some (`String "transition") -> transition c json
+  | Some (`String ("state" | "instant")) ->
+    let* time = required c json "time" (rational c "time") in
+    let* s = required c json "state" (state c) in
+    Ok ([ item c time s ], None)
+  | Some (`String "end") -> ended c json
+  | _ -> wrong c "`type` is none of header, state, transition, instant and end"
+
+type header = { digest : (string * Span.t) option; parameters : (string * Rat.t) list }
+
+let no_header = { digest = None; parameters = [] }
+
+let header c json =
+  let* digest = optional json "digest" (text c "digest") in
+  let* version = optional json "version" (fun v -> Ok (Json.int v)) in
+  let* () =
+    match version with
+    | None | Some (Some 1) -> Ok ()
+    | Some _ -> wrong c "the version of the format is not 1, the one that this scc reads"
+  in
+  let* parameters =
+    match Json.member "parameters" json with
+    | None -> Ok []
+    | Some (`Assoc members) ->
+      let add acc (name, v) =
+        let* acc = acc in
+        let* q = rational { c with inexact = ref false } name v in
+        Ok ((name, q) :: acc)
+      in
+      Result.map List.rev (List.fold_left add (Ok []) members)
+    | Some _ -> wrong c "`parameters` is not an object"
+  in
+  Ok { digest = Option.map (fun d -> (d, c.at)) digest; parameters }
+
+let is_header json = Json.member "type" json = Some (`String "header")
+
+(* What is read so far, the latest first. *)
+type sofar = { found : item list; choices : (int * choice) list; count : int; float_at : Span.t option }
+
+let read source =
+  let s = Source.text source and file = Source.name source in
+  let finish head r =
+    {
+      name = file; format = "jsonl"; digest = head.digest; parameters = head.parameters;
+      items = Array.of_list (List.rev r.found); choices = List.rev r.choices; inexact = r.float_at;
+    }
+  in
+  let rec lines number start head r =
+    if start >= String.length s then Ok (finish head r)
+    else
+      let stop = Option.value (String.index_from_opt s start '\n') ~default:(String.length s) in
+      if String.trim (String.sub s start (stop - start)) = "" then lines (number + 1) (stop + 1) head r
+      else
+        let c = { at = Span.make ~file ~start ~stop; line = number; inexact = ref false } in
+        let* json =
+          Result.map_error
+            (fun (d : Diag.t) -> malformed c.at "%s" d.message)
+            (Json.parse_line source ~start ~stop)
+        in
+        if is_header json then
+          if number > 1 then wrong c "a header that is not the first line"
+          else
+            let* head = header c json in
+            lines (number + 1) (stop + 1) head r
+        else
+          let* items, choice = one_line c json in
+          let float_at = if !(c.inexact) && Option.is_none r.float_at then Some c.at else r.float_at in
+          let choices = match choice with Some k -> (r.count, k) :: r.choices | None -> r.choices in
+          let found = List.rev_append items r.found in
+          lines (number + 1) (stop + 1) head
+            { found; choices; count = r.count + List.length items; float_at }
+  in
+  lines 1 0 no_header { found = []; choices = []; count = 0; float_at = None }
+  |> Result.map_error (fun d -> [ d ])

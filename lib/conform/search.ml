@@ -1,0 +1,302 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+type limits = { states : int; interrupted : unit -> bool }
+
+let default_states = 20_000
+
+type hypothesis = {
+  state : State.t;
+  time : Rat.t;
+  next : int;
+  ahead : (int * int list) list;
+  choices : (int * string) list;
+  last : (Transition.label * Rule.t list * Rat.t) option;
+  deviation : Against.deviation;
+  transitions : (Transition.t list, Transition.fault) result Lazy.t;
+}
+
+type possible = { from : hypothesis; index : int; taken : Transition.t }
+type misfit = { of_ : hypothesis; differences : Against.difference list }
+
+type dead_end = {
+  reached : hypothesis list;
+  possible : possible list;
+  misfits : misfit list;
+}
+
+type reason = Too_many_states | Fault of Transition.fault | Interrupted
+
+type outcome =
+  | Met of { run : hypothesis; widest : int }
+  | Dead_end of dead_end
+  | Unknown of { reason : reason; items : int }
+
+(* {1 Sets of hypotheses} *)
+
+module Place = struct
+  type t = hypothesis
+
+  let equal a b =
+    a.next = b.next && Rat.equal a.time b.time
+    && List.equal (fun (i, _) (j, _) -> i = j) a.ahead b.ahead
+    && State.equal a.state b.state
+
+  let hash h = (((State.hash h.state * 31) + Rat.hash h.time) * 31) + h.next
+end
+
+module Places = Hashtbl.Make (Place)
+
+(* {1 One search} *)
+
+type t = {
+  against : Against.t;
+  items : Recorded.item array;
+  observed : string -> bool;
+  limits : limits;
+}
+
+(* What is found from the hypotheses that have met the same number of items. *)
+type layer = {
+  queue : hypothesis Queue.t;
+  known : unit Places.t;
+  onward : hypothesis Queue.t;  (* that have met one more *)
+  onward_known : unit Places.t;
+  mutable found : dead_end;
+  mutable fault : Transition.fault option;
+}
+
+let push queue known h =
+  if not (Places.mem known h) then begin
+    Places.add known h ();
+    Queue.add h queue
+  end
+
+let add = Rat.add
+let least_time t h = add h.time (Rat.neg (Against.tolerance t.against))
+let in_time t h (item : Recorded.item) =
+  Rat.compare (Rat.abs (Rat.sub h.time item.time)) (Against.tolerance t.against) <= 0
+
+(* The next item that is not met, past those that were met ahead of it. *)
+let rec settled h =
+  match h.ahead with
+  | (i, _) :: rest when i = h.next -> settled { h with next = h.next + 1; ahead = rest }
+  | _ -> h
+
+let met h i ~leaves =
+  if i = h.next then settled { h with next = h.next + 1 }
+  else
+    let earlier, later = List.partition (fun (j, _) -> j < i) h.ahead in
+    { h with ahead = earlier @ ((i, leaves) :: later) }
+
+(* {2 Events} *)
+
+let leaves_of_processes (s : State.t) firsts =
+  List.concat_map
+    (fun first ->
+       let p = s.processes.(fst (State.find_leaf s first)) in
+       List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves))
+    firsts
+
+(* The items that an event of the model can be: of those that are not met, the first that names a process of it, if it
+   fits and its time does. Looking on past others takes that they are of other processes, and a tolerance: exact
+   traces tell their order. What was recorded of a state waits for all events before it. *)
+let fitting t h label =
+  let latest = add h.time (Against.tolerance t.against) in
+  let exact = Rat.sign (Against.tolerance t.against) = 0 in
+  let rec from i passed found =
+    if i >= Array.length t.items || Rat.compare t.items.(i).time latest > 0 || (exact && i > h.next) then found
+    else if List.mem_assoc i h.ahead then from (i + 1) passed found
+    else
+      match t.items.(i).what with
+      | Event e ->
+        let processes = Against.processes_of t.against h.state e in
+        let free = not (List.exists (fun p -> List.mem p passed) processes) in
+        let fits = free && in_time t h t.items.(i) && Against.matches t.against h.state e label in
+        from (i + 1) (processes @ passed)
+          (if fits then (i, leaves_of_processes h.state processes) :: found else found)
+      | State _ | Watched | Quiescent | Stuck -> if i = h.next then [] else from (i + 1) passed found
+  in
+  from h.next [] []
+
+let after t h index (taken : Transition.t) =
+  let time = add h.time (Transition.duration taken) in
+  {
+    h with
+    state = taken.target; time;
+    transitions = lazy (Network.successors (Against.model t.against) taken.target);
+    choices = (index, Transition.label_to_string (Against.model t.against) taken.label) :: h.choices;
+    last = Some (taken.label, taken.rules, time);
+  }
+
+let off_time h (item : Recorded.item) =
+  { Against.no_deviation with time = Rat.abs (Rat.sub h.time item.time) }
+
+let event t layer h index (taken : Transition.t) =
+  layer.found <- { layer.found with possible = { from = h; index; taken } :: layer.found.possible };
+  let target = after t h index taken in
+  List.iter
+    (fun (i, leaves) ->
+       let deviation = Against.later h.deviation (off_time h t.items.(i)) in
+       push layer.onward layer.onward_known (met { target with deviation } i ~leaves))
+    (fitting t h taken.label);
+  let text = Transition.label_to_string (Against.model t.against) taken.label in
+  if not (t.observed text) then push layer.queue layer.known target
+
+(* {2 Time} *)
+
+(* Time may pass up to where the next item would be too long ago. *)
+let passing t layer h index (taken : Transition.t) =
+  let target = after t h index taken in
+  if Rat.compare (least_time t target) t.items.(h.next).time <= 0 then push layer.queue layer.known target
+
+(* {2 States and claims} *)
+
+(* The state at a time between this one and the next transition. *)
+let meanwhile t h transitions time =
+  let offset = Rat.sub time h.time in
+  let m = Against.model t.against in
+  let before (x : Transition.t) = Rat.compare offset (Transition.duration x) < 0 in
+  let may_pass =
+    match transitions with
+    | [] -> Network.quiescent m h.state
+    | _ :: _ -> List.exists before transitions
+  in
+  if Rat.sign offset > 0 && may_pass then Some (Time.pass m offset h.state) else None
+
+(* What was looked at of bodies that have done more than was recorded before it is of no use. *)
+let skip h leaf = List.exists (fun (_, leaves) -> List.mem leaf leaves) h.ahead
+
+let state t layer h transitions (item : Recorded.item) bodies step =
+  let compare s = Against.differences t.against s ~skip:(skip h) bodies step in
+  let now = if in_time t h item then Some (compare h.state) else None in
+  let then_ =
+    match now with
+    | Some ([], _) -> None
+    | _ -> Option.map compare (meanwhile t h transitions item.time)
+  in
+  let accept deviation = Some (Against.later h.deviation deviation) in
+  match (now, then_) with
+  | Some ([], d), _ -> accept (Against.later d (off_time h item))
+  | _, Some ([], d) -> accept d
+  | _, Some (differences, _) | Some (differences, _), None ->
+    layer.found <- { layer.found with misfits = { of_ = h; differences } :: layer.found.misfits };
+    None
+  | None, None -> None
+
+let urgent (x : Transition.t) =
+  match x.label with
+  | Bind _ | Bounce _ | Strong_split _ -> true
+  | Time _ | Weak_split _ -> false
+
+(* All that has to happen before the time of the item, or at it if the times are exact, has happened. *)
+let watched t h transitions (item : Recorded.item) =
+  let urgently = List.exists urgent transitions in
+  let in_past = Rat.compare (add h.time (Against.tolerance t.against)) item.time <= 0 in
+  let reaches =
+    in_time t h item || Option.is_some (meanwhile t h transitions item.time)
+  in
+  reaches && not (urgently && in_past)
+
+let claim t layer h transitions =
+  let item = t.items.(h.next) in
+  let deviation =
+    match item.what with
+    | Event _ -> None
+    | State (bodies, step) -> state t layer h transitions item bodies step
+    | Watched -> if watched t h transitions item then Some h.deviation else None
+    | Quiescent ->
+      if transitions = [] && Network.quiescent (Against.model t.against) h.state then Some h.deviation else None
+    | Stuck ->
+      if transitions = [] && not (Network.quiescent (Against.model t.against) h.state) then Some h.deviation
+      else None
+  in
+  Option.iter
+    (fun deviation -> push layer.onward layer.onward_known (met { h with deviation } h.next ~leaves:[]))
+    deviation
+
+(* {2 Layers} *)
+
+let expand t layer h =
+  layer.found <- { layer.found with reached = h :: layer.found.reached };
+  match Lazy.force h.transitions with
+  | Error fault -> layer.fault <- Some fault
+  | Ok transitions ->
+    claim t layer h transitions;
+    List.iteri
+      (fun index (taken : Transition.t) ->
+         if Transition.is_time taken.label then passing t layer h index taken
+         else event t layer h index taken)
+      transitions
+
+type step = Onward of hypothesis Queue.t * reason option | Over of outcome
+
+(* What was not looked at, in this layer or an earlier one, is [missed]: without it nothing diverges. *)
+let layer t queue ~items ~missed =
+  let layer =
+    {
+      queue; known = Places.create 16; onward = Queue.create (); onward_known = Places.create 16;
+      found = { reached = []; possible = []; misfits = [] };
+      fault = None;
+    }
+  in
+  Queue.iter (fun h -> Places.replace layer.known h ()) queue;
+  let rec from count =
+    if t.limits.interrupted () then Over (Unknown { reason = Interrupted; items })
+    else
+      match if count >= t.limits.states then None else Queue.take_opt layer.queue with
+      | Some h ->
+        expand t layer h;
+        from (count + 1)
+      | None -> (
+          let cut = if Queue.is_empty layer.queue then missed else Some Too_many_states in
+          let missed =
+            match (cut, layer.fault) with
+            | Some reason, _ -> Some reason
+            | None, Some fault -> Some (Fault fault)
+            | None, None -> None
+          in
+          match missed with
+          | _ when not (Queue.is_empty layer.onward) -> Onward (layer.onward, missed)
+          | Some reason -> Over (Unknown { reason; items })
+          | None -> Over (Dead_end layer.found))
+  in
+  from 0
+
+let run against (trace : Recorded.t) declared ~observed limits =
+  let t = { against; items = trace.items; observed; limits } in
+  let start state =
+    {
+      state; time = Rat.zero; next = 0; ahead = []; choices = []; last = None; deviation = Against.no_deviation;
+      transitions = lazy (Network.successors (Against.model against) state);
+    }
+  in
+  let rec layers queue items ~missed widest =
+    let widest = max widest (Queue.length queue) in
+    if items = Array.length t.items then Met { run = Queue.peek queue; widest }
+    else
+      match layer t queue ~items ~missed with
+      | Onward (queue, missed) -> layers queue (items + 1) ~missed widest
+      | Over outcome -> outcome
+  in
+  Result.map
+    (fun state ->
+       let queue = Queue.create () in
+       Queue.add (start state) queue;
+       layers queue 0 ~missed:None 1)
+    (Network.initial (Against.model against) declared)
+
+(* {1 Looking on} *)
+
+let beyond against state time ~steps =
+  let rec go state time n found =
+    let found = (state, time) :: found in
+    match if n = 0 then Ok [] else Network.successors (Against.model against) state with
+    | Error _ -> found
+    | Ok transitions -> (
+        match List.find_opt (fun (x : Transition.t) -> Transition.is_time x.label) transitions with
+        | Some x -> go x.target (add time (Transition.duration x)) (n - 1) found
+        | None -> found)
+  in
+  List.rev (go state time (steps - 1) [])

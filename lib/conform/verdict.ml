@@ -1,0 +1,38 @@
+open Scc_exact
+open Scc_calculus
+
+type answer =
+  | Conforms of {
+      choices : (int * string) list;
+      ended : Rat.t;
+      deviation : Against.deviation;
+      widest : int;
+    }
+  | Diverges of Divergence.t
+  | Undecided of { reason : Search.reason; items : int }
+
+let tolerance (m : Model.t) (trace : Recorded.t) asked =
+  let refuse at fmt = Printf.ksprintf (fun s -> Error [ Recorded.malformed at "%s" s ]) fmt in
+  match (asked, trace.inexact) with
+  | Some t, _ when Rat.sign t < 0 -> refuse Scc_base.Span.none "the tolerance is negative"
+  | None, Some at -> refuse at "the trace has floats: say by --tolerance how far off they may be (0 for not at all)"
+  | (None | Some _), _ -> (
+      let t = Option.value asked ~default:Rat.zero in
+      match (trace.inexact, Model.resolution m) with
+      | Some at, Some resolution when Rat.sign t > 0 && Rat.compare t resolution < 0 ->
+        refuse at "the tolerance is less than the resolution of the model, %s" (Rat.to_string resolution)
+      | _, _ -> Ok t)
+
+let check model declared trace ~tolerance ~observed limits =
+  let against = Against.make model ~tolerance in
+  match Against.names against trace with
+  | _ :: _ as faults -> Error (`Invalid faults)
+  | [] -> (
+      match Search.run against trace declared ~observed limits with
+      | Error fault -> Error (`Fault fault)
+      | Ok (Met { run; widest }) ->
+        Ok
+          (Conforms
+             { choices = List.rev run.choices; ended = run.time; deviation = run.deviation; widest })
+      | Ok (Dead_end dead) -> Ok (Diverges (Divergence.find against trace ~observed dead))
+      | Ok (Unknown { reason; items }) -> Ok (Undecided { reason; items }))
