@@ -1,0 +1,165 @@
+open Scc_base
+open Scc_exact
+open Scc_syntax
+open Scc_property
+open Scc_verify
+open Scc_exchange
+
+type bounds = { seconds : float; memory : int; now : unit -> float }
+
+(* {1 What kind of formula it is}
+
+   A check takes temporal formulas only, and says so of a state predicate. Whatever else it does not take is a
+   number, or wrong: then a comparison takes it, or not. *)
+
+let ast at it = { Ast.it; at }
+let as_it_is e = e
+let possibly (e : Ast.expr) = ast e.at (Ast.Temporal (Possibly, None, e))
+
+(* The other side is no constant, so that the comparison stays one. *)
+let compared (e : Ast.expr) =
+  let time = ast e.at (Ast.Path (ast e.at [ { Ast.name = ast e.at "time"; indices = [] } ])) in
+  possibly (ast e.at (Ast.Binary (Le, e, time)))
+
+type question =
+  | State of Models.loaded * Property.prop
+  | Number of Models.loaded * Property.num
+  | Temporal of Models.loaded * Property.check
+
+let rec last = function
+  | [] -> Bug.fail __POS__ "the check of the formula is missing"
+  | [ (c : Property.check) ] -> c
+  | _ :: rest -> last rest
+
+let check (l : Models.loaded) = { (last l.elaborated.checks) with name = "formula" }
+
+let is_state_formula = function
+  | [ (d : Diag.t) ] -> String.equal d.code (Code.not_a_formula :> string)
+  | _ -> false
+
+let read store ~handle ~formula =
+  let ask change form = Models.with_formula store ~handle ~formula change ~form in
+  let refuse diagnostics =
+    let source = Models.sources store handle ~formula in
+    Fault.refuse (Formula_refused (Fault.diagnostics ~source diagnostics))
+  in
+  match ask as_it_is "check" with
+  | Ok l -> Temporal (l, check l)
+  | Error diagnostics when is_state_formula diagnostics -> (
+      match ask possibly "state" with
+      | Error diagnostics -> refuse diagnostics
+      | Ok l -> (
+          match (check l).formula with
+          | Finally (_, _, State p) -> State (l, p)
+          | _ -> Bug.fail __POS__ "a state predicate is none"))
+  | Error diagnostics -> (
+      match ask compared "number" with
+      | Error _ -> refuse diagnostics
+      | Ok l -> (
+          match (check l).formula with
+          | Finally (_, _, State (Compare (_, n, Time))) -> Number (l, n)
+          | _ -> refuse diagnostics))
+
+(* {1 At a state} *)
+
+let trajectory model (place : Network_at.place) =
+  let arrived event =
+    match place.last with
+    | None -> false
+    | Some (source, label) -> Event.matches ~source label event
+  in
+  Trajectory.make ~arrived model place.state Timeline.Instant
+
+let answer kind value reason =
+  let reason = Json.option Json.text reason in
+  Reply.Value (`Assoc [ ("kind", `String kind); ("value", value); ("reason", reason) ])
+
+let state p (l : Models.loaded) prop =
+  let place = Models.path p l.network in
+  match (Trajectory.prop (trajectory l.elaborated.model place) prop).start with
+  | True -> answer "state" (`Bool true) None
+  | False -> answer "state" (`Bool false) None
+  | Undecided reason -> answer "state" `Null (Some reason)
+
+let number p (l : Models.loaded) num =
+  let place = Models.path p l.network in
+  match (Trajectory.num (trajectory l.elaborated.model place) num).start with
+  | Undefined reason -> answer "number" `Null (Some reason)
+  | Ratio (n, d) ->
+    let at_start polynomial = Polynomial.eval polynomial Rat.zero in
+    answer "number" (Reply.quantity (Rat.div (at_start n) (at_start d))) None
+
+(* {1 Over runs} *)
+
+(* Of the time and the memory there are, the rest is for reading, telling and stopping. *)
+let share = 0.8
+
+let options bounds p : Check.options =
+  let q = Read.quotas p in
+  let given = Read.optional p "limits" Read.fields in
+  let limit name read = Option.bind given (fun g -> Read.optional g name read) in
+  let bounded = function Some x -> Bounds.Given x | None -> Bounds.Unbounded in
+  let states = limit "states" Read.natural in
+  (match states with
+   | Some n when n > q.states -> Fault.refuse (Limit ("states", q.states))
+   | Some _ | None -> ());
+  let bounds_of =
+    {
+      Bounds.default with
+      depth = bounded (limit "depth" Read.natural);
+      time = bounded (limit "time" Read.not_negative);
+      states = (match states with Some n -> Given n | None -> Default Quotas.default_states);
+      seconds = Given (share *. bounds.seconds);
+      memory = Default (int_of_float (share *. float_of_int bounds.memory));
+    }
+  in
+  { Check.default with bounds = bounds_of; surroundings = { Scc_explore.Limits.quiet with now = bounds.now } }
+
+let temporal bounds p (l : Models.loaded) check =
+  let options = options bounds p in
+  let place = Models.path p l.network in
+  let e = l.elaborated in
+  let report = Check.run options e.model ~initial:place.state [ check ] in
+  let document =
+    Check_json.document ~source:(fun _ -> None)
+      {
+        name = e.name;
+        digest = l.digest;
+        parameters = e.parameters;
+        model = e.model;
+        verdicts = report.outcomes;
+        stats = report.stats;
+        slices = report.slices;
+        zeno = report.zeno;
+        diagnostics = [];
+        exit = 0;
+        extra = [];
+      }
+  in
+  match (report.outcomes, Json.member "properties" document, Json.member "explored" document) with
+  | [ (_, verdict) ], Some (`List [ property ]), Some explored ->
+    Reply.Value
+      (`Assoc
+         [
+           ("kind", `String "temporal");
+           ("verdict", `String (Check_json.kind verdict));
+           ("report", property);
+           ("explored", explored);
+         ])
+  | _ -> Bug.fail __POS__ "one check has one verdict"
+
+let formula p at v =
+  let text = Read.text p at v and most = (Read.quotas p).formula_bytes in
+  if String.length text > most then Fault.refuse (Limit ("formula_bytes", most)) else text
+
+let evaluate bounds store p =
+  Read.only p [ "model"; "path"; "formula"; "limits" ];
+  let handle = Read.required p "model" Read.text in
+  let base = Read.required p "model" (Models.model store) in
+  let formula = Read.required p "formula" formula in
+  (* A path that is not possible is told before anything else. *)
+  ignore (Models.path p base.network);
+  match read store ~handle ~formula with
+  | State (l, prop) -> state p l prop
+  | Number (l, num) -> number p l num
+  | Temporal (l, check) -> temporal bounds p l check

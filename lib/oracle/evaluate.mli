@@ -1,0 +1,9 @@
+(** The method [evaluate]: formulas of the property language, at a state. *)
+
+type bounds = {
+  seconds : float;  (** of the request *)
+  memory : int;  (** words of the heap of the whole program *)
+  now : unit -> float;  (** a clock in seconds *)
+}
+
+val evaluate : bounds -> Models.store -> Read.params -> Reply.t

@@ -1,0 +1,156 @@
+open Scc_base
+open Scc_exact
+open Scc_syntax
+open Scc_elaborate
+open Scc_calculus
+open Scc_exchange
+
+type loaded = { digest : string; elaborated : Elaborate.t; network : Network_at.t }
+
+(* What a model was made of, so that it can be made anew. *)
+type given = {
+  source : Source.t;
+  files : (string * string) list;
+  overrides : (string * Rat.t) list;
+  tree : Ast.model;
+}
+
+type kept = { given : given; mutable loaded : loaded option }
+type asked = { handle : string; formula : string; form : string; answer : loaded }
+type store = { models : kept Handles.t; mutable lately : asked list }
+
+let store (q : Quotas.t) =
+  { models = Handles.create ~prefix:"m" ~limit:"models" ~most:q.models; lately = [] }
+
+(* {1 Making} *)
+
+let text_name = "<model>"
+let formula_name = "<formula>"
+let ( let* ) = Result.bind
+
+let make given tree =
+  let used = ref [] in
+  let read_file name =
+    match List.assoc_opt name given.files with
+    | None -> Error "it is not among the files of the request"
+    | Some text ->
+      if not (List.mem_assoc name !used) then used := (name, text) :: !used;
+      Ok text
+  in
+  let* elaborated = Elaborate.elaborate ~read_file ~overrides:given.overrides tree in
+  let digest = Model_digest.make ~text:(Source.text given.source) ~files:(List.rev !used) in
+  match Network_at.make elaborated.model elaborated.declared with
+  | Ok network -> Ok { digest; elaborated; network }
+  | Error f -> Error [ Scc_semantics.Transition.diagnostic elaborated.model f ]
+
+let source_of given name =
+  if String.equal name text_name then Some given.source
+  else Option.map (fun text -> Source.make ~name text) (List.assoc_opt name given.files)
+
+let refuse given diagnostics =
+  Fault.refuse (Model_refused (Fault.diagnostics ~source:(source_of given) diagnostics))
+
+let loaded kept =
+  match kept.loaded with
+  | Some l -> l
+  | None -> (
+      match make kept.given kept.given.tree with
+      | Ok l ->
+        kept.loaded <- Some l;
+        l
+      | Error diagnostics -> refuse kept.given diagnostics)
+
+let model store p at v = loaded (Handles.find store.models p at v)
+
+let forget store =
+  store.lately <- [];
+  Handles.iter (fun k -> k.loaded <- None) store.models
+
+let path p network =
+  let most = (Read.quotas p).path in
+  (match Read.optional p "path" Read.value with
+   | Some (List items) when List.compare_length_with items most > 0 -> Fault.refuse (Limit ("path", most))
+   | _ -> ());
+  let path = Option.value (Read.optional p "path" (Read.list Read.natural)) ~default:[] in
+  Network_at.follow network (Array.of_list path)
+
+(* {1 Methods} *)
+
+let bytes given =
+  let file sum (name, text) = sum + String.length name + String.length text in
+  List.fold_left file (String.length (Source.text given.source)) given.files
+
+let leaf (l : Model.leaf) =
+  `Assoc [ ("name", Json.text l.name); ("shape", Json.text l.template); ("fixed", `Bool l.fixed) ]
+
+let check (c : Scc_property.Property.check) =
+  `Assoc [ ("name", Json.text c.name); ("formula", Json.text c.text) ]
+
+let describe given handle l =
+  let e = l.elaborated in
+  let list encode items = `List (Long_list.map encode items) in
+  `Assoc
+    [
+      ("model", `String handle);
+      ("digest", `String l.digest);
+      ("name", Json.option Json.text e.name);
+      ("parameters", `Assoc (List.map (fun (name, x) -> (name, Json.rat x)) e.parameters));
+      ("rigid", `Bool (Option.is_some e.model.rigid));
+      ("resolution", Json.option Json.rat (Model.resolution e.model));
+      ("leaves", list leaf (Array.to_list e.model.leaves));
+      ("checks", list check e.checks);
+      ("warnings", `List (Fault.diagnostics ~source:(source_of given) e.warnings));
+    ]
+
+let load store p =
+  Read.only p [ "text"; "files"; "parameters"; "limits" ];
+  Handles.check_room store.models;
+  let source = Source.make ~name:text_name (Read.required p "text" Read.text) in
+  let files = Option.value (Read.optional p "files" (Read.entries Read.text)) ~default:[] in
+  let overrides = Option.value (Read.optional p "parameters" (Read.entries Read.rational)) ~default:[] in
+  let given = { source; files; overrides; tree = [] } in
+  let most = (Read.quotas p).model_bytes in
+  if bytes given > most then Fault.refuse (Limit ("model_bytes", most));
+  match Parse.parse source with
+  | Error diagnostics -> refuse given diagnostics
+  | Ok tree ->
+    let kept = { given = { given with tree }; loaded = None } in
+    let l = loaded kept in
+    let handle = Handles.add store.models kept in
+    Reply.Value (describe given handle l)
+
+let release store p =
+  Read.only p [ "model"; "limits" ];
+  let handle = Read.required p "model" Read.text in
+  ignore (Handles.release store.models handle);
+  store.lately <- List.filter (fun a -> not (String.equal a.handle handle)) store.lately;
+  Reply.Value (`Assoc [ ("released", `String handle) ])
+
+(* {1 With a formula} *)
+
+let most_lately = 8
+
+let kept_of store handle = Handles.get store.models handle
+
+let sources store handle ~formula name =
+  if String.equal name formula_name then Some (Source.make ~name formula)
+  else source_of (kept_of store handle).given name
+
+(* No name of the language looks like this one. *)
+let check_name = "(formula)"
+
+let with_formula store ~handle ~formula change ~form =
+  let same a =
+    String.equal a.handle handle && String.equal a.form form && String.equal a.formula formula
+  in
+  match List.find_opt same store.lately with
+  | Some a -> Ok a.answer
+  | None ->
+    let given = (kept_of store handle).given in
+    let* e = Parse.expression (Source.make ~name:formula_name formula) in
+    let name = { Ast.it = check_name; at = e.at } in
+    let item = { Ast.it = Ast.Check (name, change e); at = e.at } in
+    let* answer = make given (Long_list.append given.tree [ item ]) in
+    let older = List.filteri (fun i _ -> i < most_lately - 1) store.lately in
+    store.lately <- { handle; formula; form; answer } :: older;
+    Ok answer

@@ -1,0 +1,37 @@
+(** The models of a session, as handles. *)
+
+open Scc_base
+open Scc_elaborate
+
+type loaded = {
+  digest : string;
+  elaborated : Elaborate.t;
+  network : Network_at.t;
+}
+
+type store
+
+val store : Quotas.t -> store
+
+val model : store -> loaded Read.reader
+(** Of a handle. *)
+
+val path : Read.params -> Network_at.t -> Network_at.place
+(** Of the param [path]. *)
+
+val forget : store -> unit
+(** What was worked out of the models, and may have been left half made. *)
+
+val load : store -> Read.params -> Reply.t
+val release : store -> Read.params -> Reply.t
+
+(** {1 With a formula} *)
+
+val with_formula :
+  store -> handle:string -> formula:string -> (Scc_syntax.Ast.expr -> Scc_syntax.Ast.expr) -> form:string ->
+  (loaded, Diag.t list) result
+(** The model with a check of the formula, changed, as its last one. [form] names the change. Those asked for lately are
+    kept. *)
+
+val sources : store -> string -> formula:string -> string -> Source.t option
+(** The texts of the model of a handle, and of a formula, by name. *)

@@ -1,0 +1,28 @@
+(** States of a model by the choices that lead to them. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+type t
+(** A model with its initial state, and states that were asked for lately, which only save time. *)
+
+type place = {
+  path : int array;
+  state : State.t;
+  time : Rat.t;  (** model time *)
+  last : (State.t * Transition.label) option;  (** how it was reached: none for the initial state *)
+}
+
+val make : Model.t -> State.t -> (t, Transition.fault) result
+(** From the declared state. *)
+
+val model : t -> Model.t
+val initial : t -> State.t
+
+val follow : t -> int array -> place
+(** Refuses a path that is not possible ([Not_possible]), or on which transitions cannot be computed
+    ([No_transitions]). *)
+
+val next : t -> place -> Transition.t list
+(** Its transitions, in order. *)
