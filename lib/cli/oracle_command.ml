@@ -1,0 +1,132 @@
+open Cmdliner
+open Scc_oracle
+
+(* {1 Output} *)
+
+exception Closed
+
+let rec write_all bytes from stop =
+  if from < stop then
+    match Unix.write Unix.stdout bytes from (stop - from) with
+    | n -> write_all bytes (from + n) stop
+    | exception Unix.Unix_error (EINTR, _, _) -> write_all bytes from stop
+    | exception Unix.Unix_error ((EPIPE | EBADF | ECONNRESET), _, _) -> raise Closed
+
+(* Answers wait until no further line does, or there are many. *)
+let enough = 65536
+
+(* {1 Ctrl-C} *)
+
+exception Interrupted
+
+(* An answer that is being written is written to its end. *)
+type interrupts = { mutable writing : bool; mutable arrived : bool }
+
+let catch_signals () =
+  let i = { writing = false; arrived = false } in
+  let handle _ =
+    i.arrived <- true;
+    if not i.writing then raise Interrupted
+  in
+  Sys.set_signal Sys.sigint (Sys.Signal_handle handle);
+  Sys.set_signal Sys.sigterm (Sys.Signal_handle handle);
+  i
+
+let flush interrupts out =
+  let n = Buffer.length out in
+  if n > 0 then begin
+    interrupts.writing <- true;
+    let bytes = Buffer.to_bytes out in
+    if n > 16 * enough then Buffer.reset out else Buffer.clear out;
+    write_all bytes 0 n;
+    interrupts.writing <- false;
+    if interrupts.arrived then raise Interrupted
+  end
+
+(* {1 The service} *)
+
+let serve (quotas : Quotas.t) =
+  let slices = Time_slices.create ~memory_mib:quotas.memory_mib in
+  let surroundings =
+    { Session.now = Unix.gettimeofday; bounded = (fun ~seconds f -> Time_slices.bounded slices ~seconds f) }
+  in
+  let session = Session.create ~quotas ~surroundings ~version:Version.current () in
+  let interrupts = catch_signals () in
+  let out = Buffer.create enough in
+  let lines = Lines.make Unix.stdin ~most:quotas.line_bytes in
+  let wait () = flush interrupts out in
+  let say answer =
+    Buffer.add_string out answer;
+    Buffer.add_char out '\n';
+    if Buffer.length out >= enough then flush interrupts out
+  in
+  let rec loop () =
+    match Lines.next lines ~wait with
+    | End -> flush interrupts out
+    | Too_long ->
+      say (Oracle.too_long session);
+      loop ()
+    | Line line ->
+      Option.iter say (Time_slices.working slices (fun () -> Oracle.handle session line));
+      loop ()
+  in
+  match loop () with
+  | () -> Exit_code.Holds
+  | exception Closed -> Exit_code.Stopped
+  | exception Interrupted ->
+    prerr_endline "scc: interrupted";
+    Exit_code.Stopped
+
+let run line_bytes seconds memory_mib =
+  let console = Console.make ~color:Never ~json:false in
+  Guard.run console (fun () -> serve { Quotas.default with line_bytes; seconds; memory_mib })
+
+(* {1 The command line} *)
+
+let positive ~most =
+  let parse s =
+    match int_of_string_opt s with
+    | Some n when n > 0 && n <= most -> Ok n
+    | _ -> Error (`Msg (Printf.sprintf "`%s' is no number from 1 to %d" s most))
+  in
+  Arg.conv ~docv:"N" (parse, Format.pp_print_int)
+
+let option name docv ~most default doc =
+  let doc = Printf.sprintf "%s The default is %d." doc default in
+  Arg.(value & opt (positive ~most) default & info [ name ] ~docv ~doc)
+
+let line_bytes =
+  option "line-bytes" "N" ~most:(1 lsl 30) Quotas.default.line_bytes
+    "Skips lines of more than $(docv) bytes, and answers them by an error."
+
+let seconds =
+  option "seconds" "S" ~most:1_000_000 Quotas.default.seconds "Gives a request up after $(docv) seconds."
+
+let memory =
+  option "memory" "MIB" ~most:1_000_000 Quotas.default.memory_mib
+    "Gives a request up with which the program takes more than $(docv) MiB."
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Answers questions about shapes and models to other programs: JSON-RPC 2.0 over standard input and output, one \
+       message a line, batches included. Shapes and models are defined once and asked about by handle: contact, first \
+       time of contact, response; transitions, runs, formulas. Numbers are exact, as texts $(b,\"p/q\").";
+    `P
+      "Methods, errors and limits are told in $(b,specs/oracle.md), and the messages are described by \
+       $(b,specs/schema/oracle.schema.json). Whatever comes in, each request gets its answer. The service ends with \
+       the input.";
+    `S Manpage.s_examples;
+    `Pre {|  echo '{"jsonrpc":"2.0","id":1,"method":"service.describe"}' | scc oracle|};
+  ]
+
+let command =
+  let exits =
+    Cmd.Exit.info 0 ~doc:"at the end of the input."
+    :: Cmd.Exit.info 4 ~doc:"if an interruption ended the service, or nobody reads its answers any more."
+    :: List.filter (fun i -> List.mem (Cmd.Exit.info_code i) [ 64; 70 ]) Exit_code.man
+  in
+  Cmd.v
+    (Cmd.info "oracle" ~doc:"answer other programs' questions" ~man ~exits)
+    Term.(const run $ line_bytes $ seconds $ memory)
