@@ -1,6 +1,7 @@
 """A service that speaks the protocol badly: ``python fake.py WAY``. It answers 'never' to whatever else it is asked."""
 
 import json
+import os
 import sys
 
 DESCRIPTION = {
@@ -40,4 +41,7 @@ def main(way):
         print(json.dumps(reply), flush=True)
 
 
-main(sys.argv[1])
+try:
+    main(sys.argv[1])
+except BrokenPipeError:
+    os._exit(0)

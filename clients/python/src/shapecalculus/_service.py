@@ -42,6 +42,10 @@ class Service:
         self._lines: List[bytes] = []  # finished ones, the next one last
         self._closed = False
 
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
     # Requests.
 
     def send(self, line: bytes) -> None:

@@ -181,7 +181,7 @@ class Contact:
             tuple(map(numbers.vector, json["normals"] or ())),
             tuple(map(Pair.from_json, json["pairs"] or ())),
             None if highest is None else Pair.from_json(highest),
-            json["approaching"],
+            json.get("approaching"),
             None if gap is None else numbers.vector(gap),
             None if plane is None else (numbers.vector(plane["normal"]), numbers.fraction(plane["height"])),
         )

@@ -65,6 +65,11 @@ def to_text(number: Number) -> str:
         return str(number)
     if type(number) is Fraction:
         return '"%d/%d"' % (number.numerator, number.denominator)
+    if type(number) is float:
+        try:
+            return '"%d/%d"' % number.as_integer_ratio()
+        except OverflowError as error:
+            raise ValueError("not a number: %r" % number) from error
     value = to_json(number)
     return str(value) if type(value) is int else '"%s"' % value
 
