@@ -113,9 +113,9 @@ let trace =
 
 let tolerance =
   let doc =
-    "How far off the times, positions, velocities and other numbers of the trace may be, each by itself. With 0, \
-     the default, they have to be equal. A trace with floats (numbers with a point or an exponent) needs one; in a \
-     rigid model not less than its resolution, unless it is 0."
+    "How far off the times, positions, velocities and other numbers of the trace may be, each by itself. With \
+     0, the default, they have to be equal. A trace with floats (numbers with a point or an exponent) needs one; \
+     in a rigid model not less than its resolution, unless it is 0."
   in
   Arg.(value & opt (some Options.rational) None & info [ "tolerance" ] ~docv:"T" ~doc)
 
@@ -130,16 +130,16 @@ let pattern =
 
 let unobserved =
   let doc =
-    "Events that the trace need not tell: a kind ($(b,bounce), $(b,bind), $(b,weak), $(b,strong)), or the text of a \
-     label, in which $(b,*) stands for any characters: $(b,'bounce(p, *\\)'). Repeatable. Every other event has to \
-     be told."
+    "Events that the trace need not tell: a kind ($(b,bounce), $(b,bind), $(b,weak), $(b,strong)), or the text \
+     of a label, in which $(b,*) stands for any characters: $(b,'bounce(p, *\\)'). Repeatable. Every other event \
+     has to be told."
   in
   Arg.(value & opt_all pattern [] & info [ "unobserved" ] ~docv:"PATTERN" ~doc)
 
 let states =
   let doc =
-    "Looks at no more than $(docv) states for each line of the trace. When that does not do, the trace is undecided, \
-     unless it conforms all the same."
+    "Looks at no more than $(docv) states for each line of the trace. When that does not do, the trace is \
+     undecided, unless it conforms all the same."
   in
   let count =
     let parse s =
@@ -168,12 +168,13 @@ let man =
     `P
       "Tells whether a trace that somebody else recorded, another simulator say, is one of the model: each of its \
        events is matched to a transition that is allowed. Where the trace leaves a choice open (which candidate \
-       bound, in which order things happened that happened at once), all are followed. Otherwise the first thing is \
-       told that no run does: what the trace did, what was allowed there, which rules say so, how far off it is.";
+       bound, in which order things happened that happened at once), all are followed. Otherwise the first thing \
+       is told that no run does: what the trace did, what was allowed there, which rules say so, how far off it \
+       is.";
     `P
-      "A trace is the JSON Lines of $(b,scc trace), most of whose members may be left out, or CSV with the columns \
-       $(b,time), $(b,event), $(b,bodies), $(b,features) and some more. Both are described, with examples, in \
-       $(b,specs/conform.md).";
+      "A trace is the JSON Lines of $(b,scc trace), most of whose members may be left out, or CSV with the \
+       columns $(b,time), $(b,event), $(b,bodies), $(b,features) and some more. Both are described, with \
+       examples, in $(b,specs/conform.md).";
     `P
       "Events that happen at times that differ by no more than the tolerance, to separate bodies, may stand in \
        either order.";
@@ -183,7 +184,8 @@ let man =
     `S Manpage.s_examples;
     `Pre "  scc conform model.sc theirs.csv --tolerance 1e-9";
     `Pre "  scc conform model.sc theirs.jsonl --unobserved bounce --json";
-    `Pre "  scc conform model.sc theirs.csv --tolerance 1e-6 --run same.json && scc trace model.sc --schedule same.json";
+    `Pre "  scc conform model.sc theirs.csv --tolerance 1e-6 --run same.json";
+    `Pre "  scc trace model.sc --schedule same.json";
   ]
 
 let exits =

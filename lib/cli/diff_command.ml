@@ -18,7 +18,7 @@ let tolerance asked (a : Recorded.t) (b : Recorded.t) =
   | Some t, _, _ when Rat.sign t < 0 -> refuse Scc_base.Span.none "the tolerance is negative"
   | Some t, _, _ -> Ok t
   | None, Some at, _ | None, None, Some at ->
-    refuse at "the trace has floats: say by --tolerance how far off they may be (0 for not at all)"
+    refuse at "the trace has floats: --tolerance tells how far off they may be (0: not at all)"
   | None, None, None -> Ok Rat.zero
 
 let diff console o =
@@ -54,8 +54,8 @@ let trace index docv =
 
 let tolerance_option =
   let doc =
-    "How far the numbers of the two may be apart, each by itself. With 0, the default, they have to be equal. A trace \
-     with floats needs one."
+    "How far the numbers of the two may be apart, each by itself. With 0, the default, they have to be equal. A \
+     trace with floats needs one."
   in
   Arg.(value & opt (some Options.rational) None & info [ "tolerance" ] ~docv:"T" ~doc)
 

@@ -257,7 +257,8 @@ let turned t (l : State.leaf) (b : Recorded.body) =
   | None -> []
   | Some told ->
     let held = Quaternion.to_mat l.turned in
-    let entries (m : Mat.t) = List.concat_map (fun r -> List.map (coordinate r) [ 0; 1; 2 ]) [ m.r0; m.r1; m.r2 ] in
+    let row r = List.map (coordinate r) [ 0; 1; 2 ] in
+    let entries (m : Mat.t) = List.concat_map row [ m.r0; m.r1; m.r2 ] in
     let off = List.map2 (fun a b -> Rat.abs (Rat.sub a b)) (entries told) (entries held) in
     let most = List.fold_left Rat.max Rat.zero off in
     if Rat.compare most t.tolerance <= 0 then []

@@ -1,5 +1,5 @@
-(** The first difference of two recorded traces, in terms of the calculus. No model is needed: what only one of the two
-    tells is not compared, but for events, of which both tell all. *)
+(** The first difference of two recorded traces, in terms of the calculus. No model is needed: what only one of
+    the two tells is not compared, but for events, of which both tell all. *)
 
 open Scc_exact
 
@@ -8,7 +8,12 @@ type side = First | Second
 type t =
   | Header of { what : string; first : string; second : string }
   (** ["digest"], or a parameter: the two are not of one model *)
-  | Event of { number : int;  (** from 1 *) first : Recorded.item; second : Recorded.item; what : event_difference }
+  | Event of {
+      number : int;  (** from 1 *)
+      first : Recorded.item;
+      second : Recorded.item;
+      what : event_difference;
+    }
   | More of { side : side; number : int; item : Recorded.item }  (** an event that only one has *)
   | State of {
       first : Recorded.item;

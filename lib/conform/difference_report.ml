@@ -7,7 +7,10 @@ let line = Report.source_line
 let event (i : Recorded.item) =
   match i.what with Event e -> Recorded.event_text e | _ -> Scc_base.Bug.fail __POS__ "no event"
 
-let number told off = match off with Some _ -> ( match Rat.of_literal told with Ok q -> short q | Error _ -> told) | None -> told
+let number told off =
+  match (off, Rat.of_literal told) with
+  | Some _, Ok q -> short q
+  | _ -> told
 
 let set l = "{" ^ String.concat ", " l ^ "}"
 
@@ -23,7 +26,8 @@ let lines (a : Recorded.t) (b : Recorded.t) : Difference.t -> string list = func
       match what with
       | Label -> "is another"
       | Time off ->
-        Printf.sprintf "is %s %s in the second" (short (Rat.abs off)) (if Rat.sign off > 0 then "later" else "earlier")
+        Printf.sprintf "is %s %s in the second" (short (Rat.abs off))
+          (if Rat.sign off > 0 then "later" else "earlier")
       | Choice (m, n) -> Printf.sprintf "is another choice: %d, and %d in the second" m n
       | Rules (r, s) -> Printf.sprintf "is by other rules: %s, and %s in the second" (set r) (set s)
     in

@@ -1,5 +1,4 @@
 open Scc_exact
-open Scc_calculus
 open Scc_semantics
 
 type kind =
@@ -51,56 +50,7 @@ type t = {
 
 let most_allowed = 12
 
-(* {1 What was allowed} *)
-
-(* An event that is possible at a state which a hypothesis reaches, now or by the passing of time. *)
-type option_ = { at : State.t; time : Rat.t; taken : Transition.t; from : Search.hypothesis }
-
-(* How far is looked ahead: hypotheses, instants of each. *)
-let looked_from = 12
-let looked_instants = 200
-
-let events transitions = List.filter (fun (x : Transition.t) -> not (Transition.is_time x.label)) transitions
-
-(* The events of the first instant on the way at which there are any. *)
-let at_first_instant against ~observed (h : Search.hypothesis) =
-  let options (at, time) =
-    match Network.successors (Against.model against) at with
-    | Error _ -> []
-    | Ok transitions ->
-      let seen (x : Transition.t) = observed (Transition.label_to_string (Against.model against) x.label) in
-      List.filter seen (events transitions) |> List.map (fun taken -> { at; time; taken; from = h })
-  in
-  let rec first = function
-    | [] -> []
-    | place :: rest -> ( match options place with [] -> first rest | found -> found)
-  in
-  first (Search.beyond against h.state h.time ~steps:looked_instants)
-
-let same_option a b = Rat.equal a.time b.time && Transition.equal_label a.taken.label b.taken.label
-
-let distinct options =
-  List.fold_left
-    (fun kept o -> if List.exists (same_option o) kept then kept else o :: kept)
-    [] options
-  |> List.rev
-
-let most_options = 500
-
-let options against ~observed (dead : Search.dead_end) =
-  let seen (p : Search.possible) = observed (Transition.label_to_string (Against.model against) p.taken.label) in
-  let here =
-    List.filter seen dead.possible
-    |> List.filteri (fun i _ -> i < most_options)
-    |> List.map (fun (p : Search.possible) ->
-        { at = p.from.state; time = p.from.time; taken = p.taken; from = p.from })
-  in
-  (* Those reached first come last. The latest of them have time before them that would be too long. *)
-  let latest = List.filteri (fun i _ -> i < looked_from) dead.reached in
-  let ahead = List.concat_map (at_first_instant against ~observed) latest in
-  distinct (here @ ahead) |> List.stable_sort (fun a b -> Rat.compare a.time b.time)
-
-let allowed_of o = { label = o.taken.label; rules = o.taken.rules; time = o.time }
+let allowed_of (o : Prospect.t) = { label = o.taken.label; rules = o.taken.rules; time = o.time }
 
 (* {1 Rules} *)
 
@@ -123,19 +73,16 @@ let kind_rules : Recorded.kind -> string list = function
   | Weak -> [ "WeakSplit"; "I-9" ]
   | Strong -> [ "StrongSplit" ]
 
-let is_urgent o =
-  match o.taken.label with Bind _ | Bounce _ | Strong_split _ -> true | Weak_split _ | Time _ -> false
-
 (* {1 Events that do not fit} *)
 
-let text against o = Transition.label_to_string (Against.model against) o.taken.label
+let text against (o : Prospect.t) = Transition.label_to_string (Against.model against) o.taken.label
 
 let approximately q =
   if Rat.is_integer q || Rat.bits q <= 24 then Rat.to_string q else Printf.sprintf "%.9g" (Rat.to_float q)
 
-type found = { kind : kind; rules : string list; why : string; closest : option_ option }
+type found = { kind : kind; rules : string list; why : string; closest : Prospect.t option }
 
-let distance (item : Recorded.item) o = Rat.abs (Rat.sub o.time item.time)
+let distance (item : Recorded.item) (o : Prospect.t) = Rat.abs (Rat.sub o.time item.time)
 
 let nearest item options =
   List.fold_left
@@ -146,16 +93,16 @@ let nearest item options =
     None options
 
 let near against item o = Rat.compare (distance item o) (Against.tolerance against) <= 0
-let too_early against (item : Recorded.item) o =
+let too_early against (item : Recorded.item) (o : Prospect.t) =
   Rat.compare (Rat.add o.time (Against.tolerance against)) item.time <= 0
   && not (near against item o && Rat.sign (Against.tolerance against) > 0)
 
-let nearness against e o = Against.nearness against o.at e o.taken.label
+let nearness against e (o : Prospect.t) = Against.nearness against o.at e o.taken.label
 let fits against e o = nearness against e o = Against.Same
 
 (* The events that are possible next when an option has been taken. *)
-let following against ~observed o =
-  at_first_instant against ~observed { o.from with state = o.taken.target; time = o.time }
+let following against ~observed (o : Prospect.t) =
+  Prospect.at_first_instant against ~observed { o.from with state = o.taken.target; time = o.time }
 
 (* The event that the trace has after an item. *)
 let next_event (trace : Recorded.t) index =
@@ -173,7 +120,7 @@ let wrong_order against trace ~observed index item e options =
   | Some (_, later) ->
     let first o =
       fits against later o
-      && (near against item o || is_urgent o)
+      && (near against item o || Prospect.is_urgent o)
       && List.exists (fun o -> fits against e o) (following against ~observed o)
     in
     List.find_opt first options
@@ -208,14 +155,14 @@ let substitute against item e options =
 
 let missing against ~observed item e options =
   let leads o =
-    is_urgent o && too_early against item o
+    Prospect.is_urgent o && too_early against item o
     && List.exists
       (fun next -> fits against e next && near against item next)
       (following against ~observed o)
   in
   List.find_opt leads options
   |> Option.map (fun o ->
-      let rules, reason = urgency o.taken.label in
+      let rules, reason = urgency o.Prospect.taken.label in
       {
         kind = Missing_event; rules; closest = Some o;
         why = Printf.sprintf "%s has to happen before, and was not recorded: %s" (text against o) reason;
@@ -236,7 +183,7 @@ let other_time against trace index (item : Recorded.item) e options =
         let early = Rat.compare item.time o.time < 0 in
         Some
           {
-            kind = Wrong_time; rules = when_rules against o.taken.label; closest = Some o;
+            kind = Wrong_time; rules = when_rules against o.Prospect.taken.label; closest = Some o;
             why =
               Printf.sprintf "%s is allowed at time %s: the trace is %s too %s" (text against o)
                 (approximately o.time) off
@@ -244,9 +191,9 @@ let other_time against trace index (item : Recorded.item) e options =
           })
 
 let left_out against item options =
-  List.find_opt (fun o -> is_urgent o && too_early against item o) options
+  List.find_opt (fun o -> Prospect.is_urgent o && too_early against item o) options
   |> Option.map (fun o ->
-      let rules, reason = urgency o.taken.label in
+      let rules, reason = urgency o.Prospect.taken.label in
       {
         kind = Missing_event; rules; closest = Some o;
         why =
@@ -262,7 +209,10 @@ let extra item (e : Recorded.event) options =
       why = "nothing can happen any more";
     }
   | Some o ->
-    { kind = Extra_event; rules = kind_rules e.kind; closest = Some o; why = "nothing of the kind is allowed there" }
+    {
+      kind = Extra_event; rules = kind_rules e.kind; closest = Some o;
+      why = "nothing of the kind is allowed there";
+    }
 
 let event against trace ~observed index item e options =
   let found =
@@ -389,7 +339,7 @@ let find against (trace : Recorded.t) ~observed (dead : Search.dead_end) =
       misfits = List.filter (fun (m : Search.misfit) -> waits m.of_) dead.misfits;
     }
   in
-  let options = options against ~observed dead in
+  let options = Prospect.find against ~observed dead in
   let found, differences =
     if goes_back against trace index then
       ( { kind = Time_back; rules = [ "Time" ]; why = "the times of the trace decrease"; closest = None }, [] )
@@ -404,7 +354,7 @@ let find against (trace : Recorded.t) ~observed (dead : Search.dead_end) =
   {
     kind = found.kind; item; rules = found.rules; why = found.why;
     closest = Option.map allowed_of found.closest;
-    off = Option.map (fun o -> Rat.sub item.time o.time) found.closest;
+    off = Option.map (fun (o : Prospect.t) -> Rat.sub item.time o.time) found.closest;
     differences;
     allowed = List.map allowed_of (List.filteri (fun i _ -> i < most_allowed) options);
     after =

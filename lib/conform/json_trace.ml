@@ -26,7 +26,10 @@ let rational c what json =
     Ok q
   | None -> wrong c "`%s` is no number" what
 
-let optional json key read = match Json.member key json with None -> Ok None | Some v -> Result.map Option.some (read v)
+let optional json key read =
+  match Json.member key json with
+  | None -> Ok None
+  | Some v -> Result.map Option.some (read v)
 
 let required c json key read =
   match Json.member key json with None -> wrong c "there is no `%s`" key | Some v -> read v
@@ -135,7 +138,12 @@ let transition c json =
   let* rules = optional json "rules" (texts c "rules") in
   let number = Option.bind (Json.member "choice" json) Json.int in
   let choice = { number; rules } in
-  let first = match event with Some e -> [ Event e ] | None when after = None -> [ State ([], None) ] | None -> [] in
+  let first =
+    match (event, after) with
+    | Some e, _ -> [ Event e ]
+    | None, None -> [ State ([], None) ]
+    | None, Some _ -> []
+  in
   Ok (List.map (item c time) (first @ Option.to_list after), Some choice)
 
 let ended c json =
@@ -186,7 +194,7 @@ let header c json =
   in
   Ok { digest = Option.map (fun d -> (d, c.at)) digest; parameters }
 
-let is_header json = Json.member "type" json = Some (`String "header")
+let is_header json = match Json.member "type" json with Some (`String "header") -> true | _ -> false
 
 (* What is read so far, the latest first. *)
 type sofar = { found : item list; choices : (int * choice) list; count : int; float_at : Span.t option }

@@ -99,8 +99,8 @@ let leaves_of_processes (s : State.t) firsts =
        List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves))
     firsts
 
-(* The items that an event of the model can be: of those that are not met, the first that names a process of it, if it
-   fits and its time does. Looking on past others takes that they are of other processes, and a tolerance: exact
+(* The items that an event of the model can be: of those that are not met, the first that names a process of it, if
+   it fits and its time does. Looking on past others takes that they are of other processes, and a tolerance: exact
    traces tell their order. What was recorded of a state waits for all events before it. *)
 let fitting t h label =
   let latest = add h.time (Against.tolerance t.against) in

@@ -1,5 +1,5 @@
-(** The runs of a model that a recorded trace can be of. The items of the trace are met one after the other, and the set
-    of all states that the model can then be in is kept.
+(** The runs of a model that a recorded trace can be of. The items of the trace are met one after the other, and
+    the set of all states that the model can then be in is kept.
 
     Time passes by itself between events. A recorded event is met by a transition with a label that fits, at a time
     that differs by at most the tolerance. It may be met before events that were recorded earlier, if those are met
@@ -60,6 +60,9 @@ val run :
   limits ->
   (outcome, Transition.fault) result
 (** From the declared state. [observed] is asked for the texts of labels. *)
+
+val urgent : Transition.t -> bool
+(** A collision or a strong split: no time passes while there is one. *)
 
 val beyond : Against.t -> State.t -> Rat.t -> steps:int -> (State.t * Rat.t) list
 (** The states from this one on, at this time, that are reached by the passing of time alone; at most so many. *)

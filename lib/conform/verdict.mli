@@ -16,8 +16,8 @@ type answer =
   | Undecided of { reason : Search.reason; items : int  (** that were met *) }
 
 val tolerance : Model.t -> Recorded.t -> Rat.t option -> (Rat.t, Diag.t list) result
-(** The tolerance that is asked for; 0 when none is, unless the trace has floats (SC0804). Floats of a rigid model take
-    one that is not less than its resolution, within which its contact times are known. *)
+(** The tolerance that is asked for; 0 when none is, unless the trace has floats (SC0804). Floats of a rigid model
+    take one that is not less than its resolution, within which its contact times are known. *)
 
 val check :
   Model.t ->

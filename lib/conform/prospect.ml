@@ -1,0 +1,52 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+(* An event that is possible at a state which a hypothesis reaches, now or by the passing of time. *)
+type t = { at : State.t; time : Rat.t; taken : Transition.t; from : Search.hypothesis }
+
+(* How far is looked ahead: hypotheses, instants of each. *)
+let looked_from = 12
+let looked_instants = 200
+
+let events transitions = List.filter (fun (x : Transition.t) -> not (Transition.is_time x.label)) transitions
+
+(* The events of the first instant on the way at which there are any. *)
+let at_first_instant against ~observed (h : Search.hypothesis) =
+  let at_place (at, time) =
+    match Network.successors (Against.model against) at with
+    | Error _ -> []
+    | Ok transitions ->
+      let seen (x : Transition.t) = observed (Transition.label_to_string (Against.model against) x.label) in
+      List.filter seen (events transitions) |> List.map (fun taken -> { at; time; taken; from = h })
+  in
+  let rec first = function
+    | [] -> []
+    | place :: rest -> ( match at_place place with [] -> first rest | found -> found)
+  in
+  first (Search.beyond against h.state h.time ~steps:looked_instants)
+
+let same_option a b = Rat.equal a.time b.time && Transition.equal_label a.taken.label b.taken.label
+
+let distinct options =
+  List.fold_left
+    (fun kept o -> if List.exists (same_option o) kept then kept else o :: kept)
+    [] options
+  |> List.rev
+
+let most_options = 500
+
+let find against ~observed (dead : Search.dead_end) =
+  let seen (p : Search.possible) = observed (Transition.label_to_string (Against.model against) p.taken.label) in
+  let here =
+    List.filter seen dead.possible
+    |> List.filteri (fun i _ -> i < most_options)
+    |> List.map (fun (p : Search.possible) ->
+        { at = p.from.state; time = p.from.time; taken = p.taken; from = p.from })
+  in
+  (* Those reached first come last. The latest of them have time before them that would be too long. *)
+  let latest = List.filteri (fun i _ -> i < looked_from) dead.reached in
+  let ahead = List.concat_map (at_first_instant against ~observed) latest in
+  distinct (here @ ahead) |> List.stable_sort (fun a b -> Rat.compare a.time b.time)
+
+let is_urgent o = Search.urgent o.taken
