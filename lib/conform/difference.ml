@@ -104,34 +104,45 @@ let same_fact ~tolerance a b =
     (* quaternions of float traces are left to their velocities *)
     String.equal a.value b.value || (String.equal a.quantity "turned" && Rat.sign tolerance > 0)
 
-let state ~tolerance ~events (first : item) bodies (second : item) others =
-  let fact name other a =
+let state ~tolerance ~events bodies others =
+  let fact name first second other a =
     match List.find_opt (fun f -> String.equal f.quantity a.quantity) other with
     | Some b when not (same_fact ~tolerance a b) ->
       let off = match (a.number, b.number) with Some x, Some y -> Some (Rat.sub y x) | _ -> None in
       Some (State { first; second; events; body = name; quantity = a.quantity; told = (a.value, b.value); off })
     | Some _ | None -> None
   in
-  let body (b : body) =
-    match List.find_opt (fun (o : body) -> String.equal o.name b.name) others with
-    | Some other ->
+  let body (first, (b : body)) =
+    match List.find_opt (fun (_, (o : body)) -> String.equal o.name b.name) others with
+    | Some (second, other) ->
       let other = facts other in
-      List.find_map (fact b.name other) (facts b)
+      List.find_map (fact b.name first second other) (facts b)
     | None -> None
   in
   List.find_map body bodies
 
 (* {1 Both} *)
 
-(* A trace cut into its events, each with the states told after it and before the next one. *)
-type piece = { event : (int * item * event) option; states : (item * body list) list }
+(* A trace cut into its events, each with the states told after it and before the next one. A state may be told body
+   by body. *)
+type state = { time : Rat.t; bodies : (item * body) list }
+type piece = { event : (int * item * event) option; states : state list }
+
+let add_state (i : item) bodies states =
+  let told (b : body) (_, (o : body)) = String.equal b.name o.name in
+  let mine = List.map (fun b -> (i, b)) bodies in
+  match states with
+  | s :: rest
+    when Rat.equal s.time i.time && not (List.exists (fun b -> List.exists (told b) s.bodies) bodies) ->
+    { s with bodies = s.bodies @ mine } :: rest
+  | _ -> { time = i.time; bodies = mine } :: states
 
 let pieces (t : Recorded.t) =
   let close_piece p = { p with states = List.rev p.states } in
   let add (done_, now) (index, (i : item)) =
     match i.what with
     | Event e -> (close_piece now :: done_, { event = Some (index, i, e); states = [] })
-    | State ((_ :: _ as bodies), _) -> (done_, { now with states = (i, bodies) :: now.states })
+    | State ((_ :: _ as bodies), _) -> (done_, { now with states = add_state i bodies now.states })
     | State ([], _) | Watched | Quiescent | Stuck -> (done_, now)
   in
   let items = Array.to_list (Array.mapi (fun index i -> (index, i)) t.items) in
@@ -142,9 +153,9 @@ let pieces (t : Recorded.t) =
 let rec states ~tolerance ~events a b =
   match (a, b) with
   | [], _ | _, [] -> None
-  | ((i : item), bodies) :: a', ((j : item), others) :: b' -> (
+  | i :: a', j :: b' -> (
       if close ~tolerance i.time j.time then
-        match state ~tolerance ~events i bodies j others with
+        match state ~tolerance ~events i.bodies j.bodies with
         | Some d -> Some d
         | None -> states ~tolerance ~events a' b'
       else if Rat.compare i.time j.time < 0 then states ~tolerance ~events a' b

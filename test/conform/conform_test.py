@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""scc conform and scc diff against a float simulator: its traces conform, and those with a fault do not.
+
+conform_test.py SCC ROOT: ROOT is the folder that specs/ is in. The last line is `N passed, N failed`.
+"""
+
+import copy
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import warnings
+
+warnings.filterwarnings('ignore', category=DeprecationWarning)
+try:
+    import jsonschema
+except ImportError:  # then the reports are not held against their schemas
+    jsonschema = None
+
+from faults import FAULTS
+from float_sim import csv, jsonl, simulate
+
+TOLERANCE = '1e-9'
+SEEDS = {'billiard': [1, 2], 'relay': [1], 'chain': [1, 2], 'gravity': [1, 2], 'dimer': [1, 2, 3], 'latch': [1, 3, 4],
+         'enzyme': [1, 2, 3], 'crystals': [1, 2]}
+VALIDATORS = {}
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def read_schemas(root):
+    folder = os.path.join(root, 'specs', 'schema')
+    store = {}
+    for name in os.listdir(folder):
+        if name.endswith('.schema.json'):
+            with open(os.path.join(folder, name), encoding='utf-8') as file:
+                schema = json.load(file)
+            store[schema['$id']] = schema
+    for name in ('conform', 'diff'):
+        schema = store[name + '.schema.json']
+        resolver = jsonschema.RefResolver(base_uri='', referrer=schema, store=store)
+        VALIDATORS[name] = jsonschema.Draft202012Validator(schema, resolver=resolver)
+
+
+class Test:
+    def __init__(self, scc, root, folder):
+        self.scc, self.root, self.folder = scc, root, folder
+        self.passed = self.failed = 0
+
+    def count(self, ok, what, why):
+        self.passed += ok
+        self.failed += not ok
+        if not ok:
+            print('%s: %s' % (what, why))
+
+    def write(self, scene, items, form):
+        path = os.path.join(self.folder, 'trace.' + form)
+        with open(path, 'w', encoding='utf-8') as file:
+            file.write(csv(items) if form == 'csv' else jsonl(items, scene.parameters))
+        return path
+
+    def check_schema(self, report):
+        name = {'scc-conform': 'conform', 'scc-diff': 'diff'}.get(report['format'])
+        if name and jsonschema:
+            error = jsonschema.exceptions.best_match(VALIDATORS[name].iter_errors(report))
+            self.count(error is None, 'schema of ' + report['format'], error and error.message[:300])
+
+    def run(self, *words):
+        done = subprocess.run([self.scc] + list(words) + ['--json'], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              universal_newlines=True, timeout=60)
+        try:
+            report = json.loads(done.stdout)
+            self.check_schema(report)
+            return done.returncode, report
+        except ValueError:
+            return done.returncode, dict(verdict='none', error=done.stdout + done.stderr)
+
+    def conform(self, scene, items, form):
+        model = os.path.join(self.root if '/' in scene.path else HERE, scene.path)
+        defined = [w for n, v in scene.parameters for w in ('-D', '%s=%s' % (n, v))]
+        return self.run('conform', model, self.write(scene, items, form), '--tolerance', TOLERANCE, *defined)
+
+    def accepted(self, name, seed):
+        scene, items = simulate(name, seed)
+        for form in ('csv', 'jsonl'):
+            code, report = self.conform(scene, items, form)
+            ok = code == 0 and report['verdict'] == 'conforms' and report['run']['transitions'] > 0
+            self.count(ok, '%s %d as %s' % (name, seed, form), json.dumps(report)[:600])
+
+    def rejected(self, name, seed, what, change, kind, rule, form):
+        scene, items = simulate(name, seed)
+        change(items)
+        code, report = self.conform(scene, items, form)
+        title = '%s: %s, as %s' % (name, what, form)
+        if rule is None:
+            codes = [d['code'] for d in report.get('diagnostics', [])]
+            self.count(code == 3 and codes[:1] == [kind], title, 'exit code %d, %s' % (code, codes))
+            return
+        told = report.get('divergence') or {}
+        found = (code, told.get('kind'), told.get('rules', [None])[0])
+        self.count(found == (1, kind, rule) and told['why'] != '', title,
+                   '%s instead of %s: %s' % (found, (1, kind, rule), told.get('why', report)))
+
+    def told_apart(self, name, seed, change):
+        """scc diff: of a trace and itself in the other format; of it and one with a fault."""
+        scene, items = simulate(name, seed)
+        one, two = self.write(scene, items, 'csv'), self.write(scene, items, 'jsonl')
+        code, report = self.run('diff', one, two, '--tolerance', TOLERANCE)
+        self.count(code == 0 and report['verdict'] == 'same', 'diff of %s with itself' % name, report)
+        items = copy.deepcopy(items)
+        change(items)
+        code, report = self.run('diff', one, self.write(scene, items, 'jsonl'), '--tolerance', TOLERANCE)
+        self.count(code == 1 and report['verdict'] == 'different', 'diff of %s with a fault' % name, report)
+
+
+def main():
+    scc, root = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+    if jsonschema:
+        read_schemas(root)
+    with tempfile.TemporaryDirectory() as folder:
+        test = Test(scc, root, folder)
+        for name, seeds in SEEDS.items():
+            for seed in seeds:
+                test.accepted(name, seed)
+        for fault in FAULTS:
+            # CSV has no bonds in its states
+            for form in ('jsonl',) if fault[4] == 'wrong-bonds' else ('csv', 'jsonl'):
+                test.rejected(*fault, form)
+        for name, seed, _, change, kind, _ in FAULTS:
+            if name in ('latch', 'chain', 'gravity') and kind != 'wrong-bonds':
+                test.told_apart(name, seed, change)
+    print('%d passed, %d failed' % (test.passed, test.failed))
+    return 1 if test.failed or len(FAULTS) < 20 else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
