@@ -156,7 +156,9 @@ class Casts(WithOracle):
         bulk = self.oracle.first_times_of_contact(casts)
         with self.oracle.batch() as batch:
             futures = [batch.first_time_of_contact(*cast) for cast in casts]
-        self.assertEqual([future.result() for future in futures], bulk)
+        # No assertEqual of the lists: it would look for their differences for minutes.
+        self.assertEqual(len(bulk), len(casts))
+        self.assertEqual([i for i, future in enumerate(futures) if future.result() != bulk[i]], [])
         self.assertEqual({meeting.outcome for meeting in bulk}, {"at", "never", "inside"})
         for cast, meeting in list(zip(casts, bulk))[::50]:
             self.assertEqual(self.oracle.first_time_of_contact(*cast), meeting)
@@ -178,7 +180,7 @@ class Casts(WithOracle):
         casts = [(self.cube, self.cube, (long, i, 0), (-1, 0, 0)) for i in range(6000)]
         meetings = self.oracle.first_times_of_contact(casts)
         self.assertEqual(meetings[0].time, long - 2)
-        self.assertEqual([m.outcome for m in meetings[2:]], ["never"] * 5998)
+        self.assertEqual(meetings.count(Meeting("never")), 5998)
 
     def test_too_many_digits(self):
         with self.assertRaises(LimitExceeded) as caught:

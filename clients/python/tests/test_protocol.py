@@ -33,7 +33,7 @@ class Services(unittest.TestCase):
 
     def test_all_is_well(self):
         with fake("well") as oracle:
-            self.assertEqual(oracle.first_times_of_contact(casts(3000)), [Meeting("never")] * 3000)
+            self.assertEqual(oracle.first_times_of_contact(casts(3000)).count(Meeting("never")), 3000)
             self.assertEqual(oracle.first_time_of_contact("s1", "s1", (3, 0, 0), (1, 0, 0)).outcome, "never")
             self.assertEqual(oracle.first_times_of_contact([]), [])
 

@@ -114,7 +114,7 @@ class Oracle:
         self,
         scc: Union[str, Sequence[str], None] = None,
         *,
-        seconds: Optional[float] = None,
+        seconds: Optional[int] = None,
         memory: Optional[int] = None,
         timeout: Optional[float] = None,
     ) -> None:
