@@ -4,7 +4,7 @@ open Scc_exact
 open Scc_semantics
 
 type kind =
-  | Wrong_time  (** the event is allowed, at another time *)
+  | Wrong_time  (** the event is allowed, at another time; or there is no such time *)
   | Wrong_features
   | Wrong_channel
   | Wrong_kind  (** something else happens to these bodies *)

@@ -5,8 +5,10 @@ conform_test.py SCC ROOT: ROOT is the folder that specs/ is in. The last line is
 """
 
 import copy
+from fractions import Fraction
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -101,6 +103,34 @@ class Test:
         self.count(found == (1, kind, rule) and told['why'] != '', title,
                    '%s instead of %s: %s' % (found, (1, kind, rule), told.get('why', report)))
 
+    def recorded(self, model):
+        """A trace of scc itself: as it is; with floats; and with one number changed."""
+        path = os.path.join(self.root, 'specs', 'models', model)
+        done = subprocess.run([self.scc, 'trace', path, '--choose', 'random:1', '--steps', '24'],
+                              stdout=subprocess.PIPE, universal_newlines=True, timeout=60)
+        lines = [json.loads(line) for line in done.stdout.splitlines()]
+        for line in lines:
+            if line['type'] == 'transition':  # what others cannot know
+                del line['choice'], line['of'], line['rules'], line['step'], line['label']['text']
+
+        def check(changed, *options):
+            file = os.path.join(self.folder, 'trace.jsonl')
+            with open(file, 'w', encoding='utf-8') as out:
+                out.write(''.join(json.dumps(line) + '\n' for line in changed))
+            return self.run('conform', path, file, *options)
+
+        code, report = check(lines)
+        self.count(code == 0, '%s, exact' % model, json.dumps(report)[:600])
+        tolerance = '1/1000' if any('"turned"' in line for line in done.stdout.splitlines()[1:2]) else TOLERANCE
+        code, report = check([floats(line) for line in lines], '--tolerance', tolerance)
+        self.count(code == 0, '%s, floats' % model, json.dumps(report)[:600])
+        states = [line for line in lines if 'state' in line]
+        velocity = states[len(states) // 2]['state']['processes'][-1]['velocity']
+        velocity[1] = str(Fraction(velocity[1]) + Fraction(1, 10 ** 6))
+        code, report = check(lines)
+        told = report.get('divergence') or {}
+        self.count((code, told.get('kind')) == (1, 'wrong-velocity'), '%s, changed' % model, json.dumps(report)[:600])
+
     def told_apart(self, name, seed, change):
         """scc diff: of a trace and itself in the other format; of it and one with a fault."""
         scene, items = simulate(name, seed)
@@ -111,6 +141,17 @@ class Test:
         change(items)
         code, report = self.run('diff', one, self.write(scene, items, 'jsonl'), '--tolerance', TOLERANCE)
         self.count(code == 1 and report['verdict'] == 'different', 'diff of %s with a fault' % name, report)
+
+
+def floats(value):
+    """The same with each number as a float, but what no simulator has."""
+    if isinstance(value, dict):
+        return {k: v if k == 'parameters' else floats(v) for k, v in value.items() if k not in ('behaviour', 'origin')}
+    if isinstance(value, list):
+        return [floats(v) for v in value]
+    if isinstance(value, str) and re.fullmatch('-?[0-9]+(/[0-9]+)?', value):
+        return float(Fraction(value))
+    return value
 
 
 def main():
@@ -126,6 +167,9 @@ def main():
             # CSV has no bonds in its states
             for form in ('jsonl',) if fault[4] == 'wrong-bonds' else ('csv', 'jsonl'):
                 test.rejected(*fault, form)
+        for model in sorted(os.listdir(os.path.join(root, 'specs', 'models'))):
+            if model.endswith('.sc'):
+                test.recorded(model)
         for name, seed, _, change, kind, _ in FAULTS:
             if name in ('latch', 'chain', 'gravity') and kind != 'wrong-bonds':
                 test.told_apart(name, seed, change)
