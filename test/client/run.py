@@ -20,7 +20,7 @@ def by_pytest(tests):
         def pytest_runtest_logreport(self, report):
             if report.failed:
                 self.failed += 1
-            elif report.when == "call" and report.passed and type(report) is pytest.TestReport:
+            elif report.when == "call" and report.passed and type(report).__name__ == "TestReport":
                 self.passed += 1
 
         def pytest_collectreport(self, report):
