@@ -92,6 +92,12 @@ let nearest item options =
        | _ -> Some o)
     None options
 
+(* In order of time. *)
+let nearest_few item options =
+  List.stable_sort (fun a b -> Rat.compare (distance item a) (distance item b)) options
+  |> List.filteri (fun i _ -> i < most_allowed)
+  |> List.stable_sort (fun (a : Prospect.t) (b : Prospect.t) -> Rat.compare a.time b.time)
+
 let near against item o = Rat.compare (distance item o) (Against.tolerance against) <= 0
 let too_early against (item : Recorded.item) (o : Prospect.t) =
   Rat.compare (Rat.add o.time (Against.tolerance against)) item.time <= 0
@@ -339,7 +345,7 @@ let find against (trace : Recorded.t) ~observed (dead : Search.dead_end) =
       misfits = List.filter (fun (m : Search.misfit) -> waits m.of_) dead.misfits;
     }
   in
-  let options = Prospect.find against ~observed dead in
+  let options = Prospect.find against ~observed ~past:item.time dead in
   let found, differences =
     if goes_back against trace index then
       ( { kind = Time_back; rules = [ "Time" ]; why = "the times of the trace decrease"; closest = None }, [] )
@@ -356,7 +362,7 @@ let find against (trace : Recorded.t) ~observed (dead : Search.dead_end) =
     closest = Option.map allowed_of found.closest;
     off = Option.map (fun (o : Prospect.t) -> Rat.sub item.time o.time) found.closest;
     differences;
-    allowed = List.map allowed_of (List.filteri (fun i _ -> i < most_allowed) options);
+    allowed = List.map allowed_of (nearest_few item options);
     after =
       Option.map
         (fun (label, rules, time) -> { label; rules; time })

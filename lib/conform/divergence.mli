@@ -39,7 +39,7 @@ type t = {
   closest : allowed option;
   off : Rat.t option;  (** of the trace's time from that of the closest, later is positive *)
   differences : Against.difference list;  (** of a state *)
-  allowed : allowed list;  (** in order of time, at most {!most_allowed} *)
+  allowed : allowed list;  (** those nearest in time, in order of it, at most {!most_allowed} *)
   after : allowed option;  (** the latest transition before it *)
 }
 

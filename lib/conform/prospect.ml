@@ -11,8 +11,8 @@ let looked_instants = 200
 
 let events transitions = List.filter (fun (x : Transition.t) -> not (Transition.is_time x.label)) transitions
 
-(* The events of the first instant on the way at which there are any. *)
-let at_first_instant against ~observed (h : Search.hypothesis) =
+(* The events of the instants on the way, up to the first after [past] at which there are any. *)
+let until against ~observed ~past (h : Search.hypothesis) =
   let at_place (at, time) =
     match Network.successors (Against.model against) at with
     | Error _ -> []
@@ -20,11 +20,16 @@ let at_first_instant against ~observed (h : Search.hypothesis) =
       let seen (x : Transition.t) = observed (Transition.label_to_string (Against.model against) x.label) in
       List.filter seen (events transitions) |> List.map (fun taken -> { at; time; taken; from = h })
   in
-  let rec first = function
-    | [] -> []
-    | place :: rest -> ( match at_place place with [] -> first rest | found -> found)
+  let over time = match past with None -> true | Some past -> Rat.compare time past > 0 in
+  let rec collect found = function
+    | [] -> found
+    | ((_, time) as place) :: rest ->
+      let here = at_place place in
+      if here <> [] && over time then found @ here else collect (found @ here) rest
   in
-  first (Search.beyond against h.state h.time ~steps:looked_instants)
+  collect [] (Search.beyond against h.state h.time ~steps:looked_instants)
+
+let at_first_instant against ~observed h = until against ~observed ~past:None h
 
 let same_option a b = Rat.equal a.time b.time && Transition.equal_label a.taken.label b.taken.label
 
@@ -36,7 +41,7 @@ let distinct options =
 
 let most_options = 500
 
-let find against ~observed (dead : Search.dead_end) =
+let find against ~observed ~past (dead : Search.dead_end) =
   let seen (p : Search.possible) = observed (Transition.label_to_string (Against.model against) p.taken.label) in
   let here =
     List.filter seen dead.possible
@@ -46,7 +51,7 @@ let find against ~observed (dead : Search.dead_end) =
   in
   (* Those reached first come last. The latest of them have time before them that would be too long. *)
   let latest = List.filteri (fun i _ -> i < looked_from) dead.reached in
-  let ahead = List.concat_map (at_first_instant against ~observed) latest in
+  let ahead = List.concat_map (until against ~observed ~past:(Some past)) latest in
   distinct (here @ ahead) |> List.stable_sort (fun a b -> Rat.compare a.time b.time)
 
 let is_urgent o = Search.urgent o.taken
