@@ -48,7 +48,11 @@ let flush interrupts out =
 let serve (quotas : Quotas.t) =
   let slices = Time_slices.create ~memory_mib:quotas.memory_mib in
   let surroundings =
-    { Session.now = Unix.gettimeofday; bounded = (fun ~seconds f -> Time_slices.bounded slices ~seconds f) }
+    {
+      Session.now = Unix.gettimeofday;
+      bounded = (fun ~seconds f -> Time_slices.bounded slices ~seconds f);
+      passes = (function Interrupted -> true | _ -> false);
+    }
   in
   let session = Session.create ~quotas ~surroundings ~version:Version.current () in
   let interrupts = catch_signals () in
@@ -110,13 +114,14 @@ let man =
   [
     `S Manpage.s_description;
     `P
-      "Answers questions about shapes and models to other programs: JSON-RPC 2.0 over standard input and output, one \
-       message a line, batches included. Shapes and models are defined once and asked about by handle: contact, first \
-       time of contact, response; transitions, runs, formulas. Numbers are exact, as texts $(b,\"p/q\").";
+      "Answers questions about shapes and models to other programs: JSON-RPC 2.0 over standard input and output, \
+       one message a line, batches included. Shapes and models are defined once and asked about by handle: \
+       contact, first time of contact, response; transitions, runs, formulas. Numbers are exact, as texts \
+       $(b,\"p/q\").";
     `P
       "Methods, errors and limits are told in $(b,specs/oracle.md), and the messages are described by \
-       $(b,specs/schema/oracle.schema.json). Whatever comes in, each request gets its answer. The service ends with \
-       the input.";
+       $(b,specs/schema/oracle.schema.json). Whatever comes in, each request gets its answer. The service ends \
+       with the input.";
     `S Manpage.s_examples;
     `Pre {|  echo '{"jsonrpc":"2.0","id":1,"method":"service.describe"}' | scc oracle|};
   ]

@@ -1,5 +1,5 @@
-(* An alarm for each request would cost more than many of them: one rings at short intervals while there is work, and
-   counts. *)
+(* An alarm for each request would cost more than many of them: one rings at short intervals while there is work,
+   and counts. *)
 let interval = 0.05
 
 exception Given_up of Scc_oracle.Fault.stop

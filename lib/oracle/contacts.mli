@@ -1,4 +1,5 @@
-(** The methods [contact] and [first_time_of_contact]: two shapes, the reference point of the first at the origin. *)
+(** The methods [contact] and [first_time_of_contact]: two shapes, the reference point of the first at the
+    origin. *)
 
 val contact : Shapes.store -> Read.params -> Reply.t
 val first_time_of_contact : Shapes.store -> Read.params -> Reply.t

@@ -1,25 +1,36 @@
+module Table = Map.Make (String)
+
+(* A request may be given up at any instant: a map is replaced as a whole, or not. *)
 type 'a t = {
   prefix : string;
   limit : string;
   most : int;
-  table : (string, 'a) Hashtbl.t;
+  mutable table : 'a Table.t;
+  mutable count : int;
   mutable made : int;
 }
 
-let create ~prefix ~limit ~most = { prefix; limit; most; table = Hashtbl.create 64; made = 0 }
+let create ~prefix ~limit ~most = { prefix; limit; most; table = Table.empty; count = 0; made = 0 }
 
-let check_room h = if Hashtbl.length h.table >= h.most then Fault.refuse (Limit (h.limit, h.most))
+let set h table =
+  let count = Table.cardinal table in
+  h.table <- table;
+  h.count <- count
+
+let check_room h = if h.count >= h.most then Fault.refuse (Limit (h.limit, h.most))
 
 let add h x =
-  h.made <- h.made + 1;
-  let handle = h.prefix ^ string_of_int h.made in
-  Hashtbl.replace h.table handle x;
+  let made = h.made + 1 in
+  let handle = h.prefix ^ string_of_int made in
+  let table = Table.add handle x h.table in
+  h.made <- made;
+  set h table;
   handle
 
 let shown handle = if String.length handle <= 64 then handle else "a long handle"
 
 let get h handle =
-  match Hashtbl.find_opt h.table handle with
+  match Table.find_opt handle h.table with
   | Some x -> x
   | None -> Fault.refuse (Unknown_handle (shown handle))
 
@@ -27,7 +38,7 @@ let find h p at v = get h (Read.text p at v)
 
 let release h handle =
   let x = get h handle in
-  Hashtbl.remove h.table handle;
+  set h (Table.remove handle h.table);
   x
 
-let iter f h = Hashtbl.iter (fun _ x -> f x) h.table
+let iter f h = Table.iter (fun _ x -> f x) h.table

@@ -28,10 +28,14 @@ val release : store -> Read.params -> Reply.t
 (** {1 With a formula} *)
 
 val with_formula :
-  store -> handle:string -> formula:string -> (Scc_syntax.Ast.expr -> Scc_syntax.Ast.expr) -> form:string ->
+  store ->
+  handle:string ->
+  formula:string ->
+  (Scc_syntax.Ast.expr -> Scc_syntax.Ast.expr) ->
+  form:string ->
   (loaded, Diag.t list) result
-(** The model with a check of the formula, changed, as its last one. [form] names the change. Those asked for lately are
-    kept. *)
+(** The model with a check of the formula, changed, as its last one. [form] names the change. Those asked for
+    lately are kept. *)
 
 val sources : store -> string -> formula:string -> string -> Source.t option
 (** The texts of the model of a handle, and of a formula, by name. *)

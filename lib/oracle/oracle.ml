@@ -144,7 +144,7 @@ let internal s what =
   Error (Fault.Internal what)
 
 (* Of what a request may raise, all but what the surroundings have to say. *)
-let guarded s f =
+let guarded (s : Session.t) f =
   match f () with
   | result -> result
   | exception Fault.Refused fault -> Error fault
@@ -153,8 +153,7 @@ let guarded s f =
     internal s (Printf.sprintf "%s:%d: %s" (Filename.basename file) line what)
   | exception Stack_overflow -> internal s "stack overflow"
   | exception Out_of_memory -> internal s "no memory left"
-  | exception ((Not_found | Failure _ | Invalid_argument _ | Division_by_zero | Assert_failure _ | Match_failure _) as e)
-    -> internal s (Printexc.to_string e)
+  | exception e when not (s.surroundings.passes e) -> internal s (Printexc.to_string e)
 
 let full (s : Session.t) = Fault.Limit ("reply_bytes", s.quotas.reply_bytes)
 let is_full (s : Session.t) b = Buffer.length b > s.quotas.reply_bytes

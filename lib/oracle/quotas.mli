@@ -1,4 +1,5 @@
-(** The stated limits of the service (see [specs/oracle.md]): what is beyond one is refused before it is worked on. *)
+(** The stated limits of the service (see [specs/oracle.md]): what is beyond one is refused before it is worked
+    on. *)
 
 type t = {
   line_bytes : int;

@@ -1,9 +1,10 @@
 type surroundings = {
   now : unit -> float;
   bounded : 'a. seconds:float -> (unit -> 'a) -> ('a, Fault.stop) result;
+  passes : exn -> bool;
 }
 
-let quiet = { now = (fun () -> 0.); bounded = (fun ~seconds:_ f -> Ok (f ())) }
+let quiet = { now = (fun () -> 0.); bounded = (fun ~seconds:_ f -> Ok (f ())); passes = (fun _ -> false) }
 
 type t = {
   quotas : Quotas.t;

@@ -1,11 +1,12 @@
-(** What one run of the service knows: its limits, and what its handles stand for. Nothing else lasts from one request
-    to the next but what only saves time. *)
+(** What one run of the service knows: its limits, and what its handles stand for. Nothing else lasts from one
+    request to the next but what only saves time. *)
 
 (** How the service talks to its surroundings. *)
 type surroundings = {
   now : unit -> float;  (** a clock in seconds; only differences count *)
   bounded : 'a. seconds:float -> (unit -> 'a) -> ('a, Fault.stop) result;
   (** does something, or gives it up when it takes more time, or the program more memory, than there is *)
+  passes : exn -> bool;  (** an exception of theirs (Ctrl-C), which no request stops *)
 }
 
 val quiet : surroundings
