@@ -121,7 +121,7 @@ let item row =
             (malformed row.at
                "`%s` is none of bind, bounce, weak, strong, state, time, end, quiescent and stuck" name))
   in
-  Ok ({ line = row.line; at = row.at; time; what }, time_float || inexact)
+  Ok ({ line = row.line; at = row.at; time; what; choice = None }, time_float || inexact)
 
 (* {1 The file} *)
 
@@ -186,5 +186,5 @@ let read source =
       Ok
         {
           name = Source.name source; format = "csv"; digest = None; parameters = [];
-          items = Array.of_list (List.rev items); choices = []; inexact;
+          items = Array.of_list (List.rev items); inexact;
         }

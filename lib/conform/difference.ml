@@ -63,13 +63,12 @@ let same_event (a : event) (b : event) =
   && agree same_texts a.features b.features
   && (a.features <> [] && b.features <> [] || same_texts (owners a) (owners b))
 
-let event ~tolerance (a : Recorded.t) (b : Recorded.t) number (i, (first : item), e) (j, (second : item), e') =
+let event ~tolerance number ((first : item), e) ((second : item), e') =
   let told what = Some (Event { number; first; second; what }) in
-  let choice_of (t : Recorded.t) i = List.assoc_opt i t.choices in
   if not (same_event e e') then told Label
   else if not (close ~tolerance first.time second.time) then told (Time (Rat.sub second.time first.time))
   else
-    match (choice_of a i, choice_of b j) with
+    match (first.choice, second.choice) with
     | Some { number = Some m; _ }, Some { number = Some n; _ } when m <> n -> told (Choice (m, n))
     | Some { rules = Some r; _ }, Some { rules = Some s; _ } when not (same_texts r s) -> told (Rules (r, s))
     | _ -> None
@@ -112,8 +111,10 @@ let state ~tolerance ~events bodies others =
       Some (State { first; second; events; body = name; quantity = a.quantity; told = (a.value, b.value); off })
     | Some _ | None -> None
   in
+  let by_name = Hashtbl.create 16 in
+  List.iter (fun (second, (o : body)) -> Hashtbl.replace by_name o.name (second, o)) others;
   let body (first, (b : body)) =
-    match List.find_opt (fun (_, (o : body)) -> String.equal o.name b.name) others with
+    match Hashtbl.find_opt by_name b.name with
     | Some (second, other) ->
       let other = facts other in
       List.find_map (fact b.name first second other) (facts b)
@@ -123,30 +124,30 @@ let state ~tolerance ~events bodies others =
 
 (* {1 Both} *)
 
-(* A trace cut into its events, each with the states told after it and before the next one. A state may be told body
-   by body. *)
+(* A trace cut into its events, each with the states told after it and before the next one. A state may be told
+   body by body. *)
 type state = { time : Rat.t; bodies : (item * body) list }
-type piece = { event : (int * item * event) option; states : state list }
+type piece = { event : (item * event) option; states : state list }
 
+(* What is told of a body at that time a second time, with no event between, begins a new state. *)
 let add_state (i : item) bodies states =
-  let told (b : body) (_, (o : body)) = String.equal b.name o.name in
-  let mine = List.map (fun b -> (i, b)) bodies in
-  match states with
-  | s :: rest
-    when Rat.equal s.time i.time && not (List.exists (fun b -> List.exists (told b) s.bodies) bodies) ->
-    { s with bodies = s.bodies @ mine } :: rest
+  let mine = List.rev_map (fun b -> (i, b)) bodies in
+  match (states, bodies) with
+  | s :: rest, [ (b : body) ]
+    when Rat.equal s.time i.time && not (List.exists (fun (_, (o : body)) -> String.equal b.name o.name) s.bodies)
+    -> { s with bodies = mine @ s.bodies } :: rest
   | _ -> { time = i.time; bodies = mine } :: states
 
 let pieces (t : Recorded.t) =
-  let close_piece p = { p with states = List.rev p.states } in
-  let add (done_, now) (index, (i : item)) =
+  let in_order s = { s with bodies = List.rev s.bodies } in
+  let close_piece p = { p with states = List.rev_map in_order p.states } in
+  let add (done_, now) (i : item) =
     match i.what with
-    | Event e -> (close_piece now :: done_, { event = Some (index, i, e); states = [] })
+    | Event e -> (close_piece now :: done_, { event = Some (i, e); states = [] })
     | State ((_ :: _ as bodies), _) -> (done_, { now with states = add_state i bodies now.states })
     | State ([], _) | Watched | Quiescent | Stuck -> (done_, now)
   in
-  let items = Array.to_list (Array.mapi (fun index i -> (index, i)) t.items) in
-  let done_, last = List.fold_left add ([], { event = None; states = [] }) items in
+  let done_, last = Array.fold_left add ([], { event = None; states = [] }) t.items in
   List.rev (close_piece last :: done_)
 
 (* States of the same time, in their order. *)
@@ -174,13 +175,13 @@ let find a b ~tolerance =
   let rec compare number ps qs =
     match (ps, qs) with
     | [], [] -> ending a b
-    | { event = Some (_, item, _); _ } :: _, [] -> Some (More { side = First; number; item })
-    | [], { event = Some (_, item, _); _ } :: _ -> Some (More { side = Second; number; item })
+    | { event = Some (item, _); _ } :: _, [] -> Some (More { side = First; number; item })
+    | [], { event = Some (item, _); _ } :: _ -> Some (More { side = Second; number; item })
     | { event = None; _ } :: _, [] | [], { event = None; _ } :: _ -> None
     | p :: ps, q :: qs -> (
         let events =
           match (p.event, q.event) with
-          | Some x, Some y -> event ~tolerance a b number x y
+          | Some x, Some y -> event ~tolerance number x y
           | _ -> None
         in
         match events with

@@ -45,7 +45,12 @@ let lines (a : Recorded.t) (b : Recorded.t) : Difference.t -> string list = func
     ]
   | State { first; second; events; body; quantity; told = one, two; off } ->
     [
-      Printf.sprintf "the traces differ: after %d events, %s of %s%s" events quantity body
+      Printf.sprintf "the traces differ: %s, %s of %s%s"
+        (match events with
+         | 0 -> "before any event"
+         | 1 -> "after 1 event"
+         | n -> Printf.sprintf "after %d events" n)
+        quantity body
         (match off with Some q -> Printf.sprintf ", by %s" (short (Rat.abs q)) | None -> "");
       Printf.sprintf "  %s, %s: %s" a.name (line first) (number one off);
       Printf.sprintf "  %s, %s: %s" b.name (line second) (number two off);

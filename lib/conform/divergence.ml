@@ -299,7 +299,8 @@ let state against item (misfits : Search.misfit list) options =
       match left_out against item options with
       | Some f -> (f, [])
       | None ->
-        ({ kind = Wrong_time; rules = [ "Time" ]; why = "time does not come to this instant"; closest = None }, []))
+        let why = "time does not come to this instant" in
+        ({ kind = Wrong_time; rules = [ "Time" ]; why; closest = None }, []))
 
 let ending item options ~quiescent =
   let closest = nearest item options in

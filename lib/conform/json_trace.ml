@@ -129,7 +129,7 @@ let state c json =
 
 (* {1 Lines} *)
 
-let item c time what = { line = c.line; at = c.at; time; what }
+let item ?choice c time what = { line = c.line; at = c.at; time; what; choice }
 
 let transition c json =
   let* time = required c json "time" (rational c "time") in
@@ -144,7 +144,7 @@ let transition c json =
     | None, None -> [ State ([], None) ]
     | None, Some _ -> []
   in
-  Ok (List.map (item c time) (first @ Option.to_list after), Some choice)
+  Ok (List.map (item ~choice c time) (first @ Option.to_list after))
 
 let ended c json =
   let* time = required c json "time" (rational c "time") in
@@ -156,7 +156,7 @@ let ended c json =
     | Some ("open" | "zeno") | None -> Ok []
     | Some e -> wrong c "`%s` is none of open, quiescent, stuck and zeno" e
   in
-  Ok (List.map (item c time) (State ([], None) :: claims), None)
+  Ok (List.map (item c time) (State ([], None) :: claims))
 
 let one_line c json =
   match Json.member "type" json with
@@ -164,7 +164,7 @@ let one_line c json =
   | Some (`String ("state" | "instant")) ->
     let* time = required c json "time" (rational c "time") in
     let* s = required c json "state" (state c) in
-    Ok ([ item c time s ], None)
+    Ok [ item c time s ]
   | Some (`String "end") -> ended c json
   | _ -> wrong c "`type` is none of header, state, transition, instant and end"
 
@@ -197,14 +197,14 @@ let header c json =
 let is_header json = match Json.member "type" json with Some (`String "header") -> true | _ -> false
 
 (* What is read so far, the latest first. *)
-type sofar = { found : item list; choices : (int * choice) list; count : int; float_at : Span.t option }
+type sofar = { found : item list; float_at : Span.t option }
 
 let read source =
   let s = Source.text source and file = Source.name source in
   let finish head r =
     {
       name = file; format = "jsonl"; digest = head.digest; parameters = head.parameters;
-      items = Array.of_list (List.rev r.found); choices = List.rev r.choices; inexact = r.float_at;
+      items = Array.of_list (List.rev r.found); inexact = r.float_at;
     }
   in
   let rec lines number start head r =
@@ -225,12 +225,9 @@ let read source =
             let* head = header c json in
             lines (number + 1) (stop + 1) head r
         else
-          let* items, choice = one_line c json in
+          let* items = one_line c json in
           let float_at = if !(c.inexact) && Option.is_none r.float_at then Some c.at else r.float_at in
-          let choices = match choice with Some k -> (r.count, k) :: r.choices | None -> r.choices in
-          let found = List.rev_append items r.found in
-          lines (number + 1) (stop + 1) head
-            { found; choices; count = r.count + List.length items; float_at }
+          lines (number + 1) (stop + 1) head { found = List.rev_append items r.found; float_at }
   in
-  lines 1 0 no_header { found = []; choices = []; count = 0; float_at = None }
+  lines 1 0 no_header { found = []; float_at = None }
   |> Result.map_error (fun d -> [ d ])

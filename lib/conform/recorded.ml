@@ -25,8 +25,8 @@ type body = {
 
 type step = { remaining : Rat.t; phase : string }
 type what = Event of event | State of body list * step option | Watched | Quiescent | Stuck
-type item = { line : int; at : Span.t; time : Rat.t; what : what }
 type choice = { number : int option; rules : string list option }
+type item = { line : int; at : Span.t; time : Rat.t; what : what; choice : choice option }
 
 type t = {
   name : string;
@@ -34,7 +34,6 @@ type t = {
   digest : (string * Span.t) option;
   parameters : (string * Rat.t) list;
   items : item array;
-  choices : (int * choice) list;
   inexact : Span.t option;
 }
 

@@ -42,10 +42,16 @@ type what =
   | Quiescent  (** nothing will ever happen again *)
   | Stuck  (** nothing can happen, not even the passing of time *)
 
-type item = { line : int;  (** from 1 *) at : Span.t; time : Rat.t; what : what }
-
 (** What a recorded transition says of its choice, which only {!Difference} looks at. *)
 type choice = { number : int option; rules : string list option }
+
+type item = {
+  line : int;  (** from 1 *)
+  at : Span.t;
+  time : Rat.t;
+  what : what;
+  choice : choice option;
+}
 
 type t = {
   name : string;
@@ -53,7 +59,6 @@ type t = {
   digest : (string * Span.t) option;  (** of the model that it says it is of *)
   parameters : (string * Rat.t) list;
   items : item array;
-  choices : (int * choice) list;  (** by the numbers of the items *)
   inexact : Span.t option;  (** the first number that is written as a float *)
 }
 
