@@ -1,0 +1,500 @@
+Traces that others recorded. What scc records itself conforms, of course.
+
+  $ M=../../specs/models
+  $ scc trace $M/latch.sc > own.jsonl
+  $ scc conform $M/latch.sc own.jsonl
+  own.jsonl: conforms: 2 events, a run of 3 transitions up to time 2
+  $ scc trace $M/enzyme.sc --choose random:5 --steps 60 | scc conform $M/enzyme.sc -
+  <standard input>: conforms: 35 events, a run of 60 transitions up to time 25
+  $ scc trace $M/pocket.sc --steps 12 | scc conform $M/pocket.sc -
+  <standard input>: conforms: 2 events, a run of 12 transitions up to time 3.67582738
+
+CSV, exact and with floats.
+
+  $ cat > exact.csv <<EOF
+  > time,event,bodies,channel,features
+  > 2,bind,p;q,dock,p.right;q.left
+  > 3,weak,p;q,dock,p.right;q.left
+  > 10,end
+  > EOF
+  $ scc conform $M/latch.sc exact.csv --run run.json
+  exact.csv: conforms: 2 events, a run of 4 transitions up to time 3
+  $ scc trace $M/latch.sc --schedule run.json --states=ends | tail -1
+  {"type":"end","steps":4,"time":"3/1","ending":"quiescent"}
+  $ sed 's/^2,/2.0000001,/' exact.csv > floats.csv
+  $ scc conform $M/latch.sc floats.csv
+  floats.csv:2:1: error[SC0804]: the trace has floats: --tolerance tells how far off they may be (0: not at all)
+     |
+   2 | 2.0000001,bind,p;q,dock,p.right;q.left
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  [3]
+  $ scc conform $M/latch.sc floats.csv --tolerance 1e-9
+  floats.csv: diverges at line 2, time 2.0000001: wrong-time
+    the trace: bind(dock, p.right, q.left)
+    bind(dock, p.right, q.left) is allowed at time 2: the trace is 1e-07 too late
+    rules: Ftoc, Collision
+    allowed there:
+      bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ scc conform $M/latch.sc floats.csv --tolerance 1e-6
+  floats.csv: conforms: 2 events, a run of 4 transitions up to time 3
+    off by at most 1e-07 in time, 0 in position, 0 in velocity (tolerance 1/1000000)
+  $ scc diff exact.csv own.jsonl
+  the traces differ: event 2 is 1 earlier in the second
+    exact.csv, line 3, time 3: weak(dock, p.right, q.left)
+    own.jsonl, line 5, time 2: weak(dock, p.right, q.left)
+  [1]
+  $ scc diff exact.csv floats.csv --tolerance 0
+  the traces differ: event 1 is 1e-07 later in the second
+    exact.csv, line 2, time 2: bind(dock, p.right, q.left)
+    floats.csv, line 2, time 2.0000001: bind(dock, p.right, q.left)
+  [1]
+  $ scc diff exact.csv floats.csv --tolerance 1e-6
+  the traces are the same: 2 events
+
+What is left open is inferred: which of the candidates of Figure 7 bound.
+
+  $ printf 'time,event,bodies\n2,bind,P0 s2\n' | scc conform $M/figure7.sc -
+  <standard input>: conforms: 1 event, a run of 2 transitions up to time 2
+    it could be in 2 states at once
+  $ printf 'time,event\n30,end\n' | scc conform $M/dimers.sc - -D n=4 --unobserved weak
+  <standard input>: conforms: 0 events, a run of 4 transitions up to time 0
+    it could be in 46 states at once
+  $ printf 'time,event\n30,end\n' | scc conform $M/dimers.sc - -D n=12 --unobserved weak --states 30
+  <standard input>: undecided after 0 of 1 item: more states than the limit would have to be looked at (--states)
+  [2]
+
+Events of separate bodies that happen at nearly the same time may stand in either order, within the tolerance. Of the
+same body they may not.
+
+  $ cat > pairs.sc <<EOF
+  > model pairs
+  > shape Cube {
+  >   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+  >            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  >   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+  >            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+  > }
+  > process p = Cube mass 1 velocity (1,0,0) at translate (0,0,0) [nil]
+  > process q = Cube mass 1 at translate (4,0,0) [nil]
+  > process r = Cube mass 1 velocity (1,0,0) at translate (0,9,0) [nil]
+  > process s = Cube mass 1 at translate (4 + 1/1000000,9,0) [nil]
+  > process t = Cube mass 1 at translate (6,0,0) [nil]
+  > check solid : always distance2(p, q) >= 0
+  > EOF
+  $ printf 'time,event,bodies\n2.0,bounce,r;s\n2.0,state,r\n2.0,bounce,p;q\n2.0,bounce,q;t\n' > swapped.csv
+  $ scc conform pairs.sc swapped.csv --tolerance 1e-5
+  swapped.csv: conforms: 3 events, a run of 5 transitions up to time 2.000001
+    off by at most 1/1000000 in time, 0 in position, 0 in velocity (tolerance 1/100000)
+  $ scc conform pairs.sc swapped.csv --tolerance 1e-7
+  swapped.csv: diverges at line 2, time 2: wrong-time
+    the trace: bounce(r, s)
+    bounce(r, s) is allowed at time 2.000001: the trace is 1/1000000 too early
+    rules: Ftoc, Collision
+    allowed there:
+      bounce(r, s) at time 2.000001   {Bounce}
+    after: bounce(q, t) at time 2   {Bounce}
+  [1]
+  $ printf 'time,event,bodies\n2,bounce,q;t\n2,bounce,p;q\n' | scc conform pairs.sc - --tolerance 1e-5
+  <standard input>: diverges at line 2, time 2: wrong-order
+    the trace: bounce(q, t)
+    bounce(p, q) has to come before it, and the trace has it later
+    rules: Successors, Time
+    allowed there:
+      bounce(p, q) at time 2   {Bounce}
+  [1]
+
+Divergences.
+
+  $ conform() { m=$1; t=$2; shift 2; printf "time,event,bodies,channel,features,x,vx\n$t" | scc conform $M/$m.sc - "$@"; }
+  $ conform latch '7/4,bind,p;q\n'
+  <standard input>: diverges at line 2, time 7/4: wrong-time
+    the trace: bind(p, q)
+    bind(dock, p.right, q.left) is allowed at time 2: the trace is 1/4 too early
+    rules: Ftoc, Collision
+    allowed there:
+      bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform latch '2,bounce,p;q\n'
+  <standard input>: diverges at line 2, time 2: wrong-kind
+    the trace: bounce(p, q)
+    bind(dock, p.right, q.left) is allowed there: a collision with a candidate never bounces
+    rules: Bind, Bounce
+    allowed there:
+      bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform latch '2,bind,p;q,dock,p.right;q.top\n'
+  <standard input>: diverges at line 2, time 2: wrong-features
+    the trace: bind(dock, p.right, q.top)
+    bind(dock, p.right, q.left) is allowed there, by other features
+    rules: Bind, Collision
+    allowed there:
+      bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform latch '2,bind,p;q,lock\n'
+  <standard input>: diverges at line 2, time 2: wrong-channel
+    the trace: bind(lock, p, q)
+    bind(dock, p.right, q.left) is allowed there, by another channel
+    rules: Bind, Collision
+    allowed there:
+      bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform latch '3,end\n'
+  <standard input>: diverges at line 2, time 3: missing-event
+    the trace: nothing more up to this time
+    bind(dock, p.right, q.left) has to happen at time 2, and was not recorded: no time passes while bodies collide
+    rules: Collision, Time
+    allowed there:
+      bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform latch '2,end\n'
+  <standard input>: diverges at line 2, time 2: missing-event
+    the trace: nothing more up to this time
+    bind(dock, p.right, q.left) has to happen at time 2, and was not recorded: no time passes while bodies collide
+    rules: Collision, Time
+    allowed there:
+      bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform latch '2,bind,p;q\n2,weak,p;q\n3,weak,p;q\n'
+  <standard input>: diverges at line 4, time 3: extra-event
+    the trace: weak(p, q)
+    nothing can happen any more
+    rules: Quiescent, WeakSplit, I-9
+    after: weak(dock, p.right, q.left) at time 2   {WeakSplit, Weak, Def}
+  [1]
+  $ conform latch '2,bind,p;q\n2,quiescent\n'
+  <standard input>: diverges at line 3, time 2: wrong-ending
+    the trace: nothing will ever happen again
+    the trace claims that nothing can happen any more, and something can
+    rules: Quiescent
+    allowed there:
+      weak(dock, p.right, q.left) at time 2   {WeakSplit, Weak, Def}
+      weak(dock, p.right, q.left) at time 3   {WeakSplit, Weak, Def}
+    after: bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform latch '0,state,p,,,-3,-1\n'
+  <standard input>: diverges at line 2, time 0: wrong-velocity
+    the trace: a state
+    of p, vx is -1 in the trace, and 1, off by -2
+    rules: Time
+    what differs:
+      p: vx: -1 in the trace, 1 expected
+    allowed there:
+      bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform latch '1,state,p,,,-5/2\n'
+  <standard input>: diverges at line 2, time 1: wrong-position
+    the trace: a state
+    of p, x is -5/2 in the trace, and -2, off by -1/2
+    rules: Time
+    what differs:
+      p: x: -5/2 in the trace, -2 expected
+    allowed there:
+      bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform latch '2,bind,p;q\n1,state,p\n'
+  <standard input>: diverges at line 3, time 1: time-back
+    the trace: a state
+    the times of the trace decrease
+    rules: Time
+    allowed there:
+      weak(dock, p.right, q.left) at time 2   {WeakSplit, Weak, Def}
+    after: bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+  $ conform chain '3,bind,c[2];c[3]\n1,bind,c[1];c[2]\n'
+  <standard input>: diverges at line 2, time 3: wrong-order
+    the trace: bind(c[2], c[3])
+    bind(link, c[1].right, c[2].left) has to come before it, and the trace has it later
+    rules: Successors, Time
+    allowed there:
+      bind(link, c[1].right, c[2].left) at time 1   {Bind, Pre, Sum, Def}
+  [1]
+  $ conform chain '1,bind,c[2];c[3]\n3,bind,c[1];c[2]\n'
+  <standard input>: diverges at line 2, time 1: wrong-order
+    the trace: bind(c[2], c[3])
+    bind(link, c[1].right, c[2].left) has to come before it, and the trace has it later
+    rules: Successors, Time
+    allowed there:
+      bind(link, c[1].right, c[2].left) at time 1   {Bind, Pre, Sum, Def}
+  [1]
+  $ conform dimer '4,end\n'
+  <standard input>: diverges at line 2, time 4: missing-event
+    the trace: nothing more up to this time
+    strong({<bond, {s1.right, s2.left}>}) has to happen at time 3, and was not recorded: a strong split that is enabled is urgent
+    rules: StrongSplit, Time
+    allowed there:
+      weak(bond, w1.right, w2.left) at time 2   {WeakSplit, Weak}
+      weak(bond, w1.right, w2.left) at time 5/2   {WeakSplit, Weak}
+      weak(bond, w1.right, w2.left) at time 3   {WeakSplit, Weak}
+      strong({<bond, {s1.right, s2.left}>}) at time 3   {StrongSplit, Strong}
+  [1]
+  $ conform rattle '3,end\n' --unobserved bounce
+  <standard input>: diverges at line 2, time 3: wrong-time
+    the trace: nothing more up to this time
+    time does not come to this instant
+    rules: Time
+  [1]
+  $ conform latch '2,bind,p;q\n3.25,weak,p;q\n' --tolerance 1/1000 --json
+  {
+    "format": "scc-conform",
+    "version": 1,
+    "semantics": "1",
+    "verdict": "diverges",
+    "exit": 1,
+    "model": {
+      "file": "../../specs/models/latch.sc",
+      "name": "latch",
+      "digest": "md5:739f161b03f9d0afa832dad47dd2a07f",
+      "parameters": {}
+    },
+    "trace": {"file": "<standard input>", "format": "csv", "events": 2, "items": 2},
+    "tolerance": {"exact": "1/1000", "about": "0.001"},
+    "run": null,
+    "divergence": {
+      "kind": "wrong-time",
+      "at": {
+        "line": 3,
+        "time": {"exact": "13/4", "about": "3.25"},
+        "what": "event",
+        "event": {"kind": "weak", "channels": [], "bodies": ["p", "q"], "features": []}
+      },
+      "rules": ["WeakSplit", "I-9"],
+      "why": "weak(dock, p.right, q.left) is allowed at time 3: the trace is 1/4 too late",
+      "closest": {
+        "label": {
+          "kind": "weak",
+          "text": "weak(dock, p.right, q.left)",
+          "name": "dock",
+          "ends": ["p.right", "q.left"]
+        },
+        "rules": ["WeakSplit", "Weak", "Def"],
+        "time": {"exact": "3/1", "about": "3"}
+      },
+      "off": {"exact": "1/4", "about": "0.25"},
+      "differences": [],
+      "allowed": [
+        {
+          "label": {
+            "kind": "weak",
+            "text": "weak(dock, p.right, q.left)",
+            "name": "dock",
+            "ends": ["p.right", "q.left"]
+          },
+          "rules": ["WeakSplit", "Weak", "Def"],
+          "time": {"exact": "2/1", "about": "2"}
+        },
+        {
+          "label": {
+            "kind": "weak",
+            "text": "weak(dock, p.right, q.left)",
+            "name": "dock",
+            "ends": ["p.right", "q.left"]
+          },
+          "rules": ["WeakSplit", "Weak", "Def"],
+          "time": {"exact": "3/1", "about": "3"}
+        },
+        {
+          "label": {
+            "kind": "weak",
+            "text": "weak(dock, p.right, q.left)",
+            "name": "dock",
+            "ends": ["p.right", "q.left"]
+          },
+          "rules": ["WeakSplit", "Weak", "Def"],
+          "time": {"exact": "4/1", "about": "4"}
+        }
+      ],
+      "after": {
+        "label": {
+          "kind": "bind",
+          "text": "bind(dock, p.right, q.left)",
+          "name": "dock",
+          "ends": ["p.right", "q.left"]
+        },
+        "rules": ["Bind", "Pre", "Def"],
+        "time": {"exact": "2/1", "about": "2"}
+      }
+    },
+    "reason": null,
+    "diagnostics": []
+  }
+  [1]
+
+Invalid traces.
+
+  $ conform latch '2,bind,p;r\n'
+  <standard input>:2:1: error[SC0804]: the model has no body `r`
+     |
+   2 | 2,bind,p;r
+     | ^^^^^^^^^^
+    hint: did you mean `p`?
+  [3]
+  $ conform latch '2,bind,p;q,,p.right;q.lleft\n'
+  <standard input>:2:1: error[SC0804]: the model has no feature `q.lleft`
+     |
+   2 | 2,bind,p;q,,p.right;q.lleft
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    hint: did you mean `q.left`?
+  [3]
+  $ conform latch '2,bump,p;q\n'
+  <standard input>:2:1: error[SC0804]: `bump` is none of bind, bounce, weak, strong, state, time, end, quiescent and stuck
+     |
+   2 | 2,bump,p;q
+     | ^^^^^^^^^^
+  [3]
+  $ conform latch '2,bounce,p\nx,end\n2,end,p\n2,bounce,p;q,dock\n'
+  <standard input>:2:1: error[SC0804]: a bounce is of two bodies, not of 1
+     |
+   2 | 2,bounce,p
+     | ^^^^^^^^^^
+  <standard input>:3:1: error[SC0804]: `time` is no number: `x`
+     |
+   3 | x,end
+     | ^^^^^
+  <standard input>:4:1: error[SC0804]: a row `end` has nothing in the column `bodies`
+     |
+   4 | 2,end,p
+     | ^^^^^^^
+  <standard input>:5:1: error[SC0804]: a row `bounce` has nothing in the column `channel`
+     |
+   5 | 2,bounce,p;q,dock
+     | ^^^^^^^^^^^^^^^^^
+  [3]
+  $ printf 'time,what\n' | scc conform $M/latch.sc -
+  <standard input>:1:1: error[SC0804]: there is no column `what`
+     |
+   1 | time,what
+     | ^^^^^^^^^
+  [3]
+  $ printf 'time,event\n"2,end\n' | scc conform $M/latch.sc -
+  <standard input>:2:1: error[SC0804]: a quote is not closed
+     |
+   2 | "2,end
+     | ^^^^^^
+  [3]
+  $ scc conform $M/latch.sc - < /dev/null
+  <standard input>:1:1: error[SC0804]: the trace is empty
+     |
+   1 | 
+     | ^
+  [3]
+  $ printf '{"type":"end"}\n' | scc conform $M/latch.sc -
+  <standard input>:1:1: error[SC0804]: there is no `time`
+     |
+   1 | {"type":"end"}
+     | ^^^^^^^^^^^^^^
+  [3]
+  $ printf '{"type":"end","time":1\n' | scc conform $M/latch.sc -
+  <standard input>:1:1: error[SC0804]: this is not JSON
+     |
+   1 | {"type":"end","time":1
+     | ^^^^^^^^^^^^^^^^^^^^^^
+  [3]
+  $ printf '{"type":"transition","time":1,"label":{"kind":"bounce","between":["p"]}}\n' | scc conform $M/latch.sc -
+  <standard input>:1:1: error[SC0804]: a bounce is of two bodies, `between`
+     |
+   1 | {"type":"transition","time":1,"label":{"kind":"bounce","between":["p"]}}
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  [3]
+  $ scc trace $M/dimer.sc | scc conform $M/latch.sc -
+  <standard input>:1:1: error[SC0804]: the trace is of another model, or of another text of this one
+     |
+   1 | {"type":"header","format":"scc-trace","version":1,"semantics":"1","model":"dimer","digest":"md5:51af2680225f350ea6157f06
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    hint: remove its `digest` to look at it all the same
+  [3]
+  $ scc trace $M/chain.sc | scc conform $M/chain.sc - -D n=5
+  error[SC0804]: the trace was made with another value of `n` than -D gives
+  [3]
+  $ scc trace $M/chain.sc | scc conform $M/chain.sc - -D n=4
+  <standard input>: conforms: 3 events, a run of 6 transitions up to time 6
+  $ printf 'time,event\n0.5,end\n' | scc conform $M/pocket.sc - --tolerance 1e-9
+  <standard input>:2:1: error[SC0804]: the tolerance is less than the resolution of the model, 1/2097152
+     |
+   2 | 0.5,end
+     | ^^^^^^^
+  [3]
+  $ conform latch '2,bind,p;q\n' --tolerance=-1
+  error[SC0804]: the tolerance is negative
+  [3]
+  $ scc conform - -
+  scc: only one of the two can be read from standard input
+  [64]
+  $ scc diff - -
+  scc: only one of the two can be read from standard input
+  [64]
+
+Differences.
+
+  $ scc trace $M/billiard.sc --steps 8 > b1.jsonl
+  $ sed 's/"-5\/4","1\/4"/"-5\/4","1\/3"/' b1.jsonl > b2.jsonl
+  $ scc diff b1.jsonl b2.jsonl
+  the traces differ: before any event, y of p, by 1/12
+    b1.jsonl, line 3, time 5/4: 1/4
+    b2.jsonl, line 3, time 5/4: 1/3
+  [1]
+  $ scc diff b1.jsonl b2.jsonl --json
+  {
+    "format": "scc-diff",
+    "version": 1,
+    "verdict": "different",
+    "exit": 1,
+    "tolerance": {"exact": "0/1", "about": "0"},
+    "first": {
+      "file": "b1.jsonl",
+      "format": "jsonl",
+      "digest": "md5:76ae3a5e5dd37535f4057e5590699fbb",
+      "events": 4
+    },
+    "second": {
+      "file": "b2.jsonl",
+      "format": "jsonl",
+      "digest": "md5:76ae3a5e5dd37535f4057e5590699fbb",
+      "events": 4
+    },
+    "difference": {
+      "kind": "state",
+      "event": 0,
+      "first": {"line": 3, "time": {"exact": "5/4", "about": "1.25"}, "event": null},
+      "second": {"line": 3, "time": {"exact": "5/4", "about": "1.25"}, "event": null},
+      "body": "p",
+      "quantity": "y",
+      "told": ["1/4", "1/3"],
+      "off": {"exact": "1/12", "about": "0.0833333333"}
+    },
+    "diagnostics": []
+  }
+  [1]
+  $ head -5 b1.jsonl > b3.jsonl
+  $ scc diff b1.jsonl b3.jsonl
+  the traces differ: only one has an event 2
+    b1.jsonl, line 6, time 5/2: bounce(wall[4], q)
+    b3.jsonl: nothing more
+  [1]
+  $ sed 's/wall\[4\]/wall[3]/g' b1.jsonl | scc diff b1.jsonl -
+  the traces differ: before any event, y of wall[3], by 10
+    b1.jsonl, line 2, time 0: -5
+    <standard input>, line 2, time 0: 5
+  [1]
+  $ sed 's/"choice":0,"of":1,"label":{"kind":"bounce"/"choice":1,"of":2,"label":{"kind":"bounce"/' b1.jsonl | scc diff b1.jsonl -
+  the traces differ: event 1 is another choice: 0, and 1 in the second
+    b1.jsonl, line 4, time 5/4: bounce(p, q)
+    <standard input>, line 4, time 5/4: bounce(p, q)
+  [1]
+  $ sed 's/\["Bounce"\]/["Bind"]/' b1.jsonl | scc diff b1.jsonl -
+  the traces differ: event 1 is by other rules: {Bounce}, and {Bind} in the second
+    b1.jsonl, line 4, time 5/4: bounce(p, q)
+    <standard input>, line 4, time 5/4: bounce(p, q)
+  [1]
+  $ scc trace $M/chain.sc > n4.jsonl
+  $ scc trace $M/chain.sc -D n=3 > n3.jsonl
+  $ scc diff n4.jsonl n3.jsonl
+  the traces differ in the parameter n: they are not of one model
+    n4.jsonl: 4
+    n3.jsonl: 3
+  [1]
+  $ scc diff n4.jsonl b1.jsonl
+  the traces differ in the digest: they are not of one model
+    n4.jsonl: md5:d6ee0fc69e28f1cc80c7acb9e21ab0bd
+    b1.jsonl: md5:76ae3a5e5dd37535f4057e5590699fbb
+  [1]
