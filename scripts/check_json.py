@@ -217,6 +217,58 @@ def check_comparisons(scc):
             count(document["exit"] == result.returncode, f"compare {first} {second}", "another exit code")
 
 
+def oracle_schema(name):
+    """A definition of the oracle's messages."""
+    schema = {"$ref": "oracle.schema.json#/$defs/" + name}
+    return jsonschema.Draft202012Validator(
+        schema, resolver=jsonschema.RefResolver(base_uri="", referrer=schema, store=STORE)
+    )
+
+
+def check_answer(request, answer, what):
+    name = "error" if "error" in answer else request["method"] + ".result"
+    told = answer.get("error") or answer["result"]
+    error = jsonschema.exceptions.best_match(oracle_schema(name).iter_errors(told))
+    if error is None and name != "error":  # what is answered fits its schema, too
+        error = jsonschema.exceptions.best_match(
+            oracle_schema(request["method"] + ".params").iter_errors(request.get("params", {}))
+        )
+    count(error is None, what, "" if error is None else error.message[:300])
+
+
+def check_oracle(scc):
+    """Its tests' messages, and every model with runs of it."""
+    with open("test/oracle/messages.jsonl", encoding="utf-8") as file:
+        lines = [line.rstrip("\n") for line in file]
+    for number, model in enumerate(sorted(glob.glob("specs/models/*.sc"))):
+        with open(model, encoding="utf-8") as file:
+            load = {"text": file.read()}
+        handle = f"m{number + 3}"
+        replay = {"model": handle, "choose": {"random": 3}, "steps": 30}
+        for method, params in [
+            ("model.load", load),
+            ("successors", {"model": handle, "states": "all"}),
+            ("replay", replay),
+        ]:
+            request = {"jsonrpc": "2.0", "id": len(lines), "method": method, "params": params}
+            lines.append(json.dumps(request))
+    result = subprocess.run([scc, "oracle"], input="\n".join(lines).encode(), capture_output=True)
+    answers = {}
+    for line in text_of(result).splitlines():
+        answer = json.loads(line)
+        for one in answer if isinstance(answer, list) else [answer]:
+            answers[json.dumps(one["id"])] = one
+            if one["id"] is None:
+                check_answer({}, one, f"oracle: {line[:60]}")
+    for line in lines:
+        try:
+            request = json.loads(line)
+        except ValueError:
+            continue
+        if isinstance(request, dict) and isinstance(request.get("id"), int) and "params" in request:
+            check_answer(request, answers[json.dumps(request["id"])], f"oracle: {line[:60]}")
+
+
 def main():
     scc = sys.argv[1]
     for name in sorted(SCHEMAS):
@@ -237,6 +289,7 @@ def main():
     check_refusals(scc)
     check_shapes(scc)
     check_comparisons(scc)
+    check_oracle(scc)
     if len(sys.argv) > 2:
         with open(sys.argv[2], "w", encoding="utf-8") as file:
             file.write(f"{PASSED} passed, {FAILED} failed\n")

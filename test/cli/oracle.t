@@ -37,11 +37,11 @@ The lines of a replay are those of scc trace:
   > print(path, lines == [json.loads(line) for line in traced.stdout.splitlines()])
   > END
   $ for m in hexokinase gas carousel gears latch; do python3 load.py ../../specs/models/$m.sc; done
-  ../../specs/models/hexokinase.sc true
-  ../../specs/models/gas.sc true
-  ../../specs/models/carousel.sc true
-  ../../specs/models/gears.sc true
-  ../../specs/models/latch.sc true
+  ../../specs/models/hexokinase.sc True
+  ../../specs/models/gas.sc True
+  ../../specs/models/carousel.sc True
+  ../../specs/models/gears.sc True
+  ../../specs/models/latch.sc True
 
 A request that takes too long is given up, and the others are answered:
 
@@ -58,4 +58,12 @@ A request that takes too long is given up, and the others are answered:
   > print(json.dumps({"jsonrpc": "2.0", "id": 1, "method": "model.load", "params": params}))
   > END
   $ (python3 slow.py; cat define.json) | scc oracle | cut -c1-110
-  $ scc oracle --line-bytes 0 2>&1 | head -2
+  {"jsonrpc":"2.0","id":1,"error":{"code":-32004,"message":"the request took more time than it may","data":{"lim
+  {"jsonrpc":"2.0","id":1,"result":{"shape":"s1","vertices":4,"edges":6,"faces":4,"volume":"1/6","centroid":["1/
+  {"jsonrpc":"2.0","id":2,"result":{"outcome":"at","time":{"exact":"3/2","float":1.5}}}
+
+The command line:
+
+  $ scc oracle --line-bytes 0 2> /dev/null
+  [64]
+  $ scc oracle < /dev/null

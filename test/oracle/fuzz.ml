@@ -2,10 +2,10 @@
 
    fuzz COUNT [SEED]
 
-   Each message is a line. A line that is a request in JSON, whatever is wrong with it, has exactly one answer, with
-   its id; any other line has one answer, or none; known questions have always the same answer, byte for byte; no
-   answer is an internal error; and the heap is no larger at the end than it was after the first fifth. Says what was
-   seen; exit code 1 for a fault. *)
+   Each message is a line. A line that is a request in JSON, whatever is wrong with it, has exactly one answer,
+   with its id; any other line has one answer, or none; known questions have always the same answer, byte for byte;
+   no answer is an internal error; and the heap is no larger at the end than it was after the first fifth. Says
+   what was seen; exit code 1 for a fault. *)
 
 open Scc_oracle
 open Oracle_cases
