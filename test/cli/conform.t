@@ -320,6 +320,27 @@ Divergences.
   }
   [1]
 
+Split clocks run in a circle.
+
+  $ clock() { printf '{"type":"transition","time":2,"label":{"kind":"bind","bodies":["p","q"]}}\n{"type":"state","time":3,"state":{"processes":[{"clock":%s,"leaves":[{"name":"p"},{"name":"q"}]}]}}\n' $1 | scc conform $M/latch.sc - --tolerance 1e-6; }
+  $ clock 0.9999999
+  <standard input>: conforms: 1 event, a run of 3 transitions up to time 3
+    off by at most 0 in time, 0 in position, 0 in velocity (tolerance 1/1000000)
+  $ clock 0.9
+  <standard input>: diverges at line 2, time 3: wrong-clock
+    the trace: a state
+    of p, clock is 9/10 in the trace, and 0, off by 9/10
+    rules: I-9
+    what differs:
+      p: clock: 9/10 in the trace, 0 expected
+      q: clock: 9/10 in the trace, 0 expected
+    allowed there:
+      weak(dock, p.right, q.left) at time 2   {WeakSplit, Weak, Def}
+      weak(dock, p.right, q.left) at time 3   {WeakSplit, Weak, Def}
+      weak(dock, p.right, q.left) at time 4   {WeakSplit, Weak, Def}
+    after: bind(dock, p.right, q.left) at time 2   {Bind, Pre, Def}
+  [1]
+
 Invalid traces.
 
   $ conform latch '2,bind,p;r\n'
