@@ -124,6 +124,63 @@ let every_code () =
       if List.exists has cases || List.exists has transcripts then None else Some (code ^ ": " ^ what))
   |> none "codes without a case in specs/conformance/invalid"
 
+(* {1 The conformance suite} *)
+
+let suite = lazy (Suite.read ())
+let all_cases () = List.concat_map (fun (f : Suite.file) -> f.cases) (Lazy.force suite).files
+
+(* As many as the manifest says, and each of them under a rule that the book has. *)
+let suite_counts () =
+  let suite = Lazy.force suite in
+  let cases = all_cases () in
+  Alcotest.(check bool) "at least 1 000 cases" true (List.length cases >= 1000);
+  Alcotest.(check int) "cases in all" suite.cases (List.length cases);
+  List.iter (fun (f : Suite.file) -> Alcotest.(check int) f.path f.count (List.length f.cases)) suite.files;
+  let ids = List.map (fun (c : Suite.case) -> c.id) cases in
+  Alcotest.(check int) "distinct ids" (List.length ids) (List.length (List.sort_uniq String.compare ids));
+  List.concat_map (fun (c : Suite.case) -> c.rules) cases
+  |> List.sort_uniq String.compare
+  |> List.filter (fun id -> not (is_known id))
+  |> none "rules of cases without an entry"
+
+(* Every definition, rule and reading has a file of its own, by hand, and is counted rightly. *)
+let suite_rules () =
+  let suite = Lazy.force suite in
+  let count id = List.length (List.filter (fun (c : Suite.case) -> List.mem id c.rules) (all_cases ())) in
+  let fault id =
+    match List.assoc_opt id suite.rules with
+    | None -> Some (id ^ ": not in the manifest")
+    | Some (n, _) when n <> count id -> Some (Printf.sprintf "%s: %d cases, not %d" id (count id) n)
+    | Some (_, files) when not (List.mem (Printf.sprintf "rules/%s/cases.json" id) files) ->
+      Some (id ^ ": no cases by hand")
+    | Some _ -> None
+  in
+  List.filter_map fault (Lazy.force known) |> none "rules without cases in specs/conformance"
+
+let suite_codes () =
+  let suite = Lazy.force suite in
+  let ids = List.map (fun (c : Suite.case) -> c.id) (all_cases ()) in
+  let fault (code, what) =
+    let code = (code : Scc_base.Code.t :> string) in
+    match List.assoc_opt code suite.diagnostics with
+    | None | Some ([], []) -> Some (code ^ ": " ^ what)
+    | Some (cases, commands) ->
+      let lost =
+        List.filter (fun id -> not (List.mem id ids)) cases
+        @ List.filter (fun c -> not (Tree.exists ("specs/conformance/" ^ c))) commands
+      in
+      if lost = [] then None else Some (code ^ ": no such case: " ^ String.concat ", " lost)
+  in
+  List.filter_map fault Scc_base.Code.all |> none "codes without a case in specs/conformance/manifest.json"
+
+(* No value is that of scc alone. *)
+let suite_obtained () =
+  all_cases ()
+  |> List.filter (fun (c : Suite.case) ->
+      not (Tree.contains c.obtained "by hand" || Tree.contains c.obtained "test/"))
+  |> List.map (fun (c : Suite.case) -> c.id ^ ": " ^ c.obtained)
+  |> none "cases that do not say how their values were obtained"
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "meta"
@@ -148,5 +205,12 @@ let () =
         [
           case "every case is run by a test" every_case;
           case "every code has a case" every_code;
+        ] );
+      ( "conformance suite",
+        [
+          case "its cases are those of the manifest" suite_counts;
+          case "every rule and reading has cases" suite_rules;
+          case "every code has one" suite_codes;
+          case "every case says how it was obtained" suite_obtained;
         ] );
     ]

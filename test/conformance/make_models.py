@@ -1,0 +1,226 @@
+"""Cases of whole models: all transitions of all states of small ones, compared with the naive calculus of
+test/independent, and verdicts."""
+
+from fractions import Fraction as F
+import os
+import random
+import re
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, '..', 'independent'))
+
+from cases import Suite, load, num, nums, result, unordered
+import compare
+import explore
+import reading
+
+# This folder has a generate.py of its own.
+import importlib.util
+spec = importlib.util.spec_from_file_location('random_models', os.path.join(HERE, '..', 'independent', 'generate.py'))
+random_models = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(random_models)
+
+NAIVE = 'by scc and by the naive calculus of test/independent (Python, fractions), which agree on every transition'
+EXPLORED = 'by the naive exploration of test/independent, formulas sampled between all their changes; scc agrees'
+EXPECTED = 'by hand, as written beside the check in specs/models'
+
+
+class Refused(Exception):
+    pass
+
+
+def ask(implementation, method, **params):
+    answer = implementation.call(method, params)
+    if 'error' in answer:
+        raise Refused(answer['error'])
+    return answer['result']
+
+
+# What scc says, as a pattern ------------------------------------------------------------
+
+
+def label_pattern(label):
+    kind = label['kind']
+    if kind == 'time':
+        return {'kind': kind, 'duration': num(label['duration'])}
+    if kind in ('bind', 'weak'):
+        return {'kind': kind, 'name': label['name'], 'ends': unordered(label['ends'])}
+    if kind == 'bounce':
+        return {'kind': kind, 'between': unordered(label['between'])}
+    return {'kind': kind, 'bonds': unordered([bond_pattern(b) for b in label['bonds']])}
+
+
+def bond_pattern(bond):
+    return {'name': bond['name'], 'ends': unordered(bond['ends'])}
+
+
+def state_pattern(state):
+    """Behaviours are left out: what they are is seen in what follows, and others print them otherwise."""
+    return {'processes': unordered([{
+        'velocity': nums(p['velocity']), 'clock': p['clock'] and num(p['clock']),
+        'leaves': unordered([{'name': l['name'], 'position': nums(l['position']), 'origin': l['origin']}
+                             for l in p['leaves']]),
+        'bonds': unordered([bond_pattern(b) for b in p['bonds']])} for p in state['processes']])}
+
+
+# All transitions of all states ----------------------------------------------------------
+
+RULE = {'time': ['Time'], 'bind': ['Bind', 'Collision'], 'bounce': ['Bounce', 'Collision', 'Response'],
+        'weak': ['WeakSplit'], 'strong': ['StrongSplit']}
+
+
+def naive(model, output, state, answer):
+    """The transitions that scc tells, as (label, state, entry), after comparing them with the naive ones."""
+    found = []
+    for t in answer['transitions']:
+        label = output.label(t['label'], state)
+        duration = label[1] if label[0] == 'time' else F(0)
+        found.append((label, output.state(t['state'], str(state.time + duration)), t))
+    jumping = model.calculus.successors(state, jump=True)
+    plain = model.calculus.successors(state)
+    mine = {(label, after) for label, after, _ in found}
+    if mine not in (plain, jumping) or len(found) != len(mine):
+        raise reading.Difference('the transitions of a state differ')
+    return found
+
+
+def walk(suite, implementation, name, model, states):
+    """A case for each reachable state, up to so many."""
+    text = model.text()
+    handle = ask(implementation, 'model.load', text=text)['model']
+    output = reading.Output(model.bodies)
+    start = model.initial()
+    todo, seen = [([], [], start)], {start._replace(time=F(0))}
+    reference = suite.give(name, load(text))
+    made = 0
+    while todo and made < states:
+        path, along, state = todo.pop(0)
+        answer = ask(implementation, 'successors', model=handle, path=path, states='all')
+        if any(len(x) > 40 for x in re.findall(r'[0-9]+', str(answer))):
+            break
+        found = naive(model, output, state, answer)
+        kinds = {l[0] for l, _, _ in found}
+        rules = ['Successors'] + sorted({r for k in kinds for r in RULE[k]}) + (['Quiescent'] if not found else [])
+        if model.calculus.steered:
+            rules.append('Steer')
+        suite.add('%s, state %d' % (name, made), rules, 'successors', {'model': reference, 'states': 'all'}, result(
+            time=num(answer['time']) if isinstance(answer['time'], str) else num(answer['time']['exact']),
+            transitions=unordered([{'label': label_pattern(t['label']), 'state': state_pattern(t['state'])}
+                                   for _, _, t in found]), ending=answer['ending']), along=along)
+        made += 1
+        for label, after, t in found:
+            known = after._replace(time=F(0))
+            # A label that two transitions share leads nowhere in particular.
+            if known not in seen and sum(l == label for l, _, _ in found) == 1:
+                seen.add(known)
+                todo.append((path + [t['choice']], along + [label_pattern(t['label'])], after))
+    ask(implementation, 'model.release', model=handle)
+    return not todo
+
+
+WANTED = ({'StrongSplit', 'WeakSplit'}, {'Bind'})  # of each third model
+
+
+def transitions_suite(implementation, count=42, states=7):
+    suite = Suite('models/transitions.json', 'Random small models of boxes: every transition of each state, with the '
+                  'state after it.', NAIVE)
+    seed, made = 2000, 0
+    while made < count:
+        seed += 1
+        model = random_models.Model(seed)
+        try:
+            graph = explore.Graph(model.calculus, model.initial(), 60)
+        except explore.TooMany:
+            continue
+        if len(graph.edges) < 4 or any('time' in t for t in model.law_texts):
+            continue
+        before = len(suite.cases)
+        try:
+            walk(suite, implementation, 'model %d' % seed, model, states)
+        except Refused:
+            del suite.cases[before:]
+            continue
+        seen = {r for case in suite.cases[before:] for r in case['rules']}
+        if made % 3 and not seen & WANTED[made % 3 - 1]:
+            del suite.cases[before:]
+            continue
+        made += 1
+    suite.given = {n: g for n, g in suite.given.items() if any(c['params']['model'] == '@' + n for c in suite.cases)}
+    return suite
+
+
+# Verdicts -------------------------------------------------------------------------------
+
+def verdicts_suite(count=45, questions=6):
+    suite = Suite('models/verdicts.json', 'Random small models of boxes: verdicts of random properties.', EXPLORED)
+    seed, made = 4000, 0
+    while made < count:
+        seed += 1
+        model = random_models.Model(seed)
+        if any('time' in t for t in model.law_texts):
+            continue
+        try:
+            graph = explore.Graph(model.calculus, model.initial(), 80)
+        except explore.TooMany:
+            continue
+        if len(graph.edges) < 4:
+            continue
+        rng = random.Random(seed)
+        name = 'model %d' % seed
+        reference = suite.give(name, load(model.text()))
+        for i in range(questions):
+            formula, verdict = compare.question(model, rng, graph)
+            rules = ['Verdict', 'Instants', 'Until'] + (['Intervals'] if 'within' in formula else [])
+            if verdict == 'undecided':
+                rules.append('Zeno')
+            suite.add('%s, %d' % (name, i), rules, 'evaluate', {'model': reference, 'formula': formula},
+                      result(kind='temporal', verdict=verdict))
+        made += 1
+    return suite
+
+
+# specs/models ---------------------------------------------------------------------------
+
+CHECK = re.compile(r'^check (\w+)\s*:\s*(.*?)\s*// expect: (\w+)\s*$', re.M)
+VERDICTS = {'bounded': 'holds-up-to-bound'}
+
+
+def rules_of_models(rulebook):
+    """The rules that name a model in a `Model:` line."""
+    found, rule = {}, None
+    for line in rulebook.split('\n'):
+        heading = re.match(r'### (\S+)', line)
+        if heading:
+            rule = heading.group(1)
+        model = re.match(r'- Model: specs/models/(\S+)\.sc', line)
+        if model:
+            found.setdefault(model.group(1), []).append(rule)
+    return found
+
+
+def examples_suite(implementation, specs):
+    suite = Suite('models/examples.json', 'The models of specs/models: verdicts of their checks.', EXPECTED)
+    with open(os.path.join(specs, 'rulebook.md'), encoding='utf-8') as f:
+        rules = rules_of_models(f.read())
+    folder = os.path.join(specs, 'models')
+    for file in sorted(os.listdir(folder)):
+        name = file[:-3]
+        if not file.endswith('.sc'):
+            continue
+        with open(os.path.join(folder, file), encoding='utf-8') as f:
+            text = f.read()
+        checks = [c for c in CHECK.findall(text)]
+        bare = CHECK.sub('', text)  # formulas are asked one by one
+        if not checks:
+            continue
+        reference = suite.give(name, load(bare))
+        for check, formula, verdict in checks:
+            suite.add('%s.%s' % (name, check), sorted(set(rules.get(name, []) + ['Verdict'])), 'evaluate',
+                      {'model': reference, 'formula': formula},
+                      result(kind='temporal', verdict=VERDICTS.get(verdict, verdict)))
+    return suite
+
+
+def all_suites(implementation, specs):
+    return [transitions_suite(implementation), verdicts_suite(), examples_suite(implementation, specs)]

@@ -1,0 +1,218 @@
+"""By hand: exploration and properties (section 5 of the rule book)."""
+
+from make_rules import (BIND, BOUNCE, CUBE, STRONG, TIME, WEAK, Rule, binds, bonded, bounces, cubes, dock, leaf, passes,
+                        releases)
+from rules_of_bodies import GRAVITY, LINE, REACT, RELEASE, behaviours
+from cases import num, nums, result, unordered
+
+# A cube between two walls: 4 to go each way, at 1; it is back after 8.
+SHUTTLE = ('fixed l = Cube at translate (-4,0,0)\nfixed r = Cube at translate (4,0,0)\n'
+           'process p = Cube mass 1 velocity (1,0,0) [nil]\n')
+
+
+def state():
+    r = Rule('State')
+    r.verdict('A run that comes back is recognised.', SHUTTLE, 'AG AF x(p) = 0', 'holds')
+    r.verdict('It never gets farther.', SHUTTLE, 'eventually x(p) = 3', 'violated')
+    r.verdict('With the absolute time no state recurs.', SHUTTLE, 'always time >= 0', 'holds-up-to-bound',
+              {'states': 30})
+    r.state('Where p is after 2.', SHUTTLE, [TIME], [leaf('p', position=nums((2, 0, 0))), leaf('l'), leaf('r')])
+    return r
+
+
+def jump():
+    r = Rule('Jump')
+    r.outcomes('Without a law there are no movement steps.', 'timestep 1/10\n' + cubes(), [], [passes(2)])
+    r.outcomes('With a law there are.', 'timestep 1/10\n' + cubes(extra='motion p = (vx, vy, vz)\n'), [], [passes('1/10')])
+    return r
+
+
+def quiescent():
+    r = Rule('Quiescent')
+    r.outcomes('Apart, for ever.', cubes(v='(-1,0,0)'), [], [], 'quiescent')
+    r.outcomes('An eps is to come.', cubes('eps(3). nil', v='(-1,0,0)'), [], [passes(3)])
+    r.value('As a predicate.', cubes(v='(-1,0,0)'), [], 'quiescent', True)
+    r.value('A collision is to come.', cubes(), [], 'quiescent', False)
+    r.verdict('They go on for ever.', cubes(v='(-1,0,0)'), 'eventually x(p) < -1000000', 'holds')
+    return r
+
+
+PASSING = cubes(at='(4,0,0)', v='(1,0,0)', w='(0,1,0)')  # at time 2 an edge grazes an edge
+
+
+def instants():
+    r = Rule('Instants')
+    r.verdict('Strictly between two events.', cubes(), 'possibly x(p) = 22/7 - 2', 'holds')
+    r.verdict('Not farther than to the collision.', cubes(), 'possibly x(p) > 2', 'violated')
+    r.verdict('A graze of a single instant.', PASSING, 'possibly touching(p, q)', 'holds')
+    r.verdict('At no other one.', PASSING, 'always (touching(p, q) => x(p) = 2)', 'holds')
+    r.verdict('A square of a distance: least at 2.', PASSING, 'always distance2(p, q) >= 8', 'holds')
+    r.verdict('It is 8 there.', PASSING, 'possibly distance2(p, q) = 8', 'holds')
+    r.verdict('At an irrational instant.', PASSING, 'possibly distance2(p, q) = 9', 'holds')
+    r.verdict('A bound that is just met, and passed.', cubes(v='(-1,0,0)'), 'always x(p) >= -3 within 3', 'holds')
+    r.verdict('And passed.', cubes(v='(-1,0,0)'), 'always x(p) > -3 within 3', 'violated')
+    return r
+
+
+def verdict():
+    r = Rule('Verdict')
+    r.verdict('Holds.', dock(), 'eventually bound(p, q)', 'holds')
+    r.verdict('Violated.', dock(), 'always not bound(p, q)', 'violated')
+    r.verdict('Undecided: a division by zero.', dock(), 'eventually 1/vy(p) > 0', 'undecided')
+    r.verdict('Not where the answer does not depend on it.', dock(), 'eventually (bound(p, q) or 1/vy(p) > 0)', 'holds')
+    r.value('No value.', dock(), [], '1/vy(p) > 0', None)
+    r.value('False, as one side is.', dock(), [], '1/vy(p) > 0 and vx(p) = 0', False)
+    r.value('True, as one side is.', dock(), [], '1/vy(p) > 0 or vx(p) = 1', True)
+    r.verdict('What a property bounds by itself is a proof.', SHUTTLE, 'always x(p) <= 2 within 100', 'holds')
+    r.verdict('Nothing found up to a bound that is no proof.', SHUTTLE, 'always (time < 1000000)', 'holds-up-to-bound',
+              {'states': 20})
+    return r
+
+
+PINCH = ('fixed l = Cube at translate (-2,0,0)\nfixed r = Cube at translate (2,0,0)\n'
+         'process p = Cube mass 1 velocity (1,0,0) at translate (0,%s,0) [nil]\n')
+
+
+def zeno():
+    r = Rule('Zeno')
+    wedged = PINCH % 0
+    r.outcomes('Wedged between two walls: it hits one.', wedged, [], [bounces('p', 'r')])
+    r.outcomes('Then the other, at once.', wedged, [BOUNCE], [bounces('p', 'l')])
+    r.verdict('It never gets anywhere: what must happen is undecided.', wedged, 'eventually y(p) = 1', 'undecided')
+    r.verdict('What never happens does not.', wedged, 'possibly x(p) = 1', 'violated')
+    r.verdict('What always holds does.', wedged, 'always x(p) = 0', 'holds')
+    return r
+
+
+def event():
+    r = Rule('Event')
+    r.value('Right after it.', dock(), [TIME, BIND], 'event bind(dock)', True)
+    r.value('With its ends, in either order.', dock(), [TIME, BIND], 'event bind(dock, q, p)', True)
+    r.value('Not before.', dock(), [TIME], 'event bind(dock)', False)
+    r.value('Not at the start.', dock(), [], 'event bind', False)
+    r.value('Another name.', dock() + 'process s = Cube mass 1 at translate (0,40,0) [<port, {top}>. nil]\n',
+            [TIME, BIND], 'event bind(port)', False)
+    r.value('A bounce is one of all leaves.', cubes(), [TIME, BOUNCE], 'event bounce(p, q) and event bounce(q)', True)
+    r.value('A weak split is a split.', bonded(RELEASE, 'K', 'L'), [WEAK], 'event split(dock) and event weak', True)
+    r.value('And no strong one.', bonded(RELEASE, 'K', 'L'), [WEAK], 'event strong', False)
+    r.value('A strong split is one.', bonded(REACT, 'K', 'L'), [STRONG], 'event split(dock) and event strong(dock, p, q)', True)
+    r.verdict('Events of one instant follow each other.', LINE % ('nil', 'nil', 'nil'),
+              'possibly (event bounce(p) and event bounce(r))', 'violated')
+    r.verdict('An event is no stretch of time.', dock(), 'EF EG event bind', 'violated')
+    return r
+
+
+def leads_to():
+    r = Rule('LeadsTo')
+    r.verdict('Touching leads to being bound.', dock(), 'touching(p, q) leads_to bound(p, q)', 'holds')
+    r.verdict('At once.', dock(), 'touching(p, q) leads_to bound(p, q) within 0', 'holds')
+    r.verdict('g may hold where f does.', dock(), 'bound(p, q) leads_to bound(p, q)', 'holds')
+    r.verdict('From the start it takes 2.', dock(), 'x(p) = 0 leads_to bound(p, q) within 2', 'holds')
+    r.verdict('Not less.', dock(), 'x(p) = 0 leads_to bound(p, q) within 19/10', 'violated')
+    r.verdict('With an interval.', dock(), 'x(p) = 0 leads_to[2, 2] event bind', 'holds')
+    r.verdict('A weak split may be put off for ever.', bonded(RELEASE, 'K', 'L'), 'bound(p, q) leads_to not bound(p, q)',
+              'violated')
+    return r
+
+
+def next_():
+    r = Rule('Next')
+    r.verdict('The next discrete transition, after any time.', dock(), 'EX event bind', 'holds')
+    r.verdict('All of them.', dock(), 'AX bound(p, q)', 'holds')
+    r.verdict('After it nothing is to come: AX of anything.', dock(), 'AX AX false', 'holds')
+    r.verdict('And EX of nothing.', dock(), 'AX EX true', 'violated')
+    r.verdict('Not the passing of time.', dock(), 'EX not bound(p, q)', 'violated')
+    return r
+
+
+def until():
+    r = Rule('Until')
+    r.verdict('Not bound until they touch, and bound.', dock(), 'A[ not bound(p, q) U touching(p, q) ]', 'holds')
+    r.verdict('f need not hold where g does.', dock(), 'A[ x(p) < 2 U x(p) = 2 ]', 'holds')
+    r.verdict('An open interval has no first instant: x(p) < 2 up to 2, but g holds after it only.', cubes(v='(1,0,0)',
+              at='(40,0,0)'), 'E[ x(p) < 2 U x(p) > 2 ]', 'violated')
+    r.verdict('With its end it is no better: inside the interval there is always an earlier instant.',
+              cubes(v='(1,0,0)', at='(40,0,0)'), 'A[ x(p) <= 2 U x(p) > 2 ]', 'violated')
+    r.verdict('f holds where the interval begins, and a little longer.', cubes(v='(1,0,0)', at='(40,0,0)'),
+              'A[ x(p) <= 3 U x(p) > 2 ]', 'holds')
+    r.verdict('g never.', dock(), 'E[ true U x(p) > 1000000 and not bound(p, q) ]', 'violated')
+    r.verdict('On some run the bond stays.', bonded(RELEASE, 'K', 'L'), 'EG bound(p, q)', 'holds')
+    r.verdict('On some it does not.', bonded(RELEASE, 'K', 'L'), 'AG bound(p, q)', 'violated')
+    r.verdict('A run that comes to rest stays there.', cubes(v='(0,0,0)'), 'AG (x(p) = 0 and EG x(q) = 4)', 'holds')
+    return r
+
+
+def intervals():
+    r = Rule('Intervals')
+    r.verdict('At 2, not before.', dock(), 'AF[2, 2] bound(p, q)', 'holds')
+    r.verdict('Before 2.', dock(), 'EF[0, 19/10] bound(p, q)', 'violated')
+    r.verdict('Both ends are included.', dock(), 'EF[0, 2] bound(p, q)', 'holds')
+    r.verdict('Throughout.', dock(), 'AG[0, 1] x(p) <= 1', 'holds')
+    r.verdict('A little longer.', dock(), 'AG[0, 1001/1000] x(p) <= 1', 'violated')
+    r.verdict('At exactly 1.', dock(), 'AF[1, 1] x(p) = 1', 'holds')
+    r.verdict('A run goes on for ever after its last event.', dock(), 'AF[100, 100] x(p) = 51', 'holds')
+    r.verdict('Until, within an interval.', dock(), 'A[ not bound(p, q) U[1, 3] bound(p, q) ]', 'holds')
+    return r
+
+
+def truncated():
+    r = Rule('Truncated')
+    few = {'states': 3}
+    r.verdict('Reached within the bound.', SHUTTLE, 'EF x(p) = 2', 'holds', {'states': 3})
+    r.verdict('Not decided without the rest.', 'param n = 1000000\n' + SHUTTLE, 'EF (time > n)', 'undecided', few)
+    r.verdict('Nor for all runs.', SHUTTLE, 'AF (time > 1000000)', 'undecided', few)
+    r.verdict('What fails at once does.', SHUTTLE, 'AG EF (x(p) > 2 and time < 0)', 'undecided', few)
+    return r
+
+
+RING = 'for i in 1..3 { process c[i] = Cube mass 1 velocity (0,0,%s) at translate (4*i, 0, 0) [%s] }\n'
+BLINK = behaviours(On='eps(1). Off', Off='eps(1). On')
+
+
+def symmetry():
+    r = Rule('Symmetry')
+    two = ('for i in 1..2 { process c[i] = Cube mass 1 velocity (3 - 2*i,0,0) at translate (8*i, 0, 0) [nil] }\n'
+           'fixed l = Cube at translate (2,0,0)\nfixed r = Cube at translate (22,0,0)\n')
+    r.verdict('Bodies that may be exchanged: some of them.', two, 'possibly exists p in c: x(p) = 4', 'holds')
+    r.verdict('A name tells them apart.', two, 'possibly x(c[2]) = 4', 'violated')
+    r.verdict('So it does here.', two, 'possibly x(c[1]) = 4', 'holds')
+    r.verdict('All of them.', two, 'always forall p in c: x(p) >= 4', 'holds')
+    return r
+
+
+def translation():
+    r = Rule('Translation')
+    raft = BLINK + 'process p = Cube mass 1 velocity (1,0,0) [On]\n'
+    r.verdict('A body that drifts and blinks: its states recur but for where it is.', raft, 'AG AF behaviour(p) = Off',
+              'holds')
+    r.verdict('Velocities may be spoken of.', raft, 'AG (vx(p) = 1 and EF behaviour(p) = On)', 'holds')
+    r.verdict('Places tell the states apart: it is there within 20, and not before.', raft, 'eventually x(p) = 20 within 20',
+              'holds')
+    return r
+
+
+def order():
+    r = Rule('Order')
+    many = ''.join('process p%d = Cube mass 1 velocity (1,0,0) at translate (0,%d,0) [nil]\n'
+                   'process q%d = Cube mass 1 at translate (4,%d,0) [nil]\n' % (i, 10 * i, i, 10 * i) for i in range(5))
+    r.verdict('Five collisions of one instant.', many, 'possibly vx(q0) = 1 and vx(q4) = 1', 'holds')
+    r.verdict('Each takes place.', many, 'always vx(p3) = 1 within 1', 'holds')
+    r.verdict('None is put off.', many, 'eventually vx(q2) = 1 within 2', 'holds')
+    r.verdict('One may be the last.', many, 'possibly (vx(q0) = 0 and vx(q1) = 1 and vx(q2) = 1 and vx(q3) = 1 and vx(q4) = 1)',
+              'holds')
+    return r
+
+
+def slice_():
+    r = Rule('Slice')
+    far = cubes() + ''.join('process f%d = Cube mass 1 velocity (1,0,0) at translate (%d,1000,0) [nil]\n' % (i, 5 * i)
+                            for i in range(6)) + 'process g = Cube mass 1 velocity (-1,0,0) at translate (60,1000,0) [nil]\n'
+    r.verdict('Who is far away has no influence.', far, 'possibly event bounce(p, q)', 'holds')
+    r.verdict('Nor later.', far, 'always x(p) <= 2 within 100', 'holds')
+    r.verdict('The far ones collide.', far, 'possibly vx(f0) < 1', 'holds')
+    return r
+
+
+def suites():
+    return [f() for f in (state, jump, quiescent, instants, verdict, zeno, event, leads_to, next_, until, intervals,
+                          truncated, symmetry, translation, order, slice_)]

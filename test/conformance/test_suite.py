@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+"""The suite has teeth: every mutant of scc is caught, controls are not, and the second implementation agrees.
+
+    test_suite.py --scc PATH        the last line is 'N passed, N failed'
+
+Each case is asked once; what a mutant would have answered is made from what scc answered.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SUITE = os.path.join(HERE, '..', '..', 'specs', 'conformance')
+sys.dont_write_bytecode = True
+sys.path.insert(0, SUITE)
+
+import mutants
+import run
+import second
+
+
+class Recorded(run.Implementation):
+    """Remembers the last request and its answer."""
+
+    def call(self, method, params):
+        self.last = (method, params, super().call(method, params))
+        return self.last[2]
+
+
+class InProcess:
+    """The second implementation, without a process of its own."""
+    process, number = True, 1
+
+    def __init__(self):
+        self.second = second.Second()
+
+    def call(self, method, params):
+        return {'id': 1, **self.second.answer({'method': method, 'params': params})}
+
+
+class Results:
+    def __init__(self):
+        self.passed, self.failed = 0, 0
+
+    def say(self, good, text):
+        self.passed, self.failed = self.passed + good, self.failed + (not good)
+        print('%s %s' % ('ok  ' if good else 'FAIL', text), flush=True)
+
+
+def manifest():
+    with open(os.path.join(SUITE, 'manifest.json'), encoding='utf-8') as f:
+        return json.load(f)
+
+
+def recorded(scc):
+    """Every case with what scc answers: (case, method, params, answer)."""
+    implementation, found = Recorded([scc, 'oracle'], 60), []
+    for entry in manifest()['suites']:
+        suite = run.Suite(os.path.join(SUITE, entry['file']), implementation, None)
+        for case in suite.cases:
+            outcome, why = suite.run(case)
+            if outcome != 'agreed':
+                raise SystemExit('%s: %s: %s' % (case['id'], outcome, why))
+            found.append((case, *implementation.last))
+        suite.release()
+    implementation.stop()
+    return found
+
+
+def caught_by(name, answers):
+    """The first case that notices, how many do, and how many answers were changed."""
+    first, count, changed = None, 0, 0
+    for case, method, params, answer in answers:
+        other = mutants.change(name, method, params, answer)
+        if other == answer:
+            continue
+        changed += 1
+        if run.differs(case['expect'], other, None):
+            first, count = first or case['id'], count + 1
+    return first, count, changed
+
+
+def test_mutants(results, answers):
+    bad, controls = mutants.names()
+    for name in bad:
+        first, count, changed = caught_by(name, answers)
+        results.say(first is not None, 'mutant %s: %s' % (name, 'caught by %s, and %d more of %d' % (
+            first, count - 1, changed) if first else 'NOT caught, of %d answers that it changes' % changed))
+    for name in controls:
+        first, _, changed = caught_by(name, answers)
+        results.say(changed > 0 and first is None, 'control %s: %s' % (
+            name, 'noticed by ' + first if first else '%d answers changed, none noticed' % changed))
+
+
+def test_proxy(results, scc):
+    """A few of them from end to end, through the runner."""
+    for name, only, code in (('time_late_by_a_billionth', 'rules/Ftoc', 1), ('outcomes_in_another_order', 'rules/Bind', 0),
+                             ('an_outcome_is_missing', 'rules/Bind', 1)):
+        done = subprocess.run([sys.executable, '-B', os.path.join(SUITE, 'run.py'), '--only', only, '--', sys.executable,
+                               '-B', os.path.join(HERE, 'mutants.py'), name, '--', scc, 'oracle'],
+                              stdout=subprocess.PIPE, text=True)
+        results.say(done.returncode == code, 'run.py on %s exits with %d' % (name, done.returncode))
+
+
+CRASHES = 'import sys; sys.stdin.readline(); sys.exit(1)'
+SILENT = 'import sys, time; sys.stdin.readline(); time.sleep(60)'
+BABBLES = 'import sys\nfor line in sys.stdin: print("hello", flush=True)'
+REFUSES = ('import sys, json\nfor line in sys.stdin: print(json.dumps({"jsonrpc": "2.0", "id": json.loads(line)["id"], '
+           '"error": {"code": -32601, "message": "", "data": {}}}), flush=True)')
+
+
+def test_runner(results):
+    """Implementations that crash, say nothing, or talk nonsense, and one that can do nothing."""
+    for what, program, code, word in (('crashes', CRASHES, 2, '0 agreed, 0 differed, 10 failed'),
+                                      ('is silent', SILENT, 2, '0 agreed, 0 differed, 10 failed'),
+                                      ('babbles', BABBLES, 2, '0 agreed, 0 differed, 10 failed'),
+                                      ('refuses all', REFUSES, 0, '0 agreed, 0 differed, 0 failed, 10 skipped')):
+        done = subprocess.run([sys.executable, '-B', os.path.join(SUITE, 'run.py'), '--only', 'rules/Ftoc', '--timeout', '1',
+                               '--', sys.executable, '-c', program], stdout=subprocess.PIPE, text=True)
+        results.say(done.returncode == code and word in done.stdout, 'run.py on one that %s: %s' % (
+            what, done.stdout.strip().split('\n')[-1]))
+
+
+def test_adapter(results):
+    """The adapter of README.md."""
+    with open(os.path.join(SUITE, 'README.md'), encoding='utf-8') as f:
+        shown = f.read().split('```python\n')[1].split('```')[0]
+    with open(os.path.join(SUITE, 'example_adapter.py'), encoding='utf-8') as f:
+        results.say(f.read() == shown, 'README.md shows example_adapter.py')
+    done = subprocess.run([sys.executable, '-B', os.path.join(SUITE, 'run.py'), '--only', 'first_time_of_contact', '--',
+                           sys.executable, '-B', os.path.join(SUITE, 'example_adapter.py')],
+                          stdout=subprocess.PIPE, text=True)
+    last = done.stdout.strip().split('\n')[-1]
+    results.say(done.returncode == 0 and not last.startswith('0 agreed'), 'example_adapter.py: ' + last)
+
+
+def test_second(results):
+    implementation, total = InProcess(), {}
+    for entry in manifest()['suites']:
+        if entry['file'].startswith('geometry/'):
+            suite = run.Suite(os.path.join(SUITE, entry['file']), implementation, None)
+            wrong = []
+            for case in suite.cases:
+                outcome, why = suite.run(case)
+                if outcome != 'agreed':
+                    wrong.append('%s: %s: %s' % (case['id'], outcome, why))
+            total[entry['file']] = len(suite.cases)
+            results.say(not wrong, 'second implementation on %d cases of %s%s' % (
+                len(suite.cases), entry['file'], ''.join('\n  ' + w for w in wrong[:5])))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('--scc', required=True)
+    parser.add_argument('parts', nargs='*', default=['mutants', 'runner', 'second'])
+    options = parser.parse_args()
+    results = Results()
+    scc = os.path.abspath(options.scc)
+    if 'mutants' in options.parts:
+        test_mutants(results, recorded(scc))
+        test_proxy(results, scc)
+    if 'runner' in options.parts:
+        test_runner(results)
+        test_adapter(results)
+    if 'second' in options.parts:
+        test_second(results)
+    print('%d passed, %d failed' % (results.passed, results.failed))
+    sys.exit(1 if results.failed else 0)
+
+
+if __name__ == '__main__':
+    main()
