@@ -44,7 +44,7 @@ class Implementation:
     def stop(self):
         if self.process:
             self.process.kill()
-            self.process.communicate()
+            self.process.wait()
             self.process = None
 
     def send(self, text):
