@@ -86,7 +86,7 @@ def naive(model, output, state, answer):
 
 
 def walk(suite, implementation, name, model, states):
-    """A case for each reachable state, up to so many."""
+    """A case for each reachable state, up to so many; whether these are all."""
     text = model.text()
     handle = ask(implementation, 'model.load', text=text)['model']
     output = reading.Output(model.bodies)
@@ -116,29 +116,32 @@ def walk(suite, implementation, name, model, states):
                 seen.add(known)
                 todo.append((path + [t['choice']], along + [label_pattern(t['label'])], after))
     ask(implementation, 'model.release', model=handle)
-    return not todo
+    return not todo and made == len(seen)
 
 
 WANTED = ({'StrongSplit', 'WeakSplit'}, {'Bind'})  # of each third model
 
 
-def transitions_suite(implementation, count=42, states=7):
+def transitions_suite(implementation, count=42, states=12):
     suite = Suite('models/transitions.json', 'Random small models of boxes: every transition of each state, with the '
-                  'state after it.', NAIVE)
+                  'state after it. A model has a case for each state that it can reach, so that these are all its runs.',
+                  NAIVE)
     seed, made = 2000, 0
     while made < count:
         seed += 1
         model = random_models.Model(seed)
         try:
-            graph = explore.Graph(model.calculus, model.initial(), 60)
+            graph = explore.Graph(model.calculus, model.initial(), states)
         except explore.TooMany:
             continue
         if len(graph.edges) < 4 or any('time' in t for t in model.law_texts):
             continue
         before = len(suite.cases)
         try:
-            walk(suite, implementation, 'model %d' % seed, model, states)
+            whole = walk(suite, implementation, 'model %d' % seed, model, states)
         except Refused:
+            whole = False
+        if not whole:
             del suite.cases[before:]
             continue
         seen = {r for case in suite.cases[before:] for r in case['rules']}
@@ -222,5 +225,36 @@ def examples_suite(implementation, specs):
     return suite
 
 
+def paper_suite(specs):
+    """What the paper says of its figures."""
+    suite = Suite('models/paper.json', 'Outcomes that the paper tells of its examples.', 'from the paper')
+
+    def figure(name, file, rules, along, labels, obtained, ending=None):
+        with open(os.path.join(specs, 'models', file), encoding='utf-8') as f:
+            reference = suite.give(file[:-3], load(CHECK.sub('', f.read())))
+        suite.add(name, rules, 'successors', {'model': reference}, result(
+            transitions=unordered([{'label': l} for l in labels]), ending=ending), obtained, along=along)
+
+    def bind(name, one, other):
+        return {'kind': 'bind', 'name': name, 'ends': unordered([one, other])}
+    time = {'kind': 'time'}
+    for file, whole in (('figure7.sc', 'P0.'), ('figure7-offset.sc', 'P0.')):
+        figure(file[:-3], file, ['Bind', 'Touching', 'I-3', 'Successors'], [time], [
+            bind('a', whole + 's0.[v2,v3]', 's2.f4' if file == 'figure7.sc' else 's2.f3'),
+            bind('a', whole + 's1.[v2,v3]', 's2.f4' if file == 'figure7.sc' else 's2.f3')],
+            'from the paper, Figure 7: exactly two bindings; by hand, which')
+    atp, glucose = (bind('atp', 'enzyme.floorA.top', 'atp.bottom'), bind('glc', 'enzyme.floorB.top', 'glucose.bottom'))
+    both = {'kind': 'strong', 'bonds': unordered([{k: b[k] for k in ('name', 'ends')} for b in (atp, glucose)])}
+    from_paper = 'from the paper: hexokinase binds ATP and glucose in either order, and then reacts; by hand'
+    rules = ['Bind', 'I-8', 'Successors']
+    figure('hexokinase: either comes first', 'hexokinase.sc', rules, [time], [atp, glucose], from_paper)
+    figure('hexokinase: glucose after ATP', 'hexokinase.sc', rules + ['WeakSplit'], [time, atp],
+           [glucose, {'kind': 'weak', 'name': 'atp', 'ends': atp['ends']}], from_paper)
+    figure('hexokinase: the reaction', 'hexokinase.sc', ['StrongSplit', 'WeakSplit'], [time, atp, glucose],
+           [both, {'kind': 'weak', 'name': 'atp', 'ends': atp['ends']},
+            {'kind': 'weak', 'name': 'glc', 'ends': glucose['ends']}], from_paper)
+    return suite
+
+
 def all_suites(implementation, specs):
-    return [transitions_suite(implementation), verdicts_suite(), examples_suite(implementation, specs)]
+    return [paper_suite(specs), transitions_suite(implementation), verdicts_suite(), examples_suite(implementation, specs)]
