@@ -189,6 +189,18 @@ def check_refusals(scc):
         check(name, text_of(result), f"check {model}")
 
 
+def check_conformance():
+    """The files of the conformance suite."""
+    with open("specs/conformance/manifest.json", encoding="utf-8") as file:
+        manifest = json.load(file)
+    for path, name in [("manifest.json", "conformance-manifest")] + [
+        (suite["file"], "conformance") for suite in manifest["suites"]
+    ]:
+        with open("specs/conformance/" + path, encoding="utf-8") as file:
+            error = jsonschema.exceptions.best_match(validator(name).iter_errors(json.load(file)))
+        count(error is None, path, error and f"{error.json_path}: {error.message[:300]}")
+
+
 def check_shapes(scc):
     for mesh in sorted(glob.glob("specs/**/*.off", recursive=True) + glob.glob("specs/**/*.obj", recursive=True)):
         result = run(scc, "shape", mesh, "--json")
@@ -286,6 +298,7 @@ def main():
             check_graphs(scc, model, folder)
         for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
             check_sarif(scc, model, folder)
+    check_conformance()
     check_refusals(scc)
     check_shapes(scc)
     check_comparisons(scc)
