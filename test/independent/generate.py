@@ -11,6 +11,11 @@ import calculus as c
 from shapes import LAWS, QUATERNIONS, TEMPLATES, Shape, site_text, vector
 
 
+def site_order(site):
+    """An order of sites that no seed of hashes changes."""
+    return site[0] or '', sorted(site[1])
+
+
 class Model:
     def __init__(self, seed):
         self.rng = random.Random(seed)
@@ -189,7 +194,10 @@ class Model:
 
     def behaviour_text(self, b, parts):
         def sites(s):
-            return '{%s}' % ', '.join(sorted(site_text(parts, x, self.rng) for x in s))
+            return '{%s}' % ', '.join(sorted(site_text(parts, x, self.rng) for x in sorted(s, key=site_order)))
+
+        def entry_order(entry):
+            return entry[0], sorted(map(site_order, entry[1]))
         kind = b[0]
         if kind == 'nil':
             return 'nil'
@@ -203,7 +211,7 @@ class Model:
         if kind == 'weak':
             return 'omega(%s, %s). %s' % (b[1], sites(b[2]), rest)
         if kind == 'strong':
-            return 'rho({%s}). %s' % (', '.join('<%s, %s>' % (n, sites(s)) for n, s in sorted(b[1], key=repr)), rest)
+            return 'rho({%s}). %s' % (', '.join('<%s, %s>' % (n, sites(s)) for n, s in sorted(b[1], key=entry_order)), rest)
         return 'eps(%s). %s' % (b[1], rest)
 
     # Placing
