@@ -74,7 +74,8 @@ let names t (trace : Recorded.t) =
   let of_item (i : Recorded.item) =
     match i.what with
     | Event e -> List.concat_map (body i.at) e.bodies @ List.concat_map (feature i.at) e.features
-    | State (bodies, _) -> List.concat_map (fun (b : Recorded.body) -> body i.at b.name) bodies
+    | State (bodies, _) ->
+      Long_list.concat (Long_list.map (fun (b : Recorded.body) -> body i.at b.name) bodies)
     | Watched | Quiescent | Stuck -> []
   in
   let add faults i = if List.length faults >= most_faults then faults else faults @ of_item i in
@@ -145,9 +146,21 @@ let same_channels (e : Recorded.event) label =
   || List.equal String.equal e.channels
     (List.sort_uniq String.compare (List.map (fun (b : State.bond) -> b.name) (bonds label)))
 
+(* Each bond that is told with its ends is one of these: the names and the ends by themselves do not tell which
+   belong together. *)
+let same_bonds t (e : Recorded.event) label =
+  let texts (b : State.bond) =
+    let named (f : State.finish) = Recorded.normal (Model.site_name t.model ~leaf:f.at f.site) in
+    List.map (fun name -> Recorded.bond_text name (List.map named (ends b))) [ b.name; "" ]
+  in
+  let theirs = lazy (List.concat_map texts (bonds label)) in
+  List.for_all (fun told -> List.exists (String.equal told) (Lazy.force theirs)) e.together
+
 (* A bond has both its ends told, or one, or none; a reaction all or none. *)
 let same_features t (e : Recorded.event) label =
   let theirs = label_features t label in
+  same_bonds t e label
+  &&
   match e.kind with
   | Bounce -> true
   | Bind | Weak -> within e.features theirs

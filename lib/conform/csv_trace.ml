@@ -73,7 +73,7 @@ let event row kind =
     | Strong when count = 0 && features = [] -> Error (malformed row.at "a row `strong` names no bodies")
     | Bounce | Bind | Weak | Strong -> Ok ()
   in
-  Ok (Event { kind; channels; bodies; features }, false)
+  Ok (Event { kind; channels; bodies; features; together = [] }, false)
 
 let state row =
   let* () = untold row [ "time"; "event"; "bodies"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "behaviour" ] in

@@ -51,17 +51,29 @@ let header (a : Recorded.t) (b : Recorded.t) =
 let agree equal a b = a = [] || b = [] || equal a b
 let same_texts = List.equal String.equal
 
-(* The bodies, also where features alone name them: with a dot after them. *)
-let owners (e : event) =
-  let owner f = match String.rindex_opt f '.' with Some i -> String.sub f 0 i | None -> f in
-  if e.bodies <> [] then List.sort_uniq String.compare e.bodies
-  else List.sort_uniq String.compare (List.map owner e.features)
+(* The same bodies, also where features alone name them: with a dot after them, and perhaps a part of the body. *)
+let same_owners (a : event) (b : event) =
+  let owns body feature =
+    let n = String.length body in
+    String.length feature > n && String.equal (String.sub feature 0 (n + 1)) (body ^ ".")
+  in
+  let fit bodies features =
+    List.for_all (fun b -> List.exists (owns b) features) bodies
+    && List.for_all (fun f -> List.exists (fun b -> owns b f) bodies) features
+  in
+  match (a.bodies, b.bodies) with
+  | _ :: _, _ :: _ ->
+    same_texts (List.sort_uniq String.compare a.bodies) (List.sort_uniq String.compare b.bodies)
+  | _ :: _, [] -> fit a.bodies b.features
+  | [], _ :: _ -> fit b.bodies a.features
+  | [], [] -> true
 
 let same_event (a : event) (b : event) =
   a.kind = b.kind
   && agree same_texts a.channels b.channels
   && agree same_texts a.features b.features
-  && (a.features <> [] && b.features <> [] || same_texts (owners a) (owners b))
+  && (a.channels = [] || b.channels = [] || agree same_texts a.together b.together)
+  && (a.features <> [] && b.features <> [] || same_owners a b)
 
 let event ~tolerance number ((first : item), e) ((second : item), e') =
   let told what = Some (Event { number; first; second; what }) in

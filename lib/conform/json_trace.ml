@@ -58,7 +58,7 @@ let label c json =
   | "time", _ -> Ok None
   | _, None -> wrong c "`%s` is none of time, bind, bounce, weak and strong" kind
   | _, Some Bounce ->
-    if List.length bodies = 2 then Ok (Some { kind = Bounce; channels = []; bodies; features = [] })
+    if List.length bodies = 2 then Ok (Some { kind = Bounce; channels = []; bodies; features = []; together = [] })
     else wrong c "a bounce is of two bodies, `between`"
   | _, Some kind ->
     let* own = bond c json in
@@ -66,8 +66,13 @@ let label c json =
     let bonds = own :: more in
     let channels = List.sort_uniq String.compare (List.concat_map fst bonds) in
     let features = sort (List.map normal (List.concat_map snd bonds)) in
+    let told = function
+      | _, [] -> None
+      | names, ends -> Some (bond_text (String.concat "" names) (List.map normal ends))
+    in
+    let together = sort (List.filter_map told bonds) in
     if bodies = [] && features = [] then wrong c "neither `ends` nor `bodies` tell what takes part"
-    else Ok (Some { kind; channels; bodies; features })
+    else Ok (Some { kind; channels; bodies; features; together })
 
 (* {1 States} *)
 
@@ -125,7 +130,7 @@ let step c json =
 let state c json =
   let* processes = required c json "processes" (all c "processes" process) in
   let* step = optional json "step" (step c) in
-  Ok (State (List.concat processes, step))
+  Ok (State (Long_list.concat processes, step))
 
 (* {1 Lines} *)
 

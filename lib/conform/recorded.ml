@@ -7,6 +7,7 @@ type event = {
   kind : kind;
   channels : string list;
   bodies : string list;
+  together : string list;
   features : string list;
 }
 
@@ -59,11 +60,12 @@ let bond_text name ends = Printf.sprintf "<%s, {%s}>" name (String.concat ", " (
 
 let event_text e =
   let parts =
-    match e.features with
-    | [] -> e.bodies
-    | features -> features
+    match (e.together, e.features) with
+    | _ :: _ :: _, _ -> e.together
+    | _, [] -> e.channels @ e.bodies
+    | _, features -> e.channels @ features
   in
-  Printf.sprintf "%s(%s)" (kind_name e.kind) (String.concat ", " (e.channels @ parts))
+  Printf.sprintf "%s(%s)" (kind_name e.kind) (String.concat ", " parts)
 
 let axis prefix i = prefix ^ String.make 1 "xyz".[i]
 

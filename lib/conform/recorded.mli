@@ -12,6 +12,8 @@ type event = {
   kind : kind;
   channels : string list;  (** names of the bonds, sorted, each once *)
   bodies : string list;  (** names of leaves; for a bounce, one of each process *)
+  together : string list;
+  (** bonds whose ends are told together, as {!bond_text}, sorted; with the name [""] where it is not told *)
   features : string list;  (** ends of the bonds as ["p.right"], {!normal} and sorted *)
 }
 

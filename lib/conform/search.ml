@@ -53,6 +53,7 @@ module Places = Hashtbl.Make (Place)
 type t = {
   against : Against.t;
   items : Recorded.item array;
+  latest : Rat.t array;  (* the latest time up to each item, from 0 *)
   observed : string -> bool;
   limits : limits;
 }
@@ -199,17 +200,22 @@ let watched t h transitions (item : Recorded.item) =
   in
   reaches && not (urgently && in_past)
 
+(* Items that are no events move no state on, so that their times have to be held against those before. *)
+let goes_back t i = Rat.compare (add t.items.(i).time (Against.tolerance t.against)) t.latest.(i) < 0
+
 let claim t layer h transitions =
   let item = t.items.(h.next) in
   let deviation =
     match item.what with
     | Event _ -> None
+    | State _ | Watched | Quiescent | Stuck when goes_back t h.next -> None
     | State (bodies, step) -> state t layer h transitions item bodies step
     | Watched -> if watched t h transitions item then Some h.deviation else None
     | Quiescent ->
       if transitions = [] && Network.quiescent (Against.model t.against) h.state then Some h.deviation else None
     | Stuck ->
-      if transitions = [] && not (Network.quiescent (Against.model t.against) h.state) then Some h.deviation
+      let stuck = transitions = [] && not (Network.quiescent (Against.model t.against) h.state) in
+      if stuck && in_time t h item then Some h.deviation
       else None
   in
   Option.iter
@@ -265,7 +271,10 @@ let layer t queue ~items ~missed =
   from 0
 
 let run against (trace : Recorded.t) declared ~observed limits =
-  let t = { against; items = trace.items; observed; limits } in
+  let latest = Array.make (Array.length trace.items) Rat.zero in
+  let before i = if i = 0 then Rat.zero else latest.(i - 1) in
+  Array.iteri (fun i (item : Recorded.item) -> latest.(i) <- Rat.max (before i) item.time) trace.items;
+  let t = { against; items = trace.items; latest; observed; limits } in
   let start state =
     {
       state; time = Rat.zero; next = 0; ahead = []; choices = []; last = None; deviation = Against.no_deviation;

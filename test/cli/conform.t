@@ -519,3 +519,54 @@ Differences.
     n4.jsonl: md5:d6ee0fc69e28f1cc80c7acb9e21ab0bd
     b1.jsonl: md5:76ae3a5e5dd37535f4057e5590699fbb
   [1]
+
+What is told between events, or after the last, has times that do not decrease either.
+
+  $ conform latch '2,bind,p;q\n3,weak,p;q\n1,quiescent\n'
+  <standard input>: diverges at line 4, time 1: time-back
+    the trace: nothing will ever happen again
+    the times of the trace decrease
+    rules: Time
+    after: weak(dock, p.right, q.left) at time 3   {WeakSplit, Weak, Def}
+  [1]
+  $ conform latch '2,bind,p;q\n3,weak,p;q\n10,end\n5,time\n'
+  <standard input>: diverges at line 5, time 5: time-back
+    the trace: nothing more up to this time
+    the times of the trace decrease
+    rules: Time
+    after: weak(dock, p.right, q.left) at time 3   {WeakSplit, Weak, Def}
+  [1]
+
+The bonds of a reaction are told by name and ends together; two of them that swap either are others.
+
+  $ scc trace $M/hexokinase.sc --choose random:2 --states=ends > h.jsonl
+  $ scc conform $M/hexokinase.sc h.jsonl
+  h.jsonl: conforms: 3 events, a run of 4 transitions up to time 2
+  $ sed '/"strong"/ { s/"name":"atp"/"name":"x"/; s/"name":"glc"/"name":"atp"/; s/"name":"x"/"name":"glc"/ }' h.jsonl > h2.jsonl
+  $ scc conform $M/hexokinase.sc h2.jsonl
+  h2.jsonl: diverges at line 6, time 2: wrong-features
+    the trace: strong(<atp, {enzyme.floorB.top, glucose.bottom}>, <glc, {atp.bottom, enzyme.floorA.top}>)
+    strong({<atp, {enzyme.floorA.top, atp.bottom}>, <glc, {enzyme.floorB.top, glucose.bottom}>}) is allowed there, by other features
+    rules: StrongSplit
+    allowed there:
+      weak(glc, enzyme.floorB.top, glucose.bottom) at time 2   {WeakSplit, Weak, Sum, Def}
+      weak(atp, enzyme.floorA.top, atp.bottom) at time 2   {WeakSplit, Weak, Sum, Def}
+      strong({<atp, {enzyme.floorA.top, atp.bottom}>, <glc, {enzyme.floorB.top, glucose.bottom}>}) at time 2   {StrongSplit, Strong, Sum, Def}
+    after: bind(atp, enzyme.floorA.top, atp.bottom) at time 2   {Bind, Pre, Sum, Def}
+  [1]
+  $ scc diff h.jsonl h2.jsonl
+  the traces differ: event 3 is another
+    h.jsonl, line 6, time 2: strong(<atp, {atp.bottom, enzyme.floorA.top}>, <glc, {enzyme.floorB.top, glucose.bottom}>)
+    h2.jsonl, line 6, time 2: strong(<atp, {enzyme.floorB.top, glucose.bottom}>, <glc, {atp.bottom, enzyme.floorA.top}>)
+  [1]
+
+A body and a feature of one of its parts are the same to a comparison.
+
+  $ printf 'time,event,bodies\n2,bind,enzyme;glucose\n2,bind,enzyme;atp\n2,strong,enzyme;atp;glucose\n' > h.csv
+  $ scc diff h.csv h.jsonl
+  the traces are the same: 3 events
+  $ sed 's/bind,enzyme;atp/bind,glucose;atp/' h.csv | scc diff - h.jsonl
+  the traces differ: event 2 is another
+    <standard input>, line 3, time 2: bind(glucose, atp)
+    h.jsonl, line 5, time 2: bind(atp, atp.bottom, enzyme.floorA.top)
+  [1]
