@@ -175,6 +175,11 @@ class Casts(WithOracle):
         self.assertEqual(caught.exception.index, 700)
         self.assertEqual(self.oracle.first_times_of_contact([good]), [Meeting("at", "2/1")])
 
+    def test_bulk_with_what_is_no_vector(self):
+        for offset in ("123", (1, 2), (1, 2, 3, 4)):
+            with self.assertRaises(ValueError):
+                self.oracle.first_times_of_contact([(self.cube, self.cube, offset, (-1, 0, 0))])
+
     def test_large_batches_do_not_block(self):
         long = Fraction(10**200 + 1, 10**199)
         casts = [(self.cube, self.cube, (long, i, 0), (-1, 0, 0)) for i in range(6000)]

@@ -28,6 +28,12 @@ class Models(WithOracle):
         with self.assertRaises(UnknownHandle):
             self.oracle.successors(model)
 
+    def test_a_number_longer_than_python_reads(self):
+        squares = "".join("param a%d = a%d * a%d\n" % (i + 1, i, i) for i in range(14))
+        model = self.oracle.load_model("param a0 = 7\n" + squares)
+        self.assertEqual(model.parameters["a14"], 7 ** 2 ** 14)
+        self.oracle.release_model(model)
+
     def test_refused(self):
         with self.assertRaises(ModelRefused) as caught:
             self.oracle.load_model("process p = Nothing [nil]")

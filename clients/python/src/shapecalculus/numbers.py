@@ -75,6 +75,8 @@ def to_text(number: Number) -> str:
 
 
 def vector_to_text(vector: VectorLike) -> str:
+    if isinstance(vector, str) or len(vector) != 3:
+        raise ValueError("not 3 numbers: %r" % (vector,))
     x, y, z = vector
     if type(x) is type(y) is type(z) is int:
         return "%d,%d,%d" % (x, y, z)
@@ -84,10 +86,15 @@ def vector_to_text(vector: VectorLike) -> str:
 # Of answers.
 
 
+def _integer(text: str) -> int:
+    # Python reads no integers of more than 4300 digits, but decimals of any length.
+    return int(text) if len(text) < 4000 else int(Decimal(text))
+
+
 def fraction(text: str) -> Fraction:
     """Of "p/q"."""
     p, _, q = text.partition("/")
-    return Fraction(int(p), int(q))
+    return Fraction(_integer(p), _integer(q))
 
 
 def vector(json: Sequence[str]) -> Vector:
@@ -102,7 +109,7 @@ def matrix(json: Sequence[Sequence[str]]) -> Matrix:
 
 def quaternion(json: Sequence[str]) -> Quaternion:
     w, x, y, z = json
-    return (int(w), int(x), int(y), int(z))
+    return (_integer(w), _integer(x), _integer(y), _integer(z))
 
 
 def time(json: Any) -> Fraction:
