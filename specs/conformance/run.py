@@ -31,7 +31,8 @@ class Implementation:
 
     def start(self):
         self.number += 1
-        self.process = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding='utf-8',
+                                        errors='replace')
         self.lines = queue.Queue()
         threading.Thread(target=self.read, args=(self.process.stdout, self.lines), daemon=True).start()
 
@@ -63,13 +64,14 @@ class Implementation:
             raise Failure('it has ended')
         try:
             return json.loads(line)
-        except ValueError:
+        except (ValueError, RecursionError):
             raise Failure('not JSON: ' + line[:200]) from None
 
     def call(self, method, params):
         request = {'jsonrpc': '2.0', 'id': 1, 'method': method, 'params': params}
         answer = self.send(json.dumps(request))
-        if not isinstance(answer, dict) or answer.get('id') != 1 or ('result' in answer) == ('error' in answer):
+        if not isinstance(answer, dict) or answer.get('id') != 1 or ('result' in answer) == ('error' in answer) \
+                or 'error' in answer and not isinstance(answer['error'], dict):
             self.stop()  # who is out of step stays so
             raise Failure('not an answer: %s' % json.dumps(answer)[:200])
         return answer
@@ -186,8 +188,12 @@ class Suite:
             answer = self.implementation.call(case['method'], params)
         except LookupError as fault:
             answer = fault.args[0]
+            if not isinstance(answer, dict):  # a member that is missing
+                return 'failed', 'an answer of no known form: %r' % fault
         except Failure as fault:
             return 'failed', str(fault)
+        except (TypeError, AttributeError) as fault:  # what the case stands on has an answer of no known form
+            return 'failed', 'an answer of no known form: %r' % fault
         if 'error' in answer and answer['error'].get('code') == UNSUPPORTED:
             return 'skipped', 'not supported'
         try:
@@ -220,6 +226,10 @@ def main():
     with open(os.path.join(options.suite, 'manifest.json'), encoding='utf-8') as f:
         manifest = json.load(f)
     implementation = Implementation(options.command, options.timeout)
+    try:
+        implementation.start()
+    except OSError as fault:
+        parser.error('cannot start %s: %s' % (options.command[0], fault))
     total, rules, outcomes = dict.fromkeys(OUTCOMES, 0), {}, []
     for file in [s['file'] for s in manifest['suites']]:
         suite = Suite(os.path.join(options.suite, file), implementation, tolerance)
@@ -236,6 +246,8 @@ def main():
                 print('%s: %s%s' % (outcome, case['id'], ': ' + why if why else ''), flush=True)
         suite.release()
     implementation.stop()
+    if not outcomes:
+        parser.error('there is no such case')
     table(rules, manifest['rules'])
     print(', '.join('%d %s' % (total[o], o) for o in OUTCOMES))
     if options.json:

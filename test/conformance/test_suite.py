@@ -110,18 +110,34 @@ SILENT = 'import sys, time; sys.stdin.readline(); time.sleep(60)'
 BABBLES = 'import sys\nfor line in sys.stdin: print("hello", flush=True)'
 REFUSES = ('import sys, json\nfor line in sys.stdin: print(json.dumps({"jsonrpc": "2.0", "id": json.loads(line)["id"], '
            '"error": {"code": -32601, "message": "", "data": {}}}), flush=True)')
+ANSWERS = ('import sys, json\nfor line in sys.stdin: print(json.dumps({"jsonrpc": "2.0", "id": json.loads(line)["id"], '
+           '%s}), flush=True)')
+BYTES = 'import sys\nfor line in sys.stdin: sys.stdout.buffer.write(b"\\xff\\n"); sys.stdout.flush()'
+NESTS = 'import sys\nfor line in sys.stdin: print("[" * 100000, flush=True)'
 
 
 def test_runner(results):
-    """Implementations that crash, say nothing, or talk nonsense, and one that can do nothing."""
+    """Implementations that crash, say nothing, or talk nonsense, one that can do nothing, and none."""
     for what, program, code, word in (('crashes', CRASHES, 2, '0 agreed, 0 differed, 10 failed'),
                                       ('is silent', SILENT, 2, '0 agreed, 0 differed, 10 failed'),
                                       ('babbles', BABBLES, 2, '0 agreed, 0 differed, 10 failed'),
+                                      ('answers null', ANSWERS % '"result": None', 2, ' 10 failed'),
+                                      ('answers a list', ANSWERS % '"result": [1]', 2, ' 10 failed'),
+                                      ('answers too little', ANSWERS % '"result": {}', 2, ' 10 failed'),
+                                      ('has a text as error', ANSWERS % '"error": "x"', 2, ' 10 failed'),
+                                      ('writes no UTF-8', BYTES, 2, ' 10 failed'),
+                                      ('nests its answer deeply', NESTS, 2, ' 10 failed'),
                                       ('refuses all', REFUSES, 0, '0 agreed, 0 differed, 0 failed, 10 skipped')):
         done = subprocess.run([sys.executable, '-B', os.path.join(SUITE, 'run.py'), '--only', 'rules/Ftoc', '--timeout', '1',
                                '--', sys.executable, '-c', program], stdout=subprocess.PIPE, text=True)
         results.say(done.returncode == code and word in done.stdout, 'run.py on one that %s: %s' % (
             what, done.stdout.strip().split('\n')[-1]))
+    for what, words in (('a program that is none', ['--', './no such program']),
+                        ('no case at all', ['--only', 'no such case', '--', sys.executable, '-c', REFUSES])):
+        done = subprocess.run([sys.executable, '-B', os.path.join(SUITE, 'run.py'), *words], stderr=subprocess.PIPE,
+                              text=True)
+        results.say(done.returncode == 2 and 'Traceback' not in done.stderr, 'run.py on %s: %s' % (
+            what, done.stderr.strip().split('\n')[-1]))
 
 
 def test_adapter(results):
