@@ -186,7 +186,13 @@ let numbers () =
   check ("1" ^ String.make 100_000 '0') "-32000";
   List.iter
     (fun s -> check s "-32602")
-    [ "0"; "-1"; {|"1/0"|}; {|"x"|}; {|"NaN"|}; "[]"; "true"; {|""|}; {|"0x10"|}; {|" 1"|} ]
+    [ "0"; "-1"; {|"1/0"|}; {|"x"|}; {|"NaN"|}; "[]"; "true"; {|""|}; {|"0x10"|}; {|" 1"|} ];
+  (* Seeds. *)
+  ignore (line session {|{"jsonrpc":"2.0","id":1,"method":"model.load","params":{"text":"param n = 1"}}|});
+  let replay = {|{"jsonrpc":"2.0","id":1,"method":"replay","params":{"model":"m1","choose":{"random":|} in
+  let refused s = List.mem_assoc "error" (Yojson.Basic.Util.to_assoc (line session (replay ^ s ^ "}}}"))) in
+  Alcotest.(check (list string)) "refused" [ {|"0x1f"|}; {|"1_0"|}; {|"-"|} ]
+    (List.filter refused [ "7"; {|"-7"|}; {|"0x1f"|}; {|"1_0"|}; {|"-"|} ])
 
 (* {1 Messages} *)
 
