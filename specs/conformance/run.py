@@ -80,7 +80,10 @@ class Implementation:
 def number(value):
     """The value of a number in any of its forms; None for what is none."""
     if isinstance(value, dict):
-        value = value.get('exact', value.get('float'))
+        exact, near = number(value.get('exact')), value.get('float')
+        if exact is not None and isinstance(near, float) and abs(near) < 1e300:
+            return exact if abs(Fraction(near) - exact) <= 1e-9 * max(1, abs(exact)) else None
+        value = value.get('exact', near)
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
         return None
     try:

@@ -43,7 +43,7 @@ def suite(folder):
     """The cases, which codes they are of, and the inputs of commands."""
     folder = os.path.join(folder, 'invalid')
     s = Suite('invalid/cases.json', 'Models that are refused, or loaded with a warning: codes and places.',
-              'by hand: the .out file of that name')
+              'read by hand: the .out file of that name')
     codes, commands = {}, []
     for file in sorted(f for f in os.listdir(folder) if f.endswith('.sc')):
         name, code = file[:-3], file[:6]

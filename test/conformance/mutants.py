@@ -61,6 +61,14 @@ def time_early_by_a_billionth(params, r):
 
 
 @mutant('first_time_of_contact')
+def the_float_beside_is_another(params, r):
+    if not r['time']:
+        return False
+    r['time']['float'] += 1.0
+    return True
+
+
+@mutant('first_time_of_contact')
 def time_in_floats_of_32_bits(params, r):
     import struct
     if not r['time']:
