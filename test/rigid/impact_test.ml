@@ -118,7 +118,7 @@ let answered s =
   | Persistent -> (not approach) || (is_fixed s.a && is_fixed s.b)
   | Bounced _ -> approach
 
-(* Whether one body is in front of the other, as far as the normals tell: a peg in a hole, say, may knock for ever. *)
+(* Whether one body is in front of the other, as far as the normals tell: a peg in a hole may knock for ever. *)
 let apart_one_way s =
   let normals = List.concat_map (fun (c : Near_contact.t) -> c.normals) s.contacts in
   let agree n m = Z.sign (Ivec.dot n m) > 0 in
