@@ -1,6 +1,8 @@
 open Scc_base
 open Scc_property
 open Scc_semantics
+open Scc_space
+open Scc_explain
 open Scc_verify
 open Scc_exchange
 open Cmdliner

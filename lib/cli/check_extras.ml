@@ -1,4 +1,4 @@
-open Scc_verify
+open Scc_space
 open Cmdliner
 
 type t = {

@@ -5,8 +5,8 @@ type t = {
   coverage : bool;
   stats : bool;
   sarif : string option;  (** a file *)
-  reductions : Scc_verify.Reduction.kind list;
-  order : Scc_verify.State_graph.order;
+  reductions : Scc_space.Reduction.kind list;
+  order : Scc_space.State_graph.order;
   compact : bool;  (** hash compaction *)
 }
 

@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_explain
 open Scc_verify
 
 (* A witness of more steps is shown in part: its schedule has them all. *)

@@ -2,6 +2,7 @@
 
 open Scc_calculus
 open Scc_property
+open Scc_explain
 open Scc_verify
 
 val property : Console.t -> Model.t -> Property.check * Verdict.t -> string

@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_property
-open Scc_verify
+open Scc_explain
 open Scc_exchange
 open Cmdliner
 

@@ -2,7 +2,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_verify
+open Scc_explain
 
 let greatest_list = 40
 let name (m : Model.t) leaf = m.leaves.(leaf).name

@@ -1,7 +1,7 @@
 (** What a fact depends on, in words. *)
 
 open Scc_property
-open Scc_verify
+open Scc_explain
 
 val lines : Console.t -> Property.check option -> Omission.t -> string
 (** The fact, the steps of the run ([*] marks those that it depends on, each with its reasons), and what was

@@ -3,6 +3,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_explain
 open Scc_verify
 
 type t = {

@@ -4,6 +4,7 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_property
+open Scc_explain
 open Scc_verify
 
 (** What there is to report. *)

@@ -2,7 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_property
-open Scc_verify
+open Scc_explain
 
 type t = {
   name : string option;

@@ -3,7 +3,7 @@
 open Scc_base
 open Scc_exact
 open Scc_property
-open Scc_verify
+open Scc_explain
 
 type t = {
   name : string option;

@@ -1,4 +1,6 @@
+open Scc_ctl
 open Scc_exact
+open Scc_evaluate
 open Scc_verify
 
 type status = Moves | Rests | Stuck | Unexplored

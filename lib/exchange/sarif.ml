@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_explain
 open Scc_verify
 open Scc_property
 

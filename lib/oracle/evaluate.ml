@@ -1,7 +1,9 @@
+open Scc_ctl
 open Scc_base
 open Scc_exact
 open Scc_syntax
 open Scc_property
+open Scc_evaluate
 open Scc_verify
 open Scc_exchange
 

@@ -3,6 +3,8 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_explore
+open Scc_space
+open Scc_explain
 
 type options = Exploration.options = {
   bounds : Bounds.t;

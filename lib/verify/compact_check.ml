@@ -1,5 +1,7 @@
 open Scc_semantics
 open Scc_property
+open Scc_space
+open Scc_explain
 
 let rec is_search (plan : Plan.t) =
   match plan with

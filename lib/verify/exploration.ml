@@ -1,8 +1,12 @@
+open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_explore
+open Scc_evaluate
+open Scc_space
+open Scc_explain
 module Graph = State_graph
 module Engine = Evidence.Engine
 

@@ -4,6 +4,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_property
 open Scc_explore
+open Scc_space
+open Scc_explain
 
 type options = {
   bounds : Bounds.t;

@@ -1,5 +1,6 @@
 open Scc_calculus
 open Scc_semantics
+open Scc_space
 module Graph = State_graph
 
 type edge = { label : Transition.label; target : int }

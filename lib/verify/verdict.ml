@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_explain
 
 type limit =
   | Depth of int

@@ -1,6 +1,7 @@
 (** Verdicts: what is known of a property, and how well (rule Verdict). *)
 
 open Scc_exact
+open Scc_explain
 
 (** A bound that was met. *)
 type limit =

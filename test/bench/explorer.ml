@@ -8,7 +8,7 @@
 open Scc_base
 open Scc_exact
 open Scc_explore
-module System = Scc_verify.System
+module System = Scc_space.System
 module Graph = Explore.Make (System)
 
 let read path =

@@ -1,7 +1,7 @@
 (* Graphs in a few letters. *)
 
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 open Ctl_formula
 
 (* The letters of p and of q: T, F as "." and undecided as "?". *)

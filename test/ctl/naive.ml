@@ -1,5 +1,5 @@
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 
 (* Steps of a run. Times are counted in halves of the unit. Who starts at an offset inside an open interval is
    put into the middle of it: at a [Middle], with the second half of the interval to come. *)

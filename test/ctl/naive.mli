@@ -1,7 +1,7 @@
 (** Timed CTL by the definition, on points and open intervals with a clock beside: slow, and shares nothing with
     the evaluator but the syntax. *)
 
-open Scc_verify
+open Scc_ctl
 
 type t
 

@@ -1,5 +1,5 @@
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 
 type truth = F | T | U
 type flow = No_flow | Lasts of int * int list | Ray of int

@@ -1,7 +1,7 @@
 (** Small timed graphs in which everything happens at multiples of one unit of time. *)
 
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 
 type truth = F | T | U
 

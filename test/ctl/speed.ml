@@ -1,7 +1,7 @@
 (* How long formulas take on a random graph: dune exec --profile release test/ctl/speed.exe -- NODES *)
 
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 open Ctl_formula
 
 (* A linear congruential generator, the same everywhere. *)

@@ -1,7 +1,8 @@
 (* The evaluator against the naive one, on random small graphs and formulas. *)
 
+open Scc_ctl
 open Scc_exact
-open Scc_verify
+open Scc_property
 open Scc_test_ctl
 module Gen = QCheck2.Gen
 

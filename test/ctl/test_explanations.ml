@@ -1,8 +1,8 @@
 (* Every explanation is checked: its runs are followed, and what is claimed along them is looked up in the naive
    evaluator. *)
 
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 open Scc_test_ctl
 module Gen = QCheck2.Gen
 

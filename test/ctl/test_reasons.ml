@@ -1,7 +1,7 @@
 (* What explanations and doubts say, on small graphs. *)
 
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 open Scc_test_ctl
 open Ctl_formula
 open Letters

@@ -1,7 +1,7 @@
 (* Truth tables checked by hand, one for each operator. *)
 
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 open Scc_test_ctl
 open Ctl_formula
 open Letters

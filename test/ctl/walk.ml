@@ -1,5 +1,5 @@
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 
 let rational a =
   match Algebraic.to_rat a with Some r -> r | None -> failwith "an offset that is not rational"

@@ -1,7 +1,7 @@
 (** Runs followed step by step, and what they show of "f until g", by what holds in each cell. *)
 
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 
 val rational : Algebraic.t -> Rat.t
 val cell : Small.t -> Ctl_set.position -> int option

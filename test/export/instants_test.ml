@@ -1,6 +1,8 @@
 (* The stretches of a passing of time against the state itself at instants in them. *)
 
+open Scc_ctl
 open Scc_exact
+open Scc_evaluate
 open Scc_verify
 open Scc_exchange
 open Scc_test_models

@@ -244,7 +244,7 @@ let reasons () =
         "      event bind(dock) holds";
         "      AF event weak(dock) does not hold: nothing else happens after time 1 from here, for ever";
       ]
-      (Scc_verify.Witness.ending m w)
+      (Scc_explain.Witness.ending m w)
   | _ -> Alcotest.fail "not violated by a run"
 
 (* The first model of the guide, as it stands there. *)
@@ -265,15 +265,15 @@ let guide () =
 
 (* A witness, followed by its choices alone, ends where it says. *)
 let witnesses () =
-  let follow m initial (w : Scc_verify.Witness.t) =
+  let follow m initial (w : Scc_explain.Witness.t) =
     let step s i =
       match List.nth_opt (Reach.successors m s) i with
       | Some t -> t.Transition.target
       | None -> Alcotest.fail "a choice that is not there"
     in
-    List.fold_left step initial (Scc_verify.Witness.choices w)
+    List.fold_left step initial (Scc_explain.Witness.choices w)
   in
-  let check m initial name (w : Scc_verify.Witness.t) =
+  let check m initial name (w : Scc_explain.Witness.t) =
     if not (State.equal (follow m initial w) w.last) then Alcotest.failf "%s: the witness leads elsewhere" name
   in
   let of_model name =

@@ -4,7 +4,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_verify
+open Scc_explain
 open Scc_test_models
 open Scc_test_networks
 module Gen = QCheck2.Gen

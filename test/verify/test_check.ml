@@ -1,6 +1,7 @@
 (* Whole checks of small models from text: each kind of verdict, and what witnesses tell. *)
 
 open Scc_exact
+open Scc_explain
 open Scc_verify
 open Scc_test_models
 

@@ -1,8 +1,8 @@
 (* The questions of the engine on random small timed graphs, against the naive answers. *)
 
+open Scc_ctl
 open Scc_exact
 open Scc_explore
-open Scc_verify
 module Gen = QCheck2.Gen
 module Graph = Explore.Make (Toy.System)
 module E = Engine.Make (Toy.System) (Graph)

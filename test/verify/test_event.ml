@@ -1,10 +1,11 @@
 (* Which transitions the patterns of formulas mean, on the transitions of small models, and where the atom
    [event] holds. *)
 
+open Scc_ctl
 open Scc_exact
 open Scc_semantics
 open Scc_property
-open Scc_verify
+open Scc_evaluate
 open Scc_test_models
 
 let cube =

@@ -1,10 +1,14 @@
 (* Each way to explore less against exploring everything: the same verdicts on random crowds of equal bodies,
    witnesses that replay by the rules, and no more states. *)
 
+open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_evaluate
+open Scc_space
+open Scc_explain
 open Scc_verify
 module Gen = QCheck2.Gen
 

@@ -1,9 +1,13 @@
 (* Slices against whole networks: the same verdicts, and runs that can be lifted. *)
 
+open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_evaluate
+open Scc_space
+open Scc_explain
 open Scc_verify
 open Scc_test_models
 

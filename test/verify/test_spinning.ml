@@ -1,11 +1,12 @@
 (* Atoms over a rigid step against the state at each instant (rules Turn and Instants): letting the processes turn
    to an offset and looking there must tell the same as the timeline does. *)
 
+open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_verify
+open Scc_evaluate
 module Gen = QCheck2.Gen
 
 (* Two boxes bound off-centre, a compound, a slanted wedge and a wall. *)

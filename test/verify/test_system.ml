@@ -4,7 +4,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_explore
-open Scc_verify
+open Scc_space
 open Scc_test_networks
 module Graph = State_graph
 

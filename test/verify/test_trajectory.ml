@@ -1,12 +1,14 @@
 (* The evaluator over trajectories against the state at each instant: letting time pass to an offset and
    looking at the state there must tell the same as the timeline does at that offset. *)
 
+open Scc_ctl
 open Scc_exact
 open Scc_geometry
 open Scc_calculus
 open Scc_semantics
 open Scc_property
-open Scc_verify
+open Scc_evaluate
+open Scc_space
 open Scc_test_networks
 module Gen = QCheck2.Gen
 

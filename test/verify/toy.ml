@@ -1,5 +1,5 @@
+open Scc_ctl
 open Scc_exact
-open Scc_verify
 
 type truth = F | T | U
 type edge = { target : int; duration : int; cells : truth array }

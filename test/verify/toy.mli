@@ -1,7 +1,7 @@
 (** Small timed graphs with the truth of a goal written on every instant and interval of them, as an
     abstract transition system and, unrolled cell by cell, as the naive answer to every question. *)
 
-open Scc_verify
+open Scc_ctl
 
 type truth = F | T | U
 

@@ -1,5 +1,6 @@
 (** Why a predicate holds or fails at an instant, in words. *)
 
+open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_property

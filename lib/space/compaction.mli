@@ -1,5 +1,6 @@
 (** Searches with hash compaction: little memory, and never a proof that there is nothing to find. *)
 
+open Scc_ctl
 open Scc_exact
 open Scc_explore
 open Scc_semantics

@@ -1,5 +1,4 @@
 open Scc_exact
-open Scc_property
 
 type t =
   | Now of Property.prop

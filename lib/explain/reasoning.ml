@@ -1,6 +1,9 @@
+open Scc_ctl
 open Scc_exact
 open Scc_property
 open Scc_semantics
+open Scc_evaluate
+open Scc_space
 module Graph = State_graph
 
 (** {2 Facts} *)

@@ -1,6 +1,7 @@
 (** Contact within resolution along a trajectory (rule Instants in the rigid calculus): two bodies touch at an
     instant iff the distance of some part of one from some part of the other is at most the resolution. *)
 
+open Scc_ctl
 open Scc_calculus
 
 val touching :

@@ -1,5 +1,8 @@
 (** Explanations in words. *)
 
+open Scc_ctl
+open Scc_space
+
 val facts : System.context -> State_graph.t -> Temporal.t -> Explanation.t -> string list
 (** What holds where the run of an explanation ({!Explanation.chain}) leads, a sentence for each atom. *)
 

@@ -1,7 +1,9 @@
 (** Witnesses from what was found on a graph of states: each run is followed through the rules afresh, from the
     initial state, before anyone is shown it. *)
 
+open Scc_ctl
 open Scc_property
+open Scc_space
 module Engine : module type of Engine.Make (System) (State_graph)
 
 val of_trace : System.context -> State_graph.t -> Property.prop option -> Engine.trace -> Witness.t

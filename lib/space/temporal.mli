@@ -1,5 +1,6 @@
 (** Formulas of timed CTL on the state space of a model, as far as it was explored. *)
 
+open Scc_ctl
 open Scc_property
 
 type asked

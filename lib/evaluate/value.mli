@@ -1,5 +1,6 @@
 (** Numbers along a piece of a trajectory: rational functions of the offset, exact. *)
 
+open Scc_ctl
 open Scc_exact
 
 type t =

@@ -1,5 +1,6 @@
 (** State predicates over the tuples of {!System}. *)
 
+open Scc_ctl
 open Scc_property
 
 val make : System.context -> Property.prop -> Engine.predicate

@@ -1,3 +1,4 @@
+open Scc_ctl
 open Scc_exact
 open Scc_geometry
 open Scc_calculus

@@ -3,6 +3,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_explore
+open Scc_evaluate
 
 type fault = Transition.fault
 

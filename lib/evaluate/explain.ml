@@ -1,3 +1,4 @@
+open Scc_ctl
 open Scc_property
 
 (* More atoms than this do not help anyone. *)

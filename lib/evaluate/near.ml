@@ -1,3 +1,4 @@
+open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_rigid

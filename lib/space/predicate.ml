@@ -1,6 +1,8 @@
+open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_property
+open Scc_evaluate
 
 (* A number, or why there is none. *)
 type value = (Rat.t, string) result

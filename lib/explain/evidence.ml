@@ -1,7 +1,10 @@
+open Scc_ctl
 open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_evaluate
+open Scc_space
 module Graph = State_graph
 module Engine = Engine.Make (System) (State_graph)
 

@@ -1,8 +1,10 @@
+open Scc_ctl
 open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_evaluate
 module Ints = Set.Make (Int)
 
 type role = Irrelevant | Cause | Keeps_away

@@ -1,7 +1,6 @@
 (** What to do for a formula: searches that end at the first run that decides them, where that is all it takes. *)
 
 open Scc_exact
-open Scc_property
 
 (** Bounds are of model time; [None] is no bound. *)
 type t =

@@ -2,6 +2,7 @@
     Coordinates are affine in the offset t since the start, squared distances quadratic, contact a closed
     interval for each pair of parts. *)
 
+open Scc_ctl
 open Scc_calculus
 open Scc_property
 
