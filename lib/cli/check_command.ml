@@ -81,7 +81,7 @@ let write_witnesses model path folder verdicts =
   List.fold_left one (Ok ()) verdicts
 
 (* What was asked for besides the verdicts. *)
-type extra = { covered : (Space.t * Coverage.t) option; measured : Measured.t option }
+type extra = { covered : (Explored.t * Coverage.t) option; measured : Measured.t option }
 
 let print_json console (model : Input.model) (report : Check.report) verdicts extra code =
   let e = model.elaborated in
@@ -141,7 +141,7 @@ let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i
 
 (* All of the model, whether or not its properties were decided early. *)
 let cover options (e : Scc_elaborate.Elaborate.t) initial =
-  let space = Space.explore (options ()) e.model ~initial in
+  let space = Explored.explore (options ()) e.model ~initial in
   (space, Coverage.of_space space)
 
 let check console bounds (extras : Check_extras.t) overrides path =

@@ -6,7 +6,7 @@ open Scc_equivalence
 
 let ( let* ) = Result.bind
 
-type source = Model of { model : Input.model; space : Space.t } | File
+type source = Model of { model : Input.model; space : Explored.t } | File
 type t = { path : string; source : source; graph : Graph.t }
 
 let is_graph_file path = Filename.check_suffix path ".aut"
@@ -16,14 +16,14 @@ let max_graph_bytes = 1024 * 1024 * 1024
 
 (* The leaf of a process by which it is called: the least by name, since the order in which bodies are declared
    should not be seen. [renamed] is what a name means to the other side. *)
-let representative (space : Space.t) ~renamed state leaf =
+let representative (space : Explored.t) ~renamed state leaf =
   let name l = renamed space.model.leaves.(l).Model.name in
   let process = state.State.processes.(fst (State.find_leaf state leaf)) in
   Array.fold_left
     (fun best (l : State.leaf) -> if String.compare (name l.leaf) (name best) < 0 then l.leaf else best)
     leaf process.leaves
 
-let label_text (space : Space.t) ~renamed s (label : Transition.label) =
+let label_text (space : Explored.t) ~renamed s (label : Transition.label) =
   let label : Transition.label =
     match label with
     | Bounce (p, q) ->
@@ -33,11 +33,11 @@ let label_text (space : Space.t) ~renamed s (label : Transition.label) =
   in
   Transition.label_to_string space.model label
 
-let graph_of_space ?(renamed = Fun.id) (space : Space.t) =
+let graph_of_space ?(renamed = Fun.id) (space : Explored.t) =
   let b = Graph.builder () in
   for s = 0 to space.size - 1 do
     Array.iter
-      (fun (e : Space.edge) ->
+      (fun (e : Explored.edge) ->
          let label = Graph.intern b (label_text space ~renamed s e.label) in
          Graph.add b ~source:s ~label ~target:e.target)
       (space.edges s);
@@ -65,7 +65,7 @@ let load_model console options ?renamed ~overrides path =
       (fun f -> [ Transition.diagnostic e.model f ])
       (Network.initial e.model e.declared)
   in
-  let space = Space.explore options e.model ~initial in
+  let space = Explored.explore options e.model ~initial in
   Console.progress_done console;
   Console.report console space.faults;
   Ok { path; source = Model { model; space }; graph = graph_of_space ?renamed space }
@@ -87,4 +87,4 @@ let stopped_by t = match t.source with Model { space; _ } -> space.stopped_by | 
 let size t =
   match t.source with
   | File -> (t.graph.size, Graph.edges t.graph)
-  | Model { space; _ } -> (space.size, Space.transitions space)
+  | Model { space; _ } -> (space.size, Explored.transitions space)

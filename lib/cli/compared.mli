@@ -6,7 +6,7 @@ open Scc_verify
 open Scc_equivalence
 
 type source =
-  | Model of { model : Input.model; space : Space.t }
+  | Model of { model : Input.model; space : Explored.t }
   | File  (** in the format .aut *)
 
 type t = {
@@ -18,7 +18,7 @@ type t = {
 val is_graph_file : string -> bool
 (** By its extension, [.aut]. *)
 
-val graph_of_space : ?renamed:(string -> string) -> Space.t -> Graph.t
+val graph_of_space : ?renamed:(string -> string) -> Explored.t -> Graph.t
 (** With the labels of the transitions, but that the two that bounce are called by the least names of their bodies,
     so that the order of declarations is not seen; [renamed] gives the names that count. *)
 

@@ -16,7 +16,7 @@ let rule_counts c =
     ("rules: " ^ String.concat ", " (List.map count used))
     :: (match never_used with [] -> [] | _ :: _ -> [ "rules never used: " ^ String.concat ", " never_used ])
 
-let lines console (s : Space.t) c =
+let lines console (s : Explored.t) c =
   let m = s.model in
   let summands = Coverage.summands c and behaviours = Coverage.behaviours c in
   let channels = Coverage.channels c in
@@ -41,7 +41,7 @@ let lines console (s : Space.t) c =
   let among =
     Printf.sprintf "among %d %s%s" s.size
       (if s.size = 1 then "state" else "states")
-      (if Space.complete s then "" else ", which are not all: more may fire beyond the bounds")
+      (if Explored.complete s then "" else ", which are not all: more may fire beyond the bounds")
   in
   let summand x = Printf.sprintf "%s: %s" (Coverage_json.owner m x) (Coverage_json.term m x) in
   let details =

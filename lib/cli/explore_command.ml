@@ -118,9 +118,9 @@ let initial (e : Scc_elaborate.Elaborate.t) =
     (Network.initial e.model e.declared)
 
 (* As that of an exploration by [scc check]. *)
-let exit_code (space : Space.t) : Exit_code.t =
+let exit_code (space : Explored.t) : Exit_code.t =
   let known = Verdict.Holds { bounds = space.stopped_by; witness = None } in
-  if Space.complete space then Holds
+  if Explored.complete space then Holds
   else if List.length space.faults > 0 then Undecided
   else if Verdict.resources known then Stopped
   else if Verdict.by_default known then Undecided
@@ -139,7 +139,7 @@ let explore console o format =
   let* initial = initial e in
   let now = Option.map Interrupt.clock o.bounds.seconds in
   let options = Check_options.options ?now o.bounds ~interrupted ~progress:(Progress.show console o.bounds) in
-  let space = Space.explore options e.model ~initial in
+  let space = Explored.explore options e.model ~initial in
   Interrupt.in_time ();
   Console.progress_done console;
   Console.report console space.faults;

@@ -1,8 +1,8 @@
 (** Why a formula holds at a position, or why it does not: a tree with runs in it. *)
 
 type t = {
-  formula : Ctl_formula.t;
-  position : Ctl_set.position;
+  formula : Formula.t;
+  position : Positions.position;
   holds : bool;
   because : because;
 }
@@ -10,7 +10,7 @@ type t = {
 and because =
   | Given  (** a predicate: it is so *)
   | Parts of t list  (** of not, and, or: the parts that decide it *)
-  | Run of { run : Ctl_run.t; parts : t list }
+  | Run of { run : Run.t; parts : t list }
   (** a run from the position decides it, with what is so where it leads. Of "f until g" that holds on some run: g
       holds there. Of "f until g" that does not hold on every run: f does not hold there, nor does g (but on an
       open interval that begins so, or before the time of the bound), and g did not before; or the run goes on
@@ -19,13 +19,13 @@ and because =
   | Everywhere of int  (** no run decides it otherwise: all of them together go through these many nodes (0:
                            they do not leave the flow of the position) *)
 
-val explain : Ctl_eval.t -> Ctl_formula.t -> Ctl_set.position -> t option
+val explain : Eval.t -> Formula.t -> Positions.position -> t option
 (** [None]: undecided there. *)
 
-val goes_on : Ctl_run.t -> bool
+val goes_on : Run.t -> bool
 (** Whether a run is worth following from where another leads. One that only stays in the flow in which it begins,
     to rest there or to pass a bound, would hide the instant at which it begins. *)
 
-val chain : t -> Ctl_run.t option
+val chain : t -> Run.t option
 (** The run of the explanation, followed by that of what is so where it leads, and so on: one run from the
     position of the whole explanation (where runs have parts, the first that has a run). *)

@@ -35,13 +35,13 @@ let channel (c : Coverage.channel) =
   `Assoc
     [ ("name", Json.text c.name); ("made", `Int c.made); ("weak", `Int c.weak); ("strong", `Int c.strong) ]
 
-let json (s : Space.t) c =
+let json (s : Explored.t) c =
   let m = s.model in
   let rule (r, n) = (Scc_semantics.Rule.id r, `Int n) in
   `Assoc
     [
       ("states", `Int s.size);
-      ("complete", `Bool (Space.complete s));
+      ("complete", `Bool (Explored.complete s));
       ("summands", `List (List.map (summand m) (Coverage.summands c)));
       ("behaviours", `List (List.map (reached m) (Coverage.behaviours c)));
       ("channels", `List (List.map channel (Coverage.channels c)));

@@ -12,5 +12,5 @@ val term : Model.t -> Coverage.summand -> string
 val behaviour : Model.t -> Coverage.behaviour -> string
 (** ["Empty on Enzyme"]. *)
 
-val json : Space.t -> Coverage.t -> Json.t
+val json : Explored.t -> Coverage.t -> Json.t
 (** Of what was explored; says whether that is all. *)

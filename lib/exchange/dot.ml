@@ -70,7 +70,7 @@ let wrapped text =
 
 type picture = {
   l : Labelling.t;
-  space : Space.t;
+  space : Explored.t;
   digest : State_digest.t;
   aims : (string * bool) array;  (** the names of the checks, and whether they are goals *)
   marked : bool array;  (** the aims that some mark was about *)
@@ -108,7 +108,7 @@ let mark_text p k =
 
 (** {2 Folding} *)
 
-let time_edge (e : Space.edge) = match e.label with Time d -> Some (d, e.target) | _ -> None
+let time_edge (e : Explored.edge) = match e.label with Time d -> Some (d, e.target) | _ -> None
 
 let only_time p i =
   match p.space.edges i with [| e |] -> time_edge e | _ -> None
@@ -119,7 +119,7 @@ let before p =
   let into = Array.make n 0 and before = Array.make n (-1) in
   for i = 0 to n - 1 do
     Array.iter
-      (fun (e : Space.edge) ->
+      (fun (e : Explored.edge) ->
          into.(e.target) <- into.(e.target) + 1;
          if Option.is_some (time_edge e) then before.(e.target) <- i)
       (p.space.edges i)
@@ -168,7 +168,7 @@ let node p put i =
   put
     (Printf.sprintf "  s%d [label=%s, style=\"%s\", fillcolor=\"%s\"%s]\n" i (quoted lines) style fill more)
 
-let edge p folded put i (e : Space.edge) =
+let edge p folded put i (e : Explored.edge) =
   match time_edge e with
   | None ->
     let text = Transition.label_to_string p.space.model e.label in

@@ -7,7 +7,7 @@ type t = {
   digest : string;
   parameters : (string * Rat.t) list;
   checks : Property.check list;
-  space : Space.t;
+  space : Explored.t;
 }
 
 let summary e =
@@ -16,8 +16,10 @@ let summary e =
     String.concat ", "
       (("model " ^ Option.value e.name ~default:"without a name") :: List.map parameter e.parameters)
   in
-  let explored = Printf.sprintf "explored: %d states, %d transitions" e.space.size (Space.transitions e.space) in
-  match Space.unexpanded e.space with
+  let explored =
+    Printf.sprintf "explored: %d states, %d transitions" e.space.size (Explored.transitions e.space)
+  in
+  match Explored.unexpanded e.space with
   | 0 -> [ model; explored ^ "; complete" ]
   | n ->
     let faults = List.map (fun (f : Scc_base.Diag.t) -> f.message) e.space.faults in

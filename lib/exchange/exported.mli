@@ -9,7 +9,7 @@ type t = {
   digest : string;  (** see {!Model_digest} *)
   parameters : (string * Rat.t) list;
   checks : Property.check list;
-  space : Space.t;
+  space : Explored.t;
 }
 
 val summary : t -> string list

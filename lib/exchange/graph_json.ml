@@ -26,7 +26,7 @@ let predicate l k (p : State_predicates.t) =
 
 let check (c : Property.check) = `Assoc [ ("name", text c.name); ("text", text c.text) ]
 
-let edge model (e : Space.edge) =
+let edge model (e : Explored.edge) =
   `Assoc [ ("label", State_json.label model e.label); ("target", `Int e.target) ]
 
 let state l i =
@@ -55,8 +55,8 @@ let write (e : Exported.t) l put =
   add "model" (Json.option text e.name);
   add "digest" (`String e.digest);
   add "parameters" (`Assoc (List.map (fun (name, value) -> (name, Json.rat value)) e.parameters));
-  add "complete" (`Bool (Space.complete space));
-  add "unexplored" (`Int (Space.unexpanded space));
+  add "complete" (`Bool (Explored.complete space));
+  add "unexplored" (`Int (Explored.unexpanded space));
   add "bounds" (texts bounds);
   add "faults" (texts (List.map (fun (f : Scc_base.Diag.t) -> f.message) space.faults));
   add "checks" (`List (List.map check e.checks));

@@ -13,7 +13,7 @@ type stretch = {
 }
 
 type t = {
-  space : Space.t;
+  space : Explored.t;
   predicates : State_predicates.t array;
   width : int;  (** bytes that the predicates of a state take *)
   bits : Bytes.t;
@@ -27,7 +27,7 @@ type t = {
 
 (** {2 States} *)
 
-let duration (e : Space.edge) =
+let duration (e : Explored.edge) =
   match e.label with
   | Time d -> Some d
   | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
@@ -43,7 +43,7 @@ let passing edges =
   in
   from 0
 
-let status_of (space : Space.t) i edges =
+let status_of (space : Explored.t) i edges =
   if not (space.expanded i) then Unexplored
   else if Array.length edges > 0 then Moves
   else if space.rests i then Rests
@@ -137,7 +137,7 @@ let set bits width i k =
 
 let bit bits width i k = Char.code (Bytes.get bits ((i * width) + (k / 8))) land (1 lsl (k mod 8)) <> 0
 
-let make ?(instants = false) (space : Space.t) predicates =
+let make ?(instants = false) (space : Explored.t) predicates =
   let n = Array.length predicates in
   let width = (n + 7) / 8 in
   let bits = Bytes.make (space.size * width) '\000' in

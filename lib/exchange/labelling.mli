@@ -22,11 +22,11 @@ type stretch = {
 
 type t
 
-val make : ?instants:bool -> Space.t -> State_predicates.t array -> t
+val make : ?instants:bool -> Explored.t -> State_predicates.t array -> t
 (** Evaluates every predicate in every state and along every passing of time. With [instants] (off by default), a
     passing of time during which a predicate changes becomes a chain of stretches, numbered after the states. *)
 
-val space : t -> Space.t
+val space : t -> Explored.t
 val predicates : t -> State_predicates.t array
 
 val size : t -> int
@@ -39,7 +39,7 @@ val holds : t -> int -> int -> bool
 (** [holds l i k]: predicate [k] holds in the state or stretch [i]. *)
 
 val stretch : t -> int -> stretch option
-(** What a number from [Space.size] on is. *)
+(** What a number from [Explored.size] on is. *)
 
 val detour : t -> int -> (Rat.t * int) option
 (** The time that passes in a state before its first stretch, and the number of that one. It replaces the state's

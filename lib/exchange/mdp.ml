@@ -10,7 +10,7 @@ let labelling m = m.labelling
 let states m = Labelling.size m.labelling
 
 let named names space label =
-  Safe_names.name names (Transition.label_to_string space.Space.model label)
+  Safe_names.name names (Transition.label_to_string space.Explored.model label)
 
 let action m label = named m.names (Labelling.space m.labelling) label
 let passing m d ~target = { action = action m (Time d); duration = d; target }
@@ -24,7 +24,7 @@ let of_stretch m (s : Labelling.stretch) =
 let of_state m i =
   let space = Labelling.space m.labelling in
   let detour = Labelling.detour m.labelling i in
-  let choice (e : Space.edge) =
+  let choice (e : Explored.edge) =
     match (e.label, detour) with
     | Time _, Some (d, target) -> passing m d ~target
     | label, _ ->

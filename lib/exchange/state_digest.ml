@@ -8,7 +8,7 @@ module Bonds = Set.Make (struct
   end)
 
 type t = {
-  space : Space.t;
+  space : Explored.t;
   positions : bool;
   common : Bonds.t;  (** in every state *)
   varies : bool array;  (** by leaf: its behaviour differs between states *)
@@ -21,7 +21,7 @@ let cut s =
   let rec back i = if i > 0 && Char.code s.[i] land 0xC0 = 0x80 then back (i - 1) else i in
   if String.length s <= greatest then s else String.sub s 0 (back greatest) ^ "…"
 
-let behaviour (space : Space.t) (l : State.leaf) =
+let behaviour (space : Explored.t) (l : State.leaf) =
   let text = State_json.behaviour space.model ~leaf:l.leaf l.behaviour in
   match l.behaviour.origin with
   | Some k ->
@@ -40,7 +40,7 @@ let leaves (s : State.t) =
     (Array.to_list s.processes)
   |> List.sort (fun (_, (l : State.leaf)) (_, (m : State.leaf)) -> Int.compare l.leaf m.leaf)
 
-let make ~positions (space : Space.t) =
+let make ~positions (space : Explored.t) =
   let n = Array.length space.model.leaves in
   let first = Array.make n "" and varies = Array.make n false in
   List.iter

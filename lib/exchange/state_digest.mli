@@ -5,7 +5,7 @@ open Scc_verify
 
 type t
 
-val make : positions:bool -> Space.t -> t
+val make : positions:bool -> Explored.t -> t
 (** With [positions], also where things that are not fixed are, and how they move. *)
 
 val lines : t -> int -> string list

@@ -15,7 +15,7 @@ type variable =
   | Bonds of string
 
 type t = {
-  space : Space.t;
+  space : Explored.t;
   behaviours : int Behaviours.t array;  (** by leaf: numbers in order of appearance *)
   variables : (string * variable) list;
 }
@@ -41,7 +41,7 @@ let count_bonds name (s : State.t) =
          n p.bonds)
     0 s.processes
 
-let make (space : Space.t) =
+let make (space : Explored.t) =
   let leaves = space.model.leaves in
   let n = Array.length leaves in
   let behaviours = Array.init n (fun _ -> Behaviours.create 4) in

@@ -9,7 +9,7 @@ open Scc_verify
 
 type t
 
-val make : Space.t -> t
+val make : Explored.t -> t
 
 val names : t -> string list
 

@@ -42,7 +42,7 @@ let facts model props place =
     | None -> false
   in
   let trajectory = Trajectory.make ~arrived model place.state Timeline.Instant in
-  List.concat_map (Explain.every trajectory model Algebraic.zero) props
+  List.concat_map (Facts.every trajectory model Algebraic.zero) props
 
 let pass model d (place : place) =
   if Rat.sign d = 0 then place

@@ -118,9 +118,8 @@ and prop a b =
       | Not _ | And _ | Or _ ),
       _ ) -> Int.compare (prop_rank a) (prop_rank b)
 
-let quantifier_rank = function All -> 0 | Exists -> 1
-let quantifier a b = Int.compare (quantifier_rank a) (quantifier_rank b)
-let bound a b = next (Rat.compare a.low b.low) (fun () -> Option.compare Rat.compare a.high b.high)
+let quantifier = Scc_ctl.Formula.compare_quantifier
+let bound = Scc_ctl.Formula.compare_bound
 
 let temporal_rank = function
   | State _ -> 0

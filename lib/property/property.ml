@@ -68,10 +68,10 @@ and prop =
   | And of prop list
   | Or of prop list
 
-type path_quantifier = All | Exists
+type path_quantifier = Scc_ctl.Formula.quantifier = All | Exists
 
 (** Bounds of model time; [low] is 0 but for [[a, b]]. *)
-type bound = { low : Rat.t; high : Rat.t option }
+type bound = Scc_ctl.Formula.bound = { low : Rat.t; high : Rat.t option }
 
 type temporal =
   | State of prop

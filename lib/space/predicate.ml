@@ -11,7 +11,7 @@ let memory = 1 lsl 12
 
 (* A function of processes that remembers its last values. *)
 let by_process c initial f =
-  let catalogue = System.catalogue c in
+  let catalogue = Network_lts.catalogue c in
   let known = Array.make memory Catalogue.nobody and values = Array.make memory initial in
   fun number ->
     let k = number land (memory - 1) in
@@ -23,7 +23,7 @@ let by_process c initial f =
       v
     end
 
-let leaves c = Array.length (System.model c).leaves
+let leaves c = Array.length (Network_lts.model c).leaves
 
 let fold c f acc (tuple : int array) =
   let n = leaves c in
@@ -37,7 +37,7 @@ let fold c f acc (tuple : int array) =
 
 (* The number of the process of a leaf: it is in the slot of its first leaf, which comes no later. *)
 let home_number c leaf =
-  let catalogue = System.catalogue c in
+  let catalogue = Network_lts.catalogue c in
   fun (tuple : int array) ->
     let rec from i =
       if i < 0 then Scc_base.Bug.fail __POS__ "a leaf of the model is not in the state"
@@ -50,7 +50,7 @@ let home_number c leaf =
 
 let home c leaf =
   let number = home_number c leaf in
-  fun tuple -> (Catalogue.body (System.catalogue c) (number tuple)).process
+  fun tuple -> (Catalogue.body (Network_lts.catalogue c) (number tuple)).process
 
 let joins p q (b : State.bond) =
   (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p)
@@ -72,7 +72,7 @@ let axis (a : Property.axis) (v : Vec.t) =
   | Z -> v.z
 
 let sum c quantity =
-  let model = System.model c in
+  let model = Network_lts.model c in
   let of_process (p : State.process) =
     match State.mass model p with
     | None -> Rat.zero
@@ -89,7 +89,7 @@ let both f a b tuple : value =
   | (Error _ as e), _ | _, (Error _ as e) -> e
 
 let rec num c (n : Property.num) : int array -> value =
-  let model = System.model c in
+  let model = Network_lts.model c in
   match n with
   | Const r -> fun _ -> Ok r
   | Bonds (name, None) ->
@@ -147,7 +147,7 @@ let rec num c (n : Property.num) : int array -> value =
   | Position _ | Distance2 _ | Angular _ | Time -> raise_notrace Moves
 
 and prop c (p : Property.prop) : int array -> Truth.t =
-  let model = System.model c in
+  let model = Network_lts.model c in
   match p with
   | Bool b -> fun _ -> Truth.of_bool b
   | Compare (op, a, b) ->
@@ -167,7 +167,7 @@ and prop c (p : Property.prop) : int array -> Truth.t =
     let alone = by_process c Truth.False (fun process -> Trajectory.holds model (network process) p) in
     let number = home_number c leaf in
     fun t -> alone (number t)
-  | Event e -> fun t -> Truth.of_bool (System.arrived c t e)
+  | Event e -> fun t -> Truth.of_bool (Network_lts.arrived c t e)
   | Not a ->
     let a = prop c a in
     fun t -> Truth.not_ (a t)
@@ -180,11 +180,11 @@ and connective c join unit list =
   fun t -> List.fold_left (fun acc p -> join acc (p t)) unit list
 
 (* Along the trajectory of the whole state. *)
-let anywhere c p : Engine.predicate =
-  let model = System.model c in
+let anywhere c p : On_the_fly.predicate =
+  let model = Network_lts.model c in
   let timeline tuple extent =
-    let state = Catalogue.decode (System.catalogue c) tuple in
-    Trajectory.prop (Trajectory.make ~arrived:(System.arrived c tuple) model state extent) p
+    let state = Catalogue.decode (Network_lts.catalogue c) tuple in
+    Trajectory.prop (Trajectory.make ~arrived:(Network_lts.arrived c tuple) model state extent) p
   in
   { at = (fun tuple -> (timeline tuple Timeline.Instant).start); along = Some timeline }
 
@@ -193,6 +193,6 @@ let make c p =
   | exception Moves -> anywhere c p
   | at when Formula.has_events (State p) ->
     (* What has just happened is past as soon as time passes. *)
-    let later tuple = at (System.unmarked c tuple) in
+    let later tuple = at (Network_lts.unmarked c tuple) in
     { at; along = Some (fun tuple extent -> Timeline.after_start extent (at tuple) (later tuple)) }
   | at -> { at; along = None }

@@ -4,15 +4,15 @@ open Scc_property
 module Graph = State_graph
 
 type asked = {
-  formulas : Ctl_formula.t array;
+  formulas : Scc_ctl.Formula.t array;
   props : Property.prop array;
-  predicates : Engine.predicate array;
+  predicates : On_the_fly.predicate array;
 }
 
-type t = { asked : asked; graph : Graph.t; eval : Ctl_eval.t }
+type t = { asked : asked; graph : Graph.t; eval : Scc_ctl.Eval.t }
 
 let ask context temporals =
-  let formulas, props = Ctl_formula.of_temporal temporals in
+  let formulas, props = Skeleton.of_temporal temporals in
   { formulas = Array.of_list formulas; props; predicates = Array.map (Predicate.make context) props }
 
 let is_timed g (e : Graph.edge) = Rat.sign (Graph.duration g e) > 0
@@ -53,26 +53,26 @@ let on asked ~rests graph =
   in
   let predicates =
     {
-      Ctl_eval.at = (fun p node -> asked.predicates.(p).at (Graph.tuple graph node));
+      Scc_ctl.Eval.at = (fun p node -> asked.predicates.(p).at (Graph.tuple graph node));
       along;
       steady = (fun p -> Option.is_none asked.predicates.(p).along);
     }
   in
-  { asked; graph; eval = Ctl_eval.create (Timed_graph.index (timed_graph ~rests graph)) predicates }
+  { asked; graph; eval = Scc_ctl.Eval.create (Timed_graph.index (timed_graph ~rests graph)) predicates }
 
-let origin = Ctl_set.start 0
-let truth t i = Ctl_eval.truth t.eval t.asked.formulas.(i) origin
+let origin = Scc_ctl.Positions.start 0
+let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin
 
 let explain t i =
   match Explanation.explain t.eval t.asked.formulas.(i) origin with
   | Some e -> e
   | None -> Scc_base.Bug.fail __POS__ "an undecided formula is explained"
 
-let doubts t i = Ctl_doubts.find t.eval t.asked.formulas.(i) origin
+let doubts t i = Scc_ctl.Doubts.find t.eval t.asked.formulas.(i) origin
 let formula t i = t.asked.formulas.(i)
 let predicate t i = t.asked.props.(i)
 
-let choice t (s : Ctl_run.step) : Graph.step =
+let choice t (s : Scc_ctl.Run.step) : Graph.step =
   let edges = Graph.edges t.graph s.source in
   let nth test k = fst (indexed test edges).(k) in
   let choice =

@@ -6,7 +6,7 @@ open Scc_property
 type asked
 (** Formulas over one system. *)
 
-val ask : System.context -> Property.temporal list -> asked
+val ask : Network_lts.context -> Property.temporal list -> asked
 
 type t
 (** The formulas on a graph. *)
@@ -21,10 +21,10 @@ val truth : t -> int -> bool option
 val explain : t -> int -> Explanation.t
 (** Of one that is decided. *)
 
-val doubts : t -> int -> Ctl_doubts.t
+val doubts : t -> int -> Scc_ctl.Doubts.t
 (** Of one that is not. *)
 
-val formula : t -> int -> Ctl_formula.t
+val formula : t -> int -> Scc_ctl.Formula.t
 (** That of an index. *)
 
 val predicate : t -> int -> Property.prop
@@ -32,7 +32,7 @@ val predicate : t -> int -> Property.prop
 
 (** {1 Runs} *)
 
-val choice : t -> Ctl_run.step -> State_graph.step
+val choice : t -> Scc_ctl.Run.step -> State_graph.step
 (** The step by its index among all transitions of the state. *)
 
 val flow_choice : t -> int -> int option

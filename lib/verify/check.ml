@@ -6,7 +6,7 @@ open Scc_explore
 open Scc_space
 open Scc_explain
 
-type options = Exploration.options = {
+type options = Joint_check.options = {
   bounds : Bounds.t;
   reductions : Reduction.kind list;
   compact : int option;
@@ -15,9 +15,9 @@ type options = Exploration.options = {
   observe : (State.t -> unit) option;
 }
 
-let default = Exploration.default
+let default = Joint_check.default
 
-type stats = Exploration.stats = {
+type stats = Joint_check.stats = {
   states : int;
   transitions : int;
   depth : int;
@@ -143,11 +143,11 @@ let explored options model ~initial start group =
   let part = Option.value group.part ~default:initial in
   let check =
     match group.compact with
-    | None -> Exploration.check options
+    | None -> Joint_check.check options
     | Some capacity -> Compact_check.check options ~capacity
   in
   let result = check model ~initial:part (List.map snd members) in
-  let lift = lift_in_time model ~initial (Exploration.horizon (List.map snd members)) in
+  let lift = lift_in_time model ~initial (Joint_check.horizon (List.map snd members)) in
   let lifted v = if Option.is_none group.part then v else lift_verdict lift v in
   let outcomes = List.map2 (fun (i, c) (_, v) -> (i, (c, lifted v))) members result.outcomes in
   let slice part =
@@ -162,28 +162,28 @@ let explored options model ~initial start group =
 
 let merge parts ~events_elsewhere =
   let outcomes = List.concat_map (fun (outcomes, _, _) -> outcomes) parts in
-  let results = List.map (fun (_, _, (r : Exploration.result)) -> r) parts in
+  let results = List.map (fun (_, _, (r : Joint_check.result)) -> r) parts in
   let slices = List.filter_map (fun (_, slice, _) -> slice) parts in
   match results with
   | [] -> Scc_base.Bug.fail __POS__ "nothing was explored"
   | first :: rest ->
-    let stats = List.fold_left (fun s (r : Exploration.result) -> add s r.stats) first.stats rest in
-    let stores = List.fold_left (fun s (r : Exploration.result) -> sum_stores s r.stores) first.stores rest in
+    let stats = List.fold_left (fun s (r : Joint_check.result) -> add s r.stats) first.stats rest in
+    let stores = List.fold_left (fun s (r : Joint_check.result) -> sum_stores s r.stores) first.stores rest in
     let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) outcomes in
     {
       outcomes = List.map snd in_order;
       stats = { stats with eventful = stats.eventful || (List.length slices > 0 && events_elsewhere ()) };
       slices;
-      zeno = List.find_map (fun (r : Exploration.result) -> r.zeno) results;
+      zeno = List.find_map (fun (r : Joint_check.result) -> r.zeno) results;
       stores;
       numbers =
         (fun () ->
-           List.fold_left (fun n (r : Exploration.result) -> most n (r.numbers ())) (first.numbers ()) rest);
+           List.fold_left (fun n (r : Joint_check.result) -> most n (r.numbers ())) (first.numbers ()) rest);
     }
 
 let whole options model ~initial checks =
   let start = options.surroundings.now () in
-  let events_elsewhere () = Exploration.may_have_events options model ~initial in
+  let events_elsewhere () = Joint_check.may_have_events options model ~initial in
   groups options model ~initial checks
   |> List.map (explored options model ~initial start)
   |> merge ~events_elsewhere

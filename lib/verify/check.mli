@@ -7,7 +7,7 @@ open Scc_explore
 open Scc_space
 open Scc_explain
 
-type options = Exploration.options = {
+type options = Joint_check.options = {
   bounds : Bounds.t;
   reductions : Reduction.kind list;
   compact : int option;
@@ -18,7 +18,7 @@ type options = Exploration.options = {
 
 val default : options
 
-type stats = Exploration.stats = {
+type stats = Joint_check.stats = {
   states : int;
   transitions : int;
   depth : int;

@@ -19,9 +19,9 @@ let rec goals (plan : Plan.t) =
   | Now _ | Formula _ -> []
 
 (* Bounds that were met, the possible omission first among them, and faults. *)
-let limits_met options model (r : Compaction.result) =
+let limits_met options model (r : Compact_search.result) =
   let omission : Verdict.truncation = { limit = Omission r.omission; origin = By_user } in
-  let cause reason = Bounds.cause options.Exploration.bounds model ~horizon:None reason in
+  let cause reason = Bounds.cause options.Joint_check.bounds model ~horizon:None reason in
   let causes = List.map cause r.left in
   let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
   let faults = List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes in
@@ -38,10 +38,10 @@ let is_guard (t : Verdict.truncation) =
   | Instant _ -> true
   | Depth _ | Time _ | States _ | Seconds _ | Memory _ | Interrupted | Omission _ -> false
 
-let search context met ~always p (answer : Compaction.answer) : Verdict.t =
+let search context met ~always p (answer : Compact_search.answer) : Verdict.t =
   match answer with
   | Met m ->
-    let witness = Some (Evidence.of_met context p m) in
+    let witness = Some (Make_witness.of_met context p m) in
     if always then Violated { witness } else Holds { bounds = []; witness }
   | Unmet undefined ->
     let bounds, faults = met in
@@ -65,13 +65,13 @@ let rec verdict context met (plan : Plan.t) answers =
   | (Possibly _ | Always _ | Now _ | Formula _), _ ->
     Scc_base.Bug.fail __POS__ "what hash compaction does not serve"
 
-let check (options : Exploration.options) ~capacity model ~initial checks : Exploration.result =
+let check (options : Joint_check.options) ~capacity model ~initial checks : Joint_check.result =
   let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
-  let context = Exploration.system options model ~initial checks plans in
+  let context = Joint_check.system options model ~initial checks plans in
   let goals = List.map (Predicate.make context) (List.concat_map goals plans) in
   let limits = Bounds.limits options.bounds ~horizon:None in
-  let rests tuple = Network.quiescent model (Catalogue.decode (System.catalogue context) tuple) in
-  let r = Compaction.search limits options.surroundings context ~capacity ~rests goals in
+  let rests tuple = Network.quiescent model (Catalogue.decode (Network_lts.catalogue context) tuple) in
+  let r = Compact_search.search limits options.surroundings context ~capacity ~rests goals in
   let ((bounds, faults) as met) = limits_met options model r in
   let step (outcomes, answers) (check, plan) =
     let v, answers = verdict context met plan answers in
@@ -95,5 +95,5 @@ let check (options : Exploration.options) ~capacity model ~initial checks : Expl
       };
     zeno = None;
     stores = [ ("states", r.bytes); ("labels", 0); ("edges", 0) ];
-    numbers = (fun () -> Catalogue.longest (System.catalogue context));
+    numbers = (fun () -> Catalogue.longest (Network_lts.catalogue context));
   }

@@ -1,4 +1,4 @@
-(** {!Exploration} with hash compaction. *)
+(** {!Joint_check} with hash compaction. *)
 
 open Scc_calculus
 open Scc_property
@@ -8,6 +8,6 @@ val serves : Property.check -> bool
     [not], [and] and [or] make of them. *)
 
 val check :
-  Exploration.options -> capacity:int -> Model.t -> initial:State.t -> Property.check list -> Exploration.result
+  Joint_check.options -> capacity:int -> Model.t -> initial:State.t -> Property.check list -> Joint_check.result
 (** Of properties that it serves. What is found is as sure as ever; what is not may have been left out. Cycles
     without duration are not looked for. *)

@@ -276,12 +276,12 @@ let transition t ~source (label : Transition.label) ~target =
   let steer = lawful && is_steered target && (passes || not (is_steered source)) in
   count_rules t (if steer then rules @ [ Rule.Steer ] else rules)
 
-let of_space (s : Space.t) =
+let of_space (s : Explored.t) =
   let t = create s.model ~initial:(s.state 0) in
   for i = 0 to s.size - 1 do
     let source = s.state i in
     state t source;
-    Array.iter (fun (e : Space.edge) -> transition t ~source e.label ~target:(s.state e.target)) (s.edges i)
+    Array.iter (fun (e : Explored.edge) -> transition t ~source e.label ~target:(s.state e.target)) (s.edges i)
   done;
   t
 

@@ -15,7 +15,7 @@ val state : t -> State.t -> unit
 val transition : t -> source:State.t -> Transition.label -> target:State.t -> unit
 (** Takes in a transition between two states that were taken in. *)
 
-val of_space : Space.t -> t
+val of_space : Explored.t -> t
 (** Everything that was explored. *)
 
 (** A prefix in the body of a definition, or in a behaviour that was written at a body itself. *)

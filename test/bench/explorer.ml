@@ -8,8 +8,8 @@
 open Scc_base
 open Scc_exact
 open Scc_explore
-module System = Scc_space.System
-module Graph = Explore.Make (System)
+module Network_lts = Scc_space.Network_lts
+module Graph = Explore.Make (Network_lts)
 
 let read path =
   let channel = open_in_bin path in
@@ -36,7 +36,7 @@ let load path overrides =
 
 let context (e : Scc_elaborate.Elaborate.t) =
   match Scc_semantics.Network.initial e.model e.declared with
-  | Ok initial -> System.make e.model initial
+  | Ok initial -> Network_lts.make e.model initial
   | Error f -> fail (Scc_semantics.Transition.diagnostic e.model f).message
 
 let live_words () =
@@ -79,11 +79,11 @@ let first_steps path overrides steps =
   let rec step n s =
     if n = 0 then ()
     else
-      match System.successors c s with
+      match Network_lts.successors c s with
       | Ok (t :: _) -> step (n - 1) (Tuples.apply t.changes s)
       | _ -> ()
   in
-  let (), time = seconds (fun () -> step steps (System.initial c)) in
+  let (), time = seconds (fun () -> step steps (Network_lts.initial c)) in
   Printf.printf "%-10s %-6s load and validate %.3f s, %d steps %.3f s\n%!"
     (Filename.remove_extension (Filename.basename path))
     (shown overrides) loading steps time

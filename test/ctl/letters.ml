@@ -2,7 +2,7 @@
 
 open Scc_ctl
 open Scc_exact
-open Ctl_formula
+open Formula
 
 (* The letters of p and of q: T, F as "." and undecided as "?". *)
 let truths text =
@@ -15,7 +15,7 @@ let node ?(edges = []) ?(flow = Small.No_flow) ?(p = "") ?(q = "") ?(known = tru
 let graph nodes : Small.t = { nodes = Array.of_list nodes; unit = Rat.one }
 let p = Predicate 0
 let q = Predicate 1
-let bound ?high low = { Scc_property.Property.low = Rat.of_int low; high = Option.map Rat.of_int high }
+let bound ?high low = { Formula.low = Rat.of_int low; high = Option.map Rat.of_int high }
 let always = bound 0
 let ef ?(b = always) f = Finally (Exists, b, f)
 let af ?(b = always) f = Finally (All, b, f)
@@ -30,12 +30,12 @@ let letter = function Some true -> "T" | Some false -> "." | None -> "?"
 (* The truth at all nodes, and along a flow cell by cell. *)
 let row g f =
   let e = Small.evaluator g in
-  let node s = letter (Ctl_eval.truth e f (Ctl_set.start s)) in
+  let node s = letter (Eval.truth e f (Positions.start s)) in
   String.concat "" (List.init (Array.length g.nodes) node)
 
 let along g f s =
   let e = Small.evaluator g in
-  let cell i = letter (Ctl_eval.truth e f { node = s; offset = Small.offset g i }) in
+  let cell i = letter (Eval.truth e f { node = s; offset = Small.offset g i }) in
   String.concat "" (List.init (Small.cells g.nodes.(s)) cell)
 
 (* {1 Those of the tables} *)

@@ -23,7 +23,7 @@ type t = {
   small : Small.t;
   steps : step array;
   numbers : (place, int) Hashtbl.t;
-  mutable known : (Ctl_formula.t * answer array) list;  (** by step *)
+  mutable known : (Formula.t * answer array) list;  (** by step *)
 }
 
 let make (g : Small.t) =
@@ -102,7 +102,7 @@ let predicate t p =
 (* In halves; without an end, the clock stands still at the beginning of the window. *)
 type window = { from : int; until : int option }
 
-let window t (b : Scc_property.Property.bound) =
+let window t (b : Formula.bound) =
   let halves r =
     let x = Rat.div (Rat.mul (Rat.of_int 2) r) t.small.unit in
     if Rat.is_integer x then Z.to_int (Rat.floor x) else failwith "not on the grid"
@@ -229,8 +229,8 @@ let next t ~generous f =
   done;
   holds
 
-let rec value t (f : Ctl_formula.t) =
-  match List.find_opt (fun (g, _) -> Ctl_formula.compare f g = 0) t.known with
+let rec value t (f : Formula.t) =
+  match List.find_opt (fun (g, _) -> Formula.compare f g = 0) t.known with
   | Some (_, v) -> v
   | None ->
     let v = judge t (compute t f) in
@@ -238,7 +238,7 @@ let rec value t (f : Ctl_formula.t) =
     v
 
 and compute t f =
-  let until (q : Scc_property.Property.path_quantifier) b f g =
+  let until (q : Formula.quantifier) b f g =
     let w = window t b in
     match q with
     | Exists ->

@@ -10,6 +10,6 @@ val make : Small.t -> t
 (** Whether it holds for certain, and whether it may hold. *)
 type answer = { surely : bool; perhaps : bool }
 
-val node : t -> Ctl_formula.t -> int -> answer
-val cell : t -> Ctl_formula.t -> int -> int -> answer
+val node : t -> Formula.t -> int -> answer
+val cell : t -> Formula.t -> int -> int -> answer
 (** In a cell of the flow of a node. *)

@@ -33,7 +33,7 @@ let graph g : Timed_graph.t =
 
 let truth = function F -> Truth.False | T -> Truth.True | U -> Truth.Undecided "unsure"
 
-let predicates g : Ctl_eval.predicates =
+let predicates g : Eval.predicates =
   let at p s = truth g.nodes.(s).at.(p) in
   let is_steady p =
     let same node = Array.for_all (fun v -> v = node.at.(p)) node.cells.(p) in
@@ -55,7 +55,7 @@ let predicates g : Ctl_eval.predicates =
   in
   { at; along; steady = is_steady }
 
-let evaluator g = Ctl_eval.create (Timed_graph.index (graph g)) (predicates g)
+let evaluator g = Eval.create (Timed_graph.index (graph g)) (predicates g)
 
 (* Not always the middle: what holds there must hold on the whole interval. *)
 let offset g i =
@@ -127,14 +127,14 @@ let complete g =
 let formula_gen unit_of_time depth =
   let time k = Rat.mul unit_of_time (Rat.of_int k) in
   let open Gen in
-  let bound : Scc_property.Property.bound t =
+  let bound : Formula.bound t =
     let* low = frequencyl [ (5, 0); (1, 1); (1, 2); (1, 4) ] in
     let* more = frequencyl [ (5, None); (1, Some 0); (2, Some 1); (2, Some 2); (1, Some 5) ] in
     return
-      { Scc_property.Property.low = time low; high = Option.map (fun m -> time (low + m)) more }
+      { Formula.low = time low; high = Option.map (fun m -> time (low + m)) more }
   in
-  let quantifier = oneofl [ Scc_property.Property.All; Exists ] in
-  let leaf = map (fun p -> Ctl_formula.Predicate p) (int_range 0 (count - 1)) in
+  let quantifier = oneofl [ Formula.All; Exists ] in
+  let leaf = map (fun p -> Formula.Predicate p) (int_range 0 (count - 1)) in
   let rec go depth =
     if depth = 0 then leaf
     else
@@ -142,16 +142,16 @@ let formula_gen unit_of_time depth =
       frequency
         [
           (1, leaf);
-          (1, map (fun f -> Ctl_formula.Not f) sub);
-          (1, map2 (fun f g -> Ctl_formula.And [ f; g ]) sub sub);
-          (1, map2 (fun f g -> Ctl_formula.Or [ f; g ]) sub sub);
-          (2, map2 (fun q f -> Ctl_formula.Next (q, f)) quantifier sub);
-          (2, map3 (fun q b f -> Ctl_formula.Finally (q, b, f)) quantifier bound sub);
-          (2, map3 (fun q b f -> Ctl_formula.Globally (q, b, f)) quantifier bound sub);
+          (1, map (fun f -> Formula.Not f) sub);
+          (1, map2 (fun f g -> Formula.And [ f; g ]) sub sub);
+          (1, map2 (fun f g -> Formula.Or [ f; g ]) sub sub);
+          (2, map2 (fun q f -> Formula.Next (q, f)) quantifier sub);
+          (2, map3 (fun q b f -> Formula.Finally (q, b, f)) quantifier bound sub);
+          (2, map3 (fun q b f -> Formula.Globally (q, b, f)) quantifier bound sub);
           ( 4,
             let* q = quantifier in
             let* b = bound in
-            map2 (fun f g -> Ctl_formula.Until (q, b, f, g)) sub sub );
+            map2 (fun f g -> Formula.Until (q, b, f, g)) sub sub );
         ]
   in
   go depth
@@ -173,4 +173,4 @@ let print g =
   in
   String.concat "\n" (Array.to_list (Array.mapi node g.nodes) @ [ "unit " ^ Rat.to_string g.unit ])
 
-let print_formula f = Ctl_formula.to_string (fun p -> String.make 1 (Char.chr (Char.code 'p' + p))) f
+let print_formula f = Formula.to_string (fun p -> String.make 1 (Char.chr (Char.code 'p' + p))) f

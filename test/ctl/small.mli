@@ -22,8 +22,8 @@ type node = {
 type t = { nodes : node array; unit : Rat.t }
 
 val graph : t -> Timed_graph.t
-val predicates : t -> Ctl_eval.predicates
-val evaluator : t -> Ctl_eval.t
+val predicates : t -> Eval.predicates
+val evaluator : t -> Eval.t
 
 val cells : node -> int
 (** Of its flow. *)
@@ -44,8 +44,8 @@ val gen : unsure:bool -> truncated:bool -> t QCheck2.Gen.t
 val complete : t -> t QCheck2.Gen.t
 (** The same where it is known, and anything elsewhere. *)
 
-val formula_gen : Rat.t -> int -> Ctl_formula.t QCheck2.Gen.t
+val formula_gen : Rat.t -> int -> Formula.t QCheck2.Gen.t
 (** With bounds that are multiples of the unit, nested as deep as this. *)
 
 val print : t -> string
-val print_formula : Ctl_formula.t -> string
+val print_formula : Formula.t -> string

@@ -2,7 +2,7 @@
 
 open Scc_ctl
 open Scc_exact
-open Ctl_formula
+open Formula
 
 (* A linear congruential generator, the same everywhere. *)
 let state = ref 1
@@ -37,7 +37,7 @@ let graph size : Timed_graph.t =
   in
   { size; known = (fun _ -> true); edges; flow }
 
-let predicates : Ctl_eval.predicates =
+let predicates : Eval.predicates =
   let at p s = Truth.of_bool (s * 7919 land 1023 < if p = 0 then 1 else 900) in
   {
     at;
@@ -59,16 +59,16 @@ let () =
   let size = if Array.length Sys.argv > 1 then int_of_string Sys.argv.(1) else 1_000_000 in
   let graph = timed "graph" (fun () -> graph size) in
   let index = timed "edges backwards" (fun () -> Timed_graph.index graph) in
-  let e = Ctl_eval.create index predicates in
+  let e = Eval.create index predicates in
   let p = Predicate 0 and q = Predicate 1 in
-  let always = { Scc_property.Property.low = Rat.zero; high = None } in
+  let always = { Formula.low = Rat.zero; high = None } in
   let within n = { always with high = Some (Rat.of_int n) } in
   let run f =
-    let name = Ctl_formula.to_string (fun p -> if p = 0 then "p" else "q") f in
-    let v = timed name (fun () -> Ctl_eval.value e f) in
+    let name = Formula.to_string (fun p -> if p = 0 then "p" else "q") f in
+    let v = timed name (fun () -> Eval.value e f) in
     let n = ref 0 in
     for s = 0 to size - 1 do
-      if Ctl_set.at v.lower s then incr n
+      if Positions.at v.lower s then incr n
     done;
     Printf.printf "  at %d nodes, perhaps: %b\n%!" !n (not (v.lower == v.upper))
   in
@@ -88,5 +88,5 @@ let () =
   Printf.printf "heap: %d MB\n" (words ());
   ignore
     (timed "explanation of EF p" (fun () ->
-         Explanation.explain e (Finally (Exists, always, p)) (Ctl_set.start 1)));
-  ignore (timed "doubts" (fun () -> Ctl_doubts.find e (Finally (All, always, p)) (Ctl_set.start 1)))
+         Explanation.explain e (Finally (Exists, always, p)) (Positions.start 1)));
+  ignore (timed "doubts" (fun () -> Doubts.find e (Finally (All, always, p)) (Positions.start 1)))

@@ -2,11 +2,10 @@
 
 open Scc_ctl
 open Scc_exact
-open Scc_property
 open Scc_test_ctl
 module Gen = QCheck2.Gen
 
-type case = { graph : Small.t; formula : Ctl_formula.t }
+type case = { graph : Small.t; formula : Formula.t }
 
 let print c = Small.print c.graph ^ "\n" ^ Small.print_formula c.formula
 
@@ -26,12 +25,12 @@ let agrees (a : Naive.answer) truth =
 let same c =
   let e = Small.evaluator c.graph and naive = Naive.make c.graph in
   let node s (x : Small.node) =
-    agrees (Naive.node naive c.formula s) (Ctl_eval.truth e c.formula (Ctl_set.start s))
+    agrees (Naive.node naive c.formula s) (Eval.truth e c.formula (Positions.start s))
     && ((not x.known)
         || List.for_all
           (fun i ->
              agrees (Naive.cell naive c.formula s i)
-               (Ctl_eval.truth e c.formula { node = s; offset = Small.offset c.graph i }))
+               (Eval.truth e c.formula { node = s; offset = Small.offset c.graph i }))
           (List.init (Small.cells x) Fun.id))
   in
   List.for_all Fun.id (Array.to_list (Array.mapi node c.graph.nodes))
@@ -53,7 +52,7 @@ let sound =
        let e = Small.evaluator c.graph in
        let whole = List.map Naive.make others in
        let node s =
-         match Ctl_eval.truth e c.formula (Ctl_set.start s) with
+         match Eval.truth e c.formula (Positions.start s) with
          | None -> true
          | Some v ->
            List.for_all
@@ -84,7 +83,7 @@ let horizon =
   QCheck2.Test.make ~count:6000 ~name:"nothing counts after the horizon" ~print
     (case_gen ~unsure:false ~truncated:false ~depth:2)
     (fun c ->
-       match Plan.horizon (Ctl_formula.to_temporal (fun _ -> Scc_property.Property.Bool true) c.formula) with
+       match Scc_property.(Plan.horizon (Skeleton.to_temporal (fun _ -> Property.Bool true) c.formula)) with
        | None -> true
        | Some h ->
          let times = arrivals c.graph in
@@ -95,17 +94,17 @@ let horizon =
          in
          let cut s (x : Small.node) = { x with known = in_time s } in
          let short = { c.graph with nodes = Array.mapi cut c.graph.nodes } in
-         let truth g = Ctl_eval.truth (Small.evaluator g) c.formula (Ctl_set.start 0) in
+         let truth g = Eval.truth (Small.evaluator g) c.formula (Positions.start 0) in
          Option.equal Bool.equal (truth c.graph) (truth short))
 
 let heap =
   QCheck2.Test.make ~count:500 ~name:"a heap gives the least first" ~print:QCheck2.Print.(list int)
     Gen.(list (int_range 0 50))
     (fun keys ->
-       let h = Ctl_heap.create ~compare:Int.compare 0 in
-       List.iter (fun k -> Ctl_heap.push h k (2 * k)) keys;
+       let h = Heap.create ~compare:Int.compare 0 in
+       List.iter (fun k -> Heap.push h k (2 * k)) keys;
        let rec all acc =
-         match Ctl_heap.pop h with
+         match Heap.pop h with
          | None -> List.rev acc
          | Some (k, v) -> if v = 2 * k then all (k :: acc) else []
        in

@@ -6,7 +6,7 @@ open Scc_exact
 open Scc_test_ctl
 module Gen = QCheck2.Gen
 
-type case = { graph : Small.t; formula : Ctl_formula.t }
+type case = { graph : Small.t; formula : Formula.t }
 
 let print c = Small.print c.graph ^ "\n" ^ Small.print_formula c.formula
 
@@ -16,7 +16,7 @@ let case_gen ~unsure ~truncated ~depth =
   let* formula = Small.formula_gen graph.unit depth in
   return { graph; formula }
 
-let value c naive f (p : Ctl_set.position) =
+let value c naive f (p : Positions.position) =
   match Walk.cell c.graph p with None -> Naive.node naive f p.node | Some i -> Naive.cell naive f p.node i
 
 let surely c naive f p = (value c naive f p : Naive.answer).surely
@@ -25,12 +25,12 @@ let fail c format =
   Printf.ksprintf (fun text -> QCheck2.Test.fail_reportf "%s\n%s" text (print c)) format
 
 let ensure c text b = if not b then fail c "%s" text
-let always : Ctl_formula.t = And []
+let always : Formula.t = And []
 
-let same_position (p : Ctl_set.position) (q : Ctl_set.position) =
+let same_position (p : Positions.position) (q : Positions.position) =
   Int.equal p.node q.node && Algebraic.equal p.offset q.offset
 
-let opposite : Scc_property.Property.path_quantifier -> Scc_property.Property.path_quantifier = function
+let opposite : Formula.quantifier -> Formula.quantifier = function
   | All -> Exists
   | Exists -> All
 
@@ -42,9 +42,9 @@ let rounds (w : Walk.window) c =
 let ends_at pieces = match List.rev pieces with [] -> None | (p : Walk.piece) :: _ -> Some p
 
 (* A run within a bound, from a node, is the earliest: within any less there is none. *)
-let earliest c naive (b : Scc_property.Property.bound) f g (run : Ctl_run.t) (last : Walk.piece) =
+let earliest c naive (b : Formula.bound) f g (run : Run.t) (last : Walk.piece) =
   match b.high with
-  | Some _ when Rat.sign b.low = 0 && not (Ctl_set.is_inside run.start) ->
+  | Some _ when Rat.sign b.low = 0 && not (Positions.is_inside run.start) ->
     let before =
       match run.finish with
       | During { moment = { attained = false; offset }; sample } ->
@@ -52,18 +52,18 @@ let earliest c naive (b : Scc_property.Property.bound) f g (run : Ctl_run.t) (la
       | _ -> Rat.sub last.from c.graph.unit
     in
     if Rat.sign before >= 0 then
-      let sooner = Ctl_formula.Until (Exists, { b with high = Some before }, f, g) in
+      let sooner = Formula.Until (Exists, { b with high = Some before }, f, g) in
       ensure c "not the earliest" (not (surely c naive sooner run.start))
   | Some _ | None -> ()
 
 (* [holds] is the truth of the U; [show] that of what its right side was made of. *)
-let rec check_until c naive q (b : Scc_property.Property.bound) f g ~holds (e : Explanation.t) =
+let rec check_until c naive q (b : Formula.bound) f g ~holds (e : Explanation.t) =
   let w = { Walk.low = b.low; high = b.high } in
   match e.because with
   | Everywhere n ->
-    ensure c "something is reached" (n > 0 || Ctl_set.is_inside e.position);
+    ensure c "something is reached" (n > 0 || Positions.is_inside e.position);
     ensure c "only what no run shows is so everywhere"
-      (match (q : Scc_property.Property.path_quantifier) with All -> holds | Exists -> not holds)
+      (match (q : Formula.quantifier) with All -> holds | Exists -> not holds)
   | Given | Parts _ -> fail c "an operator without a run"
   | Run { run; parts } -> (
       ensure c "the run starts elsewhere" (same_position run.start e.position);
@@ -71,7 +71,7 @@ let rec check_until c naive q (b : Scc_property.Property.bound) f g ~holds (e : 
       | Error text -> fail c "%s" text
       | Ok pieces -> (
           List.iter (fun (p : Explanation.t) ->
-              match Ctl_run.goal run with
+              match Run.goal run with
               | Some goal -> ensure c "a part elsewhere" (same_position goal p.position)
               | None -> fail c "a part of a run without end") parts;
           List.iter (check c naive) parts;
@@ -104,7 +104,7 @@ let rec check_until c naive q (b : Scc_property.Property.bound) f g ~holds (e : 
               | (Past, _), (At_state | During _ | Rests | Stops) -> fail c "more than is needed"
               | (Open, _), Repeats k ->
                 let cycle = List.filteri (fun i _ -> i >= k) run.steps in
-                let timed (s : Ctl_run.step) = match s.move with Flow _ -> true | Edge _ -> false in
+                let timed (s : Run.step) = match s.move with Flow _ -> true | Edge _ -> false in
                 ensure c "no time passes" (List.exists timed cycle)
               | (Open, _), Passes ->
                 let beyond =
@@ -118,19 +118,19 @@ let rec check_until c naive q (b : Scc_property.Property.bound) f g ~holds (e : 
 
 and check_next c naive f ~wanted (e : Explanation.t) =
   match e.because with
-  | Everywhere n -> ensure c "something is reached" (n > 0 || Ctl_set.is_inside e.position)
+  | Everywhere n -> ensure c "something is reached" (n > 0 || Positions.is_inside e.position)
   | Given | Parts _ -> fail c "an operator without a run"
   | Run { run; parts } ->
     (match Walk.pieces c.graph ~rounds:1 run with Ok _ -> () | Error text -> fail c "%s" text);
     ensure c "it starts elsewhere" (same_position run.start e.position);
-    let is_edge (s : Ctl_run.step) = match s.move with Edge _ -> true | Flow _ -> false in
+    let is_edge (s : Run.step) = match s.move with Edge _ -> true | Flow _ -> false in
     (match List.rev run.steps with
      | last :: before -> ensure c "one edge, at last" (is_edge last && not (List.exists is_edge before))
      | [] -> fail c "no edge");
     (match parts with
      | [ p ] ->
-       ensure c "the part" (same_position p.position (Ctl_set.start run.last));
-       ensure c "of the formula" (Ctl_formula.compare p.formula f = 0 && Bool.equal p.holds wanted)
+       ensure c "the part" (same_position p.position (Positions.start run.last));
+       ensure c "of the formula" (Formula.compare p.formula f = 0 && Bool.equal p.holds wanted)
      | _ -> fail c "not one part");
     List.iter (check c naive) parts
 
@@ -176,11 +176,11 @@ let check_chain c (e : Explanation.t) =
       match Walk.pieces c.graph ~rounds:2 run with Ok _ -> () | Error text -> fail c "chain: %s" text)
 
 let everywhere c =
-  let nodes = List.init (Array.length c.graph.nodes) Ctl_set.start in
+  let nodes = List.init (Array.length c.graph.nodes) Positions.start in
   let inside s =
     let x = c.graph.nodes.(s) in
     if x.known then
-      List.init (Small.cells x) (fun i -> { Ctl_set.node = s; offset = Small.offset c.graph i })
+      List.init (Small.cells x) (fun i -> { Positions.node = s; offset = Small.offset c.graph i })
     else []
   in
   nodes @ List.concat_map inside (List.init (Array.length c.graph.nodes) Fun.id)
@@ -189,7 +189,7 @@ let explained c =
   let e = Small.evaluator c.graph and naive = Naive.make c.graph in
   List.iter
     (fun p ->
-       match (Explanation.explain e c.formula p, Ctl_eval.truth e c.formula p) with
+       match (Explanation.explain e c.formula p, Eval.truth e c.formula p) with
        | None, None -> ()
        | Some x, Some v ->
          ensure c "another truth" (Bool.equal x.holds v);
@@ -204,30 +204,30 @@ let explanations name ~unsure ~truncated ~depth count =
 
 (* {1 Doubts} *)
 
-let doubts e c = Ctl_doubts.find e c.formula (Ctl_set.start 0)
+let doubts e c = Doubts.find e c.formula (Positions.start 0)
 
 let sum c steps =
   List.fold_left
-    (fun t (s : Ctl_run.step) -> Rat.add t (Timed_graph.duration (Small.graph c.graph) s.source s.move))
+    (fun t (s : Run.step) -> Rat.add t (Timed_graph.duration (Small.graph c.graph) s.source s.move))
     Rat.zero steps
 
 let doubted c =
   let e = Small.evaluator c.graph in
   let d = doubts e c in
   let none = d.unexplored = [] && List.length d.undefined = 0 && Option.is_none d.zeno in
-  let undecided = Option.is_none (Ctl_eval.truth e c.formula (Ctl_set.start 0)) in
+  let undecided = Option.is_none (Eval.truth e c.formula (Positions.start 0)) in
   ensure c "doubts where it is undecided, and only there" (Bool.equal none (not undecided));
   List.iter (fun s -> ensure c "a known node" (not c.graph.nodes.(s).known)) d.unexplored;
   List.iter
-    (fun (u : Ctl_doubts.undefined) ->
-       match Ctl_eval.truth e (Predicate u.predicate) u.position with
+    (fun (u : Doubts.undefined) ->
+       match Eval.truth e (Predicate u.predicate) u.position with
        | None -> ()
        | Some _ -> fail c "a predicate that is decided")
     d.undefined;
   (match d.zeno with
    | None -> ()
    | Some ({ finish = Repeats k; _ } as run) -> (
-       ensure c "from the initial node" (same_position run.start (Ctl_set.start 0));
+       ensure c "from the initial node" (same_position run.start (Positions.start 0));
        let cycle = List.filteri (fun i _ -> i >= k) run.steps in
        ensure c "time passes" (cycle <> [] && Rat.sign (sum c cycle) = 0);
        match Walk.pieces c.graph ~rounds:2 run with Ok _ -> () | Error text -> fail c "zeno: %s" text)
@@ -241,7 +241,7 @@ let only_zeno c =
   ensure c "nothing to explore" (d.unexplored = [] && List.length d.undefined = 0);
   ensure c "a run within one instant, and only where it is undecided"
     (Bool.equal (Option.is_some d.zeno)
-       (Option.is_none (Ctl_eval.truth e c.formula (Ctl_set.start 0))));
+       (Option.is_none (Eval.truth e c.formula (Positions.start 0))));
   doubted c
 
 (* When only unexplored nodes matter, it is decided once they are known to lead nowhere. *)
@@ -255,7 +255,7 @@ let settled c =
   (match (d.undefined, d.zeno) with
    | [], None ->
      let e = Small.evaluator closed.graph in
-     ensure c "still undecided" (Option.is_some (Ctl_eval.truth e c.formula (Ctl_set.start 0)))
+     ensure c "still undecided" (Option.is_some (Eval.truth e c.formula (Positions.start 0)))
    | _ -> ());
   true
 

@@ -2,10 +2,10 @@
 
 open Scc_ctl
 open Scc_exact
-open Ctl_formula
+open Formula
 
 let size = 200_000
-let always = { Scc_property.Property.low = Rat.zero; high = None }
+let always = { Formula.low = Rat.zero; high = None }
 let until n = { always with high = Some (Rat.of_int n) }
 
 (* A line on which every second way takes 1, to the last node, of which [ends] says what follows. *)
@@ -33,12 +33,12 @@ let ring : Timed_graph.t =
 (* p: the last node. *)
 let evaluator graph =
   let at _ s = Truth.of_bool (s = size - 1) in
-  Ctl_eval.create (Timed_graph.index graph)
+  Eval.create (Timed_graph.index graph)
     { at; along = (fun _ _ extent -> Timeline.constant extent Truth.False); steady = (fun _ -> false) }
 
 let p = Predicate 0
 let never = And [ p; Not p ]
-let start = Ctl_set.start 0
+let start = Positions.start 0
 
 let run graph f =
   match Explanation.explain (evaluator graph) f start with
@@ -61,24 +61,24 @@ let lines () =
   steps "AX" (false, 2) g (Next (All, p));
   steps "EF from 2 on" (true, size - 1) g
     (Finally (Exists, { always with low = Rat.of_int 2 }, p));
-  let holds f = Ctl_eval.truth (evaluator g) f start in
+  let holds f = Eval.truth (evaluator g) f start in
   Alcotest.(check (option bool)) "AF in time" (Some true) (holds (Finally (All, until half, p)));
   Alcotest.(check (option bool)) "just not" (Some false) (holds (Finally (All, until (half - 1), p)))
 
 let cycles () =
   steps "a lasso" (false, size) (line `Back) (Finally (All, always, never));
   let e = evaluator ring in
-  Alcotest.(check (option bool)) "Zeno" None (Ctl_eval.truth e (Finally (All, always, never)) start);
-  match (Ctl_doubts.find e (Finally (All, always, never)) start).zeno with
+  Alcotest.(check (option bool)) "Zeno" None (Eval.truth e (Finally (All, always, never)) start);
+  match (Doubts.find e (Finally (All, always, never)) start).zeno with
   | Some run -> Alcotest.(check int) "the whole ring" size (List.length run.steps)
   | None -> Alcotest.fail "no cycle"
 
 let ends () =
   let e = evaluator (line `Unknown) in
   let f = Finally (Exists, always, never) in
-  Alcotest.(check (list int)) "the last node" [ size - 1 ] (Ctl_doubts.find e f start).unexplored;
+  Alcotest.(check (list int)) "the last node" [ size - 1 ] (Doubts.find e f start).unexplored;
   Alcotest.(check (option bool)) "passed before" (Some false)
-    (Ctl_eval.truth e (Finally (All, until (half - 1), never)) start)
+    (Eval.truth e (Finally (All, until (half - 1), never)) start)
 
 let () =
   let quick name f = Alcotest.test_case name `Quick f in

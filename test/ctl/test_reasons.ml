@@ -3,20 +3,20 @@
 open Scc_ctl
 open Scc_exact
 open Scc_test_ctl
-open Ctl_formula
+open Formula
 open Letters
 
 (* {1 Explanations} *)
 
 let why g f =
-  match Explanation.explain (Small.evaluator g) f (Ctl_set.start 0) with
+  match Explanation.explain (Small.evaluator g) f (Positions.start 0) with
   | Some e -> e
   | None -> Alcotest.fail "undecided"
 
-let move (s : Ctl_run.step) =
+let move (s : Run.step) =
   match s.move with Edge k -> Printf.sprintf "%d.%d" s.source k | Flow k -> Printf.sprintf "%d~%d" s.source k
 
-let shown (r : Ctl_run.t) =
+let shown (r : Run.t) =
   let finish =
     match r.finish with
     | At_state -> "at"
@@ -54,7 +54,7 @@ let explanations () =
   | _ -> Alcotest.fail "no run"
 
 let doubts () =
-  let find g f = Ctl_doubts.find (Small.evaluator g) f (Ctl_set.start 0) in
+  let find g f = Doubts.find (Small.evaluator g) f (Positions.start 0) in
   let d = find truncated (ef p) in
   Alcotest.(check (list int)) "the node that matters" [ 1 ] d.unexplored;
   Alcotest.(check bool) "nothing else" true (d.undefined = [] && Option.is_none d.zeno);
@@ -77,7 +77,9 @@ let translation () =
   let a = Compare (Scc_calculus.Law.Le, Const Rat.one, Processes) and b = Touching (0, 1) in
   let b0 = { low = Rat.zero; high = None } in
   let until = Until (All, b0, State a, State b) in
-  let formulas, props = Ctl_formula.of_temporal [ until; Temporal_not (Globally (Exists, b0, State b)) ] in
+  let formulas, props =
+    Scc_property.Skeleton.of_temporal [ until; Temporal_not (Globally (Exists, b0, State b)) ]
+  in
   Alcotest.(check int) "equal predicates are one" 2 (Array.length props);
   Alcotest.(check (list string))
     "formulas" [ "A(p U q)"; "!EG q" ]

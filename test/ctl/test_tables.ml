@@ -3,7 +3,7 @@
 open Scc_ctl
 open Scc_exact
 open Scc_test_ctl
-open Ctl_formula
+open Formula
 open Letters
 
 let table name rows = (name, rows)
@@ -203,10 +203,10 @@ let irrational () =
       (Timeline.constant extent ())
   in
   let e =
-    Ctl_eval.create (Timed_graph.index graph)
+    Eval.create (Timed_graph.index graph)
       { at = (fun _ _ -> Truth.False); along; steady = (fun _ -> false) }
   in
-  let truth f offset = letter (Ctl_eval.truth e f { Ctl_set.node = 0; offset }) in
+  let truth f offset = letter (Eval.truth e f { Positions.node = 0; offset }) in
   let check text expected f offset = Alcotest.(check string) text expected (truth f offset) in
   let cut = Algebraic.add_rat (Rat.of_int (-1)) root in
   let close = Algebraic.of_rat (Algebraic.between cut (Algebraic.of_rat (Rat.make Z.one (Z.of_int 2)))) in

@@ -4,7 +4,7 @@ open Scc_exact
 let rational a =
   match Algebraic.to_rat a with Some r -> r | None -> failwith "an offset that is not rational"
 
-let cell (g : Small.t) (p : Ctl_set.position) =
+let cell (g : Small.t) (p : Positions.position) =
   let x = Rat.div (rational p.offset) g.unit in
   if Rat.sign x = 0 then None
   else
@@ -13,7 +13,7 @@ let cell (g : Small.t) (p : Ctl_set.position) =
     (* The last cell of a ray stands for all that come after it. *)
     Some (Int.min i (Small.cells g.nodes.(p.node) - 1))
 
-type piece = { position : Ctl_set.position; from : Rat.t; until : Rat.t option }
+type piece = { position : Positions.position; from : Rat.t; until : Rat.t option }
 
 exception Wrong of string
 
@@ -62,14 +62,14 @@ let flow (g : Small.t) s ~after ~before time =
 
 let point position time = { position; from = time; until = Some time }
 
-let step (g : Small.t) (s : Ctl_run.step) at offset time =
+let step (g : Small.t) (s : Run.step) at offset time =
   if not (Int.equal s.source at) then wrong "a step from elsewhere";
   if not g.nodes.(at).known then wrong "a step from a node that is not known";
   match s.move with
   | Edge k ->
     if Rat.sign offset > 0 then wrong "an edge inside a flow";
     let t = List.nth g.nodes.(at).edges k in
-    ([ point (Ctl_set.start t) time ], t, time)
+    ([ point (Positions.start t) time ], t, time)
   | Flow k -> (
       match g.nodes.(at).flow with
       | No_flow | Ray _ -> wrong "the end of a flow that has none"
@@ -77,9 +77,9 @@ let step (g : Small.t) (s : Ctl_run.step) at offset time =
         let t = List.nth targets k in
         let d = Rat.mul g.unit (Rat.of_int d) in
         let later = Rat.add time (Rat.sub d offset) in
-        (flow g at ~after:offset ~before:None time @ [ point (Ctl_set.start t) later ], t, later))
+        (flow g at ~after:offset ~before:None time @ [ point (Positions.start t) later ], t, later))
 
-let walk g ~rounds (r : Ctl_run.t) =
+let walk g ~rounds (r : Run.t) =
   let start = rational r.start.offset in
   let go (pieces, at, offset, time) s =
     let more, at, time = step g s at offset time in

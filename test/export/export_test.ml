@@ -213,7 +213,7 @@ process q = Cube mass 1 velocity (-1,0,0) at translate (5,0,0) [nil]
 process r = Cube mass 1 velocity (-1,0,0) at translate (15,0,0) [nil]
 |}
   in
-  Alcotest.(check int) "unexpanded" 1 (Space.unexpanded e.space);
+  Alcotest.(check int) "unexpanded" 1 (Explored.unexpanded e.space);
   let l = Graphs.labelling e in
   let drn = Graphs.written (Drn.write e (Mdp.make l)) in
   has "drn" drn "// TRUNCATED: 1 states unexplored, by the bound of 3 states\n";

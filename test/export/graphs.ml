@@ -25,14 +25,14 @@ let explored ?(options = Check.default) text : Exported.t =
     digest = "md5:0";
     parameters = e.parameters;
     checks = e.checks;
-    space = Space.explore options e.model ~initial;
+    space = Explored.explore options e.model ~initial;
   }
 
 let made ?(unexplored = []) ?(resting = []) transitions : Exported.t =
   let e, initial = loaded "process p = Cube mass 1 [nil]\nprocess q = Cube mass 1 at translate (5,0,0) [nil]" in
-  let edge (label, target) = { Space.label; target } in
+  let edge (label, target) = { Explored.label; target } in
   let out = Array.map (fun l -> Array.of_list (List.map edge l)) transitions in
-  let space : Space.t =
+  let space : Explored.t =
     {
       model = e.model;
       size = Array.length out;

@@ -19,18 +19,18 @@ let space_of name =
       let bounds = { Bounds.default with time = Given (Rat.of_int 3); states = Given 200 } in
       { Check.default with bounds }
     in
-    (e, Space.explore options e.model ~initial)
+    (e, Explored.explore options e.model ~initial)
 
-let passing (space : Space.t) i =
+let passing (space : Explored.t) i =
   Array.fold_left
-    (fun found (e : Space.edge) ->
+    (fun found (e : Explored.edge) ->
        match e.label with Time d -> Some (d, e.target) | _ -> found)
     None (space.edges i)
 
 let half a b = Rat.div (Rat.add a b) (Rat.of_int 2)
 
 (* The predicates in the state that has aged by [offset], each by itself. *)
-let agrees what (space : Space.t) l i ~number offset =
+let agrees what (space : Explored.t) l i ~number offset =
   let state = space.state i in
   let state =
     if Rat.sign offset = 0 then state else Scc_semantics.Time.pass space.model offset state
@@ -49,7 +49,7 @@ let values l number =
   List.init (Array.length (Labelling.predicates l)) (fun k -> Labelling.holds l number k)
 
 (* One chain; the count of its stretches. *)
-let chain what (space : Space.t) l i =
+let chain what (space : Explored.t) l i =
   match Labelling.detour l i with
   | None -> 0
   | Some (first, number) ->

@@ -18,7 +18,7 @@ shape Cube {
 let space ?(options = Check.default) (e : Scc_elaborate.Elaborate.t) =
   match Network.initial e.model e.declared with
   | Error _ -> Alcotest.fail "no initial state"
-  | Ok initial -> Space.explore options e.model ~initial
+  | Ok initial -> Explored.explore options e.model ~initial
 
 let covered text =
   let s = space (Load.exactly (Load.text (cube ^ text))) in
@@ -145,7 +145,7 @@ let models () =
   List.filter (fun name -> Filename.check_suffix name ".sc") (Array.to_list names)
 
 (* How many transitions name each rule. *)
-let named (s : Space.t) =
+let named (s : Explored.t) =
   let counts = Hashtbl.create 16 in
   let add r =
     let id = Rule.id r in

@@ -5,7 +5,7 @@ open Scc_exact
 open Scc_explore
 module Gen = QCheck2.Gen
 module Graph = Explore.Make (Toy.System)
-module E = Engine.Make (Toy.System) (Graph)
+module E = On_the_fly.Make (Toy.System) (Graph)
 
 type case = {
   graph : Toy.t;
@@ -231,7 +231,7 @@ module Endless = struct
 end
 
 module Endless_graph = Explore.Make (Endless)
-module Endless_engine = Engine.Make (Endless) (Endless_graph)
+module Endless_engine = On_the_fly.Make (Endless) (Endless_graph)
 
 let ends_early () =
   let at (s : int array) = Truth.of_bool (s.(0) >= 16) in

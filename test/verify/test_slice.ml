@@ -43,7 +43,7 @@ let facts m formula (w : Witness.t) =
     | During { offset; _ } -> (Timeline.Forever, offset)
     | _ -> (Timeline.Instant, Algebraic.zero)
   in
-  List.concat_map (Explain.facts ~arrived m w.last extent offset) (Formula.predicates formula)
+  List.concat_map (Facts.at ~arrived m w.last extent offset) (Formula.predicates formula)
 
 (* Why the lifted run is not one of the whole that ends as the run of the slice does. *)
 let fault m initial formula (w : Witness.t) (lifted : Witness.t) =

@@ -10,11 +10,11 @@ module Graph = State_graph
 
 (* What differs in the transitions of a state, if anything. *)
 let difference context m tuple =
-  let catalogue = System.catalogue context in
+  let catalogue = Network_lts.catalogue context in
   let state = Catalogue.decode catalogue tuple in
   if Catalogue.encode catalogue state <> tuple then Some "a state is not its numbers"
   else
-    match (Network.successors m state, System.successors context tuple) with
+    match (Network.successors m state, Network_lts.successors context tuple) with
     | Error _, Error _ -> None
     | Ok expected, Ok steps ->
       let same (t : Transition.t) (s : Lts.step) =
@@ -26,7 +26,7 @@ let difference context m tuple =
     | Ok _, Error _ | Error _, Ok _ -> Some "a fault on one side"
 
 let explored ?(memory = 1 lsl 14) m start ~states =
-  let context = System.make ~memory m start in
+  let context = Network_lts.make ~memory m start in
   let limits = { Limits.unlimited with states = Some states } in
   let g = Graph.run limits Limits.quiet context in
   let differences = List.filter_map (fun i -> difference context m (Graph.tuple g i)) in
@@ -46,7 +46,7 @@ let property name ?steered ~memory count =
 (* Laws of motion see how long a step has lasted: two with the same rest are not one. *)
 let steps () =
   let e = Scc_test_models.Load.(exactly (file "../../specs/models/tumble.sc")) in
-  let catalogue = System.catalogue (System.make e.model e.declared) in
+  let catalogue = Network_lts.catalogue (Network_lts.make e.model e.declared) in
   let state length =
     let step = Some { State.remaining = Scc_exact.Rat.one; length; phase = Moving } in
     State.make ~processes:(Array.to_list e.declared.processes) ~step ~time:e.declared.time
@@ -85,9 +85,9 @@ let events () =
   let e = Scc_test_models.Load.(exactly (file "../../specs/models/chain.sc")) in
   let bind : Property.event = Bond (Made, Some "link", Any) and bounce : Property.event = Bounce Any in
   let start = Result.get_ok (Network.initial e.model e.declared) in
-  let context = System.make ~events:[ bind; bounce ] e.model start in
+  let context = Network_lts.make ~events:[ bind; bounce ] e.model start in
   let g = Graph.run Limits.unlimited Limits.quiet context in
-  let label (edge : Graph.edge) = Catalogue.label_of (System.catalogue context) edge.label in
+  let label (edge : Graph.edge) = Catalogue.label_of (Network_lts.catalogue context) edge.label in
   let seen = ref 0 in
   for i = 0 to Graph.size g - 1 do
     Array.iter
@@ -95,12 +95,12 @@ let events () =
          let is_bind = match label edge with Bind _ -> true | _ -> false in
          if is_bind then incr seen;
          let target = Graph.tuple g edge.target in
-         Alcotest.(check bool) "bind" is_bind (System.arrived context target bind);
-         Alcotest.(check bool) "bounce" false (System.arrived context target bounce))
+         Alcotest.(check bool) "bind" is_bind (Network_lts.arrived context target bind);
+         Alcotest.(check bool) "bounce" false (Network_lts.arrived context target bounce))
       (Graph.edges g i)
   done;
   Alcotest.(check int) "binds" 3 !seen;
-  Alcotest.(check bool) "not at the start" false (System.arrived context (Graph.tuple g 0) bind)
+  Alcotest.(check bool) "not at the start" false (Network_lts.arrived context (Graph.tuple g 0) bind)
 
 let () =
   let models = List.sort String.compare (Array.to_list (Sys.readdir "../../specs/models")) in

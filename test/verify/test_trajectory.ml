@@ -249,9 +249,9 @@ let print (network, p) =
 (* What is judged by components, against the same naive truth. *)
 let components_agree (network, (p : Property.prop)) =
   let m, start = Random_network.start network in
-  let context = System.make ~events:(Formula.events (State p)) ~memory:4 m start in
+  let context = Network_lts.make ~events:(Formula.events (State p)) ~memory:4 m start in
   let predicate = Predicate.make context p in
-  let tuple s = Catalogue.encode (System.catalogue context) s in
+  let tuple s = Catalogue.encode (Network_lts.catalogue context) s in
   let agrees_along s extent =
     match predicate.along with
     | Some along ->

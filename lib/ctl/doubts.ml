@@ -1,0 +1,178 @@
+open Scc_exact
+
+type undefined = { predicate : int; position : Positions.position; reason : string }
+type t = { unexplored : int list; undefined : undefined list; zeno : Run.t option }
+
+type search = {
+  eval : Eval.t;
+  graph : Timed_graph.t;
+  unexplored_nodes : Bytes.t;
+  mutable found : undefined list;
+  mutable cycle : Run.t option;
+}
+
+(* Positions to begin at. Which of the offsets of a flow are meant is not kept: all at which there is doubt. *)
+type sources = { nodes : int list; flows : int list }
+
+let doubtful (v : Eval.value) =
+  if v.lower == v.upper then ((fun _ -> false), fun _ -> false)
+  else
+    ( (fun s -> not (Bool.equal (Positions.at v.lower s) (Positions.at v.upper s))),
+      fun s -> not (Pieces.equal (Positions.along v.lower s) (Positions.along v.upper s)) )
+
+let restrict (v : Eval.value) sources =
+  let node, flow = doubtful v in
+  { nodes = List.filter node sources.nodes; flows = List.filter flow sources.flows }
+
+let has_flow t s =
+  match Timed_graph.flow t.graph s with No_flow -> false | Lasts _ | Forever -> true
+
+(** {2 Predicates} *)
+
+let record t predicate position reason =
+  let same u = Int.equal u.predicate predicate && String.equal u.reason reason in
+  if not (List.exists same t.found) then t.found <- { predicate; position; reason } :: t.found
+
+(* The first instant of a flow at which the predicate is undecided. *)
+let along_flow t p s =
+  let predicates = Eval.predicates t.eval in
+  let is_undecided : Truth.t -> bool = function Undecided _ -> true | True | False -> false in
+  let timeline = predicates.along p s (Timed_graph.extent (Timed_graph.flow t.graph s)) in
+  match Timeline.first_after_start is_undecided timeline with
+  | None -> ()
+  | Some moment -> (
+      let offset = Timeline.sample timeline moment in
+      match Timeline.at timeline offset with
+      | Undecided reason -> record t p { node = s; offset } reason
+      | True | False -> ())
+
+let predicate t p sources =
+  let predicates = Eval.predicates t.eval in
+  let node s =
+    match predicates.at p s with
+    | Undecided reason -> record t p (Positions.start s) reason
+    | True | False -> ()
+  in
+  List.iter node sources.nodes;
+  List.iter (if predicates.steady p then node else along_flow t p) sources.flows
+
+(** {2 Zeno} *)
+
+(* A cycle of edges within the nodes, and a way to it. *)
+let zeno t nodes =
+  let inside = Bytes.make t.graph.size '\000' in
+  List.iter (fun s -> Bytes.set inside s '\001') nodes;
+  let is_inside s = Char.equal (Bytes.get inside s) '\001' in
+  let components =
+    Components.compute ~size:t.graph.size ~inside:is_inside ~successors:(Timed_graph.edges t.graph)
+  in
+  let number = Components.number components in
+  let together s u = is_inside u && Int.equal (number s) (number u) in
+  match List.find_opt (fun s -> Array.exists (together s) (Timed_graph.edges t.graph s)) nodes with
+  | None -> ()
+  | Some s ->
+    let stem, start =
+      match Run.path t.graph ~from:0 s with Some steps -> (steps, 0) | None -> ([], s)
+    in
+    let cycle = Run.cycle t.graph s ~inside:together in
+    let finish = Run.Repeats (List.length stem) in
+    let steps = List.rev_append (List.rev stem) cycle in
+    t.cycle <- Some { start = Positions.start start; steps; last = s; finish }
+
+(** {2 Formulas} *)
+
+let positions t sources =
+  let last s : Positions.position =
+    match Timed_graph.flow t.graph s with
+    | Lasts (d, _) -> { node = s; offset = Algebraic.of_rat d }
+    | No_flow | Forever -> { node = s; offset = Algebraic.of_rat Rat.one }
+  in
+  List.rev_append (List.rev_map Positions.start sources.nodes) (List.rev_map last sources.flows)
+
+let unexplored t s = Bytes.set t.unexplored_nodes s '\001'
+
+(* Through flows only, to edges; the positions at which they lead to doubt. *)
+let next t (f : Eval.value) sources =
+  let doubt, _ = doubtful f in
+  let found = ref [] in
+  let look u = if doubt u then found := u :: !found in
+  let seen = Bytes.make t.graph.size '\000' in
+  let rec go = function
+    | [] -> ()
+    | s :: rest when Char.equal (Bytes.get seen s) '\001' -> go rest
+    | s :: rest ->
+      Bytes.set seen s '\001';
+      if not (t.graph.known s) then unexplored t s;
+      Array.iter look (Timed_graph.edges t.graph s);
+      go (Array.fold_left (fun acc u -> u :: acc) rest (Timed_graph.targets (Timed_graph.flow t.graph s)))
+  in
+  let ends s = Array.to_list (Timed_graph.targets (Timed_graph.flow t.graph s)) in
+  go (List.rev_append (List.concat_map ends sources.flows) sources.nodes);
+  { nodes = List.sort_uniq Int.compare !found; flows = [] }
+
+(* What is visited on the way of an operator: as long as f may hold and, unless the bound begins later, g need
+   not. The nodes at which that ends are among them when there is a bound; there is nothing to doubt at them
+   else. *)
+type way = { visited : int list; through : int list }
+
+let way t (u : Eval.until) (f : Eval.value) (g : Eval.value) (op : Eval.value) sources =
+  let late = Rat.sign u.bound.low > 0 in
+  let unbounded = (not late) && Option.is_none u.bound.high in
+  let in_doubt, _ = doubtful op in
+  let through s =
+    if unbounded then in_doubt s else Positions.at f.upper s && (late || not (Positions.at g.lower s))
+  in
+  let passes (p : Positions.position) =
+    Positions.is_inside p
+    ||
+    let f = Positions.along f.upper p.node in
+    let g = if late then Pieces.constant false else Positions.along g.lower p.node in
+    match Flow.entering ~f ~g with Passes -> true | Reached _ | Lost _ -> false
+  in
+  let visited = ref [] in
+  let keep s = if (not unbounded) || in_doubt s then visited := s :: !visited in
+  Reach.visit t.graph ?within:u.bound.high (positions t sources) ~through ~passes keep;
+  let visited = List.rev !visited in
+  { visited; through = List.filter through visited }
+
+let rec walk t (formula : Formula.t) sources =
+  let value = Eval.value t.eval formula in
+  let sources = restrict value sources in
+  match (sources, formula) with
+  | { nodes = []; flows = [] }, _ -> ()
+  | _, Predicate p -> predicate t p sources
+  | _, Not f -> walk t f sources
+  | _, (And fs | Or fs) -> List.iter (fun f -> walk t f sources) fs
+  | _, Next (_, f) -> walk t f (next t (Eval.value t.eval f) sources)
+  | _, (Until _ | Finally _ | Globally _) -> (
+      match Eval.as_until formula with
+      | None -> Scc_base.Bug.fail __POS__ "an operator of time that is none"
+      | Some (u, _) -> until t u value sources)
+
+and until t (u : Eval.until) value sources =
+  let f = Eval.value t.eval u.left and g = Eval.value t.eval u.right in
+  let { visited; through } = way t u f g value sources in
+  let known, unknown = List.partition t.graph.known through in
+  List.iter (unexplored t) unknown;
+  let is_zeno = Option.is_none t.cycle && Timed_graph.has_instant_cycle (Eval.index t.eval) in
+  (match u.quantifier with
+   | Exists -> ()
+   | All -> if is_zeno then zeno t (List.filter (Positions.at f.upper) known));
+  let flows = List.filter (has_flow t) (List.rev_append sources.flows known) in
+  walk t u.left { nodes = visited; flows };
+  walk t u.right { nodes = visited; flows }
+
+let find eval formula (position : Positions.position) =
+  let graph = Eval.graph eval in
+  let t = { eval; graph; unexplored_nodes = Bytes.make graph.size '\000'; found = []; cycle = None } in
+  let sources =
+    if Option.is_some (Eval.truth eval formula position) then { nodes = []; flows = [] }
+    else if Positions.is_inside position then { nodes = []; flows = [ position.node ] }
+    else { nodes = [ position.node ]; flows = [] }
+  in
+  walk t formula sources;
+  let nodes = ref [] in
+  for s = graph.size - 1 downto 0 do
+    if Char.equal (Bytes.get t.unexplored_nodes s) '\001' then nodes := s :: !nodes
+  done;
+  { unexplored = !nodes; undefined = List.rev t.found; zeno = t.cycle }

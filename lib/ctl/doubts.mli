@@ -1,0 +1,17 @@
+(** Why a formula is undecided at a position. *)
+
+type undefined = { predicate : int; position : Positions.position; reason : string }
+
+type t = {
+  unexplored : int list;
+  (** the nodes that are not known and matter, increasing: reached through positions at which the sub-formulas
+      are undecided, and in time. Some of them may turn out not to matter once others are known. *)
+  undefined : undefined list;
+  (** predicates that are undecided where it matters, each predicate and reason once *)
+  zeno : Run.t option;
+  (** a run, from node 0 when that reaches it, that goes round for ever within one instant and on which the answer
+      depends *)
+}
+
+val find : Eval.t -> Formula.t -> Positions.position -> t
+(** All empty where it is decided, and only there. *)

@@ -1,0 +1,70 @@
+open Scc_exact
+
+type quantifier = All | Exists
+type bound = { low : Rat.t; high : Rat.t option }
+
+type t =
+  | Predicate of int
+  | Not of t
+  | And of t list
+  | Or of t list
+  | Next of quantifier * t
+  | Until of quantifier * bound * t * t
+  | Finally of quantifier * bound * t
+  | Globally of quantifier * bound * t
+
+let first_difference list = match List.find_opt (fun c -> c <> 0) list with Some c -> c | None -> 0
+
+let compare_quantifier a b =
+  match (a, b) with All, All | Exists, Exists -> 0 | All, Exists -> -1 | Exists, All -> 1
+
+let compare_bound a b =
+  first_difference [ Rat.compare a.low b.low; Option.compare Rat.compare a.high b.high ]
+
+let rank = function
+  | Predicate _ -> 0
+  | Not _ -> 1
+  | And _ -> 2
+  | Or _ -> 3
+  | Next _ -> 4
+  | Until _ -> 5
+  | Finally _ -> 6
+  | Globally _ -> 7
+
+let rec compare a b =
+  match (a, b) with
+  | Predicate i, Predicate j -> Int.compare i j
+  | Not f, Not g -> compare f g
+  | And l, And m | Or l, Or m -> List.compare compare l m
+  | Next (p, f), Next (q, g) -> first_difference [ compare_quantifier p q; compare f g ]
+  | Until (p, b, f, g), Until (q, c, h, i) ->
+    first_difference [ compare_quantifier p q; compare_bound b c; compare f h; compare g i ]
+  | Finally (p, b, f), Finally (q, c, g) | Globally (p, b, f), Globally (q, c, g) ->
+    first_difference [ compare_quantifier p q; compare_bound b c; compare f g ]
+  | ( ( Predicate _ | Not _ | And _ | Or _ | Next _ | Until _ | Finally _ | Globally _ ), _ ) ->
+    Int.compare (rank a) (rank b)
+
+(** {2 For messages} *)
+
+let letter = function All -> "A" | Exists -> "E"
+
+let bound b =
+  match b.high with
+  | None -> if Rat.sign b.low = 0 then "" else Printf.sprintf "[%s, inf)" (Rat.to_string b.low)
+  | Some h -> Printf.sprintf "[%s, %s]" (Rat.to_string b.low) (Rat.to_string h)
+
+let rec to_string name f =
+  let list op l = "(" ^ String.concat op (List.map (to_string name) l) ^ ")" in
+  let unary op q b f = Printf.sprintf "%s%s%s %s" (letter q) op b (to_string name f) in
+  match f with
+  | Predicate p -> name p
+  | Not f -> "!" ^ to_string name f
+  | And [] -> "true"
+  | Or [] -> "false"
+  | And l -> list " & " l
+  | Or l -> list " | " l
+  | Next (q, f) -> unary "X" q "" f
+  | Finally (q, b, f) -> unary "F" q (bound b) f
+  | Globally (q, b, f) -> unary "G" q (bound b) f
+  | Until (q, b, f, g) ->
+    Printf.sprintf "%s(%s U%s %s)" (letter q) (to_string name f) (bound b) (to_string name g)

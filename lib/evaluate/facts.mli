@@ -1,0 +1,16 @@
+(** Why a predicate holds or fails at an instant, in words. *)
+
+open Scc_ctl
+open Scc_exact
+open Scc_calculus
+open Scc_property
+
+val at :
+  ?arrived:(Property.event -> bool) ->
+  Model.t -> State.t -> Timeline.extent -> Algebraic.t -> Property.prop -> string list
+(** [at model state extent offset p]: for each atom of [p], whether it holds at that offset of the
+    trajectory from the state, with the values of what it compares: ["x(p) <= 3 fails: x(p) = 25/8"].
+    [arrived] is that of {!Trajectory.make}. *)
+
+val every : Trajectory.t -> Model.t -> Algebraic.t -> Property.prop -> string list
+(** The same for all atoms, however many, at an offset of a trajectory. *)

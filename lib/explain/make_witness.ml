@@ -1,0 +1,202 @@
+open Scc_ctl
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_evaluate
+open Scc_space
+module Graph = State_graph
+
+(** {2 Following a run} *)
+
+(* The real states that the steps on the graph lead through: a state of the graph may stand for several. *)
+type followed = { last : State.t; steps : Witness.step list  (** the last first *) }
+
+let follow context from wanted target =
+  match Network_lts.choices context from.last with
+  | Error _ -> Bug.fail __POS__ "a witness does not replay: a fault on its way"
+  | Ok choices -> (
+      let fits k = match List.nth_opt choices k with Some (_, t) -> t = target | None -> false in
+      let rec first k = function
+        | [] -> Bug.fail __POS__ "a witness does not replay"
+        | (_, t) :: rest -> if t = target then k else first (k + 1) rest
+      in
+      let choice = if fits wanted then wanted else first 0 choices in
+      let transition = fst (List.nth choices choice) in
+      let before = match from.steps with [] -> Rat.zero | s :: _ -> s.time in
+      let time = Rat.add before (Transition.duration transition) in
+      { last = transition.target; steps = { Witness.choice; transition; time } :: from.steps })
+
+let start context = { last = Network_lts.start context; steps = [] }
+
+let follow_all context graph =
+  List.fold_left (fun from (step : Graph.step) ->
+      let target = Graph.tuple graph (Graph.edges graph step.source).(step.choice).target in
+      follow context from step.choice target)
+
+let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ -> l
+
+(* By how much a state is the other one moved as a whole. *)
+let moved (from : State.t) (state : State.t) =
+  match (from.processes, state.processes) with
+  | [||], _ | _, [||] -> if State.equal from state then Some Vec.zero else None
+  | ps, qs ->
+    let by = Vec.sub qs.(0).leaves.(0).position ps.(0).leaves.(0).position in
+    let move (l : State.leaf) = { l with position = Vec.add l.position by } in
+    let processes = List.map (State.map_leaves move) (Array.to_list ps) in
+    let there = State.make ~processes ~step:from.step ~time:from.time in
+    if State.equal there state then Some by else None
+
+(* A round on the graph may lead to another state than it began in, one that the same state of the graph stands
+   for: it is made again until a state recurs, where it was or somewhere else. *)
+let most_rounds = 64
+
+let follow_lasso context graph steps cycle =
+  let stem = List.filteri (fun i _ -> i < cycle) steps and round = drop cycle steps in
+  let entry = follow_all context graph (start context) stem in
+  let rec again n from =
+    let next = follow_all context graph from round in
+    match moved entry.last next.last with
+    | Some by -> (next, by)
+    | None -> if n >= most_rounds then (next, Vec.zero) else again (n + 1) next
+  in
+  again 1 entry
+
+(* A weak split that is enabled somewhere on a cycle and never made on it. *)
+let puts_off context (cycle : Witness.step list) ~from =
+  let made = Long_list.map (fun (s : Witness.step) -> s.transition.label) cycle in
+  let is_put_off (t : Transition.t) =
+    match t.label with
+    | Weak_split _ when not (List.exists (Transition.equal_label t.label) made) -> Some t.label
+    | Weak_split _ | Time _ | Bind _ | Bounce _ | Strong_split _ -> None
+  in
+  let at state =
+    match Network.successors (Network_lts.model context) state with
+    | Ok transitions -> List.find_map is_put_off transitions
+    | Error _ -> None
+  in
+  List.find_map at (from :: Long_list.map (fun (s : Witness.step) -> s.transition.target) cycle)
+
+let repeats context (run, moved) cycle : Witness.finish =
+  let steps = List.rev run.steps in
+  let from =
+    match if cycle = 0 then None else List.nth_opt steps (cycle - 1) with
+    | Some s -> s.Witness.transition.target
+    | None -> Network_lts.start context
+  in
+  Repeats { cycle; moved; puts_off = puts_off context (drop cycle steps) ~from }
+
+(* Time passes in at most one way from a state. *)
+let time_choice context state =
+  match Network.successors (Network_lts.model context) state with
+  | Error _ -> None
+  | Ok transitions ->
+    let rec find k = function
+      | [] -> None
+      | (t : Transition.t) :: rest -> (
+          match t.label with
+          | Time d -> Some (k, d)
+          | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> find (k + 1) rest)
+    in
+    find 0 transitions
+
+let extent context state =
+  match time_choice context state with
+  | Some (_, d) -> Timeline.Lasts d
+  | None -> Timeline.Forever
+
+let witness context run finish facts : Witness.t =
+  {
+    initial = Network_lts.start context;
+    steps = List.rev run.steps;
+    last = run.last;
+    finish;
+    facts;
+    argument = None;
+  }
+
+let during context state (moment : Timeline.moment) sample : Witness.finish =
+  let choice = Option.map fst (time_choice context state) in
+  During { choice; offset = sample; open_piece = not moment.attained; from = moment.offset }
+
+let no_facts _ _ _ = []
+
+let of_trace context graph predicate (trace : Search.trace) =
+  let facts =
+    match predicate with
+    | None -> no_facts
+    | Some p ->
+      let arrived = Network_lts.arrived context (Graph.tuple graph trace.last) in
+      fun state extent offset -> Facts.at ~arrived (Network_lts.model context) state extent offset p
+  in
+  match trace.finish with
+  | At_state ->
+    let run = follow_all context graph (start context) trace.steps in
+    witness context run At_state (facts run.last Timeline.Instant Algebraic.zero)
+  | During { moment; sample; _ } ->
+    let run = follow_all context graph (start context) trace.steps in
+    let finish = during context run.last moment sample in
+    witness context run finish (facts run.last (extent context run.last) sample)
+  | Repeats cycle ->
+    let ((run, _) as lasso) = follow_lasso context graph trace.steps cycle in
+    witness context run (repeats context lasso cycle) (facts run.last Timeline.Instant Algebraic.zero)
+
+(* The tuples that choices lead through, from the initial one. *)
+let targets context choices =
+  let step (tuple, acc) choice =
+    match Network_lts.successors context tuple with
+    | Error _ -> Bug.fail __POS__ "a run does not replay: a fault on its way"
+    | Ok steps ->
+      let next = Scc_explore.Tuples.apply (List.nth steps choice).changes tuple in
+      (next, (choice, next) :: acc)
+  in
+  let last, reached = List.fold_left step (Network_lts.initial context, []) choices in
+  (last, List.rev reached)
+
+let of_met context p (met : Compact_search.met) =
+  let last, reached = targets context met.choices in
+  let on from (choice, target) = follow context from choice target in
+  let run = List.fold_left on (start context) reached in
+  let arrived = Network_lts.arrived context last in
+  let facts extent offset = Facts.at ~arrived (Network_lts.model context) run.last extent offset p in
+  match met.during with
+  | None -> witness context run At_state (facts Timeline.Instant Algebraic.zero)
+  | Some (moment, sample) ->
+    witness context run (during context run.last moment sample) (facts (extent context run.last) sample)
+
+let of_path context graph i =
+  of_trace context graph None { steps = Graph.shortest_path graph i; last = i; finish = At_state }
+
+(** {2 Explanations} *)
+
+let steps_of temporal (run : Scc_ctl.Run.t) = Long_list.map (Temporal.choice temporal) run.steps
+
+let of_run context graph temporal (run : Scc_ctl.Run.t) =
+  let steps = steps_of temporal run in
+  match run.finish with
+  | Repeats cycle ->
+    let ((followed, _) as lasso) = follow_lasso context graph steps cycle in
+    witness context followed (repeats context lasso cycle) []
+  | At_state | During _ | Rests | Stops | Passes ->
+    let followed = follow_all context graph (start context) steps in
+    let finish : Witness.finish =
+      match run.finish with
+      | At_state | Repeats _ -> At_state
+      | During { moment; sample } -> during context followed.last moment sample
+      | Rests -> Rests
+      | Stops -> Stops
+      | Passes -> Passes { choice = Option.map fst (time_choice context followed.last) }
+    in
+    witness context followed finish []
+
+let of_cycle context graph temporal formula (run : Scc_ctl.Run.t) =
+  let facts = Wording.about context graph temporal formula run.last in
+  { (of_run context graph temporal run) with facts }
+
+let of_explanation context graph temporal e =
+  Option.map
+    (fun run ->
+       let w = of_run context graph temporal run in
+       let facts = Wording.facts context graph temporal e in
+       { w with Witness.facts; argument = Wording.argument context graph temporal e })
+    (Explanation.chain e)

@@ -1,0 +1,22 @@
+(** Witnesses from what was found on a graph of states: each run is followed through the rules afresh, from the
+    initial state, before anyone is shown it. *)
+
+open Scc_ctl
+open Scc_property
+open Scc_space
+
+val of_trace : Network_lts.context -> State_graph.t -> Property.prop option -> Search.trace -> Witness.t
+(** With the facts of the predicate where the run leads. *)
+
+val of_met : Network_lts.context -> Property.prop -> Compact_search.met -> Witness.t
+(** With the facts of the predicate where the run leads. *)
+
+val of_path : Network_lts.context -> State_graph.t -> int -> Witness.t
+(** The shortest run to a state. *)
+
+val of_explanation : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.t option
+(** The run that the explanation begins with, with the whole of it in words; [None] when there is no run in it. *)
+
+val of_cycle :
+  Network_lts.context -> State_graph.t -> Temporal.t -> Scc_ctl.Formula.t -> Scc_ctl.Run.t -> Witness.t
+(** A run from the initial state that goes round within one instant, on which a formula depends. *)

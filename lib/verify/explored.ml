@@ -1,0 +1,47 @@
+open Scc_calculus
+open Scc_semantics
+open Scc_space
+module Graph = State_graph
+
+type edge = { label : Transition.label; target : int }
+
+type t = {
+  model : Model.t;
+  size : int;
+  state : int -> State.t;
+  edges : int -> edge array;
+  expanded : int -> bool;
+  rests : int -> bool;
+  stopped_by : Verdict.truncation list;
+  faults : Scc_base.Diag.t list;
+}
+
+let explore options model ~initial =
+  let context, graph, (stats : Joint_check.stats) = Joint_check.explore options model ~initial in
+  let catalogue = Network_lts.catalogue context in
+  let edge (e : Graph.edge) = { label = Catalogue.label_of catalogue e.label; target = e.target } in
+  let expanded i =
+    match Graph.status graph i with Scc_explore.Explore.Expanded -> true | Queued | Unexpanded _ -> false
+  in
+  let state i = Catalogue.decode catalogue (Graph.tuple graph i) in
+  {
+    model;
+    size = Graph.size graph;
+    state;
+    edges = (fun i -> Array.map edge (Graph.edges graph i));
+    expanded;
+    rests = (fun i -> expanded i && Network.quiescent model (state i));
+    stopped_by = stats.stopped_by;
+    faults = stats.faults;
+  }
+
+let complete s =
+  let rec from i = i = s.size || (s.expanded i && from (i + 1)) in
+  from 0
+
+let sum s f =
+  let rec from i n = if i = s.size then n else from (i + 1) (n + f i) in
+  from 0 0
+
+let unexpanded s = sum s (fun i -> if s.expanded i then 0 else 1)
+let transitions s = sum s (fun i -> Array.length (s.edges i))

@@ -1,0 +1,339 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_explore
+open Scc_evaluate
+open Scc_space
+open Scc_explain
+module Graph = State_graph
+
+type options = {
+  bounds : Bounds.t;
+  reductions : Reduction.kind list;
+  compact : int option;
+  order : Graph.order;
+  surroundings : Limits.surroundings;
+  observe : (State.t -> unit) option;
+}
+
+let default =
+  {
+    bounds = Bounds.default;
+    reductions = Reduction.all;
+    compact = None;
+    order = By_steps;
+    surroundings = Limits.quiet;
+    observe = None;
+  }
+
+type stats = {
+  states : int;
+  transitions : int;
+  depth : int;
+  model_time : Rat.t;
+  complete : bool;
+  eventful : bool;
+  decided_early : bool;
+  stopped_by : Verdict.truncation list;
+  faults : Scc_base.Diag.t list;
+}
+
+type result = {
+  outcomes : (Property.check * Verdict.t) list;
+  stats : stats;
+  zeno : Witness.t option;
+  stores : (string * int) list;
+  numbers : unit -> (string * int) list;
+}
+
+type run = {
+  options : options;
+  model : Model.t;
+  context : Network_lts.context;
+  graph : Graph.t;
+  horizon : Rat.t option;
+}
+
+let cause r reason = Bounds.cause r.options.bounds r.model ~horizon:r.horizon reason
+
+(** {2 Why there is no answer} *)
+
+let reason_of r i =
+  match Graph.status r.graph i with
+  | Explore.Unexpanded reason -> cause r reason
+  | Expanded | Queued -> Scc_base.Bug.fail __POS__ "a state that was expanded is in doubt"
+
+(* The nearest of some states, in steps. *)
+let nearest r = function
+  | [] -> None
+  | i :: rest ->
+    let nearer best j = if Graph.depth r.graph j < Graph.depth r.graph best then j else best in
+    Some (List.fold_left nearer i rest)
+
+let unexplored r states : Verdict.reason list =
+  let bound = function
+    | Bounds.Bound t -> Some t
+    | Fault _ -> None
+    | Early -> Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going"
+  in
+  let fault = function Bounds.Fault f -> Some f.Scc_base.Diag.message | Bound _ | Early -> None in
+  (* There may be millions of them. *)
+  let causes = List.rev (List.rev_map (reason_of r) states) in
+  let bounds = Verdict.distinct (List.filter_map bound causes) in
+  let faults = List.sort_uniq String.compare (List.filter_map fault causes) in
+  let matter i =
+    Verdict.Unexplored { count = List.length states; nearest = Make_witness.of_path r.context r.graph i }
+  in
+  List.map (fun t -> Verdict.Truncated t) bounds
+  @ List.map (fun text -> Verdict.Fault text) faults
+  @ Option.to_list (Option.map matter (nearest r states))
+
+let search_doubts r (d : Search.doubts) =
+  List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined) @ unexplored r d.unexplored
+
+let formula_doubts r temporal i =
+  let d = Temporal.doubts temporal i in
+  let cycle run =
+    Verdict.Zeno (Make_witness.of_cycle r.context r.graph temporal (Temporal.formula temporal i) run)
+  in
+  let undefined =
+    List.map (fun (u : Scc_ctl.Doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
+  in
+  List.map (fun text -> Verdict.Undefined text) undefined
+  @ Option.to_list (Option.map cycle d.zeno)
+  @ unexplored r d.unexplored
+
+(** {2 Verdicts} *)
+
+let trace r p trace = Make_witness.of_trace r.context r.graph (Some p) trace
+let holds = Verdict.Holds { bounds = []; witness = None }
+
+(* Success up to a bound is one kind of verdict; what was not decided for another reason is not success. *)
+let up_to_bound r doubts =
+  let reasons = search_doubts r doubts in
+  let bound = function
+    | Verdict.Truncated { limit = Instant _; _ } | Undefined _ | Fault _ | Zeno _ -> Error ()
+    | Unexplored _ -> Ok None
+    | Truncated t -> Ok (Some t)
+  in
+  let add acc reason =
+    match (acc, bound reason) with
+    | Ok bounds, Ok b -> Ok (Option.to_list b @ bounds)
+    | Error (), _ | _, Error () -> Error ()
+  in
+  match List.fold_left add (Ok []) reasons with
+  | Ok bounds -> Verdict.Holds { bounds = List.rev bounds; witness = None }
+  | Error () -> Undecided reasons
+
+let now r p =
+  match Trajectory.holds r.model (Network_lts.start r.context) p with
+  | True -> Verdict.Holds { bounds = []; witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
+  | False -> Violated { witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
+  | Undecided text -> Undecided [ Undefined text ]
+
+let evaluated r temporal i =
+  match Temporal.truth temporal i with
+  | None -> Verdict.Undecided (formula_doubts r temporal i)
+  | Some truth -> (
+      match (truth, Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i)) with
+      | true, witness -> Holds { bounds = []; witness }
+      | false, witness -> Violated { witness })
+
+(* An evaluation that takes longer than there is time for leaves one formula open, and nothing else. *)
+let out_of_time r : Verdict.truncation =
+  let around = r.options.surroundings in
+  match r.options.bounds.seconds with
+  | (Given s | Default s) when not (around.interrupted ()) -> { limit = Seconds s; origin = By_user }
+  | Given _ | Default _ | Unbounded -> { limit = Interrupted; origin = By_user }
+
+let formula r temporal i =
+  match r.options.surroundings.attempt.run (fun () -> evaluated r temporal i) with
+  | Some v -> v
+  | None -> Undecided [ Truncated (out_of_time r) ]
+
+(* Answers and formulas are taken up in the order of {!questions} and {!formulas}. *)
+type answers = { searches : Search.answer list; next_formula : int; temporal : Temporal.t option }
+
+let rec verdict r (plan : Plan.t) answers =
+  match (plan, answers.searches) with
+  | Now p, _ -> (now r p, answers)
+  | Possibly (_, p), a :: searches ->
+    ((match a with
+        | Met t -> Verdict.Holds { bounds = []; witness = Some (trace r p t) }
+        | Never -> Violated { witness = None }
+        | Open doubts -> Undecided (search_doubts r doubts)), { answers with searches })
+  | Always (_, p), a :: searches ->
+    ((match a with
+        | Met t -> Verdict.Violated { witness = Some (trace r p t) }
+        | Never -> holds
+        | Open doubts -> up_to_bound r doubts), { answers with searches })
+  | Formula _, _ -> (
+      match answers.temporal with
+      | None -> Scc_base.Bug.fail __POS__ "a formula that was not asked"
+      | Some t ->
+        (formula r t answers.next_formula, { answers with next_formula = answers.next_formula + 1 }))
+  | All plans, _ -> verdicts r Verdict.conjunction plans answers
+  | Any plans, _ -> verdicts r Verdict.disjunction plans answers
+  | (Possibly _ | Always _), [] -> Scc_base.Bug.fail __POS__ "a question without an answer"
+
+and verdicts r combine plans answers =
+  let step (found, answers) plan =
+    let v, answers = verdict r plan answers in
+    (v :: found, answers)
+  in
+  let found, answers = List.fold_left step ([], answers) plans in
+  (combine (List.rev found), answers)
+
+(** {2 Questions} *)
+
+let rec questions context (plan : Plan.t) : Search.question list =
+  match plan with
+  | Now _ | Formula _ -> []
+  | Possibly (within, p) -> [ { within; goal = Predicate.make context p } ]
+  | Always (within, p) -> [ { within; goal = Predicate.make context (Formula.negate p) } ]
+  | All plans | Any plans -> List.concat_map (questions context) plans
+
+let rec formulas (plan : Plan.t) =
+  match plan with
+  | Now _ | Possibly _ | Always _ -> []
+  | Formula f -> [ f ]
+  | All plans | Any plans -> List.concat_map formulas plans
+
+(* Time beyond which nothing is asked. *)
+let horizon (checks : Property.check list) =
+  match checks with
+  | [] -> None
+  | _ :: _ -> Plan.latest_horizon (List.map (fun (c : Property.check) -> c.formula) checks)
+
+(** {2 The report} *)
+
+let is_event context (e : Graph.edge) =
+  not (Transition.is_time (Catalogue.label_of (Network_lts.catalogue context) e.label))
+
+(* Most models have an event early on, and then the rest is not looked at. *)
+let eventful r =
+  let rec from i =
+    i < Graph.size r.graph && (Array.exists (is_event r.context) (Graph.edges r.graph i) || from (i + 1))
+  in
+  from 0
+
+let stats r : stats =
+  let unexpanded = Graph.unexpanded r.graph in
+  let causes = List.rev (List.rev_map (fun (_, reason) -> cause r reason) unexpanded) in
+  let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
+  {
+    states = Graph.size r.graph;
+    transitions = Graph.transitions r.graph;
+    depth = Graph.greatest_depth r.graph;
+    model_time = Graph.greatest_arrival r.graph;
+    complete = (match unexpanded with [] -> true | _ :: _ -> false);
+    eventful = eventful r;
+    decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
+    stopped_by = Verdict.distinct bounds;
+    faults =
+      List.sort_uniq Scc_base.Diag.compare
+        (List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes);
+  }
+
+(* A cycle without duration, or else a run that met the guard. *)
+let zeno r (result : Search.result) =
+  match result.zeno with
+  | Some t -> Some (Make_witness.of_trace r.context r.graph None t)
+  | None ->
+    List.find_map
+      (fun (i, (reason : _ Explore.reason)) ->
+         match reason with
+         | Instant -> Some (Make_witness.of_path r.context r.graph i)
+         | Depth | Time | States | Seconds | Memory | Interrupted | Stopped | Fault _ -> None)
+      (Graph.unexpanded r.graph)
+
+(* Without edges a state takes a quarter of the memory. They are needed to look back from states to those before,
+   and worth keeping where earlier times may have to be passed on. *)
+let needs_edges plans limits =
+  List.exists (fun p -> List.length (formulas p) > 0) plans || Option.is_some limits.Limits.time
+
+let rests context tuple =
+  Network.quiescent (Network_lts.model context) (Catalogue.decode (Network_lts.catalogue context) tuple)
+
+let stores r =
+  let m = Graph.memory r.graph in
+  [ ("states", m.states); ("labels", m.labels); ("edges", m.edges) ]
+
+(* Those that are searched for, and those that are evaluated on the graph. *)
+let kinds_of (checks : Property.check list) plans =
+  let all = List.combine checks plans in
+  let formulas_of test =
+    List.filter_map (fun ((c : Property.check), plan) -> if test plan then Some c.formula else None) all
+  in
+  let is_search plan = match formulas plan with [] -> true | _ :: _ -> false in
+  (formulas_of is_search, formulas_of (fun plan -> not (is_search plan)))
+
+let system options model ~initial checks plans =
+  let searched, evaluated = kinds_of checks plans in
+  let events = List.concat_map (fun (c : Property.check) -> Formula.events c.formula) checks in
+  let deep = match options.bounds.depth with Unbounded -> false | Default _ | Given _ -> true in
+  Network_lts.make ~events
+    ~quotient:(Reduction.quotient options.reductions model initial ~searched ~evaluated)
+    ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
+    model initial
+
+(* One exploration for some checks. *)
+let check options model ~initial (checks : Property.check list) =
+  let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
+  let context = system options model ~initial checks plans in
+  let asked = List.concat_map (questions context) plans in
+  let temporals = List.concat_map formulas plans in
+  let horizon = horizon checks in
+  let limits = Bounds.limits options.bounds ~horizon in
+  let rests = rests context in
+  let observe =
+    Option.map (fun f _ _ tuple -> f (Catalogue.decode (Network_lts.catalogue context) tuple)) options.observe
+  in
+  let formulas = Temporal.ask context temporals in
+  let settled g =
+    let look () =
+      let temporal = Temporal.on formulas ~rests g in
+      List.for_all Fun.id (List.mapi (fun i _ -> Option.is_some (Temporal.truth temporal i)) temporals)
+    in
+    Option.value (options.surroundings.attempt.run look) ~default:false
+  in
+  let settled = match temporals with [] -> None | _ :: _ -> Some settled in
+  let result =
+    Search.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits) ~rests limits
+      options.surroundings context asked
+  in
+  let graph = result.graph in
+  let r = { options; model; context; graph; horizon } in
+  let temporal =
+    match temporals with [] -> None | _ :: _ -> Some (Temporal.on formulas ~rests graph)
+  in
+  let step (outcomes, answers) (check, plan) =
+    let v, answers = verdict r plan answers in
+    ((check, v) :: outcomes, answers)
+  in
+  let answers = { searches = result.answers; next_formula = 0; temporal } in
+  let outcomes, _ = List.fold_left step ([], answers) (List.combine checks plans) in
+  {
+    outcomes = List.rev outcomes;
+    stats = stats r;
+    zeno = zeno r result;
+    stores = stores r;
+    numbers = (fun () -> Catalogue.longest (Network_lts.catalogue r.context));
+  }
+
+let explore options model ~initial =
+  let context = Network_lts.make model initial in
+  let limits = Bounds.limits options.bounds ~horizon:None in
+  let graph = Graph.run ~order:options.order limits options.surroundings context in
+  let r = { options; model; context; graph; horizon = None } in
+  (context, graph, stats r)
+
+let may_have_events options model ~initial =
+  let context = Network_lts.make model initial in
+  let few = { Limits.unlimited with states = Some 5_000 } in
+  let found = ref false in
+  let opened _ _ _ edges = if Array.exists (is_event context) edges then found := true in
+  let visitor = { Graph.blind with opened = Some opened; enough = (fun () -> !found) } in
+  let graph = Graph.run ~visitor few options.surroundings context in
+  !found || not (Graph.complete graph)

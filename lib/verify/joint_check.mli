@@ -1,0 +1,60 @@
+(** One exploration that decides some properties, over the whole continuous run (rules Instants, Verdict, Zeno). *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_property
+open Scc_explore
+open Scc_space
+open Scc_explain
+
+type options = {
+  bounds : Bounds.t;
+  reductions : Reduction.kind list;
+  compact : int option;
+  (** hash compaction with room for so many states, for searches without a bound of time *)
+  order : State_graph.order;
+  (** of the exploration: with [By_steps] runs that decide a search are as short as can be, with [By_time] as
+      early *)
+  surroundings : Limits.surroundings;
+  observe : (State.t -> unit) option;  (** called with each new state, in order *)
+}
+
+val default : options
+(** Default bounds, all reductions, by steps, in quiet surroundings. *)
+
+type stats = {
+  states : int;
+  transitions : int;
+  depth : int;  (** the greatest of the states' least depths *)
+  model_time : Rat.t;  (** the greatest of the states' earliest arrivals *)
+  complete : bool;  (** every state was expanded *)
+  eventful : bool;  (** some transition is not a passing of time *)
+  decided_early : bool;  (** the exploration ended because every property was decided *)
+  stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
+  faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
+}
+
+type result = {
+  outcomes : (Property.check * Verdict.t) list;  (** in the order given *)
+  stats : stats;
+  zeno : Witness.t option;
+  (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
+  stores : (string * int) list;  (** what the explored graph takes: states, labels and edges, in bytes *)
+  numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
+}
+
+val horizon : Property.check list -> Rat.t option
+(** The time beyond which none of the properties looks; [None]: one looks at all times. *)
+
+val system : options -> Model.t -> initial:State.t -> Property.check list -> Plan.t list -> Network_lts.context
+(** The system to explore for some checks, of which these are the plans, with the reductions that keep them. *)
+
+val check : options -> Model.t -> initial:State.t -> Property.check list -> result
+(** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
+    replayed before they are returned. *)
+
+val may_have_events : options -> Model.t -> initial:State.t -> bool
+(** False when it is known, after a look at no more than some thousands of states, that nothing ever happens. *)
+
+val explore : options -> Model.t -> initial:State.t -> Network_lts.context * State_graph.t * stats
+(** The exploration alone. *)
