@@ -4,15 +4,11 @@ open Scc_semantics
 open Scc_space
 open Scc_explain
 open Scc_verify
+open Scc_session
 open Scc_exchange
 open Cmdliner
 
 let ( let* ) = Result.bind
-
-let initial (e : Scc_elaborate.Elaborate.t) =
-  Result.map_error
-    (fun f -> [ Transition.diagnostic e.model f ])
-    (Network.initial e.model e.declared)
 
 let verdict_code (v : Verdict.t) : Exit_code.t =
   match v with
@@ -44,11 +40,10 @@ let witness_of (v : Verdict.t) =
       reasons
 
 (* With the path of the model, but not that of standard input. *)
-let schedule (model : Input.model) path (check : Property.check) (w : Witness.t) =
-  let e = model.elaborated in
-  let choice (s : Witness.step) = (s.choice, Transition.label_to_string e.model s.transition.label) in
+let schedule (l : Loaded.t) path (check : Property.check) (w : Witness.t) =
+  let choice (s : Witness.step) = (s.choice, Transition.label_to_string l.model s.transition.label) in
   let path = if String.equal path "-" then None else Some path in
-  Schedule.to_string ?model:path ~check:check.name ~digest:model.digest ~parameters:e.parameters
+  Schedule.to_string ?model:path ~check:check.name l.origin
     (Long_list.map choice w.steps)
     ~offset:(Witness.offset w)
 
@@ -69,35 +64,29 @@ let make_folder path =
       | () -> Ok ()
       | exception Sys_error message -> fail (Os_error.reason path message))
 
-let write_witnesses model path folder verdicts =
+let write_witnesses loaded path folder verdicts =
   let one acc ((check : Property.check), v) =
     let* () = acc in
     match witness_of v with
     | None -> Ok ()
     | Some w ->
       let file = Filename.concat folder (check.name ^ ".json") in
-      Result.map_error (fun d -> [ d ]) (Console.write_file ~path:file (schedule model path check w))
+      Result.map_error (fun d -> [ d ]) (Console.write_file ~path:file (schedule loaded path check w))
   in
   List.fold_left one (Ok ()) verdicts
 
 (* What was asked for besides the verdicts. *)
 type extra = { covered : (Explored.t * Coverage.t) option; measured : Measured.t option }
 
-let print_json console (model : Input.model) (report : Check.report) verdicts extra code =
-  let e = model.elaborated in
+let print_json console loaded report verdicts extra code =
   let coverage (space, c) = ("coverage", Coverage_json.json space c) in
   let measured m = ("measured", Measured.json m report) in
   let json =
     Check_json.document ~source:(Console.source console)
       {
-        name = e.name;
-        digest = model.digest;
-        parameters = e.parameters;
-        model = e.model;
+        loaded;
         verdicts;
-        stats = report.stats;
-        slices = report.slices;
-        zeno = report.zeno;
+        report;
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
         extra =
@@ -114,8 +103,8 @@ let is_zeno : Verdict.reason -> bool = function
 let shows_zeno (_, (v : Verdict.t)) =
   match v with Undecided reasons -> List.exists is_zeno reasons | Holds _ | Violated _ -> false
 
-let print_text console (model : Input.model) (report : Check.report) verdicts extra =
-  let m = model.elaborated.model in
+let print_text console (loaded : Loaded.t) (report : Check.report) verdicts extra =
+  let m = loaded.model in
   let print = Console.print console in
   List.iter (fun v -> print (Check_text.property console m v ^ "\n")) verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno m w ^ "\n") in
@@ -140,18 +129,17 @@ let write_sarif console path code properties =
 let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i _ -> i >= n) list)
 
 (* All of the model, whether or not its properties were decided early. *)
-let cover options (e : Scc_elaborate.Elaborate.t) initial =
-  let space = Explored.explore (options ()) e.model ~initial in
+let cover options (l : Loaded.t) initial =
+  let space = Explored.explore (options ()) l.model ~initial in
   (space, Coverage.of_space space)
 
 let check console bounds (extras : Check_extras.t) overrides path =
   let interrupted = Interrupt.install () in
   let measured = Measured.start () in
-  let* model = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
-  let e = model.elaborated in
-  Console.report console (e.warnings @ Vacuity.impossible e);
+  let* l = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
+  Console.report console (l.warnings @ Vacuity.impossible l);
   let* () = match extras.witness with Some folder -> make_folder folder | None -> Ok () in
-  let* initial = initial e in
+  let* initial = Loaded.initial l in
   (* The limit of seconds is that of one exploration. *)
   let options () =
     let now = Option.map Interrupt.clock bounds.Check_options.seconds in
@@ -160,28 +148,28 @@ let check console bounds (extras : Check_extras.t) overrides path =
     let compact = if extras.compact then Some states else None in
     { options with reductions = extras.reductions; order = extras.order; compact }
   in
-  let checks = e.checks @ Vacuity.questions e in
-  let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) e.model ~initial checks) in
+  let checks = l.checks @ l.premises in
+  let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) l.model ~initial checks) in
   let covered =
     if extras.coverage then
-      Some (Measured.phase measured "coverage" (fun () -> cover options e initial))
+      Some (Measured.phase measured "coverage" (fun () -> cover options l initial))
     else None
   in
   Console.progress_done console;
-  let verdicts, answers = split_at (List.length e.checks) report.outcomes in
+  let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Console.report console (report.stats.faults @ Vacuity.warnings report.stats ~verdicts ~answers);
   let* () =
-    match extras.witness with Some folder -> write_witnesses model path folder verdicts | None -> Ok ()
+    match extras.witness with Some folder -> write_witnesses l path folder verdicts | None -> Ok ()
   in
   let code = exit_code report verdicts in
   let* () =
     match extras.sarif with
-    | Some path -> write_sarif console path code (Some (e.model, verdicts))
+    | Some path -> write_sarif console path code (Some (l.model, verdicts))
     | None -> Ok ()
   in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in
-  if Console.is_json console then print_json console model report verdicts extra code
-  else print_text console model report verdicts extra;
+  if Console.is_json console then print_json console l report verdicts extra code
+  else print_text console l report verdicts extra;
   Console.flush console;
   Ok code
 

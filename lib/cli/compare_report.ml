@@ -60,7 +60,7 @@ let limits (c : Compared.t) =
 let resolution (c : Compared.t) =
   match c.source with
   | File -> None
-  | Model { model; _ } -> Scc_calculus.Model.resolution model.elaborated.model
+  | Model { model; _ } -> Scc_calculus.Model.resolution model.model
 
 let side_text t first =
   let c = if first then t.first else t.second in
@@ -130,33 +130,25 @@ let text console t =
 
 let side_json (c : Compared.t) (s : Compare.side) =
   let states, transitions = Compared.size c in
-  let kind, model, digest, parameters, faults =
+  let kind, model, faults =
     match c.source with
-    | File -> ("graph", `Null, `Null, `Assoc [], [])
+    | File -> ("graph", [ ("model", `Null); ("digest", `Null); ("parameters", `Assoc []) ], [])
     | Model { model; space } ->
-      let e = model.elaborated in
-      ( "model",
-        Json.option Json.text e.name,
-        `String model.digest,
-        `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) e.parameters),
-        space.faults )
+      ("model", Origin_json.members model.origin, space.faults)
   in
   `Assoc
-    [
-      ("file", Json.text c.path);
-      ("kind", `String kind);
-      ("model", model);
-      ("digest", digest);
-      ("parameters", parameters);
-      ("states", `Int states);
-      ("transitions", `Int transitions);
-      ("complete", `Bool (Graph.complete c.graph));
-      ("stopped_by", `List (List.map Check_json.truncation (Compared.stopped_by c)));
-      ("faults", `List (List.map (fun (f : Scc_base.Diag.t) -> Json.text f.message) faults));
-      ("compared_states", `Int s.states);
-      ("compared_transitions", `Int s.transitions);
-      ("classes", Json.option (fun n -> `Int n) s.classes);
-    ]
+    ([ ("file", Json.text c.path); ("kind", `String kind) ]
+     @ model
+     @ [
+       ("states", `Int states);
+       ("transitions", `Int transitions);
+       ("complete", `Bool (Graph.complete c.graph));
+       ("stopped_by", `List (List.map Check_json.truncation (Compared.stopped_by c)));
+       ("faults", `List (List.map (fun (f : Scc_base.Diag.t) -> Json.text f.message) faults));
+       ("compared_states", `Int s.states);
+       ("compared_transitions", `Int s.transitions);
+       ("classes", Json.option (fun n -> `Int n) s.classes);
+     ])
 
 let which first = `String (if first then "first" else "second")
 

@@ -6,7 +6,7 @@ open Scc_equivalence
 
 let ( let* ) = Result.bind
 
-type source = Model of { model : Input.model; space : Explored.t } | File
+type source = Model of { model : Scc_session.Loaded.t; space : Explored.t } | File
 type t = { path : string; source : source; graph : Graph.t }
 
 let is_graph_file path = Filename.check_suffix path ".aut"
@@ -58,14 +58,9 @@ let load_graph console path =
 
 let load_model console options ?renamed ~overrides path =
   let* model = Input.model console ~overrides path in
-  let e = model.elaborated in
-  Console.report console e.warnings;
-  let* initial =
-    Result.map_error
-      (fun f -> [ Transition.diagnostic e.model f ])
-      (Network.initial e.model e.declared)
-  in
-  let space = Explored.explore options e.model ~initial in
+  Console.report console model.warnings;
+  let* initial = Scc_session.Loaded.initial model in
+  let space = Explored.explore options model.model ~initial in
   Console.progress_done console;
   Console.report console space.faults;
   Ok { path; source = Model { model; space }; graph = graph_of_space ?renamed space }

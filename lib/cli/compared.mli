@@ -6,7 +6,7 @@ open Scc_verify
 open Scc_equivalence
 
 type source =
-  | Model of { model : Input.model; space : Explored.t }
+  | Model of { model : Scc_session.Loaded.t; space : Explored.t }
   | File  (** in the format .aut *)
 
 type t = {

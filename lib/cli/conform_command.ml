@@ -1,5 +1,6 @@
 open Scc_base
 open Scc_exact
+open Scc_session
 open Scc_exchange
 open Scc_conform
 open Scc_equivalence
@@ -17,20 +18,15 @@ type options = {
   run : string option;
 }
 
-let same_value (name, value) (name', value') = String.equal name name' && not (Rat.equal value value')
-
-(* The parameters of the trace, which -D may repeat but not change. *)
 let parameters (trace : Recorded.t) overrides =
-  match List.find_opt (fun o -> List.exists (same_value o) trace.parameters) overrides with
-  | Some (name, _) ->
-    Error [ Recorded.malformed Span.none "the trace was made with another value of `%s` than -D gives" name ]
-  | None ->
-    let given (name, _) = List.mem_assoc name trace.parameters in
-    Ok (trace.parameters @ List.filter (fun o -> not (given o)) overrides)
+  let clash name =
+    [ Recorded.malformed Span.none "the trace was made with another value of `%s` than -D gives" name ]
+  in
+  Result.map_error clash (Origin.values ~recorded:trace.parameters ~overrides)
 
-let check_digest (trace : Recorded.t) (model : Input.model) =
+let check_digest (trace : Recorded.t) (origin : Origin.t) =
   match trace.digest with
-  | Some (d, at) when not (String.equal d model.digest) ->
+  | Some (d, at) when not (String.equal d origin.digest) ->
     Error
       [
         Diag.error Code.bad_trace at ~hint:"remove its `digest` to look at it all the same"
@@ -39,13 +35,11 @@ let check_digest (trace : Recorded.t) (model : Input.model) =
   | Some _ | None -> Ok ()
 
 let read console path =
-  let* source = Result.map_error (fun d -> [ d ]) (Input.read path) in
-  Console.add_source console source;
+  let* source = Input.text console path in
   Read.trace source
 
-let write_run path (model : Input.model) choices =
-  let e = model.elaborated in
-  let text = Schedule.to_string ~digest:model.digest ~parameters:e.parameters choices ~offset:None in
+let write_run path origin choices =
+  let text = Schedule.to_string origin choices ~offset:None in
   Result.map_error (fun d -> [ d ]) (Console.write_file ~path text)
 
 let exit_code : Verdict.answer -> Exit_code.t = function
@@ -59,31 +53,25 @@ let conform console o =
   let interrupted = Interrupt.install () in
   let* trace = read console o.trace in
   let* overrides = parameters trace o.overrides in
-  let* model = Input.model console ~overrides o.path in
-  let* () = check_digest trace model in
-  let e = model.elaborated in
-  Console.report console e.warnings;
-  let* tolerance = Verdict.tolerance e.model trace o.tolerance in
+  let* l = Input.model console ~overrides o.path in
+  let* () = check_digest trace l.origin in
+  Console.report console l.warnings;
+  let* tolerance = Verdict.tolerance l.model trace o.tolerance in
   let observed label = not (List.exists (fun p -> Option.is_some (Label.matches p label)) o.unobserved) in
   let limits = { Search.states = o.states; interrupted } in
   let* answer =
-    match Verdict.check e.model e.declared trace ~tolerance ~observed limits with
+    match Verdict.check l.model l.declared trace ~tolerance ~observed limits with
     | Ok answer -> Ok answer
     | Error (`Invalid diagnostics) -> Error diagnostics
-    | Error (`Fault fault) -> Error [ Scc_semantics.Transition.diagnostic e.model fault ]
+    | Error (`Fault fault) -> Error [ Scc_semantics.Transition.diagnostic l.model fault ]
   in
   let* () =
     match (answer, o.run) with
-    | Conforms { choices; _ }, Some path -> write_run path model choices
+    | Conforms { choices; _ }, Some path -> write_run path l.origin choices
     | _ -> Ok ()
   in
   let code = exit_code answer in
-  let report =
-    {
-      Report.file = o.path; name = e.name; digest = model.digest; parameters = e.parameters; model = e.model;
-      trace; tolerance; answer;
-    }
-  in
+  let report = { Report.file = o.path; loaded = l; trace; tolerance; answer } in
   Console.print console
     (if Console.is_json console then
        let source = Console.source console in

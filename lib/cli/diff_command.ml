@@ -8,8 +8,7 @@ let ( let* ) = Result.bind
 type options = { first : string; second : string; tolerance : Rat.t option }
 
 let read console path =
-  let* source = Result.map_error (fun d -> [ d ]) (Input.read path) in
-  Console.add_source console source;
+  let* source = Input.text console path in
   Read.trace source
 
 let tolerance asked (a : Recorded.t) (b : Recorded.t) =

@@ -2,6 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_property
 open Scc_explain
+open Scc_session
 open Scc_exchange
 open Cmdliner
 
@@ -42,9 +43,8 @@ let check_of o (s : Schedule.t) checks =
 
 type failure = Diagnosed of Diag.t list | Stopped of string
 
-let follow (model : Input.model) schedule ~interrupted =
-  let e = model.elaborated in
-  let initial = ref e.declared and steps = ref [] and offset = ref Rat.zero in
+let follow (l : Loaded.t) schedule ~interrupted =
+  let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
   let note : Replay.event -> unit = function
     | Start s -> initial := s
     | Step { taken; state; _ } -> steps := (taken.label, state ()) :: !steps
@@ -52,14 +52,14 @@ let follow (model : Input.model) schedule ~interrupted =
     | End _ -> ()
   in
   let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
-  match Replay.run e.model e.declared (Scheduled schedule) limits ~interrupted note with
+  match Replay.run l.model l.declared (Scheduled schedule) limits ~interrupted note with
   | Ok (Open | Quiescent | Stuck | Zeno) ->
     let steps = Array.of_list (List.rev !steps) in
-    Ok { Causes.model = e.model; declared = e.declared; initial = !initial; steps; offset = !offset }
+    Ok { Causes.model = l.model; declared = l.declared; initial = !initial; steps; offset = !offset }
   | Error Interrupted -> Error (Stopped "scc: interrupted")
   | Error (Refused d) -> Error (Diagnosed [ d ])
   | Error (Fault f) ->
-    Error (Diagnosed [ Scc_semantics.Transition.diagnostic e.model f ])
+    Error (Diagnosed [ Scc_semantics.Transition.diagnostic l.model f ])
 
 let explanation run (check : Property.check option) =
   let story = Causes.tell run in
@@ -67,14 +67,12 @@ let explanation run (check : Property.check option) =
   | Some c -> Omission.explain story (Causes.of_formula story c.formula) (Formula.predicates c.formula)
   | None -> Omission.explain story (Causes.of_last_event story) []
 
-let print console (model : Input.model) check explanation =
+let print console (model : Loaded.t) check explanation =
   if Console.is_json console then
     let document =
       Explain_json.document ~source:(Console.source console)
         {
-          name = model.elaborated.name;
-          digest = model.digest;
-          parameters = model.elaborated.parameters;
+          origin = model.origin;
           check;
           explanation;
           diagnostics = Console.kept console;
@@ -91,8 +89,8 @@ let explain console o =
   let* schedule = diagnosed (Scheduled.read console o.witness) in
   let* path = diagnosed (model_path o schedule) in
   let* model = diagnosed (Scheduled.model console schedule ~overrides:o.overrides path) in
-  Console.report console model.elaborated.warnings;
-  let* check = diagnosed (check_of o schedule model.elaborated.checks) in
+  Console.report console model.warnings;
+  let* check = diagnosed (check_of o schedule model.checks) in
   let* run = follow model schedule ~interrupted in
   print console model check (explanation run check);
   Ok ()

@@ -1,7 +1,7 @@
 open Scc_exact
-open Scc_semantics
 open Scc_verify
 open Scc_equivalence
+open Scc_session
 open Scc_exchange
 open Cmdliner
 
@@ -51,7 +51,7 @@ let format_of o =
 
 let labelling ~instants (e : Exported.t) =
   Labelling.make ~instants e.space
-    (Array.of_list (State_predicates.of_checks e.space.model e.checks))
+    (Array.of_list (State_predicates.of_checks e.space.model e.loaded.checks))
 
 (* The files, each with what writes it, and what there is to say about them. *)
 let files o format (e : Exported.t) =
@@ -65,7 +65,7 @@ let files o format (e : Exported.t) =
     let graph = Graph.map_labels graph (fun text -> if hidden text then Graph.tau else text) in
     (one (Scc_equivalence.Aut.write ~cadp:o.cadp graph), [])
   | Dot ->
-    let l = Labelling.make ~instants:true e.space (Dot.predicates e.checks) in
+    let l = Labelling.make ~instants:true e.space (Dot.predicates e.loaded.checks) in
     (one (Dot.write e l ~positions:o.positions), [])
   | Json ->
     let l = labelling ~instants:false e in
@@ -112,11 +112,6 @@ let write_all console o interrupted files =
 
 (** {2 The command} *)
 
-let initial (e : Scc_elaborate.Elaborate.t) =
-  Result.map_error
-    (fun f -> [ Transition.diagnostic e.model f ])
-    (Network.initial e.model e.declared)
-
 (* As that of an exploration by [scc check]. *)
 let exit_code (space : Explored.t) : Exit_code.t =
   let known = Verdict.Holds { bounds = space.stopped_by; witness = None } in
@@ -133,19 +128,16 @@ let tell console exported notes =
 
 let explore console o format =
   let interrupted = Interrupt.install () in
-  let* model = Input.model console ~overrides:o.overrides o.path in
-  let e = model.elaborated in
-  Console.report console e.warnings;
-  let* initial = initial e in
+  let* loaded = Input.model console ~overrides:o.overrides o.path in
+  Console.report console loaded.warnings;
+  let* initial = Loaded.initial loaded in
   let now = Option.map Interrupt.clock o.bounds.seconds in
   let options = Check_options.options ?now o.bounds ~interrupted ~progress:(Progress.show console o.bounds) in
-  let space = Explored.explore options e.model ~initial in
+  let space = Explored.explore options loaded.model ~initial in
   Interrupt.in_time ();
   Console.progress_done console;
   Console.report console space.faults;
-  let exported =
-    { Exported.name = e.name; digest = model.digest; parameters = e.parameters; checks = e.checks; space }
-  in
+  let exported = { Exported.loaded; space } in
   let files, notes = files o format exported in
   let* () = write_all console o interrupted files in
   tell console exported notes;

@@ -6,10 +6,9 @@ let ( let* ) = Result.bind
 type mode = Print | Check | In_place
 
 let formatted console path =
-  let* source = Result.map_error (fun d -> [ d ]) (Input.read path) in
-  Console.add_source console source;
-  let* model, trivia = Scc_syntax.Parse.with_trivia source in
-  Ok (Source.text source, Scc_syntax.Printer.model ~trivia model)
+  let* source = Input.text console path in
+  let* after = (Scc_session.Front_end.of_source source).canonical source in
+  Ok (Source.text source, after)
 
 (* Through a second file, so that the model is never half written. *)
 let replace path text =

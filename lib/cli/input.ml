@@ -41,9 +41,12 @@ let read ?max_bytes path =
   | Error reason ->
     Error (Diag.error Code.cannot_read (Span.make ~file:name ~start:0 ~stop:0) "cannot read: %s" reason)
 
-type model = { elaborated : Scc_elaborate.Elaborate.t; source : Source.t; digest : string }
-
 let ( let* ) = Result.bind
+
+let text console path =
+  let* source = Result.map_error (fun d -> [ d ]) (read path) in
+  Console.add_source console source;
+  Ok source
 
 let mesh_reader console model name =
   let file =
@@ -66,18 +69,5 @@ let rec check_overrides = function
 
 let model console ~overrides path =
   let* () = check_overrides overrides in
-  let* source = Result.map_error (fun d -> [ d ]) (read path) in
-  Console.add_source console source;
-  let* tree = Scc_syntax.Parse.parse source in
-  let meshes = ref [] in
-  let read_file name =
-    let text = mesh_reader console path name in
-    let known = List.exists (fun (n, _) -> String.equal n name) !meshes in
-    (match text with Ok t when not known -> meshes := (name, t) :: !meshes | _ -> ());
-    text
-  in
-  let* elaborated = Scc_elaborate.Elaborate.elaborate ~read_file ~overrides tree in
-  let digest =
-    Scc_exchange.Model_digest.make ~text:(Source.text source) ~files:(List.rev !meshes)
-  in
-  Ok { elaborated; source; digest }
+  let* source = text console path in
+  Scc_session.Loaded.load ~read_file:(mesh_reader console path) ~overrides source

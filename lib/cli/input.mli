@@ -10,15 +10,11 @@ val read : ?max_bytes:int -> string -> (Source.t, Diag.t) result
 (** The bytes of a file; ["-"] is standard input. SC0101 when it cannot be read. Not more than {!max_bytes},
     unless told otherwise. *)
 
-val mesh_reader : Console.t -> string -> string -> (string, string) result
+val mesh_reader : Console.t -> string -> Scc_session.Loaded.reader
 (** [mesh_reader c model path] reads a mesh file that a model names, relative to the model's place. *)
 
-(** A model with all that was read for it. *)
-type model = {
-  elaborated : Scc_elaborate.Elaborate.t;
-  source : Source.t;
-  digest : string;  (** see {!Scc_exchange.Model_digest} *)
-}
+val text : Console.t -> string -> (Source.t, Diag.t list) result
+(** The same, and the text becomes known to the console. *)
 
-val model : Console.t -> overrides:(string * Rat.t) list -> string -> (model, Diag.t list) result
-(** Reads, parses and elaborates the file. Its texts become known to the console. *)
+val model : Console.t -> overrides:(string * Rat.t) list -> string -> (Scc_session.Loaded.t, Diag.t list) result
+(** Reads and loads the file. Its texts become known to the console. *)

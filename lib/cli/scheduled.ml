@@ -1,33 +1,25 @@
 open Scc_base
-open Scc_exact
+open Scc_session
 open Scc_exchange
 
 let ( let* ) = Result.bind
-let one r = Result.map_error (fun d -> [ d ]) r
 
 let read console path =
-  let* source = one (Input.read path) in
-  Console.add_source console source;
-  one (Schedule.read source)
-
-let same_value (name, value) (name', value') = String.equal name name' && not (Rat.equal value value')
+  let* source = Input.text console path in
+  Result.map_error (fun d -> [ d ]) (Schedule.read source)
 
 let parameters (s : Schedule.t) overrides =
-  let clash = List.find_opt (fun o -> List.exists (same_value o) s.parameters) overrides in
-  match clash with
-  | Some (name, _) ->
-    Error
-      [
-        Diag.error Code.bad_schedule s.offset_at
-          "the schedule was made with another value of `%s` than -D gives" name;
-      ]
-  | None ->
-    let given (name, _) = List.exists (fun (name', _) -> String.equal name name') s.parameters in
-    Ok (s.parameters @ List.filter (fun o -> not (given o)) overrides)
+  let clash name =
+    [
+      Diag.error Code.bad_schedule s.offset_at
+        "the schedule was made with another value of `%s` than -D gives" name;
+    ]
+  in
+  Result.map_error clash (Origin.values ~recorded:s.parameters ~overrides)
 
-let check_digest (s : Schedule.t) (model : Input.model) =
+let check_digest (s : Schedule.t) (origin : Origin.t) =
   match s.digest with
-  | Some d when not (String.equal d model.digest) ->
+  | Some d when not (String.equal d origin.digest) ->
     Error
       [
         Diag.error Code.bad_schedule s.offset_at
@@ -39,5 +31,5 @@ let check_digest (s : Schedule.t) (model : Input.model) =
 let model console (s : Schedule.t) ~overrides path =
   let* overrides = parameters s overrides in
   let* model = Input.model console ~overrides path in
-  let* () = check_digest s model in
+  let* () = check_digest s model.origin in
   Ok model

@@ -2,12 +2,13 @@
 
 open Scc_base
 open Scc_exact
+open Scc_session
 open Scc_exchange
 
 val read : Console.t -> string -> (Schedule.t, Diag.t list) result
 (** The schedule in a file; its text becomes known to the console. *)
 
 val model :
-  Console.t -> Schedule.t -> overrides:(string * Rat.t) list -> string -> (Input.model, Diag.t list) result
+  Console.t -> Schedule.t -> overrides:(string * Rat.t) list -> string -> (Loaded.t, Diag.t list) result
 (** The model at a path with the parameters of the schedule, which an override may repeat but not change, and
     others that are overridden. SC0801 when the schedule was made for another text. *)

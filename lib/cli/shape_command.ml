@@ -1,9 +1,9 @@
 open Scc_base
 open Scc_geometry
+open Scc_session
 open Cmdliner
 
 let ( let* ) = Result.bind
-let one r = Result.map_error (fun d -> [ d ]) r
 
 (* What the argument names: a file, or a template of one. A file whose name has a colon is a file. *)
 let split argument =
@@ -13,21 +13,18 @@ let split argument =
   | _ -> (argument, None)
 
 let template console ~overrides path name =
-  let* source = one (Input.read path) in
-  Console.add_source console source;
-  let* tree = Scc_syntax.Parse.parse source in
+  let* source = Input.text console path in
+  let* tree = (Front_end.of_source source).model source in
   let read_file = Input.mesh_reader console path in
   Template_set.find ~read_file ~overrides tree name
 
 let mesh console path =
-  let* source = one (Input.read path) in
-  Console.add_source console source;
-  one (Scc_mesh.Mesh.read ~path (Source.text source))
+  let* source = Input.text console path in
+  Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source))
 
 let templates_of console path =
-  let* source = one (Input.read path) in
-  Console.add_source console source;
-  let* tree = Scc_syntax.Parse.parse source in
+  let* source = Input.text console path in
+  let* tree = (Front_end.of_source source).model source in
   let names = Template_set.names tree in
   let hint = Printf.sprintf "name one of them: %s:%s" path (match names with n :: _ -> n | [] -> "NAME") in
   let list = match names with [] -> "no templates" | _ -> String.concat ", " names in
@@ -41,7 +38,7 @@ let set console ~overrides argument =
   match split argument with
   | path, Some name -> template console ~overrides path name
   | path, None ->
-    if Filename.check_suffix path ".sc" then templates_of console path else mesh console path
+    if Front_end.has_extension path then templates_of console path else mesh console path
 
 let report console argument (set : Polyhedron.ifs) =
   let r = Solid_report.make set in

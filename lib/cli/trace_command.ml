@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_session
 open Scc_exchange
 open Cmdliner
 
@@ -77,23 +78,21 @@ let human_event model (states : Trace.states) write (e : Replay.event) =
     line "%d transitions, time %s: %s" steps (Rat.to_string time) word;
     Option.iter (fun t -> List.iter (line "%s") (Run_text.rounded t)) rounded
 
-let write_run o (model : Input.model) policy limits ~interrupted write =
-  let e = model.elaborated in
-  let run emit = Replay.run e.model e.declared policy limits ~interrupted emit in
+let write_run o (l : Loaded.t) policy limits ~interrupted write =
+  let run emit = Replay.run l.model l.declared policy limits ~interrupted emit in
   match o.form with
-  | Human -> run (human_event e.model o.states write)
+  | Human -> run (human_event l.model o.states write)
   | Lines ->
     let line json = write (Json.line json ^ "\n") in
-    line (Trace.header ~model:e.name ~digest:model.digest ~parameters:e.parameters);
-    run (fun event -> List.iter line (Trace.event e.model o.states event))
+    line (Trace.header l.origin);
+    run (fun event -> List.iter line (Trace.event l.model o.states event))
   | Itf ->
-    let itf = Itf.start e.model ~model:e.name ~digest:model.digest ~parameters:e.parameters write in
+    let itf = Itf.start l.model l.origin write in
     let result = run (Itf.event itf) in
     Itf.close itf;
     result
 
-let finish console (model : Input.model) (result : (Replay.ending, Replay.failure) result) =
-  let m = model.elaborated.model in
+let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) result) =
   let report d = Console.report console [ d ] in
   match result with
   | Ok Zeno ->
@@ -109,7 +108,7 @@ let finish console (model : Input.model) (result : (Replay.ending, Replay.failur
     report d;
     Exit_code.Invalid
   | Error (Fault f) ->
-    report (Scc_semantics.Transition.diagnostic m f);
+    report (Scc_semantics.Transition.diagnostic l.model f);
     (match f with Bad_law _ -> Exit_code.Invalid | Persistent_contact _ -> Undecided)
 
 let run color o =
@@ -119,7 +118,7 @@ let run color o =
       match prepare console o with
       | Error diagnostics -> Guard.invalid console diagnostics
       | Ok (model, schedule) -> (
-          Console.report console model.elaborated.warnings;
+          Console.report console model.warnings;
           let write = write_run o model (policy o schedule) (limits o schedule) ~interrupted in
           match Console.with_output console ~path:o.output write with
           | result -> finish console model result

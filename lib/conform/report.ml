@@ -1,14 +1,10 @@
 open Scc_exact
-open Scc_calculus
 open Scc_semantics
 open Scc_exchange
 
 type t = {
   file : string;
-  name : string option;
-  digest : string;
-  parameters : (string * Rat.t) list;
-  model : Model.t;
+  loaded : Scc_session.Loaded.t;
   trace : Recorded.t;
   tolerance : Rat.t;
   answer : Verdict.answer;
@@ -37,7 +33,7 @@ let happened (i : Recorded.item) =
 
 let allowed_text t (a : Divergence.allowed) =
   Printf.sprintf "%s at time %s   {%s}"
-    (Transition.label_to_string t.model a.label)
+    (Transition.label_to_string t.loaded.model a.label)
     (short a.time)
     (String.concat ", " (List.map Rule.id a.rules))
 
@@ -97,7 +93,7 @@ let text t =
       [
         Printf.sprintf "%s: undecided after %d of %s: %s" t.trace.name items
           (plural (Array.length t.trace.items) "item" "items")
-          (reason t.model why);
+          (reason t.loaded.model why);
       ]
   in
   String.concat "" (List.map (fun l -> l ^ "\n") lines)
@@ -133,7 +129,7 @@ let item_json (i : Recorded.item) =
 let allowed_json t (a : Divergence.allowed) =
   `Assoc
     [
-      ("label", State_json.label t.model a.label);
+      ("label", State_json.label t.loaded.model a.label);
       ("rules", `List (List.map (fun r -> `String (Rule.id r)) a.rules));
       ("time", about a.time);
     ]
@@ -189,7 +185,7 @@ let json t ~exit ~diagnostics =
   let divergence = match t.answer with Diverges d -> divergence_json t d | _ -> `Null in
   let why =
     match t.answer with
-    | Undecided { reason = r; _ } -> Json.text (reason t.model r)
+    | Undecided { reason = r; _ } -> Json.text (reason t.loaded.model r)
     | Conforms _ | Diverges _ -> `Null
   in
   `Assoc
@@ -203,9 +199,9 @@ let json t ~exit ~diagnostics =
         `Assoc
           [
             ("file", Json.text t.file);
-            ("name", Json.option Json.text t.name);
-            ("digest", `String t.digest);
-            ("parameters", `Assoc (List.map (fun (n, q) -> (n, Json.rat q)) t.parameters));
+            ("name", Json.option Json.text t.loaded.origin.name);
+            ("digest", `String t.loaded.origin.digest);
+            ("parameters", Origin_json.parameters t.loaded.origin);
           ] );
       ( "trace",
         `Assoc

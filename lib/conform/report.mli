@@ -6,10 +6,7 @@ open Scc_exchange
 
 type t = {
   file : string;  (** of the model *)
-  name : string option;
-  digest : string;
-  parameters : (string * Rat.t) list;
-  model : Model.t;
+  loaded : Scc_session.Loaded.t;
   trace : Recorded.t;
   tolerance : Rat.t;
   answer : Verdict.answer;

@@ -5,16 +5,12 @@ open Scc_semantics
 open Scc_property
 open Scc_explain
 open Scc_verify
+open Scc_session
 
 type t = {
-  name : string option;
-  digest : string;
-  parameters : (string * Rat.t) list;
-  model : Model.t;
+  loaded : Loaded.t;
   verdicts : (Property.check * Verdict.t) list;
-  stats : Check.stats;
-  slices : Check.slice list;
-  zeno : Witness.t option;
+  report : Check.report;
   diagnostics : Diag.t list;
   exit : int;
   extra : (string * Json.t) list;
@@ -165,24 +161,23 @@ let slice (s : Check.slice) =
     ]
 
 let document ~source r =
+  let model = r.loaded.model in
   `Assoc
     ([
       ("format", `String "scc-check");
       ("version", `Int 1);
       ("semantics", `String Trace.semantics_version);
-      ("model", Json.option Json.text r.name);
-      ("digest", `String r.digest);
-      ("parameters", `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) r.parameters));
-      ("exit", `Int r.exit);
     ]
-      @ (match Model.resolution r.model with
+      @ Origin_json.members r.loaded.origin
+      @ [ ("exit", `Int r.exit) ]
+      @ (match Model.resolution model with
           | Some resolution -> [ ("resolution", Json.rat resolution) ]
           | None -> [])
       @ [
-        ("properties", `List (List.map (property r.model) r.verdicts));
-        ("explored", explored r.stats);
-        ("slices", `List (List.map slice r.slices));
-        ("zeno", Json.option (witness r.model) r.zeno);
+        ("properties", `List (List.map (property model) r.verdicts));
+        ("explored", explored r.report.stats);
+        ("slices", `List (List.map slice r.report.slices));
+        ("zeno", Json.option (witness model) r.report.zeno);
         ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
       ]
       @ r.extra)

@@ -1,22 +1,16 @@
 (** The report of [scc check] as JSON (see [specs/schema/check.schema.json]). *)
 
 open Scc_base
-open Scc_exact
 open Scc_calculus
 open Scc_property
-open Scc_explain
 open Scc_verify
+open Scc_session
 
 (** What there is to report. *)
 type t = {
-  name : string option;
-  digest : string;
-  parameters : (string * Rat.t) list;
-  model : Model.t;
+  loaded : Loaded.t;
   verdicts : (Property.check * Verdict.t) list;
-  stats : Check.stats;
-  slices : Check.slice list;
-  zeno : Witness.t option;
+  report : Check.report;
   diagnostics : Diag.t list;
   exit : int;
   extra : (string * Json.t) list;  (** members that were asked for: [coverage], [measured] *)
@@ -27,5 +21,10 @@ val kind : Verdict.t -> string
 
 val truncation : Verdict.truncation -> Json.t
 (** A bound that was met. *)
+
+val property : Model.t -> Property.check * Verdict.t -> Json.t
+(** A member of [properties]. *)
+
+val explored : Check.stats -> Json.t
 
 val document : source:(string -> Source.t option) -> t -> Json.t

@@ -191,7 +191,7 @@ let legend p (e : Exported.t) put =
   in
   let plain text = Printf.sprintf "<tr><td></td><td align=\"left\">%s</td></tr>" (html text) in
   let text name =
-    match List.find_opt (fun (c : Property.check) -> String.equal c.name name) e.checks with
+    match List.find_opt (fun (c : Property.check) -> String.equal c.name name) e.loaded.checks with
     | Some c -> c.text
     | None -> ""
   in
@@ -216,7 +216,7 @@ let legend p (e : Exported.t) put =
 
 let write (e : Exported.t) l ~positions put =
   let space = e.space in
-  let aims = Array.of_list (List.map (fun (name, goal, _) -> (name, goal)) (coloured e.checks)) in
+  let aims = Array.of_list (List.map (fun (name, goal, _) -> (name, goal)) (coloured e.loaded.checks)) in
   let p =
     {
       l;
@@ -228,7 +228,7 @@ let write (e : Exported.t) l ~positions put =
     }
   in
   let folded = folded p in
-  put (Printf.sprintf "digraph %s {\n" (quoted [ Option.value e.name ~default:"model" ]));
+  put (Printf.sprintf "digraph %s {\n" (quoted [ Option.value e.loaded.origin.name ~default:"model" ]));
   put "  node [shape=box, fontname=\"Helvetica\", fontsize=10]\n";
   put "  edge [fontname=\"Helvetica\", fontsize=9]\n";
   put "  start [shape=point]\n  start -> s0\n";

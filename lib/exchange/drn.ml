@@ -24,7 +24,7 @@ let write (e : Exported.t) mdp put =
          | Error why -> "is not asked for by labels alone: " ^ why
        in
        comment put (Printf.sprintf "check %s: %s" c.name asked))
-    e.checks;
+    e.loaded.checks;
   line "@type: MDP";
   line "@value_type: rational";
   line "@parameters";

@@ -3,11 +3,10 @@ open Scc_exact
 open Scc_calculus
 open Scc_property
 open Scc_explain
+open Scc_session
 
 type t = {
-  name : string option;
-  digest : string;
-  parameters : (string * Rat.t) list;
+  origin : Origin.t;
   check : Property.check option;
   explanation : Omission.t;
   diagnostics : Diag.t list;
@@ -77,21 +76,21 @@ let document ~source t =
   let m = (Causes.run x.story).model and events = Causes.events x.story in
   let keeps (leaves, why) = `Assoc [ ("body", body m leaves); ("without", Json.text why) ] in
   `Assoc
-    [
+    ([
       ("format", `String "scc-explanation");
       ("version", `Int 1);
       ("semantics", `String Trace.semantics_version);
-      ("model", Json.option Json.text t.name);
-      ("digest", `String t.digest);
-      ("parameters", `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) t.parameters));
-      ("exit", `Int t.exit);
-      ("check", Json.option (fun (c : Property.check) -> Json.text c.name) t.check);
-      ("formula", Json.option (fun (c : Property.check) -> Json.text c.text) t.check);
-      ("time", Json.rat (Causes.duration x.story));
-      ("facts", `List (List.map Json.text x.facts));
-      ("because", `List (List.map (reason m events) x.basis.reasons));
-      ("steps", `List (steps x));
-      ("left_out", `List (List.map (body m) x.left_out));
-      ("keep_away", `List (List.map keeps x.keep_away));
-      ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) t.diagnostics));
     ]
+      @ Origin_json.members t.origin
+      @ [
+        ("exit", `Int t.exit);
+        ("check", Json.option (fun (c : Property.check) -> Json.text c.name) t.check);
+        ("formula", Json.option (fun (c : Property.check) -> Json.text c.text) t.check);
+        ("time", Json.rat (Causes.duration x.story));
+        ("facts", `List (List.map Json.text x.facts));
+        ("because", `List (List.map (reason m events) x.basis.reasons));
+        ("steps", `List (steps x));
+        ("left_out", `List (List.map (body m) x.left_out));
+        ("keep_away", `List (List.map keeps x.keep_away));
+        ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) t.diagnostics));
+      ])

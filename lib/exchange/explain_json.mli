@@ -1,14 +1,12 @@
 (** What a fact depends on, as JSON (see [specs/schema/explain.schema.json]). *)
 
 open Scc_base
-open Scc_exact
 open Scc_property
 open Scc_explain
+open Scc_session
 
 type t = {
-  name : string option;
-  digest : string;
-  parameters : (string * Rat.t) list;
+  origin : Origin.t;
   check : Property.check option;  (** that the fact is about; otherwise it is the last event *)
   explanation : Omission.t;
   diagnostics : Diag.t list;

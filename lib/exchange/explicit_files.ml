@@ -92,15 +92,12 @@ let names (e : Exported.t) mdp variables put =
   put
     (Json.pretty
        (`Assoc
-          [
-            ("format", `String "scc-names");
-            ("version", `Int 1);
-            ("model", Json.option Json.text e.name);
-            ("digest", `String e.digest);
-            ("parameters", `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) e.parameters));
-            ("notes", texts (Exported.summary e @ Exported.label_notes l));
-            ("checks", `List (List.map check e.checks));
-            ("labels", `List (List.map label (Array.to_list (Labelling.predicates l))));
-            ("actions", `List (List.map action (Mdp.actions mdp)));
-            ("variables", `List (List.map variable (State_variables.meanings variables)));
-          ]))
+          ([ ("format", `String "scc-names"); ("version", `Int 1) ]
+           @ Origin_json.members e.loaded.origin
+           @ [
+             ("notes", texts (Exported.summary e @ Exported.label_notes l));
+             ("checks", `List (List.map check e.loaded.checks));
+             ("labels", `List (List.map label (Array.to_list (Labelling.predicates l))));
+             ("actions", `List (List.map action (Mdp.actions mdp)));
+             ("variables", `List (List.map variable (State_variables.meanings variables)));
+           ])))

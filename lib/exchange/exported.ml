@@ -1,20 +1,18 @@
 open Scc_exact
-open Scc_property
 open Scc_verify
+open Scc_session
 
 type t = {
-  name : string option;
-  digest : string;
-  parameters : (string * Rat.t) list;
-  checks : Property.check list;
+  loaded : Loaded.t;
   space : Explored.t;
 }
 
 let summary e =
   let parameter (name, value) = Printf.sprintf "%s = %s" name (Rat.to_string value) in
+  let { Origin.name; parameters; _ } = e.loaded.origin in
   let model =
     String.concat ", "
-      (("model " ^ Option.value e.name ~default:"without a name") :: List.map parameter e.parameters)
+      (("model " ^ Option.value name ~default:"without a name") :: List.map parameter parameters)
   in
   let explored =
     Printf.sprintf "explored: %d states, %d transitions" e.space.size (Explored.transitions e.space)

@@ -1,14 +1,10 @@
 (** What every export says of the graph it is made of. *)
 
-open Scc_exact
-open Scc_property
 open Scc_verify
+open Scc_session
 
 type t = {
-  name : string option;  (** of the model *)
-  digest : string;  (** see {!Model_digest} *)
-  parameters : (string * Rat.t) list;
-  checks : Property.check list;
+  loaded : Loaded.t;
   space : Explored.t;
 }
 

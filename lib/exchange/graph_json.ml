@@ -52,14 +52,12 @@ let write (e : Exported.t) l put =
   add "format" (`String "scc-graph");
   add "version" (`Int version);
   add "semantics" (`String Trace.semantics_version);
-  add "model" (Json.option text e.name);
-  add "digest" (`String e.digest);
-  add "parameters" (`Assoc (List.map (fun (name, value) -> (name, Json.rat value)) e.parameters));
+  List.iter (fun (key, json) -> add key json) (Origin_json.members e.loaded.origin);
   add "complete" (`Bool (Explored.complete space));
   add "unexplored" (`Int (Explored.unexpanded space));
   add "bounds" (texts bounds);
   add "faults" (texts (List.map (fun (f : Scc_base.Diag.t) -> f.message) space.faults));
-  add "checks" (`List (List.map check e.checks));
+  add "checks" (`List (List.map check e.loaded.checks));
   add "predicates" (`List predicates);
   put "\"states\": [\n";
   for i = 0 to space.size - 1 do

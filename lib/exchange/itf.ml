@@ -29,16 +29,16 @@ let vector (v : Vec.t) = tuple [ rational v.x; rational v.y; rational v.z ]
 let map pairs = `Assoc [ ("#map", `List (List.map (fun (key, value) -> `List [ key; value ]) pairs)) ]
 let set items = `Assoc [ ("#set", `List items) ]
 
-let start model ~model:name ~digest ~parameters put =
+let start model (origin : Scc_session.Origin.t) put =
   let meta =
     `Assoc
       [
         ("format", `String "ITF");
         ("description", `String "a run of the Shape Calculus, made by scc");
-        ("model", Json.option Json.text name);
-        ("digest", `String digest);
+        ("model", Json.option Json.text origin.name);
+        ("digest", `String origin.digest);
         ("semantics", `String Trace.semantics_version);
-        ("parameters", `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) parameters));
+        ("parameters", Origin_json.parameters origin);
       ]
   in
   put (Printf.sprintf "{\n\"#meta\": %s,\n" (Json.line meta));

@@ -28,19 +28,12 @@
                from each leaf to what its process keeps with [dynamics free_body]
     v} *)
 
-open Scc_exact
 open Scc_calculus
 
 type t
 (** A trace in the making. *)
 
-val start :
-  Model.t ->
-  model:string option ->
-  digest:string ->
-  parameters:(string * Rat.t) list ->
-  (string -> unit) ->
-  t
+val start : Model.t -> Scc_session.Origin.t -> (string -> unit) -> t
 (** Writes what comes before the states. *)
 
 val event : t -> Replay.event -> unit

@@ -16,16 +16,15 @@ type t = {
 let version = 1
 let ( let* ) = Result.bind
 
-let to_string ?model ?check ~digest ~parameters choices ~offset =
+let to_string ?model ?check (origin : Scc_session.Origin.t) choices ~offset =
   let b = Buffer.create 1024 in
   let add fmt = Printf.bprintf b fmt in
-  let parameter (name, value) = (name, Json.rat value) in
   add "{ \"format\": \"scc-schedule\",\n  \"version\": %d,\n" version;
   let optional name = Option.iter (fun s -> add "  \"%s\": %s,\n" name (Json.line (Json.text s))) in
   optional "model" model;
   optional "check" check;
-  add "  \"digest\": %s,\n" (Json.line (`String digest));
-  add "  \"parameters\": %s,\n" (Json.line (`Assoc (List.map parameter parameters)));
+  add "  \"digest\": %s,\n" (Json.line (`String origin.digest));
+  add "  \"parameters\": %s,\n" (Json.line (Origin_json.parameters origin));
   add "  \"choices\": [";
   List.iteri
     (fun i (index, label) ->

@@ -10,7 +10,7 @@ type choice = { index : int option; label : string option; at : Span.t }
 type t = {
   model : string option;  (** the path of the model, as it was given when the schedule was made *)
   check : string option;  (** the property that the run is a witness for *)
-  digest : string option;  (** of the model it was made for, see {!Model_digest} *)
+  digest : string option;  (** of the model it was made for, see {!Scc_session.Origin.digest} *)
   parameters : (string * Rat.t) list;  (** with their values *)
   choices : choice list;
   offset : Rat.t option;
@@ -24,8 +24,7 @@ val version : int
 val to_string :
   ?model:string ->
   ?check:string ->
-  digest:string ->
-  parameters:(string * Rat.t) list ->
+  Scc_session.Origin.t ->
   (int * string) list ->
   offset:Rat.t option ->
   string

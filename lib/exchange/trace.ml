@@ -5,17 +5,15 @@ open Scc_semantics
 let version = Schedule.version
 let semantics_version = "1"
 
-let header ~model ~digest ~parameters =
+let header origin =
   `Assoc
-    [
+    ([
       ("type", `String "header");
       ("format", `String "scc-trace");
       ("version", `Int version);
       ("semantics", `String semantics_version);
-      ("model", Json.option Json.text model);
-      ("digest", `String digest);
-      ("parameters", `Assoc (List.map (fun (name, value) -> (name, Json.rat value)) parameters));
     ]
+      @ Origin_json.members origin)
 
 let ending : Replay.ending -> string = function
   | Open -> "open"

@@ -1,6 +1,5 @@
 (** Traces as JSON Lines: one object a line, the same bytes for the same model and choices. *)
 
-open Scc_exact
 open Scc_calculus
 
 val version : int
@@ -9,7 +8,7 @@ val version : int
 val semantics_version : string
 (** Of the semantics (the rule book) that the states are computed by. *)
 
-val header : model:string option -> digest:string -> parameters:(string * Rat.t) list -> Json.t
+val header : Scc_session.Origin.t -> Json.t
 (** The first line: what the run is of. It holds what decides what the choices mean, and not how they were
     made, so that a trace and its replay are the same bytes. *)
 

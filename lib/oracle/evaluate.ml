@@ -33,7 +33,7 @@ let rec last = function
   | [ (c : Property.check) ] -> c
   | _ :: rest -> last rest
 
-let check (l : Models.loaded) = { (last l.elaborated.checks) with name = "formula" }
+let check (l : Models.loaded) = { (last l.model.checks) with name = "formula" }
 
 let is_state_formula = function
   | [ (d : Diag.t) ] -> String.equal d.code (Code.not_a_formula :> string)
@@ -78,14 +78,14 @@ let answer kind value reason =
 
 let state p (l : Models.loaded) prop =
   let place = Models.path p l.network in
-  match (Trajectory.prop (trajectory l.elaborated.model place) prop).start with
+  match (Trajectory.prop (trajectory l.model.model place) prop).start with
   | True -> answer "state" (`Bool true) None
   | False -> answer "state" (`Bool false) None
   | Undecided reason -> answer "state" `Null (Some reason)
 
 let number p (l : Models.loaded) num =
   let place = Models.path p l.network in
-  match (Trajectory.num (trajectory l.elaborated.model place) num).start with
+  match (Trajectory.num (trajectory l.model.model place) num).start with
   | Undefined reason -> answer "number" `Null (Some reason)
   | Ratio (n, d) ->
     let at_start polynomial = Polynomial.eval polynomial Rat.zero in
@@ -120,33 +120,17 @@ let options bounds p : Check.options =
 let temporal bounds p (l : Models.loaded) check =
   let options = options bounds p in
   let place = Models.path p l.network in
-  let e = l.elaborated in
-  let report = Check.run options e.model ~initial:place.state [ check ] in
-  let document =
-    Check_json.document ~source:(fun _ -> None)
-      {
-        name = e.name;
-        digest = l.digest;
-        parameters = e.parameters;
-        model = e.model;
-        verdicts = report.outcomes;
-        stats = report.stats;
-        slices = report.slices;
-        zeno = report.zeno;
-        diagnostics = [];
-        exit = 0;
-        extra = [];
-      }
-  in
-  match (report.outcomes, Json.member "properties" document, Json.member "explored" document) with
-  | [ (_, verdict) ], Some (`List [ property ]), Some explored ->
+  let model = l.model.model in
+  let report = Check.run options model ~initial:place.state [ check ] in
+  match report.outcomes with
+  | [ ((_, verdict) as outcome) ] ->
     Reply.Value
       (`Assoc
          [
            ("kind", `String "temporal");
            ("verdict", `String (Check_json.kind verdict));
-           ("report", property);
-           ("explored", explored);
+           ("report", Check_json.property model outcome);
+           ("explored", Check_json.explored report.stats);
          ])
   | _ -> Bug.fail __POS__ "one check has one verdict"
 

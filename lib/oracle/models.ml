@@ -1,11 +1,11 @@
 open Scc_base
 open Scc_exact
 open Scc_syntax
-open Scc_elaborate
 open Scc_calculus
+open Scc_session
 open Scc_exchange
 
-type loaded = { digest : string; elaborated : Elaborate.t; network : Network_at.t }
+type loaded = { model : Loaded.t; network : Network_at.t }
 
 (* What a model was made of, so that it can be made anew. *)
 type given = {
@@ -29,19 +29,12 @@ let formula_name = "<formula>"
 let ( let* ) = Result.bind
 
 let make given tree =
-  let used = ref [] in
   let read_file name =
-    match List.assoc_opt name given.files with
-    | None -> Error "it is not among the files of the request"
-    | Some text ->
-      if not (List.mem_assoc name !used) then used := (name, text) :: !used;
-      Ok text
+    Option.to_result ~none:"it is not among the files of the request" (List.assoc_opt name given.files)
   in
-  let* elaborated = Elaborate.elaborate ~read_file ~overrides:given.overrides tree in
-  let digest = Model_digest.make ~text:(Source.text given.source) ~files:(List.rev !used) in
-  match Network_at.make elaborated.model elaborated.declared with
-  | Ok network -> Ok { digest; elaborated; network }
-  | Error f -> Error [ Scc_semantics.Transition.diagnostic elaborated.model f ]
+  let* model = Loaded.of_tree ~read_file ~overrides:given.overrides given.source tree in
+  let* initial = Loaded.initial model in
+  Ok { model; network = Network_at.make model.model ~initial }
 
 let source_of given name =
   if String.equal name text_name then Some given.source
@@ -87,19 +80,19 @@ let check (c : Scc_property.Property.check) =
   `Assoc [ ("name", Json.text c.name); ("formula", Json.text c.text) ]
 
 let describe given handle l =
-  let e = l.elaborated in
+  let m = l.model in
   let list encode items = `List (Long_list.map encode items) in
   `Assoc
     [
       ("model", `String handle);
-      ("digest", `String l.digest);
-      ("name", Json.option Json.text e.name);
-      ("parameters", `Assoc (List.map (fun (name, x) -> (name, Json.rat x)) e.parameters));
-      ("rigid", `Bool (Option.is_some e.model.rigid));
-      ("resolution", Json.option Json.rat (Model.resolution e.model));
-      ("leaves", list leaf (Array.to_list e.model.leaves));
-      ("checks", list check e.checks);
-      ("warnings", `List (Fault.diagnostics ~source:(source_of given) e.warnings));
+      ("digest", `String m.origin.digest);
+      ("name", Json.option Json.text m.origin.name);
+      ("parameters", Origin_json.parameters m.origin);
+      ("rigid", `Bool (Option.is_some m.model.rigid));
+      ("resolution", Json.option Json.rat (Model.resolution m.model));
+      ("leaves", list leaf (Array.to_list m.model.leaves));
+      ("checks", list check m.checks);
+      ("warnings", `List (Fault.diagnostics ~source:(source_of given) m.warnings));
     ]
 
 let load store p =
@@ -111,7 +104,7 @@ let load store p =
   let given = { source; files; overrides; tree = [] } in
   let most = (Read.quotas p).model_bytes in
   if bytes given > most then Fault.refuse (Limit ("model_bytes", most));
-  match Parse.parse source with
+  match (Front_end.of_source source).model source with
   | Error diagnostics -> refuse given diagnostics
   | Ok tree ->
     let kept = { given = { given with tree }; loaded = None } in
@@ -147,7 +140,7 @@ let with_formula store ~handle ~formula change ~form =
   | Some a -> Ok a.answer
   | None ->
     let given = (kept_of store handle).given in
-    let* e = Parse.expression (Source.make ~name:formula_name formula) in
+    let* e = (Front_end.of_source given.source).expression (Source.make ~name:formula_name formula) in
     let name = { Ast.it = check_name; at = e.at } in
     let item = { Ast.it = Ast.Check (name, change e); at = e.at } in
     let* answer = make given (Long_list.append given.tree [ item ]) in

@@ -1,13 +1,9 @@
 (** The models of a session, as handles. *)
 
 open Scc_base
-open Scc_elaborate
+open Scc_session
 
-type loaded = {
-  digest : string;
-  elaborated : Elaborate.t;
-  network : Network_at.t;
-}
+type loaded = { model : Loaded.t; network : Network_at.t }
 
 type store
 

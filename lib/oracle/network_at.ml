@@ -30,13 +30,10 @@ type t = {
 (* So many leaves in all states that are kept, roughly. *)
 let leaves_kept = 100_000
 
-let make model declared =
-  let keep initial =
-    let leaves = 1 + Array.length model.Model.leaves in
-    let most = Int.max 2 (Int.min 256 (leaves_kept / leaves)) in
-    { model; initial; most; table = Table.create 64; order = Queue.create () }
-  in
-  Result.map keep (Network.initial model declared)
+let make model ~initial =
+  let leaves = 1 + Array.length model.Model.leaves in
+  let most = Int.max 2 (Int.min 256 (leaves_kept / leaves)) in
+  { model; initial; most; table = Table.create 64; order = Queue.create () }
 
 let model t = t.model
 let initial t = t.initial

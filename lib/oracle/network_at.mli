@@ -14,8 +14,7 @@ type place = {
   last : (State.t * Transition.label) option;  (** how it was reached: none for the initial state *)
 }
 
-val make : Model.t -> State.t -> (t, Transition.fault) result
-(** From the declared state. *)
+val make : Model.t -> initial:State.t -> t
 
 val model : t -> Model.t
 val initial : t -> State.t

@@ -200,17 +200,17 @@ let misfit network told message =
 
 let replay store p =
   Read.only p [ "model"; "choices"; "offset"; "choose"; "steps"; "time"; "states"; "limits" ];
-  let { Models.network; elaborated = e; digest } = Read.required p "model" (Models.model store) in
+  let { Models.network; model = l } = Read.required p "model" (Models.model store) in
   let policy = policy p in
   let limits = limits p policy and q = Read.quotas p in
   let states = one_of p "states" [ ("all", Trace.All); ("ends", Trace.Ends) ] ~default:Trace.All in
   let told = { lines = []; bytes = 0; taken = []; finish = None } in
-  tell q told (Trace.header ~model:e.name ~digest ~parameters:e.parameters);
+  tell q told (Trace.header l.origin);
   let interrupted () = false in
-  match Replay.run e.model e.declared policy limits ~interrupted (on_event q e.model states told) with
+  match Replay.run l.model l.declared policy limits ~interrupted (on_event q l.model states told) with
   | Error (Refused d) -> misfit network told d.message
   | Error (Fault f) ->
-    let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic e.model f ] in
+    let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic l.model f ] in
     Fault.refuse (No_transitions { at = List.length told.taken; diagnostics })
   | Error Interrupted -> Bug.fail __POS__ "nobody interrupts"
   | Ok _ -> (

@@ -58,7 +58,9 @@ let choices = [ (0, "time(1/2)"); (3, "strong({<a, {p.right, q.left}>})") ]
 let round_trip () =
   let half = Rat.make Z.one (Z.of_int 2) in
   let text =
-    Schedule.to_string ~digest:"md5:00" ~parameters:[ ("n", Rat.of_int 4) ] choices ~offset:(Some half)
+    Schedule.to_string
+      { name = None; digest = "md5:00"; parameters = [ ("n", Rat.of_int 4) ] }
+      choices ~offset:(Some half)
   in
   match Schedule.read (source text) with
   | Error d -> Alcotest.fail d.Diag.message
@@ -111,7 +113,7 @@ let refuse (name, text) =
       | Error d -> Alcotest.(check string) "code" "SC0801" d.Diag.code)
 
 let digest () =
-  let make text files = Model_digest.make ~text ~files in
+  let make text files = Scc_session.Origin.digest ~text ~files in
   Alcotest.(check bool) "text" false (String.equal (make "a" []) (make "b" []));
   Alcotest.(check bool) "where a file begins" false
     (String.equal (make "a" [ ("f", "xy") ]) (make "a" [ ("fx", "y") ]));

@@ -71,7 +71,7 @@ check three : eventually quiescent
   let found =
     List.map
       (fun (p : State_predicates.t) -> p.name ^ " is " ^ p.text)
-      (State_predicates.of_checks e.space.model e.checks)
+      (State_predicates.of_checks e.space.model e.loaded.checks)
   in
   Alcotest.(check (list string)) "predicates"
     [
@@ -87,7 +87,7 @@ check three : eventually quiescent
     | name, Kept _ -> name ^ " kept"
   in
   Alcotest.(check (list string)) "aims" [ "one kept"; "three reached" ]
-    (List.map aim (State_predicates.aims e.checks))
+    (List.map aim (State_predicates.aims e.loaded.checks))
 
 let asked () =
   let check formula =
@@ -101,8 +101,8 @@ check c : %s
 |}
            formula)
     in
-    let predicates = Array.of_list (State_predicates.of_checks e.space.model e.checks) in
-    let f = (List.hd e.checks).formula in
+    let predicates = Array.of_list (State_predicates.of_checks e.space.model e.loaded.checks) in
+    let f = (List.hd e.loaded.checks).formula in
     match Pctl.formula ~occurs:(fun name -> not (String.equal name "x_p_gt_9")) predicates f with
     | Ok s -> s
     | Error why -> why
@@ -224,7 +224,7 @@ process r = Cube mass 1 velocity (-1,0,0) at translate (15,0,0) [nil]
 (* {1 Pictures} *)
 
 let dot_of ?(positions = false) (e : Exported.t) =
-  Graphs.written (Dot.write e (Labelling.make ~instants:true e.space (Dot.predicates e.checks)) ~positions)
+  Graphs.written (Dot.write e (Labelling.make ~instants:true e.space (Dot.predicates e.loaded.checks)) ~positions)
 
 let folding () =
   let chain next =
@@ -260,7 +260,9 @@ check soon : always x(p) < 3 within 1
   lacks "a bound of time" drawn "soon: "
 
 let escapes () =
-  let drawn = dot_of { (Graphs.made [| [] |]) with name = Some "a\"b\\<c>" } in
+  let e = Graphs.made [| [] |] in
+  let origin = { e.loaded.origin with name = Some "a\"b\\<c>" } in
+  let drawn = dot_of { e with loaded = { e.loaded with origin } } in
   has "quotes and strokes" drawn "digraph \"a\\\"b\\\\<c>\" {";
   has "in the legend" drawn "model a&quot;b\\&lt;c&gt;"
 
@@ -296,7 +298,7 @@ let itf () =
   let b = Buffer.create 100 in
   let start () =
     Buffer.clear b;
-    Itf.start e.space.model ~model:None ~digest:"md5:0" ~parameters:[] (Buffer.add_string b)
+    Itf.start e.space.model e.loaded.origin (Buffer.add_string b)
   in
   let t = start () in
   Itf.event t (Start s);

@@ -1,4 +1,5 @@
 open Scc_verify
+open Scc_session
 open Scc_exchange
 open Scc_test_models
 
@@ -12,29 +13,24 @@ shape Cube {
 }
 |}
 
-let loaded text =
-  let e = Load.exactly (Load.text (cube ^ text)) in
-  match Scc_semantics.Network.initial e.model e.declared with
-  | Ok initial -> (e, initial)
+let loaded text : Loaded.t * Scc_calculus.State.t =
+  let source = Scc_base.Source.make ~name:"model.sc" (cube ^ text) in
+  let l = Load.exactly (Loaded.load ~read_file:(fun _ -> Error "no files here") ~overrides:[] source) in
+  match Loaded.initial l with
+  | Ok initial -> ({ l with origin = { l.origin with digest = "md5:0" } }, initial)
   | Error _ -> Alcotest.fail "no initial state"
 
 let explored ?(options = Check.default) text : Exported.t =
-  let e, initial = loaded text in
-  {
-    name = e.name;
-    digest = "md5:0";
-    parameters = e.parameters;
-    checks = e.checks;
-    space = Explored.explore options e.model ~initial;
-  }
+  let loaded, initial = loaded text in
+  { loaded; space = Explored.explore options loaded.model ~initial }
 
 let made ?(unexplored = []) ?(resting = []) transitions : Exported.t =
-  let e, initial = loaded "process p = Cube mass 1 [nil]\nprocess q = Cube mass 1 at translate (5,0,0) [nil]" in
+  let l, initial = loaded "process p = Cube mass 1 [nil]\nprocess q = Cube mass 1 at translate (5,0,0) [nil]" in
   let edge (label, target) = { Explored.label; target } in
   let out = Array.map (fun l -> Array.of_list (List.map edge l)) transitions in
   let space : Explored.t =
     {
-      model = e.model;
+      model = l.model;
       size = Array.length out;
       state = (fun _ -> initial);
       edges = Array.get out;
@@ -44,7 +40,7 @@ let made ?(unexplored = []) ?(resting = []) transitions : Exported.t =
       faults = [];
     }
   in
-  { name = Some "made"; digest = "md5:0"; parameters = []; checks = []; space }
+  { loaded = { l with origin = { l.origin with name = Some "made" } }; space }
 
 let written write =
   let b = Buffer.create 1024 in
@@ -53,4 +49,4 @@ let written write =
 
 let labelling ?instants (e : Exported.t) =
   Labelling.make ?instants e.space
-    (Array.of_list (State_predicates.of_checks e.space.model e.checks))
+    (Array.of_list (State_predicates.of_checks e.space.model e.loaded.checks))

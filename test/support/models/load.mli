@@ -11,7 +11,7 @@ val file :
   ?overrides:(string * Rat.t) list -> string -> (Scc_elaborate.Elaborate.t, Diag.t list) result
 (** Meshes are found relative to the file. *)
 
-val exactly : (Scc_elaborate.Elaborate.t, Diag.t list) result -> Scc_elaborate.Elaborate.t
+val exactly : ('a, Diag.t list) result -> 'a
 (** Fails with the rendered diagnostics. *)
 
 val read : string -> string

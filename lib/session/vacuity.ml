@@ -20,8 +20,8 @@ let can_happen terms (change : Property.change) name =
   | Released_strongly -> some strong
   | Released -> some weak || some strong
 
-let impossible (e : Scc_elaborate.Elaborate.t) =
-  let counted = Coverage.create e.model ~initial:e.declared in
+let impossible (l : Loaded.t) =
+  let counted = Coverage.create l.model ~initial:l.declared in
   let terms = List.map (fun (s : Coverage.summand) -> s.term) (Coverage.summands counted) in
   let impossible : Property.event -> bool = function
     | Bond (change, name, _) -> not (can_happen terms change name)
@@ -29,13 +29,11 @@ let impossible (e : Scc_elaborate.Elaborate.t) =
   in
   let warning (c : Property.check) event =
     Diag.warning Code.impossible_event c.span "no behaviour can bring about `event %s`, of which `%s` speaks"
-      (Show.event e.model event) c.name
+      (Show.event l.model event) c.name
   in
   List.concat_map
     (fun (c : Property.check) -> List.map (warning c) (List.filter impossible (Formula.events c.formula)))
-    e.checks
-
-let questions (e : Scc_elaborate.Elaborate.t) = e.premises
+    l.checks
 
 let premise ((p : Property.check), (v : Verdict.t)) =
   match v with

@@ -5,19 +5,15 @@ open Scc_base
 open Scc_property
 open Scc_verify
 
-val impossible : Scc_elaborate.Elaborate.t -> Diag.t list
+val impossible : Loaded.t -> Diag.t list
 (** SC0704 for each event of a check that no behaviour can bring about: a bind on a channel that is not open
     both as [a] and as [~a] anywhere, a split of bonds that none releases in this way. The text of the
     behaviours tells, without exploration. *)
-
-val questions : Scc_elaborate.Elaborate.t -> Property.check list
-(** Whether premises ever hold: to be decided beside the checks. They keep no exploration going, as a check is
-    never decided before its premise has been met or all is explored. *)
 
 val warnings :
   Check.stats ->
   verdicts:(Property.check * Verdict.t) list ->
   answers:(Property.check * Verdict.t) list ->
   Diag.t list
-(** SC0703 when some check holds and no event ever happens, SC0702 for each of the {!questions} whose answer is
-    no. *)
+(** SC0703 when some check holds and no event ever happens, SC0702 for each premise
+    ({!Loaded.t}), decided beside the checks, that never holds. *)

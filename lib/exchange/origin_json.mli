@@ -1,0 +1,7 @@
+(** What the documents say of the model that they are about. *)
+
+open Scc_session
+
+val parameters : Origin.t -> Json.t
+val members : Origin.t -> (string * Json.t) list
+(** [model], [digest] and [parameters]. *)

@@ -1,0 +1,39 @@
+open Scc_base
+open Scc_calculus
+open Scc_property
+open Scc_semantics
+
+type t = {
+  source : Source.t;
+  origin : Origin.t;
+  model : Model.t;
+  declared : State.t;
+  checks : Property.check list;
+  premises : Property.check list;
+  warnings : Diag.t list;
+}
+
+type reader = string -> (string, string) result
+
+let ( let* ) = Result.bind
+
+let of_tree ~read_file ~overrides source tree =
+  let files = ref [] in
+  let read_file name =
+    let result = read_file name in
+    let known = List.exists (fun (n, _) -> String.equal n name) !files in
+    (match result with Ok text when not known -> files := (name, text) :: !files | Ok _ | Error _ -> ());
+    result
+  in
+  let* (e : Scc_elaborate.Elaborate.t) = Scc_elaborate.Elaborate.elaborate ~read_file ~overrides tree in
+  let digest = Origin.digest ~text:(Source.text source) ~files:(List.rev !files) in
+  let origin = { Origin.name = e.name; digest; parameters = e.parameters } in
+  let { Scc_elaborate.Elaborate.model; declared; checks; premises; warnings; _ } = e in
+  Ok { source; origin; model; declared; checks; premises; warnings }
+
+let load ~read_file ~overrides source =
+  let* tree = (Front_end.of_source source).model source in
+  of_tree ~read_file ~overrides source tree
+
+let initial l =
+  Result.map_error (fun f -> [ Transition.diagnostic l.model f ]) (Network.initial l.model l.declared)

@@ -1,0 +1,37 @@
+(** Models that are ready to be worked on: what every command and every request starts from. *)
+
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_property
+
+type t = {
+  source : Source.t;
+  origin : Origin.t;
+  model : Model.t;
+  declared : State.t;  (** as declared: before {!Scc_semantics} sets clocks and steers *)
+  checks : Property.check list;
+  premises : Property.check list;
+  (** What has to come true for the checks to say anything, each with the name of its check: to be decided beside
+      them. They keep no exploration going, as a check is never decided before its premise has been met or all is
+      explored. *)
+  warnings : Diag.t list;
+}
+
+type reader = string -> (string, string) result
+(** Given the path of a mesh as the model writes it: its bytes, or why it cannot be read. *)
+
+val load :
+  read_file:reader -> overrides:(string * Rat.t) list -> Source.t -> (t, Diag.t list) result
+(** By the front end of the text ({!Front_end.of_source}), with the values of [overrides] for parameters. *)
+
+val of_tree :
+  read_file:reader ->
+  overrides:(string * Rat.t) list ->
+  Source.t ->
+  Scc_syntax.Ast.model ->
+  (t, Diag.t list) result
+(** Of a syntax tree that the text was read into, perhaps with more in it than the text says. *)
+
+val initial : t -> (State.t, Diag.t list) result
+(** The initial state. The error is why a law of motion has no value there. *)
