@@ -7,7 +7,7 @@ let ( let* ) = Option.bind
 
 let axes : (string * Property.axis) list = [ ("x", X); ("y", Y); ("z", Z) ]
 
-let one_leaf : (string * (int -> Property.num)) list =
+let one_leaf : (string * (int -> Property.quantity)) list =
   [
     ("size", fun p -> Property.Size p);
     ("x", fun p -> Property.Position (X, p));
@@ -25,18 +25,18 @@ let one_leaf : (string * (int -> Property.num)) list =
 
 let two_leaves : (string * (int -> int -> (Property.num, Property.prop) Typed.value)) list =
   [
-    ("distance2", fun p q -> Num (Property.Distance2 (p, q)));
-    ("bound", fun p q -> Cond (Property.Bound (p, q)));
-    ("same", fun p q -> Cond (Property.Same (p, q)));
-    ("touching", fun p q -> Cond (Property.Touching (p, q)));
+    ("distance2", fun p q -> Num (Property.Quantity (Distance2 (p, q))));
+    ("bound", fun p q -> Cond (Property.Fact (Bound (p, q))));
+    ("same", fun p q -> Cond (Property.Fact (Same (p, q))));
+    ("touching", fun p q -> Cond (Property.Fact (Touching (p, q))));
   ]
 
 let constants : (string * (Property.num, Property.prop) Typed.value) list =
   [
-    ("processes", Num Property.Processes);
-    ("energy", Num Property.Energy);
-    ("time", Num Property.Time);
-    ("quiescent", Cond Property.Quiescent);
+    ("processes", Num (Property.Quantity Processes));
+    ("energy", Num (Property.Quantity Energy));
+    ("time", Num (Property.Quantity Time));
+    ("quiescent", Cond (Property.Fact Quiescent));
   ]
 
 let functions =
@@ -52,23 +52,24 @@ let arity t (at : Span.t) name expected given =
   None
 
 let bonds t env at arguments =
+  let count name ends = Some (Typed.Num (Property.Quantity (Bonds (name, ends)))) in
   match arguments with
-  | [] -> Some (Typed.Num (Property.Bonds (None, None)))
+  | [] -> count None None
   | [ a ] ->
     let* _, a = channel t a in
-    Some (Typed.Num (Property.Bonds (Some a, None)))
+    count (Some a) None
   | [ a; p; q ] ->
     let a = channel t a and p = leaf t env p and q = leaf t env q in
     let* _, a = a in
     let* p, q = Typed.both p q in
-    Some (Typed.Num (Property.Bonds (Some a, Some (p, q))))
+    count (Some a) (Some (p, q))
   | _ -> arity t at "bonds" "a channel, or a channel and two processes" (List.length arguments)
 
 let offers t env at arguments =
   match arguments with
   | [ p; a ] ->
     let* p, (polarity, a) = Typed.both (leaf t env p) (channel t a) in
-    Some (Typed.Cond (Property.State (Offers (p, polarity, a))))
+    Some (Typed.Cond (Property.State (Fact (Offers (p, polarity, a)))))
   | _ -> arity t at "offers" "a process and a channel" (List.length arguments)
 
 (* {1 Transitions} *)
@@ -86,7 +87,7 @@ let ends t env arguments : Property.ends option =
     Option.map (fun (p, q) -> Property.Two (p, q)) (Typed.both (leaf t env p) (leaf t env q))
 
 let event t env at (word : Ast.name) arguments =
-  let made e = Some (Typed.Cond (Property.State (Event e))) in
+  let made e = Some (Typed.Cond (Property.State (Fact (Event e)))) in
   match (word.it, List.assoc_opt word.it changes, arguments) with
   | "bounce", _, ([] | [ _ ] | [ _; _ ]) ->
     let* ends = ends t env arguments in
@@ -111,7 +112,7 @@ let apply t env (e : Ast.expr) (f : Ast.name) arguments =
   | "behaviour", _, _, _ ->
     error t Code.type_mismatch e.at "a behaviour can only be compared with a name, as in `behaviour(p) = K`";
     None
-  | _, Some make, _, [ p ] -> Option.map (fun p -> Typed.Num (make p)) (leaf t env p)
+  | _, Some make, _, [ p ] -> Option.map (fun p -> Typed.Num (Property.Quantity (make p))) (leaf t env p)
   | name, Some _, _, _ -> arity t e.at name "one process" (List.length arguments)
   | _, None, Some make, [ p; q ] ->
     Option.map (fun (p, q) -> value (make p q)) (Typed.both (leaf t env p) (leaf t env q))
@@ -134,8 +135,8 @@ let variable t env (path : Ast.path) =
         None)
   | [ { name = { it = ("momentum" | "angular") as of_what; _ }; indices = [] }; { name; indices = [] } ] -> (
       match (of_what, List.assoc_opt name.it axes) with
-      | "angular", Some axis -> Some (Num (Property.Angular axis))
-      | _, Some axis -> Some (Num (Property.Momentum axis))
+      | "angular", Some axis -> Some (Num (Property.Quantity (Angular axis)))
+      | _, Some axis -> Some (Num (Property.Quantity (Momentum axis)))
       | _, None ->
         error t Code.unknown_name name.at "`%s` has the components x, y and z" of_what;
         None)
@@ -148,7 +149,7 @@ let is_definition t env negated p (k : Ast.name) =
   let* i = leaf t env p in
   let* owner = owner t i in
   let* k = Behaviours.definition t.behaviours owner k in
-  let atom = Property.Behaviour (i, k) in
+  let atom = Property.Fact (Behaviour (i, k)) in
   Some (Typed.Cond (Property.State (if negated then Not atom else atom)))
 
 (* [behaviour(p) = K], either way round. *)

@@ -161,16 +161,16 @@ let rigid_num c (n : Property.num) =
     f process place
   in
   match n with
-  | Position (a, leaf) -> Some (of_leaf (fun p -> Spinning.coordinate p a) leaf)
-  | Velocity (a, leaf) -> Some (of_leaf (fun p -> Spinning.velocity p a) leaf)
-  | Speed2 leaf -> Some (of_leaf Spinning.speed2 leaf)
-  | Distance2 (p, q) -> Some (rigid_distance2 c p q)
-  | Angular a -> Some (rigid_total c (fun p -> Spinning.angular p a))
-  | Energy -> Some (rigid_total c Spinning.energy)
-  | Spin (a, leaf) -> Some (of_leaf (fun p _ -> Spinning.spin p a) leaf)
-  | Spin2 leaf -> Some (of_leaf (fun p _ -> Spinning.spin2 p) leaf)
-  | Const _ | Bonds _ | Size _ | Processes | Momentum _ | Time | Count _ | Neg _ | Add _
-  | Sub _ | Mul _ | Div _ | If _ -> None
+  | Quantity (Position (a, leaf)) -> Some (of_leaf (fun p -> Spinning.coordinate p a) leaf)
+  | Quantity (Velocity (a, leaf)) -> Some (of_leaf (fun p -> Spinning.velocity p a) leaf)
+  | Quantity (Speed2 leaf) -> Some (of_leaf Spinning.speed2 leaf)
+  | Quantity (Distance2 (p, q)) -> Some (rigid_distance2 c p q)
+  | Quantity (Angular a) -> Some (rigid_total c (fun p -> Spinning.angular p a))
+  | Quantity Energy -> Some (rigid_total c Spinning.energy)
+  | Quantity (Spin (a, leaf)) -> Some (of_leaf (fun p _ -> Spinning.spin p a) leaf)
+  | Quantity (Spin2 leaf) -> Some (of_leaf (fun p _ -> Spinning.spin2 p) leaf)
+  | Quantity (Bonds _ | Size _ | Processes | Momentum _ | Time)
+  | Const _ | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ -> None
 
 let time c =
   match c.state.time with
@@ -202,23 +202,23 @@ and straight_num c (n : Property.num) =
   let line p = Timeline.constant c.extent (Value.polynomial p) in
   match n with
   | Const r -> constant r
-  | Bonds (name, ends) -> integer (count_bonds c name ends)
-  | Size leaf -> integer (State.size c.model (fst (home c leaf)))
-  | Processes -> integer (Array.length c.state.processes)
-  | Position (a, leaf) -> line (coordinate c a leaf)
-  | Velocity (a, leaf) -> constant (axis a (fst (home c leaf)).velocity)
-  | Speed2 leaf -> constant (Vec.norm2 (fst (home c leaf)).velocity)
-  | Distance2 (p, q) -> line (distance2 c p q)
-  | Spin (a, leaf) -> constant (axis a (fst (home c leaf)).spin)
-  | Spin2 leaf -> constant (Vec.norm2 (fst (home c leaf)).spin)
-  | Momentum a -> constant (total c (fun m p -> Rat.mul m (axis a p.velocity)))
-  | Angular a ->
+  | Quantity (Bonds (name, ends)) -> integer (count_bonds c name ends)
+  | Quantity (Size leaf) -> integer (State.size c.model (fst (home c leaf)))
+  | Quantity Processes -> integer (Array.length c.state.processes)
+  | Quantity (Position (a, leaf)) -> line (coordinate c a leaf)
+  | Quantity (Velocity (a, leaf)) -> constant (axis a (fst (home c leaf)).velocity)
+  | Quantity (Speed2 leaf) -> constant (Vec.norm2 (fst (home c leaf)).velocity)
+  | Quantity (Distance2 (p, q)) -> line (distance2 c p q)
+  | Quantity (Spin (a, leaf)) -> constant (axis a (fst (home c leaf)).spin)
+  | Quantity (Spin2 leaf) -> constant (Vec.norm2 (fst (home c leaf)).spin)
+  | Quantity (Momentum a) -> constant (total c (fun m p -> Rat.mul m (axis a p.velocity)))
+  | Quantity (Angular a) ->
     let of_process m (p : State.process) =
       Rat.mul m (axis a (Vec.cross (State.centre_of_mass c.model p) p.velocity))
     in
     constant (total c of_process)
-  | Energy -> constant (total c (fun m p -> Rat.div (Rat.mul m (Vec.norm2 p.velocity)) (Rat.of_int 2)))
-  | Time -> line (time c)
+  | Quantity Energy -> constant (total c (fun m p -> Rat.div (Rat.mul m (Vec.norm2 p.velocity)) (Rat.of_int 2)))
+  | Quantity Time -> line (time c)
   | Count props -> count c props
   | Neg a -> Timeline.map Value.neg (num c a)
   | Add (a, b) -> Timeline.map2 Value.add (num c a) (num c b)
@@ -254,13 +254,13 @@ and prop c (p : Property.prop) : Truth.t Timeline.t =
   match p with
   | Bool b -> constant b
   | Compare (op, a, b) -> Value.compare op c.extent (num c a) (num c b)
-  | Bound (p, q) -> constant (count_bonds c None (Some (p, q)) > 0)
-  | Same (p, q) -> constant (same_process c p q)
-  | Behaviour (leaf, k) -> behavioural c leaf (is_called k)
-  | Offers (leaf, polarity, name) -> behavioural c leaf (fun b -> offers_in c b polarity name)
-  | Touching (p, q) -> touching c p q
-  | Quiescent -> constant (Scc_semantics.Network.quiescent c.model c.state)
-  | Event e -> at_the_start c (c.arrived e)
+  | Fact (Bound (p, q)) -> constant (count_bonds c None (Some (p, q)) > 0)
+  | Fact (Same (p, q)) -> constant (same_process c p q)
+  | Fact (Behaviour (leaf, k)) -> behavioural c leaf (is_called k)
+  | Fact (Offers (leaf, polarity, name)) -> behavioural c leaf (fun b -> offers_in c b polarity name)
+  | Fact (Touching (p, q)) -> touching c p q
+  | Fact Quiescent -> constant (Scc_semantics.Network.quiescent c.model c.state)
+  | Fact (Event e) -> at_the_start c (c.arrived e)
   | Not a -> Timeline.map Truth.not_ (prop c a)
   | And list -> conjunction c list
   | Or list -> Timeline.map Truth.not_ (conjunction c (List.map (fun p -> Property.Not p) list))

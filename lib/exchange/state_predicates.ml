@@ -18,7 +18,7 @@ let rec greatest found (f : Property.temporal) =
       | Until (_, _, f, g) -> greatest (greatest found f) g)
 
 (* What needs no label of its own. *)
-let has_label : Property.prop -> bool = function Bool _ | Quiescent -> true | _ -> false
+let has_label : Property.prop -> bool = function Bool _ | Fact Quiescent -> true | _ -> false
 
 let of_checks model (checks : Property.check list) =
   let wholes = List.map (fun (c : Property.check) -> (c, List.rev (greatest [] c.formula))) checks in

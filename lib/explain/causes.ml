@@ -212,9 +212,6 @@ let bonds t wanted =
 
 let of_everyone table aspect leaves = { reasons = of_process table aspect leaves; leaves }
 let of_table table aspect leaves = { reasons = List.concat_map (changed table aspect) leaves; leaves }
-let moving t leaves = of_table t.last.motion Motion leaves
-let structured t leaves = of_table t.last.structure Structure leaves
-let behaving t leaves = of_table t.last.behaviour Behaviour leaves
 
 let union bases =
   {
@@ -223,22 +220,6 @@ let union bases =
   }
 
 let nothing = { reasons = []; leaves = [] }
-
-let named name (b : State.bond) =
-  match name with
-  | None -> true
-  | Some n -> String.equal n b.name
-
-let of_num t : Property.num -> basis = function
-  | Bonds (name, None) -> bonds t (named name)
-  | Bonds (name, Some ((p, q) as ends)) ->
-    union [ bonds t (fun b -> named name b && joins ends b); { nothing with leaves = [ p; q ] } ]
-  | Size p -> structured t [ p ]
-  | Processes -> of_everyone t.last.structure Structure (everyone t)
-  | Position (_, p) | Velocity (_, p) | Speed2 p | Spin (_, p) | Spin2 p -> moving t [ p ]
-  | Distance2 (p, q) -> moving t [ p; q ]
-  | Momentum _ | Angular _ | Energy -> of_everyone t.last.motion Motion (movable t)
-  | Const _ | Time | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ -> nothing
 
 let discrete_events t =
   let discrete (_, (e : event)) = match e.happening with Discrete _ -> true | Expiry _ -> false in
@@ -262,28 +243,40 @@ let arrival t =
   | Some (_, e) when e.step = Array.length t.run.steps - 1 && Rat.sign t.run.offset = 0 -> of_last_event t
   | _ -> nothing
 
-let of_prop t : Property.prop -> basis = function
-  | Bound (p, q) -> union [ bonds t (joins (p, q)); { nothing with leaves = [ p; q ] } ]
-  | Same (p, q) -> structured t [ p; q ]
-  | Behaviour (p, _) | Offers (p, _, _) -> behaving t [ p ]
-  | Touching (p, q) -> moving t [ p; q ]
-  | Quiescent ->
-    let all = everyone t and last = t.last in
-    union
-      [
-        of_everyone last.motion Motion all; of_everyone last.structure Structure all; behaving t all;
-        of_everyone last.clock Clock all;
-      ]
-  | Event (Bond (_, _, ends) | Bounce ends) ->
-    let leaves = match ends with Any -> [] | One p -> [ p ] | Two (p, q) -> [ p; q ] in
-    union [ arrival t; { nothing with leaves } ]
-  | Bool _ | Compare _ | Not _ | And _ | Or _ -> nothing
+(* The bonds of the name, and between the leaves, that are the arguments of an atom. *)
+let is_of (atom : Atom.t) (b : State.bond) =
+  let fits_name : Atom.argument -> bool = function
+    | Channel (_, a) -> String.equal a b.name
+    | Leaf _ | Definition _ -> true
+  in
+  List.for_all fits_name atom.arguments
+  &&
+  match Atom.leaves atom with
+  | [ p; q ] -> joins (p, q) b
+  | _ -> true
 
-let of_formula t f =
-  let found = ref [] in
-  let note basis = found := basis :: !found in
-  Formula.iter ~num:(fun n -> note (of_num t n)) ~prop:(fun p -> note (of_prop t p)) f;
-  union !found
+let of_aspect t (atom : Atom.t) (aspect : Atom.aspect) =
+  let of_leaves table aspect whose =
+    match atom.scope with
+    | Named -> of_table table aspect (Atom.leaves atom)
+    | Whole -> of_everyone table aspect (whose t)
+  in
+  match aspect with
+  | Absolute_time | Absolute_place -> nothing
+  | Motion -> of_leaves t.last.motion Motion movable
+  | Structure -> of_leaves t.last.structure Structure everyone
+  | Split_clock -> of_leaves t.last.clock Clock everyone
+  | Bonding -> bonds t (is_of atom)
+  | Term -> (
+      match atom.scope with
+      | Named -> of_table t.last.behaviour Behaviour (Atom.leaves atom)
+      | Whole -> of_table t.last.behaviour Behaviour (everyone t))
+
+let of_atom t (atom : Atom.t) =
+  let just_now = if Option.is_some atom.event then arrival t else nothing in
+  union ({ nothing with leaves = Atom.leaves atom } :: just_now :: List.map (of_aspect t atom) atom.aspects)
+
+let of_formula t f = union (List.rev_map (of_atom t) (Formula.atoms f))
 
 let closure t given =
   let marks = Array.make (Array.length t.events) false in

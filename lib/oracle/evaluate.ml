@@ -59,7 +59,7 @@ let read store ~handle ~formula =
       | Error _ -> refuse diagnostics
       | Ok l -> (
           match (check l).formula with
-          | Finally (_, _, State (Compare (_, n, Time))) -> Number (l, n)
+          | Finally (_, _, State (Compare (_, n, Quantity Time))) -> Number (l, n)
           | _ -> refuse diagnostics))
 
 (* {1 At a state} *)

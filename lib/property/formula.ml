@@ -23,7 +23,7 @@ let rec negate = function
   | Not p -> p
   | And ps -> Or (Long_list.map negate ps)
   | Or ps -> And (Long_list.map negate ps)
-  | (Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent | Event _) as atom -> Not atom
+  | Fact _ as p -> Not p
 
 let dual = function
   | All -> Exists
@@ -50,51 +50,48 @@ and refuse = function
   | Globally (q, b, f) -> Finally (dual q, b, refuse f)
   | Until _ as f -> Temporal_not (negation_normal_form f)
 
-(* Whether some number or predicate of a formula satisfies its test; every term is visited. *)
-type tests = { of_num : num -> bool; of_prop : prop -> bool }
+(* {1 What formulas look at} *)
 
-let rec exists_num t n =
-  t.of_num n
-  ||
-  match n with
-  | Const _ | Bonds _ | Size _ | Processes | Position _ | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Distance2 _
-  | Momentum _ | Angular _ | Energy | Time -> false
-  | Count ps -> List.exists (exists_prop t) ps
-  | Neg a -> exists_num t a
-  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> exists_num t a || exists_num t b
-  | If (p, a, b) -> exists_prop t p || exists_num t a || exists_num t b
+(* Whether some atom passes a test: all are visited as long as none does. *)
+let rec exists_num test = function
+  | Const _ -> false
+  | Quantity q -> test (Atom.quantity q)
+  | Count ps -> List.exists (exists_prop test) ps
+  | Neg a -> exists_num test a
+  | Add (a, b) | Sub (a, b) | Mul (a, b) | Div (a, b) -> exists_num test a || exists_num test b
+  | If (p, a, b) -> exists_prop test p || exists_num test a || exists_num test b
 
-and exists_prop t p =
-  t.of_prop p
-  ||
-  match p with
-  | Bool _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent | Event _ -> false
-  | Compare (_, a, b) -> exists_num t a || exists_num t b
-  | Not p -> exists_prop t p
-  | And ps | Or ps -> List.exists (exists_prop t) ps
+and exists_prop test = function
+  | Bool _ -> false
+  | Compare (_, a, b) -> exists_num test a || exists_num test b
+  | Fact f -> test (Atom.fact f)
+  | Not p -> exists_prop test p
+  | And ps | Or ps -> List.exists (exists_prop test) ps
 
-let rec exists t = function
-  | State p -> exists_prop t p
-  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> exists t f
-  | Temporal_and fs | Temporal_or fs -> List.exists (exists t) fs
-  | Until (_, _, f, g) -> exists t f || exists t g
+let rec exists test = function
+  | State p -> exists_prop test p
+  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> exists test f
+  | Temporal_and fs | Temporal_or fs -> List.exists (exists test) fs
+  | Until (_, _, f, g) -> exists test f || exists test g
 
-let no _ = false
+let atoms f =
+  let found = ref [] in
+  let note a = found := a :: !found; false in
+  ignore (exists note f);
+  List.rev !found
 
-let mentions_time f =
-  exists
-    { of_num = (function Time -> true | _ -> false); of_prop = no }
-    f
+let mentions_time f = exists (Atom.depends_on Absolute_time) f
+let mentions_position f = exists (Atom.depends_on Absolute_place) f
+let has_events f = exists (fun a -> Option.is_some a.event) f
+let steady ~rigid p = not (exists_prop (fun a -> not (Atom.steady ~rigid a)) p)
 
-let mentions_position f =
-  exists
-    { of_num = (function Position _ | Angular _ -> true | _ -> false); of_prop = no }
-    f
-
-let has_events f =
-  exists
-    { of_num = no; of_prop = (function Event _ -> true | _ -> false) }
-    f
+let global f =
+  let is_whole (a : Atom.t) =
+    match a.scope with
+    | Whole -> true
+    | Named -> false
+  in
+  exists is_whole f
 
 let rec mentions_next = function
   | State _ -> false
@@ -103,42 +100,11 @@ let rec mentions_next = function
   | Temporal_and fs | Temporal_or fs -> List.exists mentions_next fs
   | Until (_, _, f, g) -> mentions_next f || mentions_next g
 
-let depends_on_all_num = function
-  | Bonds (_, None) | Processes | Momentum _ | Angular _ | Energy -> true
-  | Const _ | Bonds (_, Some _) | Size _ | Position _ | Velocity _ | Speed2 _ | Spin _ | Spin2 _ | Distance2 _
-  | Time | Count _ | Neg _ | Add _ | Sub _ | Mul _ | Div _ | If _ -> false
-
-let depends_on_all_prop = function
-  | Quiescent | Event (Bond (_, _, Any) | Bounce Any) -> true
-  | Event (Bond (_, _, (One _ | Two _)) | Bounce (One _ | Two _))
-  | Bool _ | Compare _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Not _ | And _ | Or _ -> false
-
-let global f = exists { of_num = depends_on_all_num; of_prop = depends_on_all_prop } f
-
-let leaves_of_num = function
-  | Size i | Position (_, i) | Velocity (_, i) | Speed2 i | Spin (_, i) | Spin2 i -> [ i ]
-  | Bonds (_, Some (i, j)) | Distance2 (i, j) -> [ i; j ]
-  | Const _ | Bonds (_, None) | Processes | Momentum _ | Angular _ | Energy | Time | Count _ | Neg _ | Add _
-  | Sub _ | Mul _ | Div _ | If _ -> []
-
-let leaves_of_prop = function
-  | Behaviour (i, _) | Offers (i, _, _) -> [ i ]
-  | Bound (i, j) | Same (i, j) | Touching (i, j) -> [ i; j ]
-  | Event (Bond (_, _, One i) | Bounce (One i)) -> [ i ]
-  | Event (Bond (_, _, Two (i, j)) | Bounce (Two (i, j))) -> [ i; j ]
-  | Event (Bond (_, _, Any) | Bounce Any) | Bool _ | Compare _ | Quiescent | Not _ | And _ | Or _ -> []
-
-let iter ~num ~prop f =
-  let visit g x = g x; false in
-  ignore (exists { of_num = visit num; of_prop = visit prop } f)
-
 module Leaves = Set.Make (Int)
 
 let leaves f =
-  let found = ref Leaves.empty in
-  let note list = found := List.fold_left (fun found i -> Leaves.add i found) !found list in
-  iter ~num:(fun n -> note (leaves_of_num n)) ~prop:(fun p -> note (leaves_of_prop p)) f;
-  Leaves.elements !found
+  let add found a = List.fold_left (fun found i -> Leaves.add i found) found (Atom.leaves a) in
+  Leaves.elements (List.fold_left add Leaves.empty (atoms f))
 
 let rec predicates = function
   | State p -> [ p ]
@@ -162,12 +128,11 @@ and all fs =
   Option.map List.rev (List.fold_left add (Some []) fs)
 
 let events f =
-  let found = ref [] in
-  let note = function
-    | Event e -> if not (List.exists (equal_event e) !found) then found := e :: !found
-    | _ -> ()
+  let note found (a : Atom.t) =
+    match a.event with
+    | Some e when not (List.exists (equal_event e) found) -> e :: found
+    | Some _ | None -> found
   in
-  iter ~num:ignore ~prop:note f;
-  List.rev !found
+  List.rev (List.fold_left note [] (atoms f))
 
-let leaves_of_events f = List.concat_map (fun e -> leaves_of_prop (Event e)) (events f)
+let leaves_of_events f = List.concat_map (fun e -> Atom.leaves (Atom.fact (Event e))) (events f)

@@ -45,11 +45,14 @@ val leaves_of_events : temporal -> int list
 (** Those that its events name. *)
 
 val global : temporal -> bool
-(** Whether it has an atom that depends on the whole network: bonds or events without leaves, the number of
-    processes, energy, momentum, [quiescent]. ([time] depends on no process.) *)
+(** Whether it has an atom that depends on the whole network ({!Atom.Whole}): bonds or events without leaves, the
+    number of processes, energy, momentum, [quiescent]. ([time] depends on no process.) *)
 
-val iter : num:(num -> unit) -> prop:(prop -> unit) -> temporal -> unit
-(** Visits every number and every predicate, those inside others included. *)
+val atoms : temporal -> Atom.t list
+(** All that occur, in order, each as often as it does. *)
+
+val steady : rigid:bool -> prop -> bool
+(** Whether it has no atom whose value may change while time passes and nothing happens ({!Atom.steady}). *)
 
 val predicates : temporal -> prop list
 (** The predicates that temporal operators are about, in order. *)

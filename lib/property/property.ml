@@ -22,9 +22,8 @@ type event =
   | Bond of change * string option * ends  (** of a bond of this name, between these leaves *)
   | Bounce of ends  (** of the two processes that these are leaves of *)
 
-(** Numbers at a real instant of a run. Leaves are indices into {!Model.leaves}. *)
-type num =
-  | Const of Rat.t
+(** Numbers that are read off a state: the atoms among the numbers. Leaves are indices into {!Model.leaves}. *)
+type quantity =
   | Bonds of string option * (int * int) option
   (** the number of bonds of this name, between these two leaves *)
   | Size of int  (** basic shapes in the leaf's whole process *)
@@ -40,18 +39,9 @@ type num =
   (** angular momentum of everything that is not fixed, about the origin of the world *)
   | Energy  (** kinetic, of everything that is not fixed *)
   | Time
-  | Count of prop list  (** how many of these hold *)
-  | Neg of num
-  | Add of num * num
-  | Sub of num * num
-  | Mul of num * num
-  | Div of num * num
-  | If of prop * num * num
 
-(** State predicates: they hold or not at a real instant. *)
-and prop =
-  | Bool of bool
-  | Compare of Law.comparison * num * num
+(** Truths that are read off a state: the atoms among the predicates. *)
+type fact =
   | Bound of int * int  (** a bond joins the two leaves *)
   | Same of int * int  (** one process *)
   | Behaviour of int * int
@@ -64,6 +54,24 @@ and prop =
   | Event of event
   (** such a transition has led here, and nothing has happened since, nor has time passed: false in the
       initial state and strictly inside a trajectory *)
+
+(** Numbers at a real instant of a run. What of a state each atom depends on is the table of {!Atom}. *)
+type num =
+  | Const of Rat.t
+  | Quantity of quantity
+  | Count of prop list  (** how many of these hold *)
+  | Neg of num
+  | Add of num * num
+  | Sub of num * num
+  | Mul of num * num
+  | Div of num * num
+  | If of prop * num * num
+
+(** State predicates: they hold or not at a real instant. *)
+and prop =
+  | Bool of bool
+  | Compare of Law.comparison * num * num
+  | Fact of fact
   | Not of prop
   | And of prop list
   | Or of prop list

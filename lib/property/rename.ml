@@ -2,15 +2,8 @@ open Scc_base
 open Property
 
 let rec num f = function
-  | (Const _ | Processes | Momentum _ | Angular _ | Energy | Time | Bonds (_, None)) as n -> n
-  | Bonds (a, Some (i, j)) -> Bonds (a, Some (f i, f j))
-  | Size i -> Size (f i)
-  | Position (a, i) -> Position (a, f i)
-  | Velocity (a, i) -> Velocity (a, f i)
-  | Speed2 i -> Speed2 (f i)
-  | Spin (a, i) -> Spin (a, f i)
-  | Spin2 i -> Spin2 (f i)
-  | Distance2 (i, j) -> Distance2 (f i, f j)
+  | Const _ as n -> n
+  | Quantity q -> Quantity (Atom.renamed_quantity f q)
   | Count ps -> Count (Long_list.map (prop f) ps)
   | Neg a -> Neg (num f a)
   | Add (a, b) -> Add (num f a, num f b)
@@ -20,23 +13,12 @@ let rec num f = function
   | If (p, a, b) -> If (prop f p, num f a, num f b)
 
 and prop f = function
-  | (Bool _ | Quiescent) as p -> p
+  | Bool _ as p -> p
   | Compare (c, a, b) -> Compare (c, num f a, num f b)
-  | Bound (i, j) -> Bound (f i, f j)
-  | Same (i, j) -> Same (f i, f j)
-  | Behaviour (i, k) -> Behaviour (f i, k)
-  | Offers (i, p, a) -> Offers (f i, p, a)
-  | Touching (i, j) -> Touching (f i, f j)
-  | Event (Bond (change, a, e)) -> Event (Bond (change, a, ends f e))
-  | Event (Bounce e) -> Event (Bounce (ends f e))
+  | Fact x -> Fact (Atom.renamed_fact f x)
   | Not p -> Not (prop f p)
   | And ps -> And (Long_list.map (prop f) ps)
   | Or ps -> Or (Long_list.map (prop f) ps)
-
-and ends f = function
-  | Any -> Any
-  | One i -> One (f i)
-  | Two (i, j) -> Two (f i, f j)
 
 (* A temporal formula with its predicates mapped. *)
 let rec states f = function
@@ -53,13 +35,11 @@ let temporal f g = states (prop f) g
 
 (* {1 One form of formulas that differ in order alone} *)
 
-let ordered_pair (i, j) = if i <= j then (i, j) else (j, i)
-
-let ordered_ends = function
-  | (Any | One _) as e -> e
-  | Two (i, j) ->
-    let i, j = ordered_pair (i, j) in
-    Two (i, j)
+(* The renaming that puts the two leaves of a symmetric atom in order. *)
+let in_order (atom : Atom.t) =
+  match Atom.leaves atom with
+  | [ i; j ] when atom.symmetric && j < i -> fun k -> if k = i then j else i
+  | _ -> Fun.id
 
 (* The operands of a chain of one associative operator, whatever its brackets. *)
 let flatten operands x =
@@ -85,12 +65,8 @@ let rebuild make = function
 
 let rec ordered_num n =
   match n with
-  | Const _ | Processes | Momentum _ | Angular _ | Energy | Time | Bonds (_, None) | Size _ | Position _
-  | Velocity _ | Speed2 _ | Spin _ | Spin2 _ -> n
-  | Bonds (a, Some ends) -> Bonds (a, Some (ordered_pair ends))
-  | Distance2 (i, j) ->
-    let i, j = ordered_pair (i, j) in
-    Distance2 (i, j)
+  | Const _ -> n
+  | Quantity q -> Quantity (Atom.renamed_quantity (in_order (Atom.quantity q)) q)
   | Count ps -> Count (sorted_props ps)
   | Neg a -> Neg (ordered_num a)
   | Add _ -> rebuild (fun a b -> Add (a, b)) (sorted_nums (flatten summands n))
@@ -104,24 +80,14 @@ and sorted_props ps = List.sort Order.prop (Long_list.map ordered_prop ps)
 
 and ordered_prop p =
   match p with
-  | Bool _ | Quiescent | Behaviour _ | Offers _ -> p
+  | Bool _ -> p
   | Compare (Gt, a, b) -> Compare (Lt, ordered_num b, ordered_num a)
   | Compare (Ge, a, b) -> Compare (Le, ordered_num b, ordered_num a)
   | Compare (((Lt | Le) as c), a, b) -> Compare (c, ordered_num a, ordered_num b)
   | Compare (((Eq | Ne) as c), a, b) ->
     let a = ordered_num a and b = ordered_num b in
     if Order.num a b <= 0 then Compare (c, a, b) else Compare (c, b, a)
-  | Bound (i, j) ->
-    let i, j = ordered_pair (i, j) in
-    Bound (i, j)
-  | Same (i, j) ->
-    let i, j = ordered_pair (i, j) in
-    Same (i, j)
-  | Touching (i, j) ->
-    let i, j = ordered_pair (i, j) in
-    Touching (i, j)
-  | Event (Bond (change, a, e)) -> Event (Bond (change, a, ordered_ends e))
-  | Event (Bounce e) -> Event (Bounce (ordered_ends e))
+  | Fact x -> Fact (Atom.renamed_fact (in_order (Atom.fact x)) x)
   | Not p -> Not (ordered_prop p)
   | And _ -> And (sorted_props (flatten conjuncts p))
   | Or _ -> Or (sorted_props (flatten disjuncts p))

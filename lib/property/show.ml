@@ -5,11 +5,6 @@ open Property
 
 let leaf (m : Model.t) i = m.leaves.(i).name
 
-let axis = function
-  | X -> "x"
-  | Y -> "y"
-  | Z -> "z"
-
 let comparison : Law.comparison -> string = function
   | Lt -> "<"
   | Le -> "<="
@@ -20,48 +15,30 @@ let comparison : Law.comparison -> string = function
 
 let call name arguments = Printf.sprintf "%s(%s)" name (String.concat ", " arguments)
 
-let ends m = function
-  | Any -> []
-  | One i -> [ leaf m i ]
-  | Two (i, j) -> [ leaf m i; leaf m j ]
-
-let change = function
-  | Made -> "bind"
-  | Released_weakly -> "weak"
-  | Released_strongly -> "strong"
-  | Released -> "split"
-
-let event m e =
-  let word, arguments =
-    match e with
-    | Bond (c, name, e) -> (change c, Option.to_list name @ ends m e)
-    | Bounce e -> ("bounce", ends m e)
-  in
-  match arguments with
+let written word = function
   | [] -> word
-  | _ :: _ -> call word arguments
+  | arguments -> call word arguments
+
+let argument m : Atom.argument -> string = function
+  | Leaf i -> leaf m i
+  | Channel (Some Co_name, a) -> "~" ^ a
+  | Channel ((Some Name | None), a) -> a
+  | Definition k -> m.definitions.(k).name
+
+let event m e = written (Atom.event_word e) (List.map (argument m) (Atom.event_arguments e))
+
+(* A definition is compared with: [behaviour(p) = K]. *)
+let atom m (a : Atom.t) =
+  let is_definition = function
+    | Atom.Definition _ -> true
+    | Leaf _ | Channel _ -> false
+  in
+  let definitions, others = List.partition is_definition a.arguments in
+  String.concat " = " (written a.word (List.map (argument m) others) :: List.map (argument m) definitions)
 
 let rec num m = function
   | Const q -> Rat.to_string q
-  | Bonds (name, ends) ->
-    let ends =
-      match ends with
-      | None -> []
-      | Some (i, j) -> [ leaf m i; leaf m j ]
-    in
-    call "bonds" (Option.to_list name @ ends)
-  | Size i -> call "size" [ leaf m i ]
-  | Processes -> "processes"
-  | Position (a, i) -> call (axis a) [ leaf m i ]
-  | Velocity (a, i) -> call ("v" ^ axis a) [ leaf m i ]
-  | Speed2 i -> call "speed2" [ leaf m i ]
-  | Spin (a, i) -> call ("w" ^ axis a) [ leaf m i ]
-  | Spin2 i -> call "spin2" [ leaf m i ]
-  | Distance2 (i, j) -> call "distance2" [ leaf m i; leaf m j ]
-  | Momentum a -> "momentum." ^ axis a
-  | Angular a -> "angular." ^ axis a
-  | Energy -> "energy"
-  | Time -> "time"
+  | Quantity q -> atom m (Atom.quantity q)
   | Count ps -> call "count" (Long_list.map (prop m) ps)
   | Neg a -> "-" ^ num m a
   | Add (a, b) -> infix m "+" a b
@@ -75,19 +52,7 @@ and infix m operator a b = Printf.sprintf "(%s %s %s)" (num m a) operator (num m
 and prop m = function
   | Bool b -> string_of_bool b
   | Compare (c, a, b) -> Printf.sprintf "%s %s %s" (num m a) (comparison c) (num m b)
-  | Bound (i, j) -> call "bound" [ leaf m i; leaf m j ]
-  | Same (i, j) -> call "same" [ leaf m i; leaf m j ]
-  | Behaviour (i, k) -> Printf.sprintf "behaviour(%s) = %s" (leaf m i) m.definitions.(k).name
-  | Offers (i, polarity, a) ->
-    let bar =
-      match polarity with
-      | Some Behaviour.Co_name -> "~"
-      | Some Behaviour.Name | None -> ""
-    in
-    call "offers" [ leaf m i; bar ^ a ]
-  | Touching (i, j) -> call "touching" [ leaf m i; leaf m j ]
-  | Quiescent -> "quiescent"
-  | Event e -> "event " ^ event m e
+  | Fact f -> atom m (Atom.fact f)
   | Not p -> "not " ^ bracket m p
   | And ps -> connective m "and" "true" ps
   | Or ps -> connective m "or" "false" ps

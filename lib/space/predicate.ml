@@ -92,31 +92,32 @@ let rec num c (n : Property.num) : int array -> value =
   let model = Network_lts.model c in
   match n with
   | Const r -> fun _ -> Ok r
-  | Bonds (name, None) ->
+  | Quantity (Bonds (name, None)) ->
     let bonds = by_process c 0 (fun p -> count (named name) p.bonds) in
     integer (fold c (fun acc p -> acc + bonds p) 0)
-  | Bonds (name, Some (p, q)) ->
+  | Quantity (Bonds (name, Some (p, q))) ->
     let home = home c p in
     integer (fun t -> count (fun b -> named name b && joins p q b) (home t).bonds)
-  | Size leaf ->
+  | Quantity (Size leaf) ->
     let home = home c leaf in
     integer (fun t -> State.size model (home t))
-  | Processes -> integer (fold c (fun acc _ -> acc + 1) 0)
-  | (Velocity _ | Speed2 _ | Energy | Spin _ | Spin2 _) when Option.is_some model.rigid -> raise_notrace Moves
-  | Velocity (a, leaf) ->
+  | Quantity Processes -> integer (fold c (fun acc _ -> acc + 1) 0)
+  | Quantity (Velocity _ | Speed2 _ | Energy | Spin _ | Spin2 _) when Option.is_some model.rigid ->
+    raise_notrace Moves
+  | Quantity (Velocity (a, leaf)) ->
     let home = home c leaf in
     fun t -> Ok (axis a (home t).velocity)
-  | Speed2 leaf ->
+  | Quantity (Speed2 leaf) ->
     let home = home c leaf in
     fun t -> Ok (Vec.norm2 (home t).velocity)
-  | Spin (a, leaf) ->
+  | Quantity (Spin (a, leaf)) ->
     let home = home c leaf in
     fun t -> Ok (axis a (home t).spin)
-  | Spin2 leaf ->
+  | Quantity (Spin2 leaf) ->
     let home = home c leaf in
     fun t -> Ok (Vec.norm2 (home t).spin)
-  | Momentum a -> sum c (fun m v -> Rat.mul m (axis a v))
-  | Energy -> sum c (fun m v -> Rat.div (Rat.mul m (Vec.norm2 v)) (Rat.of_int 2))
+  | Quantity (Momentum a) -> sum c (fun m v -> Rat.mul m (axis a v))
+  | Quantity Energy -> sum c (fun m v -> Rat.div (Rat.mul m (Vec.norm2 v)) (Rat.of_int 2))
   | Neg a ->
     let a = num c a in
     fun t -> Result.map Rat.neg (a t)
@@ -144,7 +145,7 @@ let rec num c (n : Property.num) : int array -> value =
            | Ok n, True -> Ok (Rat.add n Rat.one)
            | Ok _, Undecided reason -> Error reason)
         (Ok Rat.zero) props
-  | Position _ | Distance2 _ | Angular _ | Time -> raise_notrace Moves
+  | Quantity (Position _ | Distance2 _ | Angular _ | Time) -> raise_notrace Moves
 
 and prop c (p : Property.prop) : int array -> Truth.t =
   let model = Network_lts.model c in
@@ -156,24 +157,24 @@ and prop c (p : Property.prop) : int array -> Truth.t =
       (match (a t, b t) with
        | Ok x, Ok y -> Truth.of_bool (Law.compare_rationals op x y)
        | Error reason, _ | _, Error reason -> Truth.Undecided reason)
-  | Bound (p, q) ->
+  | Fact (Bound (p, q)) ->
     let home = home c p in
     fun t -> Truth.of_bool (Array.exists (joins p q) (home t).bonds)
-  | Same (p, q) ->
+  | Fact (Same (p, q)) ->
     let home = home c p in
     fun t -> Truth.of_bool (State.has_leaf (home t) q)
-  | Behaviour (leaf, _) | Offers (leaf, _, _) ->
+  | Fact (Behaviour (leaf, _) | Offers (leaf, _, _)) ->
     let network process = State.make ~processes:[ process ] ~step:None ~time:None in
     let alone = by_process c Truth.False (fun process -> Trajectory.holds model (network process) p) in
     let number = home_number c leaf in
     fun t -> alone (number t)
-  | Event e -> fun t -> Truth.of_bool (Network_lts.arrived c t e)
+  | Fact (Event e) -> fun t -> Truth.of_bool (Network_lts.arrived c t e)
   | Not a ->
     let a = prop c a in
     fun t -> Truth.not_ (a t)
   | And list -> connective c Truth.and_ Truth.True list
   | Or list -> connective c Truth.or_ Truth.False list
-  | Touching _ | Quiescent -> raise_notrace Moves
+  | Fact (Touching _ | Quiescent) -> raise_notrace Moves
 
 and connective c join unit list =
   let list = List.map (prop c) list in

@@ -9,11 +9,11 @@ open Scc_property
 (* Whether a predicate can only become true, never false, by events that have just happened; or only false. *)
 let rec favours positive (p : Property.prop) =
   match p with
-  | Event _ -> positive
+  | Fact f -> positive || Option.is_none (Atom.fact f).event
+  | Compare _ -> not (Formula.has_events (State p))
   | Not p -> favours (not positive) p
   | And ps | Or ps -> List.for_all (favours positive) ps
-  | Compare _ -> not (Formula.has_events (State p))
-  | Bool _ | Bound _ | Same _ | Behaviour _ | Offers _ | Touching _ | Quiescent -> true
+  | Bool _ -> true
 
 let rec is_search (plan : Plan.t) =
   match plan with

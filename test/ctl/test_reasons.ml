@@ -74,7 +74,7 @@ let doubts () =
 
 let translation () =
   let open Scc_property.Property in
-  let a = Compare (Scc_calculus.Law.Le, Const Rat.one, Processes) and b = Touching (0, 1) in
+  let a = Compare (Scc_calculus.Law.Le, Const Rat.one, Quantity Processes) and b = Fact (Touching (0, 1)) in
   let b0 = { low = Rat.zero; high = None } in
   let until = Until (All, b0, State a, State b) in
   let formulas, props =

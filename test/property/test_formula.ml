@@ -24,10 +24,9 @@ let event =
 
 let few g = Gen.list_size (Gen.int_range 0 3) g
 
-let num_atom =
+let quantity =
   Gen.oneof
     [
-      Gen.map (fun k -> Const (Rat.of_int k)) (Gen.int_range 0 2);
       Gen.map2 (fun n p -> Bonds (n, p)) (Gen.opt name) (Gen.opt (Gen.pair leaf leaf));
       Gen.map (fun i -> Size i) leaf; Gen.return Processes; Gen.return Energy; Gen.return Time;
       Gen.map2 (fun a i -> Position (a, i)) axis leaf; Gen.map2 (fun a i -> Velocity (a, i)) axis leaf;
@@ -36,17 +35,24 @@ let num_atom =
       Gen.map2 (fun a i -> Spin (a, i)) axis leaf; Gen.map (fun i -> Spin2 i) leaf;
     ]
 
-let prop_atom =
+let num_atom =
+  Gen.frequency
+    [
+      (1, Gen.map (fun k -> Const (Rat.of_int k)) (Gen.int_range 0 2)); (9, Gen.map (fun q -> Quantity q) quantity);
+    ]
+
+let fact =
   Gen.oneof
     [
-      Gen.map (fun b -> Bool b) Gen.bool; Gen.map2 (fun i j -> Bound (i, j)) leaf leaf;
-      Gen.map2 (fun i j -> Same (i, j)) leaf leaf; Gen.map2 (fun i j -> Touching (i, j)) leaf leaf;
-      Gen.map2 (fun i k -> Behaviour (i, k)) leaf leaf;
+      Gen.map2 (fun i j -> Bound (i, j)) leaf leaf; Gen.map2 (fun i j -> Same (i, j)) leaf leaf;
+      Gen.map2 (fun i j -> Touching (i, j)) leaf leaf; Gen.map2 (fun i k -> Behaviour (i, k)) leaf leaf;
       Gen.map3 (fun i p a -> Offers (i, p, a)) leaf
         (Gen.oneofl [ None; Some Behaviour.Name; Some Behaviour.Co_name ])
         name;
       Gen.return Quiescent; Gen.map (fun e -> Event e) event;
     ]
+
+let prop_atom = Gen.frequency [ (1, Gen.map (fun b -> Bool b) Gen.bool); (7, Gen.map (fun f -> Fact f) fact) ]
 
 let rec num n =
   if n <= 0 then num_atom
@@ -119,10 +125,10 @@ let shuffled_ends s = function
     Two (i, j)
 
 let rec shuffled_num s = function
-  | Bonds (a, Some ends) -> Bonds (a, Some (swap s ends))
-  | Distance2 (i, j) ->
+  | Quantity (Bonds (a, Some ends)) -> Quantity (Bonds (a, Some (swap s ends)))
+  | Quantity (Distance2 (i, j)) ->
     let i, j = swap s (i, j) in
-    Distance2 (i, j)
+    Quantity (Distance2 (i, j))
   | Count ps -> Count (shuffle s (List.map (shuffled_prop s) ps))
   | Add (a, Add (b, c)) when flip s -> shuffled_num s (Add (Add (a, b), c))
   | Mul (Mul (a, b), c) when flip s -> shuffled_num s (Mul (a, Mul (b, c)))
@@ -142,17 +148,17 @@ and shuffled_prop s = function
   | Compare (c, a, b) ->
     let a = shuffled_num s a and b = shuffled_num s b in
     if flip s then Compare (mirrored c, b, a) else Compare (c, a, b)
-  | Bound (i, j) ->
+  | Fact (Bound (i, j)) ->
     let i, j = swap s (i, j) in
-    Bound (i, j)
-  | Same (i, j) ->
+    Fact (Bound (i, j))
+  | Fact (Same (i, j)) ->
     let i, j = swap s (i, j) in
-    Same (i, j)
-  | Touching (i, j) ->
+    Fact (Same (i, j))
+  | Fact (Touching (i, j)) ->
     let i, j = swap s (i, j) in
-    Touching (i, j)
-  | Event (Bond (c, n, e)) -> Event (Bond (c, n, shuffled_ends s e))
-  | Event (Bounce e) -> Event (Bounce (shuffled_ends s e))
+    Fact (Touching (i, j))
+  | Fact (Event (Bond (c, n, e))) -> Fact (Event (Bond (c, n, shuffled_ends s e)))
+  | Fact (Event (Bounce e)) -> Fact (Event (Bounce (shuffled_ends s e)))
   | Not p -> Not (shuffled_prop s p)
   | And (p :: (_ :: _ as rest)) when flip s -> shuffled_prop s (And [ p; And rest ])
   | And ps -> And (shuffle s (List.map (shuffled_prop s) ps))
@@ -233,6 +239,11 @@ let renaming =
 let always p = Globally (All, { low = Rat.zero; high = None }, State p)
 let positive n = Compare (Gt, n, Const Rat.zero)
 
+let size i = Quantity (Size i)
+let distance2 i j = Quantity (Distance2 (i, j))
+let bound i j = Fact (Bound (i, j))
+let happens e = Fact (Event e)
+
 let symmetric name f expected =
   Alcotest.test_case name `Quick (fun () ->
       Alcotest.(check bool) name expected
@@ -240,39 +251,39 @@ let symmetric name f expected =
 
 let symmetries =
   [
-    symmetric "distance" (always (positive (Distance2 (0, 1)))) true;
-    symmetric "a sum" (always (positive (Add (Add (Size 2, Size 0), Size 1)))) true;
-    symmetric "a difference" (always (positive (Sub (Size 0, Size 1)))) false;
-    symmetric "an equation" (always (Compare (Eq, Size 0, Size 1))) true;
-    symmetric "an inequation" (always (Compare (Le, Size 0, Size 1))) false;
-    symmetric "both ways" (always (Or [ Compare (Lt, Size 0, Size 1); Compare (Gt, Size 0, Size 1) ])) true;
+    symmetric "distance" (always (positive (distance2 0 1))) true;
+    symmetric "a sum" (always (positive (Add (Add (size 2, size 0), size 1)))) true;
+    symmetric "a difference" (always (positive (Sub (size 0, size 1)))) false;
+    symmetric "an equation" (always (Compare (Eq, size 0, size 1))) true;
+    symmetric "an inequation" (always (Compare (Le, size 0, size 1))) false;
+    symmetric "both ways" (always (Or [ Compare (Lt, size 0, size 1); Compare (Gt, size 0, size 1) ])) true;
     symmetric "brackets"
-      (always (And [ And [ Bound (2, 0); Quiescent ]; Bound (1, 2) ])) true;
-    symmetric "one of two" (always (Bound (0, 2))) false;
-    symmetric "twice and once" (always (And [ Bound (0, 2); Bound (0, 2); Bound (1, 2) ])) false;
-    symmetric "an event" (always (Event (Bounce (Two (0, 1))))) true;
-    symmetric "events of each" (always (Or [ Event (Bounce (One 0)); Event (Bounce (One 1)) ])) true;
-    symmetric "events of one" (always (Event (Bond (Made, None, Two (0, 2))))) false;
-    symmetric "a behaviour" (always (Behaviour (0, 0))) false;
+      (always (And [ And [ bound 2 0; Fact Quiescent ]; bound 1 2 ])) true;
+    symmetric "one of two" (always (bound 0 2)) false;
+    symmetric "twice and once" (always (And [ bound 0 2; bound 0 2; bound 1 2 ])) false;
+    symmetric "an event" (always (happens (Bounce (Two (0, 1))))) true;
+    symmetric "events of each" (always (Or [ happens (Bounce (One 0)); happens (Bounce (One 1)) ])) true;
+    symmetric "events of one" (always (happens (Bond (Made, None, Two (0, 2))))) false;
+    symmetric "a behaviour" (always (Fact (Behaviour (0, 0)))) false;
   ]
 
 let looks () =
   let leaves f = Formula.leaves f and ints = Alcotest.(list int) in
   Alcotest.check ints "sorted, each once" [ 0; 1; 2 ]
-    (leaves (always (And [ Bound (2, 1); Event (Bounce (One 0)); positive (Distance2 (1, 2)) ])));
+    (leaves (always (And [ bound 2 1; happens (Bounce (One 0)); positive (distance2 1 2) ])));
   Alcotest.check ints "of numbers of predicates" [ 1; 4 ]
-    (leaves (always (positive (Count [ Same (4, 1); positive (If (Bool true, Size 1, Time)) ]))));
+    (leaves (always (positive (Count [ Fact (Same (4, 1)); positive (If (Bool true, size 1, Quantity Time)) ]))));
   let global name p expected = Alcotest.(check bool) name expected (Formula.global (always p)) in
-  global "all bonds" (positive (Bonds (Some "a", None))) true;
-  global "bonds of two" (positive (Bonds (Some "a", Some (0, 1)))) false;
-  global "deep inside" (Not (positive (Neg (Count [ Or [ Quiescent ] ])))) true;
-  global "an event without leaves" (Event (Bond (Made, Some "a", Any))) true;
-  global "an event of a leaf" (Event (Bond (Made, Some "a", One 0))) false;
-  global "time" (positive Time) false;
-  let next = Temporal_or [ always Quiescent; Temporal_not (Next (All, State Quiescent)) ] in
+  global "all bonds" (positive (Quantity (Bonds (Some "a", None)))) true;
+  global "bonds of two" (positive (Quantity (Bonds (Some "a", Some (0, 1))))) false;
+  global "deep inside" (Not (positive (Neg (Count [ Or [ Fact Quiescent ] ])))) true;
+  global "an event without leaves" (happens (Bond (Made, Some "a", Any))) true;
+  global "an event of a leaf" (happens (Bond (Made, Some "a", One 0))) false;
+  global "time" (positive (Quantity Time)) false;
+  let next = Temporal_or [ always (Fact Quiescent); Temporal_not (Next (All, State (Fact Quiescent))) ] in
   Alcotest.(check bool) "next" true (Formula.mentions_next next);
-  Alcotest.(check bool) "no next" false (Formula.mentions_next (always Quiescent));
-  Alcotest.(check bool) "events" true (Formula.has_events (always (positive (Count [ Event (Bounce Any) ]))))
+  Alcotest.(check bool) "no next" false (Formula.mentions_next (always (Fact Quiescent)));
+  Alcotest.(check bool) "events" true (Formula.has_events (always (positive (Count [ happens (Bounce Any) ]))))
 
 let () =
   let cases = Scc_test_support.Property.cases in

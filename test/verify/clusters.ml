@@ -99,20 +99,20 @@ let atom leaves : Property.prop Gen.t =
   let two make = map (fun (i, j) -> if i = j then Property.Bool true else make i j) pair in
   oneof
     [
-      compare (map2 (fun a i -> Property.Position (a, i)) axis leaf);
-      compare (map2 (fun a i -> Property.Velocity (a, i)) axis leaf);
-      compare (map (fun i -> Property.Size i) leaf);
-      compare (map (fun (i, j) -> Property.Distance2 (i, j)) pair);
-      compare (map (fun (i, j) -> Property.Bonds (None, Some (i, j))) pair);
-      compare (pure Property.Time);
-      two (fun i j -> Property.Touching (i, j));
-      two (fun i j -> Property.Bound (i, j));
-      two (fun i j -> Property.Same (i, j));
-      map2 (fun i k -> Property.Behaviour (i, k)) leaf (0 -- 4);
-      map (fun i -> Property.Offers (i, None, "a")) leaf;
-      map (fun i -> Property.Event (Bounce (One i))) leaf;
-      map (fun i -> Property.Event (Bond (Made, None, One i))) leaf;
-      map (fun i -> Property.Event (Bond (Released, None, One i))) leaf;
+      compare (map2 (fun a i -> Property.Quantity (Position (a, i))) axis leaf);
+      compare (map2 (fun a i -> Property.Quantity (Velocity (a, i))) axis leaf);
+      compare (map (fun i -> Property.Quantity (Size i)) leaf);
+      compare (map (fun (i, j) -> Property.Quantity (Distance2 (i, j))) pair);
+      compare (map (fun (i, j) -> Property.Quantity (Bonds (None, Some (i, j)))) pair);
+      compare (pure (Property.Quantity Time));
+      two (fun i j -> Property.Fact (Touching (i, j)));
+      two (fun i j -> Property.Fact (Bound (i, j)));
+      two (fun i j -> Property.Fact (Same (i, j)));
+      map2 (fun i k -> Property.Fact (Behaviour (i, k))) leaf (0 -- 4);
+      map (fun i -> Property.Fact (Offers (i, None, "a"))) leaf;
+      map (fun i -> Property.Fact (Event (Bounce (One i)))) leaf;
+      map (fun i -> Property.Fact (Event (Bond (Made, None, One i)))) leaf;
+      map (fun i -> Property.Fact (Event (Bond (Released, None, One i)))) leaf;
     ]
 
 let predicate leaves =
@@ -123,7 +123,7 @@ let predicate leaves =
   let p = if negated then Property.Not p else p in
   (* Else much is decided at the start. *)
   let+ later = 0 -- 6 in
-  if later > 3 then p else Property.And [ Compare (Gt, Time, Const (rational later 3)); p ]
+  if later > 3 then p else Property.And [ Compare (Gt, Quantity Time, Const (rational later 3)); p ]
 
 let search leaves : Property.temporal Gen.t =
   let open Gen in

@@ -26,7 +26,7 @@ let load text =
 
 let event_of (k : Property.check) =
   match k.formula with
-  | Finally (_, _, State (Event e)) -> e
+  | Finally (_, _, State (Fact (Event e))) -> e
   | _ -> Alcotest.fail "not a formula of this test"
 
 let successors m s =
@@ -147,13 +147,13 @@ let along () =
   in
   let arrived e = Formula.equal_event e event in
   let lasts = Timeline.Lasts Rat.one in
-  check "nothing has led here" (false, false) (truths lasts (Event event));
-  check "at the start alone" (true, false) (truths ~arrived lasts (Event event));
-  check "for ever after not" (true, false) (truths ~arrived Timeline.Forever (Event event));
-  check "another event" (false, false) (truths ~arrived lasts (Event (Bounce Any)));
-  check "not" (false, true) (truths ~arrived lasts (Not (Event event)));
-  check "not, without one" (true, true) (truths lasts (Not (Event event)));
-  check "with others" (true, false) (truths ~arrived lasts (And [ Event event; Not Quiescent ]))
+  check "nothing has led here" (false, false) (truths lasts (Fact (Event event)));
+  check "at the start alone" (true, false) (truths ~arrived lasts (Fact (Event event)));
+  check "for ever after not" (true, false) (truths ~arrived Timeline.Forever (Fact (Event event)));
+  check "another event" (false, false) (truths ~arrived lasts (Fact (Event (Bounce Any))));
+  check "not" (false, true) (truths ~arrived lasts (Not (Fact (Event event))));
+  check "not, without one" (true, true) (truths lasts (Not (Fact (Event event))));
+  check "with others" (true, false) (truths ~arrived lasts (And [ Fact (Event event); Not (Fact Quiescent) ]))
 
 let case name run = Alcotest.test_case name `Quick run
 

@@ -78,7 +78,7 @@ let total m (s : State.t) f =
        | { mass = None; _ } -> sum)
     Rat.zero s.processes
 
-let expected m s : Property.num -> Rat.t = function
+let expected m s : Property.quantity -> Rat.t = function
   | Position (a, l) -> axis a (centroid s l)
   | Velocity (a, l) -> axis a (velocity s l)
   | Speed2 l -> Vec.norm2 (velocity s l)
@@ -119,7 +119,7 @@ let print (s, n, t) =
       (Rat.to_string p.since)
   in
   String.concat "\n" (Array.to_list (Array.map motion s.State.processes))
-  ^ Printf.sprintf "\n%s at %s" (Show.num m n) (Rat.to_string t)
+  ^ Printf.sprintf "\n%s at %s" (Show.num m (Quantity n)) (Rat.to_string t)
 
 (* What a process keeps may belong to another spin than that of its turn. *)
 let keeping (s : State.t) kept =
@@ -134,9 +134,10 @@ let curves name dynamics kept =
     (Gen.triple (Gen.map2 keeping state kept) atom positive)
     (fun (s, n, t) ->
        let m = with_dynamics dynamics in
-       let along = Timeline.at (Trajectory.num (Trajectory.make m s four) n) (Algebraic.of_rat Rat.one) in
+       let value_of s extent = Trajectory.num (Trajectory.make m s extent) (Quantity n) in
+       let along = Timeline.at (value_of s four) (Algebraic.of_rat Rat.one) in
        let later = pass t s in
-       let now = Timeline.at (Trajectory.num (Trajectory.make m later Timeline.Instant) n) Algebraic.zero in
+       let now = Timeline.at (value_of later Timeline.Instant) Algebraic.zero in
        Rat.equal (value along t) (expected m later n) && Rat.equal (value now Rat.zero) (expected m later n))
 
 let of_constant_spin =
@@ -176,7 +177,7 @@ let touching =
        let m = (elaborated ()).model in
        let s = pass wait s in
        let d = Rat.one in
-       let timeline = Trajectory.prop (Trajectory.make m s (Lasts d)) (Touching (p, q)) in
+       let timeline = Trajectory.prop (Trajectory.make m s (Lasts d)) (Fact (Touching (p, q))) in
        List.for_all
          (fun t ->
             Rat.sign t < 0 || Rat.compare t d >= 0
@@ -205,7 +206,9 @@ resolution 1/2
 
 let leaving () =
   let t = Scc_test_models.Load.exactly (Scc_test_models.Load.text text) in
-  let timeline p q = Trajectory.prop (Trajectory.make t.model t.declared (Lasts Rat.one)) (Touching (p, q)) in
+  let timeline p q =
+    Trajectory.prop (Trajectory.make t.model t.declared (Lasts Rat.one)) (Fact (Touching (p, q)))
+  in
   let at timeline n d =
     Truth.to_string (Timeline.at timeline (Algebraic.of_rat (Rat.make (Z.of_int n) (Z.of_int d))))
   in

@@ -26,18 +26,18 @@ let rec num_gen leaves depth : Property.num Gen.t =
     oneof
       [
         constant_gen;
-        map2 (fun a l -> Property.Position (a, l)) axis_gen leaf;
-        map2 (fun a l -> Property.Velocity (a, l)) axis_gen leaf;
-        map2 (fun p q -> Property.Distance2 (p, q)) leaf leaf;
-        map (fun l -> Property.Speed2 l) leaf;
-        map (fun l -> Property.Size l) leaf;
-        return (Property.Bonds (None, None));
-        return Property.Processes;
-        return Property.Energy;
-        map (fun a -> Property.Momentum a) axis_gen;
-        map (fun a -> Property.Angular a) axis_gen;
-        map2 (fun a l -> Property.Spin (a, l)) axis_gen leaf;
-        map (fun l -> Property.Spin2 l) leaf;
+        map2 (fun a l -> Property.Quantity (Position (a, l))) axis_gen leaf;
+        map2 (fun a l -> Property.Quantity (Velocity (a, l))) axis_gen leaf;
+        map2 (fun p q -> Property.Quantity (Distance2 (p, q))) leaf leaf;
+        map (fun l -> Property.Quantity (Speed2 l)) leaf;
+        map (fun l -> Property.Quantity (Size l)) leaf;
+        return (Property.Quantity (Bonds (None, None)));
+        return (Property.Quantity Processes);
+        return (Property.Quantity Energy);
+        map (fun a -> Property.Quantity (Momentum a)) axis_gen;
+        map (fun a -> Property.Quantity (Angular a)) axis_gen;
+        map2 (fun a l -> Property.Quantity (Spin (a, l))) axis_gen leaf;
+        map (fun l -> Property.Quantity (Spin2 l)) leaf;
       ]
   in
   if depth = 0 then atom
@@ -63,16 +63,16 @@ and prop_gen leaves depth : Property.prop Gen.t =
     frequency
       [
         (5, map3 (fun op a b -> Property.Compare (op, a, b)) comparison_gen numbers numbers);
-        (2, map2 (fun p q -> Property.Touching (p, q)) leaf leaf);
-        (1, map2 (fun p q -> Property.Same (p, q)) leaf leaf);
-        (1, map2 (fun p q -> Property.Bound (p, q)) leaf leaf);
+        (2, map2 (fun p q -> Property.Fact (Touching (p, q))) leaf leaf);
+        (1, map2 (fun p q -> Property.Fact (Same (p, q))) leaf leaf);
+        (1, map2 (fun p q -> Property.Fact (Bound (p, q))) leaf leaf);
         ( 2,
           let* l = leaf and* polarity = oneofl Behaviour.[ None; Some Name; Some Co_name ] in
           let* name = oneofl [ "a"; "b" ] in
-          return (Property.Offers (l, polarity, name)) );
-        (1, map2 (fun l k -> Property.Behaviour (l, k)) leaf (int_range 0 3));
-        (1, return Property.Quiescent);
-        (1, return (Property.Event (Bounce Any)));
+          return (Property.Fact (Offers (l, polarity, name))) );
+        (1, map2 (fun l k -> Property.Fact (Behaviour (l, k))) leaf (int_range 0 3));
+        (1, return (Property.Fact Quiescent));
+        (1, return (Property.Fact (Event (Bounce Any))));
       ]
   in
   if depth = 0 then atom
@@ -120,17 +120,17 @@ let total m (s : State.t) f =
 let rec num m s (n : Property.num) =
   match n with
   | Const r -> r
-  | Bonds _ ->
+  | Quantity (Bonds _) ->
     let add k (p : State.process) = k + Array.length p.bonds in
     Rat.of_int (Array.fold_left add 0 s.State.processes)
-  | Size l -> Rat.of_int (State.size m (process_of s l))
-  | Processes -> Rat.of_int (Array.length s.processes)
-  | Position (a, l) -> axis a (centroid m s l)
-  | Velocity (a, l) -> axis a (process_of s l).velocity
-  | Speed2 l -> Vec.norm2 (process_of s l).velocity
-  | Distance2 (p, q) -> Vec.norm2 (Vec.sub (centroid m s p) (centroid m s q))
-  | Spin _ | Spin2 _ -> Rat.zero
-  | Angular a ->
+  | Quantity (Size l) -> Rat.of_int (State.size m (process_of s l))
+  | Quantity Processes -> Rat.of_int (Array.length s.processes)
+  | Quantity (Position (a, l)) -> axis a (centroid m s l)
+  | Quantity (Velocity (a, l)) -> axis a (process_of s l).velocity
+  | Quantity (Speed2 l) -> Vec.norm2 (process_of s l).velocity
+  | Quantity (Distance2 (p, q)) -> Vec.norm2 (Vec.sub (centroid m s p) (centroid m s q))
+  | Quantity (Spin _ | Spin2 _) -> Rat.zero
+  | Quantity (Angular a) ->
     (* Every leaf by itself: nothing turns. *)
     let of_leaf sum l =
       let leaf = m.Model.leaves.(l) in
@@ -139,9 +139,9 @@ let rec num m s (n : Property.num) =
       else Rat.add sum (Rat.mul leaf.mass (axis a (Vec.cross (centroid m s l) v)))
     in
     List.fold_left of_leaf Rat.zero (List.init (Array.length m.leaves) Fun.id)
-  | Momentum a -> total m s (fun k v -> Rat.mul k (axis a v))
-  | Energy -> total m s (fun k v -> Rat.div (Rat.mul k (Vec.norm2 v)) (Rat.of_int 2))
-  | Time -> Option.get s.time
+  | Quantity (Momentum a) -> total m s (fun k v -> Rat.mul k (axis a v))
+  | Quantity Energy -> total m s (fun k v -> Rat.div (Rat.mul k (Vec.norm2 v)) (Rat.of_int 2))
+  | Quantity Time -> Option.get s.time
   | Count l ->
     (* Every one is looked at: what is undefined makes the count undefined. *)
     Rat.of_int (List.length (List.filter (fun b -> b) (List.map (prop m s) l)))
@@ -158,12 +158,12 @@ and prop m s (p : Property.prop) =
   match p with
   | Bool b -> b
   | Compare (op, a, b) -> Law.compare_rationals op (num m s a) (num m s b)
-  | Bound (p, q) ->
+  | Fact (Bound (p, q)) ->
     let joins (b : State.bond) = (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p) in
     Array.exists (fun (p : State.process) -> Array.exists joins p.bonds) s.State.processes
-  | Same (p, q) -> fst (State.find_leaf s p) = fst (State.find_leaf s q)
-  | Behaviour (l, k) -> (leaf_of s l).behaviour.origin = Some k
-  | Offers (l, polarity, name) ->
+  | Fact (Same (p, q)) -> fst (State.find_leaf s p) = fst (State.find_leaf s q)
+  | Fact (Behaviour (l, k)) -> (leaf_of s l).behaviour.origin = Some k
+  | Fact (Offers (l, polarity, name)) ->
     let named (c : Behaviour.channel) = String.equal c.name name in
     List.exists
       (function
@@ -171,9 +171,9 @@ and prop m s (p : Property.prop) =
         | Offer_weak (c, _) -> polarity = None && named c
         | Offer_strong (list, _) -> polarity = None && List.exists named list)
       (Behaviour.offers m.Model.definitions (leaf_of s l).behaviour)
-  | Touching (p, q) -> touching m s p q
-  | Quiescent -> Network.quiescent m s
-  | Event _ -> false  (* nothing has led here *)
+  | Fact (Touching (p, q)) -> touching m s p q
+  | Fact Quiescent -> Network.quiescent m s
+  | Fact (Event _) -> false  (* nothing has led here *)
   | Not a -> not (prop m s a)
   | And l -> connect m s ~absorbing:false l
   | Or l -> connect m s ~absorbing:true l

@@ -1,0 +1,168 @@
+open Scc_calculus
+open Property
+
+type argument =
+  | Leaf of int
+  | Channel of Behaviour.polarity option * string
+  | Definition of int
+
+type aspect = Absolute_time | Absolute_place | Motion | Structure | Bonding | Term | Split_clock
+type scope = Named | Whole
+type change = Never | Turning | Always
+
+type t = {
+  word : string;
+  arguments : argument list;
+  symmetric : bool;
+  scope : scope;
+  aspects : aspect list;
+  change : change;
+  event : event option;
+}
+
+let leaf i = [ Leaf i ]
+let two (i, j) = [ Leaf i; Leaf j ]
+let channel name = List.map (fun a -> Channel (None, a)) (Option.to_list name)
+
+let axis = function
+  | X -> "x"
+  | Y -> "y"
+  | Z -> "z"
+
+let change_word = function
+  | Made -> "bind"
+  | Released_weakly -> "weak"
+  | Released_strongly -> "strong"
+  | Released -> "split"
+
+let of_ends = function
+  | Any -> []
+  | One i -> leaf i
+  | Two (i, j) -> two (i, j)
+
+let event_word = function
+  | Bond (change, _, _) -> change_word change
+  | Bounce _ -> "bounce"
+
+let event_arguments = function
+  | Bond (_, name, ends) -> channel name @ of_ends ends
+  | Bounce ends -> of_ends ends
+
+let event_scope = function
+  | Bond (_, _, Any) | Bounce Any -> Whole
+  | Bond (_, _, (One _ | Two _)) | Bounce (One _ | Two _) -> Named
+
+(* {1 The table}
+
+   Each row says everything, so that whoever adds one has thought of everything. *)
+
+let row ?(symmetric = false) word arguments scope aspects change =
+  { word; arguments; symmetric; scope; aspects; change; event = None }
+
+let symmetric = true
+
+let quantity = function
+  | Bonds (None, None) -> row "bonds()" [] Whole [ Bonding ] Never
+  | Bonds ((Some _ as name), None) -> row "bonds" (channel name) Whole [ Bonding ] Never
+  | Bonds (name, Some ends) -> row "bonds" (channel name @ two ends) Named [ Bonding ] Never ~symmetric
+  | Size i -> row "size" (leaf i) Named [ Structure ] Never
+  | Processes -> row "processes" [] Whole [ Structure ] Never
+  | Position (a, i) -> row (axis a) (leaf i) Named [ Absolute_place; Motion ] Always
+  | Velocity (a, i) -> row ("v" ^ axis a) (leaf i) Named [ Motion ] Turning
+  | Speed2 i -> row "speed2" (leaf i) Named [ Motion ] Turning
+  | Spin (a, i) -> row ("w" ^ axis a) (leaf i) Named [ Motion ] Turning
+  | Spin2 i -> row "spin2" (leaf i) Named [ Motion ] Turning
+  | Distance2 (i, j) -> row "distance2" (two (i, j)) Named [ Motion ] Always ~symmetric
+  | Momentum a -> row ("momentum." ^ axis a) [] Whole [ Motion ] Never
+  | Angular a -> row ("angular." ^ axis a) [] Whole [ Absolute_place; Motion ] Turning
+  | Energy -> row "energy" [] Whole [ Motion ] Turning
+  | Time -> row "time" [] Named [ Absolute_time ] Always
+
+let fact = function
+  | Bound (i, j) -> row "bound" (two (i, j)) Named [ Bonding ] Never ~symmetric
+  | Same (i, j) -> row "same" (two (i, j)) Named [ Structure ] Never ~symmetric
+  | Behaviour (i, k) -> row "behaviour" (leaf i @ [ Definition k ]) Named [ Term ] Never
+  | Offers (i, polarity, a) -> row "offers" (leaf i @ [ Channel (polarity, a) ]) Named [ Term ] Never
+  | Touching (i, j) -> row "touching" (two (i, j)) Named [ Motion ] Always ~symmetric
+  | Quiescent -> row "quiescent" [] Whole [ Motion; Structure; Term; Split_clock ] Never
+  | Event e ->
+    let written = row ("event " ^ event_word e) (event_arguments e) (event_scope e) [] Never ~symmetric in
+    { written with event = Some e }
+
+let leaves t =
+  List.filter_map
+    (function
+      | Leaf i -> Some i
+      | Channel _ | Definition _ -> None)
+    t.arguments
+
+let rank = function
+  | Absolute_time -> 0
+  | Absolute_place -> 1
+  | Motion -> 2
+  | Structure -> 3
+  | Bonding -> 4
+  | Term -> 5
+  | Split_clock -> 6
+
+let depends_on aspect t = List.exists (fun a -> Int.equal (rank a) (rank aspect)) t.aspects
+
+let steady ~rigid t =
+  match t.change with
+  | Never -> true
+  | Turning -> not rigid
+  | Always -> false
+
+(* {1 Order} *)
+
+let polarity_rank : Behaviour.polarity -> int = function
+  | Name -> 0
+  | Co_name -> 1
+
+let argument_rank = function
+  | Leaf _ -> 0
+  | Channel _ -> 1
+  | Definition _ -> 2
+
+let compare_argument a b =
+  match (a, b) with
+  | Leaf i, Leaf j | Definition i, Definition j -> Int.compare i j
+  | Channel (p, a), Channel (q, b) ->
+    let c = Option.compare (fun p q -> Int.compare (polarity_rank p) (polarity_rank q)) p q in
+    if c <> 0 then c else String.compare a b
+  | (Leaf _ | Channel _ | Definition _), _ -> Int.compare (argument_rank a) (argument_rank b)
+
+let compare a b =
+  let c = String.compare a.word b.word in
+  if c <> 0 then c else List.compare compare_argument a.arguments b.arguments
+
+(* {1 Other leaves} *)
+
+let renamed_quantity f = function
+  | (Processes | Momentum _ | Angular _ | Energy | Time | Bonds (_, None)) as q -> q
+  | Bonds (a, Some (i, j)) -> Bonds (a, Some (f i, f j))
+  | Size i -> Size (f i)
+  | Position (a, i) -> Position (a, f i)
+  | Velocity (a, i) -> Velocity (a, f i)
+  | Speed2 i -> Speed2 (f i)
+  | Spin (a, i) -> Spin (a, f i)
+  | Spin2 i -> Spin2 (f i)
+  | Distance2 (i, j) -> Distance2 (f i, f j)
+
+let renamed_ends f = function
+  | Any -> Any
+  | One i -> One (f i)
+  | Two (i, j) -> Two (f i, f j)
+
+let renamed_event f = function
+  | Bond (change, a, ends) -> Bond (change, a, renamed_ends f ends)
+  | Bounce ends -> Bounce (renamed_ends f ends)
+
+let renamed_fact f = function
+  | Bound (i, j) -> Bound (f i, f j)
+  | Same (i, j) -> Same (f i, f j)
+  | Behaviour (i, k) -> Behaviour (f i, k)
+  | Offers (i, p, a) -> Offers (f i, p, a)
+  | Touching (i, j) -> Touching (f i, f j)
+  | Quiescent -> Quiescent
+  | Event e -> Event (renamed_event f e)
