@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 
 type times = int -> Timeline.moment option
@@ -34,14 +35,14 @@ let least index ~generous ~bound ~f ~g =
   let graph = Timed_graph.graph index in
   let way = Until.ways graph ~f ~g in
   let times = Array.make graph.size None in
-  let heap = Heap.create ~compare:Timeline.compare_moment now in
+  let heap = Heap.create ~near:(fun _ -> 0.) ~compare:(fun (m, _) (n, _) -> Timeline.compare_moment m n) in
   let offer s m =
     if in_time bound (Some m) then
       match times.(s) with
       | Some old when Timeline.compare_moment old m <= 0 -> ()
       | Some _ | None ->
         times.(s) <- Some m;
-        Heap.push heap m s
+        Heap.add heap (m, s)
   in
   for s = 0 to graph.size - 1 do
     if Positions.at g s then offer s now
@@ -71,7 +72,7 @@ let least index ~generous ~bound ~f ~g =
           Stack.push s same
   in
   let rec go () =
-    match Heap.pop heap with
+    match Heap.take heap with
     | None -> ()
     | Some (m, t) ->
       (match times.(t) with
@@ -94,11 +95,11 @@ let greatest index ~generous ~f ~g =
   let certain = Until.every index ~generous ~f ~g in
   let inside s = Positions.at certain s && (not (Positions.at g s)) && graph.known s in
   let components =
-    Components.compute ~size:graph.size ~inside ~successors:(Until.successors graph way)
+    Strong_components.compute ~size:graph.size ~inside ~successors:(Until.successors graph way)
   in
-  let latest = Array.make (Components.count components) now in
+  let latest = Array.make (Strong_components.count components) now in
   let time s =
-    let k = Components.number components s in
+    let k = Strong_components.number components s in
     if k >= 0 then Some latest.(k) else if Positions.at certain s then Some now else None
   in
   let visit k s =
@@ -108,7 +109,7 @@ let greatest index ~generous ~f ~g =
       | Some m -> later (delay m)
       | None -> Scc_base.Bug.fail __POS__ "what is certain leads to what is not"
     in
-    let outside t = not (Int.equal (Components.number components t) k) in
+    let outside t = not (Int.equal (Strong_components.number components t) k) in
     Array.iter (fun t -> if outside t then leads Fun.id t) (graph.edges s);
     match (graph.flow s, way s) with
     | Lasts (d, targets), Passes -> Array.iter (leads (shift d)) targets
@@ -118,7 +119,7 @@ let greatest index ~generous ~f ~g =
         | Lost _ | Passes -> ())
     | _ -> ()
   in
-  Components.iter components visit;
+  Strong_components.iter components visit;
   time
 
 (** {2 As sets} *)

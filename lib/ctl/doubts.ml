@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 
 type undefined = { predicate : int; position : Positions.position; reason : string }
@@ -6,7 +7,7 @@ type t = { unexplored : int list; undefined : undefined list; zeno : Run.t optio
 type search = {
   eval : Eval.t;
   graph : Timed_graph.t;
-  unexplored_nodes : Bytes.t;
+  unexplored_nodes : Bits.t;
   mutable found : undefined list;
   mutable cycle : Run.t option;
 }
@@ -60,13 +61,13 @@ let predicate t p sources =
 
 (* A cycle of edges within the nodes, and a way to it. *)
 let zeno t nodes =
-  let inside = Bytes.make t.graph.size '\000' in
-  List.iter (fun s -> Bytes.set inside s '\001') nodes;
-  let is_inside s = Char.equal (Bytes.get inside s) '\001' in
+  let inside = Bits.create t.graph.size in
+  List.iter (Bits.add inside) nodes;
+  let is_inside = Bits.mem inside in
   let components =
-    Components.compute ~size:t.graph.size ~inside:is_inside ~successors:(Timed_graph.edges t.graph)
+    Strong_components.compute ~size:t.graph.size ~inside:is_inside ~successors:(Timed_graph.edges t.graph)
   in
-  let number = Components.number components in
+  let number = Strong_components.number components in
   let together s u = is_inside u && Int.equal (number s) (number u) in
   match List.find_opt (fun s -> Array.exists (together s) (Timed_graph.edges t.graph s)) nodes with
   | None -> ()
@@ -89,19 +90,19 @@ let positions t sources =
   in
   List.rev_append (List.rev_map Positions.start sources.nodes) (List.rev_map last sources.flows)
 
-let unexplored t s = Bytes.set t.unexplored_nodes s '\001'
+let unexplored t s = Bits.add t.unexplored_nodes s
 
 (* Through flows only, to edges; the positions at which they lead to doubt. *)
 let next t (f : Eval.value) sources =
   let doubt, _ = doubtful f in
   let found = ref [] in
   let look u = if doubt u then found := u :: !found in
-  let seen = Bytes.make t.graph.size '\000' in
+  let seen = Bits.create t.graph.size in
   let rec go = function
     | [] -> ()
-    | s :: rest when Char.equal (Bytes.get seen s) '\001' -> go rest
+    | s :: rest when Bits.mem seen s -> go rest
     | s :: rest ->
-      Bytes.set seen s '\001';
+      Bits.add seen s;
       if not (t.graph.known s) then unexplored t s;
       Array.iter look (Timed_graph.edges t.graph s);
       go (Array.fold_left (fun acc u -> u :: acc) rest (Timed_graph.targets (Timed_graph.flow t.graph s)))
@@ -164,7 +165,7 @@ and until t (u : Eval.until) value sources =
 
 let find eval formula (position : Positions.position) =
   let graph = Eval.graph eval in
-  let t = { eval; graph; unexplored_nodes = Bytes.make graph.size '\000'; found = []; cycle = None } in
+  let t = { eval; graph; unexplored_nodes = Bits.create graph.size; found = []; cycle = None } in
   let sources =
     if Option.is_some (Eval.truth eval formula position) then { nodes = []; flows = [] }
     else if Positions.is_inside position then { nodes = []; flows = [ position.node ] }
@@ -173,6 +174,6 @@ let find eval formula (position : Positions.position) =
   walk t formula sources;
   let nodes = ref [] in
   for s = graph.size - 1 downto 0 do
-    if Char.equal (Bytes.get t.unexplored_nodes s) '\001' then nodes := s :: !nodes
+    if Bits.mem t.unexplored_nodes s then nodes := s :: !nodes
   done;
   { unexplored = !nodes; undefined = List.rev t.found; zeno = t.cycle }

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 module P = Pieces
 
@@ -74,21 +75,21 @@ let solve index quantifier ~generous ~from ~f ~phi =
     match (quantifier : Formula.quantifier) with Exists -> false | All -> generous
   in
   let t = { graph; quantifier; from; f; phi; x = Array.make graph.size (P.constant first) } in
-  let waiting = Bytes.make graph.size '\001' and queue = Queue.create () in
-  for s = graph.size - 1 downto 0 do
-    Queue.push s queue
-  done;
+  let waiting = Bits.create graph.size and queue = Queue.create () in
   let enter s =
-    if Char.equal (Bytes.get waiting s) '\000' then begin
-      Bytes.set waiting s '\001';
+    if not (Bits.mem waiting s) then begin
+      Bits.add waiting s;
       Queue.push s queue
     end
   in
+  for s = graph.size - 1 downto 0 do
+    enter s
+  done;
   let rec go () =
     match Queue.take_opt queue with
     | None -> ()
     | Some s ->
-      Bytes.set waiting s '\000';
+      Bits.remove waiting s;
       let value = value t ~generous s in
       if not (P.equal value t.x.(s)) then begin
         t.x.(s) <- value;

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 open Scc_exact
 open Scc_explore
 
@@ -265,17 +266,17 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     in
     let size = Graph.size g in
     let components =
-      Components.compute ~size
+      Strong_components.compute ~size
         ~inside:(fun _ -> true)
         ~successors:(fun i -> Array.of_list (List.map fst (arcs i)))
     in
-    let number = Components.number components in
+    let number = Strong_components.number components in
     let inside i (j, _) = Int.equal (number i) (number j) in
     let cycle i =
       Option.map
         (fun (j, choice) ->
            let successors u = List.filter (inside u) (arcs u) in
-           match Components.path ~successors ~from:j ~goal:(Int.equal i) with
+           match Shortest_path.find ~successors ~from:j ~goal:(Int.equal i) with
            | None -> Bug.fail __POS__ "a component is not connected"
            | Some back ->
              let steps = Long_list.map (fun (source, choice) -> { Graph.source; choice }) in

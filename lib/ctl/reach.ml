@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 
 let iter_next g s ~through ~passes f =
@@ -18,35 +19,29 @@ let iter_first g (p : Positions.position) ~passes f =
 
 (* Without a time, the order does not matter. *)
 let breadth_first (g : Timed_graph.t) positions ~through ~passes visit =
-  let seen = Bytes.make g.size '\000' and queue = Queue.create () in
-  let enter s _ =
-    if Char.equal (Bytes.get seen s) '\000' then begin
-      Bytes.set seen s '\001';
-      Queue.push s queue
-    end
-  in
+  let work = Worklist.create g.size in
+  let enter s _ = Worklist.add work s in
   List.iter (fun p -> iter_first g p ~passes enter) positions;
-  while not (Queue.is_empty queue) do
-    let s = Queue.pop queue in
-    visit s;
-    iter_next g s ~through ~passes enter
-  done
+  Worklist.run work (fun s ->
+      visit s;
+      iter_next g s ~through ~passes enter)
 
 let in_order_of_time (g : Timed_graph.t) limit positions ~through ~passes visit =
-  let seen = Bytes.make g.size '\000' in
-  let heap = Heap.create ~compare:Rat.compare Rat.zero in
+  let seen = Bits.create g.size in
+  let heap =
+    Heap.create ~near:(fun (time, _) -> Rat.to_float time) ~compare:(fun (t, _) (u, _) -> Rat.compare t u)
+  in
   let enter time s d =
     let time = Rat.add time d in
-    if Algebraic.compare_rat limit time >= 0 && Char.equal (Bytes.get seen s) '\000' then
-      Heap.push heap time s
+    if Algebraic.compare_rat limit time >= 0 && not (Bits.mem seen s) then Heap.add heap (time, s)
   in
   List.iter (fun p -> iter_first g p ~passes (enter Rat.zero)) positions;
   let rec go () =
-    match Heap.pop heap with
+    match Heap.take heap with
     | None -> ()
     | Some (time, s) ->
-      if Char.equal (Bytes.get seen s) '\000' then begin
-        Bytes.set seen s '\001';
+      if not (Bits.mem seen s) then begin
+        Bits.add seen s;
         visit s;
         iter_next g s ~through ~passes (enter time)
       end;

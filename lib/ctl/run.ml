@@ -1,5 +1,5 @@
+open Scc_data
 open Scc_exact
-open Scc_explore
 
 type step = { source : int; move : Timed_graph.move }
 
@@ -56,7 +56,7 @@ let search (g : Timed_graph.t) ?(by_time = false) ?bound (start : Positions.posi
   let r = { origin = start; nodes = Growable.create (); from = Growable.create (); by = Growable.create () } in
   let times = Growable.create () in
   let keep_time = by_time || Option.is_some bound in
-  let seen = Bytes.make (if by_time then 0 else g.size) '\000' and met = Met.create 16 in
+  let seen = Bits.create (if by_time then 0 else g.size) and met = Met.create 16 in
   let add node time from by =
     Growable.push r.nodes node;
     Growable.push r.from from;
@@ -71,9 +71,9 @@ let search (g : Timed_graph.t) ?(by_time = false) ?bound (start : Positions.posi
         true
       end
     else
-      Char.equal (Bytes.get seen node) '\000'
+      (not (Bits.mem seen node))
       && begin
-        Bytes.set seen node '\001';
+        Bits.add seen node;
         true
       end
   in
@@ -112,18 +112,18 @@ let moves g s =
   Array.append edges (Array.mapi (fun k t -> (Timed_graph.Flow k, t)) flow)
 
 let route (g : Timed_graph.t) ~from ~goal ~inside =
-  let source = Timed_graph.Vector.make g.size (-1) and by = Timed_graph.Vector.make g.size 0 in
+  let source = Int_array.make g.size (-1) and by = Int_array.make g.size 0 in
   let queue = Queue.create () in
   let rec back v acc =
     if Int.equal v from then acc
     else
-      let s = Timed_graph.Vector.get source v in
-      back s ({ source = s; move = move (Timed_graph.Vector.get by v) } :: acc)
+      let s = Int_array.get source v in
+      back s ({ source = s; move = move (Int_array.get by v) } :: acc)
   in
   let enter s way v =
-    if (not (Int.equal v from)) && Timed_graph.Vector.get source v < 0 then begin
-      Timed_graph.Vector.set source v s;
-      Timed_graph.Vector.set by v (code way);
+    if (not (Int.equal v from)) && Int_array.get source v < 0 then begin
+      Int_array.set source v s;
+      Int_array.set by v (code way);
       Queue.push v queue
     end
   in
@@ -152,22 +152,22 @@ let cycle g s ~inside =
   | Some home -> { source = s; move = Edge k } :: home
 
 let lasso (g : Timed_graph.t) region ~cycle ~inside =
-  let seen = Bytes.make g.size '\000' in
+  let seen = Bits.create g.size in
   (* A start inside a flow is the first place, and no node. *)
   let first = if Positions.is_inside region.origin then 1 else 0 in
   let places = Growable.length region.nodes in
   for i = first to places - 1 do
-    Bytes.set seen (Growable.get region.nodes i) '\001'
+    Bits.add seen (Growable.get region.nodes i)
   done;
-  let is_seen s = Char.equal (Bytes.get seen s) '\001' in
+  let is_seen = Bits.mem seen in
   let inside s move t = is_seen t && inside s move t in
   let successors s =
     moves g s |> Array.to_list
     |> List.filter (fun (move, t) -> inside s move t)
     |> List.map snd |> Array.of_list
   in
-  let components = Components.compute ~size:g.size ~inside:is_seen ~successors in
-  let number = Components.number components in
+  let components = Strong_components.compute ~size:g.size ~inside:is_seen ~successors in
+  let number = Strong_components.number components in
   let stays s move t = inside s move t && Int.equal (number s) (number t) in
   let closing i =
     let s = Growable.get region.nodes i in

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 
 type flow = No_flow | Lasts of Rat.t * int array | Forever
@@ -28,25 +29,13 @@ let duration g s = function
       | Lasts (d, _) -> d
       | No_flow | Forever -> Scc_base.Bug.fail __POS__ "a move at the end of a flow that has none")
 
-module Vector = struct
-  type t = (int32, Bigarray.int32_elt, Bigarray.c_layout) Bigarray.Array1.t
-
-  let make n v : t =
-    let a = Bigarray.Array1.create Bigarray.int32 Bigarray.c_layout n in
-    Bigarray.Array1.fill a (Int32.of_int v);
-    a
-
-  let get (a : t) i = Int32.to_int (Bigarray.Array1.get a i)
-  let set (a : t) i v = Bigarray.Array1.set a i (Int32.of_int v)
-end
-
 (* The ways into node t are those in [source] from [first.(t)] up to [first.(t + 1)]: twice the node that they
    come from, and one more when they are timed. *)
 type index = {
   graph : t;
   complete : bool;
-  first : Vector.t;
-  source : Vector.t;
+  first : Int_array.t;
+  source : Int_array.t;
   instant_cycle : bool Lazy.t;
 }
 
@@ -54,33 +43,33 @@ let graph i = i.graph
 let complete i = i.complete
 
 let iter_sources i t f =
-  for k = Vector.get i.first t to Vector.get i.first (t + 1) - 1 do
-    let code = Vector.get i.source k in
+  for k = Int_array.get i.first t to Int_array.get i.first (t + 1) - 1 do
+    let code = Int_array.get i.source k in
     f (code lsr 1) (code land 1 = 1)
   done
 
 (* Takes away nodes without edges again and again: what stays has cycles. *)
 let instant_cycle g first source =
-  let left = Vector.make g.size 0 and ready = Vector.make g.size 0 in
+  let left = Int_array.make g.size 0 and ready = Int_array.make g.size 0 in
   let found = ref 0 and done_ = ref 0 in
   let enter s =
-    Vector.set ready !found s;
+    Int_array.set ready !found s;
     incr found
   in
   for s = 0 to g.size - 1 do
     let n = Array.length (edges g s) in
-    Vector.set left s n;
+    Int_array.set left s n;
     if n = 0 then enter s
   done;
   while !done_ < !found do
-    let t = Vector.get ready !done_ in
+    let t = Int_array.get ready !done_ in
     incr done_;
-    for k = Vector.get first t to Vector.get first (t + 1) - 1 do
-      let code = Vector.get source k in
+    for k = Int_array.get first t to Int_array.get first (t + 1) - 1 do
+      let code = Int_array.get source k in
       if code land 1 = 0 then begin
         let s = code lsr 1 in
-        let n = Vector.get left s - 1 in
-        Vector.set left s n;
+        let n = Int_array.get left s - 1 in
+        Int_array.set left s n;
         if n = 0 then enter s
       end
     done
@@ -94,26 +83,26 @@ let iter_ways g s f =
 let index g =
   (* Numbers are doubled in 32 bits with a sign. *)
   if g.size >= 1 lsl 30 then Scc_base.Bug.fail __POS__ "too many nodes";
-  let first = Vector.make (g.size + 1) 0 in
+  let first = Int_array.make (g.size + 1) 0 in
   let complete = ref true and ways = ref 0 in
   for s = 0 to g.size - 1 do
     if not (g.known s) then complete := false;
     iter_ways g s (fun t _ ->
         incr ways;
-        Vector.set first t (Vector.get first t + 1))
+        Int_array.set first t (Int_array.get first t + 1))
   done;
   (* Each [first] becomes the end of its node, and goes down to the beginning while the ways are entered. *)
   let sum = ref 0 in
   for t = 0 to g.size do
-    sum := !sum + Vector.get first t;
-    Vector.set first t !sum
+    sum := !sum + Int_array.get first t;
+    Int_array.set first t !sum
   done;
-  let source = Vector.make !ways 0 in
+  let source = Int_array.make !ways 0 in
   for s = g.size - 1 downto 0 do
     iter_ways g s (fun t code ->
-        let k = Vector.get first t - 1 in
-        Vector.set first t k;
-        Vector.set source k code)
+        let k = Int_array.get first t - 1 in
+        Int_array.set first t k;
+        Int_array.set source k code)
   done;
   { graph = g; complete = !complete; first; source; instant_cycle = lazy (instant_cycle g first source) }
 

@@ -58,16 +58,3 @@ val iter_sources : index -> int -> (int -> bool -> unit) -> unit
 
 val has_instant_cycle : index -> bool
 (** Whether some edges form a cycle: a run may go round there for ever within one instant. *)
-
-(** {1 Arrays of small numbers} *)
-
-(** Four bytes each, outside of the heap. *)
-module Vector : sig
-  type t
-
-  val make : int -> int -> t
-  (** [make n v]: [n] times [v]. *)
-
-  val get : t -> int -> int
-  val set : t -> int -> int -> unit
-end

@@ -1,4 +1,4 @@
-module V = Timed_graph.Vector
+open Scc_data
 
 type way = Reached | Lost | Passes
 
@@ -15,26 +15,6 @@ let ways (graph : Timed_graph.t) ~f ~g =
   let ways = Bytes.init graph.size look in
   fun s -> match Bytes.get ways s with '\000' -> Lost | '\001' -> Reached | _ -> Passes
 
-(* Nodes to look at, each entered once at most. *)
-type work = { queue : V.t; mutable first : int; mutable last : int; marked : Bytes.t }
-
-let work n = { queue = V.make n 0; first = 0; last = 0; marked = Bytes.make n '\000' }
-let is_marked w s = not (Char.equal (Bytes.get w.marked s) '\000')
-
-let mark w s =
-  if not (is_marked w s) then begin
-    Bytes.set w.marked s '\001';
-    V.set w.queue w.last s;
-    w.last <- w.last + 1
-  end
-
-let run w visit =
-  while w.first < w.last do
-    let t = V.get w.queue w.first in
-    w.first <- w.first + 1;
-    visit t
-  done
-
 (* The set that is x at nodes, with f until g followed inside their flows to what x is at their ends. *)
 let along_flows (graph : Timed_graph.t) ~join ~f ~g x =
   let along s =
@@ -50,49 +30,49 @@ let along_flows (graph : Timed_graph.t) ~join ~f ~g x =
 let some index ~generous ~f ~g =
   let graph = Timed_graph.graph index in
   let way = ways graph ~f ~g in
-  let w = work graph.size in
+  let w = Worklist.create graph.size in
   for s = 0 to graph.size - 1 do
-    if Positions.at g s then mark w s
+    if Positions.at g s then Worklist.add w s
     else if Positions.at f s then
-      if not (graph.known s) then (if generous then mark w s)
-      else match way s with Reached -> mark w s | Lost | Passes -> ()
+      if not (graph.known s) then (if generous then Worklist.add w s)
+      else match way s with Reached -> Worklist.add w s | Lost | Passes -> ()
   done;
-  run w (fun t ->
+  Worklist.run w (fun t ->
       Timed_graph.iter_sources index t (fun s timed ->
-          if (not (is_marked w s)) && Positions.at f s then
-            if not timed then mark w s
-            else match way s with Passes -> mark w s | Reached | Lost -> ()));
-  along_flows graph ~join:Array.exists ~f ~g (is_marked w)
+          if (not (Worklist.mem w s)) && Positions.at f s then
+            if not timed then Worklist.add w s
+            else match way s with Passes -> Worklist.add w s | Reached | Lost -> ()));
+  along_flows graph ~join:Array.exists ~f ~g (Worklist.mem w)
 
 (* The nodes from which every run of any kind has f until g: [left] counts the ways on which that is not known. *)
 let attractor index ~generous ~f ~g way =
   let graph = Timed_graph.graph index in
-  let w = work graph.size in
-  let left = V.make graph.size (-1) in
+  let w = Worklist.create graph.size in
+  let left = Int_array.make graph.size (-1) in
   for s = 0 to graph.size - 1 do
-    if Positions.at g s then mark w s
+    if Positions.at g s then Worklist.add w s
     else if Positions.at f s then
-      if not (graph.known s) then (if generous then mark w s)
+      if not (graph.known s) then (if generous then Worklist.add w s)
       else if not (Timed_graph.is_dead_end graph s) then begin
         let flow = graph.flow s in
         let edges = Array.length (graph.edges s) in
         let timed = Array.length (Timed_graph.targets flow) in
-        let wait n = if n = 0 then mark w s else V.set left s n in
+        let wait n = if n = 0 then Worklist.add w s else Int_array.set left s n in
         match (flow, way s) with
         | No_flow, _ | _, Reached -> wait edges
         | _, Passes -> wait (edges + timed)
         | _, Lost -> ()
       end
   done;
-  run w (fun t ->
+  Worklist.run w (fun t ->
       Timed_graph.iter_sources index t (fun s timed ->
-          let n = V.get left s in
+          let n = Int_array.get left s in
           let counts = (not timed) || match way s with Passes -> true | Reached | Lost -> false in
           if n > 0 && counts then begin
-            V.set left s (n - 1);
-            if n = 1 then mark w s
+            Int_array.set left s (n - 1);
+            if n = 1 then Worklist.add w s
           end));
-  is_marked w
+  Worklist.mem w
 
 let successors graph way s =
   match (Timed_graph.flow graph s, way s) with
@@ -105,27 +85,27 @@ let honest index ~f way avoids =
   let graph = Timed_graph.graph index in
   let inside s = avoids s && Positions.at f s && graph.known s in
   let components =
-    Components.compute ~size:graph.size ~inside ~successors:(successors graph way)
+    Strong_components.compute ~size:graph.size ~inside ~successors:(successors graph way)
   in
-  let number = Components.number components in
-  let w = work graph.size in
+  let number = Strong_components.number components in
+  let w = Worklist.create graph.size in
   for s = 0 to graph.size - 1 do
     if avoids s then
-      if (not (inside s)) || Timed_graph.is_dead_end graph s then mark w s
+      if (not (inside s)) || Timed_graph.is_dead_end graph s then Worklist.add w s
       else
         match (graph.flow s, way s) with
         | No_flow, _ | _, Reached -> ()
-        | _, Lost -> mark w s
+        | _, Lost -> Worklist.add w s
         | flow, Passes ->
           let comes_back t = Int.equal (number t) (number s) in
-          if Array.exists comes_back (Timed_graph.targets flow) then mark w s
+          if Array.exists comes_back (Timed_graph.targets flow) then Worklist.add w s
   done;
-  run w (fun t ->
+  Worklist.run w (fun t ->
       Timed_graph.iter_sources index t (fun s timed ->
           if inside s then
-            if not timed then mark w s
-            else match way s with Passes -> mark w s | Reached | Lost -> ()));
-  is_marked w
+            if not timed then Worklist.add w s
+            else match way s with Passes -> Worklist.add w s | Reached | Lost -> ()));
+  Worklist.mem w
 
 let every index ~generous ~f ~g =
   let graph = Timed_graph.graph index in
@@ -141,15 +121,15 @@ let every index ~generous ~f ~g =
 
 let next index ~generous f =
   let graph = Timed_graph.graph index in
-  let w = work graph.size in
+  let w = Worklist.create graph.size in
   for s = 0 to graph.size - 1 do
     if graph.known s then begin
-      if Array.exists (Positions.at f) (graph.edges s) then mark w s
+      if Array.exists (Positions.at f) (graph.edges s) then Worklist.add w s
     end
-    else if generous then mark w s
+    else if generous then Worklist.add w s
   done;
-  run w (fun t -> Timed_graph.iter_sources index t (fun s timed -> if timed then mark w s));
+  Worklist.run w (fun t -> Timed_graph.iter_sources index t (fun s timed -> if timed then Worklist.add w s));
   let along s =
-    Pieces.constant (Array.exists (is_marked w) (Timed_graph.targets (Timed_graph.flow graph s)))
+    Pieces.constant (Array.exists (Worklist.mem w) (Timed_graph.targets (Timed_graph.flow graph s)))
   in
-  Positions.make graph ~at:(is_marked w) ~along
+  Positions.make graph ~at:(Worklist.mem w) ~along

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 open Scc_exact
 open Scc_geometry
 open Scc_syntax

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 
 let unexplored = "unexplored"
 
@@ -30,7 +31,7 @@ let number l what =
     if l.at < l.stop && is_digit l.text.[l.at] then begin
       let n = (10 * n) + Char.code l.text.[l.at] - Char.code '0' in
       l.at <- l.at + 1;
-      if n > Ints.max_value then fault start l.at "%s is greater than %d" what Ints.max_value;
+      if n > Int_array.max_value then fault start l.at "%s is greater than %d" what Int_array.max_value;
       digits n
     end
     else n
@@ -97,7 +98,7 @@ let transition b unknown states l =
   let target = state l states "the target" in
   expect l ')';
   finish l;
-  if String.equal text unexplored then Bytes.set unknown source '\001'
+  if String.equal text unexplored then Bits.add unknown source
   else
     let label = Graph.intern b (if is_silent text then Graph.tau else text) in
     Graph.add b ~source ~label ~target
@@ -114,24 +115,23 @@ let rec lines text start f =
 
 let parse text =
   let b = Graph.builder () in
-  let head = ref None and count = ref 0 and unknown = ref Bytes.empty in
+  let head = ref None and count = ref 0 in
   lines text 0 (fun l ->
       match !head with
       | None ->
         let (_, _, states) as h = header l in
-        head := Some (h, l.stop);
-        unknown := Bytes.make states '\000'
-      | Some ((_, transitions, states), _) ->
+        head := Some (h, Bits.create states, l.stop)
+      | Some ((_, transitions, states), unknown, _) ->
         if !count = transitions then
           fault l.at l.stop "a transition more than the %d of the first line" transitions;
         incr count;
-        transition b !unknown states l);
+        transition b unknown states l);
   match !head with
   | None -> fault 0 (String.length text) "the file is empty"
-  | Some ((initial, transitions, states), stop) ->
+  | Some ((initial, transitions, states), unknown, stop) ->
     if !count < transitions then
       fault 0 stop "%d transitions were to follow, and %d do" transitions !count;
-    Graph.finish b ~size:states ~initial ~unknown:(fun s -> Bytes.get !unknown s = '\001')
+    Graph.finish b ~size:states ~initial ~unknown:(Bits.mem unknown)
 
 let read ~file text =
   match parse text with

@@ -1,11 +1,13 @@
+open Scc_data
+
 type t = {
   effort : Effort.t;
   g : Graph.t;
   back : Graph.backwards;
   seen : int array;  (* the search that saw the state last *)
   mutable search : int;
-  silent : Ints.buffer;  (* what tau* reaches *)
-  found : Ints.buffer;  (* the states of the search under way, in order *)
+  silent : Int_array.buffer;  (* what tau* reaches *)
+  found : Int_array.buffer;  (* the states of the search under way, in order *)
 }
 
 let make effort (g : Graph.t) back =
@@ -15,8 +17,8 @@ let make effort (g : Graph.t) back =
     back;
     seen = Array.make g.size 0;
     search = 0;
-    silent = Ints.buffer ();
-    found = Ints.buffer ();
+    silent = Int_array.buffer ();
+    found = Int_array.buffer ();
   }
 
 let start c = c.search <- c.search + 1
@@ -24,15 +26,15 @@ let start c = c.search <- c.search + 1
 let visit c states s =
   if c.seen.(s) <> c.search then begin
     c.seen.(s) <- c.search;
-    Ints.push states s
+    Int_array.push states s
   end
 
 (* Completes [states] under an expansion. *)
 let close c states expand =
   let next = ref 0 in
-  while !next < Ints.size states do
+  while !next < Int_array.size states do
     Effort.spend c.effort 1;
-    expand (Ints.nth states !next);
+    expand (Int_array.nth states !next);
     incr next
   done
 
@@ -41,12 +43,12 @@ let silent_steps c states s =
 
 let weak_steps c s f =
   start c;
-  Ints.clear c.silent;
+  Int_array.clear c.silent;
   visit c c.silent s;
   close c c.silent (silent_steps c c.silent);
   let steps = ref [] in
-  for i = 0 to Ints.size c.silent - 1 do
-    let s = Ints.nth c.silent i in
+  for i = 0 to Int_array.size c.silent - 1 do
+    let s = Int_array.nth c.silent i in
     f 0 s;
     Graph.iter c.g s (fun label target ->
         if not (Graph.is_tau label) then steps := (label, target) :: !steps)
@@ -54,8 +56,8 @@ let weak_steps c s f =
   (* the steps of one label are one search *)
   let flush label =
     close c c.found (silent_steps c c.found);
-    for i = 0 to Ints.size c.found - 1 do
-      f label (Ints.nth c.found i)
+    for i = 0 to Int_array.size c.found - 1 do
+      f label (Int_array.nth c.found i)
     done
   in
   let last =
@@ -64,7 +66,7 @@ let weak_steps c s f =
          if label <> last then begin
            if last > 0 then flush last;
            start c;
-           Ints.clear c.found
+           Int_array.clear c.found
          end;
          visit c c.found target;
          label)
@@ -78,18 +80,18 @@ let weak_sources c states f =
     Graph.sources c.back s (fun label source -> if Graph.is_tau label then visit c into source)
   in
   start c;
-  Ints.clear c.silent;
+  Int_array.clear c.silent;
   List.iter (visit c c.silent) states;
   close c c.silent (silent_sources c.silent);
   start c;
-  Ints.clear c.found;
-  for i = 0 to Ints.size c.silent - 1 do
+  Int_array.clear c.found;
+  for i = 0 to Int_array.size c.silent - 1 do
     (* by tau* alone, or by an action that tau* may follow and go before *)
-    let s = Ints.nth c.silent i in
+    let s = Int_array.nth c.silent i in
     visit c c.found s;
     Graph.sources c.back s (fun _ source -> visit c c.found source)
   done;
   close c c.found (silent_sources c.found);
-  for i = 0 to Ints.size c.found - 1 do
-    f (Ints.nth c.found i)
+  for i = 0 to Int_array.size c.found - 1 do
+    f (Int_array.nth c.found i)
   done

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_data
 
 type relation = Trace | Weak | Branching | Strong | Timed
 
@@ -135,12 +136,12 @@ let compare_moves t =
 (* {1 Partitions} *)
 
 let classes_of (p : Refine.partition) from upto =
-  let seen = Bytes.make p.count '\000' in
+  let seen = Bits.create p.count in
   let n = ref 0 in
   for s = from to upto - 1 do
-    let b = Ints.get p.block s in
-    if Bytes.get seen b = '\000' then begin
-      Bytes.set seen b '\001';
+    let b = Int_array.get p.block s in
+    if not (Bits.mem seen b) then begin
+      Bits.add seen b;
       incr n
     end
   done;
@@ -182,7 +183,7 @@ let run effort relation (g : Graph.t) (h : Graph.t) =
     | exception Effort.Exhausted -> report (Undecided Effort_spent) None
     | p ->
       let reduced = Quotient.make (kind relation) both p in
-      let one = Ints.get p.block (fst starts) and two = Ints.get p.block second in
+      let one = Int_array.get p.block (fst starts) and two = Int_array.get p.block second in
       let t =
         {
           t with

@@ -6,10 +6,10 @@ type t = private {
   size : int;  (** number of states, at least 1 *)
   initial : int;
   labels : string array;  (** the first is {!tau}; no two are equal *)
-  first : Ints.t;  (** [size + 1] numbers: the edges of state s are those from [first s] to [first (s+1)] *)
-  label : Ints.t;  (** of each edge *)
-  target : Ints.t;
-  unknown : Bytes.t;  (** ['\001'] for a state not all of whose edges are known; [size] bytes *)
+  first : Scc_data.Int_array.t;  (** [size + 1] numbers: the edges of s are from [first s] to [first (s+1)] *)
+  label : Scc_data.Int_array.t;  (** of each edge *)
+  target : Scc_data.Int_array.t;
+  unknown : Scc_data.Bits.t;  (** the states not all of whose edges are known *)
 }
 
 val tau : string

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 
 let hide g =
@@ -13,9 +14,9 @@ let passings (g : Graph.t) = Array.map Label.passing g.labels
 
 (* The one thing that can happen in the state, if it is a passing of time. *)
 let only_passing (g : Graph.t) passings s =
-  let e = Ints.get g.first s in
-  if Graph.known g s && Ints.get g.first (s + 1) = e + 1 then
-    Option.map (fun p -> (p, Ints.get g.target e)) passings.(Ints.get g.label e)
+  let e = Int_array.get g.first s in
+  if Graph.known g s && Int_array.get g.first (s + 1) = e + 1 then
+    Option.map (fun p -> (p, Int_array.get g.target e)) passings.(Int_array.get g.label e)
   else None
 
 (* From [s], the way to a state where something else can happen, for all states on it at once. *)

@@ -1,15 +1,17 @@
+open Scc_data
+
 type kind = Refine.kind = Strong | Branching | Weak
 
-let compose (f : Ints.t) (p : Refine.partition) =
-  let block = Ints.make (Ints.length f) in
-  for s = 0 to Ints.length f - 1 do
-    Ints.set block s (Ints.get p.block (Ints.get f s))
+let compose (f : Int_array.t) (p : Refine.partition) =
+  let block = Int_array.make (Int_array.length f) 0 in
+  for s = 0 to Int_array.length f - 1 do
+    Int_array.set block s (Int_array.get p.block (Int_array.get f s))
   done;
   { p with block }
 
 let make kind g (p : Refine.partition) =
   let drop_silent_loops = match kind with Strong -> false | Branching | Weak -> true in
-  Graph.merge g (Ints.get p.block) ~size:p.count ~drop_silent_loops
+  Graph.merge g (Int_array.get p.block) ~size:p.count ~drop_silent_loops
 
 let branching effort g =
   let collapsed, component = Tau_cycles.collapse g in

@@ -1,5 +1,7 @@
+open Scc_data
+
 type kind = Strong | Branching | Weak
-type partition = { count : int; block : Ints.t }
+type partition = { count : int; block : Int_array.t }
 
 (* The states of a block stand side by side in [elements], those whose signature may have changed (the dirty
    ones) in front. The clean states of a block have one and the same signature. *)
@@ -7,41 +9,41 @@ type t = {
   g : Graph.t;
   back : Graph.backwards;
   effort : Effort.t;
-  block : Ints.t;
-  elements : Ints.t;
-  place : Ints.t;  (* of each state in [elements] *)
-  begin_ : Ints.buffer;  (* of each block *)
-  end_ : Ints.buffer;
-  dirty : Ints.buffer;  (* how many states of the block are dirty *)
-  mutable waiting : Ints.buffer;  (* blocks with dirty states, each once over both *)
-  mutable later : Ints.buffer;
+  block : Int_array.t;
+  elements : Int_array.t;
+  place : Int_array.t;  (* of each state in [elements] *)
+  begin_ : Int_array.buffer;  (* of each block *)
+  end_ : Int_array.buffer;
+  dirty : Int_array.buffer;  (* how many states of the block are dirty *)
+  mutable waiting : Int_array.buffer;  (* blocks with dirty states, each once over both *)
+  mutable later : Int_array.buffer;
   signatures : Signatures.t;
-  signature : Ints.t;  (* of each dirty state of the block at hand *)
+  signature : Int_array.t;  (* of each dirty state of the block at hand *)
   closure : Closure.t;
-  pending : Ints.buffer;
+  pending : Int_array.buffer;
 }
 
-let block t s = Ints.get t.block s
+let block t s = Int_array.get t.block s
 
 (* {1 Dirty states} *)
 
 let is_dirty t s =
   let b = block t s in
-  Ints.get t.place s < Ints.nth t.begin_ b + Ints.nth t.dirty b
+  Int_array.get t.place s < Int_array.nth t.begin_ b + Int_array.nth t.dirty b
 
 let move t s place =
-  Ints.set t.elements place s;
-  Ints.set t.place s place
+  Int_array.set t.elements place s;
+  Int_array.set t.place s place
 
 let mark t s =
   let b = block t s in
-  let n = Ints.nth t.dirty b in
-  let front = Ints.nth t.begin_ b + n and place = Ints.get t.place s in
-  let other = Ints.get t.elements front in
+  let n = Int_array.nth t.dirty b in
+  let front = Int_array.nth t.begin_ b + n and place = Int_array.get t.place s in
+  let other = Int_array.get t.elements front in
   move t other place;
   move t s front;
-  if n = 0 then Ints.push t.later b;
-  Ints.put t.dirty b (n + 1)
+  if n = 0 then Int_array.push t.later b;
+  Int_array.put t.dirty b (n + 1)
 
 let mark_once t s = if not (is_dirty t s) then mark t s
 
@@ -51,12 +53,12 @@ let mark_above t s =
   let visit s =
     if not (is_dirty t s) then begin
       mark t s;
-      Ints.push t.pending s
+      Int_array.push t.pending s
     end
   in
   visit s;
-  while Ints.size t.pending > 0 do
-    let s = Ints.pop t.pending in
+  while Int_array.size t.pending > 0 do
+    let s = Int_array.pop t.pending in
     Effort.spend t.effort 1;
     Graph.sources t.back s (fun label source ->
         if Graph.is_tau label && block t source = block t s then visit source)
@@ -86,7 +88,7 @@ let branching_signature t s =
   Graph.iter t.g s (fun label target ->
       if not (Graph.is_tau label && block t target = own) then add t label (block t target)
       else begin
-        let k = if is_dirty t target then Ints.get t.signature target else 0 in
+        let k = if is_dirty t target then Int_array.get t.signature target else 0 in
         if k > !greatest then greatest := k;
         Signatures.add t.signatures (class_ k)
       end);
@@ -105,14 +107,14 @@ let rec bottom t s =
   if Graph.exists t.g s (fun l u -> inert l u && (next := u; true)) then bottom t !next else s
 
 let dirty_states t b =
-  let begin_ = Ints.nth t.begin_ b in
-  Array.init (Ints.nth t.dirty b) (fun i -> Ints.get t.elements (begin_ + i))
+  let begin_ = Int_array.nth t.begin_ b in
+  Array.init (Int_array.nth t.dirty b) (fun i -> Int_array.get t.elements (begin_ + i))
 
 (* Signatures of the dirty states; number 0 is that of the clean ones if there are any. *)
 let sign t kind b states =
   Signatures.clear t.signatures;
-  let clean_place = Ints.nth t.begin_ b + Array.length states in
-  let clean = if clean_place < Ints.nth t.end_ b then Some (Ints.get t.elements clean_place) else None in
+  let clean_place = Int_array.nth t.begin_ b + Array.length states in
+  let clean = if clean_place < Int_array.nth t.end_ b then Some (Int_array.get t.elements clean_place) else None in
   let signature_of =
     match kind with
     | Strong ->
@@ -128,8 +130,8 @@ let sign t kind b states =
   in
   Array.iter
     (fun s ->
-       Effort.spend t.effort (1 + Ints.get t.g.first (s + 1) - Ints.get t.g.first s);
-       Ints.set t.signature s (signature_of s))
+       Effort.spend t.effort (1 + Int_array.get t.g.first (s + 1) - Int_array.get t.g.first s);
+       Int_array.set t.signature s (signature_of s))
     states
 
 (* {1 Splits} *)
@@ -137,10 +139,10 @@ let sign t kind b states =
 (* Puts the dirty states in the order of their signatures, number 0 last, beside the clean states; gives the
    parts as (begin, end). *)
 let arrange t b states =
-  let begin_ = Ints.nth t.begin_ b and end_ = Ints.nth t.end_ b in
+  let begin_ = Int_array.nth t.begin_ b and end_ = Int_array.nth t.end_ b in
   let kinds = Signatures.count t.signatures in
   let sizes = Array.make kinds 0 in
-  Array.iter (fun s -> let k = Ints.get t.signature s in sizes.(k) <- sizes.(k) + 1) states;
+  Array.iter (fun s -> let k = Int_array.get t.signature s in sizes.(k) <- sizes.(k) + 1) states;
   let next = Array.make kinds 0 in
   let stop = ref begin_ in
   let parts = ref [] in
@@ -152,7 +154,7 @@ let arrange t b states =
   next.(0) <- !stop;
   Array.iter
     (fun s ->
-       let k = Ints.get t.signature s in
+       let k = Int_array.get t.signature s in
        move t s next.(k);
        next.(k) <- next.(k) + 1)
     states;
@@ -165,16 +167,16 @@ let largest parts =
 let split t b parts =
   let kept = largest parts in
   let moved = List.filter (fun part -> part <> kept) parts in
-  Ints.put t.begin_ b (fst kept);
-  Ints.put t.end_ b (snd kept);
+  Int_array.put t.begin_ b (fst kept);
+  Int_array.put t.end_ b (snd kept);
   List.iter
     (fun (begin_, end_) ->
-       let fresh = Ints.size t.begin_ in
-       Ints.push t.begin_ begin_;
-       Ints.push t.end_ end_;
-       Ints.push t.dirty 0;
+       let fresh = Int_array.size t.begin_ in
+       Int_array.push t.begin_ begin_;
+       Int_array.push t.end_ end_;
+       Int_array.push t.dirty 0;
        for i = begin_ to end_ - 1 do
-         Ints.set t.block (Ints.get t.elements i) fresh
+         Int_array.set t.block (Int_array.get t.elements i) fresh
        done)
     moved;
   moved
@@ -185,7 +187,7 @@ let split t b parts =
 let touch t kind moved =
   let states =
     List.concat_map
-      (fun (begin_, end_) -> List.init (end_ - begin_) (fun i -> Ints.get t.elements (begin_ + i)))
+      (fun (begin_, end_) -> List.init (end_ - begin_) (fun i -> Int_array.get t.elements (begin_ + i)))
       moved
   in
   match kind with
@@ -196,15 +198,15 @@ let touch t kind moved =
 let process t kind b =
   let states = dirty_states t b in
   sign t kind b states;
-  Ints.put t.dirty b 0;
+  Int_array.put t.dirty b 0;
   if Signatures.count t.signatures > 1 then touch t kind (split t b (arrange t b states))
 
 let rec run t kind =
-  if Ints.size t.waiting > 0 then begin
-    process t kind (Ints.pop t.waiting);
+  if Int_array.size t.waiting > 0 then begin
+    process t kind (Int_array.pop t.waiting);
     run t kind
   end
-  else if Ints.size t.later > 0 then begin
+  else if Int_array.size t.later > 0 then begin
     let empty = t.waiting in
     t.waiting <- t.later;
     t.later <- empty;
@@ -213,14 +215,14 @@ let rec run t kind =
 
 let coarsest effort kind (g : Graph.t) =
   let back = Graph.backwards g in
-  let elements = Ints.make g.size and place = Ints.make g.size in
+  let elements = Int_array.make g.size 0 and place = Int_array.make g.size 0 in
   for s = 0 to g.size - 1 do
-    Ints.set elements s s;
-    Ints.set place s s
+    Int_array.set elements s s;
+    Int_array.set place s s
   done;
   let one x =
-    let b = Ints.buffer () in
-    Ints.push b x;
+    let b = Int_array.buffer () in
+    Int_array.push b x;
     b
   in
   let t =
@@ -228,19 +230,19 @@ let coarsest effort kind (g : Graph.t) =
       g;
       back;
       effort;
-      block = Ints.make g.size;
+      block = Int_array.make g.size 0;
       elements;
       place;
       begin_ = one 0;
       end_ = one g.size;
       dirty = one g.size;
       waiting = one 0;
-      later = Ints.buffer ();
+      later = Int_array.buffer ();
       signatures = Signatures.create ();
-      signature = Ints.make g.size;
+      signature = Int_array.make g.size 0;
       closure = Closure.make effort g back;
-      pending = Ints.buffer ();
+      pending = Int_array.buffer ();
     }
   in
   run t kind;
-  { count = Ints.size t.begin_; block = t.block }
+  { count = Int_array.size t.begin_; block = t.block }

@@ -17,7 +17,7 @@ type kind = Strong | Branching | Weak
 
 type partition = {
   count : int;  (** number of blocks *)
-  block : Ints.t;  (** of each state, from 0 *)
+  block : Scc_data.Int_array.t;  (** of each state, from 0 *)
 }
 
 val coarsest : Effort.t -> kind -> Graph.t -> partition

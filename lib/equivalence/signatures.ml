@@ -1,11 +1,13 @@
+open Scc_data
+
 type t = {
   mutable draft : int array;
   mutable drafted : int;
   mutable pool : int array;  (* the members of all sets, one set after the other *)
   mutable pooled : int;
-  ends : Ints.buffer;  (* where each set ends in the pool *)
+  ends : Int_array.buffer;  (* where each set ends in the pool *)
   mutable slots : int array;  (* open addressing: the set's number plus one, 0 when empty *)
-  places : Ints.buffer;  (* the slot of each set *)
+  places : Int_array.buffer;  (* the slot of each set *)
 }
 
 let create () =
@@ -14,19 +16,19 @@ let create () =
     drafted = 0;
     pool = Array.make 256 0;
     pooled = 0;
-    ends = Ints.buffer ();
+    ends = Int_array.buffer ();
     slots = Array.make 64 0;
-    places = Ints.buffer ();
+    places = Int_array.buffer ();
   }
 
-let count t = Ints.size t.ends
+let count t = Int_array.size t.ends
 
 let clear t =
-  for i = 0 to Ints.size t.places - 1 do
-    t.slots.(Ints.nth t.places i) <- 0
+  for i = 0 to Int_array.size t.places - 1 do
+    t.slots.(Int_array.nth t.places i) <- 0
   done;
-  Ints.clear t.places;
-  Ints.clear t.ends;
+  Int_array.clear t.places;
+  Int_array.clear t.ends;
   t.pooled <- 0
 
 let widened a need =
@@ -41,7 +43,7 @@ let add t x =
   t.draft.(t.drafted) <- x;
   t.drafted <- t.drafted + 1
 
-let begin_of t set = if set = 0 then 0 else Ints.nth t.ends (set - 1)
+let begin_of t set = if set = 0 then 0 else Int_array.nth t.ends (set - 1)
 
 (* Up to this many, insertion is faster than merging. *)
 let few = 24
@@ -82,7 +84,7 @@ let is_member t set x =
     let mid = (lo + hi) / 2 in
     t.pool.(mid) = x || if t.pool.(mid) < x then search (mid + 1) hi else search lo mid
   in
-  search (begin_of t set) (Ints.nth t.ends set)
+  search (begin_of t set) (Int_array.nth t.ends set)
 
 let within t ~except set =
   let rec all i = i = t.drafted || ((t.draft.(i) = except || is_member t set t.draft.(i)) && all (i + 1)) in
@@ -98,7 +100,7 @@ let hash from a n =
 
 let equals_draft t set =
   let from = begin_of t set in
-  Ints.nth t.ends set - from = t.drafted
+  Int_array.nth t.ends set - from = t.drafted
   &&
   let rec same i = i = t.drafted || (t.pool.(from + i) = t.draft.(i) && same (i + 1)) in
   same 0
@@ -109,10 +111,10 @@ let widen_slots t =
   let slots = Array.make (2 * Array.length t.slots) 0 in
   for set = 0 to count t - 1 do
     let from = begin_of t set in
-    let h = hash from t.pool (Ints.nth t.ends set - from) in
+    let h = hash from t.pool (Int_array.nth t.ends set - from) in
     let i = free_slot slots (h land (Array.length slots - 1)) in
     slots.(i) <- set + 1;
-    Ints.put t.places set i
+    Int_array.put t.places set i
   done;
   t.slots <- slots
 
@@ -120,8 +122,8 @@ let store t slot =
   if t.pooled + t.drafted > Array.length t.pool then t.pool <- widened t.pool (t.pooled + t.drafted);
   Array.blit t.draft 0 t.pool t.pooled t.drafted;
   t.pooled <- t.pooled + t.drafted;
-  Ints.push t.ends t.pooled;
-  Ints.push t.places slot;
+  Int_array.push t.ends t.pooled;
+  Int_array.push t.places slot;
   t.slots.(slot) <- count t;
   let set = count t - 1 in
   if 2 * count t > Array.length t.slots then widen_slots t;

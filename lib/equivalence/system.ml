@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 
 type position = int
@@ -8,8 +9,7 @@ type way = To of { target : position; rest : Rat.t } | Rest
 type t = {
   graph : Graph.t;
   passings : Label.passing option array;  (* of each label; none in an untimed system *)
-  mutable ways : way array;  (* positions from [graph.size] on *)
-  mutable used : int;
+  ways : way Growable.t;  (* positions from [graph.size] on *)
   closures : (position, position list) Hashtbl.t;
   mutable remembered : int;  (* how many positions are in these *)
   numbers : (int * string, position) Hashtbl.t;
@@ -20,8 +20,7 @@ let make graph passings =
   {
     graph;
     passings;
-    ways = [||];
-    used = 0;
+    ways = Growable.create ();
     closures = Hashtbl.create 16;
     remembered = 0;
     numbers = Hashtbl.create 16;
@@ -94,7 +93,7 @@ let patience m p =
       (fun least (passing, _) ->
          shorter least (match passing with Label.For d -> For d | Label.Forever -> Forever))
       Never (passings_of m p)
-  else match m.ways.(p - m.graph.size) with To { rest; _ } -> For rest | Rest -> Forever
+  else match Growable.get m.ways (p - m.graph.size) with To { rest; _ } -> For rest | Rest -> Forever
 
 let common a b =
   match shorter a b with Never -> None | For d -> Some d | Forever -> Some Rat.one
@@ -103,14 +102,8 @@ let number m key way =
   match Hashtbl.find_opt m.numbers key with
   | Some p -> p
   | None ->
-    if m.used = Array.length m.ways then begin
-      let wider = Array.make (max 16 (2 * m.used)) way in
-      Array.blit m.ways 0 wider 0 m.used;
-      m.ways <- wider
-    end;
-    m.ways.(m.used) <- way;
-    m.used <- m.used + 1;
-    let p = m.graph.size + m.used - 1 in
+    let p = m.graph.size + Growable.length m.ways in
+    Growable.push m.ways way;
     Hashtbl.add m.numbers key p;
     p
 
@@ -131,7 +124,7 @@ let ways_from m p d =
          | Label.For length -> along m target length d)
       (passings_of m p)
   else
-    match m.ways.(p - m.graph.size) with
+    match Growable.get m.ways (p - m.graph.size) with
     | To { target; rest } -> [ along m target rest d ]
     | Rest -> [ (p, Rat.zero) ]
 

@@ -1,4 +1,5 @@
 open Scc_ctl
+open Scc_data
 open Scc_exact
 open Scc_evaluate
 open Scc_verify
@@ -15,8 +16,7 @@ type stretch = {
 type t = {
   space : Explored.t;
   predicates : State_predicates.t array;
-  width : int;  (** bytes that the predicates of a state take *)
-  bits : Bytes.t;
+  bits : Bits.t;  (** of each predicate that holds at a state, at the start of what follows it *)
   statuses : Bytes.t;
   stretches : stretch array;
   detours : (int, Rat.t * int) Hashtbl.t;
@@ -131,16 +131,9 @@ let chain b tl ~source ~total ~target =
 
 (** {2 The whole graph} *)
 
-let set bits width i k =
-  let at = (i * width) + (k / 8) in
-  Bytes.set bits at (Char.chr (Char.code (Bytes.get bits at) lor (1 lsl (k mod 8))))
-
-let bit bits width i k = Char.code (Bytes.get bits ((i * width) + (k / 8))) land (1 lsl (k mod 8)) <> 0
-
 let make ?(instants = false) (space : Explored.t) predicates =
   let n = Array.length predicates in
-  let width = (n + 7) / 8 in
-  let bits = Bytes.make (space.size * width) '\000' in
+  let bits = Bits.create (space.size * n) in
   let statuses = Bytes.make space.size 'u' in
   let detours = Hashtbl.create 16 in
   let changes = Array.make n 0 and undecided = Array.make n None in
@@ -156,7 +149,7 @@ let make ?(instants = false) (space : Explored.t) predicates =
     let tl =
       Timeline.map (truth i k) (Trajectory.prop trajectory p.prop) |> Timeline.simplify Bool.equal
     in
-    if tl.start then set bits width i k;
+    if tl.start then Bits.add bits ((i * n) + k);
     if not (constant tl) then changes.(k) <- changes.(k) + 1;
     tl
   in
@@ -187,7 +180,6 @@ let make ?(instants = false) (space : Explored.t) predicates =
   {
     space;
     predicates;
-    width;
     bits;
     statuses;
     stretches = Array.of_list (List.rev b.made);
@@ -205,7 +197,7 @@ let detour l i = Hashtbl.find_opt l.detours i
 
 let holds l i k =
   match stretch l i with
-  | None -> bit l.bits l.width i k
+  | None -> Bits.mem l.bits ((i * Array.length l.predicates) + k)
   | Some s -> s.holds.(k)
 
 let changes l k = l.changes.(k)

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 
 (* Small numbers, a byte each, and the few great ones beside. *)

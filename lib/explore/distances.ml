@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 
 type t = {

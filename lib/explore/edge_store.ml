@@ -1,3 +1,5 @@
+open Scc_data
+
 (* The edges of a state stand side by side, after their number. *)
 type t = { first : Int_vector.t;  (** -1 for none *) labels : Int_vector.t; targets : Int_vector.t }
 

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_geometry
 
@@ -27,14 +28,6 @@ let across table v w = Option.join (Table.find_opt table (w, v))
 
 (* {1 Groups of coplanar neighbours} *)
 
-let rec root parent i =
-  let p = parent.(i) in
-  if p = i then i
-  else begin
-    parent.(i) <- parent.(p);
-    root parent parent.(i)
-  end
-
 let same_plane points normals faces f g =
   let n = normals.(f) in
   Z.sign (Ivec.dot n normals.(g)) > 0
@@ -49,19 +42,18 @@ let groups points faces table =
       (fun c -> if Array.length c < 3 then Ivec.zero else Face_check.normal points c)
       faces
   in
-  let parent = Array.init (Array.length faces) Fun.id in
+  let joined = Union_find.create (Array.length faces) in
   let join f corners =
     Array.iteri
       (fun i v ->
          match across table v (next corners i) with
          | Some g when g > f && same_plane points normals faces f g ->
-           let a = root parent f and b = root parent g in
-           parent.(Int.max a b) <- Int.min a b
+           ignore (Union_find.union joined f g)
          | Some _ | None -> ())
       corners
   in
   Array.iteri join faces;
-  Array.init (Array.length faces) (root parent)
+  Array.init (Array.length faces) (Union_find.find joined)
 
 (* {1 Outlines} *)
 

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_calculus
 
@@ -60,7 +61,7 @@ type offer = { discrete : (State.process array * Transition.t) array; delay : Ra
 type t = {
   model : Model.t;
   flights : Flights.t;
-  agenda : event Agenda.t;
+  agenda : event Heap.t;
   bodies : body option array;  (** by first leaf *)
   start_time : Rat.t option;
   mutable now : Rat.t;  (** since the start *)
@@ -85,14 +86,15 @@ let valid = function
 let time_of = function
   | Contact { time; _ } | Sweep_end { time; _ } | Horizon { time; _ } | Split_instant { time; _ } -> time
 
+let by_time d e = Rat.compare (time_of d) (time_of e)
 let least_room = 1024
 
 let add t event =
-  if Agenda.size t.agenda >= t.room then begin
-    Agenda.keep t.agenda valid;
-    t.room <- Int.max least_room (2 * Agenda.size t.agenda)
+  if Heap.size t.agenda >= t.room then begin
+    Heap.keep t.agenda valid;
+    t.room <- Int.max least_room (2 * Heap.size t.agenda)
   end;
-  Agenda.add t.agenda event
+  Heap.add t.agenda event
 
 let watch t : Flights.watch =
   {
@@ -175,9 +177,9 @@ let happen t event =
 
 (* Everything that the agenda has for this instant. *)
 let rec come_up t =
-  match Agenda.first t.agenda with
+  match Heap.first t.agenda with
   | Some event when not (valid event) || Rat.compare (time_of event) t.now <= 0 ->
-    Agenda.drop_first t.agenda;
+    Heap.drop_first t.agenda;
     if valid event then happen t event;
     come_up t
   | Some _ | None -> ()
@@ -185,17 +187,17 @@ let rec come_up t =
 (* When the next event comes that is one of the calculus. The ends of sweeps are none: what a process sweeps next
    still begins now, where all others are, for nothing forces time to pass. *)
 let rec next_time t =
-  match Agenda.first t.agenda with
+  match Heap.first t.agenda with
   | None -> None
   | Some event ->
     if not (valid event) then begin
-      Agenda.drop_first t.agenda;
+      Heap.drop_first t.agenda;
       next_time t
     end
     else begin
       match event with
       | Sweep_end s ->
-        Agenda.drop_first t.agenda;
+        Heap.drop_first t.agenda;
         renew t s.flight;
         next_time t
       | Contact _ | Horizon _ | Split_instant _ -> Some (time_of event)
@@ -329,7 +331,7 @@ let start (m : Model.t) (s : State.t) =
     {
       model = m;
       flights = Flights.create m;
-      agenda = Agenda.create time_of;
+      agenda = Heap.create ~near:(fun e -> Rat.to_float (time_of e)) ~compare:by_time;
       bodies = Array.make (Array.length m.leaves) None;
       start_time = s.time;
       now = Rat.zero;

@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_geometry
 open Scc_calculus
 open Scc_semantics
@@ -5,21 +6,16 @@ open Scc_semantics
 (* For each leaf its group, which bears the number of one of its processes. *)
 type t = { groups : (int, int) Hashtbl.t; members : (int, int list) Hashtbl.t }
 
-let rec root parents i = if parents.(i) = i then i else root parents parents.(i)
-
 let of_processes model processes =
   let state = State.make ~processes:(Array.to_list processes) ~step:None ~time:None in
   let parts = Parts.of_state model state in
-  let parents = Array.init (Array.length state.processes) Fun.id in
-  let join (i, j) =
-    let a = root parents parts.(i).process and b = root parents parts.(j).process in
-    parents.(Int.max a b) <- Int.min a b
-  in
+  let joined = Union_find.create (Array.length state.processes) in
+  let join (i, j) = ignore (Union_find.union joined parts.(i).process parts.(j).process) in
   List.iter join (Boxes.pairs (Array.map Parts.box parts));
   let groups = Hashtbl.create 16 and members = Hashtbl.create 16 in
   Array.iteri
     (fun i (p : State.process) ->
-       let g = root parents i in
+       let g = Union_find.find joined i in
        Array.iter
          (fun (l : State.leaf) ->
             Hashtbl.replace groups l.leaf g;

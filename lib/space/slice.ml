@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_geometry
 open Scc_calculus
@@ -57,26 +58,22 @@ type swarm = {
   lines : Moving_boxes.t;  (** of parts, which do not collide *)
   present : Box_tree.t;  (** where parts may be until the horizon, those of walls apart *)
   still : Box_tree.t;  (** the parts of walls *)
-  parent : int array;  (** of each process towards the representative of its group *)
+  groups : Union_find.t;  (** of processes *)
   members : int list array;  (** the parts of a group, by representative *)
   energy : Rat.t array;  (** 2E of a group, by representative *)
   stirred : bool array;  (** the group may have a collision, by representative *)
   grown : bool array;  (** and its boxes have been grown by what that may lead to *)
 }
 
-let rec find s i =
-  let up = s.parent.(i) in
-  if up = i then i
-  else begin
-    s.parent.(i) <- s.parent.(up);
-    find s up
-  end
+let find s i = Union_find.find s.groups i
 
-(* The greater group keeps its representative, which keeps the ways to it short. *)
+(* Of two groups, by their representatives. *)
 let join s g h =
-  let g, h = if List.compare_lengths s.members.(g) s.members.(h) < 0 then (h, g) else (g, h) in
-  s.parent.(h) <- g;
-  s.members.(g) <- List.rev_append s.members.(h) s.members.(g);
+  ignore (Union_find.union s.groups g h);
+  let g, h = if find s g = g then (g, h) else (h, g) in
+  let few, many = (s.members.(g), s.members.(h)) in
+  let few, many = if List.compare_lengths few many <= 0 then (few, many) else (many, few) in
+  s.members.(g) <- List.rev_append few many;
   s.members.(h) <- [];
   s.energy.(g) <- Rat.add s.energy.(g) s.energy.(h);
   s.stirred.(g) <- true;
@@ -110,7 +107,7 @@ let create model ~horizon ~in_events (initial : State.t) =
     walls = Array.map (is_wall model ~in_events) processes;
     present = Box_tree.create ();
     still = Box_tree.create ();
-    parent = Array.init n Fun.id;
+    groups = Union_find.create n;
     energy = Array.map (twice_energy model) processes;
     stirred = Array.make n false;
     grown = Array.make n false;
@@ -220,14 +217,14 @@ let rec grow s g =
     s.grown.(g) <- true
   end
 
-let is_group s i = s.parent.(i) = i && not s.walls.(i)
+let is_group s i = find s i = i && not s.walls.(i)
 
 let settle s =
   Array.iteri
     (fun i _ ->
        let g = find s i in
        if s.stirred.(g) && not s.grown.(g) then grow s g)
-    s.parent
+    s.processes
 
 (** {1 What is left out} *)
 

@@ -13,16 +13,16 @@ let random n =
 
 (* Three ways a node: two edges and a flow at most, as far as they exist. Most nodes lead to those near them. *)
 let graph size : Timed_graph.t =
-  let ways = Timed_graph.Vector.make (3 * size) (-1) in
+  let ways = Scc_data.Int_array.make (3 * size) (-1) in
   for s = 0 to size - 1 do
-    let put k t = Timed_graph.Vector.set ways ((3 * s) + k) t in
+    let put k t = Scc_data.Int_array.set ways ((3 * s) + k) t in
     let target () = if random 10 = 0 then random size else Int.min (size - 1) (s + random 50) in
     for k = 0 to 1 do
       if random 3 > 0 then put k (target ())
     done;
     if random 2 = 0 then put 2 (target ())
   done;
-  let way s k = Timed_graph.Vector.get ways ((3 * s) + k) in
+  let way s k = Scc_data.Int_array.get ways ((3 * s) + k) in
   let times = Array.init 16 (fun k -> Rat.make (Z.of_int (k + 1)) (Z.of_int 7)) in
   let edges s =
     match (way s 0, way s 1) with

@@ -97,19 +97,6 @@ let horizon =
          let truth g = Eval.truth (Small.evaluator g) c.formula (Positions.start 0) in
          Option.equal Bool.equal (truth c.graph) (truth short))
 
-let heap =
-  QCheck2.Test.make ~count:500 ~name:"a heap gives the least first" ~print:QCheck2.Print.(list int)
-    Gen.(list (int_range 0 50))
-    (fun keys ->
-       let h = Heap.create ~compare:Int.compare 0 in
-       List.iter (fun k -> Heap.push h k (2 * k)) keys;
-       let rec all acc =
-         match Heap.pop h with
-         | None -> List.rev acc
-         | Some (k, v) -> if v = 2 * k then all (k :: acc) else []
-       in
-       List.equal Int.equal (all []) (List.sort Int.compare keys))
-
 let () =
   Alcotest.run "ctl"
     [
@@ -123,5 +110,4 @@ let () =
             sound;
             horizon;
           ] );
-      ("parts", Scc_test_support.Property.cases [ heap ]);
     ]

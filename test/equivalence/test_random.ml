@@ -1,5 +1,6 @@
 (* Random graphs against the definitions. *)
 
+open Scc_data
 open Scc_equivalence
 open Scc_naive_equivalence
 
@@ -63,7 +64,7 @@ let partitions ?most name kind naive =
       let same = ref true in
       for s = 0 to g.size - 1 do
         for t = 0 to g.size - 1 do
-          if (Ints.get p.block s = Ints.get p.block t) <> r.(s).(t) then same := false
+          if (Int_array.get p.block s = Int_array.get p.block t) <> r.(s).(t) then same := false
         done
       done;
       !same && Naive.related naive g (Graph.reachable (Quotient.make kind g p)))

@@ -4,26 +4,6 @@ open Scc_exact
 open Scc_explore
 module Gen = QCheck2.Gen
 
-(* Long runs of equal numbers, across the ends of chunks, and numbers changed afterwards. *)
-let vector =
-  let open Gen in
-  let value = frequency [ (4, int_range (-3) 3); (1, oneofl [ 0x7fff_ffff; -0x8000_0000 ]) ] in
-  let runs = list_size (int_range 0 12) (pair (int_range 1 3000) value) in
-  let changes = list_size (int_range 0 40) (pair (int_range 0 40_000) value) in
-  QCheck2.Test.make ~count:200 ~name:"Int_vector is an array" (pair runs changes) (fun (runs, changes) ->
-      let all = Array.concat (List.map (fun (n, x) -> Array.make n x) runs) in
-      let v = Int_vector.create () in
-      Array.iter (Int_vector.push v) all;
-      let n = Array.length all in
-      List.iter
-        (fun (i, x) ->
-           if n > 0 then begin
-             Int_vector.set v (i mod n) x;
-             all.(i mod n) <- x
-           end)
-        changes;
-      Int_vector.length v = n && Array.for_all Fun.id (Array.mapi (fun i x -> Int_vector.get v i = x) all))
-
 let pairs =
   let open Gen in
   let number = frequency [ (8, int_range 0 40); (1, int_range 0 0x7fff_ffff) ] in
@@ -119,25 +99,6 @@ let frontier by_time =
       Frontier.iter (fun i -> left := i :: !left) f;
       List.rev !left = List.map fst !waiting)
 
-let queue =
-  let open Gen in
-  QCheck2.Test.make ~count:300 ~name:"Int_queue is a queue"
-    (list_size (int_range 0 40) (pair (int_range 0 900) (int_range 0 900)))
-    (fun rounds ->
-       let q = Int_queue.create () and known = Queue.create () and next = ref 0 in
-       List.for_all
-         (fun (pushes, takes) ->
-            for _ = 1 to pushes do
-              incr next;
-              Int_queue.push q !next;
-              Queue.push !next known
-            done;
-            List.for_all
-              (fun _ -> Int_queue.take q = Queue.take_opt known)
-              (List.init takes Fun.id)
-            && Int_queue.length q = Queue.length known)
-         rounds)
-
 (* Few are taken for known, no more than the bound says, by far; and none that is known is taken for new. *)
 let fingerprints () =
   let n = 200_000 in
@@ -153,6 +114,6 @@ let fingerprints () =
 let () =
   Alcotest.run "stores"
     [
-      ("random", Scc_test_support.Property.cases [ vector; pairs; tuples; frontier false; frontier true; queue ]);
+      ("random", Scc_test_support.Property.cases [ pairs; tuples; frontier false; frontier true ]);
       ("cases", [ Alcotest.test_case "fingerprints" `Quick fingerprints ]);
     ]

@@ -14,6 +14,6 @@ let union sets i j =
   let a = find sets i and b = find sets j in
   if a = b then false
   else begin
-    sets.(max a b) <- min a b;
+    sets.(Int.max a b) <- Int.min a b;
     true
   end

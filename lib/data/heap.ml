@@ -1,20 +1,16 @@
-open Scc_exact
-
-(* The nearest floats of the times stand first in every comparison. Rounding to the nearest keeps the order: of two
-   times with different floats the one with the lesser float is the lesser, and when the floats are equal (or
-   both infinite) the rationals decide. *)
 type 'a t = {
-  time : 'a -> Rat.t;
-  mutable keys : float array;
+  near : 'a -> float;
+  compare : 'a -> 'a -> int;
+  mutable keys : float array;  (** what is near to each entry *)
   mutable entries : 'a array;
   mutable size : int;
 }
 
-let create time = { time; keys = [||]; entries = [||]; size = 0 }
+let create ~near ~compare = { near; compare; keys = [||]; entries = [||]; size = 0 }
 let size a = a.size
 
 let before a (key : float) entry other_key other =
-  key < other_key || (key = other_key && Rat.compare (a.time entry) (a.time other) < 0)
+  key < other_key || (key = other_key && a.compare entry other < 0)
 
 let put a i key entry =
   a.keys.(i) <- key;
@@ -24,7 +20,7 @@ let put a i key entry =
    memory. *)
 let arity = 4
 
-(* Lets the place [i] rise until what is above is not later, and puts the entry there. *)
+(* Lets the place [i] rise until what is above is not greater, and puts the entry there. *)
 let rec rise a i key entry =
   let above = (i - 1) / arity in
   if i > 0 && before a key entry a.keys.(above) a.entries.(above) then begin
@@ -60,7 +56,7 @@ let grow a entry =
 let add a entry =
   if a.size = Array.length a.entries then grow a entry;
   a.size <- a.size + 1;
-  rise a (a.size - 1) (Rat.to_float (a.time entry)) entry
+  rise a (a.size - 1) (a.near entry) entry
 
 let first a = if a.size = 0 then None else Some a.entries.(0)
 
@@ -78,6 +74,11 @@ let drop_first a =
       a.entries <- [||]
     end
   end
+
+let take a =
+  let taken = first a in
+  drop_first a;
+  taken
 
 let shrink a =
   let spare = Int.max 16 (2 * a.size) in

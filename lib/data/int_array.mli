@@ -4,10 +4,10 @@
 type t
 
 val max_value : int
-(** 2^31 - 1: the greatest value. Values are from 0 to this. *)
+(** 2^31 - 1: the greatest value. Values are from -2^31 to this. *)
 
-val make : int -> t
-(** All zero. *)
+val make : int -> int -> t
+(** [make n x]: n times [x]. *)
 
 val length : t -> int
 val get : t -> int -> int
@@ -17,7 +17,10 @@ val fill : t -> int -> unit
 val prefix : t -> int -> t
 (** The first so many, sharing their place with the array. *)
 
-(** {1 Growing} *)
+(** {1 Growing}
+
+    In one piece, twice as long when it is full: quicker than {!Int_vector}, which takes less memory and never
+    moves. *)
 
 type buffer
 

@@ -9,9 +9,9 @@ let set (a : t) i x = Array1.set a i (Int32.of_int x)
 let length (a : t) = Array1.dim a
 let fill (a : t) x = Array1.fill a (Int32.of_int x)
 
-let make n =
+let make n x =
   let a = raw n in
-  fill a 0;
+  fill a x;
   a
 
 let prefix (a : t) n : t = Array1.sub a 0 n

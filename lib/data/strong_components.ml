@@ -1,4 +1,4 @@
-module V = Timed_graph.Vector
+module V = Int_array
 
 (* [order] holds the nodes of closed components from the beginning, in the order of closing, and the open ones
    from the end; both together are at most all. *)
@@ -79,34 +79,10 @@ let compute ~size ~inside ~successors =
 
 let count t = t.closed
 let number t v = V.get t.number v
+let numbers t = t.number
 
 let iter t f =
   for i = 0 to t.ordered - 1 do
     let v = V.get t.order i in
     f (V.get t.number v) v
   done
-
-let path ~successors ~from ~goal =
-  let reached = Hashtbl.create 64 in
-  let queue = Queue.create () in
-  let rec back v acc =
-    match Hashtbl.find reached v with
-    | None -> acc
-    | Some (u, step) -> back u ((u, step) :: acc)
-  in
-  let enter v by =
-    if not (Hashtbl.mem reached v) then begin
-      Hashtbl.add reached v by;
-      Queue.push v queue
-    end
-  in
-  enter from None;
-  let rec go () =
-    match Queue.take_opt queue with
-    | None -> None
-    | Some v when goal v -> Some (back v [])
-    | Some v ->
-      List.iter (fun (w, step) -> enter w (Some (v, step))) (successors v);
-      go ()
-  in
-  go ()
