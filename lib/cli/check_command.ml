@@ -10,24 +10,13 @@ open Cmdliner
 
 let ( let* ) = Result.bind
 
-let verdict_code (v : Verdict.t) : Exit_code.t =
-  match v with
-  | Violated _ -> Violated
-  | Holds _ when Verdict.resources v -> Stopped
-  | Holds _ -> if Verdict.by_default v then Undecided else Holds
-  | Undecided _ -> if Verdict.resources v then Stopped else Undecided
-
-(* What the exploration alone tells, when a model has no properties. *)
-let stats_code (s : Check.stats) : Exit_code.t =
-  if s.complete then Holds
-  else if List.length s.faults > 0 then Undecided
-  else
-    verdict_code (Holds { bounds = s.stopped_by; witness = None })
-
+(* A model without properties is explored all the same. *)
 let exit_code (report : Check.report) verdicts =
   match verdicts with
-  | [] -> stats_code report.stats
-  | _ -> Exit_code.worst (List.map (fun (_, v) -> verdict_code v) verdicts)
+  | [] ->
+    let s = report.stats in
+    Exit_code.of_exploration ~complete:s.complete ~faults:s.faults ~stopped_by:s.stopped_by
+  | _ -> Exit_code.worst (List.map (fun (_, v) -> Exit_code.of_verdict v) verdicts)
 
 let witness_of (v : Verdict.t) =
   match v with
@@ -133,7 +122,7 @@ let cover options (l : Loaded.t) initial =
   let space = Explored.explore (options ()) l.model ~initial in
   (space, Coverage.of_space space)
 
-let check console bounds (extras : Check_extras.t) overrides path =
+let check console budget (extras : Check_extras.t) overrides path =
   let interrupted = Interrupt.install () in
   let measured = Measured.start () in
   let* l = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
@@ -142,9 +131,8 @@ let check console bounds (extras : Check_extras.t) overrides path =
   let* initial = Loaded.initial l in
   (* The limit of seconds is that of one exploration. *)
   let options () =
-    let now = Option.map Interrupt.clock bounds.Check_options.seconds in
-    let options = Check_options.options ?now bounds ~interrupted ~progress:(Progress.show console bounds) in
-    let states = Option.value bounds.states ~default:Check_options.default_states in
+    let options = Check_options.starting console budget ~interrupted in
+    let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
     let compact = if extras.compact then Some states else None in
     { options with reductions = extras.reductions; order = extras.order; compact }
   in
@@ -177,16 +165,14 @@ let check console bounds (extras : Check_extras.t) overrides path =
 let unfit (extras : Check_extras.t) =
   Option.is_some extras.witness && not (List.exists (Reduction.equal Jump) extras.reductions)
 
-let run color json bounds (extras : Check_extras.t) overrides path =
+let run color json budget (extras : Check_extras.t) overrides path =
   let console = Console.make ~color ~json in
-  if unfit extras then begin
-    prerr_endline "scc: --witness does not go with --no-reduce jump: schedules are replayed with jumps";
-    Exit_code.Usage
-  end
+  if unfit extras then
+    Guard.usage "--witness does not go with --no-reduce jump: schedules are replayed with jumps"
   else
     Guard.run console (fun () ->
-        match check console bounds extras overrides path with
-        | Ok code -> code
+        match check console budget extras overrides path with
+        | Ok code -> Ok code
         | Error diagnostics ->
           let code = Guard.invalid console diagnostics in
           let is_about path (d : Diag.t) = String.equal d.span.file path in
@@ -196,7 +182,7 @@ let run color json bounds (extras : Check_extras.t) overrides path =
              Result.iter_error (Console.report console) written
            (* It is this file that could not be written. *)
            | Some _ | None -> ());
-          code)
+          Ok code)
 
 let man =
   [
@@ -253,7 +239,7 @@ let man =
 
 let command =
   Cmd.v
-    (Cmd.info "check" ~doc:"explore a model and verify its properties" ~man ~exits:Exit_code.man)
+    (Cmd.info "check" ~doc:"explore a model and verify its properties" ~man ~exits:(Exits.man ()))
     Term.(
-      const run $ Options.color $ Options.json $ Check_options.bounds $ Check_extras.term $ Options.overrides
+      const run $ Options.color $ Options.json $ Check_options.budget $ Check_extras.term $ Options.overrides
       $ Options.model_file)

@@ -1,3 +1,3 @@
 (** [scc check]. *)
 
-val command : Exit_code.t Cmdliner.Cmd.t
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

@@ -1,27 +1,17 @@
-(** The options of [scc check]. *)
+(** How commands that explore are told their bounds, and explore. *)
 
-open Scc_exact
 open Scc_verify
+open Scc_session
 
-type bounds = {
-  depth : int option;
-  time : Rat.t option;
-  states : int option;
-  seconds : float option;
-  memory : int option;  (** MiB *)
-}
-
-val bounds : bounds Cmdliner.Term.t
-
-val default_states : int
-val default_memory : int
-(** MiB. *)
-
-val words_of_mib : int -> int
+val budget : Budget.t Cmdliner.Term.t
+val defaults : Budget.defaults
 
 val options :
   ?now:(unit -> float) ->
-  bounds ->
+  Budget.t ->
   interrupted:(unit -> bool) ->
   progress:(Scc_explore.Limits.progress -> unit) ->
   Check.options
+
+val starting : Console.t -> Budget.t -> interrupted:(unit -> bool) -> Check.options
+(** For an exploration that begins now: its seconds are counted from here, and its progress is shown. *)

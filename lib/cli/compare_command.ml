@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_equivalence
+open Scc_session
 open Cmdliner
 
 let ( let* ) = Result.bind
@@ -14,7 +15,7 @@ type options = {
   hidden : Hide.pattern list;
   renamed : (string * string) list;
   write : string option;
-  bounds : Check_options.bounds;
+  budget : Budget.t;
 }
 
 (* Names and labels of the first as the second has them. *)
@@ -30,19 +31,19 @@ let labelled o ~first g =
       if List.exists (fun p -> Hide.matches p label) o.hidden then Graph.tau else label)
 
 (* Seconds are counted from the beginning of each exploration, and of the comparison. *)
-let stop_at (bounds : Check_options.bounds) interrupted =
+let stop_at (budget : Budget.t) interrupted =
   let start = Unix.gettimeofday () in
-  let words = Check_options.words_of_mib (Option.value ~default:Check_options.default_memory bounds.memory) in
+  let words = Option.value ~default:Check_options.defaults.memory budget.memory in
   fun () ->
     interrupted ()
-    || (match bounds.seconds with Some s -> Unix.gettimeofday () -. start > s | None -> false)
-    || (Gc.quick_stat ()).heap_words > words
+    || (match budget.seconds with Some s -> Unix.gettimeofday () -. start > s | None -> false)
+    || Scc_base.Memory.heap_words () > words
 
 let exit_code (first : Compared.t) (second : Compared.t) (report : Compare.report) : Exit_code.t =
   let resources c =
-    match Compared.stopped_by c with
-    | [] -> false
-    | bounds -> Scc_verify.Verdict.(resources (Holds { bounds; witness = None }))
+    match Exit_code.of_bounds (Compared.stopped_by c) with
+    | Stopped -> true
+    | Holds | Violated | Undecided | Invalid | Usage | Bug -> false
   in
   match report.verdict with
   | Equivalent -> Holds
@@ -60,10 +61,10 @@ let write_graphs o first second =
 
 let compare console o =
   let interrupted = Interrupt.install () in
-  Option.iter (fun s -> Interrupt.deadline (3. *. s)) o.bounds.seconds;
+  Option.iter (fun s -> Interrupt.deadline (3. *. s)) o.budget.seconds;
   let load ~first path overrides =
-    let progress = Progress.show ~about:path console o.bounds in
-    let options = Check_options.options o.bounds ~interrupted ~progress in
+    let progress = Progress.show ~about:path console o.budget in
+    let options = Check_options.options o.budget ~interrupted ~progress in
     Compared.load console options ~renamed:(renaming o ~first) ~overrides:(o.overrides @ overrides) path
   in
   let* first = load ~first:true o.first o.left in
@@ -71,30 +72,19 @@ let compare console o =
   let prepared ~first (c : Compared.t) = Compare.prepare o.relation (labelled o ~first c.graph) in
   let one = prepared ~first:true first and two = prepared ~first:false second in
   let* () = write_graphs o one two in
-  let effort = Effort.make ~stop:(stop_at o.bounds interrupted) in
+  let effort = Effort.make ~stop:(stop_at o.budget interrupted) in
   let report = Compare.run effort o.relation one two in
   Interrupt.in_time ();
   let code = exit_code first second report in
   let told = { Compare_report.relation = o.relation; first; second; report; exit = code } in
-  Console.print console
-    (if Console.is_json console then Scc_exchange.Json.pretty (Compare_report.json console told)
-     else Compare_report.text console told);
-  Console.flush console;
+  Console.answer console
+    ~text:(fun () -> Compare_report.text console told)
+    ~json:(fun () -> Compare_report.json console told);
   Ok code
-
-let usage message =
-  prerr_endline ("scc: " ^ message);
-  Exit_code.Usage
 
 let run color json o =
   let console = Console.make ~color ~json in
-  if String.equal o.first "-" && String.equal o.second "-" then
-    usage "only one of the two can be read from standard input"
-  else
-    Guard.run console (fun () ->
-        match compare console o with
-        | Ok code -> code
-        | Error diagnostics -> Guard.invalid console diagnostics)
+  Guard.run_on_two console o.first o.second (fun () -> compare console o)
 
 (** {2 The command line} *)
 
@@ -147,16 +137,28 @@ let write =
   Arg.(value & opt (some string) None & info [ "write" ] ~docv:"PREFIX" ~doc)
 
 let options =
-  let make relation first second overrides left right hidden renamed write bounds =
-    { relation; first; second; overrides; left; right; hidden; renamed; write; bounds }
+  let make relation first second overrides left right hidden renamed write budget =
+    { relation; first; second; overrides; left; right; hidden; renamed; write; budget }
   in
   Term.(
     const make $ relation $ input 0 "first" $ input 1 "second" $ overrides
     $ definitions [ "left" ] "first" $ definitions [ "right" ] "second"
-    $ Hide.patterns ~also:" In both, and after $(b,--rename)." () $ renamed $ write $ Check_options.bounds)
+    $ Hide.patterns ~also:" In both, and after $(b,--rename)." () $ renamed $ write $ Check_options.budget)
+
+let exits =
+  Exits.man ()
+    ~told:
+      [
+        (Holds, "if the two are equivalent: a proof.");
+        (Violated, "if they are not.");
+        (Undecided, "if that is not known.");
+        (Invalid, "if a model or a graph is invalid.");
+        ( Stopped,
+          "if it is not known since a limit of seconds or memory, or an interruption, ended the work." );
+      ]
 
 let command =
   Cmd.v
     (Cmd.info "compare" ~doc:"tell whether two models are equivalent, and why not" ~man:Compare_manual.text
-       ~exits:Compare_manual.exits)
+       ~exits)
     Term.(const run $ Options.color $ Options.json $ options)

@@ -1,3 +1,3 @@
 (** [scc compare]: are two models equivalent? *)
 
-val command : Exit_code.t Cmdliner.Cmd.t
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

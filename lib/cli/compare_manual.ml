@@ -61,15 +61,3 @@ let text =
     `Pre "  scc compare chain.sc chain.sc --left n=3 --right n=4 --modulo trace";
     `Pre "  scc compare model.aut specification.aut --modulo branching --json";
   ]
-
-let exits =
-  let info code doc = Cmd.Exit.info (Exit_code.to_int code) ~doc in
-  [
-    info Holds "if the two are equivalent: a proof.";
-    info Violated "if they are not.";
-    info Undecided "if that is not known.";
-    info Invalid "if a model or a graph is invalid.";
-    info Stopped "if it is not known since a limit of seconds or memory, or an interruption, ended the work.";
-    info Usage "if the command line is wrong.";
-    info Bug "if scc itself is at fault: the message says what to send.";
-  ]

@@ -1,13 +1,14 @@
 open Scc_exchange
 open Scc_verify
 open Scc_equivalence
+open Scc_session
 
 type t = {
   relation : Compare.relation;
   first : Compared.t;
   second : Compared.t;
   report : Compare.report;
-  exit : Exit_code.t;
+  exit : Scc_session.Exit_code.t;
 }
 
 let relations =

@@ -7,7 +7,7 @@ type t = {
   first : Compared.t;
   second : Compared.t;
   report : Compare.report;
-  exit : Exit_code.t;
+  exit : Scc_session.Exit_code.t;
 }
 
 val relations : (string * Compare.relation) list

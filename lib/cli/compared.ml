@@ -12,7 +12,7 @@ type t = { path : string; source : source; graph : Graph.t }
 let is_graph_file path = Filename.check_suffix path ".aut"
 
 (* A graph of ten million transitions has some 300 MB. *)
-let max_graph_bytes = 1024 * 1024 * 1024
+let max_graph_bytes = 1024 * Memory.mib
 
 (* The leaf of a process by which it is called: the least by name, since the order in which bodies are declared
    should not be seen. [renamed] is what a name means to the other side. *)

@@ -3,7 +3,6 @@ open Scc_exact
 open Scc_session
 open Scc_exchange
 open Scc_conform
-open Scc_equivalence
 open Cmdliner
 
 let ( let* ) = Result.bind
@@ -13,7 +12,7 @@ type options = {
   trace : string;
   overrides : (string * Rat.t) list;
   tolerance : Rat.t option;
-  unobserved : Label.pattern list;
+  unobserved : Hide.pattern list;
   states : int;
   run : string option;
 }
@@ -46,8 +45,8 @@ let exit_code : Verdict.answer -> Exit_code.t = function
   | Conforms _ -> Holds
   | Diverges _ -> Violated
   | Undecided { reason = Interrupted; _ } -> Stopped
-  | Undecided { reason = Fault (Bad_law _); _ } -> Invalid
-  | Undecided _ -> Undecided
+  | Undecided { reason = Fault fault; _ } -> Exit_code.of_fault fault
+  | Undecided { reason = Too_many_states; _ } -> Undecided
 
 let conform console o =
   let interrupted = Interrupt.install () in
@@ -57,7 +56,7 @@ let conform console o =
   let* () = check_digest trace l.origin in
   Console.report console l.warnings;
   let* tolerance = Verdict.tolerance l.model trace o.tolerance in
-  let observed label = not (List.exists (fun p -> Option.is_some (Label.matches p label)) o.unobserved) in
+  let observed label = not (List.exists (fun p -> Hide.matches p label) o.unobserved) in
   let limits = { Search.states = o.states; interrupted } in
   let* answer =
     match Verdict.check l.model l.declared trace ~tolerance ~observed limits with
@@ -72,26 +71,17 @@ let conform console o =
   in
   let code = exit_code answer in
   let report = { Report.file = o.path; loaded = l; trace; tolerance; answer } in
-  Console.print console
-    (if Console.is_json console then
-       let source = Console.source console in
-       let diagnostics = List.map (Diag_json.diagnostic ~source) (Console.kept console) in
-       Json.pretty (Report.json report ~exit:(Exit_code.to_int code) ~diagnostics)
-     else Report.text report);
-  Console.flush console;
+  Console.answer console
+    ~text:(fun () -> Report.text report)
+    ~json:(fun () ->
+        let source = Console.source console in
+        let diagnostics = List.map (Diag_json.diagnostic ~source) (Console.kept console) in
+        Report.json report ~exit:(Exit_code.to_int code) ~diagnostics);
   Ok code
 
 let run color json o =
   let console = Console.make ~color ~json in
-  if String.equal o.path "-" && String.equal o.trace "-" then begin
-    prerr_endline "scc: only one of the two can be read from standard input";
-    Exit_code.Usage
-  end
-  else
-    Guard.run console (fun () ->
-        match conform console o with
-        | Ok code -> code
-        | Error diagnostics -> Guard.invalid console diagnostics)
+  Guard.run_on_two console o.path o.trace (fun () -> conform console o)
 
 (* The command line. *)
 
@@ -107,36 +97,20 @@ let tolerance =
   in
   Arg.(value & opt (some Options.rational) None & info [ "tolerance" ] ~docv:"T" ~doc)
 
-(* A kind stands for all labels of it. *)
-let pattern =
-  let parse s =
-    let is_kind = not (String.exists (function '(' | '*' -> true | _ -> false) s) in
-    if String.equal s "" then Error (`Msg "an empty pattern fits no label")
-    else Ok (Label.pattern (if is_kind then s ^ "(*)" else s))
-  in
-  Arg.conv ~docv:"PATTERN" (parse, fun ppf _ -> Format.pp_print_string ppf "PATTERN")
-
 let unobserved =
   let doc =
     "Events that the trace need not tell: a kind ($(b,bounce), $(b,bind), $(b,weak), $(b,strong)), or the text \
      of a label, in which $(b,*) stands for any characters: $(b,'bounce(p, *\\)'). Repeatable. Every other event \
      has to be told."
   in
-  Arg.(value & opt_all pattern [] & info [ "unobserved" ] ~docv:"PATTERN" ~doc)
+  Arg.(value & opt_all Hide.pattern [] & info [ "unobserved" ] ~docv:"PATTERN" ~doc)
 
 let states =
   let doc =
     "Looks at no more than $(docv) states for each line of the trace. When that does not do, the trace is \
      undecided, unless it conforms all the same."
   in
-  let count =
-    let parse s =
-      match int_of_string_opt s with
-      | Some n when n >= 1 -> Ok n
-      | _ -> Error (`Msg (Printf.sprintf "`%s' is no number of states" s))
-    in
-    Arg.conv ~docv:"N" (parse, Format.pp_print_int)
-  in
+  let count = Options.integer ~least:1 "number of states" in
   Arg.(value & opt count Search.default_states & info [ "states" ] ~docv:"N" ~doc)
 
 let run_file =
@@ -177,16 +151,15 @@ let man =
   ]
 
 let exits =
-  let info code doc = Cmd.Exit.info (Exit_code.to_int code) ~doc in
-  [
-    info Holds "if the trace is one of the model, within the tolerance.";
-    info Violated "if it is not.";
-    info Undecided "if that is not known: a limit was reached.";
-    info Invalid "if the model or the trace is invalid.";
-    info Stopped "if it is not known since it was interrupted.";
-    info Usage "if the command line is wrong.";
-    info Bug "if scc itself is at fault: the message says what to send.";
-  ]
+  Exits.man ()
+    ~told:
+      [
+        (Holds, "if the trace is one of the model, within the tolerance.");
+        (Violated, "if it is not.");
+        (Undecided, "if that is not known: a limit was reached.");
+        (Invalid, "if the model or the trace is invalid.");
+        (Stopped, "if it is not known since it was interrupted.");
+      ]
 
 let command =
   Cmd.v

@@ -1,3 +1,3 @@
 (** [scc conform]: whether the semantics of a model allows a recorded trace. *)
 
-val command : Exit_code.t Cmdliner.Cmd.t
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

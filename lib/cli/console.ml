@@ -153,3 +153,7 @@ let with_output c ~path f =
     let result = f (print c) in
     flush c;
     result
+
+let answer c ~json ~text =
+  print c (if c.json then Scc_exchange.Json.pretty (json ()) else text ());
+  flush c

@@ -25,6 +25,9 @@ val source : t -> string -> Source.t option
 val print : t -> string -> unit
 (** To standard output. *)
 
+val answer : t -> json:(unit -> Scc_exchange.Json.t) -> text:(unit -> string) -> unit
+(** The result of a command, as one document or for people, and sends it off. *)
+
 val report : t -> Diag.t list -> unit
 (** Shows diagnostics on standard error (not in [json] mode). *)
 

@@ -1,5 +1,5 @@
 open Scc_exact
-open Scc_exchange
+open Scc_session
 open Scc_conform
 open Cmdliner
 
@@ -26,24 +26,14 @@ let diff console o =
   let* tolerance = tolerance o.tolerance a b in
   let found = Difference.find a b ~tolerance in
   let code : Exit_code.t = if Option.is_none found then Holds else Violated in
-  Console.print console
-    (if Console.is_json console then
-       Json.pretty (Difference_report.json a b ~tolerance ~exit:(Exit_code.to_int code) found)
-     else Difference_report.text a b found);
-  Console.flush console;
+  Console.answer console
+    ~text:(fun () -> Difference_report.text a b found)
+    ~json:(fun () -> Difference_report.json a b ~tolerance ~exit:(Exit_code.to_int code) found);
   Ok code
 
 let run color json o =
   let console = Console.make ~color ~json in
-  if String.equal o.first "-" && String.equal o.second "-" then begin
-    prerr_endline "scc: only one of the two can be read from standard input";
-    Exit_code.Usage
-  end
-  else
-    Guard.run console (fun () ->
-        match diff console o with
-        | Ok code -> code
-        | Error diagnostics -> Guard.invalid console diagnostics)
+  Guard.run_on_two console o.first o.second (fun () -> diff console o)
 
 (* The command line. *)
 
@@ -80,15 +70,14 @@ let man =
   ]
 
 let exits =
-  let info code doc = Cmd.Exit.info (Exit_code.to_int code) ~doc in
-  [
-    info Holds "if the two are the same, as far as both tell.";
-    info Violated "if they differ.";
-    info Invalid "if a trace is invalid.";
-    info Stopped "if an output could not be written.";
-    info Usage "if the command line is wrong.";
-    info Bug "if scc itself is at fault: the message says what to send.";
-  ]
+  Exits.man () ~never:[ Undecided ]
+    ~told:
+      [
+        (Holds, "if the two are the same, as far as both tell.");
+        (Violated, "if they differ.");
+        (Invalid, "if a trace is invalid.");
+        (Stopped, "if an output could not be written.");
+      ]
 
 let command =
   Cmd.v

@@ -68,20 +68,17 @@ let explanation run (check : Property.check option) =
   | None -> Omission.explain story (Causes.of_last_event story) []
 
 let print console (model : Loaded.t) check explanation =
-  if Console.is_json console then
-    let document =
-      Explain_json.document ~source:(Console.source console)
-        {
-          origin = model.origin;
-          check;
-          explanation;
-          diagnostics = Console.kept console;
-          exit = Exit_code.to_int Holds;
-        }
-    in
-    Console.print console (Json.pretty document)
-  else Console.print console (Explain_text.lines console check explanation);
-  Console.flush console
+  Console.answer console
+    ~text:(fun () -> Explain_text.lines console check explanation)
+    ~json:(fun () ->
+        Explain_json.document ~source:(Console.source console)
+          {
+            origin = model.origin;
+            check;
+            explanation;
+            diagnostics = Console.kept console;
+            exit = Exit_code.to_int Holds;
+          })
 
 let explain console o =
   let interrupted = Interrupt.install () in
@@ -99,11 +96,11 @@ let run color json o =
   let console = Console.make ~color ~json in
   Guard.run console (fun () ->
       match explain console o with
-      | Ok () -> Exit_code.Holds
-      | Error (Diagnosed list) -> Guard.invalid console list
+      | Ok () -> Ok Exit_code.Holds
+      | Error (Diagnosed list) -> Error list
       | Error (Stopped message) ->
         Console.note console message;
-        Exit_code.Stopped)
+        Ok Exit_code.Stopped)
 
 let witness =
   let doc =
@@ -150,8 +147,7 @@ let man =
 
 let command =
   let exits =
-    Cmd.Exit.info 0 ~doc:"if the run is explained."
-    :: List.filter (fun i -> not (List.mem (Cmd.Exit.info_code i) [ 0; 1; 2 ])) Exit_code.man
+    Exits.man () ~never:[ Violated; Undecided ] ~told:[ (Holds, "if the run is explained.") ]
   in
   let info = Cmd.info "explain" ~doc:"tell why a run leads where it does" ~man ~exits in
   Cmd.v info Term.(const run $ Options.color $ Options.json $ options)

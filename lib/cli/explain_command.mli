@@ -1,3 +1,3 @@
 (** [scc explain]: which events of a run what it shows depends on. *)
 
-val command : Exit_code.t Cmdliner.Cmd.t
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

@@ -12,7 +12,7 @@ type format = Aut | Dot | Json | Tra | Drn
 type options = {
   path : string;
   overrides : (string * Rat.t) list;
-  bounds : Check_options.bounds;
+  budget : Budget.t;
   output : string;
   format : format option;
   dialect : Explicit_files.dialect;
@@ -112,14 +112,8 @@ let write_all console o interrupted files =
 
 (** {2 The command} *)
 
-(* As that of an exploration by [scc check]. *)
-let exit_code (space : Explored.t) : Exit_code.t =
-  let known = Verdict.Holds { bounds = space.stopped_by; witness = None } in
-  if Explored.complete space then Holds
-  else if List.length space.faults > 0 then Undecided
-  else if Verdict.resources known then Stopped
-  else if Verdict.by_default known then Undecided
-  else Holds
+let exit_code (space : Explored.t) =
+  Exit_code.of_exploration ~complete:(Explored.complete space) ~faults:space.faults ~stopped_by:space.stopped_by
 
 let tell console exported notes =
   List.iter
@@ -131,8 +125,7 @@ let explore console o format =
   let* loaded = Input.model console ~overrides:o.overrides o.path in
   Console.report console loaded.warnings;
   let* initial = Loaded.initial loaded in
-  let now = Option.map Interrupt.clock o.bounds.seconds in
-  let options = Check_options.options ?now o.bounds ~interrupted ~progress:(Progress.show console o.bounds) in
+  let options = Check_options.starting console o.budget ~interrupted in
   let space = Explored.explore options loaded.model ~initial in
   Interrupt.in_time ();
   Console.progress_done console;
@@ -143,22 +136,17 @@ let explore console o format =
   tell console exported notes;
   Ok (exit_code space)
 
-let usage message =
-  prerr_endline ("scc: " ^ message);
-  Exit_code.Usage
-
 let run color o =
   let console = Console.make ~color ~json:false in
   Guard.run console (fun () ->
       match format_of o with
-      | Error message -> usage message
+      | Error message -> Ok (Guard.usage message)
       | Ok format -> (
           match explore console o format with
-          | Ok code -> code
-          | Error diagnostics -> Guard.invalid console diagnostics
+          | result -> result
           | exception Interrupted ->
             Console.note console "scc: interrupted; nothing was written";
-            Exit_code.Stopped))
+            Ok Exit_code.Stopped))
 
 (** {2 The command line} *)
 
@@ -206,15 +194,15 @@ let positions =
   Arg.(value & flag & info [ "positions" ] ~doc)
 
 let options =
-  let make path overrides bounds output format dialect cadp all_steps hidden instants positions =
-    { path; overrides; bounds; output; format; dialect; cadp; all_steps; hidden; instants; positions }
+  let make path overrides budget output format dialect cadp all_steps hidden instants positions =
+    { path; overrides; budget; output; format; dialect; cadp; all_steps; hidden; instants; positions }
   in
   Term.(
-    const make $ Options.model_file $ Options.overrides $ Check_options.bounds $ output $ format $ dialect
+    const make $ Options.model_file $ Options.overrides $ Check_options.budget $ output $ format $ dialect
     $ cadp $ all_steps $ Hide.patterns ~also:" For the format $(b,aut)." () $ instants $ positions)
 
 let command =
   Cmd.v
     (Cmd.info "explore" ~doc:"write the state space of a model for other tools" ~man:Explore_manual.text
-       ~exits:Exit_code.man)
+       ~exits:(Exits.man ()))
     Term.(const run $ Options.color $ options)

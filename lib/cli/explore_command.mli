@@ -1,3 +1,3 @@
 (** [scc explore]: the explored graph of a model, written for other tools. *)
 
-val command : Exit_code.t Cmdliner.Cmd.t
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

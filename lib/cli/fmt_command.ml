@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_session
 open Cmdliner
 
 let ( let* ) = Result.bind
@@ -7,7 +8,7 @@ type mode = Print | Check | In_place
 
 let formatted console path =
   let* source = Input.text console path in
-  let* after = (Scc_session.Front_end.of_source source).canonical source in
+  let* after = (Front_end.of_source source).canonical source in
   Ok (Source.text source, after)
 
 (* Through a second file, so that the model is never half written. *)
@@ -52,7 +53,7 @@ let run color mode paths =
       in
       let codes = List.map file paths in
       Console.flush console;
-      Exit_code.worst codes)
+      Ok (Exit_code.worst codes))
 
 let mode =
   let check =
@@ -81,8 +82,7 @@ let man =
 
 let command =
   let exits =
-    Cmd.Exit.info 1 ~doc:"with $(b,--check), if some file is not in canonical layout."
-    :: List.filter (fun i -> Cmd.Exit.info_code i <> 1) Exit_code.man
+    Exits.man () ~told:[ (Violated, "with $(b,--check), if some file is not in canonical layout.") ]
   in
   Cmd.v
     (Cmd.info "fmt" ~doc:"print models in canonical layout" ~man ~exits)

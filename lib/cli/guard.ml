@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_session
 
 let document console code =
   let json =
@@ -18,6 +19,10 @@ let invalid console diagnostics =
 
 let complain lines = List.iter prerr_endline lines
 
+let usage message =
+  complain [ "scc: " ^ message ];
+  Exit_code.Usage
+
 let bug what =
   complain
     [
@@ -28,7 +33,11 @@ let bug what =
   Exit_code.Bug
 
 let run console command =
-  match command () with
+  match
+    match command () with
+    | Ok code -> code
+    | Error diagnostics -> invalid console diagnostics
+  with
   | code ->
     Console.progress_done console;
     code
@@ -41,3 +50,8 @@ let run console command =
     Exit_code.Stopped
   | exception Stack_overflow -> bug "stack overflow"
   | exception e -> bug (Printexc.to_string e)
+
+let run_on_two console first second command =
+  if String.equal first "-" && String.equal second "-" then
+    usage "only one of the two can be read from standard input"
+  else run console command

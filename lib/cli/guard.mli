@@ -1,10 +1,19 @@
 (** The last net: whatever happens, scc ends with a message and a documented exit code. *)
 
 open Scc_base
+open Scc_session
 
 val invalid : Console.t -> Diag.t list -> Exit_code.t
 (** Reports why there can be no result: exit 3. In JSON mode the diagnostics are the document. *)
 
-val run : Console.t -> (unit -> Exit_code.t) -> Exit_code.t
-(** Runs a command and turns exceptions into exit codes: an output that failed (4), an output that nobody
-    reads any more (4, silently), no memory left (4), our own bugs and everything unforeseen (70). *)
+val usage : string -> Exit_code.t
+(** Says what is wrong with the command line: exit 64. *)
+
+val run : Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
+(** Runs a command; diagnostics are {!invalid}. Turns exceptions into exit codes: an output that failed (4), an
+    output that nobody reads any more (4, silently), no memory left (4), our own bugs and everything unforeseen
+    (70). *)
+
+val run_on_two :
+  Console.t -> string -> string -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
+(** The same of a command that reads two files, not both of which can be standard input. *)

@@ -10,7 +10,7 @@ let of_string source =
   let is_kind = not (String.exists (function '(' | '*' -> true | _ -> false) source) in
   { source; pattern = Label.pattern (if is_kind then source ^ "(*)" else source) }
 
-let one =
+let pattern =
   let parse s =
     if String.equal s "" then Error (`Msg "an empty pattern fits no label") else Ok (of_string s)
   in
@@ -23,4 +23,4 @@ let patterns ?(also = "") () =
      $(b,'bind(glc, *\\)'). Repeatable."
     ^ also
   in
-  Arg.(value & opt_all one [] & info [ "hide" ] ~docv:"PATTERN" ~doc)
+  Arg.(value & opt_all pattern [] & info [ "hide" ] ~docv:"PATTERN" ~doc)

@@ -1,6 +1,6 @@
 open Scc_base
 
-let max_bytes = 64 * 1024 * 1024
+let max_bytes = 64 * Memory.mib
 
 (* Devices and pipes do not tell their size, so the size is counted while reading. *)
 let slurp ~max_bytes channel =
@@ -12,7 +12,7 @@ let slurp ~max_bytes channel =
     | n ->
       Buffer.add_subbytes b chunk 0 n;
       if Buffer.length b > max_bytes then
-        Error (Printf.sprintf "it is larger than %d MiB" (max_bytes / 1024 / 1024))
+        Error (Printf.sprintf "it is larger than %d MiB" (max_bytes / Memory.mib))
       else more ()
   in
   match more () with

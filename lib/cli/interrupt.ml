@@ -4,7 +4,7 @@ let grace = 3.
 let give_up why =
   prerr_endline ("scc: " ^ why ^ ", and the step that was under way did not end");
   flush stderr;
-  Unix._exit (Exit_code.to_int Stopped)
+  Unix._exit (Scc_session.Exit_code.to_int Stopped)
 
 exception Given_up
 

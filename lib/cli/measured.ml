@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_verify
 open Scc_exchange
 
@@ -15,8 +16,6 @@ let phase t name f =
   | exception e ->
     ended ();
     raise e
-
-let bytes_of_words words = words * (Sys.word_size / 8)
 
 (* As the system counts it, where it says so. *)
 let peak_resident () =
@@ -46,14 +45,14 @@ let per_second n seconds = if seconds > 0. then int_of_float (float_of_int n /. 
 let lines t (r : Check.report) =
   let s = r.stats in
   let gc = Gc.quick_stat () in
-  let mib bytes = Printf.sprintf "%.1f MiB" (float_of_int bytes /. 1048576.) in
+  let mib bytes = Printf.sprintf "%.1f MiB" (float_of_int bytes /. float_of_int Memory.mib) in
   let rate = per_second s.states (exploring t) and edges = per_second s.transitions (exploring t) in
   let resident = match peak_resident () with Some n -> ", resident " ^ mib n | None -> "" in
   [
     "measured (varies from run to run):";
     Printf.sprintf "  states %d, transitions %d, depth %d" s.states s.transitions s.depth;
     Printf.sprintf "  rate: %d states/s, %d transitions/s" rate edges;
-    Printf.sprintf "  memory, at most: heap %s%s" (mib (bytes_of_words gc.top_heap_words)) resident;
+    Printf.sprintf "  memory, at most: heap %s%s" (mib (Memory.bytes_of_words gc.top_heap_words)) resident;
     "  stores: "
     ^ String.concat ", " (List.map (fun (name, n) -> Printf.sprintf "%s %s" name (mib n)) r.stores);
     "  longest numbers, in bits: "
@@ -72,7 +71,7 @@ let json t (r : Check.report) =
       ("varies", `Bool true);
       ("states_per_second", `Int (per_second s.states (exploring t)));
       ("transitions_per_second", `Int (per_second s.transitions (exploring t)));
-      ("peak_heap_bytes", `Int (bytes_of_words gc.top_heap_words));
+      ("peak_heap_bytes", `Int (Memory.bytes_of_words gc.top_heap_words));
       ("peak_resident_bytes", Json.option (fun n -> `Int n) (peak_resident ()));
       ("store_bytes", `Assoc (List.map (fun (name, n) -> (name, `Int n)) r.stores));
       ("longest_numbers", `Assoc (List.map (fun (name, n) -> (name, `Int n)) (r.numbers ())));

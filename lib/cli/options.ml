@@ -11,6 +11,16 @@ let rational =
   in
   Arg.conv ~docv:"NUMBER" (parse, fun ppf q -> Format.pp_print_string ppf (Rat.to_string q))
 
+let integer ?(least = min_int) ?(most = max_int) what =
+  let parse s =
+    match int_of_string_opt s with
+    | Some n when least <= n && n <= most -> Ok n
+    | Some _ | None -> Error (`Msg (Printf.sprintf "`%s' is no %s" s what))
+  in
+  Arg.conv ~docv:"N" (parse, Format.pp_print_int)
+
+let transitions = integer ~least:0 "number of transitions"
+
 let model_file =
   let doc = "The model, a $(b,.sc) file; $(b,-) reads it from standard input." in
   Arg.(required & pos 0 (some string) None & info [] ~docv:"MODEL" ~doc)

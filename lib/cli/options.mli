@@ -4,6 +4,13 @@ open Scc_exact
 open Cmdliner
 
 val rational : Rat.t Arg.conv
+
+val integer : ?least:int -> ?most:int -> string -> int Arg.conv
+(** From [least] to [most]; the text tells what anything else is not one of. *)
+
+val transitions : int Arg.conv
+(** A number of them. *)
+
 val model_file : string Term.t
 val override : (string * Rat.t) Arg.conv
 (** [name=value]. *)

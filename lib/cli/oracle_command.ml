@@ -1,4 +1,5 @@
 open Cmdliner
+open Scc_session
 open Scc_oracle
 
 (* {1 Output} *)
@@ -83,21 +84,14 @@ let serve (quotas : Quotas.t) =
 
 let run line_bytes seconds memory_mib =
   let console = Console.make ~color:Never ~json:false in
-  Guard.run console (fun () -> serve { Quotas.default with line_bytes; seconds; memory_mib })
+  Guard.run console (fun () -> Ok (serve { Quotas.default with line_bytes; seconds; memory_mib }))
 
 (* {1 The command line} *)
 
-let positive ~most =
-  let parse s =
-    match int_of_string_opt s with
-    | Some n when n > 0 && n <= most -> Ok n
-    | _ -> Error (`Msg (Printf.sprintf "`%s' is no number from 1 to %d" s most))
-  in
-  Arg.conv ~docv:"N" (parse, Format.pp_print_int)
-
 let option name docv ~most default doc =
   let doc = Printf.sprintf "%s The default is %d." doc default in
-  Arg.(value & opt (positive ~most) default & info [ name ] ~docv ~doc)
+  let number = Options.integer ~least:1 ~most (Printf.sprintf "number from 1 to %d" most) in
+  Arg.(value & opt number default & info [ name ] ~docv ~doc)
 
 let line_bytes =
   option "line-bytes" "N" ~most:(1 lsl 30) Quotas.default.line_bytes
@@ -128,9 +122,12 @@ let man =
 
 let command =
   let exits =
-    Cmd.Exit.info 0 ~doc:"at the end of the input."
-    :: Cmd.Exit.info 4 ~doc:"if an interruption ended the service, or nobody reads its answers any more."
-    :: List.filter (fun i -> List.mem (Cmd.Exit.info_code i) [ 64; 70 ]) Exit_code.man
+    Exits.man () ~never:[ Violated; Undecided; Invalid ]
+      ~told:
+        [
+          (Holds, "at the end of the input.");
+          (Stopped, "if an interruption ended the service, or nobody reads its answers any more.");
+        ]
   in
   Cmd.v
     (Cmd.info "oracle" ~doc:"answer other programs' questions" ~man ~exits)

@@ -1,3 +1,3 @@
 (** [scc oracle]: the service of {!Scc_oracle.Oracle} over standard input and output. *)
 
-val command : Exit_code.t Cmdliner.Cmd.t
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

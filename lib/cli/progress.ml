@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_explore
 
@@ -7,7 +8,7 @@ let duration s =
   else Printf.sprintf "%.1f h" (s /. 3600.)
 
 (* What is left of the bounds; nothing can be said of those of depth and model time, whose states nobody knows. *)
-let left (b : Check_options.bounds) ~elapsed (p : Limits.progress) =
+let left (b : Scc_session.Budget.t) ~elapsed (p : Limits.progress) =
   let of_states n =
     if p.states = 0 then None
     else Some (elapsed *. float_of_int (max 0 (n - p.states)) /. float_of_int p.states)
@@ -26,7 +27,7 @@ let line ~bounds ~elapsed ~heap (p : Limits.progress) =
     | Some _ | None -> ""
   in
   Printf.sprintf "%d states (%.0f/s), %d to expand, depth %d, model time %.5g, %d MiB%s" p.states rate p.waiting
-    p.depth (Rat.to_float p.model_time) (heap / 1048576) estimate
+    p.depth (Rat.to_float p.model_time) (heap / Memory.mib) estimate
 
 let show ?about console bounds =
   let title = match about with None -> "" | Some name -> name ^ ": " in
@@ -36,6 +37,6 @@ let show ?about console bounds =
     let now = Unix.gettimeofday () in
     if now -. !last >= 0.1 then begin
       last := now;
-      let heap = (Gc.quick_stat ()).heap_words * (Sys.word_size / 8) in
+      let heap = Memory.(bytes_of_words (heap_words ())) in
       Console.progress console (title ^ line ~bounds ~elapsed:(now -. start) ~heap p)
     end

@@ -1,3 +1,4 @@
+open Scc_session
 open Cmdliner
 
 let man =
@@ -26,7 +27,7 @@ let commands =
 let main () =
   let info =
     Cmd.info "scc" ~version:Version.current ~doc:"interpreter and model checker for the Shape Calculus" ~man
-      ~exits:Exit_code.man
+      ~exits:(Exits.man ())
   in
   (* Writing to a closed pipe is an error to be handled, and not the end. *)
   if not Sys.win32 then Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
@@ -39,5 +40,5 @@ let main () =
   in
   (* The manual may still wait in the buffer. *)
   let console = Console.make ~color:Never ~json:false in
-  let flushed = Guard.run console (fun () -> Console.flush console; Holds) in
+  let flushed = Guard.run console (fun () -> Console.flush console; Ok Holds) in
   Exit_code.to_int (Exit_code.worst [ code; flushed ])

@@ -43,20 +43,15 @@ let set console ~overrides argument =
 let report console argument (set : Polyhedron.ifs) =
   let r = Solid_report.make set in
   let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
-  if Console.is_json console then
-    let exit = Exit_code.to_int code in
-    Console.print console
-      (Scc_exchange.Json.pretty (Scc_exchange.Shape_json.document ~name:argument ~exit r))
-  else Console.print console (Solid_report.to_text ~name:argument r);
-  Console.flush console;
+  Console.answer console
+    ~text:(fun () -> Solid_report.to_text ~name:argument r)
+    ~json:(fun () -> Scc_exchange.Shape_json.document ~name:argument ~exit:(Exit_code.to_int code) r);
   code
 
 let run color json overrides argument =
   let console = Console.make ~color ~json in
   Guard.run console (fun () ->
-      match set console ~overrides argument with
-      | Error diagnostics -> Guard.invalid console diagnostics
-      | Ok set -> report console argument set)
+      Result.map (report console argument) (set console ~overrides argument))
 
 let argument =
   let doc =
@@ -83,9 +78,8 @@ let man =
 
 let command =
   let exits =
-    Cmd.Exit.info 0 ~doc:"if the shape is accepted."
-    :: Cmd.Exit.info 3 ~doc:"if it is not, or cannot be read."
-    :: List.filter (fun i -> not (List.mem (Cmd.Exit.info_code i) [ 0; 1; 2; 3 ])) Exit_code.man
+    Exits.man () ~never:[ Violated; Undecided ]
+      ~told:[ (Holds, "if the shape is accepted."); (Invalid, "if it is not, or cannot be read.") ]
   in
   Cmd.v
     (Cmd.info "shape" ~doc:"report on a polyhedron" ~man ~exits)

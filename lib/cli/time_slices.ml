@@ -1,3 +1,5 @@
+open Scc_base
+
 (* An alarm for each request would cost more than many of them: one rings at short intervals while there is work,
    and counts. *)
 let interval = 0.05
@@ -11,17 +13,15 @@ type t = {
   mutable seconds : float;
 }
 
-let heap () = (Gc.quick_stat ()).heap_words
-
 let ring t _ =
   if t.active then begin
     t.since <- t.since +. interval;
     if t.since > t.seconds then raise (Given_up Seconds);
-    if heap () > t.words then raise (Given_up Memory)
+    if Memory.heap_words () > t.words then raise (Given_up Memory)
   end
 
 let create ~memory_mib =
-  let words = memory_mib * 1024 * 1024 / (Sys.word_size / 8) in
+  let words = Memory.words_of_mib memory_mib in
   let t = { words; active = false; since = 0.; seconds = infinity } in
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (ring t));
   t

@@ -20,7 +20,6 @@ type options = {
   output : string option;
 }
 
-let default_steps = 1000
 let ( let* ) = Result.bind
 
 let prepare console o =
@@ -42,7 +41,7 @@ let limits o schedule : Replay.limits =
   let steps =
     match (o.steps, schedule, o.time) with
     | Some n, _, _ -> Some n
-    | None, None, None -> Some default_steps
+    | None, None, None -> Some Replay.default_steps
     | None, _, _ -> None
   in
   { steps; time = o.time; instant = Replay.default_instant }
@@ -109,20 +108,18 @@ let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) resu
     Exit_code.Invalid
   | Error (Fault f) ->
     report (Scc_semantics.Transition.diagnostic l.model f);
-    (match f with Bad_law _ -> Exit_code.Invalid | Persistent_contact _ -> Undecided)
+    Exit_code.of_fault f
 
 let run color o =
   let console = Console.make ~color ~json:false in
   let interrupted = Interrupt.install () in
   Guard.run console (fun () ->
-      match prepare console o with
-      | Error diagnostics -> Guard.invalid console diagnostics
-      | Ok (model, schedule) -> (
-          Console.report console model.warnings;
-          let write = write_run o model (policy o schedule) (limits o schedule) ~interrupted in
-          match Console.with_output console ~path:o.output write with
-          | result -> finish console model result
-          | exception Console.Output_failed d when Option.is_some o.output -> Guard.invalid console [ d ]))
+      let* model, schedule = prepare console o in
+      Console.report console model.warnings;
+      let write = write_run o model (policy o schedule) (limits o schedule) ~interrupted in
+      match Console.with_output console ~path:o.output write with
+      | result -> Ok (finish console model result)
+      | exception Console.Output_failed d when Option.is_some o.output -> Error [ d ])
 
 (* The command line. *)
 
@@ -156,21 +153,13 @@ let choose =
   in
   Arg.(value & opt choose_conv First & info [ "choose" ] ~docv:"POLICY" ~doc)
 
-let count =
-  let parse s =
-    match int_of_string_opt s with
-    | Some n when n >= 0 -> Ok n
-    | _ -> Error (`Msg (Printf.sprintf "`%s' is no number of transitions" s))
-  in
-  Arg.conv ~docv:"N" (parse, Format.pp_print_int)
-
 let steps =
   let doc =
     Printf.sprintf
       "Ends the run after $(docv) transitions. The default is %d when neither a schedule nor $(b,--time) \
-       ends it." default_steps
+       ends it." Replay.default_steps
   in
-  Arg.(value & opt (some count) None & info [ "steps" ] ~docv:"N" ~doc)
+  Arg.(value & opt (some Options.transitions) None & info [ "steps" ] ~docv:"N" ~doc)
 
 let time =
   let doc = "Ends the run at the model time $(docv), between events if need be." in
@@ -230,5 +219,5 @@ let man =
   ]
 
 let command =
-  let info = Cmd.info "trace" ~doc:"run a model and print what happens" ~man ~exits:Exit_code.man in
+  let info = Cmd.info "trace" ~doc:"run a model and print what happens" ~man ~exits:(Exits.man ()) in
   Cmd.v info Term.(const run $ Options.color $ options)

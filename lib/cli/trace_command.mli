@@ -1,3 +1,3 @@
 (** [scc trace]: one run of a model, as JSON Lines or in words. *)
 
-val command : Exit_code.t Cmdliner.Cmd.t
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

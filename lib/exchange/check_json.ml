@@ -28,7 +28,7 @@ let limit : Verdict.limit -> string * Json.t = function
   | Instant n -> ("instant", `Int n)
   | States n -> ("states", `Int n)
   | Seconds s -> ("seconds", `String (Printf.sprintf "%g" s))
-  | Memory words -> ("memory", `Int (words * (Sys.word_size / 8)))
+  | Memory words -> ("memory", `Int (Memory.bytes_of_words words))
   | Interrupted -> ("interrupted", `Null)
   | Omission p -> ("hash-compaction", `String (Verdict.at_most p))
 

@@ -7,6 +7,7 @@ type policy = First | Random of int64 | Scheduled of Schedule.t
 type limits = { steps : int option; time : Rat.t option; instant : int }
 
 let default_instant = 10_000
+let default_steps = 1_000
 
 type ending = Open | Quiescent | Stuck | Zeno
 

@@ -19,6 +19,9 @@ type limits = {
 val default_instant : int
 (** 10 000. *)
 
+val default_steps : int
+(** Of a run that nothing else ends: 1 000. *)
+
 (** How the run stands where it was left. *)
 type ending =
   | Open  (** there is more to come *)

@@ -5,6 +5,7 @@ open Scc_syntax
 open Scc_property
 open Scc_evaluate
 open Scc_verify
+open Scc_session
 open Scc_exchange
 
 type bounds = { seconds : float; memory : int; now : unit -> float }
@@ -100,22 +101,19 @@ let options bounds p : Check.options =
   let q = Read.quotas p in
   let given = Read.optional p "limits" Read.fields in
   let limit name read = Option.bind given (fun g -> Read.optional g name read) in
-  let bounded = function Some x -> Bounds.Given x | None -> Bounds.Unbounded in
   let states = limit "states" Read.natural in
   (match states with
    | Some n when n > q.states -> Fault.refuse (Limit ("states", q.states))
    | Some _ | None -> ());
-  let bounds_of =
-    {
-      Bounds.default with
-      depth = bounded (limit "depth" Read.natural);
-      time = bounded (limit "time" Read.not_negative);
-      states = (match states with Some n -> Given n | None -> Default Quotas.default_states);
-      seconds = Given (share *. bounds.seconds);
-      memory = Default (int_of_float (share *. float_of_int bounds.memory));
-    }
-  in
-  { Check.default with bounds = bounds_of; surroundings = { Scc_explore.Limits.quiet with now = bounds.now } }
+  let time = limit "time" Read.not_negative in
+  let depth = limit "depth" Read.natural in
+  let budget = { Budget.depth; time; states; seconds = Some (share *. bounds.seconds); memory = None } in
+  let memory = int_of_float (share *. float_of_int bounds.memory) in
+  {
+    Check.default with
+    bounds = Budget.bounds { states = Quotas.default_states; memory } budget;
+    surroundings = { Scc_explore.Limits.quiet with now = bounds.now };
+  }
 
 let temporal bounds p (l : Models.loaded) check =
   let options = options bounds p in

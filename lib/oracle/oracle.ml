@@ -7,10 +7,8 @@ let protocol = 1
 
 type work = Session.t -> seconds:float -> Read.params -> Reply.t
 
-let words_of_mib mib = mib * 1024 * 1024 / (Sys.word_size / 8)
-
 let evaluate (s : Session.t) ~seconds p =
-  let memory = words_of_mib s.quotas.memory_mib in
+  let memory = Memory.words_of_mib s.quotas.memory_mib in
   Evaluate.evaluate { seconds; memory; now = s.surroundings.now } s.models p
 
 let plain f : work = fun _ ~seconds:_ p -> f p

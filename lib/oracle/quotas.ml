@@ -22,7 +22,7 @@ type t = {
   memory_mib : int;
 }
 
-let mib = 1024 * 1024
+let mib = Scc_base.Memory.mib
 
 let default =
   {
@@ -75,4 +75,3 @@ let listed q =
   ]
 
 let default_states = 100_000
-let default_steps = 1_000

@@ -32,6 +32,3 @@ val listed : t -> (string * int) list
 
 val default_states : int
 (** Of the exploration of a temporal formula, when the request does not say: 100 000. *)
-
-val default_steps : int
-(** Of a replay that no schedule leads: 1 000. *)

@@ -168,7 +168,7 @@ let limits p (policy : Replay.policy) : Replay.limits =
     match (given, policy) with
     | Some n, _ -> Some n
     | None, Scheduled _ -> None
-    | None, (First | Random _) -> Some Quotas.default_steps
+    | None, (First | Random _) -> Some Replay.default_steps
   in
   { steps; time; instant = Replay.default_instant }
 
