@@ -118,8 +118,9 @@ let write_sarif console path code properties =
 let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i _ -> i >= n) list)
 
 (* All of the model, whether or not its properties were decided early. *)
-let cover options (l : Loaded.t) initial =
-  let space = Explored.explore (options ()) l.model ~initial in
+let cover options reductions (l : Loaded.t) initial =
+  let time_seen = Reduction.time_seen reductions l.model [] in
+  let space = Explored.explore ~time_seen (options ()) l.model ~initial in
   (space, Coverage.of_space space)
 
 let check console budget (extras : Check_extras.t) overrides path =
@@ -140,7 +141,7 @@ let check console budget (extras : Check_extras.t) overrides path =
   let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) l.model ~initial checks) in
   let covered =
     if extras.coverage then
-      Some (Measured.phase measured "coverage" (fun () -> cover options l initial))
+      Some (Measured.phase measured "coverage" (fun () -> cover options extras.reductions l initial))
     else None
   in
   Console.progress_done console;
@@ -221,6 +222,10 @@ let man =
       ( "$(b,slice)",
         "bodies that cannot come near those that are asked about, before the time that is asked about, are left \
          out. Only for $(b,possibly) and $(b,always) of bodies that are named." );
+    `I
+      ( "$(b,time)",
+        "$(b,time) counts for the properties that speak of it only, and up to the greatest constant that they \
+         compare it with, unless a law of motion speaks of it." );
     `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
     `P
       "With $(b,order) and $(b,slice) a run that is shown may contain events of other bodies, which the fact does \

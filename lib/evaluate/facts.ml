@@ -1,3 +1,4 @@
+open Scc_exact
 open Scc_ctl
 open Scc_property
 
@@ -6,33 +7,40 @@ let most = 16
 
 let is_constant = function Property.Const _ -> true | _ -> false
 
-let values trajectory model offset (p : Property.prop) =
+let value trajectory model offset n =
+  let value = Value.at (Timeline.at (Trajectory.num trajectory n) offset) offset in
+  match String.length value >= 6 && String.equal (String.sub value 0 6) "about " with
+  | true -> Printf.sprintf "%s is %s" (Show.num model n) value
+  | false -> Printf.sprintf "%s = %s" (Show.num model n) value
+
+let changes_with_time n = Time_seen.same_kind (Time_seen.num n) Always
+
+(* Of a time that stands for all later ones nothing else is known. *)
+let values ?later_than trajectory model offset (p : Property.prop) =
   match p with
   | Compare (_, a, b) ->
-    List.filter (fun n -> not (is_constant n)) [ a; b ]
-    |> List.map (fun n ->
-        let value = Value.at (Timeline.at (Trajectory.num trajectory n) offset) offset in
-        match String.length value >= 6 && String.equal (String.sub value 0 6) "about " with
-        | true -> Printf.sprintf "%s is %s" (Show.num model n) value
-        | false -> Printf.sprintf "%s = %s" (Show.num model n) value)
+    let compared = List.filter (fun n -> not (is_constant n)) [ a; b ] in
+    (match later_than with
+     | Some c when List.exists changes_with_time compared -> [ Printf.sprintf "time > %s" (Rat.to_string c) ]
+     | Some _ | None -> List.map (value trajectory model offset) compared)
   | _ -> []
 
-let fact trajectory model offset p =
+let fact ?later_than trajectory model offset p =
   let text = Show.prop model p in
-  match (Timeline.at (Trajectory.prop trajectory p) offset, values trajectory model offset p) with
+  match (Timeline.at (Trajectory.prop trajectory p) offset, values ?later_than trajectory model offset p) with
   | Truth.Undecided reason, _ -> Printf.sprintf "%s cannot be decided: %s" text reason
   | (True | False) as truth, values ->
     let verb = if Truth.equal truth True then "holds" else "fails" in
     let why = match values with [] -> "" | _ -> ": " ^ String.concat ", " values in
     Printf.sprintf "%s %s%s" text verb why
 
-let every trajectory model offset p = List.map (fact trajectory model offset) (Show.atoms p)
+let every trajectory model offset p = List.map (fun atom -> fact trajectory model offset atom) (Show.atoms p)
 
 let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> []
 
-let at ?arrived model state extent offset p =
+let at ?arrived ?later_than model state extent offset p =
   let trajectory = Trajectory.make ?arrived model state extent in
   let atoms = Show.atoms p in
-  let shown = List.map (fact trajectory model offset) (take most atoms) in
+  let shown = List.map (fact ?later_than trajectory model offset) (take most atoms) in
   let more = List.length atoms - most in
   if more > 0 then shown @ [ Printf.sprintf "and %d more atoms" more ] else shown

@@ -36,15 +36,18 @@ let follow_all context graph =
 
 let rec drop n l = match l with _ :: rest when n > 0 -> drop (n - 1) rest | _ -> l
 
-(* By how much a state is the other one moved as a whole. *)
+let at_time time (s : State.t) = State.make ~processes:(Array.to_list s.processes) ~step:s.step ~time
+
+(* By how much a state is the other one moved as a whole, whatever time it is: the two stand for one state of the
+   graph, so that nobody who asks can tell their times apart. *)
 let moved (from : State.t) (state : State.t) =
   match (from.processes, state.processes) with
-  | [||], _ | _, [||] -> if State.equal from state then Some Vec.zero else None
+  | [||], _ | _, [||] -> if State.equal (at_time state.time from) state then Some Vec.zero else None
   | ps, qs ->
     let by = Vec.sub qs.(0).leaves.(0).position ps.(0).leaves.(0).position in
     let move (l : State.leaf) = { l with position = Vec.add l.position by } in
     let processes = List.map (State.map_leaves move) (Array.to_list ps) in
-    let there = State.make ~processes ~step:from.step ~time:from.time in
+    let there = State.make ~processes ~step:from.step ~time:state.time in
     if State.equal there state then Some by else None
 
 (* A round on the graph may lead to another state than it began in, one that the same state of the graph stands

@@ -18,7 +18,9 @@ let facts_at context graph temporal (at : Scc_ctl.Positions.position) p =
       | Some k -> Lasts (Graph.duration graph (Graph.edges graph at.node).(k))
   in
   let arrived = Network_lts.arrived context (Graph.tuple graph at.node) in
-  Facts.at ~arrived (Network_lts.model context) state extent at.offset (Temporal.predicate temporal p)
+  let time_seen = Catalogue.time_seen (Network_lts.catalogue context) in
+  let later_than = Option.bind state.time (Time_seen.beyond time_seen) in
+  Facts.at ?later_than ~arrived (Network_lts.model context) state extent at.offset (Temporal.predicate temporal p)
 
 (* What an operator waits for, and what that waits for in turn. *)
 let rec subject (f : Scc_ctl.Formula.t) =

@@ -58,6 +58,7 @@ type body = { number : int; form : int; place : int; velocity : int; process : S
 
 type t = {
   model : Model.t;
+  time_seen : Scc_property.Time_seen.t;
   marked : bool;
   vectors : Vectors.t;
   forms : Forms.t;
@@ -84,11 +85,11 @@ let no_body =
   let process = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None () in
   { number = nobody; form = 0; place = 0; velocity = 0; process }
 
-let create ~marked ~memory model =
+let create ~marked ~time_seen ~memory model =
   let vectors = Vectors.create () in
   ignore (Vectors.intern vectors Vec.zero);
   {
-    model; marked; vectors;
+    model; time_seen; marked; vectors;
     forms = Forms.create ();
     labels = Labels.create ();
     steps = Steps.create ();
@@ -99,6 +100,7 @@ let create ~marked ~memory model =
   }
 
 let model c = c.model
+let time_seen c = c.time_seen
 let leaves c = Array.length c.model.leaves
 let option_slot used = if used then 1 else 0
 let step_slot = leaves
@@ -155,11 +157,13 @@ let shifted c by number =
 
 let form c i = Forms.get c.forms i
 
+let time_number c time = Rationals.intern c.times (Scc_property.Time_seen.representative c.time_seen time)
+
 let encode c (s : State.t) =
   let tuple = Array.make (width c) nobody in
   Array.iter (fun p -> tuple.(first_leaf p) <- process c p) s.processes;
   Option.iter (fun step -> tuple.(step_slot c) <- Steps.intern c.steps step) s.step;
-  Option.iter (fun time -> tuple.(time_slot c) <- Rationals.intern c.times time) s.time;
+  Option.iter (fun time -> tuple.(time_slot c) <- time_number c time) s.time;
   tuple
 
 let decode c tuple =
@@ -175,7 +179,7 @@ let decode c tuple =
 let pass_time c tuple d =
   if c.model.keeps_time then begin
     let slot = time_slot c in
-    tuple.(slot) <- Rationals.intern c.times (Rat.add (Rationals.get c.times tuple.(slot)) d)
+    tuple.(slot) <- time_number c (Rat.add (Rationals.get c.times tuple.(slot)) d)
   end
 
 let label c l = Labels.intern c.labels l

@@ -9,10 +9,12 @@ open Scc_semantics
 
 type t
 
-val create : marked:bool -> memory:int -> Model.t -> t
-(** [memory], a power of two, is how many processes are kept as they were last given out. *)
+val create : marked:bool -> time_seen:Scc_property.Time_seen.t -> memory:int -> Model.t -> t
+(** Times of states that are the same to what sees so much of time get one number (rule AbsoluteTime). [memory], a
+    power of two, is how many processes are kept as they were last given out. *)
 
 val model : t -> Model.t
+val time_seen : t -> Scc_property.Time_seen.t
 
 val width : t -> int
 (** Of the tuples: a slot for each leaf, which holds the process whose first leaf it is, or {!nobody}; and slots

@@ -162,9 +162,10 @@ let together c a b =
     t
   end
 
-let make ?(events = []) ?(quotient = Quotient.none) ?visible ?(memory = 1 lsl 14) model initial =
+let make ?(events = []) ?(time_seen = Time_seen.Always) ?(quotient = Quotient.none) ?visible
+    ?(memory = 1 lsl 14) model initial =
   let marked = match events with [] -> false | _ :: _ -> true in
-  let catalogue = Catalogue.create ~marked ~memory model in
+  let catalogue = Catalogue.create ~marked ~time_seen ~memory model in
   let book = { catalogue; events; marks = Marks.create (); natures = Growable.create () } in
   ignore (Marks.intern book.marks []);
   (* Any process will do to fill the memory: it is looked at like the others. *)

@@ -10,12 +10,14 @@ type context
 
 val make :
   ?events:Property.event list ->
+  ?time_seen:Time_seen.t ->
   ?quotient:Quotient.t ->
   ?visible:(int -> bool) ->
   ?memory:int ->
   Model.t -> State.t -> context
 (** With the initial state, as {!Network.initial} gives it. States are told apart by which of the events has
-    just led to them. States stand for all that are equal modulo the [quotient]. With [visible], which leaves
+    just led to them, and by as much of absolute time as is seen ([Always] by default, where states have it).
+    States stand for all that are equal modulo the [quotient]. With [visible], which leaves
     can be seen by what is asked, independent events of one instant that cannot be seen are made in one order
     only ({!reduced}). [memory] is how many results are remembered of each kind, a power of two: it changes
     nothing but the speed. *)

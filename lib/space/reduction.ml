@@ -1,9 +1,9 @@
 open Scc_calculus
 open Scc_property
 
-type kind = Symmetry | Translation | Order | Jump | Slice
+type kind = Symmetry | Translation | Order | Jump | Slice | Time
 
-let all = [ Symmetry; Translation; Order; Jump; Slice ]
+let all = [ Symmetry; Translation; Order; Jump; Slice; Time ]
 
 let name = function
   | Symmetry -> "symmetry"
@@ -11,6 +11,7 @@ let name = function
   | Order -> "order"
   | Jump -> "jump"
   | Slice -> "slice"
+  | Time -> "time"
 
 let of_name text = List.find_opt (fun k -> String.equal (name k) text) all
 let equal a b = String.equal (name a) (name b)
@@ -38,3 +39,9 @@ let visible kinds ~deep ~searched ~evaluated =
   | _ -> None
 
 let without_jumps kinds (m : Model.t) = if used kinds Jump then m else { m with steered = true }
+
+let time_seen kinds (m : Model.t) formulas : Time_seen.t =
+  let steers_by_time (l : Model.leaf) = Law.mentions_time l.law in
+  if not m.keeps_time then Never
+  else if Array.exists steers_by_time m.leaves || not (used kinds Time) then Always
+  else Time_seen.formulas formulas

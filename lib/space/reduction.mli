@@ -1,5 +1,5 @@
 (** Ways to explore less, each of which can be switched off. Each keeps the verdicts of a fragment of the
-    properties, and is not used outside of it (rules Symmetry, Translation, Order, Jump, Slice). *)
+    properties, and is not used outside of it (rules Symmetry, Translation, Order, Jump, Slice, AbsoluteTime). *)
 
 open Scc_calculus
 open Scc_property
@@ -10,6 +10,7 @@ type kind =
   | Order  (** independent events of one instant happen in one order: {!Groups} *)
   | Jump  (** time does not stop at the ends of movement steps that change nothing (rule Jump) *)
   | Slice  (** what cannot influence a property is left out: {!Slice} *)
+  | Time  (** absolute time counts no further than formulas tell times apart: {!Time_seen} *)
 
 val equal : kind -> kind -> bool
 val all : kind list
@@ -34,3 +35,7 @@ val visible :
 
 val without_jumps : kind list -> Model.t -> Model.t
 (** The model, with movement steps as part of the state when {!Jump} is not among the kinds. *)
+
+val time_seen : kind list -> Model.t -> Property.temporal list -> Time_seen.t
+(** How much of absolute time has to be told apart for these formulas: all of it when a law of motion speaks of
+    it. *)

@@ -42,15 +42,25 @@ type report = {
 
 (** {2 Which properties go together} *)
 
-(* Some properties, by their places in the list of all, and the part of the network that does for them ([None]:
-   all of it). *)
-type group = {
-  part : State.t option;
+(* What properties of one exploration have in common. One that tells all times apart makes a finite exploration
+   endless for the others. What else one property tells apart (events, names of leaves, places) is told apart for
+   all: as a rule it costs less than an exploration more. *)
+type needs = {
+  part : State.t option;  (** the part of the network that does for them; [None]: all of it *)
   compact : int option;  (** with hash compaction *)
-  members : (int * Property.check) list;  (** the last first *)
+  time_seen : Time_seen.t;  (** of this kind: the greatest constant is that of all together *)
 }
 
-let equal_part a b = Option.equal State.equal a b
+let equal_needs a b =
+  Option.equal State.equal a.part b.part
+  && Option.equal Int.equal a.compact b.compact
+  && Time_seen.same_kind a.time_seen b.time_seen
+
+(* Some properties, by their places in the list of all. *)
+type group = {
+  needs : needs;
+  members : (int * Property.check) list;  (** the last first *)
+}
 
 let groups options model ~initial checks =
   let part (c : Property.check) =
@@ -60,19 +70,22 @@ let groups options model ~initial checks =
   (* Times are not passed on there, so that a bound on them cannot be kept. *)
   let timeless = match options.bounds.time with Unbounded -> true | Default _ | Given _ -> false in
   let compact c = if timeless && Compact_check.serves c then options.compact else None in
-  let rec join part compact member = function
-    | [] -> [ { part; compact; members = [ member ] } ]
-    | g :: rest when equal_part g.part part && Option.equal Int.equal g.compact compact ->
-      { g with members = member :: g.members } :: rest
-    | g :: rest -> g :: join part compact member rest
+  let needs (c : Property.check) =
+    {
+      part = part c;
+      compact = compact c;
+      time_seen = Reduction.time_seen options.reductions model [ c.formula ];
+    }
+  in
+  let rec join needs member = function
+    | [] -> [ { needs; members = [ member ] } ]
+    | g :: rest when equal_needs g.needs needs -> { g with members = member :: g.members } :: rest
+    | g :: rest -> g :: join needs member rest
   in
   match checks with
-  | [] -> [ { part = None; compact = None; members = [] } ]
+  | [] -> [ { needs = { part = None; compact = None; time_seen = Never }; members = [] } ]
   | _ :: _ ->
-    List.fold_left
-      (fun (i, groups) c -> (i + 1, join (part c) (compact c) (i, c) groups))
-      (0, []) checks
-    |> snd
+    List.fold_left (fun (i, groups) c -> (i + 1, join (needs c) (i, c) groups)) (0, []) checks |> snd
 
 (** {2 Back to the whole} *)
 
@@ -140,15 +153,16 @@ let most a b = List.map (fun (name, n) -> (name, Int.max n (Option.value (List.a
 let explored options model ~initial start group =
   let options = { options with surroundings = going_on options.surroundings start } in
   let members = List.rev group.members in
-  let part = Option.value group.part ~default:initial in
+  let whole = Option.is_none group.needs.part in
+  let part = Option.value group.needs.part ~default:initial in
   let check =
-    match group.compact with
+    match group.needs.compact with
     | None -> Joint_check.check options
     | Some capacity -> Compact_check.check options ~capacity
   in
   let result = check model ~initial:part (List.map snd members) in
   let lift = lift_in_time model ~initial (Joint_check.horizon (List.map snd members)) in
-  let lifted v = if Option.is_none group.part then v else lift_verdict lift v in
+  let lifted v = if whole then v else lift_verdict lift v in
   let outcomes = List.map2 (fun (i, c) (_, v) -> (i, (c, lifted v))) members result.outcomes in
   let slice part =
     {
@@ -157,8 +171,8 @@ let explored options model ~initial start group =
       explored = result.stats;
     }
   in
-  let zeno = if Option.is_none group.part then result.zeno else Option.bind result.zeno lift in
-  (outcomes, Option.map slice group.part, { result with zeno })
+  let zeno = if whole then result.zeno else Option.bind result.zeno lift in
+  (outcomes, Option.map slice group.needs.part, { result with zeno })
 
 let merge parts ~events_elsewhere =
   let outcomes = List.concat_map (fun (outcomes, _, _) -> outcomes) parts in

@@ -49,6 +49,7 @@ type report = {
 }
 
 val run : options -> Model.t -> initial:State.t -> Property.check list -> report
-(** One exploration serves all properties, but for those that do with a part of the network. [initial] is the
-    initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are replayed before they
-    are returned, and are runs of the whole network. *)
+(** One exploration serves all properties that need the same: those that do with a part of the network (rule
+    Slice), and those that see no time, or time up to a constant (rule AbsoluteTime), are explored apart from
+    others. [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
+    replayed before they are returned, and are runs of the whole network. *)

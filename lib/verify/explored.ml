@@ -16,8 +16,8 @@ type t = {
   faults : Scc_base.Diag.t list;
 }
 
-let explore options model ~initial =
-  let context, graph, (stats : Joint_check.stats) = Joint_check.explore options model ~initial in
+let explore ?time_seen options model ~initial =
+  let context, graph, (stats : Joint_check.stats) = Joint_check.explore ?time_seen options model ~initial in
   let catalogue = Network_lts.catalogue context in
   let edge (e : Graph.edge) = { label = Catalogue.label_of catalogue e.label; target = e.target } in
   let expanded i =

@@ -2,6 +2,7 @@
 
 open Scc_calculus
 open Scc_semantics
+open Scc_property
 
 type edge = { label : Transition.label; target : int }
 
@@ -17,8 +18,9 @@ type t = {
   faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
 }
 
-val explore : Check.options -> Model.t -> initial:State.t -> t
-(** Breadth-first, within the bounds of the options. *)
+val explore : ?time_seen:Time_seen.t -> Check.options -> Model.t -> initial:State.t -> t
+(** Breadth-first, within the bounds of the options. States differ by as much of absolute time as is seen: by all
+    of it by default, where the model keeps it. *)
 
 val complete : t -> bool
 (** Every state is expanded. *)

@@ -269,11 +269,15 @@ let kinds_of (checks : Property.check list) plans =
   let is_search plan = match formulas plan with [] -> true | _ :: _ -> false in
   (formulas_of is_search, formulas_of (fun plan -> not (is_search plan)))
 
+let time_seen options model (checks : Property.check list) =
+  Reduction.time_seen options.reductions model (List.map (fun (c : Property.check) -> c.formula) checks)
+
 let system options model ~initial checks plans =
   let searched, evaluated = kinds_of checks plans in
   let events = List.concat_map (fun (c : Property.check) -> Formula.events c.formula) checks in
   let deep = match options.bounds.depth with Unbounded -> false | Default _ | Given _ -> true in
   Network_lts.make ~events
+    ~time_seen:(time_seen options model checks)
     ~quotient:(Reduction.quotient options.reductions model initial ~searched ~evaluated)
     ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
     model initial
@@ -322,15 +326,15 @@ let check options model ~initial (checks : Property.check list) =
     numbers = (fun () -> Catalogue.longest (Network_lts.catalogue r.context));
   }
 
-let explore options model ~initial =
-  let context = Network_lts.make model initial in
+let explore ?time_seen options model ~initial =
+  let context = Network_lts.make ?time_seen model initial in
   let limits = Bounds.limits options.bounds ~horizon:None in
   let graph = Graph.run ~order:options.order limits options.surroundings context in
   let r = { options; model; context; graph; horizon = None } in
   (context, graph, stats r)
 
 let may_have_events options model ~initial =
-  let context = Network_lts.make model initial in
+  let context = Network_lts.make ~time_seen:(time_seen options model []) model initial in
   let few = { Limits.unlimited with states = Some 5_000 } in
   let found = ref false in
   let opened _ _ _ edges = if Array.exists (is_event context) edges then found := true in

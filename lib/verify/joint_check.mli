@@ -56,5 +56,6 @@ val check : options -> Model.t -> initial:State.t -> Property.check list -> resu
 val may_have_events : options -> Model.t -> initial:State.t -> bool
 (** False when it is known, after a look at no more than some thousands of states, that nothing ever happens. *)
 
-val explore : options -> Model.t -> initial:State.t -> Network_lts.context * State_graph.t * stats
-(** The exploration alone. *)
+val explore :
+  ?time_seen:Time_seen.t -> options -> Model.t -> initial:State.t -> Network_lts.context * State_graph.t * stats
+(** The exploration alone; [time_seen] is that of {!Network_lts.make}. *)

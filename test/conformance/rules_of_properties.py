@@ -14,7 +14,7 @@ def state():
     r = Rule('State')
     r.verdict('A run that comes back is recognised.', SHUTTLE, 'AG AF x(p) = 0', 'holds')
     r.verdict('It never gets farther.', SHUTTLE, 'eventually x(p) = 3', 'violated')
-    r.verdict('With the absolute time no state recurs.', SHUTTLE, 'always time >= 0', 'holds-up-to-bound',
+    r.verdict('With all of the absolute time no state recurs.', SHUTTLE, 'always x(p) + time >= -3', 'holds-up-to-bound',
               {'states': 30})
     r.state('Where p is after 2.', SHUTTLE, [TIME], [leaf('p', position=nums((2, 0, 0))), leaf('l'), leaf('r')])
     return r
@@ -213,6 +213,18 @@ def slice_():
     return r
 
 
+def absolute_time():
+    r = Rule('AbsoluteTime')
+    r.verdict('There is a time before which it is not there.', SHUTTLE, 'always (time < 2 => x(p) < 2)', 'holds')
+    r.verdict('Up to a constant: states recur after it.', SHUTTLE, 'AG (time > 5 => AF x(p) = 0)', 'holds', {'states': 30})
+    r.verdict('Which is in the middle of a passing.', SHUTTLE, 'possibly (time = 3 and x(p) = 1)', 'holds')
+    r.verdict('And right after it.', SHUTTLE, 'possibly (time > 13 and 2 * time < 27 and x(p) > 0)', 'violated',
+              {'states': 30})
+    r.verdict('A multiple of time.', SHUTTLE, 'EF (2 * time - 1 >= 9 and AG x(p) < 2)', 'violated', {'states': 30})
+    r.verdict('With what changes.', SHUTTLE, 'possibly x(p) + time = 8', 'holds')
+    return r
+
+
 def suites():
     return [f() for f in (state, jump, quiescent, instants, verdict, zeno, event, leads_to, next_, until, intervals,
-                          truncated, symmetry, translation, order, slice_)]
+                          truncated, symmetry, translation, order, slice_, absolute_time)]

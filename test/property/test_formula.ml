@@ -285,6 +285,39 @@ let looks () =
   Alcotest.(check bool) "no next" false (Formula.mentions_next (always (Fact Quiescent)));
   Alcotest.(check bool) "events" true (Formula.has_events (always (positive (Count [ happens (Bounce Any) ]))))
 
+let sees () =
+  let time_seen name p expected =
+    let same =
+      match (Time_seen.formula (always p), expected) with
+      | Time_seen.Until c, Time_seen.Until d -> Scc_exact.Rat.equal c d
+      | a, b -> Time_seen.same_kind a b
+    in
+    Alcotest.(check bool) name true same
+  in
+  let time = Quantity Time in
+  let number n = Property.Const (Scc_exact.Rat.of_int n) in
+  let compare a b = Property.Compare (Lt, a, b) in
+  let until n = Time_seen.Until (Scc_exact.Rat.of_int n) in
+  time_seen "nothing" (positive (size 0)) Never;
+  time_seen "a constant" (compare time (number 3)) (until 3);
+  time_seen "on the other side" (compare (number 3) time) (until 3);
+  time_seen "before the start" (compare time (number (-3))) (until 0);
+  time_seen "the greatest" (And [ compare time (number 3); Not (compare time (number 7)); Fact Quiescent ])
+    (until 7);
+  time_seen "a multiple" (compare (Mul (number 2, time)) (Sub (number 9, time))) (until 3);
+  time_seen "a share" (compare (Neg (Div (time, number 2))) (Add (number (-4), number 1))) (until 6);
+  time_seen "time less itself" (compare (Sub (time, time)) (number 3)) Never;
+  time_seen "a square" (compare (Mul (time, time)) (number 3)) Always;
+  time_seen "a divisor" (compare (Div (number 1, time)) (number 3)) Always;
+  time_seen "a divisor of zero" (compare (Div (time, number 0)) (number 3)) Always;
+  time_seen "with what changes" (compare time (Quantity (Position (X, 0)))) Always;
+  time_seen "conditions" (positive (Count [ compare time (number 3); Fact Quiescent ])) (until 3);
+  time_seen "of values" (positive (If (compare time (number 3), size 0, size 1))) (until 3);
+  time_seen "values by conditions" (positive (If (Fact Quiescent, time, size 1))) Always;
+  let squared = always (positive (Mul (time, time))) in
+  let until = Until (All, { low = Scc_exact.Rat.zero; high = None }, State (Fact Quiescent), squared) in
+  Alcotest.(check bool) "under operators" true (Time_seen.same_kind Always (Time_seen.formula until))
+
 let () =
   let cases = Scc_test_support.Property.cases in
   Alcotest.run "formulas"
@@ -292,5 +325,9 @@ let () =
       ("orders", cases orders);
       ("renaming", cases renaming);
       ("symmetries", symmetries);
-      ("looks", [ Alcotest.test_case "what formulas look at" `Quick looks ]);
+      ( "looks",
+        [
+          Alcotest.test_case "what formulas look at" `Quick looks;
+          Alcotest.test_case "how much of time formulas see" `Quick sees;
+        ] );
     ]

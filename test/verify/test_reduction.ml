@@ -88,9 +88,8 @@ let atom_gen n =
   let bind = map (Printf.sprintf "event bind(dock, %s)") leaf in
   frequency [ (3, one); (3, all); (1, bind); (1, return "event bounce") ]
 
-let formula_gen n =
+let formula_of atom =
   let open Gen in
-  let atom = atom_gen n in
   let* p = atom and* q = atom in
   let state = oneofl [ p; Printf.sprintf "(%s and %s)" p q; Printf.sprintf "(%s => %s)" p q; "not " ^ p ] in
   let* s = state and* within = frequencyl [ (2, ""); (1, " within 3") ] in
@@ -107,12 +106,47 @@ let formula_gen n =
       (1, Printf.sprintf "EF[1, 3] (%s)" s);
     ]
 
-let case_gen =
+let formula_gen n = formula_of (atom_gen n)
+
+(* Comparisons of time with constants, with what changes, and within other atoms. *)
+let time_atom_gen n =
+  let open Gen in
+  let leaf = map (Printf.sprintf "p%d") (int_range 0 (n - 1)) in
+  let compared =
+    let* comparison = oneofl [ "<"; "<="; ">"; ">="; "="; "!=" ] and* c = int_range 0 8 in
+    oneofl
+      [
+        Printf.sprintf "time %s %d" comparison c;
+        Printf.sprintf "%d %s time" c comparison;
+        Printf.sprintf "3 * time - 1 %s %d" comparison c;
+        Printf.sprintf "%d - time / 2 %s 1" c comparison;
+      ]
+  in
+  frequency
+    [
+      (6, compared);
+      (1, map2 (Printf.sprintf "count(a in Cube: %s and touching(a, %s) or vx(a) > 0) >= 1") compared leaf);
+      (1, map2 (Printf.sprintf "x(%s) < time - %d") leaf (int_range 0 4));
+      (1, map (Printf.sprintf "time * time > %d") (int_range 0 20));
+    ]
+
+let some_with_time n =
+  let open Gen in
+  let timed =
+    let* p = time_atom_gen n and* q = atom_gen n in
+    oneofl [ p; Printf.sprintf "%s and %s" p q; Printf.sprintf "(%s => %s)" p q ]
+  in
+  formula_of (frequency [ (2, timed); (1, atom_gen n) ])
+
+let case_of formula_gen =
   let open Gen in
   let* n, text = crowd_gen in
   let* formulas = list_size (int_range 1 3) (formula_gen n) in
   let checks = List.mapi (fun i f -> Printf.sprintf "check c%d : %s" i f) formulas in
   return (text ^ "\n" ^ String.concat "\n" checks)
+
+let case_gen = case_of formula_gen
+let timed_case_gen = case_of some_with_time
 
 (* {1 The comparison} *)
 
@@ -172,7 +206,8 @@ let comparable (s : Check.stats) =
 let decided = ref 0
 let refused = ref 0
 
-let agrees kinds ~jump text =
+(* Several explorations may have more states than one: [together] is false. *)
+let agrees kinds ~jump ~together text =
   match load text with
   | None -> incr refused; true
   | Some (e, initial) ->
@@ -185,12 +220,15 @@ let agrees kinds ~jump text =
       QCheck2.Test.fail_report "a witness does not replay"
     else if not (List.for_all (shows e) reduced.outcomes) then
       QCheck2.Test.fail_report "a witness does not show what it should"
-    else if jump && comparable && reduced.slices = [] && reduced.stats.states > full.stats.states then
+    else if jump && together && comparable && reduced.slices = [] && reduced.stats.states > full.stats.states then
       QCheck2.Test.fail_report "more states than without"
     else true
 
 let property ?(jump = true) name kinds =
-  QCheck2.Test.make ~name ~count:400 ~print:Fun.id case_gen (agrees kinds ~jump)
+  QCheck2.Test.make ~name ~count:400 ~print:Fun.id case_gen (agrees kinds ~jump ~together:true)
+
+let timed name kinds =
+  QCheck2.Test.make ~name ~count:400 ~print:Fun.id timed_case_gen (agrees kinds ~jump:true ~together:false)
 
 (* {1 Each does something} *)
 
@@ -286,6 +324,38 @@ check away : possibly vx(q) = 1
 let drift () =
   Alcotest.(check int) "with" 2 (states [ Reduction.Translation; Jump ] drifting)
 
+let verdicts_and_stats reductions text =
+  match load text with
+  | None -> Alcotest.fail "the model is refused"
+  | Some (e, initial) ->
+    let bounds = { Bounds.default with states = Default 3000 } in
+    let report = Check.run { Check.default with bounds; reductions } e.model ~initial e.checks in
+    (List.map (fun (_, v) -> Verdict.to_string v) report.outcomes, report.stats)
+
+(* Alone it is violated in two states, and it stays so whatever else is asked. *)
+let unspoilt () =
+  let text = drifting ^ "check slow : always time * time >= 0\n" in
+  let verdicts, _ = verdicts_and_stats Reduction.all text in
+  let limited = "holds up to the bound: the bound of 3000 states (a default)" in
+  Alcotest.(check (list string)) "time is kept for one" [ "holds (exhaustive)"; "violated"; limited ] verdicts;
+  let verdicts, _ = verdicts_and_stats [ Reduction.Translation; Jump ] text in
+  Alcotest.(check bool) "time is kept for all" false (List.nth verdicts 1 = "violated")
+
+let up_to_a_constant () =
+  let text =
+    two_balls
+    ^ {|
+check late   : AG (time > 20 => AF touching(p, east))
+check early  : possibly time <= 11 and 2 * time > 15 and touching(p, north)
+check passes : eventually time = 30
+check after  : EF (time > 30 and EG (not touching(p, east)))
+|}
+  in
+  let verdicts, stats = verdicts_and_stats [ Reduction.Time; Jump ] text in
+  let holds = "holds (exhaustive)" in
+  Alcotest.(check (list string)) "proofs" [ holds; holds; holds; holds; "violated" ] verdicts;
+  Alcotest.(check bool) "all is explored" true stats.complete
+
 let enough () =
   Alcotest.(check bool) "few models are refused" true (!refused < 100);
   Alcotest.(check bool) "most formulas are decided" true (!decided > 1000)
@@ -303,6 +373,8 @@ let () =
             property "order" (with_jump Order);
             property "slice" (with_jump Slice);
             property "all" Reduction.all;
+            timed "time" (with_jump Time);
+            timed "time, and all else" Reduction.all;
             property "no jumps" ~jump:false [];
           ] );
       ( "effects",
@@ -311,6 +383,8 @@ let () =
           quick "order" (fewer Order four_pairs ~with_it:6 ~without:17);
           quick "symmetry" (fewer Symmetry two_balls ~with_it:9 ~without:17);
           quick "translation" drift;
+          quick "time spoils no other property" unspoilt;
+          quick "time counts up to a constant" up_to_a_constant;
           quick "what is seen happens in every order" seen;
           quick "nothing is put off for ever" not_put_off;
         ] );
