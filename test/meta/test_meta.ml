@@ -88,6 +88,46 @@ let citations () =
       |> List.map (fun id -> Printf.sprintf "%s cites %s" file id))
   |> List.sort_uniq String.compare |> none "citations that lead nowhere"
 
+(* Of the rules of transitions that were made before, this only counts which were used. *)
+let counts file = String.equal file "lib/verify/coverage.ml"
+
+let every_emission () =
+  let entries = entries rulebook in
+  let is_told (x : Emitted.t) =
+    List.exists
+      (fun (e : Book.entry) ->
+         String.equal e.id x.rule && List.exists (fun (file, _) -> String.equal file x.file) e.code)
+      entries
+  in
+  let found = Emitted.find () in
+  Alcotest.(check bool) "some are found" true (List.length found > List.length Scc_semantics.Rule.all / 2);
+  List.filter (fun (x : Emitted.t) -> not (counts x.file || is_told x)) found
+  |> List.map (fun (x : Emitted.t) -> Printf.sprintf "%s:%d makes transitions by rule %s" x.file x.line x.rule)
+  |> List.sort_uniq String.compare
+  |> none "files that no Code line of their rule names"
+
+(* {1 Readings} *)
+
+let reading (e : Book.entry) =
+  match String.split_on_char '-' e.id with
+  | [ "I"; number ] -> int_of_string_opt number
+  | _ -> None
+
+(* Elsewhere they are cited, and told once, however many documents there are. *)
+let readings () =
+  let documents = List.filter (fun f -> Filename.check_suffix f ".md") (Tree.files "specs") in
+  let headings file = List.filter_map reading (entries file) in
+  let told = List.concat_map (fun file -> List.map (fun n -> (n, file)) (headings file)) documents in
+  let last = List.fold_left (fun last (n, _) -> Int.max last n) 0 told in
+  Alcotest.(check bool) "there are readings" true (last > 0);
+  List.init last (fun i -> i + 1)
+  |> List.filter_map (fun n ->
+      match List.filter (fun (m, _) -> Int.equal m n) told with
+      | [ (_, file) ] when String.equal file rulebook -> None
+      | [] -> Some (Printf.sprintf "I-%d: nowhere" n)
+      | places -> Some (Printf.sprintf "I-%d: %s" n (String.concat ", " (List.map snd places))))
+  |> none "readings that are not in one place, the rule book"
+
 (* {1 Cases} *)
 
 let test_sources =
@@ -194,6 +234,8 @@ let () =
           case "model lines lead to models" (faults_of rulebook model_faults);
           case "every rule of the code has an entry" every_rule;
           case "every citation leads to an entry" citations;
+          case "what makes transitions by a rule is on its code lines" every_emission;
+          case "every reading is in one place" readings;
         ] );
       ( "deviations",
         [
