@@ -110,20 +110,15 @@ let pair_touching p (extent : Timeline.extent) =
   | Lasts _ -> Timeline.constant extent (Truth.of_bool (at p Rat.zero))
   | Forever -> for_ever p
 
-let motions (m : Model.t) (p, (leaf : State.leaf)) =
-  let centre = State.centre_of_mass m p in
-  let part i = (Turn.motion m p ~centre leaf i, Turn.reach m ~centre leaf i) in
-  List.init (Array.length m.leaves.(leaf.leaf).parts) part
-
-let touching m extent (p, l) (q, k) =
-  let resolution = (Turn.rigid m).resolution in
-  let same = State.has_leaf p k.State.leaf in
+let touching ~resolution extent (p, i) (q, j) =
+  let leaf path i = State.leaf_of (Path.process path) i in
+  let same = State.has_leaf (Path.process p) j in
   let extent_of_pair = if same then Timeline.Instant else extent in
   let pair (one, reach_one) (two, reach_two) =
     let pair = { one; two; speed = Cast.speed_bound one two; reach = Rat.add reach_one reach_two; resolution } in
     pair_touching pair extent_of_pair
   in
-  let others = motions m (q, k) in
-  let pairs = List.concat_map (fun a -> List.map (pair a) others) (motions m (p, l)) in
+  let others = Path.motions q (leaf q j) in
+  let pairs = List.concat_map (fun a -> List.map (pair a) others) (Path.motions p (leaf p i)) in
   let found = List.fold_left (Timeline.map2 Truth.or_) (Timeline.constant extent_of_pair Truth.False) pairs in
   if same then Timeline.constant extent found.start else found

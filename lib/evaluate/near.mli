@@ -2,14 +2,10 @@
     instant iff the distance of some part of one from some part of the other is at most the resolution. *)
 
 open Scc_ctl
-open Scc_calculus
+open Scc_exact
+open Scc_semantics
 
-val touching :
-  Model.t ->
-  Timeline.extent ->
-  State.process * State.leaf ->
-  State.process * State.leaf ->
-  Truth.t Timeline.t
+val touching : resolution:Rat.t -> Timeline.extent -> Path.t * int -> Path.t * int -> Truth.t Timeline.t
 (** Of two leaves of one process, or of two, of a rigid model. The distance is exact at an instant. Over a piece
     of a trajectory it is known from that in the middle and a bound on the speeds; where the distance is within a
     thirty-second of the resolution from the resolution itself, for about as long as it takes to change so much,

@@ -15,8 +15,11 @@ val make : ?arrived:(Property.event -> bool) -> Model.t -> State.t -> Timeline.e
     the discrete transition was that has just led to the state (by default of none, as in the initial
     state): they hold at the start alone. *)
 
+val predicate : Model.t -> Property.prop -> t -> Truth.t Timeline.t
+(** Where the predicate holds, of a trajectory of the model; prepared when it is given. Undecided at instants where
+    it divides by zero. *)
+
 val prop : t -> Property.prop -> Truth.t Timeline.t
-(** Where the predicate holds. Undecided at instants where it divides by zero. *)
 
 val num : t -> Property.num -> Value.t Timeline.t
 

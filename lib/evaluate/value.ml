@@ -7,6 +7,12 @@ type t = Ratio of Polynomial.t * Polynomial.t | Undefined of string
 let polynomial p = Ratio (p, Polynomial.one)
 let of_rat r = polynomial (Polynomial.constant r)
 let of_int n = of_rat (Rat.of_int n)
+let not_followed = "what turns with a body that spins for ever is not followed"
+
+let of_curve : Scc_semantics.Path.curve -> t = function
+  | Steady r -> of_rat r
+  | Quotient (n, d) -> Ratio (n, d)
+  | Not_followed -> Undefined not_followed
 
 let lift f a b =
   match (a, b) with

@@ -12,6 +12,9 @@ val greatest_degree : int
 (** Numbers whose numerator or denominator would have a greater degree are undefined: finding the roots of
     such a polynomial could take hours. *)
 
+val of_curve : Scc_semantics.Path.curve -> t
+val not_followed : string
+
 val polynomial : Polynomial.t -> t
 val of_rat : Rat.t -> t
 val of_int : int -> t

@@ -1,4 +1,11 @@
 type t = { x : Rat.t; y : Rat.t; z : Rat.t }
+type axis = X | Y | Z
+
+let component axis v =
+  match axis with
+  | X -> v.x
+  | Y -> v.y
+  | Z -> v.z
 
 let make x y z = { x; y; z }
 let zero = make Rat.zero Rat.zero Rat.zero

@@ -4,7 +4,7 @@
 open Scc_exact
 open Scc_calculus
 
-type axis = X | Y | Z
+type axis = Vec.axis = X | Y | Z
 
 (** What a discrete transition does to bonds. *)
 type change =

@@ -166,6 +166,9 @@ let encode c (s : State.t) =
   Option.iter (fun time -> tuple.(time_slot c) <- time_number c time) s.time;
   tuple
 
+let time c tuple =
+  if c.model.keeps_time then Some (Rationals.get c.times tuple.(time_slot c)) else None
+
 let decode c tuple =
   let n = leaves c in
   let rec processes i acc =
@@ -173,8 +176,7 @@ let decode c tuple =
     else processes (i - 1) (if tuple.(i) = nobody then acc else (body c tuple.(i)).process :: acc)
   in
   let step = if c.model.steered then Some (Steps.get c.steps tuple.(step_slot c)) else None in
-  let time = if c.model.keeps_time then Some (Rationals.get c.times tuple.(time_slot c)) else None in
-  State.make ~processes:(processes (n - 1) []) ~step ~time
+  State.make ~processes:(processes (n - 1) []) ~step ~time:(time c tuple)
 
 let pass_time c tuple d =
   if c.model.keeps_time then begin

@@ -28,6 +28,9 @@ val mark_slot : t -> int
 val encode : t -> State.t -> int array
 val decode : t -> int array -> State.t
 
+val time : t -> int array -> Rat.t option
+(** Absolute, if states have it. *)
+
 val pass_time : t -> int array -> Rat.t -> unit
 (** Puts the time forward, if states have it. *)
 

@@ -1,11 +1,9 @@
 open Scc_ctl
 open Scc_exact
 open Scc_calculus
+open Scc_semantics
 open Scc_property
 open Scc_evaluate
-
-(* A number, or why there is none. *)
-type value = (Rat.t, string) result
 
 let memory = 1 lsl 12
 
@@ -52,148 +50,123 @@ let home c leaf =
   let number = home_number c leaf in
   fun tuple -> (Catalogue.body (Network_lts.catalogue c) (number tuple)).process
 
-let joins p q (b : State.bond) =
-  (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p)
+(** A state as a tuple, at its instant. *)
+module Tuple = struct
+  type context = Network_lts.context
+  type t = int array
 
-let named name (b : State.bond) =
-  match name with
-  | None -> true
-  | Some n -> String.equal n b.name
+  (* Or why there is none. *)
+  type number = (Rat.t, string) result
+  type truth = Truth.t
 
-let count test bonds = Array.fold_left (fun n b -> if test b then n + 1 else n) 0 bonds
+  let model = Network_lts.model
 
-(* Of the atoms that are not judged here. *)
-exception Moves
+  let of_curve (c : Path.curve) : number =
+    match c with
+    | Steady r -> Ok r
+    | Quotient _ | Not_followed -> Option.to_result ~none:Value.not_followed (Path.now c)
 
-let axis (a : Property.axis) (v : Vec.t) =
-  match a with
-  | X -> v.x
-  | Y -> v.y
-  | Z -> v.z
+  let both f (a : number) (b : number) : number =
+    match (a, b) with
+    | Ok x, Ok y -> Ok (f x y)
+    | (Error _ as e), _ | _, (Error _ as e) -> e
 
-let sum c quantity =
-  let model = Network_lts.model c in
-  let of_process (p : State.process) =
-    match State.mass model p with
-    | None -> Rat.zero
-    | Some m -> quantity m p.velocity
-  in
-  let of_number = by_process c Rat.zero of_process in
-  fun tuple : value -> Ok (fold c (fun acc p -> Rat.add acc (of_number p)) Rat.zero tuple)
+  let neg = Result.map Rat.neg
+  let add = both Rat.add
+  let sub = both Rat.sub
+  let mul = both Rat.mul
 
-let integer f tuple : value = Ok (Rat.of_int (f tuple))
+  let div ~reason (a : number) (b : number) : number =
+    match (a, b) with
+    | _, Ok y when Rat.sign y = 0 -> Error reason
+    | Ok x, Ok y -> Ok (Rat.div x y)
+    | (Error _ as e), _ | _, (Error _ as e) -> e
 
-let both f a b tuple : value =
-  match (a tuple, b tuple) with
-  | Ok x, Ok y -> f x y
-  | (Error _ as e), _ | _, (Error _ as e) -> e
+  let constant r =
+    let n : number = Ok r in
+    fun _ -> n
 
-let rec num c (n : Property.num) : int array -> value =
-  let model = Network_lts.model c in
-  match n with
-  | Const r -> fun _ -> Ok r
-  | Quantity (Bonds (name, None)) ->
-    let bonds = by_process c 0 (fun p -> count (named name) p.bonds) in
-    integer (fold c (fun acc p -> acc + bonds p) 0)
-  | Quantity (Bonds (name, Some (p, q))) ->
-    let home = home c p in
-    integer (fun t -> count (fun b -> named name b && joins p q b) (home t).bonds)
-  | Quantity (Size leaf) ->
-    let home = home c leaf in
-    integer (fun t -> State.size model (home t))
-  | Quantity Processes -> integer (fold c (fun acc _ -> acc + 1) 0)
-  | Quantity (Velocity _ | Speed2 _ | Energy | Spin _ | Spin2 _) when Option.is_some model.rigid ->
-    raise_notrace Moves
-  | Quantity (Velocity (a, leaf)) ->
-    let home = home c leaf in
-    fun t -> Ok (axis a (home t).velocity)
-  | Quantity (Speed2 leaf) ->
-    let home = home c leaf in
-    fun t -> Ok (Vec.norm2 (home t).velocity)
-  | Quantity (Spin (a, leaf)) ->
-    let home = home c leaf in
-    fun t -> Ok (axis a (home t).spin)
-  | Quantity (Spin2 leaf) ->
-    let home = home c leaf in
-    fun t -> Ok (Vec.norm2 (home t).spin)
-  | Quantity (Momentum a) -> sum c (fun m v -> Rat.mul m (axis a v))
-  | Quantity Energy -> sum c (fun m v -> Rat.div (Rat.mul m (Vec.norm2 v)) (Rat.of_int 2))
-  | Neg a ->
-    let a = num c a in
-    fun t -> Result.map Rat.neg (a t)
-  | Add (a, b) -> both (fun x y -> Ok (Rat.add x y)) (num c a) (num c b)
-  | Sub (a, b) -> both (fun x y -> Ok (Rat.sub x y)) (num c a) (num c b)
-  | Mul (a, b) -> both (fun x y -> Ok (Rat.mul x y)) (num c a) (num c b)
-  | Div (a, b) ->
-    let undefined = Error ("division by zero in " ^ Show.num model n) in
-    let quotient x y = if Rat.sign y = 0 then undefined else Ok (Rat.div x y) in
-    both quotient (num c a) (num c b)
-  | If (p, a, b) -> (
-      let p = prop c p and a = num c a and b = num c b in
-      fun t ->
-        match p t with
-        | Truth.True -> a t
-        | False -> b t
-        | Undecided reason -> Error reason)
-  | Count props ->
-    let props = List.map (prop c) props in
-    fun t ->
-      List.fold_left
-        (fun n p ->
-           match (n, p t) with
-           | Error _, _ | _, Truth.False -> n
-           | Ok n, True -> Ok (Rat.add n Rat.one)
-           | Ok _, Undecided reason -> Error reason)
-        (Ok Rat.zero) props
-  | Quantity (Position _ | Distance2 _ | Angular _ | Time) -> raise_notrace Moves
+  let choose (condition : truth) a b : number =
+    match condition with
+    | True -> a ()
+    | False -> b ()
+    | Undecided reason -> Error reason
 
-and prop c (p : Property.prop) : int array -> Truth.t =
-  let model = Network_lts.model c in
-  match p with
-  | Bool b -> fun _ -> Truth.of_bool b
-  | Compare (op, a, b) ->
-    let a = num c a and b = num c b in
-    fun t ->
-      (match (a t, b t) with
-       | Ok x, Ok y -> Truth.of_bool (Law.compare_rationals op x y)
-       | Error reason, _ | _, Error reason -> Truth.Undecided reason)
-  | Fact (Bound (p, q)) ->
-    let home = home c p in
-    fun t -> Truth.of_bool (Array.exists (joins p q) (home t).bonds)
-  | Fact (Same (p, q)) ->
-    let home = home c p in
-    fun t -> Truth.of_bool (State.has_leaf (home t) q)
-  | Fact (Behaviour (leaf, _) | Offers (leaf, _, _)) ->
-    let network process = State.make ~processes:[ process ] ~step:None ~time:None in
-    let alone = by_process c Truth.False (fun process -> Trajectory.holds model (network process) p) in
-    let number = home_number c leaf in
-    fun t -> alone (number t)
-  | Fact (Event e) -> fun t -> Truth.of_bool (Network_lts.arrived c t e)
-  | Not a ->
-    let a = prop c a in
-    fun t -> Truth.not_ (a t)
-  | And list -> connective c Truth.and_ Truth.True list
-  | Or list -> connective c Truth.or_ Truth.False list
-  | Fact (Touching _ | Quiescent) -> raise_notrace Moves
+  let count (n : number) (truth : truth) : number =
+    match (n, truth) with
+    | Error _, _ | _, False -> n
+    | Ok n, True -> Ok (Rat.add n Rat.one)
+    | Ok _, Undecided reason -> Error reason
 
-and connective c join unit list =
-  let list = List.map (prop c) list in
-  fun t -> List.fold_left (fun acc p -> join acc (p t)) unit list
+  let quantity c (q : Meaning.quantity) : t -> number =
+    let path process = Path.make (model c) process in
+    match q with
+    | Of_process (leaf, f) ->
+      let home = home c leaf in
+      fun t -> of_curve (f (path (home t)))
+    | Of_two (i, j, f) ->
+      let one = home c i and two = home c j in
+      fun t -> of_curve (f (path (one t)) (path (two t)))
+    | Sum f ->
+      let of_number = by_process c (Ok Rat.zero) (fun p -> of_curve (f (path p))) in
+      fold c (fun sum p -> add sum (of_number p)) (Ok Rat.zero)
+    | Number f ->
+      let of_number = by_process c 0 f in
+      fun t -> Ok (Rat.of_int (fold c (fun sum p -> sum + of_number p) 0 t))
+    | Time -> (
+        fun t ->
+          match Catalogue.time (Network_lts.catalogue c) t with
+          | Some time -> Ok time
+          | None -> Scc_base.Bug.fail __POS__ "a property speaks of time, and the state does not keep it")
+
+  let bool b =
+    let truth = Truth.of_bool b in
+    fun _ -> truth
+
+  let fact c (f : Meaning.fact) : t -> truth =
+    match f with
+    | In_process (leaf, test) ->
+      let home = home c leaf in
+      fun t -> Truth.of_bool (test (home t))
+    | In_behaviour (leaf, test) ->
+      let number = home_number c leaf in
+      let of_number = by_process c false (fun p -> test (State.leaf_of p leaf).behaviour) in
+      fun t -> Truth.of_bool (of_number (number t))
+    | Between (i, j, along) ->
+      let one = home c i and two = home c j and path process = Path.make (model c) process in
+      fun t -> (along Timeline.Instant (path (one t)) (path (two t))).start
+    | In_network test -> fun t -> Truth.of_bool (test (Catalogue.decode (Network_lts.catalogue c) t))
+    | Arrival e -> fun t -> Truth.of_bool (Network_lts.arrived c t e)
+
+  let compare op (a : number) (b : number) : truth =
+    match (a, b) with
+    | Ok x, Ok y -> Truth.of_bool (Law.compare_rationals op x y)
+    | Error reason, _ | _, Error reason -> Undecided reason
+
+  let not_ = Truth.not_
+  let and_ = Truth.and_
+
+  let is_false : truth -> bool = function
+    | False -> true
+    | True | Undecided _ -> false
+end
+
+module In_state = Terms.Make (Tuple)
 
 (* Along the trajectory of the whole state. *)
-let anywhere c p : On_the_fly.predicate =
+let along c p =
   let model = Network_lts.model c in
-  let timeline tuple extent =
+  let predicate = Trajectory.predicate model p in
+  fun tuple extent ->
     let state = Catalogue.decode (Network_lts.catalogue c) tuple in
-    Trajectory.prop (Trajectory.make ~arrived:(Network_lts.arrived c tuple) model state extent) p
-  in
-  { at = (fun tuple -> (timeline tuple Timeline.Instant).start); along = Some timeline }
+    predicate (Trajectory.make ~arrived:(Network_lts.arrived c tuple) model state extent)
 
-let make c p =
-  match prop c p with
-  | exception Moves -> anywhere c p
-  | at when Formula.has_events (State p) ->
+let make c p : On_the_fly.predicate =
+  let at = In_state.prop c p in
+  if not (Formula.steady ~rigid:(Option.is_some (Network_lts.model c).rigid) p) then
+    { at; along = Some (along c p) }
+  else if Formula.has_events (State p) then
     (* What has just happened is past as soon as time passes. *)
     let later tuple = at (Network_lts.unmarked c tuple) in
     { at; along = Some (fun tuple extent -> Timeline.after_start extent (at tuple) (later tuple)) }
-  | at -> { at; along = None }
+  else { at; along = None }

@@ -4,5 +4,5 @@ open Scc_ctl
 open Scc_property
 
 val make : Network_lts.context -> Property.prop -> On_the_fly.predicate
-(** Predicates that do not change while time passes undisturbed are judged by the components of a state, each of
-    which is looked at once; the others along the trajectory (see {!Trajectory}). *)
+(** In a state by the components of the tuple, each of which is looked at once where that is worth it. Predicates
+    that may change while time passes undisturbed ({!Formula.steady}) also along the trajectory. *)

@@ -38,7 +38,8 @@ let quantity =
 let num_atom =
   Gen.frequency
     [
-      (1, Gen.map (fun k -> Const (Rat.of_int k)) (Gen.int_range 0 2)); (9, Gen.map (fun q -> Quantity q) quantity);
+      (1, Gen.map (fun k -> Const (Rat.of_int k)) (Gen.int_range 0 2));
+      (9, Gen.map (fun q -> Quantity q) quantity);
     ]
 
 let fact =

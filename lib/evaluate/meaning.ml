@@ -1,0 +1,86 @@
+open Scc_ctl
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+
+type quantity =
+  | Of_process of int * (Path.t -> Path.curve)
+  | Of_two of int * int * (Path.t -> Path.t -> Path.curve)
+  | Sum of (Path.t -> Path.curve)
+  | Number of (State.process -> int)
+  | Time
+
+type fact =
+  | In_process of int * (State.process -> bool)
+  | In_behaviour of int * (Behaviour.aged -> bool)
+  | Between of int * int * (Timeline.extent -> Path.t -> Path.t -> Truth.t Timeline.t)
+  | In_network of (State.t -> bool)
+  | Arrival of Property.event
+
+let joins p q (b : State.bond) = (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p)
+
+let named name (b : State.bond) =
+  match name with
+  | None -> true
+  | Some n -> String.equal n b.name
+
+let count test (p : State.process) = Array.fold_left (fun n b -> if test b then n + 1 else n) 0 p.bonds
+let steady n = Path.Steady (Rat.of_int n)
+
+(* Of the shape of a leaf, where it is now. *)
+let centroid model leaf path = State.centroid model (State.leaf_of (Path.process path) leaf)
+
+let distance2 model i j p q =
+  let from = centroid model i p and towards = centroid model j q in
+  if State.has_leaf (Path.process p) j then Path.Steady (Vec.norm2 (Vec.sub from towards))
+  else Path.distance2 p from q towards
+
+let is_called k (b : Behaviour.aged) =
+  match b.origin with
+  | Some o -> Int.equal o k
+  | None -> false
+
+let same_polarity (p : Behaviour.polarity) (q : Behaviour.polarity) =
+  match (p, q) with
+  | Name, Name | Co_name, Co_name -> true
+  | (Name | Co_name), _ -> false
+
+let offers definitions polarity name b =
+  let named (c : Behaviour.channel) = String.equal c.name name in
+  let wanted (o : Behaviour.offer) =
+    match (o, polarity) with
+    | Offer_open (p, c, _), Some wanted -> named c && same_polarity p wanted
+    | Offer_open (_, c, _), None | Offer_weak (c, _), None -> named c
+    | Offer_strong (list, _), None -> List.exists named list
+    | (Offer_weak _ | Offer_strong _), Some _ -> false
+  in
+  List.exists wanted (Behaviour.offers definitions b)
+
+let quantity model : Property.quantity -> quantity = function
+  | Bonds (name, None) -> Number (count (named name))
+  | Bonds (name, Some (i, j)) ->
+    let wanted b = named name b && joins i j b in
+    Of_process (i, fun p -> steady (count wanted (Path.process p)))
+  | Size i -> Of_process (i, fun p -> steady (State.size model (Path.process p)))
+  | Processes -> Number (fun _ -> 1)
+  | Position (a, i) -> Of_process (i, fun p -> Path.coordinate p a (centroid model i p))
+  | Velocity (a, i) -> Of_process (i, fun p -> Path.velocity p a (centroid model i p))
+  | Speed2 i -> Of_process (i, fun p -> Path.speed2 p (centroid model i p))
+  | Spin (a, i) -> Of_process (i, fun p -> Path.spin p a)
+  | Spin2 i -> Of_process (i, Path.spin2)
+  | Distance2 (i, j) -> Of_two (i, j, distance2 model i j)
+  | Momentum a -> Sum (fun p -> Path.momentum p a)
+  | Angular a -> Sum (fun p -> Path.angular p a)
+  | Energy -> Sum Path.energy
+  | Time -> Time
+
+let fact (model : Model.t) : Property.fact -> fact = function
+  | Bound (i, j) -> In_process (i, fun p -> Array.exists (joins i j) p.bonds)
+  | Same (i, j) -> In_process (i, fun p -> State.has_leaf p j)
+  | Behaviour (i, k) -> In_behaviour (i, is_called k)
+  | Offers (i, polarity, name) -> In_behaviour (i, offers model.definitions polarity name)
+  | Touching (i, j) when Int.equal i j -> In_process (i, fun _ -> false)
+  | Touching (i, j) -> Between (i, j, Touching.along i j)
+  | Quiescent -> In_network (Network.quiescent model)
+  | Event e -> Arrival e

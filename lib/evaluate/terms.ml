@@ -1,0 +1,73 @@
+open Scc_exact
+open Scc_calculus
+open Scc_property
+
+module type View = sig
+  type context
+  type t
+  type number
+  type truth
+
+  val model : context -> Model.t
+  val quantity : context -> Meaning.quantity -> t -> number
+  val fact : context -> Meaning.fact -> t -> truth
+  val constant : Rat.t -> t -> number
+  val neg : number -> number
+  val add : number -> number -> number
+  val sub : number -> number -> number
+  val mul : number -> number -> number
+  val div : reason:string -> number -> number -> number
+  val choose : truth -> (unit -> number) -> (unit -> number) -> number
+  val count : number -> truth -> number
+  val bool : bool -> t -> truth
+  val compare : Law.comparison -> number -> number -> truth
+  val not_ : truth -> truth
+  val and_ : truth -> truth -> truth
+  val is_false : truth -> bool
+end
+
+module Make (V : View) = struct
+  let rec num c (n : Property.num) : V.t -> V.number =
+    match n with
+    | Const r -> V.constant r
+    | Quantity q -> V.quantity c (Meaning.quantity (V.model c) q)
+    | Neg a ->
+      let a = num c a in
+      fun v -> V.neg (a v)
+    | Add (a, b) -> both V.add c a b
+    | Sub (a, b) -> both V.sub c a b
+    | Mul (a, b) -> both V.mul c a b
+    | Div (a, b) -> both (V.div ~reason:("division by zero in " ^ Show.num (V.model c) n)) c a b
+    | If (p, a, b) ->
+      let p = prop c p and a = num c a and b = num c b in
+      fun v -> V.choose (p v) (fun () -> a v) (fun () -> b v)
+    | Count props ->
+      let zero = V.constant Rat.zero and props = List.map (prop c) props in
+      fun v -> List.fold_left (fun n p -> V.count n (p v)) (zero v) props
+
+  and both f c a b =
+    let a = num c a and b = num c b in
+    fun v -> f (a v) (b v)
+
+  and prop c (p : Property.prop) : V.t -> V.truth =
+    match p with
+    | Bool b -> V.bool b
+    | Compare (op, a, b) ->
+      let a = num c a and b = num c b in
+      fun v -> V.compare op (a v) (b v)
+    | Fact f -> V.fact c (Meaning.fact (V.model c) f)
+    | Not p ->
+      let p = prop c p in
+      fun v -> V.not_ (p v)
+    | And ps -> conjunction (List.map (prop c) ps)
+    | Or ps ->
+      let negated = conjunction (List.map (fun p -> let p = prop c p in fun v -> V.not_ (p v)) ps) in
+      fun v -> V.not_ (negated v)
+
+  and conjunction ps v =
+    let rec go found = function
+      | [] -> found
+      | p :: later -> if V.is_false found then found else go (V.and_ found (p v)) later
+    in
+    go (V.bool true v) ps
+end
