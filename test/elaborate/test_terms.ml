@@ -189,7 +189,8 @@ let definitions () =
   match (List.hd t.checks).formula with
   | Globally
       ( All, _,
-        State (And [ And [ Fact (Behaviour (0, k)); Not (Fact (Behaviour (2, l))) ]; Fact (Behaviour (1, k')) ]) ) ->
+        State
+          (And [ And [ Fact (Behaviour (0, k)); Not (Fact (Behaviour (2, l))) ]; Fact (Behaviour (1, k')) ]) ) ->
     Alcotest.(check int) "of p" (called "p") k;
     Alcotest.(check int) "of q" (called "q") k';
     Alcotest.(check string) "of r" "Later" t.model.definitions.(l).name
