@@ -16,7 +16,7 @@ let template console ~overrides path name =
   let* source = Input.text console path in
   let* tree = (Front_end.of_source source).model source in
   let read_file = Input.mesh_reader console path in
-  Template_set.find ~read_file ~overrides tree name
+  Scc_elaborate.Template_set.find ~read_file ~overrides tree name
 
 let mesh console path =
   let* source = Input.text console path in
@@ -25,7 +25,7 @@ let mesh console path =
 let templates_of console path =
   let* source = Input.text console path in
   let* tree = (Front_end.of_source source).model source in
-  let names = Template_set.names tree in
+  let names = Scc_elaborate.Template_set.names tree in
   let hint = Printf.sprintf "name one of them: %s:%s" path (match names with n :: _ -> n | [] -> "NAME") in
   let list = match names with [] -> "no templates" | _ -> String.concat ", " names in
   Error

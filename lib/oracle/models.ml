@@ -61,10 +61,8 @@ let forget store =
 
 let path p network =
   let most = (Read.quotas p).path in
-  (match Read.optional p "path" Read.value with
-   | Some (List items) when List.compare_length_with items most > 0 -> Fault.refuse (Limit ("path", most))
-   | _ -> ());
-  let path = Option.value (Read.optional p "path" (Read.list Read.natural)) ~default:[] in
+  let choices = Read.short_list Read.natural ~limit:"path" ~most in
+  let path = Option.value (Read.optional p "path" choices) ~default:[] in
   Network_at.follow network (Array.of_list path)
 
 (* {1 Methods} *)

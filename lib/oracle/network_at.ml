@@ -95,6 +95,8 @@ let transitions t e =
         let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic t.model f ] in
         Fault.refuse (No_transitions { at = Array.length e.place.path; diagnostics }))
 
+let labels model next = List.map (fun (t : Transition.t) -> Transition.label_to_string model t.label) next
+
 let after t e path n =
   let next = transitions t e in
   match List.nth_opt next path.(n) with
@@ -103,7 +105,7 @@ let after t e path n =
     let last = Some (e.place.state, taken.label) in
     { place = { path = Array.sub path 0 (n + 1); state = taken.target; time; last }; next = None }
   | None ->
-    let possible = List.map (fun (u : Transition.t) -> Transition.label_to_string t.model u.label) next in
+    let possible = labels t.model next in
     let message = Printf.sprintf "after %d choices, choice %d is not possible" n path.(n) in
     Fault.refuse (Not_possible { at = n; possible; message })
 

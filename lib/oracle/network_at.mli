@@ -23,5 +23,8 @@ val follow : t -> int array -> place
 (** Refuses a path that is not possible ([Not_possible]), or on which transitions cannot be computed
     ([No_transitions]). *)
 
+val labels : Model.t -> Transition.t list -> string list
+(** Their texts. *)
+
 val next : t -> place -> Transition.t list
 (** Its transitions, in order. *)

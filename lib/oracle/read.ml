@@ -116,6 +116,10 @@ let list (read : 'a reader) p at : Wire.t -> 'a list = function
   | List items -> Scc_base.Long_list.mapi (fun i v -> read p (Fault.Item (at, i)) v) items
   | _ -> Fault.invalid at "an array is expected"
 
+let short_list (read : 'a reader) ~limit ~most p at : Wire.t -> 'a list = function
+  | List items when List.compare_length_with items most > 0 -> Fault.refuse (Limit (limit, most))
+  | v -> list read p at v
+
 let fields p at : Wire.t -> params = function
   | Object members -> { p with at = Some at; members }
   | _ -> Fault.invalid at "an object is expected"

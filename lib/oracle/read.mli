@@ -45,6 +45,9 @@ val quaternion : Quaternion.t reader
 (** Not all zero. *)
 
 val list : 'a reader -> 'a list reader
+val short_list : 'a reader -> limit:string -> most:int -> 'a list reader
+(** The same of at most so many, or else refused by the quota of that name before any of them is read. *)
+
 val fields : params reader
 (** An object within. *)
 

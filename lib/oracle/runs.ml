@@ -66,8 +66,6 @@ let index_of m next label =
   in
   from 0 next
 
-let possible m next = List.map (fun (t : Transition.t) -> label_text m t.label) next
-
 let chosen m next (place : Network_at.place) at : Wire.t -> int option -> int = fun v index ->
   match (v, index) with
   | _, Some i -> i
@@ -76,7 +74,7 @@ let chosen m next (place : Network_at.place) at : Wire.t -> int option -> int = 
       | Some i -> i
       | None ->
         let message = Printf.sprintf "`%s` is not possible here" (shown label) in
-        Fault.refuse (Not_possible { at = Array.length place.path; possible = possible m next; message }))
+        Fault.refuse (Not_possible { at = Array.length place.path; possible = Network_at.labels m next; message }))
   | _, None -> Fault.invalid at "an index or the text of a label is expected"
 
 let step store p =
@@ -136,10 +134,7 @@ let choose p at : Wire.t -> Replay.policy = function
 
 let policy p : Replay.policy =
   let most = (Read.quotas p).steps in
-  (match Read.optional p "choices" Read.value with
-   | Some (List items) when List.compare_length_with items most > 0 -> Fault.refuse (Limit ("steps", most))
-   | _ -> ());
-  let choices = Read.optional p "choices" (Read.list choice) in
+  let choices = Read.optional p "choices" (Read.short_list choice ~limit:"steps" ~most) in
   let offset = Read.optional p "offset" Read.not_negative in
   match (choices, Read.optional p "choose" choose) with
   | Some choices, None ->
@@ -195,7 +190,7 @@ let on_event q m states told (event : Replay.event) =
 
 let misfit network told message =
   let place = Network_at.follow network (Array.of_list (List.rev told.taken)) in
-  let possible = possible (Network_at.model network) (Network_at.next network place) in
+  let possible = Network_at.labels (Network_at.model network) (Network_at.next network place) in
   Fault.refuse (Not_possible { at = List.length told.taken; possible; message })
 
 let replay store p =

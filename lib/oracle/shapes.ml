@@ -45,8 +45,6 @@ let tidy store (o : Obstacle.t) =
 
 (* {1 Sets of faces} *)
 
-let most name most list = if List.compare_length_with list most > 0 then Fault.refuse (Limit (name, most))
-
 module Names = Set.Make (String)
 
 let name p at v =
@@ -89,14 +87,9 @@ let corner table _ at : Wire.t -> int = function
 
 let face_set p : Polyhedron.ifs =
   let q = Read.quotas p in
-  let bounded limit n p at : Wire.t -> Wire.t list = function
-    | List items ->
-      most limit n items;
-      items
-    | v -> Read.list Read.value p at v
-  in
-  let vertices = Read.required p "vertices" (bounded "vertices" q.vertices) in
-  let faces = Read.required p "faces" (bounded "faces" q.faces) in
+  let bounded name most = Read.required p name (Read.short_list Read.value ~limit:name ~most) in
+  let vertices = bounded "vertices" q.vertices in
+  let faces = bounded "faces" q.faces in
   let corners = List.map (fun (f : Wire.t) -> match f with List l -> List.length l | _ -> 0) faces in
   if List.fold_left ( + ) 0 corners > q.corners then Fault.refuse (Limit ("corners", q.corners));
   let vertex_names, face_names =

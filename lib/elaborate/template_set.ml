@@ -2,7 +2,6 @@ open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_syntax
-open Scc_elaborate
 
 let ( let* ) = Option.bind
 
