@@ -250,7 +250,7 @@ def check_answer(request, answer, what):
 
 def check_oracle(scc):
     """Its tests' messages, and every model with runs of it."""
-    with open("test/oracle/messages.jsonl", encoding="utf-8") as file:
+    with open("test/unit/oracle/messages.jsonl", encoding="utf-8") as file:
         lines = [line.rstrip("\n") for line in file]
     for number, model in enumerate(sorted(glob.glob("specs/models/*.sc"))):
         with open(model, encoding="utf-8") as file:

@@ -3,8 +3,9 @@
 
     generate.py --scc PATH [--out FOLDER] [--check]
 
-Nothing is written that `scc oracle` and an independent computation (geometry.py, turning.py, test/independent), or what
-is expected by hand, do not agree on: the suite is made in a new place, run, and put in place when all of it agrees.
+Nothing is written that `scc oracle` and an independent computation (geometry.py, turning.py, and those of
+test/references/independent), or what is expected by hand, do not agree on: the suite is made in a new place, run, and
+put in place when all of it agrees.
 Deterministic: the same files each time. With --check nothing is written, and the files must be those that are there.
 """
 

@@ -1,5 +1,5 @@
 """Cases of whole models: all transitions of all states of small ones, compared with the naive calculus of
-test/independent, and verdicts."""
+test/references/independent, and verdicts."""
 
 from fractions import Fraction as F
 import os
@@ -8,7 +8,8 @@ import re
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, '..', 'independent'))
+INDEPENDENT = os.path.join(HERE, '..', 'references', 'independent')
+sys.path.insert(0, INDEPENDENT)
 
 from cases import Suite, load, num, nums, result, unordered
 import compare
@@ -17,12 +18,13 @@ import reading
 
 # This folder has a generate.py of its own.
 import importlib.util
-spec = importlib.util.spec_from_file_location('random_models', os.path.join(HERE, '..', 'independent', 'generate.py'))
+spec = importlib.util.spec_from_file_location('random_models', os.path.join(INDEPENDENT, 'generate.py'))
 random_models = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(random_models)
 
-NAIVE = 'by scc and by the naive calculus of test/independent (Python, fractions), which agree on every transition'
-EXPLORED = 'by the naive exploration of test/independent, formulas sampled between all their changes; scc agrees'
+NAIVE = ('by scc and by the naive calculus of test/references/independent (Python, fractions), which agree on every '
+         'transition')
+EXPLORED = 'by the naive exploration of test/references/independent, formulas sampled between all their changes; scc agrees'
 EXPECTED = 'by hand, as written beside the check in specs/models'
 
 

@@ -1,0 +1,243 @@
+"""Storm, through stormpy, against the verdicts of scc check.
+
+The graph of each model is exported with its instants, in Storm's exact format (DRN) and as explicit files in Storm's
+dialect. An MDP without chance: EF p is that Pmax [F p] = 1, AF p that Pmin [F p] = 1, AG p that Pmin [G p] = 1, EG p
+that Pmax [G p] = 1. What is asked of formulas with nested operators is told by the export itself. Operators with a bound
+of time are decided by the least and the greatest time (the reward model) until the predicate is met.
+"""
+
+import json
+import re
+from fractions import Fraction
+
+import stormpy
+
+from common import MODELS, Run, models
+
+STATES = 20000
+
+# Models whose graph is not finite, with the bounds within which it is explored.
+BOUNDS = {
+    "figure1": ["--time", "20"],
+    "gas": ["--time", "1"],
+    "gravity": ["--time", "3"],
+}
+
+SIMPLE = re.compile(r"(possibly|always|eventually|EF|AG|AF|EG) (.*?)(?: within (\S+))?$")
+
+
+def number(value):
+    """A reward of Storm as a fraction, or None when it is infinite."""
+    text = str(value)
+    return None if "inf" in text else Fraction(text)
+
+
+class Storm:
+    """A model that Storm has read."""
+
+    def __init__(self, model):
+        self.model = model
+
+    def label(self, name):
+        # A label that holds nowhere is not in a DRN file.
+        if not self.model.labeling.contains_label(name):
+            self.model.labeling.add_label(name)
+        return f'"{name}"'
+
+    def ask(self, question):
+        formula = stormpy.parse_properties(question)[0]
+        return stormpy.model_checking(self.model, formula)
+
+    def value(self, question):
+        return self.ask(question).get_value(0)
+
+    def holds(self, question):
+        return bool(self.ask(question).get_truth_values_vector()[0])
+
+
+def unbounded(storm, operator, p):
+    """Whether the operator holds of the label p."""
+    question, wanted = {
+        "possibly": (f"Pmax=? [F {p}]", 1),
+        "EF": (f"Pmax=? [F {p}]", 1),
+        "eventually": (f"Pmin=? [F {p}]", 1),
+        "AF": (f"Pmin=? [F {p}]", 1),
+        "always": (f"Pmin=? [G {p}]", 1),
+        "AG": (f"Pmin=? [G {p}]", 1),
+        "EG": (f"Pmax=? [G {p}]", 1),
+    }[operator]
+    return storm.value(question) == wanted
+
+
+def least(storm, goal):
+    return number(storm.value(f'R{{"time"}}min=? [F {goal}]'))
+
+
+def greatest(storm, goal):
+    return number(storm.value(f'R{{"time"}}max=? [F {goal}]'))
+
+
+def below(a, b, or_equal):
+    return a is not None and (a < b or (or_equal and a == b))
+
+
+def reached_within(storm, goal, bound):
+    """EF [<= bound]. A stretch of time may begin right after the instant at which Storm meets it."""
+    attained = f'{goal} & !{storm.label("right_after")}'
+    return below(least(storm, goal), bound, False) or below(least(storm, attained), bound, True)
+
+
+def within(storm, operator, p, bound):
+    """The same with a bound of time; None where times alone do not tell."""
+    if operator == "possibly":
+        return reached_within(storm, p, bound)
+    if operator == "always":
+        return not reached_within(storm, f"!{p}", bound)
+    if operator == "eventually":
+        latest = greatest(storm, p)
+        if latest != bound:
+            return below(latest, bound, False)
+        attained = f'{p} & !{storm.label("right_after")}'
+        return True if greatest(storm, attained) == bound else None
+    return None
+
+
+def export(run, source, name, words):
+    """The model in both formats of Storm, and what the export says of it."""
+    drn, tra = run.path(name + ".drn"), run.path(name + ".tra")
+    for target, more in ((drn, []), (tra, ["--dialect", "storm"])):
+        result = run.call("explore", source, "-o", target, "--instants", *more, *words)
+        if result.returncode not in (0, 2):
+            run.ok(False, f"{name}: scc explore: {result.stderr.strip()}")
+            return None
+    exact = Storm(stormpy.build_model_from_drn[stormpy.Rational](drn))
+    floats = Storm(
+        stormpy.build_model_from_explicit(tra, run.path(name + ".lab"), choice_labeling=run.path(name + ".clab"))
+    )
+    with open(run.path(name + ".names.json"), encoding="utf-8") as file:
+        names = json.load(file)
+    return exact, floats, names
+
+
+def same_shape(run, name, exact, floats):
+    """Both formats tell of the same graph, and so does the file of states."""
+    with open(run.path(name + ".sta"), encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    shapes = {(m.model.nr_states, m.model.nr_transitions, m.model.nr_choices) for m in (exact, floats)}
+    run.ok(
+        len(shapes) == 1 and exact.model.nr_states == len(lines) - 1 and len(set(lines)) == len(lines),
+        f"{name}: the formats differ: {shapes}, {len(lines) - 1} states",
+    )
+
+
+def prism_dialect(run, source, name, words, storm):
+    """PRISM's dialect, read as its manual says, against what Storm has read in its own."""
+    tra = run.path(name + "-prism.tra")
+    run.call("explore", source, "-o", tra, "--instants", *words)
+    with open(tra, encoding="utf-8") as file:
+        states, choices, transitions = map(int, file.readline().split())
+        rows = [line.split() for line in file]
+    model = storm.model
+    matrix, first = model.transition_matrix, model.nondeterministic_choice_indices
+    read = {}
+    for i in range(model.nr_states):
+        for k, row in enumerate(range(first[i], first[i + 1])):
+            actions = sorted(model.choice_labeling.get_labels_of_choice(row))
+            read[i, k] = [(e.column, e.value) for e in matrix.get_row(row)] + actions
+    ok = (states, choices, transitions) == (model.nr_states, model.nr_choices, model.nr_transitions)
+    ok = ok and {(int(i), int(k)): [(int(j), float(p)), a] for i, k, j, p, a in rows} == read
+    run.ok(ok and len(rows) == transitions, f"{name}: transitions in PRISM's dialect")
+    with open(run.path(name + "-prism.lab"), encoding="utf-8") as file:
+        names = dict(entry.split("=") for entry in file.readline().split())
+        held = {int(i): {names[k].strip('"') for k in ks.split()} for i, ks in (line.split(":") for line in file)}
+    labels = {i: set(model.labeling.get_labels_of_state(i)) for i in range(model.nr_states)}
+    run.ok({i: held.get(i, set()) for i in labels} == labels, f"{name}: labels in PRISM's dialect")
+
+
+def compare(run, name, prop, question, exact, floats, truncated):
+    """One check: the verdict of scc, and what Storm says in each format."""
+    what = f"{name}.{prop['name']}"
+    verdict = prop["verdict"]
+    if verdict not in ("holds", "violated"):
+        run.skip(what, "no verdict that is a proof")
+        return None
+    expected = verdict == "holds"
+    simple = SIMPLE.match(prop["formula"])
+    bound = simple and simple.group(3)
+    answers = []
+    if question is not None and not truncated:
+        answers.append(floats.holds(question))
+        answers.append(exact.holds(prop["asked"]))
+    # States do not tell of events.
+    plain = not re.search(r"\bevent\b", prop["formula"])
+    one = plain and len(re.findall(r"\b(possibly|always|eventually|[AE][FGX])\b|U\[| U ", prop["formula"])) == 1
+    if simple and one:
+        operator, label = simple.group(1), f"check_{prop['name']}"
+        if bound is not None:
+            answers.append(within(exact, operator, exact.label(label), Fraction(bound)))
+        elif not truncated:
+            answers += [unbounded(m, operator, m.label(label)) for m in (exact, floats)]
+    if not answers:
+        why = "the graph is not finite" if truncated else "beyond labels and rewards"
+        run.skip(what, why)
+        return None
+    if None in answers:
+        run.skip(what, "the latest time is the bound itself")
+        return None
+    run.ok(all(a == expected for a in answers), f"{what}: scc: {expected}, Storm: {answers}: {prop['formula']}")
+    return answers
+
+
+def one(run, source, name, words):
+    report = run.verdicts(source, *words)
+    if report is None:
+        run.skip(name, "scc check refuses it")
+        return
+    exported = export(run, source, name, words)
+    if exported is None:
+        return
+    exact, floats, names = exported
+    same_shape(run, name, exact, floats)
+    prism_dialect(run, source, name, words, floats)
+    truncated = any("TRUNCATED" in note for note in names["notes"])
+    questions = {check["name"]: check["formula"] for check in names["checks"]}
+    with open(run.path(name + ".drn"), encoding="utf-8") as file:
+        asked = dict(re.findall(r"^// check (\S+): (.*)$", file.read(), re.M))
+    compared = 0
+    for prop in report["properties"]:
+        prop["asked"] = asked[prop["name"]]
+        if compare(run, name, prop, questions[prop["name"]], exact, floats, truncated) is not None:
+            compared += 1
+    total = len(report["properties"])
+    print(f"  {name:20} {exact.model.nr_states:6} states  {compared:3} of {total:3} formulas compared")
+
+
+def nested():
+    """Model by model, the checks of nested.txt."""
+    found = {}
+    with open("test/outside/tools/nested.txt", encoding="utf-8") as file:
+        for line in file:
+            if line.strip() and not line.startswith("#"):
+                model, formula = line.strip().split(": ", 1)
+                found.setdefault(model, []).append(formula)
+    return found
+
+
+def main():
+    run = Run("Storm against the verdicts of scc check")
+    for name in models():
+        words = ["--states", str(STATES)] + BOUNDS.get(name, [])
+        one(run, f"{MODELS}/{name}.sc", name, words)
+    for name, formulas in nested().items():
+        with open(f"{MODELS}/{name}.sc", encoding="utf-8") as file:
+            text = file.read()
+        lines = [line for line in text.splitlines() if not line.startswith("check ")]
+        lines += [f"check nested{i} : {formula}" for i, formula in enumerate(formulas, 1)]
+        source = run.path(name + "-nested.sc")
+        with open(source, "w", encoding="utf-8") as file:
+            file.write("\n".join(lines) + "\n")
+        one(run, source, name + "-nested", ["--states", str(STATES)])
+    run.end()
+
+
+main()
