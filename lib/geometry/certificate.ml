@@ -1,7 +1,7 @@
 open Scc_exact
 
 type t = {
-  s : Portal.t;
+  question : Question.t;
   line : line Lazy.t;
   speed_bound : float;  (** no coordinate of w is greater *)
 }
@@ -16,13 +16,10 @@ let line r w =
     let rw, scale = Ivec.of_vecs [| r; w |] in
     { offset = rw.(0); velocity = rw.(1); scale }
 
-let greatest (x : float array) at =
-  Float.max (Float.abs x.(at)) (Float.max (Float.abs x.(at + 1)) (Float.abs x.(at + 2)))
+let greatest (v : Shadow.floats) = Float.max (Float.abs v.x) (Float.max (Float.abs v.y) (Float.abs v.z))
 
-(* For a body at rest the place of the velocity is the search's own, and no bound holds. *)
-let make (s : Portal.t) r w =
-  let speed = greatest s.x Portal.velocity in
-  { s; line = lazy (line r w); speed_bound = (if speed > 0. then speed else infinity) }
+let make (question : Question.t) r w =
+  { question; line = lazy (line r w); speed_bound = greatest question.velocity }
 
 let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
 
@@ -34,8 +31,8 @@ let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
    centre, is off by at most
      3 u m (conversions) + 2 u m (subtractions), that is 5 u m (1 + small).
    Nothing overflows or comes near to the floats below the normal ones: the coordinates are 0 or between 2^-120
-   and 2^120 (Portal.make), so that differences of them are 0 or above 2^-173, and every product here has at most
-   three factors of that kind. The floats of integers are within 2 u of them, relatively. They may be great: a
+   and 2^120 (Question.make), so that differences of them are 0 or above 2^-173, and every product here has at
+   most three factors of that kind. The floats of integers are within 2 u of them, relatively. They may be great: a
    bound, 2^-48 of its products or so, is only trusted below 2^900, where no product overflows; so a direction that
    has no floats leaves the case open.
 
@@ -56,17 +53,32 @@ let largest = 0x1p900
 let[@inline] certain x bound =
   if bound < largest then if x > bound then 1 else if x < -.bound then -1 else 0 else 0
 
-(* A direction n with its floats. *)
-type floats = { x : float; y : float; z : float; norm1 : float }
-type axis = { n : Ivec.t; f : floats }
+(* A direction n with its floats and the sum of their sizes. *)
+type axis = { n : Ivec.t; f : Shadow.floats; norm1 : float }
 
 let axis (n : Ivec.t) =
   let x = Z.to_float n.x and y = Z.to_float n.y and z = Z.to_float n.z in
-  { n; f = { x; y; z; norm1 = Float.abs x +. Float.abs y +. Float.abs z } }
+  { n; f = { x; y; z }; norm1 = Float.abs x +. Float.abs y +. Float.abs z }
 
-let opposite d = { n = Ivec.neg d.n; f = { d.f with x = -.d.f.x; y = -.d.f.y; z = -.d.f.z } }
+let opposite d = { d with n = Ivec.neg d.n; f = { x = -.d.f.x; y = -.d.f.y; z = -.d.f.z } }
 
-let[@inline] float_dot f (x : float array) at = (x.(at) *. f.x) +. (x.(at + 1) *. f.y) +. (x.(at + 2) *. f.z)
+let[@inline] float_dot (f : Shadow.floats) (v : Shadow.floats) = (v.x *. f.x) +. (v.y *. f.y) +. (v.z *. f.z)
+
+(* {1 Points in floats} *)
+
+(* The first coordinates are looked up with a check; there are as many of the others. *)
+let[@inline] float_point c { Portal.of_a = i; of_b = j } : Shadow.floats =
+  let { Question.a; b; offset; _ } = c.question in
+  let a = a.shadow and b = b.shadow in
+  let x = a.xs.(i) -. b.xs.(j) in
+  let y = Array.unsafe_get a.ys i -. Array.unsafe_get b.ys j in
+  let z = Array.unsafe_get a.zs i -. Array.unsafe_get b.zs j in
+  { x = x -. offset.x; y = y -. offset.y; z = z -. offset.z }
+
+let float_centre c : Shadow.floats =
+  let { Question.a; b; offset; _ } = c.question in
+  let a = a.shadow and b = b.shadow in
+  { x = a.cx -. b.cx -. offset.x; y = a.cy -. b.cy -. offset.y; z = a.cz -. b.cz -. offset.z }
 
 (* {1 Exact points} *)
 
@@ -78,12 +90,12 @@ let lift c a da b db =
     (times l.scale (Ivec.sub (times db a) (times da b)))
     (times dab l.offset)
 
-let exact_point c k =
-  let s = c.s in
-  lift c s.a.vertices.(s.va.(k)) s.a.denominator s.b.vertices.(s.vb.(k)) s.b.denominator
+let exact_point c { Portal.of_a; of_b } =
+  let { Question.a; b; _ } = c.question in
+  lift c a.vertices.(of_a) a.denominator b.vertices.(of_b) b.denominator
 
 let exact_centre c =
-  let a = c.s.a.shadow and b = c.s.b.shadow in
+  let a = c.question.a.shadow and b = c.question.b.shadow in
   lift c a.centre a.centre_denominator b.centre b.centre_denominator
 
 let velocity c = (Lazy.force c.line).velocity
@@ -92,50 +104,46 @@ let velocity c = (Lazy.force c.line).velocity
 let by k x = if k == Z.one then x else Z.mul k x
 
 (* n.(a - b - r) times a positive number. *)
-let exact_product c n va vb =
-  let { Portal.a; b; _ } = c.s in
+let exact_product c n { Portal.of_a; of_b } =
+  let { Question.a; b; _ } = c.question in
   let l = Lazy.force c.line in
   let da = a.denominator and db = b.denominator in
-  let across = Z.sub (by db (Ivec.dot n a.vertices.(va))) (by da (Ivec.dot n b.vertices.(vb))) in
+  let across = Z.sub (by db (Ivec.dot n a.vertices.(of_a))) (by da (Ivec.dot n b.vertices.(of_b))) in
   Z.sub (by l.scale across) (by db (by da (Ivec.dot n l.offset)))
 
-(* The sign of n.p for point [k]. *)
-let side c { n; f } k =
-  let s = c.s in
-  let sign = certain (float_dot f s.x (Portal.point k)) (0x1p-48 *. f.norm1 *. s.bound) in
-  if sign <> 0 then sign else Z.sign (exact_product c n s.va.(k) s.vb.(k))
+(* The sign of n.p. *)
+let side c { n; f; norm1 } p =
+  let sign = certain (float_dot f (float_point c p)) (0x1p-48 *. norm1 *. c.question.bound) in
+  if sign <> 0 then sign else Z.sign (exact_product c n p)
 
-let along c { n; f } =
-  let sign = certain (float_dot f c.s.x Portal.velocity) (0x1p-48 *. f.norm1 *. c.speed_bound) in
+let along c { n; f; norm1 } =
+  let sign = certain (float_dot f c.question.velocity) (0x1p-48 *. norm1 *. c.speed_bound) in
   if sign <> 0 then sign else Z.sign (Ivec.dot n (velocity c))
 
-(* The sign of the determinant of the vectors at three places: in floats, or of the integers that [exact]
-   gives. *)
-let orientation c i j k bound exact =
-  let x = c.s.x in
+(* The sign of the determinant of three vectors, the first within [bound], as far as floats tell. *)
+let[@inline] orientation c (u : Shadow.floats) (v : Shadow.floats) (w : Shadow.floats) bound =
   let det =
-    (x.(i) *. ((x.(j + 1) *. x.(k + 2)) -. (x.(j + 2) *. x.(k + 1))))
-    +. (x.(i + 1) *. ((x.(j + 2) *. x.(k)) -. (x.(j) *. x.(k + 2))))
-    +. (x.(i + 2) *. ((x.(j) *. x.(k + 1)) -. (x.(j + 1) *. x.(k))))
+    (u.x *. ((v.y *. w.z) -. (v.z *. w.y)))
+    +. (u.y *. ((v.z *. w.x) -. (v.x *. w.z)))
+    +. (u.z *. ((v.x *. w.y) -. (v.y *. w.x)))
   in
-  let sign = certain det (0x1p-45 *. bound *. c.s.bound *. c.s.bound) in
-  if sign <> 0 then sign
-  else
-    let u, v, w = exact () in
-    Z.sign (Ivec.det u v w)
+  certain det (0x1p-45 *. bound *. c.question.bound *. c.question.bound)
 
-(* det (w, pi, pj) *)
-let turn c i j =
-  orientation c Portal.velocity (Portal.point i) (Portal.point j) c.speed_bound (fun () ->
-      (velocity c, exact_point c i, exact_point c j))
+(* That of a vector [u], which is [exact c], and two points with their floats, which pairs save making anew. *)
+let turn c u bound exact (p, fp) (q, fq) =
+  match orientation c u fp fq bound with
+  | 0 -> Z.sign (Ivec.det (exact c) (exact_point c p) (exact_point c q))
+  | sign -> sign
+
+let with_floats c p = (p, float_point c p)
 
 (* {1 Supporting planes} *)
 
 (* Whether no vertex of the solid is higher than [v] in the direction n, times [sign]. On a convex solid it is
    enough to look at the neighbours. That [known] is as high as [v] is known. *)
-let is_highest (s : Solid.t) v { n; f } sign ~known =
+let is_highest (s : Solid.t) v { n; f; norm1 } sign ~known =
   let { Shadow.xs; ys; zs; reach; _ } = s.shadow and { Topology.first; neighbour; _ } = s.topology in
-  let bound = 0x1p-48 *. reach *. f.norm1 in
+  let bound = 0x1p-48 *. reach *. norm1 in
   let nx = sign *. f.x and ny = sign *. f.y and nz = sign *. f.z in
   let vx = xs.(v) and vy = ys.(v) and vz = zs.(v) in
   let k = ref first.(v) and last = first.(v + 1) in
@@ -158,44 +166,36 @@ let is_highest (s : Solid.t) v { n; f } sign ~known =
 
 let nobody = -1
 
-type plane = { axis : axis; va : int; vb : int }
+(* With a point that it holds. *)
+type plane = { axis : axis; holds : Portal.point }
 
-let supporting c axis va vb =
-  if is_highest c.s.a va axis 1. ~known:nobody && is_highest c.s.b vb axis (-1.) ~known:nobody then
-    Some { axis; va; vb }
+let supporting c axis (p : Portal.point) =
+  let { Question.a; b; _ } = c.question in
+  if is_highest a p.of_a axis 1. ~known:nobody && is_highest b p.of_b axis (-1.) ~known:nobody then
+    Some { axis; holds = p }
   else None
 
 let normal p = p.axis.n
-
-(* Point 3 is free between searches. *)
-let height c p =
-  Portal.place c.s 3 p.va p.vb;
-  side c p.axis 3
-
+let height c p = side c p.axis p.holds
 let speed c p = along c p.axis
 
 (* {1 Separation} *)
 
 let short = 0x1p26
 
-(* The direction at a place as a short integer vector: its greatest coordinate becomes [size]. *)
-let shorten (x : float array) at size =
-  let k = size /. greatest x at in
+(* A direction as a short integer vector: its greatest coordinate becomes [size]. *)
+let shorten (v : Shadow.floats) size =
+  let k = size /. greatest v in
   let round y = int_of_float (Float.round (y *. k)) in
   axis
-    (if k < infinity && k > 0. then Ivec.of_ints (round x.(at)) (round x.(at + 1)) (round x.(at + 2))
+    (if k < infinity && k > 0. then Ivec.of_ints (round v.x) (round v.y) (round v.z)
      else Ivec.zero)
 
-let aim c { f; _ } =
-  let x = c.s.x in
-  x.(Portal.direction) <- f.x;
-  x.(Portal.direction + 1) <- f.y;
-  x.(Portal.direction + 2) <- f.z
-
-let supported c n =
-  aim c n;
-  Portal.support c.s 3;
-  if Ivec.is_zero n.n then None else supporting c n c.s.va.(3) c.s.vb.(3)
+let supported c ({ n; f; _ } as axis) =
+  if Ivec.is_zero n then None
+  else
+    let { Question.a; b; _ } = c.question and direction = [| f.x; f.y; f.z |] in
+    supporting c axis { of_a = Solid.highest a direction 1.; of_b = Solid.highest b direction (-1.) }
 
 (* For n.w >= 0 the obstacle stays behind the plane: with n.p <= 0 for all its points, the line never enters
    its interior. *)
@@ -206,87 +206,90 @@ let apart_forever c p = speed c p = 0 && height c p < 0
 (* A direction across w that was rounded, by at most 1/2 in each coordinate, may run against w by |w|1 / 2, which
    is at most 3/2 times the greatest coordinate of w; three times w over that coordinate, rounded as well, makes
    up for it. *)
-let separating c =
-  let n = shorten c.s.x Portal.direction short in
-  let n = if along c n >= 0 then n else axis (Ivec.add n.n (shorten c.s.x Portal.velocity 3.).n) in
+let separating c direction =
+  let n = shorten direction short in
+  let n = if along c n >= 0 then n else axis (Ivec.add n.n (shorten c.question.velocity 3.).n) in
   supported c n
 
 (* {1 The silhouette} *)
 
-(* p5 - p4, exactly, times a positive number. *)
-let edge c =
-  let { Portal.a; b; va; vb; _ } = c.s in
-  let of_a = Ivec.sub a.vertices.(va.(5)) a.vertices.(va.(4)) in
-  let of_b = Ivec.sub b.vertices.(vb.(5)) b.vertices.(vb.(4)) in
-  if vb.(4) = vb.(5) then of_a
-  else if va.(4) = va.(5) then Ivec.neg of_b
+(* From right to left, exactly, times a positive number. *)
+let extent c { Portal.right; left } =
+  let { Question.a; b; _ } = c.question in
+  let of_a = Ivec.sub a.vertices.(left.of_a) a.vertices.(right.of_a) in
+  let of_b = Ivec.sub b.vertices.(left.of_b) b.vertices.(right.of_b) in
+  if right.of_b = left.of_b then of_a
+  else if right.of_a = left.of_a then Ivec.neg of_b
   else Ivec.sub (times b.denominator of_a) (times a.denominator of_b)
 
 type beside = Never of plane | Crosses | Unknown
 
 (* The outward normal of the edge, seen along w. *)
-let beside c =
-  let n = axis (Ivec.cross (edge c) (velocity c)) in
+let beside c (edge : Portal.edge) =
+  let n = axis (Ivec.cross (extent c edge) (velocity c)) in
   if Ivec.is_zero n.n then Unknown
-  else if side c n 4 > 0 then Crosses
-  else match supporting c n c.s.va.(4) c.s.vb.(4) with Some p -> Never p | None -> Unknown
+  else if side c n edge.right > 0 then Crosses
+  else match supporting c n edge.right with Some p -> Never p | None -> Unknown
 
 (* {1 Facets} *)
 
-let distinct (v : int array) =
-  if v.(0) = v.(1) then if v.(1) = v.(2) then 1 else 2
-  else if v.(0) = v.(2) || v.(1) = v.(2) then 2
-  else 3
+(* How a portal carries a facet: what its corners are of, in either solid. *)
+type corners = Vertex of int | Edge of int * int | Triangle of int * int * int
 
-(* The two different entries of three. *)
-let two (v : int array) = if v.(0) = v.(1) then (v.(0), v.(2)) else (v.(0), v.(1))
+let corners i j k =
+  if i = j then if j = k then Vertex i else Edge (i, k)
+  else if i = k || j = k then Edge (i, j)
+  else Triangle (i, j, k)
 
-let level (s : Solid.t) n (v : int array) =
-  let at i = i = v.(0) || Z.equal (Ivec.dot n s.vertices.(i)) (Ivec.dot n s.vertices.(v.(0))) in
-  at v.(1) && at v.(2)
+let level (s : Solid.t) n i j k =
+  let at j = j = i || Z.equal (Ivec.dot n s.vertices.(j)) (Ivec.dot n s.vertices.(i)) in
+  at j && at k
 
 (* Along an edge, or across a face. *)
-let direction_between (s : Solid.t) (i, j) =
+let direction_between (s : Solid.t) i j =
   match Topology.edge_between s.topology i j with
   | Some e -> if s.topology.edges.(e).tail = i then s.directions.(e) else Ivec.neg s.directions.(e)
   | None -> Ivec.sub s.vertices.(j) s.vertices.(i)
 
+(* (q - p) x (r - p) *)
+let float_normal c { Portal.p; q; r } : Shadow.floats =
+  let p = float_point c p and q = float_point c q and r = float_point c r in
+  let ex = q.x -. p.x and ey = q.y -. p.y and ez = q.z -. p.z in
+  let fx = r.x -. p.x and fy = r.y -. p.y and fz = r.z -. p.z in
+  { x = (ey *. fz) -. (ez *. fy); y = (ez *. fx) -. (ex *. fz); z = (ex *. fy) -. (ey *. fx) }
+
 (* Two edges span the facet; which way is out, floats guess, and the neighbours prove. *)
-let across c a b =
-  let n = axis (Ivec.cross (direction_between c.s.a a) (direction_between c.s.b b)) in
-  let n = if float_dot n.f c.s.x Portal.direction < 0. then opposite n else n in
-  if
-    (not (Ivec.is_zero n.n))
-    && is_highest c.s.a (fst a) n 1. ~known:(snd a)
-    && is_highest c.s.b (fst b) n (-1.) ~known:(snd b)
-  then Some { axis = n; va = fst a; vb = fst b }
+let across c portal (i, i') (j, j') =
+  let { Question.a; b; _ } = c.question in
+  let n = axis (Ivec.cross (direction_between a i i') (direction_between b j j')) in
+  let n = if float_dot n.f (float_normal c portal) < 0. then opposite n else n in
+  if (not (Ivec.is_zero n.n)) && is_highest a i n 1. ~known:i' && is_highest b j n (-1.) ~known:j' then
+    Some { axis = n; holds = { of_a = i; of_b = j } }
   else None
 
 (* Three corners of one face of A, with one vertex of B or several of the same height; or the other way round;
    or two vertices of each. *)
-let facet c =
-  let { Portal.a; b; va; vb; _ } = c.s in
-  if va.(0) < 0 || va.(1) < 0 || va.(2) < 0 then None
-  else
-    match (distinct va, distinct vb) with
-    | 3, _ -> (
-        match Topology.common_face a.topology va.(0) va.(1) va.(2) with
-        | Some face ->
-          let n = axis a.normals.(face) in
-          if is_highest b vb.(0) n (-1.) ~known:nobody && level b n.n vb then
-            Some { axis = n; va = va.(0); vb = vb.(0) }
-          else None
-        | None -> None)
-    | _, 3 -> (
-        match Topology.common_face b.topology vb.(0) vb.(1) vb.(2) with
-        | Some face ->
-          let n = axis (Ivec.neg b.normals.(face)) in
-          if is_highest a va.(0) n 1. ~known:nobody && level a n.n va then
-            Some { axis = n; va = va.(0); vb = vb.(0) }
-          else None
-        | None -> None)
-    | 2, 2 -> across c (two va) (two vb)
-    | _ -> None
+let facet c ({ Portal.p; q; r } as portal) =
+  let { Question.a; b; _ } = c.question in
+  match (corners p.of_a q.of_a r.of_a, corners p.of_b q.of_b r.of_b) with
+  | Triangle (i, j, k), _ -> (
+      match Topology.common_face a.topology i j k with
+      | Some face ->
+        let n = axis a.normals.(face) in
+        if is_highest b p.of_b n (-1.) ~known:nobody && level b n.n p.of_b q.of_b r.of_b then
+          Some { axis = n; holds = p }
+        else None
+      | None -> None)
+  | _, Triangle (i, j, k) -> (
+      match Topology.common_face b.topology i j k with
+      | Some face ->
+        let n = axis (Ivec.neg b.normals.(face)) in
+        if is_highest a p.of_a n 1. ~known:nobody && level a n.n p.of_a q.of_a r.of_a then
+          Some { axis = n; holds = p }
+        else None
+      | None -> None)
+  | Edge (i, i'), Edge (j, j') -> across c portal (i, i') (j, j')
+  | Vertex _, _ | _, Vertex _ -> None
 
 (* {1 All facets that hold the origin}
 
@@ -320,73 +323,65 @@ let spanned (a : Solid.t) (b : Solid.t) e f =
     Some (if s > 0 then n else Ivec.neg n)
   else None
 
-let tight c k =
-  let { Portal.a; b; va; vb; _ } = c.s in
-  let i = va.(k) and j = vb.(k) in
+let tight c ({ Portal.of_a = i; of_b = j } as p) =
+  let { Question.a; b; _ } = c.question in
   let at_a = around a i and at_b = around b j in
   let of_a e =
     let n = axis a.normals.(face_leaving a i e) in
-    if side c n k = 0 && is_highest b j n (-1.) ~known:nobody then Some n.n else None
+    if side c n p = 0 && is_highest b j n (-1.) ~known:nobody then Some n.n else None
   in
   let from_a = List.filter_map of_a at_a in
   let of_b f =
     let n = axis (Ivec.neg b.normals.(face_leaving b j f)) in
     if
-      side c n k = 0 && is_highest a i n 1. ~known:nobody && not (List.exists (Ivec.equal n.n) from_a)
+      side c n p = 0 && is_highest a i n 1. ~known:nobody && not (List.exists (Ivec.equal n.n) from_a)
     then Some n.n
     else None
   in
-  let of_both e f = Option.bind (spanned a b e f) (fun n -> if side c (axis n) k = 0 then Some n else None) in
+  let of_both e f = Option.bind (spanned a b e f) (fun n -> if side c (axis n) p = 0 then Some n else None) in
   from_a
   @ List.filter_map of_b at_b
   @ List.concat_map (fun e -> List.filter_map (of_both e) at_b) at_a
 
 (* n.(a - b - r) = (n.w) t *)
 let time c f =
-  let { Portal.a; b; _ } = c.s in
+  let { Question.a; b; _ } = c.question in
   let n = f.axis.n in
-  Rat.make (exact_product c n f.va f.vb)
-    (by b.denominator (by a.denominator (Ivec.dot n (velocity c))))
+  Rat.make (exact_product c n f.holds) (by b.denominator (by a.denominator (Ivec.dot n (velocity c))))
 
-type crossing = Within | Border of int | Outside
+type crossing = Within | Border of Portal.point | Outside
 
-(* From the signs of the weights of the three corners, of which one is positive. *)
-let crossing_of q0 q1 q2 =
-  if q0 < 0 || q1 < 0 || q2 < 0 then Outside
-  else if q0 > 0 && q1 > 0 && q2 > 0 then Within
-  else if q0 > 0 then Border 0
-  else if q1 > 0 then Border 1
-  else if q2 > 0 then Border 2
+(* The line of a vector [u] through the origin, which runs with the normal of the portal ([sign] is 1) or against
+   it (-1): det (u, p, q) times [sign] is, up to a factor, the weight of the third corner, and of three weights one
+   is positive. *)
+let crossing_of c { Portal.p; q; r } u ~sign bound exact =
+  let at_p = with_floats c p and at_q = with_floats c q and at_r = with_floats c r in
+  let weight v w = sign * turn c u bound exact v w in
+  let at_p = weight at_q at_r and at_q = weight at_r at_p and at_r = weight at_p at_q in
+  if at_p < 0 || at_q < 0 || at_r < 0 then Outside
+  else if at_p > 0 && at_q > 0 && at_r > 0 then Within
+  else if at_p > 0 then Border p
+  else if at_q > 0 then Border q
+  else if at_r > 0 then Border r
   else Outside
 
-(* det (w, pi, pj) is, up to a factor, the weight of the third corner. *)
-let crossing c = crossing_of (-turn c 1 2) (-turn c 2 0) (-turn c 0 1)
+let crossing c portal =
+  crossing_of c portal c.question.velocity ~sign:(-1) c.speed_bound velocity
 
-let foot c f =
-  aim c f.axis;
-  let bound = greatest c.s.x Portal.direction in
-  let turn i j =
-    orientation c Portal.direction (Portal.point i) (Portal.point j) bound (fun () ->
-        (f.axis.n, exact_point c i, exact_point c j))
-  in
-  crossing_of (turn 1 2) (turn 2 0) (turn 0 1)
+let foot c f portal = crossing_of c portal f.axis.f ~sign:1 (greatest f.axis.f) (fun _ -> f.axis.n)
 
-let interior c =
-  let centre k =
-    orientation c Portal.velocity Portal.centre (Portal.point k) c.speed_bound (fun () ->
-        (velocity c, exact_centre c, exact_point c k))
+let interior c { Portal.right; left } =
+  let right = with_floats c right and left = with_floats c left in
+  let centre = float_centre c and w = c.question.velocity in
+  let along (p, floats) =
+    match orientation c w centre floats c.speed_bound with
+    | 0 -> Z.sign (Ivec.det (velocity c) (exact_centre c) (exact_point c p))
+    | sign -> sign
   in
-  turn c 4 5 > 0 && centre 4 >= 0 && centre 5 <= 0
+  turn c w c.speed_bound velocity right left > 0 && along right >= 0 && along left <= 0
 
-let inside c =
-  let { Portal.va; _ } = c.s in
-  let point k () = exact_point c k in
-  let cone i j =
-    orientation c Portal.centre (Portal.point i) (Portal.point j) c.s.bound (fun () ->
-        (exact_centre c, point i (), point j ()))
-  in
-  va.(0) >= 0
-  && orientation c (Portal.point 0) (Portal.point 1) (Portal.point 2) c.s.bound (fun () ->
-      (point 0 (), point 1 (), point 2 ()))
-     > 0
-  && cone 0 1 <= 0 && cone 1 2 <= 0 && cone 2 0 <= 0
+let inside c { Portal.p; q; r } =
+  let bound = c.question.bound and centre = float_centre c in
+  let ((_, corner) as p') = with_floats c p and q = with_floats c q and r = with_floats c r in
+  let cone p q = turn c centre bound exact_centre p q in
+  turn c corner bound (fun c -> exact_point c p) q r > 0 && cone p' q <= 0 && cone q r <= 0 && cone r p' <= 0

@@ -4,10 +4,10 @@
 open Scc_exact
 
 type t
-(** A query with its portal. *)
+(** A question. *)
 
-val make : Portal.t -> Vec.t -> Vec.t -> t
-(** [make s r w], with the offset and velocity that [s] was made with. *)
+val make : Question.t -> Vec.t -> Vec.t -> t
+(** [make question r w], with the offset and velocity of which the question has the floats. *)
 
 type plane
 (** A plane that is proved to support the obstacle, wherever B stands. *)
@@ -16,8 +16,7 @@ val normal : plane -> Ivec.t
 (** Outward. *)
 
 val height : t -> plane -> int
-(** The sign of n.p for the points p of the plane: positive when the origin is strictly on the inner side. This
-    and what uses it move the last support. *)
+(** The sign of n.p for the points p of the plane: positive when the origin is strictly on the inner side. *)
 
 val speed : t -> plane -> int
 (** The sign of n.w. *)
@@ -31,19 +30,19 @@ val apart : t -> plane -> bool
 val apart_forever : t -> plane -> bool
 (** Whether the plane keeps the closed bodies apart, now and at all times, past and to come. *)
 
-val separating : t -> plane option
-(** After [Apart]: a plane nearly across the direction. Moves the last support. *)
+val separating : t -> Shadow.floats -> plane option
+(** A plane nearly across the direction that seems to separate. *)
 
-(** What the edge of points 4 and 5 says of a line. *)
+(** What an edge says of a line. *)
 type beside =
   | Never of plane  (** it is an edge of the silhouette, and the line passes along it or outside *)
   | Crosses  (** the line passes strictly on the side of the centre *)
   | Unknown
 
-val beside : t -> beside
+val beside : t -> Portal.edge -> beside
 
-val facet : t -> plane option
-(** The plane of the portal, if it supports the obstacle and carries the three points. *)
+val facet : t -> Portal.triangle -> plane option
+(** The plane of a portal, if it supports the obstacle and carries the three points. *)
 
 val time : t -> plane -> Rat.t
 (** When the line crosses the plane. n.w is not 0. *)
@@ -52,23 +51,23 @@ val time : t -> plane -> Rat.t
     seen edge-on. *)
 type crossing =
   | Within  (** strictly inside *)
-  | Border of int  (** on its boundary; one of the corners that it is a combination of *)
+  | Border of Portal.point  (** on its boundary; one of the corners that it is a combination of *)
   | Outside
 
-val crossing : t -> crossing
+val crossing : t -> Portal.triangle -> crossing
 (** Of the line of a cast. *)
 
-val foot : t -> plane -> crossing
+val foot : t -> plane -> Portal.triangle -> crossing
 (** Of the line through the origin along the normal of the plane, which holds the origin. *)
 
-val tight : t -> int -> Ivec.t list
-(** [tight c k], when {!foot} is [Border k] in a plane that holds the origin: the normals of all facets that
+val tight : t -> Portal.point -> Ivec.t list
+(** [tight c p], when {!foot} is [Border p] in a plane that holds the origin: the normals of all facets that
     hold the origin, outward and primitive, each once. *)
 
-val interior : t -> bool
-(** Whether the line of a cast passes between points 4 and 5 as seen from the centre, and strictly before them:
-    then it runs through the interior of the obstacle. *)
+val interior : t -> Portal.edge -> bool
+(** Whether the line of a cast passes between the ends of the edge as seen from the centre, and strictly before
+    them: then it runs through the interior of the obstacle. *)
 
-val inside : t -> bool
-(** After [Inside]: whether the origin lies in the cone from the centre over the portal and strictly before it:
+val inside : t -> Portal.triangle -> bool
+(** Whether the origin lies in the cone from the centre over the portal and strictly before it:
     then it is in the interior of the obstacle. *)

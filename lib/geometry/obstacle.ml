@@ -6,11 +6,12 @@ type facet = Minkowski.facet = { normal : Ivec.t; num : Z.t; den : Z.t }
    as well: the pair has moved a little, or another pair of the same solids is as far apart. *)
 type memory = {
   mutable plane : Certificate.plane option;  (** kept the two apart *)
-  mutable portal : portal option;  (** was entered *)
+  mutable entrance : entrance option;
   mutable contact : contact option;
 }
 
-and portal = { carrier : Certificate.plane; va : int array; vb : int array }
+(* A portal that was entered, and the plane of the facet that it carries. *)
+and entrance = { carrier : Certificate.plane; portal : Portal.triangle }
 
 (* At this very offset (in memory) the two touch, and these are the normals of the facets that hold it: who has
    asked whether bodies touch asks next how. *)
@@ -19,15 +20,11 @@ and contact = { at : Vec.t; normals : Ivec.t list Lazy.t }
 type t = { a : Solid.t; b : Solid.t; all : Facets.t Lazy.t; guess : Portal.guess; memory : memory }
 
 let make ?(guess = Portal.guess) a b =
-  { a; b; all = lazy (Facets.make a b); guess; memory = { plane = None; portal = None; contact = None } }
+  { a; b; all = lazy (Facets.make a b); guess; memory = { plane = None; entrance = None; contact = None } }
 
 let facets o = Facets.facets (Lazy.force o.all)
 
 let keep_plane o p = o.memory.plane <- Some p
-
-let keep_portal o carrier (s : Portal.t) =
-  let first (v : int array) = [| v.(0); v.(1); v.(2) |] in
-  o.memory.portal <- Some { carrier; va = first s.va; vb = first s.vb }
 
 type relation = Facets.relation = Apart | Touching | Interpenetrating
 type cast = Facets.cast = Never | Inside | At of Rat.t
@@ -42,7 +39,7 @@ let[@inline] beyond error r low_a high_a low_b high_b =
    twice that and a few u for the root; the bound is 32 u. What is not sane compares as false. *)
 let at_first_sight o (r : Shadow.floats) =
   let a = o.a.shadow and b = o.b.shadow in
-  let error = 0x1p-48 *. Portal.bound_on o.a o.b r in
+  let error = 0x1p-48 *. Question.bound_on o.a o.b r in
   if
     beyond error r.x a.low.x a.high.x b.low.x b.high.x
     || beyond error r.y a.low.y a.high.y b.low.y b.high.y
@@ -59,30 +56,30 @@ let at_first_sight o (r : Shadow.floats) =
    origin and where it does. *)
 type found = Apart_by of Certificate.plane | Overlap | Contact of Certificate.plane * Certificate.crossing | Open
 
-let overlap c = if Certificate.inside c then Overlap else Open
+let overlap c portal = if Certificate.inside c portal then Overlap else Open
 
-let settle c (search : Portal.search) =
-  match search with
-  | Inside -> overlap c
-  | Through -> (
-      match Certificate.facet c with
+let settle c (guess : Portal.place) =
+  match guess with
+  | Inside portal -> overlap c portal
+  | Facing portal -> (
+      match Certificate.facet c portal with
       | None -> Open
       | Some f -> (
           match Certificate.height c f with
           | 0 -> (
-              match Certificate.foot c f with
+              match Certificate.foot c f portal with
               | Outside -> Open
               | (Within | Border _) as crossing -> Contact (f, crossing))
           | h when h < 0 -> Apart_by f
-          | _ -> overlap c))
-  | Apart | Beside | Lost -> Open
+          | _ -> overlap c portal))
+  | Apart _ | Lost -> Open
 
-let locate o c s =
-  match o.guess.locate s ~hasty:true with
-  | Apart -> (
-      match Certificate.separating c with
+let locate o c question =
+  match o.guess.locate question ~hasty:true with
+  | Apart direction -> (
+      match Certificate.separating c direction with
       | Some p when Certificate.apart c p -> Apart_by p
-      | Some _ | None -> settle c (o.guess.locate s ~hasty:false))
+      | Some _ | None -> settle c (o.guess.locate question ~hasty:false))
   | found -> settle c found
 
 let keep_contact o r c f crossing =
@@ -90,18 +87,18 @@ let keep_contact o r c f crossing =
     lazy
       (match (crossing : Certificate.crossing) with
        | Within -> [ Ivec.primitive (Certificate.normal f) ]
-       | Border k -> Certificate.tight c k
+       | Border p -> Certificate.tight c p
        | Outside -> Scc_base.Bug.fail __POS__ "a contact outside of its portal")
   in
   o.memory.contact <- Some { at = r; normals };
   normals
 
-let relation_by_search o r s =
-  let c = Certificate.make s r Vec.zero in
+let relation_by_search o r question =
+  let c = Certificate.make question r Vec.zero in
   match o.memory.plane with
   | Some p when Certificate.apart c p -> Apart
   | Some _ | None -> (
-      match locate o c s with
+      match locate o c question with
       | Apart_by p ->
         keep_plane o p;
         Apart
@@ -118,17 +115,17 @@ let relation o r =
   match at_first_sight o floats with
   | Some relation -> relation
   | None -> (
-      match Portal.make o.a o.b floats still with
+      match Question.make o.a o.b floats still with
       | None -> Facets.relation (Lazy.force o.all) r
-      | Some s -> relation_by_search o r s)
+      | Some question -> relation_by_search o r question)
 
 let separating_by_search o r =
   let by_facets () = Facets.separating (Lazy.force o.all) r in
-  match Portal.make o.a o.b (Shadow.floats r) still with
+  match Question.make o.a o.b (Shadow.floats r) still with
   | None -> by_facets ()
-  | Some s -> (
-      let c = Certificate.make s r Vec.zero in
-      match settle c (o.guess.locate s ~hasty:false) with
+  | Some question -> (
+      let c = Certificate.make question r Vec.zero in
+      match settle c (o.guess.locate question ~hasty:false) with
       | Contact (f, crossing) -> Lazy.force (keep_contact o r c f crossing)
       | Apart_by _ | Overlap | Open -> by_facets ())
 
@@ -149,16 +146,16 @@ let approaching o r w =
 type passage = Misses of Certificate.plane | Enters of Certificate.plane | Unknown
 
 (* Whether the line runs through the interior: strictly inside of a facet it does. *)
-let pierces c =
-  match Certificate.crossing c with
+let pierces c portal edge =
+  match Certificate.crossing c portal with
   | Outside -> false
   | Within -> true
-  | Border _ -> Certificate.interior c
+  | Border _ -> Certificate.interior c edge
 
-let entry o c s =
-  match Certificate.facet c with
-  | Some f when Certificate.speed c f < 0 && pierces c ->
-    keep_portal o f s;
+let entry o c portal edge =
+  match Certificate.facet c portal with
+  | Some f when Certificate.speed c f < 0 && pierces c portal edge ->
+    o.memory.entrance <- Some { carrier = f; portal };
     Enters f
   | Some _ | None -> Unknown
 
@@ -166,39 +163,38 @@ let misses o p =
   keep_plane o p;
   Misses p
 
-let rec follow o c s (search : Portal.search) =
-  match search with
-  | Apart -> (
-      match Certificate.separating c with
+let rec follow o c question (guess : Portal.line) =
+  match guess with
+  | Apart direction -> (
+      match Certificate.separating c direction with
       | Some p when Certificate.never c p -> misses o p
-      | Some _ | None -> patiently o c s)
-  | Beside -> (
-      match Certificate.beside c with
+      | Some _ | None -> patiently o c question)
+  | Beside edge -> (
+      match Certificate.beside c edge with
       | Never p -> misses o p
       | Crosses -> (
-          match o.guess.through s with
-          | Through -> entry o c s
-          | Apart | Beside | Inside | Lost -> Unknown)
+          match o.guess.through question edge with
+          | Through { portal; edge } -> entry o c portal edge
+          | Apart _ | Beside _ | Lost -> Unknown)
       | Unknown -> Unknown)
-  | Through -> entry o c s
-  | Inside | Lost -> Unknown
+  | Through { portal; edge } -> entry o c portal edge
+  | Lost -> Unknown
 
-and patiently o c s =
-  match o.guess.cast s ~hasty:false with
-  | Apart -> Unknown
-  | search -> follow o c s search
+and patiently o c question =
+  match o.guess.cast question ~hasty:false with
+  | Apart _ -> Unknown
+  | guess -> follow o c question guess
 
-let remembered o c s =
-  match (o.memory.plane, o.memory.portal) with
+let remembered o c =
+  match (o.memory.plane, o.memory.entrance) with
   | Some p, _ when Certificate.never c p -> Misses p
-  | _, Some { carrier; va; vb } when Certificate.speed c carrier < 0 ->
-    Array.iteri (fun k i -> Portal.place s k i vb.(k)) va;
-    (match Certificate.crossing c with Within -> Enters carrier | Border _ | Outside -> Unknown)
+  | _, Some { carrier; portal } when Certificate.speed c carrier < 0 -> (
+      match Certificate.crossing c portal with Within -> Enters carrier | Border _ | Outside -> Unknown)
   | _ -> Unknown
 
-let passage o c s =
-  match remembered o c s with
-  | Unknown -> follow o c s (o.guess.cast s ~hasty:true)
+let passage o c question =
+  match remembered o c with
+  | Unknown -> follow o c question (o.guess.cast question ~hasty:true)
   | known -> known
 
 let inside_now o r =
@@ -208,11 +204,11 @@ let inside_now o r =
 
 let moving_contact o r w =
   let by_facets () = Facets.first_time_of_contact (Lazy.force o.all) r w in
-  match Portal.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
+  match Question.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
   | None -> by_facets ()
-  | Some s -> (
-      let c = Certificate.make s r w in
-      match passage o c s with
+  | Some question -> (
+      let c = Certificate.make question r w in
+      match passage o c question with
       | Misses _ -> Never
       | Unknown -> by_facets ()
       | Enters f when Certificate.height c f <= 0 -> At (Certificate.time c f)
@@ -224,11 +220,11 @@ let first_time_of_contact o r w = if Vec.is_zero w then inside_now o r else movi
    grazes it is left to all facets. *)
 let moving_meeting o r w =
   let passage w =
-    match Portal.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
+    match Question.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
     | None -> (None, Unknown)
-    | Some s ->
-      let c = Certificate.make s r w in
-      (Some c, patiently o c s)
+    | Some question ->
+      let c = Certificate.make question r w in
+      (Some c, patiently o c question)
   in
   let by_facets () = Facets.meeting (Lazy.force o.all) r w in
   match passage w with

@@ -1,3 +1,19 @@
+type point = { of_a : int; of_b : int }
+type triangle = { p : point; q : point; r : point }
+type edge = { right : point; left : point }
+
+type line =
+  | Apart of Shadow.floats
+  | Beside of edge
+  | Through of { portal : triangle; edge : edge }
+  | Lost
+
+type place = Apart of Shadow.floats | Inside of triangle | Facing of triangle | Lost
+
+(* {1 The memory of a search}
+
+   Vectors of three floats each, at places in [x]; and of the points 0 to 5 the vertices that make them: 0 to 2 are
+   the portal, 3 the last support, 4 and 5 the edge, 5 on the left. *)
 type t = {
   a : Solid.t;
   b : Solid.t;
@@ -5,40 +21,29 @@ type t = {
   va : int array;
   vb : int array;
   bound : float;
-  mutable hasty : bool;
+  hasty : bool;  (** a plane that seems to separate ends the search *)
 }
 
-let direction = 0
+let direction = 0  (* the last in which a support was taken *)
 let velocity = 3
 let centre = 6
 let point k = 9 + (3 * k)
 let last = 3
 let offset = 9 + (3 * 6)
 
-let greatest (v : Shadow.floats) = Float.max (Float.abs v.x) (Float.max (Float.abs v.y) (Float.abs v.z))
-let bound_on (a : Solid.t) (b : Solid.t) r = a.shadow.reach +. b.shadow.reach +. greatest r
-
-let make (a : Solid.t) (b : Solid.t) (r : Shadow.floats) (w : Shadow.floats) =
-  let { Shadow.x = rx; y = ry; z = rz } = r and { Shadow.x = wx; y = wy; z = wz } = w in
-  let sa = a.shadow and sb = b.shadow in
-  if
-    not
-      (sa.usable && sb.usable && Shadow.sane rx && Shadow.sane ry && Shadow.sane rz && Shadow.sane wx
-       && Shadow.sane wy && Shadow.sane wz)
-  then None
-  else begin
-    (* What is not set yet is filled with anything: an array written out is made without a call. *)
-    let cx = sa.cx -. sb.cx -. rx and cy = sa.cy -. sb.cy -. ry and cz = sa.cz -. sb.cz -. rz in
-    let x =
-      [|
-        rx; rx; rx; wx; wy; wz; cx; cy; cz;
-        rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; ry; rz;
-      |]
-    in
-    let none = Sys.opaque_identity 0 in
-    let va = [| none; none; none; none; none; none |] and vb = [| none; none; none; none; none; none |] in
-    Some { a; b; x; va; vb; bound = bound_on a b r; hasty = true }
-  end
+(* What is not set yet is filled with anything: an array written out is made without a call. *)
+let start { Question.a; b; offset = r; velocity = w; bound } ~hasty =
+  let sa = a.shadow and sb = b.shadow and { Shadow.x = rx; y = ry; z = rz } = r in
+  let cx = sa.cx -. sb.cx -. rx and cy = sa.cy -. sb.cy -. ry and cz = sa.cz -. sb.cz -. rz in
+  let x =
+    [|
+      rx; rx; rx; w.x; w.y; w.z; cx; cy; cz;
+      rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; ry; rz;
+    |]
+  in
+  let none = Sys.opaque_identity 0 in
+  let va = [| none; none; none; none; none; none |] and vb = [| none; none; none; none; none; none |] in
+  { a; b; x; va; vb; bound; hasty }
 
 (* {1 Vectors by place}
 
@@ -112,33 +117,6 @@ let aim_unless_noise s dx dy dz scale =
 
 (* {1 Supports} *)
 
-(* The loop where most of the time of a query goes does without checks: a shadow's arrays have as many entries as
-   the solid has vertices, and the numbers of vertices come from the solid. Each factor that changes stands
-   first, which saves the compiler a copy.
-
-   The vertex that is highest in the direction, times [sign]: the way leads uphill, from where the compass
-   points, to a vertex without a higher neighbour, which in a convex solid is the highest. *)
-let climb (s : Solid.t) (x : float array) sign =
-  let dx = get x direction *. sign
-  and dy = get x (direction + 1) *. sign
-  and dz = get x (direction + 2) *. sign in
-  let { Shadow.xs; ys; zs; compass; _ } = s.shadow and { Topology.first; neighbour; _ } = s.topology in
-  let start = Compass.look compass dx dy dz in
-  let at = ref (-1) and best = ref start in
-  let height = ref ((get xs start *. dx) +. (get ys start *. dy) +. (get zs start *. dz)) in
-  while !at <> !best do
-    at := !best;
-    for k = Array.unsafe_get first !at to Array.unsafe_get first (!at + 1) - 1 do
-      let i = Array.unsafe_get neighbour k in
-      let h = (get xs i *. dx) +. (get ys i *. dy) +. (get zs i *. dz) in
-      if h > !height then begin
-        best := i;
-        height := h
-      end
-    done
-  done;
-  !best
-
 let place s k i j =
   let x = s.x in
   let a = s.a.shadow and b = s.b.shadow in
@@ -152,7 +130,7 @@ let place s k i j =
 
 let support s k =
   let x = s.x in
-  place s k (climb s.a x 1.) (climb s.b x (-1.))
+  place s k (Solid.highest s.a x 1.) (Solid.highest s.b x (-1.))
 
 let copy s k l =
   let x = s.x in
@@ -171,7 +149,8 @@ let p3 = point 3
 let p4 = point 4
 let p5 = point 5
 
-type search = Apart | Beside | Through | Inside | Lost
+(* How a search ends; what was found is in its memory. *)
+type ending = Separates | Past_edge | At_facet | Encloses | Nowhere
 
 (* What a product of the direction with a point, or with a difference of points, may be off by, so that less
    is no progress. *)
@@ -191,16 +170,16 @@ let rounds = 100
    until no point is beyond the portal. *)
 let rec towards_facet s ~stop round =
   let x = s.x in
-  if round = 0 then Lost
+  if round = 0 then Nowhere
   else begin
     aim_normal x p0 p1 p2;
     let height = product x direction p0 in
-    if stop && height > noise s then Inside
+    if stop && height > noise s then Encloses
     else begin
       support s last;
       let top = product x direction p3 in
-      if stop && s.hasty && top < -.noise s then Apart
-      else if same_as s 0 || same_as s 1 || same_as s 2 || top -. height <= noise s then Through
+      if stop && s.hasty && top < -.noise s then Separates
+      else if same_as s 0 || same_as s 1 || same_as s 2 || top -. height <= noise s then At_facet
       else begin
         (* det (w, p3, pi) *)
         let wx = get x velocity and wy = get x (velocity + 1) and wz = get x (velocity + 2) in
@@ -231,7 +210,7 @@ and replace s ~stop k round =
    Seen along w, the obstacle is a convex polygon with the centre c inside, and the line a point, the origin.
    The points 4 and 5 have the ray from c through the origin pass between them, 5 on the left of 4. *)
 
-let through s =
+let through_edge s =
   let x = s.x in
   let c = centre and p = p0 in
   x.(p) <- x.(c);
@@ -246,16 +225,16 @@ let through s =
 (* The edge from 4 to 5 moves outwards until the origin is on this side of it, or nothing is on the other. *)
 let rec across_edge s round =
   let x = s.x in
-  if round = 0 then Lost
+  if round = 0 then Nowhere
   else begin
     aim_across x (-1.) p4 p5;
     let height = product x direction p4 in
-    if height > noise s then through s
+    if height > noise s then through_edge s
     else begin
       support s last;
       let top = product x direction p3 in
-      if s.hasty && top < -.noise s then Apart
-      else if same_as s 4 || same_as s 5 || top -. height <= noise s then Beside
+      if s.hasty && top < -.noise s then Separates
+      else if same_as s 4 || same_as s 5 || top -. height <= noise s then Past_edge
       else begin
         copy s last (if det x velocity centre p3 >= 0. then 4 else 5);
         across_edge s (round - 1)
@@ -267,11 +246,11 @@ let rec across_edge s round =
    side of the origin. *)
 let rec other_side s k round =
   let x = s.x in
-  if round = 0 then Lost
+  if round = 0 then Nowhere
   else begin
     aim_across x k centre p4;
     support s 5;
-    if s.hasty && product x direction p5 < -.noise s then Apart
+    if s.hasty && product x direction p5 < -.noise s then Separates
     else if k *. det x velocity centre p5 > 0. then begin
       copy s 5 4;
       other_side s k (round - 1)
@@ -294,19 +273,18 @@ let follow s ww cw =
   and dz = (cw *. x.(velocity + 2)) -. (ww *. x.(centre + 2)) in
   aim_unless_noise s dx dy dz (ww *. size x centre);
   support s 4;
-  if s.hasty && product x direction p4 < -.noise s then Apart
+  if s.hasty && product x direction p4 < -.noise s then Separates
   else other_side s (if det x velocity centre p4 >= 0. then 1. else -1.) rounds
 
-let cast s ~hasty =
+let search_line s =
   let x = s.x in
-  s.hasty <- hasty;
   let ww = product x velocity velocity and cw = product x centre velocity in
-  if cw > 0. || not hasty then follow s ww cw
+  if cw > 0. || not s.hasty then follow s ww cw
   else begin
     (* away from c: already apart, most of the time *)
     aim_away s;
     support s last;
-    if product x direction p3 < -.noise s then Apart else follow s ww cw
+    if product x direction p3 < -.noise s then Separates else follow s ww cw
   end
 
 (* {1 A point}
@@ -316,11 +294,11 @@ let cast s ~hasty =
 
 let rec find_portal s round =
   let x = s.x in
-  if round = 0 then Lost
+  if round = 0 then Nowhere
   else begin
     aim_normal x centre p0 p1;
     support s 2;
-    if s.hasty && product x direction p2 < -.noise s then Apart
+    if s.hasty && product x direction p2 < -.noise s then Separates
     else if det x centre p0 p2 < 0. then begin
       copy s 2 1;
       find_portal s (round - 1)
@@ -335,23 +313,22 @@ let rec find_portal s round =
     end
   end
 
-let locate s ~hasty =
+let search_origin s =
   let x = s.x in
-  s.hasty <- hasty;
   let c = centre in
   x.(velocity) <- x.(c);
   x.(velocity + 1) <- x.(c + 1);
   x.(velocity + 2) <- x.(c + 2);
   aim_away s;
   support s 0;
-  if s.hasty && product x direction p0 < -.noise s then Apart
+  if s.hasty && product x direction p0 < -.noise s then Separates
   else begin
     let dx = (x.(c + 1) *. x.(p0 + 2)) -. (x.(c + 2) *. x.(p0 + 1))
     and dy = (x.(c + 2) *. x.(p0)) -. (x.(c) *. x.(p0 + 2))
     and dz = (x.(c) *. x.(p0 + 1)) -. (x.(c + 1) *. x.(p0)) in
     aim_unless_noise s dx dy dz (size x c *. size x p0);
     support s 1;
-    if s.hasty && product x direction p1 < -.noise s then Apart
+    if s.hasty && product x direction p1 < -.noise s then Separates
     else begin
       if det x centre p0 p1 > 0. then begin
         copy s 0 last;
@@ -362,6 +339,46 @@ let locate s ~hasty =
     end
   end
 
-type guess = { cast : t -> hasty:bool -> search; through : t -> search; locate : t -> hasty:bool -> search }
+(* {1 What was found} *)
+
+let made s k = { of_a = s.va.(k); of_b = s.vb.(k) }
+let edge s = { right = made s 4; left = made s 5 }
+let aimed s : Shadow.floats = { x = s.x.(direction); y = s.x.(direction + 1); z = s.x.(direction + 2) }
+
+(* A corner that is still the centre is no vertex of either. *)
+let portal s =
+  if s.va.(0) < 0 || s.va.(1) < 0 || s.va.(2) < 0 then None
+  else Some { p = made s 0; q = made s 1; r = made s 2 }
+
+let line s ending : line =
+  match ending with
+  | Separates -> Apart (aimed s)
+  | Past_edge -> Beside (edge s)
+  | At_facet -> ( match portal s with Some portal -> Through { portal; edge = edge s } | None -> Lost)
+  | Encloses | Nowhere -> Lost
+
+let cast question ~hasty =
+  let s = start question ~hasty in
+  line s (search_line s)
+
+let through question { right; left } =
+  let s = start question ~hasty:false in
+  place s 4 right.of_a right.of_b;
+  place s 5 left.of_a left.of_b;
+  line s (through_edge s)
+
+let locate question ~hasty : place =
+  let s = start question ~hasty in
+  match search_origin s with
+  | Separates -> Apart (aimed s)
+  | Past_edge | Nowhere -> Lost
+  | At_facet -> ( match portal s with Some portal -> Facing portal | None -> Lost)
+  | Encloses -> ( match portal s with Some portal -> Inside portal | None -> Lost)
+
+type guess = {
+  cast : Question.t -> hasty:bool -> line;
+  through : Question.t -> edge -> line;
+  locate : Question.t -> hasty:bool -> place;
+}
 
 let guess = { cast; through; locate }

@@ -67,3 +67,31 @@ let corners s = function
     let v, w = s.polyhedron.edges.(i) in
     [ v; w ]
   | Feature.Face i -> Array.to_list (snd s.polyhedron.faces.(i))
+
+let[@inline] get (a : float array) i = Array.unsafe_get a i
+
+(* The loop where most of the time of a contact query goes does without checks: a shadow's arrays have as many
+   entries as the solid has vertices, and the numbers of vertices come from the solid. Each factor that changes
+   stands first, which saves the compiler a copy.
+
+   The way leads uphill, from where the compass points, to a vertex without a higher neighbour, which in a convex
+   solid is the highest. *)
+let highest s (direction : float array) sign =
+  let dz = direction.(2) *. sign in
+  let dx = get direction 0 *. sign and dy = get direction 1 *. sign in
+  let { Shadow.xs; ys; zs; compass; _ } = s.shadow and { Topology.first; neighbour; _ } = s.topology in
+  let start = Compass.look compass dx dy dz in
+  let at = ref (-1) and best = ref start in
+  let height = ref ((get xs start *. dx) +. (get ys start *. dy) +. (get zs start *. dz)) in
+  while !at <> !best do
+    at := !best;
+    for k = Array.unsafe_get first !at to Array.unsafe_get first (!at + 1) - 1 do
+      let i = Array.unsafe_get neighbour k in
+      let h = (get xs i *. dx) +. (get ys i *. dy) +. (get zs i *. dz) in
+      if h > !height then begin
+        best := i;
+        height := h
+      end
+    done
+  done;
+  !best

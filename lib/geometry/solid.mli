@@ -29,3 +29,7 @@ val vertex : t -> int -> Vec.t
 
 val corners : t -> Feature.t -> int list
 (** The vertices of a feature; those of a face in its order. *)
+
+val highest : t -> float array -> float -> int
+(** [highest s direction sign]: the vertex that is highest in the direction, which the first three numbers are,
+    times [sign]; up to rounding, and any vertex if these are no numbers. *)

@@ -23,39 +23,100 @@ let neighbour st (s : Solid.t) v =
   let { Topology.first; neighbour; _ } = s.topology in
   neighbour.(first.(v) + Random.State.int st (first.(v + 1) - first.(v)))
 
-(* Point [k] elsewhere: nearby, most of the time. *)
-let move st (s : Portal.t) k =
-  let i = s.va.(k) and j = s.vb.(k) and l = Random.State.int st 6 in
-  match Random.State.int st 6 with
-  | 0 -> Portal.place s k (neighbour st s.a i) j
-  | 1 -> Portal.place s k i (neighbour st s.b j)
-  | 2 -> Portal.place s k (neighbour st s.a i) (neighbour st s.b j)
-  | 3 -> Portal.place s k s.va.(l) j
-  | 4 -> Portal.place s k i s.vb.(l)
-  | _ -> Portal.place s k (any st s.a) (any st s.b)
+let chance st n = Random.State.int st n = 0
 
-let scramble st (s : Portal.t) (found : Portal.search) : Portal.search =
-  let chance n = Random.State.int st n = 0 in
-  (* The centre is no vertex, and points that the search has not used have no place yet. *)
-  for k = 0 to 5 do
-    Portal.place s k (Int.max 0 s.va.(k)) (Int.max 0 s.vb.(k))
-  done;
-  if chance 2 then move st s (Random.State.int st 6);
-  if chance 3 then for k = 0 to 5 do if chance 2 then move st s k done;
-  if chance 3 then for k = 0 to 2 do s.x.(Portal.direction + k) <- number st done;
-  match Random.State.int st 8 with
-  | 0 -> Apart
-  | 1 -> Beside
-  | 2 -> Inside
-  | 3 -> Through
-  | _ -> found
+(* A point elsewhere: nearby, most of the time. *)
+let moved st (question : Question.t) ({ of_a; of_b } : Portal.point) : Portal.point =
+  match Random.State.int st 4 with
+  | 0 -> { of_a = neighbour st question.a of_a; of_b }
+  | 1 -> { of_a; of_b = neighbour st question.b of_b }
+  | 2 -> { of_a = neighbour st question.a of_a; of_b = neighbour st question.b of_b }
+  | _ -> { of_a = any st question.a; of_b = any st question.b }
+
+(* Points like the given ones: moved, or mixed with each other. *)
+let scrambled st question points =
+  let pick () = points.(Random.State.int st (Array.length points)) in
+  let mixed (p : Portal.point) : Portal.point =
+    if chance st 2 then { p with of_a = (pick ()).Portal.of_a } else { p with of_b = (pick ()).of_b }
+  in
+  let some = chance st 2 and many = chance st 3 in
+  let change p = if chance st 2 then moved st question p else mixed p in
+  let one = Random.State.int st (Array.length points) in
+  Array.mapi (fun k p -> if (some && k = one) || (many && chance st 2) then change p else p) points
+
+(* The points and the direction of a guess; what it has not comes by chance. *)
+type parts = { portal : Portal.triangle; edge : Portal.edge; direction : Shadow.floats }
+
+let any_point st (question : Question.t) : Portal.point =
+  { of_a = any st question.a; of_b = any st question.b }
+
+let any_direction st : Shadow.floats =
+  let x = number st in
+  let y = number st in
+  { x; y; z = number st }
+
+let any_triangle st question : Portal.triangle =
+  let p = any_point st question in
+  { p; q = moved st question p; r = moved st question p }
+
+let any_edge st question : Portal.edge =
+  let right = any_point st question in
+  { right; left = moved st question right }
+
+let scramble st question { portal = { p; q; r }; edge = { right; left }; direction } =
+  let points = scrambled st question [| p; q; r; right; left |] in
+  {
+    portal = { p = points.(0); q = points.(1); r = points.(2) };
+    edge = { right = points.(3); left = points.(4) };
+    direction = (if chance st 3 then any_direction st else direction);
+  }
+
+let any_parts st question =
+  { portal = any_triangle st question; edge = any_edge st question; direction = any_direction st }
+
+let wild_line st question (found : Portal.line) : Portal.line =
+  let any = any_parts st question in
+  let parts =
+    match found with
+    | Apart direction -> { any with direction }
+    | Beside edge -> { any with edge }
+    | Through { portal; edge } -> { any with portal; edge }
+    | Lost -> any
+  in
+  let { portal; edge; direction } = scramble st question parts in
+  match (Random.State.int st 6, found) with
+  | 0, _ -> Apart direction
+  | 1, _ -> Beside edge
+  | 2, _ -> Through { portal; edge }
+  | _, Apart _ -> Apart direction
+  | _, Beside _ -> Beside edge
+  | _, Through _ -> Through { portal; edge }
+  | _, Lost -> Lost
+
+let wild_place st question (found : Portal.place) : Portal.place =
+  let any = any_parts st question in
+  let parts =
+    match found with
+    | Apart direction -> { any with direction }
+    | Inside portal | Facing portal -> { any with portal }
+    | Lost -> any
+  in
+  let { portal; direction; _ } = scramble st question parts in
+  match (Random.State.int st 6, found) with
+  | 0, _ -> Apart direction
+  | 1, _ -> Inside portal
+  | 2, _ -> Facing portal
+  | _, Apart _ -> Apart direction
+  | _, Inside _ -> Inside portal
+  | _, Facing _ -> Facing portal
+  | _, Lost -> Lost
 
 let wild st : Portal.guess =
   let { Portal.cast; through; locate } = Portal.guess in
   {
-    cast = (fun s ~hasty -> scramble st s (cast s ~hasty));
-    through = (fun s -> scramble st s (through s));
-    locate = (fun s ~hasty -> scramble st s (locate s ~hasty));
+    cast = (fun question ~hasty -> wild_line st question (cast question ~hasty));
+    through = (fun question edge -> wild_line st question (through question edge));
+    locate = (fun question ~hasty -> wild_place st question (locate question ~hasty));
   }
 
 (* {1 Scenes} *)
