@@ -29,7 +29,6 @@ type t = {
   keeps_time : bool;
   steered : bool;
   rigid : rigid option;
-  obstacles : Obstacle_cache.t;
 }
 
 let resolution m = Option.map (fun r -> r.resolution) m.rigid
@@ -51,6 +50,3 @@ let leaf_centroid leaf =
   else
     let sum, total = Array.fold_left add (Vec.zero, Rat.zero) leaf.parts in
     Vec.scale (Rat.div Rat.one total) sum
-
-let obstacle m (l1, p1) (l2, p2) =
-  Obstacle_cache.find m.obstacles m.leaves.(l1).parts.(p1).solid m.leaves.(l2).parts.(p2).solid

@@ -46,7 +46,6 @@ type t = {
   steered : bool;
   (** some law is not inertial, or the model is rigid: the movement step is part of the state *)
   rigid : rigid option;  (** [None]: the translational calculus, in which nothing turns *)
-  obstacles : Obstacle_cache.t;
 }
 
 val resolution : t -> Rat.t option
@@ -59,7 +58,3 @@ val site_name : t -> leaf:int -> Site.t -> string
 
 val leaf_centroid : leaf -> Vec.t
 (** Mass centroid of the leaf about its reference point. *)
-
-val obstacle : t -> int * int -> int * int -> Obstacle.t
-(** [obstacle m (l1, p1) (l2, p2)]: of part p1 of leaf l1 and part p2 of leaf l2. Made when first asked
-    for. *)

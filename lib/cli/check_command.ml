@@ -93,10 +93,10 @@ let shows_zeno (_, (v : Verdict.t)) =
   match v with Undecided reasons -> List.exists is_zeno reasons | Holds _ | Violated _ -> false
 
 let print_text console (loaded : Loaded.t) (report : Check.report) verdicts extra =
-  let m = loaded.model in
+  let c = loaded.semantics in
   let print = Console.print console in
-  List.iter (fun v -> print (Check_text.property console m v ^ "\n")) verdicts;
-  let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno m w ^ "\n") in
+  List.iter (fun v -> print (Check_text.property console c v ^ "\n")) verdicts;
+  let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno c w ^ "\n") in
   Option.iter zeno report.zeno;
   print (Check_text.explored report.stats ^ Check_text.slices report.slices);
   Option.iter (fun (space, c) -> print (Coverage_text.lines console space c)) extra.covered;
@@ -120,7 +120,7 @@ let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i
 (* All of the model, whether or not its properties were decided early. *)
 let cover options reductions (l : Loaded.t) initial =
   let time_seen = Reduction.time_seen reductions l.model [] in
-  let space = Explored.explore ~time_seen (options ()) l.model ~initial in
+  let space = Explored.explore ~time_seen (options ()) l.semantics ~initial in
   (space, Coverage.of_space space)
 
 let check console budget (extras : Check_extras.t) overrides path =
@@ -138,7 +138,7 @@ let check console budget (extras : Check_extras.t) overrides path =
     { options with reductions = extras.reductions; order = extras.order; compact }
   in
   let checks = l.checks @ l.premises in
-  let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) l.model ~initial checks) in
+  let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) l.semantics ~initial checks) in
   let covered =
     if extras.coverage then
       Some (Measured.phase measured "coverage" (fun () -> cover options extras.reductions l initial))

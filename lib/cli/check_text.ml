@@ -17,11 +17,6 @@ let style : Verdict.t -> Console.style = function
   | Holds _ | Undecided _ -> Doubtful
   | Violated _ -> Bad
 
-let final_state m (w : Witness.t) =
-  match Witness.offset w with
-  | Some d when Rat.sign d > 0 -> Time.pass m d w.last
-  | _ -> w.last
-
 let step_lines ?(most = shown_steps) m (w : Witness.t) =
   let n = List.length w.steps in
   let width = String.length (string_of_int n) in
@@ -40,8 +35,8 @@ let step_lines ?(most = shown_steps) m (w : Witness.t) =
     let half = most / 2 in
     lines 0 half @ (Printf.sprintf "… %d more …" (n - most) :: lines (n - half) half)
 
-let state_lines m (w : Witness.t) =
-  let s = final_state m w in
+let state_lines c (w : Witness.t) =
+  let m = Semantics.model c and s = Witness.there c w in
   if Array.length s.processes > shown_processes then []
   else
     let heading =
@@ -50,25 +45,27 @@ let state_lines m (w : Witness.t) =
     in
     heading :: List.map (fun l -> "  " ^ l) (Run_text.state m s)
 
-let witness m w = step_lines m w @ Witness.ending m w @ state_lines m w
+let witness c w =
+  let m = Semantics.model c in
+  step_lines m w @ Witness.ending m w @ state_lines c w
 
 (* Where more was to be explored: the way there in short. *)
 let way m w = step_lines ~most:12 m w @ Witness.ending m w
 let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
 
-let property console m ((check : Property.check), (v : Verdict.t)) =
-  let verdict = Console.styled console (style v) (Verdict.to_string ?resolution:(Model.resolution m) v) in
+let property console c ((check : Property.check), (v : Verdict.t)) =
+  let verdict = Console.styled console (style v) (Verdict.to_string ?resolution:(Model.resolution (Semantics.model c)) v) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
   let run =
     match v with
-    | Holds { witness = Some w; _ } -> [ ("a run that shows it:", witness m w) ]
-    | Violated { witness = Some w } -> [ ("a run that violates it:", witness m w) ]
+    | Holds { witness = Some w; _ } -> [ ("a run that shows it:", witness c w) ]
+    | Violated { witness = Some w } -> [ ("a run that violates it:", witness c w) ]
     | Holds _ | Violated _ -> []
     | Undecided reasons ->
       List.filter_map
         (function
-          | Verdict.Zeno w -> Some ("the run:", witness m w)
-          | Unexplored { nearest; _ } -> Some ("to the nearest unexplored state that matters:", way m nearest)
+          | Verdict.Zeno w -> Some ("the run:", witness c w)
+          | Unexplored { nearest; _ } -> Some ("to the nearest unexplored state that matters:", way (Semantics.model c) nearest)
           | Truncated _ | Undefined _ | Fault _ -> None)
         reasons
   in
@@ -80,9 +77,9 @@ let property console m ((check : Property.check), (v : Verdict.t)) =
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
   String.concat "" ((head :: none) @ List.concat_map show run)
 
-let zeno m w =
+let zeno c w =
   String.concat ""
-    ("Zeno behaviour: a run that goes on for ever within one instant\n" :: indented 4 (witness m w))
+    ("Zeno behaviour: a run that goes on for ever within one instant\n" :: indented 4 (witness c w))
 
 let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
 

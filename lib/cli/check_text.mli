@@ -1,14 +1,14 @@
 (** The report of [scc check] for people. *)
 
-open Scc_calculus
+open Scc_semantics
 open Scc_property
 open Scc_explain
 open Scc_verify
 
-val property : Console.t -> Model.t -> Property.check * Verdict.t -> string
+val property : Console.t -> Semantics.t -> Property.check * Verdict.t -> string
 (** A verdict in several lines, with its witness; ended by a newline. *)
 
-val zeno : Model.t -> Witness.t -> string
+val zeno : Semantics.t -> Witness.t -> string
 (** A run that never leaves an instant. *)
 
 val explored : Check.stats -> string

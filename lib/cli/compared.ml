@@ -17,7 +17,7 @@ let max_graph_bytes = 1024 * Memory.mib
 (* The leaf of a process by which it is called: the least by name, since the order in which bodies are declared
    should not be seen. [renamed] is what a name means to the other side. *)
 let representative (space : Explored.t) ~renamed state leaf =
-  let name l = renamed space.model.leaves.(l).Model.name in
+  let name l = renamed (Explored.model space).leaves.(l).Model.name in
   let process = state.State.processes.(fst (State.find_leaf state leaf)) in
   Array.fold_left
     (fun best (l : State.leaf) -> if String.compare (name l.leaf) (name best) < 0 then l.leaf else best)
@@ -31,7 +31,7 @@ let label_text (space : Explored.t) ~renamed s (label : Transition.label) =
       Bounce (representative space ~renamed state p, representative space ~renamed state q)
     | Time _ | Bind _ | Weak_split _ | Strong_split _ -> label
   in
-  Transition.label_to_string space.model label
+  Transition.label_to_string (Explored.model space) label
 
 let graph_of_space ?(renamed = Fun.id) (space : Explored.t) =
   let b = Graph.builder () in
@@ -60,7 +60,7 @@ let load_model console options ?renamed ~overrides path =
   let* model = Input.model console ~overrides path in
   Console.report console model.warnings;
   let* initial = Scc_session.Loaded.initial model in
-  let space = Explored.explore options model.model ~initial in
+  let space = Explored.explore options model.semantics ~initial in
   Console.progress_done console;
   Console.report console space.faults;
   Ok { path; source = Model { model; space }; graph = graph_of_space ?renamed space }

@@ -59,7 +59,7 @@ let conform console o =
   let observed label = not (List.exists (fun p -> Hide.matches p label) o.unobserved) in
   let limits = { Search.states = o.states; interrupted } in
   let* answer =
-    match Verdict.check l.model l.declared trace ~tolerance ~observed limits with
+    match Verdict.check l.semantics l.declared trace ~tolerance ~observed limits with
     | Ok answer -> Ok answer
     | Error (`Invalid diagnostics) -> Error diagnostics
     | Error (`Fault fault) -> Error [ Scc_semantics.Transition.diagnostic l.model fault ]

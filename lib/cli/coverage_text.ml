@@ -17,7 +17,7 @@ let rule_counts c =
     :: (match never_used with [] -> [] | _ :: _ -> [ "rules never used: " ^ String.concat ", " never_used ])
 
 let lines console (s : Explored.t) c =
-  let m = s.model in
+  let m = Explored.model s in
   let summands = Coverage.summands c and behaviours = Coverage.behaviours c in
   let channels = Coverage.channels c in
   let idle = List.filter (fun (x : Coverage.summand) -> x.fired = 0) summands in

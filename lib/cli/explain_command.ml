@@ -52,10 +52,10 @@ let follow (l : Loaded.t) schedule ~interrupted =
     | End _ -> ()
   in
   let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
-  match Replay.run l.model l.declared (Scheduled schedule) limits ~interrupted note with
+  match Replay.run l.semantics l.declared (Scheduled schedule) limits ~interrupted note with
   | Ok (Open | Quiescent | Stuck | Zeno) ->
     let steps = Array.of_list (List.rev !steps) in
-    Ok { Causes.model = l.model; declared = l.declared; initial = !initial; steps; offset = !offset }
+    Ok { Causes.semantics = l.semantics; declared = l.declared; initial = !initial; steps; offset = !offset }
   | Error Interrupted -> Error (Stopped "scc: interrupted")
   | Error (Refused d) -> Error (Diagnosed [ d ])
   | Error (Fault f) ->

@@ -56,7 +56,7 @@ let shown_facts (x : Omission.t) =
   if n > greatest_list then shown @ [ Printf.sprintf "and %d more" (n - greatest_list) ] else shown
 
 let heading console check (x : Omission.t) =
-  let m = (Causes.run x.story).model and events = Causes.events x.story in
+  let m = Scc_semantics.Semantics.model (Causes.run x.story).semantics and events = Causes.events x.story in
   let strong = Console.styled console Console.Strong in
   let about =
     match check with
@@ -77,7 +77,7 @@ let heading console check (x : Omission.t) =
   (about :: facts) @ [ because; "" ]
 
 let step_lines (x : Omission.t) of_step number label time =
-  let m = (Causes.run x.story).model and events = Causes.events x.story in
+  let m = Scc_semantics.Semantics.model (Causes.run x.story).semantics and events = Causes.events x.story in
   let relevant = List.filter (fun i -> matters x.roles.(i)) of_step in
   let why i =
     let e = events.(i) in
@@ -120,7 +120,7 @@ let counted (x : Omission.t) =
   Printf.sprintf "%d of %d events matter" relevant all
 
 let conclusion (x : Omission.t) =
-  let m = (Causes.run x.story).model in
+  let m = Scc_semantics.Semantics.model (Causes.run x.story).semantics in
   let keeps (leaves, why) =
     Printf.sprintf "%s matters by what it keeps away: without it, %s" (body m leaves) why
   in

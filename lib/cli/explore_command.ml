@@ -51,7 +51,7 @@ let format_of o =
 
 let labelling ~instants (e : Exported.t) =
   Labelling.make ~instants e.space
-    (Array.of_list (State_predicates.of_checks e.space.model e.loaded.checks))
+    (Array.of_list (State_predicates.of_checks (Explored.model e.space) e.loaded.checks))
 
 (* The files, each with what writes it, and what there is to say about them. *)
 let files o format (e : Exported.t) =
@@ -126,7 +126,7 @@ let explore console o format =
   Console.report console loaded.warnings;
   let* initial = Loaded.initial loaded in
   let options = Check_options.starting console o.budget ~interrupted in
-  let space = Explored.explore options loaded.model ~initial in
+  let space = Explored.explore options loaded.semantics ~initial in
   Interrupt.in_time ();
   Console.progress_done console;
   Console.report console space.faults;

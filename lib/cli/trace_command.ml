@@ -78,7 +78,7 @@ let human_event model (states : Trace.states) write (e : Replay.event) =
     Option.iter (fun t -> List.iter (line "%s") (Run_text.rounded t)) rounded
 
 let write_run o (l : Loaded.t) policy limits ~interrupted write =
-  let run emit = Replay.run l.model l.declared policy limits ~interrupted emit in
+  let run emit = Replay.run l.semantics l.declared policy limits ~interrupted emit in
   match o.form with
   | Human -> run (human_event l.model o.states write)
   | Lines ->

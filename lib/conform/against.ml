@@ -5,13 +5,15 @@ open Scc_calculus
 open Scc_semantics
 open Scc_exchange
 
-type t = { model : Model.t; tolerance : Rat.t; index : (string, int) Hashtbl.t }
+type t = { semantics : Semantics.t; model : Model.t; tolerance : Rat.t; index : (string, int) Hashtbl.t }
 
-let make (model : Model.t) ~tolerance =
+let make semantics ~tolerance =
+  let model = Semantics.model semantics in
   let index = Hashtbl.create (Array.length model.leaves) in
   Array.iteri (fun i (l : Model.leaf) -> Hashtbl.replace index l.name i) model.leaves;
-  { model; tolerance; index }
+  { semantics; model; tolerance; index }
 
+let semantics t = t.semantics
 let model t = t.model
 let tolerance t = t.tolerance
 let leaf t name = Hashtbl.find_opt t.index name

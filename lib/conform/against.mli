@@ -7,9 +7,10 @@ open Scc_semantics
 
 type t
 
-val make : Model.t -> tolerance:Rat.t -> t
+val make : Semantics.t -> tolerance:Rat.t -> t
 (** Numbers agree when they differ by at most the tolerance; with 0, when they are equal. *)
 
+val semantics : t -> Semantics.t
 val model : t -> Model.t
 val tolerance : t -> Rat.t
 

@@ -14,7 +14,7 @@ let events transitions = List.filter (fun (x : Transition.t) -> not (Transition.
 (* The events of the instants on the way, up to the first after [past] at which there are any. *)
 let until against ~observed ~past (h : Search.hypothesis) =
   let at_place (at, time) =
-    match Network.successors (Against.model against) at with
+    match Network.successors (Against.semantics against) at with
     | Error _ -> []
     | Ok transitions ->
       let seen (x : Transition.t) = observed (Transition.label_to_string (Against.model against) x.label) in

@@ -126,7 +126,7 @@ let after t h index (taken : Transition.t) =
   {
     h with
     state = taken.target; time;
-    transitions = lazy (Network.successors (Against.model t.against) taken.target);
+    transitions = lazy (Network.successors (Against.semantics t.against) taken.target);
     choices = (index, Transition.label_to_string (Against.model t.against) taken.label) :: h.choices;
     last = Some (taken.label, taken.rules, time);
   }
@@ -157,14 +157,13 @@ let passing t layer h index (taken : Transition.t) =
 (* The state at a time between this one and the next transition. *)
 let meanwhile t h transitions time =
   let offset = Rat.sub time h.time in
-  let m = Against.model t.against in
   let before (x : Transition.t) = Rat.compare offset (Transition.duration x) < 0 in
   let may_pass =
     match transitions with
-    | [] -> Network.quiescent m h.state
+    | [] -> Network.quiescent (Against.semantics t.against) h.state
     | _ :: _ -> List.exists before transitions
   in
-  if Rat.sign offset > 0 && may_pass then Some (Time.pass m offset h.state) else None
+  if Rat.sign offset > 0 && may_pass then Some (Time.pass (Against.semantics t.against) offset h.state) else None
 
 (* What was looked at of bodies that have done more than was recorded before it is of no use. *)
 let skip h leaf = List.exists (fun (_, leaves) -> List.mem leaf leaves) h.ahead
@@ -212,9 +211,9 @@ let claim t layer h transitions =
     | State (bodies, step) -> state t layer h transitions item bodies step
     | Watched -> if watched t h transitions item then Some h.deviation else None
     | Quiescent ->
-      if transitions = [] && Network.quiescent (Against.model t.against) h.state then Some h.deviation else None
+      if transitions = [] && Network.quiescent (Against.semantics t.against) h.state then Some h.deviation else None
     | Stuck ->
-      let stuck = transitions = [] && not (Network.quiescent (Against.model t.against) h.state) in
+      let stuck = transitions = [] && not (Network.quiescent (Against.semantics t.against) h.state) in
       if stuck && in_time t h item then Some h.deviation
       else None
   in
@@ -278,7 +277,7 @@ let run against (trace : Recorded.t) declared ~observed limits =
   let start state =
     {
       state; time = Rat.zero; next = 0; ahead = []; choices = []; last = None; deviation = Against.no_deviation;
-      transitions = lazy (Network.successors (Against.model against) state);
+      transitions = lazy (Network.successors (Against.semantics against) state);
     }
   in
   let rec layers queue items ~missed widest =
@@ -294,14 +293,14 @@ let run against (trace : Recorded.t) declared ~observed limits =
        let queue = Queue.create () in
        Queue.add (start state) queue;
        layers queue 0 ~missed:None 1)
-    (Network.initial (Against.model against) declared)
+    (Network.initial (Against.semantics against) declared)
 
 (* {1 Looking on} *)
 
 let beyond against state time ~steps =
   let rec go state time n found =
     let found = (state, time) :: found in
-    match if n = 0 then Ok [] else Network.successors (Against.model against) state with
+    match if n = 0 then Ok [] else Network.successors (Against.semantics against) state with
     | Error _ -> found
     | Ok transitions -> (
         match List.find_opt (fun (x : Transition.t) -> Transition.is_time x.label) transitions with

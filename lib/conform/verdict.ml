@@ -23,8 +23,8 @@ let tolerance (m : Model.t) (trace : Recorded.t) asked =
         refuse at "the tolerance is less than the resolution of the model, %s" (Rat.to_string resolution)
       | _, _ -> Ok t)
 
-let check model declared trace ~tolerance ~observed limits =
-  let against = Against.make model ~tolerance in
+let check semantics declared trace ~tolerance ~observed limits =
+  let against = Against.make semantics ~tolerance in
   match Against.names against trace with
   | _ :: _ as faults -> Error (`Invalid faults)
   | [] -> (

@@ -20,7 +20,7 @@ val tolerance : Model.t -> Recorded.t -> Rat.t option -> (Rat.t, Diag.t list) re
     take one that is not less than its resolution, within which its contact times are known. *)
 
 val check :
-  Model.t ->
+  Semantics.t ->
   State.t ->
   Recorded.t ->
   tolerance:Rat.t ->

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_data
 open Scc_exact
+open Scc_broad_phase
 open Scc_calculus
 
 let reported_overlaps = 10

@@ -2,8 +2,8 @@ open Scc_base
 open Scc_data
 open Scc_exact
 open Scc_geometry
+open Scc_broad_phase
 open Scc_syntax
-open Scc_calculus
 
 let ( let* ) = Option.bind
 

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
+open Scc_broad_phase
 
 type template = { shape : Shape.t option; span : Span.t; mutable used : bool }
 

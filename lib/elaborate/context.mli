@@ -4,6 +4,7 @@
 open Scc_base
 open Scc_exact
 open Scc_geometry
+open Scc_broad_phase
 
 type template = {
   shape : Shape.t option;  (** [None] when its faults have been reported *)

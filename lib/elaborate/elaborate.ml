@@ -72,7 +72,6 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       keeps_time;
       steered;
       rigid;
-      obstacles = c.obstacles;
     }
   in
   {

@@ -2,6 +2,7 @@ open Scc_base
 open Scc_data
 open Scc_exact
 open Scc_geometry
+open Scc_broad_phase
 open Scc_syntax
 open Scc_calculus
 

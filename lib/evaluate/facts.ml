@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_ctl
+open Scc_semantics
 open Scc_property
 
 (* More atoms than this do not help anyone. *)
@@ -38,8 +39,9 @@ let every trajectory model offset p = List.map (fun atom -> fact trajectory mode
 
 let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> []
 
-let at ?arrived ?later_than model state extent offset p =
-  let trajectory = Trajectory.make ?arrived model state extent in
+let at ?arrived ?later_than semantics state extent offset p =
+  let model = Semantics.model semantics in
+  let trajectory = Trajectory.make ?arrived semantics state extent in
   let atoms = Show.atoms p in
   let shown = List.map (fact ?later_than trajectory model offset) (take most atoms) in
   let more = List.length atoms - most in

@@ -3,13 +3,14 @@
 open Scc_ctl
 open Scc_exact
 open Scc_calculus
+open Scc_semantics
 open Scc_property
 
 val at :
   ?arrived:(Property.event -> bool) ->
   ?later_than:Rat.t ->
-  Model.t -> State.t -> Timeline.extent -> Algebraic.t -> Property.prop -> string list
-(** [at model state extent offset p]: for each atom of [p], whether it holds at that offset of the
+  Semantics.t -> State.t -> Timeline.extent -> Algebraic.t -> Property.prop -> string list
+(** [at semantics state extent offset p]: for each atom of [p], whether it holds at that offset of the
     trajectory from the state, with the values of what it compares: ["x(p) <= 3 fails: x(p) = 25/8"].
     [arrived] is that of {!Trajectory.make}. [later_than]: the time of the state stands for all times after this
     one, so that no other is told. *)

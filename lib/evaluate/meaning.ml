@@ -75,12 +75,12 @@ let quantity model : Property.quantity -> quantity = function
   | Energy -> Sum Path.energy
   | Time -> Time
 
-let fact (model : Model.t) : Property.fact -> fact = function
+let fact semantics : Property.fact -> fact = function
   | Bound (i, j) -> In_process (i, fun p -> Array.exists (joins i j) p.bonds)
   | Same (i, j) -> In_process (i, fun p -> State.has_leaf p j)
   | Behaviour (i, k) -> In_behaviour (i, is_called k)
-  | Offers (i, polarity, name) -> In_behaviour (i, offers model.definitions polarity name)
+  | Offers (i, polarity, name) -> In_behaviour (i, offers (Semantics.model semantics).definitions polarity name)
   | Touching (i, j) when Int.equal i j -> In_process (i, fun _ -> false)
-  | Touching (i, j) -> Between (i, j, Touching.along i j)
-  | Quiescent -> In_network (Network.quiescent model)
+  | Touching (i, j) -> Between (i, j, Touching.along semantics i j)
+  | Quiescent -> In_network (Network.quiescent semantics)
   | Event e -> Arrival e

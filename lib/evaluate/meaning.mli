@@ -23,4 +23,4 @@ type fact =
   | Arrival of Property.event  (** such a transition has just led here, and no time has passed since *)
 
 val quantity : Model.t -> Property.quantity -> quantity
-val fact : Model.t -> Property.fact -> fact
+val fact : Semantics.t -> Property.fact -> fact

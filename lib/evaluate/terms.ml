@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_calculus
+open Scc_semantics
 open Scc_property
 
 module type View = sig
@@ -8,7 +9,7 @@ module type View = sig
   type number
   type truth
 
-  val model : context -> Model.t
+  val semantics : context -> Semantics.t
   val quantity : context -> Meaning.quantity -> t -> number
   val fact : context -> Meaning.fact -> t -> truth
   val constant : Rat.t -> t -> number
@@ -30,14 +31,14 @@ module Make (V : View) = struct
   let rec num c (n : Property.num) : V.t -> V.number =
     match n with
     | Const r -> V.constant r
-    | Quantity q -> V.quantity c (Meaning.quantity (V.model c) q)
+    | Quantity q -> V.quantity c (Meaning.quantity (Semantics.model (V.semantics c)) q)
     | Neg a ->
       let a = num c a in
       fun v -> V.neg (a v)
     | Add (a, b) -> both V.add c a b
     | Sub (a, b) -> both V.sub c a b
     | Mul (a, b) -> both V.mul c a b
-    | Div (a, b) -> both (V.div ~reason:("division by zero in " ^ Show.num (V.model c) n)) c a b
+    | Div (a, b) -> both (V.div ~reason:("division by zero in " ^ Show.num (Semantics.model (V.semantics c)) n)) c a b
     | If (p, a, b) ->
       let p = prop c p and a = num c a and b = num c b in
       fun v -> V.choose (p v) (fun () -> a v) (fun () -> b v)
@@ -55,7 +56,7 @@ module Make (V : View) = struct
     | Compare (op, a, b) ->
       let a = num c a and b = num c b in
       fun v -> V.compare op (a v) (b v)
-    | Fact f -> V.fact c (Meaning.fact (V.model c) f)
+    | Fact f -> V.fact c (Meaning.fact (V.semantics c) f)
     | Not p ->
       let p = prop c p in
       fun v -> V.not_ (p v)

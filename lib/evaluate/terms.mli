@@ -3,6 +3,7 @@
 
 open Scc_exact
 open Scc_calculus
+open Scc_semantics
 open Scc_property
 
 module type View = sig
@@ -16,7 +17,7 @@ module type View = sig
 
   type truth
 
-  val model : context -> Model.t
+  val semantics : context -> Semantics.t
 
   (** {1 Atoms}
 

@@ -1,6 +1,5 @@
 open Scc_ctl
 open Scc_exact
-open Scc_geometry
 open Scc_calculus
 open Scc_semantics
 
@@ -9,39 +8,37 @@ let between low high t =
   let before = function None -> true | Some h -> Rat.compare t h <= 0 in
   after low && before high
 
-let parts extent obstacle offset velocity =
+let parts (semantics : Semantics.t) extent a b velocity =
+  let geometry = semantics.setting.geometry in
   match (extent : Timeline.extent) with
   | Instant ->
     let touch =
-      match Obstacle.relation obstacle offset with
+      match geometry.relation a b with
       | Apart -> false
       | Touching | Interpenetrating -> true
     in
     Timeline.constant extent touch
   | Lasts _ | Forever -> (
-      match Obstacle.meeting obstacle offset velocity with
+      match geometry.meeting a b velocity with
       | None -> Timeline.constant extent false
       | Some (low, high) ->
         let cuts = Option.to_list low @ Option.to_list high in
         Timeline.of_cuts extent cuts Bool.equal (between low high))
 
-let indices (m : Model.t) leaf = List.init (Array.length m.leaves.(leaf).parts) Fun.id
+let placed (m : Model.t) (leaf : State.leaf) =
+  List.init (Array.length m.leaves.(leaf.leaf).parts) (State.placed m leaf)
 
-let straight m i j extent (p : State.process) (q : State.process) =
-  let one = State.leaf_of p i and two = State.leaf_of q j in
+let straight semantics i j extent (p : State.process) (q : State.process) =
+  let m = Semantics.model semantics in
+  let ones = placed m (State.leaf_of p i) and twos = placed m (State.leaf_of q j) in
   let velocity = Vec.sub q.velocity p.velocity in
-  let pair (a, b) =
-    let offset = Vec.sub (State.part_position m two b) (State.part_position m one a) in
-    parts extent (Model.obstacle m (i, a) (j, b)) offset velocity
-  in
-  let pairs = List.concat_map (fun a -> List.map (fun b -> (a, b)) (indices m j)) (indices m i) in
+  let pairs = List.concat_map (fun a -> List.map (fun b -> (a, b)) twos) ones in
   List.fold_left
-    (fun found parts -> Timeline.map2 ( || ) found (pair parts))
+    (fun found (a, b) -> Timeline.map2 ( || ) found (parts semantics extent a b velocity))
     (Timeline.constant extent false) pairs
   |> Timeline.map Truth.of_bool
 
-let along i j extent p q =
-  let m = Path.model p in
-  match m.rigid with
-  | None -> straight m i j extent (Path.process p) (Path.process q)
-  | Some { resolution; _ } -> Near.touching ~resolution extent (p, i) (q, j)
+let along semantics i j extent p q =
+  match Model.resolution (Semantics.model semantics) with
+  | None -> straight semantics i j extent (Path.process p) (Path.process q)
+  | Some resolution -> Near.touching ~resolution extent (p, i) (q, j)

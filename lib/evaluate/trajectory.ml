@@ -5,7 +5,7 @@ open Scc_semantics
 open Scc_property
 
 type t = {
-  model : Model.t;
+  semantics : Semantics.t;
   state : State.t;
   extent : Timeline.extent;
   paths : Path.t array;  (** by process *)
@@ -13,7 +13,8 @@ type t = {
   arrived : Property.event -> bool;
 }
 
-let make ?(arrived = fun _ -> false) model (state : State.t) extent =
+let make ?(arrived = fun _ -> false) semantics (state : State.t) extent =
+  let model = Semantics.model semantics in
   let homes = Array.make (Array.length model.Model.leaves) (-1) in
   Array.iteri
     (fun i (p : State.process) -> Array.iter (fun (l : State.leaf) -> homes.(l.leaf) <- i) p.leaves)
@@ -23,16 +24,16 @@ let make ?(arrived = fun _ -> false) model (state : State.t) extent =
     | Forever -> true
     | Instant | Lasts _ -> false
   in
-  { model; state; extent; homes; arrived; paths = Array.map (Path.make ~for_ever model) state.processes }
+  { semantics; state; extent; homes; arrived; paths = Array.map (Path.make ~for_ever model) state.processes }
 
 (** A trajectory as a whole: numbers and truths vary from piece to piece. *)
 module Stretch = struct
-  type context = Model.t
+  type context = Semantics.t
   type nonrec t = t
   type number = Value.t Timeline.t
   type truth = Truth.t Timeline.t
 
-  let model m = m
+  let semantics c = c
 
   let path s leaf =
     match s.homes.(leaf) with
@@ -123,6 +124,6 @@ end
 module Along = Terms.Make (Stretch)
 
 let predicate = Along.prop
-let prop s p = Along.prop s.model p s
-let num s n = Along.num s.model n s
-let holds model state p = (prop (make model state Timeline.Instant) p).Timeline.start
+let prop s p = Along.prop s.semantics p s
+let num s n = Along.num s.semantics n s
+let holds semantics state p = (prop (make semantics state Timeline.Instant) p).Timeline.start

@@ -4,18 +4,19 @@
 
 open Scc_ctl
 open Scc_calculus
+open Scc_semantics
 open Scc_property
 
 type t
 
-val make : ?arrived:(Property.event -> bool) -> Model.t -> State.t -> Timeline.extent -> t
+val make : ?arrived:(Property.event -> bool) -> Semantics.t -> State.t -> Timeline.extent -> t
 (** The trajectory that starts in a state: of a time transition of the given duration, the ray [0,
     infinity) of a quiescent state, or just the state itself. Nothing happens strictly inside it, and the
     end is not part of it (it is the state that the transition leads to). [arrived] tells of which events
     the discrete transition was that has just led to the state (by default of none, as in the initial
     state): they hold at the start alone. *)
 
-val predicate : Model.t -> Property.prop -> t -> Truth.t Timeline.t
+val predicate : Semantics.t -> Property.prop -> t -> Truth.t Timeline.t
 (** Where the predicate holds, of a trajectory of the model; prepared when it is given. Undecided at instants where
     it divides by zero. *)
 
@@ -23,5 +24,5 @@ val prop : t -> Property.prop -> Truth.t Timeline.t
 
 val num : t -> Property.num -> Value.t Timeline.t
 
-val holds : Model.t -> State.t -> Property.prop -> Truth.t
+val holds : Semantics.t -> State.t -> Property.prop -> Truth.t
 (** Whether a predicate holds in a state (at the instant of it). *)

@@ -74,11 +74,6 @@ let instant w =
       ("text", `String (Algebraic.to_string (Witness.instant w)));
     ]
 
-let final_state m (w : Witness.t) =
-  match Witness.offset w with
-  | Some d when Rat.sign d > 0 -> State_json.state m (Time.pass m d w.last)
-  | _ -> State_json.state m w.last
-
 let rec argument (a : Witness.argument) =
   `Assoc
     [
@@ -88,7 +83,8 @@ let rec argument (a : Witness.argument) =
       ("parts", `List (List.map argument a.parts));
     ]
 
-let witness m (w : Witness.t) =
+let witness c (w : Witness.t) =
+  let m = Semantics.model c in
   let cycle, moved = cycle w in
   `Assoc
     [
@@ -99,19 +95,19 @@ let witness m (w : Witness.t) =
       ("moved", moved);
       ("instant", instant w);
       ("offset", Json.option Json.rat (Witness.offset w));
-      ("state", final_state m w);
+      ("state", State_json.state m (Witness.there c w));
       ("facts", `List (List.map Json.text w.facts));
       ("argument", Json.option argument w.argument);
     ]
 
-let reason m (r : Verdict.reason) =
+let reason c (r : Verdict.reason) =
   let kind, bound, run =
     match r with
     | Truncated t -> ("truncated", truncation t, `Null)
     | Undefined _ -> ("undefined", `Null, `Null)
     | Fault _ -> ("fault", `Null, `Null)
-    | Zeno w -> ("zeno", `Null, witness m w)
-    | Unexplored { nearest; _ } -> ("unexplored", `Null, witness m nearest)
+    | Zeno w -> ("zeno", `Null, witness c w)
+    | Unexplored { nearest; _ } -> ("unexplored", `Null, witness c nearest)
   in
   `Assoc
     [
@@ -121,7 +117,7 @@ let reason m (r : Verdict.reason) =
       ("witness", run);
     ]
 
-let property m ((check : Property.check), (v : Verdict.t)) =
+let property c ((check : Property.check), (v : Verdict.t)) =
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
@@ -133,10 +129,10 @@ let property m ((check : Property.check), (v : Verdict.t)) =
       ("name", Json.text check.name);
       ("formula", Json.text check.text);
       ("verdict", `String (kind v));
-      ("text", Json.text (Verdict.to_string ?resolution:(Model.resolution m) v));
+      ("text", Json.text (Verdict.to_string ?resolution:(Model.resolution (Semantics.model c)) v));
       ("bounds", `List (List.map truncation bounds));
-      ("reasons", `List (List.map (reason m) reasons));
-      ("witness", Json.option (witness m) run);
+      ("reasons", `List (List.map (reason c) reasons));
+      ("witness", Json.option (witness c) run);
     ]
 
 let explored (s : Check.stats) =
@@ -174,10 +170,10 @@ let document ~source r =
           | Some resolution -> [ ("resolution", Json.rat resolution) ]
           | None -> [])
       @ [
-        ("properties", `List (List.map (property model) r.verdicts));
+        ("properties", `List (List.map (property r.loaded.semantics) r.verdicts));
         ("explored", explored r.report.stats);
         ("slices", `List (List.map slice r.report.slices));
-        ("zeno", Json.option (witness model) r.report.zeno);
+        ("zeno", Json.option (witness r.loaded.semantics) r.report.zeno);
         ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
       ]
       @ r.extra)

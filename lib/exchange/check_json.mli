@@ -1,7 +1,7 @@
 (** The report of [scc check] as JSON (see [specs/schema/check.schema.json]). *)
 
 open Scc_base
-open Scc_calculus
+open Scc_semantics
 open Scc_property
 open Scc_verify
 open Scc_session
@@ -22,7 +22,7 @@ val kind : Verdict.t -> string
 val truncation : Verdict.truncation -> Json.t
 (** A bound that was met. *)
 
-val property : Model.t -> Property.check * Verdict.t -> Json.t
+val property : Semantics.t -> Property.check * Verdict.t -> Json.t
 (** A member of [properties]. *)
 
 val explored : Check.stats -> Json.t

@@ -36,7 +36,7 @@ let channel (c : Coverage.channel) =
     [ ("name", Json.text c.name); ("made", `Int c.made); ("weak", `Int c.weak); ("strong", `Int c.strong) ]
 
 let json (s : Explored.t) c =
-  let m = s.model in
+  let m = Explored.model s in
   let rule (r, n) = (Scc_semantics.Rule.id r, `Int n) in
   `Assoc
     [

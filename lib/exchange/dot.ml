@@ -171,7 +171,7 @@ let node p put i =
 let edge p folded put i (e : Explored.edge) =
   match time_edge e with
   | None ->
-    let text = Transition.label_to_string p.space.model e.label in
+    let text = Transition.label_to_string (Explored.model p.space) e.label in
     put (Printf.sprintf "  s%d -> s%d [label=%s]\n" i e.target (quoted (wrapped text)))
   | Some passing ->
     let d, target, steps, met = far p folded passing 1 (marks_on_the_way p i) in

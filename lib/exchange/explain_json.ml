@@ -51,7 +51,7 @@ let event m events roles i (e : Causes.event) =
 
 let steps (x : Omission.t) =
   let run = Causes.run x.story and events = Causes.events x.story in
-  let m = run.model in
+  let m = Scc_semantics.Semantics.model run.semantics in
   let of_step = Array.make (Array.length run.steps) [] in
   Array.iteri
     (fun i (e : Causes.event) -> of_step.(e.step) <- event m events x.roles i e :: of_step.(e.step))
@@ -73,7 +73,7 @@ let body m leaves = `List (List.map (leaf m) leaves)
 
 let document ~source t =
   let x = t.explanation in
-  let m = (Causes.run x.story).model and events = Causes.events x.story in
+  let m = Scc_semantics.Semantics.model (Causes.run x.story).semantics and events = Causes.events x.story in
   let keeps (leaves, why) = `Assoc [ ("body", body m leaves); ("without", Json.text why) ] in
   `Assoc
     ([

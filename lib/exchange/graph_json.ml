@@ -39,8 +39,8 @@ let state l i =
       ("number", `Int i);
       ("status", `String (status (Labelling.status l i)));
       ("holds", texts (List.map (fun (p : State_predicates.t) -> p.name) holding));
-      ("state", State_json.state space.model (space.state i));
-      ("edges", `List (List.map (edge space.model) (Array.to_list (space.edges i))));
+      ("state", State_json.state (Explored.model space) (space.state i));
+      ("edges", `List (List.map (edge (Explored.model space)) (Array.to_list (space.edges i))));
     ]
 
 let write (e : Exported.t) l put =

@@ -164,7 +164,7 @@ let make ?(instants = false) (space : Explored.t) predicates =
       | _, None -> (Timeline.Instant, None)
     in
     if n > 0 then begin
-      let trajectory = Trajectory.make space.model (space.state i) extent in
+      let trajectory = Trajectory.make space.semantics (space.state i) extent in
       let timelines = List.mapi (timeline i trajectory) (Array.to_list predicates) in
       match (way, together timelines) with
       | Some (total, target), Some tl when instants -> (

@@ -10,7 +10,7 @@ let labelling m = m.labelling
 let states m = Labelling.size m.labelling
 
 let named names space label =
-  Safe_names.name names (Transition.label_to_string space.Explored.model label)
+  Safe_names.name names (Transition.label_to_string (Explored.model space) label)
 
 let action m label = named m.names (Labelling.space m.labelling) label
 let passing m d ~target = { action = action m (Time d); duration = d; target }

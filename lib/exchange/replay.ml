@@ -2,6 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 
 type policy = First | Random of int64 | Scheduled of Schedule.t
 type limits = { steps : int option; time : Rat.t option; instant : int }
@@ -121,18 +122,18 @@ let finish ?(told = false) run limits emit place transitions =
   Ok ending
 
 (* Leaves the run after [offset] more of undisturbed time, if that is possible. *)
-let leave_at model run limits emit place transitions offset ~at =
+let leave_at semantics run limits emit place transitions offset ~at =
   let fits = match room run transitions with None -> true | Some d -> Rat.compare offset d <= 0 in
   if not fits then
     Error
       (Refused
          (Diag.error Code.schedule_mismatch at
-            ~notes:[ (Span.none, possible model transitions) ]
+            ~notes:[ (Span.none, possible (Semantics.model semantics) transitions) ]
             "after step %d at time %s: time cannot pass by %s here" place.taken (Rat.to_string place.time)
             (Rat.to_string offset)))
   else begin
     let state = Run.state run in
-    let state = if Rat.sign offset = 0 then state else Time.pass model offset state in
+    let state = if Rat.sign offset = 0 then state else Time.pass semantics offset state in
     emit (Instant { offset; time = Rat.add place.time offset; state });
     finish ~told:true run limits emit place transitions
   end
@@ -155,22 +156,23 @@ let advance place guide (t : Run.alternative) =
   }
 
 (* The run is over: at the instant that the schedule names, or where time alone may go on to its limit. *)
-let leave model run (limits : limits) emit place transitions (offset : (Rat.t * Span.t) option) =
+let leave semantics run (limits : limits) emit place transitions (offset : (Rat.t * Span.t) option) =
   match (offset, limits.time) with
-  | Some (d, at), _ -> leave_at model run limits emit place transitions d ~at
+  | Some (d, at), _ -> leave_at semantics run limits emit place transitions d ~at
   | None, Some t
     when none transitions && Rat.compare t place.time > 0 && Run.quiescent run && not (Run.spinning run) ->
-    leave_at model run limits emit place transitions (Rat.sub t place.time) ~at:Span.none
+    leave_at semantics run limits emit place transitions (Rat.sub t place.time) ~at:Span.none
   | None, _ -> finish run limits emit place transitions
 
-let run model declared policy limits ~interrupted emit =
+let run semantics declared policy limits ~interrupted emit =
+  let model = Semantics.model semantics in
   let guide, offset =
     match policy with
     | First -> (Always_first, None)
     | Random seed -> (Generator (Splitmix64.of_seed seed), None)
     | Scheduled s -> (Choices s.choices, Option.map (fun d -> (d, s.offset_at)) s.offset)
   in
-  let* run = fault (Run.start model declared) in
+  let* run = fault (Run.start semantics declared) in
   let state () = Run.state run in
   let rec from place =
     if interrupted () then Error Interrupted
@@ -180,13 +182,13 @@ let run model declared policy limits ~interrupted emit =
         finish run limits emit place transitions
       else
         match decide model transitions place.guide with
-        | Leave -> leave model run limits emit place transitions offset
+        | Leave -> leave semantics run limits emit place transitions offset
         | Misfit c -> Error (misfit model transitions place c)
         | Take (index, guide) -> (
             let taken = List.nth transitions index in
             match beyond limits place (duration taken) with
             | Some rest when Rat.sign rest > 0 ->
-              leave_at model run limits emit place transitions rest ~at:Span.none
+              leave_at semantics run limits emit place transitions rest ~at:Span.none
             | Some _ -> finish run limits emit place transitions
             | None ->
               let next = advance place guide taken and among = List.length transitions in

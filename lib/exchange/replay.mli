@@ -4,6 +4,7 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 
 type policy =
   | First  (** the first successor, always *)
@@ -58,13 +59,13 @@ type failure =
   | Interrupted
 
 val run :
-  Model.t ->
+  Semantics.t ->
   State.t ->
   policy ->
   limits ->
   interrupted:(unit -> bool) ->
   (event -> unit) ->
   (ending, failure) result
-(** [run model declared policy limits ~interrupted emit] emits the events of the run in order. The events
+(** [run semantics declared policy limits ~interrupted emit] emits the events of the run in order. The events
     depend on the model and the choices alone, not on where the choices came from. When the limit of time
     falls within a passing of time, the run ends with an [Instant] at the limit. *)

@@ -22,10 +22,10 @@ let cut s =
   if String.length s <= greatest then s else String.sub s 0 (back greatest) ^ "…"
 
 let behaviour (space : Explored.t) (l : State.leaf) =
-  let text = State_json.behaviour space.model ~leaf:l.leaf l.behaviour in
+  let text = State_json.behaviour (Explored.model space) ~leaf:l.leaf l.behaviour in
   match l.behaviour.origin with
   | Some k ->
-    let name = space.model.definitions.(k).name in
+    let name = (Explored.model space).definitions.(k).name in
     if String.equal name text then name else name ^ "*"
   | None -> cut text
 
@@ -41,7 +41,7 @@ let leaves (s : State.t) =
   |> List.sort (fun (_, (l : State.leaf)) (_, (m : State.leaf)) -> Int.compare l.leaf m.leaf)
 
 let make ~positions (space : Explored.t) =
-  let n = Array.length space.model.leaves in
+  let n = Array.length (Explored.model space).leaves in
   let first = Array.make n "" and varies = Array.make n false in
   List.iter
     (fun (_, (l : State.leaf)) -> first.(l.leaf) <- behaviour space l)
@@ -68,7 +68,7 @@ let place (m : Model.t) ((p : State.process), (l : State.leaf)) =
 let fixed (m : Model.t) ((_ : State.process), (l : State.leaf)) = m.leaves.(l.leaf).fixed
 
 let lines d i =
-  let m = d.space.model in
+  let m = Explored.model d.space in
   let s = d.space.state i in
   let leaves = leaves s in
   let bonds = Bonds.elements (Bonds.diff (bonds s) d.common) in

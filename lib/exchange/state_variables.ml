@@ -42,7 +42,7 @@ let count_bonds name (s : State.t) =
     0 s.processes
 
 let make (space : Explored.t) =
-  let leaves = space.model.leaves in
+  let leaves = (Explored.model space).leaves in
   let n = Array.length leaves in
   let behaviours = Array.init n (fun _ -> Behaviours.create 4) in
   let first = Array.make n (-1) and regrouped = Array.make n false in
@@ -100,11 +100,11 @@ let behaviour_texts v leaf =
   let texts = Array.make (Behaviours.length v.behaviours.(leaf)) "" in
   Behaviours.iter
     (fun b n ->
-       let text = State_json.behaviour v.space.model ~leaf b in
+       let text = State_json.behaviour (Explored.model v.space) ~leaf b in
        texts.(n) <-
          (match b.origin with
-          | Some k when not (String.equal v.space.model.definitions.(k).name text) ->
-            Printf.sprintf "%s, from %s" text v.space.model.definitions.(k).name
+          | Some k when not (String.equal (Explored.model v.space).definitions.(k).name text) ->
+            Printf.sprintf "%s, from %s" text (Explored.model v.space).definitions.(k).name
           | _ -> text))
     v.behaviours.(leaf);
   Array.to_list texts
@@ -114,7 +114,7 @@ let meanings v =
     match variable with
     | Number | Bonds _ -> (name, [])
     | Process _ ->
-      (name, Array.to_list (Array.map (fun (l : Model.leaf) -> l.name) v.space.model.leaves))
+      (name, Array.to_list (Array.map (fun (l : Model.leaf) -> l.name) (Explored.model v.space).leaves))
     | Behaviour k -> (name, behaviour_texts v k)
   in
   List.map meaning v.variables

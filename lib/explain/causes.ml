@@ -6,7 +6,7 @@ open Scc_property
 module Ints = Set.Make (Int)
 
 type run = {
-  model : Model.t;
+  semantics : Semantics.t;
   declared : State.t;
   initial : State.t;
   steps : (Transition.label * State.t) array;
@@ -71,7 +71,7 @@ let home s leaf = leaves_of (process_of s leaf)
 (* The leaf that takes part itself stands for its process. *)
 let first leaf leaves = leaf :: List.filter (fun l -> l <> leaf) leaves
 
-type telling = { model : Model.t; at : last; mutable told : event list; mutable count : int }
+type telling = { semantics : Semantics.t; model : Model.t; at : last; mutable told : event list; mutable count : int }
 
 let tell_event w ~step ~time happening leaves reasons =
   let leaves = List.sort_uniq Int.compare leaves and reasons = List.sort_uniq order reasons in
@@ -103,22 +103,13 @@ let expiries w ~step ~time d (source : State.t) =
        set w.at.clock event process)
     (List.map tell all)
 
-(* The leaves at which two processes touch: that they offer no bond makes it a bounce. *)
-let touching (m : Model.t) (source : State.t) p q =
-  let i = fst (State.find_leaf source p) and j = fst (State.find_leaf source q) in
-  let of_encounter (e : Encounter.t) =
-    if (e.first = i && e.second = j) || (e.first = j && e.second = i) then
-      List.concat_map (fun (one, two) -> [ fst one; fst two ]) e.parts
-    else []
+(* The leaves at which two processes touch and approach: that they offer no bond makes it a bounce. *)
+let touching semantics (source : State.t) p q =
+  let process leaf = source.processes.(fst (State.find_leaf source leaf)) in
+  let of_meeting (m : Collisions.meeting) =
+    List.concat_map (fun ((a : Part.t), (b : Part.t)) -> [ a.leaf; b.leaf ]) m.approaching
   in
-  let of_contact (c : Collision.contact) =
-    if (c.first = i && c.second = j) || (c.first = j && c.second = i) then
-      List.concat_map (fun (t : Collision.touch) -> [ fst t.one; fst t.two ]) c.touches
-    else []
-  in
-  match m.rigid with
-  | None -> List.concat_map of_contact (Collision.contacts m source)
-  | Some _ -> List.concat_map of_encounter (Encounter.colliding m source)
+  List.concat_map of_meeting (Collisions.meetings semantics [| process p; process q |])
 
 let same_motion (p : State.process) (q : State.process) =
   Vec.equal p.velocity q.velocity && Vec.equal p.spin q.spin
@@ -160,15 +151,16 @@ let transition w ~step ~time (label : Transition.label) source target =
     set w.at.structure event both;
     set w.at.behaviour event [ p; q ]
   | Bounce (p, q) ->
-    let behaving = touching w.model source p q in
+    let behaving = touching w.semantics source p q in
     ignore (collision w ~step ~time label source target p q ~behaving)
   | Weak_split b -> split w ~step ~time label source [ b ] ~clocked:true
   | Strong_split bonds -> split w ~step ~time label source bonds ~clocked:false
 
 let tell (run : run) =
-  let none () = Array.make (Array.length run.model.leaves) (-1) in
+  let model = Semantics.model run.semantics in
+  let none () = Array.make (Array.length model.leaves) (-1) in
   let at = { motion = none (); structure = none (); behaviour = none (); clock = none () } in
-  let w = { model = run.model; at; told = []; count = 0 } in
+  let w = { semantics = run.semantics; model; at; told = []; count = 0 } in
   let source = ref run.initial and time = ref Rat.zero in
   Array.iteri
     (fun step (label, target) ->
@@ -180,8 +172,8 @@ let tell (run : run) =
 
 (* {1 Facts} *)
 
-let everyone t = List.init (Array.length t.run.model.leaves) Fun.id
-let movable t = List.filter (fun l -> not t.run.model.leaves.(l).fixed) (everyone t)
+let everyone t = List.init (Array.length (Semantics.model t.run.semantics).leaves) Fun.id
+let movable t = List.filter (fun l -> not (Semantics.model t.run.semantics).leaves.(l).fixed) (everyone t)
 
 let of_label (label : Transition.label) =
   match label with

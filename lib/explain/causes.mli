@@ -13,7 +13,7 @@ open Scc_property
 
 (** A run that has been made. *)
 type run = {
-  model : Model.t;
+  semantics : Semantics.t;
   declared : State.t;  (** before the initial steer, see {!Network.initial} *)
   initial : State.t;
   steps : (Transition.label * State.t) array;  (** each with the state after it *)

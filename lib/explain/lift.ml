@@ -1,9 +1,10 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 
 type t = {
-  model : Model.t;
+  semantics : Semantics.t;
   run : Event_run.t;
   kept : bool array;  (** the leaves of the slice *)
   mutable steps : Witness.step list;  (** the last first *)
@@ -13,7 +14,7 @@ type t = {
 let fail () = Scc_base.Bug.fail __POS__ "a run of a slice is no run of the whole network"
 
 (* Groups that are left out make so many at most, each of them. *)
-let patience t = 10_000 * Array.length t.model.leaves
+let patience t = 10_000 * Array.length (Semantics.model t.semantics).leaves
 
 let take t choice (a : Event_run.alternative) =
   Event_run.take t.run choice;
@@ -27,10 +28,6 @@ let take t choice (a : Event_run.alternative) =
 let those alternatives condition =
   List.mapi (fun k (a : Event_run.alternative) -> (k, a)) alternatives
   |> List.filter (fun (_, (a : Event_run.alternative)) -> condition a.label)
-
-let is_urgent : Transition.label -> bool = function
-  | Bind _ | Bounce _ | Strong_split _ -> true
-  | Time _ | Weak_split _ -> false
 
 let some_leaf : Transition.label -> int option = function
   | Bind b | Weak_split b | Strong_split (b :: _) -> Some b.one.at
@@ -48,7 +45,7 @@ let rec advance t ~until =
   if Algebraic.compare_rat until (Event_run.elapsed t.run) = 0 then There
   else
     let alternatives = Event_run.alternatives t.run in
-    match (those alternatives Transition.is_time, those alternatives is_urgent) with
+    match (those alternatives Transition.is_time, those alternatives Transition.is_urgent) with
     | (k, a) :: _, _ ->
       let next = Rat.add (Event_run.elapsed t.run) (Transition.duration_of a.label) in
       if Algebraic.compare_rat until next < 0 then Before (Some k)
@@ -80,7 +77,7 @@ let choose t (step : Witness.step) =
   | [] -> fail ()
   | [ found ] -> found
   | several -> (
-      match Network.successors t.model (Event_run.state t.run) with
+      match Network.successors t.semantics (Event_run.state t.run) with
       | Error _ -> fail ()
       | Ok transitions ->
         let leads (k, _) = same_in_slice t target (List.nth transitions k).target in
@@ -114,12 +111,12 @@ let finish t (w : Witness.t) : Witness.finish =
         else During { choice; offset; open_piece = false; from = offset })
   | Rests | Stops | Repeats _ | Passes _ -> Scc_base.Bug.fail __POS__ "not the witness of a search"
 
-let timed model ~initial (w : Witness.t) =
-  let kept = Array.make (Array.length model.Model.leaves) false in
+let timed semantics ~initial (w : Witness.t) =
+  let kept = Array.make (Array.length (Semantics.model semantics).leaves) false in
   Array.iter
     (fun (p : State.process) -> Array.iter (fun (l : State.leaf) -> kept.(l.leaf) <- true) p.leaves)
     w.initial.processes;
-  let t = { model; run = Event_run.start model initial; kept; steps = []; within_instant = 0 } in
+  let t = { semantics; run = Event_run.start semantics initial; kept; steps = []; within_instant = 0 } in
   List.iter (repeat t) w.steps;
   let finish = finish t w in
   { w with initial; steps = List.rev t.steps; last = Event_run.state t.run; finish }

@@ -74,7 +74,7 @@ let puts_off context (cycle : Witness.step list) ~from =
     | Weak_split _ | Time _ | Bind _ | Bounce _ | Strong_split _ -> None
   in
   let at state =
-    match Network.successors (Network_lts.model context) state with
+    match Network.successors (Network_lts.semantics context) state with
     | Ok transitions -> List.find_map is_put_off transitions
     | Error _ -> None
   in
@@ -91,7 +91,7 @@ let repeats context (run, moved) cycle : Witness.finish =
 
 (* Time passes in at most one way from a state. *)
 let time_choice context state =
-  match Network.successors (Network_lts.model context) state with
+  match Network.successors (Network_lts.semantics context) state with
   | Error _ -> None
   | Ok transitions ->
     let rec find k = function
@@ -130,7 +130,7 @@ let of_trace context graph predicate (trace : Search.trace) =
     | None -> no_facts
     | Some p ->
       let arrived = Network_lts.arrived context (Graph.tuple graph trace.last) in
-      fun state extent offset -> Facts.at ~arrived (Network_lts.model context) state extent offset p
+      fun state extent offset -> Facts.at ~arrived (Network_lts.semantics context) state extent offset p
   in
   match trace.finish with
   | At_state ->
@@ -161,7 +161,7 @@ let of_met context p (met : Compact_search.met) =
   let on from (choice, target) = follow context from choice target in
   let run = List.fold_left on (start context) reached in
   let arrived = Network_lts.arrived context last in
-  let facts extent offset = Facts.at ~arrived (Network_lts.model context) run.last extent offset p in
+  let facts extent offset = Facts.at ~arrived (Network_lts.semantics context) run.last extent offset p in
   match met.during with
   | None -> witness context run At_state (facts Timeline.Instant Algebraic.zero)
   | Some (moment, sample) ->

@@ -26,7 +26,7 @@ let is_relevant = function Irrelevant -> false | Cause | Keeps_away -> true
    It makes the events of the story in which no absent body takes part, at their times, and otherwise what
    must happen. *)
 
-type trial = { model : Model.t; duration : Rat.t; props : Property.prop list; facts : string list }
+type trial = { semantics : Semantics.t; model : Model.t; duration : Rat.t; props : Property.prop list; facts : string list }
 type expected = { label : Transition.label; at : Rat.t; needed : bool }
 
 (* Where the run is: the state, and the transition of this instant that has just led to it. *)
@@ -35,18 +35,19 @@ type place = { state : State.t; time : Rat.t; arrival : (State.t * Transition.la
 (* What leads nowhere is given up. *)
 let patience = 100_000
 
-let facts model props place =
+let facts semantics props place =
+  let model = Semantics.model semantics in
   let arrived event =
     match place.arrival with
     | Some (source, label) -> Event.matches ~source label event
     | None -> false
   in
-  let trajectory = Trajectory.make ~arrived model place.state Timeline.Instant in
+  let trajectory = Trajectory.make ~arrived semantics place.state Timeline.Instant in
   List.concat_map (Facts.every trajectory model Algebraic.zero) props
 
-let pass model d (place : place) =
+let pass semantics d (place : place) =
   if Rat.sign d = 0 then place
-  else { state = Time.pass model d place.state; time = Rat.add place.time d; arrival = None }
+  else { state = Time.pass semantics d place.state; time = Rat.add place.time d; arrival = None }
 
 let missing w (e : expected) =
   Error
@@ -55,7 +56,7 @@ let missing w (e : expected) =
        (Rat.to_string e.at))
 
 let compare_end w (place : place) =
-  let found = facts w.model w.props (pass w.model (Rat.sub w.duration place.time) place) in
+  let found = facts w.semantics w.props (pass w.semantics (Rat.sub w.duration place.time) place) in
   match List.find_opt (fun (a, b) -> not (String.equal a b)) (List.combine w.facts found) with
   | None -> Ok ()
   | Some (_, b) -> Error (b ^ " at the end")
@@ -71,7 +72,7 @@ let is_time (t : Transition.t) = Transition.is_time t.label
 let rec follow w place (expected : expected list) fuel =
   if fuel = 0 then Error "the run does not come to its end"
   else
-    match (Network.successors w.model place.state, expected) with
+    match (Network.successors w.semantics place.state, expected) with
     | Error fault, _ -> Error ((Transition.diagnostic w.model fault).message)
     | Ok all, e :: rest when Rat.equal e.at place.time -> (
         match List.find_opt (fun (t : Transition.t) -> Transition.equal_label e.label t.label) all with
@@ -95,7 +96,7 @@ and onwards w place all (expected : expected list) fuel =
     if Rat.compare next.time until <= 0 then follow w next expected (fuel - 1) else undisturbed ()
   | None, t :: _ -> follow w (make place t) expected (fuel - 1)
   | None, [] ->
-    if Network.quiescent w.model place.state then undisturbed () else Error "the run ends too early"
+    if Network.quiescent w.semantics place.state then undisturbed () else Error "the run ends too early"
 
 let without (run : Causes.run) absent =
   let stays (p : State.process) =
@@ -115,7 +116,7 @@ let expected_events story roles absent =
 
 let try_without story roles w bodies =
   let absent = Ints.of_list (List.concat bodies) in
-  match Network.initial w.model (without (Causes.run story) absent) with
+  match Network.initial w.semantics (without (Causes.run story) absent) with
   | Error fault -> Error ((Transition.diagnostic w.model fault).message)
   | Ok state ->
     follow w { state; time = Rat.zero; arrival = None } (expected_events story roles absent) patience
@@ -187,8 +188,8 @@ let final (run : Causes.run) duration =
 
 let explain story (basis : Causes.basis) props =
   let run = Causes.run story and duration = Causes.duration story in
-  let facts = facts run.model props (pass run.model run.offset (final run duration)) in
-  let w = { model = run.model; duration; props; facts } in
+  let facts = facts run.semantics props (pass run.semantics run.offset (final run duration)) in
+  let w = { semantics = run.semantics; model = Semantics.model run.semantics; duration; props; facts } in
   let all = bodies run in
   let rec settle roles keep_away =
     let leaves = involved story basis roles keep_away in

@@ -59,6 +59,11 @@ let step_line model number s =
     (Transition.label_to_string model s.transition.label)
     (Rat.to_string s.time)
 
+let there semantics w =
+  match offset w with
+  | Some d when Rat.sign d > 0 -> Time.pass semantics d w.last
+  | Some _ | None -> w.last
+
 let during_line w ~offset ~open_piece ~from =
   let start = time w in
   let absolute t = Algebraic.to_string (Algebraic.add_rat start t) in

@@ -63,6 +63,9 @@ val offset : t -> Rat.t option
 (** For a schedule: the time to let pass after the steps. At an irrational instant, a rational within
     10^-12 of it. *)
 
+val there : Semantics.t -> t -> State.t
+(** The state at the instant that the witness is about, or at the rational one close by ({!offset}). *)
+
 val lines : Model.t -> t -> string list
 (** The run in words: the steps, and the {!ending}. *)
 

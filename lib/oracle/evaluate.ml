@@ -65,13 +65,13 @@ let read store ~handle ~formula =
 
 (* {1 At a state} *)
 
-let trajectory model (place : Network_at.place) =
+let trajectory semantics (place : Network_at.place) =
   let arrived event =
     match place.last with
     | None -> false
     | Some (source, label) -> Event.matches ~source label event
   in
-  Trajectory.make ~arrived model place.state Timeline.Instant
+  Trajectory.make ~arrived semantics place.state Timeline.Instant
 
 let answer kind value reason =
   let reason = Json.option Json.text reason in
@@ -79,14 +79,14 @@ let answer kind value reason =
 
 let state p (l : Models.loaded) prop =
   let place = Models.path p l.network in
-  match (Trajectory.prop (trajectory l.model.model place) prop).start with
+  match (Trajectory.prop (trajectory l.model.semantics place) prop).start with
   | True -> answer "state" (`Bool true) None
   | False -> answer "state" (`Bool false) None
   | Undecided reason -> answer "state" `Null (Some reason)
 
 let number p (l : Models.loaded) num =
   let place = Models.path p l.network in
-  match (Trajectory.num (trajectory l.model.model place) num).start with
+  match (Trajectory.num (trajectory l.model.semantics place) num).start with
   | Undefined reason -> answer "number" `Null (Some reason)
   | Ratio (n, d) ->
     let at_start polynomial = Polynomial.eval polynomial Rat.zero in
@@ -118,8 +118,8 @@ let options bounds p : Check.options =
 let temporal bounds p (l : Models.loaded) check =
   let options = options bounds p in
   let place = Models.path p l.network in
-  let model = l.model.model in
-  let report = Check.run options model ~initial:place.state [ check ] in
+  let semantics = l.model.semantics in
+  let report = Check.run options semantics ~initial:place.state [ check ] in
   match report.outcomes with
   | [ ((_, verdict) as outcome) ] ->
     Reply.Value
@@ -127,7 +127,7 @@ let temporal bounds p (l : Models.loaded) check =
          [
            ("kind", `String "temporal");
            ("verdict", `String (Check_json.kind verdict));
-           ("report", Check_json.property model outcome);
+           ("report", Check_json.property semantics outcome);
            ("explored", Check_json.explored report.stats);
          ])
   | _ -> Bug.fail __POS__ "one check has one verdict"

@@ -34,7 +34,7 @@ let make given tree =
   in
   let* model = Loaded.of_tree ~read_file ~overrides:given.overrides given.source tree in
   let* initial = Loaded.initial model in
-  Ok { model; network = Network_at.make model.model ~initial }
+  Ok { model; network = Network_at.make model.semantics ~initial }
 
 let source_of given name =
   if String.equal name text_name then Some given.source

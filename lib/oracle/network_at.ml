@@ -20,7 +20,7 @@ module Table = Hashtbl.Make (struct
   end)
 
 type t = {
-  model : Model.t;
+  semantics : Semantics.t;
   initial : State.t;
   most : int;
   table : entry Table.t;
@@ -30,12 +30,13 @@ type t = {
 (* So many leaves in all states that are kept, roughly. *)
 let leaves_kept = 100_000
 
-let make model ~initial =
-  let leaves = 1 + Array.length model.Model.leaves in
+let make semantics ~initial =
+  let leaves = 1 + Array.length (Semantics.model semantics).leaves in
   let most = Int.max 2 (Int.min 256 (leaves_kept / leaves)) in
-  { model; initial; most; table = Table.create 64; order = Queue.create () }
+  { semantics; initial; most; table = Table.create 64; order = Queue.create () }
 
-let model t = t.model
+let semantics t = t.semantics
+let model t = Semantics.model t.semantics
 let initial t = t.initial
 
 (* {1 What is kept} *)
@@ -87,12 +88,12 @@ let transitions t e =
   match e.next with
   | Some next -> next
   | None -> (
-      match Network.successors t.model e.place.state with
+      match Network.successors t.semantics e.place.state with
       | Ok next ->
         e.next <- Some next;
         next
       | Error f ->
-        let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic t.model f ] in
+        let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic (model t) f ] in
         Fault.refuse (No_transitions { at = Array.length e.place.path; diagnostics }))
 
 let labels model next = List.map (fun (t : Transition.t) -> Transition.label_to_string model t.label) next
@@ -105,7 +106,7 @@ let after t e path n =
     let last = Some (e.place.state, taken.label) in
     { place = { path = Array.sub path 0 (n + 1); state = taken.target; time; last }; next = None }
   | None ->
-    let possible = labels t.model next in
+    let possible = labels (model t) next in
     let message = Printf.sprintf "after %d choices, choice %d is not possible" n path.(n) in
     Fault.refuse (Not_possible { at = n; possible; message })
 

@@ -14,8 +14,9 @@ type place = {
   last : (State.t * Transition.label) option;  (** how it was reached: none for the initial state *)
 }
 
-val make : Model.t -> initial:State.t -> t
+val make : Semantics.t -> initial:State.t -> t
 
+val semantics : t -> Semantics.t
 val model : t -> Model.t
 val initial : t -> State.t
 

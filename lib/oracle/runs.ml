@@ -40,7 +40,7 @@ let successors store p =
   let next = Network_at.next network place in
   let ending =
     match next with
-    | [] -> `String (if Network.quiescent m place.state then "quiescent" else "stuck")
+    | [] -> `String (if Network.quiescent (Network_at.semantics network) place.state then "quiescent" else "stuck")
     | _ :: _ -> `Null
   in
   let here = match states with Here | Every -> State_json.state m place.state | Neither -> `Null in
@@ -202,7 +202,7 @@ let replay store p =
   let told = { lines = []; bytes = 0; taken = []; finish = None } in
   tell q told (Trace.header l.origin);
   let interrupted () = false in
-  match Replay.run l.model l.declared policy limits ~interrupted (on_event q l.model states told) with
+  match Replay.run l.semantics l.declared policy limits ~interrupted (on_event q l.model states told) with
   | Error (Refused d) -> misfit network told d.message
   | Error (Fault f) ->
     let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic l.model f ] in

@@ -2,25 +2,33 @@ open Scc_calculus
 
 let ( let* ) = Result.bind
 
-(* Replaces the processes at some indices by others. *)
-let replace (s : State.t) indices processes ~step =
-  let kept =
-    List.filteri (fun i _ -> not (List.mem i indices)) (Array.to_list s.processes)
-  in
-  State.make ~processes:(processes @ kept) ~step ~time:s.time
+(* {1 Putting together} *)
 
-(* What collides in the rigid calculus begins new turns for all (rule Turn). *)
-let at_contact (m : Model.t) (s : State.t) =
-  let turning (p : State.process) = Scc_exact.Rat.sign p.since > 0 in
-  let stale () = Turn.is_free m || Array.exists turning s.processes in
-  match m.rigid with
-  | Some _ when stale () && Encounter.colliding m s <> [] -> Steer.renewed m s
-  | Some _ | None -> s
+type 'a discrete = { strong : 'a list; weak : 'a list; collisions : 'a list }
 
-let finish m label rules target =
-  let* settled = Steer.settle m (at_contact m target) in
-  let target = match m.Model.rigid with None -> settled.state | Some _ -> Turn.shortened settled.state in
-  Ok { Transition.label; rules = rules @ settled.rules; target; rounded = settled.rounded }
+let is_urgent d = match (d.strong, d.collisions) with [], [] -> false | _ -> true
+
+let in_order f d ~time =
+  let before later last_first = List.fold_left (fun all x -> f x :: all) later last_first in
+  let later = if is_urgent d then [] else time () in
+  before (before (before later d.collisions) d.weak) d.strong
+
+let time_rules (c : Semantics.t) =
+  let (module K) = c.kinematics in
+  K.time_rules
+
+(* {1 Steps} *)
+
+(* What collides begins new turns, where bodies turn (rule Turn). *)
+let at_contact (c : Semantics.t) (s : State.t) =
+  let (module K) = c.kinematics in
+  if K.stale c.setting s && Collisions.collides c s then K.renewed c.setting s else s
+
+let finish (c : Semantics.t) label rules target =
+  let (module K) = c.kinematics in
+  let* settled = Steer.settle c (at_contact c target) in
+  let target = K.shortened settled.state and rules = rules @ settled.rules in
+  Ok { Transition.label; rules; target; rounded = settled.rounded }
 
 (* A collision ends the movement step, unless this instant has been steered already. *)
 let after_collision (step : State.step option) =
@@ -30,106 +38,72 @@ let after_collision (step : State.step option) =
   in
   Option.map (fun (s : State.step) -> { s with phase = next s.phase }) step
 
-let splits m (s : State.t) outcomes_of =
-  Array.to_list s.processes
-  |> List.mapi (fun i p ->
-      List.map
-        (fun (o : Split.outcome) -> finish m o.label o.rules (replace s [ i ] o.pieces ~step:s.step))
-        (outcomes_of m p))
-  |> List.concat
+(* {1 Transitions} *)
 
-(* Two processes that collide, with what may come of it. *)
-type meeting = {
-  first : int;
-  second : int;
-  outcomes : unit -> (Collision.outcome list, Transition.fault) result;
-}
+(* An outcome as a transition of the whole network. *)
+let happens c (s : State.t) ~step (o : Transition.outcome) =
+  let others = List.filter (fun p -> not (List.memq p o.gone)) (Array.to_list s.processes) in
+  finish c o.label o.rules (State.make ~processes:(o.come @ others) ~step ~time:s.time)
 
-let meetings (m : Model.t) s =
-  match m.rigid with
-  | None ->
-    List.filter Collision.colliding (Collision.contacts m s)
-    |> List.map (fun (c : Collision.contact) ->
-        { first = c.first; second = c.second; outcomes = (fun () -> Ok (Collision.resolve m s c)) })
-  | Some _ ->
-    List.map
-      (fun (e : Encounter.t) ->
-         { first = e.first; second = e.second; outcomes = (fun () -> Encounter.outcomes m s e) })
-      (Encounter.colliding m s)
+let last_first lists = List.fold_left (fun all list -> List.rev_append list all) [] lists
 
-let resolved m (s : State.t) meetings =
-  List.concat_map
-    (fun c ->
-       match c.outcomes () with
-       | Error fault -> [ Error fault ]
-       | Ok outcomes ->
-         List.map
-           (fun (o : Collision.outcome) ->
-              let step = after_collision s.step in
-              finish m o.label o.rules (replace s [ c.first; c.second ] o.results ~step))
-           outcomes)
-    meetings
+let splits c (s : State.t) kind =
+  List.map (fun p -> List.map (happens c s ~step:s.step) (kind c p)) (Array.to_list s.processes) |> last_first
 
-let time_rules (m : Model.t) =
-  match m.rigid with
-  | None -> [ Rule.Time; Time_behaviour ]
-  | Some _ -> [ Rule.Time; Time_behaviour; Turn ]
-
-let time m s =
-  match Time.delay m s with
-  | None -> []
-  | Some d -> [ finish m (Transition.Time d) (time_rules m) (Time.pass m d s) ]
-
-let distinct transitions =
-  let same (a : Transition.t) (b : Transition.t) =
-    Transition.equal_label a.label b.label && State.equal a.target b.target
+let collisions c (s : State.t) =
+  let step = after_collision s.step in
+  let resolved meeting =
+    match Collisions.outcomes c s.processes meeting with
+    | Error fault -> [ Error fault ]
+    | Ok outcomes -> List.map (happens c s ~step) outcomes
   in
-  List.fold_left
-    (fun kept t -> if List.exists (same t) kept then kept else t :: kept)
-    [] transitions
-  |> List.rev
+  List.map resolved (Collisions.meetings c s.processes) |> last_first
+
+let time c s () =
+  match Time.delay c s with
+  | None -> []
+  | Some d -> [ finish c (Transition.Time d) (time_rules c) (Time.pass c d s) ]
 
 let rec all_ok acc = function
   | [] -> Ok (List.rev acc)
   | Ok t :: rest -> all_ok (t :: acc) rest
   | Error e :: _ -> Error e
 
-let all transitions = Result.map distinct (all_ok [] transitions)
-let strong m s = all (splits m s Split.strong)
-let weak m s = all (splits m s Split.weak)
-let collisions m s = all (resolved m s (meetings m s))
-let colliding m s = List.map (fun c -> (c.first, c.second)) (meetings m s)
+let successors c s =
+  { strong = splits c s Splits.strong; weak = splits c s Splits.weak; collisions = collisions c s }
+  |> in_order Fun.id ~time:(time c s)
+  |> all_ok []
 
-let successors m s =
-  let strong = splits m s Split.strong in
-  let weak = splits m s Split.weak in
-  let contacts = meetings m s in
-  let time = if strong = [] && contacts = [] then time m s else [] in
-  all (strong @ weak @ resolved m s contacts @ time)
+let together c p q =
+  let processes = [| p; q |] in
+  let sure = function
+    | Ok outcomes -> outcomes
+    | Error _ -> Scc_base.Bug.fail __POS__ "a persistent contact in translation"
+  in
+  Collisions.meetings c processes |> List.concat_map (fun m -> sure (Collisions.outcomes c processes m))
 
-let quiescent m s =
-  Array.for_all (fun p -> Split.strong m p = [] && Option.is_none p.State.clock) s.State.processes
-  && colliding m s = []
-  && Option.is_none (Time.delay m s)
+let quiescent c (s : State.t) =
+  Array.for_all (fun p -> Splits.strong c p = [] && Option.is_none p.State.clock) s.processes
+  && (not (Collisions.collides c s))
+  && Option.is_none (Time.delay c s)
 
-let initial (m : Model.t) (declared : State.t) =
+let initial (c : Semantics.t) (declared : State.t) =
+  let (module K) = c.kinematics in
+  let m = c.setting.model in
   let step =
     if m.steered then Some { State.remaining = m.timestep; length = m.timestep; phase = State.Due } else None
   in
   let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
-  let start p =
-    let p = Process.restart_clock m p in
-    match m.rigid with None -> p | Some _ -> Turn.start m p
-  in
+  let start p = K.start c.setting (Process.restart_clock m p) in
   let processes = List.map start (Array.to_list declared.processes) in
-  let* settled = Steer.settle m (State.make ~processes ~step ~time) in
+  let* settled = Steer.settle c (State.make ~processes ~step ~time) in
   Ok settled.state
 
-let follow m s choices =
+let follow c s choices =
   let rec go s place acc = function
     | [] -> Ok (List.rev acc)
     | choice :: rest -> (
-        match successors m s with
+        match successors c s with
         | Error fault -> Error (place, Some fault)
         | Ok list -> (
             match if choice < 0 then None else List.nth_opt list choice with

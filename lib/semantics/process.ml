@@ -26,6 +26,12 @@ let weak_offers m p (b : State.bond) =
     let second = releases m p b.name b.two in
     List.concat_map (fun (x, r) -> List.map (fun (y, s) -> (x, y, union r s)) second) first
 
+let weak_split_enabled m p = Array.exists (fun b -> weak_offers m p b <> []) p.State.bonds
+
 let restart_clock m p =
-  let enabled = Array.exists (fun b -> weak_offers m p b <> []) p.State.bonds in
-  State.with_clock (if enabled then Some Scc_exact.Rat.zero else None) p
+  State.with_clock (if weak_split_enabled m p then Some Scc_exact.Rat.zero else None) p
+
+let at_split_instant (p : State.process) =
+  match p.clock with
+  | Some clock -> Scc_exact.Rat.sign clock = 0
+  | None -> false

@@ -24,14 +24,14 @@ let reach m p centre =
        List.fold_left (fun far i -> Rat.max far (Turn.reach m ~centre l i)) far (List.init parts Fun.id))
     Rat.zero p.State.leaves
 
-let orientation m k s i (p : State.process) =
+let orientation m k ~apart s i (p : State.process) =
   let old = p.leaves.(0).turned in
   let rounded = Quaternion.round k old in
   if fixed m p || Quaternion.equal old rounded then None
   else
     let centre = State.centre_of_mass m p in
     let by = Rat.mul (Quaternion.round_error k) (reach m p centre) in
-    if not (Encounter.apart m s i ~by) then None
+    if not (apart s i ~by) then None
     else
       let turn = Quaternion.mul rounded (Quaternion.inverse old) in
       let move (l : State.leaf) =
@@ -64,33 +64,29 @@ let velocity m k (p : State.process) =
 
 (* How a body is turned does not matter to the ball that it spins in. *)
 let settled (m : Model.t) (p : State.process) =
-  match m.rigid with
-  | None -> true
-  | Some { round_orientation; round_velocity; _ } ->
-    let old = p.leaves.(0).turned in
-    let turned k = Turn.spinning p || Quaternion.equal old (Quaternion.round k old) in
-    Option.fold ~none:true ~some:(fun k -> Option.is_none (velocity m k p)) round_velocity
-    && (fixed m p || Option.fold ~none:true ~some:turned round_orientation)
+  let { Model.round_orientation; round_velocity; _ } = Turn.rigid m in
+  let old = p.leaves.(0).turned in
+  let turned k = Turn.spinning p || Quaternion.equal old (Quaternion.round k old) in
+  Option.fold ~none:true ~some:(fun k -> Option.is_none (velocity m k p)) round_velocity
+  && (fixed m p || Option.fold ~none:true ~some:turned round_orientation)
 
-let nothing_collides m s = Encounter.colliding m s = []
-
-let velocities m k s =
+let velocities m k ~collides s =
   let rounded, changed = each s (fun _ _ p -> velocity m k p) in
   if not changed then (s, false)
-  else if nothing_collides m rounded then (rounded, true)
+  else if not (collides rounded) then (rounded, true)
   else
     each s (fun s i p ->
         match velocity m k p with
-        | Some q when nothing_collides m (replace s i q) -> Some q
+        | Some q when not (collides (replace s i q)) -> Some q
         | Some _ | None -> None)
 
-let run m s =
+let run m ~collides ~apart s =
   let { Model.round_orientation; round_velocity; _ } = Turn.rigid m in
   let rounded, turned =
-    match round_orientation with None -> (s, false) | Some k -> each s (orientation m k)
+    match round_orientation with None -> (s, false) | Some k -> each s (orientation m k ~apart)
   in
   let rounded, changed =
-    match round_velocity with None -> (rounded, false) | Some k -> velocities m k rounded
+    match round_velocity with None -> (rounded, false) | Some k -> velocities m k ~collides rounded
   in
   let added = lazy (Totals.sub (Totals.of_state m rounded) (Totals.of_state m s)) in
   (rounded, if turned || changed then Some added else None)

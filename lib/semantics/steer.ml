@@ -16,11 +16,7 @@ let change (m : Model.t) ~time ~dt (p : State.process) (l : State.leaf) =
   | Inertial -> Ok Vec.zero
   | Velocity (x, y, z) ->
     let centre = State.centroid m l in
-    let v =
-      if Turn.spinning p then
-        Vec.add p.velocity (Vec.cross p.spin (Vec.sub centre (State.centre_of_mass m p)))
-      else p.velocity
-    in
+    let v = Turn.velocity_at m p centre in
     let env : Law.variable -> Rat.t = function
       | X -> centre.x
       | Y -> centre.y
@@ -56,50 +52,34 @@ let steer_process (m : Model.t) ~time ~dt (p : State.process) =
 
 type outcome = { state : State.t; rules : Rule.t list; rounded : Totals.t Lazy.t option }
 
-let renewed m (s : State.t) =
-  State.make ~processes:(List.map (Turn.renew m) (Array.to_list s.processes)) ~step:s.step ~time:s.time
-
-(* The spins of the turns that begin, unless something would collide with them that does not otherwise. *)
-let with_spins m (s : State.t) =
-  if not (Turn.is_free m) then s
-  else
-    let d = Turn.step_length m s in
-    let processes = List.map (Turn.midway m d) (Array.to_list s.processes) in
-    let turning = State.make ~processes ~step:s.step ~time:s.time in
-    match Encounter.colliding m turning with [] -> turning | _ :: _ -> s
-
-let run (m : Model.t) (s : State.t) =
+let run (c : Semantics.t) (s : State.t) =
+  let (module K) = c.kinematics in
+  let m = c.setting.model in
   match s.step with
   | None -> Scc_base.Bug.fail __POS__ "a steered state without a movement step"
   | Some step ->
     let dt = Rat.sub step.length step.remaining in
     let time = Option.value s.time ~default:Rat.zero in
-    let s = match m.rigid with None -> s | Some _ -> renewed m s in
+    let s = K.renewed c.setting s in
     let add done_ p =
       let* done_ = done_ in
       let* p = steer_process m ~time ~dt p in
       Ok (p :: done_)
     in
     let* processes = Array.fold_left add (Ok []) s.processes in
-    let begun ~length s =
-      let step = Some { State.remaining = length; length; phase = State.Steered } in
-      State.make ~processes:(Array.to_list s.State.processes) ~step ~time:s.time
-    in
     let steered = State.make ~processes ~step:s.step ~time:s.time in
-    let rules = if Array.exists (steers m) s.processes || Option.is_none m.rigid then [ Rule.Steer ] else [] in
-    (match m.rigid with
-     | None -> Ok { state = begun ~length:m.timestep steered; rules; rounded = None }
-     | Some _ ->
-       let state, rounded = Round.run m (with_spins m steered) in
-       let rules = if Option.is_some rounded then rules @ [ Rule.Round ] else rules in
-       Ok { state = begun ~length:(Turn.step_length m state) state; rules; rounded })
+    let state, rounded = K.begin_step c.setting ~collides:(Collisions.collides c) steered in
+    let length = K.step_length c.setting state in
+    let step = Some { State.remaining = length; length; phase = State.Steered } in
+    let steer = K.step_needs_law || Array.exists (steers m) s.processes in
+    Ok
+      {
+        state = State.make ~processes:(Array.to_list state.processes) ~step ~time:state.time;
+        rules = (if steer then [ Rule.Steer ] else []) @ if Option.is_some rounded then [ Rule.Round ] else [];
+        rounded;
+      }
 
-let collide (m : Model.t) s =
-  match m.rigid with
-  | None -> List.exists Collision.colliding (Collision.contacts m s)
-  | Some _ -> Encounter.colliding m s <> []
-
-let settle m (s : State.t) =
+let settle c (s : State.t) =
   match s.step with
-  | Some { phase = Due; _ } when not (collide m s) -> run m s
+  | Some { phase = Due; _ } when not (Collisions.collides c s) -> run c s
   | Some { phase = Due | Moving | Steered; _ } | None -> Ok { state = s; rules = []; rounded = None }

@@ -11,13 +11,10 @@ type outcome = {
   rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals *)
 }
 
-val renewed : Model.t -> State.t -> State.t
-(** Every turn of a rigid model begins anew ({!Turn.renew}). *)
-
-val run : Model.t -> State.t -> (outcome, Transition.fault) result
-(** New velocities for every process, and a new movement step: r := Delta. The time since the last update is
+val run : Semantics.t -> State.t -> (outcome, Transition.fault) result
+(** New velocities for every process, and a new movement step. The time since the last update is
     what the step has used up (reading I-10). For steered models only. *)
 
-val settle : Model.t -> State.t -> (outcome, Transition.fault) result
+val settle : Semantics.t -> State.t -> (outcome, Transition.fault) result
 (** {!run} if the movement step is over, this instant has not been steered and nothing collides (reading
     I-15); and it is as it was otherwise. *)

@@ -6,7 +6,7 @@ let least a b =
   | None, x | x, None -> x
   | Some s, Some t -> Some (Rat.min s t)
 
-let process_horizon (m : Model.t) (p : State.process) =
+let horizon (m : Model.t) (p : State.process) =
   Array.fold_left
     (fun h (l : State.leaf) -> least h (Behaviour.horizon m.definitions l.behaviour))
     None p.leaves
@@ -14,26 +14,26 @@ let process_horizon (m : Model.t) (p : State.process) =
 let to_split_instant (m : Model.t) (p : State.process) =
   Option.map (fun clock -> Rat.sub m.split_step clock) p.clock
 
-let delay (m : Model.t) (s : State.t) =
-  let next =
-    Array.fold_left
-      (fun d p -> least d (least (process_horizon m p) (to_split_instant m p)))
-      None s.processes
-  in
+let wait m p = least (horizon m p) (to_split_instant m p)
+
+let delay (c : Semantics.t) (s : State.t) =
+  let (module K) = c.kinematics in
+  let m = c.setting.model in
+  let next = Array.fold_left (fun d p -> least d (wait m p)) None s.processes in
   let steered = Array.exists (Steer.steers m) s.processes in
   let spinning = Array.exists Turn.spinning s.processes in
   let step = Option.map (fun (step : State.step) -> step.remaining) s.step in
   (* what waits to be rounded goes another way when the next step begins *)
-  let settled = Array.for_all (Round.settled m) s.processes in
+  let settled = Array.for_all (K.settled c.setting) s.processes in
   let limit = if steered || spinning || not settled then least next step else next in
-  let contact =
-    match m.rigid with
-    | None -> Collision.first_time_of_contact m s ~limit
-    | Some _ -> Encounter.first_time_of_contact m s ~limit
+  let contact = Collisions.first_time_of_contact c s.processes ~limit in
+  let nothing_ahead () =
+    settled && (not steered) && Option.is_none next
+    && K.none_ahead c.setting (Collisions.parts c s.processes)
   in
   match least limit contact with
   | None -> None
-  | Some _ when spinning && settled && (not steered) && Option.is_none next && Encounter.none_ahead m s -> None
+  | Some _ when spinning && nothing_ahead () -> None
   | Some d -> least (Some d) step
 
 (* The clock after d: started anew when an eps of the process has just expired (reading I-9). *)
@@ -42,21 +42,13 @@ let age_process (m : Model.t) d (p : State.process) =
   else
     let age (l : State.leaf) = { l with behaviour = Behaviour.pass m.definitions d l.behaviour } in
     let expires =
-      match process_horizon m p with Some h -> Rat.compare h d <= 0 | None -> false
+      match horizon m p with Some h -> Rat.compare h d <= 0 | None -> false
     in
     let aged = State.map_leaves age p in
     if expires then Process.restart_clock m aged
     else State.with_clock (Option.map (fun c -> Rat.modulo (Rat.add c d) m.split_step) p.clock) aged
 
-let move_process d (p : State.process) =
-  if Vec.is_zero p.velocity then p
-  else
-    let move (l : State.leaf) = { l with position = Vec.axpy d p.velocity l.position } in
-    State.map_leaves move p
-
-let pass_process (m : Model.t) d p =
-  let aged = age_process m d p in
-  match m.rigid with None -> move_process d aged | Some _ -> Turn.pass m d aged
+let pass_process m d p = Turn.pass m d (age_process m d p)
 
 (* Where nothing is steered, time may pass over the ends of steps: they come every timestep. *)
 let pass_step (m : Model.t) d (step : State.step) =
@@ -74,11 +66,11 @@ let pass_within m d (s : State.t) =
     ~time:(Option.map (Rat.add d) s.time)
 
 (* Turns begin anew at the end of each movement step. *)
-let rec pass (m : Model.t) d (s : State.t) =
+let rec pass (c : Semantics.t) d (s : State.t) =
+  let m = c.setting.model in
   match s.step with
-  | Some step
-    when Option.is_some m.rigid && Array.exists Turn.spinning s.processes && Rat.compare d step.remaining > 0 -> (
-      match Steer.run m (pass_within m step.remaining s) with
-      | Ok next -> pass m (Rat.sub d step.remaining) next.state
+  | Some step when Array.exists Turn.spinning s.processes && Rat.compare d step.remaining > 0 -> (
+      match Steer.run c (pass_within m step.remaining s) with
+      | Ok next -> pass c (Rat.sub d step.remaining) next.state
       | Error _ -> Scc_base.Bug.fail __POS__ "time passes beyond a movement step under laws of motion")
   | Some _ | None -> pass_within m d s

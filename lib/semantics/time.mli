@@ -3,26 +3,29 @@
 open Scc_exact
 open Scc_calculus
 
-val delay : Model.t -> State.t -> Rat.t option
+val delay : Semantics.t -> State.t -> Rat.t option
 (** For a state in which time may pass: the least of the time left in the movement step (if there are steps:
     rule Jump), Ftoc, the horizons of the behaviours and the times to the next split instants. [None] when
     none of them is finite, or when only movement steps are left that nothing steers any more: the network is
     quiescent. *)
 
-val pass : Model.t -> Rat.t -> State.t -> State.t
+val pass : Semantics.t -> Rat.t -> State.t -> State.t
 (** The state after a time d > 0 that is at most {!delay}, or any for a quiescent network (in which what spins goes
     on from step to step: it takes as long); split clocks run modulo the split step (reading I-16). *)
 
 (** {1 One process} *)
 
-val process_horizon : Model.t -> State.process -> Rat.t option
+val horizon : Model.t -> State.process -> Rat.t option
 (** The least horizon of its behaviours. *)
 
 val to_split_instant : Model.t -> State.process -> Rat.t option
 (** The time to its next split instant, if a weak split of it is enabled. *)
 
-val age_process : Model.t -> Rat.t -> State.process -> State.process
-(** What {!pass} does to behaviours and split clock, for 0 <= d up to the horizon. *)
+val wait : Model.t -> State.process -> Rat.t option
+(** The lesser of the two: the time until something may happen to it by itself. *)
 
-val move_process : Rat.t -> State.process -> State.process
-(** What {!pass} does to positions; d may be negative. *)
+val age_process : Model.t -> Rat.t -> State.process -> State.process
+(** What {!pass} does to behaviours and split clock, for 0 <= d up to {!wait}. *)
+
+val pass_process : Model.t -> Rat.t -> State.process -> State.process
+(** What {!pass} does to it as long as no turn begins, for 0 <= d up to {!wait}. *)

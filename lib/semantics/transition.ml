@@ -8,6 +8,8 @@ type label =
   | Weak_split of State.bond
   | Strong_split of State.bond list
 
+type outcome = { label : label; rules : Rule.t list; gone : State.process list; come : State.process list }
+
 type t = {
   label : label;
   rules : Rule.t list;
@@ -26,7 +28,11 @@ let is_time = function
   | Time _ -> true
   | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> false
 
-let duration t = duration_of t.label
+let is_urgent = function
+  | Strong_split _ | Bind _ | Bounce _ -> true
+  | Time _ | Weak_split _ -> false
+
+let duration (t : t) = duration_of t.label
 
 let rec equal_bonds a b =
   match (a, b) with
@@ -41,6 +47,12 @@ let equal_label a b =
   | Bounce (i, j), Bounce (k, l) -> i = k && j = l
   | Strong_split x, Strong_split y -> equal_bonds x y
   | (Time _ | Bind _ | Bounce _ | Weak_split _ | Strong_split _), _ -> false
+
+let distinct outcomes =
+  let same (a : outcome) (b : outcome) =
+    equal_label a.label b.label && List.equal State.equal_process a.come b.come
+  in
+  List.fold_left (fun kept o -> if List.exists (same o) kept then kept else o :: kept) [] outcomes |> List.rev
 
 let finish_to_string m (f : State.finish) = Model.site_name m ~leaf:f.at f.site
 let ends m (b : State.bond) = finish_to_string m b.one ^ ", " ^ finish_to_string m b.two

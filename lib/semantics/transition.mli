@@ -10,6 +10,18 @@ type label =
   | Weak_split of State.bond
   | Strong_split of State.bond list  (** sorted *)
 
+(** What happens to some processes, whatever the others do. *)
+type outcome = {
+  label : label;
+  rules : Rule.t list;  (** which rules made it, the network's rule first *)
+  gone : State.process list;  (** who takes part *)
+  come : State.process list;  (** what becomes of them, in order of first leaves *)
+}
+
+val distinct : outcome list -> outcome list
+(** The first of each label and result: what two summands do alike is one transition. *)
+
+(** A transition of a network. *)
 type t = {
   label : label;
   rules : Rule.t list;  (** which rules made it, the network's rule first *)
@@ -31,6 +43,9 @@ val duration_of : label -> Rat.t
 
 val is_time : label -> bool
 (** The others are events. *)
+
+val is_urgent : label -> bool
+(** Whether no time passes while it is possible (rule Time): strong splits and collisions. *)
 
 val equal_label : label -> label -> bool
 

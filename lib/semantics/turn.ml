@@ -32,6 +32,9 @@ let pass m d (p : State.process) =
     in
     State.with_turn ~spin:p.spin ~since (State.map_leaves move p)
 
+let velocity_at m (p : State.process) x =
+  if spinning p then Vec.add p.velocity (Vec.cross p.spin (Vec.sub x (State.centre_of_mass m p))) else p.velocity
+
 (* {1 Mass} *)
 
 let mass_parts (m : Model.t) (p : State.process) =

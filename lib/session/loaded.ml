@@ -2,10 +2,12 @@ open Scc_base
 open Scc_calculus
 open Scc_property
 open Scc_semantics
+open Scc_engine
 
 type t = {
   source : Source.t;
   origin : Origin.t;
+  semantics : Semantics.t;
   model : Model.t;
   declared : State.t;
   checks : Property.check list;
@@ -29,11 +31,11 @@ let of_tree ~read_file ~overrides source tree =
   let digest = Origin.digest ~text:(Source.text source) ~files:(List.rev !files) in
   let origin = { Origin.name = e.name; digest; parameters = e.parameters } in
   let { Scc_elaborate.Elaborate.model; declared; checks; premises; warnings; _ } = e in
-  Ok { source; origin; model; declared; checks; premises; warnings }
+  Ok { source; origin; semantics = Standard.of_model model; model; declared; checks; premises; warnings }
 
 let load ~read_file ~overrides source =
   let* tree = (Front_end.of_source source).model source in
   of_tree ~read_file ~overrides source tree
 
 let initial l =
-  Result.map_error (fun f -> [ Transition.diagnostic l.model f ]) (Network.initial l.model l.declared)
+  Result.map_error (fun f -> [ Transition.diagnostic l.model f ]) (Network.initial l.semantics l.declared)

@@ -4,10 +4,12 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_property
+open Scc_semantics
 
 type t = {
   source : Source.t;
   origin : Origin.t;
+  semantics : Semantics.t;  (** with a memory of its own *)
   model : Model.t;
   declared : State.t;  (** as declared: before {!Scc_semantics} sets clocks and steers *)
   checks : Property.check list;

@@ -1,17 +1,17 @@
 open Scc_data
-open Scc_geometry
 open Scc_calculus
+open Scc_broad_phase
 open Scc_semantics
+open Scc_engine
 
 (* For each leaf its group, which bears the number of one of its processes. *)
 type t = { groups : (int, int) Hashtbl.t; members : (int, int list) Hashtbl.t }
 
-let of_processes model processes =
-  let state = State.make ~processes:(Array.to_list processes) ~step:None ~time:None in
-  let parts = Parts.of_state model state in
-  let joined = Union_find.create (Array.length state.processes) in
-  let join (i, j) = ignore (Union_find.union joined parts.(i).process parts.(j).process) in
-  List.iter join (Boxes.pairs (Array.map Parts.box parts));
+let of_processes semantics processes =
+  let parts = Collisions.parts semantics processes in
+  let joined = Union_find.create (Array.length processes) in
+  let join (i, j) = ignore (Union_find.union joined parts.(i).Part.process parts.(j).process) in
+  List.iter join (Boxes.pairs (Array.map (Neighbours.box ~margin:Scc_exact.Rat.zero) parts));
   let groups = Hashtbl.create 16 and members = Hashtbl.create 16 in
   Array.iteri
     (fun i (p : State.process) ->
@@ -22,7 +22,7 @@ let of_processes model processes =
             let known = Option.value (Hashtbl.find_opt members g) ~default:[] in
             Hashtbl.replace members g (l.leaf :: known))
          p.leaves)
-    state.processes;
+    processes;
   { groups; members }
 
 let of_leaf t leaf =

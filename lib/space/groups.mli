@@ -4,10 +4,11 @@
     one group. *)
 
 open Scc_calculus
+open Scc_semantics
 
 type t
 
-val of_processes : Model.t -> State.process array -> t
+val of_processes : Semantics.t -> State.process array -> t
 
 val of_leaf : t -> int -> int
 (** The group of the process that has the leaf. *)

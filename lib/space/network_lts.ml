@@ -38,6 +38,7 @@ module Marks = Catalogue.Interned (struct
 
 (* What numbers stand for, and the events to look for. *)
 type book = {
+  semantics : Semantics.t;
   catalogue : Catalogue.t;
   events : Property.event list;
   marks : Marks.t;
@@ -56,17 +57,13 @@ type context = {
 let no_pair = { pair = -1; collisions = []; contact = None }
 
 let catalogue c = c.book.catalogue
-let model c = Catalogue.model (catalogue c)
+let semantics c = c.book.semantics
+let model c = Semantics.model (semantics c)
 let start c = c.initial
 let width c = Catalogue.width (catalogue c)
 let initial c = Quotient.representative c.quotient (catalogue c) (Catalogue.encode (catalogue c) c.initial)
 let duration c label = Catalogue.duration (catalogue c) label
 let network processes = State.make ~processes ~step:None ~time:None
-
-(* Only networks that are not steered are looked at by parts, and their transitions have no faults. *)
-let sure = function
-  | Ok transitions -> transitions
-  | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a network that is not steered"
 
 let mark b ~source label =
   match b.events with
@@ -75,25 +72,26 @@ let mark b ~source label =
     let happened = List.mapi (fun i e -> if Event.matches ~source label e then Some i else None) b.events in
     Marks.intern b.marks (List.filter_map Fun.id happened)
 
-(* A transition of some processes by themselves: they leave their slots, and others enter theirs. *)
-let move b ~source (t : Transition.t) =
+(* What happens to some processes: they leave their slots, and others enter theirs. *)
+let move b (o : Transition.outcome) =
   let slots = Hashtbl.create 8 in
   let leave p = Hashtbl.replace slots (Catalogue.first_leaf p) Catalogue.nobody in
   let enter p = Hashtbl.replace slots (Catalogue.first_leaf p) (Catalogue.process b.catalogue p) in
-  Array.iter leave source.State.processes;
-  Array.iter enter t.target.processes;
+  List.iter leave o.gone;
+  List.iter enter o.come;
   (match b.events with
    | [] -> ()
-   | _ :: _ -> Hashtbl.replace slots (Catalogue.mark_slot b.catalogue) (mark b ~source t.label));
+   | _ :: _ ->
+     Hashtbl.replace slots (Catalogue.mark_slot b.catalogue) (mark b ~source:(network o.gone) o.label));
   let changes = Hashtbl.fold (fun slot v acc -> (slot, v) :: acc) slots [] in
   let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) changes in
   {
     step =
       {
-        label = Catalogue.label b.catalogue t.label;
+        label = Catalogue.label b.catalogue o.label;
         changes = Array.of_list (List.concat_map (fun (slot, v) -> [ slot; v ]) in_order);
       };
-    leaf = Catalogue.first_leaf source.processes.(0);
+    leaf = Catalogue.first_leaf (List.hd o.gone);
   }
 
 let least a b =
@@ -101,30 +99,24 @@ let least a b =
   | None, x | x, None -> x
   | Some s, Some t -> Some (Rat.min s t)
 
-let look_at_form m p =
-  let alone = network [ p ] in
-  let splits = sure (Network.strong m alone) <> [] || sure (Network.weak m alone) <> [] in
-  { splits; wait = least (Time.process_horizon m p) (Time.to_split_instant m p) }
+let look_at_form b p =
+  let splits = Splits.strong b.semantics p <> [] || Splits.weak b.semantics p <> [] in
+  { splits; wait = Time.wait (Semantics.model b.semantics) p }
 
 let nature b form =
-  let m = Catalogue.model b.catalogue in
   for i = Growable.length b.natures to form do
-    Growable.push b.natures (look_at_form m (Catalogue.form b.catalogue i))
+    Growable.push b.natures (look_at_form b (Catalogue.form b.catalogue i))
   done;
   Growable.get b.natures form
 
 let look b number =
-  let m = Catalogue.model b.catalogue in
   let body = Catalogue.body b.catalogue number in
   let nature = nature b body.form in
-  let moves splits =
-    let source = network [ body.process ] in
-    List.map (move b ~source) (sure (splits m source))
-  in
+  let moves splits = List.map (move b) (splits b.semantics body.process) in
   {
     body; nature;
-    strong = (if nature.splits then moves Network.strong else []);
-    weak = (if nature.splits then moves Network.weak else []);
+    strong = (if nature.splits then moves Splits.strong else []);
+    weak = (if nature.splits then moves Splits.weak else []);
     rests = Catalogue.resting b.catalogue body.velocity;
     passed = Rat.zero;
     after = number;
@@ -141,12 +133,11 @@ let alone c number =
   end
 
 let look_at_pair book pair a b =
-  let m = Catalogue.model book.catalogue in
-  let two = network [ a.body.process; b.body.process ] in
-  let collisions = List.map (move book ~source:two) (sure (Network.collisions m two)) in
+  let p = a.body.process and q = b.body.process in
+  let collisions = List.map (move book) (Network.together book.semantics p q) in
   let contact =
     match collisions with
-    | [] -> Collision.first_time_of_contact m two ~limit:None
+    | [] -> Collisions.first_time_of_contact book.semantics [| p; q |] ~limit:None
     | _ :: _ -> None
   in
   { pair; collisions; contact }
@@ -163,10 +154,11 @@ let together c a b =
   end
 
 let make ?(events = []) ?(time_seen = Time_seen.Always) ?(quotient = Quotient.none) ?visible
-    ?(memory = 1 lsl 14) model initial =
+    ?(memory = 1 lsl 14) semantics initial =
+  let model = Semantics.model semantics in
   let marked = match events with [] -> false | _ :: _ -> true in
   let catalogue = Catalogue.create ~marked ~time_seen ~memory model in
-  let book = { catalogue; events; marks = Marks.create (); natures = Growable.create () } in
+  let book = { semantics; catalogue; events; marks = Marks.create (); natures = Growable.create () } in
   ignore (Marks.intern book.marks []);
   (* Any process will do to fill the memory: it is looked at like the others. *)
   let filler =
@@ -201,8 +193,7 @@ let after c d a =
       a.after <-
         (if ageless a then Catalogue.displaced (catalogue c) d a.body
          else
-           Time.move_process d (Time.age_process (model c) d a.body.process)
-           |> Catalogue.process (catalogue c));
+           Time.pass_process (model c) d a.body.process |> Catalogue.process (catalogue c));
       a.passed <- d
     end;
     a.after
@@ -255,10 +246,12 @@ let meetings_of_few c present =
 
 (* The same of many: who is near whom is seen at once. *)
 let meetings_of_many c present =
-  let s = network (List.map (fun a -> a.body.process) (Array.to_list present)) in
-  let resolved acc (p, q) = List.rev_append (together c present.(p) present.(q)).collisions acc in
-  let collisions = List.fold_left resolved [] (Network.colliding (model c) s) in
-  (collisions, fun ~limit -> Collision.first_time_of_contact (model c) s ~limit)
+  let processes = Array.map (fun a -> a.body.process) present in
+  let resolved acc (m : Collisions.meeting) =
+    List.rev_append (together c present.(m.first) present.(m.second)).collisions acc
+  in
+  let collisions = List.fold_left resolved [] (Collisions.meetings (semantics c) processes) in
+  (collisions, fun ~limit -> Collisions.first_time_of_contact (semantics c) processes ~limit)
 
 (* Whether there are so few basic shapes that it pays to remember what every two processes do. *)
 let few_shapes = 32
@@ -278,7 +271,7 @@ let choices c source =
     set_mark c target (mark c.book ~source t.label);
     (t, Quotient.representative c.quotient (catalogue c) target)
   in
-  Result.map (List.map encoded) (Network.successors (model c) source)
+  Result.map (List.map encoded) (Network.successors (semantics c) source)
 
 let whole c tuple =
   let step ((t : Transition.t), target) : Lts.step =
@@ -286,33 +279,22 @@ let whole c tuple =
   in
   Result.map (List.map step) (choices c (Catalogue.decode (catalogue c) tuple))
 
-(* The discrete moves, each kind with the last first. *)
-type discrete = { strong : move list; weak : move list; collisions : move list }
-
-let steps_of d later =
-  let steps later last_first = List.fold_left (fun acc m -> m.step :: acc) later last_first in
-  steps (steps (steps later d.collisions) d.weak) d.strong
-
 let discrete c present =
   let strong = Array.fold_left (fun acc (a : alone) -> List.rev_append a.strong acc) [] present in
   let weak = Array.fold_left (fun acc (a : alone) -> List.rev_append a.weak acc) [] present in
   let collisions, contact = meetings c present in
-  ({ strong; weak; collisions }, contact)
+  ({ Network.strong; weak; collisions }, contact)
 
 let wait present = Array.fold_left (fun d a -> least d a.nature.wait) None present
 
-(* In the order of {!Network.successors}. *)
 let by_parts c tuple present =
   let d, contact = discrete c present in
-  let time =
-    match (d.strong, d.collisions) with
-    | [], [] ->
-      let wait = wait present in
-      let delay = least wait (contact ~limit:wait) in
-      Option.to_list (Option.map (pass c tuple present) delay)
-    | _ -> []
+  let time () =
+    let wait = wait present in
+    let delay = least wait (contact ~limit:wait) in
+    Option.to_list (Option.map (pass c tuple present) delay)
   in
-  steps_of d time
+  Network.in_order (fun m -> m.step) d ~time
 
 let successors c tuple =
   if (model c).steered then whole c tuple else Ok (by_parts c tuple (present c tuple))
@@ -321,8 +303,8 @@ let successors c tuple =
 
 (* Of the groups with something urgent to do, the first in which nobody can be seen, if others could act as
    well. *)
-let group_moves model visible present d =
-  let groups = Groups.of_processes model (Array.map (fun a -> a.body.process) present) in
+let group_moves semantics visible present (d : move Network.discrete) =
+  let groups = Groups.of_processes semantics (Array.map (fun a -> a.body.process) present) in
   let group m = Groups.of_leaf groups m.leaf in
   let hidden g = not (List.exists visible (Groups.leaves groups g)) in
   let urgent = List.rev_append d.strong d.collisions in
@@ -331,8 +313,8 @@ let group_moves model visible present d =
   | None -> None
   | Some g ->
     let inside = List.filter (fun m -> group m = g) in
-    let mine = { strong = inside d.strong; weak = inside d.weak; collisions = inside d.collisions } in
-    let count d = List.length d.strong + List.length d.weak + List.length d.collisions in
+    let mine = { Network.strong = inside d.strong; weak = inside d.weak; collisions = inside d.collisions } in
+    let count (d : move Network.discrete) = List.length d.strong + List.length d.weak + List.length d.collisions in
     if count mine < count d then Some mine else None
 
 let reduced c tuple =
@@ -342,6 +324,7 @@ let reduced c tuple =
   | Some visible -> (
       let present = present c tuple in
       let d, _ = discrete c present in
-      match (d.strong, d.collisions) with
-      | [], [] -> None
-      | _ -> Option.map (fun mine -> steps_of mine []) (group_moves (model c) visible present d))
+      if not (Network.is_urgent d) then None
+      else
+        group_moves (semantics c) visible present d
+        |> Option.map (Network.in_order (fun m -> m.step) ~time:(fun () -> [])))

@@ -14,7 +14,7 @@ val make :
   ?quotient:Quotient.t ->
   ?visible:(int -> bool) ->
   ?memory:int ->
-  Model.t -> State.t -> context
+  Semantics.t -> State.t -> context
 (** With the initial state, as {!Network.initial} gives it. States are told apart by which of the events has
     just led to them, and by as much of absolute time as is seen ([Always] by default, where states have it).
     States stand for all that are equal modulo the [quotient]. With [visible], which leaves
@@ -26,6 +26,7 @@ val arrived : context -> int array -> Property.event -> bool
 (** Whether the transition that has just led to the state was of the event, one of those of {!make}. *)
 
 val catalogue : context -> Catalogue.t
+val semantics : context -> Semantics.t
 val model : context -> Model.t
 val start : context -> State.t
 

@@ -59,7 +59,7 @@ module Tuple = struct
   type number = (Rat.t, string) result
   type truth = Truth.t
 
-  let model = Network_lts.model
+  let semantics = Network_lts.semantics
 
   let of_curve (c : Path.curve) : number =
     match c with
@@ -99,7 +99,7 @@ module Tuple = struct
     | Ok _, Undecided reason -> Error reason
 
   let quantity c (q : Meaning.quantity) : t -> number =
-    let path process = Path.make (model c) process in
+    let path process = Path.make (Network_lts.model c) process in
     match q with
     | Of_process (leaf, f) ->
       let home = home c leaf in
@@ -133,7 +133,7 @@ module Tuple = struct
       let of_number = by_process c false (fun p -> test (State.leaf_of p leaf).behaviour) in
       fun t -> Truth.of_bool (of_number (number t))
     | Between (i, j, along) ->
-      let one = home c i and two = home c j and path process = Path.make (model c) process in
+      let one = home c i and two = home c j and path process = Path.make (Network_lts.model c) process in
       fun t -> (along Timeline.Instant (path (one t)) (path (two t))).start
     | In_network test -> fun t -> Truth.of_bool (test (Catalogue.decode (Network_lts.catalogue c) t))
     | Arrival e -> fun t -> Truth.of_bool (Network_lts.arrived c t e)
@@ -155,11 +155,11 @@ module In_state = Terms.Make (Tuple)
 
 (* Along the trajectory of the whole state. *)
 let along c p =
-  let model = Network_lts.model c in
-  let predicate = Trajectory.predicate model p in
+  let semantics = Network_lts.semantics c in
+  let predicate = Trajectory.predicate semantics p in
   fun tuple extent ->
     let state = Catalogue.decode (Network_lts.catalogue c) tuple in
-    predicate (Trajectory.make ~arrived:(Network_lts.arrived c tuple) model state extent)
+    predicate (Trajectory.make ~arrived:(Network_lts.arrived c tuple) semantics state extent)
 
 let make c p : On_the_fly.predicate =
   let at = In_state.prop c p in

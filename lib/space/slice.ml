@@ -2,7 +2,9 @@ open Scc_data
 open Scc_exact
 open Scc_geometry
 open Scc_calculus
+open Scc_broad_phase
 open Scc_semantics
+open Scc_engine
 open Scc_property
 
 (** {1 Formulas} *)
@@ -50,10 +52,11 @@ let is_wall (m : Model.t) ~in_events (p : State.process) =
 (** {1 Groups} *)
 
 type swarm = {
+  semantics : Semantics.t;
   model : Model.t;
   horizon : Rat.t option;
   processes : State.process array;
-  parts : Parts.part array;
+  parts : Part.t array;
   walls : bool array;  (** by process *)
   lines : Moving_boxes.t;  (** of parts, which do not collide *)
   present : Box_tree.t;  (** where parts may be until the horizon, those of walls apart *)
@@ -86,9 +89,10 @@ let twice_energy m (p : State.process) =
   | Some mass -> Rat.mul mass (Vec.norm2 p.velocity)
   | None -> Rat.zero
 
-let create model ~horizon ~in_events (initial : State.t) =
+let create semantics ~horizon ~in_events (initial : State.t) =
+  let model = Semantics.model semantics in
   let processes = initial.processes in
-  let parts = Parts.of_state model initial in
+  let parts = Collisions.parts semantics processes in
   let n = Array.length processes in
   let lines = Moving_boxes.create (Array.length parts) in
   (* The ends of sweeps must be later than 0. *)
@@ -97,13 +101,13 @@ let create model ~horizon ~in_events (initial : State.t) =
   in
   let members = Array.make n [] in
   Array.iteri
-    (fun i (p : Parts.part) ->
-       Moving_boxes.set lines i p.shape ~at:p.position ~velocity:p.velocity;
+    (fun i (p : Part.t) ->
+       Moving_boxes.set lines i p.placed.solid.box ~at:p.placed.at ~velocity:p.motion.velocity;
        Moving_boxes.set_until lines i until;
        members.(p.process) <- i :: members.(p.process))
     parts;
   {
-    model; horizon; processes; parts; lines; members;
+    semantics; model; horizon; processes; parts; lines; members;
     walls = Array.map (is_wall model ~in_events) processes;
     present = Box_tree.create ();
     still = Box_tree.create ();
@@ -117,12 +121,11 @@ let create model ~horizon ~in_events (initial : State.t) =
 
 let collide s i j =
   let a = s.parts.(i) and b = s.parts.(j) in
-  let w = Vec.sub b.velocity a.velocity in
+  let w = Part.relative_velocity a b in
   (not (Vec.is_zero w))
   && Moving_boxes.may_meet s.lines i j ~from:0.
   &&
-  let obstacle = Model.obstacle s.model (a.leaf, a.part) (b.leaf, b.part) in
-  match Obstacle.first_time_of_contact obstacle (Vec.sub b.position a.position) w with
+  match s.semantics.setting.geometry.first_time_of_contact a.placed b.placed w with
   | Never -> false
   | At t -> ( match s.horizon with None -> true | Some h -> Rat.compare t h <= 0)
   | Inside -> Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
@@ -148,7 +151,7 @@ let fly s =
       stir ()
     end
   in
-  let enter i (p : Parts.part) =
+  let enter i (p : Part.t) =
     let box = Moving_boxes.swept s.lines i ~from:0. in
     if s.walls.(p.process) then begin
       Box_tree.iter_meeting s.present box (hit i);
@@ -179,7 +182,7 @@ let reach s ~energy i =
    +infinity, nor greatest ones -infinity. *)
 let grown_box s ~energy i =
   let p = s.parts.(i) in
-  let box = Float_box.at p.position p.shape and r = reach s ~energy i in
+  let box = Float_box.at p.placed.at p.placed.solid.box and r = reach s ~energy i in
   let low k = Float.pred (Float_box.low box k -. r) and high k = Float.succ (Float_box.high box k +. r) in
   Float_box.make ~low:(Array.init 3 low) ~high:(Array.init 3 high)
 
@@ -244,14 +247,11 @@ let restricted (initial : State.t) stays =
 (* How many transitions a group may make until the horizon. *)
 let patience = 10_000
 
-let is_urgent : Transition.label -> bool = function
-  | Weak_split _ -> false
-  | Time _ | Bind _ | Bounce _ | Strong_split _ -> true
-
 (* Whether time gets to the horizon when a group does at once what it must, and only that. *)
 let lasts s initial g =
+  let must label = Transition.is_urgent label || Transition.is_time label in
   let near = reached s [ g ] in
-  let run = Event_run.start s.model (restricted initial (fun i -> find s i = g || near.(i))) in
+  let run = Event_run.start s.semantics (restricted initial (fun i -> find s i = g || near.(i))) in
   let over time = match s.horizon with None -> false | Some h -> Rat.compare h time <= 0 in
   let rec go fuel =
     fuel > 0
@@ -259,7 +259,7 @@ let lasts s initial g =
     let alternatives = Event_run.alternatives run in
     let rec first k = function
       | [] -> None
-      | (a : Event_run.alternative) :: rest -> if is_urgent a.label then Some (k, a.label) else first (k + 1) rest
+      | (a : Event_run.alternative) :: rest -> if must a.label then Some (k, a.label) else first (k + 1) rest
     in
     match first 0 alternatives with
     | None -> true
@@ -291,7 +291,8 @@ let kept s initial named =
   let stays = Array.init n (fun i -> wanted.(find s i) || near.(i)) in
   if Array.for_all Fun.id stays then None else Some (restricted initial (fun i -> stays.(i)))
 
-let make (m : Model.t) ~(initial : State.t) formulas =
+let make semantics ~(initial : State.t) formulas =
+  let m = Semantics.model semantics in
   let owner = owners m initial in
   let named = List.concat_map (fun f -> List.map (fun l -> owner.(l)) (Formula.leaves f)) formulas in
   if
@@ -301,7 +302,7 @@ let make (m : Model.t) ~(initial : State.t) formulas =
   then None
   else begin
     let in_events = List.concat_map Formula.leaves_of_events formulas in
-    let s = create m ~horizon:(Plan.latest_horizon formulas) ~in_events initial in
+    let s = create semantics ~horizon:(Plan.latest_horizon formulas) ~in_events initial in
     fly s;
     settle s;
     kept s initial named

@@ -43,9 +43,10 @@
     that an event of a formula names is no wall in this sense. *)
 
 open Scc_calculus
+open Scc_semantics
 open Scc_property
 
-val make : Model.t -> initial:State.t -> Property.temporal list -> State.t option
+val make : Semantics.t -> initial:State.t -> Property.temporal list -> State.t option
 (** The slice of an initial state for all the formulas together; [None] when nothing can be left out, or a
     formula is not of the fragment. *)
 

@@ -62,9 +62,9 @@ type group = {
   members : (int * Property.check) list;  (** the last first *)
 }
 
-let groups options model ~initial checks =
+let groups options semantics ~initial checks =
   let part (c : Property.check) =
-    if List.exists (Reduction.equal Slice) options.reductions then Slice.make model ~initial [ c.formula ]
+    if List.exists (Reduction.equal Slice) options.reductions then Slice.make semantics ~initial [ c.formula ]
     else None
   in
   (* Times are not passed on there, so that a bound on them cannot be kept. *)
@@ -74,7 +74,7 @@ let groups options model ~initial checks =
     {
       part = part c;
       compact = compact c;
-      time_seen = Reduction.time_seen options.reductions model [ c.formula ];
+      time_seen = Reduction.time_seen options.reductions (Semantics.model semantics) [ c.formula ];
     }
   in
   let rec join needs member = function
@@ -89,21 +89,21 @@ let groups options model ~initial checks =
 
 (** {2 Back to the whole} *)
 
-let lift model ~initial (w : Witness.t) : Witness.t =
+let lift semantics ~initial (w : Witness.t) : Witness.t =
   match w.finish with
-  | At_state | During _ -> Lift.timed model ~initial w
+  | At_state | During _ -> Lift.timed semantics ~initial w
   | Repeats r ->
     (* The cycle takes no time: what is left out has nothing to do in it. *)
-    let lifted = Lift.timed model ~initial { w with finish = At_state } in
+    let lifted = Lift.timed semantics ~initial { w with finish = At_state } in
     let more = List.length lifted.steps - List.length w.steps in
     { lifted with finish = Repeats { r with cycle = r.cycle + more } }
   | Rests | Stops | Passes _ -> Scc_base.Bug.fail __POS__ "a search that ends in no instant"
 
 (* A slice does for the whole up to the horizon of its properties; a run that goes on from there is not one of the
    whole, and is not shown. *)
-let lift_in_time model ~initial horizon w =
+let lift_in_time semantics ~initial horizon w =
   let in_time = match horizon with None -> true | Some h -> Rat.compare (Witness.time w) h <= 0 in
-  if in_time then Some (lift model ~initial w) else None
+  if in_time then Some (lift semantics ~initial w) else None
 
 let lift_reason lift (r : Verdict.reason) : Verdict.reason option =
   match r with
@@ -150,7 +150,7 @@ let sum_stores a b =
 
 let most a b = List.map (fun (name, n) -> (name, Int.max n (Option.value (List.assoc_opt name b) ~default:0))) a
 
-let explored options model ~initial start group =
+let explored options semantics ~initial start group =
   let options = { options with surroundings = going_on options.surroundings start } in
   let members = List.rev group.members in
   let whole = Option.is_none group.needs.part in
@@ -160,14 +160,14 @@ let explored options model ~initial start group =
     | None -> Joint_check.check options
     | Some capacity -> Compact_check.check options ~capacity
   in
-  let result = check model ~initial:part (List.map snd members) in
-  let lift = lift_in_time model ~initial (Joint_check.horizon (List.map snd members)) in
+  let result = check semantics ~initial:part (List.map snd members) in
+  let lift = lift_in_time semantics ~initial (Joint_check.horizon (List.map snd members)) in
   let lifted v = if whole then v else lift_verdict lift v in
   let outcomes = List.map2 (fun (i, c) (_, v) -> (i, (c, lifted v))) members result.outcomes in
   let slice part =
     {
       properties = List.sort_uniq String.compare (List.map (fun (_, (c : Property.check)) -> c.name) members);
-      left_out = Slice.left_out model ~initial part;
+      left_out = Slice.left_out (Semantics.model semantics) ~initial part;
       explored = result.stats;
     }
   in
@@ -195,17 +195,19 @@ let merge parts ~events_elsewhere =
            List.fold_left (fun n (r : Joint_check.result) -> most n (r.numbers ())) (first.numbers ()) rest);
     }
 
-let whole options model ~initial checks =
+let whole options semantics ~initial checks =
   let start = options.surroundings.now () in
-  let events_elsewhere () = Joint_check.may_have_events options model ~initial in
-  groups options model ~initial checks
-  |> List.map (explored options model ~initial start)
+  let events_elsewhere () = Joint_check.may_have_events options semantics ~initial in
+  groups options semantics ~initial checks
+  |> List.map (explored options semantics ~initial start)
   |> merge ~events_elsewhere
 
-let run options model ~initial checks =
+let run options semantics ~initial checks =
+  let model = Semantics.model semantics in
   let stepwise = Reduction.without_jumps options.reductions model in
-  if Bool.equal stepwise.steered model.steered then whole options model ~initial checks
+  if Bool.equal stepwise.steered model.steered then whole options semantics ~initial checks
   else
-    match Network.initial stepwise initial with
-    | Ok initial -> whole options stepwise ~initial checks
+    let semantics = Semantics.with_model semantics stepwise in
+    match Network.initial semantics initial with
+    | Ok initial -> whole options semantics ~initial checks
     | Error _ -> Scc_base.Bug.fail __POS__ "a fault in a network that is not steered"

@@ -2,6 +2,7 @@
 
 open Scc_exact
 open Scc_calculus
+open Scc_semantics
 open Scc_property
 open Scc_explore
 open Scc_space
@@ -48,7 +49,7 @@ type report = {
   numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
 }
 
-val run : options -> Model.t -> initial:State.t -> Property.check list -> report
+val run : options -> Semantics.t -> initial:State.t -> Property.check list -> report
 (** One exploration serves all properties that need the same: those that do with a part of the network (rule
     Slice), and those that see no time, or time up to a constant (rule AbsoluteTime), are explored apart from
     others. [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are

@@ -65,14 +65,14 @@ let rec verdict context met (plan : Plan.t) answers =
   | (Possibly _ | Always _ | Now _ | Formula _), _ ->
     Scc_base.Bug.fail __POS__ "what hash compaction does not serve"
 
-let check (options : Joint_check.options) ~capacity model ~initial checks : Joint_check.result =
+let check (options : Joint_check.options) ~capacity semantics ~initial checks : Joint_check.result =
   let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
-  let context = Joint_check.system options model ~initial checks plans in
+  let context = Joint_check.system options semantics ~initial checks plans in
   let goals = List.map (Predicate.make context) (List.concat_map goals plans) in
   let limits = Bounds.limits options.bounds ~horizon:None in
-  let rests tuple = Network.quiescent model (Catalogue.decode (Network_lts.catalogue context) tuple) in
+  let rests tuple = Network.quiescent semantics (Catalogue.decode (Network_lts.catalogue context) tuple) in
   let r = Compact_search.search limits options.surroundings context ~capacity ~rests goals in
-  let ((bounds, faults) as met) = limits_met options model r in
+  let ((bounds, faults) as met) = limits_met options (Semantics.model semantics) r in
   let step (outcomes, answers) (check, plan) =
     let v, answers = verdict context met plan answers in
     ((check, v) :: outcomes, answers)

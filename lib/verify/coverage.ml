@@ -17,6 +17,7 @@ module Seen = Hashtbl.Make (struct
   end)
 
 type t = {
+  semantics : Semantics.t;
   model : Model.t;
   counters : counter list;
   of_definition : counter list array;
@@ -82,7 +83,8 @@ let channels_of (b : Behaviour.t) =
   | Strong (list, _) -> list
   | Nil | Delay _ | Sum _ | Call _ -> []
 
-let create (m : Model.t) ~initial =
+let create semantics ~initial =
+  let m = Semantics.model semantics in
   let parts = Array.map (fun (d : Behaviour.definition) -> prefixes ([], []) d.body) m.definitions in
   let calls_of = Array.map snd parts in
   let beginnings = beginnings m initial in
@@ -116,6 +118,7 @@ let create (m : Model.t) ~initial =
   in
   List.iter (fun c -> List.iter add_name (channels_of c.node)) counters;
   {
+    semantics;
     model = m;
     counters;
     of_definition;
@@ -264,7 +267,7 @@ let is_steered (s : State.t) =
 let transition t ~source (label : Transition.label) ~target =
   let rules, used =
     match label with
-    | Time _ -> (Network.time_rules t.model, [])
+    | Time _ -> (Network.time_rules t.semantics, [])
     | Bounce _ -> ([ Rule.Bounce ], [])
     | Bind b -> bind t ~source ~target b
     | Weak_split b -> weak t ~source ~target b
@@ -277,7 +280,7 @@ let transition t ~source (label : Transition.label) ~target =
   count_rules t (if steer then rules @ [ Rule.Steer ] else rules)
 
 let of_space (s : Explored.t) =
-  let t = create s.model ~initial:(s.state 0) in
+  let t = create s.semantics ~initial:(s.state 0) in
   for i = 0 to s.size - 1 do
     let source = s.state i in
     state t source;

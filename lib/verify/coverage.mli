@@ -7,7 +7,7 @@ open Scc_semantics
 
 type t
 
-val create : Model.t -> initial:State.t -> t
+val create : Semantics.t -> initial:State.t -> t
 
 val state : t -> State.t -> unit
 (** Takes in a state (once; again does no harm but costs time). *)

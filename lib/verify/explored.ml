@@ -6,7 +6,7 @@ module Graph = State_graph
 type edge = { label : Transition.label; target : int }
 
 type t = {
-  model : Model.t;
+  semantics : Semantics.t;
   size : int;
   state : int -> State.t;
   edges : int -> edge array;
@@ -16,8 +16,8 @@ type t = {
   faults : Scc_base.Diag.t list;
 }
 
-let explore ?time_seen options model ~initial =
-  let context, graph, (stats : Joint_check.stats) = Joint_check.explore ?time_seen options model ~initial in
+let explore ?time_seen options semantics ~initial =
+  let context, graph, (stats : Joint_check.stats) = Joint_check.explore ?time_seen options semantics ~initial in
   let catalogue = Network_lts.catalogue context in
   let edge (e : Graph.edge) = { label = Catalogue.label_of catalogue e.label; target = e.target } in
   let expanded i =
@@ -25,16 +25,17 @@ let explore ?time_seen options model ~initial =
   in
   let state i = Catalogue.decode catalogue (Graph.tuple graph i) in
   {
-    model;
+    semantics;
     size = Graph.size graph;
     state;
     edges = (fun i -> Array.map edge (Graph.edges graph i));
     expanded;
-    rests = (fun i -> expanded i && Network.quiescent model (state i));
+    rests = (fun i -> expanded i && Network.quiescent semantics (state i));
     stopped_by = stats.stopped_by;
     faults = stats.faults;
   }
 
+let model s = Semantics.model s.semantics
 let complete s =
   let rec from i = i = s.size || (s.expanded i && from (i + 1)) in
   from 0

@@ -7,7 +7,7 @@ open Scc_property
 type edge = { label : Transition.label; target : int }
 
 type t = {
-  model : Model.t;
+  semantics : Semantics.t;
   size : int;  (** states are numbered from 0, the initial one, in the order in which they were found *)
   state : int -> State.t;
   edges : int -> edge array;
@@ -18,9 +18,11 @@ type t = {
   faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
 }
 
-val explore : ?time_seen:Time_seen.t -> Check.options -> Model.t -> initial:State.t -> t
+val explore : ?time_seen:Time_seen.t -> Check.options -> Semantics.t -> initial:State.t -> t
 (** Breadth-first, within the bounds of the options. States differ by as much of absolute time as is seen: by all
     of it by default, where the model keeps it. *)
+
+val model : t -> Model.t
 
 val complete : t -> bool
 (** Every state is expanded. *)

@@ -127,7 +127,7 @@ let up_to_bound r doubts =
   | Error () -> Undecided reasons
 
 let now r p =
-  match Trajectory.holds r.model (Network_lts.start r.context) p with
+  match Trajectory.holds (Network_lts.semantics r.context) (Network_lts.start r.context) p with
   | True -> Verdict.Holds { bounds = []; witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
   | False -> Violated { witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
   | Undecided text -> Undecided [ Undefined text ]
@@ -254,7 +254,7 @@ let needs_edges plans limits =
   List.exists (fun p -> List.length (formulas p) > 0) plans || Option.is_some limits.Limits.time
 
 let rests context tuple =
-  Network.quiescent (Network_lts.model context) (Catalogue.decode (Network_lts.catalogue context) tuple)
+  Network.quiescent (Network_lts.semantics context) (Catalogue.decode (Network_lts.catalogue context) tuple)
 
 let stores r =
   let m = Graph.memory r.graph in
@@ -272,7 +272,8 @@ let kinds_of (checks : Property.check list) plans =
 let time_seen options model (checks : Property.check list) =
   Reduction.time_seen options.reductions model (List.map (fun (c : Property.check) -> c.formula) checks)
 
-let system options model ~initial checks plans =
+let system options semantics ~initial checks plans =
+  let model = Semantics.model semantics in
   let searched, evaluated = kinds_of checks plans in
   let events = List.concat_map (fun (c : Property.check) -> Formula.events c.formula) checks in
   let deep = match options.bounds.depth with Unbounded -> false | Default _ | Given _ -> true in
@@ -280,12 +281,12 @@ let system options model ~initial checks plans =
     ~time_seen:(time_seen options model checks)
     ~quotient:(Reduction.quotient options.reductions model initial ~searched ~evaluated)
     ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
-    model initial
+    semantics initial
 
 (* One exploration for some checks. *)
-let check options model ~initial (checks : Property.check list) =
+let check options semantics ~initial (checks : Property.check list) =
   let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
-  let context = system options model ~initial checks plans in
+  let context = system options semantics ~initial checks plans in
   let asked = List.concat_map (questions context) plans in
   let temporals = List.concat_map formulas plans in
   let horizon = horizon checks in
@@ -308,7 +309,7 @@ let check options model ~initial (checks : Property.check list) =
       options.surroundings context asked
   in
   let graph = result.graph in
-  let r = { options; model; context; graph; horizon } in
+  let r = { options; model = Network_lts.model context; context; graph; horizon } in
   let temporal =
     match temporals with [] -> None | _ :: _ -> Some (Temporal.on formulas ~rests graph)
   in
@@ -326,15 +327,16 @@ let check options model ~initial (checks : Property.check list) =
     numbers = (fun () -> Catalogue.longest (Network_lts.catalogue r.context));
   }
 
-let explore ?time_seen options model ~initial =
-  let context = Network_lts.make ?time_seen model initial in
+let explore ?time_seen options semantics ~initial =
+  let context = Network_lts.make ?time_seen semantics initial in
   let limits = Bounds.limits options.bounds ~horizon:None in
   let graph = Graph.run ~order:options.order limits options.surroundings context in
-  let r = { options; model; context; graph; horizon = None } in
+  let r = { options; model = Network_lts.model context; context; graph; horizon = None } in
   (context, graph, stats r)
 
-let may_have_events options model ~initial =
-  let context = Network_lts.make ~time_seen:(time_seen options model []) model initial in
+let may_have_events options semantics ~initial =
+  let time_seen = time_seen options (Semantics.model semantics) [] in
+  let context = Network_lts.make ~time_seen semantics initial in
   let few = { Limits.unlimited with states = Some 5_000 } in
   let found = ref false in
   let opened _ _ _ edges = if Array.exists (is_event context) edges then found := true in

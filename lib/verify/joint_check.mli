@@ -2,6 +2,7 @@
 
 open Scc_exact
 open Scc_calculus
+open Scc_semantics
 open Scc_property
 open Scc_explore
 open Scc_space
@@ -46,16 +47,16 @@ type result = {
 val horizon : Property.check list -> Rat.t option
 (** The time beyond which none of the properties looks; [None]: one looks at all times. *)
 
-val system : options -> Model.t -> initial:State.t -> Property.check list -> Plan.t list -> Network_lts.context
+val system : options -> Semantics.t -> initial:State.t -> Property.check list -> Plan.t list -> Network_lts.context
 (** The system to explore for some checks, of which these are the plans, with the reductions that keep them. *)
 
-val check : options -> Model.t -> initial:State.t -> Property.check list -> result
+val check : options -> Semantics.t -> initial:State.t -> Property.check list -> result
 (** [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
     replayed before they are returned. *)
 
-val may_have_events : options -> Model.t -> initial:State.t -> bool
+val may_have_events : options -> Semantics.t -> initial:State.t -> bool
 (** False when it is known, after a look at no more than some thousands of states, that nothing ever happens. *)
 
 val explore :
-  ?time_seen:Time_seen.t -> options -> Model.t -> initial:State.t -> Network_lts.context * State_graph.t * stats
+  ?time_seen:Time_seen.t -> options -> Semantics.t -> initial:State.t -> Network_lts.context * State_graph.t * stats
 (** The exploration alone; [time_seen] is that of {!Network_lts.make}. *)

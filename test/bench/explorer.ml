@@ -35,8 +35,8 @@ let load path overrides =
       | Ok e -> e)
 
 let context (e : Scc_elaborate.Elaborate.t) =
-  match Scc_semantics.Network.initial e.model e.declared with
-  | Ok initial -> Network_lts.make e.model initial
+  match Scc_semantics.Network.initial (Scc_engine.Standard.of_model e.model) e.declared with
+  | Ok initial -> Network_lts.make (Scc_engine.Standard.of_model e.model) initial
   | Error f -> fail (Scc_semantics.Transition.diagnostic e.model f).message
 
 let live_words () =

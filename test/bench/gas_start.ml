@@ -117,7 +117,6 @@ let network t =
       keeps_time = false;
       rigid = None;
       steered = false;
-      obstacles = Obstacle_cache.create ();
     }
   in
   (m, State.make ~processes:(Array.to_list (Array.map snd all)) ~step:None ~time:None)

@@ -3,6 +3,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 open Scc_test_networks
 
 let states_per_network = 60
@@ -17,7 +18,7 @@ let property name ?(count = 400) ?steered holds =
 let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
 
 let well_formed m (s, _) =
-  match Well_formed.check m s with
+  match Well_formed.check (Standard.of_model m) s with
   | [] -> None
   | fault :: _ -> Some (Well_formed.to_string m s fault)
 
@@ -48,10 +49,10 @@ let additive =
         match t.label with
         | Time d ->
           let first = Rat.mul part d in
-          let midway = Time.pass m first s in
+          let midway = Time.pass (Standard.of_model m) first s in
           let rest = Rat.sub d first in
-          Option.equal Rat.equal (Time.delay m midway) (Some rest)
-          && State.equal (Time.pass m rest midway) (Time.pass m d s)
+          Option.equal Rat.equal (Time.delay (Standard.of_model m) midway) (Some rest)
+          && State.equal (Time.pass (Standard.of_model m) rest midway) (Time.pass (Standard.of_model m) d s)
         | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
       in
       List.for_all (fun (s, ts) -> List.for_all (holds s) ts) states)

@@ -5,6 +5,7 @@ open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 open Scc_property
 open Scc_evaluate
 open Scc_space
@@ -153,12 +154,12 @@ let timed_case_gen = case_of some_with_time
 let load text =
   match Scc_test_models.Load.text text with
   | Error _ -> None  (* where all are shy, no formula may speak of docking *)
-  | Ok e -> Result.to_option (Network.initial e.model e.declared) |> Option.map (fun initial -> (e, initial))
+  | Ok e -> Result.to_option (Network.initial (Standard.of_model e.model) e.declared) |> Option.map (fun initial -> (e, initial))
 
 let bounds = { Bounds.default with states = Default 3000; time = Given (Rat.of_int 12); instant = Default 60 }
 
 let run reductions (e : Scc_elaborate.Elaborate.t) initial =
-  Check.run { Check.default with bounds; reductions } e.model ~initial e.checks
+  Check.run { Check.default with bounds; reductions } (Standard.of_model e.model) ~initial e.checks
 
 let definite (v : Verdict.t) =
   match v with
@@ -180,7 +181,7 @@ let replays (e : Scc_elaborate.Elaborate.t) initial (_, v) =
   match witness v with
   | None -> true
   | Some w -> (
-      match Network.follow e.model initial (Witness.choices w) with
+      match Network.follow (Standard.of_model e.model) initial (Witness.choices w) with
       | Error _ -> false
       | Ok transitions ->
         let last = match List.rev transitions with [] -> initial | t :: _ -> t.Transition.target in
@@ -191,7 +192,7 @@ let shows (e : Scc_elaborate.Elaborate.t) ((c : Property.check), v) =
   match (witness v, Plan.of_formula c.formula) with
   | Some ({ finish = At_state; _ } as w), (Possibly (_, p) | Always (_, p))
     when not (Formula.has_events (State p)) ->
-    let holds = Trajectory.holds e.model w.last p in
+    let holds = Trajectory.holds (Standard.of_model e.model) w.last p in
     let wanted = match v with Holds _ -> Truth.True | Violated _ | Undecided _ -> False in
     Truth.equal holds wanted
   | _ -> true
@@ -236,7 +237,7 @@ let states reductions text =
   match load text with
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
-    let report = Check.run { Check.default with reductions } e.model ~initial e.checks in
+    let report = Check.run { Check.default with reductions } (Standard.of_model e.model) ~initial e.checks in
     let stats = report.stats in
     Alcotest.(check bool) "complete" true stats.complete;
     stats.states
@@ -297,7 +298,7 @@ check second : possibly vx(p[1]) > 0 and vx(p[2]) < 0
   match load text with
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
-    let report = Check.run { Check.default with reductions = [ Order; Jump ] } e.model ~initial e.checks in
+    let report = Check.run { Check.default with reductions = [ Order; Jump ] } (Standard.of_model e.model) ~initial e.checks in
     let verdicts = List.map (fun (_, v) -> Verdict.to_string v) report.outcomes in
     Alcotest.(check (list string)) "both" [ "holds (exhaustive)"; "holds (exhaustive)" ] verdicts
 
@@ -317,7 +318,7 @@ check away : possibly vx(q) = 1
   match load text with
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
-    let report = Check.run { Check.default with reductions = [ Order; Jump ] } e.model ~initial e.checks in
+    let report = Check.run { Check.default with reductions = [ Order; Jump ] } (Standard.of_model e.model) ~initial e.checks in
     let verdicts = List.map (fun (_, v) -> Verdict.to_string v) report.outcomes in
     Alcotest.(check (list string)) "reached" [ "holds (exhaustive)" ] verdicts
 

@@ -4,6 +4,7 @@ open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 open Scc_property
 open Scc_evaluate
 open Scc_space
@@ -17,7 +18,7 @@ let generous n = { Check.default with bounds = { Bounds.default with states = Gi
 
 let check options m initial formula =
   let check = { Property.name = "c"; span = Scc_base.Span.none; text = ""; formula } in
-  match (Check.run options m ~initial [ check ]).outcomes with
+  match (Check.run options (Standard.of_model m) ~initial [ check ]).outcomes with
   | [ (_, v) ] -> v
   | _ -> failwith "one outcome"
 
@@ -53,7 +54,7 @@ let fault m initial formula (w : Witness.t) (lifted : Witness.t) =
         let t = Rat.add t (Transition.duration s.transition) in
         if Rat.equal t s.time then Some t else None)
   in
-  match Network.follow m initial (Witness.choices lifted) with
+  match Network.follow (Standard.of_model m) initial (Witness.choices lifted) with
   | Error _ -> Some "it does not replay"
   | Ok transitions ->
     if not (List.for_all2 (fun (t : Transition.t) s -> State.equal t.target s) transitions targets) then
@@ -71,12 +72,14 @@ let fault m initial formula (w : Witness.t) (lifted : Witness.t) =
       not (State.equal lifted.last (match List.rev targets with [] -> initial | last :: _ -> last))
     then Some "another last state"
     else
-      let ends = facts m formula w and lifted_ends = facts m formula lifted in
+      let ends = facts (Standard.of_model m) formula w and lifted_ends =
+        facts (Standard.of_model m) formula lifted
+       in
       if List.equal String.equal ends lifted_ends && w.facts = lifted.facts then None
       else Some ("other facts: " ^ String.concat "; " (ends @ ("and" :: lifted_ends)))
 
 let lasts_beyond (w : Witness.t) m =
-  match (w.finish, Network.successors m w.last) with
+  match (w.finish, Network.successors (Standard.of_model m) w.last) with
   | During { choice = Some k; offset; from; _ }, Ok transitions -> (
       match (List.nth transitions k).label with
       | Time d -> Algebraic.compare_rat offset d < 0 && Algebraic.compare_rat from Rat.zero >= 0
@@ -90,7 +93,7 @@ type tally = { mutable made : int; mutable compared : int; mutable lifted : int;
 
 let agrees tally (q : Clusters.question) =
   let m, initial = Clusters.assemble q.clusters in
-  match Slice.make m ~initial [ q.formula ] with
+  match Slice.make (Standard.of_model m) ~initial [ q.formula ] with
   | None -> true
   | Some slice -> (
       tally.made <- tally.made + 1;
@@ -98,7 +101,7 @@ let agrees tally (q : Clusters.question) =
       (match witness of_slice with
        | None -> ()
        | Some w -> (
-           let lifted = Lift.timed m ~initial w in
+           let lifted = Lift.timed (Standard.of_model m) ~initial w in
            tally.lifted <- tally.lifted + 1;
            if List.compare_lengths lifted.steps w.steps > 0 then tally.longer <- tally.longer + 1;
            if not (lasts_beyond lifted m) then QCheck2.Test.fail_report "the instant is not in its transition";
@@ -141,7 +144,7 @@ shape Cube {
 
 let load text =
   let e = Load.exactly (Load.text (cube ^ text)) in
-  match Network.initial e.model e.declared with
+  match Network.initial (Standard.of_model e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial -> (e.model, initial, List.map (fun (c : Property.check) -> c.formula) e.checks)
 
@@ -149,7 +152,7 @@ let all_kept = [ "(no slice)" ]
 
 let left_out text =
   let m, initial, formulas = load text in
-  match Slice.make m ~initial formulas with
+  match Slice.make (Standard.of_model m) ~initial formulas with
   | None -> all_kept
   | Some slice -> Slice.left_out m ~initial slice
 
@@ -173,14 +176,14 @@ let one_of_many () =
     (dimers 3 ^ "check a : possibly not bound(p[2], q[2])\ncheck b : always size(p[3]) = 2 within 3");
   is "all of them" all_kept (dimers 1 ^ "check a : possibly not bound(p[1], q[1])");
   let m, initial, formulas = load (dimers 2000 ^ "check a : always bound(p[7], q[7])") in
-  match Slice.make m ~initial formulas with
+  match Slice.make (Standard.of_model m) ~initial formulas with
   | None -> Alcotest.fail "no slice"
   | Some slice -> (
       Alcotest.(check int) "one is left" 1 (Array.length slice.processes);
       match witness (check Check.default m slice (List.hd formulas)) with
       | None -> Alcotest.fail "no witness"
       | Some w ->
-        let lifted = Lift.timed m ~initial w in
+        let lifted = Lift.timed (Standard.of_model m) ~initial w in
         Alcotest.(check (option string)) "lifted" None (fault m initial (List.hd formulas) w lifted))
 
 let fragment () =
@@ -356,9 +359,9 @@ check a : always z(s) <= 3/2 within 2
   in
   let m, initial, formulas = load ("split_step 1\n" ^ scene) in
   let formula = List.hd formulas in
-  let slice = Option.get (Slice.make m ~initial formulas) in
+  let slice = Option.get (Slice.make (Standard.of_model m) ~initial formulas) in
   let w = Option.get (witness (check Check.default m slice formula)) in
-  let lifted = Lift.timed m ~initial w in
+  let lifted = Lift.timed (Standard.of_model m) ~initial w in
   let label (s : Witness.step) = Transition.label_to_string m s.transition.label in
   Alcotest.(check (list string)) "the run" [ "time(1)"; "bounce(b, c)" ] (List.map label lifted.steps);
   Alcotest.(check (option string)) "lifted" None (fault m initial formula w lifted)
@@ -378,9 +381,9 @@ process s = Cube mass 1 at translate (0,100,0) [nil]
   let lifts name =
     let m, initial, formulas = load (scene ^ "check a : possibly behaviour(p) = " ^ name) in
     let formula = List.hd formulas in
-    let slice = Option.get (Slice.make m ~initial formulas) in
+    let slice = Option.get (Slice.make (Standard.of_model m) ~initial formulas) in
     let w = Option.get (witness (check Check.default m slice formula)) in
-    Alcotest.(check (option string)) name None (fault m initial formula w (Lift.timed m ~initial w))
+    Alcotest.(check (option string)) name None (fault m initial formula w (Lift.timed (Standard.of_model m) ~initial w))
   in
   List.iter lifts [ "One"; "Two" ]
 

@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 
 type sums = { momentum : Vec.t; angular : Vec.t; energy : Rat.t }
 
@@ -54,9 +55,9 @@ let is_fixed m s leaf =
 
 (* Free bodies keep their momentum from turn to turn: what they have now is what they begin a new turn with. *)
 let renewed m s =
-  match m.Model.rigid with
-  | None -> s
-  | Some _ -> Steer.renewed m s
+  let semantics = Standard.of_model m in
+  let (module K) = semantics.kinematics in
+  K.renewed semantics.setting s
 
 let fault m s (t : Transition.t) =
   let before = sums m (renewed m s) and after = sums m (renewed m t.target) in

@@ -105,7 +105,6 @@ let model bodies : Model.t =
     keeps_time = false;
     rigid = None;
     steered = List.exists (fun b -> b.falls) bodies;
-    obstacles = Obstacle_cache.create ();
   }
 
 (* Cells are as large as the greatest shape and the greatest jitter together. *)

@@ -136,7 +136,6 @@ let model { dynamics; rounding; bodies } : Model.t =
           dynamics; resolution = rational 1 1024; round_orientation = rounding; round_velocity = rounding;
         };
     steered = true;
-    obstacles = Obstacle_cache.create ();
   }
 
 let side = 7
@@ -177,7 +176,7 @@ let declared { bodies; _ } =
 
 let start network =
   let m = model network in
-  match Scc_semantics.Network.initial m (declared network) with
+  match Scc_semantics.Network.initial (Scc_engine.Standard.of_model m) (declared network) with
   | Ok s -> (m, s)
   | Error _ -> failwith "a law of motion could not be evaluated"
 

@@ -1,5 +1,6 @@
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 
 module Seen = Hashtbl.Make (struct
     type t = State.t
@@ -12,8 +13,8 @@ let ok m = function
   | Ok x -> x
   | Error fault -> failwith (Transition.diagnostic m fault).message
 
-let initial m declared = ok m (Network.initial m declared)
-let successors m s = ok m (Network.successors m s)
+let initial m declared = ok m (Network.initial (Standard.of_model m) declared)
+let successors m s = ok m (Network.successors (Standard.of_model m) s)
 
 let states m start ~limit =
   let seen = Seen.create 64 and queue = Queue.create () in

@@ -38,7 +38,7 @@ let turned_model r (m : Model.t) =
     { p with solid; offset = Mat.apply r p.offset }
   in
   let leaf (l : Model.leaf) = { l with parts = Array.map part l.parts } in
-  { m with leaves = Array.map leaf m.leaves; obstacles = Obstacle_cache.create () }
+  { m with leaves = Array.map leaf m.leaves }
 
 (* A rotation of a cube as a quaternion. *)
 let quaternion_of r =

@@ -1,6 +1,7 @@
 (* The tree of boxes against a plain list, over random histories. *)
 
 open Scc_geometry
+open Scc_broad_phase
 module Gen = QCheck2.Gen
 
 type change = Insert of Float_box.t | Remove of int  (** of those there, by number *) | Ask of Float_box.t

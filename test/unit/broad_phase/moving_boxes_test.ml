@@ -2,6 +2,7 @@
 
 open Scc_exact
 open Scc_geometry
+open Scc_broad_phase
 module Gen = QCheck2.Gen
 
 let ratio n d = Rat.make (Z.of_int n) (Z.of_int d)

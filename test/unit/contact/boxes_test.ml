@@ -1,4 +1,5 @@
 open Scc_geometry
+open Scc_broad_phase
 module Gen = QCheck2.Gen
 
 let halves n = float_of_int n /. 2.

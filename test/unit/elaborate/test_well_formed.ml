@@ -2,6 +2,7 @@
 
 open Scc_exact
 open Scc_geometry
+open Scc_broad_phase
 open Scc_calculus
 open Models
 
@@ -18,7 +19,7 @@ and r = 2
 and w = 3
 
 let found ?(model = (accept text).model) state =
-  List.map (Well_formed.to_string model state) (Well_formed.check model state)
+  List.map (Scc_semantics.Well_formed.to_string model state) (Scc_semantics.Well_formed.check (Scc_engine.Standard.of_model model) state)
 
 let strings = Alcotest.(list string)
 
@@ -141,7 +142,7 @@ let solids =
           process r = Tetra mass 1 at translate (0,9,0) [nil] \
           process s = Tetra scaled (1,2,1/3) mass 1 at translate (20,9,0) [nil]")
   in
-  (t.model.obstacles, Array.map (fun (l : Model.leaf) -> l.parts.(0).solid) t.model.leaves)
+  (Scc_broad_phase.Obstacle_cache.create (), Array.map (fun (l : Model.leaf) -> l.parts.(0).solid) t.model.leaves)
 
 let placed =
   let open QCheck2.Gen in

@@ -4,6 +4,7 @@
 open Scc_ctl
 open Scc_exact
 open Scc_semantics
+open Scc_engine
 open Scc_property
 open Scc_evaluate
 open Scc_test_models
@@ -20,7 +21,7 @@ shape Cube {
 (* The initial state of a model, and what its checks say, without the operator of each. *)
 let load text =
   let e = Load.exactly (Load.text (cube ^ text)) in
-  match Network.initial e.model e.declared with
+  match Network.initial (Standard.of_model e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok s -> (e, s)
 
@@ -30,7 +31,7 @@ let event_of (k : Property.check) =
   | _ -> Alcotest.fail "not a formula of this test"
 
 let successors m s =
-  match Network.successors m s with
+  match Network.successors (Standard.of_model m) s with
   | Ok list -> list
   | Error _ -> Alcotest.fail "no successors"
 
@@ -138,7 +139,7 @@ let along () =
   let e, s = load (binding ^ "check k : possibly event bind(a)") in
   let event = event_of (List.hd e.checks) in
   let truths ?arrived extent p =
-    let t = Trajectory.prop (Trajectory.make ?arrived e.model s extent) p in
+    let t = Trajectory.prop (Trajectory.make ?arrived (Standard.of_model e.model) s extent) p in
     (Timeline.at t Algebraic.zero, Timeline.at t (Algebraic.of_rat (Rat.make Z.one (Z.of_int 2))))
   in
   let check name expected (start, later) =

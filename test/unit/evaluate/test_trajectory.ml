@@ -6,6 +6,7 @@ open Scc_exact
 open Scc_geometry
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 open Scc_property
 open Scc_evaluate
 open Scc_space
@@ -105,7 +106,8 @@ let touching (m : Model.t) s p q =
             let offset =
               Vec.sub (State.part_position m (leaf_of s q) j) (State.part_position m (leaf_of s p) i)
             in
-            match Obstacle.relation (Model.obstacle m (p, i) (q, j)) offset with
+            let solid l i = m.leaves.(l).parts.(i).solid in
+            match Obstacle.relation (Obstacle.make (solid p i) (solid q j)) offset with
             | Touching -> true
             | Apart | Interpenetrating -> false)
          (parts q))
@@ -172,7 +174,7 @@ and prop m s (p : Property.prop) =
         | Offer_strong (list, _) -> polarity = None && List.exists named list)
       (Behaviour.offers m.Model.definitions (leaf_of s l).behaviour)
   | Fact (Touching (p, q)) -> touching m s p q
-  | Fact Quiescent -> Network.quiescent m s
+  | Fact Quiescent -> Network.quiescent (Standard.of_model m) s
   | Fact (Event _) -> false  (* nothing has led here *)
   | Not a -> not (prop m s a)
   | And l -> connect m s ~absorbing:false l
@@ -213,9 +215,9 @@ let offsets (timeline : _ Timeline.t) =
   Rat.zero :: even @ between bounds @ List.filter_map Algebraic.to_rat cuts
 
 let trajectory_agrees m s extent p =
-  let timeline = Trajectory.prop (Trajectory.make m s extent) p in
+  let timeline = Trajectory.prop (Trajectory.make (Standard.of_model m) s extent) p in
   let at r =
-    let later = if Rat.sign r = 0 then s else Time.pass m r s in
+    let later = if Rat.sign r = 0 then s else Time.pass (Standard.of_model m) r s in
     agree (Timeline.at timeline (Algebraic.of_rat r)) (naive m later p)
   in
   match List.find_opt (fun r -> not (at r)) (offsets timeline) with
@@ -226,7 +228,7 @@ let run_agrees (network, (p : Property.prop)) =
   let m, start = Random_network.start network in
   List.for_all
     (fun (s, transitions) ->
-       agree (Trajectory.holds m s p) (naive m s p)
+       agree (Trajectory.holds (Standard.of_model m) s p) (naive m s p)
        && List.for_all
          (fun (t : Transition.t) ->
             match t.label with
@@ -249,13 +251,13 @@ let print (network, p) =
 (* What is judged by components, against the same naive truth. *)
 let components_agree (network, (p : Property.prop)) =
   let m, start = Random_network.start network in
-  let context = Network_lts.make ~events:(Formula.events (State p)) ~memory:4 m start in
+  let context = Network_lts.make ~events:(Formula.events (State p)) ~memory:4 (Standard.of_model m) start in
   let predicate = Predicate.make context p in
   let tuple s = Catalogue.encode (Network_lts.catalogue context) s in
   let agrees_along s extent =
     match predicate.along with
     | Some along ->
-      let timeline = along (tuple s) extent and expected = Trajectory.prop (Trajectory.make m s extent) p in
+      let timeline = along (tuple s) extent and expected = Trajectory.prop (Trajectory.make (Standard.of_model m) s extent) p in
       List.for_all
         (fun r ->
            let r = Algebraic.of_rat r in
@@ -264,7 +266,7 @@ let components_agree (network, (p : Property.prop)) =
     | None ->
       (* It does not change on the way. *)
       let now = predicate.at (tuple s) in
-      let expected = Trajectory.prop (Trajectory.make m s extent) p in
+      let expected = Trajectory.prop (Trajectory.make (Standard.of_model m) s extent) p in
       List.for_all (fun r -> agree now (Timeline.at expected (Algebraic.of_rat r))) (offsets expected)
   in
   List.for_all

@@ -71,7 +71,7 @@ check three : eventually quiescent
   let found =
     List.map
       (fun (p : State_predicates.t) -> p.name ^ " is " ^ p.text)
-      (State_predicates.of_checks e.space.model e.loaded.checks)
+      (State_predicates.of_checks (Explored.model e.space) e.loaded.checks)
   in
   Alcotest.(check (list string)) "predicates"
     [
@@ -101,7 +101,7 @@ check c : %s
 |}
            formula)
     in
-    let predicates = Array.of_list (State_predicates.of_checks e.space.model e.loaded.checks) in
+    let predicates = Array.of_list (State_predicates.of_checks (Explored.model e.space) e.loaded.checks) in
     let f = (List.hd e.loaded.checks).formula in
     match Pctl.formula ~occurs:(fun name -> not (String.equal name "x_p_gt_9")) predicates f with
     | Ok s -> s
@@ -298,7 +298,7 @@ let itf () =
   let b = Buffer.create 100 in
   let start () =
     Buffer.clear b;
-    Itf.start e.space.model e.loaded.origin (Buffer.add_string b)
+    Itf.start (Explored.model e.space) e.loaded.origin (Buffer.add_string b)
   in
   let t = start () in
   Itf.event t (Start s);

@@ -22,7 +22,7 @@ let loaded text : Loaded.t * Scc_calculus.State.t =
 
 let explored ?(options = Check.default) text : Exported.t =
   let loaded, initial = loaded text in
-  { loaded; space = Explored.explore options loaded.model ~initial }
+  { loaded; space = Explored.explore options loaded.semantics ~initial }
 
 let made ?(unexplored = []) ?(resting = []) transitions : Exported.t =
   let l, initial = loaded "process p = Cube mass 1 [nil]\nprocess q = Cube mass 1 at translate (5,0,0) [nil]" in
@@ -30,7 +30,7 @@ let made ?(unexplored = []) ?(resting = []) transitions : Exported.t =
   let out = Array.map (fun l -> Array.of_list (List.map edge l)) transitions in
   let space : Explored.t =
     {
-      model = l.model;
+      semantics = l.semantics;
       size = Array.length out;
       state = (fun _ -> initial);
       edges = Array.get out;
@@ -49,4 +49,4 @@ let written write =
 
 let labelling ?instants (e : Exported.t) =
   Labelling.make ?instants e.space
-    (Array.of_list (State_predicates.of_checks e.space.model e.loaded.checks))
+    (Array.of_list (State_predicates.of_checks (Explored.model e.space) e.loaded.checks))

@@ -12,14 +12,14 @@ let models =
 
 let space_of name =
   let e = Load.exactly (Load.file (Printf.sprintf "../../../specs/models/%s.sc" name)) in
-  match Scc_semantics.Network.initial e.model e.declared with
+  match Scc_semantics.Network.initial (Scc_engine.Standard.of_model e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
     let options = 
       let bounds = { Bounds.default with time = Given (Rat.of_int 3); states = Given 200 } in
       { Check.default with bounds }
     in
-    (e, Explored.explore options e.model ~initial)
+    (e, Explored.explore options (Scc_engine.Standard.of_model e.model) ~initial)
 
 let passing (space : Explored.t) i =
   Array.fold_left
@@ -33,11 +33,11 @@ let half a b = Rat.div (Rat.add a b) (Rat.of_int 2)
 let agrees what (space : Explored.t) l i ~number offset =
   let state = space.state i in
   let state =
-    if Rat.sign offset = 0 then state else Scc_semantics.Time.pass space.model offset state
+    if Rat.sign offset = 0 then state else Scc_semantics.Time.pass space.semantics offset state
   in
   Array.iteri
     (fun k (p : State_predicates.t) ->
-       match Trajectory.holds space.model state p.prop with
+       match Trajectory.holds space.semantics state p.prop with
        | Undecided _ -> ()
        | truth ->
          Alcotest.(check bool)

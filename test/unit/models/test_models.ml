@@ -3,6 +3,7 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 open Scc_test_networks
 open Scc_test_models
 
@@ -129,7 +130,7 @@ let either_order () =
 let well_formed m states =
   List.find_map
     (fun (s, _) ->
-       match Well_formed.check m s with
+       match Well_formed.check (Standard.of_model m) s with
        | [] -> None
        | fault :: _ -> Some (Well_formed.to_string m s fault))
     states
@@ -205,7 +206,7 @@ let pair = Alcotest.(list (pair string string))
 let checked name =
   let { Scc_elaborate.Elaborate.model; declared; checks; _ } = load name in
   let initial = Reach.initial model declared in
-  (model, initial, Scc_verify.Check.run options model ~initial checks)
+  (model, initial, Scc_verify.Check.run options (Standard.of_model model) ~initial checks)
 
 let expected name () =
   let _, _, report = checked name in
@@ -259,7 +260,7 @@ let guide () =
   in
   let text = block None (String.split_on_char '\n' (Load.read "../../../specs/guide.md")) in
   let { Scc_elaborate.Elaborate.model; declared; checks; _ } = Load.exactly (Load.text text) in
-  let report = Scc_verify.Check.run options model ~initial:(Reach.initial model declared) checks in
+  let report = Scc_verify.Check.run options (Standard.of_model model) ~initial:(Reach.initial model declared) checks in
   let verdicts = List.map (fun (_, outcome) -> verdict outcome) report.outcomes in
   Alcotest.(check (list string)) "its verdicts" [ "holds" ] verdicts
 

@@ -64,7 +64,6 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
     keeps_time = false;
     rigid = None;
     steered = List.exists (fun b -> not (inertial b.law)) bodies;
-    obstacles = Obstacle_cache.create ();
   }
 
 let leaf i b : State.leaf =
@@ -94,8 +93,8 @@ let labels m transitions =
     transitions
 
 (* The transitions of a state, and those of the initial state of a network. *)
-let successors m s = ok (Scc_semantics.Network.successors m s)
-let start m s = ok (Scc_semantics.Network.initial m s)
+let successors m s = ok (Scc_semantics.Network.successors (Scc_engine.Standard.of_model m) s)
+let start m s = ok (Scc_semantics.Network.initial (Scc_engine.Standard.of_model m) s)
 
 (* Takes the transition with a label. *)
 let take m s label =

@@ -2,6 +2,7 @@
 
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 open Fixture
 
 let network ?definitions ?timestep ?split_step bodies =
@@ -21,7 +22,7 @@ let time () =
 let grazing () =
   let m, s = network [ body "p" (0, 0, 0) ~velocity:(1, 0, 0); body "q" (5, 2, 0) ] in
   check_labels "sliding along is no collision" [] m s;
-  Alcotest.(check bool) "the network is quiescent" true (Network.quiescent m s);
+  Alcotest.(check bool) "the network is quiescent" true (Network.quiescent (Standard.of_model m) s);
   let m, s = network [ body "p" (0, 0, 0); body "q" (2, 0, 0) ] in
   check_labels "nor is rest" [] m s
 
@@ -154,7 +155,7 @@ let bad_law () =
   let law = Law.Velocity (Law.Div (Const (q 1), var Dt), Const (q 0), Const (q 0)) in
   let bodies = [ body "p" (0, 0, 0) ~law ] in
   let m = model bodies in
-  match Network.initial m (declared bodies) with
+  match Network.initial (Standard.of_model m) (declared bodies) with
   | Ok _ -> Alcotest.fail "1/dt was evaluated at dt = 0"
   | Error fault ->
     Alcotest.(check string) "the fault is named" "the law of motion of p cannot be evaluated: it divides by zero"

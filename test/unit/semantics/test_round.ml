@@ -3,21 +3,29 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 open Fixture
 open Rigid_fixture
+
+let setting m = (Standard.of_model m).Semantics.setting
+let apart_from_all m s i ~by = Turning.apart (setting m) s i ~by
+
+let round m s =
+  let semantics = Standard.of_model m in
+  Turning.begin_step semantics.setting ~collides:(Collisions.collides semantics) s
 
 let apart () =
   let bodies = [ body "p" (0, 0, 0); body "q" (3, 0, 0); body "r" (0, 40, 0) ] in
   let m = rigid (model bodies) in
   let s = declared bodies in
-  let check what expected i by = Alcotest.(check bool) what expected (Encounter.apart m s i ~by) in
+  let check what expected i by = Alcotest.(check bool) what expected (apart_from_all m s i ~by) in
   check "exactly as far is not farther" false 0 (q 1);
   check "farther" true 0 (ratio 999 1000);
   check "the other way round" false 1 (q 1);
   check "alone" true 2 (q 30);
   check "not so alone" false 2 (q 39);
   let touching = declared [ body "p" (0, 0, 0); body "q" (2, 0, 0); body "r" (0, 40, 0) ] in
-  Alcotest.(check bool) "touching" false (Encounter.apart m touching 0 ~by:Rat.zero)
+  Alcotest.(check bool) "touching" false (apart_from_all m touching 0 ~by:Rat.zero)
 
 let long = quaternion 1_000_003 77_777 3 999
 
@@ -26,7 +34,7 @@ let orientation () =
   let m = rigid ~rounding:8 (model bodies) in
   let rounded others =
     let s = turned_by [ long; Quaternion.identity ] (declared others) in
-    let s, changed = Round.run m s in
+    let s, changed = round m s in
     (s.processes.(0).leaves.(0), Option.is_some changed)
   in
   let leaf, changed = rounded bodies in
@@ -38,7 +46,7 @@ let orientation () =
   let off = rigid (model bodies) in
   Alcotest.(check bool) "rounding is off" true
     (let s = turned_by [ long; Quaternion.identity ] (declared bodies) in
-     let t, changed = Round.run off s in
+     let t, changed = round off s in
      State.equal s t && Option.is_none changed)
 
 (* A process is rounded as a whole: its leaves keep their places in it. *)
@@ -57,7 +65,7 @@ let whole () =
       (Quaternion.inverse p.leaves.(0).turned)
       (Vec.sub p.leaves.(1).position p.leaves.(0).position)
   in
-  let t, _ = Round.run m s in
+  let t, _ = round m s in
   check_vec "the centre of mass stays" (Vec.to_string (centre s)) (centre t);
   check_vec "and the leaves side by side" "(2, 0, 0)" (arm t);
   Alcotest.(check bool) "not long" true (Quaternion.bits t.processes.(0).leaves.(1).turned <= 9);
@@ -77,11 +85,11 @@ let velocities () =
     |> place |> moving [ v; Vec.zero ]
     |> turned_by [ quaternion 2 0 0 1; quaternion 2 0 0 1 ]
   in
-  Alcotest.(check bool) "they do not collide" true (Encounter.colliding m s = []);
-  let t, changed = Round.run m s in
+  Alcotest.(check bool) "they do not collide" true (not (Collisions.collides (Standard.of_model m) s));
+  let t, changed = round m s in
   Alcotest.(check bool) "it waits" true (State.equal s t && Option.is_none changed);
   let away = moving [ Vec.neg v; Vec.zero ] s in
-  let t, _ = Round.run m away in
+  let t, _ = round m away in
   check_vec "-26/100 and 2/10, to halves" "(-1/2, 0, 0)" t.processes.(0).velocity
 
 (* Alone and without spin, but what waits to be rounded goes another way from the next step on. *)
@@ -90,14 +98,14 @@ let waiting () =
   let m = rigid ~rounding:1 (model bodies) in
   let step = Some { State.remaining = ratio 1 3; length = q 1; phase = State.Steered } in
   let s = State.make ~processes:(Array.to_list (declared bodies).processes) ~step ~time:None in
-  let waits what s = Alcotest.(check bool) what false (Network.quiescent m s) in
-  Alcotest.(check bool) "nothing to round" true (Network.quiescent m s);
+  let waits what s = Alcotest.(check bool) what false (Network.quiescent (Standard.of_model m) s) in
+  Alcotest.(check bool) "nothing to round" true (Network.quiescent (Standard.of_model m) s);
   waits "a velocity" (moving [ vec (ratio 2 3) Rat.zero Rat.zero ] s);
   let turned = turned_by [ quaternion 9 0 0 1 ] s in
   waits "an orientation" turned;
   let rounded = take m turned "time(1/3)" in
   check_turned "it was rounded" "(1, 0, 0, 0)" rounded.processes.(0).leaves.(0).turned;
-  Alcotest.(check bool) "and then rests" true (Network.quiescent m rounded)
+  Alcotest.(check bool) "and then rests" true (Network.quiescent (Standard.of_model m) rounded)
 
 (* What a free body keeps is rounded once, and then kept, however the body turns: to multiples of 1/512 here, as
    the trace of its inertia is 7/8. *)
@@ -106,7 +114,7 @@ let free () =
   let m = rigid ~dynamics:Free_body ~rounding:8 (planks (model bodies)) in
   let s = turned_by [ quaternion 3 1 0 2 ] (declared bodies) in
   let p = Turn.start m (List.hd (Array.to_list (spinning [ vec (third 1) (third 2) (ratio 1 7) ] s).processes)) in
-  let rounded p = (fst (Round.run m (State.make ~processes:[ p ] ~step:None ~time:None))).processes.(0) in
+  let rounded p = (fst (round m (State.make ~processes:[ p ] ~step:None ~time:None))).processes.(0) in
   let once = rounded p in
   check_vec "not far from what it was" "(9/256, 39/512, -1/128)" once.kept;
   Alcotest.(check bool) "as all else" true (Round.settled m once);

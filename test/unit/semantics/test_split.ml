@@ -2,6 +2,7 @@
 
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 open Fixture
 module Gen = QCheck2.Gen
 
@@ -123,7 +124,7 @@ let strong_is_brute_force =
     (fun tree ->
        let m, s = setup tree in
        let p = s.processes.(0) in
-       let mine = List.map (fun (o : Split.outcome) -> o.label) (Split.strong m p) in
+       let mine = List.map (fun (o : Transition.outcome) -> o.label) (Splits.strong (Standard.of_model m) p) in
        List.equal String.equal (strings m mine) (strings m (brute_force m p)))
 
 let pieces_keep_everything =
@@ -133,19 +134,19 @@ let pieces_keep_everything =
         let p = s.processes.(0) in
         let count f l = List.fold_left (fun n x -> Stdlib.( + ) n (f x)) 0 l in
         List.for_all
-          (fun (o : Split.outcome) ->
+          (fun (o : Transition.outcome) ->
              let released =
                match o.label with
                | Strong_split x -> List.length x
                | Weak_split _ -> 1
                | _ -> 0
              in
-             let leaves = count (fun (r : State.process) -> Array.length r.leaves) o.pieces in
-             let bonds = count (fun (r : State.process) -> Array.length r.bonds) o.pieces in
+             let leaves = count (fun (r : State.process) -> Array.length r.leaves) o.come in
+             let bonds = count (fun (r : State.process) -> Array.length r.bonds) o.come in
              leaves = Array.length p.leaves
              && bonds = Stdlib.( - ) (Array.length p.bonds) released
-             && List.length o.pieces = Stdlib.( + ) released 1)
-          (Split.strong m p @ Split.weak m p))
+             && List.length o.come = Stdlib.( + ) released 1)
+          (Splits.strong (Standard.of_model m) p @ Splits.weak (Standard.of_model m) p))
 
 let pair ?split_step b1 b2 =
   let bodies = [ body "p" (0, 0, 0) ~behaviour:b1; body "q" (2, 0, 0) ~behaviour:b2 ] in

@@ -19,9 +19,9 @@ let bounded bounds = { Check.default with bounds }
 
 let check ?(options = Check.default) text =
   let e = Load.exactly (Load.text (cube ^ text)) in
-  match Scc_semantics.Network.initial e.model e.declared with
+  match Scc_semantics.Network.initial (Scc_engine.Standard.of_model e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
-  | Ok initial -> (e.model, Check.run options e.model ~initial e.checks)
+  | Ok initial -> (e.model, Check.run options (Scc_engine.Standard.of_model e.model) ~initial e.checks)
 
 let verdict = Verdict.to_string
 

@@ -2,6 +2,7 @@
 
 open Scc_calculus
 open Scc_semantics
+open Scc_engine
 open Scc_verify
 open Scc_test_models
 
@@ -16,13 +17,13 @@ shape Cube {
 |}
 
 let space ?(options = Check.default) (e : Scc_elaborate.Elaborate.t) =
-  match Network.initial e.model e.declared with
+  match Network.initial (Standard.of_model e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
-  | Ok initial -> Explored.explore options e.model ~initial
+  | Ok initial -> Explored.explore options (Standard.of_model e.model) ~initial
 
 let covered text =
   let s = space (Load.exactly (Load.text (cube ^ text))) in
-  (s.model, Coverage.of_space s)
+  (Explored.model s, Coverage.of_space s)
 
 (* Of each summand: the definition, its kind and channel, and how often it fired. *)
 let summands (m : Model.t) c =
@@ -153,7 +154,7 @@ let named (s : Explored.t) =
   in
   for i = 0 to s.size - 1 do
     if s.expanded i then
-      match Network.successors s.model (s.state i) with
+      match Network.successors s.semantics (s.state i) with
       | Ok list -> List.iter (fun (t : Transition.t) -> List.iter add t.rules) list
       | Error _ -> Alcotest.fail "an expanded state has transitions"
   done;

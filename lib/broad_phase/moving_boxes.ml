@@ -1,0 +1,86 @@
+open Scc_exact
+open Scc_geometry
+
+(* Sixteen numbers for each box, side by side in memory since that is what queries of large networks wait for:
+   first the time; then for each axis the bounds at time 0, x0 and x1, and those of the velocity, u0 and u1; and
+   three to spare. Least bounds are never +infinity and greatest bounds never -infinity, which [down] and [up]
+   after each operation keep so: no operation below meets infinity - infinity. *)
+type t = float array
+
+let size = 16
+let along axis = 1 + (4 * axis)
+let create n = Array.make (size * n) 0.
+
+(* Each operation on floats rounds to the nearest, so that the exact result lies between its neighbours. *)
+let down = Float.pred
+let up = Float.succ
+
+let set (b : t) i box ~(at : Vec.t) ~(velocity : Vec.t) =
+  let axis k q u =
+    let a = (size * i) + along k in
+    b.(a) <- down (Float_box.down q +. Float_box.low box k);
+    b.(a + 1) <- up (Float_box.up q +. Float_box.high box k);
+    b.(a + 2) <- Float_box.down u;
+    b.(a + 3) <- Float_box.up u
+  in
+  axis 0 at.x velocity.x;
+  axis 1 at.y velocity.y;
+  axis 2 at.z velocity.z
+
+let until (b : t) i = b.(size * i)
+let set_until (b : t) i t = b.(size * i) <- t
+
+(* An edge at x + u t with x >= x0 and u >= u0 has x + u t >= x0 + u0 t for t >= 0, which is least at one end of
+   the interval of time. In a product that is 0 * infinity, u0 would be 0: no product is taken then. *)
+let swept (b : t) i ~from =
+  let until = until b i in
+  let low = [| 0.; 0.; 0. |] and high = [| 0.; 0.; 0. |] in
+  for k = 0 to 2 do
+    let a = (size * i) + along k in
+    let x0 = b.(a) and x1 = b.(a + 1) and u0 = b.(a + 2) and u1 = b.(a + 3) in
+    low.(k) <-
+      (if u0 > 0. then down (x0 +. down (u0 *. from))
+       else if u0 < 0. then down (x0 +. down (u0 *. until))
+       else x0);
+    high.(k) <-
+      (if u1 < 0. then up (x1 +. up (u1 *. from))
+       else if u1 > 0. then up (x1 +. up (u1 *. until))
+       else x1)
+  done;
+  Float_box.make ~low ~high
+
+(* The boxes overlap along an axis at time t iff neither begins after the other has ended:
+   x0 + u0 t <= x1' + u1' t, that is w t <= g with w = u0 - u1' and g = x1' - x0, and the same with the boxes
+   exchanged. With w rounded down and g up the condition is weaker; for w > 0 it says t <= g/w, for w < 0 it says
+   t >= g/w, and for w = 0 that g >= 0. The six conditions are kept together as an interval of time, each
+   quotient rounded so that the interval grows. A quotient that is a NaN (infinite g and w) narrows nothing. *)
+let may_meet (b : t) i j ~from =
+  let least = ref from and greatest = ref (until b i) in
+  if until b j < !greatest then greatest := until b j;
+  let axis = ref 0 in
+  while !axis < 3 do
+    let k = !axis in
+    let i = (size * i) + along k and j = (size * j) + along k in
+    let w = down (b.(i + 2) -. b.(j + 3)) and g = up (b.(j + 1) -. b.(i)) in
+    if w > 0. then begin
+      let t = up (g /. w) in
+      if t < !greatest then greatest := t
+    end
+    else if w < 0. then begin
+      let t = down (g /. w) in
+      if t > !least then least := t
+    end
+    else if g < 0. then greatest := neg_infinity;
+    let w = down (b.(j + 2) -. b.(i + 3)) and g = up (b.(i + 1) -. b.(j)) in
+    if w > 0. then begin
+      let t = up (g /. w) in
+      if t < !greatest then greatest := t
+    end
+    else if w < 0. then begin
+      let t = down (g /. w) in
+      if t > !least then least := t
+    end
+    else if g < 0. then greatest := neg_infinity;
+    axis := if !least <= !greatest then k + 1 else 4
+  done;
+  !axis = 3

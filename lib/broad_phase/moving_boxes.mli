@@ -1,0 +1,25 @@
+(** Boxes that move in straight lines, each until a time of its own, in floats rounded outward: a filter that may
+    let through what never meets, and never stops what does. Times are at least 0. *)
+
+open Scc_exact
+open Scc_geometry
+
+type t
+
+val create : int -> t
+(** [create n]: n boxes, numbered from 0, that are to be {!set} before they are used. *)
+
+val set : t -> int -> Float_box.t -> at:Vec.t -> velocity:Vec.t -> unit
+(** [set t i b ~at ~velocity]: [b] is given about a point that is at [at] at time 0. *)
+
+val set_until : t -> int -> float -> unit
+(** Until when box i moves so: a time > 0, which may be infinite. *)
+
+val until : t -> int -> float
+
+val swept : t -> int -> from:float -> Float_box.t
+(** A box that holds box i throughout 0 <= [from] <= t <= {!until}, for finite [from]. *)
+
+val may_meet : t -> int -> int -> from:float -> bool
+(** [false] only if the closed boxes have no point in common from [from] on, until the first {!until} of the
+    two. *)

@@ -1,0 +1,36 @@
+(** A run of a network without laws of motion, from event to event: what a step costs depends on those who take
+    part in it and on their neighbours, and hardly on how many others there are. It offers and takes the same
+    transitions as {!Network.successors}, in the same order, but does not write down whole states. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+
+type t
+
+val start : Semantics.t -> State.t -> t
+(** From any state of a model that is not steered. *)
+
+(** A transition that is possible now. *)
+type alternative = {
+  label : Transition.label;
+  rules : Rule.t list;
+  rounded : Totals.t Lazy.t option;  (** [None]: nothing is rounded here *)
+}
+
+val alternatives : t -> alternative list
+(** As in {!Network.successors} of the present state. *)
+
+val take : t -> int -> unit
+(** Takes the alternative with a number, from 0 (a bug when there is none). *)
+
+val elapsed : t -> Rat.t
+(** The time since the start. *)
+
+val state : t -> State.t
+(** The present state, in full: takes time proportional to its size. *)
+
+val velocity : t -> int -> Vec.t
+(** Of the process with this first leaf (a bug when there is none). *)
+
+val work : t -> Flights.work

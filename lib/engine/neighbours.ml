@@ -1,0 +1,152 @@
+open Scc_exact
+open Scc_geometry
+open Scc_rigid
+open Scc_broad_phase
+open Scc_semantics
+
+(* {1 Boxes} *)
+
+let is_upright (p : Part.t) = Quaternion.is_identity p.motion.turned && not (Motion.turns p.motion)
+
+(* A box about a place, with a margin. Sums of floats are rounded to the nearest, so that the next float is on the
+   safe side. *)
+let grown margin box =
+  if Rat.sign margin = 0 then box
+  else
+    let by = Float_box.up margin in
+    let low k = Float.pred (Float_box.low box k -. by) and high k = Float.succ (Float_box.high box k +. by) in
+    Float_box.make ~low:(Array.init 3 low) ~high:(Array.init 3 high)
+
+(* A box about a place that goes in a straight line: of the part itself, or of the ball that it turns in. *)
+let framed ~margin (p : Part.t) =
+  if is_upright p then (grown margin p.placed.solid.box, p.placed.at)
+  else
+    let r = Rat.add margin (Part.reach p) in
+    let corner = Vec.make r r r in
+    (Float_box.of_corners (Vec.neg corner) corner, p.motion.centre)
+
+let box ~margin p =
+  let shape, at = framed ~margin p in
+  Float_box.at at shape
+
+(* With few parts every pair is looked at: boxes would cost more than they save. *)
+let few = 12
+
+let of_two_processes (parts : Part.t array) (i, j) = parts.(i).process <> parts.(j).process
+
+let within margin (parts : Part.t array) =
+  let boxes = Array.map (box ~margin) parts in
+  let n = Array.length parts in
+  let pairs =
+    if n > few then List.filter (of_two_processes parts) (Boxes.pairs boxes)
+    else
+      let rec from i j found =
+        if i < 0 then found
+        else if j = i then from (i - 1) (n - 1) found
+        else
+          from i (j - 1)
+            (if of_two_processes parts (i, j) && Float_box.meet boxes.(i) boxes.(j) then (i, j) :: found else found)
+      in
+      from (n - 2) (n - 1) []
+  in
+  List.map (fun (i, j) -> (parts.(i), parts.(j))) pairs
+
+(* {1 Sweeps} *)
+
+let fold_pairs f (parts : Part.t array) =
+  let n = Array.length parts in
+  let rec from i j acc =
+    if i >= n - 1 then acc else if j = n then from (i + 1) (i + 2) acc else from i (j + 1) (f acc (i, j))
+  in
+  from 0 1 None
+
+let all_move_alike (parts : Part.t array) =
+  Array.for_all
+    (fun (p : Part.t) ->
+       Vec.equal p.motion.velocity parts.(0).motion.velocity && not (Motion.turns p.motion))
+    parts
+
+(* The pairs whose boxes, swept over [0, span] for a span > 0, meet. *)
+let meeting_within ~margin parts span =
+  let moving = Moving_boxes.create (Array.length parts) in
+  let until = Float_box.up span in
+  let sweep i (p : Part.t) =
+    let shape, at = framed ~margin p in
+    Moving_boxes.set moving i shape ~at ~velocity:p.motion.velocity;
+    Moving_boxes.set_until moving i until;
+    Moving_boxes.swept moving i ~from:0.
+  in
+  Boxes.pairs (Array.mapi sweep parts)
+
+(* Sizes and speeds only say how far to look, which floats are good enough for. *)
+
+let greatest_speed (parts : Part.t array) =
+  let component best v = Float.max best (Float.abs (Rat.to_float v)) in
+  let of_part best (p : Part.t) =
+    let v = p.motion.velocity in
+    component (component (component best v.x) v.y) v.z
+  in
+  Array.fold_left of_part 0. parts
+
+let least_size (parts : Part.t array) =
+  let size (p : Part.t) =
+    let box = p.placed.solid.box in
+    let along axis = Float_box.high box axis -. Float_box.low box axis in
+    Float.min (along 0) (Float.min (along 1) (along 2))
+  in
+  Array.fold_left (fun best p -> Float.min best (size p)) infinity parts
+
+let cut limit span = match limit with None -> span | Some l -> Rat.min l span
+
+(* A power of two about as great as a float: a short number, which keeps the ends of the sweeps short. Of a float
+   that is zero or infinite, any will do. *)
+let power_of_two x =
+  let _, exponent = Float.frexp x in
+  let exponent = Int.max (-1000) (Int.min 1000 exponent) in
+  if exponent >= 0 then Rat.make (Z.shift_left Z.one exponent) Z.one
+  else Rat.make Z.one (Z.shift_left Z.one (-exponent))
+
+(* How far ahead to look first: so far that the fastest part sweeps about the least size of a part, or to the limit if
+   that is sooner; [None]: at everything. Exact answers about what has turned cost so much that boxes always pay. *)
+let first_window (parts : Part.t array) ~limit =
+  if not (Array.for_all is_upright parts) then limit
+  else if
+    Array.length parts <= few || Array.for_all (fun (p : Part.t) -> Vec.is_zero p.motion.velocity) parts
+  then None
+  else Some (cut limit (power_of_two (least_size parts /. greatest_speed parts)))
+
+(* Sweeps of bodies that fly apart never meet, however wide the window: without a limit the rounds must end. *)
+let most_rounds = 10
+
+(* The next window after one in which nothing was found: four times as long; [None] when the sweeps of the last one
+   met so often that boxes no longer help, or after many rounds without a limit, as perhaps nothing ever meets. *)
+let wider parts ~limit ~met ~round span =
+  let n = Array.length parts in
+  if met > n * n / 8 || (Option.is_none limit && round >= most_rounds) then None
+  else Some (cut limit (Rat.mul (Rat.of_int 4) span))
+
+let earliest ~margin ~limit time (parts : Part.t array) =
+  let earlier best (i, j) =
+    if not (Part.in_relative_motion parts.(i) parts.(j)) then best
+    else
+      match (best, time ~before:best parts.(i) parts.(j)) with
+      | Some t, Some t' -> Some (Rat.min t t')
+      | None, t | t, None -> t
+  in
+  let within_limit t = match limit with None -> true | Some l -> Rat.compare t l <= 0 in
+  (* Pairs whose swept boxes do not meet within the window have no time in it: what is found in the window is the
+     least of all. *)
+  let rec look round window =
+    match window with
+    | None -> fold_pairs earlier parts
+    | Some span -> (
+        let near = meeting_within ~margin parts span in
+        match List.fold_left earlier None near with
+        | Some t when Rat.compare t span <= 0 -> Some t
+        | Some _ | None when Option.equal Rat.equal limit window -> None
+        | Some _ | None -> look (round + 1) (wider parts ~limit ~met:(List.length near) ~round span))
+  in
+  if all_move_alike parts then None
+  else match look 1 (first_window parts ~limit) with Some t when within_limit t -> Some t | Some _ | None -> None
+
+let boxes = { Kinematics.within; earliest }

@@ -1,0 +1,67 @@
+open Scc_calculus
+open Scc_semantics
+
+type alternative = Event_run.alternative = {
+  label : Transition.label;
+  rules : Rule.t list;
+  rounded : Totals.t Lazy.t option;
+}
+
+(* Under laws of motion: the present state and, once they have been asked for, its transitions. *)
+type steered = {
+  semantics : Semantics.t;
+  mutable present : State.t;
+  mutable next : (Transition.t list, Transition.fault) result option;
+  mutable rounded : Totals.sum;
+}
+
+type t = Steered of steered | Inertial of Event_run.t
+
+let start semantics declared =
+  Result.map
+    (fun s ->
+       if (Semantics.model semantics).steered then Steered { semantics; present = s; next = None; rounded = Totals.no_sum }
+       else Inertial (Event_run.start semantics s))
+    (Network.initial semantics declared)
+
+let next s =
+  match s.next with
+  | Some next -> next
+  | None ->
+    let next = Network.successors s.semantics s.present in
+    s.next <- Some next;
+    next
+
+let alternatives = function
+  | Inertial run -> Ok (Event_run.alternatives run)
+  | Steered s ->
+    let seen (t : Transition.t) = { label = t.label; rules = t.rules; rounded = t.rounded } in
+    Result.map (List.map seen) (next s)
+
+let take t i =
+  match t with
+  | Inertial run -> Event_run.take run i
+  | Steered s -> (
+      match next s with
+      | Ok transitions when i >= 0 && i < List.length transitions ->
+        let t = List.nth transitions i in
+        Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) t.rounded;
+        s.present <- t.target;
+        s.next <- None
+      | Ok _ | Error _ -> Scc_base.Bug.fail __POS__ "an alternative that is not there")
+
+let state = function Inertial run -> Event_run.state run | Steered s -> s.present
+
+(* Without laws of motion, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)
+let quiescent = function
+  | Inertial run -> Event_run.alternatives run = []
+  | Steered s -> Network.quiescent s.semantics s.present
+
+let spinning t = Array.exists Turn.spinning (state t).processes
+
+let rounded = function
+  | Inertial _ -> None
+  | Steered s -> (
+      match (Semantics.model s.semantics).rigid with
+      | Some { round_orientation = None; round_velocity = None; _ } | None -> None
+      | Some _ -> Some (Totals.bounds s.rounded))

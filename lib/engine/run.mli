@@ -1,0 +1,38 @@
+(** One run of a network: what can happen next, and one of it happens.
+
+    A network without laws of motion runs from event to event ({!Event_run}): a step costs about as much as the few
+    bodies that take part in it, and only {!state} looks at all. Under laws of motion every step changes the
+    velocity of every steered body anyway, and the whole of {!Network.successors} is computed for each. *)
+
+open Scc_calculus
+open Scc_semantics
+
+type t
+
+val start : Semantics.t -> State.t -> (t, Transition.fault) result
+(** At the initial state, from the declared one. *)
+
+type alternative = Event_run.alternative = {
+  label : Transition.label;
+  rules : Rule.t list;
+  rounded : Totals.t Lazy.t option;  (** as in {!Transition.t} *)
+}
+
+val alternatives : t -> (alternative list, Transition.fault) result
+(** Labels and rules of {!Network.successors} of the present state, in that order. *)
+
+val take : t -> int -> unit
+(** Takes the alternative with a number, from 0 (a bug when there is none, or a fault). *)
+
+val state : t -> State.t
+(** The present state, in full. *)
+
+val quiescent : t -> bool
+(** {!Network.quiescent} of the present state, in which nothing is possible (of no meaning otherwise). *)
+
+val spinning : t -> bool
+(** Whether something spins now. *)
+
+val rounded : t -> (Totals.t * Totals.t) option
+(** Bounds on what rule Round has added to the totals of the network so far, closely; [None] where nothing is
+    rounded. *)

@@ -1,6 +1,0 @@
-(** Obstacles made on demand, once for each ordered pair of solids. *)
-
-type t
-
-val create : unit -> t
-val find : t -> Solid.t -> Solid.t -> Obstacle.t

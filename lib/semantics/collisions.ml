@@ -1,0 +1,118 @@
+open Scc_geometry
+open Scc_calculus
+
+type meeting = {
+  first : int;
+  second : int;
+  near : (Part.t * Part.t) list;
+  approaching : (Part.t * Part.t) list;
+}
+
+let parts (c : Semantics.t) processes =
+  let (module K) = c.kinematics in
+  Array.of_list (List.concat (List.mapi (K.parts c.setting) (Array.to_list processes)))
+
+(* Those of two processes together, in order. *)
+let by_processes pairs =
+  let compare ((a : Part.t), (b : Part.t)) ((a' : Part.t), (b' : Part.t)) =
+    let c = Int.compare a.process a'.process in
+    if c <> 0 then c else Int.compare b.process b'.process
+  in
+  let group groups pair =
+    match groups with
+    | (other :: _ as group) :: rest when compare pair other = 0 -> (pair :: group) :: rest
+    | _ -> [ pair ] :: groups
+  in
+  List.stable_sort compare pairs |> List.fold_left group [] |> List.rev_map List.rev
+
+let meetings (c : Semantics.t) processes =
+  let (module K) = c.kinematics in
+  let meeting near =
+    match List.filter (fun (a, b) -> K.collide c.setting a b) near with
+    | [] -> None
+    | (a, b) :: _ as approaching -> Some { first = a.Part.process; second = b.Part.process; near; approaching }
+  in
+  c.setting.neighbours.within (K.margin c.setting) (parts c processes)
+  |> List.filter (fun (a, b) -> Part.in_relative_motion a b)
+  |> by_processes |> List.filter_map meeting
+
+let collides c (s : State.t) = meetings c s.processes <> []
+
+(* {1 Rule Bind} *)
+
+let open_channels (m : Model.t) (p : State.process) leaf =
+  Behaviour.derivations m.definitions (State.leaf_of p leaf).behaviour
+  |> List.filter_map (fun (offer, derivation) ->
+      match offer with
+      | Behaviour.Offer_open (polarity, channel, b) ->
+        Some (polarity, channel, b, Process.rules Rule.Pre derivation)
+      | Offer_weak _ | Offer_strong _ -> None)
+
+let complementary a b =
+  match (a, b) with
+  | Behaviour.Name, Behaviour.Co_name | Co_name, Name -> true
+  | Name, Name | Co_name, Co_name -> false
+
+(* The touching pairs that two channels share, of the highest dimension among them. *)
+let shared_pairs pairs ~active_one ~active_two =
+  let shared = List.filter (fun (c : Contact.pair) -> active_one c.first && active_two c.second) pairs in
+  let highest = List.fold_left (fun d (c : Contact.pair) -> Int.max d c.dimension) 0 shared in
+  List.filter (fun (c : Contact.pair) -> c.dimension = highest) shared
+
+let joined (c : Semantics.t) (p : State.process) (q : State.process) bond continuations =
+  let (module K) = c.kinematics in
+  let leaves = Array.to_list (Array.append p.leaves q.leaves) |> List.map (Process.continue continuations) in
+  let bonds = bond :: Array.to_list (Array.append p.bonds q.bonds) in
+  State.process ~leaves ~bonds ~velocity:Scc_exact.Vec.zero ~clock:None ()
+  |> Process.restart_clock c.setting.model |> K.joined c.setting p q
+
+(* The candidates of two parts that touch and approach. *)
+let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
+  let (module K) = c.kinematics in
+  let m = c.setting.model in
+  let site (part : Part.t) feature : Site.t = { part = part.index; feature } in
+  let candidate touching (pol1, (c1 : Behaviour.channel), b1, r1) (pol2, (c2 : Behaviour.channel), b2, r2) =
+    if not (complementary pol1 pol2 && String.equal c1.name c2.name) then []
+    else
+      shared_pairs (Lazy.force touching)
+        ~active_one:(fun f -> Behaviour.active c1 (site a f))
+        ~active_two:(fun f -> Behaviour.active c2 (site b f))
+      |> List.map (fun (pair : Contact.pair) ->
+          let bond =
+            State.bond c1.name
+              { at = a.leaf; site = site a pair.first }
+              { at = b.leaf; site = site b pair.second }
+          in
+          {
+            Transition.label = Bind bond;
+            rules = Rule.Bind :: Process.union r1 r2;
+            gone = [ p; q ];
+            come = [ joined c p q bond [ (a.leaf, b1); (b.leaf, b2) ] ];
+          })
+  in
+  let ones = open_channels m p a.leaf and twos = open_channels m q b.leaf in
+  let touching = lazy (K.touching c.setting a b) in
+  List.concat_map (fun one -> List.concat_map (candidate touching one) twos) ones
+
+(* {1 Rule Bounce} *)
+
+let bounce (c : Semantics.t) (p : State.process) (q : State.process) near =
+  let (module K) = c.kinematics in
+  let first = p.leaves.(0).leaf and second = q.leaves.(0).leaf in
+  match K.bounce c.setting p q near with
+  | Persistent -> Error (Transition.Persistent_contact (first, second))
+  | Responded (p', q') ->
+    let come = List.map (Process.restart_clock c.setting.model) [ p'; q' ] in
+    Ok { Transition.label = Bounce (first, second); rules = [ Rule.Bounce ]; gone = [ p; q ]; come }
+
+let outcomes c processes meeting =
+  let p = processes.(meeting.first) and q = processes.(meeting.second) in
+  match List.concat_map (bind c p q) meeting.approaching with
+  | [] -> Result.map (fun o -> [ o ]) (bounce c p q meeting.near)
+  | candidates -> Ok (Transition.distinct candidates)
+
+(* {1 First time of contact} *)
+
+let first_time_of_contact (c : Semantics.t) processes ~limit =
+  let (module K) = c.kinematics in
+  K.first_time_of_contact c.setting (parts c processes) ~limit

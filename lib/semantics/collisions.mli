@@ -1,0 +1,28 @@
+(** Collisions of two processes (rule Collision), which end in rule Bind or rule Bounce. *)
+
+open Scc_calculus
+
+(** Two processes that collide, the one with the lesser index first. *)
+type meeting = {
+  first : int;
+  second : int;  (** indices of processes *)
+  near : (Part.t * Part.t) list;  (** all pairs of their parts that touch, and perhaps others *)
+  approaching : (Part.t * Part.t) list;  (** those that touch and approach; not empty *)
+}
+
+val parts : Semantics.t -> State.process array -> Part.t array
+(** In the order of processes, leaves and parts. *)
+
+val meetings : Semantics.t -> State.process array -> meeting list
+(** Every two processes that collide, in order. *)
+
+val collides : Semantics.t -> State.t -> bool
+(** Whether any two do. *)
+
+val outcomes : Semantics.t -> State.process array -> meeting -> (Transition.outcome list, Transition.fault) result
+(** Rule Bind: one for each candidate (reading I-12). Without candidates rule Bounce: one, or the fault of rule
+    Persistent. *)
+
+val first_time_of_contact : Semantics.t -> State.process array -> limit:Scc_exact.Rat.t option -> Scc_exact.Rat.t option
+(** The least time at which two processes collide, if there is one that is at most the limit; of processes that do
+    not collide now. *)

@@ -1,0 +1,28 @@
+(** What the rules ask of geometry, as a value: the semantics is over any that answers so. Bodies are placed parts,
+    A and B; those in translation have a relative velocity w, that of B less that of A; times count from now.
+
+    {!exact} is the geometry of the rule book's first chapter and of Cast and Near. Tests put a geometry by brute
+    force in its place. *)
+
+open Scc_exact
+open Scc_geometry
+open Scc_rigid
+
+type t = {
+  relation : Placed.t -> Placed.t -> Obstacle.relation;  (** rule Contact *)
+  approaching : Placed.t -> Placed.t -> Vec.t -> bool;  (** rule Approach, of two that touch *)
+  first_time_of_contact : Placed.t -> Placed.t -> Vec.t -> Obstacle.cast;  (** rule Ftoc, in translation *)
+  meeting : Placed.t -> Placed.t -> Vec.t -> (Rat.t option * Rat.t option) option;
+  (** the closed interval of times, also past ones, at which two in translation meet; [None] for an end that is
+      infinite *)
+  touching : Placed.t -> Placed.t -> Contact.pair list;  (** rule Touching: the features that touch, sorted *)
+  response : (Placed.t * Placed.t) list -> Vec.t -> Vec.t;
+  (** rule Response: the relative velocity after a collision in translation, given all touching pairs of parts of
+      the two bodies and the relative velocity before it *)
+  first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> Cast.outcome;  (** rule Cast *)
+  near : resolution:Rat.t -> Placed.t -> Placed.t -> Near_contact.t option;  (** rule Near *)
+}
+
+val exact : obstacle:(Solid.t -> Solid.t -> Obstacle.t) -> t
+(** By the obstacles that the function gives: {!Obstacle.make}, or something that remembers them. Parts in
+    translation that have turned are turned anew for each question. *)

@@ -1,0 +1,58 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+
+type neighbours = {
+  within : Rat.t -> Part.t array -> (Part.t * Part.t) list;
+  earliest :
+    margin:Rat.t -> limit:Rat.t option ->
+    (before:Rat.t option -> Part.t -> Part.t -> Rat.t option) -> Part.t array -> Rat.t option;
+}
+
+let pairs parts =
+  let parts = Array.to_list parts in
+  let with_later (a : Part.t) (b : Part.t) = if a.process < b.process then Some (a, b) else None in
+  List.concat_map (fun a -> List.filter_map (with_later a) parts) parts
+
+let everyone =
+  let earlier time best (a, b) =
+    if not (Part.in_relative_motion a b) then best
+    else
+      match (best, time ~before:best a b) with
+      | Some t, Some t' -> Some (Rat.min t t')
+      | None, t | t, None -> t
+  in
+  {
+    within = (fun _ parts -> pairs parts);
+    earliest =
+      (fun ~margin:_ ~limit time parts ->
+         match (List.fold_left (earlier time) None (pairs parts), limit) with
+         | Some t, Some l when Rat.compare t l > 0 -> None
+         | t, _ -> t);
+  }
+
+type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours }
+type response = Responded of State.process * State.process | Persistent
+
+module type S = sig
+  val parts : setting -> int -> State.process -> Part.t list
+  val margin : setting -> Rat.t
+  val collide : setting -> Part.t -> Part.t -> bool
+  val touching : setting -> Part.t -> Part.t -> Contact.pair list
+  val bonded : setting -> Part.t * Feature.t -> Part.t * Feature.t -> bool
+  val first_time_of_contact : setting -> Part.t array -> limit:Rat.t option -> Rat.t option
+  val none_ahead : setting -> Part.t array -> bool
+  val bounce : setting -> State.process -> State.process -> (Part.t * Part.t) list -> response
+  val joined : setting -> State.process -> State.process -> State.process -> State.process
+  val piece : setting -> whole:State.process -> State.process -> State.process
+  val start : setting -> State.process -> State.process
+  val time_rules : Rule.t list
+  val step_needs_law : bool
+  val stale : setting -> State.t -> bool
+  val renewed : setting -> State.t -> State.t
+  val step_length : setting -> State.t -> Rat.t
+  val begin_step : setting -> collides:(State.t -> bool) -> State.t -> State.t * Totals.t Lazy.t option
+  val shortened : State.t -> State.t
+  val turns_rightly : setting -> State.process -> bool
+  val settled : setting -> State.process -> bool
+end

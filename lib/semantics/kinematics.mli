@@ -1,0 +1,99 @@
+(** How bodies move, meet and respond: what the two calculi of the rule book differ in, and the signature that all
+    other rules are written over. {!Straight} is motion in translation, {!Turning} that of bodies that turn. *)
+
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+
+(** Who may be near whom: where the rules quantify over all pairs of parts, whoever runs them may leave out those
+    that cannot matter. {!everyone} leaves out none. *)
+type neighbours = {
+  within : Rat.t -> Part.t array -> (Part.t * Part.t) list;
+  (** [within margin parts]: all pairs of parts of two processes that are at most [margin] apart now, and perhaps
+      others; sorted by their places in the array, the lesser of a pair first *)
+  earliest :
+    margin:Rat.t -> limit:Rat.t option ->
+    (before:Rat.t option -> Part.t -> Part.t -> Rat.t option) -> Part.t array -> Rat.t option;
+  (** the least of the times that a function has for pairs of parts in relative motion, if it is at most the limit.
+      For two parts that are farther apart than the margin up to a time, the function has none up to that time;
+      what it has later than [before] does not count *)
+}
+
+val everyone : neighbours
+
+(** What the rules are applied in: all that does not change, and those who answer for it. *)
+type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours }
+
+(** What becomes of two processes. *)
+type response =
+  | Responded of State.process * State.process
+  | Persistent  (** they would interpenetrate at once, and nothing changes that (rule Persistent) *)
+
+module type S = sig
+  (** {1 Contact} *)
+
+  val parts : setting -> int -> State.process -> Part.t list
+  (** The parts of a process, the one with this index, in the order of its leaves. *)
+
+  val margin : setting -> Rat.t
+  (** How far apart two parts may be that touch. *)
+
+  val collide : setting -> Part.t -> Part.t -> bool
+  (** Rule Collision for two parts: they touch and approach. *)
+
+  val touching : setting -> Part.t -> Part.t -> Contact.pair list
+  (** The features in which two parts touch that collide. *)
+
+  val bonded : setting -> Part.t * Feature.t -> Part.t * Feature.t -> bool
+  (** Whether two features, each of a part, may hold a bond (Definition 5.2). *)
+
+  val first_time_of_contact : setting -> Part.t array -> limit:Rat.t option -> Rat.t option
+  (** The least time at which two parts collide, if there is one that is at most the limit (rules Ftoc, Cast); of
+      parts that do not collide now. Without a limit nothing may be spinning. *)
+
+  val none_ahead : setting -> Part.t array -> bool
+  (** Whether it is proved that no two parts ever collide, if nothing else happens to them (rule Quiescent). *)
+
+  (** {1 What happens to processes} *)
+
+  val bounce : setting -> State.process -> State.process -> (Part.t * Part.t) list -> response
+  (** Rule Bounce. The pairs are all those of parts that touch, and perhaps others. *)
+
+  val joined : setting -> State.process -> State.process -> State.process -> State.process
+  (** [joined c p q whole]: the whole, made of p and q, in the motion that it gets from theirs (rule Bind). *)
+
+  val piece : setting -> whole:State.process -> State.process -> State.process
+  (** A piece of a whole, in the motion that the whole had (readings I-11 and I-23). *)
+
+  val start : setting -> State.process -> State.process
+  (** A declared process as it is at first. *)
+
+  (** {1 Steps} *)
+
+  val time_rules : Rule.t list
+  (** Those that a passing of time uses. *)
+
+  val step_needs_law : bool
+  (** Whether movement steps are there for the sake of laws alone. *)
+
+  val stale : setting -> State.t -> bool
+  (** Whether a collision would change how a process goes on, be it far away (rule Turn). *)
+
+  val renewed : setting -> State.t -> State.t
+  (** All turns begin anew. *)
+
+  val step_length : setting -> State.t -> Rat.t
+  (** Of a movement step that begins now. *)
+
+  val begin_step : setting -> collides:(State.t -> bool) -> State.t -> State.t * Totals.t Lazy.t option
+  (** What a new step brings but for laws: spins for its turns, and rule Round, with what that changed. *)
+
+  val shortened : State.t -> State.t
+  (** The state with what is left of its step cut, if bodies would turn too far in it. *)
+
+  val turns_rightly : setting -> State.process -> bool
+  (** Whether a process turns as it can: not at all, or in a turn that has begun. *)
+
+  val settled : setting -> State.process -> bool
+  (** Whether no rounding is going to change where a process goes. *)
+end

@@ -1,0 +1,15 @@
+open Scc_geometry
+open Scc_calculus
+
+type t = { setting : Kinematics.setting; kinematics : (module Kinematics.S) }
+
+let kinematics (m : Model.t) : (module Kinematics.S) =
+  match m.rigid with None -> (module Straight) | Some _ -> (module Turning)
+
+let afresh = Geometry.exact ~obstacle:(fun a b -> Obstacle.make a b)
+
+let make ?(geometry = afresh) ?(neighbours = Kinematics.everyone) model =
+  { setting = { model; geometry; neighbours }; kinematics = kinematics model }
+
+let model t = t.setting.model
+let with_model t model = { setting = { t.setting with model }; kinematics = kinematics model }

@@ -1,0 +1,114 @@
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+open Scc_rigid
+open Kinematics
+
+(* {1 Contact} *)
+
+let parts { model; _ } process (p : State.process) =
+  let of_leaf (l : State.leaf) =
+    let of_part index (part : Model.part) =
+      let at = if Vec.is_zero part.offset then l.position else Vec.add l.position part.offset in
+      let motion =
+        {
+          Motion.solid = part.solid;
+          turned = l.turned;
+          arm = Vec.zero;
+          centre = at;
+          velocity = p.velocity;
+          spin = Vec.zero;
+          since = Rat.zero;
+        }
+      in
+      { Part.process; leaf = l.leaf; index; placed = { solid = part.solid; turned = l.turned; at }; motion }
+    in
+    List.mapi of_part (Array.to_list model.leaves.(l.leaf).parts)
+  in
+  List.concat_map of_leaf (Array.to_list p.leaves)
+
+let margin _ = Rat.zero
+let interpenetration () = Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
+
+let touch c (a : Part.t) (b : Part.t) =
+  match c.geometry.relation a.placed b.placed with
+  | Apart -> false
+  | Touching -> true
+  | Interpenetrating -> interpenetration ()
+
+let collide c (a : Part.t) (b : Part.t) =
+  touch c a b && c.geometry.approaching a.placed b.placed (Part.relative_velocity a b)
+
+let touching c (a : Part.t) (b : Part.t) = c.geometry.touching a.placed b.placed
+
+let bonded c ((a : Part.t), one) ((b : Part.t), two) =
+  let is_bond (pair : Contact.pair) = Feature.equal pair.first one && Feature.equal pair.second two in
+  match c.geometry.relation a.placed b.placed with
+  | Touching -> List.exists is_bond (touching c a b)
+  | Apart | Interpenetrating -> false
+
+let collision_time c ~before:_ (a : Part.t) (b : Part.t) =
+  match c.geometry.first_time_of_contact a.placed b.placed (Part.relative_velocity a b) with
+  | Never -> None
+  | At t -> Some t
+  | Inside -> interpenetration ()
+
+let first_time_of_contact c parts ~limit =
+  c.neighbours.earliest ~margin:Rat.zero ~limit (collision_time c) parts
+
+let none_ahead c parts = Option.is_none (first_time_of_contact c parts ~limit:None)
+
+(* {1 What happens to processes} *)
+
+(* How the change of the relative velocity is shared: in inverse proportion to the masses; a fixed body takes
+   none. *)
+let shares model p q =
+  match (State.mass model p, State.mass model q) with
+  | Some mp, Some mq ->
+    let total = Rat.add mp mq in
+    (Rat.div mq total, Rat.div mp total)
+  | None, Some _ -> (Rat.zero, Rat.one)
+  | Some _, None -> (Rat.one, Rat.zero)
+  | None, None -> Scc_base.Bug.fail __POS__ "two fixed bodies collide"
+
+let bounce c (p : State.process) (q : State.process) near =
+  let w = Vec.sub q.velocity p.velocity in
+  let touching = List.filter (fun (a, b) -> touch c a b) near in
+  let placed ((a : Part.t), (b : Part.t)) = (a.placed, b.placed) in
+  let change = Vec.sub (c.geometry.response (List.map placed touching) w) w in
+  let share_p, share_q = shares c.model p q in
+  Responded
+    ( State.with_velocity (Vec.axpy (Rat.neg share_p) change p.velocity) p,
+      State.with_velocity (Vec.axpy share_q change q.velocity) q )
+
+(* Conservation of linear momentum; what binds to a fixed body stops. *)
+let joined { model; _ } (p : State.process) (q : State.process) whole =
+  let velocity =
+    match (State.mass model p, State.mass model q) with
+    | Some mp, Some mq ->
+      Vec.scale
+        (Rat.div Rat.one (Rat.add mp mq))
+        (Vec.add (Vec.scale mp p.velocity) (Vec.scale mq q.velocity))
+    | None, _ | _, None -> Vec.zero
+  in
+  State.with_velocity velocity whole
+
+let piece _ ~whole (piece : State.process) = State.with_velocity whole.State.velocity piece
+let start _ p = p
+
+(* {1 Steps} *)
+
+let time_rules = [ Rule.Time; Time_behaviour ]
+let step_needs_law = true
+let stale _ _ = false
+let renewed _ s = s
+let step_length c _ = c.model.timestep
+let begin_step _ ~collides:_ s = (s, None)
+let shortened s = s
+
+let turns_rightly _ (p : State.process) =
+  Vec.is_zero p.spin
+  && Rat.sign p.since = 0
+  && Array.for_all (fun (l : State.leaf) -> Quaternion.is_identity l.turned) p.leaves
+
+let settled _ _ = true

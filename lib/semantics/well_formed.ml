@@ -1,0 +1,171 @@
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_calculus
+
+type fault =
+  | Lost_leaf of int
+  | Repeated_leaf of int
+  | Interpenetration of { first : int * int; second : int * int }
+  | Bad_bond of State.bond
+  | Loose_bond of State.bond
+  | Not_a_tree of int
+  | Moving_wall of int
+  | Bad_clock of int
+  | Bad_turn of int
+  | Bad_step
+  | Bad_time
+
+let leaves (state : State.t) =
+  Array.to_list state.processes
+  |> List.concat_map (fun (p : State.process) -> Array.to_list p.leaves)
+
+(* Each leaf of the model is in one process, once. *)
+let check_leaves (m : Model.t) state =
+  let count = Array.make (Array.length m.leaves) 0 in
+  List.iter (fun (l : State.leaf) -> count.(l.leaf) <- count.(l.leaf) + 1) (leaves state);
+  Array.to_list count
+  |> Long_list.mapi (fun leaf n -> (leaf, n))
+  |> List.filter_map (fun (leaf, n) ->
+      match n with
+      | 0 -> Some (Lost_leaf leaf)
+      | 1 -> None
+      | _ -> Some (Repeated_leaf leaf))
+
+(* Parts of one leaf and of one process must not interpenetrate either: so each counts as one of its own. *)
+let check_overlaps (c : Semantics.t) (state : State.t) =
+  let alone i (p : Part.t) = { p with process = i } in
+  let parts = Array.mapi alone (Collisions.parts c state.processes) in
+  let fault ((a : Part.t), (b : Part.t)) =
+    match c.setting.geometry.relation a.placed b.placed with
+    | Interpenetrating -> Some (Interpenetration { first = Part.name a; second = Part.name b })
+    | Apart | Touching -> None
+  in
+  List.filter_map fault (c.setting.neighbours.within Rat.zero parts)
+
+let has_feature (polyhedron : Polyhedron.t) : Feature.t -> bool = function
+  | Vertex i -> 0 <= i && i < Array.length polyhedron.vertices
+  | Edge i -> 0 <= i && i < Array.length polyhedron.edges
+  | Face i -> 0 <= i && i < Array.length polyhedron.faces
+
+(* The leaves of a process are in order. *)
+let find_leaf (p : State.process) leaf =
+  let rec search low high =
+    if low >= high then None
+    else
+      let middle = (low + high) / 2 in
+      let c = Int.compare leaf p.leaves.(middle).leaf in
+      if c = 0 then Some p.leaves.(middle) else if c < 0 then search low middle else search (middle + 1) high
+  in
+  search 0 (Array.length p.leaves)
+
+(* The leaf, in this process, and its part at one end of a bond. *)
+let find_end (m : Model.t) (p : State.process) (f : State.finish) =
+  match find_leaf p f.at with
+  | None -> None
+  | Some l ->
+    let parts = m.leaves.(l.leaf).parts in
+    let i = f.site.part in
+    if 0 <= i && i < Array.length parts && has_feature parts.(i).solid.polyhedron f.site.feature then
+      Some (l, i)
+    else None
+
+let part (parts : Part.t array) leaf index =
+  Array.to_list parts |> List.find_opt (fun (p : Part.t) -> p.leaf = leaf && p.index = index)
+
+(* Definition 5.2: the two features touch, or are within the resolution (rule Near). *)
+let check_bond (c : Semantics.t) parts p (bond : State.bond) =
+  let (module K) = c.kinematics in
+  match (find_end c.setting.model p bond.one, find_end c.setting.model p bond.two) with
+  | Some (l1, p1), Some (l2, p2) when not (Int.equal l1.leaf l2.leaf) -> (
+      match (part parts l1.leaf p1, part parts l2.leaf p2) with
+      | Some a, Some b when K.bonded c.setting (a, bond.one.site.feature) (b, bond.two.site.feature) -> None
+      | _ -> Some (Loose_bond bond))
+  | _ -> Some (Bad_bond bond)
+
+let clock_is_right (m : Model.t) (p : State.process) =
+  match (p.clock, Process.weak_split_enabled m p) with
+  | None, false -> true
+  | Some c, true -> Rat.sign c >= 0 && Rat.compare c m.split_step < 0
+  | Some _, false | None, true -> false
+
+let is_tree (p : State.process) =
+  Array.length p.bonds = Array.length p.leaves - 1
+  &&
+  match State.components p.leaves p.bonds with
+  | [ _ ] -> true
+  | _ -> false
+
+let check_process (c : Semantics.t) i (p : State.process) =
+  let (module K) = c.kinematics in
+  let m = c.setting.model in
+  let parts = Collisions.parts c [| p |] in
+  let bonds = List.filter_map (check_bond c parts p) (Array.to_list p.bonds) in
+  let bad_ends =
+    List.exists
+      (function
+        | Bad_bond _ -> true
+        | _ -> false)
+      bonds
+  in
+  let wall = Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves in
+  let faults =
+    [
+      ((not bad_ends) && not (is_tree p), Not_a_tree i);
+      (wall && not (Vec.is_zero p.velocity && Vec.is_zero p.spin), Moving_wall i);
+      ((not bad_ends) && not (clock_is_right m p), Bad_clock i);
+      (not (K.turns_rightly c.setting p), Bad_turn i);
+    ]
+  in
+  Long_list.append bonds @@ List.filter_map (fun (holds, fault) -> if holds then Some fault else None) faults
+
+let step_is_right (m : Model.t) (s : State.t) =
+  match s.step with
+  | None -> not m.steered
+  | Some { remaining; length; phase } -> (
+      m.steered
+      && Rat.compare remaining length <= 0 && Rat.compare length m.timestep <= 0
+      &&
+      match phase with
+      | Due -> Rat.sign remaining >= 0 (* a collision cuts a step short *)
+      | Moving | Steered -> Rat.sign remaining > 0)
+
+let time_is_right (m : Model.t) (s : State.t) =
+  match s.time with
+  | None -> not m.keeps_time
+  | Some t -> m.keeps_time && Rat.sign t >= 0
+
+let check (c : Semantics.t) (s : State.t) =
+  let m = c.setting.model in
+  let processes = Long_list.concat (Long_list.mapi (check_process c) (Array.to_list s.processes)) in
+  Long_list.concat
+    [
+      check_leaves m s;
+      check_overlaps c s;
+      processes;
+      (if step_is_right m s then [] else [ Bad_step ]);
+      (if time_is_right m s then [] else [ Bad_time ]);
+    ]
+
+let bond_to_string (m : Model.t) (b : State.bond) =
+  let finish (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
+  Printf.sprintf "<%s, {%s, %s}>" b.name (finish b.one) (finish b.two)
+
+let to_string (m : Model.t) (s : State.t) fault =
+  let leaf i = m.leaves.(i).name and part (l, p) = m.leaves.(l).parts.(p).name in
+  let process i = leaf s.processes.(i).leaves.(0).leaf in
+  match fault with
+  | Lost_leaf i -> Printf.sprintf "`%s` is in no process" (leaf i)
+  | Repeated_leaf i -> Printf.sprintf "`%s` is there more than once" (leaf i)
+  | Interpenetration { first; second } ->
+    Printf.sprintf "`%s` and `%s` interpenetrate" (part first) (part second)
+  | Bad_bond b ->
+    Printf.sprintf "a bond `%s` between `%s` and `%s` names what is not there" b.name (leaf b.one.at)
+      (leaf b.two.at)
+  | Loose_bond b -> Printf.sprintf "the features of the bond %s do not touch" (bond_to_string m b)
+  | Not_a_tree i -> Printf.sprintf "the bonds of the process of `%s` are not a tree" (process i)
+  | Moving_wall i -> Printf.sprintf "the process of `%s` holds a fixed body and moves" (process i)
+  | Bad_clock i -> Printf.sprintf "the split clock of the process of `%s` is wrong" (process i)
+  | Bad_turn i -> Printf.sprintf "the process of `%s` turns as it cannot" (process i)
+  | Bad_step -> "the movement step is wrong"
+  | Bad_time -> "the time is wrong"
