@@ -209,7 +209,7 @@ let splits_now t s =
   | Some found -> found
   | None ->
     let p = present t s.body in
-    let found = (Splits.strong t.semantics p, Splits.weak t.semantics p) in
+    let found = (Network.strong t.semantics p, Network.weak t.semantics p) in
     s.found <- Some found;
     found
 

@@ -92,7 +92,7 @@ let parted p =
   from nearest
 
 (* For ever, in a quiescent network: two of which one turns stay apart by more than the resolution
-   ({!Encounter.none_ahead}). *)
+   (rule Quiescent). *)
 let for_ever p =
   if Motion.turns p.one || Motion.turns p.two then Timeline.constant Timeline.Forever Truth.False
   else if turns_or_moves p then

@@ -109,7 +109,7 @@ let outcomes c processes meeting =
   let p = processes.(meeting.first) and q = processes.(meeting.second) in
   match List.concat_map (bind c p q) meeting.approaching with
   | [] -> Result.map (fun o -> [ o ]) (bounce c p q meeting.near)
-  | candidates -> Ok (Transition.distinct candidates)
+  | candidates -> Ok candidates
 
 (* {1 First time of contact} *)
 

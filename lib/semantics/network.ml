@@ -47,13 +47,19 @@ let happens c (s : State.t) ~step (o : Transition.outcome) =
 
 let last_first lists = List.fold_left (fun all list -> List.rev_append list all) [] lists
 
+let strong c p = Transition.distinct (Splits.strong c p)
+let weak c p = Transition.distinct (Splits.weak c p)
+
+let collision c processes meeting =
+  Result.map Transition.distinct (Collisions.outcomes c processes meeting)
+
 let splits c (s : State.t) kind =
   List.map (fun p -> List.map (happens c s ~step:s.step) (kind c p)) (Array.to_list s.processes) |> last_first
 
 let collisions c (s : State.t) =
   let step = after_collision s.step in
   let resolved meeting =
-    match Collisions.outcomes c s.processes meeting with
+    match collision c s.processes meeting with
     | Error fault -> [ Error fault ]
     | Ok outcomes -> List.map (happens c s ~step) outcomes
   in
@@ -70,7 +76,7 @@ let rec all_ok acc = function
   | Error e :: _ -> Error e
 
 let successors c s =
-  { strong = splits c s Splits.strong; weak = splits c s Splits.weak; collisions = collisions c s }
+  { strong = splits c s strong; weak = splits c s weak; collisions = collisions c s }
   |> in_order Fun.id ~time:(time c s)
   |> all_ok []
 
@@ -80,7 +86,7 @@ let together c p q =
     | Ok outcomes -> outcomes
     | Error _ -> Scc_base.Bug.fail __POS__ "a persistent contact in translation"
   in
-  Collisions.meetings c processes |> List.concat_map (fun m -> sure (Collisions.outcomes c processes m))
+  Collisions.meetings c processes |> List.concat_map (fun m -> sure (collision c processes m))
 
 let quiescent c (s : State.t) =
   Array.for_all (fun p -> Splits.strong c p = [] && Option.is_none p.State.clock) s.processes

@@ -20,7 +20,7 @@ val follow :
 (** {1 In parts}
 
     A split looks at one process, and a collision at two. So what is possible in a network is what is possible for
-    each process ({!Splits}), for each two that meet ({!Collisions}), and for time. Who follows many states of a
+    each process, for each two that meet, and for time. Who follows many states of a
     network that is not steered may remember the parts, and puts them together by these. *)
 
 (** What may happen at once, by kinds: each with the last first, strong and weak splits in the order of processes,
@@ -32,6 +32,11 @@ val is_urgent : 'a discrete -> bool
 
 val in_order : ('a -> 'b) -> 'a discrete -> time:(unit -> 'b list) -> 'b list
 (** All of it in the order of {!successors}, and then time, which is not asked when something is urgent. *)
+
+val strong : Semantics.t -> State.process -> Transition.outcome list
+(** The strong splits of a process ({!Splits.strong}), those of one label and result once; so with the next two. *)
+
+val weak : Semantics.t -> State.process -> Transition.outcome list
 
 val together : Semantics.t -> State.process -> State.process -> Transition.outcome list
 (** What comes of a collision of two processes, if they collide: for networks that are not steered. *)

@@ -27,7 +27,7 @@ let weak (c : Semantics.t) (p : State.process) =
           come = fall_apart c p ~released:[ b ] [ (b.one.at, first); (b.two.at, second) ];
         })
   in
-  if Process.at_split_instant p then Transition.distinct (List.concat_map release (Array.to_list p.bonds)) else []
+  if Process.at_split_instant p then List.concat_map release (Array.to_list p.bonds) else []
 
 (* Rule StrongSplit. A reaction is grown from its least bond: whoever is at an end of a bond of X must choose
    a summand rho(L) whose entries match exactly the bonds of X at that leaf, which may bring in more bonds,
@@ -133,4 +133,3 @@ let strong (c : Semantics.t) (p : State.process) =
           gone = [ p ];
           come = fall_apart c p ~released reaction.chosen;
         })
-    |> Transition.distinct

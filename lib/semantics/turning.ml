@@ -158,7 +158,7 @@ let all_parts c (s : State.t) = Array.of_list (List.concat (List.mapi (parts c) 
 let apart c s process ~by =
   let near ((a : Part.t), (b : Part.t)) =
     (a.process = process || b.process = process)
-    && Option.is_some (c.geometry.near ~resolution:by a.placed b.placed)
+    && Rat.compare (Near_contact.distance2 a.placed b.placed) (Rat.mul by by) <= 0
   in
   not (List.exists near (c.neighbours.within by (all_parts c s)))
 

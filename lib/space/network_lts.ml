@@ -115,8 +115,8 @@ let look b number =
   let moves splits = List.map (move b) (splits b.semantics body.process) in
   {
     body; nature;
-    strong = (if nature.splits then moves Splits.strong else []);
-    weak = (if nature.splits then moves Splits.weak else []);
+    strong = (if nature.splits then moves Network.strong else []);
+    weak = (if nature.splits then moves Network.weak else []);
     rests = Catalogue.resting b.catalogue body.velocity;
     passed = Rat.zero;
     after = number;

@@ -330,7 +330,7 @@ let verdicts_and_stats reductions text =
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
     let bounds = { Bounds.default with states = Default 3000 } in
-    let report = Check.run { Check.default with bounds; reductions } e.model ~initial e.checks in
+    let report = Check.run { Check.default with bounds; reductions } (Standard.of_model e.model) ~initial e.checks in
     (List.map (fun (_, v) -> Verdict.to_string v) report.outcomes, report.stats)
 
 (* Alone it is violated in two states, and it stays so whatever else is asked. *)
