@@ -74,6 +74,9 @@ let atom_gen n =
         map2 (Printf.sprintf "size(%s) >= %d") leaf (int_range 2 3);
         map2 (Printf.sprintf "distance2(%s, %s) < 17") leaf leaf;
         map (Printf.sprintf "behaviour(%s) = Held") leaf;
+        map2 (Printf.sprintf "same(%s, %s)") leaf leaf;
+        map2 (Printf.sprintf "bonds(dock, %s, %s) > 0") leaf leaf; map (Printf.sprintf "offers(%s, dock)") leaf;
+        map (Printf.sprintf "speed2(%s) >= 1") leaf; map (Printf.sprintf "spin2(%s) = 0") leaf;
       ]
   and all =
     oneof
@@ -84,10 +87,12 @@ let atom_gen n =
         return "count(a in Cube: behaviour(a) = Held) >= 2";
         return "exists a in Cube: exists b in Cube: not same(a, b) and touching(a, b) and vx(a) > 0";
         return "energy > 1";
+        oneofl [ "momentum.x > 0"; "angular.z > 0"; "bonds() = 0"; "quiescent" ];
       ]
   in
   let bind = map (Printf.sprintf "event bind(dock, %s)") leaf in
-  frequency [ (3, one); (3, all); (1, bind); (1, return "event bounce") ]
+  let parting = oneofl [ "event split(dock)"; "event weak"; "event strong(dock)" ] in
+  frequency [ (6, one); (6, all); (2, bind); (2, return "event bounce"); (1, parting) ]
 
 let formula_of atom =
   let open Gen in
