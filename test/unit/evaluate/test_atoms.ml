@@ -63,17 +63,17 @@ let show m = function
 (* {1 Values} *)
 
 (* As text, at an offset of what begins in a state. Bonds have been made, and nothing else has happened. *)
-let value m s extent atom offset =
+let value semantics s extent atom offset =
   let arrived : Property.event -> bool = function
     | Bond (Made, _, _) -> true
     | Bond _ | Bounce _ -> false
   in
-  let trajectory = Trajectory.make ~arrived m s extent and offset = Algebraic.of_rat offset in
+  let trajectory = Trajectory.make ~arrived semantics s extent and offset = Algebraic.of_rat offset in
   match atom with
   | Quantity q -> Value.at (Timeline.at (Trajectory.num trajectory (Quantity q)) offset) offset
   | Fact f -> Truth.to_string (Timeline.at (Trajectory.prop trajectory (Fact f)) offset)
 
-let now m s atom = value m s Timeline.Instant atom Rat.zero
+let now semantics s atom = value semantics s Timeline.Instant atom Rat.zero
 
 (* {1 What a row allows} *)
 
@@ -96,17 +96,17 @@ let swapped = function
 
 let quarters d = List.init 4 (fun k -> Rat.mul d (Rat.make (Z.of_int k) (Z.of_int 4)))
 
-let claims m (s : State.t) passing atom =
+let claims semantics (s : State.t) passing atom =
   let row = row atom in
-  let stays s atom' = String.equal (now m s atom) (now m s atom') in
-  let same s' = String.equal (now m s atom) (now m s' atom) in
+  let stays s atom' = String.equal (now semantics s atom) (now semantics s atom') in
+  let same s' = String.equal (now semantics s atom) (now semantics s' atom) in
   let is_named =
     match row.scope with
     | Named -> true
     | Whole -> false
   in
   let along d =
-    let value = value m s (Timeline.Lasts d) atom in
+    let value = value semantics s (Timeline.Lasts d) atom in
     match row.event with
     | None -> List.for_all (fun t -> String.equal (value Rat.zero) (value t)) (quarters d)
     | Some _ -> List.for_all (fun t -> Rat.sign t = 0 || String.equal "false" (value t)) (quarters d)
@@ -118,7 +118,7 @@ let claims m (s : State.t) passing atom =
     ("order", (not row.symmetric) || stays s (renamed (swapped (Atom.leaves row)) atom));
     ( "change",
       match passing with
-      | Some d when Atom.steady ~rigid:(Option.is_some m.rigid) row -> along d
+      | Some d when Atom.steady ~rigid:(Option.is_some (Semantics.model semantics).rigid) row -> along d
       | Some _ | None -> true );
   ]
 
@@ -129,12 +129,13 @@ let passing (transitions : Transition.t list) =
 
 let kept (m, start) =
   let m = { m with Model.keeps_time = true } in
+  let semantics = Scc_engine.Standard.of_model m in
   List.for_all
     (fun (s, transitions) ->
        let s = at_time (Some Rat.one) s in
        List.for_all
          (fun atom ->
-            match List.find_opt (fun (_, holds) -> not holds) (claims m s (passing transitions) atom) with
+            match List.find_opt (fun (_, holds) -> not holds) (claims semantics s (passing transitions) atom) with
             | None -> true
             | Some (claim, _) -> QCheck2.Test.fail_reportf "%s: %s" (show m atom) claim)
          (atoms m))
