@@ -21,6 +21,7 @@ val predicate : Semantics.t -> Property.prop -> t -> Truth.t Timeline.t
     it divides by zero. *)
 
 val prop : t -> Property.prop -> Truth.t Timeline.t
+(** The same at once. *)
 
 val num : t -> Property.num -> Value.t Timeline.t
 
