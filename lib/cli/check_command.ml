@@ -16,7 +16,7 @@ let exit_code (report : Check.report) verdicts =
   | [] ->
     let s = report.stats in
     Exit_code.of_exploration ~complete:s.complete ~faults:s.faults ~stopped_by:s.stopped_by
-  | _ -> Exit_code.worst (List.map (fun (_, v) -> Exit_code.of_verdict v) verdicts)
+  | _ -> Exit_code.worst (List.map (fun (o : Verdict.outcome) -> Exit_code.of_verdict o.verdict) verdicts)
 
 let witness_of (v : Verdict.t) =
   match v with
@@ -54,9 +54,9 @@ let make_folder path =
       | exception Sys_error message -> fail (Os_error.reason path message))
 
 let write_witnesses loaded path folder verdicts =
-  let one acc ((check : Property.check), v) =
+  let one acc ({ check; verdict; _ } : Verdict.outcome) =
     let* () = acc in
-    match witness_of v with
+    match witness_of verdict with
     | None -> Ok ()
     | Some w ->
       let file = Filename.concat folder (check.name ^ ".json") in
@@ -89,8 +89,8 @@ let is_zeno : Verdict.reason -> bool = function
   | Zeno _ -> true
   | Truncated _ | Unexplored _ | Undefined _ | Fault _ -> false
 
-let shows_zeno (_, (v : Verdict.t)) =
-  match v with Undecided reasons -> List.exists is_zeno reasons | Holds _ | Violated _ -> false
+let shows_zeno (o : Verdict.outcome) =
+  match o.verdict with Undecided reasons -> List.exists is_zeno reasons | Holds _ | Violated _ -> false
 
 let print_text console (loaded : Loaded.t) (report : Check.report) verdicts extra =
   let c = loaded.semantics in
@@ -100,7 +100,7 @@ let print_text console (loaded : Loaded.t) (report : Check.report) verdicts extr
   Option.iter zeno report.zeno;
   print (Check_text.explored report.stats ^ Check_text.slices report.slices);
   Option.iter (fun (space, c) -> print (Coverage_text.lines console space c)) extra.covered;
-  print (Check_text.tally console (List.map snd verdicts));
+  print (Check_text.tally console (List.map (fun (o : Verdict.outcome) -> o.verdict) verdicts));
   Option.iter (fun m -> List.iter (Console.note console) (Measured.lines m report)) extra.measured
 
 let write_sarif console path code properties =

@@ -1,7 +1,5 @@
 open Scc_exact
-open Scc_calculus
 open Scc_semantics
-open Scc_property
 open Scc_explain
 open Scc_verify
 
@@ -53,8 +51,8 @@ let witness c w =
 let way m w = step_lines ~most:12 m w @ Witness.ending m w
 let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
 
-let property console c ((check : Property.check), (v : Verdict.t)) =
-  let verdict = Console.styled console (style v) (Verdict.to_string ?resolution:(Model.resolution (Semantics.model c)) v) in
+let property console c ({ check; verdict = v; scale } : Verdict.outcome) =
+  let verdict = Console.styled console (style v) (Verdict.to_string ~scale v) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
   let run =
     match v with

@@ -1,11 +1,10 @@
 (** The report of [scc check] for people. *)
 
 open Scc_semantics
-open Scc_property
 open Scc_explain
 open Scc_verify
 
-val property : Console.t -> Semantics.t -> Property.check * Verdict.t -> string
+val property : Console.t -> Semantics.t -> Verdict.outcome -> string
 (** A verdict in several lines, with its witness; ended by a newline. *)
 
 val zeno : Semantics.t -> Witness.t -> string

@@ -58,10 +58,11 @@ let limits (c : Compared.t) =
     | bounds ->
       "not complete: stopped by " ^ String.concat ", " (List.map Verdict.truncation_to_string bounds)
 
-let resolution (c : Compared.t) =
+let scale (c : Compared.t) : Verdict.scale =
   match c.source with
-  | File -> None
-  | Model { model; _ } -> Scc_calculus.Model.resolution model.model
+  | File -> { resolution = None; split_step = None }
+  | Model { model; space } ->
+    { resolution = Scc_calculus.Model.resolution model.model; split_step = space.split_step }
 
 let side_text t first =
   let c = if first then t.first else t.second in
@@ -72,15 +73,11 @@ let side_text t first =
     | Some n -> Printf.sprintf ", %s" (plural n "class" "classes")
     | None -> ""
   in
-  let meant =
-    match resolution c with
-    | Some r -> ", at resolution " ^ Scc_exact.Rat.to_string r
-    | None -> ""
-  in
   Printf.sprintf "%s: %s, %s%s; %s%s\n" (title t first)
     (plural states "state" "states")
     (plural transitions "transition" "transitions")
-    classes (limits c) meant
+    classes (limits c)
+    (Verdict.scale_to_string (scale c))
 
 let indented lines = String.concat "" (List.map (fun l -> "    " ^ l ^ "\n") lines)
 

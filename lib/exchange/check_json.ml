@@ -2,14 +2,13 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_property
 open Scc_explain
 open Scc_verify
 open Scc_session
 
 type t = {
   loaded : Loaded.t;
-  verdicts : (Property.check * Verdict.t) list;
+  verdicts : Verdict.outcome list;
   report : Check.report;
   diagnostics : Diag.t list;
   exit : int;
@@ -117,7 +116,7 @@ let reason c (r : Verdict.reason) =
       ("witness", run);
     ]
 
-let property c ((check : Property.check), (v : Verdict.t)) =
+let property c ({ check; verdict = v; scale } : Verdict.outcome) =
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
@@ -125,15 +124,16 @@ let property c ((check : Property.check), (v : Verdict.t)) =
     | Undecided reasons -> ([], reasons, None)
   in
   `Assoc
-    [
+    ([
       ("name", Json.text check.name);
       ("formula", Json.text check.text);
       ("verdict", `String (kind v));
-      ("text", Json.text (Verdict.to_string ?resolution:(Model.resolution (Semantics.model c)) v));
+      ("text", Json.text (Verdict.to_string ~scale v));
       ("bounds", `List (List.map truncation bounds));
       ("reasons", `List (List.map (reason c) reasons));
       ("witness", Json.option (witness c) run);
     ]
+      @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step))
 
 let explored (s : Check.stats) =
   `Assoc

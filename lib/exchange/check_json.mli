@@ -2,14 +2,13 @@
 
 open Scc_base
 open Scc_semantics
-open Scc_property
 open Scc_verify
 open Scc_session
 
 (** What there is to report. *)
 type t = {
   loaded : Loaded.t;
-  verdicts : (Property.check * Verdict.t) list;
+  verdicts : Verdict.outcome list;
   report : Check.report;
   diagnostics : Diag.t list;
   exit : int;
@@ -22,7 +21,7 @@ val kind : Verdict.t -> string
 val truncation : Verdict.truncation -> Json.t
 (** A bound that was met. *)
 
-val property : Semantics.t -> Property.check * Verdict.t -> Json.t
+val property : Semantics.t -> Verdict.outcome -> Json.t
 (** A member of [properties]. *)
 
 val explored : Check.stats -> Json.t

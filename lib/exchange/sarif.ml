@@ -96,8 +96,10 @@ let witness_of_reason : Verdict.reason -> Witness.t option = function
   | Zeno w -> Some w
   | Truncated _ | Unexplored _ | Undefined _ | Fault _ -> None
 
-let property ~source m ((check : Property.check), (v : Verdict.t)) =
-  let said what = Printf.sprintf "`%s` is %s: %s" check.name what check.text in
+let property ~source m ({ check; verdict = v; scale } : Verdict.outcome) =
+  (* The resolution is the model's own, and the same for all of them. *)
+  let meant = Verdict.scale_to_string { scale with resolution = None } in
+  let said what = Printf.sprintf "`%s` is %s%s: %s" check.name what meant check.text in
   let run w = Option.fold ~none:[] ~some:(flow ~source m check) w in
   match v with
   | Holds _ -> None

@@ -8,7 +8,6 @@
 
 open Scc_base
 open Scc_calculus
-open Scc_property
 open Scc_verify
 
 val document :
@@ -17,6 +16,6 @@ val document :
   exit:int ->
   ok:bool ->
   diagnostics:Diag.t list ->
-  properties:(Model.t * (Property.check * Verdict.t) list) option ->
+  properties:(Model.t * Verdict.outcome list) option ->
   Json.t
 (** [ok]: the program did what it was asked to do. Diagnostics first, then properties, both in the order given. *)

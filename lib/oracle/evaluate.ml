@@ -121,12 +121,12 @@ let temporal bounds p (l : Models.loaded) check =
   let semantics = l.model.semantics in
   let report = Check.run options semantics ~initial:place.state [ check ] in
   match report.outcomes with
-  | [ ((_, verdict) as outcome) ] ->
+  | [ outcome ] ->
     Reply.Value
       (`Assoc
          [
            ("kind", `String "temporal");
-           ("verdict", `String (Check_json.kind verdict));
+           ("verdict", `String (Check_json.kind outcome.verdict));
            ("report", Check_json.property semantics outcome);
            ("explored", Check_json.explored report.stats);
          ])

@@ -35,16 +35,16 @@ let impossible (l : Loaded.t) =
     (fun (c : Property.check) -> List.map (warning c) (List.filter impossible (Formula.events c.formula)))
     l.checks
 
-let premise ((p : Property.check), (v : Verdict.t)) =
-  match v with
+let premise ({ check = p; verdict; _ } : Verdict.outcome) =
+  match verdict with
   | Violated _ ->
     Some
       (Diag.warning Code.vacuous p.span "no run ever meets `%s`, so that what `%s` says of it is never asked"
          p.text p.name)
   | Holds _ | Undecided _ -> None
 
-let holds (_, (v : Verdict.t)) =
-  match v with
+let holds (o : Verdict.outcome) =
+  match o.verdict with
   | Holds _ -> true
   | Violated _ | Undecided _ -> false
 

@@ -2,7 +2,6 @@
     completely is warned of, so that no warning is wrong; a warning changes no verdict. *)
 
 open Scc_base
-open Scc_property
 open Scc_verify
 
 val impossible : Loaded.t -> Diag.t list
@@ -12,8 +11,8 @@ val impossible : Loaded.t -> Diag.t list
 
 val warnings :
   Check.stats ->
-  verdicts:(Property.check * Verdict.t) list ->
-  answers:(Property.check * Verdict.t) list ->
+  verdicts:Verdict.outcome list ->
+  answers:Verdict.outcome list ->
   Diag.t list
 (** SC0703 when some check holds and no event ever happens, SC0702 for each premise
     ({!Loaded.t}), decided beside the checks, that never holds. *)

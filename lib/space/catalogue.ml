@@ -184,6 +184,10 @@ let pass_time c tuple d =
     tuple.(slot) <- time_number c (Rat.add (Rationals.get c.times tuple.(slot)) d)
   end
 
+let exists_form c test =
+  let rec from i = i < forms c && (test (form c i) || from (i + 1)) in
+  from 0
+
 let label c l = Labels.intern c.labels l
 let label_of c i = Labels.get c.labels i
 let duration c i = Transition.duration_of (label_of c i)

@@ -82,6 +82,9 @@ val bodies : t -> int
 
 val forms : t -> int
 
+val exists_form : t -> (State.process -> bool) -> bool
+(** Whether one of the forms that have been seen is so. *)
+
 val longest : t -> (string * int) list
 (** How far numbers have grown: by what they are numbers of, the most bits that one of them takes, numerator and
     denominator together: [positions], [velocities] and, for rigid models, [spins] and [orientations] (a component

@@ -169,6 +169,10 @@ let make ?(events = []) ?(time_seen = Time_seen.Always) ?(quotient = Quotient.no
   in
   { book; quotient; visible; initial; singles = filler; pairs = Array.make memory no_pair }
 
+let split_step c =
+  let may_split (p : State.process) = Option.is_some p.clock in
+  if Catalogue.exists_form (catalogue c) may_split then Some (model c).split_step else None
+
 let set_mark c tuple mark =
   match c.book.events with [] -> () | _ :: _ -> tuple.(Catalogue.mark_slot (catalogue c)) <- mark
 

@@ -2,6 +2,7 @@
     themselves, is computed once and remembered, so that a transition in a corner of a large network costs
     little. *)
 
+open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
@@ -29,6 +30,10 @@ val catalogue : context -> Catalogue.t
 val semantics : context -> Semantics.t
 val model : context -> Model.t
 val start : context -> State.t
+
+val split_step : context -> Rat.t option
+(** Between the instants at which weak splits were looked at, when one has been enabled in a state seen so far: in
+    the calculus they may happen at any time between them as well (reading I-9). *)
 
 val unmarked : context -> int array -> int array
 (** The same state with no event right before. *)

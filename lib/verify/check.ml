@@ -25,6 +25,7 @@ type stats = Joint_check.stats = {
   complete : bool;
   eventful : bool;
   decided_early : bool;
+  split_step : Rat.t option;
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
 }
@@ -32,7 +33,7 @@ type stats = Joint_check.stats = {
 type slice = { properties : string list; left_out : string list; explored : stats }
 
 type report = {
-  outcomes : (Property.check * Verdict.t) list;
+  outcomes : Verdict.outcome list;
   stats : stats;
   slices : slice list;
   zeno : Witness.t option;
@@ -141,6 +142,7 @@ let add (a : stats) (b : stats) =
     complete = a.complete && b.complete;
     eventful = a.eventful || b.eventful;
     decided_early = a.decided_early || b.decided_early;
+    split_step = (match a.split_step with Some _ -> a.split_step | None -> b.split_step);
     stopped_by = Verdict.together a.stopped_by b.stopped_by;
     faults = List.sort_uniq Scc_base.Diag.compare (a.faults @ b.faults);
   }
@@ -163,7 +165,12 @@ let explored options semantics ~initial start group =
   let result = check semantics ~initial:part (List.map snd members) in
   let lift = lift_in_time semantics ~initial (Joint_check.horizon (List.map snd members)) in
   let lifted v = if whole then v else lift_verdict lift v in
-  let outcomes = List.map2 (fun (i, c) (_, v) -> (i, (c, lifted v))) members result.outcomes in
+  let outcome (i, check) (_, v) =
+    let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ -> result.stats.split_step in
+    let resolution = Model.resolution (Semantics.model semantics) in
+    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step } })
+  in
+  let outcomes = List.map2 outcome members result.outcomes in
   let slice part =
     {
       properties = List.sort_uniq String.compare (List.map (fun (_, (c : Property.check)) -> c.name) members);

@@ -27,6 +27,7 @@ type stats = Joint_check.stats = {
   complete : bool;
   eventful : bool;
   decided_early : bool;
+  split_step : Rat.t option;
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
 }
@@ -40,7 +41,7 @@ type slice = {
 }
 
 type report = {
-  outcomes : (Property.check * Verdict.t) list;  (** in the order given *)
+  outcomes : Verdict.outcome list;  (** in the order given *)
   stats : stats;  (** [eventful] unless it is known that nothing ever happens in the whole network *)
   slices : slice list;  (** of all the explorations, those that left something out *)
   zeno : Witness.t option;

@@ -89,6 +89,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         complete = false;
         (* Not looked at. *)
         eventful = true;
+        split_step = Network_lts.split_step context;
         decided_early = List.exists (function Scc_explore.Explore.Stopped -> true | _ -> false) r.left;
         stopped_by = bounds;
         faults;

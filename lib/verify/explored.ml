@@ -12,6 +12,7 @@ type t = {
   edges : int -> edge array;
   expanded : int -> bool;
   rests : int -> bool;
+  split_step : Scc_exact.Rat.t option;
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
 }
@@ -31,6 +32,7 @@ let explore ?time_seen options semantics ~initial =
     edges = (fun i -> Array.map edge (Graph.edges graph i));
     expanded;
     rests = (fun i -> expanded i && Network.quiescent semantics (state i));
+    split_step = stats.split_step;
     stopped_by = stats.stopped_by;
     faults = stats.faults;
   }

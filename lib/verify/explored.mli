@@ -14,6 +14,7 @@ type t = {
   (** in the order of {!Network.successors}; empty while the state is not expanded *)
   expanded : int -> bool;  (** whether all transitions of the state are known *)
   rests : int -> bool;  (** the state is quiescent: nothing happens any more, and time passes for ever *)
+  split_step : Scc_exact.Rat.t option;  (** when a weak split is enabled in some state *)
   stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
   faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
 }

@@ -35,6 +35,7 @@ type stats = {
   complete : bool;
   eventful : bool;
   decided_early : bool;
+  split_step : Rat.t option;
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
 }
@@ -229,6 +230,7 @@ let stats r : stats =
     model_time = Graph.greatest_arrival r.graph;
     complete = (match unexpanded with [] -> true | _ :: _ -> false);
     eventful = eventful r;
+    split_step = Network_lts.split_step r.context;
     decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
     stopped_by = Verdict.distinct bounds;
     faults =

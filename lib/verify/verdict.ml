@@ -26,6 +26,9 @@ type t =
   | Violated of { witness : Witness.t option }
   | Undecided of reason list
 
+type scale = { resolution : Rat.t option; split_step : Rat.t option }
+type outcome = { check : Scc_property.Property.check; verdict : t; scale : scale }
+
 let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Undecided _ -> false
 
 let rank = function
@@ -139,12 +142,14 @@ let reason_to_string = function
   | Fault fault -> fault
   | Zeno _ -> "Zeno: a run goes on for ever within one instant"
 
-let to_string ?resolution v =
-  let meant =
-    match resolution with
-    | Some r -> ", at resolution " ^ Rat.to_string r
-    | None -> ""
-  in
+let exact = { resolution = None; split_step = None }
+
+let scale_to_string s =
+  let at what = Option.fold ~none:"" ~some:(fun r -> Printf.sprintf ", at %s %s" what (Rat.to_string r)) in
+  at "resolution" s.resolution ^ at "split step" s.split_step
+
+let to_string ?(scale = exact) v =
+  let meant = scale_to_string scale in
   match v with
   | Holds { bounds = []; _ } -> "holds (exhaustive)" ^ meant
   | Holds { bounds; _ } ->

@@ -38,6 +38,16 @@ type t =
   | Violated of { witness : Witness.t option  (** [None] when all of what counts was explored in vain *) }
   | Undecided of reason list  (** not empty *)
 
+(** What a decided verdict is meant at, and says nothing about anything finer. *)
+type scale = {
+  resolution : Rat.t option;  (** of a rigid model: contacts are known within it *)
+  split_step : Rat.t option;
+  (** where the exploration saw weak splits enabled: they happen at multiples of it only, and the calculus lets
+      them happen at any time (reading I-9) *)
+}
+
+type outcome = { check : Scc_property.Property.check; verdict : t; scale : scale }
+
 val distinct : truncation list -> truncation list
 (** Each kind of limit once. *)
 
@@ -65,6 +75,9 @@ val truncation_to_string : truncation -> string
 
 val reason_to_string : reason -> string
 
-val to_string : ?resolution:Rat.t -> t -> string
+val scale_to_string : scale -> string
+(** [", at resolution 1/1024, at split step 1"], or nothing. *)
+
+val to_string : ?scale:scale -> t -> string
 (** ["holds (exhaustive)"], ["holds up to the bound: ..."], ["violated"], ["undecided: ..."]; the first three with
-    the resolution of a rigid model, if it is given: contacts are known within it, and no better. *)
+    their scale. *)

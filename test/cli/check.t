@@ -1,7 +1,7 @@
 The main job: a verdict for every property, with a witness.
 
   $ scc check ../../specs/models/hexokinase.sc
-  reaction: holds (exhaustive)
+  reaction: holds (exhaustive), at split step 1
     possibly reacted
     a run that shows it:
       1. time passes by 2, to time 2
@@ -15,7 +15,7 @@ The main job: a verdict for every property, with a witness.
         atp at (-9/4, 1, 0) [Adp], velocity (0, 0, 0)
         glucose at (9/4, 1, 0) [G6p], velocity (0, 0, 0)
   
-  in_time: holds (exhaustive)
+  in_time: holds (exhaustive), at split step 1
     possibly reacted within 3
     a run that shows it:
       1. time passes by 2, to time 2
@@ -29,13 +29,13 @@ The main job: a verdict for every property, with a witness.
         atp at (-9/4, 1, 0) [Adp], velocity (0, 0, 0)
         glucose at (9/4, 1, 0) [G6p], velocity (0, 0, 0)
   
-  together: holds (exhaustive)
+  together: holds (exhaustive), at split step 1
     always behaviour(atp) = Adp => behaviour(glucose) = G6p
   
-  at_most: holds (exhaustive)
+  at_most: holds (exhaustive), at split step 1
     always bonds(atp) <= 1 and bonds(glc) <= 1
   
-  full: holds (exhaustive)
+  full: holds (exhaustive), at split step 1
     possibly size(enzyme) = 7
     a run that shows it:
       1. time passes by 2, to time 2
@@ -48,7 +48,7 @@ The main job: a verdict for every property, with a witness.
           atp at (-9/4, 1, 0) [AtpBound]
           glucose at (9/4, 1, 0) [GlucoseBound]
   
-  surely: violated
+  surely: violated, at split step 1
     eventually reacted
     a run that violates it:
       1. time passes by 2, to time 2
@@ -64,7 +64,7 @@ The main job: a verdict for every property, with a witness.
         atp at (-9/4, 1, 0) [Atp], velocity (0, 0, 0)
         glucose at (9/4, 1, 0) [Glucose], velocity (0, 0, 0)
   
-  releases: holds (exhaustive)
+  releases: holds (exhaustive), at split step 1
     possibly behaviour(atp) = Atp and vy(atp) = 0
     a run that shows it:
       1. time passes by 2, to time 2
@@ -77,7 +77,7 @@ The main job: a verdict for every property, with a witness.
         atp at (-9/4, 1, 0) [Atp], velocity (0, 0, 0)
         glucose at (9/4, 1, 0) [Glucose], velocity (0, -1, 0)
   
-  in_pocket: holds (exhaustive)
+  in_pocket: holds (exhaustive), at split step 1
     always x(atp) = -9/4 and y(atp) >= 1
   
   explored: 11 states, 16 transitions, depth 5, model time 2; complete
@@ -358,13 +358,13 @@ Schedules are replayed with jumps.
 Hash compaction proves nothing by finding nothing.
 
   $ scc check ../../specs/models/dimers.sc -D n=2 --hash-compact | grep -v '^ '
-  all_fall: holds (exhaustive)
+  all_fall: holds (exhaustive), at split step 1
   
-  none: violated
+  none: violated, at split step 1
   
-  pieces: holds up to the bound: hash compaction, by which some state was left out with a probability of at most 4e-09
+  pieces: holds up to the bound: hash compaction, by which some state was left out with a probability of at most 4e-09, at split step 1
   
-  at_rest: holds up to the bound: hash compaction, by which some state was left out with a probability of at most 4e-09
+  at_rest: holds up to the bound: hash compaction, by which some state was left out with a probability of at most 4e-09, at split step 1
   
   explored: 8 states, 14 transitions, depth 2, model time 0; not complete: stopped by hash compaction, by which some state was left out with a probability of at most 4e-09
   4 properties: 1 holds, 2 hold up to the bound, 1 violated

@@ -2,12 +2,12 @@ Are two models equivalent? A model and itself:
 
   $ scc compare ../../specs/models/hexokinase.sc ../../specs/models/hexokinase.sc
   equivalent modulo branching
-  the first ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete
-  the second ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete
+  the first ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete, at split step 1
+  the second ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete, at split step 1
   $ scc compare ../../specs/models/hexokinase.sc ../../specs/models/hexokinase.sc --modulo timed
   equivalent modulo timed
-  the first ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 10 classes; complete
-  the second ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 10 classes; complete
+  the first ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 10 classes; complete, at split step 1
+  the second ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 10 classes; complete, at split step 1
 
 When they are not, a trace of one that the other does not have, and a formula:
 
@@ -41,15 +41,15 @@ Names that differ do not matter when one is told:
   not equivalent modulo timed
   $ scc compare ../../specs/models/dimer.sc renamed.sc --modulo timed --rename w1=one --rename w2=two
   equivalent modulo timed
-  ../../specs/models/dimer.sc: 11 states, 14 transitions, 9 classes; complete
-  renamed.sc: 11 states, 14 transitions, 9 classes; complete
+  ../../specs/models/dimer.sc: 11 states, 14 transitions, 9 classes; complete, at split step 1/2
+  renamed.sc: 11 states, 14 transitions, 9 classes; complete, at split step 1/2
 
 What is hidden does not matter either:
 
   $ scc compare ../../specs/models/dimer.sc renamed.sc --hide weak
   equivalent modulo branching
-  ../../specs/models/dimer.sc: 11 states, 14 transitions, 2 classes; complete
-  renamed.sc: 11 states, 14 transitions, 2 classes; complete
+  ../../specs/models/dimer.sc: 11 states, 14 transitions, 2 classes; complete, at split step 1/2
+  renamed.sc: 11 states, 14 transitions, 2 classes; complete, at split step 1/2
 
 A delay that is longer is seen by timed equivalence alone:
 
@@ -65,8 +65,8 @@ A delay that is longer is seen by timed equivalence alone:
       4. strong({<bond, {s1.right, s2.left}>})
     this is true of ../../specs/models/dimer.sc, and not of slow.sc:
       <time(2)><weak(bond, w1.right, w2.left)><time(1)><strong({<bond, {s1.right, s2.left}>})>true
-  ../../specs/models/dimer.sc: 11 states, 14 transitions, 9 classes; complete
-  slow.sc: 15 states, 20 transitions, 13 classes; complete
+  ../../specs/models/dimer.sc: 11 states, 14 transitions, 9 classes; complete, at split step 1/2
+  slow.sc: 15 states, 20 transitions, 13 classes; complete, at split step 1/2
   [1]
 
 Graphs that others have written. Where the traces are the same, the formula says what a trace cannot:
@@ -173,7 +173,7 @@ A model can be compared with its graph, and what is compared can be written:
   scc: explored: 11 states, 16 transitions; complete
   $ scc compare ../../specs/models/hexokinase.sc hexokinase.aut --modulo weak
   equivalent modulo weak
-  ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete
+  ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete, at split step 1
   hexokinase.aut: 12 states, 19 transitions, 9 classes; complete
   $ scc compare ../../specs/models/hexokinase.sc hexokinase.aut --modulo strong --write graph | head -1
   equivalent modulo strong
@@ -205,8 +205,8 @@ What was not explored is not guessed at:
 
   $ scc compare ../../specs/models/dimer.sc ../../specs/models/dimer.sc --states 4
   undecided modulo branching: no difference within what is known; it may lie in what was not explored
-  the first ../../specs/models/dimer.sc: 4 states, 3 transitions; not complete: stopped by the bound of 4 states
-  the second ../../specs/models/dimer.sc: 4 states, 3 transitions; not complete: stopped by the bound of 4 states
+  the first ../../specs/models/dimer.sc: 4 states, 3 transitions; not complete: stopped by the bound of 4 states, at split step 1/2
+  the second ../../specs/models/dimer.sc: 4 states, 3 transitions; not complete: stopped by the bound of 4 states, at split step 1/2
   [2]
   $ scc compare ../../specs/models/figure7.sc ../../specs/models/figure7-offset.sc --depth 1 --modulo strong
   not equivalent modulo strong

@@ -38,7 +38,7 @@ The graph of a model, for other tools. The extension tells the format.
   $ scc compare dimer-steps.aut ../../specs/models/dimer.sc --modulo strong
   equivalent modulo strong
   dimer-steps.aut: 11 states, 15 transitions, 8 classes; complete
-  ../../specs/models/dimer.sc: 11 states, 14 transitions, 8 classes; complete
+  ../../specs/models/dimer.sc: 11 states, 14 transitions, 8 classes; complete, at split step 1/2
 
 Without instants, labels tell of the states alone; with them, of the whole run.
 

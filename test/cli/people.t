@@ -76,9 +76,9 @@ Nothing is said of premises that some run meets, and nothing when the exploratio
 
   $ sed 's/velocity (1,0,0) at translate (-5,3,0)/velocity (0,-1,0) at translate (0,3,0)/' $models/vacuous.sc > meets.sc
   $ scc check meets.sc 2>&1 | grep -e warning -e '^[a-z_]*: '
-  no_loss: holds (exhaustive)
-  released: violated
-  at_most: holds (exhaustive)
+  no_loss: holds (exhaustive), at split step 1
+  released: violated, at split step 1
+  at_most: holds (exhaustive), at split step 1
   explored: 5 states, 4 transitions, depth 3, model time 1; complete
   $ scc check meets.sc --depth 0 2>&1 | grep -e warning -e '^[a-z_]*: '
   no_loss: holds up to the bound: the depth bound 0

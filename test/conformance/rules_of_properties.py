@@ -54,10 +54,23 @@ def instants():
     return r
 
 
+# As in specs/models/window.sc: q catches y without p having caught x iff they part later than 5/4 and by 3/2.
+WINDOW = 'split_step %s\n' + behaviours(
+    One='omega(hold, {right}). eps(1). <above, {top}>. nil', Other='omega(hold, {left}). eps(2). <below, {bottom}>. nil',
+    Falling='<~above, {bottom}>. nil', Rising='<~below, {top}>. nil') + (
+        'process pair = p : Cube mass 1 at translate (-1,0,0) [One] <hold, {p.right, q.left}> '
+        'q : Cube mass 1 at translate (1,0,0) [Other]\n'
+        'process x = Cube scaled (1/2,1/2,1/2) mass 1 velocity (0,0,-1) at translate (-1,0,15/4) [Falling]\n'
+        'process y = Cube scaled (1/2,1/2,1/2) mass 1 velocity (0,0,1) at translate (1,0,-5) [Rising]\n')
+WINDOW_KEPT = 'always (bound(q, y) => bound(p, x)) within 4'
+
+
 def verdict():
     r = Rule('Verdict')
     r.verdict('Holds.', dock(), 'eventually bound(p, q)', 'holds')
     r.verdict('Violated.', dock(), 'always not bound(p, q)', 'violated')
+    r.verdict('A window between two split instants is not seen.', WINDOW % '1', WINDOW_KEPT, 'holds')
+    r.verdict('On a finer grid it is.', WINDOW % '1/4', WINDOW_KEPT, 'violated')
     r.verdict('Undecided: a division by zero.', dock(), 'eventually 1/vy(p) > 0', 'undecided')
     r.verdict('Not where the answer does not depend on it.', dock(), 'eventually (bound(p, q) or 1/vy(p) > 0)', 'holds')
     r.value('No value.', dock(), [], '1/vy(p) > 0', None)

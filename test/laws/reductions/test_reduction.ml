@@ -172,8 +172,8 @@ let definite (v : Verdict.t) =
   | Violated _ -> Some false
   | Holds _ | Undecided _ -> None
 
-let conflict (_, a) (_, b) =
-  match (definite a, definite b) with
+let conflict (a : Verdict.outcome) (b : Verdict.outcome) =
+  match (definite a.verdict, definite b.verdict) with
   | Some x, Some y -> not (Bool.equal x y)
   | None, _ | _, None -> false
 
@@ -182,8 +182,8 @@ let witness : Verdict.t -> Witness.t option = function
   | Undecided _ -> None
 
 (* By the rules alone, in the model as it is. *)
-let replays (e : Scc_elaborate.Elaborate.t) initial (_, v) =
-  match witness v with
+let replays (e : Scc_elaborate.Elaborate.t) initial (o : Verdict.outcome) =
+  match witness o.verdict with
   | None -> true
   | Some w -> (
       match Network.follow (Standard.of_model e.model) initial (Witness.choices w) with
@@ -193,7 +193,7 @@ let replays (e : Scc_elaborate.Elaborate.t) initial (_, v) =
         State.equal last w.last)
 
 (* What was searched for is so where the witness ends: whether p holds there, after its last transition. *)
-let shows (e : Scc_elaborate.Elaborate.t) ((c : Property.check), v) =
+let shows (e : Scc_elaborate.Elaborate.t) ({ check = c; verdict = v; _ } : Verdict.outcome) =
   match (witness v, Plan.of_formula c.formula) with
   | Some ({ finish = At_state; _ } as w), (Possibly (_, p) | Always (_, p))
     when not (Formula.has_events (State p)) ->
@@ -219,7 +219,8 @@ let agrees kinds ~jump ~together text =
   | Some (e, initial) ->
     let full = run [ Reduction.Jump ] e initial in
     let reduced = run kinds e initial in
-    List.iter (fun (_, v) -> if Option.is_some (definite v) then incr decided) full.outcomes;
+    let count (o : Verdict.outcome) = if Option.is_some (definite o.verdict) then incr decided in
+    List.iter count full.outcomes;
     let comparable = comparable full.stats && comparable reduced.stats in
     if List.exists2 conflict full.outcomes reduced.outcomes then QCheck2.Test.fail_report "verdicts differ"
     else if jump && not (List.for_all (replays e initial) reduced.outcomes) then
@@ -304,7 +305,7 @@ check second : possibly vx(p[1]) > 0 and vx(p[2]) < 0
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
     let report = Check.run { Check.default with reductions = [ Order; Jump ] } (Standard.of_model e.model) ~initial e.checks in
-    let verdicts = List.map (fun (_, v) -> Verdict.to_string v) report.outcomes in
+    let verdicts = List.map (fun (o : Verdict.outcome) -> Verdict.to_string o.verdict) report.outcomes in
     Alcotest.(check (list string)) "both" [ "holds (exhaustive)"; "holds (exhaustive)" ] verdicts
 
 (* A plate bounces for ever within the first instant, unseen; what others do then is not put off for ever. *)
@@ -324,7 +325,7 @@ check away : possibly vx(q) = 1
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
     let report = Check.run { Check.default with reductions = [ Order; Jump ] } (Standard.of_model e.model) ~initial e.checks in
-    let verdicts = List.map (fun (_, v) -> Verdict.to_string v) report.outcomes in
+    let verdicts = List.map (fun (o : Verdict.outcome) -> Verdict.to_string o.verdict) report.outcomes in
     Alcotest.(check (list string)) "reached" [ "holds (exhaustive)" ] verdicts
 
 let drift () =
@@ -336,7 +337,7 @@ let verdicts_and_stats reductions text =
   | Some (e, initial) ->
     let bounds = { Bounds.default with states = Default 3000 } in
     let report = Check.run { Check.default with bounds; reductions } (Standard.of_model e.model) ~initial e.checks in
-    (List.map (fun (_, v) -> Verdict.to_string v) report.outcomes, report.stats)
+    (List.map (fun (o : Verdict.outcome) -> Verdict.to_string o.verdict) report.outcomes, report.stats)
 
 (* Alone it is violated in two states, and it stays so whatever else is asked. *)
 let unspoilt () =

@@ -19,7 +19,7 @@ let generous n = { Check.default with bounds = { Bounds.default with states = Gi
 let check options m initial formula =
   let check = { Property.name = "c"; span = Scc_base.Span.none; text = ""; formula } in
   match (Check.run options (Standard.of_model m) ~initial [ check ]).outcomes with
-  | [ (_, v) ] -> v
+  | [ o ] -> o.verdict
   | _ -> failwith "one outcome"
 
 let decided : Verdict.t -> bool option = function

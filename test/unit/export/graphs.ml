@@ -36,6 +36,7 @@ let made ?(unexplored = []) ?(resting = []) transitions : Exported.t =
       edges = Array.get out;
       expanded = (fun i -> not (List.mem i unexplored));
       rests = (fun i -> List.mem i resting);
+      split_step = None;
       stopped_by = [];
       faults = [];
     }

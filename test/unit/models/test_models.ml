@@ -211,7 +211,7 @@ let checked name =
 let expected name () =
   let _, _, report = checked name in
   let got =
-    List.map (fun ((c : Scc_property.Property.check), o) -> (c.name, verdict o)) report.outcomes
+    List.map (fun (o : Scc_verify.Verdict.outcome) -> (o.check.name, verdict o.verdict)) report.outcomes
   in
   let wanted =
     List.map
@@ -221,8 +221,8 @@ let expected name () =
   Alcotest.check pair name wanted got
 
 let verdict_of (report : Scc_verify.Check.report) name =
-  let is_it ((c : Scc_property.Property.check), _) = String.equal c.name name in
-  snd (List.find is_it report.outcomes)
+  let is_it (o : Scc_verify.Verdict.outcome) = String.equal o.check.name name in
+  (List.find is_it report.outcomes).verdict
 
 let steps_again () =
   let _, _, report = checked "raft.sc" in
@@ -261,7 +261,7 @@ let guide () =
   let text = block None (String.split_on_char '\n' (Load.read "../../../specs/guide.md")) in
   let { Scc_elaborate.Elaborate.model; declared; checks; _ } = Load.exactly (Load.text text) in
   let report = Scc_verify.Check.run options (Standard.of_model model) ~initial:(Reach.initial model declared) checks in
-  let verdicts = List.map (fun (_, outcome) -> verdict outcome) report.outcomes in
+  let verdicts = List.map (fun (o : Scc_verify.Verdict.outcome) -> verdict o.verdict) report.outcomes in
   Alcotest.(check (list string)) "its verdicts" [ "holds" ] verdicts
 
 (* A witness, followed by its choices alone, ends where it says. *)
@@ -280,8 +280,8 @@ let witnesses () =
   let of_model name =
     let m, initial, report = checked name in
     List.filter_map
-      (fun (_, outcome) ->
-         match outcome with
+      (fun (o : Scc_verify.Verdict.outcome) ->
+         match o.verdict with
          | Scc_verify.Verdict.Holds { witness; _ } | Violated { witness } -> witness
          | Undecided _ -> None)
       report.outcomes

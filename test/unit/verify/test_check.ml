@@ -23,18 +23,18 @@ let check ?(options = Check.default) text =
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial -> (e.model, Check.run options (Scc_engine.Standard.of_model e.model) ~initial e.checks)
 
-let verdict = Verdict.to_string
+let verdict v = Verdict.to_string v
 
 let verdicts ?options text =
   let _, report = check ?options text in
-  List.map (fun (_, o) -> verdict o) report.outcomes
+  List.map (fun (o : Verdict.outcome) -> verdict o.verdict) report.outcomes
 
 let expect what expected got = Alcotest.(check (list string)) what expected got
 
 let witness_lines ?options text =
   let model, report = check ?options text in
   match report.outcomes with
-  | [ (_, (Holds { witness = Some w; _ } | Violated { witness = Some w } | Undecided [ Zeno w ])) ] ->
+  | [ { verdict = Holds { witness = Some w; _ } | Violated { witness = Some w } | Undecided [ Zeno w ]; _ } ] ->
     Witness.lines model w
   | _ -> Alcotest.fail "no witness"
 
@@ -164,7 +164,7 @@ let interruption () =
   in
   let _, report = check ~options (falls ^ "check a : always z(p) <= 0") in
   (match report.outcomes with
-   | [ (_, v) ] ->
+   | [ { verdict = v; _ } ] ->
      Alcotest.(check string) "verdict" "holds up to the bound: the interruption" (Verdict.to_string v);
      Alcotest.(check bool) "by resources" true (Verdict.resources v)
    | _ -> Alcotest.fail "one verdict");
@@ -193,7 +193,7 @@ let faults () =
       ]
   in
   let _, report = check (text ^ checks) in
-  (match List.map (fun (_, o) -> verdict o) report.outcomes with
+  (match List.map (fun (o : Verdict.outcome) -> verdict o.verdict) report.outcomes with
    | [ a; b; c ] ->
      let faulty v = String.length v > 11 && String.equal (String.sub v 0 11) "undecided: " in
      Alcotest.(check bool) ("always is undecided: " ^ a) true (faulty a);
@@ -263,6 +263,50 @@ let zeno () =
       ]
       (Witness.lines model w)
 
+(* {1 Weak splits} *)
+
+(* As in specs/models/window.sc: q catches y without p having caught x iff they part later than 5/4 and by 3/2. *)
+let window grid =
+  Printf.sprintf
+    {|
+split_step %s
+behaviour One     on Cube = omega(hold, {right}). eps(1). <above, {top}>. nil
+behaviour Other   on Cube = omega(hold, {left}). eps(2). <below, {bottom}>. nil
+behaviour Falling on Cube = <~above, {bottom}>. nil
+behaviour Rising  on Cube = <~below, {top}>. nil
+process pair = p : Cube mass 1 at translate (-1,0,0) [One]
+               <hold, {p.right, q.left}>
+               q : Cube mass 1 at translate (1,0,0) [Other]
+process x = Cube scaled (1/2,1/2,1/2) mass 1 velocity (0,0,-1) at translate (-1,0,15/4) [Falling]
+process y = Cube scaled (1/2,1/2,1/2) mass 1 velocity (0,0,1)  at translate (1,0,-5)    [Rising]
+process far = Cube mass 1 velocity (1,0,0) at translate (1000,0,0) [nil]
+|}
+    grid
+
+let at_split_step () =
+  let told ?options text =
+    let _, report = check ?options text in
+    List.map (fun (o : Verdict.outcome) -> Verdict.to_string ~scale:o.scale o.verdict) report.outcomes
+  in
+  let safe = "check safe : always (bound(q, y) => bound(p, x)) within 4\n" in
+  expect "between two instants" [ "holds (exhaustive), at split step 1" ] (told (window "1" ^ safe));
+  expect "on a finer grid" [ "violated, at split step 1/4" ] (told (window "1/4" ^ safe));
+  expect "where nothing is seen of splits"
+    [ "holds (exhaustive), at split step 1"; "holds (exhaustive)" ]
+    (told (window "1" ^ safe ^ "check away : possibly vx(far) = 1 within 4\n"));
+  expect "without slices both are explored together"
+    [ "holds (exhaustive), at split step 1"; "holds (exhaustive), at split step 1" ]
+    (told
+       ~options:{ Check.default with reductions = [ Scc_space.Reduction.Jump ] }
+       (window "1" ^ safe ^ "check away : possibly vx(far) = 1 within 4\n"));
+  expect "where nothing can split" [ "violated" ] (told (drift ^ "check a : always x(p) <= 3\n"));
+  let few = { Check.default with bounds = { Bounds.default with states = Given 3 } } in
+  match told ~options:few (window "1" ^ "check a : possibly bound(q, y) and x(y) > 5\n") with
+  | [ text ] ->
+    let starts = String.length text > 11 && String.equal (String.sub text 0 11) "undecided: " in
+    Alcotest.(check bool) text true (starts && not (String.contains text ','))
+  | _ -> Alcotest.fail "one verdict"
+
 let () =
   let quick name f = Alcotest.test_case name `Quick f in
   Alcotest.run "check"
@@ -279,6 +323,7 @@ let () =
           quick "early end" early;
           quick "faults of laws" faults;
           quick "Zeno" zeno;
+          quick "at which split step" at_split_step;
         ] );
       ("witnesses", [ quick "instants in words" words; quick "no fairness" fairness ]);
     ]
