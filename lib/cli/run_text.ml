@@ -61,7 +61,7 @@ let brief q =
   if String.length exact <= 12 then exact else Printf.sprintf "%.6g" (Rat.to_float q)
 
 (* Of bounds that are less than 2^-100 apart, the lower one says enough. *)
-let rounded ((t : Scc_semantics.Totals.t), _) =
+let rounded ((t : Scc_engine.Totals.t), _) =
   let vector (v : Vec.t) = Printf.sprintf "(%s, %s, %s)" (brief v.x) (brief v.y) (brief v.z) in
   [
     "rounding has added, to six digits (the JSON tells more):";

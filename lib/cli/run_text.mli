@@ -10,5 +10,5 @@ val state : Model.t -> State.t -> string list
 (** A line for each process, and one more for each leaf of a process of several. Long lists and long
     behaviours are cut, and say so. *)
 
-val rounded : Totals.t * Totals.t -> string list
+val rounded : Scc_engine.Totals.t * Scc_engine.Totals.t -> string list
 (** What rule Round has added to the totals of a network, from close bounds. *)

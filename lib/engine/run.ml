@@ -35,7 +35,8 @@ let next s =
 let alternatives = function
   | Inertial run -> Ok (Event_run.alternatives run)
   | Steered s ->
-    let seen (t : Transition.t) = { label = t.label; rules = t.rules; rounded = t.rounded } in
+    let m = Semantics.model s.semantics in
+    let seen (t : Transition.t) = { label = t.label; rules = t.rules; rounded = Totals.added m t } in
     Result.map (List.map seen) (next s)
 
 let take t i =
@@ -45,7 +46,8 @@ let take t i =
       match next s with
       | Ok transitions when i >= 0 && i < List.length transitions ->
         let t = List.nth transitions i in
-        Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) t.rounded;
+        let added = Totals.added (Semantics.model s.semantics) t in
+        Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) added;
         s.present <- t.target;
         s.next <- None
       | Ok _ | Error _ -> Scc_base.Bug.fail __POS__ "an alternative that is not there")

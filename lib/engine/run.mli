@@ -15,7 +15,7 @@ val start : Semantics.t -> State.t -> (t, Transition.fault) result
 type alternative = Event_run.alternative = {
   label : Transition.label;
   rules : Rule.t list;
-  rounded : Totals.t Lazy.t option;  (** as in {!Transition.t} *)
+  rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals of the network, if it was used *)
 }
 
 val alternatives : t -> (alternative list, Transition.fault) result

@@ -2,6 +2,7 @@ open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_motion
 open Scc_property
 
 type quantity =
@@ -48,14 +49,14 @@ let same_polarity (p : Behaviour.polarity) (q : Behaviour.polarity) =
 
 let offers definitions polarity name b =
   let named (c : Behaviour.channel) = String.equal c.name name in
-  let wanted (o : Behaviour.offer) =
+  let wanted (o : Behaviours.offer) =
     match (o, polarity) with
     | Offer_open (p, c, _), Some wanted -> named c && same_polarity p wanted
     | Offer_open (_, c, _), None | Offer_weak (c, _), None -> named c
     | Offer_strong (list, _), None -> List.exists named list
     | (Offer_weak _ | Offer_strong _), Some _ -> false
   in
-  List.exists wanted (Behaviour.offers definitions b)
+  List.exists wanted (Behaviours.offers definitions b)
 
 let quantity model : Property.quantity -> quantity = function
   | Bonds (name, None) -> Number (count (named name))

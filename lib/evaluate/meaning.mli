@@ -4,6 +4,7 @@
 open Scc_ctl
 open Scc_calculus
 open Scc_semantics
+open Scc_motion
 open Scc_property
 
 type quantity =

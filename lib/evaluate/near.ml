@@ -2,7 +2,7 @@ open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_rigid
-open Scc_semantics
+open Scc_motion
 
 let reason = "touching within resolution cannot be decided at this instant"
 

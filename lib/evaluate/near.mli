@@ -3,7 +3,7 @@
 
 open Scc_ctl
 open Scc_exact
-open Scc_semantics
+open Scc_motion
 
 val touching : resolution:Rat.t -> Timeline.extent -> Path.t * int -> Path.t * int -> Truth.t Timeline.t
 (** Of two leaves of one process, or of two, of a rigid model. The distance is exact at an instant. Over a piece

@@ -2,6 +2,7 @@ open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_motion
 
 let between low high t =
   let after = function None -> true | Some l -> Rat.compare l t <= 0 in

@@ -2,6 +2,7 @@
 
 open Scc_ctl
 open Scc_semantics
+open Scc_motion
 
 val along : Semantics.t -> int -> int -> Timeline.extent -> Path.t -> Path.t -> Truth.t Timeline.t
 (** [along semantics i j extent p q], i and j different: when the leaf i, of the process on the path p, touches the leaf j,

@@ -9,7 +9,7 @@ let of_rat r = polynomial (Polynomial.constant r)
 let of_int n = of_rat (Rat.of_int n)
 let not_followed = "what turns with a body that spins for ever is not followed"
 
-let of_curve : Scc_semantics.Path.curve -> t = function
+let of_curve : Scc_motion.Path.curve -> t = function
   | Steady r -> of_rat r
   | Quotient (n, d) -> Ratio (n, d)
   | Not_followed -> Undefined not_followed

@@ -12,7 +12,7 @@ val greatest_degree : int
 (** Numbers whose numerator or denominator would have a greater degree are undefined: finding the roots of
     such a polynomial could take hours. *)
 
-val of_curve : Scc_semantics.Path.curve -> t
+val of_curve : Scc_motion.Path.curve -> t
 val not_followed : string
 
 val polynomial : Polynomial.t -> t

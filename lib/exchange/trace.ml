@@ -26,7 +26,7 @@ type states = All | Ends
 let state m ~time s =
   `Assoc [ ("type", `String "state"); ("time", Json.rat time); ("state", State_json.state m s) ]
 
-let totals (t : Totals.t) =
+let totals (t : Scc_engine.Totals.t) =
   `Assoc
     [ ("momentum", Json.vec t.momentum); ("angular", Json.vec t.angular); ("energy", Json.rat t.energy) ]
 

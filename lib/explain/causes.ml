@@ -82,7 +82,7 @@ let tell_event w ~step ~time happening leaves reasons =
 let set table event leaves = List.iter (fun l -> table.(l) <- event) leaves
 
 let expires (m : Model.t) d (l : State.leaf) =
-  match Behaviour.horizon m.definitions l.behaviour with
+  match Behaviours.horizon m.definitions l.behaviour with
   | Some h -> Rat.compare h d <= 0
   | None -> false
 

@@ -21,13 +21,14 @@ let rules list = `List (List.map (fun r -> `String (Rule.id r)) list)
 
 type states = Here | Every | Neither
 
-let totals (t : Totals.t) =
+let totals (t : Scc_engine.Totals.t) =
   `Assoc
     [ ("momentum", Json.vec t.momentum); ("angular", Json.vec t.angular); ("energy", Json.rat t.energy) ]
 
 let transition m states choice (t : Transition.t) =
   let state = match states with Every -> [ ("state", State_json.state m t.target) ] | Here | Neither -> [] in
-  let rounded = Option.map (fun r -> ("rounded", totals (Lazy.force r))) t.rounded in
+  let added = Scc_engine.Totals.added m t in
+  let rounded = Option.map (fun r -> ("rounded", totals (Lazy.force r))) added in
   `Assoc
     ([ ("choice", `Int choice); ("label", State_json.label m t.label); ("rules", rules t.rules) ]
      @ Option.to_list rounded @ state)

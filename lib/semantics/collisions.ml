@@ -41,10 +41,10 @@ let collides c (s : State.t) = meetings c s.processes <> []
 (* {1 Rule Bind} *)
 
 let open_channels (m : Model.t) (p : State.process) leaf =
-  Behaviour.derivations m.definitions (State.leaf_of p leaf).behaviour
+  Behaviours.derivations m.definitions (State.leaf_of p leaf).behaviour
   |> List.filter_map (fun (offer, derivation) ->
       match offer with
-      | Behaviour.Offer_open (polarity, channel, b) ->
+      | Behaviours.Offer_open (polarity, channel, b) ->
         Some (polarity, channel, b, Process.rules Rule.Pre derivation)
       | Offer_weak _ | Offer_strong _ -> None)
 
@@ -69,30 +69,32 @@ let joined (c : Semantics.t) (p : State.process) (q : State.process) bond contin
 (* The candidates of two parts that touch and approach. *)
 let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
   let (module K) = c.kinematics in
-  let m = c.setting.model in
   let site (part : Part.t) feature : Site.t = { part = part.index; feature } in
-  let candidate touching (pol1, (c1 : Behaviour.channel), b1, r1) (pol2, (c2 : Behaviour.channel), b2, r2) =
-    if not (complementary pol1 pol2 && String.equal c1.name c2.name) then []
-    else
-      shared_pairs (Lazy.force touching)
-        ~active_one:(fun f -> Behaviour.active c1 (site a f))
-        ~active_two:(fun f -> Behaviour.active c2 (site b f))
-      |> List.map (fun (pair : Contact.pair) ->
-          let bond =
-            State.bond c1.name
-              { at = a.leaf; site = site a pair.first }
-              { at = b.leaf; site = site b pair.second }
-          in
-          {
-            Transition.label = Bind bond;
-            rules = Rule.Bind :: Process.union r1 r2;
-            gone = [ p; q ];
-            come = [ joined c p q bond [ (a.leaf, b1); (b.leaf, b2) ] ];
-          })
+  let fit ((pol1, (c1 : Behaviour.channel), _, _), (pol2, (c2 : Behaviour.channel), _, _)) =
+    complementary pol1 pol2 && String.equal c1.name c2.name
   in
-  let ones = open_channels m p a.leaf and twos = open_channels m q b.leaf in
-  let touching = lazy (K.touching c.setting a b) in
-  List.concat_map (fun one -> List.concat_map (candidate touching one) twos) ones
+  let candidates pairs ((_, (c1 : Behaviour.channel), b1, r1), (_, (c2 : Behaviour.channel), b2, r2)) =
+    shared_pairs pairs
+      ~active_one:(fun f -> Behaviour.active c1 (site a f))
+      ~active_two:(fun f -> Behaviour.active c2 (site b f))
+    |> List.map (fun (pair : Contact.pair) ->
+        let bond =
+          State.bond c1.name
+            { at = a.leaf; site = site a pair.first }
+            { at = b.leaf; site = site b pair.second }
+        in
+        {
+          Transition.label = Bind bond;
+          rules = Rule.Bind :: Process.union r1 r2;
+          gone = [ p; q ];
+          come = [ joined c p q bond [ (a.leaf, b1); (b.leaf, b2) ] ];
+        })
+  in
+  let ones = open_channels c.setting.model p a.leaf and twos = open_channels c.setting.model q b.leaf in
+  let pairs = List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) ones in
+  match List.filter fit pairs with
+  | [] -> []
+  | fitting -> List.concat_map (candidates (K.touching c.setting a b)) fitting
 
 (* {1 Rule Bounce} *)
 

@@ -51,7 +51,7 @@ module type S = sig
   val stale : setting -> State.t -> bool
   val renewed : setting -> State.t -> State.t
   val step_length : setting -> State.t -> Rat.t
-  val begin_step : setting -> collides:(State.t -> bool) -> State.t -> State.t * Totals.t Lazy.t option
+  val begin_step : setting -> collides:(State.t -> bool) -> State.t -> State.t * State.t option
   val shortened : State.t -> State.t
   val turns_rightly : setting -> State.process -> bool
   val settled : setting -> State.process -> bool

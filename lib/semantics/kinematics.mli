@@ -85,8 +85,9 @@ module type S = sig
   val step_length : setting -> State.t -> Rat.t
   (** Of a movement step that begins now. *)
 
-  val begin_step : setting -> collides:(State.t -> bool) -> State.t -> State.t * Totals.t Lazy.t option
-  (** What a new step brings but for laws: spins for its turns, and rule Round, with what that changed. *)
+  val begin_step : setting -> collides:(State.t -> bool) -> State.t -> State.t * State.t option
+  (** What a new step brings but for laws: spins for its turns, and rule Round: with the state before that, if it changed
+      anything. *)
 
   val shortened : State.t -> State.t
   (** The state with what is left of its step cut, if bodies would turn too far in it. *)

@@ -104,16 +104,3 @@ let initial (c : Semantics.t) (declared : State.t) =
   let processes = List.map start (Array.to_list declared.processes) in
   let* settled = Steer.settle c (State.make ~processes ~step ~time) in
   Ok settled.state
-
-let follow c s choices =
-  let rec go s place acc = function
-    | [] -> Ok (List.rev acc)
-    | choice :: rest -> (
-        match successors c s with
-        | Error fault -> Error (place, Some fault)
-        | Ok list -> (
-            match if choice < 0 then None else List.nth_opt list choice with
-            | None -> Error (place, None)
-            | Some t -> go t.Transition.target (place + 1) (t :: acc) rest))
-  in
-  go s 0 [] choices

@@ -12,11 +12,6 @@ val successors : Semantics.t -> State.t -> (Transition.t list, Transition.fault)
 val quiescent : Semantics.t -> State.t -> bool
 (** No event can ever happen again (rule Quiescent). *)
 
-val follow :
-  Semantics.t -> State.t -> int list -> (Transition.t list, int * Transition.fault option) result
-(** The transitions that a list of choices, indices into {!successors}, leads through; or the place in the list of
-    the one that does not fit, with the fault if the state's transitions could not be computed. *)
-
 (** {1 In parts}
 
     A split looks at one process, and a collision at two. So what is possible in a network is what is possible for

@@ -7,15 +7,15 @@ let continue continuations (l : State.leaf) =
 
 let union a b = List.filter (fun r -> List.memq r a || List.memq r b) Rule.all
 
-let rules prefix (d : Behaviour.derivation) =
+let rules prefix (d : Behaviours.derivation) =
   (prefix :: (if d.by_sum then [ Rule.Sum ] else [])) @ if d.by_def then [ Rule.Def ] else []
 
 (* What an end of a bond may do to release it: its summands omega(a, Phi) that match. *)
 let releases (m : Model.t) p name (f : State.finish) =
-  Behaviour.derivations m.definitions (State.leaf_of p f.at).behaviour
+  Behaviours.derivations m.definitions (State.leaf_of p f.at).behaviour
   |> List.filter_map (fun (offer, derivation) ->
       match offer with
-      | Behaviour.Offer_weak (c, b) when String.equal c.name name && Behaviour.active c f.site ->
+      | Behaviours.Offer_weak (c, b) when String.equal c.name name && Behaviour.active c f.site ->
         Some (b, rules Rule.Weak derivation)
       | Offer_weak _ | Offer_open _ | Offer_strong _ -> None)
 

@@ -19,7 +19,7 @@ val restart_clock : Model.t -> State.process -> State.process
 (** The process with its split clock at 0 if a weak split of it is enabled, without clock otherwise
     (reading I-9). *)
 
-val rules : Rule.t -> Behaviour.derivation -> Rule.t list
+val rules : Rule.t -> Behaviours.derivation -> Rule.t list
 (** A prefix's rule with Sum and Def where the derivation used them. *)
 
 val union : Rule.t list -> Rule.t list -> Rule.t list

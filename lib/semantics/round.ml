@@ -88,5 +88,4 @@ let run m ~collides ~apart s =
   let rounded, changed =
     match round_velocity with None -> (rounded, false) | Some k -> velocities m k ~collides rounded
   in
-  let added = lazy (Totals.sub (Totals.of_state m rounded) (Totals.of_state m s)) in
-  (rounded, if turned || changed then Some added else None)
+  (rounded, turned || changed)

@@ -10,9 +10,9 @@ val settled : Model.t -> State.process -> bool
 
 val run :
   Model.t -> collides:(State.t -> bool) -> apart:(State.t -> int -> by:Rat.t -> bool) -> State.t ->
-  State.t * Totals.t Lazy.t option
-(** The state with every orientation that is longer than declared rounded, and every velocity and spin; and, if
-    anything changed, what that added to momentum, angular momentum and energy.
+  State.t * bool
+(** The state with every orientation that is longer than declared rounded, and every velocity and spin; and whether
+    anything changed.
 
     An orientation stays exactly orthogonal, and the process is turned about its centre of mass as a whole. It
     waits for a later step when another process is not farther away than the rounding may move a point. Velocities

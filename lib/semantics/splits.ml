@@ -85,10 +85,10 @@ let choices (m : Model.t) (p : State.process) reaction ~least (l : State.leaf) =
   let required, rest = List.partition (fun i -> Ints.mem i reaction.bonds) mine in
   (* As bonds form a tree, a bond that is not of X yet leads to a leaf that has not chosen yet. *)
   let optional = List.filter (fun i -> i > least) rest in
-  Behaviour.derivations m.definitions l.behaviour
+  Behaviours.derivations m.definitions l.behaviour
   |> List.concat_map (fun (offer, derivation) ->
       match offer with
-      | Behaviour.Offer_strong (entries, b) ->
+      | Behaviours.Offer_strong (entries, b) ->
         subsets (List.length entries - List.length required) optional
         |> List.filter (fun extra -> matches p l.leaf entries (required @ extra))
         |> List.map (fun extra ->
@@ -116,9 +116,9 @@ let reactions m (p : State.process) least =
 let offers_strong (m : Model.t) (l : State.leaf) =
   List.exists
     (function
-      | Behaviour.Offer_strong _ -> true
+      | Behaviours.Offer_strong _ -> true
       | Offer_open _ | Offer_weak _ -> false)
-    (Behaviour.offers m.definitions l.behaviour)
+    (Behaviours.offers m.definitions l.behaviour)
 
 let strong (c : Semantics.t) (p : State.process) =
   let m = c.setting.model in

@@ -50,7 +50,7 @@ let steer_process (m : Model.t) ~time ~dt (p : State.process) =
     let* sum, total = Array.fold_left add (Ok (Vec.zero, Rat.zero)) p.leaves in
     Ok (State.with_velocity (Vec.axpy (Rat.div Rat.one total) sum p.velocity) p)
 
-type outcome = { state : State.t; rules : Rule.t list; rounded : Totals.t Lazy.t option }
+type outcome = { state : State.t; rules : Rule.t list; rounded : State.t option }
 
 let run (c : Semantics.t) (s : State.t) =
   let (module K) = c.kinematics in

@@ -8,7 +8,7 @@ val steers : Model.t -> State.process -> bool
 type outcome = {
   state : State.t;
   rules : Rule.t list;  (** Steer and Round, if they were used *)
-  rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals *)
+  rounded : State.t option;  (** as in {!Transition.t} *)
 }
 
 val run : Semantics.t -> State.t -> (outcome, Transition.fault) result

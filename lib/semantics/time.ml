@@ -8,7 +8,7 @@ let least a b =
 
 let horizon (m : Model.t) (p : State.process) =
   Array.fold_left
-    (fun h (l : State.leaf) -> least h (Behaviour.horizon m.definitions l.behaviour))
+    (fun h (l : State.leaf) -> least h (Behaviours.horizon m.definitions l.behaviour))
     None p.leaves
 
 let to_split_instant (m : Model.t) (p : State.process) =
@@ -40,7 +40,7 @@ let delay (c : Semantics.t) (s : State.t) =
 let age_process (m : Model.t) d (p : State.process) =
   if Rat.sign d = 0 then p
   else
-    let age (l : State.leaf) = { l with behaviour = Behaviour.pass m.definitions d l.behaviour } in
+    let age (l : State.leaf) = { l with behaviour = Behaviours.pass m.definitions d l.behaviour } in
     let expires =
       match horizon m p with Some h -> Rat.compare h d <= 0 | None -> false
     in

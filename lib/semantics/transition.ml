@@ -14,7 +14,7 @@ type t = {
   label : label;
   rules : Rule.t list;
   target : State.t;
-  rounded : Totals.t Lazy.t option;
+  rounded : State.t option;
 }
 type fault =
   | Bad_law of { leaf : int; fault : Law.fault }

@@ -26,7 +26,8 @@ type t = {
   label : label;
   rules : Rule.t list;  (** which rules made it, the network's rule first *)
   target : State.t;
-  rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals, if it was used *)
+  rounded : State.t option;
+  (** if rule Round was used: the processes as they were before it, and nothing else of the target *)
 }
 
 (** Why a state's transitions cannot be computed. *)

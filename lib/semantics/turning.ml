@@ -162,7 +162,10 @@ let apart c s process ~by =
   in
   not (List.exists near (c.neighbours.within by (all_parts c s)))
 
-let begin_step c ~collides s = Round.run c.model ~collides ~apart:(apart c) (with_spins c ~collides s)
+let begin_step c ~collides s =
+  let before = with_spins c ~collides s in
+  let rounded, changed = Round.run c.model ~collides ~apart:(apart c) before in
+  (rounded, if changed then Some before else None)
 let shortened = Turn.shortened
 
 let turns_rightly c (p : State.process) =

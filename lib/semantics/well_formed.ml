@@ -3,6 +3,8 @@ open Scc_exact
 open Scc_geometry
 open Scc_calculus
 
+module Counts = Map.Make (Int)
+
 type fault =
   | Lost_leaf of int
   | Repeated_leaf of int
@@ -22,15 +24,17 @@ let leaves (state : State.t) =
 
 (* Each leaf of the model is in one process, once. *)
 let check_leaves (m : Model.t) state =
-  let count = Array.make (Array.length m.leaves) 0 in
-  List.iter (fun (l : State.leaf) -> count.(l.leaf) <- count.(l.leaf) + 1) (leaves state);
-  Array.to_list count
-  |> Long_list.mapi (fun leaf n -> (leaf, n))
-  |> List.filter_map (fun (leaf, n) ->
-      match n with
-      | 0 -> Some (Lost_leaf leaf)
-      | 1 -> None
-      | _ -> Some (Repeated_leaf leaf))
+  let add counts (l : State.leaf) =
+    Counts.update l.leaf (fun n -> Some (1 + Option.value n ~default:0)) counts
+  in
+  let counts = List.fold_left add Counts.empty (leaves state) in
+  let fault leaf =
+    match Counts.find_opt leaf counts with
+    | None -> Some (Lost_leaf leaf)
+    | Some 1 -> None
+    | Some _ -> Some (Repeated_leaf leaf)
+  in
+  List.filter_map fault (List.init (Array.length m.leaves) Fun.id)
 
 (* Parts of one leaf and of one process must not interpenetrate either: so each counts as one of its own. *)
 let check_overlaps (c : Semantics.t) (state : State.t) =

@@ -1,7 +1,7 @@
 open Scc_ctl
 open Scc_exact
 open Scc_calculus
-open Scc_semantics
+open Scc_motion
 open Scc_property
 open Scc_evaluate
 

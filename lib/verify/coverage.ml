@@ -133,9 +133,9 @@ let create semantics ~initial =
 
 (* The summands that a behaviour offers now, each with the definition that it stands in, where that is known, and
    whether it took the rules Sum and Def to find it. *)
-type offered = { from : int option; summand : Behaviour.t; how : Behaviour.derivation }
+type offered = { from : int option; summand : Behaviour.t; how : Behaviours.derivation }
 
-let rec offered (defs : Behaviour.definitions) from (how : Behaviour.derivation) found (b : Behaviour.t) =
+let rec offered (defs : Behaviour.definitions) from (how : Behaviours.derivation) found (b : Behaviour.t) =
   match b with
   | Nil | Delay _ -> found
   | Open _ | Weak _ | Strong _ -> { from; summand = b; how } :: found

@@ -186,7 +186,7 @@ let replays (e : Scc_elaborate.Elaborate.t) initial (o : Verdict.outcome) =
   match witness o.verdict with
   | None -> true
   | Some w -> (
-      match Network.follow (Standard.of_model e.model) initial (Witness.choices w) with
+      match Scc_test_networks.Reach.follow (Standard.of_model e.model) initial (Witness.choices w) with
       | Error _ -> false
       | Ok transitions ->
         let last = match List.rev transitions with [] -> initial | t :: _ -> t.Transition.target in

@@ -54,7 +54,7 @@ let fault m initial formula (w : Witness.t) (lifted : Witness.t) =
         let t = Rat.add t (Transition.duration s.transition) in
         if Rat.equal t s.time then Some t else None)
   in
-  match Network.follow (Standard.of_model m) initial (Witness.choices lifted) with
+  match Scc_test_networks.Reach.follow (Standard.of_model m) initial (Witness.choices lifted) with
   | Error _ -> Some "it does not replay"
   | Ok transitions ->
     if not (List.for_all2 (fun (t : Transition.t) s -> State.equal t.target s) transitions targets) then

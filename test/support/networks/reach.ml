@@ -34,3 +34,16 @@ let states m start ~limit =
       go ((s, transitions) :: found)
   in
   go []
+
+let follow semantics s choices =
+  let rec go s place acc = function
+    | [] -> Ok (List.rev acc)
+    | choice :: rest -> (
+        match Network.successors semantics s with
+        | Error _ -> Error place
+        | Ok list -> (
+            match if choice < 0 then None else List.nth_opt list choice with
+            | None -> Error place
+            | Some t -> go t.Transition.target (place + 1) (t :: acc) rest))
+  in
+  go s 0 [] choices

@@ -11,3 +11,7 @@ val initial : Model.t -> State.t -> State.t
 (** The initial state of a declared one. *)
 
 val successors : Model.t -> State.t -> Transition.t list
+
+val follow : Semantics.t -> State.t -> int list -> (Transition.t list, int) result
+(** The transitions that a list of choices, indices into the successors, leads through; or the place in the list of
+    the one that does not fit. *)

@@ -169,10 +169,10 @@ and prop m s (p : Property.prop) =
     let named (c : Behaviour.channel) = String.equal c.name name in
     List.exists
       (function
-        | Behaviour.Offer_open (p, c, _) -> named c && (polarity = None || polarity = Some p)
+        | Behaviours.Offer_open (p, c, _) -> named c && (polarity = None || polarity = Some p)
         | Offer_weak (c, _) -> polarity = None && named c
         | Offer_strong (list, _) -> polarity = None && List.exists named list)
-      (Behaviour.offers m.Model.definitions (leaf_of s l).behaviour)
+      (Behaviours.offers m.Model.definitions (leaf_of s l).behaviour)
   | Fact (Touching (p, q)) -> touching m s p q
   | Fact Quiescent -> Network.quiescent (Standard.of_model m) s
   | Fact (Event _) -> false  (* nothing has led here *)

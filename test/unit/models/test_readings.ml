@@ -65,7 +65,7 @@ let face_tuples () =
   let site text =
     let m, _ = start (Printf.sprintf "process p = Cube mass 1 [<a, {%s}>. nil]" text) in
     let _, s = start (Printf.sprintf "process p = Cube mass 1 [<a, {%s}>. nil]" text) in
-    match Behaviour.offers m.definitions s.processes.(0).leaves.(0).behaviour with
+    match Behaviours.offers m.definitions s.processes.(0).leaves.(0).behaviour with
     | [ Offer_open (_, c, _) ] -> List.map (Model.site_name m ~leaf:0) c.sites
     | _ -> Alcotest.fail "not one offer"
   in

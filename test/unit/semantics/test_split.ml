@@ -88,8 +88,8 @@ let rec permutations = function
 let brute_force (m : Model.t) (p : State.process) =
   let rhos (l : State.leaf) =
     List.filter_map
-      (function Behaviour.Offer_strong (entries, _) -> Some entries | _ -> None)
-      (Behaviour.offers m.definitions l.behaviour)
+      (function Behaviours.Offer_strong (entries, _) -> Some entries | _ -> None)
+      (Behaviours.offers m.definitions l.behaviour)
   in
   let ends (b : State.bond) = [ b.one.at; b.two.at ] in
   let connected x =

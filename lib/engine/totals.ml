@@ -1,6 +1,7 @@
 open Scc_exact
-open Scc_calculus
 open Scc_rigid
+open Scc_calculus
+open Scc_semantics
 
 type t = { momentum : Vec.t; angular : Vec.t; energy : Rat.t }
 
@@ -32,6 +33,9 @@ let of_process m p =
     }
 
 let of_state m (s : State.t) = Array.fold_left (fun sum p -> add sum (of_process m p)) zero s.processes
+
+let added m (t : Transition.t) =
+  Option.map (fun before -> lazy (sub (of_state m t.target) (of_state m before))) t.rounded
 
 let map f t =
   let vector (v : Vec.t) = Vec.make (f v.x) (f v.y) (f v.z) in

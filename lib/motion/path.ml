@@ -1,6 +1,7 @@
 open Scc_exact
-open Scc_calculus
 open Scc_rigid
+open Scc_calculus
+open Scc_semantics
 
 type curve = Steady of Rat.t | Quotient of Polynomial.t * Polynomial.t | Not_followed
 

@@ -8,8 +8,8 @@
     t >= 0 count from now. *)
 
 open Scc_exact
-open Scc_calculus
 open Scc_rigid
+open Scc_calculus
 
 type t
 

@@ -11,6 +11,9 @@ type t = {
 
 val zero : t
 val of_state : Model.t -> State.t -> t
+val added : Model.t -> Scc_semantics.Transition.t -> t Lazy.t option
+(** What rule Round added in a transition, if it was used. *)
+
 val add : t -> t -> t
 val sub : t -> t -> t
 
