@@ -63,7 +63,8 @@ let property console c ({ check; verdict = v; scale } : Verdict.outcome) =
       List.filter_map
         (function
           | Verdict.Zeno w -> Some ("the run:", witness c w)
-          | Unexplored { nearest; _ } -> Some ("to the nearest unexplored state that matters:", way (Semantics.model c) nearest)
+          | Unexplored { nearest; _ } ->
+            Some ("to the nearest unexplored state that matters:", way (Semantics.model c) nearest)
           | Truncated _ | Undefined _ | Fault _ -> None)
         reasons
   in

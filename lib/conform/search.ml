@@ -211,7 +211,8 @@ let claim t layer h transitions =
     | State (bodies, step) -> state t layer h transitions item bodies step
     | Watched -> if watched t h transitions item then Some h.deviation else None
     | Quiescent ->
-      if transitions = [] && Network.quiescent (Against.semantics t.against) h.state then Some h.deviation else None
+      let quiescent () = Network.quiescent (Against.semantics t.against) h.state in
+      if transitions = [] && quiescent () then Some h.deviation else None
     | Stuck ->
       let stuck = transitions = [] && not (Network.quiescent (Against.semantics t.against) h.state) in
       if stuck && in_time t h item then Some h.deviation

@@ -142,7 +142,8 @@ let sweep t ~now f watch =
 
 let parts_of t (p : State.process) =
   let of_leaf (l : State.leaf) =
-    Array.init (Array.length (Semantics.model t.semantics).leaves.(l.leaf).parts) (fun k -> t.first_part.(l.leaf) + k)
+    let parts = (Semantics.model t.semantics).leaves.(l.leaf).parts in
+    Array.init (Array.length parts) (fun k -> t.first_part.(l.leaf) + k)
   in
   Array.concat (List.map of_leaf (Array.to_list p.leaves))
 

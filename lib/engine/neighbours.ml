@@ -1,12 +1,11 @@
 open Scc_exact
 open Scc_geometry
-open Scc_rigid
 open Scc_broad_phase
 open Scc_semantics
 
 (* {1 Boxes} *)
 
-let is_upright (p : Part.t) = Quaternion.is_identity p.motion.turned && not (Motion.turns p.motion)
+let is_upright (p : Part.t) = Quaternion.is_identity p.placed.turned && not (Part.turns p)
 
 (* A box about a place, with a margin. Sums of floats are rounded to the nearest, so that the next float is on the
    safe side. *)
@@ -23,7 +22,7 @@ let framed ~margin (p : Part.t) =
   else
     let r = Rat.add margin (Part.reach p) in
     let corner = Vec.make r r r in
-    (Float_box.of_corners (Vec.neg corner) corner, p.motion.centre)
+    (Float_box.of_corners (Vec.neg corner) corner, p.centre)
 
 let box ~margin p =
   let shape, at = framed ~margin p in
@@ -44,8 +43,8 @@ let within margin (parts : Part.t array) =
         if i < 0 then found
         else if j = i then from (i - 1) (n - 1) found
         else
-          from i (j - 1)
-            (if of_two_processes parts (i, j) && Float_box.meet boxes.(i) boxes.(j) then (i, j) :: found else found)
+          let near = of_two_processes parts (i, j) && Float_box.meet boxes.(i) boxes.(j) in
+          from i (j - 1) (if near then (i, j) :: found else found)
       in
       from (n - 2) (n - 1) []
   in
@@ -63,7 +62,7 @@ let fold_pairs f (parts : Part.t array) =
 let all_move_alike (parts : Part.t array) =
   Array.for_all
     (fun (p : Part.t) ->
-       Vec.equal p.motion.velocity parts.(0).motion.velocity && not (Motion.turns p.motion))
+       Vec.equal (Part.velocity p) (Part.velocity parts.(0)) && not (Part.turns p))
     parts
 
 (* The pairs whose boxes, swept over [0, span] for a span > 0, meet. *)
@@ -72,7 +71,7 @@ let meeting_within ~margin parts span =
   let until = Float_box.up span in
   let sweep i (p : Part.t) =
     let shape, at = framed ~margin p in
-    Moving_boxes.set moving i shape ~at ~velocity:p.motion.velocity;
+    Moving_boxes.set moving i shape ~at ~velocity:(Part.velocity p);
     Moving_boxes.set_until moving i until;
     Moving_boxes.swept moving i ~from:0.
   in
@@ -83,7 +82,7 @@ let meeting_within ~margin parts span =
 let greatest_speed (parts : Part.t array) =
   let component best v = Float.max best (Float.abs (Rat.to_float v)) in
   let of_part best (p : Part.t) =
-    let v = p.motion.velocity in
+    let v = Part.velocity p in
     component (component (component best v.x) v.y) v.z
   in
   Array.fold_left of_part 0. parts
@@ -106,12 +105,13 @@ let power_of_two x =
   if exponent >= 0 then Rat.make (Z.shift_left Z.one exponent) Z.one
   else Rat.make Z.one (Z.shift_left Z.one (-exponent))
 
-(* How far ahead to look first: so far that the fastest part sweeps about the least size of a part, or to the limit if
-   that is sooner; [None]: at everything. Exact answers about what has turned cost so much that boxes always pay. *)
+(* How far ahead to look first: so far that the fastest part sweeps about the least size of a part, or to the limit
+   if that is sooner; [None]: at everything. Exact answers about what has turned cost so much that boxes always
+   pay. *)
 let first_window (parts : Part.t array) ~limit =
   if not (Array.for_all is_upright parts) then limit
   else if
-    Array.length parts <= few || Array.for_all (fun (p : Part.t) -> Vec.is_zero p.motion.velocity) parts
+    Array.length parts <= few || Array.for_all (fun (p : Part.t) -> Vec.is_zero (Part.velocity p)) parts
   then None
   else Some (cut limit (power_of_two (least_size parts /. greatest_speed parts)))
 

@@ -11,7 +11,7 @@ type alternative = Event_run.alternative = {
 type steered = {
   semantics : Semantics.t;
   mutable present : State.t;
-  mutable next : (Transition.t list, Transition.fault) result option;
+  mutable next : ((alternative * State.t) list, Transition.fault) result option;  (** with where they lead *)
   mutable rounded : Totals.sum;
 }
 
@@ -20,7 +20,8 @@ type t = Steered of steered | Inertial of Event_run.t
 let start semantics declared =
   Result.map
     (fun s ->
-       if (Semantics.model semantics).steered then Steered { semantics; present = s; next = None; rounded = Totals.no_sum }
+       if (Semantics.model semantics).steered then
+         Steered { semantics; present = s; next = None; rounded = Totals.no_sum }
        else Inertial (Event_run.start semantics s))
     (Network.initial semantics declared)
 
@@ -28,16 +29,15 @@ let next s =
   match s.next with
   | Some next -> next
   | None ->
-    let next = Network.successors s.semantics s.present in
+    let m = Semantics.model s.semantics in
+    let seen (t : Transition.t) = ({ label = t.label; rules = t.rules; rounded = Totals.added m t }, t.target) in
+    let next = Result.map (List.map seen) (Network.successors s.semantics s.present) in
     s.next <- Some next;
     next
 
 let alternatives = function
   | Inertial run -> Ok (Event_run.alternatives run)
-  | Steered s ->
-    let m = Semantics.model s.semantics in
-    let seen (t : Transition.t) = { label = t.label; rules = t.rules; rounded = Totals.added m t } in
-    Result.map (List.map seen) (next s)
+  | Steered s -> Result.map (List.map fst) (next s)
 
 let take t i =
   match t with
@@ -45,10 +45,9 @@ let take t i =
   | Steered s -> (
       match next s with
       | Ok transitions when i >= 0 && i < List.length transitions ->
-        let t = List.nth transitions i in
-        let added = Totals.added (Semantics.model s.semantics) t in
-        Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) added;
-        s.present <- t.target;
+        let taken, target = List.nth transitions i in
+        Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) taken.rounded;
+        s.present <- target;
         s.next <- None
       | Ok _ | Error _ -> Scc_base.Bug.fail __POS__ "an alternative that is not there")
 

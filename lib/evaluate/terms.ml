@@ -38,7 +38,9 @@ module Make (V : View) = struct
     | Add (a, b) -> both V.add c a b
     | Sub (a, b) -> both V.sub c a b
     | Mul (a, b) -> both V.mul c a b
-    | Div (a, b) -> both (V.div ~reason:("division by zero in " ^ Show.num (Semantics.model (V.semantics c)) n)) c a b
+    | Div (a, b) ->
+      let reason = "division by zero in " ^ Show.num (Semantics.model (V.semantics c)) n in
+      both (V.div ~reason) c a b
     | If (p, a, b) ->
       let p = prop c p and a = num c a and b = num c b in
       fun v -> V.choose (p v) (fun () -> a v) (fun () -> b v)

@@ -71,7 +71,13 @@ let home s leaf = leaves_of (process_of s leaf)
 (* The leaf that takes part itself stands for its process. *)
 let first leaf leaves = leaf :: List.filter (fun l -> l <> leaf) leaves
 
-type telling = { semantics : Semantics.t; model : Model.t; at : last; mutable told : event list; mutable count : int }
+type telling = {
+  semantics : Semantics.t;
+  model : Model.t;
+  at : last;
+  mutable told : event list;
+  mutable count : int;
+}
 
 let tell_event w ~step ~time happening leaves reasons =
   let leaves = List.sort_uniq Int.compare leaves and reasons = List.sort_uniq order reasons in
@@ -107,7 +113,7 @@ let expiries w ~step ~time d (source : State.t) =
 let touching semantics (source : State.t) p q =
   let process leaf = source.processes.(fst (State.find_leaf source leaf)) in
   let of_meeting (m : Collisions.meeting) =
-    List.concat_map (fun ((a : Part.t), (b : Part.t)) -> [ a.leaf; b.leaf ]) m.approaching
+    List.concat_map (fun ((a : Part.t), (b : Part.t)) -> [ a.leaf.leaf; b.leaf.leaf ]) m.approaching
   in
   List.concat_map of_meeting (Collisions.meetings semantics [| process p; process q |])
 

@@ -26,7 +26,13 @@ let is_relevant = function Irrelevant -> false | Cause | Keeps_away -> true
    It makes the events of the story in which no absent body takes part, at their times, and otherwise what
    must happen. *)
 
-type trial = { semantics : Semantics.t; model : Model.t; duration : Rat.t; props : Property.prop list; facts : string list }
+type trial = {
+  semantics : Semantics.t;
+  model : Model.t;
+  duration : Rat.t;
+  props : Property.prop list;
+  facts : string list;
+}
 type expected = { label : Transition.label; at : Rat.t; needed : bool }
 
 (* Where the run is: the state, and the transition of this instant that has just led to it. *)

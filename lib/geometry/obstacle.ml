@@ -13,8 +13,8 @@ type memory = {
 (* A portal that was entered, and the plane of the facet that it carries. *)
 and entrance = { carrier : Certificate.plane; portal : Portal.triangle }
 
-(* At this very offset (in memory) the two touch, and these are the normals of the facets that hold it: who has
-   asked whether bodies touch asks next how. *)
+(* At this offset the two touch, and these are the normals of the facets that hold it: who has asked whether bodies
+   touch asks next how. *)
 and contact = { at : Vec.t; normals : Ivec.t list Lazy.t }
 
 type t = { a : Solid.t; b : Solid.t; all : Facets.t Lazy.t; guess : Portal.guess; memory : memory }
@@ -131,7 +131,7 @@ let separating_by_search o r =
 
 let separating o r =
   match o.memory.contact with
-  | Some { at; normals } when at == r -> Lazy.force normals
+  | Some { at; normals } when Vec.equal at r -> Lazy.force normals
   | Some _ | None -> separating_by_search o r
 
 (* At a boundary point r of a convex polytope, r + t w is interior for all small t > 0 iff w goes strictly

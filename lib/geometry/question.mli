@@ -1,6 +1,6 @@
-(** What is asked of the obstacle A - B of two solids, in floats: B stands at the offset r and moves at the velocity
-    w, as seen from A. Everything is about the offset: a point of the obstacle is p = a - b - r, and the line runs
-    from the origin along w. *)
+(** What is asked of the obstacle A - B of two solids, in floats: B stands at the offset r and moves at the
+    velocity w, as seen from A. Everything is about the offset: a point of the obstacle is p = a - b - r, and the
+    line runs from the origin along w. *)
 
 type t = private {
   a : Solid.t;

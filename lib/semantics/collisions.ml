@@ -4,7 +4,7 @@ open Scc_calculus
 type meeting = {
   first : int;
   second : int;
-  near : (Part.t * Part.t) list;
+  touching : (Part.t * Part.t) list;
   approaching : (Part.t * Part.t) list;
 }
 
@@ -14,7 +14,7 @@ let parts (c : Semantics.t) processes =
 
 (* Those of two processes together, in order. *)
 let by_processes pairs =
-  let compare ((a : Part.t), (b : Part.t)) ((a' : Part.t), (b' : Part.t)) =
+  let compare (_, ((a : Part.t), (b : Part.t))) (_, ((a' : Part.t), (b' : Part.t))) =
     let c = Int.compare a.process a'.process in
     if c <> 0 then c else Int.compare b.process b'.process
   in
@@ -27,14 +27,25 @@ let by_processes pairs =
 
 let meetings (c : Semantics.t) processes =
   let (module K) = c.kinematics in
-  let meeting near =
-    match List.filter (fun (a, b) -> K.collide c.setting a b) near with
+  let judged (a, b) =
+    if not (Part.in_relative_motion a b) then None
+    else
+      match K.contact c.setting a b with
+      | Apart -> None
+      | (Touching | Colliding) as contact -> Some (contact, (a, b))
+  in
+  let meeting touching =
+    let colliding = function
+      | (Kinematics.Colliding, pair) -> Some pair
+      | (Touching | Apart), _ -> None
+    in
+    match List.filter_map colliding touching with
     | [] -> None
-    | (a, b) :: _ as approaching -> Some { first = a.Part.process; second = b.Part.process; near; approaching }
+    | (a, b) :: _ as approaching ->
+      Some { first = a.Part.process; second = b.Part.process; touching = List.map snd touching; approaching }
   in
   c.setting.neighbours.within (K.margin c.setting) (parts c processes)
-  |> List.filter (fun (a, b) -> Part.in_relative_motion a b)
-  |> by_processes |> List.filter_map meeting
+  |> List.filter_map judged |> by_processes |> List.filter_map meeting
 
 let collides c (s : State.t) = meetings c s.processes <> []
 
@@ -80,17 +91,17 @@ let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
     |> List.map (fun (pair : Contact.pair) ->
         let bond =
           State.bond c1.name
-            { at = a.leaf; site = site a pair.first }
-            { at = b.leaf; site = site b pair.second }
+            { at = a.leaf.leaf; site = site a pair.first }
+            { at = b.leaf.leaf; site = site b pair.second }
         in
         {
           Transition.label = Bind bond;
           rules = Rule.Bind :: Process.union r1 r2;
           gone = [ p; q ];
-          come = [ joined c p q bond [ (a.leaf, b1); (b.leaf, b2) ] ];
+          come = [ joined c p q bond [ (a.leaf.leaf, b1); (b.leaf.leaf, b2) ] ];
         })
   in
-  let ones = open_channels c.setting.model p a.leaf and twos = open_channels c.setting.model q b.leaf in
+  let ones = open_channels c.setting.model p a.leaf.leaf and twos = open_channels c.setting.model q b.leaf.leaf in
   let pairs = List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) ones in
   match List.filter fit pairs with
   | [] -> []
@@ -98,10 +109,10 @@ let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
 
 (* {1 Rule Bounce} *)
 
-let bounce (c : Semantics.t) (p : State.process) (q : State.process) near =
+let bounce (c : Semantics.t) (p : State.process) (q : State.process) touching =
   let (module K) = c.kinematics in
   let first = p.leaves.(0).leaf and second = q.leaves.(0).leaf in
-  match K.bounce c.setting p q near with
+  match K.bounce c.setting p q touching with
   | Persistent -> Error (Transition.Persistent_contact (first, second))
   | Responded (p', q') ->
     let come = List.map (Process.restart_clock c.setting.model) [ p'; q' ] in
@@ -110,7 +121,7 @@ let bounce (c : Semantics.t) (p : State.process) (q : State.process) near =
 let outcomes c processes meeting =
   let p = processes.(meeting.first) and q = processes.(meeting.second) in
   match List.concat_map (bind c p q) meeting.approaching with
-  | [] -> Result.map (fun o -> [ o ]) (bounce c p q meeting.near)
+  | [] -> Result.map (fun o -> [ o ]) (bounce c p q meeting.touching)
   | candidates -> Ok candidates
 
 (* {1 First time of contact} *)

@@ -1,12 +1,13 @@
 (** Collisions of two processes (rule Collision), which end in rule Bind or rule Bounce. *)
 
+open Scc_exact
 open Scc_calculus
 
 (** Two processes that collide, the one with the lesser index first. *)
 type meeting = {
   first : int;
   second : int;  (** indices of processes *)
-  near : (Part.t * Part.t) list;  (** all pairs of their parts that touch, and perhaps others *)
+  touching : (Part.t * Part.t) list;  (** all pairs of their parts that are not {!Kinematics.Apart} *)
   approaching : (Part.t * Part.t) list;  (** those that touch and approach; not empty *)
 }
 
@@ -23,6 +24,6 @@ val outcomes : Semantics.t -> State.process array -> meeting -> (Transition.outc
 (** Rule Bind: one for each candidate (reading I-12). Without candidates rule Bounce: one, or the fault of rule
     Persistent. *)
 
-val first_time_of_contact : Semantics.t -> State.process array -> limit:Scc_exact.Rat.t option -> Scc_exact.Rat.t option
+val first_time_of_contact : Semantics.t -> State.process array -> limit:Rat.t option -> Rat.t option
 (** The least time at which two processes collide, if there is one that is at most the limit; of processes that do
     not collide now. *)

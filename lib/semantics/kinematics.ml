@@ -32,12 +32,13 @@ let everyone =
   }
 
 type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours }
+type contact = Apart | Touching | Colliding
 type response = Responded of State.process * State.process | Persistent
 
 module type S = sig
   val parts : setting -> int -> State.process -> Part.t list
   val margin : setting -> Rat.t
-  val collide : setting -> Part.t -> Part.t -> bool
+  val contact : setting -> Part.t -> Part.t -> contact
   val touching : setting -> Part.t -> Part.t -> Contact.pair list
   val bonded : setting -> Part.t * Feature.t -> Part.t * Feature.t -> bool
   val first_time_of_contact : setting -> Part.t array -> limit:Rat.t option -> Rat.t option

@@ -24,6 +24,12 @@ val everyone : neighbours
 (** What the rules are applied in: all that does not change, and those who answer for it. *)
 type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours }
 
+(** How two parts of different processes stand to each other. *)
+type contact =
+  | Apart
+  | Touching  (** they touch and do not approach; or they are so near that {!S.bounce} has to see *)
+  | Colliding  (** they touch and approach (rule Collision) *)
+
 (** What becomes of two processes. *)
 type response =
   | Responded of State.process * State.process
@@ -38,8 +44,7 @@ module type S = sig
   val margin : setting -> Rat.t
   (** How far apart two parts may be that touch. *)
 
-  val collide : setting -> Part.t -> Part.t -> bool
-  (** Rule Collision for two parts: they touch and approach. *)
+  val contact : setting -> Part.t -> Part.t -> contact
 
   val touching : setting -> Part.t -> Part.t -> Contact.pair list
   (** The features in which two parts touch that collide. *)
@@ -57,7 +62,7 @@ module type S = sig
   (** {1 What happens to processes} *)
 
   val bounce : setting -> State.process -> State.process -> (Part.t * Part.t) list -> response
-  (** Rule Bounce. The pairs are all those of parts that touch, and perhaps others. *)
+  (** Rule Bounce. The pairs are those of parts that are not {!Apart}. *)
 
   val joined : setting -> State.process -> State.process -> State.process -> State.process
   (** [joined c p q whole]: the whole, made of p and q, in the motion that it gets from theirs (rule Bind). *)
@@ -86,8 +91,8 @@ module type S = sig
   (** Of a movement step that begins now. *)
 
   val begin_step : setting -> collides:(State.t -> bool) -> State.t -> State.t * State.t option
-  (** What a new step brings but for laws: spins for its turns, and rule Round: with the state before that, if it changed
-      anything. *)
+  (** What a new step brings but for laws: spins for its turns, and rule Round; with the state before that rule, if
+      it changed anything. *)
 
   val shortened : State.t -> State.t
   (** The state with what is left of its step cut, if bodies would turn too far in it. *)

@@ -1,13 +1,23 @@
 open Scc_exact
 open Scc_rigid
+open Scc_calculus
 
-type t = { process : int; leaf : int; index : int; placed : Placed.t; motion : Motion.t }
+type t = {
+  process : int;
+  owner : State.process;
+  leaf : State.leaf;
+  index : int;
+  placed : Placed.t;
+  centre : Vec.t;
+}
 
-let name p = (p.leaf, p.index)
-let relative_velocity a b = Vec.sub b.motion.velocity a.motion.velocity
+let name p = (p.leaf.leaf, p.index)
+let velocity p = p.owner.velocity
+let turns p = not (Vec.is_zero p.owner.spin)
+let relative_velocity a b = Vec.sub b.owner.velocity a.owner.velocity
 
 let in_relative_motion a b =
   a.process <> b.process
-  && ((not (Vec.equal a.motion.velocity b.motion.velocity)) || Motion.turns a.motion || Motion.turns b.motion)
+  && ((not (Vec.equal a.owner.velocity b.owner.velocity)) || turns a || turns b)
 
-let reach p = Speed.reach p.motion.solid (Vec.sub (Placed.centroid p.placed) p.motion.centre)
+let reach p = Speed.reach p.placed.solid (Vec.sub (Placed.centroid p.placed) p.centre)

@@ -41,8 +41,8 @@ type reaction = {
 
 let site_at (b : State.bond) leaf = if b.one.at = leaf then b.one.site else b.two.site
 
-(* Whether the entries of L can be matched one to one with the bonds: entry by entry, each time along a path on which
-   bonds change their owners. [seen] are the bonds tried on this path. *)
+(* Whether the entries of L can be matched one to one with the bonds: entry by entry, each time along a path on
+   which bonds change their owners. [seen] are the bonds tried on this path. *)
 let matches (p : State.process) leaf entries bonds =
   let entries = Array.of_list entries and bonds = Array.of_list bonds in
   let fits e b =

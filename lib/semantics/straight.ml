@@ -6,38 +6,26 @@ open Kinematics
 
 (* {1 Contact} *)
 
-let parts { model; _ } process (p : State.process) =
-  let of_leaf (l : State.leaf) =
+let parts { model; _ } process (owner : State.process) =
+  let of_leaf (leaf : State.leaf) =
     let of_part index (part : Model.part) =
-      let at = if Vec.is_zero part.offset then l.position else Vec.add l.position part.offset in
-      let motion =
-        {
-          Motion.solid = part.solid;
-          turned = l.turned;
-          arm = Vec.zero;
-          centre = at;
-          velocity = p.velocity;
-          spin = Vec.zero;
-          since = Rat.zero;
-        }
-      in
-      { Part.process; leaf = l.leaf; index; placed = { solid = part.solid; turned = l.turned; at }; motion }
+      let at = if Vec.is_zero part.offset then leaf.position else Vec.add leaf.position part.offset in
+      let placed = { Placed.solid = part.solid; turned = leaf.turned; at } in
+      { Part.process; owner; leaf; index; placed; centre = at }
     in
-    List.mapi of_part (Array.to_list model.leaves.(l.leaf).parts)
+    List.mapi of_part (Array.to_list model.leaves.(leaf.leaf).parts)
   in
-  List.concat_map of_leaf (Array.to_list p.leaves)
+  List.concat_map of_leaf (Array.to_list owner.leaves)
 
 let margin _ = Rat.zero
 let interpenetration () = Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
 
-let touch c (a : Part.t) (b : Part.t) =
+let contact c (a : Part.t) (b : Part.t) : contact =
   match c.geometry.relation a.placed b.placed with
-  | Apart -> false
-  | Touching -> true
+  | Apart -> Apart
+  | Touching ->
+    if c.geometry.approaching a.placed b.placed (Part.relative_velocity a b) then Colliding else Touching
   | Interpenetrating -> interpenetration ()
-
-let collide c (a : Part.t) (b : Part.t) =
-  touch c a b && c.geometry.approaching a.placed b.placed (Part.relative_velocity a b)
 
 let touching c (a : Part.t) (b : Part.t) = c.geometry.touching a.placed b.placed
 
@@ -71,9 +59,8 @@ let shares model p q =
   | Some _, None -> (Rat.one, Rat.zero)
   | None, None -> Scc_base.Bug.fail __POS__ "two fixed bodies collide"
 
-let bounce c (p : State.process) (q : State.process) near =
+let bounce c (p : State.process) (q : State.process) touching =
   let w = Vec.sub q.velocity p.velocity in
-  let touching = List.filter (fun (a, b) -> touch c a b) near in
   let placed ((a : Part.t), (b : Part.t)) = (a.placed, b.placed) in
   let change = Vec.sub (c.geometry.response (List.map placed touching) w) w in
   let share_p, share_q = shares c.model p q in

@@ -19,8 +19,8 @@ val velocity_at : Model.t -> State.process -> Vec.t -> Vec.t
 (** Of the point of the process that is now at a place. *)
 
 val pass : Model.t -> Rat.t -> State.process -> State.process
-(** Where the process is after a time d, if nothing happens meanwhile; a process that does not spin also where it was,
-    for d < 0. *)
+(** Where the process is after a time d, if nothing happens meanwhile; a process that does not spin also where it
+    was, for d < 0. *)
 
 (** {1 Spin and angular momentum}
 

@@ -6,37 +6,38 @@ open Kinematics
 
 (* {1 Contact} *)
 
-let parts { model; _ } process (p : State.process) =
-  let centre = State.centre_of_mass model p in
-  let of_leaf (l : State.leaf) =
-    List.init (Array.length model.leaves.(l.leaf).parts) (fun index ->
-        let motion = Turn.motion model p ~centre l index in
-        { Part.process; leaf = l.leaf; index; placed = State.placed model l index; motion })
+let parts { model; _ } process (owner : State.process) =
+  let centre = State.centre_of_mass model owner in
+  let of_leaf (leaf : State.leaf) =
+    List.init (Array.length model.leaves.(leaf.leaf).parts) (fun index ->
+        { Part.process; owner; leaf; index; placed = State.placed model leaf index; centre })
   in
-  List.concat_map of_leaf (Array.to_list p.leaves)
+  List.concat_map of_leaf (Array.to_list owner.leaves)
 
+let motion c (p : Part.t) = Turn.motion c.model p.owner ~centre:p.centre p.leaf p.index
 let resolution c = (Turn.rigid c.model).resolution
 let margin = resolution
 let interpenetration () = Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
 
 (* 2^-K, the length of a cell of the grid of instants. *)
 let cell grid = Rat.make Z.one (Z.shift_left Z.one grid)
-let grid c (a : Part.t) (b : Part.t) = Cast.grid a.motion b.motion ~resolution:(resolution c)
+let grid c a b = Cast.grid (motion c a) (motion c b) ~resolution:(resolution c)
 
-let cast c (a : Part.t) (b : Part.t) ~span ~grid =
-  match c.geometry.first_penetration a.motion b.motion ~span ~grid with
+let cast c a b ~span ~grid =
+  match c.geometry.first_penetration (motion c a) (motion c b) ~span ~grid with
   | Never -> None
   | At t -> Some t
   | Inside -> interpenetration ()
 
-let collide c a b =
+(* Whether the two touch within the resolution is not asked before it matters. *)
+let contact c a b =
   let grid = grid c a b in
-  Option.is_some (cast c a b ~span:(cell grid) ~grid)
+  if Option.is_some (cast c a b ~span:(cell grid) ~grid) then Colliding else Touching
 
-let contact c (a : Part.t) (b : Part.t) = c.geometry.near ~resolution:(resolution c) a.placed b.placed
+let near c (a : Part.t) (b : Part.t) = c.geometry.near ~resolution:(resolution c) a.placed b.placed
 
 let touching c a b =
-  match contact c a b with
+  match near c a b with
   | Some near -> near.pairs
   | None -> Scc_base.Bug.fail __POS__ "two bodies collide from afar"
 
@@ -92,12 +93,12 @@ let cube =
 (* A solid that only moves in a straight line and never leaves a part outside: the part itself if it does not spin,
    else a cube about the ball that it turns in, with room for more than the resolution. *)
 let hull c (p : Part.t) =
-  if Motion.turns p.motion then
+  if Part.turns p then
     let room = Rat.add (Part.reach p) (Rat.mul (Rat.of_int 2) (resolution c)) in
     {
       Placed.solid = Solid.make ~id:0 cube (Mat.scale room Mat.identity);
       turned = Quaternion.identity;
-      at = p.motion.centre;
+      at = p.centre;
     }
   else { p.placed with solid = Placed.fixed_solid p.placed; turned = Quaternion.identity }
 
@@ -117,8 +118,8 @@ let none_ahead c parts =
 
 (* {1 What happens to processes} *)
 
-let bounce c p q near =
-  let contacts = List.filter_map (fun (a, b) -> contact c a b) near in
+let bounce c p q pairs =
+  let contacts = List.filter_map (fun (a, b) -> near c a b) pairs in
   match Impact.bounce (Turn.mover c.model p) (Turn.mover c.model q) contacts with
   | Persistent -> Persistent
   | Bounced (first, second) -> Responded (Turn.moving c.model first p, Turn.moving c.model second q)

@@ -75,7 +75,7 @@ let find_end (m : Model.t) (p : State.process) (f : State.finish) =
     else None
 
 let part (parts : Part.t array) leaf index =
-  Array.to_list parts |> List.find_opt (fun (p : Part.t) -> p.leaf = leaf && p.index = index)
+  Array.to_list parts |> List.find_opt (fun (p : Part.t) -> p.leaf.leaf = leaf && p.index = index)
 
 (* Definition 5.2: the two features touch, or are within the resolution (rule Near). *)
 let check_bond (c : Semantics.t) parts p (bond : State.bond) =

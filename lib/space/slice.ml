@@ -82,7 +82,7 @@ let join s g h =
   s.stirred.(g) <- true;
   s.grown.(g) <- false
 
-let is_fixed s i = s.model.leaves.(s.parts.(i).leaf).fixed
+let is_fixed s i = s.model.leaves.(s.parts.(i).leaf.leaf).fixed
 
 let twice_energy m (p : State.process) =
   match State.mass m p with
@@ -102,7 +102,7 @@ let create semantics ~horizon ~in_events (initial : State.t) =
   let members = Array.make n [] in
   Array.iteri
     (fun i (p : Part.t) ->
-       Moving_boxes.set lines i p.placed.solid.box ~at:p.placed.at ~velocity:p.motion.velocity;
+       Moving_boxes.set lines i p.placed.solid.box ~at:p.placed.at ~velocity:(Part.velocity p);
        Moving_boxes.set_until lines i until;
        members.(p.process) <- i :: members.(p.process))
     parts;
@@ -175,7 +175,7 @@ let reach s ~energy i =
     match s.horizon with
     | None -> infinity
     | Some h ->
-      let mass = s.model.leaves.(s.parts.(i).leaf).mass in
+      let mass = s.model.leaves.(s.parts.(i).leaf.leaf).mass in
       Float.succ (Float.sqrt (Float_box.up (Rat.div (Rat.mul energy (Rat.mul h h)) mass)))
 
 (* Sums and differences are rounded to the nearest; none is infinity - infinity, as least coordinates are never

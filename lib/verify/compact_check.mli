@@ -9,6 +9,7 @@ val serves : Property.check -> bool
     [not], [and] and [or] make of them. *)
 
 val check :
-  Joint_check.options -> capacity:int -> Semantics.t -> initial:State.t -> Property.check list -> Joint_check.result
+  Joint_check.options -> capacity:int -> Semantics.t -> initial:State.t -> Property.check list ->
+  Joint_check.result
 (** Of properties that it serves. What is found is as sure as ever; what is not may have been left out. Cycles
     without duration are not looked for. *)

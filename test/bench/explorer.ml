@@ -8,6 +8,8 @@
 open Scc_base
 open Scc_exact
 open Scc_explore
+
+let standard = Scc_engine.Standard.of_model
 module Network_lts = Scc_space.Network_lts
 module Graph = Explore.Make (Network_lts)
 
@@ -35,8 +37,8 @@ let load path overrides =
       | Ok e -> e)
 
 let context (e : Scc_elaborate.Elaborate.t) =
-  match Scc_semantics.Network.initial (Scc_engine.Standard.of_model e.model) e.declared with
-  | Ok initial -> Network_lts.make (Scc_engine.Standard.of_model e.model) initial
+  match Scc_semantics.Network.initial (standard e.model) e.declared with
+  | Ok initial -> Network_lts.make (standard e.model) initial
   | Error f -> fail (Scc_semantics.Transition.diagnostic e.model f).message
 
 let live_words () =

@@ -23,6 +23,8 @@ open Scc_exact
 open Scc_calculus
 open Scc_engine
 
+let standard = Scc_engine.Standard.of_model
+
 type options = {
   count : int;
   time : Rat.t;
@@ -155,7 +157,7 @@ let run o start log =
   let m, s = Gas_start.network start in
   let before, _ = bits o s in
   let began = Sys.time () in
-  let run = Event_run.start (Standard.of_model m) s in
+  let run = Event_run.start (standard m) s in
   let built = Sys.time () in
   let first_work = Event_run.work run in
   let events = simulate o m run log in

@@ -3,8 +3,9 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_test_networks
+
+let standard = Scc_engine.Standard.of_model
 
 let states_per_network = 60
 
@@ -18,7 +19,7 @@ let property name ?(count = 400) ?steered holds =
 let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
 
 let well_formed m (s, _) =
-  match Well_formed.check (Standard.of_model m) s with
+  match Well_formed.check (standard m) s with
   | [] -> None
   | fault :: _ -> Some (Well_formed.to_string m s fault)
 
@@ -49,10 +50,10 @@ let additive =
         match t.label with
         | Time d ->
           let first = Rat.mul part d in
-          let midway = Time.pass (Standard.of_model m) first s in
+          let midway = Time.pass (standard m) first s in
           let rest = Rat.sub d first in
-          Option.equal Rat.equal (Time.delay (Standard.of_model m) midway) (Some rest)
-          && State.equal (Time.pass (Standard.of_model m) rest midway) (Time.pass (Standard.of_model m) d s)
+          Option.equal Rat.equal (Time.delay (standard m) midway) (Some rest)
+          && State.equal (Time.pass (standard m) rest midway) (Time.pass (standard m) d s)
         | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
       in
       List.for_all (fun (s, ts) -> List.for_all (holds s) ts) states)

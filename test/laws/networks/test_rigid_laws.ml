@@ -4,8 +4,9 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_test_networks
+
+let standard = Scc_engine.Standard.of_model
 module Gen = QCheck2.Gen
 
 let rational n d = Rat.make (Z.of_int n) (Z.of_int d)
@@ -26,7 +27,7 @@ let bits (s : State.t) =
 let longest = 800
 
 let successors m s =
-  match Network.successors (Standard.of_model m) s with
+  match Network.successors (standard m) s with
   | Ok ts -> ts
   | Error (Persistent_contact _) -> []
   | Error (Bad_law _) -> failwith "a law of motion could not be evaluated"
@@ -74,7 +75,7 @@ let with_fixed m (s : State.t) : Transition.label -> bool = function
 (* {1 Laws of a state or a transition} *)
 
 let well_formed m s =
-  match Well_formed.check (Standard.of_model m) s with
+  match Well_formed.check (standard m) s with
   | [] -> None
   | fault :: _ -> Some (Well_formed.to_string m s fault)
 
@@ -88,7 +89,7 @@ let steps_are_right m (s : State.t) =
       let d = Rat.add p.since step.remaining in
       Rat.compare (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) (rational 1 4) > 0
     in
-    if Collisions.collides (Standard.of_model m) s then None
+    if Collisions.collides (standard m) s then None
     else if State.equal_phase step.phase Due then Some "a step that is over goes on"
     else if Array.exists turns_too_far s.processes then Some "a process turns too far in a step"
     else None
@@ -155,13 +156,13 @@ let interpenetrate m s =
     (function
       | Well_formed.Interpenetration _ as fault -> Some (Well_formed.to_string m s fault)
       | _ -> None)
-    (Well_formed.check (Standard.of_model m) s)
+    (Well_formed.check (standard m) s)
 
 let between m (s : State.t) (t : Transition.t) =
   match t.label with
   | Time d ->
     List.find_map
-      (fun (n, k) -> interpenetrate m (Time.pass (Standard.of_model m) (Rat.mul (rational n k) d) s))
+      (fun (n, k) -> interpenetrate m (Time.pass (standard m) (Rat.mul (rational n k) d) s))
       [ (1, 3); (1, 2); (9, 10); (999, 1000) ]
   | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
 
@@ -175,9 +176,10 @@ let placed m (s : State.t) (leaf, part) =
 let collides_in_time m (s : State.t) =
   let near ((a : Part.t), (b : Part.t)) =
     let r = resolution m in
-    Rat.compare (Scc_rigid.Near_contact.distance2 (placed m s (Part.name a)) (placed m s (Part.name b))) (Rat.mul r r) <= 0
+    let distance2 = Scc_rigid.Near_contact.distance2 (placed m s (Part.name a)) (placed m s (Part.name b)) in
+    Rat.compare distance2 (Rat.mul r r) <= 0
   in
-  let colliding = Collisions.meetings (Standard.of_model m) s.processes in
+  let colliding = Collisions.meetings (standard m) s.processes in
   if List.exists (fun (e : Collisions.meeting) -> not (List.for_all near e.approaching)) colliding then
     Some "a collision from afar"
   else None
@@ -243,7 +245,9 @@ let keeps symmetry network =
   let comparable (s, _) =
     bits s <= longest
     (* that nothing is ahead is proved with cubes along the axes: perhaps here and not there *)
-    && Bool.equal (Network.quiescent (Standard.of_model m) s) (Network.quiescent (Standard.of_model (symmetry.model m)) (symmetry.state s))
+    && Bool.equal
+      (Network.quiescent (standard m) s)
+      (Network.quiescent (standard (symmetry.model m)) (symmetry.state s))
   in
   fail_on (Symmetry.broken symmetry m (List.filter comparable states))
 
@@ -287,15 +291,17 @@ let rec nothing_ahead m (s : State.t) n =
   match s.step with
   | Some { remaining; _ } when n > 0 && bits s < longest ->
     let limit = Some remaining in
-    if Rat.sign remaining > 0 && Option.is_some (Collisions.first_time_of_contact (Standard.of_model m) s.State.processes ~limit) then false
+    let contact () = Collisions.first_time_of_contact (standard m) s.State.processes ~limit in
+    if Rat.sign remaining > 0 && Option.is_some (contact ()) then false
     else
-      let later = if Rat.sign remaining > 0 then Time.pass (Standard.of_model m) remaining s else s in
-      (match Steer.run (Standard.of_model m) later with
+      let later = if Rat.sign remaining > 0 then Time.pass (standard m) remaining s else s in
+      (match Steer.run (standard m) later with
        | Ok next -> nothing_ahead m next.state (n - 1)
        | Error _ -> false)
   | Some _ | None -> true
 
-let quiescent_and_spins m (s : State.t) = Array.exists Turn.spinning s.processes && Network.quiescent (Standard.of_model m) s
+let quiescent_and_spins m (s : State.t) =
+  Array.exists Turn.spinning s.processes && Network.quiescent (standard m) s
 
 let stays_quiescent network =
   let m, states = reached network in

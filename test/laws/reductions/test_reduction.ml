@@ -5,13 +5,15 @@ open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_property
 open Scc_evaluate
 open Scc_space
 open Scc_explain
 open Scc_verify
+
 module Gen = QCheck2.Gen
+
+let standard = Scc_engine.Standard.of_model
 
 (* {1 Random crowds of unit cubes on a grid} *)
 
@@ -159,12 +161,12 @@ let timed_case_gen = case_of some_with_time
 let load text =
   match Scc_test_models.Load.text text with
   | Error _ -> None  (* where all are shy, no formula may speak of docking *)
-  | Ok e -> Result.to_option (Network.initial (Standard.of_model e.model) e.declared) |> Option.map (fun initial -> (e, initial))
+  | Ok e -> Result.to_option (Result.map (fun s -> (e, s)) (Network.initial (standard e.model) e.declared))
 
 let bounds = { Bounds.default with states = Default 3000; time = Given (Rat.of_int 12); instant = Default 60 }
 
-let run reductions (e : Scc_elaborate.Elaborate.t) initial =
-  Check.run { Check.default with bounds; reductions } (Standard.of_model e.model) ~initial e.checks
+let run ?(bounds = bounds) reductions (e : Scc_elaborate.Elaborate.t) initial =
+  Check.run { Check.default with bounds; reductions } (standard e.model) ~initial e.checks
 
 let definite (v : Verdict.t) =
   match v with
@@ -186,7 +188,7 @@ let replays (e : Scc_elaborate.Elaborate.t) initial (o : Verdict.outcome) =
   match witness o.verdict with
   | None -> true
   | Some w -> (
-      match Scc_test_networks.Reach.follow (Standard.of_model e.model) initial (Witness.choices w) with
+      match Scc_test_networks.Reach.follow (standard e.model) initial (Witness.choices w) with
       | Error _ -> false
       | Ok transitions ->
         let last = match List.rev transitions with [] -> initial | t :: _ -> t.Transition.target in
@@ -197,7 +199,7 @@ let shows (e : Scc_elaborate.Elaborate.t) ({ check = c; verdict = v; _ } : Verdi
   match (witness v, Plan.of_formula c.formula) with
   | Some ({ finish = At_state; _ } as w), (Possibly (_, p) | Always (_, p))
     when not (Formula.has_events (State p)) ->
-    let holds = Trajectory.holds (Standard.of_model e.model) w.last p in
+    let holds = Trajectory.holds (standard e.model) w.last p in
     let wanted = match v with Holds _ -> Truth.True | Violated _ | Undecided _ -> False in
     Truth.equal holds wanted
   | _ -> true
@@ -243,7 +245,7 @@ let states reductions text =
   match load text with
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
-    let report = Check.run { Check.default with reductions } (Standard.of_model e.model) ~initial e.checks in
+    let report = Check.run { Check.default with reductions } (standard e.model) ~initial e.checks in
     let stats = report.stats in
     Alcotest.(check bool) "complete" true stats.complete;
     stats.states
@@ -304,7 +306,7 @@ check second : possibly vx(p[1]) > 0 and vx(p[2]) < 0
   match load text with
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
-    let report = Check.run { Check.default with reductions = [ Order; Jump ] } (Standard.of_model e.model) ~initial e.checks in
+    let report = run ~bounds:Bounds.default [ Order; Jump ] e initial in
     let verdicts = List.map (fun (o : Verdict.outcome) -> Verdict.to_string o.verdict) report.outcomes in
     Alcotest.(check (list string)) "both" [ "holds (exhaustive)"; "holds (exhaustive)" ] verdicts
 
@@ -324,7 +326,7 @@ check away : possibly vx(q) = 1
   match load text with
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
-    let report = Check.run { Check.default with reductions = [ Order; Jump ] } (Standard.of_model e.model) ~initial e.checks in
+    let report = run ~bounds:Bounds.default [ Order; Jump ] e initial in
     let verdicts = List.map (fun (o : Verdict.outcome) -> Verdict.to_string o.verdict) report.outcomes in
     Alcotest.(check (list string)) "reached" [ "holds (exhaustive)" ] verdicts
 
@@ -336,7 +338,7 @@ let verdicts_and_stats reductions text =
   | None -> Alcotest.fail "the model is refused"
   | Some (e, initial) ->
     let bounds = { Bounds.default with states = Default 3000 } in
-    let report = Check.run { Check.default with bounds; reductions } (Standard.of_model e.model) ~initial e.checks in
+    let report = Check.run { Check.default with bounds; reductions } (standard e.model) ~initial e.checks in
     (List.map (fun (o : Verdict.outcome) -> Verdict.to_string o.verdict) report.outcomes, report.stats)
 
 (* Alone it is violated in two states, and it stays so whatever else is asked. *)

@@ -4,7 +4,6 @@ open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_property
 open Scc_evaluate
 open Scc_space
@@ -12,13 +11,15 @@ open Scc_explain
 open Scc_verify
 open Scc_test_models
 
+let standard = Scc_engine.Standard.of_model
+
 (* {1 The same verdicts, and runs of the whole} *)
 
 let generous n = { Check.default with bounds = { Bounds.default with states = Given n } }
 
 let check options m initial formula =
   let check = { Property.name = "c"; span = Scc_base.Span.none; text = ""; formula } in
-  match (Check.run options (Standard.of_model m) ~initial [ check ]).outcomes with
+  match (Check.run options (standard m) ~initial [ check ]).outcomes with
   | [ o ] -> o.verdict
   | _ -> failwith "one outcome"
 
@@ -35,16 +36,13 @@ let facts m formula (w : Witness.t) =
   let arrived =
     match List.rev w.steps with
     | [] -> fun _ -> false
-    | last :: before ->
-      let source = match before with [] -> w.initial | s :: _ -> s.transition.target in
-      Event.matches ~source last.transition.label
+    | [ only ] -> Event.matches ~source:w.initial only.transition.label
+    | last :: before :: _ -> Event.matches ~source:before.transition.target last.transition.label
   in
   let extent, offset =
-    match w.finish with
-    | During { offset; _ } -> (Timeline.Forever, offset)
-    | _ -> (Timeline.Instant, Algebraic.zero)
+    match w.finish with During { offset; _ } -> (Timeline.Forever, offset) | _ -> (Instant, Algebraic.zero)
   in
-  List.concat_map (Facts.at ~arrived m w.last extent offset) (Formula.predicates formula)
+  List.concat_map (Facts.at ~arrived (standard m) w.last extent offset) (Formula.predicates formula)
 
 (* Why the lifted run is not one of the whole that ends as the run of the slice does. *)
 let fault m initial formula (w : Witness.t) (lifted : Witness.t) =
@@ -54,7 +52,7 @@ let fault m initial formula (w : Witness.t) (lifted : Witness.t) =
         let t = Rat.add t (Transition.duration s.transition) in
         if Rat.equal t s.time then Some t else None)
   in
-  match Scc_test_networks.Reach.follow (Standard.of_model m) initial (Witness.choices lifted) with
+  match Scc_test_networks.Reach.follow (standard m) initial (Witness.choices lifted) with
   | Error _ -> Some "it does not replay"
   | Ok transitions ->
     if not (List.for_all2 (fun (t : Transition.t) s -> State.equal t.target s) transitions targets) then
@@ -72,14 +70,12 @@ let fault m initial formula (w : Witness.t) (lifted : Witness.t) =
       not (State.equal lifted.last (match List.rev targets with [] -> initial | last :: _ -> last))
     then Some "another last state"
     else
-      let ends = facts (Standard.of_model m) formula w and lifted_ends =
-        facts (Standard.of_model m) formula lifted
-       in
+      let ends = facts m formula w and lifted_ends = facts m formula lifted in
       if List.equal String.equal ends lifted_ends && w.facts = lifted.facts then None
       else Some ("other facts: " ^ String.concat "; " (ends @ ("and" :: lifted_ends)))
 
 let lasts_beyond (w : Witness.t) m =
-  match (w.finish, Network.successors (Standard.of_model m) w.last) with
+  match (w.finish, Network.successors (standard m) w.last) with
   | During { choice = Some k; offset; from; _ }, Ok transitions -> (
       match (List.nth transitions k).label with
       | Time d -> Algebraic.compare_rat offset d < 0 && Algebraic.compare_rat from Rat.zero >= 0
@@ -87,13 +83,12 @@ let lasts_beyond (w : Witness.t) m =
   | During { choice = None; _ }, Ok transitions -> transitions = []
   | _ -> true
 
-(* How many slices were made, decided on both sides, and lifted: a property that compares nothing would be worth
-   nothing. *)
+(* How many slices were made, decided on both sides, and lifted: nothing compared would be worth nothing. *)
 type tally = { mutable made : int; mutable compared : int; mutable lifted : int; mutable longer : int }
 
 let agrees tally (q : Clusters.question) =
   let m, initial = Clusters.assemble q.clusters in
-  match Slice.make (Standard.of_model m) ~initial [ q.formula ] with
+  match Slice.make (standard m) ~initial [ q.formula ] with
   | None -> true
   | Some slice -> (
       tally.made <- tally.made + 1;
@@ -101,7 +96,7 @@ let agrees tally (q : Clusters.question) =
       (match witness of_slice with
        | None -> ()
        | Some w -> (
-           let lifted = Lift.timed (Standard.of_model m) ~initial w in
+           let lifted = Lift.timed (standard m) ~initial w in
            tally.lifted <- tally.lifted + 1;
            if List.compare_lengths lifted.steps w.steps > 0 then tally.longer <- tally.longer + 1;
            if not (lasts_beyond lifted m) then QCheck2.Test.fail_report "the instant is not in its transition";
@@ -144,7 +139,7 @@ shape Cube {
 
 let load text =
   let e = Load.exactly (Load.text (cube ^ text)) in
-  match Network.initial (Standard.of_model e.model) e.declared with
+  match Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial -> (e.model, initial, List.map (fun (c : Property.check) -> c.formula) e.checks)
 
@@ -152,7 +147,7 @@ let all_kept = [ "(no slice)" ]
 
 let left_out text =
   let m, initial, formulas = load text in
-  match Slice.make (Standard.of_model m) ~initial formulas with
+  match Slice.make (standard m) ~initial formulas with
   | None -> all_kept
   | Some slice -> Slice.left_out m ~initial slice
 
@@ -176,14 +171,14 @@ let one_of_many () =
     (dimers 3 ^ "check a : possibly not bound(p[2], q[2])\ncheck b : always size(p[3]) = 2 within 3");
   is "all of them" all_kept (dimers 1 ^ "check a : possibly not bound(p[1], q[1])");
   let m, initial, formulas = load (dimers 2000 ^ "check a : always bound(p[7], q[7])") in
-  match Slice.make (Standard.of_model m) ~initial formulas with
+  match Slice.make (standard m) ~initial formulas with
   | None -> Alcotest.fail "no slice"
   | Some slice -> (
       Alcotest.(check int) "one is left" 1 (Array.length slice.processes);
       match witness (check Check.default m slice (List.hd formulas)) with
       | None -> Alcotest.fail "no witness"
       | Some w ->
-        let lifted = Lift.timed (Standard.of_model m) ~initial w in
+        let lifted = Lift.timed (standard m) ~initial w in
         Alcotest.(check (option string)) "lifted" None (fault m initial (List.hd formulas) w lifted))
 
 let fragment () =
@@ -359,9 +354,9 @@ check a : always z(s) <= 3/2 within 2
   in
   let m, initial, formulas = load ("split_step 1\n" ^ scene) in
   let formula = List.hd formulas in
-  let slice = Option.get (Slice.make (Standard.of_model m) ~initial formulas) in
+  let slice = Option.get (Slice.make (standard m) ~initial formulas) in
   let w = Option.get (witness (check Check.default m slice formula)) in
-  let lifted = Lift.timed (Standard.of_model m) ~initial w in
+  let lifted = Lift.timed (standard m) ~initial w in
   let label (s : Witness.step) = Transition.label_to_string m s.transition.label in
   Alcotest.(check (list string)) "the run" [ "time(1)"; "bounce(b, c)" ] (List.map label lifted.steps);
   Alcotest.(check (option string)) "lifted" None (fault m initial formula w lifted)
@@ -381,10 +376,9 @@ process s = Cube mass 1 at translate (0,100,0) [nil]
   let lifts name =
     let m, initial, formulas = load (scene ^ "check a : possibly behaviour(p) = " ^ name) in
     let formula = List.hd formulas in
-    let slice = Option.get (Slice.make (Standard.of_model m) ~initial formulas) in
+    let slice = Option.get (Slice.make (standard m) ~initial formulas) in
     let w = Option.get (witness (check Check.default m slice formula)) in
-    Alcotest.(check (option string)) name None (fault m initial formula w (Lift.timed (Standard.of_model m) ~initial w))
-  in
+    Alcotest.(check (option string)) name None (fault m initial formula w (Lift.timed (standard m) ~initial w)) in
   List.iter lifts [ "One"; "Two" ]
 
 let () =

@@ -1,7 +1,8 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
+
+let standard = Scc_engine.Standard.of_model
 
 type sums = { momentum : Vec.t; angular : Vec.t; energy : Rat.t }
 
@@ -55,7 +56,7 @@ let is_fixed m s leaf =
 
 (* Free bodies keep their momentum from turn to turn: what they have now is what they begin a new turn with. *)
 let renewed m s =
-  let semantics = Standard.of_model m in
+  let semantics = standard m in
   let (module K) = semantics.kinematics in
   K.renewed semantics.setting s
 

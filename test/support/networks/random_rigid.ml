@@ -1,6 +1,8 @@
 open Scc_exact
 open Scc_geometry
 open Scc_calculus
+
+let standard = Scc_engine.Standard.of_model
 module Gen = QCheck2.Gen
 
 type features = {
@@ -176,7 +178,7 @@ let declared { bodies; _ } =
 
 let start network =
   let m = model network in
-  match Scc_semantics.Network.initial (Scc_engine.Standard.of_model m) (declared network) with
+  match Scc_semantics.Network.initial (standard m) (declared network) with
   | Ok s -> (m, s)
   | Error _ -> failwith "a law of motion could not be evaluated"
 

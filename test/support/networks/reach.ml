@@ -1,6 +1,7 @@
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
+
+let standard = Scc_engine.Standard.of_model
 
 module Seen = Hashtbl.Make (struct
     type t = State.t
@@ -13,8 +14,8 @@ let ok m = function
   | Ok x -> x
   | Error fault -> failwith (Transition.diagnostic m fault).message
 
-let initial m declared = ok m (Network.initial (Standard.of_model m) declared)
-let successors m s = ok m (Network.successors (Standard.of_model m) s)
+let initial m declared = ok m (Network.initial (standard m) declared)
+let successors m s = ok m (Network.successors (standard m) s)
 
 let states m start ~limit =
   let seen = Seen.create 64 and queue = Queue.create () in

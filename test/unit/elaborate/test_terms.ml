@@ -3,8 +3,11 @@
 open Scc_base
 open Scc_exact
 open Scc_calculus
+open Scc_semantics
 open Scc_property
 open Models
+
+let standard = Scc_engine.Standard.of_model
 
 let same_rational name expected x = Alcotest.(check string) name (Rat.to_string expected) (Rat.to_string x)
 let same_vector name expected x = Alcotest.(check string) name (Vec.to_string expected) (Vec.to_string x)
@@ -225,7 +228,7 @@ let bonds () =
   Alcotest.(check int) "leaves" 3 (Array.length (process_of t "p2").leaves);
   Alcotest.(check int) "the chain" 2 (Array.length (process_of t "c[2]").bonds);
   same_vector "velocity" (Vec.of_ints 1 0 0) (process_of t "s").velocity;
-  Alcotest.(check int) "well-formed" 0 (List.length (Scc_semantics.Well_formed.check (Scc_engine.Standard.of_model t.model) t.declared))
+  Alcotest.(check int) "well-formed" 0 (List.length (Well_formed.check (standard t.model) t.declared))
 
 let network () =
   let text network =
@@ -252,7 +255,7 @@ let fixed () =
   in
   Alcotest.(check bool) "fixed" true (leaf t "w").fixed;
   Alcotest.(check bool) "no mass" true (Option.is_none (State.mass t.model (process_of t "p")));
-  Alcotest.(check int) "well-formed" 0 (List.length (Scc_semantics.Well_formed.check (Scc_engine.Standard.of_model t.model) t.declared))
+  Alcotest.(check int) "well-formed" 0 (List.length (Well_formed.check (standard t.model) t.declared))
 
 (* {1 Motion} *)
 
@@ -330,7 +333,7 @@ let large () =
   in
   Alcotest.(check int) "leaves" 10_000 (Array.length t.model.leaves);
   Alcotest.(check int) "processes" 100 (Array.length t.declared.processes);
-  Alcotest.(check int) "well-formed" 0 (List.length (Scc_semantics.Well_formed.check (Scc_engine.Standard.of_model t.model) t.declared))
+  Alcotest.(check int) "well-formed" 0 (List.length (Well_formed.check (standard t.model) t.declared))
 
 let case name run = Alcotest.test_case name `Quick run
 

@@ -4,7 +4,10 @@ open Scc_exact
 open Scc_geometry
 open Scc_broad_phase
 open Scc_calculus
+open Scc_semantics
 open Models
+
+let standard = Scc_engine.Standard.of_model
 
 let text =
   cube
@@ -19,7 +22,7 @@ and r = 2
 and w = 3
 
 let found ?(model = (accept text).model) state =
-  List.map (Scc_semantics.Well_formed.to_string model state) (Scc_semantics.Well_formed.check (Scc_engine.Standard.of_model model) state)
+  List.map (Well_formed.to_string model state) (Well_formed.check (standard model) state)
 
 let strings = Alcotest.(list string)
 

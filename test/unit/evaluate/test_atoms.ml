@@ -8,6 +8,8 @@ open Scc_property
 open Scc_ctl
 open Scc_evaluate
 open Scc_test_networks
+
+let standard = Scc_engine.Standard.of_model
 module Gen = QCheck2.Gen
 
 (* {1 All atoms over some leaves} *)
@@ -129,7 +131,7 @@ let passing (transitions : Transition.t list) =
 
 let kept (m, start) =
   let m = { m with Model.keeps_time = true } in
-  let semantics = Scc_engine.Standard.of_model m in
+  let semantics = standard m in
   List.for_all
     (fun (s, transitions) ->
        let s = at_time (Some Rat.one) s in

@@ -4,10 +4,11 @@
 open Scc_ctl
 open Scc_exact
 open Scc_semantics
-open Scc_engine
 open Scc_property
 open Scc_evaluate
 open Scc_test_models
+
+let standard = Scc_engine.Standard.of_model
 
 let cube =
   {|
@@ -21,7 +22,7 @@ shape Cube {
 (* The initial state of a model, and what its checks say, without the operator of each. *)
 let load text =
   let e = Load.exactly (Load.text (cube ^ text)) in
-  match Network.initial (Standard.of_model e.model) e.declared with
+  match Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok s -> (e, s)
 
@@ -31,7 +32,7 @@ let event_of (k : Property.check) =
   | _ -> Alcotest.fail "not a formula of this test"
 
 let successors m s =
-  match Network.successors (Standard.of_model m) s with
+  match Network.successors (standard m) s with
   | Ok list -> list
   | Error _ -> Alcotest.fail "no successors"
 
@@ -139,7 +140,7 @@ let along () =
   let e, s = load (binding ^ "check k : possibly event bind(a)") in
   let event = event_of (List.hd e.checks) in
   let truths ?arrived extent p =
-    let t = Trajectory.prop (Trajectory.make ?arrived (Standard.of_model e.model) s extent) p in
+    let t = Trajectory.prop (Trajectory.make ?arrived (standard e.model) s extent) p in
     (Timeline.at t Algebraic.zero, Timeline.at t (Algebraic.of_rat (Rat.make Z.one (Z.of_int 2))))
   in
   let check name expected (start, later) =

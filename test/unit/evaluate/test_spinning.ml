@@ -5,9 +5,10 @@ open Scc_ctl
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_property
 open Scc_evaluate
+
+let standard = Scc_engine.Standard.of_model
 module Gen = QCheck2.Gen
 
 (* Two boxes bound off-centre, a compound, a slanted wedge and a wall. *)
@@ -135,7 +136,7 @@ let curves name dynamics kept =
     (Gen.triple (Gen.map2 keeping state kept) atom positive)
     (fun (s, n, t) ->
        let m = with_dynamics dynamics in
-       let value_of s extent = Trajectory.num (Trajectory.make (Standard.of_model m) s extent) (Quantity n) in
+       let value_of s extent = Trajectory.num (Trajectory.make (standard m) s extent) (Quantity n) in
        let along = Timeline.at (value_of s four) (Algebraic.of_rat Rat.one) in
        let later = pass t s in
        let now = Timeline.at (value_of later Timeline.Instant) Algebraic.zero in
@@ -178,7 +179,7 @@ let touching =
        let m = (elaborated ()).model in
        let s = pass wait s in
        let d = Rat.one in
-       let timeline = Trajectory.prop (Trajectory.make (Standard.of_model m) s (Lasts d)) (Fact (Touching (p, q))) in
+       let timeline = Trajectory.prop (Trajectory.make (standard m) s (Lasts d)) (Fact (Touching (p, q))) in
        List.for_all
          (fun t ->
             Rat.sign t < 0 || Rat.compare t d >= 0
@@ -208,7 +209,7 @@ resolution 1/2
 let leaving () =
   let t = Scc_test_models.Load.exactly (Scc_test_models.Load.text text) in
   let timeline p q =
-    Trajectory.prop (Trajectory.make (Standard.of_model t.model) t.declared (Lasts Rat.one)) (Fact (Touching (p, q)))
+    Trajectory.prop (Trajectory.make (standard t.model) t.declared (Lasts Rat.one)) (Fact (Touching (p, q)))
   in
   let at timeline n d =
     Truth.to_string (Timeline.at timeline (Algebraic.of_rat (Rat.make (Z.of_int n) (Z.of_int d))))

@@ -6,11 +6,12 @@ open Scc_exact
 open Scc_geometry
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_property
 open Scc_evaluate
 open Scc_space
 open Scc_test_networks
+
+let standard = Scc_engine.Standard.of_model
 module Gen = QCheck2.Gen
 
 (* {1 Random predicates} *)
@@ -174,7 +175,7 @@ and prop m s (p : Property.prop) =
         | Offer_strong (list, _) -> polarity = None && List.exists named list)
       (Behaviours.offers m.Model.definitions (leaf_of s l).behaviour)
   | Fact (Touching (p, q)) -> touching m s p q
-  | Fact Quiescent -> Network.quiescent (Standard.of_model m) s
+  | Fact Quiescent -> Network.quiescent (standard m) s
   | Fact (Event _) -> false  (* nothing has led here *)
   | Not a -> not (prop m s a)
   | And l -> connect m s ~absorbing:false l
@@ -215,9 +216,9 @@ let offsets (timeline : _ Timeline.t) =
   Rat.zero :: even @ between bounds @ List.filter_map Algebraic.to_rat cuts
 
 let trajectory_agrees m s extent p =
-  let timeline = Trajectory.prop (Trajectory.make (Standard.of_model m) s extent) p in
+  let timeline = Trajectory.prop (Trajectory.make (standard m) s extent) p in
   let at r =
-    let later = if Rat.sign r = 0 then s else Time.pass (Standard.of_model m) r s in
+    let later = if Rat.sign r = 0 then s else Time.pass (standard m) r s in
     agree (Timeline.at timeline (Algebraic.of_rat r)) (naive m later p)
   in
   match List.find_opt (fun r -> not (at r)) (offsets timeline) with
@@ -228,7 +229,7 @@ let run_agrees (network, (p : Property.prop)) =
   let m, start = Random_network.start network in
   List.for_all
     (fun (s, transitions) ->
-       agree (Trajectory.holds (Standard.of_model m) s p) (naive m s p)
+       agree (Trajectory.holds (standard m) s p) (naive m s p)
        && List.for_all
          (fun (t : Transition.t) ->
             match t.label with
@@ -251,13 +252,14 @@ let print (network, p) =
 (* What is judged by components, against the same naive truth. *)
 let components_agree (network, (p : Property.prop)) =
   let m, start = Random_network.start network in
-  let context = Network_lts.make ~events:(Formula.events (State p)) ~memory:4 (Standard.of_model m) start in
+  let context = Network_lts.make ~events:(Formula.events (State p)) ~memory:4 (standard m) start in
   let predicate = Predicate.make context p in
   let tuple s = Catalogue.encode (Network_lts.catalogue context) s in
   let agrees_along s extent =
     match predicate.along with
     | Some along ->
-      let timeline = along (tuple s) extent and expected = Trajectory.prop (Trajectory.make (Standard.of_model m) s extent) p in
+      let timeline = along (tuple s) extent in
+      let expected = Trajectory.prop (Trajectory.make (standard m) s extent) p in
       List.for_all
         (fun r ->
            let r = Algebraic.of_rat r in
@@ -266,7 +268,7 @@ let components_agree (network, (p : Property.prop)) =
     | None ->
       (* It does not change on the way. *)
       let now = predicate.at (tuple s) in
-      let expected = Trajectory.prop (Trajectory.make (Standard.of_model m) s extent) p in
+      let expected = Trajectory.prop (Trajectory.make (standard m) s extent) p in
       List.for_all (fun r -> agree now (Timeline.at expected (Algebraic.of_rat r))) (offsets expected)
   in
   List.for_all

@@ -3,11 +3,12 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_property
 open Scc_explain
 open Scc_test_models
 open Scc_test_networks
+
+let standard = Scc_engine.Standard.of_model
 module Gen = QCheck2.Gen
 
 let cube =
@@ -22,7 +23,7 @@ shape Cube {
 (* {1 Runs} *)
 
 let successors m s =
-  match Network.successors (Standard.of_model m) s with
+  match Network.successors (standard m) s with
   | Ok list -> list
   | Error _ -> Alcotest.fail "no successors"
 
@@ -31,7 +32,10 @@ let run_until (model : Model.t) declared time =
   let initial = Reach.initial model declared in
   let rec go fuel state now steps =
     let rest = Rat.sub time now in
-    let leave () = { Causes.semantics = Standard.of_model model; declared; initial; steps = Array.of_list (List.rev steps); offset = rest } in
+    let leave () =
+      let steps = Array.of_list (List.rev steps) in
+      { Causes.semantics = standard model; declared; initial; steps; offset = rest }
+    in
     match successors model state with
     | [] -> leave ()
     | t :: _ ->

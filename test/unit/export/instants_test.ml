@@ -7,19 +7,21 @@ open Scc_verify
 open Scc_exchange
 open Scc_test_models
 
+let standard = Scc_engine.Standard.of_model
+
 let models =
   [ "billiard"; "dimer"; "drift"; "figure1"; "figure4"; "figure7"; "gravity"; "graze"; "tiles"; "vertex" ]
 
 let space_of name =
   let e = Load.exactly (Load.file (Printf.sprintf "../../../specs/models/%s.sc" name)) in
-  match Scc_semantics.Network.initial (Scc_engine.Standard.of_model e.model) e.declared with
+  match Scc_semantics.Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok initial ->
     let options = 
       let bounds = { Bounds.default with time = Given (Rat.of_int 3); states = Given 200 } in
       { Check.default with bounds }
     in
-    (e, Explored.explore options (Scc_engine.Standard.of_model e.model) ~initial)
+    (e, Explored.explore options (standard e.model) ~initial)
 
 let passing (space : Explored.t) i =
   Array.fold_left

@@ -3,9 +3,10 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_test_networks
 open Scc_test_models
+
+let standard = Scc_engine.Standard.of_model
 
 let folder = "../../../specs/models"
 let path name = Filename.concat folder name
@@ -130,7 +131,7 @@ let either_order () =
 let well_formed m states =
   List.find_map
     (fun (s, _) ->
-       match Well_formed.check (Standard.of_model m) s with
+       match Well_formed.check (standard m) s with
        | [] -> None
        | fault :: _ -> Some (Well_formed.to_string m s fault))
     states
@@ -206,7 +207,7 @@ let pair = Alcotest.(list (pair string string))
 let checked name =
   let { Scc_elaborate.Elaborate.model; declared; checks; _ } = load name in
   let initial = Reach.initial model declared in
-  (model, initial, Scc_verify.Check.run options (Standard.of_model model) ~initial checks)
+  (model, initial, Scc_verify.Check.run options (standard model) ~initial checks)
 
 let expected name () =
   let _, _, report = checked name in
@@ -260,7 +261,7 @@ let guide () =
   in
   let text = block None (String.split_on_char '\n' (Load.read "../../../specs/guide.md")) in
   let { Scc_elaborate.Elaborate.model; declared; checks; _ } = Load.exactly (Load.text text) in
-  let report = Scc_verify.Check.run options (Standard.of_model model) ~initial:(Reach.initial model declared) checks in
+  let report = Scc_verify.Check.run options (standard model) ~initial:(Reach.initial model declared) checks in
   let verdicts = List.map (fun (o : Scc_verify.Verdict.outcome) -> verdict o.verdict) report.outcomes in
   Alcotest.(check (list string)) "its verdicts" [ "holds" ] verdicts
 

@@ -3,9 +3,10 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_test_networks
 open Scc_test_models
+
+let standard = Scc_engine.Standard.of_model
 
 (* {1 Models} *)
 
@@ -125,7 +126,7 @@ let brackets () =
 
 let recognised () =
   let m, s = start (facing ~left:"nil" ~right:"nil" ()) in
-  let moved = Time.pass (Standard.of_model m) (Rat.make Z.one (Z.of_int 2)) s in
+  let moved = Time.pass (standard m) (Rat.make Z.one (Z.of_int 2)) s in
   Alcotest.(check bool) "another place, another state" false (State.equal s moved);
   let p = s.processes.(0) in
   let slower =
@@ -159,7 +160,7 @@ let touching_is_no_collision () =
   in
   let m, s = start text in
   check_labels "at rest in contact, with open channels" [] m s;
-  Alcotest.(check bool) "quiescent" true (Network.quiescent (Standard.of_model m) s)
+  Alcotest.(check bool) "quiescent" true (Network.quiescent (standard m) s)
 
 (* q slides down along v and lands on u: only what collides may bind. *)
 let sliding_binds_nothing () =

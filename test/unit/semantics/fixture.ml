@@ -4,6 +4,8 @@ open Scc_exact
 open Scc_geometry
 open Scc_calculus
 
+let standard = Scc_engine.Standard.of_model
+
 let q = Rat.of_int
 let ratio a b = Rat.make (Z.of_int a) (Z.of_int b)
 
@@ -93,8 +95,8 @@ let labels m transitions =
     transitions
 
 (* The transitions of a state, and those of the initial state of a network. *)
-let successors m s = ok (Scc_semantics.Network.successors (Scc_engine.Standard.of_model m) s)
-let start m s = ok (Scc_semantics.Network.initial (Scc_engine.Standard.of_model m) s)
+let successors m s = ok (Scc_semantics.Network.successors (standard m) s)
+let start m s = ok (Scc_semantics.Network.initial (standard m) s)
 
 (* Takes the transition with a label. *)
 let take m s label =

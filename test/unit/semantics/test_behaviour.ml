@@ -2,6 +2,7 @@
 
 open Scc_exact
 open Scc_calculus
+open Scc_semantics
 open Fixture
 module Gen = QCheck2.Gen
 
@@ -44,7 +45,7 @@ let additivity =
   QCheck2.Test.make ~name:"TimeBehaviour: time is additive" ~count:2000
     (Gen.triple gen_behaviour gen_time gen_time) (fun (b, d, e) ->
         let b = Behaviour.fresh b in
-        equal (Scc_semantics.Behaviours.pass defs (Rat.add d e) b) (Scc_semantics.Behaviours.pass defs e (Scc_semantics.Behaviours.pass defs d b)))
+        equal (Behaviours.pass defs (Rat.add d e) b) (Behaviours.pass defs e (Behaviours.pass defs d b)))
 
 let before_horizon =
   QCheck2.Test.make ~name:"TimeBehaviour: the horizon shrinks by what has passed, and offers stay till then"
@@ -52,15 +53,15 @@ let before_horizon =
     (Gen.triple gen_behaviour (Gen.int_range 1 7) Gen.unit)
     (fun (b, k, ()) ->
        let b = Behaviour.fresh b in
-       match Scc_semantics.Behaviours.horizon defs b with
-       | None -> equal (Scc_semantics.Behaviours.pass defs (q k) b) b
+       match Behaviours.horizon defs b with
+       | None -> equal (Behaviours.pass defs (q k) b) b
        | Some h ->
          let d = Rat.mul h (ratio k 8) in
-         let later = Scc_semantics.Behaviours.pass defs d b in
+         let later = Behaviours.pass defs d b in
          let strip (o, _) = o in
-         Option.equal Rat.equal (Scc_semantics.Behaviours.horizon defs later) (Some (Rat.sub h d))
-         && List.length (Scc_semantics.Behaviours.derivations defs b)
-            = List.length (List.map strip (Scc_semantics.Behaviours.derivations defs later)))
+         Option.equal Rat.equal (Behaviours.horizon defs later) (Some (Rat.sub h d))
+         && List.length (Behaviours.derivations defs b)
+            = List.length (List.map strip (Behaviours.derivations defs later)))
 
 let order =
   QCheck2.Test.make ~name:"canonical terms: compare is an order that hash respects" ~count:2000
@@ -73,14 +74,14 @@ let order =
 
 let offered b =
   List.map
-    (fun (offer, (d : Scc_semantics.Behaviours.derivation)) ->
+    (fun (offer, (d : Behaviours.derivation)) ->
        let via = (if d.by_sum then "+" else "") ^ if d.by_def then "K" else "" in
        match offer with
-       | Scc_semantics.Behaviours.Offer_open (Name, c, _) -> "<" ^ c.name ^ ">" ^ via
+       | Behaviours.Offer_open (Name, c, _) -> "<" ^ c.name ^ ">" ^ via
        | Offer_open (Co_name, c, _) -> "<~" ^ c.name ^ ">" ^ via
        | Offer_weak (c, _) -> "omega " ^ c.name ^ via
        | Offer_strong (l, _) -> "rho" ^ string_of_int (List.length l) ^ via)
-    (Scc_semantics.Behaviours.derivations defs (Behaviour.fresh b))
+    (Behaviours.derivations defs (Behaviour.fresh b))
 
 let check_offers name b expected () = Alcotest.(check (list string)) name expected (offered b)
 
@@ -100,18 +101,18 @@ let rules =
   |> List.map (fun (name, b, expected) -> Alcotest.test_case name `Quick (check_offers name b expected))
 
 let origin () =
-  let after d k = (Scc_semantics.Behaviours.pass defs d (Behaviour.fresh (Behaviour.call k))).origin in
+  let after d k = (Behaviours.pass defs d (Behaviour.fresh (Behaviour.call k))).origin in
   let check what expected got = Alcotest.(check (option int)) what expected got in
   check "a name is its own origin" (Some 2) (after (q 0) 2);
   check "ageing keeps the origin" (Some 2) (after (ratio 1 4) 2);
   check "a name that an eps brings up takes over" (Some 1) (after (ratio 1 2) 2);
   check "also when it is passed" (Some 1) (after (q 2) 2);
-  let folded = Scc_semantics.Behaviours.pass defs (q 5) (Behaviour.fresh (Behaviour.call 0)) in
+  let folded = Behaviours.pass defs (q 5) (Behaviour.fresh (Behaviour.call 0)) in
   Alcotest.(check bool) "without exposed eps a name stays folded" true
     (equal folded (Behaviour.fresh (Behaviour.call 0)))
 
 let recurrence () =
-  let after d k = Scc_semantics.Behaviours.pass defs (q d) (Behaviour.fresh (Behaviour.call k)) in
+  let after d k = Behaviours.pass defs (q d) (Behaviour.fresh (Behaviour.call k)) in
   Alcotest.(check bool) "equal summands" true (equal (after 2 5) (after 4 5));
   Alcotest.(check bool) "nil" true (equal (after 1 6) (after 2 6));
   let entry = ("a", [ "top" ]) in

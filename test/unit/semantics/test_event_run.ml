@@ -6,6 +6,8 @@ open Scc_calculus
 open Scc_semantics
 open Scc_engine
 open Scc_test_networks
+
+let standard = Scc_engine.Standard.of_model
 module Gen = QCheck2.Gen
 
 let label_and_rules m label rules =
@@ -17,7 +19,7 @@ let of_alternative m (a : Event_run.alternative) = label_and_rules m a.label a.r
 (* Follows both for some steps: the same alternatives in the same order, and the same states. [looks] says before
    which steps to look at the state, since looking must not matter. *)
 let follow m s choices ~looks =
-  let run = Event_run.start (Standard.of_model m) s in
+  let run = Event_run.start (standard m) s in
   let rec from step elapsed s = function
     | [] -> true
     | choice :: choices ->
@@ -75,7 +77,8 @@ let later =
        let m, s = Random_network.start network in
        let rec advance n s =
          match List.rev (Reach.successors m s) with
-         | { label = Time d; _ } :: _ when n = 0 -> Time.pass (Standard.of_model m) (Rat.mul d (Rat.make Z.one (Z.of_int 3))) s
+         | { label = Time d; _ } :: _ when n = 0 ->
+           Time.pass (standard m) (Rat.mul d (Rat.make Z.one (Z.of_int 3))) s
          | t :: _ when n > 0 -> advance (n - 1) t.target
          | _ -> s
        in
@@ -137,7 +140,7 @@ let in_a_box =
 
 let absolute_time () =
   let m, s = boxed ~keeps_time:true [ (7, 0, 0) ] in
-  let run = Event_run.start (Standard.of_model m) s in
+  let run = Event_run.start (standard m) s in
   Event_run.take run 0;
   let time = (Event_run.state run).time in
   Alcotest.(check (option string)) "the wall at 12, from -4, by 1" (Some "15") (Option.map Rat.to_string time)
@@ -146,7 +149,7 @@ let absolute_time () =
 let apart () =
   let m, s = boxed [ (1, 2, 3); (3, 2, 1) ] in
   let without_walls = State.make ~processes:[ s.processes.(0); s.processes.(1) ] ~step:None ~time:None in
-  let run = Event_run.start (Standard.of_model m) without_walls in
+  let run = Event_run.start (standard m) without_walls in
   Alcotest.(check int) "nothing is possible" 0 (List.length (Event_run.alternatives run));
   Alcotest.(check bool) "after few sweeps" true ((Event_run.work run).sweeps < 100)
 
@@ -160,7 +163,7 @@ let local () =
       else State.map_leaves (fun l -> { l with position = Vec.of_ints (5000 + (10 * i)) 5000 5000 }) p
     in
     let s = State.make ~processes:(List.mapi far (Array.to_list s.processes)) ~step:None ~time:None in
-    let run = Event_run.start (Standard.of_model m) s in
+    let run = Event_run.start (standard m) s in
     for _ = 1 to 100 do
       Event_run.take run 0
     done;

@@ -2,8 +2,9 @@
 
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Fixture
+
+let standard = Scc_engine.Standard.of_model
 
 let network ?definitions ?timestep ?split_step bodies =
   let m = model ?definitions ?timestep ?split_step bodies in
@@ -22,7 +23,7 @@ let time () =
 let grazing () =
   let m, s = network [ body "p" (0, 0, 0) ~velocity:(1, 0, 0); body "q" (5, 2, 0) ] in
   check_labels "sliding along is no collision" [] m s;
-  Alcotest.(check bool) "the network is quiescent" true (Network.quiescent (Standard.of_model m) s);
+  Alcotest.(check bool) "the network is quiescent" true (Network.quiescent (standard m) s);
   let m, s = network [ body "p" (0, 0, 0); body "q" (2, 0, 0) ] in
   check_labels "nor is rest" [] m s
 
@@ -155,7 +156,7 @@ let bad_law () =
   let law = Law.Velocity (Law.Div (Const (q 1), var Dt), Const (q 0), Const (q 0)) in
   let bodies = [ body "p" (0, 0, 0) ~law ] in
   let m = model bodies in
-  match Network.initial (Standard.of_model m) (declared bodies) with
+  match Network.initial (standard m) (declared bodies) with
   | Ok _ -> Alcotest.fail "1/dt was evaluated at dt = 0"
   | Error fault ->
     Alcotest.(check string) "the fault is named" "the law of motion of p cannot be evaluated: it divides by zero"

@@ -3,15 +3,16 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Fixture
 open Rigid_fixture
 
-let setting m = (Standard.of_model m).Semantics.setting
+let standard = Scc_engine.Standard.of_model
+
+let setting m = (standard m).Semantics.setting
 let apart_from_all m s i ~by = Turning.apart (setting m) s i ~by
 
 let round m s =
-  let semantics = Standard.of_model m in
+  let semantics = standard m in
   Turning.begin_step semantics.setting ~collides:(Collisions.collides semantics) s
 
 let apart () =
@@ -85,7 +86,7 @@ let velocities () =
     |> place |> moving [ v; Vec.zero ]
     |> turned_by [ quaternion 2 0 0 1; quaternion 2 0 0 1 ]
   in
-  Alcotest.(check bool) "they do not collide" true (not (Collisions.collides (Standard.of_model m) s));
+  Alcotest.(check bool) "they do not collide" true (not (Collisions.collides (standard m) s));
   let t, changed = round m s in
   Alcotest.(check bool) "it waits" true (State.equal s t && Option.is_none changed);
   let away = moving [ Vec.neg v; Vec.zero ] s in
@@ -98,14 +99,14 @@ let waiting () =
   let m = rigid ~rounding:1 (model bodies) in
   let step = Some { State.remaining = ratio 1 3; length = q 1; phase = State.Steered } in
   let s = State.make ~processes:(Array.to_list (declared bodies).processes) ~step ~time:None in
-  let waits what s = Alcotest.(check bool) what false (Network.quiescent (Standard.of_model m) s) in
-  Alcotest.(check bool) "nothing to round" true (Network.quiescent (Standard.of_model m) s);
+  let waits what s = Alcotest.(check bool) what false (Network.quiescent (standard m) s) in
+  Alcotest.(check bool) "nothing to round" true (Network.quiescent (standard m) s);
   waits "a velocity" (moving [ vec (ratio 2 3) Rat.zero Rat.zero ] s);
   let turned = turned_by [ quaternion 9 0 0 1 ] s in
   waits "an orientation" turned;
   let rounded = take m turned "time(1/3)" in
   check_turned "it was rounded" "(1, 0, 0, 0)" rounded.processes.(0).leaves.(0).turned;
-  Alcotest.(check bool) "and then rests" true (Network.quiescent (Standard.of_model m) rounded)
+  Alcotest.(check bool) "and then rests" true (Network.quiescent (standard m) rounded)
 
 (* What a free body keeps is rounded once, and then kept, however the body turns: to multiples of 1/512 here, as
    the trace of its inertia is 7/8. *)

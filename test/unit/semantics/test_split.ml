@@ -2,8 +2,9 @@
 
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Fixture
+
+let standard = Scc_engine.Standard.of_model
 module Gen = QCheck2.Gen
 
 let faces = [| "left"; "right"; "top" |]
@@ -124,7 +125,7 @@ let strong_is_brute_force =
     (fun tree ->
        let m, s = setup tree in
        let p = s.processes.(0) in
-       let mine = List.map (fun (o : Transition.outcome) -> o.label) (Splits.strong (Standard.of_model m) p) in
+       let mine = List.map (fun (o : Transition.outcome) -> o.label) (Splits.strong (standard m) p) in
        List.equal String.equal (strings m mine) (strings m (brute_force m p)))
 
 let pieces_keep_everything =
@@ -146,7 +147,7 @@ let pieces_keep_everything =
              leaves = Array.length p.leaves
              && bonds = Stdlib.( - ) (Array.length p.bonds) released
              && List.length o.come = Stdlib.( + ) released 1)
-          (Splits.strong (Standard.of_model m) p @ Splits.weak (Standard.of_model m) p))
+          (Splits.strong (standard m) p @ Splits.weak (standard m) p))
 
 let pair ?split_step b1 b2 =
   let bodies = [ body "p" (0, 0, 0) ~behaviour:b1; body "q" (2, 0, 0) ~behaviour:b2 ] in

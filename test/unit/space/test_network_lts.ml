@@ -2,11 +2,12 @@
 
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_property
 open Scc_explore
 open Scc_space
 open Scc_test_networks
+
+let standard = Scc_engine.Standard.of_model
 module Graph = State_graph
 
 (* What differs in the transitions of a state, if anything. *)
@@ -15,7 +16,7 @@ let difference context m tuple =
   let state = Catalogue.decode catalogue tuple in
   if Catalogue.encode catalogue state <> tuple then Some "a state is not its numbers"
   else
-    match (Network.successors (Standard.of_model m) state, Network_lts.successors context tuple) with
+    match (Network.successors (standard m) state, Network_lts.successors context tuple) with
     | Error _, Error _ -> None
     | Ok expected, Ok steps ->
       let same (t : Transition.t) (s : Lts.step) =
@@ -27,7 +28,7 @@ let difference context m tuple =
     | Ok _, Error _ | Error _, Ok _ -> Some "a fault on one side"
 
 let explored ?(memory = 1 lsl 14) m start ~states =
-  let context = Network_lts.make ~memory (Standard.of_model m) start in
+  let context = Network_lts.make ~memory (standard m) start in
   let limits = { Limits.unlimited with states = Some states } in
   let g = Graph.run limits Limits.quiet context in
   let differences = List.filter_map (fun i -> difference context m (Graph.tuple g i)) in
@@ -47,7 +48,7 @@ let property name ?steered ~memory count =
 (* Laws of motion see how long a step has lasted: two with the same rest are not one. *)
 let steps () =
   let e = Scc_test_models.Load.(exactly (file "../../../specs/models/tumble.sc")) in
-  let catalogue = Network_lts.catalogue (Network_lts.make (Standard.of_model e.model) e.declared) in
+  let catalogue = Network_lts.catalogue (Network_lts.make (standard e.model) e.declared) in
   let state length =
     let step = Some { State.remaining = Scc_exact.Rat.one; length; phase = Moving } in
     State.make ~processes:(Array.to_list e.declared.processes) ~step ~time:e.declared.time
@@ -74,7 +75,7 @@ let crowd =
 
 let model name () =
   let e = Scc_test_models.Load.(exactly (file ("../../../specs/models/" ^ name))) in
-  match Network.initial (Standard.of_model e.model) e.declared with
+  match Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
   | Ok start ->
     let size, differences = explored e.model start ~states:300 in
@@ -85,8 +86,8 @@ let model name () =
 let events () =
   let e = Scc_test_models.Load.(exactly (file "../../../specs/models/chain.sc")) in
   let bind : Property.event = Bond (Made, Some "link", Any) and bounce : Property.event = Bounce Any in
-  let start = Result.get_ok (Network.initial (Standard.of_model e.model) e.declared) in
-  let context = Network_lts.make ~events:[ bind; bounce ] (Standard.of_model e.model) start in
+  let start = Result.get_ok (Network.initial (standard e.model) e.declared) in
+  let context = Network_lts.make ~events:[ bind; bounce ] (standard e.model) start in
   let g = Graph.run Limits.unlimited Limits.quiet context in
   let label (edge : Graph.edge) = Catalogue.label_of (Network_lts.catalogue context) edge.label in
   let seen = ref 0 in

@@ -5,6 +5,8 @@ open Scc_explain
 open Scc_verify
 open Scc_test_models
 
+let standard = Scc_engine.Standard.of_model
+
 let cube =
   {|
 shape Cube {
@@ -19,9 +21,9 @@ let bounded bounds = { Check.default with bounds }
 
 let check ?(options = Check.default) text =
   let e = Load.exactly (Load.text (cube ^ text)) in
-  match Scc_semantics.Network.initial (Scc_engine.Standard.of_model e.model) e.declared with
+  match Scc_semantics.Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
-  | Ok initial -> (e.model, Check.run options (Scc_engine.Standard.of_model e.model) ~initial e.checks)
+  | Ok initial -> (e.model, Check.run options (standard e.model) ~initial e.checks)
 
 let verdict v = Verdict.to_string v
 

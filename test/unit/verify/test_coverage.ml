@@ -2,9 +2,10 @@
 
 open Scc_calculus
 open Scc_semantics
-open Scc_engine
 open Scc_verify
 open Scc_test_models
+
+let standard = Scc_engine.Standard.of_model
 
 let cube =
   {|
@@ -17,9 +18,9 @@ shape Cube {
 |}
 
 let space ?(options = Check.default) (e : Scc_elaborate.Elaborate.t) =
-  match Network.initial (Standard.of_model e.model) e.declared with
+  match Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
-  | Ok initial -> Explored.explore options (Standard.of_model e.model) ~initial
+  | Ok initial -> Explored.explore options (standard e.model) ~initial
 
 let covered text =
   let s = space (Load.exactly (Load.text (cube ^ text))) in
