@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_property
+open Scc_motion
 open Scc_explain
 open Scc_session
 open Scc_exchange
@@ -54,8 +55,8 @@ let follow (l : Loaded.t) schedule ~interrupted =
   let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
   match Replay.run l.semantics l.declared (Scheduled schedule) limits ~interrupted note with
   | Ok (Open | Quiescent | Stuck | Zeno) ->
-    let steps = Array.of_list (List.rev !steps) in
-    Ok { Causes.semantics = l.semantics; declared = l.declared; initial = !initial; steps; offset = !offset }
+    let course = Course.make l.semantics ~initial:!initial (List.rev !steps) ~rest:!offset in
+    Ok { Causes.declared = l.declared; course }
   | Error Interrupted -> Error (Stopped "scc: interrupted")
   | Error (Refused d) -> Error (Diagnosed [ d ])
   | Error (Fault f) ->

@@ -2,6 +2,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_motion
 open Scc_explain
 
 let greatest_list = 40
@@ -56,7 +57,7 @@ let shown_facts (x : Omission.t) =
   if n > greatest_list then shown @ [ Printf.sprintf "and %d more" (n - greatest_list) ] else shown
 
 let heading console check (x : Omission.t) =
-  let m = Scc_semantics.Semantics.model (Causes.run x.story).semantics and events = Causes.events x.story in
+  let m = Causes.model x.story and events = Causes.events x.story in
   let strong = Console.styled console Console.Strong in
   let about =
     match check with
@@ -77,7 +78,7 @@ let heading console check (x : Omission.t) =
   (about :: facts) @ [ because; "" ]
 
 let step_lines (x : Omission.t) of_step number label time =
-  let m = Scc_semantics.Semantics.model (Causes.run x.story).semantics and events = Causes.events x.story in
+  let m = Causes.model x.story and events = Causes.events x.story in
   let relevant = List.filter (fun i -> matters x.roles.(i)) of_step in
   let why i =
     let e = events.(i) in
@@ -98,15 +99,13 @@ let step_lines (x : Omission.t) of_step number label time =
   :: List.map why relevant
 
 let steps (x : Omission.t) =
-  let run = Causes.run x.story in
-  let of_step = Array.make (Array.length run.steps) [] in
+  let legs = Course.legs (Causes.run x.story).course in
+  let of_step = Array.make (Array.length legs) [] in
   Array.iteri (fun i (e : Causes.event) -> of_step.(e.step) <- i :: of_step.(e.step)) (Causes.events x.story);
-  let add (i, time, found) (label, _) =
-    let time = Rat.add time (Transition.duration_of label) in
-    (i + 1, time, List.rev_append (step_lines x (List.rev of_step.(i)) (i + 1) label time) found)
+  let lines i ({ label; start; _ } : Course.leg) =
+    step_lines x (List.rev of_step.(i)) (i + 1) label (Rat.add start (Transition.duration_of label))
   in
-  let _, _, lines = Array.fold_left add (0, Rat.zero, []) run.steps in
-  List.rev lines
+  Scc_base.Long_list.concat (Array.to_list (Array.mapi lines legs))
 
 (* How many of the transitions other than passings of time matter. *)
 let counted (x : Omission.t) =
@@ -120,7 +119,7 @@ let counted (x : Omission.t) =
   Printf.sprintf "%d of %d events matter" relevant all
 
 let conclusion (x : Omission.t) =
-  let m = Scc_semantics.Semantics.model (Causes.run x.story).semantics in
+  let m = Causes.model x.story in
   let keeps (leaves, why) =
     Printf.sprintf "%s matters by what it keeps away: without it, %s" (body m leaves) why
   in

@@ -2,6 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_property
+open Scc_motion
 open Scc_explain
 open Scc_session
 
@@ -50,30 +51,28 @@ let event m events roles i (e : Causes.event) =
     ]
 
 let steps (x : Omission.t) =
-  let run = Causes.run x.story and events = Causes.events x.story in
-  let m = Scc_semantics.Semantics.model run.semantics in
-  let of_step = Array.make (Array.length run.steps) [] in
+  let legs = Course.legs (Causes.run x.story).course and events = Causes.events x.story in
+  let m = Causes.model x.story in
+  let of_step = Array.make (Array.length legs) [] in
   Array.iteri
     (fun i (e : Causes.event) -> of_step.(e.step) <- event m events x.roles i e :: of_step.(e.step))
     events;
-  let time = ref Rat.zero in
-  let step i (label, _) =
-    time := Rat.add !time (Scc_semantics.Transition.duration_of label);
+  let step i ({ label; start; _ } : Course.leg) =
     `Assoc
       [
         ("step", `Int (i + 1));
         ("label", State_json.label m label);
-        ("time", Json.rat !time);
+        ("time", Json.rat (Rat.add start (Scc_semantics.Transition.duration_of label)));
         ("events", `List (List.rev of_step.(i)));
       ]
   in
-  Array.to_list (Array.mapi step run.steps)
+  Array.to_list (Array.mapi step legs)
 
 let body m leaves = `List (List.map (leaf m) leaves)
 
 let document ~source t =
   let x = t.explanation in
-  let m = Scc_semantics.Semantics.model (Causes.run x.story).semantics and events = Causes.events x.story in
+  let m = Causes.model x.story and events = Causes.events x.story in
   let keeps (leaves, why) = `Assoc [ ("body", body m leaves); ("without", Json.text why) ] in
   `Assoc
     ([

@@ -2,16 +2,11 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_motion
 open Scc_property
 module Ints = Set.Make (Int)
 
-type run = {
-  semantics : Semantics.t;
-  declared : State.t;
-  initial : State.t;
-  steps : (Transition.label * State.t) array;
-  offset : Rat.t;
-}
+type run = { declared : State.t; course : Course.t }
 
 type aspect = Motion | Structure | Behaviour | Clock | Itself
 type reason = { cause : int; aspect : aspect; leaf : int }
@@ -163,23 +158,23 @@ let transition w ~step ~time (label : Transition.label) source target =
   | Strong_split bonds -> split w ~step ~time label source bonds ~clocked:false
 
 let tell (run : run) =
-  let model = Semantics.model run.semantics in
+  let semantics = Course.semantics run.course in
+  let model = Semantics.model semantics in
   let none () = Array.make (Array.length model.leaves) (-1) in
   let at = { motion = none (); structure = none (); behaviour = none (); clock = none () } in
-  let w = { semantics = run.semantics; model; at; told = []; count = 0 } in
-  let source = ref run.initial and time = ref Rat.zero in
+  let w = { semantics; model; at; told = []; count = 0 } in
   Array.iteri
-    (fun step (label, target) ->
-       time := Rat.add !time (Transition.duration_of label);
-       transition w ~step ~time:!time label !source target;
-       source := target)
-    run.steps;
-  { run; events = Array.of_list (List.rev w.told); last = at; duration = Rat.add !time run.offset }
+    (fun step (leg : Course.leg) ->
+       let time = Rat.add leg.start (Transition.duration_of leg.label) in
+       transition w ~step ~time leg.label leg.before leg.after)
+    (Course.legs run.course);
+  { run; events = Array.of_list (List.rev w.told); last = at; duration = Course.duration run.course }
 
 (* {1 Facts} *)
 
-let everyone t = List.init (Array.length (Semantics.model t.run.semantics).leaves) Fun.id
-let movable t = List.filter (fun l -> not (Semantics.model t.run.semantics).leaves.(l).fixed) (everyone t)
+let model t = Semantics.model (Course.semantics t.run.course)
+let everyone t = List.init (Array.length (model t).leaves) Fun.id
+let movable t = List.filter (fun l -> not (model t).leaves.(l).fixed) (everyone t)
 
 let of_label (label : Transition.label) =
   match label with
@@ -205,7 +200,7 @@ let bonds t wanted =
   in
   {
     reasons = Long_list.(concat (mapi of_event (Array.to_list t.events)));
-    leaves = List.concat_map of_process (Array.to_list t.run.initial.processes);
+    leaves = List.concat_map of_process (Array.to_list (Course.initial t.run.course).processes);
   }
 
 let of_everyone table aspect leaves = { reasons = of_process table aspect leaves; leaves }
@@ -237,8 +232,10 @@ let of_last_event t =
 
 (* The last transition, when the fact is about the instant right after it. *)
 let arrival t =
+  let course = t.run.course in
   match last_event t with
-  | Some (_, e) when e.step = Array.length t.run.steps - 1 && Rat.sign t.run.offset = 0 -> of_last_event t
+  | Some (_, e) when e.step = Array.length (Course.legs course) - 1 && Rat.sign (Course.rest course) = 0 ->
+    of_last_event t
   | _ -> nothing
 
 (* The bonds of the name, and between the leaves, that are the arguments of an atom. *)

@@ -9,15 +9,13 @@
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_motion
 open Scc_property
 
-(** A run that has been made. *)
+(** A run that has been made, until the instant of the fact. *)
 type run = {
-  semantics : Semantics.t;
   declared : State.t;  (** before the initial steer, see {!Network.initial} *)
-  initial : State.t;
-  steps : (Transition.label * State.t) array;  (** each with the state after it *)
-  offset : Rat.t;  (** time that passes after them, without an event, until the instant of the fact *)
+  course : Course.t;
 }
 
 (** What of a leaf a later event depends on. *)
@@ -47,6 +45,7 @@ type t
 
 val tell : run -> t
 val run : t -> run
+val model : t -> Model.t
 
 val events : t -> event array
 (** In order. Times that merely pass are no events. *)

@@ -3,6 +3,7 @@ open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
+open Scc_motion
 open Scc_property
 open Scc_evaluate
 module Ints = Set.Make (Int)
@@ -179,23 +180,24 @@ let count_in story roles matter =
     roles
 
 (* The instant of the fact in the run itself. *)
-let final (run : Causes.run) duration =
-  let n = Array.length run.steps in
-  if n = 0 then { state = run.initial; time = Rat.zero; arrival = None }
-  else
-    let label, state = run.steps.(n - 1) in
-    let source = if n = 1 then run.initial else snd run.steps.(n - 2) in
-    let arrival =
-      match label with
-      | Transition.Time _ -> None
-      | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> Some (source, label)
-    in
-    { state; time = Rat.sub duration run.offset; arrival }
+let final course =
+  let legs = Course.legs course in
+  let arrival =
+    match Array.length legs with
+    | 0 -> None
+    | n -> (
+        let { Course.label; before; _ } = legs.(n - 1) in
+        match label with
+        | Time _ -> None
+        | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> Some (before, label))
+  in
+  { state = Course.last course; time = Rat.sub (Course.duration course) (Course.rest course); arrival }
 
 let explain story (basis : Causes.basis) props =
   let run = Causes.run story and duration = Causes.duration story in
-  let facts = facts run.semantics props (pass run.semantics run.offset (final run duration)) in
-  let w = { semantics = run.semantics; model = Semantics.model run.semantics; duration; props; facts } in
+  let semantics = Course.semantics run.course in
+  let facts = facts semantics props (pass semantics (Course.rest run.course) (final run.course)) in
+  let w = { semantics; model = Semantics.model semantics; duration; props; facts } in
   let all = bodies run in
   let rec settle roles keep_away =
     let leaves = involved story basis roles keep_away in

@@ -33,8 +33,8 @@ let run_until (model : Model.t) declared time =
   let rec go fuel state now steps =
     let rest = Rat.sub time now in
     let leave () =
-      let steps = Array.of_list (List.rev steps) in
-      { Causes.semantics = standard model; declared; initial; steps; offset = rest }
+      let course = Scc_motion.Course.make (standard model) ~initial (List.rev steps) ~rest in
+      { Causes.declared; course }
     in
     match successors model state with
     | [] -> leave ()
