@@ -275,7 +275,8 @@ let transition t ~source (label : Transition.label) ~target =
   in
   List.iter (fire t) used;
   let passes = Scc_exact.Rat.sign (Transition.duration_of label) > 0 in
-  let lawful = Option.is_none t.model.rigid || Array.exists (Steer.steers t.model) source.processes in
+  let (module K) = t.semantics.kinematics in
+  let lawful = K.step_needs_law || Array.exists (Steer.steers t.model) source.processes in
   let steer = lawful && is_steered target && (passes || not (is_steered source)) in
   count_rules t (if steer then rules @ [ Rule.Steer ] else rules)
 
