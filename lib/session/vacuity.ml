@@ -48,9 +48,9 @@ let holds (o : Verdict.outcome) =
   | Holds _ -> true
   | Violated _ | Undecided _ -> false
 
-let warnings (s : Check.stats) ~verdicts ~answers =
+let warnings (report : Check.report) ~verdicts ~answers =
   let uneventful =
-    if s.complete && (not s.eventful) && List.exists holds verdicts then
+    if report.uneventful && List.exists holds verdicts then
       [
         Diag.warning Code.uneventful Span.none
           "no event ever happens in this model: no two bodies collide, and nothing splits"

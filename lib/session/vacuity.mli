@@ -10,7 +10,7 @@ val impossible : Loaded.t -> Diag.t list
     behaviours tells, without exploration. *)
 
 val warnings :
-  Check.stats ->
+  Check.report ->
   verdicts:Verdict.outcome list ->
   answers:Verdict.outcome list ->
   Diag.t list

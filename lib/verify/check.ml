@@ -35,6 +35,7 @@ type slice = { properties : string list; left_out : string list; explored : stat
 type report = {
   outcomes : Verdict.outcome list;
   stats : stats;
+  uneventful : bool;
   slices : slice list;
   zeno : Witness.t option;
   stores : (string * int) list;
@@ -191,9 +192,17 @@ let merge parts ~events_elsewhere =
     let stats = List.fold_left (fun s (r : Joint_check.result) -> add s r.stats) first.stats rest in
     let stores = List.fold_left (fun s (r : Joint_check.result) -> sum_stores s r.stores) first.stores rest in
     let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) outcomes in
+    (* Whoever has explored the whole network, and all of it, knows; slices know of what they keep. *)
+    let knows (_, slice, (r : Joint_check.result)) =
+      Option.is_none slice && r.stats.complete && not r.stats.eventful
+    in
+    let together_know () =
+      stats.complete && (not stats.eventful) && not (List.length slices > 0 && events_elsewhere ())
+    in
     {
       outcomes = List.map snd in_order;
-      stats = { stats with eventful = stats.eventful || (List.length slices > 0 && events_elsewhere ()) };
+      stats;
+      uneventful = List.exists knows parts || together_know ();
       slices;
       zeno = List.find_map (fun (r : Joint_check.result) -> r.zeno) results;
       stores;

@@ -42,7 +42,8 @@ type slice = {
 
 type report = {
   outcomes : Verdict.outcome list;  (** in the order given *)
-  stats : stats;  (** [eventful] unless it is known that nothing ever happens in the whole network *)
+  stats : stats;
+  uneventful : bool;  (** it is known that nothing ever happens in the whole network *)
   slices : slice list;  (** of all the explorations, those that left something out *)
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)

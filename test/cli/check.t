@@ -186,6 +186,18 @@ user; the model is refused; the command line is wrong.
   warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
   [1]
+Checks that see time differently are explored apart; that nothing happens is told all the same:
+
+  $ cat > rest.sc <<'END'
+  > shape Tetra { vertices a (0,0,0) b (1,0,0) c (0,1,0) d (0,0,1) faces f [a,c,b] g [a,b,d] h [a,d,c] i [b,c,d] }
+  > process p = Tetra mass 1 [nil]
+  > check still : always x(p) = 1/4
+  > check now : possibly x(p) + time < 1
+  > END
+  $ scc check rest.sc 2>&1 | grep -E 'SC0703|explored'
+  warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
+  explored: 2 states, 0 transitions, depth 0, model time 0; not complete: every property was decided before
+
   $ scc check forever.sc --states 100
   slow: holds up to the bound: the bound of 100 states
     always vx(p) >= 0
