@@ -59,12 +59,6 @@ let fold_pairs f (parts : Part.t array) =
   in
   from 0 1 None
 
-let all_move_alike (parts : Part.t array) =
-  Array.for_all
-    (fun (p : Part.t) ->
-       Vec.equal (Part.velocity p) (Part.velocity parts.(0)) && not (Part.turns p))
-    parts
-
 (* The pairs whose boxes, swept over [0, span] for a span > 0, meet. *)
 let meeting_within ~margin parts span =
   let moving = Moving_boxes.create (Array.length parts) in
@@ -146,7 +140,7 @@ let earliest ~margin ~limit time (parts : Part.t array) =
         | Some _ | None when Option.equal Rat.equal limit window -> None
         | Some _ | None -> look (round + 1) (wider parts ~limit ~met:(List.length near) ~round span))
   in
-  if all_move_alike parts then None
+  if Part.move_alike parts then None
   else match look 1 (first_window parts ~limit) with Some t when within_limit t -> Some t | Some _ | None -> None
 
 let boxes = { Kinematics.within; earliest }

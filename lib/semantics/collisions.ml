@@ -44,8 +44,11 @@ let meetings (c : Semantics.t) processes =
     | (a, b) :: _ as approaching ->
       Some { first = a.Part.process; second = b.Part.process; touching = List.map snd touching; approaching }
   in
-  c.setting.neighbours.within (K.margin c.setting) (parts c processes)
-  |> List.filter_map judged |> by_processes |> List.filter_map meeting
+  let parts = parts c processes in
+  if Part.move_alike parts then []
+  else
+    c.setting.neighbours.within (K.margin c.setting) parts
+    |> List.filter_map judged |> by_processes |> List.filter_map meeting
 
 let collides c (s : State.t) = meetings c s.processes <> []
 

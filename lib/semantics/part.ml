@@ -20,4 +20,7 @@ let in_relative_motion a b =
   a.process <> b.process
   && ((not (Vec.equal a.owner.velocity b.owner.velocity)) || turns a || turns b)
 
+(* Whoever moves as the first does, without turning, moves as all others that do. *)
+let move_alike parts = Array.for_all (fun p -> not (in_relative_motion parts.(0) p)) parts
+
 let reach p = Speed.reach p.placed.solid (Vec.sub (Placed.centroid p.placed) p.centre)

@@ -28,5 +28,8 @@ val relative_velocity : t -> t -> Vec.t
 val in_relative_motion : t -> t -> bool
 (** Whether they are of two processes that move against each other: no others ever collide. *)
 
+val move_alike : t array -> bool
+(** No two of them are in relative motion. *)
+
 val reach : t -> Rat.t
 (** An upper bound on the distance of its points from the centre; turning does not change it. *)
