@@ -253,7 +253,7 @@ let choices t =
 
 let alternatives t =
   let alternative = function
-    | Happens o -> { label = o.label; rules = o.rules; rounded = None }
+    | Happens o -> { label = o.label; rules = Transition.rules o; rounded = None }
     | Passes d -> { label = Transition.Time d; rules = Network.time_rules t.semantics; rounded = None }
   in
   Array.to_list (Array.map alternative (choices t))

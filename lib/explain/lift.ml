@@ -19,7 +19,7 @@ let patience t = 10_000 * Array.length (Semantics.model t.semantics).leaves
 let take t choice (a : Event_run.alternative) =
   Event_run.take t.run choice;
   let target = Event_run.state t.run in
-  let transition = { Transition.label = a.label; rules = a.rules; target; rounded = None } in
+  let transition = { Transition.label = a.label; rules = a.rules; fired = []; target; rounded = None } in
   t.within_instant <- (match a.label with Time _ -> 0 | _ -> t.within_instant + 1);
   if t.within_instant > patience t then fail ();
   t.steps <- { choice; transition; time = Event_run.elapsed t.run } :: t.steps

@@ -6,30 +6,44 @@ type offer =
   | Offer_weak of channel * t
   | Offer_strong of channel list * t
 
-type derivation = { by_sum : bool; by_def : bool }
+type derivation = { summand : t; within : int option list; by_sum : bool; by_def : bool }
 
 (* Rules Pre, Weak, Strong give the prefixes; Sum and Def look below; an exposed eps offers nothing (rule
-   Eps0 is the canonical form: there is no eps(0)). Each offer comes with the summand that it is of. *)
+   Eps0 is the canonical form: there is no eps(0)). *)
 let rec derive (defs : definitions) how found (b : t) =
+  let offered offer = (offer, { how with summand = b }) :: found in
   match b with
   | Nil | Delay _ -> found
-  | Open (p, c, rest) -> (b, Offer_open (p, c, rest), how) :: found
-  | Weak (c, rest) -> (b, Offer_weak (c, rest), how) :: found
-  | Strong (l, rest) -> (b, Offer_strong (l, rest), how) :: found
+  | Open (p, c, rest) -> offered (Offer_open (p, c, rest))
+  | Weak (c, rest) -> offered (Offer_weak (c, rest))
+  | Strong (l, rest) -> offered (Offer_strong (l, rest))
   | Sum (x, y) ->
     let how = { how with by_sum = true } in
     derive defs how (derive defs how found x) y
-  | Call k -> derive defs { how with by_def = true } found defs.(k).body
+  | Call k -> derive defs { how with within = [ Some k ]; by_def = true } found defs.(k).body
+
+(* Equal summands are one, that may stand in several definitions. *)
+let rec add ((_, derived) as offered) = function
+  | [] -> [ offered ]
+  | (offer, kept) :: rest when equal kept.summand derived.summand ->
+    (offer, { kept with within = kept.within @ derived.within }) :: rest
+  | other :: rest -> other :: add offered rest
 
 let derivations defs (b : aged) =
-  let add kept ((summand, _, _) as derived) =
-    if List.exists (fun (s, _, _) -> equal s summand) kept then kept else derived :: kept
-  in
-  derive defs { by_sum = false; by_def = false } [] b.term
-  |> List.rev |> List.fold_left add []
-  |> List.rev_map (fun (_, offer, how) -> (offer, how))
+  let whole = { summand = b.term; within = [ b.origin ]; by_sum = false; by_def = false } in
+  List.fold_right add (derive defs whole [] b.term) []
 
 let offers defs b = List.map fst (derivations defs b)
+
+let rules how =
+  let prefix =
+    match how.summand with
+    | Open _ -> [ Rule.Pre ]
+    | Weak _ -> [ Rule.Weak ]
+    | Strong _ -> [ Rule.Strong ]
+    | Nil | Delay _ | Sum _ | Call _ -> []
+  in
+  prefix @ (if how.by_sum then [ Rule.Sum ] else []) @ if how.by_def then [ Rule.Def ] else []
 
 (* {1 Rule TimeBehaviour} *)
 

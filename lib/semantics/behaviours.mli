@@ -14,12 +14,20 @@ type offer =
 val offers : definitions -> aged -> offer list
 (** Every discrete transition, in the order of the text, without repetition. *)
 
-(** How an offer was derived from the term: which of the rules Sum and Def were used on the way to its
-    prefix. *)
-type derivation = { by_sum : bool; by_def : bool }
+(** How an offer was derived from the term. *)
+type derivation = {
+  summand : t;  (** the prefix *)
+  within : int option list;
+  (** the definitions that it stands in, as far as they are known: what follows a prefix has none ([None]) *)
+  by_sum : bool;  (** rule Sum was used on the way to the prefix *)
+  by_def : bool;  (** so was rule Def *)
+}
 
 val derivations : definitions -> aged -> (offer * derivation) list
-(** {!offers}, each with its (first) derivation. *)
+(** {!offers}, each with its first derivation. *)
+
+val rules : derivation -> Rule.t list
+(** The prefix's rule, with Sum and Def where they were used. *)
 
 (** {1 Time: rule TimeBehaviour} *)
 

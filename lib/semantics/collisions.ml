@@ -59,7 +59,7 @@ let open_channels (m : Model.t) (p : State.process) leaf =
   |> List.filter_map (fun (offer, derivation) ->
       match offer with
       | Behaviours.Offer_open (polarity, channel, b) ->
-        Some (polarity, channel, b, Process.rules Rule.Pre derivation)
+        Some (polarity, channel, b, derivation)
       | Offer_weak _ | Offer_strong _ -> None)
 
 let complementary a b =
@@ -87,7 +87,7 @@ let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
   let fit ((pol1, (c1 : Behaviour.channel), _, _), (pol2, (c2 : Behaviour.channel), _, _)) =
     complementary pol1 pol2 && String.equal c1.name c2.name
   in
-  let candidates pairs ((_, (c1 : Behaviour.channel), b1, r1), (_, (c2 : Behaviour.channel), b2, r2)) =
+  let candidates pairs ((_, (c1 : Behaviour.channel), b1, one), (_, (c2 : Behaviour.channel), b2, two)) =
     shared_pairs pairs
       ~active_one:(fun f -> Behaviour.active c1 (site a f))
       ~active_two:(fun f -> Behaviour.active c2 (site b f))
@@ -98,8 +98,9 @@ let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
             { at = b.leaf.leaf; site = site b pair.second }
         in
         {
-          Transition.label = Bind bond;
-          rules = Rule.Bind :: Process.union r1 r2;
+          Transition.rule = Rule.Bind;
+          label = Bind bond;
+          fired = [ [ one; two ] ];
           gone = [ p; q ];
           come = [ joined c p q bond [ (a.leaf.leaf, b1); (b.leaf.leaf, b2) ] ];
         })
@@ -119,7 +120,7 @@ let bounce (c : Semantics.t) (p : State.process) (q : State.process) touching =
   | Persistent -> Error (Transition.Persistent_contact (first, second))
   | Responded (p', q') ->
     let come = List.map (Process.restart_clock c.setting.model) [ p'; q' ] in
-    Ok { Transition.label = Bounce (first, second); rules = [ Rule.Bounce ]; gone = [ p; q ]; come }
+    Ok { Transition.rule = Rule.Bounce; label = Bounce (first, second); fired = []; gone = [ p; q ]; come }
 
 let outcomes c processes meeting =
   let p = processes.(meeting.first) and q = processes.(meeting.second) in

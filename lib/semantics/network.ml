@@ -24,11 +24,11 @@ let at_contact (c : Semantics.t) (s : State.t) =
   let (module K) = c.kinematics in
   if K.stale c.setting s && Collisions.collides c s then K.renewed c.setting s else s
 
-let finish (c : Semantics.t) label rules target =
+let finish (c : Semantics.t) ?(fired = []) label rules target =
   let (module K) = c.kinematics in
   let* settled = Steer.settle c (at_contact c target) in
   let target = K.shortened settled.state and rules = rules @ settled.rules in
-  Ok { Transition.label; rules; target; rounded = settled.rounded }
+  Ok { Transition.label; rules; fired; target; rounded = settled.rounded }
 
 (* A collision ends the movement step, unless this instant has been steered already. *)
 let after_collision (step : State.step option) =
@@ -43,7 +43,7 @@ let after_collision (step : State.step option) =
 (* An outcome as a transition of the whole network. *)
 let happens c (s : State.t) ~step (o : Transition.outcome) =
   let others = List.filter (fun p -> not (List.memq p o.gone)) (Array.to_list s.processes) in
-  finish c o.label o.rules (State.make ~processes:(o.come @ others) ~step ~time:s.time)
+  finish c ~fired:o.fired o.label (Transition.rules o) (State.make ~processes:(o.come @ others) ~step ~time:s.time)
 
 let last_first lists = List.fold_left (fun all list -> List.rev_append list all) [] lists
 

@@ -5,10 +5,7 @@ let continue continuations (l : State.leaf) =
   | Some b -> { l with behaviour = Behaviour.fresh b }
   | None -> l
 
-let union a b = List.filter (fun r -> List.memq r a || List.memq r b) Rule.all
-
-let rules prefix (d : Behaviours.derivation) =
-  (prefix :: (if d.by_sum then [ Rule.Sum ] else [])) @ if d.by_def then [ Rule.Def ] else []
+type released = Behaviour.t * Behaviours.derivation
 
 (* What an end of a bond may do to release it: its summands omega(a, Phi) that match. *)
 let releases (m : Model.t) p name (f : State.finish) =
@@ -16,7 +13,7 @@ let releases (m : Model.t) p name (f : State.finish) =
   |> List.filter_map (fun (offer, derivation) ->
       match offer with
       | Behaviours.Offer_weak (c, b) when String.equal c.name name && Behaviour.active c f.site ->
-        Some (b, rules Rule.Weak derivation)
+        Some (b, derivation)
       | Offer_weak _ | Offer_open _ | Offer_strong _ -> None)
 
 let weak_offers m p (b : State.bond) =
@@ -24,7 +21,7 @@ let weak_offers m p (b : State.bond) =
   if first = [] then []
   else
     let second = releases m p b.name b.two in
-    List.concat_map (fun (x, r) -> List.map (fun (y, s) -> (x, y, union r s)) second) first
+    List.concat_map (fun one -> List.map (fun two -> (one, two)) second) first
 
 let weak_split_enabled m p = Array.exists (fun b -> weak_offers m p b <> []) p.State.bonds
 

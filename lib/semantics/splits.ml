@@ -19,10 +19,11 @@ let fall_apart (c : Semantics.t) (p : State.process) ~released continuations =
 let weak (c : Semantics.t) (p : State.process) =
   let release (b : State.bond) =
     Process.weak_offers c.setting.model p b
-    |> List.map (fun (first, second, rules) ->
+    |> List.map (fun ((first, one), (second, two)) ->
         {
-          Transition.label = Weak_split b;
-          rules = Rule.Weak_split :: rules;
+          Transition.rule = Rule.Weak_split;
+          label = Weak_split b;
+          fired = [ [ one; two ] ];
           gone = [ p ];
           come = fall_apart c p ~released:[ b ] [ (b.one.at, first); (b.two.at, second) ];
         })
@@ -36,7 +37,7 @@ let weak (c : Semantics.t) (p : State.process) =
 type reaction = {
   bonds : Ints.t;  (** X, indices into the bonds of the process *)
   chosen : (int * Behaviour.t) list;  (** leaves that have chosen, with what they become *)
-  used : Rule.t list;
+  fired : Behaviours.derivation list;
 }
 
 let site_at (b : State.bond) leaf = if b.one.at = leaf then b.one.site else b.two.site
@@ -95,7 +96,7 @@ let choices (m : Model.t) (p : State.process) reaction ~least (l : State.leaf) =
             {
               bonds = Ints.union reaction.bonds (Ints.of_list extra);
               chosen = (l.leaf, b) :: reaction.chosen;
-              used = Process.union reaction.used (Process.rules Rule.Strong derivation);
+              fired = derivation :: reaction.fired;
             })
       | Offer_open _ | Offer_weak _ -> [])
 
@@ -111,7 +112,7 @@ let reactions m (p : State.process) least =
     | None -> [ reaction ]
     | Some at -> List.concat_map grow (choices m p reaction ~least (State.leaf_of p at))
   in
-  grow { bonds = Ints.singleton least; chosen = []; used = [] }
+  grow { bonds = Ints.singleton least; chosen = []; fired = [] }
 
 let offers_strong (m : Model.t) (l : State.leaf) =
   List.exists
@@ -128,8 +129,9 @@ let strong (c : Semantics.t) (p : State.process) =
     |> List.map (fun reaction ->
         let released = List.map (fun i -> p.bonds.(i)) (Ints.elements reaction.bonds) in
         {
-          Transition.label = Strong_split released;
-          rules = Rule.Strong_split :: reaction.used;
+          Transition.rule = Rule.Strong_split;
+          label = Strong_split released;
+          fired = [ reaction.fired ];
           gone = [ p ];
           come = fall_apart c p ~released reaction.chosen;
         })

@@ -8,11 +8,22 @@ type label =
   | Weak_split of State.bond
   | Strong_split of State.bond list
 
-type outcome = { label : label; rules : Rule.t list; gone : State.process list; come : State.process list }
+type outcome = {
+  rule : Rule.t;
+  label : label;
+  fired : Behaviours.derivation list list;
+  gone : State.process list;
+  come : State.process list;
+}
+
+let rules o =
+  let used = match o.fired with [] -> [] | first :: _ -> List.concat_map Behaviours.rules first in
+  o.rule :: List.filter (fun r -> List.memq r used) Rule.all
 
 type t = {
   label : label;
   rules : Rule.t list;
+  fired : Behaviours.derivation list list;
   target : State.t;
   rounded : State.t option;
 }
@@ -48,11 +59,15 @@ let equal_label a b =
   | Strong_split x, Strong_split y -> equal_bonds x y
   | (Time _ | Bind _ | Bounce _ | Weak_split _ | Strong_split _), _ -> false
 
-let distinct outcomes =
-  let same (a : outcome) (b : outcome) =
-    equal_label a.label b.label && List.equal State.equal_process a.come b.come
-  in
-  List.fold_left (fun kept o -> if List.exists (same o) kept then kept else o :: kept) [] outcomes |> List.rev
+let same (a : outcome) (b : outcome) =
+  equal_label a.label b.label && List.equal State.equal_process a.come b.come
+
+let rec add (o : outcome) = function
+  | [] -> [ o ]
+  | kept :: rest when same kept o -> { kept with fired = kept.fired @ o.fired } :: rest
+  | other :: rest -> other :: add o rest
+
+let distinct outcomes = List.fold_left (fun kept o -> add o kept) [] outcomes
 
 let finish_to_string m (f : State.finish) = Model.site_name m ~leaf:f.at f.site
 let ends m (b : State.bond) = finish_to_string m b.one ^ ", " ^ finish_to_string m b.two

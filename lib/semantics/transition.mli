@@ -12,19 +12,25 @@ type label =
 
 (** What happens to some processes, whatever the others do. *)
 type outcome = {
+  rule : Rule.t;  (** of the network *)
   label : label;
-  rules : Rule.t list;  (** which rules made it, the network's rule first *)
+  fired : Behaviours.derivation list list;
+  (** the summands that took part, in each way to do it; none in a bounce *)
   gone : State.process list;  (** who takes part *)
   come : State.process list;  (** what becomes of them, in order of first leaves *)
 }
 
 val distinct : outcome list -> outcome list
-(** The first of each label and result: what two summands do alike is one transition. *)
+(** One of each label and result: what two summands do alike is one transition, in two ways. *)
+
+val rules : outcome -> Rule.t list
+(** Which rules made it, the network's rule first; in the first of the ways. *)
 
 (** A transition of a network. *)
 type t = {
   label : label;
   rules : Rule.t list;  (** which rules made it, the network's rule first *)
+  fired : Behaviours.derivation list list;  (** the summands that took part, in each way to do it *)
   target : State.t;
   rounded : State.t option;
   (** if rule Round was used: the processes as they were before it, and nothing else of the target *)

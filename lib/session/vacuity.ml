@@ -21,7 +21,7 @@ let can_happen terms (change : Property.change) name =
   | Released -> some weak || some strong
 
 let impossible (l : Loaded.t) =
-  let counted = Coverage.create l.semantics ~initial:l.declared in
+  let counted = Coverage.create l.model ~initial:l.declared in
   let terms = List.map (fun (s : Coverage.summand) -> s.term) (Coverage.summands counted) in
   let impossible : Property.event -> bool = function
     | Bond (change, name, _) -> not (can_happen terms change name)

@@ -17,7 +17,6 @@ module Seen = Hashtbl.Make (struct
   end)
 
 type t = {
-  semantics : Semantics.t;
   model : Model.t;
   counters : counter list;
   of_definition : counter list array;
@@ -83,8 +82,7 @@ let channels_of (b : Behaviour.t) =
   | Strong (list, _) -> list
   | Nil | Delay _ | Sum _ | Call _ -> []
 
-let create semantics ~initial =
-  let m = Semantics.model semantics in
+let create (m : Model.t) ~initial =
   let parts = Array.map (fun (d : Behaviour.definition) -> prefixes ([], []) d.body) m.definitions in
   let calls_of = Array.map snd parts in
   let beginnings = beginnings m initial in
@@ -118,7 +116,6 @@ let create semantics ~initial =
   in
   List.iter (fun c -> List.iter add_name (channels_of c.node)) counters;
   {
-    semantics;
     model = m;
     counters;
     of_definition;
@@ -130,22 +127,6 @@ let create semantics ~initial =
   }
 
 (** {2 What comes to be} *)
-
-(* The summands that a behaviour offers now, each with the definition that it stands in, where that is known, and
-   whether it took the rules Sum and Def to find it. *)
-type offered = { from : int option; summand : Behaviour.t; how : Behaviours.derivation }
-
-let rec offered (defs : Behaviour.definitions) from (how : Behaviours.derivation) found (b : Behaviour.t) =
-  match b with
-  | Nil | Delay _ -> found
-  | Open _ | Weak _ | Strong _ -> { from; summand = b; how } :: found
-  | Sum (one, two) ->
-    let how = { how with by_sum = true } in
-    offered defs from how (offered defs from how found one) two
-  | Call k -> offered defs (Some k) { how with by_def = true } found defs.(k).body
-
-let offers t (b : Behaviour.aged) =
-  offered t.model.definitions b.origin { by_sum = false; by_def = false } [] b.term
 
 (* The definitions that a behaviour is, or has among its summands. *)
 let rec shown (defs : Behaviour.definitions) found (b : Behaviour.t) =
@@ -172,120 +153,45 @@ let count_rules t rules =
   in
   List.iter add rules
 
-let fire t (o : offered) =
-  let same c = Behaviour.equal c.node o.summand in
-  let own =
-    match o.from with
+(* What follows a prefix does not tell which definition it stands in. *)
+let counters_of_summand t (d : Behaviours.derivation) =
+  let same c = Behaviour.equal c.node d.summand in
+  let within = function
     | Some k -> List.filter same t.of_definition.(k)
     | None -> []
   in
-  (* What follows a prefix does not tell which definition it stands in. *)
-  let fired = match own with [] -> List.filter same t.counters | _ :: _ -> own in
-  List.iter (fun c -> c.times <- c.times + 1) fired
-
-let next_of (b : Behaviour.t) =
-  match b with
-  | Open (_, _, next) | Weak (_, next) | Strong (_, next) -> Some next
-  | Nil | Delay _ | Sum _ | Call _ -> None
-
-(* The summands of a leaf that may have taken it from its behaviour before to that after. *)
-let used t ~(source : State.t) ~(target : State.t) at fits =
-  let _, before = State.find_leaf source at and _, after = State.find_leaf target at in
-  List.filter
-    (fun o ->
-       fits o.summand
-       && match next_of o.summand with
-       | Some next -> Behaviour.equal next after.behaviour.term
-       | None -> false)
-    (offers t before.behaviour)
-
-let opens name site polarity (b : Behaviour.t) =
-  match (b, polarity) with
-  | Open (Name, c, _), Behaviour.Name | Open (Co_name, c, _), Behaviour.Co_name ->
-    String.equal c.name name && Behaviour.active c site
-  | _, _ -> false
-
-let releases name site (b : Behaviour.t) =
-  match b with
-  | Weak (c, _) -> String.equal c.name name && Behaviour.active c site
-  | _ -> false
-
-(* Each bond has an entry and each entry a bond: a matching that is one to one has to exist as well, and does
-   for one of the summands, or there would be no transition. *)
-let reacts (ends : (string * Site.t) list) (b : Behaviour.t) =
-  let fits (name, site) (c : Behaviour.channel) = String.equal c.name name && Behaviour.active c site in
-  match b with
-  | Strong (entries, _) ->
-    List.compare_lengths entries ends = 0
-    && List.for_all (fun e -> List.exists (fits e) entries) ends
-    && List.for_all (fun c -> List.exists (fun e -> fits e c) ends) entries
-  | _ -> false
-
-let behaviour_rules prefix used =
-  let some f = List.exists f used in
-  match used with
-  | [] -> []
-  | _ :: _ ->
-    (prefix :: (if some (fun o -> o.how.by_sum) then [ Rule.Sum ] else []))
-    @ if some (fun o -> o.how.by_def) then [ Rule.Def ] else []
+  List.concat_map
+    (fun k -> match within k with [] -> List.filter same t.counters | _ :: _ as own -> own)
+    d.within
 
 let note t name change = Option.iter change (Hashtbl.find_opt t.uses name)
 
-let bind t ~source ~target (b : State.bond) =
-  let at (f : State.finish) polarity = used t ~source ~target f.at (opens b.name f.site polarity) in
-  let both one two = match (one, two) with [], _ | _, [] -> [] | _ :: _, _ :: _ -> one @ two in
-  let used = both (at b.one Name) (at b.two Co_name) @ both (at b.one Co_name) (at b.two Name) in
-  note t b.name (fun u -> u.mades <- u.mades + 1);
-  (Rule.Bind :: behaviour_rules Pre used, used)
+(* A summand at both ends of a bond counts twice, one in two ways to do the same does not. *)
+let fire t ways =
+  let ways = List.map (List.concat_map (counters_of_summand t)) ways in
+  let once = List.fold_left (fun kept c -> if List.memq c kept then kept else c :: kept) [] (List.concat ways) in
+  let most c = List.fold_left (fun n way -> Int.max n (List.length (List.filter (( == ) c) way))) 0 ways in
+  List.iter (fun c -> c.times <- c.times + most c) once
 
-let weak t ~source ~target (b : State.bond) =
-  let at (f : State.finish) = used t ~source ~target f.at (releases b.name f.site) in
-  let used = at b.one @ at b.two in
-  note t b.name (fun u -> u.weaks <- u.weaks + 1);
-  (Rule.Weak_split :: behaviour_rules Weak used, used)
-
-let strong t ~source ~target bonds =
-  let ends = List.concat_map (fun (b : State.bond) -> [ (b.one, b.name); (b.two, b.name) ]) bonds in
-  let leaves = List.sort_uniq Int.compare (List.map (fun ((f : State.finish), _) -> f.at) ends) in
-  let at leaf =
-    let mine =
-      List.filter_map
-        (fun ((f : State.finish), name) -> if f.at = leaf then Some (name, f.site) else None)
-        ends
-    in
-    used t ~source ~target leaf (reacts mine)
-  in
-  let used = List.concat_map at leaves in
-  List.iter (fun (b : State.bond) -> note t b.name (fun u -> u.strongs <- u.strongs + 1)) bonds;
-  (Rule.Strong_split :: behaviour_rules Strong used, used)
-
-let is_steered (s : State.t) =
-  match s.step with
-  | Some { phase = Steered; _ } -> true
-  | Some { phase = Moving | Due; _ } | None -> false
-
-let transition t ~source (label : Transition.label) ~target =
-  let rules, used =
-    match label with
-    | Time _ -> (Network.time_rules t.semantics, [])
-    | Bounce _ -> ([ Rule.Bounce ], [])
-    | Bind b -> bind t ~source ~target b
-    | Weak_split b -> weak t ~source ~target b
-    | Strong_split bonds -> strong t ~source ~target bonds
-  in
-  List.iter (fire t) used;
-  let passes = Scc_exact.Rat.sign (Transition.duration_of label) > 0 in
-  let (module K) = t.semantics.kinematics in
-  let lawful = K.step_needs_law || Array.exists (Steer.steers t.model) source.processes in
-  let steer = lawful && is_steered target && (passes || not (is_steered source)) in
-  count_rules t (if steer then rules @ [ Rule.Steer ] else rules)
+let transition t (tr : Transition.t) =
+  fire t tr.fired;
+  count_rules t tr.rules;
+  match tr.label with
+  | Time _ | Bounce _ -> ()
+  | Bind b -> note t b.name (fun u -> u.mades <- u.mades + 1)
+  | Weak_split b -> note t b.name (fun u -> u.weaks <- u.weaks + 1)
+  | Strong_split bonds ->
+    List.iter (fun (b : State.bond) -> note t b.name (fun u -> u.strongs <- u.strongs + 1)) bonds
 
 let of_space (s : Explored.t) =
-  let t = create s.semantics ~initial:(s.state 0) in
+  let t = create (Explored.model s) ~initial:(s.state 0) in
   for i = 0 to s.size - 1 do
-    let source = s.state i in
-    state t source;
-    Array.iter (fun (e : Explored.edge) -> transition t ~source e.label ~target:(s.state e.target)) (s.edges i)
+    let here = s.state i in
+    state t here;
+    if s.expanded i then
+      match Network.successors s.semantics here with
+      | Ok transitions -> List.iter (transition t) transitions
+      | Error _ -> Scc_base.Bug.fail __POS__ "an expanded state has transitions"
   done;
   t
 

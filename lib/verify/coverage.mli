@@ -1,19 +1,18 @@
 (** What of a model ever came to be: which summands of its behaviours fired, which behaviours were reached, which
-    channels and rules were used. A count of 0 is sure: where two summands cannot be told apart by what they
-    offer and become, both count. *)
+    channels and rules were used. A count of 0 is sure: where two summands do the same, both count. *)
 
 open Scc_calculus
 open Scc_semantics
 
 type t
 
-val create : Semantics.t -> initial:State.t -> t
+val create : Model.t -> initial:State.t -> t
 
 val state : t -> State.t -> unit
 (** Takes in a state (once; again does no harm but costs time). *)
 
-val transition : t -> source:State.t -> Transition.label -> target:State.t -> unit
-(** Takes in a transition between two states that were taken in. *)
+val transition : t -> Transition.t -> unit
+(** Takes in a transition of a state that was taken in. *)
 
 val of_space : Explored.t -> t
 (** Everything that was explored. *)
