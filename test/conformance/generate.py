@@ -35,7 +35,9 @@ import run
 
 
 def entries(rulebook):
-    return re.findall(r'^### (\S+)', rulebook, re.M)
+    """The ids of definitions, rules and readings. Laws follow of them, and have no cases of their own."""
+    chapters = re.split(r'^(?=## )', rulebook, flags=re.M)
+    return [i for c in chapters if not re.match(r'## \d+\. Laws\n', c) for i in re.findall(r'^### (\S+)', c, re.M)]
 
 
 def make(scc, folder):

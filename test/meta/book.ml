@@ -1,6 +1,7 @@
 type entry = {
   id : string;
   line : int;
+  chapter : string;
   code : (string * string) list;
   tests : (string * string) list;
   models : string list;
@@ -39,20 +40,23 @@ let read_line entry line =
   | _, _, Some path -> { entry with models = path :: entry.models }
   | None, None, None -> entry
 
-let start line text =
-  { id = fst (split text); line; code = []; tests = []; models = []; malformed = [] }
+let start chapter line text =
+  { id = fst (split text); line; chapter; code = []; tests = []; models = []; malformed = [] }
+
+(* The title of a chapter, "## 7. Laws", without its number. *)
+let title text = match split text with _, "" -> text | _, name -> name
 
 (* A heading of any kind ends the entry before it. *)
 let entries text =
-  let step (found, current) (number, line) =
-    match (after "### " line, after "#" line, current) with
-    | Some heading, _, Some entry -> (entry :: found, Some (start number heading))
-    | Some heading, _, None -> (found, Some (start number heading))
-    | None, Some _, Some entry -> (entry :: found, None)
-    | None, Some _, None | None, None, None -> (found, None)
-    | None, None, Some entry -> (found, Some (read_line entry line))
+  let step (found, current, chapter) (number, line) =
+    let found' = match current with Some entry -> entry :: found | None -> found in
+    match (after "### " line, after "## " line, after "#" line) with
+    | Some heading, _, _ -> (found', Some (start chapter number heading), chapter)
+    | None, Some heading, _ -> (found', None, title heading)
+    | None, None, Some _ -> (found', None, chapter)
+    | None, None, None -> (found, Option.map (fun entry -> read_line entry line) current, chapter)
   in
   let lines = List.mapi (fun i line -> (i + 1, line)) (String.split_on_char '\n' text) in
-  match List.fold_left step ([], None) lines with
-  | found, Some entry -> List.rev (entry :: found)
-  | found, None -> List.rev found
+  match List.fold_left step ([], None, "") lines with
+  | found, Some entry, _ -> List.rev (entry :: found)
+  | found, None, _ -> List.rev found

@@ -4,6 +4,7 @@
 type entry = {
   id : string;
   line : int;  (** of the heading *)
+  chapter : string;  (** the title of the chapter that it is in, without its number: ["Laws"] *)
   code : (string * string) list;  (** file, function *)
   tests : (string * string) list;  (** file, part of the name of a case *)
   models : string list;

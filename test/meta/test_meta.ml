@@ -42,8 +42,19 @@ let model_faults (e : Book.entry) =
 let malformed (e : Book.entry) = List.map (fun line -> "cannot be read: " ^ line) e.malformed
 let missing what list = if list = [] then [ "no " ^ what ] else []
 
+
+(* The laws are what follows of the rules: no code of their own, but a test that bears the name of the law. *)
+let is_law (e : Book.entry) = String.equal e.chapter "Laws"
+let is_named_after (e : Book.entry) test = Tree.starts_with (e.id ^ ": ") test
+
+let law_complete (e : Book.entry) =
+  let named = List.filter (fun (_, test) -> is_named_after e test) e.tests in
+  missing (Printf.sprintf "test whose name begins with \"%s: \"" e.id) named @ malformed e
+
 let rule_complete (e : Book.entry) =
   missing "code" e.code @ missing "test" e.tests @ missing "model" e.models @ malformed e
+
+let entry_complete e = if is_law e then law_complete e else rule_complete e
 
 let deviation_complete (e : Book.entry) = missing "test" e.tests @ malformed e
 
@@ -54,8 +65,11 @@ let distinct path () =
 
 (* {1 From the code back to the book} *)
 
-let known = lazy (List.map (fun (e : Book.entry) -> e.id) (entries rulebook))
+let ids_of entries = List.map (fun (e : Book.entry) -> e.id) entries
+let known = lazy (ids_of (entries rulebook))
 let is_known id = List.exists (String.equal id) (Lazy.force known)
+let rules = lazy (ids_of (List.filter (fun e -> not (is_law e)) (entries rulebook)))
+let laws = lazy (List.filter is_law (entries rulebook))
 
 let every_rule () =
   List.map Scc_semantics.Rule.id Scc_semantics.Rule.all
@@ -66,6 +80,10 @@ let every_rule () =
 let cited_rules text =
   Tree.words_after "rule " text @ Tree.words_after "Rule " text
   |> List.filter (fun w -> w <> "" && w.[0] >= 'A' && w.[0] <= 'Z')
+
+(* "law" before a capital: the name of one. *)
+let cited_laws text =
+  Tree.words_after "law " text |> List.filter (fun w -> w <> "" && w.[0] >= 'A' && w.[0] <= 'Z')
 
 let cited_definitions text =
   Tree.words_after "Definition " text
@@ -83,7 +101,7 @@ let citations () =
       List.exists (Filename.check_suffix f) [ ".ml"; ".mli"; ".mly"; ".mll"; ".md"; ".sc" ])
   |> List.concat_map (fun file ->
       let text = Tree.read file in
-      cited_rules text @ cited_definitions text @ cited_readings text
+      cited_rules text @ cited_laws text @ cited_definitions text @ cited_readings text
       |> List.filter (fun id -> not (is_known id))
       |> List.map (fun id -> Printf.sprintf "%s cites %s" file id))
   |> List.sort_uniq String.compare |> none "citations that lead nowhere"
@@ -124,6 +142,25 @@ let readings () =
       | [] -> Some (Printf.sprintf "I-%d: nowhere" n)
       | places -> Some (Printf.sprintf "I-%d: %s" n (String.concat ", " (List.map snd places))))
   |> none "readings that are not in one place, the rule book"
+
+(* {1 Laws} *)
+
+(* What a test is called that bears the name of a law: all of these are on the lines of that law. *)
+let tests_of_laws () =
+  let laws = Lazy.force laws in
+  Alcotest.(check bool) "there are laws" true (laws <> []);
+  let cited (e : Book.entry) file test =
+    List.exists (fun (f, name) -> String.equal f file && String.equal name test) e.tests
+  in
+  let faults_of file text (e : Book.entry) =
+    Tree.quoted_after (e.id ^ ": ") text
+    |> List.filter (fun test -> not (cited e file test))
+    |> List.map (fun test -> Printf.sprintf "%s: \"%s\" is on no line of law %s" file test e.id)
+  in
+  Tree.files "test"
+  |> List.filter (fun file -> Filename.check_suffix file ".ml" && not (Tree.starts_with "test/meta/" file))
+  |> List.concat_map (fun file -> List.concat_map (faults_of file (Tree.read file)) laws)
+  |> none "tests of laws that the book does not name"
 
 (* {1 Cases} *)
 
@@ -192,7 +229,7 @@ let suite_rules () =
       Some (id ^ ": no cases by hand")
     | Some _ -> None
   in
-  List.filter_map fault (Lazy.force known) |> none "rules without cases in specs/conformance"
+  List.filter_map fault (Lazy.force rules) |> none "rules without cases in specs/conformance"
 
 let suite_codes () =
   let suite = Lazy.force suite in
@@ -224,7 +261,7 @@ let () =
     [
       ( "rule book",
         [
-          case "every entry is complete" (faults_of rulebook rule_complete);
+          case "every entry is complete" (faults_of rulebook entry_complete);
           case "ids are distinct" (distinct rulebook);
           case "code lines lead to functions" (faults_of rulebook code_faults);
           case "test lines lead to cases" (faults_of rulebook test_faults);
@@ -233,6 +270,7 @@ let () =
           case "every citation leads to an entry" citations;
           case "what makes transitions by a rule is on its code lines" every_emission;
           case "every reading is in one place" readings;
+          case "every test of a law is on its lines" tests_of_laws;
         ] );
       ( "deviations",
         [

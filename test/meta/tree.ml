@@ -36,6 +36,16 @@ let places text part =
 
 let contains text part = places text part <> []
 
+let starts_with part text = String.length part <= String.length text && matches_at text part 0
+
+let quoted_after prefix text =
+  let mark = "\"" ^ prefix in
+  places text mark
+  |> List.filter_map (fun i ->
+      match String.index_from_opt text (i + 1) '"' with
+      | Some stop -> Some (String.sub text (i + 1) (stop - i - 1))
+      | None -> None)
+
 let is_word = function
   | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '.' | '-' -> true
   | _ -> false

@@ -12,6 +12,12 @@ val files : string -> string list
 val contains : string -> string -> bool
 (** [contains text part]. *)
 
+val starts_with : string -> string -> bool
+(** [starts_with part text]. *)
+
+val quoted_after : string -> string -> string list
+(** [quoted_after prefix text]: each string literal that begins with [prefix], whole. *)
+
 val words_after : string -> string -> string list
 (** [words_after prefix text]: for each occurrence of [prefix] at the start of a word, the word that it
     continues with: letters, digits and [_.-], without a final dot or hyphen. *)

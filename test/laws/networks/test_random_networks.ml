@@ -37,7 +37,7 @@ let conserves =
 let is_time (t : Transition.t) = match t.label with Time _ -> true | _ -> false
 
 let deterministic =
-  property "Time is deterministic" ~steered:true (fun network ->
+  property "TimeDeterminism: at most one passing of time, to one state" ~steered:true (fun network ->
       let _, states = reached network in
       List.for_all (fun (_, ts) -> List.length (List.filter is_time ts) <= 1) states)
 
