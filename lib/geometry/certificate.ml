@@ -16,10 +16,8 @@ let line r w =
     let rw, scale = Ivec.of_vecs [| r; w |] in
     { offset = rw.(0); velocity = rw.(1); scale }
 
-let greatest (v : Shadow.floats) = Float.max (Float.abs v.x) (Float.max (Float.abs v.y) (Float.abs v.z))
-
 let make (question : Question.t) r w =
-  { question; line = lazy (line r w); speed_bound = greatest question.velocity }
+  { question; line = lazy (line r w); speed_bound = Shadow.greatest question.velocity }
 
 let times k (v : Ivec.t) = if Z.equal k Z.one then v else Ivec.scale k v
 
@@ -185,7 +183,7 @@ let short = 0x1p26
 
 (* A direction as a short integer vector: its greatest coordinate becomes [size]. *)
 let shorten (v : Shadow.floats) size =
-  let k = size /. greatest v in
+  let k = size /. Shadow.greatest v in
   let round y = int_of_float (Float.round (y *. k)) in
   axis
     (if k < infinity && k > 0. then Ivec.of_ints (round v.x) (round v.y) (round v.z)
@@ -368,7 +366,7 @@ let crossing_of c { Portal.p; q; r } u ~sign bound exact =
 let crossing c portal =
   crossing_of c portal c.question.velocity ~sign:(-1) c.speed_bound velocity
 
-let foot c f portal = crossing_of c portal f.axis.f ~sign:1 (greatest f.axis.f) (fun _ -> f.axis.n)
+let foot c f portal = crossing_of c portal f.axis.f ~sign:1 (Shadow.greatest f.axis.f) (fun _ -> f.axis.n)
 
 let interior c { Portal.right; left } =
   let right = with_floats c right and left = with_floats c left in

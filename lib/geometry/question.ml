@@ -6,8 +6,7 @@ type t = {
   bound : float;
 }
 
-let greatest (v : Shadow.floats) = Float.max (Float.abs v.x) (Float.max (Float.abs v.y) (Float.abs v.z))
-let bound_on (a : Solid.t) (b : Solid.t) r = a.shadow.reach +. b.shadow.reach +. greatest r
+let bound_on (a : Solid.t) (b : Solid.t) r = a.shadow.reach +. b.shadow.reach +. Shadow.greatest r
 
 let[@inline] sane (v : Shadow.floats) = Shadow.sane v.x && Shadow.sane v.y && Shadow.sane v.z
 

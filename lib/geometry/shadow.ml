@@ -9,6 +9,11 @@ let float q =
 
 let floats (v : Vec.t) = { x = float v.x; y = float v.y; z = float v.z }
 
+(* Of two sizes, without the calls by which Float.max tells zeros apart; the sum is for what is no number. *)
+let[@inline] greater (x : float) y = if x > y then x else if y >= x then y else x +. y
+
+let[@inline] greatest v = greater (Float.abs v.x) (greater (Float.abs v.y) (Float.abs v.z))
+
 let[@inline] sane x = x = 0. || (Float.abs x < 0x1p120 && Float.abs x > 0x1p-120)
 
 type t = {

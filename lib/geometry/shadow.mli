@@ -9,6 +9,9 @@ val floats : Vec.t -> floats
 (** Floats within 3 * 2^-53 of the coordinates, relatively; a NaN for a coordinate that is too small for that, an
     infinity for one that is too great. *)
 
+val greatest : floats -> float
+(** The greatest size of a coordinate; a NaN if one of them is. *)
+
 val sane : float -> bool
 (** Whether a coordinate is 0 or of a size between 2^-120 and 2^120: then no product of a few of them overflows or
     loses digits for being small. False for a NaN. *)
