@@ -65,8 +65,8 @@ let[@inline] float_dot (f : Shadow.floats) (v : Shadow.floats) = (v.x *. f.x) +.
 (* {1 Points in floats} *)
 
 (* The first coordinates are looked up with a check; there are as many of the others. *)
-let[@inline] float_point c { Portal.of_a = i; of_b = j } : Shadow.floats =
-  let { Question.a; b; offset; _ } = c.question in
+let[@inline] float_point c p : Shadow.floats =
+  let { Question.a; b; offset; _ } = c.question and i = Point.of_a p and j = Point.of_b p in
   let a = a.shadow and b = b.shadow in
   let x = a.xs.(i) -. b.xs.(j) in
   let y = Array.unsafe_get a.ys i -. Array.unsafe_get b.ys j in
@@ -88,9 +88,9 @@ let lift c a da b db =
     (times l.scale (Ivec.sub (times db a) (times da b)))
     (times dab l.offset)
 
-let exact_point c { Portal.of_a; of_b } =
+let exact_point c p =
   let { Question.a; b; _ } = c.question in
-  lift c a.vertices.(of_a) a.denominator b.vertices.(of_b) b.denominator
+  lift c a.vertices.(Point.of_a p) a.denominator b.vertices.(Point.of_b p) b.denominator
 
 let exact_centre c =
   let a = c.question.a.shadow and b = c.question.b.shadow in
@@ -102,11 +102,12 @@ let velocity c = (Lazy.force c.line).velocity
 let by k x = if k == Z.one then x else Z.mul k x
 
 (* n.(a - b - r) times a positive number. *)
-let exact_product c n { Portal.of_a; of_b } =
+let exact_product c n p =
   let { Question.a; b; _ } = c.question in
   let l = Lazy.force c.line in
   let da = a.denominator and db = b.denominator in
-  let across = Z.sub (by db (Ivec.dot n a.vertices.(of_a))) (by da (Ivec.dot n b.vertices.(of_b))) in
+  let of_a = Ivec.dot n a.vertices.(Point.of_a p) and of_b = Ivec.dot n b.vertices.(Point.of_b p) in
+  let across = Z.sub (by db of_a) (by da of_b) in
   Z.sub (by l.scale across) (by db (by da (Ivec.dot n l.offset)))
 
 (* The sign of n.p. *)
@@ -165,12 +166,13 @@ let is_highest (s : Solid.t) v { n; f; norm1 } sign ~known =
 let nobody = -1
 
 (* With a point that it holds. *)
-type plane = { axis : axis; holds : Portal.point }
+type plane = { axis : axis; holds : Point.t }
 
-let supporting c axis (p : Portal.point) =
+let supporting c axis p =
   let { Question.a; b; _ } = c.question in
-  if is_highest a p.of_a axis 1. ~known:nobody && is_highest b p.of_b axis (-1.) ~known:nobody then
-    Some { axis; holds = p }
+  if
+    is_highest a (Point.of_a p) axis 1. ~known:nobody && is_highest b (Point.of_b p) axis (-1.) ~known:nobody
+  then Some { axis; holds = p }
   else None
 
 let normal p = p.axis.n
@@ -193,7 +195,8 @@ let supported c ({ n; f; _ } as axis) =
   if Ivec.is_zero n then None
   else
     let { Question.a; b; _ } = c.question and direction = [| f.x; f.y; f.z |] in
-    supporting c axis { of_a = Solid.highest a direction 1.; of_b = Solid.highest b direction (-1.) }
+    supporting c axis
+      (Point.make ~of_a:(Solid.highest a direction 1.) ~of_b:(Solid.highest b direction (-1.)))
 
 (* For n.w >= 0 the obstacle stays behind the plane: with n.p <= 0 for all its points, the line never enters
    its interior. *)
@@ -214,10 +217,10 @@ let separating c direction =
 (* From right to left, exactly, times a positive number. *)
 let extent c { Portal.right; left } =
   let { Question.a; b; _ } = c.question in
-  let of_a = Ivec.sub a.vertices.(left.of_a) a.vertices.(right.of_a) in
-  let of_b = Ivec.sub b.vertices.(left.of_b) b.vertices.(right.of_b) in
-  if right.of_b = left.of_b then of_a
-  else if right.of_a = left.of_a then Ivec.neg of_b
+  let of_a = Ivec.sub a.vertices.(Point.of_a left) a.vertices.(Point.of_a right) in
+  let of_b = Ivec.sub b.vertices.(Point.of_b left) b.vertices.(Point.of_b right) in
+  if Point.of_b right = Point.of_b left then of_a
+  else if Point.of_a right = Point.of_a left then Ivec.neg of_b
   else Ivec.sub (times b.denominator of_a) (times a.denominator of_b)
 
 type beside = Never of plane | Crosses | Unknown
@@ -232,12 +235,12 @@ let beside c (edge : Portal.edge) =
 (* {1 Facets} *)
 
 (* How a portal carries a facet: what its corners are of, in either solid. *)
-type corners = Vertex of int | Edge of int * int | Triangle of int * int * int
+type corners = Vertex | Edge of (int * int) | Triangle
 
 let corners i j k =
-  if i = j then if j = k then Vertex i else Edge (i, k)
+  if i = j then if j = k then Vertex else Edge (i, k)
   else if i = k || j = k then Edge (i, j)
-  else Triangle (i, j, k)
+  else Triangle
 
 let level (s : Solid.t) n i j k =
   let at j = j = i || Z.equal (Ivec.dot n s.vertices.(j)) (Ivec.dot n s.vertices.(i)) in
@@ -262,32 +265,31 @@ let across c portal (i, i') (j, j') =
   let n = axis (Ivec.cross (direction_between a i i') (direction_between b j j')) in
   let n = if float_dot n.f (float_normal c portal) < 0. then opposite n else n in
   if (not (Ivec.is_zero n.n)) && is_highest a i n 1. ~known:i' && is_highest b j n (-1.) ~known:j' then
-    Some { axis = n; holds = { of_a = i; of_b = j } }
+    Some { axis = n; holds = Point.make ~of_a:i ~of_b:j }
   else None
 
 (* Three corners of one face of A, with one vertex of B or several of the same height; or the other way round;
    or two vertices of each. *)
 let facet c ({ Portal.p; q; r } as portal) =
   let { Question.a; b; _ } = c.question in
-  match (corners p.of_a q.of_a r.of_a, corners p.of_b q.of_b r.of_b) with
-  | Triangle (i, j, k), _ -> (
+  let i = Point.of_a p and j = Point.of_a q and k = Point.of_a r in
+  let i' = Point.of_b p and j' = Point.of_b q and k' = Point.of_b r in
+  match (corners i j k, corners i' j' k') with
+  | Triangle, _ -> (
       match Topology.common_face a.topology i j k with
       | Some face ->
         let n = axis a.normals.(face) in
-        if is_highest b p.of_b n (-1.) ~known:nobody && level b n.n p.of_b q.of_b r.of_b then
-          Some { axis = n; holds = p }
+        if is_highest b i' n (-1.) ~known:nobody && level b n.n i' j' k' then Some { axis = n; holds = p }
         else None
       | None -> None)
-  | _, Triangle (i, j, k) -> (
-      match Topology.common_face b.topology i j k with
+  | _, Triangle -> (
+      match Topology.common_face b.topology i' j' k' with
       | Some face ->
         let n = axis (Ivec.neg b.normals.(face)) in
-        if is_highest a p.of_a n 1. ~known:nobody && level a n.n p.of_a q.of_a r.of_a then
-          Some { axis = n; holds = p }
-        else None
+        if is_highest a i n 1. ~known:nobody && level a n.n i j k then Some { axis = n; holds = p } else None
       | None -> None)
-  | Edge (i, i'), Edge (j, j') -> across c portal (i, i') (j, j')
-  | Vertex _, _ | _, Vertex _ -> None
+  | Edge e, Edge e' -> across c portal e e'
+  | Vertex, _ | _, Vertex -> None
 
 (* {1 All facets that hold the origin}
 
@@ -321,8 +323,8 @@ let spanned (a : Solid.t) (b : Solid.t) e f =
     Some (if s > 0 then n else Ivec.neg n)
   else None
 
-let tight c ({ Portal.of_a = i; of_b = j } as p) =
-  let { Question.a; b; _ } = c.question in
+let tight c p =
+  let { Question.a; b; _ } = c.question and i = Point.of_a p and j = Point.of_b p in
   let at_a = around a i and at_b = around b j in
   let of_a e =
     let n = axis a.normals.(face_leaving a i e) in
@@ -347,7 +349,7 @@ let time c f =
   let n = f.axis.n in
   Rat.make (exact_product c n f.holds) (by b.denominator (by a.denominator (Ivec.dot n (velocity c))))
 
-type crossing = Within | Border of Portal.point | Outside
+type crossing = Within | Border of Point.t | Outside
 
 (* The line of a vector [u] through the origin, which runs with the normal of the portal ([sign] is 1) or against
    it (-1): det (u, p, q) times [sign] is, up to a factor, the weight of the third corner, and of three weights one

@@ -51,7 +51,7 @@ val time : t -> plane -> Rat.t
     seen edge-on. *)
 type crossing =
   | Within  (** strictly inside *)
-  | Border of Portal.point  (** on its boundary; one of the corners that it is a combination of *)
+  | Border of Point.t  (** on its boundary; one of the corners that it is a combination of *)
   | Outside
 
 val crossing : t -> Portal.triangle -> crossing
@@ -60,7 +60,7 @@ val crossing : t -> Portal.triangle -> crossing
 val foot : t -> plane -> Portal.triangle -> crossing
 (** Of the line through the origin along the normal of the plane, which holds the origin. *)
 
-val tight : t -> Portal.point -> Ivec.t list
+val tight : t -> Point.t -> Ivec.t list
 (** [tight c p], when {!foot} is [Border p] in a plane that holds the origin: the normals of all facets that
     hold the origin, outward and primitive, each once. *)
 

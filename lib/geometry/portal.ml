@@ -1,6 +1,5 @@
-type point = { of_a : int; of_b : int }
-type triangle = { p : point; q : point; r : point }
-type edge = { right : point; left : point }
+type triangle = { p : Point.t; q : Point.t; r : Point.t }
+type edge = { right : Point.t; left : Point.t }
 
 type line =
   | Apart of Shadow.floats
@@ -12,14 +11,13 @@ type place = Apart of Shadow.floats | Inside of triangle | Facing of triangle | 
 
 (* {1 The memory of a search}
 
-   Vectors of three floats each, at places in [x]; and of the points 0 to 5 the vertices that make them: 0 to 2 are
+   Vectors of three floats each, at places in [x]; and the points 0 to 5, whose vectors are among them: 0 to 2 are
    the portal, 3 the last support, 4 and 5 the edge, 5 on the left. *)
 type t = {
   a : Solid.t;
   b : Solid.t;
   x : float array;
-  va : int array;
-  vb : int array;
+  points : Point.t array;
   bound : float;
   hasty : bool;  (** a plane that seems to separate ends the search *)
 }
@@ -41,9 +39,8 @@ let start { Question.a; b; offset = r; velocity = w; bound } ~hasty =
       rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; rx; ry; rz;
     |]
   in
-  let none = Sys.opaque_identity 0 in
-  let va = [| none; none; none; none; none; none |] and vb = [| none; none; none; none; none; none |] in
-  { a; b; x; va; vb; bound; hasty }
+  let points = Point.[| none; none; none; none; none; none |] in
+  { a; b; x; points; bound; hasty }
 
 (* {1 Vectors by place}
 
@@ -117,12 +114,11 @@ let aim_unless_noise s dx dy dz scale =
 
 (* {1 Supports} *)
 
-let place s k i j =
-  let x = s.x in
+let place s k p =
+  let x = s.x and i = Point.of_a p and j = Point.of_b p in
   let a = s.a.shadow and b = s.b.shadow in
   let at = point k in
-  s.va.(k) <- i;
-  s.vb.(k) <- j;
+  s.points.(k) <- p;
   x.(at) <- get a.xs i -. get b.xs j -. get x offset;
   x.(at + 1) <- get a.ys i -. get b.ys j -. get x (offset + 1);
   x.(at + 2) <- get a.zs i -. get b.zs j -. get x (offset + 2)
@@ -130,7 +126,7 @@ let place s k i j =
 
 let support s k =
   let x = s.x in
-  place s k (Solid.highest s.a x 1.) (Solid.highest s.b x (-1.))
+  place s k (Point.make ~of_a:(Solid.highest s.a x 1.) ~of_b:(Solid.highest s.b x (-1.)))
 
 let copy s k l =
   let x = s.x in
@@ -138,8 +134,7 @@ let copy s k l =
   x.(q) <- x.(p);
   x.(q + 1) <- x.(p + 1);
   x.(q + 2) <- x.(p + 2);
-  s.va.(l) <- s.va.(k);
-  s.vb.(l) <- s.vb.(k)
+  s.points.(l) <- s.points.(k)
 
 (* Points of the obstacle by their numbers, as places. *)
 let p0 = point 0
@@ -157,7 +152,7 @@ type ending = Separates | Past_edge | At_facet | Encloses | Nowhere
 let[@inline] noise s = 0x1p-49 *. s.bound *. size s.x direction
 
 (* The last support was taken at p3. *)
-let[@inline] same_as s k = s.va.(last) = s.va.(k) && s.vb.(last) = s.vb.(k)
+let[@inline] same_as s k = Point.equal s.points.(last) s.points.(k)
 
 (* No search that goes well takes so many rounds. *)
 let rounds = 100
@@ -216,8 +211,7 @@ let through_edge s =
   x.(p) <- x.(c);
   x.(p + 1) <- x.(c + 1);
   x.(p + 2) <- x.(c + 2);
-  s.va.(0) <- -1;
-  s.vb.(0) <- -1;
+  s.points.(0) <- Point.none;
   copy s 5 1;
   copy s 4 2;
   towards_facet s ~stop:false rounds
@@ -341,20 +335,17 @@ let search_origin s =
 
 (* {1 What was found} *)
 
-let made s k = { of_a = s.va.(k); of_b = s.vb.(k) }
-let edge s = { right = made s 4; left = made s 5 }
+let edge s = { right = s.points.(4); left = s.points.(5) }
+let portal s = { p = s.points.(0); q = s.points.(1); r = s.points.(2) }
 let aimed s : Shadow.floats = { x = s.x.(direction); y = s.x.(direction + 1); z = s.x.(direction + 2) }
-
-(* A corner that is still the centre is no vertex of either. *)
-let portal s =
-  if s.va.(0) < 0 || s.va.(1) < 0 || s.va.(2) < 0 then None
-  else Some { p = made s 0; q = made s 1; r = made s 2 }
 
 let line s ending : line =
   match ending with
   | Separates -> Apart (aimed s)
   | Past_edge -> Beside (edge s)
-  | At_facet -> ( match portal s with Some portal -> Through { portal; edge = edge s } | None -> Lost)
+  | At_facet ->
+    (* a corner that is still the centre *)
+    if Point.equal s.points.(0) Point.none then Lost else Through { portal = portal s; edge = edge s }
   | Encloses | Nowhere -> Lost
 
 let cast question ~hasty =
@@ -363,8 +354,8 @@ let cast question ~hasty =
 
 let through question { right; left } =
   let s = start question ~hasty:false in
-  place s 4 right.of_a right.of_b;
-  place s 5 left.of_a left.of_b;
+  place s 4 right;
+  place s 5 left;
   line s (through_edge s)
 
 let locate question ~hasty : place =
@@ -372,8 +363,8 @@ let locate question ~hasty : place =
   match search_origin s with
   | Separates -> Apart (aimed s)
   | Past_edge | Nowhere -> Lost
-  | At_facet -> ( match portal s with Some portal -> Facing portal | None -> Lost)
-  | Encloses -> ( match portal s with Some portal -> Inside portal | None -> Lost)
+  | At_facet -> Facing (portal s)
+  | Encloses -> Inside (portal s)
 
 type guess = {
   cast : Question.t -> hasty:bool -> line;

@@ -2,12 +2,9 @@
     floats. Which vertices and which direction are found is a guess and nothing more: {!Certificate} proves it,
     over integers where floats cannot, and all that a wrong guess can cost is time. *)
 
-(** The point of the obstacle that these vertices of A and B make. *)
-type point = { of_a : int; of_b : int }
+type triangle = { p : Point.t; q : Point.t; r : Point.t }
 
-type triangle = { p : point; q : point; r : point }
-
-type edge = { right : point; left : point }
+type edge = { right : Point.t; left : Point.t }
 (** Seen along the line, the ray from the centre of the obstacle through the line passes between the two. *)
 
 (** Of a line, from its infinite past on. *)

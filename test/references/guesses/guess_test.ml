@@ -23,21 +23,26 @@ let neighbour st (s : Solid.t) v =
   let { Topology.first; neighbour; _ } = s.topology in
   neighbour.(first.(v) + Random.State.int st (first.(v + 1) - first.(v)))
 
+let any_point st (question : Question.t) =
+  Point.make ~of_a:(any st question.a) ~of_b:(any st question.b)
+
 let chance st n = Random.State.int st n = 0
 
 (* A point elsewhere: nearby, most of the time. *)
-let moved st (question : Question.t) ({ of_a; of_b } : Portal.point) : Portal.point =
+let moved st (question : Question.t) p =
+  let of_a = Point.of_a p and of_b = Point.of_b p in
   match Random.State.int st 4 with
-  | 0 -> { of_a = neighbour st question.a of_a; of_b }
-  | 1 -> { of_a; of_b = neighbour st question.b of_b }
-  | 2 -> { of_a = neighbour st question.a of_a; of_b = neighbour st question.b of_b }
-  | _ -> { of_a = any st question.a; of_b = any st question.b }
+  | 0 -> Point.make ~of_a:(neighbour st question.a of_a) ~of_b
+  | 1 -> Point.make ~of_a ~of_b:(neighbour st question.b of_b)
+  | 2 -> Point.make ~of_a:(neighbour st question.a of_a) ~of_b:(neighbour st question.b of_b)
+  | _ -> any_point st question
 
 (* Points like the given ones: moved, or mixed with each other. *)
 let scrambled st question points =
   let pick () = points.(Random.State.int st (Array.length points)) in
-  let mixed (p : Portal.point) : Portal.point =
-    if chance st 2 then { p with of_a = (pick ()).Portal.of_a } else { p with of_b = (pick ()).of_b }
+  let mixed p =
+    if chance st 2 then Point.make ~of_a:(Point.of_a (pick ())) ~of_b:(Point.of_b p)
+    else Point.make ~of_a:(Point.of_a p) ~of_b:(Point.of_b (pick ()))
   in
   let some = chance st 2 and many = chance st 3 in
   let change p = if chance st 2 then moved st question p else mixed p in
@@ -46,9 +51,6 @@ let scrambled st question points =
 
 (* The points and the direction of a guess; what it has not comes by chance. *)
 type parts = { portal : Portal.triangle; edge : Portal.edge; direction : Shadow.floats }
-
-let any_point st (question : Question.t) : Portal.point =
-  { of_a = any st question.a; of_b = any st question.b }
 
 let any_direction st : Shadow.floats =
   let x = number st in
