@@ -128,13 +128,11 @@ let[@inline] orientation c (u : Shadow.floats) (v : Shadow.floats) (w : Shadow.f
   in
   certain det (0x1p-45 *. bound *. c.question.bound *. c.question.bound)
 
-(* That of a vector [u], which is [exact c], and two points with their floats, which pairs save making anew. *)
-let turn c u bound exact (p, fp) (q, fq) =
-  match orientation c u fp fq bound with
+(* That of a vector [u], which is [exact c], and two points with their floats, which are made but once. *)
+let turn c u bound exact p at_p q at_q =
+  match orientation c u at_p at_q bound with
   | 0 -> Z.sign (Ivec.det (exact c) (exact_point c p) (exact_point c q))
   | sign -> sign
-
-let with_floats c p = (p, float_point c p)
 
 (* {1 Supporting planes} *)
 
@@ -355,14 +353,15 @@ type crossing = Within | Border of Point.t | Outside
    it (-1): det (u, p, q) times [sign] is, up to a factor, the weight of the third corner, and of three weights one
    is positive. *)
 let crossing_of c { Portal.p; q; r } u ~sign bound exact =
-  let at_p = with_floats c p and at_q = with_floats c q and at_r = with_floats c r in
-  let weight v w = sign * turn c u bound exact v w in
-  let at_p = weight at_q at_r and at_q = weight at_r at_p and at_r = weight at_p at_q in
-  if at_p < 0 || at_q < 0 || at_r < 0 then Outside
-  else if at_p > 0 && at_q > 0 && at_r > 0 then Within
-  else if at_p > 0 then Border p
-  else if at_q > 0 then Border q
-  else if at_r > 0 then Border r
+  let at_p = float_point c p and at_q = float_point c q and at_r = float_point c r in
+  let of_p = sign * turn c u bound exact q at_q r at_r in
+  let of_q = sign * turn c u bound exact r at_r p at_p in
+  let of_r = sign * turn c u bound exact p at_p q at_q in
+  if of_p < 0 || of_q < 0 || of_r < 0 then Outside
+  else if of_p > 0 && of_q > 0 && of_r > 0 then Within
+  else if of_p > 0 then Border p
+  else if of_q > 0 then Border q
+  else if of_r > 0 then Border r
   else Outside
 
 let crossing c portal =
@@ -371,17 +370,21 @@ let crossing c portal =
 let foot c f portal = crossing_of c portal f.axis.f ~sign:1 (Shadow.greatest f.axis.f) (fun _ -> f.axis.n)
 
 let interior c { Portal.right; left } =
-  let right = with_floats c right and left = with_floats c left in
+  let at_right = float_point c right and at_left = float_point c left in
   let centre = float_centre c and w = c.question.velocity in
-  let along (p, floats) =
-    match orientation c w centre floats c.speed_bound with
+  let along p at_p =
+    match orientation c w centre at_p c.speed_bound with
     | 0 -> Z.sign (Ivec.det (velocity c) (exact_centre c) (exact_point c p))
     | sign -> sign
   in
-  turn c w c.speed_bound velocity right left > 0 && along right >= 0 && along left <= 0
+  turn c w c.speed_bound velocity right at_right left at_left > 0
+  && along right at_right >= 0
+  && along left at_left <= 0
 
 let inside c { Portal.p; q; r } =
   let bound = c.question.bound and centre = float_centre c in
-  let ((_, corner) as p') = with_floats c p and q = with_floats c q and r = with_floats c r in
-  let cone p q = turn c centre bound exact_centre p q in
-  turn c corner bound (fun c -> exact_point c p) q r > 0 && cone p' q <= 0 && cone q r <= 0 && cone r p' <= 0
+  let at_p = float_point c p and at_q = float_point c q and at_r = float_point c r in
+  turn c at_p bound (fun c -> exact_point c p) q at_q r at_r > 0
+  && turn c centre bound exact_centre p at_p q at_q <= 0
+  && turn c centre bound exact_centre q at_q r at_r <= 0
+  && turn c centre bound exact_centre r at_r p at_p <= 0
