@@ -1,7 +1,6 @@
 (* Laws that hold of every network, tried on random ones. *)
 
 open Scc_exact
-open Scc_calculus
 open Scc_semantics
 open Scc_test_networks
 
@@ -29,56 +28,10 @@ let preserves steered name =
       fail_on (List.find_map (well_formed m) states))
 
 let conserves =
-  property "transitions conserve momentum and energy" (fun network ->
+  property "Conservation: momentum and energy" (fun network ->
       let m, states = reached network in
       let broken (s, transitions) = List.find_map (Conservation.fault m s) transitions in
       fail_on (List.find_map broken states))
-
-let is_time (t : Transition.t) = match t.label with Time _ -> true | _ -> false
-
-let deterministic =
-  property "TimeDeterminism: at most one passing of time, to one state" ~steered:true (fun network ->
-      let _, states = reached network in
-      List.for_all (fun (_, ts) -> List.length (List.filter is_time ts) <= 1) states)
-
-(* Where time d may pass at once, it may pass in two goes to the same state. *)
-let additive =
-  property "Time is additive" ~steered:true (fun network ->
-      let m, states = reached network in
-      let part = Rat.make (Z.of_int 2) (Z.of_int 7) in
-      let holds s (t : Transition.t) =
-        match t.label with
-        | Time d ->
-          let first = Rat.mul part d in
-          let midway = Time.pass (standard m) first s in
-          let rest = Rat.sub d first in
-          Option.equal Rat.equal (Time.delay (standard m) midway) (Some rest)
-          && State.equal (Time.pass (standard m) rest midway) (Time.pass (standard m) d s)
-        | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> true
-      in
-      List.for_all (fun (s, ts) -> List.for_all (holds s) ts) states)
-
-let invariant ?steered name symmetry_of =
-  property name ?steered (fun network ->
-      let m, states = reached network in
-      fail_on (Symmetry.broken (symmetry_of m) m states))
-
-let translated =
-  invariant "nothing depends on where the network is" (fun _ ->
-      Symmetry.translation (Vec.make (Rat.of_int 5) (Rat.make Z.one (Z.of_int 3)) (Rat.of_int (-7))))
-
-let reversed m =
-  let n = Array.length m.Model.leaves in
-  Symmetry.permutation (Array.init n (fun i -> n - 1 - i))
-
-let shifted m =
-  let n = Array.length m.Model.leaves in
-  Symmetry.permutation (Array.init n (fun i -> (i + 1) mod n))
-
-let turned =
-  property "nothing depends on how the network is turned" ~count:80 (fun network ->
-      let m, states = reached network in
-      fail_on (List.find_map (fun r -> Symmetry.broken r m states) Symmetry.rotations))
 
 let labels m ts = List.map (fun (t : Transition.t) -> Transition.label_to_string m t.label) ts
 
@@ -130,19 +83,9 @@ let () =
       ( "laws",
         cases
           [
-            preserves false "transitions preserve well-formedness";
-            preserves true "so they do under laws of motion";
+            preserves false "Preservation: no transition leaves the well-formed networks";
+            preserves true "Preservation: under laws of motion";
             conserves;
-            deterministic;
-            additive;
           ] );
-      ( "symmetries",
-        cases
-          [
-            translated;
-            invariant ~steered:true "parallel components in reverse order" reversed;
-            invariant ~steered:true "parallel components in another order" shifted;
-            turned;
-            bystanders;
-          ] );
+      ("far away", cases [ bystanders ]);
     ]

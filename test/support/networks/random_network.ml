@@ -166,6 +166,10 @@ let bystander i =
 
 let with_bystanders bodies = bodies @ List.init 16 bystander
 
+let none = []
+let inert bodies = List.map (fun b -> { b with behaviour = 0 }) bodies
+let all_free bodies = List.map (fun b -> { b with fixed = false }) bodies
+
 let print bodies =
   let triple (x, y, z) = Printf.sprintf "(%d,%d,%d)" x y z in
   let body b =

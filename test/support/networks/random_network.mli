@@ -22,4 +22,13 @@ val with_bystanders : t -> t
 (** Sixteen motionless cubes more, a million away: too far to matter for long, but so many that neighbours are
     looked for in another way. *)
 
+val none : t
+(** Nobody: a model to put other bodies into. *)
+
+val inert : t -> t
+(** The same without channels: nothing binds. *)
+
+val all_free : t -> t
+(** The same with nothing fixed: what was, stands still. *)
+
 val print : t -> string

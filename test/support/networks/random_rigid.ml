@@ -219,6 +219,8 @@ let generate (features : features) =
   let+ rounding = if features.rounds then map Option.some (oneofl [ 4; 10; 20 ]) else pure None in
   { dynamics; rounding; bodies }
 
+let all_free n = { n with bodies = List.map (fun b -> { b with fixed = false }) n.bodies }
+
 let print { dynamics; rounding; bodies } =
   let triple (x, y, z) = Printf.sprintf "(%d,%d,%d)" x y z in
   let body b =

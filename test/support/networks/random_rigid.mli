@@ -26,6 +26,9 @@ val declared : t -> State.t
 val start : t -> Model.t * State.t
 (** The model and its initial state. *)
 
+val all_free : t -> t
+(** The same with nothing fixed. *)
+
 val print : t -> string
 
 val cube : id:int -> Scc_geometry.Solid.t

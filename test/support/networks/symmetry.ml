@@ -7,9 +7,15 @@ type t = {
   name : string;
   model : Model.t -> Model.t;
   state : State.t -> State.t;
+  later : Rat.t -> State.t -> State.t;
+  duration : Rat.t -> Rat.t;
   bond : State.bond -> State.bond;
   leaf : int -> int;
 }
+
+let make name ?(model = Fun.id) ?later ?(duration = Fun.id) ?(bond = Fun.id) ?(leaf = Fun.id) state =
+  let later = match later with Some f -> f | None -> fun _ -> state in
+  { name; model; state; later; duration; bond; leaf }
 
 let map_processes f (s : State.t) =
   State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
@@ -24,13 +30,8 @@ let move ~position ~velocity ~turned =
         ~kept:(velocity p.kept) ~clock:p.clock ())
 
 let translation by =
-  {
-    name = "translation by " ^ Vec.to_string by;
-    model = Fun.id;
-    state = move ~position:(Vec.add by) ~velocity:Fun.id ~turned:Fun.id;
-    bond = Fun.id;
-    leaf = Fun.id;
-  }
+  make ("translation by " ^ Vec.to_string by)
+    (move ~position:(Vec.add by) ~velocity:Fun.id ~turned:Fun.id)
 
 let turned_model r (m : Model.t) =
   let part (p : Model.part) =
@@ -55,26 +56,16 @@ let quaternion_of r =
   | None -> failwith "not a rotation of a cube"
 
 (* The shapes are turned as declared; how they have turned since then is seen from elsewhere. *)
-let rotation name r =
-  let q = quaternion_of r in
+let seen_by name q r =
   let turned t = Quaternion.mul q (Quaternion.mul t (Quaternion.inverse q)) in
-  {
-    name;
-    model = turned_model r;
-    state = move ~position:(Mat.apply r) ~velocity:(Mat.apply r) ~turned;
-    bond = Fun.id;
-    leaf = Fun.id;
-  }
+  make name ~model:(turned_model r) (move ~position:(Mat.apply r) ~velocity:(Mat.apply r) ~turned)
+
+let rotation name r = seen_by name (quaternion_of r) r
+let any_rotation q = seen_by ("rotation by " ^ Quaternion.to_string q) q (Quaternion.to_mat q)
 
 let turning q =
   let apply = Quaternion.apply q in
-  {
-    name = "turning by " ^ Quaternion.to_string q;
-    model = Fun.id;
-    state = move ~position:apply ~velocity:apply ~turned:(Quaternion.mul q);
-    bond = Fun.id;
-    leaf = Fun.id;
-  }
+  make ("turning by " ^ Quaternion.to_string q) (move ~position:apply ~velocity:apply ~turned:(Quaternion.mul q))
 
 (* The signed permutation matrices of determinant 1. *)
 let rotations =
@@ -112,7 +103,72 @@ let permutation perm =
   let name =
     "order " ^ String.concat ", " (List.map string_of_int (Array.to_list perm))
   in
-  { name; model; state = map_processes process; bond; leaf = Array.get perm }
+  make name ~model ~bond ~leaf:(Array.get perm) (map_processes process)
+
+let boost by =
+  let state = map_processes (fun (p : State.process) -> State.with_velocity (Vec.add by p.velocity) p) in
+  let later d s =
+    let leaf (l : State.leaf) = { l with position = Vec.axpy d by l.position } in
+    map_processes (State.map_leaves leaf) (state s)
+  in
+  make ("boost by " ^ Vec.to_string by) ~later state
+
+(* {1 Units}
+
+   A length of 1 becomes [length], a time of 1 [time] and a mass of 1 [mass]; all else follows. *)
+
+let rec delayed factor (b : Behaviour.t) =
+  match b with
+  | Nil | Call _ -> b
+  | Open (polarity, c, b) -> Behaviour.open_ polarity c (delayed factor b)
+  | Weak (c, b) -> Behaviour.weak c (delayed factor b)
+  | Strong (l, b) -> Behaviour.strong l (delayed factor b)
+  | Delay (t, b) -> Behaviour.delay (Rat.mul factor t) (delayed factor b)
+  | Sum (b, c) -> Behaviour.sum (delayed factor b) (delayed factor c)
+
+let scaled_model ~length ~time ~mass (m : Model.t) =
+  let part (p : Model.part) =
+    let solid = Solid.make ~id:p.solid.id p.solid.polyhedron (Mat.scale length p.solid.linear) in
+    { p with solid; offset = Vec.scale length p.offset; mass = Rat.mul mass p.mass }
+  in
+  let leaf (l : Model.leaf) = { l with parts = Array.map part l.parts; mass = Rat.mul mass l.mass } in
+  let rigid (r : Model.rigid) = { r with resolution = Rat.mul length r.resolution } in
+  {
+    m with
+    leaves = Array.map leaf m.leaves;
+    definitions =
+      Array.map (fun (d : Behaviour.definition) -> { d with body = delayed time d.body }) m.definitions;
+    timestep = Rat.mul time m.timestep;
+    split_step = Rat.mul time m.split_step;
+    rigid = Option.map rigid m.rigid;
+  }
+
+let scaling ~length ~time ~mass =
+  let speed = Vec.scale (Rat.div length time) and spin = Vec.scale (Rat.div Rat.one time) in
+  let momentum = Vec.scale (Rat.div (Rat.mul mass (Rat.mul length length)) time) in
+  let leaf (l : State.leaf) =
+    let behaviour = Behaviour.aged l.behaviour.origin (delayed time l.behaviour.term) in
+    { l with position = Vec.scale length l.position; behaviour }
+  in
+  let process (p : State.process) =
+    State.process
+      ~leaves:(List.map leaf (Array.to_list p.leaves))
+      ~bonds:(Array.to_list p.bonds) ~velocity:(speed p.velocity) ~spin:(spin p.spin) ~since:(Rat.mul time p.since)
+      ~kept:(momentum p.kept) ~clock:(Option.map (Rat.mul time) p.clock) ()
+  in
+  let step (s : State.step) =
+    { s with State.remaining = Rat.mul time s.remaining; length = Rat.mul time s.length }
+  in
+  let state (s : State.t) =
+    State.make
+      ~processes:(List.map process (Array.to_list s.processes))
+      ~step:(Option.map step s.step)
+      ~time:(Option.map (Rat.mul time) s.time)
+  in
+  let say = Rat.to_string in
+  make
+    (Printf.sprintf "lengths times %s, times times %s, masses times %s" (say length) (say time) (say mass))
+    ~model:(scaled_model ~length ~time ~mass) ~duration:(Rat.mul time) state
 
 (* {1 Transitions under a symmetry} *)
 
@@ -124,7 +180,7 @@ let first_leaf symmetry (s : State.t) leaf =
     max_int s.processes.(i).leaves
 
 let map_label symmetry s : Transition.label -> Transition.label = function
-  | Time d -> Time d
+  | Time d -> Time (symmetry.duration d)
   | Bind b -> Bind (symmetry.bond b)
   | Weak_split b -> Weak_split (symmetry.bond b)
   | Strong_split bonds ->
@@ -134,7 +190,7 @@ let map_label symmetry s : Transition.label -> Transition.label = function
     Bounce (min p q, max p q)
 
 let map_transition symmetry s (t : Transition.t) =
-  { t with label = map_label symmetry s t.label; target = symmetry.state t.target }
+  { t with label = map_label symmetry s t.label; target = symmetry.later (Transition.duration t) t.target }
 
 let same_rules a b = List.length a = List.length b && List.for_all2 ( == ) a b
 

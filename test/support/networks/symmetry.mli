@@ -7,9 +7,16 @@ type t = {
   name : string;
   model : Model.t -> Model.t;
   state : State.t -> State.t;
+  later : Rat.t -> State.t -> State.t;  (** of the target of a transition that lasts so long *)
+  duration : Rat.t -> Rat.t;
   bond : State.bond -> State.bond;
   leaf : int -> int;
 }
+
+val make :
+  string -> ?model:(Model.t -> Model.t) -> ?later:(Rat.t -> State.t -> State.t) -> ?duration:(Rat.t -> Rat.t) ->
+  ?bond:(State.bond -> State.bond) -> ?leaf:(int -> int) -> (State.t -> State.t) -> t
+(** Of what is not said, the identity; [later] is [state] whatever has passed. *)
 
 val translation : Vec.t -> t
 (** The whole network elsewhere. *)
@@ -17,6 +24,15 @@ val translation : Vec.t -> t
 val rotation : string -> Mat.t -> t
 (** The whole network turned by a rotation of a cube, its shapes as they are declared. Laws of motion are not
     turned: for inertial models. *)
+
+val any_rotation : Quaternion.t -> t
+(** The same by any rotation. *)
+
+val boost : Vec.t -> t
+(** The whole network seen from what moves on in a straight line: for models in which nothing is fixed. *)
+
+val scaling : length:Rat.t -> time:Rat.t -> mass:Rat.t -> t
+(** Other units of length, time and mass. Laws of motion are left as they are: for inertial models. *)
 
 val turning : Quaternion.t -> t
 (** The whole network turned, by the orientations of its leaves: for rigid inertial models that do not round. *)
