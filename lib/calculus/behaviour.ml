@@ -105,12 +105,14 @@ type definition = { name : string; body : t }
 type definitions = definition array
 type aged = { origin : int option; term : t }
 
-let aged origin term =
-  match term with
-  | Call k -> { origin = Some k; term }
-  | Nil | Open _ | Weak _ | Strong _ | Delay _ | Sum _ -> { origin; term }
+let aged origin term = { origin; term }
 
-let fresh term = aged None term
+let reached ~before term =
+  match term with
+  | Call k -> aged (Some k) term
+  | Nil | Open _ | Weak _ | Strong _ | Delay _ | Sum _ -> aged before term
+
+let fresh term = reached ~before:None term
 let compare_aged a b = Option.compare Int.compare a.origin b.origin <?> fun () -> compare a.term b.term
 let equal_aged a b = compare_aged a b = 0
 let hash_aged a = (hash a.term * 31) + match a.origin with None -> 0 | Some k -> k + 1

@@ -45,12 +45,15 @@ type definition = { name : string; body : t }
 
 type definitions = definition array
 
-(** A behaviour in a state, with where it comes from: [origin] is the K whose ageing gave [term], if any;
-    always [Some k] when [term] is [Call k] (reading I-14). *)
+(** A behaviour in a state, with where it comes from: [origin] is the K whose ageing gave [term], if any (reading
+    I-14). It may be another one than the name that [term] is, where that was a summand. *)
 type aged = private { origin : int option; term : t }
 
 val aged : int option -> t -> aged
-(** [aged origin term]; a name is an origin of its own. *)
+(** [aged origin term]: the term of an origin that is known. *)
+
+val reached : before:int option -> t -> aged
+(** What a whole behaviour has just become: if that is a name, it is the origin, else [before]. *)
 
 val fresh : t -> aged
 (** A behaviour that a discrete transition has just reached (or an initial one). *)

@@ -61,8 +61,9 @@ let rec term_horizon (defs : definitions) : t -> Rat.t option = function
 let horizon defs (b : aged) = term_horizon defs b.term
 
 (* Ageing can bring up nil and equal summands again and again, which offer nothing new: without them a
-   recursion through sums comes back to where it was (reading I-17). *)
-let without_repetition b =
+   recursion through sums comes back to where it was (reading I-17). What still ages stays a summand, if need be
+   of nil: so it makes no difference to origins when the others go (reading I-14). *)
+let without_repetition defs b =
   let rec summands found (b : t) =
     match b with
     | Sum (x, y) -> summands (summands found x) y
@@ -71,6 +72,7 @@ let without_repetition b =
   in
   match List.rev (summands [] b) with
   | [] -> nil
+  | [ only ] -> if Option.is_none (term_horizon defs only) then only else sum only nil
   | first :: rest -> List.fold_left sum first rest
 
 (* A time up to the horizon: no exposed eps is passed, some may expire at its end. *)
@@ -86,11 +88,14 @@ let rec pass_term (defs : definitions) d (b : t) =
       | None -> b
       | Some _ -> pass_term defs d defs.(k).body)
 
+(* A name that an expiring eps brings up is the new origin, unless it is a summand (reading I-14). *)
 let pass_to_horizon defs d (b : aged) =
-  let term = pass_term defs d b.term in
-  if term == b.term then b else aged b.origin (without_repetition term)
+  match pass_term defs d b.term with
+  | term when term == b.term -> b
+  | Sum _ as sum -> aged b.origin (without_repetition defs sum)
+  | whole -> reached ~before:b.origin whole
 
-(* By additivity, from horizon to horizon: so a name that an expiring eps brings up becomes the origin. *)
+(* By additivity, from horizon to horizon. *)
 let rec pass defs d b =
   if Rat.sign d = 0 then b
   else

@@ -36,4 +36,5 @@ val horizon : definitions -> aged -> Rat.t option
 
 val pass : definitions -> Rat.t -> aged -> aged
 (** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed
-    eps stay folded; an aged sum has neither nil nor equal summands (reading I-17). *)
+    eps stay folded; an aged sum has neither nil nor equal summands, except that a single one which still ages has
+    nil beside it (readings I-14, I-17). *)

@@ -23,7 +23,8 @@ let weak_offers m p (b : State.bond) =
     let second = releases m p b.name b.two in
     List.concat_map (fun one -> List.map (fun two -> (one, two)) second) first
 
-let weak_split_enabled m p = Array.exists (fun b -> weak_offers m p b <> []) p.State.bonds
+let releasable m p b = weak_offers m p b <> []
+let weak_split_enabled m p = Array.exists (releasable m p) p.State.bonds
 
 let restart_clock m p =
   State.with_clock (if weak_split_enabled m p then Some Scc_exact.Rat.zero else None) p

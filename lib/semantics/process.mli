@@ -11,6 +11,9 @@ type released = Behaviour.t * Behaviours.derivation
 val weak_offers : Model.t -> State.process -> State.bond -> (released * released) list
 (** The ways to release a bond, which both its ends, the lesser and the greater, must offer (reading I-6). *)
 
+val releasable : Model.t -> State.process -> State.bond -> bool
+(** Whether a bond may be released by rule WeakSplit, at some instant. *)
+
 val weak_split_enabled : Model.t -> State.process -> bool
 (** Whether some bond may be released by rule WeakSplit. *)
 

@@ -36,17 +36,20 @@ let delay (c : Semantics.t) (s : State.t) =
   | Some _ when spinning && nothing_ahead () -> None
   | Some d -> least (Some d) step
 
-(* The clock after d: started anew when an eps of the process has just expired (reading I-9). *)
+(* The split clock runs on, and starts anew when a further bond can be released, which takes an eps that expires;
+   one that changes nothing of that leaves the clock alone (reading I-9). *)
+let age_clock (m : Model.t) d (p : State.process) aged =
+  let expires = match horizon m p with Some h -> Rat.compare h d <= 0 | None -> false in
+  let gained b = not (Process.releasable m p b) && Process.releasable m aged b in
+  if expires && Array.exists gained p.bonds then Some Rat.zero
+  else Option.map (fun clock -> Rat.modulo (Rat.add clock d) m.split_step) p.clock
+
 let age_process (m : Model.t) d (p : State.process) =
   if Rat.sign d = 0 then p
   else
     let age (l : State.leaf) = { l with behaviour = Behaviours.pass m.definitions d l.behaviour } in
-    let expires =
-      match horizon m p with Some h -> Rat.compare h d <= 0 | None -> false
-    in
     let aged = State.map_leaves age p in
-    if expires then Process.restart_clock m aged
-    else State.with_clock (Option.map (fun c -> Rat.modulo (Rat.add c d) m.split_step) p.clock) aged
+    State.with_clock (age_clock m d p aged) aged
 
 let pass_process m d p = Turn.pass m d (age_process m d p)
 

@@ -99,6 +99,12 @@ def i_9():
     other = bonded(RELEASE, 'K', 'L', extra='split_step 2\nprocess r = Cube mass 1 at translate (0,40,0) [eps(1/2). nil]\n')
     r.outcomes('The delay of another process is no split instant.', other, [TIME], [passes('3/2')])
     r.outcomes('But 2 is.', other, [TIME, TIME], [releases('dock', 'p.right', 'q.left'), passes(2)])
+    for note, idle in [('A delay of its own that brings up nothing', 'nil'),
+                       ('Nor one that offers the same bond once more', 'K')]:
+        own = bonded(RELEASE, 'J', 'L', extra='split_step 2\nbehaviour J on Cube = omega(dock, {right}). Gone + eps(1/2). %s\n'
+                     % idle)
+        r.outcomes(note + ' is no split instant.', own, [TIME], [passes('3/2')])
+        r.outcomes('But 2 is, as without it.', own, [TIME, TIME], [releases('dock', 'p.right', 'q.left'), passes(2)])
     return r
 
 
@@ -160,6 +166,17 @@ def i_14():
     alone = behaviours(K='eps(2). L', L='<b, {top}>. nil') + 'process p = Cube mass 1 [K]\n'
     r.value('When an eps is over, the name behind it is the new origin.', alone, [TIME], 'behaviour(p) = L', True)
     r.value('And no more the old one.', alone, [TIME], 'behaviour(p) = K', False)
+    names = behaviours(L='<b, {top}>. nil', J='eps(1). L')
+    aging = 'process q = Cube mass 1 at translate (40,0,0) [eps(4). nil]\n'
+    for note, body, along in [
+            ('A name that is a summand does not count, also when it is the only one that is left.', 'L + eps(3). nil', 1),
+            ('Nor one that comes up as a summand,', 'eps(1). L + eps(2). nil', 1),
+            ('and is left alone later,', 'eps(1). L + eps(2). nil', 2),
+            ('or comes up when the others have gone,', 'eps(2). L + eps(1). nil', 2),
+            ('or at the same time,', 'eps(2). L + eps(2). nil', 1),
+            ('or after a name.', 'eps(1). J + eps(1). nil', 2)]:
+        text = names + behaviours(M=body) + aging + 'process p = Cube mass 1 [M]\n'
+        r.value(note, text, [TIME] * along, 'behaviour(p) = M', True)
     return r
 
 

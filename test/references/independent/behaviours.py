@@ -49,9 +49,11 @@ def least(times):
     return min(known) if known else None
 
 
-def without_repetition(b):
-    """An aged sum without nil and equal summands (I-17)."""
+def without_repetition(b, definitions):
+    """An aged sum without nil and equal summands (I-17); what still ages stays a summand (I-14)."""
     summands = [s for s in dict.fromkeys(b[1]) if s != ('nil',)]
+    if len(summands) == 1 and horizon(summands[0], definitions) is not None:
+        summands.append(('nil',))
     if len(summands) > 1:
         return ('sum', tuple(summands))
     return summands[0] if summands else ('nil',)
@@ -60,7 +62,13 @@ def without_repetition(b):
 def age(b, d, definitions):
     """Rule TimeBehaviour, for d not beyond the horizon."""
     aged = canonical(age_term(b, d, definitions))
-    return without_repetition(aged) if aged != b and aged[0] == 'sum' else aged
+    return without_repetition(aged, definitions) if aged != b and aged[0] == 'sum' else aged
+
+
+def age_origin(b, origin, d, definitions):
+    """The origin then (I-14): a name that comes up as the whole, and not as a summand."""
+    aged = canonical(age_term(b, d, definitions))
+    return aged[1] if aged != b and aged[0] == 'name' else origin
 
 
 def age_term(b, d, definitions):

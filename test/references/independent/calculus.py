@@ -9,7 +9,7 @@ from collections import namedtuple
 from fractions import Fraction as F
 from itertools import combinations, product
 
-from behaviours import age, canonical, horizon, least, offers
+from behaviours import age, age_origin, canonical, horizon, least, offers
 from boxes import AXES, Body, Part, approaching, entry, inside, obstacle, on_surface, touching_pairs
 
 __all__ = ['AXES', 'Body', 'Calculus', 'Leaf', 'Part', 'Process', 'State', 'ZERO', 'canonical', 'inside', 'minus',
@@ -260,15 +260,12 @@ class Calculus:
             leaves = []
             for l in p.leaves:
                 new = age(l.behaviour, d, self.definitions)
-                origin = l.origin
-                if new != l.behaviour and new[0] == 'name':
-                    origin = new[1]
+                origin = age_origin(l.behaviour, l.origin, d, self.definitions)
                 leaves.append(Leaf(l.name, plus(l.position, times(d, p.velocity)), new, origin))
-            if self.horizon(p) == d:
-                processes.append(self.process(p.velocity, leaves, p.bonds))
-            else:
-                clock = None if p.clock is None else (p.clock + d) % self.split_step
-                processes.append(Process(p.velocity, clock, tuple(sorted(leaves)), p.bonds))
+            aged = self.process(p.velocity, leaves, p.bonds)
+            if {bond for bond, _ in self.weak_splits(aged)} <= {bond for bond, _ in self.weak_splits(p)}:
+                aged = aged._replace(clock=None if p.clock is None else (p.clock + d) % self.split_step)
+            processes.append(aged)
         step = None
         if state.step:
             left = state.step[0] - d

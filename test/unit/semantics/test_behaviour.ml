@@ -15,6 +15,9 @@ let defs : Behaviour.definitions =
     { name = "Loop"; body = eps (ratio 3 4) (Behaviour.call 4) };
     { name = "Twice"; body = eps (q 1) (Behaviour.call 5 + Behaviour.call 5) };
     { name = "Padded"; body = eps (q 1) (Behaviour.call 6) + nil };
+    { name = "Left"; body = Behaviour.call 0 + eps (q 3) nil };
+    { name = "Later"; body = eps (q 2) (Behaviour.call 1) + eps (q 1) nil };
+    { name = "Alias"; body = Behaviour.call 2 };
   |]
 
 let gen_time = Gen.map2 ratio (Gen.int_range 0 24) (Gen.int_range 1 8)
@@ -107,6 +110,12 @@ let origin () =
   check "ageing keeps the origin" (Some 2) (after (ratio 1 4) 2);
   check "a name that an eps brings up takes over" (Some 1) (after (ratio 1 2) 2);
   check "also when it is passed" (Some 1) (after (q 2) 2);
+  check "a name that is left alone of a sum does not count" (Some 7) (after (q 3) 7);
+  check "nor one that comes up in a sum" (Some 8) (after (q 2) 8);
+  check "nor what comes up after it" (Some 8) (after (q 4) 8);
+  check "a name for a name is as what it stands for" (Some 1) (after (q 1) 9);
+  check "the whole of what a sum becomes counts" (Some 2)
+    (Behaviours.pass defs (q 1) (Behaviour.fresh (eps (q 1) (Behaviour.call 2)))).origin;
   let folded = Behaviours.pass defs (q 5) (Behaviour.fresh (Behaviour.call 0)) in
   Alcotest.(check bool) "without exposed eps a name stays folded" true
     (equal folded (Behaviour.fresh (Behaviour.call 0)))

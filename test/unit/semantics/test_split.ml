@@ -172,8 +172,28 @@ let instants () =
   let s = take m s "time(1/4)" in
   check_labels "at the next multiple, and the eps is awaited" [ "weak(a, p.right, q.left)"; "time(1/8)" ] m s;
   let s = take m s "time(1/8)" in
-  check_labels "an expiring eps of the process starts the clock anew (I-9)"
-    [ "weak(a, p.right, q.left)"; "time(1/4)" ] m s
+  check_labels "an eps that brings up nothing leaves the clock alone (I-9)" [ "time(1/8)" ] m s;
+  check_labels "which runs on" [ "weak(a, p.right, q.left)"; "time(1/4)" ] m (take m s "time(1/8)");
+  let again = release nil + eps (ratio 3 8) (release (release nil)) in
+  let m, s = pair ~split_step:(ratio 1 4) (release nil) again in
+  let s = take m (take m s "time(1/4)") "time(1/8)" in
+  check_labels "so does one that offers the same bond once more" [ "time(1/8)" ] m s
+
+(* p, q and r in a row: the bond of q and r can be released from 3/8 on. *)
+let one_more () =
+  let bodies =
+    [
+      body "p" (0, 0, 0) ~behaviour:(release nil);
+      body "q" (2, 0, 0) ~behaviour:(release nil + weak "b" [ "right" ] nil);
+      body "r" (4, 0, 0) ~behaviour:(eps (ratio 3 8) (weak "b" [ "left" ] nil));
+    ]
+  in
+  let m = model ~split_step:(ratio 1 4) bodies in
+  let bonds = [ ("a", (0, "right"), (1, "left")); ("b", (1, "right"), (2, "left")) ] in
+  let s = start m (joined bodies bonds) in
+  let s = take m (take m s "time(1/4)") "time(1/8)" in
+  check_labels "a further bond starts the clock of the process anew"
+    [ "weak(a, p.right, q.left)"; "weak(b, q.right, r.left)"; "time(1/4)" ] m s
 
 let pieces_rest () =
   let m, s = pair (release nil) (release nil) in
@@ -213,6 +233,7 @@ let () =
         [
           case "WeakSplit: both ends must offer it (I-6)" both_ends;
           case "WeakSplit: only at split instants (I-9)" instants;
+          case "I-9: a further bond" one_more;
           case "WeakSplit: the pieces keep their motion (I-11)" pieces_rest;
           case "StrongSplit: urgent" urgent;
           case "StrongSplit: separate components react separately (I-7)" separate_components;
