@@ -109,10 +109,10 @@ let agrees tally (q : Clusters.question) =
         if a = b then true
         else QCheck2.Test.fail_report (Printf.sprintf "slice: %b, whole: %b" a b)
       | _, _ -> true)
-
 let tally = { made = 0; compared = 0; lifted = 0; longer = 0 }
 
-let random = QCheck2.Test.make ~name:"clusters" ~count:700 ~print:Clusters.print Clusters.question (agrees tally)
+let random =
+  QCheck2.Test.make ~name:"Fragments: clusters" ~count:700 ~print:Clusters.print Clusters.question (agrees tally)
 
 let counts () =
   Printf.printf "%d slices, %d verdicts compared, %d runs lifted, %d of them longer\n" tally.made tally.compared
