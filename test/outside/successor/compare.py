@@ -1,0 +1,236 @@
+"""Holds the transitions that ``scc`` tells against those that the rules here give.
+
+compare.py --scc PATH                 the conformance suite, and 60 random models
+compare.py --scc PATH --models 5000 --seed 7 --no-suite
+compare.py --scc PATH --file MODEL.sc ...
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import random
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+from typing import Any, List, Optional
+
+import generate
+from model import Model, Undefined
+from motion import Undecided
+from oracle import Oracle, Refusal
+from states import State, label_of, state_of
+from straight import Rules, Stopped
+from syntax import Refused
+from turning import Turning
+
+HERE = Path(__file__).resolve().parent
+
+
+class Tally:
+    """What was compared."""
+
+    def __init__(self) -> None:
+        self.counts: Counter = Counter()
+        self.kinds: Counter = Counter()
+        self.differences: List[str] = []
+        self.passed_over: Counter = Counter()
+
+
+def shown(here: Counter, told: Counter) -> str:
+    """What only one side has; of targets of like labels, the processes that differ."""
+    lines = []
+    for sign, these, others in (("here", here, told), ("told", told, here)):
+        for (label, key), count in these.items():
+            lines.append("only %s: %d x %s" % (sign, count, plain(label)))
+            alike = [set(told_apart(k)) for (other, k) in others if other == label]
+            for line in told_apart(key):
+                if not any(line in known for known in alike):
+                    lines.append("      %s" % line)
+    return "\n".join(lines)
+
+
+def told_apart(key: Any) -> List[str]:
+    processes, step, now = key
+    lines = ["%s, time %s" % (plain(step), plain(now))]
+    for velocity, clock, bodies, bonds, spin, since, momentum, own in processes:
+        lines.append("v %s clock %s bonds %s" % (plain(velocity), plain(clock), plain(bonds)))
+        if any(body.turned for _, body in bodies):
+            lines.append(
+                "  spin %s since %s L %s step %s"
+                % (plain(spin), plain(since), plain(momentum), plain(own))
+            )
+        for name, body in bodies:
+            lines.append(
+                "  %s at %s %s: %s (%s)"
+                % (name, plain(body.position), body.turned or "", plain(body.term), body.origin)
+            )
+    return lines
+
+
+def plain(value: Any) -> str:
+    import re
+
+    text = re.sub(r"Fraction\((-?\d+), (\d+)\)", r"\1/\2", repr(value))
+    return re.sub(r"frozenset\(\{(('[^']*'|[^'])*?)\}\)", r"{\1}", text.replace("/1,", ","))
+
+
+def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Optional[str]:
+    """A difference in the transitions of one state, or None."""
+    model = rules.model
+    own = Counter({(label, after.key()): 1 for label, after in rules.successors(state)})
+    told: Counter = Counter()
+    for t in answer["transitions"]:
+        label = label_of(model, t["label"])
+        after_time = state.time + (label[1] if label[0] == "time" else 0)
+        told[(label, state_of(model, t["state"], str(after_time)).key())] += 1
+        tally.kinds[label[0]] += 1
+        if label[0] == "strong" and len(label[1]) > 1:
+            tally.kinds["strong of several"] += 1
+    tally.counts["transitions"] += sum(told.values())
+    tally.counts["states"] += 1
+    if not told and answer["ending"] == "quiescent" and model.rigid:
+        tally.counts["rest proved"] += 1
+        kinds = {label[0] for label, _ in own}
+        return None if kinds <= {"time"} else "not at rest: %s" % shown(own, told)
+    if own != told:
+        return shown(own - told, told - own)
+    if (answer["ending"] is None) != bool(told):
+        return "ending %s" % answer["ending"]
+    return None
+
+
+def choice(rng: random.Random, transitions: List[dict]) -> int:
+    """One of the transitions; of splits and bonds rather than that time passes."""
+    rare = [i for i, t in enumerate(transitions) if t["label"]["kind"] not in ("time", "bounce")]
+    if rare and rng.random() < 0.5:
+        return rng.choice(rare)
+    return rng.randrange(len(transitions))
+
+
+def digits(told: Any) -> int:
+    """The length of the longest number; those of bodies that turn grow with each collision."""
+    if isinstance(told, dict):
+        return max(map(digits, told.values()), default=0)
+    if isinstance(told, list):
+        return max(map(digits, told), default=0)
+    return len(told) if isinstance(told, str) and told[:1] in "-0123456789" else 0
+
+
+def walk(
+    oracle: Oracle, text: str, tally: Tally, rng: random.Random, steps: int, runs: int
+) -> Optional[str]:
+    """Random runs of a model; the first difference."""
+    try:
+        model = Model(text)
+        loaded = oracle.ask("model.load", text=text)
+    except (Refusal, Refused) as error:
+        tally.passed_over[str(error)[:60]] += 1
+        return None
+    try:
+        if loaded["rigid"] != model.rigid:
+            return "rigid: %s" % loaded["rigid"]
+        if model.rigid and model.rounding:
+            tally.passed_over["rounding"] += 1
+            return None
+        tally.counts["rigid models" if model.rigid else "models"] += 1
+        rules = Turning(model) if model.rigid else Rules(model)
+        seen: set = set()
+        for run in range(runs):
+            path: List[int] = []
+            for i in range(steps):
+                answer = oracle.ask("successors", model=loaded["model"], path=path, states="all")
+                state = state_of(model, answer["state"], answer["time"])
+                if i == 0 and run == 0:
+                    own = rules.initial()
+                    if own.key() != state.key():
+                        return "initial state: here %s\ntold %s" % (
+                            plain(own.key()), plain(state.key()),
+                        )  # fmt: skip
+                if state.key() not in seen:
+                    seen.add(state.key())
+                    difference = compare_state(rules, answer, state, tally)
+                    if difference:
+                        return "after %s:\n%s\n%s" % (
+                            path, "\n".join(told_apart(state.key())), difference,
+                        )  # fmt: skip
+                if not answer["transitions"] or digits(answer["state"]) > 150:
+                    break
+                path.append(choice(rng, answer["transitions"]))
+    except (Undefined, Stopped, Undecided) as error:
+        tally.passed_over[type(error).__name__] += 1
+    except Refusal as error:
+        tally.passed_over[str(error)[:60]] += 1
+    finally:
+        oracle.ask("model.release", model=loaded["model"])
+    return None
+
+
+def suite(folder: Path) -> List[str]:
+    """The models of the conformance suite whose transitions are asked for."""
+    texts = []
+    for path in sorted(folder.glob("*/*.json")) + sorted(folder.glob("*/*/*.json")):
+        document = json.loads(path.read_text())
+        if not isinstance(document, dict):
+            continue
+        for given in document.get("given", {}).values():
+            text = given["params"].get("text") if given["method"] == "model.load" else None
+            if text and text not in texts and not given["params"].get("parameters"):
+                texts.append(text)
+    return texts
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--scc", required=True)
+    parser.add_argument("--models", type=int, default=60)
+    parser.add_argument("--rigid", type=int, default=10, help="of bodies that turn")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--steps", type=int, default=8)
+    parser.add_argument("--runs", type=int, default=1)
+    parser.add_argument("--no-suite", action="store_true")
+    parser.add_argument("--stop", type=int, default=3, help="after so many differences")
+    parser.add_argument("--only-rigid", action="store_true")
+    parser.add_argument("--file", action="append", default=[])
+    parser.add_argument("--suite", default=str(HERE / "../../../specs/conformance"))
+    options = parser.parse_args()
+
+    oracle = Oracle([options.scc, "oracle"])
+    tally = Tally()
+    began = time.time()
+    texts = [(name, Path(name).read_text()) for name in options.file]
+    if not options.no_suite and not texts:
+        texts += [("suite %d" % i, t) for i, t in enumerate(suite(Path(options.suite)))]
+
+    def numbered() -> Any:
+        yield from texts
+        if not options.file:
+            for i in range(options.models):
+                name = "random %d" % (options.seed * 1000000 + i)
+                yield name, generate.model(random.Random(name))
+            for i in range(options.rigid):
+                name = "rigid %d" % (options.seed * 1000000 + i)
+                yield name, generate.model(random.Random(name), rigid=True)
+
+    for name, text in numbered():
+        if options.only_rigid and "spin" not in text and "dynamics" not in text:
+            continue
+        rng = random.Random("%s %d" % (name, options.seed))
+        difference = walk(oracle, text, tally, rng, options.steps, options.runs)
+        if difference:
+            tally.differences.append(name)
+            print("DIFFERENCE in %s\n%s\n%s\n" % (name, text, difference), flush=True)
+            if len(tally.differences) >= options.stop:
+                break
+    oracle.close()
+    print(
+        "%s; %s; passed over %s; %d differences; %.1f s"
+        % (dict(tally.counts), dict(tally.kinds), dict(tally.passed_over),
+           len(tally.differences), time.time() - began)
+    )  # fmt: skip
+    return 1 if tally.differences else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,132 @@
+"""States: as values that can be compared, and as the JSON of ``scc`` tells them (rule State)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any, Dict, FrozenSet, List, Optional, Tuple
+
+import terms
+from model import Model, Site
+from syntax import Reader
+from vectors import ZERO, Vector
+
+End = Tuple[str, Site]
+Bond = Tuple[str, FrozenSet[End]]
+
+
+@dataclass(frozen=True)
+class Body:
+    """A leaf in a state."""
+
+    position: Vector
+    term: terms.Term
+    origin: Optional[str]
+    turned: Optional[Tuple[int, ...]] = None
+
+
+@dataclass(frozen=True)
+class Process:
+    """Leaves that are bound to each other."""
+
+    velocity: Vector
+    clock: Optional[Fraction]
+    bodies: Dict[str, Body]
+    bonds: FrozenSet[Bond]
+    spin: Vector = ZERO
+    since: Fraction = Fraction(0)
+    momentum: Optional[Vector] = None  # angular, of free bodies
+    step: Any = None  # of models with a local timestep
+
+    def key(self) -> Any:
+        return (
+            self.velocity, self.clock, tuple(sorted(self.bodies.items(), key=lambda b: b[0])),
+            self.bonds, self.spin, self.since, self.momentum, self.step,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Step:
+    """Where the network is in its movement step."""
+
+    remaining: Fraction
+    phase: str
+    length: Optional[Fraction] = None
+
+
+@dataclass(frozen=True)
+class State:
+    """Processes in no order (I-5), and the movement step."""
+
+    processes: Tuple[Process, ...]
+    step: Optional[Step]
+    time: Fraction = field(default=Fraction(0))
+
+    def key(self) -> Any:
+        def order(process: Process) -> str:
+            return min(process.bodies)
+
+        return (tuple(p.key() for p in sorted(self.processes, key=order)), self.step, self.time)
+
+    def having(self, old: List[Process], new: List[Process]) -> "State":
+        """With some processes in the place of others."""
+        kept = tuple(p for p in self.processes if not any(p is o for o in old))
+        return replace(self, processes=kept + tuple(new))
+
+
+def vector(numbers: List[str]) -> Vector:
+    return tuple(Fraction(x) for x in numbers)  # type: ignore[return-value]
+
+
+def end_of(model: Model, text: str) -> End:
+    return model.end(Reader(text).feature(), {})
+
+
+def bond_of(model: Model, bond: dict) -> Bond:
+    return (bond["name"], frozenset(end_of(model, e) for e in bond["ends"]))
+
+
+def process_of(model: Model, told: dict) -> Process:
+    bodies = {}
+    for leaf in told["leaves"]:
+        bodies[leaf["name"]] = Body(
+            vector(leaf["position"]),
+            model.read_term(model.leaves[leaf["name"]], leaf["behaviour"]),
+            leaf["origin"],
+            tuple(int(q) for q in leaf["turned"]) if "turned" in leaf else None,
+        )
+    return Process(
+        vector(told["velocity"]),
+        None if told["clock"] is None else Fraction(told["clock"]),
+        bodies,
+        frozenset(bond_of(model, b) for b in told["bonds"]),
+        vector(told["spin"]) if "spin" in told else ZERO,
+        Fraction(told.get("since", 0)),
+        vector(told["angular_momentum"]) if "angular_momentum" in told else None,
+        step_of(told.get("step")),
+    )
+
+
+def step_of(told: Optional[dict]) -> Optional[Step]:
+    if told is None:
+        return None
+    length = Fraction(told["length"]) if "length" in told else None
+    return Step(Fraction(told["remaining"]), told["phase"], length)
+
+
+def state_of(model: Model, told: dict, time: str) -> State:
+    """The state that the JSON tells."""
+    processes = tuple(process_of(model, p) for p in told["processes"])
+    return State(processes, step_of(told.get("step")), Fraction(time))
+
+
+def label_of(model: Model, told: dict) -> Any:
+    """A label as a value that can be compared."""
+    kind = told["kind"]
+    if kind == "time":
+        return ("time", Fraction(told["duration"]))
+    if kind == "bounce":
+        return ("bounce", frozenset(told["between"]))
+    if kind == "strong":
+        return ("strong", frozenset(bond_of(model, b) for b in told["bonds"]))
+    return (kind,) + bond_of(model, told)

@@ -1,0 +1,450 @@
+"""The successors of a state of a translational model (chapters 1 to 3 of the rule book)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from itertools import combinations, permutations, product
+from typing import Any, Dict, Iterator, List, Optional, Tuple
+
+import contact
+import response
+import terms
+from model import Leaf, Model, Part
+from solids import Feature
+from states import Body, Bond, Process, State, Step
+from vectors import ZERO, Vector, add, scale, sub
+
+Transition = Tuple[Any, State]
+
+
+class Stopped(Exception):
+    """A state whose transitions cannot be computed (rule Persistent)."""
+
+
+class Pair:
+    """Two parts of two processes that touch."""
+
+    def __init__(self, first: Tuple[str, Part], second: Tuple[str, Part], offset: Vector) -> None:
+        self.leaf1, self.part1 = first
+        self.leaf2, self.part2 = second
+        self.offset = offset
+        self.tight = contact.tight(self.part1.solid, self.part2.solid, offset)
+
+    def approaches(self, w: Vector) -> bool:
+        """Rule Approach."""
+        return contact.approaching(self.part1.solid, self.part2.solid, self.offset, w)
+
+
+class Rules:
+    """The rules over one model."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+
+    # Bodies and processes.
+
+    def leaf(self, name: str) -> Leaf:
+        return self.model.leaves[name]
+
+    def is_fixed(self, process: Process) -> bool:
+        return any(self.leaf(name).fixed for name in process.bodies)
+
+    def mass(self, process: Process) -> Fraction:
+        return sum((self.leaf(name).mass for name in process.bodies), Fraction(0))
+
+    def parts(self, process: Process) -> Iterator[Tuple[str, Part, Vector]]:
+        for name, body in process.bodies.items():
+            for part in self.leaf(name).parts:
+                yield name, part, body.position
+
+    # Behaviours of a leaf.
+
+    def summands(self, name: str, body: Body) -> List[terms.Term]:
+        return list(terms.summands(body.term, self.model.lookup(self.leaf(name))))
+
+    def becomes(self, body: Body, then: terms.Term) -> Body:
+        return replace(body, term=then, origin=terms.origin_of(then))
+
+    # Collisions.
+
+    def touching(self, p: Process, q: Process) -> List[Pair]:
+        found = []
+        for name1, part1, at1 in self.parts(p):
+            for name2, part2, at2 in self.parts(q):
+                offset = sub(at2, at1)
+                if contact.relation(part1.solid, part2.solid, offset) == "touching":
+                    found.append(Pair((name1, part1), (name2, part2), offset))
+        return found
+
+    def collision(self, p: Process, q: Process) -> Optional[List[Pair]]:
+        """All touching pairs of parts of two processes that collide; None if they do not."""
+        w = sub(q.velocity, p.velocity)
+        if w == ZERO:
+            return None
+        pairs = self.touching(p, q)
+        return pairs if any(pair.approaches(w) for pair in pairs) else None
+
+    def collisions(self, state: State) -> List[Tuple[Process, Process, List[Pair]]]:
+        found = []
+        for p, q in combinations(state.processes, 2):
+            pairs = self.collision(p, q)
+            if pairs is not None:
+                found.append((p, q, pairs))
+        return found
+
+    def counts(self, pair: Pair, w: Vector) -> bool:
+        """Reading I-12: whether a pair of parts may bind."""
+        return pair.approaches(w)
+
+    def touching_features(self, pair: Pair) -> List[Tuple[Feature, Feature, int]]:
+        return contact.touching_pairs(pair.part1.solid, pair.part2.solid, pair.offset)
+
+    def candidates(
+        self, p: Process, q: Process, pairs: List[Pair]
+    ) -> Iterator[Tuple[Bond, Dict[str, Body]]]:
+        """Rule Bind: bonds, and what the two leaves become."""
+        w = sub(q.velocity, p.velocity)
+        for pair in pairs:
+            if not self.counts(pair, w):
+                continue
+            leaf1, leaf2 = self.leaf(pair.leaf1), self.leaf(pair.leaf2)
+            body1, body2 = p.bodies[pair.leaf1], q.bodies[pair.leaf2]
+            open1 = [s for s in self.summands(pair.leaf1, body1) if s[0] == "open"]
+            open2 = [s for s in self.summands(pair.leaf2, body2) if s[0] == "open"]
+            matching = [
+                (s1, s2) for s1 in open1 for s2 in open2 if s1[2] == s2[2] and s1[1] != s2[1]
+            ]
+            if not matching:
+                continue
+            features = self.touching_features(pair)
+            for s1, s2 in matching:
+                active1, active2 = leaf1.closure(s1[3]), leaf2.closure(s2[3])
+                both = [
+                    ((pair.part1.name, f1), (pair.part2.name, f2), dimension)
+                    for f1, f2, dimension in features
+                    if (pair.part1.name, f1) in active1 and (pair.part2.name, f2) in active2
+                ]
+                highest = max((d for _, _, d in both), default=None)
+                for site1, site2, dimension in both:
+                    if dimension == highest:
+                        bond = (s1[2], frozenset({(pair.leaf1, site1), (pair.leaf2, site2)}))
+                        yield (
+                            bond,
+                            {
+                                pair.leaf1: self.becomes(body1, s1[4]),
+                                pair.leaf2: self.becomes(body2, s2[4]),
+                            },
+                        )
+
+    def bind(self, p: Process, q: Process, bond: Bond, new: Dict[str, Body]) -> Process:
+        if self.is_fixed(p) or self.is_fixed(q):
+            velocity = ZERO
+        else:
+            m1, m2 = self.mass(p), self.mass(q)
+            velocity = scale(1 / (m1 + m2), add(scale(m1, p.velocity), scale(m2, q.velocity)))
+        bodies = {**p.bodies, **q.bodies, **new}
+        return self.begun(Process(velocity, None, bodies, p.bonds | q.bonds | {bond}))
+
+    def bounce(
+        self, p: Process, q: Process, pairs: List[Pair]
+    ) -> Optional[Tuple[Process, Process]]:
+        """Rule Bounce, with rule Response."""
+        w = sub(q.velocity, p.velocity)
+        normals = response.directions(
+            [pair.tight for pair in pairs], [pair.approaches(w) for pair in pairs]
+        )
+        change = sub(response.reflect(normals, w), w)
+        if self.is_fixed(p):
+            share1, share2 = Fraction(0), Fraction(1)
+        elif self.is_fixed(q):
+            share1, share2 = Fraction(1), Fraction(0)
+        else:
+            m1, m2 = self.mass(p), self.mass(q)
+            share1, share2 = m2 / (m1 + m2), m1 / (m1 + m2)
+        after1 = replace(p, velocity=sub(p.velocity, scale(share1, change)))
+        after2 = replace(q, velocity=add(q.velocity, scale(share2, change)))
+        return self.begun(after1), self.begun(after2)
+
+    def resolutions(self, state: State) -> Iterator[Transition]:
+        for p, q, pairs in self.collisions(state):
+            bound = False
+            for bond, new in self.candidates(p, q, pairs):
+                bound = True
+                yield ("bind",) + bond, state.having([p, q], [self.bind(p, q, bond, new)])
+            if not bound:
+                names = frozenset({self.first(p), self.first(q)})
+                after = self.bounce(p, q, pairs)
+                if after is None:
+                    raise Stopped("persistent contact")
+                yield ("bounce", names), state.having([p, q], list(after))
+
+    def first(self, process: Process) -> str:
+        """The first leaf of a process, in the order of declaration."""
+        return next(name for name in self.model.leaves if name in process.bodies)
+
+    # Splits.
+
+    def releases(self, process: Process, kind: str) -> Iterator[Tuple[Bond, Dict[str, Body]]]:
+        """Rule WeakSplit: bonds that may be released, and what the two leaves become."""
+        for bond in process.bonds:
+            name, ends = bond
+            offers = []
+            for leaf, site in ends:
+                body = process.bodies[leaf]
+                offers.append(
+                    [
+                        (leaf, self.becomes(body, s[3]))
+                        for s in self.summands(leaf, body)
+                        if s[0] == kind and s[1] == name and site in self.leaf(leaf).closure(s[2])
+                    ]
+                )
+            for chosen in product(*offers):
+                yield bond, dict(chosen)
+
+    def reactions(self, process: Process) -> Iterator[Tuple[List[Bond], Dict[str, Body]]]:
+        """Rule StrongSplit: sets of bonds that hang together, and what their leaves become."""
+        bonds = list(process.bonds)
+        for size in range(1, len(bonds) + 1):
+            for chosen in combinations(bonds, size):
+                if not hangs_together(chosen):
+                    continue
+                at: Dict[str, list] = {}
+                for name, ends in chosen:
+                    for leaf, site in ends:
+                        at.setdefault(leaf, []).append((name, site))
+                offers = []
+                for leaf, released in at.items():
+                    body = process.bodies[leaf]
+                    offers.append(
+                        [
+                            (leaf, self.becomes(body, s[2]))
+                            for s in self.summands(leaf, body)
+                            if s[0] == "strong" and self.reacts(self.leaf(leaf), s[1], released)
+                        ]
+                    )
+                for outcome in product(*offers):
+                    yield list(chosen), dict(outcome)
+
+    def reacts(self, leaf: Leaf, entries: Any, released: list) -> bool:
+        """Whether bonds and entries match one to one."""
+        distinct = {(name, leaf.closure(sites)) for name, sites in entries}
+        if len(distinct) != len(released):
+            return False
+        return any(
+            all(n == name and site in active for (name, active), (n, site) in zip(order, released))
+            for order in permutations(distinct)
+        )
+
+    def fall_apart(
+        self, process: Process, released: List[Bond], new: Dict[str, Body]
+    ) -> List[Process]:
+        """The pieces without some bonds; each keeps the motion of the whole (I-11)."""
+        bodies = {**process.bodies, **new}
+        whole = replace(process, bodies=bodies, bonds=process.bonds - set(released))
+        return [self.begun(self.piece(process, piece)) for piece in self.pieces(whole)]
+
+    def pieces(self, process: Process) -> List[Process]:
+        """What hangs together by bonds."""
+        found, left = [], list(process.bodies)
+        while left:
+            names = {left[0]}
+            grown = True
+            while grown:
+                grown = False
+                for _, ends in process.bonds:
+                    ends_at = {leaf for leaf, _ in ends}
+                    if ends_at & names and not ends_at <= names:
+                        names |= ends_at
+                        grown = True
+            left = [name for name in left if name not in names]
+            bonds = frozenset(b for b in process.bonds if all(leaf in names for leaf, _ in b[1]))
+            bodies = {name: body for name, body in process.bodies.items() if name in names}
+            found.append(Process(process.velocity, None, bodies, bonds))
+        return found
+
+    def piece(self, process: Process, piece: Process) -> Process:
+        """Reading I-11: a piece has the motion that it had in the whole."""
+        return piece
+
+    def splits(self, state: State) -> Iterator[Transition]:
+        for process in state.processes:
+            for bonds, new in self.reactions(process):
+                pieces = self.fall_apart(process, bonds, new)
+                yield ("strong", frozenset(bonds)), state.having([process], pieces)
+            if process.clock == 0:
+                for bond, new in self.releases(process, "weak"):
+                    pieces = self.fall_apart(process, [bond], new)
+                    yield ("weak",) + bond, state.having([process], pieces)
+
+    # Clocks.
+
+    def begun(self, process: Process) -> Process:
+        """With its split clock set anew, by a discrete transition (I-9)."""
+        enabled = next(self.releases(process, "weak"), None) is not None
+        return replace(process, clock=Fraction(0) if enabled else None)
+
+    # Time.
+
+    def horizon(self, process: Process) -> Optional[Fraction]:
+        found = []
+        for name, body in process.bodies.items():
+            h = terms.horizon(body.term, self.model.lookup(self.leaf(name)))
+            if h is not None:
+                found.append(h)
+        return min(found) if found else None
+
+    def to_collision(self, state: State) -> Optional[Fraction]:
+        """Rule Ftoc."""
+        found = []
+        for p, q in combinations(state.processes, 2):
+            w = sub(q.velocity, p.velocity)
+            if w == ZERO:
+                continue
+            for _, part1, at1 in self.parts(p):
+                for _, part2, at2 in self.parts(q):
+                    t = contact.first_time_of_contact(part1.solid, part2.solid, sub(at2, at1), w)
+                    if t is not None:
+                        found.append(t)
+        return min(found) if found else None
+
+    def delay(self, state: State) -> Optional[Fraction]:
+        """Rule Time: how long time passes; None if it never ends (Quiescent)."""
+        events = []
+        ftoc = self.to_collision(state)
+        if ftoc is not None:
+            events.append(ftoc)
+        for process in state.processes:
+            h = self.horizon(process)
+            if h is not None:
+                events.append(h)
+            if process.clock is not None:
+                events.append(self.model.split_step - process.clock)
+        if state.step is not None and (events or self.goes_on(state)):
+            events.append(state.step.remaining)
+        return min(events) if events else None
+
+    def goes_on(self, state: State) -> bool:
+        """Whether movement steps follow each other even if no other event is to come."""
+        return any(
+            self.leaf(name).law is not None
+            for process in state.processes
+            if not self.is_fixed(process)
+            for name in process.bodies
+        )
+
+    def moved(self, process: Process, d: Fraction) -> Process:
+        """Where a process is after the time d."""
+        bodies = {
+            name: replace(body, position=add(body.position, scale(d, process.velocity)))
+            for name, body in process.bodies.items()
+        }
+        return replace(process, bodies=bodies)
+
+    def passed(self, state: State, d: Fraction) -> State:
+        processes = []
+        for process in state.processes:
+            bodies = {}
+            for name, body in process.bodies.items():
+                lookup = self.model.lookup(self.leaf(name))
+                term, origin = terms.aged(body.term, body.origin, d, lookup)
+                bodies[name] = replace(body, term=term, origin=origin)
+            after = self.moved(replace(process, bodies=bodies), d)
+            processes.append(replace(after, clock=self.aged_clock(process, after, d)))
+        step = state.step
+        if step is not None:
+            step = replace(step, remaining=step.remaining - d, phase="moving")
+        return State(tuple(processes), step, state.time + d)
+
+    def releasable(self, process: Process) -> set:
+        return {bond for bond, _ in self.releases(process, "weak")}
+
+    def aged_clock(self, before: Process, after: Process, d: Fraction) -> Optional[Fraction]:
+        """Readings I-9 and I-16: 0 where a further bond has become releasable."""
+        old, new = self.releasable(before), self.releasable(after)
+        if not new:
+            return None
+        if before.clock is None or new - old:
+            return Fraction(0)
+        return (before.clock + d) % self.model.split_step
+
+    # Steering.
+
+    def settled(self, state: State, kind: str) -> State:
+        """Rule Steer: what is due after a transition (I-15)."""
+        step = state.step
+        if step is None:
+            return state
+        collides = bool(self.collisions(state))
+        if step.phase == "moving" and (step.remaining == 0 or kind in ("bind", "bounce")):
+            step = Step(step.remaining, "due")
+        if step.phase == "due" and not collides:
+            dt = self.model.timestep - step.remaining
+            processes = tuple(self.steered(p, state.time, dt) for p in state.processes)
+            return replace(state, processes=processes, step=Step(self.model.timestep, "steered"))
+        return replace(state, step=step)
+
+    def seen(self, process: Process, name: str) -> Tuple[Vector, Vector]:
+        """The place and the velocity of a leaf, as its law sees them."""
+        at = process.bodies[name].position
+        return add(at, self.leaf(name).centroid), process.velocity
+
+    def steered(self, process: Process, time: Fraction, dt: Fraction) -> Process:
+        if self.is_fixed(process):
+            return process
+        change = ZERO
+        for name, body in process.bodies.items():
+            leaf = self.leaf(name)
+            if leaf.law is not None:
+                x, v = self.seen(process, name)
+                law, env = leaf.law
+                seen = {
+                    "x": x[0], "y": x[1], "z": x[2], "vx": v[0], "vy": v[1], "vz": v[2],
+                    "mass": leaf.mass, "time": time, "dt": dt,
+                }  # fmt: skip
+                new = self.model.vector(law, {**env, "": seen})
+                change = add(change, scale(leaf.mass, sub(new, v)))
+        return replace(
+            process, velocity=add(process.velocity, scale(1 / self.mass(process), change))
+        )
+
+    # States.
+
+    def initial(self) -> State:
+        """Rule Successors: as declared, split clocks set, the first steer done."""
+        bodies, velocities = {}, {}
+        for name, leaf in self.model.initial_leaves.items():
+            term = leaf["term"]
+            bodies[name] = Body(leaf["position"], term, terms.origin_of(term))
+            velocities[name] = leaf["velocity"]
+        whole = Process(ZERO, None, bodies, frozenset(self.model.initial_bonds))
+        processes = []
+        for piece in self.pieces(whole):
+            velocity = velocities[next(iter(piece.bodies))]
+            processes.append(self.begun(replace(piece, velocity=velocity)))
+        step = Step(self.model.timestep, "due") if self.model.steered else None
+        return self.settled(State(tuple(processes), step), "time")
+
+    def successors(self, state: State) -> List[Transition]:
+        """All transitions, in no order."""
+        found = list(self.splits(state)) + list(self.resolutions(state))
+        urgent = any(label[0] != "weak" for label, _ in found)
+        if not urgent:
+            d = self.delay(state)
+            if d is not None:
+                found.append((("time", d), self.passed(state, d)))
+        return [(label, self.settled(after, label[0])) for label, after in found]
+
+
+def hangs_together(bonds: Any) -> bool:
+    """Whether bonds make one connected piece."""
+    reached = {leaf for leaf, _ in bonds[0][1]}
+    left = list(bonds[1:])
+    while left:
+        more = [b for b in left if any(leaf in reached for leaf, _ in b[1])]
+        if not more:
+            return False
+        for b in more:
+            reached |= {leaf for leaf, _ in b[1]}
+        left = [b for b in left if b not in more]
+    return True

@@ -1,0 +1,124 @@
+"""Shows that the comparison can fail: rules are broken on this side, one by one.
+
+    teeth.py --scc PATH [--models N] [NAME ...]
+
+Each of these mistakes has to be noticed on some random model.
+"""
+
+from __future__ import annotations
+
+import argparse
+import random
+import sys
+from fractions import Fraction
+from typing import Any, Callable, Dict
+
+import compare
+import contact
+import generate
+import response
+import straight
+import terms
+from oracle import Oracle
+from straight import Rules
+
+Mistake = Callable[[], Any]
+
+
+def replaced(owner: Any, name: str, value: Any) -> Mistake:
+    """Puts a value in the place of another; what that gives puts it back."""
+
+    def apply() -> Any:
+        old = getattr(owner, name)
+        setattr(owner, name, value)
+        return lambda: setattr(owner, name, old)
+
+    return apply
+
+
+_covered, _touch, _dimension = response.covered, contact.touch, contact.dimension
+_grown, _passed = terms.grown, Rules.passed
+
+
+def every_direction(own: Any, n: Any, others: Any) -> bool:
+    return False
+
+
+def no_sum(a: Any, b: Any) -> bool:
+    """Features touch where they share any point, as far as corners tell."""
+    return _touch(a, b) or bool(set(a) & set(b))
+
+
+def lazy_clock(self: Rules, before: Any, after: Any, d: Fraction) -> Any:
+    if not self.releasable(after):
+        return None
+    return Fraction(0) if before.clock is None else (before.clock + d) % self.model.split_step
+
+
+def eager_clock(self: Rules, before: Any, after: Any, d: Fraction) -> Any:
+    if not self.releasable(after):
+        return None
+    if before.clock is None or self.horizon(before) == d:
+        return Fraction(0)
+    return (before.clock + d) % self.model.split_step
+
+
+def nearest_normal(normals: Any, w: Any) -> Any:
+    """Projects on one of the normals only."""
+    best = max(normals, key=lambda n: (Fraction(contact.dot(n, w) ** 2, contact.dot(n, n)), n))
+    k = Fraction(contact.dot(best, w), contact.dot(best, best))
+    return tuple(k * x for x in best)
+
+
+MISTAKES: Dict[str, Mistake] = {
+    "I-13: every direction counts": replaced(response, "covered", every_direction),
+    "Response: the steepest normal alone": replaced(response, "project", nearest_normal),
+    "I-3: shared points": replaced(contact, "touch", no_sum),
+    "Bind: all dimensions alike": replaced(contact, "dimension", lambda a, b: 0),
+    "I-9: a further bond leaves the clock alone": replaced(Rules, "aged_clock", lazy_clock),
+    "I-9: each eps sets the clock": replaced(Rules, "aged_clock", eager_clock),
+    "I-17: repetition is kept": replaced(terms, "without_repetition", lambda t, lookup: t),
+    "I-7: any set of bonds reacts": replaced(straight, "hangs_together", lambda bonds: True),
+    "Ftoc: a graze is a collision": replaced(
+        contact, "approaching",
+        lambda a, b, o, w: all(contact.dot(n, w) <= 0 for n in contact.tight(a, b, o)),
+    ),
+    "I-15: no steering at contact": replaced(
+        Rules, "steered", lambda self, process, time, dt: process
+    ),
+}  # fmt: skip
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--scc", required=True)
+    parser.add_argument("--models", type=int, default=400)
+    parser.add_argument("names", nargs="*")
+    options = parser.parse_args()
+    missed = 0
+    for name, mistake in MISTAKES.items():
+        if options.names and not any(part in name for part in options.names):
+            continue
+        undo = mistake()
+        oracle = Oracle([options.scc, "oracle"])
+        found = None
+        for i in range(options.models):
+            seed = "random %d" % (1000000 + i)
+            text = generate.model(random.Random(seed))
+            rng = random.Random("%s 1" % seed)
+            try:
+                if compare.walk(oracle, text, compare.Tally(), rng, 8, 1):
+                    found = i
+                    break
+            except (AssertionError, IndexError, ZeroDivisionError, RecursionError):
+                found = i
+                break
+        undo()
+        oracle.close()
+        missed += found is None
+        print("%s: %s" % (name, "missed" if found is None else "model %d" % found), flush=True)
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
