@@ -193,11 +193,15 @@ VERDICTS = {'bounded': 'holds-up-to-bound'}
 
 def rules_of_models(rulebook):
     """The rules that name a model in a `Model:` line."""
-    found, rule = {}, None
+    found, rule, laws = {}, None, False
     for line in rulebook.split('\n'):
         heading = re.match(r'### (\S+)', line)
         if heading:
             rule = heading.group(1)
+        elif line.startswith('## '):
+            laws = line.endswith('. Laws')  # which follow of the rules
+        if laws:
+            continue
         model = re.match(r'- Model: specs/models/(\S+)\.sc', line)
         if model:
             found.setdefault(model.group(1), []).append(rule)

@@ -307,6 +307,8 @@ let () =
           case "hexokinase binds in either order" either_order;
         ] );
       ("expected verdicts", List.map (fun name -> case name (expected name)) (models_in folder));
+      ( "where laws fail",
+        List.map (fun name -> case name (expected ("laws/" ^ name))) (models_in (path "laws")) );
       ("the guide", [ case "its first model" guide ]);
       ( "witnesses",
         [
