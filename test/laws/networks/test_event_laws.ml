@@ -232,52 +232,6 @@ let several () =
   let drawn = Gen.generate ~rand ~n:300 (Random_network.generate ()) in
   Alcotest.(check bool) "some network shows it" true (List.exists not_undone drawn)
 
-(* {1 Cutting} *)
-
-(* Cuts the only part of a leaf through its middle, across an axis. *)
-let cut_leaf axis (l : Model.leaf) =
-  match l.parts with
-  | [| part |] when part.solid.polyhedron == Cube.polyhedron ->
-    let one x =
-      let at i = if axis = i then x else Rat.zero in
-      Vec.make (at 0) (at 1) (at 2)
-    in
-    let half = Rat.make Z.one (Z.of_int 2) in
-    let all_but = Vec.sub (Vec.of_ints 1 1 1) (one half) in
-    let linear = Mat.mul part.solid.linear (Mat.diagonal all_but) in
-    let solid = Solid.make ~id:(part.solid.id + (100 * (axis + 1))) part.solid.polyhedron linear in
-    let piece name x : Model.part =
-      let offset = Vec.add part.offset (Mat.apply part.solid.linear (one x)) in
-      { part with name; solid; offset; mass = Rat.mul half part.mass }
-    in
-    { l with parts = [| piece (l.name ^ ".one") (Rat.neg half); piece (l.name ^ ".two") half |] }
-  | _ -> l
-
-let cut axes =
-  let model (m : Model.t) =
-    let leaf i l = match List.nth axes (i mod List.length axes) with 3 -> l | axis -> cut_leaf axis l in
-    { m with leaves = Array.mapi leaf m.leaves }
-  in
-  Symmetry.make "cut" ~model Fun.id
-
-let cut_straight name ~count =
-  QCheck2.Test.make ~name ~count
-    ~print:(fun (n, _) -> Random_network.print n)
-    (Gen.pair (Random_network.generate ()) Gen.(list_repeat 6 (0 -- 3)))
-    (fun (n, axes) ->
-       let m, states = straight_states (Random_network.inert n) in
-       fail_on (Symmetry.broken (cut axes) m states))
-
-(* Where bodies turn, the cut is seen: in the grid of instants, and in the corners that count. *)
-let cut_is_seen () =
-  let rand = Random.State.make [| 42 |] in
-  let generate = Random_rigid.generate { constant_spin with plain = true; behaves = false } in
-  let broken n =
-    let m, states = Rigid_reach.reached n in
-    Option.is_some (Symmetry.broken (cut [ 0; 1; 2 ]) m states)
-  in
-  Alcotest.(check bool) "some network shows it" true (List.exists broken (Gen.generate ~rand ~n:30 generate))
-
 let () =
   let group name ?(failing = []) tests = (name, Scc_test_support.Property.cases tests @ failing) in
   let quick name f = Alcotest.test_case name `Quick f in
@@ -310,7 +264,4 @@ let () =
             ~states:(fun n -> straight_states (Random_network.inert n))
             undone;
         ];
-      group "Cutting"
-        ~failing:[ quick "Cutting: fails for bodies that turn" cut_is_seen ]
-        [ cut_straight "Cutting: bounces of random networks" ~count:400 ];
     ]
