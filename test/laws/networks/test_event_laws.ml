@@ -186,12 +186,18 @@ let directions (s : State.t) (e : Collisions.meeting) =
   let w = Vec.sub s.processes.(e.second).velocity s.processes.(e.first).velocity in
   Response.directions (List.map touching e.touching) w
 
-let by_one_direction m (s : State.t) (t : Transition.t) =
+(* Whether two processes collide, by one direction. *)
+let one_direction m (s : State.t) p q =
+  Collisions.meetings (standard m) s.processes
+  |> List.exists (fun (e : Collisions.meeting) ->
+      e.first = p && e.second = q && List.compare_length_with (directions s e) 1 = 0)
+
+let single m (s : State.t) p = Array.length m.Model.leaves.(s.processes.(p).leaves.(0).leaf).parts = 1
+
+(* Forwards and backwards; of bodies of one part each, backwards follows. *)
+let by_one_direction m (s : State.t) back (t : Transition.t) =
   match part s t with
-  | [ p; q ] ->
-    Collisions.meetings (standard m) s.processes
-    |> List.exists (fun (e : Collisions.meeting) ->
-        e.first = p && e.second = q && List.compare_length_with (directions s e) 1 = 0)
+  | [ p; q ] -> one_direction m s p q && ((single m s p && single m s q) || one_direction m back p q)
   | _ -> false
 
 let undone m (s, transitions) =
@@ -199,7 +205,7 @@ let undone m (s, transitions) =
     (fun (t : Transition.t) ->
        let back = backwards t.target and goal = backwards s in
        match t.label with
-       | Bounce _ when by_one_direction m s t ->
+       | Bounce _ when by_one_direction m s back t ->
          let undoes (u : Transition.t) =
            Transition.equal_label u.label t.label && State.equal u.target goal
          in
