@@ -83,7 +83,8 @@ let continuous m part state =
     (passes_time state)
 
 (* Where bodies turn, the instant of a contact is known within a cell of a grid: time may stop before the state
-   that it led to at once, or after it, but not elsewhere unless bodies are in contact there. *)
+   that it led to at once, or after it, but not elsewhere unless bodies are in contact there. And that nothing is
+   ahead may be seen midway and not at first. *)
 let nearly_continuous m part state =
   List.find_map
     (fun (s, d, (t : Transition.t)) ->
@@ -93,10 +94,12 @@ let nearly_continuous m part state =
        else
          match Network.successors (standard m) midway with
          | Error _ -> Some "midway a fault"
+         | Ok [] when Network.quiescent (standard m) midway -> None
          | Ok [ ({ label = Time e; _ } as u) ] ->
            let same = Rat.equal (Rat.add first e) d && State.equal u.target t.target in
-           let contact (s : State.t) = Collisions.collides (standard m) s in
-           if same || contact t.target || contact u.target then None else Some "time stops elsewhere"
+           (* in the turn that is going on: in the one that begins there, nothing may collide *)
+           let contact e s = Collisions.collides (standard m) (Time.pass (standard m) e s) in
+           if same || contact d s || contact e midway then None else Some "time stops elsewhere"
          | Ok ts -> Some (say "midway %d transitions" (List.length ts)))
     (passes_time state)
 
