@@ -63,8 +63,8 @@ let cut_is_seen () =
 
 (* {1 Bindings}
 
-   The two halves of a face have the channels that it had. A leaf that is cut has behaviours of its own, since channels
-   name parts: the definitions are there once for each way to cut. *)
+   The two halves of a face have the channels that it had. A leaf that is cut has behaviours of its own, since
+   channels name parts: the definitions are there once for each way to cut. *)
 
 (* The halves that a face is on: 0, 1 or both. *)
 let halves axis face =

@@ -87,8 +87,8 @@ let contact m (s : State.t) =
   let limit = Option.map (fun (step : State.step) -> step.remaining) s.step in
   Collisions.first_time_of_contact (standard m) s.processes ~limit
 
-(* Some two that collide at the instant that the coarse one finds come no nearer to each other by what is missing than
-   the resolution. *)
+(* Some two that collide at the instant that the coarse one finds come no nearer to each other, by what is missing,
+   than the resolution. *)
 let within_resolution m (s : State.t) early missing =
   let r = Turn.(rigid m).resolution in
   let there = if Rat.sign early = 0 then s else Time.pass (standard m) early s in
