@@ -21,7 +21,7 @@ type t =
   | Sum of t * t
   | Call of int
 
-(* Canonical terms. The closure of a channel follows from its sites. *)
+(* Canonical terms. A redundant list of features means the same: what tells channels apart is the closure. *)
 
 let ( <?> ) c next = if c <> 0 then c else next ()
 
@@ -33,7 +33,7 @@ let rec compare_lists compare a b =
   | x :: a, y :: b -> compare x y <?> fun () -> compare_lists compare a b
 
 let compare_channel (a : channel) (b : channel) =
-  String.compare a.name b.name <?> fun () -> compare_lists Site.compare a.sites b.sites
+  String.compare a.name b.name <?> fun () -> compare_lists Site.compare a.closure b.closure
 
 let polarity_rank = function Name -> 0 | Co_name -> 1
 
@@ -67,7 +67,7 @@ let equal a b = compare a b = 0
 let hash_depth = 4
 
 let hash_channel (c : channel) =
-  List.fold_left (fun h s -> (h * 31) + Site.hash s) (Hashtbl.hash c.name) c.sites
+  List.fold_left (fun h s -> (h * 31) + Site.hash s) (Hashtbl.hash c.name) c.closure
 
 let rec hash_to depth b =
   if depth = 0 then 17

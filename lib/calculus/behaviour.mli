@@ -3,7 +3,7 @@
 
 open Scc_exact
 
-(** A channel's name and active surface. *)
+(** A channel's name and active surface. Two are equal when name and closure are (reading I-17), whatever is listed. *)
 type channel = private {
   name : string;
   sites : Site.t list;  (** Phi as listed, sorted; not empty *)
@@ -24,7 +24,7 @@ type t = private
   | Nil
   | Open of polarity * channel * t  (** <alpha, Phi>. B *)
   | Weak of channel * t  (** omega(a, Phi). B *)
-  | Strong of channel list * t  (** rho(L). B; L sorted, a set, not empty *)
+  | Strong of channel list * t  (** rho(L). B; L sorted, a set by name and closure, not empty *)
   | Delay of Rat.t * t  (** eps(t). B with t > 0: eps(0).B is B *)
   | Sum of t * t
   | Call of int  (** K, an index into the definitions *)

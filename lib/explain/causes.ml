@@ -104,11 +104,11 @@ let expiries w ~step ~time d (source : State.t) =
        set w.at.clock event process)
     (List.map tell all)
 
-(* The leaves at which two processes touch and approach: that they offer no bond makes it a bounce. *)
+(* The leaves at which two processes touch that collide: that they offer no bond makes it a bounce. *)
 let touching semantics (source : State.t) p q =
   let process leaf = source.processes.(fst (State.find_leaf source leaf)) in
   let of_meeting (m : Collisions.meeting) =
-    List.concat_map (fun ((a : Part.t), (b : Part.t)) -> [ a.leaf.leaf; b.leaf.leaf ]) m.approaching
+    List.concat_map (fun ((a : Part.t), (b : Part.t)) -> [ a.leaf.leaf; b.leaf.leaf ]) m.touching
   in
   List.concat_map of_meeting (Collisions.meetings semantics [| process p; process q |])
 

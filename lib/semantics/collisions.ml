@@ -5,7 +5,6 @@ type meeting = {
   first : int;
   second : int;
   touching : (Part.t * Part.t) list;
-  approaching : (Part.t * Part.t) list;
 }
 
 let parts (c : Semantics.t) processes =
@@ -34,15 +33,15 @@ let meetings (c : Semantics.t) processes =
       | Apart -> None
       | (Touching | Colliding) as contact -> Some (contact, (a, b))
   in
+  let colliding = function
+    | (Kinematics.Colliding, pair) -> Some pair
+    | (Touching | Apart), _ -> None
+  in
   let meeting touching =
-    let colliding = function
-      | (Kinematics.Colliding, pair) -> Some pair
-      | (Touching | Apart), _ -> None
-    in
-    match List.filter_map colliding touching with
-    | [] -> None
-    | (a, b) :: _ as approaching ->
-      Some { first = a.Part.process; second = b.Part.process; touching = List.map snd touching; approaching }
+    match List.find_map colliding touching with
+    | None -> None
+    | Some (a, b) ->
+      Some { first = a.Part.process; second = b.Part.process; touching = List.map snd touching }
   in
   let parts = parts c processes in
   if Part.move_alike parts then []
@@ -80,7 +79,7 @@ let joined (c : Semantics.t) (p : State.process) (q : State.process) bond contin
   State.process ~leaves ~bonds ~velocity:Scc_exact.Vec.zero ~clock:None ()
   |> Process.restart_clock c.setting.model |> K.joined c.setting p q
 
-(* The candidates of two parts that touch and approach. *)
+(* The candidates of two parts that touch, of two processes that collide. *)
 let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
   let (module K) = c.kinematics in
   let site (part : Part.t) feature : Site.t = { part = part.index; feature } in
@@ -124,7 +123,7 @@ let bounce (c : Semantics.t) (p : State.process) (q : State.process) touching =
 
 let outcomes c processes meeting =
   let p = processes.(meeting.first) and q = processes.(meeting.second) in
-  match List.concat_map (bind c p q) meeting.approaching with
+  match List.concat_map (bind c p q) meeting.touching with
   | [] -> Result.map (fun o -> [ o ]) (bounce c p q meeting.touching)
   | candidates -> Ok candidates
 

@@ -7,8 +7,7 @@ open Scc_calculus
 type meeting = {
   first : int;
   second : int;  (** indices of processes *)
-  touching : (Part.t * Part.t) list;  (** all pairs of their parts that are not {!Kinematics.Apart} *)
-  approaching : (Part.t * Part.t) list;  (** those that touch and approach; not empty *)
+  touching : (Part.t * Part.t) list;  (** all pairs of their parts that are not {!Kinematics.Apart}: some of them approach *)
 }
 
 val parts : Semantics.t -> State.process array -> Part.t array
@@ -21,7 +20,7 @@ val collides : Semantics.t -> State.t -> bool
 (** Whether any two do. *)
 
 val outcomes : Semantics.t -> State.process array -> meeting -> (Transition.outcome list, Transition.fault) result
-(** Rule Bind: one for each candidate (reading I-12). Without candidates rule Bounce: one, or the fault of rule
+(** Rule Bind: one for each candidate, of all pairs of parts that touch (reading I-12). Without candidates rule Bounce: one, or the fault of rule
     Persistent. *)
 
 val first_time_of_contact : Semantics.t -> State.process array -> limit:Rat.t option -> Rat.t option

@@ -47,7 +47,7 @@ module type S = sig
   val contact : setting -> Part.t -> Part.t -> contact
 
   val touching : setting -> Part.t -> Part.t -> Contact.pair list
-  (** The features in which two parts touch that collide. *)
+  (** The features in which two parts touch that are not {!Apart}; none if they are only seen as {!Touching}. *)
 
   val bonded : setting -> Part.t * Feature.t -> Part.t * Feature.t -> bool
   (** Whether two features, each of a part, may hold a bond (Definition 5.2). *)

@@ -134,7 +134,31 @@ def i_12():
     r.outcomes('They touch, and do not approach: nothing binds.', dock(v='(0,0,0)', at='(2,0,0)'), [], [], 'quiescent')
     r.outcomes('Nor while they slide.', dock(v='(0,1,0)', at='(2,0,0)'), [], [], 'quiescent')
     r.outcomes('They approach.', dock(at='(2,0,0)'), [], [binds('dock', 'p.right', 'q.left')])
+    for where, what, bonds in (
+            ('v.left', 'q slides down along v and lands on u: where it slides', [('p.v.left', 'q.right')]),
+            ('u.back', 'Where it lands', [('p.u.back', 'q.front')]),
+            ('u.back, v.left', 'Either', [('p.u.back', 'q.front'), ('p.v.left', 'q.right')])):
+        r.outcomes(what + '.', CORNER % where, [passes(2)], [binds('dock', *b) for b in bonds])
+    r.outcomes('Not where it does not touch.', CORNER % 'u.front', [passes(2)], [bounces('p', 'q')])
+    r.outcomes('A channel on an edge is compatible also beside one on the face: the highest dimension is that of the two.',
+               dock(at='(2,0,0)').replace('<dock, {right}>. Bound', '<dock, {right}>. Bound + <b, {[b,c]}>. Bound').replace(
+                   '<~dock, {left}>. Bound', '<~dock, {left}>. Bound + <~b, {left}>. Bound'),
+               [], [binds('dock', 'p.right', 'q.left'), binds('b', 'p.[b,c]', 'q.[a,d]')])
     return r
+
+
+CORNER = '''compound L {
+  part u : Cube mass 1
+  part w : Cube mass 1 at translate (2,0,0)
+  part v : Cube mass 1 at translate (2,2,0)
+  glue u.right ~ w.left
+  glue w.back ~ v.front
+}
+behaviour Open on L = <dock, {%s}>. nil
+behaviour Shut on Cube = <~dock, {right, front}>. nil
+process p = L [Open]
+process q = Cube mass 1 velocity (0,-1,0) at translate (0,4,0) [Shut]
+'''
 
 
 def i_13():
@@ -206,6 +230,11 @@ def i_17():
     twice = REACT.replace('rho({<dock, {right}>})', 'rho({<dock, {right}>, <dock, {right}>})')
     r.outcomes('An entry that is written twice counts once.', bonded(twice, 'K', 'L'), [],
                [reacts(('dock', 'p.right', 'q.left'))])
+    redundant = REACT.replace('rho({<dock, {right}>})', 'rho({<dock, {right}>, <dock, {right, [b,c]}>})')
+    r.outcomes('Also when the features of one are listed redundantly (D-21).', bonded(redundant, 'K', 'L'), [],
+               [reacts(('dock', 'p.right', 'q.left'))])
+    more = REACT.replace('rho({<dock, {right}>})', 'rho({<dock, {right}>, <dock, {right, top}>})')
+    r.outcomes('Another closure is another entry, which finds no bond.', bonded(more, 'K', 'L'), [], [], 'quiescent')
     return r
 
 

@@ -122,8 +122,13 @@ let collides_in_time m (s : State.t) =
     let distance2 = Scc_rigid.Near_contact.distance2 (placed m s (Part.name a)) (placed m s (Part.name b)) in
     Rat.compare distance2 (Rat.mul r r) <= 0
   in
-  let colliding = Collisions.meetings (standard m) s.processes in
-  if List.exists (fun (e : Collisions.meeting) -> not (List.for_all near e.approaching)) colliding then
+  let semantics = standard m in
+  let (module K) = semantics.kinematics in
+  let from_afar (a, b) =
+    match K.contact semantics.setting a b with Colliding -> not (near (a, b)) | Touching | Apart -> false
+  in
+  let meetings = Collisions.meetings semantics s.processes in
+  if List.exists (fun (e : Collisions.meeting) -> List.exists from_afar e.touching) meetings then
     Some "a collision from afar"
   else None
 

@@ -294,7 +294,8 @@ class Model:
             return terms.wait(Fraction(self.number(written[1], env)), then)
 
         def sites(channel: Any) -> frozenset:
-            return frozenset(self.site(leaf, f, env) for f in channel[2])
+            """The closure: channels are equal when name and closure are (I-17)."""
+            return leaf.closure(frozenset(self.site(leaf, f, env) for f in channel[2]))
 
         if kind == "open":
             return ("open", written[1][0], written[1][1], sites(written[1]), then)

@@ -93,21 +93,14 @@ class Rules:
                 found.append((p, q, pairs))
         return found
 
-    def counts(self, pair: Pair, w: Vector) -> bool:
-        """Reading I-12: whether a pair of parts may bind."""
-        return pair.approaches(w)
-
     def touching_features(self, pair: Pair) -> List[Tuple[Feature, Feature, int]]:
         return contact.touching_pairs(pair.part1.solid, pair.part2.solid, pair.offset)
 
     def candidates(
         self, p: Process, q: Process, pairs: List[Pair]
     ) -> Iterator[Tuple[Bond, Dict[str, Body]]]:
-        """Rule Bind: bonds, and what the two leaves become."""
-        w = sub(q.velocity, p.velocity)
+        """Rule Bind, of two that collide, wherever they touch (I-12): bonds, and what the two leaves become."""
         for pair in pairs:
-            if not self.counts(pair, w):
-                continue
             leaf1, leaf2 = self.leaf(pair.leaf1), self.leaf(pair.leaf2)
             body1, body2 = p.bodies[pair.leaf1], q.bodies[pair.leaf2]
             open1 = [s for s in self.summands(pair.leaf1, body1) if s[0] == "open"]

@@ -8,7 +8,7 @@
     ("sum", (term, ...))                      of at least two, none of them a sum
     ("name", K)
 
-``sites`` is a frozenset of what is listed, as (part, feature). A ``Definitions`` looks names up.
+``sites`` is the closure of what is listed, a frozenset of (part, feature). A ``Definitions`` looks names up.
 """
 
 from __future__ import annotations

@@ -40,11 +40,11 @@ class Meeting:
 
     def __init__(
         self, first: Tuple[str, Part], second: Tuple[str, Part],
-        found: near.Contact, tight: List[Vector], meets: bool,
+        found: near.Contact, tight: List[Vector],
     ) -> None:  # fmt: skip
         self.leaf1, self.part1 = first
         self.leaf2, self.part2 = second
-        self.contact, self.tight, self.meets = found, tight, meets
+        self.contact, self.tight = found, tight
 
 
 class Turning(Rules):
@@ -226,18 +226,16 @@ class Turning(Rules):
                 span = self.model.timestep
             if self.far(p, q, span):
                 continue
-            meeting = {}
-            for first, second, casting, grid, shift in self.casts(p, q):
-                cell = Fraction(1, 2**grid)
-                reach = min(span, cell - shift % cell)
-                meeting[first[0], first[1].name, second[0], second[1].name] = (
-                    casting.first(reach, grid, shift) == 0
-                )
-            if any(meeting.values()):
-                found.append((p, q, self.meetings(p, q, meeting)))
+            if any(self.collide_at_once(cast, span) for cast in self.casts(p, q)):
+                found.append((p, q, self.meetings(p, q)))
         return found
 
-    def meetings(self, p: Process, q: Process, meeting: dict) -> List[Meeting]:
+    def collide_at_once(self, cast: Any, span: Fraction) -> bool:
+        _, _, casting, grid, shift = cast
+        cell = Fraction(1, 2**grid)
+        return bool(casting.first(min(span, cell - shift % cell), grid, shift) == 0)
+
+    def meetings(self, p: Process, q: Process) -> List[Meeting]:
         found = []
         for name1, body1 in p.bodies.items():
             for part1 in self.leaf(name1).parts:
@@ -248,19 +246,13 @@ class Turning(Rules):
                         seen = near.find(one, two, self.resolution)
                         if seen is not None:
                             tight = contact.tight(one, two, scale(-1, seen.gap))
-                            meets = meeting[name1, part1.name, name2, part2.name]
-                            found.append(
-                                Meeting((name1, part1), (name2, part2), seen, tight, meets)
-                            )
+                            found.append(Meeting((name1, part1), (name2, part2), seen, tight))
         return found
 
     # What the rules of chapter 3 ask for.
 
     def touching_features(self, pair: Meeting) -> Any:
         return pair.contact.pairs
-
-    def counts(self, pair: Meeting, w: Vector) -> bool:
-        return pair.meets
 
     def bind(self, p: Process, q: Process, bond: Bond, new: Dict[str, Body]) -> Process:
         bodies = {**p.bodies, **q.bodies, **new}

@@ -5,8 +5,13 @@
 # A set of sites is a frozenset of (part or None, frozenset of vertex names).
 
 
+def greatest(sites):
+    """Of features listed, those that no other has in its closure: lists of one closure have the same (I-17)."""
+    return frozenset(s for s in sites if not any(s[0] == t[0] and s[1] < t[1] for t in sites))
+
+
 def canonical(b):
-    """eps(0).B is B, and sums have no brackets."""
+    """eps(0).B is B, sums have no brackets, and no list of features is redundant."""
     kind = b[0]
     if kind in ('nil', 'name'):
         return b
@@ -18,7 +23,9 @@ def canonical(b):
         for s in map(canonical, b[1]):
             summands.extend(s[1] if s[0] == 'sum' else [s])
         return ('sum', tuple(summands))
-    return b[:-1] + (canonical(b[-1]),)
+    if kind == 'strong':
+        return ('strong', frozenset((name, greatest(sites)) for name, sites in b[1]), canonical(b[2]))
+    return b[:-2] + (greatest(b[-2]), canonical(b[-1]))
 
 
 def offers(b, definitions):

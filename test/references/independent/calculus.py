@@ -97,11 +97,11 @@ class Calculus:
                 found.append((p, q, pairs))
         return found
 
-    def candidates(self, pairs):
-        """Rule Bind: (bond, the two leaves continued)."""
+    def candidates(self, p, q):
+        """Rule Bind, of two that collide: (bond, the two leaves continued). All their parts that touch (I-12)."""
         found = []
-        for l, a, m, b, _, offset in pairs:
-            touching = touching_pairs(a, b, offset)
+        for l, a, m, b, box, offset in self.part_pairs(p, q):
+            touching = touching_pairs(a, b, offset) if on_surface(box, offset) else []
             for o1, rest1 in self.leaf_offers(l, 'open'):
                 for o2, rest2 in self.leaf_offers(m, 'open'):
                     if o1[1] != o2[1] or o1[2] == o2[2]:
@@ -328,7 +328,7 @@ class Calculus:
             step = (step[0], 'due')
         for p, q, pairs in self.collisions(state):
             urgent = True
-            bindings = self.candidates(pairs)
+            bindings = self.candidates(p, q)
             for candidate in bindings:
                 label = ('bind', candidate[0])
                 found.add((label, replace([p, q], [self.bind(p, q, candidate)], step)))

@@ -19,6 +19,7 @@ def site_order(site):
 class Model:
     def __init__(self, seed):
         self.rng = random.Random(seed)
+        self.aside = random.Random('entries of %d' % seed)  # so that the rest of a model does not depend on these
         self.seed = seed
         self.names = ['a', 'b'][:self.rng.choice([1, 1, 2])]
         self.flat = self.rng.choice([1, 2, 2, 3, 3])
@@ -162,7 +163,7 @@ class Model:
         if kind == 'strong':
             entries = frozenset((rng.choice(self.names), self.sites(shape))
                                 for _ in range(rng.choice([1, 1, 1, 2])))
-            return ('strong', entries, rest(None))
+            return ('strong', self.repeated(shape, entries), rest(None))
         if kind == 'eps':
             t = rng.choice([F(0), F(1, 2), F(1), F(1), F(3, 2), F(2)])
             return ('eps', t, waiting(unguarded if t == 0 else None, grow))
@@ -170,10 +171,22 @@ class Model:
             return ('sum', (waiting(unguarded, grow), waiting(unguarded, False)))
         return ('nil',)
 
+    def repeated(self, shape, entries):
+        """Sometimes an entry twice, with a feature of its closure listed as well (I-17)."""
+        if self.aside.random() < 0.7:
+            return entries
+        name, sites = self.aside.choice(sorted(entries, key=lambda e: (e[0], sorted(map(site_order, e[1])))))
+        part, feature = self.aside.choice(sorted(sites, key=site_order))
+        lower = [f for p in shape.placed(None, None) if p.name == part for f in p.features if f < feature]
+        if not lower:
+            return entries
+        return entries | {(name, sites | {(part, self.aside.choice(sorted(lower, key=sorted)))})}
+
     def bound(self, shape, name, sites, after):
         """What a leaf that has just been bound may well do: let go, react, wait, bind again."""
         rng = self.rng
-        release = rng.choice([('weak', name, sites, after), ('strong', frozenset([(name, sites)]), after)])
+        entries = self.repeated(shape, frozenset([(name, sites)]))
+        release = rng.choice([('weak', name, sites, after), ('strong', entries, after)])
         if rng.random() < 0.3:
             release = ('eps', rng.choice([F(1, 2), F(1)]), release)
         if rng.random() < 0.4:

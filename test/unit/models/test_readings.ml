@@ -94,7 +94,21 @@ let redundant_lists () =
   Alcotest.(check (list string))
     "features of the closure may be listed, and change nothing"
     (binds "<a, {right}>. nil")
-    (binds "<a, {right, [b,c], c, g}>. nil")
+    (binds "<a, {right, [b,c], c, g}>. nil");
+  let reacts entries =
+    let m, s =
+      start
+        (Printf.sprintf
+           "process p = Cube mass 1 [rho({%s}). nil] process q = Cube mass 1 at translate (2,0,0) [rho({<a, \
+            {left}>}). nil] bond <a, {p.right, q.left}>"
+           entries)
+    in
+    labels m s
+  in
+  let check what = Alcotest.(check (list string)) what [ "strong({<a, {p.right, q.left}>})" ] in
+  check "an entry twice" (reacts "<a, {right}>, <a, {right}>");
+  check "twice, with a redundant list (I-17)" (reacts "<a, {right}>, <a, {right, [b,c]}>");
+  Alcotest.(check (list string)) "two entries for one bond" [] (reacts "<a, {right}>, <a, {right, top}>")
 
 let lower_list () =
   let m, s = start (facing ~left:"<a, {[b,c], c, [e,f]}>. nil" ()) in
@@ -162,22 +176,38 @@ let touching_is_no_collision () =
   check_labels "at rest in contact, with open channels" [] m s;
   Alcotest.(check bool) "quiescent" true (Network.quiescent (standard m) s)
 
-(* q slides down along v and lands on u: only what collides may bind. *)
-let sliding_binds_nothing () =
+(* q slides down along v and lands on u: the two processes collide, and bind wherever they touch. *)
+let landing ~head ~after () =
   let labels_with open_ =
     let text =
+      head ^
       "compound L { part u : Cube mass 1 part w : Cube mass 1 at translate (2,0,0) part v : Cube mass 1 at \
        translate (2,2,0) glue u.right ~ w.left glue w.back ~ v.front }\n"
       ^ Printf.sprintf "process p = L [<a, {%s}>. nil]\n" open_
       ^ "process q = Cube mass 1 velocity (0,-1,0) at translate (0,4,0) [<~a, {right, front}>. nil]"
     in
     let m, s = start text in
-    labels m (after m s [ "time(2)" ])
+    labels m (after m s)
   in
   let check what expected got = Alcotest.(check (list string)) what expected got in
-  check "where it slides" [ "bounce(p, q)" ] (labels_with "v.left");
+  check "where it slides" [ "bind(a, p.v.left, q.right)" ] (labels_with "v.left");
   check "where it lands" [ "bind(a, p.u.back, q.front)" ] (labels_with "u.back");
-  check "on both" [ "bind(a, p.u.back, q.front)" ] (labels_with "u.back, v.left")
+  check "on both" [ "bind(a, p.u.back, q.front)"; "bind(a, p.v.left, q.right)" ] (labels_with "u.back, v.left");
+  check "not where they do not touch" [ "bounce(p, q)" ] (labels_with "u.front")
+
+let every_contact_binds = landing ~head:"" ~after:(fun m s -> after m s [ "time(2)" ])
+
+(* Where nothing spins yet, the grid of Cast has the time 2. *)
+let near_contact_binds =
+  landing ~head:"dynamics constant_spin\n" ~after:(fun m s -> after m s [ "time(1)"; "time(1)" ])
+
+(* The channel b is open on an edge alone, and a on the whole face: each is compatible by itself. *)
+let highest_of_each () =
+  let m, s =
+    start (facing ~left:"<a, {right}>. nil + <b, {[b,c]}>. nil" ~right:"<~a, {left}>. nil + <~b, {left}>. nil" ())
+  in
+  check_labels "of each two channels" [ "bind(a, p.right, q.left)"; "bind(b, p.[b,c], q.[a,d])" ] m
+    (after m s [ "time(1)" ])
 
 let many_apart () =
   let text =
@@ -286,7 +316,9 @@ let () =
       ( "collisions",
         [
           case "I-12: contact without approach binds nothing" touching_is_no_collision;
-          case "I-12: only what collides may bind" sliding_binds_nothing;
+          case "I-12: processes that collide bind wherever they touch" every_contact_binds;
+          case "I-12: likewise within the resolution" near_contact_binds;
+          case "D-24: the highest dimension is that of two channels" highest_of_each;
           case "Ftoc: many bodies that never meet" many_apart;
           case "D-34: tiles that are separate bodies" separate_tiles;
         ] );
