@@ -37,7 +37,10 @@ val strong : channel list -> t -> t
 val delay : Rat.t -> t -> t
 (** [delay t b] is [b] when t = 0 (rule Eps0, canonical form); t is not negative. *)
 
+
 val sum : t -> t -> t
+(** Sums have no brackets: [Sum (a, b)] has no sum for its [b]. *)
+
 val call : int -> t
 
 (** A definition K := B. *)

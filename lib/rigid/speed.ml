@@ -3,7 +3,8 @@ open Scc_geometry
 
 let length v =
   let v, d = Ivec.of_vec v in
-  Rat.sqrt_above (Ivec.dot v v) (Z.mul d d)
+  let square = Rat.make (Ivec.dot v v) (Z.mul d d) in
+  Rat.sqrt_above square.num square.den
 
 let reach (solid : Solid.t) arm = Rat.add (length arm) solid.radius
 

@@ -120,6 +120,13 @@ let origin () =
   Alcotest.(check bool) "without exposed eps a name stays folded" true
     (equal folded (Behaviour.fresh (Behaviour.call 0)))
 
+let brackets () =
+  let x = open_ "a" [ "top" ] nil and y = weak "a" [ "top" ] nil and z = eps (q 1) nil in
+  Alcotest.(check bool) "sums have no brackets" true
+    (Behaviour.equal (x + (y + (z + nil))) (x + y + (z + nil))
+     && Behaviour.equal ((x + y) + z + nil) (x + (y + z) + nil));
+  Alcotest.(check bool) "but an order" false (Behaviour.equal (x + y) (y + x))
+
 let recurrence () =
   let after d k = Behaviours.pass defs (q d) (Behaviour.fresh (Behaviour.call k)) in
   Alcotest.(check bool) "equal summands" true (equal (after 2 5) (after 4 5));
@@ -147,6 +154,7 @@ let () =
         [
           Alcotest.test_case "I-14: the origin of a behaviour follows the passing of time" `Quick origin;
           Alcotest.test_case "I-17: aged sums recur, and L is a set" `Quick recurrence;
+          Alcotest.test_case "State: terms are as they are written" `Quick brackets;
           Alcotest.test_case "guardedness" `Quick unguarded;
         ] );
       ("laws", Scc_test_support.Property.cases [ additivity; before_horizon; order ]);

@@ -1,5 +1,6 @@
 (* Rules Time, Bind, Bounce and Steer on small networks of cubes. *)
 
+open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Fixture
@@ -37,6 +38,22 @@ let bounce () =
   let s = take m s "bounce(p, q)" in
   check_velocity "the heavier goes on" "(1, 0, 0)" s 0;
   check_velocity "the lighter is thrown" "(4, 0, 0)" s 1
+
+(* q is hit by 1 below its centre. *)
+let off_centre () =
+  let m, s = network [ body "p" (0, 0, 0) ~velocity:(1, 0, 0); body "q" (2, 0, 1) ] in
+  let angular (s : State.t) =
+    Array.fold_left
+      (fun sum (p : State.process) ->
+         match State.mass m p with
+         | Some mass -> Vec.add sum (Vec.cross (State.centre_of_mass m p) (Vec.scale mass p.velocity))
+         | None -> sum)
+      Vec.zero s.processes
+  in
+  let after = take m s "bounce(p, q)" in
+  check_velocity "the velocity is handed on" "(1, 0, 0)" after 1;
+  Alcotest.(check string) "angular momentum comes from nowhere" "(0, 1, 0)"
+    (Vec.to_string (Vec.sub (angular after) (angular s)))
 
 let wall () =
   let m, s = network [ body "p" (0, 0, 0) ~velocity:(3, 1, 2); body "w" (2, 0, 0) ~fixed:true ] in
@@ -179,6 +196,7 @@ let () =
           case "Time: to the next event" time;
           case "Time: grazing and resting contact is no collision" grazing;
           case "Bounce: two bodies" bounce;
+          case "Response: off-centre hits keep no angular momentum" off_centre;
           case "Bounce: a fixed body" wall;
           case "Bind: a compatible collision" bind;
           case "Bind: what is not compatible bounces" incompatible;
