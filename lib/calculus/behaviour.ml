@@ -98,7 +98,6 @@ let delay t b =
   | s when s < 0 -> Scc_base.Bug.fail __POS__ "a negative delay"
   | _ -> Delay (t, b)
 
-
 let rec sum a = function
   | Sum (b, c) -> Sum (sum a b, c)
   | (Nil | Open _ | Weak _ | Strong _ | Delay _ | Call _) as b -> Sum (a, b)

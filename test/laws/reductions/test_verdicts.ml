@@ -43,15 +43,17 @@ let reordered keys text =
 
 let bounds = { Bounds.default with states = Default 2000; time = Given (Rat.of_int 12); instant = Default 60 }
 
+let checked model declared checks =
+  match Network.initial (standard model) declared with
+  | Error _ -> None
+  | Ok initial ->
+    let options = { Check.default with bounds; reductions = [ Scc_space.Reduction.Jump ] } in
+    Some (Check.run options (standard model) ~initial checks)
+
 let report text =
   match Scc_test_models.Load.text text with
   | Error _ -> None
-  | Ok e -> (
-      match Network.initial (standard e.model) e.declared with
-      | Error _ -> None
-      | Ok initial ->
-        let options = { Check.default with bounds; reductions = [ Scc_space.Reduction.Jump ] } in
-        Some (Check.run options (standard e.model) ~initial e.checks))
+  | Ok e -> checked e.model e.declared e.checks
 
 let definite (v : Verdict.t) =
   match v with
@@ -85,8 +87,59 @@ let congruent =
        | None, None -> true
        | Some _, None | None, Some _ -> QCheck2.Test.fail_report "one of the two is refused")
 
+(* {1 Other behaviours, bisimilar to those that were there} *)
+
+let contains text word =
+  let n = String.length word in
+  let rec from i = i + n <= String.length text && (String.equal (String.sub text i n) word || from (i + 1)) in
+  from 0
+
+(* Only `behaviour(p) = K` sees how a behaviour is written. *)
+let blind (c : Scc_property.Property.check) = not (contains c.text "behaviour(")
+
+let decided = ref 0
+
+let bisimilar seed (e : Scc_elaborate.Elaborate.t) =
+  let model, declared = Scc_test_networks.Rewriting.model seed e.model e.declared in
+  let checks = List.filter blind e.checks in
+  match (checked e.model e.declared checks, checked model declared checks) with
+  | Some a, Some b ->
+    let both (x : Verdict.outcome) (y : Verdict.outcome) =
+      Option.is_some (definite x.verdict) && Option.is_some (definite y.verdict)
+    in
+    if a.outcomes <> [] && List.for_all2 both a.outcomes b.outcomes then incr decided;
+    List.for_all2
+      (fun (x : Verdict.outcome) (y : Verdict.outcome) ->
+         (not (both x y)) || Option.equal Bool.equal (definite x.verdict) (definite y.verdict))
+      a.outcomes b.outcomes
+  | None, None -> true
+  | Some _, None | None, Some _ -> false
+
+let rewritten =
+  QCheck2.Test.make ~name:"Bisimilarity: verdicts on random crowds" ~count:100 ~print:fst
+    (Gen.pair Crowds.case_gen Gen.(0 -- 1_000_000)) (fun (text, seed) ->
+        match Scc_test_models.Load.text text with
+        | Error _ -> true
+        | Ok e -> bisimilar seed e)
+
+let folder = "../../../specs/models"
+
+let rewritten_models () =
+  Sys.readdir folder |> Array.to_list |> List.sort String.compare
+  |> List.filter (fun name -> Filename.check_suffix name ".sc")
+  |> List.iter (fun name ->
+      let e = Scc_test_models.Load.(exactly (file (Filename.concat folder name))) in
+      if Option.is_none e.model.rigid && not (bisimilar 7 e) then Alcotest.failf "%s: verdicts differ" name);
+  Alcotest.(check bool) "many are decided" true (!decided > 30)
+
 let enough () = Alcotest.(check bool) "many are explored in full" true (!compared > 50)
 
 let () =
-  let cases = Scc_test_support.Property.cases [ congruent ] in
-  Alcotest.run "verdicts" [ ("Congruence", cases @ [ Alcotest.test_case "enough is explored" `Quick enough ]) ]
+  let case name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "verdicts"
+    [
+      ("Congruence", Scc_test_support.Property.cases [ congruent ] @ [ case "enough is explored" enough ]);
+      ( "Bisimilarity",
+        Scc_test_support.Property.cases [ rewritten ]
+        @ [ case "Bisimilarity: verdicts on the models of the project" rewritten_models ] );
+    ]
