@@ -2,6 +2,7 @@
 
 open Scc_exact
 open Scc_geometry
+open Scc_rigid
 open Scc_calculus
 open Scc_semantics
 open Scc_test_networks
@@ -169,6 +170,45 @@ let bounces_end =
         let m, s = network_of_pile bodies in
         bounces m s 0 <= many_bounces)
 
+(* {1 Sites} *)
+
+(* What a part offers: name or co-name, the channel's name, and the corners of each feature of its surface. *)
+let surfaces (m : Model.t) (part : Part.t) =
+  let corners (site : Site.t) =
+    if site.part = part.index then Some (Placed.corners part.placed site.feature) else None
+  in
+  List.filter_map
+    (fun (offer, _) ->
+       match offer with
+       | Behaviours.Offer_open (polarity, (c : Behaviour.channel), _) ->
+         Some (polarity, c.name, List.filter_map corners c.sites)
+       | Offer_weak _ | Offer_strong _ -> None)
+    (Behaviours.derivations m.definitions part.leaf.behaviour)
+
+let surfaces_meet m ((a : Part.t), (b : Part.t)) =
+  let common one two =
+    List.exists (fun x -> List.exists (Near_contact.within ~resolution:Rat.zero x) two) one
+  in
+  List.exists
+    (fun (p, name, one) ->
+       List.exists
+         (fun (q, other, two) -> p <> q && String.equal name other && common one two)
+         (surfaces m b))
+    (surfaces m a)
+
+(* Of the pairs of parts that a candidate may be of (rule Bind, reading I-12). *)
+let finds_sites m ((s : State.t), transitions) =
+  let binds (e : Collisions.meeting) (t : Transition.t) =
+    match t.label with
+    | Bind _ -> List.equal Int.equal (part s t) [ e.first; e.second ]
+    | Bounce _ | Weak_split _ | Strong_split _ | Time _ -> false
+  in
+  Collisions.meetings (standard m) s.processes
+  |> List.find_map (fun (e : Collisions.meeting) ->
+      let meet = List.exists (surfaces_meet m) e.touching in
+      if Bool.equal meet (List.exists (binds e) transitions) then None
+      else Some (if meet then "surfaces meet, and nothing binds" else "what binds does not meet"))
+
 (* {1 Reversal} *)
 
 let backwards (s : State.t) =
@@ -262,6 +302,8 @@ let () =
             ~states:states_twice confluent;
           turning "Confluence: bodies that turn, with constant spin" constant_spin confluent;
         ];
+      group "Sites"
+        [ straight "Sites: two processes that collide may bind iff surfaces meet" ~count:400 finds_sites ];
       group "Reversal"
         ~failing:[ quick "Reversal: fails where several directions count" several ]
         [
