@@ -12,6 +12,12 @@ let text =
       "Labels are those of $(b,scc trace), $(b,bind(a, p.right, q.left\\)) say, with the two ends (and the \
        bonds of a reaction) in the order of their texts. Where a model is at rest time passes for ever: \
        $(b,time(forever\\)).";
+    `P
+      "Only labels are compared, and they tell neither places nor motions. So equivalent models are equivalent by \
+       themselves, and not in every network: beside a third body, which one of them may hit and the other not, \
+       they may differ. No relation here is a congruence for putting networks side by side. Properties about \
+       places, distances, velocities and behaviours are not preserved by any of them; those about events are, as \
+       far as the relation sees time and silent transitions.";
     `S "RELATIONS";
     `I
       ( "$(b,trace)",

@@ -110,11 +110,17 @@ let formula_text t (d : Compare.difference) =
     Printf.sprintf "  this is true of %s, and not of %s:\n%s" (title t true) (title t false)
       (indented [ t.report.show f ])
 
+(* What equivalence does not promise: that two models may stand for each other in a network. *)
+let proviso t =
+  match (t.first.source, t.second.source) with
+  | Model _, Model _ -> "  as labels tell it, which know no places: beside a third body the two may differ\n"
+  | File, _ | _, File -> ""
+
 let text console t =
   let relation = name t.relation in
   let verdict, why =
     match t.report.verdict with
-    | Equivalent -> (Console.styled console Good "equivalent" ^ " modulo " ^ relation ^ "\n", "")
+    | Equivalent -> (Console.styled console Good "equivalent" ^ " modulo " ^ relation ^ "\n", proviso t)
     | Different d ->
       ( Console.styled console Bad "not equivalent" ^ " modulo " ^ relation ^ "\n",
         trace_text t d ^ formula_text t d )

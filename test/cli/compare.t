@@ -2,10 +2,12 @@ Are two models equivalent? A model and itself:
 
   $ scc compare ../../specs/models/hexokinase.sc ../../specs/models/hexokinase.sc
   equivalent modulo branching
+    as labels tell it, which know no places: beside a third body the two may differ
   the first ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete, at split step 1
   the second ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 9 classes; complete, at split step 1
   $ scc compare ../../specs/models/hexokinase.sc ../../specs/models/hexokinase.sc --modulo timed
   equivalent modulo timed
+    as labels tell it, which know no places: beside a third body the two may differ
   the first ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 10 classes; complete, at split step 1
   the second ../../specs/models/hexokinase.sc: 11 states, 16 transitions, 10 classes; complete, at split step 1
 
@@ -41,6 +43,7 @@ Names that differ do not matter when one is told:
   not equivalent modulo timed
   $ scc compare ../../specs/models/dimer.sc renamed.sc --modulo timed --rename w1=one --rename w2=two
   equivalent modulo timed
+    as labels tell it, which know no places: beside a third body the two may differ
   ../../specs/models/dimer.sc: 11 states, 14 transitions, 9 classes; complete, at split step 1/2
   renamed.sc: 11 states, 14 transitions, 9 classes; complete, at split step 1/2
 
@@ -48,6 +51,7 @@ What is hidden does not matter either:
 
   $ scc compare ../../specs/models/dimer.sc renamed.sc --hide weak
   equivalent modulo branching
+    as labels tell it, which know no places: beside a third body the two may differ
   ../../specs/models/dimer.sc: 11 states, 14 transitions, 2 classes; complete, at split step 1/2
   renamed.sc: 11 states, 14 transitions, 2 classes; complete, at split step 1/2
 
@@ -264,3 +268,26 @@ The order in which bodies are declared is not seen, not even when what bounces i
   $ sed 's/process q/process b/' two.sc > three.sc
   $ scc compare one.sc three.sc --modulo timed --rename q=b | head -1
   equivalent modulo timed
+
+Labels tell no places: two models that are equivalent by themselves may differ beside a third body:
+
+  $ cat > cube.txt << 'END'
+  > shape Cube {
+  >   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+  >            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  >   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+  >            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+  > }
+  > END
+  $ (cat cube.txt; echo 'process p = Cube mass 1 [nil]') > here.sc
+  $ (cat cube.txt; echo 'process p = Cube mass 1 at translate (0,40,0) [nil]') > there.sc
+  $ scc compare here.sc there.sc --modulo timed 2> warnings
+  equivalent modulo timed
+    as labels tell it, which know no places: beside a third body the two may differ
+  here.sc: 1 state, 0 transitions, 1 class; complete
+  there.sc: 1 state, 0 transitions, 1 class; complete
+  $ echo 'process q = Cube mass 1 velocity (-1,0,0) at translate (9,0,0) [nil]' | tee -a here.sc >> there.sc
+  $ scc compare here.sc there.sc --modulo trace 2> warnings | head -n 3
+  not equivalent modulo trace
+    here.sc can do this, and there.sc cannot:
+      1. bounce(p, q)
