@@ -24,7 +24,7 @@ let witness_of (v : Verdict.t) =
   | Undecided reasons ->
     List.find_map
       (function
-        | Verdict.Zeno w | Unexplored { nearest = w; _ } -> Some w
+        | Verdict.Unexplored { nearest = w; _ } -> Some w
         | Truncated _ | Undefined _ | Fault _ -> None)
       reasons
 
@@ -85,16 +85,13 @@ let print_json console loaded report verdicts extra code =
   in
   Console.print console (Json.pretty json)
 
-let is_zeno : Verdict.reason -> bool = function
-  | Zeno _ -> true
-  | Truncated _ | Unexplored _ | Undefined _ | Fault _ -> false
-
 let shows_zeno (o : Verdict.outcome) =
-  match o.verdict with Undecided reasons -> List.exists is_zeno reasons | Holds _ | Violated _ -> false
+  List.exists (function Verdict.By One_instant -> true | By Dead_end | Among _ -> false) o.rests
 
 let print_text console (loaded : Loaded.t) (report : Check.report) verdicts extra =
   let c = loaded.semantics in
   let print = Console.print console in
+  print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
   List.iter (fun v -> print (Check_text.property console c v ^ "\n")) verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno c w ^ "\n") in
   Option.iter zeno report.zeno;
@@ -146,7 +143,7 @@ let check console budget (extras : Check_extras.t) overrides path =
   in
   Console.progress_done console;
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
-  Console.report console (report.stats.faults @ Vacuity.warnings report ~verdicts ~answers);
+  Console.report console (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
   let* () =
     match extras.witness with Some folder -> write_witnesses l path folder verdicts | None -> Ok ()
   in

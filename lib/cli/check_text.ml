@@ -51,8 +51,8 @@ let witness c w =
 let way m w = step_lines ~most:12 m w @ Witness.ending m w
 let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
 
-let property console c ({ check; verdict = v; scale } : Verdict.outcome) =
-  let verdict = Console.styled console (style v) (Verdict.to_string ~scale v) in
+let property console c ({ check; verdict = v; _ } as o : Verdict.outcome) =
+  let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
   let run =
     match v with
@@ -62,8 +62,7 @@ let property console c ({ check; verdict = v; scale } : Verdict.outcome) =
     | Undecided reasons ->
       List.filter_map
         (function
-          | Verdict.Zeno w -> Some ("the run:", witness c w)
-          | Unexplored { nearest; _ } ->
+          | Verdict.Unexplored { nearest; _ } ->
             Some ("to the nearest unexplored state that matters:", way (Semantics.model c) nearest)
           | Truncated _ | Undefined _ | Fault _ -> None)
         reasons

@@ -64,6 +64,11 @@ let scale (c : Compared.t) : Verdict.scale =
   | Model { model; space } ->
     { resolution = Scc_calculus.Model.resolution model.model; split_step = space.split_step }
 
+let settings (c : Compared.t) =
+  match c.source with
+  | File -> ""
+  | Model { model; _ } -> "\n  " ^ Scc_calculus.Parameters.line model.origin.settings
+
 let side_text t first =
   let c = if first then t.first else t.second in
   let s = if first then t.report.first else t.report.second in
@@ -77,7 +82,7 @@ let side_text t first =
     (plural states "state" "states")
     (plural transitions "transition" "transitions")
     classes (limits c)
-    (Verdict.scale_to_string (scale c))
+    (Verdict.scale_to_string (scale c) ^ settings c)
 
 let indented lines = String.concat "" (List.map (fun l -> "    " ^ l ^ "\n") lines)
 
@@ -136,7 +141,7 @@ let side_json (c : Compared.t) (s : Compare.side) =
   let states, transitions = Compared.size c in
   let kind, model, faults =
     match c.source with
-    | File -> ("graph", [ ("model", `Null); ("digest", `Null); ("parameters", `Assoc []) ], [])
+    | File -> ("graph", [ ("model", `Null); ("digest", `Null); ("parameters", `Assoc []); ("settings", `Assoc []) ], [])
     | Model { model; space } ->
       ("model", Origin_json.members model.origin, space.faults)
   in
@@ -179,7 +184,7 @@ let json console t =
     [
       ("format", `String "scc-compare");
       ("version", `Int 1);
-      ("semantics", `String Trace.semantics_version);
+      ("semantics", `String Scc_calculus.Parameters.version);
       ("relation", `String (name t.relation));
       ("verdict", `String verdict);
       ("exit", `Int (Exit_code.to_int t.exit));

@@ -62,7 +62,7 @@ let load_model console options ?renamed ~overrides path =
   let* initial = Scc_session.Loaded.initial model in
   let space = Explored.explore options model.semantics ~initial in
   Console.progress_done console;
-  Console.report console space.faults;
+  Console.report console (space.faults @ space.dead_ends);
   Ok { path; source = Model { model; space }; graph = graph_of_space ?renamed space }
 
 let load console options ?renamed ~overrides path =

@@ -33,6 +33,15 @@ let check_digest (trace : Recorded.t) (origin : Origin.t) =
       ]
   | Some _ | None -> Ok ()
 
+(* What it tells is held against the rules as they are now, all the same. *)
+let note_semantics console (trace : Recorded.t) =
+  match trace.semantics with
+  | Some v when not (String.equal v Scc_calculus.Parameters.version) ->
+    Console.note console
+      (Printf.sprintf "scc: the trace was recorded by version %s of the semantics, and is held against version %s" v
+         Scc_calculus.Parameters.version)
+  | Some _ | None -> ()
+
 let read console path =
   let* source = Input.text console path in
   Read.trace source
@@ -55,6 +64,7 @@ let conform console o =
   let* l = Input.model console ~overrides o.path in
   let* () = check_digest trace l.origin in
   Console.report console l.warnings;
+  note_semantics console trace;
   let* tolerance = Verdict.tolerance l.model trace o.tolerance in
   let observed label = not (List.exists (fun p -> Hide.matches p label) o.unobserved) in
   let limits = { Search.states = o.states; interrupted } in

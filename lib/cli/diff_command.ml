@@ -20,10 +20,19 @@ let tolerance asked (a : Recorded.t) (b : Recorded.t) =
     refuse at "the trace has floats: --tolerance tells how far off they may be (0: not at all)"
   | None, None, None -> Ok Rat.zero
 
+(* Where they differ, it may be for that. *)
+let note_semantics console (a : Recorded.t) (b : Recorded.t) =
+  match (a.semantics, b.semantics) with
+  | Some v, Some w when not (String.equal v w) ->
+    Console.note console
+      (Printf.sprintf "scc: the traces were recorded by versions %s and %s of the semantics" v w)
+  | _ -> ()
+
 let diff console o =
   let* a = read console o.first in
   let* b = read console o.second in
   let* tolerance = tolerance o.tolerance a b in
+  note_semantics console a b;
   let found = Difference.find a b ~tolerance in
   let code : Exit_code.t = if Option.is_none found then Holds else Violated in
   Console.answer console

@@ -70,7 +70,13 @@ let explanation run (check : Property.check option) =
 
 let print console (model : Loaded.t) check explanation =
   Console.answer console
-    ~text:(fun () -> Explain_text.lines console check explanation)
+    ~text:(fun () ->
+        let settings =
+          match model.origin.settings with
+          | [] -> ""
+          | list -> Scc_calculus.Parameters.line list ^ "\n\n"
+        in
+        settings ^ Explain_text.lines console check explanation)
     ~json:(fun () ->
         Explain_json.document ~source:(Console.source console)
           {

@@ -129,7 +129,7 @@ let explore console o format =
   let space = Explored.explore options loaded.semantics ~initial in
   Interrupt.in_time ();
   Console.progress_done console;
-  Console.report console space.faults;
+  Console.report console (space.faults @ space.dead_ends);
   let exported = { Exported.loaded; space } in
   let files, notes = files o format exported in
   let* () = write_all console o interrupted files in

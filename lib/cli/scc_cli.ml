@@ -26,7 +26,7 @@ let commands =
 
 let main () =
   let info =
-    Cmd.info "scc" ~version:Version.current ~doc:"interpreter and model checker for the Shape Calculus" ~man
+    Cmd.info "scc" ~version:Version.told ~doc:"interpreter and model checker for the Shape Calculus" ~man
       ~exits:(Exits.man ())
   in
   (* Writing to a closed pipe is an error to be handled, and not the end. *)

@@ -185,6 +185,6 @@ let read source =
     else
       Ok
         {
-          name = Source.name source; format = "csv"; digest = None; parameters = [];
+          name = Source.name source; format = "csv"; digest = None; parameters = []; semantics = None;
           items = Array.of_list (List.rev items); inexact;
         }

@@ -173,9 +173,13 @@ let one_line c json =
   | Some (`String "end") -> ended c json
   | _ -> wrong c "`type` is none of header, state, transition, instant and end"
 
-type header = { digest : (string * Span.t) option; parameters : (string * Rat.t) list }
+type header = {
+  digest : (string * Span.t) option;
+  parameters : (string * Rat.t) list;
+  semantics : string option;
+}
 
-let no_header = { digest = None; parameters = [] }
+let no_header = { digest = None; parameters = []; semantics = None }
 
 let header c json =
   let* digest = optional json "digest" (text c "digest") in
@@ -185,6 +189,7 @@ let header c json =
     | None | Some (Some 1) -> Ok ()
     | Some _ -> wrong c "the version of the format is not 1, the one that this scc reads"
   in
+  let semantics = Option.bind (Json.member "semantics" json) Json.string in
   let* parameters =
     match Json.member "parameters" json with
     | None -> Ok []
@@ -197,7 +202,7 @@ let header c json =
       Result.map List.rev (List.fold_left add (Ok []) members)
     | Some _ -> wrong c "`parameters` is not an object"
   in
-  Ok { digest = Option.map (fun d -> (d, c.at)) digest; parameters }
+  Ok { digest = Option.map (fun d -> (d, c.at)) digest; parameters; semantics }
 
 let is_header json = match Json.member "type" json with Some (`String "header") -> true | _ -> false
 
@@ -209,6 +214,7 @@ let read source =
   let finish head r =
     {
       name = file; format = "jsonl"; digest = head.digest; parameters = head.parameters;
+      semantics = head.semantics;
       items = Array.of_list (List.rev r.found); inexact = r.float_at;
     }
   in

@@ -34,6 +34,7 @@ type t = {
   format : string;
   digest : (string * Span.t) option;
   parameters : (string * Rat.t) list;
+  semantics : string option;
   items : item array;
   inexact : Span.t option;
 }

@@ -60,6 +60,7 @@ type t = {
   format : string;  (** ["jsonl"] or ["csv"] *)
   digest : (string * Span.t) option;  (** of the model that it says it is of *)
   parameters : (string * Rat.t) list;
+  semantics : string option;  (** the version that it says it was recorded by *)
   items : item array;
   inexact : Span.t option;  (** the first number that is written as a float *)
 }

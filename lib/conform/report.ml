@@ -192,7 +192,7 @@ let json t ~exit ~diagnostics =
     [
       ("format", `String "scc-conform");
       ("version", `Int 1);
-      ("semantics", `String Trace.semantics_version);
+      ("semantics", `String Scc_calculus.Parameters.version);
       ("verdict", `String (verdict t.answer));
       ("exit", `Int exit);
       ( "model",
@@ -202,6 +202,7 @@ let json t ~exit ~diagnostics =
             ("name", Json.option Json.text t.loaded.origin.name);
             ("digest", `String t.loaded.origin.digest);
             ("parameters", Origin_json.parameters t.loaded.origin);
+            ("settings", Origin_json.settings t.loaded.origin);
           ] );
       ( "trace",
         `Assoc

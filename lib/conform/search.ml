@@ -26,6 +26,12 @@ type dead_end = {
   misfits : misfit list;
 }
 
+(* In a dead end there are none (rule DeadEnd). *)
+let successors against state =
+  match Network.successors (Against.semantics against) state with
+  | Error (Transition.Persistent_contact _) -> Ok []
+  | result -> result
+
 type reason = Too_many_states | Fault of Transition.fault | Interrupted
 
 type outcome =
@@ -126,7 +132,7 @@ let after t h index (taken : Transition.t) =
   {
     h with
     state = taken.target; time;
-    transitions = lazy (Network.successors (Against.semantics t.against) taken.target);
+    transitions = lazy (successors t.against taken.target);
     choices = (index, Transition.label_to_string (Against.model t.against) taken.label) :: h.choices;
     last = Some (taken.label, taken.rules, time);
   }
@@ -278,7 +284,7 @@ let run against (trace : Recorded.t) declared ~observed limits =
   let start state =
     {
       state; time = Rat.zero; next = 0; ahead = []; choices = []; last = None; deviation = Against.no_deviation;
-      transitions = lazy (Network.successors (Against.semantics against) state);
+      transitions = lazy (successors against state);
     }
   in
   let rec layers queue items ~missed widest =
@@ -301,7 +307,7 @@ let run against (trace : Recorded.t) declared ~observed limits =
 let beyond against state time ~steps =
   let rec go state time n found =
     let found = (state, time) :: found in
-    match if n = 0 then Ok [] else Network.successors (Against.semantics against) state with
+    match if n = 0 then Ok [] else successors against state with
     | Error _ -> found
     | Ok transitions -> (
         match List.find_opt (fun (x : Transition.t) -> Transition.is_time x.label) transitions with

@@ -94,6 +94,7 @@ let greatest index ~generous ~f ~g =
   let way = Until.ways graph ~f ~g in
   let certain = Until.every index ~generous ~f ~g in
   let inside s = Positions.at certain s && (not (Positions.at g s)) && graph.known s in
+  (* No run goes round where g is certain: each component is one node, after those that it leads to. *)
   let components =
     Strong_components.compute ~size:graph.size ~inside ~successors:(Until.successors graph way)
   in
@@ -109,8 +110,7 @@ let greatest index ~generous ~f ~g =
       | Some m -> later (delay m)
       | None -> Scc_base.Bug.fail __POS__ "what is certain leads to what is not"
     in
-    let outside t = not (Int.equal (Strong_components.number components t) k) in
-    Array.iter (fun t -> if outside t then leads Fun.id t) (graph.edges s);
+    Array.iter (leads Fun.id) (graph.edges s);
     match (graph.flow s, way s) with
     | Lasts (d, targets), Passes -> Array.iter (leads (shift d)) targets
     | _, Reached -> (

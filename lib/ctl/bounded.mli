@@ -11,8 +11,7 @@ val least :
 (** The least time of a run to g through f: shortest paths backwards. [None]: no run, or not within the bound. *)
 
 val greatest : Timed_graph.index -> generous:bool -> f:Positions.t -> g:Positions.t -> times
-(** The greatest time to g through f, of all runs; [None]: on some run it does not come at all. Once g is
-    inevitable, only cycles without duration are left on the way to it; they are taken as one node each. *)
+(** The greatest time to g through f, of all runs; [None]: on some run it does not come at all. *)
 
 val in_time : Rat.t -> Timeline.moment option -> bool
 (** Not after the bound. *)

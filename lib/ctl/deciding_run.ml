@@ -182,6 +182,13 @@ let comes_late high (place : Run.place) (m : Timeline.moment) =
     let c = Algebraic.compare m.offset place.left in
     if m.attained then c > 0 else c >= 0
 
+(* A run on which time goes on shows more than one that goes round within one instant. *)
+let going_round region =
+  let takes_time (move : Timed_graph.move) = match move with Edge _ -> false | Flow _ -> true in
+  match Run.lasso region ~prefer:takes_time with
+  | Some run -> run
+  | None -> lost ()
+
 let every_from_start e (u : Eval.until) high start =
   let graph = Eval.graph e in
   let f = (Eval.value e u.left).upper and g = (Eval.value e u.right).upper in
@@ -218,17 +225,7 @@ let every_from_start e (u : Eval.until) high start =
   in
   match Run.search graph ?bound:high start judge with
   | Ok found -> run start found
-  | Error region -> (
-      let way = Until.ways graph ~f ~g in
-      let inside s (move : Timed_graph.move) t =
-        avoids t && match move with
-        | Edge _ -> true
-        | Flow _ -> ( match way s with Passes -> true | Reached | Lost -> false)
-      in
-      let cycle _ (move : Timed_graph.move) = match move with Edge _ -> false | Flow _ -> true in
-      match Run.lasso graph region ~cycle ~inside with
-      | Some run -> run
-      | None -> lost ())
+  | Error region -> going_round region
 
 (* What a run leads to before the low end of the interval, or there. *)
 type leads = Ends of Run.finish | Goes_on of Run.finish
@@ -261,7 +258,7 @@ let every e (u : Eval.until) start =
     | Ok { steps; last; result = Ends finish } -> { start; steps; last; finish }
     | Ok { steps; last; result = Goes_on finish } ->
       then_ (every_from_start e u high) { start; steps; last; finish }
-    | Error _ -> lost ()
+    | Error region -> going_round region
 
 (** {2 The next edge} *)
 

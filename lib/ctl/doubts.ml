@@ -2,14 +2,13 @@ open Scc_data
 open Scc_exact
 
 type undefined = { predicate : int; position : Positions.position; reason : string }
-type t = { unexplored : int list; undefined : undefined list; zeno : Run.t option }
+type t = { unexplored : int list; undefined : undefined list }
 
 type search = {
   eval : Eval.t;
   graph : Timed_graph.t;
   unexplored_nodes : Bits.t;
   mutable found : undefined list;
-  mutable cycle : Run.t option;
 }
 
 (* Positions to begin at. Which of the offsets of a flow are meant is not kept: all at which there is doubt. *)
@@ -56,29 +55,6 @@ let predicate t p sources =
   in
   List.iter node sources.nodes;
   List.iter (if predicates.steady p then node else along_flow t p) sources.flows
-
-(** {2 Zeno} *)
-
-(* A cycle of edges within the nodes, and a way to it. *)
-let zeno t nodes =
-  let inside = Bits.create t.graph.size in
-  List.iter (Bits.add inside) nodes;
-  let is_inside = Bits.mem inside in
-  let components =
-    Strong_components.compute ~size:t.graph.size ~inside:is_inside ~successors:(Timed_graph.edges t.graph)
-  in
-  let number = Strong_components.number components in
-  let together s u = is_inside u && Int.equal (number s) (number u) in
-  match List.find_opt (fun s -> Array.exists (together s) (Timed_graph.edges t.graph s)) nodes with
-  | None -> ()
-  | Some s ->
-    let stem, start =
-      match Run.path t.graph ~from:0 s with Some steps -> (steps, 0) | None -> ([], s)
-    in
-    let cycle = Run.cycle t.graph s ~inside:together in
-    let finish = Run.Repeats (List.length stem) in
-    let steps = List.rev_append (List.rev stem) cycle in
-    t.cycle <- Some { start = Positions.start start; steps; last = s; finish }
 
 (** {2 Formulas} *)
 
@@ -155,17 +131,13 @@ and until t (u : Eval.until) value sources =
   let { visited; through } = way t u f g value sources in
   let known, unknown = List.partition t.graph.known through in
   List.iter (unexplored t) unknown;
-  let is_zeno = Option.is_none t.cycle && Timed_graph.has_instant_cycle (Eval.index t.eval) in
-  (match u.quantifier with
-   | Exists -> ()
-   | All -> if is_zeno then zeno t (List.filter (Positions.at f.upper) known));
   let flows = List.filter (has_flow t) (List.rev_append sources.flows known) in
   walk t u.left { nodes = visited; flows };
   walk t u.right { nodes = visited; flows }
 
 let find eval formula (position : Positions.position) =
   let graph = Eval.graph eval in
-  let t = { eval; graph; unexplored_nodes = Bits.create graph.size; found = []; cycle = None } in
+  let t = { eval; graph; unexplored_nodes = Bits.create graph.size; found = [] } in
   let sources =
     if Option.is_some (Eval.truth eval formula position) then { nodes = []; flows = [] }
     else if Positions.is_inside position then { nodes = []; flows = [ position.node ] }
@@ -176,4 +148,4 @@ let find eval formula (position : Positions.position) =
   for s = graph.size - 1 downto 0 do
     if Bits.mem t.unexplored_nodes s then nodes := s :: !nodes
   done;
-  { unexplored = !nodes; undefined = List.rev t.found; zeno = t.cycle }
+  { unexplored = !nodes; undefined = List.rev t.found }

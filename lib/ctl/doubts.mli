@@ -8,9 +8,6 @@ type t = {
       are undecided, and in time. Some of them may turn out not to matter once others are known. *)
   undefined : undefined list;
   (** predicates that are undecided where it matters, each predicate and reason once *)
-  zeno : Run.t option;
-  (** a run, from node 0 when that reaches it, that goes round for ever within one instant and on which the answer
-      depends *)
 }
 
 val find : Eval.t -> Formula.t -> Positions.position -> t

@@ -62,10 +62,7 @@ let some_next t f =
     (fun ~generous side -> Until.next t.index ~generous (side f))
 
 let until t (q : Formula.quantifier) (bound : Formula.bound) f g =
-  let exact =
-    is_exact f && is_exact g && Timed_graph.complete t.index
-    && match q with Exists -> true | All -> not (Timed_graph.has_instant_cycle t.index)
-  in
+  let exact = is_exact f && is_exact g && Timed_graph.complete t.index in
   let from_start ~generous high f g =
     match (q, high) with
     | Exists, None -> Until.some t.index ~generous ~f ~g

@@ -6,8 +6,8 @@
     A position is a node, or an offset strictly inside the flow of a node; the end of a flow is the node it
     leads to. A run goes from a node by one of its edges, in no time, or lets time pass through its flow, when
     it has one, to one of the targets; inside a flow nothing else can happen. It goes on as long as it can: it
-    ends at a dead end, stays in a flow that lasts for ever, or takes infinitely many transitions. No fairness
-    is assumed.
+    ends at a dead end, stays in a flow that lasts for ever, or takes infinitely many transitions, whether or not
+    time goes on and on (rule Run). No fairness is assumed.
 
     {1 Operators} (rule Next, rule Until, rule Intervals)
 
@@ -21,9 +21,7 @@
     {1 Three values} (rule Truncated)
 
     The lower set takes what is not known for false (from the point of view of the formula: under "not" for
-    true), the upper one for true: what follows nodes that are not known, predicates that are undecided, and
-    runs that go round for ever within one instant (rule Zeno). Such a run counts against A(f U g) in the lower
-    set only, and so it is no witness of EG f there. *)
+    true), the upper one for true: what follows nodes that are not known, and predicates that are undecided. *)
 
 type predicates = {
   at : int -> int -> Truth.t;  (** predicate and node *)

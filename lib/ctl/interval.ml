@@ -67,14 +67,10 @@ let value t ~generous s =
     | (Lasts _ | Forever), None -> along_flow t s
     | (Lasts _ | Forever), Some p -> P.map2 join p (along_flow t s)
 
-(* From "nowhere" up to the least solution, or from "everywhere" down to the greatest, until nothing changes. For E
-   every way to get there ends, and the least is the one. *)
+(* From "nowhere" up to the least solution, until nothing changes. *)
 let solve index quantifier ~generous ~from ~f ~phi =
   let graph = Timed_graph.graph index in
-  let first =
-    match (quantifier : Formula.quantifier) with Exists -> false | All -> generous
-  in
-  let t = { graph; quantifier; from; f; phi; x = Array.make graph.size (P.constant first) } in
+  let t = { graph; quantifier; from; f; phi; x = Array.make graph.size (P.constant false) } in
   let waiting = Bits.create graph.size and queue = Queue.create () in
   let enter s =
     if not (Bits.mem waiting s) then begin

@@ -6,9 +6,9 @@
     - X(s, r) = f(s) and Q over the ways from s, for r > 0: an edge to t gives X(t, r), a flow of time d gives
       "f on (0, r) and phi at s after r" for r < d, and "f on (0, d) and X(t, r - d)" from d on.
 
-    Q is "some", or "all, and there is one". The rest gets less along any cycle that takes time, so that runs on
-    which it does not reach 0 end, or go round within one instant: the least solution counts them against the
-    formula, the greatest only those that end. *)
+    Q is "some", or "all, and there is one". Theirs is the least solution: the rest gets less along any cycle that
+    takes time, so that runs on which it does not reach 0 end, or go round within one instant, and those have no
+    position at which a has elapsed (rule Run). *)
 
 open Scc_exact
 

@@ -37,12 +37,13 @@ module Met = Hashtbl.Make (struct
     let hash (s, t) = (31 * s) + Rat.hash t
   end)
 
-(* Places in the order in which they were met, the start first: where, from which place, and by which move. *)
+(* Places in the order in which they were met, the start first: where, from which place and by which move. *)
 type region = {
   origin : Positions.position;
   nodes : int Growable.t;
   from : int Growable.t;
   by : int Growable.t;
+  ways : int -> (Timed_graph.move * int) list;  (** that the search follows from a place, to places *)
 }
 
 let rec back r i acc =
@@ -53,14 +54,14 @@ let rec back r i acc =
     back r before (step :: acc)
 
 let search (g : Timed_graph.t) ?(by_time = false) ?bound (start : Positions.position) judge =
-  let r = { origin = start; nodes = Growable.create (); from = Growable.create (); by = Growable.create () } in
+  let nodes = Growable.create () and from = Growable.create () and by = Growable.create () in
   let times = Growable.create () in
   let keep_time = by_time || Option.is_some bound in
   let seen = Bits.create (if by_time then 0 else g.size) and met = Met.create 16 in
-  let add node time from by =
-    Growable.push r.nodes node;
-    Growable.push r.from from;
-    Growable.push r.by by;
+  let add node time place move =
+    Growable.push nodes node;
+    Growable.push from place;
+    Growable.push by move;
     if keep_time then Growable.push times time
   in
   let is_new node time =
@@ -78,112 +79,108 @@ let search (g : Timed_graph.t) ?(by_time = false) ?bound (start : Positions.posi
       end
   in
   let is_inside i = i = 0 && Positions.is_inside start in
-  let enter node time from by = if is_new node time then add node time from by in
+  let enter node time place move = if is_new node time then add node time place move in
   if Positions.is_inside start then add start.node Rat.zero (-1) 0 else enter start.node Rat.zero (-1) 0;
   let bound = Option.value bound ~default:Rat.zero in
+  let time i = if keep_time then Growable.get times i else Rat.zero in
+  let judge i =
+    let node = Growable.get nodes i in
+    let position = if is_inside i then start else Positions.start node in
+    judge { position; left = Algebraic.add_rat (Rat.sub bound (time i)) start.offset }
+  in
+  let iter_ways i ~edge ~flow f =
+    let node = Growable.get nodes i and time = time i in
+    if not (is_inside i) then
+      Array.iteri (fun k t -> if edge t then f (Timed_graph.Edge k) t time) (Timed_graph.edges g node);
+    match Timed_graph.flow g node with
+    | Lasts (d, targets) ->
+      let later = if keep_time then Rat.add time d else time in
+      Array.iteri (fun k t -> if flow t then f (Timed_graph.Flow k) t later) targets
+    | No_flow | Forever -> ()
+  in
+  (* Where a node was met, at a time if that matters. A start inside a flow is the first place, and no node. *)
+  let places =
+    lazy
+      (let known = Met.create 64 in
+       for i = if is_inside 0 then 1 else 0 to Growable.length nodes - 1 do
+         Met.replace known (Growable.get nodes i, if by_time then time i else Rat.zero) i
+       done;
+       known)
+  in
+  let ways i =
+    match judge i with
+    | Found _ -> []
+    | Follow { edge; flow } ->
+      let found = ref [] in
+      let add move t time =
+        found := (move, Met.find (Lazy.force places) (t, if by_time then time else Rat.zero)) :: !found
+      in
+      iter_ways i ~edge ~flow add;
+      List.rev !found
+  in
+  let region = { origin = start; nodes; from; by; ways } in
   let rec go i =
-    if i = Growable.length r.nodes then Error r
+    if i = Growable.length nodes then Error region
     else
-      let node = Growable.get r.nodes i in
-      let time = if keep_time then Growable.get times i else Rat.zero in
-      let position = if is_inside i then start else Positions.start node in
-      let left = Algebraic.add_rat (Rat.sub bound time) start.offset in
-      match judge { position; left } with
-      | Found result -> Ok { steps = back r i []; last = node; result }
+      match judge i with
+      | Found result -> Ok { steps = back region i []; last = Growable.get nodes i; result }
       | Follow { edge; flow } ->
-        if not (is_inside i) then
-          Array.iteri
-            (fun k t -> if edge t then enter t time i (code (Edge k)))
-            (Timed_graph.edges g node);
-        (match Timed_graph.flow g node with
-         | Lasts (d, targets) ->
-           let later = if keep_time then Rat.add time d else time in
-           Array.iteri (fun k t -> if flow t then enter t later i (code (Flow k))) targets
-         | No_flow | Forever -> ());
+        iter_ways i ~edge ~flow (fun move t time -> enter t time i (code move));
         go (i + 1)
   in
   go 0
 
 (** {2 Cycles} *)
 
-let moves g s =
-  let edges = Array.mapi (fun k t -> (Timed_graph.Edge k, t)) (Timed_graph.edges g s) in
-  let flow = Timed_graph.targets (Timed_graph.flow g s) in
-  Array.append edges (Array.mapi (fun k t -> (Timed_graph.Flow k, t)) flow)
-
-let route (g : Timed_graph.t) ~from ~goal ~inside =
-  let source = Int_array.make g.size (-1) and by = Int_array.make g.size 0 in
+(* From a place to another by some of the ways. *)
+let route size ~ways ~from ~goal =
+  let source = Int_array.make size (-1) and by = Int_array.make size 0 in
   let queue = Queue.create () in
-  let rec back v acc =
-    if Int.equal v from then acc
+  let rec back i acc =
+    if Int.equal i from then acc
     else
-      let s = Int_array.get source v in
-      back s ({ source = s; move = move (Int_array.get by v) } :: acc)
+      let s = Int_array.get source i in
+      back s ((s, move (Int_array.get by i)) :: acc)
   in
-  let enter s way v =
-    if (not (Int.equal v from)) && Int_array.get source v < 0 then begin
-      Int_array.set source v s;
-      Int_array.set by v (code way);
-      Queue.push v queue
+  let enter i (way, j) =
+    if (not (Int.equal j from)) && Int_array.get source j < 0 then begin
+      Int_array.set source j i;
+      Int_array.set by j (code way);
+      Queue.push j queue
     end
   in
   Queue.push from queue;
   let rec go () =
     match Queue.take_opt queue with
-    | None -> None
-    | Some v when Int.equal v goal -> Some (back v [])
-    | Some v ->
-      Array.iter (fun (way, t) -> if inside v way t then enter v way t) (moves g v);
+    | None -> Scc_base.Bug.fail __POS__ "a component is not connected"
+    | Some i when Int.equal i goal -> back i []
+    | Some i ->
+      List.iter (enter i) (ways i);
       go ()
   in
   go ()
 
-let path g ~from goal = route g ~from ~goal ~inside:(fun _ _ _ -> true)
-
-let cycle g s ~inside =
-  let edges = Timed_graph.edges g s in
-  let rec first k = if inside s edges.(k) then k else first (k + 1) in
-  let k = first 0 in
-  let inside s (move : Timed_graph.move) t =
-    match move with Edge _ -> inside s t | Flow _ -> false
-  in
-  match route g ~from:edges.(k) ~goal:s ~inside with
-  | None -> Scc_base.Bug.fail __POS__ "a component is not connected"
-  | Some home -> { source = s; move = Edge k } :: home
-
-let lasso (g : Timed_graph.t) region ~cycle ~inside =
-  let seen = Bits.create g.size in
-  (* A start inside a flow is the first place, and no node. *)
-  let first = if Positions.is_inside region.origin then 1 else 0 in
-  let places = Growable.length region.nodes in
-  for i = first to places - 1 do
-    Bits.add seen (Growable.get region.nodes i)
-  done;
-  let is_seen = Bits.mem seen in
-  let inside s move t = is_seen t && inside s move t in
-  let successors s =
-    moves g s |> Array.to_list
-    |> List.filter (fun (move, t) -> inside s move t)
-    |> List.map snd |> Array.of_list
-  in
-  let components = Strong_components.compute ~size:g.size ~inside:is_seen ~successors in
+let lasso region ~prefer =
+  let size = Growable.length region.nodes in
+  let successors i = Array.of_list (List.map snd (region.ways i)) in
+  let components = Strong_components.compute ~size ~inside:(fun _ -> true) ~successors in
   let number = Strong_components.number components in
-  let stays s move t = inside s move t && Int.equal (number s) (number t) in
-  let closing i =
-    let s = Growable.get region.nodes i in
-    let good (move, t) = stays s move t && cycle s move in
-    match List.find_opt good (Array.to_list (moves g s)) with
-    | None -> None
-    | Some (move, t) -> (
-        match route g ~from:t ~goal:s ~inside:stays with
-        | None -> Scc_base.Bug.fail __POS__ "a component is not connected"
-        | Some home ->
-          let stem = back region i [] in
-          let finish = Repeats (List.length stem) in
-          let steps = List.rev_append (List.rev stem) ({ source = s; move } :: home) in
-          Some { start = region.origin; steps; last = s; finish })
+  let staying i = List.filter (fun (_, j) -> Int.equal (number i) (number j)) (region.ways i) in
+  let step (i, move) = { source = Growable.get region.nodes i; move } in
+  let closed i (move, j) =
+    let home = route size ~ways:staying ~from:j ~goal:i in
+    let stem = back region i [] in
+    let finish = Repeats (List.length stem) in
+    let steps = List.rev_append (List.rev stem) (Scc_base.Long_list.map step ((i, move) :: home)) in
+    { start = region.origin; steps; last = Growable.get region.nodes i; finish }
   in
-  let rec go i =
-    if i >= places then None else match closing i with Some run -> Some run | None -> go (i + 1)
+  let rec first good i =
+    if i = size then None
+    else
+      match List.find_opt (fun (move, _) -> good move) (staying i) with
+      | Some way -> Some (closed i way)
+      | None -> first good (i + 1)
   in
-  go first
+  match first prefer 0 with
+  | Some run -> Some run
+  | None -> first (fun _ -> true) 0

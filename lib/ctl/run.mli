@@ -60,14 +60,6 @@ val search :
 (** Breadth-first, so that the steps are as few as can be. Each node is looked at once, or, with [by_time], once
     for each time at which it is met. *)
 
-val lasso :
-  Timed_graph.t -> region -> cycle:(int -> Timed_graph.move -> bool) -> inside:(int -> Timed_graph.move -> int
-                                                                                -> bool) -> t option
-(** A run within what was seen, along the moves that are inside, that ends in a cycle through a move (the first
-    such) of which [cycle] says yes. *)
-
-val cycle : Timed_graph.t -> int -> inside:(int -> int -> bool) -> step list
-(** From a node by edges that are inside back to it; there is one, by the first edge of the node that is. *)
-
-val path : Timed_graph.t -> from:int -> int -> step list option
-(** Any shortest one. *)
+val lasso : region -> prefer:(Timed_graph.move -> bool) -> t option
+(** A run along the ways that the search followed that ends in a cycle: through a move (the first such) that is
+    preferred, if there is one, or else the first cycle. *)

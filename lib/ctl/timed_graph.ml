@@ -36,7 +36,6 @@ type index = {
   complete : bool;
   first : Int_array.t;
   source : Int_array.t;
-  instant_cycle : bool Lazy.t;
 }
 
 let graph i = i.graph
@@ -47,34 +46,6 @@ let iter_sources i t f =
     let code = Int_array.get i.source k in
     f (code lsr 1) (code land 1 = 1)
   done
-
-(* Takes away nodes without edges again and again: what stays has cycles. *)
-let instant_cycle g first source =
-  let left = Int_array.make g.size 0 and ready = Int_array.make g.size 0 in
-  let found = ref 0 and done_ = ref 0 in
-  let enter s =
-    Int_array.set ready !found s;
-    incr found
-  in
-  for s = 0 to g.size - 1 do
-    let n = Array.length (edges g s) in
-    Int_array.set left s n;
-    if n = 0 then enter s
-  done;
-  while !done_ < !found do
-    let t = Int_array.get ready !done_ in
-    incr done_;
-    for k = Int_array.get first t to Int_array.get first (t + 1) - 1 do
-      let code = Int_array.get source k in
-      if code land 1 = 0 then begin
-        let s = code lsr 1 in
-        let n = Int_array.get left s - 1 in
-        Int_array.set left s n;
-        if n = 0 then enter s
-      end
-    done
-  done;
-  !found < g.size
 
 let iter_ways g s f =
   Array.iter (fun t -> f t (2 * s)) (edges g s);
@@ -104,6 +75,4 @@ let index g =
         Int_array.set first t k;
         Int_array.set source k code)
   done;
-  { graph = g; complete = !complete; first; source; instant_cycle = lazy (instant_cycle g first source) }
-
-let has_instant_cycle i = Lazy.force i.instant_cycle
+  { graph = g; complete = !complete; first; source }

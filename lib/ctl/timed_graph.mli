@@ -55,6 +55,3 @@ val complete : index -> bool
 val iter_sources : index -> int -> (int -> bool -> unit) -> unit
 (** [iter_sources index t f] calls [f s timed] for each way from [s] to [t], once for each edge (not [timed]) or
     target of the flow of [s] ([timed]). *)
-
-val has_instant_cycle : index -> bool
-(** Whether some edges form a cycle: a run may go round there for ever within one instant. *)

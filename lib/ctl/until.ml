@@ -44,9 +44,16 @@ let some index ~generous ~f ~g =
             else match way s with Passes -> Worklist.add w s | Reached | Lost -> ()));
   along_flows graph ~join:Array.exists ~f ~g (Worklist.mem w)
 
-(* The nodes from which every run of any kind has f until g: [left] counts the ways on which that is not known. *)
-let attractor index ~generous ~f ~g way =
+let successors graph way s =
+  match (Timed_graph.flow graph s, way s) with
+  | Lasts (_, targets), Passes -> Array.append (Timed_graph.edges graph s) targets
+  | _ -> Timed_graph.edges graph s
+
+(* [left] counts the ways of a node on which f until g is not known yet. A node on a cycle keeps some: the run that
+   goes round for ever has no g. *)
+let every index ~generous ~f ~g =
   let graph = Timed_graph.graph index in
+  let way = ways graph ~f ~g in
   let w = Worklist.create graph.size in
   let left = Int_array.make graph.size (-1) in
   for s = 0 to graph.size - 1 do
@@ -72,52 +79,7 @@ let attractor index ~generous ~f ~g way =
             Int_array.set left s (n - 1);
             if n = 1 then Worklist.add w s
           end));
-  Worklist.mem w
-
-let successors graph way s =
-  match (Timed_graph.flow graph s, way s) with
-  | Lasts (_, targets), Passes -> Array.append (Timed_graph.edges graph s) targets
-  | _ -> Timed_graph.edges graph s
-
-(* Of the nodes that the attractor leaves over, those with a run that avoids g until f fails, until it is over, or
-   for ever while time goes on and on. *)
-let honest index ~f way avoids =
-  let graph = Timed_graph.graph index in
-  let inside s = avoids s && Positions.at f s && graph.known s in
-  let components =
-    Strong_components.compute ~size:graph.size ~inside ~successors:(successors graph way)
-  in
-  let number = Strong_components.number components in
-  let w = Worklist.create graph.size in
-  for s = 0 to graph.size - 1 do
-    if avoids s then
-      if (not (inside s)) || Timed_graph.is_dead_end graph s then Worklist.add w s
-      else
-        match (graph.flow s, way s) with
-        | No_flow, _ | _, Reached -> ()
-        | _, Lost -> Worklist.add w s
-        | flow, Passes ->
-          let comes_back t = Int.equal (number t) (number s) in
-          if Array.exists comes_back (Timed_graph.targets flow) then Worklist.add w s
-  done;
-  Worklist.run w (fun t ->
-      Timed_graph.iter_sources index t (fun s timed ->
-          if inside s then
-            if not timed then Worklist.add w s
-            else match way s with Passes -> Worklist.add w s | Reached | Lost -> ()));
-  Worklist.mem w
-
-let every index ~generous ~f ~g =
-  let graph = Timed_graph.graph index in
-  let way = ways graph ~f ~g in
-  let surely = attractor index ~generous ~f ~g way in
-  let x =
-    if generous && Timed_graph.has_instant_cycle index then
-      let against = honest index ~f way (fun s -> not (surely s)) in
-      fun s -> not (against s)
-    else surely
-  in
-  along_flows graph ~join:Array.for_all ~f ~g x
+  along_flows graph ~join:Array.for_all ~f ~g (Worklist.mem w)
 
 let next index ~generous f =
   let graph = Timed_graph.graph index in

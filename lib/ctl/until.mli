@@ -14,8 +14,8 @@ val some : Timed_graph.index -> generous:bool -> f:Positions.t -> g:Positions.t 
 (** E(f U g). *)
 
 val every : Timed_graph.index -> generous:bool -> f:Positions.t -> g:Positions.t -> Positions.t
-(** A(f U g). A run that goes round for ever within one instant and avoids g (rule Zeno) counts against it, unless
-    [generous]; then only what other runs do, and what happens before. *)
+(** A(f U g), of all runs (rule Run): one that ends in a dead end, or goes round for ever, within one instant or
+    not, counts against it if it has not met g. *)
 
 val next : Timed_graph.index -> generous:bool -> Positions.t -> Positions.t
 (** EX f. *)

@@ -105,7 +105,6 @@ let reason c (r : Verdict.reason) =
     | Truncated t -> ("truncated", truncation t, `Null)
     | Undefined _ -> ("undefined", `Null, `Null)
     | Fault _ -> ("fault", `Null, `Null)
-    | Zeno w -> ("zeno", `Null, witness c w)
     | Unexplored { nearest; _ } -> ("unexplored", `Null, witness c nearest)
   in
   `Assoc
@@ -116,7 +115,15 @@ let reason c (r : Verdict.reason) =
       ("witness", run);
     ]
 
-let property c ({ check; verdict = v; scale } : Verdict.outcome) =
+let halt : Witness.halt -> string = function
+  | Dead_end -> "dead-end"
+  | One_instant -> "one-instant"
+
+let rest r =
+  let by, halt = match (r : Verdict.rest) with By h -> ("deciding", halt h) | Among h -> ("some", halt h) in
+  `Assoc [ ("runs", `String by); ("end", `String halt) ]
+
+let property c ({ check; verdict = v; scale; rests } as o : Verdict.outcome) =
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
@@ -128,12 +135,15 @@ let property c ({ check; verdict = v; scale } : Verdict.outcome) =
       ("name", Json.text check.name);
       ("formula", Json.text check.text);
       ("verdict", `String (kind v));
-      ("text", Json.text (Verdict.to_string ~scale v));
+      ("text", Json.text (Verdict.outcome_to_string o));
       ("bounds", `List (List.map truncation bounds));
       ("reasons", `List (List.map (reason c) reasons));
       ("witness", Json.option (witness c) run);
     ]
+      @ (match rests with [] -> [] | _ :: _ -> [ ("rests_on", `List (List.map rest rests)) ])
       @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step))
+
+let dead_ends list = `List (List.map (fun (d : Diag.t) -> Json.text d.message) list)
 
 let explored (s : Check.stats) =
   `Assoc
@@ -146,6 +156,7 @@ let explored (s : Check.stats) =
       ("decided_early", `Bool s.decided_early);
       ("stopped_by", `List (List.map truncation s.stopped_by));
       ("faults", `List (List.map (fun (f : Diag.t) -> Json.text f.message) s.faults));
+      ("dead_ends", dead_ends s.dead_ends);
     ]
 
 let slice (s : Check.slice) =
@@ -162,7 +173,7 @@ let document ~source r =
     ([
       ("format", `String "scc-check");
       ("version", `Int 1);
-      ("semantics", `String Trace.semantics_version);
+      ("semantics", `String Scc_calculus.Parameters.version);
     ]
       @ Origin_json.members r.loaded.origin
       @ [ ("exit", `Int r.exit) ]

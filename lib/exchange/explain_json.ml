@@ -78,7 +78,7 @@ let document ~source t =
     ([
       ("format", `String "scc-explanation");
       ("version", `Int 1);
-      ("semantics", `String Trace.semantics_version);
+      ("semantics", `String Scc_calculus.Parameters.version);
     ]
       @ Origin_json.members t.origin
       @ [

@@ -14,15 +14,16 @@ let summary e =
     String.concat ", "
       (("model " ^ Option.value name ~default:"without a name") :: List.map parameter parameters)
   in
+  let model = [ model; Scc_calculus.Parameters.line e.loaded.origin.settings ] in
   let explored =
     Printf.sprintf "explored: %d states, %d transitions" e.space.size (Explored.transitions e.space)
   in
   match Explored.unexpanded e.space with
-  | 0 -> [ model; explored ^ "; complete" ]
+  | 0 -> model @ [ explored ^ "; complete" ]
   | n ->
     let faults = List.map (fun (f : Scc_base.Diag.t) -> f.message) e.space.faults in
     let why = List.map Verdict.truncation_to_string e.space.stopped_by @ faults in
-    [ model; explored; Printf.sprintf "TRUNCATED: %d states unexplored, by %s" n (String.concat ", " why) ]
+    model @ [ explored; Printf.sprintf "TRUNCATED: %d states unexplored, by %s" n (String.concat ", " why) ]
 
 let label_notes l =
   let predicates = Array.to_list (Labelling.predicates l) in

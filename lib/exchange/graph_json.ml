@@ -51,7 +51,7 @@ let write (e : Exported.t) l put =
   put "{\n";
   add "format" (`String "scc-graph");
   add "version" (`Int version);
-  add "semantics" (`String Trace.semantics_version);
+  add "semantics" (`String Scc_calculus.Parameters.version);
   List.iter (fun (key, json) -> add key json) (Origin_json.members e.loaded.origin);
   add "complete" (`Bool (Explored.complete space));
   add "unexplored" (`Int (Explored.unexpanded space));

@@ -37,8 +37,9 @@ let start model (origin : Scc_session.Origin.t) put =
         ("description", `String "a run of the Shape Calculus, made by scc");
         ("model", Json.option Json.text origin.name);
         ("digest", `String origin.digest);
-        ("semantics", `String Trace.semantics_version);
+        ("semantics", `String Scc_calculus.Parameters.version);
         ("parameters", Origin_json.parameters origin);
+        ("settings", Origin_json.settings origin);
       ]
   in
   put (Printf.sprintf "{\n\"#meta\": %s,\n" (Json.line meta));

@@ -3,5 +3,9 @@
 open Scc_session
 
 val parameters : Origin.t -> Json.t
+
+val settings : Origin.t -> Json.t
+(** An object of strings. *)
+
 val members : Origin.t -> (string * Json.t) list
-(** [model], [digest] and [parameters]. *)
+(** [model], [digest], [parameters] and [settings]. *)

@@ -93,7 +93,6 @@ let flow ~source m (check : Property.check) (w : Witness.t) =
     [ ("codeFlows", `List [ `Assoc [ ("threadFlows", `List [ `Assoc [ ("locations", `List steps) ] ]) ] ]) ]
 
 let witness_of_reason : Verdict.reason -> Witness.t option = function
-  | Zeno w -> Some w
   | Truncated _ | Unexplored _ | Undefined _ | Fault _ -> None
 
 let property ~source m ({ check; verdict = v; scale } : Verdict.outcome) =

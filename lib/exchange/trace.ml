@@ -3,7 +3,6 @@ open Scc_calculus
 open Scc_semantics
 
 let version = Schedule.version
-let semantics_version = "1"
 
 let header origin =
   `Assoc
@@ -11,7 +10,7 @@ let header origin =
       ("type", `String "header");
       ("format", `String "scc-trace");
       ("version", `Int version);
-      ("semantics", `String semantics_version);
+      ("semantics", `String Scc_calculus.Parameters.version);
     ]
       @ Origin_json.members origin)
 

@@ -5,9 +5,6 @@ open Scc_calculus
 val version : int
 (** Of the format. *)
 
-val semantics_version : string
-(** Of the semantics (the rule book) that the states are computed by. *)
-
 val header : Scc_session.Origin.t -> Json.t
 (** The first line: what the run is of. It holds what decides what the choices mean, and not how they were
     made, so that a trace and its replay are the same bytes. *)

@@ -192,10 +192,6 @@ let of_run context graph temporal (run : Scc_ctl.Run.t) =
     in
     witness context followed finish []
 
-let of_cycle context graph temporal formula (run : Scc_ctl.Run.t) =
-  let facts = Wording.about context graph temporal formula run.last in
-  { (of_run context graph temporal run) with facts }
-
 let of_explanation context graph temporal e =
   Option.map
     (fun run ->

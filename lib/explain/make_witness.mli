@@ -16,7 +16,3 @@ val of_path : Network_lts.context -> State_graph.t -> int -> Witness.t
 
 val of_explanation : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.t option
 (** The run that the explanation begins with, with the whole of it in words; [None] when there is no run in it. *)
-
-val of_cycle :
-  Network_lts.context -> State_graph.t -> Temporal.t -> Scc_ctl.Formula.t -> Scc_ctl.Run.t -> Witness.t
-(** A run from the initial state that goes round within one instant, on which a formula depends. *)

@@ -28,10 +28,21 @@ type t = {
   argument : argument option;
 }
 
+type halt = Dead_end | One_instant
+
+(* Model time when the step of this index begins. *)
+let time_before w k = if k = 0 then Rat.zero else (List.nth w.steps (k - 1)).time
+
 let choices w = Scc_base.Long_list.map (fun s -> s.choice) w.steps
 
 let time w =
   match List.rev w.steps with [] -> Rat.zero | last :: _ -> last.time
+
+let halt w =
+  match w.finish with
+  | Stops -> Some Dead_end
+  | Repeats { cycle; _ } -> if Rat.equal (time_before w cycle) (time w) then Some One_instant else None
+  | At_state | During _ | Rests | Passes _ -> None
 
 let instant w =
   match w.finish with
@@ -77,7 +88,7 @@ let finish_lines model w =
   | At_state -> ( match w.steps with [] -> [ "in the initial state" ] | _ :: _ -> [])
   | During { offset; open_piece; from; _ } -> [ during_line w ~offset ~open_piece ~from ]
   | Rests -> [ "then nothing happens any more, and time passes for ever" ]
-  | Stops -> [ "then the run is over: neither time nor anything else can go on" ]
+  | Stops -> [ "then the run ends: neither time nor anything else can go on, and the model is given up there" ]
   | Passes _ -> [ "then time passes beyond the bound" ]
   | Repeats { cycle; moved; puts_off } ->
     let again =

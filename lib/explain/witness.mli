@@ -47,6 +47,13 @@ type t = {
   argument : argument option;  (** of a formula with operators within operators *)
 }
 
+(** How time ends on the run, when it does: a run in which it goes on and on needs no word. *)
+type halt =
+  | Dead_end  (** the run is over in a state without transitions *)
+  | One_instant  (** the run goes round for ever within one instant *)
+
+val halt : t -> halt option
+
 val choices : t -> int list
 (** The choices of the steps. *)
 

@@ -6,8 +6,5 @@ open Scc_space
 val facts : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> string list
 (** What holds where the run of an explanation ({!Explanation.chain}) leads, a sentence for each atom. *)
 
-val about : Network_lts.context -> State_graph.t -> Temporal.t -> Scc_ctl.Formula.t -> int -> string list
-(** The same, in a state, of the predicates that an operator waits for. *)
-
 val argument : Network_lts.context -> State_graph.t -> Temporal.t -> Explanation.t -> Witness.argument option
 (** The whole tree; [None] when it is but one run, with what holds at its end. *)

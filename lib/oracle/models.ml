@@ -86,6 +86,7 @@ let describe given handle l =
       ("digest", `String m.origin.digest);
       ("name", Json.option Json.text m.origin.name);
       ("parameters", Origin_json.parameters m.origin);
+      ("settings", Origin_json.settings m.origin);
       ("rigid", `Bool (Option.is_some m.model.rigid));
       ("resolution", Json.option Json.rat (Model.resolution m.model));
       ("leaves", list leaf (Array.to_list m.model.leaves));

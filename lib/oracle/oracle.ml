@@ -45,7 +45,7 @@ let describe (s : Session.t) p =
          ("service", `String "scc-oracle");
          ("protocol", `Int protocol);
          ("version", Json.text s.version);
-         ("semantics", `String Trace.semantics_version);
+         ("semantics", `String Scc_calculus.Parameters.version);
          ("methods", `List (List.map (fun m -> `String m) methods));
          ("limits", `Assoc (List.map (fun (name, n) -> (name, `Int n)) (Quotas.listed s.quotas)));
        ])

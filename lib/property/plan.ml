@@ -38,6 +38,11 @@ and connect positive ~all list =
 
 let of_formula f = plan true f
 
+let rec is_search = function
+  | Now _ | Possibly _ | Always _ -> true
+  | Formula _ -> false
+  | All plans | Any plans -> List.for_all is_search plans
+
 let rec horizon (f : Property.temporal) =
   match f with
   | State _ -> Some Rat.zero

@@ -13,6 +13,9 @@ type t =
 
 val of_formula : Property.temporal -> t
 
+val is_search : t -> bool
+(** Nothing in it is to be evaluated on the graph. *)
+
 val horizon : Property.temporal -> Rat.t option
 (** What happens later than this does not matter; [None]: everything may. *)
 

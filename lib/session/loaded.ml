@@ -29,8 +29,9 @@ let of_tree ~read_file ~overrides source tree =
   in
   let* (e : Scc_elaborate.Elaborate.t) = Scc_elaborate.Elaborate.elaborate ~read_file ~overrides tree in
   let digest = Origin.digest ~text:(Source.text source) ~files:(List.rev !files) in
-  let origin = { Origin.name = e.name; digest; parameters = e.parameters } in
   let { Scc_elaborate.Elaborate.model; declared; checks; premises; warnings; _ } = e in
+  let settings = Scc_calculus.Parameters.listed model declared in
+  let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
   Ok { source; origin; semantics = Standard.of_model model; model; declared; checks; premises; warnings }
 
 let load ~read_file ~overrides source =

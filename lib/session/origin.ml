@@ -1,6 +1,11 @@
 open Scc_exact
 
-type t = { name : string option; digest : string; parameters : (string * Rat.t) list }
+type t = {
+  name : string option;
+  digest : string;
+  parameters : (string * Rat.t) list;
+  settings : (string * string) list;
+}
 
 let digest ~text ~files =
   let b = Buffer.create (String.length text) in

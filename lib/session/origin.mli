@@ -6,6 +6,7 @@ type t = {
   name : string option;  (** from [model NAME] *)
   digest : string;  (** of the text and of all that was read for it, see {!digest} *)
   parameters : (string * Rat.t) list;  (** with their values, in order *)
+  settings : (string * string) list;  (** {!Scc_calculus.Parameters.listed} *)
 }
 
 val digest : text:string -> files:(string * string) list -> string

@@ -52,6 +52,7 @@ type context = {
   initial : State.t;
   singles : alone array;  (** the last that were asked for, at their numbers modulo the size *)
   pairs : together array;  (** likewise *)
+  mutable given_up : Transition.fault list;  (** at the states seen so far, each once *)
 }
 
 let no_pair = { pair = -1; collisions = []; contact = None }
@@ -167,11 +168,22 @@ let make ?(events = []) ?(time_seen = Time_seen.Always) ?(quotient = Quotient.no
     | p :: _ when not model.Model.steered -> Array.make memory (look book (Catalogue.process catalogue p))
     | _ :: _ -> [||]
   in
-  { book; quotient; visible; initial; singles = filler; pairs = Array.make memory no_pair }
+  { book; quotient; visible; initial; singles = filler; pairs = Array.make memory no_pair; given_up = [] }
 
 let split_step c =
   let may_split (p : State.process) = Option.is_some p.clock in
   if Catalogue.exists_form (catalogue c) may_split then Some (model c).split_step else None
+
+let given_up c = List.rev c.given_up
+
+let is_given_up : Transition.fault -> bool = function
+  | Persistent_contact _ -> true
+  | Bad_law _ -> false
+
+let is_dead_end semantics state =
+  match Network.successors semantics state with
+  | Ok _ -> false
+  | Error fault -> is_given_up fault
 
 let set_mark c tuple mark =
   match c.book.events with [] -> () | _ :: _ -> tuple.(Catalogue.mark_slot (catalogue c)) <- mark
@@ -281,7 +293,12 @@ let whole c tuple =
   let step ((t : Transition.t), target) : Lts.step =
     { label = Catalogue.label (catalogue c) t.label; changes = Tuples.difference tuple target }
   in
-  Result.map (List.map step) (choices c (Catalogue.decode (catalogue c) tuple))
+  match choices c (Catalogue.decode (catalogue c) tuple) with
+  | Ok transitions -> Ok (List.map step transitions)
+  | Error fault when is_given_up fault ->
+    if not (List.mem fault c.given_up) then c.given_up <- fault :: c.given_up;
+    Ok []
+  | Error _ as fault -> fault
 
 let discrete c present =
   let strong = Array.fold_left (fun acc (a : alone) -> List.rev_append a.strong acc) [] present in

@@ -35,6 +35,12 @@ val split_step : context -> Rat.t option
 (** Between the instants at which weak splits were looked at, when one has been enabled in a state seen so far: in
     the calculus they may happen at any time between them as well (reading I-9). *)
 
+val given_up : context -> Transition.fault list
+(** Why runs end in dead ends of what has been explored so far (rules Run and Persistent): {!successors} finds no
+    transitions there. *)
+
+val is_dead_end : Semantics.t -> State.t -> bool
+
 val unmarked : context -> int array -> int array
 (** The same state with no event right before. *)
 

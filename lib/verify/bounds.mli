@@ -29,4 +29,7 @@ type cause =
   | Fault of Scc_base.Diag.t
   | Early  (** everything was decided *)
 
+val dead_ends : Scc_space.Network_lts.context -> Scc_base.Diag.t list
+(** A warning for each reason for which runs end in what was explored (rule Persistent). *)
+
 val cause : t -> Model.t -> horizon:Rat.t option -> Transition.fault Explore.reason -> cause

@@ -28,6 +28,7 @@ type stats = Joint_check.stats = {
   split_step : Rat.t option;
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
+  dead_ends : Scc_base.Diag.t list;
 }
 
 type slice = { properties : string list; left_out : string list; explored : stats }
@@ -111,7 +112,6 @@ let lift_reason lift (r : Verdict.reason) : Verdict.reason option =
   match r with
   | Unexplored { count; nearest } ->
     Option.map (fun nearest -> Verdict.Unexplored { count; nearest }) (lift nearest)
-  | Zeno w -> Option.map (fun w -> Verdict.Zeno w) (lift w)
   | Truncated _ | Undefined _ | Fault _ -> Some r
 
 let lift_verdict lift (v : Verdict.t) : Verdict.t =
@@ -146,12 +146,34 @@ let add (a : stats) (b : stats) =
     split_step = (match a.split_step with Some _ -> a.split_step | None -> b.split_step);
     stopped_by = Verdict.together a.stopped_by b.stopped_by;
     faults = List.sort_uniq Scc_base.Diag.compare (a.faults @ b.faults);
+    dead_ends = List.sort_uniq Scc_base.Diag.compare (a.dead_ends @ b.dead_ends);
   }
 
 let sum_stores a b =
   List.map (fun (name, n) -> (name, n + Option.value (List.assoc_opt name b) ~default:0)) a
 
 let most a b = List.map (fun (name, n) -> (name, Int.max n (Option.value (List.assoc_opt name b) ~default:0))) a
+
+(* What a verdict rests on that is about runs in which time does not go on. A run that meets what a search looks for
+   is decisive up to there, however it goes on; a formula may speak of what comes after the last state. *)
+let rests semantics (result : Joint_check.result) (check : Property.check) (v : Verdict.t) =
+  let dead_ends = match result.stats.dead_ends with [] -> false | _ :: _ -> true in
+  let by (w : Witness.t) =
+    match (Witness.halt w, w.finish) with
+    | Some halt, _ -> [ Verdict.By halt ]
+    | None, At_state when dead_ends && (not (Plan.is_search (Plan.of_formula check.formula))) && Network_lts.is_dead_end semantics w.last ->
+      [ By Dead_end ]
+    | None, _ -> []
+  in
+  let among () =
+    let round = Option.bind result.zeno Witness.halt in
+    (if dead_ends then [ Verdict.Among Dead_end ] else [])
+    @ List.map (fun halt -> Verdict.Among halt) (Option.to_list round)
+  in
+  match v with
+  | Undecided _ -> []
+  | Holds { witness = Some w; _ } | Violated { witness = Some w } -> by w
+  | Holds { witness = None; _ } | Violated { witness = None } -> among ()
 
 let explored options semantics ~initial start group =
   let options = { options with surroundings = going_on options.surroundings start } in
@@ -169,7 +191,8 @@ let explored options semantics ~initial start group =
   let outcome (i, check) (_, v) =
     let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ -> result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
-    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step } })
+    let rests = rests semantics result check v in
+    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step }; rests })
   in
   let outcomes = List.map2 outcome members result.outcomes in
   let slice part =

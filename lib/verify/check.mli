@@ -30,6 +30,7 @@ type stats = Joint_check.stats = {
   split_step : Rat.t option;
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
+  dead_ends : Scc_base.Diag.t list;
 }
 (** Of several explorations: sums, and the greatest depth and time. *)
 

@@ -93,6 +93,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         decided_early = List.exists (function Scc_explore.Explore.Stopped -> true | _ -> false) r.left;
         stopped_by = bounds;
         faults;
+        dead_ends = Bounds.dead_ends context;
       };
     zeno = None;
     stores = [ ("states", r.bytes); ("labels", 0); ("edges", 0) ];

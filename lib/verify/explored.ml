@@ -15,6 +15,7 @@ type t = {
   split_step : Scc_exact.Rat.t option;
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
+  dead_ends : Scc_base.Diag.t list;
 }
 
 let explore ?time_seen options semantics ~initial =
@@ -35,6 +36,7 @@ let explore ?time_seen options semantics ~initial =
     split_step = stats.split_step;
     stopped_by = stats.stopped_by;
     faults = stats.faults;
+    dead_ends = stats.dead_ends;
   }
 
 let model s = Semantics.model s.semantics

@@ -17,6 +17,7 @@ type t = {
   split_step : Scc_exact.Rat.t option;  (** when a weak split is enabled in some state *)
   stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
   faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
+  dead_ends : Scc_base.Diag.t list;  (** why runs end in states without transitions, as warnings (rule Run) *)
 }
 
 val explore : ?time_seen:Time_seen.t -> Check.options -> Semantics.t -> initial:State.t -> t

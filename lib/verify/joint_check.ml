@@ -38,6 +38,7 @@ type stats = {
   split_step : Rat.t option;
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
+  dead_ends : Scc_base.Diag.t list;
 }
 
 type result = {
@@ -95,14 +96,10 @@ let search_doubts r (d : Search.doubts) =
 
 let formula_doubts r temporal i =
   let d = Temporal.doubts temporal i in
-  let cycle run =
-    Verdict.Zeno (Make_witness.of_cycle r.context r.graph temporal (Temporal.formula temporal i) run)
-  in
   let undefined =
     List.map (fun (u : Scc_ctl.Doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
   in
   List.map (fun text -> Verdict.Undefined text) undefined
-  @ Option.to_list (Option.map cycle d.zeno)
   @ unexplored r d.unexplored
 
 (** {2 Verdicts} *)
@@ -114,7 +111,7 @@ let holds = Verdict.Holds { bounds = []; witness = None }
 let up_to_bound r doubts =
   let reasons = search_doubts r doubts in
   let bound = function
-    | Verdict.Truncated { limit = Instant _; _ } | Undefined _ | Fault _ | Zeno _ -> Error ()
+    | Verdict.Truncated { limit = Instant _; _ } | Undefined _ | Fault _ -> Error ()
     | Unexplored _ -> Ok None
     | Truncated t -> Ok (Some t)
   in
@@ -233,6 +230,7 @@ let stats r : stats =
     split_step = Network_lts.split_step r.context;
     decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
     stopped_by = Verdict.distinct bounds;
+    dead_ends = Bounds.dead_ends r.context;
     faults =
       List.sort_uniq Scc_base.Diag.compare
         (List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes);
@@ -268,8 +266,7 @@ let kinds_of (checks : Property.check list) plans =
   let formulas_of test =
     List.filter_map (fun ((c : Property.check), plan) -> if test plan then Some c.formula else None) all
   in
-  let is_search plan = match formulas plan with [] -> true | _ :: _ -> false in
-  (formulas_of is_search, formulas_of (fun plan -> not (is_search plan)))
+  (formulas_of Plan.is_search, formulas_of (fun plan -> not (Plan.is_search plan)))
 
 let time_seen options model (checks : Property.check list) =
   Reduction.time_seen options.reductions model (List.map (fun (c : Property.check) -> c.formula) checks)

@@ -34,6 +34,7 @@ type stats = {
   split_step : Rat.t option;  (** a weak split was enabled in a state: {!Network_lts.split_step} *)
   stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
   faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
+  dead_ends : Scc_base.Diag.t list;  (** why runs end in states without transitions, as warnings (rule Run) *)
 }
 
 type result = {

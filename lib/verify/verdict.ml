@@ -19,7 +19,6 @@ type reason =
   | Unexplored of { count : int; nearest : Witness.t }
   | Undefined of string
   | Fault of string
-  | Zeno of Witness.t
 
 type t =
   | Holds of { bounds : truncation list; witness : Witness.t option }
@@ -27,7 +26,8 @@ type t =
   | Undecided of reason list
 
 type scale = { resolution : Rat.t option; split_step : Rat.t option }
-type outcome = { check : Scc_property.Property.check; verdict : t; scale : scale }
+type rest = By of Witness.halt | Among of Witness.halt
+type outcome = { check : Scc_property.Property.check; verdict : t; scale : scale; rests : rest list }
 
 let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Undecided _ -> false
 
@@ -88,7 +88,7 @@ let truncations = function
   | Violated _ -> []
   | Undecided reasons ->
     List.filter_map
-      (function Truncated t -> Some t | Unexplored _ | Undefined _ | Fault _ | Zeno _ -> None)
+      (function Truncated t -> Some t | Unexplored _ | Undefined _ | Fault _ -> None)
       reasons
 
 let resources v =
@@ -140,19 +140,26 @@ let reason_to_string = function
   | Unexplored { count; _ } -> Printf.sprintf "%d unexplored states matter" count
   | Undefined reason -> reason
   | Fault fault -> fault
-  | Zeno _ -> "Zeno: a run goes on for ever within one instant"
 
-let exact = { resolution = None; split_step = None }
+let rest_to_string = function
+  | By Dead_end -> " by a run that ends in a dead end"
+  | By One_instant -> " by a run that goes round within one instant"
+  | Among Dead_end -> ", of runs some of which end in a dead end"
+  | Among One_instant -> ", of runs some of which go round within one instant"
 
 let scale_to_string s =
   let at what = Option.fold ~none:"" ~some:(fun r -> Printf.sprintf ", at %s %s" what (Rat.to_string r)) in
   at "resolution" s.resolution ^ at "split step" s.split_step
 
-let to_string ?(scale = exact) v =
-  let meant = scale_to_string scale in
-  match v with
-  | Holds { bounds = []; _ } -> "holds (exhaustive)" ^ meant
+let to_string = function
+  | Holds { bounds = []; _ } -> "holds (exhaustive)"
   | Holds { bounds; _ } ->
-    "holds up to the bound: " ^ String.concat ", " (List.map truncation_to_string bounds) ^ meant
-  | Violated _ -> "violated" ^ meant
+    "holds up to the bound: " ^ String.concat ", " (List.map truncation_to_string bounds)
+  | Violated _ -> "violated"
   | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)
+
+let outcome_to_string o =
+  match o.verdict with
+  | Undecided _ -> to_string o.verdict
+  | Holds _ | Violated _ ->
+    to_string o.verdict ^ String.concat "" (List.map rest_to_string o.rests) ^ scale_to_string o.scale

@@ -26,7 +26,6 @@ type reason =
   (** so many of the states that were not expanded matter; a shortest run to one of them *)
   | Undefined of string  (** the property has no truth value somewhere: a division by zero *)
   | Fault of string  (** the transitions of a state cannot be computed *)
-  | Zeno of Witness.t  (** it depends on a run that goes on for ever within one instant *)
 
 type t =
   | Holds of {
@@ -46,7 +45,12 @@ type scale = {
       them happen at any time (reading I-9) *)
 }
 
-type outcome = { check : Scc_property.Property.check; verdict : t; scale : scale }
+(** Runs in which time does not go on are runs (rule Run); what rests on one of them says so. *)
+type rest =
+  | By of Witness.halt  (** the run that decides is such a run *)
+  | Among of Witness.halt  (** no run decides by itself, and among all there are such runs *)
+
+type outcome = { check : Scc_property.Property.check; verdict : t; scale : scale; rests : rest list }
 
 val distinct : truncation list -> truncation list
 (** Each kind of limit once. *)
@@ -78,6 +82,11 @@ val reason_to_string : reason -> string
 val scale_to_string : scale -> string
 (** [", at resolution 1/1024, at split step 1"], or nothing. *)
 
-val to_string : ?scale:scale -> t -> string
-(** ["holds (exhaustive)"], ["holds up to the bound: ..."], ["violated"], ["undecided: ..."]; the first three with
-    their scale. *)
+val rest_to_string : rest -> string
+(** [" by a run that goes round within one instant"], [", of runs some of which end in a dead end"]. *)
+
+val to_string : t -> string
+(** ["holds (exhaustive)"], ["holds up to the bound: ..."], ["violated"], ["undecided: ..."]. *)
+
+val outcome_to_string : outcome -> string
+(** The same with what it rests on and its scale, unless it is undecided. *)

@@ -1,7 +1,6 @@
 // A plate in a slot that it exactly fills. At first it slides; from x = 0 on the law of motion presses it
-// down, and it rattles between floor and ceiling while no time passes any more (Zeno). What is decided before
-// is decided; what would have to happen later depends on a run that goes round within one instant, and is
-// undecided.
+// down, and it rattles between floor and ceiling while no time passes any more (Zeno): a run that goes round within
+// one instant. It is a run (rule Run), and what would have to happen later does not happen on it.
 model rattle
 
 shape Cube {
@@ -22,5 +21,5 @@ check bounces   : AG (event bounce(plate, floor) => EX event bounce(plate, ceili
 check until_then : A[ vz(plate) = 0 U x(plate) >= 0 ]                                 // expect: holds
 check goes_on   : EF x(plate) > 0                                                     // expect: violated
 check always_on : AG EF event bounce(plate, floor)                                    // expect: holds
-check later     : AG AF x(plate) > 0                                                  // expect: undecided
-check leaves    : event bounce(plate, floor) leads_to x(plate) > 11                   // expect: undecided
+check later     : AG AF x(plate) > 0                                                  // expect: violated
+check leaves    : event bounce(plate, floor) leads_to x(plate) > 11                   // expect: violated

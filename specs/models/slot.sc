@@ -1,7 +1,7 @@
 // A plate that exactly fills a slot and rattles: it bounces off the floor and
-// the ceiling again and again while no time passes (Zeno). What holds at all
-// of these instants is proved; what is still to come stays undecided, since
-// time never goes on.
+// the ceiling again and again while no time passes (Zeno). That is a run like
+// any other (rule Run): what holds in all of its states holds, there is always
+// a next event, and what would take time never comes.
 model slot
 
 shape Cube {
@@ -18,4 +18,9 @@ process plate   = Cube mass 1 velocity (1,-1,0) [nil]
 check rattles : possibly vy(plate) = 1         // expect: holds
 check flat    : always y(plate) = 0            // expect: holds
 check slides  : possibly x(plate) > 0          // expect: violated
-check leaves  : eventually x(plate) > 20       // expect: undecided
+check leaves  : eventually x(plate) > 20       // expect: violated
+check endless : EG true                        // expect: holds
+check next    : AG EX true                     // expect: holds
+check again   : AG AF event bounce(plate, floor)  // expect: holds
+check later   : EF[1, 1] true                  // expect: violated
+check stays   : A[ y(plate) = 0 U x(plate) > 0 ]  // expect: violated

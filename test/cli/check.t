@@ -1,6 +1,8 @@
 The main job: a verdict for every property, with a witness.
 
   $ scc check ../../specs/models/hexokinase.sc
+  semantics 2: split step 1
+  
   reaction: holds (exhaustive), at split step 1
     possibly reacted
     a run that shows it:
@@ -86,6 +88,8 @@ The main job: a verdict for every property, with a witness.
   $ scc check ../../specs/models/drift.sc
   warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be
+  semantics 2
+  
   near: violated
     always x(p) <= 3
     a run that violates it:
@@ -130,6 +134,8 @@ The main job: a verdict for every property, with a witness.
   8 properties: 5 hold, 3 violated
   [1]
   $ scc check ../../specs/models/slot.sc
+  semantics 2
+  
   rattles: holds (exhaustive)
     possibly vy(plate) = 1
     a run that shows it:
@@ -140,16 +146,16 @@ The main job: a verdict for every property, with a witness.
         ceiling at (0, 2, 0) [nil], fixed
         plate at (0, 0, 0) [nil], velocity (1, 1, 0)
   
-  flat: holds (exhaustive)
+  flat: holds (exhaustive), of runs some of which go round within one instant
     always y(plate) = 0
   
-  slides: violated
+  slides: violated, of runs some of which go round within one instant
     possibly x(plate) > 0
     no run shows it: everything that counts was explored
   
-  leaves: undecided: Zeno: a run goes on for ever within one instant
+  leaves: violated by a run that goes round within one instant
     eventually x(plate) > 20
-    the run:
+    a run that violates it:
       1. floor and plate collide and bounce, at time 0
       2. ceiling and plate collide and bounce, at time 0
       and the steps from 1 on again, for ever
@@ -159,8 +165,42 @@ The main job: a verdict for every property, with a witness.
         ceiling at (0, 2, 0) [nil], fixed
         plate at (0, 0, 0) [nil], velocity (1, -1, 0)
   
+  endless: holds (exhaustive) by a run that goes round within one instant
+    EG true
+    a run that shows it:
+      1. floor and plate collide and bounce, at time 0
+      2. ceiling and plate collide and bounce, at time 0
+      and the steps from 1 on again, for ever
+      true holds
+      there:
+        floor at (0, -2, 0) [nil], fixed
+        ceiling at (0, 2, 0) [nil], fixed
+        plate at (0, 0, 0) [nil], velocity (1, -1, 0)
+  
+  next: holds (exhaustive), of runs some of which go round within one instant
+    AG EX true
+  
+  again: holds (exhaustive), of runs some of which go round within one instant
+    AG AF event bounce(plate, floor)
+  
+  later: violated, of runs some of which go round within one instant
+    EF[1, 1] true
+    no run shows it: everything that counts was explored
+  
+  stays: violated by a run that goes round within one instant
+    A[y(plate) = 0 U x(plate) > 0]
+    a run that violates it:
+      1. floor and plate collide and bounce, at time 0
+      2. ceiling and plate collide and bounce, at time 0
+      and the steps from 1 on again, for ever
+      x(plate) > 0 fails: x(plate) = 0
+      there:
+        floor at (0, -2, 0) [nil], fixed
+        ceiling at (0, 2, 0) [nil], fixed
+        plate at (0, 0, 0) [nil], velocity (1, -1, 0)
+  
   explored: 2 states, 2 transitions, depth 1, model time 0; complete
-  4 properties: 2 hold, 1 violated, 1 undecided
+  9 properties: 5 hold, 4 violated
   [1]
 
 Exit codes. All hold; a property is violated; a default bound cut the run short; the same bound given by the
@@ -199,24 +239,32 @@ Checks that see time differently are explored apart; that nothing happens is tol
   explored: 2 states, 0 transitions, depth 0, model time 0; not complete: every property was decided before
 
   $ scc check forever.sc --states 100
+  semantics 2: timestep 1
+  
   slow: holds up to the bound: the bound of 100 states
     always vx(p) >= 0
   
   explored: 100 states, 99 transitions, depth 99, model time 99; not complete: stopped by the bound of 100 states
   1 property: 1 holds up to the bound
   $ scc check forever.sc --depth 3
+  semantics 2: timestep 1
+  
   slow: holds up to the bound: the depth bound 3
     always vx(p) >= 0
   
   explored: 5 states, 4 transitions, depth 4, model time 4; not complete: stopped by the depth bound 3
   1 property: 1 holds up to the bound
   $ scc check forever.sc --time 3/2
+  semantics 2: timestep 1
+  
   slow: holds up to the bound: the time bound 3/2
     always vx(p) >= 0
   
   explored: 3 states, 2 transitions, depth 2, model time 2; not complete: stopped by the time bound 3/2
   1 property: 1 holds up to the bound
   $ scc check forever.sc -D v=-1 --depth 3
+  semantics 2: timestep 1
+  
   slow: violated
     always vx(p) >= 0
     a run that violates it:
@@ -248,22 +296,26 @@ Checks that see time differently are explored apart; that nothing happens is tol
 A default bound, and what cannot be decided.
 
   $ scc check forever.sc
+  semantics 2: timestep 1
+  
   slow: holds up to the bound: the bound of 200000 states (a default)
     always vx(p) >= 0
   
   explored: 200000 states, 199999 transitions, depth 199999, model time 199999; not complete: stopped by the bound of 200000 states (a default)
   1 property: 1 holds up to the bound
   [2]
-  $ grep -v 'check slides' ../../specs/models/slot.sc > rattle.sc
-  $ scc check rattle.sc | tail -n 2
-  explored: 2 states, 2 transitions, depth 1, model time 0; complete
-  3 properties: 2 hold, 1 undecided
-  $ scc check rattle.sc > /dev/null
+  $ sed 's/always vx/eventually -vx/;s/>= 0/> 0/' forever.sc > never.sc
+  $ scc check never.sc --states 100 | tail -n 2
+  explored: 100 states, 99 transitions, depth 99, model time 99; not complete: stopped by the bound of 100 states
+  1 property: 1 undecided
+  $ scc check never.sc --states 100 > /dev/null
   [2]
 
 A limit of the clock or of memory is no bound of the model.
 
   $ scc check forever.sc --seconds 0.05 | sed 's/[0-9]* states.*;/N states;/'
+  semantics 2: timestep 1
+  
   slow: holds up to the bound: the limit of 0.05 seconds
     always vx(p) >= 0
   
@@ -288,6 +340,8 @@ Parameters.
 Standard input.
 
   $ scc check --depth 1 - < forever.sc
+  semantics 2: timestep 1
+  
   slow: holds up to the bound: the depth bound 1
     always vx(p) >= 0
   
@@ -298,6 +352,8 @@ What is not known within the bounds: which unexplored state matters.
 
   $ (grep -v check forever.sc; echo 'check next : AX vx(p) > 0'; echo 'check back : always (possibly vx(p) > 0)') > later.sc
   $ scc check later.sc --depth 2
+  semantics 2: timestep 1
+  
   next: undecided: the exploration ended at the depth bound 2; one unexplored state matters
     AX vx(p) > 0
     to the nearest unexplored state that matters:
@@ -331,6 +387,8 @@ An evaluation that takes too long leaves its own formula open, and no other.
   > check far  : AG EF[1e12, 1e12] x(ball) = 0
   > END
   $ scc check far.sc --seconds 1
+  semantics 2
+  
   near: holds (exhaustive)
     AG EF x(ball) = 1
   
@@ -370,6 +428,8 @@ Schedules are replayed with jumps.
 Hash compaction proves nothing by finding nothing.
 
   $ scc check ../../specs/models/dimers.sc -D n=2 --hash-compact | grep -v '^ '
+  semantics 2: split step 1
+  
   all_fall: holds (exhaustive), at split step 1
   
   none: violated, at split step 1
@@ -385,19 +445,22 @@ A model without properties is explored all the same.
 
   $ grep -v check ../../specs/models/dimer.sc > bare.sc
   $ scc check bare.sc
+  semantics 2: split step 1/2
+  
   explored: 11 states, 14 transitions, depth 6, model time 3; complete
   no properties to check
 
 JSON: one document on standard output, nothing on standard error, whatever happens.
 
-  $ scc check --json ../../specs/models/figure5.sc | sed 's/"md5:[^"]*"/"md5:…"/' | head -n 12
+  $ scc check --json ../../specs/models/figure5.sc | sed 's/"md5:[^"]*"/"md5:…"/' | head -n 13
   {
     "format": "scc-check",
     "version": 1,
-    "semantics": "1",
+    "semantics": "2",
     "model": "figure5",
     "digest": "md5:…",
     "parameters": {},
+    "settings": {},
     "exit": 0,
     "properties": [
       {
@@ -425,13 +488,15 @@ Interruption: what is known so far is reported, and the exit code is 4.
 
   $ sh -c 'timeout --preserve-status -s INT 1 scc check forever.sc --states 100000000 > interrupted; echo "exit $?"'
   exit 4
-  $ head -n 1 interrupted
+  $ sed -n 3p interrupted
   slow: holds up to the bound: the interruption
 
 The model and the run that the README shows.
 
   $ awk '/^shape Cube/ { p = 1 } /^```/ { p = 0 } p' ../../README.md > readme.sc
   $ scc check readme.sc
+  semantics 2
+  
   meets: holds (exhaustive)
     eventually bound(p, q) within 3
   

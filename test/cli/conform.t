@@ -238,14 +238,15 @@ Divergences.
   {
     "format": "scc-conform",
     "version": 1,
-    "semantics": "1",
+    "semantics": "2",
     "verdict": "diverges",
     "exit": 1,
     "model": {
       "file": "../../specs/models/latch.sc",
       "name": "latch",
       "digest": "md5:739f161b03f9d0afa832dad47dd2a07f",
-      "parameters": {}
+      "parameters": {},
+      "settings": {"split step": "1"}
     },
     "trace": {"file": "<standard input>", "format": "csv", "events": 2, "items": 2},
     "tolerance": {"exact": "1/1000", "about": "0.001"},
@@ -420,7 +421,7 @@ Invalid traces.
   $ scc trace $M/dimer.sc | scc conform $M/latch.sc -
   <standard input>:1:1: error[SC0804]: the trace is of another model, or of another text of this one
      |
-   1 | {"type":"header","format":"scc-trace","version":1,"semantics":"1","model":"dimer","digest":"md5:51af2680225f350ea6157f06
+   1 | {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":"dimer","digest":"md5:51af2680225f350ea6157f06
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     hint: remove its `digest` to look at it all the same
   [3]

@@ -131,7 +131,7 @@ Errors.
   $ scc explain run.jsonl
   run.jsonl:1:1: error[SC0801]: this does not tell for which model it was made
      |
-   1 | {"type":"header","format":"scc-trace","version":1,"semantics":"1","model":null,"digest":"md5:64665c2be453d10e7276c9ee238
+   1 | {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":null,"digest":"md5:64665c2be453d10e7276c9ee238
      | ^
     hint: name the model: `scc explain WITNESS MODEL`
   [3]

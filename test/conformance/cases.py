@@ -117,9 +117,9 @@ class Suite:
             f.write('\n'.join(line for line in lines if line) + '\n')
 
 
-def write_manifest(folder, suites, ids, codes, commands):
+def write_manifest(folder, suites, semantics, ids, codes, commands):
     """Where the cases of each rule, reading and diagnostic are. `codes`: code -> ids of cases, `commands`: inputs that
-    only a command line can be given."""
+    only a command line can be given; `semantics`: the version of the rule book."""
     rules = {i: {'cases': 0, 'files': []} for i in ids}
     for s in suites:
         for case in s.cases:
@@ -127,7 +127,7 @@ def write_manifest(folder, suites, ids, codes, commands):
                 rules[rule]['cases'] += 1
                 if s.file not in rules[rule]['files']:
                     rules[rule]['files'].append(s.file)
-    manifest = {'format': 'scc-conformance', 'version': VERSION, 'protocol': 1,
+    manifest = {'format': 'scc-conformance', 'version': VERSION, 'protocol': 1, 'semantics': semantics,
                 'cases': sum(len(s.cases) for s in suites),
                 'suites': [{'file': s.file, 'about': s.about, 'cases': len(s.cases)} for s in suites],
                 'rules': rules, 'diagnostics': codes, 'commands': commands, 'solids': 'solids/manifest.json'}

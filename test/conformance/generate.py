@@ -42,7 +42,9 @@ def entries(rulebook):
 
 def make(scc, folder):
     with open(os.path.join(ROOT, 'specs', 'rulebook.md'), encoding='utf-8') as f:
-        ids = entries(f.read())
+        rulebook = f.read()
+    ids = entries(rulebook)
+    semantics = re.search(r'^This is version (\w+) of the semantics', rulebook, re.M).group(1)
     implementation = run.Implementation([scc, 'oracle'], 60)
     invalid, codes, commands = make_invalid.suite(SUITE)
     suites = (make_rules.all_suites() + make_geometry.all_suites(SUITE) + make_turning.all_suites()
@@ -55,7 +57,7 @@ def make(scc, folder):
                 known = codes.setdefault(code, {'cases': [], 'commands': []})['cases']
                 if case['id'] not in known:
                     known.append(case['id'])
-    cases.write_manifest(folder, suites, ids, {c: codes[c] for c in sorted(codes)}, commands)
+    cases.write_manifest(folder, suites, semantics, ids, {c: codes[c] for c in sorted(codes)}, commands)
     return sum(len(s.cases) for s in suites)
 
 

@@ -91,9 +91,40 @@ def zeno():
     wedged = PINCH % 0
     r.outcomes('Wedged between two walls: it hits one.', wedged, [], [bounces('p', 'r')])
     r.outcomes('Then the other, at once.', wedged, [BOUNCE], [bounces('p', 'l')])
-    r.verdict('It never gets anywhere: what must happen is undecided.', wedged, 'eventually y(p) = 1', 'undecided')
+    r.verdict('It never gets anywhere: what must happen does not.', wedged, 'eventually y(p) = 1', 'violated')
     r.verdict('What never happens does not.', wedged, 'possibly x(p) = 1', 'violated')
     r.verdict('What always holds does.', wedged, 'always x(p) = 0', 'holds')
+    return r
+
+
+def run():
+    r = Rule('Run')
+    wedged = PINCH % 0
+    r.verdict('A run that goes round within one instant is a run.', wedged, 'EG true', 'holds')
+    r.verdict('It never ends: there is always a next event.', wedged, 'AG EX true', 'holds')
+    r.verdict('On every run a collision with l comes again and again.', wedged, 'AG AF event bounce(p, l)', 'holds')
+    r.verdict('What should come on it does not, within any time.', wedged, 'AF[<= 1] x(p) = 1', 'violated')
+    r.verdict('Time 1 never comes: no run has a position then.', wedged, 'EF[1, 2] true', 'violated')
+    r.verdict('And so everything is true from time 1 on.', wedged, 'AG[1, 2] false', 'holds')
+    r.verdict('At rest a run goes on for ever.', cubes(at='(40,0,0)', v='(0,0,0)'), 'EF[1000, 1000] true', 'holds')
+    r.verdict('There is no next event.', cubes(at='(40,0,0)', v='(0,0,0)'), 'EX true', 'violated')
+    return r
+
+
+def dead_end():
+    from rules_of_turning import GIVEN_UP, ON_TIP
+    r = Rule('DeadEnd')
+    r.add_next('No transition and no time: the model is given up there.', 'successors', {'model': r.model(ON_TIP)}, GIVEN_UP)
+    r.verdict('No next event is any.', ON_TIP, 'AX false', 'holds')
+    r.verdict('There is none.', ON_TIP, 'EX true', 'violated')
+    r.verdict('What was left.', ON_TIP, 'AG z(p) = 1', 'holds')
+    r.verdict('On some run, which is the only one.', ON_TIP, 'EG z(p) = 1', 'holds')
+    r.verdict('What should still come does not.', ON_TIP, 'AF z(p) > 1', 'violated')
+    r.verdict('Nor can it.', ON_TIP, 'EF z(p) > 1', 'violated')
+    r.verdict('g is there already.', ON_TIP, 'A[z(p) = 0 U z(p) = 1]', 'holds')
+    r.verdict('f for ever is not f until g.', ON_TIP, 'E[z(p) = 1 U z(p) > 1]', 'violated')
+    r.verdict('Time 1 never comes.', ON_TIP, 'EF[1, 1] true', 'violated')
+    r.verdict('So that all holds from then on.', ON_TIP, 'AG[1, 1] false', 'holds')
     return r
 
 
@@ -239,5 +270,5 @@ def absolute_time():
 
 
 def suites():
-    return [f() for f in (state, jump, quiescent, instants, verdict, zeno, event, leads_to, next_, until, intervals,
+    return [f() for f in (state, jump, quiescent, instants, verdict, zeno, run, dead_end, event, leads_to, next_, until, intervals,
                           truncated, symmetry, translation, order, slice_, absolute_time)]

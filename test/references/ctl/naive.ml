@@ -135,8 +135,8 @@ let successors t w k c =
   let c' = tick w c x.length in
   List.map (fun k' -> (k', c')) (x.jumps @ x.passes)
 
-(* The least fixpoint, by going over everything until nothing changes. *)
-let least t w ~generous ~f ~g quantify =
+(* Some run: the least fixpoint, by going over everything until nothing changes. *)
+let some t w ~generous ~f ~g =
   let n = Array.length t.steps and m = top w + 1 in
   let holds = Array.make_matrix n m false in
   let changed = ref true in
@@ -150,7 +150,7 @@ let least t w ~generous ~f ~g quantify =
           | Broken -> false
           | Goes_on ->
             if t.steps.(k).hidden then generous
-            else quantify (fun (k, c) -> holds.(k).(c)) (successors t w k c)
+            else List.exists (fun (k, c) -> holds.(k).(c)) (successors t w k c)
         in
         if now && not holds.(k).(c) then begin
           holds.(k).(c) <- true;
@@ -161,52 +161,35 @@ let least t w ~generous ~f ~g quantify =
   done;
   Array.init n (fun k -> holds.(k).(0))
 
-let some t w ~generous ~f ~g = least t w ~generous ~f ~g List.exists
-
-let every_strictly t w ~f ~g =
-  least t w ~generous:false ~f ~g (fun test l -> l <> [] && List.for_all test l)
-
-(* Whether a run on which time goes on for ever, or that ends, is against it. *)
-let every_honestly t w ~f ~g =
-  let avoids (k, c) = match here t w ~f ~g k c with Goes_on -> not t.steps.(k).hidden | _ -> false in
-  let is_against (k, c) =
-    match here t w ~f ~g k c with
-    | Met -> false
-    | Broken -> true
-    | Goes_on -> (not t.steps.(k).hidden) && successors t w k c = []
-  in
-  let comes_back q =
-    let seen = Hashtbl.create 16 in
-    let rec go (k, c) passed =
-      let passed = passed || t.steps.(k).length > 0 in
-      List.iter
-        (fun next ->
-           if avoids next && not (Hashtbl.mem seen (next, passed)) then begin
-             Hashtbl.add seen (next, passed) ();
-             go next passed
-           end)
-        (successors t w k c)
-    in
-    go q false;
-    Hashtbl.mem seen (q, true)
-  in
-  let seen = Hashtbl.create 64 in
-  let rec bad q =
-    is_against q
-    || avoids q
-       && (comes_back q
-           || List.exists
-             (fun r ->
-                (not (Hashtbl.mem seen r))
-                && begin
-                  Hashtbl.add seen r ();
-                  bad r
-                end)
-             (successors t w (fst q) (snd q)))
-  in
-  Array.init (Array.length t.steps) (fun k ->
-      Hashtbl.reset seen;
-      not (bad (k, 0)))
+(* The places and times from which some run has f fail before g, or ends, or goes on without end and without g,
+   whether or not time does: the greatest fixpoint, by taking away whatever has no such way on. *)
+let every t w ~generous ~f ~g =
+  let n = Array.length t.steps and m = top w + 1 in
+  let against = Array.make_matrix n m true in
+  let changed = ref true in
+  while !changed do
+    changed := false;
+    for k = 0 to n - 1 do
+      for c = 0 to m - 1 do
+        let still =
+          match here t w ~f ~g k c with
+          | Met -> false
+          | Broken -> true
+          | Goes_on -> (
+              if t.steps.(k).hidden then not generous
+              else
+                match successors t w k c with
+                | [] -> true
+                | ways -> List.exists (fun (k, c) -> against.(k).(c)) ways)
+        in
+        if against.(k).(c) && not still then begin
+          against.(k).(c) <- false;
+          changed := true
+        end
+      done
+    done
+  done;
+  Array.init n (fun k -> not against.(k).(0))
 
 (** {1 Formulas} *)
 
@@ -245,7 +228,10 @@ and compute t f =
       both
         (some t w ~generous:false ~f:(low f) ~g:(low g))
         (some t w ~generous:true ~f:(high f) ~g:(high g))
-    | All -> both (every_strictly t w ~f:(low f) ~g:(low g)) (every_honestly t w ~f:(high f) ~g:(high g))
+    | All ->
+      both
+        (every t w ~generous:false ~f:(low f) ~g:(low g))
+        (every t w ~generous:true ~f:(high f) ~g:(high g))
   in
   let always = Array.map (fun _ -> { surely = true; perhaps = true }) t.steps in
   let all v w = Array.map2 (fun a b -> { surely = a.surely && b.surely; perhaps = a.perhaps && b.perhaps }) v w in

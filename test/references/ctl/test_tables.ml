@@ -84,14 +84,14 @@ let unbounded =
     [
       (ef p, "TT.TTTTT", row runs (ef p));
       (* 5 and 6 may go round for ever within one instant: undecided *)
-      (af p, ".T.TT??T", row runs (af p));
-      (eg (Not p), "T.T..??.", row runs (eg (Not p)));
+      (af p, ".T.TT..T", row runs (af p));
+      (eg (Not p), "T.T..TT.", row runs (eg (Not p)));
       (ag (Not p), "..T.....", row runs (ag (Not p)));
       (ag p, "....T..T", row runs (ag p));
       (eg p, "....T..T", row runs (eg p));
       (ef p, "TTTT.", along runs (ef p) 1);
       (ag (Not p), "....T", along runs (ag (Not p)) 1);
-      (af (ag p), "...TT??T", row runs (af (ag p)));
+      (af (ag p), "...TT..T", row runs (af (ag p)));
       (ef (eg p), "...TTTTT", row runs (ef (eg p)));
     ]
 
@@ -99,19 +99,53 @@ let zeno =
   let good = zeno_then (node "T.") and bad = zeno_then (node "..") in
   table "cycles without duration"
     [
-      (af p, "??T", row good (af p));
-      (* an honest run avoids p: time passes, and it ends *)
+      (* a run that goes round for ever within one instant is a run, and has no p *)
+      (af p, "..T", row good (af p));
       (af p, "...", row bad (af p));
-      (eg (Not p), "??.", row good (eg (Not p)));
+      (eg (Not p), "TT.", row good (eg (Not p)));
       (eg (Not p), "TTT", row bad (eg (Not p)));
+      (eg (And []), "TTT", row good (eg (And [])));
+      (ag (ex (And [])), "...", row good (ag (ex (And []))));
       (ef p, "TTT", row good (ef p));
       (ag (Not p), "...", row good (ag (Not p)));
-      (af ~b:(bound 0 ~high:1) p, "??T", row good (af ~b:(bound 0 ~high:1) p));
-      (* 1 does not pass before p comes, so that honest runs are too late *)
+      (af ~b:(bound 0 ~high:1) p, "..T", row good (af ~b:(bound 0 ~high:1) p));
       (af ~b:(bound 0 ~high:0) p, "..T", row good (af ~b:(bound 0 ~high:0) p));
-      (au ~b:(bound 1) (And []) p, "??.", row good (au ~b:(bound 1) (And []) p));
-      (* a loop that takes time is an honest run *)
+      (* time 1 never comes on it, so that nothing is at time 1 *)
+      (au ~b:(bound 1) (And []) p, "...", row good (au ~b:(bound 1) (And []) p));
+      (eg ~b:(bound 1) p, "TTT", row good (eg ~b:(bound 1) p));
+      (* 2 ends before time 1 as well *)
+      (eu ~b:(bound 1) (And []) p, "TT.", row good (eu ~b:(bound 1) (And []) p));
+      (* a loop that takes time *)
       (af p, ".", row (graph [ node ".." ~flow:(Lasts (1, [ 0 ])) ~p:"." ~q:"." ]) (af p));
+    ]
+
+(* 0 is a dead end without p, 1 one with p and q; 2 chooses between them, 3 lets 1 pass to 0. *)
+let dead_ends =
+  let g =
+    graph
+      [ node ".."; node "TT"; node ".T" ~edges:[ 0; 1 ]; node ".T" ~flow:(Lasts (1, [ 0 ])) ~p:"." ~q:"T" ]
+  in
+  let now = bound 0 ~high:0 and later = bound 1 ~high:2 in
+  table "dead ends"
+    [
+      (ex (And []), "..T.", row g (ex (And [])));
+      (ax (Or []), "TT.T", row g (ax (Or [])));
+      (ef p, ".TT.", row g (ef p));
+      (af p, ".T..", row g (af p));
+      (af (ex (And [])), "..T.", row g (af (ex (And []))));
+      (eg q, ".TT.", row g (eg q));
+      (ag q, ".T..", row g (ag q));
+      (eg (And []), "TTTT", row g (eg (And [])));
+      (eu q p, ".TT.", row g (eu q p));
+      (au q p, ".T..", row g (au q p));
+      (au q (And []), "TTTT", row g (au q (And [])));
+      (ef ~b:now p, ".TT.", row g (ef ~b:now p));
+      (ef ~b:later (And []), "...T", row g (ef ~b:later (And [])));
+      (af ~b:later (And []), "...T", row g (af ~b:later (And [])));
+      (ag ~b:later (Or []), "TTT.", row g (ag ~b:later (Or [])));
+      (eg ~b:later (Or []), "TTT.", row g (eg ~b:later (Or [])));
+      (eu ~b:later q (Not q), "...T", row g (eu ~b:later q (Not q)));
+      (au ~b:later q (Not q), "...T", row g (au ~b:later q (Not q)));
     ]
 
 let bounded =
@@ -225,5 +259,5 @@ let irrational () =
 
 let () =
   let quick name f = Alcotest.test_case name `Quick f in
-  let all = [ connectives; nexts; pieces; unbounded; zeno; bounded; intervals; unknown ] in
+  let all = [ connectives; nexts; pieces; unbounded; zeno; dead_ends; bounded; intervals; unknown ] in
   Alcotest.run "tables" [ ("operators", List.map case all @ [ quick "irrational cuts" irrational ]) ]

@@ -175,8 +175,8 @@ def possibly(graph, formula, within):
 
 
 def eventually(graph, formula, within):
-    """'holds', 'violated' or 'undecided' (when only runs within an instant avoid it)."""
-    edges, todo, endless = {}, [(graph.initial, within)], False
+    """Whether every run, however it goes on, meets it: 'holds' or 'violated'."""
+    edges, todo = {}, [(graph.initial, within)]
     while todo:
         node = todo.pop()
         if node in edges:
@@ -189,44 +189,15 @@ def eventually(graph, formula, within):
             if somewhere(formula, state, d, left):
                 continue
             if n is None or (left is not None and d > left):
-                endless = True
-                continue
+                return 'violated'
             after = (n, None if left is None else left - d)
             if not formula[2](n, F(0)):
-                edges[node].append((d, after))
+                edges[node].append(after)
                 todo.append(after)
-    if endless:
-        return 'violated'
-    # What is left are cycles. A node that reaches itself, with or without time.
-    verdict = 'holds'
-    for component in cycles({n: [m for _, m in e] for n, e in edges.items()}):
-        if any(d > 0 and m in component for n in component for d, m in edges[n]):
-            return 'violated'
-        verdict = 'undecided'
-    return verdict
-
-
-def cycles(graph):
-    """The strongly connected sets that have an edge, by mutual reachability."""
-    # Nodes without successors are taken away first, again and again: most graphs end so.
-    graph = dict(graph)
+    # A run avoids it iff it goes round, within one instant or not: ends are taken away, again and again.
     while True:
-        ends = [n for n, e in graph.items() if not any(m in graph for m in e)]
+        ends = [n for n, e in edges.items() if not any(m in edges for m in e)]
         if not ends:
-            break
+            return 'violated' if edges else 'holds'
         for n in ends:
-            del graph[n]
-    reach = {}
-    for n in graph:
-        found, todo = set(), [m for m in graph[n] if m in graph]
-        while todo:
-            m = todo.pop()
-            if m not in found:
-                found.add(m)
-                todo += [x for x in graph[m] if x in graph]
-        reach[n] = found
-    done = []
-    for n in graph:
-        if n in reach[n] and not any(n in x for x in done):
-            done.append({m for m in reach[n] if n in reach[m]})
-    return done
+            del edges[n]

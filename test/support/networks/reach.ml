@@ -15,7 +15,12 @@ let ok m = function
   | Error fault -> failwith (Transition.diagnostic m fault).message
 
 let initial m declared = ok m (Network.initial (standard m) declared)
-let successors m s = ok m (Network.successors (standard m) s)
+
+(* None in a dead end. *)
+let successors m s =
+  match Network.successors (standard m) s with
+  | Error (Persistent_contact _) -> []
+  | result -> ok m result
 
 let states m start ~limit =
   let seen = Seen.create 64 and queue = Queue.create () in

@@ -59,7 +59,7 @@ let round_trip () =
   let half = Rat.make Z.one (Z.of_int 2) in
   let text =
     Schedule.to_string
-      { name = None; digest = "md5:00"; parameters = [ ("n", Rat.of_int 4) ] }
+      { name = None; digest = "md5:00"; parameters = [ ("n", Rat.of_int 4) ]; settings = [] }
       choices ~offset:(Some half)
   in
   match Schedule.read (source text) with

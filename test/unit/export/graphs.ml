@@ -39,6 +39,7 @@ let made ?(unexplored = []) ?(resting = []) transitions : Exported.t =
       split_step = None;
       stopped_by = [];
       faults = [];
+      dead_ends = [];
     }
   in
   { loaded = { l with origin = { l.origin with name = Some "made" } }; space }

@@ -26,6 +26,7 @@ let check ?(options = Check.default) text =
   | Ok initial -> (e.model, Check.run options (standard e.model) ~initial e.checks)
 
 let verdict v = Verdict.to_string v
+let outcomes (report : Check.report) = List.map Verdict.outcome_to_string report.outcomes
 
 let verdicts ?options text =
   let _, report = check ?options text in
@@ -36,7 +37,7 @@ let expect what expected got = Alcotest.(check (list string)) what expected got
 let witness_lines ?options text =
   let model, report = check ?options text in
   match report.outcomes with
-  | [ { verdict = Holds { witness = Some w; _ } | Violated { witness = Some w } | Undecided [ Zeno w ]; _ } ] ->
+  | [ { verdict = Holds { witness = Some w; _ } | Violated { witness = Some w }; _ } ] ->
     Witness.lines model w
   | _ -> Alcotest.fail "no witness"
 
@@ -249,12 +250,26 @@ let zeno () =
         "check a : eventually vx(p) = 2";
         "check b : eventually vx(p) = -1";
         "check c : always x(p) = 0";
+        "check d : EG true";
+        "check e : AG EX true";
+        "check f : EF[1, 1] true";
+        "check g : possibly vx(p) = -1";
       ]
   in
   let text = slot ^ checks in
-  let zeno = "undecided: Zeno: a run goes on for ever within one instant" in
-  expect "verdicts" [ zeno; "holds (exhaustive)"; "holds (exhaustive)" ] (verdicts text);
   let model, report = check text in
+  let round = "go round within one instant" in
+  expect "verdicts"
+    [
+      "violated by a run that goes round within one instant";
+      "holds (exhaustive), of runs some of which " ^ round;
+      "holds (exhaustive), of runs some of which " ^ round;
+      "holds (exhaustive) by a run that goes round within one instant";
+      "holds (exhaustive), of runs some of which " ^ round;
+      "violated, of runs some of which " ^ round;
+      "holds (exhaustive)";
+    ]
+    (outcomes report);
   match report.zeno with
   | None -> Alcotest.fail "the cycle is not reported"
   | Some w ->
@@ -264,6 +279,40 @@ let zeno () =
         "and the steps from 1 on again, for ever";
       ]
       (Witness.lines model w)
+
+(* {1 Dead ends} *)
+
+(* A cube that turns on a tip below its middle. *)
+let tip =
+  {|
+shape Spike {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)  tip (0,0,3)
+  faces    bottom [a,d,c,b]  front [a,b,tip]  right [b,c,tip]  back [c,d,tip]  left [d,a,tip]
+}
+resolution 1/1024
+fixed spike = Spike at translate (0, 0, -4)
+process p = Cube mass 1 spin (1, 0, 0) [nil]
+check a : AF z(p) > 0
+check b : AG z(p) = 0
+check c : AG EX true
+check d : possibly z(p) = 0
+check e : AX false
+|}
+
+let dead_ends () =
+  let _, report = check tip in
+  let by = " by a run that ends in a dead end, at resolution 1/1024" in
+  let among = ", of runs some of which end in a dead end, at resolution 1/1024" in
+  expect "verdicts"
+    [
+      "violated" ^ by; "holds (exhaustive)" ^ among; "violated" ^ by; "holds (exhaustive), at resolution 1/1024";
+      "holds (exhaustive)" ^ among;
+    ]
+    (outcomes report);
+  Alcotest.(check bool) "complete" true report.stats.complete;
+  expect "no fault" [] (List.map (fun (d : Scc_base.Diag.t) -> d.code) report.stats.faults);
+  let told (d : Scc_base.Diag.t) = (if Scc_base.Diag.is_error d then "error " else "warning ") ^ d.code in
+  expect "the model is given up" [ "warning SC0602" ] (List.map told report.stats.dead_ends)
 
 (* {1 Weak splits} *)
 
@@ -288,7 +337,7 @@ process far = Cube mass 1 velocity (1,0,0) at translate (1000,0,0) [nil]
 let at_split_step () =
   let told ?options text =
     let _, report = check ?options text in
-    List.map (fun (o : Verdict.outcome) -> Verdict.to_string ~scale:o.scale o.verdict) report.outcomes
+    outcomes report
   in
   let safe = "check safe : always (bound(q, y) => bound(p, x)) within 4\n" in
   expect "between two instants" [ "holds (exhaustive), at split step 1" ] (told (window "1" ^ safe));
@@ -325,6 +374,7 @@ let () =
           quick "early end" early;
           quick "faults of laws" faults;
           quick "Zeno" zeno;
+          quick "dead ends" dead_ends;
           quick "at which split step" at_split_step;
         ] );
       ("witnesses", [ quick "instants in words" words; quick "no fairness" fairness ]);

@@ -1,0 +1,41 @@
+open Scc_exact
+
+let version = "2"
+
+let rec releases (b : Behaviour.t) =
+  match b with
+  | Weak _ -> true
+  | Nil | Call _ -> false
+  | Open (_, _, b) | Strong (_, b) | Delay (_, b) -> releases b
+  | Sum (b, c) -> releases b || releases c
+
+let may_split (m : Model.t) (s : State.t) =
+  Array.exists (fun (d : Behaviour.definition) -> releases d.body) m.definitions
+  || Array.exists
+    (fun (p : State.process) ->
+       Array.exists (fun (l : State.leaf) -> releases l.behaviour.term) p.leaves)
+    s.processes
+
+let dynamics : Model.dynamics -> string = function
+  | Constant_spin -> "constant_spin"
+  | Free_body -> "free_body"
+
+let rigid (r : Model.rigid) =
+  let rounded what = function
+    | Some k -> [ ("round " ^ what, Printf.sprintf "2^-%d" k) ]
+    | None -> []
+  in
+  [ ("dynamics", dynamics r.dynamics); ("resolution", Rat.to_string r.resolution) ]
+  @ rounded "orientation" r.round_orientation
+  @ rounded "velocity" r.round_velocity
+
+let listed (m : Model.t) s =
+  (if may_split m s then [ ("split step", Rat.to_string m.split_step) ] else [])
+  @ (if m.steered then [ ("timestep", Rat.to_string m.timestep) ] else [])
+  @ Option.fold ~none:[] ~some:rigid m.rigid
+
+let line = function
+  | [] -> "semantics " ^ version
+  | listed ->
+    let one (name, value) = name ^ " " ^ value in
+    Printf.sprintf "semantics %s: %s" version (String.concat ", " (List.map one listed))
