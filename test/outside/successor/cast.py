@@ -9,6 +9,7 @@ an edge of each, which turns with them. A plane separates while some polynomials
 from __future__ import annotations
 
 from fractions import Fraction
+from math import ceil, isqrt
 from typing import Any, Iterator, List, Optional, Tuple
 
 from motion import (
@@ -214,22 +215,37 @@ def distinct(lines: List[Vector]) -> List[Vector]:
 def speed_bound(a: Mover, b: Mover) -> Fraction:
     """S of rule Cast: no less than the speed of any point of one as seen from any of the other."""
     w = sub(b.flight.velocity, a.flight.velocity)
-    found = root_up(dot(w, w))
+    found = root(dot(w, w))
     for mover in (a, b):
         spin = mover.flight.spin
-        radius2 = max(dot(r, r) for r in mover.points)
-        found += root_up(dot(spin, spin)) * root_up(radius2)
-    return found
+        _, c = mover.solid.volume_and_centroid()
+        radius2 = max(dot(sub(r, c), sub(r, c)) for r in mover.points)
+        found += root(dot(spin, spin)) * (root(dot(c, c)) + root(radius2))
+    return up(found)
 
 
-def root_up(x: Fraction, bits: int = 64) -> Fraction:
-    """The square root of x rounded up to a multiple of 2^-bits."""
-    from math import isqrt
+def size(q: Fraction) -> int:
+    return q.numerator.bit_length() - q.denominator.bit_length()
 
-    scaled = Fraction(x) * 4**bits
-    n = -(-scaled.numerator // scaled.denominator)
-    root = isqrt(n)
-    return Fraction(root if root * root == n else root + 1, 2**bits)
+
+def root(q: Fraction) -> Fraction:
+    """The square root, rounded up to a short number (Cast, Constants)."""
+    q = Fraction(q)
+    if q == 0:
+        return q
+    k = (20 - size(q)) // 2
+    n = ceil(q * Fraction(4) ** k)
+    found = isqrt(n)
+    return (found if found * found == n else found + 1) / Fraction(2) ** k
+
+
+def up(q: Fraction) -> Fraction:
+    """Rounded up to a short number."""
+    q = Fraction(q)
+    if q == 0:
+        return q
+    k = 10 - size(q)
+    return ceil(q * Fraction(2) ** k) / Fraction(2) ** k
 
 
 def grid(a: Mover, b: Mover, resolution: Fraction) -> int:

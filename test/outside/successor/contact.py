@@ -9,40 +9,36 @@ directions are tried, and those along which the difference has a facet are kept.
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations
+from math import lcm
 from typing import Iterable, List, Optional, Tuple
 
 from solids import Feature, Solid
-from vectors import ZERO, Vector, cross, dot, primitive, rank, sub
+from vectors import ZERO, Vector, cross, dot, primitive, rank, scale, sub
 
 Facet = Tuple[Vector, Fraction]  # n and h(n)
 
-_KNOWN: dict = {}
 
-
+@lru_cache(maxsize=2000)
 def facets(a: Solid, b: Solid) -> List[Facet]:
-    """The facets of the obstacle of a and b, as outward normals and heights."""
-    key = (id(a), id(b))
-    if key not in _KNOWN:
-        _KNOWN[key] = (a, b, _facets(a, b))
-    return _KNOWN[key][2]
+    """The facets of the obstacle of a and b, as outward normals and heights.
 
-
-def _facets(a: Solid, b: Solid) -> List[Facet]:
-    tried = set()
-    for n in a.normals():
-        tried.add(primitive(n))
-    for n in b.normals():
-        tried.add(primitive((-n[0], -n[1], -n[2])))
+    All is computed in whole numbers, over the common denominator of the coordinates.
+    """
+    everything = [x for p in (*a.place.values(), *b.place.values()) for x in p]
+    common = lcm(*(Fraction(x).denominator for x in everything))
+    points_a = [whole(p, common) for p in a.place.values()]
+    points_b = [whole(p, common) for p in b.place.values()]
+    tried = {primitive(n) for n in a.normals()}
+    tried |= {primitive(scale(-1, n)) for n in b.normals()}
     lines_a = {primitive(sub(a.place[w], a.place[u])) for u, w in a.edges}
     lines_b = {primitive(sub(b.place[w], b.place[u])) for u, w in b.edges}
     for u in lines_a:
         for w in lines_b:
             n = primitive(cross(u, w))
             if n is not None:
-                tried.add(n)
-                tried.add((-n[0], -n[1], -n[2]))
-    points_a, points_b = list(a.place.values()), list(b.place.values())
+                tried |= {n, scale(-1, n)}
     found = []
     for n in sorted(tried):
         heights_a = [dot(n, p) for p in points_a]
@@ -52,8 +48,12 @@ def _facets(a: Solid, b: Solid) -> List[Facet]:
         on_b = [p for p, h in zip(points_b, heights_b) if h == low]
         spans = [sub(p, on_a[0]) for p in on_a] + [sub(p, on_b[0]) for p in on_b]
         if rank(spans) == 2:
-            found.append((n, high - low))
+            found.append((n, Fraction(high - low, common)))
     return found
+
+
+def whole(p: Vector, common: int) -> Vector:
+    return tuple(int(x * common) for x in p)  # type: ignore[return-value]
 
 
 def relation(a: Solid, b: Solid, offset: Vector) -> str:

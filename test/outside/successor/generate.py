@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from functools import lru_cache
 from typing import Dict, List, Optional, Tuple
 
 import contact
@@ -53,6 +54,15 @@ def scaled(rng: random.Random) -> str:
     if rng.random() < 0.6:
         return ""
     return " scaled (%s, %s, %s)" % tuple(rng.choice(SCALES) for _ in range(3))
+
+
+@lru_cache(maxsize=1000)
+def leaf_of(text: str) -> Leaf:
+    """The leaf t of a model, which is given the solids above that it names."""
+    texts = ["shape %s {\n  %s\n}" % item for item in SOLIDS.items() if item[0] in text]
+    if "Wall" in text:
+        texts = ["shape Cube {\n  %s\n}" % SOLIDS["Cube"], WALL]
+    return Model("\n".join(texts) + "\n" + text).leaves["t"]
 
 
 class Generator:
@@ -110,9 +120,8 @@ class Generator:
 
     def leaf_of(self, declaration: str) -> Leaf:
         """The leaf that a declaration of a process t makes, with the shapes so far."""
-        texts = ["shape %s {\n  %s\n}" % item for item in SOLIDS.items()]
-        texts += [shape.text for shape in self.shapes]
-        return Model("\n".join(texts + [WALL]) + "\nprocess " + declaration).leaves["t"]
+        texts = [s.text for s in self.shapes if s.name == declaration.split()[2]]
+        return leaf_of("\n".join(texts) + "\nprocess " + declaration)
 
     # Behaviours.
 
@@ -315,6 +324,10 @@ class Generator:
         head = ["dynamics %s" % rng.choice(["constant_spin", "constant_spin", "free_body"])]
         if rng.random() < 0.8:
             head.append("resolution 1/%d" % rng.choice([64, 1024, 1000, 2**20]))
+        if rng.random() < 0.4:
+            head.append("round orientation 2^-%d" % rng.choice([4, 8, 20]))
+        if rng.random() < 0.4:
+            head.append("round velocity 2^-%d" % rng.choice([3, 6, 20]))
         return head
 
     def spin(self) -> Vector:
@@ -356,6 +369,8 @@ class Generator:
         if rng.random() < 0.25:
             return None
         weak, strong = "omega(%s, {%%s})" % channel, "rho({<%s, {%%s}>})" % channel
+        if rng.random() < 0.35:
+            return strong + ". nil"
         parts = [rng.choice([weak, strong, strong])]
         if rng.random() < 0.3:
             parts.append(rng.choice([weak, strong]))

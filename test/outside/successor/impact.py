@@ -5,8 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import List, NamedTuple, Optional, Sequence, Tuple
 
+import contact
 import response
 from near import Contact
+from solids import Solid
 from vectors import ZERO, Matrix, Vector, add, cross, dot, scale, solve, sub
 
 
@@ -39,33 +41,45 @@ def relative(a: Rigid, b: Rigid, x: Vector) -> Vector:
     return sub(b.at(x), a.at(x))
 
 
-def approaches(contact: Contact, a: Rigid, b: Rigid) -> bool:
-    return any(all(dot(n, relative(a, b, x)) < 0 for n in contact.normals) for x in contact.region)
+def approaches(met: Contact, a: Rigid, b: Rigid) -> bool:
+    return any(all(dot(n, relative(a, b, x)) < 0 for n in met.normals) for x in met.region)
 
 
 def bounce(
-    contacts: Sequence[Contact], tight: Sequence[List[Vector]], a: Rigid, b: Rigid
+    contacts: Sequence[Contact], solids: Sequence[Tuple[Solid, Solid]], a: Rigid, b: Rigid
 ) -> Optional[Tuple[Rigid, Rigid]]:
     """What two bodies that collide become; None where nothing would change (Persistent).
 
-    ``tight`` are the normals of each contact where its gap is closed.
+    ``solids`` are the two parts of each contact, in the world.
     """
-    approaching = [approaches(c, a, b) for c in contacts]
-    for everything in (False, True):
-        rows: List[Tuple[Vector, Vector]] = []
-        for i, c in enumerate(contacts):
-            if not approaching[i]:
-                continue
-            others = [t for j, t in enumerate(tight) if j != i]
-            for n in c.normals:
-                if everything or not response.covered(tight[i], n, others):
-                    rows += [(n, x) for x in c.region]
-        if not rows:
+    approaching = [i for i, c in enumerate(contacts) if approaches(c, a, b)]
+    kept: List[Tuple[Vector, Vector]] = []
+    for i in approaching:
+        kept += [(n, x) for n in counting(contacts, solids, i) for x in contacts[i].region]
+    if not any(dot(n, relative(a, b, x)) < 0 for n, x in kept):
+        kept = [
+            (n, x) for i in approaching for n in contacts[i].normals for x in contacts[i].region
+        ]
+    if not kept:
+        return None
+    after = reflect(kept, a, b)
+    return None if after == (a, b) else after
+
+
+def counting(
+    contacts: Sequence[Contact], solids: Sequence[Tuple[Solid, Solid]], i: int
+) -> Sequence[Vector]:
+    """The normals of a contact that count (I-13), where its own gap is closed."""
+    closed = scale(-1, contacts[i].gap)
+    own = contact.tight(*solids[i], closed)
+    others = []
+    for j, (one, two) in enumerate(solids):
+        if j == i or contact.relation(one, two, closed) == "apart":
             continue
-        after = reflect(rows, a, b)
-        if after != (a, b):
-            return after
-    return None
+        # One that interpenetrates has no tight normals: its obstacle is all around.
+        others.append(contact.tight(one, two, closed))
+    left = [n for n in own if not response.covered(own, n, others)]
+    return contacts[i].normals if len(left) == len(own) else left
 
 
 def reflect(rows: List[Tuple[Vector, Vector]], a: Rigid, b: Rigid) -> Tuple[Rigid, Rigid]:

@@ -251,7 +251,8 @@ class Model:
     def site(self, leaf: Leaf, feature: Any, env: dict) -> Site:
         """A feature of a leaf as it is written: with the leaf's name before it or without."""
         segments = [self.segment_text(s, env) for s in feature[0]]
-        if segments and segments[0] == leaf.name and leaf.name not in leaf.by_name:
+        more = len(segments) > 1 or feature[1] is not None
+        if segments and more and segments[0] == leaf.name and leaf.name not in leaf.by_name:
             segments = segments[1:]
         part: Optional[str] = None
         if feature[1] is None:

@@ -33,6 +33,15 @@ class Solid:
                 edges.add((u, w) if order[u] < order[w] else (w, u))
         self.edges: List[Tuple[str, str]] = sorted(edges, key=lambda e: (order[e[0]], order[e[1]]))
 
+        self._key = (tuple(self.place.items()), tuple(self.faces))
+        self._hash = hash(self._key)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Solid) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return self._hash
+
     # Features.
 
     def features(self) -> List[Feature]:

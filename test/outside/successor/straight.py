@@ -99,7 +99,7 @@ class Rules:
     def candidates(
         self, p: Process, q: Process, pairs: List[Pair]
     ) -> Iterator[Tuple[Bond, Dict[str, Body]]]:
-        """Rule Bind, of two that collide, wherever they touch (I-12): bonds, and what the two leaves become."""
+        """Rule Bind, wherever the two touch (I-12): bonds, and what the two leaves become."""
         for pair in pairs:
             leaf1, leaf2 = self.leaf(pair.leaf1), self.leaf(pair.leaf2)
             body1, body2 = p.bodies[pair.leaf1], q.bodies[pair.leaf2]

@@ -8,7 +8,8 @@
     ("sum", (term, ...))                      of at least two, none of them a sum
     ("name", K)
 
-``sites`` is the closure of what is listed, a frozenset of (part, feature). A ``Definitions`` looks names up.
+``sites`` is the closure of what is listed, a frozenset of (part, feature): channels are equal when
+their names and closures are (I-17). A ``Lookup`` gives the bodies of names.
 """
 
 from __future__ import annotations

@@ -40,11 +40,11 @@ class Meeting:
 
     def __init__(
         self, first: Tuple[str, Part], second: Tuple[str, Part],
-        found: near.Contact, tight: List[Vector],
+        found: near.Contact, one: Solid, two: Solid,
     ) -> None:  # fmt: skip
         self.leaf1, self.part1 = first
         self.leaf2, self.part2 = second
-        self.contact, self.tight = found, tight
+        self.contact, self.solids = found, (one, two)
 
 
 class Turning(Rules):
@@ -194,8 +194,8 @@ class Turning(Rules):
                 for name, part, at in self.parts(process)
                 for x in self.world(process.bodies[name], part).place.values()
             )
-            reach += cast.root_up(most, 8)
-            reach += cast.root_up(dot(process.velocity, process.velocity), 8) * span
+            reach += cast.root(most)
+            reach += cast.root(dot(process.velocity, process.velocity)) * span
         d = sub(self.centre(q), self.centre(p))
         return dot(d, d) > reach * reach
 
@@ -245,8 +245,7 @@ class Turning(Rules):
                         two = self.world(body2, part2)
                         seen = near.find(one, two, self.resolution)
                         if seen is not None:
-                            tight = contact.tight(one, two, scale(-1, seen.gap))
-                            found.append(Meeting((name1, part1), (name2, part2), seen, tight))
+                            found.append(Meeting((name1, part1), (name2, part2), seen, one, two))
         return found
 
     # What the rules of chapter 3 ask for.
@@ -276,7 +275,7 @@ class Turning(Rules):
         self, p: Process, q: Process, pairs: List[Meeting]
     ) -> Optional[Tuple[Process, Process]]:
         after = impact.bounce(
-            [m.contact for m in pairs], [m.tight for m in pairs], self.rigid(p), self.rigid(q)
+            [m.contact for m in pairs], [m.solids for m in pairs], self.rigid(p), self.rigid(q)
         )
         if after is None:
             return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import gcd, lcm
 from typing import List, Optional, Sequence, Tuple
 
 Vector = Tuple[Fraction, Fraction, Fraction]
@@ -55,14 +56,9 @@ def transpose(m: Matrix) -> Matrix:
 
 def primitive(a: Vector) -> Optional[Vector]:
     """The shortest integer vector of the same direction; None for the zero vector."""
-    from math import gcd
-
-    q = [Fraction(x) for x in a]
-    common = 1
-    for x in q:
-        common = common * x.denominator // gcd(common, x.denominator)
-    whole = [int(x * common) for x in q]
-    divisor = gcd(gcd(whole[0], whole[1]), whole[2])
+    common = lcm(*(x.denominator for x in a))
+    whole = [int(x * common) for x in a]
+    divisor = gcd(*whole)
     if divisor == 0:
         return None
     return (whole[0] // divisor, whole[1] // divisor, whole[2] // divisor)  # type: ignore
