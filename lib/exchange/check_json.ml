@@ -123,7 +123,11 @@ let rest r =
   let by, halt = match (r : Verdict.rest) with By h -> ("deciding", halt h) | Among h -> ("some", halt h) in
   `Assoc [ ("runs", `String by); ("end", `String halt) ]
 
-let property c ({ check; verdict = v; scale; rests } as o : Verdict.outcome) =
+let slowing (s : Slowing.t) =
+  let stretch (x : Slowing.stretch) = `Assoc [ ("instants", `Int x.instants); ("took", Json.rat x.took) ] in
+  `Assoc [ ("stretches", `List (List.map stretch s.stretches)); ("until", Json.rat s.until) ]
+
+let property c ({ check; verdict = v; scale; rests; slowing = slower } as o : Verdict.outcome) =
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
@@ -141,6 +145,7 @@ let property c ({ check; verdict = v; scale; rests } as o : Verdict.outcome) =
       ("witness", Json.option (witness c) run);
     ]
       @ (match rests with [] -> [] | _ :: _ -> [ ("rests_on", `List (List.map rest rests)) ])
+      @ List.map (fun s -> ("slowing", slowing s)) (Option.to_list slower)
       @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step))
 
 let dead_ends list = `List (List.map (fun (d : Diag.t) -> Json.text d.message) list)

@@ -29,6 +29,7 @@ type stats = Joint_check.stats = {
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
   dead_ends : Scc_base.Diag.t list;
+  slowing : Slowing.t option;
 }
 
 type slice = { properties : string list; left_out : string list; explored : stats }
@@ -147,6 +148,7 @@ let add (a : stats) (b : stats) =
     stopped_by = Verdict.together a.stopped_by b.stopped_by;
     faults = List.sort_uniq Scc_base.Diag.compare (a.faults @ b.faults);
     dead_ends = List.sort_uniq Scc_base.Diag.compare (a.dead_ends @ b.dead_ends);
+    slowing = (match a.slowing with Some _ -> a.slowing | None -> b.slowing);
   }
 
 let sum_stores a b =
@@ -175,6 +177,10 @@ let rests semantics (result : Joint_check.result) (check : Property.check) (v : 
   | Holds { witness = Some w; _ } | Violated { witness = Some w } -> by w
   | Holds { witness = None; _ } | Violated { witness = None } -> among ()
 
+(* What a bound left open may lie beyond the times that a run converges to. *)
+let slowing (result : Joint_check.result) v =
+  match Verdict.truncated v with [] -> None | _ :: _ -> result.stats.slowing
+
 let explored options semantics ~initial start group =
   let options = { options with surroundings = going_on options.surroundings start } in
   let members = List.rev group.members in
@@ -192,7 +198,7 @@ let explored options semantics ~initial start group =
     let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ -> result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
     let rests = rests semantics result check v in
-    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step }; rests })
+    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step }; rests; slowing = slowing result v })
   in
   let outcomes = List.map2 outcome members result.outcomes in
   let slice part =

@@ -94,6 +94,8 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         stopped_by = bounds;
         faults;
         dead_ends = Bounds.dead_ends context;
+        (* No path is kept. *)
+        slowing = None;
       };
     zeno = None;
     stores = [ ("states", r.bytes); ("labels", 0); ("edges", 0) ];

@@ -39,6 +39,7 @@ type stats = {
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
   dead_ends : Scc_base.Diag.t list;
+  slowing : Slowing.t option;
 }
 
 type result = {
@@ -231,6 +232,7 @@ let stats r : stats =
     decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
     stopped_by = Verdict.distinct bounds;
     dead_ends = Bounds.dead_ends r.context;
+    slowing = (match bounds with [] -> None | _ :: _ -> Slowing.find r.graph);
     faults =
       List.sort_uniq Scc_base.Diag.compare
         (List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes);

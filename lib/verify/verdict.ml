@@ -27,7 +27,13 @@ type t =
 
 type scale = { resolution : Rat.t option; split_step : Rat.t option }
 type rest = By of Witness.halt | Among of Witness.halt
-type outcome = { check : Scc_property.Property.check; verdict : t; scale : scale; rests : rest list }
+type outcome = {
+  check : Scc_property.Property.check;
+  verdict : t;
+  scale : scale;
+  rests : rest list;
+  slowing : Slowing.t option;
+}
 
 let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Undecided _ -> false
 
@@ -83,7 +89,7 @@ let disjunction = function
   | [] -> Violated { witness = None }
   | v :: rest -> List.fold_left either v rest
 
-let truncations = function
+let truncated = function
   | Holds { bounds; _ } -> bounds
   | Violated _ -> []
   | Undecided reasons ->
@@ -97,7 +103,7 @@ let resources v =
        match t.limit with
        | Seconds _ | Memory _ | Interrupted -> true
        | Depth _ | Time _ | Instant _ | States _ | Omission _ -> false)
-    (truncations v)
+    (truncated v)
 
 let by_default = function
   | Holds { bounds; _ } ->
@@ -159,7 +165,10 @@ let to_string = function
   | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)
 
 let outcome_to_string o =
-  match o.verdict with
-  | Undecided _ -> to_string o.verdict
-  | Holds _ | Violated _ ->
-    to_string o.verdict ^ String.concat "" (List.map rest_to_string o.rests) ^ scale_to_string o.scale
+  let verdict =
+    match o.verdict with
+    | Undecided _ -> to_string o.verdict
+    | Holds _ | Violated _ ->
+      to_string o.verdict ^ String.concat "" (List.map rest_to_string o.rests) ^ scale_to_string o.scale
+  in
+  verdict ^ Option.fold ~none:"" ~some:(fun s -> "; " ^ Slowing.to_string s) o.slowing

@@ -50,7 +50,13 @@ type rest =
   | By of Witness.halt  (** the run that decides is such a run *)
   | Among of Witness.halt  (** no run decides by itself, and among all there are such runs *)
 
-type outcome = { check : Scc_property.Property.check; verdict : t; scale : scale; rests : rest list }
+type outcome = {
+  check : Scc_property.Property.check;
+  verdict : t;
+  scale : scale;
+  rests : rest list;
+  slowing : Slowing.t option;  (** where a bound kept it from being decided *)
+}
 
 val distinct : truncation list -> truncation list
 (** Each kind of limit once. *)
@@ -63,6 +69,9 @@ val exhaustive : t -> bool
 
 val conjunction : t list -> t
 val disjunction : t list -> t
+
+val truncated : t -> truncation list
+(** The limits that kept it from being decided, or from being a proof. *)
 
 val resources : t -> bool
 (** A limit of the machine or an interruption (seconds, memory, Ctrl-C) has kept it from being better

@@ -522,3 +522,13 @@ Two values for one parameter.
   $ scc check forever.sc -D v=1 -D v=2
   error[SC0212]: the parameter `v` is given two values by -D
   [3]
+
+Where a bound ended an exploration in which event times grew ever slower, the verdict says so.
+
+  $ (cat ../../specs/models/closing.sc; echo 'check forever : always x(west) < x(ball)') > closing.sc
+  $ scc check closing.sc --states 120 | grep -c 'grow ever slower'
+  1
+  $ scc check closing.sc --states 120 | grep -o 'forever: .*slower'
+  forever: holds up to the bound: the bound of 120 states; event times grow ever slower
+  $ scc check closing.sc --states 120 --json | grep -c '"slowing"'
+  1
