@@ -31,6 +31,7 @@ type t = {
   rigid : rigid option;
 }
 
+let straight m = (not m.steered) && Option.is_none m.rigid
 let resolution m = Option.map (fun r -> r.resolution) m.rigid
 let part_count m = Array.fold_left (fun n l -> n + Array.length l.parts) 0 m.leaves
 

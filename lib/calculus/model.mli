@@ -44,9 +44,12 @@ type t = {
   split_step : Rat.t;
   keeps_time : bool;  (** absolute time is part of the state: a law or a property needs it *)
   steered : bool;
-  (** some law is not inertial, or the model is rigid: the movement step is part of the state *)
+  (** some law is not inertial: the movement step is part of the state *)
   rigid : rigid option;  (** [None]: the translational calculus, in which nothing turns *)
 }
+
+val straight : t -> bool
+(** Neither steered nor rigid: a process moves in a straight line, and has to do with nobody until it collides. *)
 
 val resolution : t -> Rat.t option
 (** Of a rigid model. *)

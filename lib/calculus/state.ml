@@ -22,12 +22,13 @@ type process = {
   velocity : Vec.t;
   spin : Vec.t;
   since : Rat.t;
+  lasts : Rat.t option;
   kept : Vec.t;
   clock : Rat.t option;
 }
 
 type phase = Moving | Due | Steered
-type step = { remaining : Rat.t; length : Rat.t; phase : phase }
+type step = { remaining : Rat.t; phase : phase }
 type t = { processes : process array; step : step option; time : Rat.t option }
 
 let sorted compare list =
@@ -38,18 +39,21 @@ let sorted compare list =
 
 let compare_leaf_index (a : leaf) (b : leaf) = Int.compare a.leaf b.leaf
 
-let process ?(spin = Vec.zero) ?(since = Rat.zero) ?(kept = Vec.zero) ~leaves ~bonds ~velocity ~clock () =
+let no_turn = Some Rat.zero
+
+let process ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves ~bonds ~velocity ~clock
+    () =
   if List.length bonds <> List.length leaves - 1 then
     Scc_base.Bug.fail __POS__ "the bonds of a process are not a tree";
   {
     leaves = sorted compare_leaf_index leaves;
     bonds = sorted compare_bond bonds;
-    velocity; spin; since; kept; clock;
+    velocity; spin; since; lasts; kept; clock;
   }
 
 let map_leaves f p = { p with leaves = Array.map f p.leaves }
 let with_velocity velocity p = { p with velocity }
-let with_turn ~spin ~since p = { p with spin; since }
+let with_turn ~spin ~since ~lasts p = { p with spin; since; lasts }
 let with_kept kept p = { p with kept }
 let with_clock clock p = { p with clock }
 let first p = p.leaves.(0).leaf
@@ -157,15 +161,15 @@ let compare_process p q =
         Vec.compare p.velocity q.velocity <?> fun () ->
           Option.compare Rat.compare p.clock q.clock <?> fun () ->
             Vec.compare p.spin q.spin <?> fun () ->
-              Rat.compare p.since q.since <?> fun () -> Vec.compare p.kept q.kept
+              Rat.compare p.since q.since <?> fun () ->
+                Option.compare Rat.compare p.lasts q.lasts <?> fun () -> Vec.compare p.kept q.kept
 
 let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
 
 let equal_phase a b = Int.equal (phase_rank a) (phase_rank b)
 
 let compare_step a b =
-  Rat.compare a.remaining b.remaining <?> fun () ->
-    Int.compare (phase_rank a.phase) (phase_rank b.phase) <?> fun () -> Rat.compare a.length b.length
+  Rat.compare a.remaining b.remaining <?> fun () -> Int.compare (phase_rank a.phase) (phase_rank b.phase)
 
 let compare a b =
   compare_arrays compare_process a.processes b.processes <?> fun () ->

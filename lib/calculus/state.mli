@@ -25,6 +25,9 @@ type process = private {
   velocity : Vec.t;  (** of the centre of mass *)
   spin : Vec.t;  (** angular velocity, radians per unit of time; zero in the translational calculus *)
   since : Rat.t;  (** how long ago its present turn began (rule Turn); 0 where nothing turns *)
+  lasts : Rat.t option;
+  (** how long its present turn lasts in all, 0 when it does not spin; [None] while its next turn is due to begin
+      (rigid models alone) *)
   kept : Vec.t;
   (** with {!Model.Free_body}, the angular momentum about the centre of mass, which turns keep; else zero *)
   clock : Rat.t option;
@@ -39,8 +42,7 @@ type phase =
   | Steered  (** this instant has been steered *)
 
 type step = {
-  remaining : Rat.t;  (** 0 <= r <= length; 0 only while [Due] *)
-  length : Rat.t;  (** of the whole step: Delta, or less in the rigid calculus (rule Turn) *)
+  remaining : Rat.t;  (** 0 <= r <= {!Model.timestep}; 0 only while [Due] *)
   phase : phase;
 }
 
@@ -51,7 +53,7 @@ type t = private {
 }
 
 val process :
-  ?spin:Vec.t -> ?since:Rat.t -> ?kept:Vec.t ->
+  ?spin:Vec.t -> ?since:Rat.t -> ?lasts:Rat.t option -> ?kept:Vec.t ->
   leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> unit -> process
 (** Canonical order. The bonds must join the leaves into a tree (a bug otherwise). *)
 
@@ -60,7 +62,7 @@ val map_leaves : (leaf -> leaf) -> process -> process
 
 val with_velocity : Vec.t -> process -> process
 
-val with_turn : spin:Vec.t -> since:Rat.t -> process -> process
+val with_turn : spin:Vec.t -> since:Rat.t -> lasts:Rat.t option -> process -> process
 val with_kept : Vec.t -> process -> process
 val with_clock : Rat.t option -> process -> process
 val make : processes:process list -> step:step option -> time:Rat.t option -> t

@@ -84,7 +84,7 @@ let state bodies (composition : Composition.t) joints behaviours (model : Model.
   List.iter (fun (b : State.bond) -> put bonds_of (Union_find.find joined b.one.at) b) bonds;
   let turning p (l : Bodies.leaf) =
     let arm = Vec.sub (State.centre_of_mass model p) (Bodies.centroid l) in
-    State.with_turn ~spin:l.spin ~since:Rat.zero p
+    State.with_turn ~spin:l.spin ~since:Rat.zero ~lasts:None p
     |> State.with_velocity (Vec.add l.velocity (Vec.cross l.spin arm))
   in
   let process root =
@@ -97,5 +97,5 @@ let state bodies (composition : Composition.t) joints behaviours (model : Model.
   in
   State.make
     ~processes:(List.filter_map process (List.init n Fun.id))
-    ~step:(if model.steered then Some { State.remaining = Rat.zero; length = Rat.zero; phase = Due } else None)
+    ~step:(if model.steered then Some { State.remaining = model.timestep; phase = Due } else None)
     ~time:(if model.keeps_time then Some Rat.zero else None)

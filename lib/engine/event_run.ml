@@ -313,7 +313,7 @@ let iter_spread f a =
 
 let start semantics (s : State.t) =
   let m = Semantics.model semantics in
-  if m.steered then Scc_base.Bug.fail __POS__ "laws of motion from event to event";
+  if not (Model.straight m) then Scc_base.Bug.fail __POS__ "laws of motion, or turns, from event to event";
   let t =
     {
       semantics;

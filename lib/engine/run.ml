@@ -20,9 +20,8 @@ type t = Steered of steered | Inertial of Event_run.t
 let start semantics declared =
   Result.map
     (fun s ->
-       if (Semantics.model semantics).steered then
-         Steered { semantics; present = s; next = None; rounded = Totals.no_sum }
-       else Inertial (Event_run.start semantics s))
+       if Model.straight (Semantics.model semantics) then Inertial (Event_run.start semantics s)
+       else Steered { semantics; present = s; next = None; rounded = Totals.no_sum })
     (Network.initial semantics declared)
 
 let next s =

@@ -90,6 +90,10 @@ let compare p q =
       let c = Z.compare p.y q.y in
       if c <> 0 then c else Z.compare p.z q.z
 
+let compare_lengths p q =
+  let c = Z.compare (greatest p) (greatest q) in
+  if c <> 0 then c else compare p q
+
 let hash q = ((((((Z.hash q.w * 31) + Z.hash q.x) * 31) + Z.hash q.y) * 31) + Z.hash q.z) land max_int
 
 let to_string q =

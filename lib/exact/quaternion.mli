@@ -46,6 +46,10 @@ val bits : t -> int
 
 val equal : t -> t -> bool
 val compare : t -> t -> int
+
+val compare_lengths : t -> t -> int
+(** By the greatest component first. *)
+
 val hash : t -> int
 
 val to_string : t -> string

@@ -19,7 +19,7 @@ let variables (m : Model.t) =
   match m.rigid with
   | None -> variables
   | Some _ ->
-    variables @ [ "turned"; "spin"; "since" ] @ if Turn.is_free m then [ "angular_momentum" ] else []
+    variables @ [ "turned"; "spin"; "since"; "lasts" ] @ if Turn.is_free m then [ "angular_momentum" ] else []
 
 let integer z = `Assoc [ ("#bigint", `String (Z.to_string z)) ]
 let tuple items = `Assoc [ ("#tup", `List items) ]
@@ -58,16 +58,13 @@ let bond m (b : State.bond) =
   let site (f : State.finish) = Json.text (Model.site_name m ~leaf:f.at f.site) in
   `Assoc [ ("name", Json.text b.name); ("one", site b.one); ("two", site b.two) ]
 
-let step (m : Model.t) (s : State.t) =
-  let record remaining length phase =
-    let length = if Option.is_some m.rigid then [ ("length", rational length) ] else [] in
-    `Assoc ((("remaining", rational remaining) :: length) @ [ ("phase", `String phase) ])
-  in
+let step (s : State.t) =
+  let record remaining phase = `Assoc [ ("remaining", rational remaining); ("phase", `String phase) ] in
   match s.step with
-  | None -> record Rat.zero Rat.zero "none"
-  | Some { remaining; length; phase = Moving } -> record remaining length "moving"
-  | Some { remaining; length; phase = Due } -> record remaining length "due"
-  | Some { remaining; length; phase = Steered } -> record remaining length "steered"
+  | None -> record Rat.zero "none"
+  | Some { remaining; phase = Moving } -> record remaining "moving"
+  | Some { remaining; phase = Due } -> record remaining "due"
+  | Some { remaining; phase = Steered } -> record remaining "steered"
 
 let values (m : Model.t) ~action ~time (s : State.t) =
   let leaves = by_leaf s in
@@ -98,7 +95,7 @@ let values (m : Model.t) ~action ~time (s : State.t) =
         (List.filter_map
            (fun (p : State.process) -> Option.map (fun c -> (first p, rational c)) p.clock)
            processes) );
-    ("step", step m s);
+    ("step", step s);
   ]
   @
   if Option.is_none m.rigid then []
@@ -107,6 +104,7 @@ let values (m : Model.t) ~action ~time (s : State.t) =
       ("turned", each (fun _ (l : State.leaf) -> quaternion l.turned));
       ("spin", each (fun (p : State.process) _ -> vector p.spin));
       ("since", each (fun (p : State.process) _ -> rational p.since));
+      ("lasts", each (fun (p : State.process) _ -> Option.fold ~none:(`String "due") ~some:rational p.lasts));
     ]
     @
     if Turn.is_free m then

@@ -52,7 +52,11 @@ let process m (p : State.process) =
   `Assoc
     ((("velocity", Json.vec p.velocity)
       :: rigid m (fun () ->
-          [ ("spin", Json.vec p.spin); ("since", Json.rat p.since) ]
+          [
+            ("spin", Json.vec p.spin);
+            ("since", Json.rat p.since);
+            ("lasts", Json.option Json.rat p.lasts);
+          ]
           @ if Turn.is_free m then [ ("angular_momentum", Json.vec p.kept) ] else []))
      @ [
        ("clock", Json.option Json.rat p.clock);
@@ -65,11 +69,9 @@ let phase : State.phase -> string = function
   | Due -> "due"
   | Steered -> "steered"
 
-let step m (s : State.step) =
-  `Assoc
-    ((("remaining", Json.rat s.remaining) :: rigid m (fun () -> [ ("length", Json.rat s.length) ]))
-     @ [ ("phase", `String (phase s.phase)) ])
+let step (s : State.step) =
+  `Assoc [ ("remaining", Json.rat s.remaining); ("phase", `String (phase s.phase)) ]
 
 let state m (s : State.t) =
   `Assoc
-    [ ("processes", list (process m) s.processes); ("step", Json.option (step m) s.step) ]
+    [ ("processes", list (process m) s.processes); ("step", Json.option step s.step) ]

@@ -8,7 +8,13 @@ type outcome = Never | Inside | At of Rat.t
 
 (* {1 The grid} *)
 
-let cell grid (t : Rat.t) = Z.fdiv (Z.shift_left t.num grid) t.den
+(* Its instants are those at which the time since it began to count is a multiple of 2^-grid; the phase is the time
+   since then. *)
+type clock = { grid : int; phase : Rat.t }
+
+let add_phase c t = if Rat.sign c.phase = 0 then t else Rat.add t c.phase
+let cell_at grid (t : Rat.t) = Z.fdiv (Z.shift_left t.num grid) t.den
+let cell c t = cell_at c.grid (add_phase c t)
 
 (* k / 2^grid. *)
 let point grid k =
@@ -17,25 +23,33 @@ let point grid k =
     let twos = Int.min grid (Z.trailing_zeros k) in
     { Q.num = Z.shift_right k twos; den = Z.shift_left Z.one (grid - twos) }
 
-let instant grid k = At (point grid k)
+let begin_of_cell c k =
+  let t = point c.grid k in
+  if Rat.sign c.phase = 0 then t else Rat.sub t c.phase
+
+(* An instant that has passed is now. *)
+let instant c k = At (Rat.max Rat.zero (begin_of_cell c k))
+let next_instant ~grid ~phase t =
+  let c = { grid; phase } in
+  begin_of_cell c (Z.succ (cell c t))
 
 (* Of an interval no wider than a cell at most one grid point lies strictly inside. *)
-let floor_of grid t =
+let floor_of c t =
   match Algebraic.to_rat t with
-  | Some t -> instant grid (cell grid t)
+  | Some t -> instant c (cell c t)
   | None ->
-    let low, high = Algebraic.enclose t ~width:(point grid Z.one) in
-    let k = cell grid high in
-    let at = point grid k in
-    if Rat.compare low at >= 0 || Algebraic.compare_rat t at > 0 then instant grid k
-    else instant grid (Z.pred k)
+    let low, high = Algebraic.enclose t ~width:(point c.grid Z.one) in
+    let k = cell c high in
+    let at = begin_of_cell c k in
+    if Rat.compare low at >= 0 || Algebraic.compare_rat t at > 0 then instant c k
+    else instant c (Z.pred k)
 
 (* {1 Without a turn} *)
 
 let add v w = if Vec.is_zero w then v else Vec.add v w
 let sub v w = if Vec.is_zero w then v else Vec.sub v w
 
-let straight obstacle (a : Motion.t) (b : Motion.t) ~span ~grid =
+let straight obstacle (a : Motion.t) (b : Motion.t) ~span clock =
   let obstacle, offset =
     if Quaternion.is_identity a.turned && Quaternion.is_identity b.turned then
       let obstacle = match obstacle with Some o -> o | None -> Obstacle.make a.solid b.solid in
@@ -47,24 +61,24 @@ let straight obstacle (a : Motion.t) (b : Motion.t) ~span ~grid =
   match Obstacle.first_time_of_contact obstacle offset (sub b.velocity a.velocity) with
   | Never -> Never
   | Inside -> Inside
-  | At t -> if Rat.compare t span < 0 then instant grid (cell grid t) else Never
+  | At t -> if Rat.compare t span < 0 then instant clock (cell clock t) else Never
 
 (* {1 Exactly} *)
 
-type query = { a : Motion.t; b : Motion.t; obstacle : Obstacle.t option; span : Rat.t; grid : int }
+type query = { a : Motion.t; b : Motion.t; obstacle : Obstacle.t option; span : Rat.t; clock : clock }
 
 let turning q = Motion.turns q.a || Motion.turns q.b
 
 (* The interiors are disjoint up to [from]. *)
 let sweep q from until =
-  if not (turning q) then straight q.obstacle q.a q.b ~span:q.span ~grid:q.grid
+  if not (turning q) then straight q.obstacle q.a q.b ~span:q.span q.clock
   else
     match Sweep.first_penetration q.a q.b ~from ~until with
     | Never -> Never
-    | At t -> floor_of q.grid t
+    | At t -> floor_of q.clock t
 
 let exactly q =
-  if not (turning q) then straight q.obstacle q.a q.b ~span:q.span ~grid:q.grid
+  if not (turning q) then straight q.obstacle q.a q.b ~span:q.span q.clock
   else
     match Sweep.relation q.a q.b Rat.zero with
     | Interpenetrating -> Inside
@@ -83,7 +97,10 @@ type search = {
   simplex : Simplex.t;
   plane : Separation.t;
   last : float;  (** the span, rounded down *)
-  fine : bool;  (** every instant of the grid in the span is a float *)
+  fine : bool;  (** every instant of the grid, counted from its begin, in the span is a float *)
+  phase : float;
+  phase_below : float;
+  phase_above : float;  (** of the grid: about, and rounded down and up *)
 }
 
 (* How the search stands: the interiors are disjoint up to [t], which is 0 only at first. *)
@@ -103,9 +120,12 @@ let meets s =
   let k = 4. *. noise /. r in
   k < 0x1p-10 && Simplex.miss s.simplex k < 0.5 *. k *. r
 
-(* Of an instant of the span: the cell of the grid that holds it, and where a cell begins. *)
-let cell_of s t = Float.of_int (int_of_float (Float.ldexp t s.query.grid))
-let begin_of s k = Float.ldexp k (-s.query.grid)
+(* Of an instant of the span: the cell of the grid that holds it, and where a cell begins, or a little after, and a
+   little before it. Which cell it is may be wrong by one where the grid has a phase: it is a guess there. *)
+let cell_of s t = Float.of_int (int_of_float (Float.ldexp (t +. s.phase) s.query.clock.grid))
+let exactly_begins s k = Float.ldexp k (-s.query.clock.grid)
+let begins_by s k = if s.phase = 0. then exactly_begins s k else Float.succ (exactly_begins s k -. s.phase_below)
+let begins_after s k = if s.phase = 0. then exactly_begins s k else Float.pred (exactly_begins s k -. s.phase_above)
 
 (* A delay that leads from t beyond t' >= t or just there: the difference is rounded up. *)
 let delay t t' = Float.succ (t' -. t)
@@ -134,7 +154,7 @@ and look_ahead s at =
     let k = if s.fine && expected < s.last then cell_of s (at.t +. sooner) else -1. in
     if k < 0. || cell_of s expected <> k then step s at careful most_tries
     else
-      let from = begin_of s k in
+      let from = begins_by s k in
       let apart_until_cell =
         from <= at.t || (delay at.t from < sooner && Separation.holds s.plane (delay at.t from))
       in
@@ -146,9 +166,9 @@ and look_ahead s at =
    instant, where they may hardly meet. *)
 and probe s at k expected careful =
   let while_ = Float.ldexp s.last (-8 - (6 * at.probes)) in
-  let probed = Float.min s.last (Float.min (begin_of s (k +. 1.)) (expected +. while_)) in
+  let probed = Float.min s.last (Float.min (begins_after s (k +. 1.)) (expected +. while_)) in
   Flight.move s.flight probed;
-  if probed > at.t && meets s then instant s.query.grid (Z.of_float k)
+  if probed > at.t && meets s then instant s.query.clock (Z.of_float k)
   else begin
     Flight.move s.flight at.t;
     step s { at with probes = at.probes + 1 } careful most_tries
@@ -183,10 +203,11 @@ and begin_near s at =
     | Interpenetrating -> Inside
     | Apart | Touching -> slowly s at
 
-let first_time_of_contact ?obstacle a b ~span ~grid =
-  let q = { a; b; obstacle; span; grid } in
+let first_time_of_contact ?obstacle ?(phase = Rat.zero) a b ~span ~grid =
+  let clock = { grid; phase } in
+  let q = { a; b; obstacle; span; clock } in
   let still (m : Motion.t) = not (Motion.turns m) && Quaternion.is_identity m.turned in
-  if still a && still b then straight obstacle a b ~span ~grid
+  if still a && still b then straight obstacle a b ~span clock
   else
     let end_ = Float_box.up span in
     match Flight.make a b end_ with
@@ -194,6 +215,7 @@ let first_time_of_contact ?obstacle a b ~span ~grid =
     | Some flight ->
       if Flight.apart_forever flight then Never
       else
+        let phase_above = if Rat.sign phase = 0 then 0. else Float_box.up phase in
         let s =
           {
             query = q;
@@ -201,7 +223,10 @@ let first_time_of_contact ?obstacle a b ~span ~grid =
             simplex = Simplex.make flight;
             plane = Separation.make flight;
             last = Float_box.down span;
-            fine = grid < 900 && Float.ldexp end_ grid < 0x1p51;
+            fine = grid < 900 && Float.ldexp (end_ +. phase_above) grid < 0x1p51;
+            phase = Rat.to_float phase;
+            phase_below = Float_box.down phase;
+            phase_above;
           }
         in
         advance s { t = 0.; steps = most_steps; probes = 0; sweeps = 0 }

@@ -49,6 +49,7 @@ let meetings (c : Semantics.t) processes =
     c.setting.neighbours.within (K.margin c.setting) parts
     |> List.filter_map judged |> by_processes |> List.filter_map meeting
 
+let colliding c (s : State.t) = List.map (fun m -> (m.first, m.second)) (meetings c s.processes)
 let collides c (s : State.t) = meetings c s.processes <> []
 
 (* {1 Rule Bind} *)

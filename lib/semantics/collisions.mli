@@ -16,6 +16,9 @@ val parts : Semantics.t -> State.process array -> Part.t array
 val meetings : Semantics.t -> State.process array -> meeting list
 (** Every two processes that collide, in order. *)
 
+val colliding : Semantics.t -> State.t -> (int * int) list
+(** Which two processes do, by their indices. *)
+
 val collides : Semantics.t -> State.t -> bool
 (** Whether any two do. *)
 

@@ -9,7 +9,7 @@ type t = {
   meeting : Placed.t -> Placed.t -> Vec.t -> (Rat.t option * Rat.t option) option;
   touching : Placed.t -> Placed.t -> Contact.pair list;
   response : (Placed.t * Placed.t) list -> Vec.t -> Vec.t;
-  first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> Cast.outcome;
+  first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome;
   near : resolution:Rat.t -> Placed.t -> Placed.t -> Near_contact.t option;
 }
 
@@ -31,9 +31,9 @@ let exact ~obstacle:remembered =
          let touching (a, b) = { Response.obstacle = obstacle a b; offset = offset a b } in
          Response.bounce (List.map touching pairs) w);
     first_penetration =
-      (fun a b ~span ~grid ->
+      (fun a b ~span ~grid ~phase ->
          let still (m : Motion.t) = Quaternion.is_identity m.turned && not (Motion.turns m) in
          let obstacle = if still a && still b then Some (remembered a.solid b.solid) else None in
-         Cast.first_time_of_contact ?obstacle a b ~span ~grid);
+         Cast.first_time_of_contact ?obstacle a b ~span ~grid ~phase);
     near = Near_contact.find;
   }

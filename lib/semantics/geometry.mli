@@ -19,7 +19,7 @@ type t = {
   response : (Placed.t * Placed.t) list -> Vec.t -> Vec.t;
   (** rule Response: the relative velocity after a collision in translation, given all touching pairs of parts of
       the two bodies and the relative velocity before it *)
-  first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> Cast.outcome;  (** rule Cast *)
+  first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome;  (** rule Cast *)
   near : resolution:Rat.t -> Placed.t -> Placed.t -> Near_contact.t option;  (** rule Near *)
 }
 

@@ -48,12 +48,9 @@ module type S = sig
   val piece : setting -> whole:State.process -> State.process -> State.process
   val start : setting -> State.process -> State.process
   val time_rules : Rule.t list
-  val step_needs_law : bool
-  val stale : setting -> State.t -> bool
-  val renewed : setting -> State.t -> State.t
-  val step_length : setting -> State.t -> Rat.t
-  val begin_step : setting -> collides:(State.t -> bool) -> State.t -> State.t * State.t option
-  val shortened : State.t -> State.t
+  val renewed : setting -> State.process -> State.process
+  val at_contact : setting -> colliding:(State.t -> (int * int) list) -> State.t -> State.t
+  val begin_turns : setting -> colliding:(State.t -> (int * int) list) -> State.t -> State.t * State.t option
   val turns_rightly : setting -> State.process -> bool
   val settled : setting -> State.process -> bool
 end

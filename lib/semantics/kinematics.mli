@@ -73,32 +73,23 @@ module type S = sig
   val start : setting -> State.process -> State.process
   (** A declared process as it is at first. *)
 
-  (** {1 Steps} *)
+  (** {1 Turns} *)
 
   val time_rules : Rule.t list
   (** Those that a passing of time uses. *)
 
-  val step_needs_law : bool
-  (** Whether movement steps are there for the sake of laws alone. *)
+  val renewed : setting -> State.process -> State.process
+  (** The process with its turn ended. *)
 
-  val stale : setting -> State.t -> bool
-  (** Whether a collision would change how a process goes on, be it far away (rule Turn). *)
+  val at_contact : setting -> colliding:(State.t -> (int * int) list) -> State.t -> State.t
+  (** The turns of all that collides end (rule Turn). [colliding] tells which two processes collide in a state. *)
 
-  val renewed : setting -> State.t -> State.t
-  (** All turns begin anew. *)
-
-  val step_length : setting -> State.t -> Rat.t
-  (** Of a movement step that begins now. *)
-
-  val begin_step : setting -> collides:(State.t -> bool) -> State.t -> State.t * State.t option
-  (** What a new step brings but for laws: spins for its turns, and rule Round; with the state before that rule, if
-      it changed anything. *)
-
-  val shortened : State.t -> State.t
-  (** The state with what is left of its step cut, if bodies would turn too far in it. *)
+  val begin_turns : setting -> colliding:(State.t -> (int * int) list) -> State.t -> State.t * State.t option
+  (** A turn begins of each process that a turn is due of and that does not collide (rules Turn and Round); with the
+      state before that, if rule Round changed anything. Nothing collides then that does not before. *)
 
   val turns_rightly : setting -> State.process -> bool
-  (** Whether a process turns as it can: not at all, or in a turn that has begun. *)
+  (** Whether a process turns as it can: not at all, in a turn that has begun, or soon. *)
 
   val settled : setting -> State.process -> bool
   (** Whether no rounding is going to change where a process goes. *)

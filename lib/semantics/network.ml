@@ -19,16 +19,16 @@ let time_rules (c : Semantics.t) =
 
 (* {1 Steps} *)
 
-(* What collides begins new turns, where bodies turn (rule Turn). *)
-let at_contact (c : Semantics.t) (s : State.t) =
-  let (module K) = c.kinematics in
-  if K.stale c.setting s && Collisions.collides c s then K.renewed c.setting s else s
-
 let finish (c : Semantics.t) ?(fired = []) label rules target =
-  let (module K) = c.kinematics in
-  let* settled = Steer.settle c (at_contact c target) in
-  let target = K.shortened settled.state and rules = rules @ settled.rules in
-  Ok { Transition.label; rules; fired; target; rounded = settled.rounded }
+  let* settled = Steer.settle c target in
+  Ok
+    {
+      Transition.label;
+      rules = rules @ settled.rules;
+      fired;
+      target = settled.state;
+      rounded = settled.rounded;
+    }
 
 (* A collision ends the movement step, unless this instant has been steered already. *)
 let after_collision (step : State.step option) =
@@ -97,7 +97,7 @@ let initial (c : Semantics.t) (declared : State.t) =
   let (module K) = c.kinematics in
   let m = c.setting.model in
   let step =
-    if m.steered then Some { State.remaining = m.timestep; length = m.timestep; phase = State.Due } else None
+    if m.steered then Some { State.remaining = m.timestep; phase = State.Due } else None
   in
   let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
   let start p = K.start c.setting (Process.restart_clock m p) in

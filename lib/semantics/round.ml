@@ -2,20 +2,27 @@ open Scc_exact
 open Scc_calculus
 open Scc_rigid
 
-let replace (s : State.t) i p =
-  let processes = List.mapi (fun j q -> if i = j then p else q) (Array.to_list s.processes) in
-  State.make ~processes ~step:s.step ~time:s.time
+type apart = State.t -> (int * Rat.t) list -> (int * int) list
 
-(* Each process in turn, against the others as they are by then. *)
-let each (s : State.t) f =
-  let step (s, changed) i =
-    match f s i s.State.processes.(i) with
-    | Some p -> (replace s i p, true)
-    | None -> (s, changed)
-  in
-  List.fold_left step (s, false) (List.init (Array.length s.processes) Fun.id)
+let replace (s : State.t) changes =
+  let change i p = Option.value (List.assoc_opt i changes) ~default:p in
+  State.make ~processes:(List.mapi change (Array.to_list s.processes)) ~step:s.step ~time:s.time
+
+let involves i (a, b) = a = i || b = i
+
+(* Each time at least one fewer is left: what collides without any change does not begin a turn. *)
+let rec at_once ~colliding s changes =
+  match changes with
+  | [] -> (s, [])
+  | _ :: _ ->
+    let trial = replace s changes in
+    let hit = colliding trial in
+    let waiting, going = List.partition (fun (i, _) -> List.exists (involves i) hit) changes in
+    if waiting = [] then (trial, changes) else at_once ~colliding s going
 
 let fixed m p = Option.is_none (State.mass m p)
+
+(* {1 Orientations} *)
 
 let reach m p centre =
   Array.fold_left
@@ -24,28 +31,45 @@ let reach m p centre =
        List.fold_left (fun far i -> Rat.max far (Turn.reach m ~centre l i)) far (List.init parts Fun.id))
     Rat.zero p.State.leaves
 
-let orientation m k ~apart s i (p : State.process) =
-  let old = p.leaves.(0).turned in
+(* The shortest of those of its leaves: of leaves that have the same it does not matter which one is meant. *)
+let reference (p : State.process) =
+  let shorter (best : Quaternion.t) (l : State.leaf) =
+    if Quaternion.compare_lengths l.turned best < 0 then l.turned else best
+  in
+  Array.fold_left shorter p.leaves.(0).turned p.leaves
+
+let rounded_orientation m k (p : State.process) =
+  let old = reference p in
   let rounded = Quaternion.round k old in
   if fixed m p || Quaternion.equal old rounded then None
   else
     let centre = State.centre_of_mass m p in
-    let by = Rat.mul (Quaternion.round_error k) (reach m p centre) in
-    if not (apart s i ~by) then None
-    else
-      let turn = Quaternion.mul rounded (Quaternion.inverse old) in
-      let move (l : State.leaf) =
-        {
-          l with
-          position = Vec.add centre (Quaternion.apply turn (Vec.sub l.position centre));
-          turned = Quaternion.mul turn l.turned;
-        }
-      in
-      Some (State.map_leaves move p)
+    let turn = Quaternion.mul rounded (Quaternion.inverse old) in
+    let move (l : State.leaf) =
+      {
+        l with
+        position = Vec.add centre (Quaternion.apply turn (Vec.sub l.position centre));
+        turned = Quaternion.mul turn l.turned;
+      }
+    in
+    Some (State.map_leaves move p, Rat.mul (Quaternion.round_error k) (reach m p centre))
+
+let each (s : State.t) indices f =
+  List.filter_map (fun i -> Option.map (fun x -> (i, x)) (f s.processes.(i))) indices
+
+let orientations m k ~near ~colliding s indices =
+  match each s indices (rounded_orientation m k) with
+  | [] -> (s, [])
+  | all ->
+    let close = near s (List.map (fun (i, (_, by)) -> (i, by)) all) in
+    let free (i, (p, _)) = if List.exists (involves i) close then None else Some (i, p) in
+    at_once ~colliding s (List.filter_map free all)
+
+(* {1 Velocities} *)
 
 let quantum k = Rat.make Z.one (Z.shift_left Z.one k)
 
-let near quantum (v : Vec.t) =
+let nearest quantum (v : Vec.t) =
   let round x = Rat.round_to x ~quantum in
   Vec.make (round v.x) (round v.y) (round v.z)
 
@@ -54,38 +78,34 @@ let kept m k (p : State.process) =
   if Vec.is_zero p.kept then p.kept
   else
     match Turn.mass_from_first m p with
-    | Some mass -> near (Rat.mul (quantum k) (Mass.scale mass)) p.kept
+    | Some mass -> nearest (Rat.mul (quantum k) (Mass.scale mass)) p.kept
     | None -> p.kept
 
+(* What a free body has for a spin follows from what it keeps. *)
 let velocity m k (p : State.process) =
-  let v = near (quantum k) p.velocity and spin = near (quantum k) p.spin and kept = kept m k p in
+  let v = nearest (quantum k) p.velocity in
+  let spin = if Turn.is_free m then p.spin else nearest (quantum k) p.spin and kept = kept m k p in
   if fixed m p || (Vec.equal v p.velocity && Vec.equal spin p.spin && Vec.equal kept p.kept) then None
-  else Some (State.with_velocity v (State.with_kept kept (State.with_turn ~spin ~since:p.since p)))
+  else
+    let p = State.with_velocity v (State.with_turn ~spin ~since:p.since ~lasts:p.lasts p) in
+    Some (if Vec.equal kept p.kept then p else Turn.renew m (State.with_kept kept p))
 
 (* How a body is turned does not matter to the ball that it spins in. *)
 let settled (m : Model.t) (p : State.process) =
-  let { Model.round_orientation; round_velocity; _ } = Turn.rigid m in
-  let old = p.leaves.(0).turned in
-  let turned k = Turn.spinning p || Quaternion.equal old (Quaternion.round k old) in
-  Option.fold ~none:true ~some:(fun k -> Option.is_none (velocity m k p)) round_velocity
-  && (fixed m p || Option.fold ~none:true ~some:turned round_orientation)
+  match (Turn.rigid m).round_velocity with
+  | Some k when Turn.spinning p -> Option.is_none (velocity m k p)
+  | Some _ | None -> true
 
-let velocities m k ~collides s =
-  let rounded, changed = each s (fun _ _ p -> velocity m k p) in
-  if not changed then (s, false)
-  else if not (collides rounded) then (rounded, true)
-  else
-    each s (fun s i p ->
-        match velocity m k p with
-        | Some q when not (collides (replace s i q)) -> Some q
-        | Some _ | None -> None)
-
-let run m ~collides ~apart s =
+let run m ~colliding ~near s indices =
   let { Model.round_orientation; round_velocity; _ } = Turn.rigid m in
-  let rounded, turned =
-    match round_orientation with None -> (s, false) | Some k -> each s (orientation m k ~apart)
+  let s, turned =
+    match round_orientation with
+    | None -> (s, [])
+    | Some k -> orientations m k ~near ~colliding s indices
   in
-  let rounded, changed =
-    match round_velocity with None -> (rounded, false) | Some k -> velocities m k ~collides rounded
+  let s, changed =
+    match round_velocity with
+    | None -> (s, [])
+    | Some k -> at_once ~colliding s (each s indices (velocity m k))
   in
-  (rounded, turned || changed)
+  (s, turned <> [] || changed <> [])

@@ -39,47 +39,42 @@ let change (m : Model.t) ~time ~dt (p : State.process) (l : State.leaf) =
 
 (* The whole takes the mean of the changes of its leaves, weighted by mass. *)
 let steer_process (m : Model.t) ~time ~dt (p : State.process) =
-  if not (steers m p) then Ok p
-  else
-    let add sum (l : State.leaf) =
-      let* sum, total = sum in
-      let* c = change m ~time ~dt p l in
-      let mass = m.leaves.(l.leaf).mass in
-      Ok (Vec.axpy mass c sum, Rat.add total mass)
-    in
-    let* sum, total = Array.fold_left add (Ok (Vec.zero, Rat.zero)) p.leaves in
-    Ok (State.with_velocity (Vec.axpy (Rat.div Rat.one total) sum p.velocity) p)
+  let add sum (l : State.leaf) =
+    let* sum, total = sum in
+    let* c = change m ~time ~dt p l in
+    let mass = m.leaves.(l.leaf).mass in
+    Ok (Vec.axpy mass c sum, Rat.add total mass)
+  in
+  let* sum, total = Array.fold_left add (Ok (Vec.zero, Rat.zero)) p.leaves in
+  Ok (State.with_velocity (Vec.axpy (Rat.div Rat.one total) sum p.velocity) p)
 
 type outcome = { state : State.t; rules : Rule.t list; rounded : State.t option }
 
-let run (c : Semantics.t) (s : State.t) =
+(* New velocities for every process under a law, which sees it at the start of a turn. *)
+let run (c : Semantics.t) (step : State.step) (s : State.t) =
   let (module K) = c.kinematics in
   let m = c.setting.model in
-  match s.step with
-  | None -> Scc_base.Bug.fail __POS__ "a steered state without a movement step"
-  | Some step ->
-    let dt = Rat.sub step.length step.remaining in
-    let time = Option.value s.time ~default:Rat.zero in
-    let s = K.renewed c.setting s in
-    let add done_ p =
-      let* done_ = done_ in
-      let* p = steer_process m ~time ~dt p in
-      Ok (p :: done_)
-    in
-    let* processes = Array.fold_left add (Ok []) s.processes in
-    let steered = State.make ~processes ~step:s.step ~time:s.time in
-    let state, rounded = K.begin_step c.setting ~collides:(Collisions.collides c) steered in
-    let length = K.step_length c.setting state in
-    let step = Some { State.remaining = length; length; phase = State.Steered } in
-    let steer = K.step_needs_law || Array.exists (steers m) s.processes in
-    Ok
-      {
-        state = State.make ~processes:(Array.to_list state.processes) ~step ~time:state.time;
-        rules = (if steer then [ Rule.Steer ] else []) @ if Option.is_some rounded then [ Rule.Round ] else [];
-        rounded;
-      }
+  let dt = Rat.sub m.timestep step.remaining in
+  let time = Option.value s.time ~default:Rat.zero in
+  let add done_ p =
+    let* done_ = done_ in
+    let* p = if steers m p then steer_process m ~time ~dt (K.renewed c.setting p) else Ok p in
+    Ok (p :: done_)
+  in
+  let* processes = Array.fold_left add (Ok []) s.processes in
+  let step = Some { State.remaining = m.timestep; phase = State.Steered } in
+  Ok (State.make ~processes ~step ~time:s.time)
 
-let settle c (s : State.t) =
+let steer c (s : State.t) =
   match s.step with
-  | Some { phase = Due; _ } when not (Collisions.collides c s) -> run c s
-  | Some { phase = Due | Moving | Steered; _ } | None -> Ok { state = s; rules = []; rounded = None }
+  | Some ({ phase = Due; _ } as step) when not (Collisions.collides c s) ->
+    let* state = run c step s in
+    Ok (state, if Array.exists (steers c.setting.model) s.processes then [ Rule.Steer ] else [])
+  | Some { phase = Due | Moving | Steered; _ } | None -> Ok (s, [])
+
+let settle (c : Semantics.t) (s : State.t) =
+  let (module K) = c.kinematics in
+  let colliding = Collisions.colliding c in
+  let* steered, rules = steer c (K.at_contact c.setting ~colliding s) in
+  let state, rounded = K.begin_turns c.setting ~colliding (K.at_contact c.setting ~colliding steered) in
+  Ok { state; rules = (if Option.is_some rounded then rules @ [ Rule.Round ] else rules); rounded }

@@ -11,10 +11,8 @@ type outcome = {
   rounded : State.t option;  (** as in {!Transition.t} *)
 }
 
-val run : Semantics.t -> State.t -> (outcome, Transition.fault) result
-(** New velocities for every process, and a new movement step. The time since the last update is
-    what the step has used up (reading I-10). For steered models only. *)
-
 val settle : Semantics.t -> State.t -> (outcome, Transition.fault) result
-(** {!run} if the movement step is over, this instant has not been steered and nothing collides (reading
-    I-15); and it is as it was otherwise. *)
+(** What is due after a transition. Turns of what collides end (rule Turn). If the movement step is over, this instant
+    has not been steered and nothing collides (reading I-15), every process under a law has a new velocity, and the
+    next step begins; the time since the last update is what the step has used up (reading I-10). Then turns begin
+    of what does not collide (rules Turn and Round). *)

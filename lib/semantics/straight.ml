@@ -83,19 +83,17 @@ let joined { model; _ } (p : State.process) (q : State.process) whole =
 let piece _ ~whole (piece : State.process) = State.with_velocity whole.State.velocity piece
 let start _ p = p
 
-(* {1 Steps} *)
+(* {1 Turns} *)
 
 let time_rules = [ Rule.Time; Time_behaviour ]
-let step_needs_law = true
-let stale _ _ = false
-let renewed _ s = s
-let step_length c _ = c.model.timestep
-let begin_step _ ~collides:_ s = (s, None)
-let shortened s = s
+let renewed _ p = p
+let at_contact _ ~colliding:_ s = s
+let begin_turns _ ~colliding:_ s = (s, None)
 
 let turns_rightly _ (p : State.process) =
   Vec.is_zero p.spin
   && Rat.sign p.since = 0
+  && Option.equal Rat.equal p.lasts (Some Rat.zero)
   && Array.for_all (fun (l : State.leaf) -> Quaternion.is_identity l.turned) p.leaves
 
 let settled _ _ = true

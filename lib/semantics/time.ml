@@ -14,6 +14,9 @@ let horizon (m : Model.t) (p : State.process) =
 let to_split_instant (m : Model.t) (p : State.process) =
   Option.map (fun clock -> Rat.sub m.split_step clock) p.clock
 
+(* The time to the end of the first turn that ends. *)
+let turn_left (s : State.t) = Array.fold_left (fun d p -> least d (Turn.left p)) None s.processes
+
 let wait m p = least (horizon m p) (to_split_instant m p)
 
 let delay (c : Semantics.t) (s : State.t) =
@@ -21,19 +24,19 @@ let delay (c : Semantics.t) (s : State.t) =
   let m = c.setting.model in
   let next = Array.fold_left (fun d p -> least d (wait m p)) None s.processes in
   let steered = Array.exists (Steer.steers m) s.processes in
-  let spinning = Array.exists Turn.spinning s.processes in
+  let turn = turn_left s in
   let step = Option.map (fun (step : State.step) -> step.remaining) s.step in
-  (* what waits to be rounded goes another way when the next step begins *)
-  let settled = Array.for_all (K.settled c.setting) s.processes in
-  let limit = if steered || spinning || not settled then least next step else next in
+  let limit = least turn (if steered then least next step else next) in
   let contact = Collisions.first_time_of_contact c s.processes ~limit in
+  (* what waits to be rounded goes another way when its next turn begins *)
   let nothing_ahead () =
-    settled && (not steered) && Option.is_none next
+    (not steered) && Option.is_none next
+    && Array.for_all (K.settled c.setting) s.processes
     && K.none_ahead c.setting (Collisions.parts c s.processes)
   in
   match least limit contact with
   | None -> None
-  | Some _ when spinning && nothing_ahead () -> None
+  | Some _ when Option.is_some turn && nothing_ahead () -> None
   | Some d -> least (Some d) step
 
 (* The split clock runs on, and starts anew when a further bond can be released, which takes an eps that expires;
@@ -54,26 +57,26 @@ let age_process (m : Model.t) d (p : State.process) =
 let pass_process m d p = Turn.pass m d (age_process m d p)
 
 (* Where nothing is steered, time may pass over the ends of steps: they come every timestep. *)
-let pass_step (m : Model.t) d (step : State.step) =
+let pass_step (m : Model.t) d (step : State.step) : State.step =
   let beyond = Rat.sub d step.remaining in
   let into = if Rat.sign beyond < 0 then beyond else Rat.modulo beyond m.timestep in
   match Rat.sign into with
-  | 0 -> { step with remaining = Rat.zero; phase = State.Due }
-  | s when s < 0 -> { step with remaining = Rat.neg into; phase = State.Moving }
-  | _ -> { State.remaining = Rat.sub m.timestep into; length = m.timestep; phase = State.Moving }
+  | 0 -> { remaining = Rat.zero; phase = Due }
+  | s when s < 0 -> { remaining = Rat.neg into; phase = Moving }
+  | _ -> { remaining = Rat.sub m.timestep into; phase = Moving }
 
 let pass_within m d (s : State.t) =
   State.make
-    ~processes:(List.map (pass_process m d) (Array.to_list s.processes))
+    ~processes:(List.map (fun p -> Turn.ended m (pass_process m d p)) (Array.to_list s.processes))
     ~step:(Option.map (pass_step m d) s.step)
     ~time:(Option.map (Rat.add d) s.time)
 
-(* Turns begin anew at the end of each movement step. *)
+(* Turns begin anew at the end of each. *)
 let rec pass (c : Semantics.t) d (s : State.t) =
   let m = c.setting.model in
-  match s.step with
-  | Some step when Array.exists Turn.spinning s.processes && Rat.compare d step.remaining > 0 -> (
-      match Steer.run c (pass_within m step.remaining s) with
-      | Ok next -> pass c (Rat.sub d step.remaining) next.state
+  match turn_left s with
+  | Some left when Rat.compare d left > 0 -> (
+      match Steer.settle c (pass_within m left s) with
+      | Ok next -> pass c (Rat.sub d left) next.state
       | Error _ -> Scc_base.Bug.fail __POS__ "time passes beyond a movement step under laws of motion")
   | Some _ | None -> pass_within m d s

@@ -30,7 +30,7 @@ let pass m d (p : State.process) =
         turned = Quaternion.mul turn l.turned;
       }
     in
-    State.with_turn ~spin:p.spin ~since (State.map_leaves move p)
+    State.with_turn ~spin:p.spin ~since ~lasts:p.lasts (State.map_leaves move p)
 
 let velocity_at m (p : State.process) x =
   if spinning p then Vec.add p.velocity (Vec.cross p.spin (Vec.sub x (State.centre_of_mass m p))) else p.velocity
@@ -50,7 +50,8 @@ let mass m (p : State.process) = Option.map (fun _ -> Mass.of_parts (mass_parts 
 
 let is_free m = match (rigid m).dynamics with Constant_spin -> false | Free_body -> true
 
-(* Seen from its first leaf, a process has the numbers that it was made with. *)
+(* Seen from a leaf, a process has the numbers that it was made with. From which leaf does not matter: what is
+   computed from this mass is turned back, exactly. *)
 let mass_from_first m (p : State.process) =
   let { State.position; turned; _ } = p.leaves.(0) in
   let back = Quaternion.inverse turned in
@@ -77,15 +78,17 @@ let settled_spin m (p : State.process) =
 let mover m p : Impact.mover =
   { mass = mass m p; velocity = p.State.velocity; spin = settled_spin m p }
 
-let renew m p = State.with_turn ~spin:(settled_spin m p) ~since:Rat.zero p
+let renew m p = State.with_turn ~spin:(settled_spin m p) ~since:Rat.zero ~lasts:None p
 
-let start m p =
+let start m (p : State.process) =
+  let p = State.with_turn ~spin:p.spin ~since:p.since ~lasts:None p in
   match mass m p with
   | Some mass when is_free m -> State.with_kept (Mat.apply mass.inertia p.State.spin) p
   | Some _ | None -> p
 
 let moving m (mover : Impact.mover) p =
-  State.with_velocity mover.velocity p |> State.with_turn ~spin:mover.spin ~since:Rat.zero |> start m
+  State.with_velocity mover.velocity p |> State.with_turn ~spin:mover.spin ~since:Rat.zero ~lasts:None
+  |> start m
 
 let piece m ~whole p = moving m (Impact.piece (mover m (renew m whole)) (mass m p)) p
 
@@ -105,47 +108,43 @@ let estimate (v : Vec.t) =
     let round x = Rat.round_to x ~quantum:(power_of_two (e - estimated_bits)) in
     Vec.make (round v.x) (round v.y) (round v.z)
 
+(* {1 How long turns last} *)
+
+(* |spin| d / 2 <= 1/4 *)
+let fits spin d = Rat.compare (Rat.mul (Vec.norm2 spin) (Rat.mul d d)) (Rat.make Z.one (Z.of_int 4)) <= 0
+
+let rec fitted spin d = if fits spin d then d else fitted spin (Rat.mul half d)
+let length (m : Model.t) spin = if Vec.is_zero spin then Rat.zero else fitted spin m.timestep
+
+(* {1 Turns that begin and end} *)
+
+let due (p : State.process) = Option.is_none p.lasts
+let begun m p = State.with_turn ~spin:p.State.spin ~since:Rat.zero ~lasts:(Some (length m p.spin)) p
+
 (* I_mid = C I C^-1, with C the turn of half the time. *)
-let midway m d (p : State.process) =
-  if not (is_free m && spinning p) then p
-  else
-    match mass_from_first m p with
-    | None -> p
-    | Some mass ->
-      let half_way = Quaternion.mul (turned (estimate p.spin) (Rat.mul half d)) p.leaves.(0).turned in
-      State.with_turn ~spin:(estimate (turn_rate mass half_way p.kept)) ~since:Rat.zero p
+let midway m (p : State.process) =
+  match if is_free m && spinning p then mass_from_first m p else None with
+  | None -> None
+  | Some mass ->
+    let start = estimate p.spin in
+    let rec attempt d =
+      let half_way = Quaternion.mul (turned start (Rat.mul half d)) p.leaves.(0).turned in
+      let spin = estimate (turn_rate mass half_way p.kept) in
+      if fits spin d then State.with_turn ~spin ~since:Rat.zero ~lasts:(Some d) p else attempt (Rat.mul half d)
+    in
+    Some (attempt (length m p.spin))
 
-(* {1 Steps} *)
+let left (p : State.process) =
+  match p.lasts with
+  | Some d when spinning p -> Some (Rat.sub d p.since)
+  | Some _ | None -> None
 
-let step_length (m : Model.t) (s : State.t) =
-  let fastest =
-    Array.fold_left (fun f (p : State.process) -> Rat.max f (Vec.norm2 p.spin)) Rat.zero s.processes
-  in
-  (* |spin| d / 2 <= 1/4 *)
-  let rec cut d =
-    if Rat.compare (Rat.mul fastest (Rat.mul d d)) (Rat.make Z.one (Z.of_int 4)) <= 0 then d
-    else cut (Rat.mul half d)
-  in
-  cut m.timestep
+let stale m (p : State.process) = spinning p && (not (due p)) && (is_free m || Rat.sign p.since > 0)
 
-let shortened (s : State.t) =
-  (* against the greatest *)
-  let turn d (p : State.process) =
-    let d = Rat.add p.since d in
-    Rat.compare (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) (Rat.make Z.one (Z.of_int 4))
-  in
-  (* a turn that has gone so far already is not mended by a shorter step *)
-  let in_time = List.filter (fun p -> turn Rat.zero p < 0) (Array.to_list s.processes) in
-  let rec cut d = if List.exists (fun p -> turn d p > 0) in_time then cut (Rat.mul half d) else d in
-  match s.step with
-  | Some ({ phase = Moving | Steered; _ } as step) ->
-    let remaining = cut step.remaining in
-    let less = Rat.sub step.remaining remaining in
-    if Rat.sign less = 0 then s
-    else
-      let step = Some { step with remaining; length = Rat.sub step.length less } in
-      State.make ~processes:(Array.to_list s.processes) ~step ~time:s.time
-  | Some { phase = Due; _ } | None -> s
+let ended m (p : State.process) =
+  match left p with
+  | Some d when Rat.sign d <= 0 -> renew m p
+  | Some _ | None -> p
 
 let motion (m : Model.t) (p : State.process) ~centre (l : State.leaf) part : Motion.t =
   let back = if spinning p then Quaternion.inverse (turned p.spin p.since) else Quaternion.identity in

@@ -2,8 +2,9 @@
     turns, and none of this is asked).
 
     A process moves as one rigid body: its centre of mass in a straight line, and all of it about that centre by
-    the Cayley map of its spin ({!Scc_rigid.Motion}). A turn begins with a movement step, at a contact, and for the
-    pieces of a split; the map is not additive in time, so that a process remembers how long ago its turn began. *)
+    the Cayley map of its spin ({!Scc_rigid.Motion}). The map is not additive in time, so that a process has turns:
+    one begins when another is over, and when something happens to the process. It remembers how long ago that
+    was. Between the end of a turn and the begin of the next, in one instant, a turn is {!due}. *)
 
 open Scc_exact
 open Scc_calculus
@@ -39,33 +40,45 @@ val mover : Model.t -> State.process -> Impact.mover
 (** Its mass, where that is now, velocity, and the spin that collisions see. *)
 
 val renew : Model.t -> State.process -> State.process
-(** The process at the start of a new turn, with the spin that collisions see. *)
+(** The process with a new turn due, and the spin that collisions see. *)
 
 val start : Model.t -> State.process -> State.process
-(** The process, which from now on keeps the angular momentum that its spin gives it. *)
+(** The process with a new turn due; from now on it keeps the angular momentum that its spin gives it. *)
 
 val moving : Model.t -> Impact.mover -> State.process -> State.process
-(** The process with another velocity and spin, at the start of a new turn. *)
+(** The process with another velocity and spin, and a new turn due. *)
 
 val piece : Model.t -> whole:State.process -> State.process -> State.process
-(** A piece of a process that has just split, in the motion that the whole had, at the start of a new turn
+(** A piece of a process that has just split, in the motion that the whole had, with a new turn due
     (reading I-11). *)
 
-val midway : Model.t -> Rat.t -> State.process -> State.process
-(** [midway m d p]: a renewed process with the spin for a turn of a length d > 0. Estimates of spins have 40 bits:
-    they are rounded to the nearest multiples of 2^(e - 40), where 2^e <= the greatest component < 2^(e + 1). *)
+(** {1 Turns that begin and end} *)
 
-(** {1 Steps} *)
+val length : Model.t -> Vec.t -> Rat.t
+(** Of a turn about a spin: Delta / 2^k for the least k >= 0 such that a process turns by no more than 2 atan(1/4),
+    about 28 degrees, in it; 0 for no spin. The angle of a turn of length d is 2 atan(|spin| d / 2), less than
+    |spin| d by at most one part in 48. *)
 
-val step_length : Model.t -> State.t -> Rat.t
-(** The length of a movement step that begins in a state: Delta / 2^k for the least k >= 0 such that no process
-    turns by more than 2 atan(1/4), about 28 degrees, in it. The angle by which a process turns in a step of length
-    d is 2 atan(|spin| d / 2), less than |spin| d by at most one part in 48. *)
+val due : State.process -> bool
+(** A turn of the process is due to begin: it is at the start of it, with the spin that collisions see. *)
 
-val shortened : State.t -> State.t
-(** The state with what is left of its movement step halved as often as it takes for that to be true again: a
-    collision of an instant that has been steered already, and a turn of a free body that begins within a step,
-    give spins that the step was not made for. *)
+val begun : Model.t -> State.process -> State.process
+(** The process at the start of a turn about the spin that it has. *)
+
+val midway : Model.t -> State.process -> State.process option
+(** The process, due to turn, at the start of a turn about the spin that its angular momentum gives it half-way through
+    that turn, if it is free and spins. Estimates of spins have 40 bits: they are rounded to the nearest multiples
+    of 2^(e - 40), where 2^e <= the greatest component < 2^(e + 1). *)
+
+val left : State.process -> Rat.t option
+(** The time left in the turn of what spins. *)
+
+val stale : Model.t -> State.process -> bool
+(** Whether the process is not as collisions would see it: a turn has gone on for a while, or is one about a spin
+    that was estimated. *)
+
+val ended : Model.t -> State.process -> State.process
+(** The process, with a new turn due if its turn is over. *)
 
 val motion : Model.t -> State.process -> centre:Vec.t -> State.leaf -> int -> Motion.t
 (** [motion m p ~centre leaf i]: of part [i] of a leaf of the process, whose centre of mass is at [centre]. *)

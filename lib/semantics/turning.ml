@@ -19,20 +19,44 @@ let resolution c = (Turn.rigid c.model).resolution
 let margin = resolution
 let interpenetration () = Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
 
-(* 2^-K, the length of a cell of the grid of instants. *)
-let cell grid = Rat.make Z.one (Z.shift_left Z.one grid)
-let grid c a b = Cast.grid (motion c a) (motion c b) ~resolution:(resolution c)
+(* How two parts go on: which instants of time they may be seen to collide at, and how fine they lie. *)
+type course = { one : Motion.t; two : Motion.t; grid : int; phase : Rat.t }
 
-let cast c a b ~span ~grid =
-  match c.geometry.first_penetration (motion c a) (motion c b) ~span ~grid with
+(* The grid counts from the start of the last turn that one of the two began. *)
+let course c (a : Part.t) (b : Part.t) =
+  let one = motion c a and two = motion c b in
+  let phase =
+    match (Part.turns a, Part.turns b) with
+    | true, true -> Rat.min one.since two.since
+    | true, false -> one.since
+    | false, true -> two.since
+    | false, false -> Rat.zero
+  in
+  { one; two; grid = Cast.grid one two ~resolution:(resolution c); phase }
+
+(* The last instant at which they are seen to collide, if that is at most [limit]. *)
+let seen c course ~limit =
+  let span = Cast.next_instant ~grid:course.grid ~phase:course.phase limit in
+  match c.geometry.first_penetration course.one course.two ~span ~grid:course.grid ~phase:course.phase with
   | Never -> None
   | At t -> Some t
   | Inside -> interpenetration ()
 
+(* When neither spins, two bodies that meet at all do so at a time that is found on straight lines. *)
+let on_straight_lines c (a : Part.t) (b : Part.t) =
+  match c.geometry.first_time_of_contact a.placed b.placed (Part.relative_velocity a b) with
+  | Never -> None
+  | At t -> Some t
+  | Inside -> interpenetration ()
+
+let spins (a : Part.t) (b : Part.t) = Part.turns a || Part.turns b
+
 (* Whether the two touch within the resolution is not asked before it matters. *)
 let contact c a b =
-  let grid = grid c a b in
-  if Option.is_some (cast c a b ~span:(cell grid) ~grid) then Colliding else Touching
+  let time = if spins a b then seen c (course c a b) ~limit:Rat.zero else on_straight_lines c a b in
+  match time with
+  | Some t when Rat.sign t = 0 -> Colliding
+  | Some _ | None -> Touching
 
 let near c (a : Part.t) (b : Part.t) = c.geometry.near ~resolution:(resolution c) a.placed b.placed
 
@@ -46,28 +70,17 @@ let bonded c ((a : Part.t), one) ((b : Part.t), two) =
   let resolution = Rat.mul (Rat.of_int 2) (resolution c) in
   Near_contact.within ~resolution (Placed.corners a.placed one) (Placed.corners b.placed two)
 
-let within_span c parts span =
-  let time ~before a b =
-    let grid = grid c a b in
-    (* what would be earlier than [before] begins to interpenetrate before this *)
-    let span = match before with None -> span | Some t -> Rat.min span (Rat.add t (cell grid)) in
-    cast c a b ~span ~grid
-  in
-  c.neighbours.earliest ~margin:(margin c) ~limit:(Some span) time parts
-
-(* When nothing spins, two bodies that meet at all do so at a time that is found on straight lines. *)
-let on_straight_lines c ~before:_ (a : Part.t) (b : Part.t) =
-  match c.geometry.first_time_of_contact a.placed b.placed (Part.relative_velocity a b) with
-  | Never -> None
-  | At t -> Some t
-  | Inside -> interpenetration ()
-
 let first_time_of_contact c parts ~limit =
-  match limit with
-  | Some span -> within_span c parts span
-  | None ->
-    let meets = c.neighbours.earliest ~margin:Rat.zero ~limit (on_straight_lines c) parts in
-    Option.bind meets (fun t -> within_span c parts (Rat.add t Rat.one))
+  let time ~before (a : Part.t) (b : Part.t) =
+    if not (spins a b) then on_straight_lines c a b
+    else
+      match (before, limit) with
+      | None, None -> Scc_base.Bug.fail __POS__ "time without an end where something spins"
+      | Some t, None | None, Some t -> seen c (course c a b) ~limit:t
+      | Some t, Some limit -> seen c (course c a b) ~limit:(Rat.min t limit)
+  in
+  let margin = if Option.is_some limit then margin c else Rat.zero in
+  c.neighbours.earliest ~margin ~limit time parts
 
 (* {1 Rule Quiescent} *)
 
@@ -130,47 +143,72 @@ let joined { model; _ } p q whole =
 let piece c ~whole p = Turn.piece c.model ~whole p
 let start c p = Turn.start c.model p
 
-(* {1 Steps} *)
+(* {1 Turns} *)
 
 let time_rules = [ Rule.Time; Time_behaviour; Turn ]
-let step_needs_law = false
 
-let stale c (s : State.t) =
-  let turning (p : State.process) = Rat.sign p.since > 0 in
-  Turn.is_free c.model || Array.exists turning s.processes
+let with_processes f (s : State.t) =
+  State.make ~processes:(List.mapi f (Array.to_list s.processes)) ~step:s.step ~time:s.time
 
-let renewed c (s : State.t) =
-  State.make ~processes:(List.map (Turn.renew c.model) (Array.to_list s.processes)) ~step:s.step ~time:s.time
+let renewed c p = Turn.renew c.model p
 
-let step_length c s = Turn.step_length c.model s
-
-(* The spins of the turns that begin, unless something would collide with them that does not otherwise. *)
-let with_spins c ~collides (s : State.t) =
-  if not (Turn.is_free c.model) then s
+(* What turns on from here may collide that did not, or not any more: then it is looked at again. *)
+let rec at_contact c ~colliding (s : State.t) =
+  let stale = Turn.stale c.model in
+  if not (Array.exists stale s.processes) then s
   else
-    let d = step_length c s in
-    let processes = List.map (Turn.midway c.model d) (Array.to_list s.processes) in
-    let turning = State.make ~processes ~step:s.step ~time:s.time in
-    if collides turning then s else turning
+    let hit = colliding s in
+    let ends i p = stale p && List.exists (Round.involves i) hit in
+    if not (List.exists Fun.id (List.mapi ends (Array.to_list s.processes))) then s
+    else at_contact c ~colliding (with_processes (fun i p -> if ends i p then Turn.renew c.model p else p) s)
 
-let all_parts c (s : State.t) = Array.of_list (List.concat (List.mapi (parts c) (Array.to_list s.processes)))
-
-(* Whether a process is farther than a distance from every other one. *)
-let apart c s process ~by =
-  let near ((a : Part.t), (b : Part.t)) =
-    (a.process = process || b.process = process)
-    && Rat.compare (Near_contact.distance2 a.placed b.placed) (Rat.mul by by) <= 0
+(* Which processes are near each other, if some may move by so much. *)
+let near_each_other c (s : State.t) moves =
+  let by i = Option.value (List.assoc_opt i moves) ~default:Rat.zero in
+  let reach ((a : Part.t), (b : Part.t)) = Rat.add (by a.process) (by b.process) in
+  let close ((a : Part.t), (b : Part.t)) =
+    let reach = reach (a, b) in
+    Rat.sign reach > 0 && Rat.compare (Near_contact.distance2 a.placed b.placed) (Rat.mul reach reach) <= 0
   in
-  not (List.exists near (c.neighbours.within by (all_parts c s)))
+  let farthest = List.fold_left (fun far (_, d) -> Rat.max far d) Rat.zero moves in
+  let parts = Array.of_list (List.concat (List.mapi (parts c) (Array.to_list s.processes))) in
+  c.neighbours.within (Rat.add farthest farthest) parts
+  |> List.filter close
+  |> List.map (fun ((a : Part.t), (b : Part.t)) -> (a.process, b.process))
 
-let begin_step c ~collides s =
-  let before = with_spins c ~collides s in
-  let rounded, changed = Round.run c.model ~collides ~apart:(apart c) before in
-  (rounded, if changed then Some before else None)
-let shortened = Turn.shortened
+(* Of those whose turn is due, the ones that do not collide. *)
+let beginning ~colliding (s : State.t) =
+  let due i = Turn.due s.processes.(i) in
+  match List.filter due (List.init (Array.length s.processes) Fun.id) with
+  | [] -> []
+  | due ->
+    let hit = colliding s in
+    List.filter (fun i -> not (List.exists (Round.involves i) hit)) due
+
+(* With the spins of free bodies for turns, but where something would collide with them. *)
+let with_spins c ~colliding (s : State.t) indices =
+  let midway i = Option.map (fun p -> (i, p)) (Turn.midway c.model s.processes.(i)) in
+  let s, _ = Round.at_once ~colliding s (List.filter_map midway indices) in
+  let begins i p = List.mem i indices && Turn.due p in
+  with_processes (fun i p -> if begins i p then Turn.begun c.model p else p) s
+
+let begin_turns c ~colliding before =
+  match beginning ~colliding before with
+  | [] -> (before, None)
+  | indices ->
+    let s, changed = Round.run c.model ~colliding ~near:(near_each_other c) before indices in
+    (with_spins c ~colliding s indices, if changed then Some before else None)
 
 let turns_rightly c (p : State.process) =
   (Turn.is_free c.model || Vec.is_zero p.kept)
-  && (Rat.sign p.since = 0 || (Rat.sign p.since > 0 && Turn.spinning p))
+  &&
+  match p.lasts with
+  | None -> Rat.sign p.since = 0
+  | Some d when not (Turn.spinning p) -> Rat.sign p.since = 0 && Rat.sign d = 0
+  | Some d ->
+    Rat.sign p.since >= 0
+    && Rat.compare p.since d < 0
+    && Rat.compare d (Turn.length c.model p.spin) <= 0
+    && (Turn.is_free c.model || Rat.equal d (Turn.length c.model p.spin))
 
 let settled c p = Round.settled c.model p

@@ -126,9 +126,9 @@ let check_process (c : Semantics.t) i (p : State.process) =
 let step_is_right (m : Model.t) (s : State.t) =
   match s.step with
   | None -> not m.steered
-  | Some { remaining; length; phase } -> (
+  | Some { remaining; phase } -> (
       m.steered
-      && Rat.compare remaining length <= 0 && Rat.compare length m.timestep <= 0
+      && Rat.compare remaining m.timestep <= 0
       &&
       match phase with
       | Due -> Rat.sign remaining >= 0 (* a collision cuts a step short *)

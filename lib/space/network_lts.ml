@@ -165,7 +165,7 @@ let make ?(events = []) ?(time_seen = Time_seen.Always) ?(quotient = Quotient.no
   let filler =
     match Array.to_list initial.State.processes with
     | [] -> [||]
-    | p :: _ when not model.Model.steered -> Array.make memory (look book (Catalogue.process catalogue p))
+    | p :: _ when Model.straight model -> Array.make memory (look book (Catalogue.process catalogue p))
     | _ :: _ -> [||]
   in
   { book; quotient; visible; initial; singles = filler; pairs = Array.make memory no_pair; given_up = [] }
@@ -318,7 +318,7 @@ let by_parts c tuple present =
   Network.in_order (fun m -> m.step) d ~time
 
 let successors c tuple =
-  if (model c).steered then whole c tuple else Ok (by_parts c tuple (present c tuple))
+  if Model.straight (model c) then Ok (by_parts c tuple (present c tuple)) else whole c tuple
 
 (** {2 One group of many} *)
 
@@ -341,7 +341,7 @@ let group_moves semantics visible present (d : move Network.discrete) =
 let reduced c tuple =
   match c.visible with
   | None -> None
-  | Some _ when (model c).steered -> None
+  | Some _ when not (Model.straight (model c)) -> None
   | Some visible -> (
       let present = present c tuple in
       let d, _ = discrete c present in

@@ -252,7 +252,6 @@ let run options semantics ~initial checks =
   let stepwise = Reduction.without_jumps options.reductions model in
   if Bool.equal stepwise.steered model.steered then whole options semantics ~initial checks
   else
-    let semantics = Semantics.with_model semantics stepwise in
-    match Network.initial semantics initial with
-    | Ok initial -> whole options semantics ~initial checks
-    | Error _ -> Scc_base.Bug.fail __POS__ "a fault in a network that is not steered"
+    let step = Some { State.remaining = model.timestep; phase = Steered } in
+    let initial = State.make ~processes:(Array.to_list initial.processes) ~step ~time:initial.time in
+    whole options (Semantics.with_model semantics stepwise) ~initial checks
