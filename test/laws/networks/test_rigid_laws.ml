@@ -32,20 +32,20 @@ let well_formed m s =
   | [] -> None
   | fault :: _ -> Some (Well_formed.to_string m s fault)
 
-(* No step lets a process turn by more than 2 atan(1/4); a step that is over is steered unless something
-   collides. *)
-let steps_are_right m (s : State.t) =
-  match s.step with
-  | None -> Some "no step"
-  | Some step ->
-    let turns_too_far (p : State.process) =
-      let d = Rat.add p.since step.remaining in
-      Rat.compare (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) (rational 1 4) > 0
-    in
-    if Collisions.collides (standard m) s then None
-    else if State.equal_phase step.phase Due then Some "a step that is over goes on"
-    else if Array.exists turns_too_far s.processes then Some "a process turns too far in a step"
-    else None
+(* What does not collide is in a turn, and not by more than 2 atan(1/4); a step that is over is steered. *)
+let turns_are_right m (s : State.t) =
+  let colliding = Collisions.colliding (standard m) s in
+  let collides i = List.exists (fun (a, b) -> a = i || b = i) colliding in
+  let wrong i (p : State.process) =
+    match p.lasts with
+    | None -> if collides i then None else Some "a turn that is due does not begin"
+    | Some d ->
+      if Rat.compare (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) (rational 1 4) > 0 then Some "a process turns too far"
+      else None
+  in
+  let due = match s.step with Some { phase = Due; _ } -> true | Some _ | None -> false in
+  if due && colliding = [] then Some "a step that is over goes on"
+  else List.find_map Fun.id (List.mapi wrong (Array.to_list s.processes))
 
 let find (s : State.t) (p : State.process) =
   s.processes.(fst (State.find_leaf s p.leaves.(0).leaf))
@@ -92,6 +92,22 @@ let passes m d (t : Transition.t) (p : State.process) =
 let time_law m (s : State.t) (t : Transition.t) =
   match t.label with
   | Time d -> Array.to_list s.processes |> List.find_map (passes m d t)
+  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+
+(* Time passes in two goes as in one: wherever it stops before, it stops at the same instant. *)
+let additive m (s : State.t) (t : Transition.t) =
+  match t.label with
+  | Time d ->
+    let first = Rat.mul (rational 2 7) d in
+    let semantics = standard m in
+    let between = Time.pass semantics first s and rest = Rat.sub d first in
+    if not (State.equal (Time.pass semantics rest between) (Time.pass semantics d s)) then
+      Some "two passings are not one"
+    else if Network.quiescent semantics between then None
+    else
+      (match Time.delay semantics between with
+       | Some d' when Rat.equal d' rest && not (Collisions.collides semantics between) -> None
+       | Some _ | None -> Some "time stops elsewhere")
   | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
 
 let interpenetrate m s =
@@ -154,10 +170,14 @@ let falling = { any with laws = true; rounds = true }
 
 (* One law after the other at each state, and at each transition. *)
 let preserved =
-  ( [ ("well-formed", well_formed); ("step", steps_are_right); ("contact", collides_in_time) ],
+  ( [ ("well-formed", well_formed); ("turns", turns_are_right); ("contact", collides_in_time) ],
     [ ("nothing interpenetrates on the way", between); ("rules", rules_are_right) ] )
 
-let conserved = ([], [ ("conservation", Conservation.fault); ("time on a process", time_law) ])
+let conserved =
+  ( [],
+    [
+      ("conservation", Conservation.fault); ("time on a process", time_law); ("time is additive", additive);
+    ] )
 
 let broken (of_state, of_transition) network =
   let m, states = reached network in
@@ -204,19 +224,18 @@ let mirror =
 
 (* {1 Quiescent networks} *)
 
-(* Followed step by step, as if one did not know. *)
+(* Followed turn by turn, as if one did not know. *)
 let rec nothing_ahead m (s : State.t) n =
-  match s.step with
-  | Some { remaining; _ } when n > 0 && bits s < longest ->
-    let limit = Some remaining in
-    let contact () = Collisions.first_time_of_contact (standard m) s.State.processes ~limit in
-    if Rat.sign remaining > 0 && Option.is_some (contact ()) then false
-    else
-      let later = if Rat.sign remaining > 0 then Time.pass (standard m) remaining s else s in
-      (match Steer.run (standard m) later with
-       | Ok next -> nothing_ahead m next.state (n - 1)
-       | Error _ -> false)
-  | Some _ | None -> true
+  let lefts = List.filter_map Turn.left (Array.to_list s.processes) in
+  match lefts with
+  | first :: rest when n > 0 && bits s < longest ->
+    let left = List.fold_left Rat.min first rest in
+    Option.is_none (Collisions.first_time_of_contact (standard m) s.processes ~limit:(Some left))
+    &&
+    (match Steer.settle (standard m) (Time.pass (standard m) left s) with
+     | Ok next -> nothing_ahead m next.state (n - 1)
+     | Error _ -> false)
+  | _ -> true
 
 let quiescent_and_spins m (s : State.t) =
   Array.exists Turn.spinning s.processes && Network.quiescent (standard m) s

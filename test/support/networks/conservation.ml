@@ -58,7 +58,8 @@ let is_fixed m s leaf =
 let renewed m s =
   let semantics = standard m in
   let (module K) = semantics.kinematics in
-  K.renewed semantics.setting s
+  let processes = List.map (K.renewed semantics.setting) (Array.to_list s.State.processes) in
+  State.make ~processes ~step:s.step ~time:s.time
 
 let fault m s (t : Transition.t) =
   let before = sums m (renewed m s) and after = sums m (renewed m t.target) in

@@ -137,7 +137,7 @@ let model { dynamics; rounding; bodies } : Model.t =
         {
           dynamics; resolution = rational 1 1024; round_orientation = rounding; round_velocity = rounding;
         };
-    steered = true;
+    steered = List.exists (fun b -> b.falls && not b.fixed) bodies;
   }
 
 let side = 7

@@ -26,7 +26,7 @@ let move ~position ~velocity ~turned =
       let leaf (l : State.leaf) = { l with position = position l.position; turned = turned l.turned } in
       State.process
         ~leaves:(List.map leaf (Array.to_list p.leaves))
-        ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~spin:(velocity p.spin) ~since:p.since
+        ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~spin:(velocity p.spin) ~since:p.since ~lasts:p.lasts
         ~kept:(velocity p.kept) ~clock:p.clock ())
 
 let translation by =
@@ -98,7 +98,7 @@ let permutation perm =
     State.process
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(List.map bond (Array.to_list p.bonds))
-      ~velocity:p.velocity ~spin:p.spin ~since:p.since ~kept:p.kept ~clock:p.clock ()
+      ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
   in
   let name =
     "order " ^ String.concat ", " (List.map string_of_int (Array.to_list perm))

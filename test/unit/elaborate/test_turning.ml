@@ -26,8 +26,8 @@ let whether () =
   Alcotest.(check bool) "a spin that is left out" false
     (is_rigid (body ^ "spin (0, 0, 1) [nil] process q = Cube mass 1 at translate (9, 0, 0) [nil] network q"));
   let t = accept (cube ^ body ^ "[nil] dynamics constant_spin") in
-  Alcotest.(check bool) "steered" true t.model.steered;
-  Alcotest.(check bool) "a step" true (Option.is_some t.declared.step)
+  Alcotest.(check bool) "no law of motion" false t.model.steered;
+  Alcotest.(check bool) "no step" true (Option.is_none t.declared.step)
 
 let values () =
   let r = settings (cube ^ "process p = Cube mass 1 spin (0, 0, 1) [nil]") in

@@ -117,14 +117,12 @@ let steps () =
     found ~model:t.model (State.make ~processes:(Array.to_list t.declared.processes) ~step ~time)
   in
   let half = Rat.make Z.one (Z.of_int 2) in
-  let step ?(length = half) remaining phase = Some { State.remaining; length; phase } in
+  let step remaining phase = Some { State.remaining; phase } in
   let bad = [ "the movement step is wrong" ] in
   Alcotest.(check strings) "sound" [] (with_step (step half State.Steered) (Some Rat.zero));
   Alcotest.(check strings) "due" [] (with_step (step Rat.zero State.Due) (Some Rat.one));
   Alcotest.(check strings) "none" bad (with_step None (Some Rat.zero));
   Alcotest.(check strings) "too long" bad (with_step (step Rat.one State.Moving) (Some Rat.zero));
-  Alcotest.(check strings) "of too long a step" bad
-    (with_step (step ~length:Rat.one half State.Moving) (Some Rat.zero));
   Alcotest.(check strings) "over but not due" bad (with_step (step Rat.zero State.Moving) (Some Rat.zero));
   Alcotest.(check strings) "no time" [ "the time is wrong" ] (with_step (step half State.Moving) None);
   let pq, rest = sound () in

@@ -52,7 +52,7 @@ let state =
     return
       (if fixed then p
        else
-         State.with_velocity velocity (State.with_turn ~spin ~since:Rat.zero p)
+         State.with_velocity velocity (State.with_turn ~spin ~since:Rat.zero ~lasts:None p)
          |> Turn.pass (elaborated ()).model (if same_vec spin Vec.zero then Rat.zero else since))
   in
   let* processes = flatten_l (List.map moving (Array.to_list (elaborated ()).declared.processes)) in

@@ -12,7 +12,6 @@ let quaternion w x y z = Quaternion.make (Z.of_int w) (Z.of_int x) (Z.of_int y) 
 let rigid ?(dynamics = Model.Constant_spin) ?rounding ?(resolution = ratio 1 1024) (m : Model.t) : Model.t =
   {
     m with
-    steered = true;
     rigid = Some { dynamics; resolution; round_orientation = rounding; round_velocity = rounding };
   }
 
@@ -25,7 +24,7 @@ let planks (m : Model.t) =
 (* Each process gets its spin. *)
 let spinning spins (s : State.t) =
   let processes =
-    List.map2 (fun spin p -> State.with_turn ~spin ~since:Rat.zero p) spins (Array.to_list s.processes)
+    List.map2 (fun spin p -> State.with_turn ~spin ~since:Rat.zero ~lasts:None p) spins (Array.to_list s.processes)
   in
   State.make ~processes ~step:s.step ~time:s.time
 

@@ -8,25 +8,12 @@ open Rigid_fixture
 
 let standard = Scc_engine.Standard.of_model
 
-let setting m = (standard m).Semantics.setting
-let apart_from_all m s i ~by = Turning.apart (setting m) s i ~by
-
-let round m s =
+(* As turns of all begin. *)
+let round m (s : State.t) =
   let semantics = standard m in
-  Turning.begin_step semantics.setting ~collides:(Collisions.collides semantics) s
-
-let apart () =
-  let bodies = [ body "p" (0, 0, 0); body "q" (3, 0, 0); body "r" (0, 40, 0) ] in
-  let m = rigid (model bodies) in
-  let s = declared bodies in
-  let check what expected i by = Alcotest.(check bool) what expected (apart_from_all m s i ~by) in
-  check "exactly as far is not farther" false 0 (q 1);
-  check "farther" true 0 (ratio 999 1000);
-  check "the other way round" false 1 (q 1);
-  check "alone" true 2 (q 30);
-  check "not so alone" false 2 (q 39);
-  let touching = declared [ body "p" (0, 0, 0); body "q" (2, 0, 0); body "r" (0, 40, 0) ] in
-  Alcotest.(check bool) "touching" false (apart_from_all m touching 0 ~by:Rat.zero)
+  let due = List.map (Turn.renew m) (Array.to_list s.processes) in
+  let due = State.make ~processes:due ~step:s.step ~time:s.time in
+  Turning.begin_turns semantics.setting ~colliding:(Collisions.colliding semantics) due
 
 let long = quaternion 1_000_003 77_777 3 999
 
@@ -41,14 +28,34 @@ let orientation () =
   let leaf, changed = rounded bodies in
   check_turned "to 8 bits" "(64, 5, 0, 0)" leaf.turned;
   Alcotest.(check bool) "it says so" true changed;
-  let leaf, changed = rounded [ body "p" (0, 0, 0); body "q" (2, 0, 0) ] in
-  check_turned "not where another body is too near" (Quaternion.to_string long) leaf.turned;
-  Alcotest.(check bool) "nothing changes" false changed;
+  let waits what others =
+    let leaf, changed = rounded others in
+    check_turned what (Quaternion.to_string long) leaf.turned;
+    Alcotest.(check bool) "nothing changes" false changed
+  in
+  waits "not where another body is too near" [ body "p" (0, 0, 0); body "q" (2, 0, 0) ];
   let off = rigid (model bodies) in
   Alcotest.(check bool) "rounding is off" true
     (let s = turned_by [ long; Quaternion.identity ] (declared bodies) in
      let t, changed = round off s in
-     State.equal s t && Option.is_none changed)
+     Quaternion.equal long t.processes.(0).leaves.(0).turned && Option.is_none changed)
+
+(* With 8 bits a point of a cube moves by no more than 2 sqrt(3) 2/256 < 1/32. Both may move. *)
+let room () =
+  let m = rigid ~rounding:8 (model [ body "p" (0, 0, 0); body "q" (0, 0, 0) ]) in
+  let rounded gap both =
+    let far = State.map_leaves (fun l -> { l with State.position = vec (Rat.add (q 2) gap) Rat.zero Rat.zero }) in
+    let s = declared [ body "p" (0, 0, 0); body "q" (0, 0, 0) ] in
+    let s = State.make ~processes:[ s.processes.(0); far s.processes.(1) ] ~step:None ~time:None in
+    let few = quaternion 1_000_000 1 0 0 in
+    let s, _ = round m (turned_by [ few; (if both then few else Quaternion.identity) ] s) in
+    List.map (fun (p : State.process) -> Quaternion.is_identity p.leaves.(0).turned) (Array.to_list s.processes)
+  in
+  let check what expected found = Alcotest.(check (list bool)) what expected found in
+  check "far enough for one" [ true; true ] (rounded (ratio 1 32) false);
+  check "not for two" [ false; false ] (rounded (ratio 1 60) true);
+  check "far enough for two" [ true; true ] (rounded (ratio 1 15) true);
+  check "not for one" [ false; true ] (rounded (ratio 1 200) false)
 
 (* A process is rounded as a whole: its leaves keep their places in it. *)
 let whole () =
@@ -76,37 +83,76 @@ let velocities () =
   (* Two cubes face to face; the normal is (3, 4, 0). With halves the first would come nearer. *)
   let at = vec (ratio 6 5) (ratio 8 5) Rat.zero in
   let v = vec (ratio 26 100) (ratio (-2) 10) Rat.zero in
-  let m = rigid ~rounding:1 (model [ body "p" (0, 0, 0); body "q" (0, 0, 0) ]) in
+  let names = [ body "p" (0, 0, 0); body "q" (0, 0, 0); body "r" (90, 0, 0) ] in
+  let m = rigid ~rounding:1 (model names) in
   let place (s : State.t) =
     let far = State.map_leaves (fun l -> { l with State.position = at }) s.processes.(1) in
-    State.make ~processes:[ s.processes.(0); far ] ~step:None ~time:None
+    State.make ~processes:[ s.processes.(0); far; s.processes.(2) ] ~step:None ~time:None
   in
+  let third = vec (ratio 2 3) Rat.zero Rat.zero in
   let s =
-    declared [ body "p" (0, 0, 0); body "q" (0, 0, 0) ]
-    |> place |> moving [ v; Vec.zero ]
-    |> turned_by [ quaternion 2 0 0 1; quaternion 2 0 0 1 ]
+    declared names
+    |> place |> moving [ v; Vec.zero; third ]
+    |> turned_by [ quaternion 2 0 0 1; quaternion 2 0 0 1; Quaternion.identity ]
   in
   Alcotest.(check bool) "they do not collide" true (not (Collisions.collides (standard m) s));
   let t, changed = round m s in
-  Alcotest.(check bool) "it waits" true (State.equal s t && Option.is_none changed);
-  let away = moving [ Vec.neg v; Vec.zero ] s in
+  check_vec "it waits" (Vec.to_string v) t.processes.(0).velocity;
+  check_vec "others do not" "(1/2, 0, 0)" t.processes.(2).velocity;
+  Alcotest.(check bool) "and it says so" true (Option.is_some changed);
+  let away = moving [ vec (ratio (-2) 5) (ratio 1 5) Rat.zero; Vec.zero; third ] s in
   let t, _ = round m away in
-  check_vec "-26/100 and 2/10, to halves" "(-1/2, 0, 0)" t.processes.(0).velocity
+  check_vec "-2/5 and 1/5, to halves" "(-1/2, 0, 0)" t.processes.(0).velocity
 
-(* Alone and without spin, but what waits to be rounded goes another way from the next step on. *)
-let waiting () =
-  let bodies = [ body "p" (0, 0, 0) ] in
+(* Whoever collides is not rounded before that is over. *)
+let colliding () =
+  let bodies = [ body "p" (0, 0, 0) ~velocity:(1, 0, 0); body "q" (2, 0, 0); body "r" (0, 50, 0) ] in
   let m = rigid ~rounding:1 (model bodies) in
-  let step = Some { State.remaining = ratio 1 3; length = q 1; phase = State.Steered } in
-  let s = State.make ~processes:(Array.to_list (declared bodies).processes) ~step ~time:None in
-  let waits what s = Alcotest.(check bool) what false (Network.quiescent (standard m) s) in
-  Alcotest.(check bool) "nothing to round" true (Network.quiescent (standard m) s);
-  waits "a velocity" (moving [ vec (ratio 2 3) Rat.zero Rat.zero ] s);
-  let turned = turned_by [ quaternion 9 0 0 1 ] s in
-  waits "an orientation" turned;
-  let rounded = take m turned "time(1/3)" in
-  check_turned "it was rounded" "(1, 0, 0, 0)" rounded.processes.(0).leaves.(0).turned;
-  Alcotest.(check bool) "and then rests" true (Network.quiescent (standard m) rounded)
+  let slow = vec (ratio 1 3) Rat.zero Rat.zero in
+  let s = moving [ slow; Vec.zero; slow ] (declared bodies) in
+  let t, _ = round m s in
+  check_vec "not yet" (Vec.to_string slow) t.processes.(0).velocity;
+  Alcotest.(check bool) "its turn is due" true (Turn.due t.processes.(0));
+  check_vec "at once" "(1/2, 0, 0)" t.processes.(2).velocity
+
+(* What spins goes another way from its next turn on if something of it waits to be rounded. What does not spin has
+   no further turn. *)
+let waiting () =
+  let m = rigid ~rounding:1 (model [ body "p" (0, 0, 0) ]) in
+  let still = declared [ body "p" (0, 0, 0) ] in
+  let begun spin (s : State.t) =
+    let s = spinning [ spin ] s in
+    State.make ~processes:[ Turn.begun m s.processes.(0) ] ~step:None ~time:None
+  in
+  let slow = moving [ vec (ratio 2 3) Rat.zero Rat.zero ] still in
+  let rests what expected s = Alcotest.(check bool) what expected (Network.quiescent (standard m) s) in
+  rests "nothing to round" true (begun (ints 0 0 1) still);
+  rests "a velocity" false (begun (ints 0 0 1) slow);
+  rests "a spin" false (begun (vec Rat.zero Rat.zero (third 1)) still);
+  rests "without a spin" true (begun Vec.zero slow);
+  let rounded = take m (begun (ints 0 0 1) slow) "time(1/2)" in
+  check_vec "it was rounded" "(1/2, 0, 0)" rounded.processes.(0).velocity;
+  rests "and then rests" true rounded
+
+(* In any order of declaration: the reference of an orientation is none of the order of leaves. *)
+let reference () =
+  let bodies = [ body "p" (-1, 0, 0); body "q" (1, 0, 0) ] in
+  let turned first second =
+    let m = rigid ~rounding:8 (model bodies) in
+    let s = joined bodies [ ("a", (0, "right"), (1, "left")) ] in
+    let turn (l : State.leaf) = { l with turned = (if l.leaf = 0 then first else second) } in
+    let s = State.make ~processes:[ State.map_leaves turn s.processes.(0) ] ~step:None ~time:None in
+    let t, changed = round m s in
+    let of_leaf i = Quaternion.to_string t.processes.(0).leaves.(i).turned in
+    (of_leaf 0, of_leaf 1, Option.is_some changed)
+  in
+  let other = quaternion 400 3 1 0 in
+  let a, b, changed = turned long other and b', a', changed' = turned other long in
+  Alcotest.(check (pair string string)) "the same" (a, b) (a', b');
+  Alcotest.(check (pair bool bool)) "it was rounded" (true, true) (changed, changed');
+  Alcotest.(check string) "the shorter to 8 bits" "(256, 2, 1, 0)" b;
+  let _, _, changed = turned long (quaternion 20 3 1 0) in
+  Alcotest.(check bool) "one that is short is enough" false changed
 
 (* What a free body keeps is rounded once, and then kept, however the body turns: to multiples of 1/512 here, as
    the trace of its inertia is 7/8. *)
@@ -127,10 +173,11 @@ let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "round"
     [
-      ("room", [ case "apart" apart ]);
+      ("room", [ case "room for those that are rounded" room ]);
       ( "round",
         [
           case "orientations" orientation; case "a process as a whole" whole; case "velocities wait" velocities;
+          case "not while it collides" colliding; case "the reference of an orientation" reference;
           case "no rest before it is rounded" waiting; case "angular momenta" free;
         ] );
     ]

@@ -10,22 +10,22 @@ let standard = Scc_engine.Standard.of_model
 
 (* {1 Turn} *)
 
-let step_length () =
-  let m = rigid (model [ body "p" (0, 0, 0); body "q" (9, 0, 0) ]) in
-  let s = declared [ body "p" (0, 0, 0); body "q" (9, 0, 0) ] in
-  let length a b = Turn.step_length m (spinning [ vec Rat.zero Rat.zero a; vec b Rat.zero Rat.zero ] s) in
-  check_rat "nothing spins: the timestep" "1" (length Rat.zero Rat.zero);
+let length () =
+  let m = rigid (model [ body "p" (0, 0, 0) ]) in
+  let length x y = Turn.length m (vec Rat.zero x y) in
+  check_rat "no spin" "0" (length Rat.zero Rat.zero);
   check_rat "just slow enough" "1" (length (ratio 1 2) Rat.zero);
-  check_rat "hardly too fast" "1/2" (length (ratio 501 1000) Rat.zero);
-  check_rat "half a step is enough up to twice that" "1/2" (length (q 1) (ratio (-1) 3));
-  check_rat "the fastest counts" "1/64" (length (q 1) (q (-17)))
+  check_rat "hardly too fast" "1/2" (length Rat.zero (ratio 501 1000));
+  check_rat "half a timestep is enough up to twice that" "1/2" (length (q 1) Rat.zero);
+  check_rat "all of the spin counts" "1/4" (length (q 1) (ratio (-1) 3));
+  check_rat "fast" "1/64" (length Rat.zero (q (-17)))
 
 let pass () =
   (* u = spin t / 2 = (0, 0, 1): a quarter turn *)
   let bodies = [ body "p" (1, 0, 0); body "q" (3, 0, 0) ~mass:3 ] in
   let m = rigid (model bodies) in
   let s = joined ~velocity:(1, 0, 0) bodies [ ("a", (0, "right"), (1, "left")) ] in
-  let p = State.with_turn ~spin:(ints 0 0 2) ~since:Rat.zero s.processes.(0) in
+  let p = State.with_turn ~spin:(ints 0 0 2) ~since:Rat.zero ~lasts:None s.processes.(0) in
   check_vec "the centre of mass" "(5/2, 0, 0)" (State.centre_of_mass m p);
   let after = Turn.pass m (q 1) p in
   check_vec "it moves on" "(7/2, 0, 0)" (State.centre_of_mass m after);
@@ -46,11 +46,13 @@ let momentum m (p : State.process) =
     Scc_rigid.Mass.angular_momentum mass ~velocity:p.velocity ~spin:p.spin ~about:(State.centre_of_mass m p)
   | None -> Alcotest.fail "it is fixed"
 
+let begun m p = match Turn.midway m p with Some p -> p | None -> Alcotest.fail "it is not free"
+
 let renew () =
   let bodies = [ body "p" (0, 0, 0) ] in
   let free = rigid ~dynamics:Free_body (planks (model bodies)) in
   let constant = rigid (planks (model bodies)) in
-  let start m spin = Turn.start m (State.with_turn ~spin ~since:Rat.zero (declared bodies).processes.(0)) in
+  let start m spin = Turn.start m (State.with_turn ~spin ~since:Rat.zero ~lasts:None (declared bodies).processes.(0)) in
   let after m p = Turn.renew m (Turn.pass m (ratio 1 3) p) in
   let spin = vec (q 1) (ratio 1 2) (third 1) in
   let tumbling = start free spin in
@@ -61,7 +63,7 @@ let renew () =
   check_vec "a constant spin" (Vec.to_string spin) (after constant (start constant spin)).spin;
   let steady = start free (ints 0 2 0) in
   check_vec "about a principal axis" "(0, 2, 0)" (after free steady).spin;
-  check_vec "half-way about a principal axis" "(0, 2, 0)" (Turn.midway free (ratio 1 3) steady).spin;
+  check_vec "half-way about a principal axis" "(0, 2, 0)" (begun free steady).spin;
   Alcotest.(check bool) "nothing to renew" true (State.equal_process tumbling (Turn.renew free tumbling))
 
 (* The energy of a free body that tumbles wanders a little and does not grow: with the spin of the start of each
@@ -76,13 +78,16 @@ let midway () =
     let near x = Rat.round_to x ~quantum:(ratio 1 1_000_000) in
     let leaf (l : State.leaf) = { l with turned = Quaternion.round 40 l.turned } in
     State.map_leaves leaf
-      (State.with_turn ~spin:(vec (near p.spin.x) (near p.spin.y) (near p.spin.z)) ~since:p.since p)
+      (State.with_turn ~spin:(vec (near p.spin.x) (near p.spin.y) (near p.spin.z)) ~since:p.since ~lasts:p.lasts p)
   in
-  let d = ratio 1 4 in
-  let turn p = Turn.renew free (Turn.pass free d (short (Turn.midway free d p))) in
+  let turn p =
+    let p = short (begun free p) in
+    check_rat "a quarter of a timestep" "1/4" (Option.get p.lasts);
+    Turn.ended free (Turn.pass free (ratio 1 4) p)
+  in
   let first =
     Turn.start free
-      (State.with_turn ~spin:(vec (q 1) (ratio 1 2) (third 1)) ~since:Rat.zero
+      (State.with_turn ~spin:(vec (q 1) (ratio 1 2) (third 1)) ~since:Rat.zero ~lasts:None
          (declared [ body "p" (0, 0, 0) ]).processes.(0))
   in
   let rec run n p = if n = 0 then p else run (n - 1) (turn p) in
@@ -94,7 +99,7 @@ let piece () =
   let bodies = [ body "p" (-1, 0, 0); body "q" (1, 0, 0) ] in
   let m = rigid (model bodies) in
   let s = joined ~velocity:(0, 0, 5) bodies [ ("a", (0, "right"), (1, "left")) ] in
-  let whole = State.with_turn ~spin:(ints 0 0 2) ~since:Rat.zero s.processes.(0) in
+  let whole = State.with_turn ~spin:(ints 0 0 2) ~since:Rat.zero ~lasts:None s.processes.(0) in
   let alone i =
     State.process ~leaves:[ whole.leaves.(i) ] ~bonds:[] ~velocity:whole.velocity ~clock:None ()
   in
@@ -111,21 +116,58 @@ let piece () =
   check_vec "from a fixed body: at rest" "(0, 0, 0)" p.velocity;
   check_vec "and without spin" "(0, 0, 0)" p.spin
 
-let shortened () =
-  let bodies = [ body "p" (0, 0, 0) ] in
-  let with_step remaining phase spin =
-    let s = spinning [ ints 0 0 spin ] (declared bodies) in
-    let step = Some { State.remaining; length = q 1; phase } in
-    let s = State.make ~processes:(Array.to_list s.processes) ~step ~time:None in
-    match (Turn.shortened s).step with
-    | Some step -> Rat.to_string step.remaining ^ " of " ^ Rat.to_string step.length
-    | None -> Alcotest.fail "the step is lost"
+(* Turns of one process end by themselves and by what happens to it, and not by what happens elsewhere. *)
+let own_turns () =
+  let bodies =
+    [
+      body "a" (0, 0, 0); body "b" (100, 0, 0); body "p" (0, 100, 0) ~velocity:(3, 0, 0);
+      body "q" (6, 100, 0);
+    ]
   in
-  let check = Alcotest.(check string) in
-  check "fast enough" "1/16 of 1/16" (with_step (q 1) Steered 8);
-  check "what has passed counts for the laws" "3/32 of 11/32" (with_step (ratio 3 4) Moving 4);
-  check "slow enough" "1/8 of 1" (with_step (ratio 1 8) Moving 4);
-  check "a step that is over" "1/2 of 1" (with_step (ratio 1 2) Due 8)
+  let m = rigid (model bodies) in
+  let spins = [ vec (ratio 1 2) Rat.zero Rat.zero; ints 4 0 0; Vec.zero; Vec.zero ] in
+  let s = start m (spinning spins (declared bodies)) in
+  let turn (s : State.t) i =
+    let p = s.processes.(i) in
+    Rat.to_string p.since ^ " of " ^ Option.fold ~none:"none" ~some:Rat.to_string p.lasts
+  in
+  let check what expected s i = Alcotest.(check string) what expected (turn s i) in
+  check "slow" "0 of 1" s 0;
+  check "fast" "0 of 1/8" s 1;
+  check "no turn" "0 of 0" s 2;
+  check_labels "the first that ends" [ "time(1/8)" ] m s;
+  let s = take m s "time(1/8)" in
+  check "the slow one goes on" "1/8 of 1" s 0;
+  check "another turn" "0 of 1/8" s 1;
+  let rec to_contact s =
+    match successors m s with
+    | [ { Transition.label = Time _; target; _ } ] -> to_contact target
+    | _ -> s
+  in
+  let s = to_contact s in
+  check_labels "two that do not turn meet, exactly after 4/3" [ "bounce(p, q)" ] m s;
+  check "the slow one is in its second turn" "1/3 of 1" s 0;
+  check "the fast one in its eleventh" "1/12 of 1/8" s 1;
+  let s = take m s "bounce(p, q)" in
+  check "a collision elsewhere is nothing to them" "1/3 of 1" s 0;
+  check "neither to the other" "1/12 of 1/8" s 1
+
+(* An instant at which time stops for another reason does not move a contact. *)
+let bystander () =
+  let spins = [ ints 0 0 1; Vec.zero; Vec.zero ] in
+  let met behaviour =
+    let bodies = [ body "p" (0, 0, 0) ~velocity:(3, 0, 0); body "q" (6, 1, 0); body "far" (0, 900, 0) ~behaviour ] in
+    let m = rigid (model bodies) in
+    let rec go s time =
+      match successors m s with
+      | [ ({ Transition.label = Time d; _ } as t) ] -> go t.target (Rat.add time d)
+      | _ -> (Rat.to_string time, s.State.processes.(0))
+    in
+    go (start m (spinning spins (declared bodies))) Rat.zero
+  in
+  let time, p = met nil and other_time, p' = met (eps (ratio 31 30) nil) in
+  Alcotest.(check string) "at the same time" time other_time;
+  Alcotest.(check bool) "in the same place" true (State.equal_process p p')
 
 (* {1 Cast} *)
 
@@ -155,12 +197,18 @@ let off_centre () =
      |> Option.map Rat.to_string)
 
 let thirds () =
-  (* they meet after 4/3, which is rounded down to a multiple of 2^-K with 3 2^-K <= 1/1024: K = 12 *)
+  (* They meet after 4/3. Where nothing spins that is exact; else it is rounded down to a multiple of 2^-K, counted
+     from the start of the turn, with (3 + spin reach) 2^-K <= 1/1024: K = 13. *)
   let bodies = [ body "p" (0, 0, 0) ~velocity:(3, 0, 0); body "q" (6, 0, 0) ] in
   let m = rigid (model bodies) in
+  let found ?limit s = Collisions.first_time_of_contact (standard m) s.State.processes ~limit in
+  let check what expected s = Alcotest.(check (option string)) what (Some expected) (Option.map Rat.to_string s) in
   let s = declared bodies in
-  let found = Collisions.first_time_of_contact (standard m) s.State.processes ~limit:None in
-  Alcotest.(check (option string)) "rounded down" (Some "5461/4096") (Option.map Rat.to_string found)
+  check "exact" "4/3" (found s);
+  let turning = spinning [ ints 1 0 0; Vec.zero ] s in
+  check "rounded down" "5461/4096" (found ~limit:(q 2) turning);
+  let later = Time.pass (standard m) (ratio 1 3) turning in
+  check "wherever time stops before" "12287/12288" (found ~limit:(q 2) later)
 
 (* {1 Bodies that meet} *)
 
@@ -223,7 +271,6 @@ let translational () =
     ]
   in
   let m = model bodies in
-  let resolution = ratio 1 (1 lsl 40) in
   let events m s =
     let rec go s time n found =
       if n = 0 then List.rev found
@@ -242,18 +289,14 @@ let translational () =
     go s Rat.zero 60 []
   in
   let exact = events m (start m (declared bodies)) in
-  let rm = rigid ~resolution m in
+  let rm = rigid m in
   let rigid = events rm (start rm (declared bodies)) in
   let names = List.map fst in
   let n = 15 in
   let first list = List.filteri (fun i _ -> i < n) list in
   Alcotest.(check int) "enough of them" n (List.length (first exact));
   Alcotest.(check (list string)) "the same collisions" (names (first exact)) (names (first rigid));
-  List.iter2
-    (fun (what, a) (_, b) ->
-       let late = Rat.abs (Rat.sub a b) in
-       if Rat.compare late (ratio 1 (1 lsl 30)) > 0 then Alcotest.failf "%s: at another time" what)
-    (first exact) (first rigid)
+  List.iter2 (fun (what, a) (_, b) -> check_rat what (Rat.to_string a) b) (first exact) (first rigid)
 
 (* A tip under a face that turns about the face's middle: no point approaches, and yet the face turns into it. *)
 let persistent () =
@@ -275,7 +318,7 @@ let persistent () =
   let next = Network.successors (standard m) still in
   Alcotest.(check bool) "turning on the tip is no contact" true (Result.is_ok next)
 
-(* What is left of a step must not outlast the turns that a collision of the instant begins. *)
+(* A law pushes a body into another after its step: the turn that is due then begins when they have collided. *)
 let steered_into () =
   let var v = Law.Var v in
   let law = Law.Velocity (var Vx, var Vy, Law.Sub (var Vz, Law.Mul (Const (q 40), var Dt))) in
@@ -288,14 +331,12 @@ let steered_into () =
   let s = start m (State.make ~processes ~step:None ~time:None) in
   let s = take m s "time(1)" in
   check_labels "steered into the floor" [ "bounce(p, floor)" ] m s;
+  Alcotest.(check bool) "its turn is due" true (Turn.due s.processes.(0));
   let s = take m s "bounce(p, floor)" in
-  match s.step with
-  | Some step ->
-    let spin2 = Vec.norm2 s.processes.(0).spin in
-    Alcotest.(check bool) "it spins fast" true (Rat.compare spin2 (q 1) > 0);
-    let turn = Rat.mul spin2 (Rat.mul step.remaining step.remaining) in
-    Alcotest.(check bool) "in short steps" true (Rat.compare turn (ratio 1 4) <= 0)
-  | None -> Alcotest.fail "no step"
+  let p = s.processes.(0) in
+  Alcotest.(check bool) "it spins fast" true (Rat.compare (Vec.norm2 p.spin) (q 1) > 0);
+  check_rat "in short turns" (Rat.to_string (Turn.length m p.spin)) (Option.get p.lasts);
+  check_rat "within a whole step" "1" (Option.get s.step).remaining
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in
@@ -303,10 +344,10 @@ let () =
     [
       ( "turn",
         [
-          case "the length of a step" step_length; case "time on a body that turns" pass;
+          case "the length of a turn" length; case "time on a body that turns" pass;
           case "a new turn" renew;
           case "half-way through a turn" midway; case "pieces of what turned" piece;
-          case "shorter steps" shortened;
+          case "turns of its own" own_turns; case "whoever stops time" bystander;
           case "steered into a contact" steered_into;
         ] );
       ("cast", [ case "parts off their centres" off_centre; case "rounded down" thirds ]);

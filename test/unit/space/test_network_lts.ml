@@ -45,20 +45,21 @@ let property name ?steered ~memory count =
     (Random_network.generate ?steered ())
     (agrees ~memory)
 
-(* Laws of motion see how long a step has lasted: two with the same rest are not one. *)
-let steps () =
+(* Two processes in turns of different lengths are not one, nor is one whose turn is due. *)
+let turns () =
   let e = Scc_test_models.Load.(exactly (file "../../../specs/models/tumble.sc")) in
   let catalogue = Network_lts.catalogue (Network_lts.make (standard e.model) e.declared) in
-  let state length =
-    let step = Some { State.remaining = Scc_exact.Rat.one; length; phase = Moving } in
-    State.make ~processes:(Array.to_list e.declared.processes) ~step ~time:e.declared.time
+  let state lasts =
+    let turning (p : State.process) = State.with_turn ~spin:p.spin ~since:Scc_exact.Rat.zero ~lasts p in
+    let processes = List.map turning (Array.to_list e.declared.processes) in
+    State.make ~processes ~step:None ~time:e.declared.time
   in
   List.iter
-    (fun length ->
-       let s = state (Scc_exact.Rat.of_int length) in
+    (fun lasts ->
+       let s = state lasts in
        Alcotest.(check bool) "back from its numbers" true
          (State.equal s (Catalogue.decode catalogue (Catalogue.encode catalogue s))))
-    [ 1; 2 ]
+    [ None; Some Scc_exact.Rat.one; Some (Scc_exact.Rat.of_int 2) ]
 
 let rigid =
   let features = { Random_rigid.anything with rounds = true; laws = true } in
@@ -119,5 +120,5 @@ let () =
           ] );
       ("models", List.map (fun name -> Alcotest.test_case name `Quick (model name)) models);
       ("events", [ Alcotest.test_case "what led to a state" `Quick events ]);
-      ("steps", [ Alcotest.test_case "rest and length" `Quick steps ]);
+      ("turns", [ Alcotest.test_case "how long they last" `Quick turns ]);
     ]
