@@ -17,17 +17,10 @@ let of_name text = List.find_opt (fun k -> String.equal (name k) text) all
 let equal a b = String.equal (name a) (name b)
 let used kinds kind = List.exists (equal kind) kinds
 
-(* Rule Round takes processes in the order of their numbers, and each by its first leaf. *)
-let rounds (m : Model.t) =
-  match m.rigid with
-  | Some r -> Option.is_some r.round_orientation || Option.is_some r.round_velocity
-  | None -> false
-
 let quotient kinds model state ~searched ~evaluated : Quotient.t =
   {
     symmetry =
-      (if used kinds Symmetry && not (rounds model) then Symmetry.find model ~searched ~evaluated
-       else Symmetry.none);
+      (if used kinds Symmetry then Symmetry.find model ~searched ~evaluated else Symmetry.none);
     translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated);
   }
 

@@ -17,13 +17,13 @@ let cell grid t =
   let low, _ = Algebraic.enclose t ~width:(Rat.make Z.one power) in
   Rat.make (settle (Rat.floor (Rat.mul low (Q.of_bigint power)))) power
 
-let reference a b ~span ~grid : Cast.outcome =
+let reference ?(phase = Rat.zero) a b ~span ~grid : Cast.outcome =
   match Sweep.relation a b Rat.zero with
   | Interpenetrating -> Inside
   | Apart | Touching -> (
       match Sweep.first_penetration a b ~from:Rat.zero ~until:span with
       | Never -> Never
-      | At t -> At (cell grid t))
+      | At t -> At (Rat.max Rat.zero (Rat.sub (cell grid (Algebraic.add_rat phase t)) phase)))
 
 let show : Cast.outcome -> string = function
   | Never -> "never"
@@ -56,6 +56,18 @@ let agrees c =
   let expected = reference c.a c.b ~span ~grid in
   equal (Cast.first_time_of_contact c.a c.b ~span ~grid) expected
   && equal (Cast.first_time_of_contact c.b c.a ~span ~grid) expected
+
+(* The grid counts from an instant before the start. *)
+let agrees_later (c, phase) =
+  let grid = c.grid and span = c.span in
+  let expected = reference c.a c.b ~phase ~span ~grid in
+  equal (Cast.first_time_of_contact c.a c.b ~phase ~span ~grid) expected
+  && equal (Cast.first_time_of_contact c.b c.a ~phase ~span ~grid) expected
+  &&
+  let next = Cast.next_instant ~grid ~phase span in
+  let cells = Rat.mul (Rat.add next phase) (Rat.make (Z.shift_left Z.one grid) Z.one) in
+  Z.equal cells.den Z.one && Rat.compare next span > 0
+  && Rat.compare (Rat.sub next (Rat.make Z.one (Z.shift_left Z.one grid))) span <= 0
 
 let quotient top bottom = Gen.map (fun k -> ratio k bottom) Gen.(-top -- top)
 let vector top bottom = Gen.map3 Vec.make (quotient top bottom) (quotient top bottom) (quotient top bottom)
@@ -297,6 +309,12 @@ let () =
         property ~count:30 "flying hulls" (flying hulls) agrees;
         property ~count:2000 "a vertex to a place on the surface" (meeting any_solid) agrees;
         property ~count:20 "a vertex to a place on the surface of a hull" (meeting hulls) agrees;
+        QCheck2.Test.make ~count:1000 ~name:"a grid that counts from before"
+          ~print:(fun (c, phase) -> print c ^ "\nphase " ^ Rat.to_string phase)
+          (Gen.pair
+             (Gen.oneof [ flying any_solid; meeting any_solid ])
+             (Gen.oneof [ Gen.map (fun k -> ratio k 97) Gen.(0 -- 97); Gen.map (fun k -> ratio k 1024) Gen.(0 -- 1024) ]))
+          agrees_later;
         QCheck2.Test.make ~count:400 ~name:"touching at first"
           ~print:(QCheck2.Print.option print)
           resting

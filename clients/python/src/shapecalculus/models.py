@@ -94,7 +94,10 @@ class Leaf:
 
 @dataclass(frozen=True)
 class Process:
-    """A leaf, or several that are bound and move as one. ``clock``: since the split clock was set, or None."""
+    """A leaf, or several that are bound and move as one. ``clock``: since the split clock was set, or None.
+
+    ``since`` and ``lasts``: how long ago its turn began, and how long it lasts in all; ``lasts`` is None while one is due.
+    """
 
     velocity: Vector
     leaves: Tuple[Leaf, ...]
@@ -102,10 +105,12 @@ class Process:
     clock: Optional[Fraction]
     spin: Optional[Vector] = None
     since: Optional[Fraction] = None
+    lasts: Optional[Fraction] = None
 
     @classmethod
     def from_json(cls, json: Json) -> Process:
         clock, spin, since = json["clock"], json.get("spin"), json.get("since")
+        lasts = json.get("lasts")
         return cls(
             numbers.vector(json["velocity"]),
             tuple(map(Leaf.from_json, json["leaves"])),
@@ -113,6 +118,7 @@ class Process:
             None if clock is None else numbers.fraction(clock),
             None if spin is None else numbers.vector(spin),
             None if since is None else numbers.fraction(since),
+            None if lasts is None else numbers.fraction(lasts),
         )
 
 
@@ -122,21 +128,15 @@ class MovementStep:
 
     remaining: Fraction
     phase: str
-    length: Optional[Fraction] = None
 
     @classmethod
     def from_json(cls, json: Json) -> MovementStep:
-        length = json.get("length")
-        return cls(
-            numbers.fraction(json["remaining"]),
-            json["phase"],
-            None if length is None else numbers.fraction(length),
-        )
+        return cls(numbers.fraction(json["remaining"]), json["phase"])
 
 
 @dataclass(frozen=True)
 class State:
-    """All processes; ``step`` is None where nothing is steered and nothing turns."""
+    """All processes; ``step`` is None where nothing is steered."""
 
     processes: Tuple[Process, ...]
     step: Optional[MovementStep] = None
