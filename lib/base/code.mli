@@ -82,6 +82,8 @@ val no_effect : t
 val coarse_resolution : t
 (** SC0214: a resolution that is coarse for the bodies (a warning). *)
 
+val unstated_dynamics : t
+(** SC0215: a spin in a model that does not say its dynamics (a warning). *)
 
 (** {1 Templates (Definitions 4.1 to 4.4)} *)
 

@@ -58,8 +58,10 @@ let bond (composition : Composition.t) (j : Joints.t) =
   let finish (i, site) = { State.at = composition.index.(i); site } in
   State.bond j.name (finish j.one) (finish j.two)
 
-let spins bodies composition =
-  List.exists (fun (_, (l : Bodies.leaf)) -> not (Vec.is_zero l.spin)) (numbered bodies composition)
+let spinning bodies composition =
+  numbered bodies composition
+  |> List.find_opt (fun (_, (l : Bodies.leaf)) -> not (Vec.is_zero l.spin))
+  |> Option.map (fun (_, (l : Bodies.leaf)) -> (l.name, l.span))
 
 (* The processes are the connected components of the bonds. The velocity of a leaf is that of its own centroid,
    and of a process that of its centre of mass. *)

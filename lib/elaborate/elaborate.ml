@@ -57,7 +57,7 @@ let is_steered (l : Model.leaf) =
 (* Everything is in order. *)
 let build (c : Context.t) (program : Program.t) bodies composition joints initial definitions checks premises =
   let leaves = Assembly.leaves bodies composition in
-  let rigid = Settings.rigid program.settings c.report ~spins:(Assembly.spins bodies composition) leaves in
+  let rigid = Settings.rigid program.settings c.report ~spinning:(Assembly.spinning bodies composition) leaves in
   let steered = Array.exists is_steered leaves in
   let keeps_time =
     Array.exists (fun (l : Model.leaf) -> Law.mentions_time l.law) leaves

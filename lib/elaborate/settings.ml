@@ -117,14 +117,22 @@ let warn_coarse report leaves (given : Rat.t given) =
       ~hint:"contacts are known within it: what is not near may count as touching"
   | _ -> ()
 
+(* Whatever is near or far turns when it is hit, because of this one. *)
+let warn_unstated t report (name, at) =
+  if Option.is_none t.dynamics then
+    Report.warning report Code.unstated_dynamics at
+      "`%s` spins, so that all bodies of the model turn, and the model does not say by which `dynamics`" name
+      ~hint:"write `dynamics constant_spin`, which is taken now, or `dynamics free_body`"
+
 let value given = Option.bind given (fun g -> g.value)
 
-let rigid t report ~spins leaves =
-  if Option.is_none t.dynamics && not spins then begin
+let rigid t report ~spinning leaves =
+  if Option.is_none t.dynamics && Option.is_none spinning then begin
     warn_without_effect t report;
     None
   end
   else begin
+    Option.iter (warn_unstated t report) spinning;
     Option.iter (warn_coarse report leaves) t.resolution;
     Some
       {

@@ -104,7 +104,7 @@ let values (m : Model.t) ~action ~time (s : State.t) =
       ("turned", each (fun _ (l : State.leaf) -> quaternion l.turned));
       ("spin", each (fun (p : State.process) _ -> vector p.spin));
       ("since", each (fun (p : State.process) _ -> rational p.since));
-      ("lasts", each (fun (p : State.process) _ -> Option.fold ~none:(`String "due") ~some:rational p.lasts));
+      ("lasts", each (fun (p : State.process) _ -> rational (Option.value p.lasts ~default:(Rat.of_int (-1)))));
     ]
     @
     if Turn.is_free m then

@@ -2,6 +2,7 @@
 // angular momentum; some kinetic energy is lost, as in every bond.
 model docking
 timestep 1/2
+dynamics constant_spin
 shape Cube {
   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)

@@ -6,6 +6,7 @@
 model plank
 
 timestep 1/2
+dynamics constant_spin
 
 shape Cube {
   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)

@@ -12,6 +12,7 @@ model pocket
 param late = 0
 
 timestep 1/2
+dynamics constant_spin
 round orientation 2^-40
 round velocity 2^-40
 

@@ -4,6 +4,7 @@
 model omega_of_definition_4_4
 
 timestep 1/4
+dynamics constant_spin
 
 shape Cube {
   vertices v0 (-1,-1,-1)  v1 (1,-1,-1)  v2 (1,1,-1)  v3 (-1,1,-1)

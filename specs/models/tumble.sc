@@ -1,10 +1,11 @@
 // Planks that tumble in a box. Numbers would grow with every bounce and every step: orientations, velocities and
-// spins are rounded, at the start of each movement step, and the report of a run says what that adds up to:
+// spins are rounded, at the start of each turn, and the report of a run says what that adds up to:
 //
 //     scc trace specs/models/tumble.sc --states ends --steps 10000
 model tumble
 
 timestep 1/4
+dynamics constant_spin
 round orientation 2^-30
 round velocity 2^-30
 

@@ -10,6 +10,7 @@ Rigid models: bodies that spin. One that turns hits one at rest.
   > process q = Cube mass 1 at translate (4,1/2,0) [nil]
   > timestep 1/2
   > resolution 2^-10
+  > dynamics constant_spin
   > check meet : possibly touching(p, q) within 3
   > check kept : always energy = 67/108 and spin2(p) + spin2(q) > 1/4 within 2
   > check turn : always angular.z = 1/3 within 2
@@ -69,10 +70,10 @@ A trace tells orientations, spins and how long ago each turn began; it is its ow
 
   $ scc trace spin.sc --steps 6 -o run.jsonl
   $ sed -n 4p run.jsonl
-  {"type":"transition","step":2,"choice":0,"of":1,"label":{"kind":"time","text":"time(1/2)","duration":"1/2"},"rules":["Time","TimeBehaviour","Turn"],"time":"1/1","state":{"processes":[{"velocity":["1/1","0/1","0/1"],"spin":["0/1","1/3","1/2"],"since":"0/1","clock":null,"leaves":[{"name":"p","position":["1/1","0/1","0/1"],"turned":["563","0","96","144"],"behaviour":"nil","origin":null}],"bonds":[]},{"velocity":["0/1","0/1","0/1"],"spin":["0/1","0/1","0/1"],"since":"0/1","clock":null,"leaves":[{"name":"q","position":["4/1","1/2","0/1"],"turned":["1","0","0","0"],"behaviour":"nil","origin":null}],"bonds":[]}],"step":{"remaining":"1/2","length":"1/2","phase":"steered"}}}
+  {"type":"transition","step":2,"choice":0,"of":1,"label":{"kind":"time","text":"time(1/2)","duration":"1/2"},"rules":["Time","TimeBehaviour","Turn"],"time":"1/1","state":{"processes":[{"velocity":["1/1","0/1","0/1"],"spin":["0/1","1/3","1/2"],"since":"0/1","lasts":"1/2","clock":null,"leaves":[{"name":"p","position":["1/1","0/1","0/1"],"turned":["563","0","96","144"],"behaviour":"nil","origin":null}],"bonds":[]},{"velocity":["0/1","0/1","0/1"],"spin":["0/1","0/1","0/1"],"since":"0/1","lasts":"0/1","clock":null,"leaves":[{"name":"q","position":["4/1","1/2","0/1"],"turned":["1","0","0","0"],"behaviour":"nil","origin":null}],"bonds":[]}],"step":null}}
   $ scc trace spin.sc --schedule run.jsonl | cmp - run.jsonl
   $ scc trace spin.sc --steps 1 --itf | grep vars
-  "vars": ["action","time","position","velocity","behaviour","origin","process","bonds","clock","step","turned","spin","since"],
+  "vars": ["action","time","position","velocity","behaviour","origin","process","bonds","clock","step","turned","spin","since","lasts"],
   $ scc trace spin.sc --steps 1 --itf | tail -3 | head -1 | cut -d , -f 1-2
   {"#meta":{"index":1,"ending":"open"}
 
@@ -102,7 +103,7 @@ The settings are printed in one form.
 
 Where nothing turns they have no effect.
 
-  $ sed -e 's/spin (0,1\/3,1\/2)//' spin.sc > still.sc
+  $ sed -e 's/spin (0,1\/3,1\/2)//; /dynamics/d' spin.sc > still.sc
   $ scc check still.sc
   still.sc:9:12: warning[SC0213]: `resolution` has no effect: nothing spins, and the model has no `dynamics`
      |
@@ -176,7 +177,7 @@ axis, the energy of one whose orientation is rounded, and the place of a part of
   explored: 1 state, 0 transitions, depth 0, model time 0; complete
   3 properties: 2 hold, 1 undecided
   [2]
-  $ sed 's/dynamics free_body/round orientation 2^-3/; s/always wx(p) < 2/always energy = energy + 0 * wx(p)/' free.sc > rounded.sc
+  $ sed 's/dynamics free_body/dynamics constant_spin round orientation 2^-3/; s/always wx(p) < 2/always energy = energy + 0 * wx(p)/' free.sc > rounded.sc
   $ scc check rounded.sc
   warning[SC0703]: no event ever happens in this model: no two bodies collide, and nothing splits
     hint: `scc check --coverage` lists what never came to be

@@ -2,6 +2,7 @@
 
 from make_rules import (BIND, BOUNCE, SHAPE_CUBE, STRONG, TIME, WEAK, Rule, binds, bonded, bounces, conditions, cube_of,
                         cubes, dock, edge, face, leaf, pair, passes, reacts, releases, vertex)
+from rules_of_turning import RIGID
 from rules_of_bodies import GRAVITY, LINE, REACT, RELEASE, TRIPLE, behaviours
 from cases import num, nums, result, unordered
 
@@ -258,8 +259,9 @@ PLATE = 'shape Plate = Cube scaled (2, 1, 1/2)\nprocess p = Plate mass 1 spin (1
 
 def i_19():
     r = Rule('I-19')
-    r.verdict('constant_spin, also if nothing is said: the spin stays, and so does the energy.', PLATE,
-              'always (wx(p) = 1/4 and wy(p) = 1/4 and wz(p) = 0) within 3', 'holds')
+    for said in ('', 'dynamics constant_spin\n'):
+        r.verdict('constant_spin, also if nothing is said: the spin stays, and so does the energy.', said + PLATE,
+                  'always (wx(p) = 1/4 and wy(p) = 1/4 and wz(p) = 0) within 3', 'holds')
     for along in ([], [TIME], [TIME] * 3):
         r.value('free_body: at the start of each turn the angular momentum is what it was: 5/12 and 17/12 times 1/4.',
                 'dynamics free_body\n' + PLATE, along, 'angular.x = 5/48 and angular.y = 17/48 and angular.z = 0', True)
@@ -269,8 +271,9 @@ def i_19():
 
 def i_20():
     r = Rule('I-20')
-    two = 'process p = Cube mass 1 spin (0,0,3) [nil]\nprocess q = Cube mass 1 at translate (40,0,0) [eps(10). nil]\n'
-    r.outcomes('3 d / 2 <= 1/4 for d = 1/8: halved three times, for all.', two, [], [passes('1/8')])
+    two = RIGID + ('process p = Cube mass 1 spin (0,0,3) [nil]\n'
+                   'process q = Cube mass 1 at translate (40,0,0) [eps(10). nil]\n')
+    r.outcomes('3 d / 2 <= 1/4 for d = 1/8: halved three times.', two, [], [passes('1/8')])
     r.outcomes('2 d / 2 = 1/4 just does.', two.replace('(0,0,3)', '(0,0,1/2)'), [], [passes(1)])
     return r
 
@@ -303,7 +306,7 @@ def i_22():
 
 def i_23():
     r = Rule('I-23')
-    text = RELEASE + ('process p = Cube mass 1 velocity (0,-1/4,0) spin (0,0,1/4) at translate (-1,0,0) [K]\n'
+    text = RELEASE + RIGID + ('process p = Cube mass 1 velocity (0,-1/4,0) spin (0,0,1/4) at translate (-1,0,0) [K]\n'
                       'process q = Cube mass 1 velocity (0,1/4,0) spin (0,0,1/4) at translate (1,0,0) [L]\n'
                       'bond <dock, {p.right, q.left}>\n')
     r.state('Each has the spin of the whole, and the velocity that its centre had.', text, [WEAK], [
@@ -316,7 +319,7 @@ def i_23():
 
 def i_24():
     r = Rule('I-24')
-    text = 'process p = Cube mass 1 spin (0,0,1/4) [nil]\nmotion p = (vx + dt, vy, vz)\n'
+    text = RIGID + 'process p = Cube mass 1 spin (0,0,1/4) [nil]\nmotion p = (vx + dt, vy, vz)\n'
     r.value('A law gives a velocity.', text, [TIME], 'vx(p)', 1)
     r.value('No torque.', text, [TIME], 'wz(p)', '1/4')
     return r
@@ -332,7 +335,7 @@ def i_25():
 
 def i_26():
     r = Rule('I-26')
-    plain = 'process p = Cube mass 1 velocity (1/3,0,0) spin (1/7,0,0) [eps(10). nil]\n'
+    plain = RIGID + 'process p = Cube mass 1 velocity (1/3,0,0) spin (1/7,0,0) [eps(10). nil]\n'
     r.value('Nothing is rounded unless the model says so.', plain, [TIME], 'vx(p) = 1/3 and wx(p) = 1/7', True)
     r.value('Where it says so, places are not: 1/3 after a step of 1, or what was rounded.', 'round velocity 1/4\n' + plain,
             [TIME], 'vx(p) = 1/4 and wx(p) = 1/4', True)
@@ -351,7 +354,7 @@ def i_27():
 
 def i_28():
     r = Rule('I-28')
-    apart = cubes('', '', at='(40,0,0)', v='(-1,0,0)').replace('mass 1 velocity (-1,0,0)',
+    apart = RIGID + cubes('', '', at='(40,0,0)', v='(-1,0,0)').replace('mass 1 velocity (-1,0,0)',
                                                                'mass 1 velocity (-1,0,0) spin (0,0,1)')
     r.outcomes('They go apart, whatever turns.', apart, [], [], 'quiescent')
     towards = apart.replace('velocity (-1,0,0)', 'velocity (1,0,0)')
@@ -359,6 +362,39 @@ def i_28():
     return r
 
 
+# Tilted by twice the arc whose tangent is 1/2, face to face, across (3, 4, 0).
+TILTED = (RIGID + 'round velocity 1/2\n'
+          'process p = Cube mass 1 velocity (%s,0) at rotate quaternion (2,0,0,1) [nil]\n'
+          'process q = Cube mass 1 at translate (6/5,8/5,0) * rotate quaternion (2,0,0,1) [nil]\n'
+          'process r = Cube mass 1 velocity (2/3,0,0) at translate (90,0,0) [nil]\n')
+
+
+def i_29():
+    r = Rule('I-29')
+    r.value('(13/50, -1/5) is (1/2, 0) in halves, which leads into q: it waits.', TILTED % '13/50,-1/5', [],
+            'vx(p) = 13/50 and vy(p) = -1/5', True)
+    r.value('Others do not wait for it.', TILTED % '13/50,-1/5', [], 'vx(r)', '1/2')
+    r.value('(-2/5, 1/5) is (-1/2, 0), which leads away.', TILTED % '-2/5,1/5', [], 'vx(p) = -1/2 and vy(p) = 0', True)
+    both = (RIGID + 'round velocity 1/4\n' + cubes(at='(2,0,0)', v='(1/8,0,0)', w='(1/8,0,0)'))
+    r.value('Both at once: one after the other they would be in each other\'s way.', both, [],
+            'vx(p) = 1/4 and vx(q) = 1/4', True)
+    return r
+
+
+def i_30():
+    r = Rule('I-30')
+    far = ('process %s = Cube mass 1 spin (0,0,1/2) [eps(10). nil]\nprocess a = Cube mass 1 velocity (3,0,0) at translate (0,90,0) '
+           '[nil]\nprocess b = Cube mass 1 at translate (4,90,0) [nil]\n')
+    text = RIGID + far % 'p'
+    for along, what in (([TIME], 'A contact'), ([TIME, BOUNCE], 'A collision')):
+        r.state(what + ' at 2/3, far away: the turn goes on.', text, along,
+                [{'since': num('2/3'), 'lasts': num(1), **leaf('p')}, leaf('a'), leaf('b')])
+    r.outcomes('And it is over at 1.', text, [TIME, BOUNCE], [passes('1/3')])
+    r.state('Those that do not spin have no turns.', text, [TIME, BOUNCE], [
+        leaf('p'), {'since': num(0), 'lasts': num(0), **leaf('a')}, {'since': num(0), 'lasts': num(0), **leaf('b')}])
+    return r
+
+
 def suites():
     return [f() for f in (i_1, i_2, i_3, i_4, i_5, i_6, i_7, i_8, i_9, i_10, i_11, i_12, i_13, i_14, i_15, i_16, i_17, i_18,
-                          i_19, i_20, i_21, i_22, i_23, i_24, i_25, i_26, i_27, i_28)]
+                          i_19, i_20, i_21, i_22, i_23, i_24, i_25, i_26, i_27, i_28, i_29, i_30)]

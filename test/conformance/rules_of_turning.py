@@ -4,24 +4,37 @@ from make_rules import BIND, BOUNCE, SHAPE_CUBE, TIME, Rule, cube_of, cubes, fac
 from cases import num, nums, result, unordered
 
 RIGID = 'dynamics constant_spin\n'
-SPINNING = 'process p = Cube mass 1 spin %s [eps(10). nil]\n'
+SPINNING = RIGID + 'process p = Cube mass 1 spin %s [eps(10). nil]\n'
+
+
+OWN = SPINNING % '(0,0,1)' + 'process q = Cube mass 1 spin (0,0,4) at translate (40,0,0) [nil]\n'
 
 
 def turn():
     r = Rule('Turn')
-    r.outcomes('|w| d / 2 is at most 1/4: steps of 1/4 for a spin of 2.', SPINNING % '(0,0,2)', [], [passes('1/4')])
-    r.outcomes('Steps of 1/2 for one of 1.', SPINNING % '(0,0,1)', [], [passes('1/2')])
-    r.outcomes('Steps of 1 for one of 1/2.', SPINNING % '(0,1/2,0)', [], [passes(1)])
-    r.state('After a step it has turned by twice the arc whose tangent is 1/4.', SPINNING % '(0,0,2)', [TIME],
+    r.outcomes('|w| d / 2 is at most 1/4: turns of 1/4 for a spin of 2.', SPINNING % '(0,0,2)', [], [passes('1/4')])
+    r.outcomes('Turns of 1/2 for one of 1.', SPINNING % '(0,0,1)', [], [passes('1/2')])
+    r.outcomes('Turns of 1 for one of 1/2.', SPINNING % '(0,1/2,0)', [], [passes(1)])
+    r.state('After a turn it has turned by twice the arc whose tangent is 1/4.', SPINNING % '(0,0,2)', [TIME],
             [leaf('p', turned=['4', '0', '0', '1'])])
     r.state('After two: the quaternion squared, 16 - 1 + 8 k.', SPINNING % '(0,0,2)', [TIME, TIME],
             [leaf('p', turned=['15', '0', '0', '8'])])
     r.value('It spins on.', SPINNING % '(0,0,2)', [TIME, TIME], 'wz(p)', 2)
+    r.state('A turn of 1/2 goes on where another one, of 1/8, ends.', OWN, [TIME], [
+        {'since': num('1/8'), 'lasts': num('1/2'), **leaf('p', turned=['16', '0', '0', '1'])},
+        {'since': num(0), 'lasts': num('1/8'), **leaf('q')}])
+    r.state('And then it has turned by as much as in one go: 2 atan(1/4).', OWN, [TIME] * 4, [
+        {'since': num(0), 'lasts': num('1/2'), **leaf('p', turned=['4', '0', '0', '1'])},
+        {'since': num(0), 'lasts': num('1/8'), **leaf('q')}])
     r.verdict('The spin stays, and so does the energy: 2/3 * 4 / 2.', SPINNING % '(0,0,2)',
               'always (wz(p) = 2 and energy = 4/3) within 2', 'holds')
     r.verdict('Angular momentum is kept, that of a cube along its spin.', SPINNING % '(1/2,1/3,0)',
               'always (angular.x = 1/3 and angular.y = 2/9) within 2', 'holds')
     return r
+
+
+ABOUT_X = (RIGID + 'resolution 1/2\nprocess p = Cube mass 1 velocity (3,0,0) spin (1/2,0,0) [nil]\n'
+           'process q = Cube mass 1 at translate (4,0,0) [%s]\n')
 
 
 def cast():
@@ -44,6 +57,11 @@ def cast():
     at('One in the other.', [1, 0, 0], [0, 0, 0], 1, 10, 'inside', spin_b=[0, 0, 1])
     at('Both turned by a right angle: as they were.', [4, 0, 0], [-3, 0, 0], 1, 10, 'at', '682/1024',
        turned_a=[1, 0, 0, 1], turned_b=[1, 1, 0, 0])
+    r.outcomes('In a rigid model, where neither spins: exactly at 2/3.', RIGID + cubes(v='(3,0,0)'), [], [passes('2/3')])
+    # S is at least 3 + 1/2 sqrt 3, and less than 4: K = 3
+    r.outcomes('Where one does, at 5/8: with 4 times 1/8 at most 1/2.', ABOUT_X % 'nil', [], [passes('5/8')])
+    r.outcomes('Time stops at 3/5 for another reason.', ABOUT_X % 'eps(3/5). nil', [], [passes('3/5')])
+    r.outcomes('And then at 5/8 all the same.', ABOUT_X % 'eps(3/5). nil', [TIME], [passes('1/40')])
     return r
 
 
@@ -106,7 +124,7 @@ TIP = """shape Spike {
 """
 
 
-ON_TIP = TIP + ('fixed spike = Spike\nprocess p = Cube mass 1 spin (1,0,0) at translate (0,0,1) [nil]\n')
+ON_TIP = TIP + RIGID + ('fixed spike = Spike\nprocess p = Cube mass 1 spin (1,0,0) at translate (0,0,1) [nil]\n')
 GIVEN_UP = {'error': {'code': -32006, 'data': {'diagnostics': {'some': [{'code': 'SC0602', 'severity': 'error'}]}}}}
 
 
@@ -124,13 +142,15 @@ def persistent():
 
 def round_():
     r = Rule('Round')
-    body = 'process p = Cube mass 1 velocity (%s,0,0) spin (0,0,%s) [eps(10). nil]\n'
-    r.value('1/3 is nearest to 1/4 among the quarters, from the first step on.',
+    body = RIGID + 'process p = Cube mass 1 velocity (%s,0,0) spin (0,0,%s) [eps(10). nil]\n'
+    r.value('1/3 is nearest to 1/4 among the quarters, from the first turn on.',
             'round velocity 1/4\n' + body % ('1/3', '1/4'), [TIME], 'vx(p)', '1/4')
     r.value('Of two equally near the one farther from zero: 1/8 becomes 1/4.',
             'round velocity 1/4\n' + body % ('1/8', '1/4'), [TIME], 'vx(p)', '1/4')
     r.value('-1/8 becomes -1/4.', 'round velocity 1/4\n' + body % ('-1/8', '1/4'), [TIME], 'vx(p)', '-1/4')
     r.value('Spins as well: 1/3 becomes 1/4.', 'round velocity 1/4\n' + body % ('1', '1/3'), [TIME], 'wz(p)', '1/4')
+    r.value('What does not spin is rounded when something happens to it: at the start.', 'round velocity 1/4\n' + body % ('1/3', '0'),
+            [], 'vx(p)', '1/4')
     r.value('Nothing is rounded that is not asked for.', body % ('1/3', '1/4'), [TIME], 'vx(p)', '1/3')
     return r
 

@@ -6,4 +6,5 @@ shape Cube {
            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
 }
 resolution 10
+dynamics constant_spin
 process p = Cube mass 1 spin (0,0,1) [nil]

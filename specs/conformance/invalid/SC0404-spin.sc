@@ -11,3 +11,4 @@ compound K {
   glue l.right ~ r.left
 }
 process k = K [nil]
+dynamics constant_spin

@@ -10,5 +10,6 @@ shape Spike {
   faces    bottom [a,d,c,b]  front [a,b,tip]  right [b,c,tip]  back [c,d,tip]  left [d,a,tip]
 }
 fixed spike = Spike at translate (0, 0, -4)
+dynamics constant_spin
 process p = Cube mass 1 spin (1, 0, 0) [nil]
 check turns : possibly z(p) > 1 within 1

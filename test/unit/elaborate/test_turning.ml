@@ -29,6 +29,16 @@ let whether () =
   Alcotest.(check bool) "no law of motion" false t.model.steered;
   Alcotest.(check bool) "no step" true (Option.is_none t.declared.step)
 
+let unstated () =
+  let warned text = List.map (fun (d : Scc_base.Diag.t) -> d.code) (accept (cube ^ text)).warnings in
+  let check what expected text = Alcotest.(check (list string)) what expected (warned text) in
+  check "a spin" [ "SC0215" ] "process p = Cube mass 1 spin (0, 0, 1) [nil]";
+  check "one warning for two" [ "SC0215" ]
+    "process p = Cube mass 1 spin (0, 0, 1) [nil] \
+     process q = Cube mass 1 spin (0, 0, 1) at translate (9, 0, 0) [nil]";
+  check "said" [] "process p = Cube mass 1 spin (0, 0, 1) [nil] dynamics constant_spin";
+  check "no spin" [] "process p = Cube mass 1 spin (0, 0, 0) [nil]"
+
 let values () =
   let r = settings (cube ^ "process p = Cube mass 1 spin (0, 0, 1) [nil]") in
   Alcotest.(check bool) "constant spin" false (is_free r);
@@ -154,7 +164,10 @@ let () =
   Alcotest.run "turning bodies"
     [
       ( "models",
-        [ case "when rigid" whether; case "settings" values; case "the default resolution" resolution ] );
+        [
+          case "when rigid" whether; case "settings" values; case "a spin without dynamics" unstated;
+          case "the default resolution" resolution;
+        ] );
       ("properties", [ case "atoms" atoms ]);
       ("faults", cases faults);
       ( "motion",

@@ -204,6 +204,7 @@ fixed w = Box
 process p = Box mass 1 velocity (0, 1, 0) spin (0, 1, 0) at translate (0, 9/4, 0) [nil]
 process q = Box mass 1 velocity (0, 1, 0) at translate (5, 0, 0) [nil]
 resolution 1/2
+dynamics constant_spin
 |}
 
 let leaving () =
