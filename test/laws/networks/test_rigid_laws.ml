@@ -94,22 +94,6 @@ let time_law m (s : State.t) (t : Transition.t) =
   | Time d -> Array.to_list s.processes |> List.find_map (passes m d t)
   | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
 
-(* Time passes in two goes as in one: wherever it stops before, it stops at the same instant. *)
-let additive m (s : State.t) (t : Transition.t) =
-  match t.label with
-  | Time d ->
-    let first = Rat.mul (rational 2 7) d in
-    let semantics = standard m in
-    let between = Time.pass semantics first s and rest = Rat.sub d first in
-    if not (State.equal (Time.pass semantics rest between) (Time.pass semantics d s)) then
-      Some "two passings are not one"
-    else if Network.quiescent semantics between then None
-    else
-      (match Time.delay semantics between with
-       | Some d' when Rat.equal d' rest && not (Collisions.collides semantics between) -> None
-       | Some _ | None -> Some "time stops elsewhere")
-  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
-
 let interpenetrate m s =
   List.find_map
     (function
@@ -173,11 +157,7 @@ let preserved =
   ( [ ("well-formed", well_formed); ("turns", turns_are_right); ("contact", collides_in_time) ],
     [ ("nothing interpenetrates on the way", between); ("rules", rules_are_right) ] )
 
-let conserved =
-  ( [],
-    [
-      ("conservation", Conservation.fault); ("time on a process", time_law); ("time is additive", additive);
-    ] )
+let conserved = ([], [ ("conservation", Conservation.fault); ("time on a process", time_law) ])
 
 let broken (of_state, of_transition) network =
   let m, states = reached network in

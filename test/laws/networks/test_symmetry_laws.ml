@@ -141,7 +141,7 @@ let () =
         [
           brackets;
           straight "Congruence: bodies declared in another order, under other names" ~steered:true redeclared;
-          turning "Congruence: bodies that turn" { any with laws = true } redeclared;
+          turning "Congruence: bodies that turn" falling redeclared;
         ];
       group "Displacement"
         [

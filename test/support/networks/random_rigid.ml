@@ -234,3 +234,5 @@ let print { dynamics; rounding; bodies } =
   let kind = match dynamics with Model.Constant_spin -> "constant spin" | Free_body -> "free body" in
   let rounding = match rounding with None -> "" | Some k -> Printf.sprintf ", rounded to 2^-%d" k in
   String.concat "\n" ((kind ^ rounding) :: List.map body bodies)
+
+let like a b = { b with dynamics = a.dynamics; rounding = a.rounding }

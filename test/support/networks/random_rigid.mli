@@ -39,3 +39,6 @@ val plank : id:int -> Scc_geometry.Solid.t
 
 val tetrahedron : id:int -> Scc_geometry.Solid.t
 (** With a corner of edges 2, 2 and 3 at its reference point: its centroid is elsewhere. *)
+
+val like : t -> t -> t
+(** [like a b]: the second with the dynamics and the rounding of the first. *)

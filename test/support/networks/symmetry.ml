@@ -26,8 +26,8 @@ let move ~position ~velocity ~turned =
       let leaf (l : State.leaf) = { l with position = position l.position; turned = turned l.turned } in
       State.process
         ~leaves:(List.map leaf (Array.to_list p.leaves))
-        ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~spin:(velocity p.spin) ~since:p.since ~lasts:p.lasts
-        ~kept:(velocity p.kept) ~clock:p.clock ())
+        ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~spin:(velocity p.spin) ~since:p.since
+        ~lasts:p.lasts ~kept:(velocity p.kept) ~clock:p.clock ())
 
 let translation by =
   make ("translation by " ^ Vec.to_string by)
@@ -154,11 +154,9 @@ let scaling ~length ~time ~mass =
     State.process
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(Array.to_list p.bonds) ~velocity:(speed p.velocity) ~spin:(spin p.spin) ~since:(Rat.mul time p.since)
-      ~kept:(momentum p.kept) ~clock:(Option.map (Rat.mul time) p.clock) ()
+      ~lasts:(Option.map (Rat.mul time) p.lasts) ~kept:(momentum p.kept) ~clock:(Option.map (Rat.mul time) p.clock) ()
   in
-  let step (s : State.step) =
-    { s with State.remaining = Rat.mul time s.remaining; length = Rat.mul time s.length }
-  in
+  let step (s : State.step) = { s with State.remaining = Rat.mul time s.remaining } in
   let state (s : State.t) =
     State.make
       ~processes:(List.map process (Array.to_list s.processes))
