@@ -38,11 +38,12 @@ class Leaf:
 
 
 class Process:
-    """`kept` is the angular momentum of a free body about its centre of mass; else None."""
+    """`kept` is the angular momentum of a free body about its centre of mass; else None. `lasts` is how long its present
+    turn lasts in all, None while one is due."""
 
-    def __init__(self, leaves, velocity, spin, since, bonds, kept=None):
+    def __init__(self, leaves, velocity, spin, since, bonds, kept=None, lasts=None):
         self.leaves, self.velocity, self.spin, self.since, self.bonds = leaves, velocity, spin, since, bonds
-        self.kept = kept
+        self.kept, self.lasts = kept, lasts
         self.names = frozenset(l.name for l in leaves)
         self.fixed = any(l.body.fixed for l in leaves)
         self.known = {}
@@ -50,7 +51,7 @@ class Process:
     def moved(self, leaves, velocity=None, spin=None, since=None, kept=None):
         return Process(leaves, self.velocity if velocity is None else velocity,
                        self.spin if spin is None else spin, self.since if since is None else since, self.bonds,
-                       self.kept if kept is None else kept)
+                       self.kept if kept is None else kept, self.lasts)
 
     def begun(self):
         """A free body keeps the angular momentum that its spin gives it now."""
@@ -120,15 +121,31 @@ class Process:
         return s.solve(self.inertia(), self.kept)
 
     def renewed(self):
-        """At the start of a new turn."""
-        return self.moved(self.leaves, spin=self.rate(), since=F(0))
+        """With a new turn due."""
+        return self.moved(self.leaves, spin=self.rate(), since=F(0)).lasting(None)
 
-    def midway(self, d):
-        """A free body's spin for a turn of length d: what its angular momentum gives half-way, C I^-1 C^-1 L."""
+    def lasting(self, lasts):
+        """A turn of this length; None: one is due."""
+        made = self.moved(self.leaves)
+        made.lasts = lasts
+        return made
+
+    def plain_turn(self, timestep):
+        """At the start of a turn about the spin that it has."""
+        return self.lasting(F(0) if self.spin == s.ZERO else turn_length(timestep, self.spin))
+
+    def turns(self, timestep):
+        """The turns that may begin: of a free body with what its angular momentum gives half-way, C I^-1 C^-1 L; or,
+        where something would collide with that, as it is."""
         if self.kept is None or self.fixed or self.spin == s.ZERO:
-            return self
-        half = self.moved(self.turned_by(s.cayley(s.mul(d / 4, estimate(self.spin)))))
-        return self.moved(self.leaves, spin=estimate(s.solve(half.inertia(), self.kept)))
+            return [self.plain_turn(timestep)]
+        d = turn_length(timestep, self.spin)
+        while True:
+            half = self.moved(self.turned_by(s.cayley(s.mul(d / 4, estimate(self.spin)))))
+            spin = estimate(s.solve(half.inertia(), self.kept))
+            if s.dot(spin, spin) * d * d <= F(1, 4):
+                return [self.moved(self.leaves, spin=spin).lasting(d), self.plain_turn(timestep)]
+            d /= 2
 
     def velocity_at(self, x):
         if self.fixed:
@@ -171,7 +188,7 @@ class Process:
             if a.name != b.name or a.position != b.position or a.turned != b.turned:
                 return 'leaf %s: position %s, turned %s; computed %s, %s' % (
                     a.name, show(a.position), a.turned, show(b.position), b.turned)
-        for what in ('velocity', 'spin', 'since', 'kept'):
+        for what in ('velocity', 'spin', 'since', 'lasts', 'kept'):
             if getattr(self, what) != getattr(other, what):
                 return '%s of %s: %s; computed %s' % (what, self.leaves[0].name, show(getattr(self, what)),
                                                       show(getattr(other, what)))
@@ -192,12 +209,20 @@ class State:
                       for l in p['leaves']]
             bonds = [(b['name'], frozenset(b['ends'])) for b in p['bonds']]
             kept = vector(p['angular_momentum']) if 'angular_momentum' in p else None
-            self.processes.append(Process(leaves, vector(p['velocity']), vector(p['spin']), F(p['since']), bonds, kept))
-        step = j['step']
-        self.remaining, self.length, self.phase = F(step['remaining']), F(step['length']), step['phase']
+            process = Process(leaves, vector(p['velocity']), vector(p['spin']), F(p['since']), bonds, kept)
+            self.processes.append(process.lasting(None if p['lasts'] is None else F(p['lasts'])))
+        assert j['step'] is None
 
     def of(self, name):
         return next(p for p in self.processes if name in p.names)
+
+
+def turn_length(timestep, spin):
+    """Delta/2^k for the least k such that |spin| d / 2 <= 1/4."""
+    d = timestep
+    while s.dot(spin, spin) * d * d > F(1, 4):
+        d /= 2
+    return d
 
 
 def bound(p, q, bonds):
@@ -256,7 +281,9 @@ def rounded_motion(p, quantum):
         while 2 * scale <= trace:
             scale *= 2
         kept = rounded_vector(quantum * scale, kept)
-    return p.moved(p.leaves, rounded_vector(quantum, p.velocity), rounded_vector(quantum, p.spin), kept=kept)
+    if kept is not None:  # The spin follows from it.
+        return p.moved(p.leaves, rounded_vector(quantum, p.velocity), kept=kept).renewed()
+    return p.moved(p.leaves, rounded_vector(quantum, p.velocity), rounded_vector(quantum, p.spin)).lasting(None)
 
 
 def roundings(p, orientation, velocity):
@@ -265,7 +292,7 @@ def roundings(p, orientation, velocity):
     if p.fixed:
         return found
     if orientation is not None:
-        q = p.leaves[0].turned
+        q = min((l.turned for l in p.leaves), key=lambda q: (max(map(abs, q)), q))
         r = rounded_quaternion(orientation, q)
         if r != q:
             found.insert(0, p.moved(p.turned_by(s.times(r, s.inverse(q)))))

@@ -37,7 +37,8 @@ class Check:
         for j in lines:
             if j['type'] == 'state':
                 state = r.State(self.bodies, j['state'])
-                self.whole_step(state)
+                self.invariants(state)
+                require(all(p.since == 0 for p in state.processes), 'a turn goes on at the start')
                 self.apart(state, F(0))
             elif j['type'] == 'transition':
                 if len(str(j)) > longest:
@@ -47,11 +48,11 @@ class Check:
                 kind = j['label']['kind']
                 try:
                     if pending is not None:
-                        # Time stopped within a step and the turns began anew: there must be a contact, if not now
+                        # Time stopped and turns ended before they were over: there must be a contact, if not now
                         # then a little later, as what begins anew turns in another way.
                         require(kind != 'time' or any(self.meets_soon(state.processes, *pair, fractions=LATER)
                                                       for pair in self.pairs(state)),
-                                'turns begin anew where nothing collides')
+                                'turns end where nothing collides')
                         pending = None
                     pending = self.transition(kind, j, state, after)
                     self.invariants(after)
@@ -73,22 +74,18 @@ class Check:
 
     def invariants(self, state):
         self.apart(state, F(0))
-        for p in state.processes:
-            turn = p.since + (0 if state.phase == 'due' else state.remaining)
-            require(s.dot(p.spin, p.spin) * turn * turn <= F(1, 4), 'the turn of %s is too long', p.leaves[0].name)
-        require(0 < state.remaining <= state.length or state.phase == 'due', 'remaining')
-
-    def step_of(self, processes):
-        """The length of a movement step: Delta/2^k for the least k."""
-        length, spins = self.timestep, [s.dot(p.spin, p.spin) for p in processes]
-        while any(w * length * length > F(1, 4) for w in spins):
-            length /= 2
-        return length
-
-    def whole_step(self, state):
-        length = self.step_of(state.processes)
-        require(state.remaining == state.length == length, 'a step of %s, not %s', state.length, length)
-        require(all(p.since == 0 for p in state.processes), 'a step begins, and a turn does not')
+        for i, p in enumerate(state.processes):
+            name = p.leaves[0].name
+            if p.lasts is None:
+                require(p.since == 0, 'a turn of %s is due and goes on', name)
+                require(any(i in pair and self.meets_soon(state.processes, *pair, fractions=LATER)
+                            for pair in self.pairs(state)), 'a turn of %s is due, and it does not collide', name)
+            elif p.spin == s.ZERO:
+                require(p.since == p.lasts == 0, 'the turn of %s, which does not spin', name)
+            else:
+                require(0 <= p.since < p.lasts, 'the turn of %s is over', name)
+                require(s.dot(p.spin, p.spin) * p.lasts ** 2 <= F(1, 4), 'the turn of %s is too long', name)
+                require(self.free or p.lasts == r.turn_length(self.timestep, p.spin), 'the turn of %s is too short', name)
 
     def apart(self, state, t):
         """No two parts of different processes interpenetrate t after the state."""
@@ -125,7 +122,8 @@ class Check:
     def collide(self, state, names):
         i, j = (state.processes.index(state.of(n)) for n in names)
         require(i != j, 'a process collides with itself')
-        for p in state.processes:
+        for k in (i, j):
+            p = state.processes[k]
             require(p.since == 0, 'a collision, and %s turns on', p.leaves[0].name)
         if not self.meets_soon(state.processes, i, j):
             raise Difference('%s and %s do not collide' % tuple(names))
@@ -147,7 +145,7 @@ class Check:
         """Returns whether it claims that something collides in the next state."""
         label, claim = j['label'], None
         if kind == 'time':
-            expected, claim, ends = self.time(F(label['duration']), before, after)
+            expected = self.time(F(label['duration']), before)
         elif kind == 'bounce':
             expected = self.bounce(j, before, after)
         elif kind == 'bind':
@@ -156,46 +154,53 @@ class Check:
             expected = self.split(before, after)
         else:
             raise Difference('label')
-        if kind != 'time':
-            ends = before.phase == 'due' or (before.phase == 'moving' and kind in ('bounce', 'bind'))
-        if ends and after.phase == 'steered':
-            self.whole_step(after)
-            expected = [p and p.renewed() for p in expected]
-            if self.free and None in expected:  # Not known either, as the step may be shorter or longer.
-                expected = [None for _ in expected]
-            elif self.free:
-                # The spins of the turns that begin, unless something would collide with them.
-                spins = [p.midway(self.step_of(expected)) for p in expected]
-                if all(any(p.same(o) for o in self.roundings(j, e)) for p, e in zip(after.processes, spins)):
-                    expected = spins
-                else:
-                    self.found('without midway')
-        self.rounding(j, expected, after)
+        rounds = []
+        for i, (p, e) in enumerate(zip(after.processes, expected)):
+            if e is None:
+                rounds.append(None)
+                continue
+            if e.lasts is not None and not p.same(e):
+                # Whoever collides ends its turn.
+                d = F(label['duration']) if kind == 'time' else F(0)
+                hits = [q for q in self.pairs(before) if self.meets_soon(before.processes, *q, d, LATER)] \
+                    if kind == 'time' else [q for q in self.pairs(after)
+                                            if self.meets_soon(after.processes, *q, fractions=LATER)]
+                require(any(i in pair for pair in hits), str(p.difference(e)))
+                self.found('contacts')
+                claim, e = True, e.renewed()
+            rounds.append(e)
+            self.begins(j, p, e)
+        if 'Round' in j['rules'] and None not in rounds:
+            self.rounded_totals(j, rounds, after.processes)
         return claim
 
-    def time(self, d, before, after):
-        """What is expected, whether it claims that something collides now, and whether the step is over."""
-        require(before.phase != 'due' and 0 < d <= before.remaining, 'passes %s of %s', d, before.remaining)
+    def begins(self, j, p, e):
+        """A turn that is due begins, or not; any other goes on."""
+        if p.lasts is None or e.lasts is not None:
+            require(p.same(e), str(p.difference(e)))
+            return
+        options = self.roundings(j, e)
+        for n, o in enumerate(options):
+            for m, turn in enumerate(o.turns(self.timestep)):
+                if p.same(turn):
+                    if 'Round' in j['rules']:
+                        self.found('waits' if n else 'rounded')
+                    if m:
+                        self.found('without midway')
+                    return
+        raise Difference(str(p.difference(options[0].turns(self.timestep)[0])))
+
+    def time(self, d, before):
+        """What is expected, if nothing collides."""
+        require(0 < d, 'passes %s', d)
+        for p in before.processes:
+            require(p.spin == s.ZERO or p.since + d <= p.lasts, 'time passes by %s, and the turn of %s is over', d,
+                    p.leaves[0].name)
         for i in range(1, self.samples + 1):
             self.apart(before, d * i / (self.samples + 1))
         self.apart(before, d * F(1023, 1024))
         moved = [p.passed(d) for p in before.processes]
-        if d == before.remaining:
-            require(after.phase in ('due', 'steered'), 'the step is over, and the state is %s' % after.phase)
-            if after.phase == 'steered':
-                return moved, None, True
-        else:
-            left = before.remaining - d
-            while any(s.dot(p.spin, p.spin) * (p.since + left) ** 2 > F(1, 4) for p in after.processes):
-                left /= 2
-            require(after.remaining == left, 'remaining %s, not %s', after.remaining, left)
-        spinning = [i for i, p in enumerate(moved) if p.since != 0]
-        if d < before.remaining and all(after.processes[i].since != 0 for i in spinning):
-            return moved, None, False
-        hits = [pair for pair in self.pairs(before) if self.meets_soon(before.processes, *pair, d)]
-        require(hits, 'turns begin anew after %s, and nothing would have met', d)
-        self.found('contacts')
-        return [p.renewed() for p in moved], True, False
+        return [p.renewed() if p.spin != s.ZERO and p.since == p.lasts else p for p in moved]
 
     def bounce(self, j, before, after):
         p, q = self.collide(before, j['label']['between'])
@@ -206,7 +211,7 @@ class Check:
         clean = self.single(p, q, near)
         if clean:
             self.found('bounces computed')
-            change = dict(zip((p, q), (o.begun() for o in clean)))
+            change = dict(zip((p, q), (o.begun().lasting(None) for o in clean)))
             return [change.get(o, o) for o in before.processes]
         if 'Round' in j['rules']:
             # What the two were before they were rounded is not known: totals only.
@@ -218,7 +223,7 @@ class Check:
         self.line_of_action(p, q, p2, q2)
         if self.free:  # They have the spins of their next turns by now.
             return [None if o in (p, q) else o for o in before.processes]
-        return [o if o not in (p, q) else p2 if o is p else q2 for o in before.processes]
+        return [o if o not in (p, q) else (p2 if o is p else q2).lasting(None) for o in before.processes]
 
     def conserved(self, p, q, p2, q2):
         energy = sum(o.energy() for o in (p, q) if not o.fixed)
@@ -267,7 +272,7 @@ class Check:
         near = [part_of(before, e) for e in ends]
         _, width2 = s.widest(*near)
         require(width2 <= self.resolution ** 2, 'bound at a distance of %s', float(width2) ** 0.5)
-        whole = r.bound(p, q, after.of(names[0]).bonds)
+        whole = r.bound(p, q, after.of(names[0]).bonds).lasting(None)
         return self.replaced(before, (p, q), [whole], after)
 
     def split(self, before, after):
@@ -277,7 +282,7 @@ class Check:
         require(frozenset().union(*(o.names for o in made)) == whole.names, 'pieces')
         # Where the pieces are after rounding is not where they were split.
         leaves = {l.name: l for l in whole.leaves}
-        pieces = [r.piece(turning, o.moved([leaves[l.name] for l in o.leaves])) for o in made]
+        pieces = [r.piece(turning, o.moved([leaves[l.name] for l in o.leaves])).lasting(None) for o in made]
         if not whole.fixed:
             old, new = r.totals([turning]), r.totals(pieces)
             require(old == new or any(o.fixed for o in made), 'a split keeps %s, not %s', new, old)
@@ -293,21 +298,6 @@ class Check:
         if 'Round' not in j['rules']:
             return [p]
         return r.roundings(p, self.orientation, self.velocity)
-
-    def rounding(self, j, expected, after):
-        if 'Round' not in j['rules']:
-            for p, e in zip(after.processes, expected):
-                found = e and p.difference(e)
-                require(found is None, str(found))
-            return
-        for p, e in zip(after.processes, expected):
-            if e is None:
-                continue
-            options = self.roundings(j, e)
-            require(any(p.same(o) for o in options), str(p.difference(options[0])))
-            self.found('waits' if not p.same(options[0]) else 'rounded')
-        if None not in expected:
-            self.rounded_totals(j, expected, after.processes)
 
     def rounded_totals(self, j, before, after, skip=0):
         """What rounding is said to have added to momentum, angular momentum and energy, from number `skip` on."""
