@@ -137,7 +137,8 @@ let midway m (p : State.process) =
 let left (p : State.process) =
   match p.lasts with
   | Some d when spinning p -> Some (Rat.sub d p.since)
-  | Some _ | None -> None
+  | Some _ -> None
+  | None -> Some Rat.zero
 
 let stale m (p : State.process) = spinning p && (not (due p)) && (is_free m || Rat.sign p.since > 0)
 

@@ -71,7 +71,7 @@ val midway : Model.t -> State.process -> State.process option
     of 2^(e - 40), where 2^e <= the greatest component < 2^(e + 1). *)
 
 val left : State.process -> Rat.t option
-(** The time left in the turn of what spins. *)
+(** The time left in the turn of what spins; none of it is left while one is due. *)
 
 val stale : Model.t -> State.process -> bool
 (** Whether the process is not as collisions would see it: a turn has gone on for a while, or is one about a spin

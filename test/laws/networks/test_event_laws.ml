@@ -93,8 +93,6 @@ let turning name ?(count = 12) features law =
       let m, states = turning_twice n in
       fail_on (List.find_map (law m) states))
 
-let constant_spin = { Random_rigid.anything with dynamics = `Constant_spin }
-
 (* So that confluence is about something. *)
 let together () =
   let rand = Random.State.make [| 42 |] in
@@ -290,17 +288,12 @@ let () =
             quick "there are many events at once" together;
             fails "Confluence: fails with laws of motion" ~count:400 (Random_network.generate ~steered:true ())
               states_twice;
-            fails "Confluence: fails with rounding" ~count:30
-              (Random_rigid.generate { constant_spin with rounds = true })
-              turning_twice;
-            fails "Confluence: fails for free bodies" ~count:30
-              (Random_rigid.generate { constant_spin with dynamics = `Free_body })
-              turning_twice;
           ]
         [
           straight "Confluence: events that share no process come to the same in either order"
             ~states:states_twice confluent;
-          turning "Confluence: bodies that turn, with constant spin" constant_spin confluent;
+          turning "Confluence: bodies that turn" Random_rigid.anything confluent;
+          turning "Confluence: bodies that turn, with rounding" { Random_rigid.anything with rounds = true } confluent;
         ];
       group "Sites"
         [ straight "Sites: two processes that collide may bind iff surfaces meet" ~count:400 finds_sites ];

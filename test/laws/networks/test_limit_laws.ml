@@ -84,7 +84,8 @@ let finer (m : Model.t) =
   { m with rigid = Option.map rigid m.rigid }
 
 let contact m (s : State.t) =
-  let limit = Option.map (fun (step : State.step) -> step.remaining) s.step in
+  let least d p = match (d, Turn.left p) with None, e | e, None -> e | Some d, Some e -> Some (Rat.min d e) in
+  let limit = Array.fold_left least None s.processes in
   Collisions.first_time_of_contact (standard m) s.processes ~limit
 
 (* Some two that collide at the instant that the coarse one finds come no nearer to each other, by what is missing,
