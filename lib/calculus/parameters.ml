@@ -31,7 +31,7 @@ let rigid (r : Model.rigid) =
 
 let listed (m : Model.t) s =
   (if may_split m s then [ ("split step", Rat.to_string m.split_step) ] else [])
-  @ (if m.steered then [ ("timestep", Rat.to_string m.timestep) ] else [])
+  @ (if not (Model.straight m) then [ ("timestep", Rat.to_string m.timestep) ] else [])
   @ Option.fold ~none:[] ~some:rigid m.rigid
 
 let line = function

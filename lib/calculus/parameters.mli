@@ -7,7 +7,7 @@ val version : string
 
 val listed : Model.t -> State.t -> (string * string) list
 (** Names and values of the parameters that can matter to the model, which begins in this state as it is declared: the
-    [split step] where a weak split is written somewhere; the [timestep] where there are movement steps; [dynamics],
+    [split step] where a weak split is written somewhere; the [timestep] where there are movement steps or turns; [dynamics],
     [resolution] and what is rounded where bodies turn. *)
 
 val line : (string * string) list -> string
