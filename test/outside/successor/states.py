@@ -35,13 +35,14 @@ class Process:
     bonds: FrozenSet[Bond]
     spin: Vector = ZERO
     since: Fraction = Fraction(0)
+    lasts: Optional[Fraction] = Fraction(0)  # None while a turn is due
     momentum: Optional[Vector] = None  # angular, of free bodies
     step: Any = None  # of models with a local timestep
 
     def key(self) -> Any:
         return (
             self.velocity, self.clock, tuple(sorted(self.bodies.items(), key=lambda b: b[0])),
-            self.bonds, self.spin, self.since, self.momentum, self.step,
+            self.bonds, self.spin, (self.since, self.lasts), self.momentum, self.step,
         )  # fmt: skip
 
 
@@ -51,7 +52,6 @@ class Step:
 
     remaining: Fraction
     phase: str
-    length: Optional[Fraction] = None
 
 
 @dataclass(frozen=True)
@@ -102,6 +102,7 @@ def process_of(model: Model, told: dict) -> Process:
         frozenset(bond_of(model, b) for b in told["bonds"]),
         vector(told["spin"]) if "spin" in told else ZERO,
         Fraction(told.get("since", 0)),
+        None if told.get("lasts", 0) is None else Fraction(told.get("lasts", 0)),
         vector(told["angular_momentum"]) if "angular_momentum" in told else None,
         step_of(told.get("step")),
     )
@@ -110,8 +111,7 @@ def process_of(model: Model, told: dict) -> Process:
 def step_of(told: Optional[dict]) -> Optional[Step]:
     if told is None:
         return None
-    length = Fraction(told["length"]) if "length" in told else None
-    return Step(Fraction(told["remaining"]), told["phase"], length)
+    return Step(Fraction(told["remaining"]), told["phase"])
 
 
 def state_of(model: Model, told: dict, time: str) -> State:

@@ -148,20 +148,40 @@ class Turning(Rules):
         since = process.since + d if process.spin != ZERO else Fraction(0)
         return replace(process, bodies=bodies, since=since)
 
-    def renewed(self, process: Process, d: Fraction) -> Process:
-        """A new turn, of length d."""
-        if not self.free or self.is_fixed(process):
-            return replace(process, since=Fraction(0))
-        return replace(process, since=Fraction(0), spin=self.midway(process, d))
+    def left(self, process: Process) -> Optional[Fraction]:
+        """Of the turn of what spins."""
+        if process.lasts is None or process.spin == ZERO:
+            return None
+        return process.lasts - process.since
 
-    def midway(self, process: Process, d: Fraction) -> Vector:
-        """The spin half-way through a turn of length d, from the angular momentum."""
-        start = estimate(self.spin_now(process))
-        turn = Flight(ZERO, ZERO, start, Fraction(0)).at(d / 2)[0]
-        back = apply(transpose(turn), process.momentum or ZERO)
-        found = solve(self.inertia(process), back)
-        assert found is not None
-        return estimate(apply(turn, tuple(found)))  # type: ignore[arg-type]
+    def due(self, process: Process) -> Process:
+        """A turn is due: with the spin that collisions see."""
+        return replace(process, since=Fraction(0), lasts=None, spin=self.spin_now(process))
+
+    def length(self, spin: Vector) -> Fraction:
+        """Of a turn (reading I-20)."""
+        d = self.model.timestep
+        while dot(spin, spin) * d * d > Fraction(1, 4):
+            d /= 2
+        return d if spin != ZERO else Fraction(0)
+
+    def plain(self, process: Process) -> Process:
+        return replace(process, lasts=self.length(process.spin))
+
+    def midway(self, process: Process) -> Process:
+        """With the spin half-way through a turn, from the angular momentum, and that turn."""
+        if not self.free or process.spin == ZERO:
+            return self.plain(process)
+        d, start = self.length(process.spin), estimate(process.spin)
+        while True:
+            turn = Flight(ZERO, ZERO, start, Fraction(0)).at(d / 2)[0]
+            back = apply(transpose(turn), process.momentum or ZERO)
+            found = solve(self.inertia(process), back)
+            assert found is not None
+            spin = estimate(apply(turn, tuple(found)))  # type: ignore[arg-type]
+            if dot(spin, spin) * d * d <= Fraction(1, 4):
+                return replace(process, spin=spin, lasts=d)
+            d /= 2
 
     # Casts.
 
@@ -177,12 +197,22 @@ class Turning(Rules):
                 yield (name1, part1), (name2, part2), casting, grid, self.shift(p, q)
 
     def shift(self, p: Process, q: Process) -> Fraction:
-        """How long ago the grid of instants began."""
-        return Fraction(0)
+        """How long ago the grid of instants began: with the last of their turns."""
+        return min(x.since for x in (p, q) if x.spin != ZERO)
 
-    def span(self, state: State) -> Fraction:
-        assert state.step is not None
-        return state.step.remaining
+    def exactly(self, p: Process, q: Process) -> Optional[Fraction]:
+        """Where neither spins: the instant itself (rule Ftoc)."""
+        w, found = sub(q.velocity, p.velocity), []
+        if w == ZERO:
+            return None
+        for name1, part1, _ in self.parts(p):
+            for name2, part2, _ in self.parts(q):
+                one = self.world(p.bodies[name1], part1)
+                two = self.world(q.bodies[name2], part2)
+                t = contact.first_time_of_contact(one, two, ZERO, w)
+                if t is not None:
+                    found.append(t)
+        return min(found) if found else None
 
     def far(self, p: Process, q: Process, span: Fraction) -> bool:
         """Whether two processes are too far apart to meet within a span: their balls do not."""
@@ -199,41 +229,50 @@ class Turning(Rules):
         d = sub(self.centre(q), self.centre(p))
         return dot(d, d) > reach * reach
 
-    def to_collision_of(self, p: Process, q: Process, span: Fraction) -> Optional[Fraction]:
-        if span <= 0 or self.far(p, q, span):
+    def to_collision_of(self, p: Process, q: Process, most: Optional[Fraction]) -> Any:
+        """The time until two processes collide, if it is at most ``most``."""
+        if p.spin == ZERO and q.spin == ZERO:
+            t = self.exactly(p, q)
+            return t if t is None or most is None or t <= most else None
+        assert most is not None
+        if self.far(p, q, most + 1):
             return None
         found = []
         for _, _, casting, grid, shift in self.casts(p, q):
-            t = casting.first(span, grid, shift)
+            cell = Fraction(1, 2**grid)
+            after = ((most + shift) // cell + 1) * cell - shift
+            t = casting.first(after, grid, shift)
             if t is not None:
                 found.append(t)
         return min(found) if found else None
 
-    def to_collision(self, state: State) -> Optional[Fraction]:
-        found = []
+    def delay(self, state: State) -> Optional[Fraction]:
+        """Rule Time; what is known to be at rest is accepted as it is told."""
+        events = []
+        for process in state.processes:
+            for event in (self.horizon(process), self.left(process)):
+                if event is not None:
+                    events.append(event)
+            if process.clock is not None:
+                events.append(self.model.split_step - process.clock)
+        if state.step is not None and self.goes_on(state):
+            events.append(state.step.remaining)
+        most = min(events) if events else None
         for p, q in combinations(state.processes, 2):
-            t = self.to_collision_of(p, q, self.span(state))
+            t = self.to_collision_of(p, q, most)
             if t is not None:
-                found.append(t)
-        return min(found) if found else None
+                events.append(t)
+        if state.step is not None and events:
+            events.append(state.step.remaining)
+        return min(events) if events else None
 
     def collisions(self, state: State) -> List[Tuple[Process, Process, List[Any]]]:
         """Processes that collide now: t- is 0 for some parts of theirs (rule Cast)."""
         found = []
         for p, q in combinations(state.processes, 2):
-            span = self.span(state)
-            if span <= 0:
-                span = self.model.timestep
-            if self.far(p, q, span):
-                continue
-            if any(self.collide_at_once(cast, span) for cast in self.casts(p, q)):
+            if self.to_collision_of(p, q, Fraction(0)) == 0:
                 found.append((p, q, self.meetings(p, q)))
         return found
-
-    def collide_at_once(self, cast: Any, span: Fraction) -> bool:
-        _, _, casting, grid, shift = cast
-        cell = Fraction(1, 2**grid)
-        return bool(casting.first(min(span, cell - shift % cell), grid, shift) == 0)
 
     def meetings(self, p: Process, q: Process) -> List[Meeting]:
         found = []
@@ -255,7 +294,7 @@ class Turning(Rules):
 
     def bind(self, p: Process, q: Process, bond: Bond, new: Dict[str, Body]) -> Process:
         bodies = {**p.bodies, **q.bodies, **new}
-        joined = Process(ZERO, None, bodies, p.bonds | q.bonds | {bond})
+        joined = Process(ZERO, None, bodies, p.bonds | q.bonds | {bond}, lasts=None)
         if self.is_fixed(joined):
             momentum = ZERO if self.free else None
             return self.begun(replace(joined, momentum=momentum))
@@ -283,82 +322,82 @@ class Turning(Rules):
 
     def pushed(self, process: Process, after: impact.Rigid) -> Process:
         if after.mass is None:
-            return process
+            return replace(process, lasts=None)
         momentum = apply(after.inertia, after.spin) if self.free else None  # type: ignore
-        return replace(process, velocity=after.velocity, spin=after.spin, momentum=momentum)
+        return replace(
+            process, velocity=after.velocity, spin=after.spin, momentum=momentum,
+            since=Fraction(0), lasts=None,
+        )  # fmt: skip
 
     def piece(self, process: Process, piece: Process) -> Process:
         """Reading I-23: the rigid motion of the whole."""
         if self.is_fixed(process):
             momentum = ZERO if self.free else None
-            return replace(piece, velocity=ZERO, spin=ZERO, momentum=momentum)
+            return replace(piece, velocity=ZERO, spin=ZERO, momentum=momentum, lasts=None)
         spin = self.spin_now(process)
         arm = sub(self.centre(piece), self.centre(process))
         velocity = add(process.velocity, cross(spin, arm))
         momentum = apply(self.inertia(piece), spin) if self.free else None
-        return replace(piece, velocity=velocity, spin=spin, momentum=momentum)
+        return replace(piece, velocity=velocity, spin=spin, momentum=momentum, lasts=None)
 
-    # Steps.
+    # Turns that end and begin, and steps.
 
-    def begun_step(self, state: State, phase: str) -> State:
-        """A new movement step, short enough for all spins (Turn), with new turns."""
-        length = self.short(self.model.timestep, state.processes)
-        processes = tuple(self.renewed(p, length) for p in state.processes)
-        return replace(state, processes=processes, step=Step(length, phase, length))
+    def colliding(self, state: State) -> List[Process]:
+        return [p for pair in self.collisions(state) for p in pair[:2]]
 
-    def short(self, d: Fraction, processes: Any) -> Fraction:
-        for process in processes:
-            spin = self.spin_now(process)
-            while dot(spin, spin) * d * d > Fraction(1, 4):
-                d /= 2
-        return d
+    def at_contact(self, state: State) -> State:
+        """The turns of what collides end; again, until none does whose turn goes on."""
+        while True:
+            hit = self.colliding(state)
+            old = [
+                p for p in state.processes
+                if p.lasts is not None and p.spin != ZERO and (self.free or p.since > 0)
+                and any(p is h for h in hit)
+            ]  # fmt: skip
+            if not old:
+                return state
+            state = state.having(old, [self.due(p) for p in old])
+
+    def turns_begin(self, state: State) -> State:
+        hit = self.colliding(state)
+        old = [p for p in state.processes if p.lasts is None and not any(p is h for h in hit)]
+        chosen = {id(p): self.midway(p) for p in old}
+        while True:
+            after = state.having(old, list(chosen.values()))
+            new = self.colliding(after)
+            waiting = [
+                p for p in old
+                if chosen[id(p)].spin != p.spin and any(chosen[id(p)] is h for h in new)
+            ]  # fmt: skip
+            if not waiting:
+                return after
+            for p in waiting:
+                chosen[id(p)] = self.plain(p)
 
     def settled(self, state: State, kind: str) -> State:
+        over = [p for p in state.processes if self.left(p) == 0]
+        state = self.at_contact(state.having(over, [self.due(p) for p in over]))
         step = state.step
-        assert step is not None
-        if kind in ("weak", "strong", "bind", "bounce") and step.phase != "due":
-            remaining = (
-                self.short(step.remaining, state.processes) if step.remaining else step.remaining
-            )
-            step = replace(
-                step, remaining=remaining, length=step.length - step.remaining + remaining
-            )
+        if step is not None:
+            if step.phase == "moving" and (step.remaining == 0 or kind in ("bind", "bounce")):
+                step = replace(step, phase="due")
+            if step.phase == "due" and not self.collisions(state):
+                dt = self.model.timestep - step.remaining
+                law = [p for p in state.processes if self.has_law(p)]
+                new = [self.steered(self.due(p), state.time, dt) for p in law]
+                state = state.having(law, new)
+                step = replace(step, remaining=self.model.timestep, phase="steered")
             state = replace(state, step=step)
-        collides = bool(self.collisions(state))
-        if kind == "time" and collides:
-            processes = tuple(
-                replace(p, since=Fraction(0), spin=self.spin_now(p)) for p in state.processes
-            )
-            state = replace(state, processes=processes)
-        if step.phase == "moving" and (step.remaining == 0 or kind in ("bind", "bounce")):
-            step = replace(step, phase="due")
-        state = replace(state, step=step)
-        if step.phase == "due" and not collides:
-            dt = step.length - step.remaining
-            processes = tuple(self.renewed(p, self.model.timestep) for p in state.processes)
-            processes = tuple(self.steered(p, state.time, dt) for p in processes)
-            return self.begun_step(replace(state, processes=processes), "steered")
-        return state
+        return self.turns_begin(self.at_contact(state))
+
+    def has_law(self, process: Process) -> bool:
+        laws = any(self.leaf(name).law is not None for name in process.bodies)
+        return laws and not self.is_fixed(process)
 
     def seen(self, process: Process, name: str) -> Tuple[Vector, Vector]:
         x = self.centroid(name, process.bodies[name])
         r = sub(x, self.centre(process))
         return x, add(process.velocity, cross(self.spin_now(process), r))
-
-    def goes_on(self, state: State) -> bool:
-        """Whether steps are to come. Where something spins they are, but for states of which it
-        can be proved that nothing meets (Quiescent): these are accepted as they are told."""
-        if super().goes_on(state) or any(p.spin != ZERO for p in state.processes):
-            return True
-        for p, q in combinations(state.processes, 2):
-            w = sub(q.velocity, p.velocity)
-            for name1, part1, _ in self.parts(p):
-                for name2, part2, _ in self.parts(q):
-                    one = self.world(p.bodies[name1], part1)
-                    two = self.world(q.bodies[name2], part2)
-                    if contact.first_time_of_contact(one, two, ZERO, w) is not None:
-                        return True
-        return False
 
     def initial(self) -> State:
         bodies, motions = {}, {}
@@ -377,10 +416,11 @@ class Turning(Rules):
                 spin = motions[next(iter(piece.bodies))][1]
                 momentum = apply(self.inertia(piece), spin)
             piece = replace(
-                piece, velocity=velocity, spin=spin, momentum=momentum if self.free else None
-            )
+                piece, velocity=velocity, spin=spin, lasts=None,
+                momentum=momentum if self.free else None,
+            )  # fmt: skip
             processes.append(self.begun(piece))
-        step = Step(self.model.timestep, "due", self.model.timestep)
+        step = Step(self.model.timestep, "due") if self.model.steered else None
         return self.settled(State(tuple(processes), step), "initial")
 
 
