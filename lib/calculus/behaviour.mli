@@ -3,7 +3,8 @@
 
 open Scc_exact
 
-(** A channel's name and active surface. Two are equal when name and closure are (reading I-17), whatever is listed. *)
+(** A channel's name and active surface. Two are equal when name and closure are (reading I-17), whatever is
+    listed. *)
 type channel = private {
   name : string;
   sites : Site.t list;  (** Phi as listed, sorted; not empty *)

@@ -21,6 +21,9 @@ type rigid = {
   round_velocity : int option;
 }
 
+type collisions = In_turn | Together
+type binding = On_collision | On_contact
+
 type t = {
   leaves : leaf array;
   definitions : Behaviour.definitions;
@@ -28,6 +31,8 @@ type t = {
   split_step : Rat.t;
   keeps_time : bool;
   steered : bool;
+  collisions : collisions;
+  binding : binding;
   rigid : rigid option;
 }
 

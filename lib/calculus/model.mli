@@ -37,6 +37,16 @@ type rigid = {
   round_velocity : int option;  (** velocities and spins are rounded to multiples of 2^-k *)
 }
 
+(** How collisions of one instant that hang together are resolved. *)
+type collisions =
+  | In_turn  (** two processes at a time, in every order (reading I-8) *)
+  | Together  (** as one (reading I-32) *)
+
+(** When open, compatible channels bind whose active surfaces meet. *)
+type binding =
+  | On_collision  (** of two processes that collide (reading I-12) *)
+  | On_contact  (** also of two that do not collide (reading I-33); not in rigid models *)
+
 type t = {
   leaves : leaf array;
   definitions : Behaviour.definitions;
@@ -45,6 +55,8 @@ type t = {
   keeps_time : bool;  (** absolute time is part of the state: a law or a property needs it *)
   steered : bool;
   (** some law is not inertial: the movement step is part of the state *)
+  collisions : collisions;
+  binding : binding;
   rigid : rigid option;  (** [None]: the translational calculus, in which nothing turns *)
 }
 

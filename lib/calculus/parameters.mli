@@ -1,13 +1,14 @@
-(** What the meaning of a model depends on besides its text: the version of the semantics, and the parameters of its
-    rules. Every report, trace and graph says it in its head. *)
+(** What the meaning of a model depends on besides its text: the version of the semantics, and the parameters of
+    its rules. Every report, trace and graph says it in its head. *)
 
 val version : string
-(** Of the semantics: of the rule book, which names it. A change of what any model does or of what any property means
-    raises it. *)
+(** Of the semantics: of the rule book, which names it. A change of what any model does or of what any property
+    means raises it. *)
 
 val listed : Model.t -> State.t -> (string * string) list
-(** Names and values of the parameters that can matter to the model, which begins in this state as it is declared: the
-    [split step] where a weak split is written somewhere; the [timestep] where there are movement steps or turns; [dynamics],
+(** Names and values of the parameters that can matter to the model, which begins in this state as it is
+    declared: the [split step] where a weak split is written somewhere; the [timestep] where there are movement
+    steps or turns; [collisions] and [binding] where they are not the default (readings I-32 and I-33); [dynamics],
     [resolution] and what is rounded where bodies turn. *)
 
 val line : (string * string) list -> string

@@ -26,9 +26,9 @@ let representative (space : Explored.t) ~renamed state leaf =
 let label_text (space : Explored.t) ~renamed s (label : Transition.label) =
   let label : Transition.label =
     match label with
-    | Bounce (p, q) ->
+    | Bounce firsts ->
       let state = space.state s in
-      Bounce (representative space ~renamed state p, representative space ~renamed state q)
+      Bounce (List.map (representative space ~renamed state) firsts)
     | Time _ | Bind _ | Weak_split _ | Strong_split _ -> label
   in
   Transition.label_to_string (Explored.model space) label

@@ -11,11 +11,18 @@ let bond m (b : State.bond) =
   let site (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
   Printf.sprintf "<%s, {%s, %s}>" b.name (site b.one) (site b.two)
 
+(* "p and q", "p, q and r". *)
+let rec listed = function
+  | [] -> ""
+  | [ last ] -> last
+  | [ one; last ] -> one ^ " and " ^ last
+  | one :: rest -> one ^ ", " ^ listed rest
+
 let label m : Transition.label -> string = function
   | Time d -> Printf.sprintf "time passes by %s" (Rat.to_string d)
   | Bind b ->
     Printf.sprintf "%s and %s collide and bind by %s" (name m b.one.at) (name m b.two.at) (bond m b)
-  | Bounce (p, q) -> Printf.sprintf "%s and %s collide and bounce" (name m p) (name m q)
+  | Bounce firsts -> Printf.sprintf "%s collide and bounce" (listed (List.map (name m) firsts))
   | Weak_split b -> Printf.sprintf "%s and %s release %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Strong_split [ b ] ->
     Printf.sprintf "%s and %s react and release %s" (name m b.one.at) (name m b.two.at) (bond m b)

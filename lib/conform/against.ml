@@ -120,23 +120,20 @@ let rec within xs ys =
     let c = String.compare x y in
     if c = 0 then within xs' ys' else c > 0 && within xs ys'
 
-(* Of a bounce: whether there is one leaf of each of the two processes. *)
-let between s mine (p, q) =
+(* Of a bounce: whether there is one leaf of each of the processes. *)
+let between s mine firsts =
   let of_process first = s.State.processes.(fst (State.find_leaf s first)) in
-  let p = of_process p and q = of_process q in
-  match mine with
-  | [ a; b ] ->
-    (State.has_leaf p a && State.has_leaf q b) || (State.has_leaf q a && State.has_leaf p b)
-  | _ -> false
+  List.compare_lengths mine firsts = 0
+  && List.for_all (fun first -> List.exists (State.has_leaf (of_process first)) mine) firsts
 
 let same_bodies t s e (label : Transition.label) =
   let mine = leaves t e in
   match label with
   | Time _ -> false
-  | Bounce (p, q) -> between s mine (p, q)
+  | Bounce firsts -> between s mine firsts
   | Bind b when e.kind = Bounce ->
     let first leaf = s.State.processes.(fst (State.find_leaf s leaf)).leaves.(0).leaf in
-    between s mine (first b.one.at, first b.two.at)
+    between s mine [ first b.one.at; first b.two.at ]
   | Bind _ | Weak_split _ | Strong_split _ ->
     let theirs = distinct (List.map (fun (f : State.finish) -> f.at) (List.concat_map ends (bonds label))) in
     let told = distinct (List.filter_map (leaf t) e.bodies) in
@@ -172,7 +169,7 @@ let common_body t s e label =
   let first leaf = s.State.processes.(fst (State.find_leaf s leaf)).leaves.(0).leaf in
   let theirs =
     match (label : Transition.label) with
-    | Bounce (p, q) -> [ p; q ]
+    | Bounce firsts -> firsts
     | _ -> List.map (fun (f : State.finish) -> first f.at) (List.concat_map ends (bonds label))
   in
   List.exists (fun p -> List.mem p theirs) (processes_of t s e)

@@ -67,7 +67,7 @@ let event row kind =
   let count = List.length bodies in
   let* () =
     match kind with
-    | Bounce when count <> 2 -> Error (malformed row.at "a bounce is of two bodies, not of %d" count)
+    | Bounce when count < 2 -> Error (malformed row.at "a bounce is of two bodies or more, not of %d" count)
     | (Bind | Weak) when count <> 2 && not (count = 0 && features <> []) ->
       Error (malformed row.at "a row `%s` is of two bodies, not of %d" (kind_name kind) count)
     | Strong when count = 0 && features = [] -> Error (malformed row.at "a row `strong` names no bodies")

@@ -58,8 +58,9 @@ let label c json =
   | "time", _ -> Ok None
   | _, None -> wrong c "`%s` is none of time, bind, bounce, weak and strong" kind
   | _, Some Bounce ->
-    if List.length bodies = 2 then Ok (Some { kind = Bounce; channels = []; bodies; features = []; together = [] })
-    else wrong c "a bounce is of two bodies, `between`"
+    if List.length bodies >= 2 then
+      Ok (Some { kind = Bounce; channels = []; bodies; features = []; together = [] })
+    else wrong c "a bounce is of two bodies or more, `between`"
   | _, Some kind ->
     let* own = bond c json in
     let* more = match Json.member "bonds" json with None -> Ok [] | Some l -> all c "bonds" bond l in

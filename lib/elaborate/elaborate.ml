@@ -71,6 +71,8 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       split_step = program.split_step;
       keeps_time;
       steered;
+      collisions = Settings.collisions program.settings;
+      binding = Settings.binding program.settings;
       rigid;
     }
   in
@@ -113,6 +115,8 @@ let read c (program : Program.t) =
   ignore (behaviours_of table bodies (fun i -> not (included i)));
   let definitions = Behaviours.finish table in
   Assembly.check_overlaps c bodies composition;
+  if not (Report.failed c.report) then
+    Settings.check program.settings c.report ~spins:(Option.is_some (Assembly.spinning bodies composition));
   Templates.warn_off_centre c;
   warn_unused c program;
   if Report.failed c.report then None

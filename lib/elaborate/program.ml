@@ -50,7 +50,7 @@ type gathered = {
   mutable templates : string list;
   mutable delta : (Rat.t option * Span.t) option;
   mutable split : (Rat.t option * Span.t) option;
-  turning : Settings.t;
+  settings : Settings.t;
   mutable all_bodies : body list;
   mutable all_bonds : (Env.t * Ast.bond) list;
   mutable composition : (Env.t * Ast.path list * Span.t) option;
@@ -137,7 +137,8 @@ let body g place fixed name first rest span =
 let allowed_in_loop (item : Ast.item) =
   match item.it with
   | Process _ | Fixed _ | Bond _ | For _ | Motion _ | Let _ | Check _ -> true
-  | Model _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Resolution _ | Round _ | Shape _ | Compound _
+  | Model _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Resolution _
+  | Round _ | Shape _ | Compound _
   | Behaviour _ | Network _ -> false
 
 let range g place ((name : Ast.name), low, high) =
@@ -178,9 +179,11 @@ and simple g place (i : Ast.item) =
     g.model <- Some name
   | Timestep e -> g.delta <- step g place g.delta "timestep" e
   | Split_step e -> g.split <- step g place g.split "split_step" e
-  | Dynamics name -> Settings.dynamics g.turning g.c.report name
-  | Resolution e -> Settings.resolution g.turning g.c.report place.env e
-  | Round (what, e) -> Settings.round g.turning g.c.report place.env what e
+  | Dynamics name -> Settings.dynamics g.settings g.c.report name
+  | Collisions name -> Settings.read_collisions g.settings g.c.report name
+  | Binding name -> Settings.read_binding g.settings g.c.report name
+  | Resolution e -> Settings.resolution g.settings g.c.report place.env e
+  | Round (what, e) -> Settings.round g.settings g.c.report place.env what e
   | Shape (name, solid) ->
     g.templates <- name.it :: g.templates;
     Templates.declare g.c place.env name solid
@@ -232,7 +235,7 @@ let gather c overrides =
     templates = [];
     delta = None;
     split = None;
-    turning = Settings.create ();
+    settings = Settings.create ();
     all_bodies = [];
     all_bonds = [];
     composition = None;
@@ -261,7 +264,7 @@ let program g =
     shapes = List.rev g.templates;
     timestep;
     split_step = value g.split ~default:timestep;
-    settings = g.turning;
+    settings = g.settings;
     bodies = List.rev g.all_bodies;
     bonds = List.rev g.all_bonds;
     behaviours = g.behaviour_table;

@@ -12,9 +12,14 @@ type t = {
   mutable resolution : Rat.t given option;
   mutable orientation : int given option;
   mutable velocity : int given option;
+  mutable collisions : Model.collisions given option;
+  mutable binding : Model.binding given option;
 }
 
-let create () = { dynamics = None; resolution = None; orientation = None; velocity = None }
+let create () =
+  {
+    dynamics = None; resolution = None; orientation = None; velocity = None; collisions = None; binding = None;
+  }
 
 let once report earlier what (at : Span.t) value =
   match earlier with
@@ -24,18 +29,26 @@ let once report earlier what (at : Span.t) value =
     earlier
   | None -> Some { value = value (); at }
 
-let kinds : (string * Model.dynamics) list = [ ("constant_spin", Constant_spin); ("free_body", Free_body) ]
+(* One of some names, each with what it stands for. *)
+let choice report what kinds (name : Ast.name) () =
+  let found = List.assoc_opt name.it kinds in
+  if Option.is_none found then
+    Report.error report Code.unknown_name name.at "unknown %s `%s`; it is %s" what name.it
+      (String.concat " or " (List.map fst kinds))
+      ~near:(name.it, fun () -> List.map fst kinds);
+  found
 
 let dynamics t report (name : Ast.name) =
-  let value () =
-    let found = List.assoc_opt name.it kinds in
-    if Option.is_none found then
-      Report.error report Code.unknown_name name.at
-        "unknown dynamics `%s`; it is constant_spin or free_body" name.it
-        ~near:(name.it, fun () -> List.map fst kinds);
-    found
-  in
-  t.dynamics <- once report t.dynamics "dynamics" name.at value
+  let kinds : (string * Model.dynamics) list = [ ("constant_spin", Constant_spin); ("free_body", Free_body) ] in
+  t.dynamics <- once report t.dynamics "dynamics" name.at (choice report "dynamics" kinds name)
+
+let read_collisions t report (name : Ast.name) =
+  let kinds : (string * Model.collisions) list = [ ("in_turn", In_turn); ("together", Together) ] in
+  t.collisions <- once report t.collisions "collisions" name.at (choice report "collisions" kinds name)
+
+let read_binding t report (name : Ast.name) =
+  let kinds : (string * Model.binding) list = [ ("collision", On_collision); ("contact", On_contact) ] in
+  t.binding <- once report t.binding "binding" name.at (choice report "binding" kinds name)
 
 let resolution t report env (e : Ast.expr) =
   let value () = Constant.positive report env "resolution" e in
@@ -126,8 +139,10 @@ let warn_unstated t report (name, at) =
 
 let value given = Option.bind given (fun g -> g.value)
 
+let is_rigid t ~spins = spins || Option.is_some t.dynamics
+
 let rigid t report ~spinning leaves =
-  if Option.is_none t.dynamics && Option.is_none spinning then begin
+  if not (is_rigid t ~spins:(Option.is_some spinning)) then begin
     warn_without_effect t report;
     None
   end
@@ -145,3 +160,17 @@ let rigid t report ~spinning leaves =
         round_velocity = value t.velocity;
       }
   end
+
+(* {1 Choices} *)
+
+let collisions t = Option.value ~default:Model.In_turn (value t.collisions)
+
+let binding t = Option.value ~default:Model.On_collision (value t.binding)
+
+let check t report ~spins =
+  match t.binding with
+  | Some { value = Some Model.On_contact; at } when is_rigid t ~spins ->
+    Report.error report Code.not_yet at
+      "bodies that turn bind when they collide, and not by contact: their contact is known within a resolution, \
+       and the first instant of it is no rational number"
+  | Some _ | None -> ()

@@ -1,5 +1,5 @@
-(** The settings of rigid motion: [dynamics], [resolution] and [round], each at most once (rules Turn and
-    Round). *)
+(** What a model chooses, each at most once: [collisions] and [binding] (readings I-32 and I-33), and the
+    settings of rigid motion, [dynamics], [resolution] and [round] (rules Turn and Round). *)
 
 open Scc_base
 open Scc_syntax
@@ -9,6 +9,8 @@ type t
 
 val create : unit -> t
 val dynamics : t -> Report.t -> Ast.name -> unit
+val read_collisions : t -> Report.t -> Ast.name -> unit
+val read_binding : t -> Report.t -> Ast.name -> unit
 val resolution : t -> Report.t -> Env.t -> Ast.expr -> unit
 
 val round : t -> Report.t -> Env.t -> Ast.name -> Ast.expr -> unit
@@ -19,3 +21,12 @@ val rigid : t -> Report.t -> spinning:(string * Span.t) option -> Model.leaf arr
     [dynamics] is given, SC0215) or [dynamics] is given; otherwise the settings that are given have no effect (SC0213). A resolution of more than an eighth of the
     shortest edge is coarse (SC0214). Where no resolution is given it is the
     greatest power of two that is at most 2^-20 times the least edge. *)
+
+val collisions : t -> Model.collisions
+(** [In_turn] if nothing is said. *)
+
+val binding : t -> Model.binding
+(** [On_collision] if nothing is said. *)
+
+val check : t -> Report.t -> spins:bool -> unit
+(** A rigid model cannot choose [On_contact] (SC0901). *)

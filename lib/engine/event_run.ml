@@ -216,12 +216,25 @@ let splits_now t s =
 let collision_now t p =
   let ages = (p.one.age, p.two.age) in
   if not (same_numbers p.ages ages) then begin
-    p.collision <- Network.together t.semantics (present t p.one) (present t p.two);
+    p.collision <- Network.together t.semantics [| present t p.one; present t p.two |];
     p.ages <- ages
   end;
   p.collision
 
 let on_course p = same_numbers p.sweeps (p.one.flight.sweep, p.two.flight.sweep)
+
+(* Where collisions are resolved together, all who may collide now are looked at together (reading I-32). *)
+let clusters_now t =
+  let take p involved = Firsts.add p.one.flight.first p.one (Firsts.add p.two.flight.first p.two involved) in
+  let involved = Pairs.fold (fun _ p found -> take p found) t.colliding Firsts.empty in
+  Network.together t.semantics
+    (Array.of_list (List.map (fun (_, b) -> present t b) (Firsts.bindings involved)))
+
+let collisions_now t =
+  let last_first all outcomes = List.rev_append outcomes all in
+  match (model t).collisions with
+  | In_turn -> Pairs.fold (fun _ p all -> last_first all (collision_now t p)) t.colliding []
+  | Together -> List.rev (clusters_now t)
 
 (* Whoever collides or splits now is involved, and rules look at nobody else. *)
 let look t =
@@ -235,7 +248,7 @@ let look t =
          (last_first strong more_strong, last_first weak more_weak))
       t.splitting ([], [])
   in
-  let collisions = Pairs.fold (fun _ p all -> last_first all (collision_now t p)) t.colliding [] in
+  let collisions = collisions_now t in
   let time () =
     match next_time t with
     | None -> []
@@ -311,9 +324,13 @@ let iter_spread f a =
     f a.(i * step mod n)
   done
 
+(* Bodies that come to touch and do not collide are on no agenda (reading I-33). *)
+let can_run (m : Model.t) =
+  Model.straight m && match m.binding with On_collision -> true | On_contact -> false
+
 let start semantics (s : State.t) =
   let m = Semantics.model semantics in
-  if not (Model.straight m) then Scc_base.Bug.fail __POS__ "laws of motion, or turns, from event to event";
+  if not (can_run m) then Scc_base.Bug.fail __POS__ "laws of motion, turns or bonds by contact, from event to event";
   let t =
     {
       semantics;

@@ -8,8 +8,11 @@ open Scc_semantics
 
 type t
 
+val can_run : Model.t -> bool
+(** Not with laws of motion, nor where processes bind that do not collide (reading I-33). *)
+
 val start : Semantics.t -> State.t -> t
-(** From any state of a model that is not steered. *)
+(** From any state of a model that {!can_run}. *)
 
 (** A transition that is possible now. *)
 type alternative = {

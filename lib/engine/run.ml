@@ -7,21 +7,22 @@ type alternative = Event_run.alternative = {
   rounded : Totals.t Lazy.t option;
 }
 
-(* Under laws of motion: the present state and, once they have been asked for, its transitions. *)
-type steered = {
+(* Where it cannot run from event to event: the present state and, once they have been asked for, its
+   transitions. *)
+type stepwise = {
   semantics : Semantics.t;
   mutable present : State.t;
   mutable next : ((alternative * State.t) list, Transition.fault) result option;  (** with where they lead *)
   mutable rounded : Totals.sum;
 }
 
-type t = Steered of steered | Inertial of Event_run.t
+type t = Stepwise of stepwise | Eventwise of Event_run.t
 
 let start semantics declared =
   Result.map
     (fun s ->
-       if Model.straight (Semantics.model semantics) then Inertial (Event_run.start semantics s)
-       else Steered { semantics; present = s; next = None; rounded = Totals.no_sum })
+       if Event_run.can_run (Semantics.model semantics) then Eventwise (Event_run.start semantics s)
+       else Stepwise { semantics; present = s; next = None; rounded = Totals.no_sum })
     (Network.initial semantics declared)
 
 let next s =
@@ -35,13 +36,13 @@ let next s =
     next
 
 let alternatives = function
-  | Inertial run -> Ok (Event_run.alternatives run)
-  | Steered s -> Result.map (List.map fst) (next s)
+  | Eventwise run -> Ok (Event_run.alternatives run)
+  | Stepwise s -> Result.map (List.map fst) (next s)
 
 let take t i =
   match t with
-  | Inertial run -> Event_run.take run i
-  | Steered s -> (
+  | Eventwise run -> Event_run.take run i
+  | Stepwise s -> (
       match next s with
       | Ok transitions when i >= 0 && i < List.length transitions ->
         let taken, target = List.nth transitions i in
@@ -50,18 +51,18 @@ let take t i =
         s.next <- None
       | Ok _ | Error _ -> Scc_base.Bug.fail __POS__ "an alternative that is not there")
 
-let state = function Inertial run -> Event_run.state run | Steered s -> s.present
+let state = function Eventwise run -> Event_run.state run | Stepwise s -> s.present
 
 (* Without laws of motion, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)
 let quiescent = function
-  | Inertial run -> Event_run.alternatives run = []
-  | Steered s -> Network.quiescent s.semantics s.present
+  | Eventwise run -> Event_run.alternatives run = []
+  | Stepwise s -> Network.quiescent s.semantics s.present
 
 let spinning t = Array.exists Turn.spinning (state t).processes
 
 let rounded = function
-  | Inertial _ -> None
-  | Steered s -> (
+  | Eventwise _ -> None
+  | Stepwise s -> (
       match (Semantics.model s.semantics).rigid with
       | Some { round_orientation = None; round_velocity = None; _ } | None -> None
       | Some _ -> Some (Totals.bounds s.rounded))

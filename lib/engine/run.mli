@@ -2,7 +2,8 @@
 
     A network without laws of motion runs from event to event ({!Event_run}): a step costs about as much as the few
     bodies that take part in it, and only {!state} looks at all. Under laws of motion every step changes the
-    velocity of every steered body anyway, and the whole of {!Network.successors} is computed for each. *)
+    velocity of every steered body anyway, and the whole of {!Network.successors} is computed for each; so
+    it is where processes bind that do not collide (reading I-33). *)
 
 open Scc_calculus
 open Scc_semantics

@@ -14,15 +14,16 @@ let fits_ends (wanted : Property.ends) (b : State.bond) =
   | One p -> ends p
   | Two (p, q) -> (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p)
 
-(* The two that bounced are still apart, with the leaves that they had before. *)
-let fits_processes (source : State.t) one two (wanted : Property.ends) =
+(* Those that bounced are still apart, with the leaves that they had before. *)
+let fits_processes (source : State.t) firsts (wanted : Property.ends) =
   let home leaf = source.processes.(fst (State.find_leaf source leaf)) in
   let has = State.has_leaf in
-  let one = home one and two = home two in
+  let bounced = List.map home firsts in
+  let of_one p = List.exists (fun process -> has process p) bounced in
   match wanted with
   | Any -> true
-  | One p -> has one p || has two p
-  | Two (p, q) -> (has one p && has two q) || (has two p && has one q)
+  | One p -> of_one p
+  | Two (p, q) -> of_one p && of_one q && not (has (home p) q)
 
 let made : Property.change -> bool = function
   | Made -> true
@@ -42,5 +43,5 @@ let matches ~source (label : Transition.label) (event : Property.event) =
   | Bond (change, name, ends), Weak_split b -> released_weakly change && fits_name name b && fits_ends ends b
   | Bond (change, name, ends), Strong_split bonds ->
     released_strongly change && List.exists (fun b -> fits_name name b && fits_ends ends b) bonds
-  | Bounce ends, Bounce (one, two) -> fits_processes source one two ends
+  | Bounce ends, Bounce firsts -> fits_processes source firsts ends
   | Bond _, (Time _ | Bounce _) | Bounce _, (Time _ | Bind _ | Weak_split _ | Strong_split _) -> false

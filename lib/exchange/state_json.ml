@@ -12,7 +12,7 @@ let label m (l : Transition.label) =
     match l with
     | Time d -> [ ("duration", Json.rat d) ]
     | Bind b | Weak_split b -> [ ("name", Json.text b.name); ("ends", ends m b) ]
-    | Bounce (p, q) -> [ ("between", `List [ leaf_name m p; leaf_name m q ]) ]
+    | Bounce firsts -> [ ("between", `List (List.map (leaf_name m) firsts)) ]
     | Strong_split bonds -> [ ("bonds", `List (List.map (bond m) bonds)) ]
   in
   let kind =

@@ -105,12 +105,12 @@ let expiries w ~step ~time d (source : State.t) =
     (List.map tell all)
 
 (* The leaves at which two processes touch that collide: that they offer no bond makes it a bounce. *)
-let touching semantics (source : State.t) p q =
+let touching semantics (source : State.t) firsts =
   let process leaf = source.processes.(fst (State.find_leaf source leaf)) in
-  let of_meeting (m : Collisions.meeting) =
+  let of_meeting (m : Kinematics.meeting) =
     List.concat_map (fun ((a : Part.t), (b : Part.t)) -> [ a.leaf.leaf; b.leaf.leaf ]) m.touching
   in
-  List.concat_map of_meeting (Collisions.meetings semantics [| process p; process q |])
+  List.concat_map of_meeting (Collisions.meetings semantics (Array.of_list (List.map process firsts)))
 
 let same_motion (p : State.process) (q : State.process) =
   Vec.equal p.velocity q.velocity && Vec.equal p.spin q.spin
@@ -119,17 +119,17 @@ let set_motion w event source target leaves =
   set w.at.motion event
     (List.filter (fun l -> not (same_motion (process_of source l) (process_of target l))) leaves)
 
-let collision w ~step ~time label source target p q ~behaving =
-  let one = first p (home source p) and two = first q (home source q) in
-  let both = one @ two in
+let collision w ~step ~time label source target some ~behaving =
+  let processes = List.map (fun p -> first p (home source p)) some in
+  let all = List.concat processes in
   let reasons =
-    List.concat_map (fun leaves -> motion_of w.at leaves @ structure_of w.at leaves) [ one; two ]
+    List.concat_map (fun leaves -> motion_of w.at leaves @ structure_of w.at leaves) processes
     @ behaviour_of w.at behaving
   in
-  let event = tell_event w ~step ~time (Discrete label) both reasons in
-  set_motion w event source target both;
-  set w.at.clock event both;
-  (event, both)
+  let event = tell_event w ~step ~time (Discrete label) all reasons in
+  set_motion w event source target all;
+  set w.at.clock event all;
+  (event, all)
 
 let split w ~step ~time label source (bonds : State.bond list) ~clocked =
   let ends = List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds in
@@ -148,12 +148,12 @@ let transition w ~step ~time (label : Transition.label) source target =
   | Time d -> expiries w ~step ~time d source
   | Bind b ->
     let p = b.one.at and q = b.two.at in
-    let event, both = collision w ~step ~time label source target p q ~behaving:[ p; q ] in
+    let event, both = collision w ~step ~time label source target [ p; q ] ~behaving:[ p; q ] in
     set w.at.structure event both;
     set w.at.behaviour event [ p; q ]
-  | Bounce (p, q) ->
-    let behaving = touching w.semantics source p q in
-    ignore (collision w ~step ~time label source target p q ~behaving)
+  | Bounce firsts ->
+    let behaving = touching w.semantics source firsts in
+    ignore (collision w ~step ~time label source target firsts ~behaving)
   | Weak_split b -> split w ~step ~time label source [ b ] ~clocked:true
   | Strong_split bonds -> split w ~step ~time label source bonds ~clocked:false
 

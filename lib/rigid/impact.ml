@@ -18,84 +18,74 @@ let approaching a b (c : Near_contact.t) =
 
 (* {1 Bounce} *)
 
-(* A row J of generalized normals: J q = n.w(x). *)
-type row = { normal : Vec.t; corner : Vec.t }
+type contact = { first : int; second : int; normal : Ivec.t; corner : Vec.t }
+type encounter = { one : int; two : int; contacts : Near_contact.t list }
 
-(* What an impulse of size 1 along a row changes of one body that it pushes along [push]: M^-1 J^T, its share of
-   it. *)
-type change = { push : Vec.t; twist : Vec.t; velocity : Vec.t; spin : Vec.t }
+let compare_contacts p q =
+  let ( <?> ) c next = if c <> 0 then c else next () in
+  Int.compare p.first q.first <?> fun () ->
+    Int.compare p.second q.second <?> fun () ->
+      Ivec.compare p.normal q.normal <?> fun () -> Vec.compare p.corner q.corner
 
-let change (b : Mass.t) inverse row push =
-  let twist = Vec.cross (Vec.sub row.corner b.centre) push in
-  { push; twist; velocity = Vec.scale (Rat.div Rat.one b.mass) push; spin = Mat.apply inverse twist }
+(* A body has two slots: its velocity and its spin. What an impulse of size 1 along a row J changes of a body that
+   it pushes along [push] is M^-1 J^T, its share of it. *)
+let parts (movers : mover array) inverses i corner push =
+  match movers.(i).mass with
+  | None -> []
+  | Some (b : Mass.t) ->
+    let twist = Vec.cross (Vec.sub corner b.centre) push in
+    [
+      (2 * i, push, Vec.scale (Rat.div Rat.one b.mass) push);
+      ((2 * i) + 1, twist, Mat.apply (Lazy.force inverses.(i)) twist);
+    ]
 
-(* The first body is pushed along -n, the second along n. *)
-let changes sign rows m =
-  let prepare b =
-    let inverse = Mass.inverse_inertia b in
-    Array.map (fun row -> change b inverse row (Vec.scale sign row.normal)) rows
+(* The first body is pushed along -n, the second along n: J q = n.w(x). *)
+let row movers inverses c =
+  let n = Ivec.to_vec c.normal in
+  let part i push = parts movers inverses i c.corner push in
+  List.sort
+    (fun (i, _, _) (j, _, _) -> Int.compare i j)
+    (part c.first (Vec.neg n) @ part c.second n)
+
+(* Impulses come in pairs on one line, n and -n at the corner: momentum and angular momentum are kept. *)
+let reflect movers contacts =
+  let inverse m =
+    lazy (match m.mass with Some b -> Mass.inverse_inertia b | None -> Scc_base.Bug.fail __POS__ "a fixed body")
   in
-  Option.map prepare m.mass
-
-(* J_k M^-1 J_l^T: what an impulse along the row l changes of J_k q. *)
-let gram rows sides =
-  let product k l =
-    let of_side cs =
-      Rat.add (Vec.dot cs.(k).push cs.(l).velocity) (Vec.dot cs.(k).twist cs.(l).spin)
-    in
-    List.fold_left (fun sum cs -> Rat.add sum (of_side cs)) Rat.zero (List.filter_map Fun.id sides)
+  let inverses = Array.map inverse movers in
+  let rows = List.map (row movers inverses) (List.sort_uniq compare_contacts contacts) in
+  let q = Array.init (2 * Array.length movers) (fun k ->
+      let m = movers.(k / 2) in
+      if k land 1 = 0 then m.velocity else m.spin)
   in
-  let n = Array.length rows in
-  let lower = Array.init n (fun k -> Array.init (k + 1) (product k)) in
-  Array.init n (fun k -> Array.init n (fun l -> if l <= k then lower.(k).(l) else lower.(l).(k)))
+  let moved after i (m : mover) =
+    match m.mass with None -> m | Some _ -> { m with velocity = after.(2 * i); spin = after.((2 * i) + 1) }
+  in
+  Option.map (fun after -> Array.mapi (moved after) movers) (Reflection.reflect q (Array.of_list rows))
 
-let two = Rat.of_int 2
+(* What counts of the contacts of two bodies; all of those that approach, if it would give no change. *)
+let counting movers { one; two; contacts } =
+  let a = movers.(one) and b = movers.(two) in
+  let at ((c : Near_contact.t), normals) =
+    List.concat_map
+      (fun normal -> List.map (fun corner -> { first = one; second = two; normal; corner }) c.corners)
+      normals
+  in
+  let contacts = List.map (fun c -> (c, approaching a b c)) contacts in
+  let all ((c : Near_contact.t), approaches) = if approaches then at (c, c.normals) else [] in
+  let approach c = Rat.sign (Vec.dot (Ivec.to_vec c.normal) (relative a b c.corner)) < 0 in
+  match List.concat_map at (Inner_corners.counting contacts) with
+  | counted when List.exists approach counted -> counted
+  | _ -> List.concat_map all contacts
 
-(* q + 2 M^-1 J^T x. *)
-let moved (m : mover) changes x =
-  match changes with
-  | None -> m
-  | Some cs ->
-    let velocity = ref m.velocity and spin = ref m.spin in
-    Array.iteri
-      (fun k x ->
-         if Rat.sign x <> 0 then begin
-           velocity := Vec.axpy (Rat.mul two x) cs.(k).velocity !velocity;
-           spin := Vec.axpy (Rat.mul two x) cs.(k).spin !spin
-         end)
-      x;
-    { m with velocity = !velocity; spin = !spin }
+let bounce_all movers encounters = reflect movers (List.concat_map (counting movers) encounters)
 
 type response = Bounced of mover * mover | Persistent
 
-let compare_rows p q =
-  let c = Vec.compare p.normal q.normal in
-  if c <> 0 then c else Vec.compare p.corner q.corner
-
-(* For y = -q and x its projection on N, which is a cone: y - x is orthogonal to x and has no positive product with
-   any element of N. So |q + 2x| = |q| in the kinetic metric, that is the energy is kept; and for each row
-   J (q + x) >= 0, hence J (q + 2x) = 2 J (q + x) - J q >= -J q.
-   Impulses come in pairs on one line, n and -n at the corner: momentum and angular momentum are kept.
-   x = 0 iff J q >= 0 for all rows. *)
-let reflect a b normals =
-  let row (n, corner) = { normal = Ivec.to_vec n; corner } in
-  let rows = Array.of_list (List.sort_uniq compare_rows (List.map row normals)) in
-  let target = Array.map (fun r -> Rat.neg (Vec.dot r.normal (relative a b r.corner))) rows in
-  if not (Array.exists (fun t -> Rat.sign t > 0) target) then Persistent
-  else
-    let of_a = changes (Rat.of_int (-1)) rows a and of_b = changes Rat.one rows b in
-    let x = Nnls.solve ~gram:(gram rows [ of_a; of_b ]) ~target in
-    Bounced (moved a of_a x, moved b of_b x)
-
 let bounce a b contacts =
-  let contacts = List.map (fun c -> (c, approaching a b c)) contacts in
-  let at ((c : Near_contact.t), normals) =
-    List.concat_map (fun n -> List.map (fun corner -> (n, corner)) c.corners) normals
-  in
-  let all ((c : Near_contact.t), approaches) = if approaches then at (c, c.normals) else [] in
-  match reflect a b (List.concat_map at (Inner_corners.counting contacts)) with
-  | Bounced _ as response -> response
-  | Persistent -> reflect a b (List.concat_map all contacts)
+  match bounce_all [| a; b |] [ { one = 0; two = 1; contacts } ] with
+  | Some after -> Bounced (after.(0), after.(1))
+  | None -> Persistent
 
 (* {1 Bind and split} *)
 

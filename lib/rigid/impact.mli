@@ -17,20 +17,30 @@ val approaching : mover -> mover -> Near_contact.t -> bool
 (** Whether at some corner x of the region n.w(x) < 0 for every normal n of the contact, where w(x) is the
     velocity of the second body at x less that of the first. *)
 
+(** A normal n of a contact, from the body with the one number to that with the other, at a corner x. *)
+type contact = { first : int; second : int; normal : Ivec.t; corner : Vec.t }
+
+val reflect : mover array -> contact list -> mover array option
+(** The elastic response of some bodies. The generalized normal of a contact is the row J that takes the
+    velocities q of the bodies to n.w(x), with w(x) the velocity of the second at x less that of the first. N is
+    the cone spanned by them, and q+ = q + 2 proj(-q), the projection on N in the kinetic metric
+    ({!Scc_exact.Reflection}). Momentum (of what touches nothing fixed), angular momentum and kinetic energy
+    stay what they were; a fixed body takes nothing. Where J q < 0 before, J q+ >= -J q after; at another corner
+    two may approach then, and that is another collision of the same instant. [None] iff J q >= 0 for all: the
+    response would be zero. *)
+
+(** All contacts of a part of one body, by its number, with a part of another. *)
+type encounter = { one : int; two : int; contacts : Near_contact.t list }
+
+val bounce_all : mover array -> encounter list -> mover array option
+(** {!reflect} for the encounters of some bodies: of each, at all corners of the approaching contacts, their
+    normals that count ({!Inner_corners}), or all their normals if the response to those that count is zero.
+    [None] iff no contact approaches. *)
+
 type response = Bounced of mover * mover | Persistent  (** the response would be zero *)
 
-val reflect : mover -> mover -> (Ivec.t * Vec.t) list -> response
-(** The elastic response for given normals n, from the first body to the second, each at a corner x. The
-    generalized normal of the two is the row J that takes the velocities q of the two bodies to n.w(x). N is the
-    cone spanned by them, and q+ = q + 2 proj(-q), the projection on N in the kinetic metric (Moreau). Momentum (if
-    neither body is fixed), angular momentum and kinetic energy stay what they were; a fixed body takes nothing.
-    Where J q < 0 before, J q+ >= -J q after; at another corner the two may approach then, and that is another
-    collision of the same instant. [Persistent] iff J q >= 0 for all. *)
-
 val bounce : mover -> mover -> Near_contact.t list -> response
-(** {!reflect} for all contacts of a part of the first body with a part of the second: at all corners of the
-    approaching contacts, their normals that count ({!Inner_corners}), or all their normals if the response to
-    those that count is zero. [Persistent] iff no contact approaches. *)
+(** {!bounce_all} of two bodies. *)
 
 val bind : mover list -> mover
 (** The whole of some bodies (at least one), which moves by conservation of linear and angular momentum. What is

@@ -1,11 +1,7 @@
+open Scc_exact
 open Scc_geometry
 open Scc_calculus
-
-type meeting = {
-  first : int;
-  second : int;
-  touching : (Part.t * Part.t) list;
-}
+open Kinematics
 
 let parts (c : Semantics.t) processes =
   let (module K) = c.kinematics in
@@ -23,34 +19,6 @@ let by_processes pairs =
     | _ -> [ pair ] :: groups
   in
   List.stable_sort compare pairs |> List.fold_left group [] |> List.rev_map List.rev
-
-let meetings (c : Semantics.t) processes =
-  let (module K) = c.kinematics in
-  let judged (a, b) =
-    if not (Part.in_relative_motion a b) then None
-    else
-      match K.contact c.setting a b with
-      | Apart -> None
-      | (Touching | Colliding) as contact -> Some (contact, (a, b))
-  in
-  let colliding = function
-    | (Kinematics.Colliding, pair) -> Some pair
-    | (Touching | Apart), _ -> None
-  in
-  let meeting touching =
-    match List.find_map colliding touching with
-    | None -> None
-    | Some (a, b) ->
-      Some { first = a.Part.process; second = b.Part.process; touching = List.map snd touching }
-  in
-  let parts = parts c processes in
-  if Part.move_alike parts then []
-  else
-    c.setting.neighbours.within (K.margin c.setting) parts
-    |> List.filter_map judged |> by_processes |> List.filter_map meeting
-
-let colliding c (s : State.t) = List.map (fun m -> (m.first, m.second)) (meetings c s.processes)
-let collides c (s : State.t) = meetings c s.processes <> []
 
 (* {1 Rule Bind} *)
 
@@ -73,6 +41,14 @@ let shared_pairs pairs ~active_one ~active_two =
   let highest = List.fold_left (fun d (c : Contact.pair) -> Int.max d c.dimension) 0 shared in
   List.filter (fun (c : Contact.pair) -> c.dimension = highest) shared
 
+let fit ((pol1, (c1 : Behaviour.channel), _, _), (pol2, (c2 : Behaviour.channel), _, _)) =
+  complementary pol1 pol2 && String.equal c1.name c2.name
+
+(* All two that are open and compatible, one of a leaf of each process. *)
+let compatible (c : Semantics.t) p one q two =
+  let ones = open_channels c.setting.model p one and twos = open_channels c.setting.model q two in
+  List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) ones |> List.filter fit
+
 let joined (c : Semantics.t) (p : State.process) (q : State.process) bond continuations =
   let (module K) = c.kinematics in
   let leaves = Array.to_list (Array.append p.leaves q.leaves) |> List.map (Process.continue continuations) in
@@ -80,13 +56,10 @@ let joined (c : Semantics.t) (p : State.process) (q : State.process) bond contin
   State.process ~leaves ~bonds ~velocity:Scc_exact.Vec.zero ~clock:None ()
   |> Process.restart_clock c.setting.model |> K.joined c.setting p q
 
-(* The candidates of two parts that touch, of two processes that collide. *)
+(* The candidates of two parts that touch, of two processes that meet. *)
 let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
   let (module K) = c.kinematics in
   let site (part : Part.t) feature : Site.t = { part = part.index; feature } in
-  let fit ((pol1, (c1 : Behaviour.channel), _, _), (pol2, (c2 : Behaviour.channel), _, _)) =
-    complementary pol1 pol2 && String.equal c1.name c2.name
-  in
   let candidates pairs ((_, (c1 : Behaviour.channel), b1, one), (_, (c2 : Behaviour.channel), b2, two)) =
     shared_pairs pairs
       ~active_one:(fun f -> Behaviour.active c1 (site a f))
@@ -105,31 +78,126 @@ let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
           come = [ joined c p q bond [ (a.leaf.leaf, b1); (b.leaf.leaf, b2) ] ];
         })
   in
-  let ones = open_channels c.setting.model p a.leaf.leaf and twos = open_channels c.setting.model q b.leaf.leaf in
-  let pairs = List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) ones in
-  match List.filter fit pairs with
+  match compatible c p a.leaf.leaf q b.leaf.leaf with
   | [] -> []
   | fitting -> List.concat_map (candidates (K.touching c.setting a b)) fitting
 
+let candidates c (processes : State.process array) (m : meeting) =
+  List.concat_map (bind c processes.(m.first) processes.(m.second)) m.touching
+
+(* {1 Meetings} *)
+
+(* Whether processes meet that do not collide (reading I-33). *)
+let by_contact (c : Semantics.t) =
+  match c.setting.model.binding with On_contact -> true | On_collision -> false
+
+let meetings (c : Semantics.t) processes =
+  let (module K) = c.kinematics in
+  let by_contact = by_contact c in
+  let judged ((a : Part.t), (b : Part.t)) =
+    if not (by_contact || Part.in_relative_motion a b) then None
+    else
+      match K.contact c.setting a b with
+      | Apart -> None
+      | (Touching | Colliding) as contact -> Some (contact, (a, b))
+  in
+  let collides = function Colliding, _ -> true | (Touching | Apart), _ -> false in
+  let meeting found =
+    let (a : Part.t), (b : Part.t) = snd (List.hd found) in
+    let m =
+      {
+        first = a.process; second = b.process; collide = List.exists collides found;
+        touching = List.map snd found;
+      }
+    in
+    if m.collide || (by_contact && candidates c processes m <> []) then Some m else None
+  in
+  let parts = parts c processes in
+  if (not by_contact) && Part.move_alike parts then []
+  else
+    c.setting.neighbours.within (K.margin c.setting) parts
+    |> List.filter_map judged |> by_processes |> List.filter_map meeting
+
+let colliding c (s : State.t) = List.map (fun (m : meeting) -> (m.first, m.second)) (meetings c s.processes)
+let collides c (s : State.t) = meetings c s.processes <> []
+
+(* {1 Clusters} *)
+
+type cluster = { members : int list; meetings : meeting list }
+
+let of_meeting m = { members = [ m.first; m.second ]; meetings = [ m ] }
+
+(* A fixed process takes nothing of a change, and so links nobody. *)
+let linked model (processes : State.process array) x y =
+  List.exists (fun i -> List.mem i y.members && Option.is_some (State.mass model processes.(i))) x.members
+
+let merged x y =
+  { members = List.sort_uniq Int.compare (x.members @ y.members); meetings = x.meetings @ y.meetings }
+
+(* The clusters keep the order of their first meetings. *)
+let rec add linked found x =
+  match found with
+  | [] -> [ x ]
+  | y :: rest when linked x y ->
+    let apart, more = List.partition (fun z -> not (linked x z)) rest in
+    List.fold_left merged y more |> fun whole -> merged whole x :: apart
+  | y :: rest -> y :: add linked rest x
+
+let clusters (c : Semantics.t) processes =
+  let single = List.map of_meeting (meetings c processes) in
+  match c.setting.model.collisions with
+  | In_turn -> single
+  | Together -> List.fold_left (add (linked c.setting.model processes)) [] single
+
 (* {1 Rule Bounce} *)
 
-let bounce (c : Semantics.t) (p : State.process) (q : State.process) touching =
+let bounce (c : Semantics.t) (processes : State.process array) { members; meetings } =
   let (module K) = c.kinematics in
-  let first = p.leaves.(0).leaf and second = q.leaves.(0).leaf in
-  match K.bounce c.setting p q touching with
-  | Persistent -> Error (Transition.Persistent_contact (first, second))
-  | Responded (p', q') ->
-    let come = List.map (Process.restart_clock c.setting.model) [ p'; q' ] in
-    Ok { Transition.rule = Rule.Bounce; label = Bounce (first, second); fired = []; gone = [ p; q ]; come }
+  let gone = List.map (fun i -> processes.(i)) members in
+  let firsts = List.map (fun (p : State.process) -> p.leaves.(0).leaf) gone in
+  let rec number k i = function
+    | [] -> Scc_base.Bug.fail __POS__ "a meeting of others"
+    | j :: rest -> if i = j then k else number (k + 1) i rest
+  in
+  let local m = { m with first = number 0 m.first members; second = number 0 m.second members } in
+  match K.bounce c.setting (Array.of_list gone) (List.map local (List.filter (fun m -> m.collide) meetings)) with
+  | None -> Error (Transition.Persistent_contact firsts)
+  | Some after ->
+    let come = List.map (Process.restart_clock c.setting.model) (Array.to_list after) in
+    Ok { Transition.rule = Rule.Bounce; label = Bounce firsts; fired = []; gone; come }
 
-let outcomes c processes meeting =
-  let p = processes.(meeting.first) and q = processes.(meeting.second) in
-  match List.concat_map (bind c p q) meeting.touching with
-  | [] -> Result.map (fun o -> [ o ]) (bounce c p q meeting.touching)
+let outcomes c processes cluster =
+  match List.concat_map (candidates c processes) cluster.meetings with
+  | [] -> Result.map (fun o -> [ o ]) (bounce c processes cluster)
   | candidates -> Ok candidates
 
 (* {1 First time of contact} *)
 
+(* The least time at which active surfaces of two parts meet that are open and compatible now. What is open does
+   not change before the next horizon, and closed features meet no later than the parts interpenetrate. *)
+let binding_time (c : Semantics.t) ~before:_ (a : Part.t) (b : Part.t) =
+  let w = Part.relative_velocity a b in
+  let corners (part : Part.t) (channel : Behaviour.channel) =
+    List.filter_map
+      (fun (s : Site.t) ->
+         if s.part = part.index then Some (Scc_rigid.Placed.corners part.placed s.feature) else None)
+      channel.sites
+  in
+  let of_channels ((_, one, _, _), (_, two, _, _)) =
+    List.concat_map
+      (fun p -> List.filter_map (fun q -> c.setting.geometry.first_meeting p q w) (corners b two))
+      (corners a one)
+  in
+  match List.concat_map of_channels (compatible c a.owner a.leaf.leaf b.owner b.leaf.leaf) with
+  | [] -> None
+  | t :: more -> Some (List.fold_left Rat.min t more)
+
 let first_time_of_contact (c : Semantics.t) processes ~limit =
   let (module K) = c.kinematics in
-  K.first_time_of_contact c.setting (parts c processes) ~limit
+  let parts = parts c processes in
+  let contact = K.first_time_of_contact c.setting parts ~limit in
+  if not (by_contact c) then contact
+  else
+    match (contact, c.setting.neighbours.earliest ~margin:Rat.zero ~limit (binding_time c) parts) with
+    | Some t, Some t' -> Some (Rat.min t t')
+    | None, t | t, None -> t

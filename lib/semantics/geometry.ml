@@ -8,7 +8,8 @@ type t = {
   first_time_of_contact : Placed.t -> Placed.t -> Vec.t -> Obstacle.cast;
   meeting : Placed.t -> Placed.t -> Vec.t -> (Rat.t option * Rat.t option) option;
   touching : Placed.t -> Placed.t -> Contact.pair list;
-  response : (Placed.t * Placed.t) list -> Vec.t -> Vec.t;
+  directions : (Placed.t * Placed.t) list -> Vec.t -> Vec.t list;
+  first_meeting : Vec.t list -> Vec.t list -> Vec.t -> Rat.t option;
   first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome;
   near : resolution:Rat.t -> Placed.t -> Placed.t -> Near_contact.t option;
 }
@@ -26,10 +27,11 @@ let exact ~obstacle:remembered =
     first_time_of_contact = (fun a b w -> Obstacle.first_time_of_contact (obstacle a b) (offset a b) w);
     meeting = (fun a b w -> Obstacle.meeting (obstacle a b) (offset a b) w);
     touching = (fun a b -> Contact.touching (obstacle a b) (offset a b));
-    response =
+    directions =
       (fun pairs w ->
          let touching (a, b) = { Response.obstacle = obstacle a b; offset = offset a b } in
-         Response.bounce (List.map touching pairs) w);
+         Response.directions (List.map touching pairs) w);
+    first_meeting = Feature_cast.first_meeting;
     first_penetration =
       (fun a b ~span ~grid ~phase ->
          let still (m : Motion.t) = Quaternion.is_identity m.turned && not (Motion.turns m) in

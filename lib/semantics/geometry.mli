@@ -16,9 +16,12 @@ type t = {
   (** the closed interval of times, also past ones, at which two in translation meet; [None] for an end that is
       infinite *)
   touching : Placed.t -> Placed.t -> Contact.pair list;  (** rule Touching: the features that touch, sorted *)
-  response : (Placed.t * Placed.t) list -> Vec.t -> Vec.t;
-  (** rule Response: the relative velocity after a collision in translation, given all touching pairs of parts of
-      the two bodies and the relative velocity before it *)
+  directions : (Placed.t * Placed.t) list -> Vec.t -> Vec.t list;
+  (** rule Response: the directions, from the first body to the second, that span the cone of a collision in
+      translation, given all touching pairs of parts of the two bodies and the relative velocity before it *)
+  first_meeting : Vec.t list -> Vec.t list -> Vec.t -> Rat.t option;
+  (** the least time t >= 0 at which two features meet, given by their corners, the second moving by the
+      velocity *)
   first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome;  (** rule Cast *)
   near : resolution:Rat.t -> Placed.t -> Placed.t -> Near_contact.t option;  (** rule Near *)
 }

@@ -33,7 +33,7 @@ let everyone =
 
 type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours }
 type contact = Apart | Touching | Colliding
-type response = Responded of State.process * State.process | Persistent
+type meeting = { first : int; second : int; collide : bool; touching : (Part.t * Part.t) list }
 
 module type S = sig
   val parts : setting -> int -> State.process -> Part.t list
@@ -43,7 +43,7 @@ module type S = sig
   val bonded : setting -> Part.t * Feature.t -> Part.t * Feature.t -> bool
   val first_time_of_contact : setting -> Part.t array -> limit:Rat.t option -> Rat.t option
   val none_ahead : setting -> Part.t array -> bool
-  val bounce : setting -> State.process -> State.process -> (Part.t * Part.t) list -> response
+  val bounce : setting -> State.process array -> meeting list -> State.process array option
   val joined : setting -> State.process -> State.process -> State.process -> State.process
   val piece : setting -> whole:State.process -> State.process -> State.process
   val start : setting -> State.process -> State.process

@@ -30,10 +30,13 @@ type contact =
   | Touching  (** they touch and do not approach; or they are so near that {!S.bounce} has to see *)
   | Colliding  (** they touch and approach (rule Collision) *)
 
-(** What becomes of two processes. *)
-type response =
-  | Responded of State.process * State.process
-  | Persistent  (** they would interpenetrate at once, and nothing changes that (rule Persistent) *)
+(** Two processes that meet, the one with the lesser index first. *)
+type meeting = {
+  first : int;
+  second : int;  (** indices of processes *)
+  collide : bool;  (** some parts of theirs touch and approach *)
+  touching : (Part.t * Part.t) list;  (** all pairs of their parts that are not {!Apart} *)
+}
 
 module type S = sig
   (** {1 Contact} *)
@@ -61,8 +64,9 @@ module type S = sig
 
   (** {1 What happens to processes} *)
 
-  val bounce : setting -> State.process -> State.process -> (Part.t * Part.t) list -> response
-  (** Rule Bounce. The pairs are those of parts that are not {!Apart}. *)
+  val bounce : setting -> State.process array -> meeting list -> State.process array option
+  (** Rule Bounce: what becomes of some processes that collide in these meetings, all at once. [None]: they would
+      interpenetrate at once, and nothing changes that (rule Persistent). *)
 
   val joined : setting -> State.process -> State.process -> State.process -> State.process
   (** [joined c p q whole]: the whole, made of p and q, in the motion that it gets from theirs (rule Bind). *)

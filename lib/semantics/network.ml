@@ -50,20 +50,20 @@ let last_first lists = List.fold_left (fun all list -> List.rev_append list all)
 let strong c p = Transition.distinct (Splits.strong c p)
 let weak c p = Transition.distinct (Splits.weak c p)
 
-let collision c processes meeting =
-  Result.map Transition.distinct (Collisions.outcomes c processes meeting)
+let collision c processes cluster =
+  Result.map Transition.distinct (Collisions.outcomes c processes cluster)
 
 let splits c (s : State.t) kind =
   List.map (fun p -> List.map (happens c s ~step:s.step) (kind c p)) (Array.to_list s.processes) |> last_first
 
 let collisions c (s : State.t) =
   let step = after_collision s.step in
-  let resolved meeting =
-    match collision c s.processes meeting with
+  let resolved cluster =
+    match collision c s.processes cluster with
     | Error fault -> [ Error fault ]
     | Ok outcomes -> List.map (happens c s ~step) outcomes
   in
-  List.map resolved (Collisions.meetings c s.processes) |> last_first
+  List.map resolved (Collisions.clusters c s.processes) |> last_first
 
 let time c s () =
   match Time.delay c s with
@@ -80,13 +80,12 @@ let successors c s =
   |> in_order Fun.id ~time:(time c s)
   |> all_ok []
 
-let together c p q =
-  let processes = [| p; q |] in
+let together c processes =
   let sure = function
     | Ok outcomes -> outcomes
     | Error _ -> Scc_base.Bug.fail __POS__ "a persistent contact in translation"
   in
-  Collisions.meetings c processes |> List.concat_map (fun m -> sure (collision c processes m))
+  List.concat_map (fun cluster -> sure (collision c processes cluster)) (Collisions.clusters c processes)
 
 let quiescent c (s : State.t) =
   Array.for_all (fun p -> Splits.strong c p = [] && Option.is_none p.State.clock) s.processes

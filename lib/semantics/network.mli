@@ -33,8 +33,10 @@ val strong : Semantics.t -> State.process -> Transition.outcome list
 
 val weak : Semantics.t -> State.process -> Transition.outcome list
 
-val together : Semantics.t -> State.process -> State.process -> Transition.outcome list
-(** What comes of a collision of two processes, if they collide: for networks that are not steered. *)
+val together : Semantics.t -> State.process array -> Transition.outcome list
+(** What comes of the collisions of some processes, in the order of {!Collisions.clusters}: for networks that
+    are not steered. What two do by themselves they do in any company, unless collisions are resolved together.
+*)
 
 val time_rules : Semantics.t -> Rule.t list
 (** Those that a passing of time uses. *)

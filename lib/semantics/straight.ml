@@ -48,25 +48,24 @@ let none_ahead c parts = Option.is_none (first_time_of_contact c parts ~limit:No
 
 (* {1 What happens to processes} *)
 
-(* How the change of the relative velocity is shared: in inverse proportion to the masses; a fixed body takes
-   none. *)
-let shares model p q =
-  match (State.mass model p, State.mass model q) with
-  | Some mp, Some mq ->
-    let total = Rat.add mp mq in
-    (Rat.div mq total, Rat.div mp total)
-  | None, Some _ -> (Rat.zero, Rat.one)
-  | Some _, None -> (Rat.one, Rat.zero)
-  | None, None -> Scc_base.Bug.fail __POS__ "two fixed bodies collide"
+(* A separating direction n of two processes is a row n.(v' - v); a fixed body has no part in it. *)
+let row model (processes : State.process array) first second n : Reflection.row =
+  let part i push =
+    match State.mass model processes.(i) with
+    | None -> []
+    | Some mass -> [ (i, push, Vec.scale (Rat.div Rat.one mass) push) ]
+  in
+  part first (Vec.neg n) @ part second n
 
-let bounce c (p : State.process) (q : State.process) touching =
-  let w = Vec.sub q.velocity p.velocity in
+let rows c (processes : State.process array) (m : meeting) =
+  let w = Vec.sub processes.(m.second).velocity processes.(m.first).velocity in
   let placed ((a : Part.t), (b : Part.t)) = (a.placed, b.placed) in
-  let change = Vec.sub (c.geometry.response (List.map placed touching) w) w in
-  let share_p, share_q = shares c.model p q in
-  Responded
-    ( State.with_velocity (Vec.axpy (Rat.neg share_p) change p.velocity) p,
-      State.with_velocity (Vec.axpy share_q change q.velocity) q )
+  List.map (row c.model processes m.first m.second) (c.geometry.directions (List.map placed m.touching) w)
+
+let bounce c (processes : State.process array) meetings =
+  let q = Array.map (fun (p : State.process) -> p.velocity) processes in
+  let rows = Array.of_list (List.concat_map (rows c processes) meetings) in
+  Option.map (Array.map2 (fun p velocity -> State.with_velocity velocity p) processes) (Reflection.reflect q rows)
 
 (* Conservation of linear momentum; what binds to a fixed body stops. *)
 let joined { model; _ } (p : State.process) (q : State.process) whole =

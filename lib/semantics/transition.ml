@@ -4,7 +4,7 @@ open Scc_calculus
 type label =
   | Time of Rat.t
   | Bind of State.bond
-  | Bounce of int * int
+  | Bounce of int list
   | Weak_split of State.bond
   | Strong_split of State.bond list
 
@@ -29,7 +29,7 @@ type t = {
 }
 type fault =
   | Bad_law of { leaf : int; fault : Law.fault }
-  | Persistent_contact of int * int
+  | Persistent_contact of int list
 
 let duration_of = function
   | Time d -> d
@@ -55,7 +55,7 @@ let equal_label a b =
   match (a, b) with
   | Time s, Time t -> Rat.equal s t
   | Bind x, Bind y | Weak_split x, Weak_split y -> State.equal_bond x y
-  | Bounce (i, j), Bounce (k, l) -> i = k && j = l
+  | Bounce x, Bounce y -> List.equal Int.equal x y
   | Strong_split x, Strong_split y -> equal_bonds x y
   | (Time _ | Bind _ | Bounce _ | Weak_split _ | Strong_split _), _ -> false
 
@@ -72,10 +72,12 @@ let distinct outcomes = List.fold_left (fun kept o -> add o kept) [] outcomes
 let finish_to_string m (f : State.finish) = Model.site_name m ~leaf:f.at f.site
 let ends m (b : State.bond) = finish_to_string m b.one ^ ", " ^ finish_to_string m b.two
 
+let names (m : Model.t) = List.map (fun i -> m.leaves.(i).name)
+
 let label_to_string (m : Model.t) = function
   | Time d -> Printf.sprintf "time(%s)" (Rat.to_string d)
   | Bind b -> Printf.sprintf "bind(%s, %s)" b.name (ends m b)
-  | Bounce (p, q) -> Printf.sprintf "bounce(%s, %s)" m.leaves.(p).name m.leaves.(q).name
+  | Bounce firsts -> Printf.sprintf "bounce(%s)" (String.concat ", " (names m firsts))
   | Weak_split b -> Printf.sprintf "weak(%s, %s)" b.name (ends m b)
   | Strong_split bonds ->
     List.map (fun (b : State.bond) -> Printf.sprintf "<%s, {%s}>" b.name (ends m b)) bonds
@@ -90,7 +92,7 @@ let diagnostic (m : Model.t) fault =
       (match fault with
        | Division_by_zero -> "it divides by zero"
        | Bad_quantum -> "it rounds to a quantum that is not positive")
-  | Persistent_contact (p, q) ->
+  | Persistent_contact firsts ->
     error Scc_base.Code.persistent_contact
-      "persistent contact: %s and %s would interpenetrate at once, though they do not approach where they touch"
-      m.leaves.(p).name m.leaves.(q).name
+      "persistent contact: %s would interpenetrate at once, though they do not approach where they touch"
+      (String.concat " and " (names m firsts))

@@ -6,7 +6,7 @@ open Scc_calculus
 type label =
   | Time of Rat.t
   | Bind of State.bond  (** the bond that was made *)
-  | Bounce of int * int  (** the first leaves of the two processes, the lesser first *)
+  | Bounce of int list  (** the first leaves of the processes, two or more, in order *)
   | Weak_split of State.bond
   | Strong_split of State.bond list  (** sorted *)
 
@@ -39,9 +39,9 @@ type t = {
 (** Why a state's transitions cannot be computed. *)
 type fault =
   | Bad_law of { leaf : int; fault : Law.fault }
-  | Persistent_contact of int * int
-  (** two processes, by their first leaves, would interpenetrate at once, and their response is zero (rule Bounce
-      of the rigid calculus): time cannot pass *)
+  | Persistent_contact of int list
+  (** processes, by their first leaves, would interpenetrate at once, and their response is zero (rule Persistent):
+      time cannot pass *)
 
 val duration : t -> Rat.t
 (** 0 for a discrete transition. *)

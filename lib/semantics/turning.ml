@@ -131,11 +131,13 @@ let none_ahead c parts =
 
 (* {1 What happens to processes} *)
 
-let bounce c p q pairs =
-  let contacts = List.filter_map (fun (a, b) -> near c a b) pairs in
-  match Impact.bounce (Turn.mover c.model p) (Turn.mover c.model q) contacts with
-  | Persistent -> Persistent
-  | Bounced (first, second) -> Responded (Turn.moving c.model first p, Turn.moving c.model second q)
+let bounce c processes meetings =
+  let encounter (m : meeting) : Impact.encounter =
+    let contacts = List.filter_map (fun (a, b) -> near c a b) m.touching in
+    { one = m.first; two = m.second; contacts }
+  in
+  Impact.bounce_all (Array.map (Turn.mover c.model) processes) (List.map encounter meetings)
+  |> Option.map (fun after -> Array.map2 (Turn.moving c.model) after processes)
 
 let joined { model; _ } p q whole =
   Turn.moving model (Impact.bind [ Turn.mover model p; Turn.mover model q ]) whole

@@ -135,7 +135,7 @@ let alone c number =
 
 let look_at_pair book pair a b =
   let p = a.body.process and q = b.body.process in
-  let collisions = List.map (move book) (Network.together book.semantics p q) in
+  let collisions = List.map (move book) (Network.together book.semantics [| p; q |]) in
   let contact =
     match collisions with
     | [] -> Collisions.first_time_of_contact book.semantics [| p; q |] ~limit:None
@@ -263,11 +263,23 @@ let meetings_of_few c present =
 (* The same of many: who is near whom is seen at once. *)
 let meetings_of_many c present =
   let processes = Array.map (fun a -> a.body.process) present in
-  let resolved acc (m : Collisions.meeting) =
+  let resolved acc (m : Kinematics.meeting) =
     List.rev_append (together c present.(m.first) present.(m.second)).collisions acc
   in
   let collisions = List.fold_left resolved [] (Collisions.meetings (semantics c) processes) in
   (collisions, fun ~limit -> Collisions.first_time_of_contact (semantics c) processes ~limit)
+
+(* Where two do not collide by themselves, but with all others that hang together with them (reading I-32), or meet
+   at rest (reading I-33): all at once. *)
+let meetings_at_once c present =
+  let processes = Array.map (fun a -> a.body.process) present in
+  let collisions = List.rev_map (move c.book) (Network.together (semantics c) processes) in
+  (collisions, fun ~limit -> Collisions.first_time_of_contact (semantics c) processes ~limit)
+
+let by_pairs (m : Model.t) =
+  match (m.collisions, m.binding) with
+  | In_turn, On_collision -> true
+  | Together, _ | _, On_contact -> false
 
 (* Whether there are so few basic shapes that it pays to remember what every two processes do. *)
 let few_shapes = 32
@@ -277,7 +289,8 @@ let are_few present =
   Array.length present <= few_shapes && Array.fold_left shapes 0 present <= few_shapes
 
 let meetings c present =
-  if not (in_relative_motion present) then ([], fun ~limit:_ -> None)
+  if not (by_pairs (model c)) then meetings_at_once c present
+  else if not (in_relative_motion present) then ([], fun ~limit:_ -> None)
   else if are_few present then meetings_of_few c present
   else meetings_of_many c present
 

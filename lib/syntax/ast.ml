@@ -127,6 +127,8 @@ and item_kind =
   | Timestep of expr
   | Split_step of expr
   | Dynamics of name
+  | Collisions of name
+  | Binding of name
   | Resolution of expr
   | Round of name * expr  (** of what, [orientation] or [velocity]; to multiples of what *)
   | Shape of name * solid

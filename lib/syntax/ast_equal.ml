@@ -117,7 +117,7 @@ let rec item a b =
   | Param (m, x), Param (n, y) | Let (m, x), Let (n, y) | Check (m, x), Check (n, y) ->
     name m n && expr x y
   | Timestep x, Timestep y | Split_step x, Split_step y | Resolution x, Resolution y -> expr x y
-  | Dynamics m, Dynamics n -> name m n
+  | Dynamics m, Dynamics n | Collisions m, Collisions n | Binding m, Binding n -> name m n
   | Round (m, x), Round (n, y) -> name m n && expr x y
   | Shape (m, s), Shape (n, t) -> name m n && solid s t
   | Compound (m, ps, gs), Compound (n, qs, hs) -> name m n && list part ps qs && list glue gs hs
@@ -128,7 +128,8 @@ let rec item a b =
   | For (rs, xs), For (ss, ys) -> list range rs ss && list item xs ys
   | Network ps, Network qs -> list path ps qs
   | Motion (p, l), Motion (q, m) -> option path p q && law l m
-  | ( ( Model _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Resolution _ | Round _ | Shape _
+  | ( ( Model _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Resolution _
+      | Round _ | Shape _
       | Compound _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _
       | Check _ ), _ ) -> false
 

@@ -68,7 +68,8 @@ let hint (t : Tokens.t) source (f : failure) =
   let text = shown source (Tokens.span t f.index) in
   let wants_name = f.accepts (NAME "") in
   match t.tokens.(f.index).token with
-  | NAME _ | BOND | MASS | EVENT | DYNAMICS | RESOLUTION | ROUND | A | E | U when after_number ->
+  | NAME _ | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | RESOLUTION | ROUND | A | E | U
+    when after_number ->
     Some "a product is written with `*`, as in `2*i`"
   | DOT when after_number -> Some "a decimal point is followed by a digit"
   | DOT when f.accepts (NUMBER Rat.one) -> Some "a number begins with a digit, as in `0.5`"

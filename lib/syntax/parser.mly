@@ -18,7 +18,7 @@
 %}
 
 (* Words of the language *)
-%token MODEL PARAM TIMESTEP SPLIT_STEP DYNAMICS RESOLUTION ROUND SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND FOR NETWORK MOTION
+%token MODEL PARAM TIMESTEP SPLIT_STEP DYNAMICS COLLISIONS BINDING RESOLUTION ROUND SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND FOR NETWORK MOTION
 %token LET CHECK
 %token VERTICES FACES SCALED MESH PART GLUE ON IN MASS VELOCITY SPIN AT
 %token TRANSLATE ROTATE QUATERNION SCALE MATRIX
@@ -98,6 +98,8 @@ name:
 | MASS { at $loc "mass" }
 | EVENT { at $loc "event" }
 | DYNAMICS { at $loc "dynamics" }
+| COLLISIONS { at $loc "collisions" }
+| BINDING { at $loc "binding" }
 | RESOLUTION { at $loc "resolution" }
 | ROUND { at $loc "round" }
 
@@ -247,6 +249,8 @@ item_kind:
 | TIMESTEP e = expr { Timestep e }
 | SPLIT_STEP e = expr { Split_step e }
 | DYNAMICS d = NAME { Dynamics (at $loc(d) d) }
+| COLLISIONS c = NAME { Collisions (at $loc(c) c) }
+| BINDING b = NAME { Binding (at $loc(b) b) }
 | RESOLUTION e = expr { Resolution e }
 | ROUND n = NAME e = expr { Round (at $loc(n) n, e) }
 | ROUND VELOCITY e = expr { Round (at $loc($2) "velocity", e) }

@@ -161,6 +161,8 @@ let rec item i =
   | Timestep e -> definition (head "timestep") (formula e)
   | Split_step e -> definition (head "split_step") (formula e)
   | Dynamics n -> head "dynamics %s" n.it
+  | Collisions n -> head "collisions %s" n.it
+  | Binding n -> head "binding %s" n.it
   | Resolution e -> definition (head "resolution") (fineness e)
   | Round (n, e) -> definition (head "round %s" n.it) (fineness e)
   | Shape (n, { it = Faces (vs, fs); _ }) -> template span (head "shape %s {" n.it) vs fs

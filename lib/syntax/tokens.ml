@@ -159,7 +159,7 @@ let begins_setting tokens i =
         | _ -> false)
   in
   match (tokens.(i).token, tokens.(i + 1).token) with
-  | DYNAMICS, NAME _ | ROUND, (NAME _ | VELOCITY) -> ended ()
+  | (DYNAMICS | COLLISIONS | BINDING), NAME _ | ROUND, (NAME _ | VELOCITY) -> ended ()
   | RESOLUTION, (NUMBER _ | NAME _ | LPAREN) -> ended ()
   | _ -> false
 

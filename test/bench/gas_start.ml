@@ -115,6 +115,8 @@ let network t =
       timestep = Rat.one;
       split_step = Rat.one;
       keeps_time = false;
+      collisions = In_turn;
+      binding = On_collision;
       rigid = None;
       steered = false;
     }

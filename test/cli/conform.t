@@ -365,7 +365,7 @@ Invalid traces.
      | ^^^^^^^^^^
   [3]
   $ conform latch '2,bounce,p\nx,end\n2,end,p\n2,bounce,p;q,dock\n'
-  <standard input>:2:1: error[SC0804]: a bounce is of two bodies, not of 1
+  <standard input>:2:1: error[SC0804]: a bounce is of two bodies or more, not of 1
      |
    2 | 2,bounce,p
      | ^^^^^^^^^^
@@ -413,7 +413,7 @@ Invalid traces.
      | ^^^^^^^^^^^^^^^^^^^^^^
   [3]
   $ printf '{"type":"transition","time":1,"label":{"kind":"bounce","between":["p"]}}\n' | scc conform $M/latch.sc -
-  <standard input>:1:1: error[SC0804]: a bounce is of two bodies, `between`
+  <standard input>:1:1: error[SC0804]: a bounce is of two bodies or more, `between`
      |
    1 | {"type":"transition","time":1,"label":{"kind":"bounce","between":["p"]}}
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^

@@ -395,6 +395,32 @@ def i_30():
     return r
 
 
+TWO = ('process p = Cube mass 1 velocity (1,0,0) at translate (-3,0,0) [nil]\nprocess q = Cube mass 1 at translate (0,1,0) '
+       '[nil]\nprocess r = Cube mass 1 at translate (0,-1,0) [nil]\n')
+
+
+def i_32():
+    r = Rule('I-32')
+    all_three = {'kind': 'bounce', 'between': unordered(['p', 'q', 'r'])}
+    r.outcomes('One by one, if nothing is said.', TWO, [TIME], [bounces('p', 'q'), bounces('p', 'r')])
+    r.outcomes('As one.', 'collisions together\n' + TWO, [TIME], [all_three])
+    r.value('1 = -1/3 + 2/3 + 2/3 and 1 = 1/9 + 4/9 + 4/9.', 'collisions together\n' + TWO, [TIME, BOUNCE],
+            'vx(p) = -1/3 and vx(q) = 2/3 and vx(r) = 2/3', True)
+    return r
+
+
+def i_33():
+    r = Rule('I-33')
+    rest = dock(v='(0,0,0)', at='(2,0,0)')
+    r.outcomes('At rest against each other.', 'binding contact\n' + rest, [], [binds('dock', 'p.right', 'q.left')])
+    slide = dock(v='(0,1,0)', at='(2,5,0)')
+    r.outcomes('Edges come to touch after 3.', 'binding contact\n' + slide, [], [passes(3)])
+    r.outcomes('And bind.', 'binding contact\n' + slide, [TIME], [binds('dock', 'p.[c,g]', 'q.[a,e]')])
+    r.refused('Not where bodies turn.', 'binding contact\ndynamics free_body\n' + rest, 'SC0901')
+    return r
+
+
 def suites():
     return [f() for f in (i_1, i_2, i_3, i_4, i_5, i_6, i_7, i_8, i_9, i_10, i_11, i_12, i_13, i_14, i_15, i_16, i_17, i_18,
-                          i_19, i_20, i_21, i_22, i_23, i_24, i_25, i_26, i_27, i_28, i_29, i_30)]
+                          i_19, i_20, i_21, i_22, i_23, i_24, i_25, i_26, i_27, i_28, i_29, i_30,
+                          i_32, i_33)]

@@ -20,7 +20,7 @@ let part (s : State.t) (t : Transition.t) =
     match t.label with
     | Time _ -> []
     | Bind b | Weak_split b -> [ b.one.at; b.two.at ]
-    | Bounce (p, q) -> [ p; q ]
+    | Bounce firsts -> firsts
     | Strong_split bonds -> List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds
   in
   List.sort_uniq Int.compare (List.map (fun leaf -> fst (State.find_leaf s leaf)) leaves)
@@ -196,13 +196,13 @@ let surfaces_meet m ((a : Part.t), (b : Part.t)) =
 
 (* Of the pairs of parts that a candidate may be of (rule Bind, reading I-12). *)
 let finds_sites m ((s : State.t), transitions) =
-  let binds (e : Collisions.meeting) (t : Transition.t) =
+  let binds (e : Kinematics.meeting) (t : Transition.t) =
     match t.label with
     | Bind _ -> List.equal Int.equal (part s t) [ e.first; e.second ]
     | Bounce _ | Weak_split _ | Strong_split _ | Time _ -> false
   in
   Collisions.meetings (standard m) s.processes
-  |> List.find_map (fun (e : Collisions.meeting) ->
+  |> List.find_map (fun (e : Kinematics.meeting) ->
       let meet = List.exists (surfaces_meet m) e.touching in
       if Bool.equal meet (List.exists (binds e) transitions) then None
       else Some (if meet then "surfaces meet, and nothing binds" else "what binds does not meet"))
@@ -214,7 +214,7 @@ let backwards (s : State.t) =
   State.make ~processes:(List.map process (Array.to_list s.processes)) ~step:s.step ~time:s.time
 
 (* The directions that count in a collision (rule Response). *)
-let directions (s : State.t) (e : Collisions.meeting) =
+let directions (s : State.t) (e : Kinematics.meeting) =
   let touching ((a : Part.t), (b : Part.t)) : Response.touching =
     {
       obstacle = Obstacle.make a.placed.solid b.placed.solid;
@@ -227,7 +227,7 @@ let directions (s : State.t) (e : Collisions.meeting) =
 (* Whether two processes collide, by one direction. *)
 let one_direction m (s : State.t) p q =
   Collisions.meetings (standard m) s.processes
-  |> List.exists (fun (e : Collisions.meeting) ->
+  |> List.exists (fun (e : Kinematics.meeting) ->
       e.first = p && e.second = q && List.compare_length_with (directions s e) 1 = 0)
 
 let single m (s : State.t) p = Array.length m.Model.leaves.(s.processes.(p).leaves.(0).leaf).parts = 1

@@ -15,7 +15,7 @@ let same_transition (a : Transition.t) (b : Transition.t) =
 
 let same_fault (a : Transition.fault) (b : Transition.fault) =
   match (a, b) with
-  | Persistent_contact (p, q), Persistent_contact (p', q') -> p = p' && q = q'
+  | Persistent_contact firsts, Persistent_contact firsts' -> List.equal Int.equal firsts firsts'
   | Bad_law { leaf; _ }, Bad_law { leaf = other; _ } -> leaf = other
   | (Persistent_contact _ | Bad_law _), _ -> false
 
@@ -108,15 +108,19 @@ let by_all_axes : Geometry.t =
 
 (* {1 Properties} *)
 
-let straight name ?steered ?(of_network = Fun.id) ~count ~limit other =
+let straight name ?steered ?(of_network = Fun.id) ?(of_model = Fun.id) ~count ~limit other =
   QCheck2.Test.make ~name ~count ~print:Random_network.print (Random_network.generate ?steered ()) (fun n ->
-      agrees ~limit other (Random_network.start (of_network n)))
+      let m, start = Random_network.start (of_network n) in
+      agrees ~limit other (of_model m, start))
 
-let turning name features ~count ~limit other =
+let turning name ?(of_model = Fun.id) features ~count ~limit other =
   QCheck2.Test.make ~name ~count ~print:Random_rigid.print (Random_rigid.generate features) (fun n ->
-      agrees ~limit other (Random_rigid.start n))
+      let m, start = Random_rigid.start n in
+      agrees ~limit other (of_model m, start))
 
 let bare m = Semantics.make m
+let together m = { m with Model.collisions = Together }
+let by_contact m = { m with Model.binding = On_contact }
 let naive m = Semantics.make ~geometry:by_all_axes m
 
 let () =
@@ -131,6 +135,12 @@ let () =
             straight "among many" ~of_network:Random_network.with_bystanders ~count:40 ~limit:8 bare;
             turning "bodies that turn" Random_rigid.anything ~count:40 ~limit:8 bare;
             turning "with laws and rounding" { Random_rigid.anything with laws = true; rounds = true } ~count:30
+              ~limit:8 bare;
+            straight "collisions together" ~of_model:together ~count:150 ~limit:25 bare;
+            straight "binding by contact" ~of_model:by_contact ~count:150 ~limit:25 bare;
+            straight "both, with laws of motion" ~of_model:(fun m -> by_contact (together m)) ~steered:true
+              ~count:100 ~limit:25 bare;
+            turning "bodies that turn, collisions together" ~of_model:together Random_rigid.anything ~count:20
               ~limit:8 bare;
           ] );
       ( "motion is a path",

@@ -93,7 +93,7 @@ let contact m (s : State.t) =
 let within_resolution m (s : State.t) early missing =
   let r = Turn.(rigid m).resolution in
   let there = if Rat.sign early = 0 then s else Time.pass (standard m) early s in
-  let near (e : Collisions.meeting) =
+  let near (e : Kinematics.meeting) =
     let w = Vec.sub there.processes.(e.second).velocity there.processes.(e.first).velocity in
     Rat.compare (Rat.mul (Vec.norm2 w) (Rat.mul missing missing)) (Rat.mul r r) <= 0
   in

@@ -31,11 +31,7 @@ let beside from (a : State.t) (b : State.t) =
   let second = List.map (moved from apart) (Array.to_list b.processes) in
   State.make ~processes:(Array.to_list a.processes @ second) ~step:None ~time:None
 
-let first_leaf from (s : State.t) leaf =
-  ignore s;
-  leaf + from
-
-let relabelled from (s : State.t) : Transition.label -> Transition.label =
+let relabelled from : Transition.label -> Transition.label =
   let finish (f : State.finish) = { f with at = f.at + from } in
   let bond (b : State.bond) = State.bond b.name (finish b.one) (finish b.two) in
   function
@@ -43,7 +39,7 @@ let relabelled from (s : State.t) : Transition.label -> Transition.label =
   | Bind b -> Bind (bond b)
   | Weak_split b -> Weak_split (bond b)
   | Strong_split bonds -> Strong_split (List.map bond bonds)
-  | Bounce (p, q) -> Bounce (first_leaf from s p, first_leaf from s q)
+  | Bounce leaves -> Bounce (List.map (fun leaf -> leaf + from) leaves)
 
 (* {1 What the product does} *)
 
@@ -91,7 +87,7 @@ let broken a b (((s, s_transitions) as one), ((t, t_transitions) as two)) =
   let whole = beside n s t in
   let left = List.map (fun (u : Transition.t) -> (u.label, beside n u.target t)) (discrete s_transitions) in
   let right =
-    List.map (fun (u : Transition.t) -> (relabelled n t u.label, beside n s u.target)) (discrete t_transitions)
+    List.map (fun (u : Transition.t) -> (relabelled n u.label, beside n s u.target)) (discrete t_transitions)
   in
   let time =
     if is_urgent one || is_urgent two then []

@@ -21,8 +21,8 @@ let uses rule (t : Transition.t) = List.memq rule t.rules
 let say = Printf.sprintf
 
 let with_fixed m (s : State.t) : Transition.label -> bool = function
-  | Bounce (p, q) ->
-    List.exists (fun leaf -> Option.is_none (State.mass m s.processes.(fst (State.find_leaf s leaf)))) [ p; q ]
+  | Bounce firsts ->
+    List.exists (fun leaf -> Option.is_none (State.mass m s.processes.(fst (State.find_leaf s leaf)))) firsts
   | Time _ | Bind _ | Weak_split _ | Strong_split _ -> false
 
 (* {1 Laws of a state or a transition} *)
@@ -128,7 +128,7 @@ let collides_in_time m (s : State.t) =
     match K.contact semantics.setting a b with Colliding -> not (near (a, b)) | Touching | Apart -> false
   in
   let meetings = Collisions.meetings semantics s.processes in
-  if List.exists (fun (e : Collisions.meeting) -> List.exists from_afar e.touching) meetings then
+  if List.exists (fun (e : Kinematics.meeting) -> List.exists from_afar e.touching) meetings then
     Some "a collision from afar"
   else None
 

@@ -104,9 +104,10 @@ let urgent m _ (s, transitions) =
 
 let progresses m _ (s, _) =
   match Network.successors (standard m) s with
-  | Error (Persistent_contact (p, q)) ->
+  | Error (Persistent_contact firsts) ->
     let at leaf = fst (State.find_leaf s leaf) in
-    let meets (e : Collisions.meeting) = (e.first, e.second) = (min (at p) (at q), max (at p) (at q)) in
+    let together = List.sort Int.compare (List.map at firsts) in
+    let meets (e : Kinematics.meeting) = List.equal Int.equal [ e.first; e.second ] together in
     if Option.is_none m.Model.rigid then Some "a persistent contact in translation"
     else if List.exists meets (Collisions.meetings (standard m) s.processes) then None
     else Some "a persistent contact of what does not collide"

@@ -41,7 +41,8 @@ ZERO = (F(0), F(0), F(0))
 
 
 class Calculus:
-    def __init__(self, bodies, definitions, timestep, split_step):
+    def __init__(self, bodies, definitions, timestep, split_step, together=False, by_contact=False):
+        self.together, self.by_contact = together, by_contact
         self.bodies = bodies
         self.definitions = definitions
         self.timestep = timestep
@@ -93,7 +94,7 @@ class Calculus:
         for p, q in combinations(state.processes, 2):
             w = minus(q.velocity, p.velocity)
             pairs = [x for x in self.part_pairs(p, q) if approaching(x[4], x[5], w)]
-            if pairs:
+            if pairs or (self.by_contact and self.candidates(p, q)):
                 found.append((p, q, pairs))
         return found
 
@@ -156,21 +157,50 @@ class Calculus:
                         kept.add((i, side))
         return kept or every
 
-    def bounce(self, p, q, pairs):
-        w = minus(q.velocity, p.velocity)
-        change = [F(0), F(0), F(0)]
-        cone = self.directions(p, q, pairs)
+    def bounce(self, met):
+        """All that collide at once: q + 2 proj(-q). Boxes push each other along the axes, each by itself."""
+        members = sorted({x for p, q, _ in met for x in (p, q)}, key=lambda p: p.leaves[0].name)
+        after = {p: list(p.velocity) for p in members}
         for i in AXES:
-            if ((i, 1) in cone and w[i] < 0) or ((i, -1) in cone and w[i] > 0):
-                change[i] = -2 * w[i]
-        if self.fixed(p):
-            share = F(0)
-        elif self.fixed(q):
-            share = F(1)
-        else:
-            share = F(self.mass(q)) / (self.mass(p) + self.mass(q))
-        return (self.process(minus(p.velocity, times(share, change)), p.leaves, p.bonds),
-                self.process(plus(q.velocity, times(1 - share, change)), q.leaves, q.bonds))
+            rows = [(p, q, side) for p, q, pairs in met for axis, side in self.directions(p, q, pairs) if axis == i]
+            for p, change in self.pushed(members, rows, i).items():
+                after[p][i] += 2 * change
+        return members, [self.process(tuple(after[p]), p.leaves, p.bonds) for p in members]
+
+    def pushed(self, members, rows, i):
+        """The projection of minus the velocities on the cone of the rows: all sets of rows that may push are tried."""
+        weight = {p: F(0) if self.fixed(p) else 1 / F(self.mass(p)) for p in members}
+        speed = [side * (q.velocity[i] - p.velocity[i]) for p, q, side in rows]
+
+        def change(row, p):
+            first, second, side = row
+            return weight[p] * side * ((p is second) - (p is first))
+
+        def gain(row, by):
+            first, second, side = row
+            return side * (change(by, second) - change(by, first))
+        for size in range(len(rows) + 1):
+            for chosen in combinations(range(len(rows)), size):
+                x = solved([[gain(rows[k], rows[l]) for l in chosen] for k in chosen], [-speed[k] for k in chosen])
+                if x is None or any(a < 0 for a in x):
+                    continue
+                if all(speed[k] + sum(a * gain(row, rows[l]) for a, l in zip(x, chosen)) >= 0
+                       for k, row in enumerate(rows)):
+                    return {p: sum((a * change(rows[l], p) for a, l in zip(x, chosen)), F(0)) for p in members}
+        raise AssertionError('no projection')
+
+    def clusters(self, met):
+        """What is resolved at once: one by one (I-8), or all that hang together by what moves (I-32)."""
+        found = []
+        for x in met:
+            mine = [x]
+            for other in list(found):
+                shared = {p for m in other for p in m[:2]} & set(x[:2])
+                if self.together and any(not self.fixed(p) for p in shared):
+                    found.remove(other)
+                    mine = other + mine
+            found.append(mine)
+        return found
 
     # Splits
 
@@ -237,8 +267,23 @@ class Calculus:
 
     # Time and steering
 
+    def first_time_of_binding(self, p, q):
+        """Reading I-33: the least time at which features meet that are open on compatible channels."""
+        w = minus(q.velocity, p.velocity)
+        for l, a, m, b, _, offset in self.part_pairs(p, q):
+            for o1, _ in self.leaf_offers(l, 'open'):
+                for o2, _ in self.leaf_offers(m, 'open'):
+                    if o1[1] != o2[1] or o1[2] == o2[2]:
+                        continue
+                    for f, fe in a.features.items():
+                        for g, ge in b.features.items():
+                            if self.active(o1[3], a.name, f) and self.active(o2[3], b.name, g):
+                                yield first_meeting(fe, ge, offset, w)
+
     def first_time_of_contact(self, state):
         times_ = []
+        if self.by_contact:
+            times_ += [t for p, q in combinations(state.processes, 2) for t in self.first_time_of_binding(p, q)]
         for p, q in combinations(state.processes, 2):
             w = minus(q.velocity, p.velocity)
             times_ += [entry(x[4], x[5], w) for x in self.part_pairs(p, q)]
@@ -326,15 +371,16 @@ class Calculus:
         step = state.step
         if step and step[1] == 'moving':
             step = (step[0], 'due')
-        for p, q, pairs in self.collisions(state):
+        for cluster in self.clusters(self.collisions(state)):
             urgent = True
-            bindings = self.candidates(p, q)
-            for candidate in bindings:
+            bindings = [(p, q, candidate) for p, q, _ in cluster for candidate in self.candidates(p, q)]
+            for p, q, candidate in bindings:
                 label = ('bind', candidate[0])
                 found.add((label, replace([p, q], [self.bind(p, q, candidate)], step)))
             if not bindings:
-                between = frozenset([frozenset(l.name for l in x.leaves) for x in (p, q)])
-                found.add((('bounce', between), replace([p, q], self.bounce(p, q, pairs), step)))
+                members, after = self.bounce(cluster)
+                between = frozenset([frozenset(l.name for l in x.leaves) for x in members])
+                found.add((('bounce', between), replace(members, after, step)))
         if not urgent:
             d = self.delay(state, jump)
             if d is not None:
@@ -351,3 +397,33 @@ def connected(bonds):
             return not left
         reached += near
         left = [b for b in left if b not in near]
+
+
+def solved(rows, right):
+    """The solution of a square system, or None."""
+    rows = [list(r) + [b] for r, b in zip(rows, right)]
+    for c in range(len(rows)):
+        pivot = next((r for r in range(c, len(rows)) if rows[r][c] != 0), None)
+        if pivot is None:
+            return None
+        rows[c], rows[pivot] = rows[pivot], rows[c]
+        for r in range(len(rows)):
+            if r != c:
+                factor = rows[r][c] / rows[c][c]
+                rows[r] = [x - factor * y for x, y in zip(rows[r], rows[c])]
+    return [row[-1] / row[c] for c, row in enumerate(rows)]
+
+
+def first_meeting(f, g, offset, w):
+    """The least t >= 0 at which f and g + offset + t w have a point in common, for products of closed intervals."""
+    start, end = F(0), None
+    for i in AXES:
+        low, high = f[i][0] - g[i][1] - offset[i], f[i][1] - g[i][0] - offset[i]
+        if w[i] == 0:
+            if low > 0 or high < 0:
+                return None
+            continue
+        one, two = sorted([low / F(w[i]), high / F(w[i])])
+        start = max(start, one)
+        end = two if end is None else min(end, two)
+    return start if end is None or start <= end else None

@@ -93,7 +93,7 @@ class Comparison:
         self.seen = {}
 
     def model(self, seed):
-        model = generate.Model(seed)
+        model = generate.Model(seed, switches=True)
         path = os.path.join(self.folder, 'model.sc')
         with open(path, 'w') as f:
             f.write(model.text())
@@ -121,7 +121,7 @@ class Comparison:
 
     def properties(self, seed):
         """Explores the model both ways, if it is small: counts, and verdicts on random properties."""
-        model = generate.Model(seed)
+        model = generate.Model(seed, switches=True)
         if any('time' in t for t in model.law_texts):
             return
         try:

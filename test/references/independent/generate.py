@@ -17,12 +17,14 @@ def site_order(site):
 
 
 class Model:
-    def __init__(self, seed):
+    def __init__(self, seed, switches=False):
         self.rng = random.Random(seed)
         self.aside = random.Random('entries of %d' % seed)  # so that the rest of a model does not depend on these
         self.seed = seed
         self.names = ['a', 'b'][:self.rng.choice([1, 1, 2])]
         self.flat = self.rng.choice([1, 2, 2, 3, 3])
+        self.together = switches and self.aside.random() < 0.5
+        self.by_contact = switches and self.aside.random() < 0.5
         self.timestep = self.rng.choice([F(1), F(1, 2), F(2), F(1, 3)])
         self.split_step = self.rng.choice([None, F(1), F(1, 2), F(3, 4), F(2)])
         self.lively = self.rng.random() < 0.75
@@ -37,7 +39,7 @@ class Model:
         self.laws()
         bodies = {n: c.canonical(b) for n, b in self.definitions.items()}
         self.calculus = c.Calculus(self.bodies, bodies, self.timestep,
-                                   self.split_step or self.timestep)
+                                   self.split_step or self.timestep, self.together, self.by_contact)
 
     # Shapes
 
@@ -345,6 +347,7 @@ class Model:
 
     def text(self):
         out = ['model random%d\n' % self.seed, 'timestep %s\n' % self.timestep]
+        out += ['collisions together\n'] * self.together + ['binding contact\n'] * self.by_contact
         if self.split_step:
             out.append('split_step %s\n' % self.split_step)
         out += [TEMPLATES['Cube'], TEMPLATES['Brick']] + [s.text for s in self.shapes]

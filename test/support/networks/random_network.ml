@@ -103,6 +103,8 @@ let model bodies : Model.t =
     timestep = rational 1 2;
     split_step = rational 1 2;
     keeps_time = false;
+    collisions = In_turn;
+    binding = On_collision;
     rigid = None;
     steered = List.exists (fun b -> b.falls) bodies;
   }

@@ -132,6 +132,8 @@ let model { dynamics; rounding; bodies } : Model.t =
     timestep = Rat.one;
     split_step = rational 1 2;
     keeps_time = false;
+    collisions = In_turn;
+    binding = On_collision;
     rigid =
       Some
         {

@@ -183,9 +183,7 @@ let map_label symmetry s : Transition.label -> Transition.label = function
   | Weak_split b -> Weak_split (symmetry.bond b)
   | Strong_split bonds ->
     Strong_split (List.sort State.compare_bond (List.map symmetry.bond bonds))
-  | Bounce (p, q) ->
-    let p = first_leaf symmetry s p and q = first_leaf symmetry s q in
-    Bounce (min p q, max p q)
+  | Bounce firsts -> Bounce (List.sort Int.compare (List.map (first_leaf symmetry s) firsts))
 
 let map_transition symmetry s (t : Transition.t) =
   { t with label = map_label symmetry s t.label; target = symmetry.later (Transition.duration t) t.target }

@@ -197,9 +197,9 @@ let landing ~head ~after () =
 
 let every_contact_binds = landing ~head:"" ~after:(fun m s -> after m s [ "time(2)" ])
 
-(* Where nothing spins yet, the grid of Cast has the time 2. *)
+(* Where nothing spins the instant of a contact is exact in rigid models, too. *)
 let near_contact_binds =
-  landing ~head:"dynamics constant_spin\n" ~after:(fun m s -> after m s [ "time(1)"; "time(1)" ])
+  landing ~head:"dynamics constant_spin\n" ~after:(fun m s -> after m s [ "time(2)" ])
 
 (* The channel b is open on an edge alone, and a on the whole face: each is compatible by itself. *)
 let highest_of_each () =
@@ -208,6 +208,49 @@ let highest_of_each () =
   in
   check_labels "of each two channels" [ "bind(a, p.right, q.left)"; "bind(b, p.[b,c], q.[a,d])" ] m
     (after m s [ "time(1)" ])
+
+(* p hits q and r, which lie side by side, at their common border. *)
+let hits_two () =
+  let text head =
+    head
+    ^ "process p = Cube mass 1 velocity (1,0,0) at translate (-3,0,0) [nil] process q = Cube mass 1 at translate \
+       (0,1,0) [nil] process r = Cube mass 1 at translate (0,-1,0) [nil]"
+  in
+  let m, s = start (text "") in
+  check_labels "one by one (I-8)" [ "bounce(p, q)"; "bounce(p, r)" ] m (after m s [ "time(1)" ]);
+  let m, s = start (text "collisions together ") in
+  let s = after m s [ "time(1)" ] in
+  check_labels "as one" [ "bounce(p, q, r)" ] m s;
+  let s = after m s [ "bounce(p, q, r)" ] in
+  let velocity i = Scc_exact.Vec.to_string s.processes.(i).State.velocity in
+  Alcotest.(check (list string))
+    "both alike"
+    [ "(-1/3, 0, 0)"; "(2/3, 0, 0)"; "(2/3, 0, 0)" ]
+    (List.init 3 velocity);
+  check_labels "and that is all" [] m s;
+  let m, s =
+    start
+      "collisions together fixed floor = Cube scaled (20,1,20) at translate (0,-2,0) process p = Cube mass 1 \
+       velocity (0,-1,0) at translate (-5,1,0) [nil] process q = Cube mass 1 velocity (0,-1,0) at \
+       translate (5,1,0) [nil]"
+  in
+  check_labels "a floor links nobody" [ "bounce(floor, p)"; "bounce(floor, q)" ] m (after m s [ "time(1)" ])
+
+(* The surfaces of p and q meet in an edge while q slides by; those of r and s when a channel opens. *)
+let by_contact () =
+  let text head =
+    head
+    ^ "process p = Cube mass 1 [<a, {right}>. nil] process q = Cube mass 1 velocity (0,-1,0) at translate (2,5,0) \
+       [<~a, {[a,e]}>. nil] process r = Cube mass 1 at translate (40,0,0) [<~b, {top}>. nil] process s = \
+       Cube mass 1 at translate (40,0,2) [eps(2). <b, {bottom}>. nil]"
+  in
+  let m, s = start (text "") in
+  check_labels "not without the switch (I-12)" [] m (after m s [ "time(2)" ]);
+  let m, s = start (text "binding contact ") in
+  let s = after m s [ "time(2)" ] in
+  check_labels "a channel opens, and no time passes" [ "bind(b, r.top, s.bottom)" ] m s;
+  let s = after m s [ "bind(b, r.top, s.bottom)"; "time(1)" ] in
+  check_labels "the first instant at which surfaces meet" [ "bind(a, p.[c,g], q.[a,e])" ] m s
 
 let many_apart () =
   let text =
@@ -319,6 +362,8 @@ let () =
           case "I-12: processes that collide bind wherever they touch" every_contact_binds;
           case "I-12: likewise within the resolution" near_contact_binds;
           case "D-24: the highest dimension is that of two channels" highest_of_each;
+          case "I-32: a cube that hits two moves both alike" hits_two;
+          case "I-33: channels that open or slide into place" by_contact;
           case "Ftoc: many bodies that never meet" many_apart;
           case "D-34: tiles that are separate bodies" separate_tiles;
         ] );

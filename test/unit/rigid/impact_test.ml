@@ -67,11 +67,16 @@ let show_contact (c : Near_contact.t) =
 let print s = String.concat "; " (show_mover s.a :: show_mover s.b :: List.map show_contact s.contacts)
 let property ?(gen = scene) name ~count f = QCheck2.Test.make ~name ~count ~print gen f
 
-let rows (c : Near_contact.t) = List.concat_map (fun n -> List.map (fun x -> (n, x)) c.corners) c.normals
+let rows (c : Near_contact.t) =
+  List.concat_map
+    (fun normal -> List.map (fun corner -> { Impact.first = 0; second = 1; normal; corner }) c.corners)
+    c.normals
 
 (* As if no part covered another. *)
 let respond a b contacts =
-  Impact.reflect a b (List.concat_map rows (List.filter (Impact.approaching a b) contacts))
+  match Impact.reflect [| a; b |] (List.concat_map rows (List.filter (Impact.approaching a b) contacts)) with
+  | Some after -> Impact.Bounced (after.(0), after.(1))
+  | None -> Persistent
 
 (* {1 What is kept} *)
 
@@ -110,7 +115,8 @@ let speed a b n x = Vec.dot (Ivec.to_vec n) (Vec.sub (Impact.velocity_at b x) (I
 let reflected s a b =
   List.filter (Impact.approaching s.a s.b) s.contacts
   |> List.concat_map rows
-  |> List.for_all (fun (n, x) -> Rat.compare (speed a b n x) (Rat.neg (speed s.a s.b n x)) >= 0)
+  |> List.for_all (fun { Impact.normal = n; corner = x; _ } ->
+      Rat.compare (speed a b n x) (Rat.neg (speed s.a s.b n x)) >= 0)
 
 let answered s =
   let approach = List.exists (Impact.approaching s.a s.b) s.contacts in

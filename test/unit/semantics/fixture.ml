@@ -64,6 +64,8 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
     timestep;
     split_step;
     keeps_time = false;
+    collisions = In_turn;
+    binding = On_collision;
     rigid = None;
     steered = List.exists (fun b -> not (inertial b.law)) bodies;
   }

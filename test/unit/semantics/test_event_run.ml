@@ -53,6 +53,14 @@ let property name ~count ~steps networks adapt ~looks =
       let m, s = Random_network.start (adapt network) in
       follow m s choices ~looks)
 
+(* Three that collide at once are resolved as one, in the same order (reading I-32). *)
+let together =
+  QCheck2.Test.make ~name:"collisions together" ~count:300 ~print
+    (Gen.pair (Random_network.generate ()) (choices 40))
+    (fun (network, choices) ->
+       let m, s = Random_network.start network in
+       follow { m with Model.collisions = Together } s choices ~looks:(fun _ -> true))
+
 let always _ = true
 let seldom step = step mod 7 = 6
 
@@ -119,6 +127,8 @@ let boxed ?(keeps_time = false) velocities =
       timestep = Rat.one;
       split_step = Rat.one;
       keeps_time;
+      collisions = In_turn;
+      binding = On_collision;
       rigid = None;
       steered = false;
     }
@@ -228,5 +238,5 @@ let () =
           Alcotest.test_case "what is far away costs nothing" `Quick local;
         ] );
       ( "as the transition relation",
-        Scc_test_support.Property.cases [ small; unseen; far_away; crowds; later; in_a_box ] );
+        Scc_test_support.Property.cases [ small; unseen; far_away; crowds; later; in_a_box; together ] );
     ]

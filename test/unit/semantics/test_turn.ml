@@ -311,7 +311,7 @@ let persistent () =
   Alcotest.(check int) "they would interpenetrate" 1 (List.length (Collisions.meetings (standard m) s.processes));
   let s = start m s in
   (match Network.successors (standard m) s with
-   | Error (Persistent_contact (0, 1)) -> ()
+   | Error (Persistent_contact [ 0; 1 ]) -> ()
    | Error _ -> Alcotest.fail "another fault"
    | Ok _ -> Alcotest.fail "no fault");
   let still = start m (spinning [ ints 0 0 1; Vec.zero ] (declared bodies)) in

@@ -34,16 +34,17 @@ let explored ?(memory = 1 lsl 14) m start ~states =
   let differences = List.filter_map (fun i -> difference context m (Graph.tuple g i)) in
   (Graph.size g, differences (List.init (Graph.size g) Fun.id))
 
-let agrees ~memory network =
+let agrees ~memory ~of_model network =
   let m, start = Random_network.start network in
+  let m = of_model m in
   match explored ~memory m start ~states:40 with
   | _, [] -> true
   | _, why :: _ -> QCheck2.Test.fail_report why
 
-let property name ?steered ~memory count =
+let property name ?steered ?(of_model = Fun.id) ~memory count =
   QCheck2.Test.make ~name ~count ~print:Random_network.print
     (Random_network.generate ?steered ())
-    (agrees ~memory)
+    (agrees ~memory ~of_model)
 
 (* Two processes in turns of different lengths are not one, nor is one whose turn is due. *)
 let turns () =
@@ -72,7 +73,7 @@ let rigid =
 
 let crowd =
   QCheck2.Test.make ~name:"crowds" ~count:30 ~print:Random_network.print Random_network.crowd
-    (agrees ~memory:1024)
+    (agrees ~memory:1024 ~of_model:Fun.id)
 
 let model name () =
   let e = Scc_test_models.Load.(exactly (file ("../../../specs/models/" ^ name))) in
@@ -116,6 +117,8 @@ let () =
             property "inertial" ~memory:1024 200;
             property "steered" ~steered:true ~memory:1024 60;
             property "little memory" ~memory:2 100;
+            property "collisions together" ~of_model:(fun m -> { m with collisions = Together }) ~memory:1024 100;
+            property "binding by contact" ~of_model:(fun m -> { m with binding = On_contact }) ~memory:1024 100;
             crowd; rigid;
           ] );
       ("models", List.map (fun name -> Alcotest.test_case name `Quick (model name)) models);
