@@ -143,7 +143,8 @@ let check console budget (extras : Check_extras.t) overrides path =
   in
   Console.progress_done console;
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
-  Console.report console (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
+  Console.report console
+    (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
   let* () =
     match extras.witness with Some folder -> write_witnesses l path folder verdicts | None -> Ok ()
   in

@@ -141,7 +141,9 @@ let side_json (c : Compared.t) (s : Compare.side) =
   let states, transitions = Compared.size c in
   let kind, model, faults =
     match c.source with
-    | File -> ("graph", [ ("model", `Null); ("digest", `Null); ("parameters", `Assoc []); ("settings", `Assoc []) ], [])
+    | File ->
+      let none = `Assoc [] in
+      ("graph", [ ("model", `Null); ("digest", `Null); ("parameters", none); ("settings", none) ], [])
     | Model { model; space } ->
       ("model", Origin_json.members model.origin, space.faults)
   in

@@ -38,7 +38,8 @@ let note_semantics console (trace : Recorded.t) =
   match trace.semantics with
   | Some v when not (String.equal v Scc_calculus.Parameters.version) ->
     Console.note console
-      (Printf.sprintf "scc: the trace was recorded by version %s of the semantics, and is held against version %s" v
+      (Printf.sprintf
+         "scc: the trace was recorded by version %s of the semantics, and is held against version %s" v
          Scc_calculus.Parameters.version)
   | Some _ | None -> ()
 

@@ -156,14 +156,17 @@ let sum_stores a b =
 
 let most a b = List.map (fun (name, n) -> (name, Int.max n (Option.value (List.assoc_opt name b) ~default:0))) a
 
-(* What a verdict rests on that is about runs in which time does not go on. A run that meets what a search looks for
-   is decisive up to there, however it goes on; a formula may speak of what comes after the last state. *)
+(* What a verdict rests on that is about runs in which time does not go on. A run that meets what a search looks
+   for is decisive up to there, however it goes on; a formula may speak of what comes after the last state. *)
 let rests semantics (result : Joint_check.result) (check : Property.check) (v : Verdict.t) =
   let dead_ends = match result.stats.dead_ends with [] -> false | _ :: _ -> true in
   let by (w : Witness.t) =
     match (Witness.halt w, w.finish) with
     | Some halt, _ -> [ Verdict.By halt ]
-    | None, At_state when dead_ends && (not (Plan.is_search (Plan.of_formula check.formula))) && Network_lts.is_dead_end semantics w.last ->
+    | None, At_state
+      when dead_ends
+        && (not (Plan.is_search (Plan.of_formula check.formula)))
+        && Network_lts.is_dead_end semantics w.last ->
       [ By Dead_end ]
     | None, _ -> []
   in
@@ -197,8 +200,8 @@ let explored options semantics ~initial start group =
   let outcome (i, check) (_, v) =
     let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ -> result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
-    let rests = rests semantics result check v in
-    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step }; rests; slowing = slowing result v })
+    let rests = rests semantics result check v and slowing = slowing result v in
+    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step }; rests; slowing })
   in
   let outcomes = List.map2 outcome members result.outcomes in
   let slice part =

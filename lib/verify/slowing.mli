@@ -1,5 +1,5 @@
-(** Event times that grow ever slower: what a run in which they converge looks like from a part of it (rule Run). It is
-    said of an exploration that a bound has ended, and proves nothing. *)
+(** Event times that grow ever slower: what a run in which they converge looks like from a part of it (rule
+    Run). It is said of an exploration that a bound has ended, and proves nothing. *)
 
 open Scc_exact
 open Scc_space
@@ -12,9 +12,10 @@ type t = {
 }
 
 val find : State_graph.t -> t option
-(** Along the shortest path to the deepest state that a bound left unexpanded: when of the instants at which its states
-    begin the second half took at most 3/4 of the time of the quarter before, and that at most 3/4 of the time of the
-    eighth before it. So it is where gaps fall as 1/n^2, or faster, and not where they fall as 1/n. *)
+(** Along the shortest path to the deepest state that a bound left unexpanded: when of the instants at which its
+    states begin the second half took at most 3/4 of the time of the quarter before, and that at most 3/4 of the
+    time of the eighth before it. So it is where gaps fall as 1/n^2, or faster, and not where they fall as 1/n.
+*)
 
 val of_instants : Rat.t list -> t option
 (** The same of instants that are given, in order. *)

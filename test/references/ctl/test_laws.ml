@@ -1,5 +1,5 @@
-(* The laws of CTL that rule CtlLaws lists, at random on timed graphs, at every node and inside every flow; and for each
-   of those that it says fail a graph on which they do. *)
+(* The laws of CTL that rule CtlLaws lists, at random on timed graphs, at every node and inside every flow; and
+   for each of those that it says fail a graph on which they do. *)
 
 open Scc_ctl
 open Scc_exact

@@ -31,7 +31,8 @@ let gaps () =
     | Some s -> List.map (fun (x : Slowing.stretch) -> x.instants) s.stretches
     | None -> []
   in
-  Alcotest.(check (list int)) "each instant once" [ 5; 10; 20 ] (count (twice (instants (fun k -> over (k * k)) 40)))
+  let squares = instants (fun k -> over (k * k)) 40 in
+  Alcotest.(check (list int)) "each instant once" [ 5; 10; 20 ] (count (twice squares))
 
 let check_text text =
   let e = Load.exactly (Load.text text) in
