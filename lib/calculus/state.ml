@@ -41,8 +41,8 @@ let compare_leaf_index (a : leaf) (b : leaf) = Int.compare a.leaf b.leaf
 
 let no_turn = Some Rat.zero
 
-let process ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves ~bonds ~velocity ~clock
-    () =
+let process ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves ~bonds
+    ~velocity ~clock () =
   if List.length bonds <> List.length leaves - 1 then
     Scc_base.Bug.fail __POS__ "the bonds of a process are not a tree";
   {

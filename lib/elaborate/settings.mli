@@ -17,10 +17,10 @@ val round : t -> Report.t -> Env.t -> Ast.name -> Ast.expr -> unit
 (** Of [orientation] or [velocity], to multiples of 2^-k with k > 0. *)
 
 val rigid : t -> Report.t -> spinning:(string * Span.t) option -> Model.leaf array -> Model.rigid option
-(** Of the network of these bodies, of which one is given a spin or none: some iff one is (with a warning where no
-    [dynamics] is given, SC0215) or [dynamics] is given; otherwise the settings that are given have no effect (SC0213). A resolution of more than an eighth of the
-    shortest edge is coarse (SC0214). Where no resolution is given it is the
-    greatest power of two that is at most 2^-20 times the least edge. *)
+(** Of the network of these bodies, of which one is given a spin or none: some iff one is (with a warning where
+    no [dynamics] is given, SC0215) or [dynamics] is given; otherwise the settings that are given have no
+    effect (SC0213). A resolution of more than an eighth of the shortest edge is coarse (SC0214). Where no
+    resolution is given it is the greatest power of two that is at most 2^-20 times the least edge. *)
 
 val collisions : t -> Model.collisions
 (** [In_turn] if nothing is said. *)

@@ -330,7 +330,7 @@ let can_run (m : Model.t) =
 
 let start semantics (s : State.t) =
   let m = Semantics.model semantics in
-  if not (can_run m) then Scc_base.Bug.fail __POS__ "laws of motion, turns or bonds by contact, from event to event";
+  if not (can_run m) then Scc_base.Bug.fail __POS__ "a model whose runs go step by step";
   let t =
     {
       semantics;

@@ -24,7 +24,8 @@
     turned     from each leaf to how it is turned, a quaternion of integers w, x, y, z
     spin       from each leaf to that of its process
     since      from each leaf to how long ago the present turn of its process began
-    lasts      from each leaf to how long that turn lasts in all, 0 if it does not spin; -1 while one is due to begin
+    lasts      from each leaf to how long that turn lasts in all, 0 if it does not spin; -1 while one is due to
+               begin
     angular_momentum
                from each leaf to what its process keeps with [dynamics free_body]
     v} *)

@@ -125,7 +125,8 @@ let meets s =
 let cell_of s t = Float.of_int (int_of_float (Float.ldexp (t +. s.phase) s.query.clock.grid))
 let exactly_begins s k = Float.ldexp k (-s.query.clock.grid)
 let begins_by s k = if s.phase = 0. then exactly_begins s k else Float.succ (exactly_begins s k -. s.phase_below)
-let begins_after s k = if s.phase = 0. then exactly_begins s k else Float.pred (exactly_begins s k -. s.phase_above)
+let begins_after s k =
+  if s.phase = 0. then exactly_begins s k else Float.pred (exactly_begins s k -. s.phase_above)
 
 (* A delay that leads from t beyond t' >= t or just there: the difference is rounded up. *)
 let delay t t' = Float.succ (t' -. t)

@@ -19,14 +19,14 @@ type outcome =
   | Never  (** the interiors are disjoint throughout 0 <= t <= span *)
   | Inside  (** the interiors meet now *)
   | At of Rat.t
-  (** floor((t* + phase) 2^grid) / 2^grid - phase, or 0 if that is less, where t* in [0, span) is the last instant such
-      that the interiors are disjoint on [0, t*]: grazes and sliding are passed over *)
+  (** floor((t* + phase) 2^grid) / 2^grid - phase, or 0 if that is less, where t* in [0, span) is the last
+      instant such that the interiors are disjoint on [0, t*]: grazes and sliding are passed over *)
 
 val first_time_of_contact :
   ?obstacle:Obstacle.t -> ?phase:Rat.t -> Motion.t -> Motion.t -> span:Rat.t -> grid:int -> outcome
-(** For a span >= 0 and a grid >= 0; the phase, 0 if it is not given, is the time since the grid began to count, and
-    not negative. [obstacle] is that of the two solids as they are in the motions, in this
-    order: it saves time when neither turns nor has turned, and does not change the answer. *)
+(** For a span >= 0 and a grid >= 0; the phase, 0 if it is not given, is the time since the grid began to
+    count, and not negative. [obstacle] is that of the two solids as they are in the motions, in this order: it
+    saves time when neither turns nor has turned, and does not change the answer. *)
 
 val next_instant : grid:int -> phase:Rat.t -> Rat.t -> Rat.t
 (** The first instant of the grid after a time. *)

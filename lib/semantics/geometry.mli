@@ -22,7 +22,8 @@ type t = {
   first_meeting : Vec.t list -> Vec.t list -> Vec.t -> Rat.t option;
   (** the least time t >= 0 at which two features meet, given by their corners, the second moving by the
       velocity *)
-  first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome;  (** rule Cast *)
+  first_penetration : Motion.t -> Motion.t -> span:Rat.t -> grid:int -> phase:Rat.t -> Cast.outcome;
+  (** rule Cast *)
   near : resolution:Rat.t -> Placed.t -> Placed.t -> Near_contact.t option;  (** rule Near *)
 }
 

@@ -52,7 +52,8 @@ let rounded_orientation m k (p : State.process) =
         turned = Quaternion.mul turn l.turned;
       }
     in
-    Some (State.map_leaves move p, Rat.mul (Quaternion.round_error k) (reach m p centre))
+    (* the spin of a free body follows from how it is turned *)
+    Some (Turn.renew m (State.map_leaves move p), Rat.mul (Quaternion.round_error k) (reach m p centre))
 
 let each (s : State.t) indices f =
   List.filter_map (fun i -> Option.map (fun x -> (i, x)) (f s.processes.(i))) indices

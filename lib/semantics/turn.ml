@@ -140,7 +140,7 @@ let left (p : State.process) =
   | Some _ -> None
   | None -> Some Rat.zero
 
-let stale m (p : State.process) = spinning p && (not (due p)) && (is_free m || Rat.sign p.since > 0)
+let goes_on (p : State.process) = spinning p && not (due p)
 
 let ended m (p : State.process) =
   match left p with

@@ -66,16 +66,15 @@ val begun : Model.t -> State.process -> State.process
 (** The process at the start of a turn about the spin that it has. *)
 
 val midway : Model.t -> State.process -> State.process option
-(** The process, due to turn, at the start of a turn about the spin that its angular momentum gives it half-way through
-    that turn, if it is free and spins. Estimates of spins have 40 bits: they are rounded to the nearest multiples
-    of 2^(e - 40), where 2^e <= the greatest component < 2^(e + 1). *)
+(** The process, due to turn, at the start of a turn about the spin that its angular momentum gives it half-way
+    through that turn, if it is free and spins. Estimates of spins have 40 bits: they are rounded to the
+    nearest multiples of 2^(e - 40), where 2^e <= the greatest component < 2^(e + 1). *)
 
 val left : State.process -> Rat.t option
 (** The time left in the turn of what spins; none of it is left while one is due. *)
 
-val stale : Model.t -> State.process -> bool
-(** Whether the process is not as collisions would see it: a turn has gone on for a while, or is one about a spin
-    that was estimated. *)
+val goes_on : State.process -> bool
+(** Whether the process turns on a turn that has begun, and that a collision ends. *)
 
 val ended : Model.t -> State.process -> State.process
 (** The process, with a new turn due if its turn is over. *)

@@ -156,11 +156,10 @@ let renewed c p = Turn.renew c.model p
 
 (* What turns on from here may collide that did not, or not any more: then it is looked at again. *)
 let rec at_contact c ~colliding (s : State.t) =
-  let stale = Turn.stale c.model in
-  if not (Array.exists stale s.processes) then s
+  if not (Array.exists Turn.goes_on s.processes) then s
   else
     let hit = colliding s in
-    let ends i p = stale p && List.exists (Round.involves i) hit in
+    let ends i p = Turn.goes_on p && List.exists (Round.involves i) hit in
     if not (List.exists Fun.id (List.mapi ends (Array.to_list s.processes))) then s
     else at_contact c ~colliding (with_processes (fun i p -> if ends i p then Turn.renew c.model p else p) s)
 

@@ -293,7 +293,9 @@ let () =
           straight "Confluence: events that share no process come to the same in either order"
             ~states:states_twice confluent;
           turning "Confluence: bodies that turn" Random_rigid.anything confluent;
-          turning "Confluence: bodies that turn, with rounding" { Random_rigid.anything with rounds = true } confluent;
+          turning "Confluence: bodies that turn, with rounding"
+            { Random_rigid.anything with rounds = true }
+            confluent;
         ];
       group "Sites"
         [ straight "Sites: two processes that collide may bind iff surfaces meet" ~count:400 finds_sites ];

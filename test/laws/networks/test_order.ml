@@ -1,6 +1,6 @@
-(* Nothing depends on the order in which processes are declared, nor on what they are called (reading I-5): every model of
-   specs/models, as it is and with rounding, with turns or with laws of motion added, under random permutations of
-   its leaves and with other names has the same transitions and the same verdicts. *)
+(* Nothing depends on the order in which processes are declared, nor on what they are called (reading I-5):
+   every model of specs/models, as it is and with rounding, with turns or with laws of motion added, under
+   random permutations of its leaves and with other names has the same transitions and the same verdicts. *)
 
 open Scc_calculus
 open Scc_semantics
@@ -39,7 +39,8 @@ let renamed rand (m : Model.t) =
   let numbers = shuffled rand (Array.length m.leaves) in
   let name i (l : Model.leaf) =
     let name = Printf.sprintf "n%d" numbers.(i) in
-    { l with name; parts = Array.mapi (fun k (p : Model.part) -> { p with name = Printf.sprintf "%s.%d" name k }) l.parts }
+    let part k (p : Model.part) = { p with name = Printf.sprintf "%s.%d" name k } in
+    { l with name; parts = Array.mapi part l.parts }
   in
   { m with leaves = Array.mapi name m.leaves }
 
@@ -178,7 +179,8 @@ let docking () =
 
 let random =
   let features = { Random_rigid.anything with rounds = true; laws = true } in
-  QCheck2.Test.make ~name:"random networks that turn, fall and are rounded" ~count:40 ~print:(fun (n, _) -> Random_rigid.print n)
+  QCheck2.Test.make ~name:"random networks that turn, fall and are rounded" ~count:40
+    ~print:(fun (n, _) -> Random_rigid.print n)
     QCheck2.Gen.(pair (Random_rigid.generate features) int)
     (fun (network, seed) ->
        let m, start = Random_rigid.start network in

@@ -40,8 +40,8 @@ let turns_are_right m (s : State.t) =
     match p.lasts with
     | None -> if collides i then None else Some "a turn that is due does not begin"
     | Some d ->
-      if Rat.compare (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) (rational 1 4) > 0 then Some "a process turns too far"
-      else None
+      let too_far = Rat.compare (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) (rational 1 4) > 0 in
+      if too_far then Some "a process turns too far" else None
   in
   let due = match s.step with Some { phase = Due; _ } -> true | Some _ | None -> false in
   if due && colliding = [] then Some "a step that is over goes on"

@@ -70,8 +70,8 @@ let one_time_to m target rest (t : Transition.t) =
   | Time d when Rat.equal d rest -> State.equal t.target target
   | label -> failwith (say "midway %s" (Transition.label_to_string m label))
 
-(* Midway nothing is possible but the rest of the time, to the same state; or, where bodies turn, it is proved there
-   already that nothing will ever happen. *)
+(* Midway nothing is possible but the rest of the time, to the same state; or, where bodies turn, it is proved
+   there already that nothing will ever happen. *)
 let continuous m part state =
   List.find_map
     (fun (s, d, (t : Transition.t)) ->

@@ -154,7 +154,8 @@ let scaling ~length ~time ~mass =
     State.process
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(Array.to_list p.bonds) ~velocity:(speed p.velocity) ~spin:(spin p.spin) ~since:(Rat.mul time p.since)
-      ~lasts:(Option.map (Rat.mul time) p.lasts) ~kept:(momentum p.kept) ~clock:(Option.map (Rat.mul time) p.clock) ()
+      ~lasts:(Option.map (Rat.mul time) p.lasts) ~kept:(momentum p.kept)
+      ~clock:(Option.map (Rat.mul time) p.clock) ()
   in
   let step (s : State.step) = { s with State.remaining = Rat.mul time s.remaining } in
   let state (s : State.t) =

@@ -313,7 +313,8 @@ let () =
           ~print:(fun (c, phase) -> print c ^ "\nphase " ^ Rat.to_string phase)
           (Gen.pair
              (Gen.oneof [ flying any_solid; meeting any_solid ])
-             (Gen.oneof [ Gen.map (fun k -> ratio k 97) Gen.(0 -- 97); Gen.map (fun k -> ratio k 1024) Gen.(0 -- 1024) ]))
+             (Gen.oneof
+                [ Gen.map (fun k -> ratio k 97) Gen.(0 -- 97); Gen.map (fun k -> ratio k 1024) Gen.(0 -- 1024) ]))
           agrees_later;
         QCheck2.Test.make ~count:400 ~name:"touching at first"
           ~print:(QCheck2.Print.option print)

@@ -52,7 +52,9 @@ let renew () =
   let bodies = [ body "p" (0, 0, 0) ] in
   let free = rigid ~dynamics:Free_body (planks (model bodies)) in
   let constant = rigid (planks (model bodies)) in
-  let start m spin = Turn.start m (State.with_turn ~spin ~since:Rat.zero ~lasts:None (declared bodies).processes.(0)) in
+  let start m spin =
+    Turn.start m (State.with_turn ~spin ~since:Rat.zero ~lasts:None (declared bodies).processes.(0))
+  in
   let after m p = Turn.renew m (Turn.pass m (ratio 1 3) p) in
   let spin = vec (q 1) (ratio 1 2) (third 1) in
   let tumbling = start free spin in
@@ -156,7 +158,8 @@ let own_turns () =
 let bystander () =
   let spins = [ ints 0 0 1; Vec.zero; Vec.zero ] in
   let met behaviour =
-    let bodies = [ body "p" (0, 0, 0) ~velocity:(3, 0, 0); body "q" (6, 1, 0); body "far" (0, 900, 0) ~behaviour ] in
+    let far = body "far" (0, 900, 0) ~behaviour in
+    let bodies = [ body "p" (0, 0, 0) ~velocity:(3, 0, 0); body "q" (6, 1, 0); far ] in
     let m = rigid (model bodies) in
     let rec go s time =
       match successors m s with
