@@ -143,6 +143,16 @@ def check_model(scc, model, folder):
         os.remove(schedule)
 
 
+def check_slowing(scc, folder):
+    """A bound ends an exploration in which event times grow ever slower."""
+    model = os.path.join(folder, "closing.sc")
+    with open("specs/models/laws/closing.sc", encoding="utf-8") as text, open(model, "w", encoding="utf-8") as out:
+        out.write(text.read() + "check forever : always x(west) < x(ball)\n")
+    document = check("check", text_of(run(scc, "check", model, "--json", "--states", "120")), "check closing")
+    told = document is not None and "slowing" in document["properties"][-1]
+    count(told, "check closing", "it is not told that event times grow ever slower")
+
+
 def check_trace(scc, model, *options):
     result = run(scc, "trace", model, "--steps", "40", "--choose", "random:1", *options)
     lines = text_of(result).splitlines()
@@ -298,6 +308,7 @@ def main():
             check_graphs(scc, model, folder)
         for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
             check_sarif(scc, model, folder)
+        check_slowing(scc, folder)
     check_conformance()
     check_refusals(scc)
     check_shapes(scc)

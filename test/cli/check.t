@@ -525,7 +525,7 @@ Two values for one parameter.
 
 Where a bound ended an exploration in which event times grew ever slower, the verdict says so.
 
-  $ (cat ../../specs/models/closing.sc; echo 'check forever : always x(west) < x(ball)') > closing.sc
+  $ (cat ../../specs/models/laws/closing.sc; echo 'check forever : always x(west) < x(ball)') > closing.sc
   $ scc check closing.sc --states 120 | grep -c 'grow ever slower'
   1
   $ scc check closing.sc --states 120 | grep -o 'forever: .*slower'

@@ -51,7 +51,7 @@ let read path =
   text
 
 let closing () =
-  let text = read "../../../specs/models/closing.sc" in
+  let text = read "../../../specs/models/laws/closing.sc" in
   let more = "\ncheck forever : always x(west) < x(ball)\ncheck never : possibly x(west) > -2\n" in
   Alcotest.(check (list (pair string bool)))
     "where a bound ended the exploration"
