@@ -31,11 +31,14 @@ type t = {
   split_step : Rat.t;
   keeps_time : bool;
   steered : bool;
+  local_steps : bool;
   collisions : collisions;
   binding : binding;
   rigid : rigid option;
 }
 
+let of_all m = m.steered && not m.local_steps
+let of_each m = m.steered && m.local_steps
 let straight m = (not m.steered) && Option.is_none m.rigid
 let resolution m = Option.map (fun r -> r.resolution) m.rigid
 let part_count m = Array.fold_left (fun n l -> n + Array.length l.parts) 0 m.leaves

@@ -54,11 +54,18 @@ type t = {
   split_step : Rat.t;
   keeps_time : bool;  (** absolute time is part of the state: a law or a property needs it *)
   steered : bool;
-  (** some law is not inertial: the movement step is part of the state *)
+  (** some law is not inertial: movement steps are part of the state *)
+  local_steps : bool;  (** each process under a law has movement steps of its own ([timestep ... local]) *)
   collisions : collisions;
   binding : binding;
   rigid : rigid option;  (** [None]: the translational calculus, in which nothing turns *)
 }
+
+val of_all : t -> bool
+(** Steered, by one movement step of the whole network. *)
+
+val of_each : t -> bool
+(** Steered, by movement steps of single processes. *)
 
 val straight : t -> bool
 (** Neither steered nor rigid: a process moves in a straight line, and has to do with nobody until it collides. *)

@@ -1,7 +1,13 @@
 open Scc_exact
 open Scc_rigid
 
-type leaf = { leaf : int; position : Vec.t; turned : Quaternion.t; behaviour : Behaviour.aged }
+type leaf = {
+  leaf : int;
+  position : Vec.t;
+  turned : Quaternion.t;
+  waited : Rat.t;
+  behaviour : Behaviour.aged;
+}
 type finish = { at : int; site : Site.t }
 type bond = { name : string; one : finish; two : finish }
 
@@ -16,6 +22,8 @@ let compare_bond (a : bond) (b : bond) =
 let equal_bond a b = compare_bond a b = 0
 let bond name a b = if compare_finish a b <= 0 then { name; one = a; two = b } else { name; one = b; two = a }
 
+type phase = Moving | Due | Steered
+
 type process = {
   leaves : leaf array;
   bonds : bond array;
@@ -25,9 +33,9 @@ type process = {
   lasts : Rat.t option;
   kept : Vec.t;
   clock : Rat.t option;
+  phase : phase option;
 }
 
-type phase = Moving | Due | Steered
 type step = { remaining : Rat.t; phase : phase }
 type t = { processes : process array; step : step option; time : Rat.t option }
 
@@ -41,14 +49,14 @@ let compare_leaf_index (a : leaf) (b : leaf) = Int.compare a.leaf b.leaf
 
 let no_turn = Some Rat.zero
 
-let process ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves ~bonds
+let process ?phase ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves ~bonds
     ~velocity ~clock () =
   if List.length bonds <> List.length leaves - 1 then
     Scc_base.Bug.fail __POS__ "the bonds of a process are not a tree";
   {
     leaves = sorted compare_leaf_index leaves;
     bonds = sorted compare_bond bonds;
-    velocity; spin; since; lasts; kept; clock;
+    velocity; spin; since; lasts; kept; clock; phase;
   }
 
 let map_leaves f p = { p with leaves = Array.map f p.leaves }
@@ -56,6 +64,7 @@ let with_velocity velocity p = { p with velocity }
 let with_turn ~spin ~since ~lasts p = { p with spin; since; lasts }
 let with_kept kept p = { p with kept }
 let with_clock clock p = { p with clock }
+let with_phase phase (p : process) = { p with phase }
 let first p = p.leaves.(0).leaf
 
 let make ~processes ~step ~time =
@@ -146,12 +155,16 @@ let components leaves bonds =
 let compare_leaf a b =
   Int.compare a.leaf b.leaf <?> fun () ->
     Vec.compare a.position b.position <?> fun () ->
-      Behaviour.compare_aged a.behaviour b.behaviour <?> fun () -> Quaternion.compare a.turned b.turned
+      Behaviour.compare_aged a.behaviour b.behaviour <?> fun () ->
+        Quaternion.compare a.turned b.turned <?> fun () -> Rat.compare a.waited b.waited
 
 let compare_arrays compare a b =
   let n = Array.length a in
   let rec from i = if i = n then 0 else compare a.(i) b.(i) <?> fun () -> from (i + 1) in
   Int.compare n (Array.length b) <?> fun () -> from 0
+
+let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
+let compare_phase a b = Int.compare (phase_rank a) (phase_rank b)
 
 let compare_process p q =
   if p == q then 0
@@ -162,9 +175,8 @@ let compare_process p q =
           Option.compare Rat.compare p.clock q.clock <?> fun () ->
             Vec.compare p.spin q.spin <?> fun () ->
               Rat.compare p.since q.since <?> fun () ->
-                Option.compare Rat.compare p.lasts q.lasts <?> fun () -> Vec.compare p.kept q.kept
-
-let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
+                Option.compare Rat.compare p.lasts q.lasts <?> fun () ->
+                  Vec.compare p.kept q.kept <?> fun () -> Option.compare compare_phase p.phase q.phase
 
 let equal_phase a b = Int.equal (phase_rank a) (phase_rank b)
 

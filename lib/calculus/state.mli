@@ -8,6 +8,7 @@ type leaf = {
   leaf : int;  (** index into {!Model.leaves} *)
   position : Vec.t;  (** of the leaf's reference point, in the world *)
   turned : Quaternion.t;  (** how it has turned since it was declared; the identity where nothing turns *)
+  waited : Rat.t;  (** how long ago its law was asked, where processes have steps of their own; else 0 *)
   behaviour : Behaviour.aged;
 }
 
@@ -18,6 +19,12 @@ type finish = { at : int;  (** the leaf *) site : Site.t }
 type bond = private { name : string; one : finish; two : finish }
 
 val bond : string -> finish -> finish -> bond
+
+(** Where the network is in its movement step, or a process in its own (rule Steer). *)
+type phase =
+  | Moving  (** not steered at this instant, and the step is not over *)
+  | Due  (** the step is over, and this instant has not been steered *)
+  | Steered  (** this instant has been steered *)
 
 type process = private {
   leaves : leaf array;  (** in order of [leaf]; not empty *)
@@ -33,14 +40,11 @@ type process = private {
   clock : Rat.t option;
   (** time since the split clock was set (reading I-9), modulo the split step (reading I-16); [Some] iff a
       weak split is enabled *)
+  phase : phase option;
+  (** of what is steered, where processes have steps of their own ({!Model.of_each}); else [None] *)
 }
 
-(** Where the network is in its movement step (only kept when {!Model.steered}). *)
-type phase =
-  | Moving  (** not steered at this instant, and the step is not over *)
-  | Due  (** the step is over, and this instant has not been steered *)
-  | Steered  (** this instant has been steered *)
-
+(** The movement step of the network, where it has one ({!Model.of_all}). *)
 type step = {
   remaining : Rat.t;  (** 0 <= r <= {!Model.timestep}; 0 only while [Due] *)
   phase : phase;
@@ -53,7 +57,7 @@ type t = private {
 }
 
 val process :
-  ?spin:Vec.t -> ?since:Rat.t -> ?lasts:Rat.t option -> ?kept:Vec.t ->
+  ?phase:phase -> ?spin:Vec.t -> ?since:Rat.t -> ?lasts:Rat.t option -> ?kept:Vec.t ->
   leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> unit -> process
 (** Canonical order. The bonds must join the leaves into a tree (a bug otherwise). *)
 
@@ -65,6 +69,7 @@ val with_velocity : Vec.t -> process -> process
 val with_turn : spin:Vec.t -> since:Rat.t -> lasts:Rat.t option -> process -> process
 val with_kept : Vec.t -> process -> process
 val with_clock : Rat.t option -> process -> process
+val with_phase : phase option -> process -> process
 val make : processes:process list -> step:step option -> time:Rat.t option -> t
 
 val find_leaf : t -> int -> int * leaf

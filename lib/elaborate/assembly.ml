@@ -80,6 +80,7 @@ let state bodies (composition : Composition.t) joints behaviours (model : Model.
            State.leaf = i;
            position = l.position;
            turned = Quaternion.identity;
+           waited = Rat.zero;
            behaviour = Behaviour.fresh behaviours.(i);
          })
     members;
@@ -99,5 +100,5 @@ let state bodies (composition : Composition.t) joints behaviours (model : Model.
   in
   State.make
     ~processes:(List.filter_map process (List.init n Fun.id))
-    ~step:(if model.steered then Some { State.remaining = model.timestep; phase = Due } else None)
+    ~step:(if Model.of_all model then Some { State.remaining = model.timestep; phase = Due } else None)
     ~time:(if model.keeps_time then Some Rat.zero else None)

@@ -83,7 +83,7 @@ let glue (g : Ast.glue) = feature g.glue_first @ feature g.glue_second
 let item_children (i : Ast.item) =
   match i.it with
   | Model _ | Dynamics _ | Collisions _ | Binding _ -> []
-  | Param (_, e) | Timestep e | Split_step e | Resolution e | Round (_, e) | Let (_, e)
+  | Param (_, e) | Timestep (e, _) | Split_step e | Resolution e | Round (_, e) | Let (_, e)
   | Check (_, e) -> [ Expr e ]
   | Shape (_, s) -> [ Solid s ]
   | Compound (_, parts, glues) -> Long_list.append (List.concat_map part parts) (List.concat_map glue glues)

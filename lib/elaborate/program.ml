@@ -27,6 +27,7 @@ type t = {
   parameters : (string * Rat.t) list;
   shapes : string list;
   timestep : Rat.t;
+  local_steps : bool;
   split_step : Rat.t;
   settings : Settings.t;
   bodies : body list;
@@ -49,6 +50,7 @@ type gathered = {
   mutable params : (string * Rat.t) list;
   mutable templates : string list;
   mutable delta : (Rat.t option * Span.t) option;
+  mutable local_steps : bool;
   mutable split : (Rat.t option * Span.t) option;
   settings : Settings.t;
   mutable all_bodies : body list;
@@ -177,7 +179,9 @@ and simple g place (i : Ast.item) =
   | Model name ->
     Option.iter (fun (first : Ast.name) -> repeated g name.at "the name of the model" first.at) g.model;
     g.model <- Some name
-  | Timestep e -> g.delta <- step g place g.delta "timestep" e
+  | Timestep (e, local) ->
+    g.delta <- step g place g.delta "timestep" e;
+    g.local_steps <- local
   | Split_step e -> g.split <- step g place g.split "split_step" e
   | Dynamics name -> Settings.dynamics g.settings g.c.report name
   | Collisions name -> Settings.read_collisions g.settings g.c.report name
@@ -234,6 +238,7 @@ let gather c overrides =
     params = [];
     templates = [];
     delta = None;
+    local_steps = false;
     split = None;
     settings = Settings.create ();
     all_bodies = [];
@@ -263,6 +268,7 @@ let program g =
     parameters = List.rev g.params;
     shapes = List.rev g.templates;
     timestep;
+    local_steps = g.local_steps;
     split_step = value g.split ~default:timestep;
     settings = g.settings;
     bodies = List.rev g.all_bodies;

@@ -37,6 +37,7 @@ type t = {
   parameters : (string * Rat.t) list;
   shapes : string list;  (** names of shapes and compounds in order *)
   timestep : Rat.t;
+  local_steps : bool;  (** each process under a law has steps of its own *)
   split_step : Rat.t;
   settings : Settings.t;  (** of rigid motion *)
   bodies : body list;

@@ -16,6 +16,7 @@ let variables =
 
 (* Those of rigid models come last. *)
 let variables (m : Model.t) =
+  let variables = if Model.of_each m then variables @ [ "waited"; "phase" ] else variables in
   match m.rigid with
   | None -> variables
   | Some _ ->
@@ -97,6 +98,12 @@ let values (m : Model.t) ~action ~time (s : State.t) =
            processes) );
     ("step", step s);
   ]
+  @ (if Model.of_each m then
+       [
+         ("waited", each (fun _ (l : State.leaf) -> rational l.waited));
+         ("phase", each (fun (p : State.process) _ -> `String (Option.fold ~none:"none" ~some:State_json.phase p.phase)));
+       ]
+     else [])
   @
   if Option.is_none m.rigid then []
   else

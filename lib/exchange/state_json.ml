@@ -34,6 +34,14 @@ let origin (m : Model.t) (b : Behaviour.aged) =
 (* What is told of rigid models alone. *)
 let rigid (m : Model.t) members = if Option.is_some m.rigid then members () else []
 
+(* And of those whose processes have movement steps of their own. *)
+let of_each m members = if Model.of_each m then members () else []
+
+let phase : State.phase -> string = function
+  | Moving -> "moving"
+  | Due -> "due"
+  | Steered -> "steered"
+
 let quaternion (q : Quaternion.t) =
   `List (List.map (fun z -> `String (Z.to_string z)) [ q.w; q.x; q.y; q.z ])
 
@@ -41,12 +49,21 @@ let leaf m (l : State.leaf) =
   `Assoc
     ([ ("name", leaf_name m l.leaf); ("position", Json.vec l.position) ]
      @ rigid m (fun () -> [ ("turned", quaternion l.turned) ])
+     @ of_each m (fun () -> [ ("waited", Json.rat l.waited) ])
      @ [
        ("behaviour", Json.text (behaviour m ~leaf:l.leaf l.behaviour));
        ("origin", origin m l.behaviour);
      ])
 
 let list encode array = `List (List.map encode (Array.to_list array))
+
+(* The step of a whole that has just been bound is over; what remains of it is told of the leaf that waited longest. *)
+let own_step (m : Model.t) (p : State.process) =
+  let waited = Array.fold_left (fun w (l : State.leaf) -> Rat.max w l.waited) Rat.zero p.leaves in
+  let step p =
+    `Assoc [ ("remaining", Json.rat (Rat.sub m.timestep waited)); ("phase", `String (phase p)) ]
+  in
+  Json.option step p.phase
 
 let process m (p : State.process) =
   `Assoc
@@ -58,16 +75,12 @@ let process m (p : State.process) =
             ("lasts", Json.option Json.rat p.lasts);
           ]
           @ if Turn.is_free m then [ ("angular_momentum", Json.vec p.kept) ] else []))
+     @ of_each m (fun () -> [ ("step", own_step m p) ])
      @ [
        ("clock", Json.option Json.rat p.clock);
        ("leaves", list (leaf m) p.leaves);
        ("bonds", list (bond m) p.bonds);
      ])
-
-let phase : State.phase -> string = function
-  | Moving -> "moving"
-  | Due -> "due"
-  | Steered -> "steered"
 
 let step (s : State.step) =
   `Assoc [ ("remaining", Json.rat s.remaining); ("phase", `String (phase s.phase)) ]

@@ -11,3 +11,6 @@ val state : Model.t -> State.t -> Json.t
 (** The state in full. *)
 
 val behaviour : Model.t -> leaf:int -> Behaviour.aged -> string
+
+val phase : State.phase -> string
+(** ["moving"], ["due"] or ["steered"]. *)

@@ -55,6 +55,7 @@ let joined (c : Semantics.t) (p : State.process) (q : State.process) bond contin
   let bonds = bond :: Array.to_list (Array.append p.bonds q.bonds) in
   State.process ~leaves ~bonds ~velocity:Scc_exact.Vec.zero ~clock:None ()
   |> Process.restart_clock c.setting.model |> K.joined c.setting p q
+  |> Process.joined_step c.setting.model p q
 
 (* The candidates of two parts that touch, of two processes that meet. *)
 let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
@@ -163,7 +164,8 @@ let bounce (c : Semantics.t) (processes : State.process array) { members; meetin
   match K.bounce c.setting (Array.of_list gone) (List.map local (List.filter (fun m -> m.collide) meetings)) with
   | None -> Error (Transition.Persistent_contact firsts)
   | Some after ->
-    let come = List.map (Process.restart_clock c.setting.model) (Array.to_list after) in
+    let m = c.setting.model in
+    let come = List.map (fun p -> Process.end_step m (Process.restart_clock m p)) (Array.to_list after) in
     Ok { Transition.rule = Rule.Bounce; label = Bounce firsts; fired = []; gone; come }
 
 let outcomes c processes cluster =

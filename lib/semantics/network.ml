@@ -96,10 +96,10 @@ let initial (c : Semantics.t) (declared : State.t) =
   let (module K) = c.kinematics in
   let m = c.setting.model in
   let step =
-    if m.steered then Some { State.remaining = m.timestep; phase = State.Due } else None
+    if Model.of_all m then Some { State.remaining = m.timestep; phase = State.Due } else None
   in
   let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
-  let start p = K.start c.setting (Process.restart_clock m p) in
+  let start p = Process.restart_step m (K.start c.setting (Process.restart_clock m p)) in
   let processes = List.map start (Array.to_list declared.processes) in
   let* settled = Steer.settle c (State.make ~processes ~step ~time) in
   Ok settled.state

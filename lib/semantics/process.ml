@@ -29,6 +29,37 @@ let weak_split_enabled m p = Array.exists (releasable m p) p.State.bonds
 let restart_clock m p =
   State.with_clock (if weak_split_enabled m p then Some Scc_exact.Rat.zero else None) p
 
+let steers (m : Model.t) (p : State.process) =
+  let inertial = function Law.Inertial -> true | Law.Velocity _ -> false in
+  Array.exists (fun (l : State.leaf) -> not (inertial m.leaves.(l.leaf).law)) p.leaves
+  && Option.is_some (State.mass m p)
+
+let begin_step p = State.map_leaves (fun l -> { l with waited = Scc_exact.Rat.zero }) p
+
+(* Where processes have steps of their own: a process in this phase, if a law moves it. *)
+let in_phase (m : Model.t) phase p =
+  if not (Model.of_each m) then p
+  else if not (steers m p) then State.with_phase None (begin_step p)
+  else
+    match phase with
+    | Some _ -> State.with_phase phase p
+    | None -> State.with_phase (Some State.Due) (begin_step p)
+
+let restart_step m p = in_phase m None p
+
+let end_step m (p : State.process) =
+  match p.phase with
+  | Some (Moving | Due) -> in_phase m (Some State.Due) p
+  | Some Steered | None -> in_phase m p.phase p
+
+let joined_step m (p : State.process) (q : State.process) whole =
+  match (p.phase, q.phase) with
+  | None, None -> in_phase m None whole
+  | (Some (Moving | Due), _) | (_, Some (Moving | Due)) -> in_phase m (Some State.Due) whole
+  | (Some Steered, (Some Steered | None)) | (None, Some Steered) -> in_phase m (Some State.Steered) whole
+
+let piece_step m ~(whole : State.process) piece = in_phase m whole.phase piece
+
 let at_split_instant (p : State.process) =
   match p.clock with
   | Some clock -> Scc_exact.Rat.sign clock = 0

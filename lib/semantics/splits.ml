@@ -14,6 +14,7 @@ let fall_apart (c : Semantics.t) (p : State.process) ~released continuations =
   |> List.map (fun (leaves, bonds) ->
       State.process ~leaves ~bonds ~velocity:p.velocity ~clock:None ()
       |> K.piece c.setting ~whole:p
+      |> Process.piece_step c.setting.model ~whole:p
       |> Process.restart_clock c.setting.model)
 
 let weak (c : Semantics.t) (p : State.process) =

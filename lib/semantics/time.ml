@@ -17,6 +17,16 @@ let to_split_instant (m : Model.t) (p : State.process) =
 (* The time to the end of the first turn that ends. *)
 let turn_left (s : State.t) = Array.fold_left (fun d p -> least d (Turn.left p)) None s.processes
 
+(* The time to the end of the first movement step that ends, of all or of one process. *)
+let step_left (m : Model.t) (s : State.t) =
+  let of_process (p : State.process) =
+    match p.phase with Some _ -> Some (Rat.sub m.timestep p.leaves.(0).waited) | None -> None
+  in
+  match s.step with
+  | Some step -> Some step.remaining
+  | None when Model.of_each m -> Array.fold_left (fun d p -> least d (of_process p)) None s.processes
+  | None -> None
+
 let wait m p = least (horizon m p) (to_split_instant m p)
 
 let delay (c : Semantics.t) (s : State.t) =
@@ -25,7 +35,7 @@ let delay (c : Semantics.t) (s : State.t) =
   let next = Array.fold_left (fun d p -> least d (wait m p)) None s.processes in
   let steered = Array.exists (Steer.steers m) s.processes in
   let turn = turn_left s in
-  let step = Option.map (fun (step : State.step) -> step.remaining) s.step in
+  let step = step_left m s in
   let limit = least turn (if steered then least next step else next) in
   let contact = Collisions.first_time_of_contact c s.processes ~limit in
   (* what waits to be rounded goes another way when its next turn begins *)
@@ -56,6 +66,14 @@ let age_process (m : Model.t) d (p : State.process) =
 
 let pass_process m d p = Turn.pass m d (age_process m d p)
 
+(* Its own movement step goes on, or is over. *)
+let pass_own_step (m : Model.t) d (p : State.process) =
+  match p.phase with
+  | None -> p
+  | Some _ ->
+    let p = State.map_leaves (fun l -> { l with waited = Rat.add l.waited d }) p in
+    State.with_phase (Some (if Rat.compare p.leaves.(0).waited m.timestep < 0 then Moving else Due)) p
+
 (* Where nothing is steered, time may pass over the ends of steps: they come every timestep. *)
 let pass_step (m : Model.t) d (step : State.step) : State.step =
   let beyond = Rat.sub d step.remaining in
@@ -67,7 +85,7 @@ let pass_step (m : Model.t) d (step : State.step) : State.step =
 
 let pass_within m d (s : State.t) =
   State.make
-    ~processes:(List.map (fun p -> Turn.ended m (pass_process m d p)) (Array.to_list s.processes))
+    ~processes:(List.map (fun p -> Turn.ended m (pass_own_step m d (pass_process m d p))) (Array.to_list s.processes))
     ~step:(Option.map (pass_step m d) s.step)
     ~time:(Option.map (Rat.add d) s.time)
 

@@ -13,6 +13,9 @@ val pass : Semantics.t -> Rat.t -> State.t -> State.t
 (** The state after a time d > 0 that is at most {!delay}, or any for a quiescent network (in which what spins goes
     on from step to step: it takes as long); split clocks run modulo the split step (reading I-16). *)
 
+val step_left : Model.t -> State.t -> Rat.t option
+(** The time left in the first movement step that ends: that of the network, or of a process. *)
+
 (** {1 One process} *)
 
 val horizon : Model.t -> State.process -> Rat.t option

@@ -123,11 +123,25 @@ let check_process (c : Semantics.t) i (p : State.process) =
   in
   Long_list.append bonds @@ List.filter_map (fun (holds, fault) -> if holds then Some fault else None) faults
 
+(* The laws of all leaves are asked at once; only what has just been bound remembers several times. *)
+let own_step_is_right (m : Model.t) (p : State.process) =
+  let waited = p.leaves.(0).waited in
+  let alike (l : State.leaf) = Rat.equal l.waited waited in
+  let since (l : State.leaf) = Rat.sign l.waited >= 0 && Rat.compare l.waited m.timestep <= 0 in
+  let none = Rat.sign waited = 0 && Array.for_all alike p.leaves in
+  match p.phase with
+  | None -> none && not (Model.of_each m && Process.steers m p)
+  | Some _ when not (Model.of_each m && Process.steers m p) -> false
+  | Some Due -> Array.for_all since p.leaves
+  | Some Steered -> none
+  | Some Moving -> Array.for_all alike p.leaves && Rat.sign waited > 0 && Rat.compare waited m.timestep < 0
+
 let step_is_right (m : Model.t) (s : State.t) =
   match s.step with
-  | None -> not m.steered
+  | None -> not (Model.of_all m) && Array.for_all (own_step_is_right m) s.processes
   | Some { remaining; phase } -> (
-      m.steered
+      Model.of_all m
+      && Array.for_all (own_step_is_right m) s.processes
       && Rat.compare remaining m.timestep <= 0
       &&
       match phase with

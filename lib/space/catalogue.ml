@@ -79,6 +79,7 @@ let no_body =
       State.leaf = 0;
       position = Vec.zero;
       turned = Quaternion.identity;
+      waited = Rat.zero;
       behaviour = Behaviour.fresh Behaviour.nil;
     }
   in
@@ -104,7 +105,7 @@ let time_seen c = c.time_seen
 let leaves c = Array.length c.model.leaves
 let option_slot used = if used then 1 else 0
 let step_slot = leaves
-let time_slot c = leaves c + option_slot c.model.steered
+let time_slot c = leaves c + option_slot (Model.of_all c.model)
 let mark_slot c = time_slot c + option_slot c.model.keeps_time
 
 (* The tuple of the empty network has a slot all the same. *)
@@ -175,7 +176,7 @@ let decode c tuple =
     if i < 0 then acc
     else processes (i - 1) (if tuple.(i) = nobody then acc else (body c tuple.(i)).process :: acc)
   in
-  let step = if c.model.steered then Some (Steps.get c.steps tuple.(step_slot c)) else None in
+  let step = if Model.of_all c.model then Some (Steps.get c.steps tuple.(step_slot c)) else None in
   State.make ~processes:(processes (n - 1) []) ~step ~time:(time c tuple)
 
 let pass_time c tuple d =

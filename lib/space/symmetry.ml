@@ -67,7 +67,7 @@ let renamed image (p : State.process) =
   State.process
     ~leaves:(List.map leaf (Array.to_list p.leaves))
     ~bonds:(List.map bond (Array.to_list p.bonds))
-    ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
+    ?phase:p.phase ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
 
 let in_order places members =
   let rec from i =

@@ -124,7 +124,7 @@ type item = item_kind loc
 and item_kind =
   | Model of name
   | Param of name * expr
-  | Timestep of expr
+  | Timestep of expr * bool  (** [local]: each process has its own *)
   | Split_step of expr
   | Dynamics of name
   | Collisions of name

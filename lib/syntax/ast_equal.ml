@@ -116,7 +116,8 @@ let rec item a b =
   | Model m, Model n -> name m n
   | Param (m, x), Param (n, y) | Let (m, x), Let (n, y) | Check (m, x), Check (n, y) ->
     name m n && expr x y
-  | Timestep x, Timestep y | Split_step x, Split_step y | Resolution x, Resolution y -> expr x y
+  | Timestep (x, n), Timestep (y, k) -> expr x y && Bool.equal n k
+  | Split_step x, Split_step y | Resolution x, Resolution y -> expr x y
   | Dynamics m, Dynamics n | Collisions m, Collisions n | Binding m, Binding n -> name m n
   | Round (m, x), Round (n, y) -> name m n && expr x y
   | Shape (m, s), Shape (n, t) -> name m n && solid s t

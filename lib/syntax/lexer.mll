@@ -27,7 +27,7 @@
       ("eps", EPS); ("event", EVENT); ("eventually", EVENTUALLY); ("exists", EXISTS); ("faces", FACES);
       ("false", FALSE);
       ("fixed", FIXED); ("for", FOR); ("forall", FORALL); ("glue", GLUE); ("if", IF); ("in", IN);
-      ("inertial", INERTIAL); ("leads_to", LEADS_TO); ("let", LET); ("mass", MASS); ("matrix", MATRIX);
+      ("inertial", INERTIAL); ("leads_to", LEADS_TO); ("let", LET); ("local", LOCAL); ("mass", MASS); ("matrix", MATRIX);
       ("mesh", MESH);
       ("model", MODEL); ("motion", MOTION); ("network", NETWORK); ("nil", NIL); ("not", NOT);
       ("omega", OMEGA); ("on", ON); ("or", OR); ("param", PARAM); ("part", PART);

@@ -19,7 +19,7 @@
 
 (* Words of the language *)
 %token MODEL PARAM TIMESTEP SPLIT_STEP DYNAMICS COLLISIONS BINDING RESOLUTION ROUND SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND FOR NETWORK MOTION
-%token LET CHECK
+%token LET CHECK LOCAL
 %token VERTICES FACES SCALED MESH PART GLUE ON IN MASS VELOCITY SPIN AT
 %token TRANSLATE ROTATE QUATERNION SCALE MATRIX
 %token NIL OMEGA RHO EPS INERTIAL CHOOSE WEIGHT
@@ -246,7 +246,8 @@ item: i = item_kind { at $loc i }
 item_kind:
 | MODEL n = name { Model n }
 | PARAM n = name EQ e = expr { Param (n, e) }
-| TIMESTEP e = expr { Timestep e }
+| TIMESTEP e = expr { Timestep (e, false) }
+| TIMESTEP e = expr LOCAL { Timestep (e, true) }
 | SPLIT_STEP e = expr { Split_step e }
 | DYNAMICS d = NAME { Dynamics (at $loc(d) d) }
 | COLLISIONS c = NAME { Collisions (at $loc(c) c) }

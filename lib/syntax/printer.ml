@@ -158,7 +158,9 @@ let rec item i =
   match i.it with
   | Model n -> head "model %s" n.it
   | Param (n, e) -> definition (head "param %s =" n.it) (formula e)
-  | Timestep e -> definition (head "timestep") (formula e)
+  | Timestep (e, whose) ->
+    let length = formula e in
+    definition (head "timestep") (if whose then cat [ length; text ~at:(last_byte span) " local" ] else length)
   | Split_step e -> definition (head "split_step") (formula e)
   | Dynamics n -> head "dynamics %s" n.it
   | Collisions n -> head "collisions %s" n.it

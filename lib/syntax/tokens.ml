@@ -147,7 +147,7 @@ let begins_declaration tokens i =
 let begins_bond tokens i =
   match (tokens.(i).token, tokens.(i + 1).token) with
   | BOND, LT -> i = 0 || (match tokens.(i - 1).token with
-      | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL -> true
+      | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL -> true
       | _ -> false)
   | _ -> false
 
@@ -155,7 +155,7 @@ let begins_bond tokens i =
 let begins_setting tokens i =
   let ended () =
     i = 0 || (match tokens.(i - 1).token with
-        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL | TRUE | FALSE -> true
+        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL | TRUE | FALSE -> true
         | _ -> false)
   in
   match (tokens.(i).token, tokens.(i + 1).token) with

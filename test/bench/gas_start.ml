@@ -95,7 +95,7 @@ let network t =
   in
   let place i position velocity =
     let behaviour = Behaviour.fresh Behaviour.nil in
-    let leaf : State.leaf = { leaf = i; position; turned = Quaternion.identity; behaviour } in
+    let leaf : State.leaf = { leaf = i; position; turned = Quaternion.identity; waited = Rat.zero; behaviour } in
     State.process ~leaves:[ leaf ] ~bonds:[] ~velocity ~clock:None ()
   in
   let n = Array.length t.bodies in
@@ -119,6 +119,7 @@ let network t =
       binding = On_collision;
       rigid = None;
       steered = false;
+      local_steps = false;
     }
   in
   (m, State.make ~processes:(Array.to_list (Array.map snd all)) ~step:None ~time:None)

@@ -399,6 +399,23 @@ TWO = ('process p = Cube mass 1 velocity (1,0,0) at translate (-3,0,0) [nil]\npr
        '[nil]\nprocess r = Cube mass 1 at translate (0,-1,0) [nil]\n')
 
 
+FALLING = ('timestep 1 %s\nprocess ball = Cube mass 1 [nil]\nprocess p = Cube mass 1 velocity (3,0,0) at translate (0,90,0) '
+           '[nil]\nprocess q = Cube mass 1 at translate (4,90,0) [nil]\nmotion ball = (vx, vy, vz - dt)\n')
+
+
+def i_31():
+    r = Rule('I-31')
+    after = [TIME, BOUNCE]
+    r.value('A step of all ends with a collision far away, at 2/3.', FALLING % '', after, 'vz(ball)', '-2/3')
+    r.value('A step of one does not.', FALLING % 'local', after, 'vz(ball)', 0)
+    r.outcomes('It ends at 1.', FALLING % 'local', after, [passes('1/3')])
+    r.value('And then its law is asked, with dt = 1.', FALLING % 'local', after + [TIME], 'vz(ball)', -1)
+    r.state('The ball is in a step, of which 1/3 remains; the others have none.', FALLING % 'local', after, [
+        {'step': {'remaining': num('1/3'), 'phase': 'moving'}, **leaf('ball', waited=num('2/3'))},
+        {'step': None, **leaf('p', waited=num(0))}, {'step': None, **leaf('q', waited=num(0))}])
+    return r
+
+
 def i_32():
     r = Rule('I-32')
     all_three = {'kind': 'bounce', 'between': unordered(['p', 'q', 'r'])}
@@ -423,4 +440,4 @@ def i_33():
 def suites():
     return [f() for f in (i_1, i_2, i_3, i_4, i_5, i_6, i_7, i_8, i_9, i_10, i_11, i_12, i_13, i_14, i_15, i_16, i_17, i_18,
                           i_19, i_20, i_21, i_22, i_23, i_24, i_25, i_26, i_27, i_28, i_29, i_30,
-                          i_32, i_33)]
+                          i_31, i_32, i_33)]

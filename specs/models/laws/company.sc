@@ -1,6 +1,6 @@
 // Where a step of all is no step of one: the ball falls as its steps have it, and those end when two bodies collide that
 // are far away. Undisturbed it has the velocity -1 from time 1 on and is at -1 at time 2. The collision at 2/3 ends the
-// first step there: then it has -2/3, and -5/3 from 5/3 on.
+// first step there: then it has -2/3, and -5/3 from 5/3 on. With `timestep 1 local` it is undisturbed.
 model company
 
 timestep 1

@@ -140,7 +140,7 @@ let network_of_pile bodies =
   let process i ((x, y, z), ((vx, vy, vz), _, _)) =
     let position = Vec.of_ints (2 * x) (2 * y) (2 * z) in
     let behaviour = Behaviour.fresh Behaviour.nil in
-    let leaf = { State.leaf = i; position; turned = Quaternion.identity; behaviour } in
+    let leaf = { State.leaf = i; position; turned = Quaternion.identity; waited = Rat.zero; behaviour } in
     let velocity = if is_fixed i then Vec.zero else Vec.of_ints vx vy vz in
     State.process ~leaves:[ leaf ] ~bonds:[] ~velocity ~clock:None ()
   in

@@ -23,7 +23,7 @@ let alone ~law ~rigid ~timestep ~velocity ~spin =
   let none = Random_network.model Random_network.none in
   let m = { none with leaves = [| leaf |]; timestep; steered = true; rigid } in
   let behaviour = Behaviour.fresh Behaviour.nil in
-  let leaf = { State.leaf = 0; position = Vec.zero; turned = Quaternion.identity; behaviour } in
+  let leaf = { State.leaf = 0; position = Vec.zero; turned = Quaternion.identity; waited = Rat.zero; behaviour } in
   let p = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity ~spin ~clock:None () in
   (m, Reach.initial m (State.make ~processes:[ p ] ~step:None ~time:None))
 

@@ -25,7 +25,7 @@ let moved from by (p : State.process) =
   State.process
     ~leaves:(List.map leaf (Array.to_list p.leaves))
     ~bonds:(List.map bond (Array.to_list p.bonds))
-    ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
+    ?phase:p.phase ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
 
 let beside from (a : State.t) (b : State.t) =
   let second = List.map (moved from apart) (Array.to_list b.processes) in
@@ -52,10 +52,14 @@ let least a b =
   | Some s, Some t -> Some (Rat.min s t)
 
 (* How far time passes: for what is at rest, to the end of a turn, since another one may not be at rest. *)
-let waits (s, ts) =
+let waits m (s, ts) =
   match List.find_opt (fun (t : Transition.t) -> Transition.is_time t.label) ts with
   | Some t -> Some (Transition.duration t)
-  | None -> Array.fold_left (fun d p -> least d (Turn.left p)) None s.State.processes
+  | None ->
+    let turn = Array.fold_left (fun d p -> least d (Turn.left p)) None s.State.processes in
+    if Array.exists (fun (p : State.process) -> Option.is_some p.phase) s.processes then
+      least turn (Time.step_left m s)
+    else turn
 
 (* After a time that it may wait: with what is due then. *)
 let after m d (s, ts) =
@@ -92,7 +96,7 @@ let broken a b (((s, s_transitions) as one), ((t, t_transitions) as two)) =
   let time =
     if is_urgent one || is_urgent two then []
     else
-      match least (waits one) (waits two) with
+      match least (waits a.model one) (waits b.model two) with
       | None -> []
       | Some d -> [ (Transition.Time d, beside n (after a.model d one) (after b.model d two)) ]
   in
@@ -136,6 +140,25 @@ let straight first second =
   in
   (reach first, reach second)
 
+(* Each process under a law has steps of its own. *)
+let by_itself (m : Model.t) = { m with local_steps = true }
+
+let falling first second =
+  let reach network =
+    let m = by_itself (Random_network.model network) in
+    { model = m; states = Reach.states m (Reach.initial m (Random_network.declared network)) ~limit:40 }
+  in
+  (reach first, reach second)
+
+let falling_and_turning first second =
+  let reach network =
+    let m = by_itself (Random_rigid.model network) in
+    let states = Rigid_reach.states m (Reach.initial m (Random_rigid.declared network)) in
+    let short (s, _) = Rigid_reach.bits s <= Rigid_reach.longest in
+    { model = m; states = List.filter short states }
+  in
+  (reach first, reach (Random_rigid.like first second))
+
 let turning first second =
   let reach network =
     let model, states = Rigid_reach.reached network in
@@ -154,6 +177,12 @@ let laws =
     law "Locality: bodies that turn, with rounding" ~count:25 ~print:Random_rigid.print
       (Random_rigid.generate { Random_rigid.anything with rounds = true })
       turning;
+    law "Locality: laws of motion with steps of single processes" ~count:200 ~print:Random_network.print
+      (Random_network.generate ~steered:true ())
+      falling;
+    law "Locality: bodies that turn, with such laws and rounding" ~count:25 ~print:Random_rigid.print
+      (Random_rigid.generate { Random_rigid.anything with rounds = true; laws = true })
+      falling_and_turning;
   ]
 
 let () = Alcotest.run "locality" [ ("Locality", Scc_test_support.Property.cases laws) ]

@@ -26,7 +26,7 @@ let process_of_dimer ~first k d =
   let leaf i behaviour : State.leaf =
     let behaviour = Behaviour.fresh (Behaviour.call behaviour) in
     let position = Vec.of_ints (d.x + (2 * i)) (14 + (6 * k)) 0 in
-    { leaf = first + i; position; turned = Quaternion.identity; behaviour }
+    { leaf = first + i; position; turned = Quaternion.identity; waited = Rat.zero; behaviour }
   in
   let bond = State.bond "a" { at = first; site = face 3 } { at = first + 1; site = face 2 } in
   State.process
@@ -47,7 +47,7 @@ let assemble c =
         let pulses = c.pulses && k > 0 && l.leaf mod 2 = 0 in
         let behaviour = if pulses then Behaviour.fresh (Behaviour.call 9) else l.behaviour in
         let position = Vec.add shift l.position in
-        { State.leaf = before + l.leaf; position; turned = Quaternion.identity; behaviour }
+        { State.leaf = before + l.leaf; position; turned = Quaternion.identity; waited = Rat.zero; behaviour }
       in
       State.process
         ~leaves:(List.map move (Array.to_list p.leaves))

@@ -134,6 +134,9 @@ def walk(
         if model.rigid and model.rounding:
             tally.passed_over["rounding"] += 1
             return None
+        if model.local:
+            tally.passed_over["local steps"] += 1
+            return None
         tally.counts["rigid models" if model.rigid else "models"] += 1
         rules = Turning(model) if model.rigid else Rules(model)
         seen: set = set()

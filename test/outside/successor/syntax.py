@@ -433,8 +433,10 @@ class Reader:
         raise Refused("no declaration: %s" % word)
 
     def _setting(self, word: str) -> Any:
-        local = word == "timestep" and self.peek() == "local"
-        return (word, self.expr()) if not local else (word, self.next() and self.expr(), "local")
+        value = self.expr()
+        if word == "timestep" and self.peek() == "local":
+            return (word, value, self.next())
+        return (word, value)
 
     def _shape(self) -> Any:
         name = self.name()

@@ -107,6 +107,7 @@ let model bodies : Model.t =
     binding = On_collision;
     rigid = None;
     steered = List.exists (fun b -> b.falls) bodies;
+    local_steps = false;
   }
 
 (* Cells are as large as the greatest shape and the greatest jitter together. *)
@@ -124,7 +125,7 @@ let velocity b =
 let declared bodies =
   let process i b =
     let behaviour = Behaviour.fresh (behaviour b.behaviour) in
-    let leaf : State.leaf = { leaf = i; position = position b; turned = Quaternion.identity; behaviour } in
+    let leaf : State.leaf = { leaf = i; position = position b; turned = Quaternion.identity; waited = Rat.zero; behaviour } in
     State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:(velocity b) ~clock:None ()
   in
   State.make ~processes:(List.mapi process bodies) ~step:None ~time:None

@@ -140,6 +140,7 @@ let model { dynamics; rounding; bodies } : Model.t =
           dynamics; resolution = rational 1 1024; round_orientation = rounding; round_velocity = rounding;
         };
     steered = List.exists (fun b -> b.falls && not b.fixed) bodies;
+    local_steps = false;
   }
 
 let side = 7
@@ -167,7 +168,7 @@ let declared { bodies; _ } =
     let first = !count in
     let leaf j (_, at) : State.leaf =
       let behaviour = Behaviour.fresh (behaviour (if j = 0 then b.behaviour else b.second)) in
-      { leaf = first + j; position = Vec.add (place b) at; turned = Quaternion.identity; behaviour }
+      { leaf = first + j; position = Vec.add (place b) at; turned = Quaternion.identity; waited = Rat.zero; behaviour }
     in
     let leaves = List.mapi leaf shapes.(b.shape) in
     count := first + List.length leaves;

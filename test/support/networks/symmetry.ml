@@ -24,7 +24,7 @@ let map_processes f (s : State.t) =
 let move ~position ~velocity ~turned =
   map_processes (fun (p : State.process) ->
       let leaf (l : State.leaf) = { l with position = position l.position; turned = turned l.turned } in
-      State.process
+      State.process ?phase:p.phase
         ~leaves:(List.map leaf (Array.to_list p.leaves))
         ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~spin:(velocity p.spin) ~since:p.since
         ~lasts:p.lasts ~kept:(velocity p.kept) ~clock:p.clock ())
@@ -95,7 +95,7 @@ let permutation perm =
   in
   let process (p : State.process) =
     let leaf (l : State.leaf) = { l with leaf = perm.(l.leaf) } in
-    State.process
+    State.process ?phase:p.phase
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(List.map bond (Array.to_list p.bonds))
       ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
@@ -151,7 +151,7 @@ let scaling ~length ~time ~mass =
     { l with position = Vec.scale length l.position; behaviour }
   in
   let process (p : State.process) =
-    State.process
+    State.process ?phase:p.phase
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(Array.to_list p.bonds) ~velocity:(speed p.velocity) ~spin:(spin p.spin) ~since:(Rat.mul time p.since)
       ~lasts:(Option.map (Rat.mul time) p.lasts) ~kept:(momentum p.kept)

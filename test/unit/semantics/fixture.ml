@@ -68,10 +68,11 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
     binding = On_collision;
     rigid = None;
     steered = List.exists (fun b -> not (inertial b.law)) bodies;
+    local_steps = false;
   }
 
 let leaf i b : State.leaf =
-  { leaf = i; position = vec b.at; turned = Quaternion.identity; behaviour = Behaviour.fresh b.behaviour }
+  { leaf = i; position = vec b.at; turned = Quaternion.identity; waited = Rat.zero; behaviour = Behaviour.fresh b.behaviour }
 
 (* One process for each body. *)
 let declared bodies =

@@ -131,11 +131,12 @@ let boxed ?(keeps_time = false) velocities =
       binding = On_collision;
       rigid = None;
       steered = false;
+      local_steps = false;
     }
   in
   let process i (_, position, velocity) =
     let behaviour = Behaviour.fresh Behaviour.nil in
-    let leaf = { State.leaf = i; position; turned = Quaternion.identity; behaviour } in
+    let leaf = { State.leaf = i; position; turned = Quaternion.identity; waited = Rat.zero; behaviour } in
     State.process ~leaves:[ leaf ] ~bonds:[] ~velocity ~clock:None ()
   in
   (m, Reach.initial m (State.make ~processes:(List.mapi process all) ~step:None ~time:None))

@@ -187,6 +187,40 @@ let zeno () =
   let s'' = take m s' "bounce(p, w)" in
   Alcotest.(check bool) "a plate that fills its slot rattles in no time" true (State.equal s s'')
 
+(* Steps of single processes: p and q are in steps of their own. When they are bound at 3/4 the laws of both are asked, each
+   with the dt of its own last update: 1 and 3/4, of masses 1 and 3. *)
+let own_steps () =
+  let var v = Law.Var v in
+  let law = Law.Velocity (var Vx, var Vy, Law.Sub (var Vz, var Dt)) in
+  let bodies =
+    [
+      body "p" (0, 0, 0) ~law ~behaviour:(open_ "a" [ "right" ] nil);
+      body "q" (8, 0, 0) ~velocity:(-8, 0, 0) ~mass:3 ~law ~behaviour:(co_open "a" [ "left" ] nil);
+      body "w" (11, 0, 0) ~fixed:true;
+    ]
+  in
+  let m = { (model bodies) with local_steps = true } in
+  (* q begins a step a quarter later than p, as if something had hit it then *)
+  let late (s : State.t) =
+    let waited l = { l with State.waited = ratio 1 4 } in
+    let p = State.map_leaves waited s.processes.(0) |> State.with_phase (Some State.Moving) in
+    State.make ~processes:[ p; s.processes.(1); s.processes.(2) ] ~step:None ~time:None
+  in
+  let s = start m (declared bodies) in
+  Alcotest.(check bool) "no step of all" true (Option.is_none s.step);
+  let phase i (s : State.t) = Option.map (fun f -> f = State.Steered) s.processes.(i).phase in
+  Alcotest.(check (list (option bool))) "steered, but for the wall" [ Some true; Some true; None ]
+    (List.map (fun i -> phase i s) [ 0; 1; 2 ]);
+  let s = late s in
+  check_labels "its step ends first" [ "time(3/4)" ] m s;
+  let meeting = take m s "time(3/4)" in
+  check_velocity "not before they have collided" "(0, 0, 0)" meeting 0;
+  check_labels "q comes" [ "bind(a, p.right, q.left)" ] m meeting;
+  let bound = take m meeting "bind(a, p.right, q.left)" in
+  (* (0 - 1 + 3 (0 - 3/4)) / 4 *)
+  check_velocity "each with its own dt" "(-6, 0, -13/16)" bound 0;
+  Alcotest.(check bool) "well-formed" true (Well_formed.check (standard m) bound = [])
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "network"
@@ -205,6 +239,7 @@ let () =
           case "Bind: to a fixed body" fixed_bind;
           case "Time: simultaneous collisions (I-8)" every_order;
           case "Steer: once a step" steer;
+          case "Steer: steps of single processes (I-31)" own_steps;
           case "Steer: after a collision (I-10)" steer_after_collision;
           case "Steer: once an instant (I-15)" steer_once;
           case "Steer: a law that cannot be evaluated" bad_law;

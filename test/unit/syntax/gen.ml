@@ -225,7 +225,7 @@ let simple_item =
     [
       map (fun n -> Model n) name;
       map2 (fun n e -> Param (n, e)) name expr;
-      map (fun e -> Timestep e) expr;
+      map2 (fun e local -> Timestep (e, local)) expr bool;
       map (fun e -> Split_step e) expr;
       map (fun n -> Dynamics n) (located (oneofl [ "constant_spin"; "free_body"; "other" ]));
       map (fun e -> Resolution e) fineness;
