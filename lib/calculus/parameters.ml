@@ -31,7 +31,8 @@ let rigid (r : Model.rigid) =
 
 let listed (m : Model.t) s =
   (if may_split m s then [ ("split step", Rat.to_string m.split_step) ] else [])
-  @ (if not (Model.straight m) then [ ("timestep", Rat.to_string m.timestep ^ if Model.of_each m then " local" else "") ] else [])
+  @ (if Model.straight m then []
+     else [ ("timestep", Rat.to_string m.timestep ^ if Model.of_each m then " local" else "") ])
   @ (match m.collisions with Together -> [ ("collisions", "together") ] | In_turn -> [])
   @ (match m.binding with On_contact -> [ ("binding", "contact") ] | On_collision -> [])
   @ Option.fold ~none:[] ~some:rigid m.rigid

@@ -101,7 +101,9 @@ let values (m : Model.t) ~action ~time (s : State.t) =
   @ (if Model.of_each m then
        [
          ("waited", each (fun _ (l : State.leaf) -> rational l.waited));
-         ("phase", each (fun (p : State.process) _ -> `String (Option.fold ~none:"none" ~some:State_json.phase p.phase)));
+         ( "phase",
+           each (fun (p : State.process) _ ->
+               `String (Option.fold ~none:"none" ~some:State_json.phase p.phase)) );
        ]
      else [])
   @

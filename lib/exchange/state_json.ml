@@ -57,7 +57,8 @@ let leaf m (l : State.leaf) =
 
 let list encode array = `List (List.map encode (Array.to_list array))
 
-(* The step of a whole that has just been bound is over; what remains of it is told of the leaf that waited longest. *)
+(* The step of a whole that has just been bound is over; what remains of it is told of the leaf that waited
+   longest. *)
 let own_step (m : Model.t) (p : State.process) =
   let waited = Array.fold_left (fun w (l : State.leaf) -> Rat.max w l.waited) Rat.zero p.leaves in
   let step p =

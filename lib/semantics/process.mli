@@ -30,14 +30,15 @@ val steers : Model.t -> State.process -> bool
 (** Whether a law that is not inertial moves this process: not when it is bound to a fixed leaf. *)
 
 val restart_step : Model.t -> State.process -> State.process
-(** The process about to be steered for the first time, if a law moves it; in this and what follows nothing is changed
-    where processes have no steps of their own. *)
+(** The process about to be steered for the first time, if a law moves it; in this and what follows nothing is
+    changed where processes have no steps of their own. *)
 
 val end_step : Model.t -> State.process -> State.process
 (** A collision ends its movement step, unless it has been steered at this instant already. *)
 
 val joined_step : Model.t -> State.process -> State.process -> State.process -> State.process
-(** [joined_step m p q whole]: the same of a whole of p and q. How long ago its laws were asked each leaf remembers. *)
+(** [joined_step m p q whole]: the same of a whole of p and q. How long ago its laws were asked each leaf
+    remembers. *)
 
 val piece_step : Model.t -> whole:State.process -> State.process -> State.process
 (** A piece goes on in the step of the whole; one that leaves a fixed body is about to be steered. *)

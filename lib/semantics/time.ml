@@ -85,7 +85,8 @@ let pass_step (m : Model.t) d (step : State.step) : State.step =
 
 let pass_within m d (s : State.t) =
   State.make
-    ~processes:(List.map (fun p -> Turn.ended m (pass_own_step m d (pass_process m d p))) (Array.to_list s.processes))
+    ~processes:
+      (List.map (fun p -> Turn.ended m (pass_own_step m d (pass_process m d p))) (Array.to_list s.processes))
     ~step:(Option.map (pass_step m d) s.step)
     ~time:(Option.map (Rat.add d) s.time)
 

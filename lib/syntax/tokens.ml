@@ -155,7 +155,8 @@ let begins_bond tokens i =
 let begins_setting tokens i =
   let ended () =
     i = 0 || (match tokens.(i - 1).token with
-        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL | TRUE | FALSE -> true
+        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL | TRUE
+        | FALSE -> true
         | _ -> false)
   in
   match (tokens.(i).token, tokens.(i + 1).token) with

@@ -125,7 +125,8 @@ let velocity b =
 let declared bodies =
   let process i b =
     let behaviour = Behaviour.fresh (behaviour b.behaviour) in
-    let leaf : State.leaf = { leaf = i; position = position b; turned = Quaternion.identity; waited = Rat.zero; behaviour } in
+    let leaf : State.leaf = { leaf = i; position = position b; turned = Quaternion.identity; waited = Rat.zero;
+                              behaviour } in
     State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:(velocity b) ~clock:None ()
   in
   State.make ~processes:(List.mapi process bodies) ~step:None ~time:None

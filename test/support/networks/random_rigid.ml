@@ -168,7 +168,8 @@ let declared { bodies; _ } =
     let first = !count in
     let leaf j (_, at) : State.leaf =
       let behaviour = Behaviour.fresh (behaviour (if j = 0 then b.behaviour else b.second)) in
-      { leaf = first + j; position = Vec.add (place b) at; turned = Quaternion.identity; waited = Rat.zero; behaviour }
+      { leaf = first + j; position = Vec.add (place b) at; turned = Quaternion.identity; waited = Rat.zero;
+        behaviour }
     in
     let leaves = List.mapi leaf shapes.(b.shape) in
     count := first + List.length leaves;

@@ -27,7 +27,8 @@ let found ?(model = (accept text).model) state =
 let strings = Alcotest.(list string)
 
 let at leaf position =
-  { State.leaf; position; turned = Quaternion.identity; waited = Rat.zero; behaviour = Behaviour.fresh Behaviour.nil }
+  { State.leaf; position; turned = Quaternion.identity; waited = Rat.zero;
+    behaviour = Behaviour.fresh Behaviour.nil }
 
 (* The declared state with its one split clock set, and its processes by a change of each. *)
 let processes () = Array.to_list (accept text).declared.processes

@@ -72,7 +72,8 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
   }
 
 let leaf i b : State.leaf =
-  { leaf = i; position = vec b.at; turned = Quaternion.identity; waited = Rat.zero; behaviour = Behaviour.fresh b.behaviour }
+  { leaf = i; position = vec b.at; turned = Quaternion.identity; waited = Rat.zero;
+    behaviour = Behaviour.fresh b.behaviour }
 
 (* One process for each body. *)
 let declared bodies =

@@ -187,8 +187,8 @@ let zeno () =
   let s'' = take m s' "bounce(p, w)" in
   Alcotest.(check bool) "a plate that fills its slot rattles in no time" true (State.equal s s'')
 
-(* Steps of single processes: p and q are in steps of their own. When they are bound at 3/4 the laws of both are asked, each
-   with the dt of its own last update: 1 and 3/4, of masses 1 and 3. *)
+(* Steps of single processes: p and q are in steps of their own. When they are bound at 3/4 the laws of both are
+   asked, each with the dt of its own last update: 1 and 3/4, of masses 1 and 3. *)
 let own_steps () =
   let var v = Law.Var v in
   let law = Law.Velocity (var Vx, var Vy, Law.Sub (var Vz, var Dt)) in
