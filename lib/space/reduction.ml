@@ -31,7 +31,9 @@ let visible kinds ~deep ~searched ~evaluated =
     Some (fun leaf -> List.exists (Int.equal leaf) leaves)
   | _ -> None
 
-let without_jumps kinds (m : Model.t) = if used kinds Jump then m else { m with steered = true }
+(* A model that no law steers has no steps of single processes to jump over. *)
+let without_jumps kinds (m : Model.t) =
+  if used kinds Jump || m.steered then m else { m with steered = true; local_steps = false }
 
 let time_seen kinds (m : Model.t) formulas : Time_seen.t =
   let steers_by_time (l : Model.leaf) = Law.mentions_time l.law in

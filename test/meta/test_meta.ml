@@ -139,7 +139,6 @@ let readings () =
   |> List.filter_map (fun n ->
       match List.filter (fun (m, _) -> Int.equal m n) told with
       | [ (_, file) ] when String.equal file rulebook -> None
-      | [] when n >= 29 && n <= 31 -> None (* kept free *)
       | [] -> Some (Printf.sprintf "I-%d: nowhere" n)
       | places -> Some (Printf.sprintf "I-%d: %s" n (String.concat ", " (List.map snd places))))
   |> none "readings that are not in one place, the rule book"

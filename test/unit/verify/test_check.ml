@@ -60,6 +60,11 @@ check e : eventually x(p) < -3
 check f : (possibly x(p) = 0) and (always x(p) < 0)
 |}))
 
+(* Steps of single processes where no law steers one: there is nothing that could be jumped over. *)
+let own_steps () =
+  let model = "timestep 1/2 local\n" ^ drift ^ "check a : always x(p) <= 3\n" in
+  expect "without jumps" [ "violated" ] (verdicts ~options:{ Check.default with reductions = [] } model)
+
 let words () =
   expect "an open interval"
     [ "then time passes: right after time 6, for example at time 7"; "x(p) <= 3 fails: x(p) = 4" ]
@@ -365,6 +370,7 @@ let () =
       ( "verdicts",
         [
           quick "over the whole run" over_the_run;
+          quick "steps of single processes" own_steps;
           quick "a division by zero" undefined;
           quick "a polynomial of high degree" high_degree;
           quick "operators within operators" nested;
