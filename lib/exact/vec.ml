@@ -25,14 +25,14 @@ let cross a b =
 
 let norm2 a = dot a a
 let is_zero a = Q.sign a.x = 0 && Q.sign a.y = 0 && Q.sign a.z = 0
-let equal a b = Q.equal a.x b.x && Q.equal a.y b.y && Q.equal a.z b.z
+let equal a b = Rat.equal a.x b.x && Rat.equal a.y b.y && Rat.equal a.z b.z
 
 let compare a b =
-  let c = Q.compare a.x b.x in
+  let c = Rat.compare a.x b.x in
   if c <> 0 then c
   else
-    let c = Q.compare a.y b.y in
-    if c <> 0 then c else Q.compare a.z b.z
+    let c = Rat.compare a.y b.y in
+    if c <> 0 then c else Rat.compare a.z b.z
 
 let hash a = (((Rat.hash a.x * 31) + Rat.hash a.y) * 31) + Rat.hash a.z
 
