@@ -60,4 +60,6 @@ let model seed (m : Model.t) s =
   let s = with_behaviours (fun b -> fresh (rewrite book defs b.term)) s in
   ({ m with definitions = Array.append changed (Array.of_list (List.rev book.added)) }, s)
 
+let waiting d s = with_behaviours (fun b -> fresh (sum b.term (delay d nil))) s
+
 let without_behaviours s = with_behaviours (fun _ -> fresh nil) s
