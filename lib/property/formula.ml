@@ -50,6 +50,15 @@ and refuse = function
   | Globally (q, b, f) -> Finally (dual q, b, refuse f)
   | Until _ as f -> Temporal_not (negation_normal_form f)
 
+let rec quantifies kind f =
+  let is q = match (q, kind) with All, All | Exists, Exists -> true | All, Exists | Exists, All -> false in
+  match f with
+  | State _ -> false
+  | Temporal_not f -> quantifies (dual kind) f
+  | Temporal_and fs | Temporal_or fs -> List.exists (quantifies kind) fs
+  | Next (q, f) | Finally (q, _, f) | Globally (q, _, f) -> is q || quantifies kind f
+  | Until (q, _, f, g) -> is q || quantifies kind f || quantifies kind g
+
 (* {1 What formulas look at} *)
 
 (* Whether some atom passes a test: all are visited as long as none does. *)

@@ -23,6 +23,11 @@ val negation_normal_form : temporal -> temporal
 (** An equivalent formula in which [Temporal_not] stands only before [Until]: EF and AG, AF and EG, EX and AX
     are duals. *)
 
+val quantifies : path_quantifier -> temporal -> bool
+(** Whether a quantifier of this kind is left when negations are driven inward. Without any over some run, what
+    holds also holds of fewer runs; without any over all runs, what does not hold does not hold of fewer either
+    (rule CtlLaws). *)
+
 val mentions_time : temporal -> bool
 (** Whether the atom [time] occurs (the bounds of operators are relative and do not count). *)
 

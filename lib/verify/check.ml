@@ -175,10 +175,13 @@ let rests semantics (result : Joint_check.result) (check : Property.check) (v : 
     (if dead_ends then [ Verdict.Among Dead_end ] else [])
     @ List.map (fun halt -> Verdict.Among halt) (Option.to_list round)
   in
+  (* Fewer runs break no quantifier over all of them, and give nothing to one over some. *)
+  let unless_lasting kind = if Formula.quantifies kind check.formula then among () else [] in
   match v with
   | Undecided _ -> []
   | Holds { witness = Some w; _ } | Violated { witness = Some w } -> by w
-  | Holds { witness = None; _ } | Violated { witness = None } -> among ()
+  | Holds { witness = None; _ } -> unless_lasting Exists
+  | Violated { witness = None } -> unless_lasting All
 
 (* What a bound left open may lie beyond the times that a run converges to. *)
 let slowing (result : Joint_check.result) v =

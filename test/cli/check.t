@@ -146,10 +146,10 @@ The main job: a verdict for every property, with a witness.
         ceiling at (0, 2, 0) [nil], fixed
         plate at (0, 0, 0) [nil], velocity (1, 1, 0)
   
-  flat: holds (exhaustive), of runs some of which go round within one instant
+  flat: holds (exhaustive)
     always y(plate) = 0
   
-  slides: violated, of runs some of which go round within one instant
+  slides: violated
     possibly x(plate) > 0
     no run shows it: everything that counts was explored
   
@@ -180,10 +180,10 @@ The main job: a verdict for every property, with a witness.
   next: holds (exhaustive), of runs some of which go round within one instant
     AG EX true
   
-  again: holds (exhaustive), of runs some of which go round within one instant
+  again: holds (exhaustive)
     AG AF event bounce(plate, floor)
   
-  later: violated, of runs some of which go round within one instant
+  later: violated
     EF[1, 1] true
     no run shows it: everything that counts was explored
   

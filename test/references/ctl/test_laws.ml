@@ -113,6 +113,57 @@ let hold =
   QCheck2.Test.make ~count:(1000 * List.length laws) ~name:"CtlLaws: those that hold" ~print gen
     (fun ((_, formula), c) -> valid c.graph (formula c))
 
+(* {1 Fewer runs} *)
+
+(* With all quantifiers over all runs, when negations are driven inward. *)
+let rec universal q (f : Formula.t) : Formula.t =
+  match f with
+  | Predicate _ -> f
+  | Not f -> Not (universal (match q with All -> Exists | Exists -> All) f)
+  | And fs -> And (List.map (universal q) fs)
+  | Or fs -> Or (List.map (universal q) fs)
+  | Next (_, f) -> Next (q, universal q f)
+  | Finally (_, b, f) -> Finally (q, b, universal q f)
+  | Globally (_, b, f) -> Globally (q, b, universal q f)
+  | Until (_, b, f, g) -> Until (q, b, universal q f, universal q g)
+
+(* Without one of the ways from a node that has another one, so that no new run comes of it. *)
+let fewer_gen (graph : Small.t) =
+  let ways (node : Small.node) =
+    let without_edge i = { node with edges = List.filteri (fun k _ -> k <> i) node.edges } in
+    let edges = List.mapi (fun i _ -> without_edge i) node.edges in
+    match node.flow with
+    | Lasts (d, [ t; u ]) -> List.map (fun t -> { node with flow = Lasts (d, [ t ]) }) [ t; u ] @ edges
+    | Lasts _ | Ray _ -> { node with flow = No_flow; cells = Array.map (fun _ -> [||]) node.cells } :: edges
+    | No_flow -> edges
+  in
+  let fewer node = match ways node with [] | [ _ ] -> [ node ] | several -> node :: several in
+  Gen.map
+    (fun nodes -> { graph with nodes })
+    (Gen.flatten_a (Array.map (fun node -> Gen.oneofl (fewer node)) graph.nodes))
+
+let fewer_runs =
+  let gen =
+    let open Gen in
+    let* graph = Small.gen ~unsure:false ~truncated:false in
+    let* fewer = fewer_gen graph in
+    let* f = int_range 1 3 >>= Small.formula_gen graph.unit in
+    return (graph, fewer, universal All f)
+  in
+  let print (graph, fewer, f) =
+    String.concat "\n" [ Small.print graph; Small.print fewer; Small.print_formula f ]
+  in
+  QCheck2.Test.make ~count:20_000 ~name:"CtlLaws: fewer runs break no quantifier over all" ~print gen
+    (fun (graph, fewer, f) ->
+       let more = Small.evaluator graph and less = Small.evaluator fewer in
+       let nodes = List.init (Array.length graph.nodes) Positions.start in
+       let holds e formula p = Eval.truth e formula p = Some true in
+       List.for_all
+         (fun p ->
+            ((not (holds more f p)) || holds less f p)
+            && (holds more (Not f) p || not (holds less (Not f) p)))
+         nodes)
+
 (* {1 Laws that fail} *)
 
 (* Time passes from 0 to the dead end 1: p holds at the start alone, and q on the open interval after it. *)
@@ -156,6 +207,6 @@ let fail () =
 let () =
   Alcotest.run "laws"
     [
-      ("hold", Scc_test_support.Property.cases [ hold ]);
+      ("hold", Scc_test_support.Property.cases [ hold; fewer_runs ]);
       ("fail", [ Alcotest.test_case "CtlLaws: those that fail" `Quick fail ]);
     ]
