@@ -42,9 +42,19 @@ let check_of o (s : Schedule.t) checks =
 
 (* {1 The run} *)
 
+(* A run that meets what a search looks for is decisive up to there, however it goes on; all else may rest on the
+   end of the run. *)
+let over check (ending : Replay.ending) =
+  let searched (c : Property.check) = Plan.is_search (Plan.of_formula c.formula) in
+  match ending with
+  | Stuck { fault = Persistent_contact firsts; _ } when not (Option.fold ~none:false ~some:searched check) ->
+    Some firsts
+  | Open | Quiescent | Stuck _ | Zeno -> None
+
 type failure = Diagnosed of Diag.t list | Stopped of string
 
-let follow (l : Loaded.t) schedule ~interrupted =
+(* The run, and how it stands where the schedule leaves it. *)
+let follow (l : Loaded.t) schedule check ~interrupted =
   let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
   let note : Replay.event -> unit = function
     | Start s -> initial := s
@@ -54,21 +64,23 @@ let follow (l : Loaded.t) schedule ~interrupted =
   in
   let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
   match Replay.run l.semantics l.declared (Scheduled schedule) limits ~interrupted note with
-  | Ok (Open | Quiescent | Stuck | Zeno) ->
+  | Ok ending ->
     let course = Course.make l.semantics ~initial:!initial (List.rev !steps) ~rest:!offset in
-    Ok { Causes.declared = l.declared; course }
+    Ok ({ Causes.declared = l.declared; course; over = over check ending }, ending)
   | Error Interrupted -> Error (Stopped "scc: interrupted")
   | Error (Refused d) -> Error (Diagnosed [ d ])
-  | Error (Fault f) ->
-    Error (Diagnosed [ Scc_semantics.Transition.diagnostic l.model f ])
+  | Error (Fault f) -> Error (Diagnosed [ Replay.diagnostic l.model f ])
 
 let explanation run (check : Property.check option) =
   let story = Causes.tell run in
-  match check with
-  | Some c -> Omission.explain story (Causes.of_formula story c.formula) (Formula.predicates c.formula)
-  | None -> Omission.explain story (Causes.of_last_event story) []
+  let basis, props =
+    match check with
+    | Some c -> (Causes.of_formula story c.formula, Formula.predicates c.formula)
+    | None -> (Causes.of_last_event story, [])
+  in
+  Omission.explain story (Causes.union [ basis; Causes.of_dead_end story ]) props
 
-let print console (model : Loaded.t) check explanation =
+let print console (model : Loaded.t) check ending explanation =
   Console.answer console
     ~text:(fun () ->
         let settings =
@@ -76,12 +88,13 @@ let print console (model : Loaded.t) check explanation =
           | [] -> ""
           | list -> Scc_calculus.Parameters.line list ^ "\n\n"
         in
-        settings ^ Explain_text.lines console check explanation)
+        settings ^ Explain_text.lines console check ending explanation)
     ~json:(fun () ->
         Explain_json.document ~source:(Console.source console)
           {
             origin = model.origin;
             check;
+            ending;
             explanation;
             diagnostics = Console.kept console;
             exit = Exit_code.to_int Holds;
@@ -95,8 +108,11 @@ let explain console o =
   let* model = diagnosed (Scheduled.model console schedule ~overrides:o.overrides path) in
   Console.report console model.warnings;
   let* check = diagnosed (check_of o schedule model.checks) in
-  let* run = follow model schedule ~interrupted in
-  print console model check (explanation run check);
+  let* run, ending = follow model schedule check ~interrupted in
+  (match ending with
+   | Stuck s -> Console.report console [ Scc_verify.Bounds.dead_end (Replay.diagnostic model.model s) ]
+   | Open | Quiescent | Zeno -> ());
+  print console model check ending (explanation run check);
   Ok ()
 
 let run color json o =
@@ -143,6 +159,9 @@ let man =
        another out of the way. The run is made again without all such bodies. If the same happens (the same \
        causes at the same times, the same facts at the end), it says so; otherwise it tells which of them \
        matter by what they keep away, and counts their collisions among the causes.";
+    `P
+      "A run may end in a dead end (SC0602, a warning here): it is explained up to there. That it is over is one \
+       of the facts then, unless the check looks for something that the run has met ($(b,possibly), $(b,always)).";
   ]
   @ Options.diagnostics_man
   @ [
@@ -154,7 +173,8 @@ let man =
 
 let command =
   let exits =
-    Exits.man () ~never:[ Violated; Undecided ] ~told:[ (Holds, "if the run is explained.") ]
+    Exits.man () ~never:[ Violated; Undecided ]
+      ~told:[ (Holds, "if the run is explained, also one that ends in a dead end.") ]
   in
   let info = Cmd.info "explain" ~doc:"tell why a run leads where it does" ~man ~exits in
   Cmd.v info Term.(const run $ Options.color $ Options.json $ options)

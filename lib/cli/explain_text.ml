@@ -130,5 +130,12 @@ let conclusion (x : Omission.t) =
   in
   (counted x :: List.map keeps x.keep_away) @ [ tried ]
 
-let lines console check x =
-  String.concat "\n" (heading console check x @ steps x @ ("" :: conclusion x)) ^ "\n"
+let dead_end m (ending : Scc_exchange.Replay.ending) =
+  match ending with
+  | Stuck { fault; _ } ->
+    [ "       the run ends here, in a dead end: " ^ (Transition.diagnostic m fault).message ]
+  | Open | Quiescent | Zeno -> []
+
+let lines console check ending x =
+  let over = dead_end (Causes.model x.Omission.story) ending in
+  String.concat "\n" (heading console check x @ steps x @ over @ ("" :: conclusion x)) ^ "\n"

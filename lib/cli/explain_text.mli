@@ -3,6 +3,6 @@
 open Scc_property
 open Scc_explain
 
-val lines : Console.t -> Property.check option -> Omission.t -> string
-(** The fact, the steps of the run ([*] marks those that it depends on, each with its reasons), and what was
-    tried without bodies that seem not to matter. *)
+val lines : Console.t -> Property.check option -> Scc_exchange.Replay.ending -> Omission.t -> string
+(** The fact, the steps of the run ([*] marks those that it depends on, each with its reasons), its end if it is a
+    dead end, and what was tried without bodies that seem not to matter. *)

@@ -71,7 +71,7 @@ let human_event model (states : Trace.states) write (e : Replay.event) =
       match ending with
       | Open -> "more can happen"
       | Quiescent -> "nothing will ever happen again"
-      | Stuck -> "nothing can happen, not even the passing of time"
+      | Stuck _ -> "nothing can happen, not even the passing of time"
       | Zeno -> "stopped: too many transitions without time passing"
     in
     line "%d transitions, time %s: %s" steps (Rat.to_string time) word;
@@ -99,16 +99,16 @@ let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) resu
       (Printf.sprintf "scc: stopped after %d transitions without time passing (Zeno behaviour)"
          Replay.default_instant);
     Exit_code.Stopped
-  | Ok (Open | Quiescent | Stuck) -> Exit_code.Holds
+  | Ok (Open | Quiescent) -> Exit_code.Holds
   | Error Interrupted ->
     Console.note console "scc: interrupted";
     Exit_code.Stopped
   | Error (Refused d) ->
     report d;
     Exit_code.Invalid
-  | Error (Fault f) ->
-    report (Scc_semantics.Transition.diagnostic l.model f);
-    Exit_code.of_fault f
+  | Ok (Stuck f) | Error (Fault f) ->
+    report (Replay.diagnostic l.model f);
+    Exit_code.of_fault f.fault
 
 let run color o =
   let console = Console.make ~color ~json:false in
@@ -219,5 +219,14 @@ let man =
   ]
 
 let command =
-  let info = Cmd.info "trace" ~doc:"run a model and print what happens" ~man ~exits:(Exits.man ()) in
+  let told =
+    [
+      (Exit_code.Holds, "if the run is told to its end, or to a limit that was asked for.");
+      ( Exit_code.Undecided,
+        "if the run ends in a dead end: it is told up to there, the trace is complete, and says $(b,stuck); the \
+         error is SC0602." );
+    ]
+  in
+  let exits = Exits.man ~told ~never:[ Violated ] () in
+  let info = Cmd.info "trace" ~doc:"run a model and print what happens" ~man ~exits in
   Cmd.v info Term.(const run $ Options.color $ options)

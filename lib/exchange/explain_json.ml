@@ -9,6 +9,7 @@ open Scc_session
 type t = {
   origin : Origin.t;
   check : Property.check option;
+  ending : Replay.ending;
   explanation : Omission.t;
   diagnostics : Diag.t list;
   exit : int;
@@ -89,6 +90,7 @@ let document ~source t =
         ("facts", `List (List.map Json.text x.facts));
         ("because", `List (List.map (reason m events) x.basis.reasons));
         ("steps", `List (steps x));
+        ("ending", `String (Trace.ending t.ending));
         ("left_out", `List (List.map (body m) x.left_out));
         ("keep_away", `List (List.map keeps x.keep_away));
         ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) t.diagnostics));

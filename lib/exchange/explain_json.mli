@@ -8,6 +8,7 @@ open Scc_session
 type t = {
   origin : Origin.t;
   check : Property.check option;  (** that the fact is about; otherwise it is the last event *)
+  ending : Replay.ending;  (** how the run stands where it is left *)
   explanation : Omission.t;
   diagnostics : Diag.t list;
   exit : int;

@@ -147,6 +147,6 @@ let event t (e : Replay.event) =
   | Step { time; taken; state; _ } ->
     add t ~action:(Transition.label_to_string t.model taken.label) ~time (state ())
   | Instant { time; state; _ } -> add t ~action:"pass" ~time state
-  | End { ending; _ } -> finish t [ ("ending", `String (Trace.ending ending)) ]
+  | End { ending; _ } -> finish t (("ending", `String (Trace.ending ending)) :: Trace.why t.model ending)
 
 let close t = finish t [ ("ending", `String "broken off") ]

@@ -10,7 +10,15 @@ type limits = { steps : int option; time : Rat.t option; instant : int }
 let default_instant = 10_000
 let default_steps = 1_000
 
-type ending = Open | Quiescent | Stuck | Zeno
+type given_up = { fault : Transition.fault; steps : int; time : Rat.t }
+type ending = Open | Quiescent | Stuck of given_up | Zeno
+
+let diagnostic model g =
+  let where =
+    if g.steps = 0 then "in the initial state"
+    else Printf.sprintf "after step %d, at time %s" g.steps (Rat.to_string g.time)
+  in
+  { (Transition.diagnostic model g.fault) with notes = [ (Span.none, where) ] }
 
 type event =
   | Start of State.t
@@ -31,7 +39,7 @@ type event =
       rounded : (Totals.t * Totals.t) option;
     }
 
-type failure = Fault of Transition.fault | Refused of Diag.t | Interrupted
+type failure = Fault of given_up | Refused of Diag.t | Interrupted
 
 (* What is left of the policy. *)
 type guide = Always_first | Generator of Splitmix64.t | Choices of Schedule.choice list
@@ -48,7 +56,18 @@ type place = {
 
 let ( let* ) = Result.bind
 let none = function [] -> true | _ :: _ -> false
-let fault r = Result.map_error (fun f -> Fault f) r
+
+(* What may happen next, or why nothing can and the run is over. *)
+type ahead = Possible of Run.alternative list | Over of given_up
+
+let transitions = function Possible list -> list | Over _ -> []
+
+let ahead run place =
+  let given_up fault = { fault; steps = place.taken; time = place.time } in
+  match Run.alternatives run with
+  | Ok list -> Ok (Possible list)
+  | Error (Transition.Persistent_contact _ as fault) -> Ok (Over (given_up fault))
+  | Error (Bad_law _ as fault) -> Error (Fault (given_up fault))
 
 let possible model transitions =
   let line i (t : Run.alternative) =
@@ -102,40 +121,45 @@ let misfit model transitions place c =
        ~notes:[ (Span.none, possible model transitions) ]
        "step %d at time %s: %s is not possible here" (place.taken + 1) (Rat.to_string place.time) (wanted c))
 
-let ending run limits place transitions =
-  if place.still >= limits.instant then Zeno
-  else if not (none transitions) then Open
-  else if Run.quiescent run then Quiescent
-  else Stuck
+let ending run limits place ahead =
+  match ahead with
+  | Over given_up -> Stuck given_up
+  | Possible _ when place.still >= limits.instant -> Zeno
+  | Possible (_ :: _) -> Open
+  | Possible [] ->
+    if not (Run.quiescent run) then Bug.fail __POS__ "time cannot pass, and nothing collides (law Progress)";
+    Quiescent
 
 let duration (t : Run.alternative) = Transition.duration_of t.label
 
 (* How long time may pass here without an event: [None] when for ever. *)
-let room run transitions =
-  if none transitions && Run.quiescent run then None
-  else Some (List.fold_left (fun longest t -> Rat.max longest (duration t)) Rat.zero transitions)
+let room run ahead =
+  match ahead with
+  | Possible [] when Run.quiescent run -> None
+  | Possible _ | Over _ ->
+    Some (List.fold_left (fun longest t -> Rat.max longest (duration t)) Rat.zero (transitions ahead))
 
-let finish ?(told = false) run limits emit place transitions =
-  let ending = ending run limits place transitions in
+let finish ?(told = false) run limits emit place ahead =
+  let ending = ending run limits place ahead in
   let last = if told then None else Some (fun () -> Run.state run) in
   emit (End { steps = place.taken; time = place.time; ending; last; rounded = Run.rounded run });
   Ok ending
 
 (* Leaves the run after [offset] more of undisturbed time, if that is possible. *)
-let leave_at semantics run limits emit place transitions offset ~at =
-  let fits = match room run transitions with None -> true | Some d -> Rat.compare offset d <= 0 in
+let leave_at semantics run limits emit place ahead offset ~at =
+  let fits = match room run ahead with None -> true | Some d -> Rat.compare offset d <= 0 in
   if not fits then
     Error
       (Refused
          (Diag.error Code.schedule_mismatch at
-            ~notes:[ (Span.none, possible (Semantics.model semantics) transitions) ]
+            ~notes:[ (Span.none, possible (Semantics.model semantics) (transitions ahead)) ]
             "after step %d at time %s: time cannot pass by %s here" place.taken (Rat.to_string place.time)
             (Rat.to_string offset)))
   else begin
     let state = Run.state run in
     let state = if Rat.sign offset = 0 then state else Time.pass semantics offset state in
     emit (Instant { offset; time = Rat.add place.time offset; state });
-    finish ~told:true run limits emit place transitions
+    finish ~told:true run limits emit place ahead
   end
 
 let beyond (limits : limits) place d =
@@ -143,7 +167,7 @@ let beyond (limits : limits) place d =
   | Some t when Rat.compare (Rat.add place.time d) t > 0 -> Some (Rat.sub t place.time)
   | _ -> None
 
-let out_of_steps limits place =
+let out_of_steps (limits : limits) place =
   match limits.steps with Some n -> place.taken >= n | None -> false
 
 let advance place guide (t : Run.alternative) =
@@ -156,13 +180,13 @@ let advance place guide (t : Run.alternative) =
   }
 
 (* The run is over: at the instant that the schedule names, or where time alone may go on to its limit. *)
-let leave semantics run (limits : limits) emit place transitions (offset : (Rat.t * Span.t) option) =
-  match (offset, limits.time) with
-  | Some (d, at), _ -> leave_at semantics run limits emit place transitions d ~at
-  | None, Some t
-    when none transitions && Rat.compare t place.time > 0 && Run.quiescent run && not (Run.spinning run) ->
-    leave_at semantics run limits emit place transitions (Rat.sub t place.time) ~at:Span.none
-  | None, _ -> finish run limits emit place transitions
+let leave semantics run (limits : limits) emit place ahead (offset : (Rat.t * Span.t) option) =
+  match (offset, limits.time, ahead) with
+  | Some (d, at), _, _ -> leave_at semantics run limits emit place ahead d ~at
+  | None, Some t, Possible []
+    when Rat.compare t place.time > 0 && Run.quiescent run && not (Run.spinning run) ->
+    leave_at semantics run limits emit place ahead (Rat.sub t place.time) ~at:Span.none
+  | None, _, _ -> finish run limits emit place ahead
 
 let run semantics declared policy limits ~interrupted emit =
   let model = Semantics.model semantics in
@@ -172,24 +196,25 @@ let run semantics declared policy limits ~interrupted emit =
     | Random seed -> (Generator (Splitmix64.of_seed seed), None)
     | Scheduled s -> (Choices s.choices, Option.map (fun d -> (d, s.offset_at)) s.offset)
   in
-  let* run = fault (Run.start semantics declared) in
+  let not_started fault = Fault { fault; steps = 0; time = Rat.zero } in
+  let* run = Result.map_error not_started (Run.start semantics declared) in
   let state () = Run.state run in
   let rec from place =
     if interrupted () then Error Interrupted
     else
-      let* transitions = fault (Run.alternatives run) in
-      if out_of_steps limits place || place.still >= limits.instant then
-        finish run limits emit place transitions
+      let* ahead = ahead run place in
+      if out_of_steps limits place || place.still >= limits.instant then finish run limits emit place ahead
       else
+        let transitions = transitions ahead in
         match decide model transitions place.guide with
-        | Leave -> leave semantics run limits emit place transitions offset
+        | Leave -> leave semantics run limits emit place ahead offset
         | Misfit c -> Error (misfit model transitions place c)
         | Take (index, guide) -> (
             let taken = List.nth transitions index in
             match beyond limits place (duration taken) with
             | Some rest when Rat.sign rest > 0 ->
-              leave_at semantics run limits emit place transitions rest ~at:Span.none
-            | Some _ -> finish run limits emit place transitions
+              leave_at semantics run limits emit place ahead rest ~at:Span.none
+            | Some _ -> finish run limits emit place ahead
             | None ->
               let next = advance place guide taken and among = List.length transitions in
               Run.take run index;

@@ -23,11 +23,17 @@ val default_instant : int
 val default_steps : int
 (** Of a run that nothing else ends: 1 000. *)
 
+(** Why and where the model was given up. *)
+type given_up = { fault : Transition.fault; steps : int;  (** transitions before it *) time : Rat.t }
+
+val diagnostic : Model.t -> given_up -> Diag.t
+(** Of the fault, with a note that says where. *)
+
 (** How the run stands where it was left. *)
 type ending =
   | Open  (** there is more to come *)
   | Quiescent  (** nothing will ever happen again *)
-  | Stuck  (** neither time nor anything else can go on *)
+  | Stuck of given_up  (** neither time nor anything else can go on (rule DeadEnd) *)
   | Zeno  (** the Zeno guard stopped it *)
 
 (** Whole states cost more than the transitions of a large network: they are made on demand, and may only be asked
@@ -54,7 +60,7 @@ type event =
     }
 
 type failure =
-  | Fault of Transition.fault
+  | Fault of given_up  (** SC0601: the transitions of the present state cannot be computed *)
   | Refused of Diag.t  (** SC0802: the schedule does not fit here; the note tells what was possible *)
   | Interrupted
 
@@ -68,4 +74,5 @@ val run :
   (ending, failure) result
 (** [run semantics declared policy limits ~interrupted emit] emits the events of the run in order. The events
     depend on the model and the choices alone, not on where the choices came from. When the limit of time
-    falls within a passing of time, the run ends with an [Instant] at the limit. *)
+    falls within a passing of time, the run ends with an [Instant] at the limit. A dead end is an end, and no
+    failure. *)

@@ -17,8 +17,13 @@ let header origin =
 let ending : Replay.ending -> string = function
   | Open -> "open"
   | Quiescent -> "quiescent"
-  | Stuck -> "stuck"
+  | Stuck _ -> "stuck"
   | Zeno -> "zeno"
+
+let why m : Replay.ending -> (string * Json.t) list = function
+  | Stuck given_up ->
+    [ ("diagnostic", Diag_json.diagnostic ~source:(fun _ -> None) (Replay.diagnostic m given_up)) ]
+  | Open | Quiescent | Zeno -> []
 
 type states = All | Ends
 
@@ -79,5 +84,6 @@ let event (m : Model.t) states (e : Replay.event) =
           ("time", Json.rat time);
           ("ending", `String (ending e));
         ]
+          @ why m e
           @ Option.to_list (Option.map (fun bounds -> ("rounded", enclosure bounds)) rounded));
     ]

@@ -12,6 +12,9 @@ val header : Scc_session.Origin.t -> Json.t
 val ending : Replay.ending -> string
 (** ["open"], ["quiescent"], ["stuck"] or ["zeno"]. *)
 
+val why : Model.t -> Replay.ending -> (string * Json.t) list
+(** Of a run that is [Stuck], the member ["diagnostic"], SC0602; nothing of another. *)
+
 (** Which states are written. *)
 type states =
   | All  (** the state after each transition *)

@@ -6,7 +6,7 @@ open Scc_motion
 open Scc_property
 module Ints = Set.Make (Int)
 
-type run = { declared : State.t; course : Course.t }
+type run = { declared : State.t; course : Course.t; over : int list option }
 
 type aspect = Motion | Structure | Behaviour | Clock | Itself
 type reason = { cause : int; aspect : aspect; leaf : int }
@@ -119,13 +119,15 @@ let set_motion w event source target leaves =
   set w.at.motion event
     (List.filter (fun l -> not (same_motion (process_of source l) (process_of target l))) leaves)
 
+(* That processes collide: of each, its leaves, and those that offer no bond, or one. *)
+let reasons_to_collide at processes ~behaving =
+  List.concat_map (fun leaves -> motion_of at leaves @ structure_of at leaves) processes
+  @ behaviour_of at behaving
+
 let collision w ~step ~time label source target some ~behaving =
   let processes = List.map (fun p -> first p (home source p)) some in
   let all = List.concat processes in
-  let reasons =
-    List.concat_map (fun leaves -> motion_of w.at leaves @ structure_of w.at leaves) processes
-    @ behaviour_of w.at behaving
-  in
+  let reasons = reasons_to_collide w.at processes ~behaving in
   let event = tell_event w ~step ~time (Discrete label) all reasons in
   set_motion w event source target all;
   set w.at.clock event all;
@@ -272,6 +274,18 @@ let of_atom t (atom : Atom.t) =
   union ({ nothing with leaves = Atom.leaves atom } :: just_now :: List.map (of_aspect t atom) atom.aspects)
 
 let of_formula t f = union (List.rev_map (of_atom t) (Formula.atoms f))
+
+let of_dead_end t =
+  match t.run.over with
+  | None -> nothing
+  | Some firsts ->
+    let s = Course.last t.run.course in
+    let processes = List.map (fun leaf -> first leaf (home s leaf)) firsts in
+    let behaving = touching (Course.semantics t.run.course) s firsts in
+    {
+      reasons = List.sort_uniq order (reasons_to_collide t.last processes ~behaving);
+      leaves = List.sort_uniq Int.compare (List.concat processes);
+    }
 
 let closure t given =
   let marks = Array.make (Array.length t.events) false in

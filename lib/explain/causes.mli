@@ -16,6 +16,9 @@ open Scc_property
 type run = {
   declared : State.t;  (** before the initial steer, see {!Network.initial} *)
   course : Course.t;
+  over : int list option;
+  (** of a run whose fact is, too, that it ends in a dead end: the processes in persistent contact, by their first
+      leaves *)
 }
 
 (** What of a leaf a later event depends on. *)
@@ -64,6 +67,11 @@ val of_formula : t -> Property.temporal -> basis
 
 val of_last_event : t -> basis
 (** That the last event happened; nothing when there is none. *)
+
+val of_dead_end : t -> basis
+(** That the run is over (rule DeadEnd); nothing when that is no part of the fact. *)
+
+val union : basis list -> basis
 
 val closure : t -> int list -> bool array
 (** By event: whether it is one of those given, or one of the events that these depend on, transitively. *)

@@ -31,6 +31,7 @@ type trial = {
   semantics : Semantics.t;
   model : Model.t;
   duration : Rat.t;
+  over : bool;  (** that the run ends in a dead end is one of the facts *)
   props : Property.prop list;
   facts : string list;
 }
@@ -62,8 +63,21 @@ let missing w (e : expected) =
        (Transition.label_to_string w.model e.label)
        (Rat.to_string e.at))
 
+(* Whether the run is over, of one whose fact that is. *)
+let ending semantics ~over (place : place) =
+  let model = Semantics.model semantics in
+  match if over then Some (Network.successors semantics place.state) else None with
+  | None -> []
+  | Some (Error (Persistent_contact firsts)) ->
+    let names = List.map (fun leaf -> model.leaves.(leaf).name) firsts in
+    [ "the run is over: " ^ String.concat " and " names ^ " are in persistent contact" ]
+  | Some (Ok _ | Error (Bad_law _)) -> [ "the run goes on" ]
+
+let all_facts semantics props ~over place = facts semantics props place @ ending semantics ~over place
+
 let compare_end w (place : place) =
-  let found = facts w.semantics w.props (pass w.semantics (Rat.sub w.duration place.time) place) in
+  let there = pass w.semantics (Rat.sub w.duration place.time) place in
+  let found = all_facts w.semantics w.props ~over:w.over there in
   match List.find_opt (fun (a, b) -> not (String.equal a b)) (List.combine w.facts found) with
   | None -> Ok ()
   | Some (_, b) -> Error (b ^ " at the end")
@@ -80,6 +94,8 @@ let rec follow w place (expected : expected list) fuel =
   if fuel = 0 then Error "the run does not come to its end"
   else
     match (Network.successors w.semantics place.state, expected) with
+    | Error (Persistent_contact _), [] when Rat.equal place.time w.duration -> compare_end w place
+    | Error (Persistent_contact _), e :: rest when not e.needed -> follow w place rest (fuel - 1)
     | Error fault, _ -> Error ((Transition.diagnostic w.model fault).message)
     | Ok all, e :: rest when Rat.equal e.at place.time -> (
         match List.find_opt (fun (t : Transition.t) -> Transition.equal_label e.label t.label) all with
@@ -196,8 +212,9 @@ let final course =
 let explain story (basis : Causes.basis) props =
   let run = Causes.run story and duration = Causes.duration story in
   let semantics = Course.semantics run.course in
-  let facts = facts semantics props (pass semantics (Course.rest run.course) (final run.course)) in
-  let w = { semantics; model = Semantics.model semantics; duration; props; facts } in
+  let over = Option.is_some run.over in
+  let facts = all_facts semantics props ~over (pass semantics (Course.rest run.course) (final run.course)) in
+  let w = { semantics; model = Semantics.model semantics; duration; over; props; facts } in
   let all = bodies run in
   let rec settle roles keep_away =
     let leaves = involved story basis roles keep_away in

@@ -25,6 +25,7 @@ type t = {
 }
 
 val explain : Causes.t -> Causes.basis -> Property.prop list -> t
-(** The fact is that the predicates are as they are at the end. Without the bodies left out, the events that
+(** The fact is that the predicates are as they are at the end, and that the run is over there, of a run that says
+    so. Without the bodies left out, the events that
     are no longer irrelevant happen at the same times and in the same order, and every atom of the predicates
     has the same truth and values at the end. *)

@@ -206,7 +206,7 @@ let replay store p =
   match Replay.run l.semantics l.declared policy limits ~interrupted (on_event q l.model states told) with
   | Error (Refused d) -> misfit network told d.message
   | Error (Fault f) ->
-    let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic l.model f ] in
+    let diagnostics = Fault.diagnostics ~source:(fun _ -> None) [ Transition.diagnostic l.model f.fault ] in
     Fault.refuse (No_transitions { at = List.length told.taken; diagnostics })
   | Error Interrupted -> Bug.fail __POS__ "nobody interrupts"
   | Ok _ -> (

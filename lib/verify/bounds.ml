@@ -57,15 +57,15 @@ let time b horizon : Verdict.truncation =
   | Some h, _ -> { limit = Time h; origin = By_property }
   | None, _ -> truncation b.time (fun t -> Verdict.Time t)
 
+let dead_end (d : Scc_base.Diag.t) =
+  {
+    d with
+    severity = Warning;
+    hint = Some "runs end there: the model is given up, and the calculus says nothing of what follows";
+  }
+
 let dead_ends context =
-  let model = Scc_space.Network_lts.model context in
-  let warning fault =
-    {
-      (Transition.diagnostic model fault) with
-      severity = Warning;
-      hint = Some "runs end there: the model is given up, and the calculus says nothing of what follows";
-    }
-  in
+  let warning f = dead_end (Transition.diagnostic (Scc_space.Network_lts.model context) f) in
   List.sort_uniq Scc_base.Diag.compare (List.map warning (Scc_space.Network_lts.given_up context))
 
 let cause b model ~horizon (r : _ Explore.reason) =

@@ -29,6 +29,9 @@ type cause =
   | Fault of Scc_base.Diag.t
   | Early  (** everything was decided *)
 
+val dead_end : Scc_base.Diag.t -> Scc_base.Diag.t
+(** Of the error that a model is given up, the warning that runs end there. *)
+
 val dead_ends : Scc_space.Network_lts.context -> Scc_base.Diag.t list
 (** A warning for each reason for which runs end in what was explored (rule Persistent). *)
 

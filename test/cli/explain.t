@@ -186,3 +186,101 @@ Errors.
     ]
   }
   [3]
+
+A run that ends in a dead end is explained up to there. That it is over is one of the facts, unless the check looks for
+something that it has met.
+
+  $ scc check ../../specs/models/topple.sc --witness topple > /dev/null 2>&1
+  [1]
+  $ scc explain topple/falls.json
+  warning[SC0602]: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch
+  note: after step 4, at time 2
+    hint: runs end there: the model is given up, and the calculus says nothing of what follows
+  semantics 2: timestep 1, dynamics constant_spin, resolution 1/524288
+  
+  falls: AF z(p) < 0
+  at time 2:
+    z(p) < 0 fails: z(p) = 0
+    the run is over: spike and p are in persistent contact
+  because of step 4 (motion of p)
+  
+       1. time passes by 1/2, at time 1/2
+       2. far and away collide and bounce, at time 1/2
+       3. time passes by 3/2, at time 2
+  *    4. p and push collide and bounce, at time 2
+           because of how everything started
+         the run ends here, in a dead end: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch
+  
+  1 of 2 events matter
+  checked: the same happens without far and away
+  $ scc explain topple/falls.json --json | grep -v '^  "digest'
+  {
+    "format": "scc-explanation",
+    "version": 1,
+    "semantics": "2",
+    "model": "topple",
+    "parameters": {},
+    "settings": {"timestep": "1", "dynamics": "constant_spin", "resolution": "1/524288"},
+    "exit": 0,
+    "check": "falls",
+    "formula": "AF z(p) < 0",
+    "time": "2/1",
+    "facts": ["z(p) < 0 fails: z(p) = 0", "the run is over: spike and p are in persistent contact"],
+    "because": [{"step": 4, "what": "motion", "of": "p"}],
+    "steps": [
+      {
+        "step": 1,
+        "label": {"kind": "time", "text": "time(1/2)", "duration": "1/2"},
+        "time": "1/2",
+        "events": []
+      },
+      {
+        "step": 2,
+        "label": {"kind": "bounce", "text": "bounce(far, away)", "between": ["far", "away"]},
+        "time": "1/2",
+        "events": [{"kind": "transition", "of": null, "role": "irrelevant", "because": []}]
+      },
+      {
+        "step": 3,
+        "label": {"kind": "time", "text": "time(3/2)", "duration": "3/2"},
+        "time": "2/1",
+        "events": []
+      },
+      {
+        "step": 4,
+        "label": {"kind": "bounce", "text": "bounce(p, push)", "between": ["p", "push"]},
+        "time": "2/1",
+        "events": [{"kind": "transition", "of": null, "role": "cause", "because": []}]
+      }
+    ],
+    "ending": "stuck",
+    "left_out": [["far"], ["away"]],
+    "keep_away": [],
+    "diagnostics": [
+      {
+        "code": "SC0602",
+        "severity": "warning",
+        "message": "persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch",
+        "place": null,
+        "notes": [{"message": "after step 4, at time 2", "place": null}],
+        "hint": "runs end there: the model is given up, and the calculus says nothing of what follows"
+      }
+    ]
+  }
+  $ scc explain topple/falls.json --check pushed 2> /dev/null
+  semantics 2: timestep 1, dynamics constant_spin, resolution 1/524288
+  
+  pushed: possibly vx(p) > 0
+  at time 2:
+    vx(p) > 0 holds: vx(p) = 8/11
+  because of step 4 (motion of p)
+  
+       1. time passes by 1/2, at time 1/2
+       2. far and away collide and bounce, at time 1/2
+       3. time passes by 3/2, at time 2
+  *    4. p and push collide and bounce, at time 2
+           because of how everything started
+         the run ends here, in a dead end: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch
+  
+  1 of 2 events matter
+  checked: the same happens without spike, far and away

@@ -67,3 +67,17 @@ The command line:
   $ scc oracle --line-bytes 0 2> /dev/null
   [64]
   $ scc oracle < /dev/null
+
+A dead end is the end of a run, and no error.
+
+  $ cat > dead_end.py <<'END'
+  > import json
+  > text = open('../../specs/models/topple.sc').read()
+  > for method, params in [('model.load', {'text': text}), ('replay', {'model': 'm1', 'choose': 'first', 'states': 'ends'}),
+  >                        ('replay', {'model': 'm1', 'choices': [0, 0, 0, 0, 0]})]:
+  >     print(json.dumps({'jsonrpc': '2.0', 'id': method, 'method': method, 'params': params}))
+  > END
+  $ python3 dead_end.py | scc oracle | tail -n 2 | grep -o '"steps":[0-9]*,"time":"[^"]*","ending":"[^"]*"\|"error":.*' | cut -c1-200
+  "steps":4,"time":"2/1","ending":"stuck"
+  "steps":4,"time":"2/1","ending":"stuck"
+  "error":{"code":-32006,"message":"the transitions cannot be computed: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch","data":{"at":4,"diagno

@@ -219,3 +219,47 @@ schedule, from which the whole trace comes back.
   2
   $ sed '1,2d; s/,"state":{.*/}/' all.jsonl > without.jsonl
   $ grep -v '"type":"state"' ends.jsonl | sed 1d | cmp - without.jsonl
+
+A run that ends in a dead end is told up to there: the trace is complete, is its own schedule, and is one of the model.
+
+  $ scc trace ../../specs/models/topple.sc > topple.jsonl
+  error[SC0602]: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch
+  note: after step 4, at time 2
+  [2]
+  $ sed 's/"rounded.*//' topple.jsonl | cut -c 1-100
+  {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":"topple","digest":"md5:73d
+  {"type":"state","time":"0/1","state":{"processes":[{"velocity":["0/1","0/1","0/1"],"spin":["0/1","0/
+  {"type":"transition","step":1,"choice":0,"of":1,"label":{"kind":"time","text":"time(1/2)","duration"
+  {"type":"transition","step":2,"choice":0,"of":1,"label":{"kind":"bounce","text":"bounce(far, away)",
+  {"type":"transition","step":3,"choice":0,"of":1,"label":{"kind":"time","text":"time(3/2)","duration"
+  {"type":"transition","step":4,"choice":0,"of":1,"label":{"kind":"bounce","text":"bounce(p, push)","b
+  {"type":"end","steps":4,"time":"2/1","ending":"stuck","diagnostic":{"code":"SC0602","severity":"erro
+  $ scc trace ../../specs/models/topple.sc --schedule topple.jsonl 2> /dev/null | cmp - topple.jsonl
+  $ scc conform ../../specs/models/topple.sc topple.jsonl
+  topple.jsonl: conforms: 2 events, a run of 4 transitions up to time 2
+  $ tail -n 1 topple.jsonl | sed 's/"diag.*//'
+  {"type":"end","steps":4,"time":"2/1","ending":"stuck",
+  $ scc trace ../../specs/models/topple.sc --human 2>&1 | tail -n 8
+          spike at (0, 0, -4) [nil], fixed
+          p at (0, 0, 0) [nil], velocity (8/11, 0, 0), spin (0, -6/11, 0)
+          push at (-2, 0, -1) [nil], velocity (3/11, 0, 0), spin (0, -6/11, 0)
+          far at (-7/2, 0, 40) [nil], velocity (0, 0, 0)
+          away at (0, 0, 40) [nil], velocity (1, 0, 0)
+  4 transitions, time 2: nothing can happen, not even the passing of time
+  error[SC0602]: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch
+  note: after step 4, at time 2
+  $ scc trace ../../specs/models/topple.sc --itf 2> /dev/null | grep -o '"ending":"[a-z]*"'
+  "ending":"stuck"
+  $ scc trace ../../specs/models/topple.sc --steps 3 > /dev/null
+  $ scc trace ../../specs/models/topple.sc --steps 4 --states=ends 2> /dev/null | tail -n 1 | cut -c 1-54
+  {"type":"end","steps":4,"time":"2/1","ending":"stuck",
+  $ scc trace ../../specs/models/topple.sc --schedule topple.jsonl --time 3 2> /dev/null | tail -n 1 | cut -c 1-54
+  {"type":"end","steps":4,"time":"2/1","ending":"stuck",
+  $ sed 's/stuck/quiescent/' topple.jsonl > claims.jsonl
+  $ scc conform ../../specs/models/topple.sc claims.jsonl
+  claims.jsonl: diverges at line 7, time 2: wrong-ending
+    the trace: nothing will ever happen again
+    the trace claims that nothing will ever happen, and time is stuck
+    rules: Quiescent
+    after: bounce(p, push) at time 2   {Bounce}
+  [1]

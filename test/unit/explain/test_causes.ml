@@ -34,7 +34,7 @@ let run_until (model : Model.t) declared time =
     let rest = Rat.sub time now in
     let leave () =
       let course = Scc_motion.Course.make (standard model) ~initial (List.rev steps) ~rest in
-      { Causes.declared; course }
+      { Causes.declared; course; over = None }
     in
     match successors model state with
     | [] -> leave ()
