@@ -117,8 +117,7 @@ let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i
 (* All of the model, whether or not its properties were decided early. *)
 let cover options reductions (l : Loaded.t) initial =
   let time_seen = Reduction.time_seen reductions l.model [] in
-  let space = Explored.explore ~time_seen (options ()) l.semantics ~initial in
-  (space, Coverage.of_space space)
+  Coverage.explore ~time_seen (options ()) l.semantics ~initial
 
 let check console budget (extras : Check_extras.t) overrides path =
   let interrupted = Interrupt.install () in

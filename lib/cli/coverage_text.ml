@@ -39,9 +39,11 @@ let lines console (s : Explored.t) c =
     match (idle, unreached, unused) with [], [], [] -> Good | _, _, _ -> Doubtful
   in
   let among =
-    Printf.sprintf "among %d %s%s" s.size
-      (if s.size = 1 then "state" else "states")
-      (if Explored.complete s then "" else ", which are not all: more may fire beyond the bounds")
+    let looked_at = Coverage.looked_at c and states = if s.size = 1 then "state" else "states" in
+    if looked_at = s.size then Printf.sprintf "among %d %s" s.size states
+    else
+      Printf.sprintf "among the transitions of %d of the %d %s found: more may fire beyond the bounds" looked_at
+        s.size states
   in
   let summand x = Printf.sprintf "%s: %s" (Coverage_json.owner m x) (Coverage_json.term m x) in
   let details =

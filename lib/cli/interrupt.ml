@@ -51,6 +51,8 @@ let deadline seconds =
 (* Who looks at the clock and sees that the time is over, stops by itself. *)
 let clock seconds =
   let stop = Unix.gettimeofday () +. seconds in
+  (* Of an earlier limit, or after a signal: that is asked for anew. *)
+  state.over <- false;
   deadline seconds;
   fun () ->
     let now = Unix.gettimeofday () in

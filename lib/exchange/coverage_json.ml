@@ -41,7 +41,8 @@ let json (s : Explored.t) c =
   `Assoc
     [
       ("states", `Int s.size);
-      ("complete", `Bool (Explored.complete s));
+      ("looked_at", `Int (Coverage.looked_at c));
+      ("complete", `Bool (Coverage.looked_at c = s.size));
       ("summands", `List (List.map (summand m) (Coverage.summands c)));
       ("behaviours", `List (List.map (reached m) (Coverage.behaviours c)));
       ("channels", `List (List.map channel (Coverage.channels c)));

@@ -25,6 +25,7 @@ type t = {
   seen : unit Seen.t;  (** behaviours of species whose definitions are in [reached] *)
   uses : (string, uses) Hashtbl.t;
   rule_uses : (string, int) Hashtbl.t;
+  mutable looked_at : int;
 }
 
 (** {2 What the text has} *)
@@ -124,6 +125,7 @@ let create (m : Model.t) ~initial =
     seen = Seen.create 64;
     uses;
     rule_uses = Hashtbl.create 16;
+    looked_at = 0;
   }
 
 (** {2 What comes to be} *)
@@ -183,20 +185,23 @@ let transition t (tr : Transition.t) =
   | Strong_split bonds ->
     List.iter (fun (b : State.bond) -> note t b.name (fun u -> u.strongs <- u.strongs + 1)) bonds
 
-let of_space (s : Explored.t) =
-  let t = create (Explored.model s) ~initial:(s.state 0) in
-  for i = 0 to s.size - 1 do
-    let here = s.state i in
-    state t here;
-    if s.expanded i then
-      match Network.successors s.semantics here with
-      | Ok transitions -> List.iter (transition t) transitions
-      | Error (Persistent_contact _) -> ()
-      | Error (Bad_law _) -> Scc_base.Bug.fail __POS__ "an expanded state has transitions, or is a dead end"
-  done;
-  t
+let expanded t semantics (attempt : Scc_explore.Limits.attempt) here =
+  match attempt.run (fun () -> Network.successors semantics here) with
+  | None -> ()
+  | Some (Ok transitions) ->
+    List.iter (transition t) transitions;
+    t.looked_at <- t.looked_at + 1
+  | Some (Error (Persistent_contact _)) -> t.looked_at <- t.looked_at + 1
+  | Some (Error (Bad_law _)) -> Scc_base.Bug.fail __POS__ "an expanded state has transitions, or is a dead end"
+
+let explore ?time_seen (options : Check.options) semantics ~initial =
+  let t = create (Semantics.model semantics) ~initial in
+  let visitor = { Explored.found = state t; expanded = expanded t semantics options.surroundings.attempt } in
+  (Explored.explore ?time_seen ~visitor options semantics ~initial, t)
 
 (** {2 The report} *)
+
+let looked_at t = t.looked_at
 
 let summands t =
   List.map (fun c -> { definition = c.owner; leaf = c.first; term = c.node; fired = c.times }) t.counters

@@ -14,8 +14,13 @@ val state : t -> State.t -> unit
 val transition : t -> Transition.t -> unit
 (** Takes in a transition of a state that was taken in. *)
 
-val of_space : Explored.t -> t
-(** Everything that was explored. *)
+val explore :
+  ?time_seen:Scc_property.Time_seen.t -> Check.options -> Semantics.t -> initial:State.t -> Explored.t * t
+(** Takes in everything that is explored while it is explored, within the bounds of the options: what they leave
+    unexpanded, and what is given up, is not counted. *)
+
+val looked_at : t -> int
+(** How many states were taken in with their transitions: of fewer states than were found, more may fire. *)
 
 (** A prefix in the body of a definition, or in a behaviour that was written at a body itself. *)
 type summand = {

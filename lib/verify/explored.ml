@@ -18,8 +18,21 @@ type t = {
   dead_ends : Scc_base.Diag.t list;
 }
 
-let explore ?time_seen options semantics ~initial =
-  let context, graph, (stats : Joint_check.stats) = Joint_check.explore ?time_seen options semantics ~initial in
+type visitor = { found : State.t -> unit; expanded : State.t -> unit }
+
+let told visitor context =
+  let state tuple = Catalogue.decode (Network_lts.catalogue context) tuple in
+  {
+    Graph.blind with
+    found = (fun _ _ tuple -> visitor.found (state tuple));
+    opened = Some (fun _ _ tuple _ -> visitor.expanded (state tuple));
+  }
+
+let explore ?time_seen ?visitor options semantics ~initial =
+  let visitor = Option.map told visitor in
+  let context, graph, (stats : Joint_check.stats) =
+    Joint_check.explore ?time_seen ?visitor options semantics ~initial
+  in
   let catalogue = Network_lts.catalogue context in
   let edge (e : Graph.edge) = { label = Catalogue.label_of catalogue e.label; target = e.target } in
   let expanded i =

@@ -20,7 +20,13 @@ type t = {
   dead_ends : Scc_base.Diag.t list;  (** why runs end in states without transitions, as warnings (rule Run) *)
 }
 
-val explore : ?time_seen:Time_seen.t -> Check.options -> Semantics.t -> initial:State.t -> t
+(** Who is told of states while they are explored. *)
+type visitor = {
+  found : State.t -> unit;  (** each once *)
+  expanded : State.t -> unit;  (** its transitions are known; each once *)
+}
+
+val explore : ?time_seen:Time_seen.t -> ?visitor:visitor -> Check.options -> Semantics.t -> initial:State.t -> t
 (** Breadth-first, within the bounds of the options. States differ by as much of absolute time as is seen: by all
     of it by default, where the model keeps it. *)
 

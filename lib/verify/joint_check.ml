@@ -328,10 +328,12 @@ let check options semantics ~initial (checks : Property.check list) =
     numbers = (fun () -> Catalogue.longest (Network_lts.catalogue r.context));
   }
 
-let explore ?time_seen options semantics ~initial =
+let explore ?time_seen ?(visitor = fun _ -> Graph.blind) options semantics ~initial =
   let context = Network_lts.make ?time_seen semantics initial in
   let limits = Bounds.limits options.bounds ~horizon:None in
-  let graph = Graph.run ~order:options.order limits options.surroundings context in
+  let graph =
+    Graph.run ~visitor:(visitor context) ~order:options.order limits options.surroundings context
+  in
   let r = { options; model = Network_lts.model context; context; graph; horizon = None } in
   (context, graph, stats r)
 

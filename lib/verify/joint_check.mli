@@ -61,6 +61,7 @@ val may_have_events : options -> Semantics.t -> initial:State.t -> bool
 (** False when it is known, after a look at no more than some thousands of states, that nothing ever happens. *)
 
 val explore :
-  ?time_seen:Time_seen.t -> options -> Semantics.t -> initial:State.t ->
+  ?time_seen:Time_seen.t -> ?visitor:(Network_lts.context -> State_graph.visitor) ->
+  options -> Semantics.t -> initial:State.t ->
   Network_lts.context * State_graph.t * stats
-(** The exploration alone; [time_seen] is that of {!Network_lts.make}. *)
+(** The exploration alone; [time_seen] is that of {!Network_lts.make}, and [visitor] is told what is found. *)

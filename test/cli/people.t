@@ -44,7 +44,7 @@ In a model where all of it does, there is nothing to list:
 It is about all of the model, even where the properties are decided early, and it says when bounds hide a part:
 
   $ scc check $models/chain.sc -D n=3 --coverage --depth 2 | sed -n '/^coverage/,$p'
-  coverage: 2 of 4 summands fired, 3 of 3 behaviours reached, 1 of 1 channels used, among 4 states, which are not all: more may fire beyond the bounds
+  coverage: 2 of 4 summands fired, 3 of 3 behaviours reached, 1 of 1 channels used, among the transitions of 3 of the 4 states found: more may fire beyond the bounds
     never fired:
       Tail on Cube: <link, {right}>. nil
       Head on Cube: <~link, {left}>. nil

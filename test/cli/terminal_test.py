@@ -1,6 +1,6 @@
 """What scc does at a terminal: its line of progress, and Ctrl-C.
 
-    terminal_test.py SCC FOLDER      FOLDER is test/bench/checker
+    terminal_test.py SCC FOLDER MODEL      FOLDER is test/bench/checker; MODEL goes on for ever after its checks
 
 Standard error is a pseudo-terminal; the interrupt is the character that the terminal turns into one.
 """
@@ -9,12 +9,13 @@ import os
 import pty
 import re
 import select
+import signal
 import subprocess
 import sys
 import time
 import unittest
 
-SCC = FOLDER = None
+SCC = FOLDER = ENDLESS = None
 LINE = re.compile(r"(\d+) states \(\d+/s\), \d+ to expand, depth \d+, model time [\d.e+]+, \d+ MiB(, at most \d+ \w+ left)?")
 
 
@@ -126,9 +127,36 @@ class Terminal(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (4, ""))
         self.assertIn("holds up to the bound: ", done.stdout)
 
+    def covered(self, text):
+        """Of how many states the transitions were counted, and of how many that were found."""
+        found = re.search(r"among the transitions of (\d+) of the (\d+) states found: more may fire", text)
+        self.assertTrue(found, text)
+        return int(found.group(1)), int(found.group(2))
+
+    def test_coverage_within_seconds(self):
+        """Its own exploration, which counts, keeps the limit as that of the checks does."""
+        start = time.monotonic()
+        command = [SCC, "check", ENDLESS, "--coverage", "--seconds", "3"]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2 properties: 2 hold", done.stdout)
+        self.assertLess(time.monotonic() - start, 15)
+        looked_at, states = self.covered(done.stdout)
+        self.assertTrue(0 < looked_at < states, done.stdout)
+
+    def test_coverage_interrupted(self):
+        running = subprocess.Popen([SCC, "check", ENDLESS, "--coverage"], stdout=subprocess.PIPE, text=True)
+        time.sleep(4)
+        running.send_signal(signal.SIGINT)
+        start = time.monotonic()
+        text = running.communicate(timeout=60)[0]
+        self.assertLess(time.monotonic() - start, 10)
+        self.assertEqual(running.returncode, 0, text)
+        self.assertTrue(0 < self.covered(text)[0], text)
+
 
 if __name__ == "__main__":
-    SCC, FOLDER = os.path.abspath(sys.argv.pop(1)), os.path.abspath(sys.argv.pop(1))
+    SCC, FOLDER, ENDLESS = (os.path.abspath(sys.argv.pop(1)) for _ in range(3))
     result = unittest.main(exit=False).result
     bad = len(result.failures) + len(result.errors)
     if result.skipped:

@@ -238,9 +238,8 @@ let fairness () =
   expect "the negation of what may be avoided" [ "holds (exhaustive)" ]
     (verdicts (pair ^ "check a : not (eventually not bound(p, q))"))
 
-(* {1 Zeno} *)
+(* {1 Zeno: a body that exactly fills the gap between two walls, and moves} *)
 
-(* A body that exactly fills the gap between two walls, and moves. *)
 let slot =
   {|
 process p = Cube mass 1 velocity (1,0,0) [nil]
@@ -329,11 +328,9 @@ let may_rest () =
   and fail =
     [ ("EX EF x(p) > 0", ""); ("not AG AX x(p) = 0", ""); ("EF AF x(p) > 0", of_some); ("EF AX false", of_some) ]
   in
-  let text i (f, _) = Printf.sprintf "check c%d : %s" i f in
-  let _, report = check (slot ^ String.concat "\n" (List.mapi text (hold @ fail))) in
-  let told verdict (_, said) = verdict ^ said in
+  let text i (f, _) = Printf.sprintf "check c%d : %s\n" i f and told verdict (_, said) = verdict ^ said in
   expect "what is said" (List.map (told "holds (exhaustive)") hold @ List.map (told "violated") fail)
-    (outcomes report)
+    (outcomes (snd (check (slot ^ String.concat "" (List.mapi text (hold @ fail))))))
 
 (* {1 Weak splits} *)
 

@@ -20,11 +20,11 @@ shape Cube {
 let space ?(options = Check.default) (e : Scc_elaborate.Elaborate.t) =
   match Network.initial (standard e.model) e.declared with
   | Error _ -> Alcotest.fail "no initial state"
-  | Ok initial -> Explored.explore options (standard e.model) ~initial
+  | Ok initial -> Coverage.explore options (standard e.model) ~initial
 
 let covered text =
-  let s = space (Load.exactly (Load.text (cube ^ text))) in
-  (Explored.model s, Coverage.of_space s)
+  let s, c = space (Load.exactly (Load.text (cube ^ text))) in
+  (Explored.model s, c)
 
 (* Of each summand: the definition, its kind and channel, and how often it fired. *)
 let summands (m : Model.t) c =
@@ -164,18 +164,17 @@ let named (s : Explored.t) =
 
 let rules_agree name () =
   let options = { Check.default with bounds = { Bounds.default with states = Given 400 } } in
-  let s = space ~options (Load.exactly (Load.file (Filename.concat folder name))) in
+  let s, c = space ~options (Load.exactly (Load.file (Filename.concat folder name))) in
   let counts = named s in
   let show (r, n) = Printf.sprintf "%s %d" (Rule.id r) n in
   let expected (r, _) = (r, Option.value ~default:0 (Hashtbl.find_opt counts (Rule.id r))) in
-  let got = Coverage.rules (Coverage.of_space s) in
+  let got = Coverage.rules c in
   expect name (List.map (fun r -> show (expected r)) got) (List.map show got)
 
 (* Each bond that is made has two summands behind it, and each that is released as well. *)
 let nothing_unattributed name () =
   let options = { Check.default with bounds = { Bounds.default with states = Given 400 } } in
-  let s = space ~options (Load.exactly (Load.file (Filename.concat folder name))) in
-  let c = Coverage.of_space s in
+  let _, c = space ~options (Load.exactly (Load.file (Filename.concat folder name))) in
   let fired kind =
     List.fold_left (fun n (x : Coverage.summand) -> if kind x.term then n + x.fired else n) 0 (Coverage.summands c)
   in
