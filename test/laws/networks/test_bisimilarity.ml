@@ -62,10 +62,10 @@ let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
 
 (* {1 Random networks} *)
 
-let rewritten steered name =
-  QCheck2.Test.make ~name ~count:250
+let rewritten name ~count networks =
+  QCheck2.Test.make ~name ~count
     ~print:(fun (n, seed) -> Printf.sprintf "%s, seed %d" (Random_network.print n) seed)
-    (Gen.pair (Random_network.generate ~steered ()) Gen.(0 -- 1_000_000))
+    (Gen.pair networks Gen.(0 -- 1_000_000))
     (fun (network, seed) ->
        fail_on (agree seed (Random_network.model network) (Random_network.declared network)))
 
@@ -129,10 +129,14 @@ let () =
       ( "Bisimilarity",
         Scc_test_support.Property.cases
           [
-            rewritten false "Bisimilarity: behaviours written in another way";
-            rewritten true "Bisimilarity: with laws of motion";
+            rewritten "Bisimilarity: behaviours written in another way" ~count:200 (Random_network.generate ());
+            rewritten "Bisimilarity: with laws of motion" ~count:200 (Random_network.generate ~steered:true ());
+            rewritten "Bisimilarity: with the switches of a model" ~count:80
+              (Random_network.switched ~steered:true ());
             turning "Bisimilarity: bodies that turn" Random_rigid.anything;
             turning "Bisimilarity: bodies that turn, with laws and rounding" falling;
+            turning "Bisimilarity: bodies that turn, with the switches of a model"
+              { falling with switched = true };
             cut_short "Bisimilarity: an eps that expires moves no contact of bodies that turn"
               Random_rigid.anything;
             cut_short "Bisimilarity: an eps that expires, with laws and rounding" falling;

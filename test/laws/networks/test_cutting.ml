@@ -42,10 +42,10 @@ let cut axes =
   in
   Symmetry.make "cut" ~model Fun.id
 
-let cut_straight name ~count =
+let cut_straight name ~count networks =
   QCheck2.Test.make ~name ~count
     ~print:(fun (n, _) -> Random_network.print n)
-    (Gen.pair (Random_network.generate ()) Gen.(list_repeat 6 (0 -- 3)))
+    (Gen.pair networks Gen.(list_repeat 6 (0 -- 3)))
     (fun (n, axes) ->
        let m, states = straight_states (Random_network.inert n) in
        fail_on (Symmetry.broken (cut axes) m states))
@@ -170,19 +170,25 @@ let binds_alike axes m states =
          | None, Some more -> Some ("more: " ^ more.label))
     states
 
-let bindings =
-  QCheck2.Test.make ~name:"Cutting: who may bind to whom, and what comes of it" ~count:400
+let bindings name ~count networks =
+  QCheck2.Test.make ~name ~count
     ~print:(fun (n, axes) -> Random_network.print n ^ String.concat " " (List.map string_of_int axes))
-    (Gen.pair (Random_network.generate ()) Gen.(list_repeat 6 (0 -- 3)))
+    (Gen.pair networks Gen.(list_repeat 6 (0 -- 3)))
     (fun (n, axes) ->
        let m, states = straight_states n in
        fail_on (binds_alike axes m states))
 
 let () =
+  let any = Random_network.generate () and switched = Random_network.switched () in
   Alcotest.run "cutting"
     [
       ( "Cutting",
         Scc_test_support.Property.cases
-          [ cut_straight "Cutting: bounces of random networks" ~count:400; bindings ]
+          [
+            cut_straight "Cutting: bounces of random networks" ~count:300 any;
+            cut_straight "Cutting: bounces, with the switches of a model" ~count:100 switched;
+            bindings "Cutting: who may bind to whom, and what comes of it" ~count:300 any;
+            bindings "Cutting: who may bind, with the switches of a model" ~count:100 switched;
+          ]
         @ [ Alcotest.test_case "Cutting: fails for bodies that turn" `Quick cut_is_seen ] );
     ]

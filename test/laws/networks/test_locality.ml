@@ -138,7 +138,7 @@ let straight first second =
     let model, start = Random_network.start network in
     { model; states = Reach.states model start ~limit:40 }
   in
-  (reach first, reach second)
+  (reach first, reach (Random_network.like first second))
 
 (* Each process under a law has steps of its own. *)
 let by_itself (m : Model.t) = { m with local_steps = true }
@@ -148,7 +148,7 @@ let falling first second =
     let m = by_itself (Random_network.model network) in
     { model = m; states = Reach.states m (Reach.initial m (Random_network.declared network)) ~limit:40 }
   in
-  (reach first, reach second)
+  (reach first, reach (Random_network.like first second))
 
 let falling_and_turning first second =
   let reach network =
@@ -182,6 +182,12 @@ let laws =
       falling;
     law "Locality: bodies that turn, with such laws and rounding" ~count:25 ~print:Random_rigid.print
       (Random_rigid.generate { Random_rigid.anything with rounds = true; laws = true })
+      falling_and_turning;
+    law "Locality: with the switches of a model" ~count:80 ~print:Random_network.print
+      (Random_network.switched ~steered:true ())
+      falling;
+    law "Locality: bodies that turn, with the switches of a model" ~count:20 ~print:Random_rigid.print
+      (Random_rigid.generate { Random_rigid.anything with rounds = true; laws = true; switched = true })
       falling_and_turning;
   ]
 

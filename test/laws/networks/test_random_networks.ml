@@ -12,8 +12,8 @@ let reached network =
   let m, start = Random_network.start network in
   (m, Reach.states m start ~limit:states_per_network)
 
-let property name ?(count = 400) ?steered holds =
-  QCheck2.Test.make ~name ~count ~print:Random_network.print (Random_network.generate ?steered ()) holds
+let property name ?(count = 300) ?(networks = Random_network.generate ()) holds =
+  QCheck2.Test.make ~name ~count ~print:Random_network.print networks holds
 
 let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
 
@@ -22,17 +22,18 @@ let well_formed m (s, _) =
   | [] -> None
   | fault :: _ -> Some (Well_formed.to_string m s fault)
 
-let preserves steered name =
-  property name ~steered (fun network ->
+let preserves ?count networks name =
+  property name ?count ~networks (fun network ->
       let m, states = reached network in
       fail_on (List.find_map (well_formed m) states))
 
-let conserves =
-  property "Conservation: momentum and energy" (fun network ->
+let conserves ?count networks name =
+  property name ?count ~networks (fun network ->
       let m, states = reached network in
       let broken (s, transitions) = List.find_map (Conservation.fault m s) transitions in
       fail_on (List.find_map broken states))
 
+let meetings m (s : Scc_calculus.State.t) = Collisions.meetings (standard m) s.processes
 let labels m ts = List.map (fun (t : Transition.t) -> Transition.label_to_string m t.label) ts
 
 (* Along one run, taken first with and then without sixteen bodies far away. *)
@@ -55,37 +56,52 @@ let bystanders =
       in
       agree 20 s s')
 
-(* So that the properties above are about something: over the seeds used, every kind of transition comes up. *)
-let varied () =
-  let rand = Random.State.make [| 42 |] in
-  let networks = QCheck2.Gen.generate ~rand ~n:100 (Random_network.generate ()) in
+(* So that the properties above are about something: over the seeds used, every kind of transition comes up. With
+   switches: bounces of several processes at once, and bindings where nothing collides. *)
+let kinds m (s, ts) =
+  let apart = lazy (not (List.exists (fun (e : Kinematics.meeting) -> e.collide) (meetings m s))) in
   let kind (t : Transition.t) =
     match t.label with
     | Time _ -> "time"
+    | Bind _ when Lazy.force apart -> "bind, by contact"
     | Bind _ -> "bind"
-    | Bounce _ -> "bounce"
+    | Bounce firsts -> if List.compare_length_with firsts 2 > 0 then "bounce, of several" else "bounce"
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"
   in
-  let seen =
-    List.concat_map (fun n -> List.concat_map (fun (_, ts) -> List.map kind ts) (snd (reached n))) networks
-  in
+  List.map kind ts
+
+let varied networks expected () =
+  let rand = Random.State.make [| 42 |] in
+  let seen n = let m, states = reached n in List.concat_map (kinds m) states in
   Alcotest.(check (list string))
-    "kinds of transitions"
-    [ "bind"; "bounce"; "strong"; "time"; "weak" ]
-    (List.sort_uniq String.compare seen)
+    "kinds of transitions" expected
+    (List.sort_uniq String.compare (List.concat_map seen (QCheck2.Gen.generate ~rand ~n:100 networks)))
 
 let () =
   let cases = Scc_test_support.Property.cases in
+  let any = Random_network.generate () and switched = Random_network.switched () in
+  let all = [ "bind"; "bounce"; "strong"; "time"; "weak" ] in
+  let more = List.sort String.compare ("bind, by contact" :: "bounce, of several" :: all) in
   Alcotest.run "random networks"
     [
-      ("scope", [ Alcotest.test_case "every kind of transition comes up" `Quick varied ]);
+      ( "scope",
+        [
+          Alcotest.test_case "every kind of transition comes up" `Quick (varied any all);
+          Alcotest.test_case "with switches, too" `Quick (varied switched more);
+        ] );
       ( "laws",
         cases
           [
-            preserves false "Preservation: no transition leaves the well-formed networks";
-            preserves true "Preservation: under laws of motion";
-            conserves;
+            preserves any "Preservation: no transition leaves the well-formed networks";
+            preserves
+              (Random_network.generate ~steered:true ())
+              "Preservation: under laws of motion";
+            preserves ~count:150
+              (Random_network.switched ~steered:true ())
+              "Preservation: with the switches of a model";
+            conserves any "Conservation: momentum and energy";
+            conserves ~count:150 switched "Conservation: with the switches of a model";
           ] );
       ("far away", cases [ bystanders ]);
     ]

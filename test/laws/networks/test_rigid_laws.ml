@@ -151,6 +151,7 @@ let property name ?(count = 25) features holds =
 let any = Random_rigid.anything
 let rounded = { any with rounds = true }
 let falling = { any with laws = true; rounds = true }
+let switched (f : Random_rigid.features) = { f with switched = true }
 
 (* One law after the other at each state, and at each transition. *)
 let preserved =
@@ -181,6 +182,8 @@ let laws =
       ("Conservation: bodies that turn", any, conserved);
       ("Conservation: what there is of it with rounding", rounded, conserved);
       ("Conservation: what there is of it with laws of motion", { falling with rounds = false }, conserved);
+      ("Preservation: bodies that turn, with the switches of a model", switched falling, preserved);
+      ("Conservation: bodies that turn, with the switches of a model", switched any, conserved);
     ]
 
 (* {1 Mirror images} *)

@@ -19,11 +19,18 @@ let holds symmetry (m, start) =
   fail_on (Symmetry.broken (symmetry m) m (Reach.states m start ~limit:states_per_network))
 
 (* [symmetry] is a generator of what a model is mapped by. *)
-let straight name ?(count = 400) ?steered ?(of_network = Fun.id) symmetry =
+let of_networks name ~count ~of_network networks symmetry =
   QCheck2.Test.make ~name ~count
     ~print:(fun (n, _) -> Random_network.print n)
-    (Gen.pair (Random_network.generate ?steered ()) symmetry)
+    (Gen.pair networks symmetry)
     (fun (n, symmetry) -> holds symmetry (Random_network.start (of_network n)))
+
+let straight name ?(count = 300) ?steered ?(of_network = Fun.id) symmetry =
+  of_networks name ~count ~of_network (Random_network.generate ?steered ()) symmetry
+
+(* With the switches that a model has. *)
+let switched name ?(count = 80) ?steered ?(of_network = Fun.id) symmetry =
+  of_networks name ~count ~of_network (Random_network.switched ?steered ()) symmetry
 
 (* {1 Bodies that turn} *)
 
@@ -61,6 +68,7 @@ let any = Random_rigid.anything
 let rounded = { any with rounds = true }
 let falling = { any with laws = true; rounds = true }
 let constant_spin = { any with dynamics = `Constant_spin }
+let with_switches (f : Random_rigid.features) = { f with switched = true }
 let free_body = { any with dynamics = `Free_body }
 
 (* {1 What networks are mapped by} *)
@@ -142,11 +150,16 @@ let () =
           brackets;
           straight "Congruence: bodies declared in another order, under other names" ~steered:true redeclared;
           turning "Congruence: bodies that turn" falling redeclared;
+          switched "Congruence: with the switches of a model" ~steered:true redeclared;
+          turning "Congruence: bodies that turn, with the switches of a model" (with_switches falling) redeclared;
         ];
       group "Displacement"
         [
           straight "Displacement: nothing depends on where the network is" ~steered:true displacement;
           turning "Displacement: bodies that turn, with laws and rounding" falling displacement;
+          switched "Displacement: with the switches of a model" ~steered:true displacement;
+          turning "Displacement: bodies that turn, with the switches of a model" (with_switches falling)
+            displacement;
         ];
       group "Rotation"
         ~failing:
@@ -161,12 +174,19 @@ let () =
           turning "Rotation: shapes that are declared in another position" ~count:10 constant_spin rotation;
           turning "Rotation: free bodies by a quarter turn" any quarter_turn;
           turning "Rotation: with rounding, by the rotations of a cube" rounded cube_rotation;
+          switched "Rotation: with the switches of a model" rotation;
+          turning "Rotation: bodies that turn, with the switches of a model" ~count:10
+            (with_switches constant_spin) turn;
         ];
       group "Boost" ~failing:[ fails "Boost: fails with rounding and where something is fixed" rounded boost ]
         [
           straight "Boost: nothing depends on how the whole moves" ~steered:true
             ~of_network:Random_network.all_free boost;
           turning "Boost: bodies that turn" ~of_network:Random_rigid.all_free { any with laws = true } boost;
+          switched "Boost: with the switches of a model" ~steered:true ~of_network:Random_network.all_free boost;
+          turning "Boost: bodies that turn, with the switches of a model" ~of_network:Random_rigid.all_free
+            (with_switches { any with laws = true })
+            boost;
         ];
       group "Scaling"
         ~failing:
@@ -178,5 +198,8 @@ let () =
         [
           straight "Scaling: units of length, time and mass" (units factor factor);
           turning "Scaling: bodies that turn, by powers of two" any (units power_of_two power_of_two);
+          switched "Scaling: with the switches of a model" (units factor factor);
+          turning "Scaling: bodies that turn, with the switches of a model" (with_switches any)
+            (units power_of_two power_of_two);
         ];
     ]

@@ -14,7 +14,9 @@ type body = {
   falls : bool;
 }
 
-type t = body list
+type t = { bodies : body list; packed : bool; switches : Switches.t }
+
+let plain bodies = { bodies; packed = false; switches = Switches.off }
 
 (* {1 Shapes} *)
 
@@ -96,44 +98,47 @@ let leaf i (b : body) : Model.leaf =
     mass = int b.mass; law = (if b.falls then fall else Inertial);
   }
 
-let model bodies : Model.t =
-  {
-    leaves = Array.of_list (List.mapi leaf bodies);
-    definitions;
-    timestep = rational 1 2;
-    split_step = rational 1 2;
-    keeps_time = false;
-    collisions = In_turn;
-    binding = On_collision;
-    rigid = None;
-    steered = List.exists (fun b -> b.falls) bodies;
-    local_steps = false;
-  }
+let model { bodies; switches; _ } : Model.t =
+  Switches.apply switches
+    {
+      leaves = Array.of_list (List.mapi leaf bodies);
+      definitions;
+      timestep = rational 1 2;
+      split_step = rational 1 2;
+      keeps_time = false;
+      collisions = In_turn;
+      binding = On_collision;
+      rigid = None;
+      steered = List.exists (fun b -> b.falls) bodies;
+      local_steps = false;
+    }
 
-(* Cells are as large as the greatest shape and the greatest jitter together. *)
-let position b =
+(* Cells are as large as the greatest shape and the greatest jitter together; packed, as large as a cube. *)
+let position ~packed b =
   let x, y, z = b.cell and jx, jy, jz = b.jitter in
-  Vec.make
-    (Rat.add (int (5 * x)) (rational jx 2))
-    (Rat.add (int (3 * y)) (rational jy 2))
-    (Rat.add (int (3 * z)) (rational jz 2))
+  if packed then Vec.of_ints (2 * x) (2 * y) (2 * z)
+  else
+    Vec.make
+      (Rat.add (int (5 * x)) (rational jx 2))
+      (Rat.add (int (3 * y)) (rational jy 2))
+      (Rat.add (int (3 * z)) (rational jz 2))
 
 let velocity b =
   let x, y, z = b.velocity in
   if b.fixed then Vec.zero else Vec.make (rational x 2) (rational y 2) (rational z 2)
 
-let declared bodies =
+let declared { bodies; packed; _ } =
   let process i b =
     let behaviour = Behaviour.fresh (behaviour b.behaviour) in
-    let leaf : State.leaf = { leaf = i; position = position b; turned = Quaternion.identity; waited = Rat.zero;
-                              behaviour } in
+    let position = position ~packed b in
+    let leaf : State.leaf = { leaf = i; position; turned = Quaternion.identity; waited = Rat.zero; behaviour } in
     State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:(velocity b) ~clock:None ()
   in
   State.make ~processes:(List.mapi process bodies) ~step:None ~time:None
 
-let start bodies =
-  let m = model bodies in
-  (m, Reach.initial m (declared bodies))
+let start network =
+  let m = model network in
+  (m, Reach.initial m (declared network))
 
 (* {1 Generation} *)
 
@@ -147,20 +152,31 @@ let distinct bodies =
   List.fold_left (fun kept b -> if List.exists (same_cell b) kept then kept else b :: kept) [] bodies
   |> List.rev
 
-let body ~steered ~cells ~behaviours =
+let body ?(shapes = Array.length shapes) ~steered ~cells ~behaviours () =
   let open Gen in
   let* cell = three (0 -- (cells - 1)) and* jitter = three (0 -- 2) and* velocity = three (-3 -- 3) in
-  let* mass = 1 -- 3 and* shape = 0 -- (Array.length shapes - 1) in
+  let* mass = 1 -- 3 and* shape = 0 -- (shapes - 1) in
   let* behaviour = 0 -- (behaviours - 1) and* fixed = map (fun n -> n = 0) (0 -- 9) in
   let+ falls = if steered then map (fun n -> n = 0) (0 -- 1) else pure false in
   { cell; jitter; velocity; mass; shape; behaviour; fixed; falls = falls && not fixed }
 
-let generate ?(steered = false) () =
-  Gen.map distinct (Gen.list_size Gen.(2 -- 6) (body ~steered ~cells:2 ~behaviours))
+let apart ~steered = Gen.(map distinct (list_size (2 -- 6) (body ~steered ~cells:2 ~behaviours ())))
+
+(* All but the glued pair fit into a cell that is as large as a cube. *)
+let packed ~steered =
+  Gen.(map distinct (list_size (3 -- 6) (body ~shapes:4 ~steered ~cells:2 ~behaviours ())))
+
+let generate ?(steered = false) () = Gen.map plain (apart ~steered)
+
+let switched ?(steered = false) () =
+  let open Gen in
+  let* switches = Switches.generate () and* tight = bool in
+  let+ bodies = if tight then packed ~steered else apart ~steered in
+  { bodies; packed = tight; switches }
 
 let crowd =
-  let body = body ~steered:false ~cells:3 ~behaviours:behaviours_in_crowds in
-  Gen.map distinct (Gen.list_size Gen.(10 -- 30) body)
+  let body = body ~steered:false ~cells:3 ~behaviours:behaviours_in_crowds () in
+  Gen.map (fun bodies -> plain (distinct bodies)) (Gen.list_size Gen.(10 -- 30) body)
 
 let bystander i =
   {
@@ -168,13 +184,15 @@ let bystander i =
     fixed = i mod 2 = 0; falls = false;
   }
 
-let with_bystanders bodies = bodies @ List.init 16 bystander
+let map f n = { n with bodies = f n.bodies }
+let with_bystanders = map (fun bodies -> bodies @ List.init 16 bystander)
+let none = plain []
+let inert = map (List.map (fun b -> { b with behaviour = 0 }))
+let all_free = map (List.map (fun b -> { b with fixed = false }))
+let with_switches switches n = { n with switches }
+let like a b = { b with switches = a.switches }
 
-let none = []
-let inert bodies = List.map (fun b -> { b with behaviour = 0 }) bodies
-let all_free bodies = List.map (fun b -> { b with fixed = false }) bodies
-
-let print bodies =
+let print { bodies; packed; switches } =
   let triple (x, y, z) = Printf.sprintf "(%d,%d,%d)" x y z in
   let body b =
     Printf.sprintf "{cell %s jitter %s/2 velocity %s/2 mass %d shape %d behaviour %d%s%s}" (triple b.cell)
@@ -182,4 +200,5 @@ let print bodies =
       (if b.fixed then " fixed" else "")
       (if b.falls then " falls" else "")
   in
-  String.concat "\n" (List.map body bodies)
+  let kind = (if packed then "packed" else "apart") ^ Switches.print switches in
+  String.concat "\n" (kind :: List.map body bodies)

@@ -9,6 +9,15 @@ val generate : ?steered:bool -> unit -> t QCheck2.Gen.t
 (** Two to six bodies, close together and in motion; shrinks. With [steered] (not by default), some fall
     by a law of motion. *)
 
+val switched : ?steered:bool -> unit -> t QCheck2.Gen.t
+(** The same with random switches of the semantics ({!Switches}), half of them packed: face to face in a grid, so
+    that much collides at once. *)
+
+val with_switches : Switches.t -> t -> t
+
+val like : t -> t -> t
+(** [like a b]: the second with the switches of the first. *)
+
 val crowd : t QCheck2.Gen.t
 (** Up to thirty bodies, as close together. *)
 

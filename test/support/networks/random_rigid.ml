@@ -11,9 +11,11 @@ type features = {
   laws : bool;
   behaves : bool;
   plain : bool;
+  switched : bool;
 }
 
-let anything = { dynamics = `Any; rounds = false; laws = false; behaves = true; plain = false }
+let anything =
+  { dynamics = `Any; rounds = false; laws = false; behaves = true; plain = false; switched = false }
 
 type body = {
   cell : int * int * int;  (** distinct from body to body *)
@@ -28,7 +30,13 @@ type body = {
   falls : bool;
 }
 
-type t = { dynamics : Model.dynamics; rounding : int option; bodies : body list }
+type t = {
+  dynamics : Model.dynamics;
+  rounding : int option;
+  switches : Switches.t;
+  packed : bool;
+  bodies : body list;
+}
 
 (* {1 Shapes} *)
 
@@ -125,30 +133,33 @@ let model_leaf (i, j, b, (parts, _)) : Model.leaf =
     law = (if b.falls then fall else Inertial);
   }
 
-let model { dynamics; rounding; bodies } : Model.t =
-  {
-    leaves = Array.of_list (List.map model_leaf (leaves bodies));
-    definitions;
-    timestep = Rat.one;
-    split_step = rational 1 2;
-    keeps_time = false;
-    collisions = In_turn;
-    binding = On_collision;
-    rigid =
-      Some
-        {
-          dynamics; resolution = rational 1 1024; round_orientation = rounding; round_velocity = rounding;
-        };
-    steered = List.exists (fun b -> b.falls && not b.fixed) bodies;
-    local_steps = false;
-  }
+let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
+  Switches.apply switches
+    {
+      leaves = Array.of_list (List.map model_leaf (leaves bodies));
+      definitions;
+      timestep = Rat.one;
+      split_step = rational 1 2;
+      keeps_time = false;
+      collisions = In_turn;
+      binding = On_collision;
+      rigid =
+        Some
+          {
+            dynamics; resolution = rational 1 1024; round_orientation = rounding; round_velocity = rounding;
+          };
+      steered = List.exists (fun b -> b.falls && not b.fixed) bodies;
+      local_steps = false;
+    }
 
-let side = 7
-let place b = let x, y, z = b.cell in Vec.of_ints (side * x) (side * y) (side * z)
+(* Packed, a cell is as large as a cube. *)
+let place ~packed b =
+  let x, y, z = b.cell and side = if packed then 2 else 7 in
+  Vec.of_ints (side * x) (side * y) (side * z)
 
 (* Most fly towards the middle of all, and so at each other. *)
-let velocity bodies b =
-  let n = List.length bodies in
+let velocity { bodies; packed; _ } b =
+  let n = List.length bodies and place = place ~packed in
   let sum = List.fold_left (fun s b -> Vec.add s (place b)) Vec.zero bodies in
   let x, y, z = b.aim in
   let target = Vec.add (Vec.scale (rational 1 n) sum) (Vec.make (rational x 4) (rational y 4) (rational z 4)) in
@@ -162,20 +173,20 @@ let spin b =
   let x, y, z = b.spin in
   if b.fixed then Vec.zero else Vec.make (rational x 2) (rational y 2) (rational z 2)
 
-let declared { bodies; _ } =
+let declared ({ bodies; packed; _ } as network) =
   let count = ref 0 in
   let process b =
     let first = !count in
     let leaf j (_, at) : State.leaf =
       let behaviour = Behaviour.fresh (behaviour (if j = 0 then b.behaviour else b.second)) in
-      { leaf = first + j; position = Vec.add (place b) at; turned = Quaternion.identity; waited = Rat.zero;
+      { leaf = first + j; position = Vec.add (place ~packed b) at; turned = Quaternion.identity; waited = Rat.zero;
         behaviour }
     in
     let leaves = List.mapi leaf shapes.(b.shape) in
     count := first + List.length leaves;
     let finish j face : State.finish = { at = first + j; site = { part = 0; feature = Feature.Face face } } in
     let bond j = State.bond "a" (finish j 3) (finish (j + 1) 2) in
-    State.process ~leaves ~bonds:(List.init (List.length leaves - 1) bond) ~velocity:(velocity bodies b)
+    State.process ~leaves ~bonds:(List.init (List.length leaves - 1) bond) ~velocity:(velocity network b)
       ~spin:(spin b) ~clock:None ()
   in
   State.make ~processes:(List.map process bodies) ~step:None ~time:None
@@ -197,11 +208,11 @@ let distinct bodies =
   in
   List.fold_left (fun kept b -> if List.exists (same b) kept then kept else b :: kept) [] bodies |> List.rev
 
-let body (features : features) =
+let body ~packed (features : features) =
   let open Gen in
   let* cell = three (0 -- 1) and* aim = three (-2 -- 2) and* speed = 1 -- 6 in
   let* spin = three (-3 -- 3) and* spins = map (fun n -> n > 0) (0 -- 3) and* mass = 1 -- 3 in
-  let* shape = if features.plain then oneofl [ 0; 1; 3 ] else 0 -- (Array.length shapes - 1) in
+  let* shape = if features.plain || packed then oneofl [ 0; 1; 3 ] else 0 -- (Array.length shapes - 1) in
   let* fixed = map (fun n -> n = 0) (0 -- 4) in
   let any = if features.behaves then oneof [ 0 -- (behaviours - 1); oneofl [ 1; 3 ] ] else pure 0 in
   let* behaviour = any and* second = any in
@@ -213,7 +224,9 @@ let body (features : features) =
 
 let generate (features : features) =
   let open Gen in
-  let* bodies = map distinct (list_size (2 -- 4) (body features)) in
+  let* packed = if features.switched then bool else pure false in
+  let* switches = if features.switched then Switches.generate ~rigid:true () else pure Switches.off in
+  let* bodies = map distinct (list_size (2 -- 4) (body ~packed features)) in
   let* dynamics =
     match features.dynamics with
     | `Any -> oneofl [ Model.Constant_spin; Free_body ]
@@ -221,11 +234,11 @@ let generate (features : features) =
     | `Free_body -> pure Model.Free_body
   in
   let+ rounding = if features.rounds then map Option.some (oneofl [ 4; 10; 20 ]) else pure None in
-  { dynamics; rounding; bodies }
+  { dynamics; rounding; switches; packed; bodies }
 
 let all_free n = { n with bodies = List.map (fun b -> { b with fixed = false }) n.bodies }
 
-let print { dynamics; rounding; bodies } =
+let print ({ dynamics; rounding; switches; packed; bodies } as network) =
   let triple (x, y, z) = Printf.sprintf "(%d,%d,%d)" x y z in
   let body b =
     Printf.sprintf
@@ -233,10 +246,13 @@ let print { dynamics; rounding; bodies } =
       (triple b.aim) b.speed (triple b.spin) b.mass b.shape b.behaviour b.second
       (if b.fixed then " fixed" else "")
       (if b.falls then " falls" else "")
-      (Vec.to_string (velocity bodies b))
+      (Vec.to_string (velocity network b))
   in
   let kind = match dynamics with Model.Constant_spin -> "constant spin" | Free_body -> "free body" in
   let rounding = match rounding with None -> "" | Some k -> Printf.sprintf ", rounded to 2^-%d" k in
-  String.concat "\n" ((kind ^ rounding) :: List.map body bodies)
+  let kind = kind ^ rounding ^ (if packed then ", packed" else "") ^ Switches.print switches in
+  String.concat "\n" (kind :: List.map body bodies)
 
-let like a b = { b with dynamics = a.dynamics; rounding = a.rounding }
+let with_switches switches n = { n with switches }
+
+let like a b = { b with dynamics = a.dynamics; rounding = a.rounding; switches = a.switches }

@@ -10,10 +10,13 @@ type features = {
   laws : bool;  (** some bodies fall *)
   behaves : bool;  (** bodies have channels, delays and splits; else all are nil *)
   plain : bool;  (** each body is one part, the same when reflected in its centre *)
+  switched : bool;
+  (** random switches of the semantics ({!Switches}), and half of the networks packed: cubes, planks and turned
+      cubes in a grid, face to face *)
 }
 
 val anything : features
-(** But laws of motion and rounding. *)
+(** But laws of motion, rounding and switches. *)
 
 type t
 
@@ -40,5 +43,7 @@ val plank : id:int -> Scc_geometry.Solid.t
 val tetrahedron : id:int -> Scc_geometry.Solid.t
 (** With a corner of edges 2, 2 and 3 at its reference point: its centroid is elsewhere. *)
 
+val with_switches : Switches.t -> t -> t
+
 val like : t -> t -> t
-(** [like a b]: the second with the dynamics and the rounding of the first. *)
+(** [like a b]: the second with the dynamics, the rounding and the switches of the first. *)

@@ -1,0 +1,21 @@
+(** The switches of the semantics that a model may choose (readings I-31, I-32 and I-33), for random networks. *)
+
+open Scc_calculus
+
+type t
+
+val off : t
+(** What holds if a model says nothing. *)
+
+val together : t
+val local : t
+
+val by_contact : t
+(** One of them alone. *)
+
+val generate : ?rigid:bool -> unit -> t QCheck2.Gen.t
+(** Some on, some off: collisions together, steps of single processes (which count where something is steered) and,
+    but with [rigid], binding by contact. *)
+
+val apply : t -> Model.t -> Model.t
+val print : t -> string
