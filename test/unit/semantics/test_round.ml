@@ -169,6 +169,27 @@ let free () =
   check_vec "kept" (Vec.to_string once.kept) later.kept;
   Alcotest.(check bool) "the spin changes" false (Vec.equal once.spin later.spin)
 
+(* The spin of a free body is what its angular momentum gives it as it is turned after rounding, not before, also if
+   its angular momentum needs no rounding. *)
+let free_turned () =
+  let bodies = [ body "p" (0, 0, 0) ] in
+  let m = rigid ~dynamics:Free_body ~rounding:8 (planks (model bodies)) in
+  let s = turned_by [ long ] (declared bodies) in
+  let kept = vec (ratio 9 256) (ratio 39 512) (ratio (-1) 128) in
+  let p = Turn.renew m (State.with_kept kept (Turn.start m s.processes.(0))) in
+  let before = State.make ~processes:[ p ] ~step:None ~time:None in
+  let after, changed = Round.run m ~colliding:(fun _ -> []) ~near:(fun _ _ -> []) before [ 0 ] in
+  let after = after.processes.(0) in
+  Alcotest.(check bool) "it was rounded" true changed;
+  check_turned "to 8 bits" "(64, 5, 0, 0)" after.leaves.(0).turned;
+  let momentum (p : State.process) =
+    let mass = Option.get (Turn.mover m p).mass in
+    Scc_rigid.Mass.angular_momentum mass ~velocity:Vec.zero ~spin:p.spin ~about:(State.centre_of_mass m p)
+  in
+  check_vec "what it keeps" (Vec.to_string kept) after.kept;
+  check_vec "its angular momentum by its spin" (Vec.to_string kept) (momentum after);
+  Alcotest.(check bool) "the spin is another one" false (Vec.equal p.spin after.spin)
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "round"
@@ -179,5 +200,6 @@ let () =
           case "orientations" orientation; case "a process as a whole" whole; case "velocities wait" velocities;
           case "not while it collides" colliding; case "the reference of an orientation" reference;
           case "no rest before it is rounded" waiting; case "angular momenta" free;
+          case "the spin of what was turned" free_turned;
         ] );
     ]

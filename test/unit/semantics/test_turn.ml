@@ -341,6 +341,22 @@ let steered_into () =
   check_rat "in short turns" (Rat.to_string (Turn.length m p.spin)) (Option.get p.lasts);
   check_rat "within a whole step" "1" (Option.get s.step).remaining
 
+(* What collides at the instant at which its turn has begun has no turn any more, as if it had gone on for a while. *)
+let just_begun () =
+  let bodies = [ body "p" (0, 0, 0); body "q" (2, 0, 0) ~velocity:(-1, 0, 0); body "r" (0, 9, 0) ] in
+  let m = rigid (model bodies) in
+  let s = spinning [ ints 0 0 1; Vec.zero; ints 0 0 1 ] (declared bodies) in
+  let begun = List.map (Turn.begun m) (Array.to_list s.processes) in
+  let s = State.make ~processes:begun ~step:None ~time:None in
+  let semantics = standard m in
+  let after = Turning.at_contact semantics.setting ~colliding:(Collisions.colliding semantics) s in
+  let going (p : State.process) = Turn.spinning p && not (Turn.due p) in
+  let goes_on (s : State.t) = List.map going (Array.to_list s.processes) in
+  Alcotest.(check (list bool)) "before" [ true; false; true ] (goes_on s);
+  Alcotest.(check (list bool)) "then" [ false; false; true ] (goes_on after);
+  Alcotest.(check bool) "a turn of it is due" true (Turn.due after.processes.(0));
+  check_rat "and began now" "0" after.processes.(0).since
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "turn"
@@ -351,7 +367,7 @@ let () =
           case "a new turn" renew;
           case "half-way through a turn" midway; case "pieces of what turned" piece;
           case "turns of its own" own_turns; case "whoever stops time" bystander;
-          case "steered into a contact" steered_into;
+          case "steered into a contact" steered_into; case "a turn that has just begun" just_begun;
         ] );
       ("cast", [ case "parts off their centres" off_centre; case "rounded down" thirds ]);
       ( "meeting",
