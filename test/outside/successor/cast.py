@@ -218,10 +218,15 @@ def speed_bound(a: Mover, b: Mover) -> Fraction:
     found = root(dot(w, w))
     for mover in (a, b):
         spin = mover.flight.spin
-        _, c = mover.solid.volume_and_centroid()
-        radius2 = max(dot(sub(r, c), sub(r, c)) for r in mover.points)
-        found += root(dot(spin, spin)) * (root(dot(c, c)) + root(radius2))
+        found += root(dot(spin, spin)) * reach(mover)
     return up(found)
+
+
+def reach(mover: Mover) -> Fraction:
+    """The short number that is no less than the distance of any point of a part from the centre."""
+    _, c = mover.solid.volume_and_centroid()
+    radius2 = max(dot(sub(r, c), sub(r, c)) for r in mover.points)
+    return root(dot(c, c)) + root(radius2)
 
 
 def size(q: Fraction) -> int:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import json
 import random
+import signal
 import sys
 import time
 from collections import Counter
@@ -54,17 +55,23 @@ def shown(here: Counter, told: Counter) -> str:
 def told_apart(key: Any) -> List[str]:
     processes, step, now = key
     lines = ["%s, time %s" % (plain(step), plain(now))]
-    for velocity, clock, bodies, bonds, spin, since, momentum, own in processes:
-        lines.append("v %s clock %s bonds %s" % (plain(velocity), plain(clock), plain(bonds)))
+    for velocity, clock, bodies, bonds, spin, since, momentum, lasts, own in processes:
+        lines.append(
+            "v %s clock %s bonds %s step %s"
+            % (plain(velocity), plain(clock), plain(bonds), plain(own))
+        )
         if any(body.turned for _, body in bodies):
             lines.append(
-                "  spin %s since %s L %s step %s"
-                % (plain(spin), plain(since), plain(momentum), plain(own))
+                "  spin %s since %s L %s lasts %s"
+                % (plain(spin), plain(since), plain(momentum), plain(lasts))
             )
         for name, body in bodies:
             lines.append(
-                "  %s at %s %s: %s (%s)"
-                % (name, plain(body.position), body.turned or "", plain(body.term), body.origin)
+                "  %s at %s %s: %s (%s) waited %s"
+                % (
+                    name, plain(body.position), body.turned or "", plain(body.term),
+                    body.origin, body.waited,
+                )
             )
     return lines
 
@@ -88,17 +95,32 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
         tally.kinds[label[0]] += 1
         if label[0] == "strong" and len(label[1]) > 1:
             tally.kinds["strong of several"] += 1
+        if label[0] == "bounce" and len(label[1]) > 2:
+            tally.kinds["bounce of several"] += 1
+        if model.by_contact and label[0] == "bind" and not collide(rules, state, label):
+            tally.kinds["bind by contact"] += 1
     tally.counts["transitions"] += sum(told.values())
     tally.counts["states"] += 1
     if not told and answer["ending"] == "quiescent" and model.rigid:
         tally.counts["rest proved"] += 1
-        kinds = {label[0] for label, _ in own}
-        return None if kinds <= {"time"} else "not at rest: %s" % shown(own, told)
     if own != told:
         return shown(own - told, told - own)
     if (answer["ending"] is None) != bool(told):
         return "ending %s" % answer["ending"]
     return None
+
+
+def collide(rules: Rules, state: State, label: Any) -> bool:
+    """Whether the two that bind collide."""
+    p, q = (p for p in state.processes if any(leaf in p.bodies for leaf, _ in label[2]))
+    return rules.collision(p, q) is not None
+
+
+def switches(model: Model) -> List[str]:
+    """What a model chooses that is not so if nothing is said."""
+    found = ["together"] * model.together + ["by contact"] * model.by_contact
+    found += ["laws"] * model.steered + ["local steps"] * (model.steered and model.local)
+    return found + ["rounding"] * (model.rigid and bool(model.rounding))
 
 
 def choice(rng: random.Random, transitions: List[dict]) -> int:
@@ -118,6 +140,36 @@ def digits(told: Any) -> int:
     return len(told) if isinstance(told, str) and told[:1] in "-0123456789" else 0
 
 
+NO_TRANSITIONS = -32006  # specs/oracle.md
+
+
+def successors(oracle: Oracle, model: Any, path: List[int]) -> Optional[dict]:
+    """What a path leads to, and its transitions; None if these cannot be computed."""
+    try:
+        return oracle.ask("successors", model=model, path=path, states="all")
+    except Refusal as refusal:
+        if refusal.error["code"] == NO_TRANSITIONS:
+            return None
+        raise
+
+
+def chosen(model: Model, answer: dict, number: int, state: State) -> State:
+    """The state that a transition leads to."""
+    told = answer["transitions"][number]
+    label = label_of(model, told["label"])
+    now = state.time + (label[1] if label[0] == "time" else 0)
+    return state_of(model, told["state"], str(now))
+
+
+def given_up(rules: Rules, state: Optional[State], path: List[int]) -> Optional[str]:
+    """A difference if the transitions of a state can be computed here (Persistent, laws)."""
+    try:
+        found = rules.successors(rules.initial() if state is None else state)
+    except (Undefined, Stopped):
+        return None
+    return "no transitions told after %s, here: %s" % (path, plain([t[0] for t in found]))
+
+
 def walk(
     oracle: Oracle, text: str, tally: Tally, rng: random.Random, steps: int, runs: int
 ) -> Optional[str]:
@@ -131,26 +183,25 @@ def walk(
     try:
         if loaded["rigid"] != model.rigid:
             return "rigid: %s" % loaded["rigid"]
-        if model.rigid and model.rounding:
-            tally.passed_over["rounding"] += 1
-            return None
-        if model.local:
-            tally.passed_over["local steps"] += 1
-            return None
         tally.counts["rigid models" if model.rigid else "models"] += 1
+        for switch in switches(model):
+            tally.counts[switch] += 1
         rules = Turning(model) if model.rigid else Rules(model)
         seen: set = set()
         for run in range(runs):
             path: List[int] = []
+            state: Optional[State] = None
             for i in range(steps):
-                answer = oracle.ask("successors", model=loaded["model"], path=path, states="all")
+                answer = successors(oracle, loaded["model"], path)
+                if answer is None:
+                    tally.counts["without transitions"] += 1
+                    return given_up(rules, state, path)
                 state = state_of(model, answer["state"], answer["time"])
                 if i == 0 and run == 0:
                     own = rules.initial()
                     if own.key() != state.key():
-                        return "initial state: here %s\ntold %s" % (
-                            plain(own.key()), plain(state.key()),
-                        )  # fmt: skip
+                        here, told = ((("initial",), s.key()) for s in (own, state))
+                        return shown(Counter([here]), Counter([told]))
                 if state.key() not in seen:
                     seen.add(state.key())
                     difference = compare_state(rules, answer, state, tally)
@@ -161,7 +212,10 @@ def walk(
                 if not answer["transitions"] or digits(answer["state"]) > 150:
                     break
                 path.append(choice(rng, answer["transitions"]))
-    except (Undefined, Stopped, Undecided) as error:
+                state = chosen(model, answer, path[-1], state)
+    except (Undefined, Stopped) as error:
+        return "no transitions here: %r" % error
+    except Undecided as error:
         tally.passed_over[type(error).__name__] += 1
     except Refusal as error:
         tally.passed_over[str(error)[:60]] += 1
@@ -184,6 +238,21 @@ def suite(folder: Path) -> List[str]:
     return texts
 
 
+class TimeUp(Exception):
+    """A model takes longer than it may."""
+
+
+class Ended(Exception):
+    """The comparison is told to end: what was compared is told."""
+
+
+def raising(error: Any) -> Any:
+    def handler(number: int, frame: Any) -> None:
+        raise error()
+
+    return handler
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--scc", required=True)
@@ -195,11 +264,14 @@ def main() -> int:
     parser.add_argument("--no-suite", action="store_true")
     parser.add_argument("--stop", type=int, default=3, help="after so many differences")
     parser.add_argument("--only-rigid", action="store_true")
+    parser.add_argument("--seconds", type=int, default=0, help="for each model")
     parser.add_argument("--file", action="append", default=[])
     parser.add_argument("--suite", default=str(HERE / "../../../specs/conformance"))
     options = parser.parse_args()
 
     oracle = Oracle([options.scc, "oracle"])
+    signal.signal(signal.SIGALRM, raising(TimeUp))
+    signal.signal(signal.SIGTERM, raising(Ended))
     tally = Tally()
     began = time.time()
     texts = [(name, Path(name).read_text()) for name in options.file]
@@ -220,7 +292,18 @@ def main() -> int:
         if options.only_rigid and "spin" not in text and "dynamics" not in text:
             continue
         rng = random.Random("%s %d" % (name, options.seed))
-        difference = walk(oracle, text, tally, rng, options.steps, options.runs)
+        try:
+            signal.alarm(options.seconds)
+            difference = walk(oracle, text, tally, rng, options.steps, options.runs)
+            signal.alarm(0)
+        except TimeUp:
+            tally.passed_over["longer than %d s" % options.seconds] += 1
+            oracle.process.kill()
+            oracle = Oracle([options.scc, "oracle"])
+            continue
+        except Ended:
+            tally.passed_over["all from %s on" % name] += 1
+            break
         if difference:
             tally.differences.append(name)
             print("DIFFERENCE in %s\n%s\n%s\n" % (name, text, difference), flush=True)

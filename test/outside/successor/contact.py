@@ -100,6 +100,38 @@ def first_time_of_contact(
     return enters if 0 <= enters < leaves else None
 
 
+def first_meeting(
+    a: List[Vector], b: List[Vector], offset: Vector, velocity: Vector
+) -> Optional[Fraction]:
+    """The least t >= 0 at which two closed features have a point in common (reading I-33).
+
+    That is when the offset of b from a is in the difference of the two, a convex set of any
+    dimension. It is the set where n.x <= h(n) for the normals n of its facets: orthogonal to two
+    edges, or to one and to a plane of two, or, where it is flat, on both sides along it.
+    """
+    lines = {primitive(sub(q, p)) for points in (a, b) for p, q in combinations(points, 2)}
+    lines.discard(None)
+    axes = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    planes = {primitive(cross(u, w)) for u in lines for w in [*lines, *axes]}
+    planes.discard(None)
+    inner = {primitive(cross(n, u)) for n in planes for u in lines}
+    inner.discard(None)
+    normals = {*axes, *lines, *planes, *inner}
+    enters, leaves = Fraction(0), None
+    for n in normals | {scale(-1, n) for n in normals}:
+        height = max(dot(n, p) for p in a) - min(dot(n, q) for q in b)
+        gap, speed = dot(n, offset) - height, dot(n, velocity)
+        if speed == 0:
+            if gap > 0:
+                return None
+        elif speed < 0:
+            enters = max(enters, Fraction(-gap) / speed)
+        else:
+            t = Fraction(-gap) / speed
+            leaves = t if leaves is None else min(leaves, t)
+    return None if leaves is not None and leaves < enters else enters
+
+
 def zero_is_inside(points: Iterable[Vector]) -> bool:
     """Whether 0 is in the relative interior of the convex hull of the points.
 

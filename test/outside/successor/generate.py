@@ -72,7 +72,9 @@ class Generator:
         self.lines: List[str] = []
         self.walls = False
         self.behaviours: Dict[str, str] = {}  # of bodies, by name
-        self.laws = rng.random() < (0.15 if rigid else 0.3)
+        self.laws = rng.random() < 0.3
+        self.together = rng.random() < 0.35  # reading I-32
+        self.by_contact = not rigid and rng.random() < 0.35  # reading I-33
         self.spins: Dict[str, Vector] = {}  # of bodies, by name
         self.centres: Dict[str, Vector] = {}
 
@@ -185,7 +187,12 @@ class Generator:
         release += ". %s" % rng.choice(names + ["nil"])
         if rng.random() < 0.4:
             release = "(%s)" % (release + " + " + self.term(leaf, names, 1))
-        return "<%sa, %s>. %s" % (rng.choice(["", "~"]), sites, release)
+        delay = "eps(%s). " % rng.choice(["1/2", "1", "2"]) if self.late(rng) else ""
+        return "%s<%sa, %s>. %s" % (delay, rng.choice(["", "~"]), sites, release)
+
+    def late(self, rng: random.Random) -> bool:
+        """Whether a channel opens later, perhaps between bodies that rest against each other."""
+        return self.by_contact and rng.random() < 0.3
 
     def definitions(self, shape: Shape, leaf: Leaf) -> List[str]:
         """Definitions for a shape, the first of which names come; guarded: no bare names."""
@@ -307,7 +314,9 @@ class Generator:
             words = line.split()
             if words[0] in ("process", "fixed"):
                 self.lines[i] = "%s [%s]" % (line, self.behaviours[words[1]])
-        head = ["timestep %s" % rng.choice(["1", "1/2", "2", "1/3"])]
+        local = " local" if self.laws and rng.random() < 0.5 else ""
+        head = ["timestep %s%s" % (rng.choice(["1", "1/2", "2", "1/3"]), local)]
+        head += ["collisions together"] * self.together + ["binding contact"] * self.by_contact
         if rng.random() < 0.4:
             head.append("split_step %s" % rng.choice(["1/2", "1", "3/4", "2", "1/3"]))
         if self.rigid:

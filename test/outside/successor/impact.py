@@ -12,8 +12,11 @@ from solids import Solid
 from vectors import ZERO, Matrix, Vector, add, cross, dot, scale, solve, sub
 
 
+Row = Tuple[int, int, Vector, Vector]  # two bodies by their numbers, a normal and a corner
+
+
 class Rigid(NamedTuple):
-    """A rigid body in the world; one without a mass is fixed."""
+    """A rigid body in the world; without a mass it is fixed, without an inertia it never turns."""
 
     mass: Optional[Fraction]
     centre: Vector
@@ -27,8 +30,10 @@ class Rigid(NamedTuple):
 
     def pushed(self, x: Vector, impulse: Vector) -> "Rigid":
         """After an impulse at a point."""
-        if self.mass is None or self.inertia is None:
+        if self.mass is None:
             return self
+        if self.inertia is None:
+            return self._replace(velocity=add(self.velocity, scale(1 / self.mass, impulse)))
         turn = solve(self.inertia, cross(sub(x, self.centre), impulse))
         assert turn is not None
         return self._replace(
@@ -48,7 +53,18 @@ def approaches(met: Contact, a: Rigid, b: Rigid) -> bool:
 def bounce(
     contacts: Sequence[Contact], solids: Sequence[Tuple[Solid, Solid]], a: Rigid, b: Rigid
 ) -> Optional[Tuple[Rigid, Rigid]]:
-    """What two bodies that collide become; None where nothing would change (Persistent).
+    """What two bodies that collide become; None where nothing would change (Persistent)."""
+    kept = rows(contacts, solids, a, b)
+    if not kept:
+        return None
+    after = reflect_all([(0, 1, n, x) for n, x in kept], [a, b])
+    return None if after == [a, b] else (after[0], after[1])
+
+
+def rows(
+    contacts: Sequence[Contact], solids: Sequence[Tuple[Solid, Solid]], a: Rigid, b: Rigid
+) -> List[Tuple[Vector, Vector]]:
+    """The normals that count of two bodies that collide, each with a corner that it is taken at.
 
     ``solids`` are the two parts of each contact, in the world.
     """
@@ -60,10 +76,7 @@ def bounce(
         kept = [
             (n, x) for i in approaching for n in contacts[i].normals for x in contacts[i].region
         ]
-    if not kept:
-        return None
-    after = reflect(kept, a, b)
-    return None if after == (a, b) else after
+    return kept
 
 
 def counting(
@@ -82,19 +95,29 @@ def counting(
     return contacts[i].normals if len(left) == len(own) else left
 
 
-def reflect(rows: List[Tuple[Vector, Vector]], a: Rigid, b: Rigid) -> Tuple[Rigid, Rigid]:
+def reflect_all(rows: List[Row], bodies: List[Rigid]) -> List[Rigid]:
     """q + 2 proj(-q): impulses k n at the corners x that stop what approaches, twice."""
-    speeds = [dot(n, relative(a, b, x)) for n, x in rows]
-    rest_a, rest_b = (body._replace(velocity=ZERO, spin=ZERO) for body in (a, b))
+
+    def speed(row: Row, there: List[Rigid]) -> Fraction:
+        i, j, n, x = row
+        return dot(n, relative(there[i], there[j], x))
+
+    def pushed(row: Row, k: Fraction, there: List[Rigid]) -> List[Rigid]:
+        i, j, n, x = row
+        found = list(there)
+        found[i], found[j] = there[i].pushed(x, scale(-k, n)), there[j].pushed(x, scale(k, n))
+        return found
+
+    still = [body._replace(velocity=ZERO, spin=ZERO) for body in bodies]
     gram = []
-    for n, x in rows:  # the change of each speed by a unit of each impulse
-        moved = rest_a.pushed(x, scale(-1, n)), rest_b.pushed(x, n)
-        gram.append([dot(m, relative(*moved, y)) for m, y in rows])
-    weights = nonnegative(gram, speeds)
-    for (n, x), k in zip(rows, weights):
+    for row in rows:  # the change of each speed by a unit of each impulse
+        moved = pushed(row, Fraction(1), still)
+        gram.append([speed(other, moved) for other in rows])
+    weights = nonnegative(gram, [speed(row, bodies) for row in rows])
+    for row, k in zip(rows, weights):
         if k:
-            a, b = a.pushed(x, scale(-2 * k, n)), b.pushed(x, scale(2 * k, n))
-    return a, b
+            bodies = pushed(row, 2 * k, bodies)
+    return bodies
 
 
 def nonnegative(gram: List[List[Fraction]], speeds: List[Fraction]) -> List[Fraction]:

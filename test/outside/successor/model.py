@@ -133,7 +133,7 @@ class Model:
             elif word in ("timestep", "split_step", "resolution"):
                 self.settings[word] = self.number(item[1], env)
                 self.local = self.local or "local" in item[2:]
-            elif word == "dynamics":
+            elif word in ("dynamics", "collisions", "binding"):
                 self.settings[word] = item[1]
             elif word == "round":
                 self.rounding[item[1]] = self.number(item[2], env)
@@ -349,6 +349,10 @@ class Model:
         self.steered = any(leaf.law is not None for leaf in self.leaves.values())
         spins = any(leaf["spin"] != ZERO for leaf in self.initial_leaves.values())
         self.rigid = spins or "dynamics" in self.settings
+        self.together = self.settings.get("collisions") == "together"
+        self.by_contact = self.settings.get("binding") == "contact"
+        if self.rigid and self.by_contact:
+            raise Refused("binding contact in a rigid model (I-33)")
 
     def _law(self, leaf: Leaf, process: str) -> None:
         """The most special law counts."""

@@ -23,6 +23,15 @@ class Body:
     term: terms.Term
     origin: Optional[str]
     turned: Optional[Tuple[int, ...]] = None
+    waited: Fraction = Fraction(0)  # since its law was asked, with local steps (I-31)
+
+
+@dataclass(frozen=True)
+class Step:
+    """Where the network is in its movement step, or a process in its own."""
+
+    remaining: Fraction
+    phase: str
 
 
 @dataclass(frozen=True)
@@ -35,23 +44,15 @@ class Process:
     bonds: FrozenSet[Bond]
     spin: Vector = ZERO
     since: Fraction = Fraction(0)
-    lasts: Optional[Fraction] = Fraction(0)  # None while a turn is due
     momentum: Optional[Vector] = None  # angular, of free bodies
-    step: Any = None  # of models with a local timestep
+    lasts: Optional[Fraction] = None  # a turn in all; None while one is due
+    step: Optional[Step] = None  # of its own, with local steps (I-31)
 
     def key(self) -> Any:
         return (
             self.velocity, self.clock, tuple(sorted(self.bodies.items(), key=lambda b: b[0])),
-            self.bonds, self.spin, (self.since, self.lasts), self.momentum, self.step,
+            self.bonds, self.spin, self.since, self.momentum, self.lasts, self.step,
         )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Step:
-    """Where the network is in its movement step."""
-
-    remaining: Fraction
-    phase: str
 
 
 @dataclass(frozen=True)
@@ -94,6 +95,7 @@ def process_of(model: Model, told: dict) -> Process:
             model.read_term(model.leaves[leaf["name"]], leaf["behaviour"]),
             leaf["origin"],
             tuple(int(q) for q in leaf["turned"]) if "turned" in leaf else None,
+            Fraction(leaf.get("waited", 0)),
         )
     return Process(
         vector(told["velocity"]),
@@ -102,8 +104,8 @@ def process_of(model: Model, told: dict) -> Process:
         frozenset(bond_of(model, b) for b in told["bonds"]),
         vector(told["spin"]) if "spin" in told else ZERO,
         Fraction(told.get("since", 0)),
-        None if told.get("lasts", 0) is None else Fraction(told.get("lasts", 0)),
         vector(told["angular_momentum"]) if "angular_momentum" in told else None,
+        None if told.get("lasts") is None else Fraction(told["lasts"]),
         step_of(told.get("step")),
     )
 

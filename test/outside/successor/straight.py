@@ -8,7 +8,9 @@ from itertools import combinations, permutations, product
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 import contact
+import impact
 import response
+import steps
 import terms
 from model import Leaf, Model, Part
 from solids import Feature
@@ -16,6 +18,7 @@ from states import Body, Bond, Process, State, Step
 from vectors import ZERO, Vector, add, scale, sub
 
 Transition = Tuple[Any, State]
+Meeting = Tuple[Process, Process, List[Any]]  # two processes, and their touching pairs of parts
 
 
 class Stopped(Exception):
@@ -85,12 +88,39 @@ class Rules:
         pairs = self.touching(p, q)
         return pairs if any(pair.approaches(w) for pair in pairs) else None
 
-    def collisions(self, state: State) -> List[Tuple[Process, Process, List[Pair]]]:
+    def collisions(self, state: State) -> List[Meeting]:
+        """What is resolved before time passes: collisions, and what binds by contact (I-33)."""
         found = []
         for p, q in combinations(state.processes, 2):
             pairs = self.collision(p, q)
+            if pairs is None and self.model.by_contact:
+                touching = self.touching(p, q)
+                if any(True for _ in self.candidates(p, q, touching)):
+                    pairs = touching
             if pairs is not None:
                 found.append((p, q, pairs))
+        return found
+
+    def hit(self, state: State) -> List[Process]:
+        """All processes of which something is to be resolved before time passes."""
+        return members(self.collisions(state))
+
+    def clusters(self, state: State) -> List[List[Meeting]]:
+        """Collisions that are resolved as one: those that hang together (I-32), or each."""
+        left = self.collisions(state)
+        if not self.model.together:
+            return [[meeting] for meeting in left]
+        found = []
+        while left:
+            cluster = [left.pop(0)]
+            grown = True
+            while grown:
+                moving = {id(p) for m in cluster for p in m[:2] if not self.is_fixed(p)}
+                more = [m for m in left if id(m[0]) in moving or id(m[1]) in moving]
+                left = [m for m in left if not any(m is other for other in more)]
+                cluster += more
+                grown = bool(more)
+            found.append(cluster)
         return found
 
     def touching_features(self, pair: Pair) -> List[Tuple[Feature, Feature, int]]:
@@ -137,16 +167,19 @@ class Rules:
             m1, m2 = self.mass(p), self.mass(q)
             velocity = scale(1 / (m1 + m2), add(scale(m1, p.velocity), scale(m2, q.velocity)))
         bodies = {**p.bodies, **q.bodies, **new}
-        return self.begun(Process(velocity, None, bodies, p.bonds | q.bonds | {bond}))
+        return Process(velocity, None, bodies, p.bonds | q.bonds | {bond})
 
-    def bounce(
-        self, p: Process, q: Process, pairs: List[Pair]
-    ) -> Optional[Tuple[Process, Process]]:
-        """Rule Bounce, with rule Response."""
+    def normals(self, p: Process, q: Process, pairs: List[Pair]) -> List[Vector]:
+        """The directions that count in a collision (I-13)."""
         w = sub(q.velocity, p.velocity)
-        normals = response.directions(
+        return response.directions(
             [pair.tight for pair in pairs], [pair.approaches(w) for pair in pairs]
         )
+
+    def bounce(self, p: Process, q: Process, pairs: List[Pair]) -> Tuple[Process, Process]:
+        """Rule Bounce, with rule Response."""
+        w = sub(q.velocity, p.velocity)
+        normals = self.normals(p, q, pairs)
         change = sub(response.reflect(normals, w), w)
         if self.is_fixed(p):
             share1, share2 = Fraction(0), Fraction(1)
@@ -157,20 +190,44 @@ class Rules:
             share1, share2 = m2 / (m1 + m2), m1 / (m1 + m2)
         after1 = replace(p, velocity=sub(p.velocity, scale(share1, change)))
         after2 = replace(q, velocity=add(q.velocity, scale(share2, change)))
-        return self.begun(after1), self.begun(after2)
+        return after1, after2
+
+    def bounce_all(self, cluster: List[Meeting]) -> List[Tuple[Process, Process]]:
+        """Reading I-32: one bounce of all processes of a cluster, as old and new ones."""
+        old = members(cluster)
+        bodies = [
+            impact.Rigid(None if self.is_fixed(p) else self.mass(p), ZERO, None, p.velocity, ZERO)
+            for p in old
+        ]
+        at = {id(p): i for i, p in enumerate(old)}
+        rows = [
+            (at[id(p)], at[id(q)], n, ZERO)
+            for p, q, pairs in cluster
+            for n in self.normals(p, q, pairs)
+        ]
+        after = impact.reflect_all(rows, bodies)
+        return [(p, replace(p, velocity=body.velocity)) for p, body in zip(old, after)]
+
+    def bounces(self, cluster: List[Meeting]) -> List[Tuple[Process, Process]]:
+        """What takes part in a bounce, and what it becomes."""
+        if self.model.together:
+            return self.bounce_all(cluster)
+        p, q, pairs = cluster[0]
+        return list(zip((p, q), self.bounce(p, q, pairs)))
 
     def resolutions(self, state: State) -> Iterator[Transition]:
-        for p, q, pairs in self.collisions(state):
+        for cluster in self.clusters(state):
             bound = False
-            for bond, new in self.candidates(p, q, pairs):
-                bound = True
-                yield ("bind",) + bond, state.having([p, q], [self.bind(p, q, bond, new)])
+            for p, q, pairs in cluster:
+                for bond, new in self.candidates(p, q, pairs):
+                    bound = True
+                    whole = steps.joined(self, p, q, self.bind(p, q, bond, new))
+                    yield ("bind",) + bond, state.having([p, q], [self.begun(whole)])
             if not bound:
-                names = frozenset({self.first(p), self.first(q)})
-                after = self.bounce(p, q, pairs)
-                if after is None:
-                    raise Stopped("persistent contact")
-                yield ("bounce", names), state.having([p, q], list(after))
+                changes = self.bounces(cluster)
+                names = frozenset(self.first(p) for p, _ in changes)
+                after = [self.begun(steps.struck(p)) for _, p in changes]
+                yield ("bounce", names), state.having([p for p, _ in changes], after)
 
     def first(self, process: Process) -> str:
         """The first leaf of a process, in the order of declaration."""
@@ -235,7 +292,9 @@ class Rules:
         """The pieces without some bonds; each keeps the motion of the whole (I-11)."""
         bodies = {**process.bodies, **new}
         whole = replace(process, bodies=bodies, bonds=process.bonds - set(released))
-        return [self.begun(self.piece(process, piece)) for piece in self.pieces(whole)]
+        phase = process.step.phase if process.step else None
+        pieces = [self.piece(process, piece) for piece in self.pieces(whole)]
+        return [self.begun(steps.having(self, piece, phase)) for piece in pieces]
 
     def pieces(self, process: Process) -> List[Process]:
         """What hangs together by bonds."""
@@ -301,13 +360,51 @@ class Rules:
                         found.append(t)
         return min(found) if found else None
 
+    def to_binding(self, state: State) -> Optional[Fraction]:
+        """Reading I-33: until features of two compatible channels that are open now meet."""
+        found = []
+        for p, q in combinations(state.processes, 2):
+            w = sub(q.velocity, p.velocity)
+            if w == ZERO:
+                continue
+            for leaf1, leaf2, s1, s2 in self.compatible(p, q):
+                one, two = p.bodies[leaf1].position, q.bodies[leaf2].position
+                for a in self.listed(leaf1, s1):
+                    for b in self.listed(leaf2, s2):
+                        t = contact.first_meeting(a, b, sub(two, one), w)
+                        if t is not None:
+                            found.append(t)
+        return min(found) if found else None
+
+    def listed(self, leaf: str, summand: terms.Term) -> List[List[Vector]]:
+        """The corners of all features of a channel, from the reference point of the leaf."""
+        parts = self.leaf(leaf).by_name
+        return [parts[part].solid.points(feature) for part, feature in summand[3]]
+
+    def compatible(
+        self, p: Process, q: Process
+    ) -> Iterator[Tuple[str, str, terms.Term, terms.Term]]:
+        """Open channels of two processes that are co-named: their leaves and summands."""
+        for leaf1, body1 in p.bodies.items():
+            for leaf2, body2 in q.bodies.items():
+                for s1 in self.summands(leaf1, body1):
+                    for s2 in self.summands(leaf2, body2):
+                        if s1[0] == s2[0] == "open" and s1[2] == s2[2] and s1[1] != s2[1]:
+                            yield leaf1, leaf2, s1, s2
+
     def delay(self, state: State) -> Optional[Fraction]:
         """Rule Time: how long time passes; None if it never ends (Quiescent)."""
         events = []
         ftoc = self.to_collision(state)
         if ftoc is not None:
             events.append(ftoc)
+        if self.model.by_contact:
+            meeting = self.to_binding(state)
+            if meeting is not None:
+                events.append(meeting)
         for process in state.processes:
+            if process.step is not None:
+                events.append(process.step.remaining)
             h = self.horizon(process)
             if h is not None:
                 events.append(h)
@@ -319,12 +416,7 @@ class Rules:
 
     def goes_on(self, state: State) -> bool:
         """Whether movement steps follow each other even if no other event is to come."""
-        return any(
-            self.leaf(name).law is not None
-            for process in state.processes
-            if not self.is_fixed(process)
-            for name in process.bodies
-        )
+        return any(steps.is_steered(self, process) for process in state.processes)
 
     def moved(self, process: Process, d: Fraction) -> Process:
         """Where a process is after the time d."""
@@ -342,7 +434,7 @@ class Rules:
                 lookup = self.model.lookup(self.leaf(name))
                 term, origin = terms.aged(body.term, body.origin, d, lookup)
                 bodies[name] = replace(body, term=term, origin=origin)
-            after = self.moved(replace(process, bodies=bodies), d)
+            after = steps.passed(self.moved(replace(process, bodies=bodies), d), d)
             processes.append(replace(after, clock=self.aged_clock(process, after, d)))
         step = state.step
         if step is not None:
@@ -365,10 +457,12 @@ class Rules:
 
     def settled(self, state: State, kind: str) -> State:
         """Rule Steer: what is due after a transition (I-15)."""
+        if self.model.local:
+            return self.settled_locally(state)
         step = state.step
         if step is None:
             return state
-        collides = bool(self.collisions(state))
+        collides = bool(self.hit(state))
         if step.phase == "moving" and (step.remaining == 0 or kind in ("bind", "bounce")):
             step = Step(step.remaining, "due")
         if step.phase == "due" and not collides:
@@ -376,6 +470,13 @@ class Rules:
             processes = tuple(self.steered(p, state.time, dt) for p in state.processes)
             return replace(state, processes=processes, step=Step(self.model.timestep, "steered"))
         return replace(state, step=step)
+
+    def settled_locally(self, state: State) -> State:
+        """Reading I-31: the steps that are over, of what does not collide, all at once."""
+        hit = {id(p) for p in self.hit(state)}
+        old = [p for p in state.processes if p.step and p.step.phase == "due" and id(p) not in hit]
+        new = [steps.begun(self, self.steered(p, state.time, Fraction(0))) for p in old]
+        return state.having(old, new)
 
     def seen(self, process: Process, name: str) -> Tuple[Vector, Vector]:
         """The place and the velocity of a leaf, as its law sees them."""
@@ -393,7 +494,7 @@ class Rules:
                 law, env = leaf.law
                 seen = {
                     "x": x[0], "y": x[1], "z": x[2], "vx": v[0], "vy": v[1], "vz": v[2],
-                    "mass": leaf.mass, "time": time, "dt": dt,
+                    "mass": leaf.mass, "time": time, "dt": body.waited if self.model.local else dt,
                 }  # fmt: skip
                 new = self.model.vector(law, {**env, "": seen})
                 change = add(change, scale(leaf.mass, sub(new, v)))
@@ -414,9 +515,14 @@ class Rules:
         processes = []
         for piece in self.pieces(whole):
             velocity = velocities[next(iter(piece.bodies))]
-            processes.append(self.begun(replace(piece, velocity=velocity)))
-        step = Step(self.model.timestep, "due") if self.model.steered else None
-        return self.settled(State(tuple(processes), step), "time")
+            piece = steps.having(self, replace(piece, velocity=velocity), None)
+            processes.append(self.begun(piece))
+        return self.settled(State(tuple(processes), self.first_step()), "time")
+
+    def first_step(self) -> Optional[Step]:
+        """Of the network, before its first steer."""
+        whole = self.model.steered and not self.model.local
+        return Step(self.model.timestep, "due") if whole else None
 
     def successors(self, state: State) -> List[Transition]:
         """All transitions, in no order."""
@@ -427,6 +533,14 @@ class Rules:
             if d is not None:
                 found.append((("time", d), self.passed(state, d)))
         return [(label, self.settled(after, label[0])) for label, after in found]
+
+
+def members(cluster: List[Meeting]) -> List[Process]:
+    """All processes that take part in some collisions, each once."""
+    found: List[Process] = []
+    for meeting in cluster:
+        found += [p for p in meeting[:2] if not any(p is other for other in found)]
+    return found
 
 
 def hangs_together(bonds: Any) -> bool:

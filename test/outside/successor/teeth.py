@@ -11,12 +11,14 @@ import argparse
 import random
 import sys
 from fractions import Fraction
+from itertools import combinations
 from typing import Any, Callable, Dict
 
 import compare
 import contact
 import generate
 import response
+import steps
 import straight
 import terms
 from oracle import Oracle
@@ -38,6 +40,7 @@ def replaced(owner: Any, name: str, value: Any) -> Mistake:
 
 _covered, _touch, _dimension = response.covered, contact.touch, contact.dimension
 _grown, _passed = terms.grown, Rules.passed
+_clusters = Rules.clusters
 
 
 def every_direction(own: Any, n: Any, others: Any) -> bool:
@@ -70,6 +73,23 @@ def nearest_normal(normals: Any, w: Any) -> Any:
     return tuple(k * x for x in best)
 
 
+def one_by_one(self: Rules, state: Any) -> Any:
+    return [[meeting] for meeting in self.collisions(state)]
+
+
+def linked_by_all(self: Rules, state: Any) -> Any:
+    fixed, self.is_fixed = self.is_fixed, lambda process: False  # type: ignore[method-assign]
+    try:
+        return _clusters(self, state)
+    finally:
+        self.is_fixed = fixed  # type: ignore[method-assign]
+
+
+def collisions_alone(self: Rules, state: Any) -> Any:
+    found = [(p, q, self.collision(p, q)) for p, q in combinations(state.processes, 2)]
+    return [meeting for meeting in found if meeting[2] is not None]
+
+
 MISTAKES: Dict[str, Mistake] = {
     "I-13: every direction counts": replaced(response, "covered", every_direction),
     "Response: the steepest normal alone": replaced(response, "project", nearest_normal),
@@ -86,6 +106,14 @@ MISTAKES: Dict[str, Mistake] = {
     "I-15: no steering at contact": replaced(
         Rules, "steered", lambda self, process, time, dt: process
     ),
+    "I-31: steps go on through collisions": replaced(steps, "struck", lambda process: process),
+    "I-31: a whole is steered once more": replaced(
+        steps, "joined", lambda rules, p, q, whole: steps.having(rules, whole, "due")
+    ),
+    "I-32: one by one": replaced(Rules, "clusters", one_by_one),
+    "I-32: what is fixed links too": replaced(Rules, "clusters", linked_by_all),
+    "I-33: only what collides binds": replaced(Rules, "collisions", collisions_alone),
+    "I-33: time passes by": replaced(Rules, "to_binding", lambda self, state: None),
 }  # fmt: skip
 
 

@@ -5,18 +5,19 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
 import cast
 import contact
 import impact
 import near
+import steps
 import terms
-from model import Model, Part, rotation
+from model import Model, Part, diagonal, nearest, rotation
 from motion import Flight, Quaternion, inverse, product, whole
 from solids import Solid
-from states import Body, Bond, Process, State, Step
-from straight import Rules
+from states import Body, Bond, Process, State
+from straight import Rules, Stopped, members
 from vectors import (
     ZERO,
     Matrix,
@@ -39,9 +40,13 @@ class Meeting:
     """Two parts of two processes in contact."""
 
     def __init__(
-        self, first: Tuple[str, Part], second: Tuple[str, Part],
-        found: near.Contact, one: Solid, two: Solid,
-    ) -> None:  # fmt: skip
+        self,
+        first: Tuple[str, Part],
+        second: Tuple[str, Part],
+        found: near.Contact,
+        one: Solid,
+        two: Solid,
+    ) -> None:
         self.leaf1, self.part1 = first
         self.leaf2, self.part2 = second
         self.contact, self.solids = found, (one, two)
@@ -53,6 +58,7 @@ class Turning(Rules):
         self.free = model.settings.get("dynamics") == "free_body"
         self.resolution = Fraction(model.settings.get("resolution") or default_resolution(model))
         self._inertias: Dict[str, Matrix] = {}
+        self._known: Dict[Any, Any] = {}  # of processes by where they are and how they move
 
     # Masses.
 
@@ -145,43 +151,46 @@ class Turning(Rules):
                 position=add(there, apply(turn, sub(body.position, centre))),
                 turned=whole(product(step, body.turned or STILL)),
             )
-        since = process.since + d if process.spin != ZERO else Fraction(0)
-        return replace(process, bodies=bodies, since=since)
+        if not process.lasts:
+            return replace(process, bodies=bodies)
+        after = replace(process, bodies=bodies, since=process.since + d)
+        return self.ended(after) if after.since == process.lasts else after
 
-    def left(self, process: Process) -> Optional[Fraction]:
-        """Of the turn of what spins."""
-        if process.lasts is None or process.spin == ZERO:
-            return None
-        return process.lasts - process.since
-
-    def due(self, process: Process) -> Process:
-        """A turn is due: with the spin that collisions see."""
+    def ended(self, process: Process) -> Process:
+        """A turn is over, and a new one due: what is seen is exactly so."""
         return replace(process, since=Fraction(0), lasts=None, spin=self.spin_now(process))
 
-    def length(self, spin: Vector) -> Fraction:
-        """Of a turn (reading I-20)."""
-        d = self.model.timestep
+    def length(self, spin: Vector, d: Fraction) -> Fraction:
+        """The greatest d / 2^k such that |w| d / 2 <= 1/4; 0 for what does not spin."""
+        if spin == ZERO:
+            return Fraction(0)
         while dot(spin, spin) * d * d > Fraction(1, 4):
             d /= 2
-        return d if spin != ZERO else Fraction(0)
+        return d
 
-    def plain(self, process: Process) -> Process:
-        return replace(process, lasts=self.length(process.spin))
+    def plainly(self, process: Process) -> Process:
+        """A turn begins, about the spin that there is."""
+        return replace(process, lasts=self.length(process.spin, self.model.timestep))
 
-    def midway(self, process: Process) -> Process:
-        """With the spin half-way through a turn, from the angular momentum, and that turn."""
-        if not self.free or process.spin == ZERO:
-            return self.plain(process)
-        d, start = self.length(process.spin), estimate(process.spin)
+    def renewed(self, process: Process) -> Process:
+        """A turn begins; of a free body, about the spin half-way through it."""
+        if not self.free or self.is_fixed(process) or process.spin == ZERO:
+            return self.plainly(process)
+        d = self.length(process.spin, self.model.timestep)
         while True:
-            turn = Flight(ZERO, ZERO, start, Fraction(0)).at(d / 2)[0]
-            back = apply(transpose(turn), process.momentum or ZERO)
-            found = solve(self.inertia(process), back)
-            assert found is not None
-            spin = estimate(apply(turn, tuple(found)))  # type: ignore[arg-type]
-            if dot(spin, spin) * d * d <= Fraction(1, 4):
+            spin = self.midway(process, d)
+            if self.length(spin, d) == d:
                 return replace(process, spin=spin, lasts=d)
             d /= 2
+
+    def midway(self, process: Process, d: Fraction) -> Vector:
+        """The spin half-way through a turn of length d, from the angular momentum."""
+        start = estimate(self.spin_now(process))
+        turn = Flight(ZERO, ZERO, start, Fraction(0)).at(d / 2)[0]
+        back = apply(transpose(turn), process.momentum or ZERO)
+        found = solve(self.inertia(process), back)
+        assert found is not None
+        return estimate(apply(turn, tuple(found)))  # type: ignore[arg-type]
 
     # Casts.
 
@@ -197,84 +206,101 @@ class Turning(Rules):
                 yield (name1, part1), (name2, part2), casting, grid, self.shift(p, q)
 
     def shift(self, p: Process, q: Process) -> Fraction:
-        """How long ago the grid of instants began: with the last of their turns."""
-        return min(x.since for x in (p, q) if x.spin != ZERO)
-
-    def exactly(self, p: Process, q: Process) -> Optional[Fraction]:
-        """Where neither spins: the instant itself (rule Ftoc)."""
-        w, found = sub(q.velocity, p.velocity), []
-        if w == ZERO:
-            return None
-        for name1, part1, _ in self.parts(p):
-            for name2, part2, _ in self.parts(q):
-                one = self.world(p.bodies[name1], part1)
-                two = self.world(q.bodies[name2], part2)
-                t = contact.first_time_of_contact(one, two, ZERO, w)
-                if t is not None:
-                    found.append(t)
-        return min(found) if found else None
+        """The time since the last of the present turns of two processes began."""
+        return min(process.since for process in (p, q) if process.spin != ZERO)
 
     def far(self, p: Process, q: Process, span: Fraction) -> bool:
         """Whether two processes are too far apart to meet within a span: their balls do not."""
         reach = Fraction(0)
         for process in (p, q):
-            centre = self.centre(process)
-            most = max(
-                dot(sub(x, centre), sub(x, centre))
-                for name, part, at in self.parts(process)
-                for x in self.world(process.bodies[name], part).place.values()
-            )
-            reach += cast.root(most)
+            reach += self.radius(process)
             reach += cast.root(dot(process.velocity, process.velocity)) * span
         d = sub(self.centre(q), self.centre(p))
         return dot(d, d) > reach * reach
 
-    def to_collision_of(self, p: Process, q: Process, most: Optional[Fraction]) -> Any:
-        """The time until two processes collide, if it is at most ``most``."""
-        if p.spin == ZERO and q.spin == ZERO:
-            t = self.exactly(p, q)
-            return t if t is None or most is None or t <= most else None
-        assert most is not None
-        if self.far(p, q, most + 1):
-            return None
-        found = []
+    def known(self, what: Callable[..., Any], *processes: Process) -> Any:
+        """What depends on nothing but where processes are and how they move, worked out once."""
+        key = (what.__name__, *(course(process) for process in processes))
+        if key not in self._known:
+            self._known[key] = what(*processes)
+        return self._known[key]
+
+    def radius(self, process: Process) -> Fraction:
+        """No less than the distance of any point of a process from its centre (Cast, Round)."""
+        return self.known(self._radius, process)
+
+    def _radius(self, process: Process) -> Fraction:
+        return max(cast.reach(mover) for _, _, mover in self.movers(process))
+
+    def worlds(self, process: Process) -> List[Solid]:
+        """All parts of a process, in the world."""
+        return [
+            self.world(body, part)
+            for name, body in process.bodies.items()
+            for part in self.leaf(name).parts
+        ]
+
+    def neither_spins(self, p: Process, q: Process) -> bool:
+        return p.spin == ZERO and q.spin == ZERO
+
+    def straight(self, p: Process, q: Process) -> Optional[Fraction]:
+        """Rule Ftoc for two processes of which neither spins."""
+        w = sub(q.velocity, p.velocity)
+        times = [
+            contact.first_time_of_contact(a, b, ZERO, w)
+            for a in self.worlds(p)
+            for b in self.worlds(q)
+        ]
+        return min((t for t in times if t is not None), default=None)
+
+    def to_collision_of(self, p: Process, q: Process, span: Fraction) -> Optional[Fraction]:
+        """t- of two processes, if it is at most the span."""
+        if self.neither_spins(p, q):
+            return self.straight(p, q)
+        found: List[Fraction] = []
         for _, _, casting, grid, shift in self.casts(p, q):
-            cell = Fraction(1, 2**grid)
-            after = ((most + shift) // cell + 1) * cell - shift
-            t = casting.first(after, grid, shift)
-            if t is not None:
-                found.append(t)
+            reach = span + Fraction(1, 2**grid)
+            if not self.far(p, q, reach):
+                t = casting.first(reach, grid, shift)
+                if t is not None and t <= span:
+                    found.append(t)
         return min(found) if found else None
 
-    def delay(self, state: State) -> Optional[Fraction]:
-        """Rule Time; what is known to be at rest is accepted as it is told."""
-        events = []
-        for process in state.processes:
-            for event in (self.horizon(process), self.left(process)):
-                if event is not None:
-                    events.append(event)
-            if process.clock is not None:
-                events.append(self.model.split_step - process.clock)
-        if state.step is not None and self.goes_on(state):
-            events.append(state.step.remaining)
-        most = min(events) if events else None
-        for p, q in combinations(state.processes, 2):
-            t = self.to_collision_of(p, q, most)
-            if t is not None:
-                events.append(t)
-        if state.step is not None and events:
-            events.append(state.step.remaining)
-        return min(events) if events else None
+    def collides(self, p: Process, q: Process) -> bool:
+        """Whether t- is 0 (or t*, where neither spins) for some parts of two processes."""
+        if self.neither_spins(p, q):
+            return self.straight(p, q) == 0
+        for _, _, casting, grid, shift in self.casts(p, q):
+            cell = Fraction(1, 2**grid)
+            reach = cell - shift % cell
+            if not self.far(p, q, reach) and casting.first(reach, grid, shift) == 0:
+                return True
+        return False
+
+    def colliding(self, processes: Any) -> List[Tuple[int, int]]:
+        """The collisions of some processes, by their numbers."""
+        found = []
+        for i, j in combinations(range(len(processes)), 2):
+            p, q = processes[i], processes[j]
+            if self.is_fixed(p) and self.is_fixed(q):
+                continue
+            if self.known(self.collides, p, q):
+                found.append((i, j))
+        return found
+
+    def hit(self, state: State) -> List[Process]:
+        return [state.processes[i] for pair in self.colliding(state.processes) for i in pair]
 
     def collisions(self, state: State) -> List[Tuple[Process, Process, List[Any]]]:
-        """Processes that collide now: t- is 0 for some parts of theirs (rule Cast)."""
+        """Processes that collide now (rule Cast), with all their contacts."""
         found = []
-        for p, q in combinations(state.processes, 2):
-            if self.to_collision_of(p, q, Fraction(0)) == 0:
-                found.append((p, q, self.meetings(p, q)))
+        for i, j in self.colliding(state.processes):
+            p, q = state.processes[i], state.processes[j]
+            found.append((p, q, self.known(self.meetings, p, q)))
         return found
 
     def meetings(self, p: Process, q: Process) -> List[Meeting]:
+        """All contacts of parts of two processes (rule Near)."""
         found = []
         for name1, body1 in p.bodies.items():
             for part1 in self.leaf(name1).parts:
@@ -294,10 +320,10 @@ class Turning(Rules):
 
     def bind(self, p: Process, q: Process, bond: Bond, new: Dict[str, Body]) -> Process:
         bodies = {**p.bodies, **q.bodies, **new}
-        joined = Process(ZERO, None, bodies, p.bonds | q.bonds | {bond}, lasts=None)
+        joined = Process(ZERO, None, bodies, p.bonds | q.bonds | {bond})
         if self.is_fixed(joined):
             momentum = ZERO if self.free else None
-            return self.begun(replace(joined, momentum=momentum))
+            return replace(joined, momentum=momentum)
         m1, m2 = self.mass(p), self.mass(q)
         velocity = scale(1 / (m1 + m2), add(scale(m1, p.velocity), scale(m2, q.velocity)))
         centre, angular = self.centre(joined), ZERO
@@ -308,96 +334,239 @@ class Turning(Rules):
             angular = add(angular, add(own, cross(arm, scale(body.mass, body.velocity))))
         spin = solve(self.inertia(joined), angular)
         joined = replace(joined, velocity=velocity, spin=tuple(spin))  # type: ignore[arg-type]
-        return self.begun(replace(joined, momentum=angular if self.free else None))
+        return replace(joined, momentum=angular if self.free else None)
 
-    def bounce(
-        self, p: Process, q: Process, pairs: List[Meeting]
-    ) -> Optional[Tuple[Process, Process]]:
-        after = impact.bounce(
-            [m.contact for m in pairs], [m.solids for m in pairs], self.rigid(p), self.rigid(q)
-        )
-        if after is None:
-            return None
-        return self.begun(self.pushed(p, after[0])), self.begun(self.pushed(q, after[1]))
+    def bounces(self, cluster: List[Any]) -> List[Tuple[Process, Process]]:
+        """Rule Impact, of two or of all that hang together (I-32)."""
+        old = members(cluster)
+        bodies = [self.rigid(p) for p in old]
+        at = {id(p): i for i, p in enumerate(old)}
+        rows = []
+        for p, q, pairs in cluster:
+            i, j = at[id(p)], at[id(q)]
+            contacts, solids = [m.contact for m in pairs], [m.solids for m in pairs]
+            found = impact.rows(contacts, solids, bodies[i], bodies[j])
+            rows += [(i, j, n, x) for n, x in found]
+        after = impact.reflect_all(rows, bodies)
+        if after == bodies:
+            raise Stopped("persistent contact")
+        return [(p, self.pushed(p, body)) for p, body in zip(old, after)]
 
     def pushed(self, process: Process, after: impact.Rigid) -> Process:
         if after.mass is None:
-            return replace(process, lasts=None)
+            return replace(process, since=Fraction(0), lasts=None)
         momentum = apply(after.inertia, after.spin) if self.free else None  # type: ignore
-        return replace(
-            process, velocity=after.velocity, spin=after.spin, momentum=momentum,
-            since=Fraction(0), lasts=None,
-        )  # fmt: skip
+        moved = replace(process, velocity=after.velocity, spin=after.spin, momentum=momentum)
+        return replace(moved, since=Fraction(0), lasts=None)
 
     def piece(self, process: Process, piece: Process) -> Process:
         """Reading I-23: the rigid motion of the whole."""
         if self.is_fixed(process):
             momentum = ZERO if self.free else None
-            return replace(piece, velocity=ZERO, spin=ZERO, momentum=momentum, lasts=None)
+            return replace(piece, velocity=ZERO, spin=ZERO, momentum=momentum)
         spin = self.spin_now(process)
         arm = sub(self.centre(piece), self.centre(process))
         velocity = add(process.velocity, cross(spin, arm))
         momentum = apply(self.inertia(piece), spin) if self.free else None
-        return replace(piece, velocity=velocity, spin=spin, momentum=momentum, lasts=None)
+        return replace(piece, velocity=velocity, spin=spin, momentum=momentum)
 
-    # Turns that end and begin, and steps.
-
-    def colliding(self, state: State) -> List[Process]:
-        return [p for pair in self.collisions(state) for p in pair[:2]]
-
-    def at_contact(self, state: State) -> State:
-        """The turns of what collides end; again, until none does whose turn goes on."""
-        while True:
-            hit = self.colliding(state)
-            old = [
-                p for p in state.processes
-                if p.lasts is not None and p.spin != ZERO and (self.free or p.since > 0)
-                and any(p is h for h in hit)
-            ]  # fmt: skip
-            if not old:
-                return state
-            state = state.having(old, [self.due(p) for p in old])
-
-    def turns_begin(self, state: State) -> State:
-        hit = self.colliding(state)
-        old = [p for p in state.processes if p.lasts is None and not any(p is h for h in hit)]
-        chosen = {id(p): self.midway(p) for p in old}
-        while True:
-            after = state.having(old, list(chosen.values()))
-            new = self.colliding(after)
-            waiting = [
-                p for p in old
-                if chosen[id(p)].spin != p.spin and any(chosen[id(p)] is h for h in new)
-            ]  # fmt: skip
-            if not waiting:
-                return after
-            for p in waiting:
-                chosen[id(p)] = self.plain(p)
+    # Turns begin and end.
 
     def settled(self, state: State, kind: str) -> State:
-        over = [p for p in state.processes if self.left(p) == 0]
-        state = self.at_contact(state.having(over, [self.due(p) for p in over]))
-        step = state.step
-        if step is not None:
-            if step.phase == "moving" and (step.remaining == 0 or kind in ("bind", "bounce")):
-                step = replace(step, phase="due")
-            if step.phase == "due" and not self.collisions(state):
-                dt = self.model.timestep - step.remaining
-                law = [p for p in state.processes if self.has_law(p)]
-                new = [self.steered(self.due(p), state.time, dt) for p in law]
-                state = state.having(law, new)
-                step = replace(step, remaining=self.model.timestep, phase="steered")
-            state = replace(state, step=step)
-        return self.turns_begin(self.at_contact(state))
+        """The end of each transition: ends of turns, Steer, Round, beginnings of turns."""
+        state = self.at_contact(state)
+        state = super().settled(state, kind)
+        state = self.at_contact(state)
+        return self.begin_turns(state)
 
-    def has_law(self, process: Process) -> bool:
-        laws = any(self.leaf(name).law is not None for name in process.bodies)
-        return laws and not self.is_fixed(process)
+    def at_contact(self, state: State) -> State:
+        """The turns that go on of all processes that collide end."""
+        while True:
+            hit = {i for pair in self.colliding(state.processes) for i in pair}
+            going = [i for i in hit if state.processes[i].lasts]
+            if not going:
+                return state
+            processes = tuple(
+                self.ended(p) if i in going else p for i, p in enumerate(state.processes)
+            )
+            state = replace(state, processes=processes)
+
+    def steered(self, process: Process, time: Fraction, dt: Fraction) -> Process:
+        """A law is asked when the turn is over."""
+        if not steps.is_steered(self, process):
+            return process
+        return super().steered(self.ended(process), time, dt)
+
+    def begin_turns(self, state: State) -> State:
+        """All turns that are due, of what does not collide, begin at once."""
+        processes = list(state.processes)
+        hit = {i for pair in self.colliding(processes) for i in pair}
+        due = [i for i, p in enumerate(processes) if p.lasts is None and i not in hit]
+        processes = self.rounded(processes, due)
+        plainly = [self.plainly(p) if i in due else p for i, p in enumerate(processes)]
+        begun = [self.renewed(p) if i in due else p for i, p in enumerate(processes)]
+        return replace(state, processes=tuple(self.at_once(plainly, begun)))
+
+    def at_once(self, before: List[Process], after: List[Process]) -> List[Process]:
+        """Changes all processes but those that would collide then, and did not before."""
+        old = set(self.colliding(before))
+        while True:
+            new = [pair for pair in self.colliding(after) if pair not in old]
+            waiting = {i for pair in new for i in pair if after[i] is not before[i]}
+            if not waiting:
+                return after
+            after = [before[i] if i in waiting else p for i, p in enumerate(after)]
+
+    # Rounding.
+
+    def rounded(self, processes: List[Process], due: List[int]) -> List[Process]:
+        """Rule Round."""
+        if "orientation" in self.model.rounding:
+            processes = self.rounded_orientations(processes, due)
+        if "velocity" in self.model.rounding:
+            step = self.model.rounding["velocity"]
+            after = [self.slower(p, step) if i in due else p for i, p in enumerate(processes)]
+            processes = self.at_once(processes, after)
+        return processes
+
+    def slower(self, process: Process, step: Fraction) -> Process:
+        """With a velocity and a spin, or angular momentum, that are rounded."""
+        if self.is_fixed(process):
+            return process
+        velocity = nearest_vector(process.velocity, step)
+        if not self.free:
+            return replace(process, velocity=velocity, spin=nearest_vector(process.spin, step))
+        inertia = self.inertia(process)
+        power = Fraction(2) ** exponent(inertia[0][0] + inertia[1][1] + inertia[2][2])
+        momentum = nearest_vector(process.momentum or ZERO, step * power)
+        after = replace(process, velocity=velocity, momentum=momentum)
+        return replace(after, spin=self.spin_now(after))
+
+    def rounded_orientations(self, processes: List[Process], due: List[int]) -> List[Process]:
+        most = 1 / self.model.rounding["orientation"]
+        after, room = list(processes), [Fraction(0)] * len(processes)
+        for i in due:
+            turned = self.coarser(processes[i], most)
+            if turned is not None:
+                after[i] = turned
+                room[i] = 2 / most * self.radius(processes[i])
+        waiting = set()
+        for i, j in combinations(range(len(processes)), 2):
+            if room[i] + room[j] > 0 and not self.apart(
+                processes[i], processes[j], room[i] + room[j]
+            ):
+                waiting |= {i, j}
+        after = [processes[i] if i in waiting else p for i, p in enumerate(after)]
+        return self.at_once(processes, after)
+
+    def apart(self, p: Process, q: Process, room: Fraction) -> bool:
+        """Whether two processes are farther apart than that."""
+        for a in self.worlds(p):
+            for b in self.worlds(q):
+                start, end = near.shortest(a, b)
+                d = sub(end, start)
+                if dot(d, d) <= room * room:
+                    return False
+        return True
+
+    def coarser(self, process: Process, most: Fraction) -> Optional[Process]:
+        """With an orientation of shorter numbers, as a whole; None if they are short enough."""
+        quaternions = [body.turned or STILL for body in process.bodies.values()]
+        old = min(quaternions, key=lambda q: (max(abs(x) for x in q), q))
+        greatest = max(abs(x) for x in old)
+        if greatest <= most:
+            return None
+        new = tuple(nearest(x * most / greatest, Fraction(1)) for x in old)
+        step = product(new, inverse(old))
+        turn = rotation([Fraction(x) for x in step])
+        centre = self.centre(process)
+        bodies = {
+            name: replace(
+                body,
+                position=add(centre, apply(turn, sub(body.position, centre))),
+                turned=whole(product(step, body.turned or STILL)),
+            )
+            for name, body in process.bodies.items()
+        }
+        after = replace(process, bodies=bodies)
+        return replace(after, spin=self.spin_now(after))
 
     def seen(self, process: Process, name: str) -> Tuple[Vector, Vector]:
         x = self.centroid(name, process.bodies[name])
         r = sub(x, self.centre(process))
         return x, add(process.velocity, cross(self.spin_now(process), r))
+
+    def delay(self, state: State) -> Optional[Fraction]:
+        """Rule Time."""
+        if self.at_rest(state):
+            return None
+        events = [p.lasts - p.since for p in state.processes if p.lasts]
+        events += [p.step.remaining for p in state.processes if p.step is not None]
+        for process in state.processes:
+            h = self.horizon(process)
+            if h is not None:
+                events.append(h)
+            if process.clock is not None:
+                events.append(self.model.split_step - process.clock)
+        for p, q in combinations(state.processes, 2):
+            if self.neither_spins(p, q):
+                t = self.straight(p, q)
+                if t is not None:
+                    events.append(t)
+        if state.step is not None and (events or self.goes_on(state)):
+            events.append(state.step.remaining)
+        if not events:
+            return None
+        least = min(events)
+        for p, q in combinations(state.processes, 2):
+            if not self.neither_spins(p, q):
+                t = self.to_collision_of(p, q, least)
+                if t is not None:
+                    least = min(least, t)
+        return least
+
+    # Rest.
+
+    def at_rest(self, state: State) -> bool:
+        """Rule Quiescent: whether it is proved that no event can happen ever again."""
+        for process in state.processes:
+            if steps.is_steered(self, process) or process.clock is not None:
+                return False
+            if self.horizon(process) is not None or self.to_be_rounded(process):
+                return False
+        return all(self.known(self.never_meet, *pair) for pair in combinations(state.processes, 2))
+
+    def to_be_rounded(self, process: Process) -> bool:
+        """Whether a velocity or spin, or an angular momentum, of what spins waits for Round."""
+        step = self.model.rounding.get("velocity")
+        if step is None or process.spin == ZERO:
+            return False
+        after = self.slower(process, step)
+        old, new = ((p.velocity, p.momentum if self.free else p.spin) for p in (process, after))
+        return old != new
+
+    def never_meet(self, p: Process, q: Process) -> bool:
+        """Whether the hulls of no two parts ever meet."""
+        w = sub(q.velocity, p.velocity)
+        if w == ZERO and self.neither_spins(p, q):
+            return True
+        for a in self.hulls(p):
+            for b in self.hulls(q):
+                if contact.relation(a, b, ZERO) == "interpenetrating":
+                    return False
+                if contact.first_time_of_contact(a, b, ZERO, w) is not None:
+                    return False
+        return True
+
+    def hulls(self, process: Process) -> List[Solid]:
+        """Of each part: itself, or a cube about the ball that it turns in."""
+        if process.spin == ZERO:
+            return self.worlds(process)
+        centre, found = self.centre(process), []
+        for _, _, mover in self.movers(process):
+            half = cast.reach(mover) + 2 * self.resolution
+            found.append(CUBE.mapped(diagonal((half, half, half)), centre))
+        return found
 
     def initial(self) -> State:
         bodies, motions = {}, {}
@@ -416,13 +585,29 @@ class Turning(Rules):
                 spin = motions[next(iter(piece.bodies))][1]
                 momentum = apply(self.inertia(piece), spin)
             piece = replace(
-                piece, velocity=velocity, spin=spin, lasts=None,
-                momentum=momentum if self.free else None,
-            )  # fmt: skip
-            processes.append(self.begun(piece))
-        step = Step(self.model.timestep, "due") if self.model.steered else None
-        return self.settled(State(tuple(processes), step), "initial")
+                piece, velocity=velocity, spin=spin, momentum=momentum if self.free else None
+            )
+            processes.append(self.begun(steps.having(self, piece, None)))
+        return self.settled(State(tuple(processes), self.first_step()), "initial")
 
+
+def course(process: Process) -> Any:
+    """Where a process is, and how it moves."""
+    places = tuple((name, body.position, body.turned) for name, body in process.bodies.items())
+    return process.velocity, process.spin, process.since, process.momentum, places
+
+
+CUBE = Solid(
+    [
+        ("".join("-+"[i > 0] for i in (x, y, z)), (Fraction(x), Fraction(y), Fraction(z)))
+        for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)
+    ],
+    [
+        ("left", ("---", "--+", "-++", "-+-")), ("right", ("+--", "++-", "+++", "+-+")),
+        ("front", ("---", "+--", "+-+", "--+")), ("back", ("-+-", "-++", "+++", "++-")),
+        ("bottom", ("---", "-+-", "++-", "+--")), ("top", ("--+", "+-+", "+++", "-++")),
+    ],
+)  # fmt: skip
 
 # Tensors.
 
@@ -463,10 +648,12 @@ def point_inertia(mass: Any, r: Vector) -> Matrix:
     return from_moment(tuple(scale(mass, row) for row in product_of(r, r)))  # type: ignore
 
 
+def nearest_vector(v: Vector, step: Fraction) -> Vector:
+    return tuple(nearest(x, step) for x in v)  # type: ignore[return-value]
+
+
 def estimate(v: Vector) -> Vector:
     """Components rounded to multiples of 2^(e-40), 2^e <= the greatest < 2^(e+1)."""
-    from model import nearest
-
     most = max(abs(x) for x in v)
     if most == 0:
         return v

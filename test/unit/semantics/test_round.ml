@@ -169,8 +169,8 @@ let free () =
   check_vec "kept" (Vec.to_string once.kept) later.kept;
   Alcotest.(check bool) "the spin changes" false (Vec.equal once.spin later.spin)
 
-(* The spin of a free body is what its angular momentum gives it as it is turned after rounding, not before, also if
-   its angular momentum needs no rounding. *)
+(* The spin of a free body is what its angular momentum gives it as it is turned after rounding, not before, also
+   if its angular momentum needs no rounding. *)
 let free_turned () =
   let bodies = [ body "p" (0, 0, 0) ] in
   let m = rigid ~dynamics:Free_body ~rounding:8 (planks (model bodies)) in

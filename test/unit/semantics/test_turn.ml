@@ -341,7 +341,8 @@ let steered_into () =
   check_rat "in short turns" (Rat.to_string (Turn.length m p.spin)) (Option.get p.lasts);
   check_rat "within a whole step" "1" (Option.get s.step).remaining
 
-(* What collides at the instant at which its turn has begun has no turn any more, as if it had gone on for a while. *)
+(* What collides at the instant at which its turn has begun has no turn any more, as if it had gone on for a
+   while. *)
 let just_begun () =
   let bodies = [ body "p" (0, 0, 0); body "q" (2, 0, 0) ~velocity:(-1, 0, 0); body "r" (0, 9, 0) ] in
   let m = rigid (model bodies) in
