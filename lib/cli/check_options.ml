@@ -12,7 +12,7 @@ let options ?(now = Unix.gettimeofday) budget ~interrupted ~progress : Check.opt
   {
     Check.default with
     bounds = Budget.bounds defaults budget;
-    surroundings = { now; interrupted; progress; attempt = Interrupt.attempt };
+    surroundings = { now; interrupted; progress; ended = Interrupt.ended; attempt = Interrupt.attempt };
   }
 
 let starting console (budget : Budget.t) ~interrupted =

@@ -9,13 +9,21 @@ let give_up why =
 exception Given_up
 
 (* Signals are the program's, and so is what to do about them. *)
-type state = { mutable attempting : bool; mutable over : bool  (** the time, or after a signal *) }
+type state = {
+  mutable attempting : bool;
+  mutable over : bool;  (** the time, or after a signal *)
+  mutable reporting : bool;  (** an exploration is over, and what it found is looked over *)
+}
 
-let state = { attempting = false; over = false }
+let state = { attempting = false; over = false; reporting = false }
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = seconds })
 
-let alarm seconds why =
-  let ring _ = if state.attempting then raise Given_up else give_up why in
+let alarm ?(explores = false) seconds why =
+  let ring _ =
+    if state.attempting then raise Given_up
+    else if explores && state.reporting then timer grace
+    else give_up why
+  in
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle ring);
   timer seconds
 
@@ -44,18 +52,23 @@ let attempted f =
 
 let attempt = { Scc_explore.Limits.run = attempted }
 
+let ended () = state.reporting <- true
+
 (* A timer takes no more than a machine's integer; nobody waits for years. *)
-let deadline seconds =
-  if seconds < 1e8 then alarm (seconds +. grace) "the limit of seconds has passed"
+let limit ~explores seconds =
+  if seconds < 1e8 then alarm ~explores (seconds +. grace) "the limit of seconds has passed"
+
+let deadline seconds = limit ~explores:false seconds
 
 (* Who looks at the clock and sees that the time is over, stops by itself. *)
 let clock seconds =
   let stop = Unix.gettimeofday () +. seconds in
   (* Of an earlier limit, or after a signal: that is asked for anew. *)
   state.over <- false;
-  deadline seconds;
+  limit ~explores:true seconds;
   fun () ->
     let now = Unix.gettimeofday () in
+    state.reporting <- false;
     if now >= stop then in_time ();
     now
 

@@ -20,5 +20,8 @@ val deadline : float -> unit
 (** [deadline s]: unless the program ends before, work is given up after [s] seconds and the {!grace}. *)
 
 val clock : float -> unit -> float
-(** [clock s] is {!deadline}[ s], and gives a clock in seconds: work that has read off it that the [s] seconds
-    are over is not given up, as it is about to stop. *)
+(** [clock s] is {!deadline}[ s] for explorations, and gives a clock in seconds: work that has read off it that the
+    [s] seconds are over is not given up, as it is about to stop; nor is what comes after an exploration. *)
+
+val ended : unit -> unit
+(** An exploration is over. When the clock is read the next time, another one is under way. *)

@@ -58,7 +58,7 @@ let process m (p : State.process) =
 let state m (s : State.t) =
   let n = Array.length s.processes in
   let shown = if n > greatest_list then Array.sub s.processes 0 greatest_list else s.processes in
-  let lines = List.concat_map (process m) (Array.to_list shown) in
+  let lines = if n = 0 then [ "no process" ] else List.concat_map (process m) (Array.to_list shown) in
   if n > greatest_list then lines @ [ Printf.sprintf "… and %d more processes" (n - greatest_list) ]
   else lines
 

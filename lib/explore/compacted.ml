@@ -181,6 +181,7 @@ module Make (L : Lts.S) = struct
             loop (i + 1))
     in
     loop 0;
+    around.ended ();
     {
       size = size s;
       transitions = s.transitions;

@@ -387,5 +387,6 @@ module Make (L : Lts.S) = struct
           | None -> loop (round + 1))
     in
     loop 0;
+    around.ended ();
     g
 end

@@ -19,6 +19,7 @@ type surroundings = {
   now : unit -> float;
   interrupted : unit -> bool;
   progress : progress -> unit;
+  ended : unit -> unit;
   attempt : attempt;
 }
 
@@ -27,5 +28,6 @@ let quiet =
     now = (fun () -> 0.);
     interrupted = (fun () -> false);
     progress = (fun _ -> ());
+    ended = (fun () -> ());
     attempt = { run = (fun f -> Some (f ())) };
   }

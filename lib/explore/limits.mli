@@ -32,6 +32,7 @@ type surroundings = {
   now : unit -> float;  (** a clock in seconds; only differences count *)
   interrupted : unit -> bool;
   progress : progress -> unit;  (** called now and then *)
+  ended : unit -> unit;  (** called when an exploration is over: what is made of it takes its time *)
   attempt : attempt;
 }
 

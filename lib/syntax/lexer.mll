@@ -119,7 +119,7 @@
       | "\xE2\x88\xA8" -> Some "write `or`"
       | "\xC2\xAC" -> Some "write `not`"
       | "\xE2\x80\x9C" | "\xE2\x80\x9D" | "'" -> Some "a string stands between two `\"`"
-      | "^" -> Some "the powers that can be written are those of two, as in `2^-20`"
+      | "^" -> Some "the only powers that can be written are `2^-1`, `2^-2` and so on"
       | "\xC2\xA0" -> Some "this is a no-break space: write an ordinary one"
       | _ when Utf8.code_point text > 0x7F -> Some "names are made of ASCII letters, digits, `_` and `'`"
       | _ -> None

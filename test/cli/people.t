@@ -137,3 +137,61 @@ SARIF has the faults of a model, its warnings, and what is violated or undecided
   $ scc check $models/dimers.sc --sarif nowhere/log.sarif > /dev/null
   nowhere/log.sarif: error[SC0103]: cannot write: No such file or directory
   [3]
+
+A network without processes rests, whatever its switches are.
+
+  $ cat > empty.sc <<'END'
+  > collisions together
+  > binding contact
+  > timestep 1/4 local
+  > check all  : AG processes = 0
+  > check next : EX true
+  > check rest : possibly time > 10
+  > END
+  $ scc check empty.sc 2> /dev/null
+  semantics 2: collisions together, binding contact
+  
+  all: holds (exhaustive)
+    AG processes = 0
+  
+  next: violated
+    EX true
+    no run shows it: everything that counts was explored
+  
+  rest: holds (exhaustive)
+    possibly time > 10
+    a run that shows it:
+      then time passes: right after time 10, for example at time 11
+      time > 10 holds: time = 11
+      there:
+        no process
+  
+  explored: 2 states, 0 transitions, depth 0, model time 0; complete
+  3 properties: 2 hold, 1 violated
+  [1]
+  $ scc trace empty.sc --human
+  time 0
+          no process
+  0 transitions, time 0: nothing will ever happen again
+  $ scc trace empty.sc | scc conform empty.sc -
+  <standard input>: conforms: 0 events, a run of 0 transitions up to time 0
+  $ scc check empty.sc --coverage 2> /dev/null | grep coverage
+  coverage: 0 of 0 summands fired, 0 of 0 behaviours reached, 0 of 0 channels used, among 1 state
+
+Steps that are as short or long as numbers can tell.
+
+  $ cat > steps.sc <<'END'
+  > shape Box { vertices a (0,0,0) b (1,0,0) c (0,1,0) d (0,0,1) faces x [a,b,d] y [a,c,b] z [a,d,c] s [b,c,d] }
+  > motion p = (0, 0, vz - dt)
+  > process p = Box mass 1 [nil]
+  > check falls : possibly z(p) < -1 within 3
+  > END
+  $ for step in 1e300 2^-200 0 -1/2 2^200; do
+  >   (echo "timestep $step"; cat steps.sc) | scc check - --states 20 2>&1 | grep -e 'error' -e '^falls' -e 'the only' | cut -c1-150
+  > done
+  falls: violated
+  falls: undecided: the exploration ended at the bound of 20 states; one unexplored state matters
+  <standard input>:1:10: error[SC0208]: the timestep must be positive, and it is 0
+  <standard input>:1:10: error[SC0208]: the timestep must be positive, and it is -1/2
+  <standard input>:1:11: error[SC0104]: the character `^` is not of the language
+    hint: the only powers that can be written are `2^-1`, `2^-2` and so on

@@ -1,8 +1,9 @@
 (* Binding by contact (reading I-33) of slanted faces, against a formula. A tetrahedron and its mirror image by a
-   point, of another size, touch the plane of their slanted faces from its two sides, and one slides along it. In
-   the plane, with one corner of the first face as the origin and its two edges there as the unit vectors, that face is
-   where x, y >= 0 and x + y <= 1. The other, of size s, has its corner at (a, b), and is where x <= a, y <= b and
-   x + y >= a + b - s. They have a point in common iff a, b >= 0 and a + b <= 1 + s. *)
+   point, of another size, touch the plane of their slanted faces from its two sides, and one slides along it.
+
+   In the plane, with one corner of the first face as the origin and its two edges there as the unit vectors, that
+   face is where x, y >= 0 and x + y <= 1. The other, of size s, has its corner at (a, b), and is where x <= a,
+   y <= b and x + y >= a + b - s. They have a point in common iff a, b >= 0 and a + b <= 1 + s. *)
 
 open Scc_exact
 open Scc_semantics
