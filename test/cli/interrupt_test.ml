@@ -1,5 +1,5 @@
-(* What the limit of seconds ends, in processes of their own: they begin with a limit that passes at once, and compute
-   for longer than the grace. *)
+(* What the limit of seconds ends, in processes of their own: each begins with a limit that passes at once, and
+   computes for longer than the grace. *)
 
 module Interrupt = Scc_cli__Interrupt
 
