@@ -136,8 +136,8 @@ let () =
             turning "bodies that turn" Random_rigid.anything ~count:40 ~limit:8 bare;
             turning "with laws and rounding" { Random_rigid.anything with laws = true; rounds = true } ~count:30
               ~limit:8 bare;
-            straight "collisions together" ~of_model:together ~count:150 ~limit:25 bare;
-            straight "binding by contact" ~of_model:by_contact ~count:150 ~limit:25 bare;
+            straight "collisions together" ~of_model:together ~count:100 ~limit:25 bare;
+            straight "binding by contact" ~of_model:by_contact ~count:100 ~limit:25 bare;
             straight "both, with laws of motion" ~of_model:(fun m -> by_contact (together m)) ~steered:true
               ~count:100 ~limit:25 bare;
             turning "bodies that turn, collisions together" ~of_model:together Random_rigid.anything ~count:20

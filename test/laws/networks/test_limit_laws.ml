@@ -27,6 +27,35 @@ let alone ~law ~rigid ~timestep ~velocity ~spin =
   let p = State.process ~leaves:[ leaf ] ~bonds:[] ~velocity ~spin ~clock:None () in
   (m, Reach.initial m (State.make ~processes:[ p ] ~step:None ~time:None))
 
+(* A cube above a fixed one, which it meets face to face. *)
+let over_a_floor ~law ~timestep ~height =
+  let solid = Random_rigid.cube ~id:0 in
+  let leaf name ~fixed law : Model.leaf =
+    let part = { Model.name; template = "Cube"; solid; offset = Vec.zero; mass = Rat.one } in
+    { name; template = "Cube"; parts = [| part |]; fixed; mass = Rat.one; law }
+  in
+  let leaves = [| leaf "floor" ~fixed:true Inertial; leaf "p" ~fixed:false law |] in
+  let m = { (Random_network.model Random_network.none) with leaves; timestep; steered = true } in
+  let process leaf z =
+    let behaviour = Behaviour.fresh Behaviour.nil in
+    let position = Vec.make Rat.zero Rat.zero z in
+    let leaf = { State.leaf; position; turned = Quaternion.identity; waited = Rat.zero; behaviour } in
+    State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:Vec.zero ~clock:None ()
+  in
+  let processes = [ process 0 (Rat.of_int (-2)); process 1 height ] in
+  (m, Reach.initial m (State.make ~processes ~step:None ~time:None))
+
+(* The state after a time, where each state has one transition. *)
+let rec at m s d =
+  let soon (t : Transition.t) =
+    Rat.compare (Transition.duration t) d <= 0 && (Rat.sign d > 0 || not (Transition.is_time t.label))
+  in
+  match Reach.successors m s with
+  | [ t ] when soon t ->
+    at m t.target (Rat.sub d (Transition.duration t))
+  | [ _ ] | [] -> Time.pass (standard m) d s
+  | _ -> failwith "a choice"
+
 (* The state after a number of steps; passing time is all that is possible. *)
 let rec after m s n =
   if n = 0 then s
@@ -163,9 +192,162 @@ let splits =
        in
        go 40 [ (start, start) ])
 
+(* {1 Windows}
+
+   From a state in which a bond may be released and time may pass by d: with a split step that is a part of d, once
+   that has passed. What comes of a split at once, when as much time has passed, is as far as places and motions go
+   what comes of the split then. *)
+
+let with_clocks_at_0 (s : State.t) =
+  let restart (p : State.process) = State.with_clock (Option.map (fun _ -> Rat.zero) p.clock) p in
+  State.make ~processes:(List.map restart (Array.to_list s.processes)) ~step:s.step ~time:s.time
+
+type window = { d : Rat.t; wait : Rat.t; whole : State.t; at_once : State.t; later : State.t }
+
+let weak_splits = List.filter (fun (t : Transition.t) -> match t.label with Weak_split _ -> true | _ -> false)
+
+(* The windows that a state has, each with one bond that is released; an error where it is not possible later. *)
+let windows (m : Model.t) part (s, _) =
+  let s = with_clocks_at_0 s in
+  let ts = Reach.successors { m with split_step = Rat.of_int 1_000 } s in
+  match List.find_opt (fun (t : Transition.t) -> Transition.is_time t.label) ts with
+  | None -> []
+  | Some t ->
+    let d = Transition.duration t in
+    let wait = Rat.mul part d in
+    let fine = { m with split_step = wait } in
+    let there =
+      Reach.successors fine s
+      |> List.find_opt (fun (t : Transition.t) -> Rat.equal (Transition.duration t) wait)
+    in
+    let of_split (u : Transition.t) =
+      let same (v : Transition.t) = Transition.equal_label u.label v.label in
+      let later = Option.map (fun (t : Transition.t) -> Reach.successors fine t.target) there in
+      match Option.bind later (List.find_opt same) with
+      | None -> QCheck2.Test.fail_report "the window is missed"
+      | Some v -> { d; wait; whole = s; at_once = u.target; later = v.target }
+    in
+    List.map of_split (weak_splits ts)
+
+let windows_of n k =
+  let m, start = Random_network.start n in
+  let states = Reach.states m start ~limit:60 in
+  (m, List.concat_map (windows m (rational k 13)) states)
+
+let turning_windows_of n k =
+  let m, states = Rigid_reach.reached n in
+  let short (s, _) = Rigid_reach.(bits s <= longest) in
+  (m, List.concat_map (windows m (rational k 13)) (List.filter short states))
+
+(* Many bonds. *)
+let sticking = Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ())
+
+let in_translation =
+  QCheck2.Test.make ~name:"Convergence: within a window, when a split happens tells on no place" ~count:150
+    ~print:(fun (n, _) -> Random_network.print n)
+    (Gen.pair sticking Gen.(1 -- 12))
+    (fun (n, k) ->
+       let m, windows = windows_of n k in
+       let bare s = without_clocks (Rewriting.without_behaviours s) in
+       let same w = State.equal (bare (Time.pass (standard m) w.wait w.at_once)) (bare w.later) in
+       List.for_all same windows)
+
+let constant_spin = Random_rigid.generate { Random_rigid.anything with dynamics = `Constant_spin }
+
+(* A piece at r from the centre of a whole that spins by w has its velocity of the instant, and goes on straight:
+   so the two differ by no more than |w| |r| (2 + |w| d) times what was waited. *)
+let of_turning =
+  QCheck2.Test.make ~name:"Convergence: of bodies that turn, places follow the split instant" ~count:40
+    ~print:(fun (n, _) -> Random_rigid.print n)
+    (Gen.pair constant_spin Gen.(1 -- 12))
+    (fun (n, k) ->
+       let m, windows = turning_windows_of n k in
+       let centre = State.centre_of_mass m in
+       let close w (p : State.process) =
+         let whole = w.whole.processes.(fst (State.find_leaf w.whole p.leaves.(0).leaf)) in
+         let before = w.at_once.processes.(fst (State.find_leaf w.at_once p.leaves.(0).leaf)) in
+         let rest = Rat.sub w.d w.wait in
+         let one = centre (Turn.pass m w.d before) and other = centre (Turn.pass m rest p) in
+         let w2 = Vec.norm2 whole.spin and r2 = Vec.norm2 (Vec.sub (centre before) (centre whole)) in
+         let root q = Rat.sqrt_above q.Q.num q.Q.den in
+         let speed = root (Rat.mul w2 r2) in
+         let bound = Rat.mul w.wait (Rat.mul speed (Rat.add (Rat.of_int 2) (Rat.mul (root w2) w.d))) in
+         Rat.compare (Vec.norm2 (Vec.sub one other)) (Rat.mul bound bound) <= 0
+       in
+       List.for_all (fun w -> Array.for_all (close w) w.later.processes) windows)
+
+(* So that they are about something. *)
+let there_are_windows () =
+  let drawn gen = Gen.generate ~rand:(Random.State.make [| 42 |]) ~n:30 gen in
+  let count windows_of gen =
+    List.fold_left (fun k n -> k + List.length (snd (windows_of n 5))) 0 (drawn gen)
+  in
+  Alcotest.(check bool) "in translation" true (count windows_of sticking > 20);
+  Alcotest.(check bool) "where bodies turn" true (count turning_windows_of constant_spin > 5)
+
+(* {1 Bounces} *)
+
+(* A cube falls from rest on a floor, and comes back. *)
+let bounces =
+  let open Gen in
+  QCheck2.Test.make ~name:"Convergence: a body that falls and bounces is off by no more than the step" ~count:40
+    ~print:(fun (g, t, n, d) -> say "g %d, falls for %d/4, %d steps of 1/%d" g t n d)
+    (quad (1 -- 9) (2 -- 8) (0 -- 60) (8 -- 60))
+    (fun (g, t, n, d) ->
+       let gravity = Rat.of_int g and fall = rational t 4 and step = rational 1 d in
+       let square x = Rat.mul x x in
+       let height = Rat.mul half (Rat.mul gravity (square fall)) in
+       let law : Law.t = Velocity (Var Vx, Var Vy, Sub (Var Vz, Mul (Const gravity, Var Dt))) in
+       let m, start = over_a_floor ~law ~timestep:step ~height in
+       let time = Rat.min (Rat.mul (Rat.of_int n) step) (Rat.mul (rational 7 4) fall) in
+       let s = at m start time in
+       let z = s.State.processes.(1).leaves.(0).position.z in
+       let ideal =
+         let since = Rat.sub time fall in
+         if Rat.sign since <= 0 then Rat.sub height (Rat.mul half (Rat.mul gravity (square time)))
+         else Rat.sub (Rat.mul gravity (Rat.mul fall since)) (Rat.mul half (Rat.mul gravity (square since)))
+       in
+       let off = Rat.abs (Rat.sub z ideal) in
+       Rat.compare off (Rat.mul (Rat.of_int 3) (Rat.mul step (Rat.mul gravity time))) <= 0)
+
+(* The first bounce, if it is one of two that meet by themselves. *)
+let first_bounce m s =
+  let rec go s n =
+    match Reach.successors m s with
+    | [ { label = Time _; target; _ } ] when n > 0 -> go target (n - 1)
+    | [ { label = Bounce _; target; _ } ] -> Some target
+    | _ -> None
+  in
+  go s 40
+
+let at_resolution k (m : Model.t) =
+  let rigid (r : Model.rigid) = { r with resolution = Rat.make Z.one (Z.shift_left Z.one k) } in
+  { m with rigid = Option.map rigid m.rigid }
+
+(* Velocities and spins of all processes. *)
+let motions (s : State.t) =
+  List.concat_map (fun (p : State.process) -> [ p.velocity; p.spin ]) (Array.to_list s.processes)
+
+let bounces_of_turning =
+  QCheck2.Test.make ~name:"Convergence: a first bounce of bodies that turn follows the resolution" ~count:25
+    ~print:Random_rigid.print
+    (Random_rigid.generate { Random_rigid.anything with behaves = false })
+    (fun n ->
+       let m = Random_rigid.model n in
+       let declared = Random_rigid.declared n in
+       let after k = let m = at_resolution k m in first_bounce m (Reach.initial m declared) in
+       match (after 20, after 32) with
+       | Some s, Some t ->
+         let near v w = Rat.compare (Vec.norm2 (Vec.sub v w)) (rational 1 1_000_000) <= 0 in
+         List.for_all2 near (motions s) (motions t)
+       | None, None -> true
+       | None, Some _ | Some _, None -> QCheck2.Test.fail_report "one bounces, the other does not")
+
 let () =
   Alcotest.run "limit laws"
     [
       ( "Convergence",
-        Scc_test_support.Property.cases [ falls; spins; contacts; splits ] );
+        Scc_test_support.Property.cases
+          [ falls; spins; contacts; splits; in_translation; of_turning; bounces; bounces_of_turning ]
+        @ [ Alcotest.test_case "there are windows" `Quick there_are_windows ] );
     ]

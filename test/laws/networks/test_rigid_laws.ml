@@ -145,7 +145,7 @@ let rules_are_right m (_ : State.t) (t : Transition.t) =
 
 let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
 
-let property name ?(count = 25) features holds =
+let property name ?(count = 15) features holds =
   QCheck2.Test.make ~name ~count ~print:Random_rigid.print (Random_rigid.generate features) holds
 
 let any = Random_rigid.anything

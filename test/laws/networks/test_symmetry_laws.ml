@@ -25,7 +25,7 @@ let of_networks name ~count ~of_network networks symmetry =
     (Gen.pair networks symmetry)
     (fun (n, symmetry) -> holds symmetry (Random_network.start (of_network n)))
 
-let straight name ?(count = 300) ?steered ?(of_network = Fun.id) symmetry =
+let straight name ?(count = 250) ?steered ?(of_network = Fun.id) symmetry =
   of_networks name ~count ~of_network (Random_network.generate ?steered ()) symmetry
 
 (* With the switches that a model has. *)
@@ -41,7 +41,7 @@ let comparable (symmetry : Symmetry.t) m (s, _) =
     (Network.quiescent (standard m) s)
     (Network.quiescent (standard (symmetry.model m)) (symmetry.state s))
 
-let turning name ?(count = 20) ?(of_network = Fun.id) features symmetry =
+let turning name ?(count = 13) ?(of_network = Fun.id) features symmetry =
   QCheck2.Test.make ~name ~count
     ~print:(fun (n, _) -> Random_rigid.print n)
     (Gen.pair (Random_rigid.generate features) symmetry)
