@@ -9,7 +9,7 @@ an edge of each, which turns with them. A plane separates while some polynomials
 from __future__ import annotations
 
 from fractions import Fraction
-from math import ceil, isqrt
+from math import ceil, isqrt, lcm
 from typing import Any, Iterator, List, Optional, Tuple
 
 from motion import (
@@ -24,7 +24,7 @@ from motion import (
     times,
 )  # fmt: skip
 from solids import Solid
-from vectors import Vector, cross, dot, sub
+from vectors import Vector, add, apply, cross, dot, sub
 
 
 class Mover:
@@ -33,15 +33,40 @@ class Mover:
     def __init__(self, solid: Solid, flight: Flight) -> None:
         self.solid, self.flight = solid, flight
         self.points = list(solid.place.values())
+
+    def placed(self, t: Fraction) -> Solid:
+        turn, centre = self.flight.at(t)
+        return self.solid.mapped(turn, centre)
+
+    def nearly(self, t: Fraction) -> Tuple[list, list, list]:
+        """Where its vertices, faces and edges are at an instant, in floats."""
+        turn, centre = self.flight.at(t)
+        turn = tuple(tuple(float(x) for x in row) for row in turn)  # type: ignore[assignment]
+        offset = tuple(float(x) for x in centre)
+        place = {
+            name: add(apply(turn, tuple(float(x) for x in p)), offset)  # type: ignore[arg-type]
+            for name, p in self.solid.place.items()
+        }
+        faces = [(name, [place[v] for v in corners]) for name, corners in self.solid.faces]
+        edges = [(place[u], place[w]) for u, w in self.solid.edges]
+        return list(place.values()), faces, edges
+
+
+class Grained:
+    """A part in flight, in a unit of length in which all its coordinates are whole."""
+
+    def __init__(self, mover: Mover, unit: int) -> None:
+        self.flight = mover.flight
+        place = {
+            name: tuple(int(x * unit) for x in p) for name, p in mover.solid.place.items()
+        }
+        solid = Solid(list(place.items()), mover.solid.faces)  # type: ignore[arg-type]
+        self.points = list(solid.place.values())
         self.edges = [(solid.place[u], solid.place[w]) for u, w in solid.edges]
         self.faces = [
             (n, dot(n, solid.place[corners[0]]))
             for n, (_, corners) in zip(solid.normals(), solid.faces)
         ]
-
-    def placed(self, t: Fraction) -> Solid:
-        turn, centre = self.flight.at(t)
-        return self.solid.mapped(turn, centre)
 
 
 class Casting:
@@ -49,7 +74,12 @@ class Casting:
         self.a, self.b = a, b
         offset = sub(b.flight.centre, a.flight.centre)
         velocity = sub(b.flight.velocity, a.flight.velocity)
-        self.between: List[Polynomial] = [[o, v] for o, v in zip(offset, velocity)]
+        numbers = [x for v in (offset, velocity, *a.points, *b.points) for x in v]
+        unit = lcm(*(int(x.denominator) for x in numbers))
+        self.between: List[Polynomial] = [
+            [int(o * unit), int(v * unit)] for o, v in zip(offset, velocity)  # type: ignore
+        ]
+        self.one, self.two = Grained(a, unit), Grained(b, unit)
         self._conditions: dict = {}
 
     # Planes.
@@ -59,15 +89,15 @@ class Casting:
         if plane not in self._conditions:
             kind, i, j, side = plane
             if kind == "a":
-                found = self._face(self.a, self.b, i, self.between)
+                found = self._face(self.one, self.two, i, self.between)
             elif kind == "b":
-                found = self._face(self.b, self.a, i, [minus(p) for p in self.between])
+                found = self._face(self.two, self.one, i, [minus(p) for p in self.between])
             else:
                 found = self._edges(i, j, side)
             self._conditions[plane] = found
         return self._conditions[plane]
 
-    def _face(self, a: Mover, b: Mover, i: int, between: List[Polynomial]) -> List[Polynomial]:
+    def _face(self, a: Any, b: Any, i: int, between: List[Polynomial]) -> List[Polynomial]:
         normal, height = a.faces[i]
         n = a.flight.turned(normal)
         level = times([height], times(a.flight.d, b.flight.d))
@@ -79,7 +109,7 @@ class Casting:
         return found
 
     def _edges(self, i: int, j: int, side: int) -> List[Polynomial]:
-        a, b = self.a, self.b
+        a, b = self.one, self.two
         at_a, to_a = a.edges[i]
         at_b, to_b = b.edges[j]
         along_a, along_b = sub(to_a, at_a), sub(to_b, at_b)
@@ -101,7 +131,7 @@ class Casting:
 
     def planes(self, t: Fraction) -> Iterator[Any]:
         """Planes that come near to separating the two at an instant, the best first (in floats)."""
-        a, b = floats(self.a.placed(t)), floats(self.b.placed(t))
+        a, b = self.a.nearly(t), self.b.nearly(t)
         found = []
         for kind, one, two in (("a", a, b), ("b", b, a)):
             for i, (_, corners) in enumerate(one[1]):
@@ -172,12 +202,6 @@ class Casting:
 def unit(n: Any) -> Any:
     size = dot(n, n) ** 0.5
     return None if size < 1e-12 else tuple(x / size for x in n)
-
-
-def floats(solid: Solid) -> Tuple[list, list, list]:
-    place = {v: tuple(float(x) for x in p) for v, p in solid.place.items()}
-    faces = [(name, [place[v] for v in corners]) for name, corners in solid.faces]
-    return list(place.values()), faces, [(place[u], place[w]) for u, w in solid.edges]
 
 
 def interiors_meet(a: Solid, b: Solid) -> bool:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import gcd
-from typing import List, Sequence, Tuple
+from math import comb, gcd, lcm
+from typing import Any, List, Sequence, Tuple
 
 from model import rotation
 from vectors import Matrix, Vector, cross, dot
@@ -52,7 +52,7 @@ def plus(p: Polynomial, q: Polynomial) -> Polynomial:
 
 
 def times(p: Polynomial, q: Polynomial) -> Polynomial:
-    found = [Fraction(0)] * (len(p) + len(q) - 1)
+    found: List[Any] = [0] * (len(p) + len(q) - 1)
     for i, a in enumerate(p):
         for j, b in enumerate(q):
             found[i + j] += a * b
@@ -63,12 +63,18 @@ def minus(p: Polynomial) -> Polynomial:
     return [-a for a in p]
 
 
+def integers(*polynomials: Polynomial) -> List[Polynomial]:
+    """The same polynomials, all times one positive number, with whole coefficients."""
+    common = lcm(*(int(a.denominator) for p in polynomials for a in p))
+    return [[int(a * common) for a in p] for p in polynomials]
+
+
 class Flight:
     """A body that turns about a centre: where its points are at the time t from now.
 
     A point that was at r from the centre when the turn began, ``since`` ago, is at
     ``centre + velocity t + C(spin (since + t) / 2) r``. With D = 1 + |spin|^2 (since + t)^2 / 4
-    and M = D C both are polynomials in t.
+    and M = D C both are polynomials in t; both are kept times a number that makes them whole.
     """
 
     def __init__(self, centre: Vector, velocity: Vector, spin: Vector, since: Fraction) -> None:
@@ -94,12 +100,14 @@ class Flight:
                     entry = plus(entry, plus([Fraction(1)], times([-square], tau2)))
                 row.append(entry)
             self.m.append(row)
+        self.d, *entries = integers(self.d, *(entry for row in self.m for entry in row))
+        self.m = [entries[i : i + 3] for i in (0, 3, 6)]
 
     def turned(self, r: Vector) -> List[Polynomial]:
         """M r, of a vector as it was when the turn began."""
         found = []
         for row in self.m:
-            total: Polynomial = [Fraction(0)]
+            total: Polynomial = [0]  # type: ignore[list-item]
             for entry, x in zip(row, r):
                 if x:
                     total = plus(total, [x * a for a in entry])
@@ -114,7 +122,7 @@ class Flight:
 
 
 def inner(p: Sequence[Polynomial], q: Sequence[Polynomial]) -> Polynomial:
-    total: Polynomial = [Fraction(0)]
+    total: Polynomial = [0]  # type: ignore[list-item]
     for a, b in zip(p, q):
         total = plus(total, times(a, b))
     return total
@@ -136,7 +144,7 @@ def never_negative(p: Polynomial, low: Fraction, high: Fraction) -> bool:
     return _never_negative(b, 40)
 
 
-def _never_negative(b: List[Fraction], depth: int) -> bool:
+def _never_negative(b: List[int], depth: int) -> bool:
     if b[0] < 0 or b[-1] < 0:
         return False
     if all(x >= 0 for x in b):
@@ -151,27 +159,27 @@ class Undecided(Exception):
     """More digits would be needed than are tried."""
 
 
-def bernstein(p: Polynomial, low: Fraction, high: Fraction) -> List[Fraction]:
-    """The coefficients of p in Bernstein's form on [low, high]."""
-    from math import comb
-
+def bernstein(p: Polynomial, low: Fraction, high: Fraction) -> List[int]:
+    """The coefficients in Bernstein's form on [low, high] of a positive multiple of p, whole."""
     n = len(p) - 1
-    width = high - low
-    shifted = [Fraction(0)] * (n + 1)
-    for i, a in enumerate(p):  # p(low + width x)
+    (whole_p,) = integers(p)
+    common = lcm(int(low.denominator), int(high.denominator))
+    start, width = int(low * common), int((high - low) * common)
+    shifted = [0] * (n + 1)
+    for i, a in enumerate(whole_p):  # p((start + width x) / common), times common^n
         for k in range(i + 1):
-            shifted[k] += a * comb(i, k) * low ** (i - k) * width**k
-    return [
-        sum((Fraction(comb(i, k), comb(n, k)) * shifted[k] for k in range(i + 1)), Fraction(0))
-        for i in range(n + 1)
-    ]
+            shifted[k] += a * comb(i, k) * start ** (i - k) * width**k * common ** (n - i)
+    weight = lcm(*(comb(n, k) for k in range(n + 1)))
+    scaled = [s * (weight // comb(n, k)) for k, s in enumerate(shifted)]
+    return [sum(comb(i, k) * scaled[k] for k in range(i + 1)) for i in range(n + 1)]
 
 
-def split(b: List[Fraction]) -> Tuple[List[Fraction], List[Fraction]]:
-    """De Casteljau's halves."""
-    left, right, row = [b[0]], [b[-1]], b
+def split(b: List[int]) -> Tuple[List[int], List[int]]:
+    """De Casteljau's halves, both times 2^n."""
+    n, row = len(b) - 1, b
+    left, right = [b[0] << n], [b[-1] << n]
     while len(row) > 1:
-        row = [(x + y) / 2 for x, y in zip(row, row[1:])]
-        left.append(row[0])
-        right.append(row[-1])
+        row = [x + y for x, y in zip(row, row[1:])]
+        left.append(row[0] << (len(row) - 1))
+        right.append(row[-1] << (len(row) - 1))
     return left, right[::-1]

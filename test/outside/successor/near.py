@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import List, Optional, Sequence, Tuple
+from typing import Any, List, Optional, Sequence, Tuple
 
 import contact
 from solids import Feature, Solid
@@ -26,22 +26,41 @@ def shortest(a: Solid, b: Solid) -> Tuple[Vector, Vector]:
     """Where the shortest vector from one to the other begins and ends; they do not interpenetrate.
 
     It joins a vertex or edge of one with a feature of the other, orthogonal to both, and its ends
-    are in both: all are tried.
+    are in both: all are tried whose boxes are near enough.
     """
+    boxes_a = [(f, box(a.points(f))) for f in a.features()]
+    boxes_b = [(g, box(b.points(g))) for g in b.features()]
+    pairs = [
+        (gap2(x, y), i, j, f, g)
+        for i, (f, x) in enumerate(boxes_a)
+        for j, (g, y) in enumerate(boxes_b)
+        if DIMENSION[f[0]] + DIMENSION[g[0]] <= 2
+    ]
     best: Optional[Tuple[Fraction, Vector, Vector]] = None
-    for f in a.features():
-        for g in b.features():
-            if {"vertex": 0, "edge": 1, "face": 2}[f[0]] + {
-                "vertex": 0, "edge": 1, "face": 2
-            }[g[0]] > 2:  # fmt: skip
-                continue
-            ends = between(a, f, b, g)
-            if ends is not None:
-                d = sub(ends[1], ends[0])
-                if best is None or dot(d, d) < best[0]:
-                    best = (dot(d, d), ends[0], ends[1])
+    for least, _, _, f, g in sorted(pairs):
+        if best is not None and least >= best[0]:
+            break
+        ends = between(a, f, b, g)
+        if ends is not None:
+            d = sub(ends[1], ends[0])
+            if best is None or dot(d, d) < best[0]:
+                best = (dot(d, d), ends[0], ends[1])
     assert best is not None
     return best[1], best[2]
+
+
+DIMENSION = {"vertex": 0, "edge": 1, "face": 2}
+
+
+def box(points: Sequence[Vector]) -> List[Tuple[Fraction, Fraction]]:
+    """The least box along the axes that holds some points."""
+    return [(min(p[i] for p in points), max(p[i] for p in points)) for i in range(3)]
+
+
+def gap2(a: Sequence[Tuple[Fraction, Fraction]], b: Sequence[Tuple[Fraction, Fraction]]) -> Any:
+    """The squared distance of two boxes."""
+    gaps = [max(low - top, floor - high, 0) for (low, high), (floor, top) in zip(a, b)]
+    return sum(gap * gap for gap in gaps)
 
 
 def between(a: Solid, f: Feature, b: Solid, g: Feature) -> Optional[Tuple[Vector, Vector]]:
