@@ -294,7 +294,7 @@ class Generator:
                 speed = declared or ("0" if fixed else vector_text(velocity))
                 if declared and declared != "0" and self.rigid:
                     speed = self.carried(name, other[0], declared)
-                if declared == "0" or fixed:
+                if declared == "0" or (fixed and not declared):
                     self.spins.pop(name, None)
                 placed.append((name, leaf, at, speed))
                 place = " at translate %s%s" % (vector_text(at), at_text)

@@ -641,7 +641,8 @@ def second_moment(solid: Solid, mass: Any, about: Vector) -> Matrix:
 
 def from_moment(m: Matrix) -> Matrix:
     trace = m[0][0] + m[1][1] + m[2][2]
-    return tuple(tuple((trace if i == j else 0) - m[i][j] for j in range(3)) for i in range(3))  # type: ignore[return-value]
+    rows = [[(trace if i == j else 0) - m[i][j] for j in range(3)] for i in range(3)]
+    return tuple(tuple(row) for row in rows)  # type: ignore[return-value]
 
 
 def point_inertia(mass: Any, r: Vector) -> Matrix:
