@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations
 from math import lcm
-from typing import Iterable, List, Optional, Tuple
+from typing import FrozenSet, Iterable, List, Optional, Tuple
 
 from solids import Feature, Solid
 from vectors import ZERO, Vector, cross, dot, primitive, rank, scale, sub
@@ -110,15 +110,8 @@ def first_meeting(
     edges, or to one and to a plane of two, or, where it is flat, on both sides along it.
     """
     lines = {primitive(sub(q, p)) for points in (a, b) for p, q in combinations(points, 2)}
-    lines.discard(None)
-    axes = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
-    planes = {primitive(cross(u, w)) for u in lines for w in [*lines, *axes]}
-    planes.discard(None)
-    inner = {primitive(cross(n, u)) for n in planes for u in lines}
-    inner.discard(None)
-    normals = {*axes, *lines, *planes, *inner}
     enters, leaves = Fraction(0), None
-    for n in normals | {scale(-1, n) for n in normals}:
+    for n in directions(frozenset(lines)):
         height = max(dot(n, p) for p in a) - min(dot(n, q) for q in b)
         gap, speed = dot(n, offset) - height, dot(n, velocity)
         if speed == 0:
@@ -130,6 +123,18 @@ def first_meeting(
             t = Fraction(-gap) / speed
             leaves = t if leaves is None else min(leaves, t)
     return None if leaves is not None and leaves < enters else enters
+
+
+@lru_cache(maxsize=2000)
+def directions(lines: FrozenSet[Vector]) -> List[Vector]:
+    """All directions that ``first_meeting`` tries, of two features with these lines."""
+    axes = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    planes = {primitive(cross(u, w)) for u in lines for w in [*lines, *axes]}
+    planes.discard(None)
+    inner = {primitive(cross(n, u)) for n in planes for u in lines}
+    inner.discard(None)
+    normals = {*axes, *lines, *planes, *inner}
+    return sorted(normals | {scale(-1, n) for n in normals})
 
 
 def zero_is_inside(points: Iterable[Vector]) -> bool:

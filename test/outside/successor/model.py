@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any, Dict, List, Optional, Tuple
 
 import terms
@@ -315,7 +316,7 @@ class Model:
         return body
 
     def read_term(self, leaf: Leaf, text: str) -> terms.Term:
-        return self.term(leaf, read_behaviour(text), {})
+        return self.term(leaf, written(text), {})
 
     # The network.
 
@@ -369,6 +370,11 @@ class Model:
                 continue
             if rank > best and not leaf.fixed:
                 best, leaf.law = rank, None if law is None else (law, env)
+
+
+@lru_cache(maxsize=1000)
+def written(text: str) -> Any:
+    return read_behaviour(text)
 
 
 def is_let(value: Any) -> bool:

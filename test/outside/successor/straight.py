@@ -377,9 +377,14 @@ class Rules:
         return min(found) if found else None
 
     def listed(self, leaf: str, summand: terms.Term) -> List[List[Vector]]:
-        """The corners of all features of a channel, from the reference point of the leaf."""
-        parts = self.leaf(leaf).by_name
-        return [parts[part].solid.points(feature) for part, feature in summand[3]]
+        """The corners of the features of a channel that are in no others of it, from the
+        reference point of the leaf."""
+        parts, found = self.leaf(leaf).by_name, []
+        for part, feature in summand[3]:
+            corners = set(feature[1])
+            if not any(p == part and corners < set(f[1]) for p, f in summand[3]):
+                found.append(parts[part].solid.points(feature))
+        return found
 
     def compatible(
         self, p: Process, q: Process
