@@ -92,11 +92,23 @@ let agrees kinds ~jump ~together text =
       QCheck2.Test.fail_report "more states than without"
     else true
 
-let property ?(jump = true) name kinds =
-  QCheck2.Test.make ~name ~count:400 ~print:Fun.id case_gen (agrees kinds ~jump ~together:true)
+let property ?(jump = true) ?(count = 350) name kinds =
+  QCheck2.Test.make ~name ~count ~print:Fun.id case_gen (agrees kinds ~jump ~together:true)
 
 let timed name kinds =
   QCheck2.Test.make ~name ~count:400 ~print:Fun.id timed_case_gen (agrees kinds ~jump:true ~together:false)
+
+(* With collisions together, with binding by contact, or both, and with steps of single processes. *)
+let with_switches text =
+  let own_steps line = if String.equal line "timestep 1" then "timestep 1 local" else line in
+  let text = String.concat "\n" (List.map own_steps (String.split_on_char '\n' text)) in
+  let settings = [ "collisions together"; "binding contact"; "collisions together\nbinding contact" ] in
+  QCheck2.Gen.map (fun s -> text ^ "\n" ^ s ^ "\n") (QCheck2.Gen.oneofl settings)
+
+let switched name kinds =
+  QCheck2.Test.make ~name ~count:150 ~print:Fun.id
+    QCheck2.Gen.(case_gen >>= with_switches)
+    (agrees kinds ~jump:true ~together:true)
 
 (* {1 Each does something} *)
 
@@ -244,6 +256,9 @@ let () =
             timed "Fragments: time" (with_jump Time);
             timed "Fragments: time, and all else" Reduction.all;
             property "Fragments: no jumps" ~jump:false [];
+            switched "Fragments: symmetry and translation, with the switches of a model"
+              Reduction.[ Symmetry; Translation; Jump ];
+            switched "Fragments: all, with the switches of a model" Reduction.all;
           ] );
       ( "effects",
         [
