@@ -128,7 +128,7 @@ def label_of(model: Model, told: dict) -> Any:
     if kind == "time":
         return ("time", Fraction(told["duration"]))
     if kind == "bounce":
-        return ("bounce", frozenset(told["between"]))
+        return ("bounce", tuple(told["between"]))
     if kind == "strong":
         return ("strong", frozenset(bond_of(model, b) for b in told["bonds"]))
     return (kind,) + bond_of(model, told)

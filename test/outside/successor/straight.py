@@ -225,7 +225,8 @@ class Rules:
                     yield ("bind",) + bond, state.having([p, q], [self.begun(whole)])
             if not bound:
                 changes = self.bounces(cluster)
-                names = frozenset(self.first(p) for p, _ in changes)
+                order = list(self.model.leaves)
+                names = tuple(sorted((self.first(p) for p, _ in changes), key=order.index))
                 after = [self.begun(steps.struck(p)) for _, p in changes]
                 yield ("bounce", names), state.having([p for p, _ in changes], after)
 
