@@ -170,13 +170,14 @@ let rests semantics (result : Joint_check.result) (check : Property.check) (v : 
       [ By Dead_end ]
     | None, _ -> []
   in
-  let among () =
-    let round = Option.bind result.zeno Witness.halt in
+  (* Fewer runs break no quantifier over all of them, and give nothing to one over some. But a run that was given up
+     would have gone on somehow. *)
+  let unless_lasting kind =
+    let round = Option.to_list (Option.bind result.zeno Witness.halt) in
+    let lasting = not (Formula.quantifies kind check.formula) in
     (if dead_ends then [ Verdict.Among Dead_end ] else [])
-    @ List.map (fun halt -> Verdict.Among halt) (Option.to_list round)
+    @ List.filter_map (fun halt -> if lasting then None else Some (Verdict.Among halt)) round
   in
-  (* Fewer runs break no quantifier over all of them, and give nothing to one over some. *)
-  let unless_lasting kind = if Formula.quantifies kind check.formula then among () else [] in
   match v with
   | Undecided _ -> []
   | Holds { witness = Some w; _ } | Violated { witness = Some w } -> by w
