@@ -170,8 +170,8 @@ let rests semantics (result : Joint_check.result) (check : Property.check) (v : 
       [ By Dead_end ]
     | None, _ -> []
   in
-  (* Fewer runs break no quantifier over all of them, and give nothing to one over some. But a run that was given up
-     would have gone on somehow. *)
+  (* Fewer runs break no quantifier over all of them, and give nothing to one over some. But a run that was
+     given up would have gone on somehow. *)
   let unless_lasting kind =
     let round = Option.to_list (Option.bind result.zeno Witness.halt) in
     let lasting = not (Formula.quantifies kind check.formula) in
