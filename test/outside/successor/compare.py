@@ -15,7 +15,7 @@ import sys
 import time
 from collections import Counter
 from pathlib import Path
-from typing import Any, List, Optional
+from typing import Any, List, Optional, Tuple
 
 import generate
 from model import Model, Undefined
@@ -224,6 +224,11 @@ def walk(
     return None
 
 
+def kept() -> List[Tuple[str, str]]:
+    """Models of what random ones hardly ever come to."""
+    return [(path.name, path.read_text()) for path in sorted(HERE.glob("models/*.sc"))]
+
+
 def suite(folder: Path) -> List[str]:
     """The models of the conformance suite whose transitions are asked for."""
     texts = []
@@ -276,7 +281,7 @@ def main() -> int:
     began = time.time()
     texts = [(name, Path(name).read_text()) for name in options.file]
     if not options.no_suite and not texts:
-        texts += [("suite %d" % i, t) for i, t in enumerate(suite(Path(options.suite)))]
+        texts += kept() + [("suite %d" % i, t) for i, t in enumerate(suite(Path(options.suite)))]
 
     def numbered() -> Any:
         yield from texts

@@ -390,8 +390,10 @@ class Generator:
         """Gives a body that was placed another behaviour, or a further summand or entry."""
         old = self.behaviours[name]
         draw = self.rng.random()
-        both = [text.split("}). nil")[0] for text in (old, behaviour)]
-        single = all(b.startswith("rho({<") and b.count("rho") == 1 for b in both)
+        both = [text[: -len("}). nil")] for text in (old, behaviour) if text.endswith("}). nil")]
+        single = len(both) == 2 and all(
+            b.startswith("rho({<") and b.count("rho") == 1 and "})" not in b for b in both
+        )
         if single and draw < 0.6 and " + " not in old + behaviour:
             behaviour = "rho({%s, %s}). nil" % (both[0][5:], both[1][5:])
         elif draw < 0.85:

@@ -12,6 +12,8 @@ from vectors import Matrix, Vector, cross, dot
 Quaternion = Tuple[int, int, int, int]
 Polynomial = List[Fraction]
 
+STILL: Quaternion = (1, 0, 0, 0)
+
 
 def cayley(u: Vector) -> Matrix:
     """C(u), the matrix of the quaternion 1 + u: it turns by 2 atan|u| about u."""

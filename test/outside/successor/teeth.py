@@ -130,9 +130,10 @@ def main() -> int:
         undo = mistake()
         oracle = Oracle([options.scc, "oracle"])
         found = None
-        for i in range(options.models):
-            seed = "random %d" % (1000000 + i)
-            text = generate.model(random.Random(seed))
+        kept = compare.kept()
+        for i in range(len(kept) + options.models):
+            seed = "random %d" % (1000000 + i - len(kept))
+            text = kept[i][1] if i < len(kept) else generate.model(random.Random(seed))
             rng = random.Random("%s 1" % seed)
             try:
                 if compare.walk(oracle, text, compare.Tally(), rng, 8, 1):

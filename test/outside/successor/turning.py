@@ -13,8 +13,11 @@ import impact
 import near
 import steps
 import terms
-from model import Model, Part, diagonal, nearest, rotation
-from motion import Flight, Quaternion, inverse, product, whole
+from masses import NOTHING, from_moment, plus, point_inertia, second_moment
+from model import Model, Part, rotation
+from motion import STILL, Flight, inverse, product, whole
+from rest import Rest
+from rounding import Rounding, estimate
 from solids import Solid
 from states import Body, Bond, Process, State
 from straight import Rules, Stopped, members
@@ -33,8 +36,6 @@ from vectors import (
     transpose,
 )  # fmt: skip
 
-STILL: Quaternion = (1, 0, 0, 0)
-
 
 class Meeting:
     """Two parts of two processes in contact."""
@@ -52,7 +53,7 @@ class Meeting:
         self.contact, self.solids = found, (one, two)
 
 
-class Turning(Rules):
+class Turning(Rounding, Rest, Rules):
     def __init__(self, model: Model) -> None:
         super().__init__(model)
         self.free = model.settings.get("dynamics") == "free_body"
@@ -417,80 +418,6 @@ class Turning(Rules):
                 return after
             after = [before[i] if i in waiting else p for i, p in enumerate(after)]
 
-    # Rounding.
-
-    def rounded(self, processes: List[Process], due: List[int]) -> List[Process]:
-        """Rule Round."""
-        if "orientation" in self.model.rounding:
-            processes = self.rounded_orientations(processes, due)
-        if "velocity" in self.model.rounding:
-            step = self.model.rounding["velocity"]
-            after = [self.slower(p, step) if i in due else p for i, p in enumerate(processes)]
-            processes = self.at_once(processes, after)
-        return processes
-
-    def slower(self, process: Process, step: Fraction) -> Process:
-        """With a velocity and a spin, or angular momentum, that are rounded."""
-        if self.is_fixed(process):
-            return process
-        velocity = nearest_vector(process.velocity, step)
-        if not self.free:
-            return replace(process, velocity=velocity, spin=nearest_vector(process.spin, step))
-        inertia = self.inertia(process)
-        power = Fraction(2) ** exponent(inertia[0][0] + inertia[1][1] + inertia[2][2])
-        momentum = nearest_vector(process.momentum or ZERO, step * power)
-        after = replace(process, velocity=velocity, momentum=momentum)
-        return replace(after, spin=self.spin_now(after))
-
-    def rounded_orientations(self, processes: List[Process], due: List[int]) -> List[Process]:
-        most = 1 / self.model.rounding["orientation"]
-        after, room = list(processes), [Fraction(0)] * len(processes)
-        for i in due:
-            turned = self.coarser(processes[i], most)
-            if turned is not None:
-                after[i] = turned
-                room[i] = 2 / most * self.radius(processes[i])
-        waiting = set()
-        for i, j in combinations(range(len(processes)), 2):
-            if room[i] + room[j] > 0 and not self.apart(
-                processes[i], processes[j], room[i] + room[j]
-            ):
-                waiting |= {i, j}
-        after = [processes[i] if i in waiting else p for i, p in enumerate(after)]
-        return self.at_once(processes, after)
-
-    def apart(self, p: Process, q: Process, room: Fraction) -> bool:
-        """Whether two processes are farther apart than that."""
-        for a in self.worlds(p):
-            for b in self.worlds(q):
-                start, end = near.shortest(a, b)
-                d = sub(end, start)
-                if dot(d, d) <= room * room:
-                    return False
-        return True
-
-    def coarser(self, process: Process, most: Fraction) -> Optional[Process]:
-        """With an orientation of shorter numbers, as a whole; None if they are short enough."""
-        quaternions = [body.turned or STILL for body in process.bodies.values()]
-        old = min(quaternions, key=lambda q: (max(abs(x) for x in q), q))
-        greatest = max(abs(x) for x in old)
-        if greatest <= most:
-            return None
-        new = tuple(nearest(x * most / greatest, Fraction(1)) for x in old)
-        step = product(new, inverse(old))
-        turn = rotation([Fraction(x) for x in step])
-        centre = self.centre(process)
-        bodies = {
-            name: replace(
-                body,
-                position=add(centre, apply(turn, sub(body.position, centre))),
-                turned=whole(product(step, body.turned or STILL)),
-            )
-            for name, body in process.bodies.items()
-        }
-        after = replace(process, bodies=bodies)
-        return replace(after, spin=self.spin_now(after))
-
     def seen(self, process: Process, name: str) -> Tuple[Vector, Vector]:
         x = self.centroid(name, process.bodies[name])
         r = sub(x, self.centre(process))
@@ -525,49 +452,6 @@ class Turning(Rules):
                     least = min(least, t)
         return least
 
-    # Rest.
-
-    def at_rest(self, state: State) -> bool:
-        """Rule Quiescent: whether it is proved that no event can happen ever again."""
-        for process in state.processes:
-            if steps.is_steered(self, process) or process.clock is not None:
-                return False
-            if self.horizon(process) is not None or self.to_be_rounded(process):
-                return False
-        return all(self.known(self.never_meet, *pair) for pair in combinations(state.processes, 2))
-
-    def to_be_rounded(self, process: Process) -> bool:
-        """Whether a velocity or spin, or an angular momentum, of what spins waits for Round."""
-        step = self.model.rounding.get("velocity")
-        if step is None or process.spin == ZERO:
-            return False
-        after = self.slower(process, step)
-        old, new = ((p.velocity, p.momentum if self.free else p.spin) for p in (process, after))
-        return old != new
-
-    def never_meet(self, p: Process, q: Process) -> bool:
-        """Whether the hulls of no two parts ever meet."""
-        w = sub(q.velocity, p.velocity)
-        if w == ZERO and self.neither_spins(p, q):
-            return True
-        for a in self.hulls(p):
-            for b in self.hulls(q):
-                if contact.relation(a, b, ZERO) == "interpenetrating":
-                    return False
-                if contact.first_time_of_contact(a, b, ZERO, w) is not None:
-                    return False
-        return True
-
-    def hulls(self, process: Process) -> List[Solid]:
-        """Of each part: itself, or a cube about the ball that it turns in."""
-        if process.spin == ZERO:
-            return self.worlds(process)
-        centre, found = self.centre(process), []
-        for _, _, mover in self.movers(process):
-            half = cast.reach(mover) + 2 * self.resolution
-            found.append(CUBE.mapped(diagonal((half, half, half)), centre))
-        return found
-
     def initial(self) -> State:
         bodies, motions = {}, {}
         for name, leaf in self.model.initial_leaves.items():
@@ -595,82 +479,6 @@ def course(process: Process) -> Any:
     """Where a process is, and how it moves."""
     places = tuple((name, body.position, body.turned) for name, body in process.bodies.items())
     return process.velocity, process.spin, process.since, process.momentum, places
-
-
-CUBE = Solid(
-    [
-        ("".join("-+"[i > 0] for i in (x, y, z)), (Fraction(x), Fraction(y), Fraction(z)))
-        for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)
-    ],
-    [
-        ("left", ("---", "--+", "-++", "-+-")), ("right", ("+--", "++-", "+++", "+-+")),
-        ("front", ("---", "+--", "+-+", "--+")), ("back", ("-+-", "-++", "+++", "++-")),
-        ("bottom", ("---", "-+-", "++-", "+--")), ("top", ("--+", "+-+", "+++", "-++")),
-    ],
-)  # fmt: skip
-
-# Tensors.
-
-NOTHING: Matrix = (ZERO, ZERO, ZERO)
-
-
-def plus(m: Matrix, n: Matrix) -> Matrix:
-    return tuple(add(a, b) for a, b in zip(m, n))  # type: ignore[return-value]
-
-
-def product_of(a: Vector, b: Vector) -> Matrix:
-    return tuple(scale(x, b) for x in a)  # type: ignore[return-value]
-
-
-def second_moment(solid: Solid, mass: Any, about: Vector) -> Matrix:
-    """The integral of x x^T over a uniform solid of this mass, x from a point."""
-    total, volume = NOTHING, Fraction(0)
-    for _, corners in solid.faces:
-        a = sub(solid.place[corners[0]], about)
-        for u, w in zip(corners[1:], corners[2:]):
-            b, c = sub(solid.place[u], about), sub(solid.place[w], about)
-            six = dot(a, cross(b, c))
-            volume += Fraction(six) / 6
-            whole_sum = add(a, add(b, c))
-            inner = product_of(whole_sum, whole_sum)
-            for x in (a, b, c):
-                inner = plus(inner, product_of(x, x))
-            total = plus(total, tuple(scale(Fraction(six) / 120, r) for r in inner))  # type: ignore
-    return tuple(scale(Fraction(mass) / volume, r) for r in total)  # type: ignore[return-value]
-
-
-def from_moment(m: Matrix) -> Matrix:
-    trace = m[0][0] + m[1][1] + m[2][2]
-    rows = [[(trace if i == j else 0) - m[i][j] for j in range(3)] for i in range(3)]
-    return tuple(tuple(row) for row in rows)  # type: ignore[return-value]
-
-
-def point_inertia(mass: Any, r: Vector) -> Matrix:
-    return from_moment(tuple(scale(mass, row) for row in product_of(r, r)))  # type: ignore
-
-
-def nearest_vector(v: Vector, step: Fraction) -> Vector:
-    return tuple(nearest(x, step) for x in v)  # type: ignore[return-value]
-
-
-def estimate(v: Vector) -> Vector:
-    """Components rounded to multiples of 2^(e-40), 2^e <= the greatest < 2^(e+1)."""
-    most = max(abs(x) for x in v)
-    if most == 0:
-        return v
-    e = exponent(most)
-    step = Fraction(2) ** (e - 40)
-    return tuple(nearest(x, step) for x in v)  # type: ignore[return-value]
-
-
-def exponent(x: Fraction) -> int:
-    """The e with 2^e <= x < 2^(e+1)."""
-    e = x.numerator.bit_length() - x.denominator.bit_length()
-    while Fraction(2) ** e > x:
-        e -= 1
-    while Fraction(2) ** (e + 1) <= x:
-        e += 1
-    return e
 
 
 def default_resolution(model: Model) -> Fraction:
