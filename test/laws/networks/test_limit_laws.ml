@@ -240,7 +240,9 @@ let turning_windows_of n k =
   (m, List.concat_map (windows m (rational k 13)) (List.filter short states))
 
 (* Many bonds. *)
-let sticking = Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ())
+let sticking =
+  let stuck n = Random_network.(with_switches Switches.by_contact (sticking n)) in
+  Gen.map stuck (Random_network.switched ())
 
 let in_translation =
   QCheck2.Test.make ~name:"Convergence: within a window, when a split happens tells on no place" ~count:150

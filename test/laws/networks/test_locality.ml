@@ -186,7 +186,7 @@ let laws =
     law "Locality: with the switches of a model" ~count:50 ~print:Random_network.print
       (Random_network.switched ~steered:true ())
       falling;
-    law "Locality: bodies that turn, with the switches of a model" ~count:10 ~print:Random_rigid.print
+    law "Locality: bodies that turn, with the switches of a model" ~count:5 ~print:Random_rigid.print
       (Random_rigid.generate { Random_rigid.anything with rounds = true; laws = true; switched = true })
       falling_and_turning;
   ]

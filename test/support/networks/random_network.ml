@@ -162,15 +162,21 @@ let body ?(shapes = Array.length shapes) ~steered ~cells ~behaviours () =
 
 let apart ~steered = Gen.(map distinct (list_size (2 -- 6) (body ~steered ~cells:2 ~behaviours ())))
 
-(* All but the glued pair fit into a cell that is as large as a cube. *)
+(* All but the glued pair fit into a cell that is as large as a cube. Most are cubes, and most are inert: they touch,
+   and bounce. *)
 let packed ~steered =
-  Gen.(map distinct (list_size (3 -- 6) (body ~shapes:4 ~steered ~cells:2 ~behaviours ())))
+  let open Gen in
+  let plainly b =
+    let+ cube = 0 -- 3 and+ inert = 0 -- 2 in
+    { b with shape = (if cube > 0 then 0 else b.shape); behaviour = (if inert > 0 then 0 else b.behaviour) }
+  in
+  map distinct (list_size (4 -- 8) (body ~shapes:4 ~steered ~cells:2 ~behaviours () >>= plainly))
 
 let generate ?(steered = false) () = Gen.map plain (apart ~steered)
 
 let switched ?(steered = false) () =
   let open Gen in
-  let* switches = Switches.generate () and* tight = bool in
+  let* switches = Switches.generate () and* tight = frequencyl [ (2, true); (1, false) ] in
   let+ bodies = if tight then packed ~steered else apart ~steered in
   { bodies; packed = tight; switches }
 
@@ -188,6 +194,7 @@ let map f n = { n with bodies = f n.bodies }
 let with_bystanders = map (fun bodies -> bodies @ List.init 16 bystander)
 let none = plain []
 let inert = map (List.map (fun b -> { b with behaviour = 0 }))
+let sticking = map (List.mapi (fun i b -> { b with behaviour = 1 + (2 * (i mod 2)) }))
 let all_free = map (List.map (fun b -> { b with fixed = false }))
 let with_switches switches n = { n with switches }
 let like a b = { b with switches = a.switches }

@@ -10,7 +10,7 @@ val generate : ?steered:bool -> unit -> t QCheck2.Gen.t
     by a law of motion. *)
 
 val switched : ?steered:bool -> unit -> t QCheck2.Gen.t
-(** The same with random switches of the semantics ({!Switches}), half of them packed: face to face in a grid, so
+(** The same with random switches of the semantics ({!Switches}), most of them packed: face to face in a grid, so
     that much collides at once. *)
 
 val with_switches : Switches.t -> t -> t
@@ -36,6 +36,9 @@ val none : t
 
 val inert : t -> t
 (** The same without channels: nothing binds. *)
+
+val sticking : t -> t
+(** The same with channels that fit, and weak splits. *)
 
 val all_free : t -> t
 (** The same with nothing fixed: what was, stands still. *)

@@ -212,7 +212,11 @@ let body ~packed (features : features) =
   let open Gen in
   let* cell = three (0 -- 1) and* aim = three (-2 -- 2) and* speed = 1 -- 6 in
   let* spin = three (-3 -- 3) and* spins = map (fun n -> n > 0) (0 -- 3) and* mass = 1 -- 3 in
-  let* shape = if features.plain || packed then oneofl [ 0; 1; 3 ] else 0 -- (Array.length shapes - 1) in
+  let* shape =
+    if packed then frequencyl [ (4, 0); (1, 1); (1, 3) ]
+    else if features.plain then oneofl [ 0; 1; 3 ]
+    else 0 -- (Array.length shapes - 1)
+  in
   let* fixed = map (fun n -> n = 0) (0 -- 4) in
   let any = if features.behaves then oneof [ 0 -- (behaviours - 1); oneofl [ 1; 3 ] ] else pure 0 in
   let* behaviour = any and* second = any in
@@ -224,9 +228,9 @@ let body ~packed (features : features) =
 
 let generate (features : features) =
   let open Gen in
-  let* packed = if features.switched then bool else pure false in
+  let* packed = if features.switched then frequencyl [ (2, true); (1, false) ] else pure false in
   let* switches = if features.switched then Switches.generate ~rigid:true () else pure Switches.off in
-  let* bodies = map distinct (list_size (2 -- 4) (body ~packed features)) in
+  let* bodies = map distinct (list_size (if packed then 3 -- 5 else 2 -- 4) (body ~packed features)) in
   let* dynamics =
     match features.dynamics with
     | `Any -> oneofl [ Model.Constant_spin; Free_body ]

@@ -11,7 +11,7 @@ type features = {
   behaves : bool;  (** bodies have channels, delays and splits; else all are nil *)
   plain : bool;  (** each body is one part, the same when reflected in its centre *)
   switched : bool;
-  (** random switches of the semantics ({!Switches}), and half of the networks packed: cubes, planks and turned
+  (** random switches of the semantics ({!Switches}), and most of the networks packed: cubes, planks and turned
       cubes in a grid, face to face *)
 }
 
