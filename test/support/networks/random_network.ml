@@ -162,8 +162,8 @@ let body ?(shapes = Array.length shapes) ~steered ~cells ~behaviours () =
 
 let apart ~steered = Gen.(map distinct (list_size (2 -- 6) (body ~steered ~cells:2 ~behaviours ())))
 
-(* All but the glued pair fit into a cell that is as large as a cube. Most are cubes, and most are inert: they touch,
-   and bounce. *)
+(* All but the glued pair fit into a cell that is as large as a cube. Most are cubes, and most are inert: they
+   touch, and bounce. *)
 let packed ~steered =
   let open Gen in
   let plainly b =

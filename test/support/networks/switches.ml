@@ -11,7 +11,8 @@ let by_contact = { off with by_contact = true }
 
 let generate ?(rigid = false) () =
   let open Gen in
-  let+ together = frequencyl [ (2, true); (1, false) ] and* local = bool and* by_contact = if rigid then pure false else bool in
+  let* together = frequencyl [ (2, true); (1, false) ] in
+  let+ local = bool and* by_contact = if rigid then pure false else bool in
   { together; local; by_contact }
 
 let apply s (m : Model.t) =
