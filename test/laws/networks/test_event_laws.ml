@@ -336,14 +336,14 @@ let () =
           straight "Confluence: events that share no process come to the same in either order"
             ~states:states_twice confluent;
           straight "Confluence: with binding by contact"
-            ~count:80
+            ~count:50
             ~networks:(Gen.map (Random_network.with_switches Switches.by_contact) (Random_network.switched ()))
             ~states:states_twice confluent;
           straight "Confluence: with the switches of a model, of what is not in contact"
             ~networks:(Random_network.switched ()) ~states:states_twice
             (confluent ~only:in_separate_companies);
           straight "Confluence: laws of motion with steps of single processes, of what is not in contact"
-            ~count:40
+            ~count:15
             ~networks:(Random_network.switched ~steered:true ())
             ~states:(fun n -> states_twice (Random_network.with_switches Switches.local n))
             (confluent ~only:in_separate_companies);

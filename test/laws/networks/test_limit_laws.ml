@@ -245,7 +245,7 @@ let sticking =
   Gen.map stuck (Random_network.switched ())
 
 let in_translation =
-  QCheck2.Test.make ~name:"Convergence: within a window, when a split happens tells on no place" ~count:150
+  QCheck2.Test.make ~name:"Convergence: within a window, when a split happens tells on no place" ~count:80
     ~print:(fun (n, _) -> Random_network.print n)
     (Gen.pair sticking Gen.(1 -- 12))
     (fun (n, k) ->

@@ -41,7 +41,7 @@ let comparable (symmetry : Symmetry.t) m (s, _) =
     (Network.quiescent (standard m) s)
     (Network.quiescent (standard (symmetry.model m)) (symmetry.state s))
 
-let turning name ?(count = 13) ?(of_network = Fun.id) features symmetry =
+let turning name ?(count = 10) ?(of_network = Fun.id) features symmetry =
   QCheck2.Test.make ~name ~count
     ~print:(fun (n, _) -> Random_rigid.print n)
     (Gen.pair (Random_rigid.generate features) symmetry)
