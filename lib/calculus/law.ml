@@ -22,7 +22,9 @@ and cond =
   | Not of cond
 
 type t = Inertial | Velocity of expr * expr * expr
-type fault = Division_by_zero | Bad_quantum
+type fault = Division_by_zero | Bad_quantum | Too_long
+
+let longest = 1 lsl 24
 
 let compare_rationals comparison a b =
   let c = Rat.compare a b in
@@ -36,6 +38,9 @@ let compare_rationals comparison a b =
 
 let ( let* ) = Result.bind
 
+(* Neither a sum nor a product takes more bits than both together, and a carry. *)
+let both_known f a b = if Rat.bits a + Rat.bits b > longest then Error Too_long else Ok (f a b)
+
 let rec eval env = function
   | Const k -> Ok k
   | Var v -> Ok (env v)
@@ -46,7 +51,7 @@ let rec eval env = function
   | Div (a, b) ->
     let* a = eval env a in
     let* b = eval env b in
-    if Rat.sign b = 0 then Error Division_by_zero else Ok (Rat.div a b)
+    if Rat.sign b = 0 then Error Division_by_zero else both_known Rat.div a b
   | Round (a, q) ->
     let* a = eval env a in
     let* quantum = eval env q in
@@ -58,7 +63,7 @@ let rec eval env = function
 and both env f a b =
   let* a = eval env a in
   let* b = eval env b in
-  Ok (f a b)
+  both_known f a b
 
 and holds env = function
   | Bool b -> Ok b

@@ -30,7 +30,12 @@ type t =
   | Inertial
   | Velocity of expr * expr * expr  (** the new velocity *)
 
-type fault = Division_by_zero | Bad_quantum  (** a quantum of [round] that is not positive *)
+type fault =
+  | Division_by_zero
+  | Bad_quantum  (** a quantum of [round] that is not positive *)
+  | Too_long  (** a number of more than {!longest} bits on the way *)
+
+val longest : int
 
 val compare_rationals : comparison -> Rat.t -> Rat.t -> bool
 val eval : (variable -> Rat.t) -> expr -> (Rat.t, fault) result

@@ -117,29 +117,35 @@ let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i
 (* All of the model, whether or not its properties were decided early. *)
 let cover options reductions (l : Loaded.t) initial =
   let time_seen = Reduction.time_seen reductions l.model [] in
-  Coverage.explore ~time_seen (options ()) l.semantics ~initial
+  Coverage.explore ~time_seen options l.semantics ~initial
 
 let check console budget (extras : Check_extras.t) overrides path =
-  let interrupted = Interrupt.install () in
+  let watch = Check_options.watch budget in
   let measured = Measured.start () in
   let* l = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
   Console.report console (l.warnings @ Vacuity.impossible l);
   let* () = match extras.witness with Some folder -> make_folder folder | None -> Ok () in
   let* initial = Loaded.initial l in
-  (* The limit of seconds is that of one exploration. *)
-  let options () =
-    let options = Check_options.starting console budget ~interrupted in
+  let options =
+    let options = Check_options.starting console watch budget in
     let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
     let compact = if extras.compact then Some states else None in
     { options with reductions = extras.reductions; order = extras.order; compact }
   in
   let checks = l.checks @ l.premises in
-  let report = Measured.phase measured "explore" (fun () -> Check.run (options ()) l.semantics ~initial checks) in
+  let explore () =
+    let run () = Check.run options l.semantics ~initial checks in
+    match (Watch.attempt watch).run Reporting run with
+    | Ok report -> report
+    | Error stop -> Check.unexplored options checks stop
+  in
+  let report = Measured.phase measured "explore" explore in
   let covered =
     if extras.coverage then
       Some (Measured.phase measured "coverage" (fun () -> cover options extras.reductions l initial))
     else None
   in
+  Watch.finish watch;
   Console.progress_done console;
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Console.report console

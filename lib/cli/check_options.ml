@@ -8,16 +8,17 @@ let default_states = 200_000
 let default_mib = 3072
 let defaults : Budget.defaults = { states = default_states; memory = Memory.words_of_mib default_mib }
 
-let options ?(now = Unix.gettimeofday) budget ~interrupted ~progress : Check.options =
+let options watch budget ~progress : Check.options =
   {
     Check.default with
     bounds = Budget.bounds defaults budget;
-    surroundings = { now; interrupted; progress; ended = Interrupt.ended; attempt = Interrupt.attempt };
+    surroundings = { stop = Watch.stop watch; progress; attempt = Watch.attempt watch };
   }
 
-let starting console (budget : Budget.t) ~interrupted =
-  let now = Option.map Interrupt.clock budget.seconds in
-  options ?now budget ~interrupted ~progress:(Progress.show console budget)
+let watch (budget : Budget.t) =
+  Watch.start ?seconds:budget.seconds ~memory:(Option.value budget.memory ~default:defaults.memory) ()
+
+let starting console watch (budget : Budget.t) = options watch budget ~progress:(Progress.show console budget)
 
 let positive what = Options.integer ~least:1 ~most:((1 lsl 40) - 1) ("positive number of " ^ what)
 
@@ -59,8 +60,15 @@ let memory =
   let doc = Printf.sprintf "Uses at most about $(docv) MiB of memory. The default is %d." default_mib in
   Arg.(value & opt (some (positive "MiB")) None & info [ "memory" ] ~docv:"N" ~doc ~docs)
 
-let budget =
-  let make depth time states seconds memory =
-    { Budget.depth; time; states; seconds; memory = Option.map Memory.words_of_mib memory }
+let bits =
+  let doc =
+    "Expands only states whose numbers, numerator and denominator together, take at most $(docv) bits. The default \
+     is 100000."
   in
-  Term.(const make $ depth $ time $ states $ seconds $ memory)
+  Arg.(value & opt (some (Options.integer ~least:1 ~most:Scc_calculus.Law.longest "number of bits from 1 to 16777216")) None & info [ "bits" ] ~docv:"N" ~doc ~docs)
+
+let budget =
+  let make depth time states seconds memory bits =
+    { Budget.depth; time; states; seconds; memory = Option.map Memory.words_of_mib memory; bits }
+  in
+  Term.(const make $ depth $ time $ states $ seconds $ memory $ bits)

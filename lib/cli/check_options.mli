@@ -6,12 +6,10 @@ open Scc_session
 val budget : Budget.t Cmdliner.Term.t
 val defaults : Budget.defaults
 
-val options :
-  ?now:(unit -> float) ->
-  Budget.t ->
-  interrupted:(unit -> bool) ->
-  progress:(Scc_explore.Limits.progress -> unit) ->
-  Check.options
+val watch : Budget.t -> Watch.t
+(** Over the seconds and the memory, from now on. *)
 
-val starting : Console.t -> Budget.t -> interrupted:(unit -> bool) -> Check.options
-(** For an exploration that begins now: its seconds are counted from here, and its progress is shown. *)
+val options : Watch.t -> Budget.t -> progress:(Scc_explore.Limits.progress -> unit) -> Check.options
+
+val starting : Console.t -> Watch.t -> Budget.t -> Check.options
+(** For an exploration that begins now: its progress is shown. *)

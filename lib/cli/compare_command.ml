@@ -30,15 +30,6 @@ let labelled o ~first g =
       let label = rename label in
       if List.exists (fun p -> Hide.matches p label) o.hidden then Graph.tau else label)
 
-(* Seconds are counted from the beginning of each exploration, and of the comparison. *)
-let stop_at (budget : Budget.t) interrupted =
-  let start = Unix.gettimeofday () in
-  let words = Option.value ~default:Check_options.defaults.memory budget.memory in
-  fun () ->
-    interrupted ()
-    || (match budget.seconds with Some s -> Unix.gettimeofday () -. start > s | None -> false)
-    || Scc_base.Memory.heap_words () > words
-
 let exit_code (first : Compared.t) (second : Compared.t) (report : Compare.report) : Exit_code.t =
   let resources c =
     match Exit_code.of_bounds (Compared.stopped_by c) with
@@ -60,11 +51,10 @@ let write_graphs o first second =
     Result.map_error (fun d -> [ d ]) (Whole_file.write [ file 1 first; file 2 second ])
 
 let compare console o =
-  let interrupted = Interrupt.install () in
-  Option.iter (fun s -> Interrupt.deadline (3. *. s)) o.budget.seconds;
+  let watch = Check_options.watch o.budget in
   let load ~first path overrides =
     let progress = Progress.show ~about:path console o.budget in
-    let options = Check_options.options o.budget ~interrupted ~progress in
+    let options = Check_options.options watch o.budget ~progress in
     Compared.load console options ~renamed:(renaming o ~first) ~overrides:(o.overrides @ overrides) path
   in
   let* first = load ~first:true o.first o.left in
@@ -72,9 +62,9 @@ let compare console o =
   let prepared ~first (c : Compared.t) = Compare.prepare o.relation (labelled o ~first c.graph) in
   let one = prepared ~first:true first and two = prepared ~first:false second in
   let* () = write_graphs o one two in
-  let effort = Effort.make ~stop:(stop_at o.budget interrupted) in
+  let effort = Effort.make ~stop:(fun () -> Option.is_some (Watch.stop watch ())) in
   let report = Compare.run effort o.relation one two in
-  Interrupt.in_time ();
+  Watch.finish watch;
   let code = exit_code first second report in
   let told = { Compare_report.relation = o.relation; first; second; report; exit = code } in
   Console.answer console

@@ -59,7 +59,7 @@ let exit_code : Verdict.answer -> Exit_code.t = function
   | Undecided { reason = Too_many_states; _ } -> Undecided
 
 let conform console o =
-  let interrupted = Interrupt.install () in
+  let interrupted = Watch.interrupted (Watch.start ()) in
   let* trace = read console o.trace in
   let* overrides = parameters trace o.overrides in
   let* l = Input.model console ~overrides o.path in

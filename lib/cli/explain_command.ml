@@ -101,7 +101,7 @@ let print console (model : Loaded.t) check ending explanation =
           })
 
 let explain console o =
-  let interrupted = Interrupt.install () in
+  let interrupted = Watch.interrupted (Watch.start ()) in
   let diagnosed r = Result.map_error (fun list -> Diagnosed list) r in
   let* schedule = diagnosed (Scheduled.read console o.witness) in
   let* path = diagnosed (model_path o schedule) in

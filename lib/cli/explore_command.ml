@@ -121,13 +121,14 @@ let tell console exported notes =
     (List.tl (Exported.summary exported) @ notes)
 
 let explore console o format =
-  let interrupted = Interrupt.install () in
+  let watch = Check_options.watch o.budget in
+  let interrupted = Watch.interrupted watch in
   let* loaded = Input.model console ~overrides:o.overrides o.path in
   Console.report console loaded.warnings;
   let* initial = Loaded.initial loaded in
-  let options = Check_options.starting console o.budget ~interrupted in
+  let options = Check_options.starting console watch o.budget in
   let space = Explored.explore options loaded.semantics ~initial in
-  Interrupt.in_time ();
+  Watch.finish watch;
   Console.progress_done console;
   Console.report console (space.faults @ space.dead_ends);
   let exported = { Exported.loaded; space } in

@@ -112,7 +112,7 @@ let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) resu
 
 let run color o =
   let console = Console.make ~color ~json:false in
-  let interrupted = Interrupt.install () in
+  let interrupted = Watch.interrupted (Watch.start ()) in
   Guard.run console (fun () ->
       let* model, schedule = prepare console o in
       Console.report console model.warnings;

@@ -115,6 +115,22 @@ and compute t (f : Formula.t) =
         let v = until t u.quantifier u.bound left (value t u.right) in
         if flipped then not_ v else v)
 
+(* The formulas whose values {!compute} takes up, and theirs. *)
+let parts (f : Formula.t) =
+  match f with
+  | Predicate _ -> []
+  | Not f -> [ f ]
+  | And list | Or list -> list
+  | Next (Exists, f) -> [ f ]
+  | Next (All, f) -> [ opposite f ]
+  | Until _ | Finally _ | Globally _ ->
+    Option.fold ~none:[] ~some:(fun (u, _) -> [ u.left; u.right ]) (as_until f)
+
+let retain t formulas =
+  let rec need known f = if Map.mem f known then known else List.fold_left need (Map.add f () known) (parts f) in
+  let needed = List.fold_left need Map.empty formulas in
+  t.values <- Map.filter (fun f _ -> Map.mem f needed) t.values
+
 let truth t f position =
   let v = value t f in
   if Positions.mem v.lower position then Some true

@@ -43,6 +43,9 @@ val predicates : t -> predicates
 type value = { lower : Positions.t; upper : Positions.t  (** physically the lower one when nothing is in doubt *) }
 
 val value : t -> Formula.t -> value
+val retain : t -> Formula.t list -> unit
+(** Forgets the values of what is no part of these formulas: they take memory for each state. *)
+
 val truth : t -> Formula.t -> Positions.position -> bool option
 (** [None]: undecided. *)
 

@@ -34,6 +34,7 @@ let compare a b =
     let c = Rat.compare a.y b.y in
     if c <> 0 then c else Rat.compare a.z b.z
 
+let bits a = Int.max (Rat.bits a.x) (Int.max (Rat.bits a.y) (Rat.bits a.z))
 let hash a = (((Rat.hash a.x * 31) + Rat.hash a.y) * 31) + Rat.hash a.z
 
 let to_string a =

@@ -28,6 +28,9 @@ val equal : t -> t -> bool
 val compare : t -> t -> int
 (** Lexicographic. *)
 
+val bits : t -> int
+(** Of the longest component ({!Rat.bits}). *)
+
 val hash : t -> int
 
 val to_string : t -> string

@@ -26,6 +26,7 @@ let limit : Verdict.limit -> string * Json.t = function
   | Time t -> ("time", Json.rat t)
   | Instant n -> ("instant", `Int n)
   | States n -> ("states", `Int n)
+  | Bits n -> ("bits", `Int n)
   | Seconds s -> ("seconds", `String (Printf.sprintf "%g" s))
   | Memory words -> ("memory", `Int (Memory.bytes_of_words words))
   | Interrupted -> ("interrupted", `Null)

@@ -65,10 +65,11 @@ module Make (L : Lts.S) = struct
   let leave s (reason : L.fault Explore.reason) =
     match reason with
     | Fault _ -> s.left <- reason :: s.left
-    | Depth | Time | Instant | States | Seconds | Memory | Interrupted | Stopped ->
+    | Depth | Time | Instant | States | Bits | Seconds | Memory | Interrupted | Stopped ->
       let same : L.fault Explore.reason -> bool = function Fault _ -> false | other -> other = reason in
       if not (List.exists same s.left) then s.left <- reason :: s.left
 
+  (* States are expanded in the order of their numbers, so that each waits, whether or not it is to be expanded. *)
   let add s key label ~choice =
     Distances.push s.paths label;
     Choices.push s.choices choice;
@@ -84,21 +85,24 @@ module Make (L : Lts.S) = struct
   let bytes s =
     Tuples.bytes s.tuples + Fingerprints.bytes s.seen + Distances.bytes s.paths + Choices.bytes s.choices
 
-  let exhausted s (around : Limits.surroundings) ~start ~round =
-    let words () = (Gc.quick_stat ()).Gc.heap_words + (bytes s / (Sys.word_size / 8)) in
-    if around.interrupted () then Some Explore.Interrupted
-    else if match s.limits.seconds with None -> false | Some t -> around.now () -. start > t then
-      Some Explore.Seconds
-    else if round land 255 = 0 && Option.is_some s.limits.memory && beyond (words ()) s.limits.memory then
-      Some Explore.Memory
-    else None
+  exception Over of Limits.stop
+
+  let within (around : Limits.surroundings) f =
+    match around.attempt.run Exploring f with
+    | Ok x -> x
+    | Error stop -> raise (Over stop)
+
+  let too_long s tuple =
+    match s.limits.bits with
+    | None -> false
+    | Some most -> L.longest s.context > most && L.bits s.context tuple > most
 
   let after s i (step : Lts.step) =
     let d = L.duration s.context step.label in
     Distances.after s.paths i (if Rat.sign d > 0 then Some d else None)
 
   (* The last states may not fit any more. *)
-  let follow s visitor i tuple choice (step : Lts.step) =
+  let follow s around visitor i tuple choice (step : Lts.step) =
     s.transitions <- s.transitions + 1;
     let key = Tuples.key s.tuples ~near:s.near step.changes in
     if s.full then ()
@@ -109,17 +113,19 @@ module Make (L : Lts.S) = struct
     else if Fingerprints.add s.seen key then begin
       let number = size s in
       add s key (after s i step) ~choice;
-      visitor.found number (Tuples.apply step.changes tuple)
+      within around (fun () -> visitor.found number (Tuples.apply step.changes tuple))
     end
 
-  let expand s visitor i key =
+  let expand s around visitor i key =
     Tuples.load_key s.tuples s.near key;
     let tuple = Tuples.slots s.near in
-    match L.successors s.context tuple with
-    | Error fault -> leave s (Explore.Fault fault)
-    | Ok steps ->
-      visitor.opened i tuple steps;
-      List.iteri (follow s visitor i tuple) steps
+    if too_long s tuple then leave s Explore.Bits
+    else
+      match within around (fun () -> L.successors s.context tuple) with
+      | Error fault -> leave s (Explore.Fault fault)
+      | Ok steps ->
+        within around (fun () -> visitor.opened i tuple steps);
+        List.iteri (follow s around visitor i tuple) steps
 
   let path s i =
     let rec go i choices =
@@ -161,9 +167,7 @@ module Make (L : Lts.S) = struct
     }
 
   let run visitor ~capacity limits (around : Limits.surroundings) context =
-    let began = around.now () in
     let s, first = start limits capacity context in
-    visitor.found 0 first;
     (* States are taken as they were found. *)
     let rec loop i =
       match Int_queue.take s.frontier with
@@ -172,16 +176,20 @@ module Make (L : Lts.S) = struct
       | Some _ when s.full -> ()
       | Some key -> (
           if i land 255 = 0 then around.progress (progress s i);
-          match exhausted s around ~start:began ~round:i with
-          | Some reason -> leave s reason
+          match around.stop () with
+          | Some stop -> leave s (Explore.of_stop stop)
           | None ->
             (match out_of_bounds s i with
              | Some reason -> leave s reason
-             | None -> expand s visitor i key);
+             | None -> expand s around visitor i key);
             loop (i + 1))
     in
-    loop 0;
-    around.ended ();
+    (match
+       within around (fun () -> visitor.found 0 first);
+       loop 0
+     with
+     | () -> ()
+     | exception Over stop -> leave s (Explore.of_stop stop));
     {
       size = size s;
       transitions = s.transitions;

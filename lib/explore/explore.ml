@@ -5,11 +5,14 @@ type 'fault reason = 'fault Statuses.reason =
   | Time
   | Instant
   | States
+  | Bits
   | Seconds
   | Memory
   | Interrupted
   | Stopped
   | Fault of 'fault
+
+let of_stop = Statuses.of_stop
 
 type 'fault status = 'fault Statuses.status = Expanded | Queued | Unexpanded of 'fault reason
 
@@ -188,26 +191,30 @@ module Make (L : Lts.S) = struct
       edges = Option.fold ~none:0 ~some:Edge_store.bytes g.edges;
     }
 
-  (* Of the heap and of what stands beside it. *)
-  let words g =
-    let m = memory g in
-    (Gc.quick_stat ()).Gc.heap_words + ((m.states + m.labels + m.edges) / (Sys.word_size / 8))
+  (* Ends an exploration at a state that has not been looked at to the end. *)
+  exception Over of Limits.stop
 
-  (* Which of the bounds on the exploration has been met. Looking at the memory costs more than the rest. *)
-  let exhausted g (limits : Limits.t) (around : Limits.surroundings) ~start ~round =
-    if around.interrupted () then Some Interrupted
-    else if match limits.seconds with None -> false | Some s -> around.now () -. start > s then Some Seconds
-    else if round land 255 = 0 && Option.is_some limits.memory && beyond (words g) limits.memory then
-      Some Memory
-    else None
+  let within (around : Limits.surroundings) f =
+    match around.attempt.run Exploring f with
+    | Ok x -> x
+    | Error stop -> raise (Over stop)
 
   (** {2 Growing the graph} *)
 
-  let add g i label =
+  (* Hardly any exploration has numbers that are too long: which states have is asked only then. *)
+  let too_long g (limits : Limits.t) tuple =
+    match limits.bits with
+    | None -> false
+    | Some most -> L.longest g.context > most && L.bits g.context tuple > most
+
+  let add g limits i label tuple =
     Distances.push g.distances label;
     Option.iter Edge_store.make_room g.edges;
-    mark g i Queued;
-    Frontier.push g.frontier i (Distances.time g.distances label.arrival)
+    if too_long g limits tuple then leave_out g i Bits
+    else begin
+      mark g i Queued;
+      Frontier.push g.frontier i (Distances.time g.distances label.arrival)
+    end
 
   (* The label of the path to a state with a transition more. *)
   let after g i label =
@@ -265,12 +272,13 @@ module Make (L : Lts.S) = struct
     Hashtbl.length fresh <= room
 
   (* The target of a transition, which may be new. *)
-  let connect g visitor i tuple n ({ label; changes } : Lts.step) =
+  let connect g limits around visitor i tuple n ({ label; changes } : Lts.step) =
     let known = size g in
     let id = Tuples.intern_prepared g.tuples n in
     if id = known then begin
-      add g id (after g i label);
-      visitor.found g id (Tuples.apply changes tuple)
+      let target = Tuples.apply changes tuple in
+      add g limits id (after g i label) target;
+      within around (fun () -> visitor.found g id target)
     end;
     id
 
@@ -295,10 +303,10 @@ module Make (L : Lts.S) = struct
     | Some _ | None -> L.successors g.context tuple
 
   (* Expands a state; or says what ends the exploration. *)
-  let expand g (limits : Limits.t) visitor i =
+  let expand g (limits : Limits.t) around visitor i =
     Tuples.load g.tuples g.near i;
     let tuple = Tuples.slots g.near in
-    match successors g tuple with
+    match within around (fun () -> successors g tuple) with
     | Error fault ->
       leave_out g i (Fault fault);
       None
@@ -309,7 +317,7 @@ module Make (L : Lts.S) = struct
       List.iteri (fun n (s : Lts.step) -> Tuples.prepare g.tuples ~near:g.near s.changes n) steps;
       let count = List.length steps in
       Tuples.fetch g.tuples count;
-      let targets = List.mapi (connect g visitor i tuple) steps in
+      let targets = List.mapi (connect g limits around visitor i tuple) steps in
       g.transitions <- g.transitions + count;
       let edge (s : Lts.step) target = { label = s.label; target } in
       let keep store = Edge_store.set store i (List.map2 (fun (s : Lts.step) t -> (s.label, t)) steps targets) in
@@ -317,7 +325,8 @@ module Make (L : Lts.S) = struct
       List.iter2 (fun s target -> relax g limits visitor i (edge s target)) steps targets;
       (match visitor.opened with
        | None -> ()
-       | Some opened -> opened g i tuple (Array.of_list (List.map2 edge steps targets)));
+       | Some opened ->
+         within around (fun () -> opened g i tuple (Array.of_list (List.map2 edge steps targets))));
       None
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
@@ -353,40 +362,45 @@ module Make (L : Lts.S) = struct
     }
 
   (* Looks at a state that waited; or says what ends the exploration. *)
-  let visit g limits visitor i =
+  let visit g limits around visitor i =
     match (status g i, out_of_bounds g limits i) with
     | (Expanded | Unexpanded _), _ -> None
     | Queued, Some reason ->
       leave_out g i reason;
       None
-    | Queued, None -> expand g limits visitor i
+    | Queued, None -> expand g limits around visitor i
 
   let run ?(visitor = blind) ?(order = By_steps) ?(keep_edges = true) (limits : Limits.t)
       (around : Limits.surroundings) context =
     let g = empty context order keep_edges in
-    let start = around.now () in
     let first = L.initial context in
     let i = Tuples.intern g.tuples ~near:g.near (Tuples.difference (Array.map (fun _ -> -1) first) first) in
-    add g i Distances.origin;
-    visitor.found g i first;
+    (* What ends the exploration, at this state or before it. *)
+    let look round i =
+      if visitor.enough () then Some Stopped
+      else
+        match around.stop () with
+        | Some stop -> Some (Statuses.of_stop stop)
+        | None -> (
+            if round land 255 = 0 then around.progress (progress g i);
+            match visit g limits around visitor i with
+            | reason -> reason
+            | exception Over stop ->
+              (* It may have been expanded, but not looked at to the end. *)
+              mark g i Queued;
+              Some (Statuses.of_stop stop))
+    in
     let rec loop round =
       match Frontier.take g.frontier with
       | None -> ()
       | Some i -> (
-          let stop =
-            if visitor.enough () then Some Stopped
-            else
-              match exhausted g limits around ~start ~round with
-              | Some reason -> Some reason
-              | None ->
-                if round land 255 = 0 then around.progress (progress g i);
-                visit g limits visitor i
-          in
-          match stop with
+          match look round i with
           | Some reason -> give_up g i reason
           | None -> loop (round + 1))
     in
-    loop 0;
-    around.ended ();
+    add g limits i Distances.origin first;
+    (match within around (fun () -> visitor.found g i first) with
+     | () -> loop 0
+     | exception Over stop -> give_up g i (Statuses.of_stop stop));
     g
 end

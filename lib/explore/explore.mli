@@ -10,6 +10,7 @@ type 'fault reason = 'fault Statuses.reason =
   | Time
   | Instant
   | States
+  | Bits
   | Seconds
   | Memory
   | Interrupted
@@ -20,6 +21,8 @@ type 'fault status = 'fault Statuses.status =
   | Expanded
   | Queued  (** only while the exploration goes on *)
   | Unexpanded of 'fault reason
+
+val of_stop : Limits.stop -> 'fault reason
 
 module Make (L : Lts.S) : sig
   type t

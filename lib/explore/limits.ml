@@ -5,29 +5,21 @@ type t = {
   time : Rat.t option;
   instant : int option;
   states : int option;
-  seconds : float option;
-  memory : int option;
+  bits : int option;
 }
 
-let unlimited = { depth = None; time = None; instant = None; states = None; seconds = None; memory = None }
+let unlimited = { depth = None; time = None; instant = None; states = None; bits = None }
 
 type progress = { states : int; transitions : int; waiting : int; depth : int; model_time : Rat.t }
-
-type attempt = { run : 'a. (unit -> 'a) -> 'a option }
+type stop = Seconds | Memory | Interrupted
+type stage = Exploring | Concluding | Reporting
+type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }
 
 type surroundings = {
-  now : unit -> float;
-  interrupted : unit -> bool;
+  stop : unit -> stop option;
   progress : progress -> unit;
-  ended : unit -> unit;
   attempt : attempt;
 }
 
 let quiet =
-  {
-    now = (fun () -> 0.);
-    interrupted = (fun () -> false);
-    progress = (fun _ -> ());
-    ended = (fun () -> ());
-    attempt = { run = (fun f -> Some (f ())) };
-  }
+  { stop = (fun () -> None); progress = (fun _ -> ()); attempt = { run = (fun _ f -> Ok (f ())) } }

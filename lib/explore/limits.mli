@@ -11,8 +11,7 @@ type t = {
   (** greatest number of transitions without passing time that a path to an expanded state ends in: the
       guard against a run that goes on for ever within one instant *)
   states : int option;  (** greatest number of states kept *)
-  seconds : float option;  (** of the clock below *)
-  memory : int option;  (** words of the heap of the whole program *)
+  bits : int option;  (** greatest length of a number in an expanded state *)
 }
 
 val unlimited : t
@@ -25,16 +24,23 @@ type progress = {
   model_time : Rat.t;  (** the earliest arrival in the state that is looked at *)
 }
 
-(** Does something that may take long and does not look at the clock; [None] when it was given up. *)
-type attempt = { run : 'a. (unit -> 'a) -> 'a option }
+(** Why work is to end that has more to do: the seconds are over, the memory is used up, or somebody wants it. *)
+type stop = Seconds | Memory | Interrupted
+
+(** What work is part of. What concludes has a little more time and memory than what explores, and what reports a
+    little more than that, so that something can always be told of what was explored. *)
+type stage = Exploring | Concluding | Reporting
+
+(** Does something that may take long, and does not ask whether it is to stop. It may be given up wherever it is,
+    but in a {!Scc_base.Critical} section. *)
+type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }
 
 type surroundings = {
-  now : unit -> float;  (** a clock in seconds; only differences count *)
-  interrupted : unit -> bool;
+  stop : unit -> stop option;  (** asked before each state *)
   progress : progress -> unit;  (** called now and then *)
   ended : unit -> unit;  (** called when an exploration is over: what is made of it takes its time *)
   attempt : attempt;
 }
 
 val quiet : surroundings
-(** A clock that stands still, no interruption, no progress shown, and nothing given up. *)
+(** Nothing stops, no progress is shown, and nothing is given up. *)

@@ -22,6 +22,12 @@ module type S = sig
       they lead to states that have not been seen yet: what else is possible is put off, and possible
       afterwards. [None]: no less than all will do. *)
 
+  val longest : context -> int
+  (** No number that came up is longer than so many bits. Answered at once. *)
+
+  val bits : context -> int array -> int
+  (** The bits of the longest number of a state; of interest only where {!longest} is too much. *)
+
   val duration : context -> int -> Scc_exact.Rat.t
   (** Of a label; 0 for a discrete transition. *)
 end

@@ -14,10 +14,11 @@ let intern t r =
   match Table.find_opt t.numbers r with
   | Some i -> i
   | None ->
-    let i = Growable.length t.values in
-    Growable.push t.values r;
-    Table.add t.numbers r i;
-    i
+    Scc_base.Critical.run (fun () ->
+        let i = Growable.length t.values in
+        Growable.push t.values r;
+        Table.add t.numbers r i;
+        i)
 
 let create () =
   let t = { numbers = Table.create 16; values = Growable.create () } in

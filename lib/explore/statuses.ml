@@ -3,11 +3,17 @@ type 'fault reason =
   | Time
   | Instant
   | States
+  | Bits
   | Seconds
   | Memory
   | Interrupted
   | Stopped
   | Fault of 'fault
+
+let of_stop : Limits.stop -> 'fault reason = function
+  | Seconds -> Seconds
+  | Memory -> Memory
+  | Interrupted -> Interrupted
 
 type 'fault status = Expanded | Queued | Unexpanded of 'fault reason
 
@@ -28,6 +34,7 @@ let mark = function
   | Unexpanded Interrupted -> '6'
   | Unexpanded Stopped -> '7'
   | Unexpanded (Fault _) -> '8'
+  | Unexpanded Bits -> '9'
 
 let get s i =
   match Bytes.get s.marks i with
@@ -41,6 +48,7 @@ let get s i =
   | '5' -> Unexpanded Memory
   | '6' -> Unexpanded Interrupted
   | '7' -> Unexpanded Stopped
+  | '9' -> Unexpanded Bits
   | '8' -> Unexpanded (Fault (Hashtbl.find s.faults i))
   | _ -> Scc_base.Bug.fail __POS__ "no status"
 

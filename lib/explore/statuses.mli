@@ -6,11 +6,14 @@ type 'fault reason =
   | Time
   | Instant
   | States
+  | Bits  (** it has a number that is too long *)
   | Seconds
   | Memory
   | Interrupted
   | Stopped  (** the visitor had seen enough *)
   | Fault of 'fault  (** its transitions cannot be computed *)
+
+val of_stop : Limits.stop -> 'fault reason
 
 type 'fault status =
   | Expanded

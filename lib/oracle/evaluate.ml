@@ -97,6 +97,16 @@ let number p (l : Models.loaded) num =
 (* Of the time and the memory there are, the rest is for reading, telling and stopping. *)
 let share = 0.8
 
+let stop bounds =
+  let last = bounds.now () +. (share *. bounds.seconds) in
+  let words = int_of_float (share *. float_of_int bounds.memory) in
+  let round = ref 0 in
+  fun () : Scc_explore.Limits.stop option ->
+    incr round;
+    if bounds.now () > last then Some Seconds
+    else if !round land 255 = 0 && Memory.heap_words () > words then Some Memory
+    else None
+
 let options bounds p : Check.options =
   let q = Read.quotas p in
   let given = Read.optional p "limits" Read.fields in
@@ -107,12 +117,12 @@ let options bounds p : Check.options =
    | Some _ | None -> ());
   let time = limit "time" Read.not_negative in
   let depth = limit "depth" Read.natural in
-  let budget = { Budget.depth; time; states; seconds = Some (share *. bounds.seconds); memory = None } in
+  let budget = { Budget.depth; time; states; seconds = Some (share *. bounds.seconds); memory = None; bits = None } in
   let memory = int_of_float (share *. float_of_int bounds.memory) in
   {
     Check.default with
     bounds = Budget.bounds { states = Quotas.default_states; memory } budget;
-    surroundings = { Scc_explore.Limits.quiet with now = bounds.now };
+    surroundings = { Scc_explore.Limits.quiet with stop = stop bounds };
   }
 
 let temporal bounds p (l : Models.loaded) check =

@@ -91,7 +91,8 @@ let diagnostic (m : Model.t) fault =
     error Scc_base.Code.bad_law "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
       (match fault with
        | Division_by_zero -> "it divides by zero"
-       | Bad_quantum -> "it rounds to a quantum that is not positive")
+       | Bad_quantum -> "it rounds to a quantum that is not positive"
+       | Too_long -> Printf.sprintf "it makes a number of more than %d bits" Law.longest)
   | Persistent_contact firsts ->
     error Scc_base.Code.persistent_contact
       "persistent contact: %s would interpenetrate at once, though they do not approach where they touch"

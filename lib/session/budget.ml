@@ -7,6 +7,7 @@ type t = {
   states : int option;
   seconds : float option;
   memory : int option;
+  bits : int option;
 }
 
 type defaults = { states : int; memory : int }
@@ -21,4 +22,5 @@ let bounds (defaults : defaults) (b : t) =
     states = or_default defaults.states b.states;
     seconds = given b.seconds;
     memory = or_default defaults.memory b.memory;
+    bits = (match b.bits with Some n -> Given n | None -> Bounds.default.bits);
   }

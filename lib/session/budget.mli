@@ -8,7 +8,8 @@ type t = {
   time : Rat.t option;  (** model time *)
   states : int option;
   seconds : float option;  (** of the clock *)
-  memory : int option;  (** words of the heap *)
+  memory : int option;  (** words *)
+  bits : int option;  (** of a number *)
 }
 
 type defaults = { states : int; memory : int  (** words of the heap *) }

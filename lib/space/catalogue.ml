@@ -17,10 +17,11 @@ module Interned (Thing : Hashtbl.HashedType) = struct
     match Table.find_opt t.numbers thing with
     | Some i -> i
     | None ->
-      let i = size t in
-      Growable.push t.things thing;
-      Table.add t.numbers thing i;
-      i
+      Scc_base.Critical.run (fun () ->
+          let i = size t in
+          Growable.push t.things thing;
+          Table.add t.numbers thing i;
+          i)
 end
 
 module Vectors = Interned (Vec)
@@ -68,6 +69,7 @@ type t = {
   places : Pairs.t;  (** form and place *)
   processes : Pairs.t;  (** the pair before, and velocity *)
   recent : body array;  (** the last bodies that were asked for, each at its number modulo the size *)
+  mutable bits : int;  (** the length of the longest number *)
 }
 
 (* Numbers of processes begin at 1. *)
@@ -98,6 +100,7 @@ let create ~marked ~time_seen ~memory model =
     places = Pairs.create ();
     processes = Pairs.create ();
     recent = Array.make memory no_body;
+    bits = 0;
   }
 
 let model c = c.model
@@ -119,13 +122,29 @@ let moved by (p : State.process) =
   if Vec.is_zero by then p
   else State.map_leaves (fun l -> { l with position = Vec.add l.position by }) p
 
+(* Only what is new can be longer than all before. *)
+let measure c ~known ~number bits = if number = known then c.bits <- Int.max c.bits (bits ())
+
+let vector c v =
+  let known = Vectors.size c.vectors in
+  let number = Vectors.intern c.vectors v in
+  measure c ~known ~number (fun () -> Vec.bits v);
+  number
+
+let form_of c (p : State.process) =
+  let known = Forms.size c.forms in
+  let number = Forms.intern c.forms p in
+  let longest () = List.fold_left (fun most (_, bits) -> Int.max most bits) 0 (Length.of_process p) in
+  measure c ~known ~number longest;
+  number
+
 let numbered c ~form ~place ~velocity =
-  1 + Pairs.intern c.processes (Pairs.intern c.places form (Vectors.intern c.vectors place)) velocity
+  1 + Pairs.intern c.processes (Pairs.intern c.places form (vector c place)) velocity
 
 let process c (p : State.process) =
   let place = p.leaves.(0).position in
-  let form = Forms.intern c.forms (State.with_velocity Vec.zero (moved (Vec.neg place) p)) in
-  numbered c ~form ~place ~velocity:(Vectors.intern c.vectors p.velocity)
+  let form = form_of c (State.with_velocity Vec.zero (moved (Vec.neg place) p)) in
+  numbered c ~form ~place ~velocity:(vector c p.velocity)
 
 let made c number =
   let placed = Pairs.left c.processes (number - 1) and velocity = Pairs.right c.processes (number - 1) in
@@ -158,7 +177,10 @@ let shifted c by number =
 
 let form c i = Forms.get c.forms i
 
-let time_number c time = Rationals.intern c.times (Scc_property.Time_seen.representative c.time_seen time)
+let time_number c time =
+  let seen = Scc_property.Time_seen.representative c.time_seen time in
+  c.bits <- Int.max c.bits (Rat.bits seen);
+  Rationals.intern c.times seen
 
 let encode c (s : State.t) =
   let tuple = Array.make (width c) nobody in
@@ -193,14 +215,13 @@ let label c l = Labels.intern c.labels l
 let label_of c i = Labels.get c.labels i
 let duration c i = Transition.duration_of (label_of c i)
 
-let bits_of (v : Vec.t) = Int.max (Rat.bits v.x) (Int.max (Rat.bits v.y) (Rat.bits v.z))
-
+let greatest_bits c = c.bits
 let longest c =
   let greatest count bits =
     let rec from i most = if i = count then most else from (i + 1) (Int.max most (bits i)) in
     from 0 0
   in
-  let vector i = bits_of (Vectors.get c.vectors i) in
+  let vector i = Vec.bits (Vectors.get c.vectors i) in
   let in_form of_process i = of_process (Forms.get c.forms i) in
   let turned (p : State.process) =
     Array.fold_left (fun most (l : State.leaf) -> Int.max most (Quaternion.bits l.turned)) 0 p.leaves
@@ -217,6 +238,6 @@ let longest c =
     let kept =
       match dynamics with
       | Constant_spin -> []
-      | Free_body -> [ of_forms "angular_momenta" (fun p -> bits_of p.kept) ]
+      | Free_body -> [ of_forms "angular_momenta" (fun p -> Vec.bits p.kept) ]
     in
-    [ of_forms "spins" (fun p -> bits_of p.spin); of_forms "orientations" turned ] @ kept
+    [ of_forms "spins" (fun p -> Vec.bits p.spin); of_forms "orientations" turned ] @ kept

@@ -85,6 +85,9 @@ val forms : t -> int
 val exists_form : t -> (State.process -> bool) -> bool
 (** Whether one of the forms that have been seen is so. *)
 
+val greatest_bits : t -> int
+(** No number that came up is longer; with the parts of a process relative to its first leaf. *)
+
 val longest : t -> (string * int) list
 (** How far numbers have grown: by what they are numbers of, the most bits that one of them takes, numerator and
     denominator together: [positions], [velocities] and, for rigid models, [spins] and [orientations] (a component

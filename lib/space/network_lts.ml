@@ -63,6 +63,8 @@ let model c = Semantics.model (semantics c)
 let start c = c.initial
 let width c = Catalogue.width (catalogue c)
 let initial c = Quotient.representative c.quotient (catalogue c) (Catalogue.encode (catalogue c) c.initial)
+let longest c = Catalogue.greatest_bits (catalogue c)
+let bits c tuple = (Length.longest (Catalogue.decode (catalogue c) tuple)).bits
 let duration c label = Catalogue.duration (catalogue c) label
 let network processes = State.make ~processes ~step:None ~time:None
 

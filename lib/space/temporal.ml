@@ -63,6 +63,10 @@ let on asked ~rests graph =
 let origin = Scc_ctl.Positions.start 0
 let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin
 
+let done_with t i =
+  let later = Array.to_list (Array.sub t.asked.formulas (i + 1) (Array.length t.asked.formulas - i - 1)) in
+  Scc_ctl.Eval.retain t.eval later
+
 let explain t i =
   match Explanation.explain t.eval t.asked.formulas.(i) origin with
   | Some e -> e

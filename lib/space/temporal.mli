@@ -18,6 +18,9 @@ val on : asked -> rests:(int array -> bool) -> State_graph.t -> t
 val truth : t -> int -> bool option
 (** Of the formula of this index, in the initial state; [None]: undecided. *)
 
+val done_with : t -> int -> unit
+(** This formula and all before it are not asked about any more: what was found for them alone is forgotten. *)
+
 val explain : t -> int -> Explanation.t
 (** Of one that is decided. *)
 

@@ -11,6 +11,7 @@ type t = {
   seconds : float bound;
   memory : int bound;
   instant : int bound;
+  bits : int bound;
 }
 
 let default =
@@ -21,6 +22,7 @@ let default =
     seconds = Unbounded;
     memory = Unbounded;
     instant = Default 10_000;
+    bits = Default 100_000;
   }
 
 let value = function
@@ -38,8 +40,7 @@ let limits b ~horizon : Limits.t =
     time = earlier (value b.time) horizon;
     instant = value b.instant;
     states = value b.states;
-    seconds = value b.seconds;
-    memory = value b.memory;
+    bits = value b.bits;
   }
 
 type cause = Bound of Verdict.truncation | Fault of Scc_base.Diag.t | Early
@@ -49,6 +50,12 @@ let truncation bound make : Verdict.truncation =
   | Given v -> { limit = make v; origin = By_user }
   | Default v -> { limit = make v; origin = By_default }
   | Unbounded -> Scc_base.Bug.fail __POS__ "a bound that is off was met"
+
+let stopped b (stop : Limits.stop) =
+  match stop with
+  | Seconds -> truncation b.seconds (fun s -> Verdict.Seconds s)
+  | Memory -> truncation b.memory (fun w -> Verdict.Memory w)
+  | Interrupted -> { limit = Interrupted; origin = By_user }
 
 (* The bound of time is the properties' own when theirs is the lesser. *)
 let time b horizon : Verdict.truncation =
@@ -74,8 +81,9 @@ let cause b model ~horizon (r : _ Explore.reason) =
   | Time -> Bound (time b horizon)
   | Instant -> Bound (truncation b.instant (fun n -> Verdict.Instant n))
   | States -> Bound (truncation b.states (fun n -> Verdict.States n))
-  | Seconds -> Bound (truncation b.seconds (fun s -> Verdict.Seconds s))
-  | Memory -> Bound (truncation b.memory (fun w -> Verdict.Memory w))
-  | Interrupted -> Bound { limit = Interrupted; origin = By_user }
+  | Bits -> Bound (truncation b.bits (fun n -> Verdict.Bits n))
+  | Seconds -> Bound (stopped b Seconds)
+  | Memory -> Bound (stopped b Memory)
+  | Interrupted -> Bound (stopped b Interrupted)
   | Stopped -> Early
   | Fault f -> Fault (Transition.diagnostic model f)

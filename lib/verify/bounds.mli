@@ -15,10 +15,11 @@ type t = {
   seconds : float bound;
   memory : int bound;  (** words of the heap *)
   instant : int bound;  (** the guard against runs that go on for ever within one instant *)
+  bits : int bound;  (** of a number in a state *)
 }
 
 val default : t
-(** None but an instant of 10 000 transitions (by default). *)
+(** None but an instant of 10 000 transitions, and numbers of 100 000 bits (both by default). *)
 
 val limits : t -> horizon:Rat.t option -> Limits.t
 (** [horizon] is the time up to which the properties look. *)
@@ -34,5 +35,8 @@ val dead_end : Scc_base.Diag.t -> Scc_base.Diag.t
 
 val dead_ends : Scc_space.Network_lts.context -> Scc_base.Diag.t list
 (** A warning for each reason for which runs end in what was explored (rule Persistent). *)
+
+val stopped : t -> Limits.stop -> Verdict.truncation
+(** What ended the work. *)
 
 val cause : t -> Model.t -> horizon:Rat.t option -> Transition.fault Explore.reason -> cause

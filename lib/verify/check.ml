@@ -123,18 +123,6 @@ let lift_verdict lift (v : Verdict.t) : Verdict.t =
 
 (** {2 All explorations} *)
 
-(* What is left of the seconds is left for the next exploration: its clock goes on where the last one stopped. *)
-let going_on (around : Limits.surroundings) start =
-  let first = ref true in
-  let now () =
-    if !first then begin
-      first := false;
-      start
-    end
-    else around.now ()
-  in
-  { around with now }
-
 let add (a : stats) (b : stats) =
   {
     states = a.states + b.states;
@@ -188,8 +176,7 @@ let rests semantics (result : Joint_check.result) (check : Property.check) (v : 
 let slowing (result : Joint_check.result) v =
   match Verdict.truncated v with [] -> None | _ :: _ -> result.stats.slowing
 
-let explored options semantics ~initial start group =
-  let options = { options with surroundings = going_on options.surroundings start } in
+let explored options semantics ~initial group =
   let members = List.rev group.members in
   let whole = Option.is_none group.needs.part in
   let part = Option.value group.needs.part ~default:initial in
@@ -248,10 +235,9 @@ let merge parts ~events_elsewhere =
     }
 
 let whole options semantics ~initial checks =
-  let start = options.surroundings.now () in
   let events_elsewhere () = Joint_check.may_have_events options semantics ~initial in
   groups options semantics ~initial checks
-  |> List.map (explored options semantics ~initial start)
+  |> List.map (explored options semantics ~initial)
   |> merge ~events_elsewhere
 
 let run options semantics ~initial checks =
@@ -262,3 +248,30 @@ let run options semantics ~initial checks =
     let step = Some { State.remaining = model.timestep; phase = Steered } in
     let initial = State.make ~processes:(Array.to_list initial.processes) ~step ~time:initial.time in
     whole options (Semantics.with_model semantics stepwise) ~initial checks
+
+let unexplored options (checks : Property.check list) stop =
+  let stopped = Bounds.stopped options.bounds stop in
+  let outcome check =
+    let scale = { Verdict.resolution = None; split_step = None } in
+    { Verdict.check; verdict = Undecided [ Truncated stopped ]; scale; rests = []; slowing = None }
+  in
+  {
+    outcomes = List.map outcome checks;
+    stats =
+      {
+        states = 0; transitions = 0; depth = 0; model_time = Rat.zero;
+        complete = false;
+        eventful = true;
+        decided_early = false;
+        split_step = None;
+        stopped_by = [ stopped ];
+        faults = [];
+        dead_ends = [];
+        slowing = None;
+      };
+    uneventful = false;
+    slices = [];
+    zeno = None;
+    stores = [];
+    numbers = (fun () -> []);
+  }

@@ -140,16 +140,12 @@ let evaluated r temporal i =
       | false, witness -> Violated { witness })
 
 (* An evaluation that takes longer than there is time for leaves one formula open, and nothing else. *)
-let out_of_time r : Verdict.truncation =
-  let around = r.options.surroundings in
-  match r.options.bounds.seconds with
-  | (Given s | Default s) when not (around.interrupted ()) -> { limit = Seconds s; origin = By_user }
-  | Given _ | Default _ | Unbounded -> { limit = Interrupted; origin = By_user }
-
 let formula r temporal i =
-  match r.options.surroundings.attempt.run (fun () -> evaluated r temporal i) with
-  | Some v -> v
-  | None -> Undecided [ Truncated (out_of_time r) ]
+  let result = r.options.surroundings.attempt.run Concluding (fun () -> evaluated r temporal i) in
+  Temporal.done_with temporal i;
+  match result with
+  | Ok v -> v
+  | Error stop -> Undecided [ Truncated (Bounds.stopped r.options.bounds stop) ]
 
 (* Answers and formulas are taken up in the order of {!questions} and {!formulas}. *)
 type answers = { searches : Search.answer list; next_formula : int; temporal : Temporal.t option }
@@ -247,7 +243,7 @@ let zeno r (result : Search.result) =
       (fun (i, (reason : _ Explore.reason)) ->
          match reason with
          | Instant -> Some (Make_witness.of_path r.context r.graph i)
-         | Depth | Time | States | Seconds | Memory | Interrupted | Stopped | Fault _ -> None)
+         | Depth | Time | States | Bits | Seconds | Memory | Interrupted | Stopped | Fault _ -> None)
       (Graph.unexpanded r.graph)
 
 (* Without edges a state takes a quarter of the memory. They are needed to look back from states to those before,
@@ -302,7 +298,7 @@ let check options semantics ~initial (checks : Property.check list) =
       let temporal = Temporal.on formulas ~rests g in
       List.for_all Fun.id (List.mapi (fun i _ -> Option.is_some (Temporal.truth temporal i)) temporals)
     in
-    Option.value (options.surroundings.attempt.run look) ~default:false
+    Result.value (options.surroundings.attempt.run Exploring look) ~default:false
   in
   let settled = match temporals with [] -> None | _ :: _ -> Some settled in
   let result =

@@ -28,7 +28,7 @@ let of_instants times =
     if less a b && less b c then Some { stretches = [ a; b; c ]; until = all.(n) } else None
 
 let is_bound : _ Scc_explore.Explore.reason -> bool = function
-  | Depth | States | Seconds | Memory | Interrupted -> true
+  | Depth | States | Bits | Seconds | Memory | Interrupted -> true
   | Time | Instant | Stopped | Fault _ -> false
 
 let find graph =

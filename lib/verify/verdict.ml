@@ -6,6 +6,7 @@ type limit =
   | Time of Rat.t
   | Instant of int
   | States of int
+  | Bits of int
   | Seconds of float
   | Memory of int
   | Interrupted
@@ -46,6 +47,7 @@ let rank = function
   | Memory _ -> 5
   | Interrupted -> 6
   | Omission _ -> 7
+  | Bits _ -> 8
 
 let same_limit a b = Int.equal (rank a.limit) (rank b.limit)
 
@@ -102,7 +104,7 @@ let resources v =
     (fun t ->
        match t.limit with
        | Seconds _ | Memory _ | Interrupted -> true
-       | Depth _ | Time _ | Instant _ | States _ | Omission _ -> false)
+       | Depth _ | Time _ | Instant _ | States _ | Bits _ | Omission _ -> false)
     (truncated v)
 
 let by_default = function
@@ -124,6 +126,7 @@ let limit_to_string = function
   | Time t -> Printf.sprintf "the time bound %s" (Rat.to_string t)
   | Instant n -> Printf.sprintf "the bound of %d transitions within one instant" n
   | States n -> Printf.sprintf "the bound of %d states" n
+  | Bits n -> Printf.sprintf "the bound of %d bits for a number" n
   | Seconds s -> Printf.sprintf "the limit of %g seconds" s
   | Memory w -> Printf.sprintf "the memory limit of %d MB" (w / 1024 * (Sys.word_size / 8) / 1024)
   | Interrupted -> "the interruption"

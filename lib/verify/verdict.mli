@@ -9,6 +9,7 @@ type limit =
   | Time of Rat.t
   | Instant of int  (** the guard against runs that go on for ever within one instant *)
   | States of int
+  | Bits of int  (** the length of a number *)
   | Seconds of float
   | Memory of int  (** words *)
   | Interrupted

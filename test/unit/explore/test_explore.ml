@@ -22,6 +22,10 @@ module Toy = struct
 
   let reduced _ _ = None
   let duration _ d = Rat.of_int d
+
+  (* The number of a state is as long as it says. *)
+  let longest = Array.length
+  let bits _ s = s.(0)
 end
 
 module Graph = Explore.Make (Toy)
@@ -249,6 +253,7 @@ let reason = function
   | Time -> "time"
   | Instant -> "instant"
   | States -> "states"
+  | Bits -> "bits"
   | Seconds -> "seconds"
   | Memory -> "memory"
   | Interrupted -> "interrupted"
@@ -281,22 +286,46 @@ let bounds () =
   check_left "states" [ (3, "states") ] (at { none with states = Some 4 });
   check_left "just enough states" [] (at { none with states = Some 10 });
   check_left "instant" [ (6, "instant") ] (at { none with instant = Some 5 });
-  check_left "memory" [ (0, "memory") ] (at { none with memory = Some 1 })
+  check_left "long numbers" [ (7, "bits") ] (at { none with bits = Some 6 })
+
+(* Stops at the third time that it is asked for something. *)
+let third reason =
+  let times = ref 0 in
+  fun () ->
+    incr times;
+    if !times >= 3 then Some reason else None
 
 let surroundings () =
-  let clock = ref 0. in
-  let now () = clock := !clock +. 1.; !clock in
-  let around = { Limits.quiet with now } in
-  check_left "seconds" [ (3, "seconds") ]
-    (explore ~limits:{ none with seconds = Some 3.5 } ~around (line 10));
-  let polls = ref 0 in
-  let interrupted () = incr polls; !polls > 3 in
-  check_left "interruption" [ (3, "interrupted") ]
-    (explore ~around:{ Limits.quiet with interrupted } (line 10));
+  let around reason = { Limits.quiet with stop = third reason } in
+  check_left "seconds" [ (2, "seconds") ] (explore ~around:(around Limits.Seconds) (line 10));
+  check_left "memory" [ (2, "memory") ] (explore ~around:(around Limits.Memory) (line 10));
+  check_left "interruption" [ (2, "interrupted") ] (explore ~around:(around Limits.Interrupted) (line 10));
   let stop = ref false in
   let opened _ i _ _ = if i = 4 then stop := true in
   let visitor = { Graph.blind with opened = Some opened; enough = (fun () -> !stop) } in
   check_left "visitor" [ (5, "stopped") ] (explore ~visitor (line 10))
+
+(* The attempt of this number is given up before it does anything. *)
+let given_up number =
+  let times = ref 0 in
+  let run _ f =
+    incr times;
+    if !times = number then Error Limits.Memory else Ok (f ())
+  in
+  { Limits.quiet with attempt = { run } }
+
+(* Whatever is given up, what is left is a part of the whole, and its last state is not taken for expanded. The
+   attempts of a line are: state 0 found; and then of each state its transitions, and the next one found. *)
+let attempts () =
+  check_left "at the first state" [ (0, "memory") ] (explore ~around:(given_up 1) (line 4));
+  for state = 0 to 2 do
+    let transitions = explore ~around:(given_up ((2 * state) + 2)) (line 4) in
+    check_left "transitions" [ (state, "memory") ] transitions;
+    Alcotest.(check int) "no edges" 0 (Array.length (Graph.edges transitions state));
+    let found = explore ~around:(given_up ((2 * state) + 3)) (line 4) in
+    check_left "what was found" [ (state, "memory"); (state + 1, "memory") ] found
+  done;
+  check_left "none" [] (explore ~around:(given_up 100) (line 4))
 
 let faults () =
   check_left "fault" [ (1, "fault broken") ] (explore [| Some [ (1, 1); (2, 1) ]; None; Some [] |])
@@ -321,6 +350,7 @@ let () =
           quick "a later path that is earlier in time" relaxation;
           quick "each bound leaves out what it should" bounds;
           quick "clock, interruption and visitor" surroundings;
+          quick "attempts that are given up" attempts;
           quick "faults" faults;
           quick "a long line" deep;
         ] );

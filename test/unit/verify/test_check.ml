@@ -166,10 +166,11 @@ let bounds () =
 
 let interruption () =
   let polls = ref 0 in
-  let interrupted () = incr polls; !polls > 10 in
-  let options =
-    { Check.default with surroundings = { Scc_explore.Limits.quiet with interrupted } }
+  let stop () : Scc_explore.Limits.stop option =
+    incr polls;
+    if !polls > 10 then Some Interrupted else None
   in
+  let options = { Check.default with surroundings = { Scc_explore.Limits.quiet with stop } } in
   let _, report = check ~options (falls ^ "check a : always z(p) <= 0") in
   (match report.outcomes with
    | [ { verdict = v; _ } ] ->

@@ -1,0 +1,163 @@
+open Scc_base
+open Scc_explore
+
+(* Seconds from one look to the next; heaps grow by some ten megabytes in the meantime. *)
+let interval = 0.01
+
+(* Seconds that conclusions have, and half as many that the report has after them; and those after which the program
+   ends without one. *)
+let grace = 1.
+let patience = 3.
+
+(* How much of the memory explorations leave to conclusions. *)
+let left_to_conclusions = 0.25
+
+exception Given_up of Limits.stop
+
+type t = {
+  deadline : float;
+  memory : float;  (** in bytes *)
+  mutable signalled : float;  (** when; infinite: not yet *)
+  mutable over : Limits.stop option;  (** for what explores *)
+  mutable late : Limits.stop option;  (** for what concludes *)
+  mutable last : Limits.stop option;  (** for what reports *)
+  mutable stage : Limits.stage option;  (** of the attempt that is being made *)
+}
+
+let page = 4096.
+
+(* What is in memory, of the heap and of all else; where the system does not tell, the heap alone. *)
+let resident () =
+  match open_in_bin "/proc/self/statm" with
+  | exception Sys_error _ -> float_of_int (Memory.bytes_of_words (Memory.heap_words ()))
+  | file ->
+    let line = try input_line file with End_of_file | Sys_error _ -> "" in
+    close_in_noerr file;
+    (match String.split_on_char ' ' line with
+     | _ :: pages :: _ -> page *. float_of_string pages
+     | _ -> float_of_int (Memory.bytes_of_words (Memory.heap_words ())))
+
+(* Of the addresses that the system gives to a program, which takes more of them than memory: where none are left, an
+   arithmetic on long numbers would end the program. *)
+let address_space () =
+  let is_it line = String.length line > 17 && String.equal (String.sub line 0 17) "Max address space" in
+  match open_in_bin "/proc/self/limits" with
+  | exception Sys_error _ -> infinity
+  | file ->
+    let rec find () =
+      match input_line file with
+      | exception (End_of_file | Sys_error _) -> infinity
+      | line when is_it line -> (
+          let words = List.filter (fun w -> w <> "") (String.split_on_char ' ' line) in
+          match List.nth_opt words 3 with
+          | Some soft -> Option.value (float_of_string_opt soft) ~default:infinity
+          | None -> infinity)
+      | _ -> find ()
+    in
+    let most = find () in
+    close_in_noerr file;
+    0.6 *. most
+
+(* What is over when so many seconds more, and so much memory, are allowed. *)
+let beyond t ~now ~bytes ~more ~share : Limits.stop option =
+  if now > t.signalled +. more then Some Interrupted
+  else if now > t.deadline +. more then Some Seconds
+  else if bytes > share *. t.memory then Some Memory
+  else None
+
+(* Nothing is flushed: what was printed so far may be half of a report. *)
+let abandon t =
+  let why = if t.signalled < infinity then "interrupted" else "the limit of seconds has passed" in
+  prerr_endline ("scc: " ^ why ^ ", and the step that was under way did not end");
+  flush stderr;
+  Unix._exit (Scc_session.Exit_code.to_int Stopped)
+
+let over t (stage : Limits.stage) =
+  match stage with
+  | Exploring -> t.over
+  | Concluding -> t.late
+  | Reporting -> t.last
+
+let look t =
+  let now = Unix.gettimeofday () in
+  let bytes = if t.memory < infinity then resident () else 0. in
+  t.over <- beyond t ~now ~bytes ~more:0. ~share:(1. -. left_to_conclusions);
+  t.late <- beyond t ~now ~bytes ~more:grace ~share:1.;
+  t.last <- beyond t ~now ~bytes ~more:(1.5 *. grace) ~share:1.1;
+  match (t.stage, t.last) with
+  | Some stage, _ -> Option.iter (fun stop -> if not (Critical.active ()) then raise (Given_up stop)) (over t stage)
+  | None, Some (Seconds | Interrupted) when now > Float.min t.signalled t.deadline +. patience -> abandon t
+  | None, _ -> ()
+
+let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
+
+let default_signals () =
+  Sys.set_signal Sys.sigint Sys.Signal_default;
+  Sys.set_signal Sys.sigterm Sys.Signal_default
+
+let start ?seconds ?memory () =
+  let t =
+    {
+      deadline = Option.fold ~none:infinity ~some:(fun s -> Unix.gettimeofday () +. s) seconds;
+      memory =
+        Option.fold ~none:infinity memory ~some:(fun w ->
+            Float.min (address_space ()) (float_of_int (Memory.bytes_of_words w)));
+      signalled = infinity;
+      over = None;
+      late = None;
+      last = None;
+      stage = None;
+    }
+  in
+  let arrived _ =
+    t.signalled <- Unix.gettimeofday ();
+    default_signals ();
+    timer interval
+  in
+  Sys.set_signal Sys.sigint (Sys.Signal_handle arrived);
+  Sys.set_signal Sys.sigterm (Sys.Signal_handle arrived);
+  Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> look t));
+  if Option.is_some seconds || Option.is_some memory then timer interval;
+  t
+
+let stop t () = t.over
+let interrupted t () = t.signalled < infinity
+
+let finish t =
+  timer 0.;
+  t.stage <- None;
+  default_signals ()
+
+(* What was given up for its memory has left it behind as garbage. *)
+let compacted t stage =
+  match over t stage with
+  | Some Memory ->
+    let outer = t.stage in
+    t.stage <- None;
+    Gc.compact ();
+    look t;
+    t.stage <- outer
+  | Some (Seconds | Interrupted) | None -> ()
+
+let attempted t stage f =
+  (match (stage : Limits.stage) with Concluding | Reporting -> compacted t stage | Exploring -> ());
+  match over t stage with
+  | Some stop -> Error stop
+  | None -> (
+      let outer = t.stage in
+      let leave () = t.stage <- outer in
+      match
+        t.stage <- Some stage;
+        let x = f () in
+        leave ();
+        x
+      with
+      | x -> Ok x
+      | exception Given_up stop ->
+        leave ();
+        Error stop
+      | exception e ->
+        leave ();
+        raise e)
+
+let attempt t : Limits.attempt = { run = (fun stage f -> attempted t stage f) }
