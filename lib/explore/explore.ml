@@ -121,12 +121,13 @@ module Make (L : Lts.S) = struct
     | Ok steps -> edges_of_steps g steps
     | Error _ -> Scc_base.Bug.fail __POS__ "the transitions of a state cannot be made again"
 
-  let edges g i =
-    if not (is_expanded g i) then [||]
-    else
-      match g.edges with
-      | None -> made_anew g i
-      | Some store -> Edge_store.get store i (fun label target -> { label; target })
+  (* Of a state whose transitions have been made, though it may not have been looked at to the end. *)
+  let known_edges g i =
+    match g.edges with
+    | None -> made_anew g i
+    | Some store -> Edge_store.get store i (fun label target -> { label; target })
+
+  let edges g i = if is_expanded g i then known_edges g i else [||]
 
   let passing g i =
     let label =
@@ -149,7 +150,7 @@ module Make (L : Lts.S) = struct
 
   (* The first choice that leads from the one state to the other and passes the test. *)
   let choice g source target test =
-    let edges = edges g source in
+    let edges = known_edges g source in
     let rec from k =
       if k = Array.length edges then Scc_base.Bug.fail __POS__ "a path without an edge"
       else if edges.(k).target = target && test edges.(k) then k
@@ -272,15 +273,22 @@ module Make (L : Lts.S) = struct
     Hashtbl.length fresh <= room
 
   (* The target of a transition, which may be new. *)
-  let connect g limits around visitor i tuple n ({ label; changes } : Lts.step) =
+  let connect g limits i tuple n ({ label; changes } : Lts.step) =
     let known = size g in
     let id = Tuples.intern_prepared g.tuples n in
-    if id = known then begin
-      let target = Tuples.apply changes tuple in
-      add g limits id (after g i label) target;
-      within around (fun () -> visitor.found g id target)
-    end;
+    if id = known then add g limits id (after g i label) (Tuples.apply changes tuple);
     id
+
+  (* Shows the visitor those that are new, in the order of their numbers from [first] on. *)
+  let introduce g around visitor ~first tuple steps targets =
+    let next = ref first in
+    let show (s : Lts.step) id =
+      if id = !next then begin
+        incr next;
+        within around (fun () -> visitor.found g id (Tuples.apply s.changes tuple))
+      end
+    in
+    List.iter2 show steps targets
 
   (* Whether an edge to a known state changes nothing: it takes no time, and leads deeper by no shorter way. *)
   let is_plain g i label target =
@@ -317,11 +325,13 @@ module Make (L : Lts.S) = struct
       List.iteri (fun n (s : Lts.step) -> Tuples.prepare g.tuples ~near:g.near s.changes n) steps;
       let count = List.length steps in
       Tuples.fetch g.tuples count;
-      let targets = List.mapi (connect g limits around visitor i tuple) steps in
+      let first = size g in
+      let targets = List.mapi (connect g limits i tuple) steps in
       g.transitions <- g.transitions + count;
       let edge (s : Lts.step) target = { label = s.label; target } in
       let keep store = Edge_store.set store i (List.map2 (fun (s : Lts.step) t -> (s.label, t)) steps targets) in
       Option.iter keep g.edges;
+      introduce g around visitor ~first tuple steps targets;
       List.iter2 (fun s target -> relax g limits visitor i (edge s target)) steps targets;
       (match visitor.opened with
        | None -> ()

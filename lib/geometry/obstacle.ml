@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 
 type facet = Minkowski.facet = { normal : Ivec.t; num : Z.t; den : Z.t }
@@ -15,14 +16,14 @@ and entrance = { carrier : Certificate.plane; portal : Portal.triangle }
 
 (* At this offset the two touch, and these are the normals of the facets that hold it: who has asked whether bodies
    touch asks next how. *)
-and contact = { at : Vec.t; normals : Ivec.t list Lazy.t }
+and contact = { at : Vec.t; normals : Ivec.t list Later.t }
 
-type t = { a : Solid.t; b : Solid.t; all : Facets.t Lazy.t; guess : Portal.guess; memory : memory }
+type t = { a : Solid.t; b : Solid.t; all : Facets.t Later.t; guess : Portal.guess; memory : memory }
 
 let make ?(guess = Portal.guess) a b =
-  { a; b; all = lazy (Facets.make a b); guess; memory = { plane = None; entrance = None; contact = None } }
+  { a; b; all = Later.make (fun () -> Facets.make a b); guess; memory = { plane = None; entrance = None; contact = None } }
 
-let facets o = Facets.facets (Lazy.force o.all)
+let facets o = Facets.facets (Later.force o.all)
 
 let keep_plane o p = o.memory.plane <- Some p
 
@@ -84,11 +85,11 @@ let locate o c question =
 
 let keep_contact o r c f crossing =
   let normals =
-    lazy
-      (match (crossing : Certificate.crossing) with
-       | Within -> [ Ivec.primitive (Certificate.normal f) ]
-       | Border p -> Certificate.tight c p
-       | Outside -> Scc_base.Bug.fail __POS__ "a contact outside of its portal")
+    Later.make (fun () ->
+        match (crossing : Certificate.crossing) with
+        | Within -> [ Ivec.primitive (Certificate.normal f) ]
+        | Border p -> Certificate.tight c p
+        | Outside -> Bug.fail __POS__ "a contact outside of its portal")
   in
   o.memory.contact <- Some { at = r; normals };
   normals
@@ -106,7 +107,7 @@ let relation_by_search o r question =
       | Contact (f, crossing) ->
         ignore (keep_contact o r c f crossing);
         Touching
-      | Open -> Facets.relation (Lazy.force o.all) r)
+      | Open -> Facets.relation (Later.force o.all) r)
 
 let still = Shadow.floats Vec.zero
 
@@ -116,22 +117,22 @@ let relation o r =
   | Some relation -> relation
   | None -> (
       match Question.make o.a o.b floats still with
-      | None -> Facets.relation (Lazy.force o.all) r
+      | None -> Facets.relation (Later.force o.all) r
       | Some question -> relation_by_search o r question)
 
 let separating_by_search o r =
-  let by_facets () = Facets.separating (Lazy.force o.all) r in
+  let by_facets () = Facets.separating (Later.force o.all) r in
   match Question.make o.a o.b (Shadow.floats r) still with
   | None -> by_facets ()
   | Some question -> (
       let c = Certificate.make question r Vec.zero in
       match settle c (o.guess.locate question ~hasty:false) with
-      | Contact (f, crossing) -> Lazy.force (keep_contact o r c f crossing)
+      | Contact (f, crossing) -> Later.force (keep_contact o r c f crossing)
       | Apart_by _ | Overlap | Open -> by_facets ())
 
 let separating o r =
   match o.memory.contact with
-  | Some { at; normals } when Vec.equal at r -> Lazy.force normals
+  | Some { at; normals } when Vec.equal at r -> Later.force normals
   | Some _ | None -> separating_by_search o r
 
 (* At a boundary point r of a convex polytope, r + t w is interior for all small t > 0 iff w goes strictly
@@ -203,7 +204,7 @@ let inside_now o r =
   | Touching | Apart -> Never
 
 let moving_contact o r w =
-  let by_facets () = Facets.first_time_of_contact (Lazy.force o.all) r w in
+  let by_facets () = Facets.first_time_of_contact (Later.force o.all) r w in
   match Question.make o.a o.b (Shadow.floats r) (Shadow.floats w) with
   | None -> by_facets ()
   | Some question -> (
@@ -226,7 +227,7 @@ let moving_meeting o r w =
       let c = Certificate.make question r w in
       (Some c, patiently o c question)
   in
-  let by_facets () = Facets.meeting (Lazy.force o.all) r w in
+  let by_facets () = Facets.meeting (Later.force o.all) r w in
   match passage w with
   | Some c, Misses p when Certificate.apart_forever c p -> None
   | Some c, Enters low -> (

@@ -17,7 +17,7 @@ type memory
 type t = private {
   a : Solid.t;
   b : Solid.t;
-  all : Facets.t Lazy.t;  (** all facets, made when a query cannot do without them *)
+  all : Facets.t Scc_base.Later.t;  (** all facets, made when a query cannot do without them *)
   guess : Portal.guess;
   memory : memory;  (** what proved the last answers, where the next proof is sought first *)
 }

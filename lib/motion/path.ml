@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_rigid
 open Scc_calculus
@@ -6,9 +7,9 @@ open Scc_semantics
 type curve = Steady of Rat.t | Quotient of Polynomial.t * Polynomial.t | Not_followed
 
 (* How a process of a rigid model turns. The denominator of all that turns with it is [bottom]. *)
-type turning = { mover : Impact.mover Lazy.t; centre : Vec.t; bottom : Polynomial.t; for_ever : bool }
+type turning = { mover : Impact.mover Later.t; centre : Vec.t; bottom : Polynomial.t; for_ever : bool }
 
-type kinematics = Straight | Turning of turning Lazy.t
+type kinematics = Straight | Turning of turning Later.t
 type t = { model : Model.t; process : State.process; kinematics : kinematics }
 
 (* A vector of polynomials. *)
@@ -35,7 +36,7 @@ let shifted since a b c =
 
 let turning ~for_ever m (p : State.process) =
   {
-    mover = lazy (Turn.mover m p);
+    mover = Later.make (fun () -> Turn.mover m p);
     centre = State.centre_of_mass m p;
     bottom = shifted p.since Rat.one Rat.zero (Rat.mul quarter (Vec.norm2 p.spin));
     for_ever;
@@ -45,7 +46,7 @@ let make ?(for_ever = false) (model : Model.t) process =
   let kinematics =
     match model.rigid with
     | None -> Straight
-    | Some _ -> Turning (lazy (turning ~for_ever model process))
+    | Some _ -> Turning (Later.make (fun () -> turning ~for_ever model process))
   in
   { model; process; kinematics }
 
@@ -100,7 +101,7 @@ let free t = Turn.is_free t.model
 
 (* The inertia, and the angular momentum about the centre. *)
 let own t k =
-  match (Lazy.force k.mover).mass with
+  match (Later.force k.mover).mass with
   | None -> (Mat.identity, Vec.zero)
   | Some mass -> (mass.inertia, if free t then t.process.kept else Mat.apply mass.inertia t.process.spin)
 
@@ -131,7 +132,8 @@ let centre_line t k a =
 
 let coordinate t a place =
   match t.kinematics with
-  | Turning (lazy k) when spins t ->
+  | Turning k when spins t ->
+    let k = Later.force k in
     let arm = Vec.sub place k.centre in
     followed (steady t k arm) (fun () ->
         let arm = component a (turning_now t arm) in
@@ -143,7 +145,8 @@ let swing t arm = turning_now t (Vec.cross t.process.spin arm)
 
 let velocity t a place =
   match t.kinematics with
-  | Turning (lazy k) when spins t ->
+  | Turning k when spins t ->
+    let k = Later.force k in
     let arm = Vec.sub place k.centre in
     followed (steady t k arm) (fun () ->
         let own = Polynomial.scale (Vec.component a t.process.velocity) k.bottom in
@@ -154,7 +157,8 @@ let velocity t a place =
 let speed2 t place =
   let v = t.process.velocity in
   match t.kinematics with
-  | Turning (lazy k) when spins t ->
+  | Turning k when spins t ->
+    let k = Later.force k in
     let arm = Vec.sub place k.centre in
     followed (steady t k arm) (fun () ->
         let round = Vec.norm2 (Vec.cross t.process.spin arm) in
@@ -184,7 +188,8 @@ let turning_distance2 (p, k, from) (q, l, towards) =
 
 let distance2 p from q towards =
   match (p.kinematics, q.kinematics) with
-  | Turning (lazy k), Turning (lazy l) when spins p || spins q ->
+  | Turning k, Turning l when spins p || spins q ->
+    let k = Later.force k and l = Later.force l in
     turning_distance2 (p, k, from) (q, l, towards)
   | (Straight | Turning _), (Straight | Turning _) -> straight_distance2 p from q towards
 
@@ -193,7 +198,7 @@ let distance2 p from q towards =
 let steadily t value =
   match t.kinematics with
   | Straight -> Steady value
-  | Turning (lazy k) -> followed (steady_spin t k) (fun () -> Steady value)
+  | Turning k -> followed (steady_spin t (Later.force k)) (fun () -> Steady value)
 
 let spin t a = steadily t (Vec.component a t.process.spin)
 let spin2 t = steadily t (Vec.norm2 t.process.spin)
@@ -207,7 +212,7 @@ let momentum t a = of_mass t (fun mass -> Rat.mul mass (Vec.component a t.proces
 
 (* That of a free body is kept. Else it is I w, and turns with the body. *)
 let turning_angular t k a =
-  match (Lazy.force k.mover).mass with
+  match (Later.force k.mover).mass with
   | None -> Steady Rat.zero
   | Some mass ->
     let velocity = t.process.velocity in
@@ -227,7 +232,7 @@ let angular t a =
   in
   match t.kinematics with
   | Straight -> of_mass t of_point
-  | Turning (lazy k) -> turning_angular t k a
+  | Turning k -> turning_angular t (Later.force k) a
 
 (* m |v|^2 / 2 + (l . J l) / 2, with J the inverse of the inertia now, and l the angular momentum, which stays, as
    seen from the body, which turns: it turns the other way, C(since) C(since + t)^-1. *)
@@ -243,10 +248,10 @@ let free_energy t k (mass : Mass.t) =
     (Polynomial.add (Polynomial.scale straight bottom) (product l j), Polynomial.scale two bottom)
 
 let turning_energy t k =
-  match (Lazy.force k.mover).mass with
+  match (Later.force k.mover).mass with
   | None -> Steady Rat.zero
   | Some mass ->
-    let velocity = t.process.velocity and spin = (Lazy.force k.mover).spin in
+    let velocity = t.process.velocity and spin = (Later.force k.mover).spin in
     followed (steady_energy t k) (fun () ->
         if free t && not (isotropic mass.inertia || along t t.process.kept) then free_energy t k mass
         else Steady (Mass.energy mass ~velocity ~spin))
@@ -254,4 +259,4 @@ let turning_energy t k =
 let energy t =
   match t.kinematics with
   | Straight -> of_mass t (fun mass -> Rat.mul half (Rat.mul mass (Vec.norm2 t.process.velocity)))
-  | Turning (lazy k) -> turning_energy t k
+  | Turning k -> turning_energy t (Later.force k)

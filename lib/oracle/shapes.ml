@@ -40,7 +40,7 @@ let obstacle store (a : Solid.t) (b : Solid.t) =
 let large = 10_000
 
 let tidy store (o : Obstacle.t) =
-  if Lazy.is_val o.all && Array.length o.a.vertices * Array.length o.b.vertices > large then
+  if Scc_base.Later.is_known o.all && Array.length o.a.vertices * Array.length o.b.vertices > large then
     Pairs.remove store.obstacles (o.a.id, o.b.id)
 
 (* {1 Sets of faces} *)

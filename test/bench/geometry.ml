@@ -129,7 +129,7 @@ let nanoseconds n f =
 
 (* How many of the pairs needed all facets of their obstacle, since the quick way found no proof. *)
 let made_facets kept =
-  Array.fold_left (fun n (o : Obstacle.t) -> if Lazy.is_val o.all then n + 1 else n) 0 kept
+  Array.fold_left (fun n (o : Obstacle.t) -> if Scc_base.Later.is_known o.all then n + 1 else n) 0 kept
 
 type row = { query : string; name : string; ns : float; answers : string array }
 

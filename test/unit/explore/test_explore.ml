@@ -322,8 +322,10 @@ let attempts () =
     let transitions = explore ~around:(given_up ((2 * state) + 2)) (line 4) in
     check_left "transitions" [ (state, "memory") ] transitions;
     Alcotest.(check int) "no edges" 0 (Array.length (Graph.edges transitions state));
+    let path g = List.map (fun (s : Graph.step) -> s.choice) (Graph.shortest_path g (Graph.size g - 1)) in
     let found = explore ~around:(given_up ((2 * state) + 3)) (line 4) in
-    check_left "what was found" [ (state, "memory"); (state + 1, "memory") ] found
+    check_left "what was found" [ (state, "memory"); (state + 1, "memory") ] found;
+    Alcotest.(check (list int)) "the way there is known" (List.init (state + 1) (fun _ -> 0)) (path found)
   done;
   check_left "none" [] (explore ~around:(given_up 100) (line 4))
 
