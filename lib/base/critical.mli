@@ -1,8 +1,8 @@
 (** Sections that must not be left half done.
 
-    Work that takes too long is given up by an exception that a timer raises wherever the program happens to be. A table
-    that is being changed there would be left in pieces, and is used again by what is still told: so those few
-    places ask for a moment's peace. *)
+     Work that takes too long is given up by an exception that a timer raises wherever the program happens
+    to be. A table that is being changed there would be left in pieces, and is used again by what is still
+    told: so those few places ask for a moment's peace. *)
 
 val run : (unit -> 'a) -> 'a
 (** Does it all, or fails by itself. It has to be short. *)

@@ -1,7 +1,7 @@
 (** Values that are worked out when they are first asked for, and kept.
 
-    Unlike with [lazy], an exception on the way is not kept: work that was given up for its time or memory can be asked for
-    again. *)
+     Unlike with [lazy], an exception on the way is not kept: work that was given up for its time or memory
+    can be asked for again. *)
 
 type 'a t
 

@@ -1,5 +1,5 @@
-(** How long the numbers of a state are. Exact numbers can grow without end: a law that squares a velocity doubles its
-    length in each step. *)
+(** How long the numbers of a state are. Exact numbers can grow without end: a law that squares a velocity
+    doubles its length in each step. *)
 
 type quantity = Position | Velocity | Spin | Orientation | Angular_momentum | Clock
 

@@ -38,12 +38,8 @@ let schedule (l : Loaded.t) path (check : Property.check) (w : Witness.t) =
 
 let make_folder path =
   let fail message =
-    Error
-      [
-        Diag.error Code.cannot_write
-          (Span.make ~file:path ~start:0 ~stop:0)
-          "cannot make the folder: %s" message;
-      ]
+    let at = Span.make ~file:path ~start:0 ~stop:0 in
+    Error (Diag.error Code.cannot_write at "cannot make the folder: %s" message)
   in
   match Sys.is_directory path with
   | true -> Ok ()
@@ -53,16 +49,22 @@ let make_folder path =
       | () -> Ok ()
       | exception Sys_error message -> fail (Os_error.reason path message))
 
+let write_file path text = Whole_file.with_file path (fun put -> put text)
+
+(* As many of them as can be written; and what was wrong with the first that cannot. *)
 let write_witnesses loaded path folder verdicts =
-  let one acc ({ check; verdict; _ } : Verdict.outcome) =
-    let* () = acc in
+  let one ({ check; verdict; _ } : Verdict.outcome) =
     match witness_of verdict with
     | None -> Ok ()
-    | Some w ->
-      let file = Filename.concat folder (check.name ^ ".json") in
-      Result.map_error (fun d -> [ d ]) (Console.write_file ~path:file (schedule loaded path check w))
+    | Some w -> write_file (Filename.concat folder (check.name ^ ".json")) (schedule loaded path check w)
   in
-  List.fold_left one (Ok ()) verdicts
+  let* () = make_folder folder in
+  let add before v =
+    match (before, one v) with
+    | Ok (), result -> result
+    | (Error _ as first), _ -> first
+  in
+  List.fold_left add (Ok ()) verdicts
 
 (* What was asked for besides the verdicts. *)
 type extra = { covered : (Explored.t * Coverage.t) option; measured : Measured.t option }
@@ -104,13 +106,13 @@ let write_sarif console path code properties =
   let ok =
     match (code : Exit_code.t) with
     | Holds | Violated | Undecided | Invalid -> true
-    | Stopped | Usage | Bug -> false
+    | Stopped | Usage | Bug | Unwritten -> false
   in
   let json =
     Sarif.document ~source:(Console.source console) ~version:Version.current ~exit:(Exit_code.to_int code) ~ok
       ~diagnostics:(Console.kept console) ~properties
   in
-  Result.map_error (fun d -> [ d ]) (Console.write_file ~path (Json.pretty json))
+  write_file path (Json.pretty json)
 
 let split_at n list = (List.filteri (fun i _ -> i < n) list, List.filteri (fun i _ -> i >= n) list)
 
@@ -120,11 +122,12 @@ let cover options reductions (l : Loaded.t) initial =
   Coverage.explore ~time_seen options l.semantics ~initial
 
 let check console budget (extras : Check_extras.t) overrides path =
-  let watch = Check_options.watch budget in
+  (* Coverage explores once more. *)
+  let share = Option.map (fun s -> if extras.coverage then s /. 2. else s) budget.Budget.seconds in
+  let watch = Check_options.watch { budget with seconds = share } in
   let measured = Measured.start () in
   let* l = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
   Console.report console (l.warnings @ Vacuity.impossible l);
-  let* () = match extras.witness with Some folder -> make_folder folder | None -> Ok () in
   let* initial = Loaded.initial l in
   let options =
     let options = Check_options.starting console watch budget in
@@ -141,8 +144,10 @@ let check console budget (extras : Check_extras.t) overrides path =
   in
   let report = Measured.phase measured "explore" explore in
   let covered =
-    if extras.coverage then
+    if extras.coverage then begin
+      Option.iter (Watch.more watch) share;
       Some (Measured.phase measured "coverage" (fun () -> cover options extras.reductions l initial))
+    end
     else None
   in
   Watch.finish watch;
@@ -150,15 +155,17 @@ let check console budget (extras : Check_extras.t) overrides path =
   let verdicts, answers = split_at (List.length l.checks) report.outcomes in
   Console.report console
     (report.stats.faults @ report.stats.dead_ends @ Vacuity.warnings report ~verdicts ~answers);
-  let* () =
-    match extras.witness with Some folder -> write_witnesses l path folder verdicts | None -> Ok ()
+  (* An output that cannot be written is told, and keeps nothing else from being told. *)
+  let code = ref (exit_code report verdicts) in
+  let output = function
+    | Ok () -> ()
+    | Error d ->
+      Console.report console [ d ];
+      code := Exit_code.worst [ !code; Unwritten ]
   in
-  let code = exit_code report verdicts in
-  let* () =
-    match extras.sarif with
-    | Some path -> write_sarif console path code (Some (l.model, verdicts))
-    | None -> Ok ()
-  in
+  Option.iter (fun folder -> output (write_witnesses l path folder verdicts)) extras.witness;
+  Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
+  let code = !code in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in
   if Console.is_json console then print_json console l report verdicts extra code
   else print_text console l report verdicts extra;
@@ -183,7 +190,7 @@ let run color json budget (extras : Check_extras.t) overrides path =
           (match extras.sarif with
            | Some path when not (List.exists (is_about path) diagnostics) ->
              let written = write_sarif console path code None in
-             Result.iter_error (Console.report console) written
+             Result.iter_error (fun d -> Console.report console [ d ]) written
            (* It is this file that could not be written. *)
            | Some _ | None -> ());
           Ok code)

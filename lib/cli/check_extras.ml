@@ -21,8 +21,9 @@ let witness =
 let coverage =
   let doc =
     "Tells which summands of the behaviours never fired, which behaviours were never reached, which channels and \
-     rules were never used. It explores all of the model once more, decided or not, and counts while it explores: \
-     within the same bounds, of seconds too, counted anew. Of what they cut off it says how much was looked at."
+     rules were never used. It explores all of the model once more, decided or not, and counts while it explores, \
+     within the same bounds; half of the seconds are kept for it. Of what they cut off it says how much was \
+     looked at."
   in
   Arg.(value & flag & info [ "coverage" ] ~doc)
 

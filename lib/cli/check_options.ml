@@ -60,12 +60,15 @@ let memory =
   let doc = Printf.sprintf "Uses at most about $(docv) MiB of memory. The default is %d." default_mib in
   Arg.(value & opt (some (positive "MiB")) None & info [ "memory" ] ~docv:"N" ~doc ~docs)
 
+let most_bits = Scc_calculus.Law.longest
+
 let bits =
   let doc =
-    "Expands only states whose numbers, numerator and denominator together, take at most $(docv) bits. The default \
-     is 100000."
+    "Expands only states none of whose numbers takes more than $(docv) bits, numerator and denominator together. The \
+     default is 100000."
   in
-  Arg.(value & opt (some (Options.integer ~least:1 ~most:Scc_calculus.Law.longest "number of bits from 1 to 16777216")) None & info [ "bits" ] ~docv:"N" ~doc ~docs)
+  let number = Options.integer ~least:1 ~most:most_bits (Printf.sprintf "number of bits from 1 to %d" most_bits) in
+  Arg.(value & opt (some number) None & info [ "bits" ] ~docv:"N" ~doc ~docs)
 
 let budget =
   let make depth time states seconds memory bits =

@@ -34,7 +34,7 @@ let exit_code (first : Compared.t) (second : Compared.t) (report : Compare.repor
   let resources c =
     match Exit_code.of_bounds (Compared.stopped_by c) with
     | Stopped -> true
-    | Holds | Violated | Undecided | Invalid | Usage | Bug -> false
+    | Holds | Violated | Undecided | Invalid | Usage | Bug | Unwritten -> false
   in
   match report.verdict with
   | Equivalent -> Holds

@@ -49,7 +49,7 @@ let read console path =
 
 let write_run path origin choices =
   let text = Schedule.to_string origin choices ~offset:None in
-  Result.map_error (fun d -> [ d ]) (Console.write_file ~path text)
+  Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 
 let exit_code : Verdict.answer -> Exit_code.t = function
   | Conforms _ -> Holds

@@ -131,28 +131,13 @@ let note c line =
     prerr_endline line
   end
 
-let with_file path f =
-  let fail message = raise (output_failed path (Os_error.reason path message)) in
-  let out = try open_out_bin path with Sys_error m -> fail m in
-  let write s = try output_string out s with Sys_error m -> fail m in
-  match f write with
-  | result ->
-    (try close_out out with Sys_error m -> close_out_noerr out; fail m);
-    result
-  | exception e ->
-    close_out_noerr out;
-    raise e
-
-let write_file ~path text =
-  try Ok (with_file path (fun write -> write text)) with Output_failed d -> Error d
-
 let with_output c ~path f =
   match path with
-  | Some path -> with_file path f
+  | Some path -> Whole_file.with_file path f
   | None ->
     let result = f (print c) in
     flush c;
-    result
+    Ok result
 
 let answer c ~json ~text =
   print c (if c.json then Scc_exchange.Json.pretty (json ()) else text ());

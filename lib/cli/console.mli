@@ -48,12 +48,9 @@ type style = Good | Bad | Doubtful | Strong | Faint
 val styled : t -> style -> string -> string
 (** With colours when standard output has them. *)
 
-val write_file : path:string -> string -> (unit, Diag.t) result
-(** The whole content of a file; SC0103 when that is not possible. *)
-
-val with_output : t -> path:string option -> ((string -> unit) -> 'a) -> 'a
-(** [with_output c ~path f] gives [f] a function that writes to the file, or to standard output without
-    [path]. Raises {!Output_failed} or {!Output_closed}. *)
+val with_output : t -> path:string option -> ((string -> unit) -> 'a) -> ('a, Diag.t) result
+(** [with_output c ~path f] gives [f] a function that writes to the file ({!Whole_file}), or to standard output
+    without [path], where it raises {!Output_failed} or {!Output_closed}. *)
 
 val flush : t -> unit
 (** Sends off what is printed so far. *)

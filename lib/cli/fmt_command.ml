@@ -11,23 +11,6 @@ let formatted console path =
   let* after = (Front_end.of_source source).canonical source in
   Ok (Source.text source, after)
 
-(* Through a second file, so that the model is never half written. *)
-let replace path text =
-  let temporary = path ^ ".scc-fmt" in
-  let fail message =
-    Error [ Diag.error Code.cannot_write (Span.make ~file:path ~start:0 ~stop:0) "cannot write: %s" message ]
-  in
-  match Console.write_file ~path:temporary text with
-  | Error d -> Error [ { d with Diag.span = Span.make ~file:path ~start:0 ~stop:0 } ]
-  | Ok () -> (
-      match
-        Unix.chmod temporary (Unix.stat path).st_perm;
-        Sys.rename temporary path
-      with
-      | () -> Ok ()
-      | exception Sys_error message -> fail (Os_error.reason path message)
-      | exception Unix.Unix_error (e, _, _) -> fail (Unix.error_message e))
-
 let one console mode path =
   let* before, after = formatted console path in
   match mode with
@@ -40,20 +23,24 @@ let one console mode path =
     Ok Exit_code.Violated
   | In_place when String.equal before after -> Ok Exit_code.Holds
   | In_place ->
-    let* () = replace path after in
+    let* () = Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put after)) in
     Ok Exit_code.Holds
 
 let run color mode paths =
   let console = Console.make ~color ~json:false in
-  Guard.run console (fun () ->
-      let file path =
-        match one console mode path with
-        | Ok code -> code
-        | Error diagnostics -> Guard.invalid console diagnostics
-      in
-      let codes = List.map file paths in
-      Console.flush console;
-      Ok (Exit_code.worst codes))
+  let in_place = match mode with In_place -> true | Print | Check -> false in
+  if in_place && List.exists (String.equal "-") paths then
+    Guard.usage "standard input cannot be rewritten: `-' does not go with --inplace"
+  else
+    Guard.run console (fun () ->
+        let file path =
+          match one console mode path with
+          | Ok code -> code
+          | Error diagnostics -> Guard.invalid console diagnostics
+        in
+        let codes = List.map file paths in
+        Console.flush console;
+        Ok (Exit_code.worst codes))
 
 let mode =
   let check =

@@ -13,9 +13,11 @@ let ended console code =
   if Console.is_json console then document console code;
   code
 
+let is_of_output (d : Diag.t) = String.equal (d.code :> string) (Code.cannot_write :> string)
+
 let invalid console diagnostics =
   Console.report console diagnostics;
-  ended console Exit_code.Invalid
+  ended console (if List.for_all is_of_output diagnostics then Exit_code.Unwritten else Exit_code.Invalid)
 
 let complain lines = List.iter prerr_endline lines
 
@@ -44,7 +46,7 @@ let run console command =
   | exception Console.Output_closed -> Exit_code.Stopped
   | exception Console.Output_failed d ->
     complain [ String.trim (Diag.render ~source:(Console.source console) d) ];
-    Exit_code.Stopped
+    Exit_code.Unwritten
   | exception Out_of_memory ->
     complain [ "scc: no memory left" ];
     Exit_code.Stopped

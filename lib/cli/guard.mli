@@ -4,13 +4,14 @@ open Scc_base
 open Scc_session
 
 val invalid : Console.t -> Diag.t list -> Exit_code.t
-(** Reports why there can be no result: exit 3. In JSON mode the diagnostics are the document. *)
+(** Reports why there can be no result: exit 3, or 74 when it is only that an output could not be written. In
+    JSON mode the diagnostics are the document. *)
 
 val usage : string -> Exit_code.t
 (** Says what is wrong with the command line: exit 64. *)
 
 val run : Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
-(** Runs a command; diagnostics are {!invalid}. Turns exceptions into exit codes: an output that failed (4), an
+(** Runs a command; diagnostics are {!invalid}. Turns exceptions into exit codes: an output that failed (74), an
     output that nobody reads any more (4, silently), no memory left (4), our own bugs and everything unforeseen
     (70). *)
 

@@ -118,8 +118,8 @@ let run color o =
       Console.report console model.warnings;
       let write = write_run o model (policy o schedule) (limits o schedule) ~interrupted in
       match Console.with_output console ~path:o.output write with
-      | result -> Ok (finish console model result)
-      | exception Console.Output_failed d when Option.is_some o.output -> Error [ d ])
+      | Ok result -> Ok (finish console model result)
+      | Error d -> Error [ d ])
 
 (* The command line. *)
 

@@ -4,8 +4,8 @@ open Scc_explore
 (* Seconds from one look to the next; heaps grow by some ten megabytes in the meantime. *)
 let interval = 0.01
 
-(* Seconds that conclusions have, and half as many that the report has after them; and those after which the program
-   ends without one. *)
+(* Seconds that conclusions have, and half as many that the report has after them; and those after which the
+   program ends without one. *)
 let grace = 1.
 let patience = 3.
 
@@ -15,7 +15,7 @@ let left_to_conclusions = 0.25
 exception Given_up of Limits.stop
 
 type t = {
-  deadline : float;
+  mutable deadline : float;
   memory : float;  (** in bytes *)
   mutable signalled : float;  (** when; infinite: not yet *)
   mutable over : Limits.stop option;  (** for what explores *)
@@ -37,7 +37,7 @@ let resident () =
      | _ :: pages :: _ -> page *. float_of_string pages
      | _ -> float_of_int (Memory.bytes_of_words (Memory.heap_words ())))
 
-(* Of the addresses that the system gives to a program, which takes more of them than memory: where none are left, an
+(* Of the addresses that the system gives to a program, which takes more of them than memory: where none are left,
    arithmetic on long numbers would end the program. *)
 let address_space () =
   let is_it line = String.length line > 17 && String.equal (String.sub line 0 17) "Max address space" in
@@ -85,7 +85,9 @@ let look t =
   t.late <- beyond t ~now ~bytes ~more:grace ~share:1.;
   t.last <- beyond t ~now ~bytes ~more:(1.5 *. grace) ~share:1.1;
   match (t.stage, t.last) with
-  | Some stage, _ -> Option.iter (fun stop -> if not (Critical.active ()) then raise (Given_up stop)) (over t stage)
+  | Some stage, _ ->
+    let give_up stop = if not (Critical.active ()) then raise (Given_up stop) in
+    Option.iter give_up (over t stage)
   | None, Some (Seconds | Interrupted) when now > Float.min t.signalled t.deadline +. patience -> abandon t
   | None, _ -> ()
 
@@ -119,6 +121,10 @@ let start ?seconds ?memory () =
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> look t));
   if Option.is_some seconds || Option.is_some memory then timer interval;
   t
+
+let more t seconds =
+  t.deadline <- t.deadline +. seconds;
+  look t
 
 let stop t () = t.over
 let interrupted t () = t.signalled < infinity

@@ -1,16 +1,20 @@
 (** Keeps work within its limits of time and memory, and stops it when somebody asks for that (SIGINT, SIGTERM).
 
-    While a watch is kept, a timer looks some hundred times in a second. Work that asks {!stop} ends by itself; work
-    that does not is an {!attempt}, and is given up by an exception wherever it is. What concludes what was explored
-    has a second more, and the part of the memory that explorations leave, so that there is always a report. *)
+     While a watch is kept, a timer looks some hundred times in a second. Work that asks {!stop} ends by
+    itself; work that does not is an {!attempt}, and is given up by an exception wherever it is. What
+    concludes what was explored has a second more, and the part of the memory that explorations leave, so
+    that there is always a report. *)
 
 open Scc_explore
 
 type t
 
 val start : ?seconds:float -> ?memory:int -> unit -> t
-(** [memory] in words, of all that the program takes. Without limits only signals end the work. A second signal ends the
-    program at once. *)
+(** [memory] in words, of all that the program takes. Without limits only signals end the work. A second signal
+    ends the program at once. *)
+
+val more : t -> float -> unit
+(** So many seconds more, for another work. *)
 
 val stop : t -> unit -> Limits.stop option
 (** What ends an exploration now. *)
@@ -21,5 +25,5 @@ val interrupted : t -> unit -> bool
 (** For work that is stopped by signals alone. *)
 
 val finish : t -> unit
-(** The work has stopped: what is left to do, such as writing what is known, takes as long as it takes. A signal ends
-    the program at once. *)
+(** The work has stopped: what is left to do, such as writing what is known, takes as long as it takes. A signal
+    ends the program at once. *)

@@ -1,10 +1,16 @@
-(** Files that are there as a whole or not at all. *)
+(** Files that are there as a whole or not at all: the one way in which files are written.
+
+     The bytes go to a new file in the same folder, which takes the place of the old one, with its mode,
+    once all of it is on the disk. Links are followed and stay. When something fails, or is interrupted by
+    an exception, what was there before is still there, and nothing else. What is no regular file (a pipe, a
+    device) is written to directly. *)
 
 open Scc_base
 
 val write : (string * ((string -> unit) -> unit)) list -> (unit, Diag.t) result
-(** [write files] gives to each function of [files], in order, what writes to the file of that path. The bytes
-    go to new files beside them, which take their places once all are complete: when something fails, or is
-    interrupted by an exception, what was there before is still there. What is no regular file (a pipe, a
-    device, a link) is written in place. SC0103 when a file cannot be written. Exceptions of the functions
+(** [write files] gives to each function of [files], in order, what writes to the file of that path; they are
+    put in place when all are complete. SC0103 when a file cannot be written. Exceptions of the functions
     pass through. *)
+
+val with_file : string -> ((string -> unit) -> 'a) -> ('a, Diag.t) result
+(** The same of one, with what the function gives. *)

@@ -85,18 +85,6 @@ module Make (L : Lts.S) = struct
   let bytes s =
     Tuples.bytes s.tuples + Fingerprints.bytes s.seen + Distances.bytes s.paths + Choices.bytes s.choices
 
-  exception Over of Limits.stop
-
-  let within (around : Limits.surroundings) f =
-    match around.attempt.run Exploring f with
-    | Ok x -> x
-    | Error stop -> raise (Over stop)
-
-  let too_long s tuple =
-    match s.limits.bits with
-    | None -> false
-    | Some most -> L.longest s.context > most && L.bits s.context tuple > most
-
   let after s i (step : Lts.step) =
     let d = L.duration s.context step.label in
     Distances.after s.paths i (if Rat.sign d > 0 then Some d else None)
@@ -113,18 +101,19 @@ module Make (L : Lts.S) = struct
     else if Fingerprints.add s.seen key then begin
       let number = size s in
       add s key (after s i step) ~choice;
-      within around (fun () -> visitor.found number (Tuples.apply step.changes tuple))
+      Limits.within around (fun () -> visitor.found number (Tuples.apply step.changes tuple))
     end
 
   let expand s around visitor i key =
     Tuples.load_key s.tuples s.near key;
     let tuple = Tuples.slots s.near in
-    if too_long s tuple then leave s Explore.Bits
+    let bits () = L.bits s.context tuple in
+    if Limits.too_long s.limits ~longest:(L.longest s.context) ~bits then leave s Explore.Bits
     else
-      match within around (fun () -> L.successors s.context tuple) with
+      match Limits.within around (fun () -> L.successors s.context tuple) with
       | Error fault -> leave s (Explore.Fault fault)
       | Ok steps ->
-        within around (fun () -> visitor.opened i tuple steps);
+        Limits.within around (fun () -> visitor.opened i tuple steps);
         List.iteri (follow s around visitor i tuple) steps
 
   let path s i =
@@ -185,11 +174,11 @@ module Make (L : Lts.S) = struct
             loop (i + 1))
     in
     (match
-       within around (fun () -> visitor.found 0 first);
+       Limits.within around (fun () -> visitor.found 0 first);
        loop 0
      with
      | () -> ()
-     | exception Over stop -> leave s (Explore.of_stop stop));
+     | exception Limits.Over stop -> leave s (Explore.of_stop stop));
     {
       size = size s;
       transitions = s.transitions;

@@ -192,21 +192,11 @@ module Make (L : Lts.S) = struct
       edges = Option.fold ~none:0 ~some:Edge_store.bytes g.edges;
     }
 
-  (* Ends an exploration at a state that has not been looked at to the end. *)
-  exception Over of Limits.stop
-
-  let within (around : Limits.surroundings) f =
-    match around.attempt.run Exploring f with
-    | Ok x -> x
-    | Error stop -> raise (Over stop)
-
   (** {2 Growing the graph} *)
 
   (* Hardly any exploration has numbers that are too long: which states have is asked only then. *)
-  let too_long g (limits : Limits.t) tuple =
-    match limits.bits with
-    | None -> false
-    | Some most -> L.longest g.context > most && L.bits g.context tuple > most
+  let too_long g limits tuple =
+    Limits.too_long limits ~longest:(L.longest g.context) ~bits:(fun () -> L.bits g.context tuple)
 
   let add g limits i label tuple =
     Distances.push g.distances label;
@@ -285,7 +275,7 @@ module Make (L : Lts.S) = struct
     let show (s : Lts.step) id =
       if id = !next then begin
         incr next;
-        within around (fun () -> visitor.found g id (Tuples.apply s.changes tuple))
+        Limits.within around (fun () -> visitor.found g id (Tuples.apply s.changes tuple))
       end
     in
     List.iter2 show steps targets
@@ -314,7 +304,7 @@ module Make (L : Lts.S) = struct
   let expand g (limits : Limits.t) around visitor i =
     Tuples.load g.tuples g.near i;
     let tuple = Tuples.slots g.near in
-    match within around (fun () -> successors g tuple) with
+    match Limits.within around (fun () -> successors g tuple) with
     | Error fault ->
       leave_out g i (Fault fault);
       None
@@ -336,7 +326,7 @@ module Make (L : Lts.S) = struct
       (match visitor.opened with
        | None -> ()
        | Some opened ->
-         within around (fun () -> opened g i tuple (Array.of_list (List.map2 edge steps targets))));
+         Limits.within around (fun () -> opened g i tuple (Array.of_list (List.map2 edge steps targets))));
       None
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
@@ -395,7 +385,7 @@ module Make (L : Lts.S) = struct
             if round land 255 = 0 then around.progress (progress g i);
             match visit g limits around visitor i with
             | reason -> reason
-            | exception Over stop ->
+            | exception Limits.Over stop ->
               (* It may have been expanded, but not looked at to the end. *)
               mark g i Queued;
               Some (Statuses.of_stop stop))
@@ -409,8 +399,8 @@ module Make (L : Lts.S) = struct
           | None -> loop (round + 1))
     in
     add g limits i Distances.origin first;
-    (match within around (fun () -> visitor.found g i first) with
+    (match Limits.within around (fun () -> visitor.found g i first) with
      | () -> loop 0
-     | exception Over stop -> give_up g i (Statuses.of_stop stop));
+     | exception Limits.Over stop -> give_up g i (Statuses.of_stop stop));
     g
 end

@@ -10,6 +10,11 @@ type t = {
 
 let unlimited = { depth = None; time = None; instant = None; states = None; bits = None }
 
+let too_long (t : t) ~longest ~bits =
+  match t.bits with
+  | None -> false
+  | Some most -> longest > most && bits () > most
+
 type progress = { states : int; transitions : int; waiting : int; depth : int; model_time : Rat.t }
 type stop = Seconds | Memory | Interrupted
 type stage = Exploring | Concluding | Reporting
@@ -23,3 +28,10 @@ type surroundings = {
 
 let quiet =
   { stop = (fun () -> None); progress = (fun _ -> ()); attempt = { run = (fun _ f -> Ok (f ())) } }
+
+exception Over of stop
+
+let within around f =
+  match around.attempt.run Exploring f with
+  | Ok x -> x
+  | Error stop -> raise (Over stop)

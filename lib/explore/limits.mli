@@ -16,6 +16,9 @@ type t = {
 
 val unlimited : t
 
+val too_long : t -> longest:int -> bits:(unit -> int) -> bool
+(** Whether a state of so many [bits] is not to be expanded, where no number so far is longer than [longest]. *)
+
 type progress = {
   states : int;
   transitions : int;
@@ -44,3 +47,8 @@ type surroundings = {
 
 val quiet : surroundings
 (** Nothing stops, no progress is shown, and nothing is given up. *)
+
+exception Over of stop
+
+val within : surroundings -> (unit -> 'a) -> 'a
+(** An attempt of an exploration; {!Over} ends the exploration, at a state that was not looked at to the end. *)

@@ -21,7 +21,8 @@ and contact = { at : Vec.t; normals : Ivec.t list Later.t }
 type t = { a : Solid.t; b : Solid.t; all : Facets.t Later.t; guess : Portal.guess; memory : memory }
 
 let make ?(guess = Portal.guess) a b =
-  { a; b; all = Later.make (fun () -> Facets.make a b); guess; memory = { plane = None; entrance = None; contact = None } }
+  let memory = { plane = None; entrance = None; contact = None } in
+  { a; b; all = Later.make (fun () -> Facets.make a b); guess; memory }
 
 let facets o = Facets.facets (Later.force o.all)
 

@@ -117,7 +117,8 @@ let options bounds p : Check.options =
    | Some _ | None -> ());
   let time = limit "time" Read.not_negative in
   let depth = limit "depth" Read.natural in
-  let budget = { Budget.depth; time; states; seconds = Some (share *. bounds.seconds); memory = None; bits = None } in
+  let seconds = Some (share *. bounds.seconds) in
+  let budget = { Budget.depth; time; states; seconds; memory = None; bits = None } in
   let memory = int_of_float (share *. float_of_int bounds.memory) in
   {
     Check.default with

@@ -1,9 +1,9 @@
 open Scc_semantics
 open Scc_verify
 
-type t = Holds | Violated | Undecided | Invalid | Stopped | Usage | Bug
+type t = Holds | Violated | Undecided | Invalid | Stopped | Usage | Bug | Unwritten
 
-let all = [ Holds; Violated; Undecided; Invalid; Stopped; Usage; Bug ]
+let all = [ Holds; Violated; Undecided; Invalid; Stopped; Usage; Bug; Unwritten ]
 
 let to_int = function
   | Holds -> 0
@@ -13,6 +13,7 @@ let to_int = function
   | Stopped -> 4
   | Usage -> 64
   | Bug -> 70
+  | Unwritten -> 74
 
 let equal a b = Int.equal (to_int a) (to_int b)
 
@@ -23,6 +24,7 @@ let meaning = function
   | Invalid -> "if the model or another input is invalid."
   | Stopped -> "if a limit of time or memory, or an interruption, stopped the run."
   | Usage -> "if the command line is wrong."
+  | Unwritten -> "if an output could not be written; what else was asked for has been."
   | Bug -> "if scc itself is at fault: the message says what to send."
 
 let rank = function
@@ -32,7 +34,8 @@ let rank = function
   | Violated -> 3
   | Invalid -> 4
   | Usage -> 5
-  | Bug -> 6
+  | Bug -> 7
+  | Unwritten -> 6
 
 let worst codes = List.fold_left (fun w c -> if rank c > rank w then c else w) Holds codes
 

@@ -11,6 +11,7 @@ type t =
   | Stopped  (** 4: a resource limit or an interruption *)
   | Usage  (** 64: the command line is wrong *)
   | Bug  (** 70: a fault of scc itself *)
+  | Unwritten  (** 74: an output could not be written *)
 
 val all : t list
 (** In the order of their numbers. *)

@@ -185,18 +185,19 @@ let transition t (tr : Transition.t) =
   | Strong_split bonds ->
     List.iter (fun (b : State.bond) -> note t b.name (fun u -> u.strongs <- u.strongs + 1)) bonds
 
-let expanded t semantics (attempt : Scc_explore.Limits.attempt) here =
-  match attempt.run (fun () -> Network.successors semantics here) with
-  | None -> ()
-  | Some (Ok transitions) ->
-    List.iter (transition t) transitions;
-    t.looked_at <- t.looked_at + 1
-  | Some (Error (Persistent_contact _)) -> t.looked_at <- t.looked_at + 1
-  | Some (Error (Bad_law _)) -> Scc_base.Bug.fail __POS__ "an expanded state has transitions, or is a dead end"
+(* All at once, or not at all, if the time is over while it looks. *)
+let expanded t semantics here =
+  match Network.successors semantics here with
+  | Ok transitions ->
+    Scc_base.Critical.run (fun () ->
+        List.iter (transition t) transitions;
+        t.looked_at <- t.looked_at + 1)
+  | Error (Persistent_contact _) -> t.looked_at <- t.looked_at + 1
+  | Error (Bad_law _) -> Scc_base.Bug.fail __POS__ "an expanded state has transitions, or is a dead end"
 
 let explore ?time_seen (options : Check.options) semantics ~initial =
   let t = create (Semantics.model semantics) ~initial in
-  let visitor = { Explored.found = state t; expanded = expanded t semantics options.surroundings.attempt } in
+  let visitor = { Explored.found = state t; expanded = expanded t semantics } in
   (Explored.explore ?time_seen ~visitor options semantics ~initial, t)
 
 (** {2 The report} *)
