@@ -64,8 +64,8 @@ let most_bits = Scc_calculus.Law.longest
 
 let bits =
   let doc =
-    "Expands only states none of whose numbers takes more than $(docv) bits, numerator and denominator together. The \
-     default is 100000."
+    "Expands only states none of whose numbers takes more than $(docv) bits, numerator and denominator together. \
+     The default is 100000."
   in
   let number = Options.integer ~least:1 ~most:most_bits (Printf.sprintf "number of bits from 1 to %d" most_bits) in
   Arg.(value & opt (some number) None & info [ "bits" ] ~docv:"N" ~doc ~docs)

@@ -4,8 +4,8 @@ open Scc_explore
 (* Seconds from one look to the next; heaps grow by some ten megabytes in the meantime. *)
 let interval = 0.01
 
-(* Seconds that conclusions have, and half as many that the report has after them; and those after which the
-   program ends without one. *)
+(* Seconds of the processor that conclusions have, and half as many that the report has after them; and those
+   after which the program ends without one. *)
 let grace = 1.
 let patience = 3.
 
@@ -17,7 +17,8 @@ exception Given_up of Limits.stop
 type t = {
   mutable deadline : float;
   memory : float;  (** in bytes *)
-  mutable signalled : float;  (** when; infinite: not yet *)
+  mutable signalled : bool;
+  mutable since : float option;  (** the processor's seconds when the time was over, or a signal came *)
   mutable over : Limits.stop option;  (** for what explores *)
   mutable late : Limits.stop option;  (** for what concludes *)
   mutable last : Limits.stop option;  (** for what reports *)
@@ -58,16 +59,24 @@ let address_space () =
     close_in_noerr file;
     0.6 *. most
 
+(* Seconds of the processor since the time was over: on a busy machine those of the clock say little of the work. *)
+let passed t =
+  let over = t.signalled || Unix.gettimeofday () > t.deadline in
+  match t.since with
+  | Some since when over -> Sys.time () -. since
+  | Some _ | None ->
+    t.since <- (if over then Some (Sys.time ()) else None);
+    if over then 0. else -1.
+
 (* What is over when so many seconds more, and so much memory, are allowed. *)
-let beyond t ~now ~bytes ~more ~share : Limits.stop option =
-  if now > t.signalled +. more then Some Interrupted
-  else if now > t.deadline +. more then Some Seconds
+let beyond t ~passed ~bytes ~more ~share : Limits.stop option =
+  if passed >= more then Some (if t.signalled then Interrupted else Seconds)
   else if bytes > share *. t.memory then Some Memory
   else None
 
 (* Nothing is flushed: what was printed so far may be half of a report. *)
 let abandon t =
-  let why = if t.signalled < infinity then "interrupted" else "the limit of seconds has passed" in
+  let why = if t.signalled then "interrupted" else "the limit of seconds has passed" in
   prerr_endline ("scc: " ^ why ^ ", and the step that was under way did not end");
   flush stderr;
   Unix._exit (Scc_session.Exit_code.to_int Stopped)
@@ -79,17 +88,16 @@ let over t (stage : Limits.stage) =
   | Reporting -> t.last
 
 let look t =
-  let now = Unix.gettimeofday () in
+  let passed = passed t in
   let bytes = if t.memory < infinity then resident () else 0. in
-  t.over <- beyond t ~now ~bytes ~more:0. ~share:(1. -. left_to_conclusions);
-  t.late <- beyond t ~now ~bytes ~more:grace ~share:1.;
-  t.last <- beyond t ~now ~bytes ~more:(1.5 *. grace) ~share:1.1;
+  t.over <- beyond t ~passed ~bytes ~more:0. ~share:(1. -. left_to_conclusions);
+  t.late <- beyond t ~passed ~bytes ~more:grace ~share:1.;
+  t.last <- beyond t ~passed ~bytes ~more:(1.5 *. grace) ~share:1.1;
   match (t.stage, t.last) with
   | Some stage, _ ->
     let give_up stop = if not (Critical.active ()) then raise (Given_up stop) in
     Option.iter give_up (over t stage)
-  | None, Some (Seconds | Interrupted) when now > Float.min t.signalled t.deadline +. patience -> abandon t
-  | None, _ -> ()
+  | None, _ -> if passed > patience then abandon t
 
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
 
@@ -104,7 +112,8 @@ let start ?seconds ?memory () =
       memory =
         Option.fold ~none:infinity memory ~some:(fun w ->
             Float.min (address_space ()) (float_of_int (Memory.bytes_of_words w)));
-      signalled = infinity;
+      signalled = false;
+      since = None;
       over = None;
       late = None;
       last = None;
@@ -112,7 +121,7 @@ let start ?seconds ?memory () =
     }
   in
   let arrived _ =
-    t.signalled <- Unix.gettimeofday ();
+    t.signalled <- true;
     default_signals ();
     timer interval
   in
@@ -127,7 +136,7 @@ let more t seconds =
   look t
 
 let stop t () = t.over
-let interrupted t () = t.signalled < infinity
+let interrupted t () = t.signalled
 
 let finish t =
   timer 0.;

@@ -71,13 +71,8 @@ module Make (L : Lts.S) = struct
   let leave_out g i reason = mark g i (Unexpanded reason)
 
   let unexpanded g =
-    let rec from i acc =
-      if i < 0 then acc
-      else
-        match status g i with
-        | Unexpanded reason -> from (i - 1) ((i, reason) :: acc)
-        | Expanded | Queued -> from (i - 1) acc
-    in
+    let add i = match status g i with Unexpanded reason -> Some (i, reason) | Expanded | Queued -> None in
+    let rec from i acc = if i < 0 then acc else from (i - 1) (Option.to_list (add i) @ acc) in
     from (size g - 1) []
 
   let complete g =
@@ -85,7 +80,6 @@ module Make (L : Lts.S) = struct
     from 0
 
   let greatest_depth g = Distances.greatest_depth g.distances
-
   let greatest_arrival g = Distances.greatest_arrival g.distances
 
   (** {2 Edges} *)
@@ -130,11 +124,11 @@ module Make (L : Lts.S) = struct
   let edges g i = if is_expanded g i then known_edges g i else [||]
 
   let passing g i =
+    let timed e = takes_time g e.label in
     let label =
       match g.edges with
       | Some store when is_expanded g i -> Edge_store.find_label store i (takes_time g)
-      | Some _ | None ->
-        Option.map (fun e -> e.label) (List.find_opt (fun e -> takes_time g e.label) (Array.to_list (edges g i)))
+      | Some _ | None -> Option.map (fun e -> e.label) (List.find_opt timed (Array.to_list (edges g i)))
     in
     Option.map (L.duration g.context) label
 
@@ -331,9 +325,7 @@ module Make (L : Lts.S) = struct
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
   let give_up g i reason =
-    let leave i =
-      match status g i with Queued -> leave_out g i reason | Expanded | Unexpanded _ -> ()
-    in
+    let leave i = match status g i with Queued -> leave_out g i reason | Expanded | Unexpanded _ -> () in
     leave i;
     Frontier.iter leave g.frontier
 

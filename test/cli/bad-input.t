@@ -39,13 +39,21 @@ Files.
   $ touch unreadable; mkdir folder
   $ scc check cube.sc --witness unreadable
   unreadable: error[SC0103]: cannot make the folder: it is a file
-  [3]
+  semantics 2
+  
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  no properties to check
+  [74]
   $ scc check cube.sc --witness nowhere/deep
   nowhere/deep: error[SC0103]: cannot make the folder: No such file or directory
-  [3]
+  semantics 2
+  
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  no properties to check
+  [74]
   $ scc check cube.sc > /dev/full
   standard output: error[SC0103]: cannot write: No space left on device
-  [4]
+  [74]
 
 Deep nesting.
 

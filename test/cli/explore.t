@@ -203,14 +203,14 @@ A file is there as a whole or not at all.
   $ mkdir folder.aut
   $ scc explore ../../specs/models/drift.sc -o folder.aut
   folder.aut: error[SC0103]: cannot write: Is a directory
-  [3]
+  [74]
   $ scc explore ../../specs/models/drift.sc -o nowhere/drift.tra
   nowhere/drift.tra: error[SC0103]: cannot write: No such file or directory
-  [3]
+  [74]
   $ mkdir part && echo before > part/x.tra && mkdir part/x.lab
   $ scc explore ../../specs/models/drift.sc -o part/x.tra
   part/x.lab: error[SC0103]: cannot write: Is a directory
-  [3]
+  [74]
   $ cat part/x.tra && ls part
   before
   x.lab
@@ -223,10 +223,10 @@ A file is there as a whole or not at all.
   (1, "time(forever)", 1)
   $ scc explore ../../specs/models/drift.sc -o /dev/full --format aut
   /dev/full: error[SC0103]: cannot write: No space left on device
-  [3]
+  [74]
   $ scc explore ../../specs/models/drift.sc -o - --format aut > /dev/full
   standard output: error[SC0103]: cannot write: No space left on device
-  [4]
+  [74]
   $ ls | grep part$
   part
 

@@ -12,4 +12,4 @@ Every command has a manual with its exit codes.
   0.1.0 (semantics 2)
   $ scc check --help=plain > /dev/full
   standard output: error[SC0103]: cannot write: No space left on device
-  [4]
+  [74]

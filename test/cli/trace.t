@@ -165,13 +165,13 @@ Outputs.
 
   $ scc trace ../../specs/models/figure5.sc -o nowhere/run.jsonl
   nowhere/run.jsonl: error[SC0103]: cannot write: No such file or directory
-  [3]
+  [74]
   $ scc trace ../../specs/models/figure5.sc -o .
   .: error[SC0103]: cannot write: Is a directory
-  [3]
+  [74]
   $ scc trace ../../specs/models/figure5.sc > /dev/full
   standard output: error[SC0103]: cannot write: No space left on device
-  [4]
+  [74]
   $ scc trace ../../specs/models/billiard.sc | head -n 1 | cut -c 1-40
   {"type":"header","format":"scc-trace","v
 
