@@ -195,6 +195,9 @@ val uneventful : t
 val impossible_event : t
 (** SC0704: an event that no behaviour can bring about (a warning). *)
 
+val long_number : t
+(** SC0705: a state is not explored further, since a number of it is too long (a warning). *)
+
 
 (** {1 Schedules and traces} *)
 

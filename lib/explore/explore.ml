@@ -160,6 +160,13 @@ module Make (L : Lts.S) = struct
     in
     go i []
 
+  let instants g i =
+    let rec go i acc =
+      let acc = arrival g i :: acc in
+      match Distances.before_nearest g.distances i with -1 -> acc | source -> go source acc
+    in
+    go i []
+
   let shortest_path g i = path g Distances.before_nearest (fun _ _ _ -> true) i
 
   let earliest_path g i =

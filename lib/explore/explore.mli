@@ -94,6 +94,9 @@ module Make (L : Lts.S) : sig
   (** A step of a path: the choice (an index into the edges) made at a state. *)
   type step = { source : int; choice : int }
 
+  val instants : t -> int -> Rat.t list
+  (** The arrivals in the states of the path of {!shortest_path}, with that in the state itself. *)
+
   val shortest_path : t -> int -> step list
   (** From the initial state, with the fewest transitions. *)
 

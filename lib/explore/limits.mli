@@ -41,7 +41,6 @@ type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }
 type surroundings = {
   stop : unit -> stop option;  (** asked before each state *)
   progress : progress -> unit;  (** called now and then *)
-  ended : unit -> unit;  (** called when an exploration is over: what is made of it takes its time *)
   attempt : attempt;
 }
 

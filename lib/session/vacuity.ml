@@ -58,4 +58,4 @@ let warnings (report : Check.report) ~verdicts ~answers =
       ]
     else []
   in
-  uneventful @ List.filter_map premise answers
+  Option.to_list report.stats.growth @ uneventful @ List.filter_map premise answers

@@ -213,6 +213,10 @@ let exists_form c test =
 
 let label c l = Labels.intern c.labels l
 let label_of c i = Labels.get c.labels i
+let has_events c =
+  let rec from i = i < Labels.size c.labels && ((not (Transition.is_time (label_of c i))) || from (i + 1)) in
+  from 0
+
 let duration c i = Transition.duration_of (label_of c i)
 
 let greatest_bits c = c.bits

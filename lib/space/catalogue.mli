@@ -74,6 +74,9 @@ val first_leaf : State.process -> int
 val label : t -> Transition.label -> int
 val label_of : t -> int -> Transition.label
 
+val has_events : t -> bool
+(** Whether a label has come up that is no passing of time. *)
+
 val duration : t -> int -> Rat.t
 (** Of a label. *)
 

@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_calculus
 open Scc_semantics
 open Scc_explore
 
@@ -70,6 +71,20 @@ let dead_end (d : Scc_base.Diag.t) =
     severity = Warning;
     hint = Some "runs end there: the model is given up, and the calculus says nothing of what follows";
   }
+
+let long_number (model : Model.t) state ~depth =
+  let { Length.quantity; leaf; bits } = Length.longest state in
+  let whose = Option.fold ~none:"" ~some:(fun l -> Printf.sprintf " of `%s`" model.leaves.(l).name) leaf in
+  let cure =
+    match (quantity, model.rigid) with
+    | (Spin | Orientation | Angular_momentum), _ -> "`round orientation 2^-k` keeps numbers short"
+    | (Position | Velocity | Clock), Some _ ->
+      "`round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short"
+    | (Position | Velocity | Clock), None -> "`round(e, q)` in a law of motion keeps numbers short"
+  in
+  Scc_base.Diag.warning Scc_base.Code.long_number Scc_base.Span.none ~hint:(cure ^ "; `--bits N` lets them grow")
+    "the %s%s takes %d bits after %d transitions, and what follows is not explored" (Length.name quantity) whose
+    bits depth
 
 let dead_ends context =
   let warning f = dead_end (Transition.diagnostic (Scc_space.Network_lts.model context) f) in

@@ -33,6 +33,9 @@ type cause =
 val dead_end : Scc_base.Diag.t -> Scc_base.Diag.t
 (** Of the error that a model is given up, the warning that runs end there. *)
 
+val long_number : Model.t -> State.t -> depth:int -> Scc_base.Diag.t
+(** SC0705 of a state that so many transitions led to: which of its numbers is the longest, and what helps. *)
+
 val dead_ends : Scc_space.Network_lts.context -> Scc_base.Diag.t list
 (** A warning for each reason for which runs end in what was explored (rule Persistent). *)
 

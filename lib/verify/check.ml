@@ -30,6 +30,7 @@ type stats = Joint_check.stats = {
   faults : Scc_base.Diag.t list;
   dead_ends : Scc_base.Diag.t list;
   slowing : Slowing.t option;
+  growth : Scc_base.Diag.t option;
 }
 
 type slice = { properties : string list; left_out : string list; explored : stats }
@@ -137,6 +138,7 @@ let add (a : stats) (b : stats) =
     faults = List.sort_uniq Scc_base.Diag.compare (a.faults @ b.faults);
     dead_ends = List.sort_uniq Scc_base.Diag.compare (a.dead_ends @ b.dead_ends);
     slowing = (match a.slowing with Some _ -> a.slowing | None -> b.slowing);
+    growth = (match a.growth with Some _ -> a.growth | None -> b.growth);
   }
 
 let sum_stores a b =
@@ -268,6 +270,7 @@ let unexplored options (checks : Property.check list) stop =
         faults = [];
         dead_ends = [];
         slowing = None;
+        growth = None;
       };
     uneventful = false;
     slices = [];

@@ -96,6 +96,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         dead_ends = Bounds.dead_ends context;
         (* No path is kept. *)
         slowing = None;
+        growth = None;
       };
     zeno = None;
     stores = [ ("states", r.bytes); ("labels", 0); ("edges", 0) ];

@@ -40,6 +40,7 @@ type stats = {
   faults : Scc_base.Diag.t list;
   dead_ends : Scc_base.Diag.t list;
   slowing : Slowing.t option;
+  growth : Scc_base.Diag.t option;
 }
 
 type result = {
@@ -74,7 +75,8 @@ let nearest r = function
     let nearer best j = if Graph.depth r.graph j < Graph.depth r.graph best then j else best in
     Some (List.fold_left nearer i rest)
 
-let unexplored r states : Verdict.reason list =
+(* Why no answer was found in some states. *)
+let causes r states : Verdict.reason list =
   let bound = function
     | Bounds.Bound t -> Some t
     | Fault _ -> None
@@ -85,15 +87,20 @@ let unexplored r states : Verdict.reason list =
   let causes = List.rev (List.rev_map (reason_of r) states) in
   let bounds = Verdict.distinct (List.filter_map bound causes) in
   let faults = List.sort_uniq String.compare (List.filter_map fault causes) in
-  let matter i =
-    Verdict.Unexplored { count = List.length states; nearest = Make_witness.of_path r.context r.graph i }
-  in
-  List.map (fun t -> Verdict.Truncated t) bounds
-  @ List.map (fun text -> Verdict.Fault text) faults
-  @ Option.to_list (Option.map matter (nearest r states))
+  List.map (fun t -> Verdict.Truncated t) bounds @ List.map (fun text -> Verdict.Fault text) faults
 
-let search_doubts r (d : Search.doubts) =
-  List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined) @ unexplored r d.unexplored
+(* With a run to the nearest of them. It may be long, and take as long to be made as to be found: then it is left out. *)
+let unexplored r states =
+  let run i () = Make_witness.of_path r.context r.graph i in
+  let matter i =
+    match r.options.surroundings.attempt.run Concluding (run i) with
+    | Ok nearest -> Some (Verdict.Unexplored { count = List.length states; nearest })
+    | Error _ -> None
+  in
+  causes r states @ Option.to_list (Option.bind (nearest r states) matter)
+
+let undefined (d : Search.doubts) = List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined)
+let search_doubts r (d : Search.doubts) = undefined d @ unexplored r d.unexplored
 
 let formula_doubts r temporal i =
   let d = Temporal.doubts temporal i in
@@ -109,21 +116,19 @@ let trace r p trace = Make_witness.of_trace r.context r.graph (Some p) trace
 let holds = Verdict.Holds { bounds = []; witness = None }
 
 (* Success up to a bound is one kind of verdict; what was not decided for another reason is not success. *)
-let up_to_bound r doubts =
-  let reasons = search_doubts r doubts in
+let up_to_bound r (doubts : Search.doubts) =
   let bound = function
-    | Verdict.Truncated { limit = Instant _; _ } | Undefined _ | Fault _ -> Error ()
-    | Unexplored _ -> Ok None
-    | Truncated t -> Ok (Some t)
+    | Verdict.Truncated { limit = Instant _; _ } | Undefined _ | Fault _ | Unexplored _ -> Error ()
+    | Truncated t -> Ok t
   in
   let add acc reason =
     match (acc, bound reason) with
-    | Ok bounds, Ok b -> Ok (Option.to_list b @ bounds)
+    | Ok bounds, Ok b -> Ok (b :: bounds)
     | Error (), _ | _, Error () -> Error ()
   in
-  match List.fold_left add (Ok []) reasons with
+  match List.fold_left add (Ok []) (undefined doubts @ causes r doubts.unexplored) with
   | Ok bounds -> Verdict.Holds { bounds = List.rev bounds; witness = None }
-  | Error () -> Undecided reasons
+  | Error () -> Undecided (search_doubts r doubts)
 
 let now r p =
   match Trajectory.holds (Network_lts.semantics r.context) (Network_lts.start r.context) p with
@@ -206,12 +211,17 @@ let horizon (checks : Property.check list) =
 let is_event context (e : Graph.edge) =
   not (Transition.is_time (Catalogue.label_of (Network_lts.catalogue context) e.label))
 
-(* Most models have an event early on, and then the rest is not looked at. *)
-let eventful r =
-  let rec from i =
-    i < Graph.size r.graph && (Array.exists (is_event r.context) (Graph.edges r.graph i) || from (i + 1))
+let is_too_long : _ Explore.reason -> bool = function
+  | Bits -> true
+  | Depth | Time | Instant | States | Seconds | Memory | Interrupted | Stopped | Fault _ -> false
+
+(* The first state with a number that is too long. *)
+let growth r unexpanded =
+  let told (i, _) =
+    let state = Catalogue.decode (Network_lts.catalogue r.context) (Graph.tuple r.graph i) in
+    Bounds.long_number r.model state ~depth:(Graph.depth r.graph i)
   in
-  from 0
+  Option.map told (List.find_opt (fun (_, reason) -> is_too_long reason) unexpanded)
 
 let stats r : stats =
   let unexpanded = Graph.unexpanded r.graph in
@@ -223,11 +233,12 @@ let stats r : stats =
     depth = Graph.greatest_depth r.graph;
     model_time = Graph.greatest_arrival r.graph;
     complete = (match unexpanded with [] -> true | _ :: _ -> false);
-    eventful = eventful r;
+    eventful = Catalogue.has_events (Network_lts.catalogue r.context);
     split_step = Network_lts.split_step r.context;
     decided_early = List.exists (function Bounds.Early -> true | Bound _ | Fault _ -> false) causes;
     stopped_by = Verdict.distinct bounds;
     dead_ends = Bounds.dead_ends r.context;
+    growth = growth r unexpanded;
     slowing = (match bounds with [] -> None | _ :: _ -> Slowing.find r.graph);
     faults =
       List.sort_uniq Scc_base.Diag.compare

@@ -36,6 +36,7 @@ type stats = {
   faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
   dead_ends : Scc_base.Diag.t list;  (** why runs end in states without transitions, as warnings (rule Run) *)
   slowing : Slowing.t option;  (** how event times grew ever slower before a bound ended it *)
+  growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
 }
 
 type result = {

@@ -40,10 +40,7 @@ let find graph =
   in
   Option.bind
     (List.fold_left deeper None (Graph.unexpanded graph))
-    (fun i ->
-       let path = Graph.shortest_path graph i in
-       let arrivals = List.rev_map (fun (s : Graph.step) -> Graph.arrival graph s.source) path in
-       of_instants (List.rev (Graph.arrival graph i :: arrivals)))
+    (fun i -> of_instants (Graph.instants graph i))
 
 let to_string s =
   let stretch x = Printf.sprintf "%d instants took %.3g" x.instants (Rat.to_float x.took) in

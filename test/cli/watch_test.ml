@@ -1,0 +1,71 @@
+(* What a watch gives up, and when; in processes of their own, as timers and signals are those of a process. *)
+
+open Scc_explore
+module Watch = Scc_cli__Watch
+
+let processor_seconds s =
+  let stop = Sys.time () +. s in
+  while Sys.time () < stop do
+    ignore (Sys.opaque_identity (List.init 100 Fun.id))
+  done
+
+let for_ever () = processor_seconds infinity
+
+(* The exit code tells what came of the work. *)
+let started work =
+  flush_all ();
+  match Unix.fork () with
+  | 0 ->
+    Unix.dup2 (Unix.openfile "/dev/null" [ O_WRONLY ] 0) Unix.stderr;
+    Unix._exit (work ())
+  | pid -> pid
+
+let ended pid = match Unix.waitpid [] pid with _, WEXITED code -> code | _, (WSIGNALED _ | WSTOPPED _) -> -1
+
+let code = function Ok () -> 0 | Error Limits.Seconds -> 10 | Error Limits.Memory -> 11 | Error Limits.Interrupted -> 12
+
+let attempt ?seconds ?memory ?(before = ignore) stage work () =
+  let watch = Watch.start ?seconds ?memory () in
+  before ();
+  code ((Watch.attempt watch).run stage work)
+
+let signal () = Unix.kill (Unix.getpid ()) Sys.sigint
+
+(* It stays reachable, so that it cannot be collected. *)
+let kept = ref []
+
+let rec allocate () =
+  kept := Bytes.make 100_000 'x' :: !kept;
+  allocate ()
+
+let words = Scc_base.Memory.words_of_mib 100
+
+let inner_and_outer () =
+  let watch = Watch.start ~seconds:0.1 () in
+  let attempt = Watch.attempt watch in
+  let inner () = match attempt.run Exploring for_ever with Ok () | Error (Memory | Interrupted) -> 1 | Error Seconds -> 0 in
+  match attempt.run Reporting inner with Ok code -> code | Error _ -> 2
+
+let cases =
+  [
+    ("what ends in time", 0, attempt ~seconds:60. Exploring ignore);
+    ("an exploration", 10, attempt ~seconds:0.1 Exploring for_ever);
+    ("a conclusion", 10, attempt ~seconds:0.1 Concluding for_ever);
+    ("a conclusion has a little more", 0, attempt ~seconds:0.1 Concluding (fun () -> processor_seconds 0.6));
+    ("the report", 10, attempt ~seconds:0.1 Reporting for_ever);
+    ("an exploration within a report", 0, inner_and_outer);
+    ("what is no attempt", 4, fun () -> ignore (Watch.start ~seconds:0.1 ()); for_ever (); 0);
+    ("an exploration after a signal", 12, attempt ~before:signal Exploring for_ever);
+    ("one that takes memory", 11, attempt ~memory:words Exploring allocate);
+    ("nothing, once it is finished", 0, fun () ->
+        let watch = Watch.start ~seconds:0.1 () in
+        Watch.finish watch; processor_seconds 0.5; 0);
+    ( "not what must not be left half done", 0,
+      attempt ~seconds:0.1 Exploring (fun () -> Scc_base.Critical.run (fun () -> processor_seconds 0.5)) );
+  ]
+
+let given_up () =
+  List.map (fun (what, expected, work) -> (what, expected, started work)) cases
+  |> List.iter (fun (what, expected, pid) -> Alcotest.(check int) what expected (ended pid))
+
+let () = Alcotest.run "watch" [ ("attempts", [ Alcotest.test_case "what is given up" `Quick given_up ]) ]
