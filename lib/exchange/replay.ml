@@ -139,10 +139,12 @@ let room run ahead =
   | Possible _ | Over _ ->
     Some (List.fold_left (fun longest t -> Rat.max longest (duration t)) Rat.zero (transitions ahead))
 
-let finish ?(told = false) run limits emit place ahead =
+(* At the last transition, or so much later, if that instant has been told. *)
+let finish ?offset run limits emit place ahead =
   let ending = ending run limits place ahead in
-  let last = if told then None else Some (fun () -> Run.state run) in
-  emit (End { steps = place.taken; time = place.time; ending; last; rounded = Run.rounded run });
+  let last = match offset with None -> Some (fun () -> Run.state run) | Some _ -> None in
+  let time = Rat.add place.time (Option.value offset ~default:Rat.zero) in
+  emit (End { steps = place.taken; time; ending; last; rounded = Run.rounded run });
   Ok ending
 
 (* Leaves the run after [offset] more of undisturbed time, if that is possible. *)
@@ -159,7 +161,7 @@ let leave_at semantics run limits emit place ahead offset ~at =
     let state = Run.state run in
     let state = if Rat.sign offset = 0 then state else Time.pass semantics offset state in
     emit (Instant { offset; time = Rat.add place.time offset; state });
-    finish ~told:true run limits emit place ahead
+    finish ~offset run limits emit place ahead
   end
 
 let beyond (limits : limits) place d =
