@@ -59,7 +59,8 @@ let address_space () =
     close_in_noerr file;
     0.6 *. most
 
-(* Seconds of the processor since the time was over: on a busy machine those of the clock say little of the work. *)
+(* Seconds of the processor since the time was over: on a busy machine those of the clock say little of the
+   work. *)
 let passed t =
   let over = t.signalled || Unix.gettimeofday () > t.deadline in
   match t.since with

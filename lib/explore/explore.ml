@@ -71,8 +71,8 @@ module Make (L : Lts.S) = struct
   let leave_out g i reason = mark g i (Unexpanded reason)
 
   let unexpanded g =
-    let add i = match status g i with Unexpanded reason -> Some (i, reason) | Expanded | Queued -> None in
-    let rec from i acc = if i < 0 then acc else from (i - 1) (Option.to_list (add i) @ acc) in
+    let reason i = match status g i with Unexpanded reason -> [ (i, reason) ] | Expanded | Queued -> [] in
+    let rec from i acc = if i < 0 then acc else from (i - 1) (reason i @ acc) in
     from (size g - 1) []
 
   let complete g =
@@ -101,13 +101,12 @@ module Make (L : Lts.S) = struct
 
   (* Those that were put off when the state was expanded may lead to states that are not there. *)
   let edges_of_steps g steps =
-    List.filter_map
-      (fun (s : Lts.step) ->
-         match Tuples.find g.tuples ~near:g.reader s.changes with
-         | -1 -> None
-         | target -> Some { label = s.label; target })
-      steps
-    |> Array.of_list
+    let edge (s : Lts.step) =
+      match Tuples.find g.tuples ~near:g.reader s.changes with
+      | -1 -> None
+      | target -> Some { label = s.label; target }
+    in
+    Array.of_list (List.filter_map edge steps)
 
   let made_anew g i =
     let tuple = tuple g i in
@@ -160,12 +159,12 @@ module Make (L : Lts.S) = struct
     in
     go i []
 
-  let instants g i =
-    let rec go i acc =
-      let acc = arrival g i :: acc in
-      match Distances.before_nearest g.distances i with -1 -> acc | source -> go source acc
+  let instants g =
+    let rec before known = function
+      | -1 -> known
+      | i -> before (arrival g i :: known) (Distances.before_nearest g.distances i)
     in
-    go i []
+    before []
 
   let shortest_path g i = path g Distances.before_nearest (fun _ _ _ -> true) i
 
@@ -243,24 +242,25 @@ module Make (L : Lts.S) = struct
     while not (Queue.is_empty work) do
       let i = Queue.pop work in
       Hashtbl.remove waiting i;
-      Array.iter
-        (fun e ->
-           let better, is_earlier = improve g i e in
-           if is_earlier then visitor.earlier g e.target;
-           if better then enter e.target)
-        (edges g i)
+      let pass e =
+        let better, is_earlier = improve g i e in
+        if is_earlier then visitor.earlier g e.target;
+        if better then enter e.target
+      in
+      Array.iter pass (edges g i)
     done
+
+  let is_new g (s : Lts.step) = Tuples.find g.tuples ~near:g.near s.changes < 0
 
   (* Whether the targets that are new fit a number of them. *)
   let fits g room tuple (steps : Lts.step list) =
     List.compare_length_with steps room <= 0
     ||
     let fresh = Hashtbl.create 16 in
-    List.iter
-      (fun (s : Lts.step) ->
-         if Tuples.find g.tuples ~near:g.near s.changes < 0 then
-           Hashtbl.replace fresh (Array.to_list (Tuples.apply s.changes tuple)) ())
-      steps;
+    let add (s : Lts.step) =
+      if is_new g s then Hashtbl.replace fresh (Array.to_list (Tuples.apply s.changes tuple)) ()
+    in
+    List.iter add steps;
     Hashtbl.length fresh <= room
 
   (* The target of a transition, which may be new. *)
@@ -294,8 +294,6 @@ module Make (L : Lts.S) = struct
       if better then settle g limits visitor e.target
     end
 
-  let is_new g (s : Lts.step) = Tuples.find g.tuples ~near:g.near s.changes < 0
-
   let successors g tuple =
     match L.reduced g.context tuple with
     | Some steps when List.for_all (is_new g) steps -> Ok steps
@@ -324,17 +322,14 @@ module Make (L : Lts.S) = struct
       Option.iter keep g.edges;
       introduce g around visitor ~first tuple steps targets;
       List.iter2 (fun s target -> relax g limits visitor i (edge s target)) steps targets;
-      (match visitor.opened with
-       | None -> ()
-       | Some opened ->
-         Limits.within around (fun () -> opened g i tuple (Array.of_list (List.map2 edge steps targets))));
+      let edges () = Array.of_list (List.map2 edge steps targets) in
+      Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
       None
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
   let give_up g i reason =
     let leave i = match status g i with Queued -> leave_out g i reason | Expanded | Unexpanded _ -> () in
-    leave i;
-    Frontier.iter leave g.frontier
+    leave i; Frontier.iter leave g.frontier
 
   let empty context order keep_edges =
     let tuples = Tuples.create ~width:(L.width context) in

@@ -89,7 +89,8 @@ let causes r states : Verdict.reason list =
   let faults = List.sort_uniq String.compare (List.filter_map fault causes) in
   List.map (fun t -> Verdict.Truncated t) bounds @ List.map (fun text -> Verdict.Fault text) faults
 
-(* With a run to the nearest of them. It may be long, and take as long to be made as to be found: then it is left out. *)
+(* With a run to the nearest of them. It may be long, and take as long to be made as to be found: then it is left
+   out. *)
 let unexplored r states =
   let run i () = Make_witness.of_path r.context r.graph i in
   let matter i =

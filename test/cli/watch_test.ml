@@ -22,7 +22,11 @@ let started work =
 
 let ended pid = match Unix.waitpid [] pid with _, WEXITED code -> code | _, (WSIGNALED _ | WSTOPPED _) -> -1
 
-let code = function Ok () -> 0 | Error Limits.Seconds -> 10 | Error Limits.Memory -> 11 | Error Limits.Interrupted -> 12
+let code = function
+  | Ok () -> 0
+  | Error Limits.Seconds -> 10
+  | Error Limits.Memory -> 11
+  | Error Limits.Interrupted -> 12
 
 let attempt ?seconds ?memory ?(before = ignore) stage work () =
   let watch = Watch.start ?seconds ?memory () in
@@ -43,7 +47,9 @@ let words = Scc_base.Memory.words_of_mib 100
 let inner_and_outer () =
   let watch = Watch.start ~seconds:0.1 () in
   let attempt = Watch.attempt watch in
-  let inner () = match attempt.run Exploring for_ever with Ok () | Error (Memory | Interrupted) -> 1 | Error Seconds -> 0 in
+  let inner () =
+    match attempt.run Exploring for_ever with Error Seconds -> 0 | Ok () | Error (Memory | Interrupted) -> 1
+  in
   match attempt.run Reporting inner with Ok code -> code | Error _ -> 2
 
 let cases =

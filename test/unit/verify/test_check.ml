@@ -166,10 +166,7 @@ let bounds () =
 
 let interruption () =
   let polls = ref 0 in
-  let stop () : Scc_explore.Limits.stop option =
-    incr polls;
-    if !polls > 10 then Some Interrupted else None
-  in
+  let stop () = incr polls; if !polls > 10 then Some Scc_explore.Limits.Interrupted else None in
   let options = { Check.default with surroundings = { Scc_explore.Limits.quiet with stop } } in
   let _, report = check ~options (falls ^ "check a : always z(p) <= 0") in
   (match report.outcomes with
