@@ -67,7 +67,7 @@ Also with a limit of time that falls between two events, and with parameters, wh
 
   $ scc trace ../../specs/models/drift.sc --time 7/2 | tee one.jsonl | tail -n 2
   {"type":"instant","offset":"7/2","time":"7/2","state":{"processes":[{"velocity":["1/3","0/1","0/1"],"clock":null,"leaves":[{"name":"p","position":["7/6","0/1","0/1"],"behaviour":"nil","origin":null}],"bonds":[]}],"step":null}}
-  {"type":"end","steps":0,"time":"0/1","ending":"quiescent"}
+  {"type":"end","steps":0,"time":"7/2","ending":"quiescent"}
   $ scc trace ../../specs/models/drift.sc --schedule one.jsonl | cmp - one.jsonl
   $ scc trace ../../specs/models/gas.sc -D n=1 --time 1 > one.jsonl
   $ scc trace ../../specs/models/gas.sc --schedule one.jsonl | cmp - one.jsonl
@@ -210,7 +210,7 @@ schedule, from which the whole trace comes back.
   {"type":"header","format":"scc-trace","version":1,"semantics":"2","model":"drift","diges
   {"type":"state","time":"0/1","state":{"processes":[{"velocity":["1/3","0/1","0/1"],"cloc
   {"type":"instant","offset":"7/2","time":"7/2","state":{"processes":[{"velocity":["1/3","
-  {"type":"end","steps":0,"time":"0/1","ending":"quiescent"}
+  {"type":"end","steps":0,"time":"7/2","ending":"quiescent"}
   $ scc trace ../../specs/models/gas.sc --steps 60 > all.jsonl
   $ scc trace ../../specs/models/gas.sc --steps 60 --states=ends > ends.jsonl
   $ scc trace ../../specs/models/gas.sc --schedule ends.jsonl | cmp - all.jsonl
