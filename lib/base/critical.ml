@@ -1,12 +1,14 @@
 let depth = ref 0
 let active () = !depth > 0
+let enter () = incr depth
+let leave () = decr depth
 
 let run f =
-  incr depth;
+  enter ();
   match f () with
   | x ->
-    decr depth;
+    leave ();
     x
   | exception e ->
-    decr depth;
+    leave ();
     raise e

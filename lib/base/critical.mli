@@ -9,3 +9,7 @@ val run : (unit -> 'a) -> 'a
 
 val active : unit -> bool
 (** Whether such a section is being run; who would give up waits for the next time. *)
+
+val enter : unit -> unit
+val leave : unit -> unit
+(** The two ends of a section that raises nothing, where a function would cost too much. *)

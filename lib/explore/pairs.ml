@@ -82,7 +82,13 @@ let[@inline] pack l r =
 let intern_key p k =
   let i = probe p p.index k (slot p k) in
   let id = Int32.to_int (Array1.unsafe_get p.index i) in
-  if id >= 0 then id else Scc_base.Critical.run (fun () -> add p k i)
+  if id >= 0 then id
+  else begin
+    Scc_base.Critical.enter ();
+    let id = add p k i in
+    Scc_base.Critical.leave ();
+    id
+  end
 
 let find_key p k = Int32.to_int (Array1.unsafe_get p.index (probe p p.index k (slot p k)))
 let intern p l r = intern_key p (pack l r)
