@@ -321,6 +321,16 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
            List.iter (fun m -> found m g i tuple) monitors);
       opened = (if sees_edges then Some on_edges else None);
       earlier = (fun g i -> List.iter (fun m -> earlier m g i) monitors);
+      (* What is decided asks for nothing more, and no other question for what comes after its time. *)
+      matters =
+        (fun time ->
+           let asks m =
+             (not m.decided)
+             && match m.question.within with None -> true | Some bound -> Rat.compare time bound <= 0
+           in
+           match (monitors, look) with
+           | [], None -> true
+           | _ -> (not !rest_settled) || List.exists asks monitors);
       enough =
         (fun () ->
            match (monitors, look) with

@@ -128,7 +128,11 @@ let slowing (s : Slowing.t) =
   let stretch (x : Slowing.stretch) = `Assoc [ ("instants", `Int x.instants); ("took", Json.rat x.took) ] in
   `Assoc [ ("stretches", `List (List.map stretch s.stretches)); ("until", Json.rat s.until) ]
 
-let property c ({ check; verdict = v; scale; rests; slowing = slower } as o : Verdict.outcome) =
+let convergence : Verdict.convergence -> string * Json.t = function
+  | Named s -> ("slowing", slowing s)
+  | Proved q -> ("converges", `Assoc [ ("factor", Json.rat q.factor); ("until", Json.rat q.until) ])
+
+let property c ({ check; verdict = v; scale; rests; converges } as o : Verdict.outcome) =
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
@@ -146,7 +150,7 @@ let property c ({ check; verdict = v; scale; rests; slowing = slower } as o : Ve
       ("witness", Json.option (witness c) run);
     ]
       @ (match rests with [] -> [] | _ :: _ -> [ ("rests_on", `List (List.map rest rests)) ])
-      @ List.map (fun s -> ("slowing", slowing s)) (Option.to_list slower)
+      @ List.map convergence (Option.to_list converges)
       @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step))
 
 let dead_ends list = `List (List.map (fun (d : Diag.t) -> Json.text d.message) list)

@@ -33,7 +33,7 @@ module Make (L : Lts.S) = struct
     edges : Edge_store.t option;
     mutable transitions : int;
     mutable turns : bool;
-    mutable timed : Bytes.t;  (** whether labels take time, as far as is known *)
+    timed : Timed_labels.t;
   }
 
   type visitor = {
@@ -41,10 +41,12 @@ module Make (L : Lts.S) = struct
     opened : (t -> int -> int array -> edge array -> unit) option;
     earlier : t -> int -> unit;
     enough : unit -> bool;
+    matters : Rat.t -> bool;
   }
 
   let blind =
     {
+      matters = (fun _ -> true);
       found = (fun _ _ _ -> ());
       opened = None;
       earlier = (fun _ _ -> ());
@@ -84,20 +86,7 @@ module Make (L : Lts.S) = struct
 
   (** {2 Edges} *)
 
-  (* Most transitions take no time: that is looked up once for each label. *)
-  let takes_time g label =
-    if label >= Bytes.length g.timed then begin
-      let timed = Bytes.make (2 * (label + 1)) '?' in
-      Bytes.blit g.timed 0 timed 0 (Bytes.length g.timed);
-      g.timed <- timed
-    end;
-    match Bytes.unsafe_get g.timed label with
-    | 'y' -> true
-    | 'n' -> false
-    | _ ->
-      let yes = Rat.sign (L.duration g.context label) > 0 in
-      Bytes.set g.timed label (if yes then 'y' else 'n');
-      yes
+  let takes_time g label = Timed_labels.takes_time g.timed label ~duration:(L.duration g.context)
 
   (* Those that were put off when the state was expanded may lead to states that are not there. *)
   let edges_of_steps g steps =
@@ -159,10 +148,10 @@ module Make (L : Lts.S) = struct
     in
     go i []
 
-  let instants g =
+  let ancestors g =
     let rec before known = function
       | -1 -> known
-      | i -> before (arrival g i :: known) (Distances.before_nearest g.distances i)
+      | i -> before (i :: known) (Distances.before_nearest g.distances i)
     in
     before []
 
@@ -220,9 +209,10 @@ module Make (L : Lts.S) = struct
     (nearer || is_earlier, is_earlier)
 
   (* A state left out for its labels alone, and now within the bounds, is taken up again. *)
-  let reconsider g limits i =
+  let reconsider g limits visitor i =
     match status g i with
-    | Unexpanded (Depth | Time | Instant) when Option.is_none (out_of_bounds g limits i) ->
+    | Unexpanded (Depth | Time | Instant | Stopped)
+      when Option.is_none (out_of_bounds g limits i) && visitor.matters (arrival g i) ->
       mark g i Queued;
       Frontier.push g.frontier i (arrival g i)
     | Queued -> (match g.order with By_steps -> () | By_time -> Frontier.push g.frontier i (arrival g i))
@@ -232,7 +222,7 @@ module Make (L : Lts.S) = struct
   let settle g limits visitor first =
     let work = Queue.create () and waiting = Hashtbl.create 16 in
     let enter i =
-      reconsider g limits i;
+      reconsider g limits visitor i;
       if is_expanded g i && not (Hashtbl.mem waiting i) then begin
         Hashtbl.add waiting i ();
         Queue.push i work
@@ -343,7 +333,7 @@ module Make (L : Lts.S) = struct
       edges = (if keep_edges then Some (Edge_store.create ()) else None);
       transitions = 0;
       turns = false;
-      timed = Bytes.empty;
+      timed = Timed_labels.create ();
     }
 
   let progress g i : Limits.progress =
@@ -361,6 +351,9 @@ module Make (L : Lts.S) = struct
     | (Expanded | Unexpanded _), _ -> None
     | Queued, Some reason ->
       leave_out g i reason;
+      None
+    | Queued, None when not (visitor.matters (arrival g i)) ->
+      leave_out g i Stopped;
       None
     | Queued, None -> expand g limits around visitor i
 

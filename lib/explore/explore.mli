@@ -38,6 +38,9 @@ module Make (L : Lts.S) : sig
         anew *)
     earlier : t -> int -> unit;  (** a shorter time to a known state *)
     enough : unit -> bool;  (** asked before each expansion: whether to stop *)
+    matters : Rat.t -> bool;
+    (** whether a state that is reached at this time, and no earlier, has to be expanded; if not, it will never have
+        to be *)
   }
 
   val blind : visitor
@@ -94,8 +97,8 @@ module Make (L : Lts.S) : sig
   (** A step of a path: the choice (an index into the edges) made at a state. *)
   type step = { source : int; choice : int }
 
-  val instants : t -> int -> Rat.t list
-  (** The arrivals in the states of the path of {!shortest_path}, with that in the state itself. *)
+  val ancestors : t -> int -> int list
+  (** The states of the path of {!shortest_path}, with the state itself. *)
 
   val shortest_path : t -> int -> step list
   (** From the initial state, with the fewest transitions. *)

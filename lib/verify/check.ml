@@ -29,7 +29,7 @@ type stats = Joint_check.stats = {
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
   dead_ends : Scc_base.Diag.t list;
-  slowing : Slowing.t option;
+  converges : Verdict.convergence option;
   growth : Scc_base.Diag.t option;
 }
 
@@ -137,7 +137,7 @@ let add (a : stats) (b : stats) =
     stopped_by = Verdict.together a.stopped_by b.stopped_by;
     faults = List.sort_uniq Scc_base.Diag.compare (a.faults @ b.faults);
     dead_ends = List.sort_uniq Scc_base.Diag.compare (a.dead_ends @ b.dead_ends);
-    slowing = (match a.slowing with Some _ -> a.slowing | None -> b.slowing);
+    converges = (match a.converges with Some _ -> a.converges | None -> b.converges);
     growth = (match a.growth with Some _ -> a.growth | None -> b.growth);
   }
 
@@ -175,8 +175,8 @@ let rests semantics (result : Joint_check.result) (check : Property.check) (v : 
   | Violated { witness = None } -> unless_lasting All
 
 (* What a bound left open may lie beyond the times that a run converges to. *)
-let slowing (result : Joint_check.result) v =
-  match Verdict.truncated v with [] -> None | _ :: _ -> result.stats.slowing
+let converges (result : Joint_check.result) v =
+  match Verdict.truncated v with [] -> None | _ :: _ -> result.stats.converges
 
 let explored options semantics ~initial group =
   let members = List.rev group.members in
@@ -193,8 +193,8 @@ let explored options semantics ~initial group =
   let outcome (i, check) (_, v) =
     let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ -> result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
-    let rests = rests semantics result check v and slowing = slowing result v in
-    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step }; rests; slowing })
+    let rests = rests semantics result check v and converges = converges result v in
+    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step }; rests; converges })
   in
   let outcomes = List.map2 outcome members result.outcomes in
   let slice part =
@@ -255,7 +255,7 @@ let unexplored options (checks : Property.check list) stop =
   let stopped = Bounds.stopped options.bounds stop in
   let outcome check =
     let scale = { Verdict.resolution = None; split_step = None } in
-    { Verdict.check; verdict = Undecided [ Truncated stopped ]; scale; rests = []; slowing = None }
+    { Verdict.check; verdict = Undecided [ Truncated stopped ]; scale; rests = []; converges = None }
   in
   {
     outcomes = List.map outcome checks;
@@ -269,7 +269,7 @@ let unexplored options (checks : Property.check list) stop =
         stopped_by = [ stopped ];
         faults = [];
         dead_ends = [];
-        slowing = None;
+        converges = None;
         growth = None;
       };
     uneventful = false;

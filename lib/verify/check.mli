@@ -31,7 +31,7 @@ type stats = Joint_check.stats = {
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
   dead_ends : Scc_base.Diag.t list;
-  slowing : Slowing.t option;  (** how event times grew ever slower before a bound ended it *)
+  converges : Verdict.convergence option;  (** what event times did before a bound ended it *)
   growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
 }
 (** Of several explorations: sums, and the greatest depth and time. *)

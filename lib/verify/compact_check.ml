@@ -95,7 +95,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         faults;
         dead_ends = Bounds.dead_ends context;
         (* No path is kept. *)
-        slowing = None;
+        converges = None;
         growth = None;
       };
     zeno = None;

@@ -39,7 +39,7 @@ type stats = {
   stopped_by : Verdict.truncation list;
   faults : Scc_base.Diag.t list;
   dead_ends : Scc_base.Diag.t list;
-  slowing : Slowing.t option;
+  converges : Verdict.convergence option;
   growth : Scc_base.Diag.t option;
 }
 
@@ -224,6 +224,11 @@ let growth r unexpanded =
   in
   Option.map told (List.find_opt (fun (_, reason) -> is_too_long reason) unexpanded)
 
+let convergence r =
+  match Quickening.find r.context r.graph with
+  | Some q -> Some (Verdict.Proved q)
+  | None -> Option.map (fun s -> Verdict.Named s) (Slowing.find r.graph)
+
 let stats r : stats =
   let unexpanded = Graph.unexpanded r.graph in
   let causes = List.rev (List.rev_map (fun (_, reason) -> cause r reason) unexpanded) in
@@ -240,7 +245,7 @@ let stats r : stats =
     stopped_by = Verdict.distinct bounds;
     dead_ends = Bounds.dead_ends r.context;
     growth = growth r unexpanded;
-    slowing = (match bounds with [] -> None | _ :: _ -> Slowing.find r.graph);
+    converges = (match bounds with [] -> None | _ :: _ -> convergence r);
     faults =
       List.sort_uniq Scc_base.Diag.compare
         (List.filter_map (function Bounds.Fault f -> Some f | Bound _ | Early -> None) causes);

@@ -35,7 +35,7 @@ type stats = {
   stopped_by : Verdict.truncation list;  (** the bounds that left states unexpanded *)
   faults : Scc_base.Diag.t list;  (** why transitions of states could not be computed, each text once *)
   dead_ends : Scc_base.Diag.t list;  (** why runs end in states without transitions, as warnings (rule Run) *)
-  slowing : Slowing.t option;  (** how event times grew ever slower before a bound ended it *)
+  converges : Verdict.convergence option;  (** what event times did before a bound ended it *)
   growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
 }
 

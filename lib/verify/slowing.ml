@@ -31,16 +31,18 @@ let is_bound : _ Scc_explore.Explore.reason -> bool = function
   | Depth | States | Bits | Seconds | Memory | Interrupted -> true
   | Time | Instant | Stopped | Fault _ -> false
 
-let find graph =
+let deepest graph =
   let deeper best (i, reason) =
     match best with
     | _ when not (is_bound reason) -> best
     | Some j when Graph.depth graph j >= Graph.depth graph i -> best
     | Some _ | None -> Some i
   in
-  Option.bind
-    (List.fold_left deeper None (Graph.unexpanded graph))
-    (fun i -> of_instants (Graph.instants graph i))
+  List.fold_left deeper None (Graph.unexpanded graph)
+
+let find graph =
+  let instants i = List.map (Graph.arrival graph) (Graph.ancestors graph i) in
+  Option.bind (deepest graph) (fun i -> of_instants (instants i))
 
 let to_string s =
   let stretch x = Printf.sprintf "%d instants took %.3g" x.instants (Rat.to_float x.took) in

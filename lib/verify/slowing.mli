@@ -17,6 +17,9 @@ val find : State_graph.t -> t option
     time of the eighth before it. So it is where gaps fall as 1/n^2, or faster, and not where they fall as 1/n.
 *)
 
+val deepest : State_graph.t -> int option
+(** The deepest state that a bound left unexpanded, the first of them. *)
+
 val of_instants : Rat.t list -> t option
 (** The same of instants that are given, in order. *)
 

@@ -28,12 +28,14 @@ type t =
 
 type scale = { resolution : Rat.t option; split_step : Rat.t option }
 type rest = By of Witness.halt | Among of Witness.halt
+type convergence = Named of Slowing.t | Proved of Quickening.t
+
 type outcome = {
   check : Scc_property.Property.check;
   verdict : t;
   scale : scale;
   rests : rest list;
-  slowing : Slowing.t option;
+  converges : convergence option;
 }
 
 let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Undecided _ -> false
@@ -174,4 +176,5 @@ let outcome_to_string o =
     | Holds _ | Violated _ ->
       to_string o.verdict ^ String.concat "" (List.map rest_to_string o.rests) ^ scale_to_string o.scale
   in
-  verdict ^ Option.fold ~none:"" ~some:(fun s -> "; " ^ Slowing.to_string s) o.slowing
+  let told = function Named s -> Slowing.to_string s | Proved q -> Quickening.to_string q in
+  verdict ^ Option.fold ~none:"" ~some:(fun c -> "; " ^ told c) o.converges

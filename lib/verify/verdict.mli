@@ -51,12 +51,15 @@ type rest =
   | By of Witness.halt  (** the run that decides is such a run *)
   | Among of Witness.halt  (** no run decides by itself, and among all there are such runs *)
 
+(** What is known of runs whose instants converge: from what they look like, or for certain (rule Run). *)
+type convergence = Named of Slowing.t | Proved of Quickening.t
+
 type outcome = {
   check : Scc_property.Property.check;
   verdict : t;
   scale : scale;
   rests : rest list;
-  slowing : Slowing.t option;  (** where a bound kept it from being decided *)
+  converges : convergence option;  (** where a bound kept it from being decided *)
 }
 
 val distinct : truncation list -> truncation list

@@ -34,6 +34,11 @@ let gaps () =
   let squares = instants (fun k -> over (k * k)) 40 in
   Alcotest.(check (list int)) "each instant once" [ 5; 10; 20 ] (count (twice squares))
 
+let told = function
+  | None -> ""
+  | Some (Verdict.Named _) -> "named"
+  | Some (Proved q) -> Printf.sprintf "%s, %s" (Rat.to_string q.factor) (Rat.to_string q.until)
+
 let check_text text =
   let e = Load.exactly (Load.text text) in
   let semantics = Scc_engine.Standard.of_model e.model in
@@ -42,7 +47,7 @@ let check_text text =
   | Ok initial ->
     let options = { Check.default with bounds = { Bounds.default with states = Given 120 } } in
     let report = Check.run options semantics ~initial e.checks in
-    List.map (fun (o : Verdict.outcome) -> (o.check.name, Option.is_some o.slowing)) report.outcomes
+    List.map (fun (o : Verdict.outcome) -> (o.check.name, told o.converges)) report.outcomes
 
 let read path =
   let channel = open_in_bin path in
@@ -53,11 +58,62 @@ let read path =
 let closing () =
   let text = read "../../../specs/models/laws/closing.sc" in
   let more = "\ncheck forever : always x(west) < x(ball)\ncheck never : possibly x(west) > -2\n" in
-  Alcotest.(check (list (pair string bool)))
+  Alcotest.(check (list (pair string string)))
     "where a bound ended the exploration"
-    [ ("between", false); ("closes", false); ("beyond", false); ("forever", true); ("never", true) ]
+    [ ("between", ""); ("closes", ""); ("beyond", ""); ("forever", "named"); ("never", "named") ]
     (check_text (text ^ more))
+
+(* {1 Proofs} *)
+
+let replace from into text =
+  match Str.split_delim (Str.regexp_string from) text with
+  | [ _ ] -> Alcotest.fail ("no " ^ from)
+  | pieces -> String.concat into pieces
+
+let quickening () =
+  let text = read "../../../specs/models/laws/quicken.sc" in
+  let flat = "\ncheck flat : always y(ball) = 0\n" in
+  let proved what expected text =
+    Alcotest.(check (option string)) what (Some expected) (List.assoc_opt "flat" (check_text (text ^ flat)))
+  in
+  proved "each round four times as fast" "4, 9/2" text;
+  proved "half as much again" "9/4, 10" (replace "(2*vx, 2*vy, 2*vz)" "(3*vx/2, vy, vz)" text);
+  (* The first step of the ball takes as long as its speed of 1 lets it, and then that of 2. *)
+  proved "a condition that does not ask how fast" "2, 15"
+    (replace "(2*vx, 2*vy, 2*vz)" "(if vx > 0 then vx else 2*vx, vy, vz)" text);
+  let unproved what text = proved what "named" text in
+  unproved "a law that asks how fast"
+    (replace "(2*vx, 2*vy, 2*vz)" "(if vx > -1000 then 2*vx else 2*vx, vy, vz)" text);
+  unproved "a law that asks where" (replace "2*vx, 2*vy" "if x > 5 then vx else 2*vx, 2*vy" text);
+  proved "no bounce yet" "" (replace "timestep 100" "timestep 1e-40" text);
+  proved "an eps that waits" "named" (replace "[nil]" "[eps(1000). nil]" text)
+
+let tetrahedron = "vertices a (0,0,0) b (1,0,0) c (0,1,0) d (0,0,1) faces f [a,c,b] g [a,b,d] h [a,d,c] i [b,c,d]"
+
+let linear () =
+  let law text =
+    let model =
+      Printf.sprintf "shape T { %s }\nprocess p = T mass 3 [nil]\nmotion p = (%s)\n" tetrahedron text
+    in
+    (Load.exactly (Load.text model)).model.Scc_calculus.Model.leaves.(0).law
+  in
+  let is expected text = Alcotest.(check bool) text expected (Quickening.linear (law text)) in
+  List.iter (is true)
+    [
+      "vx, vy, vz"; "2*vx - vy/mass, 0, vz*mass"; "vx*vy/vz, vx*vx/vy, 0 - vz";
+      "if vx >= 2*vy and not vz = 0 then vx else vz, vy, 0";
+    ];
+  List.iter (is false)
+    [
+      "vx + 1, vy, vz"; "vx*vy, vy, vz"; "1, vy, vz"; "vx*dt, vy, vz"; "vx*time, vy, vz"; "x, vy, vz";
+      "round(vx, 1/2), vy, vz"; "if vx > 1 then vx else vy, vy, vz"; "if x > 0 then vx else vy, vy, vz";
+      "vx/vy, vy, vz";
+    ]
 
 let () =
   let case = Alcotest.test_case in
-  Alcotest.run "slowing" [ ("slowing", [ case "gaps" `Quick gaps; case "walls that close" `Quick closing ]) ]
+  Alcotest.run "slowing"
+    [
+      ("slowing", [ case "gaps" `Quick gaps; case "walls that close" `Quick closing ]);
+      ("proofs", [ case "runs that repeat themselves faster" `Quick quickening; case "linear laws" `Quick linear ]);
+    ]
