@@ -39,8 +39,8 @@ module Make (L : Lts.S) : sig
     earlier : t -> int -> unit;  (** a shorter time to a known state *)
     enough : unit -> bool;  (** asked before each expansion: whether to stop *)
     matters : Rat.t -> bool;
-    (** whether a state that is reached at this time, and no earlier, has to be expanded; if not, it will never have
-        to be *)
+    (** whether a state that is reached at this time, and no earlier, has to be expanded; once it has not, it never
+        has *)
   }
 
   val blind : visitor

@@ -1,8 +1,8 @@
 (** Runs that repeat themselves ever faster, so that their instants converge: a proof (rule Run).
 
     A law that is linear in the velocity, and asks for nothing else, does not tell a network from the same one with
-    all velocities, and the rate of time, multiplied by one factor. So a run that comes back to where it was, faster,
-    goes round again, in as many times less time. *)
+    all velocities, and the rate of time, multiplied by one factor. So a run that comes back to where it was,
+    faster, goes round again, in as many times less time. *)
 
 open Scc_exact
 open Scc_space

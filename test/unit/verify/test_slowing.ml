@@ -115,5 +115,6 @@ let () =
   Alcotest.run "slowing"
     [
       ("slowing", [ case "gaps" `Quick gaps; case "walls that close" `Quick closing ]);
-      ("proofs", [ case "runs that repeat themselves faster" `Quick quickening; case "linear laws" `Quick linear ]);
+      ( "proofs",
+        [ case "runs that repeat themselves faster" `Quick quickening; case "linear laws" `Quick linear ] );
     ]
