@@ -38,7 +38,7 @@ Verdicts say at which resolution they hold.
   turn: holds (exhaustive), at resolution 1/1024
     always angular.z = 1/3 within 2
   
-  explored: 8 states, 7 transitions, depth 7, model time 45/16; complete
+  explored: 7 states, 6 transitions, depth 6, model time 37/16; not complete: every property was decided before
   3 properties: 3 hold
   $ scc trace spin.sc --steps 5 --human
   time 0
