@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Hostile models under limits: whatever a model does, scc keeps its limits and gives its report.
 
-    test/limits/hostile.py SCC [--seconds S] [--memory MIB] [--only TEXT] [--signal]
+    test/limits/hostile.py SCC [--seconds S] [--memory MIB] [--only TEXT] [--signal] [--loose]
 
 Runs `scc check --json --seconds S --memory MIB` on models that grow: in numbers, states, formulas, bodies, faces. With
 --signal there is no limit of seconds, and the program is interrupted after S seconds instead. Of each run: the report is
 one whole JSON document with a verdict for every check, the exit code is a documented one; and, as a bar, it takes no more
-than 2 s over the limit, and no more memory than a tenth and 64 MiB over it. Prints a line each, and counts.
+than 2 s over the limit, and no more memory than a tenth and 64 MiB over it. How long it takes says little on a busy machine, and is not
+judged with --loose. Prints a line each, and counts.
 """
 
 import argparse
@@ -142,7 +143,7 @@ def faults_of(args, text, code, output, took, peak):
             found.append('verdicts for %s' % told)
     except (ValueError, KeyError) as e:
         found.append('no report: %s' % e)
-    if took > args.seconds + 2:
+    if not args.loose and took > args.seconds + 2:
         found.append('%.1f s' % took)
     if peak > args.memory * 1.1 + 64:
         found.append('%d MiB' % peak)
@@ -181,6 +182,7 @@ def main():
     parser.add_argument('--memory', type=int, default=300)
     parser.add_argument('--only', default='')
     parser.add_argument('--signal', action='store_true')
+    parser.add_argument('--loose', action='store_true')
     args = parser.parse_args()
     passed = failed = 0
     for name, text in MODELS.items():
