@@ -155,7 +155,7 @@ def prism_dialect(run, source, name, words, storm):
     run.ok({i: held.get(i, set()) for i in labels} == labels, f"{name}: labels in PRISM's dialect")
 
 
-def compare(run, name, prop, question, exact, floats, truncated):
+def compare(run, name, prop, question, exact, floats, truncated, eventful):
     """One check: the verdict of scc, and what Storm says in each format."""
     what = f"{name}.{prop['name']}"
     verdict = prop["verdict"]
@@ -170,7 +170,7 @@ def compare(run, name, prop, question, exact, floats, truncated):
         answers.append(floats.holds(question))
         answers.append(exact.holds(prop["asked"]))
     # States do not tell of events.
-    plain = not re.search(r"\bevent\b", prop["formula"])
+    plain = not any(re.search(rf"\b{word}\b", prop["formula"]) for word in eventful)
     one = plain and len(re.findall(r"\b(possibly|always|eventually|[AE][FGX])\b|U\[| U ", prop["formula"])) == 1
     if simple and one:
         operator, label = simple.group(1), f"check_{prop['name']}"
@@ -189,6 +189,17 @@ def compare(run, name, prop, question, exact, floats, truncated):
     return answers
 
 
+def of_events(source):
+    """The words that make a formula speak of events: `event`, and the names of lets that do."""
+    words = ["event"]
+    with open(source, encoding="utf-8") as file:
+        for line in file:
+            let = re.match(r"let (\w+)\s*=(.*)", line)
+            if let and any(re.search(rf"\b{word}\b", let.group(2)) for word in words):
+                words.append(let.group(1))
+    return words
+
+
 def one(run, source, name, words):
     report = run.verdicts(source, *words)
     if report is None:
@@ -200,6 +211,7 @@ def one(run, source, name, words):
     exact, floats, names = exported
     same_shape(run, name, exact, floats)
     prism_dialect(run, source, name, words, floats)
+    eventful = of_events(source)
     truncated = any("TRUNCATED" in note for note in names["notes"])
     questions = {check["name"]: check["formula"] for check in names["checks"]}
     with open(run.path(name + ".drn"), encoding="utf-8") as file:
@@ -207,7 +219,7 @@ def one(run, source, name, words):
     compared = 0
     for prop in report["properties"]:
         prop["asked"] = asked[prop["name"]]
-        if compare(run, name, prop, questions[prop["name"]], exact, floats, truncated) is not None:
+        if compare(run, name, prop, questions[prop["name"]], exact, floats, truncated, eventful) is not None:
             compared += 1
     total = len(report["properties"])
     print(f"  {name:20} {exact.model.nr_states:6} states  {compared:3} of {total:3} formulas compared")
