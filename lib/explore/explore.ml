@@ -185,7 +185,7 @@ module Make (L : Lts.S) = struct
 
   (* Hardly any exploration has numbers that are too long: which states have is asked only then. *)
   let too_long g limits tuple =
-    Limits.too_long limits ~longest:(L.longest g.context) ~bits:(fun () -> L.bits g.context tuple)
+    Limits.too_long limits ~longest:(L.longest g.context) ~bits:(fun () -> L.bits g.context (tuple ()))
 
   let add g limits i label tuple =
     Distances.push g.distances label;
@@ -257,7 +257,7 @@ module Make (L : Lts.S) = struct
   let connect g limits i tuple n ({ label; changes } : Lts.step) =
     let known = size g in
     let id = Tuples.intern_prepared g.tuples n in
-    if id = known then add g limits id (after g i label) (Tuples.apply changes tuple);
+    if id = known then add g limits id (after g i label) (fun () -> Tuples.apply changes tuple);
     id
 
   (* Shows the visitor those that are new, in the order of their numbers from [first] on. *)
@@ -385,7 +385,7 @@ module Make (L : Lts.S) = struct
           | Some reason -> give_up g i reason
           | None -> loop (round + 1))
     in
-    add g limits i Distances.origin first;
+    add g limits i Distances.origin (fun () -> first);
     (match Limits.within around (fun () -> visitor.found g i first) with
      | () -> loop 0
      | exception Limits.Over stop -> give_up g i (Statuses.of_stop stop));
