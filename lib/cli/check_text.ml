@@ -22,7 +22,8 @@ let step_lines ?(most = shown_steps) m (w : Witness.t) =
     let preposition = if Rat.sign (Transition.duration s.transition) > 0 then "to" else "at" in
     Printf.sprintf "%*d. %s, %s time %s" width (i + 1)
       (Run_text.label m s.transition.label)
-      preposition (Rat.to_string s.time)
+      preposition
+      (Scc_exchange.Short_text.exact s.time)
   in
   (* Only what is shown is put into words. *)
   let lines from count =
@@ -95,7 +96,9 @@ let explored (s : Check.stats) =
   Printf.sprintf "explored: %s, %s, depth %d, model time %s; %s\n"
     (plural s.states "state" "states")
     (plural s.transitions "transition" "transitions")
-    s.depth (Rat.to_string s.model_time) how
+    s.depth
+    (Scc_exchange.Short_text.exact s.model_time)
+    how
 
 let left_out (slice : Check.slice) =
   let shown = List.filteri (fun i _ -> i < 8) slice.left_out in

@@ -73,7 +73,8 @@ let heading console check (x : Omission.t) =
     match shown_facts x with
     | [] -> []
     | facts ->
-      Printf.sprintf "at time %s:" (Rat.to_string (Causes.duration x.story)) :: List.map (( ^ ) "  ") facts
+      Printf.sprintf "at time %s:" (Scc_exchange.Short_text.exact (Causes.duration x.story))
+      :: List.map (( ^ ) "  ") facts
   in
   (about :: facts) @ [ because; "" ]
 
@@ -95,7 +96,8 @@ let step_lines (x : Omission.t) of_step number label time =
     Printf.sprintf "         %s%sbecause of %s" keeps subject (reasons m events e.reasons)
   in
   let mark = match relevant with [] -> " " | _ :: _ -> "*" in
-  Printf.sprintf "%s %4d. %s, at time %s" mark number (Run_text.label m label) (Rat.to_string time)
+  Printf.sprintf "%s %4d. %s, at time %s" mark number (Run_text.label m label)
+    (Scc_exchange.Short_text.exact time)
   :: List.map why relevant
 
 let steps (x : Omission.t) =

@@ -19,7 +19,7 @@ let rec listed = function
   | one :: rest -> one ^ ", " ^ listed rest
 
 let label m : Transition.label -> string = function
-  | Time d -> Printf.sprintf "time passes by %s" (Rat.to_string d)
+  | Time d -> Printf.sprintf "time passes by %s" (Short_text.exact d)
   | Bind b ->
     Printf.sprintf "%s and %s collide and bind by %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Bounce firsts -> Printf.sprintf "%s collide and bounce" (listed (List.map (name m) firsts))

@@ -1,4 +1,4 @@
-(** Numbers of rigid models for people: those that turns have made long are told as decimals. *)
+(** Numbers for people: long ones are told as decimals, in rigid models sooner than in others. *)
 
 open Scc_exact
 open Scc_calculus
@@ -6,10 +6,14 @@ open Scc_calculus
 val rat : Rat.t -> string
 (** Exact up to 24 characters, else ["~"] and six decimal places. *)
 
+val exact : Rat.t -> string
+(** Exact up to 60 characters, else ["~"], six decimal places or seven digits and a power of ten, and how many
+    characters it would take. *)
+
 val position : Model.t -> State.leaf -> string
 (** ["(1, 2, 3)"], and how the leaf is turned, if it is: ["(1, 2, 3) turned (2, 0, 0, 1)"], a quaternion w, x, y,
-    z. Always exact in a translational model. *)
+    z. In a translational model numbers are {!exact}. *)
 
 val motion : Model.t -> State.process -> string
-(** ["velocity (1, 0, 0)"], and the spin, if there is one: ["velocity (1, 0, 0), spin (0, 0, 1)"]. Always exact in
-    a translational model. *)
+(** ["velocity (1, 0, 0)"], and the spin, if there is one: ["velocity (1, 0, 0), spin (0, 0, 1)"]. In a
+    translational model numbers are {!exact}. *)

@@ -119,6 +119,20 @@ let digest () =
     (String.equal (make "a" [ ("f", "xy") ]) (make "a" [ ("fx", "y") ]));
   Alcotest.(check string) "MD5 of 0:0:" "md5:d8f6008c2af33aceef0d865fd73192f1" (make "" [])
 
+(* {1 Long numbers for people} *)
+
+let short () =
+  let power n = Q.of_bigint (Z.pow (Z.of_int 10) n) in
+  let long = Q.make (Z.add (Z.pow (Z.of_int 7) 60) Z.one) (Z.pow (Z.of_int 7) 60) in
+  let told what expected q = Alcotest.(check string) what expected (Scc_exchange.Short_text.exact q) in
+  told "exact" "-22/7" (Q.of_ints (-22) 7);
+  told "up to 60 characters" (Q.to_string (power 59)) (power 59);
+  told "a fraction" "~1.000000 (103 characters)" long;
+  told "great" "~1.000000e60 (61 characters)" (power 60);
+  told "small" "~1.000000e-70 (73 characters)" (Q.inv (power 70));
+  told "negative" "~-2.000000e-70 (73 characters)" (Q.neg (Q.div (Q.of_int 2) (power 70)));
+  told "not plain any more" "~9.999999e-4 (119 characters)" (Q.sub (Q.of_ints 1 1000) (Q.inv (power 60)))
+
 let () =
   Alcotest.run "exchange"
     [
@@ -128,4 +142,5 @@ let () =
       ("schedule", [ case "written and read" round_trip; case "of a trace" of_trace ]);
       ("refused schedules", List.map refuse refused);
       ("digest", [ case "tells models apart" digest ]);
+      ("text", [ case "long numbers" short ]);
     ]
