@@ -53,7 +53,7 @@ let may_quicken (m : Model.t) =
 
 (** {2 Rounds} *)
 
-let slot (v : Vec.t) (w : Vec.t) =
+let ratio (v : Vec.t) (w : Vec.t) =
   let pairs = [ (v.x, w.x); (v.y, w.y); (v.z, w.z) ] in
   List.find_map (fun (a, b) -> if Rat.sign a = 0 then None else Some (Rat.div b a)) pairs
 
@@ -72,7 +72,7 @@ let factor (s : State.t) (t : State.t) =
   if not alike then None
   else
     let velocities = List.init n (fun i -> (s.processes.(i).velocity, t.processes.(i).velocity)) in
-    match List.find_map (fun (v, w) -> slot v w) velocities with
+    match List.find_map (fun (v, w) -> ratio v w) velocities with
     | Some k
       when Rat.compare k Rat.one > 0 && List.for_all (fun (v, w) -> Vec.equal (Vec.scale k v) w) velocities ->
       Some k
