@@ -20,7 +20,7 @@
   let words =
     [
       ("A", A); ("AF", AF); ("AG", AG); ("AX", AX); ("E", E); ("EF", EF); ("EG", EG); ("EX", EX);
-      ("F", RESERVED); ("G", RESERVED); ("U", U); ("X", RESERVED);
+      ("F", LETTER "F"); ("G", LETTER "G"); ("U", U); ("X", LETTER "X");
       ("always", ALWAYS); ("and", AND); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND);
       ("check", CHECK); ("choose", CHOOSE); ("collisions", COLLISIONS); ("compound", COMPOUND); ("count", COUNT);
       ("dynamics", DYNAMICS); ("else", ELSE);
@@ -101,7 +101,8 @@
   let barred text =
     match word (strip_bars text) with
     | NAME n -> Token (BARRED n)
-    | (BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | RESOLUTION | ROUND) -> Token (BARRED (strip_bars text))
+    | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | RESOLUTION | ROUND
+    | LETTER _ | U | A | E | AF | AG | AX | EF | EG | EX -> Token (BARRED (strip_bars text))
     | _ ->
       fault Code.lexical
         (Printf.sprintf "`%s` is a word of the language and cannot be a co-name" (strip_bars text))

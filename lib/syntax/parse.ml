@@ -10,6 +10,8 @@ type failure = {
   index : int;  (* of the token refused *)
   sentence : string;  (* what was expected *)
   accepts : Parser.token -> bool;  (* whether another token would have been taken there *)
+  name_goes_on : bool;  (* a name would have been taken in its place, and what follows it after the name *)
+  name_before : bool;  (* a name would have been taken in place of the token before, and this one after it *)
 }
 
 let position file offset = { Lexing.pos_fname = file; pos_lnum = 1; pos_bol = 0; pos_cnum = offset }
@@ -19,25 +21,41 @@ let sentence env =
   | s -> String.concat " " (String.split_on_char '\n' (String.trim s))
   | exception Not_found -> Bug.fail __POS__ "a state of the parser has no message"
 
+(* Whether the parser would take a name in place of the token [i], and then the token after it. *)
+let name_instead (t : Tokens.t) place checkpoint i =
+  let rec settled = function
+    | (Engine.Shifting _ | AboutToReduce _) as c -> settled (Engine.resume c)
+    | c -> c
+  in
+  match checkpoint with
+  | Engine.InputNeeded _ -> (
+      match settled (Engine.offer checkpoint (Parser.NAME "", place i, place i)) with
+      | InputNeeded _ as next -> Engine.acceptable next t.tokens.(i + 1).token (place (i + 1))
+      | Shifting _ | AboutToReduce _ | HandlingError _ | Accepted _ | Rejected -> false)
+  | Shifting _ | AboutToReduce _ | HandlingError _ | Accepted _ | Rejected -> false
+
 (* Reads from the token [first] on. *)
 let run (t : Tokens.t) start first =
   let place i = position t.file t.tokens.(i).start in
-  let rec loop i asked checkpoint =
+  (* [asked] waits for the token read last, [before] for the one before it. *)
+  let rec loop i before asked checkpoint =
     match checkpoint with
     | Engine.InputNeeded _ ->
       let token = t.tokens.(i) in
-      loop (i + 1) checkpoint
+      loop (i + 1) asked checkpoint
         (Engine.offer checkpoint (token.token, place i, position t.file token.stop))
-    | Shifting _ | AboutToReduce _ -> loop i asked (Engine.resume checkpoint)
+    | Shifting _ | AboutToReduce _ -> loop i before asked (Engine.resume checkpoint)
     | HandlingError env ->
       let index = i - 1 in
       let accepts token = Engine.acceptable asked token (place index) in
-      Error { index; sentence = sentence env; accepts }
+      let name_goes_on = index + 1 < Array.length t.tokens && name_instead t place asked index in
+      let name_before = index > first && name_instead t place before (index - 1) in
+      Error { index; sentence = sentence env; accepts; name_goes_on; name_before }
     | Accepted v -> Ok v
     | Rejected -> Bug.fail __POS__ "the parser went on after an error"
   in
   let checkpoint = start (place first) in
-  loop first checkpoint checkpoint
+  loop first checkpoint checkpoint checkpoint
 
 (* {1 What to say} *)
 
@@ -59,25 +77,49 @@ let misspelt_before (t : Tokens.t) i =
   | NAME n when String.length n > 3 -> misspelt (fun _ -> true) n
   | _ -> None
 
+(* Words that are nowhere names, or not where an operator can stand. *)
 let is_word text = List.exists (fun (word, _) -> String.equal word text) Lexer.words
+
+(* Words that ask for something after them, which is what is missing when they are followed by something else. *)
+let asks : Parser.token -> bool = function
+  | NOT | IF | FORALL | EXISTS | POSSIBLY | ALWAYS | EVENTUALLY | MINUS -> true
+  | _ -> false
+
+let quantifying : Parser.token -> string option = function A -> Some "A" | E -> Some "E" | _ -> None
+
+let no_name text = Some (Printf.sprintf "`%s` is a word of the language and cannot be a name" text)
+
+(* A word where a name was meant: the one that is refused, or the one before it, which was taken for the word
+   that it is. *)
+let meant_as_name (t : Tokens.t) source (f : failure) =
+  let text i = shown source (Tokens.span t i) in
+  let refused = text f.index in
+  if is_word refused && f.accepts (NAME "") && ((not t.restart.(f.index)) || f.name_goes_on) then
+    match t.tokens.(f.index).token with
+    | AF | AG | AX | EF | EG | EX | NAME _ -> None
+    | _ -> no_name refused
+  else if f.name_before && is_word (text (f.index - 1)) && not (asks t.tokens.(f.index - 1).token) then
+    no_name (text (f.index - 1))
+  else None
 
 let hint (t : Tokens.t) source (f : failure) =
   let after_number =
     adjacent t f.index && (match t.tokens.(f.index - 1).token with NUMBER _ -> true | _ -> false)
   in
-  let text = shown source (Tokens.span t f.index) in
-  let wants_name = f.accepts (NAME "") in
+  let before = if f.index > 0 then t.tokens.(f.index - 1).token else EOF in
   match t.tokens.(f.index).token with
-  | NAME _ | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | RESOLUTION | ROUND | A | E | U
-    when after_number ->
+  | token when after_number && Tokens.can_be_name token ->
     Some "a product is written with `*`, as in `2*i`"
   | DOT when after_number -> Some "a decimal point is followed by a digit"
   | DOT when f.accepts (NUMBER Rat.one) -> Some "a number begins with a digit, as in `0.5`"
+  | LETTER l when Option.is_some (quantifying before) ->
+    Option.map (fun q -> Printf.sprintf "`%s%s` is one word" q l) (quantifying before)
   | NAME n ->
     (match misspelt f.accepts n with None -> misspelt_before t f.index | found -> found)
-  | _ when wants_name && is_word text && not t.restart.(f.index) ->
-    Some (Printf.sprintf "`%s` is a word of the language and cannot be a name" text)
-  | _ -> if wants_name then None else misspelt_before t f.index
+  | _ -> (
+      match meant_as_name t source f with
+      | Some hint -> Some hint
+      | None -> if f.accepts (NAME "") then None else misspelt_before t f.index)
 
 (* The bracket that is still open where reading failed, when it is never closed. *)
 let unclosed (t : Tokens.t) source first index =
@@ -111,7 +153,8 @@ let next_start (t : Tokens.t) first (f : failure) =
   let rec find i =
     if i >= Array.length t.tokens then None else if t.restart.(i) then Some i else find (i + 1)
   in
-  find (max (first + 1) f.index)
+  (* A word that was meant as a name begins nothing. *)
+  find (max (first + 1) (if f.name_goes_on then f.index + 1 else f.index))
 
 let all_failures t source start =
   let rec loop first found count =

@@ -27,9 +27,6 @@
 %token POSSIBLY ALWAYS EVENTUALLY WITHIN LEADS_TO EVENT
 %token A E U AG AF AX EG EF EX
 
-(* A letter kept for the temporal operators that nothing uses alone: X, F, G *)
-%token RESERVED
-
 (* Marks. LABEL_BRACKET is a `[` whose `]` is followed by a colon: the indices of a leaf's name, where `[`
    would open a behaviour *)
 %token LPAREN RPAREN LBRACKET LABEL_BRACKET RBRACKET LBRACE RBRACE
@@ -38,6 +35,8 @@
 %token EOF
 
 %token <string> NAME
+(* Letters of the temporal operators that mean nothing alone: X, F, G *)
+%token <string> LETTER
 %token <string> BARRED
 %token <string> STRING
 %token <Q.t> NUMBER
@@ -60,11 +59,11 @@
 %start <Ast.expr> expression
 
 (* On an error, finish what can be finished: fewer states, and a message about the larger thing *)
-%on_error_reduce expr arithmetic plain_path segment behaviour behaviour_term solid
+%on_error_reduce expr arithmetic plain_path segment term_segment behaviour behaviour_term solid
   chain(moving) chain(still) leaf(moving) leaf(still) moving still body
   reversed(attribute) reversed(transform_factor)
   reversed(item) reversed(vertex) reversed(face) reversed(part) reversed(glue) reversed(parallel) transforms
-  path feature name
+  path term_path feature name term_name plain_name
 
 %%
 
@@ -92,8 +91,12 @@ comma_separated(X):
 
 (* Names and paths *)
 
-name:
+(* A letter of the temporal operators is a name wherever it cannot be one of them. *)
+
+plain_name:
 | n = NAME { at $loc n }
+| n = LETTER { at $loc n }
+| U { at $loc "U" }
 | BOND { at $loc "bond" }
 | MASS { at $loc "mass" }
 | EVENT { at $loc "event" }
@@ -103,15 +106,44 @@ name:
 | RESOLUTION { at $loc "resolution" }
 | ROUND { at $loc "round" }
 
+%inline quantifying_letter:
+| A { at $loc "A" }
+| E { at $loc "E" }
+
+(* Where an expression may stand: `A[` is followed by indices or by `f U g]`, which the bracket after tells. *)
+term_name:
+| n = plain_name { n }
+| n = quantifying_letter { n }
+
+name:
+| n = term_name { n }
+| AF { at $loc "AF" }
+| AG { at $loc "AG" }
+| AX { at $loc "AX" }
+| EF { at $loc "EF" }
+| EG { at $loc "EG" }
+| EX { at $loc "EX" }
+
 segment:
 | name = name { { name; indices = [] } }
 | name = name LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
+
+term_segment:
+| name = term_name { { name; indices = [] } }
+| name = plain_name LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
+| name = quantifying_letter LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
 
 segments:
 | s = segment { [ s ] }
 | ss = segments DOT s = segment { s :: ss }
 
 path: ss = segments { at $loc (List.rev ss) }
+
+term_segments:
+| s = term_segment { [ s ] }
+| ss = term_segments DOT s = segment { s :: ss }
+
+term_path: ss = term_segments { at $loc (List.rev ss) }
 
 polar_name:
 | n = name { (false, n) }
@@ -322,10 +354,10 @@ expr:
 | q = NUMBER { at $loc (Number q) }
 | TRUE { at $loc True }
 | FALSE { at $loc False }
-| p = path { at $loc (Path p) }
+| p = term_path { at $loc (Path p) }
 | TILDE n = name { at $loc (Co n) }
 | n = BARRED { at $loc (Co (at $loc n)) }
-| f = name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
+| f = term_name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
 | BEHAVIOUR LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (at $loc($1) "behaviour", es)) }
 | LPAREN e = expr RPAREN { e }
 | COUNT LPAREN p = name IN t = name COLON e = expr RPAREN { at $loc (Quantified (Count, p, t, e)) }

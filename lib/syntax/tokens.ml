@@ -136,6 +136,12 @@ let nests = function
   | EVENTUALLY | AX | EX | AF | EF | AG | EG | DOT | SCALED -> true
   | _ -> false
 
+(* The words that are names as well, be it only where no operator can stand. *)
+let can_be_name = function
+  | NAME _ | LETTER _ | A | E | U | AF | AG | AX | EF | EG | EX | BOND | MASS | EVENT | DYNAMICS | COLLISIONS
+  | BINDING | RESOLUTION | ROUND -> true
+  | _ -> false
+
 let begins_declaration tokens i =
   match tokens.(i).token with
   | MODEL | PARAM | TIMESTEP | SPLIT_STEP | SHAPE | COMPOUND | PROCESS | FIXED | FOR | NETWORK | MOTION
@@ -147,7 +153,8 @@ let begins_declaration tokens i =
 let begins_bond tokens i =
   match (tokens.(i).token, tokens.(i + 1).token) with
   | BOND, LT -> i = 0 || (match tokens.(i - 1).token with
-      | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL -> true
+      | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | A | E | U | AF | AG | AX | EF | EG | EX | EVENT
+      | NUMBER _ | NIL | INERTIAL | LOCAL -> true
       | _ -> false)
   | _ -> false
 
@@ -155,8 +162,8 @@ let begins_bond tokens i =
 let begins_setting tokens i =
   let ended () =
     i = 0 || (match tokens.(i - 1).token with
-        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL | TRUE
-        | FALSE -> true
+        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | A | E | U | AF | AG | AX | EF | EG | EX | EVENT
+        | NUMBER _ | NIL | INERTIAL | LOCAL | TRUE | FALSE -> true
         | _ -> false)
   in
   match (tokens.(i).token, tokens.(i + 1).token) with

@@ -30,6 +30,9 @@ val max_depth : int
 (** A syntax tree may be this deep: 10 000. What counts is, at every level of brackets, the operators,
     prefixes and summands of one declaration, plus the deepest thing in brackets among them. *)
 
+val can_be_name : Parser.token -> bool
+(** A name, or one of the words that can be names as well, be it only where no operator can stand. *)
+
 val read : Source.t -> t
 (** Never fails: what is not of the language is left out of [tokens] and told in [faults] (codes SC0102,
     SC0104 to SC0107, SC0111). After SC0102 or SC0111 the text is not to be parsed: see {!hopeless}. *)

@@ -44,7 +44,21 @@ let syntax =
   [
     case "no text" "" [ "SC0112 1:1" ] [ "process" ];
     case "comments alone" " // a\n/* b */\n" [ "SC0112 1:1" ] [];
-    case "a word for a name" "process E = Cube [nil]" [ "SC0110 1:9" ] [ "`E` is a word of the language" ];
+    case "a word for a name" "process EFX = Cube [nil] process nil = Cube [nil]" [ "SC0110 1:34" ]
+      [ "`nil` is a word of the language" ];
+    case "a word of a declaration for a name" "behaviour let = nil" [ "SC0110 1:11" ]
+      [ "`let` is a word of the language" ];
+    case "a word of a declaration for a behaviour"
+      "behaviour B = fixed process p = Cube mass 1 [B]" [ "SC0110 1:15" ]
+      [ "`fixed` is a word of the language" ];
+    case "a word taken for an operator"
+      "let x = count + 1" [ "SC0110 1:15" ] [ "`count` is a word of the language" ];
+    case "an operator as an argument" "check c : always bound(p, AG)" [ "SC0110 1:29" ]
+      [ "`AG` is a word of the language" ];
+    case "a word for a channel" "behaviour B = <at, {f}>. nil" [ "SC0110 1:16" ]
+      [ "`at` is a word of the language" ];
+    case "a word for a vertex" "shape S { vertices scale (0,0,0) faces }" [ "SC0110 1:20" ]
+      [ "`scale` is a word of the language" ];
     case "a misspelt declaration"
       "model m\nproces p = Cube [nil]" [ "SC0110 2:1" ] [ "did you mean `process`?" ];
     case "a misspelt word inside" "process p = Cube velocty (1, 2, 3) [nil]" [ "SC0110 1:18" ]
@@ -60,7 +74,7 @@ let syntax =
     case "a product without its sign" "let a = 2i" [ "SC0110 1:10" ] [ "`2*i`" ];
     case "a decimal point alone" "let a = (1., 2)" [ "SC0110 1:11" ] [ "followed by a digit" ];
     case "a decimal without its first digit" "let a = .5" [ "SC0110 1:9" ] [ "`0.5`" ];
-    case "path quantifiers apart" "check c : A G x" [ "SC0110 1:13" ] [ "one word each" ];
+    case "path quantifiers apart" "check c : A G x" [ "SC0110 1:13" ] [ "`AG` is one word" ];
     case "consequences in a chain" "check c : a leads_to b leads_to c" [ "SC0110 1:24" ]
       [ "`leads_to` is not chained" ];
     case "a consequence without its right side" "check c : a leads_to" [ "SC0110 1:21" ]

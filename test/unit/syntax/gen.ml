@@ -12,7 +12,7 @@ let name =
     (oneofl
        [
          "a"; "b"; "p"; "q"; "x'"; "x_1"; "Cube"; "bond"; "mass"; "event"; "momentum"; "round"; "resolution";
-         "dynamics"; "U2"; "Ax"; "omega_";
+         "dynamics"; "U2"; "Ax"; "omega_"; "A"; "E"; "F"; "G"; "U"; "X";
        ])
 
 let number =

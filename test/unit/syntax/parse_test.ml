@@ -38,6 +38,9 @@ let precedence =
     ("forall p in T: a leads_to[1, 2] b", "forall p in T: (a leads_to[1, 2] b)");
     ("if a then b else c leads_to d", "if a then b else (c leads_to d)");
     ("event bind and event + 1 = event.x", "(event bind) and ((event + 1) = event.x)");
+    ("E[ A[1, 2] U U ]", "E[ (A[1, 2]) U (U) ]"); ("A[U[1] U[2, 3] X]", "A[ (U[1]) U[2, 3] (X) ]");
+    ("A + E*F < G(X)", "(A) + (E*F) < (G(X))");
+    ("behaviour(A) = E and bound(A[1], X)", "(behaviour(A) = (E)) and (bound(A[1], (X)))");
     ("not event bind(event, p)", "not (event bind(event, p))"); ("event bounce()", "event bounce");
   ]
 
@@ -78,6 +81,10 @@ let notations =
      "process p = a : T [nil] <c, {a.f, b.f}> b : T [nil] <c, {b.f, d.f}> d : T [nil]");
     ("process p = a : T [nil] <c, {a.f, b.f}> (b : T [nil] <c, {b.f, d.f}> d : T [nil])",
      "process p = a : T [nil] <c, {a.f, b.f}> b : T [nil] <c, {b.f, d.f}> d : T [nil]");
+    ("behaviour A = <E, {F}>. AG + omega(~X, {U, [G, EX]}). U  process AF = A mass E [G]  network EF || A[1]  \
+      check EG : AG X",
+     "behaviour A = (<E, {F}>. AG) + (omega(~X, {U, [G, EX]}). U)\nprocess AF = A mass (E) [G]\nnetwork EF || A[1]\ncheck EG : AG (X)");
+    ("behaviour K = <A\xCC\x84,{f}>.nil", "behaviour K = <~A, {f}>. nil");
     ("process p = T mass 2*n + f(m[1]) [nil]", "process p = T mass (2*n + f(m[1])) [nil]");
     ("behaviour K = a + b + c", "behaviour K = (a + b) + c");
     ("behaviour K = eps(1). a + b", "behaviour K = (eps(1). a) + b");
