@@ -5,6 +5,10 @@ let line_starts text =
   String.iteri (fun i c -> if c = '\n' then acc := (i + 1) :: !acc) text;
   Array.of_list (List.rev !acc)
 
+let byte_order_mark = "\xEF\xBB\xBF"
+let has_mark text = String.length text >= 3 && String.equal (String.sub text 0 3) byte_order_mark
+let after_mark text = if has_mark text then 3 else 0
+let blank_mark text = if has_mark text then "   " ^ String.sub text 3 (String.length text - 3) else text
 let make ~name text = { name; text; starts = line_starts text }
 let name s = s.name
 let text s = s.text
@@ -25,7 +29,7 @@ let position s offset =
   let offset = max 0 (min offset (String.length s.text)) in
   let l = line_index s offset in
   let column = ref 1 in
-  for i = s.starts.(l) to offset - 1 do
+  for i = (if l = 0 then after_mark s.text else s.starts.(l)) to offset - 1 do
     if not (is_continuation s.text.[i]) then incr column
   done;
   (l + 1, !column)
@@ -33,7 +37,7 @@ let position s offset =
 let line s n =
   if n < 1 || n > Array.length s.starts then ""
   else
-    let start = s.starts.(n - 1) in
+    let start = if n = 1 then after_mark s.text else s.starts.(n - 1) in
     let stop =
       if n < Array.length s.starts then s.starts.(n) - 1
       else String.length s.text

@@ -324,12 +324,15 @@ let step t (s : State.t) (told : Recorded.step option) =
     @ texts "" "phase" (Some told.phase) (phase held.phase)
   | _ -> []
 
-let differences t s ~skip bodies told_step =
-  let add (found, deviation) (b : Recorded.body) =
-    match leaf t b.name with
-    | None -> (found, deviation)
-    | Some index when skip index -> (found, deviation)
-    | Some index -> (List.rev_append (of_body t s b index) found, later deviation (spread s b index))
+let body t s (b : Recorded.body) =
+  match leaf t b.name with
+  | None -> ([], no_deviation)
+  | Some index -> (of_body t s b index, spread s b index)
+
+let differences t s bodies told_step =
+  let add (found, deviation) b =
+    let differences, off = body t s b in
+    (List.rev_append differences found, later deviation off)
   in
   let found, deviation = List.fold_left add ([], no_deviation) bodies in
   (List.rev_append found (step t s told_step), deviation)

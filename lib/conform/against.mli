@@ -14,6 +14,9 @@ val semantics : t -> Semantics.t
 val model : t -> Model.t
 val tolerance : t -> Rat.t
 
+val leaf : t -> string -> int option
+(** By its name. *)
+
 val names : t -> Recorded.t -> Diag.t list
 (** SC0804 for bodies and features that the model does not have, up to twenty of them. *)
 
@@ -57,6 +60,8 @@ val no_deviation : deviation
 val later : deviation -> deviation -> deviation
 (** The greater of each. *)
 
-val differences :
-  t -> State.t -> skip:(int -> bool) -> Recorded.body list -> Recorded.step option -> difference list * deviation
-(** In the order in which they are told. Leaves that [skip] names are not looked at. *)
+val body : t -> State.t -> Recorded.body -> difference list * deviation
+(** Of one body; nothing of one that the model does not have. *)
+
+val differences : t -> State.t -> Recorded.body list -> Recorded.step option -> difference list * deviation
+(** In the order in which they are told. *)

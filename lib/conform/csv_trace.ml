@@ -148,7 +148,7 @@ let lines source =
       let acc = if told = "" || told.[0] = '#' then acc else (number, at, line) :: acc in
       from (number + 1) (stop + 1) acc
   in
-  from 1 0 []
+  from 1 (Source.after_mark text) []
 
 let row names (line, at, text) =
   match cells text with
@@ -183,8 +183,17 @@ let read source =
     let items, inexact, faults = List.fold_left add ([], None, []) rest in
     if faults <> [] then Error (List.filteri (fun i _ -> i < most_faults) (List.rev faults))
     else
+      let end_of found (i : item) =
+        let claim = Option.bind found (fun e -> e.claim) in
+        match i.what with
+        | Watched -> Some { last = i; claim }
+        | Quiescent -> Some { last = i; claim = Some "quiescent" }
+        | Stuck -> Some { last = i; claim = Some "stuck" }
+        | Event _ | State _ -> found
+      in
+      let items = List.rev items in
       Ok
         {
           name = Source.name source; format = "csv"; digest = None; parameters = []; semantics = None;
-          items = Array.of_list (List.rev items); inexact;
+          items = Array.of_list items; ending = List.fold_left end_of None items; inexact;
         }

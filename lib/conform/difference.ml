@@ -16,7 +16,7 @@ type t =
       told : string * string;
       off : Rat.t option;
     }
-  | Ending of { first : string; second : string }
+  | Ending of { first : item; second : item; quantity : string; told : string * string; off : Rat.t option }
 
 and event_difference =
   | Label
@@ -115,12 +115,50 @@ let same_fact ~tolerance a b =
     (* quaternions of float traces are left to their velocities *)
     String.equal a.value b.value || (String.equal a.quantity "turned" && Rat.sign tolerance > 0)
 
-let state ~tolerance ~events bodies others =
+let difference ~events first second body quantity told off =
+  State { first; second; events; body; quantity; told; off }
+
+(* The names that a trace has for bodies, wherever it has them. *)
+let names (t : Recorded.t) =
+  let known = Hashtbl.create 16 in
+  let add name = Hashtbl.replace known name () in
+  let of_item (i : item) =
+    match i.what with
+    | Event e -> List.iter add e.bodies
+    | State (bodies, _) -> List.iter (fun (b : body) -> add b.name) bodies
+    | Watched | Quiescent | Stuck -> ()
+  in
+  Array.iter of_item t.items;
+  Hashtbl.mem known
+
+(* A body that is told of in one state only is no difference, unless it is there under another name: each of the
+   two tells of one that the other does not, and one of the names is never heard of in the other trace. *)
+let renamed ~events ~known bodies others =
+  let lacking all =
+    let told = Hashtbl.create 16 in
+    List.iter (fun (_, (b : body)) -> Hashtbl.replace told b.name ()) all;
+    fun (_, (b : body)) -> not (Hashtbl.mem told b.name)
+  in
+  match (List.filter (lacking others) bodies, List.filter (lacking bodies) others) with
+  | ((_ :: _) as only), ((_ :: _) as only') -> (
+      let strange knows (_, (b : body)) = not (knows b.name) in
+      let pair =
+        match (List.find_opt (strange (snd known)) only, List.find_opt (strange (fst known)) only') with
+        | None, None -> None
+        | x, y -> Some (Option.value x ~default:(List.hd only), Option.value y ~default:(List.hd only'))
+      in
+      match pair with
+      | Some ((first, x), (second, y)) ->
+        Some (difference ~events first second x.name "name" (x.name, y.name) None)
+      | None -> None)
+  | _ -> None
+
+let state ~tolerance ~events ~known bodies others =
   let fact name first second other a =
     match List.find_opt (fun f -> String.equal f.quantity a.quantity) other with
     | Some b when not (same_fact ~tolerance a b) ->
       let off = match (a.number, b.number) with Some x, Some y -> Some (Rat.sub y x) | _ -> None in
-      Some (State { first; second; events; body = name; quantity = a.quantity; told = (a.value, b.value); off })
+      Some (difference ~events first second name a.quantity (a.value, b.value) off)
     | Some _ | None -> None
   in
   let by_name = Hashtbl.create 16 in
@@ -132,7 +170,7 @@ let state ~tolerance ~events bodies others =
       List.find_map (fact b.name first second other) (facts b)
     | None -> None
   in
-  List.find_map body bodies
+  first_some [ (fun () -> renamed ~events ~known bodies others); (fun () -> List.find_map body bodies) ]
 
 (* {1 Both} *)
 
@@ -163,30 +201,61 @@ let pieces (t : Recorded.t) =
   List.rev (close_piece last :: done_)
 
 (* States of the same time, in their order. *)
-let rec states ~tolerance ~events a b =
+let rec states ~tolerance ~events ~known a b =
   match (a, b) with
   | [], _ | _, [] -> None
   | i :: a', j :: b' -> (
       if close ~tolerance i.time j.time then
-        match state ~tolerance ~events i.bodies j.bodies with
+        match state ~tolerance ~events ~known i.bodies j.bodies with
         | Some d -> Some d
-        | None -> states ~tolerance ~events a' b'
-      else if Rat.compare i.time j.time < 0 then states ~tolerance ~events a' b
-      else states ~tolerance ~events a b')
+        | None -> states ~tolerance ~events ~known a' b'
+      else if Rat.compare i.time j.time < 0 then states ~tolerance ~events ~known a' b
+      else states ~tolerance ~events ~known a b')
 
-let claim (t : Recorded.t) =
-  let named (i : item) = match i.what with Quiescent -> Some "quiescent" | Stuck -> Some "stuck" | _ -> None in
-  Array.fold_left (fun found i -> match named i with Some n -> Some n | None -> found) None t.items
+(* When a body is told of: as often in both, it is at the same times. *)
+let times ~tolerance ~events a b =
+  let told states =
+    let by_name = Hashtbl.create 16 in
+    let add (s : state) (i, (b : body)) =
+      Hashtbl.replace by_name b.name ((s.time, i) :: Option.value (Hashtbl.find_opt by_name b.name) ~default:[])
+    in
+    List.iter (fun s -> List.iter (add s) s.bodies) (List.rev states);
+    by_name
+  in
+  let others = told b and mine = told a in
+  let of_body (_, (body : body)) =
+    let told = Hashtbl.find_opt mine body.name in
+    Hashtbl.remove mine body.name;
+    match (told, Hashtbl.find_opt others body.name) with
+    | Some l, Some l' when List.compare_lengths l l' = 0 ->
+      let differs ((t, first), (t', second)) =
+        if close ~tolerance t t' then None
+        else
+          let told = (Rat.to_string t, Rat.to_string t') in
+          Some (difference ~events first second body.name "time" told (Some (Rat.sub t' t)))
+      in
+      List.find_map differs (List.combine l l')
+    | _ -> None
+  in
+  List.find_map (fun s -> List.find_map of_body s.bodies) a
 
-let ending a b =
-  match (claim a, claim b) with
-  | Some first, Some second when not (String.equal first second) -> Some (Ending { first; second })
+let ending ~tolerance (a : Recorded.t) (b : Recorded.t) =
+  match (a.ending, b.ending) with
+  | Some { last = first; claim }, Some { last = second; claim = claim' } -> (
+      let differ quantity told off = Some (Ending { first; second; quantity; told; off }) in
+      match (claim, claim') with
+      | _ when not (close ~tolerance first.time second.time) ->
+        let told = (Rat.to_string first.time, Rat.to_string second.time) in
+        differ "time" told (Some (Rat.sub second.time first.time))
+      | Some c, Some c' when not (String.equal c c') -> differ "claim" (c, c') None
+      | _ -> None)
   | _ -> None
 
 let find a b ~tolerance =
+  let known = (names a, names b) in
   let rec compare number ps qs =
     match (ps, qs) with
-    | [], [] -> ending a b
+    | [], [] -> ending ~tolerance a b
     | { event = Some (item, _); _ } :: _, [] -> Some (More { side = First; number; item })
     | [], { event = Some (item, _); _ } :: _ -> Some (More { side = Second; number; item })
     | { event = None; _ } :: _, [] | [], { event = None; _ } :: _ -> None
@@ -199,7 +268,13 @@ let find a b ~tolerance =
         match events with
         | Some d -> Some d
         | None -> (
-            match states ~tolerance ~events:number p.states q.states with
+            match
+              first_some
+                [
+                  (fun () -> times ~tolerance ~events:number p.states q.states);
+                  (fun () -> states ~tolerance ~events:number ~known p.states q.states);
+                ]
+            with
             | Some d -> Some d
             | None -> compare (number + 1) ps qs))
   in

@@ -21,10 +21,17 @@ type t =
       events : int;  (** so many events came before *)
       body : string;
       quantity : string;
+      (** of the body; ["time"], when it is told of; ["name"], where each tells of one that the other does not *)
       told : string * string;
       off : Rat.t option;  (** the second less the first *)
     }
-  | Ending of { first : string; second : string }
+  | Ending of {
+      first : Recorded.item;
+      second : Recorded.item;
+      quantity : string;  (** ["time"] or ["claim"] *)
+      told : string * string;
+      off : Rat.t option;
+    }
 
 and event_difference =
   | Label  (** something else happens *)

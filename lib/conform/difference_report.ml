@@ -55,11 +55,14 @@ let lines (a : Recorded.t) (b : Recorded.t) : Difference.t -> string list = func
       Printf.sprintf "  %s, %s: %s" a.name (line first) (number one off);
       Printf.sprintf "  %s, %s: %s" b.name (line second) (number two off);
     ]
-  | Ending { first; second } ->
+  | Ending { first; second; quantity; told = one, two; off } ->
     [
-      "the traces differ in how they say that they end";
-      Printf.sprintf "  %s: %s" a.name first;
-      Printf.sprintf "  %s: %s" b.name second;
+      (match off with
+       | Some q ->
+         Printf.sprintf "the traces differ in the %s at which they end, by %s" quantity (short (Rat.abs q))
+       | None -> "the traces differ in how they say that they end");
+      Printf.sprintf "  %s, line %d: %s" a.name first.line (number one off);
+      Printf.sprintf "  %s, line %d: %s" b.name second.line (number two off);
     ]
 
 let text (a : Recorded.t) (b : Recorded.t) = function
@@ -98,8 +101,8 @@ let difference_json (d : Difference.t) =
     | State { first; second; events; body; quantity; told = one, two; off } ->
       ( "state", Some events, (Some first, Some second), Some body, Some quantity,
         Some (Json.text one, Json.text two), off )
-    | Ending { first; second } ->
-      ("ending", None, (None, None), None, None, Some (Json.text first, Json.text second), None)
+    | Ending { first; second; quantity; told = one, two; off } ->
+      ("ending", None, (Some first, Some second), None, Some quantity, Some (Json.text one, Json.text two), off)
   in
   let value side = match values with Some v -> side v | None -> `Null in
   `Assoc

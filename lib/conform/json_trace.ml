@@ -162,15 +162,16 @@ let ended c json =
     | Some ("open" | "zeno") | None -> Ok []
     | Some e -> wrong c "`%s` is none of open, quiescent, stuck and zeno" e
   in
-  Ok (List.map (item c time) (State ([], None) :: claims))
+  let items = List.map (item c time) (State ([], None) :: claims) in
+  Ok (items, Some { last = List.hd items; claim = ending })
 
 let one_line c json =
   match Json.member "type" json with
-  | Some (`String "transition") -> transition c json
+  | Some (`String "transition") -> Result.map (fun items -> (items, None)) (transition c json)
   | Some (`String ("state" | "instant")) ->
     let* time = required c json "time" (rational c "time") in
     let* s = required c json "state" (state c) in
-    Ok [ item c time s ]
+    Ok ([ item c time s ], None)
   | Some (`String "end") -> ended c json
   | _ -> wrong c "`type` is none of header, state, transition, instant and end"
 
@@ -208,7 +209,7 @@ let header c json =
 let is_header json = match Json.member "type" json with Some (`String "header") -> true | _ -> false
 
 (* What is read so far, the latest first. *)
-type sofar = { found : item list; float_at : Span.t option }
+type sofar = { found : item list; ends : ending option; float_at : Span.t option }
 
 let read source =
   let s = Source.text source and file = Source.name source in
@@ -216,7 +217,8 @@ let read source =
     {
       name = file; format = "jsonl"; digest = head.digest; parameters = head.parameters;
       semantics = head.semantics;
-      items = Array.of_list (List.rev r.found); inexact = r.float_at;
+      items = Array.of_list (List.rev r.found); ending = r.ends;
+      inexact = r.float_at;
     }
   in
   let rec lines number start head r =
@@ -237,9 +239,10 @@ let read source =
             let* head = header c json in
             lines (number + 1) (stop + 1) head r
         else
-          let* items = one_line c json in
+          let* items, ending = one_line c json in
+          let ends = if Option.is_some ending then ending else r.ends in
           let float_at = if !(c.inexact) && Option.is_none r.float_at then Some c.at else r.float_at in
-          lines (number + 1) (stop + 1) head { found = List.rev_append items r.found; float_at }
+          lines (number + 1) (stop + 1) head { found = List.rev_append items r.found; ends; float_at }
   in
-  lines 1 0 no_header { found = []; float_at = None }
+  lines 1 (Source.after_mark s) no_header { found = []; ends = None; float_at = None }
   |> Result.map_error (fun d -> [ d ])

@@ -29,6 +29,8 @@ type what = Event of event | State of body list * step option | Watched | Quiesc
 type choice = { number : int option; rules : string list option }
 type item = { line : int; at : Span.t; time : Rat.t; what : what; choice : choice option }
 
+type ending = { last : item; claim : string option }
+
 type t = {
   name : string;
   format : string;
@@ -36,6 +38,7 @@ type t = {
   parameters : (string * Rat.t) list;
   semantics : string option;
   items : item array;
+  ending : ending option;
   inexact : Span.t option;
 }
 

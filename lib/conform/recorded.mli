@@ -55,6 +55,12 @@ type item = {
   choice : choice option;
 }
 
+(** What it says of its end, which only {!Difference} looks at. *)
+type ending = {
+  last : item;  (** its time is that of the end *)
+  claim : string option;  (** ["open"], ["quiescent"], ["stuck"], ["zeno"] *)
+}
+
 type t = {
   name : string;
   format : string;  (** ["jsonl"] or ["csv"] *)
@@ -62,6 +68,7 @@ type t = {
   parameters : (string * Rat.t) list;
   semantics : string option;  (** the version that it says it was recorded by *)
   items : item array;
+  ending : ending option;
   inexact : Span.t option;  (** the first number that is written as a float *)
 }
 

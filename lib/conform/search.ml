@@ -10,7 +10,7 @@ type hypothesis = {
   state : State.t;
   time : Rat.t;
   next : int;
-  ahead : (int * int list) list;
+  ahead : Burst.event list;
   choices : (int * string) list;
   last : (Transition.label * Rule.t list * Rat.t) option;
   deviation : Against.deviation;
@@ -46,7 +46,7 @@ module Place = struct
 
   let equal a b =
     a.next = b.next && Rat.equal a.time b.time
-    && List.equal (fun (i, _) (j, _) -> i = j) a.ahead b.ahead
+    && List.equal Burst.equal a.ahead b.ahead
     && State.equal a.state b.state
 
   let hash h = (((State.hash h.state * 31) + Rat.hash h.time) * 31) + h.next
@@ -88,23 +88,20 @@ let in_time t h (item : Recorded.item) =
 (* The next item that is not met, past those that were met ahead of it. *)
 let rec settled h =
   match h.ahead with
-  | (i, _) :: rest when i = h.next -> settled { h with next = h.next + 1; ahead = rest }
+  | e :: rest when e.Burst.item = h.next -> settled { h with next = h.next + 1; ahead = rest }
   | _ -> h
 
-let met h i ~leaves =
-  if i = h.next then settled { h with next = h.next + 1 }
+let met_next h = settled { h with next = h.next + 1 }
+
+(* In [target], by an event of [h]. *)
+let met h ~firsts target item =
+  if item = h.next then met_next target
   else
-    let earlier, later = List.partition (fun (j, _) -> j < i) h.ahead in
-    { h with ahead = earlier @ ((i, leaves) :: later) }
+    let e = Burst.met h.state ~firsts ~time:h.time ~item ~order:(List.length h.choices) in
+    let earlier, later = List.partition (fun (o : Burst.event) -> o.item < item) h.ahead in
+    { target with ahead = earlier @ (e :: later) }
 
 (* {2 Events} *)
-
-let leaves_of_processes (s : State.t) firsts =
-  List.concat_map
-    (fun first ->
-       let p = s.processes.(fst (State.find_leaf s first)) in
-       List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves))
-    firsts
 
 (* The items that an event of the model can be: of those that are not met, the first that names a process of it, if
    it fits and its time does. Looking on past others takes that they are of other processes, and a tolerance: exact
@@ -114,7 +111,7 @@ let fitting t h label =
   let exact = Rat.sign (Against.tolerance t.against) = 0 in
   let rec from i passed found =
     if i >= Array.length t.items || Rat.compare t.items.(i).time latest > 0 || (exact && i > h.next) then found
-    else if List.mem_assoc i h.ahead then from (i + 1) passed found
+    else if List.exists (fun (e : Burst.event) -> e.item = i) h.ahead then from (i + 1) passed found
     else
       match t.items.(i).what with
       | Event e ->
@@ -122,7 +119,7 @@ let fitting t h label =
         let free = not (List.exists (fun p -> List.mem p passed) processes) in
         let fits = free && in_time t h t.items.(i) && Against.matches t.against h.state e label in
         from (i + 1) (processes @ passed)
-          (if fits then (i, leaves_of_processes h.state processes) :: found else found)
+          (if fits then (i, processes) :: found else found)
       | State _ | Watched | Quiescent | Stuck -> if i = h.next then [] else from (i + 1) passed found
   in
   from h.next [] []
@@ -144,9 +141,9 @@ let event t layer h index (taken : Transition.t) =
   layer.found <- { layer.found with possible = { from = h; index; taken } :: layer.found.possible };
   let target = after t h index taken in
   List.iter
-    (fun (i, leaves) ->
-       let deviation = Against.later h.deviation (off_time h t.items.(i)) in
-       push layer.onward layer.onward_known (met { target with deviation } i ~leaves))
+    (fun (item, firsts) ->
+       let deviation = Against.later h.deviation (off_time h t.items.(item)) in
+       push layer.onward layer.onward_known (met h ~firsts { target with deviation } item))
     (fitting t h taken.label);
   let text = Transition.label_to_string (Against.model t.against) taken.label in
   if not (t.observed text) then push layer.queue layer.known target
@@ -171,11 +168,8 @@ let meanwhile t h transitions time =
   in
   if Rat.sign offset > 0 && may_pass then Some (Time.pass (Against.semantics t.against) offset h.state) else None
 
-(* What was looked at of bodies that have done more than was recorded before it is of no use. *)
-let skip h leaf = List.exists (fun (_, leaves) -> List.mem leaf leaves) h.ahead
-
 let state t layer h transitions (item : Recorded.item) bodies step =
-  let compare s = Against.differences t.against s ~skip:(skip h) bodies step in
+  let compare now = Burst.differences t.against ~now ~time:item.time h.ahead bodies step in
   let now = if in_time t h item then Some (compare h.state) else None in
   let then_ =
     match now with
@@ -225,7 +219,7 @@ let claim t layer h transitions =
       else None
   in
   Option.iter
-    (fun deviation -> push layer.onward layer.onward_known (met { h with deviation } h.next ~leaves:[]))
+    (fun deviation -> push layer.onward layer.onward_known (met_next { h with deviation }))
     deviation
 
 (* {2 Layers} *)

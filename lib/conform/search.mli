@@ -22,7 +22,7 @@ type hypothesis = {
   state : State.t;
   time : Rat.t;
   next : int;  (** the first item that is not met *)
-  ahead : (int * int list) list;  (** later ones that are, with the leaves of the processes that took part *)
+  ahead : Burst.event list;  (** later ones that are, in the order of the trace *)
   choices : (int * string) list;  (** numbers and labels of the transitions, the latest first *)
   last : (Transition.label * Rule.t list * Rat.t) option;  (** the latest transition, and when *)
   deviation : Against.deviation;

@@ -134,7 +134,7 @@ let parse text =
     Graph.finish b ~size:states ~initial ~unknown:(Bits.mem unknown)
 
 let read ~file text =
-  match parse text with
+  match parse (Source.blank_mark text) with
   | g -> Ok g
   | exception Fault (start, stop, message) ->
     Error (Diag.error Code.bad_graph (Span.make ~file ~start ~stop) "%s" message)

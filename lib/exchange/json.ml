@@ -172,7 +172,9 @@ let parse_line source ~start ~stop =
       let at = match fault_line message with Some l -> line_start s start l | None -> start in
       Error (Diag.error Code.bad_schedule (span at (at + 1)) "this is not JSON")
 
-let parse source = parse_line source ~start:0 ~stop:(String.length (Source.text source))
+let parse source =
+  let s = Source.text source in
+  parse_line source ~start:(Source.after_mark s) ~stop:(String.length s)
 
 let member key = function
   | `Assoc members -> (

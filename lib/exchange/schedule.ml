@@ -180,7 +180,7 @@ let of_trace source header =
 
 let read source =
   let s = Source.text source in
-  let start, stop = line_bounds s 0 in
+  let start, stop = line_bounds s (Source.after_mark s) in
   let header = Result.to_option (Json.parse_line source ~start ~stop) in
   match header with
   | Some json when is_format "scc-trace" json -> of_trace source json

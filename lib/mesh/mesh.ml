@@ -21,6 +21,7 @@ let by_name path =
   Option.map (fun (_, _, read) -> read) (List.find_opt ends readers)
 
 let by_text text =
+  let text = String.trim (String.sub text 0 (min 80 (String.length text))) in
   let begins prefix =
     let n = String.length prefix in
     String.length text >= n && String.equal (String.sub text 0 n) prefix
@@ -42,6 +43,7 @@ let check_denominator ~path ifs =
   else Ok ifs
 
 let read ~path text =
+  let text = Source.blank_mark text in
   let reader =
     match by_name path with
     | Some _ as found -> found

@@ -119,7 +119,11 @@ let read ~path text =
   let soup = { numbers = Points.create 64; vertices = []; faces = [] } in
   let promised = if n >= 84 then Bytes_of.unsigned ~big_endian:false text 80 4 else 0 in
   (* Some writers begin binary files with `solid` too; text has no zero bytes. *)
-  let starts_solid = n >= 5 && String.equal (String.lowercase_ascii (String.sub text 0 5)) "solid" in
+  let starts_solid =
+    match next_line (String.sub text 0 (min n 80)) 0 with
+    | Some (w :: _, _) -> String.equal (keyword w) "solid"
+    | Some ([], _) | None -> false
+  in
   let is_text = not (String.contains text '\000') in
   let* () =
     if n >= 84 && n = 84 + (50 * promised) then binary ~path text promised soup

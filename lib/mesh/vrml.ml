@@ -1,3 +1,4 @@
+open Scc_base
 open Text
 
 (* Tokens: braces and brackets by themselves; comments and strings left out. *)
@@ -108,6 +109,17 @@ let rec scan ~path state tokens =
   | ({ text = "{"; _ } as w) :: rest -> scan ~path (open_node state { w with text = "" }) rest
   | _ :: rest -> scan ~path state rest
 
+let is_vrml_1 text =
+  let mark = "#VRML V1" in
+  let head = String.trim (String.sub text 0 (min 80 (String.length text))) in
+  String.length head >= String.length mark && String.equal (String.sub head 0 (String.length mark)) mark
+
 let read ~path text =
-  let* sets = scan ~path { nodes = []; sets = [] } (tokens text) in
-  Face_sets.to_ifs ~path sets
+  if is_vrml_1 text then
+    Error
+      (Diag.error Code.mesh_format
+         (Span.make ~file:path ~start:0 ~stop:0)
+         "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF")
+  else
+    let* sets = scan ~path { nodes = []; sets = [] } (tokens text) in
+    Face_sets.to_ifs ~path sets

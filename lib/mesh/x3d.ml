@@ -1,3 +1,4 @@
+open Scc_data
 open Text
 
 type tag = { name : word; attributes : (string * (int * int)) list  (* the places of the values *) }
@@ -65,15 +66,78 @@ let tags ~path text =
   in
   go [] 0
 
-let value text tag key =
-  Option.map
-    (fun (start, stop) -> (start, stop, String.sub text start (stop - start)))
-    (List.assoc_opt key tag.attributes)
+(* What a reference stands for, by what is between `&` and `;`: a character by its number, or an entity that XML
+   itself defines. *)
+let meaning name =
+  let number digits =
+    match int_of_string_opt digits with
+    | Some n when n > 0 && Uchar.is_valid n ->
+      let b = Buffer.create 4 in
+      Buffer.add_utf_8_uchar b (Uchar.of_int n);
+      Some (Buffer.contents b)
+    | Some _ | None -> None
+  in
+  let after n = String.sub name n (String.length name - n) in
+  let begins s = String.length name > String.length s && String.equal (String.sub name 0 (String.length s)) s in
+  let all test digits = String.length digits <= 8 && String.for_all test digits in
+  let decimal = function '0' .. '9' -> true | _ -> false in
+  let hexadecimal = function '0' .. '9' | 'a' .. 'f' | 'A' .. 'F' -> true | _ -> false in
+  match name with
+  | "lt" -> Some "<"
+  | "gt" -> Some ">"
+  | "amp" -> Some "&"
+  | "quot" -> Some "\""
+  | "apos" -> Some "'"
+  | _ when begins "#x" && all hexadecimal (after 2) -> number ("0x" ^ after 2)
+  | _ when begins "#" && all decimal (after 1) -> number (after 1)
+  | _ -> None
 
-let words_of text tag key =
-  match value text tag key with
-  | Some (start, stop, _) -> Face_sets.words text start stop
-  | None -> []
+(* From one place of the file to another, with what references stand for; and the place of each byte. *)
+let decoded ~path text start stop =
+  let b = Buffer.create (stop - start) and places = Growable.create () in
+  let add at s =
+    String.iter
+      (fun c ->
+         Buffer.add_char b c;
+         Growable.push places at)
+      s
+  in
+  let rec go i =
+    if i >= stop then Ok (Buffer.contents b, Growable.get places)
+    else if text.[i] <> '&' then begin
+      add i (String.make 1 text.[i]);
+      go (i + 1)
+    end
+    else
+      let close = match String.index_from_opt text i ';' with Some j when j < stop -> j | _ -> i in
+      let name = String.sub text (i + 1) (max 0 (close - i - 1)) in
+      match meaning name with
+      | Some s ->
+        add i s;
+        go (close + 1)
+      | None ->
+        let word = String.sub text i (max 1 (close - i + 1)) in
+        error ~path { text = word; start = i }
+          "%s is no reference that XML itself knows: &amp; &lt; &gt; &quot; &apos;, or a character's number as in &#45;"
+          (quote word)
+  in
+  go start
+
+let value ~path text tag key =
+  match List.assoc_opt key tag.attributes with
+  | None -> Ok None
+  | Some (start, stop) ->
+    let* value, _ = decoded ~path text start stop in
+    Ok (Some value)
+
+let words_of ~path text tag key =
+  match List.assoc_opt key tag.attributes with
+  | None -> Ok []
+  | Some (start, stop) when not (String.contains (String.sub text start (stop - start)) '&') ->
+    Ok (Face_sets.words text start stop)
+  | Some (start, stop) ->
+    let* value, place = decoded ~path text start stop in
+    Ok (List.map (fun w -> { w with start = place w.start }) (Face_sets.words value 0 (String.length value)))
 
 let fields = [ "translation"; "rotation"; "scale"; "center" ]
 
@@ -81,7 +145,10 @@ let check ~path text tag =
   let has key = List.mem_assoc key tag.attributes in
   match tag.name.text with
   | "Transform" ->
-    let moves key = Face_sets.moves ~path key (words_of text tag key) in
+    let moves key =
+      let* words = words_of ~path text tag key in
+      Face_sets.moves ~path key words
+    in
     let* moving = map moves (List.filter has fields) in
     if List.exists Fun.id moving then
       error ~path tag.name "a Transform that moves points is not supported: apply it to the points first"
@@ -90,22 +157,26 @@ let check ~path text tag =
   | ("IndexedFaceSet" | "Coordinate") when has "USE" -> error ~path tag.name "`USE` is not supported"
   | _ -> Ok ()
 
-let add text (inside, sets) tag =
+let add ~path text (inside, sets) tag =
   match (tag.name.text, sets) with
   | "IndexedFaceSet", _ ->
+    let* told = value ~path text tag "ccw" in
     let ccw =
-      match value text tag "ccw" with
-      | Some (_, _, ("false" | "FALSE")) -> false
+      match told with
+      | Some ("false" | "FALSE") -> false
       | Some _ | None -> true
     in
-    (true, { Face_sets.points = []; index = words_of text tag "coordIndex"; ccw; at = tag.name } :: sets)
-  | "/IndexedFaceSet", _ -> (false, sets)
+    let* index = words_of ~path text tag "coordIndex" in
+    Ok (true, { Face_sets.points = []; index; ccw; at = tag.name } :: sets)
+  | "/IndexedFaceSet", _ -> Ok (false, sets)
   | "Coordinate", set :: rest when inside ->
-    (inside, { set with Face_sets.points = words_of text tag "point" } :: rest)
-  | _ -> (inside, sets)
+    let* points = words_of ~path text tag "point" in
+    Ok (inside, { set with Face_sets.points } :: rest)
+  | _ -> Ok (inside, sets)
 
 let read ~path text =
   let* tags = tags ~path text in
   let* _ = map (check ~path text) tags in
-  let _, sets = List.fold_left (add text) (false, []) tags in
+  let step acc tag = Result.bind acc (fun acc -> add ~path text acc tag) in
+  let* _, sets = List.fold_left step (Ok (false, [])) tags in
   Face_sets.to_ifs ~path (List.rev sets)

@@ -104,6 +104,61 @@ same body they may not.
       bounce(p, q) at time 2   {Bounce}
   [1]
 
+A body whose event is still to come at that instant has its value before it or after it, and no other; all bodies of the
+event have the same.
+
+  $ sed '/ t = /d' pairs.sc > near.sc
+  $ burst() { printf "time,event,bodies,vx\n2.0,bounce,r;s,\n2.0,state,p,$1\n2.0,bounce,p;q,\n2.0,state,p,0\n" | scc conform near.sc - --tolerance 1e-5; }
+  $ burst 1
+  <standard input>: conforms: 2 events, a run of 4 transitions up to time 2.000001
+    off by at most 1/1000000 in time, 0 in position, 0 in velocity (tolerance 1/100000)
+  $ burst 0
+  <standard input>: conforms: 2 events, a run of 4 transitions up to time 2.000001
+    off by at most 1/1000000 in time, 0 in position, 0 in velocity (tolerance 1/100000)
+  $ burst 1000000
+  <standard input>: diverges at line 3, time 2: wrong-velocity
+    the trace: a state
+    of p, vx is 1000000 in the trace, and 0, off by 1000000
+    rules: Bounce, Response
+    what differs:
+      p: vx: 1000000 in the trace, 0 expected
+    after: bounce(r, s) at time 2.000001   {Bounce}
+  [1]
+  $ both() { printf '{"type":"transition","time":2.0,"label":{"kind":"bounce","between":["r","s"]},"state":{"processes":[{"leaves":[{"name":"p"}],"velocity":[%s,0,0]},{"leaves":[{"name":"q"}],"velocity":[%s,0,0]}]}}\n{"type":"transition","time":2.0,"label":{"kind":"bounce","between":["p","q"]}}\n' $1 $2 | scc conform near.sc - --tolerance 1e-5; }
+  $ both 1.0 0.0
+  <standard input>: conforms: 2 events, a run of 4 transitions up to time 2.000001
+    off by at most 1/1000000 in time, 0 in position, 0 in velocity (tolerance 1/100000)
+  $ both 0.0 1.0
+  <standard input>: conforms: 2 events, a run of 4 transitions up to time 2.000001
+    off by at most 1/1000000 in time, 0 in position, 0 in velocity (tolerance 1/100000)
+  $ both 0.0 0.0
+  <standard input>: diverges at line 1, time 2: wrong-velocity
+    the trace: a state
+    of q, vx is 0 in the trace, and 1, off by -1
+    rules: Bounce, Response
+    what differs:
+      q: vx: 0 in the trace, 1 expected
+    after: bounce(r, s) at time 2.000001   {Bounce}
+  [1]
+
+Where a body is before an event that happens a little earlier in the model.
+
+  $ sed 's|4 + 1/1000000,9|4,9|; s|4,0,0|4 - 1/1000,0,0|' near.sc > early.sc
+  $ place() { printf "time,event,bodies,x,vx\n2.0,bounce,r;s,,\n2.0,state,p,$1,1\n2.0,bounce,p;q,,\n" | scc conform early.sc - --tolerance 1/500; }
+  $ place 2.0
+  <standard input>: conforms: 2 events, a run of 4 transitions up to time 2
+    off by at most 1/1000 in time, 1/1000 in position, 0 in velocity (tolerance 1/500)
+  $ place 2.1
+  <standard input>: diverges at line 3, time 2: wrong-position
+    the trace: a state
+    of p, x is 21/10 in the trace, and 1999/1000, off by 101/1000
+    rules: Time
+    what differs:
+      p: x: 21/10 in the trace, 1999/1000 expected
+      p: vx: 1 in the trace, 0 expected
+    after: bounce(r, s) at time 2   {Bounce}
+  [1]
+
 Divergences.
 
   $ conform() { m=$1; t=$2; shift 2; printf "time,event,bodies,channel,features,x,vx\n$t" | scc conform $M/$m.sc - "$@"; }
@@ -520,6 +575,85 @@ Differences.
     n4.jsonl: md5:d6ee0fc69e28f1cc80c7acb9e21ab0bd
     b1.jsonl: md5:76ae3a5e5dd37535f4057e5590699fbb
   [1]
+
+A state at another time, a body under another name, and another end are differences.
+
+  $ sed '2s/"time":"0\/1"/"time":"1\/2"/' b1.jsonl | scc diff b1.jsonl -
+  the traces differ: before any event, time of wall[1], by 1/2
+    b1.jsonl, line 2, time 0: 0
+    <standard input>, line 2, time 1/2: 1/2
+  [1]
+  $ sed '2s/"p"/"r"/; 2s/"-5\/1","1\/4"/"-4\/1","1\/4"/' b1.jsonl | scc diff b1.jsonl -
+  the traces differ: before any event, name of p
+    b1.jsonl, line 2, time 0: p
+    <standard input>, line 2, time 0: r
+  [1]
+  $ sed '2s/"p"/"wall[9]"/' b1.jsonl | scc diff - b1.jsonl --json | grep -A 9 '"kind"'
+      "kind": "state",
+      "event": 0,
+      "first": {"line": 2, "time": {"exact": "0/1", "about": "0"}, "event": null},
+      "second": {"line": 2, "time": {"exact": "0/1", "about": "0"}, "event": null},
+      "body": "wall[9]",
+      "quantity": "name",
+      "told": ["wall[9]", "p"],
+      "off": null
+    },
+    "diagnostics": []
+  $ tail -1 b1.jsonl
+  {"type":"end","steps":8,"time":"7/2","ending":"open"}
+  $ sed '$s/"time":"[^"]*"/"time":"9\/1"/' b1.jsonl | scc diff b1.jsonl -
+  the traces differ in the time at which they end, by 11/2
+    b1.jsonl, line 11: 7/2
+    <standard input>, line 11: 9
+  [1]
+  $ sed '$s/"open"/"quiescent"/' b1.jsonl | scc diff b1.jsonl -
+  the traces differ in how they say that they end
+    b1.jsonl, line 11: open
+    <standard input>, line 11: quiescent
+  [1]
+  $ sed '$d' b1.jsonl | scc diff b1.jsonl -
+  the traces are the same: 4 events
+  $ printf 'time,event,bodies,x\n1,state,p,0\n1,state,q,3\n' > s1.csv
+  $ printf 'time,event,bodies,x\n1,state,p,0\n2,state,q,3\n' | scc diff s1.csv -
+  the traces differ: before any event, time of q, by 1
+    s1.csv, line 3, time 1: 1
+    <standard input>, line 3, time 2: 2
+  [1]
+  $ printf 'time,event,bodies,x\n1,state,p,0\n1.5,state,p,1\n1,state,q,3\n' | scc diff s1.csv - --tolerance 0
+  the traces are the same: 0 events
+  $ printf 'time,event,bodies,x\n1,state,p,0\n' | scc diff s1.csv -
+  the traces are the same: 0 events
+  $ printf 'time,event\n5,end\n' > e1.csv
+  $ printf 'time,event\n6,end\n' | scc diff e1.csv -
+  the traces differ in the time at which they end, by 1
+    e1.csv, line 2: 5
+    <standard input>, line 2: 6
+  [1]
+
+A byte order mark is not read, and no column.
+
+  $ mark() { printf '\357\273\277'; cat $1; }
+  $ mark b1.jsonl | scc diff b1.jsonl -
+  the traces are the same: 4 events
+  $ mark exact.csv | scc conform $M/latch.sc -
+  <standard input>: conforms: 2 events, a run of 4 transitions up to time 3
+  $ mark b1.jsonl > marked.jsonl
+  $ scc trace $M/billiard.sc --schedule marked.jsonl | scc diff b1.jsonl -
+  the traces are the same: 4 events
+  $ printf 'tim,event\n' > wrong.csv
+  $ mark wrong.csv | scc diff s1.csv -
+  <standard input>:1:1: error[SC0804]: there is no column `tim`
+     |
+   1 | tim,event
+     | ^^^^^^^^^
+    hint: did you mean `time`?
+  [3]
+  $ printf 'des (0, 1, 2)\n(0, "a", 1)\n' > one.aut
+  $ mark one.aut > marked.aut
+  $ scc compare one.aut marked.aut
+  equivalent modulo branching
+  one.aut: 2 states, 1 transition, 2 classes; complete
+  marked.aut: 2 states, 1 transition, 2 classes; complete
 
 What is told between events, or after the last, has times that do not decrease either.
 

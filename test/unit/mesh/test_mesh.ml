@@ -46,6 +46,11 @@ let x3d =
    <IndexedFaceSet coordIndex=\"0 2 1 -1, 0 1 3 -1 0 3 2 -1 1 2 3\" solid='true'>\n\
    <Coordinate point='0 0 0, 1.25 0 0, 0 1 0, 0 0 2'/></IndexedFaceSet></Shape></Transform></Scene></X3D>\n"
 
+(* The same with characters written as references. *)
+let referring =
+  "<X3D><IndexedFaceSet ccw='&#x74;rue' coordIndex='0 2 1&#32;&#45;1, 0 1 3 -1&#x2C;0 3 2 -1 1 2 3'>\n\
+   <Coordinate point='0 &#45;0 0, 1&#46;25 0 0, 0 1 0, 0&#x20;0&#32;2'/></IndexedFaceSet></X3D>\n"
+
 let points = [| [ 0.; 0.; 0. ]; [ 1.25; 0.; 0. ]; [ 0.; 1.; 0. ]; [ 0.; 0.; 2. ] |]
 let corners = [ [ 0; 2; 1 ]; [ 0; 1; 3 ]; [ 0; 3; 2 ]; [ 1; 2; 3 ] ]
 
@@ -95,6 +100,11 @@ let ply_binary ~big format =
 
 let crlf text = String.concat "\r\n" (String.split_on_char '\n' text)
 
+(* Also after a byte order mark, that binary files have not. *)
+let marked ((name, path, text) as file) =
+  if String.contains text '\000' then [ file ]
+  else [ file; (name ^ ", after a byte order mark", path, "\xEF\xBB\xBF" ^ text) ]
+
 let files =
   [
     ("OFF", "t.off", off); ("OFF in capitals", "DIR.x/T.OFF", off); ("OFF, CRLF", "t.off", crlf off);
@@ -105,11 +115,15 @@ let files =
     ("X3D", "t.x3d", x3d); ("PLY, little endian", "t.ply", ply_binary ~big:false "binary_little_endian");
     ("PLY, big endian", "t.ply", ply_binary ~big:true "binary_big_endian");
     ("OFF told by its text", "t", off); ("PLY told by its text", "t", ply); ("VRML told by its text", "t", vrml);
-    ("X3D told by its text", "t", x3d);
+    ("X3D told by its text", "t", x3d); ("X3D with references", "t.x3d", referring);
   ]
+  |> List.concat_map marked
 
 (* Vertices of an STL file are numbered as they are met. *)
-let stl_files = [ ("STL", "t.stl", stl); ("STL, CRLF", "t.stl", crlf stl); ("STL, binary", "t.stl", stl_binary 4) ]
+let stl_files =
+  [ ("STL", "t.stl", stl); ("STL, CRLF", "t.stl", crlf stl); ("STL, binary", "t.stl", stl_binary 4) ]
+  |> List.concat_map marked
+
 let by_first_use = [ "(0, 0, 0)"; "(0, 1, 0)"; "(5/4, 0, 0)"; "(0, 0, 2)"; "0 1 2"; "0 2 3"; "0 3 1"; "2 1 3" ]
 
 let good expected (name, path, text) =
@@ -212,6 +226,12 @@ let bad =
     ("VRML without a bracket", "t.wrl", "IndexedFaceSet { coordIndex [ 0 1", "1:29 SC0320");
     ("X3D that moves", "t.x3d", "<X3D><Transform scale='2 2 2'>", "1:7 SC0320");
     ("X3D without an end", "t.x3d", "<X3D", "1:2 SC0320"); ("an unknown ending", "t.doc", "x", "1:1 SC0321");
+    ("X3D, an unknown entity", "t.x3d", "<IndexedFaceSet coordIndex='0 &dash;1'/>", "1:31 SC0320");
+    ("X3D, no character", "t.x3d", "<IndexedFaceSet coordIndex='0 &#xD800;'/>", "1:31 SC0320");
+    ("X3D, a reference that does not end", "t.x3d", "<IndexedFaceSet coordIndex='0 & 1'/>", "1:31 SC0320");
+    ("X3D, a number after a reference", "t.x3d", "<IndexedFaceSet><Coordinate point='&#49; x 0'/>", "1:42 SC0320");
+    ("VRML 1", "t.wrl", "#VRML V1.0 ascii\nSeparator { }\n", "1:1 SC0321");
+    ("after a byte order mark", "t.off", "\xEF\xBB\xBFPLY", "1:1 SC0320");
     ("the plain format of two counts", "t", "4 4\n0 0 0\n", "1:1 SC0321");
     ("binary OFF", "t.off", "OFF BINARY\n", "1:1 SC0321");
     ("OFF of four dimensions", "t.off", "4OFF\n", "1:1 SC0321");
