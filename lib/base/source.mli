@@ -12,8 +12,8 @@ val position : t -> int -> int * int
     the end. *)
 
 val line : t -> int -> string
-(** [line s n] is the text of line [n] (from 1) without its line end, and without a byte order mark; [""] when there
-    is none. *)
+(** [line s n] is the text of line [n] (from 1) without its line end, and without a byte order mark; [""] when
+    there is none. *)
 
 (** {1 Byte order marks}
 

@@ -68,8 +68,8 @@ let man =
       "Tells the first difference of two traces in terms of the calculus: whether they are of one model, with the \
        same parameters; the first event that is another, at another time, or another choice; the first state in \
        which a body differs, in which quantity, by how much; how they end. What only one of the two tells \
-       (features, states, behaviours) is not compared. The formats are those of $(b,scc conform), which tells whether a trace is \
-       allowed; two different traces may both be.";
+       (features, states, behaviours) is not compared. The formats are those of $(b,scc conform), which tells \
+       whether a trace is allowed; two different traces may both be.";
   ]
   @ Options.diagnostics_man
   @ [

@@ -118,7 +118,7 @@ let decoded ~path text start stop =
       | None ->
         let word = String.sub text i (max 1 (close - i + 1)) in
         error ~path { text = word; start = i }
-          "%s is no reference that XML itself knows: &amp; &lt; &gt; &quot; &apos;, or a character's number as in &#45;"
+          "%s is no reference that XML knows: &amp; &lt; &gt; &quot; &apos;, or a character's number as in &#45;"
           (quote word)
   in
   go start

@@ -12,17 +12,24 @@ NEVER = {"outcome": "never", "time": None}
 
 def answer(request, way):
     number = request["id"]
+    if way == "no-description":
+        return {"jsonrpc": "2.0", "id": number, "result": {"hello": "world"}}
+    if way == "error-of-another-kind":
+        return {"jsonrpc": "2.0", "id": number, "error": "no"}
     if request["method"] == "service.describe":
         return {"jsonrpc": "2.0", "id": number, "result": dict(DESCRIPTION, protocol=2 if way == "newer" else 1)}
     if way == "every-third-refused" and number % 3 == 2:
         return {"jsonrpc": "2.0", "id": number, "error": {"code": -32001, "message": "no", "data": {"handle": "s9"}}}
     if way == "strange-code":
         return {"jsonrpc": "2.0", "id": number, "error": {"code": -32099, "message": "what", "data": {"a": 1}}}
-    return {"jsonrpc": "2.0", "id": number + (way == "wrong-ids"), "result": NEVER}
+    return {"jsonrpc": "2.0", "id": number + (way == "wrong-ids"), "result": [] if way == "no-meeting" else NEVER}
 
 
 def main(way):
     for line in sys.stdin:
+        if way == "echo":
+            print(line, end="", flush=True)
+            continue
         message = json.loads(line)
         if isinstance(message, dict):
             reply = answer(message, way)

@@ -1,5 +1,6 @@
 """Requests about shapes, to the program; expected values are found by hand."""
 
+import pickle
 import random
 import unittest
 from decimal import Decimal
@@ -13,11 +14,12 @@ from shapecalculus import (
     Meeting,
     MethodNotFound,
     NotInContact,
+    Oracle,
     ShapeRefused,
     Touch,
     UnknownHandle,
 )
-from tests.support import CORNERS, FACE_NAMES, FACES, WithOracle
+from tests.support import CORNERS, FACE_NAMES, FACES, MODEL, WithOracle, program
 
 ORIGIN = (Fraction(0),) * 3
 
@@ -64,6 +66,32 @@ class Shapes(WithOracle):
         # m (2^2 + 2^2) / 12
         self.assertEqual(mass.inertia_of_mass, ((2, 0, 0), (0, 2, 0), (0, 0, 2)))
         self.assertEqual(self.oracle.mass(self.cube, turned=(2, 0, 0, 1)).inertia[2][2], Fraction(16, 3))
+
+    def test_of_another_oracle(self):
+        other = Oracle(program(), timeout=60)
+        self.addCleanup(other.close)
+        small = other.define_shape([[x / 2 for x in v] for v in CORNERS], FACES)
+        mine = self.oracle.define_shape(CORNERS, FACES)
+        again = pickle.loads(pickle.dumps(mine))
+        self.assertEqual((again, self.oracle.mass(again).volume), (mine, 8))
+        foreign = "of another Oracle"
+        for shape in (small, small.handle, pickle.loads(pickle.dumps(small))):
+            self.assertRaisesRegex(ValueError, foreign, self.oracle.mass, shape)
+            self.assertRaisesRegex(ValueError, foreign, self.oracle.release_shape, shape)
+            self.assertRaisesRegex(ValueError, foreign, self.oracle.contact, mine, shape, (2, 0, 0))
+            touching = [Touch(mine, shape, (1, 0, 0))]
+            self.assertRaisesRegex(ValueError, foreign, self.oracle.response, touching, Body(1, (1, 0, 0)), Fixed())
+            casts = [(mine, mine, (4, 0, 0), (-1, 0, 0)), (shape, mine, (4, 0, 0), (-1, 0, 0))]
+            self.assertRaisesRegex(ValueError, foreign, self.oracle.first_times_of_contact, casts)
+            self.assertRaisesRegex(ValueError, foreign, self.oracle.batch().mass, shape)
+        self.assertEqual(other.mass(small).volume, 1)
+        model = other.load_model(MODEL)
+        self.assertRaisesRegex(ValueError, foreign, self.oracle.successors, model)
+        with self.oracle.batch() as batch:
+            later = batch.define_shape(CORNERS, FACES)
+        self.assertRaisesRegex(ValueError, foreign, other.mass, later.result())
+        self.assertEqual(self.oracle.mass(later.result()).volume, 8)
+        self.assertEqual(self.oracle.mass(str(mine.handle)).volume, 8)
 
     def test_release(self):
         shape = self.oracle.define_shape(CORNERS, FACES)

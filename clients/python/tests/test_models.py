@@ -80,6 +80,7 @@ class Models(WithOracle):
         self.assertEqual(again.labels, run.labels)
         by_chance = self.oracle.replay(self.model, seed=3, states="ends")
         self.assertEqual(by_chance.labels, run.labels)
+        self.assertEqual(self.oracle.replay(self.model, choose="random", seed=3, states="ends"), by_chance)
         halfway = self.oracle.replay(self.model, [], offset=1)
         self.assertEqual(halfway.lines[-2]["time"], "1/1")
         with self.assertRaises(NotPossible):

@@ -1,14 +1,17 @@
 """What the client makes of a service that does not do what it should, and how it writes what it sends."""
 
+import concurrent.futures
+import copy
 import json
 import os
+import pickle
 import sys
 import unittest
 from decimal import Decimal
 from fractions import Fraction
 
 from shapecalculus import Batch, LimitExceeded, Meeting, Oracle, OracleError, RequestError, ServiceError, UnknownHandle
-from shapecalculus import numbers, requests
+from shapecalculus import errors, numbers, oracle, requests
 from shapecalculus.oracle import _batch, _cast_texts, _lines
 
 FAKE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "fake.py")
@@ -52,6 +55,27 @@ class Services(unittest.TestCase):
             with self.subTest(way), fake(way) as oracle:
                 with self.assertRaisesRegex(ServiceError, "one by one"):
                     oracle.first_times_of_contact(casts(1000))
+
+    def test_a_program_that_echoes(self):
+        with self.assertRaisesRegex(ServiceError, "does not answer requests as scc oracle does: it sends back"):
+            fake("echo")
+        with self.assertRaisesRegex(ServiceError, "does not answer requests"):
+            Oracle(["cat"], timeout=20)
+
+    def test_answers_that_are_none(self):
+        with self.assertRaisesRegex(ServiceError, "answer to service.describe is none: {'hello'"):
+            fake("no-description")
+        with self.assertRaisesRegex(ServiceError, "does not answer requests"):
+            fake("error-of-another-kind")
+        for ask in (
+            lambda oracle: oracle.first_time_of_contact("s1", "s1", (3, 0, 0), (1, 0, 0)),
+            lambda oracle: oracle.first_times_of_contact(casts(2)),
+        ):
+            with fake("no-meeting") as oracle:
+                with self.assertRaisesRegex(ServiceError, "answer to first_time_of_contact is none"):
+                    ask(oracle)
+                with self.assertRaises(ServiceError):
+                    oracle.describe()
 
     def test_code_of_a_later_version(self):
         with fake("strange-code") as oracle:
@@ -106,6 +130,113 @@ class Refusals(unittest.TestCase):
                 oracle.first_times_of_contact(wrong())
             self.assertEqual(len(oracle.first_times_of_contact(casts(600))), 600)
             oracle.describe()
+
+
+class Pickles(unittest.TestCase):
+    def test_every_exception(self):
+        for code in [*errors._CLASSES, -32099]:
+            error = errors.from_json({"code": code, "message": "no", "data": {"at": ["a", 1]}}, 7)
+            error.note = "mine"
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                again = pickle.loads(pickle.dumps(error, protocol))
+                self.assertIs(type(again), type(error))
+                self.assertEqual(
+                    (str(again), again.code, again.message, again.data, again.index, again.note),
+                    (str(error), code, "no", {"at": ["a", 1]}, 7, "mine"),
+                )
+            self.assertEqual(str(copy.copy(error)), str(error))
+        again = pickle.loads(pickle.dumps(ServiceError("the service has ended")))
+        self.assertEqual((type(again), str(again)), (ServiceError, "the service has ended"))
+
+    def test_from_another_process(self):
+        with concurrent.futures.ProcessPoolExecutor(1) as pool:
+            with self.assertRaises(UnknownHandle) as caught:
+                pool.submit(refused).result(60)
+            self.assertEqual((caught.exception.index, caught.exception.data["handle"]), (2, "s9"))
+            self.assertEqual(pool.submit(len, "abc").result(60), 3)
+
+
+def refused():
+    with fake("every-third-refused") as oracle:
+        oracle.first_times_of_contact(casts(5))
+
+
+class Int64:
+    """As an integer of numpy: neither an int nor a numbers.Integral."""
+
+    def __init__(self, value):
+        self.value = value
+
+    def __index__(self):
+        return self.value
+
+
+class Float32:
+    """As a float of numpy that is no float of Python."""
+
+    def __init__(self, value):
+        self.value = value
+
+    def as_integer_ratio(self):
+        return self.value.as_integer_ratio()
+
+
+def params(request):
+    """As the service reads them."""
+    return json.loads(oracle._to_json(request.params))
+
+
+class NumbersOfOthers(unittest.TestCase):
+    def test_all_numbers(self):
+        for number, same in [(Int64(-3), -3), (Float32(0.1), 0.1), (Float32(3.0), 3)]:
+            self.assertEqual(numbers.to_json(number), numbers.to_json(same))
+            self.assertEqual(Fraction(json.loads(numbers.to_text(number))), Fraction(same))
+            self.assertEqual(numbers.vector_to_text([number] * 3).count(numbers.to_text(number)), 3)
+        for wrong in (Float32(float("nan")), Float32(float("inf"))):
+            self.assertRaisesRegex(ValueError, "not a number", numbers.to_json, wrong)
+        for wrong in (None, 1j, [1], object()):
+            self.assertRaisesRegex(TypeError, "not a number: .*__index__", numbers.to_json, wrong)
+
+    def test_all_integers(self):
+        one = Int64(1)
+        shape = requests.define_shape([(one, 0, 0)] * 4, [[Int64(0), one, Int64(2)], ("v1", 2, 3)])
+        self.assertEqual(params(shape)["faces"], [[0, 1, 2], ["v1", 2, 3]])
+        self.assertEqual(params(requests.successors("m1", (one, 0)))["path"], [1, 0])
+        self.assertEqual(params(requests.step("m1", [one], one)), {"model": "m1", "path": [1], "choice": 1})
+        run = requests.replay("m1", [one, {"choice": one, "label": "x"}, "y"], steps=one)
+        self.assertEqual(params(run)["choices"], [1, {"choice": 1, "label": "x"}, "y"])
+        self.assertEqual(params(run)["steps"], 1)
+        self.assertEqual(params(requests.replay("m1", seed=one))["choose"], {"random": 1})
+        asked = requests.evaluate("m1", "true", [one], states=one, depth=one, time=one, seconds=Float32(0.5))
+        self.assertEqual(params(asked)["limits"], {"seconds": "1/2", "states": 1, "depth": 1, "time": 1})
+        turning = requests.first_time_of_contact("s1", "s1", (one, 0, 0), (one, 0, 0), span=one, grid=one)
+        self.assertEqual((params(turning)["grid"], params(turning)["span"]), (1, 1))
+        self.assertRaisesRegex(TypeError, "not an integer: 1.5", requests.replay, "m1", steps=1.5)
+        self.assertRaisesRegex(TypeError, "not an integer", requests.successors, "m1", [0.0])
+
+    def test_numpy(self):
+        try:
+            import numpy as np
+        except ImportError:
+            self.skipTest("no numpy")
+        for kind in (np.int8, np.int64, np.uint16, np.float16, np.float32, np.float64, np.longdouble):
+            with self.subTest(kind.__name__):
+                self.assertEqual(numbers.vector_to_json(np.array([1, 2, 3], dtype=kind)), [1, 2, 3])
+                self.assertEqual(Fraction(json.loads(numbers.to_text(kind(5)))), 5)
+        self.assertEqual(numbers.to_json(np.float32(0.1)), "13421773/134217728")
+        self.assertEqual(numbers.matrix_to_json(np.eye(3)), [[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+        faces = np.array([[0, 1, 2]])
+        self.assertEqual(params(requests.define_shape(np.zeros((3, 3)), faces))["faces"], [[0, 1, 2]])
+        self.assertRaises(TypeError, numbers.to_json, np.array([1, 2]))
+        self.assertRaises(ValueError, numbers.to_json, np.float32("nan"))
+
+    def test_choose(self):
+        choose = lambda **how: params(requests.replay("m1", **how))["choose"]
+        self.assertEqual(choose(choose="random", seed=1), {"random": 1})
+        self.assertEqual(choose(seed=1), {"random": 1})
+        self.assertEqual(choose(choose="first"), "first")
+        self.assertRaisesRegex(ValueError, "takes a seed", choose, choose="random")
+        self.assertRaisesRegex(ValueError, "a seed goes with", choose, choose="first", seed=1)
 
 
 class Writing(unittest.TestCase):

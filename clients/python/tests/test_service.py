@@ -98,5 +98,18 @@ class Failures(unittest.TestCase):
             s.receive()
 
 
+class Timeouts(unittest.TestCase):
+    def test_for_ever(self):
+        for long in (float("inf"), 1e300, 10**12):
+            s = service(ECHO, timeout=long)
+            s.send(b"x\n")
+            self.assertEqual(s.receive(), b"x")
+            s.close()
+
+    def test_what_is_none(self):
+        for wrong in (float("nan"), -1):
+            self.assertRaisesRegex(ValueError, "timeout is a number of seconds", service, ECHO, timeout=wrong)
+
+
 if __name__ == "__main__":
     unittest.main()

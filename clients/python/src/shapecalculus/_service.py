@@ -15,12 +15,19 @@ from typing import List, Optional, Sequence
 from .errors import ServiceError
 
 _CHUNK = 1 << 18
+# Seconds: poll takes no more milliseconds than an int of C has room for.
+_LONGEST_WAIT = 1_000_000
 
 
 class Service:
-    """One process of ``command``. ``timeout`` (seconds) bounds each wait for an answer; None: for ever."""
+    """One process of ``command``. ``timeout`` (seconds) bounds each wait for an answer; None or infinity: for ever."""
 
     def __init__(self, command: Sequence[str], timeout: Optional[float] = None) -> None:
+        if timeout is not None:
+            timeout = float(timeout)
+            if not timeout >= 0:
+                raise ValueError("timeout is a number of seconds, at least 0, not %r" % timeout)
+            timeout = None if timeout == float("inf") else timeout
         try:
             self._process = subprocess.Popen(
                 list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, close_fds=True
@@ -80,8 +87,10 @@ class Service:
             raise ServiceError("the oracle is closed")
         limit = None if self._timeout is None else time.monotonic() + self._timeout
         while not self._lines:
-            wait = None if limit is None else max(0.0, limit - time.monotonic()) * 1000
-            events = self._poll.poll(wait)
+            left = None if limit is None else max(0.0, limit - time.monotonic())
+            events = self._poll.poll(None if left is None else min(left, _LONGEST_WAIT) * 1000)
+            if not events and left is not None and left > _LONGEST_WAIT:
+                continue
             if not events:
                 raise self._lost("gave no answer within %g s" % (self._timeout or 0))
             for fd, _ in events:

@@ -7,7 +7,7 @@ OracleError
 
 from __future__ import annotations
 
-from typing import Any, Dict, Mapping, Optional, Type
+from typing import Any, Dict, Mapping, Optional, Tuple, Type
 
 
 class OracleError(Exception):
@@ -32,6 +32,10 @@ class RequestError(OracleError):
         self.message = message
         self.data = data
         self.index = index
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        # By default it would be made anew from its text alone: processes hand exceptions on to each other.
+        return (type(self), (self.code, self.message, self.data, self.index), self.__dict__)
 
 
 class ParseError(RequestError):

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import operator
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, List, Sequence, Tuple, Union
+from numbers import Rational
+from typing import Any, List, Sequence, SupportsIndex, Tuple, Union
 
 #: A number of a request. All are taken exactly: the float 0.1 is 3602879701896397/36028797018963968, and the text
-#: "0.1" is 1/10.
-Number = Union[int, float, Fraction, Decimal, str]
+#: "0.1" is 1/10. So are the integers, rationals and floats of other libraries, as numpy's: whatever has ``__index__`` or
+#: ``as_integer_ratio``, or is a ``numbers.Rational``.
+Number = Union[int, float, Fraction, Decimal, str, SupportsIndex, Rational, Any]
 #: Three numbers.
 VectorLike = Sequence[Number]
 #: Four, w x y z, of any length but zero.
@@ -25,14 +28,41 @@ Quaternion = Tuple[int, int, int, int]
 # Of requests.
 
 
+def integer(number: SupportsIndex) -> int:
+    """An integer of any library. TypeError for all else, also for floats: nothing is rounded."""
+    try:
+        return operator.index(number)
+    except TypeError as error:
+        raise TypeError("not an integer: %r, of the type %s" % (number, type(number).__name__)) from error
+
+
+def _exact(number: Number) -> Fraction:
+    if isinstance(number, (str, float, Decimal, Fraction)):
+        return Fraction(number)
+    if hasattr(number, "__index__"):
+        try:
+            return Fraction(operator.index(number))
+        except TypeError:
+            pass  # an array of several numbers, say
+    if isinstance(number, Rational):
+        return Fraction(int(number.numerator), int(number.denominator))
+    if hasattr(number, "as_integer_ratio"):
+        p, q = number.as_integer_ratio()
+        return Fraction(int(p), int(q))
+    raise TypeError(
+        "not a number: %r, of the type %s; numbers are int, float, Fraction, Decimal, texts as '1/3' and '0.25', and "
+        "what has __index__ or as_integer_ratio" % (number, type(number).__name__)
+    )
+
+
 def to_json(number: Number) -> Union[int, str]:
-    """A number as requests have it. ValueError for NaN, infinities and texts that are no number."""
+    """A number as requests have it. ValueError for NaN, infinities and texts that are no number, else TypeError."""
     kind = type(number)
     if kind is int:
         return number  # type: ignore[return-value]
     try:
-        value = Fraction(number)
-    except (OverflowError, ZeroDivisionError) as error:
+        value = _exact(number)
+    except (OverflowError, ZeroDivisionError, ValueError) as error:
         raise ValueError("not a number: %r" % (number,)) from error
     if value.denominator == 1:
         return value.numerator

@@ -11,12 +11,12 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any, Callable, Deque, Dict, Generic, Iterable, Iterator, List, Mapping, Optional
 from typing import Sequence, Tuple, Type, TypeVar, Union
 
-from . import requests
+from . import _handles, requests
 from ._service import Service
 from .errors import RequestError, ServiceError, from_json
 from .geometry import Meeting
 from .models import Description
-from .numbers import VectorLike, vector_to_text
+from .numbers import VectorLike, integer, vector_to_text
 from .requests import Request, ShapeLike
 
 if TYPE_CHECKING:
@@ -49,13 +49,42 @@ def _read(line: bytes) -> Any:
         raise ServiceError("the service says what is no JSON: %r" % line[:200]) from error
 
 
+def _is_answer(answer: Any, number: int) -> bool:
+    """Whether that is the answer to the request of that number: its result, or why it is refused."""
+    if not isinstance(answer, dict):
+        return False
+    if "error" in answer:
+        return _is_refusal(answer) and answer.get("id") in (number, None)
+    return "result" in answer and answer.get("id") == number
+
+
+def _is_refusal(answer: Any) -> bool:
+    error = answer.get("error") if isinstance(answer, dict) else None
+    return isinstance(error, dict) and isinstance(error.get("code"), int) and "message" in error
+
+
+def _understood(request: Request[T], result: Any, owner: str) -> T:
+    try:
+        answer = request.read(result)
+    except (LookupError, TypeError, ValueError, ArithmeticError, AttributeError) as error:
+        text = _shown(result)
+        raise ServiceError("the service's answer to %s is none: %s" % (request.method, text)) from error
+    return _handles.owned(answer, owner)  # type: ignore[no-any-return]
+
+
+def _shown(answer: Any) -> str:
+    text = repr(answer)
+    return text if len(text) <= 200 else text[:200] + "..."
+
+
 class Future(Generic[T]):
     """The answer to a request of a batch, to be had once the batch has been sent."""
 
-    __slots__ = ("_request", "_result", "_error", "_done")
+    __slots__ = ("_request", "_owner", "_result", "_error", "_done")
 
-    def __init__(self, request: Request[T]) -> None:
+    def __init__(self, request: Request[T], owner: str) -> None:
         self._request = request
+        self._owner = owner
         self._result: Optional[T] = None
         self._error: Optional[RequestError] = None
         self._done = False
@@ -81,7 +110,7 @@ class Future(Generic[T]):
         if "error" in answer:
             self._error = from_json(answer["error"])
         else:
-            self._result = self._request.read(answer["result"])
+            self._result = _understood(self._request, answer["result"], self._owner)
         self._done = True
 
 
@@ -122,10 +151,11 @@ class Oracle:
             scc = os.environ.get("SCC") or "scc"
         command = [scc, "oracle"] if isinstance(scc, str) else list(scc)
         if seconds is not None:
-            command += ["--seconds", str(seconds)]
+            command += ["--seconds", str(integer(seconds))]
         if memory is not None:
-            command += ["--memory", str(memory)]
+            command += ["--memory", str(integer(memory))]
         self._ids = itertools.count(1)
+        self._owner = _handles.new_owner()
         self._service = Service(command, timeout)
         try:
             self.description: Description = self.ask(requests.describe())
@@ -139,10 +169,16 @@ class Oracle:
     # One request.
 
     def ask(self, request: Request[T]) -> T:
-        return request.read(self.call(request.method, request.params))
+        result = self.call(request.method, request.params)
+        try:
+            return _understood(request, result, self._owner)
+        except ServiceError:
+            self._service.close()
+            raise
 
     def call(self, method: str, params: Mapping[str, Any]) -> Any:
         """A request in terms of the protocol: what stands in ``params`` is sent, and ``result`` is given back."""
+        _handles.check_all(params, self._owner)
         number = next(self._ids)
         request = {"jsonrpc": "2.0", "id": number, "method": method, "params": params}
         line = _to_json(request).encode() + b"\n"
@@ -153,9 +189,10 @@ class Oracle:
             # Ctrl-C, say: the answer to this would be taken for that to the next one.
             self._service.close()
             raise
-        if not isinstance(answer, dict) or (answer.get("id") != number and "error" not in answer):
+        if not _is_answer(answer, number):
             self._service.close()
-            raise ServiceError("the service gave no answer to the request: %r" % (answer,))
+            what = "it sends back what it is told" if answer == request else "it says %s" % _shown(answer)
+            raise ServiceError("the service does not answer requests as scc oracle does: %s" % what)
         if "error" in answer:
             raise from_json(answer["error"])
         return answer["result"]
@@ -195,10 +232,14 @@ class Oracle:
                     refused.append(from_json(answer["error"], index))
                     continue
                 result = answer["result"]
-                time = result["time"]
-                meetings.append(Meeting(result["outcome"], None if time is None else time["exact"]))
+                try:
+                    time = result["time"]
+                    meetings.append(Meeting(result["outcome"], None if time is None else time["exact"]))
+                except (LookupError, TypeError) as error:
+                    text = "the service's answer to first_time_of_contact is none: %s" % _shown(result)
+                    raise ServiceError(text) from error
 
-        self._exchange(_cast_texts(casts), take)
+        self._exchange(_cast_texts(casts, self._owner), take)
         if refused:
             raise refused[0]
         return meetings
@@ -219,6 +260,7 @@ class Oracle:
             while on_their_way:
                 take(*self._answers(*on_their_way.popleft()))
         except ServiceError:
+            service.close()
             raise
         except Exception:
             # A mistake in what is sent: let the answers that are still to come be nobody's.
@@ -231,9 +273,10 @@ class Oracle:
 
     def _answers(self, first: int, count: int) -> Tuple[int, List[Any]]:
         answers = _read(self._service.receive())
-        if isinstance(answers, dict) and "error" in answers:
+        if _is_refusal(answers):
             return first, [answers] * count  # the whole line was refused
-        if not isinstance(answers, list) or [a.get("id") for a in answers] != list(range(first, first + count)):
+        numbers = range(first, first + count)
+        if not isinstance(answers, list) or len(answers) != count or not all(map(_is_answer, answers, numbers)):
             self._service.close()
             raise ServiceError("the service answered %d requests otherwise than one by one, in order" % count)
         return first, answers
@@ -264,7 +307,8 @@ class Batch:
         self._futures: List[Future[Any]] = []
 
     def add(self, request: Request[T]) -> Future[T]:
-        future = Future(request)
+        _handles.check_all(request.params, self._oracle._owner)
+        future = Future(request, self._oracle._owner)
         self._futures.append(future)
         return future
 
@@ -311,11 +355,13 @@ def _text(number: int, future: Future[Any]) -> str:
     return _to_json({"jsonrpc": "2.0", "id": number, "method": request.method, "params": request.params})
 
 
-def _cast_texts(casts: Iterable[Cast]) -> Iterator[str]:
+def _cast_texts(casts: Iterable[Cast], owner: str = "") -> Iterator[str]:
     templates: Dict[Tuple[str, str], str] = {}
     number = 0
     for a, b, offset, velocity in casts:
         key = (a if isinstance(a, str) else a.handle, b if isinstance(b, str) else b.handle)
+        _handles.check(key[0], owner)
+        _handles.check(key[1], owner)
         template = templates.get(key)
         if template is None:
             template = templates[key] = requests.cast_template(*key)

@@ -7,7 +7,7 @@ documented here. The names of what is asked, and what it means, are those of spe
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Generic, Iterable, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Generic, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 from .geometry import Contact, MassProperties, Meeting, Response, Shape, ShapeReport
 from .models import Description, Evaluation, Model, Replay, Step, Successors
@@ -16,6 +16,7 @@ from .numbers import (
     Number,
     QuaternionLike,
     VectorLike,
+    integer,
     matrix_to_json,
     quaternion_to_json,
     to_json,
@@ -92,6 +93,10 @@ def _limited(params: Params, seconds: Optional[Number]) -> Params:
 # Shapes.
 
 
+def _corner(corner: Union[int, str]) -> Union[int, str]:
+    return corner if isinstance(corner, str) else integer(corner)
+
+
 def _polyhedron(
     vertices: Iterable[VectorLike],
     faces: Iterable[Sequence[Union[int, str]]],
@@ -100,7 +105,7 @@ def _polyhedron(
 ) -> Params:
     params: Params = {
         "vertices": [vector_to_json(v) for v in vertices],
-        "faces": [list(face) for face in faces],
+        "faces": [[_corner(corner) for corner in face] for face in faces],
     }
     names: Params = {}
     _set(names, list, vertices=vertex_names, faces=face_names)
@@ -213,7 +218,7 @@ def first_time_of_contact(
         "velocity": vector_to_json(velocity),
     }
     _set(params, to_json, span=span, resolution=resolution, since_a=since_a, since_b=since_b)
-    _set(params, int, grid=grid)
+    _set(params, integer, grid=grid)
     _set(params, quaternion_to_json, turned_a=turned_a, turned_b=turned_b)
     _set(params, vector_to_json, spin_a=spin_a, spin_b=spin_b, arm_a=arm_a, arm_b=arm_b)
     return Request("first_time_of_contact", _limited(params, seconds), Meeting.from_json)
@@ -272,11 +277,33 @@ def release_model(model: ModelLike) -> Request[None]:
     return Request("model.release", {"model": _model(model)}, lambda _: None)
 
 
+def _path(path: Iterable[int]) -> List[int]:
+    return [integer(choice) for choice in path]
+
+
+def _choice(choice: Choice) -> Any:
+    if isinstance(choice, str):
+        return choice
+    if isinstance(choice, Mapping):
+        return {name: value if isinstance(value, str) else integer(value) for name, value in choice.items()}
+    return integer(choice)
+
+
+def _policy(choose: Optional[str], seed: Optional[int]) -> Any:
+    if seed is None:
+        if choose == "random":
+            raise ValueError('choose="random" takes a seed: replay(model, choose="random", seed=1)')
+        return choose
+    if choose not in (None, "random"):
+        raise ValueError("a seed goes with choose=\"random\", and not with %r" % (choose,))
+    return {"random": integer(seed)}
+
+
 def successors(
     model: ModelLike, path: Sequence[int] = (), *, states: str = "here", seconds: Optional[Number] = None
 ) -> Request[Successors]:
     """All that may happen in the state that ``path`` leads to. ``states``: "here", "all" or "none"."""
-    params: Params = {"model": _model(model), "path": list(path), "states": states}
+    params: Params = {"model": _model(model), "path": _path(path), "states": states}
     return Request("successors", _limited(params, seconds), Successors.from_json)
 
 
@@ -284,7 +311,7 @@ def step(
     model: ModelLike, path: Sequence[int], choice: Union[int, str], *, seconds: Optional[Number] = None
 ) -> Request[Step]:
     """Takes a transition, told by its index or the text of its label. Raises NotPossible."""
-    params: Params = {"model": _model(model), "path": list(path), "choice": choice}
+    params: Params = {"model": _model(model), "path": _path(path), "choice": _choice(choice)}
     return Request("step", _limited(params, seconds), Step.from_json)
 
 
@@ -300,15 +327,17 @@ def replay(
     states: str = "all",
     seconds: Optional[Number] = None,
 ) -> Request[Replay]:
-    """Follows ``choices``, or chooses: ``choose="first"``, or by chance from ``seed``. ``states``: "all" or "ends"."""
+    """Follows ``choices``, or chooses: ``choose="first"``, or ``choose="random"`` with a ``seed`` (a seed alone will do).
+
+    ``states``: "all" or "ends".
+    """
     params: Params = {"model": _model(model), "states": states}
     if choices is not None:
-        params["choices"] = [dict(c) if isinstance(c, Mapping) else c for c in choices]
-    if seed is not None:
-        params["choose"] = {"random": seed}
-    _set(params, str, choose=choose)
+        params["choices"] = [_choice(c) for c in choices]
+    if choose is not None or seed is not None:
+        params["choose"] = _policy(choose, seed)
     _set(params, to_json, offset=offset, time=time)
-    _set(params, int, steps=steps)
+    _set(params, integer, steps=steps)
     return Request("replay", _limited(params, seconds), Replay.from_json)
 
 
@@ -323,9 +352,9 @@ def evaluate(
     seconds: Optional[Number] = None,
 ) -> Request[Evaluation]:
     """What ``formula`` says in the state that ``path`` leads to; limits are those of the exploration, if any."""
-    params = _limited({"model": _model(model), "path": list(path), "formula": formula}, seconds)
+    params = _limited({"model": _model(model), "path": _path(path), "formula": formula}, seconds)
     limits: Params = params.get("limits", {})
-    _set(limits, int, states=states, depth=depth)
+    _set(limits, integer, states=states, depth=depth)
     _set(limits, to_json, time=time)
     if limits:
         params["limits"] = limits
