@@ -1,14 +1,15 @@
 open Scc_exact
 
-type channel = { name : string; sites : Site.t list; closure : Site.t list }
+type channel = { name : string; sites : Site.t list; only : Site.t list; surface : Site.t list }
 
-let channel ~name ~sites ~closure =
-  let sites = List.sort_uniq Site.compare sites in
-  match sites with
-  | [] -> Scc_base.Bug.fail __POS__ "a channel without features"
-  | _ :: _ -> { name; sites; closure = List.sort_uniq Site.compare closure }
+let channel ?(only = []) ~name ~sites ~closure () =
+  let sites = List.sort_uniq Site.compare sites and closure = List.sort_uniq Site.compare closure in
+  let within list site = List.exists (Site.equal site) list in
+  let only = List.filter (fun site -> not (within closure site)) (List.sort_uniq Site.compare only) in
+  if sites = [] && only = [] then Scc_base.Bug.fail __POS__ "a channel without features"
+  else { name; sites; only; surface = List.merge Site.compare closure only }
 
-let active c site = List.exists (Site.equal site) c.closure
+let active c site = List.exists (Site.equal site) c.surface
 
 type polarity = Name | Co_name
 
@@ -21,7 +22,7 @@ type t =
   | Sum of t * t
   | Call of int
 
-(* Canonical terms. A redundant list of features means the same: what tells channels apart is the closure. *)
+(* Canonical terms. A redundant list of features means the same: what tells channels apart is the surface. *)
 
 let ( <?> ) c next = if c <> 0 then c else next ()
 
@@ -33,7 +34,7 @@ let rec compare_lists compare a b =
   | x :: a, y :: b -> compare x y <?> fun () -> compare_lists compare a b
 
 let compare_channel (a : channel) (b : channel) =
-  String.compare a.name b.name <?> fun () -> compare_lists Site.compare a.closure b.closure
+  String.compare a.name b.name <?> fun () -> compare_lists Site.compare a.surface b.surface
 
 let polarity_rank = function Name -> 0 | Co_name -> 1
 
@@ -67,7 +68,7 @@ let equal a b = compare a b = 0
 let hash_depth = 4
 
 let hash_channel (c : channel) =
-  List.fold_left (fun h s -> (h * 31) + Site.hash s) (Hashtbl.hash c.name) c.closure
+  List.fold_left (fun h s -> (h * 31) + Site.hash s) (Hashtbl.hash c.name) c.surface
 
 let rec hash_to depth b =
   if depth = 0 then 17

@@ -3,20 +3,21 @@
 
 open Scc_exact
 
-(** A channel's name and active surface. Two are equal when name and closure are (reading I-17), whatever is
+(** A channel's name and active surface. Two are equal when name and surface are (reading I-17), whatever is
     listed. *)
 type channel = private {
   name : string;
-  sites : Site.t list;  (** Phi as listed, sorted; not empty *)
-  closure : Site.t list;  (** closure(Phi), sorted *)
+  sites : Site.t list;  (** those of Phi that are listed with their closure, sorted *)
+  only : Site.t list;  (** those that are listed without (reading I-34), and are in no closure; sorted *)
+  surface : Site.t list;  (** the active surface: closure([sites]) and [only], sorted; not empty *)
 }
 
-val channel : name:string -> sites:Site.t list -> closure:Site.t list -> channel
-(** Sorts both lists and drops repetitions; [closure] must be the closure of [sites] (the caller knows the
+val channel : ?only:Site.t list -> name:string -> sites:Site.t list -> closure:Site.t list -> unit -> channel
+(** Sorts the lists and drops repetitions; [closure] must be the closure of [sites] (the caller knows the
     shapes). *)
 
 val active : channel -> Site.t -> bool
-(** Whether a feature is in closure(Phi). *)
+(** Whether a feature is in the active surface. *)
 
 (** alpha ranges over names a and co-names ~a. *)
 type polarity = Name | Co_name
@@ -25,7 +26,7 @@ type t = private
   | Nil
   | Open of polarity * channel * t  (** <alpha, Phi>. B *)
   | Weak of channel * t  (** omega(a, Phi). B *)
-  | Strong of channel list * t  (** rho(L). B; L sorted, a set by name and closure, not empty *)
+  | Strong of channel list * t  (** rho(L). B; L sorted, a set by name and surface, not empty *)
   | Delay of Rat.t * t  (** eps(t). B with t > 0: eps(0).B is B *)
   | Sum of t * t
   | Call of int  (** K, an index into the definitions *)

@@ -21,6 +21,7 @@ type rigid = {
   round_velocity : int option;
 }
 
+type steps = Shared | Own | Steady
 type collisions = In_turn | Together
 type binding = On_collision | On_contact
 
@@ -31,14 +32,15 @@ type t = {
   split_step : Rat.t;
   keeps_time : bool;
   steered : bool;
-  local_steps : bool;
+  steps : steps;
   collisions : collisions;
   binding : binding;
   rigid : rigid option;
 }
 
-let of_all m = m.steered && not m.local_steps
-let of_each m = m.steered && m.local_steps
+let of_each m = m.steered && match m.steps with Own -> true | Shared | Steady -> false
+let of_all m = m.steered && not (of_each m)
+let keeps_beat m = m.steered && match m.steps with Steady -> true | Shared | Own -> false
 let straight m = (not m.steered) && Option.is_none m.rigid
 let resolution m = Option.map (fun r -> r.resolution) m.rigid
 let part_count m = Array.fold_left (fun n l -> n + Array.length l.parts) 0 m.leaves

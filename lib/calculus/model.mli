@@ -37,6 +37,12 @@ type rigid = {
   round_velocity : int option;  (** velocities and spins are rounded to multiples of 2^-k *)
 }
 
+(** Whose movement steps are, and what ends them (rule Steer). *)
+type steps =
+  | Shared  (** of the whole network; a collision ends them *)
+  | Own  (** each process under a law has its own; a collision ends those of who collides ([timestep ... local]) *)
+  | Steady  (** of the whole network; nothing ends them before their time ([timestep ... steady]) *)
+
 (** How collisions of one instant that hang together are resolved. *)
 type collisions =
   | In_turn  (** two processes at a time, in every order (reading I-8) *)
@@ -55,7 +61,7 @@ type t = {
   keeps_time : bool;  (** absolute time is part of the state: a law or a property needs it *)
   steered : bool;
   (** some law is not inertial: movement steps are part of the state *)
-  local_steps : bool;  (** each process under a law has movement steps of its own ([timestep ... local]) *)
+  steps : steps;
   collisions : collisions;
   binding : binding;
   rigid : rigid option;  (** [None]: the translational calculus, in which nothing turns *)
@@ -66,6 +72,9 @@ val of_all : t -> bool
 
 val of_each : t -> bool
 (** Steered, by movement steps of single processes. *)
+
+val keeps_beat : t -> bool
+(** Steered, by movement steps that no collision ends. *)
 
 val straight : t -> bool
 (** Neither steered nor rigid: a process moves in a straight line, and has to do with nobody until it collides. *)

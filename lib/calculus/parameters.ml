@@ -29,10 +29,12 @@ let rigid (r : Model.rigid) =
   @ rounded "orientation" r.round_orientation
   @ rounded "velocity" r.round_velocity
 
+let steps m = if Model.of_each m then " local" else if Model.keeps_beat m then " steady" else ""
+
 let listed (m : Model.t) s =
   (if may_split m s then [ ("split step", Rat.to_string m.split_step) ] else [])
   @ (if Model.straight m then []
-     else [ ("timestep", Rat.to_string m.timestep ^ if Model.of_each m then " local" else "") ])
+     else [ ("timestep", Rat.to_string m.timestep ^ steps m) ])
   @ (match m.collisions with Together -> [ ("collisions", "together") ] | In_turn -> [])
   @ (match m.binding with On_contact -> [ ("binding", "contact") ] | On_collision -> [])
   @ Option.fold ~none:[] ~some:rigid m.rigid

@@ -124,17 +124,33 @@ let site t scope (f : Ast.feature) =
    | _ -> ());
   Some site
 
+(* Without its edges and corners a face is open: there is no first instant at which two such faces meet that slide
+   into each other (reading I-33). *)
+let check_only t (m : Ast.member) =
+  match Settings.binding t.program.settings with
+  | On_collision -> ()
+  | On_contact ->
+    Report.error t.c.report Code.not_yet m.feature.at
+      "`only` cannot be had with `binding contact`: there may be no first instant at which two features without \
+       their closures touch"
+      ~hint:"leave out `only`, or bind on collision"
+
 let channel t scope (ch : Ast.channel) =
   use_channel t ch.channel.it;
-  let sites = Long_list.map (site t scope) ch.features in
+  let read (m : Ast.member) =
+    if m.only then check_only t m;
+    Option.map (fun site -> (m.only, site)) (site t scope m.feature)
+  in
+  let members = Long_list.map read ch.features in
   if List.length ch.features = 0 then begin
     Report.error t.c.report Code.empty_channel ch.span "the channel `%s` has no features" ch.channel.it;
     None
   end
-  else if List.for_all Option.is_some sites then
-    let sites = List.filter_map Fun.id sites in
+  else if List.for_all Option.is_some members then
+    let only, sites = List.partition fst (List.filter_map Fun.id members) in
+    let only = Long_list.map snd only and sites = Long_list.map snd sites in
     let closure = Feature_name.closure scope.owner.shape sites in
-    Some (Behaviour.channel ~name:ch.channel.it ~sites ~closure)
+    Some (Behaviour.channel ~only ~name:ch.channel.it ~sites ~closure ())
   else None
 
 let channels_of t scope at list =

@@ -71,7 +71,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       split_step = program.split_step;
       keeps_time;
       steered;
-      local_steps = program.local_steps;
+      steps = program.steps;
       collisions = Settings.collisions program.settings;
       binding = Settings.binding program.settings;
       rigid;

@@ -21,7 +21,7 @@ let feature (f : Ast.feature) =
   | Named p -> path p
   | Tuple (prefix, vertices) -> List.concat_map path (Option.to_list prefix @ vertices)
 
-let channel (c : Ast.channel) = List.concat_map feature c.features
+let channel (c : Ast.channel) = List.concat_map (fun (m : Ast.member) -> feature m.feature) c.features
 
 let bound = function
   | None -> []

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_exact
 open Scc_syntax
+open Scc_calculus
 
 type body = {
   env : Env.t;
@@ -27,7 +28,7 @@ type t = {
   parameters : (string * Rat.t) list;
   shapes : string list;
   timestep : Rat.t;
-  local_steps : bool;
+  steps : Model.steps;
   split_step : Rat.t;
   settings : Settings.t;
   bodies : body list;
@@ -50,7 +51,7 @@ type gathered = {
   mutable params : (string * Rat.t) list;
   mutable templates : string list;
   mutable delta : (Rat.t option * Span.t) option;
-  mutable local_steps : bool;
+  mutable steps : Model.steps;
   mutable split : (Rat.t option * Span.t) option;
   settings : Settings.t;
   mutable all_bodies : body list;
@@ -179,9 +180,9 @@ and simple g place (i : Ast.item) =
   | Model name ->
     Option.iter (fun (first : Ast.name) -> repeated g name.at "the name of the model" first.at) g.model;
     g.model <- Some name
-  | Timestep (e, local) ->
+  | Timestep (e, kind) ->
     g.delta <- step g place g.delta "timestep" e;
-    g.local_steps <- local
+    g.steps <- (match kind with Shared -> Shared | Local -> Own | Steady -> Steady)
   | Split_step e -> g.split <- step g place g.split "split_step" e
   | Dynamics name -> Settings.dynamics g.settings g.c.report name
   | Collisions name -> Settings.read_collisions g.settings g.c.report name
@@ -238,7 +239,7 @@ let gather c overrides =
     params = [];
     templates = [];
     delta = None;
-    local_steps = false;
+    steps = Shared;
     split = None;
     settings = Settings.create ();
     all_bodies = [];
@@ -268,7 +269,7 @@ let program g =
     parameters = List.rev g.params;
     shapes = List.rev g.templates;
     timestep;
-    local_steps = g.local_steps;
+    steps = g.steps;
     split_step = value g.split ~default:timestep;
     settings = g.settings;
     bodies = List.rev g.all_bodies;

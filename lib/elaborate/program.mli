@@ -5,6 +5,7 @@
 open Scc_base
 open Scc_exact
 open Scc_syntax
+open Scc_calculus
 
 type body = {
   env : Env.t;
@@ -37,7 +38,7 @@ type t = {
   parameters : (string * Rat.t) list;
   shapes : string list;  (** names of shapes and compounds in order *)
   timestep : Rat.t;
-  local_steps : bool;  (** each process under a law has steps of its own *)
+  steps : Model.steps;
   split_step : Rat.t;
   settings : Settings.t;  (** of rigid motion *)
   bodies : body list;

@@ -10,7 +10,8 @@ let site m leaf s =
   else whole
 
 let surface m leaf (c : Behaviour.channel) =
-  "{" ^ String.concat ", " (List.map (site m leaf) c.sites) ^ "}"
+  let only s = "only " ^ site m leaf s in
+  "{" ^ String.concat ", " (List.map (site m leaf) c.sites @ List.map only c.only) ^ "}"
 
 let bare m leaf (c : Behaviour.channel) = Printf.sprintf "%s, %s" c.name (surface m leaf c)
 

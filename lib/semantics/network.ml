@@ -30,9 +30,10 @@ let finish (c : Semantics.t) ?(fired = []) label rules target =
       rounded = settled.rounded;
     }
 
-(* A collision ends the movement step, unless this instant has been steered already. *)
-let after_collision (step : State.step option) =
+(* A collision ends the movement step, unless this instant has been steered already, or steps keep their beat. *)
+let after_collision m (step : State.step option) =
   let next : State.phase -> State.phase = function
+    | Moving when Model.keeps_beat m -> Moving
     | Moving | Due -> Due
     | Steered -> Steered
   in
@@ -57,7 +58,7 @@ let splits c (s : State.t) kind =
   List.map (fun p -> List.map (happens c s ~step:s.step) (kind c p)) (Array.to_list s.processes) |> last_first
 
 let collisions c (s : State.t) =
-  let step = after_collision s.step in
+  let step = after_collision (Semantics.model c) s.step in
   let resolved cluster =
     match collision c s.processes cluster with
     | Error fault -> [ Error fault ]

@@ -33,7 +33,7 @@ let visible kinds ~deep ~searched ~evaluated =
 
 (* A model that no law steers has no steps of single processes to jump over. *)
 let without_jumps kinds (m : Model.t) =
-  if used kinds Jump || m.steered then m else { m with steered = true; local_steps = false }
+  if used kinds Jump || m.steered then m else { m with steered = true; steps = Shared }
 
 let time_seen kinds (m : Model.t) formulas : Time_seen.t =
   let steers_by_time (l : Model.leaf) = Law.mentions_time l.law in

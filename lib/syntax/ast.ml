@@ -83,8 +83,11 @@ and attribute_kind =
   | Spin of vector
   | At of transform list  (** [T1 * T2 * …], the last applied first; not empty *)
 
+(** A member of an active surface; [only]: without its closure. *)
+type member = { feature : feature; only : bool }
+
 (** A channel [<a, {f1,…}>], [omega(a, {…})] or an entry of [rho]. *)
-type channel = { channel : name; co : bool; features : feature list; span : Span.t }
+type channel = { channel : name; co : bool; features : member list; span : Span.t }
 
 type behaviour = behaviour_kind loc
 
@@ -119,12 +122,15 @@ and law_kind =
   | Expression of vector
   | Choose of (vector * expr option) list  (** a weight with each, or none *)
 
+(** Whose movement steps are, and what ends them: [local], [steady], or neither. *)
+type pace = Shared | Local | Steady
+
 type item = item_kind loc
 
 and item_kind =
   | Model of name
   | Param of name * expr
-  | Timestep of expr * bool  (** [local]: each process has its own *)
+  | Timestep of expr * pace
   | Split_step of expr
   | Dynamics of name
   | Collisions of name

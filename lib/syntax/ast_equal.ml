@@ -77,8 +77,10 @@ let attribute a b =
   | At ts, At us -> list transform ts us
   | (Mass _ | Velocity _ | Spin _ | At _), _ -> false
 
+let member (a : member) (b : member) = Bool.equal a.only b.only && feature a.feature b.feature
+
 let channel (a : channel) (b : channel) =
-  name a.channel b.channel && Bool.equal a.co b.co && list feature a.features b.features
+  name a.channel b.channel && Bool.equal a.co b.co && list member a.features b.features
 
 let rec behaviour (a : behaviour) (b : behaviour) =
   match (a.it, b.it) with
@@ -116,7 +118,7 @@ let rec item a b =
   | Model m, Model n -> name m n
   | Param (m, x), Param (n, y) | Let (m, x), Let (n, y) | Check (m, x), Check (n, y) ->
     name m n && expr x y
-  | Timestep (x, n), Timestep (y, k) -> expr x y && Bool.equal n k
+  | Timestep (x, n), Timestep (y, k) -> expr x y && n = k
   | Split_step x, Split_step y | Resolution x, Resolution y -> expr x y
   | Dynamics m, Dynamics n | Collisions m, Collisions n | Binding m, Binding n -> name m n
   | Round (m, x), Round (n, y) -> name m n && expr x y

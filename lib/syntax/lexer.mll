@@ -30,10 +30,10 @@
       ("inertial", INERTIAL); ("leads_to", LEADS_TO); ("let", LET); ("local", LOCAL); ("mass", MASS); ("matrix", MATRIX);
       ("mesh", MESH);
       ("model", MODEL); ("motion", MOTION); ("network", NETWORK); ("nil", NIL); ("not", NOT);
-      ("omega", OMEGA); ("on", ON); ("or", OR); ("param", PARAM); ("part", PART);
+      ("omega", OMEGA); ("on", ON); ("only", ONLY); ("or", OR); ("param", PARAM); ("part", PART);
       ("possibly", POSSIBLY); ("process", PROCESS); ("quaternion", QUATERNION);
       ("resolution", RESOLUTION); ("rho", RHO); ("rotate", ROTATE); ("round", ROUND); ("scale", SCALE); ("scaled", SCALED); ("shape", SHAPE); ("spin", SPIN);
-      ("split_step", SPLIT_STEP); ("then", THEN); ("timestep", TIMESTEP); ("translate", TRANSLATE);
+      ("split_step", SPLIT_STEP); ("steady", STEADY); ("then", THEN); ("timestep", TIMESTEP); ("translate", TRANSLATE);
       ("true", TRUE); ("velocity", VELOCITY); ("vertices", VERTICES); ("weight", WEIGHT);
       ("within", WITHIN);
     ]

@@ -17,53 +17,16 @@
   let join left bond right = { left with tail = right.tail @ ((bond, right.head) :: left.tail) }
 %}
 
-(* Words of the language *)
-%token MODEL PARAM TIMESTEP SPLIT_STEP DYNAMICS COLLISIONS BINDING RESOLUTION ROUND SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND FOR NETWORK MOTION
-%token LET CHECK LOCAL
-%token VERTICES FACES SCALED MESH PART GLUE ON IN MASS VELOCITY SPIN AT
-%token TRANSLATE ROTATE QUATERNION SCALE MATRIX
-%token NIL OMEGA RHO EPS INERTIAL CHOOSE WEIGHT
-%token TRUE FALSE IF THEN ELSE NOT AND OR FORALL EXISTS COUNT
-%token POSSIBLY ALWAYS EVENTUALLY WITHIN LEADS_TO EVENT
-%token A E U AG AF AX EG EF EX
-
-(* Marks. LABEL_BRACKET is a `[` whose `]` is followed by a colon: the indices of a leaf's name, where `[`
-   would open a behaviour *)
-%token LPAREN RPAREN LBRACKET LABEL_BRACKET RBRACKET LBRACE RBRACE
-%token COMMA COLON DOT DOTDOT TILDE PARALLEL
-%token EQ NE LT LE GT GE IMPLIES PLUS MINUS STAR SLASH
-%token EOF
-
-%token <string> NAME
-(* Letters of the temporal operators that mean nothing alone: X, F, G *)
-%token <string> LETTER
-%token <string> BARRED
-%token <string> STRING
-%token <Q.t> NUMBER
-
-(* From the loosest to the tightest; OPEN is for what reaches as far to the right as it can *)
-%nonassoc OPEN
-%nonassoc LEADS_TO
-%nonassoc WITHIN
-%right IMPLIES
-%left OR
-%left AND
-%nonassoc NOT
-%nonassoc EQ NE LT LE GT GE
-%nonassoc WITHIN_ARGUMENT
-%left PLUS MINUS
-%left STAR SLASH
-%nonassoc NEGATION
-
 %start <Ast.model> model
 %start <Ast.expr> expression
 
 (* On an error, finish what can be finished: fewer states, and a message about the larger thing *)
 %on_error_reduce expr arithmetic plain_path segment term_segment behaviour behaviour_term solid
+  indexed(name) indexed(member_name)
   chain(moving) chain(still) leaf(moving) leaf(still) moving still body
   reversed(attribute) reversed(transform_factor)
   reversed(item) reversed(vertex) reversed(face) reversed(part) reversed(glue) reversed(parallel) transforms
-  path term_path feature name term_name plain_name
+  path term_path feature(name) feature(member_name) name member_name term_name plain_name common_name
 
 %%
 
@@ -91,9 +54,10 @@ comma_separated(X):
 
 (* Names and paths *)
 
-(* A letter of the temporal operators is a name wherever it cannot be one of them. *)
+(* A letter of the temporal operators is a name wherever it cannot be one of them, and `only` where it cannot be the
+   word before a feature. *)
 
-plain_name:
+common_name:
 | n = NAME { at $loc n }
 | n = LETTER { at $loc n }
 | U { at $loc "U" }
@@ -105,18 +69,17 @@ plain_name:
 | BINDING { at $loc "binding" }
 | RESOLUTION { at $loc "resolution" }
 | ROUND { at $loc "round" }
+| STEADY { at $loc "steady" }
+
+plain_name:
+| n = common_name { n }
+| ONLY { at $loc "only" }
 
 %inline quantifying_letter:
 | A { at $loc "A" }
 | E { at $loc "E" }
 
-(* Where an expression may stand: `A[` is followed by indices or by `f U g]`, which the bracket after tells. *)
-term_name:
-| n = plain_name { n }
-| n = quantifying_letter { n }
-
-name:
-| n = term_name { n }
+%inline operator_word:
 | AF { at $loc "AF" }
 | AG { at $loc "AG" }
 | AX { at $loc "AX" }
@@ -124,20 +87,29 @@ name:
 | EG { at $loc "EG" }
 | EX { at $loc "EX" }
 
-segment:
-| name = name { { name; indices = [] } }
-| name = name LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
+(* Where an expression may stand: `A[` is followed by indices or by `f U g]`, which the bracket after tells. *)
+term_name: n = plain_name | n = quantifying_letter { n }
+
+name: n = term_name | n = operator_word { n }
+
+member_name: n = common_name | n = quantifying_letter | n = operator_word { n }
+
+indexed(N):
+| name = N { { name; indices = [] } }
+| name = N LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
+
+segment: s = indexed(name) { s }
 
 term_segment:
 | name = term_name { { name; indices = [] } }
 | name = plain_name LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
 | name = quantifying_letter LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
 
-segments:
-| s = segment { [ s ] }
-| ss = segments DOT s = segment { s :: ss }
+segments(N):
+| s = indexed(N) { [ s ] }
+| ss = segments(N) DOT s = segment { s :: ss }
 
-path: ss = segments { at $loc (List.rev ss) }
+path: ss = segments(name) { at $loc (List.rev ss) }
 
 term_segments:
 | s = term_segment { [ s ] }
@@ -155,14 +127,18 @@ quadruple: LPAREN w = expr COMMA x = expr COMMA y = expr COMMA z = expr RPAREN {
 
 (* Features, channels and bonds *)
 
-feature:
-| ss = segments { at $loc (Named (at $loc (List.rev ss))) }
-| ss = segments DOT vs = vertex_tuple { at $loc (Tuple (Some (at $loc(ss) (List.rev ss)), vs)) }
+feature(N):
+| ss = segments(N) { at $loc (Named (at $loc (List.rev ss))) }
+| ss = segments(N) DOT vs = vertex_tuple { at $loc (Tuple (Some (at $loc(ss) (List.rev ss)), vs)) }
 | vs = vertex_tuple { at $loc (Tuple (None, vs)) }
 
 vertex_tuple: LBRACKET vs = comma_list(path) RBRACKET { vs }
 
-features: LBRACE fs = optional_list(feature) RBRACE { fs }
+member:
+| f = feature(member_name) { { feature = f; only = false } }
+| ONLY f = feature(name) { { feature = f; only = true } }
+
+features: LBRACE fs = optional_list(member) RBRACE { fs }
 
 angle_channel:
 | LT c = polar_name COMMA features = features GT
@@ -173,7 +149,7 @@ weak_channel:
     { { co = fst c; channel = snd c; features; span = span $loc } }
 
 bond:
-| LT bond = name COMMA LBRACE first = feature COMMA second = feature RBRACE GT
+| LT bond = name COMMA LBRACE first = feature(name) COMMA second = feature(name) RBRACE GT
     { { bond; first; second; bond_span = span $loc } }
 
 (* Behaviours *)
@@ -226,7 +202,7 @@ part:
     { { part; part_solid; part_attributes; part_span = span $loc } }
 
 glue:
-| GLUE glue_first = feature TILDE glue_second = feature
+| GLUE glue_first = feature(name) TILDE glue_second = feature(name)
     { { glue_first; glue_second; glue_span = span $loc } }
 
 (* Processes: [labelled] and [unlabelled] are told apart by the colon, [moving] and [still] by whether the
@@ -273,13 +249,17 @@ kick:
 range: i = name IN low = expr DOTDOT high = expr { (i, low, high) }
 parallel: PARALLEL p = path { p }
 
+%inline pace:
+| { Shared }
+| LOCAL { Local }
+| STEADY { Steady }
+
 item: i = item_kind { at $loc i }
 
 item_kind:
 | MODEL n = name { Model n }
 | PARAM n = name EQ e = expr { Param (n, e) }
-| TIMESTEP e = expr { Timestep (e, false) }
-| TIMESTEP e = expr LOCAL { Timestep (e, true) }
+| TIMESTEP e = expr p = pace { Timestep (e, p) }
 | SPLIT_STEP e = expr { Split_step e }
 | DYNAMICS d = NAME { Dynamics (at $loc(d) d) }
 | COLLISIONS c = NAME { Collisions (at $loc(c) c) }

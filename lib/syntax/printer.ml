@@ -158,9 +158,9 @@ let rec item i =
   match i.it with
   | Model n -> head "model %s" n.it
   | Param (n, e) -> definition (head "param %s =" n.it) (formula e)
-  | Timestep (e, whose) ->
-    let length = formula e in
-    definition (head "timestep") (if whose then cat [ length; text ~at:(last_byte span) " local" ] else length)
+  | Timestep (e, kind) ->
+    let word = match kind with Shared -> [] | Local -> [ " local" ] | Steady -> [ " steady" ] in
+    definition (head "timestep") (cat (formula e :: map (text ~at:(last_byte span)) word))
   | Split_step e -> definition (head "split_step") (formula e)
   | Dynamics n -> head "dynamics %s" n.it
   | Collisions n -> head "collisions %s" n.it

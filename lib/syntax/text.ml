@@ -255,9 +255,11 @@ let feature f =
   | Tuple (None, vs) -> paths vs
   | Tuple (Some p, vs) -> path p ^ "." ^ paths vs
 
+let member m = if m.only then "only " ^ feature m.feature else feature m.feature
+
 let surface (c : channel) =
   Printf.sprintf "%s%s, {%s}" (if c.co then "~" else "") c.channel.it
-    (String.concat ", " (List.map feature c.features))
+    (String.concat ", " (List.map member c.features))
 
 let angle c = "<" ^ surface c ^ ">"
 let bond b = Printf.sprintf "<%s, {%s, %s}>" b.bond.it (feature b.first) (feature b.second)

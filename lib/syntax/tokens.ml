@@ -154,7 +154,7 @@ let begins_bond tokens i =
   match (tokens.(i).token, tokens.(i + 1).token) with
   | BOND, LT -> i = 0 || (match tokens.(i - 1).token with
       | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | A | E | U | AF | AG | AX | EF | EG | EX | EVENT
-      | NUMBER _ | NIL | INERTIAL | LOCAL -> true
+      | NUMBER _ | NIL | INERTIAL | LOCAL | STEADY -> true
       | _ -> false)
   | _ -> false
 
@@ -163,7 +163,7 @@ let begins_setting tokens i =
   let ended () =
     i = 0 || (match tokens.(i - 1).token with
         | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | A | E | U | AF | AG | AX | EF | EG | EX | EVENT
-        | NUMBER _ | NIL | INERTIAL | LOCAL | TRUE | FALSE -> true
+        | NUMBER _ | NIL | INERTIAL | LOCAL | STEADY | TRUE | FALSE -> true
         | _ -> false)
   in
   match (tokens.(i).token, tokens.(i + 1).token) with

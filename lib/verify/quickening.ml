@@ -49,7 +49,10 @@ let linear (law : Law.t) =
   | Velocity (x, y, z) -> is_linear x && is_linear y && is_linear z
 
 let may_quicken (m : Model.t) =
-  Model.of_all m && Option.is_none m.rigid && Array.for_all (fun (l : Model.leaf) -> linear l.law) m.leaves
+  Model.of_all m
+  && (not (Model.keeps_beat m))
+  && Option.is_none m.rigid
+  && Array.for_all (fun (l : Model.leaf) -> linear l.law) m.leaves
 
 (** {2 Rounds} *)
 

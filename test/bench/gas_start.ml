@@ -119,7 +119,7 @@ let network t =
       binding = On_collision;
       rigid = None;
       steered = false;
-      local_steps = false;
+      steps = Shared;
     }
   in
   (m, State.make ~processes:(Array.to_list (Array.map snd all)) ~step:None ~time:None)

@@ -437,7 +437,31 @@ def i_33():
     return r
 
 
+def i_34():
+    r = Rule('I-34')
+    corner = dock(v='(1,1,0)', at='(4,4,0)')
+    edges = ('p.[c,g]', 'q.[a,e]')
+    r.outcomes('A face has its edges.', corner, [TIME], [binds('dock', *edges)])
+    only = corner.replace('{right}', '{only right}')
+    r.outcomes('Alone it has not.', only, [TIME], [bounces('p', 'q')])
+    r.outcomes('An edge that is listed itself.', corner.replace('{right}', '{only right, only [c,g]}'), [TIME],
+               [binds('dock', *edges)])
+    r.outcomes('Face to face.', dock().replace('{right}', '{only right}'), [TIME], [binds('dock', 'p.right', 'q.left')])
+    r.refused('There is no first instant at which open faces meet.', 'binding contact\n' + only, 'SC0901')
+    return r
+
+
+def i_35():
+    r = Rule('I-35')
+    after = [TIME, BOUNCE]
+    r.value('A step that a collision ends: the law is asked at 2/3.', FALLING % '', after, 'vz(ball)', '-2/3')
+    r.value('One that keeps its beat.', FALLING % 'steady', after, 'vz(ball)', 0)
+    r.outcomes('It ends at 1.', FALLING % 'steady', after, [passes('1/3')])
+    r.value('And then the law is asked, with dt = 1.', FALLING % 'steady', after + [TIME], 'vz(ball)', -1)
+    return r
+
+
 def suites():
     return [f() for f in (i_1, i_2, i_3, i_4, i_5, i_6, i_7, i_8, i_9, i_10, i_11, i_12, i_13, i_14, i_15, i_16, i_17, i_18,
                           i_19, i_20, i_21, i_22, i_23, i_24, i_25, i_26, i_27, i_28, i_29, i_30,
-                          i_31, i_32, i_33)]
+                          i_31, i_32, i_33, i_34, i_35)]

@@ -81,7 +81,7 @@ let cut_channel axis (c : Behaviour.channel) =
   let closure (site : Site.t) =
     List.map (fun feature -> { site with feature }) (Polyhedron.closure Cube.polyhedron [ site.feature ])
   in
-  Behaviour.channel ~name:c.name ~sites ~closure:(List.concat_map closure sites)
+  Behaviour.channel ~name:c.name ~sites ~closure:(List.concat_map closure sites) ()
 
 let rec cut_behaviour axis shift (b : Behaviour.t) =
   let again = cut_behaviour axis shift and channel = cut_channel axis in

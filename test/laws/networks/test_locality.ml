@@ -141,7 +141,7 @@ let straight first second =
   (reach first, reach (Random_network.like first second))
 
 (* Each process under a law has steps of its own. *)
-let by_itself (m : Model.t) = { m with local_steps = true }
+let by_itself (m : Model.t) = { m with steps = Own }
 
 let falling first second =
   let reach network =

@@ -53,7 +53,7 @@ let channel faces =
   let features = List.map (fun f -> Feature.Face f) faces in
   let sites = List.map (fun feature -> { Site.part = 0; feature }) in
   Behaviour.channel ~name:"a" ~sites:(sites features)
-    ~closure:(sites (Polyhedron.closure Cube.polyhedron features))
+    ~closure:(sites (Polyhedron.closure Cube.polyhedron features)) ()
 
 let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 3; 5 ]
@@ -110,7 +110,7 @@ let model { bodies; switches; _ } : Model.t =
       binding = On_collision;
       rigid = None;
       steered = List.exists (fun b -> b.falls) bodies;
-      local_steps = false;
+      steps = Shared;
     }
 
 (* Cells are as large as the greatest shape and the greatest jitter together; packed, as large as a cube. *)

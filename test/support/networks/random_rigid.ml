@@ -93,7 +93,7 @@ let channel faces =
   let features = List.map (fun f -> Feature.Face f) faces in
   let sites = List.map (fun feature -> { Site.part = 0; feature }) in
   Behaviour.channel ~name:"a" ~sites:(sites features)
-    ~closure:(sites (Polyhedron.closure Cube.polyhedron features))
+    ~closure:(sites (Polyhedron.closure Cube.polyhedron features)) ()
 
 let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 2; 5 ]
@@ -149,7 +149,7 @@ let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
             dynamics; resolution = rational 1 1024; round_orientation = rounding; round_velocity = rounding;
           };
       steered = List.exists (fun b -> b.falls && not b.fixed) bodies;
-      local_steps = false;
+      steps = Shared;
     }
 
 (* Packed, a cell is as large as a cube. *)

@@ -1,28 +1,30 @@
 open Scc_calculus
 module Gen = QCheck2.Gen
 
-type t = { together : bool; local : bool; by_contact : bool }
+type t = { together : bool; steps : Model.steps; by_contact : bool }
 
-let off = { together = false; local = false; by_contact = false }
+let off = { together = false; steps = Model.Shared; by_contact = false }
 
 let together = { off with together = true }
-let local = { off with local = true }
+let local = { off with steps = Own }
 let by_contact = { off with by_contact = true }
 
 let generate ?(rigid = false) () =
   let open Gen in
   let* together = frequencyl [ (2, true); (1, false) ] in
-  let+ local = bool and* by_contact = if rigid then pure false else bool in
-  { together; local; by_contact }
+  let+ steps = oneofl [ Model.Shared; Own; Steady ] and* by_contact = if rigid then pure false else bool in
+  { together; steps; by_contact }
 
 let apply s (m : Model.t) =
   {
     m with
     collisions = (if s.together then Together else In_turn);
     binding = (if s.by_contact then On_contact else On_collision);
-    local_steps = s.local && m.steered;
+    steps = s.steps;
   }
 
 let print s =
   let word on w = if on then w else "" in
-  word s.together " together" ^ word s.local " local" ^ word s.by_contact " contact"
+  word s.together " together"
+  ^ (match s.steps with Shared -> "" | Own -> " local" | Steady -> " steady")
+  ^ word s.by_contact " contact"

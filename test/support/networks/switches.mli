@@ -1,4 +1,4 @@
-(** The switches of the semantics that a model may choose (readings I-31, I-32 and I-33), for random networks. *)
+(** The switches of the semantics that a model may choose (readings I-31 to I-33, I-35), for random networks. *)
 
 open Scc_calculus
 
@@ -14,8 +14,8 @@ val by_contact : t
 (** One of them alone. *)
 
 val generate : ?rigid:bool -> unit -> t QCheck2.Gen.t
-(** Some on, some off: collisions together, steps of single processes (which count where something is steered) and,
-    but with [rigid], binding by contact. *)
+(** Some on, some off: collisions together, steps of single processes or steady ones (which count where something is
+    steered) and, but with [rigid], binding by contact. *)
 
 val apply : t -> Model.t -> Model.t
 val print : t -> string

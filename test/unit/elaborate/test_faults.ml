@@ -256,6 +256,8 @@ let behaviours_and_laws =
     case "a fault in an unused behaviour" "SC0203" "tip" (cube ^ "behaviour K on Cube = <a, {tip}>. nil");
     case "a quantum that is not positive" "SC0601" "0" "motion (round(vx, 0), 0, 0)";
     case "a state predicate as a check" "SC0701" "time > 1" ~says:"always" "check k : time > 1";
+    case "only, where contact binds" "SC0901" "top"
+      (cube ^ "binding contact process p = Cube mass 1 [<a, {only top}>. nil]");
     case "choose" "SC0901" "choose { (1,0,0), (0,1,0) }" "motion choose { (1,0,0), (0,1,0) }";
   ]
 

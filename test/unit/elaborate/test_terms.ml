@@ -165,8 +165,24 @@ let features () =
   match (state_leaf t "q").behaviour.term with
   | Behaviour.Open (_, c, _) ->
     (* a top with 4 edges and 4 corners, an edge with 2 and an edge with 2 *)
-    Alcotest.(check int) "closure" (1 + 4 + 4 + (1 + 2) + (1 + 2)) (List.length c.closure)
+    Alcotest.(check int) "closure" (1 + 4 + 4 + (1 + 2) + (1 + 2)) (List.length c.surface)
   | _ -> Alcotest.fail "a channel was expected"
+
+let only () =
+  let t =
+    accept
+      (cube ^ corner
+       ^ "process p = Cube mass 1 [<a, {only top, only [b,a], right, only [b,c]}>. nil]\n\
+          process q = Corner at translate (20,0,0) [<a, {only left.top, only q.arm.[a,b]}>. nil]")
+  in
+  match ((state_leaf t "p").behaviour.term, (state_leaf t "q").behaviour.term) with
+  | Behaviour.Open (_, c, _), Behaviour.Open (_, d, _) ->
+    let names leaf = List.map (Model.site_name t.model ~leaf:(leaf_index t leaf)) in
+    Alcotest.(check strings) "an edge of right is in its closure" [ "p.[a,b]"; "p.top" ] (names "p" c.only);
+    Alcotest.(check strings) "listed with its closure" [ "p.right" ] (names "p" c.sites);
+    Alcotest.(check int) "right with its edges and corners, and two more" (1 + 4 + 4 + 2) (List.length c.surface);
+    Alcotest.(check strings) "of a compound" [ "q.left.top"; "q.arm.[a,b]" ] (names "q" d.surface)
+  | _ -> Alcotest.fail "channels were expected"
 
 let definitions () =
   let t =
@@ -350,7 +366,11 @@ let () =
           case "velocity of a compound" compound_velocity;
           case "mesh" mesh;
         ] );
-      ("behaviours", [ case "features" features; case "definitions" definitions; case "canonical" canonical ]);
+      ( "behaviours",
+        [
+          case "features" features; case "only" only; case "definitions" definitions;
+          case "canonical" canonical;
+        ] );
       ("networks", [ case "bonds" bonds; case "network" network; case "fixed" fixed ]);
       ("motion", [ case "laws" motion; case "time" time ]);
       ("size", [ case "deep" deep; case "large" large ]);

@@ -252,6 +252,25 @@ let by_contact () =
   let s = after m s [ "bind(b, r.top, s.bottom)"; "time(1)" ] in
   check_labels "the first instant at which surfaces meet" [ "bind(a, p.[c,g], q.[a,e])" ] m s
 
+(* p comes to touch the left of q, and r the edge between right and back of p: across the middle of four. *)
+let without_closure () =
+  let text inner =
+    Printf.sprintf
+      "process p = Cube mass 1 velocity (1,1,0) at translate (-3,-3,0) [<a, {%sright, %sback}>. nil]\n\
+       process q = Cube mass 1 [<~a, {%sleft, %sfront}>. nil]\n\
+       process r = Cube mass 1 velocity (1,0,0) at translate (-3,40,0) [<a, {%sright, %sback}>. nil]\n\
+       process s = Cube mass 1 at translate (0,40,0) [<~a, {%sleft, %sfront}>. nil]"
+      inner inner inner inner inner inner inner inner
+  in
+  let first m s = after m s [ "time(1)" ] in
+  let m, s = start (text "") in
+  let edge = "bind(a, p.[c,g], q.[a,e])" and face = "bind(a, r.right, s.left)" in
+  check_labels "by the face, and at the edge" [ edge; face ] m (first m s);
+  let m, s = start (text "only ") in
+  check_labels "by the face alone" [ "bounce(p, q)"; face ] m (first m s);
+  let m, s = start (text "right, only ") in
+  check_labels "unless its closure is listed as well" [ edge; face ] m (first m s)
+
 let many_apart () =
   let text =
     {|for i in 1..20 { process c[i] = Cube mass 1 velocity (i, i*i, 0) at translate (3*i, 3*i*i, 0) [nil] }|}
@@ -364,6 +383,7 @@ let () =
           case "D-24: the highest dimension is that of two channels" highest_of_each;
           case "I-32: a cube that hits two moves both alike" hits_two;
           case "I-33: channels that open or slide into place" by_contact;
+          case "I-34: features without their closure" without_closure;
           case "Ftoc: many bodies that never meet" many_apart;
           case "D-34: tiles that are separate bodies" separate_tiles;
         ] );

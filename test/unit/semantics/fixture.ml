@@ -20,7 +20,7 @@ let site name : Site.t = { part = 0; feature = face name }
 let channel name faces =
   let features = List.map face faces in
   let sites = List.map (fun feature -> { Site.part = 0; feature }) in
-  Behaviour.channel ~name ~sites:(sites features) ~closure:(sites (Polyhedron.closure cube features))
+  Behaviour.channel ~name ~sites:(sites features) ~closure:(sites (Polyhedron.closure cube features)) ()
 
 let open_ name faces b = Behaviour.open_ Behaviour.Name (channel name faces) b
 let co_open name faces b = Behaviour.open_ Behaviour.Co_name (channel name faces) b
@@ -68,7 +68,7 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
     binding = On_collision;
     rigid = None;
     steered = List.exists (fun b -> not (inertial b.law)) bodies;
-    local_steps = false;
+    steps = Shared;
   }
 
 let leaf i b : State.leaf =

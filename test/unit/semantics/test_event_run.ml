@@ -131,7 +131,7 @@ let boxed ?(keeps_time = false) velocities =
       binding = On_collision;
       rigid = None;
       steered = false;
-      local_steps = false;
+      steps = Shared;
     }
   in
   let process i (_, position, velocity) =

@@ -169,6 +169,23 @@ let steer_once () =
   check_velocity "and thrown back, once" "(0, 0, 10)" s 0;
   check_labels "time passes" [ "time(1)" ] m s
 
+let steer_on_the_beat () =
+  (* As above, but that a bounce leaves the step and the velocity as they are: 7/10 of the step remain. *)
+  let bodies =
+    [ body "p" (0, 0, 5) ~velocity:(0, 0, -10) ~law:falling; body "floor" (0, 0, 0) ~fixed:true ]
+  in
+  let m = { (model bodies) with steps = Steady } in
+  let s = start m (declared bodies) in
+  let s = take m s "time(3/10)" in
+  let s = take m s "bounce(p, floor)" in
+  check_velocity "thrown back" "(0, 0, 10)" s 0;
+  check_labels "the step goes on" [ "time(7/10)" ] m s;
+  let s = take m s "time(7/10)" in
+  check_velocity "steered at the beat, with dt = 1" "(0, 0, 0)" s 0;
+  (* 7 above the floor for a whole step, then falling at 10: it comes when it came before *)
+  let s = take m (take m (take m s "time(1)") "time(7/10)") "bounce(p, floor)" in
+  check_labels "of the same step 3/10 remain" [ "time(3/10)" ] m s
+
 let bad_law () =
   let law = Law.Velocity (Law.Div (Const (q 1), var Dt), Const (q 0), Const (q 0)) in
   let bodies = [ body "p" (0, 0, 0) ~law ] in
@@ -199,7 +216,7 @@ let own_steps () =
       body "w" (11, 0, 0) ~fixed:true;
     ]
   in
-  let m = { (model bodies) with local_steps = true } in
+  let m = { (model bodies) with steps = Own } in
   (* q begins a step a quarter later than p, as if something had hit it then *)
   let late (s : State.t) =
     let waited l = { l with State.waited = ratio 1 4 } in
@@ -242,6 +259,7 @@ let () =
           case "Steer: steps of single processes (I-31)" own_steps;
           case "Steer: after a collision (I-10)" steer_after_collision;
           case "Steer: once an instant (I-15)" steer_once;
+          case "Steer: steps that keep their beat (I-35)" steer_on_the_beat;
           case "Steer: a law that cannot be evaluated" bad_law;
           case "Time: Zeno" zeno;
         ] );

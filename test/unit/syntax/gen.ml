@@ -130,7 +130,7 @@ let feature =
 let channel =
   let* channel = name in
   let* co = bool in
-  let* features = few feature in
+  let* features = few (map2 (fun feature only -> { feature; only }) feature bool) in
   return { channel; co; features; span = Scc_base.Span.none }
 
 let behaviour =
@@ -225,7 +225,7 @@ let simple_item =
     [
       map (fun n -> Model n) name;
       map2 (fun n e -> Param (n, e)) name expr;
-      map2 (fun e local -> Timestep (e, local)) expr bool;
+      map2 (fun e kind -> Timestep (e, kind)) expr (oneofl [ Shared; Local; Steady ]);
       map (fun e -> Split_step e) expr;
       map (fun n -> Dynamics n) (located (oneofl [ "constant_spin"; "free_body"; "other" ]));
       map (fun e -> Resolution e) fineness;

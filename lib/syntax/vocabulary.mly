@@ -1,0 +1,41 @@
+(* The tokens of the grammar in parser.mly, and how tightly its operators bind. *)
+
+(* Words of the language *)
+%token MODEL PARAM TIMESTEP SPLIT_STEP DYNAMICS COLLISIONS BINDING RESOLUTION ROUND SHAPE COMPOUND BEHAVIOUR PROCESS FIXED BOND
+%token FOR NETWORK MOTION LET CHECK LOCAL STEADY
+%token VERTICES FACES SCALED MESH PART GLUE ON IN MASS VELOCITY SPIN AT
+%token TRANSLATE ROTATE QUATERNION SCALE MATRIX
+%token ONLY NIL OMEGA RHO EPS INERTIAL CHOOSE WEIGHT
+%token TRUE FALSE IF THEN ELSE NOT AND OR FORALL EXISTS COUNT
+%token POSSIBLY ALWAYS EVENTUALLY WITHIN LEADS_TO EVENT
+%token A E U AG AF AX EG EF EX
+
+(* Marks. LABEL_BRACKET is a `[` whose `]` is followed by a colon: the indices of a leaf's name, where `[`
+   would open a behaviour *)
+%token LPAREN RPAREN LBRACKET LABEL_BRACKET RBRACKET LBRACE RBRACE
+%token COMMA COLON DOT DOTDOT TILDE PARALLEL
+%token EQ NE LT LE GT GE IMPLIES PLUS MINUS STAR SLASH
+%token EOF
+
+%token <string> NAME
+(* Letters of the temporal operators that mean nothing alone: X, F, G *)
+%token <string> LETTER
+%token <string> BARRED
+%token <string> STRING
+%token <Q.t> NUMBER
+
+(* From the loosest to the tightest; OPEN is for what reaches as far to the right as it can *)
+%nonassoc OPEN
+%nonassoc LEADS_TO
+%nonassoc WITHIN
+%right IMPLIES
+%left OR
+%left AND
+%nonassoc NOT
+%nonassoc EQ NE LT LE GT GE
+%nonassoc WITHIN_ARGUMENT
+%left PLUS MINUS
+%left STAR SLASH
+%nonassoc NEGATION
+
+%%
