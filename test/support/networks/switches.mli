@@ -14,7 +14,7 @@ val by_contact : t
 (** One of them alone. *)
 
 val generate : ?rigid:bool -> unit -> t QCheck2.Gen.t
-(** Some on, some off: collisions together, steps of single processes or steady ones (which count where something is
+(** Some on, some off: collisions together, steps of single processes or steady ones (where something is
     steered) and, but with [rigid], binding by contact. *)
 
 val apply : t -> Model.t -> Model.t

@@ -254,21 +254,22 @@ let by_contact () =
 
 (* p comes to touch the left of q, and r the edge between right and back of p: across the middle of four. *)
 let without_closure () =
-  let text inner =
+  let text listed =
+    let right = listed "right" ^ ", " ^ listed "back" and left = listed "left" ^ ", " ^ listed "front" in
     Printf.sprintf
-      "process p = Cube mass 1 velocity (1,1,0) at translate (-3,-3,0) [<a, {%sright, %sback}>. nil]\n\
-       process q = Cube mass 1 [<~a, {%sleft, %sfront}>. nil]\n\
-       process r = Cube mass 1 velocity (1,0,0) at translate (-3,40,0) [<a, {%sright, %sback}>. nil]\n\
-       process s = Cube mass 1 at translate (0,40,0) [<~a, {%sleft, %sfront}>. nil]"
-      inner inner inner inner inner inner inner inner
+      "process p = Cube mass 1 velocity (1,1,0) at translate (-3,-3,0) [<a, {%s}>. nil]\n\
+       process q = Cube mass 1 [<~a, {%s}>. nil]\n\
+       process r = Cube mass 1 velocity (1,0,0) at translate (-3,40,0) [<a, {%s}>. nil]\n\
+       process s = Cube mass 1 at translate (0,40,0) [<~a, {%s}>. nil]"
+      right left right left
   in
   let first m s = after m s [ "time(1)" ] in
-  let m, s = start (text "") in
+  let m, s = start (text Fun.id) in
   let edge = "bind(a, p.[c,g], q.[a,e])" and face = "bind(a, r.right, s.left)" in
   check_labels "by the face, and at the edge" [ edge; face ] m (first m s);
-  let m, s = start (text "only ") in
+  let m, s = start (text (fun f -> "only " ^ f)) in
   check_labels "by the face alone" [ "bounce(p, q)"; face ] m (first m s);
-  let m, s = start (text "right, only ") in
+  let m, s = start (text (fun f -> f ^ ", only " ^ f)) in
   check_labels "unless its closure is listed as well" [ edge; face ] m (first m s)
 
 let many_apart () =
