@@ -8,5 +8,7 @@ let merge a b =
 let none = { file = ""; start = 0; stop = 0 }
 let is_none s = String.equal s.file "" && s.start = 0 && s.stop = 0
 
+let command_line = { none with file = "command line" }
+
 let equal a b =
   String.equal a.file b.file && a.start = b.start && a.stop = b.stop

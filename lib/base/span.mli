@@ -13,7 +13,11 @@ val merge : t -> t -> t
 (** The least span that covers both; both must be of one file (the first's is kept). *)
 
 val none : t
-(** The span of what no text wrote (a value given by [-D], say). *)
+(** The span of what no text wrote. *)
 
 val is_none : t -> bool
+
+val command_line : t
+(** Of what the command line says wrongly: a value given by [-D] to a parameter that there is not, say. *)
+
 val equal : t -> t -> bool

@@ -10,6 +10,7 @@ type leaf = {
   fixed : bool;
   mass : Rat.t;
   law : Law.t;
+  law_at : Scc_base.Span.t;
 }
 
 type dynamics = Constant_spin | Free_body

@@ -22,6 +22,7 @@ type leaf = {
   fixed : bool;  (** a wall: infinite mass, never moves *)
   mass : Rat.t;  (** the sum over the parts *)
   law : Law.t;
+  law_at : Scc_base.Span.t;  (** where it is declared; {!Scc_base.Span.none} when nothing declares one *)
 }
 
 (** What a turning body keeps from one turn to the next (rule Turn). *)

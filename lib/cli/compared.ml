@@ -71,9 +71,8 @@ let load console options ?renamed ~overrides path =
     else
       Error
         [
-          Diag.error Code.unknown_parameter
-            (Span.make ~file:path ~start:0 ~stop:0)
-            "a graph has no parameters that could be given a value";
+          Diag.error Code.unknown_parameter Span.command_line
+            "%s is a graph, and has no parameters that could be given a value" path;
         ]
   else load_model console options ?renamed ~overrides path
 

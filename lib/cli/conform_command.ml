@@ -19,7 +19,7 @@ type options = {
 
 let parameters (trace : Recorded.t) overrides =
   let clash name =
-    [ Recorded.malformed Span.none "the trace was made with another value of `%s` than -D gives" name ]
+    [ Recorded.malformed Span.command_line "the trace was made with another value of `%s` than -D gives" name ]
   in
   Result.map_error clash (Origin.values ~recorded:trace.parameters ~overrides)
 
@@ -43,10 +43,6 @@ let note_semantics console (trace : Recorded.t) =
          Scc_calculus.Parameters.version)
   | Some _ | None -> ()
 
-let read console path =
-  let* source = Input.text console path in
-  Read.trace source
-
 let write_run path origin choices =
   let text = Schedule.to_string origin choices ~offset:None in
   Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
@@ -60,9 +56,13 @@ let exit_code : Verdict.answer -> Exit_code.t = function
 
 let conform console o =
   let interrupted = Watch.interrupted (Watch.start ()) in
-  let* trace = read console o.trace in
+  let* source = Input.text console o.trace in
+  let* trace = Read.trace source in
   let* overrides = parameters trace o.overrides in
-  let* l = Input.model console ~overrides o.path in
+  let given =
+    if o.overrides = [] then Span.make ~file:(Source.name source) ~start:0 ~stop:0 else Span.command_line
+  in
+  let* l = Input.model ~given console ~overrides o.path in
   let* () = check_digest trace l.origin in
   Console.report console l.warnings;
   note_semantics console trace;
@@ -106,7 +106,7 @@ let tolerance =
      0, the default, they have to be equal. A trace with floats (numbers with a point or an exponent) needs one; \
      in a rigid model not less than its resolution, unless it is 0."
   in
-  Arg.(value & opt (some Options.rational) None & info [ "tolerance" ] ~docv:"T" ~doc)
+  Arg.(value & opt (some (Options.not_negative "tolerance")) None & info [ "tolerance" ] ~docv:"T" ~doc)
 
 let unobserved =
   let doc =

@@ -14,7 +14,6 @@ let read console path =
 let tolerance asked (a : Recorded.t) (b : Recorded.t) =
   let refuse at fmt = Printf.ksprintf (fun s -> Error [ Recorded.malformed at "%s" s ]) fmt in
   match (asked, a.inexact, b.inexact) with
-  | Some t, _, _ when Rat.sign t < 0 -> refuse Scc_base.Span.none "the tolerance is negative"
   | Some t, _, _ -> Ok t
   | None, Some at, _ | None, None, Some at ->
     refuse at "the trace has floats: --tolerance tells how far off they may be (0: not at all)"
@@ -55,7 +54,7 @@ let tolerance_option =
     "How far the numbers of the two may be apart, each by itself. With 0, the default, they have to be equal. A \
      trace with floats needs one."
   in
-  Arg.(value & opt (some Options.rational) None & info [ "tolerance" ] ~docv:"T" ~doc)
+  Arg.(value & opt (some (Options.not_negative "tolerance")) None & info [ "tolerance" ] ~docv:"T" ~doc)
 
 let options =
   let make first second tolerance = { first; second; tolerance } in

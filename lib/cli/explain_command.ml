@@ -36,7 +36,7 @@ let find_check name (checks : Property.check list) ~code ~at =
 (* The property that the run is to be explained for, if any. *)
 let check_of o (s : Schedule.t) checks =
   match (o.check, s.check) with
-  | Some name, _ -> find_check name checks ~code:Code.unknown_name ~at:Span.none
+  | Some name, _ -> find_check name checks ~code:Code.unknown_name ~at:Span.command_line
   | None, Some name -> find_check name checks ~code:Code.bad_schedule ~at:s.offset_at
   | None, None -> Ok None
 

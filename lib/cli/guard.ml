@@ -14,10 +14,14 @@ let ended console code =
   code
 
 let is_of_output (d : Diag.t) = String.equal (d.code :> string) (Code.cannot_write :> string)
+let is_of_command_line (d : Diag.t) = Span.equal d.span Span.command_line
 
 let invalid console diagnostics =
   Console.report console diagnostics;
-  ended console (if List.for_all is_of_output diagnostics then Exit_code.Unwritten else Exit_code.Invalid)
+  ended console
+    (if List.for_all is_of_output diagnostics then Exit_code.Unwritten
+     else if List.for_all is_of_command_line diagnostics then Exit_code.Usage
+     else Exit_code.Invalid)
 
 let complain lines = List.iter prerr_endline lines
 

@@ -64,10 +64,16 @@ let rec check_overrides = function
   | [] -> Ok ()
   | (name, _) :: rest ->
     if List.exists (fun (other, _) -> String.equal name other) rest then
-      Error [ Diag.error Code.repeated_attribute Span.none "the parameter `%s` is given two values by -D" name ]
+      Error [ Diag.error Code.repeated_attribute Span.command_line "the parameter `%s` is given two values by -D" name ]
     else check_overrides rest
 
-let model console ~overrides path =
+(* The model knows the value alone, and not where it comes from. *)
+let placed given (d : Diag.t) =
+  if Span.is_none d.span && String.equal d.code (Code.unknown_parameter :> string) then { d with span = given }
+  else d
+
+let model ?(given = Span.command_line) console ~overrides path =
   let* () = check_overrides overrides in
   let* source = text console path in
-  Scc_session.Loaded.load ~read_file:(mesh_reader console path) ~overrides source
+  Result.map_error (List.map (placed given))
+    (Scc_session.Loaded.load ~read_file:(mesh_reader console path) ~overrides source)

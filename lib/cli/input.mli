@@ -16,5 +16,11 @@ val mesh_reader : Console.t -> string -> Scc_session.Loaded.reader
 val text : Console.t -> string -> (Source.t, Diag.t list) result
 (** The same, and the text becomes known to the console. *)
 
-val model : Console.t -> overrides:(string * Rat.t) list -> string -> (Scc_session.Loaded.t, Diag.t list) result
-(** Reads and loads the file. Its texts become known to the console. *)
+val model :
+  ?given:Span.t ->
+  Console.t ->
+  overrides:(string * Rat.t) list ->
+  string ->
+  (Scc_session.Loaded.t, Diag.t list) result
+(** Reads and loads the file. Its texts become known to the console. [given] is where the values of [overrides]
+    come from, the command line if nothing is said. *)

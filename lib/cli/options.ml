@@ -11,6 +11,14 @@ let rational =
   in
   Arg.conv ~docv:"NUMBER" (parse, fun ppf q -> Format.pp_print_string ppf (Rat.to_string q))
 
+let not_negative what =
+  let parse s =
+    match Arg.conv_parser rational s with
+    | Ok q when Rat.sign q < 0 -> Error (`Msg (Printf.sprintf "`%s' is negative, and no %s" s what))
+    | result -> result
+  in
+  Arg.conv ~docv:"NUMBER" (parse, Arg.conv_printer rational)
+
 let integer ?(least = min_int) ?(most = max_int) what =
   let parse s =
     match int_of_string_opt s with

@@ -5,6 +5,9 @@ open Cmdliner
 
 val rational : Rat.t Arg.conv
 
+val not_negative : string -> Rat.t Arg.conv
+(** The text tells what a negative number is not: ["tolerance"]. *)
+
 val integer : ?least:int -> ?most:int -> string -> int Arg.conv
 (** From [least] to [most]; the text tells what anything else is not one of. *)
 

@@ -11,7 +11,8 @@ let read console path =
 let parameters (s : Schedule.t) overrides =
   let clash name =
     [
-      Diag.error Code.bad_schedule s.offset_at
+      Diag.error Code.bad_schedule Span.command_line
+        ~notes:[ (s.offset_at, "it is here") ]
         "the schedule was made with another value of `%s` than -D gives" name;
     ]
   in
@@ -29,7 +30,8 @@ let check_digest (s : Schedule.t) (origin : Origin.t) =
   | _ -> Ok ()
 
 let model console (s : Schedule.t) ~overrides path =
+  let given = if overrides = [] then s.offset_at else Span.command_line in
   let* overrides = parameters s overrides in
-  let* model = Input.model console ~overrides path in
+  let* model = Input.model ~given console ~overrides path in
   let* () = check_digest s model.origin in
   Ok model

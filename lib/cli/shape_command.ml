@@ -16,7 +16,7 @@ let template console ~overrides path name =
   let* source = Input.text console path in
   let* tree = (Front_end.of_source source).model source in
   let read_file = Input.mesh_reader console path in
-  Scc_elaborate.Template_set.find ~read_file ~overrides tree name
+  Scc_elaborate.Template_set.find ~read_file ~overrides ~asked_at:Span.command_line tree name
 
 let mesh console path =
   let* source = Input.text console path in
@@ -30,8 +30,8 @@ let templates_of console path =
   let list = match names with [] -> "no templates" | _ -> String.concat ", " names in
   Error
     [
-      Diag.error Code.wrong_kind (Span.make ~file:path ~start:0 ~stop:0) ~hint
-        "this is a model (its templates: %s), and a single shape is needed here" list;
+      Diag.error Code.wrong_kind Span.command_line ~hint
+        "%s is a model (its templates: %s), and a single shape is needed here" path list;
     ]
 
 let set console ~overrides argument =
@@ -54,9 +54,18 @@ let run color json overrides argument =
       Result.map (report console argument) (set console ~overrides argument))
 
 let argument =
+  let formats = Scc_mesh.Mesh.formats in
+  let format name =
+    let endings = List.filter (fun (_, other) -> String.equal other name) formats in
+    Printf.sprintf "%s (%s)" name (String.concat ", " (List.map (fun (e, _) -> "$(b," ^ e ^ ")") endings))
+  in
+  let first names (_, name) = if List.mem name names then names else names @ [ name ] in
+  let formats = List.map format (List.fold_left first [] formats) in
   let doc =
-    "A polyhedron file (OFF, OBJ, STL; coordinates are read exactly), or $(i,MODEL):$(i,TEMPLATE), a \
-     template of a model."
+    Printf.sprintf
+      "A polyhedron file, or $(i,MODEL):$(i,TEMPLATE), a template of a model. Formats of polyhedra, whose \
+       coordinates are read exactly: %s. A file of another extension is recognized by its first bytes."
+      (String.concat ", " formats)
   in
   Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc)
 

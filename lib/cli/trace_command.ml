@@ -163,7 +163,7 @@ let steps =
 
 let time =
   let doc = "Ends the run at the model time $(docv), between events if need be." in
-  Arg.(value & opt (some Options.rational) None & info [ "time" ] ~docv:"T" ~doc)
+  Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "time" ] ~docv:"T" ~doc)
 
 let form =
   let human = "Tells the run in words instead of JSON Lines." in

@@ -14,7 +14,6 @@ type answer =
 let tolerance (m : Model.t) (trace : Recorded.t) asked =
   let refuse at fmt = Printf.ksprintf (fun s -> Error [ Recorded.malformed at "%s" s ]) fmt in
   match (asked, trace.inexact) with
-  | Some t, _ when Rat.sign t < 0 -> refuse Scc_base.Span.none "the tolerance is negative"
   | None, Some at -> refuse at "the trace has floats: --tolerance tells how far off they may be (0: not at all)"
   | (None | Some _), _ -> (
       let t = Option.value asked ~default:Rat.zero in

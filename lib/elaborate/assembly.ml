@@ -43,13 +43,15 @@ let numbered (bodies : Bodies.t) (composition : Composition.t) =
 
 let leaves bodies (composition : Composition.t) =
   let leaf (i, (l : Bodies.leaf)) =
+    let law, law_at = composition.laws.(i) in
     {
       Model.name = l.name;
       template = Shape.label l.shape;
       parts = l.parts;
       fixed = l.fixed;
       mass = l.mass;
-      law = composition.laws.(i);
+      law;
+      law_at;
     }
   in
   Array.of_list (Long_list.map leaf (numbered bodies composition))

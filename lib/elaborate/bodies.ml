@@ -128,7 +128,10 @@ let leaf (c : Context.t) (body : Program.body) ~process ~name (at : Span.t) (l :
 
 let centroid (l : leaf) =
   let shape : Model.leaf =
-    { name = l.name; template = ""; parts = l.parts; fixed = l.fixed; mass = l.mass; law = Inertial }
+    {
+      name = l.name; template = ""; parts = l.parts; fixed = l.fixed; mass = l.mass; law = Inertial;
+      law_at = Span.none;
+    }
   in
   Vec.add l.position (Model.leaf_centroid shape)
 

@@ -2,7 +2,7 @@ open Scc_base
 open Scc_syntax
 open Scc_calculus
 
-type t = { included : bool array; index : int array; laws : Law.t array }
+type t = { included : bool array; index : int array; laws : (Law.t * Span.t) array }
 
 let ( let* ) = Option.bind
 
@@ -145,9 +145,9 @@ let read_laws report (program : Program.t) (bodies : Bodies.t) =
   let general = List.fold_left (read_motion report budget bodies laws) None program.motions in
   let law i =
     match (laws.(i), general) with
-    | Some a, _ -> a.law
-    | None, Some (law, _) when not (is_fixed bodies i) -> law
-    | None, _ -> Law.Inertial
+    | Some a, _ -> (a.law, a.at)
+    | None, Some law when not (is_fixed bodies i) -> law
+    | None, _ -> (Law.Inertial, Span.none)
   in
   Array.init (Array.length bodies.leaves) law
 

@@ -6,7 +6,7 @@ open Scc_calculus
 type t = {
   included : bool array;  (** by number of the declared leaf *)
   index : int array;  (** its index in the model, or -1 *)
-  laws : Law.t array;  (** by number of the declared leaf *)
+  laws : (Law.t * Scc_base.Span.t) array;  (** with their places, by number of the declared leaf *)
 }
 
 val read : Context.t -> Program.t -> Bodies.t -> t

@@ -98,15 +98,27 @@ and named report read_file env earlier name at =
       ~near:(name, fun () -> List.map fst earlier);
     None
 
-let find ~read_file ~overrides model name =
+(* Values for parameters that there are not. *)
+let check_overrides report overrides (model : Ast.model) at =
+  let parameter (item : Ast.item) = match item.it with Param (name, _) -> Some name.it | _ -> None in
+  let names = List.filter_map parameter model in
+  let check (name, _) =
+    if not (List.exists (String.equal name) names) then
+      Report.error report Code.unknown_parameter at "the model has no parameter `%s`" name
+        ~near:(name, fun () -> names)
+  in
+  List.iter check overrides
+
+let find ~read_file ~overrides ~asked_at model name =
   let report = Report.create () in
   Limits.check_depth report model;
+  check_overrides report overrides model asked_at;
   if is_compound model name then
-    Report.error report Code.wrong_kind Span.none "`%s` is a compound, and a single shape is needed here" name
+    Report.error report Code.wrong_kind asked_at "`%s` is a compound, and a single shape is needed here" name
       ~hint:"its parts are the shapes to look at";
   if Report.failed report then Error (Report.errors report)
   else
     let env = environment report overrides model in
-    match named report read_file env (List.rev (templates model)) name Span.none with
+    match named report read_file env (List.rev (templates model)) name asked_at with
     | Some set when not (Report.failed report) -> Ok set
     | _ -> Error (Report.errors report)

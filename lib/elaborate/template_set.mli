@@ -8,10 +8,12 @@ open Scc_syntax
 val find :
   read_file:(string -> (string, string) result) ->
   overrides:(string * Rat.t) list ->
+  asked_at:Span.t ->
   Ast.model ->
   string ->
   (Polyhedron.ifs, Diag.t list) result
-(** Looks at the parameters and templates of the model only. An unknown name is SC0201. The faults of the
+(** Looks at the parameters and templates of the model only. An unknown name, at [asked_at], is
+    SC0201, and a value for a parameter that there is not SC0209. The faults of the
     polyhedron are not looked for. *)
 
 val names : Ast.model -> string list

@@ -85,15 +85,14 @@ let label_to_string (m : Model.t) = function
     |> Printf.sprintf "strong({%s})"
 
 let diagnostic (m : Model.t) fault =
-  let error code = Scc_base.Diag.error code Scc_base.Span.none in
   match fault with
   | Bad_law { leaf; fault } ->
-    error Scc_base.Code.bad_law "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
+    Scc_base.Diag.error Scc_base.Code.bad_law m.leaves.(leaf).law_at "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
       (match fault with
        | Division_by_zero -> "it divides by zero"
        | Bad_quantum -> "it rounds to a quantum that is not positive"
        | Too_long -> Printf.sprintf "it makes a number of more than %d bits" Law.longest)
   | Persistent_contact firsts ->
-    error Scc_base.Code.persistent_contact
+    Scc_base.Diag.error Scc_base.Code.persistent_contact Scc_base.Span.none
       "persistent contact: %s would interpenetrate at once, though they do not approach where they touch"
       (String.concat " and " (names m firsts))

@@ -327,9 +327,9 @@ A limit of the clock or of memory is no bound of the model.
 Parameters.
 
   $ scc check forever.sc -D w=1
-  error[SC0209]: the model has no parameter `w`
+  command line: error[SC0209]: the model has no parameter `w`
     hint: did you mean `v`?
-  [3]
+  [64]
   $ scc check forever.sc -D v 2> /dev/null
   [64]
   $ scc check forever.sc -D v=x 2> /dev/null
@@ -520,8 +520,8 @@ The model and the run that the README shows.
 Two values for one parameter.
 
   $ scc check forever.sc -D v=1 -D v=2
-  error[SC0212]: the parameter `v` is given two values by -D
-  [3]
+  command line: error[SC0212]: the parameter `v` is given two values by -D
+  [64]
 
 Where a bound ended an exploration in which event times grew ever slower, the verdict says so.
 

@@ -265,8 +265,8 @@ Wrong inputs:
      |          ^
   [3]
   $ scc compare late.aut early.aut -D n=3
-  late.aut: error[SC0209]: a graph has no parameters that could be given a value
-  [3]
+  command line: error[SC0209]: late.aut is a graph, and has no parameters that could be given a value
+  [64]
   $ scc compare - -
   scc: only one of the two can be read from standard input
   [64]

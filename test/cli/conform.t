@@ -481,8 +481,8 @@ Invalid traces.
     hint: remove its `digest` to look at it all the same
   [3]
   $ scc trace $M/chain.sc | scc conform $M/chain.sc - -D n=5
-  error[SC0804]: the trace was made with another value of `n` than -D gives
-  [3]
+  command line: error[SC0804]: the trace was made with another value of `n` than -D gives
+  [64]
   $ scc trace $M/chain.sc | scc conform $M/chain.sc - -D n=4
   <standard input>: conforms: 3 events, a run of 6 transitions up to time 6
   $ printf 'time,event\n0.5,end\n' | scc conform $M/pocket.sc - --tolerance 1e-9
@@ -492,8 +492,10 @@ Invalid traces.
      | ^^^^^^^
   [3]
   $ conform latch '2,bind,p;q\n' --tolerance=-1
-  error[SC0804]: the tolerance is negative
-  [3]
+  scc: option '--tolerance': `-1' is negative, and no tolerance
+  Usage: scc conform [OPTION]… MODEL TRACE
+  Try 'scc conform --help' or 'scc --help' for more information.
+  [64]
   $ scc conform - -
   scc: only one of the two can be read from standard input
   [64]

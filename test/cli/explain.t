@@ -139,9 +139,9 @@ Errors.
   nowhere.sc: error[SC0101]: cannot read: No such file or directory
   [3]
   $ scc explain runs/back.json --check bcak
-  error[SC0201]: the model has no check `bcak`
+  command line: error[SC0201]: the model has no check `bcak`
     hint: did you mean `back`?
-  [3]
+  [64]
   $ sed 's/"back"/"front"/' runs/back.json > front.json
   $ scc explain front.json
   front.json:1:1: error[SC0801]: the model has no check `front`
@@ -157,17 +157,24 @@ Errors.
      | ^
   [3]
   $ scc explain runs/back.json -D m=2
-  runs/back.json:1:1: error[SC0801]: the schedule was made with another value of `m` than -D gives
+  command line: error[SC0801]: the schedule was made with another value of `m` than -D gives
+  runs/back.json:1:1: note: it is here
+     |
+   1 | { "format": "scc-schedule",
+     | ^
+  [64]
+  $ scc explain runs/back.json ../../specs/models/dimer.sc
+  runs/back.json:1:1: error[SC0209]: the model has no parameter `m`
      |
    1 | { "format": "scc-schedule",
      | ^
   [3]
-  $ scc explain runs/back.json ../../specs/models/dimer.sc
-  error[SC0209]: the model has no parameter `m`
-  [3]
   $ grep -v digest runs/back.json > free.json
   $ scc explain free.json ../../specs/models/dimer.sc
-  error[SC0209]: the model has no parameter `m`
+  free.json:1:1: error[SC0209]: the model has no parameter `m`
+     |
+   1 | { "format": "scc-schedule",
+     | ^
   [3]
   $ scc explain runs/back.json nowhere.sc --json
   {

@@ -36,7 +36,10 @@ A number that doubles its length in each step.
   Usage: scc check [OPTION]… MODEL
   $ sed 's/vx\*vx\*2/1 + vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx/' grow.sc > wild.sc
   $ scc check wild.sc --bits 16777216 | grep undecided
-  error[SC0601]: the law of motion of p cannot be evaluated: it makes a number of more than 16777216 bits
+  wild.sc:9:1: error[SC0601]: the law of motion of p cannot be evaluated: it makes a number of more than 16777216 bits
+     |
+   9 | motion p = (1 + vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx*vx, 0, 0)
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   right: undecided: the law of motion of p cannot be evaluated: it makes a number of more than 16777216 bits; one unexplored state matters
   1 property: 1 undecided
 

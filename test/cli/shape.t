@@ -288,19 +288,16 @@ What cannot be read.
   .: error[SC0101]: cannot read: it is a directory
   [3]
   $ scc shape ../../specs/models/hexokinase.sc
-  ../../specs/models/hexokinase.sc:1:1: error[SC0210]: this is a model (its templates: Cube, Floor, Post), and a single shape is needed here
-     |
-   1 | // Hexokinase: an enzyme with two pockets takes ATP and glucose and turns them
-     | ^
+  command line: error[SC0210]: ../../specs/models/hexokinase.sc is a model (its templates: Cube, Floor, Post), and a single shape is needed here
     hint: name one of them: ../../specs/models/hexokinase.sc:Cube
-  [3]
+  [64]
   $ scc shape ../../specs/models/hexokinase.sc:Nothing
-  error[SC0201]: unknown template `Nothing`
-  [3]
+  command line: error[SC0201]: unknown template `Nothing`
+  [64]
   $ scc shape ../../specs/models/hexokinase.sc:Enzyme
-  error[SC0210]: `Enzyme` is a compound, and a single shape is needed here
+  command line: error[SC0210]: `Enzyme` is a compound, and a single shape is needed here
     hint: its parts are the shapes to look at
-  [3]
+  [64]
   $ scc shape nowhere.sc:Cube --json
   {
     "format": "scc-diagnostics",

@@ -73,11 +73,12 @@ Also with a limit of time that falls between two events, and with parameters, wh
   $ scc trace ../../specs/models/gas.sc --schedule one.jsonl | cmp - one.jsonl
   $ scc trace ../../specs/models/gas.sc -D n=1 --schedule one.jsonl | cmp - one.jsonl
   $ scc trace ../../specs/models/gas.sc -D n=2 --schedule one.jsonl
-  one.jsonl:3:1: error[SC0801]: the schedule was made with another value of `n` than -D gives
+  command line: error[SC0801]: the schedule was made with another value of `n` than -D gives
+  one.jsonl:3:1: note: it is here
      |
    3 | {"type":"instant","offset":"1/1","time":"1/1","state":{"processes":[{"velocity":["-1/8","1/8","1/8"],"clock":null,"leave
      | ^
-  [3]
+  [64]
 
 The witness of a violated property leads to the violating state: right after x(p) passes 3 in this model.
 

@@ -255,6 +255,17 @@ let suite_obtained () =
   |> List.map (fun (c : Suite.case) -> c.id ^ ": " ^ c.obtained)
   |> none "cases that do not say how their values were obtained"
 
+(* {1 Links} *)
+
+let links () =
+  let documents =
+    [ "README.md"; "CHANGES.md"; "DEVEL.md" ]
+    @ List.concat_map Tree.files [ "clients"; "lib"; "scripts"; "specs"; "test" ]
+    |> List.filter (fun file -> Filename.check_suffix file ".md")
+  in
+  Alcotest.(check bool) "documents are found" true (List.length documents > 15);
+  List.concat_map Links.faults documents |> none "links that lead nowhere"
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "meta"
@@ -290,4 +301,5 @@ let () =
           case "every code has one" suite_codes;
           case "every case says how it was obtained" suite_obtained;
         ] );
+      ("documents", [ case "every link leads somewhere" links ]);
     ]

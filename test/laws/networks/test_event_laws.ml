@@ -157,7 +157,8 @@ let network_of_pile bodies =
   let leaf i (_, (_, mass, _)) : Model.leaf =
     let name = say "p%d" i and mass = Rat.of_int mass in
     let part = { Model.name; template = "Cube"; solid; offset = Vec.zero; mass } in
-    { name; template = "Cube"; parts = [| part |]; fixed = is_fixed i; mass; law = Inertial }
+    { name; template = "Cube"; parts = [| part |]; fixed = is_fixed i; mass; law = Inertial;
+      law_at = Scc_base.Span.none }
   in
   let leaves = Array.of_list (List.mapi leaf bodies) in
   let m = { (Random_network.model Random_network.none) with leaves } in

@@ -18,7 +18,8 @@ let alone ~law ~rigid ~timestep ~velocity ~spin =
   let solid = Random_rigid.cube ~id:0 in
   let part = { Model.name = "p"; template = "Cube"; solid; offset = Vec.zero; mass = Rat.one } in
   let leaf : Model.leaf =
-    { name = "p"; template = "Cube"; parts = [| part |]; fixed = false; mass = Rat.one; law }
+    { name = "p"; template = "Cube"; parts = [| part |]; fixed = false; mass = Rat.one; law;
+      law_at = Scc_base.Span.none }
   in
   let none = Random_network.model Random_network.none in
   let m = { none with leaves = [| leaf |]; timestep; steered = true; rigid } in
@@ -32,7 +33,8 @@ let over_a_floor ~law ~timestep ~height =
   let solid = Random_rigid.cube ~id:0 in
   let leaf name ~fixed law : Model.leaf =
     let part = { Model.name; template = "Cube"; solid; offset = Vec.zero; mass = Rat.one } in
-    { name; template = "Cube"; parts = [| part |]; fixed; mass = Rat.one; law }
+    { name; template = "Cube"; parts = [| part |]; fixed; mass = Rat.one; law;
+      law_at = Scc_base.Span.none }
   in
   let leaves = [| leaf "floor" ~fixed:true Inertial; leaf "p" ~fixed:false law |] in
   let m = { (Random_network.model Random_network.none) with leaves; timestep; steered = true } in

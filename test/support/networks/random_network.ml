@@ -96,6 +96,7 @@ let leaf i (b : body) : Model.leaf =
   {
     name; template = "Cube"; parts = Array.of_list (List.mapi part parts); fixed = b.fixed;
     mass = int b.mass; law = (if b.falls then fall else Inertial);
+    law_at = Scc_base.Span.none;
   }
 
 let model { bodies; switches; _ } : Model.t =

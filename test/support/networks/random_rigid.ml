@@ -131,6 +131,7 @@ let model_leaf (i, j, b, (parts, _)) : Model.leaf =
     name; template = "Cube"; parts; fixed = b.fixed;
     mass = Array.fold_left (fun sum (p : Model.part) -> Rat.add sum p.mass) Rat.zero parts;
     law = (if b.falls then fall else Inertial);
+    law_at = Scc_base.Span.none;
   }
 
 let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =

@@ -55,7 +55,7 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
     in
     {
       name = b.name; template = "Cube"; parts = [| part |]; fixed = b.fixed; mass = q b.mass;
-      law = b.law;
+      law = b.law; law_at = Scc_base.Span.none;
     }
   in
   {

@@ -1,0 +1,172 @@
+scripts/install puts the program, its manual and the completion of three shells below a prefix. SCC names a program that
+is there, so that nothing is built here.
+
+  $ scripts=$PWD/../../scripts
+  $ export SCC=$(command -v scc)
+  $ mkdir home; export HOME=$PWD/home
+  $ "$scripts/install" prefix | sed "s|$PWD|.|g"
+  scc is in ./prefix/bin; its manual: man scc, man scc-check
+  that is not in your PATH yet: export PATH="./prefix/bin:$PATH"
+  $ find prefix -type f | LC_ALL=C sort
+  prefix/bin/scc
+  prefix/share/bash-completion/completions/scc
+  prefix/share/fish/vendor_completions.d/scc.fish
+  prefix/share/man/man1/scc-check.1
+  prefix/share/man/man1/scc-compare.1
+  prefix/share/man/man1/scc-conform.1
+  prefix/share/man/man1/scc-diff.1
+  prefix/share/man/man1/scc-explain.1
+  prefix/share/man/man1/scc-explore.1
+  prefix/share/man/man1/scc-fmt.1
+  prefix/share/man/man1/scc-oracle.1
+  prefix/share/man/man1/scc-shape.1
+  prefix/share/man/man1/scc-trace.1
+  prefix/share/man/man1/scc.1
+  prefix/share/scc/installed
+  prefix/share/zsh/site-functions/_scc
+  $ prefix/bin/scc --version
+  0.1.0 (semantics 2)
+
+The pages are those of the program, and groff finds nothing wrong with them:
+
+  $ for page in prefix/share/man/man1/*.1; do
+  >   name=$(basename $page .1)
+  >   grep -q "^\.TH \"$(echo $name | tr a-z A-Z)\" 1" $page || echo "$page: no title"
+  >   if command -v groff > /dev/null; then groff -man -ww -K utf8 -T utf8 $page 2>&1 > /dev/null; fi
+  > done
+  $ scc check --help=groff | cmp - prefix/share/man/man1/scc-check.1
+
+Each command and each option of its manual is known to each shell, and the shells can read what is written for them.
+
+  $ bash=prefix/share/bash-completion/completions/scc
+  $ zsh=prefix/share/zsh/site-functions/_scc
+  $ fish=prefix/share/fish/vendor_completions.d/scc.fish
+  $ commands=$(scc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p')
+  $ for command in $commands; do
+  >   grep -q "^      $command) options=" $bash || echo "bash: $command"
+  >   grep -q "^  $command) _arguments" $zsh || echo "zsh: $command"
+  >   grep -q -- "-a $command " $fish || echo "fish: $command"
+  >   scc $command --help=plain | grep -o '^       -.*' | grep -oE -- '--[a-z-]+' | while read -r option; do
+  >     grep "^      $command) options=" $bash | grep -qE -- "[\" ]$option[\" ]" || echo "bash: $command $option"
+  >     sed -n "/^  $command) /,/;;/p" $zsh | grep -q -- "'\*$option[=\[]" || echo "zsh: $command $option"
+  >     grep "_from $command'" $fish | grep -q -- "-l ${option#--} " || echo "fish: $command $option"
+  >   done
+  > done
+  $ bash -n $bash
+  $ for shell in zsh fish; do
+  >   if command -v $shell > /dev/null; then eval file='$'$shell; $shell -n $file || echo "$shell cannot read it"; fi
+  > done
+
+bash takes an equals sign for a word of its own, as it does at a prompt:
+
+  $ cat > complete.bash <<'END'
+  > source "$1"
+  > shift
+  > COMP_WORDS=("$@")
+  > COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+  > _scc
+  > ((${#COMPREPLY[@]} == 0)) || printf '%s\n' "${COMPREPLY[@]}" | LC_ALL=C sort | paste -sd ' '
+  > END
+  $ complete() { bash complete.bash $bash "$@"; }
+  $ touch 'a model.sc' model.sc; mkdir models
+  $ complete scc ''
+  --help --version check compare conform diff explain explore fmt oracle shape trace
+  $ complete scc ex
+  explain explore
+  $ complete scc check --s
+  --sarif --seconds --shortest --states --stats
+  $ complete scc check --color = ''
+  always auto never
+  $ complete scc check --color = al
+  always
+  $ complete scc compare --modulo =
+  branching strong timed trace weak
+  $ complete scc compare --modulo t
+  timed trace
+  $ complete scc explore --format ''
+  aut dot drn json tra
+  $ complete scc trace --states e
+  ends
+  $ complete scc check mo
+  model.sc models
+  $ complete scc check 'a '
+  a model.sc
+  $ complete scc check --witness mo
+  models
+  $ complete scc check --stats model
+  model.sc models
+  $ complete scc check --states ''
+  $ complete scc --help ''
+  --help --version check compare conform diff explain explore fmt oracle shape trace
+
+fish, where it is there, tells what each is for:
+
+  $ if command -v fish > /dev/null; then
+  >   fish -c "source $fish; complete -C 'scc check --st'; complete -C 'scc shap'"
+  > else
+  >   printf -- '--states\tKeeps at most N states\n'
+  >   printf -- '--stats\tTells what the run took: seconds of each phase, states and transitions a second, memory\n'
+  >   printf 'shape\treport on a polyhedron\n'
+  > fi
+  --states	Keeps at most N states
+  --stats	Tells what the run took: seconds of each phase, states and transitions a second, memory
+  shape	report on a polyhedron
+
+Installing again replaces what is there, also what an earlier version had beside it; nothing else is touched.
+
+  $ touch prefix/share/man/man1/scc-old.1 prefix/share/man/man1/other.1
+  $ echo share/man/man1/scc-old.1 >> prefix/share/scc/installed
+  $ echo 'not scc' > prefix/bin/scc
+  $ PATH=$PWD/prefix/bin:$PATH "$scripts/install" "$PWD/prefix" | sed "s|$PWD|.|g"
+  scc is in ./prefix/bin; its manual: man scc, man scc-check
+  $ cmp prefix/bin/scc "$SCC"
+  $ ls prefix/share/man/man1 | grep o
+  other.1
+  scc-compare.1
+  scc-conform.1
+  scc-explore.1
+  scc-oracle.1
+
+  $ "$scripts/uninstall" prefix | sed "s|$PWD|.|g"
+  scc is no longer in ./prefix
+  $ find prefix -type f
+  prefix/share/man/man1/other.1
+  $ "$scripts/uninstall" prefix 2>&1 | sed "s|$PWD|.|g"
+  scripts/install: nothing is installed in ./prefix (./prefix/share/scc/installed is not there)
+  $ "$scripts/uninstall" prefix 2> /dev/null
+  [1]
+
+Without a prefix it is ~/.local, and /usr/local for root (which is not tried here):
+
+  $ if [ $(id -u) -ne 0 ]; then "$scripts/install" > /dev/null; else "$scripts/install" "$HOME/.local" > /dev/null; fi
+  $ ls home/.local/bin
+  scc
+  $ "$scripts/install" --uninstall "$HOME/.local" > /dev/null
+  $ find home -type f
+  $ "$scripts/install" --nothing
+  scripts/install: no option '--nothing'
+  usage: scripts/install [--uninstall] [PREFIX]
+  [64]
+  $ "$scripts/install" a b
+  scripts/install: more than one PREFIX: 'a' and 'b'
+  usage: scripts/install [--uninstall] [PREFIX]
+  [64]
+  $ "$scripts/completion" scc csh
+  scripts/completion: no shell 'csh': bash, zsh and fish are known
+  [64]
+
+scripts/run checks all models of a folder, and ends with one line.
+
+  $ mkdir some; cp ../../specs/models/dimer.sc ../../specs/models/slot.sc some
+  $ "$scripts/check-models" scc some 2>&1 | tail -n 1
+  2 models with 18 checks: all as expected
+  $ sed -i '0,/expect: holds/s//expect: violated/' some/dimer.sc
+  $ echo 'check extra : possibly time > 1' >> some/dimer.sc
+  $ echo 'shape' > some/wrong.sc
+  $ "$scripts/check-models" scc some 2>&1 | grep -E 'check-models|models with'
+  check-models: some/dimer.sc: extra: the model does not say what to expect
+  check-models: some/dimer.sc: born: holds, and violated was expected
+  check-models: some/wrong.sc: exit code 3
+  3 models with 19 checks: 2 not as expected
+  $ "$scripts/check-models" scc some > /dev/null 2>&1
+  [1]
