@@ -5,7 +5,8 @@ open Scc_session
 
 val invalid : Console.t -> Diag.t list -> Exit_code.t
 (** Reports why there can be no result: exit 3, or 74 when it is only that an output could not be written,
-    or 64 when it is only the command line that is wrong ({!Span.command_line}). In JSON mode the diagnostics are the document. *)
+    or 64 when it is only the command line that is wrong ({!Span.command_line}). In JSON mode the
+    diagnostics are the document. *)
 
 val usage : string -> Exit_code.t
 (** Says what is wrong with the command line: exit 64. *)

@@ -87,7 +87,8 @@ let label_to_string (m : Model.t) = function
 let diagnostic (m : Model.t) fault =
   match fault with
   | Bad_law { leaf; fault } ->
-    Scc_base.Diag.error Scc_base.Code.bad_law m.leaves.(leaf).law_at "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
+    Scc_base.Diag.error Scc_base.Code.bad_law m.leaves.(leaf).law_at
+      "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name
       (match fault with
        | Division_by_zero -> "it divides by zero"
        | Bad_quantum -> "it rounds to a quantum that is not positive"
