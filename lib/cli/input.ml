@@ -64,8 +64,8 @@ let rec check_overrides = function
   | [] -> Ok ()
   | (name, _) :: rest ->
     if List.exists (fun (other, _) -> String.equal name other) rest then
-      Error
-        [ Diag.error Code.repeated_attribute Span.command_line "the parameter `%s` is given two values by -D" name ]
+      let at = Span.command_line in
+      Error [ Diag.error Code.repeated_attribute at "the parameter `%s` is given two values by -D" name ]
     else check_overrides rest
 
 (* The model knows the value alone, and not where it comes from. *)
