@@ -153,6 +153,17 @@ def check_slowing(scc, folder):
     count(told, "check closing", "it is not told that event times grow ever slower")
 
 
+def check_reasons(scc, folder):
+    """Formulas within formulas come with what is so on the way of their runs."""
+    model = os.path.join(folder, "nested.sc")
+    formulas = ["AF AG x(p) > 0", "EG EF x(p) > 0", "E[EF x(p) > 0 U x(p) < 0]", "AG EF x(p) > 0", "AF EG x(p) > 0"]
+    with open("specs/models/billiard.sc", encoding="utf-8") as text, open(model, "w", encoding="utf-8") as out:
+        out.write(text.read() + "".join(f"check nested{i} : {f}\n" for i, f in enumerate(formulas)))
+    document = check("check", text_of(run(scc, "check", model, "--json")), "check nested")
+    told = document is not None and '"where": "' in json.dumps(document)
+    count(told, "check nested", "it is not told what is so on the way of a run")
+
+
 def check_trace(scc, model, *options):
     result = run(scc, "trace", model, "--steps", "40", "--choose", "random:1", *options)
     lines = text_of(result).splitlines()
@@ -309,6 +320,7 @@ def main():
         for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
             check_sarif(scc, model, folder)
         check_slowing(scc, folder)
+        check_reasons(scc, folder)
     check_conformance()
     check_refusals(scc)
     check_shapes(scc)

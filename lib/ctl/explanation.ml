@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 
 type t = { formula : Formula.t; position : Positions.position; holds : bool; because : because }
@@ -5,8 +6,12 @@ type t = { formula : Formula.t; position : Positions.position; holds : bool; bec
 and because =
   | Given
   | Parts of t list
-  | Run of { run : Run.t; parts : t list }
-  | Everywhere of int
+  | Run of { run : Run.t; way : way; parts : t list; along : along option }
+  | Everywhere of int Lazy.t
+
+and way = Own | Onward of Course.place option
+and along = { claim : Formula.t; claimed : bool; course : Course.t; stretches : stretch list }
+and stretch = { place : Course.place; why : t Lazy.t }
 
 let definitely e f position wanted =
   match Eval.truth e f position with Some v -> Bool.equal v wanted | None -> false
@@ -25,21 +30,50 @@ let count e (u : Eval.until) position =
   Reach.visit (Eval.graph e) ?within:u.bound.high [ position ] ~through ~passes (fun _ -> incr n);
   !n
 
+(* What is claimed of the positions on the way of a run: at each it is explained by itself, if need be by how the
+   run itself goes on. *)
+let on_the_way e formula holds bound run explain =
+  match (formula : Formula.t) with
+  | And [] -> None
+  | _ ->
+    let course = Course.make e [ formula ] run in
+    (* Where an open interval begins on which f fails, g may hold: "f until g" does not any more. *)
+    let is_so index = definitely e formula course.places.(index).position holds in
+    let stretch index =
+      let place = course.places.(index) in
+      let spot = { Course.course; index; at = place.position } in
+      { place; why = lazy (explain (Some spot) formula place.position) }
+    in
+    let stretches = Long_list.map stretch (List.filter is_so (Course.within course bound)) in
+    Some { claim = formula; claimed = holds; course; stretches }
+
+let always = { Formula.low = Rat.zero; high = None }
+
 (* [right] is what the right side is about: f for G f, which is read as "not F not f". *)
-let until e (u : Eval.until) ~right position holds explain =
-  let at_goal run side formula wanted =
+let until e (u : Eval.until) ~right spot position holds explain =
+  let found () =
+    match Option.bind spot (Course.follow e u) with
+    | Some (run, there) ->
+      let place (s : Course.spot) = s.course.places.(s.index) in
+      (run, Onward (Option.map place there), there)
+    | None -> ((if holds then Deciding_run.some else Deciding_run.every) e u position, Own, None)
+  in
+  let at_goal (run, _, there) side formula wanted =
     match Run.goal run with
-    | Some goal when definitely e side goal wanted -> [ explain formula goal ]
+    | Some goal when definitely e side goal wanted -> [ explain there formula goal ]
     | Some _ | None -> []
   in
   match (u.quantifier, holds) with
   | Exists, true ->
-    let run = Deciding_run.some e u position in
-    Run { run; parts = at_goal run u.right right true }
+    let (run, way, _) as found = found () in
+    let along = on_the_way e u.left true always run explain in
+    Run { run; way; parts = at_goal found u.right right true; along }
   | All, false ->
-    let run = Deciding_run.every e u position in
-    Run { run; parts = at_goal run u.left u.left false @ at_goal run u.right right false }
-  | Exists, false | All, true -> Everywhere (count e u position)
+    let (run, way, _) as found = found () in
+    let along = on_the_way e right (not (right == u.right)) u.bound run explain in
+    let parts = at_goal found u.left u.left false @ at_goal found u.right right false in
+    Run { run; way; parts; along }
+  | Exists, false | All, true -> Everywhere (lazy (count e u position))
 
 let visited e position =
   let n = ref 0 in
@@ -54,15 +88,15 @@ let next e (f : Formula.t) position holds ~quantifier explain =
     let is_so s = if holds then Positions.at value.lower s else not (Positions.at value.upper s) in
     let leads s = if holds then Positions.at reach.lower s else not (Positions.at reach.upper s) in
     let run = Deciding_run.next e ~holds:is_so ~leads position in
-    Run { run; parts = [ explain f (Positions.start run.last) ] }
-  | Exists, false | All, true -> Everywhere (visited e position)
+    Run { run; way = Own; parts = [ explain f (Positions.start run.last) ]; along = None }
+  | Exists, false | All, true -> Everywhere (lazy (visited e position))
 
 (* Recursion is as deep as the formula. *)
-let rec of_known e (formula : Formula.t) position : t =
+let rec of_known e spot (formula : Formula.t) position : t =
   match Eval.truth e formula position with
-  | None -> Scc_base.Bug.fail __POS__ "what is not decided is explained"
+  | None -> Bug.fail __POS__ "what is not decided is explained"
   | Some holds ->
-    let explain = of_known e in
+    let explain = of_known e spot in
     let deciding fs = List.filter (fun f -> definitely e f position holds) fs in
     let first fs = match deciding fs with [] -> [] | f :: _ -> [ explain f position ] in
     let all fs = List.map (fun f -> explain f position) fs in
@@ -72,18 +106,18 @@ let rec of_known e (formula : Formula.t) position : t =
       | Not f -> Parts [ explain f position ]
       | And fs -> Parts (if holds then all fs else first fs)
       | Or fs -> Parts (if holds then first fs else all fs)
-      | Next (quantifier, f) -> next e f position holds ~quantifier explain
+      | Next (quantifier, f) -> next e f position holds ~quantifier (of_known e None)
       | Until _ | Finally _ | Globally _ -> (
           match Eval.as_until formula with
-          | None -> Scc_base.Bug.fail __POS__ "an operator of time that is none"
+          | None -> Bug.fail __POS__ "an operator of time that is none"
           | Some (u, flipped) ->
             let right = match formula with Globally (_, _, f) -> f | _ -> u.right in
-            until e u ~right position (not (Bool.equal holds flipped)) explain)
+            until e u ~right spot position (not (Bool.equal holds flipped)) (of_known e))
     in
     { formula; position; holds; because }
 
 let explain e f position =
-  match Eval.truth e f position with None -> None | Some _ -> Some (of_known e f position)
+  match Eval.truth e f position with None -> None | Some _ -> Some (of_known e None f position)
 
 let goes_on (run : Run.t) =
   match (run.steps, Run.goal run) with
@@ -94,7 +128,7 @@ let rec chain t =
   match t.because with
   | Given | Everywhere _ -> None
   | Parts parts -> List.find_map chain parts
-  | Run { run; parts } -> (
+  | Run { run; parts; _ } -> (
       match (Run.goal run, List.find_map chain parts) with
       | Some _, Some more when goes_on more -> Some (Run.append run more)
       | _ -> Some run)

@@ -77,6 +77,7 @@ let instant w =
 let rec argument (a : Witness.argument) =
   `Assoc
     [
+      ("where", Json.option Json.text a.where);
       ("claim", Json.text a.claim);
       ("holds", `Bool a.holds);
       ("because", `List (List.map Json.text a.because));

@@ -17,7 +17,13 @@ type finish =
   | Repeats of { cycle : int; moved : Vec.t; puts_off : Transition.label option }
   | Passes of { choice : int option }
 
-type argument = { claim : string; holds : bool; because : string list; parts : argument list }
+type argument = {
+  where : string option;
+  claim : string;
+  holds : bool;
+  because : string list;
+  parts : argument list;
+}
 
 type t = {
   initial : State.t;
@@ -109,10 +115,11 @@ let rec argument_lines depth a =
   let indented text = String.make (2 * depth) ' ' ^ text in
   let verb = if a.holds then " holds" else " does not hold" in
   let because = match a.because with [] -> [ "" ] | because -> because in
+  let claim = match a.where with None -> a.claim | Some where -> where ^ ", " ^ a.claim in
   let line i text =
     if i > 0 then indented ("  " ^ text)
-    else if String.equal text "" then indented (a.claim ^ verb)
-    else indented (a.claim ^ verb ^ ": " ^ text)
+    else if String.equal text "" then indented (claim ^ verb)
+    else indented (claim ^ verb ^ ": " ^ text)
   in
   List.mapi line because @ List.concat_map (argument_lines (depth + 1)) a.parts
 

@@ -32,6 +32,8 @@ type finish =
 
 (** Why a formula holds, or does not: a tree of claims. *)
 type argument = {
+  where : string option;
+  (** on the run of the claim that it is a part of; [None]: where that run leads, or there *)
   claim : string;
   holds : bool;
   because : string list;  (** a sentence each *)

@@ -23,27 +23,21 @@ let facts_at context graph temporal (at : Scc_ctl.Positions.position) p =
   Facts.at ?later_than ~arrived (Network_lts.semantics context) state extent at.offset
     (Temporal.predicate temporal p)
 
-(* What an operator waits for, and what that waits for in turn. *)
-let rec subject (f : Scc_ctl.Formula.t) =
-  match f with
-  | Predicate p -> [ p ]
-  | And fs | Or fs -> List.concat_map subject fs
-  | Not f | Finally (_, _, f) | Globally (_, _, f) | Until (_, _, _, f) | Next (_, f) -> subject f
-
 let distinct facts =
   List.rev (List.fold_left (fun kept f -> if List.mem f kept then kept else f :: kept) [] facts)
-
-let about_at context graph temporal formula position =
-  List.concat_map (facts_at context graph temporal position) (subject formula)
-
-let about context graph temporal formula node =
-  distinct (about_at context graph temporal formula (Scc_ctl.Positions.start node))
 
 let rec given (e : Explanation.t) =
   match (e.formula, e.because) with
   | Predicate p, Given -> [ (p, e.position) ]
   | _, Parts parts -> List.concat_map given parts
   | _, (Given | Run _ | Everywhere _) -> []
+
+let rec is_state (f : Scc_ctl.Formula.t) =
+  match f with
+  | Predicate _ -> true
+  | Not f -> is_state f
+  | And fs | Or fs -> List.for_all is_state fs
+  | Next _ | Finally _ | Globally _ | Until _ -> false
 
 let has_run e = Option.is_some (Explanation.chain e)
 let leads_on e = match Explanation.chain e with Some run -> Explanation.goes_on run | None -> false
@@ -53,25 +47,41 @@ let rec last_run (e : Explanation.t) =
   match e.because with
   | Given | Everywhere _ -> None
   | Parts parts -> Option.bind (List.find_opt has_run parts) last_run
-  | Run { run; parts } -> (
+  | Run { run; parts; along; _ } -> (
       match (Scc_ctl.Run.goal run, List.find_opt has_run parts) with
       | Some _, Some part when leads_on part -> last_run part
-      | _ -> Some (e.formula, run, parts))
+      | _ -> Some (run, parts, along))
+
+(* Where the run enters a state, rather than on the way to the next. *)
+let last stretches =
+  let entered, inside =
+    List.partition
+      (fun (s : Explanation.stretch) -> not (Scc_ctl.Positions.is_inside s.place.position))
+      (List.rev stretches)
+  in
+  List.nth_opt (entered @ inside) 0
+
+(* Of a run without a goal it is told what was so at its last position, if that is what it goes on without. *)
+let on_the_way_of (along : Explanation.along option) =
+  match along with
+  | Some { claim; stretches; _ } when is_state claim ->
+    (match last stretches with Some { why; _ } -> given (Lazy.force why) | None -> [])
+  | Some _ | None -> []
 
 let facts context graph temporal e =
+  let told = List.concat_map (fun (p, at) -> facts_at context graph temporal at p) in
   match last_run e with
   | None -> []
-  | Some (formula, run, parts) ->
+  | Some (run, parts, along) ->
     (match Scc_ctl.Run.goal run with
-     | None -> about context graph temporal formula run.last
+     | None -> told (on_the_way_of along)
      | Some _ ->
        let at_goal (part : Explanation.t) =
          match part.because with
-         | Run _ -> about_at context graph temporal part.formula part.position
-         | Given | Parts _ | Everywhere _ ->
-           List.concat_map (fun (p, at) -> facts_at context graph temporal at p) (given part)
+         | Run { along; _ } -> on_the_way_of along
+         | Given | Parts _ | Everywhere _ -> given part
        in
-       distinct (List.concat_map at_goal parts))
+       distinct (told (List.concat_map at_goal parts)))
 
 (** {2 The tree} *)
 
@@ -132,20 +142,33 @@ let finish_text context graph temporal (run : Scc_ctl.Run.t) clock =
   | Repeats k -> again context graph temporal run k
   | Passes -> "the run then passes the bound of time"
 
-let because context graph temporal (e : Explanation.t) =
+(* Where something is on the way of a run, from where the run begins. *)
+let time_of (course : Course.t) (place : Course.place) offset =
+  let start = Option.value (Algebraic.to_rat course.run.start.offset) ~default:Rat.zero in
+  Algebraic.to_string (Algebraic.add_rat (Rat.sub place.clock start) offset)
+
+let onward (course : Course.t option) (place : Course.place option) =
+  match (course, place) with
+  | None, _ | _, None -> "as this run goes on"
+  | Some course, Some place ->
+    let recurs = match course.again with Some k -> place.step >= course.places.(k).step | None -> false in
+    let right = if Course.is_interval place then "right " else "" in
+    Printf.sprintf "as this run goes on, %safter time %s of it%s" right (time_of course place place.low)
+      (if recurs then ", and each time round" else "")
+
+(* [course] is the run on whose way it is explained. *)
+let because context graph temporal course (e : Explanation.t) =
   match e.because with
   | Given -> (
       match e.formula with
       | Predicate p -> facts_at context graph temporal e.position p
       | _ -> [])
   | Parts _ -> []
-  | Everywhere n ->
-    [
-      (match (e.formula, n) with
-       | _, 0 -> "nothing on the way says otherwise"
-       | _, 1 -> "the one state that counts from here on was looked at"
-       | _ -> Printf.sprintf "all %d states that count from here on were looked at" n);
-    ]
+  | Everywhere _ when Option.is_some course -> [ "all runs from there were looked at" ]
+  | Everywhere (lazy 0) -> [ "nothing on the way says otherwise" ]
+  | Everywhere (lazy 1) -> [ "the one state that counts from here on was looked at" ]
+  | Everywhere (lazy n) -> [ Printf.sprintf "all %d states that count from here on were looked at" n ]
+  | Run { way = Onward place; _ } -> [ onward course place ]
   | Run { run; _ } ->
     let clock, events = story context graph temporal run in
     listed events @ [ finish_text context graph temporal run clock ]
@@ -165,20 +188,84 @@ let beyond claim holds fact =
   else if m > n + 2 && fact.[n] = ':' then Some (String.sub fact (n + 2) (m - n - 2))
   else Some fact
 
-let rec tree context graph temporal (e : Explanation.t) : Witness.argument =
+(* How many reasons are looked for on the way of a run, and how many are told: of a run on the way of another it
+   is one. *)
+let searched = 8
+let told depth = if depth = 0 then 3 else 1
+
+let rec is_searched (e : Explanation.t) =
+  match e.because with
+  | Run { way = Own; _ } -> true
+  | Parts parts -> List.exists is_searched parts
+  | Given | Everywhere _ | Run { way = Onward _; _ } -> false
+
+let rec tree context graph temporal ~depth course (e : Explanation.t) : Witness.argument =
+  let tree_of = tree context graph temporal ~depth in
   let parts =
     match e.because with
     | Given | Everywhere _ -> []
-    | Parts parts | Run { parts; _ } -> parts
+    | Parts parts -> List.map (tree_of course) parts
+    | Run { parts; along; way; _ } ->
+      let here = match way with Own -> None | Onward _ -> course in
+      let told = Option.bind along (on_the_way context graph temporal ~depth) in
+      List.map (tree_of here) parts @ Option.to_list told
   in
   let formula, holds = affirmed temporal e in
   let claim = Show.temporal (Network_lts.model context) formula in
-  {
-    claim;
-    holds;
-    because = List.filter_map (beyond claim holds) (because context graph temporal e);
-    parts = List.map (tree context graph temporal) parts;
-  }
+  let because = List.filter_map (beyond claim holds) (because context graph temporal course e) in
+  { where = None; claim; holds; because; parts }
+
+(* What is so on the way of a run, when it takes more than a look at each position. *)
+and on_the_way context graph temporal ~depth (along : Explanation.along) =
+  let tree_of = tree context graph temporal ~depth:(depth + 1) (Some along.course) in
+  (* Reasons, each with the first place that it is told of and how many there are. *)
+  let rec reasons found left = function
+    | [] -> (List.rev found, 0)
+    | rest when left = 0 -> (List.rev found, List.length rest)
+    | (s : Explanation.stretch) :: rest ->
+      let why = Lazy.force s.why in
+      let found = note s.place (tree_of why) found in
+      reasons found (if is_searched why then left - 1 else left) rest
+  and note place argument = function
+    | [] -> [ (place, argument) ]
+    | ((_, a) :: _) as found when a = argument -> found
+    | first :: rest when List.exists (fun (_, a) -> a = argument) rest -> first :: rest
+    | found -> (place, argument) :: found
+  in
+  match along.stretches with
+  | [] -> None
+  | _ when is_state along.claim -> None
+  | stretches -> (
+      match reasons [] (if depth = 0 then searched else 1) stretches with
+      | [ (_, argument) ], 0 -> Some { argument with where = Some (everywhere along) }
+      | reasons, _ ->
+        let formula = Skeleton.to_temporal (Temporal.predicate temporal) along.claim in
+        let part ((place : Course.place), (a : Witness.argument)) =
+          let at = time_of along.course place in
+          let where =
+            if Course.is_interval place then
+              Printf.sprintf "right after time %s of this run, for example after %s" (at place.low)
+                (at place.position.offset)
+            else Printf.sprintf "after time %s of this run" (at place.low)
+          in
+          { a with where = Some where }
+        in
+        let shown = List.filteri (fun i _ -> i < told depth) reasons in
+        Some
+          {
+            where = Some (everywhere along);
+            claim = Show.temporal (Network_lts.model context) formula;
+            holds = along.claimed;
+            because = [ "each place has its reason, for example" ];
+            parts = List.map part shown;
+          })
+
+and everywhere (along : Explanation.along) =
+  match (along.course.run.finish, along.course.places) with
+  | (At_state | During _), _ -> "all the way"
+  | (Rests | Stops | Repeats _ | Passes), places ->
+    if List.compare_length_with along.stretches (Array.length places) < 0 then "everywhere on this run in that time"
+    else "everywhere on this run"
 
 let rec is_plain (e : Explanation.t) =
   match e.because with
@@ -187,6 +274,8 @@ let rec is_plain (e : Explanation.t) =
   | Parts parts -> List.for_all is_plain parts
 
 let argument context graph temporal (e : Explanation.t) =
+  let is_told (a : Explanation.along) = is_state a.claim || a.stretches = [] in
   match e.because with
-  | Run { parts; _ } when List.for_all is_plain parts -> None
-  | Run _ | Given | Parts _ | Everywhere _ -> Some (tree context graph temporal e)
+  | Run { parts; along; _ }
+    when List.for_all is_plain parts && Option.fold ~none:true ~some:is_told along -> None
+  | Run _ | Given | Parts _ | Everywhere _ -> Some (tree context graph temporal ~depth:0 None e)

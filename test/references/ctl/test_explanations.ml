@@ -39,6 +39,22 @@ let rounds (w : Walk.window) c =
   let far = match w.high with Some h -> h | None -> w.low in
   2 + Z.to_int (Rat.floor (Rat.div far c.graph.unit))
 
+(* Without the position that a run is taken to, which is its last piece. *)
+let before_goal (run : Run.t) pieces =
+  match Run.goal run with
+  | None -> pieces
+  | Some _ -> List.filteri (fun i _ -> i < List.length pieces - 1) pieces
+
+(* Where an open interval begins on which f fails, so may g hold. *)
+let before_open_end (run : Run.t) pieces =
+  match (run.finish, List.rev pieces) with
+  | During { moment = { attained = false; offset }; sample }, (last : Walk.piece) :: _ ->
+    let begins = Rat.add last.from (Rat.sub (Walk.rational offset) (Walk.rational sample)) in
+    List.filter (fun (p : Walk.piece) ->
+        Rat.compare p.from begins < 0
+        || match p.until with Some t -> Rat.equal t p.from && Rat.equal t begins | None -> false) pieces
+  | _ -> before_goal run pieces
+
 let ends_at pieces = match List.rev pieces with [] -> None | (p : Walk.piece) :: _ -> Some p
 
 (* A run within a bound, from a node, is the earliest: within any less there is none. *)
@@ -56,16 +72,62 @@ let earliest c naive (b : Formula.bound) f g (run : Run.t) (last : Walk.piece) =
       ensure c "not the earliest" (not (surely c naive sooner run.start))
   | Some _ | None -> ()
 
+(* Whether a place of a run stands for a position. *)
+let stands_for (place : Course.place) (p : Positions.position) =
+  Int.equal place.position.node p.node
+  &&
+  if Course.is_interval place then
+    Algebraic.compare place.low p.offset < 0
+    && match place.high with None -> true | Some high -> Algebraic.compare p.offset high < 0
+  else Algebraic.equal place.position.offset p.offset
+
+(* The steps of a run from one of them on, with two rounds more of what it repeats. *)
+let steps_on (run : Run.t) from =
+  let drop n l = List.filteri (fun i _ -> i >= n) l in
+  let cycle = match run.finish with Repeats k -> drop k run.steps | _ -> [] in
+  let round = List.length cycle in
+  drop from run.steps @ List.concat (List.init (2 + (List.length run.steps / max 1 round)) (fun _ -> cycle))
+
+let rec is_prefix (a : Run.step list) (b : Run.step list) =
+  match (a, b) with
+  | [], _ -> true
+  | x :: a, y :: b -> Int.equal x.source y.source && x.move = y.move && is_prefix a b
+  | _ :: _, [] -> false
+
+(* The runs that an explanation in the course of a run begins with, and that are said to go on as it does. *)
+let rec onward (e : Explanation.t) =
+  match e.because with
+  | Parts parts -> List.concat_map onward parts
+  | Run { run; way = Onward place; _ } -> [ (run, place) ]
+  | Given | Everywhere _ | Run { way = Own; _ } -> []
+
+let check_onward c (outer : Run.t) step ((run : Run.t), place) =
+  let rounds = match outer.finish with Repeats _ -> 6 | _ -> 0 in
+  let rec on n = if n = 0 then steps_on outer step else on (n - 1) @ steps_on outer (List.length outer.steps) in
+  ensure c "another run" (is_prefix run.steps (on rounds));
+  match (Run.goal run, place) with
+  | None, None -> ()
+  | Some goal, Some (place : Course.place) ->
+    let closed = { goal with offset = place.position.offset } in
+    ensure c "another place" (Int.equal goal.node place.position.node && stands_for place closed)
+  | Some _, None | None, Some _ -> fail c "a place without a goal, or a goal without a place"
+
+(* All is looked at where a run is explained, and some of it on the way of a run that is on the way of another. *)
+let chosen depth stretches =
+  let n = List.length stretches in
+  let keep i = depth = 0 || i = 0 || i = n - 1 || i = n / 2 in
+  List.filteri (fun i _ -> keep i) stretches
+
 (* [holds] is the truth of the U; [show] that of what its right side was made of. *)
-let rec check_until c naive q (b : Formula.bound) f g ~holds (e : Explanation.t) =
+let rec check_until ?(depth = 0) c naive q (b : Formula.bound) f g ~holds (e : Explanation.t) =
   let w = { Walk.low = b.low; high = b.high } in
   match e.because with
-  | Everywhere n ->
+  | Everywhere (lazy n) ->
     ensure c "something is reached" (n > 0 || Positions.is_inside e.position);
     ensure c "only what no run shows is so everywhere"
       (match (q : Formula.quantifier) with All -> holds | Exists -> not holds)
   | Given | Parts _ -> fail c "an operator without a run"
-  | Run { run; parts } -> (
+  | Run { run; parts; along; way } -> (
       ensure c "the run starts elsewhere" (same_position run.start e.position);
       match Walk.pieces c.graph ~rounds:(rounds w c) run with
       | Error text -> fail c "%s" text
@@ -74,7 +136,17 @@ let rec check_until c naive q (b : Formula.bound) f g ~holds (e : Explanation.t)
               match Run.goal run with
               | Some goal -> ensure c "a part elsewhere" (same_position goal p.position)
               | None -> fail c "a part of a run without end") parts;
-          List.iter (check c naive) parts;
+          List.iter (check ~depth c naive) parts;
+          let before = match (q : Formula.quantifier) with Exists -> before_goal | All -> before_open_end in
+          let claim, claimed, scope =
+            match (q : Formula.quantifier) with
+            | Exists -> (f, true, fun _ -> true)
+            | All -> (
+                match e.formula with
+                | Globally (_, _, g) -> (g, true, Walk.in_window w)
+                | _ -> (g, false, Walk.in_window w))
+          in
+          check_along ~depth c naive run claim claimed (List.filter scope (before run pieces)) along;
           match q with
           | Exists -> (
               ensure c "a run decides E only when it holds" holds;
@@ -84,7 +156,7 @@ let rec check_until c naive q (b : Formula.bound) f g ~holds (e : Explanation.t)
                   (* Not only on the way: at its end. *)
                   match ends_at pieces with
                   | Some last ->
-                    earliest c naive b f g run last;
+                    (match way with Own -> earliest c naive b f g run last | Onward _ -> ());
                     ensure c "the goal is not met at the end"
                       (surely c naive g last.position
                        && Rat.compare last.from w.low >= 0
@@ -113,11 +185,37 @@ let rec check_until c naive q (b : Formula.bound) f g ~holds (e : Explanation.t)
                 ensure c "the bound is not passed" beyond
               | (Open, _), (At_state | During _) -> fail c "the run shows nothing")))
 
-and check_next c naive f ~wanted (e : Explanation.t) =
+(* What is claimed on the way: of each piece there is a place that stands for it, and a reason there. *)
+and check_along ~depth c naive run claim claimed pieces along =
+  match (along, (claim : Formula.t)) with
+  | None, And [] -> ()
+  | None, _ -> fail c "nothing is said of the way"
+  | Some a, _ ->
+    ensure c "another claim" (Formula.compare a.claim claim = 0 && Bool.equal a.claimed claimed);
+    let told (p : Walk.piece) =
+      let v = value c naive claim p.position in
+      if not (if claimed then v.surely else not v.perhaps) then
+        fail c "%s is not so on the way, in %d after %s" (Small.print_formula claim) p.position.node
+          (Algebraic.to_string p.position.offset);
+      ensure c "a piece without a place"
+        (List.exists (fun (s : Explanation.stretch) -> stands_for s.place p.position) a.stretches)
+    in
+    List.iter told pieces;
+    let stretch (s : Explanation.stretch) =
+      let why = Lazy.force s.why in
+      ensure c "a reason elsewhere" (same_position why.position s.place.position);
+      ensure c "a reason of something else"
+        (Formula.compare why.formula claim = 0 && Bool.equal why.holds claimed);
+      List.iter (check_onward c run s.place.step) (onward why);
+      check ~depth:(depth + 1) c naive why
+    in
+    List.iter stretch (chosen depth a.stretches)
+
+and check_next ~depth c naive f ~wanted (e : Explanation.t) =
   match e.because with
-  | Everywhere n -> ensure c "something is reached" (n > 0 || Positions.is_inside e.position)
+  | Everywhere (lazy n) -> ensure c "something is reached" (n > 0 || Positions.is_inside e.position)
   | Given | Parts _ -> fail c "an operator without a run"
-  | Run { run; parts } ->
+  | Run { run; parts; _ } ->
     (match Walk.pieces c.graph ~rounds:1 run with Ok _ -> () | Error text -> fail c "%s" text);
     ensure c "it starts elsewhere" (same_position run.start e.position);
     let is_edge (s : Run.step) = match s.move with Edge _ -> true | Flow _ -> false in
@@ -129,16 +227,16 @@ and check_next c naive f ~wanted (e : Explanation.t) =
        ensure c "the part" (same_position p.position (Positions.start run.last));
        ensure c "of the formula" (Formula.compare p.formula f = 0 && Bool.equal p.holds wanted)
      | _ -> fail c "not one part");
-    List.iter (check c naive) parts
+    List.iter (check ~depth c naive) parts
 
-and check c naive (e : Explanation.t) =
+and check ?(depth = 0) c naive (e : Explanation.t) =
   let a = value c naive e.formula e.position in
   ensure c "it is as claimed" (if e.holds then a.surely else not a.perhaps);
   let parts l =
     List.iter
       (fun (p : Explanation.t) ->
          ensure c "a part elsewhere" (same_position p.position e.position);
-         check c naive p)
+         check ~depth c naive p)
       l
   in
   match (e.formula, e.because) with
@@ -159,10 +257,10 @@ and check c naive (e : Explanation.t) =
     (match e.because with
      | Run _ -> ensure c "a run" by_run
      | _ -> ensure c "no run" (not by_run));
-    check_next c naive f ~wanted:e.holds e
-  | Until (q, b, f, g), _ -> check_until c naive q b f g ~holds:e.holds e
-  | Finally (q, b, g), _ -> check_until c naive q b always g ~holds:e.holds e
-  | Globally (q, b, g), _ -> check_until c naive (opposite q) b always (Not g) ~holds:(not e.holds) e
+    check_next ~depth c naive f ~wanted:e.holds e
+  | Until (q, b, f, g), _ -> check_until ~depth c naive q b f g ~holds:e.holds e
+  | Finally (q, b, g), _ -> check_until ~depth c naive q b always g ~holds:e.holds e
+  | Globally (q, b, g), _ -> check_until ~depth c naive (opposite q) b always (Not g) ~holds:(not e.holds) e
   | (Predicate _ | Not _ | And _ | Or _), _ -> fail c "an explanation of another kind"
 
 let check_chain c (e : Explanation.t) =
@@ -251,7 +349,8 @@ let () =
         Scc_test_support.Property.cases
           [
             explanations "one operator" ~unsure:false ~truncated:false ~depth:1 5000;
-            explanations "nested operators" ~unsure:false ~truncated:false ~depth:3 2000;
+            explanations "nested operators" ~unsure:false ~truncated:false ~depth:3 3000;
+            explanations "nested deeper" ~unsure:false ~truncated:false ~depth:4 1000;
             explanations "undecided predicates, truncated graphs" ~unsure:true ~truncated:true ~depth:2 3000;
           ] );
       ( "doubts",

@@ -52,7 +52,7 @@ let explanations () =
   check "round within one instant, before the interval" "0.0 1.0 repeats 0 0" (zeno_then (node "T."))
     (af ~b:(bound 1) p);
   (match (why line (ef q)).because with
-   | Everywhere n -> Alcotest.(check int) "all that is reached" 3 n
+   | Everywhere (lazy n) -> Alcotest.(check int) "all that is reached" 3 n
    | _ -> Alcotest.fail "a run to what is nowhere");
   match (why truncated (eg (Not p))).because with
   | Run { run; _ } -> Alcotest.(check string) "EG: a run that rests" "0.1 rests 2" (shown run)

@@ -15,6 +15,9 @@ val pieces : Small.t -> rounds:int -> Run.t -> (piece list, string) result
 
 type window = { low : Rat.t; high : Rat.t option }
 
+val in_window : window -> piece -> bool
+(** An open interval: some of it. *)
+
 type verdict =
   | Met  (** g, within the window, with f before *)
   | Broken  (** f fails first *)
