@@ -264,7 +264,8 @@ and everywhere (along : Explanation.along) =
   match (along.course.run.finish, along.course.places) with
   | (At_state | During _), _ -> "all the way"
   | (Rests | Stops | Repeats _ | Passes), places ->
-    if List.compare_length_with along.stretches (Array.length places) < 0 then "everywhere on this run in that time"
+    let some = List.compare_length_with along.stretches (Array.length places) < 0 in
+    if some then "everywhere on this run in that time"
     else "everywhere on this run"
 
 let rec is_plain (e : Explanation.t) =
