@@ -120,6 +120,7 @@ def switches(model: Model) -> List[str]:
     """What a model chooses that is not so if nothing is said."""
     found = ["together"] * model.together + ["by contact"] * model.by_contact
     found += ["laws"] * model.steered + ["local steps"] * (model.steered and model.local)
+    found += ["steady steps"] * (model.steered and model.steady) + ["only"] * model.only
     return found + ["rounding"] * (model.rigid and bool(model.rounding))
 
 

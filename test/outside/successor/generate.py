@@ -144,7 +144,11 @@ class Generator:
             chosen = [x for x in everything if x[2] == kind]
         else:
             chosen = rng.sample(everything, rng.randint(1, 3))
-        texts = [(p.name + "." if p.name else "") + t for p, t, _ in chosen]
+        alone = not self.by_contact and rng.random() < 0.3  # reading I-34
+        texts = [
+            "only " * (alone and rng.random() < 0.7) + (p.name + "." if p.name else "") + t
+            for p, t, _ in chosen
+        ]
         return "{%s}" % ", ".join(texts)
 
     def term(self, leaf: Leaf, names: List[str], depth: int) -> str:
@@ -283,8 +287,9 @@ class Generator:
                         declared = other[3]
                         release = self.release(channel, names[shape.name])
                         if release:
-                            behaviour = release % ((pair[1],) * release.count("%s"))
-                            at_other = release % ((pair[0],) * release.count("%s"))
+                            alone = "only " * (not self.by_contact and rng.random() < 0.2)
+                            behaviour = release % ((alone + pair[1],) * release.count("%s"))
+                            at_other = release % ((alone + pair[0],) * release.count("%s"))
                             self.reword(other[0], at_other, names[shape.name])
                 if rng.random() < 0.75:
                     velocity = self.towards(at, placed)
@@ -314,8 +319,8 @@ class Generator:
             words = line.split()
             if words[0] in ("process", "fixed"):
                 self.lines[i] = "%s [%s]" % (line, self.behaviours[words[1]])
-        local = " local" if self.laws and rng.random() < 0.5 else ""
-        head = ["timestep %s%s" % (rng.choice(["1", "1/2", "2", "1/3"]), local)]
+        own = rng.choice([" local", " local", " steady", ""]) if self.laws else ""
+        head = ["timestep %s%s" % (rng.choice(["1", "1/2", "2", "1/3"]), own)]
         head += ["collisions together"] * self.together + ["binding contact"] * self.by_contact
         if rng.random() < 0.4:
             head.append("split_step %s" % rng.choice(["1/2", "1", "3/4", "2", "1/3"]))

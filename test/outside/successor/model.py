@@ -43,9 +43,10 @@ class Leaf:
         self.centroid = centre  # from the reference point
         self.mass = None if fixed else whole
 
-    def closure(self, sites: Any) -> frozenset:
-        """The active surface of a channel (Definitions 4.2 and 5.1)."""
-        found = set()
+    def active(self, alone: frozenset, sites: frozenset) -> frozenset:
+        """The active surface of a channel (Definitions 4.2 and 5.1): of some features alone
+        (I-34), and of others with their closure."""
+        found = set(alone)
         for part in {part for part, _ in sites}:
             solid = self.by_name[part].solid
             own = frozenset(feature for p, feature in sites if p == part)
@@ -72,7 +73,7 @@ class Model:
         self.motions: List[Tuple[Optional[str], Any, dict]] = []
         self.settings: Dict[str, Any] = {}
         self.rounding: Dict[str, Fraction] = {}
-        self.local = False
+        self.local, self.steady = False, False
         self._bodies: Dict[Tuple[str, str], terms.Term] = {}
         items = read(text)
         for item in items:
@@ -134,6 +135,7 @@ class Model:
             elif word in ("timestep", "split_step", "resolution"):
                 self.settings[word] = self.number(item[1], env)
                 self.local = self.local or "local" in item[2:]
+                self.steady = self.steady or "steady" in item[2:]
             elif word in ("dynamics", "collisions", "binding"):
                 self.settings[word] = item[1]
             elif word == "round":
@@ -296,8 +298,10 @@ class Model:
             return terms.wait(Fraction(self.number(written[1], env)), then)
 
         def sites(channel: Any) -> frozenset:
-            """The closure: channels are equal when name and closure are (I-17)."""
-            return leaf.closure(frozenset(self.site(leaf, f, env) for f in channel[2]))
+            """Channels are equal when their names and active surfaces are (I-17, I-34)."""
+            members = [(only, self.site(leaf, f, env)) for only, f in channel[2]]
+            alone, others = (frozenset(s for o, s in members if o is x) for x in (True, False))
+            return leaf.active(alone, others)
 
         if kind == "open":
             return ("open", written[1][0], written[1][1], sites(written[1]), then)
@@ -354,6 +358,11 @@ class Model:
         self.by_contact = self.settings.get("binding") == "contact"
         if self.rigid and self.by_contact:
             raise Refused("binding contact in a rigid model (I-33)")
+        behaviours = list(self.behaviours.values())
+        behaviours += [leaf["behaviour"] for leaf in self.initial_leaves.values()]
+        self.only = any(any(only for only, _ in c[2]) for b in behaviours for c in channels(b))
+        if self.only and self.by_contact:
+            raise Refused("features without their closure, and binding contact (I-34)")
 
     def _law(self, leaf: Leaf, process: str) -> None:
         """The most special law counts."""
@@ -370,6 +379,17 @@ class Model:
                 continue
             if rank > best and not leaf.fixed:
                 best, leaf.law = rank, None if law is None else (law, env)
+
+
+def channels(written: Any) -> List[Any]:
+    """All channels of a behaviour, as it is written."""
+    kind = written[0]
+    if kind == "sum":
+        return [channel for term in written[1] for channel in channels(term)]
+    if kind in ("nil", "name"):
+        return []
+    own = {"open": written[1:2], "weak": written[1:2], "strong": written[1], "wait": []}[kind]
+    return list(own) + channels(written[2])
 
 
 @lru_cache(maxsize=1000)

@@ -131,7 +131,6 @@ class Rules:
     ) -> Iterator[Tuple[Bond, Dict[str, Body]]]:
         """Rule Bind, wherever the two touch (I-12): bonds, and what the two leaves become."""
         for pair in pairs:
-            leaf1, leaf2 = self.leaf(pair.leaf1), self.leaf(pair.leaf2)
             body1, body2 = p.bodies[pair.leaf1], q.bodies[pair.leaf2]
             open1 = [s for s in self.summands(pair.leaf1, body1) if s[0] == "open"]
             open2 = [s for s in self.summands(pair.leaf2, body2) if s[0] == "open"]
@@ -142,7 +141,7 @@ class Rules:
                 continue
             features = self.touching_features(pair)
             for s1, s2 in matching:
-                active1, active2 = leaf1.closure(s1[3]), leaf2.closure(s2[3])
+                active1, active2 = s1[3], s2[3]
                 both = [
                     ((pair.part1.name, f1), (pair.part2.name, f2), dimension)
                     for f1, f2, dimension in features
@@ -247,7 +246,7 @@ class Rules:
                     [
                         (leaf, self.becomes(body, s[3]))
                         for s in self.summands(leaf, body)
-                        if s[0] == kind and s[1] == name and site in self.leaf(leaf).closure(s[2])
+                        if s[0] == kind and s[1] == name and site in s[2]
                     ]
                 )
             for chosen in product(*offers):
@@ -271,20 +270,19 @@ class Rules:
                         [
                             (leaf, self.becomes(body, s[2]))
                             for s in self.summands(leaf, body)
-                            if s[0] == "strong" and self.reacts(self.leaf(leaf), s[1], released)
+                            if s[0] == "strong" and self.reacts(s[1], released)
                         ]
                     )
                 for outcome in product(*offers):
                     yield list(chosen), dict(outcome)
 
-    def reacts(self, leaf: Leaf, entries: Any, released: list) -> bool:
+    def reacts(self, entries: Any, released: list) -> bool:
         """Whether bonds and entries match one to one."""
-        distinct = {(name, leaf.closure(sites)) for name, sites in entries}
-        if len(distinct) != len(released):
+        if len(entries) != len(released):
             return False
         return any(
             all(n == name and site in active for (name, active), (n, site) in zip(order, released))
-            for order in permutations(distinct)
+            for order in permutations(entries)
         )
 
     def fall_apart(
@@ -469,13 +467,17 @@ class Rules:
         if step is None:
             return state
         collides = bool(self.hit(state))
-        if step.phase == "moving" and (step.remaining == 0 or kind in ("bind", "bounce")):
+        if step.phase == "moving" and (step.remaining == 0 or self.ends_step(kind)):
             step = Step(step.remaining, "due")
         if step.phase == "due" and not collides:
             dt = self.model.timestep - step.remaining
             processes = tuple(self.steered(p, state.time, dt) for p in state.processes)
             return replace(state, processes=processes, step=Step(self.model.timestep, "steered"))
         return replace(state, step=step)
+
+    def ends_step(self, kind: str) -> bool:
+        """Whether a transition of a kind ends the step of the network (I-35)."""
+        return kind in ("bind", "bounce") and not self.model.steady
 
     def settled_locally(self, state: State) -> State:
         """Reading I-31: the steps that are over, of what does not collide, all at once."""

@@ -230,14 +230,26 @@ class Reader:
         self.expect("{")
         return self.separated(self.feature, "}")
 
+    def members(self) -> List[Any]:
+        """The features of a channel, each with whether it stands for itself alone (I-34)."""
+        self.expect("{")
+        first = self.at
+
+        def member() -> Any:
+            named = self.kind(1) == "name" or self.peek(1) == "[" or self.at == first
+            only = named and self.accept("only")
+            return (only, self.feature())
+
+        return self.separated(member, "}")
+
     def channel(self) -> Any:
         self.expect("<")
         barred = self.accept("~")
         name = self.name()
         self.expect(",")
-        features = self.features()
+        members = self.members()
         self.expect(">")
-        return (barred, name, features)
+        return (barred, name, members)
 
     def behaviour(self) -> Any:
         terms = [self.term()]
@@ -261,10 +273,10 @@ class Reader:
             barred = self.accept("~")
             name = self.name()
             self.expect(",")
-            features = self.features()
+            members = self.members()
             self.expect(")")
             self.expect(".")
-            return ("weak", (barred, name, features), self.term())
+            return ("weak", (barred, name, members), self.term())
         if self.accept("rho"):
             self.expect("(")
             self.expect("{")
@@ -435,7 +447,7 @@ class Reader:
 
     def _setting(self, word: str) -> Any:
         value = self.expr()
-        if word == "timestep" and self.peek() == "local":
+        if word == "timestep" and self.peek() in ("local", "steady"):
             return (word, value, self.next())
         return (word, value)
 

@@ -21,6 +21,7 @@ import response
 import steps
 import straight
 import terms
+from model import Leaf
 from oracle import Oracle
 from straight import Rules
 
@@ -40,7 +41,7 @@ def replaced(owner: Any, name: str, value: Any) -> Mistake:
 
 _covered, _touch, _dimension = response.covered, contact.touch, contact.dimension
 _grown, _passed = terms.grown, Rules.passed
-_clusters = Rules.clusters
+_clusters, _active = Rules.clusters, Leaf.active
 
 
 def every_direction(own: Any, n: Any, others: Any) -> bool:
@@ -114,6 +115,16 @@ MISTAKES: Dict[str, Mistake] = {
     "I-32: what is fixed links too": replaced(Rules, "clusters", linked_by_all),
     "I-33: only what collides binds": replaced(Rules, "collisions", collisions_alone),
     "I-33: time passes by": replaced(Rules, "to_binding", lambda self, state: None),
+    "I-34: only has its closure": replaced(
+        Leaf, "active", lambda self, alone, sites: _active(self, frozenset(), alone | sites)
+    ),
+    "I-34: the others have none": replaced(
+        Leaf, "active", lambda self, alone, sites: _active(self, alone | sites, frozenset())
+        if alone else _active(self, alone, sites)
+    ),
+    "I-35: collisions end steps": replaced(
+        Rules, "ends_step", lambda self, kind: kind in ("bind", "bounce")
+    ),
 }  # fmt: skip
 
 

@@ -8,8 +8,8 @@
     ("sum", (term, ...))                      of at least two, none of them a sum
     ("name", K)
 
-``sites`` is the closure of what is listed, a frozenset of (part, feature): channels are equal when
-their names and closures are (I-17). A ``Lookup`` gives the bodies of names.
+``sites`` is the active surface, a frozenset of (part, feature): channels are equal when their names
+and active surfaces are (I-17, I-34). A ``Lookup`` gives the bodies of names.
 """
 
 from __future__ import annotations
