@@ -69,7 +69,7 @@ let write_witnesses loaded path folder verdicts =
 (* What was asked for besides the verdicts. *)
 type extra = { covered : (Explored.t * Coverage.t) option; measured : Measured.t option }
 
-let print_json console loaded report verdicts extra code =
+let print_json console ~full loaded report verdicts extra code =
   let coverage (space, c) = ("coverage", Coverage_json.json space c) in
   let measured m = ("measured", Measured.json m report) in
   let json =
@@ -80,6 +80,7 @@ let print_json console loaded report verdicts extra code =
         report;
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
+        full;
         extra =
           Option.to_list (Option.map coverage extra.covered)
           @ Option.to_list (Option.map measured extra.measured);
@@ -90,12 +91,12 @@ let print_json console loaded report verdicts extra code =
 let shows_zeno (o : Verdict.outcome) =
   List.exists (function Verdict.By One_instant -> true | By Dead_end | Among _ -> false) o.rests
 
-let print_text console (loaded : Loaded.t) (report : Check.report) verdicts extra =
+let print_text console ~full (loaded : Loaded.t) (report : Check.report) verdicts extra =
   let c = loaded.semantics in
   let print = Console.print console in
   print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
-  List.iter (fun v -> print (Check_text.property console c v ^ "\n")) verdicts;
-  let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno c w ^ "\n") in
+  List.iter (fun v -> print (Check_text.property console ~full c v ^ "\n")) verdicts;
+  let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno ~full c w ^ "\n") in
   Option.iter zeno report.zeno;
   print (Check_text.explored report.stats ^ Check_text.slices report.slices);
   Option.iter (fun (space, c) -> print (Coverage_text.lines console space c)) extra.covered;
@@ -167,8 +168,8 @@ let check console budget (extras : Check_extras.t) overrides path =
   Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
   let code = !code in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in
-  if Console.is_json console then print_json console l report verdicts extra code
-  else print_text console l report verdicts extra;
+  if Console.is_json console then print_json console ~full:extras.full l report verdicts extra code
+  else print_text console ~full:extras.full l report verdicts extra;
   Console.flush console;
   Ok code
 

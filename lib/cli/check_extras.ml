@@ -9,6 +9,7 @@ type t = {
   reductions : Reduction.kind list;
   order : State_graph.order;
   compact : bool;
+  full : bool;
 }
 
 let witness =
@@ -82,7 +83,11 @@ let compact =
   Arg.(value & flag & info [ "hash-compact" ] ~doc)
 
 let term =
-  let make witness coverage stats sarif reductions order compact =
-    { witness; coverage; stats; sarif; reductions; order; compact }
+  let make witness coverage stats sarif reductions order compact full =
+    { witness; coverage; stats; sarif; reductions; order; compact; full }
   in
-  Term.(const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact)
+  Term.(
+    const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact
+    $ Options.full
+      "Tells runs in full: every step and every body, and numbers with all their digits; in JSON all steps of the \
+       way to a state that was not explored.")

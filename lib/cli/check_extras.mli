@@ -8,6 +8,7 @@ type t = {
   reductions : Scc_space.Reduction.kind list;
   order : Scc_space.State_graph.order;
   compact : bool;  (** hash compaction *)
+  full : bool;  (** runs with all there is *)
 }
 
 val term : t Cmdliner.Term.t

@@ -15,56 +15,123 @@ let style : Verdict.t -> Console.style = function
   | Holds _ | Undecided _ -> Doubtful
   | Violated _ -> Bad
 
-let step_lines ?(most = shown_steps) m (w : Witness.t) =
-  let n = List.length w.steps in
-  let width = String.length (string_of_int n) in
-  let line i (s : Witness.step) =
-    let preposition = if Rat.sign (Transition.duration s.transition) > 0 then "to" else "at" in
-    Printf.sprintf "%*d. %s, %s time %s" width (i + 1)
-      (Run_text.label m s.transition.label)
-      preposition
-      (Scc_exchange.Short_text.exact s.time)
-  in
-  (* Only what is shown is put into words. *)
-  let lines from count =
-    List.filteri (fun i _ -> i >= from && i < from + count) w.steps |> List.mapi (fun i s -> line (from + i) s)
-  in
-  if n <= most then lines 0 n
-  else
-    let half = most / 2 in
-    lines 0 half @ (Printf.sprintf "… %d more …" (n - most) :: lines (n - half) half)
+(* Steps that are told in one line: how many passings of the same time, or one step. *)
+type entry = { first : int; times : int; step : Witness.step  (** the last of them *) }
 
-let state_lines c (w : Witness.t) =
+(* What comes back at a step is told from there. *)
+let entries ~full (w : Witness.t) =
+  let cycle = match w.finish with Repeats { cycle; _ } -> cycle | _ -> -1 in
+  let add (i, entries) (s : Witness.step) =
+    let fresh () = { first = i; times = 1; step = s } :: entries in
+    let entries =
+      match (entries, s.transition.label) with
+      | ({ step = { transition = { label = Time before; _ }; _ }; _ } as e) :: rest, Time d
+        when (not full) && i <> cycle && Rat.equal before d ->
+        { e with times = e.times + 1; step = s } :: rest
+      | _ -> fresh ()
+    in
+    (i + 1, entries)
+  in
+  List.rev (snd (List.fold_left add (0, []) w.steps))
+
+let entry_number e =
+  if e.times = 1 then string_of_int (e.first + 1) else Printf.sprintf "%d-%d" (e.first + 1) (e.first + e.times)
+
+let entry_text ~full m e =
+  let duration = Transition.duration e.step.transition in
+  let preposition = if Rat.sign duration > 0 then "to" else "at" in
+  let what =
+    if e.times = 1 then Run_text.label ~full m e.step.transition.label
+    else Run_text.passes ~full e.times duration
+  in
+  Printf.sprintf "%s, %s time %s" what preposition (Run_text.number ~full e.step.time)
+
+let step_lines ?(most = shown_steps) ~full m (w : Witness.t) =
+  let entries = entries ~full w in
+  let n = List.length entries in
+  let half = most / 2 in
+  let cut = (not full) && n > most in
+  let shown = if cut then List.filteri (fun i _ -> i < half || i >= n - half) entries else entries in
+  let width = List.fold_left (fun w e -> Int.max w (String.length (entry_number e))) 0 shown in
+  let line e = Printf.sprintf "%*s. %s" width (entry_number e) (entry_text ~full m e) in
+  let lines = Scc_base.Long_list.map line shown in
+  if not cut then lines
+  else
+    let left_out = List.filteri (fun i _ -> i >= half && i < n - half) entries in
+    let steps = List.fold_left (fun sum e -> sum + e.times) 0 left_out in
+    List.filteri (fun i _ -> i < half) lines
+    @ (Printf.sprintf "… %d more …" steps :: List.filteri (fun i _ -> i >= half) lines)
+
+let leaves_of (label : Transition.label) =
+  let ends (b : Scc_calculus.State.bond) = [ b.one.at; b.two.at ] in
+  match label with
+  | Time _ -> []
+  | Bounce leaves -> leaves
+  | Bind b | Weak_split b -> ends b
+  | Strong_split bonds -> List.concat_map ends bonds
+
+module Leaves = Set.Make (Int)
+
+(* Whom a property speaks of. *)
+type about = Everyone | Only of int list
+
+let about formula =
+  if Scc_property.Formula.global formula then Everyone else Only (Scc_property.Formula.leaves formula)
+
+(* Those that matter are told: whom the property speaks of, and who takes part in an event of the run and can do
+   something. *)
+let aside m ~about (w : Witness.t) =
+  let of_step set (s : Witness.step) = Leaves.add_seq (List.to_seq (leaves_of s.transition.label)) set in
+  let active = List.fold_left of_step Leaves.empty w.steps in
+  let named = match about with Only leaves -> Leaves.of_list leaves | Everyone -> Leaves.empty in
+  let everyone = match about with Everyone -> true | Only _ -> false in
+  fun (p : Scc_calculus.State.process) ->
+    let is_in set = Array.exists (fun (l : Scc_calculus.State.leaf) -> Leaves.mem l.leaf set) p.leaves in
+    let inert = Run_text.fixed m p && Run_text.does_nothing m p in
+    if is_in named || ((everyone || is_in active) && not inert) then None
+    else Some (if Run_text.fixed m p then "fixed" else "no part in it")
+
+let told aside (s : Scc_calculus.State.t) =
+  Array.fold_left (fun n p -> if Option.is_none (aside p) then n + 1 else n) 0 s.processes
+
+let state_lines ~full ~about c (w : Witness.t) =
   let m = Semantics.model c and s = Witness.there c w in
-  if Array.length s.processes > shown_processes then []
+  let aside = aside m ~about w in
+  if (not full) && told aside s > shown_processes then []
   else
     let heading =
       if Witness.at_rational_instant w then "there:"
       else "there, nearly (at a rational instant close by):"
     in
-    heading :: List.map (fun l -> "  " ^ l) (Run_text.state m s)
+    heading :: List.map (fun l -> "  " ^ l) (Run_text.state ~full ~aside m s)
 
-let witness c w =
+let ending ~full m w =
+  let lines = Witness.ending m w in
+  if full then lines else List.map Scc_exchange.Short_text.within lines
+
+let witness ~full ~about c w =
   let m = Semantics.model c in
-  step_lines m w @ Witness.ending m w @ state_lines c w
+  Scc_base.Long_list.append (step_lines ~full m w) (ending ~full m w @ state_lines ~full ~about c w)
 
 (* Where more was to be explored: the way there in short. *)
-let way m w = step_lines ~most:12 m w @ Witness.ending m w
-let indented depth lines = List.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
+let way ~full m w = Scc_base.Long_list.append (step_lines ~most:12 ~full m w) (ending ~full m w)
 
-let property console c ({ check; verdict = v; _ } as o : Verdict.outcome) =
+let indented depth lines = Scc_base.Long_list.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
+
+let property console ~full c ({ check; verdict = v; _ } as o : Verdict.outcome) =
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
+  let witness = witness ~full ~about:(about check.formula) c in
   let run =
     match v with
-    | Holds { witness = Some w; _ } -> [ ("a run that shows it:", witness c w) ]
-    | Violated { witness = Some w } -> [ ("a run that violates it:", witness c w) ]
+    | Holds { witness = Some w; _ } -> [ ("a run that shows it:", witness w) ]
+    | Violated { witness = Some w } -> [ ("a run that violates it:", witness w) ]
     | Holds _ | Violated _ -> []
     | Undecided reasons ->
       List.filter_map
         (function
           | Verdict.Unexplored { nearest; _ } ->
-            Some ("to the nearest unexplored state that matters:", way (Semantics.model c) nearest)
+            Some ("to the nearest unexplored state that matters:", way ~full (Semantics.model c) nearest)
           | Truncated _ | Undefined _ | Fault _ -> None)
         reasons
   in
@@ -76,9 +143,10 @@ let property console c ({ check; verdict = v; _ } as o : Verdict.outcome) =
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
   String.concat "" ((head :: none) @ List.concat_map show run)
 
-let zeno c w =
+let zeno ~full c w =
+  let lines = witness ~full ~about:(Only []) c w in
   String.concat ""
-    ("Zeno behaviour: a run that goes on for ever within one instant\n" :: indented 4 (witness c w))
+    ("Zeno behaviour: a run that goes on for ever within one instant\n" :: indented 4 lines)
 
 let plural n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
 

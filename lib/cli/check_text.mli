@@ -4,10 +4,11 @@ open Scc_semantics
 open Scc_explain
 open Scc_verify
 
-val property : Console.t -> Semantics.t -> Verdict.outcome -> string
-(** A verdict in several lines, with its witness; ended by a newline. *)
+val property : Console.t -> full:bool -> Semantics.t -> Verdict.outcome -> string
+(** A verdict in several lines, with its witness; ended by a newline. Of the run what matters is told, in words
+    that can be read: all of it if [full]. *)
 
-val zeno : Semantics.t -> Witness.t -> string
+val zeno : full:bool -> Semantics.t -> Witness.t -> string
 (** A run that never leaves an instant. *)
 
 val explored : Check.stats -> string

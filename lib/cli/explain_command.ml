@@ -12,6 +12,7 @@ type options = {
   model : string option;
   check : string option;
   overrides : (string * Rat.t) list;
+  full : bool;
 }
 
 let ( let* ) = Result.bind
@@ -80,7 +81,7 @@ let explanation run (check : Property.check option) =
   in
   Omission.explain story (Causes.union [ basis; Causes.of_dead_end story ]) props
 
-let print console (model : Loaded.t) check ending explanation =
+let print console ~full (model : Loaded.t) check ending explanation =
   Console.answer console
     ~text:(fun () ->
         let settings =
@@ -88,7 +89,7 @@ let print console (model : Loaded.t) check ending explanation =
           | [] -> ""
           | list -> Scc_calculus.Parameters.line list ^ "\n\n"
         in
-        settings ^ Explain_text.lines console check ending explanation)
+        settings ^ Explain_text.lines console ~full check ending explanation)
     ~json:(fun () ->
         Explain_json.document ~source:(Console.source console)
           {
@@ -112,7 +113,7 @@ let explain console o =
   (match ending with
    | Stuck s -> Console.report console [ Scc_verify.Bounds.dead_end (Replay.diagnostic model.model s) ]
    | Open | Quiescent | Zeno -> ());
-  print console model check ending (explanation run check);
+  print console ~full:o.full model check ending (explanation run check);
   Ok ()
 
 let run color json o =
@@ -143,8 +144,9 @@ let check =
   Arg.(value & opt (some string) None & info [ "check" ] ~docv:"NAME" ~doc)
 
 let options =
-  let make witness model check overrides = { witness; model; check; overrides } in
-  Term.(const make $ witness $ model $ check $ Options.overrides)
+  let full = Options.full "Tells every step of the run, and all digits of numbers." in
+  let make witness model check overrides full = { witness; model; check; overrides; full } in
+  Term.(const make $ witness $ model $ check $ Options.overrides $ full)
 
 let man =
   [

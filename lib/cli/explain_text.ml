@@ -51,12 +51,12 @@ let matters = function
   | Omission.Irrelevant -> false
   | Cause | Keeps_away -> true
 
-let shown_facts (x : Omission.t) =
+let shown_facts ~full (x : Omission.t) =
   let n = List.length x.facts in
-  let shown = List.filteri (fun i _ -> i < greatest_list) x.facts in
-  if n > greatest_list then shown @ [ Printf.sprintf "and %d more" (n - greatest_list) ] else shown
+  let shown = List.filteri (fun i _ -> full || i < greatest_list) x.facts in
+  if n > greatest_list && not full then shown @ [ Printf.sprintf "and %d more" (n - greatest_list) ] else shown
 
-let heading console check (x : Omission.t) =
+let heading console ~full check (x : Omission.t) =
   let m = Causes.model x.story and events = Causes.events x.story in
   let strong = Console.styled console Console.Strong in
   let about =
@@ -70,17 +70,20 @@ let heading console check (x : Omission.t) =
     | list, _ -> "because of " ^ reasons m events list
   in
   let facts =
-    match shown_facts x with
+    match shown_facts ~full x with
     | [] -> []
     | facts ->
-      Printf.sprintf "at time %s:" (Scc_exchange.Short_text.exact (Causes.duration x.story))
-      :: List.map (( ^ ) "  ") facts
+      Printf.sprintf "at time %s:" (Run_text.number ~full (Causes.duration x.story))
+      :: List.map (fun f -> "  " ^ if full then f else Scc_exchange.Short_text.within f) facts
   in
   (about :: facts) @ [ because; "" ]
 
-let step_lines (x : Omission.t) of_step number label time =
+(* Events of one step, and those of them that matter. *)
+let relevant (x : Omission.t) = List.filter (fun i -> matters x.roles.(i))
+
+let step_lines ~full (x : Omission.t) of_step number label time =
   let m = Causes.model x.story and events = Causes.events x.story in
-  let relevant = List.filter (fun i -> matters x.roles.(i)) of_step in
+  let relevant = relevant x of_step in
   let why i =
     let e = events.(i) in
     let keeps =
@@ -96,18 +99,46 @@ let step_lines (x : Omission.t) of_step number label time =
     Printf.sprintf "         %s%sbecause of %s" keeps subject (reasons m events e.reasons)
   in
   let mark = match relevant with [] -> " " | _ :: _ -> "*" in
-  Printf.sprintf "%s %4d. %s, at time %s" mark number (Run_text.label m label)
-    (Scc_exchange.Short_text.exact time)
+  Printf.sprintf "%s %4d. %s, at time %s" mark number (Run_text.label ~full m label) (Run_text.number ~full time)
   :: List.map why relevant
 
-let steps (x : Omission.t) =
-  let legs = Course.legs (Causes.run x.story).course in
-  let of_step = Array.make (Array.length legs) [] in
-  Array.iteri (fun i (e : Causes.event) -> of_step.(e.step) <- i :: of_step.(e.step)) (Causes.events x.story);
-  let lines i ({ label; start; _ } : Course.leg) =
-    step_lines x (List.rev of_step.(i)) (i + 1) label (Rat.add start (Transition.duration_of label))
+(* Steps in which nothing happens that matters, in one line. *)
+let beside (x : Omission.t) of_step (legs : Course.leg array) first last =
+  let m = Causes.model x.story and events = Causes.events x.story in
+  let steps = List.init (last - first + 1) (fun k -> first + k) in
+  let happened = List.filter (fun i -> not (Transition.is_time legs.(i).label)) steps in
+  let leaves_of i = List.concat_map (fun e -> events.(e).Causes.leaves) of_step.(i) in
+  let bodies = List.map (name m) (List.sort_uniq Int.compare (List.concat_map leaves_of happened)) in
+  let what =
+    match happened with
+    | [] -> "time passes"
+    | [ _ ] -> Printf.sprintf "one event that does not matter (of %s)" (listed bodies)
+    | _ -> Printf.sprintf "%d events that do not matter (of %s)" (List.length happened) (listed bodies)
   in
-  Scc_base.Long_list.concat (Array.to_list (Array.mapi lines legs))
+  let leg = legs.(last) in
+  let time = Rat.add leg.start (Transition.duration_of leg.label) in
+  Printf.sprintf "  %s. %s, to time %s"
+    (Printf.sprintf "%4s" (Printf.sprintf "%d-%d" (first + 1) (last + 1)))
+    what (Run_text.number ~full:false time)
+
+let steps ~full (x : Omission.t) =
+  let legs = Course.legs (Causes.run x.story).course in
+  let n = Array.length legs in
+  let of_step = Array.make n [] in
+  Array.iteri (fun i (e : Causes.event) -> of_step.(e.step) <- i :: of_step.(e.step)) (Causes.events x.story);
+  let matters i = match relevant x of_step.(i) with [] -> false | _ :: _ -> true in
+  let line i =
+    let { label; start; _ } : Course.leg = legs.(i) in
+    step_lines ~full x (List.rev of_step.(i)) (i + 1) label (Rat.add start (Transition.duration_of label))
+  in
+  let rec last_beside i = if i + 1 < n && not (matters (i + 1)) then last_beside (i + 1) else i in
+  let rec go i acc =
+    if i >= n then List.rev acc
+    else
+      let last = if full || matters i then i else last_beside i in
+      go (last + 1) ((if last = i then line i else [ beside x of_step legs i last ]) :: acc)
+  in
+  Scc_base.Long_list.concat (go 0 [])
 
 (* How many of the transitions other than passings of time matter. *)
 let counted (x : Omission.t) =
@@ -138,6 +169,6 @@ let dead_end m (ending : Scc_exchange.Replay.ending) =
     [ "       the run ends here, in a dead end: " ^ (Transition.diagnostic m fault).message ]
   | Open | Quiescent | Zeno -> []
 
-let lines console check ending x =
+let lines console ~full check ending x =
   let over = dead_end (Causes.model x.Omission.story) ending in
-  String.concat "\n" (heading console check x @ steps x @ over @ ("" :: conclusion x)) ^ "\n"
+  String.concat "\n" (heading console ~full check x @ steps ~full x @ over @ ("" :: conclusion x)) ^ "\n"

@@ -65,6 +65,8 @@ let json =
   in
   Arg.(value & flag & info [ "json" ] ~doc)
 
+let full doc = Arg.(value & flag & info [ "full" ] ~doc)
+
 let diagnostics_man =
   [
     `S "DIAGNOSTICS";

@@ -22,6 +22,9 @@ val overrides : (string * Rat.t) list Term.t
 val color : Console.color Term.t
 val json : bool Term.t
 
+val full : string -> bool Term.t
+(** [--full], with what it means for the command. *)
+
 val sdocs : string
 (** The section of the manual for {!color}. *)
 

@@ -18,8 +18,10 @@ let rec listed = function
   | [ one; last ] -> one ^ " and " ^ last
   | one :: rest -> one ^ ", " ^ listed rest
 
-let label m : Transition.label -> string = function
-  | Time d -> Printf.sprintf "time passes by %s" (Short_text.exact d)
+let number ~full q = if full then Rat.to_string q else Short_text.exact q
+
+let label ?(full = false) m : Transition.label -> string = function
+  | Time d -> Printf.sprintf "time passes by %s" (number ~full d)
   | Bind b ->
     Printf.sprintf "%s and %s collide and bind by %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Bounce firsts -> Printf.sprintf "%s collide and bounce" (listed (List.map (name m) firsts))
@@ -36,31 +38,63 @@ let cut s =
     let rec back i = if i > 0 && Char.code s.[i] land 0xC0 = 0x80 then back (i - 1) else i in
     String.sub s 0 (back greatest_behaviour) ^ "…"
 
-let behaviour m (l : State.leaf) = cut (State_json.behaviour m ~leaf:l.leaf l.behaviour)
+let passes ?(full = false) times d = Printf.sprintf "time passes %d times by %s" times (number ~full d)
 
-let leaf m (l : State.leaf) =
-  Printf.sprintf "%s at %s [%s]" (name m l.leaf) (Short_text.position m l) (behaviour m l)
+let behaviour ~full m (l : State.leaf) =
+  let text = State_json.behaviour m ~leaf:l.leaf l.behaviour in
+  if full then text else cut text
+
+let does_nothing m (p : State.process) =
+  Array.for_all (fun l -> String.equal (behaviour ~full:true m l) "nil") p.leaves
+
+let leaf ~full m (l : State.leaf) =
+  Printf.sprintf "%s at %s [%s]" (name m l.leaf) (Short_text.position ~full m l) (behaviour ~full m l)
 
 let fixed (m : Model.t) (p : State.process) =
   Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves
 
-let motion m (p : State.process) =
-  if fixed m p then "fixed" else Short_text.motion m p
+let motion ~full m (p : State.process) =
+  if fixed m p then "fixed" else Short_text.motion ~full m p
 
-let process m (p : State.process) =
+let process ~full m (p : State.process) =
   match p.leaves with
-  | [| l |] -> [ Printf.sprintf "%s, %s" (leaf m l) (motion m p) ]
+  | [| l |] -> [ Printf.sprintf "%s, %s" (leaf ~full m l) (motion ~full m p) ]
   | leaves ->
     let bonds = Array.to_list (Array.map (bond m) p.bonds) in
-    Printf.sprintf "one process, %s, %s" (motion m p) (String.concat " " bonds)
-    :: List.map (fun l -> "  " ^ leaf m l) (Array.to_list leaves)
+    Printf.sprintf "one process, %s, %s" (motion ~full m p) (String.concat " " bonds)
+    :: List.map (fun l -> "  " ^ leaf ~full m l) (Array.to_list leaves)
 
-let state m (s : State.t) =
-  let n = Array.length s.processes in
-  let shown = if n > greatest_list then Array.sub s.processes 0 greatest_list else s.processes in
-  let lines = if n = 0 then [ "no process" ] else List.concat_map (process m) (Array.to_list shown) in
-  if n > greatest_list then lines @ [ Printf.sprintf "… and %d more processes" (n - greatest_list) ]
-  else lines
+let most_names = 8
+
+let aside_line m (word, ps) =
+  let name_of (p : State.process) =
+    String.concat "+" (Array.to_list (Array.map (fun (l : State.leaf) -> name m l.leaf) p.leaves))
+  in
+  let more = List.length ps - most_names in
+  let names = List.map name_of (List.filteri (fun i _ -> i < most_names) ps) in
+  let rest = if more > 0 then [ Printf.sprintf "%d more" more ] else [] in
+  Printf.sprintf "%s: %s" word (listed (names @ rest))
+
+(* One that is named instead of told takes the same line. *)
+let least_aside = 2
+
+let state ?(full = false) ?(aside = fun _ -> None) m (s : State.t) =
+  let all = Array.to_list s.processes in
+  let placed = List.map (fun p -> ((if full then None else aside p), p)) all in
+  let named = List.length (List.filter (fun (word, _) -> Option.is_some word) placed) in
+  let placed = if named < least_aside then List.map (fun p -> (None, p)) all else placed in
+  let told = List.filter_map (fun (word, p) -> if Option.is_none word then Some p else None) placed in
+  let n = List.length told in
+  let shown = if full then told else List.filteri (fun i _ -> i < greatest_list) told in
+  let more = n - List.length shown in
+  let words = List.fold_left (fun ws (w, _) -> if List.mem w ws then ws else w :: ws) [] placed in
+  let group word =
+    Option.map (fun w -> (w, List.filter_map (fun (v, p) -> if v = word then Some p else None) placed)) word
+  in
+  let lines = if all = [] then [ "no process" ] else List.concat_map (process ~full m) shown in
+  lines
+  @ (if more > 0 then [ Printf.sprintf "… and %d more processes" more ] else [])
+  @ List.map (aside_line m) (List.filter_map group (List.rev words))
 
 (* A few digits of what may take thousands: the JSON has them all. *)
 let brief q =

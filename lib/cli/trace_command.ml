@@ -16,6 +16,7 @@ type options = {
   steps : int option;
   time : Rat.t option;
   form : form;
+  full : bool;
   states : Trace.states;
   output : string option;
 }
@@ -46,41 +47,10 @@ let limits o schedule : Replay.limits =
   in
   { steps; time = o.time; instant = Replay.default_instant }
 
-let human_event model (states : Trace.states) write (e : Replay.event) =
-  let line fmt = Printf.ksprintf (fun s -> write (s ^ "\n")) fmt in
-  let state s = List.iter (line "        %s") (Run_text.state model s) in
-  match e with
-  | Start s ->
-    line "time 0";
-    state s
-  | Step { number; index; among; time; taken; state = after } -> (
-      let choice = if among > 1 then Printf.sprintf " (choice %d of %d)" index among else "" in
-      let rules = String.concat ", " (List.map Scc_semantics.Rule.id taken.rules) in
-      line "%5d.  %s%s   {%s}" number (Run_text.label model taken.label) choice rules;
-      line "time %s" (Rat.to_string time);
-      match states with All -> state (after ()) | Ends -> ())
-  | Instant { offset; time; state = s } ->
-    line "        time passes by %s" (Rat.to_string offset);
-    line "time %s" (Rat.to_string time);
-    state s
-  | End { steps; time; ending; last; rounded } ->
-    (match (states, last) with
-     | Ends, Some s when steps > 0 -> state (s ())
-     | (All | Ends), _ -> ());
-    let word =
-      match ending with
-      | Open -> "more can happen"
-      | Quiescent -> "nothing will ever happen again"
-      | Stuck _ -> "nothing can happen, not even the passing of time"
-      | Zeno -> "stopped: too many transitions without time passing"
-    in
-    line "%d transitions, time %s: %s" steps (Rat.to_string time) word;
-    Option.iter (fun t -> List.iter (line "%s") (Run_text.rounded t)) rounded
-
 let write_run o (l : Loaded.t) policy limits ~interrupted write =
   let run emit = Replay.run l.semantics l.declared policy limits ~interrupted emit in
   match o.form with
-  | Human -> run (human_event l.model o.states write)
+  | Human -> run (Human_trace.teller l.model ~full:o.full o.states write)
   | Lines ->
     let line json = write (Json.line json ^ "\n") in
     line (Trace.header l.origin);
@@ -166,7 +136,10 @@ let time =
   Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "time" ] ~docv:"T" ~doc)
 
 let form =
-  let human = "Tells the run in words instead of JSON Lines." in
+  let human =
+    "Tells the run in words instead of JSON Lines: passings of the same time are told together, and bodies that \
+     are as before are named only. See $(b,--full)."
+  in
   let itf =
     "Writes the run in the Informal Trace Format of Apalache (JSON, by custom in files $(b,.itf.json)), with all \
      numbers as exact integers or pairs of them, and every state in full. Such a trace is no schedule."
@@ -187,12 +160,13 @@ let output =
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
 let options =
-  let make path overrides schedule choose steps time form states output =
-    { path; overrides; schedule; choose; steps; time; form; states; output }
+  let full = Options.full "With $(b,--human): tells every step, every body and all digits of numbers." in
+  let make path overrides schedule choose steps time form full states output =
+    { path; overrides; schedule; choose; steps; time; form; full; states; output }
   in
   Term.(
-    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ steps $ time $ form $ states
-    $ output)
+    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ steps $ time $ form $ full
+    $ states $ output)
 
 let man =
   [
@@ -214,6 +188,7 @@ let man =
     `Pre "  scc trace model.sc --choose random:7 -o run.jsonl";
     `Pre "  scc trace model.sc --schedule run.jsonl | cmp - run.jsonl";
     `Pre "  scc trace model.sc --human --time 5";
+    `Pre "  scc trace model.sc --human --full";
     `Pre "  scc trace large.sc --time 100 --states=ends";
     `Pre "  scc trace model.sc --schedule runs/meet.json --itf -o meet.itf.json";
   ]

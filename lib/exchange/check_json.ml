@@ -13,6 +13,7 @@ type t = {
   diagnostics : Diag.t list;
   exit : int;
   extra : (string * Json.t) list;
+  full : bool;
 }
 
 let kind : Verdict.t -> string = function
@@ -84,30 +85,44 @@ let rec argument (a : Witness.argument) =
       ("parts", `List (List.map argument a.parts));
     ]
 
-let witness c (w : Witness.t) =
+(* The first and the last steps, and how many are left out in between. *)
+let most_steps = 100
+
+let shortened steps =
+  let more = List.length steps - (2 * most_steps) in
+  if more <= 0 then (steps, [])
+  else
+    let kept = List.filteri (fun i _ -> i < most_steps || i >= most_steps + more) steps in
+    (kept, [ ("omitted", `Assoc [ ("after", `Int most_steps); ("count", `Int more) ]) ])
+
+let witness ?(full = true) c (w : Witness.t) =
   let m = Semantics.model c in
   let cycle, moved = cycle w in
+  let steps, omitted = if full then (w.steps, []) else shortened w.steps in
   `Assoc
-    [
+    ([
       ("initial", State_json.state m w.initial);
-      ("steps", `List (Long_list.map (step m) w.steps));
-      ("finish", `String (finish w));
-      ("cycle", cycle);
-      ("moved", moved);
-      ("instant", instant w);
-      ("offset", Json.option Json.rat (Witness.offset w));
-      ("state", State_json.state m (Witness.there c w));
-      ("facts", `List (List.map Json.text w.facts));
-      ("argument", Json.option argument w.argument);
+      ("steps", `List (Long_list.map (step m) steps));
     ]
+      @ omitted @ [
+        ("finish", `String (finish w));
+        ("cycle", cycle);
+        ("moved", moved);
+        ("instant", instant w);
+        ("offset", Json.option Json.rat (Witness.offset w));
+        ("state", State_json.state m (Witness.there c w));
+        ("facts", `List (List.map Json.text w.facts));
+        ("argument", Json.option argument w.argument);
+      ])
 
-let reason c (r : Verdict.reason) =
+(* The way to where an exploration ended may be as long as the exploration, and decides nothing. *)
+let reason ~full c (r : Verdict.reason) =
   let kind, bound, run =
     match r with
     | Truncated t -> ("truncated", truncation t, `Null)
     | Undefined _ -> ("undefined", `Null, `Null)
     | Fault _ -> ("fault", `Null, `Null)
-    | Unexplored { nearest; _ } -> ("unexplored", `Null, witness c nearest)
+    | Unexplored { nearest; _ } -> ("unexplored", `Null, witness ~full c nearest)
   in
   `Assoc
     [
@@ -133,7 +148,7 @@ let convergence : Verdict.convergence -> string * Json.t = function
   | Named s -> ("slowing", slowing s)
   | Proved q -> ("converges", `Assoc [ ("factor", Json.rat q.factor); ("until", Json.rat q.until) ])
 
-let property c ({ check; verdict = v; scale; rests; converges } as o : Verdict.outcome) =
+let property ?(full = false) c ({ check; verdict = v; scale; rests; converges } as o : Verdict.outcome) =
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
@@ -147,7 +162,7 @@ let property c ({ check; verdict = v; scale; rests; converges } as o : Verdict.o
       ("verdict", `String (kind v));
       ("text", Json.text (Verdict.outcome_to_string o));
       ("bounds", `List (List.map truncation bounds));
-      ("reasons", `List (List.map (reason c) reasons));
+      ("reasons", `List (List.map (reason ~full c) reasons));
       ("witness", Json.option (witness c) run);
     ]
       @ (match rests with [] -> [] | _ :: _ -> [ ("rests_on", `List (List.map rest rests)) ])
@@ -192,7 +207,7 @@ let document ~source r =
           | Some resolution -> [ ("resolution", Json.rat resolution) ]
           | None -> [])
       @ [
-        ("properties", `List (List.map (property r.loaded.semantics) r.verdicts));
+        ("properties", `List (List.map (property ~full:r.full r.loaded.semantics) r.verdicts));
         ("explored", explored r.report.stats);
         ("slices", `List (List.map slice r.report.slices));
         ("zeno", Json.option (witness r.loaded.semantics) r.report.zeno);

@@ -13,6 +13,7 @@ type t = {
   diagnostics : Diag.t list;
   exit : int;
   extra : (string * Json.t) list;  (** members that were asked for: [coverage], [measured] *)
+  full : bool;  (** with all steps of the ways to states that were not explored *)
 }
 
 val kind : Verdict.t -> string
@@ -21,8 +22,9 @@ val kind : Verdict.t -> string
 val truncation : Verdict.truncation -> Json.t
 (** A bound that was met. *)
 
-val property : Semantics.t -> Verdict.outcome -> Json.t
-(** A member of [properties]. *)
+val property : ?full:bool -> Semantics.t -> Verdict.outcome -> Json.t
+(** A member of [properties]. Of the way to a state that was not explored it has the first and the last 100 steps,
+    and all of them if [full]. *)
 
 val explored : Check.stats -> Json.t
 

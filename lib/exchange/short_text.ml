@@ -21,32 +21,65 @@ let scientific q =
 let least = Rat.make Z.one (Z.of_int 1000)
 let greatest_plain = Rat.of_int 1_000_000_000
 
+(* A fraction of which one does not see how great it is. *)
+let plain_fraction = 15
+
+let about q =
+  let size = Rat.abs q in
+  let plain = Rat.compare least size <= 0 && Rat.compare size greatest_plain < 0 in
+  if plain then Algebraic.to_decimal (Algebraic.of_rat q) else scientific q
+
 let exact q =
   let text = Rat.to_string q in
-  if String.length text <= endless then text
-  else
-    let size = Rat.abs q in
-    let plain = Rat.compare least size <= 0 && Rat.compare size greatest_plain < 0 in
-    let about = if plain then Algebraic.to_decimal (Algebraic.of_rat q) else scientific q in
-    Printf.sprintf "~%s (%d characters)" about (String.length text)
+  let length = String.length text in
+  if length > endless then Printf.sprintf "~%s (%d characters)" (about q) length
+  else if length > plain_fraction && not (Rat.is_integer q) then Printf.sprintf "%s (~%s)" text (about q)
+  else text
 
-let vec (m : Model.t) (v : Vec.t) =
-  let number = if Option.is_none m.rigid then exact else rat in
+let is_digit c = c >= '0' && c <= '9'
+
+(* The end of the number that begins at an index: digits, and a fraction's other digits. *)
+let end_of_number s i =
+  let rec digits i = if i < String.length s && is_digit s.[i] then digits (i + 1) else i in
+  let j = digits i in
+  if j + 1 < String.length s && s.[j] = '/' && is_digit s.[j + 1] then digits (j + 1) else j
+
+let within s =
+  let b = Buffer.create (String.length s) in
+  let rec go i =
+    if i < String.length s then
+      if not (is_digit s.[i]) then begin
+        Buffer.add_char b s.[i];
+        go (i + 1)
+      end
+      else begin
+        let j = end_of_number s i in
+        let text = String.sub s i (j - i) in
+        let decimal = i > 0 && s.[i - 1] = '.' in
+        Buffer.add_string b (if decimal || j - i <= plain_fraction then text else exact (Q.of_string text));
+        go j
+      end
+  in
+  go 0;
+  Buffer.contents b
+
+let vec ~full (m : Model.t) (v : Vec.t) =
+  let number = if full then Rat.to_string else if Option.is_none m.rigid then exact else rat in
   Printf.sprintf "(%s, %s, %s)" (number v.x) (number v.y) (number v.z)
 
 (* In proportion to w + |x| + |y| + |z| = 1 where the integers are long. *)
-let quaternion (q : Quaternion.t) =
+let quaternion ~full (q : Quaternion.t) =
   let text = Quaternion.to_string q in
-  if String.length text <= 2 * greatest then text
+  if full || String.length text <= 2 * greatest then text
   else
     let size = List.fold_left (fun s z -> Z.add s (Z.abs z)) Z.zero [ q.w; q.x; q.y; q.z ] in
     let share z = Algebraic.to_decimal (Algebraic.of_rat (Rat.make z size)) in
     Printf.sprintf "~(%s, %s, %s, %s)" (share q.w) (share q.x) (share q.y) (share q.z)
 
-let position m (l : State.leaf) =
-  let place = vec m l.position in
-  if Quaternion.is_identity l.turned then place else place ^ " turned " ^ quaternion l.turned
+let position ?(full = false) m (l : State.leaf) =
+  let place = vec ~full m l.position in
+  if Quaternion.is_identity l.turned then place else place ^ " turned " ^ quaternion ~full l.turned
 
-let motion m (p : State.process) =
-  let velocity = "velocity " ^ vec m p.velocity in
-  if Vec.is_zero p.spin then velocity else velocity ^ ", spin " ^ vec m p.spin
+let motion ?(full = false) m (p : State.process) =
+  let velocity = "velocity " ^ vec ~full m p.velocity in
+  if Vec.is_zero p.spin then velocity else velocity ^ ", spin " ^ vec ~full m p.spin

@@ -7,13 +7,17 @@ val rat : Rat.t -> string
 (** Exact up to 24 characters, else ["~"] and six decimal places. *)
 
 val exact : Rat.t -> string
-(** Exact up to 60 characters, else ["~"], six decimal places or seven digits and a power of ten, and how many
-    characters it would take. *)
+(** Exact up to 60 characters, and fractions of more than 15 with a decimal beside: ["1234567890/987654321
+    (~1.249999)"]. Else ["~"], six decimal places or seven digits and a power of ten, and how many characters it
+    would take. *)
 
-val position : Model.t -> State.leaf -> string
+val within : string -> string
+(** A text in which each number is written so. *)
+
+val position : ?full:bool -> Model.t -> State.leaf -> string
 (** ["(1, 2, 3)"], and how the leaf is turned, if it is: ["(1, 2, 3) turned (2, 0, 0, 1)"], a quaternion w, x, y,
-    z. In a translational model numbers are {!exact}. *)
+    z. In a translational model numbers are {!exact}; all have all their digits if [full]. *)
 
-val motion : Model.t -> State.process -> string
+val motion : ?full:bool -> Model.t -> State.process -> string
 (** ["velocity (1, 0, 0)"], and the spin, if there is one: ["velocity (1, 0, 0), spin (0, 0, 1)"]. In a
     translational model numbers are {!exact}. *)

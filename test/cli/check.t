@@ -142,9 +142,8 @@ The main job: a verdict for every property, with a witness.
       1. floor and plate collide and bounce, at time 0
       vy(plate) = 1 holds: vy(plate) = 1
       there:
-        floor at (0, -2, 0) [nil], fixed
-        ceiling at (0, 2, 0) [nil], fixed
         plate at (0, 0, 0) [nil], velocity (1, 1, 0)
+        fixed: floor and ceiling
   
   flat: holds (exhaustive)
     always y(plate) = 0
@@ -161,9 +160,8 @@ The main job: a verdict for every property, with a witness.
       and the steps from 1 on again, for ever
       x(plate) > 20 fails: x(plate) = 0
       there:
-        floor at (0, -2, 0) [nil], fixed
-        ceiling at (0, 2, 0) [nil], fixed
         plate at (0, 0, 0) [nil], velocity (1, -1, 0)
+        fixed: floor and ceiling
   
   endless: holds (exhaustive) by a run that goes round within one instant
     EG true
@@ -173,9 +171,8 @@ The main job: a verdict for every property, with a witness.
       and the steps from 1 on again, for ever
       true holds
       there:
-        floor at (0, -2, 0) [nil], fixed
-        ceiling at (0, 2, 0) [nil], fixed
         plate at (0, 0, 0) [nil], velocity (1, -1, 0)
+        fixed: floor and ceiling
   
   next: holds (exhaustive), of runs some of which go round within one instant
     AG EX true
@@ -195,9 +192,8 @@ The main job: a verdict for every property, with a witness.
       and the steps from 1 on again, for ever
       x(plate) > 0 fails: x(plate) = 0
       there:
-        floor at (0, -2, 0) [nil], fixed
-        ceiling at (0, 2, 0) [nil], fixed
         plate at (0, 0, 0) [nil], velocity (1, -1, 0)
+        fixed: floor and ceiling
   
   explored: 2 states, 2 transitions, depth 1, model time 0; complete
   9 properties: 5 hold, 4 violated
@@ -357,16 +353,12 @@ What is not known within the bounds: which unexplored state matters.
   next: undecided: the exploration ended at the depth bound 2; one unexplored state matters
     AX vx(p) > 0
     to the nearest unexplored state that matters:
-      1. time passes by 1, to time 1
-      2. time passes by 1, to time 2
-      3. time passes by 1, to time 3
+      1-3. time passes 3 times by 1, to time 3
   
   back: undecided: the exploration ended at the depth bound 2; one unexplored state matters
     always possibly vx(p) > 0
     to the nearest unexplored state that matters:
-      1. time passes by 1, to time 1
-      2. time passes by 1, to time 2
-      3. time passes by 1, to time 3
+      1-3. time passes 3 times by 1, to time 3
   
   explored: 4 states, 3 transitions, depth 3, model time 3; not complete: stopped by the depth bound 2
   2 properties: 2 undecided

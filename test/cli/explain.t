@@ -24,9 +24,7 @@ Why a run leads where it does: y pushes p, which comes back from the wall, and x
     x(p) < -3 holds: x(p) = -5
   because of step 6 (motion of p)
   
-       1. time passes by 3, at time 3
-       2. r and s collide and bounce, at time 3
-       3. time passes by 1, at time 4
+     1-3. one event that does not matter (of r and s), to time 4
   *    4. y and p collide and bounce, at time 4
            because of how everything started
        5. time passes by 4, at time 8
@@ -45,9 +43,7 @@ Why a run leads where it does: y pushes p, which comes back from the wall, and x
     x(p) < 7 fails: x(p) = 8
   because of step 4 (motion of p)
   
-       1. time passes by 3, at time 3
-       2. r and s collide and bounce, at time 3
-       3. time passes by 1, at time 4
+     1-3. one event that does not matter (of r and s), to time 4
   *    4. y and p collide and bounce, at time 4
            because of how everything started
        5. time passes by 4, at time 8
@@ -63,9 +59,7 @@ For another check, and for a trace: without a check, the last event is explained
     x(p) < -3 fails: x(p) = 8
   because of step 4 (motion of p)
   
-       1. time passes by 3, at time 3
-       2. r and s collide and bounce, at time 3
-       3. time passes by 1, at time 4
+     1-3. one event that does not matter (of r and s), to time 4
   *    4. y and p collide and bounce, at time 4
            because of how everything started
        5. time passes by 4, at time 8
@@ -77,14 +71,10 @@ For another check, and for a trace: without a check, the last event is explained
   the last event
   because of step 8
   
-       1. time passes by 3, at time 3
-       2. r and s collide and bounce, at time 3
-       3. time passes by 1, at time 4
+     1-3. one event that does not matter (of r and s), to time 4
   *    4. y and p collide and bounce, at time 4
            because of how everything started
-       5. time passes by 4, at time 8
-       6. p and wall collide and bounce, at time 8
-       7. time passes by 1, at time 9
+     5-7. one event that does not matter (of p and wall), to time 9
   *    8. y and x collide and bounce, at time 9
            because of step 4 (motion of y)
   
@@ -211,9 +201,7 @@ something that it has met.
     the run is over: spike and p are in persistent contact
   because of step 4 (motion of p)
   
-       1. time passes by 1/2, at time 1/2
-       2. far and away collide and bounce, at time 1/2
-       3. time passes by 3/2, at time 2
+     1-3. one event that does not matter (of far and away), to time 2
   *    4. p and push collide and bounce, at time 2
            because of how everything started
          the run ends here, in a dead end: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch
@@ -282,9 +270,7 @@ something that it has met.
     vx(p) > 0 holds: vx(p) = 8/11
   because of step 4 (motion of p)
   
-       1. time passes by 1/2, at time 1/2
-       2. far and away collide and bounce, at time 1/2
-       3. time passes by 3/2, at time 2
+     1-3. one event that does not matter (of far and away), to time 2
   *    4. p and push collide and bounce, at time 2
            because of how everything started
          the run ends here, in a dead end: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch

@@ -37,9 +37,8 @@ holds when it is a failure that is explained.
           everywhere on this run, AG x(p) > 0 does not hold: as this run goes on, after time 4 of it, and each time round
             x(p) > 0 does not hold: x(p) = 0
       there:
-        west at (-4, 0, 0) [nil], fixed
-        east at (4, 0, 0) [nil], fixed
         p at (2, 0, 0) [nil], velocity (-1, 0, 0)
+        fixed: west and east
   
   may: violated
     EF EG x(p) > 0
@@ -60,9 +59,8 @@ holds when it is a failure that is explained.
           the run then repeats what happens after time 2 from here, for ever
           everywhere on this run, EG x(p) > 0 does not hold: all runs from there were looked at
       there:
-        west at (-4, 0, 0) [nil], fixed
-        east at (4, 0, 0) [nil], fixed
         p at (2, 0, 0) [nil], velocity (-1, 0, 0)
+        fixed: west and east
   
   returns: holds (exhaustive)
     EG EF x(p) > 0
@@ -80,9 +78,8 @@ holds when it is a failure that is explained.
           everywhere on this run, EF x(p) > 0 holds: as this run goes on, after time 2 of it, and each time round
             x(p) > 0 holds: x(p) = 2
       there:
-        west at (-4, 0, 0) [nil], fixed
-        east at (4, 0, 0) [nil], fixed
         p at (2, 0, 0) [nil], velocity (-1, 0, 0)
+        fixed: west and east
   
   stays: holds (exhaustive)
     EF AG x(p) >= -2
@@ -92,9 +89,8 @@ holds when it is a failure that is explained.
         EF AG x(p) >= -2 holds: here
           AG x(p) >= -2 holds: all 5 states that count from here on were looked at
       there:
-        west at (-4, 0, 0) [nil], fixed
-        east at (4, 0, 0) [nil], fixed
         p at (0, 0, 0) [nil], velocity (1, 0, 0)
+        fixed: west and east
   
   soon: violated
     AG (x(p) > 1 => AF[1, 2] AG x(p) < 1)
@@ -117,9 +113,8 @@ holds when it is a failure that is explained.
                   after time 9/2 from here
                   x(p) < 1 does not hold: x(p) = 1
       there:
-        west at (-4, 0, 0) [nil], fixed
-        east at (4, 0, 0) [nil], fixed
         p at (2, 0, 0) [nil], velocity (-1, 0, 0)
+        fixed: west and east
   
   until: holds (exhaustive)
     E[EF x(p) = 2 U x(p) = -2]
@@ -139,9 +134,8 @@ holds when it is a failure that is explained.
               in the state after time 6 from here
               x(p) = 2 holds: x(p) = 2
       there:
-        west at (-4, 0, 0) [nil], fixed
-        east at (4, 0, 0) [nil], fixed
         p at (-2, 0, 0) [nil], velocity (-1, 0, 0)
+        fixed: west and east
   
   explored: 5 states, 5 transitions, depth 4, model time 6; complete
   7 properties: 3 hold, 4 violated

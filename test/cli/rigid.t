@@ -24,9 +24,8 @@ Verdicts say at which resolution they hold.
   meet: holds (exhaustive), at resolution 1/1024
     possibly touching(p, q) within 3
     a run that shows it:
-      1. time passes by 1/2, to time 1/2
-      2. time passes by 1/2, to time 1
-      3. time passes by 5/16, to time 21/16
+      1-2. time passes 2 times by 1/2, to time 1
+        3. time passes by 5/16, to time 21/16
       touching(p, q) holds
       there:
         p at (21/16, 0, 0) turned (104976, 0, 24062, 36093) [nil], velocity (1, 0, 0), spin (0, 1/3, 1/2)
@@ -44,11 +43,7 @@ Verdicts say at which resolution they hold.
   time 0
           p at (0, 0, 0) [nil], velocity (1, 0, 0), spin (0, 1/3, 1/2)
           q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
-      1.  time passes by 1/2   {Time, TimeBehaviour, Turn}
-  time 1/2
-          p at (1/2, 0, 0) turned (24, 0, 2, 3) [nil], velocity (1, 0, 0), spin (0, 1/3, 1/2)
-          q at (4, 1/2, 0) [nil], velocity (0, 0, 0)
-      2.  time passes by 1/2   {Time, TimeBehaviour, Turn}
+    1-2.  time passes 2 times by 1/2   {Time, TimeBehaviour, Turn}
   time 1
           p at (1, 0, 0) turned (563, 0, 96, 144) [nil], velocity (1, 0, 0), spin (0, 1/3, 1/2)
           q at (4, 1/2, 0) [nil], velocity (0, 0, 0)

@@ -35,16 +35,10 @@ A run as JSON Lines.
           atp at (-9/4, 1, 0) [Atp], velocity (0, 0, 0)
       5.  time passes by 1 (choice 1 of 2)   {Time, TimeBehaviour}
   time 3
-          one process, fixed, <glc, {enzyme.floorB.top, glucose.bottom}>
-            enzyme at (0, 0, 0) [WithGlucose]
-            glucose at (9/4, 1, 0) [GlucoseBound]
-          atp at (-9/4, 1, 0) [Atp], velocity (0, 0, 0)
+          as before: enzyme+glucose and atp
       6.  time passes by 1 (choice 1 of 2)   {Time, TimeBehaviour}
   time 4
-          one process, fixed, <glc, {enzyme.floorB.top, glucose.bottom}>
-            enzyme at (0, 0, 0) [WithGlucose]
-            glucose at (9/4, 1, 0) [GlucoseBound]
-          atp at (-9/4, 1, 0) [Atp], velocity (0, 0, 0)
+          as before: enzyme+glucose and atp
       7.  enzyme and glucose release <glc, {enzyme.floorB.top, glucose.bottom}> (choice 0 of 2)   {WeakSplit, Weak, Sum, Def}
   time 4
           enzyme at (0, 0, 0) [Empty], fixed
@@ -241,11 +235,11 @@ A run that ends in a dead end is told up to there: the trace is complete, is its
   $ tail -n 1 topple.jsonl | sed 's/"diag.*//'
   {"type":"end","steps":4,"time":"2/1","ending":"stuck",
   $ scc trace ../../specs/models/topple.sc --human 2>&1 | tail -n 8
-          spike at (0, 0, -4) [nil], fixed
+      4.  p and push collide and bounce   {Bounce}
+  time 2
           p at (0, 0, 0) [nil], velocity (8/11, 0, 0), spin (0, -6/11, 0)
           push at (-2, 0, -1) [nil], velocity (3/11, 0, 0), spin (0, -6/11, 0)
-          far at (-7/2, 0, 40) [nil], velocity (0, 0, 0)
-          away at (0, 0, 40) [nil], velocity (1, 0, 0)
+          as before: spike, far and away
   4 transitions, time 2: nothing can happen, not even the passing of time
   error[SC0602]: persistent contact: spike and p would interpenetrate at once, though they do not approach where they touch
   note: after step 4, at time 2
