@@ -19,7 +19,6 @@ type rigid = {
   dynamics : dynamics;
   resolution : Rat.t;
   round_orientation : int option;
-  round_velocity : int option;
 }
 
 type steps = Shared | Own | Steady
@@ -36,13 +35,18 @@ type t = {
   steps : steps;
   collisions : collisions;
   binding : binding;
+  round_velocity : int option;
   rigid : rigid option;
 }
 
 let of_each m = m.steered && match m.steps with Own -> true | Shared | Steady -> false
 let of_all m = m.steered && not (of_each m)
 let keeps_beat m = m.steered && match m.steps with Steady -> true | Shared | Own -> false
-let straight m = (not m.steered) && Option.is_none m.rigid
+let has_turns m = Option.is_some m.rigid || Option.is_some m.round_velocity
+let straight m = not (m.steered || has_turns m)
+let rounds m =
+  Option.is_some m.round_velocity || Option.is_some (Option.bind m.rigid (fun r -> r.round_orientation))
+
 let resolution m = Option.map (fun r -> r.resolution) m.rigid
 let part_count m = Array.fold_left (fun n l -> n + Array.length l.parts) 0 m.leaves
 

@@ -35,7 +35,6 @@ type rigid = {
   dynamics : dynamics;
   resolution : Rat.t;  (** a positive length *)
   round_orientation : int option;  (** orientations are rounded to quaternions of so many bits (rule Round) *)
-  round_velocity : int option;  (** velocities and spins are rounded to multiples of 2^-k *)
 }
 
 (** Whose movement steps are, and what ends them (rule Steer). *)
@@ -65,6 +64,7 @@ type t = {
   steps : steps;
   collisions : collisions;
   binding : binding;
+  round_velocity : int option;  (** velocities and spins are rounded to multiples of 2^-k (rule Round) *)
   rigid : rigid option;  (** [None]: the translational calculus, in which nothing turns *)
 }
 
@@ -77,8 +77,15 @@ val of_each : t -> bool
 val keeps_beat : t -> bool
 (** Steered, by movement steps that no collision ends. *)
 
+val has_turns : t -> bool
+(** Rigid, or rounding velocities: whether a turn of a process is due is part of the state (rules Turn, Round). *)
+
+val rounds : t -> bool
+(** Rule Round may change something. *)
+
 val straight : t -> bool
-(** Neither steered nor rigid: a process moves in a straight line, and has to do with nobody until it collides. *)
+(** Neither steered nor with turns: a process moves in a straight line, and has to do with nobody until it
+    collides. *)
 
 val resolution : t -> Rat.t option
 (** Of a rigid model. *)

@@ -20,24 +20,24 @@ let dynamics : Model.dynamics -> string = function
   | Constant_spin -> "constant_spin"
   | Free_body -> "free_body"
 
+let rounded what = function
+  | Some k -> [ ("round " ^ what, Printf.sprintf "2^-%d" k) ]
+  | None -> []
+
 let rigid (r : Model.rigid) =
-  let rounded what = function
-    | Some k -> [ ("round " ^ what, Printf.sprintf "2^-%d" k) ]
-    | None -> []
-  in
   [ ("dynamics", dynamics r.dynamics); ("resolution", Rat.to_string r.resolution) ]
   @ rounded "orientation" r.round_orientation
-  @ rounded "velocity" r.round_velocity
 
 let steps m = if Model.of_each m then " local" else if Model.keeps_beat m then " steady" else ""
 
 let listed (m : Model.t) s =
   (if may_split m s then [ ("split step", Rat.to_string m.split_step) ] else [])
-  @ (if Model.straight m then []
+  @ (if not (m.steered || Option.is_some m.rigid) then []
      else [ ("timestep", Rat.to_string m.timestep ^ steps m) ])
   @ (match m.collisions with Together -> [ ("collisions", "together") ] | In_turn -> [])
   @ (match m.binding with On_contact -> [ ("binding", "contact") ] | On_collision -> [])
   @ Option.fold ~none:[] ~some:rigid m.rigid
+  @ rounded "velocity" m.round_velocity
 
 let line = function
   | [] -> "semantics " ^ version

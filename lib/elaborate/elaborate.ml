@@ -74,6 +74,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       steps = program.steps;
       collisions = Settings.collisions program.settings;
       binding = Settings.binding program.settings;
+      round_velocity = Settings.round_velocity program.settings;
       rigid;
     }
   in

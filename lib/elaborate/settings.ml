@@ -117,9 +117,7 @@ let warn_without_effect t report =
         "`%s` has no effect: nothing spins, and the model has no `dynamics`" what
   in
   warn "resolution" (Option.map (fun g -> g.at) t.resolution);
-  List.iter
-    (fun (what, given) -> warn what (Option.map (fun g -> g.at) given))
-    [ ("round orientation", t.orientation); ("round velocity", t.velocity) ]
+  warn "round orientation" (Option.map (fun g -> g.at) t.orientation)
 
 (* Within so much of a plane there may be all of a body, or features far from where it touches. *)
 let warn_coarse report leaves (given : Rat.t given) =
@@ -157,13 +155,14 @@ let rigid t report ~spinning leaves =
            | Some q -> q
            | None -> default_resolution leaves);
         round_orientation = value t.orientation;
-        round_velocity = value t.velocity;
       }
   end
 
 (* {1 Choices} *)
 
 let collisions t = Option.value ~default:Model.In_turn (value t.collisions)
+
+let round_velocity t = value t.velocity
 
 let binding t = Option.value ~default:Model.On_collision (value t.binding)
 

@@ -25,6 +25,9 @@ val rigid : t -> Report.t -> spinning:(string * Span.t) option -> Model.leaf arr
 val collisions : t -> Model.collisions
 (** [In_turn] if nothing is said. *)
 
+val round_velocity : t -> int option
+(** k, of 2^-k. *)
+
 val binding : t -> Model.binding
 (** [On_collision] if nothing is said. *)
 

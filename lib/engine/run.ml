@@ -62,7 +62,5 @@ let spinning t = Array.exists Turn.spinning (state t).processes
 
 let rounded = function
   | Eventwise _ -> None
-  | Stepwise s -> (
-      match (Semantics.model s.semantics).rigid with
-      | Some { round_orientation = None; round_velocity = None; _ } | None -> None
-      | Some _ -> Some (Totals.bounds s.rounded))
+  | Stepwise s ->
+    if Model.rounds (Semantics.model s.semantics) then Some (Totals.bounds s.rounded) else None

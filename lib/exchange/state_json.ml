@@ -34,6 +34,10 @@ let origin (m : Model.t) (b : Behaviour.aged) =
 (* What is told of rigid models alone. *)
 let rigid (m : Model.t) members = if Option.is_some m.rigid then members () else []
 
+(* Of translational models that round velocities: whether a turn, of length 0, is due. *)
+let straight_turns (m : Model.t) members =
+  if Model.has_turns m && Option.is_none m.rigid then members () else []
+
 (* And of those whose processes have movement steps of their own. *)
 let of_each m members = if Model.of_each m then members () else []
 
@@ -76,6 +80,7 @@ let process m (p : State.process) =
             ("lasts", Json.option Json.rat p.lasts);
           ]
           @ if Turn.is_free m then [ ("angular_momentum", Json.vec p.kept) ] else []))
+     @ straight_turns m (fun () -> [ ("lasts", Json.option Json.rat p.lasts) ])
      @ of_each m (fun () -> [ ("step", own_step m p) ])
      @ [
        ("clock", Json.option Json.rat p.clock);

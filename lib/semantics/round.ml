@@ -22,6 +22,18 @@ let rec at_once ~colliding s changes =
 
 let fixed m p = Option.is_none (State.mass m p)
 
+let beginning ~colliding (s : State.t) =
+  let due i = Turn.due s.processes.(i) in
+  match List.filter due (List.init (Array.length s.processes) Fun.id) with
+  | [] -> []
+  | due ->
+    let hit = colliding s in
+    List.filter (fun i -> not (List.exists (involves i) hit)) due
+
+let begun m (s : State.t) indices =
+  let begin_turn i = if Turn.due s.processes.(i) then Some (i, Turn.begun m s.processes.(i)) else None in
+  replace s (List.filter_map begin_turn indices)
+
 (* {1 Orientations} *)
 
 let reach m p centre =
@@ -93,19 +105,18 @@ let velocity m k (p : State.process) =
 
 (* How a body is turned does not matter to the ball that it spins in. *)
 let settled (m : Model.t) (p : State.process) =
-  match (Turn.rigid m).round_velocity with
+  match m.round_velocity with
   | Some k when Turn.spinning p -> Option.is_none (velocity m k p)
   | Some _ | None -> true
 
-let run m ~colliding ~near s indices =
-  let { Model.round_orientation; round_velocity; _ } = Turn.rigid m in
+let run (m : Model.t) ~colliding ~near s indices =
   let s, turned =
-    match round_orientation with
+    match Option.bind m.rigid (fun r -> r.round_orientation) with
     | None -> (s, [])
     | Some k -> orientations m k ~near ~colliding s indices
   in
   let s, changed =
-    match round_velocity with
+    match m.round_velocity with
     | None -> (s, [])
     | Some k -> at_once ~colliding s (each s indices (velocity m k))
   in

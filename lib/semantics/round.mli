@@ -1,5 +1,4 @@
-(** Rule Round: the one place where the numbers of a rigid model are rounded, when it asks for that: as turns
-    begin. *)
+(** Rule Round: the one place where the numbers of a model are rounded, when it asks for that: as turns begin. *)
 
 open Scc_calculus
 
@@ -12,6 +11,12 @@ val at_once :
 (** Changes of processes, by their indices, made all at once; and which were made. Those of two processes that
     would collide then are not, and that again until no process that is changed collides. [colliding] tells
     which processes collide in a state; none of those to be changed does. *)
+
+val beginning : colliding:(State.t -> (int * int) list) -> State.t -> int list
+(** Of the processes that a turn is due of, by their indices, those that do not collide. *)
+
+val begun : Model.t -> State.t -> int list -> State.t
+(** With the turns of these begun that are due. *)
 
 type apart = State.t -> (int * Scc_exact.Rat.t) list -> (int * int) list
 (** The pairs of processes that are not farther apart than both together may move: those that are listed as far

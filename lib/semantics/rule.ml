@@ -39,6 +39,9 @@ let all =
   ]
 
 let of_model (m : Scc_calculus.Model.t) =
-  match m.rigid with
-  | Some _ -> all
-  | None -> List.filter (function Turn | Round -> false | _ -> true) all
+  let can = function
+    | Turn -> Option.is_some m.rigid
+    | Round -> Scc_calculus.Model.has_turns m
+    | _ -> true
+  in
+  List.filter can all

@@ -48,6 +48,13 @@ let none_ahead c parts = Option.is_none (first_time_of_contact c parts ~limit:No
 
 (* {1 What happens to processes} *)
 
+(* Where velocities are rounded a turn of length 0 is due of what has come to be, as of what does not spin in a
+   rigid model (rule Round). *)
+let renewed { model; _ } p =
+  match model.round_velocity with
+  | None -> p
+  | Some _ -> State.with_turn ~spin:Vec.zero ~since:Rat.zero ~lasts:None p
+
 (* A separating direction n of two processes is a row n.(v' - v); a fixed body has no part in it. *)
 let row model (processes : State.process array) first second n : Reflection.row =
   let part i push =
@@ -65,10 +72,11 @@ let rows c (processes : State.process array) (m : meeting) =
 let bounce c (processes : State.process array) meetings =
   let q = Array.map (fun (p : State.process) -> p.velocity) processes in
   let rows = Array.of_list (List.concat_map (rows c processes) meetings) in
-  Option.map (Array.map2 (fun p velocity -> State.with_velocity velocity p) processes) (Reflection.reflect q rows)
+  let after p velocity = renewed c (State.with_velocity velocity p) in
+  Option.map (Array.map2 after processes) (Reflection.reflect q rows)
 
 (* Conservation of linear momentum; what binds to a fixed body stops. *)
-let joined { model; _ } (p : State.process) (q : State.process) whole =
+let joined ({ model; _ } as c) (p : State.process) (q : State.process) whole =
   let velocity =
     match (State.mass model p, State.mass model q) with
     | Some mp, Some mq ->
@@ -77,22 +85,27 @@ let joined { model; _ } (p : State.process) (q : State.process) whole =
         (Vec.add (Vec.scale mp p.velocity) (Vec.scale mq q.velocity))
     | None, _ | _, None -> Vec.zero
   in
-  State.with_velocity velocity whole
+  renewed c (State.with_velocity velocity whole)
 
-let piece _ ~whole (piece : State.process) = State.with_velocity whole.State.velocity piece
-let start _ p = p
+let piece c ~whole (piece : State.process) = renewed c (State.with_velocity whole.State.velocity piece)
+let start = renewed
 
 (* {1 Turns} *)
 
 let time_rules = [ Rule.Time; Time_behaviour ]
-let renewed _ p = p
 let at_contact _ ~colliding:_ s = s
-let begin_turns _ ~colliding:_ s = (s, None)
 
-let turns_rightly _ (p : State.process) =
+let begin_turns c ~colliding before =
+  match Round.beginning ~colliding before with
+  | [] -> (before, None)
+  | indices ->
+    let s, changed = Round.run c.model ~colliding ~near:(fun _ _ -> []) before indices in
+    (Round.begun c.model s indices, if changed then Some before else None)
+
+let turns_rightly { model; _ } (p : State.process) =
   Vec.is_zero p.spin
   && Rat.sign p.since = 0
-  && Option.equal Rat.equal p.lasts (Some Rat.zero)
+  && (match p.lasts with None -> Option.is_some model.round_velocity | Some d -> Rat.sign d = 0)
   && Array.for_all (fun (l : State.leaf) -> Quaternion.is_identity l.turned) p.leaves
 
 let settled _ _ = true

@@ -48,7 +48,10 @@ let mass m (p : State.process) = Option.map (fun _ -> Mass.of_parts (mass_parts 
 
 (* {1 Spin and angular momentum} *)
 
-let is_free m = match (rigid m).dynamics with Constant_spin -> false | Free_body -> true
+let is_free (m : Model.t) =
+  match m.rigid with
+  | Some { dynamics = Free_body; _ } -> true
+  | Some { dynamics = Constant_spin; _ } | None -> false
 
 (* Seen from a leaf, a process has the numbers that it was made with. From which leaf does not matter: what is
    computed from this mass is turned back, exactly. *)

@@ -177,24 +177,14 @@ let near_each_other c (s : State.t) moves =
   |> List.filter close
   |> List.map (fun ((a : Part.t), (b : Part.t)) -> (a.process, b.process))
 
-(* Of those whose turn is due, the ones that do not collide. *)
-let beginning ~colliding (s : State.t) =
-  let due i = Turn.due s.processes.(i) in
-  match List.filter due (List.init (Array.length s.processes) Fun.id) with
-  | [] -> []
-  | due ->
-    let hit = colliding s in
-    List.filter (fun i -> not (List.exists (Round.involves i) hit)) due
-
 (* With the spins of free bodies for turns, but where something would collide with them. *)
 let with_spins c ~colliding (s : State.t) indices =
   let midway i = Option.map (fun p -> (i, p)) (Turn.midway c.model s.processes.(i)) in
   let s, _ = Round.at_once ~colliding s (List.filter_map midway indices) in
-  let begins i p = List.mem i indices && Turn.due p in
-  with_processes (fun i p -> if begins i p then Turn.begun c.model p else p) s
+  Round.begun c.model s indices
 
 let begin_turns c ~colliding before =
-  match beginning ~colliding before with
+  match Round.beginning ~colliding before with
   | [] -> (before, None)
   | indices ->
     let s, changed = Round.run c.model ~colliding ~near:(near_each_other c) before indices in

@@ -76,11 +76,10 @@ let long_number (model : Model.t) state ~depth =
   let { Length.quantity; leaf; bits } = Length.longest state in
   let whose = Option.fold ~none:"" ~some:(fun l -> Printf.sprintf " of `%s`" model.leaves.(l).name) leaf in
   let cure =
-    match (quantity, model.rigid) with
-    | (Spin | Orientation | Angular_momentum), _ -> "`round orientation 2^-k` keeps numbers short"
-    | (Position | Velocity | Clock), Some _ ->
+    match quantity with
+    | Spin | Orientation | Angular_momentum -> "`round orientation 2^-k` keeps numbers short"
+    | Position | Velocity | Clock ->
       "`round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short"
-    | (Position | Velocity | Clock), None -> "`round(e, q)` in a law of motion keeps numbers short"
   in
   Scc_base.Diag.warning Scc_base.Code.long_number Scc_base.Span.none ~hint:(cure ^ "; `--bits N` lets them grow")
     "the %s%s takes %d bits after %d transitions, and what follows is not explored" (Length.name quantity) whose

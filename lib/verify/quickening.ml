@@ -51,7 +51,7 @@ let linear (law : Law.t) =
 let may_quicken (m : Model.t) =
   Model.of_all m
   && (not (Model.keeps_beat m))
-  && Option.is_none m.rigid
+  && not (Model.has_turns m)
   && Array.for_all (fun (l : Model.leaf) -> linear l.law) m.leaves
 
 (** {2 Rounds} *)

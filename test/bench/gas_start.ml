@@ -117,6 +117,7 @@ let network t =
       keeps_time = false;
       collisions = In_turn;
       binding = On_collision;
+      round_velocity = None;
       rigid = None;
       steered = false;
       steps = Shared;

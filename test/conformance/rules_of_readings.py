@@ -339,6 +339,9 @@ def i_26():
     r.value('Nothing is rounded unless the model says so.', plain, [TIME], 'vx(p) = 1/3 and wx(p) = 1/7', True)
     r.value('Where it says so, places are not: 1/3 after a step of 1, or what was rounded.', 'round velocity 1/4\n' + plain,
             [TIME], 'vx(p) = 1/4 and wx(p) = 1/4', True)
+    hit = cubes(mass=(1, 2))
+    r.value('Masses 1 and 2: -1/3 and 2/3.', hit, [TIME, BOUNCE], 'vx(p) = -1/3 and vx(q) = 2/3', True)
+    r.value('Also where nothing turns.', 'round velocity 1/4\n' + hit, [TIME, BOUNCE], 'vx(p) = -1/4 and vx(q) = 3/4', True)
     return r
 
 

@@ -6,5 +6,5 @@ shape Cube {
            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
 }
 resolution 2^-10
-round velocity 1/1024
+round orientation 1/1024
 process p = Cube mass 1 [nil]

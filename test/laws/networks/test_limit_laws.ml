@@ -95,7 +95,6 @@ let spins =
          Some
            {
              Model.dynamics = Constant_spin; resolution = rational 1 1024; round_orientation = None;
-             round_velocity = None;
            }
        in
        let spin = Vec.make Rat.zero Rat.zero (rational w 8) in

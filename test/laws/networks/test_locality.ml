@@ -171,6 +171,7 @@ let laws =
   [
     law "Locality: networks that are far apart are their product" ~count:100 ~print:Random_network.print
       (Random_network.generate ()) straight;
+    law "Locality: with rounding" ~count:100 ~print:Random_network.print (Random_network.rounding ()) straight;
     law "Locality: bodies that turn" ~count:14 ~print:Random_rigid.print
       (Random_rigid.generate Random_rigid.anything)
       turning;

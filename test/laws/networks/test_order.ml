@@ -52,8 +52,8 @@ let symmetry rand ?perm (m : Model.t) =
 (* {1 What is added} *)
 
 let rounding (m : Model.t) =
-  let round r = { r with Model.round_orientation = Some 6; round_velocity = Some 9 } in
-  { m with rigid = Option.map round m.rigid }
+  let round r = { r with Model.round_orientation = Some 6 } in
+  { m with rigid = Option.map round m.rigid; round_velocity = Some 9 }
 
 let turning (m : Model.t) =
   match m.rigid with
@@ -61,7 +61,11 @@ let turning (m : Model.t) =
   | None ->
     let resolution = Scc_exact.Rat.make Z.one (Z.of_int 1024) in
     let dynamics = Model.Free_body in
-    { m with rigid = Some { dynamics; resolution; round_orientation = Some 6; round_velocity = Some 9 } }
+    {
+      m with
+      rigid = Some { dynamics; resolution; round_orientation = Some 6 };
+      round_velocity = Some 9;
+    }
 
 (* A pull towards the origin: what it gives depends on where a body is. *)
 let laws (m : Model.t) =

@@ -97,6 +97,7 @@ let () =
             preserves
               (Random_network.generate ~steered:true ())
               "Preservation: under laws of motion";
+            preserves (Random_network.rounding ()) "Preservation: with rounding";
             preserves ~count:150
               (Random_network.switched ~steered:true ())
               "Preservation: with the switches of a model";

@@ -138,6 +138,7 @@ let () =
         [
           straight "TimeAdditivity: two passings of time are one" additive;
           turning "TimeAdditivity: of bodies that turn" falling additive;
+          straight "TimeAdditivity: with rounding" ~count:60 ~networks:(Random_network.rounding ()) additive;
           straight "TimeAdditivity: with the switches of a model" ~count:60 ~networks:switched additive;
           turning "TimeAdditivity: bodies that turn, with the switches of a model" falling_switched additive;
         ];

@@ -109,6 +109,7 @@ let model { bodies; switches; _ } : Model.t =
       keeps_time = false;
       collisions = In_turn;
       binding = On_collision;
+      round_velocity = None;
       rigid = None;
       steered = List.exists (fun b -> b.falls) bodies;
       steps = Shared;
@@ -180,6 +181,9 @@ let switched ?(steered = false) () =
   let* switches = Switches.generate () and* tight = frequencyl [ (2, true); (1, false) ] in
   let+ bodies = if tight then packed ~steered else apart ~steered in
   { bodies; packed = tight; switches }
+
+let rounding () =
+  Gen.map (fun n -> { n with switches = Switches.rounding }) (switched ())
 
 let crowd =
   let body = body ~steered:false ~cells:3 ~behaviours:behaviours_in_crowds () in

@@ -144,11 +144,9 @@ let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
       keeps_time = false;
       collisions = In_turn;
       binding = On_collision;
+      round_velocity = rounding;
       rigid =
-        Some
-          {
-            dynamics; resolution = rational 1 1024; round_orientation = rounding; round_velocity = rounding;
-          };
+        Some { dynamics; resolution = rational 1 1024; round_orientation = rounding };
       steered = List.exists (fun b -> b.falls && not b.fixed) bodies;
       steps = Shared;
     }

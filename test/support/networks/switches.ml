@@ -1,19 +1,20 @@
 open Scc_calculus
 module Gen = QCheck2.Gen
 
-type t = { together : bool; steps : Model.steps; by_contact : bool }
+type t = { together : bool; steps : Model.steps; by_contact : bool; rounding : int option }
 
-let off = { together = false; steps = Model.Shared; by_contact = false }
+let off = { together = false; steps = Model.Shared; by_contact = false; rounding = None }
 
 let together = { off with together = true }
 let local = { off with steps = Own }
 let by_contact = { off with by_contact = true }
+let rounding = { off with rounding = Some 2 }
 
 let generate ?(rigid = false) () =
   let open Gen in
   let* together = frequencyl [ (2, true); (1, false) ] in
   let+ steps = oneofl [ Model.Shared; Own; Steady ] and* by_contact = if rigid then pure false else bool in
-  { together; steps; by_contact }
+  { together; steps; by_contact; rounding = None }
 
 let apply s (m : Model.t) =
   {
@@ -21,6 +22,7 @@ let apply s (m : Model.t) =
     collisions = (if s.together then Together else In_turn);
     binding = (if s.by_contact then On_contact else On_collision);
     steps = s.steps;
+    round_velocity = (match s.rounding with None -> m.round_velocity | Some _ as k -> k);
   }
 
 let print s =
@@ -28,3 +30,4 @@ let print s =
   word s.together " together"
   ^ (match s.steps with Shared -> "" | Own -> " local" | Steady -> " steady")
   ^ word s.by_contact " contact"
+  ^ word (Option.is_some s.rounding) " rounding"

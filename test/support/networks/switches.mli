@@ -11,7 +11,9 @@ val together : t
 val local : t
 
 val by_contact : t
-(** One of them alone. *)
+
+val rounding : t
+(** One of them alone; the last rounds velocities to quarters. *)
 
 val generate : ?rigid:bool -> unit -> t QCheck2.Gen.t
 (** Some on, some off: collisions together, steps of single processes or steady ones (where something is

@@ -139,15 +139,10 @@ let well_formed m states =
 let conserved m states =
   List.find_map (fun (s, ts) -> List.find_map (Conservation.fault m s) ts) states
 
-let rounds (m : Model.t) =
-  match m.rigid with
-  | None -> false
-  | Some r -> Option.is_some r.round_orientation || Option.is_some r.round_velocity
-
 (* One body after the other is rounded, each as its first leaf is turned (rule Round). *)
 let reversed m states =
   let n = Array.length m.Model.leaves in
-  if rounds m then None
+  if Model.rounds m then None
   else Symmetry.broken (Symmetry.permutation (Array.init n (fun i -> n - 1 - i))) m states
 
 (* Laws of motion may speak of places and directions. *)

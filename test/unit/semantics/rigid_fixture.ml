@@ -12,7 +12,8 @@ let quaternion w x y z = Quaternion.make (Z.of_int w) (Z.of_int x) (Z.of_int y) 
 let rigid ?(dynamics = Model.Constant_spin) ?rounding ?(resolution = ratio 1 1024) (m : Model.t) : Model.t =
   {
     m with
-    rigid = Some { dynamics; resolution; round_orientation = rounding; round_velocity = rounding };
+    rigid = Some { dynamics; resolution; round_orientation = rounding };
+    round_velocity = rounding;
   }
 
 (* A plank of sides 2, 1 and 1/2 instead of the cube: no two of its moments of inertia are equal. *)

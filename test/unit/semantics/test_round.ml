@@ -57,6 +57,35 @@ let room () =
   check "far enough for two" [ true; true ] (rounded (ratio 1 15) true);
   check "not for one" [ false; true ] (rounded (ratio 1 200) false)
 
+(* What two cubes of masses 1 and 2 have after a bounce, to quarters; not before they have done with each other. *)
+let straight () =
+  let bodies =
+    [
+      body "p" (-4, 0, 0) ~velocity:(1, 0, 0);
+      body "q" (0, 0, 0) ~mass:2;
+      body "r" (0, 2, 0) ~velocity:(0, -1, 0) ~mass:2;
+    ]
+  in
+  let m = { (model bodies) with round_velocity = Some 2 } in
+  let s = start m (declared bodies) in
+  (* r and q exchange their velocities at once, and no turn is due any more *)
+  let s = take m s "bounce(q, r)" in
+  let check_velocities what expected (s : State.t) =
+    Alcotest.(check (list string)) what expected
+      (List.map (fun (p : State.process) -> Vec.to_string p.velocity) (Array.to_list s.processes))
+  in
+  let due (s : State.t) = List.map Turn.due (Array.to_list s.processes) in
+  Alcotest.(check (list bool)) "all have begun" [ false; false; false ] (due s);
+  let row = [ body "p" (0, 0, 0) ~velocity:(1, 0, 0); body "q" (2, 0, 0) ~mass:2; body "r" (4, 0, 0) ~mass:2 ] in
+  let m = { (model row) with round_velocity = Some 2 } in
+  let s = start m (declared row) in
+  Alcotest.(check (list bool)) "due while they collide" [ true; true; false ] (due s);
+  let s = take m s "bounce(p, q)" in
+  check_velocities "p is rounded, q still hits r" [ "(-1/4, 0, 0)"; "(2/3, 0, 0)"; "(0, 0, 0)" ] s;
+  let s = take m s "bounce(q, r)" in
+  check_velocities "then r is" [ "(-1/4, 0, 0)"; "(0, 0, 0)"; "(3/4, 0, 0)" ] s;
+  Alcotest.(check bool) "well-formed" true (Well_formed.check (standard m) s = [])
+
 (* A process is rounded as a whole: its leaves keep their places in it. *)
 let whole () =
   let bodies = [ body "p" (-1, 0, 0); body "q" (1, 0, 0) ~mass:2 ] in
@@ -197,7 +226,8 @@ let () =
       ("room", [ case "room for those that are rounded" room ]);
       ( "round",
         [
-          case "orientations" orientation; case "a process as a whole" whole; case "velocities wait" velocities;
+          case "orientations" orientation; case "where nothing turns" straight;
+          case "a process as a whole" whole; case "velocities wait" velocities;
           case "not while it collides" colliding; case "the reference of an orientation" reference;
           case "no rest before it is rounded" waiting; case "angular momenta" free;
           case "the spin of what was turned" free_turned;
