@@ -98,7 +98,8 @@ let print_text console ~full (loaded : Loaded.t) (report : Check.report) verdict
   List.iter (fun v -> print (Check_text.property console ~full c v ^ "\n")) verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno ~full c w ^ "\n") in
   Option.iter zeno report.zeno;
-  print (Check_text.explored report.stats ^ Check_text.slices report.slices);
+  let causes = Check_text.causes loaded.model report.stats in
+  print (Check_text.explored report.stats ^ causes ^ Check_text.slices report.slices);
   Option.iter (fun (space, c) -> print (Coverage_text.lines console space c)) extra.covered;
   print (Check_text.tally console (List.map (fun (o : Verdict.outcome) -> o.verdict) verdicts));
   Option.iter (fun m -> List.iter (Console.note console) (Measured.lines m report)) extra.measured

@@ -168,6 +168,15 @@ let explored (s : Check.stats) =
     (Scc_exchange.Short_text.exact s.model_time)
     how
 
+let causes (m : Scc_calculus.Model.t) (s : Check.stats) =
+  let cause c =
+    Printf.sprintf "  likely cause: %s\n    cure: %s\n" (Growth.to_string m c) (Growth.cure m c)
+  in
+  match s.causes with
+  | [] -> ""
+  | causes ->
+    String.concat "" (List.map cause causes) ^ "  (specs/guide.md, \"Why did my model blow up?\")\n"
+
 let left_out (slice : Check.slice) =
   let shown = List.filteri (fun i _ -> i < 8) slice.left_out in
   let more = List.length slice.left_out - List.length shown in

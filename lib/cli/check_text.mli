@@ -14,6 +14,9 @@ val zeno : full:bool -> Semantics.t -> Witness.t -> string
 val explored : Check.stats -> string
 (** One line, and one for each fault. *)
 
+val causes : Scc_calculus.Model.t -> Check.stats -> string
+(** Why it is likely not to have closed, and what helps. *)
+
 val slices : Check.slice list -> string
 (** A line for each: who was left out for which properties, and what was explored without them. *)
 

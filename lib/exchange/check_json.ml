@@ -171,9 +171,19 @@ let property ?(full = false) c ({ check; verdict = v; scale; rests; converges } 
 
 let dead_ends list = `List (List.map (fun (d : Diag.t) -> Json.text d.message) list)
 
-let explored (s : Check.stats) =
+let cause (m : Model.t) c =
+  let leaf i = Json.text m.leaves.(i).name in
   `Assoc
     [
+      ("kind", `String (Growth.kind c));
+      ("bodies", `List (List.map leaf (Growth.leaves c)));
+      ("text", Json.text (Growth.to_string m c));
+      ("cure", Json.text (Growth.cure m c));
+    ]
+
+let explored model (s : Check.stats) =
+  `Assoc
+    ([
       ("states", `Int s.states);
       ("transitions", `Int s.transitions);
       ("depth", `Int s.depth);
@@ -184,13 +194,14 @@ let explored (s : Check.stats) =
       ("faults", `List (List.map (fun (f : Diag.t) -> Json.text f.message) s.faults));
       ("dead_ends", dead_ends s.dead_ends);
     ]
+      @ match s.causes with [] -> [] | causes -> [ ("likely_causes", `List (List.map (cause model) causes)) ])
 
-let slice (s : Check.slice) =
+let slice model (s : Check.slice) =
   `Assoc
     [
       ("properties", `List (List.map Json.text s.properties));
       ("left_out", `List (List.map Json.text s.left_out));
-      ("explored", explored s.explored);
+      ("explored", explored model s.explored);
     ]
 
 let document ~source r =
@@ -208,8 +219,8 @@ let document ~source r =
           | None -> [])
       @ [
         ("properties", `List (List.map (property ~full:r.full r.loaded.semantics) r.verdicts));
-        ("explored", explored r.report.stats);
-        ("slices", `List (List.map slice r.report.slices));
+        ("explored", explored model r.report.stats);
+        ("slices", `List (List.map (slice model) r.report.slices));
         ("zeno", Json.option (witness r.loaded.semantics) r.report.zeno);
         ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
       ]

@@ -26,6 +26,6 @@ val property : ?full:bool -> Semantics.t -> Verdict.outcome -> Json.t
 (** A member of [properties]. Of the way to a state that was not explored it has the first and the last 100 steps,
     and all of them if [full]. *)
 
-val explored : Check.stats -> Json.t
+val explored : Scc_calculus.Model.t -> Check.stats -> Json.t
 
 val document : source:(string -> Source.t option) -> t -> Json.t

@@ -31,6 +31,7 @@ type stats = Joint_check.stats = {
   dead_ends : Scc_base.Diag.t list;
   converges : Verdict.convergence option;
   growth : Scc_base.Diag.t option;
+  causes : Growth.cause list;
 }
 
 type slice = { properties : string list; left_out : string list; explored : stats }
@@ -139,6 +140,7 @@ let add (a : stats) (b : stats) =
     dead_ends = List.sort_uniq Scc_base.Diag.compare (a.dead_ends @ b.dead_ends);
     converges = (match a.converges with Some _ -> a.converges | None -> b.converges);
     growth = (match a.growth with Some _ -> a.growth | None -> b.growth);
+    causes = Growth.together a.causes b.causes;
   }
 
 let sum_stores a b =
@@ -271,6 +273,7 @@ let unexplored options (checks : Property.check list) stop =
         dead_ends = [];
         converges = None;
         growth = None;
+        causes = [];
       };
     uneventful = false;
     slices = [];

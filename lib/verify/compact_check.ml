@@ -97,6 +97,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         (* No path is kept. *)
         converges = None;
         growth = None;
+        causes = [];
       };
     zeno = None;
     stores = [ ("states", r.bytes); ("labels", 0); ("edges", 0) ];

@@ -41,6 +41,7 @@ type stats = {
   dead_ends : Scc_base.Diag.t list;
   converges : Verdict.convergence option;
   growth : Scc_base.Diag.t option;
+  causes : Growth.cause list;
 }
 
 type result = {
@@ -229,6 +230,15 @@ let convergence r =
   | Some q -> Some (Verdict.Proved q)
   | None -> Option.map (fun s -> Verdict.Named s) (Slowing.find r.graph)
 
+(* It looks at some hundreds of states, which may be large: with no time for that, nothing is said. *)
+let likely r bounds =
+  match bounds with
+  | [] -> []
+  | _ :: _ -> (
+      match r.options.surroundings.attempt.run Concluding (fun () -> Growth.find r.context r.graph) with
+      | Ok causes -> causes
+      | Error _ -> [])
+
 let stats r : stats =
   let unexpanded = Graph.unexpanded r.graph in
   let causes = List.rev (List.rev_map (fun (_, reason) -> cause r reason) unexpanded) in
@@ -245,6 +255,7 @@ let stats r : stats =
     stopped_by = Verdict.distinct bounds;
     dead_ends = Bounds.dead_ends r.context;
     growth = growth r unexpanded;
+    causes = likely r bounds;
     converges = (match bounds with [] -> None | _ :: _ -> convergence r);
     faults =
       List.sort_uniq Scc_base.Diag.compare

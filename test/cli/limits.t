@@ -24,6 +24,9 @@ A number that doubles its length in each step.
     always x(p) >= 0
   
   explored: 17 states, 16 transitions, depth 16, model time 16; not complete: stopped by the bound of 100000 bits for a number (a default)
+    likely cause: the numbers of p grow: its velocity takes 17, 257, 4097 and 131073 bits in the quarters of the deepest run
+      cure: `round(e, q)` in the law of motion keeps numbers short
+    (specs/guide.md, "Why did my model blow up?")
   1 property: 1 holds up to the bound
   [2]
   $ scc check grow.sc --bits 1000 | tail -2

@@ -1,0 +1,357 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_space
+module Graph = State_graph
+
+type bits = { quarter : int; half : int; three_quarters : int; at_end : int }
+
+type cause =
+  | Steps of { bits : bits }
+  | Numbers of { leaf : int; quantity : Length.quantity; bits : bits }
+  | Leaves of { leaves : int list; from : Rat.t; until : Rat.t }
+  | Drifts of { by : Vec.t }
+  | Times
+  | Orders of { states : int; instants : int }
+  | Splits of { states : int; instants : int }
+
+(** {2 What is looked at} *)
+
+(* States of a path, as many as these at its end, and as many as these spread over all of it. *)
+let window = 48
+let spread = 32
+
+(* States found last. *)
+let sample = 2048
+
+(* Those among them whose transitions are looked at. *)
+let looked_into = 128
+
+(* A path shorter than this tells nothing. *)
+let fewest = 12
+
+let state context graph i = Catalogue.decode (Network_lts.catalogue context) (Graph.tuple graph i)
+
+let last count path =
+  let n = Array.length path in
+  Array.sub path (Int.max 0 (n - count)) (Int.min count n)
+
+(** {2 Numbers that grow} *)
+
+let denominator (r : Rat.t) = Z.numbits r.den
+let of_vec f (v : Vec.t) = Int.max (f v.x) (Int.max (f v.y) (f v.z))
+
+(* Of a place only the denominators count: what flies away has long numerators too, in time. *)
+let of_place (p : State.process) =
+  Array.fold_left (fun most (l : State.leaf) -> Int.max most (of_vec denominator l.position)) 0 p.leaves
+
+let quantities : Length.quantity list = [ Velocity; Spin; Orientation; Angular_momentum; Position ]
+
+let length (quantity : Length.quantity) (p : State.process) =
+  match quantity with
+  | Position -> of_place p
+  | Velocity | Spin | Orientation | Angular_momentum | Clock -> List.assoc quantity (Length.of_process p)
+
+(* How a length has grown along a run, if it has in each quarter of it, or doubled in the last one: what grows in
+   the beginning alone, until the first collisions have mixed all numbers, comes to an end. *)
+let growing measure points =
+  let n = Array.length points in
+  let greatest from until =
+    let most = ref 0 in
+    for i = from to until - 1 do
+      most := Int.max !most (measure points.(i))
+    done;
+    !most
+  in
+  let quarter = greatest 0 (n / 4) and half = greatest (n / 4) (n / 2) in
+  let three_quarters = greatest (n / 2) (3 * n / 4) and at_end = greatest (3 * n / 4) n in
+  let rises = quarter < half && half < three_quarters in
+  let steadily = rises && three_quarters + 2 <= at_end && half * 5 / 4 <= at_end in
+  let wildly = quarter <= half && half <= three_quarters && 2 * three_quarters <= at_end && at_end >= 64 in
+  if steadily || wildly then Some { quarter; half; three_quarters; at_end }
+  else None
+
+let numbers states =
+  let model_leaf (p : State.process) = p.leaves.(0).leaf in
+  let n = Array.length states in
+  let of_leaf leaf quantity (s : State.t) =
+    let i, _ = State.find_leaf s leaf in
+    length quantity s.processes.(i)
+  in
+  let candidate p quantity =
+    let leaf = model_leaf p in
+    Option.map
+      (fun bits -> Numbers { leaf; quantity; bits })
+      (growing (of_leaf leaf quantity) states)
+  in
+  let longer best next =
+    match (best, next) with
+    | Some (Numbers a), Some (Numbers b) when b.bits.at_end > a.bits.at_end -> next
+    | None, _ -> next
+    | Some _, _ -> best
+  in
+  if n < fewest then None
+  else
+    Array.to_list states.(n - 1).State.processes
+    |> List.concat_map (fun p -> List.map (candidate p) quantities)
+    |> List.fold_left longer None
+
+let steps (m : Model.t) arrivals =
+  if m.steered && (not (Model.keeps_beat m)) && Array.length arrivals >= fewest then
+    Option.map (fun bits -> Steps { bits }) (growing denominator arrivals)
+  else None
+
+(** {2 What comes back} *)
+
+let without_time (s : State.t) = State.make ~processes:(Array.to_list s.processes) ~step:s.step ~time:None
+
+let without leaf (s : State.t) =
+  let others = List.filter (fun p -> not (State.has_leaf p leaf)) (Array.to_list s.processes) in
+  State.make ~processes:others ~step:s.step ~time:None
+
+(* Where the first of its leaves is: what a state is moved by, when it is another one elsewhere. *)
+let place (s : State.t) = s.processes.(0).leaves.(0).position
+
+let moved by (s : State.t) =
+  let move = State.map_leaves (fun l -> { l with position = Vec.sub l.position by }) in
+  State.make ~processes:(List.map move (Array.to_list s.processes)) ~step:s.step ~time:s.time
+
+let at_origin (s : State.t) = if Array.length s.processes = 0 then s else moved (place s) s
+
+(* Two states of a run that are the same, the last of them with the one before it that is nearest to it. *)
+let recurs states =
+  let n = Array.length states in
+  let rec earlier j i =
+    if i < 0 then None else if State.equal states.(i) states.(j) then Some (i, j) else earlier j (i - 1)
+  in
+  let rec from j =
+    if j <= 0 then None
+    else match earlier j (j - 1) with Some _ as found -> found | None -> from (j - 1)
+  in
+  from (n - 1)
+
+(* Up to a constant, time counts no longer than up to there. *)
+let times context states =
+  match Catalogue.time_seen (Network_lts.catalogue context) with
+  | Scc_property.Time_seen.Always when Option.is_some (recurs (Array.map without_time states)) -> Some Times
+  | Always | Until _ | Never -> None
+
+(* What is fixed stays where it is, and counts for where the others are. *)
+let loose m (s : State.t) =
+  let processes = List.filter (fun p -> Option.is_some (State.mass m p)) (Array.to_list s.processes) in
+  State.make ~processes ~step:s.step ~time:None
+
+(* The last state is what two before it were, each moved by the same from the one before. *)
+let drifts m states =
+  let still = Array.map (loose m) states in
+  let alike = Array.map at_origin still in
+  let last = Array.length states - 1 in
+  let backwards = List.init (last + 1) (fun k -> last - k) in
+  let same = List.filter (fun i -> State.equal alike.(i) alike.(last)) backwards in
+  match same with
+  | k :: j :: i :: _ when Array.length still.(k).processes > 0 ->
+    let by = Vec.sub (place still.(k)) (place still.(j)) in
+    let before = Vec.sub (place still.(j)) (place still.(i)) in
+    if Vec.equal by before && not (Vec.is_zero by) then Some (Drifts { by }) else None
+  | _ -> None
+
+let distance2 m (p : State.process) (s : State.t) =
+  let centre = State.centre_of_mass m p in
+  let to_other least (q : State.process) =
+    if State.has_leaf q p.leaves.(0).leaf then least
+    else
+      let d = Vec.sub (State.centre_of_mass m q) centre in
+      let d2 = Vec.dot d d in
+      match least with Some l when Rat.compare l d2 <= 0 -> least | Some _ | None -> Some d2
+  in
+  Array.fold_left to_other None s.processes
+
+(* The distances of a process from the nearest other, if it is never nearer than before, and farther in the end. *)
+let leaving m leaf states =
+  let at (s : State.t) =
+    let i, _ = State.find_leaf s leaf in
+    distance2 m s.processes.(i) s
+  in
+  let rec rises before = function
+    | [] -> true
+    | Some d :: rest -> Rat.compare before d <= 0 && rises d rest
+    | None :: _ -> false
+  in
+  match List.map at (Array.to_list states) with
+  | Some first :: rest when rises first rest -> (
+      match List.nth_opt rest (List.length rest - 1) with
+      | Some (Some last) when Rat.compare first last < 0 -> Some (first, last)
+      | _ -> None)
+  | _ -> None
+
+let leaves_all (m : Model.t) states =
+  let others leaf = Array.map (fun s -> at_origin (without leaf s)) states in
+  let goes (p : State.process) =
+    let leaf = p.leaves.(0).leaf in
+    match leaving m leaf states with
+    | Some (from, until) when Option.is_some (recurs (others leaf)) ->
+      let leaves = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves) in
+      Some (Leaves { leaves; from; until })
+    | Some _ | None -> None
+  in
+  let n = Array.length states in
+  if n < fewest || Array.length states.(0).State.processes < 2 then None
+  else List.find_map goes (Array.to_list states.(n - 1).State.processes)
+
+(** {2 Many states of one instant} *)
+
+module Instants = Map.Make (struct
+    type t = Rat.t
+
+    let compare = Rat.compare
+  end)
+
+(* In how many ways an event of each kind was one of several at a state. *)
+let choices context graph states =
+  let add (others, splits) i =
+    let label (e : Graph.edge) = Catalogue.label_of (Network_lts.catalogue context) e.label in
+    let labels = List.map label (Array.to_list (Graph.edges graph i)) in
+    let events = List.filter (fun l -> not (Transition.is_time l)) labels in
+    let is_split : Transition.label -> bool = function
+      | Weak_split _ -> true
+      | Time _ | Bind _ | Bounce _ | Strong_split _ -> false
+    in
+    let weak = List.length (List.filter is_split events) in
+    (* A weak split is a choice by itself: it can be put off. *)
+    let other = List.length events - weak in
+    ((others + if other > 1 then other else 0), splits + weak)
+  in
+  List.fold_left add (0, 0) states
+
+(* States found last, most of which are not expanded: of those before them the transitions are known. *)
+let crowded context graph =
+  let n = Graph.size graph in
+  let first = Int.max 0 (n - sample) in
+  let states = n - first in
+  let count found i =
+    Instants.update (Graph.arrival graph i) (fun c -> Some (1 + Option.value c ~default:0)) found
+  in
+  let instants = Instants.cardinal (List.fold_left count Instants.empty (List.init states (fun i -> first + i))) in
+  if states < 256 || states < 16 * instants then None
+  else
+    let expanded = List.filter (fun i -> Graph.status graph i = Expanded) in
+    let before = expanded (List.init (Int.min n sample) (fun k -> n - 1 - (k * (n / Int.min n sample)))) in
+    let others, splits = choices context graph (List.filteri (fun k _ -> k < looked_into) before) in
+    if others = 0 && splits = 0 then None
+    else if splits > others then Some (Splits { states; instants })
+    else Some (Orders { states; instants })
+
+(** {2 All of it} *)
+
+let is_resource : _ Scc_explore.Explore.reason -> bool = function
+  | States | Bits | Seconds | Memory | Interrupted -> true
+  | Depth | Time | Instant | Stopped | Fault _ -> false
+
+let ended graph = List.exists (fun (_, reason) -> is_resource reason) (Graph.unexpanded graph)
+
+let find context graph =
+  let model = Network_lts.model context in
+  match Slowing.deepest graph with
+  | Some i when ended graph ->
+    let path = Array.of_list (Graph.ancestors graph i) in
+    let n = Array.length path in
+    let points = Array.init (Int.min n spread) (fun k -> path.((k + 1) * n / Int.min n spread - 1)) in
+    let over_all = Array.map (state context graph) points in
+    let at_end = Array.map (state context graph) (last window path) in
+    let first causes = List.find_map (fun cause -> cause ()) causes in
+    let values =
+      first
+        [
+          (fun () -> steps model (Array.map (Graph.arrival graph) points));
+          (fun () -> numbers over_all);
+          (fun () -> times context at_end);
+          (fun () -> leaves_all model at_end);
+          (fun () -> drifts model at_end);
+        ]
+    in
+    Option.to_list values @ Option.to_list (crowded context graph)
+  | Some _ | None -> []
+
+(** {2 In words} *)
+
+let kind = function
+  | Steps _ -> "steps"
+  | Numbers _ -> "numbers"
+  | Leaves _ -> "leaves"
+  | Drifts _ -> "drifts"
+  | Times -> "times"
+  | Orders _ -> "orders"
+  | Splits _ -> "splits"
+
+let together a b =
+  let is_new cause = not (List.exists (fun other -> String.equal (kind other) (kind cause)) a) in
+  a @ List.filter is_new b
+
+let leaves = function
+  | Numbers { leaf; _ } -> [ leaf ]
+  | Leaves { leaves; _ } -> leaves
+  | Steps _ | Drifts _ | Times | Orders _ | Splits _ -> []
+
+let told bits =
+  Printf.sprintf "%d, %d, %d and %d bits in the quarters of the deepest run" bits.quarter bits.half
+    bits.three_quarters bits.at_end
+
+let of_each quantity =
+  match (quantity : Length.quantity) with
+  | Position -> "the denominators of its position have"
+  | Velocity | Spin | Orientation | Angular_momentum | Clock ->
+    Printf.sprintf "its %s takes" (Length.name quantity)
+
+let instants n = if n = 1 then "one instant" else Printf.sprintf "%d instants" n
+
+let to_string (m : Model.t) cause =
+  let name leaf = m.leaves.(leaf).name in
+  let say fmt = Printf.sprintf fmt in
+  let crowd = say "the last %d states that were found begin at %s" in
+  match cause with
+  | Steps { bits } ->
+    say
+      "collisions cut the steps of a law short, and times become ever finer fractions: their denominators have %s"
+      (told bits)
+  | Numbers { leaf; quantity; bits } ->
+    say "the numbers of %s grow: %s %s" (name leaf) (of_each quantity) (told bits)
+  | Leaves { leaves; from; until } ->
+    let distance d2 = say "%.6g" (sqrt (Rat.to_float d2)) in
+    say
+      "%s leaves all others, while these come back to where they were: at the end of the deepest run it is %s \
+       from the nearest, and was %s not long before"
+      (String.concat ", " (List.map name leaves))
+      (distance until) (distance from)
+  | Drifts { by } -> say "all that moves comes back to what it was, but elsewhere: moved by %s" (Vec.to_string by)
+  | Times -> "all comes back to what it was, but at another time"
+  | Orders { states; instants = n } ->
+    say "many orders of events of the same instant: %s" (crowd states (instants n))
+  | Splits { states; instants = n } ->
+    say "weak splits, each of which can happen or be put off: %s" (crowd states (instants n))
+
+let bounded = "or give the check a bound: `within t`"
+
+let cure_of_numbers (m : Model.t) =
+  match m with
+  | { rigid = Some { round_orientation = None; _ }; _ } ->
+    "`round orientation 2^-30` and `round velocity 2^-30` keep numbers short"
+  | { steered = true; rigid = None; _ } -> "`round(e, q)` in the law of motion, or `round velocity 2^-30`, keeps numbers short"
+  | { round_velocity = None; rigid = Some _; _ } -> "`round velocity 2^-30` keeps numbers short"
+  | { round_velocity = None; rigid = None; _ } ->
+    "`round velocity 2^-30` keeps numbers short; bodies of equal mass exchange their velocities"
+  | _ -> bounded
+
+let cure (m : Model.t) = function
+  | Steps _ -> "`timestep d steady`, whose steps no collision ends"
+  | Numbers _ -> cure_of_numbers m
+  | Leaves _ -> "put a `fixed` wall in its way; " ^ bounded
+  | Drifts _ ->
+    "speak of distances instead of positions, in checks and in laws, and leave out `fixed` bodies that nobody \
+     meets: where all of it is is not told apart then; " ^ bounded
+  | Times -> "compare `time` with constants, or say `within t`, and all later times are one"
+  | Orders _ ->
+    "let things happen at different times; ask `possibly` and `always` of named bodies, and others are left out; \
+     `collisions together` where they hang together"
+  | Splits _ -> 
+    "ask `possibly` and `always` of named bodies, and others are left out; release after delays that differ: \
+     `eps(d). rho(...)` on both sides; a coarser `split_step`"
