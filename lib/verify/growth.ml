@@ -329,25 +329,26 @@ let to_string (m : Model.t) cause =
   | Splits { states; instants = n } ->
     say "weak splits, each of which can happen or be put off: %s" (crowd states (instants n))
 
-let bounded = "or give the check a bound: `within t`"
+let bounded = "give the check a bound: `within t`"
 
 let cure_of_numbers (m : Model.t) =
   match m with
   | { rigid = Some { round_orientation = None; _ }; _ } ->
     "`round orientation 2^-30` and `round velocity 2^-30` keep numbers short"
-  | { steered = true; rigid = None; _ } -> "`round(e, q)` in the law of motion, or `round velocity 2^-30`, keeps numbers short"
+  | { steered = true; rigid = None; _ } ->
+    "`round(e, q)` in the law of motion, or `round velocity 2^-10`, keeps numbers short"
   | { round_velocity = None; rigid = Some _; _ } -> "`round velocity 2^-30` keeps numbers short"
   | { round_velocity = None; rigid = None; _ } ->
-    "`round velocity 2^-30` keeps numbers short; bodies of equal mass exchange their velocities"
-  | _ -> bounded
+    "`round velocity 2^-10` keeps numbers short; bodies of equal mass exchange their velocities"
+  | _ -> "a coarser `round velocity`; or " ^ bounded
 
 let cure (m : Model.t) = function
   | Steps _ -> "`timestep d steady`, whose steps no collision ends"
   | Numbers _ -> cure_of_numbers m
-  | Leaves _ -> "put a `fixed` wall in its way; " ^ bounded
+  | Leaves _ -> "put a `fixed` wall in its way; or " ^ bounded
   | Drifts _ ->
     "speak of distances instead of positions, in checks and in laws, and leave out `fixed` bodies that nobody \
-     meets: where all of it is is not told apart then; " ^ bounded
+     meets: where all of it is is not told apart then; or " ^ bounded
   | Times -> "compare `time` with constants, or say `within t`, and all later times are one"
   | Orders _ ->
     "let things happen at different times; ask `possibly` and `always` of named bodies, and others are left out; \

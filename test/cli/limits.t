@@ -17,7 +17,7 @@ A number that doubles its length in each step.
 
   $ scc check grow.sc
   warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
-    hint: `round(e, q)` in a law of motion keeps numbers short; `--bits N` lets them grow
+    hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   semantics 2: timestep 1
   
   right: holds up to the bound: the bound of 100000 bits for a number (a default)
@@ -25,13 +25,13 @@ A number that doubles its length in each step.
   
   explored: 17 states, 16 transitions, depth 16, model time 16; not complete: stopped by the bound of 100000 bits for a number (a default)
     likely cause: the numbers of p grow: its velocity takes 17, 257, 4097 and 131073 bits in the quarters of the deepest run
-      cure: `round(e, q)` in the law of motion keeps numbers short
+      cure: `round(e, q)` in the law of motion, or `round velocity 2^-10`, keeps numbers short
     (specs/guide.md, "Why did my model blow up?")
   1 property: 1 holds up to the bound
   [2]
   $ scc check grow.sc --bits 1000 | tail -2
   warning[SC0705]: the velocity of `p` takes 1025 bits after 9 transitions, and what follows is not explored
-    hint: `round(e, q)` in a law of motion keeps numbers short; `--bits N` lets them grow
+    hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   explored: 10 states, 9 transitions, depth 9, model time 9; not complete: stopped by the bound of 1000 bits for a number
   1 property: 1 holds up to the bound
   $ scc check grow.sc --bits 0 2>&1 | head -n 2
@@ -50,12 +50,12 @@ What cannot be written keeps nothing else from being told.
 
   $ scc check grow.sc --sarif nowhere/log.sarif | tail -1
   warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
-    hint: `round(e, q)` in a law of motion keeps numbers short; `--bits N` lets them grow
+    hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   nowhere/log.sarif: error[SC0103]: cannot write: No such file or directory
   1 property: 1 holds up to the bound
   $ scc check grow.sc --sarif nowhere/log.sarif > /dev/null
   warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
-    hint: `round(e, q)` in a law of motion keeps numbers short; `--bits N` lets them grow
+    hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   nowhere/log.sarif: error[SC0103]: cannot write: No such file or directory
   [74]
   $ scc check grow.sc --json --sarif nowhere/log.sarif --witness nowhere/runs > report.json
@@ -66,7 +66,7 @@ What cannot be written keeps nothing else from being told.
   $ echo before > log.sarif; chmod 640 log.sarif; ln -s log.sarif link.sarif
   $ scc check grow.sc --sarif link.sarif > /dev/null
   warning[SC0705]: the velocity of `p` takes 131073 bits after 16 transitions, and what follows is not explored
-    hint: `round(e, q)` in a law of motion keeps numbers short; `--bits N` lets them grow
+    hint: `round velocity 2^-k`, or `round(e, q)` in a law of motion, keeps numbers short; `--bits N` lets them grow
   [2]
   $ head -c 1 log.sarif; stat -c %a log.sarif; readlink link.sarif
   {640
