@@ -57,13 +57,12 @@ def told_apart(key: Any) -> List[str]:
     lines = ["%s, time %s" % (plain(step), plain(now))]
     for velocity, clock, bodies, bonds, spin, since, momentum, lasts, own in processes:
         lines.append(
-            "v %s clock %s bonds %s step %s"
-            % (plain(velocity), plain(clock), plain(bonds), plain(own))
+            "v %s clock %s bonds %s step %s lasts %s"
+            % (plain(velocity), plain(clock), plain(bonds), plain(own), plain(lasts))
         )
         if any(body.turned for _, body in bodies):
             lines.append(
-                "  spin %s since %s L %s lasts %s"
-                % (plain(spin), plain(since), plain(momentum), plain(lasts))
+                "  spin %s since %s L %s" % (plain(spin), plain(since), plain(momentum))
             )
         for name, body in bodies:
             lines.append(
@@ -121,7 +120,8 @@ def switches(model: Model) -> List[str]:
     found = ["together"] * model.together + ["by contact"] * model.by_contact
     found += ["laws"] * model.steered + ["local steps"] * (model.steered and model.local)
     found += ["steady steps"] * (model.steered and model.steady) + ["only"] * model.only
-    return found + ["rounding"] * (model.rigid and bool(model.rounding))
+    rounding = model.rounding if model.rigid else "velocity" in model.rounding
+    return found + ["rounding"] * bool(rounding)
 
 
 def choice(rng: random.Random, transitions: List[dict]) -> int:

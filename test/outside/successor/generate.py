@@ -326,6 +326,8 @@ class Generator:
             head.append("split_step %s" % rng.choice(["1/2", "1", "3/4", "2", "1/3"]))
         if self.rigid:
             head += self.settings()
+        elif rng.random() < 0.3:
+            head.append("round velocity %s" % rng.choice(["1/2", "1/2", "1/4", "2^-6"]))
         head += ["shape %s {\n  %s\n}" % item for item in SOLIDS.items()]
         if self.walls:
             head.append(WALL)

@@ -18,7 +18,12 @@ class Refusal(Exception):
 class Oracle:
     def __init__(self, command: List[str]) -> None:
         self.process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            bufsize=1,
+            start_new_session=True,  # signals are for who asks
         )
         self.asked = 0
 

@@ -1,4 +1,4 @@
-"""What is rounded when turns begin (rule Round), and estimates of spins (rule Turn)."""
+"""What begins at once, what is rounded then (rule Round), and estimates of spins (rule Turn)."""
 
 from __future__ import annotations
 
@@ -15,20 +15,33 @@ from vectors import ZERO, Vector, add, apply, dot, sub
 
 
 class Rounding:
-    """Rule Round, of the rules of a rigid model."""
+    """Rule Round, of the rules of a model."""
 
     model: Any
-    free: bool
+    free = False
 
     def rounded(self, processes: List[Process], due: List[int]) -> List[Process]:
         """Rule Round."""
         if "orientation" in self.model.rounding:
             processes = self.rounded_orientations(processes, due)
-        if "velocity" in self.model.rounding:
-            step = self.model.rounding["velocity"]
-            after = [self.slower(p, step) if i in due else p for i, p in enumerate(processes)]
-            processes = self.at_once(processes, after)
-        return processes
+        return self.rounded_velocities(processes, due)
+
+    def rounded_velocities(self, processes: List[Process], due: List[int]) -> List[Process]:
+        if "velocity" not in self.model.rounding:
+            return processes
+        step = self.model.rounding["velocity"]
+        after = [self.slower(p, step) if i in due else p for i, p in enumerate(processes)]
+        return self.at_once(processes, after)
+
+    def at_once(self, before: List[Process], after: List[Process]) -> List[Process]:
+        """Changes all processes but those that would collide then, and did not before."""
+        old = set(self.colliding(before))
+        while True:
+            new = [pair for pair in self.colliding(after) if pair not in old]
+            waiting = {i for pair in new for i in pair if after[i] is not before[i]}
+            if not waiting:
+                return after
+            after = [before[i] if i in waiting else p for i, p in enumerate(after)]
 
     def slower(self, process: Process, step: Fraction) -> Process:
         """With a velocity and a spin, or angular momentum, that are rounded."""

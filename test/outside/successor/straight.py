@@ -13,6 +13,7 @@ import response
 import steps
 import terms
 from model import Leaf, Model, Part
+from rounding import Rounding
 from solids import Feature
 from states import Body, Bond, Process, State, Step
 from vectors import ZERO, Vector, add, scale, sub
@@ -39,7 +40,7 @@ class Pair:
         return contact.approaching(self.part1.solid, self.part2.solid, self.offset, w)
 
 
-class Rules:
+class Rules(Rounding):
     """The rules over one model."""
 
     def __init__(self, model: Model) -> None:
@@ -100,6 +101,11 @@ class Rules:
             if pairs is not None:
                 found.append((p, q, pairs))
         return found
+
+    def colliding(self, processes: List[Process]) -> List[Tuple[int, int]]:
+        """The collisions of some processes, by their numbers."""
+        numbered = combinations(enumerate(processes), 2)
+        return [(i, j) for (i, p), (j, q) in numbered if self.collision(p, q) is not None]
 
     def hit(self, state: State) -> List[Process]:
         """All processes of which something is to be resolved before time passes."""
@@ -187,8 +193,8 @@ class Rules:
         else:
             m1, m2 = self.mass(p), self.mass(q)
             share1, share2 = m2 / (m1 + m2), m1 / (m1 + m2)
-        after1 = replace(p, velocity=sub(p.velocity, scale(share1, change)))
-        after2 = replace(q, velocity=add(q.velocity, scale(share2, change)))
+        after1 = replace(p, velocity=sub(p.velocity, scale(share1, change)), lasts=None)
+        after2 = replace(q, velocity=add(q.velocity, scale(share2, change)), lasts=None)
         return after1, after2
 
     def bounce_all(self, cluster: List[Meeting]) -> List[Tuple[Process, Process]]:
@@ -205,7 +211,7 @@ class Rules:
             for n in self.normals(p, q, pairs)
         ]
         after = impact.reflect_all(rows, bodies)
-        return [(p, replace(p, velocity=body.velocity)) for p, body in zip(old, after)]
+        return [(p, replace(p, velocity=b.velocity, lasts=None)) for p, b in zip(old, after)]
 
     def bounces(self, cluster: List[Meeting]) -> List[Tuple[Process, Process]]:
         """What takes part in a bounce, and what it becomes."""
@@ -460,6 +466,20 @@ class Rules:
     # Steering.
 
     def settled(self, state: State, kind: str) -> State:
+        """The end of each transition: Steer, and Round where velocities are rounded."""
+        state = self.after_steering(state, kind)
+        return self.begin_turns(state) if "velocity" in self.model.rounding else state
+
+    def begin_turns(self, state: State) -> State:
+        """All turns that are due, of what neither collides nor binds by contact (I-33), begin at
+        once: of the length 0."""
+        processes, hit = list(state.processes), {id(p) for p in self.hit(state)}
+        due = [i for i, p in enumerate(processes) if p.lasts is None and id(p) not in hit]
+        rounded = self.rounded_velocities(processes, due)
+        begun = [replace(p, lasts=Fraction(0)) if i in due else p for i, p in enumerate(rounded)]
+        return replace(state, processes=tuple(begun))
+
+    def after_steering(self, state: State, kind: str) -> State:
         """Rule Steer: what is due after a transition (I-15)."""
         if self.model.local:
             return self.settled_locally(state)
@@ -492,7 +512,7 @@ class Rules:
         return add(at, self.leaf(name).centroid), process.velocity
 
     def steered(self, process: Process, time: Fraction, dt: Fraction) -> Process:
-        if self.is_fixed(process):
+        if not steps.is_steered(self, process):
             return process
         change = ZERO
         for name, body in process.bodies.items():
@@ -506,9 +526,8 @@ class Rules:
                 }  # fmt: skip
                 new = self.model.vector(law, {**env, "": seen})
                 change = add(change, scale(leaf.mass, sub(new, v)))
-        return replace(
-            process, velocity=add(process.velocity, scale(1 / self.mass(process), change))
-        )
+        velocity = add(process.velocity, scale(1 / self.mass(process), change))
+        return replace(process, velocity=velocity, lasts=None)
 
     # States.
 

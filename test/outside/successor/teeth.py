@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import random
 import sys
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 from typing import Any, Callable, Dict
@@ -23,6 +24,7 @@ import straight
 import terms
 from model import Leaf
 from oracle import Oracle
+from rounding import Rounding
 from straight import Rules
 
 Mistake = Callable[[], Any]
@@ -41,7 +43,7 @@ def replaced(owner: Any, name: str, value: Any) -> Mistake:
 
 _covered, _touch, _dimension = response.covered, contact.touch, contact.dimension
 _grown, _passed = terms.grown, Rules.passed
-_clusters, _active = Rules.clusters, Leaf.active
+_clusters, _active, _steered = Rules.clusters, Leaf.active, Rules.steered
 
 
 def every_direction(own: Any, n: Any, others: Any) -> bool:
@@ -121,6 +123,12 @@ MISTAKES: Dict[str, Mistake] = {
     "I-34: the others have none": replaced(
         Leaf, "active", lambda self, alone, sites: _active(self, alone | sites, frozenset())
         if alone else _active(self, alone, sites)
+    ),
+    "Round: nobody waits": replaced(Rounding, "at_once", lambda self, before, after: after),
+    "Round: at collisions alone": replaced(
+        Rules, "steered", lambda self, process, time, dt: replace(
+            _steered(self, process, time, dt), lasts=process.lasts
+        )
     ),
     "I-35: collisions end steps": replaced(
         Rules, "ends_step", lambda self, kind: kind in ("bind", "bounce")

@@ -17,7 +17,7 @@ from masses import NOTHING, from_moment, plus, point_inertia, second_moment
 from model import Model, Part, rotation
 from motion import STILL, Flight, inverse, product, whole
 from rest import Rest
-from rounding import Rounding, estimate
+from rounding import estimate
 from solids import Solid
 from states import Body, Bond, Process, State
 from straight import Rules, Stopped, members
@@ -53,7 +53,7 @@ class Meeting:
         self.contact, self.solids = found, (one, two)
 
 
-class Turning(Rounding, Rest, Rules):
+class Turning(Rest, Rules):
     def __init__(self, model: Model) -> None:
         super().__init__(model)
         self.free = model.settings.get("dynamics") == "free_body"
@@ -376,7 +376,7 @@ class Turning(Rounding, Rest, Rules):
     def settled(self, state: State, kind: str) -> State:
         """The end of each transition: ends of turns, Steer, Round, beginnings of turns."""
         state = self.at_contact(state)
-        state = super().settled(state, kind)
+        state = self.after_steering(state, kind)
         state = self.at_contact(state)
         return self.begin_turns(state)
 
@@ -394,9 +394,8 @@ class Turning(Rounding, Rest, Rules):
 
     def steered(self, process: Process, time: Fraction, dt: Fraction) -> Process:
         """A law is asked when the turn is over."""
-        if not steps.is_steered(self, process):
-            return process
-        return super().steered(self.ended(process), time, dt)
+        over = self.ended(process) if steps.is_steered(self, process) else process
+        return super().steered(over, time, dt)
 
     def begin_turns(self, state: State) -> State:
         """All turns that are due, of what does not collide, begin at once."""
@@ -407,16 +406,6 @@ class Turning(Rounding, Rest, Rules):
         plainly = [self.plainly(p) if i in due else p for i, p in enumerate(processes)]
         begun = [self.renewed(p) if i in due else p for i, p in enumerate(processes)]
         return replace(state, processes=tuple(self.at_once(plainly, begun)))
-
-    def at_once(self, before: List[Process], after: List[Process]) -> List[Process]:
-        """Changes all processes but those that would collide then, and did not before."""
-        old = set(self.colliding(before))
-        while True:
-            new = [pair for pair in self.colliding(after) if pair not in old]
-            waiting = {i for pair in new for i in pair if after[i] is not before[i]}
-            if not waiting:
-                return after
-            after = [before[i] if i in waiting else p for i, p in enumerate(after)]
 
     def seen(self, process: Process, name: str) -> Tuple[Vector, Vector]:
         x = self.centroid(name, process.bodies[name])
