@@ -129,6 +129,9 @@ val bad_mesh : t
 val mesh_format : t
 (** SC0321: a mesh format that is not supported. *)
 
+val cannot_snap : t
+(** SC0322: a mesh without an exact solid near it. *)
+
 
 (** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 

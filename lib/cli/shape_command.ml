@@ -1,6 +1,8 @@
 open Scc_base
+open Scc_exact
 open Scc_geometry
 open Scc_session
+open Scc_snap
 open Cmdliner
 
 let ( let* ) = Result.bind
@@ -40,18 +42,92 @@ let set console ~overrides argument =
   | path, None ->
     if Front_end.has_extension path then templates_of console path else mesh console path
 
-let report console argument (set : Polyhedron.ifs) =
+type options = { snap : Rat.t option; hull : bool; output : string option }
+
+(* {1 The solid that is meant} *)
+
+let hull (set : Polyhedron.ifs) =
+  match Scc_mesh.Hull_of.hull set with
+  | Some hull -> Ok hull
+  | None -> Error [ Diag.error Code.no_solid Span.none "all points are in one plane: they span no solid" ]
+
+let snap tolerance set =
+  match Snap.snap ~tolerance set with
+  | Ok found -> Ok found
+  | Error refusal ->
+    let why, hint = Snap.explain set ~tolerance refusal in
+    Error [ Diag.error Code.cannot_snap Span.none ?hint "this cannot be snapped: %s" why ]
+
+let too_fine set =
+  if Polyhedron.too_fine set then
+    Error
+      [
+        Diag.error Code.number_too_large Span.none "the common denominator of the coordinates is too large"
+          ~hint:"use decimals, or fractions with few different denominators";
+      ]
+  else Ok ()
+
+(* {1 Report} *)
+
+let plural n = if n = 1 then "1 vertex" else Printf.sprintf "%d vertices" n
+
+let snap_text (tolerance, (s : Snap.snapped)) =
+  let moved = Array.fold_left (fun n d -> if Rat.sign d > 0 then n + 1 else n) 0 s.moved in
+  let far = ref 0 in
+  Array.iteri (fun v d -> if Rat.compare d s.moved.(!far) > 0 then far := v) s.moved;
+  let short q = Printf.sprintf "%.3g" (Rat.to_float q) in
+  let over = if s.turned_over then "; all faces were turned over, as they were listed clockwise" else "" in
+  if moved = 0 then Printf.sprintf "snapped within %s: nothing moved, it is exact as it is\n" (short tolerance)
+  else
+    Printf.sprintf "snapped within %s: %s moved, %s the farthest, by %s; coordinates of at most %d bits%s\n"
+      (short tolerance) (plural moved)
+      (fst s.set.ifs_vertices.(!far))
+      (short s.moved.(!far)) s.bits over
+
+let report console argument ?snapped (set : Polyhedron.ifs) =
   let r = Solid_report.make set in
   let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
+  let told = Option.fold ~none:"" ~some:snap_text snapped in
   Console.answer console
-    ~text:(fun () -> Solid_report.to_text ~name:argument r)
-    ~json:(fun () -> Scc_exchange.Shape_json.document ~name:argument ~exit:(Exit_code.to_int code) r);
+    ~text:(fun () -> told ^ Solid_report.to_text ~name:argument r)
+    ~json:(fun () ->
+        Scc_exchange.Shape_json.document ~name:argument ~exit:(Exit_code.to_int code) ?snap:snapped r);
   code
 
-let run color json overrides argument =
+let write output code set =
+  match output with
+  | Some (path, text) when Exit_code.equal code Exit_code.Holds ->
+    Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put (text set)))
+  | Some _ | None -> Ok ()
+
+let shape console ~overrides o output argument =
+  let* set = set console ~overrides argument in
+  let* () = too_fine set in
+  let* set = if o.hull then hull set else Ok set in
+  let* snapped =
+    match o.snap with
+    | None -> Ok None
+    | Some tolerance -> Result.map (fun s -> Some (tolerance, s)) (snap tolerance set)
+  in
+  let set = match snapped with Some (_, s) -> s.set | None -> set in
+  let code = report console argument ?snapped set in
+  let* () = write output code set in
+  Ok code
+
+let run color json overrides o argument =
   let console = Console.make ~color ~json in
-  Guard.run console (fun () ->
-      Result.map (report console argument) (set console ~overrides argument))
+  let go output = Guard.run console (fun () -> shape console ~overrides o output argument) in
+  match o.output with
+  | _ when (match o.snap with Some t -> Rat.sign t <= 0 | None -> false) ->
+    Guard.usage "the distance of --snap is to be greater than 0"
+  | None -> go None
+  | Some path -> (
+      match Scc_mesh.Written.to_file ~path with
+      | Some text -> go (Some (path, text))
+      | None ->
+        Guard.usage
+          (Printf.sprintf "`%s' does not tell a format that shapes are written in, by its ending: %s" path
+             (String.concat ", " Scc_mesh.Written.endings)))
 
 let argument =
   let formats = Scc_mesh.Mesh.formats in
@@ -69,6 +145,32 @@ let argument =
   in
   Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc)
 
+let snap_option =
+  let doc =
+    "Makes the solid exact: finds a convex closed polyhedron with the same vertices, faces and names, no vertex \
+     of which is farther than $(docv) from where it was, and tells how far they moved. For solids whose decimals \
+     are rounded, so that the corners of faces are not quite in one plane."
+  in
+  Arg.(value & opt (some Options.rational) None & info [ "snap" ] ~docv:"DISTANCE" ~doc)
+
+let hull_option =
+  let doc =
+    "Takes the convex hull of the vertices, exactly, whatever the faces of $(i,FILE) are: it may be a cloud of \
+     points."
+  in
+  Arg.(value & flag & info [ "hull" ] ~doc)
+
+let output =
+  let doc =
+    "Writes the shape to $(docv), exactly (with fractions p/q, which other programs may not read), if it is \
+     accepted. The ending of the name tells the format: $(b,.off), $(b,.obj) (which keeps the names of faces), or \
+     $(b,.sc), a template for a model."
+  in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+
+let options =
+  Term.(const (fun snap hull output -> { snap; hull; output }) $ snap_option $ hull_option $ output)
+
 let man =
   [
     `S Manpage.s_description;
@@ -76,13 +178,15 @@ let man =
       "Reports on a polyhedron. Two verdicts are told apart: whether it is a convex closed polyhedron, which \
        is what a template has to be, with every fault; and each of the seven conditions of Definition 4.3 as \
        printed, with a witness where it fails. Then the numbers of vertices, edges and faces and, of an \
-       accepted shape, the exact volume, centroid and inertia.";
+       accepted shape, the exact volume, centroid and inertia. $(b,--snap) makes exact what is rounded, \
+       $(b,--hull) makes a solid of points, and $(b,-o) writes what came out.";
   ]
   @ Options.diagnostics_man
   @ [
     `S Manpage.s_examples;
     `Pre "  scc shape dodecahedron.off";
     `Pre "  scc shape specs/models/hexokinase.sc:Cube --json";
+    `Pre "  scc shape --snap 1e-5 snub_cube.off -o exact.obj";
   ]
 
 let command =
@@ -92,4 +196,4 @@ let command =
   in
   Cmd.v
     (Cmd.info "shape" ~doc:"report on a polyhedron" ~man ~exits)
-    Term.(const run $ Options.color $ Options.json $ Options.overrides $ argument)
+    Term.(const run $ Options.color $ Options.json $ Options.overrides $ options $ argument)

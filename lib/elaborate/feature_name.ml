@@ -63,8 +63,11 @@ let feature_names (p : Polyhedron.t) =
   Array.to_list (Array.map fst p.faces) @ Array.to_list (Array.map fst p.vertices)
 
 let unknown report label p at name =
+  let { Polyhedron.ifs_vertices; ifs_faces } = Polyhedron.to_ifs p in
+  let told = Printf.sprintf "its faces are %s; its vertices %s" in
   Report.error report Code.unknown_feature at "`%s` has no feature `%s`" label name
-    ~near:(name, fun () -> feature_names p);
+    ~near:(name, fun () -> feature_names p)
+    ~notes:[ (Span.none, told (Solid_report.names ifs_faces) (Solid_report.names ifs_vertices)) ];
   None
 
 let vertex report label (p : Polyhedron.t) (name, at) =

@@ -67,7 +67,8 @@ let behaviour_children (b : Ast.behaviour) =
 
 let solid_children (s : Ast.solid) =
   match s.it with
-  | Template _ | Mesh _ -> []
+  | Template _ | Mesh (_, None) -> []
+  | Mesh (_, Some e) -> [ Expr e ]
   | Scaled (s, v) -> Solid s :: vector v
   | Faces (vertices, _) -> List.concat_map (fun (_, v) -> vector v) vertices
 

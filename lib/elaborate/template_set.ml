@@ -63,18 +63,6 @@ let scaled (set : Polyhedron.ifs) (f : Vec.t) =
   in
   { set with ifs_vertices = Array.map scale set.ifs_vertices }
 
-let mesh report read_file (path : string Ast.loc) =
-  match read_file path.it with
-  | Error why ->
-    Report.error report Code.cannot_read path.at "cannot read the mesh `%s`: %s" path.it why;
-    None
-  | Ok text -> (
-      match Scc_mesh.Mesh.read ~path:path.it text with
-      | Ok set -> Some set
-      | Error d ->
-        Report.add report d;
-        None)
-
 (* A template may only name those before it, so what is left to look at shrinks. *)
 let rec before name = function
   | [] -> None
@@ -83,7 +71,7 @@ let rec before name = function
 let rec set report read_file env earlier (solid : Ast.solid) =
   match solid.it with
   | Faces (vertices, faces) -> listed report env vertices faces
-  | Mesh path -> mesh report read_file path
+  | Mesh (path, snap) -> Mesh_file.read report env ~read_file path snap
   | Scaled (inner, factors) ->
     let* set = set report read_file env earlier inner in
     let* f = Constant.scaling report env solid.at factors in

@@ -126,19 +126,9 @@ let listed (c : Context.t) env ~label at vertices faces =
       { ifs_vertices = array places_of; ifs_faces = array faces_of }
   else None
 
-let mesh (c : Context.t) ~label at path =
-  match c.read_file path with
-  | Error why ->
-    Report.error c.report Code.cannot_read at "cannot read the mesh `%s`: %s" path why;
-    None
-  | Ok text -> (
-      match Scc_mesh.Mesh.read ~path text with
-      | Error d ->
-        let notes = if Span.is_none d.span then [] else [ (at, "the mesh is used here") ] in
-        let span = if Span.is_none d.span then at else d.span in
-        Report.add c.report { d with span; notes = d.notes @ notes };
-        None
-      | Ok ifs -> accept c { whole = at; vertices = [||]; faces = [||] } ~label ifs)
+let mesh (c : Context.t) env ~label (path : string Ast.loc) snap =
+  let* ifs = Mesh_file.read c.report env ~read_file:c.read_file path snap in
+  accept c { whole = path.at; vertices = [||]; faces = [||] } ~label ifs
 
 let rec basic (c : Context.t) env ~label (s : Ast.solid) =
   match s.it with
@@ -156,7 +146,7 @@ let rec basic (c : Context.t) env ~label (s : Ast.solid) =
     let* f = factors in
     let polyhedron, id = c.scaled b f in
     Some { b with id; polyhedron }
-  | Mesh path -> mesh c ~label path.at path.it
+  | Mesh (path, snap) -> mesh c env ~label path snap
   | Faces (vertices, faces) -> listed c env ~label s.at vertices faces
 
 let shape (c : Context.t) env ~label (s : Ast.solid) =

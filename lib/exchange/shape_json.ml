@@ -68,7 +68,20 @@ let geometry (r : Solid_report.t) =
 
 let warning (d : Diag.t) = `Assoc [ ("code", `String d.code); ("message", Json.text d.message) ]
 
-let document ~name ~exit (r : Solid_report.t) =
+let snapped (tolerance, (s : Scc_snap.Snap.snapped)) =
+  let short q = Json.text (Printf.sprintf "%.3g" (Rat.to_float q)) in
+  let all = List.mapi (fun v by -> (v, by)) (Array.to_list s.moved) in
+  let moved = List.filter (fun (_, by) -> Rat.sign by > 0) all in
+  let vertex (v, by) = `Assoc [ ("vertex", Json.text (fst s.set.ifs_vertices.(v))); ("by", short by) ] in
+  `Assoc
+    [
+      ("distance", Json.rat tolerance);
+      ("moved", `List (List.map vertex moved));
+      ("turned_over", `Bool s.turned_over);
+      ("bits", `Int s.bits);
+    ]
+
+let document ~name ~exit ?snap (r : Solid_report.t) =
   let faults, properties, warnings =
     match r.verdict with
     | Accepted (_, m) -> ([], mass m, List.map warning (Solid_report.faults r))
@@ -86,4 +99,5 @@ let document ~name ~exit (r : Solid_report.t) =
       ("definition_4_3", paper r);
       ("mass_properties", properties);
     ]
+      @ Option.to_list (Option.map (fun s -> ("snapped", snapped s)) snap)
       @ geometry r)

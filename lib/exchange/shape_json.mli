@@ -2,4 +2,6 @@
 
 open Scc_geometry
 
-val document : name:string -> exit:int -> Solid_report.t -> Json.t
+val document :
+  name:string -> exit:int -> ?snap:Scc_exact.Rat.t * Scc_snap.Snap.snapped -> Solid_report.t -> Json.t
+(** [snap]: within which distance it was snapped, and what that did. *)

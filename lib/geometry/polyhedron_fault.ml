@@ -106,5 +106,7 @@ let hint ~vertex ~face = function
   | Same_position (v, w) ->
     Some (Printf.sprintf "use %s in place of %s in every face" (vertex v) (vertex w))
   | Unused_vertex v -> Some (Printf.sprintf "remove %s" (vertex v))
+  | Off_plane _ ->
+    Some "if its decimals are rounded: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, finds an exact solid"
   | Separate_solids _ -> Some "make a template of each, and glue them in a compound"
   | _ -> None

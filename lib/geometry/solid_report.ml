@@ -94,10 +94,21 @@ let add_mass b r =
     add_tensor b "density 1" mass.inertia;
     add_tensor b "mass 1" (Mass_properties.inertia ~mass:Rat.one mass)
 
+let max_names = 40
+
+let names all =
+  let n = Array.length all in
+  let first = List.init (Int.min n max_names) (fun i -> fst all.(i)) in
+  if n = 0 then "none"
+  else if n > max_names then Printf.sprintf "%s and %d more" (String.concat ", " first) (n - max_names)
+  else String.concat ", " first
+
 let to_text ~name r =
   let b = Buffer.create 1024 in
   line b "%s" name;
   line b "vertices: %d, edges: %d, faces: %d" r.paper.vertices r.edges r.paper.faces;
+  line b "names of faces: %s" (names r.set.ifs_faces);
+  line b "names of vertices: %s" (names r.set.ifs_vertices);
   add_verdict b r;
   add_paper b r;
   add_mass b r;

@@ -31,5 +31,8 @@ val faults : t -> Scc_base.Diag.t list
 val max_faults : int
 (** So many faults are listed in text; then how many more there are. *)
 
+val names : (string * 'a) array -> string
+(** Of vertices or faces, in order; of many the first, and how many more there are. *)
+
 val to_text : name:string -> t -> string
 (** Several lines for a person, the last ended by a newline. *)

@@ -1,7 +1,7 @@
 open Scc_exact
 open Text
 
-type t = { points : word list; index : word list; ccw : bool; at : word }
+type t = { points : word list; index : word list; ccw : bool; at : word; name : string option }
 
 let blank c = c = ' ' || c = '\t' || c = '\n' || c = '\r' || c = ',' || c = '\x0c'
 
@@ -35,18 +35,18 @@ let rec points ~path acc = function
   | w :: _ -> error ~path w "the number of coordinates is not a multiple of three"
 
 (* Faces in reverse order; [corners] are those of the face that is open, in reverse order. *)
-let rec faces ~path ~ccw ~first ~count acc corners = function
+let rec faces ~path ~name ~ccw ~first ~count acc corners = function
   | [] -> Ok acc
   | { text = "-1"; _ } as w :: rest -> (
       match corners with
       | _ :: _ :: _ :: _ ->
         let face = Array.of_list (if ccw then List.rev corners else corners) in
-        faces ~path ~ccw ~first ~count (face :: acc) [] rest
-      | [] -> faces ~path ~ccw ~first ~count acc [] rest
+        faces ~path ~name ~ccw ~first ~count ((name, face) :: acc) [] rest
+      | [] -> faces ~path ~name ~ccw ~first ~count acc [] rest
       | _ -> error ~path w "a face needs at least three corners, not %d" (List.length corners))
   | w :: rest -> (
       match vertex ~path ~count w with
-      | Ok i -> faces ~path ~ccw ~first ~count acc ((first + i) :: corners) rest
+      | Ok i -> faces ~path ~name ~ccw ~first ~count acc ((first + i) :: corners) rest
       | Error _ as e -> e)
 
 (* The last face of a set needs no -1: it is put there. *)
@@ -58,7 +58,7 @@ let closed index =
 let add ~path (first, all, all_faces) set =
   let* all = points ~path all set.points in
   let count = List.length set.points / 3 in
-  let* all_faces = faces ~path ~ccw:set.ccw ~first ~count all_faces [] (closed set.index) in
+  let* all_faces = faces ~path ~name:set.name ~ccw:set.ccw ~first ~count all_faces [] (closed set.index) in
   Ok (first + count, all, all_faces)
 
 let to_ifs ~path sets =
@@ -67,4 +67,4 @@ let to_ifs ~path sets =
   | _ :: _ ->
     let step acc set = Result.bind acc (fun acc -> add ~path acc set) in
     let* _, vertices, faces = List.fold_left step (Ok (0, [], [])) sets in
-    Ok (ifs vertices faces)
+    Ok (labelled vertices faces)

@@ -8,6 +8,7 @@ type t = {
   index : Text.word list;  (** of points, from 0; -1 ends a face *)
   ccw : bool;  (** faces run counter-clockwise seen from outside *)
   at : Text.word;  (** the word [IndexedFaceSet] *)
+  name : string option;  (** what [DEF] calls it, or the shape that it is of *)
 }
 
 val words : string -> int -> int -> Text.word list

@@ -4,13 +4,15 @@ open Text
 type state = {
   vertices : Scc_exact.Vec.t list;  (* in reverse order *)
   count : int;
-  faces : (word * int) array list;
-  (* corners, in reverse order of faces: the word, and the index from 0 (which may be that of a vertex
+  objects : string option;  (* the one that faces now belong to *)
+  groups : string option;
+  faces : (string option * (word * int) array) list;
+  (* labels and corners, in reverse order of faces: the word, and the index from 0 (which may be that of a vertex
      further on) *)
 }
 
 let skipped = function
-  | "g" | "o" | "s" | "usemtl" | "mtllib" | "usemap" | "maplib" | "vt" | "vn" | "vp" | "l" | "p" | "mg"
+  | "s" | "usemtl" | "mtllib" | "usemap" | "maplib" | "vt" | "vn" | "vp" | "l" | "p" | "mg"
   | "lod" | "bevel" | "c_interp" | "d_interp" | "shadow_obj" | "trace_obj" -> true
   | _ -> false
 
@@ -49,8 +51,13 @@ let corner ~path state w =
 let face_statement ~path keyword state words =
   let* corners = map (corner ~path state) words in
   match corners with
-  | _ :: _ :: _ :: _ -> Ok { state with faces = Array.of_list corners :: state.faces }
+  | _ :: _ :: _ :: _ -> 
+    let label = match state.groups with Some _ as g -> g | None -> state.objects in
+    Ok { state with faces = (label, Array.of_list corners) :: state.faces }
   | _ -> error ~path keyword "a face needs at least three corners, not %d" (List.length corners)
+
+(* A face may be in several groups: it is called after the first. *)
+let first = function [] -> None | (w : word) :: _ -> Some w.text
 
 let statement ~path state = function
   | [] -> Bug.fail __POS__ "a line without words"
@@ -58,17 +65,19 @@ let statement ~path state = function
       match keyword.text with
       | "v" -> vertex_statement ~path keyword state words
       | "f" | "fo" -> face_statement ~path keyword state words
+      | "g" -> Ok { state with groups = first words }
+      | "o" -> Ok { state with objects = first words; groups = None }
       | k when skipped k -> Ok state
       | k when curved k -> error ~path keyword "curves and surfaces of OBJ files are not supported"
       | k -> error ~path keyword "unknown OBJ statement %s" (quote k))
 
-let resolve ~path count corners =
+let resolve ~path count (label, corners) =
   let check () (w, i) =
     if i < count then Ok ()
     else error ~path w "a face names vertex %d, but there are only %d vertices" (i + 1) count
   in
   let rec all i =
-    if i >= Array.length corners then Ok (Array.map snd corners)
+    if i >= Array.length corners then Ok (label, Array.map snd corners)
     else
       let* () = check () corners.(i) in
       all (i + 1)
@@ -84,8 +93,8 @@ let read ~path text =
         | Ok state -> go state next
         | Error _ as e -> e)
   in
-  let* state = go { vertices = []; count = 0; faces = [] } 0 in
+  let* state = go { vertices = []; count = 0; objects = None; groups = None; faces = [] } 0 in
   if state.count = 0 then error_at ~path 0 "the file has no vertices"
   else
     let* faces = map (resolve ~path state.count) (List.rev state.faces) in
-    Ok (ifs state.vertices (List.rev faces))
+    Ok (labelled state.vertices (List.rev faces))

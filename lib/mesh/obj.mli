@@ -1,5 +1,6 @@
 (** OBJ files (Wavefront): the statements [v] and [f] (with [/vt] and [/vn], and with negative, relative
-    indices). Groups, objects, materials, normals, texture coordinates, lines and points are skipped: they
+    indices). Groups ([g]) and objects ([o]), where there are no groups, name faces
+    ({!Face_names}). Materials, normals, texture coordinates, lines and points are skipped: they
     bound nothing. Several objects of one file make one set of faces. *)
 
 open Scc_base

@@ -126,6 +126,14 @@ let map f l =
   in
   go [] l
 
-let ifs vertices faces =
-  let name prefix l = Array.mapi (fun i x -> (prefix ^ string_of_int i, x)) (Array.of_list (List.rev l)) in
-  { Scc_geometry.Polyhedron.ifs_vertices = name "v" vertices; ifs_faces = name "f" faces }
+let labelled vertices faces =
+  let in_order l = Array.of_list (List.rev l) in
+  let vertices = Array.mapi (fun i x -> ("v" ^ string_of_int i, x)) (in_order vertices) in
+  let faces = in_order faces in
+  let names = Face_names.names ~vertices:(Array.map fst vertices) (Array.map fst faces) in
+  {
+    Scc_geometry.Polyhedron.ifs_vertices = vertices;
+    ifs_faces = Array.map2 (fun name (_, f) -> (name, f)) names faces;
+  }
+
+let ifs vertices faces = labelled vertices (List.rev (List.rev_map (fun f -> (None, f)) faces))

@@ -46,5 +46,8 @@ val ( let* ) : ('a, 'e) result -> ('a -> ('b, 'e) result) -> ('b, 'e) result
 val map : ('a -> ('b, 'e) result) -> 'a list -> ('b list, 'e) result
 (** In order, to the first error; tail recursive. *)
 
+val labelled : Vec.t list -> (string option * int array) list -> Scc_geometry.Polyhedron.ifs
+(** From vertices and faces in reverse order; vertices are named [v0], …, and faces by {!Face_names}. *)
+
 val ifs : Vec.t list -> int array list -> Scc_geometry.Polyhedron.ifs
 (** From vertices and faces in reverse order, named [v0], … and [f0], … *)

@@ -42,7 +42,12 @@ let rec bracketed ~path at acc = function
   | [] -> error ~path at "a `[` without its `]`"
 
 (* [nodes] are the names of the open nodes, the innermost first; [sets] in reverse order. *)
-type state = { nodes : string list; sets : Face_sets.t list }
+type state = {
+  nodes : string list;
+  sets : Face_sets.t list;
+  def : string option;  (* of the node that comes next *)
+  shape : string option;  (* what the present shape is called *)
+}
 
 let in_node state name =
   match state.nodes with
@@ -57,10 +62,14 @@ let update state f =
   | [] -> state
 
 let open_node state (w : word) =
-  let state = { state with nodes = w.text :: state.nodes } in
-  if String.equal w.text "IndexedFaceSet" then
-    { state with sets = { points = []; index = []; ccw = true; at = w } :: state.sets }
-  else state
+  let def = state.def in
+  let state = { state with nodes = w.text :: state.nodes; def = None } in
+  match w.text with
+  | "IndexedFaceSet" ->
+    let name = if Option.is_some def then def else state.shape in
+    { state with sets = { points = []; index = []; ccw = true; at = w; name } :: state.sets }
+  | "Shape" -> { state with shape = def }
+  | _ -> state
 
 let rec take n acc = function
   | w :: rest when n > 0 -> take (n - 1) (w :: acc) rest
@@ -89,6 +98,7 @@ let rec scan ~path state tokens =
   | ({ text = "translation" | "rotation" | "scale" | "center"; _ } as w) :: rest when in_node "Transform" ->
     let* rest = transform_field ~path w rest in
     scan ~path state rest
+  | { text = "DEF"; _ } :: name :: rest -> scan ~path { state with def = Some name.text } rest
   | ({ text = "USE" | "PROTO" | "EXTERNPROTO" | "Inline"; _ } as w) :: _ ->
     error ~path w "`%s` is not supported" w.text
   | ({ text = "}"; _ } as w) :: rest -> (
@@ -121,5 +131,5 @@ let read ~path text =
          (Span.make ~file:path ~start:0 ~stop:0)
          "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF")
   else
-    let* sets = scan ~path { nodes = []; sets = [] } (tokens text) in
+    let* sets = scan ~path { nodes = []; sets = []; def = None; shape = None } (tokens text) in
     Face_sets.to_ifs ~path sets

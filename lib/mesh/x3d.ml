@@ -157,9 +157,15 @@ let check ~path text tag =
   | ("IndexedFaceSet" | "Coordinate") when has "USE" -> error ~path tag.name "`USE` is not supported"
   | _ -> Ok ()
 
-let add ~path text (inside, sets) tag =
-  match (tag.name.text, sets) with
-  | "IndexedFaceSet", _ ->
+(* [shape]: what the present shape is called; [inside]: of a face set. *)
+type state = { shape : string option; inside : bool; sets : Face_sets.t list }
+
+let add ~path text state tag =
+  match (tag.name.text, state.sets) with
+  | "Shape", _ ->
+    let* shape = value ~path text tag "DEF" in
+    Ok { state with shape }
+  | "IndexedFaceSet", sets ->
     let* told = value ~path text tag "ccw" in
     let ccw =
       match told with
@@ -167,16 +173,18 @@ let add ~path text (inside, sets) tag =
       | Some _ | None -> true
     in
     let* index = words_of ~path text tag "coordIndex" in
-    Ok (true, { Face_sets.points = []; index; ccw; at = tag.name } :: sets)
-  | "/IndexedFaceSet", _ -> Ok (false, sets)
-  | "Coordinate", set :: rest when inside ->
+    let* own = value ~path text tag "DEF" in
+    let name = if Option.is_some own then own else state.shape in
+    Ok { state with inside = true; sets = { Face_sets.points = []; index; ccw; at = tag.name; name } :: sets }
+  | "/IndexedFaceSet", _ -> Ok { state with inside = false }
+  | "Coordinate", set :: rest when state.inside ->
     let* points = words_of ~path text tag "point" in
-    Ok (inside, { set with Face_sets.points } :: rest)
-  | _ -> Ok (inside, sets)
+    Ok { state with sets = { set with Face_sets.points } :: rest }
+  | _ -> Ok state
 
 let read ~path text =
   let* tags = tags ~path text in
   let* _ = map (check ~path text) tags in
   let step acc tag = Result.bind acc (fun acc -> add ~path text acc tag) in
-  let* _, sets = List.fold_left step (Ok (false, [])) tags in
-  Face_sets.to_ifs ~path (List.rev sets)
+  let* state = List.fold_left step (Ok { shape = None; inside = false; sets = [] }) tags in
+  Face_sets.to_ifs ~path (List.rev state.sets)

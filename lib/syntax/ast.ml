@@ -64,7 +64,7 @@ type solid = solid_kind loc
 and solid_kind =
   | Template of name
   | Scaled of solid * vector
-  | Mesh of string loc  (** the file's path as written *)
+  | Mesh of string loc * expr option  (** the file's path as written; how far its vertices may be moved *)
   | Faces of (name * vector) list * (name * name list) list  (** vertices, faces *)
 
 type transform = transform_kind loc

@@ -59,7 +59,7 @@ let rec solid (a : solid) (b : solid) =
   match (a.it, b.it) with
   | Template m, Template n -> name m n
   | Scaled (s, v), Scaled (t, w) -> solid s t && vector v w
-  | Mesh f, Mesh g -> loc String.equal f g
+  | Mesh (f, d), Mesh (g, e) -> loc String.equal f g && Option.equal expr d e
   | Faces (vs, fs), Faces (ws, gs) -> list (pair name vector) vs ws && list (pair name (list name)) fs gs
   | (Template _ | Scaled _ | Mesh _ | Faces _), _ -> false
 

@@ -67,6 +67,7 @@ common_name:
 | DYNAMICS { at $loc "dynamics" }
 | COLLISIONS { at $loc "collisions" }
 | BINDING { at $loc "binding" }
+| SNAP { at $loc "snap" }
 | RESOLUTION { at $loc "resolution" }
 | ROUND { at $loc "round" }
 | STEADY { at $loc "steady" }
@@ -172,8 +173,10 @@ behaviour_term:
 
 solid:
 | n = name { at $loc (Template n) }
-| MESH file = STRING { at $loc (Mesh (at $loc(file) file)) }
+| MESH file = STRING d = snap? { at $loc (Mesh (at $loc(file) file, d)) }
 | s = solid SCALED v = vector { at $loc (Scaled (s, v)) }
+
+snap: SNAP e = arithmetic { e }
 
 vertex: n = name v = vector { (n, v) }
 face: n = name LBRACKET vs = comma_list(name) RBRACKET { (n, vs) }

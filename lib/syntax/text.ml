@@ -324,7 +324,8 @@ let face (n : name) vs =
 let rec solid s =
   match s.it with
   | Template n -> n.it
-  | Mesh file -> "mesh " ^ quoted file.it
+  | Mesh (file, snap) ->
+    "mesh " ^ quoted file.it ^ Option.fold ~none:"" ~some:(fun e -> " snap " ^ arithmetic e) snap
   | Scaled (s, v) -> solid s ^ " scaled " ^ vector v
   | Faces (vs, fs) ->
     let vertex ((n : name), v) = n.it ^ " " ^ vector v in

@@ -139,7 +139,7 @@ let nests = function
 (* The words that are names as well, be it only where no operator can stand. *)
 let can_be_name = function
   | NAME _ | LETTER _ | A | E | U | AF | AG | AX | EF | EG | EX | BOND | MASS | EVENT | DYNAMICS | COLLISIONS
-  | BINDING | RESOLUTION | ROUND -> true
+  | BINDING | RESOLUTION | ROUND | SNAP -> true
   | _ -> false
 
 let begins_declaration tokens i =

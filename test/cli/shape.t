@@ -3,6 +3,8 @@ A template of a model, and a polyhedron file.
   $ scc shape ../../specs/models/hexokinase.sc:Post
   ../../specs/models/hexokinase.sc:Post
   vertices: 8, edges: 12, faces: 6
+  names of faces: back, front, left, right, bottom, top
+  names of vertices: a, b, c, d, e, f, g, h
   convex closed polyhedron: yes
   Definition 4.3, as printed: all seven conditions hold
     1. holds: at least four vertices and four faces
@@ -38,6 +40,8 @@ A template of a model, and a polyhedron file.
   $ scc shape tetrahedron.off
   tetrahedron.off
   vertices: 4, edges: 6, faces: 4
+  names of faces: f0, f1, f2, f3
+  names of vertices: v0, v1, v2, v3
   convex closed polyhedron: yes
     warning[SC0312]: the centroid (1/8, 1/40, 1/4) is not the origin of body space (positions and motion are of the centroid)
   Definition 4.3, as printed: all seven conditions hold
@@ -152,6 +156,8 @@ What is not accepted is told in both ways, and the exit code is 3.
   $ scc shape open.off
   open.off
   vertices: 4, edges: 6, faces: 3
+  names of faces: f0, f1, f2
+  names of vertices: v0, v1, v2, v3
   convex closed polyhedron: no
     error[SC0302]: the solid is not closed: edge [v2,v1] belongs to one face only, f0
     error[SC0302]: the solid is not closed: edge [v1,v3] belongs to one face only, f1
@@ -263,6 +269,8 @@ What is not accepted is told in both ways, and the exit code is 3.
   $ scc shape ../../specs/conformance/invalid/SC0307-dent.sc:S | head -n 20
   ../../specs/conformance/invalid/SC0307-dent.sc:S
   vertices: 9, edges: 16, faces: 9
+  names of faces: bottom, left, right, front, back, t1, t2, t3, t4
+  names of vertices: a, b, c, d, e, f, g, h, t
   convex closed polyhedron: no
     error[SC0307]: the solid is not convex: vertex g is in front of the plane of face t1
     error[SC0307]: the solid is not convex: vertex h is in front of the plane of face t1

@@ -156,7 +156,7 @@ let file = located (oneofl [ "a.off"; "a \"b\".obj"; "c:\\x\\y.stl"; "\xC3\xA9.p
 let solid =
   sized_size (int_range 0 2) (fix (fun self n ->
       located
-        (if n = 0 then oneof [ map (fun t -> Template t) name; map (fun f -> Mesh f) file ]
+        (if n = 0 then oneof [ map (fun t -> Template t) name; map2 (fun f d -> Mesh (f, d)) file (option expr) ]
          else map2 (fun s v -> Scaled (s, v)) (self (n - 1)) vector)))
 
 let quadruple = map (fun (a, b, c, d) -> (a, b, c, d)) (quad expr expr expr expr)

@@ -1,0 +1,37 @@
+open Scc_base
+open Scc_syntax
+open Scc_snap
+
+let ( let* ) = Option.bind
+
+let file report read_file (path : string Ast.loc) =
+  match read_file path.it with
+  | Error why ->
+    Report.error report Code.cannot_read path.at "cannot read the mesh `%s`: %s" path.it why;
+    None
+  | Ok text -> (
+      match Scc_mesh.Mesh.read ~path:path.it text with
+      | Ok set -> Some set
+      | Error d ->
+        let notes = if Span.is_none d.span then [] else [ (path.at, "the mesh is used here") ] in
+        let span = if Span.is_none d.span then path.at else d.span in
+        Report.add report { d with span; notes = d.notes @ notes };
+        None)
+
+let snapped report (path : string Ast.loc) set tolerance =
+  match Snap.snap ~tolerance set with
+  | Ok found -> Some found.set
+  | Error refusal ->
+    let why, hint = Snap.explain set ~tolerance refusal in
+    Report.error report Code.cannot_snap path.at ?hint "the mesh `%s` cannot be snapped: %s" path.it why;
+    None
+
+let read report env ~read_file path snap =
+  let set = file report read_file path in
+  match snap with
+  | None -> set
+  | Some e ->
+    let tolerance = Constant.positive report env "distance to snap" e in
+    let* set = set in
+    let* tolerance = tolerance in
+    snapped report path set tolerance

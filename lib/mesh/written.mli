@@ -1,0 +1,10 @@
+(** Solids as files, exactly: coordinates are integers or fractions p/q, as {!Mesh.read} understands them (other
+    programs may not). *)
+
+open Scc_geometry
+
+val endings : string list
+(** [.off], [.obj], and [.sc]: a template of the language, named after the file. *)
+
+val to_file : path:string -> (Polyhedron.ifs -> string) option
+(** By the ending of the name. OBJ files name faces, as groups; OFF files lose all names; a template keeps them. *)
