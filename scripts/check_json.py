@@ -228,6 +228,10 @@ def check_shapes(scc):
         text = text_of(result)
         name = "diagnostics" if '"scc-diagnostics"' in text else "shape"
         check(name, text, f"shape {mesh}")
+        for options in (["--snap", "1/10"], ["--hull"]):
+            text = text_of(run(scc, "shape", mesh, *options, "--json"))
+            name = "diagnostics" if '"scc-diagnostics"' in text else "shape"
+            check(name, text, f"shape {mesh} {options[0]}")
     for model in ["specs/models/hexokinase.sc:Cube", "specs/models/hexokinase.sc:Nothing"]:
         result = run(scc, "shape", model, "--json")
         check("shape" if result.returncode == 0 else "diagnostics", text_of(result), f"shape {model}")

@@ -169,7 +169,7 @@ let step t ~ease pairs first =
 
 let worst t pairs = Array.fold_left (fun w r -> Float.max w (Float.abs r)) 0. (residuals t pairs)
 let most_steps = 8
-let most_work = 4e9
+let most_work = 5e8
 
 let work first =
   let square k from = let w = float_of_int (k - from) in w *. w in

@@ -14,8 +14,8 @@ type refusal =
 
 let of_structure : Polyhedron_fault.t -> bool = function
   | No_faces | Bad_vertex_index _ | Short_face _ | Open_edge _ | Repeated_edge _ | Turned_face _ | Same_position _
-  | Unused_vertex _ | Separate_solids _ -> true
-  | Flat _ | Off_plane _ | Degenerate_face _ | Self_crossing _ | Not_convex _ | Coplanar_neighbours _ | In_plane _
+  | Unused_vertex _ | Separate_solids _ | Flat _ -> true
+  | Off_plane _ | Degenerate_face _ | Self_crossing _ | Not_convex _ | Coplanar_neighbours _ | In_plane _
   | Inward -> false
 
 (* The surface of a convex polyhedron is a sphere, and three faces or more meet at each corner. *)
@@ -80,6 +80,9 @@ let reversed a =
 let distance2 a b = Vec.norm2 (Vec.sub a b)
 let grids = List.init 21 (fun k -> 8 + (2 * k))
 let orders = 3
+
+(* Numbers that are estimated to get longer are not worth having. *)
+let most_bits = 2_000
 
 (* The frame makes lengths along an axis others, so that vertices are as easy to move in it. *)
 let ease frame =
@@ -148,7 +151,9 @@ let search ~tolerance ~turned_over (set : Polyhedron.ifs) =
       in
       let tolerance2 = Rat.mul tolerance tolerance in
       let fault = in_front incidence t in
-      let candidates = if Option.is_none fault then Order.best incidence ~grid:20 ~count:orders else [] in
+      let short (o : Order.t) = fst o.cost <= most_bits in
+      let ordered = if Option.is_none fault then Order.best incidence ~grid:20 ~count:orders else [] in
+      let candidates = List.filter short ordered in
       let rec go faults = function
         | [] -> Error faults
         | (grid, order) :: rest -> (
@@ -164,7 +169,8 @@ let search ~tolerance ~turned_over (set : Polyhedron.ifs) =
       | Error faults ->
         let moved = distances set (polished frame set t) in
         let vertex = farthest moved in
-        if Rat.compare moved.(vertex) tolerance > 0 then
+        if (match (ordered, candidates) with _ :: _, [] -> true | _ -> false) then Error Too_large
+        else if Rat.compare moved.(vertex) tolerance > 0 then
           Error (Too_far { vertex; distance = moved.(vertex) })
         else Error (Not_found faults))
 
@@ -213,4 +219,6 @@ let explain (set : Polyhedron.ifs) ~tolerance refusal =
   | Not_found faults ->
     let why, hint = first faults in
     (Printf.sprintf "no convex solid is found within %s%s" (decimal tolerance) why, hint)
-  | Too_large -> ("it is too large for that", None)
+  | Too_large ->
+    ( "it has so many faces with more than three corners that exact coordinates are too long",
+      Some "scc shape --hull takes the hull of its vertices, which stay as they are: most faces become triangles" )
