@@ -309,7 +309,7 @@ A default bound, and what cannot be decided.
 
 A limit of the clock or of memory is no bound of the model.
 
-  $ scc check forever.sc --seconds 0.05 | sed 's/[0-9]* states.*;/N states;/'
+  $ scc check forever.sc --seconds 0.05 | sed 's/[0-9]* states*.*;/N states;/'
   semantics 2: timestep 1
   
   slow: holds up to the bound: the limit of 0.05 seconds

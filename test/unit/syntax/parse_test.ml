@@ -83,7 +83,8 @@ let notations =
      "process p = a : T [nil] <c, {a.f, b.f}> b : T [nil] <c, {b.f, d.f}> d : T [nil]");
     ("behaviour A = <E, {F}>. AG + omega(~X, {U, [G, EX]}). U  process AF = A mass E [G]  network EF || A[1]  \
       check EG : AG X",
-     "behaviour A = (<E, {F}>. AG) + (omega(~X, {U, [G, EX]}). U)\nprocess AF = A mass (E) [G]\nnetwork EF || A[1]\ncheck EG : AG (X)");
+     "behaviour A = (<E, {F}>. AG) + (omega(~X, {U, [G, EX]}). U)\nprocess AF = A mass (E) [G]\n\
+      network EF || A[1]\ncheck EG : AG (X)");
     ("behaviour K = <A\xCC\x84,{f}>.nil", "behaviour K = <~A, {f}>. nil");
     ("process p = T mass 2*n + f(m[1]) [nil]", "process p = T mass (2*n + f(m[1])) [nil]");
     ("behaviour K = a + b + c", "behaviour K = (a + b) + c");
