@@ -66,7 +66,7 @@ let leaves_of (label : Transition.label) =
   let ends (b : Scc_calculus.State.bond) = [ b.one.at; b.two.at ] in
   match label with
   | Time _ -> []
-  | Bounce leaves -> leaves
+  | Bounce { firsts; _ } -> firsts
   | Bind b | Weak_split b -> ends b
   | Strong_split bonds -> List.concat_map ends bonds
 

@@ -26,9 +26,9 @@ let representative (space : Explored.t) ~renamed state leaf =
 let label_text (space : Explored.t) ~renamed s (label : Transition.label) =
   let label : Transition.label =
     match label with
-    | Bounce firsts ->
+    | Bounce { firsts; _ } ->
       let state = space.state s in
-      Bounce (List.map (representative space ~renamed state) firsts)
+      Bounce { firsts = List.map (representative space ~renamed state) firsts; hits = [] }
     | Time _ | Bind _ | Weak_split _ | Strong_split _ -> label
   in
   Transition.label_to_string (Explored.model space) label

@@ -18,13 +18,21 @@ let rec listed = function
   | [ one; last ] -> one ^ " and " ^ last
   | one :: rest -> one ^ ", " ^ listed rest
 
+(* Who touches, rather than the first of each process; of bodies of several parts the part. *)
+let who (m : Model.t) firsts hits =
+  match List.concat_map (fun (h : Transition.hit) -> [ h.one; h.two ]) hits with
+  | [] -> List.map (name m) firsts
+  | ends ->
+    let compare (i, p) (j, q) = if i = j then Int.compare p q else Int.compare i j in
+    List.map (fun (leaf, part) -> m.leaves.(leaf).parts.(part).name) (List.sort_uniq compare ends)
+
 let number ~full q = if full then Rat.to_string q else Short_text.exact q
 
 let label ?(full = false) m : Transition.label -> string = function
   | Time d -> Printf.sprintf "time passes by %s" (number ~full d)
   | Bind b ->
     Printf.sprintf "%s and %s collide and bind by %s" (name m b.one.at) (name m b.two.at) (bond m b)
-  | Bounce firsts -> Printf.sprintf "%s collide and bounce" (listed (List.map (name m) firsts))
+  | Bounce { firsts; hits } -> Printf.sprintf "%s collide and bounce" (listed (who m firsts hits))
   | Weak_split b -> Printf.sprintf "%s and %s release %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Strong_split [ b ] ->
     Printf.sprintf "%s and %s react and release %s" (name m b.one.at) (name m b.two.at) (bond m b)

@@ -130,7 +130,7 @@ let same_bodies t s e (label : Transition.label) =
   let mine = leaves t e in
   match label with
   | Time _ -> false
-  | Bounce firsts -> between s mine firsts
+  | Bounce { firsts; _ } -> between s mine firsts
   | Bind b when e.kind = Bounce ->
     let first leaf = s.State.processes.(fst (State.find_leaf s leaf)).leaves.(0).leaf in
     between s mine [ first b.one.at; first b.two.at ]
@@ -169,7 +169,7 @@ let common_body t s e label =
   let first leaf = s.State.processes.(fst (State.find_leaf s leaf)).leaves.(0).leaf in
   let theirs =
     match (label : Transition.label) with
-    | Bounce firsts -> firsts
+    | Bounce { firsts; _ } -> firsts
     | _ -> List.map (fun (f : State.finish) -> first f.at) (List.concat_map ends (bonds label))
   in
   List.exists (fun p -> List.mem p theirs) (processes_of t s e)

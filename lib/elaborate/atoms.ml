@@ -92,6 +92,13 @@ let event t env at (word : Ast.name) arguments =
   | "bounce", _, ([] | [ _ ] | [ _; _ ]) ->
     let* ends = ends t env arguments in
     made (Bounce ends)
+  | "hit", _, [ p ] ->
+    let* p = spot t env p in
+    made (Hit (p, None))
+  | "hit", _, [ p; q ] ->
+    let* p, q = Typed.both (spot t env p) (spot t env q) in
+    made (Hit (p, Some q))
+  | "hit", _, _ -> arity t at "hit" "one body or two, or parts of them" (List.length arguments)
   | "bounce", _, _ -> arity t at "bounce" "at most two processes" (List.length arguments)
   | _, Some change, [] -> made (Bond (change, None, Any))
   | _, Some change, a :: (([] | [ _ ] | [ _; _ ]) as rest) ->
@@ -100,9 +107,10 @@ let event t env at (word : Ast.name) arguments =
   | name, Some _, _ ->
     arity t at name "a channel and at most two processes after it" (List.length arguments)
   | name, None, _ ->
-    let known = "bounce" :: Long_list.map fst changes in
-    error t Code.unknown_name word.at "unknown transition `%s`; it is one of bind, bounce, weak, strong, split"
-      name ~near:(name, fun () -> known);
+    let known = "bounce" :: "hit" :: Long_list.map fst changes in
+    error t Code.unknown_name word.at
+      "unknown transition `%s`; it is one of bind, bounce, hit, weak, strong, split" name
+      ~near:(name, fun () -> known);
     None
 
 let apply t env (e : Ast.expr) (f : Ast.name) arguments =

@@ -1,6 +1,7 @@
 open Scc_base
 open Scc_syntax
 open Scc_calculus
+open Scc_property
 
 let ( let* ) = Option.bind
 
@@ -56,6 +57,29 @@ let leaf t env (e : Ast.expr) =
   | _ ->
     error t Code.type_mismatch e.at "the name of a process is expected here";
     None
+
+(* A part is named by its leaf and its own name: [arm.tip]. *)
+let spot t env (e : Ast.expr) : Property.spot option =
+  let whole leaf = { Property.leaf; part = None } in
+  match e.it with
+  | Path ({ it = path; at } as p) when List.length path > 1 -> (
+      match List.rev path with
+      | { name = part; indices = [] } :: (_ :: _ as before) ->
+        let* leaf = leaf t env { e with it = Path { p with it = List.rev before } } in
+        let* { shape; _ } = Option.map (fun (l : Bodies.leaf) -> l) t.bodies.leaves.(t.numbers.(leaf)) in
+        (match shape with
+         | Compound c -> (
+             match Shape.part_index c part.it with
+             | Some k -> Some { Property.leaf; part = Some k }
+             | None ->
+               error t Code.unknown_feature part.at "`%s` has no part `%s`" c.clabel part.it
+                 ~near:(part.it, fun () -> Array.to_list (Array.map (fun (p : Shape.part) -> p.name) c.parts));
+               None)
+         | Basic _ ->
+           error t Code.unknown_feature at "this body has no parts: name it alone";
+           None)
+      | _ -> Option.map whole (leaf t env e))
+  | _ -> Option.map whole (leaf t env e)
 
 let known_channel t (name : Ast.name) =
   if Behaviours.has_channel t.behaviours name.it then Some name.it

@@ -4,6 +4,7 @@
 open Scc_base
 open Scc_syntax
 open Scc_calculus
+open Scc_property
 
 type t = {
   c : Context.t;
@@ -30,6 +31,9 @@ val error :
 
 val leaf : t -> Env.t -> Ast.expr -> int option
 (** The index in the model of the one leaf that the expression names. *)
+
+val spot : t -> Env.t -> Ast.expr -> Property.spot option
+(** A leaf, or a part of one, as in [arm.tip]. *)
 
 val channel : t -> Ast.expr -> (Behaviour.polarity option * string) option
 (** [a] or [~a]. *)

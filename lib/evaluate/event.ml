@@ -25,6 +25,13 @@ let fits_processes (source : State.t) firsts (wanted : Property.ends) =
   | One p -> of_one p
   | Two (p, q) -> of_one p && of_one q && not (has (home p) q)
 
+let fits_hit (p : Property.spot) q (h : Transition.hit) =
+  let is (s : Property.spot) (leaf, part) =
+    leaf = s.leaf && match s.part with None -> true | Some k -> k = part
+  in
+  let both x y = is p x && match q with None -> true | Some q -> is q y in
+  both h.one h.two || both h.two h.one
+
 let made : Property.change -> bool = function
   | Made -> true
   | Released_weakly | Released_strongly | Released -> false
@@ -43,5 +50,6 @@ let matches ~source (label : Transition.label) (event : Property.event) =
   | Bond (change, name, ends), Weak_split b -> released_weakly change && fits_name name b && fits_ends ends b
   | Bond (change, name, ends), Strong_split bonds ->
     released_strongly change && List.exists (fun b -> fits_name name b && fits_ends ends b) bonds
-  | Bounce ends, Bounce firsts -> fits_processes source firsts ends
-  | Bond _, (Time _ | Bounce _) | Bounce _, (Time _ | Bind _ | Weak_split _ | Strong_split _) -> false
+  | Bounce ends, Bounce { firsts; _ } -> fits_processes source firsts ends
+  | Hit (p, q), Bounce { hits; _ } -> List.exists (fits_hit p q) hits
+  | Bond _, (Time _ | Bounce _) | (Bounce _ | Hit _), (Time _ | Bind _ | Weak_split _ | Strong_split _) -> false

@@ -7,12 +7,18 @@ let ends m (b : State.bond) = `List [ site m b.one; site m b.two ]
 let bond m (b : State.bond) = `Assoc [ ("name", Json.text b.name); ("ends", ends m b) ]
 let leaf_name (m : Model.t) leaf = Json.text m.leaves.(leaf).name
 
+let part (m : Model.t) (leaf, index) = Json.text m.leaves.(leaf).parts.(index).name
+
 let label m (l : Transition.label) =
   let parts =
     match l with
     | Time d -> [ ("duration", Json.rat d) ]
     | Bind b | Weak_split b -> [ ("name", Json.text b.name); ("ends", ends m b) ]
-    | Bounce firsts -> [ ("between", `List (List.map (leaf_name m) firsts)) ]
+    | Bounce { firsts; hits } ->
+      [
+        ("between", `List (List.map (leaf_name m) firsts));
+        ("touching", `List (List.map (fun (h : Transition.hit) -> `List [ part m h.one; part m h.two ]) hits));
+      ]
     | Strong_split bonds -> [ ("bonds", `List (List.map (bond m) bonds)) ]
   in
   let kind =

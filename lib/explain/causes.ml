@@ -153,7 +153,7 @@ let transition w ~step ~time (label : Transition.label) source target =
     let event, both = collision w ~step ~time label source target [ p; q ] ~behaving:[ p; q ] in
     set w.at.structure event both;
     set w.at.behaviour event [ p; q ]
-  | Bounce firsts ->
+  | Bounce { firsts; _ } ->
     let behaving = touching w.semantics source firsts in
     ignore (collision w ~step ~time label source target firsts ~behaving)
   | Weak_split b -> split w ~step ~time label source [ b ] ~clocked:true
@@ -244,7 +244,7 @@ let arrival t =
 let is_of (atom : Atom.t) (b : State.bond) =
   let fits_name : Atom.argument -> bool = function
     | Channel (_, a) -> String.equal a b.name
-    | Leaf _ | Definition _ -> true
+    | Leaf _ | Part _ | Definition _ -> true
   in
   List.for_all fits_name atom.arguments
   &&

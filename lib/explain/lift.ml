@@ -31,8 +31,8 @@ let those alternatives condition =
 
 let some_leaf : Transition.label -> int option = function
   | Bind b | Weak_split b | Strong_split (b :: _) -> Some b.one.at
-  | Bounce (i :: _) -> Some i
-  | Time _ | Bounce [] | Strong_split [] -> None
+  | Bounce { firsts = i :: _; _ } -> Some i
+  | Time _ | Bounce { firsts = []; _ } | Strong_split [] -> None
 
 let is_of_slice t label = match some_leaf label with Some i -> t.kept.(i) | None -> false
 

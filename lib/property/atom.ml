@@ -3,6 +3,7 @@ open Property
 
 type argument =
   | Leaf of int
+  | Part of int * int
   | Channel of Behaviour.polarity option * string
   | Definition of int
 
@@ -43,14 +44,18 @@ let of_ends = function
 let event_word = function
   | Bond (change, _, _) -> change_word change
   | Bounce _ -> "bounce"
+  | Hit _ -> "hit"
+
+let spot { leaf; part } = match part with None -> Leaf leaf | Some k -> Part (leaf, k)
 
 let event_arguments = function
+  | Hit (p, q) -> spot p :: List.map spot (Option.to_list q)
   | Bond (_, name, ends) -> channel name @ of_ends ends
   | Bounce ends -> of_ends ends
 
 let event_scope = function
   | Bond (_, _, Any) | Bounce Any -> Whole
-  | Bond (_, _, (One _ | Two _)) | Bounce (One _ | Two _) -> Named
+  | Bond (_, _, (One _ | Two _)) | Bounce (One _ | Two _) | Hit _ -> Named
 
 (* {1 The table}
 
@@ -60,6 +65,11 @@ let row ?(symmetric = false) word arguments scope aspects change =
   { word; arguments; symmetric; scope; aspects; change; event = None }
 
 let symmetric = true
+
+(* Parts do not change places with their leaves. *)
+let is_symmetric = function
+  | Hit (p, q) -> Option.is_none p.part && Option.is_none (Option.bind q (fun q -> q.part))
+  | Bond _ | Bounce _ -> true
 
 let quantity = function
   | Bonds (None, None) -> row "bonds()" [] Whole [ Bonding ] Never
@@ -86,13 +96,14 @@ let fact = function
   | Touching (i, j) -> row "touching" (two (i, j)) Named [ Motion ] Always ~symmetric
   | Quiescent -> row "quiescent" [] Whole [ Motion; Structure; Term; Split_clock ] Never
   | Event e ->
+    let symmetric = is_symmetric e in
     let written = row ("event " ^ event_word e) (event_arguments e) (event_scope e) [] Never ~symmetric in
     { written with event = Some e }
 
 let leaves t =
   List.filter_map
     (function
-      | Leaf i -> Some i
+      | Leaf i | Part (i, _) -> Some i
       | Channel _ | Definition _ -> None)
     t.arguments
 
@@ -123,14 +134,18 @@ let argument_rank = function
   | Leaf _ -> 0
   | Channel _ -> 1
   | Definition _ -> 2
+  | Part _ -> 3
 
 let compare_argument a b =
   match (a, b) with
   | Leaf i, Leaf j | Definition i, Definition j -> Int.compare i j
+  | Part (i, k), Part (j, l) ->
+    let c = Int.compare i j in
+    if c <> 0 then c else Int.compare k l
   | Channel (p, a), Channel (q, b) ->
     let c = Option.compare (fun p q -> Int.compare (polarity_rank p) (polarity_rank q)) p q in
     if c <> 0 then c else String.compare a b
-  | (Leaf _ | Channel _ | Definition _), _ -> Int.compare (argument_rank a) (argument_rank b)
+  | (Leaf _ | Part _ | Channel _ | Definition _), _ -> Int.compare (argument_rank a) (argument_rank b)
 
 let compare a b =
   let c = String.compare a.word b.word in
@@ -154,7 +169,10 @@ let renamed_ends f = function
   | One i -> One (f i)
   | Two (i, j) -> Two (f i, f j)
 
+let renamed_spot f s = { s with leaf = f s.leaf }
+
 let renamed_event f = function
+  | Hit (p, q) -> Hit (renamed_spot f p, Option.map (renamed_spot f) q)
   | Bond (change, a, ends) -> Bond (change, a, renamed_ends f ends)
   | Bounce ends -> Bounce (renamed_ends f ends)
 

@@ -7,6 +7,7 @@ open Property
 
 type argument =
   | Leaf of int
+  | Part of int * int  (** of a leaf, by its index *)
   | Channel of Behaviour.polarity option * string
   | Definition of int  (** index into {!Model.definitions} *)
 

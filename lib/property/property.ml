@@ -17,8 +17,12 @@ type change =
     order. *)
 type ends = Any | One of int | Two of int * int
 
+(** A leaf, or one part of it by its index. *)
+type spot = { leaf : int; part : int option }
+
 (** A pattern of discrete transitions. *)
 type event =
+  | Hit of spot * spot option  (** a bounce in which this leaf or part touched another body, or that one *)
   | Bond of change * string option * ends  (** of a bond of this name, between these leaves *)
   | Bounce of ends  (** of the two processes that these are leaves of *)
 

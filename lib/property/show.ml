@@ -21,6 +21,7 @@ let written word = function
 
 let argument m : Atom.argument -> string = function
   | Leaf i -> leaf m i
+  | Part (i, k) -> m.leaves.(i).parts.(k).name
   | Channel (Some Co_name, a) -> "~" ^ a
   | Channel ((Some Name | None), a) -> a
   | Definition k -> m.definitions.(k).name
@@ -31,7 +32,7 @@ let event m e = written (Atom.event_word e) (List.map (argument m) (Atom.event_a
 let atom m (a : Atom.t) =
   let is_definition = function
     | Atom.Definition _ -> true
-    | Leaf _ | Channel _ -> false
+    | Leaf _ | Part _ | Channel _ -> false
   in
   let definitions, others = List.partition is_definition a.arguments in
   String.concat " = " (written a.word (List.map (argument m) others) :: List.map (argument m) definitions)

@@ -152,6 +152,15 @@ let clusters (c : Semantics.t) processes =
 
 (* {1 Rule Bounce} *)
 
+(* The parts that touch, of processes that collide. Some of bodies that turn are only near each other. *)
+let hits (c : Semantics.t) meetings =
+  let (module K) = c.kinematics in
+  let turns = Option.is_some c.setting.model.rigid in
+  let touch (a, b) = (not turns) || K.touching c.setting a b <> [] in
+  List.concat_map (fun m -> List.filter touch m.touching) meetings
+  |> List.map (fun (a, b) -> Transition.hit (Part.name a) (Part.name b))
+  |> List.sort_uniq Transition.compare_hit
+
 let bounce (c : Semantics.t) (processes : State.process array) { members; meetings } =
   let (module K) = c.kinematics in
   let gone = List.map (fun i -> processes.(i)) members in
@@ -160,13 +169,15 @@ let bounce (c : Semantics.t) (processes : State.process array) { members; meetin
     | [] -> Scc_base.Bug.fail __POS__ "a meeting of others"
     | j :: rest -> if i = j then k else number (k + 1) i rest
   in
+  let meetings = List.filter (fun m -> m.collide) meetings in
   let local m = { m with first = number 0 m.first members; second = number 0 m.second members } in
-  match K.bounce c.setting (Array.of_list gone) (List.map local (List.filter (fun m -> m.collide) meetings)) with
+  match K.bounce c.setting (Array.of_list gone) (List.map local meetings) with
   | None -> Error (Transition.Persistent_contact firsts)
   | Some after ->
     let m = c.setting.model in
     let come = List.map (fun p -> Process.end_step m (Process.restart_clock m p)) (Array.to_list after) in
-    Ok { Transition.rule = Rule.Bounce; label = Bounce firsts; fired = []; gone; come }
+    let label = Transition.Bounce { firsts; hits = hits c meetings } in
+    Ok { Transition.rule = Rule.Bounce; label; fired = []; gone; come }
 
 let outcomes c processes cluster =
   match List.concat_map (candidates c processes) cluster.meetings with

@@ -1,10 +1,12 @@
 open Scc_exact
 open Scc_calculus
 
+type hit = { one : int * int; two : int * int }
+
 type label =
   | Time of Rat.t
   | Bind of State.bond
-  | Bounce of int list
+  | Bounce of { firsts : int list; hits : hit list }
   | Weak_split of State.bond
   | Strong_split of State.bond list
 
@@ -51,11 +53,22 @@ let rec equal_bonds a b =
   | x :: a, y :: b -> State.equal_bond x y && equal_bonds a b
   | [], _ :: _ | _ :: _, [] -> false
 
+let compare_ends (i, p) (j, q) =
+  let c = Int.compare i j in
+  if c <> 0 then c else Int.compare p q
+
+let hit a b = if compare_ends a b <= 0 then { one = a; two = b } else { one = b; two = a }
+
+let compare_hit a b =
+  let c = compare_ends a.one b.one in
+  if c <> 0 then c else compare_ends a.two b.two
+
 let equal_label a b =
   match (a, b) with
   | Time s, Time t -> Rat.equal s t
   | Bind x, Bind y | Weak_split x, Weak_split y -> State.equal_bond x y
-  | Bounce x, Bounce y -> List.equal Int.equal x y
+  | Bounce x, Bounce y ->
+    List.equal Int.equal x.firsts y.firsts && List.equal (fun a b -> compare_hit a b = 0) x.hits y.hits
   | Strong_split x, Strong_split y -> equal_bonds x y
   | (Time _ | Bind _ | Bounce _ | Weak_split _ | Strong_split _), _ -> false
 
@@ -77,7 +90,7 @@ let names (m : Model.t) = List.map (fun i -> m.leaves.(i).name)
 let label_to_string (m : Model.t) = function
   | Time d -> Printf.sprintf "time(%s)" (Rat.to_string d)
   | Bind b -> Printf.sprintf "bind(%s, %s)" b.name (ends m b)
-  | Bounce firsts -> Printf.sprintf "bounce(%s)" (String.concat ", " (names m firsts))
+  | Bounce { firsts; _ } -> Printf.sprintf "bounce(%s)" (String.concat ", " (names m firsts))
   | Weak_split b -> Printf.sprintf "weak(%s, %s)" b.name (ends m b)
   | Strong_split bonds ->
     List.map (fun (b : State.bond) -> Printf.sprintf "<%s, {%s}>" b.name (ends m b)) bonds

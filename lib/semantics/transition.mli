@@ -3,10 +3,14 @@
 open Scc_exact
 open Scc_calculus
 
+(** Two parts that touch, of different processes: each as its leaf and its index in it, the lesser one first. *)
+type hit = { one : int * int; two : int * int }
+
 type label =
   | Time of Rat.t
   | Bind of State.bond  (** the bond that was made *)
-  | Bounce of int list  (** the first leaves of the processes, two or more, in order *)
+  | Bounce of { firsts : int list; hits : hit list }
+  (** the first leaves of the processes, two or more, in order; and where they touch, in order *)
   | Weak_split of State.bond
   | Strong_split of State.bond list  (** sorted *)
 
@@ -54,6 +58,8 @@ val is_time : label -> bool
 val is_urgent : label -> bool
 (** Whether no time passes while it is possible (rule Time): strong splits and collisions. *)
 
+val hit : int * int -> int * int -> hit
+val compare_hit : hit -> hit -> int
 val equal_label : label -> label -> bool
 
 val label_to_string : Model.t -> label -> string

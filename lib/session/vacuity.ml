@@ -25,7 +25,7 @@ let impossible (l : Loaded.t) =
   let terms = List.map (fun (s : Coverage.summand) -> s.term) (Coverage.summands counted) in
   let impossible : Property.event -> bool = function
     | Bond (change, name, _) -> not (can_happen terms change name)
-    | Bounce _ -> false
+    | Bounce _ | Hit _ -> false
   in
   let warning (c : Property.check) event =
     Diag.warning Code.impossible_event c.span "no behaviour can bring about `event %s`, of which `%s` speaks"

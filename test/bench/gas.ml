@@ -106,7 +106,7 @@ let simulate o m run log =
         Event_run.take run 0;
         from events
       end
-    | { label = Bounce [ p; q ]; _ } :: _ ->
+    | { label = Bounce { firsts = [ p; q ]; _ }; _ } :: _ ->
       let both () = (moving m run p, moving m run q) in
       let before = if o.check then Some (both ()) else None in
       Event_run.take run 0;

@@ -20,7 +20,7 @@ let part (s : State.t) (t : Transition.t) =
     match t.label with
     | Time _ -> []
     | Bind b | Weak_split b -> [ b.one.at; b.two.at ]
-    | Bounce firsts -> firsts
+    | Bounce { firsts; _ } -> firsts
     | Strong_split bonds -> List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds
   in
   List.sort_uniq Int.compare (List.map (fun leaf -> fst (State.find_leaf s leaf)) leaves)

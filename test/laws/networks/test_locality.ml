@@ -39,7 +39,13 @@ let relabelled from : Transition.label -> Transition.label =
   | Bind b -> Bind (bond b)
   | Weak_split b -> Weak_split (bond b)
   | Strong_split bonds -> Strong_split (List.map bond bonds)
-  | Bounce leaves -> Bounce (List.map (fun leaf -> leaf + from) leaves)
+  | Bounce { firsts; hits } ->
+    let later leaf = leaf + from in
+    let hit (h : Transition.hit) : Transition.hit =
+      let part (leaf, index) = (later leaf, index) in
+      { one = part h.one; two = part h.two }
+    in
+    Bounce { firsts = List.map later firsts; hits = List.map hit hits }
 
 (* {1 What the product does} *)
 

@@ -65,7 +65,7 @@ let kinds m (s, ts) =
     | Time _ -> "time"
     | Bind _ when Lazy.force apart -> "bind, by contact"
     | Bind _ -> "bind"
-    | Bounce firsts -> if List.compare_length_with firsts 2 > 0 then "bounce, of several" else "bounce"
+    | Bounce { firsts; _ } -> if List.compare_length_with firsts 2 > 0 then "bounce, of several" else "bounce"
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"
   in

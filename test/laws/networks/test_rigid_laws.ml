@@ -21,7 +21,7 @@ let uses rule (t : Transition.t) = List.memq rule t.rules
 let say = Printf.sprintf
 
 let with_fixed m (s : State.t) : Transition.label -> bool = function
-  | Bounce firsts ->
+  | Bounce { firsts; _ } ->
     List.exists (fun leaf -> Option.is_none (State.mass m s.processes.(fst (State.find_leaf s leaf)))) firsts
   | Time _ | Bind _ | Weak_split _ | Strong_split _ -> false
 

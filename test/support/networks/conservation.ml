@@ -47,7 +47,7 @@ let sums m (s : State.t) = Array.fold_left (fun sums p -> add sums (of_process m
 let involved : Transition.label -> int list = function
   | Time _ -> []
   | Bind b | Weak_split b -> [ b.one.at; b.two.at ]
-  | Bounce firsts -> firsts
+  | Bounce { firsts; _ } -> firsts
   | Strong_split bonds -> List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds
 
 let is_fixed m s leaf =

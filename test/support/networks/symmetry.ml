@@ -184,15 +184,29 @@ let map_label symmetry s : Transition.label -> Transition.label = function
   | Weak_split b -> Weak_split (symmetry.bond b)
   | Strong_split bonds ->
     Strong_split (List.sort State.compare_bond (List.map symmetry.bond bonds))
-  | Bounce firsts -> Bounce (List.sort Int.compare (List.map (first_leaf symmetry s) firsts))
+  | Bounce { firsts; hits } ->
+    let part (leaf, index) = (symmetry.leaf leaf, index) in
+    let hit (h : Transition.hit) = Transition.hit (part h.one) (part h.two) in
+    Bounce
+      {
+        firsts = List.sort Int.compare (List.map (first_leaf symmetry s) firsts);
+        hits = List.sort Transition.compare_hit (List.map hit hits);
+      }
 
 let map_transition symmetry s (t : Transition.t) =
   { t with label = map_label symmetry s t.label; target = symmetry.later (Transition.duration t) t.target }
 
 let same_rules a b = List.length a = List.length b && List.for_all2 ( == ) a b
 
+(* A symmetry may cut bodies into parts: of who touches, the leaves count. *)
+let of_leaves : Transition.label -> Transition.label = function
+  | Bounce { firsts; hits } ->
+    let hit (h : Transition.hit) = Transition.hit (fst h.one, 0) (fst h.two, 0) in
+    Bounce { firsts; hits = List.sort_uniq Transition.compare_hit (List.map hit hits) }
+  | (Time _ | Bind _ | Weak_split _ | Strong_split _) as label -> label
+
 let equal (a : Transition.t) (b : Transition.t) =
-  Transition.equal_label a.label b.label && same_rules a.rules b.rules && State.equal a.target b.target
+  Transition.equal_label (of_leaves a.label) (of_leaves b.label) && same_rules a.rules b.rules && State.equal a.target b.target
 
 (* Takes one equal element out, if there is one. *)
 let rec without x = function

@@ -87,6 +87,12 @@ let names_and_values =
       (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check k : forall q in Cube: AF event bind(q)");
     case "a bounce of three" "SC0206" "event bounce(p, p, p)" ~says:"at most two processes, and is given 3"
       (cube ^ "process p = Cube mass 1 [nil] check k : AF event bounce(p, p, p)");
+    case "a hit of three" "SC0206" "event hit(p, p, p)" ~says:"one body or two, or parts of them, and is given 3"
+      (cube ^ "process p = Cube mass 1 [nil] check k : AF event hit(p, p, p)");
+    case "a hit of nobody" "SC0206" "event hit" ~says:"is given 0"
+      (cube ^ "process p = Cube mass 1 [nil] check k : AF event hit");
+    case "a part of a body that has none" "SC0203" "p.low" ~says:"has no parts"
+      (cube ^ "process p = Cube mass 1 [nil] check k : AF event hit(p.low)");
     case "a bind of three" "SC0206" "event bind(a, p, p, p)" ~says:"at most two"
       (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check k : AF event bind(a, p, p, p)");
     case "a family bounces" "SC0210" "c" ~says:"several bodies"

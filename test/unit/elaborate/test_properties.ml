@@ -34,6 +34,8 @@ let properties =
       "AG (((event bind or event weak(a)) or event strong(a, p)) or event split(a, q, p))";
     property "bounces" "A[ not event bounce(p, q) U event bounce(p) ] and AX event bounce"
       "A[ not event bounce(p, q) U event bounce(p) ] and AX event bounce";
+    property "hits" "always not event hit(p, q) and not event hit(q)"
+      "AG (not event hit(p, q) and not event hit(q))";
     property "events of a family" "possibly exists s in c: event bounce(s)"
       "EF (event bounce(c[1]) or event bounce(c[2]))";
     property "leads_to" "x(p) > 0 leads_to y(p) > 0"

@@ -68,7 +68,7 @@ let show m = function
 let value semantics s extent atom offset =
   let arrived : Property.event -> bool = function
     | Bond (Made, _, _) -> true
-    | Bond _ | Bounce _ -> false
+    | Bond _ | Bounce _ | Hit _ -> false
   in
   let trajectory = Trajectory.make ~arrived semantics s extent and offset = Algebraic.of_rat offset in
   match atom with

@@ -94,7 +94,24 @@ let of_a_bounce =
   [
     ("bounce", true); ("bounce(p1)", true); ("bounce(p2)", true); ("bounce(q)", true); ("bounce(r)", false);
     ("bounce(p1, q)", true); ("bounce(q, p2)", true); ("bounce(p1, p2)", false); ("bounce(p1, r)", false);
-    ("bounce(q, q)", false); ("bind", false); ("split", false); ("bind(a, p1, p2)", false);
+    ("bounce(q, q)", false); ("hit(p2)", true); ("hit(q)", true); ("hit(p1)", false); ("hit(r)", false);
+    ("hit(p2, q)", true); ("hit(q, p2)", true); ("hit(p1, q)", false); ("hit(p2, p1)", false);
+    ("bind", false); ("split", false); ("bind(a, p1, p2)", false);
+  ]
+
+(* The lower part of a compound meets q, the upper one passes it. *)
+let bouncing_by_parts =
+  {|
+compound Arm { part low : Cube mass 1  part high : Cube mass 1 at translate (0,2,0)  glue low.back ~ high.front }
+process arm = Arm velocity (1,0,0) at translate (-3,0,0) [nil]
+process q = Cube mass 1 at translate (3,-1/2,0) [nil]
+|}
+
+let of_a_bounce_by_parts =
+  [
+    ("bounce(arm, q)", true); ("hit(arm)", true); ("hit(arm.low)", true); ("hit(arm.high)", false);
+    ("hit(arm.low, q)", true); ("hit(q, arm.low)", true); ("hit(q, arm.high)", false);
+    ("hit(arm.low, arm)", false); ("hit(arm, q)", true);
   ]
 
 let pair left right =
@@ -166,6 +183,7 @@ let () =
         [
           case "a bind" (patterns binding is_bind of_a_bind);
           case "a bounce" (patterns bouncing is_bounce of_a_bounce);
+          case "a bounce of parts" (patterns bouncing_by_parts is_bounce of_a_bounce_by_parts);
           case "a weak split" (patterns splitting_weakly is_weak of_a_weak_split);
           case "a strong split" (patterns splitting_strongly is_strong of_a_strong_split);
           case "a passing of time" (patterns binding is_time of_time);

@@ -8,6 +8,7 @@ open Scc_exchange
 let case name f = Alcotest.test_case name `Quick f
 let text = Alcotest.(check string)
 let lines ss = String.concat "\n" ss ^ "\n"
+let bounced = Transition.Bounce { firsts = [ 0; 1 ]; hits = [] }
 let time n d : Transition.label = Time (Rat.make (Z.of_int n) (Z.of_int d))
 
 let contains whole part =
@@ -125,7 +126,7 @@ check c : %s
 
 let four () =
   Graphs.made ~unexplored:[ 3 ] ~resting:[ 2 ]
-    [| [ (time 1 2, 1) ]; [ (Bounce [ 0; 1 ], 2); (Bounce [ 0; 1 ], 3) ]; []; []; [] |]
+    [| [ (time 1 2, 1) ]; [ (bounced, 2); (bounced, 3) ]; []; []; [] |]
 
 (* {1 Markov decision processes} *)
 
@@ -229,12 +230,12 @@ let dot_of ?(positions = false) (e : Exported.t) =
 
 let folding () =
   let chain next =
-    Graphs.made [| [ (time 1 1, 1) ]; [ (time 1 2, 2) ]; [ (time 1 3, 3) ]; next; [ (Bounce [ 0; 1 ], 4) ] |]
+    Graphs.made [| [ (time 1 1, 1) ]; [ (time 1 2, 2) ]; [ (time 1 3, 3) ]; next; [ (bounced, 4) ] |]
   in
-  let drawn = dot_of (chain [ (Bounce [ 0; 1 ], 4) ]) in
+  let drawn = dot_of (chain [ (bounced, 4) ]) in
   has "one edge" drawn "s0 -> s3 [label=\"time(11/6)\\nin 3 steps\"";
   lacks "the states between" drawn "s1";
-  let drawn = dot_of (chain [ (Bounce [ 0; 1 ], 1) ]) in
+  let drawn = dot_of (chain [ (bounced, 1) ]) in
   has "a state with another way in stays" drawn "s0 -> s1 [label=\"time(1)\"";
   has "from there on" drawn "s1 -> s3 [label=\"time(5/6)\\nin 2 steps\"";
   let loop = dot_of (Graphs.made [| [ (time 1 1, 1) ]; [ (time 1 1, 0) ] |]) in
@@ -272,7 +273,7 @@ let escapes () =
 let large () =
   let n = 300_000 in
   let next i : (Transition.label * int) list =
-    if i = n - 1 then [] else if i mod 3 = 0 then [ (Bounce [ 0; 1 ], i + 1) ] else [ (time 1 1, i + 1) ]
+    if i = n - 1 then [] else if i mod 3 = 0 then [ (bounced, i + 1) ] else [ (time 1 1, i + 1) ]
   in
   let e = Graphs.made (Array.init n next) in
   let bytes write =

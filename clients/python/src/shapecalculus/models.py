@@ -167,7 +167,10 @@ class State:
 
 @dataclass(frozen=True)
 class Label:
-    """What a transition does: ``kind`` is "time", "bind", "bounce", "weak" or "strong"; ``text`` says all of it."""
+    """What a transition does: ``kind`` is "time", "bind", "bounce", "weak" or "strong".
+
+    ``text`` says who takes part; ``touching``, of a bounce, which bodies (or parts of them) touch, in pairs.
+    """
 
     kind: str
     text: str
@@ -176,6 +179,7 @@ class Label:
     ends: Tuple[str, ...] = ()
     between: Tuple[str, ...] = ()
     bonds: Tuple[Bond, ...] = ()
+    touching: Tuple[Tuple[str, str], ...] = ()
 
     @classmethod
     def from_json(cls, json: Json) -> Label:
@@ -188,6 +192,7 @@ class Label:
             tuple(json.get("ends", ())),
             tuple(json.get("between", ())),
             tuple(map(Bond.from_json, json.get("bonds", ()))),
+            tuple((one, two) for one, two in json.get("touching", ())),
         )
 
 
