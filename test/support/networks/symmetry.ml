@@ -206,7 +206,9 @@ let of_leaves : Transition.label -> Transition.label = function
   | (Time _ | Bind _ | Weak_split _ | Strong_split _) as label -> label
 
 let equal (a : Transition.t) (b : Transition.t) =
-  Transition.equal_label (of_leaves a.label) (of_leaves b.label) && same_rules a.rules b.rules && State.equal a.target b.target
+  Transition.equal_label (of_leaves a.label) (of_leaves b.label)
+  && same_rules a.rules b.rules
+  && State.equal a.target b.target
 
 (* Takes one equal element out, if there is one. *)
 let rec without x = function
