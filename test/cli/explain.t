@@ -231,7 +231,12 @@ something that it has met.
       },
       {
         "step": 2,
-        "label": {"kind": "bounce", "text": "bounce(far, away)", "between": ["far", "away"]},
+        "label": {
+          "kind": "bounce",
+          "text": "bounce(far, away)",
+          "between": ["far", "away"],
+          "touching": [["far", "away"]]
+        },
         "time": "1/2",
         "events": [{"kind": "transition", "of": null, "role": "irrelevant", "because": []}]
       },
@@ -243,7 +248,12 @@ something that it has met.
       },
       {
         "step": 4,
-        "label": {"kind": "bounce", "text": "bounce(p, push)", "between": ["p", "push"]},
+        "label": {
+          "kind": "bounce",
+          "text": "bounce(p, push)",
+          "between": ["p", "push"],
+          "touching": [["p", "push"]]
+        },
         "time": "2/1",
         "events": [{"kind": "transition", "of": null, "role": "cause", "because": []}]
       }
