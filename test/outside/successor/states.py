@@ -128,7 +128,8 @@ def label_of(model: Model, told: dict) -> Any:
     if kind == "time":
         return ("time", Fraction(told["duration"]))
     if kind == "bounce":
-        return ("bounce", tuple(told["between"]))
+        hits = frozenset(frozenset(pair) for pair in told["touching"])
+        return ("bounce", tuple(told["between"]), hits)
     if kind == "strong":
         return ("strong", frozenset(bond_of(model, b) for b in told["bonds"]))
     return (kind,) + bond_of(model, told)

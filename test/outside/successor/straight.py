@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, permutations, product
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Tuple
 
 import contact
 import impact
@@ -233,7 +233,19 @@ class Rules(Rounding):
                 order = list(self.model.leaves)
                 names = tuple(sorted((self.first(p) for p, _ in changes), key=order.index))
                 after = [self.begun(steps.struck(p)) for _, p in changes]
-                yield ("bounce", names), state.having([p for p, _ in changes], after)
+                label = ("bounce", names, self.hits(cluster))
+                yield label, state.having([p for p, _ in changes], after)
+
+    def hits(self, cluster: List[Meeting]) -> FrozenSet[Any]:
+        """Who touches in a bounce: pairs of parts."""
+        return frozenset(
+            frozenset({self.named(pair.leaf1, pair.part1), self.named(pair.leaf2, pair.part2)})
+            for _, _, pairs in cluster
+            for pair in pairs
+        )
+
+    def named(self, leaf: str, part: Part) -> str:
+        return leaf if part.name is None else "%s.%s" % (leaf, part.name)
 
     def first(self, process: Process) -> str:
         """The first leaf of a process, in the order of declaration."""
