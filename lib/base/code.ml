@@ -25,6 +25,7 @@ let repeated_attribute = "SC0212"
 let no_effect = "SC0213"
 let coarse_resolution = "SC0214"
 let unstated_dynamics = "SC0215"
+let import_cycle = "SC0216"
 let no_solid = "SC0301"
 let open_solid = "SC0302"
 let overused_edge = "SC0303"
@@ -92,6 +93,7 @@ let all =
     (no_effect, "a setting that has no effect");
     (coarse_resolution, "a resolution that is coarse for the bodies");
     (unstated_dynamics, "a spin in a model that does not say its dynamics");
+    (import_cycle, "an import that leads back to itself");
     (no_solid, "a set of faces that encloses no solid (E0)");
     (open_solid, "an edge that belongs to one face only (E2)");
     (overused_edge, "a directed edge that occurs in two faces (E1)");

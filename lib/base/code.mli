@@ -83,6 +83,7 @@ val coarse_resolution : t
 (** SC0214: a resolution that is coarse for the bodies (a warning). *)
 
 val unstated_dynamics : t
+val import_cycle : t
 (** SC0215: a spin in a model that does not say its dynamics (a warning). *)
 
 (** {1 Templates (Definitions 4.1 to 4.4)} *)

@@ -130,13 +130,13 @@ let rec exposed found = function
 let unguarded defs =
   let next = Array.map (fun d -> exposed [] d.body) defs in
   let reaches_itself start =
-    let seen = Array.make (Array.length defs) false in
+    let seen = Hashtbl.create 8 in
     let rec search = function
       | [] -> false
       | k :: _ when k = start -> true
-      | k :: rest when seen.(k) -> search rest
+      | k :: rest when Hashtbl.mem seen k -> search rest
       | k :: rest ->
-        seen.(k) <- true;
+        Hashtbl.add seen k ();
         search (List.rev_append next.(k) rest)
     in
     search next.(start)

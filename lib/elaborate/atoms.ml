@@ -46,6 +46,7 @@ let value : (Property.num, Property.prop) Typed.value -> (Property.num, Property
   function
   | Num n -> Num n
   | Cond p -> Cond (Property.State p)
+  | Vec (x, y, z) -> Vec (x, y, z)
 
 let arity t (at : Span.t) name expected given =
   error t Code.bad_arity at "`%s` takes %s, and is given %d" name expected given;
@@ -128,8 +129,8 @@ let apply t env (e : Ast.expr) (f : Ast.name) arguments =
   | "round", None, None, _ ->
     error t Code.type_mismatch e.at "`round` of what changes cannot stand in a property";
     None
-  | name, None, None, _ ->
-    error t Code.unknown_name f.at "unknown function `%s`" name ~near:(name, fun () -> functions);
+  | _, None, None, _ ->
+    Typed.unknown_function t.c.report f (functions @ Typed.functions);
     None
 
 let variable t env (path : Ast.path) =
@@ -153,12 +154,22 @@ let variable t env (path : Ast.path) =
       ~hint:"say what of a process is meant, as in `x(p)`";
     None
 
-let is_definition t env negated p (k : Ast.name) =
+let is_definition t env negated p k =
   let* i = leaf t env p in
   let* owner = owner t i in
-  let* k = Behaviours.definition t.behaviours owner k in
+  let* k = Behaviours.definition t.behaviours env owner k in
   let atom = Property.Fact (Behaviour (i, k)) in
   Some (Typed.Cond (Property.State (if negated then Not atom else atom)))
+
+(* [K], [m.K], [K[1, 2]], [K(a)]. *)
+let reference_of (e : Ast.expr) =
+  let plain target = { Ast.qualifier = None; target; indices = []; arguments = [] } in
+  match e.it with
+  | Path { it = [ { name; indices } ]; _ } -> Some { (plain name) with indices }
+  | Path { it = [ { name = q; indices = [] }; { name; indices } ]; _ } ->
+    Some { (plain name) with qualifier = Some q; indices }
+  | Apply (f, arguments) when not (String.equal f.it "behaviour") -> Some { (plain f) with arguments }
+  | _ -> None
 
 (* [behaviour(p) = K], either way round. *)
 let comparison t env (op : Ast.binary) (a : Ast.expr) (b : Ast.expr) =
@@ -166,10 +177,10 @@ let comparison t env (op : Ast.binary) (a : Ast.expr) (b : Ast.expr) =
     match op with
     | Eq -> Some false
     | Ne -> Some true
-    | Add | Sub | Mul | Div | Lt | Le | Gt | Ge | And | Or | Implies -> None
+    | Add | Sub | Mul | Div | Mod | Lt | Le | Gt | Ge | And | Or | Implies -> None
   in
+  let compared n p e = Option.map (is_definition t env n p) (reference_of e) in
   match (negated, a.it, b.it) with
-  | Some n, Apply ({ it = "behaviour"; _ }, [ p ]), Path { it = [ { name; indices = [] } ]; _ }
-  | Some n, Path { it = [ { name; indices = [] } ]; _ }, Apply ({ it = "behaviour"; _ }, [ p ]) ->
-    Some (is_definition t env n p name)
+  | Some n, Apply ({ it = "behaviour"; _ }, [ p ]), _ -> compared n p b
+  | Some n, _, Apply ({ it = "behaviour"; _ }, [ p ]) -> compared n p a
   | _ -> None

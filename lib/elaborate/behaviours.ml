@@ -8,6 +8,8 @@ type owner = { name : string; shape : Shape.t; span : Span.t }
 (* A definition on a structure. *)
 type entry = {
   declared : Program.behaviour;
+  label : string;  (** of the instance *)
+  env : Env.t;
   first : owner;  (** whose need made it *)
   mutable body : Behaviour.t;  (** nil until it is elaborated *)
   mutable calls : int list;
@@ -20,6 +22,7 @@ type t = {
   index : (string * int, int) Hashtbl.t;
   mutable entries : entry list;  (** the last first *)
   mutable count : int;
+  mutable overflow : bool;  (** more are needed than there may be, which is reported *)
   mutable sealed : int;  (** how many are part of the model *)
   pending : (int * entry) Queue.t;
   uses : (string * int, Span.t) Hashtbl.t;  (** a process and a definition that it may become *)
@@ -28,29 +31,23 @@ type t = {
 
 let ( let* ) = Option.bind
 
-let behaviour_names program =
-  Hashtbl.fold (fun name _ names -> name :: names) program.Program.behaviours [] |> List.sort String.compare
+(* Instances of all behaviours on all structures. *)
+let max_definitions = 10_000
 
-let find_template (c : Context.t) (name : Ast.name) =
-  match Hashtbl.find_opt c.templates name.it with
-  | Some t ->
-    t.used <- true;
-    t.shape
-  | None -> None
-
-let check_template (c : Context.t) (name : Ast.name) =
-  if not (Hashtbl.mem c.templates name.it) then
-    Report.error c.report Code.unknown_name name.at "unknown template `%s`" name.it
-      ~near:(name.it, fun () -> Context.template_names c)
+let check_template (c : Context.t) (b : Program.behaviour) =
+  match (b.on, b.formals) with
+  | Some on, [] -> ignore (Templates.find c b.env on)
+  | Some _, _ :: _ | None, _ -> ()
 
 let create c (program : Program.t) =
-  Hashtbl.iter (fun _ (b : Program.behaviour) -> Option.iter (check_template c) b.on) program.behaviours;
+  Hashtbl.iter (fun _ b -> check_template c b) program.behaviours;
   {
     c;
     program;
     index = Hashtbl.create 16;
     entries = [];
     count = 0;
+    overflow = false;
     sealed = 0;
     pending = Queue.create ();
     uses = Hashtbl.create 16;
@@ -62,21 +59,21 @@ let has_channel t name = Hashtbl.mem t.channel_names name
 let channels t = Hashtbl.fold (fun name () all -> name :: all) t.channel_names [] |> List.sort String.compare
 
 (* [on T]: the owner's shape has the structure of T, as an image of T by scaling has. *)
-let fits t (declared : Program.behaviour) owner at =
+let fits t (declared : Program.behaviour) label env owner at =
   match declared.on with
   | None -> true
   | Some template -> (
-      match find_template t.c template with
+      match Templates.find t.c env template with
       | None -> true
       | Some shape when Int.equal (Shape.structure shape) (Shape.structure owner.shape) -> true
-      | Some _ ->
+      | Some shape ->
         Report.error t.c.report Code.wrong_template at "`%s` is a behaviour on `%s`, and `%s` is a `%s`"
-          declared.name.it template.it owner.name (Shape.label owner.shape)
-          ~notes:[ (template.at, "it says so here") ];
+          label (Shape.label shape) owner.name (Shape.label owner.shape)
+          ~notes:[ (template.target.at, "it says so here") ];
         false)
 
-let enter t declared owner key =
-  let entry = { declared; first = owner; body = Behaviour.nil; calls = []; private_to = None } in
+let enter t declared label env owner key =
+  let entry = { declared; label; env; first = owner; body = Behaviour.nil; calls = []; private_to = None } in
   let i = t.count in
   declared.Program.used <- true;
   Hashtbl.add t.index key i;
@@ -85,34 +82,45 @@ let enter t declared owner key =
   Queue.add (i, entry) t.pending;
   i
 
-let unknown t (name : Ast.name) =
-  Report.error t.c.report Code.unknown_name name.at "unknown behaviour `%s`" name.it
-    ~near:(name.it, fun () -> behaviour_names t.program)
+let unknown t r reference = Family.unknown t.c.report "behaviour" (Family.keys t.program.behaviours) r reference
 
-let request t owner (name : Ast.name) =
-  match Hashtbl.find_opt t.program.behaviours name.it with
+(* The instance [label] on the owner's shape. *)
+let request_instance t owner at (declared : Program.behaviour) label env =
+  if not (fits t declared label env owner at) then None
+  else
+    let key = (label, Shape.structure owner.shape) in
+    match Hashtbl.find_opt t.index key with
+    | Some i -> Some i
+    | None when t.count >= max_definitions ->
+      if not t.overflow then
+        Report.error t.c.report Code.too_deep at "the model has more than %d instances of behaviours: `%s`"
+          max_definitions label
+          ~hint:"a family that asks for an instance of its own with ever other arguments has no end";
+      t.overflow <- true;
+      None
+    | None -> Some (enter t declared label env owner key)
+
+let request t env owner (r : Ast.reference) =
+  let* reference = Family.reference t.c.report env r in
+  match Family.find t.program.behaviours reference with
   | None ->
-    unknown t name;
+    unknown t r reference;
     None
   | Some declared ->
-    if not (fits t declared owner name.at) then None
-    else
-      let key = (name.it, Shape.structure owner.shape) in
-      Some
-        (match Hashtbl.find_opt t.index key with
-         | Some i -> i
-         | None -> enter t declared owner key)
+    let env = Family.bind declared.env declared.formals reference.arguments in
+    let env = Family.define t.c.report env declared.definitions in
+    request_instance t owner r.target.at declared reference.label env
 
-let definition t owner name =
-  let* i = request t owner name in
-  Hashtbl.replace t.uses (owner.name, i) name.at;
+let definition t env owner (r : Ast.reference) =
+  let* i = request t env owner r in
+  Hashtbl.replace t.uses (owner.name, i) r.target.at;
   Some i
 
 (* What the elaboration of one term needs to know and to tell. *)
 type scope = {
   env : Env.t;
   owner : owner;
-  call : Ast.name -> int option;
+  call : Ast.reference -> int option;
   own_name : unit -> unit;  (** a feature bears the owner's name *)
 }
 
@@ -136,7 +144,8 @@ let check_only t (m : Ast.member) =
       ~hint:"leave out `only`, or bind on collision"
 
 let channel t scope (ch : Ast.channel) =
-  use_channel t ch.channel.it;
+  let name = Family.word scope.env ch.channel.it in
+  use_channel t name;
   let read (m : Ast.member) =
     if m.only then check_only t m;
     Option.map (fun site -> (m.only, site)) (site t scope m.feature)
@@ -150,7 +159,7 @@ let channel t scope (ch : Ast.channel) =
     let only, sites = List.partition fst (List.filter_map Fun.id members) in
     let only = Long_list.map snd only and sites = Long_list.map snd sites in
     let closure = Feature_name.closure scope.owner.shape sites in
-    Some (Behaviour.channel ~only ~name:ch.channel.it ~sites ~closure ())
+    Some (Behaviour.channel ~only ~name ~sites ~closure ())
   else None
 
 let channels_of t scope at list =
@@ -176,7 +185,7 @@ let polarity (ch : Ast.channel) = if ch.co then Behaviour.Co_name else Behaviour
 let rec elaborate t scope (b : Ast.behaviour) =
   match b.it with
   | Nil -> Some Behaviour.nil
-  | Name name -> Option.map Behaviour.call (scope.call name)
+  | Name r -> Option.map Behaviour.call (scope.call r)
   | Open (ch, rest) ->
     let* c, b = Typed.both (channel t scope ch) (elaborate t scope rest) in
     Some (Behaviour.open_ (polarity ch) c b)
@@ -193,16 +202,16 @@ let rec elaborate t scope (b : Ast.behaviour) =
     let* a, b = Typed.both (elaborate t scope first) (elaborate t scope second) in
     Some (Behaviour.sum a b)
 
-let term t env owner b = elaborate t { env; owner; call = definition t owner; own_name = ignore } b
+let term t env owner b = elaborate t { env; owner; call = definition t env owner; own_name = ignore } b
 
-let complete t (_, entry) =
-  let call name =
-    let i = request t entry.first name in
+let complete t (_, (entry : entry)) =
+  let call r =
+    let i = request t entry.env entry.first r in
     Option.iter (fun i -> entry.calls <- i :: entry.calls) i;
     i
   in
   let own_name () = entry.private_to <- Some entry.first.name in
-  let scope = { env = entry.declared.env; owner = entry.first; call; own_name } in
+  let scope = { env = entry.env; owner = entry.first; call; own_name } in
   Option.iter (fun b -> entry.body <- b) (elaborate t scope entry.declared.body)
 
 let rec settle t =
@@ -242,7 +251,7 @@ let check_private t entries =
     | None -> ()
     | Some (entry, p) ->
       Report.error t.c.report Code.unknown_feature at
-        "`%s` names features of `%s`, and cannot be the behaviour of `%s`" entry.declared.name.it p name
+        "`%s` names features of `%s`, and cannot be the behaviour of `%s`" entry.label p name
         ~hint:"name the features alone, without the process"
   in
   if Array.exists (fun e -> Option.is_some e.private_to) entries then
@@ -251,8 +260,8 @@ let check_private t entries =
 
 let in_order (a : Program.behaviour) (b : Program.behaviour) = Int.compare a.name.at.start b.name.at.start
 
-let unguarded_at t (name : Ast.name) =
-  Report.error t.c.report Code.unguarded name.at "the recursion of `%s` is not guarded" name.it
+let unguarded_at t (at : Span.t) label =
+  Report.error t.c.report Code.unguarded at "the recursion of `%s` is not guarded" label
     ~hint:"between a name and its recurrence there must be a channel, a split or a positive delay"
 
 (* {2 What nothing uses}
@@ -270,8 +279,11 @@ let rec check_names t env (b : Ast.behaviour) =
   | Sum (first, second) ->
     check_names t env first;
     check_names t env second
-  | Name name ->
-    if not (Hashtbl.mem t.program.behaviours name.it) then unknown t name
+  | Name r ->
+    Option.iter
+      (fun reference ->
+         if Option.is_none (Family.find t.program.behaviours reference) then unknown t r reference)
+      (Family.reference t.c.report env r)
 
 (* The names that may be unfolded without anything happening; a delay that is no literal zero guards. *)
 let rec exposed found (b : Ast.behaviour) =
@@ -280,13 +292,15 @@ let rec exposed found (b : Ast.behaviour) =
   | Delay ({ it = Number q; _ }, rest) when Rat.sign q = 0 -> exposed found rest
   | Delay _ -> found
   | Sum (first, second) -> exposed (exposed found first) second
-  | Name name -> name.it :: found
+  | Name { qualifier = None; target; indices = []; arguments = [] } -> target.it :: found
+  | Name _ -> found
 
+(* Of those without indices and parameters. *)
 let reaches_itself t (b : Program.behaviour) =
   let seen = Hashtbl.create 8 in
   let rec visit = function
     | [] -> false
-    | name :: _ when String.equal name b.name.it -> true
+    | name :: _ when String.equal name b.label -> true
     | name :: rest when Hashtbl.mem seen name -> visit rest
     | name :: rest -> (
         Hashtbl.add seen name ();
@@ -297,21 +311,29 @@ let reaches_itself t (b : Program.behaviour) =
   visit (exposed [] b.body)
 
 let read_unused t =
-  let unused _ (b : Program.behaviour) list = if b.used then list else b :: list in
+  (* What has formal parameters cannot be read without arguments. *)
+  let unused _ (b : Program.behaviour) list =
+    match b.formals with
+    | [] when not b.used -> b :: list
+    | _ -> list
+  in
   let read (b : Program.behaviour) =
-    match (b.on, Option.bind b.on (find_template t.c)) with
+    let env = Family.define t.c.report b.env b.definitions in
+    match (b.on, Option.bind b.on (Templates.find t.c env)) with
     | None, _ ->
-      check_names t b.env b.body;
-      if reaches_itself t b then unguarded_at t b.name
+      check_names t env b.body;
+      if reaches_itself t b then unguarded_at t b.name.at b.label
     | Some _, None -> ()
     | Some _, Some shape ->
-      ignore (request t { name = ""; shape; span = b.name.at } b.name);
+      ignore (request_instance t { name = ""; shape; span = b.name.at } b.name.at b b.label env);
       b.used <- false
   in
   List.iter read (List.sort in_order (Hashtbl.fold unused t.program.behaviours []))
 
 let check_guarded t entries definitions =
-  List.iter (fun i -> unguarded_at t entries.(i).declared.name) (Behaviour.unguarded definitions)
+  List.iter
+    (fun i -> unguarded_at t entries.(i).declared.name.at entries.(i).label)
+    (Behaviour.unguarded definitions)
 
 let seal t =
   settle t;
@@ -323,7 +345,7 @@ let finish t =
   settle t;
   let entries = all t in
   let definitions =
-    Array.map (fun e -> { Behaviour.name = e.declared.name.it; body = e.body }) entries
+    Array.map (fun e -> { Behaviour.name = e.label; body = e.body }) entries
   in
   check_private t entries;
   check_guarded t entries definitions;

@@ -19,7 +19,7 @@ val create : Context.t -> Program.t -> t
 val term : t -> Env.t -> owner -> Ast.behaviour -> Behaviour.t option
 (** A behaviour written at a process. *)
 
-val definition : t -> owner -> Ast.name -> int option
+val definition : t -> Env.t -> owner -> Ast.reference -> int option
 (** The index of K on the owner's shape. *)
 
 val use_channel : t -> string -> unit

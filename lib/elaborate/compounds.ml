@@ -166,16 +166,17 @@ let build (c : Context.t) env (name : Ast.name) drafts glues =
   if List.for_all Fun.id read then check_connected c name parts joined;
   if rigid && disjoint then Some (Shape.Compound compound) else None
 
-let declare (c : Context.t) env (name : Ast.name) parts glues =
+let make (c : Context.t) (at : Span.t) parts glues env label =
+  let name = { Ast.it = label; at } in
   let distinct = check_names c parts in
   let drafts = Long_list.map (read_part c env) parts in
-  let shape =
-    if distinct && List.for_all Option.is_some drafts then
-      match List.filter_map Fun.id drafts with
-      | [] ->
-        Report.error c.report Code.not_connected name.at "the compound `%s` has no parts" name.it;
-        None
-      | drafts -> build c env name (Array.of_list drafts) glues
-    else None
-  in
-  Templates.admit c name shape
+  if distinct && List.for_all Option.is_some drafts then
+    match List.filter_map Fun.id drafts with
+    | [] ->
+      Report.error c.report Code.not_connected name.at "the compound `%s` has no parts" name.it;
+      None
+    | drafts -> build c env name (Array.of_list drafts) glues
+  else None
+
+let declare (c : Context.t) env (h : Ast.head) parts glues definitions =
+  Templates.declare c env h definitions (make c h.declared.at parts glues)

@@ -3,4 +3,4 @@
 
 open Scc_syntax
 
-val declare : Context.t -> Env.t -> Ast.name -> Ast.part list -> Ast.glue list -> unit
+val declare : Context.t -> Env.t -> Ast.head -> Ast.part list -> Ast.glue list -> Ast.definitions -> unit

@@ -11,7 +11,14 @@ let described (e : Ast.expr) =
   | Quantified _ -> "a quantifier"
   | Temporal _ | Until _ | Leads_to _ -> "a temporal operator"
   | Event _ -> "`event`"
-  | Number _ | True | False | Path _ | Neg _ | Not _ | Binary _ | If _ -> "this"
+  | Number _ | True | False | Path _ | Vector _ | Neg _ | Not _ | Binary _ | If _ -> "this"
+
+let of_state =
+  [
+    "behaviour"; "bonds"; "bound"; "distance2"; "offers"; "same"; "size"; "speed2"; "spin2"; "touching";
+    "vx"; "vy";
+    "vz"; "wx"; "wy"; "wz"; "x"; "y"; "z";
+  ]
 
 module Algebra = struct
   type context = { report : Report.t; budget : Typed.budget }
@@ -35,6 +42,7 @@ module Algebra = struct
   let disj = ( || )
   let choose _ _ c a b = Some (if c then a else b)
   let choose_cond c a b = if c then a else b
+  let nearest q = Some (Rat.round_to q ~quantum:Rat.one)
   let comparison _ _ _ _ _ = None
 
   let variable c env (path : Ast.path) =
@@ -59,7 +67,7 @@ module Algebra = struct
       Report.error c.report Code.bad_value quantum.at "`round` to multiples of %s, which is not positive"
         (Rat.to_string q);
       None
-    | Some (Cond _), Some _ | Some _, Some (Cond _) ->
+    | Some (Cond _ | Vec _), Some _ | Some _, Some (Cond _ | Vec _) ->
       Report.error c.report Code.type_mismatch e.at "`round` takes two numbers";
       None
     | None, _ | _, None -> None
@@ -69,6 +77,9 @@ module Algebra = struct
     | Apply ({ it = "round"; _ }, [ x; q ]) -> round c eval env e x q
     | Apply ({ it = "round"; _ }, _) ->
       Report.error c.report Code.bad_arity e.at "`round` takes two arguments, a number and a quantum";
+      None
+    | Apply (f, _) when not (List.mem f.it of_state) ->
+      Typed.unknown_function c.report f ("round" :: Typed.functions);
       None
     | _ ->
       Report.error c.report Code.type_mismatch e.at "a constant is expected here, and %s is none"
@@ -83,22 +94,26 @@ let context report = { Algebra.report; budget = Typed.budget () }
 let rec is_constant env (e : Ast.expr) =
   match e.it with
   | Number _ | True | False -> true
-  | Path { it = [ { name; indices = [] } ]; _ } -> (
-      match Env.find env name.it with
-      | Some (Number _ | Truth _) -> true
-      | Some (Macro _ | Leaf _) | None -> false)
-  | Apply ({ it = "round"; _ }, es) -> List.for_all (is_constant env) es
+  | Path path -> (
+      match Env.value env path.it with
+      | Some ((Number _ | Truth _ | Vector _), []) | Some (Vector _, [ _ ]) -> true
+      | Some ((Number _ | Truth _ | Vector _ | Word _ | Macro _ | Leaf _), _) | None -> false)
+  | Apply (f, es) when String.equal f.it "round" || List.mem f.it Typed.functions ->
+    List.for_all (is_constant env) es
+  | Vector (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
   | Neg a | Not a -> is_constant env a
   | Binary (_, a, b) -> is_constant env a && is_constant env b
   | If (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
-  | Path _ | Co _ | Apply _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ -> false
+  | Co _ | Apply _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ -> false
 
 let value report env e =
   match Eval.eval (context report) env e with
   | Some (Num q) -> Some (Env.Number q)
   | Some (Cond b) -> Some (Env.Truth b)
+  | Some (Vec (x, y, z)) -> Some (Env.Vector (Vec.make x y z))
   | None -> None
 
+let truth report env e = Eval.cond (context report) env e
 let number report env e = Eval.num (context report) env e
 
 let positive report env what (e : Ast.expr) =
@@ -117,10 +132,7 @@ let integer report env what (e : Ast.expr) =
     None
   | None -> None
 
-let vector report env (x, y, z) =
-  match (number report env x, number report env y, number report env z) with
-  | Some x, Some y, Some z -> Some (Vec.make x y z)
-  | _ -> None
+let vector report env e = Option.map (fun (x, y, z) -> Vec.make x y z) (Eval.vec (context report) env e)
 
 let check_determinant report at d =
   match Rat.sign d with
@@ -152,8 +164,9 @@ let rotation report env at (w, x, y, z) =
 (* The 3 x 4 part and the last row of a matrix by rows. *)
 let matrix report env at rows =
   let row (a, b, c, d) =
-    match (vector report env (a, b, c), number report env d) with
-    | Some v, Some t -> Some (v, t)
+    let number = number report env in
+    match (number a, number b, number c, number d) with
+    | Some a, Some b, Some c, Some d -> Some (Vec.make a b c, d)
     | _ -> None
   in
   match List.map row rows with

@@ -5,6 +5,11 @@ open Scc_base
 open Scc_exact
 open Scc_syntax
 
+val of_state : string list
+(** The functions of properties, which are no constants. *)
+
+val truth : Report.t -> Env.t -> Ast.expr -> bool option
+
 val is_constant : Env.t -> Ast.expr -> bool
 (** Only numbers, truth values, constants in scope and operations on them. *)
 

@@ -2,13 +2,33 @@ open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_broad_phase
+open Scc_syntax
 
-type template = { shape : Shape.t option; span : Span.t; mutable used : bool }
+type template = { shape : Shape.t option; span : Span.t; own : bool; mutable used : bool }
+
+type family = {
+  head : Family.head;
+  make : Family.reference -> Shape.t option;
+  family_span : Span.t;
+  family_own : bool;
+  mutable instances : int;
+}
+
+type source = {
+  scope : Env.t;
+  source_head : Family.head;
+  written : Ast.solid;
+  definitions : Ast.definitions;
+}
 
 type t = {
   report : Report.t;
   read_file : string -> (string, string) result;
   templates : (string, template) Hashtbl.t;
+  families : (string, family) Hashtbl.t;
+  sources : (string, source) Hashtbl.t;
+  mutable nesting : int;
+  mutable root : Env.t;
   obstacles : Obstacle_cache.t;
   fresh : unit -> int;
   solid : Shape.basic -> Mat.t -> Solid.t;
@@ -83,6 +103,10 @@ let create ~read_file =
     report = Report.create ();
     read_file;
     templates = Hashtbl.create 16;
+    families = Hashtbl.create 16;
+    sources = Hashtbl.create 16;
+    nesting = 0;
+    root = Env.root (Env.scope ~prefix:"" ~file:"");
     obstacles = Obstacle_cache.create ();
     fresh;
     solid = solids ();
@@ -90,5 +114,4 @@ let create ~read_file =
     touching = contacts ();
   }
 
-let template_names c =
-  Hashtbl.fold (fun name _ names -> name :: names) c.templates [] |> List.sort String.compare
+let template_names c = List.sort String.compare (Family.keys c.templates @ Family.keys c.families)

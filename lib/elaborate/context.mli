@@ -5,17 +5,40 @@ open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_broad_phase
+open Scc_syntax
 
 type template = {
   shape : Shape.t option;  (** [None] when its faults have been reported *)
   span : Span.t;  (** of its name *)
+  own : bool;  (** declared by the model, and not by what it imports *)
   mutable used : bool;
+}
+
+(** Shapes or compounds with parameters. *)
+type family = {
+  head : Family.head;
+  make : Family.reference -> Shape.t option;  (** one of them *)
+  family_span : Span.t;
+  family_own : bool;
+  mutable instances : int;
+}
+
+(** A shape as it was declared, for those who want its faces even if they enclose no solid. *)
+type source = {
+  scope : Env.t;
+  source_head : Family.head;
+  written : Ast.solid;
+  definitions : Ast.definitions;
 }
 
 type t = {
   report : Report.t;
   read_file : string -> (string, string) result;
-  templates : (string, template) Hashtbl.t;
+  templates : (string, template) Hashtbl.t;  (** by global names, and by the labels of instances *)
+  families : (string, family) Hashtbl.t;  (** by keys *)
+  sources : (string, source) Hashtbl.t;  (** by keys; no compounds *)
+  mutable nesting : int;  (** how many instances are being made, one within another *)
+  mutable root : Env.t;  (** of the model: its imports, and no values *)
   obstacles : Obstacle_cache.t;
   fresh : unit -> int;  (** identities, from 0 *)
   solid : Shape.basic -> Mat.t -> Solid.t;  (** one for each template and linear map *)

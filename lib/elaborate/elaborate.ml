@@ -32,10 +32,14 @@ let behaviours_of table (bodies : Bodies.t) keep =
 let warn_unused (c : Context.t) (program : Program.t) =
   let warn what name at = Report.warning c.report Code.unused at "the %s `%s` is not used" what name in
   Hashtbl.iter
-    (fun name (t : Context.template) -> if not t.used then warn "template" name t.span)
+    (fun name (t : Context.template) -> if t.own && not t.used then warn "template" name t.span)
     c.templates;
   Hashtbl.iter
-    (fun name (b : Program.behaviour) -> if not b.used then warn "behaviour" name b.name.at)
+    (fun name (f : Context.family) ->
+       if f.family_own && f.instances = 0 then warn "template" name f.family_span)
+    c.families;
+  Hashtbl.iter
+    (fun name (b : Program.behaviour) -> if Env.is_own b.env && not b.used then warn "behaviour" name b.name.at)
     program.behaviours;
   List.iter
     (fun (what, name, (b : Env.binding)) -> if not b.used then warn what name b.span)
@@ -95,7 +99,7 @@ let check_unused_lets formulas (program : Program.t) =
     (fun (_, _, (b : Env.binding)) ->
        match b.value with
        | Macro (e, env) when not b.used -> Formulas.check_let formulas env e
-       | Macro _ | Number _ | Truth _ | Leaf _ -> ())
+       | Macro _ | Number _ | Truth _ | Vector _ | Word _ | Leaf _ -> ())
     (List.rev program.values)
 
 let read c (program : Program.t) =

@@ -3,18 +3,75 @@ open Scc_exact
 open Scc_syntax
 module Names = Map.Make (String)
 
-type value = Number of Rat.t | Truth of bool | Macro of Ast.expr * t | Leaf of int
+type value =
+  | Number of Rat.t
+  | Truth of bool
+  | Vector of Vec.t
+  | Word of string * t
+  | Macro of Ast.expr * t
+  | Leaf of int
+
 and binding = { value : value; span : Span.t; mutable used : bool }
-and t = binding Names.t
+and t = { values : binding Names.t; scope : scope }
 
-let empty = Names.empty
-let add = Names.add
+and scope = {
+  prefix : string;
+  file : string;
+  modules : (string, scope) Hashtbl.t;
+  chosen : (string, string) Hashtbl.t;
+  top : (string, binding) Hashtbl.t;
+  declared : (string, unit) Hashtbl.t;
+}
 
-let find env name =
-  match Names.find_opt name env with
-  | None -> None
-  | Some b ->
-    b.used <- true;
-    Some b.value
+let scope ~prefix ~file =
+  {
+    prefix;
+    file;
+    modules = Hashtbl.create 4;
+    chosen = Hashtbl.create 4;
+    top = Hashtbl.create 16;
+    declared = Hashtbl.create 16;
+  }
 
-let names env = List.map fst (Names.bindings env)
+let root scope = { values = Names.empty; scope }
+let add name binding env = { env with values = Names.add name binding env.values }
+
+let read b =
+  b.used <- true;
+  b.value
+
+let find env name = Option.map read (Names.find_opt name env.values)
+let mem env name = Names.mem name env.values
+let is_module env name = (not (mem env name)) && Hashtbl.mem env.scope.modules name
+
+let value env (segments : Ast.segment list) =
+  match segments with
+  | { name; indices = [] } :: rest when mem env name.it -> Option.map (fun v -> (v, rest)) (find env name.it)
+  | { name = q; indices = [] } :: { name; indices = [] } :: rest -> (
+      match Hashtbl.find_opt env.scope.modules q.it with
+      | Some m -> Option.map (fun b -> (read b, rest)) (Hashtbl.find_opt m.top name.it)
+      | None -> None)
+  | _ -> None
+
+let global env qualifier name =
+  match qualifier with
+  | None -> (
+      match Hashtbl.find_opt env.scope.chosen name with
+      | Some global -> Some global
+      | None -> Some (env.scope.prefix ^ name))
+  | Some q -> Option.map (fun m -> m.prefix ^ name) (Hashtbl.find_opt env.scope.modules q)
+
+let scope_of env = env.scope
+let is_own env = String.equal env.scope.prefix ""
+let own env name = env.scope.prefix ^ name
+
+let declares env name = Hashtbl.mem env.scope.declared name || Hashtbl.mem env.scope.chosen name
+
+let names env = List.map fst (Names.bindings env.values)
+let modules env = Hashtbl.fold (fun name _ all -> name :: all) env.scope.modules [] |> List.sort String.compare
+
+let beside env path =
+  let folder = Filename.dirname env.scope.file in
+  if Filename.is_relative path && not (String.equal folder Filename.current_dir_name) then
+    Filename.concat folder path
+  else path

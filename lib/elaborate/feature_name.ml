@@ -16,7 +16,9 @@ let segment_span (s : Ast.segment) =
 let segments report env (path : Ast.path) =
   let add whole s =
     match (whole, Constant.segment report env s) with
-    | Some whole, Some name -> Some ((name, segment_span s) :: whole)
+    | Some whole, Some name ->
+      let name = match s.indices with [] -> Family.word env name | _ :: _ -> name in
+      Some ((name, segment_span s) :: whole)
     | _ -> None
   in
   Option.map List.rev (List.fold_left add (Some []) path.it)

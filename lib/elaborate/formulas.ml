@@ -29,18 +29,48 @@ let disjunction formulas =
   | Some ps -> Property.State (Or ps)
   | None -> Temporal_or formulas
 
-let quantified t eval env (q : Ast.quantifier) (v : Ast.name) template (body : Ast.expr) =
-  let* leaves = range t template in
-  let instance i =
-    let env = Env.add v.it { Env.value = Leaf i; span = v.at; used = false } env in
+(* The integers of a range, in order. *)
+let numbers t env (v : Ast.name) (r : Ast.bounds) =
+  let integer = Constant.integer t.c.report env "the bound of a range" in
+  let* low, high = Typed.both (integer r.low) (integer r.high) in
+  if Z.compare (Z.sub high low) (Z.of_int Limits.items) > 0 then begin
+    error t Code.too_deep r.high.at "this range has more than %d numbers" Limits.items;
+    None
+  end
+  else
+    let rec from i found =
+      if Z.compare i high > 0 then Some (List.rev found)
+      else
+        let value = Env.Number (Rat.make i Z.one) in
+        let admitted =
+          match r.filter with
+          | None -> Some true
+          | Some c ->
+            Constant.truth t.c.report (Env.add v.it { Env.value; span = v.at; used = false } env) c
+        in
+        let* admitted = admitted in
+        from (Z.succ i) (if admitted then value :: found else found)
+    in
+    from low []
+
+let members t env v = function
+  | Ast.Numbers r -> numbers t env v r
+  | Ast.Bodies e ->
+    let* leaves = range t env e in
+    Some (List.filter_map (fun i -> if i >= 0 then Some (Env.Leaf i) else None) leaves)
+
+let quantified t eval env (q : Ast.quantifier) (v : Ast.name) over (body : Ast.expr) =
+  let* values = members t env v over in
+  let instance value =
+    let env = Env.add v.it { Env.value; span = v.at; used = false } env in
     match eval env body with
     | Some (Typed.Cond f) -> Some f
-    | Some (Typed.Num _) ->
-      error t Code.type_mismatch body.at "a truth value is expected here, and this is a number";
+    | Some ((Typed.Num _ | Vec _) as v) ->
+      error t Code.type_mismatch body.at "a truth value is expected here, and this is %s" (Typed.described v);
       None
     | None -> None
   in
-  let* formulas = all (Long_list.map instance (List.filter (fun i -> i >= 0) leaves)) in
+  let* formulas = all (Long_list.map instance values) in
   match q with
   | Forall -> Some (Typed.Cond (conjunction formulas))
   | Exists -> Some (Typed.Cond (disjunction formulas))
@@ -98,8 +128,8 @@ let leads_to b f g =
 let formula t eval env (e : Ast.expr) =
   match eval env e with
   | Some (Typed.Cond f) -> Some f
-  | Some (Typed.Num _) ->
-    error t Code.type_mismatch e.at "a formula is expected here, and this is a number";
+  | Some ((Typed.Num _ | Vec _) as v) ->
+    error t Code.type_mismatch e.at "a formula is expected here, and this is %s" (Typed.described v);
     None
   | None -> None
 
@@ -126,7 +156,7 @@ let other t eval env (e : Ast.expr) =
   | Co name ->
     error t Code.type_mismatch e.at "`~%s` is a channel, and a value is expected here" name.it;
     None
-  | Number _ | True | False | Path _ | Neg _ | Not _ | Binary _ | If _ ->
+  | Number _ | True | False | Path _ | Vector _ | Neg _ | Not _ | Binary _ | If _ ->
     Bug.fail __POS__ "an expression that all algebras share"
 
 module Algebra = struct
@@ -163,6 +193,7 @@ module Algebra = struct
     state_of t at c ~hint:"a number depends on what holds at its instant"
     |> Option.map (fun p -> Property.If (p, a, b))
   let choose_cond c a b = disj (conj c a) (conj (negate c) b)
+  let nearest _ = None
   let variable = Atoms.variable
   let comparison = Atoms.comparison
   let other = other
@@ -179,7 +210,7 @@ let rec is_temporal (e : Ast.expr) =
   | Not a | Quantified (_, _, _, a) -> is_temporal a
   | Binary (_, a, b) -> is_temporal a || is_temporal b
   | If (c, a, b) -> is_temporal c || is_temporal a || is_temporal b
-  | Number _ | True | False | Path _ | Co _ | Apply _ | Neg _ | Event _ -> false
+  | Number _ | True | False | Path _ | Co _ | Apply _ | Vector _ | Neg _ | Event _ -> false
 
 let check t (k : Program.check) =
   let* f = Eval.cond t k.env k.formula in
@@ -190,8 +221,7 @@ let check t (k : Program.check) =
       ~hint:"write `always …`, `possibly …` or `eventually …`";
     None
   | Some _ | None ->
-    let text = Scc_syntax.Printer.expr k.formula in
-    Some { Property.name = k.name; span = k.span; text; formula = f }
+    Some { Property.name = k.name; span = k.span; text = k.written k.formula; formula = f }
 
 (* What is read here has been read as part of the check, so that nothing is reported, and no budget is spent. *)
 let premises t (k : Program.check) =
@@ -200,7 +230,7 @@ let premises t (k : Program.check) =
     let* f = Eval.cond t k.env possibly in
     match f with
     | Property.Finally (_, _, State _) ->
-      Some { Property.name = k.name; span = premise.Ast.at; text = Scc_syntax.Printer.expr premise; formula = f }
+      Some { Property.name = k.name; span = premise.Ast.at; text = k.written premise; formula = f }
     | _ -> None
   in
   List.filter_map read (Premises.of_check k.formula)

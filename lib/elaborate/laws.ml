@@ -46,6 +46,7 @@ module Algebra = struct
   let disj a b = Law.Or (a, b)
   let choose _ _ c a b = Some (Law.If (c, a, b))
   let choose_cond c a b = Law.Or (And (c, a), And (Not c, b))
+  let nearest x = Some (Law.Round (x, Law.Const Rat.one))
   let comparison _ _ _ _ _ = None
 
   let variable c env (path : Ast.path) =
@@ -77,12 +78,15 @@ module Algebra = struct
     | Apply ({ it = "round"; _ }, [ x; q ]) -> (
         match (eval env x, eval env q) with
         | Some (Typed.Num x), Some (Typed.Num q') -> round c q.at x q'
-        | Some (Typed.Cond _), Some _ | Some _, Some (Typed.Cond _) ->
+        | Some (Typed.Cond _ | Vec _), Some _ | Some _, Some (Typed.Cond _ | Vec _) ->
           Report.error c.report Code.type_mismatch e.at "`round` takes two numbers";
           None
         | None, _ | _, None -> None)
     | Apply ({ it = "round"; _ }, _) ->
       Report.error c.report Code.bad_arity e.at "`round` takes two arguments, a number and a quantum";
+      None
+    | Apply (f, _) when not (List.mem f.it Constant.of_state) ->
+      Typed.unknown_function c.report f ("round" :: Typed.functions);
       None
     | _ ->
       Report.error c.report Code.type_mismatch e.at "this cannot stand in a law of motion"
@@ -118,8 +122,10 @@ let law report budget env (l : Ast.law) =
     Report.error report Code.not_yet l.at "`choose` is not supported yet"
       ~hint:"this version executes `inertial` and laws given by expressions";
     None
-  | Expression (x, y, z) -> (
+  | Expression { it = Vector (x, y, z); _ } -> (
       let num = Eval.num { Algebra.report; budget } env in
       match (num x, num y, num z) with
       | Some x, Some y, Some z -> Some (Law.Velocity (x, y, z))
       | _ -> None)
+  | Expression v ->
+    Eval.vec { Algebra.report; budget } env v |> Option.map (fun (x, y, z) -> Law.Velocity (x, y, z))

@@ -13,7 +13,7 @@ type node =
   | Item of Ast.item
 
 let expr e = Expr e
-let vector (x, y, z) = [ Expr x; Expr y; Expr z ]
+let vector v = [ Expr v ]
 let path (p : Ast.path) = List.concat_map (fun (s : Ast.segment) -> Long_list.map expr s.indices) p.it
 
 let feature (f : Ast.feature) =
@@ -46,12 +46,24 @@ let leaf (l : Ast.leaf) =
 
 let bond (b : Ast.bond) = feature b.first @ feature b.second
 
+let bounds (r : Ast.bounds) = Expr r.low :: Expr r.high :: Long_list.map expr (Option.to_list r.filter)
+
+let ranged = function
+  | Ast.Bodies e -> [ Expr e ]
+  | Ast.Numbers r -> bounds r
+
+let reference (r : Ast.reference) = Long_list.map expr (r.indices @ r.arguments)
+let head (h : Ast.head) = Long_list.map expr h.places
+let definitions ds = Long_list.map (fun (_, e) -> Expr e) ds
+
 let expr_children (e : Ast.expr) =
   match e.it with
   | Number _ | True | False | Co _ -> []
   | Path p -> path p
   | Apply (_, es) | Event (_, es) -> Long_list.map expr es
-  | Neg a | Not a | Quantified (_, _, _, a) -> [ Expr a ]
+  | Neg a | Not a -> [ Expr a ]
+  | Quantified (_, _, over, a) -> Expr a :: ranged over
+  | Vector (a, b, c) -> [ Expr a; Expr b; Expr c ]
   | Binary (_, a, b) -> [ Expr a; Expr b ]
   | If (a, b, c) -> [ Expr a; Expr b; Expr c ]
   | Temporal (_, b, a) -> Expr a :: bound b
@@ -59,7 +71,8 @@ let expr_children (e : Ast.expr) =
 
 let behaviour_children (b : Ast.behaviour) =
   match b.it with
-  | Nil | Name _ -> []
+  | Nil -> []
+  | Name k -> reference k
   | Open (c, b) | Weak (c, b) -> Behaviour b :: channel c
   | Strong (cs, b) -> Behaviour b :: List.concat_map channel cs
   | Delay (e, b) -> [ Expr e; Behaviour b ]
@@ -67,10 +80,11 @@ let behaviour_children (b : Ast.behaviour) =
 
 let solid_children (s : Ast.solid) =
   match s.it with
-  | Template _ | Mesh (_, None) -> []
+  | Template t -> reference t
+  | Mesh (_, None) -> []
   | Mesh (_, Some e) -> [ Expr e ]
   | Scaled (s, v) -> Solid s :: vector v
-  | Faces (vertices, _) -> List.concat_map (fun (_, v) -> vector v) vertices
+  | Faces (vertices, _) | Hull vertices -> List.concat_map (fun (_, v) -> vector v) vertices
 
 let law (l : Ast.law) =
   match l.it with
@@ -83,18 +97,20 @@ let glue (g : Ast.glue) = feature g.glue_first @ feature g.glue_second
 
 let item_children (i : Ast.item) =
   match i.it with
-  | Model _ | Dynamics _ | Collisions _ | Binding _ -> []
+  | Model _ | Import _ | Dynamics _ | Collisions _ | Binding _ -> []
   | Param (_, e) | Timestep (e, _) | Split_step e | Resolution e | Round (_, e) | Let (_, e)
   | Check (_, e) -> [ Expr e ]
-  | Shape (_, s) -> [ Solid s ]
-  | Compound (_, parts, glues) -> Long_list.append (List.concat_map part parts) (List.concat_map glue glues)
-  | Behaviour (_, _, b) -> [ Behaviour b ]
+  | Shape (h, s, ds) -> (Solid s :: head h) @ definitions ds
+  | Compound (h, parts, glues, ds) ->
+    Long_list.append (List.concat_map part parts) (List.concat_map glue glues) @ head h @ definitions ds
+  | Behaviour (h, on, b, ds) ->
+    (Behaviour b :: head h) @ List.concat_map reference (Option.to_list on) @ definitions ds
   | Process (s, l, rest) | Fixed (s, l, rest) ->
     Long_list.map expr s.indices @ leaf l @ List.concat_map (fun (b, l) -> bond b @ leaf l) rest
   | Bond b -> bond b
   | For (ranges, items) ->
     Long_list.append
-      (List.concat_map (fun (_, a, b) -> [ Expr a; Expr b ]) ranges)
+      (List.concat_map (fun (r : Ast.range) -> bounds r.bounds) ranges)
       (Long_list.map (fun i -> Item i) items)
   | Network ps -> List.concat_map path ps
   | Motion (p, l) -> List.concat_map path (Option.to_list p) @ law l

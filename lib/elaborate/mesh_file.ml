@@ -26,7 +26,8 @@ let snapped report (path : string Ast.loc) set tolerance =
     Report.error report Code.cannot_snap path.at ?hint "the mesh `%s` cannot be snapped: %s" path.it why;
     None
 
-let read report env ~read_file path snap =
+let read report env ~read_file (path : string Ast.loc) snap =
+  let path = { path with it = Env.beside env path.it } in
   let set = file report read_file path in
   match snap with
   | None -> set

@@ -15,12 +15,15 @@ type body = {
 type behaviour = {
   env : Env.t;
   name : Ast.name;
-  on : Ast.name option;
+  label : string;
+  formals : Ast.name list;
+  definitions : Ast.definitions;
+  on : Ast.reference option;
   body : Ast.behaviour;
   mutable used : bool;
 }
 
-type check = { env : Env.t; name : string; span : Span.t; formula : Ast.expr }
+type check = { env : Env.t; name : string; span : Span.t; formula : Ast.expr; written : Ast.expr -> string }
 type motion = { env : Env.t; target : Ast.path option; law : Ast.law; at : Span.t }
 
 type t = {
@@ -60,12 +63,17 @@ type gathered = {
   mutable all_motions : motion list;
   mutable all_checks : check list;
   mutable all_values : (string * string * Env.binding) list;
+  modules : Modules.t;
   mutable expanded : int;
   mutable overflow : bool;
 }
 
-(* Where an item stands: the values of the loops about it, outermost first when printed. *)
-type place = { env : Env.t; loops : Z.t list }
+(* Where an item stands: the values of the loops about it, the innermost first, and what names their variables
+   and lets
+   have. *)
+type place = { env : Env.t; loops : Z.t list; names : string list }
+
+let at_top env = { env; loops = []; names = [] }
 
 let in_loop place =
   match place.loops with
@@ -85,30 +93,34 @@ let once_named table report (name : Ast.name) what =
 
 let bind g place what (name : Ast.name) value =
   let binding = { Env.value; span = name.at; used = false } in
-  g.all_values <- (what, name.it, binding) :: g.all_values;
+  if Env.is_own place.env then g.all_values <- (what, name.it, binding) :: g.all_values;
+  if not (in_loop place) then Hashtbl.replace (Env.scope_of place.env).top name.it binding;
   { place with env = Env.add name.it binding place.env }
 
 let param g place (name : Ast.name) e =
-  once_named g.declared g.c.report name "value";
+  let global = Env.own place.env name.it in
+  once_named g.declared g.c.report { name with it = global } "value";
   let written = Constant.number g.c.report place.env e in
   let value =
-    match List.assoc_opt name.it g.overrides with
+    match List.assoc_opt global g.overrides with
     | Some q -> Some q
     | None -> written
   in
   (* after an error the rest is read with a harmless value *)
   let q = Option.value ~default:Rat.one value in
-  g.params <- (name.it, q) :: g.params;
+  g.params <- (global, q) :: g.params;
   bind g place "parameter" name (Env.Number q)
 
 let let_ g place (name : Ast.name) e =
-  if not (in_loop place) then once_named g.declared g.c.report name "value";
+  if not (in_loop place) then
+    once_named g.declared g.c.report { name with it = Env.own place.env name.it } "value";
   let value =
     if Constant.is_constant place.env e then
       Option.value ~default:(Env.Number Rat.one) (Constant.value g.c.report place.env e)
     else Env.Macro (e, place.env)
   in
-  bind g place "`let`" name value
+  let place = bind g place "`let`" name value in
+  if in_loop place then { place with names = name.it :: place.names } else place
 
 let check g place (name : Ast.name) formula =
   let printed =
@@ -117,14 +129,24 @@ let check g place (name : Ast.name) formula =
     | loops -> Printf.sprintf "%s[%s]" name.it (String.concat "," (List.rev_map Z.to_string loops))
   in
   once_named g.check_names g.c.report { name with it = printed } "check";
-  g.all_checks <- { env = place.env; name = printed; span = name.at; formula } :: g.all_checks
+  let written e = Scc_syntax.Printer.expr (Written.expr place.env place.names e) in
+  g.all_checks <- { env = place.env; name = printed; span = name.at; formula; written } :: g.all_checks
 
-let declare_behaviour g place (name : Ast.name) on body =
-  match Hashtbl.find_opt g.behaviour_table name.it with
+let enter_behaviour g place (name : Ast.name) (head : Family.head) definitions on body =
+  Hashtbl.replace (Env.scope_of place.env).declared name.it ();
+  match Hashtbl.find_opt g.behaviour_table head.key with
   | Some first ->
-    Report.error g.c.report Code.duplicate_name name.at "the behaviour `%s` is declared twice" name.it
+    Report.error g.c.report Code.duplicate_name name.at "the behaviour `%s` is declared twice" head.key
       ~notes:[ (first.name.at, "the first is here") ]
-  | None -> Hashtbl.add g.behaviour_table name.it { env = place.env; name; on; body; used = false }
+  | None ->
+    let { Family.key; formals } = head in
+    Hashtbl.add g.behaviour_table key
+      { env = place.env; name; label = key; formals; definitions; on; body; used = false }
+
+let declare_behaviour g place (head : Ast.head) definitions on body =
+  Option.iter
+    (fun known -> enter_behaviour g place head.declared known definitions on body)
+    (Family.head g.c.report place.env head)
 
 let step g place earlier what (e : Ast.expr) =
   match earlier with
@@ -139,17 +161,17 @@ let body g place fixed name first rest span =
 (* Declarations that have no index to tell their copies apart do not stand in a loop. *)
 let allowed_in_loop (item : Ast.item) =
   match item.it with
-  | Process _ | Fixed _ | Bond _ | For _ | Motion _ | Let _ | Check _ -> true
-  | Model _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Resolution _
+  | Process _ | Fixed _ | Bond _ | For _ | Motion _ | Let _ | Check _ | Behaviour _ -> true
+  | Model _ | Import _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Resolution _
   | Round _ | Shape _ | Compound _
-  | Behaviour _ | Network _ -> false
+  | Network _ -> false
 
-let range g place ((name : Ast.name), low, high) =
+let range g place (r : Ast.range) =
   match
-    ( Constant.integer g.c.report place.env "the bound of a loop" low,
-      Constant.integer g.c.report place.env "the bound of a loop" high )
+    ( Constant.integer g.c.report place.env "the bound of a loop" r.bounds.low,
+      Constant.integer g.c.report place.env "the bound of a loop" r.bounds.high )
   with
-  | Some a, Some b -> Some (name, a, b)
+  | Some a, Some b -> Some (a, b)
   | _ -> None
 
 let too_many g at =
@@ -162,9 +184,16 @@ let too_many g at =
 let rec item g place (i : Ast.item) =
   g.expanded <- g.expanded + 1;
   match i.it with
+  | _ when not (Env.is_own place.env || Modules.may_hold i) ->
+    Report.error g.c.report Code.wrong_kind i.at "this declaration cannot be imported"
+      ~hint:"a module declares parameters, lets, shapes, compounds and behaviours; bodies, laws, checks \
+             and settings are the \
+             model's";
+    place
+  | Import import when not (in_loop place) -> { place with env = imported g place import }
   | _ when in_loop place && not (allowed_in_loop i) ->
     Report.error g.c.report Code.wrong_kind i.at "this declaration cannot stand in a `for`"
-      ~hint:"only processes, fixed bodies, bonds, motions, lets and checks can";
+      ~hint:"only processes, fixed bodies, bonds, motions, lets, checks and behaviours can";
     place
   | Param (name, e) -> param g place name e
   | Let (name, e) -> let_ g place name e
@@ -174,6 +203,12 @@ let rec item g place (i : Ast.item) =
   | _ ->
     simple g place i;
     place
+
+and imported g place import =
+  let read scope items =
+    ignore (List.fold_left (item g) (at_top (Env.root scope)) items)
+  in
+  Modules.import g.modules g.c.report ~read_file:g.c.read_file ~read place.env import
 
 and simple g place (i : Ast.item) =
   match i.it with
@@ -189,13 +224,13 @@ and simple g place (i : Ast.item) =
   | Binding name -> Settings.read_binding g.settings g.c.report name
   | Resolution e -> Settings.resolution g.settings g.c.report place.env e
   | Round (what, e) -> Settings.round g.settings g.c.report place.env what e
-  | Shape (name, solid) ->
-    g.templates <- name.it :: g.templates;
-    Templates.declare g.c place.env name solid
-  | Compound (name, parts, glues) ->
-    g.templates <- name.it :: g.templates;
-    Compounds.declare g.c place.env name parts glues
-  | Behaviour (name, on, b) -> declare_behaviour g place name on b
+  | Shape (head, solid, definitions) ->
+    g.templates <- Env.own place.env head.declared.it :: g.templates;
+    Templates.declare_shape g.c place.env head solid definitions
+  | Compound (head, parts, glues, definitions) ->
+    g.templates <- Env.own place.env head.declared.it :: g.templates;
+    Compounds.declare g.c place.env head parts glues definitions
+  | Behaviour (head, on, b, definitions) -> declare_behaviour g place head definitions on b
   | Process (name, first, rest) -> body g place false name first rest i.at
   | Fixed (name, first, rest) -> body g place true name first rest i.at
   | Bond b -> g.all_bonds <- (place.env, b) :: g.all_bonds
@@ -205,7 +240,7 @@ and simple g place (i : Ast.item) =
   | Motion (target, law) ->
     g.all_motions <- { env = place.env; target; law; at = i.at } :: g.all_motions
   | Check (name, e) -> check g place name e
-  | Param _ | Let _ | For _ -> Bug.fail __POS__ "a declaration that changes the scope"
+  | Import _ | Param _ | Let _ | For _ -> Bug.fail __POS__ "a declaration that changes the scope"
 
 (* The ranges of one [for] nest, the first outermost. *)
 and loop g place at ranges items =
@@ -214,18 +249,30 @@ and loop g place at ranges items =
   | first :: rest -> (
       match range g place first with
       | None -> ()
-      | Some (name, low, high) ->
+      | Some (low, high) ->
         if Z.compare (Z.sub high low) (Z.of_int Limits.items) > 0 then too_many g at
-        else iterate g place at name low high rest items)
+        else iterate g place at first low high rest items)
 
-and iterate g place at (name : Ast.name) i high rest items =
+and iterate g place at (r : Ast.range) i high rest items =
   if Z.compare i high > 0 then ()
   else if g.overflow || g.expanded >= Limits.items then too_many g at
   else begin
     g.expanded <- g.expanded + 1;
-    let binding = { Env.value = Number (Rat.make i Z.one); span = name.at; used = false } in
-    loop g { env = Env.add name.it binding place.env; loops = i :: place.loops } at rest items;
-    iterate g place at name (Z.succ i) high rest items
+    let binding = { Env.value = Number (Rat.make i Z.one); span = r.index.at; used = false } in
+    let inner =
+      {
+        env = Env.add r.index.it binding place.env;
+        loops = i :: place.loops;
+        names = r.index.it :: place.names;
+      }
+    in
+    let admitted =
+      match r.bounds.filter with
+      | None -> Some true
+      | Some c -> Constant.truth g.c.report inner.env c
+    in
+    if Option.value ~default:false admitted then loop g inner at rest items;
+    if Option.is_some admitted then iterate g place at r (Z.succ i) high rest items
   end
 
 let gather c overrides =
@@ -248,6 +295,7 @@ let gather c overrides =
     all_motions = [];
     all_checks = [];
     all_values = [];
+    modules = Modules.create ();
     expanded = 0;
     overflow = false;
   }
@@ -281,9 +329,17 @@ let program g =
     values = List.rev g.all_values;
   }
 
+(* As the model's folder knows it. *)
+let file_of (model : Ast.model) =
+  match model with
+  | [] -> ""
+  | i :: _ -> Filename.basename i.at.file
+
 let read c ~overrides model =
   let g = gather c overrides in
-  ignore (List.fold_left (item g) { env = Env.empty; loops = [] } model);
+  c.root <- Env.root (Env.scope ~prefix:"" ~file:(file_of model));
+  Modules.start g.modules (Env.scope_of c.root);
+  ignore (List.fold_left (item g) (at_top c.root) model);
   check_overrides g;
   if List.length model = 0 then Report.error c.report Code.empty_model Span.none "the model declares nothing";
   if g.overflow then None else Some (program g)

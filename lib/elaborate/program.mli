@@ -19,7 +19,10 @@ type body = {
 type behaviour = {
   env : Env.t;
   name : Ast.name;
-  on : Ast.name option;
+  label : string;  (** its key ({!Family.head}) *)
+  formals : Ast.name list;
+  definitions : Ast.definitions;
+  on : Ast.reference option;
   body : Ast.behaviour;
   mutable used : bool;
 }
@@ -29,6 +32,7 @@ type check = {
   name : string;  (** with the values of the loops about it: [safe[2]] *)
   span : Span.t;
   formula : Ast.expr;
+  written : Ast.expr -> string;  (** a part of it with the values of the loops about it *)
 }
 
 type motion = { env : Env.t; target : Ast.path option; law : Ast.law; at : Span.t }

@@ -51,7 +51,7 @@ let leaf t env (e : Ast.expr) =
       in
       match bound with
       | Some (Env.Leaf i) -> Some i
-      | Some (Number _ | Truth _ | Macro _) | None ->
+      | Some (Number _ | Truth _ | Vector _ | Word _ | Macro _) | None ->
         let* name = Composition.single t.c.report env path in
         resolve_leaf t name)
   | _ ->
@@ -121,17 +121,52 @@ let owner t i =
     (fun (l : Bodies.leaf) -> { Behaviours.name = l.name; shape = l.shape; span = l.span })
     t.bodies.leaves.(t.numbers.(i))
 
-let range t (name : Ast.name) =
-  match (Hashtbl.find_opt t.c.templates name.it, Registry.find t.bodies.registry name.it) with
-  | Some template, _ ->
+(* [T], [m.T] and [T(a, b)] as references; of a family, [T] alone is all of its members. *)
+let template_of (e : Ast.expr) =
+  let plain target = { Ast.qualifier = None; target; indices = []; arguments = [] } in
+  match e.it with
+  | Path { it = [ { name; indices = [] } ]; _ } -> Some (plain name)
+  | Path { it = [ { name = q; indices = [] }; { name; indices = [] } ]; _ } ->
+    Some { (plain name) with qualifier = Some q }
+  | Apply (f, arguments) -> Some { (plain f) with arguments }
+  | _ -> None
+
+let of_template t label = Option.value ~default:[] (Hashtbl.find_opt t.by_template label)
+
+let template_members t env r =
+  let* r = r in
+  let scratch = Report.create () in
+  let* reference = Family.reference scratch env r in
+  match Hashtbl.find_opt t.c.templates reference.label with
+  | Some template ->
     template.used <- true;
-    Some (Option.value ~default:[] (Hashtbl.find_opt t.by_template name.it))
-  | None, Some (Leaf i) -> Some [ t.composition.index.(i) ]
-  | None, Some (Process list | Family list) ->
+    Some (of_template t reference.label)
+  | None ->
+    let family key _ found = found || String.equal (Family.bare key) reference.label in
+    if Hashtbl.fold family t.c.families false || Hashtbl.mem t.by_template reference.label then
+      Some (of_template t reference.label)
+    else None
+
+let body_members t env (e : Ast.expr) =
+  let scratch = Report.create () in
+  let* name =
+    match e.it with
+    | Path { it = [ segment ]; _ } -> Constant.segment scratch env segment
+    | _ -> None
+  in
+  let* found = Registry.find t.bodies.registry name in
+  match found with
+  | Leaf i -> Some [ t.composition.index.(i) ]
+  | Process list | Family list ->
     Some (Long_list.map (fun i -> t.composition.index.(i)) (List.sort Int.compare list))
+
+let range t env (e : Ast.expr) =
+  match (template_members t env (template_of e), body_members t env e) with
+  | Some members, _ | None, Some members -> Some members
   | None, None ->
-    error t Code.unknown_name name.at "unknown template `%s`" name.it
-      ~near:(name.it, fun () -> Context.template_names t.c @ Registry.names t.bodies.registry);
+    let name = Scc_syntax.Printer.expr e in
+    error t Code.unknown_name e.at "unknown template `%s`" name
+      ~near:(name, fun () -> Context.template_names t.c @ Registry.names t.bodies.registry);
     None
 
 let create (c : Context.t) (bodies : Bodies.t) (composition : Composition.t) behaviours =
@@ -142,9 +177,14 @@ let create (c : Context.t) (bodies : Bodies.t) (composition : Composition.t) beh
     match bodies.leaves.(i) with
     | None -> ()
     | Some l ->
+      let put label =
+        let others = Option.value ~default:[] (Hashtbl.find_opt by_template label) in
+        Hashtbl.replace by_template label (composition.index.(i) :: others)
+      in
       let label = Shape.label l.shape in
-      let others = Option.value ~default:[] (Hashtbl.find_opt by_template label) in
-      Hashtbl.replace by_template label (composition.index.(i) :: others)
+      put label;
+      let family = Family.bare label in
+      if not (String.equal family label) then put family
   in
   List.iter enter (List.rev numbers);
   let budget = Typed.budget () and law_budget = Typed.budget () in

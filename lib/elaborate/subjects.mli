@@ -44,6 +44,7 @@ val bond_name : t -> Env.t -> Ast.expr -> string option
 val owner : t -> int -> Behaviours.owner option
 (** A leaf of the model as an owner of behaviours. *)
 
-val range : t -> Ast.name -> int list option
-(** The leaves that a quantifier over the name ranges over; those that are not in the network are
-    negative. *)
+val range : t -> Env.t -> Ast.expr -> int list option
+(** The leaves that a quantifier over a template, process or family ranges over; those that are not in the
+    network are
+    negative. A family of templates stands for all of its instances. *)

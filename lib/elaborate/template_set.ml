@@ -5,38 +5,12 @@ open Scc_syntax
 
 let ( let* ) = Option.bind
 
-let environment report overrides (model : Ast.model) =
-  let add env (item : Ast.item) =
-    let bind (name : Ast.name) value =
-      Env.add name.it { Env.value; span = name.at; used = false } env
-    in
-    match item.it with
-    | Param (name, e) -> (
-        match List.assoc_opt name.it overrides with
-        | Some q -> bind name (Env.Number q)
-        | None -> (
-            match Constant.number report env e with
-            | Some q -> bind name (Env.Number q)
-            | None -> env))
-    | Let (name, e) when Constant.is_constant env e -> (
-        match Constant.value report env e with Some v -> bind name v | None -> env)
-    | _ -> env
-  in
-  List.fold_left add Env.empty model
-
-let templates (model : Ast.model) =
+let names (model : Ast.model) =
   List.filter_map
     (fun (item : Ast.item) ->
-       match item.it with Shape (name, solid) -> Some (name.it, solid) | _ -> None)
+       match item.it with Shape (head, _, _) -> Some (Printer.head head) | _ -> None)
     model
 
-let is_compound (model : Ast.model) name =
-  List.exists
-    (fun (item : Ast.item) ->
-       match item.it with Compound (n, _, _) -> String.equal n.it name | _ -> false)
-    model
-
-let names model = List.map fst (templates model)
 let all options = if List.for_all Option.is_some options then Some (List.filter_map Fun.id options) else None
 
 let listed report env vertices faces =
@@ -63,33 +37,59 @@ let scaled (set : Polyhedron.ifs) (f : Vec.t) =
   in
   { set with ifs_vertices = Array.map scale set.ifs_vertices }
 
-(* A template may only name those before it, so what is left to look at shrinks. *)
-let rec before name = function
-  | [] -> None
-  | (n, solid) :: earlier -> if String.equal n name then Some (solid, earlier) else before name earlier
+let hull report env at points =
+  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.vector report env v) in
+  let* points = all (List.map place points) in
+  Solids.hull report at points
 
-let rec set report read_file env earlier (solid : Ast.solid) =
+(* References from shape to shape, as those of {!Templates}. *)
+let max_nesting = 100
+
+let rec set (c : Context.t) report depth env (solid : Ast.solid) =
   match solid.it with
   | Faces (vertices, faces) -> listed report env vertices faces
-  | Mesh (path, snap) -> Mesh_file.read report env ~read_file path snap
+  | Hull points -> hull report env solid.at points
+  | Mesh (path, snap) -> Mesh_file.read report env ~read_file:c.read_file path snap
   | Scaled (inner, factors) ->
-    let* set = set report read_file env earlier inner in
+    let* set = set c report depth env inner in
     let* f = Constant.scaling report env solid.at factors in
     Some (scaled set f)
-  | Template name -> named report read_file env earlier name.it name.at
+  | Template r -> named c report depth env r
 
-and named report read_file env earlier name at =
-  match before name earlier with
-  | Some (solid, earlier) -> set report read_file env earlier solid
-  | None ->
-    Report.error report Code.unknown_name at "unknown template `%s`" name
-      ~near:(name, fun () -> List.map fst earlier);
+and named c report depth env (r : Ast.reference) =
+  let* reference = Family.reference report env r in
+  match Family.find c.sources reference with
+  | Some _ when depth > max_nesting ->
+    Report.error report Code.too_deep r.target.at "more than %d instances of shapes are needed for one another"
+      max_nesting;
     None
+  | Some source ->
+    let env = Family.bind source.scope source.source_head.formals reference.arguments in
+    set c report (depth + 1) (Family.define report env source.definitions) source.written
+  | None when Hashtbl.mem c.templates reference.label || Option.is_some (Family.find c.families reference) ->
+    Report.error report Code.wrong_kind r.target.at "`%s` is a compound, and a single shape is needed \
+                                                     here" reference.label
+      ~hint:"its parts are the shapes to look at";
+    None
+  | None -> (
+      match Solids.find report r reference with
+      | Some ifs -> ifs
+      | None ->
+        Family.unknown report "template" (Family.keys c.sources) r reference;
+        None)
+
+(* A name as on the command line: [Cube], [m.Cube], [Brick(1, 2, 3)]. *)
+let reference asked_at name =
+  let at (n : Ast.name) = { n with at = asked_at } in
+  match Scc_syntax.Parse.parse (Source.make ~name:"the command line" ("fixed it = " ^ name)) with
+  | Ok [ { it = Fixed (_, { solid = { it = Template r; _ }; _ }, []); _ } ] ->
+    { r with target = at r.target; qualifier = Option.map at r.qualifier }
+  | Ok _ | Error _ ->
+    { Ast.qualifier = None; target = { Ast.it = name; at = asked_at }; indices = []; arguments = [] }
 
 (* Values for parameters that there are not. *)
-let check_overrides report overrides (model : Ast.model) at =
-  let parameter (item : Ast.item) = match item.it with Param (name, _) -> Some name.it | _ -> None in
-  let names = List.filter_map parameter model in
+let check_overrides report overrides (program : Program.t option) at =
+  let names = match program with Some p -> List.map fst p.parameters | None -> List.map fst overrides in
   let check (name, _) =
     if not (List.exists (String.equal name) names) then
       Report.error report Code.unknown_parameter at "the model has no parameter `%s`" name
@@ -97,16 +97,15 @@ let check_overrides report overrides (model : Ast.model) at =
   in
   List.iter check overrides
 
+(* What else is wrong with the model is not looked at. *)
 let find ~read_file ~overrides ~asked_at model name =
+  let c = Context.create ~read_file in
   let report = Report.create () in
   Limits.check_depth report model;
-  check_overrides report overrides model asked_at;
-  if is_compound model name then
-    Report.error report Code.wrong_kind asked_at "`%s` is a compound, and a single shape is needed here" name
-      ~hint:"its parts are the shapes to look at";
   if Report.failed report then Error (Report.errors report)
-  else
-    let env = environment report overrides model in
-    match named report read_file env (List.rev (templates model)) name asked_at with
+  else begin
+    check_overrides report overrides (Program.read c ~overrides model) asked_at;
+    match named c report 0 c.root (reference asked_at name) with
     | Some set when not (Report.failed report) -> Ok set
     | _ -> Error (Report.errors report)
+  end

@@ -5,22 +5,8 @@ open Scc_syntax
 
 let ( let* ) = Option.bind
 
-let admit (c : Context.t) (name : Ast.name) shape =
-  match Hashtbl.find_opt c.templates name.it with
-  | Some earlier ->
-    Report.error c.report Code.duplicate_name name.at "the template `%s` is declared twice" name.it
-      ~notes:[ (earlier.span, "the first is here") ]
-  | None -> Hashtbl.add c.templates name.it { Context.shape; span = name.at; used = false }
-
-let find (c : Context.t) (name : Ast.name) =
-  match Hashtbl.find_opt c.templates name.it with
-  | Some t ->
-    t.used <- true;
-    t.shape
-  | None ->
-    Report.error c.report Code.unknown_name name.at "unknown template `%s`" name.it
-      ~near:(name.it, fun () -> Context.template_names c);
-    None
+(* Instances that are made for one another. *)
+let max_nesting = 100
 
 (* The spans of the vertices and faces of a solid that the model itself lists. *)
 type places = { whole : Span.t; vertices : Span.t array; faces : Span.t array }
@@ -95,6 +81,86 @@ let check_names (c : Context.t) vertices faces =
   let faces = Long_list.map (fun (n, _) -> fresh n) faces in
   List.for_all Fun.id vertices && List.for_all Fun.id faces
 
+(* Sets of faces that are made, and not written. *)
+let made (c : Context.t) ~label at ifs = accept c { whole = at; vertices = [||]; faces = [||] } ~label ifs
+
+let hull (c : Context.t) env ~label at points =
+  let distinct = check_names c points [] in
+  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.vector c.report env v) in
+  let places = Long_list.map place points in
+  if distinct && List.for_all Option.is_some places then
+    Option.bind (Solids.hull c.report at (List.filter_map Fun.id places)) (made c ~label at)
+  else None
+
+let taken (c : Context.t) key =
+  match (Hashtbl.find_opt c.templates key, Hashtbl.find_opt c.families key) with
+  | Some t, _ -> Some t.span
+  | None, Some f -> Some f.family_span
+  | None, None -> None
+
+let enter (c : Context.t) env (h : Ast.head) (head : Family.head) make =
+  let at = h.declared.at in
+  Hashtbl.replace (Env.scope_of env).declared h.declared.it ();
+  match (taken c head.key, head.formals) with
+  | Some first, _ ->
+    Report.error c.report Code.duplicate_name at "the template `%s` is declared twice" head.key
+      ~notes:[ (first, "the first is here") ]
+  | None, [] ->
+    Hashtbl.add c.templates head.key
+      { Context.shape = make env head.key; span = at; own = Env.is_own env; used = false }
+  | None, _ :: _ ->
+    let make (r : Family.reference) = make (Family.bind env head.formals r.arguments) r.label in
+    Hashtbl.add c.families head.key
+      { Context.head; make; family_span = at; family_own = Env.is_own env; instances = 0 }
+
+let declare (c : Context.t) env (h : Ast.head) definitions make =
+  let make env label = make (Family.define c.report env definitions) label in
+  Option.iter (fun head -> enter c env h head make) (Family.head c.report env h)
+
+let instance (c : Context.t) (f : Context.family) (r : Ast.reference) (reference : Family.reference) =
+  if c.nesting >= max_nesting then begin
+    Report.error c.report Code.too_deep r.target.at "more than %d instances of shapes are needed for one \
+                                                     another: `%s`"
+      max_nesting reference.label;
+    None
+  end
+  else begin
+    f.instances <- f.instances + 1;
+    c.nesting <- c.nesting + 1;
+    let shape = f.make reference in
+    c.nesting <- c.nesting - 1;
+    Hashtbl.replace c.templates reference.label
+      { Context.shape; span = f.family_span; own = false; used = true };
+    shape
+  end
+
+let known (c : Context.t) (reference : Family.reference) =
+  match Hashtbl.find_opt c.templates reference.label with
+  | Some t ->
+    t.used <- true;
+    Some t.shape
+  | None -> None
+
+let find_known (c : Context.t) (r : Ast.reference) (reference : Family.reference) =
+  match (known c reference, Family.find c.families reference) with
+  | Some shape, _ -> shape
+  | None, Some f -> instance c f r reference
+  | None, None -> (
+      match Solids.find c.report r reference with
+      | Some ifs ->
+        let solid = Option.bind ifs (made c ~label:reference.label r.target.at) in
+        let shape = Option.map (fun b -> Shape.Basic b) solid in
+        Hashtbl.replace c.templates reference.label
+          { Context.shape; span = r.target.at; own = false; used = true };
+        shape
+      | None ->
+        Family.unknown c.report "template" (Context.template_names c @ Solids.names) r reference;
+        None)
+
+let find (c : Context.t) env (r : Ast.reference) =
+  let* reference = Family.reference c.report env r in
+  find_known c r reference
+
 let resolve_corners (c : Context.t) index (face : Ast.name) corners =
   let names () = Hashtbl.fold (fun name _ all -> name :: all) index [] |> List.sort String.compare in
   let resolve (n : Ast.name) =
@@ -132,13 +198,13 @@ let mesh (c : Context.t) env ~label (path : string Ast.loc) snap =
 
 let rec basic (c : Context.t) env ~label (s : Ast.solid) =
   match s.it with
-  | Template name -> (
-      let* shape = find c name in
+  | Template r -> (
+      let* shape = find c env r in
       match shape with
       | Basic b -> Some b
       | Compound _ ->
-        Report.error c.report Code.wrong_kind name.at "`%s` is a compound, and a single solid is needed here"
-          name.it;
+        Report.error c.report Code.wrong_kind r.target.at
+          "`%s` is a compound, and a single solid is needed here" r.target.it;
         None)
   | Scaled (inner, factors) ->
     let inner = basic c env ~label inner and factors = Constant.scaling c.report env s.at factors in
@@ -147,16 +213,22 @@ let rec basic (c : Context.t) env ~label (s : Ast.solid) =
     let polyhedron, id = c.scaled b f in
     Some { b with id; polyhedron }
   | Mesh (path, snap) -> mesh c env ~label path snap
+  | Hull points -> hull c env ~label s.at points
   | Faces (vertices, faces) -> listed c env ~label s.at vertices faces
 
 let shape (c : Context.t) env ~label (s : Ast.solid) =
   match s.it with
-  | Template name -> find c name
-  | Scaled _ | Mesh _ | Faces _ -> Option.map (fun b -> Shape.Basic b) (basic c env ~label s)
+  | Template r -> find c env r
+  | Scaled _ | Mesh _ | Faces _ | Hull _ -> Option.map (fun b -> Shape.Basic b) (basic c env ~label s)
 
-let declare c env (name : Ast.name) solid =
-  let shape = basic c env ~label:name.it solid in
-  admit c name (Option.map (fun b -> Shape.Basic { b with Shape.label = name.it }) shape)
+let declare_shape (c : Context.t) env head solid definitions =
+  Option.iter
+    (fun (known : Family.head) ->
+       Hashtbl.replace c.sources known.key { Context.scope = env; source_head = known; written = solid;
+                                             definitions })
+    (Family.head (Report.create ()) env head);
+  declare c env head definitions (fun env label ->
+      basic c env ~label solid |> Option.map (fun b -> Shape.Basic { b with Shape.label }))
 
 (* The roots of what is in use: an image of an off-centre shape is off centre through no fault of its own. *)
 let warn_off_centre (c : Context.t) =
@@ -176,6 +248,8 @@ let warn_off_centre (c : Context.t) =
           ~hint:"nothing depends on it: motion and contact are computed about the true centroid"
     end
   in
-  let in_use = Hashtbl.fold (fun _ t list -> if t.Context.used then t :: list else list) c.templates [] in
+  let in_use =
+    Hashtbl.fold (fun _ t list -> if t.Context.used && t.own then t :: list else list) c.templates []
+  in
   let in_order (a : Context.template) (b : Context.template) = Int.compare a.span.start b.span.start in
   List.iter (fun t -> List.iter (warn t) (roots t)) (List.sort in_order in_use)

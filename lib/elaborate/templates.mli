@@ -9,11 +9,16 @@ val basic : Context.t -> Env.t -> label:string -> Ast.solid -> Shape.basic optio
 val shape : Context.t -> Env.t -> label:string -> Ast.solid -> Shape.t option
 (** The same where a compound is allowed as well. *)
 
-val declare : Context.t -> Env.t -> Ast.name -> Ast.solid -> unit
-(** [shape NAME = …]. *)
+val find : Context.t -> Env.t -> Ast.reference -> Shape.t option
+(** A template by its name, or one of a family, which is made when it is first asked for. *)
 
-val admit : Context.t -> Ast.name -> Shape.t option -> unit
-(** Enters a template (SC0202 when the name is taken). *)
+val declare :
+  Context.t -> Env.t -> Ast.head -> Ast.definitions -> (Env.t -> string -> Shape.t option) -> unit
+(** Enters a template or a family of them, each to be made in the scope of its definitions under its label (SC0202
+    when the name is taken). *)
+
+val declare_shape : Context.t -> Env.t -> Ast.head -> Ast.solid -> Ast.definitions -> unit
+(** [shape NAME = …]. *)
 
 val warn_off_centre : Context.t -> unit
 (** SC0312 for each declared template in use that is not centred and not an image of another. *)

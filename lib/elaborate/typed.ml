@@ -1,70 +1,19 @@
 open Scc_base
-open Scc_exact
 open Scc_syntax
-open Scc_calculus
 
-type ('n, 'c) value = Num of 'n | Cond of 'c
-type budget = { mutable left : int; mutable spent_on : Span.t }
+type ('n, 'c) value = ('n, 'c) Algebra.value = Num of 'n | Cond of 'c | Vec of 'n * 'n * 'n
+type budget = Algebra.budget = { mutable left : int; mutable spent_on : Span.t }
+
+module type ALGEBRA = Algebra.S
 
 let budget () = { left = Limits.terms; spent_on = Span.none }
-
-module type ALGEBRA = sig
-  type context
-  type num
-  type cond
-
-  val report : context -> Report.t
-  val budget : context -> budget
-  val const : Rat.t -> num
-  val constant : num -> Rat.t option
-  val neg : num -> num
-  val add : num -> num -> num
-  val sub : num -> num -> num
-  val mul : num -> num -> num
-  val div : num -> num -> num
-  val bool : bool -> cond
-  val truth : cond -> bool option
-  val compare : Law.comparison -> num -> num -> cond
-  val negate : cond -> cond
-  val conj : cond -> cond -> cond
-  val disj : cond -> cond -> cond
-  val choose : context -> Span.t -> cond -> num -> num -> num option
-  val choose_cond : cond -> cond -> cond -> cond
-  val variable : context -> Env.t -> Ast.path -> (num, cond) value option
-
-  val comparison :
-    context -> Env.t -> Ast.binary -> Ast.expr -> Ast.expr -> (num, cond) value option option
-
-  val other :
-    context ->
-    (Env.t -> Ast.expr -> (num, cond) value option) ->
-    Env.t ->
-    Ast.expr ->
-    (num, cond) value option
-end
-
-let both a b =
-  match (a, b) with
-  | Some a, Some b -> Some (a, b)
-  | _, _ -> None
+let both = Operations.both
+let functions = Operations.functions
+let described = Operations.described
+let unknown_function = Operations.unknown_function
 
 module Make (A : ALGEBRA) = struct
-  let error ctx ?hint code span fmt = Report.error (A.report ctx) ?hint code span fmt
-  let ( let* ) = Option.bind
-
-  let as_num ctx at = function
-    | None -> None
-    | Some (Num n) -> Some n
-    | Some (Cond _) ->
-      error ctx Code.type_mismatch at "a number is expected here, and this is a truth value";
-      None
-
-  let as_cond ctx at = function
-    | None -> None
-    | Some (Cond c) -> Some c
-    | Some (Num _) ->
-      error ctx Code.type_mismatch at "a truth value is expected here, and this is a number";
-      None
+  include Operations.Make (A)
 
   let spend ctx =
     let budget = A.budget ctx in
@@ -74,72 +23,6 @@ module Make (A : ALGEBRA) = struct
         "the laws and formulas of the model have more than %d terms, written out"
         Limits.terms;
     budget.left > 0
-
-  (* An exact operation on constants. The size of what it makes is bounded beforehand by the sizes of what it
-     is made of. *)
-  let fold ctx at operation a b =
-    if Rat.bits a + Rat.bits b > Limits.number_bits then begin
-      error ctx Code.number_too_large at "this constant is too large (more than %d bits)"
-        Limits.number_bits;
-      None
-    end
-    else Some (A.const (operation a b))
-
-  let arithmetic ctx at (op : Ast.binary) a b =
-    let exact, general =
-      match op with
-      | Add -> (Rat.add, A.add)
-      | Sub -> (Rat.sub, A.sub)
-      | Mul -> (Rat.mul, A.mul)
-      | Div -> (Rat.div, A.div)
-      | Lt | Le | Gt | Ge | Eq | Ne | And | Or | Implies -> Bug.fail __POS__ "not an arithmetic operator"
-    in
-    match (op, A.constant a, A.constant b) with
-    | Div, _, Some d when Rat.sign d = 0 ->
-      error ctx Code.division_by_zero at "division by zero";
-      None
-    | _, Some p, Some q -> fold ctx at exact p q
-    | _ -> Some (general a b)
-
-  let compare comparison a b =
-    match (A.constant a, A.constant b) with
-    | Some p, Some q -> A.bool (Law.compare_rationals comparison p q)
-    | _ -> A.compare comparison a b
-
-  let negate c =
-    match A.truth c with
-    | Some b -> A.bool (not b)
-    | None -> A.negate c
-
-  let conj a b =
-    match (A.truth a, A.truth b) with
-    | Some false, _ | _, Some false -> A.bool false
-    | Some true, _ -> b
-    | _, Some true -> a
-    | None, None -> A.conj a b
-
-  let disj a b =
-    match (A.truth a, A.truth b) with
-    | Some true, _ | _, Some true -> A.bool true
-    | Some false, _ -> b
-    | _, Some false -> a
-    | None, None -> A.disj a b
-
-  let connective (op : Ast.binary) a b =
-    match op with
-    | And -> conj a b
-    | Or -> disj a b
-    | Implies -> disj (negate a) b
-    | Add | Sub | Mul | Div | Lt | Le | Gt | Ge | Eq | Ne -> Bug.fail __POS__ "not a connective"
-
-  let comparison_of : Ast.binary -> Law.comparison option = function
-    | Lt -> Some Law.Lt
-    | Le -> Some Law.Le
-    | Gt -> Some Law.Gt
-    | Ge -> Some Law.Ge
-    | Eq -> Some Law.Eq
-    | Ne -> Some Law.Ne
-    | Add | Sub | Mul | Div | And | Or | Implies -> None
 
   let rec at_depth ctx depth env (e : Ast.expr) =
     if depth > Limits.depth then begin
@@ -153,12 +36,20 @@ module Make (A : ALGEBRA) = struct
       | True -> Some (Cond (A.bool true))
       | False -> Some (Cond (A.bool false))
       | Path path -> name ctx depth env path
-      | Neg a ->
-        let* n = num_at ctx (depth + 1) env a in
-        Some (Num (match A.constant n with Some q -> A.const (Rat.neg q) | None -> A.neg n))
+      | Vector (x, y, z) ->
+        let component = num_at ctx (depth + 1) env in
+        let x = component x and y = component y and z = component z in
+        let* x, y = both x y in
+        let* z = z in
+        Some (Vec (x, y, z))
+      | Neg a -> (
+          match at_depth ctx (depth + 1) env a with
+          | Some (Vec (x, y, z)) -> Some (Vec (negated x, negated y, negated z))
+          | other -> num (Option.map negated (as_num ctx a.at other)))
       | Not a -> Option.map (fun c -> Cond (negate c)) (cond_at ctx (depth + 1) env a)
       | Binary (op, a, b) -> binary ctx depth env e.at op a b
       | If (c, a, b) -> conditional ctx depth env c a b
+      | Apply (f, es) when List.mem f.it functions -> apply ctx depth env e.at f.it es
       | Apply _ | Co _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ->
         A.other ctx (at_depth ctx (depth + 1)) env e
 
@@ -166,33 +57,88 @@ module Make (A : ALGEBRA) = struct
   and cond_at ctx depth env (e : Ast.expr) = as_cond ctx e.at (at_depth ctx depth env e)
 
   and name ctx depth env (path : Ast.path) =
-    match path.it with
-    | [ { name; indices = [] } ] -> (
-        match Env.find env name.it with
-        | Some (Number q) -> Some (Num (A.const q))
-        | Some (Truth b) -> Some (Cond (A.bool b))
-        | Some (Macro (body, scope)) -> at_depth ctx (depth + 1) scope body
-        | Some (Leaf _) ->
-          error ctx Code.wrong_kind path.at "`%s` stands for a process, and a value is expected here" name.it
-            ~hint:(Printf.sprintf "say what of it is meant, as in `x(%s)`" name.it);
-          None
-        | None -> A.variable ctx env path)
+    match (Env.value env path.it, path.it) with
+    | Some (v, []), first :: _ -> value_of ctx depth path.at first.Ast.name v
+    | Some (((Vector _ | Macro _) as v), [ { name = axis; indices = [] } ]), first :: _ ->
+      component ctx axis (as_vec ctx path.at (value_of ctx depth path.at first.Ast.name v))
+    | None, [ { name = m; indices = [] }; { name = n; indices = [] } ] when Env.is_module env m.it ->
+      error ctx Code.unknown_name n.at "`%s` has no value `%s`" m.it n.it;
+      None
     | _ -> A.variable ctx env path
+
+  and value_of ctx depth at (name : Ast.name) (v : Env.value) =
+    match v with
+    | Number q -> Some (Num (A.const q))
+    | Truth b -> Some (Cond (A.bool b))
+    | Vector v -> Some (Vec (A.const v.x, A.const v.y, A.const v.z))
+    | Macro (body, scope) -> at_depth ctx (depth + 1) scope body
+    | Word (w, _) ->
+      error ctx Code.wrong_kind at "`%s` stands for the name `%s`, and a value is expected here" name.it w;
+      None
+    | Leaf _ ->
+      error ctx Code.wrong_kind at "`%s` stands for a process, and a value is expected here" name.it
+        ~hint:(Printf.sprintf "say what of it is meant, as in `x(%s)`" name.it);
+      None
+
+  and component ctx (axis : Ast.name) v =
+    let* x, y, z = v in
+    match axis.it with
+    | "x" -> Some (Num x)
+    | "y" -> Some (Num y)
+    | "z" -> Some (Num z)
+    | _ ->
+      error ctx Code.unknown_name axis.at "a vector has the components x, y and z";
+      None
+
+  (* What is written out several times is read as often, so that it is counted as often: functions within
+     functions would make terms beyond every limit. *)
+  and again ctx depth env times e value =
+    if not (is_constant value) then
+      for _ = 2 to times do
+        if (A.budget ctx).left > 0 then ignore (at_depth ctx (depth + 1) env e)
+      done
+
+  and apply ctx depth env at name es =
+    let* values = all (Long_list.map (at_depth ctx (depth + 1) env) es) in
+    if not (List.for_all is_constant values) then
+      List.iter2 (fun e v -> again ctx depth env (Operations.copies name) e v) es values;
+    if (A.budget ctx).left > 0 then call ctx at name values else None
 
   and binary ctx depth env at op a b =
     match op with
-    | Add | Sub | Mul | Div ->
-      let* x, y = both (num_at ctx (depth + 1) env a) (num_at ctx (depth + 1) env b) in
-      Option.map (fun n -> Num n) (arithmetic ctx at op x y)
+    | Mod -> apply ctx depth env at "mod" [ a; b ]
+    | Add | Sub | Mul | Div -> (
+        let operand e = at_depth ctx (depth + 1) env e in
+        let* x, y = both (operand a) (operand b) in
+        match (x, y) with
+        | Cond _, _ ->
+          ignore (as_num ctx a.at (Some x));
+          None
+        | _, Cond _ ->
+          ignore (as_num ctx b.at (Some y));
+          None
+        | Num _, Vec _ ->
+          again ctx depth env 3 a x;
+          operate ctx at op x y
+        | Vec _, Num _ ->
+          again ctx depth env 3 b y;
+          operate ctx at op x y
+        | (Num _ | Vec _), _ -> operate ctx at op x y)
     | And | Or | Implies ->
       let* x, y = both (cond_at ctx (depth + 1) env a) (cond_at ctx (depth + 1) env b) in
       Some (Cond (connective op x y))
     | Lt | Le | Gt | Ge | Eq | Ne -> (
         match (A.comparison ctx env op a b, comparison_of op) with
         | Some result, _ -> result
-        | None, Some c ->
-          let* x, y = both (num_at ctx (depth + 1) env a) (num_at ctx (depth + 1) env b) in
-          Some (Cond (compare c x y))
+        | None, Some c -> (
+            let* x, y = both (at_depth ctx (depth + 1) env a) (at_depth ctx (depth + 1) env b) in
+            match (op, x, y) with
+            | (Eq | Ne), Vec (a, b, c), Vec (x, y, z) ->
+              let equal = conj (compare Eq a x) (conj (compare Eq b y) (compare Eq c z)) in
+              Some (Cond (match op with Ne -> negate equal | _ -> equal))
+            | _ ->
+              let* x, y = both (as_num ctx a.at (Some x)) (as_num ctx b.at (Some y)) in
+              Some (Cond (compare c x y)))
         | None, None -> Bug.fail __POS__ "not a comparison")
 
   and conditional ctx depth env c a b =
@@ -214,8 +160,16 @@ module Make (A : ALGEBRA) = struct
              within conditions would make terms beyond every limit. *)
           let* _ = cond_at ctx (depth + 1) env c in
           Some (Cond (A.choose_cond condition x y)))
-    | Some (Num _, Cond _) | Some (Cond _, Num _) ->
-      error ctx Code.type_mismatch b.at "the branches of `if` are a number and a truth value";
+    | Some (Vec (p, q, r), Vec (x, y, z)) ->
+      (match A.truth condition with
+       | Some _ -> ()
+       | None ->
+         for _ = 2 to 3 do
+           ignore (cond_at ctx (depth + 1) env c)
+         done);
+      each (choose ctx c.at condition) (p, q, r) (x, y, z)
+    | Some (((Num _ | Cond _ | Vec _) as x), y) ->
+      error ctx Code.type_mismatch b.at "the branches of `if` are %s and %s" (described x) (described y);
       None
 
   let eval ctx env (e : Ast.expr) =
@@ -224,4 +178,5 @@ module Make (A : ALGEBRA) = struct
 
   let num ctx env (e : Ast.expr) = as_num ctx e.at (eval ctx env e)
   let cond ctx env (e : Ast.expr) = as_cond ctx e.at (eval ctx env e)
+  let vec ctx env (e : Ast.expr) = as_vec ctx e.at (eval ctx env e)
 end

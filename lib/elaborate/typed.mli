@@ -3,72 +3,36 @@
     {!Make}. *)
 
 open Scc_base
-open Scc_exact
 open Scc_syntax
-open Scc_calculus
 
-type ('n, 'c) value = Num of 'n | Cond of 'c
-
-(** How many terms may still be made, and for which expression they are. *)
-type budget = { mutable left : int; mutable spent_on : Span.t }
+type ('n, 'c) value = ('n, 'c) Algebra.value = Num of 'n | Cond of 'c | Vec of 'n * 'n * 'n
+type budget = Algebra.budget = { mutable left : int; mutable spent_on : Span.t }
 
 val budget : unit -> budget
 (** Of {!Limits.terms}. *)
 
-module type ALGEBRA = sig
-  type context
-  type num
-  type cond
-
-  val report : context -> Report.t
-  val budget : context -> budget
-  val const : Rat.t -> num
-  val constant : num -> Rat.t option
-  val neg : num -> num
-  val add : num -> num -> num
-  val sub : num -> num -> num
-  val mul : num -> num -> num
-
-  val div : num -> num -> num
-  (** The divisor is not the constant zero. *)
-
-  val bool : bool -> cond
-  val truth : cond -> bool option
-  val compare : Law.comparison -> num -> num -> cond
-  val negate : cond -> cond
-  val conj : cond -> cond -> cond
-  val disj : cond -> cond -> cond
-
-  val choose : context -> Span.t -> cond -> num -> num -> num option
-  (** [if] between numbers; the span is the condition's. *)
-
-  val choose_cond : cond -> cond -> cond -> cond
-
-  val variable : context -> Env.t -> Ast.path -> (num, cond) value option
-  (** A name that the scope does not bind; [None] when it was reported. *)
-
-  val comparison :
-    context -> Env.t -> Ast.binary -> Ast.expr -> Ast.expr -> (num, cond) value option option
-  (** A comparison of things that are no numbers; [None] when it is an ordinary one. *)
-
-  val other :
-    context ->
-    (Env.t -> Ast.expr -> (num, cond) value option) ->
-    Env.t ->
-    Ast.expr ->
-    (num, cond) value option
-    (** [Apply], [Co], [Quantified], [Temporal], [Until], [Leads_to], [Event]; the function elaborates a part. *)
-end
+module type ALGEBRA = Algebra.S
 
 module Make (A : ALGEBRA) : sig
   val eval : A.context -> Env.t -> Ast.expr -> (A.num, A.cond) value option
   val num : A.context -> Env.t -> Ast.expr -> A.num option
   val cond : A.context -> Env.t -> Ast.expr -> A.cond option
 
+  val vec : A.context -> Env.t -> Ast.expr -> (A.num * A.num * A.num) option
+
   val as_num : A.context -> Span.t -> (A.num, A.cond) value option -> A.num option
   (** Reports a type error at the span. *)
 
   val as_cond : A.context -> Span.t -> (A.num, A.cond) value option -> A.cond option
 end
+
+val functions : string list
+(** The functions of numbers and vectors that every algebra has. *)
+
+val described : ('n, 'c) value -> string
+(** "a number", "a vector", "a truth value". *)
+
+val unknown_function : Report.t -> Ast.name -> string list -> unit
+(** Reports a function that is not among these, and lists them. *)
 
 val both : 'a option -> 'b option -> ('a * 'b) option

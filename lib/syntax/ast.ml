@@ -12,7 +12,7 @@ type segment = { name : name; indices : expr list }
 (** [c[i].left.right]: at least one segment. *)
 and path = segment list loc
 
-(** Numbers, truth values, laws of motion and formulas are one syntax; elaboration tells them apart. *)
+(** Numbers, vectors, truth values, laws of motion and formulas are one syntax; elaboration tells them apart. *)
 and expr = expr_kind loc
 
 and expr_kind =
@@ -22,17 +22,26 @@ and expr_kind =
   | Path of path  (** a parameter, loop variable, [let], process, [momentum.x], [quiescent], … *)
   | Co of name  (** [~a], an argument of [offers] *)
   | Apply of name * expr list  (** [bonds(a)], [round(e, q)], … *)
+  | Vector of expr * expr * expr
   | Neg of expr
   | Not of expr
   | Binary of binary * expr * expr
   | If of expr * expr * expr
-  | Quantified of quantifier * name * name * expr  (** variable, template, body *)
+  | Quantified of quantifier * name * over * expr  (** variable, what it ranges over, body *)
   | Temporal of temporal * bound option * expr
   | Until of path_quantifier * expr * bound option * expr  (** [A[ f U[b] g ]] *)
   | Leads_to of expr * bound option * expr  (** [f leads_to[b] g], [f leads_to g within t] *)
   | Event of name * expr list  (** [event bind(a, p, q)] *)
 
-and binary = Add | Sub | Mul | Div | Lt | Le | Gt | Ge | Eq | Ne | And | Or | Implies
+(** What a quantifier ranges over. *)
+and over =
+  | Bodies of expr  (** [T]: a template, process or family, as written *)
+  | Numbers of bounds  (** [a..b if c] *)
+
+(** [a..b if c]: the integers from a to b for which c holds. *)
+and bounds = { low : expr; high : expr; filter : expr option }
+
+and binary = Add | Sub | Mul | Div | Mod | Lt | Le | Gt | Ge | Eq | Ne | And | Or | Implies
 and quantifier = Forall | Exists | Count
 and path_quantifier = A | E
 
@@ -50,7 +59,8 @@ and bound =
   | At_most of expr  (** [[<= t]] *)
   | Between of expr * expr  (** [[a, b]] *)
 
-type vector = expr * expr * expr
+(** An expression whose value is a vector. *)
+type vector = expr
 
 (** A feature as written: [right], [q.left.right], [[a,b]], [q.left.[a,b]]. *)
 type feature = feature_kind loc
@@ -59,13 +69,17 @@ and feature_kind =
   | Named of path  (** the last segment names a vertex or a face *)
   | Tuple of path option * path list  (** [prefix.[v1,…,vn]]; a vertex may carry a prefix of its own *)
 
+(** [T], [m.T(a, b)], [K[i, j]]: something that a module declares, with what it is applied to. *)
+type reference = { qualifier : name option; target : name; indices : expr list; arguments : expr list }
+
 type solid = solid_kind loc
 
 and solid_kind =
-  | Template of name
+  | Template of reference
   | Scaled of solid * vector
   | Mesh of string loc * expr option  (** the file's path as written; how far its vertices may be moved *)
   | Faces of (name * vector) list * (name * name list) list  (** vertices, faces *)
+  | Hull of (name * vector) list
 
 type transform = transform_kind loc
 
@@ -98,7 +112,7 @@ and behaviour_kind =
   | Strong of channel list * behaviour  (** [rho({…}). B] *)
   | Delay of expr * behaviour  (** [eps(t). B] *)
   | Sum of behaviour * behaviour
-  | Name of name  (** K *)
+  | Name of reference  (** K *)
 
 (** A bond or a glue's pair: [<a, {f1, f2}>]. *)
 type bond = { bond : name; first : feature; second : feature; bond_span : Span.t }
@@ -125,10 +139,26 @@ and law_kind =
 (** Whose movement steps are, and what ends them: [local], [steady], or neither. *)
 type pace = Shared | Local | Steady
 
+(** What a declaration names: [K], [K[i, 0]] (integers, or variables for them), [K(a, b)]. *)
+type head = { declared : name; places : expr list; formals : name list }
+
+(** [where x = e, y = f]: names that a declaration has for itself. *)
+type definitions = (name * expr) list
+
+type range = { index : name; bounds : bounds }
+
+(** [import "x.sc"], [import <solids>]. *)
+type import = { from : string loc; library : bool; names : imported }
+
+and imported =
+  | Qualified of name option  (** [as s]; by the name of the file if there is none *)
+  | Chosen of (name * name option) list  (** [(Cube, Wall as W)] *)
+
 type item = item_kind loc
 
 and item_kind =
   | Model of name
+  | Import of import
   | Param of name * expr
   | Timestep of expr * pace
   | Split_step of expr
@@ -137,13 +167,13 @@ and item_kind =
   | Binding of name
   | Resolution of expr
   | Round of name * expr  (** of what, [orientation] or [velocity]; to multiples of what *)
-  | Shape of name * solid
-  | Compound of name * part list * glue list
-  | Behaviour of name * name option * behaviour  (** name, [on] template *)
+  | Shape of head * solid * definitions
+  | Compound of head * part list * glue list * definitions
+  | Behaviour of head * reference option * behaviour * definitions  (** [on] a template *)
   | Process of segment * leaf * (bond * leaf) list
   | Fixed of segment * leaf * (bond * leaf) list
   | Bond of bond
-  | For of (name * expr * expr) list * item list
+  | For of range list * item list
   | Network of path list  (** empty for [network nil] *)
   | Motion of path option * law  (** [None]: for every process *)
   | Let of name * expr

@@ -24,17 +24,18 @@ let rec expr a b =
   | Path p, Path q -> path p q
   | Co m, Co n -> name m n
   | Apply (f, xs), Apply (g, ys) -> name f g && list expr xs ys
+  | Vector (x, y, z), Vector (x', y', z') -> expr x x' && expr y y' && expr z z'
   | Neg x, Neg y | Not x, Not y -> expr x y
   | Binary (o, l, r), Binary (o', l', r') -> binary o o' && expr l l' && expr r r'
   | If (c, t, e), If (c', t', e') -> expr c c' && expr t t' && expr e e'
   | Quantified (q, p, t, e), Quantified (q', p', t', e') ->
-    quantifier q q' && name p p' && name t t' && expr e e'
+    quantifier q q' && name p p' && over t t' && expr e e'
   | Temporal (t, d, e), Temporal (t', d', e') -> temporal t t' && option bound d d' && expr e e'
   | Until (q, f, d, g), Until (q', f', d', g') ->
     path_quantifier q q' && expr f f' && option bound d d' && expr g g'
   | Leads_to (f, d, g), Leads_to (f', d', g') -> expr f f' && option bound d d' && expr g g'
   | Event (e, xs), Event (e', ys) -> name e e' && list expr xs ys
-  | ( ( Number _ | True | False | Path _ | Co _ | Apply _ | Neg _ | Not _ | Binary _ | If _
+  | ( ( Number _ | True | False | Path _ | Co _ | Apply _ | Vector _ | Neg _ | Not _ | Binary _ | If _
       | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ), _ ) -> false
 
 and bound a b =
@@ -43,10 +44,18 @@ and bound a b =
   | Between (s, t), Between (s', t') -> expr s s' && expr t t'
   | (Within _ | At_most _ | Between _), _ -> false
 
+and over a b =
+  match (a, b) with
+  | Bodies s, Bodies t -> expr s t
+  | Numbers r, Numbers s -> bounds r s
+  | (Bodies _ | Numbers _), _ -> false
+
+and bounds a b = expr a.low b.low && expr a.high b.high && option expr a.filter b.filter
+
 and segment a b = name a.name b.name && list expr a.indices b.indices
 and path a b = loc (list segment) a b
 
-let vector (a, b, c) (x, y, z) = expr a x && expr b y && expr c z
+let vector = expr
 let quadruple (a, b, c, d) (w, x, y, z) = expr a w && expr b x && expr c y && expr d z
 
 let feature a b =
@@ -55,13 +64,18 @@ let feature a b =
   | Tuple (p, vs), Tuple (q, ws) -> option path p q && list path vs ws
   | (Named _ | Tuple _), _ -> false
 
+let reference (a : reference) (b : reference) =
+  option name a.qualifier b.qualifier && name a.target b.target && list expr a.indices b.indices
+  && list expr a.arguments b.arguments
+
 let rec solid (a : solid) (b : solid) =
   match (a.it, b.it) with
-  | Template m, Template n -> name m n
+  | Template m, Template n -> reference m n
   | Scaled (s, v), Scaled (t, w) -> solid s t && vector v w
   | Mesh (f, d), Mesh (g, e) -> loc String.equal f g && Option.equal expr d e
   | Faces (vs, fs), Faces (ws, gs) -> list (pair name vector) vs ws && list (pair name (list name)) fs gs
-  | (Template _ | Scaled _ | Mesh _ | Faces _), _ -> false
+  | Hull vs, Hull ws -> list (pair name vector) vs ws
+  | (Template _ | Scaled _ | Mesh _ | Faces _ | Hull _), _ -> false
 
 let transform a b =
   match (a.it, b.it) with
@@ -89,7 +103,7 @@ let rec behaviour (a : behaviour) (b : behaviour) =
   | Strong (cs, x), Strong (ds, y) -> list channel cs ds && behaviour x y
   | Delay (t, x), Delay (u, y) -> expr t u && behaviour x y
   | Sum (w, x), Sum (y, z) -> behaviour w y && behaviour x z
-  | Name m, Name n -> name m n
+  | Name m, Name n -> reference m n
   | (Nil | Open _ | Weak _ | Strong _ | Delay _ | Sum _ | Name _), _ -> false
 
 let bond a b = name a.bond b.bond && feature a.first b.first && feature a.second b.second
@@ -111,7 +125,21 @@ let law a b =
   | Choose ks, Choose ls -> list (pair vector (option expr)) ks ls
   | (Inertial | Expression _ | Choose _), _ -> false
 
-let range (i, a, b) (j, c, d) = name i j && expr a c && expr b d
+let range (a : range) (b : range) = name a.index b.index && bounds a.bounds b.bounds
+
+let head (a : head) (b : head) =
+  name a.declared b.declared && list expr a.places b.places && list name a.formals b.formals
+
+let definitions = list (pair name expr)
+
+let imported a b =
+  match (a, b) with
+  | Qualified m, Qualified n -> option name m n
+  | Chosen ms, Chosen ns -> list (pair name (option name)) ms ns
+  | (Qualified _ | Chosen _), _ -> false
+
+let import (a : import) (b : import) =
+  loc String.equal a.from b.from && Bool.equal a.library b.library && imported a.names b.names
 
 let rec item a b =
   match (a.it, b.it) with
@@ -122,16 +150,20 @@ let rec item a b =
   | Split_step x, Split_step y | Resolution x, Resolution y -> expr x y
   | Dynamics m, Dynamics n | Collisions m, Collisions n | Binding m, Binding n -> name m n
   | Round (m, x), Round (n, y) -> name m n && expr x y
-  | Shape (m, s), Shape (n, t) -> name m n && solid s t
-  | Compound (m, ps, gs), Compound (n, qs, hs) -> name m n && list part ps qs && list glue gs hs
-  | Behaviour (m, t, x), Behaviour (n, u, y) -> name m n && option name t u && behaviour x y
+  | Import i, Import j -> import i j
+  | Shape (m, s, ds), Shape (n, t, es) -> head m n && solid s t && definitions ds es
+  | Compound (m, ps, gs, ds), Compound (n, qs, hs, es) ->
+    head m n && list part ps qs && list glue gs hs && definitions ds es
+  | Behaviour (m, t, x, ds), Behaviour (n, u, y, es) ->
+    head m n && option reference t u && behaviour x y && definitions ds es
   | Process (m, l, ls), Process (n, k, ks) | Fixed (m, l, ls), Fixed (n, k, ks) ->
     segment m n && leaf l k && list (pair bond leaf) ls ks
   | Bond x, Bond y -> bond x y
   | For (rs, xs), For (ss, ys) -> list range rs ss && list item xs ys
   | Network ps, Network qs -> list path ps qs
   | Motion (p, l), Motion (q, m) -> option path p q && law l m
-  | ( ( Model _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Resolution _
+  | ( ( Model _ | Import _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ |
+        Resolution _
       | Round _ | Shape _
       | Compound _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _
       | Check _ ), _ ) -> false

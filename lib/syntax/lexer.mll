@@ -21,21 +21,21 @@
     [
       ("A", A); ("AF", AF); ("AG", AG); ("AX", AX); ("E", E); ("EF", EF); ("EG", EG); ("EX", EX);
       ("F", LETTER "F"); ("G", LETTER "G"); ("U", U); ("X", LETTER "X");
-      ("always", ALWAYS); ("and", AND); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND);
+      ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND);
       ("check", CHECK); ("choose", CHOOSE); ("collisions", COLLISIONS); ("compound", COMPOUND); ("count", COUNT);
       ("dynamics", DYNAMICS); ("else", ELSE);
       ("eps", EPS); ("event", EVENT); ("eventually", EVENTUALLY); ("exists", EXISTS); ("faces", FACES);
       ("false", FALSE);
-      ("fixed", FIXED); ("for", FOR); ("forall", FORALL); ("glue", GLUE); ("if", IF); ("in", IN);
+      ("fixed", FIXED); ("for", FOR); ("forall", FORALL); ("glue", GLUE); ("hull", HULL); ("if", IF); ("import", IMPORT); ("in", IN);
       ("inertial", INERTIAL); ("leads_to", LEADS_TO); ("let", LET); ("local", LOCAL); ("mass", MASS); ("matrix", MATRIX);
       ("mesh", MESH);
-      ("model", MODEL); ("motion", MOTION); ("network", NETWORK); ("nil", NIL); ("not", NOT);
+      ("mod", MOD); ("model", MODEL); ("motion", MOTION); ("network", NETWORK); ("nil", NIL); ("not", NOT);
       ("omega", OMEGA); ("on", ON); ("only", ONLY); ("or", OR); ("param", PARAM); ("part", PART);
       ("possibly", POSSIBLY); ("process", PROCESS); ("quaternion", QUATERNION);
       ("resolution", RESOLUTION); ("rho", RHO); ("rotate", ROTATE); ("round", ROUND); ("scale", SCALE); ("scaled", SCALED); ("shape", SHAPE);
       ("snap", SNAP); ("spin", SPIN);
       ("split_step", SPLIT_STEP); ("steady", STEADY); ("then", THEN); ("timestep", TIMESTEP); ("translate", TRANSLATE);
-      ("true", TRUE); ("velocity", VELOCITY); ("vertices", VERTICES); ("weight", WEIGHT);
+      ("true", TRUE); ("velocity", VELOCITY); ("vertices", VERTICES); ("weight", WEIGHT); ("where", WHERE);
       ("within", WITHIN);
     ]
 
@@ -103,7 +103,7 @@
     match word (strip_bars text) with
     | NAME n -> Token (BARRED n)
     | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | RESOLUTION | ROUND | SNAP
-    | LETTER _ | U | A | E | AF | AG | AX | EF | EG | EX -> Token (BARRED (strip_bars text))
+    | LETTER _ | MOD | HULL | AS | WHERE | U | A | E | AF | AG | AX | EF | EG | EX -> Token (BARRED (strip_bars text))
     | _ ->
       fault Code.lexical
         (Printf.sprintf "`%s` is a word of the language and cannot be a co-name" (strip_bars text))

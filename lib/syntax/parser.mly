@@ -1,4 +1,4 @@
-(* The grammar of the modelling language; specs/language.md is its reference.
+(* The grammar of the modelling language; specs/language.md is its reference, expressions.mly its other part.
    Every state in which a token can be refused has its own sentence in parser.messages: the build compares
    the two, so a change here means a change there. *)
 
@@ -21,110 +21,18 @@
 %start <Ast.expr> expression
 
 (* On an error, finish what can be finished: fewer states, and a message about the larger thing *)
-%on_error_reduce expr arithmetic plain_path segment term_segment behaviour behaviour_term solid
+%on_error_reduce expr arithmetic plain_path segment term_segment later_segment behaviour behaviour_term solid
   indexed(name) indexed(member_name)
   chain(moving) chain(still) leaf(moving) leaf(still) moving still body
   reversed(attribute) reversed(transform_factor)
   reversed(item) reversed(vertex) reversed(face) reversed(part) reversed(glue) reversed(parallel) transforms
-  path term_path feature(name) feature(member_name) name member_name term_name plain_name common_name
+  path term_path feature(name) feature(member_name) name member_name term_name plain_name common_name reference vector closed_vector head behaviour_head
 
 %%
 
 model: items = many(item) EOF { items }
 
 expression: e = expr EOF { e }
-
-(* Lists, left recursive: the stack stays flat *)
-
-reversed(X):
-| { [] }
-| xs = reversed(X) x = X { x :: xs }
-
-%inline many(X): xs = reversed(X) { List.rev xs }
-
-comma_separated(X):
-| x = X { [ x ] }
-| xs = comma_separated(X) COMMA x = X { x :: xs }
-
-%inline comma_list(X): xs = comma_separated(X) { List.rev xs }
-
-%inline optional_list(X):
-| { [] }
-| xs = comma_list(X) { xs }
-
-(* Names and paths *)
-
-(* A letter of the temporal operators is a name wherever it cannot be one of them, and `only` where it cannot be the
-   word before a feature. *)
-
-common_name:
-| n = NAME { at $loc n }
-| n = LETTER { at $loc n }
-| U { at $loc "U" }
-| BOND { at $loc "bond" }
-| MASS { at $loc "mass" }
-| EVENT { at $loc "event" }
-| DYNAMICS { at $loc "dynamics" }
-| COLLISIONS { at $loc "collisions" }
-| BINDING { at $loc "binding" }
-| SNAP { at $loc "snap" }
-| RESOLUTION { at $loc "resolution" }
-| ROUND { at $loc "round" }
-| STEADY { at $loc "steady" }
-
-plain_name:
-| n = common_name { n }
-| ONLY { at $loc "only" }
-
-%inline quantifying_letter:
-| A { at $loc "A" }
-| E { at $loc "E" }
-
-%inline operator_word:
-| AF { at $loc "AF" }
-| AG { at $loc "AG" }
-| AX { at $loc "AX" }
-| EF { at $loc "EF" }
-| EG { at $loc "EG" }
-| EX { at $loc "EX" }
-
-(* Where an expression may stand: `A[` is followed by indices or by `f U g]`, which the bracket after tells. *)
-term_name: n = plain_name | n = quantifying_letter { n }
-
-name: n = term_name | n = operator_word { n }
-
-member_name: n = common_name | n = quantifying_letter | n = operator_word { n }
-
-indexed(N):
-| name = N { { name; indices = [] } }
-| name = N LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
-
-segment: s = indexed(name) { s }
-
-term_segment:
-| name = term_name { { name; indices = [] } }
-| name = plain_name LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
-| name = quantifying_letter LBRACKET indices = comma_list(expr) RBRACKET { { name; indices } }
-
-segments(N):
-| s = indexed(N) { [ s ] }
-| ss = segments(N) DOT s = segment { s :: ss }
-
-path: ss = segments(name) { at $loc (List.rev ss) }
-
-term_segments:
-| s = term_segment { [ s ] }
-| ss = term_segments DOT s = segment { s :: ss }
-
-term_path: ss = term_segments { at $loc (List.rev ss) }
-
-polar_name:
-| n = name { (false, n) }
-| TILDE n = name { (true, n) }
-| n = BARRED { (true, at $loc n) }
-
-vector: LPAREN x = expr COMMA y = expr COMMA z = expr RPAREN { (x, y, z) }
-quadruple: LPAREN w = expr COMMA x = expr COMMA y = expr COMMA z = expr RPAREN { (w, x, y, z) }
 
 (* Features, channels and bonds *)
 
@@ -153,6 +61,33 @@ bond:
 | LT bond = name COMMA LBRACE first = feature(name) COMMA second = feature(name) RBRACE GT
     { { bond; first; second; bond_span = span $loc } }
 
+(* What a module declares: after the name of a solid, `[` opens a behaviour *)
+
+%inline qualified:
+| n = name { (None, n) }
+| q = name DOT n = name { (Some q, n) }
+
+reference:
+| n = qualified { { qualifier = fst n; target = snd n; indices = []; arguments = [] } }
+| n = qualified LPAREN arguments = comma_list(expr) RPAREN
+    { { qualifier = fst n; target = snd n; indices = []; arguments } }
+
+indexed_reference:
+| n = qualified LBRACKET indices = comma_list(expr) RBRACKET
+    { { qualifier = fst n; target = snd n; indices; arguments = [] } }
+
+head:
+| declared = name { { declared; places = []; formals = [] } }
+| declared = name LPAREN formals = comma_list(name) RPAREN { { declared; places = []; formals } }
+
+places: declared = name LBRACKET places = comma_list(expr) RBRACKET { { declared; places; formals = [] } }
+
+definition: n = name EQ e = expr { (n, e) }
+
+definitions:
+| { [] }
+| WHERE ds = comma_list(definition) { ds }
+
 (* Behaviours *)
 
 behaviour:
@@ -161,7 +96,8 @@ behaviour:
 
 behaviour_term:
 | NIL { at $loc Nil }
-| k = name { at $loc (Name k) }
+| k = reference { at $loc (Name k) }
+| k = indexed_reference { at $loc (Name k) }
 | LPAREN b = behaviour RPAREN { b }
 | c = angle_channel DOT b = behaviour_term { at $loc (Open (c, b)) }
 | c = weak_channel DOT b = behaviour_term { at $loc (Weak (c, b)) }
@@ -172,13 +108,14 @@ behaviour_term:
 (* Shapes and where they are *)
 
 solid:
-| n = name { at $loc (Template n) }
+| t = reference { at $loc (Template t) }
+| HULL LBRACE points = many(vertex) RBRACE { at $loc (Hull points) }
 | MESH file = STRING d = snap? { at $loc (Mesh (at $loc(file) file, d)) }
 | s = solid SCALED v = vector { at $loc (Scaled (s, v)) }
 
 snap: SNAP e = arithmetic { e }
 
-vertex: n = name v = vector { (n, v) }
+vertex: n = name v = closed_vector { (n, v) }
 face: n = name LBRACKET vs = comma_list(name) RBRACKET { (n, vs) }
 
 template:
@@ -196,8 +133,8 @@ transforms: t = transform ts = many(transform_factor) { t :: ts }
 
 attribute:
 | MASS e = arithmetic { at $loc (Mass e) }
-| VELOCITY v = vector { at $loc (Velocity v) }
-| SPIN v = vector { at $loc (Spin v) }
+| VELOCITY v = arithmetic { at $loc (Velocity v) }
+| SPIN v = arithmetic { at $loc (Spin v) }
 | AT ts = transforms { at $loc (At ts) }
 
 part:
@@ -238,10 +175,19 @@ chain(X):
 
 (* Laws of motion *)
 
-law:
+named_law:
 | INERTIAL { at $loc Inertial }
-| v = vector { at $loc (Expression v) }
 | CHOOSE LBRACE kicks = comma_list(kick) RBRACE { at $loc (Choose kicks) }
+
+law:
+| l = named_law { l }
+| v = expr { at $loc (Expression v) }
+
+(* Without the name of a body, which would be taken for the beginning of an expression. *)
+law_of_all:
+| l = named_law { l }
+| v = closed_vector { at $loc (Expression v) }
+| IF c = expr THEN t = expr ELSE e = expr { at $loc (Expression (at $loc (If (c, t, e)))) }
 
 kick:
 | v = vector { (v, None) }
@@ -249,7 +195,25 @@ kick:
 
 (* Items *)
 
-range: i = name IN low = expr DOTDOT high = expr { (i, low, high) }
+range: index = name IN bounds = bounds { { index; bounds } }
+
+chosen:
+| n = name { (n, None) }
+| n = name AS m = name { (n, Some m) }
+
+imported:
+| { Qualified None }
+| AS n = name { Qualified (Some n) }
+| LPAREN ns = comma_list(chosen) RPAREN { Chosen ns }
+
+import:
+| IMPORT from = STRING names = imported { { from = at $loc(from) from; library = false; names } }
+| IMPORT LT from = name GT names = imported { { from; library = true; names } }
+
+behaviour_head:
+| h = head { h }
+| h = places { h }
+
 parallel: PARALLEL p = path { p }
 
 %inline pace:
@@ -270,108 +234,20 @@ item_kind:
 | RESOLUTION e = expr { Resolution e }
 | ROUND n = NAME e = expr { Round (at $loc(n) n, e) }
 | ROUND VELOCITY e = expr { Round (at $loc($2) "velocity", e) }
-| SHAPE n = name EQ s = solid { Shape (n, s) }
-| SHAPE n = name LBRACE t = template RBRACE { Shape (n, at $loc(t) t) }
-| COMPOUND n = name LBRACE parts = many(part) glues = many(glue) RBRACE { Compound (n, parts, glues) }
-| BEHAVIOUR n = name EQ b = behaviour { Behaviour (n, None, b) }
-| BEHAVIOUR n = name ON t = name EQ b = behaviour { Behaviour (n, Some t, b) }
+| i = import { Import i }
+| SHAPE h = head EQ s = solid ds = definitions { Shape (h, s, ds) }
+| SHAPE h = head LBRACE t = template RBRACE ds = definitions { Shape (h, at $loc(t) t, ds) }
+| COMPOUND h = head LBRACE parts = many(part) glues = many(glue) RBRACE ds = definitions
+    { Compound (h, parts, glues, ds) }
+| BEHAVIOUR h = behaviour_head EQ b = behaviour ds = definitions { Behaviour (h, None, b, ds) }
+| BEHAVIOUR h = behaviour_head ON t = reference EQ b = behaviour ds = definitions { Behaviour (h, Some t, b, ds) }
 | PROCESS s = segment EQ c = chain(moving) { Process (s, c.head, List.rev c.tail) }
 | FIXED s = segment EQ c = chain(still) { Fixed (s, c.head, List.rev c.tail) }
 | BOND b = bond { Bond b }
 | FOR ranges = comma_list(range) LBRACE body = many(item) RBRACE { For (ranges, body) }
 | NETWORK NIL { Network [] }
 | NETWORK p = path ps = many(parallel) { Network (p :: ps) }
-| MOTION l = law { Motion (None, l) }
+| MOTION l = law_of_all { Motion (None, l) }
 | MOTION p = path EQ l = law { Motion (Some p, l) }
 | LET n = name EQ e = expr { Let (n, e) }
 | CHECK n = name COLON e = expr { Check (n, e) }
-
-(* Numbers, truth values and formulas *)
-
-%inline arithmetic_operator:
-| PLUS { Add }
-| MINUS { Sub }
-| STAR { Mul }
-| SLASH { Div }
-
-%inline operator:
-| o = arithmetic_operator { o }
-| LT { Lt }
-| LE { Le }
-| GT { Gt }
-| GE { Ge }
-| EQ { Eq }
-| NE { Ne }
-| AND { And }
-| OR { Or }
-| IMPLIES { Implies }
-
-%inline english:
-| POSSIBLY { Possibly }
-| ALWAYS { Always }
-| EVENTUALLY { Eventually }
-
-%inline letters:
-| AF { Finally Ast.A }
-| EF { Finally Ast.E }
-| AG { Globally Ast.A }
-| EG { Globally Ast.E }
-
-%inline next:
-| AX { Next Ast.A }
-| EX { Next Ast.E }
-
-%inline path_quantifier:
-| A { Ast.A }
-| E { Ast.E }
-
-%inline quantifier:
-| FORALL { Forall }
-| EXISTS { Exists }
-
-bound:
-| LBRACKET LE t = expr RBRACKET { At_most t }
-| LBRACKET a = expr COMMA b = expr RBRACKET { Between (a, b) }
-
-expr:
-| q = NUMBER { at $loc (Number q) }
-| TRUE { at $loc True }
-| FALSE { at $loc False }
-| p = term_path { at $loc (Path p) }
-| TILDE n = name { at $loc (Co n) }
-| n = BARRED { at $loc (Co (at $loc n)) }
-| f = term_name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
-| BEHAVIOUR LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (at $loc($1) "behaviour", es)) }
-| LPAREN e = expr RPAREN { e }
-| COUNT LPAREN p = name IN t = name COLON e = expr RPAREN { at $loc (Quantified (Count, p, t, e)) }
-| EVENT e = NAME { at $loc (Event (at $loc(e) e, [])) }
-| EVENT e = NAME LPAREN es = optional_list(expr) RPAREN { at $loc (Event (at $loc(e) e, es)) }
-| q = path_quantifier LBRACKET f = expr U b = ioption(bound) g = expr RBRACKET
-    { at $loc (Until (q, f, b, g)) }
-| MINUS e = expr %prec NEGATION { at $loc (Neg e) }
-| NOT e = expr { at $loc (Not e) }
-| l = expr o = operator r = expr { at $loc (Binary (o, l, r)) }
-| f = expr LEADS_TO b = ioption(bound) g = expr %prec LEADS_TO { at $loc (Leads_to (f, b, g)) }
-| f = expr LEADS_TO g = expr WITHIN d = expr %prec WITHIN_ARGUMENT
-    { at $loc (Leads_to (f, Some (Within d), g)) }
-| IF c = expr THEN t = expr ELSE e = expr %prec OPEN { at $loc (If (c, t, e)) }
-| q = quantifier p = name IN t = name COLON e = expr %prec OPEN { at $loc (Quantified (q, p, t, e)) }
-| t = english b = ioption(bound) e = expr %prec OPEN { at $loc (Temporal (t, b, e)) }
-| t = english e = expr WITHIN d = expr %prec WITHIN_ARGUMENT { at $loc (Temporal (t, Some (Within d), e)) }
-| t = letters b = ioption(bound) e = expr %prec NOT { at $loc (Temporal (t, b, e)) }
-| t = next e = expr %prec NOT { at $loc (Temporal (t, None, e)) }
-
-(* Attributes: arithmetic alone, and no index outside brackets, so that `<` after one opens a bond and `[` a
-   behaviour *)
-
-plain_path:
-| n = name { [ { name = n; indices = [] } ] }
-| ss = plain_path DOT n = name { { name = n; indices = [] } :: ss }
-
-arithmetic:
-| q = NUMBER { at $loc (Number q) }
-| ss = plain_path { at $loc (Path (at $loc (List.rev ss))) }
-| f = name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
-| LPAREN e = expr RPAREN { e }
-| MINUS e = arithmetic %prec NEGATION { at $loc (Neg e) }
-| l = arithmetic o = arithmetic_operator r = arithmetic { at $loc (Binary (o, l, r)) }

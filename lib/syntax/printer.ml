@@ -93,8 +93,8 @@ let fineness e =
 
 let definition head body = group (cat [ head; nest 2 (cat [ space; body ]) ])
 
-let block span head lines =
-  let close = closing ~at:(last_byte span) "}" in
+let block close head lines =
+  let close = closing ~at:close "}" in
   match lines with
   | [] -> group (cat [ head; space; close ])
   | _ -> cat [ head; nest 2 (cat (line :: separated paragraph lines)); line; close ]
@@ -106,11 +106,16 @@ let column_of word = function
     cat [ text ~at:first word; nest 9 (cat (fill (String.make (9 - String.length word) ' ')
                                             :: separated (fill "  ") pieces)) ]
 
-let template span head vs fs =
-  let vertex ((n : name), v) = (at n, n.it ^ " " ^ Text.vector v) in
+let template close head vs fs =
+  let vertex (((n : name), _) as v) = (at n, Text.vertex v) in
   let face ((n : name), ws) = (at n, Text.face n ws) in
   let lines = [ column_of "vertices" (map vertex vs); column_of "faces" (map face fs) ] in
-  cat [ head; nest 2 (cat (line :: separated line lines)); line; closing ~at:(last_byte span) "}" ]
+  cat [ head; nest 2 (cat (line :: separated line lines)); line; closing ~at:close "}" ]
+
+(* The offset of the brace that closes a declaration, or one after it. *)
+let brace span = function
+  | [] -> last_byte span
+  | ((n : name), _) :: _ -> at n - 1
 
 let part_doc p =
   let head = Printf.sprintf "part %s : %s" p.part.it (Text.solid p.part_solid) in
@@ -123,15 +128,16 @@ let glue_doc g =
     (Printf.sprintf "glue %s ~ %s" (Text.feature g.glue_first) (Text.feature g.glue_second))
 
 let kick (v, weight) =
-  let (x, _, _) = v in
   let weight = match weight with None -> "" | Some w -> " weight " ^ Text.expr w in
-  (at x, Text.vector v ^ weight)
+  (at v, Text.vector v ^ weight)
 
 let motion span subject law =
   let head = match subject with None -> "motion" | Some p -> "motion " ^ Text.path p ^ " =" in
   match law.it with
   | Inertial -> text ~at:(start span) (head ^ " inertial")
-  | Expression v -> definition (text ~at:(start span) head) (text ~at:(at law) (Text.vector v))
+  | Expression v ->
+    let written = match subject with None -> Text.law_of_all v | Some _ -> Text.expr v in
+    definition (text ~at:(start span) head) (text ~at:(at law) written)
   | Choose kicks ->
     let n = List.length kicks in
     let entry i (at, s) = text ~at (if i < n - 1 then s ^ "," else s) in
@@ -150,7 +156,32 @@ let network span = function
     in
     nest 2 (cat (separated (fill " ") pieces))
 
-let range ((i : name), low, high) = Printf.sprintf "%s in %s..%s" i.it (Text.expr low) (Text.expr high)
+let range (r : range) = Printf.sprintf "%s in %s" r.index.it (Text.bounds r.bounds)
+
+(* What is declared, with the names of its own after it. *)
+let with_definitions doc definitions =
+  let one (n, e) = (at n, Printf.sprintf "%s = %s" n.it (Text.expr e)) in
+  let last = List.length definitions - 1 in
+  let piece i (at, s) =
+    text ~at ((if i = 0 then "where " else "      ") ^ s ^ if i < last then "," else "")
+  in
+  match definitions with
+  | [] -> doc
+  | _ :: _ ->
+    cat [ doc; nest 2 (cat (line :: separated line (List.mapi piece (map one definitions)))) ]
+
+let import span (i : import) =
+  let from = if i.library then "<" ^ i.from.it ^ ">" else Text.quoted i.from.it in
+  let chosen ((n : name), m) =
+    match m with None -> n.it | Some (m : name) -> n.it ^ " as " ^ m.it
+  in
+  let names =
+    match i.names with
+    | Qualified None -> ""
+    | Qualified (Some n) -> " as " ^ n.it
+    | Chosen ns -> " (" ^ String.concat ", " (map chosen ns) ^ ")"
+  in
+  text ~at:(start span) ("import " ^ from ^ names)
 
 let rec item i =
   let span = i.at in
@@ -167,13 +198,19 @@ let rec item i =
   | Binding n -> head "binding %s" n.it
   | Resolution e -> definition (head "resolution") (fineness e)
   | Round (n, e) -> definition (head "round %s" n.it) (fineness e)
-  | Shape (n, { it = Faces (vs, fs); _ }) -> template span (head "shape %s {" n.it) vs fs
-  | Shape (n, s) -> definition (head "shape %s =" n.it) (text ~at:(at s) (Text.solid s))
-  | Compound (n, parts, glues) ->
-    block span (head "compound %s {" n.it) (List.concat [ map part_doc parts; map glue_doc glues ])
-  | Behaviour (n, on, b) ->
-    let on = match on with None -> "" | Some t -> " on " ^ t.it in
-    definition (head "behaviour %s%s =" n.it on) (behaviour_doc b)
+  | Import i -> import span i
+  | Shape (h, ({ it = Faces (vs, fs); _ }), ds) ->
+    with_definitions (template (brace span ds) (head "shape %s {" (Text.head h)) vs fs) ds
+  | Shape (h, s, ds) ->
+    with_definitions (definition (head "shape %s =" (Text.head h)) (text ~at:(at s) (Text.solid s))) ds
+  | Compound (h, parts, glues, ds) ->
+    with_definitions
+      (block (brace span ds) (head "compound %s {" (Text.head h))
+         (List.concat [ map part_doc parts; map glue_doc glues ]))
+      ds
+  | Behaviour (h, on, b, ds) ->
+    let on = match on with None -> "" | Some t -> " on " ^ Text.reference t in
+    with_definitions (definition (head "behaviour %s%s =" (Text.head h) on) (behaviour_doc b)) ds
   | Process (n, l, rest) -> process_doc span "process" n l rest
   | Fixed (n, l, rest) -> process_doc span "fixed" n l rest
   | Bond b -> head "bond %s" (Text.bond b)
@@ -187,8 +224,9 @@ and loop span head body =
   match map item body with
   | [ one ] ->
     group (cat [ head; nest 2 (cat [ space; one ]); space; closing ~at:(last_byte span) "}" ])
-  | lines -> block span head lines
+  | lines -> block (last_byte span) head lines
 
 let model ?(trivia = []) items = render trivia (cat (separated paragraph (map item items)))
 let expr = Text.expr
+let head = Text.head
 let behaviour = Text.behaviour

@@ -10,5 +10,8 @@ val model : ?trivia:Trivia.t list -> Ast.model -> string
 val expr : Ast.expr -> string
 (** A number or formula on one line. *)
 
+val head : Ast.head -> string
+(** [Brick(a, b)]. *)
+
 val behaviour : Ast.behaviour -> string
 (** On one line. *)

@@ -83,13 +83,13 @@ let levels = function
   | And -> (both, both, prefix)
   | Lt | Le | Gt | Ge | Eq | Ne -> (comparison, sum, sum)
   | Add | Sub -> (sum, sum, product)
-  | Mul | Div -> (product, product, negation)
+  | Mul | Div | Mod -> (product, product, negation)
 
 let level e =
   match e.it with
   | Number q ->
     if Option.is_none (decimal (Q.abs q)) then product else if Q.sign q < 0 then negation else atom
-  | True | False | Path _ | Co _ | Apply _ | Quantified (Count, _, _, _) | Until _ | Event _ -> atom
+  | True | False | Path _ | Co _ | Apply _ | Vector _ | Quantified (Count, _, _, _) | Until _ | Event _ -> atom
   | Neg _ -> negation
   | Not _ | Temporal ((Next _ | Finally _ | Globally _), _, _) -> prefix
   | Leads_to _ -> leads_to
@@ -98,7 +98,7 @@ let level e =
     open_ended
 
 let operator = function
-  | Add -> " + " | Sub -> " - " | Mul -> "*" | Div -> "/"
+  | Add -> " + " | Sub -> " - " | Mul -> "*" | Div -> "/" | Mod -> " mod "
   | Lt -> " < " | Le -> " <= " | Gt -> " > " | Ge -> " >= " | Eq -> " = " | Ne -> " != "
   | And -> " and " | Or -> " or " | Implies -> " => "
 
@@ -138,6 +138,7 @@ and add_bare b e =
   | Path p -> add_path b p
   | Co n -> str "~"; str n.it
   | Apply (f, es) -> str f.it; str "("; list b (add_expr open_ended) es; str ")"
+  | Vector (x, y, z) -> str "("; list b (add_expr open_ended) [ x; y; z ]; str ")"
   | Neg e -> str "-"; add_expr negation b e
   | Not e -> str "not "; add_expr prefix b e
   | Binary (o, l, r) ->
@@ -181,9 +182,23 @@ and add_consequence b (bound, g) =
    | Some (Within d) -> str " within "; add_expr sum b d
    | None | Some (At_most _ | Between _) -> ())
 
-and add_quantified b (p : name) (t : name) e =
-  Buffer.add_string b (p.it ^ " in " ^ t.it ^ ": ");
+and add_quantified b (p : name) over e =
+  Buffer.add_string b (p.it ^ " in ");
+  (match over with
+   | Bodies t -> add_expr open_ended b t
+   | Numbers r -> add_bounds b r);
+  Buffer.add_string b ": ";
   add_expr open_ended b e
+
+and add_bounds b { low; high; filter } =
+  add_expr open_ended b low;
+  Buffer.add_string b "..";
+  add_expr open_ended b high;
+  Option.iter
+    (fun c ->
+       Buffer.add_string b " if ";
+       add_expr open_ended b c)
+    filter
 
 and add_bound b bound =
   let str = Buffer.add_string b in
@@ -213,6 +228,7 @@ let written add x =
   Buffer.contents b
 
 let expr e = written (add_expr open_ended) e
+let bounds r = written add_bounds r
 let condition f = written (add_expr implies) f
 let consequence bound g = written add_consequence (bound, g)
 
@@ -226,7 +242,6 @@ let segment s = written add_segment s
 let path p = written add_path p
 
 let tuple es = "(" ^ String.concat ", " (List.map expr es) ^ ")"
-let vector (x, y, z) = tuple [ x; y; z ]
 let quadruple (w, x, y, z) = tuple [ w; x; y; z ]
 
 (* Whether an expression prints as arithmetic with no index outside brackets: what an attribute may hold. *)
@@ -235,15 +250,42 @@ let rec is_arithmetic at_least e =
   ||
   match e.it with
   | Number _ -> true
-  | Path p -> List.for_all (fun s -> match s.indices with [] -> true | _ :: _ -> false) p.it
+  | Path p -> List.for_all (fun (s : segment) -> match s.indices with [] -> true | _ :: _ -> false) p.it
   | Apply (f, _) -> not (String.equal f.it "behaviour")
+  | Vector _ -> true
   | Neg e -> is_arithmetic negation e
-  | Binary (((Add | Sub | Mul | Div) as o), l, r) ->
+  | Binary (((Add | Sub | Mul | Div | Mod) as o), l, r) ->
     let _, left, right = levels o in
     is_arithmetic left l && is_arithmetic right r
   | _ -> false
 
 let arithmetic e = if is_arithmetic open_ended e then expr e else "(" ^ expr e ^ ")"
+
+let closed_vector e = match e.it with Vector _ -> expr e | _ -> "(" ^ expr e ^ ")"
+
+let vector e =
+  match e.it with
+  | (Path _ | Apply _) when is_arithmetic open_ended e -> expr e
+  | _ -> closed_vector e
+
+let law_of_all e = match e.it with If _ -> expr e | _ -> closed_vector e
+
+let applied opening es closing =
+  match es with
+  | [] -> ""
+  | _ :: _ -> opening ^ String.concat ", " (List.map expr es) ^ closing
+
+let reference (r : reference) =
+  let qualifier = match r.qualifier with None -> "" | Some q -> q.it ^ "." in
+  qualifier ^ r.target.it ^ applied "[" r.indices "]" ^ applied "(" r.arguments ")"
+
+let head (h : head) =
+  let formals =
+    match h.formals with
+    | [] -> ""
+    | names -> "(" ^ String.concat ", " (List.map (fun (n : name) -> n.it) names) ^ ")"
+  in
+  h.declared.it ^ applied "[" h.places "]" ^ formals
 
 (* {1 Features, channels and behaviours} *)
 
@@ -280,7 +322,7 @@ and add_term b x =
   in
   match x.it with
   | Nil -> Buffer.add_string b "nil"
-  | Name k -> Buffer.add_string b k.it
+  | Name k -> Buffer.add_string b (reference k)
   | Open (c, next) -> prefixed (angle c) next
   | Weak (c, next) -> prefixed ("omega(" ^ surface c ^ ")") next
   | Strong (cs, next) -> prefixed ("rho({" ^ String.concat ", " (List.map angle cs) ^ "})") next
@@ -321,16 +363,18 @@ let quoted s =
 let face (n : name) vs =
   Printf.sprintf "%s [%s]" n.it (String.concat ", " (List.map (fun (v : name) -> v.it) vs))
 
+let vertex ((n : name), v) = n.it ^ " " ^ closed_vector v
+
 let rec solid s =
   match s.it with
-  | Template n -> n.it
+  | Template t -> reference t
   | Mesh (file, snap) ->
     "mesh " ^ quoted file.it ^ Option.fold ~none:"" ~some:(fun e -> " snap " ^ arithmetic e) snap
   | Scaled (s, v) -> solid s ^ " scaled " ^ vector v
   | Faces (vs, fs) ->
-    let vertex ((n : name), v) = n.it ^ " " ^ vector v in
     Printf.sprintf "{ vertices %s faces %s }" (String.concat " " (List.map vertex vs))
       (String.concat " " (List.map (fun (n, vs) -> face n vs) fs))
+  | Hull points -> "hull { " ^ String.concat "  " (List.map vertex points) ^ " }"
 
 let transform t =
   match t.it with
@@ -342,6 +386,6 @@ let transform t =
 let attribute a =
   match a.it with
   | Mass e -> "mass " ^ arithmetic e
-  | Velocity v -> "velocity " ^ vector v
-  | Spin v -> "spin " ^ vector v
+  | Velocity v -> "velocity " ^ arithmetic v
+  | Spin v -> "spin " ^ arithmetic v
   | At ts -> "at " ^ String.concat " * " (List.map transform ts)

@@ -25,13 +25,31 @@ val needs_parentheses : Ast.binary -> side -> Ast.expr -> bool
 
 val segment : Ast.segment -> string
 val path : Ast.path -> string
+
 val vector : Ast.vector -> string
+(** As an attribute or a factor: in brackets, but for a name or a call. *)
+
+val law_of_all : Ast.vector -> string
+(** After [motion] alone. *)
+
+val reference : Ast.reference -> string
+val head : Ast.head -> string
+
+val bounds : Ast.bounds -> string
+(** [1..n if c]. *)
+
 val feature : Ast.feature -> string
 val bond : Ast.bond -> string
 
 val behaviour : Ast.behaviour -> string
 val prefixes : Ast.behaviour -> (int * string) list
 (** A behaviour that is no sum, cut after each dot, every piece with its offset. *)
+
+val vertex : Ast.name * Ast.vector -> string
+(** [a (0, 0, 1)]. *)
+
+val quoted : string -> string
+(** Between quotation marks, as a string is written. *)
 
 val face : Ast.name -> Ast.name list -> string
 (** [top [a, b, c]]. *)

@@ -132,19 +132,21 @@ type level = {
 
 (* What adds a node above its operands without a bracket of its own. *)
 let nests = function
-  | PLUS | MINUS | STAR | SLASH | AND | OR | NOT | IMPLIES | LEADS_TO | IF | FORALL | EXISTS | POSSIBLY | ALWAYS
+  | PLUS | MINUS | STAR | SLASH | MOD | AND | OR | NOT | IMPLIES | LEADS_TO | IF | FORALL | EXISTS |
+    POSSIBLY | ALWAYS
   | EVENTUALLY | AX | EX | AF | EF | AG | EG | DOT | SCALED -> true
   | _ -> false
 
 (* The words that are names as well, be it only where no operator can stand. *)
 let can_be_name = function
-  | NAME _ | LETTER _ | A | E | U | AF | AG | AX | EF | EG | EX | BOND | MASS | EVENT | DYNAMICS | COLLISIONS
+  | NAME _ | LETTER _ | MOD | HULL | AS | WHERE | A | E | U | AF | AG | AX | EF | EG | EX | BOND | MASS |
+    EVENT | DYNAMICS | COLLISIONS
   | BINDING | RESOLUTION | ROUND | SNAP -> true
   | _ -> false
 
 let begins_declaration tokens i =
   match tokens.(i).token with
-  | MODEL | PARAM | TIMESTEP | SPLIT_STEP | SHAPE | COMPOUND | PROCESS | FIXED | FOR | NETWORK | MOTION
+  | MODEL | IMPORT | PARAM | TIMESTEP | SPLIT_STEP | SHAPE | COMPOUND | PROCESS | FIXED | FOR | NETWORK | MOTION
   | LET | CHECK -> true
   | BEHAVIOUR -> (match tokens.(i + 1).token with LPAREN -> false | _ -> true)
   | _ -> false
@@ -153,8 +155,9 @@ let begins_declaration tokens i =
 let begins_bond tokens i =
   match (tokens.(i).token, tokens.(i + 1).token) with
   | BOND, LT -> i = 0 || (match tokens.(i - 1).token with
-      | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | A | E | U | AF | AG | AX | EF | EG | EX | EVENT
-      | NUMBER _ | NIL | INERTIAL | LOCAL | STEADY -> true
+      | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | MOD | HULL | AS | WHERE | ONLY | STEADY | A
+      | E | U | AF | AG | AX | EF | EG | EX
+      | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL -> true
       | _ -> false)
   | _ -> false
 
@@ -162,8 +165,9 @@ let begins_bond tokens i =
 let begins_setting tokens i =
   let ended () =
     i = 0 || (match tokens.(i - 1).token with
-        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | A | E | U | AF | AG | AX | EF | EG | EX | EVENT
-        | NUMBER _ | NIL | INERTIAL | LOCAL | STEADY | TRUE | FALSE -> true
+        | RBRACKET | RBRACE | RPAREN | GT | NAME _ | LETTER _ | MOD | HULL | AS | WHERE | ONLY | STEADY |
+          A | E | U | AF | AG | AX | EF | EG | EX
+        | EVENT | NUMBER _ | NIL | INERTIAL | LOCAL | TRUE | FALSE -> true
         | _ -> false)
   in
   match (tokens.(i).token, tokens.(i + 1).token) with

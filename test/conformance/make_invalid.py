@@ -19,7 +19,7 @@ def read(folder, file):
 
 def meshes(folder, model):
     """The files that a model names, those that are there."""
-    names = re.findall(r'mesh\s+"([^"]*)"', model)
+    names = re.findall(r'(?:mesh|import)\s+"([^"]*)"', model)
     return {n: read(folder, n).decode() for n in names if os.path.exists(os.path.join(folder, n))}
 
 

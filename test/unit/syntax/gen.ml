@@ -2,6 +2,7 @@ open Scc_syntax.Ast
 open QCheck2.Gen
 
 let ( let* ) = bind
+let ( and* ) = pair
 let loc it = { it; at = Scc_base.Span.none }
 let located g = map loc g
 let few g = list_size (int_range 0 3) g
@@ -12,7 +13,8 @@ let name =
     (oneofl
        [
          "a"; "b"; "p"; "q"; "x'"; "x_1"; "Cube"; "bond"; "mass"; "event"; "momentum"; "round"; "resolution";
-         "dynamics"; "U2"; "Ax"; "omega_"; "A"; "E"; "F"; "G"; "U"; "X";
+         "dynamics"; "U2"; "Ax"; "omega_"; "A"; "E"; "F"; "G"; "U"; "X"; "mod";
+         "hull"; "as"; "where";
        ])
 
 let number =
@@ -38,7 +40,7 @@ let bound_of expr =
 let quantifier = oneofl [ A; E ]
 
 let binary =
-  oneofl [ Add; Sub; Mul; Div; Lt; Le; Gt; Ge; Eq; Ne; And; Or; Implies ]
+  oneofl [ Add; Sub; Mul; Div; Mod; Lt; Le; Gt; Ge; Eq; Ne; And; Or; Implies ]
 
 let temporal_of expr =
   let* body = expr in
@@ -74,6 +76,12 @@ let operation o l r =
   | Div, Number q when Q.sign q = 0 -> Binary (Mul, l, r)
   | _ -> Binary (o, l, r)
 
+let bounds_of expr =
+  let* low = expr and* high = expr in
+  map (fun filter -> { low; high; filter }) (opt expr)
+
+let over_of expr = oneof [ map (fun e -> Bodies e) expr; map (fun r -> Numbers r) (bounds_of expr) ]
+
 let compound_expr expr =
   let unary f = map f expr in
   oneof
@@ -84,7 +92,8 @@ let compound_expr expr =
       map3 operation binary expr expr;
       map3 (fun c t e -> If (c, t, e)) expr expr expr;
       (let* q = oneofl [ Forall; Exists; Count ] in
-       map3 (fun p t e -> Quantified (q, p, t, e)) name name expr);
+       map3 (fun p t e -> Quantified (q, p, t, e)) name (over_of expr) expr);
+      map3 (fun x y z -> Vector (x, y, z)) expr expr expr;
       temporal_of expr;
       map2 (fun e es -> Event (e, es)) (located (oneofl [ "bind"; "bounce"; "other" ])) (few expr);
       map2 (fun f es -> Apply (f, es)) (oneof [ name; return (loc "behaviour") ]) (few expr);
@@ -120,7 +129,7 @@ let operators =
 
 let segment = segment_of expr
 let path = path_of expr
-let vector = triple expr expr expr
+let vector = oneof [ expr; located (map3 (fun x y z -> Vector (x, y, z)) expr expr expr) ]
 
 let feature =
   located
@@ -133,9 +142,25 @@ let channel =
   let* features = few (map2 (fun feature only -> { feature; only }) feature bool) in
   return { channel; co; features; span = Scc_base.Span.none }
 
+let reference ~indices =
+  let* qualifier = opt name and* target = name in
+  let plain = { qualifier; target; indices = []; arguments = [] } in
+  let applied = map (fun arguments -> { plain with arguments }) (some expr) in
+  let indexed = map (fun indices -> { plain with indices }) (some expr) in
+  oneof (return plain :: return plain :: applied :: (if indices then [ indexed ] else []))
+
+let definitions = frequency [ (3, return []); (1, some (pair name expr)) ]
+
+let head ~indices =
+  let* declared = name in
+  let plain = { declared; places = []; formals = [] } in
+  let applied = map (fun formals -> { plain with formals }) (some name) in
+  let indexed = map (fun places -> { plain with places }) (some expr) in
+  oneof (return plain :: return plain :: applied :: (if indices then [ indexed ] else []))
+
 let behaviour =
   sized_size (int_range 0 8) (fix (fun self n ->
-      let leaf = oneof [ return Nil; map (fun k -> Name k) name ] in
+      let leaf = oneof [ return Nil; map (fun k -> Name k) (reference ~indices:true) ] in
       let next = self (n / 2) in
       located
         (if n = 0 then leaf
@@ -156,7 +181,13 @@ let file = located (oneofl [ "a.off"; "a \"b\".obj"; "c:\\x\\y.stl"; "\xC3\xA9.p
 let solid =
   sized_size (int_range 0 2) (fix (fun self n ->
       located
-        (if n = 0 then oneof [ map (fun t -> Template t) name; map2 (fun f d -> Mesh (f, d)) file (option expr) ]
+        (if n = 0 then
+           oneof
+             [
+               map (fun t -> Template t) (reference ~indices:false); map2 (fun f d -> Mesh (f, d)) file
+                 (option expr);
+               map (fun vs -> Hull vs) (few (pair name vector));
+             ]
          else map2 (fun s v -> Scaled (s, v)) (self (n - 1)) vector)))
 
 let quadruple = map (fun (a, b, c, d) -> (a, b, c, d)) (quad expr expr expr expr)
@@ -210,7 +241,16 @@ let law =
          map (fun ks -> Choose ks) (some (pair vector (opt expr)));
        ])
 
-let range = triple name expr expr
+let range = map2 (fun index bounds -> { index; bounds }) name (bounds_of expr)
+
+let import =
+  let* library = bool in
+  let* from = if library then name else file in
+  let* names =
+    oneof
+      [ map (fun n -> Qualified n) (opt name); map (fun ns -> Chosen ns) (some (pair name (opt name))) ]
+  in
+  return { from; library; names }
 
 let fineness =
   let power k = loc (Number (Q.of_string (Printf.sprintf "1/%d" (1 lsl k)))) in
@@ -230,12 +270,15 @@ let simple_item =
       map (fun n -> Dynamics n) (located (oneofl [ "constant_spin"; "free_body"; "other" ]));
       map (fun e -> Resolution e) fineness;
       map2 (fun n e -> Round (n, e)) (located (oneofl [ "orientation"; "velocity"; "other" ])) fineness;
-      map2 (fun n s -> Shape (n, s)) name solid;
+      map (fun i -> Import i) import;
+      map3 (fun n s ds -> Shape (n, s, ds)) (head ~indices:false) solid definitions;
       (let* vs = few (pair name vector) in
        let* fs = few (pair name (some name)) in
-       map (fun n -> Shape (n, loc (Faces (vs, fs)))) name);
-      map3 (fun n ps gs -> Compound (n, ps, gs)) name (few part) (few glue);
-      map3 (fun n t b -> Behaviour (n, t, b)) name (opt name) behaviour;
+       map2 (fun n ds -> Shape (n, loc (Faces (vs, fs)), ds)) (head ~indices:false) definitions);
+      (let* n = head ~indices:false and* ds = definitions in
+       map2 (fun ps gs -> Compound (n, ps, gs, ds)) (few part) (few glue));
+      (let* n = head ~indices:true and* ds = definitions in
+       map2 (fun t b -> Behaviour (n, t, b, ds)) (opt (reference ~indices:false)) behaviour);
       map (fun (s, l, ls) -> Process (s, l, ls)) (chain (map Option.some behaviour));
       map (fun (s, l, ls) -> Fixed (s, l, ls)) (chain (opt behaviour));
       map (fun b -> Bond b) bond;

@@ -1,0 +1,165 @@
+open Scc_base
+open Scc_exact
+open Scc_syntax
+
+let ( let* ) = Option.bind
+let all options = if List.for_all Option.is_some options then Some (List.filter_map Fun.id options) else None
+let blanks list = String.concat "," (List.map (fun _ -> "_") list)
+
+(* {1 What is declared} *)
+
+type head = { key : string; formals : Ast.name list }
+
+(* A variable for an index: a name that nothing has. *)
+let variable env (e : Ast.expr) =
+  match e.it with
+  | Path { it = [ { name; indices = [] } ]; _ } when not (Env.mem env name.it) -> Some name
+  | _ -> None
+
+let check_distinct report formals =
+  let rec check = function
+    | [] -> ()
+    | (n : Ast.name) :: rest ->
+      (match List.find_opt (fun (m : Ast.name) -> String.equal m.it n.it) rest with
+       | Some (m : Ast.name) ->
+         Report.error report Code.duplicate_name m.at "the parameter `%s` is given twice" m.it
+           ~notes:[ (n.at, "the first is here") ]
+       | None -> ());
+      check rest
+  in
+  check formals
+
+let integers report env es =
+  all (List.map (Constant.integer report env "an index") es)
+  |> Option.map (fun zs -> String.concat "," (List.map Z.to_string zs))
+
+let check_chosen report env (name : Ast.name) =
+  if Hashtbl.mem (Env.scope_of env).chosen name.it then
+    Report.error report Code.duplicate_name name.at "the name `%s` is that of an import" name.it
+      ~hint:"import it under another one, with `as`"
+
+let head report (env : Env.t) (h : Ast.head) =
+  check_chosen report env h.declared;
+  let base = Env.own env h.declared.it in
+  match (h.places, h.formals) with
+  | [], [] -> Some { key = base; formals = [] }
+  | [], formals ->
+    check_distinct report formals;
+    Some { key = Printf.sprintf "%s(%s)" base (blanks formals); formals }
+  | places, _ -> (
+      match all (List.map (variable env) places) with
+      | Some formals ->
+        check_distinct report formals;
+        Some { key = Printf.sprintf "%s[%s]" base (blanks formals); formals }
+      | None ->
+        integers report env places
+        |> Option.map (fun printed -> { key = Printf.sprintf "%s[%s]" base printed; formals = [] }))
+
+(* {1 What is referred to} *)
+
+type reference = { label : string; keys : string list; arguments : Env.value list }
+
+let printed = function
+  | Env.Number q -> Rat.to_string q
+  | Truth b -> string_of_bool b
+  | Vector v -> Vec.to_string v
+  | Word (w, env) -> if Env.declares env w then Option.value ~default:w (Env.global env None w) else w
+  | Macro _ | Leaf _ -> Bug.fail __POS__ "no argument of a family"
+
+let argument report env (e : Ast.expr) =
+  match e.it with
+  | Path { it = [ { name; indices = [] } ]; _ } -> (
+      match Env.find env name.it with
+      | None -> Some (Env.Word (name.it, env))
+      | Some (Word _ as w) -> Some w
+      | Some (Number _ | Truth _ | Vector _ | Macro _ | Leaf _) -> Constant.value report env e)
+  | _ -> Constant.value report env e
+
+let base report env (r : Ast.reference) =
+  let qualifier = Option.map (fun (q : Ast.name) -> q.it) r.qualifier in
+  match (qualifier, Env.find env r.target.it) with
+  | None, Some (Word (w, written)) -> Env.global written None w
+  | _ -> (
+      match Env.global env qualifier r.target.it with
+      | Some name -> Some name
+      | None ->
+        Option.iter
+          (fun (q : Ast.name) ->
+             Report.error report Code.unknown_name q.at "no import is called `%s`" q.it
+               ~near:(q.it, fun () -> Env.modules env))
+          r.qualifier;
+        None)
+
+let reference report env (r : Ast.reference) =
+  let* base = base report env r in
+  match (r.indices, r.arguments) with
+  | [], [] -> Some { label = base; keys = [ base ]; arguments = [] }
+  | [], arguments ->
+    let* values = all (List.map (argument report env) arguments) in
+    Some
+      {
+        label = Printf.sprintf "%s(%s)" base (String.concat "," (List.map printed values));
+        keys = [ Printf.sprintf "%s(%s)" base (blanks values) ];
+        arguments = values;
+      }
+  | indices, _ ->
+    let* values = all (List.map (Constant.integer report env "an index") indices) in
+    let label = Printf.sprintf "%s[%s]" base (String.concat "," (List.map Z.to_string values)) in
+    Some
+      {
+        label;
+        keys = [ label; Printf.sprintf "%s[%s]" base (blanks values) ];
+        arguments = List.map (fun z -> Env.Number (Rat.make z Z.one)) values;
+      }
+
+let find table reference =
+  List.find_map (fun key -> Hashtbl.find_opt table key) reference.keys
+
+(* {1 Instances} *)
+
+let word env name =
+  match Env.find env name with
+  | Some (Word (w, _)) -> w
+  | _ -> name
+
+let bind env formals arguments =
+  let add env (n : Ast.name) value = Env.add n.it { Env.value; span = n.at; used = true } env in
+  match formals with
+  | [] -> env
+  | _ :: _ -> List.fold_left2 add env formals arguments
+
+let define report env definitions =
+  let add env ((n : Ast.name), e) =
+    let value =
+      if Constant.is_constant env e then
+        Option.value ~default:(Env.Number Rat.one) (Constant.value report env e)
+      else Env.Macro (e, env)
+    in
+    Env.add n.it { Env.value; span = n.at; used = true } env
+  in
+  List.fold_left add env definitions
+
+let keys table = Hashtbl.fold (fun key _ all -> key :: all) table [] |> List.sort String.compare
+
+let bare name =
+  match (String.index_opt name '[', String.index_opt name '(') with
+  | Some i, Some j -> String.sub name 0 (min i j)
+  | Some i, None | None, Some i -> String.sub name 0 i
+  | None, None -> name
+
+(* What is known under a bare name, as it would be written. *)
+let unknown report what keys (r : Ast.reference) (reference : reference) =
+  let of_family = bare reference.label in
+  let instances = List.filter (fun key -> String.equal (bare key) of_family) keys in
+  match instances with
+  | [] ->
+    let known = List.map bare keys in
+    let hint =
+      match Diag.suggest of_family known with
+      | Some hint -> Some hint
+      | None -> Diag.suggest r.target.it known
+    in
+    Report.error report Code.unknown_name r.target.at ?hint "unknown %s `%s`" what reference.label
+  | _ :: _ ->
+    Report.error report Code.unknown_name r.target.at "unknown %s `%s`; declared is %s" what reference.label
+      (String.concat ", " (List.map (Printf.sprintf "`%s`") instances))
