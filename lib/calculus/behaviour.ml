@@ -16,8 +16,8 @@ type polarity = Name | Co_name
 type t =
   | Nil
   | Open of polarity * channel * t
-  | Weak of channel * t
-  | Strong of channel list * t
+  | Weak of channel * Rat.t * t
+  | Strong of channel list * Rat.t * t
   | Delay of Rat.t * t
   | Sum of t * t
   | Call of int
@@ -54,9 +54,10 @@ let rec compare a b =
     | Open (p, c, x), Open (q, d, y) ->
       Int.compare (polarity_rank p) (polarity_rank q) <?> fun () ->
         compare_channel c d <?> fun () -> compare x y
-    | Weak (c, x), Weak (d, y) -> compare_channel c d <?> fun () -> compare x y
-    | Strong (l, x), Strong (m, y) ->
-      compare_lists compare_channel l m <?> fun () -> compare x y
+    | Weak (c, i, x), Weak (d, j, y) ->
+      compare_channel c d <?> fun () -> Rat.compare i j <?> fun () -> compare x y
+    | Strong (l, i, x), Strong (m, j, y) ->
+      compare_lists compare_channel l m <?> fun () -> Rat.compare i j <?> fun () -> compare x y
     | Delay (s, x), Delay (t, y) -> Rat.compare s t <?> fun () -> compare x y
     | Sum (x, x'), Sum (y, y') -> compare x y <?> fun () -> compare x' y'
     | Call i, Call j -> Int.compare i j
@@ -77,8 +78,8 @@ let rec hash_to depth b =
     match b with
     | Nil -> 1
     | Open (p, c, b) -> (((polarity_rank p * 31) + hash_channel c) * 31) + below b
-    | Weak (c, b) -> (hash_channel c * 37) + below b
-    | Strong (l, b) -> List.fold_left (fun h c -> (h * 41) + hash_channel c) (below b) l
+    | Weak (c, j, b) -> (hash_channel c * 37) + (Rat.hash j * 43) + below b
+    | Strong (l, j, b) -> List.fold_left (fun h c -> (h * 41) + hash_channel c) ((Rat.hash j * 43) + below b) l
     | Delay (t, b) -> (Rat.hash t * 43) + below b
     | Sum (a, b) -> (below a * 47) + below b
     | Call i -> (i * 53) + 7
@@ -86,12 +87,12 @@ let rec hash_to depth b =
 let hash = hash_to hash_depth
 let nil = Nil
 let open_ polarity channel b = Open (polarity, channel, b)
-let weak channel b = Weak (channel, b)
+let weak ?(push = Rat.zero) channel b = Weak (channel, push, b)
 
-let strong channels b =
+let strong ?(push = Rat.zero) channels b =
   match channels with
   | [] -> Scc_base.Bug.fail __POS__ "a strong split without entries"
-  | _ :: _ -> Strong (List.sort_uniq compare_channel channels, b)
+  | _ :: _ -> Strong (List.sort_uniq compare_channel channels, push, b)
 
 let delay t b =
   match Rat.sign t with

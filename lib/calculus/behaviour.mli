@@ -25,16 +25,17 @@ type polarity = Name | Co_name
 type t = private
   | Nil
   | Open of polarity * channel * t  (** <alpha, Phi>. B *)
-  | Weak of channel * t  (** omega(a, Phi). B *)
-  | Strong of channel list * t  (** rho(L). B; L sorted, a set by name and surface, not empty *)
+  | Weak of channel * Rat.t * t  (** omega(a, Phi) push(j). B; j >= 0, and 0 without a push (reading I-36) *)
+  | Strong of channel list * Rat.t * t
+  (** rho(L) push(j). B; L sorted, a set by name and surface, not empty *)
   | Delay of Rat.t * t  (** eps(t). B with t > 0: eps(0).B is B *)
   | Sum of t * t
   | Call of int  (** K, an index into the definitions *)
 
 val nil : t
 val open_ : polarity -> channel -> t -> t
-val weak : channel -> t -> t
-val strong : channel list -> t -> t
+val weak : ?push:Rat.t -> channel -> t -> t
+val strong : ?push:Rat.t -> channel list -> t -> t
 
 val delay : Rat.t -> t -> t
 (** [delay t b] is [b] when t = 0 (rule Eps0, canonical form); t is not negative. *)

@@ -2,19 +2,22 @@ open Scc_exact
 
 let version = "2"
 
-let rec releases (b : Behaviour.t) =
-  match b with
-  | Weak _ -> true
-  | Nil | Call _ -> false
-  | Open (_, _, b) | Strong (_, b) | Delay (_, b) -> releases b
-  | Sum (b, c) -> releases b || releases c
+(* Whether some prefix that is written anywhere is so. *)
+let exists_prefix is (m : Model.t) (s : State.t) =
+  let rec within (b : Behaviour.t) =
+    match b with
+    | Nil | Call _ -> false
+    | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) -> is b || within rest
+    | Sum (b, c) -> within b || within c
+  in
+  let of_process (p : State.process) =
+    Array.exists (fun (l : State.leaf) -> within l.behaviour.term) p.leaves
+  in
+  Array.exists (fun (d : Behaviour.definition) -> within d.body) m.definitions
+  || Array.exists of_process s.processes
 
-let may_split (m : Model.t) (s : State.t) =
-  Array.exists (fun (d : Behaviour.definition) -> releases d.body) m.definitions
-  || Array.exists
-    (fun (p : State.process) ->
-       Array.exists (fun (l : State.leaf) -> releases l.behaviour.term) p.leaves)
-    s.processes
+let may_split = exists_prefix (function Weak _ -> true | _ -> false)
+let may_push = exists_prefix (function Weak (_, j, _) | Strong (_, j, _) -> Rat.sign j > 0 | _ -> false)
 
 let dynamics : Model.dynamics -> string = function
   | Constant_spin -> "constant_spin"

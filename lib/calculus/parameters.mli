@@ -11,5 +11,8 @@ val listed : Model.t -> State.t -> (string * string) list
     steps or turns; [collisions] and [binding] where they are not the default (readings I-32 and I-33); [dynamics],
     [resolution] and what is rounded where bodies turn. *)
 
+val may_push : Model.t -> State.t -> bool
+(** A split with a push is written somewhere (reading I-36). *)
+
 val line : (string * string) list -> string
 (** ["semantics 2: split step 1, timestep 1/10"], or ["semantics 2"]. *)

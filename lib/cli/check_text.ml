@@ -65,10 +65,8 @@ let step_lines ?(most = shown_steps) ~full m (w : Witness.t) =
 let leaves_of (label : Transition.label) =
   let ends (b : Scc_calculus.State.bond) = [ b.one.at; b.two.at ] in
   match label with
-  | Time _ -> []
   | Bounce { firsts; _ } -> firsts
-  | Bind b | Weak_split b -> ends b
-  | Strong_split bonds -> List.concat_map ends bonds
+  | Time _ | Bind _ | Weak_split _ | Strong_split _ -> List.concat_map ends (Transition.bonds label)
 
 module Leaves = Set.Make (Int)
 

@@ -28,16 +28,20 @@ let who (m : Model.t) firsts hits =
 
 let number ~full q = if full then Rat.to_string q else Short_text.exact q
 
+let release ~full m (r : Transition.release) =
+  bond m r.bond ^ if Rat.sign r.push = 0 then "" else " with a push of " ^ number ~full r.push
+
 let label ?(full = false) m : Transition.label -> string = function
   | Time d -> Printf.sprintf "time passes by %s" (number ~full d)
   | Bind b ->
     Printf.sprintf "%s and %s collide and bind by %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Bounce { firsts; hits } -> Printf.sprintf "%s collide and bounce" (listed (who m firsts hits))
-  | Weak_split b -> Printf.sprintf "%s and %s release %s" (name m b.one.at) (name m b.two.at) (bond m b)
-  | Strong_split [ b ] ->
-    Printf.sprintf "%s and %s react and release %s" (name m b.one.at) (name m b.two.at) (bond m b)
-  | Strong_split bonds ->
-    Printf.sprintf "a reaction releases %s" (String.concat ", " (List.map (bond m) bonds))
+  | Weak_split ({ bond = b; _ } as r) ->
+    Printf.sprintf "%s and %s release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)
+  | Strong_split [ ({ bond = b; _ } as r) ] ->
+    Printf.sprintf "%s and %s react and release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)
+  | Strong_split releases ->
+    Printf.sprintf "a reaction releases %s" (String.concat ", " (List.map (release ~full m) releases))
 
 (* Cuts between code points. *)
 let cut s =

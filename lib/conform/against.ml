@@ -100,16 +100,11 @@ let kind : Transition.label -> Recorded.kind option = function
   | Weak_split _ -> Some Weak
   | Strong_split _ -> Some Strong
 
-let bonds : Transition.label -> State.bond list = function
-  | Time _ | Bounce _ -> []
-  | Bind b | Weak_split b -> [ b ]
-  | Strong_split bonds -> bonds
-
 let ends (b : State.bond) = [ b.one; b.two ]
 
 let label_features t label =
   let named (f : State.finish) = Recorded.normal (Model.site_name t.model ~leaf:f.at f.site) in
-  Recorded.sort (List.map named (List.concat_map ends (bonds label)))
+  Recorded.sort (List.map named (List.concat_map ends (Transition.bonds label)))
 
 (* One sorted list in another, each as often. *)
 let rec within xs ys =
@@ -135,7 +130,8 @@ let same_bodies t s e (label : Transition.label) =
     let first leaf = s.State.processes.(fst (State.find_leaf s leaf)).leaves.(0).leaf in
     between s mine [ first b.one.at; first b.two.at ]
   | Bind _ | Weak_split _ | Strong_split _ ->
-    let theirs = distinct (List.map (fun (f : State.finish) -> f.at) (List.concat_map ends (bonds label))) in
+    let finishes = List.concat_map ends (Transition.bonds label) in
+    let theirs = distinct (List.map (fun (f : State.finish) -> f.at) finishes) in
     let told = distinct (List.filter_map (leaf t) e.bodies) in
     if e.bodies <> [] then List.equal Int.equal told theirs
     else List.for_all (fun l -> List.mem l theirs) mine
@@ -143,7 +139,7 @@ let same_bodies t s e (label : Transition.label) =
 let same_channels (e : Recorded.event) label =
   e.channels = []
   || List.equal String.equal e.channels
-    (List.sort_uniq String.compare (List.map (fun (b : State.bond) -> b.name) (bonds label)))
+    (List.sort_uniq String.compare (List.map (fun (b : State.bond) -> b.name) (Transition.bonds label)))
 
 (* Each bond that is told with its ends is one of these: the names and the ends by themselves do not tell which
    belong together. *)
@@ -152,7 +148,7 @@ let same_bonds t (e : Recorded.event) label =
     let named (f : State.finish) = Recorded.normal (Model.site_name t.model ~leaf:f.at f.site) in
     List.map (fun name -> Recorded.bond_text name (List.map named (ends b))) [ b.name; "" ]
   in
-  let theirs = lazy (List.concat_map texts (bonds label)) in
+  let theirs = lazy (List.concat_map texts (Transition.bonds label)) in
   List.for_all (fun told -> List.exists (String.equal told) (Lazy.force theirs)) e.together
 
 (* A bond has both its ends told, or one, or none; a reaction all or none. *)
@@ -170,7 +166,7 @@ let common_body t s e label =
   let theirs =
     match (label : Transition.label) with
     | Bounce { firsts; _ } -> firsts
-    | _ -> List.map (fun (f : State.finish) -> first f.at) (List.concat_map ends (bonds label))
+    | _ -> List.map (fun (f : State.finish) -> first f.at) (List.concat_map ends (Transition.bonds label))
   in
   List.exists (fun p -> List.mem p theirs) (processes_of t s e)
 

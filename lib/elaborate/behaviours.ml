@@ -179,6 +179,17 @@ let delay t env (e : Ast.expr) =
     None
   | None -> None
 
+(* An impulse, 0 where none is given. *)
+let push t env = function
+  | None -> Some Rat.zero
+  | Some (e : Ast.expr) -> (
+      match Constant.number t.c.report env e with
+      | Some q when Rat.sign q < 0 ->
+        Report.error t.c.report Code.bad_value e.at "a push is not negative, and this is %s" (Rat.to_string q)
+          ~hint:"what is split can be pushed apart, and not pulled into each other";
+        None
+      | q -> q)
+
 let polarity (ch : Ast.channel) = if ch.co then Behaviour.Co_name else Behaviour.Name
 
 (* Both parts are read before either is looked at, so that the faults of both are found. *)
@@ -189,12 +200,16 @@ let rec elaborate t scope (b : Ast.behaviour) =
   | Open (ch, rest) ->
     let* c, b = Typed.both (channel t scope ch) (elaborate t scope rest) in
     Some (Behaviour.open_ (polarity ch) c b)
-  | Weak (ch, rest) ->
-    let* c, b = Typed.both (channel t scope ch) (elaborate t scope rest) in
-    Some (Behaviour.weak c b)
-  | Strong (list, rest) ->
-    let* cs, b = Typed.both (channels_of t scope b.at list) (elaborate t scope rest) in
-    Some (Behaviour.strong cs b)
+  | Weak (ch, j, rest) ->
+    let* (c, b), push =
+      Typed.both (Typed.both (channel t scope ch) (elaborate t scope rest)) (push t scope.env j)
+    in
+    Some (Behaviour.weak ~push c b)
+  | Strong (list, j, rest) ->
+    let* (cs, b), push =
+      Typed.both (Typed.both (channels_of t scope b.at list) (elaborate t scope rest)) (push t scope.env j)
+    in
+    Some (Behaviour.strong ~push cs b)
   | Delay (e, rest) ->
     let* d, b = Typed.both (delay t scope.env e) (elaborate t scope rest) in
     Some (Behaviour.delay d b)
@@ -272,7 +287,10 @@ let unguarded_at t (at : Span.t) label =
 let rec check_names t env (b : Ast.behaviour) =
   match b.it with
   | Nil -> ()
-  | Open (_, rest) | Weak (_, rest) | Strong (_, rest) -> check_names t env rest
+  | Open (_, rest) -> check_names t env rest
+  | Weak (_, j, rest) | Strong (_, j, rest) ->
+    ignore (push t env j);
+    check_names t env rest
   | Delay (e, rest) ->
     ignore (delay t env e);
     check_names t env rest

@@ -69,12 +69,15 @@ let expr_children (e : Ast.expr) =
   | Temporal (_, b, a) -> Expr a :: bound b
   | Until (_, a, b, c) | Leads_to (a, b, c) -> Expr a :: Expr c :: bound b
 
+let push j = Option.to_list (Option.map (fun e -> Expr e) j)
+
 let behaviour_children (b : Ast.behaviour) =
   match b.it with
   | Nil -> []
   | Name k -> reference k
-  | Open (c, b) | Weak (c, b) -> Behaviour b :: channel c
-  | Strong (cs, b) -> Behaviour b :: List.concat_map channel cs
+  | Open (c, b) -> Behaviour b :: channel c
+  | Weak (c, j, b) -> (Behaviour b :: channel c) @ push j
+  | Strong (cs, j, b) -> (Behaviour b :: List.concat_map channel cs) @ push j
   | Delay (e, b) -> [ Expr e; Behaviour b ]
   | Sum (a, b) -> [ Behaviour a; Behaviour b ]
 

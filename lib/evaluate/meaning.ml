@@ -52,8 +52,8 @@ let offers definitions polarity name b =
   let wanted (o : Behaviours.offer) =
     match (o, polarity) with
     | Offer_open (p, c, _), Some wanted -> named c && same_polarity p wanted
-    | Offer_open (_, c, _), None | Offer_weak (c, _), None -> named c
-    | Offer_strong (list, _), None -> List.exists named list
+    | Offer_open (_, c, _), None | Offer_weak (c, _, _), None -> named c
+    | Offer_strong (list, _, _), None -> List.exists named list
     | (Offer_weak _ | Offer_strong _), Some _ -> false
   in
   List.exists wanted (Behaviours.offers definitions b)

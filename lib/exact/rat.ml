@@ -128,10 +128,16 @@ let short_above q =
     let k = kept - size (Q.num q) (Q.den q) in
     over_power (scaled_up (Q.num q) (Q.den q) k) k
 
-let sqrt_above n d =
+let root_above ~kept n d =
   if Z.sign n = 0 then Q.zero
   else
     let k = ((2 * kept) - size n d) asr 1 in
     let n = scaled_up n d (2 * k) in
     let root = Z.sqrt n in
     over_power (if Z.lt (Z.mul root root) n then Z.succ root else root) k
+
+let sqrt_above n d = root_above ~kept n d
+
+let root q =
+  let n = Q.num q and d = Q.den q in
+  if Z.perfect_square n && Z.perfect_square d then Q.make (Z.sqrt n) (Z.sqrt d) else root_above ~kept:40 n d

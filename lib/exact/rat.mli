@@ -62,6 +62,9 @@ val of_literal : string -> (t, literal_error) result
 val short_above : t -> t
 (** A number >= 0, rounded up to ten bits or one more. *)
 
+val root : t -> t
+(** The square root of a number >= 0, if that is rational; else more than it by less than two in forty bits. *)
+
 val sqrt_above : Z.t -> Z.t -> t
 (** [sqrt_above n d], for n >= 0 and d > 0: at least the square root of n/d, and more by less than two in ten bits;
     a short number. *)

@@ -15,14 +15,16 @@ let surface m leaf (c : Behaviour.channel) =
 
 let bare m leaf (c : Behaviour.channel) = Printf.sprintf "%s, %s" c.name (surface m leaf c)
 
+let push j = if Rat.sign j = 0 then "" else Printf.sprintf " push(%s)" (Rat.to_string j)
+
 let prefix m leaf : Behaviour.t -> string option = function
   | Open (polarity, c, _) ->
     let bar = match polarity with Name -> "" | Co_name -> "~" in
     Some (Printf.sprintf "<%s%s>. " bar (bare m leaf c))
-  | Weak (c, _) -> Some (Printf.sprintf "omega(%s). " (bare m leaf c))
-  | Strong (cs, _) ->
+  | Weak (c, j, _) -> Some (Printf.sprintf "omega(%s)%s. " (bare m leaf c) (push j))
+  | Strong (cs, j, _) ->
     let entry c = "<" ^ bare m leaf c ^ ">" in
-    Some (Printf.sprintf "rho({%s}). " (String.concat ", " (List.map entry cs)))
+    Some (Printf.sprintf "rho({%s})%s. " (String.concat ", " (List.map entry cs)) (push j))
   | Delay (t, _) -> Some (Printf.sprintf "eps(%s). " (Rat.to_string t))
   | Nil | Sum _ | Call _ -> None
 
@@ -49,7 +51,7 @@ let to_string (m : Model.t) ~leaf term =
         match place with
         | Top -> sum rest
         | Right_of_sum | After_prefix -> Text "(" :: sum (Text ")" :: rest))
-    | Open (_, _, next) | Weak (_, next) | Strong (_, next) | Delay (_, next) -> (
+    | Open (_, _, next) | Weak (_, _, next) | Strong (_, _, next) | Delay (_, next) -> (
         match prefix m leaf t with
         | Some p -> Text p :: Term (After_prefix, next) :: rest
         | None -> Scc_base.Bug.fail __POS__ "a prefix without its text")

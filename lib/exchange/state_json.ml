@@ -4,7 +4,10 @@ open Scc_semantics
 
 let site (m : Model.t) (f : State.finish) = Json.text (Model.site_name m ~leaf:f.at f.site)
 let ends m (b : State.bond) = `List [ site m b.one; site m b.two ]
-let bond m (b : State.bond) = `Assoc [ ("name", Json.text b.name); ("ends", ends m b) ]
+let bond m (b : State.bond) = [ ("name", Json.text b.name); ("ends", ends m b) ]
+
+let release m ({ bond = b; push } : Transition.release) =
+  bond m b @ if Rat.sign push = 0 then [] else [ ("push", Json.rat push) ]
 let leaf_name (m : Model.t) leaf = Json.text m.leaves.(leaf).name
 
 let part (m : Model.t) (leaf, index) = Json.text m.leaves.(leaf).parts.(index).name
@@ -13,13 +16,14 @@ let label m (l : Transition.label) =
   let parts =
     match l with
     | Time d -> [ ("duration", Json.rat d) ]
-    | Bind b | Weak_split b -> [ ("name", Json.text b.name); ("ends", ends m b) ]
+    | Bind b -> bond m b
+    | Weak_split r -> release m r
     | Bounce { firsts; hits } ->
       [
         ("between", `List (List.map (leaf_name m) firsts));
         ("touching", `List (List.map (fun (h : Transition.hit) -> `List [ part m h.one; part m h.two ]) hits));
       ]
-    | Strong_split bonds -> [ ("bonds", `List (List.map (bond m) bonds)) ]
+    | Strong_split releases -> [ ("bonds", `List (List.map (fun r -> `Assoc (release m r)) releases)) ]
   in
   let kind =
     match l with
@@ -91,7 +95,7 @@ let process m (p : State.process) =
      @ [
        ("clock", Json.option Json.rat p.clock);
        ("leaves", list (leaf m) p.leaves);
-       ("bonds", list (bond m) p.bonds);
+       ("bonds", list (fun b -> `Assoc (bond m b)) p.bonds);
      ])
 
 let step (s : State.step) =

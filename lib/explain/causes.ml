@@ -133,7 +133,8 @@ let collision w ~step ~time label source target some ~behaving =
   set w.at.clock event all;
   (event, all)
 
-let split w ~step ~time label source (bonds : State.bond list) ~clocked =
+let split w ~step ~time label source target ~clocked =
+  let bonds = Transition.bonds label in
   let ends = List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds in
   let ends = List.sort_uniq Int.compare ends in
   let leaves = match ends with [] -> [] | leaf :: _ -> first leaf (home source leaf) in
@@ -141,6 +142,8 @@ let split w ~step ~time label source (bonds : State.bond list) ~clocked =
     structure_of w.at leaves @ behaviour_of w.at ends @ if clocked then clock_of w.at leaves else []
   in
   let event = tell_event w ~step ~time (Discrete label) leaves reasons in
+  (* a push changes where the pieces go *)
+  set_motion w event source target leaves;
   set w.at.structure event leaves;
   set w.at.clock event leaves;
   set w.at.behaviour event ends
@@ -156,8 +159,8 @@ let transition w ~step ~time (label : Transition.label) source target =
   | Bounce { firsts; _ } ->
     let behaving = touching w.semantics source firsts in
     ignore (collision w ~step ~time label source target firsts ~behaving)
-  | Weak_split b -> split w ~step ~time label source [ b ] ~clocked:true
-  | Strong_split bonds -> split w ~step ~time label source bonds ~clocked:false
+  | Weak_split _ -> split w ~step ~time label source target ~clocked:true
+  | Strong_split _ -> split w ~step ~time label source target ~clocked:false
 
 let tell (run : run) =
   let semantics = Course.semantics run.course in
@@ -178,12 +181,6 @@ let model t = Semantics.model (Course.semantics t.run.course)
 let everyone t = List.init (Array.length (model t).leaves) Fun.id
 let movable t = List.filter (fun l -> not (model t).leaves.(l).fixed) (everyone t)
 
-let of_label (label : Transition.label) =
-  match label with
-  | Bind b | Weak_split b -> [ b ]
-  | Strong_split bonds -> bonds
-  | Time _ | Bounce _ -> []
-
 let joins (p, q) (b : State.bond) = (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p)
 
 (* The events that made or released bonds of a kind, and the leaves that have such a bond. *)
@@ -192,7 +189,7 @@ let bonds t wanted =
     match e.happening with
     | Expiry _ -> []
     | Discrete label ->
-      let made = List.filter wanted (of_label label) in
+      let made = List.filter wanted (Transition.bonds label) in
       List.map (fun (b : State.bond) -> { cause; aspect = Structure; leaf = b.one.at }) made
   in
   let of_process (p : State.process) =

@@ -29,10 +29,11 @@ let those alternatives condition =
   List.mapi (fun k (a : Event_run.alternative) -> (k, a)) alternatives
   |> List.filter (fun (_, (a : Event_run.alternative)) -> condition a.label)
 
-let some_leaf : Transition.label -> int option = function
-  | Bind b | Weak_split b | Strong_split (b :: _) -> Some b.one.at
-  | Bounce { firsts = i :: _; _ } -> Some i
-  | Time _ | Bounce { firsts = []; _ } | Strong_split [] -> None
+let some_leaf (label : Transition.label) =
+  match (label, Transition.bonds label) with
+  | _, b :: _ -> Some b.one.at
+  | Bounce { firsts = i :: _; _ }, [] -> Some i
+  | (Time _ | Bounce _ | Bind _ | Weak_split _ | Strong_split _), [] -> None
 
 let is_of_slice t label = match some_leaf label with Some i -> t.kept.(i) | None -> false
 

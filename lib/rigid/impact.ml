@@ -89,6 +89,16 @@ let bounce a b contacts =
 
 (* {1 Bind and split} *)
 
+let pushed ~at impulse m =
+  match m.mass with
+  | None -> m
+  | Some b ->
+    {
+      m with
+      velocity = Vec.axpy (Rat.div Rat.one b.mass) impulse m.velocity;
+      spin = Vec.add m.spin (Mass.turn_rate b (Vec.cross (Vec.sub at b.centre) impulse));
+    }
+
 let at_rest = { mass = None; velocity = Vec.zero; spin = Vec.zero }
 
 let whole parts =

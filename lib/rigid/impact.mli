@@ -42,6 +42,9 @@ type response = Bounced of mover * mover | Persistent  (** the response would be
 val bounce : mover -> mover -> Near_contact.t list -> response
 (** {!bounce_all} of two bodies. *)
 
+val pushed : at:Vec.t -> Vec.t -> mover -> mover
+(** What an impulse at a place gives a body; a fixed body takes nothing. *)
+
 val bind : mover list -> mover
 (** The whole of some bodies (at least one), which moves by conservation of linear and angular momentum. What is
     bound to a fixed body is fixed. *)

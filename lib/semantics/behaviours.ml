@@ -3,8 +3,8 @@ open Scc_calculus.Behaviour
 
 type offer =
   | Offer_open of polarity * channel * t
-  | Offer_weak of channel * t
-  | Offer_strong of channel list * t
+  | Offer_weak of channel * Rat.t * t
+  | Offer_strong of channel list * Rat.t * t
 
 type derivation = { summand : t; within : int option list; by_sum : bool; by_def : bool }
 
@@ -15,8 +15,8 @@ let rec derive (defs : definitions) how found (b : t) =
   match b with
   | Nil | Delay _ -> found
   | Open (p, c, rest) -> offered (Offer_open (p, c, rest))
-  | Weak (c, rest) -> offered (Offer_weak (c, rest))
-  | Strong (l, rest) -> offered (Offer_strong (l, rest))
+  | Weak (c, push, rest) -> offered (Offer_weak (c, push, rest))
+  | Strong (l, push, rest) -> offered (Offer_strong (l, push, rest))
   | Sum (x, y) ->
     let how = { how with by_sum = true } in
     derive defs how (derive defs how found x) y

@@ -8,8 +8,8 @@ open Scc_calculus.Behaviour
 (** A summand that a behaviour offers, with what follows it. *)
 type offer =
   | Offer_open of polarity * channel * t
-  | Offer_weak of channel * t
-  | Offer_strong of channel list * t
+  | Offer_weak of channel * Rat.t * t  (** with its push *)
+  | Offer_strong of channel list * Rat.t * t
 
 val offers : definitions -> aged -> offer list
 (** Every discrete transition, in the order of the text, without repetition. *)

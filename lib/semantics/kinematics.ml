@@ -40,12 +40,14 @@ module type S = sig
   val margin : setting -> Rat.t
   val contact : setting -> Part.t -> Part.t -> contact
   val touching : setting -> Part.t -> Part.t -> Contact.pair list
+  val near : setting -> Part.t -> Part.t -> Scc_rigid.Near_contact.t option
   val bonded : setting -> Part.t * Feature.t -> Part.t * Feature.t -> bool
   val first_time_of_contact : setting -> Part.t array -> limit:Rat.t option -> Rat.t option
   val none_ahead : setting -> Part.t array -> bool
   val bounce : setting -> State.process array -> meeting list -> State.process array option
   val joined : setting -> State.process -> State.process -> State.process -> State.process
   val piece : setting -> whole:State.process -> State.process -> State.process
+  val pushed : setting -> at:Vec.t -> Vec.t -> State.process -> State.process
   val start : setting -> State.process -> State.process
   val time_rules : Rule.t list
   val renewed : setting -> State.process -> State.process

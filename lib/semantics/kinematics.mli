@@ -52,6 +52,9 @@ module type S = sig
   val touching : setting -> Part.t -> Part.t -> Contact.pair list
   (** The features in which two parts touch that are not {!Apart}; none if they are only seen as {!Touching}. *)
 
+  val near : setting -> Part.t -> Part.t -> Scc_rigid.Near_contact.t option
+  (** The contact of two parts, if they touch. *)
+
   val bonded : setting -> Part.t * Feature.t -> Part.t * Feature.t -> bool
   (** Whether two features, each of a part, may hold a bond (Definition 5.2). *)
 
@@ -73,6 +76,10 @@ module type S = sig
 
   val piece : setting -> whole:State.process -> State.process -> State.process
   (** A piece of a whole, in the motion that the whole had (readings I-11 and I-23). *)
+
+  val pushed : setting -> at:Vec.t -> Vec.t -> State.process -> State.process
+  (** [pushed c ~at impulse p]: what an impulse at a place makes of the motion of a process; nothing, if it is
+      fixed (reading I-36). *)
 
   val start : setting -> State.process -> State.process
   (** A declared process as it is at first. *)

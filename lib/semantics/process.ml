@@ -5,15 +5,15 @@ let continue continuations (l : State.leaf) =
   | Some b -> { l with behaviour = Behaviour.fresh b }
   | None -> l
 
-type released = Behaviour.t * Behaviours.derivation
+type released = { rest : Behaviour.t; push : Scc_exact.Rat.t; how : Behaviours.derivation }
 
 (* What an end of a bond may do to release it: its summands omega(a, Phi) that match. *)
 let releases (m : Model.t) p name (f : State.finish) =
   Behaviours.derivations m.definitions (State.leaf_of p f.at).behaviour
   |> List.filter_map (fun (offer, derivation) ->
       match offer with
-      | Behaviours.Offer_weak (c, b) when String.equal c.name name && Behaviour.active c f.site ->
-        Some (b, derivation)
+      | Behaviours.Offer_weak (c, push, rest) when String.equal c.name name && Behaviour.active c f.site ->
+        Some { rest; push; how = derivation }
       | Offer_weak _ | Offer_open _ | Offer_strong _ -> None)
 
 let weak_offers m p (b : State.bond) =

@@ -5,8 +5,8 @@ open Scc_calculus
 val continue : (int * Behaviour.t) list -> State.leaf -> State.leaf
 (** The leaf with the behaviour that the list gives for it, if it gives one. *)
 
-type released = Behaviour.t * Behaviours.derivation
-(** What an end of a bond becomes when it releases it, by which summand. *)
+(** What an end of a bond becomes when it releases it, by which summand, and how hard it pushes (reading I-36). *)
+type released = { rest : Behaviour.t; push : Scc_exact.Rat.t; how : Behaviours.derivation }
 
 val weak_offers : Model.t -> State.process -> State.bond -> (released * released) list
 (** The ways to release a bond, which both its ends, the lesser and the greater, must offer (reading I-6). *)

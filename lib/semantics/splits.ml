@@ -1,14 +1,51 @@
+open Scc_exact
+open Scc_rigid
 open Scc_calculus
 module Ints = Set.Make (Int)
 
 module Owners = Map.Make (Int)
 
-(* Takes bonds out of a process, lets leaves continue, and makes a process of each component. *)
-let fall_apart (c : Semantics.t) (p : State.process) ~released continuations =
+(* {1 Pushes} *)
+
+let part (c : Semantics.t) p ({ at; site } : State.finish) =
   let (module K) = c.kinematics in
-  let kept =
-    Array.to_list p.bonds |> List.filter (fun b -> not (List.exists (State.equal_bond b) released))
+  List.find (fun (part : Part.t) -> Part.name part = (at, site.part)) (K.parts c.setting 0 p)
+
+(* Where two parts that hold a bond are pushed apart, and in which direction, of length 1 or hardly less: along the
+   only normal of their contact, or from the centroid of the one to that of the other. *)
+let line_of_push (c : Semantics.t) p (b : State.bond) =
+  let (module K) = c.kinematics in
+  let one = part c p b.one and two = part c p b.two in
+  match K.near c.setting one two with
+  | None -> Scc_base.Bug.fail __POS__ "a bond of parts that are apart"
+  | Some { normals; corners; _ } ->
+    let along =
+      match normals with
+      | [ n ] -> Ivec.to_vec n
+      | _ -> Vec.sub (Placed.centroid two.placed) (Placed.centroid one.placed)
+    in
+    let sum = List.fold_left Vec.add Vec.zero corners in
+    let mean = Vec.scale (Rat.div Rat.one (Rat.of_int (List.length corners))) sum in
+    (mean, Vec.scale (Rat.div Rat.one (Rat.root (Vec.norm2 along))) along)
+
+let pushed_apart (c : Semantics.t) (p : State.process) releases pieces =
+  let (module K) = c.kinematics in
+  let push pieces ({ bond; push } : Transition.release) =
+    if Rat.sign push = 0 then pieces
+    else
+      let at, direction = line_of_push c p bond in
+      let of_leaf leaf impulse piece =
+        if State.has_leaf piece leaf then K.pushed c.setting ~at (Vec.scale impulse direction) piece else piece
+      in
+      List.map (fun q -> of_leaf bond.one.at (Rat.neg push) (of_leaf bond.two.at push q)) pieces
   in
+  List.fold_left push pieces releases
+
+(* Takes bonds out of a process, lets leaves continue, and makes a process of each component. *)
+let fall_apart (c : Semantics.t) (p : State.process) releases continuations =
+  let (module K) = c.kinematics in
+  let is_kept b = not (List.exists (fun (r : Transition.release) -> State.equal_bond b r.bond) releases) in
+  let kept = List.filter is_kept (Array.to_list p.bonds) in
   let leaves = Array.map (Process.continue continuations) p.leaves in
   State.components leaves (Array.of_list kept)
   |> List.map (fun (leaves, bonds) ->
@@ -16,17 +53,19 @@ let fall_apart (c : Semantics.t) (p : State.process) ~released continuations =
       |> K.piece c.setting ~whole:p
       |> Process.piece_step c.setting.model ~whole:p
       |> Process.restart_clock c.setting.model)
+  |> pushed_apart c p releases
 
 let weak (c : Semantics.t) (p : State.process) =
   let release (b : State.bond) =
     Process.weak_offers c.setting.model p b
-    |> List.map (fun ((first, one), (second, two)) ->
+    |> List.map (fun ((one : Process.released), (two : Process.released)) ->
+        let release = { Transition.bond = b; push = Rat.add one.push two.push } in
         {
           Transition.rule = Rule.Weak_split;
-          label = Weak_split b;
-          fired = [ [ one; two ] ];
+          label = Weak_split release;
+          fired = [ [ one.how; two.how ] ];
           gone = [ p ];
-          come = fall_apart c p ~released:[ b ] [ (b.one.at, first); (b.two.at, second) ];
+          come = fall_apart c p [ release ] [ (b.one.at, one.rest); (b.two.at, two.rest) ];
         })
   in
   if Process.at_split_instant p then List.concat_map release (Array.to_list p.bonds) else []
@@ -35,9 +74,11 @@ let weak (c : Semantics.t) (p : State.process) =
    a summand rho(L) whose entries match exactly the bonds of X at that leaf, which may bring in more bonds,
    whose other ends must choose in turn. *)
 
+type chosen = { rest : Behaviour.t; push : Rat.t }
+
 type reaction = {
   bonds : Ints.t;  (** X, indices into the bonds of the process *)
-  chosen : (int * Behaviour.t) list;  (** leaves that have chosen, with what they become *)
+  chosen : (int * chosen) list;  (** leaves that have chosen *)
   fired : Behaviours.derivation list;
 }
 
@@ -90,13 +131,13 @@ let choices (m : Model.t) (p : State.process) reaction ~least (l : State.leaf) =
   Behaviours.derivations m.definitions l.behaviour
   |> List.concat_map (fun (offer, derivation) ->
       match offer with
-      | Behaviours.Offer_strong (entries, b) ->
+      | Behaviours.Offer_strong (entries, push, rest) ->
         subsets (List.length entries - List.length required) optional
         |> List.filter (fun extra -> matches p l.leaf entries (required @ extra))
         |> List.map (fun extra ->
             {
               bonds = Ints.union reaction.bonds (Ints.of_list extra);
-              chosen = (l.leaf, b) :: reaction.chosen;
+              chosen = (l.leaf, { rest; push }) :: reaction.chosen;
               fired = derivation :: reaction.fired;
             })
       | Offer_open _ | Offer_weak _ -> [])
@@ -128,11 +169,17 @@ let strong (c : Semantics.t) (p : State.process) =
   else
     List.concat_map (reactions m p) (List.init (Array.length p.bonds) Fun.id)
     |> List.map (fun reaction ->
-        let released = List.map (fun i -> p.bonds.(i)) (Ints.elements reaction.bonds) in
+        let push leaf = (List.assoc leaf reaction.chosen).push in
+        let release i =
+          let bond = p.bonds.(i) in
+          { Transition.bond; push = Rat.add (push bond.one.at) (push bond.two.at) }
+        in
+        let releases = List.map release (Ints.elements reaction.bonds) in
+        let continuations = List.map (fun (leaf, { rest; _ }) -> (leaf, rest)) reaction.chosen in
         {
           Transition.rule = Rule.Strong_split;
-          label = Strong_split released;
+          label = Strong_split releases;
           fired = [ reaction.fired ];
           gone = [ p ];
-          come = fall_apart c p ~released reaction.chosen;
+          come = fall_apart c p releases continuations;
         })

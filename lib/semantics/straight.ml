@@ -29,6 +29,8 @@ let contact c (a : Part.t) (b : Part.t) : contact =
 
 let touching c (a : Part.t) (b : Part.t) = c.geometry.touching a.placed b.placed
 
+let near c (a : Part.t) (b : Part.t) = c.geometry.near ~resolution:Rat.zero a.placed b.placed
+
 let bonded c ((a : Part.t), one) ((b : Part.t), two) =
   let is_bond (pair : Contact.pair) = Feature.equal pair.first one && Feature.equal pair.second two in
   match c.geometry.relation a.placed b.placed with
@@ -88,6 +90,12 @@ let joined ({ model; _ } as c) (p : State.process) (q : State.process) whole =
   renewed c (State.with_velocity velocity whole)
 
 let piece c ~whole (piece : State.process) = renewed c (State.with_velocity whole.State.velocity piece)
+
+let pushed c ~at:_ impulse (p : State.process) =
+  match State.mass c.model p with
+  | None -> p
+  | Some mass -> State.with_velocity (Vec.axpy (Rat.div Rat.one mass) impulse p.velocity) p
+
 let start = renewed
 
 (* {1 Turns} *)

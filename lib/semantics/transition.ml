@@ -3,12 +3,14 @@ open Scc_calculus
 
 type hit = { one : int * int; two : int * int }
 
+type release = { bond : State.bond; push : Rat.t }
+
 type label =
   | Time of Rat.t
   | Bind of State.bond
   | Bounce of { firsts : int list; hits : hit list }
-  | Weak_split of State.bond
-  | Strong_split of State.bond list
+  | Weak_split of release
+  | Strong_split of release list
 
 type outcome = {
   rule : Rule.t;
@@ -33,6 +35,12 @@ type fault =
   | Bad_law of { leaf : int; fault : Law.fault }
   | Persistent_contact of int list
 
+let bonds = function
+  | Time _ | Bounce _ -> []
+  | Bind b -> [ b ]
+  | Weak_split r -> [ r.bond ]
+  | Strong_split releases -> List.map (fun r -> r.bond) releases
+
 let duration_of = function
   | Time d -> d
   | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> Rat.zero
@@ -47,11 +55,7 @@ let is_urgent = function
 
 let duration (t : t) = duration_of t.label
 
-let rec equal_bonds a b =
-  match (a, b) with
-  | [], [] -> true
-  | x :: a, y :: b -> State.equal_bond x y && equal_bonds a b
-  | [], _ :: _ | _ :: _, [] -> false
+let equal_release r s = State.equal_bond r.bond s.bond && Rat.equal r.push s.push
 
 let compare_ends (i, p) (j, q) =
   let c = Int.compare i j in
@@ -66,10 +70,11 @@ let compare_hit a b =
 let equal_label a b =
   match (a, b) with
   | Time s, Time t -> Rat.equal s t
-  | Bind x, Bind y | Weak_split x, Weak_split y -> State.equal_bond x y
+  | Bind x, Bind y -> State.equal_bond x y
+  | Weak_split x, Weak_split y -> equal_release x y
   | Bounce x, Bounce y ->
     List.equal Int.equal x.firsts y.firsts && List.equal (fun a b -> compare_hit a b = 0) x.hits y.hits
-  | Strong_split x, Strong_split y -> equal_bonds x y
+  | Strong_split x, Strong_split y -> List.equal equal_release x y
   | (Time _ | Bind _ | Bounce _ | Weak_split _ | Strong_split _), _ -> false
 
 let same (a : outcome) (b : outcome) =
@@ -85,15 +90,17 @@ let distinct outcomes = List.fold_left (fun kept o -> add o kept) [] outcomes
 let finish_to_string m (f : State.finish) = Model.site_name m ~leaf:f.at f.site
 let ends m (b : State.bond) = finish_to_string m b.one ^ ", " ^ finish_to_string m b.two
 
+let pushed r = if Rat.sign r.push = 0 then "" else Printf.sprintf " push(%s)" (Rat.to_string r.push)
+
 let names (m : Model.t) = List.map (fun i -> m.leaves.(i).name)
 
 let label_to_string (m : Model.t) = function
   | Time d -> Printf.sprintf "time(%s)" (Rat.to_string d)
   | Bind b -> Printf.sprintf "bind(%s, %s)" b.name (ends m b)
   | Bounce { firsts; _ } -> Printf.sprintf "bounce(%s)" (String.concat ", " (names m firsts))
-  | Weak_split b -> Printf.sprintf "weak(%s, %s)" b.name (ends m b)
-  | Strong_split bonds ->
-    List.map (fun (b : State.bond) -> Printf.sprintf "<%s, {%s}>" b.name (ends m b)) bonds
+  | Weak_split ({ bond = b; _ } as r) -> Printf.sprintf "weak(%s, %s)%s" b.name (ends m b) (pushed r)
+  | Strong_split releases ->
+    List.map (fun ({ bond = b; _ } as r) -> Printf.sprintf "<%s, {%s}>%s" b.name (ends m b) (pushed r)) releases
     |> String.concat ", "
     |> Printf.sprintf "strong({%s})"
 

@@ -6,13 +6,16 @@ open Scc_calculus
 (** Two parts that touch, of different processes: each as its leaf and its index in it, the lesser one first. *)
 type hit = { one : int * int; two : int * int }
 
+(** A bond that a split releases, and the impulse by which the two leaves that it joined part (reading I-36). *)
+type release = { bond : State.bond; push : Rat.t }
+
 type label =
   | Time of Rat.t
   | Bind of State.bond  (** the bond that was made *)
   | Bounce of { firsts : int list; hits : hit list }
   (** the first leaves of the processes, two or more, in order; and where they touch, in order *)
-  | Weak_split of State.bond
-  | Strong_split of State.bond list  (** sorted *)
+  | Weak_split of release
+  | Strong_split of release list  (** sorted by their bonds *)
 
 (** What happens to some processes, whatever the others do. *)
 type outcome = {
@@ -51,6 +54,9 @@ val duration : t -> Rat.t
 (** 0 for a discrete transition. *)
 
 val duration_of : label -> Rat.t
+
+val bonds : label -> State.bond list
+(** That are made or released. *)
 
 val is_time : label -> bool
 (** The others are events. *)

@@ -143,6 +143,7 @@ let joined { model; _ } p q whole =
   Turn.moving model (Impact.bind [ Turn.mover model p; Turn.mover model q ]) whole
 
 let piece c ~whole p = Turn.piece c.model ~whole p
+let pushed c ~at impulse p = Turn.moving c.model (Impact.pushed ~at impulse (Turn.mover c.model p)) p
 let start c p = Turn.start c.model p
 
 (* {1 Turns} *)

@@ -11,8 +11,8 @@ let can_happen terms (change : Property.change) name =
     | Open (Name, c, _), Behaviour.Name | Open (Co_name, c, _), Behaviour.Co_name -> is c
     | _, _ -> false
   in
-  let weak : Behaviour.t -> bool = function Weak (c, _) -> is c | _ -> false in
-  let strong : Behaviour.t -> bool = function Strong (list, _) -> List.exists is list | _ -> false in
+  let weak : Behaviour.t -> bool = function Weak (c, _, _) -> is c | _ -> false in
+  let strong : Behaviour.t -> bool = function Strong (list, _, _) -> List.exists is list | _ -> false in
   let some f = List.exists f terms in
   match change with
   | Made -> some (opened Name) && some (opened Co_name)

@@ -296,7 +296,9 @@ let make semantics ~(initial : State.t) formulas =
   let owner = owners m initial in
   let named = List.concat_map (fun f -> List.map (fun l -> owner.(l)) (Formula.leaves f)) formulas in
   if
-    (not (Event_run.can_run m)) || formulas = []
+    (not (Event_run.can_run m))
+    || Parameters.may_push m initial
+    || formulas = []
     || not (List.for_all can_be_sliced formulas)
     || List.exists (fun p -> p < 0) named
   then None

@@ -108,8 +108,8 @@ type behaviour = behaviour_kind loc
 and behaviour_kind =
   | Nil
   | Open of channel * behaviour  (** [<alpha, Phi>. B] *)
-  | Weak of channel * behaviour  (** [omega(a, Phi). B] *)
-  | Strong of channel list * behaviour  (** [rho({…}). B] *)
+  | Weak of channel * expr option * behaviour  (** [omega(a, Phi). B], perhaps with a [push(j)] *)
+  | Strong of channel list * expr option * behaviour  (** [rho({…}). B], likewise *)
   | Delay of expr * behaviour  (** [eps(t). B] *)
   | Sum of behaviour * behaviour
   | Name of reference  (** K *)

@@ -99,8 +99,9 @@ let channel (a : channel) (b : channel) =
 let rec behaviour (a : behaviour) (b : behaviour) =
   match (a.it, b.it) with
   | Nil, Nil -> true
-  | Open (c, x), Open (d, y) | Weak (c, x), Weak (d, y) -> channel c d && behaviour x y
-  | Strong (cs, x), Strong (ds, y) -> list channel cs ds && behaviour x y
+  | Open (c, x), Open (d, y) -> channel c d && behaviour x y
+  | Weak (c, i, x), Weak (d, j, y) -> channel c d && Option.equal expr i j && behaviour x y
+  | Strong (cs, i, x), Strong (ds, j, y) -> list channel cs ds && Option.equal expr i j && behaviour x y
   | Delay (t, x), Delay (u, y) -> expr t u && behaviour x y
   | Sum (w, x), Sum (y, z) -> behaviour w y && behaviour x z
   | Name m, Name n -> reference m n

@@ -43,6 +43,7 @@
 | RESOLUTION { at $loc "resolution" }
 | ROUND { at $loc "round" }
 | STEADY { at $loc "steady" }
+| PUSH { at $loc "push" }
 
 %public plain_name:
 | n = common_name { n }

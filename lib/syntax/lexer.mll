@@ -31,7 +31,7 @@
       ("mesh", MESH);
       ("mod", MOD); ("model", MODEL); ("motion", MOTION); ("network", NETWORK); ("nil", NIL); ("not", NOT);
       ("omega", OMEGA); ("on", ON); ("only", ONLY); ("or", OR); ("param", PARAM); ("part", PART);
-      ("possibly", POSSIBLY); ("process", PROCESS); ("quaternion", QUATERNION);
+      ("possibly", POSSIBLY); ("process", PROCESS); ("push", PUSH); ("quaternion", QUATERNION);
       ("resolution", RESOLUTION); ("rho", RHO); ("rotate", ROTATE); ("round", ROUND); ("scale", SCALE); ("scaled", SCALED); ("shape", SHAPE);
       ("snap", SNAP); ("spin", SPIN);
       ("split_step", SPLIT_STEP); ("steady", STEADY); ("then", THEN); ("timestep", TIMESTEP); ("translate", TRANSLATE);

@@ -90,6 +90,8 @@ definitions:
 
 (* Behaviours *)
 
+push: PUSH LPAREN j = expr RPAREN { j }
+
 behaviour:
 | b = behaviour_term { b }
 | b = behaviour PLUS c = behaviour_term { at $loc (Sum (b, c)) }
@@ -100,9 +102,9 @@ behaviour_term:
 | k = indexed_reference { at $loc (Name k) }
 | LPAREN b = behaviour RPAREN { b }
 | c = angle_channel DOT b = behaviour_term { at $loc (Open (c, b)) }
-| c = weak_channel DOT b = behaviour_term { at $loc (Weak (c, b)) }
-| RHO LPAREN LBRACE cs = optional_list(angle_channel) RBRACE RPAREN DOT b = behaviour_term
-    { at $loc (Strong (cs, b)) }
+| c = weak_channel j = ioption(push) DOT b = behaviour_term { at $loc (Weak (c, j, b)) }
+| RHO LPAREN LBRACE cs = optional_list(angle_channel) RBRACE RPAREN j = ioption(push) DOT b = behaviour_term
+    { at $loc (Strong (cs, j, b)) }
 | EPS LPAREN t = expr RPAREN DOT b = behaviour_term { at $loc (Delay (t, b)) }
 
 (* Shapes and where they are *)

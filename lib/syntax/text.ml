@@ -304,6 +304,9 @@ let surface (c : channel) =
     (String.concat ", " (List.map member c.features))
 
 let angle c = "<" ^ surface c ^ ">"
+let push = function None -> "" | Some j -> " push(" ^ expr j ^ ")"
+let weak c j = "omega(" ^ surface c ^ ")" ^ push j
+let strong cs j = "rho({" ^ String.concat ", " (List.map angle cs) ^ "})" ^ push j
 let bond b = Printf.sprintf "<%s, {%s, %s}>" b.bond.it (feature b.first) (feature b.second)
 
 let rec add_behaviour b x =
@@ -324,8 +327,8 @@ and add_term b x =
   | Nil -> Buffer.add_string b "nil"
   | Name k -> Buffer.add_string b (reference k)
   | Open (c, next) -> prefixed (angle c) next
-  | Weak (c, next) -> prefixed ("omega(" ^ surface c ^ ")") next
-  | Strong (cs, next) -> prefixed ("rho({" ^ String.concat ", " (List.map angle cs) ^ "})") next
+  | Weak (c, j, next) -> prefixed (weak c j) next
+  | Strong (cs, j, next) -> prefixed (strong cs j) next
   | Delay (t, next) -> prefixed ("eps(" ^ expr t ^ ")") next
   | Sum _ ->
     Buffer.add_char b '(';
@@ -340,8 +343,8 @@ let prefixes x =
     let go text next = cut ((at, text ^ ".") :: acc) next in
     match x.it with
     | Open (c, next) -> go (angle c) next
-    | Weak (c, next) -> go ("omega(" ^ surface c ^ ")") next
-    | Strong (cs, next) -> go ("rho({" ^ String.concat ", " (List.map angle cs) ^ "})") next
+    | Weak (c, j, next) -> go (weak c j) next
+    | Strong (cs, j, next) -> go (strong cs j) next
     | Delay (t, next) -> go ("eps(" ^ expr t ^ ")") next
     | Nil | Name _ | Sum _ -> List.rev ((at, written add_term x) :: acc)
   in

@@ -34,7 +34,7 @@ type t = {
 let rec prefixes (nodes, calls) (b : Behaviour.t) =
   match b with
   | Nil -> (nodes, calls)
-  | Open (_, _, rest) | Weak (_, rest) | Strong (_, rest) -> prefixes (b :: nodes, calls) rest
+  | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) -> prefixes (b :: nodes, calls) rest
   | Delay (_, rest) -> prefixes (nodes, calls) rest
   | Sum (one, two) -> prefixes (prefixes (nodes, calls) one) two
   | Call k -> (nodes, k :: calls)
@@ -79,8 +79,8 @@ let beginnings (m : Model.t) (initial : State.t) =
 
 let channels_of (b : Behaviour.t) =
   match b with
-  | Open (_, c, _) | Weak (c, _) -> [ c ]
-  | Strong (list, _) -> list
+  | Open (_, c, _) | Weak (c, _, _) -> [ c ]
+  | Strong (list, _, _) -> list
   | Nil | Delay _ | Sum _ | Call _ -> []
 
 let create (m : Model.t) ~initial =
@@ -181,9 +181,10 @@ let transition t (tr : Transition.t) =
   match tr.label with
   | Time _ | Bounce _ -> ()
   | Bind b -> note t b.name (fun u -> u.mades <- u.mades + 1)
-  | Weak_split b -> note t b.name (fun u -> u.weaks <- u.weaks + 1)
-  | Strong_split bonds ->
-    List.iter (fun (b : State.bond) -> note t b.name (fun u -> u.strongs <- u.strongs + 1)) bonds
+  | Weak_split { bond = b; _ } -> note t b.name (fun u -> u.weaks <- u.weaks + 1)
+  | Strong_split releases ->
+    let released (r : Transition.release) = note t r.bond.name (fun u -> u.strongs <- u.strongs + 1) in
+    List.iter released releases
 
 (* All at once, or not at all, if the time is over while it looks. *)
 let expanded t semantics here =

@@ -464,7 +464,21 @@ def i_35():
     return r
 
 
+def i_36():
+    r = Rule('I-36')
+    pair = behaviours(P='rho({<dock, {right}>}) push(1/2). nil', Q='rho({<dock, {left}>}) push(1). nil')
+    text = bonded(pair, 'P', 'Q')
+    split = {'kind': 'strong', 'bonds': [{'name': 'dock', 'ends': ['p.right', 'q.left'], 'push': num('3/2')}]}
+    r.outcomes('The label tells what both ends say.', text, [], [split])
+    r.value('They part along x, with impulses of 3/2.', text, [STRONG], 'vx(p) = -3/2 and vx(q) = 3/2', True)
+    r.value('Energy is 3/2 * 3/2, of nothing; momentum stays.', text, [STRONG], 'energy = 9/4 and momentum.x = 0', True)
+    r.value('Nothing is said.', bonded(behaviours(P='rho({<dock, {right}>}). nil', Q='rho({<dock, {left}>}). nil'), 'P',
+            'Q'), [STRONG], 'vx(p) = 0 and vx(q) = 0', True)
+    r.refused('What is split is not pulled.', bonded(pair.replace('1/2', '0-1/2'), 'P', 'Q'), 'SC0208')
+    return r
+
+
 def suites():
     return [f() for f in (i_1, i_2, i_3, i_4, i_5, i_6, i_7, i_8, i_9, i_10, i_11, i_12, i_13, i_14, i_15, i_16, i_17, i_18,
                           i_19, i_20, i_21, i_22, i_23, i_24, i_25, i_26, i_27, i_28, i_29, i_30,
-                          i_31, i_32, i_33, i_34, i_35)]
+                          i_31, i_32, i_33, i_34, i_35, i_36)]

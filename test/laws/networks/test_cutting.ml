@@ -89,8 +89,8 @@ let rec cut_behaviour axis shift (b : Behaviour.t) =
   | Nil -> b
   | Call k -> Behaviour.call (k + shift)
   | Open (polarity, c, b) -> Behaviour.open_ polarity (channel c) (again b)
-  | Weak (c, b) -> Behaviour.weak (channel c) (again b)
-  | Strong (l, b) -> Behaviour.strong (List.map channel l) (again b)
+  | Weak (c, push, b) -> Behaviour.weak ~push (channel c) (again b)
+  | Strong (l, push, b) -> Behaviour.strong ~push (List.map channel l) (again b)
   | Delay (t, b) -> Behaviour.delay t (again b)
   | Sum (b, c) -> Behaviour.sum (again b) (again c)
 

@@ -18,10 +18,9 @@ let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
 let part (s : State.t) (t : Transition.t) =
   let leaves =
     match t.label with
-    | Time _ -> []
-    | Bind b | Weak_split b -> [ b.one.at; b.two.at ]
     | Bounce { firsts; _ } -> firsts
-    | Strong_split bonds -> List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds
+    | Time _ | Bind _ | Weak_split _ | Strong_split _ ->
+      List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds t.label)
   in
   List.sort_uniq Int.compare (List.map (fun leaf -> fst (State.find_leaf s leaf)) leaves)
 

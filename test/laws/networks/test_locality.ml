@@ -37,8 +37,9 @@ let relabelled from : Transition.label -> Transition.label =
   function
   | Time d -> Time d
   | Bind b -> Bind (bond b)
-  | Weak_split b -> Weak_split (bond b)
-  | Strong_split bonds -> Strong_split (List.map bond bonds)
+  | Weak_split r -> Weak_split { r with bond = bond r.bond }
+  | Strong_split releases ->
+    Strong_split (List.map (fun (r : Transition.release) -> { r with bond = bond r.bond }) releases)
   | Bounce { firsts; hits } ->
     let later leaf = leaf + from in
     let hit (h : Transition.hit) : Transition.hit =

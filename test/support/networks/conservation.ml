@@ -44,11 +44,19 @@ let of_process (m : Model.t) (p : State.process) =
 let sums m (s : State.t) = Array.fold_left (fun sums p -> add sums (of_process m p)) nothing s.processes
 
 (* Leaves of all the processes that take part. *)
-let involved : Transition.label -> int list = function
-  | Time _ -> []
-  | Bind b | Weak_split b -> [ b.one.at; b.two.at ]
+let involved (label : Transition.label) =
+  match label with
   | Bounce { firsts; _ } -> firsts
-  | Strong_split bonds -> List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds
+  | Time _ | Bind _ | Weak_split _ | Strong_split _ ->
+    List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds label)
+
+(* By a split (reading I-36). *)
+let pushes (label : Transition.label) =
+  let by (r : Transition.release) = Rat.sign r.push > 0 in
+  match label with
+  | Weak_split r -> by r
+  | Strong_split releases -> List.exists by releases
+  | Time _ | Bind _ | Bounce _ -> false
 
 let is_fixed m s leaf =
   let i, _ = State.find_leaf s leaf in
@@ -76,4 +84,6 @@ let fault m s (t : Transition.t) =
   | (Bind _ | Bounce _ | Weak_split _ | Strong_split _)
     when free && rigid && not (Vec.equal before.angular after.angular) -> broken "angular momentum"
   | Bind _ -> if energy > 0 then broken "energy (it grows)" else None
+  | Weak_split _ | Strong_split _ when pushes t.label ->
+    if energy < 0 || (free && energy = 0) then broken "energy (it does not grow)" else None
   | Bounce _ | Weak_split _ | Strong_split _ -> if energy = 0 then None else broken "energy"

@@ -64,7 +64,13 @@ let definitions : Behaviour.definitions =
     { name = "Sticky"; body = open_ Name all (call 1) };
     { name = "Stuck"; body = sum (weak all (call 0)) (delay (rational 1 2) (strong [ all ] nil)) };
     { name = "CoSticky"; body = open_ Co_name some (call 3) };
-    { name = "CoStuck"; body = sum (weak all (call 2)) (sum (strong [ all ] nil) (open_ Name all nil)) };
+    {
+      name = "CoStuck";
+      body =
+        sum
+          (weak ~push:(rational 1 4) all (call 2))
+          (sum (strong ~push:(rational 1 2) [ all ] nil) (open_ Name all nil));
+    };
     { name = "Late"; body = delay (rational 1 3) (sum (call 0) (call 2)) };
     (* in crowds only *)
     { name = "Glue"; body = open_ Name all (call 6) };
@@ -74,7 +80,7 @@ let definitions : Behaviour.definitions =
     { name = "Pulse"; body = delay (rational 1 4) (call 10) };
     { name = "Pulsed"; body = delay (rational 1 3) (sum (call 0) (call 9)) };
     { name = "Loose"; body = open_ Co_name all (call 12) };
-    { name = "Loosened"; body = weak all (delay (rational 1 9) (call 11)) };
+    { name = "Loosened"; body = weak ~push:(rational 1 3) all (delay (rational 1 9) (call 11)) };
   |]
 
 let behaviours = 6

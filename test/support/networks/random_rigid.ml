@@ -106,7 +106,7 @@ let definitions : Behaviour.definitions =
     { name = "CoSticky"; body = open_ Co_name some (call 3) };
     { name = "CoStuck"; body = sum (weak all (call 2)) (strong [ all ] nil) };
     { name = "Late"; body = delay (rational 1 3) (sum (call 0) (call 2)) };
-    { name = "Breaks"; body = delay (rational 2 5) (strong [ all ] nil) };
+    { name = "Breaks"; body = delay (rational 2 5) (strong ~push:(rational 1 2) [ all ] nil) };
     { name = "Pulse"; body = delay (rational 1 7) (call 6) };
   |]
 

@@ -42,8 +42,8 @@ let rec rewrite book defs (b : t) =
     match b with
     | Nil | Call _ -> b
     | Open (p, c, rest) -> open_ p c (into rest)
-    | Weak (c, rest) -> weak c (into rest)
-    | Strong (l, rest) -> strong l (into rest)
+    | Weak (c, push, rest) -> weak ~push c (into rest)
+    | Strong (l, push, rest) -> strong ~push l (into rest)
     | Delay (t, rest) -> delay t (into rest)
     | Sum (x, y) -> sum (into x) (into y)
   in

@@ -121,8 +121,8 @@ let rec delayed factor (b : Behaviour.t) =
   match b with
   | Nil | Call _ -> b
   | Open (polarity, c, b) -> Behaviour.open_ polarity c (delayed factor b)
-  | Weak (c, b) -> Behaviour.weak c (delayed factor b)
-  | Strong (l, b) -> Behaviour.strong l (delayed factor b)
+  | Weak (c, push, b) -> Behaviour.weak ~push c (delayed factor b)
+  | Strong (l, push, b) -> Behaviour.strong ~push l (delayed factor b)
   | Delay (t, b) -> Behaviour.delay (Rat.mul factor t) (delayed factor b)
   | Sum (b, c) -> Behaviour.sum (delayed factor b) (delayed factor c)
 
@@ -181,9 +181,11 @@ let first_leaf symmetry (s : State.t) leaf =
 let map_label symmetry s : Transition.label -> Transition.label = function
   | Time d -> Time (symmetry.duration d)
   | Bind b -> Bind (symmetry.bond b)
-  | Weak_split b -> Weak_split (symmetry.bond b)
-  | Strong_split bonds ->
-    Strong_split (List.sort State.compare_bond (List.map symmetry.bond bonds))
+  | Weak_split r -> Weak_split { r with bond = symmetry.bond r.bond }
+  | Strong_split releases ->
+    let released (r : Transition.release) = { r with bond = symmetry.bond r.bond } in
+    let in_order (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
+    Strong_split (List.sort in_order (List.map released releases))
   | Bounce { firsts; hits } ->
     let part (leaf, index) = (symmetry.leaf leaf, index) in
     let hit (h : Transition.hit) = Transition.hit (part h.one) (part h.two) in

@@ -221,7 +221,7 @@ let canonical () =
       (cube ^ "process p = Cube mass 1 [eps(0). omega(a, {top}). rho({<~b, {left}>, <a, {top}>}). eps(1/2). nil]")
   in
   match (state_leaf t "p").behaviour.term with
-  | Behaviour.Weak ({ name = "a"; _ }, Strong ([ { name = "a"; _ }; { name = "b"; _ } ], Delay (d, Nil))) ->
+  | Behaviour.Weak ({ name = "a"; _ }, _, Strong ([ { name = "a"; _ }; { name = "b"; _ } ], _, Delay (d, Nil))) ->
     same_rational "delay" (q 1 2) d
   | _ -> Alcotest.fail "another term was expected"
 

@@ -171,8 +171,8 @@ and prop m s (p : Property.prop) =
     List.exists
       (function
         | Behaviours.Offer_open (p, c, _) -> named c && (polarity = None || polarity = Some p)
-        | Offer_weak (c, _) -> polarity = None && named c
-        | Offer_strong (list, _) -> polarity = None && List.exists named list)
+        | Offer_weak (c, _, _) -> polarity = None && named c
+        | Offer_strong (list, _, _) -> polarity = None && List.exists named list)
       (Behaviours.offers m.Model.definitions (leaf_of s l).behaviour)
   | Fact (Touching (p, q)) -> touching m s p q
   | Fact Quiescent -> Network.quiescent (standard m) s

@@ -82,8 +82,8 @@ let offered b =
        match offer with
        | Behaviours.Offer_open (Name, c, _) -> "<" ^ c.name ^ ">" ^ via
        | Offer_open (Co_name, c, _) -> "<~" ^ c.name ^ ">" ^ via
-       | Offer_weak (c, _) -> "omega " ^ c.name ^ via
-       | Offer_strong (l, _) -> "rho" ^ string_of_int (List.length l) ^ via)
+       | Offer_weak (c, _, _) -> "omega " ^ c.name ^ via
+       | Offer_strong (l, _, _) -> "rho" ^ string_of_int (List.length l) ^ via)
     (Behaviours.derivations defs (Behaviour.fresh b))
 
 let check_offers name b expected () = Alcotest.(check (list string)) name expected (offered b)

@@ -1,5 +1,6 @@
 (* Rules WeakSplit and StrongSplit against a brute force over all sets of bonds and all choices. *)
 
+open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Fixture
@@ -89,7 +90,7 @@ let rec permutations = function
 let brute_force (m : Model.t) (p : State.process) =
   let rhos (l : State.leaf) =
     List.filter_map
-      (function Behaviours.Offer_strong (entries, _) -> Some entries | _ -> None)
+      (function Behaviours.Offer_strong (entries, _, _) -> Some entries | _ -> None)
       (Behaviours.offers m.definitions l.behaviour)
   in
   let ends (b : State.bond) = [ b.one.at; b.two.at ] in
@@ -116,7 +117,9 @@ let brute_force (m : Model.t) (p : State.process) =
   in
   powerset (Array.to_list p.bonds)
   |> List.filter (fun x -> x <> [] && connected x)
-  |> List.concat_map (fun x -> List.init (ways x) (fun _ -> Transition.Strong_split x))
+  |> List.concat_map (fun x ->
+      let released = List.map (fun bond -> { Transition.bond; push = Scc_exact.Rat.zero }) x in
+      List.init (ways x) (fun _ -> Transition.Strong_split released))
 
 let strings m labels = List.sort String.compare (List.map (Transition.label_to_string m) labels)
 
@@ -225,6 +228,72 @@ let separate_components () =
     m
     (start m (joined bodies bonds))
 
+(* {1 Pushes} *)
+
+let velocities (t : Transition.t) =
+  List.map (fun (p : State.process) -> Vec.to_string p.velocity) (Array.to_list t.target.processes)
+
+(* Two that are bound and split at once; the faces that the bond has are its ends. *)
+let parted ?(masses = (1, 2)) ?(fixed = false) ?(at = (2, 0, 0)) ~ends:(f, g) (one, two) =
+  let entry face push = Behaviour.strong ~push [ channel "a" [ face ] ] nil in
+  let bodies =
+    [
+      body "p" (0, 0, 0) ~fixed ~mass:(fst masses) ~velocity:(0, 3, 0) ~behaviour:(entry f one);
+      body "q" at ~mass:(snd masses) ~velocity:(0, 3, 0) ~behaviour:(entry g two);
+    ]
+  in
+  let m = model bodies in
+  let s = declared bodies in
+  let leaves = List.concat_map (fun (p : State.process) -> Array.to_list p.leaves) (Array.to_list s.processes) in
+  let finish at face : State.finish = { at; site = { part = 0; feature = Fixture.face face } } in
+  let bond = State.bond "a" (finish 0 f) (finish 1 g) in
+  let velocity = if fixed then Vec.zero else Vec.of_ints 0 3 0 in
+  let whole = State.process ~leaves ~bonds:[ bond ] ~velocity ~clock:None () in
+  (m, State.make ~processes:[ whole ] ~step:None ~time:None)
+
+let only_transition (m, s) =
+  match Network.successors (standard m) s with
+  | Ok [ t ] -> t
+  | Ok _ | Error _ -> Alcotest.fail "one transition was expected"
+
+let pushes () =
+  let check what ?masses ?fixed ?at ends pushes label expected =
+    let m, s = parted ?masses ?fixed ?at ~ends pushes in
+    let t = only_transition (m, s) in
+    Alcotest.(check string) what label (Transition.label_to_string m t.label);
+    Alcotest.(check (list string)) what expected (velocities t)
+  in
+  let faces = ("right", "left") in
+  check "face to face, by what both say" faces (ratio 1 2, q 1) "strong({<a, {p.right, q.left}> push(3/2)})"
+    [ "(-3/2, 3, 0)"; "(3/4, 3, 0)" ];
+  check "nothing is said" faces (q 0, q 0) "strong({<a, {p.right, q.left}>})" [ "(0, 3, 0)"; "(0, 3, 0)" ];
+  check "off a wall" ~fixed:true faces (q 0, q 3) "strong({<a, {p.right, q.left}> push(3)})"
+    [ "(0, 0, 0)"; "(3/2, 0, 0)" ];
+  (* of two that touch with their edges, across, the normal is not one: from centre to centre, of length sqrt 8 *)
+  let m, s = parted ~masses:(1, 1) ~at:(2, 2, 0) ~ends:faces (q 1, q 0) in
+  let t = only_transition (m, s) in
+  let v i = (t.target.processes.(i)).velocity in
+  let relative = Vec.sub (v 1) (v 0) in
+  Alcotest.(check bool) "along the diagonal" true
+    (Rat.equal relative.x relative.y && Rat.sign relative.x > 0 && Rat.sign relative.z = 0);
+  let half = Rat.div (Vec.norm2 relative) (q 4) in
+  Alcotest.(check bool) "of length 1, or hardly less" true
+    (Rat.compare half (q 1) < 0 && Rat.compare half (Rat.sub (q 1) (ratio 1 (1 lsl 38))) > 0)
+
+(* Cubes of edge 2 and mass 1, side by side, shifted by 1 along y: the middle of their contact is 1/2 off both
+   centres, and the moment of inertia 2/3. *)
+let pushes_turn () =
+  let m, s = parted ~masses:(1, 1) ~at:(2, 1, 0) ~ends:("right", "left") (q 1, q 0) in
+  let rigid : Model.rigid = { dynamics = Constant_spin; resolution = ratio 1 1024; round_orientation = None } in
+  let m = { m with rigid = Some rigid } in
+  let p = s.State.processes.(0) in
+  let due = State.with_turn ~spin:Vec.zero ~since:Rat.zero ~lasts:None p in
+  let s = State.make ~processes:[ due ] ~step:None ~time:None in
+  let t = only_transition (m, s) in
+  Alcotest.(check (list string)) "velocities" [ "(-1, 3, 0)"; "(1, 3, 0)" ] (velocities t);
+  Alcotest.(check (list string)) "spins" [ "(0, 0, 3/4)"; "(0, 0, 3/4)" ]
+    (List.map (fun (p : State.process) -> Vec.to_string p.spin) (Array.to_list t.target.processes))
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "split"
@@ -236,6 +305,8 @@ let () =
           case "I-9: a further bond" one_more;
           case "WeakSplit: the pieces keep their motion (I-11)" pieces_rest;
           case "StrongSplit: urgent" urgent;
+          case "I-36: pushes" pushes;
+          case "I-36: of bodies that turn" pushes_turn;
           case "StrongSplit: separate components react separately (I-7)" separate_components;
         ] );
       ("brute force", Scc_test_support.Property.cases [ strong_is_brute_force; pieces_keep_everything ]);

@@ -169,8 +169,8 @@ let behaviour =
              [
                leaf;
                map2 (fun c b -> Open (c, b)) channel next;
-               map2 (fun c b -> Weak (c, b)) channel next;
-               map2 (fun cs b -> Strong (cs, b)) (few channel) next;
+               map3 (fun c j b -> Weak (c, j, b)) channel (opt expr) next;
+               map3 (fun cs j b -> Strong (cs, j, b)) (few channel) (opt expr) next;
                map2 (fun t b -> Delay (t, b)) expr next;
                map2 (fun b c -> Sum (b, c)) next next;
                map2 (fun b c -> Sum (b, c)) next next;

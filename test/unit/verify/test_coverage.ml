@@ -38,8 +38,8 @@ let summands (m : Model.t) c =
     let what =
       match s.term with
       | Open (p, c, _) -> sign p ^ c.name
-      | Weak (c, _) -> "omega " ^ c.name
-      | Strong (list, _) -> "rho " ^ String.concat " " (List.map (fun (c : Behaviour.channel) -> c.name) list)
+      | Weak (c, _, _) -> "omega " ^ c.name
+      | Strong (list, _, _) -> "rho " ^ String.concat " " (List.map (fun (c : Behaviour.channel) -> c.name) list)
       | Nil | Delay _ | Sum _ | Call _ -> "?"
     in
     Printf.sprintf "%s: %s %d" owner what s.fired
