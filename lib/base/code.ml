@@ -60,6 +60,7 @@ let vacuous = "SC0702"
 let uneventful = "SC0703"
 let impossible_event = "SC0704"
 let long_number = "SC0705"
+let shared_edge = "SC0706"
 let bad_schedule = "SC0801"
 let schedule_mismatch = "SC0802"
 let bad_graph = "SC0803"
@@ -127,6 +128,7 @@ let all =
     (uneventful, "a model in which no event ever happens");
     (impossible_event, "an event that no behaviour can bring about");
     (long_number, "a number that grows beyond the bound of bits");
+    (shared_edge, "a bond on an edge or corner that several open faces share");
     (bad_schedule, "a schedule that does not fit its format or the model");
     (schedule_mismatch, "a choice that is not possible where it is made");
     (bad_graph, "a graph (.aut) that does not fit its format");

@@ -202,6 +202,8 @@ val impossible_event : t
 val long_number : t
 (** SC0705: a state is not explored further, since a number of it is too long (a warning). *)
 
+val shared_edge : t
+(** SC0706: a bond was made on an edge or a corner that several open faces of a body share (a warning). *)
 
 (** {1 Schedules and traces} *)
 

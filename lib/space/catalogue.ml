@@ -213,9 +213,16 @@ let exists_form c test =
 
 let label c l = Labels.intern c.labels l
 let label_of c i = Labels.get c.labels i
-let has_events c =
-  let rec from i = i < Labels.size c.labels && ((not (Transition.is_time (label_of c i))) || from (i + 1)) in
+
+let find_label c f =
+  let rec from i =
+    if i >= Labels.size c.labels then None
+    else match f (label_of c i) with Some _ as found -> found | None -> from (i + 1)
+  in
   from 0
+
+let has_events c =
+  Option.is_some (find_label c (fun l -> if Transition.is_time l then None else Some ()))
 
 let duration c i = Transition.duration_of (label_of c i)
 

@@ -74,6 +74,9 @@ val first_leaf : State.process -> int
 val label : t -> Transition.label -> int
 val label_of : t -> int -> Transition.label
 
+val find_label : t -> (Transition.label -> 'a option) -> 'a option
+(** What a function has for the first of the labels that have come up for which it has something. *)
+
 val has_events : t -> bool
 (** Whether a label has come up that is no passing of time. *)
 

@@ -31,6 +31,7 @@ type stats = Joint_check.stats = {
   dead_ends : Scc_base.Diag.t list;
   converges : Verdict.convergence option;
   growth : Scc_base.Diag.t option;
+  shared : Scc_base.Diag.t option;
   causes : Growth.cause list;
 }
 
@@ -140,6 +141,7 @@ let add (a : stats) (b : stats) =
     dead_ends = List.sort_uniq Scc_base.Diag.compare (a.dead_ends @ b.dead_ends);
     converges = (match a.converges with Some _ -> a.converges | None -> b.converges);
     growth = (match a.growth with Some _ -> a.growth | None -> b.growth);
+    shared = (match a.shared with Some _ -> a.shared | None -> b.shared);
     causes = Growth.together a.causes b.causes;
   }
 
@@ -273,6 +275,7 @@ let unexplored options (checks : Property.check list) stop =
         dead_ends = [];
         converges = None;
         growth = None;
+        shared = None;
         causes = [];
       };
     uneventful = false;

@@ -33,6 +33,7 @@ type stats = Joint_check.stats = {
   dead_ends : Scc_base.Diag.t list;
   converges : Verdict.convergence option;  (** what event times did before a bound ended it *)
   growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
+  shared : Scc_base.Diag.t option;  (** a bond on an edge that open faces share (SC0706) *)
   causes : Growth.cause list;  (** what is likely to keep it from closing *)
 }
 (** Of several explorations: sums, and the greatest depth and time. *)

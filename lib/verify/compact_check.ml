@@ -97,6 +97,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         (* No path is kept. *)
         converges = None;
         growth = None;
+        shared = Shared_edge.warning context;
         causes = [];
       };
     zeno = None;

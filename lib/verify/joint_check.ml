@@ -41,6 +41,7 @@ type stats = {
   dead_ends : Scc_base.Diag.t list;
   converges : Verdict.convergence option;
   growth : Scc_base.Diag.t option;
+  shared : Scc_base.Diag.t option;
   causes : Growth.cause list;
 }
 
@@ -255,6 +256,7 @@ let stats r : stats =
     stopped_by = Verdict.distinct bounds;
     dead_ends = Bounds.dead_ends r.context;
     growth = growth r unexpanded;
+    shared = Shared_edge.warning r.context;
     causes = likely r bounds;
     converges = (match bounds with [] -> None | _ :: _ -> convergence r);
     faults =

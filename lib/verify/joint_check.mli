@@ -37,6 +37,7 @@ type stats = {
   dead_ends : Scc_base.Diag.t list;  (** why runs end in states without transitions, as warnings (rule Run) *)
   converges : Verdict.convergence option;  (** what event times did before a bound ended it *)
   growth : Scc_base.Diag.t option;  (** a number that was too long (SC0705) *)
+  shared : Scc_base.Diag.t option;  (** a bond on an edge that open faces share (SC0706) *)
   causes : Growth.cause list;  (** what is likely to keep it from closing *)
 }
 

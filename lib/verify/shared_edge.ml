@@ -1,0 +1,49 @@
+open Scc_geometry
+open Scc_calculus
+open Scc_semantics
+open Scc_space
+
+(* The features that a leaf ever opens under a name, with their closures, as far as its text tells. *)
+let opened (m : Model.t) (l : State.leaf) name =
+  let seen = Array.make (Array.length m.definitions) false in
+  let rec within found (b : Behaviour.t) =
+    match b with
+    | Nil -> found
+    | Open (_, c, rest) when String.equal c.name name -> within (c.sites @ found) rest
+    | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) -> within found rest
+    | Sum (x, y) -> within (within found x) y
+    | Call k when seen.(k) -> found
+    | Call k ->
+      seen.(k) <- true;
+      within found m.definitions.(k).body
+  in
+  List.sort_uniq Site.compare (within [] l.behaviour.term)
+
+let sharing (m : Model.t) (initial : State.t) name (f : State.finish) =
+  let listed = opened m (snd (State.find_leaf initial f.at)) name in
+  let has (s : Site.t) =
+    let solid = m.leaves.(f.at).parts.(s.part).solid in
+    s.part = f.site.part && List.exists (Feature.equal f.site.feature) (Polyhedron.closure solid.polyhedron [ s.feature ])
+  in
+  if List.exists (Site.equal f.site) listed then []
+  else match List.filter has listed with [] | [ _ ] -> [] | several -> several
+
+let of_end m initial name (f : State.finish) =
+  match sharing m initial name f with
+  | [] -> None
+  | sites ->
+    let text site = Model.site_name m ~leaf:f.at site in
+    Some
+      (Scc_base.Diag.warning Scc_base.Code.shared_edge Scc_base.Span.none
+         "a bond `%s` was made on %s, which belongs to %s: all of them are open, and so are their edges and corners" name
+         (text f.site)
+         (String.concat " and " (List.map text sites))
+         ~hint:"`only` before a feature leaves these out, as in `<a, {only top, only left}>`")
+
+let warning context =
+  let m = Network_lts.model context and initial = Network_lts.start context in
+  let of_label : Transition.label -> Scc_base.Diag.t option = function
+    | Bind b -> List.find_map (of_end m initial b.name) [ b.one; b.two ]
+    | Time _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+  in
+  Catalogue.find_label (Network_lts.catalogue context) of_label
