@@ -58,4 +58,7 @@ let warnings (report : Check.report) ~verdicts ~answers =
       ]
     else []
   in
-  Option.to_list report.stats.growth @ Option.to_list report.stats.shared @ uneventful @ List.filter_map premise answers
+  Option.to_list report.stats.growth
+  @ Option.to_list report.stats.shared
+  @ uneventful
+  @ List.filter_map premise answers

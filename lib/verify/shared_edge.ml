@@ -23,7 +23,8 @@ let sharing (m : Model.t) (initial : State.t) name (f : State.finish) =
   let listed = opened m (snd (State.find_leaf initial f.at)) name in
   let has (s : Site.t) =
     let solid = m.leaves.(f.at).parts.(s.part).solid in
-    s.part = f.site.part && List.exists (Feature.equal f.site.feature) (Polyhedron.closure solid.polyhedron [ s.feature ])
+    s.part = f.site.part
+    && List.exists (Feature.equal f.site.feature) (Polyhedron.closure solid.polyhedron [ s.feature ])
   in
   if List.exists (Site.equal f.site) listed then []
   else match List.filter has listed with [] | [ _ ] -> [] | several -> several
@@ -35,8 +36,8 @@ let of_end m initial name (f : State.finish) =
     let text site = Model.site_name m ~leaf:f.at site in
     Some
       (Scc_base.Diag.warning Scc_base.Code.shared_edge Scc_base.Span.none
-         "a bond `%s` was made on %s, which belongs to %s: all of them are open, and so are their edges and corners" name
-         (text f.site)
+         "a bond `%s` was made on %s, which belongs to %s: all are open, and so are their edges and corners"
+         name (text f.site)
          (String.concat " and " (List.map text sites))
          ~hint:"`only` before a feature leaves these out, as in `<a, {only top, only left}>`")
 

@@ -1,8 +1,8 @@
-(** Bonds on an edge or a corner that several faces of a body share, all of them open: that a face opens its edges is
-    the paper's (Definition 4.2), and often not what was meant. *)
+(** Bonds on an edge or a corner that several faces of a body share, all of them open: that a face opens its edges
+    is the paper's (Definition 4.2), and often not what was meant. *)
 
 open Scc_space
 
 val warning : Network_lts.context -> Scc_base.Diag.t option
-(** SC0706 of the first bond of an exploration that was made so: at an end which no channel of that name lists, and which
-    is in the closures of two features that they list. *)
+(** SC0706 of the first bond of an exploration that was made so: at an end which no channel of that name lists, and
+    which is in the closures of two features that they list. *)
