@@ -257,12 +257,12 @@ def size(q: Fraction) -> int:
     return q.numerator.bit_length() - q.denominator.bit_length()
 
 
-def root(q: Fraction) -> Fraction:
+def root(q: Fraction, digits: int = 20) -> Fraction:
     """The square root, rounded up to a short number (Cast, Constants)."""
     q = Fraction(q)
     if q == 0:
         return q
-    k = (20 - size(q)) // 2
+    k = (digits - size(q)) // 2
     n = ceil(q * Fraction(4) ** k)
     found = isqrt(n)
     return (found if found * found == n else found + 1) / Fraction(2) ** k

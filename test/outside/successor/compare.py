@@ -94,6 +94,8 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
         tally.kinds[label[0]] += 1
         if label[0] == "strong" and len(label[1]) > 1:
             tally.kinds["strong of several"] += 1
+        if label[0] in ("weak", "strong") and pushes(label):
+            tally.kinds["split with a push"] += 1
         if label[0] == "bounce" and len(label[1]) > 2:
             tally.kinds["bounce of several"] += 1
         if model.by_contact and label[0] == "bind" and not collide(rules, state, label):
@@ -109,6 +111,12 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
     return None
 
 
+def pushes(label: Any) -> bool:
+    """Whether a split drives apart what it releases (I-36)."""
+    released = label[1] if label[0] == "strong" else [label]
+    return any(bond[-1] is not None for bond in released)
+
+
 def collide(rules: Rules, state: State, label: Any) -> bool:
     """Whether the two that bind collide."""
     p, q = (p for p in state.processes if any(leaf in p.bodies for leaf, _ in label[2]))
@@ -120,6 +128,7 @@ def switches(model: Model) -> List[str]:
     found = ["together"] * model.together + ["by contact"] * model.by_contact
     found += ["laws"] * model.steered + ["local steps"] * (model.steered and model.local)
     found += ["steady steps"] * (model.steered and model.steady) + ["only"] * model.only
+    found += ["pushes"] * model.pushes
     rounding = model.rounding if model.rigid else "velocity" in model.rounding
     return found + ["rounding"] * bool(rounding)
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isqrt
 from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 import contact
 import response
+from cast import root
 from near import Contact
 from solids import Solid
 from vectors import ZERO, Matrix, Vector, add, cross, dot, scale, solve, sub
@@ -40,6 +42,14 @@ class Rigid(NamedTuple):
             velocity=add(self.velocity, scale(1 / self.mass, impulse)),
             spin=add(self.spin, tuple(turn)),  # type: ignore[arg-type]
         )
+
+
+def unit(v: Vector) -> Vector:
+    """Along a vector, of the length 1 or, where its own length is not rational, a little less
+    (I-36)."""
+    square = Fraction(dot(v, v))
+    length = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return scale(1 / (length if length**2 == square else root(square, 80)), v)
 
 
 def relative(a: Rigid, b: Rigid, x: Vector) -> Vector:

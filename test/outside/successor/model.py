@@ -306,9 +306,16 @@ class Model:
         if kind == "open":
             return ("open", written[1][0], written[1][1], sites(written[1]), then)
         if kind == "weak":
-            return ("weak", written[1][1], sites(written[1]), then)
+            return ("weak", written[1][1], sites(written[1]), self.push(written[3], env), then)
         entries = frozenset((c[1], sites(c)) for c in written[1])
-        return ("strong", entries, then)
+        return ("strong", entries, self.push(written[3], env), then)
+
+    def push(self, written: Any, env: dict) -> Fraction:
+        """Reading I-36: what a split says of the impulse that drives the pieces apart."""
+        found = Fraction(self.number(written, env))
+        if found < 0:
+            raise Refused("a push that pulls (I-36)")
+        return found
 
     def lookup(self, leaf: Leaf) -> terms.Lookup:
         def body(name: str) -> terms.Term:
@@ -361,6 +368,7 @@ class Model:
         behaviours = list(self.behaviours.values())
         behaviours += [leaf["behaviour"] for leaf in self.initial_leaves.values()]
         self.only = any(any(only for only, _ in c[2]) for b in behaviours for c in channels(b))
+        self.pushes = any(pushes(b) for b in behaviours)
         if self.only and self.by_contact:
             raise Refused("features without their closure, and binding contact (I-34)")
 
@@ -390,6 +398,17 @@ def channels(written: Any) -> List[Any]:
         return []
     own = {"open": written[1:2], "weak": written[1:2], "strong": written[1], "wait": []}[kind]
     return list(own) + channels(written[2])
+
+
+def pushes(written: Any) -> bool:
+    """Whether a split of a behaviour, as it is written, drives apart what it releases (I-36)."""
+    kind = written[0]
+    if kind == "sum":
+        return any(pushes(term) for term in written[1])
+    if kind in ("nil", "name"):
+        return False
+    own = kind in ("weak", "strong") and written[3] != ("number", 0)
+    return own or pushes(written[2])
 
 
 @lru_cache(maxsize=1000)

@@ -131,5 +131,12 @@ def label_of(model: Model, told: dict) -> Any:
         hits = frozenset(frozenset(pair) for pair in told["touching"])
         return ("bounce", tuple(told["between"]), hits)
     if kind == "strong":
-        return ("strong", frozenset(bond_of(model, b) for b in told["bonds"]))
+        return ("strong", frozenset(bond_of(model, b) + (push_of(b),) for b in told["bonds"]))
+    if kind == "weak":
+        return ("weak",) + bond_of(model, told) + (push_of(told),)
     return (kind,) + bond_of(model, told)
+
+
+def push_of(told: dict) -> Optional[Fraction]:
+    """The push of a bond that is released (I-36); None where it is 0."""
+    return Fraction(told["push"]) if "push" in told else None

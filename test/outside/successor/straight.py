@@ -14,12 +14,13 @@ import steps
 import terms
 from model import Leaf, Model, Part
 from rounding import Rounding
-from solids import Feature
+from solids import Feature, Solid
 from states import Body, Bond, Process, State, Step
-from vectors import ZERO, Vector, add, scale, sub
+from vectors import IDENTITY, ZERO, Vector, add, scale, sub
 
 Transition = Tuple[Any, State]
 Meeting = Tuple[Process, Process, List[Any]]  # two processes, and their touching pairs of parts
+Released = Dict[Bond, Fraction]  # bonds that are released, with their pushes (I-36)
 
 
 class Stopped(Exception):
@@ -253,7 +254,7 @@ class Rules(Rounding):
 
     # Splits.
 
-    def releases(self, process: Process, kind: str) -> Iterator[Tuple[Bond, Dict[str, Body]]]:
+    def releases(self, process: Process) -> Iterator[Tuple[Released, Dict[str, Body]]]:
         """Rule WeakSplit: bonds that may be released, and what the two leaves become."""
         for bond in process.bonds:
             name, ends = bond
@@ -262,15 +263,25 @@ class Rules(Rounding):
                 body = process.bodies[leaf]
                 offers.append(
                     [
-                        (leaf, self.becomes(body, s[3]))
+                        (leaf, s)
                         for s in self.summands(leaf, body)
-                        if s[0] == kind and s[1] == name and site in s[2]
+                        if s[0] == "weak" and s[1] == name and site in s[2]
                     ]
                 )
             for chosen in product(*offers):
-                yield bond, dict(chosen)
+                yield self.outcome(process, [bond], dict(chosen))
 
-    def reactions(self, process: Process) -> Iterator[Tuple[List[Bond], Dict[str, Body]]]:
+    def outcome(
+        self, process: Process, bonds: List[Bond], chosen: Dict[str, terms.Term]
+    ) -> Tuple[Released, Dict[str, Body]]:
+        """What is released, and what leaves become, by a summand of each."""
+        pushes = {
+            bond: sum((chosen[leaf][-2] for leaf, _ in bond[1]), Fraction(0)) for bond in bonds
+        }
+        new = {leaf: self.becomes(process.bodies[leaf], s[-1]) for leaf, s in chosen.items()}
+        return pushes, new
+
+    def reactions(self, process: Process) -> Iterator[Tuple[Released, Dict[str, Body]]]:
         """Rule StrongSplit: sets of bonds that hang together, and what their leaves become."""
         bonds = list(process.bonds)
         for size in range(1, len(bonds) + 1):
@@ -286,13 +297,13 @@ class Rules(Rounding):
                     body = process.bodies[leaf]
                     offers.append(
                         [
-                            (leaf, self.becomes(body, s[2]))
+                            (leaf, s)
                             for s in self.summands(leaf, body)
                             if s[0] == "strong" and self.reacts(s[1], released)
                         ]
                     )
-                for outcome in product(*offers):
-                    yield list(chosen), dict(outcome)
+                for summands in product(*offers):
+                    yield self.outcome(process, list(chosen), dict(summands))
 
     def reacts(self, entries: Any, released: list) -> bool:
         """Whether bonds and entries match one to one."""
@@ -304,13 +315,17 @@ class Rules(Rounding):
         )
 
     def fall_apart(
-        self, process: Process, released: List[Bond], new: Dict[str, Body]
+        self, process: Process, released: Released, new: Dict[str, Body]
     ) -> List[Process]:
-        """The pieces without some bonds; each keeps the motion of the whole (I-11)."""
+        """The pieces without some bonds; each keeps the motion of the whole (I-11), and is driven
+        by what pushes it (I-36)."""
         bodies = {**process.bodies, **new}
         whole = replace(process, bodies=bodies, bonds=process.bonds - set(released))
         phase = process.step.phase if process.step else None
         pieces = [self.piece(process, piece) for piece in self.pieces(whole)]
+        for bond, push in released.items():
+            if push:
+                pieces = self.driven_apart(pieces, bond, push)
         return [self.begun(steps.having(self, piece, phase)) for piece in pieces]
 
     def pieces(self, process: Process) -> List[Process]:
@@ -336,21 +351,62 @@ class Rules(Rounding):
         """Reading I-11: a piece has the motion that it had in the whole."""
         return piece
 
+    def driven_apart(self, pieces: List[Process], bond: Bond, push: Fraction) -> List[Process]:
+        """Reading I-36: with the pieces of the two ends of a bond driven apart."""
+        places = []
+        for leaf, (part, _) in bond[1]:
+            i = next(i for i, piece in enumerate(pieces) if leaf in piece.bodies)
+            places.append((i, pieces[i].bodies[leaf], self.leaf(leaf).by_name[part]))
+        (i, *one), (j, *two) = places
+        normals, x = self.contact_of(*one, *two)
+        impulse = scale(push, impact.unit(self.line(normals, one, two)))
+        driven = list(pieces)
+        driven[i] = self.driven(driven[i], scale(-1, impulse), x)
+        driven[j] = self.driven(driven[j], impulse, x)
+        return driven
+
+    def line(self, normals: List[Vector], one: List[Any], two: List[Any]) -> Vector:
+        """Along which two parts are driven apart: their only normal, or that of the centroids."""
+        if len(normals) == 1:
+            return normals[0]
+        here, there = (self.world(*place).volume_and_centroid()[1] for place in (one, two))
+        return sub(there, here)
+
+    def world(self, body: Body, part: Part) -> Solid:
+        """A part where its body is."""
+        return part.solid.mapped(IDENTITY, body.position)
+
+    def contact_of(
+        self, body1: Body, part1: Part, body2: Body, part2: Part
+    ) -> Tuple[List[Vector], Vector]:
+        """The normals of two parts in contact, from the first to the second, and the middle of
+        where they touch: any point, since nothing turns."""
+        offset = sub(body2.position, body1.position)
+        return contact.tight(part1.solid, part2.solid, offset), ZERO
+
+    def driven(self, process: Process, impulse: Vector, x: Vector) -> Process:
+        """After an impulse at a point; what is fixed takes nothing."""
+        if self.is_fixed(process):
+            return process
+        change = scale(1 / self.mass(process), impulse)
+        return replace(process, velocity=add(process.velocity, change))
+
     def splits(self, state: State) -> Iterator[Transition]:
         for process in state.processes:
-            for bonds, new in self.reactions(process):
-                pieces = self.fall_apart(process, bonds, new)
-                yield ("strong", frozenset(bonds)), state.having([process], pieces)
+            for released, new in self.reactions(process):
+                pieces = self.fall_apart(process, released, new)
+                label = ("strong", frozenset(told(released)))
+                yield label, state.having([process], pieces)
             if process.clock == 0:
-                for bond, new in self.releases(process, "weak"):
-                    pieces = self.fall_apart(process, [bond], new)
-                    yield ("weak",) + bond, state.having([process], pieces)
+                for released, new in self.releases(process):
+                    pieces = self.fall_apart(process, released, new)
+                    yield ("weak", *told(released)[0]), state.having([process], pieces)
 
     # Clocks.
 
     def begun(self, process: Process) -> Process:
         """With its split clock set anew, by a discrete transition (I-9)."""
-        enabled = next(self.releases(process, "weak"), None) is not None
+        enabled = next(self.releases(process), None) is not None
         return replace(process, clock=Fraction(0) if enabled else None)
 
     # Time.
@@ -464,7 +520,7 @@ class Rules(Rounding):
         return State(tuple(processes), step, state.time + d)
 
     def releasable(self, process: Process) -> set:
-        return {bond for bond, _ in self.releases(process, "weak")}
+        return {bond for released, _ in self.releases(process) for bond in released}
 
     def aged_clock(self, before: Process, after: Process, d: Fraction) -> Optional[Fraction]:
         """Readings I-9 and I-16: 0 where a further bond has become releasable."""
@@ -572,6 +628,11 @@ class Rules(Rounding):
             if d is not None:
                 found.append((("time", d), self.passed(state, d)))
         return [(label, self.settled(after, label[0])) for label, after in found]
+
+
+def told(released: Released) -> List[Any]:
+    """What a label says of bonds that are released: the push of each, if it is not 0."""
+    return [(*bond, push or None) for bond, push in released.items()]
 
 
 def members(cluster: List[Meeting]) -> List[Process]:

@@ -251,6 +251,15 @@ class Reader:
         self.expect(">")
         return (barred, name, members)
 
+    def push(self) -> Any:
+        """What a split says of the impulse that drives the pieces apart (I-36)."""
+        if not self.accept("push"):
+            return ("number", Fraction(0))
+        self.expect("(")
+        found = self.expr()
+        self.expect(")")
+        return found
+
     def behaviour(self) -> Any:
         terms = [self.term()]
         while self.accept("+"):
@@ -275,15 +284,17 @@ class Reader:
             self.expect(",")
             members = self.members()
             self.expect(")")
+            push = self.push()
             self.expect(".")
-            return ("weak", (barred, name, members), self.term())
+            return ("weak", (barred, name, members), self.term(), push)
         if self.accept("rho"):
             self.expect("(")
             self.expect("{")
             channels = self.separated(self.channel, "}")
             self.expect(")")
+            push = self.push()
             self.expect(".")
-            return ("strong", channels, self.term())
+            return ("strong", channels, self.term(), push)
         if self.accept("eps"):
             self.expect("(")
             delay = self.expr()

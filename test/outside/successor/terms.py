@@ -1,15 +1,16 @@
 """Behaviours (chapter 2 of the rule book), as terms with features of the leaf's own shape.
 
     ("nil",)
-    ("open", barred, name, sites, then)       <a,{..}>. then
-    ("weak", name, sites, then)               omega(a,{..}). then
-    ("strong", {(name, sites), ..}, then)     rho({..}). then
-    ("wait", t, then)                         eps(t). then, t > 0
-    ("sum", (term, ...))                      of at least two, none of them a sum
+    ("open", barred, name, sites, then)           <a,{..}>. then
+    ("weak", name, sites, push, then)             omega(a,{..}) push(j). then
+    ("strong", {(name, sites), ..}, push, then)   rho({..}) push(j). then
+    ("wait", t, then)                             eps(t). then, t > 0
+    ("sum", (term, ...))                          of at least two, none of them a sum
     ("name", K)
 
 ``sites`` is the active surface, a frozenset of (part, feature): channels are equal when their names
-and active surfaces are (I-17, I-34). A ``Lookup`` gives the bodies of names.
+and active surfaces are (I-17, I-34). A push of 0 is none (I-36). A ``Lookup`` gives the bodies
+of names.
 """
 
 from __future__ import annotations

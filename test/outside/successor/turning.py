@@ -360,6 +360,21 @@ class Turning(Rest, Rules):
         moved = replace(process, velocity=after.velocity, spin=after.spin, momentum=momentum)
         return replace(moved, since=Fraction(0), lasts=None)
 
+    def driven(self, process: Process, impulse: Vector, x: Vector) -> Process:
+        return self.pushed(process, self.rigid(process).pushed(x, impulse))
+
+    def contact_of(
+        self, body1: Body, part1: Part, body2: Body, part2: Part
+    ) -> Tuple[List[Vector], Vector]:
+        """The normals of two parts in contact (rule Near), and the mean of the corners of where
+        they touch."""
+        found = near.find(self.world(body1, part1), self.world(body2, part2), self.resolution)
+        assert found is not None, "what is bound is in contact"
+        total = ZERO
+        for corner in found.region:
+            total = add(total, corner)
+        return found.normals, scale(Fraction(1, len(found.region)), total)
+
     def piece(self, process: Process, piece: Process) -> Process:
         """Reading I-23: the rigid motion of the whole."""
         if self.is_fixed(process):
