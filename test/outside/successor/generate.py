@@ -7,6 +7,7 @@ instant, edges meet edges, and some rest against each other from the start.
 from __future__ import annotations
 
 import random
+import re
 from fractions import Fraction
 from functools import lru_cache
 from typing import Dict, List, Optional, Tuple
@@ -75,6 +76,7 @@ class Generator:
         self.laws = rng.random() < 0.3
         self.together = rng.random() < 0.35  # reading I-32
         self.by_contact = not rigid and rng.random() < 0.35  # reading I-33
+        self.pushes = rng.random() < 0.5  # reading I-36
         self.spins: Dict[str, Vector] = {}  # of bodies, by name
         self.centres: Dict[str, Vector] = {}
 
@@ -161,17 +163,23 @@ class Generator:
         if draw < 0.5:
             return "<%s%s, %s>. %s" % (rng.choice(["", "~"]), channel, self.sites(leaf), then)
         if draw < 0.66:
-            return "omega(%s, %s). %s" % (channel, self.sites(leaf), then)
+            return "omega(%s, %s)%s. %s" % (channel, self.sites(leaf), self.push(), then)
         if draw < 0.84:
             entries = []
             for _ in range(rng.choice([1, 1, 1, 2])):
                 name = rng.choice(["a", "a", "b"])
                 entries.append("<%s, %s>" % (name, self.sites(leaf)))
-            return "rho({%s}). %s" % (", ".join(entries), then)
+            return "rho({%s})%s. %s" % (", ".join(entries), self.push(), then)
         delay = rng.choice(["1/2", "1", "1", "3/2", "2", "1/3", "0"])
         if delay == "0":
             return "eps(0). (%s)" % self.guarded(leaf, names, depth - 1)
         return "eps(%s). %s" % (delay, then)
+
+    def push(self) -> str:
+        """What a release says of the impulse that drives the pieces apart: often nothing."""
+        if not self.pushes or self.rng.random() < 0.4:
+            return ""
+        return " push(%s)" % self.rng.choice(["1", "1", "1/2", "2", "3/2", "1/3", "0"])
 
     def guarded(self, leaf: Leaf, names: List[str], depth: int) -> str:
         """A term that is no name."""
@@ -188,7 +196,7 @@ class Generator:
         rng = self.rng
         sites = self.sites(leaf)
         release = rng.choice(["omega(a, %s)", "rho({<a, %s>})", "eps(1). omega(a, %s)"]) % sites
-        release += ". %s" % rng.choice(names + ["nil"])
+        release += "%s. %s" % (self.push(), rng.choice(names + ["nil"]))
         if rng.random() < 0.4:
             release = "(%s)" % (release + " + " + self.term(leaf, names, 1))
         delay = "eps(%s). " % rng.choice(["1/2", "1", "2"]) if self.late(rng) else ""
@@ -386,10 +394,10 @@ class Generator:
             return None
         weak, strong = "omega(%s, {%%s})" % channel, "rho({<%s, {%%s}>})" % channel
         if rng.random() < 0.35:
-            return strong + ". nil"
-        parts = [rng.choice([weak, strong, strong])]
+            return strong + self.push() + ". nil"
+        parts = [rng.choice([weak, strong, strong]) + self.push()]
         if rng.random() < 0.3:
-            parts.append(rng.choice([weak, strong]))
+            parts.append(rng.choice([weak, strong]) + self.push())
         delays = ["", "", "eps(1). ", "eps(1/2). ", "eps(3/2). "]
         return " + ".join("%s%s. nil" % (rng.choice(delays), part) for part in parts)
 
@@ -397,12 +405,11 @@ class Generator:
         """Gives a body that was placed another behaviour, or a further summand or entry."""
         old = self.behaviours[name]
         draw = self.rng.random()
-        both = [text[: -len("}). nil")] for text in (old, behaviour) if text.endswith("}). nil")]
-        single = len(both) == 2 and all(
-            b.startswith("rho({<") and b.count("rho") == 1 and "})" not in b for b in both
-        )
-        if single and draw < 0.6 and " + " not in old + behaviour:
-            behaviour = "rho({%s, %s}). nil" % (both[0][5:], both[1][5:])
+        single = r"rho\(\{(<[^()]*>)\}\)( push\([^()]*\))?\. nil"
+        first, second = (re.fullmatch(single, text) for text in (old, behaviour))
+        if first and second and draw < 0.6:
+            entries, push = "%s, %s" % (first[1], second[1]), second[2] or ""
+            behaviour = "rho({%s})%s. nil" % (entries, push)
         elif draw < 0.85:
             behaviour = old + " + " + behaviour
         self.behaviours[name] = behaviour

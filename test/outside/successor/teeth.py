@@ -44,6 +44,7 @@ def replaced(owner: Any, name: str, value: Any) -> Mistake:
 _covered, _touch, _dimension = response.covered, contact.touch, contact.dimension
 _grown, _passed = terms.grown, Rules.passed
 _clusters, _active, _steered = Rules.clusters, Leaf.active, Rules.steered
+_driven_apart, _line = Rules.driven_apart, Rules.line
 
 
 def every_direction(own: Any, n: Any, others: Any) -> bool:
@@ -93,6 +94,13 @@ def collisions_alone(self: Rules, state: Any) -> Any:
     return [meeting for meeting in found if meeting[2] is not None]
 
 
+def one_driven(self: Rules, pieces: Any, bond: Any, push: Fraction) -> Any:
+    """Only one of two pieces takes its share of a push."""
+    driven = _driven_apart(self, pieces, bond, push)
+    changed = [i for i, piece in enumerate(pieces) if driven[i] is not piece]
+    return [driven[i] if i in changed[:1] else piece for i, piece in enumerate(pieces)]
+
+
 MISTAKES: Dict[str, Mistake] = {
     "I-13: every direction counts": replaced(response, "covered", every_direction),
     "Response: the steepest normal alone": replaced(response, "project", nearest_normal),
@@ -132,6 +140,13 @@ MISTAKES: Dict[str, Mistake] = {
     ),
     "I-35: collisions end steps": replaced(
         Rules, "ends_step", lambda self, kind: kind in ("bind", "bounce")
+    ),
+    "I-36: one end is driven": replaced(Rules, "driven_apart", one_driven),
+    "I-36: from centroid to centroid": replaced(
+        Rules, "line", lambda self, normals, one, two: _line(self, [], one, two)
+    ),
+    "I-36: along the first normal": replaced(
+        Rules, "line", lambda self, normals, one, two: normals[0]
     ),
 }  # fmt: skip
 
