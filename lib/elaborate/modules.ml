@@ -36,7 +36,11 @@ let is_part c = is_letter c || (c >= '0' && c <= '9') || c = '_' || c = '\''
 let is_name text =
   String.length text > 0 && is_letter text.[0] && String.for_all is_part text
 
-let base path = Filename.remove_extension (Filename.basename path)
+(* Of `<solids>`, a module of the library, what is between the marks. *)
+let base path =
+  let n = String.length path in
+  if n > 2 && path.[0] = '<' then String.sub path 1 (n - 2)
+  else Filename.remove_extension (Filename.basename path)
 
 (* No two modules have one prefix. *)
 let prefix t path =

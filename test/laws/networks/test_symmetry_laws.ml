@@ -198,7 +198,9 @@ let () =
         [
           straight "Scaling: units of length, time and mass" (units factor factor);
           turning "Scaling: bodies that turn, by powers of two" any (units power_of_two power_of_two);
-          switched "Scaling: with the switches of a model" (units factor factor);
+          switched "Scaling: with the switches of a model" ~of_network:Random_network.without_pushes
+            (units factor factor);
+          switched "Scaling: with pushes, by powers of two" (units power_of_two power_of_two);
           turning "Scaling: bodies that turn, with the switches of a model" (with_switches any)
             (units power_of_two power_of_two);
         ];

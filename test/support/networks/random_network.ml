@@ -58,29 +58,32 @@ let channel faces =
 let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 3; 5 ]
 
-let definitions : Behaviour.definitions =
+(* With splits that push apart what they release, or without. *)
+let definitions ~pushes : Behaviour.definitions =
   let open Behaviour in
+  let weak j = weak ~push:(if pushes then rational 1 j else Rat.zero) in
+  let strong j = strong ~push:(if pushes then rational 1 j else Rat.zero) in
   [|
     { name = "Sticky"; body = open_ Name all (call 1) };
-    { name = "Stuck"; body = sum (weak all (call 0)) (delay (rational 1 2) (strong [ all ] nil)) };
+    { name = "Stuck"; body = sum (weak 3 all (call 0)) (delay (rational 1 2) (strong 1 [ all ] nil)) };
     { name = "CoSticky"; body = open_ Co_name some (call 3) };
     {
       name = "CoStuck";
       body =
         sum
-          (weak ~push:(rational 1 4) all (call 2))
-          (sum (strong ~push:(rational 1 2) [ all ] nil) (open_ Name all nil));
+          (weak 4 all (call 2))
+          (sum (strong 2 [ all ] nil) (open_ Name all nil));
     };
     { name = "Late"; body = delay (rational 1 3) (sum (call 0) (call 2)) };
     (* in crowds only *)
     { name = "Glue"; body = open_ Name all (call 6) };
-    { name = "Glued"; body = delay (rational 2 5) (strong [ all ] (call 5)) };
+    { name = "Glued"; body = delay (rational 2 5) (strong 5 [ all ] (call 5)) };
     { name = "CoGlue"; body = open_ Co_name all (call 8) };
-    { name = "CoGlued"; body = strong [ all ] (delay (rational 1 7) (call 7)) };
+    { name = "CoGlued"; body = strong 7 [ all ] (delay (rational 1 7) (call 7)) };
     { name = "Pulse"; body = delay (rational 1 4) (call 10) };
     { name = "Pulsed"; body = delay (rational 1 3) (sum (call 0) (call 9)) };
     { name = "Loose"; body = open_ Co_name all (call 12) };
-    { name = "Loosened"; body = weak ~push:(rational 1 3) all (delay (rational 1 9) (call 11)) };
+    { name = "Loosened"; body = weak 3 all (delay (rational 1 9) (call 11)) };
   |]
 
 let behaviours = 6
@@ -109,7 +112,7 @@ let model { bodies; switches; _ } : Model.t =
   Switches.apply switches
     {
       leaves = Array.of_list (List.mapi leaf bodies);
-      definitions;
+      definitions = definitions ~pushes:(Switches.pushes switches);
       timestep = rational 1 2;
       split_step = rational 1 2;
       keeps_time = false;
@@ -207,6 +210,7 @@ let none = plain []
 let inert = map (List.map (fun b -> { b with behaviour = 0 }))
 let sticking = map (List.mapi (fun i b -> { b with behaviour = 1 + (2 * (i mod 2)) }))
 let all_free = map (List.map (fun b -> { b with fixed = false }))
+let without_pushes n = { n with switches = Switches.without_pushes n.switches }
 let with_switches switches n = { n with switches }
 let like a b = { b with switches = a.switches }
 

@@ -16,6 +16,7 @@ val switched : ?steered:bool -> unit -> t QCheck2.Gen.t
 val rounding : unit -> t QCheck2.Gen.t
 (** Of those, with velocities rounded and all else as if nothing were said. *)
 
+val without_pushes : t -> t
 val with_switches : Switches.t -> t -> t
 
 val like : t -> t -> t

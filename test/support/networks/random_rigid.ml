@@ -98,7 +98,8 @@ let channel faces =
 let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 2; 5 ]
 
-let definitions : Behaviour.definitions =
+let definitions ~pushes : Behaviour.definitions =
+  let push = if pushes then rational 1 2 else Rat.zero in
   let open Behaviour in
   [|
     { name = "Sticky"; body = open_ Name all (call 1) };
@@ -106,7 +107,7 @@ let definitions : Behaviour.definitions =
     { name = "CoSticky"; body = open_ Co_name some (call 3) };
     { name = "CoStuck"; body = sum (weak all (call 2)) (strong [ all ] nil) };
     { name = "Late"; body = delay (rational 1 3) (sum (call 0) (call 2)) };
-    { name = "Breaks"; body = delay (rational 2 5) (strong ~push:(rational 1 2) [ all ] nil) };
+    { name = "Breaks"; body = delay (rational 2 5) (strong ~push [ all ] nil) };
     { name = "Pulse"; body = delay (rational 1 7) (call 6) };
   |]
 
@@ -138,7 +139,7 @@ let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
   Switches.apply switches
     {
       leaves = Array.of_list (List.map model_leaf (leaves bodies));
-      definitions;
+      definitions = definitions ~pushes:(Switches.pushes switches);
       timestep = Rat.one;
       split_step = rational 1 2;
       keeps_time = false;

@@ -1,20 +1,23 @@
 open Scc_calculus
 module Gen = QCheck2.Gen
 
-type t = { together : bool; steps : Model.steps; by_contact : bool; rounding : int option }
+type t = { together : bool; steps : Model.steps; by_contact : bool; pushes : bool; rounding : int option }
 
-let off = { together = false; steps = Model.Shared; by_contact = false; rounding = None }
+let off = { together = false; steps = Model.Shared; by_contact = false; pushes = false; rounding = None }
 
 let together = { off with together = true }
 let local = { off with steps = Own }
 let by_contact = { off with by_contact = true }
 let rounding = { off with rounding = Some 2 }
+let pushes s = s.pushes
+let without_pushes s = { s with pushes = false }
 
 let generate ?(rigid = false) () =
   let open Gen in
   let* together = frequencyl [ (2, true); (1, false) ] in
-  let+ steps = oneofl [ Model.Shared; Own; Steady ] and* by_contact = if rigid then pure false else bool in
-  { together; steps; by_contact; rounding = None }
+  let+ steps = oneofl [ Model.Shared; Own; Steady ] and* pushes = bool
+  and* by_contact = if rigid then pure false else bool in
+  { together; steps; by_contact; pushes; rounding = None }
 
 let apply s (m : Model.t) =
   {
@@ -30,4 +33,5 @@ let print s =
   word s.together " together"
   ^ (match s.steps with Shared -> "" | Own -> " local" | Steady -> " steady")
   ^ word s.by_contact " contact"
+  ^ word s.pushes " pushes"
   ^ word (Option.is_some s.rounding) " rounding"

@@ -15,9 +15,14 @@ val by_contact : t
 val rounding : t
 (** One of them alone; the last rounds velocities to quarters. *)
 
+val pushes : t -> bool
+(** Whether splits push apart what they release (reading I-36), which is a matter of the behaviours. *)
+
+val without_pushes : t -> t
+
 val generate : ?rigid:bool -> unit -> t QCheck2.Gen.t
 (** Some on, some off: collisions together, steps of single processes or steady ones (where something is
-    steered) and, but with [rigid], binding by contact. *)
+    steered), pushes and, but with [rigid], binding by contact. *)
 
 val apply : t -> Model.t -> Model.t
 val print : t -> string

@@ -9,13 +9,15 @@ type t = {
   state : State.t -> State.t;
   later : Rat.t -> State.t -> State.t;
   duration : Rat.t -> Rat.t;
+  impulse : Rat.t -> Rat.t;
   bond : State.bond -> State.bond;
   leaf : int -> int;
 }
 
-let make name ?(model = Fun.id) ?later ?(duration = Fun.id) ?(bond = Fun.id) ?(leaf = Fun.id) state =
+let make name ?(model = Fun.id) ?later ?(duration = Fun.id) ?(impulse = Fun.id) ?(bond = Fun.id)
+    ?(leaf = Fun.id) state =
   let later = match later with Some f -> f | None -> fun _ -> state in
-  { name; model; state; later; duration; bond; leaf }
+  { name; model; state; later; duration; impulse; bond; leaf }
 
 let map_processes f (s : State.t) =
   State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
@@ -117,16 +119,20 @@ let boost by =
 
    A length of 1 becomes [length], a time of 1 [time] and a mass of 1 [mass]; all else follows. *)
 
-let rec delayed factor (b : Behaviour.t) =
+let rec behaving ~time ~impulse (b : Behaviour.t) =
+  let again = behaving ~time ~impulse and push = Rat.mul impulse in
   match b with
   | Nil | Call _ -> b
-  | Open (polarity, c, b) -> Behaviour.open_ polarity c (delayed factor b)
-  | Weak (c, push, b) -> Behaviour.weak ~push c (delayed factor b)
-  | Strong (l, push, b) -> Behaviour.strong ~push l (delayed factor b)
-  | Delay (t, b) -> Behaviour.delay (Rat.mul factor t) (delayed factor b)
-  | Sum (b, c) -> Behaviour.sum (delayed factor b) (delayed factor c)
+  | Open (polarity, c, b) -> Behaviour.open_ polarity c (again b)
+  | Weak (c, j, b) -> Behaviour.weak ~push:(push j) c (again b)
+  | Strong (l, j, b) -> Behaviour.strong ~push:(push j) l (again b)
+  | Delay (t, b) -> Behaviour.delay (Rat.mul time t) (again b)
+  | Sum (b, c) -> Behaviour.sum (again b) (again c)
+
+let impulse ~length ~time ~mass = Rat.mul mass (Rat.div length time)
 
 let scaled_model ~length ~time ~mass (m : Model.t) =
+  let behaving = behaving ~time ~impulse:(impulse ~length ~time ~mass) in
   let part (p : Model.part) =
     let solid = Solid.make ~id:p.solid.id p.solid.polyhedron (Mat.scale length p.solid.linear) in
     { p with solid; offset = Vec.scale length p.offset; mass = Rat.mul mass p.mass }
@@ -137,7 +143,7 @@ let scaled_model ~length ~time ~mass (m : Model.t) =
     m with
     leaves = Array.map leaf m.leaves;
     definitions =
-      Array.map (fun (d : Behaviour.definition) -> { d with body = delayed time d.body }) m.definitions;
+      Array.map (fun (d : Behaviour.definition) -> { d with body = behaving d.body }) m.definitions;
     timestep = Rat.mul time m.timestep;
     split_step = Rat.mul time m.split_step;
     rigid = Option.map rigid m.rigid;
@@ -147,7 +153,8 @@ let scaling ~length ~time ~mass =
   let speed = Vec.scale (Rat.div length time) and spin = Vec.scale (Rat.div Rat.one time) in
   let momentum = Vec.scale (Rat.div (Rat.mul mass (Rat.mul length length)) time) in
   let leaf (l : State.leaf) =
-    let behaviour = Behaviour.aged l.behaviour.origin (delayed time l.behaviour.term) in
+    let term = behaving ~time ~impulse:(impulse ~length ~time ~mass) l.behaviour.term in
+    let behaviour = Behaviour.aged l.behaviour.origin term in
     { l with position = Vec.scale length l.position; behaviour }
   in
   let process (p : State.process) =
@@ -167,7 +174,8 @@ let scaling ~length ~time ~mass =
   let say = Rat.to_string in
   make
     (Printf.sprintf "lengths times %s, times times %s, masses times %s" (say length) (say time) (say mass))
-    ~model:(scaled_model ~length ~time ~mass) ~duration:(Rat.mul time) state
+    ~model:(scaled_model ~length ~time ~mass) ~duration:(Rat.mul time)
+    ~impulse:(Rat.mul (impulse ~length ~time ~mass)) state
 
 (* {1 Transitions under a symmetry} *)
 
@@ -178,14 +186,16 @@ let first_leaf symmetry (s : State.t) leaf =
     (fun least (l : State.leaf) -> min least (symmetry.leaf l.leaf))
     max_int s.processes.(i).leaves
 
+let map_release symmetry ({ bond; push } : Transition.release) : Transition.release =
+  { bond = symmetry.bond bond; push = symmetry.impulse push }
+
 let map_label symmetry s : Transition.label -> Transition.label = function
   | Time d -> Time (symmetry.duration d)
   | Bind b -> Bind (symmetry.bond b)
-  | Weak_split r -> Weak_split { r with bond = symmetry.bond r.bond }
+  | Weak_split r -> Weak_split (map_release symmetry r)
   | Strong_split releases ->
-    let released (r : Transition.release) = { r with bond = symmetry.bond r.bond } in
     let in_order (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
-    Strong_split (List.sort in_order (List.map released releases))
+    Strong_split (List.sort in_order (List.map (map_release symmetry) releases))
   | Bounce { firsts; hits } ->
     let part (leaf, index) = (symmetry.leaf leaf, index) in
     let hit (h : Transition.hit) = Transition.hit (part h.one) (part h.two) in
