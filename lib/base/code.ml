@@ -109,6 +109,7 @@ let all =
     (off_centre, "a template whose centroid is not the origin of body space (a warning)");
     (bad_mesh, "a mesh file that does not fit its format");
     (mesh_format, "a mesh format that is not supported");
+    (cannot_snap, "a mesh for which no exact solid is found near by");
     (not_touching, "features that do not touch");
     (not_highest, "a glue that is not the highest touching pair");
     (interpenetration, "bodies that interpenetrate");
