@@ -1,0 +1,15 @@
+// Two cubes hit one wall at one instant: two clusters, since what is fixed links nobody (I-32).
+model one_wall
+
+collisions together
+
+shape Cube {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+           e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]  right [b,c,g,f]  front [a,b,f,e]  back [d,h,g,c]
+}
+
+fixed wall = Cube scaled (1, 9, 1)
+process p = Cube mass 1 velocity (-1,0,0) at translate (4,-5,0) [nil]
+process q = Cube mass 1 velocity (-1,0,0) at translate (4,5,0) [nil]
+check all : always time >= 0
