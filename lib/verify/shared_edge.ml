@@ -3,14 +3,14 @@ open Scc_calculus
 open Scc_semantics
 open Scc_space
 
-(* The features that a leaf ever opens under a name, with their closures, as far as its text tells. *)
-let opened (m : Model.t) (l : State.leaf) name =
+(* The features that a leaf ever opens, with their closures, under whichever name, as far as its text tells. *)
+let opened (m : Model.t) (l : State.leaf) =
   let seen = Array.make (Array.length m.definitions) false in
   let rec within found (b : Behaviour.t) =
     match b with
     | Nil -> found
-    | Open (_, c, rest) when String.equal c.name name -> within (c.sites @ found) rest
-    | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) -> within found rest
+    | Open (_, c, rest) -> within (c.sites @ found) rest
+    | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) -> within found rest
     | Sum (x, y) -> within (within found x) y
     | Call k when seen.(k) -> found
     | Call k ->
@@ -19,8 +19,8 @@ let opened (m : Model.t) (l : State.leaf) name =
   in
   List.sort_uniq Site.compare (within [] l.behaviour.term)
 
-let sharing (m : Model.t) (initial : State.t) name (f : State.finish) =
-  let listed = opened m (snd (State.find_leaf initial f.at)) name in
+let sharing (m : Model.t) (initial : State.t) (f : State.finish) =
+  let listed = opened m (snd (State.find_leaf initial f.at)) in
   let has (s : Site.t) =
     let solid = m.leaves.(f.at).parts.(s.part).solid in
     s.part = f.site.part
@@ -30,7 +30,7 @@ let sharing (m : Model.t) (initial : State.t) name (f : State.finish) =
   else match List.filter has listed with [] | [ _ ] -> [] | several -> several
 
 let of_end m initial name (f : State.finish) =
-  match sharing m initial name f with
+  match sharing m initial f with
   | [] -> None
   | sites ->
     let text site = Model.site_name m ~leaf:f.at site in
