@@ -9,74 +9,9 @@ let ( let* ) = Option.bind
 
 let max_points = 100
 
-let sub3 points i j = Vec.sub (snd points.(j)) (snd points.(i))
-let normal points i j k = Vec.cross (sub3 points i j) (sub3 points i k)
-
-(* The points of the plane through three of them, and the normal away from the others; nothing if others are on
-   both
-   sides of it. *)
-let supporting points i j k =
-  let n = normal points i j k in
-  let height p = Rat.sign (Vec.dot n (sub3 points i p)) in
-  let rec look p side inside =
-    if p = Array.length points then if side > 0 then Some (Vec.neg n, inside) else Some (n, inside)
-    else
-      let h = height p in
-      if h = 0 then look (p + 1) side (p :: inside)
-      else if side * h < 0 then None
-      else look (p + 1) h inside
-  in
-  if Vec.is_zero n then None else look 0 0 []
-
-(* The corners of the convex polygon that coplanar points span, counter-clockwise about the normal: from each
-   corner
-   the next is the one that has no other on its right, the farther one of two in one line. *)
-let polygon points n inside =
-  let turn a b c = Rat.sign (Vec.dot n (Vec.cross (sub3 points a b) (sub3 points a c))) in
-  let farther a b c = Rat.compare (Vec.norm2 (sub3 points a c)) (Vec.norm2 (sub3 points a b)) > 0 in
-  let next a =
-    let better b c =
-      if Vec.is_zero (sub3 points a c) then b
-      else
-        match b with
-        | None -> Some c
-        | Some b ->
-          let t = turn a b c in
-          if t < 0 || (t = 0 && farther a b c) then Some c else Some b
-    in
-    List.fold_left better None inside
-  in
-  let start =
-    let least a b = if Vec.compare (snd points.(b)) (snd points.(a)) < 0 then b else a in
-    List.fold_left least (List.hd inside) inside
-  in
-  let rec round corners a =
-    match next a with
-    | Some b when b <> start -> round (b :: corners) b
-    | Some _ | None -> List.rev corners
-  in
-  round [ start ] start
-
-(* Each face once: by the first three of its points in order that are in no line. *)
-let faces points =
-  let n = Array.length points in
-  let seen = Hashtbl.create 32 and found = ref [] in
-  for i = 0 to n - 3 do
-    for j = i + 1 to n - 2 do
-      for k = j + 1 to n - 1 do
-        match supporting points i j k with
-        | Some (outward, inside) when not (Hashtbl.mem seen inside) ->
-          Hashtbl.add seen inside ();
-          found := polygon points outward inside :: !found
-        | Some _ | None -> ()
-      done
-    done
-  done;
-  List.rev !found
-
 (* Names for that many faces: f1, f2, …, without those of points. *)
 let face_names points count =
-  let taken name = Array.exists (fun (n, _) -> String.equal n name) points in
+  let taken name = List.exists (fun (n, _) -> String.equal n name) points in
   let rec from i left =
     let name = Printf.sprintf "f%d" i in
     if left = 0 then []
@@ -85,50 +20,30 @@ let face_names points count =
   in
   from 1 count
 
-let distinct points =
-  let add kept (n, v) = if List.exists (fun (_, w) -> Vec.equal v w) kept then kept else (n, v) :: kept in
-  Array.of_list (List.rev (List.fold_left add [] points))
-
-let is_flat points =
-  let n = Array.length points in
-  let rec off_plane i j k =
-    if k >= n then true
-    else
-      let normal = normal points i j k in
-      if Vec.is_zero normal then off_plane i j (k + 1)
-      else not (Array.exists (fun (_, v) -> Rat.sign (Vec.dot normal (Vec.sub v (snd points.(i)))) <> 0) points)
+(* Two faces have at most two corners in common. *)
+let compare_corners f g =
+  let sorted f = List.sort Int.compare (Array.to_list f) in
+  let rec compare a b =
+    match (a, b) with
+    | x :: a, y :: b -> if Int.equal x y then compare a b else Int.compare x y
+    | [], _ | _, [] -> List.compare_lengths a b
   in
-  n < 4 || off_plane 0 1 2
+  compare (sorted f) (sorted g)
 
 let hull report at list =
-  let points = distinct list in
   if List.length list > max_points then begin
     Report.error report Code.too_deep at "this hull has more than %d points" max_points;
     None
   end
-  else if is_flat points then begin
-    Report.error report Code.no_solid at "these points span no solid: all of them are in one plane";
-    None
-  end
   else
-    let faces = faces points in
-    let corner i = List.exists (List.exists (Int.equal i)) faces in
-    let kept = List.filter corner (List.init (Array.length points) Fun.id) in
-    let place i =
-      let rec find at = function
-        | [] -> Bug.fail __POS__ "a corner that is none"
-        | k :: rest -> if k = i then at else find (at + 1) rest
-      in
-      find 0 kept
-    in
-    let names = face_names points (List.length faces) in
-    Some
-      {
-        Polyhedron.ifs_vertices = Array.of_list (List.map (fun i -> points.(i)) kept);
-        ifs_faces =
-          Array.of_list
-            (List.map2 (fun name face -> (name, Array.of_list (List.map place face))) names faces);
-      }
+    match Scc_mesh.Hull_of.hull { Polyhedron.ifs_vertices = Array.of_list list; ifs_faces = [||] } with
+    | None ->
+      Report.error report Code.no_solid at "these points span no solid: all of them are in one plane";
+      None
+    | Some hull ->
+      let faces = List.sort compare_corners (Array.to_list (Array.map snd hull.ifs_faces)) in
+      let names = face_names list (List.length faces) in
+      Some { hull with ifs_faces = Array.of_list (List.combine names faces) }
 
 (* {1 Points of the circle}
 
