@@ -301,13 +301,7 @@ let gather c overrides =
   }
 
 let check_overrides g =
-  let names () = List.rev_map fst g.params in
-  List.iter
-    (fun (name, _) ->
-       if not (List.mem_assoc name g.params) then
-         Report.error g.c.report Code.unknown_parameter Span.none "the model has no parameter `%s`" name
-           ~near:(name, names))
-    g.overrides
+  Report.unknown_parameters g.c.report Span.none ~given:(List.map fst g.overrides) (List.rev_map fst g.params)
 
 let program g =
   let value step ~default = match step with Some (Some q, _) -> q | Some (None, _) | None -> default in

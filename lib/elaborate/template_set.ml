@@ -90,12 +90,7 @@ let reference asked_at name =
 (* Values for parameters that there are not. *)
 let check_overrides report overrides (program : Program.t option) at =
   let names = match program with Some p -> List.map fst p.parameters | None -> List.map fst overrides in
-  let check (name, _) =
-    if not (List.exists (String.equal name) names) then
-      Report.error report Code.unknown_parameter at "the model has no parameter `%s`" name
-        ~near:(name, fun () -> names)
-  in
-  List.iter check overrides
+  Report.unknown_parameters report at ~given:(List.map fst overrides) names
 
 (* What else is wrong with the model is not looked at. *)
 let find ~read_file ~overrides ~asked_at model name =

@@ -44,6 +44,7 @@ A model that takes its shapes and behaviours from other files, each relative to 
       1. time passes by 6, to time 6
   $ scc check -D edge=4 model.sc
   command line: error[SC0209]: the model has no parameter `edge`
+    hint: it has `shapes.edge`
   [64]
   $ scc fmt model.sc
   import "parts/shapes.sc" // the bricks
