@@ -56,6 +56,7 @@ module type S = sig
     Env.t ->
     Ast.expr ->
     (num, cond) value option
-    (** [Apply], [Co], [Quantified], [Temporal], [Until], [Leads_to], [Event]; the function elaborates a part. *)
+    (** [Apply], [Apply_in], [Co], [Quantified], [Temporal], [Until], [Leads_to], [Event]; the function elaborates
+        a part. *)
 end
 

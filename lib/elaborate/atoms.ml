@@ -169,6 +169,8 @@ let reference_of (e : Ast.expr) =
   | Path { it = [ { name = q; indices = [] }; { name; indices } ]; _ } ->
     Some { (plain name) with qualifier = Some q; indices }
   | Apply (f, arguments) when not (String.equal f.it "behaviour") -> Some { (plain f) with arguments }
+  | Apply_in ({ it = [ { name = q; indices = [] } ]; _ }, f, arguments) ->
+    Some { (plain f) with qualifier = Some q; arguments }
   | _ -> None
 
 (* [behaviour(p) = K], either way round. *)

@@ -7,11 +7,12 @@ open Scc_calculus
 let described (e : Ast.expr) =
   match e.it with
   | Apply (f, _) -> Printf.sprintf "`%s(…)`" f.it
+  | Apply_in _ -> Printf.sprintf "`%s`" (Printer.expr e)
   | Co n -> Printf.sprintf "`~%s`" n.it
   | Quantified _ -> "a quantifier"
   | Temporal _ | Until _ | Leads_to _ -> "a temporal operator"
   | Event _ -> "`event`"
-  | Number _ | True | False | Path _ | Vector _ | Neg _ | Not _ | Binary _ | If _ -> "this"
+  | Number _ | True | False | Path _ | Component _ | Vector _ | Neg _ | Not _ | Binary _ | If _ -> "this"
 
 let of_state =
   [
@@ -101,10 +102,10 @@ let rec is_constant env (e : Ast.expr) =
   | Apply (f, es) when String.equal f.it "round" || List.mem f.it Typed.functions ->
     List.for_all (is_constant env) es
   | Vector (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
-  | Neg a | Not a -> is_constant env a
+  | Neg a | Not a | Component (a, _) -> is_constant env a
   | Binary (_, a, b) -> is_constant env a && is_constant env b
   | If (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
-  | Co _ | Apply _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ -> false
+  | Co _ | Apply _ | Apply_in _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ -> false
 
 let value report env e =
   match Eval.eval (context report) env e with

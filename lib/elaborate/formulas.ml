@@ -156,7 +156,11 @@ let other t eval env (e : Ast.expr) =
   | Co name ->
     error t Code.type_mismatch e.at "`~%s` is a channel, and a value is expected here" name.it;
     None
-  | Number _ | True | False | Path _ | Vector _ | Neg _ | Not _ | Binary _ | If _ ->
+  | Apply_in _ ->
+    error t Code.type_mismatch e.at "`%s` is no value, and one is expected here" (Printer.expr e)
+      ~hint:"compare it, as in `behaviour(p) = m.K(a)`";
+    None
+  | Number _ | True | False | Path _ | Component _ | Vector _ | Neg _ | Not _ | Binary _ | If _ ->
     Bug.fail __POS__ "an expression that all algebras share"
 
 module Algebra = struct
@@ -207,10 +211,10 @@ let create = Subjects.create
 let rec is_temporal (e : Ast.expr) =
   match e.it with
   | Temporal _ | Until _ | Leads_to _ -> true
-  | Not a | Quantified (_, _, _, a) -> is_temporal a
+  | Not a | Component (a, _) | Quantified (_, _, _, a) -> is_temporal a
   | Binary (_, a, b) -> is_temporal a || is_temporal b
   | If (c, a, b) -> is_temporal c || is_temporal a || is_temporal b
-  | Number _ | True | False | Path _ | Co _ | Apply _ | Vector _ | Neg _ | Event _ -> false
+  | Number _ | True | False | Path _ | Co _ | Apply _ | Apply_in _ | Vector _ | Neg _ | Event _ -> false
 
 let check t (k : Program.check) =
   let* f = Eval.cond t k.env k.formula in

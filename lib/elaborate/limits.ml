@@ -60,6 +60,8 @@ let expr_children (e : Ast.expr) =
   match e.it with
   | Number _ | True | False | Co _ -> []
   | Path p -> path p
+  | Apply_in (p, _, es) -> path p @ Long_list.map expr es
+  | Component (a, _) -> [ Expr a ]
   | Apply (_, es) | Event (_, es) -> Long_list.map expr es
   | Neg a | Not a -> [ Expr a ]
   | Quantified (_, _, over, a) -> Expr a :: ranged over

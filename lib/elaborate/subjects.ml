@@ -129,6 +129,8 @@ let template_of (e : Ast.expr) =
   | Path { it = [ { name = q; indices = [] }; { name; indices = [] } ]; _ } ->
     Some { (plain name) with qualifier = Some q }
   | Apply (f, arguments) -> Some { (plain f) with arguments }
+  | Apply_in ({ it = [ { name = q; indices = [] } ]; _ }, f, arguments) ->
+    Some { (plain f) with qualifier = Some q; arguments }
   | _ -> None
 
 let of_template t label = Option.value ~default:[] (Hashtbl.find_opt t.by_template label)

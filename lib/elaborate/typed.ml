@@ -50,7 +50,8 @@ module Make (A : ALGEBRA) = struct
       | Binary (op, a, b) -> binary ctx depth env e.at op a b
       | If (c, a, b) -> conditional ctx depth env c a b
       | Apply (f, es) when List.mem f.it functions -> apply ctx depth env e.at f.it es
-      | Apply _ | Co _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ->
+      | Component (v, axis) -> component ctx axis (as_vec ctx v.at (at_depth ctx (depth + 1) env v))
+      | Apply _ | Apply_in _ | Co _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ->
         A.other ctx (at_depth ctx (depth + 1)) env e
 
   and num_at ctx depth env (e : Ast.expr) = as_num ctx e.at (at_depth ctx depth env e)

@@ -36,6 +36,8 @@ and written env names (e : expr) =
         | Some q -> Number q
         | None -> Path { p with it = List.map (segment env names) p.it })
     | Apply (f, es) -> Apply (f, List.map below es)
+    | Apply_in (m, f, es) -> Apply_in (m, f, List.map below es)
+    | Component (e, axis) -> Component (below e, axis)
     | Vector (x, y, z) -> Vector (below x, below y, below z)
     | Neg a -> Neg (below a)
     | Not a -> Not (below a)

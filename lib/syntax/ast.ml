@@ -22,6 +22,8 @@ and expr_kind =
   | Path of path  (** a parameter, loop variable, [let], process, [momentum.x], [quiescent], … *)
   | Co of name  (** [~a], an argument of [offers] *)
   | Apply of name * expr list  (** [bonds(a)], [round(e, q)], … *)
+  | Apply_in of path * name * expr list  (** [m.K(a)]: of the import m, a behaviour or shape with arguments *)
+  | Component of expr * name  (** [cross(v, w).x], [(v + w).x] *)
   | Vector of expr * expr * expr
   | Neg of expr
   | Not of expr

@@ -24,6 +24,8 @@ let rec expr a b =
   | Path p, Path q -> path p q
   | Co m, Co n -> name m n
   | Apply (f, xs), Apply (g, ys) -> name f g && list expr xs ys
+  | Apply_in (p, f, xs), Apply_in (q, g, ys) -> path p q && name f g && list expr xs ys
+  | Component (x, m), Component (y, n) -> expr x y && name m n
   | Vector (x, y, z), Vector (x', y', z') -> expr x x' && expr y y' && expr z z'
   | Neg x, Neg y | Not x, Not y -> expr x y
   | Binary (o, l, r), Binary (o', l', r') -> binary o o' && expr l l' && expr r r'
@@ -35,8 +37,8 @@ let rec expr a b =
     path_quantifier q q' && expr f f' && option bound d d' && expr g g'
   | Leads_to (f, d, g), Leads_to (f', d', g') -> expr f f' && option bound d d' && expr g g'
   | Event (e, xs), Event (e', ys) -> name e e' && list expr xs ys
-  | ( ( Number _ | True | False | Path _ | Co _ | Apply _ | Vector _ | Neg _ | Not _ | Binary _ | If _
-      | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ), _ ) -> false
+  | ( ( Number _ | True | False | Path _ | Co _ | Apply _ | Apply_in _ | Component _ | Vector _ | Neg _ | Not _
+      | Binary _ | If _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ), _ ) -> false
 
 and bound a b =
   match (a, b) with

@@ -105,6 +105,8 @@
 | TILDE n = name { (true, n) }
 | n = BARRED { (true, at $loc n) }
 
+call(N): f = N LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
+
 (* A vector in brackets: three numbers, or an expression. *)
 %public closed_vector:
 | LPAREN x = expr COMMA y = expr COMMA z = expr RPAREN { at $loc (Vector (x, y, z)) }
@@ -114,7 +116,7 @@
 %public vector:
 | v = closed_vector { v }
 | ss = plain_path { at $loc (Path (at $loc (List.rev ss))) }
-| f = name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
+| c = call(name) { c }
 
 %public quadruple: LPAREN w = expr COMMA x = expr COMMA y = expr COMMA z = expr RPAREN { (w, x, y, z) }
 
@@ -181,9 +183,13 @@ over:
 | p = term_path { at $loc (Path p) }
 | TILDE n = name { at $loc (Co n) }
 | n = BARRED { at $loc (Co (at $loc n)) }
-| f = term_name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
+| c = call(term_name) { c }
+| c = call(term_name) DOT axis = name { at $loc (Component (c, axis)) }
+| ss = term_segments DOT f = name LPAREN es = optional_list(expr) RPAREN
+    { at $loc (Apply_in (at $loc(ss) (List.rev ss), f, es)) }
 | BEHAVIOUR LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (at $loc($1) "behaviour", es)) }
 | v = closed_vector { v }
+| v = closed_vector DOT axis = name { at $loc (Component (v, axis)) }
 | COUNT LPAREN p = name IN t = over COLON e = expr RPAREN { at $loc (Quantified (Count, p, t, e)) }
 | EVENT e = NAME { at $loc (Event (at $loc(e) e, [])) }
 | EVENT e = NAME LPAREN es = optional_list(expr) RPAREN { at $loc (Event (at $loc(e) e, es)) }
@@ -212,7 +218,9 @@ over:
 %public arithmetic:
 | q = NUMBER { at $loc (Number q) }
 | ss = plain_path { at $loc (Path (at $loc (List.rev ss))) }
-| f = name LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
+| c = call(name) { c }
+| c = call(name) DOT axis = name { at $loc (Component (c, axis)) }
 | v = closed_vector { v }
+| v = closed_vector DOT axis = name { at $loc (Component (v, axis)) }
 | MINUS e = arithmetic %prec NEGATION { at $loc (Neg e) }
 | l = arithmetic o = arithmetic_operator r = arithmetic { at $loc (Binary (o, l, r)) }

@@ -89,7 +89,8 @@ let level e =
   match e.it with
   | Number q ->
     if Option.is_none (decimal (Q.abs q)) then product else if Q.sign q < 0 then negation else atom
-  | True | False | Path _ | Co _ | Apply _ | Vector _ | Quantified (Count, _, _, _) | Until _ | Event _ -> atom
+  | True | False | Path _ | Co _ | Apply _ | Apply_in _ | Component _ | Vector _ | Quantified (Count, _, _, _)
+  | Until _ | Event _ -> atom
   | Neg _ -> negation
   | Not _ | Temporal ((Next _ | Finally _ | Globally _), _, _) -> prefix
   | Leads_to _ -> leads_to
@@ -138,6 +139,11 @@ and add_bare b e =
   | Path p -> add_path b p
   | Co n -> str "~"; str n.it
   | Apply (f, es) -> str f.it; str "("; list b (add_expr open_ended) es; str ")"
+  | Apply_in (p, f, es) ->
+    add_path b p;
+    str "."; str f.it; str "("; list b (add_expr open_ended) es; str ")"
+  | Component ({ it = Apply _ | Vector _; _ } as e, axis) -> add_bare b e; str "."; str axis.it
+  | Component (e, axis) -> str "("; add_expr open_ended b e; str ")."; str axis.it
   | Vector (x, y, z) -> str "("; list b (add_expr open_ended) [ x; y; z ]; str ")"
   | Neg e -> str "-"; add_expr negation b e
   | Not e -> str "not "; add_expr prefix b e
@@ -252,7 +258,7 @@ let rec is_arithmetic at_least e =
   | Number _ -> true
   | Path p -> List.for_all (fun (s : segment) -> match s.indices with [] -> true | _ :: _ -> false) p.it
   | Apply (f, _) -> not (String.equal f.it "behaviour")
-  | Vector _ -> true
+  | Vector _ | Component _ -> true
   | Neg e -> is_arithmetic negation e
   | Binary (((Add | Sub | Mul | Div | Mod) as o), l, r) ->
     let _, left, right = levels o in

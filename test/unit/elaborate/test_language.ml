@@ -26,7 +26,8 @@ let numbers =
     ("dot(v, v)", "14"); ("dot(cross(v, up), v)", "0"); ("dot(cross(v, up), (1, 0, 0))", "2");
     ("v.x + 10*v.y + 100*v.z", "321"); ("dot(v + up, (1, 1, 1))", "7"); ("dot(v - 2*up, (1, 1, 1))", "4");
     ("dot(-v/2, (1, 1, 1))", "-3"); ("dot(if n > 3 then v else up, up)", "3");
-    ("if v = (1, 2, 3) and v != up then 1 else 0", "1");
+    ("if v = (1, 2, 3) and v != up then 1 else 0", "1"); ("cross(v, up).x", "2"); ("cross(v, up).y*2", "-2");
+    ("(v + 2*up).z", "5"); ("(4, 5, 6).y", "5"); ("-(if n > 3 then v else up).y", "-2");
   ]
 
 let law text =
@@ -56,6 +57,7 @@ let laws =
     ("motion p = (floor(x), ceil(x), x mod 3)", "7/2", "3 4 1/2");
     ("motion p = (floor(x), ceil(x), x mod 3)", "-3", "-3 -3 0");
     ("motion p = (vx, vy, vz)/2 + cross(down, (x, 0, 0))", "4", "2 -7/2 1/2");
+    ("motion p = (cross(down, (x, 0, 0)).y, (vx*down).z, 0)", "4", "-4 -4 0");
   ]
 
 let formula text = accept (cube ^ "let v = (1, 2, 3) process p = Cube mass 1 [nil] check c : " ^ text)
@@ -63,6 +65,7 @@ let formula text = accept (cube ^ "let v = (1, 2, 3) process p = Cube mass 1 [ni
 let formulas () =
   ignore (formula "always max(x(p), y(p), 0) = abs(z(p)) and sign(vx(p)) <= 0");
   ignore (formula "always dot((x(p), y(p), z(p)), v) = 0 and (x(p), y(p), z(p)) = (0, 0, 0)");
+  ignore (formula "always cross((x(p), y(p), z(p)), v).x = 0 and (v + (x(p), 0, 0)).y = 2");
   ignore (formula "always forall i in 1..4 if i mod 2 = 0: x(p) < i");
   let counted = formula "always count(i in 1..4 if i != 2: x(p) < i) = 3" in
   match (List.hd counted.checks).formula with
@@ -88,6 +91,10 @@ let of_functions =
     case "a number for a vector" "SC0205" "2" ~says:"this is a number"
       (cube ^ "process p = Cube mass 1 velocity 2 [nil]");
     case "a component that there is not" "SC0201" "w" ~says:"x, y and z" "let v = (1, 2, 3) param m = v.w";
+    case "a component of a function that there is not" "SC0201" "w" ~says:"x, y and z"
+      "let v = (1, 2, 3) param m = cross(v, v).w";
+    case "a component of a number" "SC0205" "dot(v, v)" ~says:"a vector is expected"
+      "let v = (1, 2, 3) param m = dot(v, v).x";
     case "abs of two" "SC0206" "abs(1, 2)" "param m = abs(1, 2)";
     case "dot of numbers" "SC0206" "dot(1, 2)" ~says:"two vectors" "param m = dot(1, 2)";
     case "branches of two kinds" "SC0205" "1" ~says:"a vector and a number"
@@ -232,18 +239,22 @@ let imports () =
       ~read_file:
         (files
            [
-             ("parts/shapes.sc", shapes_file); ("parts/keys.sc", "import \"shapes.sc\" (Cube as C) shape K \
-                                                                  = C scaled (2, 1, 1)");
+             ("parts/shapes.sc", shapes_file);
+             ( "parts/keys.sc",
+               "import \"shapes.sc\" (Cube as C) shape K = C scaled (2, 1, 1) behaviour Late(t) = eps(t). nil \
+                shape B(a) = box(a, a, a)" );
            ])
       "import \"parts/shapes.sc\" import \"parts/shapes.sc\" (Cube, v as w) import \"parts/keys.sc\" as k \
        process p = shapes.Cube mass shapes.a velocity w [shapes.Wait[2]] \
        process q = Cube mass shapes.v.x at translate (9, 0, 0) [nil] \
        process r = k.K mass 1 at translate (0, 9, 0) [nil] \
-       check c : possibly behaviour(p) = shapes.Wait[2] check d : always forall b in shapes.Cube: x(b) < 99"
+       check c : possibly behaviour(p) = shapes.Wait[2] and behaviour(s) = k.Late(1) \
+       check d : always forall b in shapes.Cube: x(b) < 99 \
+       check e : always forall b in k.B(1): x(b) < 99 process s = k.B(1) mass 1 at translate (0, 0, 9) [k.Late(1)]"
   in
-  names "labels" [ "shapes.Cube"; "shapes.Cube"; "keys.K" ] (templates t);
+  names "labels" [ "shapes.Cube"; "shapes.Cube"; "keys.K"; "keys.B(1)" ] (templates t);
   names "parameters" [ "shapes.a" ] (List.map fst t.parameters);
-  names "definitions" [ "shapes.Wait[2]" ] (definitions t);
+  names "definitions" [ "keys.Late(1)"; "shapes.Wait[2]" ] (definitions t);
   Alcotest.(check string) "by -D" "3" (Rat.to_string t.model.leaves.(1).mass);
   names "no warnings" [] (List.map (fun (d : Diag.t) -> d.message) t.warnings)
 
@@ -318,6 +329,9 @@ let faults =
       ~file:"test.sc"
       ~says:"as m";
     refused "no such library" [] "import <solid>" ~code:"SC0201" ~file:"test.sc" ~says:"did you mean `solids`";
+    refused "a state of an import for a value" [ ("m.sc", shapes_file) ]
+      ("import \"m.sc\" process p = m.Cube mass 1 [nil] check c : always m.Wait(2) = 1") ~code:"SC0205"
+      ~file:"test.sc" ~says:"`behaviour(p) = m.K(a)`";
     refused "what an import imports" [ ("m.sc", "import \"n.sc\""); ("n.sc", shapes_file) ]
       "import \"m.sc\" process p = m.Cube mass 1 [nil]" ~code:"SC0201" ~file:"test.sc" ~says:"m.Cube";
   ]

@@ -76,6 +76,12 @@ let operation o l r =
   | Div, Number q when Q.sign q = 0 -> Binary (Mul, l, r)
   | _ -> Binary (o, l, r)
 
+(* There is no `behaviour(p).x`. *)
+let component e axis =
+  match e.it with
+  | Apply ({ it = "behaviour"; _ }, _) -> Neg e
+  | _ -> Component (e, axis)
+
 let bounds_of expr =
   let* low = expr and* high = expr in
   map (fun filter -> { low; high; filter }) (opt expr)
@@ -97,6 +103,8 @@ let compound_expr expr =
       temporal_of expr;
       map2 (fun e es -> Event (e, es)) (located (oneofl [ "bind"; "bounce"; "other" ])) (few expr);
       map2 (fun f es -> Apply (f, es)) (oneof [ name; return (loc "behaviour") ]) (few expr);
+      map3 (fun p f es -> Apply_in (p, f, es)) (path_of expr) name (few expr);
+      map2 component expr name;
     ]
 
 let expr =
