@@ -5,10 +5,10 @@ type t = {
   known : (string, Env.scope option) Hashtbl.t;  (* by paths; nothing for a module with faults *)
   prefixes : (string, unit) Hashtbl.t;
   mutable reading : (string * Span.t) list;  (* the texts that are being read, and where they are imported *)
+  mutable own : (string * Ast.imported) list;  (* what the model imports: paths, and how it calls them *)
 }
 
-let create () = { known = Hashtbl.create 8; prefixes = Hashtbl.create 8; reading = [] }
-let start t (scope : Env.scope) = t.reading <- [ (scope.file, Span.none) ]
+let create () = { known = Hashtbl.create 8; prefixes = Hashtbl.create 8; reading = []; own = [] }
 
 let rec may_hold (i : Ast.item) =
   match i.it with
@@ -41,6 +41,31 @@ let base path =
   let n = String.length path in
   if n > 2 && path.[0] = '<' then String.sub path 1 (n - 2)
   else Filename.remove_extension (Filename.basename path)
+
+let file_path env (from : string Ast.loc) = normal (Env.beside env from.it)
+let library_path (from : string Ast.loc) = "<" ^ from.it ^ ">"
+
+let start t (scope : Env.scope) (model : Ast.model) =
+  let import (i : Ast.item) =
+    match i.it with
+    | Import { from; library = true; names } -> Some (library_path from, names)
+    | Import { from; library = false; names } -> Some (file_path (Env.root scope) from, names)
+    | _ -> None
+  in
+  t.reading <- [ (scope.file, Span.none) ];
+  t.own <- List.filter_map import model
+
+let called t (scope : Env.scope) value =
+  let names (path, imported) =
+    match imported with
+    | _ when not (String.equal path scope.file) -> []
+    | Ast.Qualified None -> [ base path ^ "." ^ value ]
+    | Qualified (Some (n : Ast.name)) -> [ n.it ^ "." ^ value ]
+    | Chosen names ->
+      let is_it ((n : Ast.name), _) = String.equal n.it value in
+      List.map (fun (n, other) -> (Option.value ~default:n other : Ast.name).it) (List.filter is_it names)
+  in
+  List.concat_map names t.own
 
 (* No two modules have one prefix. *)
 let prefix t path =
@@ -89,7 +114,7 @@ let parse t report ~read path text at =
     end
 
 let of_library t report ~read (from : string Ast.loc) =
-  let path = "<" ^ from.it ^ ">" in
+  let path = library_path from in
   match (Hashtbl.find_opt t.known path, Library.find from.it) with
   | Some found, _ -> found
   | None, Some text ->
@@ -103,7 +128,7 @@ let of_library t report ~read (from : string Ast.loc) =
     None
 
 let of_file t report ~read_file ~read env (from : string Ast.loc) =
-  let path = normal (Env.beside env from.it) in
+  let path = file_path env from in
   match Hashtbl.find_opt t.known path with
   | Some found -> found
   | None when cycle t path ->

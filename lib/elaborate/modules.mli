@@ -6,8 +6,12 @@ type t
 
 val create : unit -> t
 
-val start : t -> Env.scope -> unit
+val start : t -> Env.scope -> Ast.model -> unit
 (** The model itself, which no module may import. *)
+
+val called : t -> Env.scope -> string -> string list
+(** What the model calls a value of a text, by its imports of it, wherever they stand: [w.n] after
+    [import "x.sc" as w], [m] after [import "x.sc" (n as m)]. *)
 
 val may_hold : Ast.item -> bool
 (** A module may hold this declaration: a parameter, [let], shape, compound, behaviour, import, or a loop of

@@ -28,6 +28,7 @@ type motion = { env : Env.t; target : Ast.path option; law : Ast.law; at : Span.
 
 type t = {
   name : string option;
+  overrides : Overrides.t;
   parameters : (string * Rat.t) list;
   shapes : string list;
   timestep : Rat.t;
@@ -46,7 +47,7 @@ type t = {
 (* What is gathered on the way, lists in reverse. *)
 type gathered = {
   c : Context.t;
-  overrides : (string * Rat.t) list;
+  overrides : Overrides.t;
   declared : (string, Span.t) Hashtbl.t;  (* parameters and lets at the top *)
   check_names : (string, Span.t) Hashtbl.t;
   behaviour_table : (string, behaviour) Hashtbl.t;
@@ -101,8 +102,9 @@ let param g place (name : Ast.name) e =
   let global = Env.own place.env name.it in
   once_named g.declared g.c.report { name with it = global } "value";
   let written = Constant.number g.c.report place.env e in
+  let also = Modules.called g.modules (Env.scope_of place.env) name.it in
   let value =
-    match List.assoc_opt global g.overrides with
+    match Overrides.value g.overrides g.c.report ~name:global ~also with
     | Some q -> Some q
     | None -> written
   in
@@ -278,7 +280,7 @@ and iterate g place at (r : Ast.range) i high rest items =
 let gather c overrides =
   {
     c;
-    overrides;
+    overrides = Overrides.create overrides;
     declared = Hashtbl.create 16;
     check_names = Hashtbl.create 16;
     behaviour_table = Hashtbl.create 16;
@@ -300,14 +302,12 @@ let gather c overrides =
     overflow = false;
   }
 
-let check_overrides g =
-  Report.unknown_parameters g.c.report Span.none ~given:(List.map fst g.overrides) (List.rev_map fst g.params)
-
 let program g =
   let value step ~default = match step with Some (Some q, _) -> q | Some (None, _) | None -> default in
   let timestep = value g.delta ~default:Rat.one in
   {
     name = Option.map (fun (n : Ast.name) -> n.it) g.model;
+    overrides = g.overrides;
     parameters = List.rev g.params;
     shapes = List.rev g.templates;
     timestep;
@@ -332,8 +332,8 @@ let file_of (model : Ast.model) =
 let read c ~overrides model =
   let g = gather c overrides in
   c.root <- Env.root (Env.scope ~prefix:"" ~file:(file_of model));
-  Modules.start g.modules (Env.scope_of c.root);
+  Modules.start g.modules (Env.scope_of c.root) model;
   ignore (List.fold_left (item g) (at_top c.root) model);
-  check_overrides g;
+  Overrides.check g.overrides c.report Span.none;
   if List.length model = 0 then Report.error c.report Code.empty_model Span.none "the model declares nothing";
   if g.overflow then None else Some (program g)

@@ -39,6 +39,7 @@ type motion = { env : Env.t; target : Ast.path option; law : Ast.law; at : Span.
 
 type t = {
   name : string option;
+  overrides : Overrides.t;
   parameters : (string * Rat.t) list;
   shapes : string list;  (** names of shapes and compounds in order *)
   timestep : Rat.t;

@@ -42,20 +42,5 @@ let warning r ?notes ?hint code span fmt =
 
 let failed r = List.exists Diag.is_error r.diagnostics
 let sorted r keep = List.sort_uniq Diag.compare (List.filter keep r.diagnostics)
-(* Those of modules bear the name of a file, which need not be near what it is imported as: few are listed. *)
-let unknown_parameters r span ~given names =
-  let listed () =
-    match names with
-    | _ :: _ when List.length names <= 8 ->
-      Some ("it has " ^ String.concat ", " (List.map (Printf.sprintf "`%s`") names))
-    | _ -> None
-  in
-  let check name =
-    if not (List.exists (String.equal name) names) then
-      let hint = match Diag.suggest name names with Some h -> Some h | None -> listed () in
-      error r ?hint Code.unknown_parameter span "the model has no parameter `%s`" name
-  in
-  List.iter check given
-
 let errors r = sorted r Diag.is_error
 let warnings r = sorted r (fun d -> not (Diag.is_error d))

@@ -33,9 +33,6 @@ val add : t -> Diag.t -> unit
 val failed : t -> bool
 (** Whether there is an error. *)
 
-val unknown_parameters : t -> Span.t -> given:string list -> string list -> unit
-(** SC0209 for each name that is given a value and is none of the parameters of the model. *)
-
 val errors : t -> Diag.t list
 (** In the order of the text, without repetition. *)
 

@@ -87,11 +87,6 @@ let reference asked_at name =
   | Ok _ | Error _ ->
     { Ast.qualifier = None; target = { Ast.it = name; at = asked_at }; indices = []; arguments = [] }
 
-(* Values for parameters that there are not. *)
-let check_overrides report overrides (program : Program.t option) at =
-  let names = match program with Some p -> List.map fst p.parameters | None -> List.map fst overrides in
-  Report.unknown_parameters report at ~given:(List.map fst overrides) names
-
 (* What else is wrong with the model is not looked at. *)
 let find ~read_file ~overrides ~asked_at model name =
   let c = Context.create ~read_file in
@@ -99,7 +94,9 @@ let find ~read_file ~overrides ~asked_at model name =
   Limits.check_depth report model;
   if Report.failed report then Error (Report.errors report)
   else begin
-    check_overrides report overrides (Program.read c ~overrides model) asked_at;
+    Option.iter
+      (fun (p : Program.t) -> Overrides.check p.overrides report asked_at)
+      (Program.read c ~overrides model);
     match named c report 0 c.root (reference asked_at name) with
     | Some set when not (Report.failed report) -> Ok set
     | _ -> Error (Report.errors report)

@@ -44,7 +44,7 @@ A model that takes its shapes and behaviours from other files, each relative to 
       1. time passes by 6, to time 6
   $ scc check -D edge=4 model.sc
   command line: error[SC0209]: the model has no parameter `edge`
-    hint: it has `shapes.edge`
+    hint: its parameters: `shapes.edge`
   [64]
   $ scc fmt model.sc
   import "parts/shapes.sc" // the bricks
@@ -65,6 +65,44 @@ A model that takes its shapes and behaviours from other files, each relative to 
           b[1] at (9, 0, 0) [shapes.Left], velocity (0, 0, 0)
           b[3] at (27, 0, 0) [shapes.Left], velocity (0, 0, 0)
           die at (0, 0, 0) [shapes.Right], velocity (1, 0, 0)
+
+The parameter of a module has the name that reports give it, and those that the model has for it:
+
+  $ sed 's/shapes.sc"/shapes.sc" as s import "parts\/shapes.sc" (edge as length)/; s/shapes\.\([BLR]\)/s.\1/g' model.sc > named.sc
+  $ for name in s.edge shapes.edge length; do scc check -D $name=4 named.sc | grep 'to time'; done
+      1. time passes by 6, to time 6
+      1. time passes by 6, to time 6
+      1. time passes by 6, to time 6
+  $ scc check -D s.edge=4 -D length=4 --json named.sc | grep -A2 '"parameters"'
+    "parameters": {"shapes.edge": "4/1"},
+    "settings": {},
+    "exit": 1,
+  $ scc check -D edge=4 named.sc
+  command line: error[SC0209]: the model has no parameter `edge`
+    hint: its parameters: `shapes.edge` or `s.edge` or `length`
+  [64]
+  $ scc check -D s.edg=4 named.sc
+  command line: error[SC0209]: the model has no parameter `s.edg`
+    hint: did you mean `s.edge`?
+  [64]
+  $ scc check -D s.edge=4 -D length=5 named.sc
+  command line: error[SC0209]: `s.edge` and `length` are one parameter, and have two values
+  [64]
+  $ scc shape 'named.sc:s.Brick(1)' -D edge=4
+  command line: error[SC0209]: the model has no parameter `edge`
+    hint: its parameters: `shapes.edge` or `s.edge` or `length`
+  [64]
+  $ cat > parts/other.sc <<EOF
+  > import "../shapes.sc"
+  > param twice = 2*shapes.edge
+  > EOF
+  $ echo 'param edge = 3' > shapes.sc
+  $ echo 'import "parts/other.sc" import "parts/shapes.sc" process p = shapes.Brick(1) mass 1 [nil]' > twins.sc
+  $ scc check -D shapes.edge=4 twins.sc
+  command line: error[SC0209]: `shapes.edge` can be more than one parameter; reports call them `shapes.edge` and `shapes'2.edge`
+    hint: call an import otherwise, with `as`
+  [64]
+  $ rm shapes.sc
 
 Faults are told where they are:
 

@@ -258,6 +258,19 @@ let imports () =
   Alcotest.(check string) "by -D" "3" (Rat.to_string t.model.leaves.(1).mass);
   names "no warnings" [] (List.map (fun (d : Diag.t) -> d.message) t.warnings)
 
+(* By each of its names. *)
+let parameters () =
+  let value name =
+    let t =
+      accept
+        ~overrides:[ (name, Rat.of_int 5) ]
+        ~read_file:(files [ ("d/m.sc", "param a = 2"); ("k.sc", "import \"d/m.sc\" param b = m.a") ])
+        "import \"k.sc\" import \"d/m.sc\" as w import \"d/m.sc\" (a as c) param e = k.b + 10*w.a + 100*c"
+    in
+    Rat.to_string (List.assoc "e" t.parameters)
+  in
+  names "values" [ "555"; "555"; "555" ] (List.map value [ "m.a"; "w.a"; "c" ])
+
 let library () =
   let t =
     accept
@@ -360,7 +373,8 @@ let () =
       ("solids", test "hulls" `Quick hulls :: test "circles" `Slow circles :: List.map counts solids);
       ( "modules",
         [
-          test "imports" `Quick imports; test "the library" `Quick library; test "a diamond" `Quick diamond;
+          test "imports" `Quick imports; test "values for parameters" `Quick parameters;
+          test "the library" `Quick library; test "a diamond" `Quick diamond;
         ] );
       ("faults of modules", faults);
     ]
