@@ -82,7 +82,8 @@ let enter t declared label env owner key =
   Queue.add (i, entry) t.pending;
   i
 
-let unknown t r reference = Family.unknown t.c.report "behaviour" (Family.keys t.program.behaviours) r reference
+let unknown t r reference =
+  Family.report_unknown t.c.report "behaviour" (Family.keys t.program.behaviours) r reference
 
 (* The instance [label] on the owner's shape. *)
 let request_instance t owner at (declared : Program.behaviour) label env =
@@ -103,6 +104,9 @@ let request_instance t owner at (declared : Program.behaviour) label env =
 let request t env owner (r : Ast.reference) =
   let* reference = Family.reference t.c.report env r in
   match Family.find t.program.behaviours reference with
+  | _ when Family.is_open reference ->
+    if not (Family.has t.program.behaviours reference) then unknown t r reference;
+    None
   | None ->
     unknown t r reference;
     None
@@ -281,8 +285,8 @@ let unguarded_at t (at : Span.t) label =
 
 (* {2 What nothing uses}
 
-   It is read as well, on the template that it names. Without a template there are no features to look up,
-   but the names of behaviours, the delays and the guards can be checked as they stand. *)
+   It is read as well, on the template that it names, and a family without arguments. Without a template there are
+   no features to look up, but the names of behaviours, the delays and the guards can be checked as they stand. *)
 
 let rec check_names t env (b : Ast.behaviour) =
   match b.it with
@@ -300,7 +304,7 @@ let rec check_names t env (b : Ast.behaviour) =
   | Name r ->
     Option.iter
       (fun reference ->
-         if Option.is_none (Family.find t.program.behaviours reference) then unknown t r reference)
+         if not (Family.has t.program.behaviours reference) then unknown t r reference)
       (Family.reference t.c.report env r)
 
 (* The names that may be unfolded without anything happening; a delay that is no literal zero guards. *)
@@ -329,19 +333,15 @@ let reaches_itself t (b : Program.behaviour) =
   visit (exposed [] b.body)
 
 let read_unused t =
-  (* What has formal parameters cannot be read without arguments. *)
-  let unused _ (b : Program.behaviour) list =
-    match b.formals with
-    | [] when not b.used -> b :: list
-    | _ -> list
-  in
+  let unused _ (b : Program.behaviour) list = if b.used then list else b :: list in
   let read (b : Program.behaviour) =
-    let env = Family.define t.c.report b.env b.definitions in
+    let env = Family.bind b.env b.formals (Family.unknown b.formals) in
+    let env = Family.define t.c.report env b.definitions in
     match (b.on, Option.bind b.on (Templates.find t.c env)) with
     | None, _ ->
       check_names t env b.body;
       if reaches_itself t b then unguarded_at t b.name.at b.label
-    | Some _, None -> ()
+    | Some _, None -> check_names t env b.body
     | Some _, Some shape ->
       ignore (request_instance t { name = ""; shape; span = b.name.at } b.name.at b b.label env);
       b.used <- false

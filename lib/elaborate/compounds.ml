@@ -166,6 +166,18 @@ let build (c : Context.t) env (name : Ast.name) drafts glues =
   if List.for_all Fun.id read then check_connected c name parts joined;
   if rigid && disjoint then Some (Shape.Compound compound) else None
 
+(* That the glue names parts, where these are not known otherwise. *)
+let check_parts (c : Context.t) env (name : Ast.name) (parts : Ast.part list) (g : Ast.glue) =
+  let names () = List.map (fun (p : Ast.part) -> p.part.it) parts in
+  let check (f : Ast.feature) =
+    match Feature_name.read c.report env f with
+    | Some { prefix = (first, at) :: _; _ } when not (List.mem first (names ())) ->
+      Report.error c.report Code.unknown_feature at "`%s` has no part `%s`" name.it first ~near:(first, names)
+    | Some _ | None -> ()
+  in
+  check g.glue_first;
+  check g.glue_second
+
 let make (c : Context.t) (at : Span.t) parts glues env label =
   let name = { Ast.it = label; at } in
   let distinct = check_names c parts in
@@ -176,7 +188,10 @@ let make (c : Context.t) (at : Span.t) parts glues env label =
       Report.error c.report Code.not_connected name.at "the compound `%s` has no parts" name.it;
       None
     | drafts -> build c env name (Array.of_list drafts) glues
-  else None
+  else begin
+    List.iter (check_parts c env name parts) glues;
+    None
+  end
 
 let declare (c : Context.t) env (h : Ast.head) parts glues definitions =
   Templates.declare c env h definitions (make c h.declared.at parts glues)

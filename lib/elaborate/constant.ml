@@ -98,7 +98,7 @@ let rec is_constant env (e : Ast.expr) =
   | Path path -> (
       match Env.value env path.it with
       | Some ((Number _ | Truth _ | Vector _), []) | Some (Vector _, [ _ ]) -> true
-      | Some ((Number _ | Truth _ | Vector _ | Word _ | Macro _ | Leaf _), _) | None -> false)
+      | Some ((Number _ | Truth _ | Vector _ | Word _ | Macro _ | Leaf _ | Unknown), _) | None -> false)
   | Apply (f, es) when String.equal f.it "round" || List.mem f.it Typed.functions ->
     List.for_all (is_constant env) es
   | Vector (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
@@ -106,6 +106,25 @@ let rec is_constant env (e : Ast.expr) =
   | Binary (_, a, b) -> is_constant env a && is_constant env b
   | If (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
   | Co _ | Apply _ | Apply_in _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ -> false
+
+(* Of `let`s within `let`s no more is looked at. *)
+let most_looked_at = 10_000
+
+let is_open env e =
+  let looked_at = ref 0 in
+  let rec unknown env (e : Ast.expr) =
+    incr looked_at;
+    !looked_at > most_looked_at
+    ||
+    match e.it with
+    | Path path -> (
+        match Env.value env path.it with
+        | Some (Unknown, _) -> true
+        | Some (Macro (e, scope), _) -> Limits.exists_in (unknown scope) e
+        | Some ((Number _ | Truth _ | Vector _ | Word _ | Leaf _), _) | None -> false)
+    | _ -> false
+  in
+  Limits.exists_in (unknown env) e
 
 let value report env e =
   match Eval.eval (context report) env e with

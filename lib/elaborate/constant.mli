@@ -13,8 +13,11 @@ val truth : Report.t -> Env.t -> Ast.expr -> bool option
 val is_constant : Env.t -> Ast.expr -> bool
 (** Only numbers, truth values, constants in scope and operations on them. *)
 
+val is_open : Env.t -> Ast.expr -> bool
+(** It depends on a parameter that is [Unknown]. True as well of what is too large to find out. *)
+
 val value : Report.t -> Env.t -> Ast.expr -> Env.value option
-(** A [Number] or a [Truth]. *)
+(** A [Number], [Truth] or [Vector]. *)
 
 val number : Report.t -> Env.t -> Ast.expr -> Rat.t option
 

@@ -99,7 +99,7 @@ let check_unused_lets formulas (program : Program.t) =
     (fun (_, _, (b : Env.binding)) ->
        match b.value with
        | Macro (e, env) when not b.used -> Formulas.check_let formulas env e
-       | Macro _ | Number _ | Truth _ | Vector _ | Word _ | Leaf _ -> ())
+       | Macro _ | Number _ | Truth _ | Vector _ | Word _ | Leaf _ | Unknown -> ())
     (List.rev program.values)
 
 let read c (program : Program.t) =
@@ -119,6 +119,7 @@ let read c (program : Program.t) =
   Behaviours.seal table;
   check_unused_lets formulas program;
   ignore (behaviours_of table bodies (fun i -> not (included i)));
+  Templates.read_unused c;
   let definitions = Behaviours.finish table in
   Assembly.check_overlaps c bodies composition;
   if not (Report.failed c.report) then

@@ -10,6 +10,7 @@ type value =
   | Word of string * t
   | Macro of Ast.expr * t
   | Leaf of int
+  | Unknown
 
 and binding = { value : value; span : Span.t; mutable used : bool }
 and t = { values : binding Names.t; scope : scope }

@@ -17,6 +17,9 @@ type value =
       written *)
   | Macro of Ast.expr * t  (** a [let] that is no constant, with the scope of its declaration *)
   | Leaf of int  (** a process variable of a quantifier: an index into {!Scc_calculus.Model.leaves} *)
+  | Unknown
+  (** the parameter of a family that nothing uses, which is read without arguments: nothing is said of what depends
+      on it *)
 
 and binding = { value : value; span : Span.t; mutable used : bool }
 

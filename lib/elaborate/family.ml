@@ -16,6 +16,8 @@ let variable env (e : Ast.expr) =
   | Path { it = [ { name; indices = [] } ]; _ } when not (Env.mem env name.it) -> Some name
   | _ -> None
 
+let unknown formals = List.map (fun _ -> Env.Unknown) formals
+
 let check_distinct report formals =
   let rec check = function
     | [] -> ()
@@ -64,21 +66,34 @@ let printed = function
   | Truth b -> string_of_bool b
   | Vector v -> Vec.to_string v
   | Word (w, env) -> if Env.declares env w then Option.value ~default:w (Env.global env None w) else w
+  | Unknown -> "_"
   | Macro _ | Leaf _ -> Bug.fail __POS__ "no argument of a family"
+
+(* What depends on an unknown parameter is read for its faults, and is unknown. *)
+let known_or_open env e = function
+  | Some value -> Some value
+  | None -> if Constant.is_open env e then Some Env.Unknown else None
+
+let of_expr report env e = known_or_open env e (Constant.value report env e)
 
 let argument report env (e : Ast.expr) =
   match e.it with
   | Path { it = [ { name; indices = [] } ]; _ } -> (
       match Env.find env name.it with
       | None -> Some (Env.Word (name.it, env))
-      | Some (Word _ as w) -> Some w
-      | Some (Number _ | Truth _ | Vector _ | Macro _ | Leaf _) -> Constant.value report env e)
-  | _ -> Constant.value report env e
+      | Some ((Word _ | Unknown) as w) -> Some w
+      | Some (Number _ | Truth _ | Vector _ | Macro _ | Leaf _) -> of_expr report env e)
+  | _ -> of_expr report env e
+
+let index report env e =
+  Option.map (fun z -> Env.Number (Rat.make z Z.one)) (Constant.integer report env "an index" e)
+  |> known_or_open env e
 
 let base report env (r : Ast.reference) =
   let qualifier = Option.map (fun (q : Ast.name) -> q.it) r.qualifier in
   match (qualifier, Env.find env r.target.it) with
   | None, Some (Word (w, written)) -> Env.global written None w
+  | None, Some Unknown -> None
   | _ -> (
       match Env.global env qualifier r.target.it with
       | Some name -> Some name
@@ -103,17 +118,26 @@ let reference report env (r : Ast.reference) =
         arguments = values;
       }
   | indices, _ ->
-    let* values = all (List.map (Constant.integer report env "an index") indices) in
-    let label = Printf.sprintf "%s[%s]" base (String.concat "," (List.map Z.to_string values)) in
-    Some
-      {
-        label;
-        keys = [ label; Printf.sprintf "%s[%s]" base (blanks values) ];
-        arguments = List.map (fun z -> Env.Number (Rat.make z Z.one)) values;
-      }
+    let* values = all (List.map (index report env) indices) in
+    let label = Printf.sprintf "%s[%s]" base (String.concat "," (List.map printed values)) in
+    Some { label; keys = [ label; Printf.sprintf "%s[%s]" base (blanks values) ]; arguments = values }
+
+let is_open reference = List.exists (function Env.Unknown -> true | _ -> false) reference.arguments
 
 let find table reference =
   List.find_map (fun key -> Hashtbl.find_opt table key) reference.keys
+
+(* With the same name, and as many indices. *)
+let alike key key' =
+  match (String.index_opt key '[', String.index_opt key' '[') with
+  | Some i, Some j ->
+    let indices key = List.length (String.split_on_char ',' key) in
+    String.equal (String.sub key 0 i) (String.sub key' 0 j) && Int.equal (indices key) (indices key')
+  | _ -> false
+
+let has table reference =
+  Option.is_some (find table reference)
+  || (is_open reference && Hashtbl.fold (fun key _ found -> found || alike key reference.label) table false)
 
 (* {1 Instances} *)
 
@@ -133,7 +157,10 @@ let define report env definitions =
     let value =
       if Constant.is_constant env e then
         Option.value ~default:(Env.Number Rat.one) (Constant.value report env e)
-      else Env.Macro (e, env)
+      else begin
+        if Constant.is_open env e then ignore (Constant.value report env e);
+        Env.Macro (e, env)
+      end
     in
     Env.add n.it { Env.value; span = n.at; used = true } env
   in
@@ -148,7 +175,7 @@ let bare name =
   | None, None -> name
 
 (* What is known under a bare name, as it would be written. *)
-let unknown report what keys (r : Ast.reference) (reference : reference) =
+let report_unknown report what keys (r : Ast.reference) (reference : reference) =
   let of_family = bare reference.label in
   let instances = List.filter (fun key -> String.equal (bare key) of_family) keys in
   match instances with

@@ -23,7 +23,16 @@ type reference = {
 val reference : Report.t -> Env.t -> Ast.reference -> reference option
 (** An argument that is a name without a value is the name of a channel, a feature or a behaviour. *)
 
+val unknown : Ast.name list -> Env.value list
+(** Arguments to read a family without any. *)
+
+val is_open : reference -> bool
+(** An argument depends on what is unknown: there is such a family, or not, but no instance. *)
+
 val find : (string, 'a) Hashtbl.t -> reference -> 'a option
+
+val has : (string, 'a) Hashtbl.t -> reference -> bool
+(** There is one; for what is open, one with as many indices or parameters. *)
 
 val word : Env.t -> string -> string
 (** The name that a formal parameter stands for; any other name itself. *)
@@ -39,5 +48,5 @@ val bare : string -> string
 
 val keys : (string, 'a) Hashtbl.t -> string list
 
-val unknown : Report.t -> string -> string list -> Ast.reference -> reference -> unit
+val report_unknown : Report.t -> string -> string list -> Ast.reference -> reference -> unit
 (** Reports that there is no such thing ("behaviour"), and which of these keys are near it. *)

@@ -13,9 +13,15 @@ let segment_span (s : Ast.segment) =
   | [] -> s.name.at
   | last :: _ -> Span.merge s.name.at last.at
 
+let is_unknown env (s : Ast.segment) =
+  match (s.indices, Env.find env s.name.it) with
+  | [], Some Unknown -> true
+  | _ -> false
+
 let segments report env (path : Ast.path) =
   let add whole s =
     match (whole, Constant.segment report env s) with
+    | Some _, Some _ when is_unknown env s -> None
     | Some whole, Some name ->
       let name = match s.indices with [] -> Family.word env name | _ :: _ -> name in
       Some ((name, segment_span s) :: whole)

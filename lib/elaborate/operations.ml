@@ -30,6 +30,12 @@ let copies = function
   | "mod" -> 5
   | _ -> 1
 
+let takes = function
+  | "min" | "max" -> "numbers, one or more"
+  | "dot" | "cross" -> "two vectors"
+  | "mod" -> "two numbers"
+  | _ -> "one number"
+
 module Make (A : Algebra.S) = struct
   let error ctx ?hint code span fmt = Report.error (A.report ctx) ?hint code span fmt
   let ( let* ) = Option.bind
@@ -218,9 +224,20 @@ module Make (A : Algebra.S) = struct
       error ctx ?hint Code.type_mismatch at "%s and %s cannot be %s" (described a) (described b) verb;
       None
 
+  let wrong_arity ctx at name = error ctx Code.bad_arity at "`%s` takes %s" name (takes name)
+
+  let check_arity ctx at name n =
+    let fits =
+      match name with
+      | "min" | "max" -> n > 0
+      | "mod" | "dot" | "cross" -> n = 2
+      | _ -> n = 1
+    in
+    if not fits then wrong_arity ctx at name
+
   let call ctx (at : Span.t) name arguments =
-    let wrong takes =
-      error ctx Code.bad_arity at "`%s` takes %s" name takes;
+    let wrong () =
+      wrong_arity ctx at name;
       None
     in
     let rec fold f = function
@@ -228,7 +245,7 @@ module Make (A : Algebra.S) = struct
       | Num a :: Num b :: rest ->
         let* n = f ctx at a b in
         fold f (Num n :: rest)
-      | _ -> wrong "numbers, one or more"
+      | _ -> wrong ()
     in
     match (name, arguments) with
     | "min", _ -> fold smaller arguments
@@ -240,9 +257,7 @@ module Make (A : Algebra.S) = struct
     | "mod", [ Num a; Num b ] -> num (modulo ctx at a b)
     | "dot", [ Vec (a, b, c); Vec (x, y, z) ] -> num (dot ctx at (a, b, c) (x, y, z))
     | "cross", [ Vec (a, b, c); Vec (x, y, z) ] -> cross ctx at (a, b, c) (x, y, z)
-    | ("dot" | "cross"), _ -> wrong "two vectors"
-    | "mod", _ -> wrong "two numbers"
-    | _ -> wrong "one number"
+    | _ -> wrong ()
 
   let all options =
     if List.for_all Option.is_some options then Some (List.filter_map Fun.id options) else None

@@ -56,6 +56,9 @@ module Make (A : Algebra.S) : sig
     (A.num, A.cond) value option
   (** [+ - * / mod]. *)
 
+  val check_arity : A.context -> Span.t -> string -> int -> unit
+  (** Reports (SC0206) that the function, one of {!functions}, cannot have so many arguments. *)
+
   val call :
     A.context -> Span.t -> string -> (A.num, A.cond) value list -> (A.num, A.cond) value option
   (** One of {!functions}. *)

@@ -158,6 +158,11 @@ let wrong report (r : Ast.reference) takes =
   Report.error report Code.bad_arity r.target.at "`%s` takes %s" r.target.it takes;
   None
 
+let lengths = "three lengths, as in `box(2, 1, 1)`, or a vector of them"
+
+let corners (r : Ast.reference) =
+  Printf.sprintf "the number of corners, the radius and the height, as in `%s(6, 1, 2)`" r.target.it
+
 let positive report (r : Ast.reference) numbers =
   if List.for_all (fun q -> Rat.sign q > 0) numbers then Some ()
   else begin
@@ -170,7 +175,7 @@ let made_box report r (arguments : Env.value list) =
   | [ Number a; Number b; Number c ] | [ Vector { x = a; y = b; z = c } ] ->
     let* () = positive report r [ a; b; c ] in
     Some (box a b c)
-  | _ -> wrong report r "three lengths, as in `box(2, 1, 1)`, or a vector of them"
+  | _ -> wrong report r lengths
 
 let round report (r : Ast.reference) make (arguments : Env.value list) =
   match arguments with
@@ -184,12 +189,22 @@ let round report (r : Ast.reference) make (arguments : Env.value list) =
     else
       let* () = positive report r [ radius; height ] in
       Some (make corners radius height)
-  | _ -> wrong report r (Printf.sprintf "the number of corners, the radius and the height, as in `%s(6, 1, \
-                                         2)`" r.target.it)
+  | _ -> wrong report r (corners r)
+
+(* One argument that is not known may be a vector. *)
+let check_open report (r : Ast.reference) (reference : Family.reference) =
+  let is_number : Env.value -> bool = function Number _ | Unknown -> true | _ -> false in
+  match (r.target.it, reference.arguments) with
+  | "box", [ Unknown ] -> None
+  | _, ([ _; _; _ ] as arguments) when List.for_all is_number arguments -> None
+  | "box", _ -> wrong report r lengths
+  | _, _ -> wrong report r (corners r)
 
 let find report (r : Ast.reference) (reference : Family.reference) =
   match (r.qualifier, r.indices, r.arguments, r.target.it) with
   | Some _, _, _, _ | _, _ :: _, _, _ | _, _, [], _ -> None
+  | None, [], _ :: _, ("box" | "prism" | "antiprism" | "pyramid") when Family.is_open reference ->
+    Some (check_open report r reference)
   | None, [], _ :: _, "box" -> Some (made_box report r reference.arguments)
   | None, [], _ :: _, "prism" -> Some (round report r prism reference.arguments)
   | None, [], _ :: _, "antiprism" -> Some (round report r antiprism reference.arguments)

@@ -75,7 +75,7 @@ and named c report depth env (r : Ast.reference) =
       match Solids.find report r reference with
       | Some ifs -> ifs
       | None ->
-        Family.unknown report "template" (Family.keys c.sources) r reference;
+        Family.report_unknown report "template" (Family.keys c.sources) r reference;
         None)
 
 (* A name as on the command line: [Cube], [m.Cube], [Brick(1, 2, 3)]. *)

@@ -144,17 +144,19 @@ let known (c : Context.t) (reference : Family.reference) =
 let find_known (c : Context.t) (r : Ast.reference) (reference : Family.reference) =
   match (known c reference, Family.find c.families reference) with
   | Some shape, _ -> shape
+  | None, Some _ when Family.is_open reference -> None
   | None, Some f -> instance c f r reference
   | None, None -> (
       match Solids.find c.report r reference with
       | Some ifs ->
         let solid = Option.bind ifs (made c ~label:reference.label r.target.at) in
         let shape = Option.map (fun b -> Shape.Basic b) solid in
-        Hashtbl.replace c.templates reference.label
-          { Context.shape; span = r.target.at; own = false; used = true };
+        if not (Family.is_open reference) then
+          Hashtbl.replace c.templates reference.label
+            { Context.shape; span = r.target.at; own = false; used = true };
         shape
       | None ->
-        Family.unknown c.report "template" (Context.template_names c @ Solids.names) r reference;
+        Family.report_unknown c.report "template" (Context.template_names c @ Solids.names) r reference;
         None)
 
 let find (c : Context.t) env (r : Ast.reference) =
@@ -229,6 +231,20 @@ let declare_shape (c : Context.t) env head solid definitions =
     (Family.head (Report.create ()) env head);
   declare c env head definitions (fun env label ->
       basic c env ~label solid |> Option.map (fun b -> Shape.Basic { b with Shape.label }))
+
+let read_unused (c : Context.t) =
+  let unused _ (f : Context.family) list = if f.instances = 0 then f :: list else list in
+  let place (f : Context.family) = (f.family_span.file, f.family_span.start) in
+  let in_order a b =
+    let (file, start), (file', start') = (place a, place b) in
+    let c = String.compare file file' in
+    if c <> 0 then c else Int.compare start start'
+  in
+  let read (f : Context.family) =
+    let { Family.key; formals } = f.head in
+    ignore (f.make { label = key; keys = [ key ]; arguments = Family.unknown formals })
+  in
+  List.iter read (List.sort in_order (Hashtbl.fold unused c.families []))
 
 (* The roots of what is in use: an image of an off-centre shape is off centre through no fault of its own. *)
 let warn_off_centre (c : Context.t) =

@@ -20,5 +20,9 @@ val declare :
 val declare_shape : Context.t -> Env.t -> Ast.head -> Ast.solid -> Ast.definitions -> unit
 (** [shape NAME = …]. *)
 
+val read_unused : Context.t -> unit
+(** Families of which nothing uses an instance are read without arguments, for the faults that do not depend on
+    them. *)
+
 val warn_off_centre : Context.t -> unit
 (** SC0312 for each declared template in use that is not centred and not an image of another. *)

@@ -12,6 +12,8 @@ let functions = Operations.functions
 let described = Operations.described
 let unknown_function = Operations.unknown_function
 
+let axes = [ "x"; "y"; "z" ]
+
 module Make (A : ALGEBRA) = struct
   include Operations.Make (A)
 
@@ -59,6 +61,10 @@ module Make (A : ALGEBRA) = struct
 
   and name ctx depth env (path : Ast.path) =
     match (Env.value env path.it, path.it) with
+    | Some (Unknown, [ { name = axis; indices = [] } ]), _ ->
+      if not (List.mem axis.it axes) then no_component ctx axis;
+      None
+    | Some (Unknown, _), _ -> None
     | Some (v, []), first :: _ -> value_of ctx depth path.at first.Ast.name v
     | Some (((Vector _ | Macro _) as v), [ { name = axis; indices = [] } ]), first :: _ ->
       component ctx axis (as_vec ctx path.at (value_of ctx depth path.at first.Ast.name v))
@@ -76,6 +82,7 @@ module Make (A : ALGEBRA) = struct
     | Word (w, _) ->
       error ctx Code.wrong_kind at "`%s` stands for the name `%s`, and a value is expected here" name.it w;
       None
+    | Unknown -> None
     | Leaf _ ->
       error ctx Code.wrong_kind at "`%s` stands for a process, and a value is expected here" name.it
         ~hint:(Printf.sprintf "say what of it is meant, as in `x(%s)`" name.it);
@@ -88,8 +95,11 @@ module Make (A : ALGEBRA) = struct
     | "y" -> Some (Num y)
     | "z" -> Some (Num z)
     | _ ->
-      error ctx Code.unknown_name axis.at "a vector has the components x, y and z";
+      no_component ctx axis;
       None
+
+  and no_component ctx (axis : Ast.name) =
+    error ctx Code.unknown_name axis.at "a vector has the components x, y and z"
 
   (* What is written out several times is read as often, so that it is counted as often: functions within
      functions would make terms beyond every limit. *)
@@ -100,7 +110,9 @@ module Make (A : ALGEBRA) = struct
       done
 
   and apply ctx depth env at name es =
-    let* values = all (Long_list.map (at_depth ctx (depth + 1) env) es) in
+    let values = Long_list.map (at_depth ctx (depth + 1) env) es in
+    if List.exists Option.is_none values then check_arity ctx at name (List.length values);
+    let* values = all values in
     if not (List.for_all is_constant values) then
       List.iter2 (fun e v -> again ctx depth env (Operations.copies name) e v) es values;
     if (A.budget ctx).left > 0 then call ctx at name values else None

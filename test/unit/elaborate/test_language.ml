@@ -345,6 +345,8 @@ let faults =
     refused "a state of an import for a value" [ ("m.sc", shapes_file) ]
       ("import \"m.sc\" process p = m.Cube mass 1 [nil] check c : always m.Wait(2) = 1") ~code:"SC0205"
       ~file:"test.sc" ~says:"`behaviour(p) = m.K(a)`";
+    refused "a family that nothing uses" [ ("m.sc", "shape Cube = box(1, 1, 1) behaviour K(t) = eps(t + u). nil") ]
+      ("import \"m.sc\" " ^ cube) ~code:"SC0201" ~file:"m.sc" ~says:"`u`";
     refused "what an import imports" [ ("m.sc", "import \"n.sc\""); ("n.sc", shapes_file) ]
       "import \"m.sc\" process p = m.Cube mass 1 [nil]" ~code:"SC0201" ~file:"test.sc" ~says:"m.Cube";
   ]
