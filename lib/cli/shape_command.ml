@@ -51,12 +51,27 @@ let hull (set : Polyhedron.ifs) =
   | Some hull -> Ok hull
   | None -> Error [ Diag.error Code.no_solid Span.none "all points are in one plane: they span no solid" ]
 
-let snap tolerance set =
-  match Snap.snap ~tolerance set with
-  | Ok found -> Ok found
-  | Error refusal ->
-    let why, hint = Snap.explain set ~tolerance refusal in
-    Error [ Diag.error Code.cannot_snap Span.none ?hint "this cannot be snapped: %s" why ]
+let refused what (why, hint) =
+  Error [ Diag.error Code.cannot_snap Span.none ?hint "%s cannot be snapped: %s" what why ]
+
+let snap ~hull tolerance set =
+  if hull then
+    match Cloud.snap ~tolerance set with
+    | Ok found -> Ok found
+    | Error (refusal, set) ->
+      let hint =
+        "without --snap the hull is exact as it is, with more faces; a smaller distance merges fewer of them"
+      in
+      let why =
+        match refusal with
+        | Not_a_surface _ | Not_of_a_solid -> "the faces that are flat within that distance bound no solid"
+        | Too_far _ | Not_found _ | Too_large -> fst (Snap.explain set ~tolerance refusal)
+      in
+      refused "the hull" (why, Some hint)
+  else
+    match Snap.snap ~tolerance set with
+    | Ok found -> Ok found
+    | Error refusal -> refused "this" (Snap.explain set ~tolerance refusal)
 
 let too_fine set =
   if Polyhedron.too_fine set then
@@ -71,23 +86,25 @@ let too_fine set =
 
 let plural n = if n = 1 then "1 vertex" else Printf.sprintf "%d vertices" n
 
-let snap_text (tolerance, (s : Snap.snapped)) =
+let snap_text ~gone (tolerance, (s : Snap.snapped)) =
   let moved = Array.fold_left (fun n d -> if Rat.sign d > 0 then n + 1 else n) 0 s.moved in
   let far = ref 0 in
   Array.iteri (fun v d -> if Rat.compare d s.moved.(!far) > 0 then far := v) s.moved;
   let short q = Printf.sprintf "%.3g" (Rat.to_float q) in
   let over = if s.turned_over then "; all faces were turned over, as they were listed clockwise" else "" in
-  if moved = 0 then Printf.sprintf "snapped within %s: nothing moved, it is exact as it is\n" (short tolerance)
+  let gone = if gone > 0 then Printf.sprintf "; without %s of the hull" (plural gone) else "" in
+  if moved = 0 then
+    Printf.sprintf "snapped within %s: nothing moved, it is exact as it is%s\n" (short tolerance) gone
   else
-    Printf.sprintf "snapped within %s: %s moved, %s the farthest, by %s; coordinates of at most %d bits%s\n"
+    Printf.sprintf "snapped within %s: %s moved, %s the farthest, by %s; coordinates of at most %d bits%s%s\n"
       (short tolerance) (plural moved)
       (fst s.set.ifs_vertices.(!far))
-      (short s.moved.(!far)) s.bits over
+      (short s.moved.(!far)) s.bits over gone
 
-let report console argument ?snapped (set : Polyhedron.ifs) =
+let report console argument ~gone ?snapped (set : Polyhedron.ifs) =
   let r = Solid_report.make set in
   let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
-  let told = Option.fold ~none:"" ~some:snap_text snapped in
+  let told = Option.fold ~none:"" ~some:(snap_text ~gone) snapped in
   Console.answer console
     ~text:(fun () -> told ^ Solid_report.to_text ~name:argument r)
     ~json:(fun () ->
@@ -107,10 +124,12 @@ let shape console ~overrides o output argument =
   let* snapped =
     match o.snap with
     | None -> Ok None
-    | Some tolerance -> Result.map (fun s -> Some (tolerance, s)) (snap tolerance set)
+    | Some tolerance -> Result.map (fun s -> Some (tolerance, s)) (snap ~hull:o.hull tolerance set)
   in
+  let corners = Array.length set.ifs_vertices in
   let set = match snapped with Some (_, s) -> s.set | None -> set in
-  let code = report console argument ?snapped set in
+  let gone = corners - Array.length set.ifs_vertices in
+  let code = report console argument ~gone ?snapped set in
   let* () = write output code set in
   Ok code
 
@@ -156,7 +175,9 @@ let snap_option =
 let hull_option =
   let doc =
     "Takes the convex hull of the vertices, exactly, whatever the faces of $(i,FILE) are: it may be a cloud of \
-     points."
+     points. With $(b,--snap), neighbouring faces that are flat within the distance become one face, whose \
+     corners are moved into one plane, so that rounded points make the solid that they were made of; no point is \
+     farther than the distance in front of a face."
   in
   Arg.(value & flag & info [ "hull" ] ~doc)
 
@@ -187,6 +208,7 @@ let man =
     `Pre "  scc shape dodecahedron.off";
     `Pre "  scc shape specs/models/hexokinase.sc:Cube --json";
     `Pre "  scc shape --snap 1e-5 snub_cube.off -o exact.obj";
+    `Pre "  scc shape --hull --snap 1e-5 points.off -o solid.sc";
   ]
 
 let command =

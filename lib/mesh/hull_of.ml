@@ -1,5 +1,8 @@
 open Scc_geometry
 
+let renumbered (set : Polyhedron.ifs) =
+  { set with ifs_faces = Array.mapi (fun i (_, f) -> ("f" ^ string_of_int i, f)) set.ifs_faces }
+
 let hull (set : Polyhedron.ifs) =
   match Hull.triangles (Array.map snd set.ifs_vertices) with
   | None -> None
@@ -16,4 +19,7 @@ let hull (set : Polyhedron.ifs) =
     let faces = Array.of_list (List.sort (compare 0) (List.rev_map turned triangles)) in
     let numbered = Array.mapi (fun i f -> ("f" ^ string_of_int i, f)) faces in
     let merged = Merge_coplanar.merge { set with ifs_faces = numbered } in
-    Some { merged with ifs_faces = Array.mapi (fun i (_, f) -> ("f" ^ string_of_int i, f)) merged.ifs_faces }
+    Some (renumbered merged)
+
+let flattened ~within (hull : Polyhedron.ifs) =
+  renumbered (Merge_coplanar.unite hull (Nearly_flat.groups ~within hull))

@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_data
 open Scc_exact
 open Scc_geometry
@@ -144,6 +145,18 @@ let compact (ifs : Polyhedron.ifs) lines =
         (fun (f, corners) -> (fst ifs.ifs_faces.(f), Array.map (fun v -> number.(v)) corners))
         (Array.of_list lines);
   }
+
+(* A corner of a convex solid is on three faces or more. *)
+let real_corners lines vertices =
+  let degree = Array.make vertices 0 in
+  List.iter (fun (_, corners) -> Array.iter (fun v -> degree.(v) <- degree.(v) + 1) corners) lines;
+  let keep v = degree.(v) >= 3 in
+  Long_list.map (fun (f, corners) -> (f, Array.of_list (List.filter keep (Array.to_list corners)))) lines
+
+let unite (ifs : Polyhedron.ifs) group =
+  let faces = Array.map snd ifs.ifs_faces in
+  let lines = outlines faces (directed faces) group in
+  compact ifs (real_corners lines (Array.length ifs.ifs_vertices))
 
 let merge (ifs : Polyhedron.ifs) =
   let points, _ = Ivec.of_vecs (Array.map snd ifs.ifs_vertices) in

@@ -284,3 +284,48 @@ The hull of points, exactly; which of them are in one plane is decided by their 
   $ scc shape --hull flat.obj
   error[SC0301]: all points are in one plane: they span no solid
   [3]
+
+Of rounded points faces are bent: the hull of a dodecahedron in five decimals has triangles, until it is snapped.
+
+  $ cat > points.obj <<'END'
+  > v -0.20000 -0.52000 -1.64000
+  > v -0.20000 -1.72000 -0.04000
+  > v -1.40000 0.76000 -0.68000
+  > v -1.40000 -0.44000 0.92000
+  > v 1.40000 0.44000 -0.92000
+  > v 1.40000 -0.76000 0.68000
+  > v 0.20000 1.72000 0.04000
+  > v 0.20000 0.52000 1.64000
+  > v 0.37082 0.57528 -1.59108
+  > v 0.47639 -1.33220 -0.99915
+  > v -1.29443 -0.40584 -1.07692
+  > v 0.37082 -1.36636 0.99777
+  > v -1.46525 0.73889 0.55416
+  > v -1.29443 -1.14748 -0.08807
+  > v -0.37082 1.36636 -0.99777
+  > v 1.46525 -0.73889 -0.55416
+  > v 1.29443 1.14748 0.08807
+  > v -0.37082 -0.57528 1.59108
+  > v -0.47639 1.33220 0.99915
+  > v 1.29443 0.40584 1.07692
+  > v 0.1 0.2 0.3
+  > END
+  $ scc shape --hull points.obj | sed -n 2p
+  vertices: 20, edges: 54, faces: 36
+  $ scc shape --hull --snap 1e-5 points.obj -o dodecahedron.sc | sed -n '1,2p;5p'
+  snapped within 1e-05: 20 vertices moved, v13 the farthest, by 7.09e-06; coordinates of at most 106 bits
+  points.obj
+  names of vertices: v0, v1, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12, v13, v14, v15, v16, v17, v18, v19
+  $ grep -c ' f[0-9]* \[\([^,]*,\)\{4\}[^,]*\]' dodecahedron.sc
+  12
+  $ scc shape dodecahedron.sc:Dodecahedron | sed -n 2p
+  vertices: 20, edges: 30, faces: 12
+  $ scc shape --hull --snap 2 points.obj | head -1
+  snapped within 2: nothing moved, it is exact as it is; without 12 vertices of the hull
+  $ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n' > corner.obj
+  $ scc shape --hull --snap 1e-5 corner.obj | head -1
+  snapped within 1e-05: nothing moved, it is exact as it is
+  $ scc shape --hull --snap 1 corner.obj
+  error[SC0322]: the hull cannot be snapped: the faces that are flat within that distance bound no solid
+    hint: without --snap the hull is exact as it is, with more faces; a smaller distance merges fewer of them
+  [3]
