@@ -24,6 +24,7 @@ type rigid = {
 type steps = Shared | Own | Steady
 type collisions = In_turn | Together
 type binding = On_collision | On_contact
+type bonds = Acyclic | Cyclic
 
 type t = {
   leaves : leaf array;
@@ -35,6 +36,7 @@ type t = {
   steps : steps;
   collisions : collisions;
   binding : binding;
+  bonds : bonds;
   round_velocity : int option;
   rigid : rigid option;
 }
@@ -43,6 +45,7 @@ let of_each m = m.steered && match m.steps with Own -> true | Shared | Steady ->
 let of_all m = m.steered && not (of_each m)
 let keeps_beat m = m.steered && match m.steps with Steady -> true | Shared | Own -> false
 let has_turns m = Option.is_some m.rigid || Option.is_some m.round_velocity
+let closes_rings m = match m.bonds with Cyclic -> true | Acyclic -> false
 let straight m = not (m.steered || has_turns m)
 let rounds m =
   Option.is_some m.round_velocity || Option.is_some (Option.bind m.rigid (fun r -> r.round_orientation))

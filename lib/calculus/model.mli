@@ -53,6 +53,11 @@ type binding =
   | On_collision  (** of two processes that collide (reading I-12) *)
   | On_contact  (** also of two that do not collide (reading I-33); not in rigid models *)
 
+(** Whether bonds may close rings. *)
+type bonds =
+  | Acyclic  (** the bonds of a process are a tree (Definition 5.2) *)
+  | Cyclic  (** two leaves of one process may bind as well (rule Close, reading I-37) *)
+
 type t = {
   leaves : leaf array;
   definitions : Behaviour.definitions;
@@ -64,6 +69,7 @@ type t = {
   steps : steps;
   collisions : collisions;
   binding : binding;
+  bonds : bonds;
   round_velocity : int option;  (** velocities and spins are rounded to multiples of 2^-k (rule Round) *)
   rigid : rigid option;  (** [None]: the translational calculus, in which nothing turns *)
 }
@@ -82,6 +88,9 @@ val has_turns : t -> bool
 
 val rounds : t -> bool
 (** Rule Round may change something. *)
+
+val closes_rings : t -> bool
+(** Bonds may close rings: {!Cyclic}. *)
 
 val straight : t -> bool
 (** Neither steered nor with turns: a process moves in a straight line, and has to do with nobody until it

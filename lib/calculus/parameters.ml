@@ -39,6 +39,7 @@ let listed (m : Model.t) s =
      else [ ("timestep", Rat.to_string m.timestep ^ steps m) ])
   @ (match m.collisions with Together -> [ ("collisions", "together") ] | In_turn -> [])
   @ (match m.binding with On_contact -> [ ("binding", "contact") ] | On_collision -> [])
+  @ (match m.bonds with Cyclic -> [ ("bonds", "cyclic") ] | Acyclic -> [])
   @ Option.fold ~none:[] ~some:rigid m.rigid
   @ rounded "velocity" m.round_velocity
 

@@ -51,8 +51,8 @@ let no_turn = Some Rat.zero
 
 let process ?phase ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves ~bonds
     ~velocity ~clock () =
-  if List.length bonds <> List.length leaves - 1 then
-    Scc_base.Bug.fail __POS__ "the bonds of a process are not a tree";
+  if List.length bonds < List.length leaves - 1 then
+    Scc_base.Bug.fail __POS__ "a process that does not hang together";
   {
     leaves = sorted compare_leaf_index leaves;
     bonds = sorted compare_bond bonds;
@@ -64,6 +64,7 @@ let with_velocity velocity p = { p with velocity }
 let with_turn ~spin ~since ~lasts p = { p with spin; since; lasts }
 let with_kept kept p = { p with kept }
 let with_clock clock p = { p with clock }
+let with_bond b p = { p with bonds = sorted compare_bond (b :: Array.to_list p.bonds) }
 let with_phase phase (p : process) = { p with phase }
 let first p = p.leaves.(0).leaf
 

@@ -28,7 +28,8 @@ type phase =
 
 type process = private {
   leaves : leaf array;  (** in order of [leaf]; not empty *)
-  bonds : bond array;  (** sorted; a tree over the leaves *)
+  bonds : bond array;
+  (** sorted; a tree over the leaves, with {!Model.Cyclic} any connected graph without loops and double edges *)
   velocity : Vec.t;  (** of the centre of mass *)
   spin : Vec.t;  (** angular velocity, radians per unit of time; zero in the translational calculus *)
   since : Rat.t;  (** how long ago its present turn began (rule Turn); 0 where nothing turns *)
@@ -59,7 +60,7 @@ type t = private {
 val process :
   ?phase:phase -> ?spin:Vec.t -> ?since:Rat.t -> ?lasts:Rat.t option -> ?kept:Vec.t ->
   leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> unit -> process
-(** Canonical order. The bonds must join the leaves into a tree (a bug otherwise). *)
+(** Canonical order. The bonds must join the leaves into one (a bug if they are too few for that). *)
 
 val map_leaves : (leaf -> leaf) -> process -> process
 (** The function keeps the index of each leaf. *)
@@ -70,6 +71,9 @@ val with_turn : spin:Vec.t -> since:Rat.t -> lasts:Rat.t option -> process -> pr
 val with_kept : Vec.t -> process -> process
 val with_clock : Rat.t option -> process -> process
 val with_phase : phase option -> process -> process
+val with_bond : bond -> process -> process
+(** One more, between two of its leaves. *)
+
 val make : processes:process list -> step:step option -> time:Rat.t option -> t
 
 val find_leaf : t -> int -> int * leaf

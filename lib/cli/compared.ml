@@ -29,7 +29,7 @@ let label_text (space : Explored.t) ~renamed s (label : Transition.label) =
     | Bounce { firsts; _ } ->
       let state = space.state s in
       Bounce { firsts = List.map (representative space ~renamed state) firsts; hits = [] }
-    | Time _ | Bind _ | Weak_split _ | Strong_split _ -> label
+    | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> label
   in
   Transition.label_to_string (Explored.model space) label
 

@@ -35,6 +35,8 @@ let label ?(full = false) m : Transition.label -> string = function
   | Time d -> Printf.sprintf "time passes by %s" (number ~full d)
   | Bind b ->
     Printf.sprintf "%s and %s collide and bind by %s" (name m b.one.at) (name m b.two.at) (bond m b)
+  | Close b ->
+    Printf.sprintf "%s and %s, of one process, bind by %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Bounce { firsts; hits } -> Printf.sprintf "%s collide and bounce" (listed (who m firsts hits))
   | Weak_split ({ bond = b; _ } as r) ->
     Printf.sprintf "%s and %s release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)

@@ -96,6 +96,7 @@ let processes_of t s e =
 let kind : Transition.label -> Recorded.kind option = function
   | Time _ -> None
   | Bind _ -> Some Bind
+  | Close _ -> Some Close
   | Bounce _ -> Some Bounce
   | Weak_split _ -> Some Weak
   | Strong_split _ -> Some Strong
@@ -129,7 +130,7 @@ let same_bodies t s e (label : Transition.label) =
   | Bind b when e.kind = Bounce ->
     let first leaf = s.State.processes.(fst (State.find_leaf s leaf)).leaves.(0).leaf in
     between s mine [ first b.one.at; first b.two.at ]
-  | Bind _ | Weak_split _ | Strong_split _ ->
+  | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
     let finishes = List.concat_map ends (Transition.bonds label) in
     let theirs = distinct (List.map (fun (f : State.finish) -> f.at) finishes) in
     let told = distinct (List.filter_map (leaf t) e.bodies) in
@@ -158,7 +159,7 @@ let same_features t (e : Recorded.event) label =
   &&
   match e.kind with
   | Bounce -> true
-  | Bind | Weak -> within e.features theirs
+  | Bind | Close | Weak -> within e.features theirs
   | Strong -> e.features = [] || List.equal String.equal e.features theirs
 
 let common_body t s e label =

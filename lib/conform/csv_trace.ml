@@ -68,10 +68,10 @@ let event row kind =
   let* () =
     match kind with
     | Bounce when count < 2 -> Error (malformed row.at "a bounce is of two bodies or more, not of %d" count)
-    | (Bind | Weak) when count <> 2 && not (count = 0 && features <> []) ->
+    | (Bind | Close | Weak) when count <> 2 && not (count = 0 && features <> []) ->
       Error (malformed row.at "a row `%s` is of two bodies, not of %d" (kind_name kind) count)
     | Strong when count = 0 && features = [] -> Error (malformed row.at "a row `strong` names no bodies")
-    | Bounce | Bind | Weak | Strong -> Ok ()
+    | Bounce | Bind | Close | Weak | Strong -> Ok ()
   in
   Ok (Event { kind; channels; bodies; features; together = [] }, false)
 

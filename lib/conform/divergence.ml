@@ -60,15 +60,18 @@ let when_rules against : Transition.label -> string list = function
   | Time _ -> [ "Time" ]
   | Weak_split _ -> [ "WeakSplit"; "I-9" ]
   | Strong_split _ -> [ "StrongSplit"; "TimeBehaviour" ]
+  | Close _ -> [ "Close"; "TimeBehaviour" ]
   | Bind _ | Bounce _ -> if rigid against then [ "Cast"; "Collision" ] else [ "Ftoc"; "Collision" ]
 
 let urgency : Transition.label -> string list * string = function
   | Strong_split _ -> ([ "StrongSplit"; "Time" ], "a strong split that is enabled is urgent")
+  | Close _ -> ([ "Close"; "Time" ], "a bond that two leaves of one process can make is urgent")
   | Bind _ | Bounce _ -> ([ "Collision"; "Time" ], "no time passes while bodies collide")
   | Weak_split _ | Time _ -> ([ "Time" ], "time cannot pass")
 
 let kind_rules : Recorded.kind -> string list = function
   | Bind -> [ "Bind"; "Collision" ]
+  | Close -> [ "Close"; "I-37" ]
   | Bounce -> [ "Bounce"; "Collision" ]
   | Weak -> [ "WeakSplit"; "I-9" ]
   | Strong -> [ "StrongSplit" ]

@@ -56,7 +56,7 @@ let label c json =
   let bodies = Option.value between ~default:[] @ Option.value listed ~default:[] in
   match (kind, kind_of_name kind) with
   | "time", _ -> Ok None
-  | _, None -> wrong c "`%s` is none of time, bind, bounce, weak and strong" kind
+  | _, None -> wrong c "`%s` is none of time, bind, close, bounce, weak and strong" kind
   | _, Some Bounce ->
     if List.length bodies >= 2 then
       Ok (Some { kind = Bounce; channels = []; bodies; features = []; together = [] })

@@ -5,7 +5,7 @@ open Scc_base
 open Scc_exact
 open Scc_exchange
 
-type kind = Bind | Bounce | Weak | Strong
+type kind = Bind | Close | Bounce | Weak | Strong
 
 (** An event. What is an empty list was not told, and fits anything. *)
 type event = {

@@ -185,10 +185,7 @@ let state t layer h transitions (item : Recorded.item) bodies step =
     None
   | None, None -> None
 
-let urgent (x : Transition.t) =
-  match x.label with
-  | Bind _ | Bounce _ | Strong_split _ -> true
-  | Time _ | Weak_split _ -> false
+let urgent (x : Transition.t) = Transition.is_urgent x.label
 
 (* All that has to happen before the time of the item, or at it if the times are exact, has happened. *)
 let watched t h transitions (item : Recorded.item) =

@@ -78,6 +78,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       steps = program.steps;
       collisions = Settings.collisions program.settings;
       binding = Settings.binding program.settings;
+      bonds = Settings.bonds program.settings;
       round_velocity = Settings.round_velocity program.settings;
       rigid;
     }

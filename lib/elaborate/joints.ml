@@ -107,6 +107,25 @@ let check_member (c : Context.t) bodies (process : Bodies.process) (at, i) =
     false
   end
 
+(* What bonds have joined: into whom, and which two. *)
+type joined = { wholes : Union_find.t; bound : (int * int, unit) Hashtbl.t; cyclic : bool }
+
+(* Bonds make a tree, or, if the model says so, a graph without double edges (reading I-37). *)
+let joins (c : Context.t) joined at ((p : Bodies.leaf), i) ((q : Bodies.leaf), j) =
+  let ends = (Int.min i j, Int.max i j) in
+  let bound = Hashtbl.mem joined.bound ends in
+  let apart = Union_find.union joined.wholes i j in
+  Hashtbl.replace joined.bound ends ();
+  if bound && joined.cyclic then
+    Report.error c.report Code.cyclic_bonds at "`%s` and `%s` have a bond already, and two bodies have one at most"
+      p.name q.name
+  else if not (apart || joined.cyclic) then
+    Report.error c.report Code.cyclic_bonds at
+      "this bond closes a cycle: `%s` and `%s` are joined already, and the bonds of a process are a tree" p.name
+      q.name
+      ?hint:(if bound then None else Some "`bonds cyclic` lets the bonds of a process close rings");
+  apart || (joined.cyclic && not bound)
+
 (* [admits]: whether the bond may join these two. *)
 let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.bond)) =
   let one = read_end c env bodies b.first and two = read_end c env bodies b.second in
@@ -118,12 +137,7 @@ let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.
     Report.error c.report Code.cyclic_bonds b.bond_span "`%s` cannot be bound to itself" p.name;
     None
   end
-  else if not (Union_find.union joined i j) then begin
-    Report.error c.report Code.cyclic_bonds b.bond_span
-      "this bond closes a cycle: `%s` and `%s` are joined already, and the bonds of a process are a tree"
-      p.name q.name;
-    None
-  end
+  else if not (joins c joined b.bond_span (p, i) (q, j)) then None
   else begin
     check_contact c b.bond_span (p, f) (q, g);
     check_motion c b.bond_span p q;
@@ -133,7 +147,13 @@ let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.
 let included (composition : Composition.t) joint = composition.included.(fst joint.one)
 
 let read (c : Context.t) (program : Program.t) (bodies : Bodies.t) composition =
-  let joined = Union_find.create (Array.length bodies.leaves) in
+  let joined =
+    {
+      wholes = Union_find.create (Array.length bodies.leaves);
+      bound = Hashtbl.create 16;
+      cyclic = (match Settings.bonds program.settings with Cyclic -> true | Acyclic -> false);
+    }
+  in
   let of_process (process : Bodies.process) =
     let is_member = check_member c bodies process in
     let admits one two = is_member one && is_member two in

@@ -164,8 +164,8 @@ let body g place fixed name first rest span =
 let allowed_in_loop (item : Ast.item) =
   match item.it with
   | Process _ | Fixed _ | Bond _ | For _ | Motion _ | Let _ | Check _ | Behaviour _ -> true
-  | Model _ | Import _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Resolution _
-  | Round _ | Shape _ | Compound _
+  | Model _ | Import _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Bonds _
+  | Resolution _ | Round _ | Shape _ | Compound _
   | Network _ -> false
 
 let range g place (r : Ast.range) =
@@ -224,6 +224,7 @@ and simple g place (i : Ast.item) =
   | Dynamics name -> Settings.dynamics g.settings g.c.report name
   | Collisions name -> Settings.read_collisions g.settings g.c.report name
   | Binding name -> Settings.read_binding g.settings g.c.report name
+  | Bonds name -> Settings.read_bonds g.settings g.c.report name
   | Resolution e -> Settings.resolution g.settings g.c.report place.env e
   | Round (what, e) -> Settings.round g.settings g.c.report place.env what e
   | Shape (head, solid, definitions) ->

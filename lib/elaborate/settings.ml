@@ -14,11 +14,13 @@ type t = {
   mutable velocity : int given option;
   mutable collisions : Model.collisions given option;
   mutable binding : Model.binding given option;
+  mutable bonds : Model.bonds given option;
 }
 
 let create () =
   {
     dynamics = None; resolution = None; orientation = None; velocity = None; collisions = None; binding = None;
+    bonds = None;
   }
 
 let once report earlier what (at : Span.t) value =
@@ -49,6 +51,10 @@ let read_collisions t report (name : Ast.name) =
 let read_binding t report (name : Ast.name) =
   let kinds : (string * Model.binding) list = [ ("collision", On_collision); ("contact", On_contact) ] in
   t.binding <- once report t.binding "binding" name.at (choice report "binding" kinds name)
+
+let read_bonds t report (name : Ast.name) =
+  let kinds : (string * Model.bonds) list = [ ("acyclic", Acyclic); ("cyclic", Cyclic) ] in
+  t.bonds <- once report t.bonds "bonds" name.at (choice report "bonds" kinds name)
 
 let resolution t report env (e : Ast.expr) =
   let value () = Constant.positive report env "resolution" e in
@@ -165,6 +171,8 @@ let collisions t = Option.value ~default:Model.In_turn (value t.collisions)
 let round_velocity t = value t.velocity
 
 let binding t = Option.value ~default:Model.On_collision (value t.binding)
+
+let bonds t = Option.value ~default:Model.Acyclic (value t.bonds)
 
 let check t report ~spins =
   match t.binding with

@@ -1,5 +1,5 @@
-(** What a model chooses, each at most once: [collisions] and [binding] (readings I-32 and I-33), and the
-    settings of rigid motion, [dynamics], [resolution] and [round] (rules Turn and Round). *)
+(** What a model chooses, each at most once: [collisions], [binding] and [bonds] (readings I-32, I-33 and I-37),
+    and the settings of rigid motion, [dynamics], [resolution] and [round] (rules Turn and Round). *)
 
 open Scc_base
 open Scc_syntax
@@ -11,6 +11,7 @@ val create : unit -> t
 val dynamics : t -> Report.t -> Ast.name -> unit
 val read_collisions : t -> Report.t -> Ast.name -> unit
 val read_binding : t -> Report.t -> Ast.name -> unit
+val read_bonds : t -> Report.t -> Ast.name -> unit
 val resolution : t -> Report.t -> Env.t -> Ast.expr -> unit
 
 val round : t -> Report.t -> Env.t -> Ast.name -> Ast.expr -> unit
@@ -30,6 +31,9 @@ val round_velocity : t -> int option
 
 val binding : t -> Model.binding
 (** [On_collision] if nothing is said. *)
+
+val bonds : t -> Model.bonds
+(** [Acyclic] if nothing is said. *)
 
 val check : t -> Report.t -> spins:bool -> unit
 (** A rigid model cannot choose [On_contact] (SC0901). *)

@@ -129,7 +129,7 @@ let schedule t b =
   Option.iter
     (fun d -> add t (Split_instant { time = Rat.add t.now d; body = b; age }))
     (Time.to_split_instant (model t) p);
-  if Process.at_split_instant p || Splits.strong t.semantics p <> [] then may_split t b
+  if Process.at_split_instant p || Network.urgent t.semantics p <> [] then may_split t b
 
 let enter t (p : State.process) =
   let line = line t p in
@@ -209,7 +209,7 @@ let splits_now t s =
   | Some found -> found
   | None ->
     let p = present t s.body in
-    let found = (Network.strong t.semantics p, Network.weak t.semantics p) in
+    let found = (Network.urgent t.semantics p, Network.weak t.semantics p) in
     s.found <- Some found;
     found
 
@@ -241,11 +241,11 @@ let look t =
   come_up t;
   t.colliding <- Pairs.filter (fun _ p -> on_course p) t.colliding;
   let last_first all outcomes = List.rev_append outcomes all in
-  let strong, weak =
+  let urgent, weak =
     Firsts.fold
-      (fun _ s (strong, weak) ->
-         let more_strong, more_weak = splits_now t s in
-         (last_first strong more_strong, last_first weak more_weak))
+      (fun _ s (urgent, weak) ->
+         let more_urgent, more_weak = splits_now t s in
+         (last_first urgent more_urgent, last_first weak more_weak))
       t.splitting ([], [])
   in
   let collisions = collisions_now t in
@@ -254,7 +254,7 @@ let look t =
     | None -> []
     | Some next -> [ Passes (Rat.sub next t.now) ]
   in
-  Network.in_order (fun o -> Happens o) { strong; weak; collisions } ~time |> Array.of_list
+  Network.in_order (fun o -> Happens o) { urgent; weak; collisions } ~time |> Array.of_list
 
 let choices t =
   match t.choices with

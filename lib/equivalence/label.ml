@@ -70,7 +70,7 @@ let canonical s =
   in
   let first list = List.find_map (fun f -> f ()) list in
   Option.value ~default:s
-    (first [ (fun () -> named "bind"); (fun () -> named "weak"); bounce; strong ])
+    (first [ (fun () -> named "bind"); (fun () -> named "close"); (fun () -> named "weak"); bounce; strong ])
 
 (* {1 Patterns} *)
 

@@ -46,7 +46,7 @@ let released_strongly : Property.change -> bool = function
 
 let matches ~source (label : Transition.label) (event : Property.event) =
   match (event, label) with
-  | Bond (change, name, ends), Bind b -> made change && fits_name name b && fits_ends ends b
+  | Bond (change, name, ends), (Bind b | Close b) -> made change && fits_name name b && fits_ends ends b
   | Bond (change, name, ends), Weak_split { bond = b; _ } ->
     released_weakly change && fits_name name b && fits_ends ends b
   | Bond (change, name, ends), Strong_split releases ->
@@ -54,4 +54,5 @@ let matches ~source (label : Transition.label) (event : Property.event) =
     released_strongly change && List.exists fits releases
   | Bounce ends, Bounce { firsts; _ } -> fits_processes source firsts ends
   | Hit (p, q), Bounce { hits; _ } -> List.exists (fits_hit p q) hits
-  | Bond _, (Time _ | Bounce _) | (Bounce _ | Hit _), (Time _ | Bind _ | Weak_split _ | Strong_split _) -> false
+  | Bond _, (Time _ | Bounce _) | (Bounce _ | Hit _), (Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _)
+    -> false

@@ -16,7 +16,7 @@ let label m (l : Transition.label) =
   let parts =
     match l with
     | Time d -> [ ("duration", Json.rat d) ]
-    | Bind b -> bond m b
+    | Bind b | Close b -> bond m b
     | Weak_split r -> release m r
     | Bounce { firsts; hits } ->
       [
@@ -29,6 +29,7 @@ let label m (l : Transition.label) =
     match l with
     | Time _ -> "time"
     | Bind _ -> "bind"
+    | Close _ -> "close"
     | Bounce _ -> "bounce"
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"

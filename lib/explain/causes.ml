@@ -133,7 +133,8 @@ let collision w ~step ~time label source target some ~behaving =
   set w.at.clock event all;
   (event, all)
 
-let split w ~step ~time label source target ~clocked =
+(* What a process does by itself to bonds of its own. *)
+let by_itself w ~step ~time label source target ~clocked =
   let bonds = Transition.bonds label in
   let ends = List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) bonds in
   let ends = List.sort_uniq Int.compare ends in
@@ -159,8 +160,9 @@ let transition w ~step ~time (label : Transition.label) source target =
   | Bounce { firsts; _ } ->
     let behaving = touching w.semantics source firsts in
     ignore (collision w ~step ~time label source target firsts ~behaving)
-  | Weak_split _ -> split w ~step ~time label source target ~clocked:true
-  | Strong_split _ -> split w ~step ~time label source target ~clocked:false
+  | Close _ -> by_itself w ~step ~time label source target ~clocked:false
+  | Weak_split _ -> by_itself w ~step ~time label source target ~clocked:true
+  | Strong_split _ -> by_itself w ~step ~time label source target ~clocked:false
 
 let tell (run : run) =
   let semantics = Course.semantics run.course in

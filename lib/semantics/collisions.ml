@@ -57,8 +57,14 @@ let joined (c : Semantics.t) (p : State.process) (q : State.process) bond contin
   |> Process.restart_clock c.setting.model |> K.joined c.setting p q
   |> Process.joined_step c.setting.model p q
 
-(* The candidates of two parts that touch, of two processes that meet. *)
-let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
+type candidate = {
+  bond : State.bond;
+  continuations : (int * Behaviour.t) list;
+  fired : Behaviours.derivation list list;
+}
+
+(* What two parts that touch may bind by: each bond with what becomes of its ends, and by which summands. *)
+let bonds (c : Semantics.t) ((a : Part.t), (b : Part.t)) =
   let (module K) = c.kinematics in
   let site (part : Part.t) feature : Site.t = { part = part.index; feature } in
   let candidates pairs ((_, (c1 : Behaviour.channel), b1, one), (_, (c2 : Behaviour.channel), b2, two)) =
@@ -71,17 +77,19 @@ let bind (c : Semantics.t) p q ((a : Part.t), (b : Part.t)) =
             { at = a.leaf.leaf; site = site a pair.first }
             { at = b.leaf.leaf; site = site b pair.second }
         in
-        {
-          Transition.rule = Rule.Bind;
-          label = Bind bond;
-          fired = [ [ one; two ] ];
-          gone = [ p; q ];
-          come = [ joined c p q bond [ (a.leaf.leaf, b1); (b.leaf.leaf, b2) ] ];
-        })
+        { bond; continuations = [ (a.leaf.leaf, b1); (b.leaf.leaf, b2) ]; fired = [ [ one; two ] ] })
   in
-  match compatible c p a.leaf.leaf q b.leaf.leaf with
+  match compatible c a.owner a.leaf.leaf b.owner b.leaf.leaf with
   | [] -> []
   | fitting -> List.concat_map (candidates (K.touching c.setting a b)) fitting
+
+(* The candidates of two parts that touch, of two processes that meet. *)
+let bind c p q parts =
+  let outcome { bond; continuations; fired } =
+    let come = [ joined c p q bond continuations ] in
+    { Transition.rule = Rule.Bind; label = Bind bond; fired; gone = [ p; q ]; come }
+  in
+  List.map outcome (bonds c parts)
 
 let candidates c (processes : State.process array) (m : meeting) =
   List.concat_map (bind c processes.(m.first) processes.(m.second)) m.touching

@@ -16,6 +16,17 @@ val colliding : Semantics.t -> State.t -> (int * int) list
 val collides : Semantics.t -> State.t -> bool
 (** Whether any two do. *)
 
+(** A bond that two leaves may make, with what becomes of them, and by which summands. *)
+type candidate = {
+  bond : State.bond;
+  continuations : (int * Behaviour.t) list;
+  fired : Behaviours.derivation list list;
+}
+
+val bonds : Semantics.t -> Part.t * Part.t -> candidate list
+(** By all channels of the leaves of two parts that are open and compatible, in all pairs of features of the
+    highest dimension in which the two parts touch and which the channels share (rules Bind and Close). *)
+
 (** What is resolved at once. *)
 type cluster = {
   members : int list;  (** indices of processes, in order *)

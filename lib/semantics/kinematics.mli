@@ -50,7 +50,7 @@ module type S = sig
   val contact : setting -> Part.t -> Part.t -> contact
 
   val touching : setting -> Part.t -> Part.t -> Contact.pair list
-  (** The features in which two parts touch that are not {!Apart}; none if they are only seen as {!Touching}. *)
+  (** The features in which two parts touch; none if they are {!Apart}, or only seen as {!Touching}. *)
 
   val near : setting -> Part.t -> Part.t -> Scc_rigid.Near_contact.t option
   (** The contact of two parts, if they touch. *)

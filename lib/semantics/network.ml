@@ -4,14 +4,14 @@ let ( let* ) = Result.bind
 
 (* {1 Putting together} *)
 
-type 'a discrete = { strong : 'a list; weak : 'a list; collisions : 'a list }
+type 'a discrete = { urgent : 'a list; weak : 'a list; collisions : 'a list }
 
-let is_urgent d = match (d.strong, d.collisions) with [], [] -> false | _ -> true
+let is_urgent d = match (d.urgent, d.collisions) with [], [] -> false | _ -> true
 
 let in_order f d ~time =
   let before later last_first = List.fold_left (fun all x -> f x :: all) later last_first in
   let later = if is_urgent d then [] else time () in
-  before (before (before later d.collisions) d.weak) d.strong
+  before (before (before later d.collisions) d.weak) d.urgent
 
 let time_rules (c : Semantics.t) =
   let (module K) = c.kinematics in
@@ -48,13 +48,13 @@ let happens c (s : State.t) ~step (o : Transition.outcome) =
 
 let last_first lists = List.fold_left (fun all list -> List.rev_append list all) [] lists
 
-let strong c p = Transition.distinct (Splits.strong c p)
+let urgent c p = Transition.distinct (List.rev_append (List.rev (Splits.strong c p)) (Closings.all c p))
 let weak c p = Transition.distinct (Splits.weak c p)
 
 let collision c processes cluster =
   Result.map Transition.distinct (Collisions.outcomes c processes cluster)
 
-let splits c (s : State.t) kind =
+let of_single c (s : State.t) kind =
   List.map (fun p -> List.map (happens c s ~step:s.step) (kind c p)) (Array.to_list s.processes) |> last_first
 
 let collisions c (s : State.t) =
@@ -77,7 +77,7 @@ let rec all_ok acc = function
   | Error e :: _ -> Error e
 
 let successors c s =
-  { strong = splits c s strong; weak = splits c s weak; collisions = collisions c s }
+  { urgent = of_single c s urgent; weak = of_single c s weak; collisions = collisions c s }
   |> in_order Fun.id ~time:(time c s)
   |> all_ok []
 
@@ -89,7 +89,7 @@ let together c processes =
   List.concat_map (fun cluster -> sure (collision c processes cluster)) (Collisions.clusters c processes)
 
 let quiescent c (s : State.t) =
-  Array.for_all (fun p -> Splits.strong c p = [] && Option.is_none p.State.clock) s.processes
+  Array.for_all (fun p -> urgent c p = [] && Option.is_none p.State.clock) s.processes
   && (not (Collisions.collides c s))
   && Option.is_none (Time.delay c s)
 

@@ -6,21 +6,22 @@ val initial : Semantics.t -> State.t -> (State.t, Transition.fault) result
 (** The initial state from the declared one: split clocks set, the first steer done. *)
 
 val successors : Semantics.t -> State.t -> (Transition.t list, Transition.fault) result
-(** Every transition of a state, in a fixed order: strong splits, weak splits, each collision of the instant
-    by itself (reading I-8), and time. A steer that falls due is part of the transition (reading I-15). *)
+(** Every transition of a state, in a fixed order: strong splits and closings, weak splits, each collision of
+    the instant by itself (reading I-8), and time. A steer that falls due is part of the transition (reading
+    I-15). *)
 
 val quiescent : Semantics.t -> State.t -> bool
 (** No event can ever happen again (rule Quiescent). *)
 
 (** {1 In parts}
 
-    A split looks at one process, and a collision at two. So what is possible in a network is what is possible for
-    each process, for each two that meet, and for time. Who follows many states of a
-    network that is not steered may remember the parts, and puts them together by these. *)
+    A split and a closing look at one process, and a collision at two. So what is possible in a network is what is
+    possible for each process, for each two that meet, and for time. Who follows many states of a network that is
+    not steered may remember the parts, and puts them together by these. *)
 
-(** What may happen at once, by kinds: each with the last first, strong and weak splits in the order of processes,
-    collisions in that of pairs. *)
-type 'a discrete = { strong : 'a list; weak : 'a list; collisions : 'a list }
+(** What may happen at once, by kinds: each with the last first, what single processes must do and their weak
+    splits in the order of processes, collisions in that of pairs. *)
+type 'a discrete = { urgent : 'a list; weak : 'a list; collisions : 'a list }
 
 val is_urgent : 'a discrete -> bool
 (** Whether no time passes before something happens. *)
@@ -28,10 +29,12 @@ val is_urgent : 'a discrete -> bool
 val in_order : ('a -> 'b) -> 'a discrete -> time:(unit -> 'b list) -> 'b list
 (** All of it in the order of {!successors}, and then time, which is not asked when something is urgent. *)
 
-val strong : Semantics.t -> State.process -> Transition.outcome list
-(** The strong splits of a process ({!Splits.strong}), those of one label and result once; so with the next two. *)
+val urgent : Semantics.t -> State.process -> Transition.outcome list
+(** What a process must do by itself, those of one label and result once: its strong splits ({!Splits.strong}),
+    and then its closings ({!Closings.all}). *)
 
 val weak : Semantics.t -> State.process -> Transition.outcome list
+(** Likewise its weak splits. *)
 
 val together : Semantics.t -> State.process array -> Transition.outcome list
 (** What comes of the collisions of some processes, in the order of {!Collisions.clusters}: for networks that

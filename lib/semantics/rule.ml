@@ -9,6 +9,7 @@ type t =
   | Weak_split
   | Strong_split
   | Bind
+  | Close
   | Bounce
   | Time
   | Steer
@@ -26,6 +27,7 @@ let id = function
   | Weak_split -> "WeakSplit"
   | Strong_split -> "StrongSplit"
   | Bind -> "Bind"
+  | Close -> "Close"
   | Bounce -> "Bounce"
   | Time -> "Time"
   | Steer -> "Steer"
@@ -34,12 +36,13 @@ let id = function
 
 let all =
   [
-    Pre; Weak; Strong; Sum; Def; Eps0; Time_behaviour; Weak_split; Strong_split; Bind; Bounce; Time; Steer; Turn;
-    Round;
+    Pre; Weak; Strong; Sum; Def; Eps0; Time_behaviour; Weak_split; Strong_split; Bind; Close; Bounce; Time; Steer;
+    Turn; Round;
   ]
 
 let of_model (m : Scc_calculus.Model.t) =
   let can = function
+    | Close -> Scc_calculus.Model.closes_rings m
     | Turn -> Option.is_some m.rigid
     | Round -> Scc_calculus.Model.has_turns m
     | _ -> true

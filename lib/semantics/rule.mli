@@ -11,6 +11,7 @@ type t =
   | Weak_split
   | Strong_split
   | Bind
+  | Close  (** with {!Scc_calculus.Model.Cyclic} only *)
   | Bounce
   | Time
   | Steer
@@ -23,4 +24,4 @@ val id : t -> string
 val all : t list
 
 val of_model : Scc_calculus.Model.t -> t list
-(** Those that apply to a model: without {!Turn} and {!Round} when it is not rigid. *)
+(** Those that apply to a model: {!Close}, {!Turn} and {!Round} are for some only. *)

@@ -126,8 +126,10 @@ let choices (m : Model.t) (p : State.process) reaction ~least (l : State.leaf) =
   let at_leaf i = p.bonds.(i).one.at = l.leaf || p.bonds.(i).two.at = l.leaf in
   let mine = List.filter at_leaf (List.init (Array.length p.bonds) Fun.id) in
   let required, rest = List.partition (fun i -> Ints.mem i reaction.bonds) mine in
-  (* As bonds form a tree, a bond that is not of X yet leads to a leaf that has not chosen yet. *)
-  let optional = List.filter (fun i -> i > least) rest in
+  (* Where bonds close rings, the leaf at the other end of a bond may have chosen, without it. *)
+  let other i = if p.bonds.(i).one.at = l.leaf then p.bonds.(i).two.at else p.bonds.(i).one.at in
+  let open_yet i = not (List.mem_assoc (other i) reaction.chosen) in
+  let optional = List.filter (fun i -> i > least && open_yet i) rest in
   Behaviours.derivations m.definitions l.behaviour
   |> List.concat_map (fun (offer, derivation) ->
       match offer with

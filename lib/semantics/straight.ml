@@ -27,15 +27,16 @@ let contact c (a : Part.t) (b : Part.t) : contact =
     if c.geometry.approaching a.placed b.placed (Part.relative_velocity a b) then Colliding else Touching
   | Interpenetrating -> interpenetration ()
 
-let touching c (a : Part.t) (b : Part.t) = c.geometry.touching a.placed b.placed
+let touching c (a : Part.t) (b : Part.t) =
+  match c.geometry.relation a.placed b.placed with
+  | Touching -> c.geometry.touching a.placed b.placed
+  | Apart | Interpenetrating -> []
 
 let near c (a : Part.t) (b : Part.t) = c.geometry.near ~resolution:Rat.zero a.placed b.placed
 
 let bonded c ((a : Part.t), one) ((b : Part.t), two) =
   let is_bond (pair : Contact.pair) = Feature.equal pair.first one && Feature.equal pair.second two in
-  match c.geometry.relation a.placed b.placed with
-  | Touching -> List.exists is_bond (touching c a b)
-  | Apart | Interpenetrating -> false
+  List.exists is_bond (touching c a b)
 
 let collision_time c ~before:_ (a : Part.t) (b : Part.t) =
   match c.geometry.first_time_of_contact a.placed b.placed (Part.relative_velocity a b) with

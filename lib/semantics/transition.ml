@@ -8,6 +8,7 @@ type release = { bond : State.bond; push : Rat.t }
 type label =
   | Time of Rat.t
   | Bind of State.bond
+  | Close of State.bond
   | Bounce of { firsts : int list; hits : hit list }
   | Weak_split of release
   | Strong_split of release list
@@ -37,20 +38,20 @@ type fault =
 
 let bonds = function
   | Time _ | Bounce _ -> []
-  | Bind b -> [ b ]
+  | Bind b | Close b -> [ b ]
   | Weak_split r -> [ r.bond ]
   | Strong_split releases -> List.map (fun r -> r.bond) releases
 
 let duration_of = function
   | Time d -> d
-  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> Rat.zero
+  | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> Rat.zero
 
 let is_time = function
   | Time _ -> true
-  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> false
+  | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> false
 
 let is_urgent = function
-  | Strong_split _ | Bind _ | Bounce _ -> true
+  | Strong_split _ | Close _ | Bind _ | Bounce _ -> true
   | Time _ | Weak_split _ -> false
 
 let duration (t : t) = duration_of t.label
@@ -70,12 +71,12 @@ let compare_hit a b =
 let equal_label a b =
   match (a, b) with
   | Time s, Time t -> Rat.equal s t
-  | Bind x, Bind y -> State.equal_bond x y
+  | Bind x, Bind y | Close x, Close y -> State.equal_bond x y
   | Weak_split x, Weak_split y -> equal_release x y
   | Bounce x, Bounce y ->
     List.equal Int.equal x.firsts y.firsts && List.equal (fun a b -> compare_hit a b = 0) x.hits y.hits
   | Strong_split x, Strong_split y -> List.equal equal_release x y
-  | (Time _ | Bind _ | Bounce _ | Weak_split _ | Strong_split _), _ -> false
+  | (Time _ | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _), _ -> false
 
 let same (a : outcome) (b : outcome) =
   equal_label a.label b.label && List.equal State.equal_process a.come b.come
@@ -97,6 +98,7 @@ let names (m : Model.t) = List.map (fun i -> m.leaves.(i).name)
 let label_to_string (m : Model.t) = function
   | Time d -> Printf.sprintf "time(%s)" (Rat.to_string d)
   | Bind b -> Printf.sprintf "bind(%s, %s)" b.name (ends m b)
+  | Close b -> Printf.sprintf "close(%s, %s)" b.name (ends m b)
   | Bounce { firsts; _ } -> Printf.sprintf "bounce(%s)" (String.concat ", " (names m firsts))
   | Weak_split ({ bond = b; _ } as r) -> Printf.sprintf "weak(%s, %s)%s" b.name (ends m b) (pushed r)
   | Strong_split releases ->

@@ -12,6 +12,7 @@ type release = { bond : State.bond; push : Rat.t }
 type label =
   | Time of Rat.t
   | Bind of State.bond  (** the bond that was made *)
+  | Close of State.bond  (** the bond that was made, within one process *)
   | Bounce of { firsts : int list; hits : hit list }
   (** the first leaves of the processes, two or more, in order; and where they touch, in order *)
   | Weak_split of release
@@ -62,15 +63,15 @@ val is_time : label -> bool
 (** The others are events. *)
 
 val is_urgent : label -> bool
-(** Whether no time passes while it is possible (rule Time): strong splits and collisions. *)
+(** Whether no time passes while it is possible (rule Time): strong splits, closings and collisions. *)
 
 val hit : int * int -> int * int -> hit
 val compare_hit : hit -> hit -> int
 val equal_label : label -> label -> bool
 
 val label_to_string : Model.t -> label -> string
-(** [time(1/2)], [bind(a, p.right, q.left)], [bounce(p, q)], [weak(a, p.right, q.left)],
-    [strong({<a, {p.right, q.left}>, …})]. *)
+(** [time(1/2)], [bind(a, p.right, q.left)], [close(a, p.right, q.left)], [bounce(p, q)],
+    [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})]. *)
 
 val diagnostic : Model.t -> fault -> Scc_base.Diag.t
 (** SC0601 or SC0602. *)

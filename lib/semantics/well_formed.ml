@@ -93,8 +93,16 @@ let clock_is_right (m : Model.t) (p : State.process) =
   | Some c, true -> Rat.sign c >= 0 && Rat.compare c m.split_step < 0
   | Some _, false | None, true -> false
 
-let is_tree (p : State.process) =
-  Array.length p.bonds = Array.length p.leaves - 1
+(* Bonds are in the order of their ends, but those of two leaves need not follow each other. *)
+let joined_once (p : State.process) =
+  let ends (b : State.bond) = (b.one.at, b.two.at) in
+  let compare (i, j) (k, l) = if i <> k then Int.compare i k else Int.compare j l in
+  let joined = List.map ends (Array.to_list p.bonds) in
+  List.length (List.sort_uniq compare joined) = List.length joined
+
+(* A tree, or any connected graph in which no two leaves are joined twice (reading I-37). *)
+let bonds_are_right (m : Model.t) (p : State.process) =
+  (if Model.closes_rings m then joined_once p else Array.length p.bonds = Array.length p.leaves - 1)
   &&
   match State.components p.leaves p.bonds with
   | [ _ ] -> true
@@ -115,7 +123,7 @@ let check_process (c : Semantics.t) i (p : State.process) =
   let wall = Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves in
   let faults =
     [
-      ((not bad_ends) && not (is_tree p), Not_a_tree i);
+      ((not bad_ends) && not (bonds_are_right m p), Not_a_tree i);
       (wall && not (Vec.is_zero p.velocity && Vec.is_zero p.spin), Moving_wall i);
       ((not bad_ends) && not (clock_is_right m p), Bad_clock i);
       (not (K.turns_rightly c.setting p), Bad_turn i);
@@ -181,6 +189,8 @@ let to_string (m : Model.t) (s : State.t) fault =
     Printf.sprintf "a bond `%s` between `%s` and `%s` names what is not there" b.name (leaf b.one.at)
       (leaf b.two.at)
   | Loose_bond b -> Printf.sprintf "the features of the bond %s do not touch" (bond_to_string m b)
+  | Not_a_tree i when Model.closes_rings m ->
+    Printf.sprintf "the bonds of the process of `%s` do not join it, or join two leaves twice" (process i)
   | Not_a_tree i -> Printf.sprintf "the bonds of the process of `%s` are not a tree" (process i)
   | Moving_wall i -> Printf.sprintf "the process of `%s` holds a fixed body and moves" (process i)
   | Bad_clock i -> Printf.sprintf "the split clock of the process of `%s` is wrong" (process i)

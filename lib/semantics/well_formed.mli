@@ -10,7 +10,9 @@ type fault =
   | Interpenetration of { first : int * int; second : int * int }  (** leaf and part of each *)
   | Bad_bond of State.bond  (** it names a leaf, part or feature that is not there *)
   | Loose_bond of State.bond  (** its features do not touch (Definition 5.2, reading I-3) *)
-  | Not_a_tree of int  (** the bonds of this process do not join its leaves into a tree *)
+  | Not_a_tree of int  
+  (** the bonds of this process do not join its leaves into a tree; with {!Model.Cyclic}, not into one, or two of
+      them twice *)
   | Moving_wall of int  (** a process that holds a fixed leaf and has a velocity *)
   | Bad_clock of int
   (** a split clock where no weak split is enabled, none where one is, or one that is not in

@@ -41,6 +41,7 @@ module Labels = Interned (struct
     let hash : t -> int = function
       | Time d -> Rat.hash d
       | Bind b -> 1 + State.hash_bond b
+      | Close b -> 2 + State.hash_bond b
       | (Weak_split _ | Strong_split _) as l ->
         List.fold_left (fun h b -> (31 * h) + State.hash_bond b) 3 (Transition.bonds l) land max_int
       | Bounce { firsts; _ } -> List.fold_left (fun h p -> (1_000_003 * h) + p) 5 firsts land max_int

@@ -18,7 +18,7 @@ type nature = { splits : bool; wait : Rat.t option  (** until an eps expires or 
 type alone = {
   body : Catalogue.body;
   nature : nature;
-  strong : move list;
+  urgent : move list;
   weak : move list;
   rests : bool;
   mutable passed : Rat.t;  (** the last time that passed for it, and what became of it *)
@@ -103,7 +103,7 @@ let least a b =
   | Some s, Some t -> Some (Rat.min s t)
 
 let look_at_form b p =
-  let splits = Splits.strong b.semantics p <> [] || Splits.weak b.semantics p <> [] in
+  let splits = Network.urgent b.semantics p <> [] || Splits.weak b.semantics p <> [] in
   { splits; wait = Time.wait (Semantics.model b.semantics) p }
 
 let nature b form =
@@ -118,7 +118,7 @@ let look b number =
   let moves splits = List.map (move b) (splits b.semantics body.process) in
   {
     body; nature;
-    strong = (if nature.splits then moves Network.strong else []);
+    urgent = (if nature.splits then moves Network.urgent else []);
     weak = (if nature.splits then moves Network.weak else []);
     rests = Catalogue.resting b.catalogue body.velocity;
     passed = Rat.zero;
@@ -316,10 +316,10 @@ let whole c tuple =
   | Error _ as fault -> fault
 
 let discrete c present =
-  let strong = Array.fold_left (fun acc (a : alone) -> List.rev_append a.strong acc) [] present in
+  let urgent = Array.fold_left (fun acc (a : alone) -> List.rev_append a.urgent acc) [] present in
   let weak = Array.fold_left (fun acc (a : alone) -> List.rev_append a.weak acc) [] present in
   let collisions, contact = meetings c present in
-  ({ Network.strong; weak; collisions }, contact)
+  ({ Network.urgent; weak; collisions }, contact)
 
 let wait present = Array.fold_left (fun d a -> least d a.nature.wait) None present
 
@@ -343,14 +343,14 @@ let group_moves semantics visible present (d : move Network.discrete) =
   let groups = Groups.of_processes semantics (Array.map (fun a -> a.body.process) present) in
   let group m = Groups.of_leaf groups m.leaf in
   let hidden g = not (List.exists visible (Groups.leaves groups g)) in
-  let urgent = List.rev_append d.strong d.collisions in
+  let urgent = List.rev_append d.urgent d.collisions in
   let candidates = List.sort_uniq Int.compare (List.map group urgent) in
   match List.find_opt hidden candidates with
   | None -> None
   | Some g ->
     let inside = List.filter (fun m -> group m = g) in
-    let mine = { Network.strong = inside d.strong; weak = inside d.weak; collisions = inside d.collisions } in
-    let count (d : move Network.discrete) = List.length d.strong + List.length d.weak + List.length d.collisions in
+    let mine = { Network.urgent = inside d.urgent; weak = inside d.weak; collisions = inside d.collisions } in
+    let count (d : move Network.discrete) = List.length d.urgent + List.length d.weak + List.length d.collisions in
     if count mine < count d then Some mine else None
 
 let reduced c tuple =

@@ -167,6 +167,7 @@ and item_kind =
   | Dynamics of name
   | Collisions of name
   | Binding of name
+  | Bonds of name
   | Resolution of expr
   | Round of name * expr  (** of what, [orientation] or [velocity]; to multiples of what *)
   | Shape of head * solid * definitions

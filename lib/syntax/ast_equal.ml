@@ -151,7 +151,7 @@ let rec item a b =
     name m n && expr x y
   | Timestep (x, n), Timestep (y, k) -> expr x y && n = k
   | Split_step x, Split_step y | Resolution x, Resolution y -> expr x y
-  | Dynamics m, Dynamics n | Collisions m, Collisions n | Binding m, Binding n -> name m n
+  | Dynamics m, Dynamics n | Collisions m, Collisions n | Binding m, Binding n | Bonds m, Bonds n -> name m n
   | Round (m, x), Round (n, y) -> name m n && expr x y
   | Import i, Import j -> import i j
   | Shape (m, s, ds), Shape (n, t, es) -> head m n && solid s t && definitions ds es
@@ -166,7 +166,7 @@ let rec item a b =
   | Network ps, Network qs -> list path ps qs
   | Motion (p, l), Motion (q, m) -> option path p q && law l m
   | ( ( Model _ | Import _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ |
-        Resolution _
+        Bonds _ | Resolution _
       | Round _ | Shape _
       | Compound _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _
       | Check _ ), _ ) -> false

@@ -39,6 +39,7 @@
 | DYNAMICS { at $loc "dynamics" }
 | COLLISIONS { at $loc "collisions" }
 | BINDING { at $loc "binding" }
+| BONDS { at $loc "bonds" }
 | SNAP { at $loc "snap" }
 | RESOLUTION { at $loc "resolution" }
 | ROUND { at $loc "round" }

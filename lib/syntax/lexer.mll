@@ -21,7 +21,7 @@
     [
       ("A", A); ("AF", AF); ("AG", AG); ("AX", AX); ("E", E); ("EF", EF); ("EG", EG); ("EX", EX);
       ("F", LETTER "F"); ("G", LETTER "G"); ("U", U); ("X", LETTER "X");
-      ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND);
+      ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND); ("bonds", BONDS);
       ("check", CHECK); ("choose", CHOOSE); ("collisions", COLLISIONS); ("compound", COMPOUND); ("count", COUNT);
       ("dynamics", DYNAMICS); ("else", ELSE);
       ("eps", EPS); ("event", EVENT); ("eventually", EVENTUALLY); ("exists", EXISTS); ("faces", FACES);
@@ -102,7 +102,7 @@
   let barred text =
     match word (strip_bars text) with
     | NAME n -> Token (BARRED n)
-    | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | RESOLUTION | ROUND | SNAP
+    | BOND | MASS | EVENT | DYNAMICS | COLLISIONS | BINDING | BONDS | RESOLUTION | ROUND | SNAP
     | LETTER _ | MOD | HULL | AS | WHERE | U | A | E | AF | AG | AX | EF | EG | EX -> Token (BARRED (strip_bars text))
     | _ ->
       fault Code.lexical

@@ -196,6 +196,7 @@ let rec item i =
   | Dynamics n -> head "dynamics %s" n.it
   | Collisions n -> head "collisions %s" n.it
   | Binding n -> head "binding %s" n.it
+  | Bonds n -> head "bonds %s" n.it
   | Resolution e -> definition (head "resolution") (fineness e)
   | Round (n, e) -> definition (head "round %s" n.it) (fineness e)
   | Import i -> import span i

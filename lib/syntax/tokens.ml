@@ -141,7 +141,7 @@ let nests = function
 let can_be_name = function
   | NAME _ | LETTER _ | MOD | HULL | AS | WHERE | A | E | U | AF | AG | AX | EF | EG | EX | BOND | MASS |
     EVENT | DYNAMICS | COLLISIONS
-  | BINDING | RESOLUTION | ROUND | SNAP -> true
+  | BINDING | BONDS | RESOLUTION | ROUND | SNAP -> true
   | _ -> false
 
 let begins_declaration tokens i =
@@ -171,7 +171,7 @@ let begins_setting tokens i =
         | _ -> false)
   in
   match (tokens.(i).token, tokens.(i + 1).token) with
-  | (DYNAMICS | COLLISIONS | BINDING), NAME _ | ROUND, (NAME _ | VELOCITY) -> ended ()
+  | (DYNAMICS | COLLISIONS | BINDING | BONDS), NAME _ | ROUND, (NAME _ | VELOCITY) -> ended ()
   | RESOLUTION, (NUMBER _ | NAME _ | LPAREN) -> ended ()
   | _ -> false
 

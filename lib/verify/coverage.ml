@@ -180,7 +180,7 @@ let transition t (tr : Transition.t) =
   count_rules t tr.rules;
   match tr.label with
   | Time _ | Bounce _ -> ()
-  | Bind b -> note t b.name (fun u -> u.mades <- u.mades + 1)
+  | Bind b | Close b -> note t b.name (fun u -> u.mades <- u.mades + 1)
   | Weak_split { bond = b; _ } -> note t b.name (fun u -> u.weaks <- u.weaks + 1)
   | Strong_split releases ->
     let released (r : Transition.release) = note t r.bond.name (fun u -> u.strongs <- u.strongs + 1) in

@@ -214,7 +214,7 @@ let choices context graph states =
     let events = List.filter (fun l -> not (Transition.is_time l)) labels in
     let is_split : Transition.label -> bool = function
       | Weak_split _ -> true
-      | Time _ | Bind _ | Bounce _ | Strong_split _ -> false
+      | Time _ | Bind _ | Close _ | Bounce _ | Strong_split _ -> false
     in
     let weak = List.length (List.filter is_split events) in
     (* A weak split is a choice by itself: it can be put off. *)

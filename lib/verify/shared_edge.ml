@@ -44,7 +44,7 @@ let of_end m initial name (f : State.finish) =
 let warning context =
   let m = Network_lts.model context and initial = Network_lts.start context in
   let of_label : Transition.label -> Scc_base.Diag.t option = function
-    | Bind b -> List.find_map (of_end m initial b.name) [ b.one; b.two ]
+    | Bind b | Close b -> List.find_map (of_end m initial b.name) [ b.one; b.two ]
     | Time _ | Bounce _ | Weak_split _ | Strong_split _ -> None
   in
   Catalogue.find_label (Network_lts.catalogue context) of_label

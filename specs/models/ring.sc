@@ -1,5 +1,6 @@
 // Four cubes close to a ring: two by two along x, and then all along z. Bonds of a process form a tree, so that the ring has
-// three bonds, and its last contact is one that only touches: `touching` tells whether it is closed.
+// three bonds, and its last contact is one that only touches: `touching` tells whether it is closed. With `bonds cyclic`
+// it has four: closed_ring.sc.
 model ring
 
 shape Cube {

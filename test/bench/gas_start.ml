@@ -117,6 +117,7 @@ let network t =
       keeps_time = false;
       collisions = In_turn;
       binding = On_collision;
+      bonds = Acyclic;
       round_velocity = None;
       rigid = None;
       steered = false;

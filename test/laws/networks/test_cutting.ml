@@ -140,6 +140,7 @@ let see (t : Transition.t) state =
   let label =
     match t.label with
     | Bind b -> say "bind %s %d %d" b.name b.one.at b.two.at
+    | Close b -> say "close %s %d %d" b.name b.one.at b.two.at
     | Bounce { firsts; _ } -> String.concat " " ("bounce" :: List.map string_of_int firsts)
     | Time d -> say "time %s" (Rat.to_string d)
     | Weak_split _ | Strong_split _ -> "split"

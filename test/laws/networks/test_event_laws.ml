@@ -19,7 +19,7 @@ let part (s : State.t) (t : Transition.t) =
   let leaves =
     match t.label with
     | Bounce { firsts; _ } -> firsts
-    | Time _ | Bind _ | Weak_split _ | Strong_split _ ->
+    | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
       List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds t.label)
   in
   List.sort_uniq Int.compare (List.map (fun leaf -> fst (State.find_leaf s leaf)) leaves)
@@ -221,7 +221,7 @@ let bind_iff s transitions meet one two =
   let binds (t : Transition.t) =
     match t.label with
     | Bind _ -> List.equal Int.equal (part s t) [ one; two ]
-    | Bounce _ | Weak_split _ | Strong_split _ | Time _ -> false
+    | Close _ | Bounce _ | Weak_split _ | Strong_split _ | Time _ -> false
   in
   if Bool.equal meet (List.exists binds transitions) then None
   else Some (if meet then "surfaces meet, and nothing binds" else "what binds does not meet")
@@ -289,7 +289,7 @@ let undone m (s, transitions) =
          else if not in_time then Some "something happens on the way back"
          else if not (State.equal (Time.pass (standard m) d back) goal) then Some "the way back leads elsewhere"
          else None
-       | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None)
+       | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> None)
     transitions
 
 let some_network networks shows () =
@@ -306,7 +306,7 @@ let several =
            let undoes (u : Transition.t) = State.equal u.target (backwards s) in
            match t.label with
            | Bounce _ -> not (List.exists undoes (Reach.successors m (backwards t.target)))
-           | Time _ | Bind _ | Weak_split _ | Strong_split _ -> false)
+           | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> false)
         ts)
 
 (* Backwards, a third body may collide as well. *)

@@ -37,6 +37,7 @@ let relabelled from : Transition.label -> Transition.label =
   function
   | Time d -> Time d
   | Bind b -> Bind (bond b)
+  | Close b -> Close (bond b)
   | Weak_split r -> Weak_split { r with bond = bond r.bond }
   | Strong_split releases ->
     Strong_split (List.map (fun (r : Transition.release) -> { r with bond = bond r.bond }) releases)

@@ -1,6 +1,7 @@
 (* Laws that hold of every network, tried on random ones. *)
 
 open Scc_exact
+open Scc_calculus
 open Scc_semantics
 open Scc_test_networks
 
@@ -33,7 +34,7 @@ let conserves ?count networks name =
       let broken (s, transitions) = List.find_map (Conservation.fault m s) transitions in
       fail_on (List.find_map broken states))
 
-let meetings m (s : Scc_calculus.State.t) = Collisions.meetings (standard m) s.processes
+let meetings m (s : State.t) = Collisions.meetings (standard m) s.processes
 let labels m ts = List.map (fun (t : Transition.t) -> Transition.label_to_string m t.label) ts
 
 (* Along one run, taken first with and then without sixteen bodies far away. *)
@@ -58,6 +59,13 @@ let bystanders =
 
 (* So that the properties above are about something: over the seeds used, every kind of transition comes up. With
    switches: bounces of several processes at once, and bindings where nothing collides. *)
+(* Whether what a split releases held a ring: it comes apart into no more pieces than there were bonds. *)
+let opens_ring (t : Transition.t) =
+  let bonds = Transition.bonds t.label in
+  let home at = fst (State.find_leaf t.target at) in
+  let pieces (b : State.bond) = [ home b.one.at; home b.two.at ] in
+  List.length (List.sort_uniq Int.compare (List.concat_map pieces bonds)) <= List.length bonds
+
 let kinds m (s, ts) =
   let apart = lazy (not (List.exists (fun (e : Kinematics.meeting) -> e.collide) (meetings m s))) in
   let kind (t : Transition.t) =
@@ -65,8 +73,11 @@ let kinds m (s, ts) =
     | Time _ -> "time"
     | Bind _ when Lazy.force apart -> "bind, by contact"
     | Bind _ -> "bind"
+    | Close _ -> "close"
     | Bounce { firsts; _ } -> if List.compare_length_with firsts 2 > 0 then "bounce, of several" else "bounce"
+    | Weak_split _ when opens_ring t -> "weak, of a ring"
     | Weak_split _ -> "weak"
+    | Strong_split _ when opens_ring t -> "strong, of a ring"
     | Strong_split _ -> "strong"
   in
   List.map kind ts
@@ -82,7 +93,8 @@ let () =
   let cases = Scc_test_support.Property.cases in
   let any = Random_network.generate () and switched = Random_network.switched () in
   let all = [ "bind"; "bounce"; "strong"; "time"; "weak" ] in
-  let more = List.sort String.compare ("bind, by contact" :: "bounce, of several" :: all) in
+  let more = [ "bind, by contact"; "bounce, of several"; "close"; "strong, of a ring"; "weak, of a ring" ] in
+  let more = List.sort String.compare (more @ all) in
   Alcotest.run "random networks"
     [
       ( "scope",

@@ -23,7 +23,7 @@ let say = Printf.sprintf
 let with_fixed m (s : State.t) : Transition.label -> bool = function
   | Bounce { firsts; _ } ->
     List.exists (fun leaf -> Option.is_none (State.mass m s.processes.(fst (State.find_leaf s leaf)))) firsts
-  | Time _ | Bind _ | Weak_split _ | Strong_split _ -> false
+  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> false
 
 (* {1 Laws of a state or a transition} *)
 
@@ -92,7 +92,7 @@ let passes m d (t : Transition.t) (p : State.process) =
 let time_law m (s : State.t) (t : Transition.t) =
   match t.label with
   | Time d -> Array.to_list s.processes |> List.find_map (passes m d t)
-  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+  | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> None
 
 let interpenetrate m s =
   List.find_map
@@ -107,7 +107,7 @@ let between m (s : State.t) (t : Transition.t) =
     List.find_map
       (fun (n, k) -> interpenetrate m (Time.pass (standard m) (Rat.mul (rational n k) d) s))
       [ (1, 3); (1, 2); (9, 10); (999, 1000) ]
-  | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+  | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> None
 
 let resolution m = (Turn.rigid m).resolution
 
@@ -133,7 +133,7 @@ let collides_in_time m (s : State.t) =
   else None
 
 let rules_are_right m (_ : State.t) (t : Transition.t) =
-  let time = match t.label with Time _ -> true | Bind _ | Bounce _ | Weak_split _ | Strong_split _ -> false in
+  let time = Transition.is_time t.label in
   let rounds = (Turn.rigid m).round_orientation <> None in
   let laws = Array.exists (Steer.steers m) t.target.processes in
   if uses Rule.Turn t <> time then Some "rule Turn where no time passes"
@@ -231,13 +231,14 @@ let quiescence =
   [ property "where nothing is ahead, nothing happens" { rounded with behaves = false } stays_quiescent ]
 
 (* So that the properties are about something: over some networks, every kind of transition comes up. *)
-let varied () =
+let varied features expected () =
   let rand = Random.State.make [| 42 |] in
   let seen = Hashtbl.create 8 in
   let kind m s (t : Transition.t) =
     match t.label with
     | Time _ -> if uses Rule.Round t then "time, rounded" else "time"
     | Bind _ -> "bind"
+    | Close _ -> "close"
     | Bounce _ -> if with_fixed m s t.label then "bounce, fixed" else "bounce"
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"
@@ -249,17 +250,22 @@ let varied () =
        List.iter (fun (s, ts) -> 
            if quiescent_and_spins m s then add "quiescent";
            List.iter (fun t -> add (kind m s t)) ts) states)
-    (Gen.generate ~rand ~n:60 (Random_rigid.generate rounded));
+    (Gen.generate ~rand ~n:60 (Random_rigid.generate features));
   let kinds = Hashtbl.fold (fun kind () found -> kind :: found) seen [] in
   Alcotest.(check (list string))
-    "kinds of transitions"
-    [ "bind"; "bounce"; "bounce, fixed"; "quiescent"; "strong"; "time"; "time, rounded"; "weak" ]
+    "kinds of transitions" (List.sort String.compare expected)
     (List.sort String.compare kinds)
 
 let () =
+  let all = [ "bind"; "bounce"; "bounce, fixed"; "strong"; "time"; "time, rounded"; "weak" ] in
   Alcotest.run "rigid laws"
     [
-      ("scope", [ Alcotest.test_case "every kind of transition comes up" `Quick varied ]);
+      ( "scope",
+        [
+          Alcotest.test_case "every kind of transition comes up" `Quick (varied rounded ("quiescent" :: all));
+          Alcotest.test_case "with switches, too" `Quick
+            (varied { rounded with switched = true } ("close" :: "quiescent" :: all));
+        ] );
       ("laws", Scc_test_support.Property.cases laws);
       ("mirror images", Scc_test_support.Property.cases mirror);
       ("quiescence", Scc_test_support.Property.cases quiescence);

@@ -47,7 +47,7 @@ let sums m (s : State.t) = Array.fold_left (fun sums p -> add sums (of_process m
 let involved (label : Transition.label) =
   match label with
   | Bounce { firsts; _ } -> firsts
-  | Time _ | Bind _ | Weak_split _ | Strong_split _ ->
+  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
     List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds label)
 
 (* By a split (reading I-36). *)
@@ -56,7 +56,22 @@ let pushes (label : Transition.label) =
   match label with
   | Weak_split r -> by r
   | Strong_split releases -> List.exists by releases
-  | Time _ | Bind _ | Bounce _ -> false
+  | Time _ | Bind _ | Close _ | Bounce _ -> false
+
+(* Whether a push surely moves pieces apart: not where all that it drives apart goes on as one, nor where the
+   pushes on a piece may cancel each other, which takes a ring. *)
+let drives_apart (m : Model.t) (t : Transition.t) =
+  let home at = fst (State.find_leaf t.target at) in
+  let apart (b : State.bond) = home b.one.at <> home b.two.at in
+  let pushing (r : Transition.release) = Rat.sign r.push > 0 && apart r.bond in
+  match t.label with
+  | Weak_split r -> pushing r
+  | Strong_split releases -> (
+      match List.filter pushing releases with
+      | [] -> false
+      | [ _ ] -> true
+      | _ -> not (Model.closes_rings m))
+  | Time _ | Bind _ | Close _ | Bounce _ -> false
 
 let is_fixed m s leaf =
   let i, _ = State.find_leaf s leaf in
@@ -77,13 +92,13 @@ let fault m s (t : Transition.t) =
   let energy = Rat.compare after.energy before.energy in
   match t.label with
   | Time _ -> None
-  | (Bind _ | Bounce _ | Weak_split _ | Strong_split _)
+  | (Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _)
     when List.memq Rule.Steer t.rules || List.memq Rule.Round t.rules -> None
-  | (Bind _ | Bounce _ | Weak_split _ | Strong_split _)
+  | (Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _)
     when free && not (Vec.equal before.momentum after.momentum) -> broken "momentum"
-  | (Bind _ | Bounce _ | Weak_split _ | Strong_split _)
+  | (Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _)
     when free && rigid && not (Vec.equal before.angular after.angular) -> broken "angular momentum"
   | Bind _ -> if energy > 0 then broken "energy (it grows)" else None
   | Weak_split _ | Strong_split _ when pushes t.label ->
-    if energy < 0 || (free && energy = 0) then broken "energy (it does not grow)" else None
-  | Bounce _ | Weak_split _ | Strong_split _ -> if energy = 0 then None else broken "energy"
+    if energy < 0 || (free && energy = 0 && drives_apart m t) then broken "energy (it does not grow)" else None
+  | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> if energy = 0 then None else broken "energy"

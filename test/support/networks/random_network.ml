@@ -84,10 +84,25 @@ let definitions ~pushes : Behaviour.definitions =
     { name = "Pulsed"; body = delay (rational 1 3) (sum (call 0) (call 9)) };
     { name = "Loose"; body = open_ Co_name all (call 12) };
     { name = "Loosened"; body = weak 3 all (delay (rational 1 9) (call 11)) };
+    (* where bonds close rings only: as many bonds as there are neighbours *)
+    {
+      name = "Link";
+      body =
+        sum
+          (sum (open_ Name all (call 13)) (open_ Co_name all (call 13)))
+          (sum (weak 2 all (delay (rational 1 5) (call 13))) (delay (rational 1 2) (call 14)));
+    };
+    {
+      name = "Linked";
+      body =
+        sum (strong 1 [ all ] (call 13))
+          (sum (strong 2 [ all; all ] (call 13)) (strong 3 [ all; all; all ] nil));
+    };
   |]
 
 let behaviours = 6
 let behaviours_in_crowds = 14
+let link = 14
 let behaviour i = if i = 0 then Behaviour.nil else Behaviour.call (i - 1)
 
 (* {1 Networks} *)
@@ -118,6 +133,7 @@ let model { bodies; switches; _ } : Model.t =
       keeps_time = false;
       collisions = In_turn;
       binding = On_collision;
+      bonds = Acyclic;
       round_velocity = None;
       rigid = None;
       steered = List.exists (fun b -> b.falls) bodies;
@@ -188,7 +204,9 @@ let generate ?(steered = false) () = Gen.map plain (apart ~steered)
 let switched ?(steered = false) () =
   let open Gen in
   let* switches = Switches.generate () and* tight = frequencyl [ (2, true); (1, false) ] in
-  let+ bodies = if tight then packed ~steered else apart ~steered in
+  let* bodies = if tight then packed ~steered else apart ~steered in
+  let linking b = map (fun linked -> if linked then { b with behaviour = link } else b) bool in
+  let+ bodies = if Switches.closes_rings switches then flatten_l (List.map linking bodies) else pure bodies in
   { bodies; packed = tight; switches }
 
 let rounding () =

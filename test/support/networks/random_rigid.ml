@@ -98,14 +98,18 @@ let channel faces =
 let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 2; 5 ]
 
-let definitions ~pushes : Behaviour.definitions =
+let definitions ~pushes ~rings : Behaviour.definitions =
   let push = if pushes then rational 1 2 else Rat.zero in
   let open Behaviour in
+  let also b c = if rings then sum b c else b in
   [|
     { name = "Sticky"; body = open_ Name all (call 1) };
-    { name = "Stuck"; body = sum (weak all (call 0)) (delay (rational 1 2) (strong [ all ] nil)) };
+    {
+      name = "Stuck";
+      body = also (sum (weak all (call 0)) (delay (rational 1 2) (strong [ all ] nil))) (open_ Name all (call 1));
+    };
     { name = "CoSticky"; body = open_ Co_name some (call 3) };
-    { name = "CoStuck"; body = sum (weak all (call 2)) (strong [ all ] nil) };
+    { name = "CoStuck"; body = also (sum (weak all (call 2)) (strong [ all ] nil)) (open_ Co_name all (call 3)) };
     { name = "Late"; body = delay (rational 1 3) (sum (call 0) (call 2)) };
     { name = "Breaks"; body = delay (rational 2 5) (strong ~push [ all ] nil) };
     { name = "Pulse"; body = delay (rational 1 7) (call 6) };
@@ -139,12 +143,13 @@ let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
   Switches.apply switches
     {
       leaves = Array.of_list (List.map model_leaf (leaves bodies));
-      definitions = definitions ~pushes:(Switches.pushes switches);
+      definitions = definitions ~pushes:(Switches.pushes switches) ~rings:(Switches.closes_rings switches);
       timestep = Rat.one;
       split_step = rational 1 2;
       keeps_time = false;
       collisions = In_turn;
       binding = On_collision;
+      bonds = Acyclic;
       round_velocity = rounding;
       rigid =
         Some { dynamics; resolution = rational 1 1024; round_orientation = rounding };

@@ -1,29 +1,40 @@
 open Scc_calculus
 module Gen = QCheck2.Gen
 
-type t = { together : bool; steps : Model.steps; by_contact : bool; pushes : bool; rounding : int option }
+type t = {
+  together : bool;
+  steps : Model.steps;
+  by_contact : bool;
+  pushes : bool;
+  rings : bool;
+  rounding : int option;
+}
 
-let off = { together = false; steps = Model.Shared; by_contact = false; pushes = false; rounding = None }
+let off =
+  { together = false; steps = Model.Shared; by_contact = false; pushes = false; rings = false; rounding = None }
 
 let together = { off with together = true }
 let local = { off with steps = Own }
 let by_contact = { off with by_contact = true }
 let rounding = { off with rounding = Some 2 }
+let rings = { off with rings = true }
 let pushes s = s.pushes
+let closes_rings s = s.rings
 let without_pushes s = { s with pushes = false }
 
 let generate ?(rigid = false) () =
   let open Gen in
   let* together = frequencyl [ (2, true); (1, false) ] in
-  let+ steps = oneofl [ Model.Shared; Own; Steady ] and* pushes = bool
+  let+ steps = oneofl [ Model.Shared; Own; Steady ] and* pushes = bool and* rings = bool
   and* by_contact = if rigid then pure false else bool in
-  { together; steps; by_contact; pushes; rounding = None }
+  { together; steps; by_contact; pushes; rings; rounding = None }
 
 let apply s (m : Model.t) =
   {
     m with
     collisions = (if s.together then Together else In_turn);
     binding = (if s.by_contact then On_contact else On_collision);
+    bonds = (if s.rings then Cyclic else Acyclic);
     steps = s.steps;
     round_velocity = (match s.rounding with None -> m.round_velocity | Some _ as k -> k);
   }
@@ -34,4 +45,5 @@ let print s =
   ^ (match s.steps with Shared -> "" | Own -> " local" | Steady -> " steady")
   ^ word s.by_contact " contact"
   ^ word s.pushes " pushes"
+  ^ word s.rings " rings"
   ^ word (Option.is_some s.rounding) " rounding"

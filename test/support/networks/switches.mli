@@ -1,4 +1,5 @@
-(** The switches of the semantics that a model may choose (readings I-31 to I-33, I-35), for random networks. *)
+(** The switches of the semantics that a model may choose (readings I-31 to I-33, I-35, I-37), for random
+    networks. *)
 
 open Scc_calculus
 
@@ -11,6 +12,7 @@ val together : t
 val local : t
 
 val by_contact : t
+val rings : t
 
 val rounding : t
 (** One of them alone; the last rounds velocities to quarters. *)
@@ -18,11 +20,14 @@ val rounding : t
 val pushes : t -> bool
 (** Whether splits push apart what they release (reading I-36), which is a matter of the behaviours. *)
 
+val closes_rings : t -> bool
+(** Whether bonds may close rings (reading I-37), for which behaviours bind more than once. *)
+
 val without_pushes : t -> t
 
 val generate : ?rigid:bool -> unit -> t QCheck2.Gen.t
 (** Some on, some off: collisions together, steps of single processes or steady ones (where something is
-    steered), pushes and, but with [rigid], binding by contact. *)
+    steered), pushes, rings and, but with [rigid], binding by contact. *)
 
 val apply : t -> Model.t -> Model.t
 val print : t -> string

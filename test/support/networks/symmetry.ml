@@ -192,6 +192,7 @@ let map_release symmetry ({ bond; push } : Transition.release) : Transition.rele
 let map_label symmetry s : Transition.label -> Transition.label = function
   | Time d -> Time (symmetry.duration d)
   | Bind b -> Bind (symmetry.bond b)
+  | Close b -> Close (symmetry.bond b)
   | Weak_split r -> Weak_split (map_release symmetry r)
   | Strong_split releases ->
     let in_order (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
@@ -215,7 +216,7 @@ let of_leaves : Transition.label -> Transition.label = function
   | Bounce { firsts; hits } ->
     let hit (h : Transition.hit) = Transition.hit (fst h.one, 0) (fst h.two, 0) in
     Bounce { firsts; hits = List.sort_uniq Transition.compare_hit (List.map hit hits) }
-  | (Time _ | Bind _ | Weak_split _ | Strong_split _) as label -> label
+  | (Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _) as label -> label
 
 let equal (a : Transition.t) (b : Transition.t) =
   Transition.equal_label (of_leaves a.label) (of_leaves b.label)

@@ -66,6 +66,7 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
     keeps_time = false;
     collisions = In_turn;
     binding = On_collision;
+    bonds = Acyclic;
     round_velocity = None;
     rigid = None;
     steered = List.exists (fun b -> not (inertial b.law)) bodies;

@@ -130,6 +130,7 @@ let boxed ?(keeps_time = false) velocities =
       keeps_time;
       collisions = In_turn;
       binding = On_collision;
+      bonds = Acyclic;
       round_velocity = None;
       rigid = None;
       steered = false;

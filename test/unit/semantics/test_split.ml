@@ -43,7 +43,8 @@ let gen_behaviour mine =
     (function [] -> nil | s :: rest -> List.fold_left Behaviour.sum s rest)
     (Gen.list_size (Gen.int_range 1 3) summand)
 
-let gen_tree =
+(* With [rings] some bonds more, of leaves that no bond joins yet. *)
+let gen_tree ?(rings = false) () =
   let open Gen in
   int_range 2 6 >>= fun n ->
   let bond i =
@@ -53,6 +54,14 @@ let gen_tree =
       (pair gen_face gen_face)
   in
   flatten_l (List.init (Stdlib.( - ) n 1) (fun i -> bond (Stdlib.( + ) i 1))) >>= fun bonds ->
+  let leaf = int_range 0 (Stdlib.( - ) n 1) in
+  let more = pair (pair leaf gen_name) (pair (pair gen_face gen_face) leaf) in
+  list_size (if rings then int_range 1 4 else pure 0) more >>= fun more ->
+  let add bonds ((i, name), ((f, g), j)) =
+    let joins (_, (k, _), (l, _)) = (k = i && l = j) || (k = j && l = i) in
+    if i = j || List.exists joins bonds then bonds else bonds @ [ (name, (i, f), (j, g)) ]
+  in
+  let bonds = List.fold_left add bonds more in
   let mine at =
     List.concat_map
       (fun (name, (i, f), (j, g)) ->
@@ -94,10 +103,11 @@ let brute_force (m : Model.t) (p : State.process) =
       (Behaviours.offers m.definitions l.behaviour)
   in
   let ends (b : State.bond) = [ b.one.at; b.two.at ] in
-  let connected x =
-    let leaves = List.sort_uniq Int.compare (List.concat_map ends x) in
-    List.length leaves = Stdlib.( + ) (List.length x) 1
+  let rec hang_together reached rest =
+    let near, far = List.partition (fun b -> List.exists (fun at -> List.mem at reached) (ends b)) rest in
+    if near = [] then far = [] else hang_together (reached @ List.concat_map ends near) far
   in
+  let connected = function [] -> false | b :: rest -> hang_together (ends b) rest in
   let site (b : State.bond) at = if b.one.at = at then b.one.site else b.two.site in
   let fits at (entry : Behaviour.channel) (b : State.bond) =
     String.equal entry.name b.name && Behaviour.active entry (site b at)
@@ -123,34 +133,34 @@ let brute_force (m : Model.t) (p : State.process) =
 
 let strings m labels = List.sort String.compare (List.map (Transition.label_to_string m) labels)
 
-let strong_is_brute_force =
-  QCheck2.Test.make ~name:"StrongSplit: the reactions are those of the definition" ~count:3000 gen_tree
-    (fun tree ->
-       let m, s = setup tree in
-       let p = s.processes.(0) in
-       let mine = List.map (fun (o : Transition.outcome) -> o.label) (Splits.strong (standard m) p) in
-       List.equal String.equal (strings m mine) (strings m (brute_force m p)))
+let strong_is_brute_force name gen =
+  QCheck2.Test.make ~name ~count:3000 gen (fun tree ->
+      let m, s = setup tree in
+      let p = s.processes.(0) in
+      let mine = List.map (fun (o : Transition.outcome) -> o.label) (Splits.strong (standard m) p) in
+      List.equal String.equal (strings m mine) (strings m (brute_force m p)))
 
-let pieces_keep_everything =
-  QCheck2.Test.make ~name:"WeakSplit, StrongSplit: the pieces have all leaves and the other bonds" ~count:1000
-    gen_tree (fun tree ->
-        let m, s = setup tree in
-        let p = s.processes.(0) in
-        let count f l = List.fold_left (fun n x -> Stdlib.( + ) n (f x)) 0 l in
-        List.for_all
-          (fun (o : Transition.outcome) ->
-             let released =
-               match o.label with
-               | Strong_split x -> List.length x
-               | Weak_split _ -> 1
-               | _ -> 0
-             in
-             let leaves = count (fun (r : State.process) -> Array.length r.leaves) o.come in
-             let bonds = count (fun (r : State.process) -> Array.length r.bonds) o.come in
-             leaves = Array.length p.leaves
-             && bonds = Stdlib.( - ) (Array.length p.bonds) released
-             && List.length o.come = Stdlib.( + ) released 1)
-          (Splits.strong (standard m) p @ Splits.weak (standard m) p))
+let pieces_keep_everything ?(rings = false) name gen =
+  QCheck2.Test.make ~name ~count:1000 gen (fun tree ->
+      let m, s = setup tree in
+      let p = s.processes.(0) in
+      let count f l = List.fold_left (fun n x -> Stdlib.( + ) n (f x)) 0 l in
+      List.for_all
+        (fun (o : Transition.outcome) ->
+           let released =
+             match o.label with
+             | Strong_split x -> List.length x
+             | Weak_split _ -> 1
+             | _ -> 0
+           in
+           let leaves = count (fun (r : State.process) -> Array.length r.leaves) o.come in
+           let bonds = count (fun (r : State.process) -> Array.length r.bonds) o.come in
+           leaves = Array.length p.leaves
+           && bonds = Stdlib.( - ) (Array.length p.bonds) released
+           &&
+           let most = Stdlib.( + ) released 1 in
+           if rings then List.length o.come <= most else List.length o.come = most)
+        (Splits.strong (standard m) p @ Splits.weak (standard m) p))
 
 let pair ?split_step b1 b2 =
   let bodies = [ body "p" (0, 0, 0) ~behaviour:b1; body "q" (2, 0, 0) ~behaviour:b2 ] in
@@ -309,5 +319,15 @@ let () =
           case "I-36: of bodies that turn" pushes_turn;
           case "StrongSplit: separate components react separately (I-7)" separate_components;
         ] );
-      ("brute force", Scc_test_support.Property.cases [ strong_is_brute_force; pieces_keep_everything ]);
+      ( "brute force",
+        Scc_test_support.Property.cases
+          [
+            strong_is_brute_force "StrongSplit: the reactions are those of the definition" (gen_tree ());
+            pieces_keep_everything "WeakSplit, StrongSplit: the pieces have all leaves and the other bonds"
+              (gen_tree ());
+            strong_is_brute_force "StrongSplit: so they are where bonds close rings (I-37)"
+              (gen_tree ~rings:true ());
+            pieces_keep_everything ~rings:true "WeakSplit, StrongSplit: what a ring holds stays one (I-37)"
+              (gen_tree ~rings:true ());
+          ] );
     ]

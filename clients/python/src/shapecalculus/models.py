@@ -167,7 +167,7 @@ class State:
 
 @dataclass(frozen=True)
 class Label:
-    """What a transition does: ``kind`` is "time", "bind", "bounce", "weak" or "strong".
+    """What a transition does: ``kind`` is "time", "bind", "close", "bounce", "weak" or "strong".
 
     ``text`` says who takes part; ``touching``, of a bounce, which bodies (or parts of them) touch, in pairs.
     """

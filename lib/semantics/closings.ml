@@ -1,0 +1,26 @@
+open Scc_calculus
+
+let joins i j (b : State.bond) = (b.one.at = i && b.two.at = j) || (b.one.at = j && b.two.at = i)
+
+(* All two parts of two leaves that no bond joins yet, and that are near enough to touch. *)
+let pairs (c : Semantics.t) (p : State.process) =
+  let (module K) = c.kinematics in
+  let of_leaf (part : Part.t) = { part with process = part.leaf.leaf } in
+  let free ((a : Part.t), (b : Part.t)) = not (Array.exists (joins a.leaf.leaf b.leaf.leaf) p.bonds) in
+  Array.of_list (List.map of_leaf (K.parts c.setting 0 p))
+  |> c.setting.neighbours.within (K.margin c.setting)
+  |> List.filter free
+
+let closed (c : Semantics.t) p ({ bond; continuations; fired } : Collisions.candidate) =
+  let whole = State.map_leaves (Process.continue continuations) (State.with_bond bond p) in
+  {
+    Transition.rule = Rule.Close;
+    label = Close bond;
+    fired;
+    gone = [ p ];
+    come = [ Process.restart_clock c.setting.model whole ];
+  }
+
+let all (c : Semantics.t) (p : State.process) =
+  if Array.length p.leaves < 3 || not (Model.closes_rings c.setting.model) then []
+  else List.concat_map (Collisions.bonds c) (pairs c p) |> List.map (closed c p)
