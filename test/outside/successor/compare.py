@@ -94,6 +94,8 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
         tally.kinds[label[0]] += 1
         if label[0] == "strong" and len(label[1]) > 1:
             tally.kinds["strong of several"] += 1
+        if label[0] in ("weak", "strong") and of_a_ring(state, label, t["state"]):
+            tally.kinds["split of a ring"] += 1
         if label[0] in ("weak", "strong") and pushes(label):
             tally.kinds["split with a push"] += 1
         if label[0] == "bounce" and len(label[1]) > 2:
@@ -117,6 +119,12 @@ def pushes(label: Any) -> bool:
     return any(bond[-1] is not None for bond in released)
 
 
+def of_a_ring(state: State, label: Any, after: dict) -> bool:
+    """Whether a split takes bonds of a ring: it makes fewer pieces than bonds go (I-37)."""
+    released = len(label[1]) if label[0] == "strong" else 1
+    return len(after["processes"]) - len(state.processes) < released
+
+
 def collide(rules: Rules, state: State, label: Any) -> bool:
     """Whether the two that bind collide."""
     p, q = (p for p in state.processes if any(leaf in p.bodies for leaf, _ in label[2]))
@@ -128,7 +136,7 @@ def switches(model: Model) -> List[str]:
     found = ["together"] * model.together + ["by contact"] * model.by_contact
     found += ["laws"] * model.steered + ["local steps"] * (model.steered and model.local)
     found += ["steady steps"] * (model.steered and model.steady) + ["only"] * model.only
-    found += ["pushes"] * model.pushes
+    found += ["pushes"] * model.pushes + ["cyclic"] * model.cyclic
     rounding = model.rounding if model.rigid else "velocity" in model.rounding
     return found + ["rounding"] * bool(rounding)
 

@@ -77,6 +77,7 @@ class Generator:
         self.together = rng.random() < 0.35  # reading I-32
         self.by_contact = not rigid and rng.random() < 0.35  # reading I-33
         self.pushes = rng.random() < 0.5  # reading I-36
+        self.cyclic = rng.random() < 0.35  # reading I-37
         self.spins: Dict[str, Vector] = {}  # of bodies, by name
         self.centres: Dict[str, Vector] = {}
 
@@ -226,6 +227,57 @@ class Generator:
             )
         return names
 
+    # Squares.
+
+    def linking(self, leaf: Leaf) -> str:
+        """A behaviour that binds with several neighbours, and lets go of one or two."""
+        rng = self.rng
+        names = ["Link0", "Link1"]
+
+        def sites() -> str:
+            every = rng.random() < 0.7
+            return "{left, right, top, bottom}" if every else self.sites(leaf)
+
+        summands = []
+        for _ in range(rng.choice([1, 2, 2, 3])):
+            draw, name = rng.random(), rng.choice("aab")
+            if draw < 0.5:
+                text = "<%s%s, %s>" % (rng.choice(["", "~"]), name, sites())
+            elif draw < 0.7:
+                text = "omega(%s, %s)%s" % (name, sites(), self.push())
+            else:
+                several = ["<%s, %s>" % (n, sites()) for n in (name, rng.choice("aab"))]
+                entries = ", ".join(several[: rng.choice([1, 2, 2])])
+                text = "rho({%s})%s" % (entries, self.push())
+            delay = "eps(%s). " % rng.choice(["1/2", "1"]) if rng.random() < 0.3 else ""
+            summands.append("%s%s. %s" % (delay, text, rng.choice(names + ["nil"])))
+        return " + ".join(summands)
+
+    def square(self, placed: List[Tuple[str, Leaf, Vector, str]]) -> List[str]:
+        """Four cubes far away, and three or four bonds around (I-37)."""
+        rng = self.rng
+        self.shapes.append(Shape("Ring", "shape Ring = Cube", [None]))
+        leaf = self.leaf_of("t = Ring mass 1 [nil]")
+        for i in range(2):
+            self.lines.append("behaviour Link%d on Ring = %s" % (i, self.linking(leaf)))
+        speed = "(%d, 0, 1)" % rng.choice([0, 0, -8])
+        for i, (x, z) in enumerate([(0, 0), (2, 0), (2, 2), (0, 2)]):
+            at = (Fraction(60 + x), Fraction(0), Fraction(z))
+            self.lines.append(
+                "process s%d = Ring mass %s velocity %s at translate %s"
+                % (i, rng.choice("112"), speed, vector_text(at))
+            )
+            some = [self.linking(leaf), "Link0", "Link1"]
+            self.behaviours["s%d" % i] = rng.choice(some)
+            placed.append(("s%d" % i, leaf, at, speed))
+        sides = [("right", "left"), ("top", "bottom"), ("left", "right"), ("bottom", "top")]
+        bonds = [
+            "bond <%s, {s%d.%s, s%d.%s}>" % (rng.choice("aab"), i, f, (i + 1) % 4, g)
+            for i, (f, g) in enumerate(sides)
+        ]
+        rng.shuffle(bonds)
+        return bonds[: rng.choice([3, 3, 4])]
+
     # The network.
 
     def network(self) -> str:
@@ -321,6 +373,8 @@ class Generator:
                         % (name, shape.name, mass, shown, self.spin_text(name), place)
                     )
                 break
+        if self.cyclic and rng.random() < 0.7:
+            bonds += self.square(placed)
         if self.laws:
             self.law(placed)
         for i, line in enumerate(self.lines):
@@ -330,6 +384,7 @@ class Generator:
         own = rng.choice([" local", " local", " steady", ""]) if self.laws else ""
         head = ["timestep %s%s" % (rng.choice(["1", "1/2", "2", "1/3"]), own)]
         head += ["collisions together"] * self.together + ["binding contact"] * self.by_contact
+        head += ["bonds cyclic"] * self.cyclic
         if rng.random() < 0.4:
             head.append("split_step %s" % rng.choice(["1/2", "1", "3/4", "2", "1/3"]))
         if self.rigid:

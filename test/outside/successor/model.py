@@ -136,7 +136,7 @@ class Model:
                 self.settings[word] = self.number(item[1], env)
                 self.local = self.local or "local" in item[2:]
                 self.steady = self.steady or "steady" in item[2:]
-            elif word in ("dynamics", "collisions", "binding"):
+            elif word in ("dynamics", "collisions", "binding", "bonds"):
                 self.settings[word] = item[1]
             elif word == "round":
                 self.rounding[item[1]] = self.number(item[2], env)
@@ -363,6 +363,7 @@ class Model:
         self.rigid = spins or "dynamics" in self.settings
         self.together = self.settings.get("collisions") == "together"
         self.by_contact = self.settings.get("binding") == "contact"
+        self.cyclic = self.settings.get("bonds") == "cyclic"
         if self.rigid and self.by_contact:
             raise Refused("binding contact in a rigid model (I-33)")
         behaviours = list(self.behaviours.values())

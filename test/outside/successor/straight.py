@@ -252,6 +252,29 @@ class Rules(Rounding):
         """The first leaf of a process, in the order of declaration."""
         return next(name for name in self.model.leaves if name in process.bodies)
 
+    # Closings.
+
+    def contacts(self, p: Process, q: Process) -> List[Any]:
+        """All pairs of parts of two that touch."""
+        return self.touching(p, q)
+
+    def unbound(self, process: Process) -> Iterator[Tuple[str, str]]:
+        """Every two leaves of a process that no bond joins."""
+        joined = [{leaf for leaf, _ in ends} for _, ends in process.bonds]
+        for pair in combinations(process.bodies, 2):
+            if set(pair) not in joined:
+                yield pair
+
+    def closings(self, state: State) -> Iterator[Transition]:
+        """Rule Close: bonds that close rings (I-37)."""
+        for process in state.processes if self.model.cyclic else ():
+            for pair in self.unbound(process):
+                p, q = (replace(process, bodies={leaf: process.bodies[leaf]}) for leaf in pair)
+                for bond, new in self.candidates(p, q, self.contacts(p, q)):
+                    bodies = {**process.bodies, **new}
+                    whole = replace(process, bodies=bodies, bonds=process.bonds | {bond})
+                    yield ("close",) + bond, state.having([process], [self.begun(whole)])
+
     # Splits.
 
     def releases(self, process: Process) -> Iterator[Tuple[Released, Dict[str, Body]]]:
@@ -621,7 +644,7 @@ class Rules(Rounding):
 
     def successors(self, state: State) -> List[Transition]:
         """All transitions, in no order."""
-        found = list(self.splits(state)) + list(self.resolutions(state))
+        found = [*self.splits(state), *self.closings(state), *self.resolutions(state)]
         urgent = any(label[0] != "weak" for label, _ in found)
         if not urgent:
             d = self.delay(state)

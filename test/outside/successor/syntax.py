@@ -28,8 +28,8 @@ _LETTERS = {
 }  # fmt: skip
 
 DECLARATIONS = {
-    "model", "param", "timestep", "split_step", "dynamics", "collisions", "binding", "resolution",
-    "round", "shape",
+    "model", "param", "timestep", "split_step", "dynamics", "collisions", "binding", "bonds",
+    "resolution", "round", "shape",
     "compound", "behaviour", "process", "fixed", "bond", "for", "network", "motion", "let",
     "check",
 }  # fmt: skip
@@ -421,7 +421,7 @@ class Reader:
             return (word, name, self.expr())
         if word in ("timestep", "split_step", "resolution"):
             return self._setting(word)
-        if word in ("dynamics", "collisions", "binding"):
+        if word in ("dynamics", "collisions", "binding", "bonds"):
             return (word, self.name())
         if word == "round":
             return (word, self.next(), self.expr())

@@ -45,6 +45,7 @@ _covered, _touch, _dimension = response.covered, contact.touch, contact.dimensio
 _grown, _passed = terms.grown, Rules.passed
 _clusters, _active, _steered = Rules.clusters, Leaf.active, Rules.steered
 _driven_apart, _line = Rules.driven_apart, Rules.line
+_successors = Rules.successors
 
 
 def every_direction(own: Any, n: Any, others: Any) -> bool:
@@ -101,6 +102,21 @@ def one_driven(self: Rules, pieces: Any, bond: Any, push: Fraction) -> Any:
     return [driven[i] if i in changed[:1] else piece for i, piece in enumerate(pieces)]
 
 
+def any_two(self: Rules, process: Any) -> Any:
+    """Every two leaves, bound or not."""
+    return combinations(process.bodies, 2)
+
+
+def not_urgent(self: Rules, state: Any) -> Any:
+    """Time may pass although a ring may close."""
+    found = _successors(self, state)
+    if found and all(label[0] in ("weak", "close") for label, _ in found):
+        d = self.delay(state)
+        if d is not None:
+            found.append((("time", d), self.settled(self.passed(state, d), "time")))
+    return found
+
+
 MISTAKES: Dict[str, Mistake] = {
     "I-13: every direction counts": replaced(response, "covered", every_direction),
     "Response: the steepest normal alone": replaced(response, "project", nearest_normal),
@@ -145,6 +161,9 @@ MISTAKES: Dict[str, Mistake] = {
     "I-36: from centroid to centroid": replaced(
         Rules, "line", lambda self, normals, one, two: _line(self, [], one, two)
     ),
+    "I-37: two bonds of two leaves": replaced(Rules, "unbound", any_two),
+    "I-37: bonds are a tree": replaced(Rules, "closings", lambda self, state: []),
+    "Close: time may pass": replaced(Rules, "successors", not_urgent),
     "I-36: along the first normal": replaced(
         Rules, "line", lambda self, normals, one, two: normals[0]
     ),

@@ -316,6 +316,9 @@ class Turning(Rest, Rules):
 
     # What the rules of chapter 3 ask for.
 
+    def contacts(self, p: Process, q: Process) -> List[Any]:
+        return self.meetings(p, q)
+
     def touching_features(self, pair: Meeting) -> Any:
         return pair.contact.pairs
 
