@@ -68,7 +68,7 @@ def state_pattern(state):
 
 # All transitions of all states ----------------------------------------------------------
 
-RULE = {'time': ['Time'], 'bind': ['Bind', 'Collision'], 'bounce': ['Bounce', 'Collision', 'Response'],
+RULE = {'time': ['Time'], 'bind': ['Bind', 'Collision'], 'close': ['Close'], 'bounce': ['Bounce', 'Collision', 'Response'],
         'weak': ['WeakSplit'], 'strong': ['StrongSplit']}
 
 

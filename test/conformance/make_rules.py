@@ -10,7 +10,7 @@ CUBE = """shape Cube {
 }
 """
 
-TIME, BIND, BOUNCE, WEAK, STRONG = ({'kind': k} for k in ('time', 'bind', 'bounce', 'weak', 'strong'))
+TIME, BIND, CLOSE, BOUNCE, WEAK, STRONG = ({'kind': k} for k in ('time', 'bind', 'close', 'bounce', 'weak', 'strong'))
 
 
 def passes(duration):
@@ -19,6 +19,10 @@ def passes(duration):
 
 def binds(name, one, other):
     return {'kind': 'bind', 'name': name, 'ends': unordered([one, other])}
+
+
+def closes(name, one, other):
+    return {'kind': 'close', 'name': name, 'ends': unordered([one, other])}
 
 
 def releases(name, one, other):

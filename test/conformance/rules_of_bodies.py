@@ -1,6 +1,6 @@
 """By hand: behaviours, processes and networks (sections 2 and 3 of the rule book)."""
 
-from make_rules import (BIND, BOUNCE, STRONG, TIME, WEAK, Rule, binds, bonded, bounces, cubes, dock, leaf, passes, reacts,
+from make_rules import (BIND, BOUNCE, CLOSE, STRONG, TIME, WEAK, Rule, binds, bonded, bounces, closes, cubes, dock, leaf, passes, reacts,
                         releases)
 from cases import num, nums, result, unordered
 
@@ -212,6 +212,44 @@ def bind():
     return r
 
 
+# Four cubes around a square, p and q below s and r; bonds join them but for p and s, or all.
+SQUARE = ("""process p = Cube mass 1 velocity %(v)s [%(p)s]
+process q = Cube mass 1 velocity %(v)s at translate (2,0,0) [%(q)s]
+process r = Cube mass 1 velocity %(v)s at translate (2,0,2) [%(r)s]
+process s = Cube mass 1 velocity %(v)s at translate (0,0,2) [%(s)s]
+bond <link, {p.right, q.left}>
+bond <link, {q.top, r.bottom}>
+bond <link, {r.left, s.right}>
+""")
+RING = SQUARE + 'bond <link, {p.top, s.bottom}>\n'
+
+
+def square(p='nil', q='nil', r='nil', s='nil', v='(0,0,0)', bonds='bonds cyclic\n', form=SQUARE):
+    return bonds + form % {'p': p, 'q': q, 'r': r, 's': s, 'v': v}
+
+
+def close():
+    r = Rule('Close')
+    up, down = '<a, {top}>. eps(1). nil', '<~a, {bottom}>. nil'
+    closing = [closes('a', 'p.top', 's.bottom')]
+    r.outcomes('No time passes.', square(up, s=down, v='(3,0,0)'), [], closing)
+    r.outcomes('Both ends continue.', square(up, s=down), closing, [passes(1)])
+    r.value('It moves on as it does, with one bond more.', square(up, s=down, v='(3,0,0)'), [CLOSE], 'vx(p) = 3 and bonds() = 4', True)
+    r.outcomes('A channel that opens later.', square('eps(2). ' + up, s=down), [TIME], closing)
+    r.outcomes('Of equal names none closes.', square(up, s='<a, {bottom}>. nil'), [], [], 'quiescent')
+    r.outcomes('Nor of leaves that a bond joins.', square('<a, {right}>. nil', '<~a, {left}>. nil'), [], [], 'quiescent')
+    r.outcomes('Two that touch by an edge, which closures have.', square(up, r='<~a, {left}>. nil'), [],
+               [closes('a', 'p.[f,g]', 'r.[a,d]')])
+    r.outcomes('Not by faces alone.', square('<a, {only top}>. nil', r='<~a, {left}>. nil'), [], [], 'quiescent')
+    both = '<a, {top}>. nil + <b, {top}>. nil'
+    r.outcomes('One of two channels.', square(both, s='<~a, {bottom}>. nil + <~b, {bottom}>. nil'), [],
+               closing + [closes('b', 'p.top', 's.bottom')])
+    r.outcomes('Then the two have a bond.', square('<a, {top}>. <a, {top}>. nil', s='<~a, {bottom}>. <~a, {bottom}>. nil'),
+               [CLOSE], [], 'quiescent')
+    r.named(square(up, s=down), [], CLOSE, 'Close')
+    return r
+
+
 def bounce():
     r = Rule('Bounce')
     r.outcomes('Nothing is open.', cubes(), [TIME], [bounces('p', 'q')])
@@ -272,4 +310,4 @@ def successors():
 
 def suites():
     return [f() for f in (def_5_1, pre, weak, strong, sum_, def_, eps0, time_behaviour, def_5_2, well_formed, weak_split,
-                          strong_split, collision, bind, bounce, time, steer, successors)]
+                          strong_split, collision, bind, close, bounce, time, steer, successors)]

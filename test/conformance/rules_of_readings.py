@@ -1,9 +1,9 @@
 """By hand: the readings (section 6 of the rule book)."""
 
-from make_rules import (BIND, BOUNCE, SHAPE_CUBE, STRONG, TIME, WEAK, Rule, binds, bonded, bounces, conditions, cube_of,
+from make_rules import (BIND, BOUNCE, CLOSE, SHAPE_CUBE, STRONG, TIME, WEAK, Rule, binds, bonded, bounces, closes, conditions, cube_of,
                         cubes, dock, edge, face, leaf, pair, passes, reacts, releases, vertex)
 from rules_of_turning import RIGID
-from rules_of_bodies import GRAVITY, LINE, REACT, RELEASE, TRIPLE, behaviours
+from rules_of_bodies import GRAVITY, LINE, REACT, RELEASE, RING, TRIPLE, behaviours, square
 from cases import num, nums, result, unordered
 
 
@@ -478,7 +478,39 @@ def i_36():
     return r
 
 
+def i_37():
+    r = Rule('I-37')
+    up, down = '<a, {top}>. nil', '<~a, {bottom}>. nil'
+    r.outcomes('If nothing is said bonds are a tree.', square(up, s=down, bonds=''), [], [], 'quiescent')
+    r.outcomes('Nor if it is said.', square(up, s=down, bonds='bonds acyclic\n'), [], [], 'quiescent')
+    r.refused('Nor is a ring declared.', square(form=RING, bonds=''), 'SC0406')
+    r.value('With the switch it is.', square(form=RING), [], 'bonds() = 4 and size(p) = 4', True)
+    r.refused('But two leaves have one bond.', square(form=RING) + 'bond <more, {p.top, s.bottom}>\n', 'SC0406')
+    two = 'rho({<link, {%s}>, <link, {%s}>}). nil'
+    corners = [two % f for f in (('right', 'top'), ('left', 'top'), ('bottom', 'left'), ('right', 'bottom'))]
+    all_four = reacts(('link', 'p.right', 'q.left'), ('link', 'q.top', 'r.bottom'), ('link', 'r.left', 's.right'),
+                      ('link', 'p.top', 's.bottom'))
+    r.outcomes('A reaction of a ring.', square(*corners, form=RING), [], [all_four])
+    r.value('It falls into four.', square(*corners, form=RING), [STRONG], 'size(p) = 1 and bonds() = 0', True)
+    r.outcomes('No leaf leaves out a bond of it.', square(*corners[:3], s='rho({<link, {right}>}). nil', form=RING), [], [],
+               'quiescent')
+    one = ['rho({<link, {right}>}) push(3). nil', 'rho({<link, {left}>}). nil']
+    r.value('One bond goes, and the ring is one; a push on it is nothing.', square(*one, form=RING), [STRONG],
+            'size(p) = 4 and bonds() = 3 and energy = 0', True)
+    weak = square('omega(link, {top}). nil', s='omega(link, {bottom}). nil', form=RING)
+    r.value('So it is with a weak split.', weak, [WEAK], 'size(p) = 4 and bonds() = 3', True)
+    hook = behaviours(Up='<a, {top}>. rho({<a, {top}>}). Up', Down='<~a, {bottom}>. rho({<a, {bottom}>}). Down')
+    r.outcomes('What a split releases may close again, at once.', square('Up', s='Down', bonds='bonds cyclic\n' + hook),
+               [CLOSE, STRONG], [closes('a', 'p.top', 's.bottom')])
+    meeting = ('bonds cyclic\nprocess p = Cube mass 1 velocity (1,0,0) [<a, {right}>. <a, {right}>. nil]\n'
+               'process q = Cube mass 1 at translate (4,0,1) [<~a, {left}>. nil]\n'
+               'process r = Cube mass 1 at translate (4,0,-1) [<~a, {left}>. nil]\nbond <link, {q.bottom, r.top}>\n')
+    r.outcomes('A binding makes one bond.', meeting, [TIME], [binds('a', 'p.right', 'q.left'), binds('a', 'p.right', 'r.left')])
+    r.outcomes('The other closes then.', meeting, [TIME, binds('a', 'p.right', 'q.left')], [closes('a', 'p.right', 'r.left')])
+    return r
+
+
 def suites():
     return [f() for f in (i_1, i_2, i_3, i_4, i_5, i_6, i_7, i_8, i_9, i_10, i_11, i_12, i_13, i_14, i_15, i_16, i_17, i_18,
                           i_19, i_20, i_21, i_22, i_23, i_24, i_25, i_26, i_27, i_28, i_29, i_30,
-                          i_31, i_32, i_33, i_34, i_35, i_36)]
+                          i_31, i_32, i_33, i_34, i_35, i_36, i_37)]
