@@ -7,7 +7,7 @@
 build_packages='ocaml-nox ocaml-dune menhir libmenhir-ocaml-dev libzarith-ocaml-dev
   libcmdliner-ocaml-dev libyojson-ocaml-dev'
 test_packages='libalcotest-ocaml-dev libqcheck-core-ocaml-dev ocp-indent python3 python3-jsonschema
-  python3-pytest zsh fish'
+  python3-pytest python3-venv graphviz zsh fish'
 
 missing_debian_packages() {
   for package in "$@"; do

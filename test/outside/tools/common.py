@@ -2,17 +2,19 @@
 
 import json
 import os
+import shutil
 import subprocess
 import sys
+import tarfile
 
 MODELS = "specs/models"
 
 
 class Run:
-    """One validation: scc.py SCC FOLDER COUNTS."""
+    """One check: NAME_check.py SCC FOLDER, where FOLDER is empty and for it alone."""
 
     def __init__(self, title):
-        self.scc, self.folder, self.counts = sys.argv[1:4]
+        self.scc, self.folder = sys.argv[1:3]
         self.passed = 0
         self.failed = 0
         self.left_out = []
@@ -37,8 +39,6 @@ class Run:
         for why, what in by_reason.items():
             print(f"  left out, {why}: {', '.join(what)}")
         print(f"  {self.passed} passed, {self.failed} failed, {len(self.left_out)} left out")
-        with open(self.counts, "w", encoding="ascii") as file:
-            file.write(f"{self.passed} {self.failed}\n")
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -51,6 +51,26 @@ class Run:
         result = self.call("check", model, "--json", *words)
         report = json.loads(result.stdout)
         return report if report.get("format") == "scc-check" else None
+
+
+def absent(what):
+    """Ends the check: nothing was compared."""
+    print(what)
+    sys.exit(3)
+
+
+def npm_pack(package, folder):
+    """The archive of an npm package, of the version that its name has, fetched into the folder."""
+    if shutil.which("npm") is None:
+        absent("there is no npm")
+    try:
+        words = ["npm", "pack", "--silent", package]
+        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=120)
+    except subprocess.TimeoutExpired:
+        absent(f"npm does not get {package}")
+    if done.returncode != 0:
+        absent(f"npm does not get {package}: {done.stderr.strip()[-200:]}")
+    return tarfile.open(os.path.join(folder, done.stdout.split()[-1]))
 
 
 def models():

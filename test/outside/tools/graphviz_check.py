@@ -5,7 +5,7 @@ import shutil
 import subprocess
 from fractions import Fraction
 
-from common import MODELS, Run, models
+from common import MODELS, Run, absent, models
 
 STATES = 150
 
@@ -73,9 +73,7 @@ def one(run, what, source, words):
 def main():
     run = Run("Graphviz draws the pictures")
     if shutil.which("dot") is None:
-        run.ok(False, "Graphviz is not installed: run test/outside/tools/setup")
-        run.end()
-        return
+        absent("there is no Graphviz")
     for name in models():
         for words in ([], ["--positions"]):
             states, shown = one(run, " ".join([name] + words), f"{MODELS}/{name}.sc", words)

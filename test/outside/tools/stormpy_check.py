@@ -24,7 +24,7 @@ BOUNDS = {
     "tumble": ["--states", "2000"],
 }
 
-SIMPLE = re.compile(r"(possibly|always|eventually|EF|AG|AF|EG) (.*?)(?: within (\S+))?$")
+SIMPLE = re.compile(r"(possibly|always|eventually|EF|AG|AF|EG) (.*?)(?: within (.+))?$")
 
 
 def number(value):
@@ -155,7 +155,14 @@ def prism_dialect(run, source, name, words, storm):
     run.ok({i: held.get(i, set()) for i in labels} == labels, f"{name}: labels in PRISM's dialect")
 
 
-def compare(run, name, prop, question, exact, floats, truncated, eventful):
+def value(text, parameters):
+    """A constant of the language, over the parameters of the model: numbers and + - * / alone."""
+    names = {name: Fraction(q) for name, q in parameters.items()}
+    exact = re.sub(r"[0-9]+(\.[0-9]+)?", lambda number: f"Fraction('{number.group()}')", text)
+    return eval(exact, {"__builtins__": {}, "Fraction": Fraction}, names)
+
+
+def compare(run, name, prop, question, exact, floats, truncated, eventful, parameters):
     """One check: the verdict of scc, and what Storm says in each format."""
     what = f"{name}.{prop['name']}"
     verdict = prop["verdict"]
@@ -175,7 +182,7 @@ def compare(run, name, prop, question, exact, floats, truncated, eventful):
     if simple and one:
         operator, label = simple.group(1), f"check_{prop['name']}"
         if bound is not None:
-            answers.append(within(exact, operator, exact.label(label), Fraction(bound)))
+            answers.append(within(exact, operator, exact.label(label), value(bound, parameters)))
         elif not truncated:
             answers += [unbounded(m, operator, m.label(label)) for m in (exact, floats)]
     if not answers:
@@ -219,7 +226,7 @@ def one(run, source, name, words):
     compared = 0
     for prop in report["properties"]:
         prop["asked"] = asked[prop["name"]]
-        if compare(run, name, prop, questions[prop["name"]], exact, floats, truncated, eventful) is not None:
+        if compare(run, name, prop, questions[prop["name"]], exact, floats, truncated, eventful, report["parameters"]) is not None:
             compared += 1
     total = len(report["properties"])
     print(f"  {name:20} {exact.model.nr_states:6} states  {compared:3} of {total:3} formulas compared")
