@@ -49,6 +49,7 @@ let not_connected = "SC0405"
 let cyclic_bonds = "SC0406"
 let fixed_motion = "SC0407"
 let bare_feature = "SC0408"
+let bad_absorber = "SC0409"
 let unguarded = "SC0501"
 let negative_delay = "SC0502"
 let empty_channel = "SC0503"
@@ -118,6 +119,7 @@ let all =
     (cyclic_bonds, "bonds that close a cycle");
     (fixed_motion, "a fixed body that is given a motion or a mass");
     (bare_feature, "a bare feature name on a compound");
+    (bad_absorber, "an absorbing body that moves, behaves or is bound");
     (unguarded, "a recursion that is not guarded");
     (negative_delay, "a negative delay");
     (empty_channel, "a channel or a strong split without entries");

@@ -158,6 +158,7 @@ val fixed_motion : t
 (** SC0407: a fixed body that is given a motion or a mass. *)
 
 val bare_feature : t
+val bad_absorber : t
 (** SC0408: a bare feature name on a compound. *)
 
 

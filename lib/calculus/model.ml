@@ -8,6 +8,7 @@ type leaf = {
   template : string;
   parts : part array;
   fixed : bool;
+  absorbs : bool;
   mass : Rat.t;
   law : Law.t;
   law_at : Scc_base.Span.t;
@@ -47,6 +48,8 @@ let keeps_beat m = m.steered && match m.steps with Steady -> true | Shared | Own
 let has_turns m = Option.is_some m.rigid || Option.is_some m.round_velocity
 let closes_rings m = match m.bonds with Cyclic -> true | Acyclic -> false
 let straight m = not (m.steered || has_turns m)
+let absorbs m = Array.exists (fun (l : leaf) -> l.absorbs) m.leaves
+
 let rounds m =
   Option.is_some m.round_velocity || Option.is_some (Option.bind m.rigid (fun r -> r.round_orientation))
 

@@ -20,6 +20,7 @@ type leaf = {
   template : string;  (** of the shape or compound *)
   parts : part array;
   fixed : bool;  (** a wall: infinite mass, never moves *)
+  absorbs : bool;  (** what hits it is gone (rule Absorb); fixed, without behaviour, and bound to nobody *)
   mass : Rat.t;  (** the sum over the parts *)
   law : Law.t;
   law_at : Scc_base.Span.t;  (** where it is declared; {!Scc_base.Span.none} when nothing declares one *)
@@ -85,6 +86,9 @@ val keeps_beat : t -> bool
 
 val has_turns : t -> bool
 (** Rigid, or rounding velocities: whether a turn of a process is due is part of the state (rules Turn, Round). *)
+
+val absorbs : t -> bool
+(** Some body takes what hits it out of the network (rule Absorb). *)
 
 val rounds : t -> bool
 (** Rule Round may change something. *)

@@ -80,18 +80,13 @@ let leaf_opt p leaf =
   from 0
 
 let has_leaf p leaf = Array.exists (fun (l : leaf) -> l.leaf = leaf) p.leaves
-let no_leaf () = Scc_base.Bug.fail __POS__ "a leaf that no process has"
-let leaf_of p leaf = match leaf_opt p leaf with Some l -> l | None -> no_leaf ()
 
-let find_leaf state leaf =
-  let rec search i =
-    if i >= Array.length state.processes then no_leaf ()
-    else
-      match leaf_opt state.processes.(i) leaf with
-      | Some l -> (i, l)
-      | None -> search (i + 1)
-  in
-  search 0
+let leaf_of p leaf =
+  match leaf_opt p leaf with
+  | Some l -> l
+  | None -> Scc_base.Bug.fail __POS__ "a leaf that the process has not"
+
+let home state leaf = Array.find_opt (fun p -> has_leaf p leaf) state.processes
 
 let mass (m : Model.t) p =
   let add sum l =

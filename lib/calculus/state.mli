@@ -76,8 +76,8 @@ val with_bond : bond -> process -> process
 
 val make : processes:process list -> step:step option -> time:Rat.t option -> t
 
-val find_leaf : t -> int -> int * leaf
-(** The index of the process that has a leaf, and the leaf. *)
+val home : t -> int -> process option
+(** The process that has a leaf; [None] when it is gone (rule Absorb). *)
 
 val leaf_of : process -> int -> leaf
 (** The leaf of a process with this index into {!Model.leaves} (a bug when it has none). *)

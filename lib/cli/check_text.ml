@@ -66,6 +66,7 @@ let leaves_of (label : Transition.label) =
   let ends (b : Scc_calculus.State.bond) = [ b.one.at; b.two.at ] in
   match label with
   | Bounce { firsts; _ } -> firsts
+  | Absorb { first; absorber } -> [ first; absorber ]
   | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> List.concat_map ends (Transition.bonds label)
 
 module Leaves = Set.Make (Int)

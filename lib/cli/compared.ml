@@ -18,10 +18,10 @@ let max_graph_bytes = 1024 * Memory.mib
    should not be seen. [renamed] is what a name means to the other side. *)
 let representative (space : Explored.t) ~renamed state leaf =
   let name l = renamed (Explored.model space).leaves.(l).Model.name in
-  let process = state.State.processes.(fst (State.find_leaf state leaf)) in
-  Array.fold_left
-    (fun best (l : State.leaf) -> if String.compare (name l.leaf) (name best) < 0 then l.leaf else best)
-    leaf process.leaves
+  let first best (l : State.leaf) = if String.compare (name l.leaf) (name best) < 0 then l.leaf else best in
+  match State.home state leaf with
+  | Some process -> Array.fold_left first leaf process.leaves
+  | None -> leaf
 
 let label_text (space : Explored.t) ~renamed s (label : Transition.label) =
   let label : Transition.label =
@@ -29,6 +29,8 @@ let label_text (space : Explored.t) ~renamed s (label : Transition.label) =
     | Bounce { firsts; _ } ->
       let state = space.state s in
       Bounce { firsts = List.map (representative space ~renamed state) firsts; hits = [] }
+    | Absorb { first; absorber } ->
+      Absorb { first = representative space ~renamed (space.state s) first; absorber }
     | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> label
   in
   Transition.label_to_string (Explored.model space) label

@@ -38,6 +38,7 @@ let label ?(full = false) m : Transition.label -> string = function
   | Close b ->
     Printf.sprintf "%s and %s, of one process, bind by %s" (name m b.one.at) (name m b.two.at) (bond m b)
   | Bounce { firsts; hits } -> Printf.sprintf "%s collide and bounce" (listed (who m firsts hits))
+  | Absorb { first; absorber } -> Printf.sprintf "%s hits %s and is gone" (name m first) (name m absorber)
   | Weak_split ({ bond = b; _ } as r) ->
     Printf.sprintf "%s and %s release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)
   | Strong_split [ ({ bond = b; _ } as r) ] ->
@@ -67,8 +68,13 @@ let leaf ~full m (l : State.leaf) =
 let fixed (m : Model.t) (p : State.process) =
   Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves
 
+let absorbs (m : Model.t) (p : State.process) =
+  Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).absorbs) p.leaves
+
 let motion ~full m (p : State.process) =
-  if fixed m p then "fixed" else Short_text.motion ~full m p
+  if absorbs m p then "fixed, and absorbs what hits it"
+  else if fixed m p then "fixed"
+  else Short_text.motion ~full m p
 
 let process ~full m (p : State.process) =
   match p.leaves with

@@ -90,14 +90,18 @@ let distinct l = List.sort_uniq Int.compare l
 let leaves t (e : Recorded.event) =
   distinct (List.filter_map (leaf t) e.bodies @ List.filter_map (owner t) e.features)
 
+(* The first leaf of the process that has a leaf. *)
+let first_of s leaf = Option.map (fun (p : State.process) -> p.leaves.(0).leaf) (State.home s leaf)
+
 let processes_of t s e =
-  distinct (List.map (fun l -> s.State.processes.(fst (State.find_leaf s l)).leaves.(0).leaf) (leaves t e))
+  distinct (List.filter_map (first_of s) (leaves t e))
 
 let kind : Transition.label -> Recorded.kind option = function
   | Time _ -> None
   | Bind _ -> Some Bind
   | Close _ -> Some Close
   | Bounce _ -> Some Bounce
+  | Absorb _ -> Some Absorb
   | Weak_split _ -> Some Weak
   | Strong_split _ -> Some Strong
 
@@ -116,20 +120,20 @@ let rec within xs ys =
     let c = String.compare x y in
     if c = 0 then within xs' ys' else c > 0 && within xs ys'
 
-(* Of a bounce: whether there is one leaf of each of the processes. *)
+(* Of a bounce, or who is absorbed by whom: whether there is one leaf of each of the processes. *)
 let between s mine firsts =
-  let of_process first = s.State.processes.(fst (State.find_leaf s first)) in
-  List.compare_lengths mine firsts = 0
-  && List.for_all (fun first -> List.exists (State.has_leaf (of_process first)) mine) firsts
+  let told first =
+    match State.home s first with Some p -> List.exists (State.has_leaf p) mine | None -> false
+  in
+  List.compare_lengths mine firsts = 0 && List.for_all told firsts
 
 let same_bodies t s e (label : Transition.label) =
   let mine = leaves t e in
   match label with
   | Time _ -> false
   | Bounce { firsts; _ } -> between s mine firsts
-  | Bind b when e.kind = Bounce ->
-    let first leaf = s.State.processes.(fst (State.find_leaf s leaf)).leaves.(0).leaf in
-    between s mine [ first b.one.at; first b.two.at ]
+  | Absorb { first; absorber } -> between s mine [ first; absorber ]
+  | Bind b when e.kind = Bounce || e.kind = Absorb -> between s mine [ b.one.at; b.two.at ]
   | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
     let finishes = List.concat_map ends (Transition.bonds label) in
     let theirs = distinct (List.map (fun (f : State.finish) -> f.at) finishes) in
@@ -158,16 +162,18 @@ let same_features t (e : Recorded.event) label =
   same_bonds t e label
   &&
   match e.kind with
-  | Bounce -> true
+  | Bounce | Absorb -> true
   | Bind | Close | Weak -> within e.features theirs
   | Strong -> e.features = [] || List.equal String.equal e.features theirs
 
 let common_body t s e label =
-  let first leaf = s.State.processes.(fst (State.find_leaf s leaf)).leaves.(0).leaf in
   let theirs =
     match (label : Transition.label) with
     | Bounce { firsts; _ } -> firsts
-    | _ -> List.map (fun (f : State.finish) -> first f.at) (List.concat_map ends (Transition.bonds label))
+    | Absorb { first; absorber } -> [ first; absorber ]
+    | _ ->
+      let finishes = List.concat_map ends (Transition.bonds label) in
+      List.filter_map (fun (f : State.finish) -> first_of s f.at) finishes
   in
   List.exists (fun p -> List.mem p theirs) (processes_of t s e)
 
@@ -288,9 +294,8 @@ let origin t (l : State.leaf) (b : Recorded.body) =
     [ of_text b.name "origin" ~told:(show told) ~held:(show held) ]
   | Some _ | None -> []
 
-let of_body t (s : State.t) (b : Recorded.body) index =
-  let at, l = State.find_leaf s index in
-  let p = s.processes.(at) in
+let of_present t (p : State.process) (b : Recorded.body) index =
+  let l = State.leaf_of p index in
   lists b.name "process" b.group (group t p)
   @ lists b.name "bonds" b.bonds (bonds_of t p)
   @ List.concat_map (number t p l b) b.numbers
@@ -299,10 +304,17 @@ let of_body t (s : State.t) (b : Recorded.body) index =
   @ origin t l b
   @ clock t p b
 
-let spread (s : State.t) (b : Recorded.body) index =
-  let at, l = State.find_leaf s index in
+let of_body t s (b : Recorded.body) index =
+  match State.home s index with
+  | Some _ when b.gone -> [ of_text b.name "presence" ~told:"gone" ~held:"there" ]
+  | Some p -> of_present t p b index
+  | None when b.gone -> []
+  | None -> [ of_text b.name "presence" ~told:"there" ~held:"gone" ]
+
+let spread (p : State.process) (b : Recorded.body) index =
+  let l = State.leaf_of p index in
   let add d ((quantity : Recorded.quantity), told) =
-    let off = Rat.abs (Rat.sub told (held_number s.processes.(at) l quantity)) in
+    let off = Rat.abs (Rat.sub told (held_number p l quantity)) in
     match quantity with
     | Position _ -> { d with position = Rat.max d.position off }
     | Velocity _ -> { d with velocity = Rat.max d.velocity off }
@@ -324,7 +336,9 @@ let step t (s : State.t) (told : Recorded.step option) =
 let body t s (b : Recorded.body) =
   match leaf t b.name with
   | None -> ([], no_deviation)
-  | Some index -> (of_body t s b index, spread s b index)
+  | Some index ->
+    let off p = spread p b index in
+    (of_body t s b index, Option.fold ~none:no_deviation ~some:off (State.home s index))
 
 let differences t s bodies told_step =
   let add (found, deviation) b =

@@ -4,10 +4,8 @@ open Scc_semantics
 
 type event = { item : int; leaves : int list; before : State.t; time : Rat.t; order : int }
 
-let process_of (s : State.t) leaf = s.processes.(fst (State.find_leaf s leaf))
-
 let met (h : State.t) ~firsts ~time ~item ~order =
-  let processes = List.map (process_of h) (List.sort_uniq Int.compare firsts) in
+  let processes = List.filter_map (State.home h) (List.sort_uniq Int.compare firsts) in
   let leaves (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves) in
   {
     item; time; order; leaves = List.concat_map leaves processes;

@@ -59,7 +59,8 @@ let untold row allowed =
   | Some c -> Error (malformed row.at "a row `%s` has nothing in the column `%s`" (row.get "event") c)
 
 let event row kind =
-  let allowed = [ "time"; "event"; "bodies" ] @ if kind = Bounce then [] else [ "channel"; "features" ] in
+  let of_bonds = match kind with Bounce | Absorb -> false | Bind | Close | Weak | Strong -> true in
+  let allowed = [ "time"; "event"; "bodies" ] @ if of_bonds then [ "channel"; "features" ] else [] in
   let* () = untold row allowed in
   let bodies = words ~spaces:true (row.get "bodies") in
   let features = sort (List.map normal (words ~spaces:false (row.get "features"))) in
@@ -67,11 +68,13 @@ let event row kind =
   let count = List.length bodies in
   let* () =
     match kind with
+    | Absorb when count <> 2 ->
+      Error (malformed row.at "a row `absorb` is of two bodies, who is gone and who took it, not of %d" count)
     | Bounce when count < 2 -> Error (malformed row.at "a bounce is of two bodies or more, not of %d" count)
     | (Bind | Close | Weak) when count <> 2 && not (count = 0 && features <> []) ->
       Error (malformed row.at "a row `%s` is of two bodies, not of %d" (kind_name kind) count)
     | Strong when count = 0 && features = [] -> Error (malformed row.at "a row `strong` names no bodies")
-    | Bounce | Bind | Close | Weak | Strong -> Ok ()
+    | Bounce | Absorb | Bind | Close | Weak | Strong -> Ok ()
   in
   Ok (Event { kind; channels; bodies; features; together = [] }, false)
 
@@ -93,8 +96,8 @@ let state row =
     let behaviour = match row.get "behaviour" with "" -> None | b -> Some b in
     let body =
       {
-        name; numbers = List.rev numbers; turned = None; clock = None; behaviour; origin = None; group = None;
-        bonds = None;
+        name; gone = false; numbers = List.rev numbers; turned = None; clock = None; behaviour; origin = None;
+        group = None; bonds = None;
       }
     in
     Ok (State ([ body ], None), inexact)

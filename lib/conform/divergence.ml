@@ -17,6 +17,7 @@ type kind =
   | Wrong_bonds
   | Wrong_behaviour
   | Wrong_clock
+  | Wrong_presence
   | Wrong_step
   | Wrong_ending
   | Time_back
@@ -28,6 +29,7 @@ let names =
     (Missing_event, "missing-event"); (Extra_event, "extra-event"); (Wrong_position, "wrong-position");
     (Wrong_velocity, "wrong-velocity"); (Wrong_spin, "wrong-spin"); (Wrong_orientation, "wrong-orientation");
     (Wrong_bonds, "wrong-bonds"); (Wrong_behaviour, "wrong-behaviour"); (Wrong_clock, "wrong-clock");
+    (Wrong_presence, "wrong-presence");
     (Wrong_step, "wrong-step"); (Wrong_ending, "wrong-ending"); (Time_back, "time-back");
   ]
 
@@ -61,18 +63,19 @@ let when_rules against : Transition.label -> string list = function
   | Weak_split _ -> [ "WeakSplit"; "I-9" ]
   | Strong_split _ -> [ "StrongSplit"; "TimeBehaviour" ]
   | Close _ -> [ "Close"; "TimeBehaviour" ]
-  | Bind _ | Bounce _ -> if rigid against then [ "Cast"; "Collision" ] else [ "Ftoc"; "Collision" ]
+  | Bind _ | Bounce _ | Absorb _ -> if rigid against then [ "Cast"; "Collision" ] else [ "Ftoc"; "Collision" ]
 
 let urgency : Transition.label -> string list * string = function
   | Strong_split _ -> ([ "StrongSplit"; "Time" ], "a strong split that is enabled is urgent")
   | Close _ -> ([ "Close"; "Time" ], "a bond that two leaves of one process can make is urgent")
-  | Bind _ | Bounce _ -> ([ "Collision"; "Time" ], "no time passes while bodies collide")
+  | Bind _ | Bounce _ | Absorb _ -> ([ "Collision"; "Time" ], "no time passes while bodies collide")
   | Weak_split _ | Time _ -> ([ "Time" ], "time cannot pass")
 
 let kind_rules : Recorded.kind -> string list = function
   | Bind -> [ "Bind"; "Collision" ]
   | Close -> [ "Close"; "I-37" ]
   | Bounce -> [ "Bounce"; "Collision" ]
+  | Absorb -> [ "Absorb"; "Collision" ]
   | Weak -> [ "WeakSplit"; "I-9" ]
   | Strong -> [ "StrongSplit" ]
 
@@ -145,7 +148,6 @@ let substitute against item e options =
     List.find_opt (fun o -> nearness against e o = nearness') here
     |> Option.map (fun o -> { kind; rules; why = why (text against o); closest = Some o })
   in
-  let collision = e.Recorded.kind = Bind || e.kind = Bounce in
   let own = kind_rules e.kind in
   first_some
     [
@@ -153,7 +155,10 @@ let substitute against item e options =
         (Printf.sprintf "%s is allowed there, by other features");
       of_kind Against.Other_channel Wrong_channel own (Printf.sprintf "%s is allowed there, by another channel");
       of_kind Against.Other_kind Wrong_kind
-        (if collision then [ "Bind"; "Bounce" ] else own)
+        (match e.Recorded.kind with
+         | Bind | Bounce -> [ "Bind"; "Bounce" ]
+         | Absorb -> [ "Absorb"; "Bind"; "Bounce" ]
+         | Close | Weak | Strong -> own)
         (fun label ->
            if e.kind = Bounce then label ^ " is allowed there: a collision with a candidate never bounces"
            else if e.kind = Bind then label ^ " is allowed there: the collision has no such candidate"
@@ -246,6 +251,7 @@ let kind_of_quantity = function
   | "process" | "bonds" -> Wrong_bonds
   | "behaviour" | "origin" -> Wrong_behaviour
   | "clock" -> Wrong_clock
+  | "presence" -> Wrong_presence
   | _ -> Wrong_step
 
 (* What gives a body the velocity that it has: the latest transition, if it is of this instant. *)
@@ -266,6 +272,7 @@ let rules_of_state against (h : Search.hypothesis) (item : Recorded.item) kind =
   | (Wrong_velocity | Wrong_spin), Some ((Weak_split _ | Strong_split _), _) -> split
   | (Wrong_velocity | Wrong_spin), _ -> law @ motion
   | (Wrong_position | Wrong_orientation), _ -> motion
+  | Wrong_presence, _ -> [ "Absorb" ]
   | Wrong_clock, _ -> [ "I-9" ]
   | Wrong_step, _ -> [ "Steer" ]
   | Wrong_behaviour, Some (label, rules) when not (Transition.is_time label) -> List.map Rule.id rules

@@ -19,6 +19,7 @@ type kind =
   | Wrong_bonds  (** the bodies of a process, or its bonds *)
   | Wrong_behaviour
   | Wrong_clock
+  | Wrong_presence
   | Wrong_step
   | Wrong_ending  (** it claims that nothing can happen *)
   | Time_back  (** its times decrease *)

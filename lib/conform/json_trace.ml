@@ -56,11 +56,15 @@ let label c json =
   let bodies = Option.value between ~default:[] @ Option.value listed ~default:[] in
   match (kind, kind_of_name kind) with
   | "time", _ -> Ok None
-  | _, None -> wrong c "`%s` is none of time, bind, close, bounce, weak and strong" kind
+  | _, None -> wrong c "`%s` is none of time, bind, close, bounce, absorb, weak and strong" kind
   | _, Some Bounce ->
     if List.length bodies >= 2 then
       Ok (Some { kind = Bounce; channels = []; bodies; features = []; together = [] })
     else wrong c "a bounce is of two bodies or more, `between`"
+  | _, Some Absorb ->
+    if List.length bodies = 2 then
+      Ok (Some { kind = Absorb; channels = []; bodies; features = []; together = [] })
+    else wrong c "an absorption is of two bodies, `between`: who is gone and who took it"
   | _, Some kind ->
     let* own = bond c json in
     let* more = match Json.member "bonds" json with None -> Ok [] | Some l -> all c "bonds" bond l in
@@ -99,6 +103,12 @@ let nullable json key read =
       | Some v -> Result.map (fun x -> Some (Some x)) (read v))
   | _ -> Ok None
 
+let unknown name =
+  {
+    name; gone = false; numbers = []; turned = None; clock = None; behaviour = None; origin = None; group = None;
+    bonds = None;
+  }
+
 let leaf c json =
   let* name = required c json "name" (text c "name") in
   let* position = optional json "position" (axes c "position" (fun i -> Position i)) in
@@ -107,8 +117,8 @@ let leaf c json =
   let* origin = nullable json "origin" (text c "origin") in
   Ok
     {
-      name; numbers = Option.value position ~default:[]; turned; clock = None; behaviour; origin; group = None;
-      bonds = None;
+      (unknown name) with
+      numbers = Option.value position ~default:[]; turned; behaviour; origin;
     }
 
 let process c json =
@@ -130,8 +140,10 @@ let step c json =
 
 let state c json =
   let* processes = required c json "processes" (all c "processes" process) in
+  let* gone = optional json "gone" (texts c "gone") in
   let* step = optional json "step" (step c) in
-  Ok (State (Long_list.concat processes, step))
+  let missing = Long_list.map (fun name -> { (unknown name) with gone = true }) (Option.value gone ~default:[]) in
+  Ok (State (Long_list.append (Long_list.concat processes) missing, step))
 
 (* {1 Lines} *)
 

@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_exact
 
-type kind = Bind | Close | Bounce | Weak | Strong
+type kind = Bind | Close | Bounce | Absorb | Weak | Strong
 
 type event = {
   kind : kind;
@@ -15,6 +15,7 @@ type quantity = Position of int | Velocity of int | Spin of int
 
 type body = {
   name : string;
+  gone : bool;
   numbers : (quantity * Rat.t) list;
   turned : (Rat.t * Vec.t) option;
   clock : Rat.t option option;
@@ -45,7 +46,10 @@ type t = {
 let events t =
   Array.fold_left (fun n i -> match i.what with Event _ -> n + 1 | _ -> n) 0 t.items
 
-let kinds = [ ("bind", Bind); ("close", Close); ("bounce", Bounce); ("weak", Weak); ("strong", Strong) ]
+let kinds =
+  [
+    ("bind", Bind); ("close", Close); ("bounce", Bounce); ("absorb", Absorb); ("weak", Weak); ("strong", Strong);
+  ]
 let kind_of_name name = List.assoc_opt name kinds
 let kind_name kind = fst (List.find (fun (_, k) -> k = kind) kinds)
 let sort = List.sort String.compare

@@ -5,7 +5,7 @@ open Scc_base
 open Scc_exact
 open Scc_exchange
 
-type kind = Bind | Close | Bounce | Weak | Strong
+type kind = Bind | Close | Bounce | Absorb | Weak | Strong
 
 (** An event. What is an empty list was not told, and fits anything. *)
 type event = {
@@ -26,6 +26,7 @@ type quantity =
 (** A body (a leaf) in a state, with what is told of its process. *)
 type body = {
   name : string;
+  gone : bool;  (** it is said to be gone (rule Absorb), and nothing else of it *)
   numbers : (quantity * Rat.t) list;
   turned : (Rat.t * Vec.t) option;  (** a quaternion of any length but 0 *)
   clock : Rat.t option option;  (** [Some None]: its process has no split clock *)

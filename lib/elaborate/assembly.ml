@@ -49,6 +49,7 @@ let leaves bodies (composition : Composition.t) =
       template = Shape.label l.shape;
       parts = l.parts;
       fixed = l.fixed;
+      absorbs = l.absorbs;
       mass = l.mass;
       law;
       law_at;

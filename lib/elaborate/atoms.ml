@@ -7,20 +7,23 @@ let ( let* ) = Option.bind
 
 let axes : (string * Property.axis) list = [ ("x", X); ("y", Y); ("z", Z) ]
 
-let one_leaf : (string * (int -> Property.quantity)) list =
+let quantity make p : (Property.num, Property.prop) Typed.value = Num (Property.Quantity (make p))
+
+let one_leaf : (string * (int -> (Property.num, Property.prop) Typed.value)) list =
   [
-    ("size", fun p -> Property.Size p);
-    ("x", fun p -> Property.Position (X, p));
-    ("y", fun p -> Property.Position (Y, p));
-    ("z", fun p -> Property.Position (Z, p));
-    ("vx", fun p -> Property.Velocity (X, p));
-    ("vy", fun p -> Property.Velocity (Y, p));
-    ("vz", fun p -> Property.Velocity (Z, p));
-    ("speed2", fun p -> Property.Speed2 p);
-    ("wx", fun p -> Property.Spin (X, p));
-    ("wy", fun p -> Property.Spin (Y, p));
-    ("wz", fun p -> Property.Spin (Z, p));
-    ("spin2", fun p -> Property.Spin2 p);
+    ("size", quantity (fun p -> Property.Size p));
+    ("x", quantity (fun p -> Property.Position (X, p)));
+    ("y", quantity (fun p -> Property.Position (Y, p)));
+    ("z", quantity (fun p -> Property.Position (Z, p)));
+    ("vx", quantity (fun p -> Property.Velocity (X, p)));
+    ("vy", quantity (fun p -> Property.Velocity (Y, p)));
+    ("vz", quantity (fun p -> Property.Velocity (Z, p)));
+    ("speed2", quantity (fun p -> Property.Speed2 p));
+    ("wx", quantity (fun p -> Property.Spin (X, p)));
+    ("wy", quantity (fun p -> Property.Spin (Y, p)));
+    ("wz", quantity (fun p -> Property.Spin (Z, p)));
+    ("gone", fun p -> Cond (Property.Fact (Gone p)));
+    ("spin2", quantity (fun p -> Property.Spin2 p));
   ]
 
 let two_leaves : (string * (int -> int -> (Property.num, Property.prop) Typed.value)) list =
@@ -93,6 +96,10 @@ let event t env at (word : Ast.name) arguments =
   | "bounce", _, ([] | [ _ ] | [ _; _ ]) ->
     let* ends = ends t env arguments in
     made (Bounce ends)
+  | "absorb", _, ([] | [ _ ] | [ _; _ ]) ->
+    let* ends = ends t env arguments in
+    made (Absorbed ends)
+  | "absorb", _, _ -> arity t at "absorb" "at most two processes" (List.length arguments)
   | "hit", _, [ p ] ->
     let* p = spot t env p in
     made (Hit (p, None))
@@ -108,9 +115,9 @@ let event t env at (word : Ast.name) arguments =
   | name, Some _, _ ->
     arity t at name "a channel and at most two processes after it" (List.length arguments)
   | name, None, _ ->
-    let known = "bounce" :: "hit" :: Long_list.map fst changes in
+    let known = "absorb" :: "bounce" :: "hit" :: Long_list.map fst changes in
     error t Code.unknown_name word.at
-      "unknown transition `%s`; it is one of bind, bounce, hit, weak, strong, split" name
+      "unknown transition `%s`; it is one of absorb, bind, bounce, hit, weak, strong, split" name
       ~near:(name, fun () -> known);
     None
 
@@ -121,7 +128,7 @@ let apply t env (e : Ast.expr) (f : Ast.name) arguments =
   | "behaviour", _, _, _ ->
     error t Code.type_mismatch e.at "a behaviour can only be compared with a name, as in `behaviour(p) = K`";
     None
-  | _, Some make, _, [ p ] -> Option.map (fun p -> Typed.Num (Property.Quantity (make p))) (leaf t env p)
+  | _, Some make, _, [ p ] -> Option.map (fun p -> value (make p)) (leaf t env p)
   | name, Some _, _, _ -> arity t e.at name "one process" (List.length arguments)
   | _, None, Some make, [ p; q ] ->
     Option.map (fun (p, q) -> value (make p q)) (Typed.both (leaf t env p) (leaf t env q))

@@ -6,11 +6,12 @@ type t = {
   mass : (Rat.t * Span.t) option;
   velocity : (Vec.t * Span.t) option;
   spin : (Vec.t * Span.t) option;
+  absorb : Span.t option;
   at : Affine.t;
   complete : bool;
 }
 
-let none = { mass = None; velocity = None; spin = None; at = Affine.identity; complete = true }
+let none = { mass = None; velocity = None; spin = None; at = Affine.identity; absorb = None; complete = true }
 
 let kind (a : Ast.attribute) =
   match a.it with
@@ -18,6 +19,7 @@ let kind (a : Ast.attribute) =
   | Velocity _ -> "velocity"
   | Spin _ -> "spin"
   | At _ -> "at"
+  | Absorb -> "absorb"
 
 (* The first of each kind; the others are reported. *)
 let once report attributes =
@@ -46,6 +48,7 @@ let add report env t (a : Ast.attribute) =
       match Constant.vector report env v with
       | Some v -> { t with spin = Some (v, a.at) }
       | None -> { incomplete with spin = Some (Vec.zero, a.at) })
+  | Absorb -> { t with absorb = Some a.at }
   | At ts -> (
       match Constant.transform report env ts with
       | Some at -> { t with at }

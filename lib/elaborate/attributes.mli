@@ -8,6 +8,7 @@ type t = {
   mass : (Rat.t * Span.t) option;  (** positive *)
   velocity : (Vec.t * Span.t) option;
   spin : (Vec.t * Span.t) option;
+  absorb : Span.t option;  (** where it says so *)
   at : Affine.t;  (** the identity when not given *)
   complete : bool;  (** whether all that was written could be read *)
 }

@@ -10,6 +10,7 @@ type leaf = {
   parts : Model.part array;
   mass : Rat.t;
   fixed : bool;
+  absorbs : bool;
   position : Vec.t;
   velocity : Vec.t;
   spin : Vec.t;
@@ -61,6 +62,21 @@ let basic_parts (c : Context.t) ~fixed name at (a : Attributes.t) (b : Shape.bas
   let solid = c.solid b a.at.linear in
   Some [| { Model.name; template = b.label; solid; offset = Vec.zero; mass } |]
 
+(* What hits an absorbing body is gone, and so it does nothing itself (rule Absorb). *)
+let check_absorbing report ~fixed name (a : Attributes.t) (l : Ast.leaf) =
+  match a.absorb with
+  | None -> ()
+  | Some at ->
+    if not fixed then
+      Report.error report Code.bad_absorber at "`%s` moves, and only what is fixed can absorb" name
+        ~hint:(Printf.sprintf "declare it as `fixed %s = …`" name)
+    else
+      Option.iter
+        (fun (b : Ast.behaviour) ->
+           Report.error report Code.bad_absorber b.at "`%s` absorbs what hits it, and has no behaviour" name
+             ~hint:"leave the brackets out")
+        l.behaviour
+
 (* T o T_part for each part; the reference point of the leaf is where T takes the origin. *)
 let compound_parts (c : Context.t) name (a : Attributes.t) (compound : Shape.compound) =
   let place (p : Shape.part) =
@@ -106,6 +122,7 @@ let own_motion ~fixed (a : Attributes.t) (shape : Shape.t) =
 let leaf (c : Context.t) (body : Program.body) ~process ~name (at : Span.t) (l : Ast.leaf) =
   let shape = Templates.shape c body.env ~label:name l.solid in
   let a = Attributes.read c.report body.env l.attributes in
+  check_absorbing c.report ~fixed:body.fixed name a l;
   let* shape = shape in
   let* parts = parts c ~fixed:body.fixed name at a shape in
   if not a.complete then None
@@ -119,6 +136,7 @@ let leaf (c : Context.t) (body : Program.body) ~process ~name (at : Span.t) (l :
         parts;
         mass = Array.fold_left (fun sum (p : Model.part) -> Rat.add sum p.mass) Rat.zero parts;
         fixed = body.fixed;
+        absorbs = Option.is_some a.absorb;
         position = a.at.translation;
         velocity;
         spin;
@@ -129,8 +147,8 @@ let leaf (c : Context.t) (body : Program.body) ~process ~name (at : Span.t) (l :
 let centroid (l : leaf) =
   let shape : Model.leaf =
     {
-      name = l.name; template = ""; parts = l.parts; fixed = l.fixed; mass = l.mass; law = Inertial;
-      law_at = Span.none;
+      name = l.name; template = ""; parts = l.parts; fixed = l.fixed; absorbs = l.absorbs; mass = l.mass;
+      law = Inertial; law_at = Span.none;
     }
   in
   Vec.add l.position (Model.leaf_centroid shape)

@@ -12,6 +12,7 @@ type leaf = {
   parts : Model.part array;
   mass : Rat.t;
   fixed : bool;
+  absorbs : bool;  (** as of {!Model.leaf} *)
   position : Vec.t;
   velocity : Vec.t;  (** of its own centroid *)
   spin : Vec.t;

@@ -13,6 +13,11 @@ type draft = { part : Shape.part; motion : Attributes.t }
 let read_part (c : Context.t) env (p : Ast.part) =
   let basic = Templates.basic c env ~label:p.part.it p.part_solid in
   let a = Attributes.read c.report env p.part_attributes in
+  Option.iter
+    (fun at ->
+       Report.error c.report Code.bad_absorber at "a part absorbs nothing by itself"
+         ~hint:"write `absorb` after the name of the compound, where a body of it is declared `fixed`")
+    a.absorb;
   if Option.is_none a.mass then
     Report.error c.report Code.bad_value p.part.at "the part `%s` has no mass" p.part.it
       ~hint:"every part of a compound needs `mass m` with m > 0";

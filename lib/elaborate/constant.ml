@@ -16,9 +16,8 @@ let described (e : Ast.expr) =
 
 let of_state =
   [
-    "behaviour"; "bonds"; "bound"; "distance2"; "offers"; "same"; "size"; "speed2"; "spin2"; "touching";
-    "vx"; "vy";
-    "vz"; "wx"; "wy"; "wz"; "x"; "y"; "z";
+    "behaviour"; "bonds"; "bound"; "distance2"; "gone"; "offers"; "same"; "size"; "speed2"; "spin2"; "touching";
+    "vx"; "vy"; "vz"; "wx"; "wy"; "wz"; "x"; "y"; "z";
   ]
 
 module Algebra = struct

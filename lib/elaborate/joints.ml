@@ -137,6 +137,12 @@ let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.
     Report.error c.report Code.cyclic_bonds b.bond_span "`%s` cannot be bound to itself" p.name;
     None
   end
+  else if p.absorbs || q.absorbs then begin
+    let who = if p.absorbs then p else q in
+    Report.error c.report Code.bad_absorber b.bond_span "`%s` absorbs what hits it, and is bound to nobody"
+      who.name ~notes:[ (who.span, Printf.sprintf "`%s` is here" who.name) ];
+    None
+  end
   else if not (joins c joined b.bond_span (p, i) (q, j)) then None
   else begin
     check_contact c b.bond_span (p, f) (q, g);

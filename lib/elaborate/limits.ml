@@ -38,6 +38,7 @@ let attribute (a : Ast.attribute) =
   match a.it with
   | Mass e -> [ Expr e ]
   | Velocity v | Spin v -> vector v
+  | Absorb -> []
   | At ts -> List.concat_map transform ts
 
 let leaf (l : Ast.leaf) =

@@ -16,14 +16,21 @@ let fits_ends (wanted : Property.ends) (b : State.bond) =
 
 (* Those that bounced are still apart, with the leaves that they had before. *)
 let fits_processes (source : State.t) firsts (wanted : Property.ends) =
-  let home leaf = source.processes.(fst (State.find_leaf source leaf)) in
   let has = State.has_leaf in
-  let bounced = List.map home firsts in
+  let bounced = List.filter_map (State.home source) firsts in
   let of_one p = List.exists (fun process -> has process p) bounced in
   match wanted with
   | Any -> true
   | One p -> of_one p
-  | Two (p, q) -> of_one p && of_one q && not (has (home p) q)
+  | Two (p, q) -> of_one p && of_one q && not (List.exists (fun process -> has process p && has process q) bounced)
+
+(* The process that is gone is still there, and what took it is there for ever. *)
+let fits_absorbed source ~first ~absorber (wanted : Property.ends) =
+  let taken p = match State.home source first with Some process -> State.has_leaf process p | None -> false in
+  match wanted with
+  | Any -> true
+  | One p -> p = absorber || taken p
+  | Two (p, q) -> (p = absorber && taken q) || (q = absorber && taken p)
 
 let fits_hit (p : Property.spot) q (h : Transition.hit) =
   let is (s : Property.spot) (leaf, part) =
@@ -54,5 +61,7 @@ let matches ~source (label : Transition.label) (event : Property.event) =
     released_strongly change && List.exists fits releases
   | Bounce ends, Bounce { firsts; _ } -> fits_processes source firsts ends
   | Hit (p, q), Bounce { hits; _ } -> List.exists (fits_hit p q) hits
-  | Bond _, (Time _ | Bounce _) | (Bounce _ | Hit _), (Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _)
-    -> false
+  | Absorbed ends, Absorb { first; absorber } -> fits_absorbed source ~first ~absorber ends
+  | Bond _, (Time _ | Bounce _ | Absorb _)
+  | (Bounce _ | Hit _), (Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _)
+  | Absorbed _, (Time _ | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _) -> false

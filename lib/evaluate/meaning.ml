@@ -7,12 +7,14 @@ open Scc_property
 
 type quantity =
   | Of_process of int * (Path.t -> Path.curve)
+  | Counted of int * (State.process -> int)
   | Of_two of int * int * (Path.t -> Path.t -> Path.curve)
   | Sum of (Path.t -> Path.curve)
   | Number of (State.process -> int)
   | Time
 
 type fact =
+  | Missing of int
   | In_process of int * (State.process -> bool)
   | In_behaviour of int * (Behaviour.aged -> bool)
   | Between of int * int * (Timeline.extent -> Path.t -> Path.t -> Truth.t Timeline.t)
@@ -27,7 +29,6 @@ let named name (b : State.bond) =
   | Some n -> String.equal n b.name
 
 let count test (p : State.process) = Array.fold_left (fun n b -> if test b then n + 1 else n) 0 p.bonds
-let steady n = Path.Steady (Rat.of_int n)
 
 (* Of the shape of a leaf, where it is now. *)
 let centroid model leaf path = State.centroid model (State.leaf_of (Path.process path) leaf)
@@ -36,6 +37,10 @@ let distance2 model i j p q =
   let from = centroid model i p and towards = centroid model j q in
   if State.has_leaf (Path.process p) j then Path.Steady (Vec.norm2 (Vec.sub from towards))
   else Path.distance2 p from q towards
+
+let of_the_gone (model : Model.t) leaf =
+  Printf.sprintf "`%s` is gone, and nowhere: ask for `gone(%s)` first" model.leaves.(leaf).name
+    model.leaves.(leaf).name
 
 let is_called k (b : Behaviour.aged) =
   match b.origin with
@@ -62,8 +67,8 @@ let quantity model : Property.quantity -> quantity = function
   | Bonds (name, None) -> Number (count (named name))
   | Bonds (name, Some (i, j)) ->
     let wanted b = named name b && joins i j b in
-    Of_process (i, fun p -> steady (count wanted (Path.process p)))
-  | Size i -> Of_process (i, fun p -> steady (State.size model (Path.process p)))
+    Counted (i, count wanted)
+  | Size i -> Counted (i, State.size model)
   | Processes -> Number (fun _ -> 1)
   | Position (a, i) -> Of_process (i, fun p -> Path.coordinate p a (centroid model i p))
   | Velocity (a, i) -> Of_process (i, fun p -> Path.velocity p a (centroid model i p))
@@ -83,5 +88,6 @@ let fact semantics : Property.fact -> fact = function
   | Offers (i, polarity, name) -> In_behaviour (i, offers (Semantics.model semantics).definitions polarity name)
   | Touching (i, j) when Int.equal i j -> In_process (i, fun _ -> false)
   | Touching (i, j) -> Between (i, j, Touching.along semantics i j)
+  | Gone i -> Missing i
   | Quiescent -> In_network (Network.quiescent semantics)
   | Event e -> Arrival e

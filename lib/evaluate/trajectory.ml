@@ -38,8 +38,10 @@ module Stretch = struct
 
   let path s leaf =
     match s.homes.(leaf) with
-    | -1 -> Scc_base.Bug.fail __POS__ "a leaf of the model is not in the state"
-    | i -> s.paths.(i)
+    | -1 -> None
+    | i -> Some s.paths.(i)
+
+  let process s leaf = Option.map Path.process (path s leaf)
 
   let constant r s = Timeline.constant s.extent (Value.of_rat r)
   let bool b s = Timeline.constant s.extent (Truth.of_bool b)
@@ -65,10 +67,22 @@ module Stretch = struct
     | Some t -> curve s (Quotient (Polynomial.of_coefficients [ t; Rat.one ], Polynomial.one))
     | None -> Scc_base.Bug.fail __POS__ "a property speaks of time, and the state does not keep it"
 
+  (* Of who is gone, if it is. *)
+  let undefined s leaf =
+    Timeline.constant s.extent (Value.Undefined (Meaning.of_the_gone (Semantics.model s.semantics) leaf))
+
   let quantity _ (q : Meaning.quantity) s =
     match q with
-    | Of_process (leaf, f) -> curve s (f (path s leaf))
-    | Of_two (i, j, f) -> curve s (f (path s i) (path s j))
+    | Of_process (i, f) -> (
+        match path s i with
+        | Some p -> curve s (f p)
+        | None -> undefined s i)
+    | Of_two (i, j, f) -> (
+        match (path s i, path s j) with
+        | Some p, Some q -> curve s (f p q)
+        | None, _ -> undefined s i
+        | Some _, None -> undefined s j)
+    | Counted (i, f) -> constant (Rat.of_int (Option.fold ~none:0 ~some:f (process s i))) s
     | Sum f -> sum s f
     | Number f -> constant (Rat.of_int (Array.fold_left (fun n p -> n + f p) 0 s.state.processes)) s
     | Time -> time s
@@ -78,10 +92,15 @@ module Stretch = struct
 
   let fact _ (f : Meaning.fact) s =
     match f with
-    | In_process (leaf, test) -> bool (test (Path.process (path s leaf))) s
-    | In_behaviour (leaf, test) ->
-      bool (test (State.leaf_of (Path.process (path s leaf)) leaf).behaviour) s
-    | Between (i, j, along) -> along s.extent (path s i) (path s j)
+    | Missing i -> bool (Option.is_none (path s i)) s
+    | In_process (i, test) -> bool (Option.fold ~none:false ~some:test (process s i)) s
+    | In_behaviour (i, test) ->
+      let test p = test (State.leaf_of p i).behaviour in
+      bool (Option.fold ~none:false ~some:test (process s i)) s
+    | Between (i, j, along) -> (
+        match (path s i, path s j) with
+        | Some p, Some q -> along s.extent p q
+        | None, _ | _, None -> bool false s)
     | In_network test -> bool (test s.state) s
     | Arrival e -> at_the_start s (s.arrived e)
 

@@ -23,6 +23,7 @@ let label m (l : Transition.label) =
         ("between", `List (List.map (leaf_name m) firsts));
         ("touching", `List (List.map (fun (h : Transition.hit) -> `List [ part m h.one; part m h.two ]) hits));
       ]
+    | Absorb { first; absorber } -> [ ("between", `List [ leaf_name m first; leaf_name m absorber ]) ]
     | Strong_split releases -> [ ("bonds", `List (List.map (fun r -> `Assoc (release m r)) releases)) ]
   in
   let kind =
@@ -31,6 +32,7 @@ let label m (l : Transition.label) =
     | Bind _ -> "bind"
     | Close _ -> "close"
     | Bounce _ -> "bounce"
+    | Absorb _ -> "absorb"
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"
   in
@@ -102,6 +104,14 @@ let process m (p : State.process) =
 let step (s : State.step) =
   `Assoc [ ("remaining", Json.rat s.remaining); ("phase", `String (phase s.phase)) ]
 
+(* Of models in which bodies may be absorbed. *)
+let gone (m : Model.t) s =
+  if not (Model.absorbs m) then []
+  else
+    let missing leaf = Option.is_none (State.home s leaf) in
+    let leaves = List.filter missing (List.init (Array.length m.leaves) Fun.id) in
+    [ ("gone", `List (List.map (leaf_name m) leaves)) ]
+
 let state m (s : State.t) =
   `Assoc
-    [ ("processes", list (process m) s.processes); ("step", Json.option step s.step) ]
+    ([ ("processes", list (process m) s.processes); ("step", Json.option step s.step) ] @ gone m s)

@@ -60,8 +60,7 @@ let behaviour_of last leaves = List.concat_map (changed last.behaviour Behaviour
 (* {1 The events of a run} *)
 
 let leaves_of (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves)
-let process_of (s : State.t) leaf = s.processes.(fst (State.find_leaf s leaf))
-let home s leaf = leaves_of (process_of s leaf)
+let home s leaf = Option.fold ~none:[] ~some:leaves_of (State.home s leaf)
 
 (* The leaf that takes part itself stands for its process. *)
 let first leaf leaves = leaf :: List.filter (fun l -> l <> leaf) leaves
@@ -106,18 +105,22 @@ let expiries w ~step ~time d (source : State.t) =
 
 (* The leaves at which two processes touch that collide: that they offer no bond makes it a bounce. *)
 let touching semantics (source : State.t) firsts =
-  let process leaf = source.processes.(fst (State.find_leaf source leaf)) in
   let of_meeting (m : Kinematics.meeting) =
     List.concat_map (fun ((a : Part.t), (b : Part.t)) -> [ a.leaf.leaf; b.leaf.leaf ]) m.touching
   in
-  List.concat_map of_meeting (Collisions.meetings semantics (Array.of_list (List.map process firsts)))
+  let processes = Array.of_list (List.filter_map (State.home source) firsts) in
+  List.concat_map of_meeting (Collisions.meetings semantics processes)
 
 let same_motion (p : State.process) (q : State.process) =
   Vec.equal p.velocity q.velocity && Vec.equal p.spin q.spin
 
 let set_motion w event source target leaves =
-  set w.at.motion event
-    (List.filter (fun l -> not (same_motion (process_of source l) (process_of target l))) leaves)
+  let moves_on l =
+    match (State.home source l, State.home target l) with
+    | Some before, Some after -> same_motion before after
+    | None, _ | _, None -> false
+  in
+  set w.at.motion event (List.filter (fun l -> not (moves_on l)) leaves)
 
 (* That processes collide: of each, its leaves, and those that offer no bond, or one. *)
 let reasons_to_collide at processes ~behaving =
@@ -160,6 +163,11 @@ let transition w ~step ~time (label : Transition.label) source target =
   | Bounce { firsts; _ } ->
     let behaving = touching w.semantics source firsts in
     ignore (collision w ~step ~time label source target firsts ~behaving)
+  | Absorb { first; absorber } ->
+    let event, all = collision w ~step ~time label source target [ first; absorber ] ~behaving:[] in
+    let gone = List.filter (fun l -> l <> absorber) all in
+    set w.at.structure event gone;
+    set w.at.behaviour event gone
   | Close _ -> by_itself w ~step ~time label source target ~clocked:false
   | Weak_split _ -> by_itself w ~step ~time label source target ~clocked:true
   | Strong_split _ -> by_itself w ~step ~time label source target ~clocked:false

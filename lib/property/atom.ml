@@ -44,6 +44,7 @@ let of_ends = function
 let event_word = function
   | Bond (change, _, _) -> change_word change
   | Bounce _ -> "bounce"
+  | Absorbed _ -> "absorb"
   | Hit _ -> "hit"
 
 let spot { leaf; part } = match part with None -> Leaf leaf | Some k -> Part (leaf, k)
@@ -51,11 +52,11 @@ let spot { leaf; part } = match part with None -> Leaf leaf | Some k -> Part (le
 let event_arguments = function
   | Hit (p, q) -> spot p :: List.map spot (Option.to_list q)
   | Bond (_, name, ends) -> channel name @ of_ends ends
-  | Bounce ends -> of_ends ends
+  | Bounce ends | Absorbed ends -> of_ends ends
 
 let event_scope = function
-  | Bond (_, _, Any) | Bounce Any -> Whole
-  | Bond (_, _, (One _ | Two _)) | Bounce (One _ | Two _) | Hit _ -> Named
+  | Bond (_, _, Any) | Bounce Any | Absorbed Any -> Whole
+  | Bond (_, _, (One _ | Two _)) | Bounce (One _ | Two _) | Absorbed (One _ | Two _) | Hit _ -> Named
 
 (* {1 The table}
 
@@ -69,7 +70,7 @@ let symmetric = true
 (* Parts do not change places with their leaves. *)
 let is_symmetric = function
   | Hit (p, q) -> Option.is_none p.part && Option.is_none (Option.bind q (fun q -> q.part))
-  | Bond _ | Bounce _ -> true
+  | Bond _ | Bounce _ | Absorbed _ -> true
 
 let quantity = function
   | Bonds (None, None) -> row "bonds()" [] Whole [ Bonding ] Never
@@ -94,6 +95,7 @@ let fact = function
   | Behaviour (i, k) -> row "behaviour" (leaf i @ [ Definition k ]) Named [ Term ] Never
   | Offers (i, polarity, a) -> row "offers" (leaf i @ [ Channel (polarity, a) ]) Named [ Term ] Never
   | Touching (i, j) -> row "touching" (two (i, j)) Named [ Motion ] Always ~symmetric
+  | Gone i -> row "gone" (leaf i) Named [ Structure ] Never
   | Quiescent -> row "quiescent" [] Whole [ Motion; Structure; Term; Split_clock ] Never
   | Event e ->
     let symmetric = is_symmetric e in
@@ -175,6 +177,7 @@ let renamed_event f = function
   | Hit (p, q) -> Hit (renamed_spot f p, Option.map (renamed_spot f) q)
   | Bond (change, a, ends) -> Bond (change, a, renamed_ends f ends)
   | Bounce ends -> Bounce (renamed_ends f ends)
+  | Absorbed ends -> Absorbed (renamed_ends f ends)
 
 let renamed_fact f = function
   | Bound (i, j) -> Bound (f i, f j)
@@ -182,5 +185,6 @@ let renamed_fact f = function
   | Behaviour (i, k) -> Behaviour (f i, k)
   | Offers (i, p, a) -> Offers (f i, p, a)
   | Touching (i, j) -> Touching (f i, f j)
+  | Gone i -> Gone (f i)
   | Quiescent -> Quiescent
   | Event e -> Event (renamed_event f e)

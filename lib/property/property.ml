@@ -25,6 +25,7 @@ type event =
   | Hit of spot * spot option  (** a bounce in which this leaf or part touched another body, or that one *)
   | Bond of change * string option * ends  (** of a bond of this name, between these leaves *)
   | Bounce of ends  (** of the two processes that these are leaves of *)
+  | Absorbed of ends  (** of a process by a body, one of which these are leaves of *)
 
 (** Numbers that are read off a state: the atoms among the numbers. Leaves are indices into {!Model.leaves}. *)
 type quantity =
@@ -54,6 +55,7 @@ type fact =
   (** the leaf offers a channel of this name now; [None]: of any kind (open with either polarity, weak or
       strong) *)
   | Touching of int * int
+  | Gone of int  (** the leaf is in no process any more (rule Absorb) *)
   | Quiescent
   | Event of event
   (** such a transition has led here, and nothing has happened since, nor has time passed: false in the

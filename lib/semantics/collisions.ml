@@ -91,8 +91,31 @@ let bind c p q parts =
   in
   List.map outcome (bonds c parts)
 
+(* {1 Rule Absorb} *)
+
+let absorber (m : Model.t) (p : State.process) =
+  Array.find_opt (fun (l : State.leaf) -> m.leaves.(l.leaf).absorbs) p.leaves
+
+let absorb (c : Semantics.t) (p : State.process) (q : State.process) =
+  let taken (p : State.process) (by : State.leaf) =
+    {
+      Transition.rule = Rule.Absorb;
+      label = Absorb { first = p.leaves.(0).leaf; absorber = by.leaf };
+      fired = [];
+      gone = [ p ];
+      come = [];
+    }
+  in
+  match (absorber c.setting.model p, absorber c.setting.model q) with
+  | Some by, None -> [ taken q by ]
+  | None, Some by -> [ taken p by ]
+  | None, None | Some _, Some _ -> []
+
+(* {1 Candidates} *)
+
 let candidates c (processes : State.process array) (m : meeting) =
-  List.concat_map (bind c processes.(m.first) processes.(m.second)) m.touching
+  let p = processes.(m.first) and q = processes.(m.second) in
+  (if m.collide then absorb c p q else []) @ List.concat_map (bind c p q) m.touching
 
 (* {1 Meetings} *)
 

@@ -11,6 +11,7 @@ type t =
   | Bind
   | Close
   | Bounce
+  | Absorb
   | Time
   | Steer
   | Turn
@@ -29,6 +30,7 @@ let id = function
   | Bind -> "Bind"
   | Close -> "Close"
   | Bounce -> "Bounce"
+  | Absorb -> "Absorb"
   | Time -> "Time"
   | Steer -> "Steer"
   | Turn -> "Turn"
@@ -36,8 +38,8 @@ let id = function
 
 let all =
   [
-    Pre; Weak; Strong; Sum; Def; Eps0; Time_behaviour; Weak_split; Strong_split; Bind; Close; Bounce; Time; Steer;
-    Turn; Round;
+    Pre; Weak; Strong; Sum; Def; Eps0; Time_behaviour; Weak_split; Strong_split; Bind; Close; Bounce; Absorb; Time;
+    Steer; Turn; Round;
   ]
 
 let of_model (m : Scc_calculus.Model.t) =
@@ -45,6 +47,7 @@ let of_model (m : Scc_calculus.Model.t) =
     | Close -> Scc_calculus.Model.closes_rings m
     | Turn -> Option.is_some m.rigid
     | Round -> Scc_calculus.Model.has_turns m
+    | Absorb -> Scc_calculus.Model.absorbs m
     | _ -> true
   in
   List.filter can all

@@ -13,6 +13,7 @@ type t =
   | Bind
   | Close  (** with {!Scc_calculus.Model.Cyclic} only *)
   | Bounce
+  | Absorb  (** of models in which some body absorbs *)
   | Time
   | Steer
   | Turn  (** of the rigid calculus only, as is *)
@@ -24,4 +25,4 @@ val id : t -> string
 val all : t list
 
 val of_model : Scc_calculus.Model.t -> t list
-(** Those that apply to a model: {!Close}, {!Turn} and {!Round} are for some only. *)
+(** Those that apply to a model: {!Close}, {!Absorb}, {!Turn} and {!Round} are for some only. *)

@@ -10,6 +10,7 @@ type label =
   | Bind of State.bond
   | Close of State.bond
   | Bounce of { firsts : int list; hits : hit list }
+  | Absorb of { first : int; absorber : int }
   | Weak_split of release
   | Strong_split of release list
 
@@ -37,21 +38,21 @@ type fault =
   | Persistent_contact of int list
 
 let bonds = function
-  | Time _ | Bounce _ -> []
+  | Time _ | Bounce _ | Absorb _ -> []
   | Bind b | Close b -> [ b ]
   | Weak_split r -> [ r.bond ]
   | Strong_split releases -> List.map (fun r -> r.bond) releases
 
 let duration_of = function
   | Time d -> d
-  | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> Rat.zero
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> Rat.zero
 
 let is_time = function
   | Time _ -> true
-  | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> false
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> false
 
 let is_urgent = function
-  | Strong_split _ | Close _ | Bind _ | Bounce _ -> true
+  | Strong_split _ | Close _ | Bind _ | Bounce _ | Absorb _ -> true
   | Time _ | Weak_split _ -> false
 
 let duration (t : t) = duration_of t.label
@@ -75,8 +76,9 @@ let equal_label a b =
   | Weak_split x, Weak_split y -> equal_release x y
   | Bounce x, Bounce y ->
     List.equal Int.equal x.firsts y.firsts && List.equal (fun a b -> compare_hit a b = 0) x.hits y.hits
+  | Absorb x, Absorb y -> Int.equal x.first y.first && Int.equal x.absorber y.absorber
   | Strong_split x, Strong_split y -> List.equal equal_release x y
-  | (Time _ | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _), _ -> false
+  | (Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _), _ -> false
 
 let same (a : outcome) (b : outcome) =
   equal_label a.label b.label && List.equal State.equal_process a.come b.come
@@ -100,6 +102,8 @@ let label_to_string (m : Model.t) = function
   | Bind b -> Printf.sprintf "bind(%s, %s)" b.name (ends m b)
   | Close b -> Printf.sprintf "close(%s, %s)" b.name (ends m b)
   | Bounce { firsts; _ } -> Printf.sprintf "bounce(%s)" (String.concat ", " (names m firsts))
+  | Absorb { first; absorber } ->
+    Printf.sprintf "absorb(%s)" (String.concat ", " (names m [ first; absorber ]))
   | Weak_split ({ bond = b; _ } as r) -> Printf.sprintf "weak(%s, %s)%s" b.name (ends m b) (pushed r)
   | Strong_split releases ->
     List.map (fun ({ bond = b; _ } as r) -> Printf.sprintf "<%s, {%s}>%s" b.name (ends m b) (pushed r)) releases

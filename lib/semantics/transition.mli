@@ -15,6 +15,8 @@ type label =
   | Close of State.bond  (** the bond that was made, within one process *)
   | Bounce of { firsts : int list; hits : hit list }
   (** the first leaves of the processes, two or more, in order; and where they touch, in order *)
+  | Absorb of { first : int; absorber : int }
+  (** the first leaf of the process that is gone, and the leaf that took it *)
   | Weak_split of release
   | Strong_split of release list  (** sorted by their bonds *)
 
@@ -70,7 +72,7 @@ val compare_hit : hit -> hit -> int
 val equal_label : label -> label -> bool
 
 val label_to_string : Model.t -> label -> string
-(** [time(1/2)], [bind(a, p.right, q.left)], [close(a, p.right, q.left)], [bounce(p, q)],
+(** [time(1/2)], [bind(a, p.right, q.left)], [close(a, p.right, q.left)], [bounce(p, q)], [absorb(p, drain)],
     [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})]. *)
 
 val diagnostic : Model.t -> fault -> Scc_base.Diag.t

@@ -12,6 +12,7 @@ type fault =
   | Bad_bond of State.bond
   | Loose_bond of State.bond
   | Not_a_tree of int
+  | Bound_absorber of int
   | Moving_wall of int
   | Bad_clock of int
   | Bad_turn of int
@@ -22,7 +23,7 @@ let leaves (state : State.t) =
   Array.to_list state.processes
   |> List.concat_map (fun (p : State.process) -> Array.to_list p.leaves)
 
-(* Each leaf of the model is in one process, once. *)
+(* Each leaf of the model is in one process, once; or in none, if it may have been absorbed. *)
 let check_leaves (m : Model.t) state =
   let add counts (l : State.leaf) =
     Counts.update l.leaf (fun n -> Some (1 + Option.value n ~default:0)) counts
@@ -30,6 +31,7 @@ let check_leaves (m : Model.t) state =
   let counts = List.fold_left add Counts.empty (leaves state) in
   let fault leaf =
     match Counts.find_opt leaf counts with
+    | None when Model.absorbs m && not m.leaves.(leaf).fixed -> None
     | None -> Some (Lost_leaf leaf)
     | Some 1 -> None
     | Some _ -> Some (Repeated_leaf leaf)
@@ -121,9 +123,11 @@ let check_process (c : Semantics.t) i (p : State.process) =
       bonds
   in
   let wall = Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).fixed) p.leaves in
+  let absorbs = Array.exists (fun (l : State.leaf) -> m.leaves.(l.leaf).absorbs) p.leaves in
   let faults =
     [
       ((not bad_ends) && not (bonds_are_right m p), Not_a_tree i);
+      (absorbs && Array.length p.leaves > 1, Bound_absorber i);
       (wall && not (Vec.is_zero p.velocity && Vec.is_zero p.spin), Moving_wall i);
       ((not bad_ends) && not (clock_is_right m p), Bad_clock i);
       (not (K.turns_rightly c.setting p), Bad_turn i);
@@ -192,6 +196,7 @@ let to_string (m : Model.t) (s : State.t) fault =
   | Not_a_tree i when Model.closes_rings m ->
     Printf.sprintf "the bonds of the process of `%s` do not join it, or join two leaves twice" (process i)
   | Not_a_tree i -> Printf.sprintf "the bonds of the process of `%s` are not a tree" (process i)
+  | Bound_absorber i -> Printf.sprintf "in the process of `%s` an absorbing body is bound" (process i)
   | Moving_wall i -> Printf.sprintf "the process of `%s` holds a fixed body and moves" (process i)
   | Bad_clock i -> Printf.sprintf "the split clock of the process of `%s` is wrong" (process i)
   | Bad_turn i -> Printf.sprintf "the process of `%s` turns as it cannot" (process i)

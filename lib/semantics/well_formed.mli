@@ -13,6 +13,7 @@ type fault =
   | Not_a_tree of int  
   (** the bonds of this process do not join its leaves into a tree; with {!Model.Cyclic}, not into one, or two of
       them twice *)
+  | Bound_absorber of int  (** a leaf of this process absorbs, and is not alone *)
   | Moving_wall of int  (** a process that holds a fixed leaf and has a velocity *)
   | Bad_clock of int
   (** a split clock where no weak split is enabled, none where one is, or one that is not in

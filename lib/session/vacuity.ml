@@ -25,6 +25,7 @@ let impossible (l : Loaded.t) =
   let terms = List.map (fun (s : Coverage.summand) -> s.term) (Coverage.summands counted) in
   let impossible : Property.event -> bool = function
     | Bond (change, name, _) -> not (can_happen terms change name)
+    | Absorbed _ -> not (Model.absorbs l.model)
     | Bounce _ | Hit _ -> false
   in
   let warning (c : Property.check) event =

@@ -44,6 +44,7 @@ module Labels = Interned (struct
       | Close b -> 2 + State.hash_bond b
       | (Weak_split _ | Strong_split _) as l ->
         List.fold_left (fun h b -> (31 * h) + State.hash_bond b) 3 (Transition.bonds l) land max_int
+      | Absorb { first; absorber } -> 7 + (31 * first) + absorber
       | Bounce { firsts; _ } -> List.fold_left (fun h p -> (1_000_003 * h) + p) 5 firsts land max_int
   end)
 

@@ -9,7 +9,11 @@ open Scc_evaluate
 type fault = Transition.fault
 
 (* What a transition of some processes changes of the whole. *)
-type move = { step : Lts.step; leaf : int  (** of one of them *) }
+type move = {
+  step : Lts.step;
+  leaf : int;  (** of one of them *)
+  takes_out : bool;  (** one of them is in the network no more (rule Absorb) *)
+}
 
 (* What a form decides, wherever the process is. *)
 type nature = { splits : bool; wait : Rat.t option  (** until an eps expires or the next split instant *) }
@@ -95,6 +99,7 @@ let move b (o : Transition.outcome) =
         changes = Array.of_list (List.concat_map (fun (slot, v) -> [ slot; v ]) in_order);
       };
     leaf = Catalogue.first_leaf (List.hd o.gone);
+    takes_out = o.come = [];
   }
 
 let least a b =
@@ -217,7 +222,8 @@ let after c d a =
     a.after
   end
 
-(* Places only change with time, so that other transitions lead from representatives to representatives. *)
+(* Who is there, and where, changes only with time and by absorption: other transitions lead from representatives
+   to representatives. *)
 let pass c tuple present d : Lts.step =
   let label = Catalogue.label (catalogue c) (Transition.Time d) in
   let target = Array.copy tuple in
@@ -227,6 +233,12 @@ let pass c tuple present d : Lts.step =
   let moves = Array.exists (fun a -> not a.rests) present in
   let target = if moves then Quotient.representative c.quotient (catalogue c) target else target in
   { label; changes = Tuples.difference tuple target }
+
+let step c tuple m : Lts.step =
+  if not m.takes_out then m.step
+  else
+    let target = Quotient.representative c.quotient (catalogue c) (Tuples.apply m.step.changes tuple) in
+    { m.step with changes = Tuples.difference tuple target }
 
 let present c tuple =
   let n = Array.length (model c).leaves in
@@ -330,7 +342,7 @@ let by_parts c tuple present =
     let delay = least wait (contact ~limit:wait) in
     Option.to_list (Option.map (pass c tuple present) delay)
   in
-  Network.in_order (fun m -> m.step) d ~time
+  Network.in_order (step c tuple) d ~time
 
 let successors c tuple =
   if Model.straight (model c) then Ok (by_parts c tuple (present c tuple)) else whole c tuple
@@ -363,4 +375,4 @@ let reduced c tuple =
       if not (Network.is_urgent d) then None
       else
         group_moves (semantics c) visible present d
-        |> Option.map (Network.in_order (fun m -> m.step) ~time:(fun () -> [])))
+        |> Option.map (Network.in_order (step c tuple) ~time:(fun () -> [])))

@@ -33,12 +33,12 @@ let fold c f acc (tuple : int array) =
   in
   from 0 acc
 
-(* The number of the process of a leaf: it is in the slot of its first leaf, which comes no later. *)
+(* The number of the process of a leaf: it is in the slot of its first leaf, which comes no later. Or nobody. *)
 let home_number c leaf =
   let catalogue = Network_lts.catalogue c in
   fun (tuple : int array) ->
     let rec from i =
-      if i < 0 then Scc_base.Bug.fail __POS__ "a leaf of the model is not in the state"
+      if i < 0 then Catalogue.nobody
       else if tuple.(i) <> Catalogue.nobody then
         let p = (Catalogue.body catalogue tuple.(i)).process in
         if State.has_leaf p leaf then tuple.(i) else from (i - 1)
@@ -48,7 +48,9 @@ let home_number c leaf =
 
 let home c leaf =
   let number = home_number c leaf in
-  fun tuple -> (Catalogue.body (Network_lts.catalogue c) (number tuple)).process
+  fun tuple ->
+    let n = number tuple in
+    if n = Catalogue.nobody then None else Some (Catalogue.body (Network_lts.catalogue c) n).process
 
 (** A state as a tuple, at its instant. *)
 module Tuple = struct
@@ -100,13 +102,21 @@ module Tuple = struct
 
   let quantity c (q : Meaning.quantity) : t -> number =
     let path process = Path.make (Network_lts.model c) process in
+    let undefined leaf : number = Error (Meaning.of_the_gone (Network_lts.model c) leaf) in
     match q with
-    | Of_process (leaf, f) ->
-      let home = home c leaf in
-      fun t -> of_curve (f (path (home t)))
+    | Of_process (i, f) ->
+      let home = home c i in
+      fun t -> (match home t with Some p -> of_curve (f (path p)) | None -> undefined i)
     | Of_two (i, j, f) ->
       let one = home c i and two = home c j in
-      fun t -> of_curve (f (path (one t)) (path (two t)))
+      fun t -> (
+          match (one t, two t) with
+          | Some p, Some q -> of_curve (f (path p) (path q))
+          | None, _ -> undefined i
+          | Some _, None -> undefined j)
+    | Counted (i, f) ->
+      let home = home c i in
+      fun t -> Ok (Rat.of_int (Option.fold ~none:0 ~some:f (home t)))
     | Sum f ->
       let of_number = by_process c (Ok Rat.zero) (fun p -> of_curve (f (path p))) in
       fold c (fun sum p -> add sum (of_number p)) (Ok Rat.zero)
@@ -125,16 +135,24 @@ module Tuple = struct
 
   let fact c (f : Meaning.fact) : t -> truth =
     match f with
-    | In_process (leaf, test) ->
-      let home = home c leaf in
-      fun t -> Truth.of_bool (test (home t))
+    | Missing i ->
+      let number = home_number c i in
+      fun t -> Truth.of_bool (number t = Catalogue.nobody)
+    | In_process (i, test) ->
+      let home = home c i in
+      fun t -> Truth.of_bool (Option.fold ~none:false ~some:test (home t))
     | In_behaviour (leaf, test) ->
       let number = home_number c leaf in
       let of_number = by_process c false (fun p -> test (State.leaf_of p leaf).behaviour) in
-      fun t -> Truth.of_bool (of_number (number t))
+      fun t ->
+        let n = number t in
+        Truth.of_bool (n <> Catalogue.nobody && of_number n)
     | Between (i, j, along) ->
       let one = home c i and two = home c j and path process = Path.make (Network_lts.model c) process in
-      fun t -> (along Timeline.Instant (path (one t)) (path (two t))).start
+      fun t -> (
+          match (one t, two t) with
+          | Some p, Some q -> (along Timeline.Instant (path p) (path q)).start
+          | None, _ | _, None -> Truth.False)
     | In_network test -> fun t -> Truth.of_bool (test (Catalogue.decode (Network_lts.catalogue c) t))
     | Arrival e -> fun t -> Truth.of_bool (Network_lts.arrived c t e)
 

@@ -20,7 +20,7 @@ let used kinds kind = List.exists (equal kind) kinds
 let quotient kinds model state ~searched ~evaluated : Quotient.t =
   {
     symmetry =
-      (if used kinds Symmetry then Symmetry.find model ~searched ~evaluated else Symmetry.none);
+      (if used kinds Symmetry then Symmetry.find model ~initial:state ~searched ~evaluated else Symmetry.none);
     translation = used kinds Translation && Quotient.translatable model state (searched @ evaluated);
   }
 

@@ -35,7 +35,7 @@ let invariant formulas i j =
     formulas
 
 (* To change places with is an equivalence, so that one member speaks for its class. *)
-let find (m : Model.t) ~searched ~evaluated =
+let find (m : Model.t) ~(initial : State.t) ~searched ~evaluated =
   let named = Array.make (Array.length m.leaves) false and apart = Array.make (Array.length m.leaves) false in
   let set a i = a.(i) <- true in
   List.iter (set apart) (List.concat_map Formula.leaves evaluated);
@@ -50,7 +50,9 @@ let find (m : Model.t) ~searched ~evaluated =
     | group :: rest -> if fits i group then (i :: group) :: rest else group :: join i rest
   in
   let place groups i = if apart.(i) || m.leaves.(i).fixed then groups else join i groups in
-  let groups = List.fold_left place [] (List.init (Array.length m.leaves) Fun.id) in
+  let is_there i = Option.is_some (State.home initial i) in
+  let leaves = List.filter is_there (List.init (Array.length m.leaves) Fun.id) in
+  let groups = List.fold_left place [] leaves in
   let classes = List.filter (fun g -> List.compare_length_with g 2 >= 0) groups in
   let members = Array.of_list (List.map (fun g -> Array.of_list (List.rev g)) classes) in
   let class_of = Array.make (Array.length m.leaves) (-1) in
@@ -69,14 +71,17 @@ let renamed image (p : State.process) =
     ~bonds:(List.map bond (Array.to_list p.bonds))
     ?phase:p.phase ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
 
-let in_order places members =
+(* The first of the members, in order of their places, and none of the others. *)
+let in_order places members ~present =
   let rec from i =
-    i >= Array.length members
-    || (Vec.compare places.(members.(i - 1)) places.(members.(i)) < 0 && from (i + 1))
+    i >= Array.length present
+    || present.(i) = members.(i)
+       && (i = 0 || Vec.compare places.(present.(i - 1)) places.(present.(i)) < 0)
+       && from (i + 1)
   in
-  from 1
+  from 0
 
-(* Leaves that are not in the state are left out of their class. *)
+(* Where some of a class are gone (rule Absorb), those that are left take the first names. *)
 let canonical s processes =
   if is_none s then None
   else begin
@@ -91,16 +96,16 @@ let canonical s processes =
            p.leaves)
       processes;
     let here members = Array.of_list (List.filter (fun l -> present.(l)) (Array.to_list members)) in
-    let members = Array.map here s.members in
-    if Array.for_all (in_order places) members then None
+    let left = Array.map here s.members in
+    if Array.for_all2 (fun members present -> in_order places members ~present) s.members left then None
     else begin
       let image = Array.init n Fun.id in
-      let sort leaves =
-        let sorted = Array.copy leaves in
+      let sort members left =
+        let sorted = Array.copy left in
         Array.sort (fun a b -> Vec.compare places.(a) places.(b)) sorted;
-        Array.iteri (fun i leaf -> image.(leaf) <- leaves.(i)) sorted
+        Array.iteri (fun i leaf -> image.(leaf) <- members.(i)) sorted
       in
-      Array.iter sort members;
+      Array.iter2 sort s.members left;
       Some (List.map (renamed (fun l -> image.(l))) (Array.to_list processes))
     end
   end

@@ -15,14 +15,14 @@ type t
 val none : t
 val is_none : t -> bool
 
-val find : Model.t -> searched:Property.temporal list -> evaluated:Property.temporal list -> t
-(** Fixed leaves are left alone, and so are those that an event names, or a formula of [evaluated], whose parts
-    are explained one by one. A formula of [searched] may name leaves when it stays the same, but for the order
-    of what is symmetric, whichever of them change places. *)
+val find : Model.t -> initial:State.t -> searched:Property.temporal list -> evaluated:Property.temporal list -> t
+(** Among the leaves of the initial state. Fixed ones are left alone, and so are those that an event names, or a
+    formula of [evaluated], whose parts are explained one by one. A formula of [searched] may name leaves when it
+    stays the same, but for the order of what is symmetric, whichever of them change places. *)
 
 val classes : t -> int list list
 (** Of two or more leaves. *)
 
 val canonical : t -> State.process array -> State.process list option
-(** The processes of a state with interchangeable leaves renamed, in the order of their places; [None] when they
-    are in that order already. *)
+(** The processes of a state with interchangeable leaves renamed, in the order of their places, so that those of a
+    class that are gone are its last; [None] when they are in that order already. *)

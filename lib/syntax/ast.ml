@@ -97,6 +97,7 @@ and attribute_kind =
   | Mass of expr
   | Velocity of vector
   | Spin of vector
+  | Absorb
   | At of transform list  (** [T1 * T2 * …], the last applied first; not empty *)
 
 (** A member of an active surface; [only]: without its closure. *)

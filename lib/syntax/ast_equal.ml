@@ -91,7 +91,8 @@ let attribute a b =
   | Mass x, Mass y -> expr x y
   | Velocity v, Velocity w | Spin v, Spin w -> vector v w
   | At ts, At us -> list transform ts us
-  | (Mass _ | Velocity _ | Spin _ | At _), _ -> false
+  | Absorb, Absorb -> true
+  | (Mass _ | Velocity _ | Spin _ | Absorb | At _), _ -> false
 
 let member (a : member) (b : member) = Bool.equal a.only b.only && feature a.feature b.feature
 

@@ -45,6 +45,7 @@
 | ROUND { at $loc "round" }
 | STEADY { at $loc "steady" }
 | PUSH { at $loc "push" }
+| ABSORB { at $loc "absorb" }
 
 %public plain_name:
 | n = common_name { n }
@@ -121,6 +122,10 @@ call(N): f = N LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) 
 
 %public quadruple: LPAREN w = expr COMMA x = expr COMMA y = expr COMMA z = expr RPAREN { (w, x, y, z) }
 
+event_word:
+| e = NAME { e }
+| ABSORB { "absorb" }
+
 (* Numbers, truth values and formulas *)
 
 %public %inline arithmetic_operator:
@@ -192,8 +197,8 @@ over:
 | v = closed_vector { v }
 | v = closed_vector DOT axis = name { at $loc (Component (v, axis)) }
 | COUNT LPAREN p = name IN t = over COLON e = expr RPAREN { at $loc (Quantified (Count, p, t, e)) }
-| EVENT e = NAME { at $loc (Event (at $loc(e) e, [])) }
-| EVENT e = NAME LPAREN es = optional_list(expr) RPAREN { at $loc (Event (at $loc(e) e, es)) }
+| EVENT e = event_word { at $loc (Event (at $loc(e) e, [])) }
+| EVENT e = event_word LPAREN es = optional_list(expr) RPAREN { at $loc (Event (at $loc(e) e, es)) }
 | q = path_quantifier bracket f = expr U b = ioption(bound) g = expr RBRACKET
     { at $loc (Until (q, f, b, g)) }
 | MINUS e = expr %prec NEGATION { at $loc (Neg e) }

@@ -21,7 +21,7 @@
     [
       ("A", A); ("AF", AF); ("AG", AG); ("AX", AX); ("E", E); ("EF", EF); ("EG", EG); ("EX", EX);
       ("F", LETTER "F"); ("G", LETTER "G"); ("U", U); ("X", LETTER "X");
-      ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND); ("bonds", BONDS);
+      ("absorb", ABSORB); ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("bond", BOND); ("bonds", BONDS);
       ("check", CHECK); ("choose", CHOOSE); ("collisions", COLLISIONS); ("compound", COMPOUND); ("count", COUNT);
       ("dynamics", DYNAMICS); ("else", ELSE);
       ("eps", EPS); ("event", EVENT); ("eventually", EVENTUALLY); ("exists", EXISTS); ("faces", FACES);

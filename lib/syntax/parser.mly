@@ -137,6 +137,7 @@ attribute:
 | MASS e = arithmetic { at $loc (Mass e) }
 | VELOCITY v = arithmetic { at $loc (Velocity v) }
 | SPIN v = arithmetic { at $loc (Spin v) }
+| ABSORB { at $loc Absorb }
 | AT ts = transforms { at $loc (At ts) }
 
 part:

@@ -300,8 +300,7 @@ let paths ps = "[" ^ String.concat ", " (List.map path ps) ^ "]"
 let feature f =
   match f.it with
   | Named p -> path p
-  | Tuple (None, vs) -> paths vs
-  | Tuple (Some p, vs) -> path p ^ "." ^ paths vs
+  | Tuple (prefix, vs) -> Option.fold ~none:"" ~some:(fun p -> path p ^ ".") prefix ^ paths vs
 
 let member m = if m.only then "only " ^ feature m.feature else feature m.feature
 
@@ -397,4 +396,5 @@ let attribute a =
   | Mass e -> "mass " ^ arithmetic e
   | Velocity v -> "velocity " ^ arithmetic v
   | Spin v -> "spin " ^ arithmetic v
+  | Absorb -> "absorb"
   | At ts -> "at " ^ String.concat " * " (List.map transform ts)

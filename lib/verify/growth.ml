@@ -75,8 +75,7 @@ let numbers states =
   let model_leaf (p : State.process) = p.leaves.(0).leaf in
   let n = Array.length states in
   let of_leaf leaf quantity (s : State.t) =
-    let i, _ = State.find_leaf s leaf in
-    length quantity s.processes.(i)
+    Option.fold ~none:0 ~some:(length quantity) (State.home s leaf)
   in
   let candidate p quantity =
     let leaf = model_leaf p in
@@ -169,8 +168,7 @@ let distance2 m (p : State.process) (s : State.t) =
 (* The distances of a process from the nearest other, if it is never nearer than before, and farther in the end. *)
 let leaving m leaf states =
   let at (s : State.t) =
-    let i, _ = State.find_leaf s leaf in
-    distance2 m s.processes.(i) s
+    Option.bind (State.home s leaf) (fun p -> distance2 m p s)
   in
   let rec rises before = function
     | [] -> true
@@ -214,7 +212,7 @@ let choices context graph states =
     let events = List.filter (fun l -> not (Transition.is_time l)) labels in
     let is_split : Transition.label -> bool = function
       | Weak_split _ -> true
-      | Time _ | Bind _ | Close _ | Bounce _ | Strong_split _ -> false
+      | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Strong_split _ -> false
     in
     let weak = List.length (List.filter is_split events) in
     (* A weak split is a choice by itself: it can be put off. *)
@@ -345,7 +343,7 @@ let cure_of_numbers (m : Model.t) =
 let cure (m : Model.t) = function
   | Steps _ -> "`timestep d steady`, whose steps no collision ends"
   | Numbers _ -> cure_of_numbers m
-  | Leaves _ -> "put a `fixed` wall in its way; or " ^ bounded
+  | Leaves _ -> "put a `fixed` wall in its way, or one that says `absorb`; or " ^ bounded
   | Drifts _ ->
     "speak of distances instead of positions, in checks and in laws, and leave out `fixed` bodies that nobody \
      meets: where all of it is is not told apart then; or " ^ bounded

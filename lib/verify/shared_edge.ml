@@ -20,7 +20,8 @@ let opened (m : Model.t) (l : State.leaf) =
   List.sort_uniq Site.compare (within [] l.behaviour.term)
 
 let sharing (m : Model.t) (initial : State.t) (f : State.finish) =
-  let listed = opened m (snd (State.find_leaf initial f.at)) in
+  let of_leaf (p : State.process) = opened m (State.leaf_of p f.at) in
+  let listed = Option.fold ~none:[] ~some:of_leaf (State.home initial f.at) in
   let has (s : Site.t) =
     let solid = m.leaves.(f.at).parts.(s.part).solid in
     s.part = f.site.part
@@ -45,6 +46,6 @@ let warning context =
   let m = Network_lts.model context and initial = Network_lts.start context in
   let of_label : Transition.label -> Scc_base.Diag.t option = function
     | Bind b | Close b -> List.find_map (of_end m initial b.name) [ b.one; b.two ]
-    | Time _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+    | Time _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None
   in
   Catalogue.find_label (Network_lts.catalogue context) of_label

@@ -66,7 +66,10 @@ let rotation (w, x, y, z) =
 
 let leaf name solid mass ~fixed : Model.leaf =
   let part : Model.part = { name; template = "Cube"; solid; offset = Vec.zero; mass } in
-  { name; template = "Cube"; parts = [| part |]; fixed; mass; law = Inertial; law_at = Scc_base.Span.none }
+  {
+    name; template = "Cube"; parts = [| part |]; fixed; absorbs = false; mass; law = Inertial;
+    law_at = Scc_base.Span.none;
+  }
 
 (* Slabs that touch one another: centres and half sizes. *)
 let walls side =

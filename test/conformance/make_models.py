@@ -50,6 +50,8 @@ def label_pattern(label):
         return {'kind': kind, 'name': label['name'], 'ends': unordered(label['ends'])}
     if kind == 'bounce':
         return {'kind': kind, 'between': unordered(label['between'])}
+    if kind == 'absorb':
+        return {'kind': kind, 'between': label['between']}
     return {'kind': kind, 'bonds': unordered([bond_pattern(b) for b in label['bonds']])}
 
 

@@ -10,7 +10,7 @@ CUBE = """shape Cube {
 }
 """
 
-TIME, BIND, CLOSE, BOUNCE, WEAK, STRONG = ({'kind': k} for k in ('time', 'bind', 'close', 'bounce', 'weak', 'strong'))
+TIME, BIND, CLOSE, BOUNCE, ABSORB, WEAK, STRONG = ({'kind': k} for k in ('time', 'bind', 'close', 'bounce', 'absorb', 'weak', 'strong'))
 
 
 def passes(duration):
@@ -35,6 +35,10 @@ def reacts(*bonds):
 
 def bounces(one, other):
     return {'kind': 'bounce', 'between': unordered([one, other])}
+
+
+def absorbs(one, drain):
+    return {'kind': 'absorb', 'between': [one, drain]}
 
 
 class Rule(Suite):

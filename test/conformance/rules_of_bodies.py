@@ -1,7 +1,7 @@
 """By hand: behaviours, processes and networks (sections 2 and 3 of the rule book)."""
 
-from make_rules import (BIND, BOUNCE, CLOSE, STRONG, TIME, WEAK, Rule, binds, bonded, bounces, closes, cubes, dock, leaf, passes, reacts,
-                        releases)
+from make_rules import (ABSORB, BIND, BOUNCE, CLOSE, STRONG, TIME, WEAK, Rule, absorbs, binds, bonded, bounces, closes, cubes, dock, leaf,
+                        passes, reacts, releases)
 from cases import num, nums, result, unordered
 
 ON = 'behaviour %s on Cube = %s\n'
@@ -262,6 +262,37 @@ def bounce():
     return r
 
 
+def absorb():
+    r = Rule('Absorb')
+    drain = 'fixed drain = Cube absorb at translate (6,0,0)\n'
+    text = cubes(w='(2,0,0)', at='(3,0,0)') + drain
+    gone = [TIME, ABSORB]
+    r.outcomes('What hits it never bounces.', text, [TIME], [absorbs('q', 'drain')])
+    r.state('Nothing else changes.', text, gone, [
+        {'velocity': nums((1, 0, 0)), 'leaves': [{'name': 'p', 'position': nums(('1/2', 0, 0))}]},
+        {'velocity': nums((0, 0, 0)), **leaf('drain')}])
+    r.outcomes('The next follows.', text, gone, [passes('7/2')])
+    r.outcomes('What slides along it goes on.', cubes(v='(0,0,0)', w='(0,1,0)', at='(4,-3,0)') + drain, [], [], 'quiescent')
+    r.value('Numbers count nothing of it.', text, gone, 'processes = 2 and size(q) = 0 and energy = 1/2 and momentum.x = 1', True)
+    r.value('Facts about it are false.', text, gone, 'gone(q) and not gone(p) and not same(q, q) and not touching(q, drain)', True)
+    r.verdict('Where it is has no value.', text, 'AG x(q) < 100', 'undecided')
+    r.verdict('Whoever asks first is told.', text, 'AG (gone(q) or x(q) < 100)', 'holds')
+    r.verdict('It is a choice that excludes a bounce.', text, 'EF event bounce(q)', 'violated')
+    r.verdict('The event tells both.', text, 'AF event absorb(q, drain)', 'holds')
+    r.outcomes('A whole process goes, by its first leaf.', bonded('', 'nil', 'nil', v='(1,0,0)') + drain, [TIME],
+               [absorbs('p', 'drain')])
+    r.outcomes('Another collision at that instant is possible as well.', ABSORBED_BESIDE, [], [absorbs('p', 'drain'), bounces('p', 'wall')])
+    r.refused('What moves does not absorb.', 'process p = Cube mass 1 absorb [nil]\n', 'SC0409')
+    r.refused('What absorbs does nothing.', 'fixed p = Cube absorb [eps(1). nil]\n', 'SC0409')
+    r.named(text, [TIME], ABSORB, 'Absorb')
+    return r
+
+
+ABSORBED_BESIDE = """process p = Cube mass 1 velocity (1,0,0) [nil]
+fixed drain = Cube absorb at translate (2,1,0)
+fixed wall = Cube at translate (2,-1,0)
+"""
+
 GRAVITY = 'process p = Cube mass 2 at translate (0,0,10) [nil]\nmotion p = (vx, vy, vz - 2*dt)\n'
 
 
@@ -310,4 +341,4 @@ def successors():
 
 def suites():
     return [f() for f in (def_5_1, pre, weak, strong, sum_, def_, eps0, time_behaviour, def_5_2, well_formed, weak_split,
-                          strong_split, collision, bind, close, bounce, time, steer, successors)]
+                          strong_split, collision, bind, close, bounce, absorb, time, steer, successors)]

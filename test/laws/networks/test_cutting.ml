@@ -143,6 +143,7 @@ let see (t : Transition.t) state =
     | Close b -> say "close %s %d %d" b.name b.one.at b.two.at
     | Bounce { firsts; _ } -> String.concat " " ("bounce" :: List.map string_of_int firsts)
     | Time d -> say "time %s" (Rat.to_string d)
+    | Absorb { first; absorber } -> say "absorb %d %d" first absorber
     | Weak_split _ | Strong_split _ -> "split"
   in
   { label; state = plain state }

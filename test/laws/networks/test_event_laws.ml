@@ -14,15 +14,18 @@ let fail_on = function None -> true | Some why -> QCheck2.Test.fail_report why
 
 (* {1 Confluence} *)
 
-(* The processes that take part, by their indices. *)
+(* The processes that change, by their indices. *)
 let part (s : State.t) (t : Transition.t) =
   let leaves =
     match t.label with
     | Bounce { firsts; _ } -> firsts
+    | Absorb { first; _ } -> [ first ]
     | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
       List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds t.label)
   in
-  List.sort_uniq Int.compare (List.map (fun leaf -> fst (State.find_leaf s leaf)) leaves)
+  let has leaf i = State.has_leaf s.processes.(i) leaf in
+  let home leaf = List.find (has leaf) (List.init (Array.length s.processes) Fun.id) in
+  List.sort_uniq Int.compare (List.map home leaves)
 
 let disjoint one two = not (List.exists (fun p -> List.mem p two) one)
 
@@ -156,7 +159,7 @@ let network_of_pile bodies =
   let leaf i (_, (_, mass, _)) : Model.leaf =
     let name = say "p%d" i and mass = Rat.of_int mass in
     let part = { Model.name; template = "Cube"; solid; offset = Vec.zero; mass } in
-    { name; template = "Cube"; parts = [| part |]; fixed = is_fixed i; mass; law = Inertial;
+    { name; template = "Cube"; parts = [| part |]; fixed = is_fixed i; absorbs = false; mass; law = Inertial;
       law_at = Scc_base.Span.none }
   in
   let leaves = Array.of_list (List.mapi leaf bodies) in
@@ -221,7 +224,7 @@ let bind_iff s transitions meet one two =
   let binds (t : Transition.t) =
     match t.label with
     | Bind _ -> List.equal Int.equal (part s t) [ one; two ]
-    | Close _ | Bounce _ | Weak_split _ | Strong_split _ | Time _ -> false
+    | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Time _ -> false
   in
   if Bool.equal meet (List.exists binds transitions) then None
   else Some (if meet then "surfaces meet, and nothing binds" else "what binds does not meet")
@@ -289,7 +292,7 @@ let undone m (s, transitions) =
          else if not in_time then Some "something happens on the way back"
          else if not (State.equal (Time.pass (standard m) d back) goal) then Some "the way back leads elsewhere"
          else None
-       | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> None)
+       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None)
     transitions
 
 let some_network networks shows () =
@@ -306,7 +309,7 @@ let several =
            let undoes (u : Transition.t) = State.equal u.target (backwards s) in
            match t.label with
            | Bounce _ -> not (List.exists undoes (Reach.successors m (backwards t.target)))
-           | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> false)
+           | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ -> false)
         ts)
 
 (* Backwards, a third body may collide as well. *)

@@ -18,7 +18,7 @@ let alone ~law ~rigid ~timestep ~velocity ~spin =
   let solid = Random_rigid.cube ~id:0 in
   let part = { Model.name = "p"; template = "Cube"; solid; offset = Vec.zero; mass = Rat.one } in
   let leaf : Model.leaf =
-    { name = "p"; template = "Cube"; parts = [| part |]; fixed = false; mass = Rat.one; law;
+    { name = "p"; template = "Cube"; parts = [| part |]; fixed = false; absorbs = false; mass = Rat.one; law;
       law_at = Scc_base.Span.none }
   in
   let none = Random_network.model Random_network.none in
@@ -33,7 +33,7 @@ let over_a_floor ~law ~timestep ~height =
   let solid = Random_rigid.cube ~id:0 in
   let leaf name ~fixed law : Model.leaf =
     let part = { Model.name; template = "Cube"; solid; offset = Vec.zero; mass = Rat.one } in
-    { name; template = "Cube"; parts = [| part |]; fixed; mass = Rat.one; law;
+    { name; template = "Cube"; parts = [| part |]; fixed; absorbs = false; mass = Rat.one; law;
       law_at = Scc_base.Span.none }
   in
   let leaves = [| leaf "floor" ~fixed:true Inertial; leaf "p" ~fixed:false law |] in
@@ -267,8 +267,8 @@ let of_turning =
        let m, windows = turning_windows_of n k in
        let centre = State.centre_of_mass m in
        let close w (p : State.process) =
-         let whole = w.whole.processes.(fst (State.find_leaf w.whole p.leaves.(0).leaf)) in
-         let before = w.at_once.processes.(fst (State.find_leaf w.at_once p.leaves.(0).leaf)) in
+         let whole = Option.get (State.home w.whole p.leaves.(0).leaf) in
+         let before = Option.get (State.home w.at_once p.leaves.(0).leaf) in
          let rest = Rat.sub w.d w.wait in
          let one = centre (Turn.pass m w.d before) and other = centre (Turn.pass m rest p) in
          let w2 = Vec.norm2 whole.spin and r2 = Vec.norm2 (Vec.sub (centre before) (centre whole)) in

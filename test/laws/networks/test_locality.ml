@@ -41,6 +41,7 @@ let relabelled from : Transition.label -> Transition.label =
   | Weak_split r -> Weak_split { r with bond = bond r.bond }
   | Strong_split releases ->
     Strong_split (List.map (fun (r : Transition.release) -> { r with bond = bond r.bond }) releases)
+  | Absorb { first; absorber } -> Absorb { first = first + from; absorber = absorber + from }
   | Bounce { firsts; hits } ->
     let later leaf = leaf + from in
     let hit (h : Transition.hit) : Transition.hit =

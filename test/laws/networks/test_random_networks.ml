@@ -62,7 +62,7 @@ let bystanders =
 (* Whether what a split releases held a ring: it comes apart into no more pieces than there were bonds. *)
 let opens_ring (t : Transition.t) =
   let bonds = Transition.bonds t.label in
-  let home at = fst (State.find_leaf t.target at) in
+  let home at = (Option.get (State.home t.target at)).leaves.(0).leaf in
   let pieces (b : State.bond) = [ home b.one.at; home b.two.at ] in
   List.length (List.sort_uniq Int.compare (List.concat_map pieces bonds)) <= List.length bonds
 
@@ -76,6 +76,7 @@ let kinds m (s, ts) =
     | Close _ -> "close"
     | Bounce { firsts; _ } -> if List.compare_length_with firsts 2 > 0 then "bounce, of several" else "bounce"
     | Weak_split _ when opens_ring t -> "weak, of a ring"
+    | Absorb _ -> "absorb"
     | Weak_split _ -> "weak"
     | Strong_split _ when opens_ring t -> "strong, of a ring"
     | Strong_split _ -> "strong"
@@ -92,14 +93,17 @@ let varied networks expected () =
 let () =
   let cases = Scc_test_support.Property.cases in
   let any = Random_network.generate () and switched = Random_network.switched () in
+  let absorbing = Random_network.absorbing () in
   let all = [ "bind"; "bounce"; "strong"; "time"; "weak" ] in
-  let more = [ "bind, by contact"; "bounce, of several"; "close"; "strong, of a ring"; "weak, of a ring" ] in
+  let rings = [ "close"; "strong, of a ring"; "weak, of a ring" ] in
+  let more = "absorb" :: "bind, by contact" :: "bounce, of several" :: rings in
   let more = List.sort String.compare (more @ all) in
   Alcotest.run "random networks"
     [
       ( "scope",
         [
           Alcotest.test_case "every kind of transition comes up" `Quick (varied any all);
+          Alcotest.test_case "absorption, too" `Quick (varied absorbing ("absorb" :: all));
           Alcotest.test_case "with switches, too" `Quick (varied switched more);
         ] );
       ( "laws",
@@ -113,6 +117,8 @@ let () =
             preserves ~count:150
               (Random_network.switched ~steered:true ())
               "Preservation: with the switches of a model";
+            preserves absorbing "Preservation: where some are absorbed";
+            conserves absorbing "Conservation: where some are absorbed";
             conserves any "Conservation: momentum and energy";
             conserves ~count:150 switched "Conservation: with the switches of a model";
           ] );

@@ -22,8 +22,8 @@ let say = Printf.sprintf
 
 let with_fixed m (s : State.t) : Transition.label -> bool = function
   | Bounce { firsts; _ } ->
-    List.exists (fun leaf -> Option.is_none (State.mass m s.processes.(fst (State.find_leaf s leaf)))) firsts
-  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> false
+    List.exists (fun leaf -> Option.is_none (State.mass m (Option.get (State.home s leaf)))) firsts
+  | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ -> false
 
 (* {1 Laws of a state or a transition} *)
 
@@ -48,7 +48,7 @@ let turns_are_right m (s : State.t) =
   else List.find_map Fun.id (List.mapi wrong (Array.to_list s.processes))
 
 let find (s : State.t) (p : State.process) =
-  s.processes.(fst (State.find_leaf s p.leaves.(0).leaf))
+  Option.get (State.home s p.leaves.(0).leaf)
 
 (* Relative poses of the leaves of a process, as its first leaf sees them. *)
 let poses (p : State.process) =
@@ -92,7 +92,7 @@ let passes m d (t : Transition.t) (p : State.process) =
 let time_law m (s : State.t) (t : Transition.t) =
   match t.label with
   | Time d -> Array.to_list s.processes |> List.find_map (passes m d t)
-  | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None
 
 let interpenetrate m s =
   List.find_map
@@ -107,13 +107,12 @@ let between m (s : State.t) (t : Transition.t) =
     List.find_map
       (fun (n, k) -> interpenetrate m (Time.pass (standard m) (Rat.mul (rational n k) d) s))
       [ (1, 3); (1, 2); (9, 10); (999, 1000) ]
-  | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> None
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None
 
 let resolution m = (Turn.rigid m).resolution
 
 let placed m (s : State.t) (leaf, part) =
-  let _, l = State.find_leaf s leaf in
-  State.placed m l part
+  State.placed m (State.leaf_of (Option.get (State.home s leaf)) leaf) part
 
 (* Processes collide only when they are within the resolution, and only if they would soon interpenetrate. *)
 let collides_in_time m (s : State.t) =
@@ -240,6 +239,7 @@ let varied features expected () =
     | Bind _ -> "bind"
     | Close _ -> "close"
     | Bounce _ -> if with_fixed m s t.label then "bounce, fixed" else "bounce"
+    | Absorb _ -> "absorb"
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"
   in

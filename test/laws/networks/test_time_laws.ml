@@ -45,7 +45,7 @@ let passes_time (s, transitions) =
     (fun (t : Transition.t) ->
        match t.label with
        | Time d -> Some (s, d, t)
-       | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> None)
+       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None)
     transitions
 
 (* {1 TimeDeterminism} *)
@@ -92,7 +92,7 @@ let continuous m part state =
 
 let is_urgent (t : Transition.t) =
   match t.label with
-  | Strong_split _ | Bind _ | Close _ | Bounce _ -> true
+  | Strong_split _ | Bind _ | Close _ | Bounce _ | Absorb _ -> true
   | Weak_split _ | Time _ -> false
 
 let urgent m _ (s, transitions) =
@@ -109,9 +109,11 @@ let urgent m _ (s, transitions) =
 let progresses m _ (s, _) =
   match Network.successors (standard m) s with
   | Error (Persistent_contact firsts) ->
-    let at leaf = fst (State.find_leaf s leaf) in
-    let together = List.sort Int.compare (List.map at firsts) in
-    let meets (e : Kinematics.meeting) = List.equal Int.equal [ e.first; e.second ] together in
+    let together = List.sort Int.compare firsts in
+    let first i = s.processes.(i).leaves.(0).leaf in
+    let meets (e : Kinematics.meeting) =
+      List.equal Int.equal (List.sort Int.compare [ first e.first; first e.second ]) together
+    in
     if Option.is_none m.Model.rigid then Some "a persistent contact in translation"
     else if List.exists meets (Collisions.meetings (standard m) s.processes) then None
     else Some "a persistent contact of what does not collide"

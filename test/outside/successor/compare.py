@@ -137,6 +137,7 @@ def switches(model: Model) -> List[str]:
     found += ["laws"] * model.steered + ["local steps"] * (model.steered and model.local)
     found += ["steady steps"] * (model.steered and model.steady) + ["only"] * model.only
     found += ["pushes"] * model.pushes + ["cyclic"] * model.cyclic
+    found += ["absorption"] * any(leaf.absorbs for leaf in model.leaves.values())
     rounding = model.rounding if model.rigid else "velocity" in model.rounding
     return found + ["rounding"] * bool(rounding)
 

@@ -10,7 +10,7 @@ import random
 import re
 from fractions import Fraction
 from functools import lru_cache
-from typing import Dict, List, Optional, Tuple
+from typing import Dict, List, Optional, Set, Tuple
 
 import contact
 from model import Leaf, Model
@@ -73,6 +73,7 @@ class Generator:
         self.lines: List[str] = []
         self.walls = False
         self.behaviours: Dict[str, str] = {}  # of bodies, by name
+        self.absorbers: Set[str] = set()
         self.laws = rng.random() < 0.3
         self.together = rng.random() < 0.35  # reading I-32
         self.by_contact = not rigid and rng.random() < 0.35  # reading I-33
@@ -299,7 +300,8 @@ class Generator:
             wall = self.leaf_of("t = Wall mass 1 [nil]")
             at = (Fraction(0), Fraction(-4), Fraction(0))
             placed.append(("floor", wall, at, "0"))
-            self.lines.append("fixed floor = Wall at translate %s" % vector_text(at))
+            absorbs = self.takes("floor", 0.3)
+            self.lines.append("fixed floor = Wall%s at translate %s" % (absorbs, vector_text(at)))
             self.behaviours["floor"] = "nil"
             self.walls = True
         for i in range(rng.choice([2, 3, 3, 4, 4, 5])):
@@ -336,7 +338,7 @@ class Generator:
                 if rng.random() < 0.25:
                     behaviour = self.behaviour(leaf, names[shape.name], 2)
                 declared = None
-                if other and bound:
+                if other and bound and other[0] not in self.absorbers:
                     pair = self.any_pair(other[1], leaf, sub(at, other[2]))
                     if pair:
                         channel = rng.choice("aab")
@@ -365,7 +367,8 @@ class Generator:
                 place = " at translate %s%s" % (vector_text(at), at_text)
                 self.behaviours[name] = behaviour
                 if fixed and not (declared and declared != "0"):
-                    self.lines.append("fixed %s = %s%s" % (name, shape.name, place))
+                    absorbs = "" if declared else self.takes(name, 0.4)
+                    self.lines.append("fixed %s = %s%s%s" % (name, shape.name, absorbs, place))
                 else:
                     shown = "(0,0,0)" if speed == "0" else speed
                     self.lines.append(
@@ -379,7 +382,7 @@ class Generator:
             self.law(placed)
         for i, line in enumerate(self.lines):
             words = line.split()
-            if words[0] in ("process", "fixed"):
+            if words[0] in ("process", "fixed") and words[1] not in self.absorbers:
                 self.lines[i] = "%s [%s]" % (line, self.behaviours[words[1]])
         own = rng.choice([" local", " local", " steady", ""]) if self.laws else ""
         head = ["timestep %s%s" % (rng.choice(["1", "1/2", "2", "1/3"]), own)]
@@ -395,6 +398,13 @@ class Generator:
         if self.walls:
             head.append(WALL)
         return "\n".join(head + [s.text for s in self.shapes] + self.lines + bonds) + "\n"
+
+    def takes(self, name: str, share: float) -> str:
+        """Lets a fixed body absorb what hits it, or not."""
+        if self.rng.random() >= share:
+            return ""
+        self.absorbers.add(name)
+        return " absorb"
 
     # Turning.
 

@@ -31,6 +31,7 @@ class Leaf:
     def __init__(self, name: str, parts: List[Part], fixed: bool) -> None:
         self.name, self.parts, self.fixed = name, parts, fixed
         self.by_name = {part.name: part for part in parts}
+        self.absorbs = False
         self.law: Optional[Any] = None  # an expression for each component
         shares = []
         for part in parts:
@@ -219,6 +220,7 @@ class Model:
                 mass = self.number(declared["mass"], env) if "mass" in declared else None
                 parts[0].mass = None if mass is None else Fraction(mass)
             leaf = Leaf(leaf_name, parts, word == "fixed")
+            leaf.absorbs = "absorb" in declared
             self.leaves[leaf_name] = leaf
             moves = parts[0].motion if parts[0].motion else {"velocity": ZERO, "spin": ZERO}
             velocity = declared.get("velocity")

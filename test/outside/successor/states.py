@@ -130,6 +130,8 @@ def label_of(model: Model, told: dict) -> Any:
     if kind == "bounce":
         hits = frozenset(frozenset(pair) for pair in told["touching"])
         return ("bounce", tuple(told["between"]), hits)
+    if kind == "absorb":
+        return (kind,) + tuple(told["between"])
     if kind == "strong":
         return ("strong", frozenset(bond_of(model, b) + (push_of(b),) for b in told["bonds"]))
     if kind == "weak":

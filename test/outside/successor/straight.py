@@ -224,6 +224,9 @@ class Rules(Rounding):
     def resolutions(self, state: State) -> Iterator[Transition]:
         for cluster in self.clusters(state):
             bound = False
+            for p, taker in self.taken(cluster):
+                bound = True
+                yield ("absorb", self.first(p), taker), state.having([p], [])
             for p, q, pairs in cluster:
                 for bond, new in self.candidates(p, q, pairs):
                     bound = True
@@ -236,6 +239,14 @@ class Rules(Rounding):
                 after = [self.begun(steps.struck(p)) for _, p in changes]
                 label = ("bounce", names, self.hits(cluster))
                 yield label, state.having([p for p, _ in changes], after)
+
+    def taken(self, cluster: List[Meeting]) -> Iterator[Tuple[Process, str]]:
+        """Rule Absorb: who is gone, and the leaf that took it."""
+        for p, q, _ in cluster:
+            for one, other in ((p, q), (q, p)):
+                taker = next((name for name in other.bodies if self.leaf(name).absorbs), None)
+                if taker and (not self.model.by_contact or self.collision(p, q) is not None):
+                    yield one, taker
 
     def hits(self, cluster: List[Meeting]) -> FrozenSet[Any]:
         """Who touches in a bounce: pairs of parts."""
@@ -588,7 +599,7 @@ class Rules(Rounding):
 
     def ends_step(self, kind: str) -> bool:
         """Whether a transition of a kind ends the step of the network (I-35)."""
-        return kind in ("bind", "bounce") and not self.model.steady
+        return kind in ("bind", "bounce", "absorb") and not self.model.steady
 
     def settled_locally(self, state: State) -> State:
         """Reading I-31: the steps that are over, of what does not collide, all at once."""

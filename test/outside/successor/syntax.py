@@ -347,6 +347,8 @@ class Reader:
                 found["velocity"] = self.vector()
             elif self.accept("spin"):
                 found["spin"] = self.vector()
+            elif self.accept("absorb"):
+                found["absorb"] = True
             elif self.accept("at"):
                 found["at"] = self.transform()
             else:

@@ -44,7 +44,7 @@ def replaced(owner: Any, name: str, value: Any) -> Mistake:
 _covered, _touch, _dimension = response.covered, contact.touch, contact.dimension
 _grown, _passed = terms.grown, Rules.passed
 _clusters, _active, _steered = Rules.clusters, Leaf.active, Rules.steered
-_driven_apart, _line = Rules.driven_apart, Rules.line
+_driven_apart, _line, _taken = Rules.driven_apart, Rules.line, Rules.taken
 _successors = Rules.successors
 
 
@@ -93,6 +93,11 @@ def linked_by_all(self: Rules, state: Any) -> Any:
 def collisions_alone(self: Rules, state: Any) -> Any:
     found = [(p, q, self.collision(p, q)) for p, q in combinations(state.processes, 2)]
     return [meeting for meeting in found if meeting[2] is not None]
+
+
+def leaf_alone(self: Rules, cluster: Any) -> Any:
+    """Nothing happens to who is more than a leaf."""
+    return ((p, taker) for p, taker in _taken(self, cluster) if len(p.bodies) == 1)
 
 
 def one_driven(self: Rules, pieces: Any, bond: Any, push: Fraction) -> Any:
@@ -156,6 +161,12 @@ MISTAKES: Dict[str, Mistake] = {
     ),
     "I-35: collisions end steps": replaced(
         Rules, "ends_step", lambda self, kind: kind in ("bind", "bounce")
+    ),
+    "Absorb: it bounces": replaced(Rules, "taken", lambda self, cluster: iter(())),
+    "Absorb: a leaf alone goes": replaced(Rules, "taken", leaf_alone),
+    "Absorb: steps go on": replaced(
+        Rules, "ends_step",
+        lambda self, kind: kind in ("bind", "bounce") and not self.model.steady
     ),
     "I-36: one end is driven": replaced(Rules, "driven_apart", one_driven),
     "I-36: from centroid to centroid": replaced(

@@ -47,6 +47,7 @@ let sums m (s : State.t) = Array.fold_left (fun sums p -> add sums (of_process m
 let involved (label : Transition.label) =
   match label with
   | Bounce { firsts; _ } -> firsts
+  | Absorb { first; _ } -> [ first ]
   | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
     List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds label)
 
@@ -56,12 +57,12 @@ let pushes (label : Transition.label) =
   match label with
   | Weak_split r -> by r
   | Strong_split releases -> List.exists by releases
-  | Time _ | Bind _ | Close _ | Bounce _ -> false
+  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ -> false
 
 (* Whether a push surely moves pieces apart: not where all that it drives apart goes on as one, nor where the
    pushes on a piece may cancel each other, which takes a ring. *)
 let drives_apart (m : Model.t) (t : Transition.t) =
-  let home at = fst (State.find_leaf t.target at) in
+  let home at = (Option.get (State.home t.target at)).leaves.(0).leaf in
   let apart (b : State.bond) = home b.one.at <> home b.two.at in
   let pushing (r : Transition.release) = Rat.sign r.push > 0 && apart r.bond in
   match t.label with
@@ -71,11 +72,10 @@ let drives_apart (m : Model.t) (t : Transition.t) =
       | [] -> false
       | [ _ ] -> true
       | _ -> not (Model.closes_rings m))
-  | Time _ | Bind _ | Close _ | Bounce _ -> false
+  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ -> false
 
 let is_fixed m s leaf =
-  let i, _ = State.find_leaf s leaf in
-  Option.is_none (State.mass m s.State.processes.(i))
+  Option.is_none (State.mass m (Option.get (State.home s leaf)))
 
 (* Free bodies keep their momentum from turn to turn: what they have now is what they begin a new turn with. *)
 let renewed m s =
@@ -92,8 +92,17 @@ let fault m s (t : Transition.t) =
   let energy = Rat.compare after.energy before.energy in
   match t.label with
   | Time _ -> None
-  | (Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _)
+  | (Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _)
     when List.memq Rule.Steer t.rules || List.memq Rule.Round t.rules -> None
+  | Absorb { first; _ } ->
+    let taken = of_process m (Option.get (State.home (renewed m s) first)) in
+    let whole = add after taken in
+    if
+      Vec.equal before.momentum whole.momentum
+      && Vec.equal before.angular whole.angular
+      && Rat.equal before.energy whole.energy
+    then None
+    else broken "what others have"
   | (Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _)
     when free && not (Vec.equal before.momentum after.momentum) -> broken "momentum"
   | (Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _)

@@ -109,7 +109,10 @@ let behaviour i = if i = 0 then Behaviour.nil else Behaviour.call (i - 1)
 
 let fall : Law.t = Velocity (Var Vx, Sub (Var Vy, Mul (Const (int 2), Var Dt)), Var Vz)
 
-let leaf i (b : body) : Model.leaf =
+(* About half of the fixed ones, where some may absorb: they do nothing. *)
+let absorbs switches b = Switches.absorbs switches && b.fixed && b.behaviour mod 2 = 0
+
+let leaf switches i (b : body) : Model.leaf =
   let name = Printf.sprintf "p%d" i in
   let parts = shapes.(b.shape) in
   let mass = rational b.mass (List.length parts) in
@@ -119,14 +122,14 @@ let leaf i (b : body) : Model.leaf =
   in
   {
     name; template = "Cube"; parts = Array.of_list (List.mapi part parts); fixed = b.fixed;
-    mass = int b.mass; law = (if b.falls then fall else Inertial);
+    absorbs = absorbs switches b; mass = int b.mass; law = (if b.falls then fall else Inertial);
     law_at = Scc_base.Span.none;
   }
 
 let model { bodies; switches; _ } : Model.t =
   Switches.apply switches
     {
-      leaves = Array.of_list (List.mapi leaf bodies);
+      leaves = Array.of_list (List.mapi (leaf switches) bodies);
       definitions = definitions ~pushes:(Switches.pushes switches);
       timestep = rational 1 2;
       split_step = rational 1 2;
@@ -154,9 +157,9 @@ let velocity b =
   let x, y, z = b.velocity in
   if b.fixed then Vec.zero else Vec.make (rational x 2) (rational y 2) (rational z 2)
 
-let declared { bodies; packed; _ } =
+let declared { bodies; packed; switches } =
   let process i b =
-    let behaviour = Behaviour.fresh (behaviour b.behaviour) in
+    let behaviour = Behaviour.fresh (if absorbs switches b then Behaviour.nil else behaviour b.behaviour) in
     let position = position ~packed b in
     let leaf : State.leaf = { leaf = i; position; turned = Quaternion.identity; waited = Rat.zero; behaviour } in
     State.process ~leaves:[ leaf ] ~bonds:[] ~velocity:(velocity b) ~clock:None ()
@@ -208,6 +211,11 @@ let switched ?(steered = false) () =
   let linking b = map (fun linked -> if linked then { b with behaviour = link } else b) bool in
   let+ bodies = if Switches.closes_rings switches then flatten_l (List.map linking bodies) else pure bodies in
   { bodies; packed = tight; switches }
+
+let absorbing () =
+  let walls = List.mapi (fun i b -> if i mod 3 = 2 then { b with fixed = true; behaviour = 0 } else b) in
+  let network bodies = { bodies = walls bodies; packed = false; switches = Switches.absorbing } in
+  Gen.map network (apart ~steered:false)
 
 let rounding () =
   Gen.map (fun n -> { n with switches = Switches.rounding }) (switched ())

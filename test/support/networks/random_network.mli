@@ -13,6 +13,9 @@ val switched : ?steered:bool -> unit -> t QCheck2.Gen.t
 (** The same with random switches of the semantics ({!Switches}), most of them packed: face to face in a grid, so
     that much collides at once. *)
 
+val absorbing : unit -> t QCheck2.Gen.t
+(** Every third body absorbs what hits it, and perhaps others. *)
+
 val rounding : unit -> t QCheck2.Gen.t
 (** Of those, with velocities rounded and all else as if nothing were said. *)
 

@@ -125,7 +125,11 @@ let fall : Law.t = Velocity (Var Vx, Sub (Var Vy, Mul (Const (int 2), Var Dt)), 
 let leaves bodies =
   List.concat (List.mapi (fun i b -> List.mapi (fun j leaf -> (i, j, b, leaf)) shapes.(b.shape)) bodies)
 
-let model_leaf (i, j, b, (parts, _)) : Model.leaf =
+(* Some of the fixed ones of one leaf, where some may absorb: they do nothing. *)
+let absorbs switches b =
+  Switches.absorbs switches && b.fixed && List.length shapes.(b.shape) = 1 && b.mass <> 2
+
+let model_leaf switches (i, j, b, (parts, _)) : Model.leaf =
   let name = Printf.sprintf "p%d.l%d" i j in
   let part k (solid, offset) : Model.part =
     let mass = rational b.mass (Int.add (List.length parts) k) in
@@ -133,7 +137,7 @@ let model_leaf (i, j, b, (parts, _)) : Model.leaf =
   in
   let parts = Array.of_list (List.mapi part parts) in
   {
-    name; template = "Cube"; parts; fixed = b.fixed;
+    name; template = "Cube"; parts; fixed = b.fixed; absorbs = absorbs switches b;
     mass = Array.fold_left (fun sum (p : Model.part) -> Rat.add sum p.mass) Rat.zero parts;
     law = (if b.falls then fall else Inertial);
     law_at = Scc_base.Span.none;
@@ -142,7 +146,7 @@ let model_leaf (i, j, b, (parts, _)) : Model.leaf =
 let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
   Switches.apply switches
     {
-      leaves = Array.of_list (List.map model_leaf (leaves bodies));
+      leaves = Array.of_list (List.map (model_leaf switches) (leaves bodies));
       definitions = definitions ~pushes:(Switches.pushes switches) ~rings:(Switches.closes_rings switches);
       timestep = Rat.one;
       split_step = rational 1 2;

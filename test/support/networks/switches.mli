@@ -14,6 +14,8 @@ val local : t
 val by_contact : t
 val rings : t
 
+val absorbing : t
+
 val rounding : t
 (** One of them alone; the last rounds velocities to quarters. *)
 
@@ -25,9 +27,12 @@ val closes_rings : t -> bool
 
 val without_pushes : t -> t
 
+val absorbs : t -> bool
+(** Whether some fixed bodies absorb what hits them (rule Absorb). *)
+
 val generate : ?rigid:bool -> unit -> t QCheck2.Gen.t
 (** Some on, some off: collisions together, steps of single processes or steady ones (where something is
-    steered), pushes, rings and, but with [rigid], binding by contact. *)
+    steered), pushes, rings, bodies that absorb and, but with [rigid], binding by contact. *)
 
 val apply : t -> Model.t -> Model.t
 val print : t -> string

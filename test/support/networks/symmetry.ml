@@ -181,10 +181,9 @@ let scaling ~length ~time ~mass =
 
 (* A bounce is named by the first leaves of the two processes, which need not be first afterwards. *)
 let first_leaf symmetry (s : State.t) leaf =
-  let i, _ = State.find_leaf s leaf in
   Array.fold_left
     (fun least (l : State.leaf) -> min least (symmetry.leaf l.leaf))
-    max_int s.processes.(i).leaves
+    max_int (Option.get (State.home s leaf)).leaves
 
 let map_release symmetry ({ bond; push } : Transition.release) : Transition.release =
   { bond = symmetry.bond bond; push = symmetry.impulse push }
@@ -197,6 +196,8 @@ let map_label symmetry s : Transition.label -> Transition.label = function
   | Strong_split releases ->
     let in_order (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
     Strong_split (List.sort in_order (List.map (map_release symmetry) releases))
+  | Absorb { first; absorber } ->
+    Absorb { first = first_leaf symmetry s first; absorber = symmetry.leaf absorber }
   | Bounce { firsts; hits } ->
     let part (leaf, index) = (symmetry.leaf leaf, index) in
     let hit (h : Transition.hit) = Transition.hit (part h.one) (part h.two) in
@@ -216,7 +217,7 @@ let of_leaves : Transition.label -> Transition.label = function
   | Bounce { firsts; hits } ->
     let hit (h : Transition.hit) = Transition.hit (fst h.one, 0) (fst h.two, 0) in
     Bounce { firsts; hits = List.sort_uniq Transition.compare_hit (List.map hit hits) }
-  | (Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _) as label -> label
+  | (Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _) as label -> label
 
 let equal (a : Transition.t) (b : Transition.t) =
   Transition.equal_label (of_leaves a.label) (of_leaves b.label)

@@ -231,6 +231,14 @@ let networks =
     case "a fixed body with a velocity" "SC0407" "velocity (1,0,0)" (cube ^ "fixed w = Cube \
                                                                              velocity (1,0,0)");
     case "a law for a fixed body" "SC0407" "motion w = inertial" (cube ^ "fixed w = Cube motion w = inertial");
+    case "a body that moves and absorbs" "SC0409" "absorb" ~says:"only what is fixed"
+      (cube ^ "process p = Cube mass 1 absorb [nil]");
+    case "one that absorbs and does something" "SC0409" "eps(1). nil"
+      (cube ^ "fixed w = Cube absorb [eps(1). nil]");
+    case "one that is bound" "SC0409" "<a, {p.right, w.left}>"
+      (cube
+       ^ "process p = Cube mass 1 [nil] fixed w = Cube absorb at translate (2,0,0) bond <a, {p.right, w.left}>");
+    case "a part that absorbs" "SC0409" "absorb" (cube ^ "compound C { part l : Cube mass 1 absorb }");
     case "a bare feature of a compound" "SC0408" "top" ~says:"left.top"
       (cube ^ corner ^ "process p = Corner [<a, {top}>. nil]");
     case "a bare feature in a glue" "SC0408" "right"

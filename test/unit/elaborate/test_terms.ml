@@ -24,10 +24,12 @@ let leaf_index t name =
   from 0 (leaf_names t)
 
 let leaf (t : Scc_elaborate.Elaborate.t) name = t.model.leaves.(leaf_index t name)
-let state_leaf (t : Scc_elaborate.Elaborate.t) name = snd (State.find_leaf t.declared (leaf_index t name))
+let state_leaf (t : Scc_elaborate.Elaborate.t) name = 
+  let leaf = leaf_index t name in
+  State.leaf_of (Option.get (State.home t.declared leaf)) leaf
 
 let process_of (t : Scc_elaborate.Elaborate.t) name =
-  t.declared.processes.(fst (State.find_leaf t.declared (leaf_index t name)))
+  Option.get (State.home t.declared (leaf_index t name))
 
 let strings = Alcotest.(list string)
 

@@ -42,7 +42,10 @@ let facts m leaves pairs : Property.fact list =
       each names (fun a ->
           List.map (fun p -> Property.Offers (i, p, a)) [ None; Some Behaviour.Name; Some Co_name ]))
   @ each (ends leaves pairs) (fun e ->
-      Property.Event (Bounce e) :: List.map (fun c -> Property.Event (Bond (c, Some "a", e))) changes)
+      Property.Event (Bounce e)
+      :: Event (Absorbed e)
+      :: List.map (fun c -> Property.Event (Bond (c, Some "a", e))) changes)
+  @ List.map (fun i -> Property.Gone i) leaves
   @ [ Quiescent ]
 
 let atoms m =
@@ -68,7 +71,7 @@ let show m = function
 let value semantics s extent atom offset =
   let arrived : Property.event -> bool = function
     | Bond (Made, _, _) -> true
-    | Bond _ | Bounce _ | Hit _ -> false
+    | Bond _ | Bounce _ | Absorbed _ | Hit _ -> false
   in
   let trajectory = Trajectory.make ~arrived semantics s extent and offset = Algebraic.of_rat offset in
   match atom with
@@ -147,9 +150,13 @@ let straight =
   QCheck2.Test.make ~count:100 ~name:"atoms depend on nothing else than the table says"
     ~print:Random_network.print (Random_network.generate ()) (fun n -> kept (Random_network.start n))
 
+let absorbing =
+  QCheck2.Test.make ~count:60 ~name:"also where some are gone" ~print:Random_network.print
+    (Random_network.absorbing ()) (fun n -> kept (Random_network.start n))
+
 let turning =
   QCheck2.Test.make ~count:40 ~name:"also of bodies that turn" ~print:Random_rigid.print
     (Random_rigid.generate Random_rigid.anything) (fun n -> kept (Random_rigid.start n))
 
 let () =
-  Alcotest.run "atoms" [ ("the table", Scc_test_support.Property.cases [ straight; turning ]) ]
+  Alcotest.run "atoms" [ ("the table", Scc_test_support.Property.cases [ straight; absorbing; turning ]) ]

@@ -62,8 +62,8 @@ let pass t (s : State.t) =
   let processes = List.map (Turn.pass (elaborated ()).model t) (Array.to_list s.processes) in
   State.make ~processes ~step:None ~time:None
 
-let process_of (s : State.t) l = s.processes.(fst (State.find_leaf s l))
-let centroid s l = State.centroid (elaborated ()).model (snd (State.find_leaf s l))
+let process_of (s : State.t) l = Option.get (State.home s l)
+let centroid s l = State.centroid (elaborated ()).model (State.leaf_of (Option.get (State.home s l)) l)
 let axis (a : Property.axis) (v : Vec.t) = match a with X -> v.x | Y -> v.y | Z -> v.z
 
 let velocity s l =
@@ -157,7 +157,7 @@ let eighth = Rat.make Z.one (Z.of_int 8)
 
 let vertices s l =
   let m = (elaborated ()).model in
-  let leaf = snd (State.find_leaf s l) in
+  let leaf = State.leaf_of (Option.get (State.home s l)) l in
   List.init (Array.length m.leaves.(l).parts) (fun i -> Scc_rigid.Placed.vertices (State.placed m leaf i))
 
 let near s p q =

@@ -74,6 +74,7 @@ and prop_gen leaves depth : Property.prop Gen.t =
           return (Property.Fact (Offers (l, polarity, name))) );
         (1, map2 (fun l k -> Property.Fact (Behaviour (l, k))) leaf (int_range 0 3));
         (1, return (Property.Fact Quiescent));
+        (1, map (fun l -> Property.Fact (Gone l)) leaf);
         (1, return (Property.Fact (Event (Bounce Any))));
       ]
   in
@@ -92,14 +93,15 @@ and prop_gen leaves depth : Property.prop Gen.t =
 
 exception Undefined
 
-let leaf_of s l = snd (State.find_leaf s l)
-let process_of (s : State.t) l = s.processes.(fst (State.find_leaf s l))
+let is_there s l = Option.is_some (State.home s l)
+let process_of (s : State.t) l = match State.home s l with Some p -> p | None -> raise Undefined
+let leaf_of s l = State.leaf_of (process_of s l) l
 let axis (a : Property.axis) (v : Vec.t) = match a with X -> v.x | Y -> v.y | Z -> v.z
 let centroid (m : Model.t) s l = Vec.add (leaf_of s l).position (Model.leaf_centroid m.leaves.(l))
 
 let touching (m : Model.t) s p q =
   let parts l = List.init (Array.length m.leaves.(l).parts) (fun i -> i) in
-  p <> q
+  p <> q && is_there s p && is_there s q
   && List.exists
     (fun i ->
        List.exists
@@ -126,20 +128,21 @@ let rec num m s (n : Property.num) =
   | Quantity (Bonds _) ->
     let add k (p : State.process) = k + Array.length p.bonds in
     Rat.of_int (Array.fold_left add 0 s.State.processes)
-  | Quantity (Size l) -> Rat.of_int (State.size m (process_of s l))
+  | Quantity (Size l) -> if is_there s l then Rat.of_int (State.size m (process_of s l)) else Rat.zero
   | Quantity Processes -> Rat.of_int (Array.length s.processes)
   | Quantity (Position (a, l)) -> axis a (centroid m s l)
   | Quantity (Velocity (a, l)) -> axis a (process_of s l).velocity
   | Quantity (Speed2 l) -> Vec.norm2 (process_of s l).velocity
   | Quantity (Distance2 (p, q)) -> Vec.norm2 (Vec.sub (centroid m s p) (centroid m s q))
-  | Quantity (Spin _ | Spin2 _) -> Rat.zero
+  | Quantity (Spin (_, l) | Spin2 l) -> Vec.norm2 (process_of s l).spin
   | Quantity (Angular a) ->
     (* Every leaf by itself: nothing turns. *)
     let of_leaf sum l =
       let leaf = m.Model.leaves.(l) in
-      let v = (process_of s l).velocity in
-      if leaf.fixed || State.mass m (process_of s l) = None then sum
-      else Rat.add sum (Rat.mul leaf.mass (axis a (Vec.cross (centroid m s l) v)))
+      if (not (is_there s l)) || leaf.fixed || State.mass m (process_of s l) = None then sum
+      else
+        let v = (process_of s l).velocity in
+        Rat.add sum (Rat.mul leaf.mass (axis a (Vec.cross (centroid m s l) v)))
     in
     List.fold_left of_leaf Rat.zero (List.init (Array.length m.leaves) Fun.id)
   | Quantity (Momentum a) -> total m s (fun k v -> Rat.mul k (axis a v))
@@ -164,11 +167,13 @@ and prop m s (p : Property.prop) =
   | Fact (Bound (p, q)) ->
     let joins (b : State.bond) = (b.one.at = p && b.two.at = q) || (b.one.at = q && b.two.at = p) in
     Array.exists (fun (p : State.process) -> Array.exists joins p.bonds) s.State.processes
-  | Fact (Same (p, q)) -> fst (State.find_leaf s p) = fst (State.find_leaf s q)
-  | Fact (Behaviour (l, k)) -> (leaf_of s l).behaviour.origin = Some k
+  | Fact (Gone l) -> not (is_there s l)
+  | Fact (Same (p, q)) -> is_there s p && State.has_leaf (process_of s p) q
+  | Fact (Behaviour (l, k)) -> is_there s l && (leaf_of s l).behaviour.origin = Some k
   | Fact (Offers (l, polarity, name)) ->
     let named (c : Behaviour.channel) = String.equal c.name name in
-    List.exists
+    is_there s l
+    && List.exists
       (function
         | Behaviours.Offer_open (p, c, _) -> named c && (polarity = None || polarity = Some p)
         | Offer_weak (c, _, _) -> polarity = None && named c
@@ -241,7 +246,7 @@ let run_agrees (network, (p : Property.prop)) =
 
 let gen =
   let open Gen in
-  let* network = Random_network.generate () in
+  let* network = oneof [ Random_network.generate (); Random_network.absorbing () ] in
   let m = Random_network.model network in
   let* p = prop_gen (Array.length m.leaves) 3 in
   return (network, p)

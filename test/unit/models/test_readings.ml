@@ -43,8 +43,7 @@ let leaf m name =
   find 0
 
 let velocity m s name =
-  let i, _ = State.find_leaf s (leaf m name) in
-  Vec.to_string s.State.processes.(i).velocity
+  Vec.to_string (Option.get (State.home s (leaf m name))).velocity
 
 let check_velocity m s name expected = Alcotest.(check string) name expected (velocity m s name)
 

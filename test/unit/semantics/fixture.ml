@@ -36,13 +36,14 @@ type body = {
   velocity : int * int * int;
   mass : int;
   fixed : bool;
+  absorbs : bool;
   behaviour : Behaviour.t;
   law : Law.t;
 }
 
-let body ?(velocity = (0, 0, 0)) ?(mass = 1) ?(fixed = false) ?(law = Law.Inertial) ?(behaviour = nil) name
-    at =
-  { name; at; velocity; mass; fixed; behaviour; law }
+let body ?(velocity = (0, 0, 0)) ?(mass = 1) ?(fixed = false) ?(absorbs = false) ?(law = Law.Inertial)
+    ?(behaviour = nil) name at =
+  { name; at; velocity; mass; fixed; absorbs; behaviour; law }
 
 let vec (x, y, z) = Vec.of_ints x y z
 
@@ -54,7 +55,7 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
       { name = b.name; template = "Cube"; solid; offset = Vec.zero; mass = q b.mass }
     in
     {
-      name = b.name; template = "Cube"; parts = [| part |]; fixed = b.fixed; mass = q b.mass;
+      name = b.name; template = "Cube"; parts = [| part |]; fixed = b.fixed; absorbs = b.absorbs; mass = q b.mass;
       law = b.law; law_at = Scc_base.Span.none;
     }
   in
@@ -115,8 +116,7 @@ let take m s label =
   | None -> Alcotest.failf "no %s among %s" label (String.concat "; " (labels m all))
 
 let velocity s leaf =
-  let i, _ = State.find_leaf s leaf in
-  Vec.to_string s.State.processes.(i).velocity
+  Vec.to_string (Option.get (State.home s leaf)).velocity
 
 let check_labels what expected m s =
   Alcotest.(check (list string)) what expected (labels m (successors m s))

@@ -101,7 +101,7 @@ let boxed ?(keeps_time = false) velocities =
   let cube = solid 0 1 1 1 in
   let leaf name solid fixed : Model.leaf =
     let part : Model.part = { name; template = "Cube"; solid; offset = Vec.zero; mass = Rat.one } in
-    { name; template = "Cube"; parts = [| part |]; fixed; mass = Rat.one; law = Inertial;
+    { name; template = "Cube"; parts = [| part |]; fixed; absorbs = false; mass = Rat.one; law = Inertial;
       law_at = Scc_base.Span.none }
   in
   let body i (x, y, z) =

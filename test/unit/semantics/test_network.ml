@@ -238,6 +238,58 @@ let own_steps () =
   check_velocity "each with its own dt" "(-6, 0, -13/16)" bound 0;
   Alcotest.(check bool) "well-formed" true (Well_formed.check (standard m) bound = [])
 
+let names m (s : State.t) =
+  let leaves = List.concat_map (fun (p : State.process) -> Array.to_list p.leaves) (Array.to_list s.processes) in
+  List.map (fun (l : State.leaf) -> m.Model.leaves.(l.leaf).name) leaves
+
+let check_names what expected m s = Alcotest.(check (list string)) what expected (names m s)
+
+let absorb () =
+  let drain = body "drain" (4, 0, 0) ~fixed:true ~absorbs:true in
+  let m, s = network [ body "p" (0, 0, 0) ~velocity:(3, 1, 0); body "q" (0, 9, 0) ~velocity:(0, 1, 0); drain ] in
+  check_labels "it comes" [ "time(2/3)" ] m s;
+  let s = take m s "time(2/3)" in
+  check_labels "and is taken, and does not bounce" [ "absorb(p, drain)" ] m s;
+  let s = take m s "absorb(p, drain)" in
+  check_names "the others stay" [ "q"; "drain" ] m s;
+  check_velocity "as they are" "(0, 1, 0)" s 1;
+  Alcotest.(check bool) "well-formed" true (Well_formed.check (standard m) s = []);
+  check_labels "nothing comes of it" [] m s;
+  let m, s = network [ body "p" (2, 3, 0) ~velocity:(0, -1, 0); drain ] in
+  check_labels "sliding along it is no collision" [] m s;
+  let m = { m with Model.binding = On_contact } in
+  check_labels "nor with binding by contact" [] m (start m s);
+  (* the whole process goes, also where another part of it hits *)
+  let open_ name face = Behaviour.open_ name (channel "a" [ face ]) nil in
+  let m, s =
+    network
+      [
+        body "p" (0, 0, 0) ~velocity:(1, 0, 0) ~behaviour:(open_ Name "right");
+        body "q" (2, 0, 0) ~behaviour:(open_ Co_name "left");
+        body "drain" (5, 0, 0) ~fixed:true ~absorbs:true;
+      ]
+  in
+  let s = take m s "bind(a, p.right, q.left)" in
+  let s = take m s "time(2)" in
+  check_labels "named by its first leaf" [ "absorb(p, drain)" ] m s;
+  check_names "both are gone" [ "drain" ] m (take m s "absorb(p, drain)")
+
+let absorb_beside () =
+  let bodies =
+    [
+      body "p" (0, 0, 0) ~velocity:(1, 0, 0);
+      body "drain" (2, 1, 0) ~fixed:true ~absorbs:true;
+      body "wall" (2, -1, 0) ~fixed:true;
+      body "q" (0, 2, 0) ~velocity:(1, 0, 0);
+    ]
+  in
+  let m, s = network bodies in
+  check_labels "in turn, in every order" [ "absorb(p, drain)"; "bounce(p, wall)"; "absorb(q, drain)" ] m s;
+  check_labels "what has bounced does not come again" [ "absorb(q, drain)" ] m (take m s "bounce(p, wall)");
+  check_labels "two go one by one" [ "absorb(p, drain)"; "bounce(p, wall)" ] m (take m s "absorb(q, drain)");
+  let m = { m with Model.collisions = Together } in
+  check_labels "together, who may be taken never bounces" [ "absorb(p, drain)"; "absorb(q, drain)" ] m s
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "network"
@@ -249,6 +301,8 @@ let () =
           case "Bounce: two bodies" bounce;
           case "Response: off-centre hits keep no angular momentum" off_centre;
           case "Bounce: a fixed body" wall;
+          case "Absorb: what hits it is gone" absorb;
+          case "Absorb: beside other collisions" absorb_beside;
           case "Bind: a compatible collision" bind;
           case "Bind: what is not compatible bounces" incompatible;
           case "Bind: the touching pairs of the highest dimension (I-12)" lower_dimension;

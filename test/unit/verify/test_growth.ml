@@ -190,7 +190,8 @@ let words () =
       "q leaves all others, while these come back to where they were: at the end of the deepest run it is 1413.02 \
        from the nearest, and was 1077.02 not long before"
       (Growth.to_string model cause);
-    Alcotest.(check string) "what helps" "put a `fixed` wall in its way; or give the check a bound: `within t`"
+    Alcotest.(check string) "what helps"
+      "put a `fixed` wall in its way, or one that says `absorb`; or give the check a bound: `within t`"
       (Growth.cure model cause)
   | _ -> Alcotest.fail "one cause"
 

@@ -136,10 +136,11 @@ class MovementStep:
 
 @dataclass(frozen=True)
 class State:
-    """All processes; ``step`` is None where nothing is steered."""
+    """All processes; ``step`` is None where nothing is steered; ``gone`` are the bodies that were absorbed."""
 
     processes: Tuple[Process, ...]
     step: Optional[MovementStep] = None
+    gone: Tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, json: Json) -> State:
@@ -147,10 +148,11 @@ class State:
         return cls(
             tuple(map(Process.from_json, json["processes"])),
             None if step is None else MovementStep.from_json(step),
+            tuple(json.get("gone", ())),
         )
 
     def leaf(self, name: str) -> Leaf:
-        """The leaf of that name; KeyError if there is none."""
+        """The leaf of that name; KeyError if there is none, or it is gone."""
         for process in self.processes:
             for leaf in process.leaves:
                 if leaf.name == name:
@@ -158,7 +160,7 @@ class State:
         raise KeyError(name)
 
     def process_of(self, name: str) -> Process:
-        """The process which has the leaf of that name; KeyError if there is none."""
+        """The process which has the leaf of that name; KeyError if there is none, or it is gone."""
         for process in self.processes:
             if any(leaf.name == name for leaf in process.leaves):
                 return process
@@ -167,7 +169,7 @@ class State:
 
 @dataclass(frozen=True)
 class Label:
-    """What a transition does: ``kind`` is "time", "bind", "close", "bounce", "weak" or "strong".
+    """What a transition does: ``kind`` is "time", "bind", "close", "bounce", "absorb", "weak" or "strong".
 
     ``text`` says who takes part; ``touching``, of a bounce, which bodies (or parts of them) touch, in pairs.
     """
