@@ -88,6 +88,10 @@ let leaf_of p leaf =
 
 let home state leaf = Array.find_opt (fun p -> has_leaf p leaf) state.processes
 
+let gone (m : Model.t) state =
+  if not (Model.absorbs m) then []
+  else List.filter (fun leaf -> Option.is_none (home state leaf)) (List.init (Array.length m.leaves) Fun.id)
+
 let mass (m : Model.t) p =
   let add sum l =
     let leaf = m.leaves.(l.leaf) in

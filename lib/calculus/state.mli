@@ -79,6 +79,9 @@ val make : processes:process list -> step:step option -> time:Rat.t option -> t
 val home : t -> int -> process option
 (** The process that has a leaf; [None] when it is gone (rule Absorb). *)
 
+val gone : Model.t -> t -> int list
+(** The leaves that no process has any more, in order (rule Absorb). *)
+
 val leaf_of : process -> int -> leaf
 (** The leaf of a process with this index into {!Model.leaves} (a bug when it has none). *)
 

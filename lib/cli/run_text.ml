@@ -86,14 +86,16 @@ let process ~full m (p : State.process) =
 
 let most_names = 8
 
+let names_line word names =
+  let more = List.length names - most_names in
+  let rest = if more > 0 then [ Printf.sprintf "%d more" more ] else [] in
+  Printf.sprintf "%s: %s" word (listed (List.filteri (fun i _ -> i < most_names) names @ rest))
+
 let aside_line m (word, ps) =
   let name_of (p : State.process) =
     String.concat "+" (Array.to_list (Array.map (fun (l : State.leaf) -> name m l.leaf) p.leaves))
   in
-  let more = List.length ps - most_names in
-  let names = List.map name_of (List.filteri (fun i _ -> i < most_names) ps) in
-  let rest = if more > 0 then [ Printf.sprintf "%d more" more ] else [] in
-  Printf.sprintf "%s: %s" word (listed (names @ rest))
+  names_line word (List.map name_of ps)
 
 (* One that is named instead of told takes the same line. *)
 let least_aside = 2
@@ -115,6 +117,7 @@ let state ?(full = false) ?(aside = fun _ -> None) m (s : State.t) =
   lines
   @ (if more > 0 then [ Printf.sprintf "… and %d more processes" more ] else [])
   @ List.map (aside_line m) (List.filter_map group (List.rev words))
+  @ match State.gone m s with [] -> [] | gone -> [ names_line "gone" (List.map (name m) gone) ]
 
 (* A few digits of what may take thousands: the JSON has them all. *)
 let brief q =

@@ -78,4 +78,5 @@ let lines d i =
   in
   List.map (bond m) bonds
   @ List.filter_map varying leaves
+  @ List.map (fun leaf -> m.leaves.(leaf).name ^ ": gone") (State.gone m s)
   @ if d.positions then List.map (place m) (List.filter (fun l -> not (fixed m l)) leaves) else []

@@ -106,11 +106,7 @@ let step (s : State.step) =
 
 (* Of models in which bodies may be absorbed. *)
 let gone (m : Model.t) s =
-  if not (Model.absorbs m) then []
-  else
-    let missing leaf = Option.is_none (State.home s leaf) in
-    let leaves = List.filter missing (List.init (Array.length m.leaves) Fun.id) in
-    [ ("gone", `List (List.map (leaf_name m) leaves)) ]
+  if Model.absorbs m then [ ("gone", `List (List.map (leaf_name m) (State.gone m s))) ] else []
 
 let state m (s : State.t) =
   `Assoc

@@ -72,7 +72,9 @@ let bytes given =
   List.fold_left file (String.length (Source.text given.source)) given.files
 
 let leaf (l : Model.leaf) =
-  `Assoc [ ("name", Json.text l.name); ("shape", Json.text l.template); ("fixed", `Bool l.fixed) ]
+  `Assoc
+    ([ ("name", Json.text l.name); ("shape", Json.text l.template); ("fixed", `Bool l.fixed) ]
+     @ if l.absorbs then [ ("absorbs", `Bool true) ] else [])
 
 let check (c : Scc_property.Property.check) =
   `Assoc [ ("name", Json.text c.name); ("formula", Json.text c.text) ]

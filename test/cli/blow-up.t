@@ -16,7 +16,7 @@ Where a bound ends an exploration, the values that kept being new are told, and 
   $ scc check leaves.sc --states 500 | sed -n '/^explored/,$p'
   explored: 500 states, 499 transitions, depth 499, model time 3493; not complete: stopped by the bound of 500 states
     likely cause: q leaves all others, while these come back to where they were: at the end of the deepest run it is 3513.01 from the nearest, and was 3177.01 not long before
-      cure: put a `fixed` wall in its way; or give the check a bound: `within t`
+      cure: put a `fixed` wall in its way, or one that says `absorb`; or give the check a bound: `within t`
     (specs/guide.md, "Why did my model blow up?")
   1 property: 1 undecided
   $ scc check leaves.sc --states 500 --json | sed -n '/"likely_causes"/,/\]$/p'
@@ -25,7 +25,7 @@ Where a bound ends an exploration, the values that kept being new are told, and 
           "kind": "leaves",
           "bodies": ["q"],
           "text": "q leaves all others, while these come back to where they were: at the end of the deepest run it is 3513.01 from the nearest, and was 3177.01 not long before",
-          "cure": "put a `fixed` wall in its way; or give the check a bound: `within t`"
+          "cure": "put a `fixed` wall in its way, or one that says `absorb`; or give the check a bound: `within t`"
         }
       ]
 

@@ -707,3 +707,54 @@ A body and a feature of one of its parts are the same to a comparison.
     <standard input>, line 3, time 2: bind(glucose, atp)
     h.jsonl, line 5, time 2: bind(atp, atp.bottom, enzyme.floorA.top)
   [1]
+
+Bodies that are gone: who says that one is there is wrong, and so is who says that another is gone.
+
+  $ scc trace $M/outlet.sc --time 8 > out.jsonl
+  $ grep -c '"kind":"absorb"' out.jsonl
+  1
+  $ scc conform $M/outlet.sc out.jsonl
+  out.jsonl: conforms: 6 events, a run of 11 transitions up to time 7
+  $ printf 'time,event,bodies\n2,bind,first;enzyme\n3,strong,first;enzyme\n3,bounce,shuttle;roof\n11/3,bounce,first;second\n5,bounce,first;enzyme\n7,absorb,second;outlet\n' > out.csv
+  $ scc conform $M/outlet.sc out.csv
+  out.csv: conforms: 6 events, a run of 11 transitions up to time 7
+  $ sed 's/7,absorb/7,bounce/' out.csv | scc conform $M/outlet.sc -
+  <standard input>: diverges at line 7, time 7: wrong-kind
+    the trace: bounce(second, outlet)
+    absorb(second, outlet) is allowed there: a collision with a candidate never bounces
+    rules: Bind, Bounce
+    allowed there:
+      absorb(second, outlet) at time 7   {Absorb}
+    after: bounce(enzyme, first) at time 5   {Bounce}
+  [1]
+  $ (cat out.csv; echo '8,absorb,first') | scc conform $M/outlet.sc -
+  <standard input>:8:1: error[SC0804]: a row `absorb` is of two bodies, who is gone and who took it, not of 1
+     |
+   8 | 8,absorb,first
+     | ^^^^^^^^^^^^^^
+  [3]
+  $ gone() { (sed '/"kind":"absorb"/q' out.jsonl; printf '{"type":"state","time":7,"state":{"processes":[%s],"gone":[%s]}}\n' "$1" "$2") | scc conform $M/outlet.sc -; }
+  $ gone '' '"second"'
+  <standard input>: conforms: 6 events, a run of 11 transitions up to time 7
+  $ gone '' '"first"'
+  <standard input>: diverges at line 14, time 7: wrong-presence
+    the trace: a state
+    of first, presence is gone in the trace, and there
+    rules: Absorb
+    what differs:
+      first: presence: gone in the trace, there expected
+    allowed there:
+      bounce(shuttle, ground) at time 9   {Bounce}
+    after: absorb(second, outlet) at time 7   {Absorb}
+  [1]
+  $ gone '{"leaves":[{"name":"second"}]}' ''
+  <standard input>: diverges at line 14, time 7: wrong-presence
+    the trace: a state
+    of second, presence is there in the trace, and gone
+    rules: Absorb
+    what differs:
+      second: presence: there in the trace, gone expected
+    allowed there:
+      bounce(shuttle, ground) at time 9   {Bounce}
+    after: absorb(second, outlet) at time 7   {Absorb}
+  [1]

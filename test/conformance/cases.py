@@ -3,6 +3,7 @@
 from fractions import Fraction as F
 import json
 import os
+import re
 
 from geometry import name_of
 
@@ -73,6 +74,19 @@ def define(solid, linear=None, quaternion=None):
     if quaternion:
         params['quaternion'] = vec(quaternion)
     return {'method': 'shape.define', 'params': params, 'handle': 'shape', 'release': 'shape.release'}
+
+
+def files_of(folder, model, within=''):
+    """The files that a model names, and those that these name: by their paths from the model; those that are there."""
+    found = {}
+    for name in re.findall(r'(?:mesh|import)\s+"([^"]*)"', model):
+        path = os.path.normpath(os.path.join(within, name)).replace(os.sep, '/')
+        if os.path.exists(os.path.join(folder, path)):
+            with open(os.path.join(folder, path), encoding='utf-8') as f:
+                found[path] = f.read()
+            if path.endswith('.sc'):
+                found.update(files_of(folder, found[path], os.path.dirname(path)))
+    return found
 
 
 def load(model, **more):

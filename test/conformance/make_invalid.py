@@ -3,7 +3,7 @@
 import os
 import re
 
-from cases import HAND, Suite, result
+from cases import HAND, Suite, files_of, result
 
 PLACE = re.compile(r'^(\S+):(\d+):(\d+): (error|warning)\[(SC\d{4})\]', re.M)
 BARE = re.compile(r'^(?:\S+: |command line: )?(error|warning)\[(SC\d{4})\]', re.M)
@@ -15,12 +15,6 @@ ONLY_COMMANDS = ('SC0602', 'SC0702', 'SC0703', 'SC0704', 'SC0705', 'SC0706', 'SC
 def read(folder, file):
     with open(os.path.join(folder, file), 'rb') as f:
         return f.read()
-
-
-def meshes(folder, model):
-    """The files that a model names, those that are there."""
-    names = re.findall(r'(?:mesh|import)\s+"([^"]*)"', model)
-    return {n: read(folder, n).decode() for n in names if os.path.exists(os.path.join(folder, n))}
 
 
 def pattern(file, out):
@@ -58,7 +52,7 @@ def suite(folder):
             model = read(folder, file).decode()
         except UnicodeDecodeError:
             continue
-        params = {'text': model, 'files': meshes(folder, model)}
+        params = {'text': model, 'files': files_of(folder, model)}
         if not params['files']:
             del params['files']
         if arguments == 'check -D m=3 {}':

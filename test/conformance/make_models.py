@@ -11,7 +11,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 INDEPENDENT = os.path.join(HERE, '..', 'references', 'independent')
 sys.path.insert(0, INDEPENDENT)
 
-from cases import Suite, load, num, nums, result, unordered
+from cases import Suite, files_of, load, num, nums, result, unordered
 import compare
 import explore
 import reading
@@ -223,7 +223,8 @@ def examples_suite(implementation, specs):
         bare = CHECK.sub('', text)  # formulas are asked one by one
         if not checks:
             continue
-        reference = suite.give(name, load(bare))
+        files = files_of(folder, bare)
+        reference = suite.give(name, load(bare, files=files) if files else load(bare))
         for check, formula, verdict in checks:
             suite.add('%s.%s' % (name, check), sorted(set(rules.get(name, []) + ['Verdict'])), 'evaluate',
                       {'model': reference, 'formula': formula},

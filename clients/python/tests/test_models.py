@@ -41,6 +41,19 @@ class Models(WithOracle):
         self.assertRegex(diagnostic["code"], "^SC[0-9]{4}$")
         self.assertEqual(diagnostic["place"]["start"]["line"], 1)
 
+    def test_absorption(self):
+        model = self.oracle.load_model(
+            "import <solids> (Cube)\n"
+            "process p = Cube(2) mass 1 velocity (1,0,0) [nil]\n"
+            "fixed drain = Cube(2) absorb at translate (4,0,0)\n"
+        )
+        self.assertEqual([leaf.absorbs for leaf in model.leaves], [False, True])
+        run = self.oracle.replay(model, [0, "absorb(p, drain)"])
+        self.assertEqual(run.labels[-1].between, ("p", "drain"))
+        self.assertEqual(run.state.gone, ("p",))
+        self.assertRaises(KeyError, run.state.leaf, "p")
+        self.oracle.release_model(model)
+
     def test_successors(self):
         here = self.oracle.successors(self.model)
         self.assertEqual((here.path, here.time, here.ending), ((), 0, None))

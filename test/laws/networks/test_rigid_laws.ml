@@ -230,7 +230,7 @@ let quiescence =
   [ property "where nothing is ahead, nothing happens" { rounded with behaves = false } stays_quiescent ]
 
 (* So that the properties are about something: over some networks, every kind of transition comes up. *)
-let varied features expected () =
+let varied ?(n = 60) features expected () =
   let rand = Random.State.make [| 42 |] in
   let seen = Hashtbl.create 8 in
   let kind m s (t : Transition.t) =
@@ -250,7 +250,7 @@ let varied features expected () =
        List.iter (fun (s, ts) -> 
            if quiescent_and_spins m s then add "quiescent";
            List.iter (fun t -> add (kind m s t)) ts) states)
-    (Gen.generate ~rand ~n:60 (Random_rigid.generate features));
+    (Gen.generate ~rand ~n (Random_rigid.generate features));
   let kinds = Hashtbl.fold (fun kind () found -> kind :: found) seen [] in
   Alcotest.(check (list string))
     "kinds of transitions" (List.sort String.compare expected)
@@ -264,7 +264,7 @@ let () =
         [
           Alcotest.test_case "every kind of transition comes up" `Quick (varied rounded ("quiescent" :: all));
           Alcotest.test_case "with switches, too" `Quick
-            (varied { rounded with switched = true } ("close" :: "quiescent" :: all));
+            (varied ~n:160 { rounded with switched = true } ("absorb" :: "close" :: "quiescent" :: all));
         ] );
       ("laws", Scc_test_support.Property.cases laws);
       ("mirror images", Scc_test_support.Property.cases mirror);

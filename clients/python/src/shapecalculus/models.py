@@ -14,11 +14,16 @@ Json = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class DeclaredLeaf:
-    """A basic process of a model: its name, the name of its shape, and whether it never moves."""
+    """A basic process of a model: its name, the name of its shape, and whether it never moves, or even absorbs."""
 
     name: str
     shape: str
     fixed: bool
+    absorbs: bool = False
+
+    @classmethod
+    def from_json(cls, json: Json) -> DeclaredLeaf:
+        return cls(json["name"], json["shape"], json["fixed"], json.get("absorbs", False))
 
 
 @dataclass(frozen=True)
@@ -53,7 +58,7 @@ class Model:
             {name: numbers.fraction(value) for name, value in json["parameters"].items()},
             json["rigid"],
             None if resolution is None else numbers.fraction(resolution),
-            tuple(DeclaredLeaf(leaf["name"], leaf["shape"], leaf["fixed"]) for leaf in json["leaves"]),
+            tuple(DeclaredLeaf.from_json(leaf) for leaf in json["leaves"]),
             tuple(Check(check["name"], check["formula"]) for check in json["checks"]),
             tuple(json["warnings"]),
         )
