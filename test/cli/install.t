@@ -102,7 +102,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
 fish, where it is there, tells what each is for:
 
   $ if command -v fish > /dev/null; then
-  >   fish -c "source $fish; complete -C 'scc check --st'; complete -C 'scc shap'"
+  >   fish -c "source $fish; complete -C 'scc check --stat'; complete -C 'scc shap'"
   > else
   >   printf -- '--states\tKeeps at most N states\n'
   >   printf -- '--stats\tTells what the run took: seconds of each phase, states and transitions a second, memory\n'

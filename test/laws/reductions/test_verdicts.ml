@@ -89,13 +89,11 @@ let congruent =
 
 (* {1 Other behaviours, bisimilar to those that were there} *)
 
-let contains text word =
-  let n = String.length word in
-  let rec from i = i + n <= String.length text && (String.equal (String.sub text i n) word || from (i + 1)) in
-  from 0
-
 (* Only `behaviour(p) = K` sees how a behaviour is written. *)
-let blind (c : Scc_property.Property.check) = not (contains c.text "behaviour(")
+let blind (c : Scc_property.Property.check) =
+  let definition = function Scc_property.Atom.Definition _ -> true | _ -> false in
+  let sees (a : Scc_property.Atom.t) = List.exists definition a.arguments in
+  not (List.exists sees (Scc_property.Formula.atoms c.formula))
 
 let decided = ref 0
 
