@@ -146,25 +146,27 @@ let substitute against item e options =
   let here = List.filter (near against item) options in
   let of_kind nearness' kind rules why () =
     List.find_opt (fun o -> nearness against e o = nearness') here
-    |> Option.map (fun o -> { kind; rules; why = why (text against o); closest = Some o })
+    |> Option.map (fun o -> { kind; rules; why = text against o ^ " is allowed there" ^ why o; closest = Some o })
   in
   let own = kind_rules e.kind in
   first_some
     [
       of_kind Against.Other_features Wrong_features own
-        (Printf.sprintf "%s is allowed there, by other features");
-      of_kind Against.Other_channel Wrong_channel own (Printf.sprintf "%s is allowed there, by another channel");
+        (fun _ -> ", by other features");
+      of_kind Against.Other_channel Wrong_channel own (fun _ -> ", by another channel");
       of_kind Against.Other_kind Wrong_kind
         (match e.Recorded.kind with
          | Bind | Bounce -> [ "Bind"; "Bounce" ]
          | Absorb -> [ "Absorb"; "Bind"; "Bounce" ]
          | Close | Weak | Strong -> own)
-        (fun label ->
-           if e.kind = Bounce then label ^ " is allowed there: a collision with a candidate never bounces"
-           else if e.kind = Bind then label ^ " is allowed there: the collision has no such candidate"
-           else label ^ " is allowed there");
+        (fun o ->
+           match (e.kind, o.Prospect.taken.label) with
+           | Bounce, _ -> ": a collision with a candidate never bounces"
+           | Bind, Close _ -> ": the two are of one process already"
+           | Bind, _ -> ": the collision has no such candidate"
+           | (Absorb | Close | Weak | Strong), _ -> "");
       of_kind Against.Other_partner Wrong_partner own
-        (Printf.sprintf "%s is allowed there, of other bodies");
+        (fun _ -> ", of other bodies");
     ]
 
 let missing against ~observed item e options =

@@ -140,6 +140,9 @@ let () =
             straight "binding by contact" ~of_model:by_contact ~count:100 ~limit:25 bare;
             straight "both, with laws of motion" ~of_model:(fun m -> by_contact (together m)) ~steered:true
               ~count:100 ~limit:25 bare;
+            QCheck2.Test.make ~name:"bonds that close rings" ~count:60 ~print:Random_network.print
+              Random_network.linked
+              (fun n -> agrees ~limit:25 bare (Random_network.start n));
             turning "bodies that turn, collisions together" ~of_model:together Random_rigid.anything ~count:20
               ~limit:8 bare;
           ] );

@@ -48,6 +48,29 @@ let crowd_gen =
   let law = if falls then [ "motion p0 = (vx, vy, vz - dt)" ] else [] in
   return (n, String.concat "\n" ((shapes :: List.mapi body bodies) @ walls @ law))
 
+(* Some of the same in a square, that bind with all neighbours: bonds close rings (reading I-37). *)
+let ringed_gen =
+  let open Gen in
+  let link =
+    {|bonds cyclic
+behaviour Link = <dock, {left, right, front, back}>. Link + <~dock, {left, right, front, back}>. Link
+              + eps(1). Linked
+behaviour Linked = rho({<dock, {left, right}>, <dock, {front, back}>}). Held + omega(dock, {left, right}). Link|}
+  in
+  let* places = shuffle_l [ (0, 0); (0, 1); (1, 0); (1, 1); (2, 0) ] in
+  let* n = int_range 3 5 and* gap = frequencyl [ (2, 2); (1, 4) ] in
+  let* rest = frequencyl [ (1, true); (2, false) ] in
+  let* velocities = list_repeat n (frequencyl [ (2, (1, 0)); (2, (-1, 0)); (1, (0, 1)); (1, (0, -1)) ]) in
+  let* behaviours = list_repeat n (frequencyl [ (5, "Link"); (1, "Both"); (1, "Shy") ]) in
+  let body i (vx, vy) behaviour =
+    let x, y = List.nth places i in
+    let vx, vy = if rest && i > 0 then (0, 0) else (vx, vy) in
+    Printf.sprintf "process p%d = Cube mass 1 velocity (%d,%d,0) at translate (%d,%d,0) [%s]" i vx vy
+      (gap * x) (2 * y) behaviour
+  in
+  let bodies = List.mapi (fun i v -> body i v (List.nth behaviours i)) velocities in
+  return (n, String.concat "\n" (shapes :: link :: bodies))
+
 (* {1 Random formulas} *)
 
 let atom_gen n =
@@ -133,12 +156,13 @@ let some_with_time n =
   in
   formula_of (frequency [ (2, timed); (1, atom_gen n) ])
 
-let case_of formula_gen =
+let case_of ?(crowd = crowd_gen) formula_gen =
   let open Gen in
-  let* n, text = crowd_gen in
+  let* n, text = crowd in
   let* formulas = list_size (int_range 1 3) (formula_gen n) in
   let checks = List.mapi (fun i f -> Printf.sprintf "check c%d : %s" i f) formulas in
   return (text ^ "\n" ^ String.concat "\n" checks)
 
 let case_gen = case_of formula_gen
+let ringed_case_gen = case_of ~crowd:ringed_gen formula_gen
 let timed_case_gen = case_of some_with_time

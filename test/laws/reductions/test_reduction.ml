@@ -110,6 +110,22 @@ let switched name kinds =
     QCheck2.Gen.(case_gen >>= with_switches)
     (agrees kinds ~jump:true ~together:true)
 
+let closings = ref 0
+
+let counts_closings text =
+  let counted =
+    match load text with
+    | None -> []
+    | Some (e, initial) -> Scc_test_networks.Reach.states e.model initial ~limit:40
+  in
+  let closes (t : Transition.t) = match t.label with Close _ -> true | _ -> false in
+  closings := !closings + List.length (List.filter closes (List.concat_map snd counted));
+  true
+
+let ringed name kinds =
+  QCheck2.Test.make ~name ~count:120 ~print:Fun.id ringed_case_gen (fun text ->
+      counts_closings text && agrees kinds ~jump:true ~together:true text)
+
 (* {1 Each does something} *)
 
 let states reductions text =
@@ -238,7 +254,8 @@ check after  : EF (time > 30 and EG (not touching(p, east)))
 
 let enough () =
   Alcotest.(check bool) "few models are refused" true (!refused < 100);
-  Alcotest.(check bool) "most formulas are decided" true (!decided > 1000)
+  Alcotest.(check bool) "most formulas are decided" true (!decided > 1000);
+  Alcotest.(check bool) "rings close" true (!closings > 300)
 
 let () =
   let with_jump kind = [ kind; Reduction.Jump ] in
@@ -259,6 +276,9 @@ let () =
             switched "Fragments: symmetry and translation, with the switches of a model"
               Reduction.[ Symmetry; Translation; Jump ];
             switched "Fragments: all, with the switches of a model" Reduction.all;
+            ringed "Fragments: symmetry and translation, with bonds that close rings"
+              Reduction.[ Symmetry; Translation; Jump ];
+            ringed "Fragments: order and slice, with bonds that close rings" Reduction.[ Order; Slice; Jump ];
           ] );
       ( "effects",
         [

@@ -41,8 +41,8 @@ ZERO = (F(0), F(0), F(0))
 
 
 class Calculus:
-    def __init__(self, bodies, definitions, timestep, split_step, together=False, by_contact=False):
-        self.together, self.by_contact = together, by_contact
+    def __init__(self, bodies, definitions, timestep, split_step, together=False, by_contact=False, cyclic=False):
+        self.together, self.by_contact, self.cyclic = together, by_contact, cyclic
         self.bodies = bodies
         self.definitions = definitions
         self.timestep = timestep
@@ -126,6 +126,17 @@ class Calculus:
             mp, mq = self.mass(p), self.mass(q)
             velocity = times(1 / F(mp + mq), plus(times(mp, p.velocity), times(mq, q.velocity)))
         return self.process(velocity, leaves, p.bonds | q.bonds | {bond})
+
+    def closings(self, p):
+        """Rule Close: (bond, the process with it), of two leaves that no bond joins."""
+        found = []
+        for l, m in combinations(p.leaves, 2) if self.cyclic else ():
+            if any({l.name, m.name} == {e[0] for e in ends} for _, ends in p.bonds):
+                continue
+            for bond, new_l, new_m in self.candidates(p._replace(leaves=(l,)), p._replace(leaves=(m,))):
+                leaves = [new_l if x is l else new_m if x is m else x for x in p.leaves]
+                found.append((bond, self.process(p.velocity, leaves, p.bonds | {bond})))
+        return found
 
     def directions(self, p, q, approaching_pairs):
         """The separating directions of reading I-13, as (axis, sign)."""
@@ -364,6 +375,9 @@ class Calculus:
             for bonds, changed in self.strong_splits(p):
                 urgent = True
                 found.add((('strong', bonds), replace([p], self.split(p, bonds, changed), state.step)))
+            for bond, whole in self.closings(p):
+                urgent = True
+                found.add((('close', bond), replace([p], [whole], state.step)))
             if p.clock == 0:
                 for bond, changed in self.weak_splits(p):
                     pieces = self.split(p, frozenset([bond]), changed)

@@ -25,6 +25,7 @@ class Model:
         self.flat = self.rng.choice([1, 2, 2, 3, 3])
         self.together = switches and self.aside.random() < 0.5
         self.by_contact = switches and self.aside.random() < 0.5
+        self.cyclic = switches and self.aside.random() < 0.5
         self.timestep = self.rng.choice([F(1), F(1, 2), F(2), F(1, 3)])
         self.split_step = self.rng.choice([None, F(1), F(1, 2), F(3, 4), F(2)])
         self.lively = self.rng.random() < 0.75
@@ -36,10 +37,13 @@ class Model:
             for s in self.shapes:
                 self.define(s)
         self.place()
+        if self.cyclic and self.lively and self.aside.random() < 0.4:
+            self.square()
         self.laws()
         bodies = {n: c.canonical(b) for n, b in self.definitions.items()}
         self.calculus = c.Calculus(self.bodies, bodies, self.timestep,
-                                   self.split_step or self.timestep, self.together, self.by_contact)
+                                   self.split_step or self.timestep, self.together, self.by_contact,
+                                   self.cyclic)
 
     # Shapes
 
@@ -306,6 +310,47 @@ class Model:
             if group:
                 self.groups.append(group)
 
+    def linking(self, faces):
+        """A behaviour that binds with several neighbours, and lets go of one or two."""
+        rng = self.rng
+        name, then = rng.choice(self.names), rng.choice([('name', 'Link0'), ('name', 'Link1'), ('nil',)])
+        sites = frozenset((None, f) for f in faces)
+        if rng.random() < 0.55:
+            return ('open', name, rng.random() < 0.5, sites, then)
+        if rng.random() < 0.5:
+            return ('weak', name, sites, then)
+        half = frozenset((None, f) for f in rng.sample(faces, 3))
+        entries = [(name, sites)] if rng.random() < 0.3 else [(name, half), (rng.choice(self.names), sites - half)]
+        return ('eps', F(1), ('strong', frozenset(entries), then))
+
+    def square(self):
+        """Four cubes far away, with three or four bonds around (reading I-37)."""
+        rng = self.rng
+        shape = Shape('Ring', [(None, 'Cube', (F(1),) * 3, c.ZERO, F(0))], 'shape Ring = Cube\n')
+        self.shapes.append(shape)
+        faces = list(shape.placed(None, None)[0].faces)
+        for name in ('Link0', 'Link1'):
+            self.on[name] = shape
+            self.definitions[name] = ('sum', (self.linking(faces), ('sum', (self.linking(faces), self.linking(faces)))))
+        group, velocity = [], rng.choice([c.ZERO, (F(0), F(0), F(1))])
+        for i, (x, y) in enumerate([(0, 0), (1, 0), (1, 1), (0, 1)]):
+            parts = shape.placed(None, None)
+            parts[0].mass = F(rng.choice([1, 1, 2]))
+            body = c.Body('s%d' % i, parts, False)
+            body.shape, body.turn = shape, None
+            side = body.parts[0].high[0] - body.parts[0].low[0]
+            self.add(body, (60 + x * side, y * side, F(0)), velocity)
+            self.behaviours[body.name] = ('name', rng.choice(['Link0', 'Link1']))
+            group.append(body)
+        bonds = []
+        for p, q in zip(group, group[1:] + group[:1]):
+            pairs = c.touching_pairs(p.parts[0], q.parts[0], c.minus(self.positions[q.name], self.positions[p.name]))
+            _, f, g = max(pairs, key=lambda pair: pair[0])
+            bonds.append((rng.choice(self.names), (p.name, None, f), (q.name, None, g)))
+        rng.shuffle(bonds)
+        self.bonds += bonds[:rng.choice([3, 3, 4])]
+        self.groups.append(group)
+
     def laws(self):
         self.law_texts = []
         if self.rng.random() < 0.35:
@@ -348,6 +393,7 @@ class Model:
     def text(self):
         out = ['model random%d\n' % self.seed, 'timestep %s\n' % self.timestep]
         out += ['collisions together\n'] * self.together + ['binding contact\n'] * self.by_contact
+        out += ['bonds cyclic\n'] * self.cyclic
         if self.split_step:
             out.append('split_step %s\n' % self.split_step)
         out += [TEMPLATES['Cube'], TEMPLATES['Brick']] + [s.text for s in self.shapes]

@@ -163,7 +163,7 @@ class Output:
         kind = label['kind']
         if kind == 'time':
             return ('time', F(label['duration']))
-        if kind in ('bind', 'weak'):
+        if kind in ('bind', 'close', 'weak'):
             return (kind, self.bond(label['name'], label['ends']))
         if kind == 'strong':
             return ('strong', frozenset(self.bond(b['name'], b['ends']) for b in label['bonds']))

@@ -217,6 +217,12 @@ let absorbing () =
   let network bodies = { bodies = walls bodies; packed = false; switches = Switches.absorbing } in
   Gen.map network (apart ~steered:false)
 
+let linked =
+  let linking n = { n with behaviour = link } in
+  Gen.map
+    (fun bodies -> { bodies = List.map linking bodies; packed = true; switches = Switches.rings })
+    (packed ~steered:false)
+
 let rounding () =
   Gen.map (fun n -> { n with switches = Switches.rounding }) (switched ())
 

@@ -16,6 +16,9 @@ val switched : ?steered:bool -> unit -> t QCheck2.Gen.t
 val absorbing : unit -> t QCheck2.Gen.t
 (** Every third body absorbs what hits it, and perhaps others. *)
 
+val linked : t QCheck2.Gen.t
+(** Packed, and all that can binds with all its neighbours, where bonds close rings (reading I-37). *)
+
 val rounding : unit -> t QCheck2.Gen.t
 (** Of those, with velocities rounded and all else as if nothing were said. *)
 

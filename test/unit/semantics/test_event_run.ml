@@ -61,6 +61,14 @@ let together =
        let m, s = Random_network.start network in
        follow { m with Model.collisions = Together } s choices ~looks:(fun _ -> true))
 
+(* Leaves of one process that bind to each other, while others collide (reading I-37). *)
+let rings =
+  QCheck2.Test.make ~name:"bonds that close rings" ~count:300 ~print
+    (Gen.pair Random_network.linked (choices 40))
+    (fun (network, choices) ->
+       let m, s = Random_network.start network in
+       follow m s choices ~looks:(fun _ -> true))
+
 let always _ = true
 let seldom step = step mod 7 = 6
 
@@ -242,5 +250,5 @@ let () =
           Alcotest.test_case "what is far away costs nothing" `Quick local;
         ] );
       ( "as the transition relation",
-        Scc_test_support.Property.cases [ small; unseen; far_away; crowds; later; in_a_box; together ] );
+        Scc_test_support.Property.cases [ small; unseen; far_away; crowds; later; in_a_box; together; rings ] );
     ]

@@ -75,6 +75,10 @@ let crowd =
   QCheck2.Test.make ~name:"crowds" ~count:30 ~print:Random_network.print Random_network.crowd
     (agrees ~memory:1024 ~of_model:Fun.id)
 
+let rings =
+  QCheck2.Test.make ~name:"bonds that close rings" ~count:100 ~print:Random_network.print Random_network.linked
+    (agrees ~memory:1024 ~of_model:Fun.id)
+
 let model name () =
   let e = Scc_test_models.Load.(exactly (file ("../../../specs/models/" ^ name))) in
   match Network.initial (standard e.model) e.declared with
@@ -119,7 +123,7 @@ let () =
             property "little memory" ~memory:2 100;
             property "collisions together" ~of_model:(fun m -> { m with collisions = Together }) ~memory:1024 100;
             property "binding by contact" ~of_model:(fun m -> { m with binding = On_contact }) ~memory:1024 100;
-            crowd; rigid;
+            crowd; rings; rigid;
           ] );
       ("models", List.map (fun name -> Alcotest.test_case name `Quick (model name)) models);
       ("events", [ Alcotest.test_case "what led to a state" `Quick events ]);
