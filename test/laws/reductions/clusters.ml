@@ -75,7 +75,8 @@ let dimer =
 
 let clusters =
   let open Gen in
-  let* networks = list_size (1 -- 3) (Random_network.generate ()) in
+  let network = frequency [ (2, Random_network.generate ()); (1, Random_network.absorbing ()) ] in
+  let* networks = list_size (1 -- 3) network in
   let* apart = oneofl [ 14; 16; 20; 40 ] and* bystanders = map (fun n -> n = 0) (0 -- 4) in
   let* dimers = list_size (0 -- 2) dimer and* pulses = bool in
   let add networks =
@@ -111,6 +112,8 @@ let atom leaves : Property.prop Gen.t =
       map2 (fun i k -> Property.Fact (Behaviour (i, k))) leaf (0 -- 4);
       map (fun i -> Property.Fact (Offers (i, None, "a"))) leaf;
       map (fun i -> Property.Fact (Event (Bounce (One i)))) leaf;
+      map (fun i -> Property.Fact (Event (Absorbed (One i)))) leaf;
+      map (fun i -> Property.Fact (Gone i)) leaf;
       map (fun i -> Property.Fact (Event (Bond (Made, None, One i)))) leaf;
       map (fun i -> Property.Fact (Event (Bond (Released, None, One i)))) leaf;
     ]

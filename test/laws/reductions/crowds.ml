@@ -37,14 +37,15 @@ let crowd_gen =
   let* places = shuffle_l (List.concat_map (fun x -> List.map (fun y -> (x, y)) [ 0; 1 ]) [ 0; 1; 2; 3 ]) in
   let* bodies = list_repeat n body_gen in
   let* gap = oneofl [ 2; 4 ] in
-  let* wall = bool in
+  let* wall = frequencyl [ (2, None); (1, Some ""); (1, Some " absorb") ] in
   let* falls = frequencyl [ (5, false); (1, true) ] in
   let body i ((vx, vy), behaviour) =
     let x, y = List.nth places i in
     Printf.sprintf "process p%d = Cube mass 1 velocity (%d,%d,0) at translate (%d,%d,0) [%s]" i vx vy (gap * x)
       (6 * y) behaviour
   in
-  let walls = if wall then [ "fixed wall = Cube scaled (1,20,1) at translate (30,0,0)" ] else [] in
+  let standing = Printf.sprintf "fixed wall = Cube scaled (1,20,1)%s at translate (30,0,0)" in
+  let walls = List.map standing (Option.to_list wall) in
   let law = if falls then [ "motion p0 = (vx, vy, vz - dt)" ] else [] in
   return (n, String.concat "\n" ((shapes :: List.mapi body bodies) @ walls @ law))
 
@@ -88,7 +89,8 @@ let atom_gen n =
         map (Printf.sprintf "behaviour(%s) = Held") leaf;
         map2 (Printf.sprintf "same(%s, %s)") leaf leaf;
         map2 (Printf.sprintf "bonds(dock, %s, %s) > 0") leaf leaf; map (Printf.sprintf "offers(%s, dock)") leaf;
-        map (Printf.sprintf "speed2(%s) >= 1") leaf; map (Printf.sprintf "spin2(%s) = 0") leaf;
+        map (Printf.sprintf "gone(%s)") leaf; map (Printf.sprintf "speed2(%s) >= 1") leaf;
+        map (Printf.sprintf "spin2(%s) = 0") leaf;
       ]
   and all =
     oneof
