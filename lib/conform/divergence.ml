@@ -161,6 +161,7 @@ let substitute against item e options =
          | Close | Weak | Strong -> own)
         (fun o ->
            match (e.kind, o.Prospect.taken.label) with
+           | Bounce, Absorb _ -> ": what hits a body that absorbs never bounces"
            | Bounce, _ -> ": a collision with a candidate never bounces"
            | Bind, Close _ -> ": the two are of one process already"
            | Bind, _ -> ": the collision has no such candidate"

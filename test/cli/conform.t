@@ -721,7 +721,7 @@ Bodies that are gone: who says that one is there is wrong, and so is who says th
   $ sed 's/7,absorb/7,bounce/' out.csv | scc conform $M/outlet.sc -
   <standard input>: diverges at line 7, time 7: wrong-kind
     the trace: bounce(second, outlet)
-    absorb(second, outlet) is allowed there: a collision with a candidate never bounces
+    absorb(second, outlet) is allowed there: what hits a body that absorbs never bounces
     rules: Bind, Bounce
     allowed there:
       absorb(second, outlet) at time 7   {Absorb}

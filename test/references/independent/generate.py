@@ -37,7 +37,7 @@ class Model:
             for s in self.shapes:
                 self.define(s)
         self.place()
-        if self.cyclic and self.lively and self.aside.random() < 0.4:
+        if self.cyclic and self.lively and self.aside.random() < 0.25:
             self.square()
         self.laws()
         bodies = {n: c.canonical(b) for n, b in self.definitions.items()}
