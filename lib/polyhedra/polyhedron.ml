@@ -1,0 +1,189 @@
+open Scc_exact
+
+type body = { constraints : Constraint.t list; simplex : Simplex.t; minimal : Minimal.t Lazy.t }
+
+(* No body: no point. The constraints are those of the simplex, the last one first. *)
+type t = { dimension : int; body : body option }
+
+let empty dimension = { dimension; body = None }
+
+let with_constraints dimension simplex constraints =
+  { dimension; body = Some { constraints; simplex; minimal = lazy (Minimal.make simplex constraints) } }
+
+let universe n = with_constraints n (Simplex.universe n) []
+
+let add p c =
+  match p.body with
+  | None -> p
+  | Some body -> (
+      match Simplex.add body.simplex c with
+      | None -> empty p.dimension
+      | Some simplex -> with_constraints p.dimension simplex (c :: body.constraints))
+
+let add_all = List.fold_left add
+let of_constraints n constraints = add_all (universe n) constraints
+
+let of_minimal dimension (form : Minimal.t) =
+  let constraints = Minimal.constraints form in
+  { dimension; body = Some { constraints; simplex = form.simplex; minimal = lazy form } }
+
+let minimal p =
+  match p.body with
+  | None -> p
+  | Some body -> of_minimal p.dimension (Lazy.force body.minimal)
+
+let of_point point =
+  let n = Array.length point in
+  let fixed i x = Constraint.equals (Linear.variable n i) (Linear.constant n x) in
+  of_constraints n (List.mapi fixed (Array.to_list point))
+
+let box ranges =
+  let n = Array.length ranges in
+  let range i (low, high) =
+    let x = Linear.variable n i in
+    [ Constraint.at_least x (Linear.constant n low); Constraint.at_most x (Linear.constant n high) ]
+  in
+  of_constraints n (List.concat (List.mapi range (Array.to_list ranges)))
+
+(* {1 What it is} *)
+
+let dimension p = p.dimension
+let is_empty p = p.body = None
+
+let form p = Option.map (fun body -> Lazy.force body.minimal) p.body
+
+let constraints p =
+  match form p with
+  | Some form -> Minimal.constraints form
+  | None -> [ Constraint.less (Linear.constant p.dimension Rat.zero) (Linear.constant p.dimension Rat.zero) ]
+
+let is_universe p = constraints p = []
+
+let equalities p =
+  match form p with
+  | Some form -> form.equalities
+  | None -> []
+
+let affine_dimension p = if is_empty p then -1 else p.dimension - List.length (equalities p)
+
+(* What was handed in, not minimal: enough to decide whether a point is in. *)
+let raw p = Option.map (fun body -> body.constraints) p.body
+
+let mem p point =
+  match raw p with
+  | None -> false
+  | Some constraints -> List.for_all (fun c -> Constraint.mem c point) constraints
+
+let point p = Option.map (fun body -> Simplex.point body.simplex) p.body
+let corner p = Option.map (fun body -> Simplex.closed_point body.simplex) p.body
+
+type bound = Simplex.bound = Unbounded | Bound of { value : Rat.t; attained : bool }
+
+let supremum p f = Option.map (fun body -> Simplex.supremum body.simplex f) p.body
+let infimum p f = Option.map (fun body -> Simplex.infimum body.simplex f) p.body
+
+let limit = function
+  | Some (Bound { value; _ }) -> Some value
+  | Some Unbounded | None -> None
+
+let is_bounded p =
+  let bounded i =
+    let x = Linear.variable p.dimension i in
+    limit (supremum p x) <> None && limit (infimum p x) <> None
+  in
+  is_empty p || List.for_all bounded (List.init p.dimension Fun.id)
+
+let implies p c =
+  match p.body with
+  | None -> true
+  | Some body -> Simplex.implies body.simplex c
+
+let relaxed change p =
+  match form p with
+  | None -> p
+  | Some form -> of_constraints p.dimension (List.map change (Minimal.constraints form))
+
+let closure = relaxed Constraint.closed
+let relative_interior = relaxed Constraint.strict
+
+(* {1 Comparing} *)
+
+let included p q =
+  if p.dimension <> q.dimension then Scc_base.Bug.fail __POS__ "polyhedra of different dimensions";
+  match (p.body, raw q) with
+  | None, _ -> true
+  | Some _, None -> false
+  | Some body, Some constraints ->
+    (* a point that is at hand refutes most inclusions *)
+    List.for_all (Simplex.satisfies body.simplex) constraints
+    && List.for_all (Simplex.implies body.simplex) constraints
+
+let equal p q = p == q || (included p q && included q p)
+
+let inter p q =
+  match raw q with
+  | None -> if p.dimension <> q.dimension then Scc_base.Bug.fail __POS__ "polyhedra of different dimensions" else q
+  | Some constraints -> add_all p (List.rev constraints)
+
+let disjoint p q = is_empty (inter p q)
+let is_closed p = included (closure p) p
+
+let hash_of_closure p =
+  List.fold_left (fun h c -> (h * 31) + Constraint.hash c) p.dimension (constraints (closure p))
+
+(* {1 Points with simple coordinates}
+
+   Setting a coordinate to a value inside of its range leaves a polyhedron whose relative interior is part of that of
+   the whole. *)
+let interior_point p =
+  let fix (p, coordinates) i =
+    let x = Linear.variable p.dimension i in
+    let value =
+      match (limit (infimum p x), limit (supremum p x)) with
+      | Some low, Some high when Rat.equal low high -> low
+      | above, below -> Fraction.simplest ~above ~below
+    in
+    (add p (Constraint.equals x (Linear.constant p.dimension value)), value :: coordinates)
+  in
+  if is_empty p then None
+  else
+    let _, coordinates = List.fold_left fix (p, []) (List.init p.dimension Fun.id) in
+    Some (Array.of_list (List.rev coordinates))
+
+(* {1 Maps} *)
+
+let mapped p dimension change =
+  match raw p with
+  | None -> empty dimension
+  | Some constraints -> of_constraints dimension (List.rev_map change constraints)
+
+let preimage p ~dimension forms = mapped p dimension (fun c -> Constraint.substitute c ~dimension forms)
+
+let substitute p i f =
+  let n = p.dimension in
+  preimage p ~dimension:n (Array.init n (fun k -> if k = i then f else Linear.variable n k))
+
+let embed p ~dimension at = mapped p dimension (fun c -> Constraint.rename c ~dimension at)
+
+let rec eliminate p variables =
+  match (form p, variables) with
+  | None, _ | _, [] -> p
+  | Some { equalities; inequalities; _ }, _ ->
+    let i, left = Projection.step variables ~equalities inequalities in
+    eliminate (of_constraints p.dimension left) (List.filter (fun j -> j <> i) variables)
+
+let project p onto =
+  let dimension = Array.length onto in
+  let at = Array.make p.dimension (-1) in
+  Array.iteri (fun k i -> at.(i) <- k) onto;
+  let gone = List.filter (fun i -> at.(i) < 0) (List.init p.dimension Fun.id) in
+  if p.dimension - List.length gone <> dimension then Scc_base.Bug.fail __POS__ "a variable twice";
+  embed (minimal (eliminate p gone)) ~dimension at
+
+let image p forms =
+  let n = p.dimension and m = Array.length forms in
+  let all = n + m in
+  let values = Array.init n (Linear.variable all) in
+  let graph k f = Constraint.equals (Linear.variable all (n + k)) (Linear.compose f ~dimension:all values) in
+  let whole = add_all (embed p ~dimension:all (Array.init n Fun.id)) (List.mapi graph (Array.to_list forms)) in
+  project whole (Array.init m (fun k -> n + k))

@@ -1,0 +1,69 @@
+type t = { dimension : int; pieces : Polyhedron.t list }
+
+let some pieces = List.filter (fun p -> not (Polyhedron.is_empty p)) pieces
+
+let of_polyhedra dimension pieces =
+  if List.exists (fun p -> Polyhedron.dimension p <> dimension) pieces then
+    Scc_base.Bug.fail __POS__ "polyhedra of another dimension";
+  { dimension; pieces = some pieces }
+
+let empty dimension = { dimension; pieces = [] }
+let of_polyhedron p = of_polyhedra (Polyhedron.dimension p) [ p ]
+let universe n = of_polyhedron (Polyhedron.universe n)
+let dimension u = u.dimension
+let pieces u = u.pieces
+let is_empty u = u.pieces = []
+let mem u point = List.exists (fun p -> Polyhedron.mem p point) u.pieces
+
+let point u =
+  match u.pieces with
+  | [] -> None
+  | p :: _ -> Polyhedron.interior_point p
+
+let same_dimension u n = if u.dimension <> n then Scc_base.Bug.fail __POS__ "sets of different dimensions"
+
+let without pieces q = List.concat_map (fun p -> Difference.pieces p q) pieces
+
+let covers u p =
+  same_dimension u (Polyhedron.dimension p);
+  List.exists (Polyhedron.included p) u.pieces || List.fold_left without (some [ p ]) u.pieces = []
+
+let included u v = List.for_all (covers v) u.pieces
+let equal u v = u == v || (included u v && included v u)
+
+let union u v =
+  same_dimension u v.dimension;
+  { u with pieces = u.pieces @ v.pieces }
+
+let inter u v =
+  same_dimension u v.dimension;
+  let with_piece p = List.map (Polyhedron.inter p) v.pieces in
+  { u with pieces = some (List.concat_map with_piece u.pieces) }
+
+let difference u v =
+  same_dimension u v.dimension;
+  { u with pieces = List.fold_left without u.pieces v.pieces }
+
+let complement u ~within = difference within u
+let map ~dimension f u = of_polyhedra dimension (List.map f u.pieces)
+
+let disjoint u =
+  let put pieces p = pieces @ List.fold_left without [ p ] pieces in
+  { u with pieces = List.fold_left put [] u.pieces }
+
+(* The piece, with all that it can be merged with, and the others. *)
+let rec absorb p before = function
+  | [] -> (p, List.rev before)
+  | q :: rest -> (
+      match Envelope.merge p q with
+      (* what did not fit before may fit the greater one *)
+      | Some whole -> absorb whole [] (List.rev_append before rest)
+      | None -> absorb p (q :: before) rest)
+
+let merged u =
+  (* in [settled] no two can be merged *)
+  let put settled p =
+    let p, others = absorb p [] settled in
+    p :: others
+  in
+  { u with pieces = List.rev (List.fold_left put [] (List.map Polyhedron.minimal u.pieces)) }
