@@ -1,6 +1,6 @@
-(** Linear constraints a.x < b, a.x <= b and a.x = b over n variables. They are kept in one form: integers without a
-    common factor, and in an equality the first coefficient that is not 0 is positive. So each half-space and each
-    hyperplane has one constraint. *)
+(** Linear constraints a.x < b, a.x <= b and a.x = b over n variables. They are kept in one form: integers
+    without a common factor, and in an equality the first coefficient that is not 0 is positive. So each
+    half-space and each hyperplane has one constraint. *)
 
 open Scc_exact
 
@@ -57,8 +57,8 @@ val halves : t -> t list
 (** An equality as two inequalities; another one alone. *)
 
 val negation : t -> t list
-(** Constraints of which a point satisfies exactly one if it does not satisfy this one, and none if it does: one for an
-    inequality, two for an equality. *)
+(** Constraints of which a point satisfies exactly one if it does not satisfy this one, and none if it does: one
+    for an inequality, two for an equality. *)
 
 val strict : t -> t
 (** With < for <=. *)

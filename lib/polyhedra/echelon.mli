@@ -1,5 +1,5 @@
-(** Systems of linear equalities in reduced echelon form: each gives its first variable, which occurs in no other one.
-    A solvable system has exactly one such form. *)
+(** Systems of linear equalities in reduced echelon form: each gives its first variable, which occurs in no other
+    one. A solvable system has exactly one such form. *)
 
 type t
 

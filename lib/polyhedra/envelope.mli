@@ -2,15 +2,15 @@
 
 val join : Polyhedron.t -> Polyhedron.t -> Polyhedron.t
 (** [join p q]: the constraints of either, equalities taken as two inequalities and strict ones also without
-    strictness, that hold on both. It contains both, and also their convex hull, which may be smaller: the {e envelope} of
-    A. Bemporad, K. Fukuda and F. Torrisi, {e Convexity recognition of the union of polyhedra} (2001). The other one if
-    one is empty. *)
+    strictness, that hold on both. It contains both, and also their convex hull, which may be smaller: the
+    {e envelope} of A. Bemporad, K. Fukuda and F. Torrisi, {e Convexity recognition of the union of polyhedra}
+    (2001). The other one if one is empty. *)
 
 val merge : Polyhedron.t -> Polyhedron.t -> Polyhedron.t option
 (** The union, if it is a polyhedron: if it is, it is the {!join}. *)
 
 val widen : Polyhedron.t -> Polyhedron.t -> Polyhedron.t
-(** [widen old next]: the constraints of [old], equalities taken as two inequalities, that hold on [next]. It contains
-    both, and a sequence in which each is widened by something comes to rest: P. Cousot and N. Halbwachs, {e Automatic
-    discovery of linear restraints among variables of a program} (POPL 1978), without their second step. [next] if
-    [old] is empty. *)
+(** [widen old next]: the constraints of [old], equalities taken as two inequalities, that hold on [next]. It
+    contains both, and a sequence in which each is widened by something comes to rest: P. Cousot and N.
+    Halbwachs, {e Automatic discovery of linear restraints among variables of a program} (POPL 1978), without
+    their second step. [next] if [old] is empty. *)

@@ -1,6 +1,6 @@
-(** Affine forms c + a{_0} x{_0} + ... + a{_n-1} x{_n-1} over n variables with rational coefficients: what positions,
-    delays and time are as functions of parameters. The variables are numbers; the number n of them, the dimension,
-    is part of a form, and forms of different dimensions do not mix (a bug). *)
+(** Affine forms c + a{_0} x{_0} + ... + a{_n-1} x{_n-1} over n variables with rational coefficients: what
+    positions, delays and time are as functions of parameters. The variables are numbers; the number n of them,
+    the dimension, is part of a form, and forms of different dimensions do not mix (a bug). *)
 
 open Scc_exact
 

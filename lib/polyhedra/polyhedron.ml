@@ -121,8 +121,9 @@ let included p q =
 let equal p q = p == q || (included p q && included q p)
 
 let inter p q =
+  if p.dimension <> q.dimension then Scc_base.Bug.fail __POS__ "polyhedra of different dimensions";
   match raw q with
-  | None -> if p.dimension <> q.dimension then Scc_base.Bug.fail __POS__ "polyhedra of different dimensions" else q
+  | None -> q
   | Some constraints -> add_all p (List.rev constraints)
 
 let disjoint p q = is_empty (inter p q)
@@ -133,8 +134,8 @@ let hash_of_closure p =
 
 (* {1 Points with simple coordinates}
 
-   Setting a coordinate to a value inside of its range leaves a polyhedron whose relative interior is part of that of
-   the whole. *)
+   Setting a coordinate to a value inside of its range leaves a polyhedron whose relative interior is part of
+   that of the whole. *)
 let interior_point p =
   let fix (p, coordinates) i =
     let x = Linear.variable p.dimension i in

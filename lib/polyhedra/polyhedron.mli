@@ -1,6 +1,6 @@
-(** Convex polyhedra, not necessarily closed: the solutions of finitely many linear constraints, strict or not, over the
-    variables 0 .. n - 1 of a space of dimension n. Everything is exact. A value is never changed; what it takes to
-    know is found once and kept with it, such as whether there is a point, or the minimal form.
+(** Convex polyhedra, not necessarily closed: the solutions of finitely many linear constraints, strict or not,
+    over the variables 0 .. n - 1 of a space of dimension n. Everything is exact. A value is never changed; what
+    it takes to know is found once and kept with it, such as whether there is a point, or the minimal form.
 
     Two polyhedra, forms and constraints that are used together have the same dimension (a bug otherwise). *)
 
@@ -56,13 +56,14 @@ val corner : t -> Rat.t array option
 (** A point of the closure on as many borders as any: a vertex of it, if it has vertices. *)
 
 val interior_point : t -> Rat.t array option
-(** A point of its relative interior, with simple coordinates: each is the simplest fraction that is left, first that of
-    variable 0. {b Simplest} is the least denominator, then the least size. [None] when it is empty. *)
+(** A point of its relative interior, with simple coordinates: each is the simplest fraction that is left, first
+    that of variable 0. {b Simplest} is the least denominator, then the least size. [None] when it is empty. *)
 
 type bound = Simplex.bound = Unbounded | Bound of { value : Rat.t; attained : bool }
 
 val supremum : t -> Linear.t -> bound option
-(** The least number that the form does not exceed on it, and whether a point attains it; [None] when it is empty. *)
+(** The least number that the form does not exceed on it, and whether a point attains it; [None] when it is
+    empty. *)
 
 val infimum : t -> Linear.t -> bound option
 
@@ -102,19 +103,20 @@ val closure : t -> t
 val relative_interior : t -> t
 
 val preimage : t -> dimension:int -> Linear.t array -> t
-(** [preimage p ~dimension forms], forms over so many variables: the points that they map into p. This is substitution of
-    forms for the variables. *)
+(** [preimage p ~dimension forms], forms over so many variables: the points that they map into p. This is
+    substitution of forms for the variables. *)
 
 val substitute : t -> int -> Linear.t -> t
 (** [substitute p i f]: the points that are in p once their coordinate i has been set to f of them. *)
 
 val embed : t -> dimension:int -> int array -> t
-(** [embed p ~dimension at]: in a space of so many variables, where x{_i} has the number [at.(i)], different for each,
-    and nothing is said of the other variables. *)
+(** [embed p ~dimension at]: in a space of so many variables, where x{_i} has the number [at.(i)], different for
+    each, and nothing is said of the other variables. *)
 
 val project : t -> int array -> t
-(** [project p onto]: what p says of some variables alone, where [onto.(k)], all different, is the one that gets number k:
-    the points (x{_onto.(0)}, x{_onto.(1)}, ...) of all points x of p. With all variables this is a permutation. *)
+(** [project p onto]: what p says of some variables alone, where [onto.(k)], all different, is the one that gets
+    number k: the points (x{_onto.(0)}, x{_onto.(1)}, ...) of all points x of p. With all variables this is a
+    permutation. *)
 
 val eliminate : t -> int list -> t
 (** The points that get into p if the coordinates of these numbers may be changed. *)

@@ -7,10 +7,10 @@ type kind = Free | Slack | Fixed
 
    denominator * basic_r  =  row.(0) + row.(1) delta + sum over columns c of row.(2 + c) * cobasic_c.
 
-   The variables of the system are 0 .. dimension - 1 and free; constraint number k is variable dimension + k, the slack
-   right - normal.x (less delta if strict), which is at least 0, or fixed at 0 for an equality. The point at which the
-   solver stands has 0 for all cobasic variables. With the rows of the first dictionary all entries of the later ones
-   are minors of it, so that the divisions of a pivot leave no remainders. *)
+   The variables of the system are 0 .. dimension - 1 and free; constraint number k is variable dimension + k,
+   the slack right - normal.x (less delta if strict), which is at least 0, or fixed at 0 for an equality. The
+   point at which the solver stands has 0 for all cobasic variables. With the rows of the first dictionary all
+   entries of the later ones are minors of it, so that the divisions of a pivot leave no remainders. *)
 type t = {
   dimension : int;
   kinds : kind array;
@@ -140,8 +140,8 @@ let implies t c = satisfies t c && List.for_all (fun other -> add t other = None
 (* {1 One constraint turned round, or forgotten} *)
 
 let position variables v =
-  let rec from k = if k >= Array.length variables then None else if variables.(k) = v then Some k else from (k + 1) in
-  from 0
+  let k = least variables (fun k -> variables.(k) = v) in
+  if k < 0 then None else Some k
 
 let set a k x =
   let copy = Array.copy a in
@@ -190,7 +190,8 @@ let coordinates t value =
   Array.iteri (fun r v -> if v < t.dimension then point.(v) <- value t.rows.(r)) t.basic;
   point
 
-(* For a small delta all slacks are at least 0: here it is half of the greatest that is small enough, at most 1/2. *)
+(* For a small delta all slacks are at least 0: here it is half of the greatest that is small enough, at most
+    1/2. *)
 let small_enough t =
   let consider delta row v =
     if t.kinds.(v) = Slack && Z.sign row.(1) < 0 then Rat.min delta (Rat.make row.(0) (Z.neg row.(1))) else delta

@@ -23,8 +23,8 @@ val of_constraints : int -> Constraint.t list -> t option
 (** All of them, in this order. *)
 
 val satisfies : t -> Constraint.t -> bool
-(** Whether the point at which the solver stands satisfies the constraint. If not, there is a point of the system that
-    does not; if so, nothing follows for others. *)
+(** Whether the point at which the solver stands satisfies the constraint. If not, there is a point of the system
+    that does not; if so, nothing follows for others. *)
 
 val implies : t -> Constraint.t -> bool
 (** Whether all points of the system satisfy the constraint. *)

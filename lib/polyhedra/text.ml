@@ -2,9 +2,8 @@ open Scc_exact
 
 (* [2x], [x], [1/2 x] for a positive coefficient: letters stand next to an integer, not next to a fraction. *)
 let term name (i, a) =
-  let apart = match (name i).[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> "" | _ -> " " | exception Invalid_argument _ -> "" in
   if Rat.equal a Rat.one then name i
-  else if Rat.is_integer a then Rat.to_string a ^ apart ^ name i
+  else if Rat.is_integer a then Rat.to_string a ^ name i
   else Rat.to_string a ^ " " ^ name i
 
 let terms coefficients =
@@ -12,8 +11,8 @@ let terms coefficients =
 
 let form ~name (f : Linear.t) =
   let variables = List.map (fun (i, a) -> (Rat.sign a, term name (i, Rat.abs a))) (terms f.coefficients) in
-  let constant = if Rat.sign f.constant = 0 then [] else [ (Rat.sign f.constant, Rat.to_string (Rat.abs f.constant)) ] in
-  match variables @ constant with
+  let constant = (Rat.sign f.constant, Rat.to_string (Rat.abs f.constant)) in
+  match List.filter (fun (sign, _) -> sign <> 0) (variables @ [ constant ]) with
   | [] -> "0"
   | (sign, first) :: rest ->
     let next (sign, text) = (if sign < 0 then " - " else " + ") ^ text in
@@ -69,7 +68,8 @@ let union ~name u =
 (* {1 SMT-LIB} *)
 
 let reserved =
-  [ "!"; "_"; "as"; "BINARY"; "DECIMAL"; "exists"; "HEXADECIMAL"; "forall"; "let"; "match"; "NUMERAL"; "par"; "STRING" ]
+  [ "!"; "_"; "as"; "BINARY"; "DECIMAL"; "exists"; "HEXADECIMAL"; "forall"; "let"; "match"; "NUMERAL"; "par";
+    "STRING" ]
 
 let smt_symbol name =
   let allowed = function
@@ -93,10 +93,10 @@ let smt_constraint ~name (c : Constraint.t) =
     let symbol = smt_symbol (name i) in
     if Z.equal a Z.one then symbol else "(* " ^ smt_integer a ^ " " ^ symbol ^ ")"
   in
-  let mentioned = List.filter (fun (_, a) -> Z.sign a <> 0) (List.mapi (fun i a -> (i, a)) (Array.to_list c.normal)) in
-  match mentioned with
+  let all = List.mapi (fun i a -> (i, a)) (Array.to_list c.normal) in
+  match List.filter (fun (_, a) -> Z.sign a <> 0) all with
   | [] -> if Constraint.truth c = Some true then "true" else "false"
-  | _ ->
+  | mentioned ->
     let sum = application "+" (List.map term mentioned) in
     "(" ^ relation ~backwards:false c.relation ^ " " ^ sum ^ " " ^ smt_integer c.right ^ ")"
 

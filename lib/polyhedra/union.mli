@@ -1,5 +1,5 @@
-(** Finite unions of convex polyhedra, not necessarily closed, in one space: all sets that linear constraints describe by
-    and, or and not. Sets that are used together have the same dimension (a bug otherwise). *)
+(** Finite unions of convex polyhedra, not necessarily closed, in one space: all sets that linear constraints
+    describe by and, or and not. Sets that are used together have the same dimension (a bug otherwise). *)
 
 open Scc_exact
 
@@ -49,8 +49,8 @@ val complement : t -> within:t -> t
 (** What is in [within] and not in the set. *)
 
 val map : dimension:int -> (Polyhedron.t -> Polyhedron.t) -> t -> t
-(** Piece by piece, into a space of that dimension: for operations that commute with unions, as projection and preimages
-    do. *)
+(** Piece by piece, into a space of that dimension: for operations that commute with unions, as projection and
+    preimages do. *)
 
 val disjoint : t -> t
 (** The same set by pieces that do not overlap. *)

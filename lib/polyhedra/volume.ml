@@ -1,7 +1,8 @@
 open Scc_exact
 
-(* The pyramids over the facets from the origin, with the sign of the side on which it is: on a facet a.x = b the sum has
-   b / |a_j| times the volume of its shadow along x_j, for any j with a_j not 0, and 1/n of it is the volume. *)
+(* The pyramids over the facets from the origin, with the sign of the side on which it is: on a facet a.x = b the
+   sum has b / |a_j| times the volume of its shadow along x_j, for any j with a_j not 0, and 1/n of it is the
+   volume. *)
 
 let without_variable j (c : Constraint.t) =
   let n = Constraint.dimension c in

@@ -1,0 +1,134 @@
+(* Polyhedra by linear constraints: cases by hand. *)
+
+open Scc_exact
+open Scc_polyhedra
+
+let q = Q.of_string
+let name = function 0 -> "x" | 1 -> "y" | 2 -> "z" | i -> Printf.sprintf "v%d" i
+
+(* [system n [ ([ 1; -2 ], "<", 3) ]] is x - 2y < 3 *)
+let constraint_ (normal, relation, right) =
+  let a = Array.of_list (List.map Z.of_int normal) and b = Z.of_int right in
+  let minus = Array.map Z.neg a in
+  match relation with
+  | "<" -> Constraint.make a Less b
+  | "<=" -> Constraint.make a At_most b
+  | "=" -> Constraint.make a Equal b
+  | ">" -> Constraint.make minus Less (Z.neg b)
+  | ">=" -> Constraint.make minus At_most (Z.neg b)
+  | _ -> invalid_arg relation
+
+let system n constraints = Polyhedron.of_constraints n (List.map constraint_ constraints)
+let text = Text.polyhedron ~name
+let is what expected p = Alcotest.(check string) what expected (text p)
+let yes = Alcotest.(check bool)
+let volume what expected p = 
+  Alcotest.(check (option string)) what expected (Option.map Rat.to_string (Volume.of_polyhedron p))
+
+let triangle = system 2 [ ([ 1; 0 ], ">=", 0); ([ 0; 1 ], ">=", 0); ([ 1; 1 ], "<=", 1) ]
+let square low high = Polyhedron.box [| (q low, q high); (q low, q high) |]
+
+let emptiness () =
+  let empty what constraints =
+    let p = system 1 (List.map (fun (a, relation, b) -> ([ a ], relation, b)) constraints) in
+    yes what true (Polyhedron.is_empty p)
+  in
+  empty "x < 0 < x" [ (1, "<", 0); (1, ">", 0) ];
+  empty "x < 0 <= x" [ (1, "<", 0); (1, ">=", 0) ];
+  empty "x = 1 < x" [ (1, "=", 1); (1, ">", 1) ];
+  empty "0 < 0" [ (0, "<", 0) ];
+  is "x <= 0 <= x" "x = 0" (system 1 [ ([ 1 ], "<=", 0); ([ 1 ], ">=", 0) ]);
+  is "of nothing" "false" (Polyhedron.empty 2);
+  is "of everything" "true" (Polyhedron.universe 2);
+  is "a cycle" "false" (system 3 [ ([ 1; -1; 0 ], "<=", 0); ([ 0; 1; -1 ], "<=", 0); ([ -1; 0; 1 ], "<", 0) ])
+
+let minimal_forms () =
+  is "implicit equalities" "x = z, y = z"
+    (system 3 [ ([ 1; -1; 0 ], "<=", 0); ([ 0; 1; -1 ], "<=", 0); ([ -1; 0; 1 ], "<=", 0) ]);
+  is "redundant ones" "x >= 0, y >= 0, x + y <= 1" (Polyhedron.add triangle (constraint_ ([ 1; 0 ], "<=", 1)));
+  is "the strict of two" "x < 1" (system 1 [ ([ 1 ], "<=", 1); ([ 1 ], "<", 1); ([ 2 ], "<", 3) ]);
+  let p = system 2 [ ([ 1; 0 ], ">=", 0); ([ 0; 1 ], ">=", 0); ([ 1; 1 ], ">", 0) ] in
+  let p' = system 2 [ ([ 1; 0 ], ">=", 0); ([ 0; 1 ], ">=", 0); ([ 1; 2 ], ">", 0) ] in
+  yes "one set, two forms" true (Polyhedron.equal p p' && text p <> text p');
+  Alcotest.(check int) "one closure" (Polyhedron.hash_of_closure p) (Polyhedron.hash_of_closure p')
+
+let projections () =
+  let p = system 2 [ ([ 1; -1 ], "<", 0); ([ 0; 1 ], "<=", 3); ([ 1; 1 ], ">=", 0) ] in
+  is "strict if either is" "x >= -3, x < 3" (Polyhedron.project p [| 0 |]);
+  is "the other one" "x > 0, x <= 3" (Polyhedron.project p [| 1 |]);
+  is "swapped" (text triangle) (Polyhedron.project triangle [| 1; 0 |]);
+  let sum = Linear.add (Linear.variable 2 0) (Linear.variable 2 1) in
+  is "image" "x >= 0, x <= 1" (Polyhedron.image triangle [| sum |]);
+  is "preimage" "x >= 0, x <= 1/2"
+    (Polyhedron.preimage triangle ~dimension:1 [| Linear.variable 1 0; Linear.variable 1 0 |])
+
+let points () =
+  let point p = Option.map (fun a -> List.map Rat.to_string (Array.to_list a)) (Polyhedron.interior_point p) in
+  let simple = Alcotest.(check (option (list string))) in
+  simple "of a triangle" (Some [ "1/2"; "1/3" ]) (point triangle);
+  simple "of a half-line" (Some [ "4" ]) (point (system 1 [ ([ 1 ], ">", 3) ]));
+  simple "on a line" (Some [ "0"; "-2" ]) (point (system 2 [ ([ 1; -1 ], "=", 2) ]));
+  simple "nowhere" None (point (Polyhedron.empty 1));
+  let bound p f = match Polyhedron.supremum p f with
+    | Some (Bound { value; attained }) -> Rat.to_string value ^ if attained then "" else ", never"
+    | Some Unbounded -> "none"
+    | None -> "empty"
+  in
+  let x = Linear.variable 2 0 in
+  Alcotest.(check string) "attained" "1" (bound triangle x);
+  Alcotest.(check string) "not attained" "1, never" (bound (Polyhedron.relative_interior triangle) x);
+  Alcotest.(check string) "at a corner that is missing" "1, never" 
+    (bound (Polyhedron.add triangle (constraint_ ([ 0; 1 ], ">", 0))) x);
+  Alcotest.(check string) "unbounded" "none" (bound (system 2 [ ([ 1; -1 ], "<=", 0) ]) x)
+
+let sets () =
+  let hole = Union.difference (Union.of_polyhedron (square "0" "3")) (Union.of_polyhedron (square "1" "2")) in
+  Alcotest.(check int) "a ring" 4 (List.length (Union.pieces hole));
+  Alcotest.(check (option string)) "its area" (Some "8") (Option.map Rat.to_string (Volume.of_union hole));
+  let filled = Union.union hole (Union.of_polyhedron (square "1" "2")) in
+  yes "filled" true (Union.covers filled (square "0" "3"));
+  Alcotest.(check int) "merged" 1 (List.length (Union.pieces (Union.merged filled)));
+  yes "the hole is missed" false (Union.covers hole (square "0" "3"));
+  let left = system 1 [ ([ 1 ], ">=", 0); ([ 1 ], "<", 1) ] in
+  let right = system 1 [ ([ 1 ], ">", 1); ([ 1 ], "<=", 2) ] in
+  yes "a point is missing" true (Envelope.merge left right = None);
+  let at_one = system 1 [ ([ 1 ], "=", 1) ] in
+  Alcotest.(check (option string)) "added" (Some "x >= 0, x <= 1") (Option.map text (Envelope.merge left at_one));
+  let range high = system 1 [ ([ 1 ], ">=", 0); ([ 1 ], "<=", high) ] in
+  is "widened" "x >= 0" (Envelope.widen (range 1) (range 2))
+
+let volumes () =
+  volume "triangle" (Some "1/2") triangle;
+  volume "its interior" (Some "1/2") (Polyhedron.relative_interior triangle);
+  volume "square" (Some "9/4") (square "-1/2" "1");
+  volume "flat" (Some "0") (system 2 [ ([ 1; 1 ], "=", 0) ]);
+  volume "infinite" None (system 2 [ ([ 1; 1 ], "<=", 0) ]);
+  volume "nothing" (Some "0") (Polyhedron.empty 3);
+  let signed rest = List.concat_map (fun s -> List.map (fun more -> s :: more) rest) [ -1; 1 ] in
+  let signs = signed (signed (signed [ [] ])) in
+  volume "octahedron" (Some "4/3") (system 3 (List.map (fun normal -> (normal, "<=", 1)) signs));
+  let unit k = List.init 5 (fun i -> if i = k then 1 else 0) in
+  volume "a simplex of dimension 5" (Some "1/120")
+    (system 5 (([ 1; 1; 1; 1; 1 ], "<=", 1) :: List.init 5 (fun k -> (unit k, ">=", 0))))
+
+let texts () =
+  let prints expected c = Alcotest.(check string) expected expected (Text.constraint_ ~name (constraint_ c)) in
+  prints "x <= 2" ([ 1; 0 ], "<=", 2);
+  prints "x > 3/2" ([ 2; 0 ], ">", 3);
+  prints "2x + 3y < 5" ([ 2; 3 ], "<", 5);
+  prints "x = y" ([ 1; -1 ], "=", 0);
+  prints "x + 1 <= 2y" ([ 1; -2 ], "<=", -1);
+  prints "x <= 2y + 1" ([ 1; -2 ], "<=", 1);
+  prints "x + y >= -3" ([ 1; 1 ], ">=", -3);
+  prints "x + y >= 3" ([ 1; 1 ], ">=", 3);
+  let smt c = Text.smt_constraint ~name (constraint_ c) in
+  Alcotest.(check string) "SMT-LIB" "(< (+ x (* (- 2.0) y)) (- 3.0))" (smt ([ 1; -2 ], "<", -3));
+  Alcotest.(check string) "quoted" "|a b|" (Text.smt_symbol "a b");
+  Alcotest.(check string) "empty" "false" (Text.smt_polyhedron ~name (Polyhedron.empty 1))
+
+let () =
+  let case name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "systems"
+    [ ("by hand",
+       [ case "emptiness" emptiness; case "minimal forms" minimal_forms; case "projections" projections;
+         case "points and bounds" points; case "sets" sets; case "volumes" volumes; case "texts" texts ]) ]
