@@ -17,10 +17,32 @@ let widen old next =
   if Polyhedron.is_empty old then next
   else Polyhedron.minimal (Polyhedron.of_constraints (Polyhedron.dimension old) (kept (halves old) next))
 
+(* A strict constraint that keeps the piece out: the least face of the whole on which the piece lies is where all
+   constraints that are tight on it are tight, which is the border of their sum. *)
+let without_face whole piece =
+  let inequality (c : Constraint.t) = c.relation <> Equal in
+  let tight c = inequality c && Polyhedron.implies piece (Constraint.tight c) in
+  match List.filter tight (Polyhedron.constraints (Polyhedron.closure whole)) with
+  | [] -> None
+  | c :: others ->
+    let add sum d = Linear.add sum (Constraint.to_form d) in
+    Some (Constraint.of_form (List.fold_left add (Constraint.to_form c) others) Less)
+
+let rec all_some = function
+  | [] -> Some []
+  | None :: _ -> None
+  | Some x :: rest -> Option.map (fun others -> x :: others) (all_some rest)
+
+(* If the union of p and q is a polyhedron, the join may still have some faces more. A convex set in finitely many
+   faces is in one of them, so each piece of what is too much lies in a face that has nothing of the union. *)
 let merge p q =
   if Polyhedron.included p q then Some q
   else if Polyhedron.included q p then Some p
   else
     let whole = join p q in
     let left = List.concat_map (fun piece -> Difference.pieces piece q) (Difference.pieces whole p) in
-    if left = [] then Some whole else None
+    let without_faces = all_some (List.map (without_face whole) left) in
+    let cut = Option.map (Polyhedron.add_all whole) without_faces in
+    match cut with
+    | Some cut when Polyhedron.included p cut && Polyhedron.included q cut -> Some (Polyhedron.minimal cut)
+    | Some _ | None -> None

@@ -7,7 +7,8 @@ val join : Polyhedron.t -> Polyhedron.t -> Polyhedron.t
     (2001). The other one if one is empty. *)
 
 val merge : Polyhedron.t -> Polyhedron.t -> Polyhedron.t option
-(** The union, if it is a polyhedron: if it is, it is the {!join}. *)
+(** The union, if it is a polyhedron: if it is, it is the {!join}, but for faces of that, which may be missing: of
+    x > 0, y >= 0 and of y > 0, x + y >= 0 it is all of the join but (0, 0). *)
 
 val widen : Polyhedron.t -> Polyhedron.t -> Polyhedron.t
 (** [widen old next]: the constraints of [old], equalities taken as two inequalities, that hold on [next]. It

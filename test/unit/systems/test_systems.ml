@@ -94,6 +94,10 @@ let sets () =
   yes "a point is missing" true (Envelope.merge left right = None);
   let at_one = system 1 [ ([ 1 ], "=", 1) ] in
   Alcotest.(check (option string)) "added" (Some "x >= 0, x <= 1") (Option.map text (Envelope.merge left at_one));
+  let p = system 2 [ ([ 1; 0 ], ">", 0); ([ 0; 1 ], ">=", 0) ] in
+  let p' = system 2 [ ([ 1; 1 ], ">=", 0); ([ 0; 1 ], ">", 0) ] in
+  Alcotest.(check (option string)) "a corner is missing" (Some "x + 2y > 0, x + y >= 0, y >= 0")
+    (Option.map text (Envelope.merge p p'));
   let range high = system 1 [ ([ 1 ], ">=", 0); ([ 1 ], "<=", high) ] in
   is "widened" "x >= 0" (Envelope.widen (range 1) (range 2))
 
