@@ -131,9 +131,13 @@ let add t (c : Constraint.t) =
 let of_constraints n constraints =
   List.fold_left (fun t c -> Option.bind t (fun t -> add t c)) (Some (universe n)) constraints
 
+(* Of a strict constraint the slack has to be positive; it may be less than delta, which can be made smaller. *)
 let satisfies t (c : Constraint.t) =
-  let sign = sign_of (constraint_row t c) in
-  if c.relation = Equal then sign = 0 else sign >= 0
+  let sign = sign_of (constraint_row t (Constraint.closed c)) in
+  match c.relation with
+  | Equal -> sign = 0
+  | Less -> sign > 0
+  | At_most -> sign >= 0
 
 let implies t c = satisfies t c && List.for_all (fun other -> add t other = None) (Constraint.negation c)
 

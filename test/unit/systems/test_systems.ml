@@ -81,6 +81,19 @@ let points () =
     (bound (Polyhedron.add triangle (constraint_ ([ 0; 1 ], ">", 0))) x);
   Alcotest.(check string) "unbounded" "none" (bound (system 2 [ ([ 1; -1 ], "<=", 0) ]) x)
 
+(* The solver stands at a point that is as near to the border as delta. *)
+let near_borders () =
+  let p = system 2 [ ([ 1; 0 ], ">", 0); ([ 2; -1 ], "<", 0); ([ 0; 1 ], "<", 1) ] in
+  yes "strictly inside" true (Polyhedron.implies p (constraint_ ([ 3; -1 ], "<", 1)));
+  let base =
+    [ ([ -1; 2; 0 ], "<", -4); ([ 0; 1; 3 ], "<=", 7); ([ 0; -3; 0 ], "<=", 8); ([ -3; 0; 0 ], "<=", -7);
+      ([ 0; 0; 1 ], ">", 1) ]
+  in
+  let cut = ([ 0; 2; -12 ], "<", -39) and beyond = ([ 0; 2; -12 ], ">=", -39) in
+  let whole = system 3 base and p = system 3 (cut :: base) and q = system 3 (beyond :: base) in
+  yes "a part is included" true (Polyhedron.included p whole && Polyhedron.included (Polyhedron.minimal p) whole);
+  Alcotest.(check (option string)) "parts of a whole" (Some (text whole)) (Option.map text (Envelope.merge p q))
+
 let sets () =
   let hole = Union.difference (Union.of_polyhedron (square "0" "3")) (Union.of_polyhedron (square "1" "2")) in
   Alcotest.(check int) "a ring" 4 (List.length (Union.pieces hole));
@@ -135,4 +148,4 @@ let () =
   Alcotest.run "systems"
     [ ("by hand",
        [ case "emptiness" emptiness; case "minimal forms" minimal_forms; case "projections" projections;
-         case "points and bounds" points; case "sets" sets; case "volumes" volumes; case "texts" texts ]) ]
+         case "points and bounds" points; case "near borders" near_borders; case "sets" sets; case "volumes" volumes; case "texts" texts ]) ]
