@@ -4,7 +4,7 @@ open Scc_exact
 open Scc_polyhedra
 
 let q = Q.of_string
-let name = function 0 -> "x" | 1 -> "y" | 2 -> "z" | i -> Printf.sprintf "v%d" i
+let name = function 0 -> "x" | 1 -> "y" | 2 -> "z" | 3 -> "w" | i -> Printf.sprintf "v%d" i
 
 (* [system n [ ([ 1; -2 ], "<", 3) ]] is x - 2y < 3 *)
 let constraint_ (normal, relation, right) =
@@ -86,13 +86,14 @@ let near_borders () =
   let p = system 2 [ ([ 1; 0 ], ">", 0); ([ 2; -1 ], "<", 0); ([ 0; 1 ], "<", 1) ] in
   yes "strictly inside" true (Polyhedron.implies p (constraint_ ([ 3; -1 ], "<", 1)));
   let base =
-    [ ([ -1; 2; 0 ], "<", -4); ([ 0; 1; 3 ], "<=", 7); ([ 0; -3; 0 ], "<=", 8); ([ -3; 0; 0 ], "<=", -7);
-      ([ 0; 0; 1 ], ">", 1) ]
+    [ ([ 0; -3; 0; 0 ], "<=", 8); ([ -1; 2; 0; 0 ], "<", -4); ([ 0; 0; 2; 3 ], "<", 19); ([ 0; 1; 0; 3 ], "<=", 7);
+      ([ -3; 0; 0; 0 ], "<=", -7); ([ 0; 0; 1; 3 ], "=", 11); ([ -1; 1; -2; 1 ], "<=", -1) ]
   in
-  let cut = ([ 0; 2; -12 ], "<", -39) and beyond = ([ 0; 2; -12 ], ">=", -39) in
-  let whole = system 3 base and p = system 3 (cut :: base) and q = system 3 (beyond :: base) in
+  let cut = ([ 0; 2; 3; -3 ], "<", -6) and beyond = ([ 0; 2; 3; -3 ], ">=", -6) in
+  let whole = system 4 base and p = system 4 (cut :: base) and q = system 4 (beyond :: base) in
   yes "a part is included" true (Polyhedron.included p whole && Polyhedron.included (Polyhedron.minimal p) whole);
-  Alcotest.(check (option string)) "parts of a whole" (Some (text whole)) (Option.map text (Envelope.merge p q))
+  Alcotest.(check (option string)) "parts of a whole" (Some (text whole))
+    (Option.map text (Envelope.merge p q))
 
 let sets () =
   let hole = Union.difference (Union.of_polyhedron (square "0" "3")) (Union.of_polyhedron (square "1" "2")) in
@@ -148,4 +149,5 @@ let () =
   Alcotest.run "systems"
     [ ("by hand",
        [ case "emptiness" emptiness; case "minimal forms" minimal_forms; case "projections" projections;
-         case "points and bounds" points; case "near borders" near_borders; case "sets" sets; case "volumes" volumes; case "texts" texts ]) ]
+         case "points and bounds" points; case "near borders" near_borders; case "sets" sets;
+         case "volumes" volumes; case "texts" texts ]) ]
