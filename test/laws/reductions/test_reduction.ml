@@ -255,7 +255,7 @@ check after  : EF (time > 30 and EG (not touching(p, east)))
 let enough () =
   Alcotest.(check bool) "few models are refused" true (!refused < 100);
   Alcotest.(check bool) "most formulas are decided" true (!decided > 1000);
-  Alcotest.(check bool) "rings close" true (!closings > 300)
+  Alcotest.(check bool) "rings close" true (!closings > 60)
 
 let () =
   let with_jump kind = [ kind; Reduction.Jump ] in
