@@ -154,8 +154,13 @@ let pyramid n r h =
 let names = [ "antiprism(_,_,_)"; "box(_,_,_)"; "prism(_,_,_)"; "pyramid(_,_,_)" ]
 let max_corners = 256
 
-let wrong report (r : Ast.reference) takes =
-  Report.error report Code.bad_arity r.target.at "`%s` takes %s" r.target.it takes;
+(* A name that stands for nothing is a word. *)
+let wrong report (r : Ast.reference) (arguments : Env.value list) takes =
+  let word : Env.value -> string option = function Word (w, _) -> Some w | _ -> None in
+  (match List.find_map word arguments with
+   | Some name ->
+     Report.error report Code.unknown_name r.target.at "unknown name `%s`; `%s` takes %s" name r.target.it takes
+   | None -> Report.error report Code.bad_arity r.target.at "`%s` takes %s" r.target.it takes);
   None
 
 let lengths = "three lengths, as in `box(2, 1, 1)`, or a vector of them"
@@ -175,7 +180,7 @@ let made_box report r (arguments : Env.value list) =
   | [ Number a; Number b; Number c ] | [ Vector { x = a; y = b; z = c } ] ->
     let* () = positive report r [ a; b; c ] in
     Some (box a b c)
-  | _ -> wrong report r lengths
+  | _ -> wrong report r arguments lengths
 
 let round report (r : Ast.reference) make (arguments : Env.value list) =
   match arguments with
@@ -189,7 +194,7 @@ let round report (r : Ast.reference) make (arguments : Env.value list) =
     else
       let* () = positive report r [ radius; height ] in
       Some (make corners radius height)
-  | _ -> wrong report r (corners r)
+  | _ -> wrong report r arguments (corners r)
 
 (* One argument that is not known may be a vector. *)
 let check_open report (r : Ast.reference) (reference : Family.reference) =
@@ -197,8 +202,8 @@ let check_open report (r : Ast.reference) (reference : Family.reference) =
   match (r.target.it, reference.arguments) with
   | "box", [ Unknown ] -> None
   | _, ([ _; _; _ ] as arguments) when List.for_all is_number arguments -> None
-  | "box", _ -> wrong report r lengths
-  | _, _ -> wrong report r (corners r)
+  | "box", arguments -> wrong report r arguments lengths
+  | _, arguments -> wrong report r arguments (corners r)
 
 let find report (r : Ast.reference) (reference : Family.reference) =
   match (r.qualifier, r.indices, r.arguments, r.target.it) with

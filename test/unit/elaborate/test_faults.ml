@@ -85,6 +85,8 @@ let names_and_values =
       (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check k : AF event bind(p, a)");
     case "a variable before the channel" "SC0210" "q" ~says:"the channel comes first"
       (cube ^ "process p = Cube mass 1 [<a,{top}>.nil] check k : forall q in Cube: AF event bind(q)");
+    case "a length that is not declared" "SC0201" "box" ~says:"unknown name `b`"
+      "process p = box (1, b, 1) mass 1 [nil]";
     case "a bounce of three" "SC0206" "event bounce(p, p, p)" ~says:"at most two processes, and is given 3"
       (cube ^ "process p = Cube mass 1 [nil] check k : AF event bounce(p, p, p)");
     case "a hit of three" "SC0206" "event hit(p, p, p)" ~says:"one body or two, or parts of them, and is given 3"

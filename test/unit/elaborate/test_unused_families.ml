@@ -10,7 +10,7 @@ let faults =
   [
     case "a name of a shape" "SC0201" "bix" ~says:"did you mean `box`" (shape "bix(a, 1, 1)");
     case "a number of lengths" "SC0206" "box" ~says:"three lengths" (shape "box(a, 1)");
-    case "a name for a length" "SC0206" "box" ~says:"three lengths" (shape "box(a, b, 1)");
+    case "a name for a length" "SC0201" "box" ~says:"unknown name `b`" (shape "box(a, b, 1)");
     case "a name in a definition" "SC0201" "zz" (shape "box(a, h, 1) where h = min(a, zz)");
     case "a number of parameters" "SC0201" "S" ~says:"declared is `S(_)`" (shape "S(a, 2) shape T(a) = S(a, a)");
     case "a number of arguments" "SC0206" "abs(a, 1)" (shape "box(abs(a, 1), 1, 1)");
