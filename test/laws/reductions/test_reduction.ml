@@ -252,6 +252,28 @@ check after  : EF (time > 30 and EG (not touching(p, east)))
   Alcotest.(check (list string)) "proofs" [ holds; holds; holds; holds; "violated" ] verdicts;
   Alcotest.(check bool) "all is explored" true stats.complete
 
+(* The first of two equal balls is absorbed: the other one takes its name, and a witness finds its way back. *)
+let gone () =
+  let text =
+    shapes
+    ^ {|
+fixed out = Cube scaled (1,9,9) absorb at translate (-9,0,0)
+process p = Cube mass 1 velocity (-1,0,0) at translate (0,0,0) [Shy]
+process q = Cube mass 1 velocity (-1,0,0) at translate (4,0,0) [Shy]
+check two  : always processes >= 2
+check none : eventually processes = 1
+|}
+  in
+  List.iter
+    (fun reductions ->
+       match load text with
+       | None -> Alcotest.fail "the model is refused"
+       | Some (e, initial) ->
+         let report = run reductions e initial in
+         let verdicts = List.map (fun (o : Verdict.outcome) -> Verdict.outcome_to_string o) report.outcomes in
+         Alcotest.(check (list string)) "verdicts" [ "violated"; "holds (exhaustive)" ] verdicts)
+    Reduction.[ [ Symmetry; Jump ]; [ Jump ] ]
+
 let enough () =
   Alcotest.(check bool) "few models are refused" true (!refused < 100);
   Alcotest.(check bool) "most formulas are decided" true (!decided > 1000);
@@ -285,6 +307,7 @@ let () =
           quick "enough is decided" enough;
           quick "order" (fewer Order four_pairs ~with_it:6 ~without:17);
           quick "symmetry" (fewer Symmetry two_balls ~with_it:9 ~without:17);
+          quick "symmetry, where one is gone" gone;
           quick "translation" drift;
           quick "time spoils no other property" unspoilt;
           quick "time counts up to a constant" up_to_a_constant;
