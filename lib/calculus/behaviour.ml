@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_polyhedra
 
 type channel = { name : string; sites : Site.t list; only : Site.t list; surface : Site.t list }
 
@@ -19,6 +20,7 @@ type t =
   | Weak of channel * Rat.t * t
   | Strong of channel list * Rat.t * t
   | Delay of Rat.t * t
+  | Wait of Linear.t * t
   | Sum of t * t
   | Call of int
 
@@ -44,8 +46,9 @@ let rank = function
   | Weak _ -> 2
   | Strong _ -> 3
   | Delay _ -> 4
-  | Sum _ -> 5
-  | Call _ -> 6
+  | Wait _ -> 5
+  | Sum _ -> 6
+  | Call _ -> 7
 
 let rec compare a b =
   if a == b then 0
@@ -59,6 +62,7 @@ let rec compare a b =
     | Strong (l, i, x), Strong (m, j, y) ->
       compare_lists compare_channel l m <?> fun () -> Rat.compare i j <?> fun () -> compare x y
     | Delay (s, x), Delay (t, y) -> Rat.compare s t <?> fun () -> compare x y
+    | Wait (s, x), Wait (t, y) -> Linear.compare s t <?> fun () -> compare x y
     | Sum (x, x'), Sum (y, y') -> compare x y <?> fun () -> compare x' y'
     | Call i, Call j -> Int.compare i j
     | _ -> Int.compare (rank a) (rank b)
@@ -81,6 +85,7 @@ let rec hash_to depth b =
     | Weak (c, j, b) -> (hash_channel c * 37) + (Rat.hash j * 43) + below b
     | Strong (l, j, b) -> List.fold_left (fun h c -> (h * 41) + hash_channel c) ((Rat.hash j * 43) + below b) l
     | Delay (t, b) -> (Rat.hash t * 43) + below b
+    | Wait (t, b) -> (Linear.hash t * 43) + below b
     | Sum (a, b) -> (below a * 47) + below b
     | Call i -> (i * 53) + 7
 
@@ -100,9 +105,11 @@ let delay t b =
   | s when s < 0 -> Scc_base.Bug.fail __POS__ "a negative delay"
   | _ -> Delay (t, b)
 
+let wait t b = if Linear.is_constant t then delay t.constant b else Wait (t, b)
+
 let rec sum a = function
   | Sum (b, c) -> Sum (sum a b, c)
-  | (Nil | Open _ | Weak _ | Strong _ | Delay _ | Call _) as b -> Sum (a, b)
+  | (Nil | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Call _) as b -> Sum (a, b)
 
 let call k = Call k
 
@@ -115,7 +122,7 @@ let aged origin term = { origin; term }
 let reached ~before term =
   match term with
   | Call k -> aged (Some k) term
-  | Nil | Open _ | Weak _ | Strong _ | Delay _ | Sum _ -> aged before term
+  | Nil | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Sum _ -> aged before term
 
 let fresh term = reached ~before:None term
 let compare_aged a b = Option.compare Int.compare a.origin b.origin <?> fun () -> compare a.term b.term
@@ -124,7 +131,7 @@ let hash_aged a = (hash a.term * 31) + match a.origin with None -> 0 | Some k ->
 
 (* The names exposed in a body: those that it may unfold without anything happening. *)
 let rec exposed found = function
-  | Nil | Open _ | Weak _ | Strong _ | Delay _ -> found
+  | Nil | Open _ | Weak _ | Strong _ | Delay _ | Wait _ -> found
   | Sum (a, b) -> exposed (exposed found a) b
   | Call k -> k :: found
 

@@ -2,6 +2,7 @@
     [Scc_semantics.Behaviours]. *)
 
 open Scc_exact
+open Scc_polyhedra
 
 (** A channel's name and active surface. Two are equal when name and surface are (reading I-17), whatever is
     listed. *)
@@ -29,6 +30,9 @@ type t = private
   | Strong of channel list * Rat.t * t
   (** rho(L) push(j). B; L sorted, a set by name and surface, not empty *)
   | Delay of Rat.t * t  (** eps(t). B with t > 0: eps(0).B is B *)
+  | Wait of Linear.t * t
+  (** eps(t). B where t is not known but for a form over the parameters that have ranges ({!Ranges}): not
+      constant, and nowhere negative. In models with ranges only. *)
   | Sum of t * t
   | Call of int  (** K, an index into the definitions *)
 
@@ -40,6 +44,9 @@ val strong : ?push:Rat.t -> channel list -> t -> t
 val delay : Rat.t -> t -> t
 (** [delay t b] is [b] when t = 0 (rule Eps0, canonical form); t is not negative. *)
 
+
+val wait : Linear.t -> t -> t
+(** [wait t b], t nowhere negative: {!delay} when t is constant. *)
 
 val sum : t -> t -> t
 (** Sums have no brackets: [Sum (a, b)] has no sum for its [b]. *)

@@ -32,6 +32,7 @@ type t = {
   definitions : Behaviour.definitions;
   timestep : Rat.t;
   split_step : Rat.t;
+  ranges : Ranges.t;
   keeps_time : bool;
   steered : bool;
   steps : steps;

@@ -64,6 +64,7 @@ type t = {
   definitions : Behaviour.definitions;
   timestep : Rat.t;  (** Delta *)
   split_step : Rat.t;
+  ranges : Ranges.t;  (** of the parameters that are not known: those that {!Behaviour.Wait} speaks of *)
   keeps_time : bool;  (** absolute time is part of the state: a law or a property needs it *)
   steered : bool;
   (** some law is not inertial: movement steps are part of the state *)

@@ -7,7 +7,8 @@ let exists_prefix is (m : Model.t) (s : State.t) =
   let rec within (b : Behaviour.t) =
     match b with
     | Nil | Call _ -> false
-    | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) -> is b || within rest
+    | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) | Wait (_, rest) ->
+      is b || within rest
     | Sum (b, c) -> within b || within c
   in
   let of_process (p : State.process) =

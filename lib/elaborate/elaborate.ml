@@ -73,6 +73,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       definitions;
       timestep = program.timestep;
       split_step = program.split_step;
+      ranges = [||];
       keeps_time;
       steered;
       steps = program.steps;

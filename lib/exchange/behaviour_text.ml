@@ -26,6 +26,9 @@ let prefix m leaf : Behaviour.t -> string option = function
     let entry c = "<" ^ bare m leaf c ^ ">" in
     Some (Printf.sprintf "rho({%s})%s. " (String.concat ", " (List.map entry cs)) (push j))
   | Delay (t, _) -> Some (Printf.sprintf "eps(%s). " (Rat.to_string t))
+  | Wait (t, _) ->
+    let name i = m.Model.ranges.(i).name in
+    Some (Printf.sprintf "eps(%s). " (Scc_polyhedra.Text.form ~name t))
   | Nil | Sum _ | Call _ -> None
 
 (* Where a term stands decides whether a sum needs brackets. *)
@@ -51,7 +54,7 @@ let to_string (m : Model.t) ~leaf term =
         match place with
         | Top -> sum rest
         | Right_of_sum | After_prefix -> Text "(" :: sum (Text ")" :: rest))
-    | Open (_, _, next) | Weak (_, _, next) | Strong (_, _, next) | Delay (_, next) -> (
+    | Open (_, _, next) | Weak (_, _, next) | Strong (_, _, next) | Delay (_, next) | Wait (_, next) -> (
         match prefix m leaf t with
         | Some p -> Text p :: Term (After_prefix, next) :: rest
         | None -> Scc_base.Bug.fail __POS__ "a prefix without its text")

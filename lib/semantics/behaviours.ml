@@ -13,7 +13,7 @@ type derivation = { summand : t; within : int option list; by_sum : bool; by_def
 let rec derive (defs : definitions) how found (b : t) =
   let offered offer = (offer, { how with summand = b }) :: found in
   match b with
-  | Nil | Delay _ -> found
+  | Nil | Delay _ | Wait _ -> found
   | Open (p, c, rest) -> offered (Offer_open (p, c, rest))
   | Weak (c, push, rest) -> offered (Offer_weak (c, push, rest))
   | Strong (l, push, rest) -> offered (Offer_strong (l, push, rest))
@@ -41,7 +41,7 @@ let rules how =
     | Open _ -> [ Rule.Pre ]
     | Weak _ -> [ Rule.Weak ]
     | Strong _ -> [ Rule.Strong ]
-    | Nil | Delay _ | Sum _ | Call _ -> []
+    | Nil | Delay _ | Wait _ | Sum _ | Call _ -> []
   in
   prefix @ (if how.by_sum then [ Rule.Sum ] else []) @ if how.by_def then [ Rule.Def ] else []
 
@@ -52,13 +52,26 @@ let least a b =
   | None, x | x, None -> x
   | Some s, Some t -> Some (Rat.min s t)
 
+let not_known () = Scc_base.Bug.fail __POS__ "the horizon of a delay that is not known"
+
 let rec term_horizon (defs : definitions) : t -> Rat.t option = function
   | Nil | Open _ | Weak _ | Strong _ -> None
   | Delay (t, _) -> Some t
+  | Wait _ -> not_known ()
   | Sum (a, b) -> least (term_horizon defs a) (term_horizon defs b)
   | Call k -> term_horizon defs defs.(k).body
 
 let horizon defs (b : aged) = term_horizon defs b.term
+
+let rec term_delays (defs : definitions) found (b : t) =
+  match b with
+  | Nil | Open _ | Weak _ | Strong _ -> found
+  | Delay _ | Wait _ -> b :: found
+  | Sum (x, y) -> term_delays defs (term_delays defs found x) y
+  | Call k -> term_delays defs found defs.(k).body
+
+let delays defs (b : aged) = List.rev (term_delays defs [] b.term)
+let ages defs b = term_delays defs [] b <> []
 
 (* Ageing can bring up nil and equal summands again and again, which offer nothing new: without them a
    recursion through sums comes back to where it was (reading I-17). What still ages stays a summand, if need be
@@ -68,32 +81,34 @@ let without_repetition defs b =
     match b with
     | Sum (x, y) -> summands (summands found x) y
     | Nil -> found
-    | Open _ | Weak _ | Strong _ | Delay _ | Call _ -> if List.exists (equal b) found then found else b :: found
+    | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Call _ -> if List.exists (equal b) found then found else b :: found
   in
   match List.rev (summands [] b) with
   | [] -> nil
-  | [ only ] -> if Option.is_none (term_horizon defs only) then only else sum only nil
+  | [ only ] -> if ages defs only then sum only nil else only
   | first :: rest -> List.fold_left sum first rest
 
 (* A time up to the horizon: no exposed eps is passed, some may expire at its end. *)
-let rec pass_term (defs : definitions) d (b : t) =
+let rec pass_term (defs : definitions) shortened (b : t) =
   match b with
   | Nil | Open _ | Weak _ | Strong _ -> b
-  | Delay (t, rest) -> delay (Rat.sub t d) rest
+  | Delay _ | Wait _ -> shortened b
   | Sum (x, y) ->
-    let x' = pass_term defs d x and y' = pass_term defs d y in
+    let x' = pass_term defs shortened x and y' = pass_term defs shortened y in
     if x' == x && y' == y then b else sum x' y'
-  | Call k -> (
-      match term_horizon defs defs.(k).body with
-      | None -> b
-      | Some _ -> pass_term defs d defs.(k).body)
+  | Call k -> if ages defs defs.(k).body then pass_term defs shortened defs.(k).body else b
 
 (* A name that an expiring eps brings up is the new origin, unless it is a summand (reading I-14). *)
-let pass_to_horizon defs d (b : aged) =
-  match pass_term defs d b.term with
+let shorten defs shortened (b : aged) =
+  match pass_term defs shortened b.term with
   | term when term == b.term -> b
   | Sum _ as sum -> aged b.origin (without_repetition defs sum)
   | whole -> reached ~before:b.origin whole
+
+let pass_to_horizon defs d =
+  shorten defs (function
+      | Delay (t, rest) -> delay (Rat.sub t d) rest
+      | Nil | Open _ | Weak _ | Strong _ | Wait _ | Sum _ | Call _ -> not_known ())
 
 (* By additivity, from horizon to horizon. *)
 let rec pass defs d b =

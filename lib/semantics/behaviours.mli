@@ -32,7 +32,15 @@ val rules : derivation -> Rule.t list
 (** {1 Time: rule TimeBehaviour} *)
 
 val horizon : definitions -> aged -> Rat.t option
-(** The time until the first of the exposed eps expires; [None] when none is exposed. *)
+(** The time until the first of the exposed eps expires; [None] when none is exposed. All are known: no
+    {!Scc_calculus.Behaviour.Wait} (a bug otherwise), as in {!pass}. *)
+
+val delays : definitions -> aged -> t list
+(** The exposed eps, each a [Delay] or a [Wait], in the order of the text. *)
+
+val shorten : definitions -> (t -> t) -> aged -> aged
+(** What a behaviour has come to, up to its horizon: the function says what becomes of each exposed eps, a
+    shorter one or, if it expires, what follows it. *)
 
 val pass : definitions -> Rat.t -> aged -> aged
 (** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed

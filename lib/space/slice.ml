@@ -37,7 +37,7 @@ let may_bind (definitions : Behaviour.definitions) (b : Behaviour.aged) =
     match b with
     | Nil | Weak _ | Strong _ -> false
     | Open _ -> true
-    | Delay (_, b) -> look seen b
+    | Delay (_, b) | Wait (_, b) -> look seen b
     | Sum (a, b) -> look seen a || look seen b
     | Call k -> (not (List.mem k seen)) && look (k :: seen) definitions.(k).body
   in

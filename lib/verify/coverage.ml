@@ -35,7 +35,7 @@ let rec prefixes (nodes, calls) (b : Behaviour.t) =
   match b with
   | Nil -> (nodes, calls)
   | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) -> prefixes (b :: nodes, calls) rest
-  | Delay (_, rest) -> prefixes (nodes, calls) rest
+  | Delay (_, rest) | Wait (_, rest) -> prefixes (nodes, calls) rest
   | Sum (one, two) -> prefixes (prefixes (nodes, calls) one) two
   | Call k -> (nodes, k :: calls)
 
@@ -81,7 +81,7 @@ let channels_of (b : Behaviour.t) =
   match b with
   | Open (_, c, _) | Weak (c, _, _) -> [ c ]
   | Strong (list, _, _) -> list
-  | Nil | Delay _ | Sum _ | Call _ -> []
+  | Nil | Delay _ | Wait _ | Sum _ | Call _ -> []
 
 let create (m : Model.t) ~initial =
   let parts = Array.map (fun (d : Behaviour.definition) -> prefixes ([], []) d.body) m.definitions in
@@ -133,7 +133,7 @@ let create (m : Model.t) ~initial =
 (* The definitions that a behaviour is, or has among its summands. *)
 let rec shown (defs : Behaviour.definitions) found (b : Behaviour.t) =
   match b with
-  | Nil | Open _ | Weak _ | Strong _ | Delay _ -> found
+  | Nil | Open _ | Weak _ | Strong _ | Delay _ | Wait _ -> found
   | Sum (one, two) -> shown defs (shown defs found one) two
   | Call k -> shown defs (k :: found) defs.(k).body
 

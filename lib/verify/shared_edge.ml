@@ -10,7 +10,7 @@ let opened (m : Model.t) (l : State.leaf) =
     match b with
     | Nil -> found
     | Open (_, c, rest) -> within (c.sites @ found) rest
-    | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) -> within found rest
+    | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) | Wait (_, rest) -> within found rest
     | Sum (x, y) -> within (within found x) y
     | Call k when seen.(k) -> found
     | Call k ->

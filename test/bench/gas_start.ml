@@ -117,6 +117,7 @@ let network t =
       definitions = [||];
       timestep = Rat.one;
       split_step = Rat.one;
+      ranges = [||];
       keeps_time = false;
       collisions = In_turn;
       binding = On_collision;

@@ -92,6 +92,7 @@ let rec cut_behaviour axis shift (b : Behaviour.t) =
   | Weak (c, push, b) -> Behaviour.weak ~push (channel c) (again b)
   | Strong (l, push, b) -> Behaviour.strong ~push (List.map channel l) (again b)
   | Delay (t, b) -> Behaviour.delay t (again b)
+  | Wait (t, b) -> Behaviour.wait t (again b)
   | Sum (b, c) -> Behaviour.sum (again b) (again c)
 
 (* How each leaf is cut; one that has two parts is not. *)

@@ -133,6 +133,7 @@ let model { bodies; switches; _ } : Model.t =
       definitions = definitions ~pushes:(Switches.pushes switches);
       timestep = rational 1 2;
       split_step = rational 1 2;
+      ranges = [||];
       keeps_time = false;
       collisions = In_turn;
       binding = On_collision;

@@ -150,6 +150,7 @@ let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
       definitions = definitions ~pushes:(Switches.pushes switches) ~rings:(Switches.closes_rings switches);
       timestep = Rat.one;
       split_step = rational 1 2;
+      ranges = [||];
       keeps_time = false;
       collisions = In_turn;
       binding = On_collision;

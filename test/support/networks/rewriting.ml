@@ -45,6 +45,7 @@ let rec rewrite book defs (b : t) =
     | Weak (c, push, rest) -> weak ~push c (into rest)
     | Strong (l, push, rest) -> strong ~push l (into rest)
     | Delay (t, rest) -> delay t (into rest)
+    | Wait (t, rest) -> wait t (into rest)
     | Sum (x, y) -> sum (into x) (into y)
   in
   if below book 2 = 0 then inner else once book defs inner

@@ -127,6 +127,7 @@ let rec behaving ~time ~impulse (b : Behaviour.t) =
   | Weak (c, j, b) -> Behaviour.weak ~push:(push j) c (again b)
   | Strong (l, j, b) -> Behaviour.strong ~push:(push j) l (again b)
   | Delay (t, b) -> Behaviour.delay (Rat.mul time t) (again b)
+  | Wait (t, b) -> Behaviour.wait (Scc_polyhedra.Linear.scale time t) (again b)
   | Sum (b, c) -> Behaviour.sum (again b) (again c)
 
 let impulse ~length ~time ~mass = Rat.mul mass (Rat.div length time)

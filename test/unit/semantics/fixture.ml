@@ -64,6 +64,7 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
     definitions;
     timestep;
     split_step;
+    ranges = [||];
     keeps_time = false;
     collisions = In_turn;
     binding = On_collision;

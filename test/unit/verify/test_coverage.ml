@@ -40,7 +40,7 @@ let summands (m : Model.t) c =
       | Open (p, c, _) -> sign p ^ c.name
       | Weak (c, _, _) -> "omega " ^ c.name
       | Strong (list, _, _) -> "rho " ^ String.concat " " (List.map (fun (c : Behaviour.channel) -> c.name) list)
-      | Nil | Delay _ | Sum _ | Call _ -> "?"
+      | Nil | Delay _ | Wait _ | Sum _ | Call _ -> "?"
     in
     Printf.sprintf "%s: %s %d" owner what s.fired
   in

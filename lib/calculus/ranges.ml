@@ -1,0 +1,25 @@
+open Scc_exact
+open Scc_polyhedra
+
+type bound = { value : Rat.t; included : bool }
+type range = { name : string; low : bound; high : bound }
+type t = range array
+
+let box ranges =
+  let n = Array.length ranges in
+  let within i { low; high; _ } =
+    let x = Linear.variable n i and constant (b : bound) = Linear.constant n b.value in
+    [
+      (if low.included then Constraint.at_least else Constraint.greater) x (constant low);
+      (if high.included then Constraint.at_most else Constraint.less) x (constant high);
+    ]
+  in
+  Polyhedron.of_constraints n (List.concat (Array.to_list (Array.mapi within ranges)))
+
+let range_to_string { name; low; high } =
+  Printf.sprintf "%s in %s%s, %s%s" name
+    (if low.included then "[" else "(")
+    (Rat.to_string low.value) (Rat.to_string high.value)
+    (if high.included then "]" else ")")
+
+let to_string ranges = String.concat ", " (List.map range_to_string (Array.to_list ranges))

@@ -1,0 +1,21 @@
+(** The parameters of a model that are not known but for a range. Parameter i of a model is variable i of all affine
+    forms and polyhedra that speak of it. *)
+
+open Scc_exact
+open Scc_polyhedra
+
+type bound = { value : Rat.t; included : bool }
+
+type range = { name : string; low : bound; high : bound }
+(** Of values between the two, which are different; the ends belong to it where they are included. *)
+
+type t = range array
+
+val box : t -> Polyhedron.t
+(** All values that the parameters may have. *)
+
+val range_to_string : range -> string
+(** ["x in (0, 6]"]. *)
+
+val to_string : t -> string
+(** ["x in [0, 6], y in (0, 1/2]"]. *)
