@@ -135,6 +135,7 @@ let boxed ?(keeps_time = false) velocities =
       definitions = [||];
       timestep = Rat.one;
       split_step = Rat.one;
+      ranges = [||];
       keeps_time;
       collisions = In_turn;
       binding = On_collision;
