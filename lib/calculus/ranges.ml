@@ -5,6 +5,18 @@ type bound = { value : Rat.t; included : bool }
 type range = { name : string; low : bound; high : bound }
 type t = range array
 
+let name ranges i = ranges.(i).name
+
+let find ranges name =
+  let rec from i =
+    if i = Array.length ranges then None else if ranges.(i).name = name then Some i else from (i + 1)
+  in
+  from 0
+
+let mem range x =
+  let within (bound : bound) order = order < 0 || (bound.included && order = 0) in
+  within range.low (Rat.compare range.low.value x) && within range.high (Rat.compare x range.high.value)
+
 let box ranges =
   let n = Array.length ranges in
   let within i { low; high; _ } =

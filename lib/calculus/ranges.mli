@@ -11,6 +11,14 @@ type range = { name : string; low : bound; high : bound }
 
 type t = range array
 
+val name : t -> int -> string
+(** Of a variable, as {!Scc_polyhedra.Text} asks for it. *)
+
+val find : t -> string -> int option
+(** The variable of the parameter of that name. *)
+
+val mem : range -> Rat.t -> bool
+
 val box : t -> Polyhedron.t
 (** All values that the parameters may have. *)
 
