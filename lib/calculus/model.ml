@@ -26,12 +26,13 @@ type steps = Shared | Own | Steady
 type collisions = In_turn | Together
 type binding = On_collision | On_contact
 type bonds = Acyclic | Cyclic
+type splits = Every of Rat.t | Any_time
 
 type t = {
   leaves : leaf array;
   definitions : Behaviour.definitions;
   timestep : Rat.t;
-  split_step : Rat.t;
+  splits : splits;
   ranges : Ranges.t;
   keeps_time : bool;
   steered : bool;

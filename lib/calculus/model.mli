@@ -59,11 +59,16 @@ type bonds =
   | Acyclic  (** the bonds of a process are a tree (Definition 5.2) *)
   | Cyclic  (** two leaves of one process may bind as well (rule Close, reading I-37) *)
 
+(** When a bond that both its ends would release may be released (rule WeakSplit, reading I-9). *)
+type splits =
+  | Every of Rat.t  (** at the instants of a grid, which is set anew with the split clock: every so often *)
+  | Any_time  (** at any real instant, as in the calculus *)
+
 type t = {
   leaves : leaf array;
   definitions : Behaviour.definitions;
   timestep : Rat.t;  (** Delta *)
-  split_step : Rat.t;
+  splits : splits;
   ranges : Ranges.t;  (** of the parameters that are not known: those that {!Behaviour.Wait} speaks of *)
   keeps_time : bool;  (** absolute time is part of the state: a law or a property needs it *)
   steered : bool;

@@ -16,3 +16,6 @@ val may_push : Model.t -> State.t -> bool
 
 val line : (string * string) list -> string
 (** ["semantics 2: split step 1, timestep 1/10"], or ["semantics 2"]. *)
+
+val may_split : Model.t -> State.t -> bool
+(** Whether a weak split is written anywhere, in definitions or in a behaviour of the state. *)

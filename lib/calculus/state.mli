@@ -39,8 +39,8 @@ type process = private {
   kept : Vec.t;
   (** with {!Model.Free_body}, the angular momentum about the centre of mass, which turns keep; else zero *)
   clock : Rat.t option;
-  (** time since the split clock was set (reading I-9), modulo the split step (reading I-16); [Some] iff a
-      weak split is enabled *)
+  (** time since the split clock was set (reading I-9), modulo the split step (reading I-16), 0 with
+      {!Model.Any_time}; [Some] iff a weak split is enabled *)
   phase : phase option;
   (** of what is steered, where processes have steps of their own ({!Model.of_each}); else [None] *)
 }

@@ -129,6 +129,7 @@ let check console budget (extras : Check_extras.t) overrides path =
   let watch = Check_options.watch { budget with seconds = share } in
   let measured = Measured.start () in
   let* l = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
+  let* l = Ordinary.refuse l in
   Console.report console (l.warnings @ Vacuity.impossible l);
   let* initial = Loaded.initial l in
   let options =

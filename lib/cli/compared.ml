@@ -60,6 +60,7 @@ let load_graph console path =
 
 let load_model console options ?renamed ~overrides path =
   let* model = Input.model console ~overrides path in
+  let* model = Scc_session.Ordinary.refuse model in
   Console.report console model.warnings;
   let* initial = Scc_session.Loaded.initial model in
   let space = Explored.explore options model.semantics ~initial in

@@ -63,6 +63,7 @@ let conform console o =
     if o.overrides = [] then Span.make ~file:(Source.name source) ~start:0 ~stop:0 else Span.command_line
   in
   let* l = Input.model ~given console ~overrides o.path in
+  let* l = Ordinary.refuse l in
   let* () = check_digest trace l.origin in
   Console.report console l.warnings;
   note_semantics console trace;

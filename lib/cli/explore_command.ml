@@ -124,6 +124,7 @@ let explore console o format =
   let watch = Check_options.watch o.budget in
   let interrupted = Watch.interrupted watch in
   let* loaded = Input.model console ~overrides:o.overrides o.path in
+  let* loaded = Ordinary.refuse loaded in
   Console.report console loaded.warnings;
   let* initial = Loaded.initial loaded in
   let options = Check_options.starting console watch o.budget in

@@ -85,6 +85,7 @@ let run color o =
   let interrupted = Watch.interrupted (Watch.start ()) in
   Guard.run console (fun () ->
       let* model, schedule = prepare console o in
+      let* () = Ordinary.at_point model in
       Console.report console model.warnings;
       let write = write_run o model (policy o schedule) (limits o schedule) ~interrupted in
       match Console.with_output console ~path:o.output write with

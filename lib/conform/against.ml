@@ -238,8 +238,12 @@ let clock t (p : State.process) (b : Recorded.body) =
   | None, _ | Some None, None -> []
   | Some (Some told), Some held ->
     let off = Rat.abs (Rat.sub told held) in
-    let round = Rat.abs (Rat.sub t.model.split_step off) in
-    if Rat.compare (Rat.min off round) t.tolerance <= 0 then [] else [ of_number b.name "clock" ~told ~held ]
+    let off =
+      match t.model.splits with
+      | Every step -> Rat.min off (Rat.abs (Rat.sub step off))
+      | Any_time -> off
+    in
+    if Rat.compare off t.tolerance <= 0 then [] else [ of_number b.name "clock" ~told ~held ]
   | Some told, held ->
     let show = function None -> "none" | Some c -> Rat.to_string c in
     [ of_text b.name "clock" ~told:(show told) ~held:(show held) ]

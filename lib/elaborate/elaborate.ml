@@ -72,7 +72,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       Model.leaves;
       definitions;
       timestep = program.timestep;
-      split_step = program.split_step;
+      splits = program.splits;
       ranges = [||];
       keeps_time;
       steered;

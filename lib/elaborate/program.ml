@@ -33,7 +33,7 @@ type t = {
   shapes : string list;
   timestep : Rat.t;
   steps : Model.steps;
-  split_step : Rat.t;
+  splits : Model.splits;
   settings : Settings.t;
   bodies : body list;
   bonds : (Env.t * Ast.bond) list;
@@ -56,7 +56,7 @@ type gathered = {
   mutable templates : string list;
   mutable delta : (Rat.t option * Span.t) option;
   mutable steps : Model.steps;
-  mutable split : (Rat.t option * Span.t) option;
+  mutable split : (Model.splits option * Span.t) option;
   settings : Settings.t;
   mutable all_bodies : body list;
   mutable all_bonds : (Env.t * Ast.bond) list;
@@ -150,12 +150,21 @@ let declare_behaviour g place (head : Ast.head) definitions on body =
     (fun known -> enter_behaviour g place head.declared known definitions on body)
     (Family.head g.c.report place.env head)
 
-let step g place earlier what (e : Ast.expr) =
+let given_once g earlier what (e : Ast.expr) read =
   match earlier with
   | Some (_, first) ->
     repeated g e.at (Printf.sprintf "`%s`" what) first;
     earlier
-  | None -> Some (Constant.positive g.c.report place.env what e, e.at)
+  | None -> Some (read e, e.at)
+
+let step g place earlier what e = given_once g earlier what e (Constant.positive g.c.report place.env what)
+
+(* [any], unless that is the name of a value. *)
+let splits g place (e : Ast.expr) =
+  match e.it with
+  | Path { it = [ { name = { it = "any"; _ }; indices = [] } ]; _ } when not (Env.mem place.env "any") ->
+    Some Model.Any_time
+  | _ -> Option.map (fun q -> Model.Every q) (Constant.positive g.c.report place.env "split_step" e)
 
 let body g place fixed name first rest span =
   g.all_bodies <- { env = place.env; name; first; rest; fixed; span } :: g.all_bodies
@@ -220,7 +229,7 @@ and simple g place (i : Ast.item) =
   | Timestep (e, kind) ->
     g.delta <- step g place g.delta "timestep" e;
     g.steps <- (match kind with Shared -> Shared | Local -> Own | Steady -> Steady)
-  | Split_step e -> g.split <- step g place g.split "split_step" e
+  | Split_step e -> g.split <- given_once g g.split "split_step" e (splits g place)
   | Dynamics name -> Settings.dynamics g.settings g.c.report name
   | Collisions name -> Settings.read_collisions g.settings g.c.report name
   | Binding name -> Settings.read_binding g.settings g.c.report name
@@ -313,7 +322,7 @@ let program g =
     shapes = List.rev g.templates;
     timestep;
     steps = g.steps;
-    split_step = value g.split ~default:timestep;
+    splits = value g.split ~default:(Model.Every timestep);
     settings = g.settings;
     bodies = List.rev g.all_bodies;
     bonds = List.rev g.all_bonds;

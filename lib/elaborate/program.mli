@@ -44,7 +44,7 @@ type t = {
   shapes : string list;  (** names of shapes and compounds in order *)
   timestep : Rat.t;
   steps : Model.steps;
-  split_step : Rat.t;
+  splits : Model.splits;
   settings : Settings.t;  (** of rigid motion *)
   bodies : body list;
   bonds : (Env.t * Ast.bond) list;

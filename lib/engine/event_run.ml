@@ -174,7 +174,9 @@ let happen t event =
     schedule t body
   | Split_instant { time; body; age } ->
     may_split t body;
-    add t (Split_instant { time = Rat.add time (model t).split_step; body; age })
+    (match (model t).splits with
+     | Every step -> add t (Split_instant { time = Rat.add time step; body; age })
+     | Any_time -> ())
 
 (* Everything that the agenda has for this instant. *)
 let rec come_up t =
@@ -264,10 +266,12 @@ let choices t =
     t.choices <- Some choices;
     choices
 
+let passing t d = { label = Transition.Time d; rules = Network.time_rules t.semantics; rounded = None }
+
 let alternatives t =
   let alternative = function
     | Happens o -> { label = o.label; rules = Transition.rules o; rounded = None }
-    | Passes d -> { label = Transition.Time d; rules = Network.time_rules t.semantics; rounded = None }
+    | Passes d -> passing t d
   in
   Array.to_list (Array.map alternative (choices t))
 
@@ -276,7 +280,32 @@ let alternatives t =
 (* Nothing collides when time passes. *)
 let pass t d =
   t.now <- Rat.add t.now d;
-  t.splitting <- Firsts.empty
+  t.splitting <-
+    (match (model t).splits with
+     | Every _ -> Firsts.empty
+     | Any_time -> Firsts.map (fun s -> { s with found = None }) t.splitting)
+
+(* How long time may pass, at most; [Some None] for ever. *)
+let room t =
+  let weak = function Happens { label = Transition.Weak_split _; _ } -> true | Happens _ | Passes _ -> false in
+  let choices = choices t in
+  match List.find_map (function Passes d -> Some d | Happens _ -> None) (Array.to_list choices) with
+  | Some d -> Some (Some d)
+  | None -> if Array.for_all weak choices && Option.is_none (next_time t) then Some None else None
+
+let wait t d =
+  let may =
+    match ((model t).splits, room t) with
+    | Every _, _ | Any_time, None -> false
+    | Any_time, Some greatest ->
+      Rat.sign d > 0 && Option.fold ~none:true ~some:(fun most -> Rat.compare d most < 0) greatest
+  in
+  if not may then None
+  else begin
+    t.choices <- None;
+    pass t d;
+    Some (passing t d)
+  end
 
 let same_course (p : State.process) (q : State.process) =
   let same_leaf (l : State.leaf) (k : State.leaf) = l.leaf = k.leaf in

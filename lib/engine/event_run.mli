@@ -27,6 +27,9 @@ val alternatives : t -> alternative list
 val take : t -> int -> unit
 (** Takes the alternative with a number, from 0 (a bug when there is none). *)
 
+val wait : t -> Rat.t -> alternative option
+(** Takes {!Network.wait}. *)
+
 val elapsed : t -> Rat.t
 (** The time since the start. *)
 

@@ -25,13 +25,15 @@ let start semantics declared =
        else Stepwise { semantics; present = s; next = None; rounded = Totals.no_sum })
     (Network.initial semantics declared)
 
+let seen s (t : Transition.t) =
+  let rounded = Totals.added (Semantics.model s.semantics) t in
+  ({ label = t.label; rules = t.rules; rounded }, t.target)
+
 let next s =
   match s.next with
   | Some next -> next
   | None ->
-    let m = Semantics.model s.semantics in
-    let seen (t : Transition.t) = ({ label = t.label; rules = t.rules; rounded = Totals.added m t }, t.target) in
-    let next = Result.map (List.map seen) (Network.successors s.semantics s.present) in
+    let next = Result.map (List.map (seen s)) (Network.successors s.semantics s.present) in
     s.next <- Some next;
     next
 
@@ -39,17 +41,29 @@ let alternatives = function
   | Eventwise run -> Ok (Event_run.alternatives run)
   | Stepwise s -> Result.map (List.map fst) (next s)
 
+let go s ((taken : alternative), target) =
+  Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) taken.rounded;
+  s.present <- target;
+  s.next <- None
+
 let take t i =
   match t with
   | Eventwise run -> Event_run.take run i
   | Stepwise s -> (
       match next s with
-      | Ok transitions when i >= 0 && i < List.length transitions ->
-        let taken, target = List.nth transitions i in
-        Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) taken.rounded;
-        s.present <- target;
-        s.next <- None
+      | Ok transitions when i >= 0 && i < List.length transitions -> go s (List.nth transitions i)
       | Ok _ | Error _ -> Scc_base.Bug.fail __POS__ "an alternative that is not there")
+
+let wait t d =
+  match t with
+  | Eventwise run -> Ok (Event_run.wait run d)
+  | Stepwise s ->
+    let went transition =
+      let taken = seen s transition in
+      go s taken;
+      fst taken
+    in
+    Result.map (Option.map went) (Network.wait s.semantics s.present d)
 
 let state = function Eventwise run -> Event_run.state run | Stepwise s -> s.present
 

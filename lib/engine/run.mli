@@ -25,6 +25,9 @@ val alternatives : t -> (alternative list, Transition.fault) result
 val take : t -> int -> unit
 (** Takes the alternative with a number, from 0 (a bug when there is none, or a fault). *)
 
+val wait : t -> Scc_exact.Rat.t -> (alternative option, Transition.fault) result
+(** Takes {!Network.wait}, and says what was taken. *)
+
 val state : t -> State.t
 (** The present state, in full. *)
 

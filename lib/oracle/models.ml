@@ -33,6 +33,7 @@ let make given tree =
     Option.to_result ~none:"it is not among the files of the request" (List.assoc_opt name given.files)
   in
   let* model = Loaded.of_tree ~read_file ~overrides:given.overrides given.source tree in
+  let* model = Ordinary.refuse model in
   let* initial = Loaded.initial model in
   Ok { model; network = Network_at.make model.semantics ~initial }
 

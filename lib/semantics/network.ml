@@ -66,10 +66,12 @@ let collisions c (s : State.t) =
   in
   List.map resolved (Collisions.clusters c s.processes) |> last_first
 
+let passes c d s = finish c (Transition.Time d) (time_rules c) (Time.pass c d s)
+
 let time c s () =
   match Time.delay c s with
   | None -> []
-  | Some d -> [ finish c (Transition.Time d) (time_rules c) (Time.pass c d s) ]
+  | Some d -> [ passes c d s ]
 
 let rec all_ok acc = function
   | [] -> Ok (List.rev acc)
@@ -80,6 +82,17 @@ let successors c s =
   { urgent = of_single c s urgent; weak = of_single c s weak; collisions = collisions c s }
   |> in_order Fun.id ~time:(time c s)
   |> all_ok []
+
+let within c s d =
+  match (Semantics.model c).splits with
+  | Every _ -> false
+  | Any_time -> (
+      Scc_exact.Rat.sign d > 0
+      && match Time.delay c s with None -> true | Some greatest -> Scc_exact.Rat.compare d greatest < 0)
+
+let wait c s d =
+  let urgent () = is_urgent { urgent = of_single c s urgent; weak = []; collisions = collisions c s } in
+  if (not (within c s d)) || urgent () then Ok None else Result.map Option.some (passes c d s)
 
 let together c processes =
   let sure = function

@@ -5,7 +5,7 @@ open Scc_calculus
 
 val weak : Semantics.t -> State.process -> Transition.outcome list
 (** Rule WeakSplit: every release of one bond that may happen at this instant, that is when the split clock
-    is at a multiple of the split step (readings I-6, I-9). *)
+    is at a multiple of the split step, or at any instant ({!Model.Any_time}; readings I-6, I-9). *)
 
 val strong : Semantics.t -> State.process -> Transition.outcome list
 (** Rule StrongSplit: every reaction of a connected set of bonds (reading I-7). Urgent. *)

@@ -12,7 +12,9 @@ let horizon (m : Model.t) (p : State.process) =
     None p.leaves
 
 let to_split_instant (m : Model.t) (p : State.process) =
-  Option.map (fun clock -> Rat.sub m.split_step clock) p.clock
+  match m.splits with
+  | Every step -> Option.map (Rat.sub step) p.clock
+  | Any_time -> None
 
 (* The time to the end of the first turn that ends. *)
 let turn_left (s : State.t) = Array.fold_left (fun d p -> least d (Turn.left p)) None s.processes
@@ -50,12 +52,16 @@ let delay (c : Semantics.t) (s : State.t) =
   | Some d -> least (Some d) step
 
 (* The split clock runs on, and starts anew when a further bond can be released, which takes an eps that expires;
-   one that changes nothing of that leaves the clock alone (reading I-9). *)
+   one that changes nothing of that leaves the clock alone (reading I-9). Where bonds may be released at any time, it
+   stands still. *)
 let age_clock (m : Model.t) d (p : State.process) aged =
   let expires = match horizon m p with Some h -> Rat.compare h d <= 0 | None -> false in
   let gained b = not (Process.releasable m p b) && Process.releasable m aged b in
   if expires && Array.exists gained p.bonds then Some Rat.zero
-  else Option.map (fun clock -> Rat.modulo (Rat.add clock d) m.split_step) p.clock
+  else
+    match m.splits with
+    | Every step -> Option.map (fun clock -> Rat.modulo (Rat.add clock d) step) p.clock
+    | Any_time -> p.clock
 
 let age_process (m : Model.t) d (p : State.process) =
   if Rat.sign d = 0 then p

@@ -92,7 +92,10 @@ let check_bond (c : Semantics.t) parts p (bond : State.bond) =
 let clock_is_right (m : Model.t) (p : State.process) =
   match (p.clock, Process.weak_split_enabled m p) with
   | None, false -> true
-  | Some c, true -> Rat.sign c >= 0 && Rat.compare c m.split_step < 0
+  | Some c, true -> (
+      match m.splits with
+      | Every step -> Rat.sign c >= 0 && Rat.compare c step < 0
+      | Any_time -> Rat.sign c = 0)
   | Some _, false | None, true -> false
 
 (* Bonds are in the order of their ends, but those of two leaves need not follow each other. *)

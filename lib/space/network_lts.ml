@@ -179,7 +179,9 @@ let make ?(events = []) ?(time_seen = Time_seen.Always) ?(quotient = Quotient.no
 
 let split_step c =
   let may_split (p : State.process) = Option.is_some p.clock in
-  if Catalogue.exists_form (catalogue c) may_split then Some (model c).split_step else None
+  match (model c).splits with
+  | Every step when Catalogue.exists_form (catalogue c) may_split -> Some step
+  | Every _ | Any_time -> None
 
 let given_up c = List.rev c.given_up
 

@@ -174,13 +174,15 @@ let follows fine s (t : Transition.t) =
       (Reach.successors fine s)
     |> Option.map (fun (u : Transition.t) -> u.target)
 
+let split_step (m : Model.t) = match m.splits with Every step -> step | Any_time -> assert false
+
 let splits =
   QCheck2.Test.make ~name:"Convergence: runs of a split step are runs of its half, and of its third" ~count:150
     ~print:(fun (n, _) -> Random_network.print n)
     (Gen.pair (Random_network.generate ()) Gen.(2 -- 3))
     (fun (n, k) ->
        let m, start = Random_network.start n in
-       let fine = { m with split_step = Rat.div m.split_step (Rat.of_int k) } in
+       let fine = { m with splits = Every (Rat.div (split_step m) (Rat.of_int k)) } in
        let rec go budget = function
          | (s, s') :: rest when budget > 0 ->
            let followed (t : Transition.t) =
@@ -210,13 +212,13 @@ let weak_splits = List.filter (fun (t : Transition.t) -> match t.label with Weak
 (* The windows that a state has, each with one bond that is released; an error where it is not possible later. *)
 let windows (m : Model.t) part (s, _) =
   let s = with_clocks_at_0 s in
-  let ts = Reach.successors { m with split_step = Rat.of_int 1_000 } s in
+  let ts = Reach.successors { m with splits = Every (Rat.of_int 1_000) } s in
   match List.find_opt (fun (t : Transition.t) -> Transition.is_time t.label) ts with
   | None -> []
   | Some t ->
     let d = Transition.duration t in
     let wait = Rat.mul part d in
-    let fine = { m with split_step = wait } in
+    let fine = { m with splits = Every wait } in
     let there =
       Reach.successors fine s
       |> List.find_opt (fun (t : Transition.t) -> Rat.equal (Transition.duration t) wait)

@@ -149,7 +149,7 @@ let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
       leaves = Array.of_list (List.map (model_leaf switches) (leaves bodies));
       definitions = definitions ~pushes:(Switches.pushes switches) ~rings:(Switches.closes_rings switches);
       timestep = Rat.one;
-      split_step = rational 1 2;
+      splits = Every (rational 1 2);
       ranges = [||];
       keeps_time = false;
       collisions = In_turn;

@@ -146,7 +146,7 @@ let scaled_model ~length ~time ~mass (m : Model.t) =
     definitions =
       Array.map (fun (d : Behaviour.definition) -> { d with body = behaving d.body }) m.definitions;
     timestep = Rat.mul time m.timestep;
-    split_step = Rat.mul time m.split_step;
+    splits = (match m.splits with Every step -> Every (Rat.mul time step) | Any_time -> Any_time);
     rigid = Option.map rigid m.rigid;
   }
 

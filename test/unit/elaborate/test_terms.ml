@@ -10,6 +10,8 @@ open Models
 let standard = Scc_engine.Standard.of_model
 
 let same_rational name expected x = Alcotest.(check string) name (Rat.to_string expected) (Rat.to_string x)
+let splits : Model.splits -> string = function Every q -> Rat.to_string q | Any_time -> "any"
+let same_splits name expected x = Alcotest.(check string) name (splits expected) (splits x)
 let same_vector name expected x = Alcotest.(check string) name (Vec.to_string expected) (Vec.to_string x)
 let q n d = Rat.make (Z.of_int n) (Z.of_int d)
 let leaf_names (t : Scc_elaborate.Elaborate.t) =
@@ -61,14 +63,16 @@ let overrides () =
     [ ("n", "3"); ("m", "9") ]
     (List.map (fun (name, x) -> (name, Rat.to_string x)) t.parameters);
   same_rational "timestep" (q 9 1) t.model.timestep;
-  same_rational "split step" (q 1 3) t.model.split_step
+  same_splits "split step" (Every (q 1 3)) t.model.splits
 
 let defaults () =
   let t = accept "model m param unused = 1" in
   same_rational "timestep" Rat.one t.model.timestep;
-  same_rational "split step" Rat.one t.model.split_step;
+  same_splits "split step" (Every Rat.one) t.model.splits;
   Alcotest.(check (option string)) "name" (Some "m") t.name;
-  same_rational "split step follows the timestep" (q 1 4) (accept "timestep 1/4").model.split_step
+  same_splits "split step follows the timestep" (Every (q 1 4)) (accept "timestep 1/4").model.splits;
+  same_splits "at any time" Any_time (accept "timestep 1/4 split_step any").model.splits;
+  same_splits "a parameter of that name" (Every (q 1 3)) (accept "param any = 1/3 split_step any").model.splits
 
 let scopes () =
   let t =

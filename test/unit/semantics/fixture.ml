@@ -49,7 +49,7 @@ let vec (x, y, z) = Vec.of_ints x y z
 
 let inertial = function Law.Inertial -> true | Law.Velocity _ -> false
 
-let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : Model.t =
+let model ?(definitions = [||]) ?(timestep = q 1) ?(splits = Model.Every (q 1)) bodies : Model.t =
   let leaf b : Model.leaf =
     let part : Model.part =
       { name = b.name; template = "Cube"; solid; offset = Vec.zero; mass = q b.mass }
@@ -63,7 +63,7 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(split_step = q 1) bodies : M
     leaves = Array.of_list (List.map leaf bodies);
     definitions;
     timestep;
-    split_step;
+    splits;
     ranges = [||];
     keeps_time = false;
     collisions = In_turn;

@@ -69,6 +69,49 @@ let rings =
        let m, s = Random_network.start network in
        follow m s choices ~looks:(fun _ -> true))
 
+(* Bonds may be released at any time, and time may pass by less than it could (rule Time): two thirds of it, or 5/7
+   where there is no end. *)
+let any_time =
+  QCheck2.Test.make ~name:"releases at any time" ~count:400 ~print
+    (Gen.pair (Random_network.generate ()) (choices 40))
+    (fun (network, choices) ->
+       let m, s = Random_network.start network in
+       let m = { m with Model.splits = Any_time } in
+       let s =
+         let restart p = State.with_clock (Option.map (fun _ -> Rat.zero) p.State.clock) p in
+         State.make ~processes:(List.map restart (Array.to_list s.processes)) ~step:s.step ~time:s.time
+       in
+       let c = standard m in
+       let run = Event_run.start c s in
+       let part s =
+         match Time.delay c s with
+         | Some d -> Rat.mul d (Rat.make (Z.of_int 2) (Z.of_int 3))
+         | None -> Rat.make (Z.of_int 5) (Z.of_int 7)
+       in
+       let same s = State.equal s (Event_run.state run) in
+       let rec go s = function
+         | [] -> true
+         | choice :: rest -> (
+             let transitions = Reach.successors m s in
+             let n = List.length transitions in
+             let offered = List.map (of_alternative m) (Event_run.alternatives run) in
+             List.equal String.equal (List.map (of_transition m) transitions) offered
+             &&
+             match choice mod (n + 2) with
+             | i when i < n ->
+               let t = List.nth transitions i in
+               Event_run.take run i;
+               same t.target && go t.target rest
+             | _ -> (
+                 let d = part s in
+                 match (Network.wait c s d, Event_run.wait run d) with
+                 | Ok (Some t), Some a ->
+                   String.equal (of_transition m t) (of_alternative m a) && same t.target && go t.target rest
+                 | Ok None, None -> same s && go s rest
+                 | _ -> false))
+       in
+       go s choices)
+
 let always _ = true
 let seldom step = step mod 7 = 6
 
@@ -134,7 +177,7 @@ let boxed ?(keeps_time = false) velocities =
       leaves = Array.of_list (List.map (fun (l, _, _) -> l) all);
       definitions = [||];
       timestep = Rat.one;
-      split_step = Rat.one;
+      splits = Every Rat.one;
       ranges = [||];
       keeps_time;
       collisions = In_turn;
@@ -251,5 +294,5 @@ let () =
           Alcotest.test_case "what is far away costs nothing" `Quick local;
         ] );
       ( "as the transition relation",
-        Scc_test_support.Property.cases [ small; unseen; far_away; crowds; later; in_a_box; together; rings ] );
+        Scc_test_support.Property.cases [ small; unseen; far_away; crowds; later; in_a_box; together; rings; any_time ] );
     ]

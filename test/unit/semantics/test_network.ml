@@ -7,8 +7,8 @@ open Fixture
 
 let standard = Scc_engine.Standard.of_model
 
-let network ?definitions ?timestep ?split_step bodies =
-  let m = model ?definitions ?timestep ?split_step bodies in
+let network ?definitions ?timestep ?splits bodies =
+  let m = model ?definitions ?timestep ?splits bodies in
   (m, start m (declared bodies))
 
 let check_velocity what expected s leaf = Alcotest.(check string) what expected (velocity s leaf)

@@ -162,9 +162,9 @@ let pieces_keep_everything ?(rings = false) name gen =
            if rings then List.length o.come <= most else List.length o.come = most)
         (Splits.strong (standard m) p @ Splits.weak (standard m) p))
 
-let pair ?split_step b1 b2 =
+let pair ?splits b1 b2 =
   let bodies = [ body "p" (0, 0, 0) ~behaviour:b1; body "q" (2, 0, 0) ~behaviour:b2 ] in
-  let m = model ?split_step bodies in
+  let m = model ?splits bodies in
   (m, start m (joined bodies [ ("a", (0, "right"), (1, "left")) ]))
 
 let release = weak "a" [ "right"; "left" ]
@@ -180,7 +180,7 @@ let both_ends () =
   check_labels "the bond's feature must be in the closure" [] m s
 
 let instants () =
-  let m, s = pair ~split_step:(ratio 1 4) (release nil) (release nil + eps (ratio 3 8) nil) in
+  let m, s = pair ~splits:(Every (ratio 1 4)) (release nil) (release nil + eps (ratio 3 8) nil) in
   check_labels "at once" [ "weak(a, p.right, q.left)"; "time(1/4)" ] m s;
   let s = take m s "time(1/4)" in
   check_labels "at the next multiple, and the eps is awaited" [ "weak(a, p.right, q.left)"; "time(1/8)" ] m s;
@@ -188,7 +188,7 @@ let instants () =
   check_labels "an eps that brings up nothing leaves the clock alone (I-9)" [ "time(1/8)" ] m s;
   check_labels "which runs on" [ "weak(a, p.right, q.left)"; "time(1/4)" ] m (take m s "time(1/8)");
   let again = release nil + eps (ratio 3 8) (release (release nil)) in
-  let m, s = pair ~split_step:(ratio 1 4) (release nil) again in
+  let m, s = pair ~splits:(Every (ratio 1 4)) (release nil) again in
   let s = take m (take m s "time(1/4)") "time(1/8)" in
   check_labels "so does one that offers the same bond once more" [ "time(1/8)" ] m s
 
@@ -201,12 +201,57 @@ let one_more () =
       body "r" (4, 0, 0) ~behaviour:(eps (ratio 3 8) (weak "b" [ "left" ] nil));
     ]
   in
-  let m = model ~split_step:(ratio 1 4) bodies in
+  let m = model ~splits:(Every (ratio 1 4)) bodies in
   let bonds = [ ("a", (0, "right"), (1, "left")); ("b", (1, "right"), (2, "left")) ] in
   let s = start m (joined bodies bonds) in
   let s = take m (take m s "time(1/4)") "time(1/8)" in
   check_labels "a further bond starts the clock of the process anew"
     [ "weak(a, p.right, q.left)"; "weak(b, q.right, r.left)"; "time(1/4)" ] m s
+
+(* p and q are bound; q reacts to r, which arrives at 3; q's eps expires at 2. *)
+let any_time () =
+  let bodies =
+    [
+      body "p" (0, 0, 0) ~behaviour:(release nil);
+      body "q" (2, 0, 0) ~behaviour:(release nil + eps (q 2) nil);
+      body "r" (10, 0, 0) ~velocity:(-2, 0, 0);
+    ]
+  in
+  let m = model ~splits:Any_time bodies in
+  let bound = joined (List.filteri (fun i _ -> i < 2) bodies) [ ("a", (0, "right"), (1, "left")) ] in
+  let apart = (declared bodies).processes.(2) in
+  let s = start m (State.make ~processes:(apart :: Array.to_list bound.processes) ~step:None ~time:None) in
+  let c = standard m in
+  let split = "weak(a, p.right, q.left)" in
+  check_labels "now, or later" [ split; "time(2)" ] m s;
+  let wait d s =
+    match Network.wait c s d with Ok (Some t) -> t.target | Ok None | Error _ -> Alcotest.fail "time may pass"
+  in
+  let refused what d s =
+    match Network.wait c s d with Ok None -> () | Ok (Some _) | Error _ -> Alcotest.failf "%s: time passes" what
+  in
+  let later = wait (ratio 13 7) s in
+  check_labels "at any instant" [ split; "time(1/7)" ] m later;
+  Alcotest.(check bool) "the clock stands still" true
+    (Array.exists (fun (p : State.process) -> p.clock = Some Rat.zero) later.processes);
+  check_labels "and at those of other events" [ split; "time(1)" ] m (take m later "time(1/7)");
+  refused "no time" Rat.zero s;
+  refused "backwards" (q (-1)) s;
+  refused "the greatest delay, which is a successor" (q 2) s;
+  refused "past what happens next" (q 3) s;
+  let met = take m (take m s "time(2)") "time(1)" in
+  refused "while something collides" (ratio 1 2) met;
+  let grid, on_grid = pair (release nil) (release nil) in
+  (match Network.wait (standard grid) on_grid (ratio 1 2) with
+   | Ok None -> ()
+   | Ok (Some _) | Error _ -> Alcotest.fail "on a grid, time passes to the next instant");
+  let m, s = pair ~splits:Any_time (release nil) (release nil) in
+  let c = standard m in
+  check_labels "nothing else is to come" [ split ] m s;
+  Alcotest.(check bool) "it is not quiescent" false (Network.quiescent c s);
+  match Network.wait c s (q 1000) with
+  | Ok (Some t) -> check_labels "and time may pass by any time" [ split ] m t.target
+  | Ok None | Error _ -> Alcotest.fail "time may pass"
 
 let pieces_rest () =
   let m, s = pair (release nil) (release nil) in
@@ -313,6 +358,7 @@ let () =
           case "WeakSplit: both ends must offer it (I-6)" both_ends;
           case "WeakSplit: only at split instants (I-9)" instants;
           case "I-9: a further bond" one_more;
+          case "WeakSplit: at any time (I-9)" any_time;
           case "WeakSplit: the pieces keep their motion (I-11)" pieces_rest;
           case "StrongSplit: urgent" urgent;
           case "I-36: pushes" pushes;
