@@ -1,0 +1,45 @@
+open Scc_polyhedra
+open Scc_calculus
+open Scc_where
+
+let relation : Constraint.relation -> string = function
+  | Less -> "<"
+  | At_most -> "<="
+  | Equal -> "="
+
+let constraint_ ranges (c : Constraint.t) =
+  let term i a = if Z.sign a = 0 then [] else [ (Ranges.name ranges i, Json.rat (Q.of_bigint a)) ] in
+  `Assoc
+    [
+      ("coefficients", `Assoc (List.concat (Array.to_list (Array.mapi term c.normal))));
+      ("relation", `String (relation c.relation));
+      ("bound", Json.rat (Q.of_bigint c.right));
+    ]
+
+let polyhedron ranges p = `List (List.map (constraint_ ranges) (Polyhedron.constraints p))
+
+let set ranges u =
+  [
+    ("pieces", `List (List.map (polyhedron ranges) (Union.pieces u)));
+    ("measure", Json.rat (Where.measure u));
+  ]
+
+let probability w =
+  match Where.probability w with
+  | Exactly x -> [ ("probability", Json.rat x) ]
+  | Between (low, high) ->
+    [
+      ("probability", `Null);
+      ("probability_between", `List [ Json.rat low; Json.rat high ]);
+    ]
+
+let where (w : Where.t) =
+  let name (r : Ranges.range) = Json.text r.name in
+  `Assoc
+    ([ ("parameters", `List (List.map name (Array.to_list w.ranges))) ]
+     @ set w.ranges w.holds @ probability w
+     @ [
+       ("range", polyhedron w.ranges (Ranges.box w.ranges));
+       ("fails", `Assoc (set w.ranges w.fails));
+       ("unknown", `Assoc (set w.ranges w.unknown));
+     ])

@@ -1,0 +1,96 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+
+type t = { ranges : Ranges.t; holds : Union.t; fails : Union.t; unknown : Union.t }
+
+(* {1 Pieces} *)
+
+let rec compare_points a b i =
+  if i = Array.length a then 0
+  else
+    let c = Rat.compare a.(i) b.(i) in
+    if c <> 0 then c else compare_points a b (i + 1)
+
+let order pieces =
+  let key p = (Polyhedron.affine_dimension p, Option.get (Polyhedron.interior_point p), p) in
+  let compare (m, a, _) (n, b, _) = if m <> n then Int.compare n m else compare_points a b 0 in
+  List.map (fun (_, _, p) -> p) (List.sort compare (List.map key pieces))
+
+let with_pieces u change = Union.of_polyhedra (Union.dimension u) (change (Union.pieces u))
+
+(* What is cut where pieces overlap should be the smaller ones: those of a smaller dimension at least. Disjoint
+   pieces stay disjoint when two of them become one. *)
+let tidy u =
+  let greatest_first p q = Int.compare (Polyhedron.affine_dimension q) (Polyhedron.affine_dimension p) in
+  let sorted = with_pieces (Union.merged u) (List.stable_sort greatest_first) in
+  with_pieces (Union.merged (Union.disjoint sorted)) order
+
+let overlap u v =
+  List.exists (fun p -> List.exists (fun q -> not (Polyhedron.disjoint p q)) (Union.pieces v)) (Union.pieces u)
+
+(* {1 Making} *)
+
+let box ranges =
+  let point (r : Ranges.range) = Rat.compare r.low.value r.high.value >= 0 in
+  if Array.exists point ranges then Scc_base.Bug.fail __POS__ "a range without width";
+  Union.of_polyhedron (Ranges.box ranges)
+
+let make ranges ~holds ~fails =
+  let box = box ranges in
+  let holds = tidy (Union.inter box holds) and fails = tidy (Union.inter box fails) in
+  if overlap holds fails then Scc_base.Bug.fail __POS__ "it holds and fails";
+  { ranges; holds; fails; unknown = tidy (Union.difference (Union.difference box holds) fails) }
+
+let decided ranges ~holds =
+  let box = box ranges in
+  let holds = tidy (Union.inter box holds) in
+  { ranges; holds; fails = tidy (Union.difference box holds); unknown = Union.empty (Array.length ranges) }
+
+let of_test ranges truth =
+  let n = Array.length ranges in
+  decided ranges ~holds:(if truth then Union.universe n else Union.empty n)
+
+(* {1 What it says} *)
+
+let dimension w = Array.length w.ranges
+
+let measure u =
+  let volume p =
+    match Volume.of_polyhedron p with
+    | Some volume -> volume
+    | None -> Scc_base.Bug.fail __POS__ "a set without bounds"
+  in
+  List.fold_left (fun sum p -> Rat.add sum (volume p)) Rat.zero (Union.pieces u)
+
+let whole w =
+  let width (r : Ranges.range) = Rat.sub r.high.value r.low.value in
+  Array.fold_left (fun product r -> Rat.mul product (width r)) Rat.one w.ranges
+
+type probability = Exactly of Rat.t | Between of Rat.t * Rat.t
+
+let probability w =
+  let of_all volume = Rat.div volume (whole w) in
+  let least = measure w.holds and unknown = measure w.unknown in
+  if Rat.sign unknown = 0 then Exactly (of_all least)
+  else Between (of_all least, of_all (Rat.add least unknown))
+
+(* {1 Judging} *)
+
+let rec pairs_overlap = function
+  | [] -> false
+  | p :: rest -> List.exists (fun q -> not (Polyhedron.disjoint p q)) rest || pairs_overlap rest
+
+let faults w =
+  let sets = [ ("holds", w.holds); ("fails", w.fails); ("unknown", w.unknown) ] in
+  let within (name, u) =
+    if pairs_overlap (Union.pieces u) then [ "pieces where it is '" ^ name ^ "' overlap" ] else []
+  in
+  let between (a, u) (b, v) = if overlap u v then [ "'" ^ a ^ "' and '" ^ b ^ "' overlap" ] else [] in
+  let all = Union.union w.holds (Union.union w.fails w.unknown) in
+  let covers = Union.equal all (box w.ranges) in
+  List.concat_map within sets
+  @ between ("holds", w.holds) ("fails", w.fails)
+  @ between ("holds", w.holds) ("unknown", w.unknown)
+  @ between ("fails", w.fails) ("unknown", w.unknown)
+  @ if covers then [] else [ "the sets together are not the box" ]

@@ -1,0 +1,126 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+
+(* {1 Numbers} *)
+
+let about x =
+  let text = Decimal.significant ~digits:4 x in
+  (* "about 1" would be taken for certain *)
+  if text = "1" && Rat.compare x Rat.one < 0 then "more than 0.9999" else "about " ^ text
+
+let number x =
+  let text = Rat.to_string x in
+  if Rat.is_integer x then text
+  else
+    match Decimal.exact x with
+    | Some decimal -> text ^ " = " ^ decimal
+    | None -> text ^ ", " ^ about x
+
+let probability = function
+  | Where.Exactly x -> number x
+  | Between (low, high) -> "at least " ^ number low ^ ", and at most " ^ number high
+
+(* {1 Pieces} *)
+
+(* The constraints that the box, with the other ones, does not imply; those that the box alone implies go first. *)
+let beyond box constraints =
+  let rec needed kept = function
+    | [] -> List.rev kept
+    | c :: rest ->
+      if Polyhedron.implies (Polyhedron.add_all box (List.rev_append kept rest)) c then needed kept rest
+      else needed (c :: kept) rest
+  in
+  needed [] (List.filter (fun c -> not (Polyhedron.implies box c)) constraints)
+
+type side = { form : Linear.t; above : bool; bound : Rat.t; strict : bool }
+
+(* An inequality as a bound of a form in integers without a common factor, the first of which is positive. *)
+let side (c : Constraint.t) =
+  let first = c.normal.(Option.get (Constraint.first_variable c)) in
+  let common = Array.fold_left Z.gcd Z.zero c.normal in
+  let scale = if Z.sign first < 0 then Z.neg common else common in
+  let coefficients = Array.map (fun a -> Rat.make a scale) c.normal in
+  {
+    form = Linear.make ~constant:Rat.zero coefficients;
+    above = Z.sign first > 0;
+    bound = Rat.make c.right scale;
+    strict = c.relation = Less;
+  }
+
+let between ~name low high =
+  let relation s = if s.strict then " < " else " <= " in
+  String.concat ""
+    [ Rat.to_string low.bound; relation low; Text.form ~name low.form; relation high; Rat.to_string high.bound ]
+
+let rec texts ~name = function
+  | [] -> []
+  | (c : Constraint.t) :: rest when c.relation = Equal -> Text.constraint_ ~name c :: texts ~name rest
+  | c :: rest -> (
+      let s = side c in
+      let opposite (d : Constraint.t) =
+        d.relation <> Equal
+        &&
+        let t = side d in
+        t.above <> s.above && Linear.equal t.form s.form
+      in
+      match List.partition opposite rest with
+      | [ d ], others ->
+        let t = side d in
+        let low, high = if s.above then (t, s) else (s, t) in
+        between ~name low high :: texts ~name others
+      | _ -> Text.constraint_ ~name c :: texts ~name rest)
+
+(* Equalities, then what speaks of one variable, then of more. *)
+let simplest_first constraints =
+  let key (c : Constraint.t) =
+    let variables = List.filter (fun a -> Z.sign a <> 0) (Array.to_list c.normal) in
+    if c.relation = Equal then 0 else List.length variables
+  in
+  List.stable_sort (fun c d -> Int.compare (key c) (key d)) constraints
+
+let piece ranges p =
+  match simplest_first (beyond (Ranges.box ranges) (Polyhedron.constraints p)) with
+  | [] -> "everywhere"
+  | constraints -> String.concat ", " (texts ~name:(Ranges.name ranges) constraints)
+
+let without_extent = function
+  | 1 -> "no length"
+  | 2 -> "no area"
+  | _ -> "no volume"
+
+(* {1 Reports} *)
+
+let listed ranges u =
+  let n = Array.length ranges in
+  let line i p =
+    let extent = if Polyhedron.affine_dimension p < n then " (" ^ without_extent n ^ ")" else "" in
+    (if i = 0 then "  " else "  or ") ^ piece ranges p ^ extent
+  in
+  List.mapi line (Union.pieces u)
+
+let told ranges name u = (name ^ " where") :: listed ranges u
+
+let sets (w : Where.t) =
+  let none u = Union.is_empty u and count u = List.length (Union.pieces u) in
+  let told = told w.ranges in
+  if none w.unknown then
+    if none w.fails then [ "holds everywhere" ]
+    else if none w.holds then [ "fails everywhere" ]
+    else if count w.holds <= count w.fails then told "holds" w.holds @ [ "fails elsewhere" ]
+    else told "fails" w.fails @ [ "holds elsewhere" ]
+  else if none w.holds && none w.fails then [ "not known anywhere" ]
+  else
+    (if none w.holds then [ "not known to hold anywhere" ] else told "holds" w.holds)
+    @ (if none w.fails then [ "not known to fail anywhere" ] else told "fails" w.fails)
+    @ [ "not known elsewhere" ]
+
+let lines (w : Where.t) =
+  let chance = Where.probability w in
+  let remark =
+    let is x = match chance with Exactly y -> Rat.equal x y | Between _ -> false in
+    if is Rat.zero && not (Union.is_empty w.holds) then ", but not nowhere"
+    else if is Rat.one && not (Union.is_empty w.fails && Union.is_empty w.unknown) then ", but not everywhere"
+    else ""
+  in
+  sets w @ [ "probability " ^ probability chance ^ remark ]
