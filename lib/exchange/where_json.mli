@@ -4,5 +4,5 @@
 open Scc_where
 
 val where : Where.t -> Json.t
-(** Constraints are those of the minimal form, in the order in which they are kept; coefficients that are 0 are left
-    out, and the others are integers. *)
+(** Constraints are those of the minimal form, in the order in which they are kept; coefficients that are 0 are
+    left out, and the others are integers. *)

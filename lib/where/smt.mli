@@ -1,10 +1,10 @@
-(** Where checks hold, as a script of SMT-LIB 2.6 (C. Barrett, P. Fontaine and C. Tinelli, {e The SMT-LIB standard}),
-    in the logic QF_LRA: linear arithmetic over the reals. *)
+(** Where checks hold, as a script of SMT-LIB 2.6 (C. Barrett, P. Fontaine and C. Tinelli, {e The SMT-LIB
+    standard}), in the logic QF_LRA: linear arithmetic over the reals. *)
 
 open Scc_calculus
 
 val script : Ranges.t -> (string * Where.t) list -> string
-(** Declares the parameters, asserts that they are in their ranges, and defines for the check [meets] the truth values
-    [meets-holds], [meets-fails] and [meets-unknown], of which exactly one is true in the ranges. The checks have
+(** Declares the parameters, asserts that they are in their ranges, and defines for the check [meets] the truth
+    values [meets-holds], [meets-fails] and [meets-unknown], of which exactly one is true in the ranges. The checks have
     different names, and these ranges. A parameter with the name of a function of SMT-LIB, as [abs], is called
     [param-abs]. It asks nothing: a solver is asked by what is written behind it. *)

@@ -17,8 +17,8 @@ type t = private {
 (** {1 Making} *)
 
 val make : Ranges.t -> holds:Union.t -> fails:Union.t -> t
-(** What is in the box of the ranges and in neither set is unknown; what is not in the box is left out. Pieces of one
-    set may overlap. The two sets have no point in common, and no range is one point (bugs otherwise). *)
+(** What is in the box of the ranges and in neither set is unknown; what is not in the box is left out. Pieces of
+    one set may overlap. The two sets have no point in common, and no range is one point (bugs otherwise). *)
 
 val decided : Ranges.t -> holds:Union.t -> t
 (** It fails in the rest of the box. *)
@@ -30,8 +30,8 @@ val tidy : Union.t -> Union.t
 (** The same set by disjoint pieces, merged where two of them are together convex, and in order. *)
 
 val order : Polyhedron.t list -> Polyhedron.t list
-(** Of disjoint pieces that are not empty: those of a greater dimension first, then by {!Polyhedron.interior_point},
-    coordinate by coordinate. It does not depend on how they are described. *)
+(** Of disjoint pieces that are not empty: those of a greater dimension first, then by
+    {!Polyhedron.interior_point}, coordinate by coordinate. It does not depend on how they are described. *)
 
 (** {1 What it says} *)
 

@@ -11,8 +11,8 @@ val probability : Where.probability -> string
 (** ["4/25 = 0.16"]; ["at least 1/9, about 0.1111, and at most 1/2 = 0.5"]. *)
 
 val piece : Ranges.t -> Polyhedron.t -> string
-(** What describes the piece within the box of the ranges, separated by commas, two borders of one form together:
-    ["x = y, -2 < z < 2"]; ["everywhere"] if it is all of the box. What the ranges say is left out. *)
+(** What describes the piece within the box of the ranges, separated by commas, two borders of one form
+    together: ["x = y, -2 < z < 2"]; ["everywhere"] if it is all of the box. What the ranges say is left out. *)
 
 val without_extent : int -> string
 (** What a piece of a smaller dimension lacks among so many parameters: ["no length"], ["no area"], ["no volume"]. *)

@@ -38,7 +38,8 @@ let octahedron =
   let cut sy sz = part sy sz @ [ negative 2 (-3) [ sy; sz ] ] in
   Where.decided ranges ~holds:(set 2 [ cut 1 1; cut 1 (-1); cut (-1) 1; cut (-1) (-1) ])
 
-(* Two ligands at one pocket: s and t in [0, 6], the first possibly binds where 2s + 2 <= t, surely where <: 4 of 36. *)
+(* Two ligands at one pocket: s and t in [0, 6], the first possibly binds where 2s + 2 <= t, surely where <: 4 of
+   36. *)
 let ligands = [| whole "s" 0 6; whole "t" 0 6 |]
 let possibly = Where.decided ligands ~holds:(set 2 [ [ not_positive 2 2 [ 2; -1 ] ] ])
 let surely = Where.decided ligands ~holds:(set 2 [ [ negative 2 2 [ 2; -1 ] ] ])

@@ -57,7 +57,8 @@ let refused () =
   in
   let ranges = [| whole "x" 0 4 |] in
   bug "what holds and fails" (fun () ->
-      Where.make ranges ~holds:(set 1 [ [ not_positive 1 (-1) [ 1 ] ] ]) ~fails:(set 1 [ [ not_positive 1 1 [ -1 ] ] ]));
+      Where.make ranges ~holds:(set 1 [ [ not_positive 1 (-1) [ 1 ] ] ])
+        ~fails:(set 1 [ [ not_positive 1 1 [ -1 ] ] ]));
   bug "a point" (fun () -> Where.of_test [| whole "x" 2 2 |] true)
 
 (* {1 At random} *)
@@ -67,7 +68,8 @@ let with_dimension make = G.(int_range 1 3 >>= make)
 let law name ?(count = 150) gen print holds = QCheck2.Test.make ~name ~count ~print gen holds
 
 let parts =
-  law "disjoint parts that cover the box" (with_dimension random_where) print (fun (w, _, _) -> Where.faults w = [])
+  law "disjoint parts that cover the box" (with_dimension random_where) print (fun (w, _, _) ->
+      Where.faults w = [])
 
 let same_sets =
   law "the sets that were given, in the box" (with_dimension random_where) print (fun (w, holds, fails) ->
@@ -135,7 +137,8 @@ let () =
     [
       ( "sets",
         [
-          case "by hand" by_hand; case "no parameters" without_parameters; case "unknown" unknown; case "refused" refused;
+          case "by hand" by_hand; case "no parameters" without_parameters; case "unknown" unknown;
+          case "refused" refused;
         ] );
       ("laws", Scc_test_support.Property.cases [ parts; same_sets; no_two_convex; measures; ordered ]);
       ("decimals", [ case "decimals" decimals ]);

@@ -56,7 +56,8 @@ let unknown () =
     ]
     (Where.make x04 ~holds:(upto 1) ~fails:(Union.empty 1));
   check_lines "but for a point"
-    [ "not known to hold anywhere"; "fails where"; "  x < 1"; "  or x > 1"; "not known elsewhere"; "probability 0" ]
+    [ "not known to hold anywhere"; "fails where"; "  x < 1"; "  or x > 1"; "not known elsewhere";
+      "probability 0" ]
     (Where.make x04 ~holds:(Union.empty 1) ~fails:(Union.difference (Union.universe 1) (at_point 1)))
 
 let numbers () =
@@ -88,18 +89,21 @@ let json () =
   check "a part is unknown"
     ({|{"parameters":["x"],"pieces":[[|} ^ c (x "-1") "<=" "0/1" ^ "," ^ c (x "1") "<=" "1/1"
      ^ {|]],"measure":"1/1","probability":null,"probability_between":["1/4","1/2"],"range":[|}
-     ^ c (x "-1") "<=" "0/1" ^ "," ^ c (x "1") "<=" "4/1" ^ {|],"fails":{"pieces":[[|} ^ c (x "-1") "<" "-2/1" ^ ","
+     ^ c (x "-1") "<=" "0/1" ^ "," ^ c (x "1") "<=" "4/1" ^ {|],"fails":{"pieces":[[|}
+     ^ c (x "-1") "<" "-2/1" ^ ","
      ^ c (x "1") "<=" "4/1" ^ {|]],"measure":"2/1"},"unknown":{"pieces":[[|} ^ c (x "-1") "<" "-1/1" ^ ","
      ^ c (x "1") "<=" "2/1" ^ {|]],"measure":"1/1"}}|})
     (Where.make x04 ~holds:(upto 1) ~fails:(above 2));
   check "a tie"
     ({|{"parameters":["x"],"pieces":[[|} ^ c (x "1") "=" "1/1"
      ^ {|]],"measure":"0/1","probability":"0/1","range":[|} ^ c (x "-1") "<=" "0/1" ^ "," ^ c (x "1") "<=" "4/1"
-     ^ {|],"fails":{"pieces":[[|} ^ c (x "-1") "<=" "0/1" ^ "," ^ c (x "1") "<" "1/1" ^ "],[" ^ c (x "-1") "<" "-1/1" ^ ","
+     ^ {|],"fails":{"pieces":[[|} ^ c (x "-1") "<=" "0/1" ^ "," ^ c (x "1") "<" "1/1" ^ "],["
+     ^ c (x "-1") "<" "-1/1" ^ ","
      ^ c (x "1") "<=" "4/1" ^ {|]],"measure":"4/1"},"unknown":{"pieces":[],"measure":"0/1"}}|})
     (Where.decided x04 ~holds:(at_point 1));
   check "no parameters"
-    {|{"parameters":[],"pieces":[[]],"measure":"1/1","probability":"1/1","range":[],"fails":{"pieces":[],"measure":"0/1"},"unknown":{"pieces":[],"measure":"0/1"}}|}
+    ({|{"parameters":[],"pieces":[[]],"measure":"1/1","probability":"1/1","range":[],|}
+     ^ {|"fails":{"pieces":[],"measure":"0/1"},"unknown":{"pieces":[],"measure":"0/1"}}|})
     (Where.of_test [||] true)
 
 (* {1 SMT-LIB} *)
@@ -124,7 +128,8 @@ let () =
     [
       ( "words",
         [
-          case "reports" reports; case "without volume" without_volume; case "unknown" unknown; case "numbers" numbers;
+          case "reports" reports; case "without volume" without_volume; case "unknown" unknown;
+          case "numbers" numbers;
           case "open ranges" open_ranges;
         ] );
       ("json", [ case "json" json ]);
