@@ -49,6 +49,9 @@ let compatible (c : Semantics.t) p one q two =
   let ones = open_channels c.setting.model p one and twos = open_channels c.setting.model q two in
   List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) ones |> List.filter fit
 
+let fitting c (p, one) (q, two) =
+  List.map (fun ((_, one, _, _), (_, two, _, _)) -> (one, two)) (compatible c p one q two)
+
 let joined (c : Semantics.t) (p : State.process) (q : State.process) bond continuations =
   let (module K) = c.kinematics in
   let leaves = Array.to_list (Array.append p.leaves q.leaves) |> List.map (Process.continue continuations) in

@@ -23,6 +23,9 @@ type candidate = {
   fired : Behaviours.derivation list list;
 }
 
+val fitting : Semantics.t -> State.process * int -> State.process * int -> (Behaviour.channel * Behaviour.channel) list
+(** All two channels that are open and compatible, one of each of two leaves, given with their processes. *)
+
 val bonds : Semantics.t -> Part.t * Part.t -> candidate list
 (** By all channels of the leaves of two parts that are open and compatible, in all pairs of features of the
     highest dimension in which the two parts touch and which the channels share (rules Bind and Close). *)

@@ -54,10 +54,12 @@ let delay (c : Semantics.t) (s : State.t) =
 (* The split clock runs on, and starts anew when a further bond can be released, which takes an eps that expires;
    one that changes nothing of that leaves the clock alone (reading I-9). Where bonds may be released at any time, it
    stands still. *)
+let gains_split m (p : State.process) aged =
+  Array.exists (fun b -> (not (Process.releasable m p b)) && Process.releasable m aged b) p.bonds
+
 let age_clock (m : Model.t) d (p : State.process) aged =
   let expires = match horizon m p with Some h -> Rat.compare h d <= 0 | None -> false in
-  let gained b = not (Process.releasable m p b) && Process.releasable m aged b in
-  if expires && Array.exists gained p.bonds then Some Rat.zero
+  if expires && gains_split m p aged then Some Rat.zero
   else
     match m.splits with
     | Every step -> Option.map (fun clock -> Rat.modulo (Rat.add clock d) step) p.clock

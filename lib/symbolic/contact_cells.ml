@@ -3,7 +3,6 @@ open Scc_geometry
 open Scc_polyhedra
 
 type hit = { region : Polyhedron.t; time : Linear.t; tight : int list }
-type t = { hits : hit list; misses : Polyhedron.t list; inside : Polyhedron.t list }
 
 (* A facet as an offset that depends on what is not known sees it. *)
 type facet = {
@@ -47,38 +46,29 @@ let split region constraints =
   in
   List.fold_left step ([ region ], []) constraints
 
-let make o ~offset ~velocity within =
-  let x, _, _ = offset in
-  let zero = Linear.constant (Linear.dimension x) Rat.zero in
+(* The planes that are entered, left, and gone along. *)
+let by_signs o offset velocity =
   let facets = Array.to_list (Array.mapi (facet offset velocity) (Obstacle.facets o)) in
   let by_sign s = List.filter (fun f -> Rat.sign f.speed = s) facets in
-  let parallel = List.map (fun f -> Constraint.greater f.room zero) (by_sign 0) in
-  let left = by_sign 1 in
-  let collide { region; time; tight } =
-    (* Through the interior, if they are before the first plane that is left. *)
-    let through = parallel @ List.map (fun f -> Constraint.less time (crossing f)) left in
-    let meet, misses = split region through in
-    let of_meeting region =
-      let to_come, past = split region [ Constraint.at_least time zero ] in
-      let still_in = List.map (fun f -> Constraint.greater (crossing f) zero) left in
-      let now = List.map (fun p -> split p still_in) past in
-      {
-        hits = List.map (fun region -> { region; time; tight = List.sort Int.compare tight }) to_come;
-        inside = List.concat_map fst now;
-        misses = List.concat_map snd now;
-      }
-    in
-    { hits = []; inside = []; misses } :: List.map of_meeting meet
+  (by_sign (-1), by_sign 1, by_sign 0)
+
+let make o ~offset ~velocity ~limit within =
+  let x, _, _ = offset in
+  let zero = Linear.constant (Linear.dimension x) Rat.zero in
+  let entered, left, parallel = by_signs o offset velocity in
+  let in_time f = match limit with None -> [] | Some t -> [ Constraint.at_most (crossing f) t ] in
+  let before f g = Constraint.less (crossing f) (crossing g) in
+  let conditions =
+    List.map (fun f -> Constraint.greater f.room zero) parallel
+    @ List.concat_map in_time entered
+    (* in the future, as they do not interpenetrate now *)
+    @ List.map (fun g -> Constraint.greater (crossing g) zero) left
+    @ List.concat_map (fun f -> List.map (before f) left) entered
   in
-  let found =
-    if Polyhedron.is_empty within then []
-    else if Vec.is_zero velocity then
-      let inside, misses = split within parallel in
-      [ { hits = []; inside; misses } ]
-    else List.concat_map collide (entered_last within (by_sign (-1)))
-  in
-  {
-    hits = List.concat_map (fun c -> c.hits) found;
-    misses = List.concat_map (fun c -> c.misses) found;
-    inside = List.concat_map (fun c -> c.inside) found;
-  }
+  let needed = List.filter (fun c -> not (Polyhedron.implies within c)) conditions in
+  match if Vec.is_zero velocity then [] else where within needed with
+  | [] -> ([], [ within ])
+  | meet :: _ ->
+    let _, rest = split within needed in
+    let hit { region; time; tight } = { region; time; tight = List.sort Int.compare tight } in
+    (List.map hit (entered_last meet entered), rest)

@@ -15,13 +15,10 @@ type hit = {
       strictly inside *)
 }
 
-(** Regions, none empty. They are disjoint, and make up the polyhedron that was asked about. *)
-type t = {
-  hits : hit list;
-  misses : Polyhedron.t list;  (** where they never collide, as they graze at most *)
-  inside : Polyhedron.t list;  (** where they interpenetrate now *)
-}
-
-val make : Obstacle.t -> offset:Linear.t * Linear.t * Linear.t -> velocity:Vec.t -> Polyhedron.t -> t
-(** [make o ~offset ~velocity within]: of two solids with the obstacle [o], the offset now (of B from A) and the
-    velocity of B less that of A. The coordinates of the offset are forms over the variables of [within]. *)
+val make :
+  Obstacle.t -> offset:Linear.t * Linear.t * Linear.t -> velocity:Vec.t -> limit:Linear.t option -> Polyhedron.t ->
+  hit list * Polyhedron.t list
+(** [make o ~offset ~velocity ~limit within]: of two solids with the obstacle [o], the offset now (of B from A) and
+    the velocity of B less that of A; they interpenetrate now nowhere in [within], over whose variables the
+    coordinates of the offset are forms. Where they collide at the limit or before it (at any time, without one),
+    and where they do not: disjoint pieces, none empty, that make up [within]. *)

@@ -1,26 +1,44 @@
 open Scc_polyhedra
 
-type coming = { region : Polyhedron.t; time : Linear.t option }
 type 'a cell = { region : Polyhedron.t; time : Linear.t option; due : 'a list }
 
 let where region c =
   let p = Polyhedron.add region c in
   if Polyhedron.is_empty p then None else Some p
 
-(* The events before, with the last ones first, and one more. *)
-let merge event (before : 'a cell) ({ region; time } : coming) =
-  match (before.time, time) with
-  | _, None -> [ { before with region } ]
-  | None, Some _ -> [ { region; time; due = [ event ] } ]
-  | Some t, Some t' ->
-    let on c time due = Option.to_list (Option.map (fun region -> { region; time; due }) (where region c)) in
-    on (Constraint.less t t') before.time before.due
-    @ on (Constraint.equals t t') before.time (event :: before.due)
-    @ on (Constraint.greater t t') time [ event ]
+let start within = if Polyhedron.is_empty within then [] else [ { region = within; time = None; due = [] } ]
 
-let make within events =
-  let add cells (event, comes) =
-    List.concat_map (fun (cell : _ cell) -> List.concat_map (merge event cell) (comes cell.region)) cells
+(* One event more on a region in which it comes at a time. *)
+let merge event (cell : 'a cell) region time =
+  match cell.time with
+  | None -> [ { region; time = Some time; due = [ event ] } ]
+  | Some t ->
+    let on c time due = Option.to_list (Option.map (fun region -> { region; time; due }) (where region c)) in
+    on (Constraint.less t time) cell.time cell.due
+    @ on (Constraint.equals t time) cell.time (cell.due @ [ event ])
+    @ on (Constraint.greater t time) (Some time) [ event ]
+
+let at time event cells = List.concat_map (fun (cell : _ cell) -> merge event cell cell.region time) cells
+
+let on comes event cells =
+  let add (cell : _ cell) =
+    let hits, rest = comes ~limit:cell.time cell.region in
+    List.map (fun region -> { cell with region }) rest
+    @ List.concat_map (fun (region, time) -> merge event cell region time) hits
   in
-  let start = if Polyhedron.is_empty within then [] else [ { region = within; time = None; due = [] } ] in
-  List.map (fun (c : _ cell) -> { c with due = List.rev c.due }) (List.fold_left add start events)
+  List.concat_map add cells
+
+let merged same cells =
+  let alike a b = Option.equal Linear.equal a.time b.time && List.equal same a.due b.due in
+  let rec go = function
+    | [] -> []
+    | cell :: rest -> (
+        match List.partition (alike cell) rest with
+        | [], rest -> cell :: go rest
+        | more, rest ->
+          let regions = List.map (fun c -> c.region) (cell :: more) in
+          let union = Union.of_polyhedra (Polyhedron.dimension cell.region) regions in
+          let one region = { cell with region } in
+          List.map one (Union.pieces (Union.merged union)) @ go rest)
+  in
+  go cells

@@ -2,16 +2,25 @@
 
 open Scc_polyhedra
 
-(** Of an event, on a region: when it comes, at least 0, or that it never does. *)
-type coming = { region : Polyhedron.t; time : Linear.t option }
-
+(** A region on which the next of all events is known. *)
 type 'a cell = {
   region : Polyhedron.t;  (** not empty *)
   time : Linear.t option;  (** when the next of all events comes, if any does *)
   due : 'a list;  (** those that come then, all of them, in the order in which they were given *)
 }
 
-val make : Polyhedron.t -> ('a * (Polyhedron.t -> coming list)) list -> 'a cell list
-(** [make within events]: regions that are disjoint and make up [within]. Each event tells when it comes on any
-    region in it: disjoint regions, none empty, that make up that one. It is asked anew on each region on which
-    those before it agree, so that regions stay few. *)
+val start : Polyhedron.t -> 'a cell list
+(** No event yet. *)
+
+val at : Linear.t -> 'a -> 'a cell list -> 'a cell list
+(** One event more, which comes at this time, at least 0, everywhere. *)
+
+val on :
+  (limit:Linear.t option -> Polyhedron.t -> (Polyhedron.t * Linear.t) list * Polyhedron.t list) -> 'a ->
+  'a cell list -> 'a cell list
+(** One event more. On a region in which the others come no earlier than the limit, if at all, it says where it
+    comes at the limit or before, and when; and where not. Both are disjoint pieces, together the region. *)
+
+val merged : ('a -> 'a -> bool) -> 'a cell list -> 'a cell list
+(** The same with fewer regions, where the union of some with the same time and events is convex. Events are
+    compared by the function. *)

@@ -21,15 +21,15 @@ let events =
 let zero = Linear.constant 2 Rat.zero
 let conditions e = Constraint.at_least e.time zero :: List.map (fun f -> Constraint.greater f zero) e.where
 
-let comes e region : First.coming list =
+let comes e ~limit region =
   let step (left, rest) c =
     let parts p c = List.filter (fun p -> not (Polyhedron.is_empty p)) [ Polyhedron.add p c ] in
     (List.concat_map (fun p -> parts p c) left,
      rest @ List.concat_map (fun p -> List.concat_map (parts p) (Constraint.negation c)) left)
   in
-  let left, rest = List.fold_left step ([ region ], []) (conditions e) in
-  List.map (fun region -> { First.region; time = Some e.time }) left
-  @ List.map (fun region -> { First.region; time = None }) rest
+  let in_time = match limit with None -> [] | Some t -> [ Constraint.at_most e.time t ] in
+  let left, rest = List.fold_left step ([ region ], []) (conditions e @ in_time) in
+  (List.map (fun region -> (region, e.time)) left, rest)
 
 let at_point all point =
   let comes e = if List.for_all (fun c -> Constraint.mem c point) (conditions e) then Some e else None in
@@ -44,7 +44,8 @@ let same (t, due) (t', due') = Option.equal Rat.equal t t' && List.equal Int.equ
 let ties = ref 0
 
 let agrees all =
-  let cells = First.make Scenes.within (List.map (fun e -> (e.number, comes e)) all) in
+  let cells = List.fold_left (fun cells e -> First.on (comes e) e.number cells) (First.start Scenes.within) all in
+  let cells = First.merged Int.equal cells in
   let answer point (c : _ First.cell) =
     if Polyhedron.mem c.region point then Some (Option.map (fun t -> Linear.eval t point) c.time, c.due) else None
   in
@@ -53,7 +54,7 @@ let agrees all =
     if List.compare_length_with (snd found) 1 > 0 then incr ties;
     found
   in
-  Scenes.all_right ~answers:(fun p -> List.filter_map (answer p) cells) ~expected ~same
+  Scenes.all_right ~within:Scenes.within ~answers:(fun p -> List.filter_map (answer p) cells) ~expected ~same
 
 let random = QCheck2.Test.make ~name:"the cell of a point has what comes first" ~count:300 events agrees
 let enough () = Alcotest.(check bool) "many ties" true (!ties > 500)

@@ -29,7 +29,7 @@ let agrees scene =
     relation
   in
   if List.exists (fun (p, _) -> Polyhedron.is_empty p) cells then QCheck2.Test.fail_report "an empty region"
-  else Scenes.all_right ~answers ~expected ~same
+  else Scenes.all_right ~within:Scenes.within ~answers ~expected ~same
 
 let random =
   QCheck2.Test.make ~name:"the cell of a point is how it is" ~count:300 ~print:Scenes.print

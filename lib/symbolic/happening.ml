@@ -1,0 +1,65 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
+
+type t = { label : Transition.label; target : Zone.t }
+type all = { urgent : t list; weak : t list }
+
+let forget_place (l : State.leaf) = { l with State.position = Vec.zero }
+
+let target c ~events (z : Zone.t) region (state : State.t) (o : Transition.outcome) =
+  let n = Zone.dimension z in
+  let zero = Linear.constant n Rat.zero in
+  let others = List.filter (fun p -> not (List.memq p o.gone)) (Array.to_list state.processes) in
+  let skeleton =
+    State.make
+      ~processes:(List.map (State.map_leaves forget_place) (o.come @ others))
+      ~step:state.step ~time:state.time
+  in
+  (* the ends of bonds that are made or released are who goes on *)
+  let ends = List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds o.label) in
+  let first (p : State.process) = p.leaves.(0).leaf in
+  let new_clocks = List.map first (o.gone @ o.come) in
+  let gone leaf = Option.is_none (State.home skeleton leaf) in
+  let matches = Scc_evaluate.Event.matches ~source:state o.label in
+  let arrived = List.filter (fun i -> matches events.(i)) (List.init (Array.length events) Fun.id) in
+  let target =
+    {
+      z with
+      skeleton;
+      halted = false;
+      arrived;
+      set = region;
+      ages = Array.mapi (fun i age -> if List.mem i ends || gone i then zero else age) z.ages;
+      clocks = Array.mapi (fun i clock -> if List.mem i new_clocks then zero else clock) z.clocks;
+      places = Array.mapi (fun i place -> if gone i then Place.constant n Vec.zero else place) z.places;
+    }
+  in
+  List.map (fun target -> { label = o.label; target }) (Passing.settled c target)
+
+(* Split clocks of a process that is not touched go on; in a skeleton they say only that there is one. *)
+let normalized (z : Zone.t) =
+  let process (p : State.process) = State.with_clock (Option.map (fun _ -> Rat.zero) p.clock) p in
+  let s = z.skeleton in
+  let processes = List.map process (Array.to_list s.processes) in
+  { z with skeleton = State.make ~processes ~step:s.step ~time:s.time }
+
+let all (c : Instant.context) ~events z region =
+  let point =
+    match Polyhedron.point region with
+    | Some point -> point
+    | None -> Scc_base.Bug.fail __POS__ "an empty region"
+  in
+  let state = Zone.at z point in
+  let happen outcomes =
+    List.map
+      (fun h -> { h with target = normalized h.target })
+      (List.concat_map (target c ~events z region state) outcomes)
+  in
+  let of_each kind = List.concat_map (kind c.semantics) (Array.to_list state.processes) in
+  let weak = of_each Network.weak in
+  if z.Zone.halted then { urgent = []; weak = happen weak }
+  else
+    let urgent = of_each Network.urgent @ Network.together c.semantics state.processes in
+    { urgent = happen urgent; weak = happen weak }

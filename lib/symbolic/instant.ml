@@ -1,0 +1,207 @@
+open Scc_exact
+open Scc_geometry
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
+
+type context = {
+  semantics : Semantics.t;
+  obstacle : Solid.t -> Solid.t -> Obstacle.t;
+  features : Feature_cells.memory;
+}
+
+let context semantics =
+  let memory = Scc_broad_phase.Obstacle_cache.create () in
+  { semantics; obstacle = Scc_broad_phase.Obstacle_cache.find memory; features = Feature_cells.create () }
+
+exception Not_affine of string
+
+type part = { process : State.process; leaf : int; index : int; solid : Solid.t; place : Place.t }
+
+let parts (m : Model.t) z (process : State.process) =
+  let n = Zone.dimension z in
+  let of_leaf (l : State.leaf) =
+    let of_part index (p : Model.part) =
+      let place = Place.add z.places.(l.leaf) (Place.constant n p.offset) in
+      { process; leaf = l.leaf; index; solid = p.solid; place }
+    in
+    List.mapi of_part (Array.to_list m.leaves.(l.leaf).parts)
+  in
+  List.concat_map of_leaf (Array.to_list process.leaves)
+
+let rec two_of_different = function
+  | [] -> []
+  | ps :: rest ->
+    let with_others p = List.concat_map (List.map (fun q -> (p, q))) rest in
+    List.concat_map with_others ps @ two_of_different rest
+
+let pairs m (z : Zone.t) = two_of_different (List.map (parts m z) (Array.to_list z.skeleton.processes))
+let offset a b = Place.sub b.place a.place
+let relative_velocity a b = Vec.sub b.process.velocity a.process.velocity
+
+let where region constraints =
+  let p = Polyhedron.add_all region constraints in
+  if Polyhedron.is_empty p then [] else [ p ]
+
+(* A region where the constraints hold, if there is any, and disjoint pieces of where they do not. *)
+let split region constraints =
+  let needed = List.filter (fun c -> not (Polyhedron.implies region c)) constraints in
+  match where region needed with
+  | [] -> (None, [ region ])
+  | p :: _ ->
+    let step (left, rest) c =
+      (Polyhedron.add left c, rest @ List.concat_map (fun n -> where left [ n ]) (Constraint.negation c))
+    in
+    (Some p, snd (List.fold_left step (region, []) needed))
+
+(* {1 Who collides} *)
+
+(* Rule Approach: two parts collide where the offset is on planes of the obstacle that the velocity enters, and
+   strictly inside of all others. Regions on which the planes are the same, and where they do not collide. *)
+let colliding c region (a, b) =
+  let w = relative_velocity a b in
+  if Vec.is_zero w then ([], [ region ])
+  else
+    let offset = offset a b in
+    let zero = Linear.constant (Polyhedron.dimension region) Rat.zero in
+    let facet f = (Facet_forms.room offset f, Rat.sign (Vec.dot (Ivec.to_vec f.Obstacle.normal) w)) in
+    let facets = List.map facet (Array.to_list (Obstacle.facets (c.obstacle a.solid b.solid))) in
+    let in_contact (room, sign) =
+      if sign < 0 then Constraint.at_least room zero else Constraint.greater room zero
+    in
+    match split region (List.map in_contact facets) with
+    | None, rest -> ([], rest)
+    | Some meet, rest ->
+      let entered = List.filter_map (fun (room, sign) -> if sign < 0 then Some room else None) facets in
+      let cut_one room p = where p [ Constraint.equals room zero ] @ where p [ Constraint.greater room zero ] in
+      let cut regions room = List.concat_map (cut_one room) regions in
+      (List.fold_left cut [ meet ] entered, rest)
+
+(* {1 What else is looked at} *)
+
+(* The regions on which two parts touch by the same planes, and those on which they do not. *)
+let touching c region (a, b) =
+  let regions = Touching_cells.make (c.obstacle a.solid b.solid) ~offset:(offset a b) region in
+  let judge (p, relation) =
+    match (relation : Touching_cells.relation) with
+    | Apart -> Either.Right p
+    | Touching facets -> Left (p, facets)
+    | Interpenetrating -> Scc_base.Bug.fail __POS__ "two bodies interpenetrate"
+  in
+  List.partition_map judge regions
+
+let whether_in region (set : Polyhedron.t) offset =
+  let x, y, z = offset in
+  let n = Polyhedron.dimension region in
+  split region (List.map (fun c -> Constraint.substitute c ~dimension:n [| x; y; z |]) (Polyhedron.constraints set))
+
+(* Two channels share the touching pairs of features of the highest dimension among them: so pairs are looked at in
+   falling dimension, as long as none of a higher one touches. *)
+let by_channels c (a, b) regions ((one : Behaviour.channel), (two : Behaviour.channel)) =
+  let sides part (channel : Behaviour.channel) =
+    List.filter_map
+      (fun (s : Site.t) ->
+         if s.part = part.index then Some { Feature_cells.solid = part.solid; feature = s.feature } else None)
+      channel.surface
+  in
+  let twos = sides b two in
+  let both = List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) (sides a one) in
+  let of_dimension d = List.filter (fun (one, two) -> Feature_cells.dimension one two = d) both in
+  let offset = offset a b in
+  (* Regions with whether some pair touches there. *)
+  let look cells (one, two) =
+    let set = Feature_cells.offsets c.features one two in
+    let cut (region, found) =
+      let yes, no = whether_in region set offset in
+      List.map (fun p -> (p, true)) (Option.to_list yes) @ List.map (fun p -> (p, found)) no
+    in
+    List.concat_map cut cells
+  in
+  let rec fall d region =
+    if d < 0 then [ region ]
+    else
+      List.fold_left look [ (region, false) ] (of_dimension d)
+      |> List.concat_map (fun (p, found) -> if found then [ p ] else fall (d - 1) p)
+  in
+  List.concat_map (fall 2) regions
+
+let by_features c (a, b) region =
+  List.fold_left (by_channels c (a, b)) [ region ]
+    (Collisions.fitting c.semantics (a.process, a.leaf) (b.process, b.leaf))
+
+(* All that two parts touch each other with. *)
+let apart_by_touching c regions pair =
+  let one region =
+    let touch, apart = touching c region pair in
+    apart @ List.concat_map (fun (p, _) -> by_features c pair p) touch
+  in
+  List.concat_map one regions
+
+(* {1 Collisions} *)
+
+let same_processes (a, b) (a', b') = a.process == a'.process && b.process == b'.process
+
+(* With the pairs that collide on it. *)
+let add_pair c cells pair =
+  let one (region, hits) =
+    let hit, rest = colliding c region pair in
+    List.map (fun p -> (p, pair :: hits)) hit @ List.map (fun p -> (p, hits)) rest
+  in
+  List.concat_map one cells
+
+let of_collisions c all (region, hits) =
+  let is_hit pair = List.exists (fun hit -> hit == pair) hits in
+  let beside = List.filter (fun pair -> (not (is_hit pair)) && List.exists (same_processes pair) hits) all in
+  let regions = List.fold_left (fun regions hit -> List.concat_map (by_features c hit) regions) [ region ] hits in
+  List.fold_left (apart_by_touching c) regions beside
+
+(* {1 Within one process} *)
+
+let rec two_of = function [] -> [] | x :: rest -> List.map (fun y -> (x, y)) rest @ two_of rest
+
+let of_closings c z regions (p : State.process) =
+  let m = Semantics.model c.semantics in
+  if Array.length p.leaves < 3 || not (Model.closes_rings m) then regions
+  else
+    let free (a, b) =
+      let joins (bond : State.bond) =
+        (bond.one.at = a.leaf && bond.two.at = b.leaf) || (bond.one.at = b.leaf && bond.two.at = a.leaf)
+      in
+      a.leaf <> b.leaf
+      && (not (Array.exists joins p.bonds))
+      && Collisions.fitting c.semantics (p, a.leaf) (p, b.leaf) <> []
+    in
+    List.fold_left (apart_by_touching c) regions (List.filter free (two_of (parts m z p)))
+
+(* A push goes along the only normal of the contact, or else by where exactly the parts are, which is affine in nothing
+   that is not known. *)
+let of_pushes c z regions (p : State.process) =
+  let m = Semantics.model c.semantics in
+  let parts = parts m z p in
+  let at (f : State.finish) = List.find (fun part -> part.leaf = f.at && part.index = f.site.part) parts in
+  let of_bond regions (b : State.bond) =
+    let pair = (at b.one, at b.two) in
+    if Place.is_constant (offset (at b.one) (at b.two)) then regions
+    else
+      let one region =
+        let touch, _ = touching c region pair in
+        let plain (p, facets) =
+          match facets with
+          | [ _ ] -> p
+          | [] | _ :: _ ->
+            raise
+              (Not_affine "a push of two bodies whose contact has no normal of its own, at places that are not known")
+        in
+        List.map plain touch
+      in
+      List.concat_map one regions
+  in
+  Array.fold_left of_bond regions p.bonds
+
+let cells c (z : Zone.t) =
+  let m = Semantics.model c.semantics in
+  let all = if z.halted then [] else pairs m z in
+  let collisions = List.fold_left (add_pair c) [ (z.set, []) ] all |> List.concat_map (of_collisions c all) in
+  let processes = Array.to_list z.skeleton.processes in
+  let closings = List.fold_left (of_closings c z) collisions processes in
+  if Parameters.may_push m z.skeleton then List.fold_left (of_pushes c z) closings processes else closings

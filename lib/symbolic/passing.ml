@@ -1,0 +1,174 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
+open Instant
+
+type due = Contact of int | Expiry of int * Linear.t | Split_instant of int
+
+let leaves (z : Zone.t) =
+  List.concat_map (fun (p : State.process) -> Array.to_list p.leaves) (Array.to_list z.skeleton.processes)
+
+(* {1 Delays} *)
+
+(* Durations are forms over the parameters. *)
+let duration c : Behaviour.t -> Linear.t = function
+  | Delay (t, _) -> Linear.constant (Array.length (Semantics.model c.semantics).ranges) t
+  | Wait (t, _) -> t
+  | Nil | Open _ | Weak _ | Strong _ | Sum _ | Call _ -> Scc_base.Bug.fail __POS__ "no delay"
+
+let delays c (l : State.leaf) =
+  List.map (duration c) (Behaviours.delays (Semantics.model c.semantics).definitions l.behaviour)
+
+(* What is left of a duration of a leaf. *)
+let left (z : Zone.t) leaf duration =
+  Linear.sub (Linear.compose duration ~dimension:(Zone.dimension z) z.parameters) z.ages.(leaf)
+
+(* {1 What comes first} *)
+
+let with_clock (z : Zone.t) =
+  List.filter (fun (p : State.process) -> Option.is_some p.clock) (Array.to_list z.skeleton.processes)
+
+let may_split z = with_clock z <> []
+
+let contact c (a, b) ~limit region =
+  let velocity = relative_velocity a b in
+  let hits, rest =
+    Contact_cells.make (c.obstacle a.solid b.solid) ~offset:(offset a b) ~velocity ~limit region
+  in
+  (List.map (fun (h : Contact_cells.hit) -> (h.region, h.time)) hits, rest)
+
+let same_due a b =
+  match (a, b) with
+  | Contact i, Contact j | Split_instant i, Split_instant j -> Int.equal i j
+  | Expiry (i, t), Expiry (j, u) -> Int.equal i j && Linear.equal t u
+  | (Contact _ | Expiry _ | Split_instant _), _ -> false
+
+let cells c z region =
+  let of_leaf cells (l : State.leaf) =
+    let durations = List.sort_uniq Linear.compare (delays c l) in
+    List.fold_left (fun cells d -> First.at (left z l.leaf d) (Expiry (l.leaf, d)) cells) cells durations
+  in
+  let tick cells (p : State.process) =
+    match (Semantics.model c.semantics).splits with
+    | Any_time -> cells
+    | Every step ->
+      let first = p.leaves.(0).leaf in
+      let left = Linear.sub (Linear.constant (Zone.dimension z) step) z.clocks.(first) in
+      First.at left (Split_instant first) cells
+  in
+  let by_themselves =
+    List.fold_left of_leaf (First.start region) (leaves z) |> fun cells -> List.fold_left tick cells (with_clock z)
+  in
+  let meet (i, cells) (a, b) =
+    let moves = not (Vec.is_zero (relative_velocity a b)) in
+    (i + 1, if moves then First.on (contact c (a, b)) (Contact i) cells else cells)
+  in
+  List.fold_left meet (0, by_themselves) (pairs (Semantics.model c.semantics) z) |> snd |> First.merged same_due
+
+(* {1 Passing} *)
+
+let on_grid c = match (Semantics.model c.semantics).splits with Every _ -> true | Any_time -> false
+
+let after c (z : Zone.t) time =
+  let ages = Array.copy z.ages and clocks = Array.copy z.clocks and places = Array.copy z.places in
+  let of_process (p : State.process) =
+    let of_leaf (l : State.leaf) =
+      places.(l.leaf) <- Place.moved places.(l.leaf) p.velocity time;
+      if delays c l <> [] then ages.(l.leaf) <- Linear.add ages.(l.leaf) time
+    in
+    Array.iter of_leaf p.leaves;
+    let first = p.leaves.(0).leaf in
+    if Option.is_some p.clock && on_grid c then clocks.(first) <- Linear.add clocks.(first) time
+  in
+  Array.iter of_process z.skeleton.processes;
+  { z with arrived = []; halted = false; time = Option.map (Linear.add time) z.time; ages; clocks; places }
+
+let with_processes f (s : State.t) =
+  State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
+
+let set array i x =
+  let array = Array.copy array in
+  array.(i) <- x;
+  array
+
+(* The delays of a leaf that have these durations, which are all the same now, expire. *)
+let expire c (z : Zone.t) (leaf, durations) =
+  let m = Semantics.model c.semantics in
+  let passed = List.hd durations in
+  let shortened (b : Behaviour.t) =
+    match b with
+    | Delay (_, rest) | Wait (_, rest) ->
+      let d = duration c b in
+      if List.exists (Linear.equal d) durations then rest else Behaviour.wait (Linear.sub d passed) rest
+    | Nil | Open _ | Weak _ | Strong _ | Sum _ | Call _ -> Scc_base.Bug.fail __POS__ "no delay"
+  in
+  let of_leaf (l : State.leaf) =
+    if l.leaf = leaf then { l with behaviour = Behaviours.shorten m.definitions shortened l.behaviour } else l
+  in
+  let restarted = ref None in
+  let of_process (p : State.process) =
+    if not (State.has_leaf p leaf) then p
+    else
+      let aged = State.map_leaves of_leaf p in
+      if Time.gains_split m p aged then begin
+        restarted := Some p.leaves.(0).leaf;
+        State.with_clock (Some Rat.zero) aged
+      end
+      else aged
+  in
+  let zero = Linear.constant (Zone.dimension z) Rat.zero in
+  let skeleton = with_processes of_process z.skeleton in
+  let clocks = match !restarted with None -> z.clocks | Some first -> set z.clocks first zero in
+  { z with skeleton; clocks; ages = set z.ages leaf zero }
+
+(* By leaves, each with the durations that are over. *)
+let expiries due =
+  let add found = function
+    | Contact _ | Split_instant _ -> found
+    | Expiry (leaf, d) ->
+      let others = Option.value (List.assoc_opt leaf found) ~default:[] in
+      (leaf, d :: others) :: List.remove_assoc leaf found
+  in
+  List.fold_left add [] due
+
+let rec settled c (z : Zone.t) =
+  let n = Zone.dimension z in
+  let none f = Constraint.equals f (Linear.constant n Rat.zero) in
+  let may_be_over (l : State.leaf) d =
+    let c = none (left z l.leaf d) in
+    if Polyhedron.is_empty (Polyhedron.add z.set c) then None else Some (l.leaf, d, c)
+  in
+  let of_leaf (l : State.leaf) = List.find_map (may_be_over l) (delays c l) in
+  match List.find_map of_leaf (leaves z) with
+  | None -> [ z ]
+  | Some (leaf, d, over) ->
+    let at constraint_ = { z with set = Polyhedron.add z.set constraint_ } in
+    let some (z : Zone.t) = not (Polyhedron.is_empty z.set) in
+    let still = List.filter some (List.map at (Constraint.negation over)) in
+    List.concat_map (settled c) (expire c (at over) (leaf, [ d ]) :: still)
+
+let until c (z : Zone.t) (cell : due First.cell) =
+  let time = match cell.time with Some t -> t | None -> Scc_base.Bug.fail __POS__ "nothing comes" in
+  let z = after c { z with set = cell.region } time in
+  let zero = Linear.constant (Zone.dimension z) Rat.zero in
+  let tick (z : Zone.t) = function
+    | Split_instant first -> { z with clocks = set z.clocks first zero }
+    | Contact _ | Expiry _ -> z
+  in
+  let z = List.fold_left tick z cell.due in
+  settled c (List.fold_left (expire c) z (expiries cell.due))
+
+let trajectory (c : Instant.context) (z : Zone.t) (cell : due First.cell) =
+  let n = Zone.dimension z in
+  let old = Array.init n (Linear.variable (n + 1)) in
+  let lift f = Linear.compose f ~dimension:(n + 1) old in
+  let passed = Linear.variable (n + 1) n in
+  let within =
+    Constraint.greater passed (Linear.constant (n + 1) Rat.zero)
+    :: List.map (fun t -> Constraint.less passed (lift t)) (Option.to_list cell.time)
+  in
+  let set = Polyhedron.add_all (Polyhedron.embed cell.region ~dimension:(n + 1) (Array.init n Fun.id)) within in
+  after c (Zone.with_variables z ~dimension:(n + 1) old set) passed
+
+let within c z cell = { (trajectory c z cell) with halted = true }

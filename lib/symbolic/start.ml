@@ -1,0 +1,78 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
+open Instant
+
+type fault = { at : (string * Rat.t) list; reason : reason }
+and reason = Interpenetrate of int * int | Bond_apart of State.bond
+
+(* {1 Rule WellFormed, for all values} *)
+
+let values (m : Model.t) set =
+  let point = match Polyhedron.interior_point set with Some p -> p | None -> [||] in
+  Array.to_list (Array.mapi (fun i (r : Ranges.range) -> (r.name, point.(i))) m.ranges)
+
+let rec two_of = function [] -> [] | x :: rest -> List.map (fun y -> (x, y)) rest @ two_of rest
+
+let overlap c (z : Zone.t) =
+  let m = Semantics.model c.semantics in
+  let all = List.concat_map (parts m z) (Array.to_list z.skeleton.processes) in
+  let of_pair (a, b) =
+    let inside = function p, Touching_cells.Interpenetrating -> Some p | _, (Apart | Touching _) -> None in
+    if a.leaf = b.leaf then None
+    else
+      Touching_cells.make (c.obstacle a.solid b.solid) ~offset:(offset a b) z.set
+      |> List.find_map inside
+      |> Option.map (fun p -> { at = values m p; reason = Interpenetrate (a.leaf, b.leaf) })
+  in
+  List.find_map of_pair (two_of all)
+
+let bond_apart c (z : Zone.t) =
+  let m = Semantics.model c.semantics in
+  let of_process (p : State.process) =
+    let parts = parts m z p in
+    let at (f : State.finish) = List.find (fun part -> part.leaf = f.at && part.index = f.site.part) parts in
+    let side part (f : State.finish) = { Feature_cells.solid = part.solid; feature = f.site.feature } in
+    let of_bond (b : State.bond) =
+      let one = at b.one and two = at b.two in
+      let together = Feature_cells.offsets c.features (side one b.one) (side two b.two) in
+      let x, y, z' = offset one two in
+      let right = Polyhedron.preimage together ~dimension:(Zone.dimension z) [| x; y; z' |] in
+      match Difference.pieces z.set right with
+      | [] -> None
+      | p :: _ -> Some { at = values m p; reason = Bond_apart b }
+    in
+    List.find_map of_bond (Array.to_list p.bonds)
+  in
+  List.find_map of_process (Array.to_list z.skeleton.processes)
+
+(* {1 The zone} *)
+
+let zone (m : Model.t) (u : Uncertain.t) ~(initial : State.t) ~keeps_time : Zone.t =
+  let n = Array.length m.ranges in
+  let zero = Linear.constant n Rat.zero in
+  let still (l : State.leaf) = { l with State.position = Vec.zero } in
+  let process (p : State.process) =
+    State.with_clock (Option.map (fun _ -> Rat.zero) p.clock) (State.map_leaves still p)
+  in
+  let included leaf = Option.is_some (State.home initial leaf) in
+  {
+    skeleton =
+      State.make ~processes:(List.map process (Array.to_list initial.processes)) ~step:initial.step ~time:None;
+    halted = false;
+    arrived = [];
+    set = Ranges.box m.ranges;
+    parameters = Array.init n (Linear.variable n);
+    time = (if keeps_time then Some zero else None);
+    ages = Array.map (fun _ -> zero) m.leaves;
+    clocks = Array.map (fun _ -> zero) m.leaves;
+    places = Array.mapi (fun i p -> if included i then p else Place.constant n Vec.zero) u.places;
+    basis = [||];
+  }
+
+let zones c u ~initial ~keeps_time =
+  let z = zone (Semantics.model c.semantics) u ~initial ~keeps_time in
+  match overlap c z with
+  | Some fault -> Error fault
+  | None -> ( match bond_apart c z with Some fault -> Error fault | None -> Ok (Passing.settled c z))

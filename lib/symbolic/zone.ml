@@ -1,0 +1,149 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+
+type t = {
+  skeleton : State.t;
+  halted : bool;
+  arrived : int list;
+  set : Polyhedron.t;
+  parameters : Linear.t array;
+  time : Linear.t option;
+  ages : Linear.t array;
+  clocks : Linear.t array;
+  places : Place.t array;
+  basis : int array;
+}
+
+let dimension z = Polyhedron.dimension z.set
+
+let coordinates z =
+  let places = List.concat_map Place.coordinates (Array.to_list z.places) in
+  Array.concat [ z.parameters; Array.of_list (Option.to_list z.time); z.ages; z.clocks; Array.of_list places ]
+
+let map f z =
+  {
+    z with
+    parameters = Array.map f z.parameters;
+    time = Option.map f z.time;
+    ages = Array.map f z.ages;
+    clocks = Array.map f z.clocks;
+    places = Array.map (Place.map f) z.places;
+  }
+
+let with_variables z ~dimension forms set =
+  { (map (fun f -> Linear.compose f ~dimension forms) z) with set }
+
+(* {1 The canonical form} *)
+
+(* Each variable, where the equalities of a polyhedron hold, by variables that none of them gives. *)
+let free_variables set =
+  let n = Polyhedron.dimension set in
+  let forms = Array.init n (Linear.variable n) in
+  let give c =
+    match Constraint.first_variable c with
+    | None -> ()
+    | Some i ->
+      let f = Constraint.to_form c in
+      let a = Linear.coefficient f i in
+      forms.(i) <- Linear.sub (Linear.variable n i) (Linear.scale (Rat.div Rat.one a) f)
+  in
+  List.iter give (Polyhedron.equalities set);
+  forms
+
+(* A number that is given by the coordinates that were chosen: [of_old] is equal to [of_new]. The old variable
+   [pivot] occurs in it with the coefficient 1, and in no row that was made later. *)
+type row = { pivot : int; of_old : Linear.t; of_new : Linear.t }
+
+let first_occurring f =
+  let rec find i =
+    if i >= Linear.dimension f then None else if Rat.sign (Linear.coefficient f i) <> 0 then Some i else find (i + 1)
+  in
+  find 0
+
+(* What is left of a form when all rows are taken off, and what was taken, in new variables. *)
+let reduced n rows f =
+  let take (rest, taken) row =
+    let a = Linear.coefficient rest row.pivot in
+    if Rat.sign a = 0 then (rest, taken)
+    else (Linear.sub rest (Linear.scale a row.of_old), Linear.add taken (Linear.scale a row.of_new))
+  in
+  List.fold_left take (f, Linear.constant n Rat.zero) rows
+
+(* The numbers of the coordinates that are chosen, and all coordinates by those: the i-th that was chosen is new
+   variable i. Rows are in the order in which they were made. *)
+let choose n coordinates =
+  let add (rows, chosen, given) (number, f) =
+    let rest, taken = reduced n rows f in
+    match first_occurring rest with
+    | None -> (rows, chosen, Linear.add taken (Linear.constant n rest.constant) :: given)
+    | Some pivot ->
+      let y = Linear.variable n (List.length chosen) in
+      let by = Rat.div Rat.one (Linear.coefficient rest pivot) in
+      let row =
+        { pivot; of_old = Linear.scale by rest; of_new = Linear.scale by (Linear.sub y taken) }
+      in
+      (rows @ [ row ], number :: chosen, y :: given)
+  in
+  let numbered = Array.to_list (Array.mapi (fun i f -> (i, f)) coordinates) in
+  let _, chosen, given = List.fold_left add ([], [], []) numbered in
+  (Array.of_list (List.rev chosen), Array.of_list (List.rev given))
+
+(* [given] has a form for each coordinate, in the order of {!coordinates}. *)
+let of_coordinates z ~set ~basis given =
+  let next = ref 0 in
+  let take _ =
+    incr next;
+    given.(!next - 1)
+  in
+  let parameters = Array.map take z.parameters in
+  let time = Option.map take z.time in
+  let ages = Array.map take z.ages in
+  let clocks = Array.map take z.clocks in
+  let place (x, y, z) =
+    let x = take x in
+    let y = take y in
+    (x, y, take z)
+  in
+  { z with set; basis; parameters; time; ages; clocks; places = Array.map place z.places }
+
+let canonical z =
+  let n = dimension z in
+  let free = free_variables z.set in
+  let old = Array.map (fun f -> Linear.compose f ~dimension:n free) (coordinates z) in
+  let basis, given = choose n old in
+  let m = Array.length basis in
+  let forms = Array.map (fun i -> old.(i)) basis in
+  (* Of the n variables that the forms are over, the first m occur. *)
+  let trim = Array.init n (fun i -> if i < m then Linear.variable m i else Linear.constant m Rat.zero) in
+  let given = Array.map (fun f -> Linear.compose f ~dimension:m trim) given in
+  let set = Polyhedron.minimal (Polyhedron.image z.set forms) in
+  (of_coordinates z ~set ~basis given, forms)
+
+(* {1 States} *)
+
+let map_processes f (s : State.t) =
+  State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
+
+let at z point =
+  let leaf (l : State.leaf) = { l with State.position = Place.eval z.places.(l.leaf) point } in
+  let process (p : State.process) =
+    let clock = Option.map (fun _ -> Linear.eval z.clocks.(p.leaves.(0).leaf) point) p.clock in
+    State.with_clock clock (State.map_leaves leaf p)
+  in
+  map_processes process z.skeleton
+
+(* {1 Comparing} *)
+
+let same_kind a b =
+  Bool.equal a.halted b.halted && List.equal Int.equal a.arrived b.arrived && State.equal a.skeleton b.skeleton
+
+let hash_kind z = (((State.hash z.skeleton * 31) + Hashtbl.hash z.arrived) * 2) + Bool.to_int z.halted
+
+let included a b =
+  let n = dimension a in
+  let of_a = coordinates a and of_b = coordinates b in
+  let forms = Array.map (fun i -> of_a.(i)) b.basis in
+  let agrees i f = Linear.equal (Linear.compose f ~dimension:n forms) of_a.(i) in
+  let rec all i = i >= Array.length of_b || (agrees i of_b.(i) && all (i + 1)) in
+  if all 0 && Polyhedron.included a.set (Polyhedron.preimage b.set ~dimension:n forms) then Some forms else None

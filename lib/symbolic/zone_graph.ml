@@ -1,0 +1,142 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_semantics
+
+type edge = { guard : Polyhedron.t; step : step; target : int; map : Linear.t array }
+
+and step = Happens of Transition.label | Passes of Linear.t | Passes_some
+
+type node = {
+  number : int;
+  zone : Zone.t;
+  depth : int;
+  parent : (int * edge) option;
+  mutable edges : edge list;
+  mutable cells : Passing.due First.cell list;
+  mutable expanded : bool;
+}
+
+type limits = { depth : int option; nodes : int option; horizon : Rat.t option }
+type end_ = Closed | Decided | Bounded of { depth : bool; nodes : bool } | Stopped
+
+type visitor = {
+  found : node -> unit;
+  expanded : node -> unit;
+  enough : unit -> bool;
+  stop : unit -> bool;
+}
+
+module Kinds = Hashtbl.Make (struct
+    type t = Zone.t
+
+    let equal = Zone.same_kind
+    let hash = Zone.hash_kind
+  end)
+
+type t = {
+  nodes : node Scc_data.Growable.t;
+  by_kind : node list Kinds.t;
+  waiting : node Queue.t;
+  mutable roots : node list;
+}
+
+let size g = Scc_data.Growable.length g.nodes
+let node g i = Scc_data.Growable.get g.nodes i
+let roots g = List.rev g.roots
+
+type exploration = { graph : t; context : Instant.context; limits : limits; visitor : visitor }
+
+let put e zone parent =
+  let g = e.graph in
+  let depth = match parent with None -> 0 | Some (i, _) -> (node g i).depth + 1 in
+  let node = { number = size g; zone; depth; parent; edges = []; cells = []; expanded = false } in
+  Scc_data.Growable.push g.nodes node;
+  Kinds.replace g.by_kind zone (node :: Option.value (Kinds.find_opt g.by_kind zone) ~default:[]);
+  Queue.add node g.waiting;
+  e.visitor.found node;
+  node
+
+let within_horizon e (z : Zone.t) =
+  match (e.limits.horizon, z.time) with
+  | Some h, Some time ->
+    let set = Polyhedron.add z.set (Constraint.at_most time (Linear.constant (Zone.dimension z) h)) in
+    if Polyhedron.is_empty set then None else Some { z with set }
+  | None, _ | _, None -> Some z
+
+(* A node that has all of a zone, with its variables by those of the zone: one that is there, or a new one. *)
+let node_of e zone ~parent =
+  let canonical, forms = Zone.canonical zone in
+  let known = Option.value (Kinds.find_opt e.graph.by_kind canonical) ~default:[] in
+  let holds n = Option.map (fun map -> (n, map)) (Zone.included canonical n.zone) in
+  match List.find_map holds known with
+  | Some (n, map) ->
+    (n, Array.map (fun f -> Linear.compose f ~dimension:(Zone.dimension zone) forms) map)
+  | None ->
+    (put e canonical (parent forms), forms)
+
+let add_edge e (source : node) guard step (target : Zone.t) =
+  match within_horizon e target with
+  | None -> ()
+  | Some zone ->
+    let guard = if zone == target then guard else zone.set in
+    let edge n map = { guard; step; target = n; map } in
+    let number = size e.graph in
+    let n, map = node_of e zone ~parent:(fun map -> Some (source.number, edge number map)) in
+    source.edges <- edge n.number map :: source.edges
+
+let happen e source (h : Happening.t) = add_edge e source h.target.set (Happens h.label) h.target
+
+let pass e (source : node) ~may_split (cell : Passing.due First.cell) =
+  source.cells <- cell :: source.cells;
+  Option.iter
+    (fun time ->
+       List.iter
+         (fun (z : Zone.t) -> add_edge e source z.set (Passes time) z)
+         (Passing.until e.context source.zone cell))
+    cell.time;
+  if may_split then
+    let some = Passing.within e.context source.zone cell in
+    add_edge e source some.set Passes_some some
+
+let expand e ~events (source : node) =
+  let z = source.zone in
+  let may_split = Passing.may_split z && not (Passing.on_grid e.context) in
+  let of_region region =
+    let { Happening.urgent; weak } = Happening.all e.context ~events z region in
+    List.iter (happen e source) urgent;
+    List.iter (happen e source) weak;
+    if urgent = [] && not z.halted then
+      List.iter (pass e source ~may_split) (Passing.cells e.context z region)
+  in
+  List.iter of_region (Instant.cells e.context z);
+  source.edges <- List.rev source.edges;
+  source.cells <- List.rev source.cells;
+  source.expanded <- true;
+  e.visitor.expanded source
+
+let explore context ~events ~limits ~visitor zones =
+  let graph =
+    { nodes = Scc_data.Growable.create (); by_kind = Kinds.create 64; waiting = Queue.create (); roots = [] }
+  in
+  let e = { graph; context; limits; visitor } in
+  let root zone =
+    let n, _ = node_of e zone ~parent:(fun _ -> None) in
+    graph.roots <- n :: graph.roots
+  in
+  List.iter root zones;
+  let too_deep = ref false in
+  let full () = match limits.nodes with None -> false | Some n -> size graph >= n in
+  let is_too_deep (n : node) = match limits.depth with None -> false | Some d -> n.depth >= d in
+  let rec go () =
+    if visitor.enough () then Decided
+    else if visitor.stop () then Stopped
+    else if full () && not (Queue.is_empty graph.waiting) then Bounded { depth = !too_deep; nodes = true }
+    else
+      match Queue.take_opt graph.waiting with
+      | None -> if !too_deep then Bounded { depth = true; nodes = false } else Closed
+      | Some n ->
+        if is_too_deep n then too_deep := true else expand e ~events n;
+        go ()
+  in
+  let end_ = go () in
+  (graph, end_)

@@ -1,0 +1,61 @@
+(** The zones that a network reaches from all its starts, and how: breadth-first, up to zones in others. *)
+
+open Scc_exact
+open Scc_polyhedra
+open Scc_semantics
+open Scc_property
+
+(** From where the guard holds of the variables of the source. *)
+type edge = {
+  guard : Polyhedron.t;
+  (** over the variables of the source, and of a {!Passes_some} over one more, the last one: the time that passes *)
+  step : step;
+  target : int;
+  map : Linear.t array;  (** the variables of the target, as forms over those of the guard *)
+}
+
+and step =
+  | Happens of Transition.label
+  | Passes of Linear.t  (** so much time, until what comes next *)
+  | Passes_some  (** less than that: time is halted for a weak split *)
+
+type node = {
+  number : int;
+  zone : Zone.t;  (** canonical *)
+  depth : int;  (** how many edges from a root, at least *)
+  parent : (int * edge) option;  (** the edge that it was found by, which leads to all of it *)
+  mutable edges : edge list;
+  mutable cells : Passing.due First.cell list;
+  (** regions on which time passes, with what comes first: until then it does so undisturbed *)
+  mutable expanded : bool;
+}
+
+type t
+
+val size : t -> int
+val node : t -> int -> node
+val roots : t -> node list
+
+(** How far it goes; [None]: no bound. *)
+type limits = {
+  depth : int option;
+  nodes : int option;
+  horizon : Rat.t option;  (** of time, where zones know it: what comes later is left out *)
+}
+
+type end_ =
+  | Closed  (** all is known *)
+  | Decided  (** whoever looked on wanted no more *)
+  | Bounded of { depth : bool; nodes : bool }  (** some nodes were not expanded, for these bounds *)
+  | Stopped  (** somebody wanted it *)
+
+type visitor = {
+  found : node -> unit;
+  expanded : node -> unit;
+  enough : unit -> bool;  (** asked before each node *)
+  stop : unit -> bool;  (** likewise *)
+}
+
+val explore :
+  Instant.context -> events:Property.event array -> limits:limits -> visitor:visitor -> Zone.t list -> t * end_
+(** From zones, which need not be canonical: the roots are their canonical forms. May raise {!Instant.Not_affine}. *)
