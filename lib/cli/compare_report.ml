@@ -60,9 +60,9 @@ let limits (c : Compared.t) =
 
 let scale (c : Compared.t) : Verdict.scale =
   match c.source with
-  | File -> { resolution = None; split_step = None }
+  | File -> { resolution = None; split_step = None; over = None }
   | Model { model; space } ->
-    { resolution = Scc_calculus.Model.resolution model.model; split_step = space.split_step }
+    { resolution = Scc_calculus.Model.resolution model.model; split_step = space.split_step; over = None }
 
 let settings (c : Compared.t) =
   match c.source with

@@ -116,6 +116,7 @@ let witness context run finish facts : Witness.t =
     finish;
     facts;
     argument = None;
+    fixed = None;
   }
 
 let during context state (moment : Timeline.moment) sample : Witness.finish =

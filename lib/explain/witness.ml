@@ -25,6 +25,8 @@ type argument = {
   parts : argument list;
 }
 
+type fixed = { values : (string * Rat.t) list; semantics : Semantics.t }
+
 type t = {
   initial : State.t;
   steps : step list;
@@ -32,9 +34,12 @@ type t = {
   finish : finish;
   facts : string list;
   argument : argument option;
+  fixed : fixed option;
 }
 
 type halt = Dead_end | One_instant
+
+let semantics given w = match w.fixed with Some f -> f.semantics | None -> given
 
 (* Model time when the step of this index begins. *)
 let time_before w k = if k = 0 then Rat.zero else (List.nth w.steps (k - 1)).time
@@ -76,7 +81,8 @@ let step_line model number s =
     (Transition.label_to_string model s.transition.label)
     (Rat.to_string s.time)
 
-let there semantics w =
+let there given w =
+  let semantics = semantics given w in
   match offset w with
   | Some d when Rat.sign d > 0 -> Time.pass semantics d w.last
   | Some _ | None -> w.last

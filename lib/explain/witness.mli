@@ -40,6 +40,9 @@ type argument = {
   parts : argument list;
 }
 
+(** What a run is one of: the rules over a model with values for its parameters. *)
+type fixed = { values : (string * Rat.t) list; semantics : Semantics.t }
+
 type t = {
   initial : State.t;
   steps : step list;
@@ -47,6 +50,7 @@ type t = {
   finish : finish;
   facts : string list;  (** what holds there, and with which values, a sentence each *)
   argument : argument option;  (** of a formula with operators within operators *)
+  fixed : fixed option;  (** where parameters of the model have ranges *)
 }
 
 (** How time ends on the run, when it does: a run in which it goes on and on needs no word. *)
@@ -55,6 +59,9 @@ type halt =
   | One_instant  (** the run goes round for ever within one instant *)
 
 val halt : t -> halt option
+
+val semantics : Semantics.t -> t -> Semantics.t
+(** Whose run it is: of {!field-fixed}, or else of the one that is given. *)
 
 val choices : t -> int list
 (** The choices of the steps. *)

@@ -3,7 +3,7 @@ open Scc_polyhedra
 open Scc_property
 module Truth = Scc_ctl.Truth
 
-type place = { node : Zone_graph.node; states : Polyhedron.t; passing : bool }
+type place = { node : Zone_graph.node; states : Polyhedron.t; passing : bool; prop : Property.prop }
 
 type t = {
   truth : Atoms.view -> (Polyhedron.t * Truth.t) list;
@@ -50,7 +50,7 @@ let note t node (view : Atoms.view) =
       match (truth : Truth.t) with
       | False -> ()
       | True ->
-        if t.first = None then t.first <- Some { node; states; passing = view.passing };
+        if t.first = None then t.first <- Some { node; states; passing = view.passing; prop = t.prop };
         t.found <- add t.found (values ())
       | Undecided reason ->
         if not (List.mem reason t.reasons) then t.reasons <- t.reasons @ [ reason ];
@@ -69,9 +69,12 @@ let quiescent (node : Zone_graph.node) =
       (fun (cell : Passing.due First.cell) -> if cell.time = None then Some cell.region else None)
       node.cells
 
+let look_at t (node : Zone_graph.node) =
+  note t node { zone = node.zone; passing = false; quiescent = quiescent node }
+
 let look context t (node : Zone_graph.node) =
   if not node.zone.halted then begin
-    note t node { zone = node.zone; passing = false; quiescent = quiescent node };
+    look_at t node;
     if t.while_passing then
       let of_cell (cell : Passing.due First.cell) =
         let zone = Passing.trajectory context node.zone cell in
@@ -81,14 +84,15 @@ let look context t (node : Zone_graph.node) =
       List.iter of_cell node.cells
   end
 
+let leave t (z : Zone.t) =
+  let states = Polyhedron.add_all z.set (in_time t z) in
+  if not (Polyhedron.is_empty states) then t.doubtful <- add t.doubtful (Polyhedron.image states z.parameters)
+
 let look_around t (node : Zone_graph.node) =
   let z = node.zone in
-  let states = Polyhedron.add_all z.set (in_time t z) in
-  if not (Polyhedron.is_empty states) then begin
-    (* whether it is quiescent there is not known *)
-    if not (z.halted || asks_for_rest t.prop) then note t node { zone = z; passing = false; quiescent = [] };
-    t.doubtful <- add t.doubtful (Polyhedron.image states z.parameters)
-  end
+  (* whether it is quiescent there is not known *)
+  if not (z.halted || asks_for_rest t.prop) then note t node { zone = z; passing = false; quiescent = [] };
+  leave t z
 
 let union t pieces = Union.of_polyhedra t.parameters pieces
 let found t = union t t.found

@@ -5,11 +5,12 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_property
 
-(** Where a run is taken to for it: to some states of a node, or to some while time passes after it. *)
+(** Where a run is taken to for it, and what holds there: to some states of a node, or to some while time passes after it. *)
 type place = {
   node : Zone_graph.node;
   states : Polyhedron.t;  (** over the variables of the node; and of the time that has passed, the last one *)
   passing : bool;
+  prop : Property.prop;
 }
 
 type t
@@ -20,8 +21,14 @@ val make : Atoms.context -> parameters:int -> bound:Rat.t option -> Property.pro
 val look : Instant.context -> t -> Zone_graph.node -> unit
 (** At a node that is expanded, and at what time makes of it. *)
 
+val look_at : t -> Zone_graph.node -> unit
+(** At the node alone. *)
+
 val look_around : t -> Zone_graph.node -> unit
 (** At a node that is not, and never will be: beyond it nothing is known. *)
+
+val leave : t -> Zone.t -> unit
+(** What was left out, and matters. *)
 
 val found : t -> Union.t
 (** Values for which there is such a state. *)

@@ -17,11 +17,12 @@ type node = {
 }
 
 type limits = { depth : int option; nodes : int option; horizon : Rat.t option }
-type end_ = Closed | Decided | Bounded of { depth : bool; nodes : bool } | Stopped
+type end_ = Closed | Decided | Bounded of { depth : bool; nodes : bool } | Stopped | Not_affine of string
 
 type visitor = {
   found : node -> unit;
   expanded : node -> unit;
+  late : Zone.t -> unit;
   enough : unit -> bool;
   stop : unit -> bool;
 }
@@ -59,8 +60,13 @@ let put e zone parent =
 let within_horizon e (z : Zone.t) =
   match (e.limits.horizon, z.time) with
   | Some h, Some time ->
-    let set = Polyhedron.add z.set (Constraint.at_most time (Linear.constant (Zone.dimension z) h)) in
-    if Polyhedron.is_empty set then None else Some { z with set }
+    let in_time = Constraint.at_most time (Linear.constant (Zone.dimension z) h) in
+    if Polyhedron.implies z.set in_time then Some z
+    else begin
+      e.visitor.late z;
+      let set = Polyhedron.add z.set in_time in
+      if Polyhedron.is_empty set then None else Some { z with set }
+    end
   | None, _ | _, None -> Some z
 
 (* A node that has all of a zone, with its variables by those of the zone: one that is there, or a new one. *)
@@ -135,8 +141,14 @@ let explore context ~events ~limits ~visitor zones =
       match Queue.take_opt graph.waiting with
       | None -> if !too_deep then Bounded { depth = true; nodes = false } else Closed
       | Some n ->
-        if is_too_deep n then too_deep := true else expand e ~events n;
-        go ()
+        if is_too_deep n then begin
+          too_deep := true;
+          go ()
+        end
+        else (
+          match expand e ~events n with
+          | () -> go ()
+          | exception Instant.Not_affine reason -> Not_affine reason)
   in
   let end_ = go () in
   (graph, end_)

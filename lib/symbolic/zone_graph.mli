@@ -48,14 +48,16 @@ type end_ =
   | Decided  (** whoever looked on wanted no more *)
   | Bounded of { depth : bool; nodes : bool }  (** some nodes were not expanded, for these bounds *)
   | Stopped  (** somebody wanted it *)
+  | Not_affine of string  (** what comes of some node is not affine, or not known, for this reason *)
 
 type visitor = {
   found : node -> unit;
   expanded : node -> unit;
+  late : Zone.t -> unit;  (** what the horizon left out, in part at least *)
   enough : unit -> bool;  (** asked before each node *)
   stop : unit -> bool;  (** likewise *)
 }
 
 val explore :
   Instant.context -> events:Property.event array -> limits:limits -> visitor:visitor -> Zone.t list -> t * end_
-(** From zones, which need not be canonical: the roots are their canonical forms. May raise {!Instant.Not_affine}. *)
+(** From zones, which need not be canonical: the roots are their canonical forms. *)

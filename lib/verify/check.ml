@@ -198,7 +198,7 @@ let explored options semantics ~initial group =
     let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ -> result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
     let rests = rests semantics result check v and converges = converges result v in
-    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step }; rests; converges })
+    (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step; over = None }; rests; converges })
   in
   let outcomes = List.map2 outcome members result.outcomes in
   let slice part =
@@ -258,7 +258,7 @@ let run options semantics ~initial checks =
 let unexplored options (checks : Property.check list) stop =
   let stopped = Bounds.stopped options.bounds stop in
   let outcome check =
-    let scale = { Verdict.resolution = None; split_step = None } in
+    let scale = { Verdict.resolution = None; split_step = None; over = None } in
     { Verdict.check; verdict = Undecided [ Truncated stopped ]; scale; rests = []; converges = None }
   in
   {

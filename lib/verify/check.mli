@@ -62,5 +62,8 @@ val run : options -> Semantics.t -> initial:State.t -> Property.check list -> re
     others. [initial] is the initial state ({!Scc_semantics.Network.initial} of what was declared). Witnesses are
     replayed before they are returned, and are runs of the whole network. *)
 
+val add : stats -> stats -> stats
+(** Of two explorations together. *)
+
 val unexplored : options -> Scc_property.Property.check list -> Scc_explore.Limits.stop -> report
 (** What is told where nothing came of an exploration before it had to end. *)

@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_calculus
 open Scc_explain
 
 type limit =
@@ -26,7 +27,8 @@ type t =
   | Violated of { witness : Witness.t option }
   | Undecided of reason list
 
-type scale = { resolution : Rat.t option; split_step : Rat.t option }
+type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list }
+type scale = { resolution : Rat.t option; split_step : Rat.t option; over : over option }
 type rest = By of Witness.halt | Among of Witness.halt
 type convergence = Named of Slowing.t | Proved of Quickening.t
 
@@ -162,6 +164,13 @@ let scale_to_string s =
   let at what = Option.fold ~none:"" ~some:(fun r -> Printf.sprintf ", at %s %s" what (Rat.to_string r)) in
   at "resolution" s.resolution ^ at "split step" s.split_step
 
+let over_to_string { instants; ranges; _ } =
+  (if instants then ", all instants" else "")
+  ^ if Array.length ranges = 0 then "" else ", all " ^ Ranges.to_string ranges
+
+let values_to_string values =
+  String.concat ", " (List.map (fun (name, v) -> Printf.sprintf "%s = %s" name (Rat.to_string v)) values)
+
 let to_string = function
   | Holds { bounds = []; _ } -> "holds (exhaustive)"
   | Holds { bounds; _ } ->
@@ -169,10 +178,25 @@ let to_string = function
   | Violated _ -> "violated"
   | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)
 
+(* Of what is violated for some values alone, for which. *)
+let for_values o =
+  let values =
+    match (o.verdict, o.scale.over) with
+    | Violated { witness = Some { fixed = Some { values; _ }; _ } }, _ -> values
+    | _, Some over -> over.example
+    | _, None -> []
+  in
+  match values with [] -> "" | _ :: _ -> " for " ^ values_to_string values
+
 let outcome_to_string o =
+  let everywhere = Option.fold ~none:"" ~some:over_to_string o.scale.over in
   let verdict =
     match o.verdict with
     | Undecided _ -> to_string o.verdict
+    | Holds { bounds = []; _ } when everywhere <> "" ->
+      Printf.sprintf "holds (exhaustive%s)%s" everywhere (scale_to_string o.scale)
+    | Holds _ when everywhere <> "" -> to_string o.verdict ^ everywhere ^ scale_to_string o.scale
+    | Violated _ when everywhere <> "" -> to_string o.verdict ^ for_values o ^ scale_to_string o.scale
     | Holds _ | Violated _ ->
       to_string o.verdict ^ String.concat "" (List.map rest_to_string o.rests) ^ scale_to_string o.scale
   in

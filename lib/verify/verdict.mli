@@ -1,6 +1,7 @@
 (** Verdicts: what is known of a property, and how well (rule Verdict). *)
 
 open Scc_exact
+open Scc_calculus
 open Scc_explain
 
 (** A bound that was met. *)
@@ -38,12 +39,20 @@ type t =
   | Violated of { witness : Witness.t option  (** [None] when all of what counts was explored in vain *) }
   | Undecided of reason list  (** not empty *)
 
+(** What a verdict is about at once: all that is not known of a model. *)
+type over = {
+  instants : bool;  (** all instants at which weak splits may happen *)
+  ranges : Ranges.t;  (** all values of these parameters *)
+  example : (string * Rat.t) list;  (** where it is violated, and no run shows it: values for which it is *)
+}
+
 (** What a decided verdict is meant at, and says nothing about anything finer. *)
 type scale = {
   resolution : Rat.t option;  (** of a rigid model: contacts are known within it *)
   split_step : Rat.t option;
   (** where the exploration saw weak splits enabled: they happen at multiples of it only, and the calculus lets
       them happen at any time (reading I-9) *)
+  over : over option;  (** of explorations over zones (rule Zones) *)
 }
 
 (** Runs in which time does not go on are runs (rule Run); what rests on one of them says so. *)

@@ -1,0 +1,89 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_semantics
+
+type step = Happens of Transition.label | Passes of Rat.t | Passes_some of Rat.t
+type t = { values : Rat.t array; steps : step list; offset : Rat.t }
+
+(* The way so far: over the variables of the root, and the times that were waited for splits, in order. *)
+type way = {
+  set : Polyhedron.t;
+  here : Linear.t array;  (** the variables of the node *)
+  taken : (Zone_graph.step * Linear.t option) list;  (** the last first, with the time that passes *)
+}
+
+let extended dimension f =
+  let n = Linear.dimension f in
+  if n = dimension then f else Linear.compose f ~dimension (Array.init n (Linear.variable dimension))
+
+(* The way, over as many variables more, the last ones. *)
+let extend way more =
+  let n = Polyhedron.dimension way.set in
+  let dimension = n + more in
+  {
+    set = (if more = 0 then way.set else Polyhedron.embed way.set ~dimension (Array.init n Fun.id));
+    here = Array.map (extended dimension) way.here;
+    taken = List.map (fun (step, time) -> (step, Option.map (extended dimension) time)) way.taken;
+  }
+
+(* Variables of a polyhedron over those of the node, and perhaps one more, as forms. *)
+let enter way guard =
+  let more = Polyhedron.dimension guard - Array.length way.here in
+  let way = extend way more in
+  let dimension = Polyhedron.dimension way.set in
+  let added = Array.init more (fun i -> Linear.variable dimension (dimension - more + i)) in
+  let forms = Array.append way.here added in
+  let set = Polyhedron.inter way.set (Polyhedron.preimage guard ~dimension forms) in
+  ({ way with set }, forms)
+
+let along way (edge : Zone_graph.edge) =
+  let way, forms = enter way edge.guard in
+  let dimension = Polyhedron.dimension way.set in
+  let over f = Linear.compose f ~dimension forms in
+  let time =
+    match edge.step with
+    | Happens _ -> None
+    | Passes f -> Some (over f)
+    | Passes_some -> Some forms.(Array.length forms - 1)
+  in
+  { way with here = Array.map over edge.map; taken = (edge.step, time) :: way.taken }
+
+let rec to_root graph (node : Zone_graph.node) edges =
+  match node.parent with
+  | None -> (node, edges)
+  | Some (i, edge) -> to_root graph (Zone_graph.node graph i) (edge :: edges)
+
+let way_to graph (place : Search_sets.place) =
+  let root, edges = to_root graph place.node [] in
+  let z = root.zone in
+  let start = { set = z.set; here = Array.init (Zone.dimension z) (Linear.variable (Zone.dimension z)); taken = [] } in
+  let way, forms = enter (List.fold_left along start edges) place.states in
+  (z, way, forms)
+
+let at_point (root : Zone.t) way forms ~passing point =
+  let value f = Linear.eval (extended (Array.length point) f) point in
+  let step (step, time) =
+    match ((step : Zone_graph.step), time) with
+    | Happens label, _ -> Happens label
+    | Passes _, Some t -> Passes (value t)
+    | Passes_some, Some t -> Passes_some (value t)
+    | (Passes _ | Passes_some), None -> Scc_base.Bug.fail __POS__ "time that passes is known"
+  in
+  {
+    values = Array.map value root.parameters;
+    steps = List.rev_map step way.taken;
+    offset = (if passing then value forms.(Array.length forms - 1) else Rat.zero);
+  }
+
+let run_within graph (place : Search_sets.place) values =
+  let root, way, forms = way_to graph place in
+  let dimension = Polyhedron.dimension way.set in
+  let parameters = Array.map (extended dimension) root.parameters in
+  let set = Polyhedron.inter way.set (Polyhedron.preimage values ~dimension parameters) in
+  Option.map (at_point root way forms ~passing:place.passing) (Polyhedron.interior_point set)
+
+let run graph place =
+  let root, way, forms = way_to graph place in
+  match Polyhedron.interior_point way.set with
+  | Some point -> at_point root way forms ~passing:place.passing point
+  | None -> Scc_base.Bug.fail __POS__ "a way to nowhere"

@@ -1,0 +1,10 @@
+(** A model whose parameters are not known, with values for them: an ordinary model. *)
+
+open Scc_exact
+open Scc_calculus
+
+val model : Model.t -> Rat.t array -> Model.t
+(** Without ranges; its delays are known. *)
+
+val declared : Uncertain.t -> State.t -> Rat.t array -> State.t
+(** [declared u s values]: the declared state for the values, where [s] is it for others. *)

@@ -1,0 +1,265 @@
+open Scc_base
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_symbolic
+open Scc_where
+
+let at_any_time (m : Model.t) ~declared =
+  match m.splits with Any_time -> Parameters.may_split m declared | Every _ -> false
+
+let is_for (m : Model.t) ~declared = Array.length m.ranges > 0 || at_any_time m ~declared
+
+let refused (m : Model.t) =
+  let because text hint =
+    [
+      Diag.error Code.not_yet Span.none "what is not known of this model does not stay linear: %s" text ~hint;
+    ]
+  in
+  let fixed = "give every parameter a value, and a `split_step`" in
+  if Option.is_some m.rigid then because "its bodies turn" fixed
+  else if m.steered then because "a law of motion steers its bodies" fixed
+  else if Option.is_some m.round_velocity then because "its velocities are rounded" fixed
+  else
+    match m.binding with
+    | On_contact -> because "its bodies bind on contact" fixed
+    | On_collision -> []
+
+type fault = { at : (string * Rat.t) list; reason : Start.reason }
+
+(* {1 One exploration} *)
+
+type group = { keeps_time : bool; members : (int * Property.check) list }
+
+(* Those that ask about time are explored apart: with time a coordinate, little ever recurs. *)
+let groups checks =
+  let numbered = List.mapi (fun i c -> (i, c)) checks in
+  let timed, others =
+    List.partition (fun (_, (c : Property.check)) -> Answers.needs_time c.formula) numbered
+  in
+  let some keeps_time members = match members with [] -> [] | _ :: _ -> [ { keeps_time; members } ] in
+  match checks with
+  | [] -> [ { keeps_time = false; members = [] } ]
+  | _ :: _ -> some false others @ some true timed
+
+(* A start at which velocities never cease to change may go on for ever, while all others come to an end. *)
+let default_depth = 1_000
+
+let depth (b : Bounds.t) : Verdict.truncation =
+  match b.depth with
+  | Given d -> { limit = Depth d; origin = By_user }
+  | Default d -> { limit = Depth d; origin = By_default }
+  | Unbounded -> { limit = Depth default_depth; origin = By_default }
+
+let given = function Bounds.Unbounded -> None | Default v | Given v -> Some v
+
+let states (b : Bounds.t) : Verdict.truncation =
+  match b.states with
+  | Given n -> { limit = States n; origin = By_user }
+  | Default n -> { limit = States n; origin = By_default }
+  | Unbounded -> Bug.fail __POS__ "a bound that is off was met"
+
+type explored = {
+  group : group;
+  graph : Zone_graph.t;
+  answers : Answers.t list;
+  stopped_by : Verdict.truncation list;
+  fault : string option;
+  decided : bool;
+  edges : int;
+}
+
+let latest answers =
+  let bounds = List.map Answers.bound answers in
+  if List.exists Option.is_none bounds then None
+  else Some (List.fold_left (fun t b -> Rat.max t (Option.get b)) Rat.zero bounds)
+
+let progress (options : Joint_check.options) ~size (node : Zone_graph.node) =
+  options.surroundings.progress
+    {
+      states = size;
+      transitions = 0;
+      waiting = size - node.number - 1;
+      depth = node.depth;
+      model_time = Rat.zero;
+    }
+
+let distinct events =
+  let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
+  List.rev (List.fold_left add [] events)
+
+let explore (options : Joint_check.options) context (group : group) zones ~ranges ~exactly =
+  let formulas = List.map (fun (_, (c : Property.check)) -> c.formula) group.members in
+  let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
+  let atoms = Atoms.context context ~events in
+  let parameters = Ranges.box ranges in
+  let answers = List.map (Answers.make context atoms ~parameters) formulas in
+  let asked = if group.keeps_time then latest answers else None in
+  let user = given options.bounds.time in
+  let horizon =
+    match (asked, user) with Some a, Some b -> Some (Rat.min a b) | None, t | t, None -> t
+  in
+  let by_user =
+    match (asked, user) with
+    | Some a, Some b -> Rat.compare b a < 0
+    | None, Some _ -> true
+    | _, None -> false
+  in
+  let is_late = ref false and stop = ref None and size = ref 0 in
+  let depth = depth options.bounds in
+  let most = match depth.limit with Depth d -> d | _ -> default_depth in
+  let stopped () =
+    stop := options.surroundings.stop ();
+    Option.is_some !stop
+  in
+  let visitor : Zone_graph.visitor =
+    {
+      found = (fun _ -> incr size);
+      expanded =
+        (fun node ->
+           progress options ~size:!size node;
+           List.iter (fun a -> Answers.look a node) answers);
+      late =
+        (fun zone ->
+           if by_user then begin
+             is_late := true;
+             List.iter (fun a -> Answers.leave a zone) answers
+           end);
+      enough = (fun () -> answers <> [] && List.for_all (Answers.is_known ~exactly) answers);
+      stop = stopped;
+    }
+  in
+  let limits = { Zone_graph.depth = Some most; nodes = given options.bounds.states; horizon } in
+  let graph, end_ = Zone_graph.explore context ~events ~limits ~visitor zones in
+  let unexpanded f =
+    for i = 0 to Zone_graph.size graph - 1 do
+      let node = Zone_graph.node graph i in
+      if not node.expanded then f node
+    done
+  in
+  unexpanded (fun node -> List.iter (fun a -> Answers.look_around a node) answers);
+  let edges = ref 0 in
+  for i = 0 to Zone_graph.size graph - 1 do
+    edges := !edges + List.length (Zone_graph.node graph i).edges
+  done;
+  let stopped_by : Verdict.truncation list =
+    (match end_ with
+     | Closed | Decided -> []
+     | Not_affine _ -> []
+     | Bounded { depth = deep; nodes } ->
+       (if deep then [ depth ] else []) @ if nodes then [ states options.bounds ] else []
+     | Stopped -> List.map (Bounds.stopped options.bounds) (Option.to_list !stop))
+    @ if !is_late then [ { limit = Time (Option.get user); origin = By_user } ] else []
+  in
+  {
+    group;
+    graph;
+    answers;
+    stopped_by;
+    fault = (match end_ with Not_affine reason -> Some reason | _ -> None);
+    decided = (match end_ with Decided -> true | _ -> false);
+    edges = !edges;
+  }
+
+(* {1 Verdicts} *)
+
+let witness semantics u ~declared graph place =
+  Zone_witness.make semantics u ~declared (Concrete.run graph place) place
+
+let verdict semantics u ~declared (e : explored) answer (where : Where.t) : Verdict.t =
+  let shown ~holds = Option.map (witness semantics u ~declared e.graph) (Answers.shown_by answer ~holds) in
+  let bounded = List.map (fun t -> Verdict.Truncated t) e.stopped_by in
+  let reasons =
+    bounded
+    @ List.map (fun r -> Verdict.Undefined r) (Answers.reasons answer)
+    @ List.map (fun r -> Verdict.Fault r) (Option.to_list e.fault)
+  in
+  if not (Union.is_empty where.fails) then Violated { witness = shown ~holds:false }
+  else if Union.is_empty where.unknown then Holds { bounds = []; witness = shown ~holds:true }
+  else if Answers.safe_so_far answer && List.length reasons = List.length e.stopped_by && reasons <> [] then
+    Holds { bounds = e.stopped_by; witness = None }
+  else Undecided reasons
+
+let where ranges answer =
+  let { Answers.holds; fails } = Answers.sets answer in
+  Where.make ranges ~holds ~fails
+
+let stats (m : Model.t) (e : explored) : Joint_check.stats =
+  let deepest = ref 0 in
+  for i = 0 to Zone_graph.size e.graph - 1 do
+    deepest := Int.max !deepest (Zone_graph.node e.graph i).depth
+  done;
+  {
+    states = Zone_graph.size e.graph;
+    transitions = e.edges;
+    depth = !deepest;
+    model_time = Rat.zero;
+    complete = e.stopped_by = [] && e.fault = None && not e.decided;
+    eventful = true;
+    decided_early = e.decided;
+    split_step = (match m.splits with Every step -> Some step | Any_time -> None);
+    stopped_by = e.stopped_by;
+    faults = [];
+    dead_ends = [];
+    converges = None;
+    growth = None;
+    shared = None;
+    causes = [];
+  }
+
+let outcomes semantics u ~declared (e : explored) =
+  let m = Semantics.model semantics in
+  let one (i, check) answer =
+    let where = where m.ranges answer in
+    let verdict = verdict semantics u ~declared e answer where in
+    let example =
+      match (verdict, Union.point where.fails) with
+      | Violated { witness = None }, Some values ->
+        List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list values)
+      | _ -> []
+    in
+    let over = { Verdict.instants = at_any_time m ~declared; ranges = m.ranges; example } in
+    let split_step = match m.splits with Every step when Parameters.may_split m declared -> Some step | _ -> None in
+    let scale = { Verdict.resolution = None; split_step; over = Some over } in
+    (i, ({ check; verdict; scale; rests = []; converges = None } : Verdict.outcome), where)
+  in
+  List.map2 one e.group.members e.answers
+
+let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
+  let m = Semantics.model semantics in
+  let context = Instant.context semantics in
+  let initial =
+    match Network.initial semantics declared with
+    | Ok s -> s
+    | Error _ -> Bug.fail __POS__ "a law of motion in a model with ranges"
+  in
+  let of_group group =
+    Start.zones context u ~initial ~keeps_time:group.keeps_time
+    |> Result.map (fun zones -> explore options context group zones ~ranges:m.ranges ~exactly)
+  in
+  let rec all done_ = function
+    | [] -> Ok (List.rev done_)
+    | group :: rest -> Result.bind (of_group group) (fun e -> all (e :: done_) rest)
+  in
+  match all [] (groups checks) with
+  | Error { Start.at; reason } -> Error { at; reason }
+  | Ok explored ->
+    let sorted =
+      List.concat_map (outcomes semantics u ~declared) explored
+      |> List.sort (fun (i, _, _) (j, _, _) -> Int.compare i j)
+    in
+    let stats = List.map (stats m) explored in
+    let report : Check.report =
+      {
+        outcomes = List.map (fun (_, o, _) -> o) sorted;
+        stats = List.fold_left Check.add (List.hd stats) (List.tl stats);
+        uneventful = false;
+        slices = [];
+        zeno = None;
+        stores = [];
+        numbers = (fun () -> []);
+      }
+    in
+    Ok (report, List.map (fun (_, _, w) -> w) sorted)

@@ -1,0 +1,26 @@
+(** Checking models over all values of their parameters, and all instants of their splits (rule Zones). *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_symbolic
+open Scc_where
+
+val is_for : Model.t -> declared:State.t -> bool
+(** The model has parameters of which a range is known, or bonds that may be released at any time. *)
+
+val refused : Model.t -> Scc_base.Diag.t list
+(** Why numbers of such a model are not affine in what is not known, if they are not (SC0901): bodies turn, a law of
+    motion steers them, velocities are rounded, or they bind on contact. *)
+
+type fault = {
+  at : (string * Rat.t) list;  (** values of the parameters *)
+  reason : Start.reason;
+}
+
+val run :
+  Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool -> Property.check list ->
+  (Check.report * Where.t list, fault) result
+(** A verdict for each check, over all values, and for which of them it holds: of this everything only with [exactly],
+    else as much as the verdict takes. The error: for these values the declared state is not well-formed. *)

@@ -1,0 +1,85 @@
+open Scc_base
+open Scc_ctl
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_evaluate
+open Scc_symbolic
+open Scc_explain
+
+let initial semantics declared =
+  match Network.initial semantics declared with
+  | Ok state -> state
+  | Error _ -> Bug.fail __POS__ "a law of motion in a model with ranges"
+
+let numbered list = List.mapi (fun i x -> (i, x)) list
+
+(* The transitions that a step may be, each with its number among the successors. *)
+let candidates c state (step : Concrete.step) =
+  let successors = match Network.successors c state with Ok list -> numbered list | Error _ -> [] in
+  let labelled is = List.filter (fun (_, (t : Transition.t)) -> is t.label) successors in
+  let time = function Transition.Time _ -> true | _ -> false in
+  match step with
+  | Happens label -> labelled (Transition.equal_label label)
+  | Passes d -> labelled (function Time t -> Rat.equal t d | _ -> false)
+  | Passes_some d -> (
+      let choice = match labelled time with (i, _) :: _ -> i | [] -> List.length successors in
+      match Network.wait c state d with
+      | Ok (Some t) -> [ (choice, t) ]
+      | Ok None | Error _ -> [])
+
+(* Two summands may do something of one label, with different outcomes: the first way to go on is taken that leads
+   where it should. *)
+let rec follow c ~reached state time (steps : Concrete.step list) taken =
+  match steps with
+  | [] ->
+    let taken = List.rev taken in
+    if reached state taken then Some (state, taken) else None
+  | step :: rest ->
+    let go (choice, (t : Transition.t)) =
+      let time = Rat.add time (Transition.duration t) in
+      follow c ~reached t.target time rest ({ Witness.choice; transition = t; time } :: taken)
+    in
+    List.find_map go (candidates c state step)
+
+let arrived start (taken : Witness.step list) event =
+  match taken with
+  | [] -> false
+  | { transition = { label; _ }; _ } :: before ->
+    let source = match before with [] -> start | s :: _ -> s.transition.target in
+    Event.matches ~source label event
+
+let extent c state =
+  match Time.delay c state with Some d -> Timeline.Lasts d | None -> Timeline.Forever
+
+let holds c ~arrived state offset prop =
+  let state, arrived = if Rat.sign offset > 0 then (Time.pass c offset state, fun _ -> false) else (state, arrived) in
+  let now = Trajectory.prop (Trajectory.make ~arrived c state Timeline.Instant) prop in
+  Truth.equal now.Timeline.start Truth.True
+
+let make given u ~declared (run : Concrete.t) (place : Search_sets.place) : Witness.t =
+  let m = Semantics.model given in
+  let c = Semantics.with_model given (Fixed.model m run.values) in
+  let start = initial c (Fixed.declared u declared run.values) in
+  let reached state taken = holds c ~arrived:(arrived start (List.rev taken)) state run.offset place.prop in
+  match follow c ~reached start Rat.zero run.steps [] with
+  | None -> Bug.fail __POS__ "a run over zones does not replay"
+  | Some (last, steps) ->
+    let offset = Algebraic.of_rat run.offset in
+    let finish, extent =
+      if Rat.sign run.offset > 0 then
+        let choice = match candidates c last (Passes_some run.offset) with (i, _) :: _ -> Some i | [] -> None in
+        (Witness.During { choice; offset; open_piece = false; from = offset }, extent c last)
+      else (At_state, Timeline.Instant)
+    in
+    let arrived = arrived start (List.rev steps) in
+    let name i = m.ranges.(i).Ranges.name in
+    {
+      initial = start;
+      steps;
+      last;
+      finish;
+      facts = Facts.at ~arrived c last extent offset place.prop;
+      argument = None;
+      fixed = Some { values = List.mapi (fun i v -> (name i, v)) (Array.to_list run.values); semantics = c };
+    }

@@ -1,0 +1,10 @@
+(** Witnesses from what was found on a graph of zones: a start and instants of splits are chosen, and the run is
+    followed through the rules of the ordinary model that this is, before anyone is shown it. *)
+
+open Scc_calculus
+open Scc_semantics
+open Scc_symbolic
+open Scc_explain
+
+val make : Semantics.t -> Uncertain.t -> declared:State.t -> Concrete.t -> Search_sets.place -> Witness.t
+(** It is a bug if the run cannot be followed, or the predicate does not hold where it leads. *)
