@@ -69,7 +69,7 @@ let write_witnesses loaded path folder verdicts =
 (* What was asked for besides the verdicts. *)
 type extra = { covered : (Explored.t * Coverage.t) option; measured : Measured.t option }
 
-let print_json console ~full loaded report verdicts extra code =
+let print_json console ~full ~where:shown_where loaded report verdicts extra code =
   let coverage (space, c) = ("coverage", Coverage_json.json space c) in
   let measured m = ("measured", Measured.json m report) in
   let json =
@@ -77,6 +77,7 @@ let print_json console ~full loaded report verdicts extra code =
       {
         loaded;
         verdicts;
+        where = shown_where;
         report;
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
@@ -91,11 +92,12 @@ let print_json console ~full loaded report verdicts extra code =
 let shows_zeno (o : Verdict.outcome) =
   List.exists (function Verdict.By One_instant -> true | By Dead_end | Among _ -> false) o.rests
 
-let print_text console ~full (loaded : Loaded.t) (report : Check.report) verdicts extra =
+let print_text console ~full ~where (loaded : Loaded.t) (report : Check.report) verdicts extra =
   let c = loaded.semantics in
   let print = Console.print console in
   print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
-  List.iter (fun v -> print (Check_text.property console ~full c v ^ "\n")) verdicts;
+  let property i v = print (Check_text.property console ~full ?where:(List.nth_opt where i) c v ^ "\n") in
+  List.iteri property verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno ~full c w ^ "\n") in
   Option.iter zeno report.zeno;
   let causes = Check_text.causes loaded.model report.stats in
@@ -123,13 +125,48 @@ let cover options reductions (l : Loaded.t) initial =
   let time_seen = Reduction.time_seen reductions l.model [] in
   Coverage.explore ~time_seen options l.semantics ~initial
 
+let has_ranges (l : Loaded.t) =
+  if Array.length l.model.ranges > 0 then Ok ()
+  else
+    Error
+      [
+        Diag.error Code.bad_value Span.none "no parameter of this model has a range"
+          ~hint:"`param x in [0, 6]` declares one; with -D NAME=LOW..HIGH it gets another one";
+      ]
+
+(* That the declared state is not well-formed for some values. *)
+let not_well_formed (l : Loaded.t) ({ at; reason } : Zone_check.fault) =
+  let name leaf = l.model.leaves.(leaf).name in
+  let values = Verdict.values_to_string at in
+  match reason with
+  | Interpenetrate (a, b) ->
+    Diag.error Code.interpenetration Span.none "`%s` and `%s` interpenetrate for some starts: for %s" (name a) (name b)
+      values
+  | Bond_apart b ->
+    let site (f : Scc_calculus.State.finish) = Scc_calculus.Model.site_name l.model ~leaf:f.at f.site in
+    Diag.error Code.not_touching Span.none "%s and %s do not touch for some starts: for %s" (site b.one) (site b.two)
+      values
+
+let over_zones options (l : Loaded.t) ~exactly checks =
+  let known () = Scc_symbolic.Start.known l.model l.declared in
+  let uncertain = known () in
+  Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly checks
+  |> Result.map_error (fun fault -> [ not_well_formed l fault ])
+
+let smt (l : Loaded.t) verdicts where =
+  Scc_where.Smt.script l.model.ranges
+    (List.map2 (fun (o : Verdict.outcome) w -> (o.check.name, w)) verdicts where)
+
 let check console budget (extras : Check_extras.t) overrides path =
   (* Coverage explores once more. *)
   let share = Option.map (fun s -> if extras.coverage then s /. 2. else s) budget.Budget.seconds in
   let watch = Check_options.watch { budget with seconds = share } in
   let measured = Measured.start () in
   let* l = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
-  let* l = Ordinary.refuse l in
+  let zones = Zone_check.is_for l.model ~declared:l.declared in
+  let* () = match Zone_check.refused l.model with _ :: _ as why when zones -> Error why | _ -> Ok () in
+  let where = extras.where || Option.is_some extras.smt in
+  let* () = if where then has_ranges l else Ok () in
   Console.report console (l.warnings @ Vacuity.impossible l);
   let* initial = Loaded.initial l in
   let options =
@@ -138,14 +175,18 @@ let check console budget (extras : Check_extras.t) overrides path =
     let compact = if extras.compact then Some states else None in
     { options with reductions = extras.reductions; order = extras.order; compact }
   in
-  let checks = l.checks @ l.premises in
+  (* What has to come true for a check to say anything is looked for at single starts alone. *)
+  let checks = if zones then l.checks else l.checks @ l.premises in
   let explore () =
-    let run () = Check.run options l.semantics ~initial checks in
+    let run () =
+      if zones then over_zones options l ~exactly:where checks
+      else Ok (Check.run options l.semantics ~initial checks)
+    in
     match (Watch.attempt watch).run Reporting run with
     | Ok report -> report
-    | Error stop -> Check.unexplored options checks stop
+    | Error stop -> Ok (Check.unexplored options checks stop)
   in
-  let report = Measured.phase measured "explore" explore in
+  let* report = Measured.phase measured "explore" explore in
   let covered =
     if extras.coverage then begin
       Option.iter (Watch.more watch) share;
@@ -168,10 +209,12 @@ let check console budget (extras : Check_extras.t) overrides path =
   in
   Option.iter (fun folder -> output (write_witnesses l path folder verdicts)) extras.witness;
   Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
+  Option.iter (fun path -> output (write_file path (smt l verdicts report.where))) extras.smt;
   let code = !code in
+  let shown = if extras.where then report.where else [] in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in
-  if Console.is_json console then print_json console ~full:extras.full l report verdicts extra code
-  else print_text console ~full:extras.full l report verdicts extra;
+  if Console.is_json console then print_json console ~full:extras.full ~where:shown l report verdicts extra code
+  else print_text console ~full:extras.full ~where:shown l report verdicts extra;
   Console.flush console;
   Ok code
 

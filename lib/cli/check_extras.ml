@@ -9,6 +9,8 @@ type t = {
   reductions : Reduction.kind list;
   order : State_graph.order;
   compact : bool;
+  where : bool;
+  smt : string option;
   full : bool;
 }
 
@@ -82,12 +84,26 @@ let compact =
   in
   Arg.(value & flag & info [ "hash-compact" ] ~doc)
 
+let where =
+  let doc =
+    "Of a model with parameters of which ranges are known ($(b,param x in [0, 6])): tells for each property for which \
+     values it holds, exactly, and with which probability, if they are independent and uniform in their ranges."
+  in
+  Arg.(value & flag & info [ "where" ] ~doc)
+
+let smt =
+  let doc =
+    "Like $(b,--where); writes it to $(docv), as a script of SMT-LIB 2.6 that defines for each property where it \
+     holds, where it fails, and where that is unknown."
+  in
+  Arg.(value & opt (some string) None & info [ "smt" ] ~docv:"FILE" ~doc)
+
 let term =
-  let make witness coverage stats sarif reductions order compact full =
-    { witness; coverage; stats; sarif; reductions; order; compact; full }
+  let make witness coverage stats sarif reductions order compact where smt full =
+    { witness; coverage; stats; sarif; reductions; order; compact; where; smt; full }
   in
   Term.(
-    const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact
+    const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt
     $ Options.full
       "Tells runs in full: every step and every body, and numbers with all their digits; in JSON all steps of the \
        way to a state that was not explored.")

@@ -8,6 +8,8 @@ type t = {
   reductions : Scc_space.Reduction.kind list;
   order : Scc_space.State_graph.order;
   compact : bool;  (** hash compaction *)
+  where : bool;  (** for which values of the parameters *)
+  smt : string option;  (** a file for that *)
   full : bool;  (** runs with all there is *)
 }
 

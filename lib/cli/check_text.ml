@@ -109,6 +109,7 @@ let ending ~full m w =
   if full then lines else List.map Scc_exchange.Short_text.within lines
 
 let witness ~full ~about c w =
+  let c = Witness.semantics c w in
   let m = Semantics.model c in
   Scc_base.Long_list.append (step_lines ~full m w) (ending ~full m w @ state_lines ~full ~about c w)
 
@@ -117,7 +118,7 @@ let way ~full m w = Scc_base.Long_list.append (step_lines ~most:12 ~full m w) (e
 
 let indented depth lines = Scc_base.Long_list.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
 
-let property console ~full c ({ check; verdict = v; _ } as o : Verdict.outcome) =
+let property console ~full ?where c ({ check; verdict = v; _ } as o : Verdict.outcome) =
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
   let witness = witness ~full ~about:(about check.formula) c in
@@ -140,7 +141,8 @@ let property console ~full c ({ check; verdict = v; _ } as o : Verdict.outcome) 
     | _ -> []
   in
   let show (what, lines) = Printf.sprintf "  %s\n" what :: indented 4 lines in
-  String.concat "" ((head :: none) @ List.concat_map show run)
+  let where = match where with None -> [] | Some w -> indented 2 (Scc_where.Words.lines w) in
+  String.concat "" ((head :: none) @ where @ List.concat_map show run)
 
 let zeno ~full c w =
   let lines = witness ~full ~about:(Only []) c w in

@@ -9,6 +9,7 @@ open Scc_session
 type t = {
   loaded : Loaded.t;
   verdicts : Verdict.outcome list;
+  where : Scc_where.Where.t list;
   report : Check.report;
   diagnostics : Diag.t list;
   exit : int;
@@ -95,7 +96,10 @@ let shortened steps =
     let kept = List.filteri (fun i _ -> i < most_steps || i >= most_steps + more) steps in
     (kept, [ ("omitted", `Assoc [ ("after", `Int most_steps); ("count", `Int more) ]) ])
 
-let witness ?(full = true) c (w : Witness.t) =
+let values list = `Assoc (List.map (fun (name, v) -> (name, Json.rat v)) list)
+
+let witness ?(full = true) given (w : Witness.t) =
+  let c = Witness.semantics given w in
   let m = Semantics.model c in
   let cycle, moved = cycle w in
   let steps, omitted = if full then (w.steps, []) else shortened w.steps in
@@ -113,7 +117,8 @@ let witness ?(full = true) c (w : Witness.t) =
         ("state", State_json.state m (Witness.there c w));
         ("facts", `List (List.map Json.text w.facts));
         ("argument", Json.option argument w.argument);
-      ])
+      ]
+      @ match w.fixed with None | Some { values = []; _ } -> [] | Some f -> [ ("values", values f.values) ])
 
 (* The way to where an exploration ended may be as long as the exploration, and decides nothing. *)
 let reason ~full c (r : Verdict.reason) =
@@ -148,7 +153,20 @@ let convergence : Verdict.convergence -> string * Json.t = function
   | Named s -> ("slowing", slowing s)
   | Proved q -> ("converges", `Assoc [ ("factor", Json.rat q.factor); ("until", Json.rat q.until) ])
 
-let property ?(full = false) c ({ check; verdict = v; scale; rests; converges } as o : Verdict.outcome) =
+let over ({ instants; ranges; example } : Verdict.over) =
+  let bound (b : Ranges.bound) = `Assoc [ ("value", Json.rat b.value); ("included", `Bool b.included) ] in
+  let range (r : Ranges.range) =
+    `Assoc [ ("parameter", Json.text r.name); ("low", bound r.low); ("high", bound r.high) ]
+  in
+  ( "over",
+    `Assoc
+      ([
+        ("instants", `Bool instants);
+        ("ranges", `List (List.map range (Array.to_list ranges)));
+      ]
+        @ match example with [] -> [] | _ :: _ -> [ ("example", values example) ]) )
+
+let property ?(full = false) ?where c ({ check; verdict = v; scale; rests; converges } as o : Verdict.outcome) =
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
@@ -167,7 +185,9 @@ let property ?(full = false) c ({ check; verdict = v; scale; rests; converges } 
     ]
       @ (match rests with [] -> [] | _ :: _ -> [ ("rests_on", `List (List.map rest rests)) ])
       @ List.map convergence (Option.to_list converges)
-      @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step))
+      @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step)
+      @ List.map over (Option.to_list scale.over)
+      @ List.map (fun w -> ("where", Where_json.where w)) (Option.to_list where))
 
 let dead_ends list = `List (List.map (fun (d : Diag.t) -> Json.text d.message) list)
 
@@ -204,6 +224,12 @@ let slice model (s : Check.slice) =
       ("explored", explored model s.explored);
     ]
 
+let properties r =
+  let one where o = property ~full:r.full ?where r.loaded.semantics o in
+  match r.where with
+  | [] -> List.map (one None) r.verdicts
+  | where -> List.map2 (fun w o -> one (Some w) o) where r.verdicts
+
 let document ~source r =
   let model = r.loaded.model in
   `Assoc
@@ -218,7 +244,7 @@ let document ~source r =
           | Some resolution -> [ ("resolution", Json.rat resolution) ]
           | None -> [])
       @ [
-        ("properties", `List (List.map (property ~full:r.full r.loaded.semantics) r.verdicts));
+        ("properties", `List (properties r));
         ("explored", explored model r.report.stats);
         ("slices", `List (List.map (slice model) r.report.slices));
         ("zeno", Json.option (witness r.loaded.semantics) r.report.zeno);

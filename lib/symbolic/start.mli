@@ -13,5 +13,8 @@ and reason =
   | Interpenetrate of int * int  (** two leaves *)
   | Bond_apart of State.bond  (** its features do not touch *)
 
+val known : Model.t -> State.t -> Uncertain.t
+(** Of a declared state of which everything is known. *)
+
 val zones : Instant.context -> Uncertain.t -> initial:State.t -> keeps_time:bool -> (Zone.t list, fault) result
 (** [initial] is the initial state for one of the values. *)

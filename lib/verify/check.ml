@@ -44,6 +44,7 @@ type report = {
   slices : slice list;
   zeno : Witness.t option;
   stores : (string * int) list;
+  where : Scc_where.Where.t list;
   numbers : unit -> (string * int) list;
 }
 
@@ -235,6 +236,7 @@ let merge parts ~events_elsewhere =
       slices;
       zeno = List.find_map (fun (r : Joint_check.result) -> r.zeno) results;
       stores;
+      where = [];
       numbers =
         (fun () ->
            List.fold_left (fun n (r : Joint_check.result) -> most n (r.numbers ())) (first.numbers ()) rest);
@@ -282,5 +284,6 @@ let unexplored options (checks : Property.check list) stop =
     slices = [];
     zeno = None;
     stores = [];
+    where = [];
     numbers = (fun () -> []);
   }

@@ -53,6 +53,8 @@ type report = {
   zeno : Witness.t option;
   (** a reachable cycle in which no time passes, or a run that met the [instant] guard *)
   stores : (string * int) list;  (** what the explored graphs take, by name, in bytes *)
+  where : Scc_where.Where.t list;
+  (** of an exploration over zones: for which values of the parameters each property holds, as far as was asked *)
   numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
 }
 

@@ -104,6 +104,9 @@ val reason_to_string : reason -> string
 val scale_to_string : scale -> string
 (** [", at resolution 1/1024, at split step 1"], or nothing. *)
 
+val values_to_string : (string * Rat.t) list -> string
+(** ["x = 3, y = 1/2"]. *)
+
 val rest_to_string : rest -> string
 (** [" by a run that goes round within one instant"], [", of runs some of which end in a dead end"]. *)
 

@@ -259,7 +259,8 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
         slices = [];
         zeno = None;
         stores = [];
+        where = List.map (fun (_, _, w) -> w) sorted;
         numbers = (fun () -> []);
       }
     in
-    Ok (report, List.map (fun (_, _, w) -> w) sorted)
+    Ok report

@@ -5,7 +5,6 @@ open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_symbolic
-open Scc_where
 
 val is_for : Model.t -> declared:State.t -> bool
 (** The model has parameters of which a range is known, or bonds that may be released at any time. *)
@@ -21,6 +20,7 @@ type fault = {
 
 val run :
   Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool -> Property.check list ->
-  (Check.report * Where.t list, fault) result
-(** A verdict for each check, over all values, and for which of them it holds: of this everything only with [exactly],
-    else as much as the verdict takes. The error: for these values the declared state is not well-formed. *)
+  (Check.report, fault) result
+(** A verdict for each check, over all values, and for which of them it holds ({!Check.report.where}): all that can be
+    known of that with [exactly], else as much as the verdict takes. The error: for these values the declared state is
+    not well-formed. *)
