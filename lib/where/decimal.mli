@@ -12,3 +12,6 @@ val significant : digits:int -> Rat.t -> string
 val exact : Rat.t -> string option
 (** All digits, of a number that has finitely many and needs no more than twelve places: [Some "0.125"], [None] for
     1/3. *)
+
+val order_of_magnitude : Rat.t -> int
+(** The greatest n with 10{^n} <= x, for x > 0. *)

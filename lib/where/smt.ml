@@ -5,8 +5,8 @@ open Scc_calculus
    these names, not even in quotes. *)
 let functions =
   [
-    "abs"; "and"; "distinct"; "div"; "divisible"; "false"; "implies"; "is_int"; "ite"; "mod"; "not"; "or"; "select";
-    "store"; "to_int"; "to_real"; "true"; "xor";
+    "abs"; "and"; "distinct"; "div"; "divisible"; "false"; "implies"; "is_int"; "ite"; "mod"; "not"; "or";
+    "select"; "store"; "to_int"; "to_real"; "true"; "xor";
   ]
 
 let parameter ranges i =

@@ -15,7 +15,8 @@ val piece : Ranges.t -> Polyhedron.t -> string
     together: ["x = y, -2 < z < 2"]; ["everywhere"] if it is all of the box. What the ranges say is left out. *)
 
 val without_extent : int -> string
-(** What a piece of a smaller dimension lacks among so many parameters: ["no length"], ["no area"], ["no volume"]. *)
+(** What a piece of a smaller dimension lacks among so many parameters: ["no length"], ["no area"],
+    ["no volume"]. *)
 
 val lines : Where.t -> string list
 (** Of a report, in lines to be indented by whoever prints them:

@@ -123,6 +123,7 @@ let decimals () =
   significant "smaller" "1e-300" tiny;
   significant "small digits" "1.235e-7" (q 12345 100000000000);
   significant "rounded to a power" "1" (q 99999 100000);
+  significant "small, rounded to a power" "1e-6" (q 99999 100000000000);
   significant "great" "123500" (q 123456 1);
   significant "greater" "1.235e11" (q 123456789012 1);
   significant "nothing" "0" Rat.zero;

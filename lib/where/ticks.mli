@@ -1,0 +1,10 @@
+(** The marks of an axis. *)
+
+open Scc_exact
+open Scc_calculus
+
+type mark = { at : Rat.t; label : string; exact : string  (** the number *) }
+
+val marks : Ranges.range -> mark list
+(** Multiples of 1, 2 or 5 times a power of 10, four to eight or so, with short decimals; where those are not
+    short, the two ends, as ["low"] and ["high"]. *)
