@@ -26,6 +26,8 @@ let no_effect = "SC0213"
 let coarse_resolution = "SC0214"
 let unstated_dynamics = "SC0215"
 let import_cycle = "SC0216"
+let bad_range = "SC0217"
+let not_linear = "SC0218"
 let no_solid = "SC0301"
 let open_solid = "SC0302"
 let overused_edge = "SC0303"
@@ -67,6 +69,8 @@ let schedule_mismatch = "SC0802"
 let bad_graph = "SC0803"
 let bad_trace = "SC0804"
 let not_yet = "SC0901"
+let any_time = "SC0902"
+let not_known = "SC0903"
 
 let all =
   [
@@ -96,6 +100,8 @@ let all =
     (coarse_resolution, "a resolution that is coarse for the bodies");
     (unstated_dynamics, "a spin in a model that does not say its dynamics");
     (import_cycle, "an import that leads back to itself");
+    (bad_range, "a range without numbers, or a value or range beyond the declared one");
+    (not_linear, "a parameter with a range where its value must be known");
     (no_solid, "a set of faces that encloses no solid (E0)");
     (open_solid, "an edge that belongs to one face only (E2)");
     (overused_edge, "a directed edge that occurs in two faces (E1)");
@@ -137,4 +143,6 @@ let all =
     (bad_graph, "a graph (.aut) that does not fit its format");
     (bad_trace, "a recorded trace that does not fit its format or the model");
     (not_yet, "a feature of the language that this version does not execute");
+    (any_time, "weak splits at any time, where a grid of instants is looked at");
+    (not_known, "parameters with ranges, where their values are needed");
   ]

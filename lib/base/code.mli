@@ -83,8 +83,16 @@ val coarse_resolution : t
 (** SC0214: a resolution that is coarse for the bodies (a warning). *)
 
 val unstated_dynamics : t
-val import_cycle : t
 (** SC0215: a spin in a model that does not say its dynamics (a warning). *)
+
+val import_cycle : t
+(** SC0216: an import that leads back to itself. *)
+
+val bad_range : t
+(** SC0217: a range without numbers, or a value or range beyond the declared one. *)
+
+val not_linear : t
+(** SC0218: a parameter with a range where its value must be known. *)
 
 (** {1 Templates (Definitions 4.1 to 4.4)} *)
 
@@ -225,4 +233,10 @@ val bad_trace : t
 
 val not_yet : t
 (** SC0901: a feature of the language that this version does not execute. *)
+
+val any_time : t
+(** SC0902: weak splits at any time, where a grid of instants is looked at. *)
+
+val not_known : t
+(** SC0903: parameters with ranges, where their values are needed. *)
 

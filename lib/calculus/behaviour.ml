@@ -130,13 +130,14 @@ let equal_aged a b = compare_aged a b = 0
 let hash_aged a = (hash a.term * 31) + match a.origin with None -> 0 | Some k -> k + 1
 
 (* The names exposed in a body: those that it may unfold without anything happening. *)
-let rec exposed found = function
+let rec exposed ~may_be_zero found = function
+  | Wait (t, b) when may_be_zero t -> exposed ~may_be_zero found b
   | Nil | Open _ | Weak _ | Strong _ | Delay _ | Wait _ -> found
-  | Sum (a, b) -> exposed (exposed found a) b
+  | Sum (a, b) -> exposed ~may_be_zero (exposed ~may_be_zero found a) b
   | Call k -> k :: found
 
-let unguarded defs =
-  let next = Array.map (fun d -> exposed [] d.body) defs in
+let unguarded ~may_be_zero defs =
+  let next = Array.map (fun d -> exposed ~may_be_zero [] d.body) defs in
   let reaches_itself start =
     let seen = Hashtbl.create 8 in
     let rec search = function

@@ -35,3 +35,30 @@ let range_to_string { name; low; high } =
     (if high.included then "]" else ")")
 
 let to_string ranges = String.concat ", " (List.map range_to_string (Array.to_list ranges))
+
+let constant n = Linear.constant n Rat.zero
+
+(* Those that a form depends on, and the form over them alone: a hundred others do not matter. *)
+let concerned ranges (form : Linear.t) =
+  let on = List.filter (fun i -> Rat.sign form.coefficients.(i) <> 0) (List.init (Array.length ranges) Fun.id) in
+  let coefficients = List.mapi (fun k i -> (k, form.coefficients.(i))) on in
+  let few = Array.of_list (List.map (fun i -> ranges.(i)) on) in
+  (few, Linear.of_terms (Array.length few) ~constant:form.constant coefficients)
+
+let negative ranges form =
+  let few, form = concerned ranges form in
+  let named point = Array.to_list (Array.mapi (fun k (r : range) -> (r.name, point.(k))) few) in
+  Polyhedron.interior_point (Polyhedron.add (box few) (Constraint.less form (constant (Array.length few))))
+  |> Option.map named
+
+let may_be_zero ranges form =
+  let few, form = concerned ranges form in
+  not (Polyhedron.is_empty (Polyhedron.add (box few) (Constraint.equals form (constant (Array.length few)))))
+
+let point ranges =
+  let simplest r =
+    match Polyhedron.interior_point (box [| r |]) with
+    | Some p -> p.(0)
+    | None -> Scc_base.Bug.fail __POS__ "a range without numbers"
+  in
+  Array.map simplest ranges

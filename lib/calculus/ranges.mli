@@ -22,6 +22,15 @@ val mem : range -> Rat.t -> bool
 val box : t -> Polyhedron.t
 (** All values that the parameters may have. *)
 
+val point : t -> Rat.t array
+(** Simple numbers within them, and not at their ends. *)
+
+val negative : t -> Linear.t -> (string * Rat.t) list option
+(** Values of the parameters that the form depends on at which it is negative, by name, if there are any. *)
+
+val may_be_zero : t -> Linear.t -> bool
+(** Whether the form is zero for some values. *)
+
 val range_to_string : range -> string
 (** ["x in (0, 6]"]. *)
 

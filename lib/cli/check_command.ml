@@ -148,8 +148,9 @@ let not_well_formed (l : Loaded.t) ({ at; reason } : Zone_check.fault) =
       values
 
 let over_zones options (l : Loaded.t) ~exactly checks =
-  let known () = Scc_symbolic.Start.known l.model l.declared in
-  let uncertain = known () in
+  let uncertain =
+    match l.uncertain with Some uncertain -> uncertain | None -> Scc_symbolic.Start.known l.model l.declared
+  in
   Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly checks
   |> Result.map_error (fun fault -> [ not_well_formed l fault ])
 
@@ -157,12 +158,13 @@ let smt (l : Loaded.t) verdicts where =
   Scc_where.Smt.script l.model.ranges
     (List.map2 (fun (o : Verdict.outcome) w -> (o.check.name, w)) verdicts where)
 
-let check console budget (extras : Check_extras.t) overrides path =
+let check console budget (extras : Check_extras.t) (given : Options.definitions) path =
   (* Coverage explores once more. *)
   let share = Option.map (fun s -> if extras.coverage then s /. 2. else s) budget.Budget.seconds in
   let watch = Check_options.watch { budget with seconds = share } in
   let measured = Measured.start () in
-  let* l = Measured.phase measured "read" (fun () -> Input.model console ~overrides path) in
+  let* l = Measured.phase measured "read" (fun () ->
+        Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
   let zones = Zone_check.is_for l.model ~declared:l.declared in
   let* () = match Zone_check.refused l.model with _ :: _ as why when zones -> Error why | _ -> Ok () in
   let where = extras.where || Option.is_some extras.smt in
@@ -222,13 +224,13 @@ let check console budget (extras : Check_extras.t) overrides path =
 let unfit (extras : Check_extras.t) =
   Option.is_some extras.witness && not (List.exists (Reduction.equal Jump) extras.reductions)
 
-let run color json budget (extras : Check_extras.t) overrides path =
+let run color json budget (extras : Check_extras.t) given path =
   let console = Console.make ~color ~json in
   if unfit extras then
     Guard.usage "--witness does not go with --no-reduce jump: schedules are replayed with jumps"
   else
     Guard.run console (fun () ->
-        match check console budget extras overrides path with
+        match check console budget extras given path with
         | Ok code -> Ok code
         | Error diagnostics ->
           let code = Guard.invalid console diagnostics in
@@ -302,5 +304,5 @@ let command =
   Cmd.v
     (Cmd.info "check" ~doc:"explore a model and verify its properties" ~man ~exits:(Exits.man ()))
     Term.(
-      const run $ Options.color $ Options.json $ Check_options.budget $ Check_extras.term $ Options.overrides
+      const run $ Options.color $ Options.json $ Check_options.budget $ Check_extras.term $ Options.definitions
       $ Options.model_file)

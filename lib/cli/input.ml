@@ -62,19 +62,20 @@ let mesh_reader console model name =
 (* Two values for one parameter: neither can be meant. *)
 let rec check_overrides = function
   | [] -> Ok ()
-  | (name, _) :: rest ->
-    if List.exists (fun (other, _) -> String.equal name other) rest then
+  | name :: rest ->
+    if List.exists (String.equal name) rest then
       let at = Span.command_line in
       Error [ Diag.error Code.repeated_attribute at "the parameter `%s` is given two values by -D" name ]
     else check_overrides rest
 
 (* The model knows the value alone, and not where it comes from. *)
 let placed given (d : Diag.t) =
-  if Span.is_none d.span && String.equal d.code (Code.unknown_parameter :> string) then { d with span = given }
+  let of_parameters = [ (Code.unknown_parameter :> string); (Code.bad_range :> string) ] in
+  if Span.is_none d.span && List.mem d.code of_parameters then { d with span = given }
   else d
 
-let model ?(given = Span.command_line) console ~overrides path =
-  let* () = check_overrides overrides in
+let model ?(given = Span.command_line) ?(narrowed = []) console ~overrides path =
+  let* () = check_overrides (List.map fst overrides @ List.map fst narrowed) in
   let* source = text console path in
   Result.map_error (List.map (placed given))
-    (Scc_session.Loaded.load ~read_file:(mesh_reader console path) ~overrides source)
+    (Scc_session.Loaded.load ~read_file:(mesh_reader console path) ~overrides ~narrowed source)

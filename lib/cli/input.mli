@@ -18,6 +18,7 @@ val text : Console.t -> string -> (Source.t, Diag.t list) result
 
 val model :
   ?given:Span.t ->
+  ?narrowed:(string * (Scc_calculus.Ranges.bound * Scc_calculus.Ranges.bound)) list ->
   Console.t ->
   overrides:(string * Rat.t) list ->
   string ->

@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_calculus
 open Cmdliner
 
 let rational =
@@ -33,23 +34,80 @@ let model_file =
   let doc = "The model, a $(b,.sc) file; $(b,-) reads it from standard input." in
   Arg.(required & pos 0 (some string) None & info [] ~docv:"MODEL" ~doc)
 
-let override =
+(* What is given for a name, as [value] reads and prints it. *)
+let for_name ~docv value print =
   let parse s =
     match String.index_opt s '=' with
-    | Some i when i > 0 -> (
-        let name = String.sub s 0 i in
-        let value = String.sub s (i + 1) (String.length s - i - 1) in
-        match Arg.conv_parser rational value with
-        | Ok q -> Ok (name, q)
-        | Error _ as e -> e)
+    | Some i when i > 0 ->
+      let name = String.sub s 0 i in
+      Result.map (fun v -> (name, v)) (value (String.sub s (i + 1) (String.length s - i - 1)))
     | _ -> Error (`Msg (Printf.sprintf "`%s' is not of the form name=value" s))
   in
-  let print ppf (name, q) = Format.fprintf ppf "%s=%s" name (Rat.to_string q) in
-  Arg.conv ~docv:"NAME=VALUE" (parse, print)
+  Arg.conv ~docv (parse, fun ppf (name, v) -> Format.fprintf ppf "%s=%s" name (print v))
+
+let override = for_name ~docv:"NAME=VALUE" (Arg.conv_parser rational) Rat.to_string
 
 let overrides =
   let doc = "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational. Repeatable." in
   Arg.(value & opt_all override [] & info [ "D"; "define" ] ~docv:"NAME=VALUE" ~doc)
+
+(* {1 Ranges} *)
+
+type given = Value of Rat.t | Within of Ranges.bound * Ranges.bound
+
+let between open_ low high close =
+  match (Arg.conv_parser rational (String.trim low), Arg.conv_parser rational (String.trim high)) with
+  | Ok low, Ok high ->
+    let bound value included = { Ranges.value; included } in
+    Ok (Within (bound low (open_ = '['), bound high (close = ']')))
+  | (Error _ as e), _ | _, (Error _ as e) -> e
+
+(* The text before and after the first place of [by], which is a text of one or two bytes. *)
+let cut s by =
+  let k = String.length by in
+  let rec from i =
+    if i + k > String.length s then None
+    else if String.equal (String.sub s i k) by then
+      Some (String.sub s 0 i, String.sub s (i + k) (String.length s - i - k))
+    else from (i + 1)
+  in
+  from 0
+
+let parse_given s =
+  let n = String.length s in
+  let bracketed = n > 2 && (s.[0] = '[' || s.[0] = '(') && (s.[n - 1] = ']' || s.[n - 1] = ')') in
+  if bracketed then
+    match cut (String.sub s 1 (n - 2)) "," with
+    | Some (low, high) -> between s.[0] low high s.[n - 1]
+    | None -> Error (`Msg (Printf.sprintf "`%s' is no range such as [1, 3) or 1..3" s))
+  else
+    match cut s ".." with
+    | Some (low, high) -> between '[' low high ']'
+    | None -> Result.map (fun q -> Value q) (Arg.conv_parser rational s)
+
+let given_to_string = function
+  | Value q -> Rat.to_string q
+  | Within (low, high) ->
+    Printf.sprintf "%s%s,%s%s"
+      (if low.included then "[" else "(")
+      (Rat.to_string low.value) (Rat.to_string high.value)
+      (if high.included then "]" else ")")
+
+type definitions = {
+  values : (string * Rat.t) list;
+  narrowed : (string * (Ranges.bound * Ranges.bound)) list;
+}
+
+let definitions =
+  let doc =
+    "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational; or narrows the range of one that has \
+     a range: to $(b,1..3), with both ends, or to $(b,[1,3\\)), where brackets say which ends belong to it. Repeatable."
+  in
+  let given = for_name ~docv:"NAME=VALUE" parse_given given_to_string in
+  let values = List.filter_map (function name, Value q -> Some (name, q) | _, Within _ -> None) in
+  let narrowed = List.filter_map (function name, Within (a, b) -> Some (name, (a, b)) | _, Value _ -> None) in
+  let split given = { values = values given; narrowed = narrowed given } in
+  Term.(const split $ Arg.(value & opt_all given [] & info [ "D"; "define" ] ~docv:"NAME=VALUE" ~doc))
 
 let sdocs = Manpage.s_common_options
 

@@ -18,6 +18,15 @@ val model_file : string Term.t
 val override : (string * Rat.t) Arg.conv
 (** [name=value]. *)
 
+(** Values and ranges for parameters. *)
+type definitions = {
+  values : (string * Rat.t) list;
+  narrowed : (string * (Scc_calculus.Ranges.bound * Scc_calculus.Ranges.bound)) list;
+}
+
+val definitions : definitions Term.t
+(** [-D NAME=VALUE], [-D NAME=1..3], [-D NAME=\[1,3)]: for commands that take models with ranges. *)
+
 val overrides : (string * Rat.t) list Term.t
 val color : Console.color Term.t
 val json : bool Term.t

@@ -27,6 +27,13 @@ module type S = sig
   val div : num -> num -> num
   (** The divisor is not the constant zero. *)
 
+  val admits : context -> Span.t -> Ast.binary -> num -> num -> bool
+  (** Whether there is a term for this operation on numbers that are not both constants; false when it was
+      reported. *)
+
+  val affine : context -> Span.t -> Form.t -> num option
+  (** What depends on parameters of which ranges are known; [None] when it was reported. *)
+
   val bool : bool -> cond
   val truth : cond -> bool option
   val compare : Law.comparison -> num -> num -> cond
@@ -39,9 +46,9 @@ module type S = sig
 
   val choose_cond : cond -> cond -> cond -> cond
 
-  val nearest : num -> num option
+  val nearest : context -> Span.t -> string -> num -> num option
   (** The integer nearest to a number that is no constant, the one farther from zero if there are two; [None]
-      where there is no term for it. *)
+      where there is no term for it, which is reported: the string names the function that asks. *)
 
   val variable : context -> Env.t -> Ast.path -> (num, cond) value option
   (** A name that the scope does not bind; [None] when it was reported. *)

@@ -18,7 +18,8 @@ let placed (l : Bodies.leaf) body =
   Array.to_list (Array.map place l.parts)
 
 let check_overlaps (c : Context.t) bodies composition =
-  let leaves = Array.of_list (included bodies composition) in
+  let stands (l : Bodies.leaf) = Option.is_some (Form.fixed l.place) in
+  let leaves = Array.of_list (List.filter stands (included bodies composition)) in
   let parts = Long_list.mapi (fun body l -> placed l body) (Array.to_list leaves) in
   let parts = Array.of_list (Long_list.concat parts) in
   let report (i, j) =
@@ -56,6 +57,19 @@ let leaves bodies (composition : Composition.t) =
     }
   in
   Array.of_list (Long_list.map leaf (numbered bodies composition))
+
+let uncertain bodies composition ranges : Uncertain.t option =
+  let n = Array.length ranges in
+  let forms (x, y, z) = (Form.linear n x, Form.linear n y, Form.linear n z) in
+  let members = List.map snd (numbered bodies composition) in
+  let offset (p : Model.part) = forms (Form.place p.offset) in
+  if n = 0 then None
+  else
+    Some
+      {
+        places = Array.of_list (Long_list.map (fun (l : Bodies.leaf) -> forms l.place) members);
+        offsets = Array.of_list (Long_list.map (fun (l : Bodies.leaf) -> Array.map offset l.parts) members);
+      }
 
 let bond (composition : Composition.t) (j : Joints.t) =
   let finish (i, site) = { State.at = composition.index.(i); site } in

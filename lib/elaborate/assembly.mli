@@ -4,7 +4,10 @@ open Scc_base
 open Scc_calculus
 
 val check_overlaps : Context.t -> Bodies.t -> Composition.t -> unit
-(** No two parts of the network interpenetrate (SC0403). *)
+(** No two parts of the network interpenetrate (SC0403): of bodies whose places depend on no range. *)
+
+val uncertain : Bodies.t -> Composition.t -> Ranges.t -> Uncertain.t option
+(** What depends on the ranges; [None] where there are none. *)
 
 val leaves : Bodies.t -> Composition.t -> Model.leaf array
 (** No body of the network has faults (a bug otherwise). *)

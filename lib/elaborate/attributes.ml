@@ -7,11 +7,11 @@ type t = {
   velocity : (Vec.t * Span.t) option;
   spin : (Vec.t * Span.t) option;
   absorb : Span.t option;
-  at : Affine.t;
+  at : Placement.t;
   complete : bool;
 }
 
-let none = { mass = None; velocity = None; spin = None; at = Affine.identity; absorb = None; complete = true }
+let none = { mass = None; velocity = None; spin = None; at = Placement.identity; absorb = None; complete = true }
 
 let kind (a : Ast.attribute) =
   match a.it with
@@ -33,19 +33,21 @@ let once report attributes =
   in
   List.rev (List.fold_left keep [] attributes)
 
+let motion = "the times at which bodies meet would not be linear in it"
+
 let add report env t (a : Ast.attribute) =
   let incomplete = { t with complete = false } in
   match a.it with
   | Mass e -> (
-      match Constant.positive report env "mass" e with
+      match Constant.positive ~why:"impulses would not be linear in it" report env "mass" e with
       | Some m -> { t with mass = Some (m, a.at) }
       | None -> { incomplete with mass = Some (Rat.one, a.at) })
   | Velocity v -> (
-      match Constant.vector report env v with
+      match Constant.vector ~why:motion report env v with
       | Some v -> { t with velocity = Some (v, a.at) }
       | None -> { incomplete with velocity = Some (Vec.zero, a.at) })
   | Spin v -> (
-      match Constant.vector report env v with
+      match Constant.vector ~why:motion report env v with
       | Some v -> { t with spin = Some (v, a.at) }
       | None -> { incomplete with spin = Some (Vec.zero, a.at) })
   | Absorb -> { t with absorb = Some a.at }

@@ -9,7 +9,7 @@ type t = {
   velocity : (Vec.t * Span.t) option;
   spin : (Vec.t * Span.t) option;
   absorb : Span.t option;  (** where it says so *)
-  at : Affine.t;  (** the identity when not given *)
+  at : Placement.t;  (** the identity when not given *)
   complete : bool;  (** whether all that was written could be read *)
 }
 

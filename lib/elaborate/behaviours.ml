@@ -174,20 +174,33 @@ let channels_of t scope at list =
     None
   | _ :: _ -> if List.for_all Option.is_some read then Some (List.filter_map Fun.id read) else None
 
+let linear t form = Form.linear (Array.length t.program.ranges) form
+
+let check_delay t (e : Ast.expr) form =
+  match Form.constant form with
+  | Some q when Rat.sign q < 0 ->
+    Report.error t.c.report Code.negative_delay e.at "a delay is not negative, and this is %s" (Rat.to_string q);
+    false
+  | Some _ -> true
+  | None -> (
+      match Ranges.negative t.program.ranges (linear t form) with
+      | None -> true
+      | Some values ->
+        let value (name, q) = Printf.sprintf "%s = %s" name (Rat.to_string q) in
+        Report.error t.c.report Code.negative_delay e.at "a delay is not negative, and this is for %s"
+          (String.concat ", " (List.map value values));
+        false)
+
 let delay t env (e : Ast.expr) =
-  match Constant.number t.c.report env e with
-  | Some q when Rat.sign q >= 0 -> Some q
-  | Some q ->
-    Report.error t.c.report Code.negative_delay e.at "a delay is not negative, and this is %s"
-      (Rat.to_string q);
-    None
-  | None -> None
+  Option.bind (Constant.form t.c.report env e) (fun form ->
+      if check_delay t e form then Some (linear t form) else None)
 
 (* An impulse, 0 where none is given. *)
 let push t env = function
   | None -> Some Rat.zero
   | Some (e : Ast.expr) -> (
-      match Constant.number t.c.report env e with
+      match Constant.number ~why:"velocities would depend on it, and times at which bodies meet not be linear" t.c.report env e
+      with
       | Some q when Rat.sign q < 0 ->
         Report.error t.c.report Code.bad_value e.at "a push is not negative, and this is %s" (Rat.to_string q)
           ~hint:"what is split can be pushed apart, and not pulled into each other";
@@ -216,7 +229,7 @@ let rec elaborate t scope (b : Ast.behaviour) =
     Some (Behaviour.strong ~push cs b)
   | Delay (e, rest) ->
     let* d, b = Typed.both (delay t scope.env e) (elaborate t scope rest) in
-    Some (Behaviour.delay d b)
+    Some (Behaviour.wait d b)
   | Sum (first, second) ->
     let* a, b = Typed.both (elaborate t scope first) (elaborate t scope second) in
     Some (Behaviour.sum a b)
@@ -351,7 +364,7 @@ let read_unused t =
 let check_guarded t entries definitions =
   List.iter
     (fun i -> unguarded_at t entries.(i).declared.name.at entries.(i).label)
-    (Behaviour.unguarded definitions)
+    (Behaviour.unguarded ~may_be_zero:(Ranges.may_be_zero t.program.ranges) definitions)
 
 let seal t =
   settle t;

@@ -11,6 +11,7 @@ type leaf = {
   mass : Rat.t;
   fixed : bool;
   absorbs : bool;
+  place : Form.place;
   position : Vec.t;
   velocity : Vec.t;
   spin : Vec.t;
@@ -137,7 +138,8 @@ let leaf (c : Context.t) (body : Program.body) ~process ~name (at : Span.t) (l :
         mass = Array.fold_left (fun sum (p : Model.part) -> Rat.add sum p.mass) Rat.zero parts;
         fixed = body.fixed;
         absorbs = Option.is_some a.absorb;
-        position = a.at.translation;
+        place = a.at.translation;
+        position = Form.at c.point a.at.translation;
         velocity;
         spin;
         behaviour = Option.map (fun b -> (body.env, b)) l.behaviour;

@@ -13,7 +13,8 @@ type leaf = {
   mass : Rat.t;
   fixed : bool;
   absorbs : bool;  (** as of {!Model.leaf} *)
-  position : Vec.t;
+  place : Form.place;  (** of its reference point *)
+  position : Vec.t;  (** the same at {!Context.point} *)
   velocity : Vec.t;  (** of its own centroid *)
   spin : Vec.t;
   behaviour : (Env.t * Ast.behaviour) option;

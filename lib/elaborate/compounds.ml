@@ -10,6 +10,15 @@ let ( let* ) = Option.bind
 (* A part with what was written about its motion. *)
 type draft = { part : Shape.part; motion : Attributes.t }
 
+let placement (c : Context.t) (p : Ast.part) (a : Attributes.t) =
+  let fixed = Placement.fixed a.at in
+  if Option.is_none fixed then begin
+    let x, y, z = a.at.translation in
+    Not_linear.report c.report p.part.at ~why:"the shape and the centre of mass of a compound must be known"
+      (Form.add x (Form.add y z))
+  end;
+  fixed
+
 let read_part (c : Context.t) env (p : Ast.part) =
   let basic = Templates.basic c env ~label:p.part.it p.part_solid in
   let a = Attributes.read c.report env p.part_attributes in
@@ -23,10 +32,11 @@ let read_part (c : Context.t) env (p : Ast.part) =
       ~hint:"every part of a compound needs `mass m` with m > 0";
   let* basic = basic in
   let* mass, _ = a.mass in
+  let* placement = placement c p a in
   if not a.complete then None
   else
-    let solid = c.solid basic a.at.linear in
-    let part = { Shape.name = p.part.it; basic; placement = a.at; solid; mass; span = p.part.at } in
+    let solid = c.solid basic placement.linear in
+    let part = { Shape.name = p.part.it; basic; placement; solid; mass; span = p.part.at } in
     Some { part; motion = a }
 
 let check_names (c : Context.t) (parts : Ast.part list) =

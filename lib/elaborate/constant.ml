@@ -20,29 +20,75 @@ let of_state =
     "vx"; "vy"; "vz"; "wx"; "wy"; "wz"; "x"; "y"; "z";
   ]
 
+type cond = Known of bool | Depends of Form.t
+
 module Algebra = struct
-  type context = { report : Report.t; budget : Typed.budget }
-  type num = Rat.t
-  type cond = bool
+  type context = { report : Report.t; budget : Typed.budget; why : string option }
+  type num = Form.t
+  type nonrec cond = cond
 
   let report c = c.report
   let budget c = c.budget
-  let const q = q
-  let constant q = Some q
-  let neg = Rat.neg
-  let add = Rat.add
-  let sub = Rat.sub
-  let mul = Rat.mul
-  let div = Rat.div
-  let bool b = b
-  let truth b = Some b
-  let compare = Law.compare_rationals
-  let negate = not
-  let conj = ( && )
-  let disj = ( || )
-  let choose _ _ c a b = Some (if c then a else b)
-  let choose_cond c a b = if c then a else b
-  let nearest q = Some (Rat.round_to q ~quantum:Rat.one)
+  let const = Form.const
+  let constant = Form.constant
+  let neg = Form.neg
+  let add = Form.add
+  let sub = Form.sub
+
+  (* One of them is a constant, as [admits] sees to. *)
+  let mul a b =
+    match (Form.constant a, Form.constant b) with
+    | Some k, _ -> Form.scale k b
+    | None, Some k -> Form.scale k a
+    | None, None -> Bug.fail __POS__ "a product that is not linear"
+
+  let div a b =
+    match Form.constant b with
+    | Some k -> Form.scale (Rat.div Rat.one k) a
+    | None -> Bug.fail __POS__ "a quotient that is not linear"
+
+  let not_linear c at why form =
+    Not_linear.report c.report ~needed:c.budget.spent_on at ~why form;
+    None
+
+  let admits c at (op : Ast.binary) a b =
+    let refuse why form =
+      Not_linear.report c.report at ~why form;
+      false
+    in
+    match (op, Form.constant a, Form.constant b) with
+    | Mul, None, None -> refuse "a product of two that are not known is not linear" (Form.add a b)
+    | Div, _, None -> refuse "a quotient by what is not known is not linear" b
+    | _ when Form.bits a + Form.bits b > Limits.number_bits ->
+      Report.error c.report Code.number_too_large at "these numbers are too large (more than %d bits)"
+        Limits.number_bits;
+      false
+    | _ -> true
+
+  let affine c at form = match c.why with None -> Some form | Some why -> not_linear c at why form
+  let bool b = Known b
+  let truth = function Known b -> Some b | Depends _ -> None
+
+  let compare comparison a b =
+    let d = Form.sub a b in
+    match Form.constant d with
+    | Some q -> Known (Law.compare_rationals comparison q Rat.zero)
+    | None -> Depends d
+
+  let negate = function Known b -> Known (not b) | Depends _ as c -> c
+  let either a b = match a with Depends _ -> a | Known _ -> b
+  let conj = either
+  let disj = either
+
+  let branches = "which of the two is meant depends on it, and the whole would not be linear"
+
+  let choose c at cond a b =
+    match cond with
+    | Known t -> Some (if t then a else b)
+    | Depends form -> not_linear c at branches form
+
+  let choose_cond c a b = either c (either a b)
+  let nearest c at what x = not_linear c at (Printf.sprintf "`%s` is not linear" what) x
   let comparison _ _ _ _ _ = None
 
   let variable c env (path : Ast.path) =
@@ -57,16 +103,20 @@ module Algebra = struct
 
   let round c eval env (e : Ast.expr) (x : Ast.expr) (quantum : Ast.expr) =
     match (eval env x, eval env quantum) with
-    | Some (Typed.Num x), Some (Typed.Num q) when Rat.sign q > 0 ->
-      if Rat.bits x + Rat.bits q > Limits.number_bits then begin
-        Report.error c.report Code.number_too_large e.at "this constant is too large";
-        None
-      end
-      else Some (Typed.Num (Rat.round_to x ~quantum:q))
-    | Some (Num _), Some (Num q) ->
-      Report.error c.report Code.bad_value quantum.at "`round` to multiples of %s, which is not positive"
-        (Rat.to_string q);
-      None
+    | Some (Typed.Num x), Some (Typed.Num q) -> (
+        match (Form.constant x, Form.constant q) with
+        | Some x, Some q when Rat.sign q > 0 ->
+          if Rat.bits x + Rat.bits q > Limits.number_bits then begin
+            Report.error c.report Code.number_too_large e.at "this constant is too large";
+            None
+          end
+          else Some (Typed.Num (const (Rat.round_to x ~quantum:q)))
+        | Some _, Some q ->
+          Report.error c.report Code.bad_value quantum.at "`round` to multiples of %s, which is not positive"
+            (Rat.to_string q);
+          None
+        | None, _ -> not_linear c e.at "`round` is not linear" x
+        | _, None -> not_linear c e.at "`round` is not linear" q)
     | Some (Cond _ | Vec _), Some _ | Some _, Some (Cond _ | Vec _) ->
       Report.error c.report Code.type_mismatch e.at "`round` takes two numbers";
       None
@@ -89,7 +139,7 @@ end
 
 module Eval = Typed.Make (Algebra)
 
-let context report = { Algebra.report; budget = Typed.budget () }
+let context ?why report = { Algebra.report; budget = Typed.budget (); why }
 
 let rec is_constant env (e : Ast.expr) =
   match e.it with
@@ -97,7 +147,8 @@ let rec is_constant env (e : Ast.expr) =
   | Path path -> (
       match Env.value env path.it with
       | Some ((Number _ | Truth _ | Vector _), []) | Some (Vector _, [ _ ]) -> true
-      | Some ((Number _ | Truth _ | Vector _ | Word _ | Macro _ | Leaf _ | Unknown), _) | None -> false)
+      | Some ((Number _ | Truth _ | Vector _ | Affine _ | Word _ | Macro _ | Leaf _ | Unknown), _) | None ->
+        false)
   | Apply (f, es) when String.equal f.it "round" || List.mem f.it Typed.functions ->
     List.for_all (is_constant env) es
   | Vector (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
@@ -120,38 +171,53 @@ let is_open env e =
         match Env.value env path.it with
         | Some (Unknown, _) -> true
         | Some (Macro (e, scope), _) -> Limits.exists_in (unknown scope) e
-        | Some ((Number _ | Truth _ | Vector _ | Word _ | Leaf _), _) | None -> false)
+        | Some ((Number _ | Truth _ | Vector _ | Affine _ | Word _ | Leaf _), _) | None -> false)
     | _ -> false
   in
   Limits.exists_in (unknown env) e
 
-let value report env e =
+let value report env (e : Ast.expr) =
+  let refuse why form =
+    Not_linear.report report e.at ~why form;
+    None
+  in
   match Eval.eval (context report) env e with
-  | Some (Num q) -> Some (Env.Number q)
-  | Some (Cond b) -> Some (Env.Truth b)
-  | Some (Vec (x, y, z)) -> Some (Env.Vector (Vec.make x y z))
+  | Some (Num form) -> (
+      match Form.constant form with Some q -> Some (Env.Number q) | None -> Some (Env.Affine form))
+  | Some (Cond (Known b)) -> Some (Env.Truth b)
+  | Some (Cond (Depends form)) -> refuse "whether this is so depends on it" form
+  | Some (Vec (x, y, z)) -> (
+      match Form.fixed (x, y, z) with
+      | Some v -> Some (Env.Vector v)
+      | None -> refuse "an argument that depends on it is a number" (Form.add x (Form.add y z)))
   | None -> None
 
-let truth report env e = Eval.cond (context report) env e
-let number report env e = Eval.num (context report) env e
+let known = "a constant is expected"
 
-let positive report env what (e : Ast.expr) =
-  match number report env e with
+let truth ?(why = known) report env e =
+  Option.bind (Eval.cond (context ~why report) env e) (function Known b -> Some b | Depends _ -> None)
+
+let number ?(why = known) report env e = Option.bind (Eval.num (context ~why report) env e) Form.constant
+let form report env e = Eval.num (context report) env e
+
+let positive ?why report env what (e : Ast.expr) =
+  match number ?why report env e with
   | Some q when Rat.sign q > 0 -> Some q
   | Some q ->
     Report.error report Code.bad_value e.at "the %s must be positive, and it is %s" what (Rat.to_string q);
     None
   | None -> None
 
-let integer report env what (e : Ast.expr) =
-  match number report env e with
+let integer ?why report env what (e : Ast.expr) =
+  match number ?why report env e with
   | Some q when Rat.is_integer q -> Some (Rat.floor q)
   | Some q ->
     Report.error report Code.bad_index e.at "%s must be an integer, and it is %s" what (Rat.to_string q);
     None
   | None -> None
 
-let vector report env e = Option.map (fun (x, y, z) -> Vec.make x y z) (Eval.vec (context report) env e)
+let vector ?(why = known) report env e = Option.bind (Eval.vec (context ~why report) env e) Form.fixed
+let place report env e = Eval.vec (context report) env e
 
 let check_determinant report at d =
   match Rat.sign d with
@@ -164,17 +230,21 @@ let check_determinant report at d =
       "this transformation is a reflection: it would turn the faces of a shape inside out";
     false
 
+let of_shapes = "the shapes of bodies must be known"
+
 let scaling report env at v =
-  match vector report env v with
+  match vector ~why:of_shapes report env v with
   | Some f when check_determinant report at (Rat.mul f.x (Rat.mul f.y f.z)) -> Some f
   | _ -> None
 
+let turns = "what is turned so would not move as it does"
+
 let rotation report env at (w, x, y, z) =
-  let number = number report env in
+  let number = number ~why:turns report env in
   match (number w, number x, number y, number z) with
   | Some w, Some x, Some y, Some z -> (
       match Mat.of_quaternion (w, x, y, z) with
-      | Some m -> Some (Affine.of_linear m)
+      | Some m -> Some (Placement.of_linear m)
       | None ->
         Report.error report Code.bad_transformation at "the zero quaternion is no rotation";
         None)
@@ -183,7 +253,7 @@ let rotation report env at (w, x, y, z) =
 (* The 3 x 4 part and the last row of a matrix by rows. *)
 let matrix report env at rows =
   let row (a, b, c, d) =
-    let number = number report env in
+    let number = number ~why:"a matrix must be known; `translate` may depend on it" report env in
     match (number a, number b, number c, number d) with
     | Some a, Some b, Some c, Some d -> Some (Vec.make a b c, d)
     | _ -> None
@@ -199,7 +269,7 @@ let matrix report env at rows =
     else
       let linear = Mat.make r0 r1 r2 in
       if check_determinant report at (Mat.det linear) then
-        Some { Affine.linear; translation = Vec.make t0 t1 t2 }
+        Some { Placement.linear; translation = Form.place (Vec.make t0 t1 t2) }
       else None
   | [ _; _; _; _ ] -> None
   | rows ->
@@ -208,25 +278,25 @@ let matrix report env at rows =
 
 let one_transform report env (t : Ast.transform) =
   match t.it with
-  | Translate v -> Option.map Affine.translate (vector report env v)
+  | Translate v -> Option.map Placement.translate (place report env v)
   | Rotate (w, x, y, z) -> rotation report env t.at (w, x, y, z)
-  | Scale v -> Option.map (fun f -> Affine.of_linear (Mat.diagonal f)) (scaling report env t.at v)
+  | Scale v -> Option.map (fun f -> Placement.of_linear (Mat.diagonal f)) (scaling report env t.at v)
   | Matrix rows -> matrix report env t.at rows
 
 let transform report env ts =
   let compose whole t =
     match (whole, one_transform report env t) with
-    | Some f, Some g -> Some (Affine.compose f g)
+    | Some f, Some g -> Some (Placement.compose f g)
     | _ -> None
   in
-  List.fold_left compose (Some Affine.identity) ts
+  List.fold_left compose (Some Placement.identity) ts
 
 let segment report env (s : Ast.segment) =
   match s.indices with
   | [] -> Some s.name.it
   | indices ->
     let add printed e =
-      match (printed, integer report env "an index" e) with
+      match (printed, integer ~why:"names must be known" report env "an index" e) with
       | Some printed, Some i -> Some (Z.to_string i :: printed)
       | _ -> None
     in

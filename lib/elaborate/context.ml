@@ -29,6 +29,7 @@ type t = {
   sources : (string, source) Hashtbl.t;
   mutable nesting : int;
   mutable root : Env.t;
+  mutable point : Rat.t array;
   obstacles : Obstacle_cache.t;
   fresh : unit -> int;
   solid : Shape.basic -> Mat.t -> Solid.t;
@@ -107,6 +108,7 @@ let create ~read_file =
     sources = Hashtbl.create 16;
     nesting = 0;
     root = Env.root (Env.scope ~prefix:"" ~file:"");
+    point = [||];
     obstacles = Obstacle_cache.create ();
     fresh;
     solid = solids ();

@@ -39,6 +39,7 @@ type t = {
   sources : (string, source) Hashtbl.t;  (** by keys; no compounds *)
   mutable nesting : int;  (** how many instances are being made, one within another *)
   mutable root : Env.t;  (** of the model: its imports, and no values *)
+  mutable point : Rat.t array;  (** where parameters of which ranges are known stand for the declared state *)
   obstacles : Obstacle_cache.t;
   fresh : unit -> int;  (** identities, from 0 *)
   solid : Shape.basic -> Mat.t -> Solid.t;  (** one for each template and linear map *)

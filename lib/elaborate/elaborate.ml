@@ -10,6 +10,7 @@ type t = {
   templates : (string * Polyhedron.t) list;
   model : Model.t;
   declared : State.t;
+  uncertain : Uncertain.t option;
   checks : Property.check list;
   premises : Property.check list;
   warnings : Diag.t list;
@@ -73,7 +74,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       definitions;
       timestep = program.timestep;
       splits = program.splits;
-      ranges = [||];
+      ranges = program.ranges;
       keeps_time;
       steered;
       steps = program.steps;
@@ -90,6 +91,7 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
     templates = templates c program;
     model;
     declared = Assembly.state bodies composition joints initial model;
+    uncertain = Assembly.uncertain bodies composition program.ranges;
     checks;
     premises;
     warnings = Report.warnings c.report;
@@ -101,7 +103,7 @@ let check_unused_lets formulas (program : Program.t) =
     (fun (_, _, (b : Env.binding)) ->
        match b.value with
        | Macro (e, env) when not b.used -> Formulas.check_let formulas env e
-       | Macro _ | Number _ | Truth _ | Vector _ | Word _ | Leaf _ | Unknown -> ())
+       | Macro _ | Number _ | Truth _ | Vector _ | Affine _ | Word _ | Leaf _ | Unknown -> ())
     (List.rev program.values)
 
 let read c (program : Program.t) =
@@ -131,10 +133,10 @@ let read c (program : Program.t) =
   if Report.failed c.report then None
   else Some (build c program bodies composition joints initial definitions checks premises)
 
-let elaborate ~read_file ~overrides syntax =
+let elaborate ~read_file ~overrides ?(narrowed = []) syntax =
   let c = Context.create ~read_file in
   Limits.check_depth c.report syntax;
-  let program = if Report.failed c.report then None else Program.read c ~overrides syntax in
+  let program = if Report.failed c.report then None else Program.read c ~overrides ~narrowed syntax in
   let result = Option.bind program (read c) in
   match result with
   | Some t -> Ok t

@@ -7,6 +7,7 @@ type value =
   | Number of Rat.t
   | Truth of bool
   | Vector of Vec.t
+  | Affine of Form.t
   | Word of string * t
   | Macro of Ast.expr * t
   | Leaf of int

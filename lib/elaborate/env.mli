@@ -12,6 +12,7 @@ type value =
   | Number of Rat.t
   | Truth of bool
   | Vector of Vec.t
+  | Affine of Form.t  (** what depends on parameters of which ranges are known: no constant *)
   | Word of string * t
   (** the argument of a family that is no value: the name of a channel, a feature or a behaviour, and where it was
       written *)

@@ -32,7 +32,7 @@ let check_distinct report formals =
   check formals
 
 let integers report env es =
-  all (List.map (Constant.integer report env "an index") es)
+  all (List.map (Constant.integer ~why:"names must be known" report env "an index") es)
   |> Option.map (fun zs -> String.concat "," (List.map Z.to_string zs))
 
 let check_chosen report env (name : Ast.name) =
@@ -65,6 +65,7 @@ let printed = function
   | Env.Number q -> Rat.to_string q
   | Truth b -> string_of_bool b
   | Vector v -> Vec.to_string v
+  | Affine form -> Form.to_string form
   | Word (w, env) -> if Env.declares env w then Option.value ~default:w (Env.global env None w) else w
   | Unknown -> "_"
   | Macro _ | Leaf _ -> Bug.fail __POS__ "no argument of a family"
@@ -82,11 +83,11 @@ let argument report env (e : Ast.expr) =
       match Env.find env name.it with
       | None -> Some (Env.Word (name.it, env))
       | Some ((Word _ | Unknown) as w) -> Some w
-      | Some (Number _ | Truth _ | Vector _ | Macro _ | Leaf _) -> of_expr report env e)
+      | Some (Number _ | Truth _ | Vector _ | Affine _ | Macro _ | Leaf _) -> of_expr report env e)
   | _ -> of_expr report env e
 
 let index report env e =
-  Option.map (fun z -> Env.Number (Rat.make z Z.one)) (Constant.integer report env "an index" e)
+  Option.map (fun z -> Env.Number (Rat.make z Z.one)) (Constant.integer ~why:"names must be known" report env "an index" e)
   |> known_or_open env e
 
 let base report env (r : Ast.reference) =

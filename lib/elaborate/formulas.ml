@@ -197,7 +197,17 @@ module Algebra = struct
     state_of t at c ~hint:"a number depends on what holds at its instant"
     |> Option.map (fun p -> Property.If (p, a, b))
   let choose_cond c a b = disj (conj c a) (conj (negate c) b)
-  let nearest _ = None
+
+  let nearest t at what _ =
+    error t Code.type_mismatch at "`%s` of what changes cannot stand in a property" what;
+    None
+
+  let admits _ _ _ _ _ = true
+
+  let affine t at form =
+    Not_linear.report t.c.report at ~why:"properties speak of what changes" form;
+    None
+
   let variable = Atoms.variable
   let comparison = Atoms.comparison
   let other = other

@@ -46,7 +46,13 @@ module Algebra = struct
   let disj a b = Law.Or (a, b)
   let choose _ _ c a b = Some (Law.If (c, a, b))
   let choose_cond c a b = Law.Or (And (c, a), And (Not c, b))
-  let nearest x = Some (Law.Round (x, Law.Const Rat.one))
+  let nearest _ _ _ x = Some (Law.Round (x, Law.Const Rat.one))
+  let admits _ _ _ _ _ = true
+
+  let affine c at form =
+    Not_linear.report c.report at ~why:"under a law that depends on it bodies would not move on straight lines" form;
+    None
+
   let comparison _ _ _ _ _ = None
 
   let variable c env (path : Ast.path) =

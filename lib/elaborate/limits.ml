@@ -106,6 +106,7 @@ let item_children (i : Ast.item) =
   | Model _ | Import _ | Dynamics _ | Collisions _ | Binding _ | Bonds _ -> []
   | Param (_, e) | Timestep (e, _) | Split_step e | Resolution e | Round (_, e) | Let (_, e)
   | Check (_, e) -> [ Expr e ]
+  | Param_in (_, low, high) -> [ Expr low.value; Expr high.value ]
   | Shape (h, s, ds) -> (Solid s :: head h) @ definitions ds
   | Compound (h, parts, glues, ds) ->
     Long_list.append (List.concat_map part parts) (List.concat_map glue glues) @ head h @ definitions ds

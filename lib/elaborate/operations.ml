@@ -86,7 +86,7 @@ module Make (A : Algebra.S) = struct
       error ctx Code.division_by_zero at "division by zero";
       None
     | _, Some p, Some q -> fold ctx at exact p q
-    | _ -> Some (general a b)
+    | _ -> if A.admits ctx at op a b then Some (general a b) else None
 
   let compare comparison a b =
     match (A.constant a, A.constant b) with
@@ -154,15 +154,11 @@ module Make (A : Algebra.S) = struct
     let nearest =
       match A.constant a with
       | Some q -> Some (A.const (Rat.round_to q ~quantum:Rat.one))
-      | None -> A.nearest a
+      | None -> A.nearest ctx at what a
     in
-    match nearest with
-    | None ->
-      error ctx Code.type_mismatch at "`%s` of what changes cannot stand in a property" what;
-      None
-    | Some n ->
-      let* beside = arithmetic ctx at step n one in
-      choose ctx at (compare beyond n a) beside n
+    let* n = nearest in
+    let* beside = arithmetic ctx at step n one in
+    choose ctx at (compare beyond n a) beside n
 
   let floor ctx at what a = integer ctx at what a Law.Gt Sub
   let ceil ctx at what a = integer ctx at what a Law.Lt Add

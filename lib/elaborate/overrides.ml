@@ -1,24 +1,46 @@
 open Scc_base
 open Scc_exact
+open Scc_calculus
+
+type given = Value of Rat.t | Within of Ranges.bound * Ranges.bound
 
 (* Of each parameter that is known all names, the global one first; the last parameter first. *)
-type t = { given : (string * Rat.t) list; mutable known : string list list }
+type t = { given : (string * given) list; mutable known : string list list }
 
-let create given = { given; known = [] }
+let create ~narrowed values =
+  let value (name, q) = (name, Value q) and within (name, (low, high)) = (name, Within (low, high)) in
+  { given = Long_list.append (Long_list.map value values) (Long_list.map within narrowed); known = [] }
 
-let value t report ~name ~also =
+let same_bound (a : Ranges.bound) (b : Ranges.bound) =
+  Rat.equal a.value b.value && Bool.equal a.included b.included
+
+let same a b =
+  match (a, b) with
+  | Value p, Value q -> Rat.equal p q
+  | Within (a, b), Within (c, d) -> same_bound a c && same_bound b d
+  | (Value _ | Within _), _ -> false
+
+let given t report ~name ~also =
   let names = name :: List.filter (fun n -> not (String.equal n name)) also in
   t.known <- names :: t.known;
   match List.filter (fun (n, _) -> List.exists (String.equal n) names) t.given with
   | [] -> None
-  | (first, q) :: others ->
-    let differs (_, q') = not (Rat.equal q q') in
-    (match List.find_opt differs others with
+  | (first, g) :: others ->
+    (match List.find_opt (fun (_, other) -> not (same g other)) others with
      | Some (second, _) ->
        Report.error report Code.unknown_parameter Span.none
          "`%s` and `%s` are one parameter, and have two values" first second
      | None -> ());
-    Some q
+    Some g
+
+let value t report ~name ~also =
+  match given t report ~name ~also with
+  | None -> None
+  | Some (Value q) -> Some q
+  | Some (Within _) ->
+    Report.error report Code.bad_range Span.none "`%s` is a number, and no range narrows it" name
+      ~hint:(Printf.sprintf "declare it with a range, as in `param %s in [0, 1]`" name);
+    None
 
 let listed names = String.concat " or " (List.map (Printf.sprintf "`%s`") names)
 

@@ -3,14 +3,22 @@
 
 open Scc_base
 open Scc_exact
+open Scc_calculus
 
 type t
 
-val create : (string * Rat.t) list -> t
+type given =
+  | Value of Rat.t
+  | Within of Ranges.bound * Ranges.bound  (** a range that the parameter is narrowed to *)
+
+val create : narrowed:(string * (Ranges.bound * Ranges.bound)) list -> (string * Rat.t) list -> t
+
+val given : t -> Report.t -> name:string -> also:string list -> given option
+(** For the parameter with this global name and these others, if there is something: it is known from here on. Two
+    different things under two names are reported (SC0209). *)
 
 val value : t -> Report.t -> name:string -> also:string list -> Rat.t option
-(** Of the parameter with this global name and these others, if there is one: it is known from here on. Two
-    different values under two names are reported (SC0209). *)
+(** Of a parameter that is a number: {!given}, and a range for it is reported (SC0217). *)
 
 val check : t -> Report.t -> Span.t -> unit
 (** When all parameters are known: reports values for parameters that there are not, and names of more than one

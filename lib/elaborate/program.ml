@@ -30,6 +30,7 @@ type t = {
   name : string option;
   overrides : Overrides.t;
   parameters : (string * Rat.t) list;
+  ranges : Ranges.t;
   shapes : string list;
   timestep : Rat.t;
   steps : Model.steps;
@@ -53,6 +54,7 @@ type gathered = {
   behaviour_table : (string, behaviour) Hashtbl.t;
   mutable model : Ast.name option;
   mutable params : (string * Rat.t) list;
+  mutable ranges : Ranges.range list;
   mutable templates : string list;
   mutable delta : (Rat.t option * Span.t) option;
   mutable steps : Model.steps;
@@ -73,6 +75,8 @@ type gathered = {
    and lets
    have. *)
 type place = { env : Env.t; loops : Z.t list; names : string list }
+
+let ( let* ) = Option.bind
 
 let at_top env = { env; loops = []; names = [] }
 
@@ -112,6 +116,31 @@ let param g place (name : Ast.name) e =
   let q = Option.value ~default:Rat.one value in
   g.params <- (global, q) :: g.params;
   bind g place "parameter" name (Env.Number q)
+
+let end_ g place (l : Ast.limit) =
+  Constant.number ~why:"the ends of a range must be known" g.c.report place.env l.value
+  |> Option.map (fun value -> { Ranges.value; included = l.included })
+
+(* What the parameter is: known after all, or in a range that has a number. *)
+let param_in g place (name : Ast.name) (low : Ast.limit) (high : Ast.limit) =
+  let global = Env.own place.env name.it in
+  once_named g.declared g.c.report { name with it = global } "value";
+  let also = Modules.called g.modules (Env.scope_of place.env) name.it in
+  let given = Overrides.given g.overrides g.c.report ~name:global ~also in
+  let at = Span.make ~file:name.at.file ~start:low.value.at.start ~stop:high.value.at.stop in
+  let range =
+    let* low, high = Typed.both (end_ g place low) (end_ g place high) in
+    Restricted.range g.c.report at { Ranges.name = global; low; high } given
+  in
+  match range with
+  | Some (Known q) ->
+    g.params <- (global, q) :: g.params;
+    bind g place "parameter" name (Env.Number q)
+  | Some (In range) ->
+    let index = List.length g.ranges in
+    g.ranges <- range :: g.ranges;
+    bind g place "parameter" name (Env.Affine (Form.variable { index; name = global }))
+  | None -> bind g place "parameter" name (Env.Number Rat.one)
 
 let let_ g place (name : Ast.name) e =
   if not (in_loop place) then
@@ -173,14 +202,16 @@ let body g place fixed name first rest span =
 let allowed_in_loop (item : Ast.item) =
   match item.it with
   | Process _ | Fixed _ | Bond _ | For _ | Motion _ | Let _ | Check _ | Behaviour _ -> true
-  | Model _ | Import _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Bonds _
+  | Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Bonds _
   | Resolution _ | Round _ | Shape _ | Compound _
   | Network _ -> false
 
+let declared = "what is declared must be known"
+
 let range g place (r : Ast.range) =
   match
-    ( Constant.integer g.c.report place.env "the bound of a loop" r.bounds.low,
-      Constant.integer g.c.report place.env "the bound of a loop" r.bounds.high )
+    ( Constant.integer ~why:declared g.c.report place.env "the bound of a loop" r.bounds.low,
+      Constant.integer ~why:declared g.c.report place.env "the bound of a loop" r.bounds.high )
   with
   | Some a, Some b -> Some (a, b)
   | _ -> None
@@ -207,6 +238,7 @@ let rec item g place (i : Ast.item) =
       ~hint:"only processes, fixed bodies, bonds, motions, lets, checks and behaviours can";
     place
   | Param (name, e) -> param g place name e
+  | Param_in (name, low, high) -> param_in g place name low high
   | Let (name, e) -> let_ g place name e
   | For (ranges, items) ->
     loop g place i.at ranges items;
@@ -252,7 +284,7 @@ and simple g place (i : Ast.item) =
   | Motion (target, law) ->
     g.all_motions <- { env = place.env; target; law; at = i.at } :: g.all_motions
   | Check (name, e) -> check g place name e
-  | Import _ | Param _ | Let _ | For _ -> Bug.fail __POS__ "a declaration that changes the scope"
+  | Import _ | Param _ | Param_in _ | Let _ | For _ -> Bug.fail __POS__ "a declaration that changes the scope"
 
 (* The ranges of one [for] nest, the first outermost. *)
 and loop g place at ranges items =
@@ -281,21 +313,22 @@ and iterate g place at (r : Ast.range) i high rest items =
     let admitted =
       match r.bounds.filter with
       | None -> Some true
-      | Some c -> Constant.truth g.c.report inner.env c
+      | Some c -> Constant.truth ~why:declared g.c.report inner.env c
     in
     if Option.value ~default:false admitted then loop g inner at rest items;
     if Option.is_some admitted then iterate g place at r (Z.succ i) high rest items
   end
 
-let gather c overrides =
+let gather c overrides narrowed =
   {
     c;
-    overrides = Overrides.create overrides;
+    overrides = Overrides.create ~narrowed overrides;
     declared = Hashtbl.create 16;
     check_names = Hashtbl.create 16;
     behaviour_table = Hashtbl.create 16;
     model = None;
     params = [];
+    ranges = [];
     templates = [];
     delta = None;
     steps = Shared;
@@ -319,6 +352,7 @@ let program g =
     name = Option.map (fun (n : Ast.name) -> n.it) g.model;
     overrides = g.overrides;
     parameters = List.rev g.params;
+    ranges = Array.of_list (List.rev g.ranges);
     shapes = List.rev g.templates;
     timestep;
     steps = g.steps;
@@ -339,11 +373,12 @@ let file_of (model : Ast.model) =
   | [] -> ""
   | i :: _ -> Filename.basename i.at.file
 
-let read c ~overrides model =
-  let g = gather c overrides in
+let read c ~overrides ~narrowed model =
+  let g = gather c overrides narrowed in
   c.root <- Env.root (Env.scope ~prefix:"" ~file:(file_of model));
   Modules.start g.modules (Env.scope_of c.root) model;
   ignore (List.fold_left (item g) (at_top c.root) model);
   Overrides.check g.overrides c.report Span.none;
   if List.length model = 0 then Report.error c.report Code.empty_model Span.none "the model declares nothing";
+  c.point <- Ranges.point (Array.of_list (List.rev g.ranges));
   if g.overflow then None else Some (program g)

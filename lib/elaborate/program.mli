@@ -40,7 +40,8 @@ type motion = { env : Env.t; target : Ast.path option; law : Ast.law; at : Span.
 type t = {
   name : string option;
   overrides : Overrides.t;
-  parameters : (string * Rat.t) list;
+  parameters : (string * Rat.t) list;  (** those that are known *)
+  ranges : Ranges.t;  (** of the others, in order *)
   shapes : string list;  (** names of shapes and compounds in order *)
   timestep : Rat.t;
   steps : Model.steps;
@@ -55,5 +56,10 @@ type t = {
   values : (string * string * Env.binding) list;  (** parameters and [let]s: what, name, binding *)
 }
 
-val read : Context.t -> overrides:(string * Rat.t) list -> Ast.model -> t option
+val read :
+  Context.t ->
+  overrides:(string * Rat.t) list ->
+  narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
+  Ast.model ->
+  t option
 (** [None] when the loops make more than {!Limits.items} declarations, which is reported. *)

@@ -205,9 +205,15 @@ let check_open report (r : Ast.reference) (reference : Family.reference) =
   | "box", arguments -> wrong report r arguments lengths
   | _, arguments -> wrong report r arguments (corners r)
 
+let affine (reference : Family.reference) =
+  List.find_map (function Env.Affine form -> Some form | _ -> None) reference.arguments
+
 let find report (r : Ast.reference) (reference : Family.reference) =
   match (r.qualifier, r.indices, r.arguments, r.target.it) with
   | Some _, _, _, _ | _, _ :: _, _, _ | _, _, [], _ -> None
+  | None, [], _ :: _, ("box" | "prism" | "antiprism" | "pyramid") when Option.is_some (affine reference) ->
+    Option.iter (Not_linear.report report r.target.at ~why:Constant.of_shapes) (affine reference);
+    Some None
   | None, [], _ :: _, ("box" | "prism" | "antiprism" | "pyramid") when Family.is_open reference ->
     Some (check_open report r reference)
   | None, [], _ :: _, "box" -> Some (made_box report r reference.arguments)

@@ -1,4 +1,5 @@
 open Scc_base
+open Scc_exact
 open Scc_calculus
 open Scc_property
 open Scc_semantics
@@ -10,16 +11,18 @@ type t = {
   semantics : Semantics.t;
   model : Model.t;
   declared : State.t;
+  uncertain : Uncertain.t option;
   checks : Property.check list;
   premises : Property.check list;
   warnings : Diag.t list;
+  again : (string * Rat.t) list -> (t, Diag.t list) result;
 }
 
 type reader = string -> (string, string) result
 
 let ( let* ) = Result.bind
 
-let of_tree ~read_file ~overrides source tree =
+let rec of_tree ~read_file ~overrides ?narrowed source tree =
   let files = ref [] in
   let read_file name =
     let result = read_file name in
@@ -27,16 +30,23 @@ let of_tree ~read_file ~overrides source tree =
     (match result with Ok text when not known -> files := (name, text) :: !files | Ok _ | Error _ -> ());
     result
   in
-  let* (e : Scc_elaborate.Elaborate.t) = Scc_elaborate.Elaborate.elaborate ~read_file ~overrides tree in
+  let* (e : Scc_elaborate.Elaborate.t) = Scc_elaborate.Elaborate.elaborate ~read_file ~overrides ?narrowed tree in
   let digest = Origin.digest ~text:(Source.text source) ~files:(List.rev !files) in
-  let { Scc_elaborate.Elaborate.model; declared; checks; premises; warnings; _ } = e in
+  let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; warnings; _ } = e in
   let settings = Scc_calculus.Parameters.listed model declared in
   let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
-  Ok { source; origin; semantics = Standard.of_model model; model; declared; checks; premises; warnings }
+  let again values = of_tree ~read_file ~overrides:(overrides @ values) ?narrowed source tree in
+  Ok
+    {
+      source; origin; semantics = Standard.of_model model; model; declared; uncertain; checks; premises; warnings;
+      again;
+    }
 
-let load ~read_file ~overrides source =
+let at l values = l.again values
+
+let load ~read_file ~overrides ?narrowed source =
   let* tree = (Front_end.of_source source).model source in
-  of_tree ~read_file ~overrides source tree
+  of_tree ~read_file ~overrides ?narrowed source tree
 
 let initial l =
   Result.map_error (fun f -> [ Transition.diagnostic l.model f ]) (Network.initial l.semantics l.declared)

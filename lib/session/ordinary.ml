@@ -6,7 +6,7 @@ let on_grid (l : Loaded.t) =
   | Any_time when Parameters.may_split l.model l.declared ->
     Error
       [
-        Diag.error Code.not_yet Span.none
+        Diag.error Code.any_time Span.none
           "bonds of this model may be released at any time (`split_step any`), and this looks at the instants of a \
            grid"
           ~hint:"`scc check` answers for all instants, and `scc trace` shows single runs; or give a `split_step`";
@@ -25,7 +25,7 @@ let at_point (l : Loaded.t) =
     let example = (List.hd ranges).name in
     Error
       [
-        Diag.error Code.not_yet Span.none "this needs the values of all parameters, and of %s%s a range is known"
+        Diag.error Code.not_known Span.none "this needs the values of all parameters, and of %s%s a range is known"
           (String.concat ", " names) more
           ~hint:(Printf.sprintf "`scc check` answers for all values; `-D %s=VALUE` gives one" example);
       ]

@@ -3,11 +3,11 @@
 open Scc_base
 
 val on_grid : Loaded.t -> (unit, Diag.t list) result
-(** SC0901 for a model whose bonds may be released at any time ({!Scc_calculus.Model.Any_time}), if a weak split is
+(** SC0902 for a model whose bonds may be released at any time ({!Scc_calculus.Model.Any_time}), if a weak split is
     written anywhere in it. *)
 
 val at_point : Loaded.t -> (unit, Diag.t list) result
-(** SC0901 for a model with parameters of which ranges are known. *)
+(** SC0903 for a model with parameters of which ranges are known. *)
 
 val refuse : Loaded.t -> (Loaded.t, Diag.t list) result
 (** The model, if it passes both. *)

@@ -150,6 +150,9 @@ type definitions = (name * expr) list
 
 type range = { index : name; bounds : bounds }
 
+(** An end of a range: [[0] or [(0]. *)
+type limit = { value : expr; included : bool }
+
 (** [import "x.sc"], [import <solids>]. *)
 type import = { from : string loc; library : bool; names : imported }
 
@@ -163,6 +166,7 @@ and item_kind =
   | Model of name
   | Import of import
   | Param of name * expr
+  | Param_in of name * limit * limit  (** [param x in [0, 6]] *)
   | Timestep of expr * pace
   | Split_step of expr
   | Dynamics of name

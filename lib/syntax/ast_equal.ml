@@ -145,11 +145,14 @@ let imported a b =
 let import (a : import) (b : import) =
   loc String.equal a.from b.from && Bool.equal a.library b.library && imported a.names b.names
 
+let limit (a : limit) (b : limit) = expr a.value b.value && Bool.equal a.included b.included
+
 let rec item a b =
   match (a.it, b.it) with
   | Model m, Model n -> name m n
   | Param (m, x), Param (n, y) | Let (m, x), Let (n, y) | Check (m, x), Check (n, y) ->
     name m n && expr x y
+  | Param_in (m, x, y), Param_in (n, u, v) -> name m n && limit x u && limit y v
   | Timestep (x, n), Timestep (y, k) -> expr x y && n = k
   | Split_step x, Split_step y | Resolution x, Resolution y -> expr x y
   | Dynamics m, Dynamics n | Collisions m, Collisions n | Binding m, Binding n | Bonds m, Bonds n -> name m n
@@ -166,7 +169,7 @@ let rec item a b =
   | For (rs, xs), For (ss, ys) -> list range rs ss && list item xs ys
   | Network ps, Network qs -> list path ps qs
   | Motion (p, l), Motion (q, m) -> option path p q && law l m
-  | ( ( Model _ | Import _ | Param _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ |
+  | ( ( Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ |
         Bonds _ | Resolution _
       | Round _ | Shape _
       | Compound _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _

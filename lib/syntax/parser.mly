@@ -200,6 +200,14 @@ kick:
 
 range: index = name IN bounds = bounds { { index; bounds } }
 
+lower:
+| LBRACKET value = expr { { value; included = true } }
+| LPAREN value = expr { { value; included = false } }
+
+upper:
+| value = expr RBRACKET { { value; included = true } }
+| value = expr RPAREN { { value; included = false } }
+
 chosen:
 | n = name { (n, None) }
 | n = name AS m = name { (n, Some m) }
@@ -229,6 +237,7 @@ item: i = item_kind { at $loc i }
 item_kind:
 | MODEL n = name { Model n }
 | PARAM n = name EQ e = expr { Param (n, e) }
+| PARAM n = name IN low = lower COMMA high = upper { Param_in (n, low, high) }
 | TIMESTEP e = expr p = pace { Timestep (e, p) }
 | SPLIT_STEP e = expr { Split_step e }
 | DYNAMICS d = NAME { Dynamics (at $loc(d) d) }

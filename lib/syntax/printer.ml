@@ -189,6 +189,11 @@ let rec item i =
   match i.it with
   | Model n -> head "model %s" n.it
   | Param (n, e) -> definition (head "param %s =" n.it) (formula e)
+  | Param_in (n, low, high) ->
+    head "param %s in %s%s, %s%s" n.it
+      (if low.included then "[" else "(")
+      (Text.expr low.value) (Text.expr high.value)
+      (if high.included then "]" else ")")
   | Timestep (e, kind) ->
     let word = match kind with Shared -> [] | Local -> [ " local" ] | Steady -> [ " steady" ] in
     definition (head "timestep") (cat (formula e :: map (text ~at:(last_byte span)) word))

@@ -120,7 +120,11 @@ let lex source =
    One pass keeps a stack of open brackets. A word that can only begin a declaration closes, in effect, every
    bracket but the braces of [for]: whatever is open there was left open by mistake. *)
 
-type bracket = Round | Square | Curly
+type bracket =
+  | Round
+  | Square
+  | Curly
+  | Range  (* of a parameter: `(` or `[`, and either closes it *)
 
 type level = {
   index : int;  (* of the opening bracket; -1 for the whole text *)
@@ -197,7 +201,7 @@ let check_depth s i =
     refuse s i (Printf.sprintf "this declaration is nested too deeply (the limit is %d)" max_depth)
 
 let open_bracket s i bracket =
-  let loop = s.in_for && (match bracket with Curly -> true | Round | Square -> false) in
+  let loop = s.in_for && (match bracket with Curly -> true | Round | Square | Range -> false) in
   if loop then s.in_for <- false;
   s.unclosed.(i) <- true;
   s.stack <- { index = i; bracket; loop; operators = 0; deepest = 0 } :: s.stack;
@@ -214,8 +218,8 @@ let pop s =
 
 let same_bracket a b =
   match (a, b) with
-  | Round, Round | Square, Square | Curly, Curly -> true
-  | (Round | Square | Curly), _ -> false
+  | Round, Round | Square, Square | Curly, Curly | Range, (Round | Square) -> true
+  | (Round | Square | Curly | Range), _ -> false
 
 let close_bracket s i bracket =
   let l = top s in
@@ -239,8 +243,13 @@ let declare s i =
   s.restart.(i) <- true;
   s.in_for <- (match s.tokens.(i).token with FOR -> true | _ -> false)
 
+let opens_range s i =
+  i >= 3
+  && match (s.tokens.(i - 3).token, s.tokens.(i - 1).token) with PARAM, IN -> true | _ -> false
+
 let visit s i =
   match s.tokens.(i).token with
+  | (LPAREN | LBRACKET) when opens_range s i -> open_bracket s i Range
   | LPAREN -> open_bracket s i Round
   | LBRACKET -> open_bracket s i Square
   | LBRACE -> open_bracket s i Curly

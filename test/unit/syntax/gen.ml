@@ -273,6 +273,8 @@ let simple_item =
     [
       map (fun n -> Model n) name;
       map2 (fun n e -> Param (n, e)) name expr;
+      (let limit = map2 (fun value included -> { value; included }) expr bool in
+       map3 (fun n low high -> Param_in (n, low, high)) name limit limit);
       map2 (fun e kind -> Timestep (e, kind)) expr (oneofl [ Shared; Local; Steady ]);
       map (fun e -> Split_step e) expr;
       map (fun n -> Dynamics n) (located (oneofl [ "constant_spin"; "free_body"; "other" ]));
