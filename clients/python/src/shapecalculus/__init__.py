@@ -58,6 +58,7 @@ from .models import (
 )
 from .oracle import PROTOCOL, Batch, Future, Oracle
 from .requests import Body, Fixed, Request, Touch
+from .where import Polyhedron, Region, Where, wheres
 
 __version__ = "0.1.0"
 
@@ -66,6 +67,7 @@ __all__ = [
     "Feature", "Fixed", "FormulaRefused", "Future", "InternalError", "InvalidParams", "InvalidRequest", "Label", "Leaf",
     "LimitExceeded", "MassProperties", "Meeting", "MethodNotFound", "Model", "ModelRefused", "Motion", "MovementStep",
     "NoTransitions", "NotInContact", "NotPossible", "Oracle", "OracleError", "PROTOCOL", "Pair", "ParseError",
-    "Process", "Replay", "Request", "RequestError", "Response", "ServiceError", "Shape", "ShapeRefused", "ShapeReport",
-    "ShapeWarning", "State", "Step", "Stopped", "Successors", "Touch", "Transition", "UnknownHandle",
+    "Polyhedron", "Process", "Region", "Replay", "Request", "RequestError", "Response", "ServiceError", "Shape",
+    "ShapeRefused", "ShapeReport", "ShapeWarning", "State", "Step", "Stopped", "Successors", "Touch", "Transition",
+    "UnknownHandle", "Where", "wheres",
 ]

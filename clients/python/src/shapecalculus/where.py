@@ -1,0 +1,142 @@
+"""For which values of a model's parameters a check holds: what ``scc check --where --json`` says of each property."""
+
+from __future__ import annotations
+
+import operator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Union
+
+from . import numbers
+from .numbers import Number
+
+Json = Mapping[str, Any]
+#: A value for each parameter, by their names or in their order.
+Point = Union[Mapping[str, Number], Sequence[Number]]
+Row = Tuple[Fraction, ...]
+
+_RELATIONS = {"<": operator.lt, "<=": operator.le, "=": operator.eq}
+
+
+def _values(parameters: Sequence[str], point: Point) -> Row:
+    if isinstance(point, Mapping):
+        if set(point) != set(parameters):
+            named = ", ".join(map(str, point))
+            raise ValueError("a point has values of %s, not of %s" % (", ".join(parameters), named))
+        given = [point[name] for name in parameters]
+    else:
+        if isinstance(point, str) or len(point) != len(parameters):
+            raise ValueError("not %d numbers: %r" % (len(parameters), point))
+        given = list(point)
+    return tuple(Fraction(numbers.to_json(x)) for x in given)
+
+
+@dataclass(frozen=True)
+class Polyhedron:
+    """The points x with ``A x`` related to ``b``, row by row, by ``relations``: each of them ``<``, ``<=`` or ``=``.
+
+    The columns of ``A`` are the ``parameters``. Without rows it is the whole space.
+    """
+
+    parameters: Tuple[str, ...]
+    A: Tuple[Row, ...]
+    b: Row
+    relations: Tuple[str, ...]
+
+    @classmethod
+    def from_json(cls, parameters: Sequence[str], json: Sequence[Json]) -> Polyhedron:
+        rows = []
+        for constraint in json:
+            coefficients: Dict[str, str] = constraint["coefficients"]
+            unknown = set(coefficients) - set(parameters)
+            if unknown:
+                raise ValueError("coefficients of what is no parameter: %s" % ", ".join(sorted(unknown)))
+            if constraint["relation"] not in _RELATIONS:
+                raise ValueError("not a relation: %r" % (constraint["relation"],))
+            rows.append(tuple(numbers.fraction(coefficients.get(name, "0/1")) for name in parameters))
+        return cls(
+            tuple(parameters),
+            tuple(rows),
+            tuple(numbers.fraction(constraint["bound"]) for constraint in json),
+            tuple(constraint["relation"] for constraint in json),
+        )
+
+    def contains(self, point: Point) -> bool:
+        """Whether the point is in it, exactly: borders are included where the relation says so."""
+        x = _values(self.parameters, point)
+        return all(
+            _RELATIONS[relation](sum((a * v for a, v in zip(row, x)), Fraction(0)), bound)
+            for row, relation, bound in zip(self.A, self.relations, self.b)
+        )
+
+
+@dataclass(frozen=True)
+class Region:
+    """Disjoint polyhedra, and their volume. It is empty if it has no pieces, not if its volume is 0."""
+
+    pieces: Tuple[Polyhedron, ...]
+    measure: Fraction
+
+    @classmethod
+    def from_json(cls, parameters: Sequence[str], json: Json) -> Region:
+        pieces = tuple(Polyhedron.from_json(parameters, piece) for piece in json["pieces"])
+        return cls(pieces, numbers.fraction(json["measure"]))
+
+    def contains(self, point: Point) -> bool:
+        return any(piece.contains(point) for piece in self.pieces)
+
+    @property
+    def is_empty(self) -> bool:
+        return not self.pieces
+
+
+@dataclass(frozen=True)
+class Where:
+    """Where a check ``holds``, where it ``fails``, and where that is ``unknown``: disjoint, and together the ``range``.
+
+    ``probability``: that it holds where the parameters are independent and uniform in their ranges; None where that
+    depends on what is unknown. It is in ``probability_between`` in any case.
+    """
+
+    parameters: Tuple[str, ...]
+    range: Polyhedron
+    holds: Region
+    fails: Region
+    unknown: Region
+    probability: Optional[Fraction]
+    probability_between: Tuple[Fraction, Fraction]
+
+    @classmethod
+    def from_json(cls, json: Json) -> Where:
+        """Of the member ``where`` of a property."""
+        parameters = tuple(json["parameters"])
+        if json["probability"] is None:
+            low, high = map(numbers.fraction, json["probability_between"])
+            probability = None
+        else:
+            low = high = probability = numbers.fraction(json["probability"])
+        return cls(
+            parameters,
+            Polyhedron.from_json(parameters, json["range"]),
+            Region.from_json(parameters, json),
+            Region.from_json(parameters, json["fails"]),
+            Region.from_json(parameters, json["unknown"]),
+            probability,
+            (low, high),
+        )
+
+    def contains(self, point: Point) -> bool:
+        """Whether it is known to hold there."""
+        return self.holds.contains(point)
+
+    def outcome(self, point: Point) -> str:
+        """``"holds"``, ``"fails"`` or ``"unknown"``. ValueError for a point that is not in the range."""
+        for name, region in (("holds", self.holds), ("fails", self.fails), ("unknown", self.unknown)):
+            if region.contains(point):
+                return name
+        raise ValueError("out of range: %r" % (point,))
+
+
+def wheres(report: Json) -> Dict[str, Where]:
+    """Of a report of ``scc check --where --json``, read by ``json.load``: by the names of its checks."""
+    return {check["name"]: Where.from_json(check["where"]) for check in report["properties"] if "where" in check}

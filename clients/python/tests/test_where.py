@@ -1,0 +1,130 @@
+"""Sets of parameters. The first are written by hand, as the schema says; the expected values are found by hand."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from decimal import Decimal
+from fractions import Fraction
+
+from shapecalculus import Polyhedron, Where, wheres
+from tests.support import MODEL, program
+
+
+def constraint(relation, bound, **coefficients):
+    return {
+        "coefficients": {name: "%d/1" % a for name, a in coefficients.items()},
+        "relation": relation,
+        "bound": "%d/1" % bound,
+    }
+
+
+def between(name, low, high, relation):
+    return [constraint(relation, -low, **{name: -1}), constraint(relation, high, **{name: 1})]
+
+
+RANGE = between("y", -5, 5, "<=") + between("z", -5, 5, "<=")
+SQUARE = between("y", -2, 2, "<") + between("z", -2, 2, "<")
+NOTHING = {"pieces": [], "measure": "0/1"}
+
+CUBES = {
+    "parameters": ["y", "z"],
+    "pieces": [SQUARE],
+    "measure": "16/1",
+    "probability": "4/25",
+    "range": RANGE,
+    "fails": {
+        "pieces": [
+            between("y", -2, 2, "<") + [constraint("<=", -2, z=1), constraint("<=", 5, z=-1)],
+            between("y", -2, 2, "<") + [constraint("<=", -2, z=-1), constraint("<=", 5, z=1)],
+            between("z", -5, 5, "<=") + [constraint("<=", -2, y=1), constraint("<=", 5, y=-1)],
+            between("z", -5, 5, "<=") + [constraint("<=", -2, y=-1), constraint("<=", 5, y=1)],
+        ],
+        "measure": "84/1",
+    },
+    "unknown": NOTHING,
+}
+
+
+class Sets(unittest.TestCase):
+    def test_outcomes(self):
+        where = Where.from_json(CUBES)
+        for y in range(-5, 6):
+            for z in range(-5, 6):
+                expected = abs(y) < 2 and abs(z) < 2
+                self.assertEqual(where.contains((y, z)), expected)
+                self.assertEqual(where.outcome({"z": z, "y": y}), "holds" if expected else "fails")
+        almost = Fraction(2) - Fraction(1, 10**300)
+        self.assertTrue(where.contains((almost, "-1.9")))
+        self.assertTrue(where.contains([Decimal("1.5"), 0.25]))
+        self.assertEqual((where.probability, where.holds.measure), (Fraction(4, 25), 16))
+        self.assertEqual(where.probability_between, (Fraction(4, 25), Fraction(4, 25)))
+        self.assertTrue(where.unknown.is_empty)
+        self.assertFalse(where.fails.is_empty)
+
+    def test_wrong_points(self):
+        where = Where.from_json(CUBES)
+        for point in ((1,), (1, 2, 3), "12", {"y": 1}, {"y": 1, "z": 2, "w": 3}, (1, float("nan"))):
+            with self.assertRaises(ValueError):
+                where.contains(point)
+        with self.assertRaises(ValueError):
+            where.outcome((6, 0))
+
+    def test_matrices(self):
+        square = Where.from_json(CUBES).holds.pieces[0]
+        self.assertEqual(square.A, ((-1, 0), (1, 0), (0, -1), (0, 1)))
+        self.assertEqual((square.b, square.relations), ((2, 2, 2, 2), ("<",) * 4))
+        line = Polyhedron.from_json(["s", "t"], [constraint("=", -2, s=2, t=-1)])
+        self.assertEqual((line.A, line.b), (((2, -1),), (-2,)))
+        self.assertTrue(line.contains((Fraction(1, 3), Fraction(8, 3))))
+        self.assertFalse(line.contains((Fraction(1, 3), Fraction(8, 3) + Fraction(1, 10**50))))
+        self.assertTrue(Polyhedron.from_json([], []).contains(()))
+
+    def test_unknown(self):
+        below, rest = [constraint("<", 1, x=1)], [constraint("<=", -1, x=-1)]
+        answer = {
+            "parameters": ["x"], "pieces": [below], "measure": "1/1", "probability": None,
+            "probability_between": ["1/4", "1/1"], "range": between("x", 0, 4, "<="), "fails": NOTHING,
+            "unknown": {"pieces": [rest], "measure": "3/1"},
+        }
+        where = Where.from_json(answer)
+        self.assertIsNone(where.probability)
+        self.assertEqual(where.probability_between, (Fraction(1, 4), 1))
+        self.assertEqual([where.outcome([x]) for x in (0, 1, 4)], ["holds", "unknown", "unknown"])
+
+    def test_refused(self):
+        with self.assertRaises(ValueError):
+            Polyhedron.from_json(["x"], [constraint("<", 1, y=1)])
+        with self.assertRaises(ValueError):
+            Polyhedron.from_json(["x"], [constraint(">", 1, x=1)])
+
+    def test_report(self):
+        report = {"properties": [{"name": "meets", "where": CUBES}, {"name": "other"}]}
+        found = wheres(report)
+        self.assertEqual(list(found), ["meets"])
+        self.assertEqual(found["meets"], Where.from_json(CUBES))
+
+
+class Reports(unittest.TestCase):
+    """What the program says of two cubes, one of which comes with an offset that is not known."""
+
+    def test_report(self):
+        if program() is None:
+            self.skipTest("no scc: name it in the environment variable SCC")
+        model = MODEL.replace("param speed = 2", "param speed = 2\nparam y in [-5, 5]\nparam z in (-5, 5]")
+        model = model.replace("at translate (7,0,0)", "at translate (7,y,z)")
+        model = model.replace("eventually", "possibly")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "cubes.sc")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(model)
+            done = subprocess.run([program(), "check", "--where", "--json", path], stdout=subprocess.PIPE, timeout=60)
+        where = wheres(json.loads(done.stdout))["meets"]
+        self.assertEqual((where.parameters, where.probability), (("y", "z"), Fraction(4, 25)))
+        self.assertEqual(where.holds.measure + where.fails.measure + where.unknown.measure, 100)
+        for y, z in ((0, 0), (2, 0), ("1.99", "-1.99"), (5, 5), (-2, 1)):
+            inside = abs(Fraction(y)) < 2 and abs(Fraction(z)) < 2
+            self.assertEqual(where.outcome((y, z)), "holds" if inside else "fails")
+        with self.assertRaises(ValueError):
+            where.outcome((0, -5))
