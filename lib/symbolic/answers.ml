@@ -9,13 +9,17 @@ type plan =
   | Starts of Search_sets.t  (** looked for in the initial states alone *)
   | All of plan list
   | Any of plan list
-  | Beyond of string
+  | Branches of branches  (** asked of the graph when all is known *)
 
-type t = { context : Instant.context; parameters : Polyhedron.t; plan : plan; bound : Rat.t option }
+and branches = { formula : Property.temporal; mutable answer : (Union.t, string list) result }
 
-let beyond =
-  "over all starts and instants only `possibly` and `always` of what is there at an instant are followed, with \
-   `not`, `and` and `or` of them"
+type t = {
+  context : Instant.context;
+  atoms : Atoms.context;
+  parameters : Polyhedron.t;
+  plan : plan;
+  bound : Rat.t option;
+}
 
 let make context atoms ~parameters formula =
   let n = Polyhedron.dimension parameters in
@@ -26,25 +30,29 @@ let make context atoms ~parameters formula =
     | Always (bound, p) -> Avoids (search bound (Formula.negate p))
     | All plans -> All (List.map plan plans)
     | Any plans -> Any (List.map plan plans)
-    | Formula _ -> Beyond beyond
+    | Formula formula -> Branches { formula; answer = Error [] }
   in
-  { context; parameters; plan = plan (Plan.of_formula formula); bound = Plan.horizon formula }
+  { context; atoms; parameters; plan = plan (Plan.of_formula formula); bound = Plan.horizon formula }
 
 let bound t = t.bound
 
-let rec bounded : Plan.t -> bool = function
-  | Now _ | Formula _ -> false
-  | Possibly (bound, _) | Always (bound, _) -> Option.is_some bound
-  | All plans | Any plans -> List.exists bounded plans
+let rec bounded : Property.temporal -> bool = function
+  | State _ -> false
+  | Temporal_not f | Next (_, f) -> bounded f
+  | Temporal_and fs | Temporal_or fs -> List.exists bounded fs
+  | Finally (_, b, f) | Globally (_, b, f) -> some_bound b || bounded f
+  | Until (_, b, f, g) -> some_bound b || bounded f || bounded g
 
-let needs_time formula = Formula.mentions_time formula || bounded (Plan.of_formula formula)
+and some_bound b = Rat.sign b.low > 0 || Option.is_some b.high
+
+let needs_time formula = Formula.mentions_time formula || bounded formula
 
 (* {1 Looking} *)
 
 let rec each f = function
   | (Reaches _ | Avoids _ | Starts _) as plan -> f plan
   | All plans | Any plans -> List.iter (each f) plans
-  | Beyond _ -> ()
+  | Branches _ -> ()
 
 let is_root (node : Zone_graph.node) = node.depth = 0
 
@@ -53,7 +61,7 @@ let look t node =
     (function
       | Reaches s | Avoids s -> Search_sets.look t.context s node
       | Starts s -> if is_root node then Search_sets.look_at s node
-      | All _ | Any _ | Beyond _ -> ())
+      | All _ | Any _ | Branches _ -> ())
     t.plan
 
 let look_around t node =
@@ -61,13 +69,21 @@ let look_around t node =
     (function
       | Reaches s | Avoids s -> Search_sets.look_around s node
       | Starts s -> if is_root node then Search_sets.look_around s node
-      | All _ | Any _ | Beyond _ -> ())
+      | All _ | Any _ | Branches _ -> ())
     t.plan
 
 let leave t zone =
   each
-    (function Reaches s | Avoids s -> Search_sets.leave s zone | Starts _ | All _ | Any _ | Beyond _ -> ())
+    (function Reaches s | Avoids s -> Search_sets.leave s zone | Starts _ | All _ | Any _ | Branches _ -> ())
     t.plan
+
+let rec conclude_plan t graph = function
+  | Branches b ->
+    b.answer <- Result.map_error (fun reason -> [ reason ]) (Branching.holds t.context t.atoms graph b.formula)
+  | All plans | Any plans -> List.iter (conclude_plan t graph) plans
+  | Reaches _ | Avoids _ | Starts _ -> ()
+
+let conclude t graph = conclude_plan t graph t.plan
 
 (* {1 Sets} *)
 
@@ -80,7 +96,12 @@ let rec sets_of all = function
     { holds = fails; fails = holds }
   | All plans -> List.fold_left (both all) { holds = all; fails = Union.empty (Union.dimension all) } plans
   | Any plans -> List.fold_left (either all) { holds = Union.empty (Union.dimension all); fails = all } plans
-  | Beyond _ -> { holds = Union.empty (Union.dimension all); fails = Union.empty (Union.dimension all) }
+  | Branches { answer = Error _; _ } ->
+    let none = Union.empty (Union.dimension all) in
+    { holds = none; fails = none }
+  | Branches { answer = Ok holds; _ } ->
+    let holds = Union.inter holds all in
+    { holds; fails = Union.difference all holds }
 
 and found all s =
   let holds = Union.inter (Search_sets.found s) all in
@@ -103,14 +124,14 @@ let rec decided t ~exactly = function
   | Reaches s -> Search_sets.covers s t.parameters
   | Avoids s ->
     if exactly then Search_sets.covers s t.parameters else not (Union.is_empty (Search_sets.found s))
-  | Starts _ | Beyond _ -> false
+  | Starts _ | Branches _ -> false
   | All plans | Any plans -> List.for_all (decided t ~exactly) plans
 
 let is_known t ~exactly = decided t ~exactly t.plan
 
 let rec safe = function
   | Avoids s -> Union.is_empty (Search_sets.found s) && Search_sets.reasons s = []
-  | Starts _ | Reaches _ | Beyond _ -> false
+  | Starts _ | Reaches _ | Branches _ -> false
   | All plans -> List.for_all safe plans
   | Any plans -> List.exists safe plans
 
@@ -119,7 +140,8 @@ let safe_so_far t = safe t.plan
 let rec reasons_of = function
   | Reaches s | Avoids s | Starts s -> Search_sets.reasons s
   | All plans | Any plans -> List.concat_map reasons_of plans
-  | Beyond reason -> [ reason ]
+  | Branches { answer = Error reasons; _ } -> reasons
+  | Branches { answer = Ok _; _ } -> []
 
 let reasons t = List.sort_uniq String.compare (reasons_of t.plan)
 
@@ -128,6 +150,6 @@ let rec place ~holds = function
   | Avoids s -> if holds then None else Search_sets.first s
   | All plans -> if holds then None else List.find_map (place ~holds) plans
   | Any plans -> if holds then List.find_map (place ~holds) plans else None
-  | Beyond _ -> None
+  | Branches _ -> None
 
 let shown_by t ~holds = place ~holds t.plan

@@ -1,5 +1,5 @@
-(** For which values of the parameters a formula holds that searches decide ({!Scc_property.Plan}), from what was
-    found while zones were explored. *)
+(** For which values of the parameters a formula holds: what searches decide ({!Scc_property.Plan}), from what was found
+    while zones were explored, and all else from the whole graph ({!Branching}). *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -31,6 +31,9 @@ val is_known : t -> exactly:bool -> bool
 (** Whether it is known that it holds for all values, or that it does not; with [exactly], for which. *)
 
 (** {1 Afterwards} *)
+
+val conclude : t -> Zone_graph.t -> unit
+(** All is known of the graph, up to the latest bound. *)
 
 type sets = { holds : Union.t; fails : Union.t  (** disjoint; elsewhere it is not known *) }
 

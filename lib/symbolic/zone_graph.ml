@@ -13,6 +13,7 @@ type node = {
   parent : (int * edge) option;
   mutable edges : edge list;
   mutable cells : Passing.due First.cell list;
+  mutable late : Polyhedron.t list;
   mutable expanded : bool;
 }
 
@@ -50,20 +51,23 @@ type exploration = { graph : t; context : Instant.context; limits : limits; visi
 let put e zone parent =
   let g = e.graph in
   let depth = match parent with None -> 0 | Some (i, _) -> (node g i).depth + 1 in
-  let node = { number = size g; zone; depth; parent; edges = []; cells = []; expanded = false } in
+  let node = { number = size g; zone; depth; parent; edges = []; cells = []; late = []; expanded = false } in
   Scc_data.Growable.push g.nodes node;
   Kinds.replace g.by_kind zone (node :: Option.value (Kinds.find_opt g.by_kind zone) ~default:[]);
   Queue.add node g.waiting;
   e.visitor.found node;
   node
 
-let within_horizon e (z : Zone.t) =
+(* What of a zone is not later than the horizon; what is, it is told. *)
+let within_horizon e ~late (z : Zone.t) =
+  let n = Zone.dimension z in
   match (e.limits.horizon, z.time) with
   | Some h, Some time ->
-    let in_time = Constraint.at_most time (Linear.constant (Zone.dimension z) h) in
+    let in_time = Constraint.at_most time (Linear.constant n h) in
     if Polyhedron.implies z.set in_time then Some z
     else begin
       e.visitor.late z;
+      List.iter (fun c -> late (Polyhedron.add z.set c)) (Constraint.negation in_time);
       let set = Polyhedron.add z.set in_time in
       if Polyhedron.is_empty set then None else Some { z with set }
     end
@@ -81,7 +85,12 @@ let node_of e zone ~parent =
     (put e canonical (parent forms), forms)
 
 let add_edge e (source : node) guard step (target : Zone.t) =
-  match within_horizon e target with
+  let late set =
+    match step with
+    | Passes _ -> source.late <- set :: source.late
+    | Happens _ | Passes_some -> ()
+  in
+  match within_horizon e ~late target with
   | None -> ()
   | Some zone ->
     let guard = if zone == target then guard else zone.set in

@@ -27,6 +27,8 @@ type node = {
   mutable edges : edge list;
   mutable cells : Passing.due First.cell list;
   (** regions on which time passes, with what comes first: until then it does so undisturbed *)
+  mutable late : Polyhedron.t list;
+  (** from where what comes next comes after the horizon: over the variables of the node *)
   mutable expanded : bool;
 }
 

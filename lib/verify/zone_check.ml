@@ -33,16 +33,17 @@ type fault = { at : (string * Rat.t) list; reason : Start.reason }
 
 type group = { keeps_time : bool; members : (int * Property.check) list }
 
-(* Those that ask about time are explored apart: with time a coordinate, little ever recurs. *)
+(* Those that ask about time are explored apart: with time a coordinate, little ever recurs, but there is an end where
+   all of them have a bound. *)
 let groups checks =
   let numbered = List.mapi (fun i c -> (i, c)) checks in
-  let timed, others =
-    List.partition (fun (_, (c : Property.check)) -> Answers.needs_time c.formula) numbered
-  in
+  let of_check is (_, (c : Property.check)) = is c.formula in
+  let timed, others = List.partition (of_check Answers.needs_time) numbered in
+  let ends, endless = List.partition (of_check (fun f -> Option.is_some (Plan.horizon f))) timed in
   let some keeps_time members = match members with [] -> [] | _ :: _ -> [ { keeps_time; members } ] in
   match checks with
   | [] -> [ { keeps_time = false; members = [] } ]
-  | _ :: _ -> some false others @ some true timed
+  | _ :: _ -> some false others @ some true ends @ some true endless
 
 (* A start at which velocities never cease to change may go on for ever, while all others come to an end. *)
 let default_depth = 1_000
@@ -140,6 +141,7 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
     done
   in
   unexpanded (fun node -> List.iter (fun a -> Answers.look_around a node) answers);
+  if end_ = Closed && not !is_late then List.iter (fun a -> Answers.conclude a graph) answers;
   let edges = ref 0 in
   for i = 0 to Zone_graph.size graph - 1 do
     edges := !edges + List.length (Zone_graph.node graph i).edges
