@@ -235,8 +235,6 @@ let exists_until m f g =
   let target at n s f_along g_along = union g_along (inter f_along (halts n s at)) in
   let step at i n =
     let of_stretch u (s, (f_along, (bad, g_along))) =
-      (* once g is there, it matters no more whether f is *)
-      let bad = minus bad g_along in
       let found = reach_from_start s ~bad (target at n s f_along g_along) in
       union u (union found (inter (ends n s at) (clear_from_start s ~bad)))
     in
@@ -248,7 +246,6 @@ let exists_until m f g =
   let along i =
     let n = m.nodes.(i) in
     let of_stretch (s, (f_along, (bad, g_along))) =
-      let bad = minus bad g_along in
       let found = reach s ~bad (target at n s f_along g_along) in
       let to_end = inter (clear_to_end s bad) (extend_over s (ends n s at)) in
       union g_along (inter f_along (union found to_end))
@@ -290,11 +287,32 @@ let exists_globally m g =
 
 let everything m = of_prop m (Property.Bool true)
 
+(* The states right after which the set is there: on an open interval that begins with them. *)
+let right_before m s =
+  let not_s = complement m s in
+  let at i n =
+    let of_stretch u (x, bad) = union u (reach_from_start x ~bad (all_along x)) in
+    List.fold_left of_stretch
+      (Union.empty (Zone.dimension n.it.zone))
+      (List.combine n.stretches not_s.along.(i))
+  in
+  let along i n =
+    let of_stretch x bad =
+      let n = Zone.dimension x.zone - 1 in
+      project (restrict (clear_until x bad) [ before_ ~dimension:(n + 2) n (n + 1) ]) ~dimension:(n + 1)
+    in
+    List.map2 of_stretch n.stretches not_s.along.(i)
+  in
+  { at = Array.mapi at m.nodes; along = Array.mapi along m.nodes }
+
+(* A run breaks f U g if g never comes, or f is over at an instant without g before; or else, where g has no first
+   instant, if f does not hold right after the last one without g. *)
 let all_until m f g =
-  let not_g = complement m g in
+  let not_f = complement m f and not_g = complement m g in
   let never = exists_globally m not_g in
-  let wrong = exists_until m not_g (map2 inter (complement m f) not_g) in
-  complement m (map2 union never wrong)
+  let over = exists_until m not_g (map2 inter not_f not_g) in
+  let not_up_to_g = exists_until m not_g (map2 inter not_g (right_before m (map2 inter not_f g))) in
+  complement m (map2 union never (map2 union over not_up_to_g))
 
 (* Since the start, where bounds of the outermost operator count from. *)
 let in_time (b : Property.bound) =
