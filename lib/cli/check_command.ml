@@ -154,9 +154,20 @@ let over_zones options (l : Loaded.t) ~exactly checks =
   Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly checks
   |> Result.map_error (fun fault -> [ not_well_formed l fault ])
 
-let smt (l : Loaded.t) verdicts where =
-  Scc_where.Smt.script l.model.ranges
-    (List.map2 (fun (o : Verdict.outcome) w -> (o.check.name, w)) verdicts where)
+(* None where a limit has ended all work. *)
+let named_where verdicts (report : Check.report) =
+  match report.where with
+  | [] -> []
+  | where -> List.map2 (fun (o : Verdict.outcome) w -> (o.check.name, w)) verdicts where
+
+(* The file to draw to, and what. *)
+let view (extras : Check_extras.t) (l : Loaded.t) =
+  match extras.draw with
+  | None -> Ok None
+  | Some path ->
+    Scc_where.Plane.view l.model.ranges ~axes:extras.axes ~fixed:extras.slice
+    |> Result.map (fun view -> Some (path, view))
+    |> Result.map_error (fun text -> [ Diag.error Code.bad_value Span.none "%s" text ])
 
 let check console budget (extras : Check_extras.t) (given : Options.definitions) path =
   (* Coverage explores once more. *)
@@ -167,8 +178,9 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
         Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
   let zones = Zone_check.is_for l.model ~declared:l.declared in
   let* () = match Zone_check.refused l.model with _ :: _ as why when zones -> Error why | _ -> Ok () in
-  let where = extras.where || Option.is_some extras.smt in
+  let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
   let* () = if where then has_ranges l else Ok () in
+  let* view = view extras l in
   Console.report console (l.warnings @ Vacuity.impossible l);
   let* initial = Loaded.initial l in
   let options =
@@ -211,7 +223,10 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   in
   Option.iter (fun folder -> output (write_witnesses l path folder verdicts)) extras.witness;
   Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
-  Option.iter (fun path -> output (write_file path (smt l verdicts report.where))) extras.smt;
+  let named = named_where verdicts report in
+  let ranges = l.model.ranges in
+  Option.iter (fun path -> output (write_file path (Scc_where.Smt.script ranges named))) extras.smt;
+  Option.iter (fun (path, view) -> output (write_file path (Scc_where.Drawing.svg ranges view named))) view;
   let code = !code in
   let shown = if extras.where then report.where else [] in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in

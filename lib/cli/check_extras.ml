@@ -11,6 +11,9 @@ type t = {
   compact : bool;
   where : bool;
   smt : string option;
+  draw : string option;
+  axes : string list;
+  slice : (string * Scc_exact.Rat.t) list;
   full : bool;
 }
 
@@ -98,12 +101,30 @@ let smt =
   in
   Arg.(value & opt (some string) None & info [ "smt" ] ~docv:"FILE" ~doc)
 
+let draw =
+  let doc =
+    "Like $(b,--where); draws it to $(docv), in SVG: the line of one parameter or the plane of two, in regions by \
+     which properties hold there."
+  in
+  Arg.(value & opt (some string) None & info [ "draw" ] ~docv:"FILE" ~doc)
+
+let axes =
+  let doc = "The one or two parameters to $(b,--draw); by default the first ones." in
+  Arg.(value & opt (list string) [] & info [ "axes" ] ~docv:"X,Y" ~doc)
+
+let slice =
+  let doc =
+    "Draws the regions at this value of a parameter that is not shown. Of others it is shown whether it holds for \
+     all of their values, for some, or for none."
+  in
+  Arg.(value & opt_all Options.override [] & info [ "slice" ] ~docv:"NAME=VALUE" ~doc)
+
 let term =
-  let make witness coverage stats sarif reductions order compact where smt full =
-    { witness; coverage; stats; sarif; reductions; order; compact; where; smt; full }
+  let make witness coverage stats sarif reductions order compact where smt draw axes slice full =
+    { witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; full }
   in
   Term.(
-    const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt
+    const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt $ draw $ axes $ slice
     $ Options.full
       "Tells runs in full: every step and every body, and numbers with all their digits; in JSON all steps of the \
        way to a state that was not explored.")

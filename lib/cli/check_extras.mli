@@ -10,6 +10,9 @@ type t = {
   compact : bool;  (** hash compaction *)
   where : bool;  (** for which values of the parameters *)
   smt : string option;  (** a file for that *)
+  draw : string option;  (** a file for a picture of that *)
+  axes : string list;  (** the parameters to draw *)
+  slice : (string * Scc_exact.Rat.t) list;  (** values of others there *)
   full : bool;  (** runs with all there is *)
 }
 

@@ -137,6 +137,8 @@ let property console ~full ?where c ({ check; verdict = v; _ } as o : Verdict.ou
   in
   let none =
     match v with
+    | Violated { witness = None } when Verdict.over_zones o ->
+      [ "  no single run shows it: everything that counts was explored\n" ]
     | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
     | _ -> []
   in

@@ -40,6 +40,7 @@ type outcome = {
   converges : convergence option;
 }
 
+let over_zones o = Option.is_some o.scale.over
 let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Undecided _ -> false
 
 let rank = function

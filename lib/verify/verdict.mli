@@ -77,6 +77,9 @@ val distinct : truncation list -> truncation list
 val together : truncation list -> truncation list -> truncation list
 (** Of two explorations, likewise: the chances that a state was left out add up. *)
 
+val over_zones : outcome -> bool
+(** Of all starts, or all instants of splits, at once. *)
+
 val exhaustive : t -> bool
 (** Holds, as a proof. *)
 

@@ -167,10 +167,36 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
 
 (* {1 Verdicts} *)
 
+let named (m : Model.t) values =
+  List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list values)
+
 let witness semantics u ~declared graph place =
   Zone_witness.make semantics u ~declared (Concrete.run graph place) place
 
-let verdict semantics u ~declared (e : explored) answer (where : Where.t) : Verdict.t =
+(* Where no single run was met on the way, the ordinary exploration of one start may know one, and explain it. What it
+   decides is what was found for that start, or one of both is wrong. *)
+let most_states_of_one_start = 20_000
+
+let ordinarily semantics u ~declared (check : Property.check) values =
+  let m = Semantics.model semantics in
+  if Array.length m.ranges = 0 || at_any_time m ~declared then None
+  else
+    let c = Semantics.with_model semantics (Fixed.model m values) in
+    let declared = Fixed.declared u declared values in
+    let bounds = { Bounds.default with states = Given most_states_of_one_start } in
+    match Network.initial c declared with
+    | Error _ -> None
+    | Ok initial -> (
+        let report = Check.run { Joint_check.default with bounds } c ~initial [ check ] in
+        let fixed = { Scc_explain.Witness.values = named m values; semantics = c } in
+        let of_start (w : Scc_explain.Witness.t) = { w with fixed = Some fixed } in
+        match report.outcomes with
+        | [ { verdict = Violated { witness }; _ } ] -> Option.map of_start witness
+        | [ { verdict = Holds { bounds = []; _ }; _ } ] ->
+          Bug.fail __POS__ "a check that is violated over zones holds for a start of them"
+        | _ -> None)
+
+let verdict semantics u ~declared (e : explored) check answer (where : Where.t) : Verdict.t =
   let shown ~holds = Option.map (witness semantics u ~declared e.graph) (Answers.shown_by answer ~holds) in
   let bounded = List.map (fun t -> Verdict.Truncated t) e.stopped_by in
   let reasons =
@@ -178,7 +204,14 @@ let verdict semantics u ~declared (e : explored) answer (where : Where.t) : Verd
     @ List.map (fun r -> Verdict.Undefined r) (Answers.reasons answer)
     @ List.map (fun r -> Verdict.Fault r) (Option.to_list e.fault)
   in
-  if not (Union.is_empty where.fails) then Violated { witness = shown ~holds:false }
+  if not (Union.is_empty where.fails) then
+    let witness =
+      match (shown ~holds:false, Union.point where.fails) with
+      | (Some _ as w), _ -> w
+      | None, Some values -> ordinarily semantics u ~declared check values
+      | None, None -> None
+    in
+    Violated { witness }
   else if Union.is_empty where.unknown then Holds { bounds = []; witness = shown ~holds:true }
   else if Answers.safe_so_far answer && List.length reasons = List.length e.stopped_by && reasons <> [] then
     Holds { bounds = e.stopped_by; witness = None }
@@ -215,11 +248,11 @@ let outcomes semantics u ~declared (e : explored) =
   let m = Semantics.model semantics in
   let one (i, check) answer =
     let where = where m.ranges answer in
-    let verdict = verdict semantics u ~declared e answer where in
+    let verdict = verdict semantics u ~declared e check answer where in
     let example =
       match (verdict, Union.point where.fails) with
       | Violated { witness = None }, Some values ->
-        List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list values)
+        named m values
       | _ -> []
     in
     let over = { Verdict.instants = at_any_time m ~declared; ranges = m.ranges; example } in
