@@ -33,11 +33,15 @@ let rec all_some = function
   | None :: _ -> None
   | Some x :: rest -> Option.map (fun others -> x :: others) (all_some rest)
 
+(* A convex union of two has a point of one on the border of the other. *)
+let apart p q = Polyhedron.disjoint (Polyhedron.closure p) q && Polyhedron.disjoint p (Polyhedron.closure q)
+
 (* If the union of p and q is a polyhedron, the join may still have some faces more. A convex set in finitely many
    faces is in one of them, so each piece of what is too much lies in a face that has nothing of the union. *)
 let merge p q =
   if Polyhedron.included p q then Some q
   else if Polyhedron.included q p then Some p
+  else if apart p q then None
   else
     let whole = join p q in
     let left = List.concat_map (fun piece -> Difference.pieces piece q) (Difference.pieces whole p) in

@@ -60,10 +60,8 @@ let rec absorb p before = function
       | Some whole -> absorb whole [] (List.rev_append before rest)
       | None -> absorb p (q :: before) rest)
 
-let merged u =
-  (* in [settled] no two can be merged *)
-  let put settled p =
-    let p, others = absorb p [] settled in
-    p :: others
-  in
-  { u with pieces = List.rev (List.fold_left put [] (List.map Polyhedron.minimal u.pieces)) }
+let add_merged p settled =
+  let p, others = absorb (Polyhedron.minimal p) [] settled in
+  p :: others
+
+let merged u = { u with pieces = List.rev (List.fold_left (fun settled p -> add_merged p settled) [] u.pieces) }

@@ -55,6 +55,9 @@ val map : dimension:int -> (Polyhedron.t -> Polyhedron.t) -> t -> t
 val disjoint : t -> t
 (** The same set by pieces that do not overlap. *)
 
+val add_merged : Polyhedron.t -> Polyhedron.t list -> Polyhedron.t list
+(** A piece more among pieces of which no two can be merged, likewise. *)
+
 val merged : t -> t
 (** The same set by fewer pieces, if it can be: pieces in others are dropped, and two pieces become one
     wherever their union is convex, until there are no such two. *)

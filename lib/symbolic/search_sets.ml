@@ -30,10 +30,7 @@ let make context ~parameters ~bound prop =
     first = None;
   }
 
-(* Keeps the list free of what is in others, as far as one look tells. *)
-let add pieces p =
-  if List.exists (Polyhedron.included p) pieces then pieces
-  else p :: List.filter (fun q -> not (Polyhedron.included q p)) pieces
+let add pieces p = if List.exists (Polyhedron.included p) pieces then pieces else Union.add_merged p pieces
 
 let in_time t (z : Zone.t) =
   match (t.bound, z.time) with
