@@ -120,7 +120,8 @@ let lines (w : Where.t) =
   let remark =
     let is x = match chance with Exactly y -> Rat.equal x y | Between _ -> false in
     if is Rat.zero && not (Union.is_empty w.holds) then ", but not nowhere"
-    else if is Rat.one && not (Union.is_empty w.fails && Union.is_empty w.unknown) then ", but not everywhere"
+    else if is Rat.one && not (Union.is_empty w.fails) then ", but not everywhere"
+    else if is Rat.one && not (Union.is_empty w.unknown) then ", but not known everywhere"
     else ""
   in
   sets w @ [ "probability " ^ probability chance ^ remark ]

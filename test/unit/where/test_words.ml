@@ -55,6 +55,12 @@ let unknown () =
       "probability at least 1/4 = 0.25, and at most 1";
     ]
     (Where.make x04 ~holds:(upto 1) ~fails:(Union.empty 1));
+  check_lines "all but a point"
+    [
+      "holds where"; "  x < 1"; "  or x > 1"; "not known to fail anywhere"; "not known elsewhere";
+      "probability 1, but not known everywhere";
+    ]
+    (Where.make x04 ~holds:(Union.difference (Union.universe 1) (at_point 1)) ~fails:(Union.empty 1));
   check_lines "but for a point"
     [ "not known to hold anywhere"; "fails where"; "  x < 1"; "  or x > 1"; "not known elsewhere";
       "probability 0" ]
