@@ -32,14 +32,16 @@ let rigid (r : Model.rigid) =
   [ ("dynamics", dynamics r.dynamics); ("resolution", Rat.to_string r.resolution) ]
   @ rounded "orientation" r.round_orientation
 
-let splits : Model.splits -> string = function
-  | Every step -> Rat.to_string step
-  | Any_time -> "any"
+let at_any_time = ("split step", "any")
+
+let splits : Model.splits -> string * string = function
+  | Every step -> ("split step", Rat.to_string step)
+  | Any_time -> at_any_time
 
 let steps m = if Model.of_each m then " local" else if Model.keeps_beat m then " steady" else ""
 
 let listed (m : Model.t) s =
-  (if may_split m s then [ ("split step", splits m.splits) ] else [])
+  (if may_split m s then [ splits m.splits ] else [])
   @ (if not (m.steered || Option.is_some m.rigid) then []
      else [ ("timestep", Rat.to_string m.timestep ^ steps m) ])
   @ (match m.collisions with Together -> [ ("collisions", "together") ] | In_turn -> [])

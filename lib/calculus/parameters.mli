@@ -11,6 +11,9 @@ val listed : Model.t -> State.t -> (string * string) list
     steps or turns; [collisions] and [binding] where they are not the default (readings I-32 and I-33); [dynamics],
     [resolution] and what is rounded where bodies turn. *)
 
+val at_any_time : string * string
+(** What {!listed} says where bonds may be released at any time. *)
+
 val may_push : Model.t -> State.t -> bool
 (** A split with a push is written somewhere (reading I-36). *)
 

@@ -32,7 +32,9 @@ let witness_of (v : Verdict.t) =
 let schedule (l : Loaded.t) path (check : Property.check) (w : Witness.t) =
   let choice (s : Witness.step) = (s.choice, Transition.label_to_string l.model s.transition.label) in
   let path = if String.equal path "-" then None else Some path in
-  Schedule.to_string ?model:path ~check:check.name l.origin
+  let values = Option.fold ~none:[] ~some:(fun (f : Witness.fixed) -> f.values) w.fixed in
+  let origin = { l.origin with parameters = l.origin.parameters @ values } in
+  Schedule.to_string ?model:path ~check:check.name origin
     (Long_list.map choice w.steps)
     ~offset:(Witness.offset w)
 

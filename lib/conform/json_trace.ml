@@ -200,8 +200,8 @@ let header c json =
   let* version = optional json "version" (fun v -> Ok (Json.int v)) in
   let* () =
     match version with
-    | None | Some (Some 1) -> Ok ()
-    | Some _ -> wrong c "the version of the format is not 1, the one that this scc reads"
+    | None | Some (Some (1 | 2)) -> Ok ()
+    | Some _ -> wrong c "the version of the format is none of 1 and 2, which this scc reads"
   in
   let semantics = Option.bind (Json.member "semantics" json) Json.string in
   let* parameters =

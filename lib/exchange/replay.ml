@@ -44,7 +44,7 @@ type failure = Fault of given_up | Refused of Diag.t | Interrupted
 (* What is left of the policy. *)
 type guide = Always_first | Generator of Splitmix64.t | Choices of Schedule.choice list
 
-type verdict = Take of int * guide | Leave | Misfit of Schedule.choice
+type verdict = Take of int * guide | Wait of Rat.t * Schedule.choice * guide | Leave | Misfit of Schedule.choice
 
 (* How far the run has come. *)
 type place = {
@@ -69,9 +69,10 @@ let ahead run place =
   | Error (Transition.Persistent_contact _ as fault) -> Ok (Over (given_up fault))
   | Error (Bad_law _ as fault) -> Error (Fault (given_up fault))
 
-let possible model transitions =
+let possible (model : Model.t) transitions =
   let line i (t : Run.alternative) =
-    Printf.sprintf "%d: %s" i (Transition.label_to_string model t.label)
+    let less = match (model.splits, t.label) with Any_time, Time _ -> ", or any time before" | _ -> "" in
+    Printf.sprintf "%d: %s%s" i (Transition.label_to_string model t.label) less
   in
   match transitions with
   | [] -> "nothing was possible there"
@@ -88,19 +89,36 @@ let index_of model transitions label =
   in
   from 0 transitions
 
+let is_time (t : Run.alternative) = Transition.is_time t.label
+
+(* The number of the passing of time; where time may pass for ever, the one after all others. *)
+let time_index transitions =
+  let rec from i = function [] -> i | t :: rest -> if is_time t then i else from (i + 1) rest in
+  from 0 transitions
+
+(* Time that may be less than the greatest, where bonds may be released at any time (rule Time). *)
+let part_of_time (model : Model.t) transitions (c : Schedule.choice) =
+  match (model.splits, c.label) with
+  | Every _, _ | _, None -> None
+  | Any_time, Some label ->
+    let at_place = match c.index with Some i -> i = time_index transitions | None -> true in
+    if at_place then Transition.time_of_string label else None
+
 let decide model transitions guide =
   match guide with
   | Choices [] -> Leave
   | Choices (c :: rest) -> (
-      match (c.Schedule.index, c.label) with
-      | Some i, label -> (
-          match List.nth_opt transitions i with
-          | Some t when label_fits model t label -> Take (i, Choices rest)
-          | _ -> Misfit c)
-      | None, Some label -> (
-          match index_of model transitions label with
-          | Some i -> Take (i, Choices rest)
-          | None -> Misfit c)
+      let fits =
+        match (c.Schedule.index, c.label) with
+        | Some i, label ->
+          let there = List.nth_opt transitions i in
+          Option.bind there (fun t -> if label_fits model t label then Some i else None)
+        | None, Some label -> index_of model transitions label
+        | None, None -> None
+      in
+      match (fits, part_of_time model transitions c) with
+      | Some i, _ -> Take (i, Choices rest)
+      | None, Some d -> Wait (d, c, Choices rest)
       | None, None -> Misfit c)
   | (Always_first | Generator _) when none transitions -> Leave
   | Always_first -> Take (0, guide)
@@ -134,8 +152,10 @@ let duration (t : Run.alternative) = Transition.duration_of t.label
 
 (* How long time may pass here without an event: [None] when for ever. *)
 let room run ahead =
+  let weak (t : Run.alternative) = match t.label with Weak_split _ -> true | _ -> false in
   match ahead with
   | Possible [] when Run.quiescent run -> None
+  | Possible (_ :: _ as list) when List.for_all weak list -> None
   | Possible _ | Over _ ->
     Some (List.fold_left (fun longest t -> Rat.max longest (duration t)) Rat.zero (transitions ahead))
 
@@ -211,17 +231,28 @@ let run semantics declared policy limits ~interrupted emit =
         match decide model transitions place.guide with
         | Leave -> leave semantics run limits emit place ahead offset
         | Misfit c -> Error (misfit model transitions place c)
-        | Take (index, guide) -> (
-            let taken = List.nth transitions index in
-            match beyond limits place (duration taken) with
-            | Some rest when Rat.sign rest > 0 ->
-              leave_at semantics run limits emit place ahead rest ~at:Span.none
-            | Some _ -> finish run limits emit place ahead
-            | None ->
-              let next = advance place guide taken and among = List.length transitions in
+        | Take (index, guide) ->
+          let taken = List.nth transitions index in
+          within place ahead (duration taken) (fun () ->
               Run.take run index;
-              emit (Step { number = next.taken; index; among; time = next.time; taken; state });
-              from next)
+              go_on place guide index (List.length transitions) taken)
+        | Wait (d, choice, guide) ->
+          within place ahead d (fun () ->
+              match Run.wait run d with
+              | Ok (Some taken) ->
+                let index = time_index transitions in
+                go_on place guide index (Int.max (List.length transitions) (index + 1)) taken
+              | Ok None -> Error (misfit model transitions place choice)
+              | Error fault -> Error (Fault { fault; steps = place.taken; time = place.time }))
+  and within place ahead d go =
+    match beyond limits place d with
+    | Some rest when Rat.sign rest > 0 -> leave_at semantics run limits emit place ahead rest ~at:Span.none
+    | Some _ -> finish run limits emit place ahead
+    | None -> go ()
+  and go_on place guide index among taken =
+    let next = advance place guide taken in
+    emit (Step { number = next.taken; index; among; time = next.time; taken; state });
+    from next
   in
   emit (Start (state ()));
   from { time = Rat.zero; taken = 0; still = 0; guide }

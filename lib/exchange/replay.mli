@@ -43,6 +43,8 @@ type event =
   | Step of {
       number : int;  (** from 1 *)
       index : int;
+      (** of a passing of time that is less than the greatest one, its; where time may pass for ever, the number
+          after all others *)
       among : int;
       time : Rat.t;  (** model time after it *)
       taken : Run.alternative;

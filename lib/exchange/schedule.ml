@@ -13,13 +13,17 @@ type t = {
   offset_at : Span.t;
 }
 
-let version = 1
+let versions = [ 1; 2 ]
+
+let version (origin : Scc_session.Origin.t) =
+  if List.exists (fun setting -> setting = Scc_calculus.Parameters.at_any_time) origin.settings then 2 else 1
+
 let ( let* ) = Result.bind
 
 let to_string ?model ?check (origin : Scc_session.Origin.t) choices ~offset =
   let b = Buffer.create 1024 in
   let add fmt = Printf.bprintf b fmt in
-  add "{ \"format\": \"scc-schedule\",\n  \"version\": %d,\n" version;
+  add "{ \"format\": \"scc-schedule\",\n  \"version\": %d,\n" (version origin);
   let optional name = Option.iter (fun s -> add "  \"%s\": %s,\n" name (Json.line (Json.text s))) in
   optional "model" model;
   optional "check" check;
@@ -45,8 +49,8 @@ let is_format name json =
 
 let check_version span json =
   match Option.bind (Json.member "version" json) Json.int with
-  | Some v when v = version -> Ok ()
-  | Some v -> Error (malformed span "format version %d is not %d, the one that this scc reads" v version)
+  | Some v when List.mem v versions -> Ok ()
+  | Some v -> Error (malformed span "format version %d is none of 1 and 2, which this scc reads" v)
   | None -> Error (malformed span "there is no `version`")
 
 let parameters span json =

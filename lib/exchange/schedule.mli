@@ -4,7 +4,9 @@ open Scc_base
 open Scc_exact
 
 (** The transition taken in a state: its number among the successors, from 0, and its label's text. At least
-    one of them is given; what is given must fit. *)
+    one of them is given; what is given must fit. Where bonds may be released at any time, the label [time(d)] lets
+    any time d pass up to the greatest one, which is the one that has a number (rule Time); where time may pass for
+    ever, its number is the one after all others. *)
 type choice = { index : int option; label : string option; at : Span.t }
 
 type t = {
@@ -18,8 +20,8 @@ type t = {
   offset_at : Span.t;
 }
 
-val version : int
-(** Of the format. *)
+val version : Scc_session.Origin.t -> int
+(** Of the format: 2 where labels [time(d)] may be less than the greatest time, else 1. Both can be read. *)
 
 val to_string :
   ?model:string ->

@@ -2,14 +2,12 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
-let version = Schedule.version
-
 let header origin =
   `Assoc
     ([
       ("type", `String "header");
       ("format", `String "scc-trace");
-      ("version", `Int version);
+      ("version", `Int (Schedule.version origin));
       ("semantics", `String Scc_calculus.Parameters.version);
     ]
       @ Origin_json.members origin)

@@ -2,9 +2,6 @@
 
 open Scc_calculus
 
-val version : int
-(** Of the format. *)
-
 val header : Scc_session.Origin.t -> Json.t
 (** The first line: what the run is of. It holds what decides what the choices mean, and not how they were
     made, so that a trace and its replay are the same bytes. *)

@@ -97,6 +97,12 @@ let pushed r = if Rat.sign r.push = 0 then "" else Printf.sprintf " push(%s)" (R
 
 let names (m : Model.t) = List.map (fun i -> m.leaves.(i).name)
 
+let time_of_string text =
+  let n = String.length text in
+  if n > 6 && String.equal (String.sub text 0 5) "time(" && text.[n - 1] = ')' then
+    match Rat.of_literal (String.sub text 5 (n - 6)) with Ok d -> Some d | Error _ -> None
+  else None
+
 let label_to_string (m : Model.t) = function
   | Time d -> Printf.sprintf "time(%s)" (Rat.to_string d)
   | Bind b -> Printf.sprintf "bind(%s, %s)" b.name (ends m b)

@@ -71,6 +71,9 @@ val hit : int * int -> int * int -> hit
 val compare_hit : hit -> hit -> int
 val equal_label : label -> label -> bool
 
+val time_of_string : string -> Rat.t option
+(** Of a label [Time], as {!label_to_string} writes it. *)
+
 val label_to_string : Model.t -> label -> string
 (** [time(1/2)], [bind(a, p.right, q.left)], [close(a, p.right, q.left)], [bounce(p, q)], [absorb(p, drain)],
     [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})]. *)

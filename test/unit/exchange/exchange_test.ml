@@ -94,7 +94,7 @@ let refused =
     ("empty", "");
     ("not JSON", "{ \"format\": ");
     ("another document", {|{ "format": "other" }|});
-    ("another version", {|{ "format": "scc-schedule", "version": 2, "choices": [] }|});
+    ("another version", {|{ "format": "scc-schedule", "version": 3, "choices": [] }|});
     ("no version", {|{ "format": "scc-schedule", "choices": [] }|});
     ("no choices", schedule {|"parameters": {}|});
     ("empty choice", schedule {|"choices": [ {} ]|});

@@ -1,0 +1,82 @@
+Bonds may be released at any time (split_step any): s arrives at 9/4, when p needs 1 from the release on to be ready.
+
+  $ cat > window.sc <<'END'
+  > model window
+  > split_step any
+  > shape Cube = box(2,2,2)
+  > behaviour P on Cube = omega(b, {right}). eps(1). <c, {left}>. PC
+  > behaviour Q on Cube = omega(b, {left}). eps(2). <a, {right}>. QA
+  > behaviour S on Cube = <~c, {right}>. nil
+  > behaviour R on Cube = <~a, {left}>. nil
+  > behaviour PC on Cube = nil
+  > behaviour QA on Cube = nil
+  > process p = Cube mass 1 at translate (0,0,0) [P]
+  > process q = Cube mass 1 at translate (2,0,0) [Q]
+  > bond <b, {p.right, q.left}>
+  > process s = Cube mass 1 velocity (1,0,0) at translate (-17/4,0,0) [S]
+  > process r = Cube mass 1 velocity (-1,0,0) at translate (15/2,0,0) [R]
+  > check alone : possibly event bounce(q, r)
+  > END
+
+A run that is not told otherwise splits where something else happens:
+
+  $ scc trace window.sc --human --states=ends --steps 3 | grep '[0-9][.] '
+      1.  p and q release <b, {p.right, q.left}> (choice 0 of 2)   {WeakSplit, Weak, Def}
+    2-3.  time passes 2 times by 1   {Time, TimeBehaviour}
+
+A schedule may let less time pass than until the next event, by the label of time:
+
+  $ cat > some.json <<'END'
+  > { "format": "scc-schedule", "version": 2, "choices": [
+  >   { "label": "time(4/3)" }, { "choice": 1, "label": "time(1/24)" }, { "choice": 0 } ], "offset": "1/2" }
+  > END
+  $ scc trace window.sc --schedule some.json > run.jsonl
+  $ scc trace window.sc --schedule run.jsonl | cmp - run.jsonl
+  $ scc trace window.sc --schedule some.json --human --states=ends | grep '[0-9][.:] \|passes'
+      1.  time passes by 4/3 (choice 1 of 2)   {Time, TimeBehaviour}
+      2.  time passes by 1/24 (choice 1 of 2)   {Time, TimeBehaviour}
+      3.  p and q release <b, {p.right, q.left}> (choice 0 of 2)   {WeakSplit, Weak, Def}
+          time passes by 1/2
+  3 transitions, time 15/8: more can happen
+
+But not more, no time at all, and not on a grid:
+
+  $ for t in 7/2 0 -1; do
+  >   echo "{ \"format\": \"scc-schedule\", \"version\": 2, \"choices\": [ { \"label\": \"time($t)\" } ] }" > bad.json
+  >   scc trace window.sc --schedule bad.json 2>&1 >/dev/null | grep 'error\|note'
+  > done
+  bad.json:1:56: error[SC0802]: step 1 at time 0: `time(7/2)` is not possible here
+  note: possible there: 0: weak(b, p.right, q.left); 1: time(9/4), or any time before
+  bad.json:1:56: error[SC0802]: step 1 at time 0: `time(0)` is not possible here
+  note: possible there: 0: weak(b, p.right, q.left); 1: time(9/4), or any time before
+  bad.json:1:56: error[SC0802]: step 1 at time 0: `time(-1)` is not possible here
+  note: possible there: 0: weak(b, p.right, q.left); 1: time(9/4), or any time before
+  $ sed 's/split_step any/split_step 3/' window.sc > grid.sc
+  $ scc trace grid.sc --schedule some.json 2>&1 >/dev/null | grep 'error\|note'
+  some.json:2:3: error[SC0802]: step 1 at time 0: `time(4/3)` is not possible here
+  note: possible there: 0: weak(b, p.right, q.left); 1: time(9/4)
+
+Where nothing else is to come, any time may pass:
+
+  $ sed '/process [rs]/d; /check/d' window.sc > alone.sc
+  $ cat > long.json <<'END'
+  > { "format": "scc-schedule", "version": 2, "choices": [
+  >   { "label": "time(1000)" }, { "choice": 1, "label": "time(1/3)" }, { "choice": 0 } ], "offset": "1/7" }
+  > END
+  $ scc trace alone.sc --schedule long.json 2>/dev/null > run.jsonl
+  $ scc trace alone.sc --schedule run.jsonl 2>/dev/null | cmp - run.jsonl
+  $ scc trace alone.sc --schedule long.json --human --states=ends 2>/dev/null | grep '[0-9][.:] \|passes'
+      1.  time passes by 1000 (choice 1 of 2)   {Time, TimeBehaviour}
+      2.  time passes by 1/3 (choice 1 of 2)   {Time, TimeBehaviour}
+      3.  p and q release <b, {p.right, q.left}>   {WeakSplit, Weak, Def}
+          time passes by 1/7
+  3 transitions, time 21010/21: more can happen
+
+What looks at one state after the other says so:
+
+  $ scc explore window.sc -o out.aut 2>&1 | grep error
+  error[SC0902]: bonds of this model may be released at any time (`split_step any`), and this looks at the instants of a grid
+  $ scc compare window.sc window.sc 2>&1 | grep error
+  error[SC0902]: bonds of this model may be released at any time (`split_step any`), and this looks at the instants of a grid
+  $ scc conform window.sc run.jsonl 2>&1 | grep error
+  error[SC0902]: bonds of this model may be released at any time (`split_step any`), and this looks at the instants of a grid
