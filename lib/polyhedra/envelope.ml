@@ -1,3 +1,5 @@
+open Scc_exact
+
 let halves p = List.concat_map Constraint.halves (Polyhedron.constraints p)
 
 let kept constraints p = List.filter (Polyhedron.implies p) constraints
@@ -36,12 +38,22 @@ let rec all_some = function
 (* A convex union of two has a point of one on the border of the other. *)
 let apart p q = Polyhedron.disjoint (Polyhedron.closure p) q && Polyhedron.disjoint p (Polyhedron.closure q)
 
+(* Some points between one of each, which a convex union has all. *)
+let between = List.map (fun (n, d) -> Rat.make (Z.of_int n) (Z.of_int d)) [ (1, 2); (1, 4); (3, 4); (1, 8); (7, 8) ]
+
+let seem_convex p q =
+  match (Polyhedron.point p, Polyhedron.point q) with
+  | Some a, Some b ->
+    let at t = Array.map2 (fun x y -> Rat.add x (Rat.mul t (Rat.sub y x))) a b in
+    List.for_all (fun t -> let c = at t in Polyhedron.mem p c || Polyhedron.mem q c) between
+  | None, _ | _, None -> true
+
 (* If the union of p and q is a polyhedron, the join may still have some faces more. A convex set in finitely many
    faces is in one of them, so each piece of what is too much lies in a face that has nothing of the union. *)
 let merge p q =
   if Polyhedron.included p q then Some q
   else if Polyhedron.included q p then Some p
-  else if apart p q then None
+  else if apart p q || not (seem_convex p q) then None
   else
     let whole = join p q in
     let left = List.concat_map (fun piece -> Difference.pieces piece q) (Difference.pieces whole p) in

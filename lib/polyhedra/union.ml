@@ -28,6 +28,15 @@ let covers u p =
   same_dimension u (Polyhedron.dimension p);
   List.exists (Polyhedron.included p) u.pieces || List.fold_left without (some [ p ]) u.pieces = []
 
+let outside u p =
+  same_dimension u (Polyhedron.dimension p);
+  (* one piece after the other is left out, and what is left is followed at once *)
+  let rec go p = function
+    | [] -> Polyhedron.point p
+    | q :: rest -> if Polyhedron.disjoint p q then go p rest else List.find_map (fun p -> go p rest) (Difference.pieces p q)
+  in
+  if Polyhedron.is_empty p then None else go p u.pieces
+
 let included u v = List.for_all (covers v) u.pieces
 let equal u v = u == v || (included u v && included v u)
 

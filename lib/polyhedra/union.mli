@@ -33,6 +33,9 @@ val point : t -> Rat.t array option
 val covers : t -> Polyhedron.t -> bool
 (** Whether each point of the polyhedron is in the set. *)
 
+val outside : t -> Polyhedron.t -> Rat.t array option
+(** A point of the polyhedron that is not in the set, if there is one. *)
+
 val included : t -> t -> bool
 (** [included u v]: whether each point of u is in v. *)
 

@@ -48,13 +48,25 @@ let along way (edge : Zone_graph.edge) =
   in
   { way with here = Array.map over edge.map; taken = (edge.step, time) :: way.taken }
 
-let rec to_root graph (node : Zone_graph.node) edges =
-  match node.parent with
-  | None -> (node, edges)
-  | Some (i, edge) -> to_root graph (Zone_graph.node graph i) (edge :: edges)
+(* Edges that lead to some states of a node, which are found backwards: from where an edge leads into them. *)
+let rec to_root graph (node : Zone_graph.node) states edges =
+  match node.parents with
+  | [] -> (node, edges)
+  | parents -> (
+      let from (i, (edge : Zone_graph.edge)) =
+        let parent = Zone_graph.node graph i in
+        let dimension = Polyhedron.dimension edge.guard in
+        let all = Polyhedron.inter edge.guard (Polyhedron.preimage states ~dimension edge.map) in
+        if Polyhedron.is_empty all then None
+        else Some (parent, Polyhedron.project all (Array.init (Zone.dimension parent.zone) Fun.id), edge)
+      in
+      match List.find_map from parents with
+      | Some (parent, states, edge) -> to_root graph parent states (edge :: edges)
+      | None -> Scc_base.Bug.fail __POS__ "states that no edge leads to")
 
 let way_to graph (place : Search_sets.place) =
-  let root, edges = to_root graph place.node [] in
+  let n = Zone.dimension place.node.zone in
+  let root, edges = to_root graph place.node (Polyhedron.project place.states (Array.init n Fun.id)) [] in
   let z = root.zone in
   let start = { set = z.set; here = Array.init (Zone.dimension z) (Linear.variable (Zone.dimension z)); taken = [] } in
   let way, forms = enter (List.fold_left along start edges) place.states in
@@ -76,11 +88,14 @@ let at_point (root : Zone.t) way forms ~passing point =
   }
 
 let run_within graph (place : Search_sets.place) values =
-  let root, way, forms = way_to graph place in
-  let dimension = Polyhedron.dimension way.set in
-  let parameters = Array.map (extended dimension) root.parameters in
-  let set = Polyhedron.inter way.set (Polyhedron.preimage values ~dimension parameters) in
-  Option.map (at_point root way forms ~passing:place.passing) (Polyhedron.interior_point set)
+  let z = place.node.zone in
+  let dimension = Polyhedron.dimension place.states in
+  let here = Polyhedron.preimage values ~dimension (Array.map (extended dimension) z.parameters) in
+  let place = { place with states = Polyhedron.inter place.states here } in
+  if Polyhedron.is_empty place.states then None
+  else
+    let root, way, forms = way_to graph place in
+    Option.map (at_point root way forms ~passing:place.passing) (Polyhedron.interior_point way.set)
 
 let run graph place =
   let root, way, forms = way_to graph place in

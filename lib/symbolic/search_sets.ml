@@ -15,6 +15,7 @@ type t = {
   mutable doubtful : Polyhedron.t list;
   mutable reasons : string list;
   mutable first : place option;
+  mutable outside : Rat.t array option;  (** values that were not found when somebody asked last *)
 }
 
 let make context ~parameters ~bound prop =
@@ -28,6 +29,7 @@ let make context ~parameters ~bound prop =
     doubtful = [];
     reasons = [];
     first = None;
+    outside = None;
   }
 
 let add pieces p = if List.exists (Polyhedron.included p) pieces then pieces else Union.add_merged p pieces
@@ -95,5 +97,12 @@ let union t pieces = Union.of_polyhedra t.parameters pieces
 let found t = union t t.found
 let open_ t = union t t.doubtful
 let reasons t = t.reasons
-let covers t set = Union.covers (found t) set
+(* Asked again and again while it explores, about one set. *)
+let covers t set =
+  let is_found point = List.exists (fun p -> Polyhedron.mem p point) t.found in
+  match t.outside with
+  | Some point when not (is_found point) -> false
+  | Some _ | None ->
+    t.outside <- Union.outside (found t) set;
+    Option.is_none t.outside
 let first t = t.first

@@ -147,3 +147,10 @@ let included a b =
   let agrees i f = Linear.equal (Linear.compose f ~dimension:n forms) of_a.(i) in
   let rec all i = i >= Array.length of_b || (agrees i of_b.(i) && all (i + 1)) in
   if all 0 && Polyhedron.included a.set (Polyhedron.preimage b.set ~dimension:n forms) then Some forms else None
+
+let same_forms a b =
+  let f = coordinates a and g = coordinates b in
+  dimension a = dimension b && Array.for_all2 Linear.equal f g
+
+let merged a b =
+  if same_forms a b then Option.map (fun set -> { a with set }) (Envelope.merge a.set b.set) else None

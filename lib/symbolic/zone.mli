@@ -49,6 +49,10 @@ val same_kind : t -> t -> bool
 
 val hash_kind : t -> int
 
+val merged : t -> t -> t option
+(** The states of two canonical zones of one kind together, where their numbers are the same forms and the union of
+    their sets is convex. *)
+
 val included : t -> t -> Linear.t array option
 (** [included a b], of canonical zones of one kind: if each state of a is one of b, the variables of b as forms over
     those of a. *)

@@ -8,9 +8,9 @@ and step = Happens of Transition.label | Passes of Linear.t | Passes_some
 
 type node = {
   number : int;
-  zone : Zone.t;
+  mutable zone : Zone.t;
   depth : int;
-  parent : (int * edge) option;
+  mutable parents : (int * edge) list;
   mutable edges : edge list;
   mutable cells : Passing.due First.cell list;
   mutable late : Polyhedron.t list;
@@ -51,7 +51,8 @@ type exploration = { graph : t; context : Instant.context; limits : limits; visi
 let put e zone parent =
   let g = e.graph in
   let depth = match parent with None -> 0 | Some (i, _) -> (node g i).depth + 1 in
-  let node = { number = size g; zone; depth; parent; edges = []; cells = []; late = []; expanded = false } in
+  let parents = Option.to_list parent in
+  let node = { number = size g; zone; depth; parents; edges = []; cells = []; late = []; expanded = false } in
   Scc_data.Growable.push g.nodes node;
   Kinds.replace g.by_kind zone (node :: Option.value (Kinds.find_opt g.by_kind zone) ~default:[]);
   Queue.add node g.waiting;
@@ -81,8 +82,14 @@ let node_of e zone ~parent =
   match List.find_map holds known with
   | Some (n, map) ->
     (n, Array.map (fun f -> Linear.compose f ~dimension:(Zone.dimension zone) forms) map)
-  | None ->
-    (put e canonical (parent forms), forms)
+  | None -> (
+      let grown (n : node) = if n.expanded || n.parents = [] then None else Option.map (fun z -> (n, z)) (Zone.merged n.zone canonical) in
+      match List.find_map grown known with
+      | None -> (put e canonical (parent (size e.graph) forms), forms)
+      | Some (n, zone) ->
+        n.zone <- zone;
+        n.parents <- n.parents @ Option.to_list (parent n.number forms);
+        (n, forms))
 
 let add_edge e (source : node) guard step (target : Zone.t) =
   let late set =
@@ -95,8 +102,7 @@ let add_edge e (source : node) guard step (target : Zone.t) =
   | Some zone ->
     let guard = if zone == target then guard else zone.set in
     let edge n map = { guard; step; target = n; map } in
-    let number = size e.graph in
-    let n, map = node_of e zone ~parent:(fun map -> Some (source.number, edge number map)) in
+    let n, map = node_of e zone ~parent:(fun number map -> Some (source.number, edge number map)) in
     source.edges <- edge n.number map :: source.edges
 
 let happen e source (h : Happening.t) = add_edge e source h.target.set (Happens h.label) h.target
@@ -135,7 +141,7 @@ let explore context ~events ~limits ~visitor zones =
   in
   let e = { graph; context; limits; visitor } in
   let root zone =
-    let n, _ = node_of e zone ~parent:(fun _ -> None) in
+    let n, _ = node_of e zone ~parent:(fun _ _ -> None) in
     graph.roots <- n :: graph.roots
   in
   List.iter root zones;

@@ -5,6 +5,8 @@ open Scc_polyhedra
 open Scc_semantics
 open Scc_property
 
+(** Zones that are not expanded yet take in what makes a convex set with them, so that fewer are to be expanded. *)
+
 (** From where the guard holds of the variables of the source. *)
 type edge = {
   guard : Polyhedron.t;
@@ -21,9 +23,11 @@ and step =
 
 type node = {
   number : int;
-  zone : Zone.t;  (** canonical *)
+  mutable zone : Zone.t;  (** canonical *)
   depth : int;  (** how many edges from a root, at least *)
-  parent : (int * edge) option;  (** the edge that it was found by, which leads to all of it *)
+  mutable parents : (int * edge) list;
+  (** edges that it was found by, from nodes that were expanded before; together they lead to all of it. None to a
+      root. *)
   mutable edges : edge list;
   mutable cells : Passing.due First.cell list;
   (** regions on which time passes, with what comes first: until then it does so undisturbed *)

@@ -208,8 +208,9 @@ let verdict semantics u ~declared (e : explored) check answer (where : Where.t) 
     let witness =
       match (shown ~holds:false, Union.point where.fails) with
       | (Some _ as w), _ -> w
-      | None, Some values -> ordinarily semantics u ~declared check values
-      | None, None -> None
+      | None, Some values when not (Plan.is_search (Plan.of_formula check.Property.formula)) ->
+        ordinarily semantics u ~declared check values
+      | None, _ -> None
     in
     Violated { witness }
   else if Union.is_empty where.unknown then Holds { bounds = []; witness = shown ~holds:true }
