@@ -127,34 +127,12 @@ let cover options reductions (l : Loaded.t) initial =
   let time_seen = Reduction.time_seen reductions l.model [] in
   Coverage.explore ~time_seen options l.semantics ~initial
 
-let has_ranges (l : Loaded.t) =
-  if Array.length l.model.ranges > 0 then Ok ()
-  else
-    Error
-      [
-        Diag.error Code.bad_value Span.none "no parameter of this model has a range"
-          ~hint:"`param x in [0, 6]` declares one; with -D NAME=LOW..HIGH it gets another one";
-      ]
-
-(* That the declared state is not well-formed for some values. *)
-let not_well_formed (l : Loaded.t) ({ at; reason } : Zone_check.fault) =
-  let name leaf = l.model.leaves.(leaf).name in
-  let values = Verdict.values_to_string at in
-  match reason with
-  | Interpenetrate (a, b) ->
-    Diag.error Code.interpenetration Span.none "`%s` and `%s` interpenetrate for some starts: for %s" (name a) (name b)
-      values
-  | Bond_apart b ->
-    let site (f : Scc_calculus.State.finish) = Scc_calculus.Model.site_name l.model ~leaf:f.at f.site in
-    Diag.error Code.not_touching Span.none "%s and %s do not touch for some starts: for %s" (site b.one) (site b.two)
-      values
-
 let over_zones options (l : Loaded.t) ~exactly checks =
   let uncertain =
     match l.uncertain with Some uncertain -> uncertain | None -> Scc_symbolic.Start.known l.model l.declared
   in
   Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly checks
-  |> Result.map_error (fun fault -> [ not_well_formed l fault ])
+  |> Result.map_error (fun fault -> [ Zone_check.diagnostic l.model fault ])
 
 (* None where a limit has ended all work. *)
 let named_where verdicts (report : Check.report) =
@@ -181,7 +159,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let zones = Zone_check.is_for l.model ~declared:l.declared in
   let* () = match Zone_check.refused l.model with _ :: _ as why when zones -> Error why | _ -> Ok () in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
-  let* () = if where then has_ranges l else Ok () in
+  let* () = if where then Ordinary.has_ranges l else Ok () in
   let* view = view extras l in
   Console.report console (l.warnings @ Vacuity.impossible l);
   let* initial = Loaded.initial l in

@@ -6,4 +6,7 @@ type bounds = {
   now : unit -> float;  (** a clock in seconds *)
 }
 
+val options : bounds -> Read.params -> Scc_verify.Check.options
+(** Of an exploration: by the member [limits], within the bounds. *)
+
 val evaluate : bounds -> Models.store -> Read.params -> Reply.t

@@ -28,11 +28,14 @@ let text_name = "<model>"
 let formula_name = "<formula>"
 let ( let* ) = Result.bind
 
-let make given tree =
+let of_tree given tree =
   let read_file name =
     Option.to_result ~none:"it is not among the files of the request" (List.assoc_opt name given.files)
   in
-  let* model = Loaded.of_tree ~read_file ~overrides:given.overrides given.source tree in
+  Loaded.of_tree ~read_file ~overrides:given.overrides given.source tree
+
+let make given tree =
+  let* model = of_tree given tree in
   let* model = Ordinary.refuse model in
   let* initial = Loaded.initial model in
   Ok { model; network = Network_at.make model.semantics ~initial }
@@ -97,9 +100,9 @@ let describe given handle l =
       ("warnings", `List (Fault.diagnostics ~source:(source_of given) m.warnings));
     ]
 
-let load store p =
+(* The model of a request, as it is written. *)
+let given p =
   Read.only p [ "text"; "files"; "parameters"; "limits" ];
-  Handles.check_room store.models;
   let source = Source.make ~name:text_name (Read.required p "text" Read.text) in
   let files = Option.value (Read.optional p "files" (Read.entries Read.text)) ~default:[] in
   let overrides = Option.value (Read.optional p "parameters" (Read.entries Read.rational)) ~default:[] in
@@ -108,11 +111,21 @@ let load store p =
   if bytes given > most then Fault.refuse (Limit ("model_bytes", most));
   match (Front_end.of_source source).model source with
   | Error diagnostics -> refuse given diagnostics
-  | Ok tree ->
-    let kept = { given = { given with tree }; loaded = None } in
-    let l = loaded kept in
-    let handle = Handles.add store.models kept in
-    Reply.Value (describe given handle l)
+  | Ok tree -> { given with tree }
+
+let read p =
+  let given = given p in
+  match of_tree given given.tree with
+  | Error diagnostics -> refuse given diagnostics
+  | Ok model -> (model, source_of given)
+
+let load store p =
+  Handles.check_room store.models;
+  let given = given p in
+  let kept = { given; loaded = None } in
+  let l = loaded kept in
+  let handle = Handles.add store.models kept in
+  Reply.Value (describe given handle l)
 
 let release store p =
   Read.only p [ "model"; "limits" ];

@@ -19,6 +19,10 @@ val forget : store -> unit
 (** What was worked out of the models, and may have been left half made. *)
 
 val load : store -> Read.params -> Reply.t
+val read : Read.params -> Loaded.t * (string -> Source.t option)
+(** The model of a request that gives all of it, as [model.load] does, and its texts by name. Its parameters may have
+    ranges. *)
+
 val release : store -> Read.params -> Reply.t
 
 (** {1 With a formula} *)

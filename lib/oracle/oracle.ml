@@ -11,6 +11,10 @@ let evaluate (s : Session.t) ~seconds p =
   let memory = Memory.words_of_mib s.quotas.memory_mib in
   Evaluate.evaluate { seconds; memory; now = s.surroundings.now } s.models p
 
+let where (s : Session.t) ~seconds p =
+  let memory = Memory.words_of_mib s.quotas.memory_mib in
+  Wheres.where { seconds; memory; now = s.surroundings.now } p
+
 let plain f : work = fun _ ~seconds:_ p -> f p
 let on_shapes f : work = fun s ~seconds:_ p -> f s.Session.shapes p
 let on_models f : work = fun s ~seconds:_ p -> f s.Session.models p
@@ -33,6 +37,7 @@ let table : (string * work) list =
     ("step", on_models Runs.step);
     ("replay", on_models Runs.replay);
     ("evaluate", evaluate);
+    ("model.where", where);
   ]
 
 let methods = List.sort String.compare (described :: discover :: List.map fst table)
@@ -110,12 +115,14 @@ let request (v : Wire.t) =
     { id = find "id"; name; members }
   | _ -> invalid "a request is an object"
 
+let explores name = String.equal name "evaluate" || String.equal name "model.where"
+
 let seconds (s : Session.t) name p =
   let most = float_of_int s.quotas.seconds in
   match Read.optional p "limits" Read.fields with
   | None -> most
   | Some limits -> (
-      let others = if String.equal name "evaluate" then [ "states"; "depth"; "time" ] else [] in
+      let others = if explores name then [ "states"; "depth"; "time" ] else [] in
       Read.only limits ("seconds" :: others);
       match Read.optional limits "seconds" Read.positive with
       | None -> most

@@ -30,4 +30,13 @@ let at_point (l : Loaded.t) =
           ~hint:(Printf.sprintf "`scc check` answers for all values; `-D %s=VALUE` gives one" example);
       ]
 
+let has_ranges (l : Loaded.t) =
+  if Array.length l.model.ranges > 0 then Ok ()
+  else
+    Error
+      [
+        Diag.error Code.bad_value Span.none "no parameter of this model has a range"
+          ~hint:"`param x in [0, 6]` declares one; with -D NAME=LOW..HIGH it gets another one";
+      ]
+
 let refuse l = Result.bind (at_point l) (fun () -> Result.map (fun () -> l) (on_grid l))

@@ -9,5 +9,8 @@ val on_grid : Loaded.t -> (unit, Diag.t list) result
 val at_point : Loaded.t -> (unit, Diag.t list) result
 (** SC0903 for a model with parameters of which ranges are known. *)
 
+val has_ranges : Loaded.t -> (unit, Diag.t list) result
+(** For who asks where checks hold: SC0208 for a model without parameters of which ranges are known. *)
+
 val refuse : Loaded.t -> (Loaded.t, Diag.t list) result
 (** The model, if it passes both. *)

@@ -29,6 +29,18 @@ let refused (m : Model.t) =
 
 type fault = { at : (string * Rat.t) list; reason : Start.reason }
 
+let diagnostic (m : Model.t) { at; reason } =
+  let name leaf = m.leaves.(leaf).name in
+  let values = Verdict.values_to_string at in
+  match reason with
+  | Interpenetrate (a, b) ->
+    Diag.error Code.interpenetration Span.none "`%s` and `%s` interpenetrate for some starts: for %s" (name a) (name b)
+      values
+  | Bond_apart b ->
+    let site (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
+    Diag.error Code.not_touching Span.none "%s and %s do not touch for some starts: for %s" (site b.one) (site b.two)
+      values
+
 (* {1 One exploration} *)
 
 type group = { keeps_time : bool; members : (int * Property.check) list }

@@ -18,6 +18,9 @@ type fault = {
   reason : Start.reason;
 }
 
+val diagnostic : Model.t -> fault -> Scc_base.Diag.t
+(** That for these values bodies interpenetrate (SC0403), or what is bound does not touch (SC0401). *)
+
 val run :
   Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool -> Property.check list ->
   (Check.report, fault) result

@@ -8,8 +8,8 @@ import unittest
 from decimal import Decimal
 from fractions import Fraction
 
-from shapecalculus import Polyhedron, Where, wheres
-from tests.support import MODEL, program
+from shapecalculus import LimitExceeded, ModelRefused, Polyhedron, Where, wheres
+from tests.support import MODEL, WithOracle, program
 
 
 def constraint(relation, bound, **coefficients):
@@ -106,21 +106,17 @@ class Sets(unittest.TestCase):
         self.assertEqual(found["meets"], Where.from_json(CUBES))
 
 
-class Reports(unittest.TestCase):
+RANGED = (
+    MODEL.replace("param speed = 2", "param speed = 2\nparam y in [-5, 5]\nparam z in (-5, 5]")
+    .replace("at translate (7,0,0)", "at translate (7,y,z)")
+    .replace("eventually", "possibly")
+)
+
+
+class Answers(WithOracle):
     """What the program says of two cubes, one of which comes with an offset that is not known."""
 
-    def test_report(self):
-        if program() is None:
-            self.skipTest("no scc: name it in the environment variable SCC")
-        model = MODEL.replace("param speed = 2", "param speed = 2\nparam y in [-5, 5]\nparam z in (-5, 5]")
-        model = model.replace("at translate (7,0,0)", "at translate (7,y,z)")
-        model = model.replace("eventually", "possibly")
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "cubes.sc")
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(model)
-            done = subprocess.run([program(), "check", "--where", "--json", path], stdout=subprocess.PIPE, timeout=60)
-        where = wheres(json.loads(done.stdout))["meets"]
+    def judge(self, where):
         self.assertEqual((where.parameters, where.probability), (("y", "z"), Fraction(4, 25)))
         self.assertEqual(where.holds.measure + where.fails.measure + where.unknown.measure, 100)
         for y, z in ((0, 0), (2, 0), ("1.99", "-1.99"), (5, 5), (-2, 1)):
@@ -128,3 +124,23 @@ class Reports(unittest.TestCase):
             self.assertEqual(where.outcome((y, z)), "holds" if inside else "fails")
         with self.assertRaises(ValueError):
             where.outcome((0, -5))
+
+    def test_oracle(self):
+        self.judge(self.oracle.where(RANGED)["meets"])
+        on_line = self.oracle.where(RANGED, parameters={"z": "1.5"}, seconds=20)["meets"]
+        self.assertEqual((on_line.parameters, on_line.probability), (("y",), Fraction(2, 5)))
+        with self.oracle.batch() as batch:
+            later = batch.where(RANGED)
+        self.judge(later.result()["meets"])
+        with self.assertRaises(ModelRefused):
+            self.oracle.where(MODEL)
+        with self.assertRaises(LimitExceeded):
+            self.oracle.where(RANGED, states=10**9)
+
+    def test_command_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "cubes.sc")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(RANGED)
+            done = subprocess.run([program(), "check", "--where", "--json", path], stdout=subprocess.PIPE, timeout=60)
+        self.judge(wheres(json.loads(done.stdout))["meets"])

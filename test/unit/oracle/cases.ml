@@ -28,6 +28,22 @@ fixed wall = Cube at translate (12, 0, 0)
 check meet : possibly bonds(k) = 1
 |}
 
+(* Two cubes, one of which comes from a place that is not known. *)
+let ranged =
+  {|param y in [-5, 5]
+shape Cube {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+           e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+           right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+}
+behaviour P on Cube = <k, {right}>. nil
+behaviour Q on Cube = <~k, {left}>. nil
+process p = Cube mass 1 velocity (1, 0, 0) [P]
+process q = Cube mass 2 at translate (12, y, 0) [Q]
+check meet : possibly bound(p, q)
+|}
+
 let request ~id name params : json =
   `Assoc [ ("jsonrpc", `String "2.0"); ("id", `Int id); ("method", `String name); ("params", params) ]
 
@@ -73,5 +89,6 @@ let valid =
       ("evaluate", {|{"model":"m1","path":[0],"formula":"x(q) / 3"}|});
       ("evaluate", {|{"model":"m1","formula":"possibly bonds(k) = 1 within 2",
                       "limits":{"seconds":5,"states":100}}|});
+      ("model.where", Yojson.Basic.to_string (`Assoc [ ("text", `String ranged) ]));
       ("service.describe", "{}");
     ]

@@ -7,6 +7,9 @@ val cube : json
 
 val tetrahedron : json
 
+val ranged : string
+(** A model of two cubes, one of which comes from (12, y, 0), with y in [-5, 5]; they meet where -2 < y < 2. *)
+
 val model : string
 (** Two cubes that meet, bind and bounce, and a wall. *)
 

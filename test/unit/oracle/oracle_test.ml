@@ -376,6 +376,23 @@ let evaluate () =
   check (String.make 60_000 '(') "[]" "-32007";
   check "true" "[7]" "-32005"
 
+(* They meet where -2 < y < 2, of [-5, 5]. *)
+let where () =
+  let session = create () in
+  let asked members = `Assoc (("text", `String Cases.ranged) :: members) in
+  let meet = function
+    | `List [ property ] -> member "where" property
+    | _ -> Alcotest.fail "one check has one property"
+  in
+  let found = meet (member "properties" (member "result" (ask session "model.where" (asked [])))) in
+  check_text "probability" {|"2/5"|} (shown (member "probability" found));
+  check_text "parameters" {|["y"]|} (shown (member "parameters" found));
+  let refused members = code (ask session "model.where" (asked members)) in
+  Alcotest.(check int) "of a point" (-32003) (refused [ ("parameters", `Assoc [ ("y", `Int 1) ]) ]);
+  Alcotest.(check int) "too many states" (-32000) (refused [ ("limits", `Assoc [ ("states", `Int 100_000_000) ]) ]);
+  Alcotest.(check int) "a handle" (-32602) (refused [ ("model", `String "m1") ]);
+  Alcotest.(check int) "it is not loaded" (-32003) (code (ask session "model.load" (asked [])))
+
 let () =
   Alcotest.run "oracle"
     [
@@ -395,5 +412,5 @@ let () =
         ] );
       ("limits", [ case "handles" handles; case "limits" limits ]);
       ("sessions", [ case "independence" independence; case "stopped" stopped; case "internal errors" internal ]);
-      ("models", [ case "states" states; case "evaluate" evaluate ]);
+      ("models", [ case "states" states; case "evaluate" evaluate; case "where" where ]);
     ]

@@ -22,6 +22,7 @@ from .numbers import (
     to_json,
     vector_to_json,
 )
+from .where import Where, wheres
 
 T = TypeVar("T")
 
@@ -87,6 +88,18 @@ def _set(params: Params, write: Callable[[Any], Any], **members: Any) -> None:
 def _limited(params: Params, seconds: Optional[Number]) -> Params:
     if seconds is not None:
         params["limits"] = {"seconds": to_json(seconds)}
+    return params
+
+
+def _explored(
+    params: Params, seconds: Optional[Number], states: Optional[int], depth: Optional[int], time: Optional[Number]
+) -> Params:
+    """With the limits of an exploration."""
+    limits: Params = _limited(params, seconds).get("limits", {})
+    _set(limits, integer, states=states, depth=depth)
+    _set(limits, to_json, time=time)
+    if limits:
+        params["limits"] = limits
     return params
 
 
@@ -272,6 +285,28 @@ def load_model(
     return Request("model.load", _limited(params, seconds), Model.from_json)
 
 
+def where(
+    text: str,
+    *,
+    files: Optional[Mapping[str, str]] = None,
+    parameters: Optional[Mapping[str, Number]] = None,
+    states: Optional[int] = None,
+    depth: Optional[int] = None,
+    time: Optional[Number] = None,
+    seconds: Optional[Number] = None,
+) -> Request[Dict[str, Where]]:
+    """For which values of its parameters, of which ranges are known, the checks of a model hold: by their names.
+
+    What ``parameters`` gives a value is known. The limits are those of the exploration; checks of which nothing could be
+    found within them are left out. Raises ModelRefused, also where no parameter has a range.
+    """
+    params: Params = {"text": text}
+    _set(params, dict, files=files)
+    if parameters is not None:
+        params["parameters"] = {name: to_json(value) for name, value in parameters.items()}
+    return Request("model.where", _explored(params, seconds, states, depth, time), wheres)
+
+
 def release_model(model: ModelLike) -> Request[None]:
     """Makes room for another model; the handle is never used again."""
     return Request("model.release", {"model": _model(model)}, lambda _: None)
@@ -352,13 +387,8 @@ def evaluate(
     seconds: Optional[Number] = None,
 ) -> Request[Evaluation]:
     """What ``formula`` says in the state that ``path`` leads to; limits are those of the exploration, if any."""
-    params = _limited({"model": _model(model), "path": _path(path), "formula": formula}, seconds)
-    limits: Params = params.get("limits", {})
-    _set(limits, integer, states=states, depth=depth)
-    _set(limits, to_json, time=time)
-    if limits:
-        params["limits"] = limits
-    return Request("evaluate", params, Evaluation.from_json)
+    params: Params = {"model": _model(model), "path": _path(path), "formula": formula}
+    return Request("evaluate", _explored(params, seconds, states, depth, time), Evaluation.from_json)
 
 
 def describe() -> Request[Description]:

@@ -138,5 +138,8 @@ class Where:
 
 
 def wheres(report: Json) -> Dict[str, Where]:
-    """Of a report of ``scc check --where --json``, read by ``json.load``: by the names of its checks."""
+    """Of a report of ``scc check --where --json``, read by ``json.load``: by the names of its checks.
+
+    Those of which it does not tell where they hold are left out.
+    """
     return {check["name"]: Where.from_json(check["where"]) for check in report["properties"] if "where" in check}
