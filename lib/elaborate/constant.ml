@@ -176,10 +176,6 @@ let is_open env e =
   in
   Limits.exists_in (unknown env) e
 
-let can_read env e =
-  let scratch = Report.create () in
-  Option.is_some (Eval.eval (context scratch) env e) && not (Report.failed scratch)
-
 let value report env (e : Ast.expr) =
   let refuse why form =
     Not_linear.report report e.at ~why form;

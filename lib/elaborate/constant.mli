@@ -18,9 +18,6 @@ val truth : ?why:string -> Report.t -> Env.t -> Ast.expr -> bool option
 val is_constant : Env.t -> Ast.expr -> bool
 (** Only numbers, truth values, constants in scope and operations on them. *)
 
-val can_read : Env.t -> Ast.expr -> bool
-(** It is a number, vector or truth value that may depend on parameters of which ranges are known. *)
-
 val is_open : Env.t -> Ast.expr -> bool
 (** It depends on a parameter that is [Unknown]. True as well of what is too large to find out. *)
 

@@ -204,9 +204,15 @@ module Algebra = struct
 
   let admits _ _ _ _ _ = true
 
-  let affine t at form =
-    Not_linear.report t.c.report at ~why:"properties speak of what changes" form;
-    None
+  let affine _ _ (form : Form.t) =
+    let term ((v : Form.variable), c) =
+      let parameter = Property.Quantity (Parameter v.index) in
+      if Rat.equal c Rat.one then parameter else Property.Mul (Const c, parameter)
+    in
+    let constant = if Rat.sign form.constant = 0 then [] else [ Property.Const form.constant ] in
+    match List.map term form.terms @ constant with
+    | [] -> Some (Property.Const Rat.zero)
+    | first :: rest -> Some (List.fold_left add first rest)
 
   let variable = Atoms.variable
   let comparison = Atoms.comparison
@@ -250,5 +256,5 @@ let premises t (k : Program.check) =
   List.filter_map read (Premises.of_check k.formula)
 
 let check_let t env (e : Ast.expr) =
-  if not (Laws.can_read t.law_budget env e || Constant.can_read env e) then
+  if not (Laws.can_read t.law_budget env e) then
     if Laws.speaks_of_a_law env e then Laws.check t.c.report t.law_budget env e else ignore (Eval.eval t env e)

@@ -12,6 +12,7 @@ type quantity =
   | Sum of (Path.t -> Path.curve)
   | Number of (State.process -> int)
   | Time
+  | Parameter of int
 
 type fact =
   | Missing of int
@@ -80,6 +81,7 @@ let quantity model : Property.quantity -> quantity = function
   | Angular a -> Sum (fun p -> Path.angular p a)
   | Energy -> Sum Path.energy
   | Time -> Time
+  | Parameter i -> Parameter i
 
 let fact semantics : Property.fact -> fact = function
   | Bound (i, j) -> In_process (i, fun p -> Array.exists (joins i j) p.bonds)

@@ -16,6 +16,7 @@ type quantity =
   | Sum of (Path.t -> Path.curve)  (** over all processes *)
   | Number of (State.process -> int)  (** the same, of what does not change while time passes *)
   | Time  (** absolute *)
+  | Parameter of int  (** of which a range is known: one run has its value in its place *)
 
 type fact =
   | Missing of int  (** no process has the leaf *)

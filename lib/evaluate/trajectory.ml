@@ -86,6 +86,7 @@ module Stretch = struct
     | Sum f -> sum s f
     | Number f -> constant (Rat.of_int (Array.fold_left (fun n p -> n + f p) 0 s.state.processes)) s
     | Time -> time s
+    | Parameter _ -> Scc_base.Bug.fail __POS__ "a parameter that is not known, along one run"
 
   (* True at most at the instant at which the trajectory starts. *)
   let at_the_start s holds = Timeline.after_start s.extent (Truth.of_bool holds) Truth.False

@@ -251,7 +251,7 @@ let arrival t =
 let is_of (atom : Atom.t) (b : State.bond) =
   let fits_name : Atom.argument -> bool = function
     | Channel (_, a) -> String.equal a b.name
-    | Leaf _ | Part _ | Definition _ -> true
+    | Leaf _ | Part _ | Definition _ | Parameter _ -> true
   in
   List.for_all fits_name atom.arguments
   &&

@@ -6,6 +6,7 @@ type argument =
   | Part of int * int
   | Channel of Behaviour.polarity option * string
   | Definition of int
+  | Parameter of int
 
 type aspect = Absolute_time | Absolute_place | Motion | Structure | Bonding | Term | Split_clock
 type scope = Named | Whole
@@ -88,6 +89,7 @@ let quantity = function
   | Angular a -> row ("angular." ^ axis a) [] Whole [ Absolute_place; Motion ] Turning
   | Energy -> row "energy" [] Whole [ Motion ] Turning
   | Time -> row "time" [] Named [ Absolute_time ] Always
+  | Parameter i -> row "parameter" [ Parameter i ] Named [] Never
 
 let fact = function
   | Bound (i, j) -> row "bound" (two (i, j)) Named [ Bonding ] Never ~symmetric
@@ -106,7 +108,7 @@ let leaves t =
   List.filter_map
     (function
       | Leaf i | Part (i, _) -> Some i
-      | Channel _ | Definition _ -> None)
+      | Channel _ | Definition _ | Parameter _ -> None)
     t.arguments
 
 let rank = function
@@ -137,17 +139,18 @@ let argument_rank = function
   | Channel _ -> 1
   | Definition _ -> 2
   | Part _ -> 3
+  | Parameter _ -> 4
 
 let compare_argument a b =
   match (a, b) with
-  | Leaf i, Leaf j | Definition i, Definition j -> Int.compare i j
+  | Leaf i, Leaf j | Definition i, Definition j | Parameter i, Parameter j -> Int.compare i j
   | Part (i, k), Part (j, l) ->
     let c = Int.compare i j in
     if c <> 0 then c else Int.compare k l
   | Channel (p, a), Channel (q, b) ->
     let c = Option.compare (fun p q -> Int.compare (polarity_rank p) (polarity_rank q)) p q in
     if c <> 0 then c else String.compare a b
-  | (Leaf _ | Part _ | Channel _ | Definition _), _ -> Int.compare (argument_rank a) (argument_rank b)
+  | (Leaf _ | Part _ | Channel _ | Definition _ | Parameter _), _ -> Int.compare (argument_rank a) (argument_rank b)
 
 let compare a b =
   let c = String.compare a.word b.word in
@@ -156,7 +159,7 @@ let compare a b =
 (* {1 Other leaves} *)
 
 let renamed_quantity f = function
-  | (Processes | Momentum _ | Angular _ | Energy | Time | Bonds (_, None)) as q -> q
+  | (Processes | Momentum _ | Angular _ | Energy | Time | Parameter _ | Bonds (_, None)) as q -> q
   | Bonds (a, Some (i, j)) -> Bonds (a, Some (f i, f j))
   | Size i -> Size (f i)
   | Position (a, i) -> Position (a, f i)

@@ -10,6 +10,7 @@ type argument =
   | Part of int * int  (** of a leaf, by its index *)
   | Channel of Behaviour.polarity option * string
   | Definition of int  (** index into {!Model.definitions} *)
+  | Parameter of int  (** an index into {!Model.ranges} *)
 
 (** What a value may depend on. *)
 type aspect =

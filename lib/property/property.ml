@@ -44,6 +44,7 @@ type quantity =
   (** angular momentum of everything that is not fixed, about the origin of the world *)
   | Energy  (** kinetic, of everything that is not fixed *)
   | Time
+  | Parameter of int  (** one of which a range is known: an index into {!Model.ranges} *)
 
 (** Truths that are read off a state: the atoms among the predicates. *)
 type fact =

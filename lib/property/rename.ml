@@ -33,6 +33,28 @@ let rec states f = function
 
 let temporal f g = states (prop f) g
 
+(* {1 Values of parameters} *)
+
+let rec known_num values n =
+  let num = known_num values in
+  match n with
+  | Quantity (Parameter i) -> Const values.(i)
+  | Const _ | Quantity _ -> n
+  | Count ps -> Count (Long_list.map (known values) ps)
+  | Neg a -> Neg (num a)
+  | Add (a, b) -> Add (num a, num b)
+  | Sub (a, b) -> Sub (num a, num b)
+  | Mul (a, b) -> Mul (num a, num b)
+  | Div (a, b) -> Div (num a, num b)
+  | If (p, a, b) -> If (known values p, num a, num b)
+
+and known values = function
+  | (Bool _ | Fact _) as p -> p
+  | Compare (c, a, b) -> Compare (c, known_num values a, known_num values b)
+  | Not p -> Not (known values p)
+  | And ps -> And (Long_list.map (known values) ps)
+  | Or ps -> Or (Long_list.map (known values) ps)
+
 (* {1 One form of formulas that differ in order alone} *)
 
 (* The renaming that puts the two leaves of a symmetric atom in order. *)

@@ -9,3 +9,6 @@ val ordered : temporal -> temporal
 (** An equivalent formula: two that differ in the order or the brackets of what [and], [or], [count], [+] and
     [*] join, in the order of the two leaves of a symmetric atom, or in the direction of a comparison, have
     one and the same. *)
+
+val known : Scc_exact.Rat.t array -> Property.prop -> Property.prop
+(** Where parameters with ranges have these values. *)

@@ -25,6 +25,7 @@ let argument m : Atom.argument -> string = function
   | Channel (Some Co_name, a) -> "~" ^ a
   | Channel ((Some Name | None), a) -> a
   | Definition k -> m.definitions.(k).name
+  | Parameter i -> Ranges.name m.ranges i
 
 let event m e = written (Atom.event_word e) (List.map (argument m) (Atom.event_arguments e))
 
@@ -32,13 +33,14 @@ let event m e = written (Atom.event_word e) (List.map (argument m) (Atom.event_a
 let atom m (a : Atom.t) =
   let is_definition = function
     | Atom.Definition _ -> true
-    | Leaf _ | Part _ | Channel _ -> false
+    | Leaf _ | Part _ | Channel _ | Parameter _ -> false
   in
   let definitions, others = List.partition is_definition a.arguments in
   String.concat " = " (written a.word (List.map (argument m) others) :: List.map (argument m) definitions)
 
 let rec num m = function
   | Const q -> Rat.to_string q
+  | Quantity (Parameter i) -> Ranges.name m.Model.ranges i
   | Quantity q -> atom m (Atom.quantity q)
   | Count ps -> call "count" (Long_list.map (prop m) ps)
   | Neg a -> "-" ^ num m a

@@ -128,6 +128,7 @@ module Tuple = struct
           match Catalogue.time (Network_lts.catalogue c) t with
           | Some time -> Ok time
           | None -> Scc_base.Bug.fail __POS__ "a property speaks of time, and the state does not keep it")
+    | Parameter _ -> Scc_base.Bug.fail __POS__ "a parameter that is not known, in one state after the other"
 
   let bool b =
     let truth = Truth.of_bool b in

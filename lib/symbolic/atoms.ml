@@ -106,6 +106,7 @@ module View = struct
         match v.zone.time with
         | Some t -> everywhere v (Ok t)
         | None -> Scc_base.Bug.fail __POS__ "time is asked for, and not kept")
+    | Parameter i -> everywhere v (Ok v.zone.parameters.(i))
 
   let lift2 f = map2 (fun a b -> Result.bind a (fun a -> Result.bind b (f a)))
   let neg = List.map (fun (p, a) -> (p, Result.map Linear.neg a))

@@ -58,10 +58,10 @@ let holds c ~arrived state offset prop =
   Truth.equal now.Timeline.start Truth.True
 
 let make given u ~declared (run : Concrete.t) (place : Search_sets.place) : Witness.t =
-  let m = Semantics.model given in
+  let m = Semantics.model given and prop = Scc_property.Rename.known run.values place.prop in
   let c = Semantics.with_model given (Fixed.model m run.values) in
   let start = initial c (Fixed.declared u declared run.values) in
-  let reached state taken = holds c ~arrived:(arrived start (List.rev taken)) state run.offset place.prop in
+  let reached state taken = holds c ~arrived:(arrived start (List.rev taken)) state run.offset prop in
   match follow c ~reached start Rat.zero run.steps [] with
   | None -> Bug.fail __POS__ "a run over zones does not replay"
   | Some (last, steps) ->
@@ -79,7 +79,7 @@ let make given u ~declared (run : Concrete.t) (place : Search_sets.place) : Witn
       steps;
       last;
       finish;
-      facts = Facts.at ~arrived c last extent offset place.prop;
+      facts = Facts.at ~arrived c last extent offset prop;
       argument = None;
       fixed = Some { values = List.mapi (fun i v -> (name i, v)) (Array.to_list run.values); semantics = c };
     }

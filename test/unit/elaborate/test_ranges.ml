@@ -91,6 +91,21 @@ let delays () =
   Alcotest.(check (list string)) "definitions" [ "W(2x + w): wait(2x + w + 1). V"; "V: wait(w). V" ]
     (Array.to_list (Array.map (fun (d : Behaviour.definition) -> d.name ^ ": " ^ text d.body) t.model.definitions))
 
+(* {1 Formulas} *)
+
+let formulas () =
+  let t =
+    accept
+      (cube ^ ranges ^ "let near = abs(y) < x/2 + 1 process p = Cube mass 1 at translate (x, 0, 0) [nil] \
+                        check c : always near and x(p) - 2*w <= x")
+  in
+  match t.checks with
+  | [ { formula; _ } ] ->
+    Alcotest.(check string) "by their names"
+      "AG ((if y >= 0 then y else -y) < ((x / 2) + 1) and (x(p) - (2 * w)) <= x)"
+      (Scc_property.Show.temporal t.model formula)
+  | _ -> Alcotest.fail "one check"
+
 (* {1 Against values} *)
 
 module Gen = QCheck2.Gen
@@ -225,7 +240,6 @@ let linear_alone =
     case "the timestep" "x" ~says:"constant" (body "timestep x");
     case "the split step" "x" ~says:"constant" (body "split_step x");
     case "a law" "x" ~says:"straight lines" (ranges ^ "process p = Cube mass 1 [nil] motion p = (x, 0, 0)");
-    case "a formula" "w" ~says:"what changes" (body_with "mass 1" ^ " check c : always x(p) < w");
     case "a bound of time" "x" ~says:"constant" (body_with "mass 1" ^ " check c : always x(p) < 1 within x");
     case "a vector as an argument" "(x, 0, 0)" ~says:"a number"
       (body "behaviour B(u) on Cube = eps(u.x). nil process p = Cube mass 1 [B((x, 0, 0))]");
@@ -265,6 +279,7 @@ let () =
           case "places of several bodies" several;
           case "what is known" known;
           case "delays" delays;
+          case "formulas" formulas;
           case "a hundred, of 10^-300" many;
           case "an end that is left out guards" guarded;
           case "a `let` that nothing uses" unused;

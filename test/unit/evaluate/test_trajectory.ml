@@ -125,6 +125,7 @@ let total m (s : State.t) f =
 let rec num m s (n : Property.num) =
   match n with
   | Const r -> r
+  | Quantity (Parameter _) -> Alcotest.fail "a parameter that is not known"
   | Quantity (Bonds _) ->
     let add k (p : State.process) = k + Array.length p.bonds in
     Rat.of_int (Array.fold_left add 0 s.State.processes)

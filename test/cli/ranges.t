@@ -1,0 +1,124 @@
+Where p starts is known by ranges alone. It meets q iff its y and z are both less than 2 in size.
+
+  $ cat > meet.sc <<'END'
+  > param y in [-5, 5]
+  > param z in [-5, 5]
+  > shape Cube = box(2,2,2)
+  > behaviour A on Cube = <a, {right}>. Bound
+  > behaviour B on Cube = <~a, {left}>. Bound
+  > behaviour Bound on Cube = nil
+  > process p = Cube mass 1 velocity (1,0,0) at translate (0, y, z) [A]
+  > process q = Cube mass 1 at translate (12, 0, 0) [B]
+  > let near = abs(y) < 2 and abs(z) < 2
+  > check met : possibly bound(p, q)
+  > check near : always (bound(p, q) => near)
+  > check surely : eventually (bound(p, q) or not near)
+  > check below : always (bound(p, q) => y - z/2 + 1 <= x(p) - 10)
+  > END
+  $ scc check meet.sc --where | sed '/^explored/,$d'
+  semantics 2
+  
+  met: violated for y = -3, z = 0
+    possibly bound(p, q)
+    no single run shows it: everything that counts was explored
+    holds where
+      -2 < y < 2, -2 < z < 2
+    fails elsewhere
+    probability 4/25 = 0.16
+  
+  near: holds (exhaustive, all y in [-5, 5], z in [-5, 5])
+    always bound(p, q) => near
+    holds everywhere
+    probability 1
+  
+  surely: holds (exhaustive, all y in [-5, 5], z in [-5, 5])
+    eventually bound(p, q) or not near
+    holds everywhere
+    probability 1
+  
+  below: violated for y = 0, z = 0
+    always bound(p, q) => y - z/2 + 1 <= x(p) - 10
+    fails where
+      -2 < z < 2, y < 2, z < 2y + 2
+    holds elsewhere
+    probability 22/25 = 0.88
+    a run that violates it:
+      1. time passes by 10, to time 10
+      2. p and q collide and bind by <a, {p.right, q.left}>, at time 10
+      bound(p, q) holds
+      ((0 - (0 / 2)) + 1) > (x(p) - 10) holds: ((0 - (0 / 2)) + 1) = 1, (x(p) - 10) = 0
+      there:
+        one process, velocity (1/2, 0, 0), <a, {p.right, q.left}>
+          p at (10, 0, 0) [Bound]
+          q at (12, 0, 0) [Bound]
+  
+
+A value, or a narrower range, may be given:
+
+  $ scc check meet.sc -D y=1 -D z=-1 | grep ':'
+  met: holds (exhaustive)
+    a run that shows it:
+      there:
+  near: holds (exhaustive)
+  surely: holds (exhaustive)
+  below: violated
+    a run that violates it:
+      5/2 <= (x(p) - 10) fails: (x(p) - 10) = 0
+      there:
+  explored: 3 states, 2 transitions, depth 2, model time 10; complete
+  4 properties: 3 hold, 1 violated
+  $ scc check meet.sc -D y=1..3 --where | sed -n '/^met/,/^$/p'
+  met: violated for y = 2, z = -3
+    possibly bound(p, q)
+    no single run shows it: everything that counts was explored
+    holds where
+      -2 < z < 2, y < 2
+    fails elsewhere
+    probability 1/5 = 0.2
+  
+  $ scc check meet.sc -D 'y=[2,3)' -D z=0 --where | sed -n '/^met/,/^$/p'
+  met: violated for y = 5/2
+    possibly bound(p, q)
+    no single run shows it: everything that counts was explored
+    fails everywhere
+    probability 0
+  
+  $ scc check meet.sc -D y=5.5
+  command line: error[SC0217]: `y = 11/2` is not within `y in [-5, 5]`
+  [64]
+  $ scc check meet.sc -D y=-6..1
+  command line: error[SC0217]: `y in [-6, 1]` is not within `y in [-5, 5]`
+  [64]
+  $ scc check meet.sc -D y=1..0
+  command line: error[SC0217]: `y in [1, 0]` has no numbers: its first end is the greater one
+  [64]
+  $ scc check meet.sc -D y=1..2..3 2>&1 | head -1
+  scc: option '-D': `2..3' is no number such as 3, 1/4, 0.125 or 1e-3
+  $ scc check meet.sc -D 'y=[1;2]' 2>&1 | head -1
+  scc: option '-D': `[1;2]' is no range such as [1, 3) or 1..3
+  $ scc check meet.sc -D y=1 -D y=1..2
+  command line: error[SC0212]: the parameter `y` is given two values by -D
+  [64]
+
+A witness is a run from one start, which the schedule names:
+
+  $ mkdir runs
+  $ scc check meet.sc --witness runs > report
+  [1]
+  $ grep parameters runs/below.json
+    "parameters": {"y":"0/1","z":"0/1"},
+  $ scc trace meet.sc --schedule runs/below.json --human --states=ends | tail -1
+  2 transitions, time 10: nothing will ever happen again
+
+What needs values says so:
+
+  $ scc trace meet.sc
+  error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
+    hint: `scc check` answers for all values; `-D y=VALUE` gives one
+  [3]
+  $ scc explore meet.sc -o out.aut 2>&1 | grep error
+  error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
+  $ scc compare meet.sc meet.sc 2>&1 | grep error
+  error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
+  $ scc trace meet.sc -D y=0 -D z=0 --steps 1 --human --states=ends | tail -1
+  1 transitions, time 10: more can happen
