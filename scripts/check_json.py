@@ -153,6 +153,45 @@ def check_slowing(scc, folder):
     count(told, "check closing", "it is not told that event times grow ever slower")
 
 
+RANGES = """param y in [-5, 5]
+param z in (-5, 5]
+split_step any
+behaviour P on Cube = <a, {right}>. K
+behaviour K on Cube = omega(a, {right}). nil
+behaviour Q on Cube = <~a, {left}>. nil
+process p = Cube mass 1 velocity (1,0,0) at translate (0,y,z) [P]
+process q = Cube mass 1 at translate (12,0,0) [Q]
+check meets  : possibly bound(p, q)
+check shown  : possibly x(p) > 1
+check never  : always not bound(p, q)
+check far    : possibly distance2(p, q) < 1
+check nested : AG EF bound(p, q)
+"""
+
+
+def check_ranges(scc, folder):
+    """A model whose parameters have ranges, and whose bonds may be released at any time."""
+    model = os.path.join(folder, "ranges.sc")
+    with open("specs/models/hexokinase.sc", encoding="utf-8") as text:
+        cube = text.read().split("shape Cube {")[1].split("}")[0]
+    with open(model, "w", encoding="utf-8") as out:
+        out.write("shape Cube {" + cube + "}\n" + RANGES)
+    for options in ([], ["--where"], ["--where", "-D", "y=1", "-D", "z=0..1"]):
+        result = run(scc, "check", model, "--json", *options)
+        what = "check ranges " + " ".join(options)
+        document = check("check", text_of(result), what)
+        if document is None:
+            continue
+        properties = document.get("properties", [])
+        told = [p for p in properties if p.get("over", {}).get("instants") and p["over"]["ranges"]]
+        count(len(told) == 5, what, "it is not told over what the verdicts are")
+        where = [p["where"]["probability"] for p in properties if "where" in p]
+        count(len(where) == (5 if options else 0), what, "it is not told where they hold")
+        values = [p for p in properties if p["witness"] and "values" in p["witness"]]
+        count(values != [], what, "no run tells its values")
+    os.remove(model)
+
+
 def check_reasons(scc, folder):
     """Formulas within formulas come with what is so on the way of their runs."""
     model = os.path.join(folder, "nested.sc")
@@ -324,6 +363,7 @@ def main():
         for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
             check_sarif(scc, model, folder)
         check_slowing(scc, folder)
+        check_ranges(scc, folder)
         check_reasons(scc, folder)
     check_conformance()
     check_refusals(scc)
