@@ -4,9 +4,20 @@ open Scc_polyhedra
 open Scc_rigid
 
 type side = { solid : Solid.t; feature : Feature.t }
-type memory = (int * Feature.t * int * Feature.t, Polyhedron.t) Hashtbl.t
+type key = int * Feature.t * int * Feature.t
+type memory = { differences : (key, Polyhedron.t) Hashtbl.t; dimensions : (key, int) Hashtbl.t }
 
-let create () = Hashtbl.create 64
+let create () = { differences = Hashtbl.create 64; dimensions = Hashtbl.create 256 }
+
+(* What has been made of two sides once is not made again. *)
+let remembered table make one two =
+  let key = (one.solid.Solid.id, one.feature, two.solid.Solid.id, two.feature) in
+  match Hashtbl.find_opt table key with
+  | Some found -> found
+  | None ->
+    let made = make one two in
+    Hashtbl.add table key made;
+    made
 
 let corners { solid; feature } =
   Placed.corners { Placed.solid; turned = Quaternion.identity; at = Vec.zero } feature
@@ -52,14 +63,7 @@ let difference one two =
   let both = Polyhedron.of_constraints 6 (interior 6 ~first:0 one @ at_second) in
   Polyhedron.project both [| 3; 4; 5 |]
 
-let offsets memory one two =
-  let key = (one.solid.id, one.feature, two.solid.id, two.feature) in
-  match Hashtbl.find_opt memory key with
-  | Some found -> found
-  | None ->
-    let made = difference one two in
-    Hashtbl.add memory key made;
-    made
+let offsets memory one two = remembered memory.differences difference one two
 
 (* {1 Dimensions} *)
 
@@ -76,6 +80,8 @@ let rank vectors =
       | None -> 1
       | Some n -> if List.for_all (fun v -> Rat.sign (Vec.dot n v) = 0) rest then 2 else 3)
 
-let dimension one two =
+let dimension_of_both one two =
   let d = directions one and e = directions two in
   rank d + rank e - rank (d @ e)
+
+let dimension memory one two = remembered memory.dimensions dimension_of_both one two

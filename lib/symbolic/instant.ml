@@ -106,7 +106,7 @@ let by_channels c (a, b) regions ((one : Behaviour.channel), (two : Behaviour.ch
   in
   let twos = sides b two in
   let both = List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) (sides a one) in
-  let of_dimension d = List.filter (fun (one, two) -> Feature_cells.dimension one two = d) both in
+  let of_dimension d = List.filter (fun (one, two) -> Feature_cells.dimension c.features one two = d) both in
   let offset = offset a b in
   (* Regions with whether some pair touches there. *)
   let look cells (one, two) =

@@ -140,6 +140,13 @@ let same_kind a b =
 
 let hash_kind z = (((State.hash z.skeleton * 31) + Hashtbl.hash z.arrived) * 2) + Bool.to_int z.halted
 
+let sample z =
+  match Polyhedron.point z.set with
+  | Some point -> Array.map (fun f -> Linear.eval f point) (coordinates z)
+  | None -> Scc_base.Bug.fail __POS__ "an empty zone"
+
+let has z values = Polyhedron.mem z.set (Array.map (fun i -> values.(i)) z.basis)
+
 let included a b =
   let n = dimension a in
   let of_a = coordinates a and of_b = coordinates b in

@@ -78,7 +78,12 @@ let within_horizon e ~late (z : Zone.t) =
 let node_of e zone ~parent =
   let canonical, forms = Zone.canonical zone in
   let known = Option.value (Kinds.find_opt e.graph.by_kind canonical) ~default:[] in
-  let holds n = Option.map (fun map -> (n, map)) (Zone.included canonical n.zone) in
+  let sample = lazy (Zone.sample canonical) in
+  let holds n =
+    if Zone.has n.zone (Lazy.force sample) then
+      Option.map (fun map -> (n, map)) (Zone.included canonical n.zone)
+    else None
+  in
   match List.find_map holds known with
   | Some (n, map) ->
     (n, Array.map (fun f -> Linear.compose f ~dimension:(Zone.dimension zone) forms) map)

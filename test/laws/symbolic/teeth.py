@@ -1,0 +1,220 @@
+#!/usr/bin/env python3
+"""Shows that the tests of zones can fail: rules of lib/symbolic are broken, one by one.
+
+    test/laws/symbolic/teeth.py [--tree DIR] [NAME ...]
+
+Works on a copy of the source tree (below DIR, to be kept for the next time). Each mistake has to be noticed by the
+tests of test/laws/symbolic and test/unit/symbolic: some test fails. It takes about half a minute for each.
+"""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+ROOM = "lib/symbolic"
+
+# name: (file, what stands there, what is put in its place)
+MISTAKES = {
+    "grazing is a contact": (
+        "contact_cells.ml",
+        "List.map (fun f -> Constraint.greater f.room zero) parallel",
+        "List.map (fun f -> Constraint.at_least f.room zero) parallel",
+    ),
+    "corners that are only touched are hit": (
+        "contact_cells.ml",
+        "Constraint.less (crossing f) (crossing g)",
+        "Constraint.at_most (crossing f) (crossing g)",
+    ),
+    "who leaves comes into contact": (
+        "contact_cells.ml",
+        "Constraint.greater (crossing g) zero",
+        "Constraint.at_least (crossing g) zero",
+    ),
+    "a contact at the limit is late": (
+        "contact_cells.ml",
+        "Constraint.at_most (crossing f) t ]",
+        "Constraint.less (crossing f) t ]",
+    ),
+    "of a tie, the later is forgotten": (
+        "first.ml",
+        "(Constraint.equals t time) cell.time (cell.due @ [ event ])",
+        "(Constraint.equals t time) cell.time cell.due",
+    ),
+    "ties are nowhere": (
+        "first.ml",
+        "    @ on (Constraint.equals t time) cell.time (cell.due @ [ event ])\n",
+        "",
+    ),
+    "entered planes have to be left behind": (
+        "instant.ml",
+        "if sign < 0 then Constraint.at_least room zero",
+        "if sign < 0 then Constraint.greater room zero",
+    ),
+    "other planes may hold the offset": (
+        "instant.ml",
+        "Constraint.at_least room zero else Constraint.greater room zero",
+        "Constraint.at_least room zero else Constraint.at_least room zero",
+    ),
+    "which plane is entered does not matter": (
+        "instant.ml",
+        "(List.fold_left cut [ meet ] entered, rest)",
+        "((ignore cut; ignore entered; [ meet ]), rest)",
+    ),
+    "which features touch does not matter": (
+        "instant.ml",
+        "by_features c hit) regions)",
+        "(fun p -> ignore hit; [ p ])) regions)",
+    ),
+    "parts beside those that collide do not matter": (
+        "instant.ml",
+        "List.fold_left (apart_by_touching c) regions beside",
+        "(ignore beside; regions)",
+    ),
+    "only faces touch": ("instant.ml", "List.concat_map (fall 2) regions", "List.concat_map (fun p -> ignore fall; [ p ]) regions"),
+    "features touch with their borders": (
+        "feature_cells.ml",
+        "let inside normal a = Constraint.greater",
+        "let inside normal a = Constraint.at_least",
+    ),
+    "touching is open": ("touching_cells.ml", "Constraint.(less room zero,", "Constraint.(at_most room zero,"),
+    "delays that expire at once leave each other": (
+        "passing.ml",
+        "if List.exists (Linear.equal d) durations then rest",
+        "if Linear.equal d passed && List.length durations = 1 then rest",
+    ),
+    "other delays go on from the start": (
+        "passing.ml",
+        "Behaviour.wait (Linear.sub d passed) rest",
+        "Behaviour.wait d rest",
+    ),
+    "ages go on after an eps": ("passing.ml", "ages = set z.ages leaf zero", "ages = z.ages"),
+    "ages go on after a bond": (
+        "happening.ml",
+        "if List.mem i ends || gone i then zero else age",
+        "if gone i then zero else age",
+    ),
+    "split clocks go on after an event": (
+        "happening.ml",
+        "if List.mem i new_clocks then zero else clock",
+        "if List.mem i [] then (ignore new_clocks; zero) else clock",
+    ),
+    "split clocks do not begin anew after an eps": (
+        "passing.ml",
+        "match !restarted with None -> z.clocks | Some first -> set z.clocks first zero",
+        "match !restarted with None -> z.clocks | Some _ -> z.clocks",
+    ),
+    "split clocks run on at split instants": (
+        "passing.ml",
+        "| Split_instant first -> { z with clocks = set z.clocks first zero }",
+        "| Split_instant first -> { z with clocks = set z.clocks first z.clocks.(first) }",
+    ),
+    "no time between events": (
+        "zone_graph.ml",
+        "let may_split = Passing.may_split z && not (Passing.on_grid e.context) in",
+        "let may_split = Passing.may_split z && Passing.on_grid e.context in",
+    ),
+    "halted zones do all": ("passing.ml", "halted = true", "halted = false"),
+    "halted zones go on to the event": (
+        "passing.ml",
+        "Constraint.less passed (lift t)",
+        "Constraint.at_most passed (lift t)",
+    ),
+    "eps(0) waits": ("passing.ml", "match List.find_map of_leaf (leaves z) with", "match List.find_map of_leaf [] with"),
+    "eps(t) is eps(0) where it may be": (
+        "passing.ml",
+        "(expire c (at over) (leaf, [ d ]) :: still)",
+        "((ignore still; [ expire c (at over) (leaf, [ d ]) ]))",
+    ),
+    "time passes before what is urgent": (
+        "zone_graph.ml",
+        "if urgent = [] && not z.halted then",
+        "if not z.halted then",
+    ),
+    "no weak split beside what is urgent": (
+        "zone_graph.ml",
+        "List.iter (happen e source) weak;",
+        "if urgent = [] then List.iter (happen e source) weak;",
+    ),
+    "the horizon is too early": ("zone_graph.ml", "let in_time = Constraint.at_most time", "let in_time = Constraint.less time"),
+    "time stands still": ("passing.ml", "Option.map (Linear.add time) z.time", "z.time"),
+    "borders belong to zones": (
+        "zone.ml",
+        "Polyhedron.minimal (Polyhedron.image z.set forms)",
+        "Polyhedron.minimal (Polyhedron.closure (Polyhedron.image z.set forms))",
+    ),
+    "a zone in the closure is known": (
+        "zone.ml",
+        "Polyhedron.included a.set (Polyhedron.preimage b.set ~dimension:n forms)",
+        "Polyhedron.included a.set (Polyhedron.closure (Polyhedron.preimage b.set ~dimension:n forms))",
+    ),
+    "zones that differ in what depends are one": (
+        "zone.ml",
+        "if all 0 && Polyhedron",
+        "if (ignore all; true) && Polyhedron",
+    ),
+    "halted zones are zones": ("zone.ml", "Bool.equal a.halted b.halted && List", "List"),
+    "what led to a zone is forgotten": ("zone.ml", "List.equal Int.equal a.arrived b.arrived && ", ""),
+}
+
+TESTS = ["@test/laws/symbolic/runtest", "@test/unit/symbolic/runtest"]
+
+
+def run(tree: Path) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run(
+        ["dune", "build", *TESTS], cwd=tree, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
+
+
+def is_built(output: str) -> bool:
+    return "Error: " not in output
+
+
+def main() -> int:
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--tree", type=Path, help="where the copy is kept")
+    options.add_argument("names", nargs="*", help="of mistakes; all by default")
+    given = options.parse_args()
+    tree = given.tree or Path(tempfile.mkdtemp())
+    for folder in ("lib", "test", "specs", "bin", "clients", "scripts"):
+        shutil.copytree(ROOT / folder, tree / folder, dirs_exist_ok=True)
+    for file in ("dune", "dune-project", "scc.opam"):
+        shutil.copy(ROOT / file, tree / file)
+    first = run(tree)
+    if first.returncode != 0:
+        print(first.stdout[-2000:])
+        print("the tests fail without a mistake")
+        return 1
+    wrong = []
+    for name in given.names or MISTAKES:
+        file, old, new = MISTAKES[name]
+        path = tree / ROOM / file
+        text = path.read_text()
+        if text.count(old) != 1:
+            wrong.append(f"{name}: `{old}` is not there once")
+            print(wrong[-1], flush=True)
+            continue
+        path.write_text(text.replace(old, new))
+        result = run(tree)
+        path.write_text(text)
+        if not is_built(result.stdout):
+            wrong.append(f"{name}: does not compile\n{result.stdout[:600]}")
+        elif result.returncode == 0:
+            wrong.append(f"{name}: not noticed")
+        else:
+            print(f"{name}: noticed", flush=True)
+            continue
+        print(wrong[-1], flush=True)
+    print(f"{len(given.names or MISTAKES)} mistakes, {len(wrong)} not noticed")
+    if given.tree is None:
+        shutil.rmtree(tree)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
