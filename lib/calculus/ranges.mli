@@ -1,5 +1,5 @@
-(** The parameters of a model that are not known but for a range. Parameter i of a model is variable i of all affine
-    forms and polyhedra that speak of it. *)
+(** The parameters of a model that are not known but for a range. Parameter i of a model is variable i of all
+    affine forms and polyhedra that speak of it. *)
 
 open Scc_exact
 open Scc_polyhedra

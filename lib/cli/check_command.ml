@@ -155,7 +155,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let watch = Check_options.watch { budget with seconds = share } in
   let measured = Measured.start () in
   let* l = Measured.phase measured "read" (fun () ->
-        Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
+      Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
   let zones = Zone_check.is_for l.model ~declared:l.declared in
   let* () = match Zone_check.refused l.model with _ :: _ as why when zones -> Error why | _ -> Ok () in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in

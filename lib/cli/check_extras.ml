@@ -89,8 +89,9 @@ let compact =
 
 let where =
   let doc =
-    "Of a model with parameters of which ranges are known ($(b,param x in [0, 6])): tells for each property for which \
-     values it holds, exactly, and with which probability, if they are independent and uniform in their ranges."
+    "Of a model with parameters of which ranges are known ($(b,param x in [0, 6])): tells for each property for \
+     which values it holds, exactly, and with which probability, if they are independent and uniform in their \
+     ranges."
   in
   Arg.(value & flag & info [ "where" ] ~doc)
 
@@ -124,7 +125,8 @@ let term =
     { witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; full }
   in
   Term.(
-    const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt $ draw $ axes $ slice
+    const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt $ draw $ axes
+    $ slice
     $ Options.full
       "Tells runs in full: every step and every body, and numbers with all their digits; in JSON all steps of the \
        way to a state that was not explored.")

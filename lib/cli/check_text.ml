@@ -138,7 +138,9 @@ let property console ~full ?where c ({ check; verdict = v; _ } as o : Verdict.ou
   let none =
     match v with
     | Violated { witness = None } when Verdict.over_zones o ->
-      [ "  no single run shows it: everything that counts was explored\n" ]
+      let search = Scc_property.Plan.is_search (Scc_property.Plan.of_formula check.formula) in
+      let no_run = if search then "no run from there does otherwise" else "no single run shows it" in
+      [ Printf.sprintf "  %s: everything that counts was explored\n" no_run ]
     | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
     | _ -> []
   in

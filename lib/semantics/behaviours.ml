@@ -81,7 +81,8 @@ let without_repetition defs b =
     match b with
     | Sum (x, y) -> summands (summands found x) y
     | Nil -> found
-    | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Call _ -> if List.exists (equal b) found then found else b :: found
+    | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Call _ ->
+      if List.exists (equal b) found then found else b :: found
   in
   match List.rev (summands [] b) with
   | [] -> nil

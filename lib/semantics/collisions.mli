@@ -23,7 +23,8 @@ type candidate = {
   fired : Behaviours.derivation list list;
 }
 
-val fitting : Semantics.t -> State.process * int -> State.process * int -> (Behaviour.channel * Behaviour.channel) list
+val fitting :
+  Semantics.t -> State.process * int -> State.process * int -> (Behaviour.channel * Behaviour.channel) list
 (** All two channels that are open and compatible, one of each of two leaves, given with their processes. *)
 
 val bonds : Semantics.t -> Part.t * Part.t -> candidate list

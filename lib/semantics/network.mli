@@ -11,8 +11,9 @@ val successors : Semantics.t -> State.t -> (Transition.t list, Transition.fault)
     I-15). *)
 
 val wait : Semantics.t -> State.t -> Scc_exact.Rat.t -> (Transition.t option, Transition.fault) result
-(** Rule Time by d, where bonds may be released at any time ({!Model.Any_time}) and time may pass: for 0 < d less than
-    {!Time.delay}, or any d > 0 where that is [None]. {!successors} has the greatest alone. [None] for any other d. *)
+(** Rule Time by d, where bonds may be released at any time ({!Model.Any_time}) and time may pass: for 0 < d less
+    than {!Time.delay}, or any d > 0 where that is [None]. {!successors} has the greatest alone. [None] for any
+    other d. *)
 
 val quiescent : Semantics.t -> State.t -> bool
 (** No event can ever happen again (rule Quiescent). *)

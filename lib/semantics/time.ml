@@ -52,8 +52,8 @@ let delay (c : Semantics.t) (s : State.t) =
   | Some d -> least (Some d) step
 
 (* The split clock runs on, and starts anew when a further bond can be released, which takes an eps that expires;
-   one that changes nothing of that leaves the clock alone (reading I-9). Where bonds may be released at any time, it
-   stands still. *)
+   one that changes nothing of that leaves the clock alone (reading I-9). Where bonds may be released at any time,
+   it stands still. *)
 let gains_split m (p : State.process) aged =
   Array.exists (fun b -> (not (Process.releasable m p b)) && Process.releasable m aged b) p.bonds
 

@@ -28,8 +28,8 @@ val wait : Model.t -> State.process -> Rat.t option
 (** The lesser of the two: the time until something may happen to it by itself. *)
 
 val gains_split : Model.t -> State.process -> State.process -> bool
-(** [gains_split m p aged]: whether a bond of p may be released by a weak split in [aged], which p has become as time
-    passed, and could not before (reading I-9). *)
+(** [gains_split m p aged]: whether a bond of p may be released by a weak split in [aged], which p has become as
+    time passed, and could not before (reading I-9). *)
 
 val age_process : Model.t -> Rat.t -> State.process -> State.process
 (** What {!pass} does to behaviours and split clock, for 0 <= d up to {!wait}. *)

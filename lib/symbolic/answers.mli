@@ -1,5 +1,5 @@
-(** For which values of the parameters a formula holds: what searches decide ({!Scc_property.Plan}), from what was found
-    while zones were explored, and all else from the whole graph ({!Branching}). *)
+(** For which values of the parameters a formula holds: what searches decide ({!Scc_property.Plan}), from what was
+    found while zones were explored, and all else from the whole graph ({!Branching}). *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -47,4 +47,5 @@ val reasons : t -> string list
 (** Why something could not be judged. *)
 
 val shown_by : t -> holds:bool -> Search_sets.place option
-(** A place that a run leads to which shows that it holds, or does not, for some values; [None]: no single run does. *)
+(** A place that a run leads to which shows that it holds, or does not, for some values; [None]: no single run
+    does. *)

@@ -96,7 +96,8 @@ module View = struct
       else everywhere v (not_linear "a distance")
     | Sum curve ->
       let at point =
-        List.fold_left (fun sum p -> Rat.add sum (now (curve (Path.make (model c) p)))) Rat.zero (processes v point)
+        let add sum p = Rat.add sum (now (curve (Path.make (model c) p))) in
+        List.fold_left add Rat.zero (processes v point)
       in
       everywhere v (Ok (interpolated n at))
     | Number count ->

@@ -14,8 +14,8 @@ let at_rest = "the sets of states do not come to rest within " ^ string_of_int m
 
 (* {1 What is looked at}
 
-   A stretch is what time makes of a region of a node until what comes next: the states (y, d) that are strictly between,
-   where d > 0 says how much time has passed. *)
+   A stretch is what time makes of a region of a node until what comes next: the states (y, d) that are strictly
+   between, where d > 0 says how much time has passed. *)
 
 type stretch = {
   region : Polyhedron.t;  (** of the node *)
@@ -152,7 +152,8 @@ let clear_until s bad =
   let y = Array.init n Fun.id in
   let with_last last = Array.append y [| last |] in
   let both =
-    inter (embed (all_along s) ~dimension:(n + 2) (with_last n)) (embed (all_along s) ~dimension:(n + 2) (with_last (n + 1)))
+    let with_last i = embed (all_along s) ~dimension:(n + 2) (with_last i) in
+    inter (with_last n) (with_last (n + 1))
   in
   let d = Linear.variable (n + 2) n and d' = Linear.variable (n + 2) (n + 1) in
   let ordered = restrict both [ Constraint.at_most d d' ] in
@@ -174,8 +175,8 @@ let clear_to_end s bad =
     in
     minus (all_along s) (project later ~dimension:(n + 1))
 
-(* The (y, d) from which a state of the set is reached, itself or later, with none in [bad] before it but perhaps the
-   first one. *)
+(* The (y, d) from which a state of the set is reached, itself or later, with none in [bad] before it but perhaps
+   the first one. *)
 let reach s ~bad target =
   if Union.is_empty target then target
   else
@@ -231,7 +232,10 @@ let none m = Array.map (fun n -> Union.empty (Zone.dimension n.it.zone)) m.nodes
 (* E[f U g]. *)
 let exists_until m f g =
   let not_f = complement m f in
-  let zipped i = List.combine m.nodes.(i).stretches (List.combine f.along.(i) (List.combine not_f.along.(i) g.along.(i))) in
+  let zipped i =
+    let truths = List.combine f.along.(i) (List.combine not_f.along.(i) g.along.(i)) in
+    List.combine m.nodes.(i).stretches truths
+  in
   let target at n s f_along g_along = union g_along (inter f_along (halts n s at)) in
   let step at i n =
     let of_stretch u (s, (f_along, (bad, g_along))) =

@@ -68,7 +68,8 @@ let way_to graph (place : Search_sets.place) =
   let n = Zone.dimension place.node.zone in
   let root, edges = to_root graph place.node (Polyhedron.project place.states (Array.init n Fun.id)) [] in
   let z = root.zone in
-  let start = { set = z.set; here = Array.init (Zone.dimension z) (Linear.variable (Zone.dimension z)); taken = [] } in
+  let m = Zone.dimension z in
+  let start = { set = z.set; here = Array.init m (Linear.variable m); taken = [] } in
   let way, forms = enter (List.fold_left along start edges) place.states in
   (z, way, forms)
 

@@ -1,5 +1,5 @@
-(** One run out of many: values of the parameters, and instants of splits, for which a run goes along the nodes of a
-    graph to a certain place. *)
+(** One run out of many: values of the parameters, and instants of splits, for which a run goes along the nodes of
+    a graph to a certain place. *)
 
 open Scc_exact
 open Scc_semantics

@@ -13,7 +13,8 @@ val create : unit -> memory
 type side = { solid : Solid.t; feature : Feature.t }
 
 val offsets : memory -> side -> side -> Polyhedron.t
-(** The offsets, of the second solid from the first, at which the two features touch: a polyhedron of dimension 3. *)
+(** The offsets, of the second solid from the first, at which the two features touch: a polyhedron of dimension 3.
+*)
 
 val dimension : memory -> side -> side -> int
 (** Of the intersection of the two where they touch: it is the same for all offsets. *)

@@ -93,7 +93,8 @@ let touching c region (a, b) =
 let whether_in region (set : Polyhedron.t) offset =
   let x, y, z = offset in
   let n = Polyhedron.dimension region in
-  split region (List.map (fun c -> Constraint.substitute c ~dimension:n [| x; y; z |]) (Polyhedron.constraints set))
+  let at_offset c = Constraint.substitute c ~dimension:n [| x; y; z |] in
+  split region (List.map at_offset (Polyhedron.constraints set))
 
 (* Two channels share the touching pairs of features of the highest dimension among them: so pairs are looked at in
    falling dimension, as long as none of a higher one touches. *)
@@ -173,8 +174,8 @@ let of_closings c z regions (p : State.process) =
     in
     List.fold_left (apart_by_touching c) regions (List.filter free (two_of (parts m z p)))
 
-(* A push goes along the only normal of the contact, or else by where exactly the parts are, which is affine in nothing
-   that is not known. *)
+(* A push goes along the only normal of the contact, or else by where exactly the parts are, which is affine in
+   nothing that is not known. *)
 let of_pushes c z regions (p : State.process) =
   let m = Semantics.model c.semantics in
   let parts = parts m z p in
@@ -190,7 +191,7 @@ let of_pushes c z regions (p : State.process) =
           | [ _ ] -> p
           | [] | _ :: _ ->
             raise
-              (Not_affine "a push of two bodies whose contact has no normal of its own, at places that are not known")
+              (Not_affine "a push along a line that is not known: the contact of the two bodies has no normal of its own")
         in
         List.map plain touch
       in

@@ -1,5 +1,5 @@
-(** The states of a zone at one instant, apart by what happens to them: regions on each of which everything that the
-    discrete rules look at is the same, so that what they make of one state there they make of all. *)
+(** The states of a zone at one instant, apart by what happens to them: regions on each of which everything that
+    the discrete rules look at is the same, so that what they make of one state there they make of all. *)
 
 open Scc_geometry
 open Scc_polyhedra
@@ -32,6 +32,6 @@ val offset : part -> part -> Place.t
 val relative_velocity : part -> part -> Scc_exact.Vec.t
 
 val cells : context -> Zone.t -> Polyhedron.t list
-(** Regions of the zone, none empty, that are disjoint and make it up. On each, the same parts collide, all that the
-    processes that collide touch each other with is the same, the same features of open channels touch, and so do
-    closings and pushes find the same. Of {!Zone.t.halted} zones what collides is not looked at. *)
+(** Regions of the zone, none empty, that are disjoint and make it up. On each, the same parts collide, all that
+    the processes that collide touch each other with is the same, the same features of open channels touch, and so
+    do closings and pushes find the same. Of {!Zone.t.halted} zones what collides is not looked at. *)

@@ -13,9 +13,9 @@ val cells : Instant.context -> Zone.t -> Polyhedron.t -> due First.cell list
 (** On a region of the zone on which nothing urgent is to be done, what comes first. *)
 
 val until : Instant.context -> Zone.t -> due First.cell -> Zone.t list
-(** What the zone has become on the region of a cell at the time that the cell says (there is one): after the delays
-    that expire then. Several, where delays that begin then may have the length 0. Over the same variables; not
-    canonical. *)
+(** What the zone has become on the region of a cell at the time that the cell says (there is one): after the
+    delays that expire then. Several, where delays that begin then may have the length 0. Over the same variables;
+    not canonical. *)
 
 val within : Instant.context -> Zone.t -> due First.cell -> Zone.t
 (** All states strictly between now and the time of the cell (all that come, where it has none), {!Zone.t.halted}:
@@ -31,5 +31,5 @@ val on_grid : Instant.context -> bool
 (** Weak splits happen at instants of a grid alone ({!Scc_calculus.Model.Every}). *)
 
 val settled : Instant.context -> Zone.t -> Zone.t list
-(** Where delays that have just begun may have the length 0, the zone is cut in two, and they expire in one part (rule
-    Eps0). *)
+(** Where delays that have just begun may have the length 0, the zone is cut in two, and they expire in one part
+    (rule Eps0). *)

@@ -5,7 +5,8 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_property
 
-(** Where a run is taken to for it, and what holds there: to some states of a node, or to some while time passes after it. *)
+(** Where a run is taken to for it, and what holds there: to some states of a node, or to some while time passes
+    after it. *)
 type place = {
   node : Zone_graph.node;
   states : Polyhedron.t;  (** over the variables of the node; and of the time that has passed, the last one *)

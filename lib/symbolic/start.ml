@@ -49,12 +49,13 @@ let bond_apart c (z : Zone.t) =
 
 let known (m : Model.t) (s : State.t) : Uncertain.t =
   let place v = Place.constant 0 v in
+  let of_part (p : Model.part) = place p.offset in
   let of_leaf i (_ : Model.leaf) =
     match State.home s i with None -> place Vec.zero | Some p -> place (State.leaf_of p i).position
   in
   {
     places = Array.mapi of_leaf m.leaves;
-    offsets = Array.map (fun (l : Model.leaf) -> Array.map (fun (p : Model.part) -> place p.offset) l.parts) m.leaves;
+    offsets = Array.map (fun (l : Model.leaf) -> Array.map of_part l.parts) m.leaves;
   }
 
 (* {1 The zone} *)

@@ -57,7 +57,9 @@ type row = { pivot : int; of_old : Linear.t; of_new : Linear.t }
 
 let first_occurring f =
   let rec find i =
-    if i >= Linear.dimension f then None else if Rat.sign (Linear.coefficient f i) <> 0 then Some i else find (i + 1)
+    if i >= Linear.dimension f then None
+    else if Rat.sign (Linear.coefficient f i) <> 0 then Some i
+    else find (i + 1)
   in
   find 0
 

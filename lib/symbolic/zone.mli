@@ -1,12 +1,12 @@
-(** Sets of states of a network that differ in numbers alone: the same processes, bonds, velocities and behaviours,
-    while places, what is left of delays, split clocks and time are affine in finitely many variables, which take all
-    values of a convex polyhedron. This is exact where bodies go in straight lines, as all velocities are constants
-    of what has happened.
+(** Sets of states of a network that differ in numbers alone: the same processes, bonds, velocities and
+    behaviours, while places, what is left of delays, split clocks and time are affine in finitely many variables,
+    which take all values of a convex polyhedron. This is exact where bodies go in straight lines, as all
+    velocities are constants of what has happened.
 
-    The {b coordinates} of a zone are all these numbers: the parameters of the model ({!Scc_calculus.Model.ranges}),
-    time, ages, clocks, places. In a canonical zone ({!canonical}) the variables are coordinates themselves, the
-    first ones on which all others depend, so that one set has one such form but for how its polyhedron is
-    described. *)
+    The {b coordinates} of a zone are all these numbers: the parameters of the model
+    ({!Scc_calculus.Model.ranges}), time, ages, clocks, places. In a canonical zone ({!canonical}) the variables
+    are coordinates themselves, the first ones on which all others depend, so that one set has one such form but
+    for how its polyhedron is described. *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -14,8 +14,8 @@ open Scc_calculus
 
 type t = {
   skeleton : State.t;
-  (** what is the same in all states: the places of leaves are zero there, the behaviours are as they were when they
-      were last set, and split clocks are [Some 0] *)
+  (** what is the same in all states: the places of leaves are zero there, the behaviours are as they were when
+      they were last set, and split clocks are [Some 0] *)
   halted : bool;
   (** time has stopped here for a weak split, which is all that may happen: what else is due comes later *)
   arrived : int list;  (** the numbers of the events that have just led here, increasing *)
@@ -61,5 +61,5 @@ val has : t -> Rat.t array -> bool
     way to see of most others that they are not. *)
 
 val included : t -> t -> Linear.t array option
-(** [included a b], of canonical zones of one kind: if each state of a is one of b, the variables of b as forms over
-    those of a. *)
+(** [included a b], of canonical zones of one kind: if each state of a is one of b, the variables of b as forms
+    over those of a. *)

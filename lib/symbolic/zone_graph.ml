@@ -88,7 +88,10 @@ let node_of e zone ~parent =
   | Some (n, map) ->
     (n, Array.map (fun f -> Linear.compose f ~dimension:(Zone.dimension zone) forms) map)
   | None -> (
-      let grown (n : node) = if n.expanded || n.parents = [] then None else Option.map (fun z -> (n, z)) (Zone.merged n.zone canonical) in
+      let grown (n : node) =
+        if n.expanded || n.parents = [] then None
+        else Option.map (fun z -> (n, z)) (Zone.merged n.zone canonical)
+      in
       match List.find_map grown known with
       | None -> (put e canonical (parent (size e.graph) forms), forms)
       | Some (n, zone) ->

@@ -10,7 +10,8 @@ open Scc_property
 (** From where the guard holds of the variables of the source. *)
 type edge = {
   guard : Polyhedron.t;
-  (** over the variables of the source, and of a {!Passes_some} over one more, the last one: the time that passes *)
+  (** over the variables of the source, and of a {!Passes_some} over one more, the last one: the time that passes
+  *)
   step : step;
   target : int;
   map : Linear.t array;  (** the variables of the target, as forms over those of the guard *)

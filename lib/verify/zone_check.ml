@@ -45,8 +45,8 @@ let diagnostic (m : Model.t) { at; reason } =
 
 type group = { keeps_time : bool; members : (int * Property.check) list }
 
-(* Those that ask about time are explored apart: with time a coordinate, little ever recurs, but there is an end where
-   all of them have a bound. *)
+(* Those that ask about time are explored apart: with time a coordinate, little ever recurs, but there is an end
+   where all of them have a bound. *)
 let groups checks =
   let numbered = List.mapi (fun i c -> (i, c)) checks in
   let of_check is (_, (c : Property.check)) = is c.formula in
@@ -185,8 +185,8 @@ let named (m : Model.t) values =
 let witness semantics u ~declared graph place =
   Zone_witness.make semantics u ~declared (Concrete.run graph place) place
 
-(* Where no single run was met on the way, the ordinary exploration of one start may know one, and explain it. What it
-   decides is what was found for that start, or one of both is wrong. *)
+(* Where no single run was met on the way, the ordinary exploration of one start may know one, and explain it.
+   What it decides is what was found for that start, or one of both is wrong. *)
 let most_states_of_one_start = 20_000
 
 let ordinarily semantics u ~declared (check : Property.check) values =
@@ -269,7 +269,9 @@ let outcomes semantics u ~declared (e : explored) =
       | _ -> []
     in
     let over = { Verdict.instants = at_any_time m ~declared; ranges = m.ranges; example } in
-    let split_step = match m.splits with Every step when Parameters.may_split m declared -> Some step | _ -> None in
+    let split_step =
+      match m.splits with Every step when Parameters.may_split m declared -> Some step | Every _ | Any_time -> None
+    in
     let scale = { Verdict.resolution = None; split_step; over = Some over } in
     (i, ({ check; verdict; scale; rests = []; converges = None } : Verdict.outcome), where)
   in

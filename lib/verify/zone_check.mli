@@ -10,8 +10,8 @@ val is_for : Model.t -> declared:State.t -> bool
 (** The model has parameters of which a range is known, or bonds that may be released at any time. *)
 
 val refused : Model.t -> Scc_base.Diag.t list
-(** Why numbers of such a model are not affine in what is not known, if they are not (SC0901): bodies turn, a law of
-    motion steers them, velocities are rounded, or they bind on contact. *)
+(** Why numbers of such a model are not affine in what is not known, if they are not (SC0901): bodies turn, a law
+    of motion steers them, velocities are rounded, or they bind on contact. *)
 
 type fault = {
   at : (string * Rat.t) list;  (** values of the parameters *)
@@ -24,6 +24,6 @@ val diagnostic : Model.t -> fault -> Scc_base.Diag.t
 val run :
   Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool -> Property.check list ->
   (Check.report, fault) result
-(** A verdict for each check, over all values, and for which of them it holds ({!Check.report.where}): all that can be
-    known of that with [exactly], else as much as the verdict takes. The error: for these values the declared state is
-    not well-formed. *)
+(** A verdict for each check, over all values, and for which of them it holds ({!Check.report.where}): all that
+    can be known of that with [exactly], else as much as the verdict takes. The error: for these values the
+    declared state is not well-formed. *)

@@ -53,7 +53,8 @@ let extent c state =
   match Time.delay c state with Some d -> Timeline.Lasts d | None -> Timeline.Forever
 
 let holds c ~arrived state offset prop =
-  let state, arrived = if Rat.sign offset > 0 then (Time.pass c offset state, fun _ -> false) else (state, arrived) in
+  let later = Rat.sign offset > 0 in
+  let state, arrived = if later then (Time.pass c offset state, fun _ -> false) else (state, arrived) in
   let now = Trajectory.prop (Trajectory.make ~arrived c state Timeline.Instant) prop in
   Truth.equal now.Timeline.start Truth.True
 

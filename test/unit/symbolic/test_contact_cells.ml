@@ -49,7 +49,10 @@ let agrees (scene, limit) =
     note answer;
     answer
   in
-  let outside = function _, Touching_cells.Interpenetrating -> None | region, (Apart | Touching _) -> Some region in
+  let outside = function
+    | _, Touching_cells.Interpenetrating -> None
+    | region, (Apart | Touching _) -> Some region
+  in
   let of_region within =
     let hits, misses = Contact_cells.make o ~offset ~velocity ~limit within in
     if List.exists Polyhedron.is_empty (List.map (fun (h : Contact_cells.hit) -> h.region) hits @ misses) then
@@ -86,7 +89,8 @@ let meets () =
   let constant n = Linear.constant 2 (Rat.of_int n) and variable = Linear.variable 2 in
   let offset = (constant 12, Linear.neg (variable 0), Linear.neg (variable 1)) in
   let five = (Rat.of_int (-5), Rat.of_int 5) in
-  let cells = Contact_cells.make o ~offset ~velocity:(Vec.of_ints (-1) 0 0) ~limit:None (Polyhedron.box [| five; five |]) in
+  let within = Polyhedron.box [| five; five |] in
+  let cells = Contact_cells.make o ~offset ~velocity:(Vec.of_ints (-1) 0 0) ~limit:None within in
   let near i = Constraint.[ less (variable i) (constant 2); greater (variable i) (constant (-2)) ] in
   match cells with
   | [ { region; time; tight = [ _ ] } ], misses ->
