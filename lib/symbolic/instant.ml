@@ -191,7 +191,7 @@ let of_pushes c z regions (p : State.process) =
           | [ _ ] -> p
           | [] | _ :: _ ->
             raise
-              (Not_affine "a push along a line that is not known: the contact of the two bodies has no normal of its own")
+              (Not_affine "a push along a line that is not known, as the contact has no normal of its own")
         in
         List.map plain touch
       in
