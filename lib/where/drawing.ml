@@ -263,10 +263,30 @@ let swatch y d =
   @ (if d.legend.hatched then box [ ("fill", "url(#" ^ d.id ^ "-hatch)") ] else [])
   @ Svg.text (("class", "ink") :: middle) d.legend.letter
 
+(* In lines, as far as words are not too long by themselves. *)
+let wrapped text =
+  let add lines word =
+    match lines with
+    | line :: before when String.length line + 1 + String.length word <= most_letters ->
+      (line ^ " " ^ word) :: before
+    | lines -> word :: lines
+  in
+  List.rev (List.fold_left add [] (String.split_on_char ' ' text))
+
+let most_lines = 6
+
+(* Of the name of a region, whose share follows in one more line. *)
+let name_lines d =
+  let lines = wrapped d.legend.name in
+  let kept = List.filteri (fun i _ -> i < most_lines) lines in
+  if List.compare_length_with lines most_lines > 0 then kept @ [ "..." ] else kept
+
 let entry y d =
+  let line i text = legend_text (y + 11 + (i * line_height)) text in
   Svg.tag "g" [] (Svg.title d.legend.told @ swatch y d)
-  @ legend_text (y + 11) d.legend.name
-  @ legend_text (y + 11 + line_height) d.legend.share
+  @ List.concat (List.mapi line (name_lines d @ [ d.legend.share ]))
+
+let entry_height d = 28 + (line_height * List.length (name_lines d))
 
 let key y dashes text =
   let at x = (whole x, whole (y - 4)) in
@@ -274,23 +294,23 @@ let key y dashes text =
   Svg.tag "path" ([ ("d", line); ("class", "axis"); ("stroke-width", "2") ] @ dashes) []
   @ legend_text y text
 
-let entry_height = 46
 let keys_height = 62
 
 let legend header all =
   let first = top + 22 in
-  let entries = List.mapi (fun i d -> entry (first + (i * entry_height)) d) all in
-  let after = first + (List.length all * entry_height) + 16 in
+  let add (y, entries) d = (y + entry_height d, entry y d :: entries) in
+  let after, entries = List.fold_left add (first, []) all in
   let heading =
     Svg.text
       [ ("x", pixels legend_left); ("y", pixels (top + 8)); ("class", "ink"); ("font-weight", "bold") ]
       (shortened (legend_width / letters_wide) header)
   in
-  heading @ List.concat entries
-  @ key after [] "border that belongs to the region"
-  @ key (after + line_height) [ ("stroke-dasharray", "5 4") ] "border that does not"
+  heading
+  @ List.concat (List.rev entries)
+  @ key (after + 16) [] "border that belongs to the region"
+  @ key (after + 16 + line_height) [ ("stroke-dasharray", "5 4") ] "border that does not"
 
-let legend_height count = 22 + (count * entry_height) + keys_height
+let legend_height all = 22 + keys_height + List.fold_left (fun sum d -> sum + entry_height d) 0 all
 
 (* {1 The file} *)
 
@@ -320,7 +340,7 @@ let svg ranges view checks =
   let all = List.mapi (drawn frame prefix) (List.combine legends regions) in
   let header = match names with [ name ] -> name | _ -> "what holds" in
   let total_width = legend_left + legend_width in
-  let total_height = max (top + frame.height + 64) (top + legend_height (List.length all)) in
+  let total_height = max (top + frame.height + 64) (top + legend_height all) in
   let size = [ pixels total_width; pixels total_height ] in
   let body =
     Svg.title ("where " ^ String.concat ", " names)
