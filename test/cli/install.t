@@ -74,7 +74,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete scc ex
   explain explore
   $ complete scc check --s
-  --sarif --seconds --shortest --states --stats
+  --sarif --seconds --shortest --slice --smt --states --stats
   $ complete scc check --color = ''
   always auto never
   $ complete scc check --color = al
