@@ -12,6 +12,7 @@ type given = {
   source : Source.t;
   files : (string * string) list;
   overrides : (string * Rat.t) list;
+  narrowed : (string * (Ranges.bound * Ranges.bound)) list;
   tree : Ast.model;
 }
 
@@ -32,7 +33,7 @@ let of_tree given tree =
   let read_file name =
     Option.to_result ~none:"it is not among the files of the request" (List.assoc_opt name given.files)
   in
-  Loaded.of_tree ~read_file ~overrides:given.overrides given.source tree
+  Loaded.of_tree ~read_file ~overrides:given.overrides ~narrowed:given.narrowed given.source tree
 
 let make given tree =
   let* model = of_tree given tree in
@@ -100,21 +101,45 @@ let describe given handle l =
       ("warnings", `List (Fault.diagnostics ~source:(source_of given) m.warnings));
     ]
 
+let bound p at v : Ranges.bound =
+  let b = Read.fields p at v in
+  Read.only b [ "value"; "included" ];
+  { value = Read.required b "value" Read.rational; included = Read.required b "included" Read.truth }
+
+(* A value, the two ends of a range, or a range as answers tell it. *)
+let setting p at (v : Wire.t) =
+  let included value : Ranges.bound = { value; included = true } in
+  match v with
+  | List _ -> (
+      match Read.list Read.rational p at v with
+      | [ low; high ] -> Either.Right (included low, included high)
+      | _ -> Fault.invalid at "the least and the greatest value of a range are expected")
+  | Object _ ->
+    let r = Read.fields p at v in
+    Read.only r [ "low"; "high" ];
+    Either.Right (Read.required r "low" bound, Read.required r "high" bound)
+  | Null | Bool _ | Number _ | Text _ -> Either.Left (Read.rational p at v)
+
+let settings p =
+  let all = Option.value (Read.optional p "parameters" (Read.entries setting)) ~default:[] in
+  let side (name, s) = match s with Either.Left v -> Either.Left (name, v) | Right r -> Right (name, r) in
+  List.partition_map side all
+
 (* The model of a request, as it is written. *)
-let given p =
-  Read.only p [ "text"; "files"; "parameters"; "limits" ];
+let given ?(more = []) p =
+  Read.only p ([ "text"; "files"; "parameters"; "limits" ] @ more);
   let source = Source.make ~name:text_name (Read.required p "text" Read.text) in
   let files = Option.value (Read.optional p "files" (Read.entries Read.text)) ~default:[] in
-  let overrides = Option.value (Read.optional p "parameters" (Read.entries Read.rational)) ~default:[] in
-  let given = { source; files; overrides; tree = [] } in
+  let overrides, narrowed = settings p in
+  let given = { source; files; overrides; narrowed; tree = [] } in
   let most = (Read.quotas p).model_bytes in
   if bytes given > most then Fault.refuse (Limit ("model_bytes", most));
   match (Front_end.of_source source).model source with
   | Error diagnostics -> refuse given diagnostics
   | Ok tree -> { given with tree }
 
-let read p =
-  let given = given p in
+let read ~more p =
+  let given = given ~more p in
   match of_tree given given.tree with
   | Error diagnostics -> refuse given diagnostics
   | Ok model -> (model, source_of given)

@@ -11,9 +11,9 @@ let evaluate (s : Session.t) ~seconds p =
   let memory = Memory.words_of_mib s.quotas.memory_mib in
   Evaluate.evaluate { seconds; memory; now = s.surroundings.now } s.models p
 
-let where (s : Session.t) ~seconds p =
+let check (s : Session.t) ~seconds p =
   let memory = Memory.words_of_mib s.quotas.memory_mib in
-  Wheres.where { seconds; memory; now = s.surroundings.now } p
+  Checks.check { seconds; memory; now = s.surroundings.now } p
 
 let plain f : work = fun _ ~seconds:_ p -> f p
 let on_shapes f : work = fun s ~seconds:_ p -> f s.Session.shapes p
@@ -37,7 +37,7 @@ let table : (string * work) list =
     ("step", on_models Runs.step);
     ("replay", on_models Runs.replay);
     ("evaluate", evaluate);
-    ("model.where", where);
+    ("model.check", check);
   ]
 
 let methods = List.sort String.compare (described :: discover :: List.map fst table)
@@ -115,7 +115,7 @@ let request (v : Wire.t) =
     { id = find "id"; name; members }
   | _ -> invalid "a request is an object"
 
-let explores name = String.equal name "evaluate" || String.equal name "model.where"
+let explores name = String.equal name "evaluate" || String.equal name "model.check"
 
 let seconds (s : Session.t) name p =
   let most = float_of_int s.quotas.seconds in

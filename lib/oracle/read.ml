@@ -94,6 +94,10 @@ let text _ at : Wire.t -> string = function
   | Text s -> s
   | _ -> Fault.invalid at "a string is expected"
 
+let truth _ at : Wire.t -> bool = function
+  | Bool b -> b
+  | _ -> Fault.invalid at "true or false is expected"
+
 let vector p at : Wire.t -> Vec.t = function
   | List [ x; y; z ] ->
     Vec.make (rational p (Item (at, 0)) x) (rational p (Item (at, 1)) y) (rational p (Item (at, 2)) z)

@@ -38,6 +38,7 @@ val natural : int reader
 (** At most 2^53. *)
 
 val text : string reader
+val truth : bool reader
 val vector : Vec.t reader
 val matrix : Mat.t reader
 

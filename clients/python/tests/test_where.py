@@ -126,16 +126,29 @@ class Answers(WithOracle):
             where.outcome((0, -5))
 
     def test_oracle(self):
-        self.judge(self.oracle.where(RANGED)["meets"])
-        on_line = self.oracle.where(RANGED, parameters={"z": "1.5"}, seconds=20)["meets"]
+        self.judge(self.oracle.check(RANGED, where=True).where["meets"])
+        on_line = self.oracle.check(RANGED, where=True, parameters={"z": "1.5"}, seconds=20).where["meets"]
         self.assertEqual((on_line.parameters, on_line.probability), (("y",), Fraction(2, 5)))
         with self.oracle.batch() as batch:
-            later = batch.where(RANGED)
-        self.judge(later.result()["meets"])
+            later = batch.check(RANGED, where=True)
+        self.judge(later.result().where["meets"])
         with self.assertRaises(ModelRefused):
-            self.oracle.where(MODEL)
+            self.oracle.check(MODEL, where=True)
         with self.assertRaises(LimitExceeded):
-            self.oracle.where(RANGED, states=10**9)
+            self.oracle.check(RANGED, states=10**9)
+
+    def test_verdicts(self):
+        found = self.oracle.check(RANGED)
+        self.assertEqual((found.verdicts, found.where), ({"meets": "violated"}, {}))
+        ranges = found.report["properties"][0]["over"]["ranges"]
+        self.assertEqual([r["parameter"] for r in ranges], ["y", "z"])
+        narrowed = {"y": (-1, Fraction(1, 2)), "z": ["0", 1]}
+        self.assertEqual(self.oracle.check(RANGED, parameters=narrowed).verdicts, {"meets": "holds"})
+        self.assertEqual(self.oracle.check(MODEL).verdicts, {"meets": "holds"})
+        with self.assertRaises(ModelRefused):
+            self.oracle.check(RANGED, parameters={"y": (0, 6)})
+        with self.assertRaises(ModelRefused):
+            self.oracle.load_model(RANGED)
 
     def test_command_line(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -89,6 +89,6 @@ let valid =
       ("evaluate", {|{"model":"m1","path":[0],"formula":"x(q) / 3"}|});
       ("evaluate", {|{"model":"m1","formula":"possibly bonds(k) = 1 within 2",
                       "limits":{"seconds":5,"states":100}}|});
-      ("model.where", Yojson.Basic.to_string (`Assoc [ ("text", `String ranged) ]));
+      ("model.check", Yojson.Basic.to_string (`Assoc [ ("text", `String ranged); ("where", `Bool true) ]));
       ("service.describe", "{}");
     ]

@@ -377,21 +377,40 @@ let evaluate () =
   check "true" "[7]" "-32005"
 
 (* They meet where -2 < y < 2, of [-5, 5]. *)
-let where () =
+let over_ranges () =
   let session = create () in
   let asked members = `Assoc (("text", `String Cases.ranged) :: members) in
-  let meet = function
-    | `List [ property ] -> member "where" property
+  let where = ("where", `Bool true) in
+  let at y = ("parameters", `Assoc [ ("y", y) ]) in
+  let meet members =
+    match member "properties" (member "result" (ask session "model.check" (asked members))) with
+    | `List [ property ] -> property
     | _ -> Alcotest.fail "one check has one property"
   in
-  let found = meet (member "properties" (member "result" (ask session "model.where" (asked [])))) in
+  let found = member "where" (meet [ where ]) in
   check_text "probability" {|"2/5"|} (shown (member "probability" found));
   check_text "parameters" {|["y"]|} (shown (member "parameters" found));
-  let refused members = code (ask session "model.where" (asked members)) in
-  Alcotest.(check int) "of a point" (-32003) (refused [ ("parameters", `Assoc [ ("y", `Int 1) ]) ]);
+  let names = function `Assoc members -> List.map fst members | _ -> [] in
+  Alcotest.(check bool) "where, unasked" false (List.mem "where" (names (meet [])));
+  let verdict text members = check_text text (Printf.sprintf "%S" text) (shown (member "verdict" (meet members))) in
+  verdict "violated" [];
+  let bound value included = `Assoc [ ("value", `Int value); ("included", `Bool included) ] in
+  let range low high = `Assoc [ ("low", low); ("high", high) ] in
+  verdict "holds" [ at (`List [ `Int 0; `Int 1 ]) ];
+  verdict "violated" [ at (`List [ `Int 0; `Int 2 ]) ];
+  verdict "holds" [ at (range (bound 0 true) (bound 2 false)) ];
+  verdict "violated" [ at (range (bound 0 true) (bound 2 true)) ];
+  verdict "holds" [ at (`Int 1) ];
+  let refused members = code (ask session "model.check" (asked members)) in
+  Alcotest.(check int) "of a point" (-32003) (refused [ at (`Int 1); where ]);
+  Alcotest.(check int) "out of the range" (-32003) (refused [ at (`List [ `Int 4; `Int 6 ]) ]);
+  Alcotest.(check int) "half a range" (-32602) (refused [ at (`List [ `Int 1 ]) ]);
+  Alcotest.(check int) "no truth value" (-32602) (refused [ ("where", `Int 1) ]);
   Alcotest.(check int) "too many states" (-32000) (refused [ ("limits", `Assoc [ ("states", `Int 100_000_000) ]) ]);
   Alcotest.(check int) "a handle" (-32602) (refused [ ("model", `String "m1") ]);
-  Alcotest.(check int) "it is not loaded" (-32003) (code (ask session "model.load" (asked [])))
+  Alcotest.(check int) "it is not loaded" (-32003) (code (ask session "model.load" (asked [])));
+  let loaded = member "result" (ask session "model.load" (asked [ at (`Int 1) ])) in
+  check_text "a point is loaded" {|{"y":"1/1"}|} (shown (member "parameters" loaded))
 
 let () =
   Alcotest.run "oracle"
@@ -412,5 +431,5 @@ let () =
         ] );
       ("limits", [ case "handles" handles; case "limits" limits ]);
       ("sessions", [ case "independence" independence; case "stopped" stopped; case "internal errors" internal ]);
-      ("models", [ case "states" states; case "evaluate" evaluate; case "where" where ]);
+      ("models", [ case "states" states; case "evaluate" evaluate; case "over ranges" over_ranges ]);
     ]

@@ -58,12 +58,12 @@ from .models import (
 )
 from .oracle import PROTOCOL, Batch, Future, Oracle
 from .requests import Body, Fixed, Request, Touch
-from .where import Polyhedron, Region, Where, wheres
+from .where import Checked, Polyhedron, Region, Where, wheres
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Batch", "Body", "Bond", "Check", "Condition", "Contact", "DeclaredLeaf", "Description", "Evaluation", "Fault",
+    "Batch", "Body", "Bond", "Check", "Checked", "Condition", "Contact", "DeclaredLeaf", "Description", "Evaluation", "Fault",
     "Feature", "Fixed", "FormulaRefused", "Future", "InternalError", "InvalidParams", "InvalidRequest", "Label", "Leaf",
     "LimitExceeded", "MassProperties", "Meeting", "MethodNotFound", "Model", "ModelRefused", "Motion", "MovementStep",
     "NoTransitions", "NotInContact", "NotPossible", "Oracle", "OracleError", "PROTOCOL", "Pair", "ParseError",

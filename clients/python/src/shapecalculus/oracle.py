@@ -210,7 +210,7 @@ class Oracle:
     step = _at_once(requests.step)
     replay = _at_once(requests.replay)
     evaluate = _at_once(requests.evaluate)
-    where = _at_once(requests.where)
+    check = _at_once(requests.check)
     describe = _at_once(requests.describe)
 
     # Many.
@@ -326,7 +326,7 @@ class Batch:
     step = _later(requests.step)
     replay = _later(requests.replay)
     evaluate = _later(requests.evaluate)
-    where = _later(requests.where)
+    check = _later(requests.check)
     describe = _later(requests.describe)
 
     def send(self) -> None:

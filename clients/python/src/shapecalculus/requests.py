@@ -22,7 +22,7 @@ from .numbers import (
     to_json,
     vector_to_json,
 )
-from .where import Where, wheres
+from .where import Checked
 
 T = TypeVar("T")
 
@@ -31,6 +31,8 @@ ShapeLike = Union[Shape, str]
 ModelLike = Union[Model, str]
 #: A choice: its index, the text of its label, or both in an object.
 Choice = Union[int, str, Mapping[str, Union[int, str]]]
+#: A value of a parameter, or the two ends of a range that it is narrowed to.
+Setting = Union[Number, Sequence[Number]]
 
 
 @dataclass(frozen=True)
@@ -270,41 +272,53 @@ def response(
 # Models.
 
 
+def _setting(setting: Setting) -> Any:
+    return [to_json(end) for end in setting] if isinstance(setting, (tuple, list)) else to_json(setting)
+
+
+def _text(
+    text: str, files: Optional[Mapping[str, str]], parameters: Optional[Mapping[str, Setting]]
+) -> Params:
+    params: Params = {"text": text}
+    _set(params, dict, files=files)
+    if parameters is not None:
+        params["parameters"] = {name: _setting(setting) for name, setting in parameters.items()}
+    return params
+
+
 def load_model(
     text: str,
     *,
     files: Optional[Mapping[str, str]] = None,
-    parameters: Optional[Mapping[str, Number]] = None,
+    parameters: Optional[Mapping[str, Setting]] = None,
     seconds: Optional[Number] = None,
 ) -> Request[Model]:
     """Reads a model. ``files``: the texts of the meshes that it names. Raises ModelRefused."""
-    params: Params = {"text": text}
-    _set(params, dict, files=files)
-    if parameters is not None:
-        params["parameters"] = {name: to_json(value) for name, value in parameters.items()}
+    params = _text(text, files, parameters)
     return Request("model.load", _limited(params, seconds), Model.from_json)
 
 
-def where(
+def check(
     text: str,
     *,
+    where: bool = False,
     files: Optional[Mapping[str, str]] = None,
-    parameters: Optional[Mapping[str, Number]] = None,
+    parameters: Optional[Mapping[str, Setting]] = None,
     states: Optional[int] = None,
     depth: Optional[int] = None,
     time: Optional[Number] = None,
     seconds: Optional[Number] = None,
-) -> Request[Dict[str, Where]]:
-    """For which values of its parameters, of which ranges are known, the checks of a model hold: by their names.
+) -> Request[Checked]:
+    """Verdicts for the checks of a model, over all values of parameters that have ranges, and with ``where`` for which.
 
-    What ``parameters`` gives a value is known. The limits are those of the exploration; checks of which nothing could be
-    found within them are left out. Raises ModelRefused, also where no parameter has a range.
+    What ``parameters`` gives a value is known, what it gives two is narrowed to the range between them, both ends
+    included. The limits are those of the exploration. Raises ModelRefused, also for ``where`` where no parameter has a
+    range.
     """
-    params: Params = {"text": text}
-    _set(params, dict, files=files)
-    if parameters is not None:
-        params["parameters"] = {name: to_json(value) for name, value in parameters.items()}
-    return Request("model.where", _explored(params, seconds, states, depth, time), wheres)
+    params = _text(text, files, parameters)
+    if where:
+        params["where"] = True
+    return Request("model.check", _explored(params, seconds, states, depth, time), Checked.from_json)
 
 
 def release_model(model: ModelLike) -> Request[None]:

@@ -143,3 +143,18 @@ def wheres(report: Json) -> Dict[str, Where]:
     Those of which it does not tell where they hold are left out.
     """
     return {check["name"]: Where.from_json(check["where"]) for check in report["properties"] if "where" in check}
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What ``check`` tells: a verdict (``"holds"``, ``"holds-up-to-bound"``, ``"violated"``, ``"undecided"``) for each
+    check by its name, where each holds if that was asked and found, and the entries of the report.
+    """
+
+    verdicts: Dict[str, str]
+    where: Dict[str, Where]
+    report: Json
+
+    @classmethod
+    def from_json(cls, json: Json) -> Checked:
+        return cls({check["name"]: check["verdict"] for check in json["properties"]}, wheres(json), json)
