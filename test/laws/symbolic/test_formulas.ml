@@ -1,0 +1,115 @@
+(* Formulas of timed CTL over zones against the ordinary checker: at points of the parameters both give the same
+   verdict. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_polyhedra
+open Scc_verify
+module Gen = QCheck2.Gen
+
+type case = { scene : Scene.t; formulas : Property.temporal list; seed : int }
+
+(* Where time is asked about, each operator has a bound and stands by itself, as all that is later is left out. *)
+let formula leaves ~timed =
+  let open Gen in
+  let prop = Predicates.generate leaves ~timed 1 in
+  let quantifier = oneofl [ Property.All; Exists ] in
+  let bound =
+    if timed then map (fun n -> { Property.low = Rat.zero; high = Some (Rat.of_int n) }) (1 -- 5)
+    else pure { Property.low = Rat.zero; high = None }
+  in
+  let rec temporal depth =
+    let below = if depth = 0 then map (fun p -> Property.State p) prop else either (depth - 1) in
+    frequency
+      [
+        (2, map3 (fun q b f -> Property.Finally (q, b, f)) quantifier bound below);
+        (2, map3 (fun q b f -> Property.Globally (q, b, f)) quantifier bound below);
+        (2, map3 (fun q b (f, g) -> Property.Until (q, b, f, g)) quantifier bound (pair below below));
+        (1, map (fun f -> Property.Temporal_not f) (delay (fun () -> temporal depth)));
+      ]
+  and either depth = frequency [ (1, map (fun p -> Property.State p) prop); (2, temporal depth) ] in
+  if timed then temporal 0 else oneof [ temporal 0; temporal 1 ]
+
+let generate =
+  let open Gen in
+  let* scene = Scene.generate in
+  let scene = { scene with splits = Grid } in
+  let leaves = List.length scene.bodies in
+  let+ formulas = list_repeat 5 (formula leaves ~timed:scene.timed) and+ seed = 0 -- 1_000_000 in
+  { scene; formulas; seed }
+
+let check i formula = { Property.name = string_of_int i; span = Scc_base.Span.none; text = ""; formula }
+let options = { Check.default with bounds = { Bounds.default with states = Given 150; depth = Given 60 } }
+let many = { Check.default with bounds = { Bounds.default with states = Given 600; depth = Given 120 } }
+let compared = ref 0
+let holding = ref 0
+let undecided = ref 0
+let branching = ref 0
+
+let is_search f = Plan.is_search (Plan.of_formula f)
+
+let at_point case standard report values =
+  let s = case.scene in
+  let semantics = Semantics.with_model standard (Scene.model_at s ~timed:s.timed values) in
+  let initial =
+    match Network.initial semantics (Scene.declared_at s values) with
+    | Ok initial -> initial
+    | Error _ -> failwith "no initial state"
+  in
+  let ordinary = Check.run many semantics ~initial (List.mapi check case.formulas) in
+  let one (o : Verdict.outcome) (w : Scc_where.Where.t) =
+    let mem u = Union.mem u values in
+    let known = if mem w.holds then Some true else if mem w.fails then Some false else None in
+    let verdict =
+      match o.verdict with Holds { bounds = []; _ } -> Some true | Violated _ -> Some false | _ -> None
+    in
+    match (verdict, known) with
+    | Some a, Some b ->
+      incr compared;
+      if a then incr holding;
+      if not (is_search o.check.formula) then incr branching;
+      if a <> b then
+        QCheck2.Test.fail_reportf "at %s formula %s %s, but not over zones (seed %d)"
+          (String.concat ", " (List.map Rat.to_string (Array.to_list values)))
+          o.check.name
+          (if a then "holds" else "is violated")
+          case.seed
+    | _ -> incr undecided
+  in
+  List.iter2 one ordinary.outcomes report
+
+let points (m : Model.t) random (report : Scc_where.Where.t list) =
+  let of_piece p = List.filter_map (fun f -> f p) [ Polyhedron.corner; Polyhedron.interior_point ] in
+  let of_set u = List.concat_map of_piece (Union.pieces u) in
+  let all = List.concat_map (fun (w : Scc_where.Where.t) -> of_set w.holds @ of_set w.fails) report in
+  let all = Array.of_list (List.filter (Polyhedron.mem (Ranges.box m.ranges)) all) in
+  if all = [||] then [] else List.init 4 (fun _ -> all.(Random.State.int random (Array.length all)))
+
+let agrees case =
+  let s = case.scene in
+  let m = Scene.model s in
+  let standard = Scc_engine.Standard.of_model m in
+  let u = Scene.uncertain s in
+  let middle = Option.get (Polyhedron.interior_point (Ranges.box m.ranges)) in
+  let declared = Scene.declared s middle in
+  match Zone_check.run options standard u ~declared ~exactly:true (List.mapi check case.formulas) with
+  | Error _ -> true
+  | Ok report ->
+    List.iter (at_point case standard report.where) (points m (Random.State.make [| case.seed |]) report.where);
+    true
+
+let print case =
+  String.concat "\n" (Scene.print case.scene :: List.mapi (fun i _ -> Printf.sprintf "formula %d" i) case.formulas)
+
+let law = QCheck2.Test.make ~name:"formulas" ~count:150 ~print generate agrees
+
+let enough () =
+  Printf.printf "%d verdicts, %d of them hold, %d of branching formulas; %d not known\n" !compared !holding
+    !branching !undecided;
+  Alcotest.(check bool) "many verdicts" true (!compared > 500 && !branching > 100)
+
+let () =
+  Alcotest.run "formulas over zones"
+    [ ("random", Scc_test_support.Property.cases [ law ] @ [ Alcotest.test_case "enough" `Quick enough ]) ]
