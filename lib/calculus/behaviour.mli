@@ -74,8 +74,8 @@ val fresh : t -> aged
 (** {1 Guardedness} *)
 
 val unguarded : may_be_zero:(Linear.t -> bool) -> definitions -> int list
-(** The definitions from whose body their own name is reachable without a prefix or an eps(t), t > 0; where t depends on
-    what is not known, it is the caller who says whether it may be zero. *)
+(** The definitions from whose body their own name is reachable without a prefix or an eps(t), t > 0; where t
+    depends on what is not known, it is the caller who says whether it may be zero. *)
 
 (** {1 Canonical terms} *)
 

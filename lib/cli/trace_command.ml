@@ -185,11 +185,11 @@ let man =
   ]
   @ [
     `P
-      "Where bonds may be released at any time ($(b,split_step any)), a run that is not told otherwise looks at weak \
-       splits at the instants at which something else happens: then it splits, or lets all the time pass up to the \
-       next such instant. A schedule may let less pass: a choice whose label is $(b,time\\(5/4\\)) stands for any \
-       time that is at most the greatest, and the choice after it may be the split. The witnesses of $(b,scc check) \
-       do so.";
+      "Where bonds may be released at any time ($(b,split_step any)), a run that is not told otherwise looks at \
+       weak splits at the instants at which something else happens: then it splits, or lets all the time pass up \
+       to the next such instant. A schedule may let less pass: a choice whose label is $(b,time\\(5/4\\)) stands \
+       for any time that is at most the greatest, and the choice after it may be the split. The witnesses of \
+       $(b,scc check) do so.";
   ]
   @ Options.diagnostics_man
   @ [

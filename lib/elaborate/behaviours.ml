@@ -195,12 +195,13 @@ let delay t env (e : Ast.expr) =
   Option.bind (Constant.form t.c.report env e) (fun form ->
       if check_delay t e form then Some (linear t form) else None)
 
+let of_pushes = "velocities would depend on it, and times at which bodies meet not be linear"
+
 (* An impulse, 0 where none is given. *)
 let push t env = function
   | None -> Some Rat.zero
   | Some (e : Ast.expr) -> (
-      match Constant.number ~why:"velocities would depend on it, and times at which bodies meet not be linear" t.c.report env e
-      with
+      match Constant.number ~why:of_pushes t.c.report env e with
       | Some q when Rat.sign q < 0 ->
         Report.error t.c.report Code.bad_value e.at "a push is not negative, and this is %s" (Rat.to_string q)
           ~hint:"what is split can be pushed apart, and not pulled into each other";

@@ -232,6 +232,8 @@ let check_determinant report at d =
 
 let of_shapes = "the shapes of bodies must be known"
 
+let corner report env v = vector ~why:of_shapes report env v
+
 let scaling report env at v =
   match vector ~why:of_shapes report env v with
   | Some f when check_determinant report at (Rat.mul f.x (Rat.mul f.y f.z)) -> Some f
@@ -291,12 +293,14 @@ let transform report env ts =
   in
   List.fold_left compose (Some Placement.identity) ts
 
+let index report env e = integer ~why:"names must be known" report env "an index" e
+
 let segment report env (s : Ast.segment) =
   match s.indices with
   | [] -> Some s.name.it
   | indices ->
     let add printed e =
-      match (printed, integer ~why:"names must be known" report env "an index" e) with
+      match (printed, index report env e) with
       | Some printed, Some i -> Some (Z.to_string i :: printed)
       | _ -> None
     in

@@ -33,7 +33,11 @@ val positive : ?why:string -> Report.t -> Env.t -> string -> Ast.expr -> Rat.t o
 (** The string names the quantity in the message. *)
 
 val integer : ?why:string -> Report.t -> Env.t -> string -> Ast.expr -> Z.t option
+val index : Report.t -> Env.t -> Ast.expr -> Z.t option
 val vector : ?why:string -> Report.t -> Env.t -> Ast.vector -> Vec.t option
+
+val corner : Report.t -> Env.t -> Ast.vector -> Vec.t option
+(** Of a shape. *)
 
 val place : Report.t -> Env.t -> Ast.vector -> Form.place option
 (** A vector whose components may depend on such parameters. *)

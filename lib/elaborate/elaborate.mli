@@ -29,5 +29,5 @@ val elaborate :
   Scc_syntax.Ast.model ->
   (t, Diag.t list) result
 (** [read_file] is given the path of a mesh as written (the caller resolves it relative to the model) and
-    returns its bytes or why it cannot be read. [overrides] are the values given by [-D], and [narrowed] the ranges. Errors are sorted;
-    as many as make sense are reported at once. *)
+    returns its bytes or why it cannot be read. [overrides] are the values given by [-D], and [narrowed] the
+    ranges. Errors are sorted; as many as make sense are reported at once. *)

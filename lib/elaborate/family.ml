@@ -32,7 +32,7 @@ let check_distinct report formals =
   check formals
 
 let integers report env es =
-  all (List.map (Constant.integer ~why:"names must be known" report env "an index") es)
+  all (List.map (Constant.index report env) es)
   |> Option.map (fun zs -> String.concat "," (List.map Z.to_string zs))
 
 let check_chosen report env (name : Ast.name) =
@@ -87,7 +87,7 @@ let argument report env (e : Ast.expr) =
   | _ -> of_expr report env e
 
 let index report env e =
-  Option.map (fun z -> Env.Number (Rat.make z Z.one)) (Constant.integer ~why:"names must be known" report env "an index" e)
+  Option.map (fun z -> Env.Number (Rat.make z Z.one)) (Constant.index report env e)
   |> known_or_open env e
 
 let base report env (r : Ast.reference) =

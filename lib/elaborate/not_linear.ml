@@ -5,8 +5,8 @@ let hint names =
   | [] -> None
   | name :: _ ->
     Some
-      (Printf.sprintf "`-D %s=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples"
-         name)
+      (Printf.sprintf
+         "`-D %s=VALUE` gives it a value; ranges may stand in places and delays, in sums and multiples" name)
 
 let listed names = String.concat ", " (List.map (Printf.sprintf "`%s`") names)
 

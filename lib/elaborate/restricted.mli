@@ -9,5 +9,5 @@ type t =
   | In of Ranges.range  (** of more than one *)
 
 val range : Report.t -> Span.t -> Ranges.range -> Overrides.given option -> t option
-(** Of the declared range, at this place, and what was given from outside. [None] when a range has no numbers, or what
-    was given is not within the declared one, which is reported (SC0217). *)
+(** Of the declared range, at this place, and what was given from outside. [None] when a range has no numbers, or
+    what was given is not within the declared one, which is reported (SC0217). *)

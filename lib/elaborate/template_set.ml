@@ -23,7 +23,7 @@ let listed report env vertices faces =
       Report.error report Code.unknown_feature n.at "the shape has no vertex `%s`" n.it;
       None
   in
-  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.vector ~why:Constant.of_shapes report env v) in
+  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.corner report env v) in
   let face ((n : Ast.name), corners) =
     Option.map (fun c -> (n.it, Array.of_list c)) (all (List.map corner corners))
   in
@@ -38,7 +38,7 @@ let scaled (set : Polyhedron.ifs) (f : Vec.t) =
   { set with ifs_vertices = Array.map scale set.ifs_vertices }
 
 let hull report env at points =
-  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.vector ~why:Constant.of_shapes report env v) in
+  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.corner report env v) in
   let* points = all (List.map place points) in
   Solids.hull report at points
 

@@ -86,7 +86,7 @@ let made (c : Context.t) ~label at ifs = accept c { whole = at; vertices = [||];
 
 let hull (c : Context.t) env ~label at points =
   let distinct = check_names c points [] in
-  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.vector ~why:Constant.of_shapes c.report env v) in
+  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.corner c.report env v) in
   let places = Long_list.map place points in
   if distinct && List.for_all Option.is_some places then
     Option.bind (Solids.hull c.report at (List.filter_map Fun.id places)) (made c ~label at)
@@ -182,7 +182,7 @@ let listed (c : Context.t) env ~label at vertices faces =
   let distinct = check_names c vertices faces in
   let index = Hashtbl.create 16 in
   List.iteri (fun i ((n : Ast.name), _) -> Hashtbl.replace index n.it i) vertices;
-  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.vector ~why:Constant.of_shapes c.report env v) in
+  let place ((n : Ast.name), v) = Option.map (fun p -> (n.it, p)) (Constant.corner c.report env v) in
   let corners ((n : Ast.name), vs) = Option.map (fun a -> (n.it, a)) (resolve_corners c index n vs) in
   let places_of = Long_list.map place vertices and faces_of = Long_list.map corners faces in
   if distinct && List.for_all Option.is_some places_of && List.for_all Option.is_some faces_of then

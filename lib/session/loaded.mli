@@ -32,8 +32,8 @@ val load :
   ?narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
   Source.t ->
   (t, Diag.t list) result
-(** By the front end of the text ({!Front_end.of_source}), with the values of [overrides] for parameters, and the ranges of
-    [narrowed] for those that have ranges. *)
+(** By the front end of the text ({!Front_end.of_source}), with the values of [overrides] for parameters, and the
+    ranges of [narrowed] for those that have ranges. *)
 
 val of_tree :
   read_file:reader ->
@@ -45,8 +45,8 @@ val of_tree :
 (** Of a syntax tree that the text was read into, perhaps with more in it than the text says. *)
 
 val at : t -> (string * Rat.t) list -> (t, Diag.t list) result
-(** The same model where parameters have these values as well: of one point, if all that have ranges are among them.
-    The error is why there is no such model, a value out of its range (SC0217) for one. *)
+(** The same model where parameters have these values as well: of one point, if all that have ranges are among
+    them. The error is why there is no such model, a value out of its range (SC0217) for one. *)
 
 val initial : t -> (State.t, Diag.t list) result
 (** The initial state. The error is why a law of motion has no value there. *)

@@ -7,8 +7,8 @@ let on_grid (l : Loaded.t) =
     Error
       [
         Diag.error Code.any_time Span.none
-          "bonds of this model may be released at any time (`split_step any`), and this looks at the instants of a \
-           grid"
+          "bonds of this model may be released at any time (`split_step any`), and this looks at the instants of \
+           a grid"
           ~hint:"`scc check` answers for all instants, and `scc trace` shows single runs; or give a `split_step`";
       ]
   | Any_time | Every _ -> Ok ()

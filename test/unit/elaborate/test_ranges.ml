@@ -169,7 +169,8 @@ let many () =
 (* {1 What is given} *)
 
 let given narrowed overrides =
-  match Scc_syntax.Parse.parse (Scc_base.Source.make ~name:"test.sc" (cube ^ ranges ^ "param n = 1 process p = Cube mass 1 at translate (x + y + w, n, 0) [nil]")) with
+  let text = cube ^ ranges ^ "param n = 1 process p = Cube mass 1 at translate (x + y + w, n, 0) [nil]" in
+  match Scc_syntax.Parse.parse (Scc_base.Source.make ~name:"test.sc" text) with
   | Error _ -> Alcotest.fail "the text"
   | Ok model -> Elaborate.elaborate ~read_file:no_files ~overrides ~narrowed model
 
@@ -216,7 +217,8 @@ let linear_alone =
     case "a box" "box" ~says:"shapes" (body "shape B = box(1, x, 1) process p = B mass 1 [nil]");
     case "a corner" "x" ~says:"shapes"
       (body "shape B = hull { a (0,0,0) b (x,0,0) c (0,1,0) d (0,0,1) } process p = B mass 1 [nil]");
-    case "a part" "a" ~says:"compound" (body "compound C { part a : Cube mass 1 at translate (x, 0, 0) } process p = C [nil]");
+    case "a part" "a" ~says:"compound"
+      (body "compound C { part a : Cube mass 1 at translate (x, 0, 0) } process p = C [nil]");
     case "a bound of a loop" "x" ~says:"declared" (body "for i in 1..x { process p = Cube mass 1 [nil] }");
     case "a filter of a loop" "w" ~says:"declared"
       (body "for i in 1..2 if i < w { process p[i] = Cube mass 1 at translate (9*i, 0, 0) [nil] }");
@@ -260,9 +262,13 @@ let others =
   ]
 
 (* An end that is left out is not reached: the delay is positive for all values. *)
-let guarded () = ignore (accept (cube ^ ranges ^ "behaviour B on Cube = eps(w - 1). B process p = Cube mass 1 [B]"))
+let guarded () =
+  ignore (accept (cube ^ ranges ^ "behaviour B on Cube = eps(w - 1). B process p = Cube mass 1 [B]"))
 
-let unused () = ignore (accept (cube ^ ranges ^ "let far = (2*x, y, 0) process p = Cube mass 1 at translate (w, 0, 0) [nil]"))
+let unused () =
+  ignore
+    (accept
+       (cube ^ ranges ^ "let far = (2*x, y, 0) process p = Cube mass 1 at translate (w, 0, 0) [nil]"))
 
 let apart () =
   let text = ranges ^ "process p = Cube mass 1 [nil] process r = Cube mass 1 at translate " in

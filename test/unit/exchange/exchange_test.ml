@@ -112,6 +112,32 @@ let refuse (name, text) =
       | Ok _ -> Alcotest.fail "read"
       | Error d -> Alcotest.(check string) "code" "SC0801" d.Diag.code)
 
+(* The model of a start that a witness is of. *)
+let at_values () =
+  let text =
+    "param n = 2 param x in [0, 6] param y in (0, 1) shape Cube = box(2, 2, 2) \
+     process p = Cube mass 1 at translate (n*x, y, 0) [eps(x + y). nil]"
+  in
+  let no_files _ = Error "no files here" in
+  let load () = Scc_session.Loaded.load ~read_file:no_files ~overrides:[ ("n", Rat.of_int 3) ] (source text) in
+  let half = Rat.make Z.one (Z.of_int 2) in
+  match load () with
+  | Error _ -> Alcotest.fail "the model"
+  | Ok l ->
+    Alcotest.(check bool) "not of one point" true (Result.is_error (Scc_session.Ordinary.at_point l));
+    (match Scc_session.Loaded.at l [ ("x", Rat.of_int 5); ("y", half) ] with
+     | Error _ -> Alcotest.fail "the values are within"
+     | Ok fixed ->
+       let leaf = fixed.declared.Scc_calculus.State.processes.(0).leaves.(0) in
+       Alcotest.(check string) "its place" "(15, 1/2, 0)" (Vec.to_string leaf.position);
+       Alcotest.(check bool) "of one point" true (Result.is_ok (Scc_session.Ordinary.at_point fixed));
+       Alcotest.(check (list string)) "what is given" [ "n"; "x"; "y" ] (List.map fst fixed.origin.parameters);
+       Alcotest.(check string) "the same text" l.origin.digest fixed.origin.digest);
+    match Scc_session.Loaded.at l [ ("y", Rat.one) ] with
+    | Ok _ -> Alcotest.fail "the end is left out"
+    | Error diagnostics ->
+      Alcotest.(check (list string)) "beyond" [ "SC0217" ] (List.map (fun (d : Diag.t) -> d.code) diagnostics)
+
 let digest () =
   let make text files = Scc_session.Origin.digest ~text ~files in
   Alcotest.(check bool) "text" false (String.equal (make "a" []) (make "b" []));
@@ -142,5 +168,6 @@ let () =
       ("schedule", [ case "written and read" round_trip; case "of a trace" of_trace ]);
       ("refused schedules", List.map refuse refused);
       ("digest", [ case "tells models apart" digest ]);
+      ("ranges", [ case "the model at values" at_values ]);
       ("text", [ case "long numbers" short ]);
     ]

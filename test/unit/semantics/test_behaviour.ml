@@ -144,7 +144,8 @@ let unguarded () =
       body (call 0); body (eps (q 0) (call 5));
     |]
   in
-  Alcotest.(check (list int)) "the definitions on unguarded cycles" [ 0; 1; 5 ] (Behaviour.unguarded ~may_be_zero:(fun _ -> false) defs)
+  Alcotest.(check (list int)) "the definitions on unguarded cycles" [ 0; 1; 5 ]
+    (Behaviour.unguarded ~may_be_zero:(fun _ -> false) defs)
 
 let () =
   Alcotest.run "behaviour"
