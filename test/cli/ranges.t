@@ -20,7 +20,7 @@ Where p starts is known by ranges alone. It meets q iff its y and z are both les
   
   met: violated for y = -3, z = 0
     possibly bound(p, q)
-    no single run shows it: everything that counts was explored
+    no run from there does otherwise: everything that counts was explored
     holds where
       -2 < y < 2, -2 < z < 2
     fails elsewhere
@@ -70,7 +70,7 @@ A value, or a narrower range, may be given:
   $ scc check meet.sc -D y=1..3 --where | sed -n '/^met/,/^$/p'
   met: violated for y = 2, z = -3
     possibly bound(p, q)
-    no single run shows it: everything that counts was explored
+    no run from there does otherwise: everything that counts was explored
     holds where
       -2 < z < 2, y < 2
     fails elsewhere
@@ -79,7 +79,7 @@ A value, or a narrower range, may be given:
   $ scc check meet.sc -D 'y=[2,3)' -D z=0 --where | sed -n '/^met/,/^$/p'
   met: violated for y = 5/2
     possibly bound(p, q)
-    no single run shows it: everything that counts was explored
+    no run from there does otherwise: everything that counts was explored
     fails everywhere
     probability 0
   
