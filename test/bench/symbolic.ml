@@ -49,13 +49,10 @@ fixed west  = Cube scaled (1, 8, 1) at translate (-7, 0, 0)
 fixed east  = Cube scaled (1, 8, 1) at translate (7, 0, 0)
 fixed south = Cube scaled (6, 1, 1) at translate (0, -7, 0)
 fixed north = Cube scaled (6, 1, 1) at translate (0, 7, 0)
-process p = Cube mass 1 velocity (1, 0, 0) at translate (-4 + a, -1 + b, 0) [nil]
-process q = Cube mass 1 velocity (0, -1, 0) at translate (c, 3 + d, 0) [nil]
-check meet : possibly vx(q) > 0 within 16
-check calm : always vy(p) = 0 within 16
+process p = Cube mass 1 velocity (1, 1/2, 0) at translate (-4 + a, -1 + b, 0) [nil]
+process q = Cube mass 1 velocity (-1/2, -1, 0) at translate (c, 3 + d, 0) [nil]
+check corner : possibly (x(p) > 4 and y(q) > 3) within 16
 |}
-
-let in_turn = "split_step any\n"
 
 let hexokinase =
   let replace text (old, new_) = Str.global_replace (Str.regexp_string old) new_ text in
@@ -64,7 +61,7 @@ let hexokinase =
       [
         ("param atp_arrives = 2", "param atp_arrives in [0, 10]");
         ("param glucose_arrives = 2", "param glucose_arrives in [0, 10]");
-        ("split_step 1\n", in_turn);
+        ("split_step 1\n", "split_step any\n");
         ("check surely", "// check surely");
       ]
 

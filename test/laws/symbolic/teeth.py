@@ -11,6 +11,7 @@ for each.
 from __future__ import annotations
 
 import argparse
+import os
 import resource
 import shutil
 import subprocess
@@ -78,7 +79,11 @@ MISTAKES = {
         "List.fold_left (apart_by_touching c) regions beside",
         "(ignore beside; regions)",
     ),
-    "only faces touch": ("instant.ml", "List.concat_map (fall 2) regions", "List.concat_map (fun p -> ignore fall; [ p ]) regions"),
+    "only where they are looked at do features touch": (
+        "instant.ml",
+        "List.concat_map (fall 2) regions",
+        "List.concat_map (fun p -> ignore fall; [ p ]) regions",
+    ),
     "features touch with their borders": (
         "feature_cells.ml",
         "let inside normal a = Constraint.greater",
@@ -127,7 +132,11 @@ MISTAKES = {
         "Constraint.less passed (lift t)",
         "Constraint.at_most passed (lift t)",
     ),
-    "eps(0) waits": ("passing.ml", "match List.find_map of_leaf (leaves z) with", "match List.find_map of_leaf [] with"),
+    "eps(0) waits": (
+        "passing.ml",
+        "match List.find_map of_leaf (leaves z) with",
+        "match List.find_map of_leaf [] with",
+    ),
     "eps(t) is eps(0) where it may be": (
         "passing.ml",
         "(expire c (at over) (leaf, [ d ]) :: still)",
@@ -143,7 +152,11 @@ MISTAKES = {
         "List.iter (happen e source) weak;",
         "if urgent = [] then List.iter (happen e source) weak;",
     ),
-    "the horizon is too early": ("zone_graph.ml", "let in_time = Constraint.at_most time", "let in_time = Constraint.less time"),
+    "the horizon is too early": (
+        "zone_graph.ml",
+        "let in_time = Constraint.at_most time",
+        "let in_time = Constraint.less time",
+    ),
     "time stands still": ("passing.ml", "Option.map (Linear.add time) z.time", "z.time"),
     "borders belong to zones": (
         "zone.ml",
@@ -186,6 +199,7 @@ def noticed_by(tree: Path) -> str:
         try:
             done = subprocess.run(
                 [tree / "_build" / "default" / test, "-c"], cwd=tree, timeout=SECONDS,
+                env={**os.environ, "SCC_NO_SHRINKING": "1"},
                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (3 << 30, 3 << 30)),
             )
