@@ -332,6 +332,18 @@ check alone : possibly (event bounce(p, s) and not bound(p, q))
 check binds : possibly bound(p, s)
 |}
       [ everywhere "alone"; holds "binds" [ [ at_least_0 [ 1 ] (q (-1) 2) ] ] (q 7 8) ];
+    (* when a second bond can be released, at d, the clock begins anew: instants are 0, d, d + 1 *)
+    case "a clock that begins anew"
+      {|split_step 1
+param d in [0, 1]
+behaviour P on Cube = omega(b, {right}). nil
+behaviour Q on Cube = omega(b, {left}). nil + eps(d). omega(c, {right}). nil
+behaviour R on Cube = omega(c, {left}). nil
+process pqr = p : Cube mass 1 [P] <b, {p.right, q.left}> q : Cube mass 1 at translate (2,0,0) [Q]
+  <c, {q.right, r.left}> r : Cube mass 1 at translate (4,0,0) [R]
+check at_1 : possibly (event weak(b) and time = 1) within 1
+|}
+      [ holds "at_1" [ [ is_0 [ 1 ] Rat.zero ]; [ is_0 [ 1 ] (int (-1)) ] ] Rat.zero ];
   ]
 
 let () =
