@@ -88,8 +88,29 @@ let choose n coordinates =
       (rows @ [ row ], number :: chosen, y :: given)
   in
   let numbered = Array.to_list (Array.mapi (fun i f -> (i, f)) coordinates) in
-  let _, chosen, given = List.fold_left add ([], [], []) numbered in
-  (Array.of_list (List.rev chosen), Array.of_list (List.rev given))
+  let rows, chosen, given = List.fold_left add ([], [], []) numbered in
+  (rows, Array.of_list (List.rev chosen), Array.of_list (List.rev given))
+
+(* The old variables by the new ones, where these give them all: then nothing is to be projected out. *)
+let inverse n rows free =
+  let values = Array.make n None in
+  let solve { pivot; of_old; of_new } =
+    let take rest i =
+      let a = Linear.coefficient of_old i in
+      match (rest, values.(i)) with
+      | Some rest, _ when i = pivot || Rat.sign a = 0 -> Some rest
+      | Some rest, Some v -> Some (Linear.sub rest (Linear.scale a v))
+      | Some _, None | None, _ -> None
+    in
+    let start = Linear.sub of_new (Linear.constant n of_old.constant) in
+    values.(pivot) <- List.fold_left take (Some start) (List.init n Fun.id)
+  in
+  List.iter solve (List.rev rows);
+  let known i = values.(i) <> None || not (Linear.equal free.(i) (Linear.variable n i)) in
+  if List.for_all known (List.init n Fun.id) then
+    let value i = Option.value values.(i) ~default:(Linear.constant n Rat.zero) in
+    Some (Array.map (fun f -> Linear.compose f ~dimension:n (Array.init n value)) free)
+  else None
 
 (* [given] has a form for each coordinate, in the order of {!coordinates}. *)
 let of_coordinates z ~set ~basis given =
@@ -113,13 +134,20 @@ let canonical z =
   let n = dimension z in
   let free = free_variables z.set in
   let old = Array.map (fun f -> Linear.compose f ~dimension:n free) (coordinates z) in
-  let basis, given = choose n old in
+  let rows, basis, given = choose n old in
   let m = Array.length basis in
   let forms = Array.map (fun i -> old.(i)) basis in
   (* Of the n variables that the forms are over, the first m occur. *)
   let trim = Array.init n (fun i -> if i < m then Linear.variable m i else Linear.constant m Rat.zero) in
   let given = Array.map (fun f -> Linear.compose f ~dimension:m trim) given in
-  let set = Polyhedron.minimal (Polyhedron.image z.set forms) in
+  let set =
+    match inverse n rows free with
+    | Some old_by_new ->
+      let by_new = Array.map (fun f -> Linear.compose f ~dimension:m trim) old_by_new in
+      Polyhedron.preimage z.set ~dimension:m by_new
+    | None -> Polyhedron.image z.set forms
+  in
+  let set = Polyhedron.minimal set in
   (of_coordinates z ~set ~basis given, forms)
 
 (* {1 States} *)
