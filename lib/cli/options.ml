@@ -100,8 +100,8 @@ type definitions = {
 
 let definitions =
   let doc =
-    "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational; or narrows the range of one that \
-     has a range: to $(b,1..3), with both ends, or to $(b,[1,3\\)), where brackets say which ends belong to it. \
+    "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational; or narrows the range of one \
+     that has a range: to $(b,1..3), with both ends, or to $(b,[1,3\\)), where brackets say which ends belong to it. \
      Repeatable."
   in
   let given = for_name ~docv:"NAME=VALUE" parse_given given_to_string in

@@ -20,8 +20,8 @@ val forget : store -> unit
 
 val load : store -> Read.params -> Reply.t
 val read : more:string list -> Read.params -> Loaded.t * (string -> Source.t option)
-(** The model of a request that gives all of it, as [model.load] does, and has no other members but [more]; and its texts
-    by name. Its parameters may have ranges, and its bonds may be released at any time. *)
+(** The model of a request that gives all of it, as [model.load] does, and has no other members but [more]; and
+    its texts by name. Its parameters may have ranges, and its bonds may be released at any time. *)
 
 val release : store -> Read.params -> Reply.t
 

@@ -39,7 +39,8 @@ let rec all_some = function
 let apart p q = Polyhedron.disjoint (Polyhedron.closure p) q && Polyhedron.disjoint p (Polyhedron.closure q)
 
 (* Some points between one of each, which a convex union has all. *)
-let between = List.map (fun (n, d) -> Rat.make (Z.of_int n) (Z.of_int d)) [ (1, 2); (1, 4); (3, 4); (1, 8); (7, 8) ]
+let between =
+  List.map (fun (n, d) -> Rat.make (Z.of_int n) (Z.of_int d)) [ (1, 2); (1, 4); (3, 4); (1, 8); (7, 8) ]
 
 let seem_convex p q =
   match (Polyhedron.point p, Polyhedron.point q) with

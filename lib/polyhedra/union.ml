@@ -33,7 +33,8 @@ let outside u p =
   (* one piece after the other is left out, and what is left is followed at once *)
   let rec go p = function
     | [] -> Polyhedron.point p
-    | q :: rest -> if Polyhedron.disjoint p q then go p rest else List.find_map (fun p -> go p rest) (Difference.pieces p q)
+    | q :: rest when Polyhedron.disjoint p q -> go p rest
+    | q :: rest -> List.find_map (fun p -> go p rest) (Difference.pieces p q)
   in
   if Polyhedron.is_empty p then None else go p u.pieces
 

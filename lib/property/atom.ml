@@ -150,7 +150,8 @@ let compare_argument a b =
   | Channel (p, a), Channel (q, b) ->
     let c = Option.compare (fun p q -> Int.compare (polarity_rank p) (polarity_rank q)) p q in
     if c <> 0 then c else String.compare a b
-  | (Leaf _ | Part _ | Channel _ | Definition _ | Parameter _), _ -> Int.compare (argument_rank a) (argument_rank b)
+  | (Leaf _ | Part _ | Channel _ | Definition _ | Parameter _), _ ->
+    Int.compare (argument_rank a) (argument_rank b)
 
 let compare a b =
   let c = String.compare a.word b.word in

@@ -57,8 +57,8 @@ val sample : t -> Rat.t array
 (** The {!coordinates} of one of its states. *)
 
 val has : t -> Rat.t array -> bool
-(** Of a canonical zone, and the coordinates of some state of one of its kind that is {!included} in it: true. A quick
-    way to see of most others that they are not. *)
+(** Of a canonical zone, and the coordinates of some state of one of its kind that is {!included} in it: true. A
+    quick way to see of most others that they are not. *)
 
 val included : t -> t -> Linear.t array option
 (** [included a b], of canonical zones of one kind: if each state of a is one of b, the variables of b as forms

@@ -169,9 +169,8 @@ let rec item a b =
   | For (rs, xs), For (ss, ys) -> list range rs ss && list item xs ys
   | Network ps, Network qs -> list path ps qs
   | Motion (p, l), Motion (q, m) -> option path p q && law l m
-  | ( ( Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ |
-        Bonds _ | Resolution _
-      | Round _ | Shape _
+  | ( ( Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _
+      | Binding _ | Bonds _ | Resolution _ | Round _ | Shape _
       | Compound _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _
       | Check _ ), _ ) -> false
 

@@ -34,12 +34,12 @@ let diagnostic (m : Model.t) { at; reason } =
   let values = Verdict.values_to_string at in
   match reason with
   | Interpenetrate (a, b) ->
-    Diag.error Code.interpenetration Span.none "`%s` and `%s` interpenetrate for some starts: for %s" (name a) (name b)
-      values
+    Diag.error Code.interpenetration Span.none "`%s` and `%s` interpenetrate for some starts: for %s"
+      (name a) (name b) values
   | Bond_apart b ->
     let site (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
-    Diag.error Code.not_touching Span.none "%s and %s do not touch for some starts: for %s" (site b.one) (site b.two)
-      values
+    Diag.error Code.not_touching Span.none "%s and %s do not touch for some starts: for %s"
+      (site b.one) (site b.two) values
 
 (* {1 One exploration} *)
 

@@ -1,5 +1,5 @@
-(* sets COUNT SEED: random ranges and sets in them (test/unit/where/samples.ml), and all that is said of them, as JSON
-   Lines. A set is given as a list of polyhedra, which may overlap, and a polyhedron as a list of constraints
+(* sets COUNT SEED: random ranges and sets in them (test/unit/where/samples.ml), and all that is said of them, as
+   JSON Lines. A set is given as a list of polyhedra, which may overlap, and a polyhedron as a list of constraints
    [normal, relation, right], with relation -1 for <, 0 for = and 1 for <=. *)
 
 open Scc_polyhedra

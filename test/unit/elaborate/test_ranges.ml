@@ -53,14 +53,15 @@ let several () =
   Alcotest.(check (list string)) "what is known is listed" [ "n" ] (List.map fst t.parameters);
   let at leaf = (State.leaf_of (Option.get (State.home t.declared leaf)) leaf).position in
   let point = Ranges.point t.model.ranges in
-  Alcotest.(check string) "declared at a point of them" (Vec.to_string (Vec.make (Rat.mul (q 2 1) point.(0)) (q 20 1)
-                                                                          (Rat.add (q 2 1) (Rat.div point.(0) (q 2 1)))))
-    (Vec.to_string (at 1))
+  let two = q 2 1 in
+  let there = Vec.make (Rat.mul two point.(0)) (q 20 1) (Rat.add two (Rat.div point.(0) two)) in
+  Alcotest.(check string) "declared at a point of them" (Vec.to_string there) (Vec.to_string (at 1))
 
 let known () =
   let t = accept (cube ^ "param x in [2, 2] process p = Cube mass x velocity (x, 0, 0) [nil]") in
   Alcotest.(check bool) "of one number" true (t.uncertain = None);
-  Alcotest.(check (list string)) "it is a parameter" [ "2" ] (List.map (fun (_, v) -> Rat.to_string v) t.parameters);
+  let values = List.map (fun (_, v) -> Rat.to_string v) t.parameters in
+  Alcotest.(check (list string)) "it is a parameter" [ "2" ] values;
   let text = cube ^ ranges ^ "process p = Cube mass 1 at translate (x, y, w) [eps(x). nil]" in
   let t = accept ~overrides:[ ("x", q 6 1); ("y", q 1 2); ("w", q 3 2) ] text in
   Alcotest.(check bool) "all are given" true (t.uncertain = None);
@@ -138,7 +139,8 @@ let at_values =
     (fun ((a, b, c), (i, j, k)) ->
        let place = Printf.sprintf "translate (%s, %s, %s)" a b c in
        let text =
-         cube ^ ranges ^ "let v = x/2 - y process p = Cube mass 1 at rotate quaternion (1, 1, 0, 0) * " ^ place ^ " [nil]"
+         cube ^ ranges
+         ^ Printf.sprintf "let v = x/2 - y process p = Cube mass 1 at rotate quaternion (1, 1, 0, 0) * %s [nil]" place
        in
        let point = [| q i 4; q (j - 1) 4; Rat.add Rat.one (q k 7) |] in
        let names = [ "x"; "y"; "w" ] in
@@ -179,7 +181,8 @@ let bound value included = { Ranges.value; included }
 let narrowed () =
   (match given [ ("x", (bound (q 1 1) true, bound (q 6 1) false)) ] [ ("w", q 3 2) ] with
    | Ok t ->
-     Alcotest.(check string) "narrowed, and fixed" "x in [1, 6), y in (-1/2, 1/2]" (Ranges.to_string t.model.ranges)
+     let ranges = Ranges.to_string t.model.ranges in
+     Alcotest.(check string) "narrowed, and fixed" "x in [1, 6), y in (-1/2, 1/2]" ranges
    | Error _ -> Alcotest.fail "it is within");
   let refused what narrowed overrides =
     match given narrowed overrides with
@@ -212,7 +215,8 @@ let linear_alone =
     case "a spin" "x" ~says:"times at which bodies meet" (body_with "mass 1 spin (0, 0, x)");
     case "a rotation" "x" ~says:"turned" (body_with "mass 1 at rotate quaternion (x, 0, 0, 1)");
     case "a scaling" "x" ~says:"shapes" (body_with "mass 1 at scale (x, 1, 1)");
-    case "a matrix" "x" ~says:"`translate`" (body_with "mass 1 at matrix((1,0,0,x), (0,1,0,0), (0,0,1,0), (0,0,0,1))");
+    case "a matrix" "x" ~says:"`translate`"
+      (body_with "mass 1 at matrix((1,0,0,x), (0,1,0,0), (0,0,1,0), (0,0,0,1))");
     case "a scaled shape" "x" ~says:"shapes" (body "shape B = Cube scaled (x, 1, 1) process p = B mass 1 [nil]");
     case "a box" "box" ~says:"shapes" (body "shape B = box(1, x, 1) process p = B mass 1 [nil]");
     case "a corner" "x" ~says:"shapes"

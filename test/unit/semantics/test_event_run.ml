@@ -294,5 +294,6 @@ let () =
           Alcotest.test_case "what is far away costs nothing" `Quick local;
         ] );
       ( "as the transition relation",
-        Scc_test_support.Property.cases [ small; unseen; far_away; crowds; later; in_a_box; together; rings; any_time ] );
+        Scc_test_support.Property.cases
+          [ small; unseen; far_away; crowds; later; in_a_box; together; rings; any_time ] );
     ]

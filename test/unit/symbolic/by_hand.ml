@@ -1,4 +1,5 @@
-(* Models in the surface language with the sets of parameters for which their checks hold, as worked out by hand. *)
+(* Models in the surface language with the sets of parameters for which their checks hold, as worked out by hand.
+*)
 
 open Scc_exact
 open Scc_polyhedra
