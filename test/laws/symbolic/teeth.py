@@ -174,6 +174,7 @@ MISTAKES = {
 TESTS = [
     "test/unit/symbolic/test_cases.exe",
     "test/unit/symbolic/test_contact_cells.exe",
+    "test/unit/symbolic/test_zone.exe",
     "test/laws/symbolic/test_zones.exe",
 ]
 SECONDS = 120

@@ -1,0 +1,33 @@
+(* A zone is in another if each of its states is, those on borders too. *)
+
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+open Scc_symbolic
+
+let zone constraint_ : Zone.t =
+  {
+    skeleton = State.make ~processes:[] ~step:None ~time:None;
+    halted = false;
+    arrived = [];
+    set = Polyhedron.of_constraints 1 [ constraint_ ];
+    parameters = [| Linear.variable 1 0 |];
+    time = None;
+    ages = [||];
+    clocks = [||];
+    places = [||];
+    basis = [| 0 |];
+  }
+
+let x = Linear.variable 1 0
+let zero = Linear.constant 1 Rat.zero
+let open_ = zone (Constraint.greater x zero)
+let closed = zone (Constraint.at_least x zero)
+let check name expected a b = Alcotest.(check bool) name expected (Zone.included a b <> None)
+
+let borders () =
+  check "an open one in a closed one" true open_ closed;
+  check "a closed one in an open one" false closed open_;
+  check "a closed one in itself" true closed closed
+
+let () = Alcotest.run "zone" [ ("inclusion", [ Alcotest.test_case "borders" `Quick borders ]) ]
