@@ -30,4 +30,12 @@ let borders () =
   check "a closed one in an open one" false closed open_;
   check "a closed one in itself" true closed closed
 
-let () = Alcotest.run "zone" [ ("inclusion", [ Alcotest.test_case "borders" `Quick borders ]) ]
+let kinds () =
+  let same name expected b = Alcotest.(check bool) name expected (Zone.same_kind closed b) in
+  same "other numbers" true open_;
+  same "halted" false { closed with halted = true };
+  same "after an event" false { closed with arrived = [ 0 ] }
+
+let () =
+  let case name f = Alcotest.test_case name `Quick f in
+  Alcotest.run "zone" [ ("comparing", [ case "borders" borders; case "kinds" kinds ]) ]
