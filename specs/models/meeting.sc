@@ -24,7 +24,7 @@ shape Octahedron {
 process p = Octahedron mass 1 velocity (1,0,0) at translate (0, y, z) [nil]
 process q = Cube mass 1 at translate (8, 0, 0) [nil]
 
-// |y| < 2, |z| < 2 and |y| + |z| < 3: 28 of 36
+// |y| < 2, |z| < 2 and |y| + |z| < 3: 14 of 36
 check meets : possibly vx(q) > 0        // expect: violated
 // The tip meets the face, also on its border: |y| <= 1 and |z| <= 1: 4 of 36
 check stops : possibly speed2(p) = 0    // expect: violated

@@ -161,5 +161,7 @@ def all_suites():
     import rules_of_properties
     import rules_of_readings
     import rules_of_turning
-    return [s for m in (rules_of_geometry, rules_of_bodies, rules_of_turning, rules_of_properties, rules_of_readings)
+    import rules_of_zones
+    return [s for m in (rules_of_geometry, rules_of_bodies, rules_of_turning, rules_of_properties, rules_of_readings,
+                        rules_of_zones)
             for s in m.suites()]

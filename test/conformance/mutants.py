@@ -505,6 +505,47 @@ def corners_and_pairs_in_another_order(params, r):
     return bool(r['pairs'])
 
 
+# Sets of parameters
+
+
+def sets(r):
+    return [p['where'] for p in r['properties'] if 'where' in p]
+
+
+@mutant('model.check')
+def borders_belong_to_sets(params, r):
+    strict = [c for w in sets(r) for piece in w['pieces'] for c in piece if c['relation'] == '<']
+    for c in strict:
+        c['relation'] = '<='
+    return strict
+
+
+@mutant('model.check')
+def sets_without_volume_are_empty(params, r):
+    flat = [w for w in sets(r) if w['pieces'] and w['measure'] == '0/1']
+    for w in flat:
+        w['pieces'] = []
+    return flat
+
+
+@mutant('model.check')
+def borders_do_not_count_in_verdicts(params, r):
+    changed = [p for p in r['properties'] if p['verdict'] == 'violated' and 'where' in p
+               and p['where']['probability'] == '1/1']
+    for p in changed:
+        p['verdict'] = 'holds'
+    return changed
+
+
+@mutant('model.check', control=True)
+def pieces_in_another_order(params, r):
+    for w in sets(r):
+        w['pieces'].reverse()
+        for piece in w['pieces']:
+            piece.reverse()
+    return sets(r)
+
+
 @mutant('first_time_of_contact', control=True)
 def numbers_in_another_form(params, r):
     if not r['time']:
