@@ -46,16 +46,16 @@ let diagnostic (m : Model.t) { at; reason } =
 type group = { keeps_time : bool; members : (int * Property.check) list }
 
 (* Those that ask about time are explored apart: with time a coordinate, little ever recurs, but there is an end
-   where all of them have a bound. *)
-let groups checks =
+   where all of them have a bound. A bound of time for all makes it a coordinate for all. *)
+let groups ~bounded checks =
   let numbered = List.mapi (fun i c -> (i, c)) checks in
   let of_check is (_, (c : Property.check)) = is c.formula in
   let timed, others = List.partition (of_check Answers.needs_time) numbered in
   let ends, endless = List.partition (of_check (fun f -> Option.is_some (Plan.horizon f))) timed in
   let some keeps_time members = match members with [] -> [] | _ :: _ -> [ { keeps_time; members } ] in
   match checks with
-  | [] -> [ { keeps_time = false; members = [] } ]
-  | _ :: _ -> some false others @ some true ends @ some true endless
+  | [] -> [ { keeps_time = bounded; members = [] } ]
+  | _ :: _ -> some bounded others @ some true ends @ some true endless
 
 (* A start at which velocities never cease to change may go on for ever, while all others come to an end. *)
 let default_depth = 1_000
@@ -293,7 +293,7 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
     | [] -> Ok (List.rev done_)
     | group :: rest -> Result.bind (of_group group) (fun e -> all (e :: done_) rest)
   in
-  match all [] (groups checks) with
+  match all [] (groups ~bounded:(Option.is_some (given options.bounds.time)) checks) with
   | Error { Start.at; reason } -> Error { at; reason }
   | Ok explored ->
     let sorted =

@@ -401,6 +401,10 @@ let over_ranges () =
   verdict "holds" [ at (range (bound 0 true) (bound 2 false)) ];
   verdict "violated" [ at (range (bound 0 true) (bound 2 true)) ];
   verdict "holds" [ at (`Int 1) ];
+  (* They meet at 10. *)
+  let until time = ("limits", `Assoc [ ("time", `Int time) ]) in
+  verdict "undecided" [ at (`List [ `Int 0; `Int 1 ]); until 9 ];
+  verdict "holds" [ at (`List [ `Int 0; `Int 1 ]); until 11 ];
   let refused members = code (ask session "model.check" (asked members)) in
   Alcotest.(check int) "of a point" (-32003) (refused [ at (`Int 1); where ]);
   Alcotest.(check int) "out of the range" (-32003) (refused [ at (`List [ `Int 4; `Int 6 ]) ]);
