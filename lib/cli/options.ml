@@ -101,8 +101,8 @@ type definitions = {
 let definitions =
   let doc =
     "Gives the parameter $(i,NAME) of the model the value $(i,VALUE), a rational; or narrows the range of one \
-     that has a range: to $(b,1..3), with both ends, or to $(b,[1,3\\)), where brackets say which ends belong to it. \
-     Repeatable."
+     that has a range: to $(b,1..3), with both ends, or to $(b,[1,3\\)), where brackets say which ends belong to \
+     it. Repeatable."
   in
   let given = for_name ~docv:"NAME=VALUE" parse_given given_to_string in
   let values = List.filter_map (function name, Value q -> Some (name, q) | _, Within _ -> None) in

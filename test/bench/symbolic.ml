@@ -20,7 +20,9 @@ let cube =
 
 (* A pocket with a seat on each side, and a ligand on the way to each, which arrive in any order. *)
 let race n =
-  let ways = [ ("right", 1, 0, 0); ("left", -1, 0, 0); ("back", 0, 1, 0); ("front", 0, -1, 0); ("top", 0, 0, 1) ] in
+  let ways =
+    [ ("right", 1, 0, 0); ("left", -1, 0, 0); ("back", 0, 1, 0); ("front", 0, -1, 0); ("top", 0, 0, 1) ]
+  in
   let ways = List.filteri (fun i _ -> i < n) ways in
   let ligand i (_, x, y, z) =
     let along c = match c with 0 -> "0" | c -> Printf.sprintf "%d * (4 + s%d)" c i in

@@ -140,7 +140,8 @@ let at_values =
        let place = Printf.sprintf "translate (%s, %s, %s)" a b c in
        let text =
          cube ^ ranges
-         ^ Printf.sprintf "let v = x/2 - y process p = Cube mass 1 at rotate quaternion (1, 1, 0, 0) * %s [nil]" place
+         ^ Printf.sprintf
+           "let v = x/2 - y process p = Cube mass 1 at rotate quaternion (1, 1, 0, 0) * %s [nil]" place
        in
        let point = [| q i 4; q (j - 1) 4; Rat.add Rat.one (q k 7) |] in
        let names = [ "x"; "y"; "w" ] in
