@@ -46,9 +46,9 @@ A run as JSON Lines.
           glucose at (9/4, 1, 0) [Glucose], velocity (0, 0, 0)
   7 transitions, time 4: nothing will ever happen again
 
-The same bytes each time; a trace is its own schedule.
+The same bytes each time; a trace is its own schedule. A model with ranges has no start of its own.
 
-  $ for model in ../../specs/models/*.sc; do
+  $ for model in $(grep -L "^param [a-z]* in" ../../specs/models/*.sc); do
   >   for choose in first random:1 random:-7; do
   >     scc trace $model --steps 40 --choose $choose > one.jsonl 2> /dev/null
   >     scc trace $model --steps 40 --choose $choose > two.jsonl 2> /dev/null

@@ -6,6 +6,7 @@ usage: trace_conform_test.py SCC MODELS [ROUNDS]
 import glob
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -28,6 +29,12 @@ def options(draw):
     return chosen
 
 
+def is_open(model):
+    """Its start or the instants of its splits are left open: traces are compared with models that are known (SC0902)."""
+    with open(model, encoding='utf-8') as file:
+        return re.search(r'^(param \w+ in [\[(]|split_step any)', file.read(), re.M) is not None
+
+
 def main():
     scc, models = sys.argv[1:3]
     rounds = int(sys.argv[3]) if len(sys.argv) > 3 else 3
@@ -38,6 +45,8 @@ def main():
         for model in sorted(glob.glob(os.path.join(models, '*.sc')) + glob.glob(os.path.join(models, 'laws', '*.sc'))):
             for _ in range(rounds):
                 chosen = options(draw)
+                if is_open(model):
+                    continue
                 run = subprocess.run([scc, 'trace', model, '-o', trace] + chosen, capture_output=True, text=True)
                 if run.returncode not in (0, 2, 4):
                     print('FAIL %s %s: exit %d\n%s' % (model, ' '.join(chosen), run.returncode, run.stderr))
