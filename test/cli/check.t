@@ -505,6 +505,8 @@ The model and the run that the README shows.
   4 properties: 4 hold
   $ scc check ../../specs/models/hexokinase.sc > run
   [1]
+  $ scc check ../../specs/models/meeting.sc --where >> run
+  [1]
   $ awk '/^\$ scc check/ { p = 1; next } /^```/ { p = 0 } p && !/…/' ../../README.md > shown
   $ grep -vxFf run shown
   [1]
