@@ -154,6 +154,12 @@ def floats(value):
     return value
 
 
+def is_open(model):
+    """Its start, or the instants of its splits, are left open: traces are compared with models that are known."""
+    with open(model, encoding='utf-8') as file:
+        return re.search(r'^(param \w+ in [\[(]|split_step any)', file.read(), re.M) is not None
+
+
 def main():
     scc, root = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
     if jsonschema:
@@ -168,7 +174,7 @@ def main():
             for form in ('jsonl',) if fault[4] == 'wrong-bonds' else ('csv', 'jsonl'):
                 test.rejected(*fault, form)
         for model in sorted(os.listdir(os.path.join(root, 'specs', 'models'))):
-            if model.endswith('.sc'):
+            if model.endswith('.sc') and not is_open(os.path.join(root, 'specs', 'models', model)):
                 test.recorded(model)
         for name, seed, _, change, kind, _ in FAULTS:
             if name in ('latch', 'chain', 'gravity') and kind != 'wrong-bonds':
