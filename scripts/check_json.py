@@ -8,6 +8,7 @@ document; writes 'N passed, N failed' to the file COUNTS.
 import glob
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -203,6 +204,12 @@ def check_reasons(scc, folder):
     count(told, "check nested", "it is not told what is so on the way of a run")
 
 
+def is_open(model):
+    """Its start, or the instants of its splits, are left open: only scc check answers for such a model."""
+    with open(model, encoding="utf-8") as file:
+        return re.search(r"^(param \w+ in [\[(]|split_step any)", file.read(), re.M) is not None
+
+
 def check_trace(scc, model, *options):
     result = run(scc, "trace", model, "--steps", "40", "--choose", "random:1", *options)
     lines = text_of(result).splitlines()
@@ -316,7 +323,8 @@ def check_oracle(scc):
     """Its tests' messages, and every model with runs of it."""
     with open("test/unit/oracle/messages.jsonl", encoding="utf-8") as file:
         lines = [line.rstrip("\n") for line in file]
-    for number, model in enumerate(sorted(glob.glob("specs/models/*.sc"))):
+    known = [model for model in sorted(glob.glob("specs/models/*.sc")) if not is_open(model)]
+    for number, model in enumerate(known):
         with open(model, encoding="utf-8") as file:
             load = {"text": file.read()}
         handle = f"m{number + 3}"
@@ -356,10 +364,11 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for model in sorted(glob.glob("specs/models/*.sc")):
             check_model(scc, model, folder)
-            check_trace(scc, model)
-            check_trace(scc, model, "--states=ends")
             check_sarif(scc, model, folder)
-            check_graphs(scc, model, folder)
+            if not is_open(model):
+                check_trace(scc, model)
+                check_trace(scc, model, "--states=ends")
+                check_graphs(scc, model, folder)
         for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
             check_sarif(scc, model, folder)
         check_slowing(scc, folder)

@@ -46,7 +46,9 @@ let replay folder model property =
     Alcotest.(check string) (name ^ ": final state") (text (member "state" witness)) (text (last_state trace));
     let explanation = Filename.concat folder "explanation.txt" in
     (* Why things happen is told of the instants of a grid alone (SC0902). *)
-    let any_time = match member "over" property with `Null -> false | over -> member "instants" over = `Bool true in
+    let any_time =
+      match member "over" property with `Null -> false | over -> member "instants" over = `Bool true
+    in
     let expected = if any_time then 3 else 0 in
     Alcotest.(check int) (name ^ ": explained") expected (run [ "explain"; schedule; model ] ~into:explanation);
     1

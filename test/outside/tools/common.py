@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -74,4 +75,11 @@ def npm_pack(package, folder):
 
 
 def models():
-    return sorted(name[:-3] for name in os.listdir(MODELS) if name.endswith(".sc"))
+    names = sorted(name[:-3] for name in os.listdir(MODELS) if name.endswith(".sc"))
+    return [name for name in names if not is_open(f"{MODELS}/{name}.sc")]
+
+
+def is_open(model):
+    """Its start, or the instants of its splits, are left open: its states are not listed one by one."""
+    with open(model, encoding="utf-8") as file:
+        return re.search(r"^(param \w+ in [\[(]|split_step any)", file.read(), re.M) is not None

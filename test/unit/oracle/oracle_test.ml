@@ -2,38 +2,9 @@ open Scc_exact
 open Scc_geometry
 open Scc_oracle
 open Oracle_cases
+open Asking
 module Random = Scc_exchange.Splitmix64
 
-type json = Yojson.Basic.t
-
-let case name f = Alcotest.test_case name `Quick f
-let text = Alcotest.string
-let check_text = Alcotest.(check text)
-let shown (j : json) = Yojson.Basic.to_string j
-let member = Yojson.Basic.Util.member
-
-(* {1 Asking} *)
-
-let create ?quotas ?surroundings () =
-  let session = Session.create ?quotas ?surroundings ~version:"test" () in
-  List.iter (fun r -> ignore (Oracle.handle session (shown r))) Cases.setup;
-  session
-
-let line session s =
-  match Oracle.handle session s with
-  | Some answer -> Yojson.Basic.from_string answer
-  | None -> Alcotest.failf "no answer to %s" s
-
-let ask session name params = line session (shown (Cases.request ~id:5 name params))
-let params s = Yojson.Basic.from_string s
-
-let result session name p =
-  match member "result" (ask session name (params p)) with
-  | `Null -> Alcotest.failf "no result: %s" (shown (ask session name (params p)))
-  | r -> r
-
-let code answer = Yojson.Basic.Util.(to_int (member "code" (member "error" answer)))
-let refused session name p = code (ask session name (params p))
 let rat q = `String (Printf.sprintf "%s/%s" (Z.to_string q.Q.num) (Z.to_string q.Q.den))
 let vec (v : Vec.t) : json = `List [ rat v.x; rat v.y; rat v.z ]
 
@@ -376,46 +347,6 @@ let evaluate () =
   check (String.make 60_000 '(') "[]" "-32007";
   check "true" "[7]" "-32005"
 
-(* They meet where -2 < y < 2, of [-5, 5]. *)
-let over_ranges () =
-  let session = create () in
-  let asked members = `Assoc (("text", `String Cases.ranged) :: members) in
-  let where = ("where", `Bool true) in
-  let at y = ("parameters", `Assoc [ ("y", y) ]) in
-  let meet members =
-    match member "properties" (member "result" (ask session "model.check" (asked members))) with
-    | `List [ property ] -> property
-    | _ -> Alcotest.fail "one check has one property"
-  in
-  let found = member "where" (meet [ where ]) in
-  check_text "probability" {|"2/5"|} (shown (member "probability" found));
-  check_text "parameters" {|["y"]|} (shown (member "parameters" found));
-  let names = function `Assoc members -> List.map fst members | _ -> [] in
-  Alcotest.(check bool) "where, unasked" false (List.mem "where" (names (meet [])));
-  let verdict text members = check_text text (Printf.sprintf "%S" text) (shown (member "verdict" (meet members))) in
-  verdict "violated" [];
-  let bound value included = `Assoc [ ("value", `Int value); ("included", `Bool included) ] in
-  let range low high = `Assoc [ ("low", low); ("high", high) ] in
-  verdict "holds" [ at (`List [ `Int 0; `Int 1 ]) ];
-  verdict "violated" [ at (`List [ `Int 0; `Int 2 ]) ];
-  verdict "holds" [ at (range (bound 0 true) (bound 2 false)) ];
-  verdict "violated" [ at (range (bound 0 true) (bound 2 true)) ];
-  verdict "holds" [ at (`Int 1) ];
-  (* They meet at 10. *)
-  let until time = ("limits", `Assoc [ ("time", `Int time) ]) in
-  verdict "undecided" [ at (`List [ `Int 0; `Int 1 ]); until 9 ];
-  verdict "holds" [ at (`List [ `Int 0; `Int 1 ]); until 11 ];
-  let refused members = code (ask session "model.check" (asked members)) in
-  Alcotest.(check int) "of a point" (-32003) (refused [ at (`Int 1); where ]);
-  Alcotest.(check int) "out of the range" (-32003) (refused [ at (`List [ `Int 4; `Int 6 ]) ]);
-  Alcotest.(check int) "half a range" (-32602) (refused [ at (`List [ `Int 1 ]) ]);
-  Alcotest.(check int) "no truth value" (-32602) (refused [ ("where", `Int 1) ]);
-  Alcotest.(check int) "too many states" (-32000) (refused [ ("limits", `Assoc [ ("states", `Int 100_000_000) ]) ]);
-  Alcotest.(check int) "a handle" (-32602) (refused [ ("model", `String "m1") ]);
-  Alcotest.(check int) "it is not loaded" (-32003) (code (ask session "model.load" (asked [])));
-  let loaded = member "result" (ask session "model.load" (asked [ at (`Int 1) ])) in
-  check_text "a point is loaded" {|{"y":"1/1"}|} (shown (member "parameters" loaded))
-
 let () =
   Alcotest.run "oracle"
     [
@@ -435,5 +366,5 @@ let () =
         ] );
       ("limits", [ case "handles" handles; case "limits" limits ]);
       ("sessions", [ case "independence" independence; case "stopped" stopped; case "internal errors" internal ]);
-      ("models", [ case "states" states; case "evaluate" evaluate; case "over ranges" over_ranges ]);
+      ("models", [ case "states" states; case "evaluate" evaluate ]);
     ]
