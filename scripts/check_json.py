@@ -132,7 +132,8 @@ def check_sarif(scc, model, folder):
 
 
 def check_model(scc, model, folder):
-    result = run(scc, "check", model, "--json", "--coverage", "--stats", "--seconds", "60", "--witness", folder)
+    coverage = [] if is_open(model) else ["--coverage"]
+    result = run(scc, "check", model, "--json", *coverage, "--stats", "--seconds", "60", "--witness", folder)
     document = check("check", text_of(result), f"check {model}")
     if document is not None:
         count(document["exit"] == result.returncode, f"check {model}", "another exit code in the document")
@@ -140,7 +141,8 @@ def check_model(scc, model, folder):
     for schedule in sorted(glob.glob(os.path.join(folder, "*.json"))):
         with open(schedule, encoding="utf-8") as file:
             check("schedule", file.read(), f"{os.path.basename(schedule)} of {model}")
-        check("explain", text_of(run(scc, "explain", schedule, "--json")), f"explain {schedule} of {model}")
+        if not is_open(model):
+            check("explain", text_of(run(scc, "explain", schedule, "--json")), f"explain {schedule} of {model}")
         os.remove(schedule)
 
 

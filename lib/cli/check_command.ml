@@ -157,6 +157,8 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let* l = Measured.phase measured "read" (fun () ->
       Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
   let zones = Zone_check.is_for l.model ~declared:l.declared in
+  (* Coverage lists states one by one. *)
+  let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
   let* () = match Zone_check.refused l.model with _ :: _ as why when zones -> Error why | _ -> Ok () in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
   let* () = if where then Ordinary.has_ranges l else Ok () in
