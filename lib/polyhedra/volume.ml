@@ -37,9 +37,31 @@ let rec bounded p =
     in
     Rat.div (List.fold_left (fun sum c -> Rat.add sum (pyramid c)) Rat.zero facets) (Rat.of_int n)
 
+(* Variables that no constraint has together, directly or by others: the polyhedron is the product of what it is in
+   each block of variables, and a box is quick in any dimension. *)
+let blocks n constraints =
+  let add blocks c =
+    let has i = Constraint.mentions c i in
+    let touched, others = List.partition (List.exists has) blocks in
+    match touched with [] -> others | _ :: _ -> List.concat touched :: others
+  in
+  List.fold_left add (List.init n (fun i -> [ i ])) constraints
+
+let of_block p block =
+  let onto = Array.of_list (List.sort Int.compare block) in
+  let at = Array.make (Polyhedron.dimension p) 0 in
+  Array.iteri (fun k i -> at.(i) <- k) onto;
+  let m = Array.length onto in
+  let about c = List.exists (Constraint.mentions c) block in
+  let own = List.filter about (Polyhedron.constraints p) in
+  bounded (Polyhedron.of_constraints m (List.map (fun c -> Constraint.rename c ~dimension:m at) own))
+
 let of_polyhedron p =
-  if Polyhedron.affine_dimension p < Polyhedron.dimension p then Some Rat.zero
-  else if Polyhedron.is_bounded p then Some (bounded p)
+  let n = Polyhedron.dimension p in
+  if Polyhedron.affine_dimension p < n then Some Rat.zero
+  else if Polyhedron.is_bounded p then
+    let volumes = List.map (of_block p) (blocks n (Polyhedron.constraints p)) in
+    Some (List.fold_left Rat.mul Rat.one volumes)
   else None
 
 let of_union u =

@@ -116,6 +116,13 @@ let sets () =
   is "widened" "x >= 0" (Envelope.widen (range 1) (range 2))
 
 let volumes () =
+  (* By blocks of variables: of 60 a box, and of 61 with a triangle, which have too many vertices for all else. *)
+  let sides = Array.init 60 (fun _ -> (q "0", q "2")) in
+  volume "a box of 60 dimensions" (Some (Z.to_string (Z.pow (Z.of_int 2) 60))) (Polyhedron.box sides);
+  let at = Array.init 60 (fun i -> if i = 0 then 0 else i + 1) in
+  let prism = Polyhedron.inter (Polyhedron.embed (Polyhedron.box sides) ~dimension:61 at)
+      (Polyhedron.embed triangle ~dimension:61 [| 1; 0 |]) in
+  volume "and a prism" (Some (Z.to_string (Z.pow (Z.of_int 2) 58))) prism;
   volume "triangle" (Some "1/2") triangle;
   volume "its interior" (Some "1/2") (Polyhedron.relative_interior triangle);
   volume "square" (Some "9/4") (square "-1/2" "1");
