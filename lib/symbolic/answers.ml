@@ -119,15 +119,27 @@ let sets t = sets_of (Union.of_polyhedron t.parameters) t.plan
 
 (* {1 How it stands} *)
 
-(* Whether it is decided for all values, whatever is still to be found. *)
-let rec decided t ~exactly = function
-  | Reaches s -> Search_sets.covers s t.parameters
-  | Avoids s ->
-    if exactly then Search_sets.covers s t.parameters else not (Union.is_empty (Search_sets.found s))
+(* Whatever is still to be found: whether it is known for each value whether it holds; *)
+let rec known t = function
+  | Reaches s | Avoids s -> Search_sets.covers s t.parameters
   | Starts _ | Branches _ -> false
-  | All plans | Any plans -> List.for_all (decided t ~exactly) plans
+  | All plans | Any plans -> List.for_all (known t) plans
 
-let is_known t ~exactly = decided t ~exactly t.plan
+(* that it fails for some value: what fails for one each, of several that need not all hold, may fail for none; *)
+let rec fails_somewhere = function
+  | Avoids s -> not (Union.is_empty (Search_sets.found s))
+  | All plans -> List.exists fails_somewhere plans
+  | Reaches _ | Starts _ | Branches _ | Any _ -> false
+
+(* that it holds for all values. *)
+let rec holds_everywhere t = function
+  | Reaches s -> Search_sets.covers s t.parameters
+  | All plans -> List.for_all (holds_everywhere t) plans
+  | Any plans -> List.exists (holds_everywhere t) plans
+  | Avoids _ | Starts _ | Branches _ -> false
+
+let is_known t ~exactly =
+  known t t.plan || ((not exactly) && (fails_somewhere t.plan || holds_everywhere t t.plan))
 
 let rec safe = function
   | Avoids s -> Union.is_empty (Search_sets.found s) && Search_sets.reasons s = []

@@ -53,6 +53,40 @@ let agrees file () =
       | Ok report -> List.iter2 (same file) ordinary.outcomes report.outcomes
     end
 
+(* {1 When it is enough}
+
+   One of two checks fails for some values, and the other one for others. That each fails somewhere decides nothing: the
+   exploration has to go on, down the row that one of both sets going. *)
+
+let row =
+  {|model row
+    shape Cube {
+      vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+               e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+      faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+               right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+    }
+    param y in [-4, 4]
+    process p = Cube mass 1 velocity (1,0,0) at translate (0, y, 0) [nil]
+    process q = Cube mass 1 at translate (6, -3, 0) [nil]
+    process r = Cube mass 1 at translate (9, 3, 0) [nil]
+    process s = Cube mass 1 at translate (12, -3, 0) [nil]
+    process t = Cube mass 1 at translate (18, -3, 0) [nil]
+    check either : (always vx(q) = 0) or (always vx(r) = 0)
+    check both : (always vx(q) = 0) and (always vx(r) = 0)|}
+
+let either () =
+  let read_file _ = Error "no file" in
+  match Loaded.load ~read_file ~overrides:[] (Scc_base.Source.make ~name:"row.sc" row) with
+  | Error _ -> Alcotest.fail "it is refused"
+  | Ok l -> (
+      let uncertain = Option.get l.uncertain in
+      match Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly:false l.checks with
+      | Error _ -> Alcotest.fail "the declared state is not well-formed"
+      | Ok report ->
+        let kinds = List.map (fun (o : Verdict.outcome) -> kind o.verdict) report.outcomes in
+        Alcotest.(check (list string)) "either, both" [ "holds"; "violated" ] kinds)
+
 let enough () =
   List.iter print_endline (List.rev !undecided);
   Printf.printf "%d compared\n" !compared;
@@ -64,5 +98,6 @@ let () =
   Alcotest.run "models over zones"
     [
       ("models", List.map case (List.sort String.compare files));
+      ("ranges", [ Alcotest.test_case "each of two fails somewhere" `Quick either ]);
       ("enough", [ Alcotest.test_case "compared" `Quick enough ]);
     ]
