@@ -55,8 +55,8 @@ let agrees file () =
 
 (* {1 When it is enough}
 
-   One of two checks fails for some values, and the other one for others. That each fails somewhere decides nothing: the
-   exploration has to go on, down the row that one of both sets going. *)
+   One of two checks fails for some values, and the other one for others. That each fails somewhere decides
+   nothing: the exploration has to go on, down the row that one of both sets going. *)
 
 let row =
   {|model row
