@@ -284,8 +284,8 @@ let man =
     `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
     `P
       "Models with parameters of which ranges are known, or with $(b,split_step any), are explored by sets of \
-       states: none of these applies to them, nor do $(b,--shortest) and $(b,--hash-compact). They have a bound of \
-       1000 transitions by default ($(b,--depth)).";
+       states: none of these applies to them, nor do $(b,--shortest) and $(b,--hash-compact). They have a bound \
+       of 1000 transitions by default ($(b,--depth)).";
     `P
       "With $(b,order) and $(b,slice) a run that is shown may contain events of other bodies, which the fact does \
        not need; $(b,scc explain) tells which of them matter. Without reductions it is the shortest of all runs \
