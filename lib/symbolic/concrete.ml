@@ -9,7 +9,7 @@ type t = { values : Rat.t array; steps : step list; offset : Rat.t }
 type way = {
   set : Polyhedron.t;
   here : Linear.t array;  (** the variables of the node *)
-  taken : (Zone_graph.step * Linear.t option) list;  (** the last first, with the time that passes *)
+  taken : (Zone_steps.step * Linear.t option) list;  (** the last first, with the time that passes *)
 }
 
 let extended dimension f =
@@ -76,7 +76,7 @@ let way_to graph (place : Search_sets.place) =
 let at_point (root : Zone.t) way forms ~passing point =
   let value f = Linear.eval (extended (Array.length point) f) point in
   let step (step, time) =
-    match ((step : Zone_graph.step), time) with
+    match ((step : Zone_steps.step), time) with
     | Happens label, _ -> Happens label
     | Passes _, Some t -> Passes (value t)
     | Passes_some, Some t -> Passes_some (value t)

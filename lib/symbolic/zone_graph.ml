@@ -1,10 +1,8 @@
 open Scc_exact
 open Scc_polyhedra
-open Scc_semantics
 
-type edge = { guard : Polyhedron.t; step : step; target : int; map : Linear.t array }
+type edge = { guard : Polyhedron.t; step : Zone_steps.step; target : int; map : Linear.t array }
 
-and step = Happens of Transition.label | Passes of Linear.t | Passes_some
 
 type node = {
   number : int;
@@ -99,7 +97,7 @@ let node_of e zone ~parent =
         n.parents <- n.parents @ Option.to_list (parent n.number forms);
         (n, forms))
 
-let add_edge e (source : node) guard step (target : Zone.t) =
+let add_edge e (source : node) (step : Zone_steps.step) (target : Zone.t) =
   let late set =
     match step with
     | Passes _ -> source.late <- set :: source.late
@@ -108,38 +106,15 @@ let add_edge e (source : node) guard step (target : Zone.t) =
   match within_horizon e ~late target with
   | None -> ()
   | Some zone ->
-    let guard = if zone == target then guard else zone.set in
-    let edge n map = { guard; step; target = n; map } in
+    let edge n map = { guard = zone.set; step; target = n; map } in
     let n, map = node_of e zone ~parent:(fun number map -> Some (source.number, edge number map)) in
     source.edges <- edge n.number map :: source.edges
 
-let happen e source (h : Happening.t) = add_edge e source h.target.set (Happens h.label) h.target
-
-let pass e (source : node) ~may_split (cell : Passing.due First.cell) =
-  source.cells <- cell :: source.cells;
-  Option.iter
-    (fun time ->
-       List.iter
-         (fun (z : Zone.t) -> add_edge e source z.set (Passes time) z)
-         (Passing.until e.context source.zone cell))
-    cell.time;
-  if may_split then
-    let some = Passing.within e.context source.zone cell in
-    add_edge e source some.set Passes_some some
-
 let expand e ~events (source : node) =
-  let z = source.zone in
-  let may_split = Passing.may_split z && not (Passing.on_grid e.context) in
-  let of_region region =
-    let { Happening.urgent; weak } = Happening.all e.context ~events z region in
-    List.iter (happen e source) urgent;
-    List.iter (happen e source) weak;
-    if urgent = [] && not z.halted then
-      List.iter (pass e source ~may_split) (Passing.cells e.context z region)
-  in
-  List.iter of_region (Instant.cells e.context z);
+  let { Zone_steps.cells; steps } = Zone_steps.all e.context ~events source.zone in
+  source.cells <- cells;
+  List.iter (fun (step, target) -> add_edge e source step target) steps;
   source.edges <- List.rev source.edges;
-  source.cells <- List.rev source.cells;
   source.expanded <- true;
   e.visitor.expanded source
 

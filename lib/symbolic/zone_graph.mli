@@ -2,7 +2,6 @@
 
 open Scc_exact
 open Scc_polyhedra
-open Scc_semantics
 open Scc_property
 
 (** Zones that are not expanded yet take in what makes a convex set with them, so that fewer are to be expanded. *)
@@ -12,15 +11,10 @@ type edge = {
   guard : Polyhedron.t;
   (** over the variables of the source, and of a {!Passes_some} over one more, the last one: the time that passes
   *)
-  step : step;
+  step : Zone_steps.step;
   target : int;
   map : Linear.t array;  (** the variables of the target, as forms over those of the guard *)
 }
-
-and step =
-  | Happens of Transition.label
-  | Passes of Linear.t  (** so much time, until what comes next *)
-  | Passes_some  (** less than that: time is halted for a weak split *)
 
 type node = {
   number : int;

@@ -104,7 +104,7 @@ let size = ref 0
 let labels = Hashtbl.create 8
 
 let count_labels g =
-  let word : Zone_graph.step -> string = function
+  let word : Zone_steps.step -> string = function
     | Passes _ -> "passes"
     | Passes_some -> "passes some"
     | Happens l -> (
