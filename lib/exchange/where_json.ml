@@ -1,3 +1,4 @@
+open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
 open Scc_where
@@ -18,28 +19,29 @@ let constraint_ ranges (c : Constraint.t) =
 
 let polyhedron ranges p = `List (List.map (constraint_ ranges) (Polyhedron.constraints p))
 
-let set ranges u =
+let set ranges u measure =
   [
     ("pieces", `List (List.map (polyhedron ranges) (Union.pieces u)));
-    ("measure", Json.rat (Where.measure u));
+    ("measure", match measure with Some volume -> Json.rat volume | None -> `Null);
   ]
 
 let probability w =
+  let between low high =
+    [ ("probability", `Null); ("probability_between", `List [ Json.rat low; Json.rat high ]) ]
+  in
   match Where.probability w with
   | Exactly x -> [ ("probability", Json.rat x) ]
-  | Between (low, high) ->
-    [
-      ("probability", `Null);
-      ("probability_between", `List [ Json.rat low; Json.rat high ]);
-    ]
+  | Between (low, high) -> between low high
+  | Not_computed -> between Rat.zero Rat.one
 
 let where (w : Where.t) =
+  let { Where.of_holds; of_fails; of_unknown } = Where.measures w in
   let name (r : Ranges.range) = Json.text r.name in
   `Assoc
     ([ ("parameters", `List (List.map name (Array.to_list w.ranges))) ]
-     @ set w.ranges w.holds @ probability w
+     @ set w.ranges w.holds of_holds @ probability w
      @ [
        ("range", polyhedron w.ranges (Ranges.box w.ranges));
-       ("fails", `Assoc (set w.ranges w.fails));
-       ("unknown", `Assoc (set w.ranges w.unknown));
+       ("fails", `Assoc (set w.ranges w.fails of_fails));
+       ("unknown", `Assoc (set w.ranges w.unknown of_unknown));
      ])

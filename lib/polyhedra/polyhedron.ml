@@ -136,13 +136,26 @@ let hash_of_closure p =
 
    Setting a coordinate to a value inside of its range leaves a polyhedron whose relative interior is part of
    that of the whole. *)
+
+(* Of a range that is narrow the middle half has to do: otherwise a number that takes nearly all of what is left
+   to a sum leaves hardly anything to the next one, whose denominator is the square of its own, and so on. *)
+let narrow = Z.of_int 100
+
+let simple ~above ~below =
+  let simplest = Fraction.simplest ~above ~below in
+  match (above, below) with
+  | Some low, Some high when Z.gt (Q.den simplest) narrow ->
+    let quarter = Rat.div (Rat.sub high low) (Rat.of_int 4) in
+    Fraction.simplest ~above:(Some (Rat.add low quarter)) ~below:(Some (Rat.sub high quarter))
+  | _ -> simplest
+
 let interior_point p =
   let fix (p, coordinates) i =
     let x = Linear.variable p.dimension i in
     let value =
       match (limit (infimum p x), limit (supremum p x)) with
       | Some low, Some high when Rat.equal low high -> low
-      | above, below -> Fraction.simplest ~above ~below
+      | above, below -> simple ~above ~below
     in
     (add p (Constraint.equals x (Linear.constant p.dimension value)), value :: coordinates)
   in
@@ -166,12 +179,16 @@ let substitute p i f =
 
 let embed p ~dimension at = mapped p dimension (fun c -> Constraint.rename c ~dimension at)
 
+(* A variable of which nothing is said is gone already. *)
 let rec eliminate p variables =
-  match (form p, variables) with
-  | None, _ | _, [] -> p
-  | Some { equalities; inequalities; _ }, _ ->
-    let i, left = Projection.step variables ~equalities inequalities in
-    eliminate (of_constraints p.dimension left) (List.filter (fun j -> j <> i) variables)
+  match form p with
+  | None -> p
+  | Some { equalities; inequalities; _ } -> (
+      let occurs i = List.exists (fun c -> Constraint.mentions c i) in
+      let left = List.filter (fun i -> occurs i equalities || occurs i inequalities) variables in
+      match left with
+      | [] -> p
+      | _ :: _ -> eliminate (of_constraints p.dimension (Projection.step left ~equalities inequalities)) left)
 
 let project p onto =
   let dimension = Array.length onto in
@@ -181,10 +198,28 @@ let project p onto =
   if p.dimension - List.length gone <> dimension then Scc_base.Bug.fail __POS__ "a variable twice";
   embed (minimal (eliminate p gone)) ~dimension at
 
-let image p forms =
+(* The variables, if the forms are that, no two the same. *)
+let distinct_variables n forms =
+  let used = Array.make n false in
+  let variable (f : Linear.t) =
+    match List.filter (fun i -> Rat.sign (Linear.coefficient f i) <> 0) (List.init n Fun.id) with
+    | [ i ] when (not used.(i)) && Linear.equal f (Linear.variable n i) ->
+      used.(i) <- true;
+      Some i
+    | _ -> None
+  in
+  let found = Array.map variable forms in
+  if Array.for_all Option.is_some found then Some (Array.map Option.get found) else None
+
+let of_graph p forms =
   let n = p.dimension and m = Array.length forms in
   let all = n + m in
   let values = Array.init n (Linear.variable all) in
   let graph k f = Constraint.equals (Linear.variable all (n + k)) (Linear.compose f ~dimension:all values) in
   let whole = add_all (embed p ~dimension:all (Array.init n Fun.id)) (List.mapi graph (Array.to_list forms)) in
   project whole (Array.init m (fun k -> n + k))
+
+let image p forms =
+  match distinct_variables p.dimension forms with
+  | Some variables -> project p variables
+  | None -> of_graph p forms

@@ -57,7 +57,8 @@ val corner : t -> Rat.t array option
 
 val interior_point : t -> Rat.t array option
 (** A point of its relative interior, with simple coordinates: each is the simplest fraction that is left, first
-    that of variable 0. {b Simplest} is the least denominator, then the least size. [None] when it is empty. *)
+    that of variable 0. {b Simplest} is the least denominator, then the least size; where that denominator is more
+    than 100, it is the simplest one of the middle half of what is left. [None] when it is empty. *)
 
 type bound = Simplex.bound = Unbounded | Bound of { value : Rat.t; attained : bool }
 

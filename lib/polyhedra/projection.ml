@@ -25,11 +25,18 @@ let fourier_motzkin inequalities i =
   let pairs c = List.map (fun d -> Constraint.resolve c d i) below in
   List.concat_map pairs (having 1) @ having 0
 
+(* Without the variables that equalities give, as many as there are: no constraint comes of that that was not there. *)
+let rec substitute variables equalities inequalities =
+  match substitution variables equalities with
+  | None -> (equalities, inequalities)
+  | Some (i, by) ->
+    let without = List.map (fun c -> Constraint.eliminate c i ~by) in
+    let others = List.filter (fun e -> not (e == by)) equalities in
+    substitute variables (without others) (without inequalities)
+
 let step variables ~equalities inequalities =
   match substitution variables equalities with
-  | Some (i, by) ->
-    let others = List.filter (fun e -> not (e == by)) equalities @ inequalities in
-    (i, List.map (fun c -> Constraint.eliminate c i ~by) others)
-  | None ->
-    let i = cheapest inequalities variables in
-    (i, equalities @ fourier_motzkin inequalities i)
+  | Some _ ->
+    let equalities, inequalities = substitute variables equalities inequalities in
+    equalities @ inequalities
+  | None -> equalities @ fourier_motzkin inequalities (cheapest inequalities variables)

@@ -1,8 +1,6 @@
-(** Whether linear constraints have a common solution, and how great a linear function gets under them: the general
-    simplex method of B. Dutertre and L. de Moura, {e A fast linear-arithmetic solver for DPLL(T)} (CAV 2006), with
-    Bland's rule, by which it ends. Strict constraints are constraints on numbers q + k delta, where delta is
-    positive and as small as need be. All is done in integers over one common denominator, after J. Edmonds:
-    no greatest common divisors are taken.
+(** Whether linear constraints have a common solution, and how great a linear function gets under them. Variables that
+    no constraint has together, directly or by others, are in systems of their own ({!Tableau}): what is asked of
+    hundreds of variables takes as long as what it takes for those that have to do with each other.
 
     A value is never changed: constraints are added to a system that has a solution, which stays where it is. *)
 
@@ -41,7 +39,7 @@ val point : t -> Rat.t array
 val closed_point : t -> Rat.t array
 (** A point that satisfies all constraints if strict ones are taken as not strict: a vertex, if there are any. *)
 
-type bound = Unbounded | Bound of { value : Rat.t; attained : bool }
+type bound = Tableau.bound = Unbounded | Bound of { value : Rat.t; attained : bool }
 
 val supremum : t -> Linear.t -> bound
 (** The least number that the form does not exceed, and whether some point of the system reaches it. *)

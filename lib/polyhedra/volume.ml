@@ -1,41 +1,50 @@
 open Scc_exact
 
-(* The pyramids over the facets from the origin, with the sign of the side on which it is: on a facet a.x = b the
-   sum has b / |a_j| times the volume of its shadow along x_j, for any j with a_j not 0, and 1/n of it is the
-   volume. *)
+type t = Finite of Rat.t | Infinite | Not_computed
 
-let without_variable j (c : Constraint.t) =
-  let n = Constraint.dimension c in
-  let at = Array.init n (fun i -> if i < j then i else i - 1) in
-  Constraint.rename c ~dimension:(n - 1) at
+(* {1 By corners}
 
-let facet n (facet : Constraint.t) j others =
-  let by = Constraint.tight facet in
-  let rest = List.map (fun c -> without_variable j (Constraint.eliminate c j ~by)) others in
-  Polyhedron.of_constraints (n - 1) rest
+   For an objective c that is constant along no edge, the volume is the sum over all corners v of
 
-(* Facets through the origin add nothing: it is moved to a point where many meet, which is a vertex. *)
-let moved_to corner p =
+   (c.v)^n / (n! |det| g_1 ... g_n)
+
+   where c is g_1 a_1 + ... + g_n a_n for the normals a_i that meet at v, with the determinant det. It is a polynomial
+   in where the facets are as long as the same ones meet: so what is true of facets moved a little is true of them. *)
+
+let most_corners = 20_000
+
+let rec power x n = if n = 0 then Rat.one else Rat.mul x (power x (n - 1))
+
+let factorial n = List.fold_left (fun product k -> Rat.mul product (Rat.of_int (k + 1))) Rat.one (List.init n Fun.id)
+
+(* Objectives of numbers that look like no others, each for one attempt. *)
+let objective n attempt =
+  let rec numbers k seed = if k = 0 then [] else seed :: numbers (k - 1) (((seed * 1103) + 12345) mod 65537) in
+  Array.of_list (List.map (fun s -> Rat.of_int (1 + (s mod 997))) (numbers n (7919 + attempt)))
+
+type sum = Sum of Rat.t | Constant_along_an_edge
+
+let rec by_corners p attempt =
   let n = Polyhedron.dimension p in
-  let shifted i = Linear.add (Linear.variable n i) (Linear.constant n corner.(i)) in
-  Polyhedron.preimage p ~dimension:n (Array.init n shifted)
-
-let rec bounded p =
-  let n = Polyhedron.dimension p in
-  if Polyhedron.affine_dimension p < n then Rat.zero
-  else if n = 0 then Rat.one
-  else
-    let p = Polyhedron.minimal p in
-    let p = moved_to (Option.get (Polyhedron.corner p)) p in
-    let facets = List.map Constraint.closed (Polyhedron.constraints p) in
-    let pyramid (c : Constraint.t) =
-      if Z.sign c.right = 0 then Rat.zero
+  let c = objective n attempt in
+  let add sum (corner : Corners.t) =
+    match sum with
+    | Constant_along_an_edge -> sum
+    | Sum sum ->
+      let slopes = corner.slopes c in
+      if List.exists (fun g -> Rat.sign g = 0) slopes then Constant_along_an_edge
       else
-        let j = Option.get (Constraint.first_variable c) in
-        let base = bounded (facet n c j (List.filter (fun d -> not (d == c)) facets)) in
-        Rat.mul (Rat.make c.right (Z.abs c.normal.(j))) base
-    in
-    Rat.div (List.fold_left (fun sum c -> Rat.add sum (pyramid c)) Rat.zero facets) (Rat.of_int n)
+        let height = ref Rat.zero in
+        Array.iteri (fun i x -> height := Rat.add !height (Rat.mul c.(i) x)) corner.point;
+        let by = List.fold_left Rat.mul (Q.of_bigint corner.determinant) slopes in
+        Sum (Rat.add sum (Rat.div (power !height n) by))
+  in
+  match Corners.fold ~most:most_corners add (Sum Rat.zero) p with
+  | None -> Not_computed
+  | Some (Sum sum) -> Finite (Rat.div sum (factorial n))
+  | Some Constant_along_an_edge -> by_corners p (attempt + 1)
+
+(* {1 By blocks} *)
 
 (* Variables that no constraint has together, directly or by others: the polyhedron is the product of what it is in
    each block of variables, and a box is quick in any dimension. *)
@@ -54,20 +63,21 @@ let of_block p block =
   let m = Array.length onto in
   let about c = List.exists (Constraint.mentions c) block in
   let own = List.filter about (Polyhedron.constraints p) in
-  bounded (Polyhedron.of_constraints m (List.map (fun c -> Constraint.rename c ~dimension:m at) own))
+  by_corners (Polyhedron.of_constraints m (List.map (fun c -> Constraint.rename c ~dimension:m at) own)) 0
+
+let map2 op a b =
+  match (a, b) with
+  | Finite a, Finite b -> Finite (op a b)
+  | Infinite, _ | _, Infinite -> Infinite
+  | Not_computed, _ | _, Not_computed -> Not_computed
 
 let of_polyhedron p =
   let n = Polyhedron.dimension p in
-  if Polyhedron.affine_dimension p < n then Some Rat.zero
+  if Polyhedron.affine_dimension p < n then Finite Rat.zero
   else if Polyhedron.is_bounded p then
     let volumes = List.map (of_block p) (blocks n (Polyhedron.constraints p)) in
-    Some (List.fold_left Rat.mul Rat.one volumes)
-  else None
+    List.fold_left (map2 Rat.mul) (Finite Rat.one) volumes
+  else Infinite
 
-let of_union u =
-  let add sum p =
-    match (sum, of_polyhedron p) with
-    | Some sum, Some volume -> Some (Rat.add sum volume)
-    | _ -> None
-  in
-  List.fold_left add (Some Rat.zero) (Union.pieces (Union.disjoint u))
+let sum = List.fold_left (map2 Rat.add) (Finite Rat.zero)
+let of_union u = sum (List.map of_polyhedron (Union.pieces (Union.disjoint u)))

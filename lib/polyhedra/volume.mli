@@ -2,11 +2,21 @@
 
 open Scc_exact
 
-val of_polyhedron : Polyhedron.t -> Rat.t option
-(** In the units of the space, of whatever dimension: a length, an area, ...; 1 for the point of the space of
-    dimension 0. It is 0 if the polyhedron has a smaller dimension than the space, and [None] if it is infinite.
-    By facets: J. Lasserre, {e An
-    analytical expression and an algorithm for the volume of a convex polyhedron in R{^n}} (1983). *)
+type t =
+  | Finite of Rat.t  (** in the units of the space, of whatever dimension: a length, an area, ... *)
+  | Infinite
+  | Not_computed  (** there is one, but it would take too long: more than {!most_corners} *)
 
-val of_union : Union.t -> Rat.t option
+val most_corners : int
+(** How many corners are looked at of variables that constraints join: of ten in a box that a plane cuts, there are some
+    thousand; each variable more makes them about twice as many. *)
+
+val of_polyhedron : Polyhedron.t -> t
+(** 1 for the point of the space of dimension 0; 0 if the polyhedron has a smaller dimension than the space. By corners:
+    J. Lawrence, {e Polytope volume computation} (1991). Variables that no constraint joins are a matter each of its
+    own, and their volumes are multiplied. *)
+
+val sum : t list -> t
+
+val of_union : Union.t -> t
 (** What pieces have in common counts once. *)

@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_geometry
 open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
@@ -15,12 +16,30 @@ let values (m : Model.t) set =
 
 let rec two_of = function [] -> [] | x :: rest -> List.map (fun y -> (x, y)) rest @ two_of rest
 
+(* Between which numbers the coordinates of a part are, wherever it may be; where there is no such number, None. *)
+let extent (z : Zone.t) (part : part) =
+  let value = function Some (Polyhedron.Bound { value; _ }) -> Some value | Some Unbounded | None -> None in
+  let of_coordinate axis place =
+    let all = List.init (Array.length part.solid.vertices) (fun i -> Vec.component axis (Solid.vertex part.solid i)) in
+    let least = List.fold_left Rat.min (List.hd all) all and greatest = List.fold_left Rat.max (List.hd all) all in
+    ( Option.map (Rat.add least) (value (Polyhedron.infimum z.set place)),
+      Option.map (Rat.add greatest) (value (Polyhedron.supremum z.set place)) )
+  in
+  List.map2 of_coordinate [ Vec.X; Y; Z ] (Place.coordinates part.place)
+
+let are_apart one two =
+  let before high low =
+    match (high, low) with Some high, Some low -> Rat.compare high low <= 0 | _ -> false
+  in
+  List.exists2 (fun (low, high) (low', high') -> before high low' || before high' low) one two
+
 let overlap c (z : Zone.t) =
   let m = Semantics.model c.semantics in
   let all = List.concat_map (parts m z) (Array.to_list z.skeleton.processes) in
-  let of_pair (a, b) =
+  let all = List.map (fun part -> (part, extent z part)) all in
+  let of_pair ((a, extent_of_a), (b, extent_of_b)) =
     let inside = function p, Touching_cells.Interpenetrating -> Some p | _, (Apart | Touching _) -> None in
-    if a.leaf = b.leaf then None
+    if a.leaf = b.leaf || are_apart extent_of_a extent_of_b then None
     else
       Touching_cells.make (c.obstacle a.solid b.solid) ~offset:(offset a b) z.set
       |> List.find_map inside

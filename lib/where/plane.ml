@@ -87,9 +87,14 @@ let rank = function
   | Unknown -> 2
   | Fails -> 3
 
+let area u =
+  match Where.measure u with
+  | Some area -> area
+  | None -> Scc_base.Bug.fail __POS__ "an area takes few corners"
+
 let regions ranges view checks =
   let box = seen ranges view (Union.of_polyhedron (Ranges.box ranges)) in
-  let area = Where.measure box in
+  let whole = area box in
   let part (before, set) (outcome, u) = (outcome :: before, Union.inter set u) in
   let further parts check =
     let sets = outcomes ranges view ~box check in
@@ -98,7 +103,7 @@ let regions ranges view checks =
   in
   let region (outcomes, set) =
     let set = Where.tidy set in
-    { outcomes = List.rev outcomes; set; share = Rat.div (Where.measure set) area }
+    { outcomes = List.rev outcomes; set; share = Rat.div (area set) whole }
   in
   let order a b =
     List.compare (fun a b -> Int.compare (rank a) (rank b)) a.outcomes b.outcomes

@@ -56,24 +56,36 @@ let of_test ranges truth =
 let dimension w = Array.length w.ranges
 
 let measure u =
-  let volume p =
-    match Volume.of_polyhedron p with
-    | Some volume -> volume
-    | None -> Scc_base.Bug.fail __POS__ "a set without bounds"
-  in
-  List.fold_left (fun sum p -> Rat.add sum (volume p)) Rat.zero (Union.pieces u)
+  match Volume.sum (List.map Volume.of_polyhedron (Union.pieces u)) with
+  | Finite volume -> Some volume
+  | Not_computed -> None
+  | Infinite -> Scc_base.Bug.fail __POS__ "a set without bounds"
 
 let whole w =
   let width (r : Ranges.range) = Rat.sub r.high.value r.low.value in
   Array.fold_left (fun product r -> Rat.mul product (width r)) Rat.one w.ranges
 
-type probability = Exactly of Rat.t | Between of Rat.t * Rat.t
+type measures = { of_holds : Rat.t option; of_fails : Rat.t option; of_unknown : Rat.t option }
+
+(* One of them that is not computed is what the others leave. *)
+let measures w =
+  let known = List.map measure [ w.holds; w.fails; w.unknown ] in
+  let rest () = List.fold_left (fun rest m -> Rat.sub rest (Option.value m ~default:Rat.zero)) (whole w) known in
+  let only_one = List.length (List.filter Option.is_none known) = 1 in
+  let value m = if Option.is_none m && only_one then Some (rest ()) else m in
+  match List.map value known with
+  | [ of_holds; of_fails; of_unknown ] -> { of_holds; of_fails; of_unknown }
+  | _ -> Scc_base.Bug.fail __POS__ "three sets"
+
+type probability = Exactly of Rat.t | Between of Rat.t * Rat.t | Not_computed
 
 let probability w =
   let of_all volume = Rat.div volume (whole w) in
-  let least = measure w.holds and unknown = measure w.unknown in
-  if Rat.sign unknown = 0 then Exactly (of_all least)
-  else Between (of_all least, of_all (Rat.add least unknown))
+  match measures w with
+  | { of_holds = Some least; of_unknown = Some unknown; _ } ->
+    if Rat.sign unknown = 0 then Exactly (of_all least)
+    else Between (of_all least, of_all (Rat.add least unknown))
+  | _ -> Not_computed
 
 (* {1 Judging} *)
 

@@ -38,8 +38,15 @@ val order : Polyhedron.t list -> Polyhedron.t list
 val dimension : t -> int
 (** The number of parameters. *)
 
-val measure : Union.t -> Rat.t
-(** Of disjoint pieces that are bounded: their volume, in the units of the parameters. 0 does not mean empty. *)
+val measure : Union.t -> Rat.t option
+(** Of disjoint pieces that are bounded: their volume, in the units of the parameters. 0 does not mean empty. [None] if it
+    would take too long to compute ({!Scc_polyhedra.Volume.Not_computed}), which it never does in up to 8 dimensions
+    with a few constraints. *)
+
+type measures = { of_holds : Rat.t option; of_fails : Rat.t option; of_unknown : Rat.t option }
+
+val measures : t -> measures
+(** Of the three sets: if only one is not computed by itself, it is what the others leave of the box. *)
 
 val whole : t -> Rat.t
 (** The volume of the box: the product of the widths of the ranges. 1 where there are none. *)
@@ -47,10 +54,12 @@ val whole : t -> Rat.t
 type probability =
   | Exactly of Rat.t
   | Between of Rat.t * Rat.t  (** different *)
+  | Not_computed
 
 val probability : t -> probability
 (** That it holds, where the parameters are independent and uniform in their ranges: the volume where it holds over
-    that of the box. Where volume is left unknown, what it is if it fails there, and if it holds there. *)
+    that of the box. Where volume is left unknown, what it is if it fails there, and if it holds there. Not
+    computed where a measure that it takes is not. *)
 
 (** {1 Judging} *)
 

@@ -20,6 +20,7 @@ let number x =
 let probability = function
   | Where.Exactly x -> number x
   | Between (low, high) -> "at least " ^ number low ^ ", and at most " ^ number high
+  | Not_computed -> Printf.sprintf "not computed: a piece has more than %d corners" Volume.most_corners
 
 (* {1 Pieces} *)
 
@@ -118,7 +119,7 @@ let sets (w : Where.t) =
 let lines (w : Where.t) =
   let chance = Where.probability w in
   let remark =
-    let is x = match chance with Exactly y -> Rat.equal x y | Between _ -> false in
+    let is x = match chance with Exactly y -> Rat.equal x y | Between _ | Not_computed -> false in
     if is Rat.zero && not (Union.is_empty w.holds) then ", but not nowhere"
     else if is Rat.one && not (Union.is_empty w.fails) then ", but not everywhere"
     else if is Rat.one && not (Union.is_empty w.unknown) then ", but not known everywhere"

@@ -56,6 +56,23 @@ process q = Cube mass 1 velocity (-1/2, -1, 0) at translate (c, 3 + d, 0) [nil]
 check corner : possibly (x(p) > 4 and y(q) > 3) within 16
 |}
 
+let unit_ranges n = String.concat "" (List.init n (Printf.sprintf "param s%d in [0, 1]\n"))
+
+(* A row of bodies, of each of which the place is known but for one number. *)
+let row n =
+  let body i = Printf.sprintf "process p%d = Cube mass 1 velocity (0,0,0) at translate (%d + s%d, 0, 0) [nil]\n" i (10 * i) i in
+  "model row\n" ^ cube ^ unit_ranges n
+  ^ String.concat "" (List.init n body)
+  ^ "process q = Cube mass 1 velocity (1,0,0) at translate (-4, 0, 0) [nil]\n\
+     check meets : always not touching(q, p0) within 5/2\n"
+
+(* A body that is on its way since a sum of times that are not known. *)
+let sum n =
+  let all = String.concat " + " (List.init n (Printf.sprintf "s%d")) in
+  "model sum\n" ^ cube ^ unit_ranges n
+  ^ Printf.sprintf "process p = Cube mass 1 velocity (1,0,0) at translate (%s, 0, 0) [nil]\n" all
+  ^ Printf.sprintf "check far : possibly x(p) > %d/3 within 0\n" n
+
 let hexokinase =
   let replace text (old, new_) = Str.global_replace (Str.regexp_string old) new_ text in
   fun text ->
@@ -80,6 +97,8 @@ let bars =
     ("race of 4", 1., fun () -> race 4);
     ("race of 5", 5., fun () -> race 5);
     ("two balls", 2., fun () -> box);
+    ("row of 100", 1., fun () -> row 100);
+    ("sum of 10", 1., fun () -> sum 10);
     ("hexokinase", 5., fun () -> hexokinase (read (Filename.concat models "hexokinase.sc")));
   ]
 
@@ -95,6 +114,7 @@ let measure (name, bar, text) =
   match Zone_check.run Check.default l.semantics u ~declared:l.declared ~exactly:true l.checks with
   | Error _ -> failwith (name ^ ": its start is not well-formed")
   | Ok report ->
+    let probabilities = List.map Scc_where.Where.probability report.where in
     let time = Sys.time () -. start in
     Printf.printf "%-12s %8.3f s of %5.2f  %s %6d zones, %6d edges, %s; %d parameters\n%!" name time bar
       (if time <= bar then "within" else "BEYOND")
@@ -102,14 +122,15 @@ let measure (name, bar, text) =
       (if report.stats.complete then "complete" else "not complete")
       (Array.length l.model.Model.ranges);
     List.iter2
-      (fun (c : Scc_property.Property.check) (w : Scc_where.Where.t) ->
+      (fun (c : Scc_property.Property.check) (probability : Scc_where.Where.probability) ->
          let p =
-           match Scc_where.Where.probability w with
+           match probability with
            | Exactly p -> Scc_exact.Rat.to_string p
            | Between (a, b) -> Scc_exact.(Rat.to_string a ^ " to " ^ Rat.to_string b)
+           | Not_computed -> "not computed"
          in
          Printf.printf "    %s: probability %s\n%!" c.name p)
-      l.checks report.where
+      l.checks probabilities
 
 let () =
   let asked = List.tl (Array.to_list Sys.argv) in

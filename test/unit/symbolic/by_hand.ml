@@ -84,7 +84,7 @@ let agrees all e =
   Alcotest.(check bool) (name ^ ": all is known") true (Union.is_empty w.unknown);
   match Where.probability w with
   | Exactly p -> Alcotest.(check string) (name ^ ": probability") (Rat.to_string e.probability) (Rat.to_string p)
-  | Between _ -> Alcotest.failf "%s: its probability is not known" name
+  | Between _ | Not_computed -> Alcotest.failf "%s: its probability is not known" name
 
 let case title text expected =
   let run () =

@@ -72,15 +72,19 @@ class Polyhedron:
 
 @dataclass(frozen=True)
 class Region:
-    """Disjoint polyhedra, and their volume. It is empty if it has no pieces, not if its volume is 0."""
+    """Disjoint polyhedra, and their volume. It is empty if it has no pieces, not if its volume is 0.
+
+    ``measure`` is None where the volume is not computed, as a piece has too many corners.
+    """
 
     pieces: Tuple[Polyhedron, ...]
-    measure: Fraction
+    measure: Optional[Fraction]
 
     @classmethod
     def from_json(cls, parameters: Sequence[str], json: Json) -> Region:
         pieces = tuple(Polyhedron.from_json(parameters, piece) for piece in json["pieces"])
-        return cls(pieces, numbers.fraction(json["measure"]))
+        measure = json["measure"]
+        return cls(pieces, None if measure is None else numbers.fraction(measure))
 
     def contains(self, point: Point) -> bool:
         return any(piece.contains(point) for piece in self.pieces)
@@ -95,7 +99,7 @@ class Where:
     """Where a check ``holds``, where it ``fails``, and where that is ``unknown``: disjoint, and together the ``range``.
 
     ``probability``: that it holds where the parameters are independent and uniform in their ranges; None where that
-    depends on what is unknown. It is in ``probability_between`` in any case.
+    depends on what is unknown, or where a volume is not computed. It is in ``probability_between`` in any case.
     """
 
     parameters: Tuple[str, ...]
