@@ -132,7 +132,7 @@ let over_zones options (l : Loaded.t) ~exactly checks =
     match l.uncertain with Some uncertain -> uncertain | None -> Scc_symbolic.Start.known l.model l.declared
   in
   Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly checks
-  |> Result.map_error (fun fault -> [ Zone_check.diagnostic l.model fault ])
+  |> Result.map_error (Ill_formed.diagnostics l)
 
 (* None where a limit has ended all work. *)
 let named_where verdicts (report : Check.report) =

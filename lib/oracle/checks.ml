@@ -12,7 +12,7 @@ let over_zones options (l : Loaded.t) ~exactly =
   | _ :: _ as why -> Error why
   | [] ->
     Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly l.checks
-    |> Result.map_error (fun fault -> [ Zone_check.diagnostic l.model fault ])
+    |> Result.map_error (Ill_formed.diagnostics l)
 
 let report options (l : Loaded.t) ~where =
   let* () = if where then Ordinary.has_ranges l else Ok () in

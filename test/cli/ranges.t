@@ -122,3 +122,29 @@ What needs values says so:
   error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
   $ scc trace meet.sc -D y=0 -D z=0 --steps 1 --human --states=ends | tail -1
   1 transitions, time 10: more can happen
+
+Where bodies interpenetrate, or are apart that are bound, for some values, the places at fault are those of the model at such values:
+
+  $ sed 's/translate (12, 0, 0)/translate (0, 0, z)/' meet.sc > over.sc
+  $ scc check over.sc
+  over.sc:8:9: error[SC0403]: `p` and `q` interpenetrate for some starts: for y = 0, z = 0
+     |
+   8 | process q = Cube mass 1 at translate (0, 0, z) [B]
+     |         ^
+  over.sc:7:9: note: `p` is here
+     |
+   7 | process p = Cube mass 1 velocity (1,0,0) at translate (0, y, z) [A]
+     |         ^
+  [3]
+  $ sed -e '/^check/d' -e '/^process q/s/mass 1 at translate (12, 0, 0)/mass 1 velocity (1,0,0) at translate (2, 0, 0)/' meet.sc > apart.sc
+  $ echo 'bond <a, {p.right, q.left}>' >> apart.sc
+  $ scc check apart.sc -D z=0
+  apart.sc:9:5: warning[SC0211]: the `let` `near` is not used
+     |
+   9 | let near = abs(y) < 2 and abs(z) < 2
+     |     ^^^^
+  apart.sc:10:6: error[SC0401]: p.right and q.left do not touch for some starts: for y = -3
+      |
+   10 | bond <a, {p.right, q.left}>
+      |      ^^^^^^^^^^^^^^^^^^^^^^
+  [3]
