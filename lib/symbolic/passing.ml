@@ -148,6 +148,20 @@ let rec settled c (z : Zone.t) =
     let still = List.filter some (List.map at (Constraint.negation over)) in
     List.concat_map (settled c) (expire c (at over) (leaf, [ d ]) :: still)
 
+let not_over c (z : Zone.t) =
+  let zero = Linear.constant (Zone.dimension z) Rat.zero in
+  let of_leaf (l : State.leaf) =
+    Constraint.at_least z.ages.(l.leaf) zero
+    :: List.map (fun d -> Constraint.greater (left z l.leaf d) zero) (delays c l)
+  in
+  let of_clock (p : State.process) =
+    let clock = z.clocks.(p.leaves.(0).leaf) in
+    match (Semantics.model c.semantics).splits with
+    | Any_time -> [ Constraint.equals clock zero ]
+    | Every step -> [ Constraint.at_least clock zero; Constraint.at_most clock (Linear.constant (Zone.dimension z) step) ]
+  in
+  List.concat_map of_leaf (leaves z) @ List.concat_map of_clock (with_clock z)
+
 let until c (z : Zone.t) (cell : due First.cell) =
   let time = match cell.time with Some t -> t | None -> Scc_base.Bug.fail __POS__ "nothing comes" in
   let z = after c { z with set = cell.region } time in

@@ -33,3 +33,7 @@ val on_grid : Instant.context -> bool
 val settled : Instant.context -> Zone.t -> Zone.t list
 (** Where delays that have just begun may have the length 0, the zone is cut in two, and they expire in one part
     (rule Eps0). *)
+
+val not_over : Instant.context -> Zone.t -> Constraint.t list
+(** What time says of all zones that are {!settled}: ages are not negative and less than all delays that wait, and so
+    are clocks, on a grid, which may be at its next instant. *)

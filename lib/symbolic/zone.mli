@@ -41,6 +41,12 @@ val with_variables : t -> dimension:int -> Linear.t array -> Polyhedron.t -> t
 val canonical : t -> t * Linear.t array
 (** The same set of states by its own coordinates; and the new variables as forms over the old ones. *)
 
+val of_coordinates : t -> set:Polyhedron.t -> basis:int array -> Linear.t array -> t
+(** [of_coordinates z ~set ~basis forms]: a zone like z with these {!coordinates}. *)
+
+val same_forms : t -> t -> bool
+(** Whether all coordinates are the same forms. *)
+
 val at : t -> Rat.t array -> State.t
 (** The state that the variables have these values in; with behaviours as they were when they were set. *)
 

@@ -13,6 +13,7 @@ type options = Joint_check.options = {
   order : State_graph.order;
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
+  prove : bool;
 }
 
 let default = Joint_check.default
@@ -45,6 +46,7 @@ type report = {
   zeno : Witness.t option;
   stores : (string * int) list;
   where : Scc_where.Where.t list;
+  invariants : Zone_proof.end_ list;
   numbers : unit -> (string * int) list;
 }
 
@@ -237,6 +239,7 @@ let merge parts ~events_elsewhere =
       zeno = List.find_map (fun (r : Joint_check.result) -> r.zeno) results;
       stores;
       where = [];
+      invariants = [];
       numbers =
         (fun () ->
            List.fold_left (fun n (r : Joint_check.result) -> most n (r.numbers ())) (first.numbers ()) rest);
@@ -285,5 +288,6 @@ let unexplored options (checks : Property.check list) stop =
     zeno = None;
     stores = [];
     where = [];
+    invariants = [];
     numbers = (fun () -> []);
   }

@@ -15,6 +15,7 @@ type options = Joint_check.options = {
   order : State_graph.order;
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
+  prove : bool;
 }
 
 val default : options
@@ -55,6 +56,7 @@ type report = {
   stores : (string * int) list;  (** what the explored graphs take, by name, in bytes *)
   where : Scc_where.Where.t list;
   (** of an exploration over zones: for which values of the parameters each property holds, as far as was asked *)
+  invariants : Zone_proof.end_ list;  (** likewise, what was looked for to prove them (rule Invariants) *)
   numbers : unit -> (string * int) list;  (** how far numbers have grown: {!Catalogue.longest} *)
 }
 

@@ -15,6 +15,7 @@ type options = {
   order : Graph.order;
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
+  prove : bool;
 }
 
 let default =
@@ -25,6 +26,7 @@ let default =
     order = By_steps;
     surroundings = Limits.quiet;
     observe = None;
+    prove = false;
   }
 
 type stats = {

@@ -18,6 +18,9 @@ type options = {
       early *)
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;  (** called with each new state, in order *)
+  prove : bool;
+  (** over zones, an invariant is looked for before anything is explored, and not only where nothing else proves it
+      (rule Invariants) *)
 }
 
 val default : options

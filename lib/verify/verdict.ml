@@ -27,7 +27,7 @@ type t =
   | Violated of { witness : Witness.t option }
   | Undecided of reason list
 
-type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list }
+type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list; by_invariant : bool }
 type scale = { resolution : Rat.t option; split_step : Rat.t option; over : over option }
 type rest = By of Witness.halt | Among of Witness.halt
 type convergence = Named of Slowing.t | Proved of Quickening.t
@@ -40,6 +40,7 @@ type outcome = {
   converges : convergence option;
 }
 
+let by_invariant o = match o.scale.over with Some over -> over.by_invariant | None -> false
 let over_zones o = Option.is_some o.scale.over
 let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Undecided _ -> false
 
@@ -194,8 +195,12 @@ let outcome_to_string o =
   let verdict =
     match o.verdict with
     | Undecided _ -> to_string o.verdict
+    | Holds { bounds = []; _ } when by_invariant o ->
+      Printf.sprintf "holds (proved by an invariant%s)%s" everywhere (scale_to_string o.scale)
     | Holds { bounds = []; _ } when everywhere <> "" ->
       Printf.sprintf "holds (exhaustive%s)%s" everywhere (scale_to_string o.scale)
+    | Violated { witness = None } when by_invariant o ->
+      Printf.sprintf "violated%s (proved by an invariant%s)%s" (for_values o) everywhere (scale_to_string o.scale)
     | Holds _ when everywhere <> "" -> to_string o.verdict ^ everywhere ^ scale_to_string o.scale
     | Violated _ when everywhere <> "" -> to_string o.verdict ^ for_values o ^ scale_to_string o.scale
     | Holds _ | Violated _ ->

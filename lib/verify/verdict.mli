@@ -44,6 +44,8 @@ type over = {
   instants : bool;  (** all instants at which weak splits may happen *)
   ranges : Ranges.t;  (** all values of these parameters *)
   example : (string * Rat.t) list;  (** where it is violated, and no run shows it: values for which it is *)
+  by_invariant : bool;
+  (** it rests on a set of states that no run leaves, and not on what was explored alone (rule Invariants) *)
 }
 
 (** What a decided verdict is meant at, and says nothing about anything finer. *)
@@ -76,6 +78,8 @@ val distinct : truncation list -> truncation list
 
 val together : truncation list -> truncation list -> truncation list
 (** Of two explorations, likewise: the chances that a state was left out add up. *)
+
+val by_invariant : outcome -> bool
 
 val over_zones : outcome -> bool
 (** Of all starts, or all instants of splits, at once. *)

@@ -82,6 +82,7 @@ type explored = {
   fault : string option;
   decided : bool;
   edges : int;
+  proof : Zone_proof.end_ option;
 }
 
 let latest answers =
@@ -103,12 +104,36 @@ let distinct events =
   let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
   List.rev (List.fold_left add [] events)
 
-let explore (options : Joint_check.options) context (group : group) zones ~ranges ~exactly =
+let proofs_of answers = function
+  | Some (Zone_proof.Proved { proofs; _ }) -> List.map Option.some proofs
+  | Some (None_found _) | None -> List.map (fun _ -> None) answers
+
+(* With what is proved. *)
+let sets answer (proof : Proof.t option) =
+  let { Answers.holds; fails } = Answers.sets answer in
+  match proof with
+  | None -> { Answers.holds; fails }
+  | Some { sets; _ } ->
+    let contradict a b = not (Union.is_empty (Union.inter a b)) in
+    if contradict holds sets.fails || contradict fails sets.holds then
+      Bug.fail __POS__ "what an invariant proves is wrong";
+    { holds = Union.union holds sets.holds; fails = Union.union fails sets.fails }
+
+let is_proved ~exactly all (proof : Proof.t option) =
+  match proof with
+  | None -> false
+  | Some { sets = { holds; fails }; _ } ->
+    let left = Union.difference (Union.difference all holds) fails in
+    Union.is_empty left || ((not exactly) && not (Union.is_empty fails))
+
+let explore (options : Joint_check.options) context (group : group) zones ~ranges ~exactly ~proof =
   let formulas = List.map (fun (_, (c : Property.check)) -> c.formula) group.members in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
   let atoms = Atoms.context context ~events in
   let parameters = Ranges.box ranges in
   let answers = List.map (Answers.make context atoms ~parameters) formulas in
+  let all = Union.of_polyhedron parameters in
+  let proved = List.map (is_proved ~exactly all) (proofs_of answers proof) in
   let asked = if group.keeps_time then latest answers else None in
   let user = given options.bounds.time in
   let horizon =
@@ -140,7 +165,10 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
              is_late := true;
              List.iter (fun a -> Answers.leave a zone) answers
            end);
-      enough = (fun () -> answers <> [] && List.for_all (Answers.is_known ~exactly) answers);
+      enough =
+        (fun () ->
+           answers <> []
+           && List.for_all2 (fun a proved -> proved || Answers.is_known ~exactly a) answers proved);
       stop = stopped;
     }
   in
@@ -175,6 +203,7 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
     fault = (match end_ with Not_affine reason -> Some reason | _ -> None);
     decided = (match end_ with Decided -> true | _ -> false);
     edges = !edges;
+    proof;
   }
 
 (* {1 Verdicts} *)
@@ -230,9 +259,27 @@ let verdict semantics u ~declared (e : explored) check answer (where : Where.t) 
     Holds { bounds = e.stopped_by; witness = None }
   else Undecided reasons
 
-let where ranges answer =
-  let { Answers.holds; fails } = Answers.sets answer in
+let where ranges answer proof =
+  let { Answers.holds; fails } = sets answer proof in
   Where.make ranges ~holds ~fails
+
+(* Whether what was explored alone would not do. *)
+let rests_on_proof answer (where : Where.t) (verdict : Verdict.t) =
+  let { Answers.holds; fails } = Answers.sets answer in
+  match verdict with
+  | Holds { bounds = []; _ } -> not (Union.is_empty (Union.difference where.holds holds))
+  | Violated _ -> Union.is_empty fails
+  | Holds _ | Undecided _ -> false
+
+(* A bound on its size has ended the exploration, and something is not known. *)
+let is_open ~exactly (e : explored) =
+  let of_size (t : Verdict.truncation) =
+    match t.limit with
+    | Depth _ | States _ | Time _ -> true
+    | Instant _ | Bits _ | Seconds _ | Memory _ | Interrupted | Omission _ -> false
+  in
+  let unknown answer = not (Answers.is_known ~exactly answer) in
+  e.stopped_by <> [] && List.for_all of_size e.stopped_by && List.exists unknown e.answers
 
 let stats (m : Model.t) (e : explored) : Joint_check.stats =
   let deepest = ref 0 in
@@ -259,8 +306,8 @@ let stats (m : Model.t) (e : explored) : Joint_check.stats =
 
 let outcomes semantics u ~declared (e : explored) =
   let m = Semantics.model semantics in
-  let one (i, check) answer =
-    let where = where m.ranges answer in
+  let one (i, check) (answer, proof) =
+    let where = where m.ranges answer proof in
     let verdict = verdict semantics u ~declared e check answer where in
     let example =
       match (verdict, Union.point where.fails) with
@@ -268,14 +315,15 @@ let outcomes semantics u ~declared (e : explored) =
         named m values
       | _ -> []
     in
-    let over = { Verdict.instants = at_any_time m ~declared; ranges = m.ranges; example } in
+    let by_invariant = rests_on_proof answer where verdict in
+    let over = { Verdict.instants = at_any_time m ~declared; ranges = m.ranges; example; by_invariant } in
     let split_step =
       match m.splits with Every step when Parameters.may_split m declared -> Some step | Every _ | Any_time -> None
     in
     let scale = { Verdict.resolution = None; split_step; over = Some over } in
     (i, ({ check; verdict; scale; rests = []; converges = None } : Verdict.outcome), where)
   in
-  List.map2 one e.group.members e.answers
+  List.map2 one e.group.members (List.combine e.answers (proofs_of e.answers e.proof))
 
 let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
   let m = Semantics.model semantics in
@@ -285,9 +333,21 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
     | Ok s -> s
     | Error _ -> Bug.fail __POS__ "a law of motion in a model with ranges"
   in
+  let attempt group =
+    let formulas = List.map (fun (_, (c : Property.check)) -> c.formula) group.members in
+    Start.zones context u ~initial ~keeps_time:false
+    |> Result.map (fun zones ->
+        Zone_proof.attempt options semantics ~parameters:(Ranges.box m.ranges) zones formulas)
+    |> Result.to_option
+  in
   let of_group group =
-    Start.zones context u ~initial ~keeps_time:group.keeps_time
-    |> Result.map (fun zones -> explore options context group zones ~ranges:m.ranges ~exactly)
+    let some_check = group.members <> [] in
+    let before = if options.prove && some_check then attempt group else None in
+    let of_zones zones =
+      let e = explore options context group zones ~ranges:m.ranges ~exactly ~proof:before in
+      if some_check && before = None && is_open ~exactly e then { e with proof = attempt group } else e
+    in
+    Result.map of_zones (Start.zones context u ~initial ~keeps_time:group.keeps_time)
   in
   let rec all done_ = function
     | [] -> Ok (List.rev done_)
@@ -310,6 +370,7 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
         zeno = None;
         stores = [];
         where = List.map (fun (_, _, w) -> w) sorted;
+        invariants = List.filter_map (fun e -> e.proof) explored;
         numbers = (fun () -> []);
       }
     in

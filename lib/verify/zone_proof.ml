@@ -1,0 +1,29 @@
+open Scc_exact
+open Scc_property
+open Scc_symbolic
+
+type t = { invariant : Invariant.t; proofs : Proof.t list }
+type end_ = Proved of t | None_found of string
+
+let limits = { Invariant_search.locations = 2_000; steps = 50_000 }
+
+let distinct events =
+  let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
+  List.rev (List.fold_left add [] events)
+
+let attempt (options : Joint_check.options) semantics ~parameters zones formulas =
+  let context = Instant.context semantics in
+  let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
+  let stop () = Option.is_some (options.surroundings.stop ()) in
+  let looked_at ~locations ~waiting =
+    options.surroundings.progress
+      { states = locations; transitions = 0; waiting; depth = 0; model_time = Rat.zero }
+  in
+  match Invariant_search.find context ~events ~limits ~visitor:{ stop; looked_at } zones with
+  | Stopped -> None_found "there was no time to look for an invariant"
+  | No_end reason -> None_found reason
+  | Found invariant -> (
+      let atoms = Atoms.context context ~events in
+      match Proof.views context invariant with
+      | exception Instant.Not_affine reason -> None_found reason
+      | views -> Proved { invariant; proofs = List.map (Proof.make context atoms ~parameters views) formulas })
