@@ -3,6 +3,9 @@
 open Scc_exact
 open Scc_calculus
 
+val behaviour : Rat.t array -> Behaviour.t -> Behaviour.t
+(** With delays that are known. *)
+
 val model : Model.t -> Rat.t array -> Model.t
 (** Without ranges; its delays are known. *)
 

@@ -44,7 +44,21 @@ let apart c (z : Zone.t) =
   in
   List.fold_left cut [ z.set ] (two_of all)
 
+(* Whether it is an instant of the grid is all that the discrete rules ask of clocks. *)
+let by_clocks (z : Zone.t) region =
+  let cut regions clock =
+    let zero = Linear.constant (Zone.dimension z) Rat.zero in
+    let some c region =
+      let p = Polyhedron.add region c in
+      if Polyhedron.is_empty p then [] else [ p ]
+    in
+    List.concat_map (some (Constraint.equals clock zero)) regions
+    @ List.concat_map (some (Constraint.greater clock zero)) regions
+  in
+  Array.fold_left cut [ region ] z.clocks
+
 let pieces c (z : Zone.t) =
   let convex = Polyhedron.add_all z.set (Passing.not_over c z) in
   let set = List.fold_left Polyhedron.inter convex (in_ranges c z :: bonds_touch c z) in
-  if Polyhedron.is_empty set then [] else List.map (fun set -> { z with set }) (apart c { z with set })
+  if Polyhedron.is_empty set then []
+  else List.map (fun set -> { z with set }) (List.concat_map (by_clocks z) (apart c { z with set }))

@@ -337,7 +337,7 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
     let formulas = List.map (fun (_, (c : Property.check)) -> c.formula) group.members in
     Start.zones context u ~initial ~keeps_time:false
     |> Result.map (fun zones ->
-        Zone_proof.attempt options semantics ~parameters:(Ranges.box m.ranges) zones formulas)
+        Zone_proof.attempt options semantics u ~declared ~parameters:(Ranges.box m.ranges) zones formulas)
     |> Result.to_option
   in
   let of_group group =

@@ -11,7 +11,7 @@ let distinct events =
   let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
   List.rev (List.fold_left add [] events)
 
-let attempt (options : Joint_check.options) semantics ~parameters zones formulas =
+let attempt (options : Joint_check.options) semantics u ~declared ~parameters zones formulas =
   let context = Instant.context semantics in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
   let stop () = Option.is_some (options.surroundings.stop ()) in
@@ -26,4 +26,11 @@ let attempt (options : Joint_check.options) semantics ~parameters zones formulas
       let atoms = Atoms.context context ~events in
       match Proof.views context invariant with
       | exception Instant.Not_affine reason -> None_found reason
-      | views -> Proved { invariant; proofs = List.map (Proof.make context atoms ~parameters views) formulas })
+      | views ->
+        let proofs = List.map (Proof.make context atoms ~parameters views) formulas in
+        let claims = List.concat_map (fun (p : Proof.t) -> p.claims) proofs in
+        if claims = [] then None_found "no run leaves the set of states that was found, but this proves nothing"
+        else (
+          match Scc_certificate.Certificate.check semantics u ~declared invariant claims ~stop with
+          | Ok () -> Proved { invariant; proofs }
+          | Error reason -> None_found ("a set of states was found, but its proof is not accepted: " ^ reason)))

@@ -2,6 +2,7 @@
     of this is checked afresh ({!Scc_certificate.Certificate}) before it counts. *)
 
 open Scc_polyhedra
+open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_symbolic
@@ -16,5 +17,6 @@ type end_ =
   | None_found of string  (** why, for a person *)
 
 val attempt :
-  Joint_check.options -> Semantics.t -> parameters:Polyhedron.t -> Zone.t list -> Property.temporal list -> end_
+  Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> parameters:Polyhedron.t -> Zone.t list ->
+  Property.temporal list -> end_
 (** From the zones of all starts, which do not keep time. *)

@@ -1,0 +1,132 @@
+open Scc_exact
+open Scc_geometry
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
+open Scc_symbolic
+module Polyhedron = Scc_polyhedra.Polyhedron
+
+type context = { semantics : Semantics.t; obstacle : Solid.t -> Solid.t -> Obstacle.t }
+
+let context semantics =
+  let memory = Scc_broad_phase.Obstacle_cache.create () in
+  { semantics; obstacle = Scc_broad_phase.Obstacle_cache.find memory }
+
+let where region constraints =
+  let p = Polyhedron.add_all region constraints in
+  if Polyhedron.is_empty p then [] else [ p ]
+
+let zero_like f = Linear.constant (Linear.dimension f) Rat.zero
+
+let by_sign region f =
+  let zero = zero_like f in
+  List.concat_map (where region) [ [ Constraint.equals f zero ]; [ Constraint.greater f zero ]; [ Constraint.less f zero ] ]
+
+type part = { leaf : int; index : int; process : int; solid : Solid.t; place : Place.t; velocity : Vec.t }
+
+let parts c (z : Zone.t) =
+  let m = Semantics.model c.semantics in
+  let n = Zone.dimension z in
+  let of_leaf (p : State.process) (l : State.leaf) =
+    let of_part index (part : Model.part) =
+      let place = Place.add z.places.(l.leaf) (Place.constant n part.offset) in
+      { leaf = l.leaf; index; process = p.leaves.(0).leaf; solid = part.solid; place; velocity = p.velocity }
+    in
+    List.mapi of_part (Array.to_list m.leaves.(l.leaf).parts)
+  in
+  let of_process (p : State.process) = List.concat_map (of_leaf p) (Array.to_list p.leaves) in
+  List.concat_map of_process (Array.to_list z.skeleton.processes)
+
+let rec two_of = function [] -> [] | x :: rest -> List.map (fun y -> (x, y)) rest @ two_of rest
+
+let rooms c (a, b) =
+  let x, y, z = Place.sub b.place a.place in
+  let w = Vec.sub b.velocity a.velocity in
+  let of_facet (f : Obstacle.facet) =
+    let n = Ivec.to_vec f.normal in
+    let limit = Linear.constant (Linear.dimension x) (Rat.make f.num f.den) in
+    let along = Linear.add (Linear.scale n.x x) (Linear.add (Linear.scale n.y y) (Linear.scale n.z z)) in
+    (Linear.sub limit along, Vec.dot n w)
+  in
+  List.map of_facet (Array.to_list (Obstacle.facets (c.obstacle a.solid b.solid)))
+
+(* Disjoint pieces of where not all of the constraints hold. *)
+let where_not region constraints =
+  let step (left, found) c =
+    (List.concat_map (fun p -> where p [ c ]) left, found @ List.concat_map (fun p -> List.concat_map (fun d -> where p [ d ]) (Constraint.negation c)) left)
+  in
+  snd (List.fold_left step ([ region ], []) constraints)
+
+let inside rooms = List.map (fun (f, _) -> Constraint.greater f (zero_like f)) rooms
+
+let well_formed c (z : Zone.t) =
+  let cut regions (a, b) =
+    if a.leaf = b.leaf then regions
+    else
+      let interior = inside (rooms c (a, b)) in
+      List.concat_map (fun region -> where_not region interior) regions
+  in
+  List.fold_left cut [ z.set ] (two_of (parts c z))
+
+let bonds_touch c (z : Zone.t) =
+  let parts = parts c z in
+  let memory = Feature_cells.create () in
+  let of_bond (b : State.bond) =
+    let at (f : State.finish) = List.find (fun p -> p.leaf = f.at && p.index = f.site.part) parts in
+    let one = at b.one and two = at b.two in
+    let side part (f : State.finish) = { Feature_cells.solid = part.solid; feature = f.site.feature } in
+    let x, y, z' = Place.sub two.place one.place in
+    let together = Feature_cells.offsets memory (side one b.one) (side two b.two) in
+    List.map
+      (fun k -> Constraint.substitute k ~dimension:(Zone.dimension z) [| x; y; z' |])
+      (Polyhedron.constraints together)
+  in
+  let of_process (p : State.process) = List.concat_map of_bond (Array.to_list p.bonds) in
+  List.concat_map of_process (Array.to_list z.skeleton.processes)
+
+(* {1 Cells} *)
+
+(* The features that two leaves may meet in by channels that fit, as sets of offsets. *)
+let meeting_features c (z : Zone.t) (a, b) =
+  let home leaf = Option.get (State.home z.skeleton leaf) in
+  let memory = Feature_cells.create () in
+  let fitting = Collisions.fitting c.semantics (home a.leaf, a.leaf) (home b.leaf, b.leaf) in
+  let features part (channel : Behaviour.channel) =
+    List.filter_map (fun (s : Site.t) -> if s.part = part.index then Some s.feature else None) channel.surface
+  in
+  let of_channels (one, two) =
+    List.concat_map (fun f -> List.map (fun g -> (f, g)) (features b two)) (features a one)
+  in
+  let offsets (f, g) =
+    Feature_cells.offsets memory { solid = a.solid; feature = f } { solid = b.solid; feature = g }
+  in
+  List.map offsets (List.concat_map of_channels fitting)
+
+let by_features c z (a, b) region =
+  let x, y, z' = Place.sub b.place a.place in
+  let n = Polyhedron.dimension region in
+  let cut regions (set : Polyhedron.t) =
+    let forms =
+      List.map
+        (fun k -> Constraint.to_form (Constraint.substitute k ~dimension:n [| x; y; z' |]))
+        (Polyhedron.constraints set)
+    in
+    List.fold_left (fun regions f -> List.concat_map (fun p -> by_sign p f) regions) regions forms
+  in
+  List.fold_left cut [ region ] (meeting_features c z (a, b))
+
+let cells c (z : Zone.t) =
+  let cut regions (a, b) =
+    if a.leaf = b.leaf then regions
+    else
+      let rooms = List.map fst (rooms c (a, b)) in
+      let not_beyond = List.map (fun f -> Constraint.at_least f (zero_like f)) rooms in
+      let of_region region =
+        let apart = where_not region not_beyond in
+        let closed = where region not_beyond in
+        let by_planes = List.fold_left (fun regions f -> List.concat_map (fun p -> by_sign p f) regions) closed rooms in
+        apart @ List.concat_map (by_features c z (a, b)) by_planes
+      in
+      List.concat_map of_region regions
+  in
+  List.fold_left cut [ z.set ] (two_of (parts c z))

@@ -1,0 +1,270 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
+open Scc_evaluate
+open Scc_symbolic
+
+exception Rejected of string
+
+let reject format = Printf.ksprintf (fun text -> raise (Rejected text)) format
+
+type context = {
+  cut : Arrangement.context;
+  model : Model.t;
+  invariant : Invariant.t;
+  locations : (Invariant.location * Zone.t) list;  (** with a variable for each coordinate *)
+  atoms : Atoms.context;
+  claims : Proof.claim list;
+  stop : unit -> bool;
+}
+
+(* The rules for the values that a point of a cloud gives the parameters. *)
+let semantics_at t (z : Zone.t) point =
+  let values = Array.map (fun f -> Linear.eval f point) z.parameters in
+  Semantics.with_model t.cut.semantics (Fixed.model t.model values)
+
+(* {1 Landing} *)
+
+(* Numbers of a location of the invariant, for what single states of a cloud become: places are where they are, and
+   what has aged either goes on to, or has just begun. What is right for the point in the middle is right for all, as
+   no age is negative; but this is seen at enough points, too. *)
+let numbers t (location : Invariant.location) (z : Zone.t) ~middle (result : State.t) =
+  let n = Zone.dimension z in
+  let zero = Linear.constant n Rat.zero in
+  let here leaf = State.home result leaf in
+  let m = t.model in
+  let of_leaf forms choose leaf =
+    match here leaf with None -> zero | Some p -> choose p leaf (forms : Linear.t array).(leaf)
+  in
+  let definitions = (Semantics.model (semantics_at t z middle)).definitions in
+  let values = Array.map (fun f -> Linear.eval f middle) z.parameters in
+  let age (p : State.process) leaf old =
+    match State.home location.skeleton leaf with
+    | None -> zero
+    | Some set ->
+      let began = (State.leaf_of set leaf).behaviour in
+      if Behaviours.delays m.definitions began = [] then zero
+      else
+        let known = Behaviour.aged began.origin (Fixed.behaviour values began.term) in
+        let goes_on = Behaviours.pass definitions (Linear.eval old middle) known in
+        if Behaviour.equal_aged goes_on (State.leaf_of p leaf).behaviour then old else zero
+  in
+  let clock (p : State.process) leaf old =
+    match p.clock with
+    | Some now when p.leaves.(0).leaf = leaf && Rat.equal now (Linear.eval old middle) -> old
+    | Some _ | None -> zero
+  in
+  let leaves = List.init (Array.length m.leaves) Fun.id in
+  let all choose forms = Array.of_list (List.map (of_leaf forms choose) leaves) in
+  let place leaf = match here leaf with None -> Place.constant n Vec.zero | Some _ -> z.places.(leaf) in
+  { z with skeleton = location.skeleton; ages = all age z.ages; clocks = all clock z.clocks;
+           places = Array.of_list (List.map place leaves) }
+
+(* The ages may be longer than what they lead to: then they are not those. *)
+let state_at t z point =
+  match Cloud.state t.model z point with s -> Some s | exception Scc_base.Bug.Bug _ -> None
+
+let is_in t (location, (all : Zone.t)) z points (results : State.t list) =
+  let candidate = numbers t location z ~middle:(List.hd points) (List.hd results) in
+  let same point result = Option.fold ~none:false ~some:(State.equal result) (state_at t candidate point) in
+  List.for_all2 same points results
+  && Polyhedron.included z.Zone.set
+    (Polyhedron.preimage all.set ~dimension:(Zone.dimension z) (Zone.coordinates candidate))
+
+(* That what becomes of the states of a cloud is in the invariant: it is known at the points of {!Cloud.points}. *)
+let land_in t z ~what ~arrived points results =
+  if t.stop () then reject "there was no time to check it";
+  let alike ((l : Invariant.location), _) = List.equal Int.equal l.arrived arrived in
+  if not (List.exists (fun l -> alike l && is_in t l z points results) t.locations) then
+    reject "%s leads out of it" what
+
+(* {1 What happens at once} *)
+
+let timeless (s : State.t) = State.make ~processes:(Array.to_list s.processes) ~step:s.step ~time:None
+
+let successors t z point state =
+  match Network.successors (semantics_at t z point) state with
+  | Ok list -> List.filter (fun (tr : Transition.t) -> not (Transition.is_time tr.label)) list
+  | Error _ -> reject "what happens next is not known"
+
+let arrived t ~source label =
+  let events = t.invariant.events in
+  List.filter (fun i -> Event.matches ~source label events.(i)) (List.init (Array.length events) Fun.id)
+
+(* All that may happen to states of a cloud, which is the same for all of them; whether it must happen. *)
+let discrete t (z : Zone.t) ~states ~only =
+  let points = Cloud.points z.set in
+  let sources = List.map states points in
+  let all = List.map2 (successors t z) points sources |> List.map (List.filter (fun (tr : Transition.t) -> only tr.label)) in
+  let first = List.hd all in
+  let same_labels list =
+    List.compare_lengths first list = 0
+    && List.for_all2 (fun (a : Transition.t) (b : Transition.t) -> Transition.equal_label a.label b.label) first list
+  in
+  if not (List.for_all same_labels all) then reject "different things happen to states that are alike";
+  let each i (tr : Transition.t) =
+    let results = List.map (fun list -> timeless (List.nth list i : Transition.t).target) all in
+    let arrived = arrived t ~source:(List.hd sources) tr.label in
+    land_in t z ~what:(Transition.label_to_string t.model tr.label) ~arrived points results
+  in
+  List.iteri each first;
+  List.exists (fun (tr : Transition.t) -> Transition.is_urgent tr.label) first
+
+(* {1 What should never come} *)
+
+let nothing_claimed t (z : Zone.t) ~passing =
+  let of_claim (claim : Proof.claim) =
+    let view = { Atoms.zone = z; passing; quiescent = [] } in
+    let bad (region, truth) =
+      (not (Scc_ctl.Truth.equal truth Scc_ctl.Truth.False))
+      && List.exists
+        (fun values ->
+           let here = Polyhedron.preimage values ~dimension:(Zone.dimension z) z.parameters in
+           not (Polyhedron.disjoint region here))
+        (Union.pieces claim.values)
+    in
+    if List.exists bad (Atoms.truth t.atoms claim.never view) then reject "it has states that should never come"
+  in
+  List.iter of_claim t.claims
+
+(* {1 Time} *)
+
+let at_any_time t (z : Zone.t) =
+  match t.model.splits with
+  | Every _ -> false
+  | Any_time -> Array.exists (fun (p : State.process) -> Option.is_some p.clock) z.skeleton.processes
+
+(* A cloud of the ends of passings, with the single states that they are, by the ordinary rules. *)
+let passed t (start : Zone.t) (ends : Zone.t) region =
+  match Cloud.on { ends with set = region } region with
+  | None -> None
+  | Some z ->
+    (* the start and the time, by the same variables *)
+    let whole = Zone.with_variables start ~dimension:(Polyhedron.dimension region) (Array.init (Zone.dimension start) (Linear.variable (Polyhedron.dimension region))) region in
+    let time = Linear.variable (Polyhedron.dimension region) (Polyhedron.dimension region - 1) in
+    let start = Cloud.on { whole with time = Some time } region in
+    let start = Option.get start in
+    let state point =
+      let before = Cloud.state t.model start point in
+      let c = semantics_at t start point in
+      let d = Linear.eval (Option.get start.time) point in
+      (match Time.delay c before with
+       | Some most when Rat.compare most d < 0 -> reject "time passes for too long"
+       | Some _ | None -> ());
+      timeless (Time.pass c d before)
+    in
+    Some (z, state)
+
+let pass t (z : Zone.t) region =
+  let of_flow (flow : Flow.t) =
+    nothing_claimed t flow.ends ~passing:true;
+    let land_ends region =
+      match passed t z flow.ends region with
+      | None -> ()
+      | Some (ends, state) ->
+        let points = Cloud.points ends.set in
+        land_in t ends ~what:"a passing of time" ~arrived:[] points (List.map state points)
+    in
+    let left = Flow.delays t.cut flow.ends @ Flow.clocks t.cut flow.ends in
+    let by_expiry regions f = List.concat_map (fun p -> Arrangement.by_sign p f) regions in
+    let over f = Polyhedron.add flow.states (Constraint.equals f (Linear.constant (Linear.dimension f) Rat.zero)) in
+    let due = Flow.contacts t.cut flow @ List.filter (fun p -> not (Polyhedron.is_empty p)) (List.map over left) in
+    List.iter land_ends (List.fold_left by_expiry due left);
+    if at_any_time t z then
+      let split region =
+        match passed t z flow.ends region with
+        | None -> ()
+        | Some (ends, states) ->
+          let weak = function Transition.Weak_split _ -> true | _ -> false in
+          ignore (discrete t ends ~states ~only:weak)
+      in
+      List.iter split (Arrangement.cells t.cut flow.ends)
+  in
+  List.iter of_flow (Flow.passings t.cut z region)
+
+(* {1 All of it} *)
+
+(* Numbers that are those of some state at all: what waits is not over, and the parameters are in their ranges. *)
+let of_states t (z : Zone.t) =
+  let zero = Linear.constant (Zone.dimension z) Rat.zero in
+  let more = List.map (fun f -> Constraint.greater f zero) in
+  let at_least_zero = List.map (fun f -> Constraint.at_least f zero) in
+  let box = Polyhedron.preimage (Ranges.box t.model.ranges) ~dimension:(Zone.dimension z) z.parameters in
+  Polyhedron.add_all (Polyhedron.inter z.set box)
+    (more (Flow.delays t.cut z @ Flow.clocks t.cut z)
+     @ at_least_zero (Array.to_list z.ages @ Array.to_list z.clocks)
+     @ Arrangement.bonds_touch t.cut z)
+
+(* Weak splits look at whether the instant is one of the grid. *)
+let by_clocks (z : Zone.t) =
+  let cut regions f = List.concat_map (fun p -> Arrangement.by_sign p f) regions in
+  Array.fold_left cut [ z.set ] z.clocks
+
+let of_location t location =
+  let whole = Cloud.of_location t.model location in
+  let whole = { whole with set = of_states t whole } in
+  let possible region =
+    let z = { whole with set = region } in
+    nothing_claimed t z ~passing:false;
+    let of_cell cell =
+      match Cloud.on z cell with
+      | None -> ()
+      | Some cloud ->
+        let urgent = discrete t cloud ~states:(Cloud.state t.model cloud) ~only:(fun _ -> true) in
+        if not urgent then pass t cloud cloud.set
+    in
+    List.iter of_cell
+      (List.concat_map (fun set -> Arrangement.cells t.cut { z with set }) (by_clocks z))
+  in
+  List.iter possible (Arrangement.well_formed t.cut whole)
+
+let starts t (u : Uncertain.t) ~declared =
+  let n = Array.length t.model.ranges in
+  let zero = Linear.constant n Rat.zero in
+  let nothing = Array.map (fun _ -> zero) t.model.leaves in
+  let box = Ranges.box t.model.ranges in
+  let zone : Zone.t =
+    {
+      skeleton = declared; halted = false; arrived = []; set = box;
+      parameters = Array.init n (Linear.variable n);
+      time = None; ages = nothing; clocks = nothing; places = u.places; basis = [||];
+    }
+  in
+  let waits = Flow.delays t.cut zone in
+  let regions = List.fold_left (fun regions f -> List.concat_map (fun p -> Arrangement.by_sign p f) regions) [ box ] waits in
+  let initial z point =
+    let values = Array.map (fun f -> Linear.eval f point) z.Zone.parameters in
+    match Network.initial (semantics_at t z point) (Fixed.declared u declared values) with
+    | Ok s -> timeless s
+    | Error _ -> reject "the initial state is not known"
+  in
+  let of_region region =
+    match Cloud.on { zone with set = region } region with
+    | None -> ()
+    | Some z ->
+      let points = Cloud.points z.set in
+      land_in t z ~what:"the start" ~arrived:[] points (List.map (initial z) points)
+  in
+  List.iter of_region regions
+
+let check semantics u ~declared invariant claims ~stop =
+  let model = { (Semantics.model semantics) with keeps_time = false } in
+  let semantics = Semantics.with_model semantics model in
+  let t =
+    {
+      cut = Arrangement.context semantics;
+      model;
+      invariant;
+      locations = List.map (fun l -> (l, Invariant.zone model l)) invariant.locations;
+      atoms = Atoms.context (Instant.context semantics) ~events:invariant.events;
+      claims;
+      stop;
+    }
+  in
+  match
+    starts t u ~declared;
+    List.iter (of_location t) invariant.locations
+  with
+  | () -> Ok ()
+  | exception Rejected reason -> Error reason

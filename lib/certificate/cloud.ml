@@ -1,0 +1,61 @@
+open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
+open Scc_symbolic
+
+type t = Zone.t
+
+(* Equalities in echelon form give some variables by the others, which get new numbers. *)
+let thin (z : t) set =
+  let n = Polyhedron.dimension set in
+  let equalities = Polyhedron.equalities set in
+  let given = List.filter_map Constraint.first_variable equalities in
+  let free = List.filter (fun i -> not (List.mem i given)) (List.init n Fun.id) in
+  let m = List.length free in
+  let forms = Array.make n (Linear.constant m Rat.zero) in
+  List.iteri (fun k i -> forms.(i) <- Linear.variable m k) free;
+  let solve c =
+    let f = Constraint.to_form c in
+    let i = Option.get (Constraint.first_variable c) in
+    let others = List.filter (fun j -> j <> i) (List.init n Fun.id) in
+    let a = Linear.coefficient f i in
+    let add sum j = Linear.sub sum (Linear.scale (Rat.div (Linear.coefficient f j) a) forms.(j)) in
+    let start = Linear.constant m (Rat.neg (Rat.div f.constant a)) in
+    forms.(i) <- List.fold_left add start others
+  in
+  List.iter solve equalities;
+  Zone.with_variables z ~dimension:m forms (Polyhedron.minimal (Polyhedron.preimage set ~dimension:m forms))
+
+let on z set = if Polyhedron.is_empty set then None else Some (thin z set)
+
+let of_location m (l : Invariant.location) = thin (Invariant.zone m l) l.set
+
+let points set =
+  match Polyhedron.interior_point set with
+  | None -> []
+  | Some middle ->
+    let beside i =
+      let rec go step =
+        let p = Array.mapi (fun j x -> if i = j then Rat.add x step else x) middle in
+        if Polyhedron.mem set p then p else go (Rat.div step (Rat.of_int 2))
+      in
+      go Rat.one
+    in
+    middle :: List.init (Polyhedron.dimension set) beside
+
+let state (m : Model.t) (z : t) point =
+  let at f = Linear.eval f point in
+  let values = Array.map at z.parameters in
+  let definitions = (Fixed.model m values).definitions in
+  let leaf (l : State.leaf) =
+    let known = Behaviour.aged l.behaviour.origin (Fixed.behaviour values l.behaviour.term) in
+    let behaviour = Behaviours.pass definitions (at z.ages.(l.leaf)) known in
+    { l with State.position = Place.eval z.places.(l.leaf) point; behaviour }
+  in
+  let process (p : State.process) =
+    let clock = Option.map (fun _ -> at z.clocks.(p.leaves.(0).leaf)) p.clock in
+    State.with_clock clock (State.map_leaves leaf p)
+  in
+  let s = z.skeleton in
+  State.make ~processes:(List.map process (Array.to_list s.processes)) ~step:s.step ~time:None
