@@ -177,17 +177,26 @@ let sample z =
 
 let has z values = Polyhedron.mem z.set (Array.map (fun i -> values.(i)) z.basis)
 
+let same_forms a b =
+  let same = Array.for_all2 Linear.equal in
+  let same_place (x, y, z) (x', y', z') = Linear.equal x x' && Linear.equal y y' && Linear.equal z z' in
+  Polyhedron.dimension a.set = Polyhedron.dimension b.set
+  && Array.for_all2 Int.equal a.basis b.basis
+  && same a.parameters b.parameters
+  && Option.equal Linear.equal a.time b.time
+  && same a.ages b.ages && same a.clocks b.clocks
+  && Array.for_all2 same_place a.places b.places
+
 let included a b =
   let n = dimension a in
-  let of_a = coordinates a and of_b = coordinates b in
-  let forms = Array.map (fun i -> of_a.(i)) b.basis in
-  let agrees i f = Linear.equal (Linear.compose f ~dimension:n forms) of_a.(i) in
-  let rec all i = i >= Array.length of_b || (agrees i of_b.(i) && all (i + 1)) in
-  if all 0 && Polyhedron.included a.set (Polyhedron.preimage b.set ~dimension:n forms) then Some forms else None
-
-let same_forms a b =
-  let f = coordinates a and g = coordinates b in
-  dimension a = dimension b && Array.for_all2 Linear.equal f g
+  if same_forms a b then
+    if Polyhedron.included a.set b.set then Some (Array.init n (Linear.variable n)) else None
+  else
+    let of_a = coordinates a and of_b = coordinates b in
+    let forms = Array.map (fun i -> of_a.(i)) b.basis in
+    let agrees i f = Linear.equal (Linear.compose f ~dimension:n forms) of_a.(i) in
+    let rec all i = i >= Array.length of_b || (agrees i of_b.(i) && all (i + 1)) in
+    if all 0 && Polyhedron.included a.set (Polyhedron.preimage b.set ~dimension:n forms) then Some forms else None
 
 let merged a b =
   if same_forms a b then Option.map (fun set -> { a with set }) (Envelope.merge a.set b.set) else None

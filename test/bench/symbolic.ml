@@ -1,4 +1,5 @@
-(* Sets of runs: how much processor time the bars of lib/symbolic take, and how many zones.
+(* Sets of runs: how much processor time what has a bar takes in lib/symbolic, and how many zones; of a hundred
+   thousand of them, how much of the heap as well.
 
    dune exec --profile release test/bench/symbolic.exe [NAME ...] *)
 
@@ -73,16 +74,35 @@ let sum n =
   ^ Printf.sprintf "process p = Cube mass 1 velocity (1,0,0) at translate (%s, 0, 0) [nil]\n" all
   ^ Printf.sprintf "check far : possibly x(p) > %d/3 within 0\n" n
 
-let hexokinase =
+(* Each may break at any time, and what becomes of its halves depends on when: all that is ordered in any way. *)
+let dimers n =
+  let dimer i =
+    Printf.sprintf
+      "process d%d = p%d : Cube mass 1 at translate (0, %d, 0) [One]\n  <hold, {p%d.right, q%d.left}>\n  q%d : Cube \
+       mass 1 at translate (2, %d, 0) [Other]\n"
+      i i (10 * i) i i i (10 * i)
+  in
+  "model dimers\nsplit_step any\n" ^ cube
+  ^ {|behaviour One on Cube = omega(hold, {right}). eps(1). nil
+behaviour Other on Cube = omega(hold, {left}). eps(2). nil
+|}
+  ^ String.concat "" (List.init n dimer)
+  ^ "check still : always x(p0) = 0\n"
+
+let replaced changes text =
   let replace text (old, new_) = Str.global_replace (Str.regexp_string old) new_ text in
-  fun text ->
-    List.fold_left replace text
-      [
-        ("param atp_arrives = 2", "param atp_arrives in [0, 10]");
-        ("param glucose_arrives = 2", "param glucose_arrives in [0, 10]");
-        ("split_step 1\n", "split_step any\n");
-        ("check surely", "// check surely");
-      ]
+  List.fold_left replace text changes
+
+let window = replaced [ ("param grid = 1\nsplit_step grid\n", "split_step any\n") ]
+
+let hexokinase =
+  replaced
+    [
+      ("param atp_arrives = 2", "param atp_arrives in [0, 10]");
+      ("param glucose_arrives = 2", "param glucose_arrives in [0, 10]");
+      ("split_step 1\n", "split_step any\n");
+      ("check surely", "// check surely");
+    ]
 
 let read path =
   let channel = open_in_bin path in
@@ -90,9 +110,12 @@ let read path =
   close_in channel;
   text
 
+let most_zones = 100_000
+let heap_bar = 2048
+
 let bars =
   [
-    ("window", 0.02, fun () -> read (Filename.concat models "window.sc"));
+    ("window", 0.02, fun () -> window (read (Filename.concat models "window.sc")));
     ("race of 3", 0.1, fun () -> race 3);
     ("race of 4", 1., fun () -> race 4);
     ("race of 5", 5., fun () -> race 5);
@@ -100,6 +123,7 @@ let bars =
     ("row of 100", 1., fun () -> row 100);
     ("sum of 10", 1., fun () -> sum 10);
     ("hexokinase", 5., fun () -> hexokinase (read (Filename.concat models "hexokinase.sc")));
+    ("six dimers", 60., fun () -> dimers 6);
   ]
 
 let load name text =
@@ -107,17 +131,25 @@ let load name text =
   | Ok l -> l
   | Error ds -> failwith (String.concat "\n" (List.map (fun (d : Scc_base.Diag.t) -> d.message) ds))
 
-let measure (name, bar, text) =
-  let l = load name (text ()) in
+let ask text ~name options =
+  let l = load name text in
   let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
   let start = Sys.time () in
-  match Zone_check.run Check.default l.semantics u ~declared:l.declared ~exactly:true l.checks with
-  | Error _ -> failwith (name ^ ": its start is not well-formed")
-  | Ok report ->
-    let probabilities = List.map Scc_where.Where.probability report.where in
-    let time = Sys.time () -. start in
+  let answer = Zone_check.run options l.semantics u ~declared:l.declared ~exactly:true l.checks in
+  let probabilities =
+    match answer with Ok report -> List.map Scc_where.Where.probability report.where | Error _ -> []
+  in
+  (l, answer, probabilities, Sys.time () -. start)
+
+let judged within = if within then "within" else "BEYOND"
+
+let measure (name, bar, text) =
+  let options = { Check.default with bounds = { Bounds.default with states = Given most_zones } } in
+  match ask (text ()) ~name options with
+  | _, Error _, _, _ -> failwith (name ^ ": its start is not well-formed")
+  | l, Ok report, probabilities, time ->
     Printf.printf "%-12s %8.3f s of %5.2f  %s %6d zones, %6d edges, %s; %d parameters\n%!" name time bar
-      (if time <= bar then "within" else "BEYOND")
+      (judged (time <= bar))
       report.stats.states report.stats.transitions
       (if report.stats.complete then "complete" else "not complete")
       (Array.length l.model.Model.ranges);
@@ -130,8 +162,34 @@ let measure (name, bar, text) =
            | Not_computed -> "not computed"
          in
          Printf.printf "    %s: probability %s\n%!" c.name p)
-      l.checks probabilities
+      l.checks probabilities;
+    if report.stats.states >= most_zones then
+      let mebibytes = (Gc.quick_stat ()).top_heap_words * (Sys.word_size / 8) / 1_048_576 in
+      Printf.printf "    heap: %d MiB of %d  %s\n%!" mebibytes heap_bar (judged (mebibytes <= heap_bar))
+
+(* {1 The cases by hand} *)
+
+let cases_bar = 0.1
+
+(* Those of the conformance suite that have an answer, the ones of the design among them: the slowest. *)
+let measure_cases () =
+  let member = Yojson.Basic.Util.member and text = Yojson.Basic.Util.to_string in
+  let of_case case =
+    match (member "method" case, member "params" case) with
+    | `String "model.check", params when member "error" (member "expect" case) = `Null ->
+      let l, _, _, time = ask (text (member "text" params)) ~name:"case" Check.default in
+      if Zone_check.is_for l.model ~declared:l.declared then Some (time, text (member "id" case)) else None
+    | _ -> None
+  in
+  let suite = Yojson.Basic.from_string (read "specs/conformance/rules/Zones/cases.json") in
+  let times = List.filter_map of_case (Yojson.Basic.Util.to_list (member "cases" suite)) in
+  let slowest = List.fold_left Stdlib.max (0., "") times in
+  Printf.printf "%-12s %8.3f s of %5.2f  %s the slowest of %d, %s\n%!" "cases" (fst slowest) cases_bar
+    (judged (fst slowest <= cases_bar))
+    (List.length times) (snd slowest)
 
 let () =
   let asked = List.tl (Array.to_list Sys.argv) in
-  List.iter (fun ((name, _, _) as bar) -> if asked = [] || List.mem name asked then measure bar) bars
+  let is_asked name = asked = [] || List.mem name asked in
+  if is_asked "cases" then measure_cases ();
+  List.iter (fun ((name, _, _) as bar) -> if is_asked name then measure bar) bars
