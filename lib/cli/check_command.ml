@@ -94,7 +94,7 @@ let print_json console ~full ~where:shown_where loaded report verdicts extra cod
 let shows_zeno (o : Verdict.outcome) =
   List.exists (function Verdict.By One_instant -> true | By Dead_end | Among _ -> false) o.rests
 
-let print_text console ~full ~where (loaded : Loaded.t) (report : Check.report) verdicts extra =
+let print_text console ~full ~where ~prove (loaded : Loaded.t) (report : Check.report) verdicts extra =
   let c = loaded.semantics in
   let print = Console.print console in
   print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
@@ -102,6 +102,7 @@ let print_text console ~full ~where (loaded : Loaded.t) (report : Check.report) 
   List.iteri property verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno ~full c w ^ "\n") in
   Option.iter zeno report.zeno;
+  print (Check_text.invariants ~asked:prove report);
   let causes = Check_text.causes loaded.model report.stats in
   print (Check_text.explored report.stats ^ causes ^ Check_text.slices report.slices);
   Option.iter (fun (space, c) -> print (Coverage_text.lines console space c)) extra.covered;
@@ -127,12 +128,28 @@ let cover options reductions (l : Loaded.t) initial =
   let time_seen = Reduction.time_seen reductions l.model [] in
   Coverage.explore ~time_seen options l.semantics ~initial
 
+let uncertain (l : Loaded.t) =
+  match l.uncertain with Some uncertain -> uncertain | None -> Scc_symbolic.Start.known l.model l.declared
+
+(* What an invariant decides first, if it is to be looked for, and the rest by exploring. *)
+let ordinarily options (l : Loaded.t) ~initial checks =
+  if options.Check.prove then
+    let decided, end_ = Zone_check.prove options l.semantics (uncertain l) ~declared:l.declared checks in
+    { (Check.run_without options l.semantics ~initial checks ~decided) with invariants = [ end_ ] }
+  else Check.run options l.semantics ~initial checks
+
 let over_zones options (l : Loaded.t) ~exactly checks =
-  let uncertain =
-    match l.uncertain with Some uncertain -> uncertain | None -> Scc_symbolic.Start.known l.model l.declared
-  in
+  let uncertain = uncertain l in
   Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly checks
   |> Result.map_error (Ill_formed.diagnostics l)
+
+let write_invariant console path (l : Loaded.t) (report : Check.report) =
+  let text = function
+    | Zone_proof.Proved { invariant; _ } -> Invariant_text.to_string l.model invariant
+    | None_found reason -> Printf.sprintf "no invariant: %s\n" reason
+  in
+  let text = String.concat "\n" (List.map text report.invariants) in
+  if String.equal path "-" then Ok (Console.print console text) else write_file path text
 
 (* None where a limit has ended all work. *)
 let named_where verdicts (report : Check.report) =
@@ -159,7 +176,9 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let zones = Zone_check.is_for l.model ~declared:l.declared in
   (* Coverage lists states one by one. *)
   let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
-  let* () = match Zone_check.refused l.model with _ :: _ as why when zones -> Error why | _ -> Ok () in
+  let* () =
+    match Zone_check.refused l.model with _ :: _ as why when zones || extras.prove -> Error why | _ -> Ok ()
+  in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
   let* () = if where then Ordinary.has_ranges l else Ok () in
   let* view = view extras l in
@@ -169,14 +188,14 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
     let options = Check_options.starting console watch budget in
     let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
     let compact = if extras.compact then Some states else None in
-    { options with reductions = extras.reductions; order = extras.order; compact }
+    { options with reductions = extras.reductions; order = extras.order; compact; prove = extras.prove }
   in
   (* What has to come true for a check to say anything is looked for at single starts alone. *)
-  let checks = if zones then l.checks else l.checks @ l.premises in
+  let checks = if zones || extras.prove then l.checks else l.checks @ l.premises in
   let explore () =
     let run () =
       if zones then over_zones options l ~exactly:where checks
-      else Ok (Check.run options l.semantics ~initial checks)
+      else Ok (ordinarily options l ~initial checks)
     in
     match (Watch.attempt watch).run Reporting run with
     | Ok report -> report
@@ -208,12 +227,13 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let named = named_where verdicts report in
   let ranges = l.model.ranges in
   Option.iter (fun path -> output (write_file path (Scc_where.Smt.script ranges named))) extras.smt;
+  Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
   Option.iter (fun (path, view) -> output (write_file path (Scc_where.Drawing.svg ranges view named))) view;
   let code = !code in
   let shown = if extras.where then report.where else [] in
   let extra = { covered; measured = (if extras.stats then Some measured else None) } in
   if Console.is_json console then print_json console ~full:extras.full ~where:shown l report verdicts extra code
-  else print_text console ~full:extras.full ~where:shown l report verdicts extra;
+  else print_text console ~full:extras.full ~where:shown ~prove:extras.prove l report verdicts extra;
   Console.flush console;
   Ok code
 
@@ -286,6 +306,15 @@ let man =
       "Models with parameters of which ranges are known, or with $(b,split_step any), are explored by sets of \
        states: none of these applies to them, nor do $(b,--shortest) and $(b,--hash-compact). They have a bound \
        of 1000 transitions by default ($(b,--depth)).";
+    `S "PROOFS";
+    `P
+      "Where states never recur, exploring comes to no end. $(b,--prove) looks for an invariant: a set of states, with \
+       inequalities between their numbers, that has the initial ones and that no run leaves. If nothing in it is bad, \
+       $(b,always) holds, and if nothing in it is good, $(b,possibly) is violated: $(b,proved by an invariant). It \
+       decides nothing else. Before it counts it is checked afresh, by other means than those that found it; \
+       $(b,--invariant) shows it. Of models with parameters of which ranges are known, or with $(b,split_step any), one \
+       is looked for by itself where a bound has kept a verdict from being a proof. Bodies that turn, laws of motion, \
+       rounded velocities and $(b,binding contact) have none.";
     `P
       "With $(b,order) and $(b,slice) a run that is shown may contain events of other bodies, which the fact does \
        not need; $(b,scc explain) tells which of them matter. Without reductions it is the shortest of all runs \

@@ -14,6 +14,8 @@ type t = {
   draw : string option;
   axes : string list;
   slice : (string * Scc_exact.Rat.t) list;
+  prove : bool;
+  invariant : string option;
   full : bool;
 }
 
@@ -120,13 +122,31 @@ let slice =
   in
   Arg.(value & opt_all Options.override [] & info [ "slice" ] ~docv:"NAME=VALUE" ~doc)
 
+let prove =
+  let doc =
+    "Looks for an invariant before anything is explored: a set of states that no run leaves, which may prove that \
+     something never happens where exploring comes to no end. What it does not decide is explored. See PROOFS."
+  in
+  Arg.(value & flag & info [ "prove" ] ~doc)
+
+let invariant =
+  let doc =
+    "Like $(b,--prove); writes the invariant that something rests on to $(docv): kinds of states, each with what \
+     holds of its numbers. $(b,-) is standard output."
+  in
+  Arg.(value & opt (some string) None & info [ "invariant" ] ~docv:"FILE" ~doc)
+
 let term =
-  let make witness coverage stats sarif reductions order compact where smt draw axes slice full =
-    { witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; full }
+  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant full =
+    let prove = prove || Option.is_some invariant in
+    {
+      witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; prove; invariant;
+      full;
+    }
   in
   Term.(
     const make $ witness $ coverage $ stats $ sarif $ reductions $ order $ compact $ where $ smt $ draw $ axes
-    $ slice
+    $ slice $ prove $ invariant
     $ Options.full
       "Tells runs in full: every step and every body, and numbers with all their digits; in JSON all steps of the \
        way to a state that was not explored.")

@@ -13,6 +13,8 @@ type t = {
   draw : string option;  (** a file for a picture of that *)
   axes : string list;  (** the parameters to draw *)
   slice : (string * Scc_exact.Rat.t) list;  (** values of others there *)
+  prove : bool;  (** look for an invariant first *)
+  invariant : string option;  (** a file for it *)
   full : bool;  (** runs with all there is *)
 }
 

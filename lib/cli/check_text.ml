@@ -182,6 +182,15 @@ let causes (m : Scc_calculus.Model.t) (s : Check.stats) =
   | causes ->
     String.concat "" (List.map cause causes) ^ "  (specs/guide.md, \"Why did my model blow up?\")\n"
 
+let invariants ~asked (report : Check.report) =
+  let text = function
+    | Zone_proof.Proved { invariant; _ } ->
+      Printf.sprintf "invariant: %s that no run leaves, checked afresh\n"
+        (plural (List.length invariant.locations) "kind of states" "kinds of states")
+    | None_found reason -> if asked then Printf.sprintf "no invariant: %s\n" reason else ""
+  in
+  String.concat "" (List.map text report.invariants)
+
 let left_out (slice : Check.slice) =
   let shown = List.filteri (fun i _ -> i < 8) slice.left_out in
   let more = List.length slice.left_out - List.length shown in

@@ -20,5 +20,8 @@ val causes : Scc_calculus.Model.t -> Check.stats -> string
 val slices : Check.slice list -> string
 (** A line for each: who was left out for which properties, and what was explored without them. *)
 
+val invariants : asked:bool -> Check.report -> string
+(** A line for each invariant that was found; where one was asked for and none was found, why not. *)
+
 val tally : Console.t -> Verdict.t list -> string
 (** ["4 properties: 3 hold, 1 violated"]. *)

@@ -22,7 +22,7 @@ let make context atoms ~parameters views formula =
   let all = Union.of_polyhedron parameters and none = Union.empty n in
   let nothing = { sets = { Answers.holds = none; fails = none }; claims = [] } in
   let never prop =
-    if Formula.mentions_time (State prop) then none
+    if Formula.mentions_time (State prop) || Search_sets.asks_for_rest prop then none
     else
       let search = Search_sets.make atoms ~parameters:n ~bound:None prop in
       List.iter (Search_sets.look context search) views;

@@ -16,4 +16,5 @@ val views : Instant.context -> Invariant.t -> Zone_graph.node list
 
 val make :
   Instant.context -> Atoms.context -> parameters:Polyhedron.t -> Zone_graph.node list -> Property.temporal -> t
-(** Of a check that is made of [always] and [possibly], with or without bounds of time; of others nothing. *)
+(** Of a check that is made of [always] and [possibly], with or without bounds of time; of others nothing. Nor of
+    predicates that speak of model time, or ask for rest ([quiescent]): a larger set of states knows neither. *)

@@ -57,7 +57,6 @@ let note t node (view : Atoms.view) =
   in
   if not (Polyhedron.is_empty z.set) then List.iter of_cell (t.truth view)
 
-(* Whether it asks for what is only known of nodes that are expanded. *)
 let asks_for_rest prop =
   List.exists (fun (a : Atom.t) -> String.equal a.word "quiescent") (Formula.atoms (State prop))
 

@@ -46,3 +46,6 @@ val covers : t -> Polyhedron.t -> bool
 
 val first : t -> place option
 (** Where one was found first. *)
+
+val asks_for_rest : Property.prop -> bool
+(** Whether it asks for what is only known of nodes that are expanded: that nothing ever happens again. *)

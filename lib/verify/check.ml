@@ -260,29 +260,29 @@ let run options semantics ~initial checks =
     let initial = State.make ~processes:(Array.to_list initial.processes) ~step ~time:initial.time in
     whole options (Semantics.with_model semantics stepwise) ~initial checks
 
-let unexplored options (checks : Property.check list) stop =
-  let stopped = Bounds.stopped options.bounds stop in
-  let outcome check =
-    let scale = { Verdict.resolution = None; split_step = None; over = None } in
-    { Verdict.check; verdict = Undecided [ Truncated stopped ]; scale; rests = []; converges = None }
-  in
+let empty_stats =
   {
-    outcomes = List.map outcome checks;
-    stats =
-      {
-        states = 0; transitions = 0; depth = 0; model_time = Rat.zero;
-        complete = false;
-        eventful = true;
-        decided_early = false;
-        split_step = None;
-        stopped_by = [ stopped ];
-        faults = [];
-        dead_ends = [];
-        converges = None;
-        growth = None;
-        shared = None;
-        causes = [];
-      };
+    states = 0;
+    transitions = 0;
+    depth = 0;
+    model_time = Rat.zero;
+    complete = false;
+    eventful = true;
+    decided_early = true;
+    split_step = None;
+    stopped_by = [];
+    faults = [];
+    dead_ends = [];
+    converges = None;
+    growth = None;
+    shared = None;
+    causes = [];
+  }
+
+let unexplored_report outcomes stats =
+  {
+    outcomes;
+    stats;
     uneventful = false;
     slices = [];
     zeno = None;
@@ -291,3 +291,19 @@ let unexplored options (checks : Property.check list) stop =
     invariants = [];
     numbers = (fun () -> []);
   }
+
+let unexplored options (checks : Property.check list) stop =
+  let stopped = Bounds.stopped options.bounds stop in
+  let outcome check =
+    let scale = { Verdict.resolution = None; split_step = None; over = None } in
+    { Verdict.check; verdict = Undecided [ Truncated stopped ]; scale; rests = []; converges = None }
+  in
+  unexplored_report (List.map outcome checks)
+    { empty_stats with decided_early = false; stopped_by = [ stopped ] }
+
+let run_without options semantics ~initial checks ~decided =
+  let rest = List.filter (fun c -> decided c = None) checks in
+  let report = if rest = [] then unexplored_report [] empty_stats else run options semantics ~initial rest in
+  let explored = List.combine rest report.outcomes in
+  let outcome c = match decided c with Some outcome -> outcome | None -> List.assq c explored in
+  { report with outcomes = List.map outcome checks }

@@ -71,3 +71,8 @@ val add : stats -> stats -> stats
 
 val unexplored : options -> Scc_property.Property.check list -> Scc_explore.Limits.stop -> report
 (** What is told where nothing came of an exploration before it had to end. *)
+
+val run_without :
+  options -> Semantics.t -> initial:State.t -> Scc_property.Property.check list ->
+  decided:(Scc_property.Property.check -> Verdict.outcome option) -> report
+(** {!run} for those that are not decided in another way already; nothing is explored if all are. *)
