@@ -1,6 +1,15 @@
+(* What an invariant proves is so: of all models of specs/models that sets of states can follow, against the ordinary
+   exploration. And the check of certificates sees what is wrong with others: those that lack a kind of states, and
+   claims of what does come. *)
+
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_symbolic
+open Scc_certificate
 open Scc_verify
 module Loaded = Scc_session.Loaded
-module Union = Scc_polyhedra.Union
 
 let models = "../../../specs/models"
 
@@ -14,32 +23,93 @@ let load file =
   let read_file name = try Ok (read (Filename.concat models name)) with Sys_error e -> Error e in
   Loaded.load ~read_file ~overrides:[] (Scc_base.Source.make ~name:file (read (Filename.concat models file)))
 
+(* {1 Proofs} *)
+
+let covers all u = Union.is_empty (Union.difference all u)
+let compared = ref 0
+
+(* The ordinary exploration of one start: in the middle of the ranges, if there are any. *)
+let ordinary (l : Loaded.t) =
+  let bounds = { Bounds.default with states = Given 2_000 } in
+  let values = Ranges.point l.model.ranges in
+  let semantics, declared =
+    match l.uncertain with
+    | None -> (l.semantics, l.declared)
+    | Some u -> (Semantics.with_model l.semantics (Fixed.model l.model values), Fixed.declared u l.declared values)
+  in
+  match Network.initial semantics declared with
+  | Error _ -> Alcotest.fail "no initial state"
+  | Ok initial ->
+    (Check.run { Check.default with bounds } semantics ~initial l.checks).outcomes
+
+let compare_one all values (o : Verdict.outcome) (proof : Proof.t) =
+  let name = o.check.name in
+  let holds = Union.mem proof.sets.holds values and fails = Union.mem proof.sets.fails values in
+  let wrong what = Alcotest.failf "%s is proved to %s, and is not" name what in
+  if covers all proof.sets.holds || covers all proof.sets.fails then incr compared;
+  match o.verdict with
+  | Holds { bounds = []; _ } -> if fails then wrong "fail"
+  | Violated _ -> if holds then wrong "hold"
+  | Holds _ | Undecided _ -> ()
+
+let zones (l : Loaded.t) u =
+  match Network.initial l.semantics l.declared with
+  | Error _ -> Alcotest.fail "no initial state"
+  | Ok initial -> (
+      match Start.zones (Instant.context l.semantics) u ~initial ~keeps_time:false with
+      | Ok zones -> zones
+      | Error _ -> Alcotest.fail "the declared state is not well-formed")
+
+(* {1 What is no proof} *)
+
+let rejected = ref 0
+
+let without (invariant : Invariant.t) i =
+  { invariant with locations = List.filteri (fun j _ -> i <> j) invariant.locations }
+
+let certificate (l : Loaded.t) u invariant claims =
+  Certificate.check l.semantics u ~declared:l.declared invariant claims ~stop:(fun () -> false)
+
+let is_rejected l u invariant claims what =
+  match certificate l u invariant claims with
+  | Error _ -> incr rejected
+  | Ok () -> Alcotest.failf "%s is accepted" what
+
+let rejects l u (invariant : Invariant.t) =
+  let each i _ = is_rejected l u (without invariant i) [] (Printf.sprintf "an invariant without kind %d" (i + 1)) in
+  List.iteri each invariant.locations;
+  let all = Union.of_polyhedron (Ranges.box l.model.ranges) in
+  let truth = { Proof.never = Bool true; values = all } in
+  is_rejected l u invariant [ truth ] "that nothing is ever so"
+
+let few = 12
+
+let proves file () =
+  match load file with
+  | Error _ -> ()
+  | Ok l when Zone_check.refused l.model <> [] -> ()
+  | Ok l -> (
+      let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
+      let parameters = Ranges.box l.model.ranges in
+      let all = Union.of_polyhedron parameters in
+      let formulas = List.map (fun (c : Property.check) -> c.formula) l.checks in
+      match Zone_proof.attempt Check.default l.semantics u ~declared:l.declared ~parameters (zones l u) formulas with
+      | None_found reason -> print_endline reason
+      | Proved { invariant; proofs } ->
+        List.iter2 (compare_one all (Ranges.point l.model.ranges)) (ordinary l) proofs;
+        if List.length invariant.locations <= few then rejects l u invariant)
+
+let enough () =
+  Printf.printf "%d proved, %d rejected\n" !compared !rejected;
+  Alcotest.(check bool) "many proofs" true (!compared > 60);
+  Alcotest.(check bool) "many that are none" true (!rejected > 100)
+
+(* Its row is so long that it takes a minute. *)
+let slow = [ "cradle.sc" ]
+
 let () =
   let files = List.filter (fun f -> Filename.check_suffix f ".sc") (Array.to_list (Sys.readdir models)) in
-  let one file =
-    match load file with
-    | Error _ -> ()
-    | Ok l when Zone_check.refused l.model <> [] -> ()
-    | Ok l ->
-      let u = match l.uncertain with Some u -> u | None -> Scc_symbolic.Start.known l.model l.declared in
-      let initial = Result.get_ok (Scc_semantics.Network.initial l.semantics l.declared) in
-      let context = Scc_symbolic.Instant.context l.semantics in
-      match Scc_symbolic.Start.zones context u ~initial ~keeps_time:false with
-      | Error _ -> Printf.printf "%s: not well-formed\n%!" file
-      | Ok zones ->
-        let t = Sys.time () in
-        let deadline = t +. 20. in
-        let surroundings = { Check.default.surroundings with stop = (fun () -> if Sys.time () > deadline then Some Scc_explore.Limits.Seconds else None) } in
-        let formulas = List.map (fun (c : Scc_property.Property.check) -> c.formula) l.checks in
-        let parameters = Scc_calculus.Ranges.box l.model.ranges in
-        (match Zone_proof.attempt { Check.default with surroundings } l.semantics u ~declared:l.declared ~parameters zones formulas with
-         | None_found reason -> Printf.printf "%s: %s (%.1f)\n%!" file reason (Sys.time () -. t)
-         | Proved { invariant; proofs } ->
-           Printf.printf "%s: %d locations (%.1f)\n%!" file (List.length invariant.locations) (Sys.time () -. t);
-           List.iter2 (fun (c : Scc_property.Property.check) (p : Scc_symbolic.Proof.t) ->
-               let all = Union.of_polyhedron parameters in
-               let covers u = Union.is_empty (Union.difference all u) in
-               let word = if covers p.sets.holds then "holds" else if covers p.sets.fails then "violated" else if Union.is_empty p.sets.holds && Union.is_empty p.sets.fails then "-" else "in part" in
-               if word <> "-" then Printf.printf "   %s: %s   (%s)\n%!" c.name word c.text) l.checks proofs)
-  in
-  List.iter one (List.sort String.compare files)
+  let files = List.filter (fun f -> not (List.mem f slow)) (List.sort String.compare files) in
+  let case file = Alcotest.test_case file `Quick (proves file) in
+  Alcotest.run "models by invariants"
+    [ ("models", List.map case files); ("enough", [ Alcotest.test_case "compared" `Quick enough ]) ]
