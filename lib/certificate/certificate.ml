@@ -24,6 +24,9 @@ let semantics_at t (z : Zone.t) point =
   let values = Array.map (fun f -> Linear.eval f point) z.parameters in
   Semantics.with_model t.cut.semantics (Fixed.model t.model values)
 
+let cut_by forms regions =
+  List.fold_left (fun regions f -> List.concat_map (fun p -> Arrangement.by_sign p f) regions) regions forms
+
 (* {1 Landing} *)
 
 (* Numbers of a location of the invariant, for what single states of a cloud become: places are where they are, and
@@ -48,7 +51,8 @@ let numbers t (location : Invariant.location) (z : Zone.t) ~middle (result : Sta
       else
         let known = Behaviour.aged began.origin (Fixed.behaviour values began.term) in
         let goes_on = Behaviours.pass definitions (Linear.eval old middle) known in
-        if Behaviour.equal_aged goes_on (State.leaf_of p leaf).behaviour then old else zero
+        let same a b = Behaviour.equal_aged (Cloud.tidied definitions a) (Cloud.tidied definitions b) in
+        if same goes_on (State.leaf_of p leaf).behaviour then old else zero
   in
   let clock (p : State.process) leaf old =
     match p.clock with
@@ -67,7 +71,10 @@ let state_at t z point =
 
 let is_in t (location, (all : Zone.t)) z points (results : State.t list) =
   let candidate = numbers t location z ~middle:(List.hd points) (List.hd results) in
-  let same point result = Option.fold ~none:false ~some:(State.equal result) (state_at t candidate point) in
+  let same point result =
+    let tidy = Cloud.tidy (Semantics.model (semantics_at t z point)).definitions in
+    Option.fold ~none:false ~some:(fun s -> State.equal (tidy result) (tidy s)) (state_at t candidate point)
+  in
   List.for_all2 same points results
   && Polyhedron.included z.Zone.set
     (Polyhedron.preimage all.set ~dimension:(Zone.dimension z) (Zone.coordinates candidate))
@@ -80,8 +87,6 @@ let land_in t z ~what ~arrived points results =
     reject "%s leads out of it" what
 
 (* {1 What happens at once} *)
-
-let timeless (s : State.t) = State.make ~processes:(Array.to_list s.processes) ~step:s.step ~time:None
 
 let successors t z point state =
   match Network.successors (semantics_at t z point) state with
@@ -104,7 +109,7 @@ let discrete t (z : Zone.t) ~states ~only =
   in
   if not (List.for_all same_labels all) then reject "different things happen to states that are alike";
   let each i (tr : Transition.t) =
-    let results = List.map (fun list -> timeless (List.nth list i : Transition.t).target) all in
+    let results = List.map (fun list -> (List.nth list i : Transition.t).target) all in
     let arrived = arrived t ~source:(List.hd sources) tr.label in
     land_in t z ~what:(Transition.label_to_string t.model tr.label) ~arrived points results
   in
@@ -152,7 +157,7 @@ let passed t (start : Zone.t) (ends : Zone.t) region =
       (match Time.delay c before with
        | Some most when Rat.compare most d < 0 -> reject "time passes for too long"
        | Some _ | None -> ());
-      timeless (Time.pass c d before)
+      Time.pass c d before
     in
     Some (z, state)
 
@@ -167,10 +172,9 @@ let pass t (z : Zone.t) region =
         land_in t ends ~what:"a passing of time" ~arrived:[] points (List.map state points)
     in
     let left = Flow.delays t.cut flow.ends @ Flow.clocks t.cut flow.ends in
-    let by_expiry regions f = List.concat_map (fun p -> Arrangement.by_sign p f) regions in
     let over f = Polyhedron.add flow.states (Constraint.equals f (Linear.constant (Linear.dimension f) Rat.zero)) in
     let due = Flow.contacts t.cut flow @ List.filter (fun p -> not (Polyhedron.is_empty p)) (List.map over left) in
-    List.iter land_ends (List.fold_left by_expiry due left);
+    List.iter land_ends (cut_by left due);
     if at_any_time t z then
       let split region =
         match passed t z flow.ends region with
@@ -196,10 +200,26 @@ let of_states t (z : Zone.t) =
      @ at_least_zero (Array.to_list z.ages @ Array.to_list z.clocks)
      @ Arrangement.bonds_touch t.cut z)
 
+(* The lengths of all delays that a behaviour may ever come to, as far as they depend on parameters: one that has no
+   length is over as it begins (rule Eps0). *)
+let rec lengths : Behaviour.t -> Linear.t list = function
+  | Nil | Call _ -> []
+  | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) -> lengths rest
+  | Wait (f, rest) -> f :: lengths rest
+  | Sum (x, y) -> lengths x @ lengths y
+
+let all_lengths t (z : Zone.t) =
+  let of_process (p : State.process) =
+    List.concat_map (fun (l : State.leaf) -> lengths l.behaviour.term) (Array.to_list p.leaves)
+  in
+  let of_definition (d : Behaviour.definition) = lengths d.body in
+  List.concat_map of_process (Array.to_list z.skeleton.processes)
+  @ List.concat_map of_definition (Array.to_list t.model.definitions)
+  |> List.sort_uniq Linear.compare
+  |> List.map (fun f -> Linear.compose f ~dimension:(Zone.dimension z) z.parameters)
+
 (* Weak splits look at whether the instant is one of the grid. *)
-let by_clocks (z : Zone.t) =
-  let cut regions f = List.concat_map (fun p -> Arrangement.by_sign p f) regions in
-  Array.fold_left cut [ z.set ] z.clocks
+let at_one_instant t (z : Zone.t) = cut_by (all_lengths t z @ Array.to_list z.clocks) [ z.set ]
 
 let of_location t location =
   let whole = Cloud.of_location t.model location in
@@ -215,7 +235,7 @@ let of_location t location =
         if not urgent then pass t cloud cloud.set
     in
     List.iter of_cell
-      (List.concat_map (fun set -> Arrangement.cells t.cut { z with set }) (by_clocks z))
+      (List.concat_map (fun set -> Arrangement.cells t.cut { z with set }) (at_one_instant t z))
   in
   List.iter possible (Arrangement.well_formed t.cut whole)
 
@@ -231,12 +251,11 @@ let starts t (u : Uncertain.t) ~declared =
       time = None; ages = nothing; clocks = nothing; places = u.places; basis = [||];
     }
   in
-  let waits = Flow.delays t.cut zone in
-  let regions = List.fold_left (fun regions f -> List.concat_map (fun p -> Arrangement.by_sign p f) regions) [ box ] waits in
+  let regions = cut_by (all_lengths t zone) [ box ] in
   let initial z point =
     let values = Array.map (fun f -> Linear.eval f point) z.Zone.parameters in
     match Network.initial (semantics_at t z point) (Fixed.declared u declared values) with
-    | Ok s -> timeless s
+    | Ok s -> s
     | Error _ -> reject "the initial state is not known"
   in
   let of_region region =

@@ -44,6 +44,23 @@ let points set =
     in
     middle :: List.init (Polyhedron.dimension set) beside
 
+let tidied (definitions : Behaviour.definitions) (b : Behaviour.aged) =
+  (* A name that stands for itself alone has no summands but itself (reading I-14). *)
+  let rec summands depth = function
+    | Behaviour.Sum (x, y) -> summands depth x @ summands depth y
+    | Nil -> []
+    | Call k when depth > 0 -> summands (depth - 1) definitions.(k).body
+    | other -> [ other ]
+  in
+  match List.sort_uniq Behaviour.compare (summands (Array.length definitions) b.term) with
+  | [] -> Behaviour.aged b.origin Behaviour.nil
+  | x :: rest -> Behaviour.aged b.origin (List.fold_left Behaviour.sum x rest)
+
+let tidy definitions (s : State.t) =
+  let leaf (l : State.leaf) = { l with State.behaviour = tidied definitions l.behaviour } in
+  let processes = List.map (State.map_leaves leaf) (Array.to_list s.processes) in
+  State.make ~processes ~step:s.step ~time:None
+
 let state (m : Model.t) (z : t) point =
   let at f = Linear.eval f point in
   let values = Array.map at z.parameters in

@@ -17,6 +17,13 @@ val points : Polyhedron.t -> Rat.t array list
 (** Points of a full-dimensional polyhedron, one more than it has dimensions, that are in no plane together: forms
     that agree on them are the same. The first one is in its interior. *)
 
+val tidied : Behaviour.definitions -> Behaviour.aged -> Behaviour.aged
+(** One term for all that differ in nil, in equal summands, and in names that stand for their bodies: they are the same
+    behaviour (readings I-14 and I-17), and a delay that turns out to have no length makes such a difference. *)
+
+val tidy : Behaviour.definitions -> State.t -> State.t
+(** With all behaviours so, and without time. *)
+
 val state : Model.t -> t -> Rat.t array -> State.t
 (** A single state, of the ordinary model that there is for the values of its parameters
     ({!Scc_symbolic.Fixed.model}): with behaviours as they have become. *)
