@@ -310,6 +310,80 @@ def splits(r):
            ('possibly (event bounce(p, w) and time = 100)', 'holds', everywhere(2)),
            ('eventually event bounce(p, w)', 'violated', NOWHERE))
 
+# Timed systems: nothing moves, and what happens is that bonds are released. A bond with the static interval [l, u] of a
+# time Petri net (P. Merlin, A study of the recoverability of computing systems, 1974) may be released from l on, and is at u.
+
+
+def in_interval(bond, side, low, high, rest='nil'):
+    due = 'rho({<%s, {%s}>}). %s' % (bond, side, rest)
+    if low == high:
+        return 'eps(%s). %s' % (high, due)
+    return 'eps(%s). omega(%s, {%s}). %s + eps(%s). %s' % (low, bond, side, rest, high, due)
+
+
+def at_any_time(bond, side):
+    return 'omega(%s, {%s}). nil + rho({<%s, {%s}>}). nil' % (bond, side, bond, side)
+
+
+def pair(bond, low, high, before=None):
+    """A pair that `bond` holds together. With `before`, a bond and its interval, that one is released first."""
+    y = 10 * (ord(bond) - ord('a'))
+    then = in_interval(bond, 'right', low, high)
+    text = 'process %s2 = Cube mass 1 at translate (2,%s,0) [%s]\nbond <%s, {%s1.right, %s2.left}>\n' % (
+        bond, y, at_any_time(bond, 'left'), bond, bond, bond)
+    if before:
+        first, low, high = before
+        then = in_interval(first, 'left', low, high, '(%s)' % then)
+        text += 'process %s2 = Cube mass 1 at translate (-2,%s,0) [%s]\nbond <%s, {%s1.left, %s2.right}>\n' % (
+            first, y, at_any_time(first, 'right'), first, bond, first)
+    return 'process %s1 = Cube mass 1 at translate (0,%s,0) [%s]\n' % (bond, y, then) + text
+
+
+def released(bond, owner=None):
+    return 'not bound(%s1, %s2)' % (owner or bond, bond)
+
+
+def ranges(**ranges):
+    return ''.join('param %s in [%d, %d]\n' % (v, low, high) for v, (low, high) in ranges.items())
+
+
+def timed(r):
+    a_first, b_first = (F_FIRST % (released(x), released(y)) for x, y in ('ab', 'ba'))
+    r.told('Two clocks that run out at d and at e (the race of R. Alur, T. Henzinger and M. Vardi, Parametric real-time reasoning, '
+           '1993): a may be first iff d <= e, and is iff d < e.',
+           ranges(d=(0, 4), e=(0, 3)) + pair('a', 'd', 'd') + pair('b', 'e', 'e'),
+           ('possibly ' + a_first, 'violated', part(F(9, 2), F(3, 8), '-d <= 0, e <= 3, d - e <= 0')),
+           ('always not ' + b_first, 'violated', part(F(9, 2), F(3, 8), '-d <= 0, e <= 3, d - e < 0')))
+    r.told('Transitions of a time Petri net with the intervals [1, d] and [c, 5] (B. Berthomieu and M. Diaz, Modeling and '
+           'verification of time dependent systems, 1991): b may be first iff c <= d, a is for sure iff d < c.',
+           'split_step any\n' + ranges(c=(0, 5), d=(1, 5)) + pair('a', '1', 'd') + pair('b', 'c', '5'),
+           ('possibly ' + b_first, 'violated', part(12, F(3, 5), '-c <= 0, -d <= -1, d <= 5, c - d <= 0')),
+           ('always not ' + b_first, 'violated', part(8, F(2, 5), 'c <= 5, -d <= -1, -c + d < 0')),
+           ('possibly ' + a_first, 'holds', everywhere(20)))
+    r.told('A gate (b) begins to go down r after a train was seen, and takes from 1 to l; the train (a) is there after t at the '
+           'earliest (the railroad crossing of R. Alur and D. Dill, A theory of timed automata, 1994): safe iff r + l < t.',
+           'split_step any\n' + ranges(l=(1, 3), r=(0, 3), t=(0, 6))
+           + pair('b', '1', 'l').replace('[eps(1)', '[eps(r). (eps(1)', 1).replace('. nil]', '. nil)]', 1)
+           + pair('a', 't', '20'),
+           ('always not ' + a_first, 'violated', part(15, F(5, 12), '-l <= -1, l <= 3, -r <= 0, r <= 3, t <= 6, l + r - t < 0')))
+    r.told("L. Lamport's account of Fischer's protocol (A fast mutual exclusion algorithm, 1987): who found the lock free sets it after "
+           'u at the latest, and looks again w after that. One may look (a) before the other one has set it (b) iff w <= u.',
+           'split_step any\n' + ranges(u=(0, 4), w=(0, 4)) + pair('a', 'w', 'w', before=('s', '0', 'u')) + pair('b', '0', 'u'),
+           ('always not ' + a_first, 'violated', part(8, F(1, 2), '-u <= 0, w <= 4, u - w < 0')))
+    r.told('Two tasks one after the other, of 1 to 2 and of 2 to c, and a deadline d (the regions of A. Cimatti, L. Palopoli and Y. '
+           'Ramadian, Symbolic computation of schedulability regions, 2008): it is kept iff 2 + c <= d.',
+           'split_step any\n' + ranges(c=(2, 4), d=(3, 8)) + pair('a', '2', 'c', before=('s', '1', '2')),
+           ('always (time > d => %s)' % released('a'), 'violated', part(6, F(3, 5), '-c <= -2, c <= 4, d <= 8, c - d <= -2')),
+           ('possibly (%s and time <= d)' % released('a'), 'holds', everywhere(10)),
+           ('possibly (%s and time < 3)' % released('a'), 'violated', NOWHERE))
+    r.told('A static hazard (J. Brzozowski and C.-J. Seger, Asynchronous circuits, 1995): an input is at an AND gate after d (a), and '
+           'what two gates with the delays i and j make of it (b) after i + j; the gate is never on iff d > i + j.',
+           ranges(d=(0, 4), i=(0, 2), j=(0, 2)) + pair('a', 'd', 'd') + pair('b', 'j', 'j', before=('s', 'i', 'i')),
+           ('always not ' + a_first, 'violated', part(8, F(1, 2), 'd <= 4, -i <= 0, i <= 2, -j <= 0, j <= 2, -d + i + j < 0')))
+
+
+F_FIRST = '(%s and not (%s))'
+
 
 def suites():
     r = Zones()
@@ -318,4 +392,5 @@ def suites():
     times(r)
     ties(r)
     splits(r)
+    timed(r)
     return [r]
