@@ -304,8 +304,13 @@ let man =
     `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
     `P
       "Models with parameters of which ranges are known, or with $(b,split_step any), are explored by sets of \
-       states: none of these applies to them, nor do $(b,--shortest) and $(b,--hash-compact). They have a bound \
-       of 1000 transitions by default ($(b,--depth)).";
+       states, for which $(b,slice) is used, and no other of these; nor do $(b,--shortest) and \
+       $(b,--hash-compact) apply to them. They have a bound of 1000 transitions by default ($(b,--depth)).";
+    `P
+      "With $(b,order) and $(b,slice) a run that is shown may contain events of other bodies, which the fact does \
+       not need; $(b,scc explain) tells which of them matter. Without reductions it is the shortest of all runs \
+       that show the fact: that with the fewest steps, or with $(b,--shortest time) the earliest one. Runs of \
+       nested formulas are as short as can be from each operator to the next.";
     `S "PROOFS";
     `P
       "Where states never recur, exploring comes to no end. $(b,--prove) looks for an invariant: a set of states, with \
@@ -315,11 +320,6 @@ let man =
        $(b,--invariant) shows it. Of models with parameters of which ranges are known, or with $(b,split_step any), one \
        is looked for by itself where a bound has kept a verdict from being a proof. Bodies that turn, laws of motion, \
        rounded velocities and $(b,binding contact) have none.";
-    `P
-      "With $(b,order) and $(b,slice) a run that is shown may contain events of other bodies, which the fact does \
-       not need; $(b,scc explain) tells which of them matter. Without reductions it is the shortest of all runs \
-       that show the fact: that with the fewest steps, or with $(b,--shortest time) the earliest one. Runs of \
-       nested formulas are as short as can be from each operator to the next.";
   ]
   @ Options.diagnostics_man
   @ [

@@ -50,5 +50,11 @@ val make : Semantics.t -> initial:State.t -> Property.temporal list -> State.t o
 (** The slice of an initial state for all the formulas together; [None] when nothing can be left out, or a
     formula is not of the fragment. *)
 
+val can_be_sliced : Property.temporal -> bool
+(** It is of the fragment. *)
+
+val is_wall : Model.t -> in_events:int list -> State.process -> bool
+(** Nothing that happens changes it; [in_events] are the leaves that events of the formulas name. *)
+
 val left_out : Model.t -> initial:State.t -> State.t -> string list
 (** The names of the leaves that a slice does not have, in order. *)

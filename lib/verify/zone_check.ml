@@ -4,6 +4,7 @@ open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
 open Scc_property
+open Scc_space
 open Scc_symbolic
 open Scc_where
 
@@ -43,36 +44,7 @@ let diagnostic (m : Model.t) { at; reason } =
 
 (* {1 One exploration} *)
 
-type group = { keeps_time : bool; members : (int * Property.check) list }
-
-(* Those that ask about time are explored apart: with time a coordinate, little ever recurs, but there is an end
-   where all of them have a bound. A bound of time for all makes it a coordinate for all. *)
-let groups ~bounded checks =
-  let numbered = List.mapi (fun i c -> (i, c)) checks in
-  let of_check is (_, (c : Property.check)) = is c.formula in
-  let timed, others = List.partition (of_check Answers.needs_time) numbered in
-  let ends, endless = List.partition (of_check (fun f -> Option.is_some (Plan.horizon f))) timed in
-  let some keeps_time members = match members with [] -> [] | _ :: _ -> [ { keeps_time; members } ] in
-  match checks with
-  | [] -> [ { keeps_time = bounded; members = [] } ]
-  | _ :: _ -> some bounded others @ some true ends @ some true endless
-
-(* A start at which velocities never cease to change may go on for ever, while all others come to an end. *)
-let default_depth = 1_000
-
-let depth (b : Bounds.t) : Verdict.truncation =
-  match b.depth with
-  | Given d -> { limit = Depth d; origin = By_user }
-  | Default d -> { limit = Depth d; origin = By_default }
-  | Unbounded -> { limit = Depth default_depth; origin = By_default }
-
-let given = function Bounds.Unbounded -> None | Default v | Given v -> Some v
-
-let states (b : Bounds.t) : Verdict.truncation =
-  match b.states with
-  | Given n -> { limit = States n; origin = By_user }
-  | Default n -> { limit = States n; origin = By_default }
-  | Unbounded -> Bug.fail __POS__ "a bound that is off was met"
+type group = Zone_groups.t = { keeps_time : bool; part : State.t option; members : (int * Property.check) list }
 
 type explored = {
   group : group;
@@ -135,7 +107,7 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
   let all = Union.of_polyhedron parameters in
   let proved = List.map (is_proved ~exactly all) (proofs_of answers proof) in
   let asked = if group.keeps_time then latest answers else None in
-  let user = given options.bounds.time in
+  let user = Zone_bounds.given options.bounds.time in
   let horizon =
     match (asked, user) with Some a, Some b -> Some (Rat.min a b) | None, t | t, None -> t
   in
@@ -146,8 +118,8 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
     | _, None -> false
   in
   let is_late = ref false and stop = ref None and size = ref 0 in
-  let depth = depth options.bounds in
-  let most = match depth.limit with Depth d -> d | _ -> default_depth in
+  let depth = Zone_bounds.depth options.bounds in
+  let most = match depth.limit with Depth d -> d | _ -> Zone_bounds.default_depth in
   let stopped () =
     stop := options.surroundings.stop ();
     Option.is_some !stop
@@ -172,7 +144,7 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
       stop = stopped;
     }
   in
-  let limits = { Zone_graph.depth = Some most; nodes = given options.bounds.states; horizon } in
+  let limits = { Zone_graph.depth = Some most; nodes = Zone_bounds.given options.bounds.states; horizon } in
   let graph, end_ = Zone_graph.explore context ~events ~limits ~visitor zones in
   let unexpanded f =
     for i = 0 to Zone_graph.size graph - 1 do
@@ -191,7 +163,7 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
      | Closed | Decided -> []
      | Not_affine _ -> []
      | Bounded { depth = deep; nodes } ->
-       (if deep then [ depth ] else []) @ if nodes then [ states options.bounds ] else []
+       (if deep then [ depth ] else []) @ if nodes then [ Zone_bounds.states options.bounds ] else []
      | Stopped -> List.map (Bounds.stopped options.bounds) (Option.to_list !stop))
     @ if !is_late then [ { limit = Time (Option.get user); origin = By_user } ] else []
   in
@@ -211,8 +183,8 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
 let named (m : Model.t) values =
   List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list values)
 
-let witness semantics u ~declared graph place =
-  Zone_witness.make semantics u ~declared (Concrete.run graph place) place
+let witness semantics u ~declared ~sliced graph place =
+  Zone_witness.make semantics u ~declared ~sliced (Concrete.run graph place) place
 
 (* Where no single run was met on the way, the ordinary exploration of one start may know one, and explain it.
    What it decides is what was found for that start, or one of both is wrong. *)
@@ -238,7 +210,7 @@ let ordinarily semantics u ~declared (check : Property.check) values =
         | _ -> None)
 
 let verdict semantics u ~declared (e : explored) check answer (where : Where.t) : Verdict.t =
-  let shown ~holds = Option.map (witness semantics u ~declared e.graph) (Answers.shown_by answer ~holds) in
+  let shown ~holds = Option.map (witness semantics u ~declared ~sliced:(Option.is_some e.group.part) e.graph) (Answers.shown_by answer ~holds) in
   let bounded = List.map (fun t -> Verdict.Truncated t) e.stopped_by in
   let reasons =
     bounded
@@ -312,6 +284,17 @@ let scale_of semantics ~declared ~example ~by_invariant =
   in
   { Verdict.resolution = None; split_step; over = Some over }
 
+let slice m ~initial (e : explored) : Check.slice option =
+  let of_part part =
+    let names = List.map (fun (_, (c : Property.check)) -> c.name) e.group.members in
+    {
+      Check.properties = List.sort_uniq String.compare names;
+      left_out = Slice.left_out m ~initial part;
+      explored = stats m e;
+    }
+  in
+  Option.map of_part e.group.part
+
 let outcomes semantics u ~declared (e : explored) =
   let m = Semantics.model semantics in
   let one (i, check) (answer, proof) =
@@ -365,6 +348,9 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
   let m = Semantics.model semantics in
   let context = Instant.context semantics in
   let initial = initial_of semantics declared in
+  let slicing = List.exists (Reduction.equal Slice) options.reductions && Array.length initial.processes > 1 in
+  let bounded = Option.is_some (Zone_bounds.given options.bounds.time) in
+  (* A proof is one of the whole network, without trust in slices. *)
   let attempt group = Result.to_option (attempt options semantics u ~declared (List.map snd group.members)) in
   let of_group group =
     let some_check = group.members <> [] in
@@ -373,13 +359,22 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
       let e = explore options context group zones ~ranges:m.ranges ~exactly ~proof:before in
       if some_check && before = None && is_open ~exactly e then { e with proof = attempt group } else e
     in
+    let initial = Option.value group.part ~default:initial in
     Result.map of_zones (Start.zones context u ~initial ~keeps_time:group.keeps_time)
   in
   let rec all done_ = function
     | [] -> Ok (List.rev done_)
     | group :: rest -> Result.bind (of_group group) (fun e -> all (e :: done_) rest)
   in
-  match all [] (groups ~bounded:(Option.is_some (given options.bounds.time)) checks) with
+  (* What is left out of all slices has to be well-formed as well. *)
+  let grouped =
+    if not slicing then Ok (Zone_groups.make ~bounded ~part:(fun _ -> None) checks)
+    else
+      let part zones (c : Property.check) = Zone_slice.make context u ~initial (List.hd zones) [ c.formula ] in
+      Start.zones context u ~initial ~keeps_time:false
+      |> Result.map (fun zones -> Zone_groups.make ~bounded ~part:(part zones) checks)
+  in
+  match Result.bind grouped (all []) with
   | Error { Start.at; reason } -> Error { at; reason }
   | Ok explored ->
     let sorted =
@@ -392,7 +387,7 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
         outcomes = List.map (fun (_, o, _) -> o) sorted;
         stats = List.fold_left Check.add (List.hd stats) (List.tl stats);
         uneventful = false;
-        slices = [];
+        slices = List.filter_map (slice m ~initial) explored;
         zeno = None;
         stores = [];
         where = List.map (fun (_, _, w) -> w) sorted;

@@ -42,6 +42,41 @@ let rec follow c ~reached state time (steps : Concrete.step list) taken =
     in
     List.find_map go (candidates c state step)
 
+(* {1 Runs of a slice}
+
+   As {!Scc_explain.Lift}, where time may stop anywhere: what is left out does what it must, the first of it, when
+   time could not pass otherwise. *)
+
+(* The transitions of a run that take no time, with the instants of them, and when it ends. *)
+let instants (run : Concrete.t) =
+  let add (time, found) (step : Concrete.step) =
+    match step with
+    | Happens label -> (time, (time, label) :: found)
+    | Passes d | Passes_some d -> (Rat.add time d, found)
+  in
+  let time, found = List.fold_left add (Rat.zero, []) run.steps in
+  (List.rev found, Rat.add time run.offset)
+
+(* With how much time passes after the last step, until the run ends. *)
+let rec interleave c ~reached state time happens ~until taken =
+  let next = match happens with (t, _) :: _ -> t | [] -> until in
+  let wait = Rat.sub next time in
+  let go rest (choice, (t : Transition.t)) =
+    let time = Rat.add time (Transition.duration t) in
+    interleave c ~reached t.target time rest ~until ({ Witness.choice; transition = t; time } :: taken)
+  in
+  match happens with
+  | (_, label) :: rest when Rat.sign wait = 0 -> List.find_map (go rest) (candidates c state (Happens label))
+  | [] when Rat.sign wait = 0 -> if reached state taken wait then Some (state, List.rev taken, wait) else None
+  | _ -> (
+      let successors = match Network.successors c state with Ok list -> numbered list | Error _ -> [] in
+      let those test = List.find_opt (fun (_, (t : Transition.t)) -> test t.label) successors in
+      match (those Transition.is_urgent, those Transition.is_time, happens) with
+      | Some urgent, _, _ -> go happens urgent
+      | None, Some ((_, t) as passes), _ when Rat.compare (Transition.duration t) wait <= 0 -> go happens passes
+      | None, _, _ :: _ -> List.find_map (go happens) (candidates c state (Passes_some wait))
+      | None, _, [] -> if reached state taken wait then Some (state, List.rev taken, wait) else None)
+
 let arrived start (taken : Witness.step list) event =
   match taken with
   | [] -> false
@@ -58,18 +93,28 @@ let holds c ~arrived state offset prop =
   let now = Trajectory.prop (Trajectory.make ~arrived c state Timeline.Instant) prop in
   Truth.equal now.Timeline.start Truth.True
 
-let make given u ~declared (run : Concrete.t) (place : Search_sets.place) : Witness.t =
+let make given u ~declared ~sliced (run : Concrete.t) (place : Search_sets.place) : Witness.t =
   let m = Semantics.model given and prop = Scc_property.Rename.known run.values place.prop in
   let c = Semantics.with_model given (Fixed.model m run.values) in
   let start = initial c (Fixed.declared u declared run.values) in
-  let reached state taken = holds c ~arrived:(arrived start (List.rev taken)) state run.offset prop in
-  match follow c ~reached start Rat.zero run.steps [] with
+  let reached state taken offset = holds c ~arrived:(arrived start taken) state offset prop in
+  let followed =
+    match sliced with
+    | false ->
+      let reached state taken = reached state (List.rev taken) run.offset in
+      follow c ~reached start Rat.zero run.steps []
+      |> Option.map (fun (last, steps) -> (last, steps, run.offset))
+    | true ->
+      let happens, until = instants run in
+      interleave c ~reached start Rat.zero happens ~until []
+  in
+  match followed with
   | None -> Bug.fail __POS__ "a run over zones does not replay"
-  | Some (last, steps) ->
-    let offset = Algebraic.of_rat run.offset in
+  | Some (last, steps, after) ->
+    let offset = Algebraic.of_rat after in
     let finish, extent =
-      if Rat.sign run.offset > 0 then
-        let choice = match candidates c last (Passes_some run.offset) with (i, _) :: _ -> Some i | [] -> None in
+      if Rat.sign after > 0 then
+        let choice = match candidates c last (Passes_some after) with (i, _) :: _ -> Some i | [] -> None in
         (Witness.During { choice; offset; open_piece = false; from = offset }, extent c last)
       else (At_state, Timeline.Instant)
     in

@@ -6,5 +6,8 @@ open Scc_semantics
 open Scc_symbolic
 open Scc_explain
 
-val make : Semantics.t -> Uncertain.t -> declared:State.t -> Concrete.t -> Search_sets.place -> Witness.t
-(** It is a bug if the run cannot be followed, or the predicate does not hold where it leads. *)
+val make :
+  Semantics.t -> Uncertain.t -> declared:State.t -> sliced:bool -> Concrete.t -> Search_sets.place -> Witness.t
+(** With [sliced] the run is one of a slice ({!Zone_slice}): what was left out does in it what it must, and the run
+    is shown as one of the whole network. It is a bug if the run cannot be followed, or the predicate does not hold
+    where it leads. *)

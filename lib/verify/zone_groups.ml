@@ -1,0 +1,29 @@
+open Scc_calculus
+open Scc_property
+open Scc_symbolic
+
+type t = { keeps_time : bool; part : State.t option; members : (int * Property.check) list }
+
+(* Those that ask about time are explored apart: with time a coordinate, little ever recurs, but there is an end
+   where all of them have a bound. A bound of time for all makes it a coordinate for all. *)
+let by_time ~bounded part numbered =
+  let of_check is (_, (c : Property.check)) = is c.formula in
+  let timed, others = List.partition (of_check Answers.needs_time) numbered in
+  let ends, endless = List.partition (of_check (fun f -> Option.is_some (Plan.horizon f))) timed in
+  let some keeps_time members = match members with [] -> [] | _ :: _ -> [ { keeps_time; part; members } ] in
+  some bounded others @ some true ends @ some true endless
+
+(* Each slice is explored apart. *)
+let make ~bounded ~part checks =
+  let rec put part member = function
+    | [] -> [ (part, [ member ]) ]
+    | (same, members) :: rest when Option.equal State.equal same part -> (same, member :: members) :: rest
+    | other :: rest -> other :: put part member rest
+  in
+  let add (i, groups) c = (i + 1, put (part c) (i, c) groups) in
+  match checks with
+  | [] -> [ { keeps_time = bounded; part = None; members = [] } ]
+  | _ :: _ ->
+    List.fold_left add (0, []) checks
+    |> snd
+    |> List.concat_map (fun (part, members) -> by_time ~bounded part (List.rev members))
