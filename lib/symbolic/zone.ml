@@ -34,6 +34,16 @@ let map f z =
 let with_variables z ~dimension forms set =
   { (map (fun f -> Linear.compose f ~dimension forms) z) with set }
 
+let centred z =
+  let of_process (p : State.process) = List.map (fun (l : State.leaf) -> l.leaf) (Array.to_list p.leaves) in
+  match List.concat_map of_process (Array.to_list z.skeleton.processes) with
+  | [] -> z
+  | first :: _ as leaves ->
+    let origin = z.places.(first) in
+    let places = Array.copy z.places in
+    List.iter (fun leaf -> places.(leaf) <- Place.sub places.(leaf) origin) leaves;
+    { z with places }
+
 (* {1 The canonical form} *)
 
 (* Each variable, where the equalities of a polyhedron hold, by variables that none of them gives. *)

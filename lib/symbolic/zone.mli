@@ -38,6 +38,9 @@ val with_variables : t -> dimension:int -> Linear.t array -> Polyhedron.t -> t
 (** [with_variables z ~dimension forms set]: all numbers of the zone by other variables, of which the old ones are
     these forms; they take the values of [set]. *)
 
+val centred : t -> t
+(** Each state moved as a whole, such that its first leaf comes to the origin (rule Translation). *)
+
 val canonical : t -> t * Linear.t array
 (** The same set of states by its own coordinates; and the new variables as forms over the old ones. *)
 

@@ -44,7 +44,7 @@ let size g = Scc_data.Growable.length g.nodes
 let node g i = Scc_data.Growable.get g.nodes i
 let roots g = List.rev g.roots
 
-type exploration = { graph : t; context : Instant.context; limits : limits; visitor : visitor }
+type exploration = { graph : t; context : Instant.context; limits : limits; visitor : visitor; displaced : bool }
 
 let put e zone parent =
   let g = e.graph in
@@ -74,7 +74,7 @@ let within_horizon e ~late (z : Zone.t) =
 
 (* A node that has all of a zone, with its variables by those of the zone: one that is there, or a new one. *)
 let node_of e zone ~parent =
-  let canonical, forms = Zone.canonical zone in
+  let canonical, forms = Zone.canonical (if e.displaced then Zone.centred zone else zone) in
   let known = Option.value (Kinds.find_opt e.graph.by_kind canonical) ~default:[] in
   let sample = lazy (Zone.sample canonical) in
   let holds n =
@@ -118,11 +118,11 @@ let expand e ~events (source : node) =
   source.expanded <- true;
   e.visitor.expanded source
 
-let explore context ~events ~limits ~visitor zones =
+let explore ?(displaced = false) context ~events ~limits ~visitor zones =
   let graph =
     { nodes = Scc_data.Growable.create (); by_kind = Kinds.create 64; waiting = Queue.create (); roots = [] }
   in
-  let e = { graph; context; limits; visitor } in
+  let e = { graph; context; limits; visitor; displaced } in
   let root zone =
     let n, _ = node_of e zone ~parent:(fun _ _ -> None) in
     graph.roots <- n :: graph.roots

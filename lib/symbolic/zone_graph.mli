@@ -60,5 +60,12 @@ type visitor = {
 }
 
 val explore :
-  Instant.context -> events:Property.event array -> limits:limits -> visitor:visitor -> Zone.t list -> t * end_
-(** From zones, which need not be canonical: the roots are their canonical forms. *)
+  ?displaced:bool ->
+  Instant.context ->
+  events:Property.event array ->
+  limits:limits ->
+  visitor:visitor ->
+  Zone.t list ->
+  t * end_
+(** From zones, which need not be canonical: the roots are their canonical forms. With [displaced] each zone that is
+    reached is {!Zone.centred} first: where the whole is does not matter. *)

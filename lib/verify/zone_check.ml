@@ -98,7 +98,7 @@ let is_proved ~exactly all (proof : Proof.t option) =
     let left = Union.difference (Union.difference all holds) fails in
     Union.is_empty left || ((not exactly) && not (Union.is_empty fails))
 
-let explore (options : Joint_check.options) context (group : group) zones ~ranges ~exactly ~proof =
+let explore (options : Joint_check.options) context (group : group) ~initial zones ~ranges ~exactly ~proof =
   let formulas = List.map (fun (_, (c : Property.check)) -> c.formula) group.members in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
   let atoms = Atoms.context context ~events in
@@ -145,7 +145,9 @@ let explore (options : Joint_check.options) context (group : group) zones ~range
     }
   in
   let limits = { Zone_graph.depth = Some most; nodes = Zone_bounds.given options.bounds.states; horizon } in
-  let graph, end_ = Zone_graph.explore context ~events ~limits ~visitor zones in
+  let used = List.exists (Reduction.equal Translation) options.reductions in
+  let displaced = used && Quotient.translatable (Semantics.model context.Instant.semantics) initial formulas in
+  let graph, end_ = Zone_graph.explore ~displaced context ~events ~limits ~visitor zones in
   let unexpanded f =
     for i = 0 to Zone_graph.size graph - 1 do
       let node = Zone_graph.node graph i in
@@ -356,7 +358,7 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
     let some_check = group.members <> [] in
     let before = if options.prove && some_check then attempt group else None in
     let of_zones zones =
-      let e = explore options context group zones ~ranges:m.ranges ~exactly ~proof:before in
+      let e = explore options context group ~initial zones ~ranges:m.ranges ~exactly ~proof:before in
       if some_check && before = None && is_open ~exactly e then { e with proof = attempt group } else e
     in
     let initial = Option.value group.part ~default:initial in

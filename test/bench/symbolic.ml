@@ -4,6 +4,7 @@
    dune exec --profile release test/bench/symbolic.exe [NAME ...] *)
 
 open Scc_calculus
+open Scc_space
 open Scc_symbolic
 open Scc_verify
 module Loaded = Scc_session.Loaded
@@ -114,16 +115,24 @@ let most_zones = 100_000
 let heap_bar = 2048
 
 let bars =
+  let all = Reduction.all and none = [] in
   [
-    ("window", 0.02, fun () -> window (read (Filename.concat models "window.sc")));
-    ("race of 3", 0.1, fun () -> race 3);
-    ("race of 4", 1., fun () -> race 4);
-    ("race of 5", 5., fun () -> race 5);
-    ("two balls", 2., fun () -> box);
-    ("row of 100", 1., fun () -> row 100);
-    ("sum of 10", 1., fun () -> sum 10);
-    ("hexokinase", 5., fun () -> hexokinase (read (Filename.concat models "hexokinase.sc")));
-    ("six dimers", 60., fun () -> dimers 6);
+    ("window", 0.02, all, fun () -> window (read (Filename.concat models "window.sc")));
+    ("race of 3", 0.1, all, fun () -> race 3);
+    ("race of 4", 1., all, fun () -> race 4);
+    ("race of 5", 5., all, fun () -> race 5);
+    ("two balls", 2., all, fun () -> box);
+    ("row of 100", 1., all, fun () -> row 100);
+    ("sum of 10", 1., all, fun () -> sum 10);
+    ("hexokinase", 5., all, fun () -> hexokinase (read (Filename.concat models "hexokinase.sc")));
+    ("six dimers", 60., none, fun () -> dimers 6);
+    ("2 dimers", 1., none, fun () -> dimers 2);
+    ("2, sliced", 0.1, all, fun () -> dimers 2);
+    ("3 dimers", 1., none, fun () -> dimers 3);
+    ("3, sliced", 0.1, all, fun () -> dimers 3);
+    ("4 dimers", 5., none, fun () -> dimers 4);
+    ("4, sliced", 0.1, all, fun () -> dimers 4);
+    ("40, sliced", 1., all, fun () -> dimers 40);
   ]
 
 let load name text =
@@ -143,8 +152,8 @@ let ask text ~name options =
 
 let judged within = if within then "within" else "BEYOND"
 
-let measure (name, bar, text) =
-  let options = { Check.default with bounds = { Bounds.default with states = Given most_zones } } in
+let measure (name, bar, reductions, text) =
+  let options = { Check.default with reductions; bounds = { Bounds.default with states = Given most_zones } } in
   match ask (text ()) ~name options with
   | _, Error _, _, _ -> failwith (name ^ ": its start is not well-formed")
   | l, Ok report, probabilities, time ->
@@ -192,4 +201,4 @@ let () =
   let asked = List.tl (Array.to_list Sys.argv) in
   let is_asked name = asked = [] || List.mem name asked in
   if is_asked "cases" then measure_cases ();
-  List.iter (fun ((name, _, _) as bar) -> if is_asked name then measure bar) bars
+  List.iter (fun ((name, _, _, _) as bar) -> if is_asked name then measure bar) bars

@@ -234,6 +234,33 @@ check c : always vy(b) = 0 within 2
   left_out "what may not" [ "p"; "v" ] (through "6.5");
   left_out "a place that only some values give" [] (through "7 + t")
 
+(* {1 Where the whole is} *)
+
+(* Two that tick, each at its time, and fly on side by side for ever: as many zones as ticks within a period of six,
+   each an instant, where nobody asks where they are. *)
+let drift =
+  {|behaviour Tick on Cube = eps(1). Tock
+behaviour Tock on Cube = eps(2). Tick
+process p = Cube mass 1 velocity (1, 0, 0) at translate (s, 0, 0) [Tick]
+process q = Cube mass 1 velocity (1, 0, 0) at translate (10 + t, 0, 0) [Tock]
+|}
+
+let displaced () =
+  let is what expected kinds check =
+    match loaded what (head ^ drift ^ check) with
+    | None -> Alcotest.failf "%s is refused" what
+    | Some l -> (
+        match run ~states:50 kinds l with
+        | Error _ -> Alcotest.failf "%s is not well-formed" what
+        | Ok report -> Alcotest.(check bool) what expected report.stats.complete)
+  in
+  let near = "check a : always not touching(p, q)" in
+  is "it comes back" true Reduction.all near;
+  is "it does not, where all is told apart" false [] near;
+  is "nor where somebody asks" false Reduction.all "check a : always x(p) > -1 and not touching(p, q)";
+  is "nor with a fixed body" false Reduction.all
+    ("fixed w = Cube at translate (0, 10, 0) [nil]\ncheck a : always not touching(p, q) and not touching(p, w)")
+
 let enough () =
   Printf.printf "%d scenes, %d verdicts, of %d all is known, %d slices\n" !used !compared !complete !sliced;
   Alcotest.(check bool) "many verdicts" true (!compared > 300);
@@ -246,6 +273,7 @@ let () =
     [
       ("models", List.map case (List.sort String.compare files));
       ("slices", [ Alcotest.test_case "what is left out" `Quick slices ]);
+      ("translation", [ Alcotest.test_case "where the whole is" `Quick displaced ]);
       ("scenes", [ Alcotest.test_case "random" `Quick random ]);
       ("enough", [ Alcotest.test_case "compared" `Quick enough ]);
     ]
