@@ -128,28 +128,15 @@ let cover options reductions (l : Loaded.t) initial =
   let time_seen = Reduction.time_seen reductions l.model [] in
   Coverage.explore ~time_seen options l.semantics ~initial
 
-let uncertain (l : Loaded.t) =
-  match l.uncertain with Some uncertain -> uncertain | None -> Scc_symbolic.Start.known l.model l.declared
-
-(* What an invariant decides first, if it is to be looked for, and the rest by exploring. *)
-let ordinarily options (l : Loaded.t) ~initial checks =
-  if options.Check.prove then
-    let decided, end_ = Zone_check.prove options l.semantics (uncertain l) ~declared:l.declared checks in
-    { (Check.run_without options l.semantics ~initial checks ~decided) with invariants = [ end_ ] }
-  else Check.run options l.semantics ~initial checks
-
-let over_zones options (l : Loaded.t) ~exactly checks =
-  let uncertain = uncertain l in
-  Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly checks
-  |> Result.map_error (Ill_formed.diagnostics l)
-
 let write_invariant console path (l : Loaded.t) (report : Check.report) =
   let text = function
     | Zone_proof.Proved { invariant; _ } -> Invariant_text.to_string l.model invariant
     | None_found reason -> Printf.sprintf "no invariant: %s\n" reason
   in
   let text = String.concat "\n" (List.map text report.invariants) in
-  if String.equal path "-" then Ok (Console.print console text) else write_file path text
+  if not (String.equal path "-") then write_file path text
+  else if Console.is_json console then Ok () (* the document has it *)
+  else Ok (Console.print console (text ^ "\n"))
 
 (* None where a limit has ended all work. *)
 let named_where verdicts (report : Check.report) =
@@ -173,12 +160,10 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let measured = Measured.start () in
   let* l = Measured.phase measured "read" (fun () ->
       Input.model console ~overrides:given.values ~narrowed:given.narrowed path) in
-  let zones = Zone_check.is_for l.model ~declared:l.declared in
+  let zones = Verdicts.over_zones l in
   (* Coverage lists states one by one. *)
   let* () = if zones && extras.coverage then Result.map ignore (Ordinary.refuse l) else Ok () in
-  let* () =
-    match Zone_check.refused l.model with _ :: _ as why when zones || extras.prove -> Error why | _ -> Ok ()
-  in
+  let* () = Verdicts.refused l ~prove:extras.prove in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
   let* () = if where then Ordinary.has_ranges l else Ok () in
   let* view = view extras l in
@@ -193,10 +178,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   (* What has to come true for a check to say anything is looked for at single starts alone. *)
   let checks = if zones || extras.prove then l.checks else l.checks @ l.premises in
   let explore () =
-    let run () =
-      if zones then over_zones options l ~exactly:where checks
-      else Ok (ordinarily options l ~initial checks)
-    in
+    let run () = Verdicts.report options l ~initial ~exactly:where checks in
     match (Watch.attempt watch).run Reporting run with
     | Ok report -> report
     | Error stop -> Ok (Check.unexplored options checks stop)

@@ -153,7 +153,7 @@ let convergence : Verdict.convergence -> string * Json.t = function
   | Named s -> ("slowing", slowing s)
   | Proved q -> ("converges", `Assoc [ ("factor", Json.rat q.factor); ("until", Json.rat q.until) ])
 
-let over ({ instants; ranges; example } : Verdict.over) =
+let over ({ instants; ranges; example; _ } : Verdict.over) =
   let bound (b : Ranges.bound) = `Assoc [ ("value", Json.rat b.value); ("included", `Bool b.included) ] in
   let range (r : Ranges.range) =
     `Assoc [ ("parameter", Json.text r.name); ("low", bound r.low); ("high", bound r.high) ]
@@ -165,6 +165,9 @@ let over ({ instants; ranges; example } : Verdict.over) =
         ("ranges", `List (List.map range (Array.to_list ranges)));
       ]
         @ match example with [] -> [] | _ :: _ -> [ ("example", values example) ]) )
+
+(* An ordinary model leaves nothing open. *)
+let spoken_of (o : Verdict.over) = o.instants || Array.length o.ranges > 0
 
 let property ?(full = false) ?where c ({ check; verdict = v; scale; rests; converges } as o : Verdict.outcome) =
   let bounds, reasons, run =
@@ -186,7 +189,8 @@ let property ?(full = false) ?where c ({ check; verdict = v; scale; rests; conve
       @ (match rests with [] -> [] | _ :: _ -> [ ("rests_on", `List (List.map rest rests)) ])
       @ List.map convergence (Option.to_list converges)
       @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step)
-      @ List.map over (Option.to_list scale.over)
+      @ List.map over (List.filter spoken_of (Option.to_list scale.over))
+      @ (if Verdict.by_invariant o then [ ("by_invariant", `Bool true) ] else [])
       @ List.map (fun w -> ("where", Where_json.where w)) (Option.to_list where))
 
 let dead_ends list = `List (List.map (fun (d : Diag.t) -> Json.text d.message) list)
@@ -230,6 +234,11 @@ let properties r =
   | [] -> List.map (one None) r.verdicts
   | where -> List.map2 (fun w o -> one (Some w) o) where r.verdicts
 
+let invariants model (report : Check.report) =
+  match report.invariants with
+  | [] -> []
+  | all -> [ ("invariants", `List (List.map (Invariant_json.found model) all)) ]
+
 let document ~source r =
   let model = r.loaded.model in
   `Assoc
@@ -250,4 +259,5 @@ let document ~source r =
         ("zeno", Json.option (witness r.loaded.semantics) r.report.zeno);
         ("diagnostics", `List (List.map (Diag_json.diagnostic ~source) r.diagnostics));
       ]
+      @ invariants model r.report
       @ r.extra)

@@ -27,6 +27,9 @@ val property : ?full:bool -> ?where:Scc_where.Where.t -> Semantics.t -> Verdict.
 (** A member of [properties]. Of the way to a state that was not explored it has the first and the last 100 steps,
     and all of them if [full]. *)
 
+val invariants : Scc_calculus.Model.t -> Check.report -> (string * Json.t) list
+(** The member [invariants], if any were looked for. *)
+
 val explored : Scc_calculus.Model.t -> Check.stats -> Json.t
 
 val document : source:(string -> Source.t option) -> t -> Json.t

@@ -8,8 +8,8 @@ let relation : Constraint.relation -> string = function
   | At_most -> "<="
   | Equal -> "="
 
-let constraint_ ranges (c : Constraint.t) =
-  let term i a = if Z.sign a = 0 then [] else [ (Ranges.name ranges i, Json.rat (Q.of_bigint a)) ] in
+let constraint_ ~name (c : Constraint.t) =
+  let term i a = if Z.sign a = 0 then [] else [ (name i, Json.rat (Q.of_bigint a)) ] in
   `Assoc
     [
       ("coefficients", `Assoc (List.concat (Array.to_list (Array.mapi term c.normal))));
@@ -17,7 +17,7 @@ let constraint_ ranges (c : Constraint.t) =
       ("bound", Json.rat (Q.of_bigint c.right));
     ]
 
-let polyhedron ranges p = `List (List.map (constraint_ ranges) (Polyhedron.constraints p))
+let polyhedron ranges p = `List (List.map (constraint_ ~name:(Ranges.name ranges)) (Polyhedron.constraints p))
 
 let set ranges u measure =
   [

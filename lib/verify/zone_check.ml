@@ -13,13 +13,16 @@ let at_any_time (m : Model.t) ~declared =
 
 let is_for (m : Model.t) ~declared = Array.length m.ranges > 0 || at_any_time m ~declared
 
-let refused (m : Model.t) =
-  let because text hint =
-    [
-      Diag.error Code.not_yet Span.none "what is not known of this model does not stay linear: %s" text ~hint;
-    ]
+type use = Zones | Invariants
+
+let refused (m : Model.t) use =
+  let what, fixed =
+    match use with
+    | Zones ->
+      ("what is not known of this model does not stay linear", "give every parameter a value, and a `split_step`")
+    | Invariants -> ("no invariant of this model can be looked for", "its checks can be explored, without --prove")
   in
-  let fixed = "give every parameter a value, and a `split_step`" in
+  let because text hint = [ Diag.error Code.not_yet Span.none "%s: %s" what text ~hint ] in
   if Option.is_some m.rigid then because "its bodies turn" fixed
   else if m.steered then because "a law of motion steers its bodies" fixed
   else if Option.is_some m.round_velocity then because "its velocities are rounded" fixed

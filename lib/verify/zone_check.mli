@@ -9,7 +9,10 @@ open Scc_symbolic
 val is_for : Model.t -> declared:State.t -> bool
 (** The model has parameters of which a range is known, or bonds that may be released at any time. *)
 
-val refused : Model.t -> Scc_base.Diag.t list
+(** What a model is wanted for. *)
+type use = Zones  (** it has numbers that are not known *) | Invariants  (** a proof is asked for *)
+
+val refused : Model.t -> use -> Scc_base.Diag.t list
 (** Why numbers of such a model are not affine in what is not known, if they are not (SC0901): bodies turn, a law
     of motion steers them, velocities are rounded, or they bind on contact. *)
 

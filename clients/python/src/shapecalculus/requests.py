@@ -302,6 +302,7 @@ def check(
     text: str,
     *,
     where: bool = False,
+    prove: bool = False,
     files: Optional[Mapping[str, str]] = None,
     parameters: Optional[Mapping[str, Setting]] = None,
     states: Optional[int] = None,
@@ -312,12 +313,15 @@ def check(
     """Verdicts for the checks of a model, over all values of parameters that have ranges, and with ``where`` for which.
 
     What ``parameters`` gives a value is known, what it gives two is narrowed to the range between them, both ends
-    included. The limits are those of the exploration. Raises ModelRefused, also for ``where`` where no parameter has a
+    included. With ``prove`` an invariant is looked for before anything is explored. The limits are those of the
+    exploration. Raises ModelRefused, also for ``where`` where no parameter has a
     range.
     """
     params = _text(text, files, parameters)
     if where:
         params["where"] = True
+    if prove:
+        params["prove"] = True
     return Request("model.check", _explored(params, seconds, states, depth, time), Checked.from_json)
 
 

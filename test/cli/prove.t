@@ -1,0 +1,168 @@
+Proofs where no state ever comes back (rule Invariants): a bound ends the exploration, and an invariant says the rest.
+
+  $ cp ../../specs/models/escape.sc ../../specs/models/tumble.sc ../../specs/models/hexokinase.sc .
+  $ scc check escape.sc | sed '/a run that/,/^$/d'
+  semantics 2
+  
+  apart: holds (proved by an invariant, all x in [-8, -7])
+    always not touching(p, q) and not touching(n, q)
+  
+  inside: holds (proved by an invariant, all x in [-8, -7])
+    always x(n) <= -2
+  
+  order: holds (proved by an invariant, all x in [-8, -7])
+    always x(p) + 2 <= x(n)
+  
+  slow: violated for x = -22/3
+    always x(q) <= 20
+  invariant: 8 kinds of states that no run leaves, checked afresh
+  explored: 3124 states, 3194 transitions, depth 1000, model time 0; not complete: stopped by the depth bound 1000 (a default)
+  4 properties: 3 hold, 1 violated
+  $ scc check escape.sc --prove --invariant - | sed '/^semantics/,$d'
+  8 kinds of states, of which no run leaves the union:
+  1.
+    p, velocity (2/3, 0, 0)
+    n, velocity (-1, 0, 0)
+    q, velocity (1, 0, 0)
+      x >= -8
+      x(p) >= -8
+      x(q) >= 2
+      x(n) <= -2
+      x(p) + 2 <= x(n)
+      x <= -7
+  2.
+    p, velocity (-1, 0, 0)
+    n, velocity (2/3, 0, 0)
+    q, velocity (1, 0, 0)
+      x >= -8
+      x(p) >= -8
+      x(q) >= 2
+      x(n) <= -2
+      x(p) + 2 <= x(n)
+      x <= -7
+  3.
+    p, velocity (1, 0, 0)
+    n, velocity (2/3, 0, 0)
+    q, velocity (1, 0, 0)
+      x >= -8
+      x(p) >= -8
+      x(q) >= 2
+      x(n) <= -2
+      x(p) + 2 <= x(n)
+      x(p) + 6 < x(q)
+      x <= -7
+  4.
+    p, velocity (1, 0, 0)
+    n, velocity (-2/3, 0, 0)
+    q, velocity (1, 0, 0)
+      x >= -8
+      x(p) >= -8
+      x(q) >= 2
+      x(n) <= -2
+      x(p) + 2 <= x(n)
+      x(p) + 6 < x(q)
+      x <= -7
+  5.
+    p, velocity (-2/3, 0, 0)
+    n, velocity (1, 0, 0)
+    q, velocity (1, 0, 0)
+      x >= -8
+      x(p) >= -8
+      x(q) >= 2
+      x(n) <= -2
+      x(p) + 2 <= x(n)
+      x <= -7
+  6.
+    p, velocity (-2/3, 0, 0)
+    n, velocity (-1, 0, 0)
+    q, velocity (1, 0, 0)
+      x >= -8
+      x(p) >= -8
+      x(q) >= 2
+      x(n) <= -2
+      x(p) + 2 <= x(n)
+      x <= -7
+  7.
+    p, velocity (-1, 0, 0)
+    n, velocity (-2/3, 0, 0)
+    q, velocity (1, 0, 0)
+      x >= -8
+      x(p) >= -8
+      x(q) >= 2
+      x(n) <= -2
+      x(p) + 2 <= x(n)
+      x <= -7
+  8.
+    p, velocity (2/3, 0, 0)
+    n, velocity (1, 0, 0)
+    q, velocity (1, 0, 0)
+      x >= -8
+      x(p) >= -8
+      x(q) >= 2
+      x(n) <= -2
+      x(p) + 2 <= x(n)
+      x(p) + 6 < x(q)
+      x <= -7
+  
+  $ scc check escape.sc --invariant found.txt --json | python3 -c '
+  > import json, sys
+  > report = json.load(sys.stdin)
+  > for p in report["properties"]:
+  >     print(p["name"], p["verdict"], p.get("by_invariant", False))
+  > kind = report["invariants"][0]["kinds"][0]
+  > print(kind["processes"][2]["velocity"], kind["just_now"], kind["constraints"][0])'
+  apart holds True
+  inside holds True
+  order holds True
+  slow violated False
+  ['2/3', '0/1', '0/1'] [] {'coefficients': {'age(west)': '1/1'}, 'relation': '=', 'bound': '0/1'}
+  $ head -1 found.txt
+  8 kinds of states, of which no run leaves the union:
+
+An ordinary model has one looked for when it is asked to.
+
+  $ sed 's/^param x.*/param x = -8/' escape.sc > one.sc
+  $ scc check one.sc --prove --depth 40 | sed '/a run that/,/^$/d'
+  semantics 2
+  
+  apart: holds (proved by an invariant)
+    always not touching(p, q) and not touching(n, q)
+  
+  inside: holds (proved by an invariant)
+    always x(n) <= -2
+  
+  order: holds (proved by an invariant)
+    always x(p) + 2 <= x(n)
+  
+  slow: violated
+    always x(q) <= 20
+  invariant: 8 kinds of states that no run leaves, checked afresh
+  explored: 22 states, 21 transitions, depth 21, model time 81/5; not complete: every property was decided before
+  4 properties: 3 hold, 1 violated
+  $ scc check one.sc --depth 40 | grep -A1 apart
+  apart: holds up to the bound: the depth bound 40
+    always not touching(p, q) and not touching(n, q)
+  $ scc check hexokinase.sc --prove | grep "proved\|^invariant"
+  together: holds (proved by an invariant), at split step 1
+  at_most: holds (proved by an invariant), at split step 1
+  in_pocket: holds (proved by an invariant), at split step 1
+  invariant: 10 kinds of states that no run leaves, checked afresh
+
+What cannot be proved so is explored: what comes, or what the set of states that was found does not rule out.
+
+  $ sed '/^check/d' one.sc > none.sc
+  $ echo 'check comes : possibly x(q) > 9' >> none.sc
+  $ scc check none.sc --prove --depth 40 | grep "comes\|invariant\|explored"
+  comes: holds (exhaustive)
+  no invariant: no run leaves the set of states that was found, but this proves nothing
+  explored: 6 states, 5 transitions, depth 5, model time 6; not complete: every property was decided before
+
+Where no invariant can be looked for, it is said.
+
+  $ scc check tumble.sc --prove
+  error[SC0901]: no invariant of this model can be looked for: its bodies turn
+    hint: its checks can be explored, without --prove
+  [3]
+  $ scc check one.sc --invariant no/such/folder --depth 40 | tail -1
+  no/such/folder: error[SC0103]: cannot write: No such file or directory
+  4 properties: 3 hold, 1 violated
