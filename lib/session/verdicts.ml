@@ -7,7 +7,7 @@ let uncertain (l : Loaded.t) =
 
 let ordinarily (options : Check.options) (l : Loaded.t) ~initial checks =
   if options.prove then
-    let decided, end_ = Zone_check.prove options l.semantics (uncertain l) ~declared:l.declared checks in
+    let decided, end_ = Zone_proof.prove options l.semantics (uncertain l) ~declared:l.declared checks in
     { (Check.run_without options l.semantics ~initial checks ~decided) with invariants = [ end_ ] }
   else Check.run options l.semantics ~initial checks
 

@@ -8,10 +8,7 @@ open Scc_space
 open Scc_symbolic
 open Scc_where
 
-let at_any_time (m : Model.t) ~declared =
-  match m.splits with Any_time -> Parameters.may_split m declared | Every _ -> false
-
-let is_for (m : Model.t) ~declared = Array.length m.ranges > 0 || at_any_time m ~declared
+let is_for = Zone_scale.leaves_open
 
 type use = Zones | Invariants
 
@@ -197,7 +194,7 @@ let most_states_of_one_start = 20_000
 
 let ordinarily semantics u ~declared (check : Property.check) values =
   let m = Semantics.model semantics in
-  if Array.length m.ranges = 0 || at_any_time m ~declared then None
+  if Array.length m.ranges = 0 || Zone_scale.at_any_time m ~declared then None
   else
     let c = Semantics.with_model semantics (Fixed.model m values) in
     let declared = Fixed.declared u declared values in
@@ -281,14 +278,6 @@ let stats (m : Model.t) (e : explored) : Joint_check.stats =
     causes = [];
   }
 
-let scale_of semantics ~declared ~example ~by_invariant =
-  let m = Semantics.model semantics in
-  let over = { Verdict.instants = at_any_time m ~declared; ranges = m.ranges; example; by_invariant } in
-  let split_step =
-    match m.splits with Every step when Parameters.may_split m declared -> Some step | Every _ | Any_time -> None
-  in
-  { Verdict.resolution = None; split_step; over = Some over }
-
 let slice m ~initial (e : explored) : Check.slice option =
   let of_part part =
     let names = List.map (fun (_, (c : Property.check)) -> c.name) e.group.members in
@@ -312,51 +301,21 @@ let outcomes semantics u ~declared (e : explored) =
       | _ -> []
     in
     let by_invariant = rests_on_proof answer where verdict in
-    let scale = scale_of semantics ~declared ~example ~by_invariant in
+    let scale = Zone_scale.make semantics ~declared ~example ~by_invariant in
     (i, ({ check; verdict; scale; rests = []; converges = None } : Verdict.outcome), where)
   in
   List.map2 one e.group.members (List.combine e.answers (proofs_of e.answers e.proof))
 
-let initial_of semantics declared =
-  match Network.initial semantics declared with
-  | Ok s -> s
-  | Error _ -> Bug.fail __POS__ "a law of motion in a model with ranges"
-
-let attempt options semantics u ~declared (checks : Property.check list) =
-  let m = Semantics.model semantics in
-  let initial = initial_of semantics declared in
-  let formulas = List.map (fun (c : Property.check) -> c.formula) checks in
-  let prove zones = Zone_proof.attempt options semantics u ~declared ~parameters:(Ranges.box m.ranges) zones formulas in
-  Result.map prove (Start.zones (Instant.context semantics) u ~initial ~keeps_time:false)
-
-let prove options semantics u ~declared checks =
-  match attempt options semantics u ~declared checks with
-  | Error _ -> ((fun _ -> None), Zone_proof.None_found "the declared state is not well-formed")
-  | Ok (None_found _ as end_) -> ((fun _ -> None), end_)
-  | Ok (Proved { proofs; _ } as end_) ->
-    let decided (check : Property.check) (proof : Proof.t) =
-      let verdict : Verdict.t option =
-        if not (Union.is_empty proof.sets.holds) then Some (Holds { bounds = []; witness = None })
-        else if not (Union.is_empty proof.sets.fails) then Some (Violated { witness = None })
-        else None
-      in
-      Option.map
-        (fun verdict ->
-           let scale = scale_of semantics ~declared ~example:[] ~by_invariant:true in
-           { Verdict.check; verdict; scale; rests = []; converges = None })
-        verdict
-    in
-    let all = List.combine checks (List.map2 decided checks proofs) in
-    ((fun check -> Option.join (List.assq_opt check all)), end_)
-
 let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
   let m = Semantics.model semantics in
   let context = Instant.context semantics in
-  let initial = initial_of semantics declared in
+  let initial = Zone_proof.initial semantics declared in
   let slicing = List.exists (Reduction.equal Slice) options.reductions && Array.length initial.processes > 1 in
   let bounded = Option.is_some (Zone_bounds.given options.bounds.time) in
-  (* A proof is one of the whole network, without trust in slices. *)
-  let attempt group = Result.to_option (attempt options semantics u ~declared (List.map snd group.members)) in
+  let attempt (group : Zone_groups.t) =
+    let declared = Option.value group.part ~default:declared in
+    Result.to_option (Zone_proof.attempt options semantics u ~declared (List.map snd group.members))
+  in
   let of_group group =
     let some_check = group.members <> [] in
     let before = if options.prove && some_check then attempt group else None in

@@ -25,11 +25,6 @@ val diagnostic : Model.t -> fault -> Scc_base.Diag.t
 (** That for these values bodies interpenetrate (SC0403), or what is bound does not touch (SC0401). It knows no places in
     the text. *)
 
-val prove :
-  Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> Property.check list ->
-  (Property.check -> Verdict.outcome option) * Zone_proof.end_
-(** Of an ordinary model: what an invariant proves of some checks, before anything is explored (rule Invariants). *)
-
 val run :
   Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool -> Property.check list ->
   (Check.report, fault) result

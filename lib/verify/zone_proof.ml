@@ -1,4 +1,7 @@
 open Scc_exact
+open Scc_polyhedra
+open Scc_calculus
+open Scc_semantics
 open Scc_property
 open Scc_symbolic
 
@@ -11,7 +14,7 @@ let distinct events =
   let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
   List.rev (List.fold_left add [] events)
 
-let attempt (options : Joint_check.options) semantics u ~declared ~parameters zones formulas =
+let search (options : Joint_check.options) semantics u ~declared ~parameters zones formulas =
   let context = Instant.context semantics in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
   let stop () = Option.is_some (options.surroundings.stop ()) in
@@ -34,3 +37,32 @@ let attempt (options : Joint_check.options) semantics u ~declared ~parameters zo
           match Scc_certificate.Certificate.check semantics u ~declared invariant claims ~stop with
           | Ok () -> Proved { invariant; proofs }
           | Error reason -> None_found ("a set of states was found, but its proof is not accepted: " ^ reason)))
+
+let initial semantics declared =
+  match Network.initial semantics declared with
+  | Ok s -> s
+  | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a model with ranges"
+
+let attempt options semantics u ~declared (checks : Property.check list) =
+  let initial = initial semantics declared in
+  let formulas = List.map (fun (c : Property.check) -> c.formula) checks in
+  let parameters = Ranges.box (Semantics.model semantics).ranges in
+  Start.zones (Instant.context semantics) u ~initial ~keeps_time:false
+  |> Result.map (fun zones -> search options semantics u ~declared ~parameters zones formulas)
+
+let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
+  let outcome verdict =
+    let scale = Zone_scale.make semantics ~declared ~example:[] ~by_invariant:true in
+    Some { Verdict.check; verdict; scale; rests = []; converges = None }
+  in
+  if not (Union.is_empty proof.sets.holds) then outcome (Holds { bounds = []; witness = None })
+  else if not (Union.is_empty proof.sets.fails) then outcome (Violated { witness = None })
+  else None
+
+let prove options semantics u ~declared checks =
+  match attempt options semantics u ~declared checks with
+  | Error _ -> ((fun _ -> None), None_found "the declared state is not well-formed")
+  | Ok (None_found _ as end_) -> ((fun _ -> None), end_)
+  | Ok (Proved { proofs; _ } as end_) ->
+    let all = List.combine checks (List.map2 (decided semantics ~declared) checks proofs) in
+    ((fun check -> Option.join (List.assq_opt check all)), end_)

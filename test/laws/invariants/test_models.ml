@@ -5,7 +5,6 @@
 open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
-open Scc_property
 open Scc_symbolic
 open Scc_certificate
 open Scc_verify
@@ -52,14 +51,6 @@ let compare_one all values (o : Verdict.outcome) (proof : Proof.t) =
   | Violated _ -> if holds then wrong "hold"
   | Holds _ | Undecided _ -> ()
 
-let zones (l : Loaded.t) u =
-  match Network.initial l.semantics l.declared with
-  | Error _ -> Alcotest.fail "no initial state"
-  | Ok initial -> (
-      match Start.zones (Instant.context l.semantics) u ~initial ~keeps_time:false with
-      | Ok zones -> zones
-      | Error _ -> Alcotest.fail "the declared state is not well-formed")
-
 (* {1 What is no proof} *)
 
 let rejected = ref 0
@@ -87,15 +78,14 @@ let few = 12
 let proves file () =
   match load file with
   | Error _ -> ()
-  | Ok l when Zone_check.refused l.model <> [] -> ()
+  | Ok l when Zone_check.refused l.model Invariants <> [] -> ()
   | Ok l -> (
       let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
-      let parameters = Ranges.box l.model.ranges in
-      let all = Union.of_polyhedron parameters in
-      let formulas = List.map (fun (c : Property.check) -> c.formula) l.checks in
-      match Zone_proof.attempt Check.default l.semantics u ~declared:l.declared ~parameters (zones l u) formulas with
-      | None_found reason -> print_endline reason
-      | Proved { invariant; proofs } ->
+      let all = Union.of_polyhedron (Ranges.box l.model.ranges) in
+      match Zone_proof.attempt Check.default l.semantics u ~declared:l.declared l.checks with
+      | Error _ -> Alcotest.fail "the declared state is not well-formed"
+      | Ok (None_found reason) -> print_endline reason
+      | Ok (Proved { invariant; proofs }) ->
         List.iter2 (compare_one all (Ranges.point l.model.ranges)) (ordinary l) proofs;
         if List.length invariant.locations <= few then rejects l u invariant)
 

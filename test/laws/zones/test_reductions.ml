@@ -73,7 +73,7 @@ let agree ?(states = 300) ?(without = [ [] ]) name l =
 let loaded name text =
   match load name text with
   | Error _ -> None
-  | Ok l -> if Zone_check.refused l.model = [] then Some l else None
+  | Ok l -> if Zone_check.refused l.model Zones = [] then Some l else None
 
 let at_any_time text = Str.global_replace (Str.regexp "^split_step .*$") "split_step any" text
 

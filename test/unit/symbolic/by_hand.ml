@@ -29,7 +29,7 @@ let load text =
 
 let where text =
   let l = load text in
-  if Zone_check.refused l.model <> [] then Alcotest.fail "refused";
+  if Zone_check.refused l.model Zones <> [] then Alcotest.fail "refused";
   let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
   match Zone_check.run Check.default l.semantics u ~declared:l.declared ~exactly:true l.checks with
   | Ok report -> List.map2 (fun (c : Scc_property.Property.check) w -> (c.name, w)) l.checks report.where
