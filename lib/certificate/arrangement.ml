@@ -18,9 +18,14 @@ let where region constraints =
 
 let zero_like f = Linear.constant (Linear.dimension f) Rat.zero
 
-let by_sign region f =
+let by_sign f region =
   let zero = zero_like f in
-  List.concat_map (where region) [ [ Constraint.equals f zero ]; [ Constraint.greater f zero ]; [ Constraint.less f zero ] ]
+  List.concat_map
+    (fun constraint_ -> where region [ constraint_ ])
+    [ Constraint.equals f zero; Constraint.greater f zero; Constraint.less f zero ]
+
+let by_signs forms regions =
+  List.fold_left (fun regions f -> List.concat_map (by_sign f) regions) regions forms
 
 type part = { leaf : int; index : int; process : int; solid : Solid.t; place : Place.t; velocity : Vec.t }
 
@@ -52,9 +57,8 @@ let rooms c (a, b) =
 
 (* Disjoint pieces of where not all of the constraints hold. *)
 let where_not region constraints =
-  let step (left, found) c =
-    (List.concat_map (fun p -> where p [ c ]) left, found @ List.concat_map (fun p -> List.concat_map (fun d -> where p [ d ]) (Constraint.negation c)) left)
-  in
+  let on left c = List.concat_map (fun p -> where p [ c ]) left in
+  let step (left, found) c = (on left c, found @ List.concat_map (on left) (Constraint.negation c)) in
   snd (List.fold_left step ([ region ], []) constraints)
 
 let inside rooms = List.map (fun (f, _) -> Constraint.greater f (zero_like f)) rooms
@@ -111,7 +115,7 @@ let by_features c z (a, b) region =
         (fun k -> Constraint.to_form (Constraint.substitute k ~dimension:n [| x; y; z' |]))
         (Polyhedron.constraints set)
     in
-    List.fold_left (fun regions f -> List.concat_map (fun p -> by_sign p f) regions) regions forms
+    by_signs forms regions
   in
   List.fold_left cut [ region ] (meeting_features c z (a, b))
 
@@ -124,8 +128,7 @@ let cells c (z : Zone.t) =
       let of_region region =
         let apart = where_not region not_beyond in
         let closed = where region not_beyond in
-        let by_planes = List.fold_left (fun regions f -> List.concat_map (fun p -> by_sign p f) regions) closed rooms in
-        apart @ List.concat_map (by_features c z (a, b)) by_planes
+        apart @ List.concat_map (by_features c z (a, b)) (by_signs rooms closed)
       in
       List.concat_map of_region regions
   in

@@ -1,5 +1,5 @@
-(** Cuts a set of states until all that the discrete rules look at is the same in each piece: by brute force, along every
-    plane that could matter. *)
+(** Cuts a set of states until all that the discrete rules look at is the same in each piece: by brute force,
+    along every plane that could matter. *)
 
 open Scc_polyhedra
 open Scc_semantics
@@ -12,8 +12,8 @@ type context = {
 
 val context : Semantics.t -> context
 
-val by_sign : Polyhedron.t -> Linear.t -> Polyhedron.t list
-(** Where the form is 0, positive and negative, as far as there is such a region. *)
+val by_signs : Linear.t list -> Polyhedron.t list -> Polyhedron.t list
+(** Cut by where each form is 0, positive and negative. *)
 
 type part = {
   leaf : int;
@@ -39,5 +39,5 @@ val bonds_touch : context -> Zone.t -> Constraint.t list
 (** That the features that a bond joins touch. *)
 
 val cells : context -> Zone.t -> Polyhedron.t list
-(** Regions that make up the zone. On each the same parts touch by the same planes, and of those that touch the same
-    features do. *)
+(** Regions that make up the zone. On each the same parts touch by the same planes, and of those that touch the
+    same features do. *)

@@ -24,14 +24,11 @@ let semantics_at t (z : Zone.t) point =
   let values = Array.map (fun f -> Linear.eval f point) z.parameters in
   Semantics.with_model t.cut.semantics (Fixed.model t.model values)
 
-let cut_by forms regions =
-  List.fold_left (fun regions f -> List.concat_map (fun p -> Arrangement.by_sign p f) regions) regions forms
-
 (* {1 Landing} *)
 
-(* Numbers of a location of the invariant, for what single states of a cloud become: places are where they are, and
-   what has aged either goes on to, or has just begun. What is right for the point in the middle is right for all, as
-   no age is negative; but this is seen at enough points, too. *)
+(* Numbers of a location of the invariant, for what single states of a cloud become: places are where they are,
+   and what has aged either goes on to, or has just begun. What is right for the point in the middle is right for
+   all, as no age is negative; but this is seen at enough points, too. *)
 let numbers t (location : Invariant.location) (z : Zone.t) ~middle (result : State.t) =
   let n = Zone.dimension z in
   let zero = Linear.constant n Rat.zero in
@@ -101,11 +98,12 @@ let arrived t ~source label =
 let discrete t (z : Zone.t) ~states ~only =
   let points = Cloud.points z.set in
   let sources = List.map states points in
-  let all = List.map2 (successors t z) points sources |> List.map (List.filter (fun (tr : Transition.t) -> only tr.label)) in
+  let wanted = List.filter (fun (tr : Transition.t) -> only tr.label) in
+  let all = List.map wanted (List.map2 (successors t z) points sources) in
   let first = List.hd all in
   let same_labels list =
-    List.compare_lengths first list = 0
-    && List.for_all2 (fun (a : Transition.t) (b : Transition.t) -> Transition.equal_label a.label b.label) first list
+    let same (a : Transition.t) (b : Transition.t) = Transition.equal_label a.label b.label in
+    List.compare_lengths first list = 0 && List.for_all2 same first list
   in
   if not (List.for_all same_labels all) then reject "different things happen to states that are alike";
   let each i (tr : Transition.t) =
@@ -142,14 +140,13 @@ let at_any_time t (z : Zone.t) =
 
 (* A cloud of the ends of passings, with the single states that they are, by the ordinary rules. *)
 let passed t (start : Zone.t) (ends : Zone.t) region =
-  match Cloud.on { ends with set = region } region with
-  | None -> None
-  | Some z ->
-    (* the start and the time, by the same variables *)
-    let whole = Zone.with_variables start ~dimension:(Polyhedron.dimension region) (Array.init (Zone.dimension start) (Linear.variable (Polyhedron.dimension region))) region in
-    let time = Linear.variable (Polyhedron.dimension region) (Polyhedron.dimension region - 1) in
-    let start = Cloud.on { whole with time = Some time } region in
-    let start = Option.get start in
+  let n = Polyhedron.dimension region in
+  (* the start, by the variables of the end, of which the last one is the time that passes *)
+  let whole = Zone.with_variables start ~dimension:n (Array.init (n - 1) (Linear.variable n)) region in
+  let whole = { whole with time = Some (Linear.variable n (n - 1)) } in
+  match (Cloud.on { ends with set = region } region, Cloud.on whole region) with
+  | None, _ | _, None -> None
+  | Some z, Some start ->
     let state point =
       let before = Cloud.state t.model start point in
       let c = semantics_at t start point in
@@ -172,9 +169,10 @@ let pass t (z : Zone.t) region =
         land_in t ends ~what:"a passing of time" ~arrived:[] points (List.map state points)
     in
     let left = Flow.delays t.cut flow.ends @ Flow.clocks t.cut flow.ends in
-    let over f = Polyhedron.add flow.states (Constraint.equals f (Linear.constant (Linear.dimension f) Rat.zero)) in
-    let due = Flow.contacts t.cut flow @ List.filter (fun p -> not (Polyhedron.is_empty p)) (List.map over left) in
-    List.iter land_ends (cut_by left due);
+    let over f = Constraint.equals f (Linear.constant (Linear.dimension f) Rat.zero) in
+    let ended = List.map (fun f -> Polyhedron.add flow.states (over f)) left in
+    let due = Flow.contacts t.cut flow @ List.filter (fun p -> not (Polyhedron.is_empty p)) ended in
+    List.iter land_ends (Arrangement.by_signs left due);
     if at_any_time t z then
       let split region =
         match passed t z flow.ends region with
@@ -200,8 +198,8 @@ let of_states t (z : Zone.t) =
      @ at_least_zero (Array.to_list z.ages @ Array.to_list z.clocks)
      @ Arrangement.bonds_touch t.cut z)
 
-(* The lengths of all delays that a behaviour may ever come to, as far as they depend on parameters: one that has no
-   length is over as it begins (rule Eps0). *)
+(* The lengths of all delays that a behaviour may ever come to, as far as they depend on parameters: one that has
+   no length is over as it begins (rule Eps0). *)
 let rec lengths : Behaviour.t -> Linear.t list = function
   | Nil | Call _ -> []
   | Open (_, _, rest) | Weak (_, _, rest) | Strong (_, _, rest) | Delay (_, rest) -> lengths rest
@@ -219,7 +217,7 @@ let all_lengths t (z : Zone.t) =
   |> List.map (fun f -> Linear.compose f ~dimension:(Zone.dimension z) z.parameters)
 
 (* Weak splits look at whether the instant is one of the grid. *)
-let at_one_instant t (z : Zone.t) = cut_by (all_lengths t z @ Array.to_list z.clocks) [ z.set ]
+let at_one_instant t (z : Zone.t) = Arrangement.by_signs (all_lengths t z @ Array.to_list z.clocks) [ z.set ]
 
 let of_location t location =
   let whole = Cloud.of_location t.model location in
@@ -251,7 +249,7 @@ let starts t (u : Uncertain.t) ~declared =
       time = None; ages = nothing; clocks = nothing; places = u.places; basis = [||];
     }
   in
-  let regions = cut_by (all_lengths t zone) [ box ] in
+  let regions = Arrangement.by_signs (all_lengths t zone) [ box ] in
   let initial z point =
     let values = Array.map (fun f -> Linear.eval f point) z.Zone.parameters in
     match Network.initial (semantics_at t z point) (Fixed.declared u declared values) with

@@ -1,7 +1,7 @@
-(** Whether a set of states is one that no run leaves, and has nothing in it that should never come (rule Invariants):
-    checked by cutting it along every plane that could matter, asking the ordinary rules ({!Scc_semantics.Network}) for
-    single states, in as many points of each piece as it takes to know all of it, and by linear arithmetic. The search
-    that found it has no part in this. *)
+(** Whether a set of states is one that no run leaves, and has nothing in it that should never come (rule
+    Invariants): checked by cutting it along every plane that could matter, asking the ordinary rules
+    ({!Scc_semantics.Network}) for single states, in as many points of each piece as it takes to know all of it,
+    and by linear arithmetic. The search that found it has no part in this. *)
 
 open Scc_calculus
 open Scc_semantics

@@ -1,5 +1,5 @@
-(** States of one kind, as a location of an invariant has them, by as few variables as they need: what a certificate is
-    checked on. It knows what single states of it are, and nothing of how sets of states move. *)
+(** States of one kind, as a location of an invariant has them, by as few variables as they need: what a
+    certificate is checked on. It knows what single states of it are, and nothing of how sets of states move. *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -18,8 +18,9 @@ val points : Polyhedron.t -> Rat.t array list
     that agree on them are the same. The first one is in its interior. *)
 
 val tidied : Behaviour.definitions -> Behaviour.aged -> Behaviour.aged
-(** One term for all that differ in nil, in equal summands, and in names that stand for their bodies: they are the same
-    behaviour (readings I-14 and I-17), and a delay that turns out to have no length makes such a difference. *)
+(** One term for all that differ in nil, in equal summands, and in names that stand for their bodies: they are the
+    same behaviour (readings I-14 and I-17), and a delay that turns out to have no length makes such a difference.
+*)
 
 val tidy : Behaviour.definitions -> State.t -> State.t
 (** With all behaviours so, and without time. *)

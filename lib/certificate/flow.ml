@@ -46,8 +46,8 @@ let moving c z =
   let apart (a, b) = a.process <> b.process && not (Vec.is_zero (Vec.sub b.velocity a.velocity)) in
   List.filter apart (two_of (parts c z)) |> List.map (rooms c)
 
-(* The conditions of which one holds iff two parts do not collide before the end: over the start, where the time that
-   passes is the last variable. Room falls at its speed. *)
+(* The conditions of which one holds iff two parts do not collide before the end: over the start, where the time
+   that passes is the last variable. Room falls at its speed. *)
 let free n rooms =
   let time = Linear.variable n (n - 1) in
   let at_end (f, speed) = Linear.sub f (Linear.scale speed time) in
@@ -63,8 +63,10 @@ let passings c (z : Zone.t) region =
   let n = Zone.dimension z + 1 in
   let old = Array.init (n - 1) (Linear.variable n) in
   let time = Linear.variable n (n - 1) in
-  let start = Zone.with_variables z ~dimension:n old (Polyhedron.embed region ~dimension:n (Array.init (n - 1) Fun.id)) in
-  let in_time = Constraint.greater time (zero_like time) :: List.map (Constraint.at_most time) (delays c start @ clocks c start) in
+  let set = Polyhedron.embed region ~dimension:n (Array.init (n - 1) Fun.id) in
+  let start = Zone.with_variables z ~dimension:n old set in
+  let left = delays c start @ clocks c start in
+  let in_time = Constraint.greater time (zero_like time) :: List.map (Constraint.at_most time) left in
   let pass regions rooms =
     let conditions = free n rooms in
     let of_region p =
@@ -90,7 +92,9 @@ let passings c (z : Zone.t) region =
 
 let contacts c { states; ends } =
   let collide rooms =
-    let condition (f, speed) = if Rat.sign speed < 0 then Constraint.at_least f (zero_like f) else Constraint.greater f (zero_like f) in
+    let condition (f, speed) =
+      if Rat.sign speed < 0 then Constraint.at_least f (zero_like f) else Constraint.greater f (zero_like f)
+    in
     where states (List.map condition rooms)
   in
   List.concat_map collide (moving c ends)

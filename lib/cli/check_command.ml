@@ -295,13 +295,13 @@ let man =
        nested formulas are as short as can be from each operator to the next.";
     `S "PROOFS";
     `P
-      "Where states never recur, exploring comes to no end. $(b,--prove) looks for an invariant: a set of states, with \
-       inequalities between their numbers, that has the initial ones and that no run leaves. If nothing in it is bad, \
-       $(b,always) holds, and if nothing in it is good, $(b,possibly) is violated: $(b,proved by an invariant). It \
-       decides nothing else. Before it counts it is checked afresh, by other means than those that found it; \
-       $(b,--invariant) shows it. Of models with parameters of which ranges are known, or with $(b,split_step any), one \
-       is looked for by itself where a bound has kept a verdict from being a proof. Bodies that turn, laws of motion, \
-       rounded velocities and $(b,binding contact) have none.";
+      "Where states never recur, exploring comes to no end. $(b,--prove) looks for an invariant: a set of states, \
+       with inequalities between their numbers, that has the initial ones and that no run leaves. If nothing in it \
+       is bad, $(b,always) holds, and if nothing in it is good, $(b,possibly) is violated: $(b,proved by an \
+       invariant). It decides nothing else. Before it counts it is checked afresh, by other means than those that \
+       found it; $(b,--invariant) shows it. Of models with parameters of which ranges are known, or with \
+       $(b,split_step any), one is looked for by itself where a bound has kept a verdict from being a proof. Bodies \
+       that turn, laws of motion, rounded velocities and $(b,binding contact) have none.";
   ]
   @ Options.diagnostics_man
   @ [

@@ -1,8 +1,8 @@
-(** Sets of states that no run leaves: the abstract domain of rule Invariants. A set is finitely many locations, each a
-    kind of states (processes, bonds, velocities, behaviours as they were when they were set) with a polyhedron over
-    all numbers of such a state. It stands for the well-formed states whose kind is that of a location and whose
-    numbers are in its polyhedron: bodies that interpenetrate are in no run (rule WellFormed), and a convex set cannot
-    leave them out. *)
+(** Sets of states that no run leaves: the abstract domain of rule Invariants. A set is finitely many locations,
+    each a kind of states (processes, bonds, velocities, behaviours as they were when they were set) with a
+    polyhedron over all numbers of such a state. It stands for the well-formed states whose kind is that of a
+    location and whose numbers are in its polyhedron: bodies that interpenetrate are in no run (rule WellFormed),
+    and a convex set cannot leave them out. *)
 
 open Scc_polyhedra
 open Scc_calculus

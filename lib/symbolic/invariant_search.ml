@@ -70,10 +70,10 @@ let narrow s starts =
   let add zone =
     let zone, _ = Zone.canonical zone in
     let k = Kinds.find s.kinds zone in
-    next.(k.number) <-
-      (match next.(k.number) with
-       | None -> Some zone
-       | Some others -> Some (if Zone.included zone others <> None then others else Zone_hull.join s.context others zone))
+    let together others =
+      if Option.is_some (Zone.included zone others) then others else Zone_hull.join s.context others zone
+    in
+    next.(k.number) <- Some (Option.fold ~none:zone ~some:together next.(k.number))
   in
   List.iter add starts;
   List.iter (fun k -> List.iter add (after s k)) (all s);

@@ -1,7 +1,7 @@
-(** Looks for sets of states that no run leaves, by convex envelopes: what comes of a location is put into a polyhedron
-    around it and what is there ({!Scc_polyhedra.Hull.join}), which is widened where it does not come to rest, and then
-    narrowed. What it finds is larger than what is reached: it can show that something never comes, and never that
-    something does (rule Invariants). *)
+(** Looks for sets of states that no run leaves, by convex envelopes: what comes of a location is put into a
+    polyhedron around it and what is there ({!Scc_polyhedra.Hull.join}), which is widened where it does not come
+    to rest, and then narrowed. What it finds is larger than what is reached: it can show that something never
+    comes, and never that something does (rule Invariants). *)
 
 open Scc_property
 
@@ -17,5 +17,6 @@ type end_ =
   | No_end of string  (** why none was found, for a person *)
   | Stopped
 
-val find : Instant.context -> events:Property.event array -> limits:limits -> visitor:visitor -> Zone.t list -> end_
+val find :
+  Instant.context -> events:Property.event array -> limits:limits -> visitor:visitor -> Zone.t list -> end_
 (** From zones that do not keep time. *)

@@ -158,7 +158,8 @@ let not_over c (z : Zone.t) =
     let clock = z.clocks.(p.leaves.(0).leaf) in
     match (Semantics.model c.semantics).splits with
     | Any_time -> [ Constraint.equals clock zero ]
-    | Every step -> [ Constraint.at_least clock zero; Constraint.at_most clock (Linear.constant (Zone.dimension z) step) ]
+    | Every step ->
+      [ Constraint.at_least clock zero; Constraint.at_most clock (Linear.constant (Zone.dimension z) step) ]
   in
   List.concat_map of_leaf (leaves z) @ List.concat_map of_clock (with_clock z)
 

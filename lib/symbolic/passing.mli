@@ -35,5 +35,5 @@ val settled : Instant.context -> Zone.t -> Zone.t list
     (rule Eps0). *)
 
 val not_over : Instant.context -> Zone.t -> Constraint.t list
-(** What time says of all zones that are {!settled}: ages are not negative and less than all delays that wait, and so
-    are clocks, on a grid, which may be at its next instant. *)
+(** What time says of all zones that are {!settled}: ages are not negative and less than all delays that wait, and
+    so are clocks, on a grid, which may be at its next instant. *)

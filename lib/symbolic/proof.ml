@@ -37,15 +37,15 @@ let make context atoms ~parameters views formula =
     | Possibly (_, p) -> claim p (fun fails -> { holds = none; fails })
     | Always (_, p) -> claim (Formula.negate p) (fun holds -> { holds; fails = none })
     | All plans ->
-      let both a b =
-        let sets = { Answers.holds = Union.inter a.sets.holds b.sets.holds; fails = Union.union a.sets.fails b.sets.fails } in
-        { sets; claims = a.claims @ b.claims }
+      let both { sets = a; claims } { sets = b; claims = more } =
+        let sets = { Answers.holds = Union.inter a.holds b.holds; fails = Union.union a.fails b.fails } in
+        { sets; claims = claims @ more }
       in
       List.fold_left both { sets = { holds = all; fails = none }; claims = [] } (List.map of_plan plans)
     | Any plans ->
-      let either a b =
-        let sets = { Answers.holds = Union.union a.sets.holds b.sets.holds; fails = Union.inter a.sets.fails b.sets.fails } in
-        { sets; claims = a.claims @ b.claims }
+      let either { sets = a; claims } { sets = b; claims = more } =
+        let sets = { Answers.holds = Union.union a.holds b.holds; fails = Union.inter a.fails b.fails } in
+        { sets; claims = claims @ more }
       in
       List.fold_left either { sets = { holds = none; fails = all }; claims = [] } (List.map of_plan plans)
   in

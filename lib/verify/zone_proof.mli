@@ -1,5 +1,5 @@
-(** Verdicts by invariants (rule Invariants): an invariant is looked for, what it proves of some checks is found, and
-    all of this is checked afresh ({!Scc_certificate.Certificate}) before it counts. *)
+(** Verdicts by invariants (rule Invariants): an invariant is looked for, what it proves of some checks is found,
+    and all of this is checked afresh ({!Scc_certificate.Certificate}) before it counts. *)
 
 open Scc_calculus
 open Scc_semantics

@@ -1,6 +1,6 @@
-(* What an invariant proves is so: of all models of specs/models that sets of states can follow, against the ordinary
-   exploration. And the check of certificates sees what is wrong with others: those that lack a kind of states, and
-   claims of what does come. *)
+(* What an invariant proves is so: of all models of specs/models that sets of states can follow, against the
+   ordinary exploration. And the check of certificates sees what is wrong with others: those that lack a kind of
+   states, and claims of what does come. *)
 
 open Scc_polyhedra
 open Scc_calculus
@@ -67,7 +67,9 @@ let is_rejected l u invariant claims what =
   | Ok () -> Alcotest.failf "%s is accepted" what
 
 let rejects l u (invariant : Invariant.t) =
-  let each i _ = is_rejected l u (without invariant i) [] (Printf.sprintf "an invariant without kind %d" (i + 1)) in
+  let each i _ =
+    is_rejected l u (without invariant i) [] (Printf.sprintf "an invariant without kind %d" (i + 1))
+  in
   List.iteri each invariant.locations;
   let all = Union.of_polyhedron (Ranges.box l.model.ranges) in
   let truth = { Proof.never = Bool true; values = all } in

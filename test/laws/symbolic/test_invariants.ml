@@ -1,6 +1,6 @@
-(* Invariants of random scenes against the ordinary rules at points of the parameters: all states that those reach are
-   in them, nothing is reached that is claimed never to come, and the check of certificates, which knows nothing of how
-   they were found, accepts them. *)
+(* Invariants of random scenes against the ordinary rules at points of the parameters: all states that those reach
+   are in them, nothing is reached that is claimed never to come, and the check of certificates, which knows
+   nothing of how they were found, accepts them. *)
 
 open Scc_ctl
 open Scc_exact
@@ -117,7 +117,8 @@ let agrees case =
             let atoms = Atoms.context context ~events in
             let parameters = Ranges.box m.ranges in
             let views = Proof.views context invariant in
-            let of_prop p = (Proof.make context atoms ~parameters views (Finally (Exists, { low = Rat.zero; high = None }, State p))).claims in
+            let ever p = Property.Finally (Exists, { low = Rat.zero; high = None }, State p) in
+            let of_prop p = (Proof.make context atoms ~parameters views (ever p)).claims in
             let claims = List.concat_map of_prop case.props in
             claimed := !claimed + List.length claims;
             let accepted =
@@ -135,12 +136,12 @@ let agrees case =
 
 let generate = if Sys.getenv_opt "SCC_NO_SHRINKING" = None then generate else Gen.no_shrink generate
 
-let law = QCheck2.Test.make ~name:"invariants" ~count:150 ~print:(fun c -> Scene.print c.scene) generate agrees
+let law = QCheck2.Test.make ~name:"invariants" ~count:100 ~print:(fun c -> Scene.print c.scene) generate agrees
 
 let enough () =
   Printf.printf "%d invariants (%d not accepted), %d without; %d states; %d claims, looked at %d times\n" !found
     !refused !none !states !claimed !denied;
-  Alcotest.(check bool) "many" true (!found > 60 && !claimed > 60);
+  Alcotest.(check bool) "many" true (!found > 50 && !claimed > 60);
   Alcotest.(check bool) "nearly all are accepted" true (!refused * 50 <= !found)
 
 let () =
