@@ -1,7 +1,14 @@
 open Scc_exact
 open Scc_geometry
 
-type part = { name : string; template : string; solid : Solid.t; offset : Vec.t; mass : Rat.t }
+type part = {
+  name : string;
+  template : string;
+  solid : Solid.t;
+  offset : Vec.t;
+  open_offset : Uncertain.place option;
+  mass : Rat.t;
+}
 
 type leaf = {
   name : string;
@@ -63,6 +70,10 @@ let site_name m ~leaf (site : Site.t) =
   part.name ^ "." ^ Polyhedron.feature_name part.solid.polyhedron site.feature
 
 (* A fixed leaf has no mass: its parts count by volume, as if of one density. *)
+let same_offset a b =
+  let same (x, y, z) (x', y', z') = Scc_polyhedra.Linear.(equal x x' && equal y y' && equal z z') in
+  Vec.equal a.offset b.offset && Option.equal same a.open_offset b.open_offset
+
 let leaf_centroid leaf =
   let weight part = if leaf.fixed then part.solid.Solid.volume else part.mass in
   let add (sum, total) part =

@@ -11,6 +11,9 @@ type part = {
   template : string;  (** the name of W *)
   solid : Solid.t;  (** linear(T)(W) *)
   offset : Vec.t;  (** of its reference point from the leaf's *)
+  open_offset : Uncertain.place option;
+  (** the same over the parameters that have ranges, where it depends on them: [offset] is then what it is for some
+      of their values *)
   mass : Rat.t;  (** m > 0; of no meaning in a fixed leaf *)
 }
 
@@ -113,6 +116,9 @@ val part_count : t -> int
 
 val site_name : t -> leaf:int -> Site.t -> string
 (** ["q.left.top"], ["p.[a,b]"]. *)
+
+val same_offset : part -> part -> bool
+(** Whether they are at one place in their leaves, for all values of parameters. *)
 
 val leaf_centroid : leaf -> Vec.t
 (** Mass centroid of the leaf about its reference point. *)

@@ -34,7 +34,7 @@ let parts c (z : Zone.t) =
   let n = Zone.dimension z in
   let of_leaf (p : State.process) (l : State.leaf) =
     let of_part index (part : Model.part) =
-      let place = Place.add z.places.(l.leaf) (Place.constant n part.offset) in
+      let place = Place.add z.places.(l.leaf) (Place.of_part ~dimension:n z.parameters part) in
       { leaf = l.leaf; index; process = p.leaves.(0).leaf; solid = part.solid; place; velocity = p.velocity }
     in
     List.mapi of_part (Array.to_list m.leaves.(l.leaf).parts)

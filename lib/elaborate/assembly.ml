@@ -18,7 +18,8 @@ let placed (l : Bodies.leaf) body =
   Array.to_list (Array.map place l.parts)
 
 let check_overlaps (c : Context.t) bodies composition =
-  let stands (l : Bodies.leaf) = Option.is_some (Form.fixed l.place) in
+  let known (p : Model.part) = Option.is_none p.open_offset in
+  let stands (l : Bodies.leaf) = Option.is_some (Form.fixed l.place) && Array.for_all known l.parts in
   let leaves = Array.of_list (List.filter stands (included bodies composition)) in
   let parts = Long_list.mapi (fun body l -> placed l body) (Array.to_list leaves) in
   let parts = Array.of_list (Long_list.concat parts) in
@@ -62,13 +63,18 @@ let uncertain bodies composition ranges : Uncertain.t option =
   let n = Array.length ranges in
   let forms (x, y, z) = (Form.linear n x, Form.linear n y, Form.linear n z) in
   let members = List.map snd (numbered bodies composition) in
-  let offset (p : Model.part) = forms (Form.place p.offset) in
+  let glues i (l : Bodies.leaf) =
+    match l.shape with
+    | Basic _ -> []
+    | Compound compound ->
+      Long_list.map (fun (g : Shape.glue) -> { Uncertain.leaf = i; one = g.one; two = g.two }) compound.open_glues
+  in
   if n = 0 then None
   else
     Some
       {
         places = Array.of_list (Long_list.map (fun (l : Bodies.leaf) -> forms l.place) members);
-        offsets = Array.of_list (Long_list.map (fun (l : Bodies.leaf) -> Array.map offset l.parts) members);
+        glues = Long_list.concat (Long_list.mapi glues members);
       }
 
 let bond (composition : Composition.t) (j : Joints.t) =

@@ -61,7 +61,7 @@ let check_compound_mass report (compound : Shape.compound) (a : Attributes.t) =
 let basic_parts (c : Context.t) ~fixed name at (a : Attributes.t) (b : Shape.basic) =
   let* mass = if fixed then Some Rat.one else basic_mass c.report name at a in
   let solid = c.solid b a.at.linear in
-  Some [| { Model.name; template = b.label; solid; offset = Vec.zero; mass } |]
+  Some [| { Model.name; template = b.label; solid; offset = Vec.zero; open_offset = None; mass } |]
 
 (* What hits an absorbing body is gone, and so it does nothing itself (rule Absorb). *)
 let check_absorbing report ~fixed name (a : Attributes.t) (l : Ast.leaf) =
@@ -80,6 +80,12 @@ let check_absorbing report ~fixed name (a : Attributes.t) (l : Ast.leaf) =
 
 (* T o T_part for each part; the reference point of the leaf is where T takes the origin. *)
 let compound_parts (c : Context.t) name (a : Attributes.t) (compound : Shape.compound) =
+  let n = Array.length c.point in
+  let over_ranges form =
+    let x, y, z = Form.turned a.at.linear form in
+    if Option.is_some (Form.fixed (x, y, z)) then None
+    else Some (Form.linear n x, Form.linear n y, Form.linear n z)
+  in
   let place (p : Shape.part) =
     let placement = Affine.compose (Affine.of_linear a.at.linear) p.placement in
     {
@@ -87,6 +93,7 @@ let compound_parts (c : Context.t) name (a : Attributes.t) (compound : Shape.com
       template = p.basic.label;
       solid = c.solid p.basic placement.linear;
       offset = placement.translation;
+      open_offset = over_ranges p.place;
       mass = p.mass;
     }
   in

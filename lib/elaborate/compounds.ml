@@ -10,14 +10,10 @@ let ( let* ) = Option.bind
 (* A part with what was written about its motion. *)
 type draft = { part : Shape.part; motion : Attributes.t }
 
-let placement (c : Context.t) (p : Ast.part) (a : Attributes.t) =
-  let fixed = Placement.fixed a.at in
-  if Option.is_none fixed then begin
-    let x, y, z = a.at.translation in
-    Not_linear.report c.report p.part.at ~why:"the shape and the centre of mass of a compound must be known"
-      (Form.add x (Form.add y z))
-  end;
-  fixed
+(* What is checked here is checked for these values of parameters that have ranges; for all others it is once the
+    whole network is known. *)
+let placement (c : Context.t) (a : Attributes.t) =
+  { Affine.linear = a.at.linear; translation = Form.at c.point a.at.translation }
 
 let read_part (c : Context.t) env (p : Ast.part) =
   let basic = Templates.basic c env ~label:p.part.it p.part_solid in
@@ -32,11 +28,12 @@ let read_part (c : Context.t) env (p : Ast.part) =
       ~hint:"every part of a compound needs `mass m` with m > 0";
   let* basic = basic in
   let* mass, _ = a.mass in
-  let* placement = placement c p a in
+  let placement = placement c a in
   if not a.complete then None
   else
     let solid = c.solid basic placement.linear in
-    let part = { Shape.name = p.part.it; basic; placement; solid; mass; span = p.part.at } in
+    let place = a.at.translation in
+    let part = { Shape.name = p.part.it; basic; placement; place; solid; mass; span = p.part.at } in
     Some { part; motion = a }
 
 let check_names (c : Context.t) (parts : Ast.part list) =
@@ -158,8 +155,13 @@ let read_glue (c : Context.t) env (compound : Shape.compound) joined (g : Ast.gl
       Report.error c.report Code.not_connected g.glue_span
         "the parts `%s` and `%s` are joined already: the glues of a compound are a tree" p.name q.name
     else check_contact c g.glue_span (p, a.feature) (q, b.feature);
-    true
-  | _ -> false
+    Some { Shape.one = a; two = b }
+  | _ -> None
+
+(* Whether the parts are at a known place from each other. *)
+let is_open (compound : Shape.compound) (g : Shape.glue) =
+  let (x, y, z), (x', y', z') = (compound.parts.(g.one.part).place, compound.parts.(g.two.part).place) in
+  Option.is_none (Form.fixed (Form.sub x x', Form.sub y y', Form.sub z z'))
 
 let check_connected (c : Context.t) (name : Ast.name) (parts : Shape.part array) joined =
   let apart i = Union_find.find joined i <> Union_find.find joined 0 in
@@ -173,13 +175,14 @@ let check_connected (c : Context.t) (name : Ast.name) (parts : Shape.part array)
 let build (c : Context.t) env (name : Ast.name) drafts glues =
   let parts = Array.map (fun d -> d.part) drafts in
   let velocity = common_velocity drafts and spin = Attributes.spin drafts.(0).motion in
-  let compound = { Shape.cid = c.fresh (); clabel = name.it; parts; velocity; spin } in
+  let compound = { Shape.cid = c.fresh (); clabel = name.it; parts; open_glues = []; velocity; spin } in
   let joined = Union_find.create (Array.length parts) in
   let rigid = check_motion c name drafts in
   let disjoint = check_overlaps c name parts in
   let read = Long_list.map (read_glue c env compound joined) glues in
-  if List.for_all Fun.id read then check_connected c name parts joined;
-  if rigid && disjoint then Some (Shape.Compound compound) else None
+  if List.for_all Option.is_some read then check_connected c name parts joined;
+  let open_glues = List.filter (is_open compound) (List.filter_map Fun.id read) in
+  if rigid && disjoint then Some (Shape.Compound { compound with open_glues }) else None
 
 (* That the glue names parts, where these are not known otherwise. *)
 let check_parts (c : Context.t) env (name : Ast.name) (parts : Ast.part list) (g : Ast.glue) =

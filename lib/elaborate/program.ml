@@ -139,6 +139,7 @@ let param_in g place (name : Ast.name) (low : Ast.limit) (high : Ast.limit) =
   | Some (In range) ->
     let index = List.length g.ranges in
     g.ranges <- range :: g.ranges;
+    g.c.point <- Ranges.point (Array.of_list (List.rev g.ranges));
     bind g place "parameter" name (Env.Affine (Form.variable { index; name = global }))
   | None -> bind g place "parameter" name (Env.Number Rat.one)
 
@@ -380,5 +381,4 @@ let read c ~overrides ~narrowed model =
   ignore (List.fold_left (item g) (at_top c.root) model);
   Overrides.check g.overrides c.report Span.none;
   if List.length model = 0 then Report.error c.report Code.empty_model Span.none "the model declares nothing";
-  c.point <- Ranges.point (Array.of_list (List.rev g.ranges));
   if g.overflow then None else Some (program g)

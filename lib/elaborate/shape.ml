@@ -8,12 +8,23 @@ type part = {
   name : string;
   basic : basic;
   placement : Affine.t;
+  place : Form.place;
   solid : Solid.t;
   mass : Rat.t;
   span : Span.t;
 }
 
-type compound = { cid : int; clabel : string; parts : part array; velocity : Vec.t; spin : Vec.t }
+type glue = { one : Scc_calculus.Site.t; two : Scc_calculus.Site.t }
+
+type compound = {
+  cid : int;
+  clabel : string;
+  parts : part array;
+  open_glues : glue list;
+  velocity : Vec.t;
+  spin : Vec.t;
+}
+
 type t = Basic of basic | Compound of compound
 
 let structure = function

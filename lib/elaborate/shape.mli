@@ -17,16 +17,20 @@ type basic = {
 type part = {
   name : string;
   basic : basic;
-  placement : Affine.t;  (** in the frame of the compound *)
+  placement : Affine.t;  (** in the frame of the compound; for one of the values that parameters with ranges may have *)
+  place : Form.place;  (** its translation, for all of them *)
   solid : Solid.t;  (** placed, but for the translation *)
   mass : Rat.t;
   span : Span.t;
 }
 
+type glue = { one : Scc_calculus.Site.t; two : Scc_calculus.Site.t }
+
 type compound = {
   cid : int;
   clabel : string;
   parts : part array;
+  open_glues : glue list;  (** of parts that are not at a known place from each other *)
   velocity : Vec.t;  (** of the centre of mass; a process of this shape that gives none has it *)
   spin : Vec.t;  (** of every part; likewise *)
 }

@@ -32,10 +32,10 @@ let named name (b : State.bond) =
 let count test (p : State.process) = Array.fold_left (fun n b -> if test b then n + 1 else n) 0 p.bonds
 
 (* Of the shape of a leaf, where it is now. *)
-let centroid model leaf path = State.centroid model (State.leaf_of (Path.process path) leaf)
+let centroid leaf path = State.centroid (Path.model path) (State.leaf_of (Path.process path) leaf)
 
-let distance2 model i j p q =
-  let from = centroid model i p and towards = centroid model j q in
+let distance2 i j p q =
+  let from = centroid i p and towards = centroid j q in
   if State.has_leaf (Path.process p) j then Path.Steady (Vec.norm2 (Vec.sub from towards))
   else Path.distance2 p from q towards
 
@@ -71,12 +71,12 @@ let quantity model : Property.quantity -> quantity = function
     Counted (i, count wanted)
   | Size i -> Counted (i, State.size model)
   | Processes -> Number (fun _ -> 1)
-  | Position (a, i) -> Of_process (i, fun p -> Path.coordinate p a (centroid model i p))
-  | Velocity (a, i) -> Of_process (i, fun p -> Path.velocity p a (centroid model i p))
-  | Speed2 i -> Of_process (i, fun p -> Path.speed2 p (centroid model i p))
+  | Position (a, i) -> Of_process (i, fun p -> Path.coordinate p a (centroid i p))
+  | Velocity (a, i) -> Of_process (i, fun p -> Path.velocity p a (centroid i p))
+  | Speed2 i -> Of_process (i, fun p -> Path.speed2 p (centroid i p))
   | Spin (a, i) -> Of_process (i, fun p -> Path.spin p a)
   | Spin2 i -> Of_process (i, Path.spin2)
-  | Distance2 (i, j) -> Of_two (i, j, distance2 model i j)
+  | Distance2 (i, j) -> Of_two (i, j, distance2 i j)
   | Momentum a -> Sum (fun p -> Path.momentum p a)
   | Angular a -> Sum (fun p -> Path.angular p a)
   | Energy -> Sum Path.energy

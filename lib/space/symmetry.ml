@@ -13,7 +13,7 @@ let classes s = Array.to_list (Array.map Array.to_list s.members)
 (** {2 Which leaves} *)
 
 let equal_part (a : Model.part) (b : Model.part) =
-  a.solid.Solid.id = b.solid.Solid.id && Vec.equal a.offset b.offset && Rat.equal a.mass b.mass
+  a.solid.Solid.id = b.solid.Solid.id && Model.same_offset a b && Rat.equal a.mass b.mass
 
 let equal_arrays equal a b =
   Array.length a = Array.length b

@@ -59,6 +59,13 @@ module View = struct
 
   let semantics c = c.instant.Instant.semantics
   let model c = Semantics.model (semantics c)
+  let model_at c v point = Semantics.model (Instant.semantics_at c.instant v.zone point)
+
+  (* Whether the parts of leaves are at known places in them. *)
+  let are_known c leaves =
+    let known (p : Model.part) = Option.is_none p.open_offset in
+    List.for_all (fun i -> Array.for_all known (model c).leaves.(i).parts) leaves
+
   let constant q v = everywhere v (Ok (Linear.constant (Zone.dimension v.zone) q))
   let home v leaf = State.home v.zone.skeleton leaf
   let gone c leaf v = everywhere v (Error (Meaning.of_the_gone (model c) leaf))
@@ -74,7 +81,7 @@ module View = struct
     let n = Zone.dimension v.zone in
     let at point =
       match State.home (Zone.at v.zone point) leaf with
-      | Some p -> now (curve (Path.make (model c) p))
+      | Some p -> now (curve (Path.make (model_at c v point) p))
       | None -> Scc_base.Bug.fail __POS__ "a leaf that is gone"
     in
     everywhere v (Ok (interpolated n at))
@@ -89,14 +96,15 @@ module View = struct
     | Of_two (i, j, curve) ->
       if home v i = None then gone c i v
       else if home v j = None then gone c j v
-      else if Place.is_constant (Place.sub v.zone.places.(i) v.zone.places.(j)) then
+      else if Place.is_constant (Place.sub v.zone.places.(i) v.zone.places.(j)) && are_known c [ i; j ] then
         let s = Zone.at v.zone (Array.make n Rat.zero) in
         let path leaf = Path.make (model c) (Option.get (State.home s leaf)) in
         constant (now (curve (path i) (path j))) v
       else everywhere v (not_linear "a distance")
     | Sum curve ->
       let at point =
-        let add sum p = Rat.add sum (now (curve (Path.make (model c) p))) in
+        let model = model_at c v point in
+        let add sum p = Rat.add sum (now (curve (Path.make model p))) in
         List.fold_left add Rat.zero (processes v point)
       in
       everywhere v (Ok (interpolated n at))

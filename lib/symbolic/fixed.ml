@@ -12,9 +12,21 @@ let rec behaviour values (b : Behaviour.t) =
   | Wait (t, rest) -> Behaviour.delay (Linear.eval t values) (at rest)
   | Sum (x, y) -> Behaviour.sum (at x) (at y)
 
+let is_open (p : Model.part) = Option.is_some p.open_offset
+let has_open_offsets (m : Model.t) = Array.exists (fun (l : Model.leaf) -> Array.exists is_open l.parts) m.leaves
+
+let offsets (m : Model.t) values =
+  let part (p : Model.part) =
+    match p.open_offset with
+    | None -> p
+    | Some forms -> { p with offset = Place.eval forms values; open_offset = None }
+  in
+  let leaf (l : Model.leaf) = { l with parts = Array.map part l.parts } in
+  if has_open_offsets m then { m with leaves = Array.map leaf m.leaves } else m
+
 let model (m : Model.t) values =
   let definition (d : Behaviour.definition) = { d with body = behaviour values d.body } in
-  { m with ranges = [||]; definitions = Array.map definition m.definitions }
+  { (offsets m values) with ranges = [||]; definitions = Array.map definition m.definitions }
 
 let declared (u : Uncertain.t) (s : State.t) values =
   let leaf (l : State.leaf) =

@@ -57,9 +57,10 @@ let all (c : Instant.context) ~events z region =
       (fun h -> { h with target = normalized h.target })
       (List.concat_map (target c ~events z region state) outcomes)
   in
-  let of_each kind = List.concat_map (kind c.semantics) (Array.to_list state.processes) in
+  let semantics = Instant.semantics_at c z point in
+  let of_each kind = List.concat_map (kind semantics) (Array.to_list state.processes) in
   let weak = of_each Network.weak in
   if z.Zone.halted then { urgent = []; weak = happen weak }
   else
-    let urgent = of_each Network.urgent @ Network.together c.semantics state.processes in
+    let urgent = of_each Network.urgent @ Network.together semantics state.processes in
     { urgent = happen urgent; weak = happen weak }

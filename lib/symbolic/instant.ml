@@ -16,13 +16,19 @@ let context semantics =
 
 exception Not_affine of string
 
+let semantics_at c (z : Zone.t) point =
+  let m = Semantics.model c.semantics in
+  if Fixed.has_open_offsets m then
+    Semantics.with_model c.semantics (Fixed.offsets m (Array.map (fun f -> Linear.eval f point) z.parameters))
+  else c.semantics
+
 type part = { process : State.process; leaf : int; index : int; solid : Solid.t; place : Place.t }
 
 let parts (m : Model.t) z (process : State.process) =
   let n = Zone.dimension z in
   let of_leaf (l : State.leaf) =
     let of_part index (p : Model.part) =
-      let place = Place.add z.places.(l.leaf) (Place.constant n p.offset) in
+      let place = Place.add z.places.(l.leaf) (Place.of_part ~dimension:n z.parameters p) in
       { process; leaf = l.leaf; index; solid = p.solid; place }
     in
     List.mapi of_part (Array.to_list m.leaves.(l.leaf).parts)

@@ -17,3 +17,8 @@ let eval (x, y, z) point = Vec.make (Linear.eval x point) (Linear.eval y point) 
 let map f (x, y, z) = (f x, f y, f z)
 let coordinates (x, y, z) = [ x; y; z ]
 let compose p ~dimension forms = map (fun f -> Linear.compose f ~dimension forms) p
+
+let of_part ~dimension parameters (p : Scc_calculus.Model.part) =
+  match p.open_offset with
+  | None -> constant dimension p.offset
+  | Some forms -> compose forms ~dimension parameters

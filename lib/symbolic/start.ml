@@ -6,7 +6,7 @@ open Scc_semantics
 open Instant
 
 type fault = { at : (string * Rat.t) list; reason : reason }
-and reason = Interpenetrate of int * int | Bond_apart of State.bond
+and reason = Interpenetrate of (int * int) * (int * int) | Apart of State.finish * State.finish
 
 (* {1 Rule WellFormed, for all values} *)
 
@@ -39,43 +39,45 @@ let overlap c (z : Zone.t) =
   let all = List.map (fun part -> (part, extent z part)) all in
   let of_pair ((a, extent_of_a), (b, extent_of_b)) =
     let inside = function p, Touching_cells.Interpenetrating -> Some p | _, (Apart | Touching _) -> None in
-    if a.leaf = b.leaf || are_apart extent_of_a extent_of_b then None
+    if (a.leaf = b.leaf && Place.is_constant (offset a b)) || are_apart extent_of_a extent_of_b then None
     else
       Touching_cells.make (c.obstacle a.solid b.solid) ~offset:(offset a b) z.set
       |> List.find_map inside
-      |> Option.map (fun p -> { at = values m p; reason = Interpenetrate (a.leaf, b.leaf) })
+      |> Option.map (fun p -> { at = values m p; reason = Interpenetrate ((a.leaf, a.index), (b.leaf, b.index)) })
   in
   List.find_map of_pair (two_of all)
 
-let bond_apart c (z : Zone.t) =
-  let m = Semantics.model c.semantics in
-  let of_process (p : State.process) =
-    let parts = parts m z p in
-    let at (f : State.finish) = List.find (fun part -> part.leaf = f.at && part.index = f.site.part) parts in
-    let side part (f : State.finish) = { Feature_cells.solid = part.solid; feature = f.site.feature } in
-    let of_bond (b : State.bond) =
-      let one = at b.one and two = at b.two in
-      let together = Feature_cells.offsets c.features (side one b.one) (side two b.two) in
-      let x, y, z' = offset one two in
-      let right = Polyhedron.preimage together ~dimension:(Zone.dimension z) [| x; y; z' |] in
-      match Difference.pieces z.set right with
-      | [] -> None
-      | p :: _ -> Some { at = values m p; reason = Bond_apart b }
-    in
-    List.find_map of_bond (Array.to_list p.bonds)
+(* What is bound, and what is glued where that depends on the values. *)
+let joints (u : Uncertain.t) (z : Zone.t) =
+  let of_process (p : State.process) = List.map (fun (b : State.bond) -> (b.one, b.two)) (Array.to_list p.bonds) in
+  let of_glue (g : Uncertain.glue) =
+    if Option.is_none (State.home z.skeleton g.leaf) then None
+    else Some ({ State.at = g.leaf; site = g.one }, { State.at = g.leaf; site = g.two })
   in
-  List.find_map of_process (Array.to_list z.skeleton.processes)
+  List.concat_map of_process (Array.to_list z.skeleton.processes) @ List.filter_map of_glue u.glues
+
+let apart c u (z : Zone.t) =
+  let m = Semantics.model c.semantics in
+  let parts = List.concat_map (parts m z) (Array.to_list z.skeleton.processes) in
+  let at (f : State.finish) = List.find (fun part -> part.leaf = f.at && part.index = f.site.part) parts in
+  let side part (f : State.finish) = { Feature_cells.solid = part.solid; feature = f.site.feature } in
+  let of_joint (f, g) =
+    let one = at f and two = at g in
+    let together = Feature_cells.offsets c.features (side one f) (side two g) in
+    let x, y, z' = offset one two in
+    let right = Polyhedron.preimage together ~dimension:(Zone.dimension z) [| x; y; z' |] in
+    match Difference.pieces z.set right with
+    | [] -> None
+    | p :: _ -> Some { at = values m p; reason = Apart (f, g) }
+  in
+  List.find_map of_joint (joints u z)
 
 let known (m : Model.t) (s : State.t) : Uncertain.t =
   let place v = Place.constant 0 v in
-  let of_part (p : Model.part) = place p.offset in
   let of_leaf i (_ : Model.leaf) =
     match State.home s i with None -> place Vec.zero | Some p -> place (State.leaf_of p i).position
   in
-  {
-    places = Array.mapi of_leaf m.leaves;
-    offsets = Array.map (fun (l : Model.leaf) -> Array.map of_part l.parts) m.leaves;
-  }
+  { places = Array.mapi of_leaf m.leaves; glues = [] }
 
 (* {1 The zone} *)
 
@@ -105,4 +107,4 @@ let zones c u ~initial ~keeps_time =
   let z = zone (Semantics.model c.semantics) u ~initial ~keeps_time in
   match overlap c z with
   | Some fault -> Error fault
-  | None -> ( match bond_apart c z with Some fault -> Error fault | None -> Ok (Passing.settled c z))
+  | None -> ( match apart c u z with Some fault -> Error fault | None -> Ok (Passing.settled c z))

@@ -10,8 +10,8 @@ type fault = {
 }
 
 and reason =
-  | Interpenetrate of int * int  (** two leaves *)
-  | Bond_apart of State.bond  (** its features do not touch *)
+  | Interpenetrate of (int * int) * (int * int)  (** two parts: their leaves, and which ones they are of those *)
+  | Apart of State.finish * State.finish  (** features that are bound, or glued, do not touch *)
 
 val known : Model.t -> State.t -> Uncertain.t
 (** Of a declared state of which everything is known. *)

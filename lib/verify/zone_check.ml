@@ -25,22 +25,26 @@ let refused (m : Model.t) use =
   else if Option.is_some m.round_velocity then because "its velocities are rounded" fixed
   else
     match m.binding with
-    | On_contact -> because "its bodies bind on contact" fixed
+    | On_contact ->
+      because
+        "its bodies bind on contact, and that bodies which glide along each other begin to touch is no collision, \
+         which is what is looked for"
+        fixed
     | On_collision -> []
 
 type fault = { at : (string * Rat.t) list; reason : Start.reason }
 
 let diagnostic (m : Model.t) { at; reason } =
-  let name leaf = m.leaves.(leaf).name in
   let values = Verdict.values_to_string at in
   match reason with
-  | Interpenetrate (a, b) ->
+  | Interpenetrate ((a, i), (b, j)) ->
+    let name leaf part = if a = b then m.leaves.(leaf).parts.(part).name else m.leaves.(leaf).name in
     Diag.error Code.interpenetration Span.none "`%s` and `%s` interpenetrate for some starts: for %s"
-      (name a) (name b) values
-  | Bond_apart b ->
+      (name a i) (name b j) values
+  | Apart (one, two) ->
     let site (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
     Diag.error Code.not_touching Span.none "%s and %s do not touch for some starts: for %s"
-      (site b.one) (site b.two) values
+      (site one) (site two) values
 
 (* {1 One exploration} *)
 

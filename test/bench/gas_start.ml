@@ -65,7 +65,7 @@ let rotation (w, x, y, z) =
   | None -> failwith "the zero quaternion"
 
 let leaf name solid mass ~fixed : Model.leaf =
-  let part : Model.part = { name; template = "Cube"; solid; offset = Vec.zero; mass } in
+  let part : Model.part = { name; template = "Cube"; solid; offset = Vec.zero; open_offset = None; mass } in
   {
     name; template = "Cube"; parts = [| part |]; fixed; absorbs = false; mass; law = Inertial;
     law_at = Scc_base.Span.none;

@@ -140,6 +140,17 @@ PLATE = """compound Plate {
 }
 """
 
+SHIFTED = PLATE.replace('(0,2,%s)', '(h,2,0)')
+
+SPREAD = """compound Beam {
+  part base : Cube scaled (6,1,1) mass 1
+  part one : Cube mass 1 at translate (0,2,0)
+  part two : Cube mass 1 at translate (x,2,0)
+  glue base.back ~ one.front
+  glue base.back ~ two.front
+}
+"""
+
 NOTCH = """compound Notch {
   part floor : Cube mass 1
   part heel : Cube mass 1 at translate (2,0,0)
@@ -165,8 +176,19 @@ def bodies(r):
            ('possibly event bounce(p, r)', 'violated', part(1, F(1, 2), '-h < 0, h <= 1')),
            (HIT, 'violated', part(1, F(1, 2), '-h < 0, h <= 1')),
            ('possibly 3 * vx(q) = 2', 'violated', part(1, F(1, 2), '-h < 0, h <= 1')))
-    r.fault('The centre of mass of a compound has to be known.', 'model.check', 'param h in [-1, 1]\n' + PLATE % 'h' +
-            'process q = Plate [nil]\n', 'SC0218')
+    r.told('The upper part is h further than the lower one, and is hit iff 0 < y < 4, at 6 + h; the lower one iff |y| < 2, at 6. '
+           'Up to y = 2 the one that is nearer decides: bound on 6 of 24, a bounce on 6. The centre is at 8 + h/2.',
+           'param h in [-1, 1]\nparam y in [-6, 6]\n' + SHIFTED + 'process p = Cube mass 1 velocity (1,0,0) at translate '
+           '(0,y,0) [<a, {right}>. nil]\nprocess q = Plate at translate (8,0,0) [<~a, {high.left}>. nil]\n',
+           (BIND, 'violated', part(6, F(1, 4))), (HIT, 'violated', part(6, F(1, 4))),
+           ('possibly touching(p, q)', 'violated', part(12, F(1, 2))),
+           ('always x(q) >= 8', 'violated', part(12, F(1, 2), '-h <= 0, h <= 1, -y <= 6, y <= 6')),
+           ('possibly (event bounce(p, q) or event bind(a)) within 11/2', 'violated',
+            part(2, F(1, 12), '-h <= 1, 2h <= -1, -y < 0, y < 4')))
+    r.fault('Beyond 2 the glue holds nothing.', 'model.check', 'param h in [-1, 3]\n' + SHIFTED + 'process q = Plate [nil]\n',
+            'SC0401')
+    r.fault('Parts of one compound interpenetrate where x < 2.', 'model.check', 'param x in [1, 4]\n' + SPREAD +
+            'process q = Beam [nil]\n', 'SC0403')
     r.told('Into a notch: it is at the floor at 6 and at the wall at 6 - x. x > 0: the wall first; x < 0: the floor first; '
            'x = 0: both normals count in one response. In any case it comes back as it came.',
            NOTCH + 'param x in [-1, 1]\nfixed n = Notch\n'

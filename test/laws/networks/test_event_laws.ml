@@ -158,7 +158,7 @@ let network_of_pile bodies =
   let solid = Random_rigid.cube ~id:0 in
   let leaf i (_, (_, mass, _)) : Model.leaf =
     let name = say "p%d" i and mass = Rat.of_int mass in
-    let part = { Model.name; template = "Cube"; solid; offset = Vec.zero; mass } in
+    let part = { Model.name; template = "Cube"; solid; offset = Vec.zero; open_offset = None; mass } in
     { name; template = "Cube"; parts = [| part |]; fixed = is_fixed i; absorbs = false; mass; law = Inertial;
       law_at = Scc_base.Span.none }
   in

@@ -89,7 +89,7 @@ let leaf i (b : body) : Model.leaf =
   let name = Printf.sprintf "p%d" i in
   let part j (solid, offset) : Model.part =
     let name = if List.length parts = 1 then name else Printf.sprintf "%s.s%d" name j in
-    { name; template = "Shape"; solid = Bodies.solids.(solid); offset; mass = rat b.mass (List.length parts) }
+    { name; template = "Shape"; solid = Bodies.solids.(solid); offset; open_offset = None; mass = rat b.mass (List.length parts) }
   in
   {
     name; template = "Shape"; parts = Array.of_list (List.mapi part parts);
@@ -138,13 +138,8 @@ let place s (b : body) =
   (along 0 x, along 1 y, along 2 z)
 
 let uncertain s : Uncertain.t =
-  let k = parameters s in
-  let offsets (b : body) =
-    let of_part (_, (v : Vec.t)) = Linear.(constant k v.x, constant k v.y, constant k v.z) in
-    Array.of_list (List.map of_part Bodies.shapes.(b.shape))
-  in
   let all f = Array.of_list (List.map f s.bodies) in
-  { places = all (place s); offsets = all offsets }
+  { places = all (place s); glues = [] }
 
 let velocity (b : body) =
   let x, y, z = b.velocity in

@@ -118,7 +118,7 @@ let leaf switches i (b : body) : Model.leaf =
   let mass = rational b.mass (List.length parts) in
   let part j (solid, offset) : Model.part =
     let name = if List.length parts = 1 then name else Printf.sprintf "%s.s%d" name j in
-    { name; template = "Cube"; solid = solids.(solid); offset; mass }
+    { name; template = "Cube"; solid = solids.(solid); offset; open_offset = None; mass }
   in
   {
     name; template = "Cube"; parts = Array.of_list (List.mapi part parts); fixed = b.fixed;

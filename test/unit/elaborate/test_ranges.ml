@@ -47,8 +47,6 @@ let several () =
   Alcotest.(check (list string)) "in a loop, and of a compound"
     [ "x, 10, 1/2 x + 2"; "2x, 20, 1/2 x + 2"; "0, 100, x" ]
     (List.map (place_text t) (Array.to_list u.places));
-  Alcotest.(check (list string)) "parts" [ "0, 0, 0"; "3, 1/2, 0" ]
-    (List.map (place_text t) (Array.to_list u.offsets.(2)));
   Alcotest.(check string) "the ranges" "x in [0, 6]" (Ranges.to_string t.model.ranges);
   Alcotest.(check (list string)) "what is known is listed" [ "n" ] (List.map fst t.parameters);
   let at leaf = (State.leaf_of (Option.get (State.home t.declared leaf)) leaf).position in
@@ -57,8 +55,27 @@ let several () =
   let there = Vec.make (Rat.mul two point.(0)) (q 20 1) (Rat.add two (Rat.div point.(0) two)) in
   Alcotest.(check string) "declared at a point of them" (Vec.to_string there) (Vec.to_string (at 1))
 
-let known () =
-  let t = accept (cube ^ "param x in [2, 2] process p = Cube mass x velocity (x, 0, 0) [nil]") in
+(* Parts of a compound, in the frame of the body: those that are where the text says depend on nothing. *)
+let parts () =
+  let t =
+    accept
+      (cube
+       ^ "param x in [0, 1] param y in [0, 1] compound C { part a : Cube mass 1 at translate (x, 0, 0) part b : Cube mass 1 at \
+          translate (2 + x, y, 0) part c : Cube mass 1 at translate (2 + x, y, 2) glue a.right ~ b.left glue b.top ~ c.bottom } \
+          process p = C at translate (x, 9, 9) * rotate quaternion (1, 0, 0, 1) [nil] process q = Cube mass 1 at translate (50, \
+          0, 0) [nil]")
+  in
+  let offset (p : Model.part) = match p.open_offset with None -> "known" | Some place -> place_text t place in
+  let of_leaf i = List.map offset (Array.to_list t.model.leaves.(i).parts) in
+  Alcotest.(check (list string)) "turned as the body is" [ "0, x, 0"; "-y, x + 2, 0"; "-y, x + 2, 2" ] (of_leaf 0);
+  Alcotest.(check (list string)) "of a body that is none" [ "known" ] (of_leaf 1);
+  match (uncertain t).glues with
+  | [ { leaf; one; two } ] ->
+    Alcotest.(check (list int)) "one glue is between parts that move against each other" [ 0; 0; 1 ]
+      [ leaf; one.part; two.part ]
+  | glues -> Alcotest.failf "%d glues" (List.length glues)
+
+let known () =  let t = accept (cube ^ "param x in [2, 2] process p = Cube mass x velocity (x, 0, 0) [nil]") in
   Alcotest.(check bool) "of one number" true (t.uncertain = None);
   let values = List.map (fun (_, v) -> Rat.to_string v) t.parameters in
   Alcotest.(check (list string)) "it is a parameter" [ "2" ] values;
@@ -222,8 +239,6 @@ let linear_alone =
     case "a box" "box" ~says:"shapes" (body "shape B = box(1, x, 1) process p = B mass 1 [nil]");
     case "a corner" "x" ~says:"shapes"
       (body "shape B = hull { a (0,0,0) b (x,0,0) c (0,1,0) d (0,0,1) } process p = B mass 1 [nil]");
-    case "a part" "a" ~says:"compound"
-      (body "compound C { part a : Cube mass 1 at translate (x, 0, 0) } process p = C [nil]");
     case "a bound of a loop" "x" ~says:"declared" (body "for i in 1..x { process p = Cube mass 1 [nil] }");
     case "a filter of a loop" "w" ~says:"declared"
       (body "for i in 1..2 if i < w { process p[i] = Cube mass 1 at translate (9*i, 0, 0) [nil] }");
@@ -288,6 +303,7 @@ let () =
       ( "what depends on them",
         [
           case "places of several bodies" several;
+          case "parts of compounds" parts;
           case "what is known" known;
           case "delays" delays;
           case "formulas" formulas;

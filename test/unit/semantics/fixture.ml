@@ -52,7 +52,7 @@ let inertial = function Law.Inertial -> true | Law.Velocity _ -> false
 let model ?(definitions = [||]) ?(timestep = q 1) ?(splits = Model.Every (q 1)) bodies : Model.t =
   let leaf b : Model.leaf =
     let part : Model.part =
-      { name = b.name; template = "Cube"; solid; offset = Vec.zero; mass = q b.mass }
+      { name = b.name; template = "Cube"; solid; offset = Vec.zero; open_offset = None; mass = q b.mass }
     in
     {
       name = b.name; template = "Cube"; parts = [| part |]; fixed = b.fixed; absorbs = b.absorbs; mass = q b.mass;
