@@ -15,6 +15,7 @@ type swarm = {
   initial : State.t;
   horizon : Rat.t option;
   values : Polyhedron.t;  (** of the parameters *)
+  over_instants : Polyhedron.t Lazy.t array;  (** the same with so many variables more, of which nothing is said *)
   parts : Instant.part list array;  (** by process *)
   walls : bool array;
   groups : Union_find.t;  (** of processes *)
@@ -48,7 +49,7 @@ let with_instants s more =
   let old = Array.init n (Linear.variable dimension) in
   let lift f = Linear.compose f ~dimension old in
   let instant i = Linear.variable dimension (n + i) in
-  (Polyhedron.embed s.values ~dimension (Array.init n Fun.id), lift, instant, Linear.constant dimension)
+  (Lazy.force s.over_instants.(more), lift, instant, Linear.constant dimension)
 
 let in_time s instant constant =
   Constraint.at_least instant (constant Rat.zero)
@@ -205,10 +206,13 @@ let create context uncertain ~initial (z : Zone.t) formulas =
     let has (q : State.process) = State.has_leaf q p.leaves.(0).leaf in
     Instant.parts model z (List.find has (Array.to_list z.skeleton.processes))
   in
+  let n = Polyhedron.dimension z.set in
+  let over more = lazy (Polyhedron.embed z.set ~dimension:(n + more) (Array.init n Fun.id)) in
   {
     context; model; uncertain; initial;
     horizon = Plan.latest_horizon formulas;
     values = z.set;
+    over_instants = Array.init 3 over;
     parts = Array.map parts processes;
     walls = Array.map (Slice.is_wall model ~in_events) processes;
     groups = Union_find.create (Array.length processes);
