@@ -286,7 +286,7 @@ let man =
     `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
     `P
       "Models with parameters of which ranges are known, or with $(b,split_step any), are explored by sets of \
-       states, for which $(b,slice) and $(b,translation) are used, and no other of these; nor do $(b,--shortest) and \
+       states, for which $(b,slice), $(b,order) and $(b,translation) are used, and no other of these; nor do $(b,--shortest) and \
        $(b,--hash-compact) apply to them. They have a bound of 1000 transitions by default ($(b,--depth)).";
     `P
       "With $(b,order) and $(b,slice) a run that is shown may contain events of other bodies, which the fact does \

@@ -44,7 +44,14 @@ let size g = Scc_data.Growable.length g.nodes
 let node g i = Scc_data.Growable.get g.nodes i
 let roots g = List.rev g.roots
 
-type exploration = { graph : t; context : Instant.context; limits : limits; visitor : visitor; displaced : bool }
+type exploration = {
+  graph : t;
+  context : Instant.context;
+  limits : limits;
+  visitor : visitor;
+  displaced : bool;
+  visible : (int -> bool) option;
+}
 
 let put e zone parent =
   let g = e.graph in
@@ -111,18 +118,24 @@ let add_edge e (source : node) (step : Zone_steps.step) (target : Zone.t) =
     source.edges <- edge n.number map :: source.edges
 
 let expand e ~events (source : node) =
-  let { Zone_steps.cells; steps } = Zone_steps.all e.context ~events source.zone in
+  let { Zone_steps.cells; steps; postponed } =
+    Zone_steps.all ?visible:e.visible e.context ~events source.zone
+  in
   source.cells <- cells;
-  List.iter (fun (step, target) -> add_edge e source step target) steps;
+  let known = size e.graph in
+  let add = List.iter (fun (step, target) -> add_edge e source step target) in
+  add steps;
+  (* So that nothing is put off for ever, round and round. *)
+  if List.exists (fun (edge : edge) -> edge.target < known) source.edges then add postponed;
   source.edges <- List.rev source.edges;
   source.expanded <- true;
   e.visitor.expanded source
 
-let explore ?(displaced = false) context ~events ~limits ~visitor zones =
+let explore ?(displaced = false) ?visible context ~events ~limits ~visitor zones =
   let graph =
     { nodes = Scc_data.Growable.create (); by_kind = Kinds.create 64; waiting = Queue.create (); roots = [] }
   in
-  let e = { graph; context; limits; visitor; displaced } in
+  let e = { graph; context; limits; visitor; displaced; visible } in
   let root zone =
     let n, _ = node_of e zone ~parent:(fun _ _ -> None) in
     graph.roots <- n :: graph.roots

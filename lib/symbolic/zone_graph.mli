@@ -61,6 +61,7 @@ type visitor = {
 
 val explore :
   ?displaced:bool ->
+  ?visible:(int -> bool) ->
   Instant.context ->
   events:Property.event array ->
   limits:limits ->
@@ -68,4 +69,5 @@ val explore :
   Zone.t list ->
   t * end_
 (** From zones, which need not be canonical: the roots are their canonical forms. With [displaced] each zone that is
-    reached is {!Zone.centred} first: where the whole is does not matter. *)
+    reached is {!Zone.centred} first: where the whole is does not matter. With [visible], independent events of one
+    instant are followed in one order where nobody looks at who makes them (rule Order): for searches alone. *)

@@ -2,23 +2,57 @@ open Scc_polyhedra
 open Scc_semantics
 
 type step = Happens of Transition.label | Passes of Linear.t | Passes_some
-type t = { steps : (step * Zone.t) list; cells : Passing.due First.cell list }
 
-let none = { steps = []; cells = [] }
-let both a b = { steps = a.steps @ b.steps; cells = a.cells @ b.cells }
+type t = {
+  steps : (step * Zone.t) list;
+  postponed : (step * Zone.t) list;
+  cells : Passing.due First.cell list;
+}
+
+
+let none = { steps = []; postponed = []; cells = [] }
+
+let both a b =
+  { steps = a.steps @ b.steps; postponed = a.postponed @ b.postponed; cells = a.cells @ b.cells }
+
 let happens (h : Happening.t) = (Happens h.label, h.target)
 
 let of_cell c ~may_split z (cell : Passing.due First.cell) =
   let pass time = List.map (fun target -> (Passes time, target)) (Passing.until c z cell) in
   let until = List.concat_map pass (Option.to_list cell.time) in
   let some = if may_split then [ (Passes_some, Passing.within c z cell) ] else [] in
-  { steps = until @ some; cells = [ cell ] }
+  { steps = until @ some; postponed = []; cells = [ cell ] }
 
-let all c ~events (z : Zone.t) =
+let some_leaf (h : Happening.t) =
+  match (h.label, Transition.bonds h.label) with
+  | _, b :: _ -> b.one.at
+  | Bounce { firsts = i :: _; _ }, [] -> i
+  | Absorb { first; _ }, [] -> first
+  | (Time _ | Bounce _ | Bind _ | Close _ | Weak_split _ | Strong_split _), [] ->
+    Scc_base.Bug.fail __POS__ "an event of nobody"
+
+(* Rule Order: what one group does that nobody can see, if it has to do something, before what all others do. *)
+let in_one_order c z region ~visible { Happening.urgent; weak } =
+  let all = urgent @ weak in
+  match all with
+  | [] | [ _ ] -> (all, [])
+  | _ :: _ :: _ -> (
+      let groups = Near_groups.make c z region in
+      let group h = Near_groups.of_leaf groups (some_leaf h) in
+      match List.find_opt (fun h -> Near_groups.hidden groups ~visible (group h)) urgent with
+      | None -> (all, [])
+      | Some first -> List.partition (fun h -> group h = group first) all)
+
+let all ?visible c ~events (z : Zone.t) =
   let may_split = Passing.may_split z && not (Passing.on_grid c) in
   let of_region region =
-    let { Happening.urgent; weak } = Happening.all c ~events z region in
-    let now = { steps = List.map happens urgent @ List.map happens weak; cells = [] } in
+    let { Happening.urgent; weak } as happenings = Happening.all c ~events z region in
+    let first, later =
+      match visible with
+      | None -> (urgent @ weak, [])
+      | Some visible -> in_one_order c z region ~visible happenings
+    in
+    let now = { steps = List.map happens first; postponed = List.map happens later; cells = [] } in
     if urgent = [] && not z.halted then
       List.fold_left (fun all cell -> both all (of_cell c ~may_split z cell)) now (Passing.cells c z region)
     else now

@@ -13,8 +13,13 @@ type t = {
   steps : (step * Zone.t) list;
   (** targets are over the variables of the zone, and of a {!Passes_some} over one more, the last one: the time
       that passes; their sets are where the step is taken *)
+  postponed : (step * Zone.t) list;
+  (** likewise; what may as well come after some of the others (rule Order), unless one of these leads to what is
+      known *)
   cells : Passing.due First.cell list;
   (** regions on which time passes, with what comes first: until then it does so undisturbed *)
 }
 
-val all : Instant.context -> events:Property.event array -> Zone.t -> t
+val all : ?visible:(int -> bool) -> Instant.context -> events:Property.event array -> Zone.t -> t
+(** With [visible], the leaves that somebody looks at, of events at one instant that cannot influence each other
+    some are {!postponed}. *)

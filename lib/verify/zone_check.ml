@@ -149,9 +149,8 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
     }
   in
   let limits = { Zone_graph.depth = Some most; nodes = Zone_bounds.given options.bounds.states; horizon } in
-  let used = List.exists (Reduction.equal Translation) options.reductions in
-  let displaced = used && Quotient.translatable (Semantics.model context.Instant.semantics) initial formulas in
-  let graph, end_ = Zone_graph.explore ~displaced context ~events ~limits ~visitor zones in
+  let displaced = Zone_reduction.displaced options (Semantics.model context.Instant.semantics) initial formulas in
+  let graph, end_ = Zone_graph.explore ~displaced ?visible:(Zone_reduction.visible options formulas) context ~events ~limits ~visitor zones in
   let unexpanded f =
     for i = 0 to Zone_graph.size graph - 1 do
       let node = Zone_graph.node graph i in

@@ -1,0 +1,12 @@
+open Scc_space
+
+let displaced (options : Joint_check.options) model initial formulas =
+  List.exists (Reduction.equal Translation) options.reductions && Quotient.translatable model initial formulas
+
+(* An event of somebody else at the same instant ends what an event atom says, so that these may only count in
+   favour of what is searched for, as in slices. *)
+let visible (options : Joint_check.options) formulas =
+  let deep = match options.bounds.depth with Given _ -> true | Default _ | Unbounded -> false in
+  if List.for_all Slice.can_be_sliced formulas then
+    Reduction.visible options.reductions ~deep ~searched:formulas ~evaluated:[]
+  else None
