@@ -243,8 +243,8 @@ check c : always vy(b) = 0 within 2
 
 (* {1 Where the whole is} *)
 
-(* Two that tick, each at its time, and fly on side by side for ever: as many zones as ticks within a period of six,
-   each an instant, where nobody asks where they are. *)
+(* Two that tick, each at its time, and fly on side by side for ever: finitely many zones, where nobody asks where
+   they are. *)
 let drift =
   {|behaviour Tick on Cube = eps(1). Tock
 behaviour Tock on Cube = eps(2). Tick
@@ -270,7 +270,8 @@ let displaced () =
 
 (* {1 Independent events of one instant} *)
 
-(* Some that have to split at 1, all at once, and one that is looked at: without slices, which would leave them out. *)
+(* Some that have to split at 1, all at once, and one that is looked at: without slices, which would leave out the
+   others. *)
 let order () =
   let dimer i =
     Printf.sprintf
@@ -294,9 +295,9 @@ bond <link, {p%d.right, q%d.left}>
   is "somebody looks at them" 9 [ Order ] (three ^ "check a : always vx(p0) + vx(p1) + vx(p2) = 0");
   is "no search" 9 [ Order ] (three ^ "check a : AG EF vx(p0) = 0")
 
-(* Who binds first at one instant decides, and either may (I-8). a and v come to b at once, one of which is looked at;
-   a and c come to b at once, none of which is. If a binds, both go on at 1/2 and v gets 2/3 from them; else c does,
-   and off these two, of mass 2, a bounces: they go on at 2/3, and v gets 8/9. *)
+(* Who binds first at one instant decides, and either may (I-8). a and v come to b at once, one of which is looked
+   at; a and c come to b at once, none of which is. If a binds, both go on at 1/2 and v gets 2/3 from them; else c
+   does, and off these two, of mass 2, a bounces: they go on at 2/3, and v gets 8/9. *)
 let ties () =
   let holds what text =
     let l = match loaded what (head ^ text) with Some l -> l | None -> Alcotest.failf "%s is refused" what in
@@ -326,7 +327,7 @@ check other : possibly vx(v) = 8/9
 |}
 
 let enough () =
-  Printf.printf "%d scenes, %d verdicts, of %d all is known, %d slices, %d explorations that had less to do\n" !used
+  Printf.printf "%d scenes, %d verdicts, of %d all is known, %d slices, %d explorations made shorter\n" !used
     !compared !complete !sliced !lesser;
   Alcotest.(check bool) "many verdicts" true (!compared > 300);
   Alcotest.(check bool) "many slices" true (!sliced > 50);
