@@ -8,7 +8,11 @@ open Scc_symbolic
 type t = { invariant : Invariant.t; proofs : Proof.t list }
 type end_ = Proved of t | None_found of string
 
-let limits = { Invariant_search.locations = 2_000; steps = 50_000 }
+(* Who did not ask for it waits less long. *)
+let limits (options : Joint_check.options) =
+  if options.prove then { Invariant_search.locations = 2_000; steps = 50_000 } else { locations = 200; steps = 1_000 }
+
+let no_time = None_found "there was no time to look for one"
 
 let distinct events =
   let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
@@ -22,8 +26,8 @@ let search (options : Joint_check.options) semantics u ~declared ~parameters zon
     options.surroundings.progress
       { states = locations; transitions = 0; waiting; depth = 0; model_time = Rat.zero }
   in
-  match Invariant_search.find context ~events ~limits ~visitor:{ stop; looked_at } zones with
-  | Stopped -> None_found "there was no time to look for an invariant"
+  match Invariant_search.find context ~events ~limits:(limits options) ~visitor:{ stop; looked_at } zones with
+  | Stopped -> no_time
   | No_end reason -> None_found reason
   | Found invariant -> (
       let atoms = Atoms.context context ~events in
@@ -48,7 +52,9 @@ let attempt options semantics u ~declared (checks : Property.check list) =
   let formulas = List.map (fun (c : Property.check) -> c.formula) checks in
   let parameters = Ranges.box (Semantics.model semantics).ranges in
   Start.zones (Instant.context semantics) u ~initial ~keeps_time:false
-  |> Result.map (fun zones -> search options semantics u ~declared ~parameters zones formulas)
+  |> Result.map (fun zones ->
+      let run () = search options semantics u ~declared ~parameters zones formulas in
+      Result.value (options.surroundings.attempt.run Concluding run) ~default:no_time)
 
 let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
   let outcome verdict =

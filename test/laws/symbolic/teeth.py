@@ -4,7 +4,7 @@
     test/laws/symbolic/teeth.py [--tree DIR] [NAME ...]
 
 Works on a copy of the source tree (below DIR, to be kept for the next time). Each mistake has to be noticed by the
-tests of test/laws/symbolic and test/unit/symbolic: some test fails, or does not end. It takes about half a minute
+tests of test/laws/symbolic, test/laws/invariants and test/unit/symbolic: some test fails, or does not end. It takes about half a minute
 for each.
 """
 
@@ -169,6 +169,33 @@ MISTAKES = {
     ),
     "halted zones are zones": ("zone.ml", "Bool.equal a.halted b.halted && List", "List"),
     "what led to a zone is forgotten": ("zone.ml", "List.equal Int.equal a.arrived b.arrived && ", ""),
+    # Invariants: what is found wrongly is not accepted, and what is checked wrongly accepts what is none.
+    "a join forgets what is new": ("zone_hull.ml", "both) a b in", "both) a a in"),
+    "a plane that one has crossed parts two bodies": (
+        "zone_hull.ml", "let hold c = Polyhedron.implies a c && Polyhedron.implies b c in",
+        "let hold c = Polyhedron.implies a c in",
+    ),
+    "narrowing forgets the start": ("invariant_search.ml", "  List.iter add starts;\n", ""),
+    "bodies that interpenetrate are states": ("plausible.ml", "(apart c { z with set })", "[ set ]"),
+    "the instants of the grid are like others": ("plausible.ml", "(by_clocks z)", "(fun region -> [ region ])"),
+    "what happens at once is not checked": (
+        "../certificate/certificate.ml", "  List.iteri each first;\n", "  ignore each;\n",
+    ),
+    "what comes of time is not checked": (
+        "../certificate/certificate.ml", "    List.iter land_ends (", "    List.iter ignore (",
+    ),
+    "the start is not checked": ("../certificate/certificate.ml", "    starts t u ~declared;\n", "    ignore starts;\n"),
+    "a single state stands for a cell": (
+        "../certificate/certificate.ml", "  && Polyhedron.included z.Zone.set", "  || Polyhedron.included z.Zone.set",
+    ),
+    "claims are believed": (
+        "../certificate/certificate.ml", "if List.exists bad (", "if false && List.exists bad (",
+    ),
+    "two bodies never collide": (
+        "../certificate/flow.ml", "if List.exists (Polyhedron.implies p) conditions then [ p ]", "if true then [ p ]",
+    ),
+    "contacts are not due": ("../certificate/flow.ml", "List.concat_map collide (moving c ends)", "(ignore collide; [])"),
+    "delays are not over": ("../certificate/certificate.ml", "List.map (fun f -> Polyhedron.add flow.states (over f)) left", "(ignore over; [])"),
 }
 
 TESTS = [
@@ -176,6 +203,8 @@ TESTS = [
     "test/unit/symbolic/test_contact_cells.exe",
     "test/unit/symbolic/test_zone.exe",
     "test/laws/symbolic/test_zones.exe",
+    "test/laws/invariants/test_models.exe",
+    "test/laws/symbolic/test_invariants.exe",
 ]
 SECONDS = 120
 
