@@ -195,6 +195,24 @@ def check_ranges(scc, folder):
     os.remove(model)
 
 
+def check_invariants(scc, folder):
+    """A proof by an invariant, that an open model has by itself, and an ordinary one where it is asked for; and none."""
+    model = os.path.join(folder, "escape.sc")
+    with open("specs/models/escape.sc", encoding="utf-8") as text, open(model, "w", encoding="utf-8") as out:
+        out.write(text.read())
+    for options in (["--prove"], ["-D", "x=-8", "--prove"], ["--depth", "30"]):
+        what = "check invariant " + " ".join(options)
+        document = check("check", text_of(run(scc, "check", model, "--json", *options)), what)
+        if document is not None:
+            resting = [p["name"] for p in document["properties"] if p.get("by_invariant")]
+            count(resting == ["apart", "inside", "order"], what, "it is not told what rests on it")
+            kinds = document["invariants"][0].get("kinds", [])
+            count(len(kinds) == 8 and all(k["constraints"] for k in kinds), what, "it is not shown")
+    document = check("check", text_of(run(scc, "check", "specs/models/window.sc", "--json", "--prove")), "check no invariant")
+    count(document is not None and "reason" in document["invariants"][0], "check no invariant", "no reason is told")
+    os.remove(model)
+
+
 def check_reasons(scc, folder):
     """Formulas within formulas come with what is so on the way of their runs."""
     model = os.path.join(folder, "nested.sc")
@@ -375,6 +393,7 @@ def main():
             check_sarif(scc, model, folder)
         check_slowing(scc, folder)
         check_ranges(scc, folder)
+        check_invariants(scc, folder)
         check_reasons(scc, folder)
     check_conformance()
     check_refusals(scc)
