@@ -26,8 +26,10 @@ let rec is_search (plan : Plan.t) =
   | Formula _ -> false
   | All plans | Any plans -> List.for_all is_search plans
 
+let favours_events f = is_search (Plan.of_formula f)
+
 let can_be_sliced f =
-  is_search (Plan.of_formula f) && (not (Formula.global f)) && Formula.leaves f <> []
+  favours_events f && (not (Formula.global f)) && Formula.leaves f <> []
 
 (** {1 Walls} *)
 
