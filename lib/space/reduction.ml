@@ -28,8 +28,8 @@ let visible kinds ~deep ~searched ~evaluated =
   match (searched, evaluated) with
   | _ :: _, []
     when used kinds Order && (not deep)
-      && (not (List.exists Formula.global searched))
-      && List.for_all Slice.favours_events searched ->
+         && (not (List.exists Formula.global searched))
+         && List.for_all Slice.favours_events searched ->
     let leaves = List.concat_map Formula.leaves searched in
     Some (fun leaf -> List.exists (Int.equal leaf) leaves)
   | _ -> None
