@@ -244,6 +244,36 @@ def check_trace(scc, model, *options):
         count(len(lines) >= 3, f"trace {model}", "too short")
 
 
+def check_zones(scc, model):
+    """The zones of a model with ranges, or with splits at any time, complete and not."""
+    for bound in ("--states=300", "--states=2", "--time=1"):
+        result = run(scc, "explore", model, "-o", "-", "--format", "json", bound)
+        document = check("zones", text_of(result), f"explore {model}")
+        if document is None:
+            continue
+        zones = document["zones"]
+        left = [z["number"] for z in zones if z["status"] == "unexplored"]
+        known = [set(z["variables"]) for z in zones]
+
+        def speaks(variables, polyhedron):
+            return all(set(c["coefficients"]) <= variables for c in polyhedron)
+
+        count(
+            len(left) == document["unexplored"]
+            and (not document["complete"] or not left)
+            and [z["number"] for z in zones] == list(range(len(zones)))
+            and all(speaks(known[z["number"]], z["polyhedron"]) for z in zones)
+            and all(
+                set(e["map"]) == known[e["target"]]
+                and speaks(known[z["number"]] | {"time passed"}, e["guard"])
+                for z in zones
+                for e in z["edges"]
+            ),
+            f"explore {model}",
+            "zones are not as they should be",
+        )
+
+
 def check_graphs(scc, model, folder):
     """The graph of a model as JSON, complete and not, and the names of its explicit files."""
     for states in ("300", "2"):
@@ -385,7 +415,9 @@ def main():
         for model in sorted(glob.glob("specs/models/*.sc")):
             check_model(scc, model, folder)
             check_sarif(scc, model, folder)
-            if not is_open(model):
+            if is_open(model):
+                check_zones(scc, model)
+            else:
                 check_trace(scc, model)
                 check_trace(scc, model, "--states=ends")
                 check_graphs(scc, model, folder)

@@ -1,4 +1,3 @@
-open Scc_exact
 open Scc_verify
 open Scc_equivalence
 open Scc_session
@@ -11,7 +10,7 @@ type format = Aut | Dot | Json | Tra | Drn
 
 type options = {
   path : string;
-  overrides : (string * Rat.t) list;
+  given : Options.definitions;
   budget : Budget.t;
   output : string;
   format : format option;
@@ -120,12 +119,29 @@ let tell console exported notes =
     (fun line -> Console.note console ("scc: " ^ line))
     (List.tl (Exported.summary exported) @ notes)
 
-let explore console o format =
-  let watch = Check_options.watch o.budget in
-  let interrupted = Watch.interrupted watch in
-  let* loaded = Input.model console ~overrides:o.overrides o.path in
-  let* loaded = Ordinary.refuse loaded in
-  Console.report console loaded.warnings;
+let zone_files o format e =
+  match format with
+  | Dot -> [ (o.output, Zone_dot.write e ~positions:o.positions) ]
+  | Json -> [ (o.output, Zone_json.write e) ]
+  | Aut | Tra | Drn -> Scc_base.Bug.fail __POS__ "a format of single states for zones"
+
+let over_zones console o watch (loaded : Loaded.t) format =
+  let uncertain = Verdicts.uncertain loaded in
+  let options = Check_options.starting console watch o.budget in
+  let* space =
+    Zone_space.explore options loaded.semantics uncertain ~declared:loaded.declared
+    |> Result.map_error (Ill_formed.diagnostics loaded)
+  in
+  Watch.finish watch;
+  Console.progress_done console;
+  Console.report console space.faults;
+  let exported = { Zone_exported.loaded; space } in
+  let* () = write_all console o (Watch.interrupted watch) (zone_files o format exported) in
+  List.iter (fun line -> Console.note console ("scc: " ^ line)) (List.tl (Zone_exported.summary exported));
+  let complete = Zone_space.complete space in
+  Ok (Exit_code.of_exploration ~complete ~faults:space.faults ~stopped_by:space.stopped_by)
+
+let ordinarily console o watch (loaded : Loaded.t) format =
   let* initial = Loaded.initial loaded in
   let options = Check_options.starting console watch o.budget in
   let space = Explored.explore options loaded.semantics ~initial in
@@ -134,9 +150,20 @@ let explore console o format =
   Console.report console (space.faults @ space.dead_ends);
   let exported = { Exported.loaded; space } in
   let files, notes = files o format exported in
-  let* () = write_all console o interrupted files in
+  let* () = write_all console o (Watch.interrupted watch) files in
   tell console exported notes;
   Ok (exit_code space)
+
+let explore console o format =
+  let watch = Check_options.watch o.budget in
+  let* loaded = Input.model console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path in
+  let* () =
+    match format with
+    | Aut | Tra | Drn -> Result.map ignore (Ordinary.refuse loaded)
+    | Dot | Json -> Verdicts.refused loaded ~prove:false
+  in
+  Console.report console loaded.warnings;
+  (if Verdicts.over_zones loaded then over_zones else ordinarily) console o watch loaded format
 
 let run color o =
   let console = Console.make ~color ~json:false in
@@ -196,11 +223,11 @@ let positions =
   Arg.(value & flag & info [ "positions" ] ~doc)
 
 let options =
-  let make path overrides budget output format dialect cadp all_steps hidden instants positions =
-    { path; overrides; budget; output; format; dialect; cadp; all_steps; hidden; instants; positions }
+  let make path given budget output format dialect cadp all_steps hidden instants positions =
+    { path; given; budget; output; format; dialect; cadp; all_steps; hidden; instants; positions }
   in
   Term.(
-    const make $ Options.model_file $ Options.overrides $ Check_options.budget $ output $ format $ dialect
+    const make $ Options.model_file $ Options.definitions $ Check_options.budget $ output $ format $ dialect
     $ cadp $ all_steps $ Hide.patterns ~also:" For the format $(b,aut)." () $ instants $ positions)
 
 let command =

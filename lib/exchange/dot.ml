@@ -221,7 +221,7 @@ let write (e : Exported.t) l ~positions put =
     {
       l;
       space;
-      digest = State_digest.make ~positions space;
+      digest = State_digest.make ~positions (Explored.model space) ~size:space.size space.state;
       aims;
       marked = Array.map (fun _ -> false) aims;
       aged = false;

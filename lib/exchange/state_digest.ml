@@ -1,5 +1,4 @@
 open Scc_calculus
-open Scc_verify
 
 module Bonds = Set.Make (struct
     type t = State.bond
@@ -8,7 +7,8 @@ module Bonds = Set.Make (struct
   end)
 
 type t = {
-  space : Explored.t;
+  model : Model.t;
+  state : int -> State.t;
   positions : bool;
   common : Bonds.t;  (** in every state *)
   varies : bool array;  (** by leaf: its behaviour differs between states *)
@@ -21,11 +21,11 @@ let cut s =
   let rec back i = if i > 0 && Char.code s.[i] land 0xC0 = 0x80 then back (i - 1) else i in
   if String.length s <= greatest then s else String.sub s 0 (back greatest) ^ "…"
 
-let behaviour (space : Explored.t) (l : State.leaf) =
-  let text = State_json.behaviour (Explored.model space) ~leaf:l.leaf l.behaviour in
+let behaviour (m : Model.t) (l : State.leaf) =
+  let text = State_json.behaviour m ~leaf:l.leaf l.behaviour in
   match l.behaviour.origin with
   | Some k ->
-    let name = (Explored.model space).definitions.(k).name in
+    let name = m.definitions.(k).name in
     if String.equal name text then name else name ^ "*"
   | None -> cut text
 
@@ -40,23 +40,23 @@ let leaves (s : State.t) =
     (Array.to_list s.processes)
   |> List.sort (fun (_, (l : State.leaf)) (_, (m : State.leaf)) -> Int.compare l.leaf m.leaf)
 
-let make ~positions (space : Explored.t) =
-  let n = Array.length (Explored.model space).leaves in
+let make ~positions model ~size state =
+  let n = Array.length model.Model.leaves in
   let first = Array.make n "" and varies = Array.make n false in
   List.iter
-    (fun (_, (l : State.leaf)) -> first.(l.leaf) <- behaviour space l)
-    (leaves (space.state 0));
-  let common = ref (bonds (space.state 0)) in
+    (fun (_, (l : State.leaf)) -> first.(l.leaf) <- behaviour model l)
+    (leaves (state 0));
+  let common = ref (bonds (state 0)) in
   let compare_leaf (l : State.leaf) =
-    if not (varies.(l.leaf) || String.equal first.(l.leaf) (behaviour space l)) then
+    if not (varies.(l.leaf) || String.equal first.(l.leaf) (behaviour model l)) then
       varies.(l.leaf) <- true
   in
-  for i = 1 to space.size - 1 do
-    let s = space.state i in
+  for i = 1 to size - 1 do
+    let s = state i in
     common := Bonds.inter !common (bonds s);
     Array.iter (fun (p : State.process) -> Array.iter compare_leaf p.leaves) s.processes
   done;
-  { space; positions; common = !common; varies }
+  { model; state; positions; common = !common; varies }
 
 let bond (m : Model.t) (b : State.bond) =
   let site (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
@@ -68,12 +68,12 @@ let place (m : Model.t) ((p : State.process), (l : State.leaf)) =
 let fixed (m : Model.t) ((_ : State.process), (l : State.leaf)) = m.leaves.(l.leaf).fixed
 
 let lines d i =
-  let m = Explored.model d.space in
-  let s = d.space.state i in
+  let m = d.model in
+  let s = d.state i in
   let leaves = leaves s in
   let bonds = Bonds.elements (Bonds.diff (bonds s) d.common) in
   let varying (_, (l : State.leaf)) =
-    if d.varies.(l.leaf) then Some (Printf.sprintf "%s: %s" m.leaves.(l.leaf).name (behaviour d.space l))
+    if d.varies.(l.leaf) then Some (Printf.sprintf "%s: %s" m.leaves.(l.leaf).name (behaviour m l))
     else None
   in
   List.map (bond m) bonds

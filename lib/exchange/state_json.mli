@@ -10,6 +10,9 @@ val label : Model.t -> Transition.label -> Json.t
 val state : Model.t -> State.t -> Json.t
 (** The state in full. *)
 
+val bond : Model.t -> State.bond -> (string * Json.t) list
+(** The members [name] and [ends]. *)
+
 val behaviour : Model.t -> leaf:int -> Behaviour.aged -> string
 
 val phase : State.phase -> string

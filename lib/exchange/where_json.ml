@@ -8,16 +8,23 @@ let relation : Constraint.relation -> string = function
   | At_most -> "<="
   | Equal -> "="
 
+let coefficients ~name numbers =
+  let term i a = if Rat.sign a = 0 then [] else [ (name i, Json.rat a) ] in
+  `Assoc (List.concat (Array.to_list (Array.mapi term numbers)))
+
 let constraint_ ~name (c : Constraint.t) =
-  let term i a = if Z.sign a = 0 then [] else [ (name i, Json.rat (Q.of_bigint a)) ] in
   `Assoc
     [
-      ("coefficients", `Assoc (List.concat (Array.to_list (Array.mapi term c.normal))));
+      ("coefficients", coefficients ~name (Array.map Q.of_bigint c.normal));
       ("relation", `String (relation c.relation));
       ("bound", Json.rat (Q.of_bigint c.right));
     ]
 
-let polyhedron ranges p = `List (List.map (constraint_ ~name:(Ranges.name ranges)) (Polyhedron.constraints p))
+let polyhedron_of ~name p = `List (List.map (constraint_ ~name) (Polyhedron.constraints p))
+let polyhedron ranges p = polyhedron_of ~name:(Ranges.name ranges) p
+
+let form ~name (f : Linear.t) =
+  `Assoc [ ("coefficients", coefficients ~name f.coefficients); ("constant", Json.rat f.constant) ]
 
 let set ranges u measure =
   [

@@ -10,3 +10,9 @@ val where : Where.t -> Json.t
 
 val constraint_ : name:(int -> string) -> Constraint.t -> Json.t
 (** One constraint, in the same form, over variables of these names. *)
+
+val polyhedron_of : name:(int -> string) -> Polyhedron.t -> Json.t
+(** All its constraints. *)
+
+val form : name:(int -> string) -> Linear.t -> Json.t
+(** [{"coefficients", "constant"}], likewise. *)

@@ -8,6 +8,9 @@ open Scc_verify
 val over_zones : Loaded.t -> bool
 (** Of all values and instants that the model leaves open (rule Zones). *)
 
+val uncertain : Loaded.t -> Uncertain.t
+(** What depends on the parameters with ranges, if there are any. *)
+
 val refused : Loaded.t -> prove:bool -> (unit, Diag.t list) result
 (** Numbers of the model would not be affine, and it is looked at over zones, or for an invariant (SC0901). *)
 

@@ -131,7 +131,17 @@ let expand e ~events (source : node) =
   source.expanded <- true;
   e.visitor.expanded source
 
-let explore ?(displaced = false) ?visible context ~events ~limits ~visitor zones =
+let forget (n : node) =
+  n.cells <- [];
+  n.edges <- [];
+  n.late <- [];
+  n.expanded <- false
+
+let always work =
+  work ();
+  true
+
+let explore ?(displaced = false) ?visible ?(attempt = always) context ~events ~limits ~visitor zones =
   let graph =
     { nodes = Scc_data.Growable.create (); by_kind = Kinds.create 64; waiting = Queue.create (); roots = [] }
   in
@@ -157,9 +167,14 @@ let explore ?(displaced = false) ?visible context ~events ~limits ~visitor zones
           go ()
         end
         else (
-          match expand e ~events n with
-          | () -> go ()
-          | exception Instant.Not_affine reason -> Not_affine reason)
+          match attempt (fun () -> expand e ~events n) with
+          | true -> go ()
+          | false ->
+            forget n;
+            Stopped
+          | exception Instant.Not_affine reason ->
+            forget n;
+            Not_affine reason)
   in
   let end_ = go () in
   (graph, end_)

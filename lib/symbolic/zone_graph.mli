@@ -62,6 +62,7 @@ type visitor = {
 val explore :
   ?displaced:bool ->
   ?visible:(int -> bool) ->
+  ?attempt:((unit -> unit) -> bool) ->
   Instant.context ->
   events:Property.event array ->
   limits:limits ->
@@ -70,4 +71,6 @@ val explore :
   t * end_
 (** From zones, which need not be canonical: the roots are their canonical forms. With [displaced] each zone that is
     reached is {!Zone.centred} first: where the whole is does not matter. With [visible], independent events of one
-    instant are followed in one order where nobody looks at who makes them (rule Order): for searches alone. *)
+    instant are followed in one order where nobody looks at who makes them (rule Order): for searches alone.
+    Each node is expanded by [attempt], which may give it up wherever it is, and answer false: then the exploration is
+    stopped, and the node is not expanded. *)

@@ -72,6 +72,22 @@ Where nothing else is to come, any time may pass:
           time passes by 1/7
   3 transitions, time 21010/21: more can happen
 
+The graph of all sets of states has passings of time that end before the next event, to zones that are halted for a split:
+
+  $ scc explore window.sc -o window.json
+  scc: semantics 2: split step any
+  scc: explored: 132 zones, 139 edges; complete
+  $ grep -c '"halted":true' window.json
+  4
+  $ scc explore window.sc -o - --format dot --depth 2 2>/dev/null | grep 'z[037] '
+    z0 [label="0\n<b, {p.right, q.left}>\np: P\nq: Q"]
+    z0 -> z1 [label="weak(b, p.right, q.left)"]
+    z0 -> z2 [label="time(9/4)", color=gray]
+    z0 -> z3 [label="time(time passed)\nwhere time passed > 0, time passed < 9/4", color=gray]
+    z3 [label="3\n<b, {p.right, q.left}>\np: P\nq: Q\nx(s) > -17/4, x(s) < -2", style=dotted]
+    z3 -> z7 [label="weak(b, p.right, q.left)"]
+    z7 [label="7\np: eps(1). <c, {left}>. PC\nq: eps(2). <a, {right}>. QA\nx(s) > -17/4, x(s) < -2", style=dashed]
+
 What looks at one state after the other says so:
 
   $ scc explore window.sc -o out.aut 2>&1 | grep error

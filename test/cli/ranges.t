@@ -118,6 +118,62 @@ What needs values says so:
   [3]
   $ scc explore meet.sc -o out.aut 2>&1 | grep error
   error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
+
+The graph of all sets of states, as a picture:
+
+  $ scc explore meet.sc -o - --format dot --positions -D y=0..5
+  digraph "model" {
+    node [shape=box, fontname="Helvetica", fontsize=10]
+    edge [fontname="Helvetica", fontsize=9]
+    start [shape=point]
+    start -> z0
+    z0 [label="0\np: A\nq: B\np at (0, y, z)\nq at (12, 0, 0)\ny >= 0, z >= -5, z <= 5, y <= 5\nat rest where y >= 0, z >= 2, z <= 5, y <= 5\nat rest where y >= 0, z >= -5, z <= -2, y <= 5\nat rest where y >= 2, z > -2, z < 2, y <= 5", peripheries=2]
+    z0 -> z1 [label="time(10)\nwhere y >= 0, z > -2, z < 2, y < 2", color=gray]
+    z1 [label="1\np: A\nq: B\np at (10, y, z)\nq at (12, 0, 0)\ny >= 0, z > -2, z < 2, y < 2"]
+    z1 -> z2 [label="bind(a, p.right, q.left)"]
+    z2 [label="2\n<a, {p.right, q.left}>\np: Bound\nq: Bound\np at (10, y, z)\nq at (12, 0, 0)\ny >= 0, z > -2, z < 2, y < 2", peripheries=2]
+    legend [shape=plain, label="model without a name, y in [0, 5], z in [-5, 5]\nsemantics 2\nexplored: 3 zones, 2 edges; complete\ndouble border: nothing need happen any more, from all of it or where told\ngray: time passes"]
+  }
+  scc: semantics 2
+  scc: explored: 3 zones, 2 edges; complete
+
+and in full. A bound leaves something out, which is told:
+
+  $ scc explore meet.sc -o zones.json
+  scc: semantics 2
+  scc: explored: 3 zones, 2 edges; complete
+  $ grep -o '"format": .*\|"number":[0-9]*\|"label":{[^}]*}\|"target":[0-9]*' zones.json
+  "format": "scc-zones",
+  "number":0
+  "label":{"kind":"time","text":"time(10)","duration":{"coefficients":{}
+  "target":1
+  "number":1
+  "label":{"kind":"bind","text":"bind(a, p.right, q.left)","name":"a","ends":["p.right","q.left"]}
+  "target":2
+  "number":2
+  $ scc explore meet.sc -o zones.json --states 2
+  scc: semantics 2
+  scc: explored: 2 zones, 1 edges
+  scc: TRUNCATED: 1 zones unexplored, by the bound of 2 states
+  $ grep '^"complete\|^"unexplored\|^"bounds' zones.json
+  "complete": false,
+  "unexplored": 1,
+  "bounds": ["the bound of 2 states"],
+  $ scc explore meet.sc -o zones.json --time 9
+  scc: semantics 2
+  scc: explored: 1 zones, 0 edges
+  scc: TRUNCATED, by the time bound 9
+  $ grep -o '^"complete.*\|^"bounds.*\|"late":\[\[[^]]*\]\]' zones.json
+  "complete": false,
+  "bounds": ["the time bound 9"],
+  "late":[[{"coefficients":{"y":"-1/1"},"relation":"<","bound":"2/1"},{"coefficients":{"z":"-1/1"},"relation":"<","bound":"2/1"},{"coefficients":{"z":"1/1"},"relation":"<","bound":"2/1"},{"coefficients":{"y":"1/1"},"relation":"<","bound":"2/1"}]]
+  $ scc explore meet.sc -o zones.json --depth 1
+  scc: semantics 2
+  scc: explored: 2 zones, 1 edges
+  scc: TRUNCATED: 1 zones unexplored, by the depth bound 1
+
+What is listed state by state needs values:
+
   $ scc compare meet.sc meet.sc 2>&1 | grep error
   error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
   $ scc trace meet.sc -D y=0 -D z=0 --steps 1 --human --states=ends | tail -1
