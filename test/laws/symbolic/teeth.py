@@ -182,9 +182,12 @@ MISTAKES = {
         "../certificate/certificate.ml", "  List.iteri each first;\n", "  ignore each;\n",
     ),
     "what comes of time is not checked": (
-        "../certificate/certificate.ml", "    List.iter land_ends (", "    List.iter ignore (",
+        "../certificate/certificate.ml", "    List.iter land_ends (",
+        "    List.iter (fun p -> if false then land_ends p) (",
     ),
-    "the start is not checked": ("../certificate/certificate.ml", "    starts t u ~declared;\n", "    ignore starts;\n"),
+    "the start is not checked": (
+        "../certificate/certificate.ml", "    starts t u ~declared;\n", "    ignore (starts, u, declared);\n",
+    ),
     "a single state stands for a cell": (
         "../certificate/certificate.ml", "  && Polyhedron.included z.Zone.set", "  || Polyhedron.included z.Zone.set",
     ),
@@ -194,8 +197,14 @@ MISTAKES = {
     "two bodies never collide": (
         "../certificate/flow.ml", "if List.exists (Polyhedron.implies p) conditions then [ p ]", "if true then [ p ]",
     ),
-    "contacts are not due": ("../certificate/flow.ml", "List.concat_map collide (moving c ends)", "(ignore collide; [])"),
-    "delays are not over": ("../certificate/certificate.ml", "List.map (fun f -> Polyhedron.add flow.states (over f)) left", "(ignore over; [])"),
+    "contacts are not due": (
+        "../certificate/flow.ml", "List.concat_map collide (moving c ends)",
+        "List.concat_map collide (List.filter (fun _ -> false) (moving c ends))",
+    ),
+    "delays are not over": (
+        "../certificate/certificate.ml", "List.map (fun f -> Polyhedron.add flow.states (over f)) left",
+        "(ignore over; [])",
+    ),
 }
 
 TESTS = [
