@@ -17,7 +17,8 @@ type basic = {
 type part = {
   name : string;
   basic : basic;
-  placement : Affine.t;  (** in the frame of the compound; for one of the values that parameters with ranges may have *)
+  placement : Affine.t;
+  (** in the frame of the compound; for one of the values that parameters with ranges may have *)
   place : Form.place;  (** its translation, for all of them *)
   solid : Solid.t;  (** placed, but for the translation *)
   mass : Rat.t;

@@ -7,8 +7,9 @@ let columns = 2
 
 (* {1 Moved outwards}
 
-   Constraint number k is moved outwards by e_k, where each is infinitely less than the one before it in an order of
-   the constraints. In a dictionary the slack of a row is then more than 0 by denominator * e_k for its own k, and by
+   Constraint number k is moved outwards by e_k, where each is infinitely less than the one before it in an order
+   of the constraints. In a dictionary the slack of a row is then more than 0 by denominator * e_k for its own k,
+   and by
    - row.(2 + c) * e_k for the k of each column. *)
 
 let shift (t : Tableau.t) column_of r v =

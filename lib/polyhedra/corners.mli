@@ -1,6 +1,6 @@
-(** The vertices of a bounded polyhedron, as corners at which just as many of its facets meet as there are dimensions:
-    where more meet, all are moved outwards a little, each by infinitely less than the one before, which makes several
-    corners of one vertex, all at its place. *)
+(** The vertices of a bounded polyhedron, as corners at which just as many of its facets meet as there are
+    dimensions: where more meet, all are moved outwards a little, each by infinitely less than the one before,
+    which makes several corners of one vertex, all at its place. *)
 
 open Scc_exact
 
@@ -14,5 +14,5 @@ type t = {
 }
 
 val fold : most:int -> ('a -> t -> 'a) -> 'a -> Polyhedron.t -> 'a option
-(** Over all corners of a polyhedron that is bounded and of the dimension of its space, which is 1 at least, in an order
-    that depends on its constraints; [None] if there are more than [most]. *)
+(** Over all corners of a polyhedron that is bounded and of the dimension of its space, which is 1 at least, in an
+    order that depends on its constraints; [None] if there are more than [most]. *)

@@ -25,7 +25,8 @@ let fourier_motzkin inequalities i =
   let pairs c = List.map (fun d -> Constraint.resolve c d i) below in
   List.concat_map pairs (having 1) @ having 0
 
-(* Without the variables that equalities give, as many as there are: no constraint comes of that that was not there. *)
+(* Without the variables that equalities give, as many as there are: no constraint comes of that that was not
+   there. *)
 let rec substitute variables equalities inequalities =
   match substitution variables equalities with
   | None -> (equalities, inequalities)

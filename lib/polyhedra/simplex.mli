@@ -1,6 +1,6 @@
-(** Whether linear constraints have a common solution, and how great a linear function gets under them. Variables that
-    no constraint has together, directly or by others, are in systems of their own ({!Tableau}): what is asked of
-    hundreds of variables takes as long as what it takes for those that have to do with each other.
+(** Whether linear constraints have a common solution, and how great a linear function gets under them. Variables
+    that no constraint has together, directly or by others, are in systems of their own ({!Tableau}): what is
+    asked of hundreds of variables takes as long as what it takes for those that have to do with each other.
 
     A value is never changed: constraints are added to a system that has a solution, which stays where it is. *)
 

@@ -13,14 +13,15 @@ type kind = Free | Slack | Fixed  (** a variable may be anything, at least 0, or
 
 type t = private {
   dimension : int;
-  kinds : kind array;  (** of x{_0}, ..., x{_n-1}, which are free, and the slack of each constraint: right - normal.x *)
+  kinds : kind array;
+  (** of x{_0}, ..., x{_n-1}, which are free, and the slack of each constraint: right - normal.x *)
   basic : int array;  (** the variable of each row *)
   cobasic : int array;  (** the variable of each column; they are 0 where the solver stands *)
   rows : Z.t array array;
   (** denominator * basic = row.(0) + row.(1) delta + the sum of row.(2 + c) times the variable of column c *)
   denominator : Z.t;
-  (** positive; if all of x{_0}, ..., x{_n-1} are basic, the size of the determinant of the normals of the constraints
-      that are not *)
+  (** positive; if all of x{_0}, ..., x{_n-1} are basic, the size of the determinant of the normals of the
+      constraints that are not *)
 }
 (** Constraints on x{_0}, ..., x{_n-1}, all of which some point satisfies; the solver stands at such a point. *)
 
@@ -33,8 +34,8 @@ val add : t -> Constraint.t -> t option
 (** One more constraint, which gets the next number, from 0 on. [None] if no point satisfies all. *)
 
 val join : t list -> t
-(** Several systems that have no variable in common as one: the variables of the first come first, then those of the
-    second, and so on, and so do the constraints. *)
+(** Several systems that have no variable in common as one: the variables of the first come first, then those of
+    the second, and so on, and so do the constraints. *)
 
 val value : t -> Z.t array -> Rat.t * Rat.t
 (** normal.x where the solver stands: q and k of q + k delta. *)
@@ -56,12 +57,12 @@ val point : t -> Rat.t array
 (** A point that satisfies all constraints. *)
 
 val cornered : t -> t
-(** The same, standing at a vertex, if there are any, as far as strict constraints are taken as not strict: then all of
-    x{_0}, ..., x{_n-1} are basic. *)
+(** The same, standing at a vertex, if there are any, as far as strict constraints are taken as not strict: then
+    all of x{_0}, ..., x{_n-1} are basic. *)
 
 val pivot : t -> int -> int -> t
-(** [pivot t r c]: the variable of row r and that of column c, whose entry there is not 0, change places. It may leave
-    the solver where constraints do not hold. *)
+(** [pivot t r c]: the variable of row r and that of column c, whose entry there is not 0, change places. It may
+    leave the solver where constraints do not hold. *)
 
 val closed_point : t -> Rat.t array
 (** A point that satisfies all constraints if strict ones are taken as not strict: a vertex, if there are any. *)

@@ -8,8 +8,9 @@ type t = Finite of Rat.t | Infinite | Not_computed
 
    (c.v)^n / (n! |det| g_1 ... g_n)
 
-   where c is g_1 a_1 + ... + g_n a_n for the normals a_i that meet at v, with the determinant det. It is a polynomial
-   in where the facets are as long as the same ones meet: so what is true of facets moved a little is true of them. *)
+   where c is g_1 a_1 + ... + g_n a_n for the normals a_i that meet at v, with the determinant det. It is a
+   polynomial in where the facets are as long as the same ones meet: so what is true of facets moved a little is
+   true of them. *)
 
 let most_corners = 20_000
 

@@ -16,8 +16,8 @@ val context : Semantics.t -> context
 (** With new memories. *)
 
 val semantics_at : context -> Zone.t -> Scc_exact.Rat.t array -> Semantics.t
-(** For the state that the variables of the zone have these values in: with the places of parts in their leaves that belong
-    to it. *)
+(** For the state that the variables of the zone have these values in: with the places of parts in their leaves
+    that belong to it. *)
 
 exception Not_affine of string
 (** Why the numbers of what comes of a zone are not affine, or why it is not known, for a person. *)

@@ -25,5 +25,5 @@ val compose : t -> dimension:int -> Linear.t array -> t
 (** Coordinate by coordinate ({!Linear.compose}). *)
 
 val of_part : dimension:int -> Linear.t array -> Scc_calculus.Model.part -> t
-(** How far the reference point of a part is from that of its leaf, where the parameters are these forms over so many
-    variables. *)
+(** How far the reference point of a part is from that of its leaf, where the parameters are these forms over so
+    many variables. *)

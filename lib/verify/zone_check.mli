@@ -22,8 +22,8 @@ type fault = {
 }
 
 val diagnostic : Model.t -> fault -> Scc_base.Diag.t
-(** That for these values bodies interpenetrate (SC0403), or what is bound does not touch (SC0401). It knows no places in
-    the text. *)
+(** That for these values bodies interpenetrate (SC0403), or what is bound does not touch (SC0401). It knows no
+    places in the text. *)
 
 val run :
   Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool -> Property.check list ->

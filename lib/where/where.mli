@@ -39,9 +39,9 @@ val dimension : t -> int
 (** The number of parameters. *)
 
 val measure : Union.t -> Rat.t option
-(** Of disjoint pieces that are bounded: their volume, in the units of the parameters. 0 does not mean empty. [None] if it
-    would take too long to compute ({!Scc_polyhedra.Volume.Not_computed}), which it never does in up to 8 dimensions
-    with a few constraints. *)
+(** Of disjoint pieces that are bounded: their volume, in the units of the parameters. 0 does not mean empty.
+    [None] if it would take too long to compute ({!Scc_polyhedra.Volume.Not_computed}), which it never does in up
+    to 8 dimensions with a few constraints. *)
 
 type measures = { of_holds : Rat.t option; of_fails : Rat.t option; of_unknown : Rat.t option }
 
