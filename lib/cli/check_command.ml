@@ -286,8 +286,9 @@ let man =
     `I ("$(b,jump)", "without a law of motion, time passes over the ends of movement steps at once.");
     `P
       "Models with parameters of which ranges are known, or with $(b,split_step any), are explored by sets of \
-       states, for which $(b,slice), $(b,order) and $(b,translation) are used, and no other of these; nor do $(b,--shortest) and \
-       $(b,--hash-compact) apply to them. They have a bound of 1000 transitions by default ($(b,--depth)).";
+       states, for which $(b,slice), $(b,order) and $(b,translation) are used, and no other of these; nor do \
+       $(b,--shortest) and $(b,--hash-compact) apply to them. They have a bound of 1000 transitions by default \
+       ($(b,--depth)).";
     `P
       "With $(b,order) and $(b,slice) a run that is shown may contain events of other bodies, which the fact does \
        not need; $(b,scc explain) tells which of them matter. Without reductions it is the shortest of all runs \
@@ -296,12 +297,12 @@ let man =
     `S "PROOFS";
     `P
       "Where states never recur, exploring comes to no end. $(b,--prove) looks for an invariant: a set of states, \
-       with inequalities between their numbers, that has the initial ones and that no run leaves. If nothing in it \
-       is bad, $(b,always) holds, and if nothing in it is good, $(b,possibly) is violated: $(b,proved by an \
+       with inequalities between their numbers, that has the initial ones and that no run leaves. If nothing in \
+       it is bad, $(b,always) holds, and if nothing in it is good, $(b,possibly) is violated: $(b,proved by an \
        invariant). It decides nothing else. Before it counts it is checked afresh, by other means than those that \
        found it; $(b,--invariant) shows it. Of models with parameters of which ranges are known, or with \
-       $(b,split_step any), one is looked for by itself where a bound has kept a verdict from being a proof. Bodies \
-       that turn, laws of motion, rounded velocities and $(b,binding contact) have none.";
+       $(b,split_step any), one is looked for by itself where a bound has kept a verdict from being a proof. \
+       Bodies that turn, laws of motion, rounded velocities and $(b,binding contact) have none.";
   ]
   @ Options.diagnostics_man
   @ [

@@ -16,7 +16,8 @@ let most_corners = 20_000
 
 let rec power x n = if n = 0 then Rat.one else Rat.mul x (power x (n - 1))
 
-let factorial n = List.fold_left (fun product k -> Rat.mul product (Rat.of_int (k + 1))) Rat.one (List.init n Fun.id)
+let factorial n =
+  List.fold_left (fun product k -> Rat.mul product (Rat.of_int (k + 1))) Rat.one (List.init n Fun.id)
 
 (* Objectives of numbers that look like no others, each for one attempt. *)
 let objective n attempt =

@@ -20,7 +20,8 @@ let rec two_of = function [] -> [] | x :: rest -> List.map (fun y -> (x, y)) res
 let extent (z : Zone.t) (part : part) =
   let value = function Some (Polyhedron.Bound { value; _ }) -> Some value | Some Unbounded | None -> None in
   let of_coordinate axis place =
-    let all = List.init (Array.length part.solid.vertices) (fun i -> Vec.component axis (Solid.vertex part.solid i)) in
+    let reach i = Vec.component axis (Solid.vertex part.solid i) in
+    let all = List.init (Array.length part.solid.vertices) reach in
     let least = List.fold_left Rat.min (List.hd all) all and greatest = List.fold_left Rat.max (List.hd all) all in
     ( Option.map (Rat.add least) (value (Polyhedron.infimum z.set place)),
       Option.map (Rat.add greatest) (value (Polyhedron.supremum z.set place)) )

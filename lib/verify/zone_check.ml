@@ -150,7 +150,8 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
   in
   let limits = { Zone_graph.depth = Some most; nodes = Zone_bounds.given options.bounds.states; horizon } in
   let displaced = Zone_reduction.displaced options (Semantics.model context.Instant.semantics) initial formulas in
-  let graph, end_ = Zone_graph.explore ~displaced ?visible:(Zone_reduction.visible options formulas) context ~events ~limits ~visitor zones in
+  let visible = Zone_reduction.visible options formulas in
+  let graph, end_ = Zone_graph.explore ~displaced ?visible context ~events ~limits ~visitor zones in
   let unexpanded f =
     for i = 0 to Zone_graph.size graph - 1 do
       let node = Zone_graph.node graph i in
@@ -215,7 +216,8 @@ let ordinarily semantics u ~declared (check : Property.check) values =
         | _ -> None)
 
 let verdict semantics u ~declared (e : explored) check answer (where : Where.t) : Verdict.t =
-  let shown ~holds = Option.map (witness semantics u ~declared ~sliced:(Option.is_some e.group.part) e.graph) (Answers.shown_by answer ~holds) in
+  let witness = witness semantics u ~declared ~sliced:(Option.is_some e.group.part) e.graph in
+  let shown ~holds = Option.map witness (Answers.shown_by answer ~holds) in
   let bounded = List.map (fun t -> Verdict.Truncated t) e.stopped_by in
   let reasons =
     bounded

@@ -10,7 +10,8 @@ type end_ = Proved of t | None_found of string
 
 (* Who did not ask for it waits less long. *)
 let limits (options : Joint_check.options) =
-  if options.prove then { Invariant_search.locations = 2_000; steps = 50_000 } else { locations = 200; steps = 1_000 }
+  if options.prove then { Invariant_search.locations = 2_000; steps = 50_000 }
+  else { locations = 200; steps = 1_000 }
 
 let no_time = None_found "there was no time to look for one"
 

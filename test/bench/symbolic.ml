@@ -62,7 +62,9 @@ let unit_ranges n = String.concat "" (List.init n (Printf.sprintf "param s%d in 
 
 (* A row of bodies, of each of which the place is known but for one number. *)
 let row n =
-  let body i = Printf.sprintf "process p%d = Cube mass 1 velocity (0,0,0) at translate (%d + s%d, 0, 0) [nil]\n" i (10 * i) i in
+  let body i =
+    Printf.sprintf "process p%d = Cube mass 1 velocity (0,0,0) at translate (%d + s%d, 0, 0) [nil]\n" i (10 * i) i
+  in
   "model row\n" ^ cube ^ unit_ranges n
   ^ String.concat "" (List.init n body)
   ^ "process q = Cube mass 1 velocity (1,0,0) at translate (-4, 0, 0) [nil]\n\
@@ -79,8 +81,8 @@ let sum n =
 let dimers n =
   let dimer i =
     Printf.sprintf
-      "process d%d = p%d : Cube mass 1 at translate (0, %d, 0) [One]\n  <hold, {p%d.right, q%d.left}>\n  q%d : Cube \
-       mass 1 at translate (2, %d, 0) [Other]\n"
+      "process d%d = p%d : Cube mass 1 at translate (0, %d, 0) [One]\n  <hold, {p%d.right, q%d.left}>\n  \
+       q%d : Cube mass 1 at translate (2, %d, 0) [Other]\n"
       i i (10 * i) i i i (10 * i)
   in
   "model dimers\nsplit_step any\n" ^ cube

@@ -16,7 +16,9 @@ let half = rational 1 2
 (* One cube, by itself. *)
 let alone ~law ~rigid ~timestep ~velocity ~spin =
   let solid = Random_rigid.cube ~id:0 in
-  let part = { Model.name = "p"; template = "Cube"; solid; offset = Vec.zero; open_offset = None; mass = Rat.one } in
+  let part =
+    { Model.name = "p"; template = "Cube"; solid; offset = Vec.zero; open_offset = None; mass = Rat.one }
+  in
   let leaf : Model.leaf =
     { name = "p"; template = "Cube"; parts = [| part |]; fixed = false; absorbs = false; mass = Rat.one; law;
       law_at = Scc_base.Span.none }

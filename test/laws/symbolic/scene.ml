@@ -89,7 +89,8 @@ let leaf i (b : body) : Model.leaf =
   let name = Printf.sprintf "p%d" i in
   let part j (solid, offset) : Model.part =
     let name = if List.length parts = 1 then name else Printf.sprintf "%s.s%d" name j in
-    { name; template = "Shape"; solid = Bodies.solids.(solid); offset; open_offset = None; mass = rat b.mass (List.length parts) }
+    let mass = rat b.mass (List.length parts) in
+    { name; template = "Shape"; solid = Bodies.solids.(solid); offset; open_offset = None; mass }
   in
   {
     name; template = "Shape"; parts = Array.of_list (List.mapi part parts);

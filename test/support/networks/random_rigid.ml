@@ -133,7 +133,8 @@ let model_leaf switches (i, j, b, (parts, _)) : Model.leaf =
   let name = Printf.sprintf "p%d.l%d" i j in
   let part k (solid, offset) : Model.part =
     let mass = rational b.mass (Int.add (List.length parts) k) in
-    { name = Printf.sprintf "%s.s%d" name k; template = "Cube"; solid = solids.(solid); offset; open_offset = None; mass }
+    let name = Printf.sprintf "%s.s%d" name k in
+    { name; template = "Cube"; solid = solids.(solid); offset; open_offset = None; mass }
   in
   let parts = Array.of_list (List.mapi part parts) in
   {

@@ -151,7 +151,9 @@ let boxed ?(keeps_time = false) velocities =
   let solid id x y z = Solid.make ~id Cube.polyhedron (Mat.diagonal (Vec.of_ints x y z)) in
   let cube = solid 0 1 1 1 in
   let leaf name solid fixed : Model.leaf =
-    let part : Model.part = { name; template = "Cube"; solid; offset = Vec.zero; open_offset = None; mass = Rat.one } in
+    let part : Model.part =
+      { name; template = "Cube"; solid; offset = Vec.zero; open_offset = None; mass = Rat.one }
+    in
     { name; template = "Cube"; parts = [| part |]; fixed; absorbs = false; mass = Rat.one; law = Inertial;
       law_at = Scc_base.Span.none }
   in

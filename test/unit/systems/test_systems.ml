@@ -179,7 +179,8 @@ let many () =
   is "projected" "true" (Polyhedron.project half [||]);
   yes "a half" true (Polyhedron.included half (Polyhedron.box (Array.make (n / 2) (q "0", q "2"))));
   let m = 40 in
-  let cut = Constraint.less (Linear.make ~constant:(Rat.of_int (-m / 4)) (Array.make m Rat.one)) (Linear.constant m Rat.zero) in
+  let sum = Linear.make ~constant:(Rat.of_int (-m / 4)) (Array.make m Rat.one) in
+  let cut = Constraint.less sum (Linear.constant m Rat.zero) in
   let p = Polyhedron.add (Polyhedron.box (Array.make m (q "0", q "1"))) cut in
   match Polyhedron.interior_point p with
   | None -> Alcotest.fail "it is not empty"
