@@ -166,11 +166,12 @@ let explored (s : Check.stats) =
         "not complete: stopped by "
         ^ String.concat ", " (List.map Verdict.truncation_to_string bounds)
   in
-  Printf.sprintf "explored: %s, %s, depth %d, model time %s; %s\n"
+  let time = Option.fold ~none:"" ~some:(fun t -> ", model time " ^ Scc_exchange.Short_text.exact t) s.model_time in
+  Printf.sprintf "explored: %s, %s, depth %d%s; %s\n"
     (plural s.states "state" "states")
     (plural s.transitions "transition" "transitions")
     s.depth
-    (Scc_exchange.Short_text.exact s.model_time)
+    time
     how
 
 let causes (m : Scc_calculus.Model.t) (s : Check.stats) =

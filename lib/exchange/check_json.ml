@@ -211,7 +211,7 @@ let explored model (s : Check.stats) =
       ("states", `Int s.states);
       ("transitions", `Int s.transitions);
       ("depth", `Int s.depth);
-      ("time", Json.rat s.model_time);
+      ("time", Json.option Json.rat s.model_time);
       ("complete", `Bool s.complete);
       ("decided_early", `Bool s.decided_early);
       ("stopped_by", `List (List.map truncation s.stopped_by));

@@ -51,8 +51,8 @@ val make : Semantics.t -> initial:State.t -> Property.temporal list -> State.t o
     formula is not of the fragment. *)
 
 val favours_events : Property.temporal -> bool
-(** A search in which events only count in favour of what is searched for: others of the same instant, which end what
-    an atom [event] says, hide nothing from it. *)
+(** A search in which events only count in favour of what is searched for: others of the same instant, which end
+    what an atom [event] says, hide nothing from it. *)
 
 val can_be_sliced : Property.temporal -> bool
 (** It is of the fragment. *)

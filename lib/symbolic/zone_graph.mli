@@ -69,8 +69,8 @@ val explore :
   visitor:visitor ->
   Zone.t list ->
   t * end_
-(** From zones, which need not be canonical: the roots are their canonical forms. With [displaced] each zone that is
-    reached is {!Zone.centred} first: where the whole is does not matter. With [visible], independent events of one
-    instant are followed in one order where nobody looks at who makes them (rule Order): for searches alone.
-    Each node is expanded by [attempt], which may give it up wherever it is, and answer false: then the exploration is
-    stopped, and the node is not expanded. *)
+(** From zones, which need not be canonical: the roots are their canonical forms. With [displaced] each zone that
+    is reached is {!Zone.centred} first: where the whole is does not matter. With [visible], independent events of
+    one instant are followed in one order where nobody looks at who makes them (rule Order): for searches alone.
+    Each node is expanded by [attempt], which may give it up wherever it is, and answer false: then the
+    exploration is stopped, and the node is not expanded. *)

@@ -22,7 +22,7 @@ type stats = Joint_check.stats = {
   states : int;
   transitions : int;
   depth : int;
-  model_time : Rat.t;
+  model_time : Rat.t option;
   complete : bool;
   eventful : bool;
   decided_early : bool;
@@ -129,12 +129,17 @@ let lift_verdict lift (v : Verdict.t) : Verdict.t =
 
 (** {2 All explorations} *)
 
+let greatest a b =
+  match (a, b) with
+  | Some a, Some b -> Some (Rat.max a b)
+  | None, t | t, None -> t
+
 let add (a : stats) (b : stats) =
   {
     states = a.states + b.states;
     transitions = a.transitions + b.transitions;
     depth = Int.max a.depth b.depth;
-    model_time = Rat.max a.model_time b.model_time;
+    model_time = greatest a.model_time b.model_time;
     complete = a.complete && b.complete;
     eventful = a.eventful || b.eventful;
     decided_early = a.decided_early || b.decided_early;
@@ -265,7 +270,7 @@ let empty_stats =
     states = 0;
     transitions = 0;
     depth = 0;
-    model_time = Rat.zero;
+    model_time = None;
     complete = false;
     eventful = true;
     decided_early = true;

@@ -24,7 +24,7 @@ type stats = Joint_check.stats = {
   states : int;
   transitions : int;
   depth : int;
-  model_time : Rat.t;
+  model_time : Rat.t option;
   complete : bool;
   eventful : bool;
   decided_early : bool;

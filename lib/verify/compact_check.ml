@@ -85,7 +85,7 @@ let check (options : Joint_check.options) ~capacity semantics ~initial checks : 
         states = r.states;
         transitions = r.transitions;
         depth = r.depth;
-        model_time = r.arrival;
+        model_time = Some r.arrival;
         complete = false;
         (* Not looked at. *)
         eventful = true;

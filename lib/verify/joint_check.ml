@@ -33,7 +33,7 @@ type stats = {
   states : int;
   transitions : int;
   depth : int;
-  model_time : Rat.t;
+  model_time : Rat.t option;
   complete : bool;
   eventful : bool;
   decided_early : bool;
@@ -250,7 +250,7 @@ let stats r : stats =
     states = Graph.size r.graph;
     transitions = Graph.transitions r.graph;
     depth = Graph.greatest_depth r.graph;
-    model_time = Graph.greatest_arrival r.graph;
+    model_time = Some (Graph.greatest_arrival r.graph);
     complete = (match unexpanded with [] -> true | _ :: _ -> false);
     eventful = Catalogue.has_events (Network_lts.catalogue r.context);
     split_step = Network_lts.split_step r.context;

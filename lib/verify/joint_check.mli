@@ -30,7 +30,7 @@ type stats = {
   states : int;
   transitions : int;
   depth : int;  (** the greatest of the states' least depths *)
-  model_time : Rat.t;  (** the greatest of the states' earliest arrivals *)
+  model_time : Rat.t option;  (** the greatest of the states' earliest arrivals; over zones there is none *)
   complete : bool;  (** every state was expanded *)
   eventful : bool;  (** some transition is not a passing of time *)
   decided_early : bool;  (** the exploration ended because every property was decided *)

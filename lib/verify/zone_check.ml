@@ -269,7 +269,7 @@ let stats (m : Model.t) (e : explored) : Joint_check.stats =
     states = Zone_graph.size e.graph;
     transitions = e.edges;
     depth = !deepest;
-    model_time = Rat.zero;
+    model_time = None;
     complete = e.stopped_by = [] && e.fault = None && not e.decided;
     eventful = true;
     decided_early = e.decided;

@@ -16,7 +16,7 @@ Proofs where no state ever comes back (rule Invariants): a bound ends the explor
   slow: violated for x = -22/3
     always x(q) <= 20
   invariant: 8 kinds of states that no run leaves, checked afresh
-  explored: 3124 states, 3194 transitions, depth 1000, model time 0; not complete: stopped by the depth bound 1000 (a default)
+  explored: 3124 states, 3194 transitions, depth 1000; not complete: stopped by the depth bound 1000 (a default)
   4 properties: 3 hold, 1 violated
   $ scc check escape.sc --prove --invariant - | sed '/^semantics/,$d'
   8 kinds of states, of which no run leaves the union:

@@ -154,8 +154,8 @@ process r = Cube mass 1 velocity (0,0,1) at translate (40,0,0) [Shy]
 check far : possibly x(r) > 41
 |}
 
-(* The first of three pairs has collided, and the third, which nobody asks about, after it, so that the first has not
-   just done so: this is in one of the orders only. *)
+(* The first of three pairs has collided, and the third, which nobody asks about, after it, so that the first has
+   not just done so: this is in one of the orders only. *)
 let hides_no_event () =
   let text =
     shapes

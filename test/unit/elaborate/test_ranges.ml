@@ -60,10 +60,10 @@ let parts () =
   let t =
     accept
       (cube
-       ^ "param x in [0, 1] param y in [0, 1] compound C { part a : Cube mass 1 at translate (x, 0, 0) part b : Cube \
-          mass 1 at translate (2 + x, y, 0) part c : Cube mass 1 at translate (2 + x, y, 2) glue a.right ~ b.left glue \
-          b.top ~ c.bottom } process p = C at translate (x, 9, 9) * rotate quaternion (1, 0, 0, 1) [nil] process q = \
-          Cube mass 1 at translate (50, 0, 0) [nil]")
+       ^ "param x in [0, 1] param y in [0, 1] compound C { part a : Cube mass 1 at translate (x, 0, 0) part b : \
+          Cube mass 1 at translate (2 + x, y, 0) part c : Cube mass 1 at translate (2 + x, y, 2) glue a.right ~ \
+          b.left glue b.top ~ c.bottom } process p = C at translate (x, 9, 9) * rotate quaternion (1, 0, 0, 1) \
+          [nil] process q = Cube mass 1 at translate (50, 0, 0) [nil]")
   in
   let offset (p : Model.part) = match p.open_offset with None -> "known" | Some place -> place_text t place in
   let of_leaf i = List.map offset (Array.to_list t.model.leaves.(i).parts) in
