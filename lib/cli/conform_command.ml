@@ -47,6 +47,16 @@ let write_run path origin choices =
   let text = Schedule.to_string origin choices ~offset:None in
   Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 
+(* An instant of a release that nobody told, or not exactly, could be any of uncountably many. *)
+let exact_enough (l : Loaded.t) ~tolerance unobserved =
+  if Result.is_ok (Ordinary.on_grid l) || (Rat.sign tolerance = 0 && unobserved = []) then Ok ()
+  else
+    Error
+      (Diag.error Code.any_time Span.none
+         "bonds of this model may be released at any time (`split_step any`), so that all events and their exact \
+          times have to be in the trace"
+         ~hint:"leave out --tolerance and --unobserved, or give a `split_step`")
+
 let exit_code : Verdict.answer -> Exit_code.t = function
   | Conforms _ -> Holds
   | Diverges _ -> Violated
@@ -63,11 +73,12 @@ let conform console o =
     if o.overrides = [] then Span.make ~file:(Source.name source) ~start:0 ~stop:0 else Span.command_line
   in
   let* l = Input.model ~given console ~overrides o.path in
-  let* l = Ordinary.refuse l in
+  let* () = Ordinary.at_point l in
   let* () = check_digest trace l.origin in
   Console.report console l.warnings;
   note_semantics console trace;
   let* tolerance = Verdict.tolerance l.model trace o.tolerance in
+  let* () = Result.map_error (fun d -> [ d ]) (exact_enough l ~tolerance o.unobserved) in
   let observed label = not (List.exists (fun p -> Hide.matches p label) o.unobserved) in
   let limits = { Search.states = o.states; interrupted } in
   let* answer =

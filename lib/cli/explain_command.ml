@@ -107,7 +107,7 @@ let explain console o =
   let* schedule = diagnosed (Scheduled.read console o.witness) in
   let* path = diagnosed (model_path o schedule) in
   let* model = diagnosed (Scheduled.model console schedule ~overrides:o.overrides path) in
-  let* model = diagnosed (Ordinary.refuse model) in
+  let* () = diagnosed (Ordinary.at_point model) in
   Console.report console model.warnings;
   let* check = diagnosed (check_of o schedule model.checks) in
   let* run, ending = follow model schedule check ~interrupted in

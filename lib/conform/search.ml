@@ -155,6 +155,21 @@ let passing t layer h index (taken : Transition.t) =
   let target = after t h index taken in
   if Rat.compare (least_time t target) t.items.(h.next).time <= 0 then push layer.queue layer.known target
 
+(* Where bonds may be released at any time, less time may pass than until the next transition: just as much as until
+   the next item, which may be that release. Its time is exact, and so are all that such traces have
+   ({!Verdict.check}). *)
+let stop t h transitions =
+  let may_split (p : State.process) = Option.is_some p.clock in
+  let at_any_time = (Against.model t.against).splits = Any_time in
+  if not (at_any_time && Array.exists may_split h.state.State.processes) then None
+  else
+    let numbered = List.mapi (fun i x -> (i, x)) transitions in
+    let is_time (_, (x : Transition.t)) = Transition.is_time x.label in
+    let index = match List.find_opt is_time numbered with Some (i, _) -> i | None -> List.length transitions in
+    match Network.wait (Against.semantics t.against) h.state (Rat.sub t.items.(h.next).time h.time) with
+    | Ok (Some taken) -> Some (index, taken)
+    | Ok None | Error _ -> None
+
 (* {2 States and claims} *)
 
 (* The state at a time between this one and the next transition. *)
@@ -231,7 +246,8 @@ let expand t layer h =
       (fun index (taken : Transition.t) ->
          if Transition.is_time taken.label then passing t layer h index taken
          else event t layer h index taken)
-      transitions
+      transitions;
+    Option.iter (fun (index, taken) -> passing t layer h index taken) (stop t h transitions)
 
 type step = Onward of hypothesis Queue.t * reason option | Over of outcome
 

@@ -113,12 +113,19 @@ and onwards w place all (expected : expected list) fuel =
     | e :: _ when e.needed -> missing w e
     | _ :: rest -> follow w place rest (fuel - 1)
   in
-  match (List.find_opt is_time all, all) with
-  | Some t, _ ->
+  (* less than until what comes next, where bonds may be released at any time *)
+  let waited =
+    match Network.wait w.semantics place.state (Rat.sub until place.time) with
+    | Ok taken -> taken
+    | Error _ -> None
+  in
+  match (waited, List.find_opt is_time all, all) with
+  | Some t, _, _ -> follow w (make place t) expected (fuel - 1)
+  | None, Some t, _ ->
     let next = make place t in
     if Rat.compare next.time until <= 0 then follow w next expected (fuel - 1) else undisturbed ()
-  | None, t :: _ -> follow w (make place t) expected (fuel - 1)
-  | None, [] ->
+  | None, None, t :: _ -> follow w (make place t) expected (fuel - 1)
+  | None, None, [] ->
     if Network.quiescent w.semantics place.state then undisturbed () else Error "the run ends too early"
 
 let without (run : Causes.run) absent =

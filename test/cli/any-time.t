@@ -94,5 +94,76 @@ What looks at one state after the other says so:
   error[SC0902]: bonds of this model may be released at any time (`split_step any`), and this looks at the instants of a grid
   $ scc compare window.sc window.sc 2>&1 | grep error
   error[SC0902]: bonds of this model may be released at any time (`split_step any`), and this looks at the instants of a grid
-  $ scc conform window.sc run.jsonl 2>&1 | grep error
-  error[SC0902]: bonds of this model may be released at any time (`split_step any`), and this looks at the instants of a grid
+
+A run of such a model is explained, tried without who seems not to matter, as any other:
+
+  $ cp ../../specs/models/moment.sc .
+  $ echo 'process y1 = Cube mass 1 velocity (0,0,1) at translate (50,0,0) [nil]' >> moment.sc
+  $ echo 'process y2 = Cube mass 1 at translate (50,0,5) [nil]' >> moment.sc
+  $ scc check moment.sc --no-reduce slice,order --witness runs > /dev/null
+  [1]
+  $ scc explain runs/alone.json moment.sc
+  semantics 2: split step any
+  
+  alone: possibly bound(q, y) and not bound(p, x) and time >= 7/2 within 4
+  at time 7/2:
+    bound(q, y) holds
+    bound(p, x) fails
+    time >= 7/2 holds: time = 7/2
+  because of step 9 (bonds of q)
+  
+       1. time passes by 3/2, at time 3/2
+  *    2. p and q release <hold, {p.right, q.left}>, at time 3/2
+           because of how everything started
+     3-7. 2 events that do not matter (of p, x, y1 and y2), to time 3
+  *    8. time passes by 1/2, at time 7/2
+           a delay of q is over, because of step 2 (behaviour of q)
+  *    9. q and y collide and bind by <below, {q.bottom, y.top}>, at time 7/2
+           because of step 2 (bonds of q), step 8 (behaviour of q)
+  
+  2 of 4 events matter
+  checked: the same happens without y1 and y2
+
+And traces are held against it, at the instants that they tell: both bind if p and q part up to the time 5/4.
+
+  $ scc trace moment.sc --schedule runs/both.json > both.jsonl
+  $ scc conform moment.sc both.jsonl
+  both.jsonl: conforms: 4 events, a run of 9 transitions up to time 7/2
+  $ cat > at.py <<'END'
+  > import json, sys
+  > for line in open("both.jsonl"):
+  >     item = json.loads(line)
+  >     if item["type"] == "transition" and item["label"]["kind"] != "time":
+  >         if item["label"]["kind"] == "weak":
+  >             item["time"] = sys.argv[1]
+  >         del item["state"]
+  >         print(json.dumps(item))
+  >     elif item["type"] == "header":
+  >         print(line, end="")
+  > END
+  $ for t in 1/2 5/4 4/3 2; do python3 at.py $t > at.jsonl; scc conform moment.sc at.jsonl; done
+  at.jsonl: conforms: 4 events, a run of 10 transitions up to time 7/2
+  at.jsonl: conforms: 4 events, a run of 9 transitions up to time 7/2
+  at.jsonl: diverges at line 3, time 9/4: wrong-kind
+    the trace: bind(above, p.top, x.bottom)
+    bounce(p, x) is allowed there: the collision has no such candidate
+    rules: Bind, Bounce
+    allowed there:
+      bounce(p, x) at time 9/4   {Bounce}
+    after: weak(hold, p.right, q.left) at time 4/3   {WeakSplit, Weak, Def}
+  at.jsonl: diverges at line 3, time 9/4: wrong-kind
+    the trace: bind(above, p.top, x.bottom)
+    bounce(p, x) is allowed there: the collision has no such candidate
+    rules: Bind, Bounce
+    allowed there:
+      bounce(p, x) at time 9/4   {Bounce}
+    after: weak(hold, p.right, q.left) at time 2   {WeakSplit, Weak, Def}
+  [1]
+  $ scc conform moment.sc both.jsonl --tolerance 1/10
+  error[SC0902]: bonds of this model may be released at any time (`split_step any`), so that all events and their exact times have to be in the trace
+    hint: leave out --tolerance and --unobserved, or give a `split_step`
+  [3]
+  $ scc conform moment.sc both.jsonl --unobserved weak
+  error[SC0902]: bonds of this model may be released at any time (`split_step any`), so that all events and their exact times have to be in the trace
+    hint: leave out --tolerance and --unobserved, or give a `split_step`
+  [3]
