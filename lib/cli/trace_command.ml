@@ -13,6 +13,7 @@ type options = {
   overrides : (string * Rat.t) list;
   schedule : string option;
   choose : choose;
+  start : Sample.how option;
   steps : int option;
   time : Rat.t option;
   form : form;
@@ -33,6 +34,20 @@ let prepare console o =
     let* model = Scheduled.model console schedule ~overrides:o.overrides o.path in
     Ok (model, Some schedule)
 
+(* The ordinary model of one start: the values of -D and of the schedule, and for what they leave open those that
+   are sampled. *)
+let at_start o (l : Loaded.t) =
+  match o.start with
+  | None ->
+    let* () = Ordinary.at_point ~otherwise:"`--start simple` chooses them" l in
+    Ok (l, [])
+  | Some how -> (
+      match Sample.values how l.model.ranges with
+      | [] -> Ok (l, [])
+      | values ->
+        let* l = Loaded.at l values in
+        Ok (l, values))
+
 let policy o = function
   | Some s -> Replay.Scheduled s
   | None -> ( match o.choose with First -> Replay.First | Random seed -> Replay.Random seed)
@@ -47,10 +62,12 @@ let limits o schedule : Replay.limits =
   in
   { steps; time = o.time; instant = Replay.default_instant }
 
-let write_run o (l : Loaded.t) policy limits ~interrupted write =
+let write_run o (l : Loaded.t) sampled policy limits ~interrupted write =
   let run emit = Replay.run l.semantics l.declared policy limits ~interrupted emit in
   match o.form with
-  | Human -> run (Human_trace.teller l.model ~full:o.full o.states write)
+  | Human ->
+    if sampled <> [] then write (Printf.sprintf "for %s\n" (Sample.to_string sampled));
+    run (Human_trace.teller l.model ~full:o.full o.states write)
   | Lines ->
     let line json = write (Json.line json ^ "\n") in
     line (Trace.header l.origin);
@@ -85,9 +102,9 @@ let run color o =
   let interrupted = Watch.interrupted (Watch.start ()) in
   Guard.run console (fun () ->
       let* model, schedule = prepare console o in
-      let* () = Ordinary.at_point model in
+      let* model, sampled = at_start o model in
       Console.report console model.warnings;
-      let write = write_run o model (policy o schedule) (limits o schedule) ~interrupted in
+      let write = write_run o model sampled (policy o schedule) (limits o schedule) ~interrupted in
       match Console.with_output console ~path:o.output write with
       | Ok result -> Ok (finish console model result)
       | Error d -> Error [ d ])
@@ -101,21 +118,31 @@ let schedule =
   in
   Arg.(value & opt (some string) None & info [ "schedule" ] ~docv:"FILE" ~doc)
 
-let choose_conv =
+(* A word, or a seed; [seed] is that of a value which is not the word. *)
+let seeded ~docv word ~plain ~random ~seed =
   let parse s =
     let n = String.length s in
-    if String.equal s "first" then Ok First
+    if String.equal s word then Ok plain
     else if n > 7 && String.equal (String.sub s 0 7) "random:" then
       match Int64.of_string_opt (String.sub s 7 (n - 7)) with
-      | Some seed -> Ok (Random seed)
+      | Some seed -> Ok (random seed)
       | None -> Error (`Msg "the seed is no integer of 64 bits")
-    else Error (`Msg (Printf.sprintf "`%s' is neither `first' nor `random:SEED'" s))
+    else Error (`Msg (Printf.sprintf "`%s' is neither `%s' nor `random:SEED'" s word))
   in
-  let print ppf = function
-    | First -> Format.pp_print_string ppf "first"
-    | Random seed -> Format.fprintf ppf "random:%Ld" seed
+  let print ppf x =
+    match seed x with
+    | None -> Format.pp_print_string ppf word
+    | Some seed -> Format.fprintf ppf "random:%Ld" seed
   in
-  Arg.conv ~docv:"POLICY" (parse, print)
+  Arg.conv ~docv (parse, print)
+
+let choose_conv : choose Arg.conv =
+  let random seed = Random seed and seed = function First -> None | Random seed -> Some seed in
+  seeded ~docv:"POLICY" "first" ~plain:First ~random ~seed
+
+let start_conv : Sample.how Arg.conv =
+  let random seed = Sample.Random seed and seed = function Sample.Simple -> None | Random seed -> Some seed in
+  seeded ~docv:"START" "simple" ~plain:Sample.Simple ~random ~seed
 
 let choose =
   let doc =
@@ -123,6 +150,15 @@ let choose =
      likely, by the generator SplitMix64 from the integer $(b,SEED): the same on every machine."
   in
   Arg.(value & opt choose_conv First & info [ "choose" ] ~docv:"POLICY" ~doc)
+
+let start =
+  let doc =
+    "Which start to run from where parameters have ranges: $(b,simple), simple numbers within the ranges, or \
+     $(b,random:SEED), by the generator SplitMix64 from the integer $(b,SEED) for each one of the 1023 values \
+     that divide its range into 1024 equal parts. What $(b,-D) or a schedule gives is kept. The header of the \
+     trace tells the values ($(b,--human): the first line)."
+  in
+  Arg.(value & opt (some start_conv) None & info [ "start" ] ~docv:"START" ~doc)
 
 let steps =
   let doc =
@@ -162,12 +198,12 @@ let output =
 
 let options =
   let full = Options.full "With $(b,--human): tells every step, every body and all digits of numbers." in
-  let make path overrides schedule choose steps time form full states output =
-    { path; overrides; schedule; choose; steps; time; form; full; states; output }
+  let make path overrides schedule choose start steps time form full states output =
+    { path; overrides; schedule; choose; start; steps; time; form; full; states; output }
   in
   Term.(
-    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ steps $ time $ form $ full
-    $ states $ output)
+    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ start $ steps $ time $ form
+    $ full $ states $ output)
 
 let man =
   [
@@ -198,6 +234,7 @@ let man =
     `Pre "  scc trace model.sc --schedule run.jsonl | cmp - run.jsonl";
     `Pre "  scc trace model.sc --human --time 5";
     `Pre "  scc trace model.sc --human --full";
+    `Pre "  scc trace ranges.sc -D y=1 --start random:7 --choose random:7";
     `Pre "  scc trace large.sc --time 100 --states=ends";
     `Pre "  scc trace model.sc --schedule runs/meet.json --itf -o meet.itf.json";
   ]

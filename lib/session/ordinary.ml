@@ -15,7 +15,7 @@ let on_grid (l : Loaded.t) =
 
 let most_named = 5
 
-let at_point (l : Loaded.t) =
+let at_point ?otherwise (l : Loaded.t) =
   match Array.to_list l.model.ranges with
   | [] -> Ok ()
   | ranges ->
@@ -23,11 +23,12 @@ let at_point (l : Loaded.t) =
     let names = Long_list.map (fun (r : Ranges.range) -> Printf.sprintf "`%s`" r.name) named in
     let more = if List.length ranges > most_named then ", …" else "" in
     let example = (List.hd ranges).name in
+    let otherwise = match otherwise with None -> "" | Some words -> "; " ^ words in
     Error
       [
         Diag.error Code.not_known Span.none "this needs the values of all parameters, and of %s%s a range is known"
           (String.concat ", " names) more
-          ~hint:(Printf.sprintf "`scc check` answers for all values; `-D %s=VALUE` gives one" example);
+          ~hint:(Printf.sprintf "`scc check` answers for all values; `-D %s=VALUE` gives one%s" example otherwise);
       ]
 
 let has_ranges (l : Loaded.t) =

@@ -114,7 +114,7 @@ What needs values says so:
 
   $ scc trace meet.sc
   error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
-    hint: `scc check` answers for all values; `-D y=VALUE` gives one
+    hint: `scc check` answers for all values; `-D y=VALUE` gives one; `--start simple` chooses them
   [3]
   $ scc explore meet.sc -o out.aut 2>&1 | grep error
   error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
@@ -172,6 +172,44 @@ and in full. A bound leaves something out, which is told:
   scc: explored: 2 zones, 1 edges
   scc: TRUNCATED: 1 zones unexplored, by the depth bound 1
 
+A trace samples a start when told how, and tells which one. -D gives the same one again:
+
+  $ scc trace meet.sc --start simple --human --states=ends | sed -n '1,2p;$p'
+  for y = 0, z = 0
+  time 0
+  2 transitions, time 10: nothing will ever happen again
+  $ scc trace meet.sc --start simple > simple.jsonl
+  $ head -1 simple.jsonl | grep -o '"parameters":{[^}]*}'
+  "parameters":{"y":"0/1","z":"0/1"}
+  $ scc trace meet.sc -D y=0 -D z=0 | cmp - simple.jsonl
+  $ scc trace meet.sc --schedule simple.jsonl | cmp - simple.jsonl
+  $ scc trace meet.sc --start random:7 --choose random:7 > random.jsonl
+  $ head -1 random.jsonl | grep -o '"parameters":{[^}]*}'
+  "parameters":{"y":"795/256","z":"165/256"}
+  $ scc trace meet.sc -D y=795/256 -D z=165/256 --choose random:7 | cmp - random.jsonl
+  $ scc trace meet.sc --start random:8 | head -1 | grep -o '"parameters":{[^}]*}'
+  "parameters":{"y":"1095/256","z":"535/128"}
+  $ scc trace meet.sc --start random:7 --itf | grep -o '"parameters": *{[^}]*}'
+  "parameters":{"y":"795/256","z":"165/256"}
+
+What -D or a schedule gives is kept, and a model of one start has none to choose:
+
+  $ scc trace meet.sc -D y=4 --start simple --human --states=ends | sed -n '1p;$p'
+  for z = 0
+  0 transitions, time 0: nothing will ever happen again
+  $ scc trace meet.sc -D z=-3/2 --start random:7 | head -1 | grep -o '"parameters":{[^}]*}'
+  "parameters":{"y":"795/256","z":"-3/2"}
+  $ scc trace meet.sc -D y=0 -D z=0 --start random:7 | cmp - simple.jsonl
+  $ scc trace meet.sc --schedule runs/below.json --start random:7 --human --states=ends | sed -n '1p;$p'
+  time 0
+  2 transitions, time 10: nothing will ever happen again
+  $ scc trace meet.sc --schedule simple.jsonl -D y=1 2>&1 | grep error
+  command line: error[SC0801]: the schedule was made with another value of `y` than -D gives
+  $ scc trace meet.sc --start random:x 2>&1 | head -1
+  scc: option '--start': the seed is no integer of 64 bits
+  $ scc trace meet.sc --start middle 2>&1 | head -1
+  scc: option '--start': `middle' is neither `simple' nor `random:SEED'
+
 What is listed state by state needs values:
 
   $ scc compare meet.sc meet.sc 2>&1 | grep error
@@ -204,3 +242,40 @@ Where bodies interpenetrate, or are apart that are bound, for some values, the p
    10 | bond <a, {p.right, q.left}>
       |      ^^^^^^^^^^^^^^^^^^^^^^
   [3]
+
+and a trace from such a start is refused, from another one it is not:
+
+  $ scc trace over.sc --start simple
+  over.sc:8:9: error[SC0403]: `p` and `q` interpenetrate: the point (0, 0, 0) is inside both
+     |
+   8 | process q = Cube mass 1 at translate (0, 0, z) [B]
+     |         ^
+  over.sc:7:9: note: `p` is here
+     |
+   7 | process p = Cube mass 1 velocity (1,0,0) at translate (0, y, z) [A]
+     |         ^
+  [3]
+  $ scc trace over.sc -D y=3 --start simple --human --states=ends | sed -n '1p;$p'
+  for z = 0
+  0 transitions, time 0: nothing will ever happen again
+
+Delays and parts of compounds are sampled as well:
+
+  $ cat > delay.sc <<'END'
+  > param w in (0, 1/2]
+  > param d in [-1, 1]
+  > shape Cube = box(2,2,2)
+  > compound Pair { part one : Cube mass 1 part two : Cube mass 1 at translate (2,d,0) glue one.right ~ two.left }
+  > behaviour A on Pair = eps(w). nil
+  > process p = Pair at translate (0, 0, 0) [A]
+  > END
+  $ scc trace delay.sc --start simple --human
+  for w = 1/3, d = 0
+  time 0
+          p at (0, 0, 0) [A], velocity (0, 0, 0)
+      1.  time passes by 1/3   {Time, TimeBehaviour}
+  time 1/3
+          p at (0, 0, 0) [nil], velocity (0, 0, 0)
+  1 transitions, time 1/3: nothing will ever happen again
+  $ scc trace delay.sc --start random:1 --human | head -1
+  for w = 527/2048, d = 323/512
