@@ -166,7 +166,8 @@ let explored (s : Check.stats) =
         "not complete: stopped by "
         ^ String.concat ", " (List.map Verdict.truncation_to_string bounds)
   in
-  let time = Option.fold ~none:"" ~some:(fun t -> ", model time " ^ Scc_exchange.Short_text.exact t) s.model_time in
+  let told t = ", model time " ^ Scc_exchange.Short_text.exact t in
+  let time = Option.fold ~none:"" ~some:told s.model_time in
   Printf.sprintf "explored: %s, %s, depth %d%s; %s\n"
     (plural s.states "state" "states")
     (plural s.transitions "transition" "transitions")

@@ -39,8 +39,8 @@ let text =
       "Of a model with parameters of which ranges are known ($(b,-D x=LOW..HIGH) narrows them), or with \
        $(b,split_step any), the graph is one of sets of states, as $(b,scc check) explores it without reductions, \
        for $(b,dot) and $(b,json): each with its constraints, edges with where they are taken and how long time \
-       passes. The schema is $(b,specs/schema/zones.schema.json). The other formats list single states, and refuse \
-       such models. A depth of 1000 is the default bound.";
+       passes. The schema is $(b,specs/schema/zones.schema.json). The other formats list single states, and \
+       refuse such models. A depth of 1000 is the default bound.";
     `P
       "In $(b,tra) and $(b,drn), a state has the labels $(b,init), $(b,deadlock) (nothing can happen, not \
        even the passing of time), $(b,quiescent) (nothing will ever happen again), $(b,unexplored), and one \

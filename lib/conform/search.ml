@@ -155,9 +155,8 @@ let passing t layer h index (taken : Transition.t) =
   let target = after t h index taken in
   if Rat.compare (least_time t target) t.items.(h.next).time <= 0 then push layer.queue layer.known target
 
-(* Where bonds may be released at any time, less time may pass than until the next transition: just as much as until
-   the next item, which may be that release. Its time is exact, and so are all that such traces have
-   ({!Verdict.check}). *)
+(* Where bonds may be released at any time, less time may pass than until the next transition: just as much as
+   until the next item, which may be that release. All times of such traces are exact. *)
 let stop t h transitions =
   let may_split (p : State.process) = Option.is_some p.clock in
   let at_any_time = (Against.model t.against).splits = Any_time in
