@@ -47,9 +47,14 @@ let numbers t (location : Invariant.location) (z : Zone.t) ~middle (result : Sta
       if Behaviours.delays m.definitions began = [] then zero
       else
         let known = Behaviour.aged began.origin (Fixed.behaviour values began.term) in
-        let goes_on = Behaviours.pass definitions (Linear.eval old middle) known in
-        let same a b = Behaviour.equal_aged (Cloud.tidied definitions a) (Cloud.tidied definitions b) in
-        if same goes_on (State.leaf_of p leaf).behaviour then old else zero
+        let is_now aged =
+          let now = (State.leaf_of p leaf).behaviour in
+          Behaviour.equal_aged (Cloud.tidied definitions aged) (Cloud.tidied definitions now)
+        in
+        (* What leads to itself when its delay is over has both ages, and the location has the lesser one. *)
+        if is_now known then zero
+        else if is_now (Behaviours.pass definitions (Linear.eval old middle) known) then old
+        else zero
   in
   let clock (p : State.process) leaf old =
     match p.clock with
@@ -174,6 +179,9 @@ let pass t (z : Zone.t) region =
     let due = Flow.contacts t.cut flow @ List.filter (fun p -> not (Polyhedron.is_empty p)) ended in
     List.iter land_ends (Arrangement.by_signs left due);
     if at_any_time t z then
+      (* What is over at the end has led to a location, which has weak splits of its own. *)
+      let before = List.map (fun f -> Constraint.greater f (Linear.constant (Linear.dimension f) Rat.zero)) left in
+      let set = Polyhedron.add_all flow.ends.set before in
       let split region =
         match passed t z flow.ends region with
         | None -> ()
@@ -181,7 +189,7 @@ let pass t (z : Zone.t) region =
           let weak = function Transition.Weak_split _ -> true | _ -> false in
           ignore (discrete t ends ~states ~only:weak)
       in
-      List.iter split (Arrangement.cells t.cut flow.ends)
+      List.iter split (Arrangement.cells t.cut { flow.ends with set })
   in
   List.iter of_flow (Flow.passings t.cut z region)
 

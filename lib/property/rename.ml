@@ -55,6 +55,8 @@ and known values = function
   | And ps -> And (Long_list.map (known values) ps)
   | Or ps -> Or (Long_list.map (known values) ps)
 
+let known_temporal values = states (known values)
+
 (* {1 One form of formulas that differ in order alone} *)
 
 (* The renaming that puts the two leaves of a symmetric atom in order. *)

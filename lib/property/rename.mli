@@ -12,3 +12,6 @@ val ordered : temporal -> temporal
 
 val known : Scc_exact.Rat.t array -> Property.prop -> Property.prop
 (** Where parameters with ranges have these values. *)
+
+val known_temporal : Scc_exact.Rat.t array -> temporal -> temporal
+(** The same of whole formulas. *)

@@ -202,6 +202,7 @@ let ordinarily semantics u ~declared (check : Property.check) values =
   else
     let c = Semantics.with_model semantics (Fixed.model m values) in
     let declared = Fixed.declared u declared values in
+    let check = { check with formula = Rename.known_temporal values check.formula } in
     let bounds = { Bounds.default with states = Given most_states_of_one_start } in
     match Network.initial c declared with
     | Error _ -> None

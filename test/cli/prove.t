@@ -166,3 +166,26 @@ Where no invariant can be looked for, it is said.
   $ scc check one.sc --invariant no/such/folder --depth 40 | tail -1
   no/such/folder: error[SC0103]: cannot write: No such file or directory
   4 properties: 3 hold, 1 violated
+
+A delay that leads to itself goes on for ever, and a bond may be released at any time before it is over, or when it is:
+
+  $ cat > again.sc <<'END'
+  > split_step any
+  > shape Cube {
+  >   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+  >            e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  >   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+  >            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+  > }
+  > behaviour Beat on Cube = eps(1/2). Beat + <~b, {top}>. nil
+  > process p = Cube mass 1 velocity (2,0,0) at translate (2,0,0) [Beat]
+  > process d = Cube mass 1 velocity (-1,0,0) at translate (13,0,0) [omega(a, {right}). nil]
+  > process e = Cube mass 1 velocity (-1,0,0) at translate (15,0,0) [omega(~a, {left}). nil]
+  > bond <a, {d.right, e.left}>
+  > check order : always x(p) + 2 <= x(d)
+  > check near  : always x(p) + 3 <= x(d)
+  > END
+  $ scc check again.sc --prove --depth 20 | grep "proved\|^near\|invariant"
+  order: holds (proved by an invariant, all instants)
+  near: violated
+  invariant: 8 kinds of states that no run leaves, checked afresh

@@ -279,3 +279,23 @@ Delays and parts of compounds are sampled as well:
   1 transitions, time 1/3: nothing will ever happen again
   $ scc trace delay.sc --start random:1 --human | head -1
   for w = 527/2048, d = 323/512
+
+What is not found in passing is explored for one start, with its values in the formula as well:
+
+  $ sed '/^check\|^let/d' meet.sc > interval.sc
+  $ echo 'check there : AG[1, 4] (x(p) = 5 - y)' >> interval.sc
+  $ scc check interval.sc -D z=0
+  semantics 2
+  
+  there: violated for y = 0
+    AG[1, 4] x(p) = 5 - y
+    a run that violates it:
+      then time passes, until time 1
+      x(p) = (5 - 0) fails: x(p) = 1, (5 - 0) = 5
+      there:
+        p at (1, 0, 0) [A], velocity (1, 0, 0)
+        q at (12, 0, 0) [B], velocity (0, 0, 0)
+  
+  explored: 1 state, 0 transitions, depth 0; complete
+  1 property: 1 violated
+  [1]
