@@ -196,7 +196,7 @@ let witness semantics u ~declared ~sliced graph place =
    What it decides is what was found for that start, or one of both is wrong. *)
 let most_states_of_one_start = 20_000
 
-let ordinarily semantics u ~declared (check : Property.check) values =
+let ordinarily (options : Joint_check.options) semantics u ~declared (check : Property.check) values =
   let m = Semantics.model semantics in
   if Array.length m.ranges = 0 || Zone_scale.at_any_time m ~declared then None
   else
@@ -207,7 +207,8 @@ let ordinarily semantics u ~declared (check : Property.check) values =
     match Network.initial c declared with
     | Error _ -> None
     | Ok initial -> (
-        let report = Check.run { Joint_check.default with bounds } c ~initial [ check ] in
+        let options = { Joint_check.default with bounds; surroundings = options.surroundings } in
+        let report = Check.run options c ~initial [ check ] in
         let fixed = { Scc_explain.Witness.values = named m values; semantics = c } in
         let of_start (w : Scc_explain.Witness.t) = { w with fixed = Some fixed } in
         match report.outcomes with
@@ -216,7 +217,7 @@ let ordinarily semantics u ~declared (check : Property.check) values =
           Bug.fail __POS__ "a check that is violated over zones holds for a start of them"
         | _ -> None)
 
-let verdict semantics u ~declared (e : explored) check answer (where : Where.t) : Verdict.t =
+let verdict options semantics u ~declared (e : explored) check answer (where : Where.t) : Verdict.t =
   let witness = witness semantics u ~declared ~sliced:(Option.is_some e.group.part) e.graph in
   let shown ~holds = Option.map witness (Answers.shown_by answer ~holds) in
   let bounded = List.map (fun t -> Verdict.Truncated t) e.stopped_by in
@@ -230,7 +231,7 @@ let verdict semantics u ~declared (e : explored) check answer (where : Where.t) 
       match (shown ~holds:false, Union.point where.fails) with
       | (Some _ as w), _ -> w
       | None, Some values when not (Plan.is_search (Plan.of_formula check.Property.formula)) ->
-        ordinarily semantics u ~declared check values
+        ordinarily options semantics u ~declared check values
       | None, _ -> None
     in
     Violated { witness }
@@ -295,11 +296,11 @@ let slice m ~initial (e : explored) : Check.slice option =
   in
   Option.map of_part e.group.part
 
-let outcomes semantics u ~declared (e : explored) =
+let outcomes options semantics u ~declared (e : explored) =
   let m = Semantics.model semantics in
   let one (i, check) (answer, proof) =
     let where = where m.ranges answer proof in
-    let verdict = verdict semantics u ~declared e check answer where in
+    let verdict = verdict options semantics u ~declared e check answer where in
     let example =
       match (verdict, Union.point where.fails) with
       | Violated { witness = None }, Some values ->
@@ -348,7 +349,7 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
   | Error { Start.at; reason } -> Error { at; reason }
   | Ok explored ->
     let sorted =
-      List.concat_map (outcomes semantics u ~declared) explored
+      List.concat_map (outcomes options semantics u ~declared) explored
       |> List.sort (fun (i, _, _) (j, _, _) -> Int.compare i j)
     in
     let stats = List.map (stats m) explored in
