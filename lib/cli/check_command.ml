@@ -175,13 +175,13 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
     let compact = if extras.compact then Some states else None in
     { options with reductions = extras.reductions; order = extras.order; compact; prove = extras.prove }
   in
-  (* What has to come true for a check to say anything is looked for at single starts alone. *)
-  let checks = if zones || extras.prove then l.checks else l.checks @ l.premises in
+  (* What an invariant decides need not be explored: then nothing is known of premises. *)
+  let premises = if extras.prove && not zones then [] else l.premises in
   let explore () =
-    let run () = Verdicts.report options l ~initial ~exactly:where checks in
+    let run () = Verdicts.report options l ~initial ~exactly:where ~premises l.checks in
     match (Watch.attempt watch).run Reporting run with
     | Ok report -> report
-    | Error stop -> Ok (Check.unexplored options checks stop)
+    | Error stop -> Ok (Check.unexplored options (l.checks @ premises) stop)
   in
   let* report = Measured.phase measured "explore" explore in
   let covered =

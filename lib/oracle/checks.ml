@@ -6,7 +6,7 @@ let ( let* ) = Result.bind
 let report options (l : Loaded.t) ~where =
   let* () = if where then Ordinary.has_ranges l else Ok () in
   let* initial = Loaded.initial l in
-  Verdicts.report options l ~initial ~exactly:where l.checks
+  Verdicts.report options l ~initial ~exactly:where ~premises:[] l.checks
 
 let check bounds p =
   let where = Option.value (Read.optional p "where" Read.truth) ~default:false in

@@ -15,11 +15,11 @@ let refused (l : Loaded.t) ~prove =
   let because = if over_zones l then Some Zone_check.Zones else if prove then Some Invariants else None in
   match Option.map (Zone_check.refused l.model) because with None | Some [] -> Ok () | Some why -> Error why
 
-let report (options : Check.options) (l : Loaded.t) ~initial ~exactly checks =
+let report (options : Check.options) (l : Loaded.t) ~initial ~exactly ~premises checks =
   let of_all () =
     if over_zones l then
-      Zone_check.run options l.semantics (uncertain l) ~declared:l.declared ~exactly checks
+      Zone_check.run options l.semantics (uncertain l) ~declared:l.declared ~exactly ~premises checks
       |> Result.map_error (Ill_formed.diagnostics l)
-    else Ok (ordinarily options l ~initial checks)
+    else Ok (ordinarily options l ~initial (checks @ premises))
   in
   Result.bind (refused l ~prove:options.prove) of_all

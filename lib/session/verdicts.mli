@@ -15,8 +15,9 @@ val refused : Loaded.t -> prove:bool -> (unit, Diag.t list) result
 (** Numbers of the model would not be affine, and it is looked at over zones, or for an invariant (SC0901). *)
 
 val report :
-  Check.options -> Loaded.t -> initial:State.t -> exactly:bool -> Property.check list ->
+  Check.options -> Loaded.t -> initial:State.t -> exactly:bool -> premises:Property.check list ->
+  Property.check list ->
   (Check.report, Diag.t list) result
 (** By {!Zone_check.run}, with [exactly], or by {!Check.run}; with {!Check.options.prove} by invariants first, as
-    far as they decide (rule Invariants). The error: numbers of the model would not be affine (SC0901), or the
+    far as they decide (rule Invariants). Outcomes of premises ({!Loaded.t}) come after those of the checks. The error: numbers of the model would not be affine (SC0901), or the
     declared state is not well-formed for some values. *)

@@ -48,12 +48,19 @@ let diagnostic (m : Model.t) { at; reason } =
 
 (* {1 One exploration} *)
 
-type group = Zone_groups.t = { keeps_time : bool; part : State.t option; members : (int * Property.check) list }
+type group = Zone_groups.t = {
+  keeps_time : bool;
+  part : State.t option;
+  members : (int * Property.check) list;
+  premises : (int * Property.check) list;
+}
 
 type explored = {
   group : group;
   graph : Zone_graph.t;
   answers : Answers.t list;
+  met : Answers.t list;  (** of the premises *)
+  uneventful : bool;  (** all is known, and nothing ever happens *)
   stopped_by : Verdict.truncation list;
   fault : string option;
   decided : bool;
@@ -103,14 +110,17 @@ let is_proved ~exactly all (proof : Proof.t option) =
     Union.is_empty left || ((not exactly) && not (Union.is_empty fails))
 
 let explore (options : Joint_check.options) context (group : group) ~initial zones ~ranges ~exactly ~proof =
-  let formulas = List.map (fun (_, (c : Property.check)) -> c.formula) group.members in
+  let formulas_of = List.map (fun (_, (c : Property.check)) -> c.formula) in
+  let formulas = formulas_of (group.members @ group.premises) in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
   let atoms = Atoms.context context ~events in
   let parameters = Ranges.box ranges in
-  let answers = List.map (Answers.make context atoms ~parameters) formulas in
+  let answers_to numbered = List.map (Answers.make context atoms ~parameters) (formulas_of numbered) in
+  let answers = answers_to group.members and met = answers_to group.premises in
+  let looking = answers @ met in
   let all = Union.of_polyhedron parameters in
   let proved = List.map (is_proved ~exactly all) (proofs_of answers proof) in
-  let asked = if group.keeps_time then latest answers else None in
+  let asked = if group.keeps_time then latest looking else None in
   let user = Zone_bounds.given options.bounds.time in
   let horizon =
     match (asked, user) with Some a, Some b -> Some (Rat.min a b) | None, t | t, None -> t
@@ -121,7 +131,7 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
     | None, Some _ -> true
     | _, None -> false
   in
-  let is_late = ref false and stop = ref None and size = ref 0 in
+  let is_late = ref false and is_beyond = ref false and stop = ref None and size = ref 0 in
   let depth = Zone_bounds.depth options.bounds in
   let most = match depth.limit with Depth d -> d | _ -> Zone_bounds.default_depth in
   let stopped () =
@@ -134,12 +144,13 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
       expanded =
         (fun node ->
            progress options ~size:!size node;
-           List.iter (fun a -> Answers.look a node) answers);
+           List.iter (fun a -> Answers.look a node) looking);
       late =
         (fun zone ->
+           is_beyond := true;
            if by_user then begin
              is_late := true;
-             List.iter (fun a -> Answers.leave a zone) answers
+             List.iter (fun a -> Answers.leave a zone) looking
            end);
       enough =
         (fun () ->
@@ -158,11 +169,14 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
       if not node.expanded then f node
     done
   in
-  unexpanded (fun node -> List.iter (fun a -> Answers.look_around a node) answers);
-  if end_ = Closed && not !is_late then List.iter (fun a -> Answers.conclude a graph) answers;
-  let edges = ref 0 in
+  unexpanded (fun node -> List.iter (fun a -> Answers.look_around a node) looking);
+  if end_ = Closed && not !is_late then List.iter (fun a -> Answers.conclude a graph) looking;
+  let edges = ref 0 and happens = ref false in
   for i = 0 to Zone_graph.size graph - 1 do
-    edges := !edges + List.length (Zone_graph.node graph i).edges
+    let of_node = (Zone_graph.node graph i).edges in
+    let is_event (e : Zone_graph.edge) = match e.step with Happens _ -> true | Passes _ | Passes_some -> false in
+    edges := !edges + List.length of_node;
+    happens := !happens || List.exists is_event of_node
   done;
   let stopped_by : Verdict.truncation list =
     (match end_ with
@@ -177,6 +191,8 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
     group;
     graph;
     answers;
+    met;
+    uneventful = end_ = Closed && not (!happens || !is_beyond || Option.is_some group.part);
     stopped_by;
     fault = (match end_ with Not_affine reason -> Some reason | _ -> None);
     decided = (match end_ with Decided -> true | _ -> false);
@@ -313,7 +329,18 @@ let outcomes options semantics u ~declared (e : explored) =
   in
   List.map2 one e.group.members (List.combine e.answers (proofs_of e.answers e.proof))
 
-let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
+(* What no run meets for any values is met never: of some values nothing is told. *)
+let premises (m : Model.t) (e : explored) =
+  let all = Ranges.box m.ranges in
+  let one (i, check) answer =
+    let never = Union.covers (Answers.sets answer).fails all in
+    let verdict : Verdict.t = if never then Violated { witness = None } else Undecided [] in
+    let scale = { Verdict.resolution = None; split_step = None; over = None } in
+    (i, { Verdict.check; verdict; scale; rests = []; converges = None })
+  in
+  List.map2 one e.group.premises e.met
+
+let run (options : Joint_check.options) semantics u ~declared ~exactly ~premises:asked checks =
   let m = Semantics.model semantics in
   let context = Instant.context semantics in
   let initial = Zone_proof.initial semantics declared in
@@ -339,11 +366,15 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
   in
   (* What is left out of all slices has to be well-formed as well. *)
   let grouped =
-    if not slicing then Ok (Zone_groups.make ~bounded ~part:(fun _ -> None) checks)
+    if not slicing then Ok (Zone_groups.make ~bounded ~part:(fun _ -> None) ~premises:asked checks)
     else
-      let part zones (c : Property.check) = Zone_slice.make context u ~initial (List.hd zones) [ c.formula ] in
+      let formulas (c : Property.check) =
+        let of_it = List.filter (fun (p : Property.check) -> String.equal p.name c.name) asked in
+        List.map (fun (c : Property.check) -> c.formula) (c :: of_it)
+      in
+      let part zones c = Zone_slice.make context u ~initial (List.hd zones) (formulas c) in
       Start.zones context u ~initial ~keeps_time:false
-      |> Result.map (fun zones -> Zone_groups.make ~bounded ~part:(part zones) checks)
+      |> Result.map (fun zones -> Zone_groups.make ~bounded ~part:(part zones) ~premises:asked checks)
   in
   match Result.bind grouped (all []) with
   | Error { Start.at; reason } -> Error { at; reason }
@@ -352,12 +383,13 @@ let run (options : Joint_check.options) semantics u ~declared ~exactly checks =
       List.concat_map (outcomes options semantics u ~declared) explored
       |> List.sort (fun (i, _, _) (j, _, _) -> Int.compare i j)
     in
+    let by_number l = List.map snd (List.sort (fun (i, _) (j, _) -> Int.compare i j) l) in
     let stats = List.map (stats m) explored in
     let report : Check.report =
       {
-        outcomes = List.map (fun (_, o, _) -> o) sorted;
+        outcomes = List.map (fun (_, o, _) -> o) sorted @ by_number (List.concat_map (premises m) explored);
         stats = List.fold_left Check.add (List.hd stats) (List.tl stats);
-        uneventful = false;
+        uneventful = List.exists (fun e -> e.uneventful) explored;
         slices = List.filter_map (slice m ~initial) explored;
         zeno = None;
         stores = [];

@@ -2,7 +2,12 @@ open Scc_calculus
 open Scc_property
 open Scc_symbolic
 
-type t = { keeps_time : bool; part : State.t option; members : (int * Property.check) list }
+type t = {
+  keeps_time : bool;
+  part : State.t option;
+  members : (int * Property.check) list;
+  premises : (int * Property.check) list;
+}
 
 (* Those that ask about time are explored apart: with time a coordinate, little ever recurs, but there is an end
    where all of them have a bound. A bound of time for all makes it a coordinate for all. *)
@@ -10,11 +15,22 @@ let by_time ~bounded part numbered =
   let of_check is (_, (c : Property.check)) = is c.formula in
   let timed, others = List.partition (of_check Answers.needs_time) numbered in
   let ends, endless = List.partition (of_check (fun f -> Option.is_some (Plan.horizon f))) timed in
-  let some keeps_time members = match members with [] -> [] | _ :: _ -> [ { keeps_time; part; members } ] in
+  let some keeps_time members = match members with [] -> [] | _ :: _ -> [ { keeps_time; part; members; premises = [] } ] in
   some bounded others @ some true ends @ some true endless
 
+(* Each premise with the first group that has a check of its name. *)
+let with_premises premises groups =
+  let put (left, groups) g =
+    let names (_, (p : Property.check)) =
+      List.exists (fun (_, (c : Property.check)) -> String.equal c.name p.name) g.members
+    in
+    let premises, left = List.partition names left in
+    (left, { g with premises } :: groups)
+  in
+  List.rev (snd (List.fold_left put (List.mapi (fun i p -> (i, p)) premises, []) groups))
+
 (* Each slice is explored apart. *)
-let make ~bounded ~part checks =
+let make ~bounded ~part ~premises checks =
   let rec put part member = function
     | [] -> [ (part, [ member ]) ]
     | (same, members) :: rest when Option.equal State.equal same part -> (same, member :: members) :: rest
@@ -22,8 +38,9 @@ let make ~bounded ~part checks =
   in
   let add (i, groups) c = (i + 1, put (part c) (i, c) groups) in
   match checks with
-  | [] -> [ { keeps_time = bounded; part = None; members = [] } ]
+  | [] -> [ { keeps_time = bounded; part = None; members = []; premises = [] } ]
   | _ :: _ ->
     List.fold_left add (0, []) checks
     |> snd
     |> List.concat_map (fun (part, members) -> by_time ~bounded part (List.rev members))
+    |> with_premises premises

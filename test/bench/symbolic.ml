@@ -146,7 +146,7 @@ let ask text ~name options =
   let l = load name text in
   let u = match l.uncertain with Some u -> u | None -> Start.known l.model l.declared in
   let start = Sys.time () in
-  let answer = Zone_check.run options l.semantics u ~declared:l.declared ~exactly:true l.checks in
+  let answer = Zone_check.run options l.semantics u ~declared:l.declared ~exactly:true ~premises:[] l.checks in
   let probabilities =
     match answer with Ok report -> List.map Scc_where.Where.probability report.where | Error _ -> []
   in

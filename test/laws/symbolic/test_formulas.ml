@@ -94,7 +94,7 @@ let agrees case =
   let u = Scene.uncertain s in
   let middle = Option.get (Polyhedron.interior_point (Ranges.box m.ranges)) in
   let declared = Scene.declared s middle in
-  match Zone_check.run options standard u ~declared ~exactly:true (List.mapi check case.formulas) with
+  match Zone_check.run options standard u ~declared ~exactly:true ~premises:[] (List.mapi check case.formulas) with
   | Error _ -> true
   | Ok report ->
     List.iter (at_point case standard report.where) (points m (Random.State.make [| case.seed |]) report.where);
