@@ -202,39 +202,11 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
 
 (* {1 Verdicts} *)
 
-let named (m : Model.t) values =
-  List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list values)
-
-let witness semantics u ~declared ~sliced graph place =
-  Zone_witness.make semantics u ~declared ~sliced (Concrete.run graph place) place
-
-(* Where no single run was met on the way, the ordinary exploration of one start may know one, and explain it.
-   What it decides is what was found for that start, or one of both is wrong. *)
-let most_states_of_one_start = 20_000
-
-let ordinarily (options : Joint_check.options) semantics u ~declared (check : Property.check) values =
-  let m = Semantics.model semantics in
-  if Array.length m.ranges = 0 || Zone_scale.at_any_time m ~declared then None
-  else
-    let c = Semantics.with_model semantics (Fixed.model m values) in
-    let declared = Fixed.declared u declared values in
-    let check = { check with formula = Rename.known_temporal values check.formula } in
-    let bounds = { Bounds.default with states = Given most_states_of_one_start } in
-    match Network.initial c declared with
-    | Error _ -> None
-    | Ok initial -> (
-        let options = { Joint_check.default with bounds; surroundings = options.surroundings } in
-        let report = Check.run options c ~initial [ check ] in
-        let fixed = { Scc_explain.Witness.values = named m values; semantics = c } in
-        let of_start (w : Scc_explain.Witness.t) = { w with fixed = Some fixed } in
-        match report.outcomes with
-        | [ { verdict = Violated { witness }; _ } ] -> Option.map of_start witness
-        | [ { verdict = Holds { bounds = []; _ }; _ } ] ->
-          Bug.fail __POS__ "a check that is violated over zones holds for a start of them"
-        | _ -> None)
-
 let verdict options semantics u ~declared (e : explored) check answer (where : Where.t) : Verdict.t =
-  let witness = witness semantics u ~declared ~sliced:(Option.is_some e.group.part) e.graph in
+  let witness (place : Search_sets.place) =
+    let sliced = Option.is_some e.group.part in
+    Zone_witness.make semantics u ~declared ~sliced (Concrete.run e.graph place) place
+  in
   let shown ~holds = Option.map witness (Answers.shown_by answer ~holds) in
   let bounded = List.map (fun t -> Verdict.Truncated t) e.stopped_by in
   let reasons =
@@ -247,7 +219,7 @@ let verdict options semantics u ~declared (e : explored) check answer (where : W
       match (shown ~holds:false, Union.point where.fails) with
       | (Some _ as w), _ -> w
       | None, Some values when not (Plan.is_search (Plan.of_formula check.Property.formula)) ->
-        ordinarily options semantics u ~declared check values
+        Zone_single.run options semantics u ~declared check values
       | None, _ -> None
     in
     Violated { witness }
@@ -320,7 +292,7 @@ let outcomes options semantics u ~declared (e : explored) =
     let example =
       match (verdict, Union.point where.fails) with
       | Violated { witness = None }, Some values ->
-        named m values
+        Zone_single.named m values
       | _ -> []
     in
     let by_invariant = rests_on_proof answer where verdict in

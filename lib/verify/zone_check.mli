@@ -29,7 +29,7 @@ val run :
   Joint_check.options -> Semantics.t -> Uncertain.t -> declared:State.t -> exactly:bool ->
   premises:Property.check list -> Property.check list -> (Check.report, fault) result
 (** A verdict for each check, over all values, and for which of them it holds ({!Check.report.where}): all that
-    can be known of that with [exactly], else as much as the verdict takes. After the outcomes of the checks come those
-    of premises, which have the names of checks: violated where it is known that no run ever meets it, for whatever
-    values, else undecided. They keep no exploration going. The error: for these values the
-    declared state is not well-formed. *)
+    can be known of that with [exactly], else as much as the verdict takes. After the outcomes of the checks come
+    those of premises, which have the names of checks: violated where it is known that no run ever meets it, for
+    whatever values, else undecided. They keep no exploration going. The error: for these values the declared state
+    is not well-formed. *)

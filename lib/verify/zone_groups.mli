@@ -8,7 +8,7 @@ type t = {
   part : State.t option;  (** the slice that does for all of them; [None]: the whole network *)
   members : (int * Property.check) list;  (** with their places in the list of all *)
   premises : (int * Property.check) list;
-  (** likewise: what has to come true for members to say anything, which names them. It is looked for on the way, and
+  (** likewise: what has to come true for members of their names to say anything. It is looked for on the way, and
       keeps nothing going. *)
 }
 

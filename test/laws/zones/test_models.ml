@@ -61,7 +61,8 @@ let agrees file () =
       let initial = match Loaded.initial l with Ok s -> s | Error _ -> Alcotest.fail "no initial state" in
       let ordinary = Check.run options l.semantics ~initial (l.checks @ l.premises) in
       let known = Scc_symbolic.Start.known l.model l.declared in
-      match Zone_check.run options l.semantics known ~declared:l.declared ~exactly:false ~premises:l.premises l.checks with
+      let { Loaded.semantics; declared; premises; checks; _ } = l in
+      match Zone_check.run options semantics known ~declared ~exactly:false ~premises checks with
       | Error _ -> Alcotest.fail "the declared state is not well-formed"
       | Ok report ->
         let n = List.length l.checks in
@@ -97,7 +98,8 @@ let either () =
   | Error _ -> Alcotest.fail "it is refused"
   | Ok l -> (
       let uncertain = Option.get l.uncertain in
-      match Zone_check.run options l.semantics uncertain ~declared:l.declared ~exactly:false ~premises:[] l.checks with
+      let { Loaded.semantics; declared; checks; _ } = l in
+      match Zone_check.run options semantics uncertain ~declared ~exactly:false ~premises:[] checks with
       | Error _ -> Alcotest.fail "the declared state is not well-formed"
       | Ok report ->
         let kinds = List.map (fun (o : Verdict.outcome) -> kind o.verdict) report.outcomes in

@@ -31,7 +31,8 @@ let options ~states reductions =
 
 let run ~states reductions (l : Loaded.t) =
   let u = match l.uncertain with Some u -> u | None -> Scc_symbolic.Start.known l.model l.declared in
-  Zone_check.run (options ~states reductions) l.semantics u ~declared:l.declared ~exactly:true ~premises:[] l.checks
+  let { Loaded.semantics; declared; checks; _ } = l in
+  Zone_check.run (options ~states reductions) semantics u ~declared ~exactly:true ~premises:[] checks
 
 let compared = ref 0 and complete = ref 0 and sliced = ref 0 and lesser = ref 0
 
