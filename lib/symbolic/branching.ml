@@ -86,6 +86,9 @@ let complement m s =
 let project u ~dimension =
   Union.map ~dimension (fun p -> Polyhedron.project p (Array.init dimension Fun.id)) u
 
+let restrict u constraints =
+  Union.map ~dimension:(Union.dimension u) (fun p -> Polyhedron.add_all p constraints) u
+
 (* {1 State predicates} *)
 
 let where truth =
@@ -123,15 +126,25 @@ let back (e : Zone_graph.edge) target =
 let back_all edges ~dimension (at : Union.t array) =
   List.fold_left (fun u (e : Zone_graph.edge) -> union u (back e at.(e.target))) (Union.empty dimension) edges
 
-(* The states of a stretch at which time may halt for a split that leads into the set. *)
-let halts n s at =
-  let dimension = Zone.dimension s.zone in
+(* From where time may halt for a split that leads into the set: over the variables of the node, and the time that
+   passes before, which may be none. *)
+let halting n at =
   let of_split u ((to_halted : Zone_graph.edge), edges) =
     let halted = Polyhedron.dimension (List.hd edges : Zone_graph.edge).guard in
     union u (back to_halted (back_all edges ~dimension:halted at))
   in
   let some_edges = List.filter (fun (_, edges) -> edges <> []) n.splits in
-  inter (all_along s) (List.fold_left of_split (Union.empty dimension) some_edges)
+  List.fold_left of_split (Union.empty (Zone.dimension n.it.zone + 1)) some_edges
+
+(* The states of a stretch at which time may halt so. *)
+let halts n s at = inter (all_along s) (halting n at)
+
+(* The states of a node from which an event leads into the set at once. *)
+let at_once n at =
+  let dimension = Zone.dimension n.it.zone in
+  let time = Linear.variable (dimension + 1) dimension in
+  let no_time = Constraint.equals time (Linear.constant (dimension + 1) Rat.zero) in
+  union (back_all n.happens ~dimension at) (project (restrict (halting n at) [ no_time ]) ~dimension)
 
 (* Where the end of a stretch leads into the set: over the variables of the node. *)
 let ends n s at =
@@ -142,9 +155,6 @@ let late n s = inter (some s.region) (Union.of_polyhedra (Zone.dimension n.it.zo
 (* Sets over (y, d) as sets over (y, d, d', ...): with d, or with d' for d. *)
 let embed u ~dimension at = Union.map ~dimension (fun p -> Polyhedron.embed p ~dimension at) u
 let before_ ~dimension i j = Constraint.less (Linear.variable dimension i) (Linear.variable dimension j)
-
-let restrict u constraints =
-  Union.map ~dimension:(Union.dimension u) (fun p -> Polyhedron.add_all p constraints) u
 
 (* The (y, d, d') of a stretch, d <= d', such that no state strictly between is in the set [bad]. *)
 let clear_until s bad =
@@ -242,9 +252,7 @@ let exists_until m f g =
       let found = reach_from_start s ~bad (target at n s f_along g_along) in
       union u (union found (inter (ends n s at) (clear_from_start s ~bad)))
     in
-    let dimension = Zone.dimension n.it.zone in
-    let at_once = back_all n.happens ~dimension at in
-    union g.at.(i) (inter f.at.(i) (List.fold_left of_stretch at_once (zipped i)))
+    union g.at.(i) (inter f.at.(i) (List.fold_left of_stretch (at_once n at) (zipped i)))
   in
   let at = iterate m (none m) step in
   let along i =
@@ -272,8 +280,7 @@ let exists_globally m g =
       let halted = reach_from_start s ~bad (inter g_along (halts n s at)) in
       union u (union to_end halted)
     in
-    let at_once = back_all n.happens ~dimension:(Zone.dimension n.it.zone) at in
-    inter g.at.(i) (List.fold_left of_stretch at_once (zipped i))
+    inter g.at.(i) (List.fold_left of_stretch (at_once n at) (zipped i))
   in
   let at = iterate m g.at step in
   let along i =

@@ -73,8 +73,22 @@ let way_to graph (place : Search_sets.place) =
   let way, forms = enter (List.fold_left along start edges) place.states in
   (z, way, forms)
 
+(* The way with no wait for a split that need not be, the first ones first: the run is shorter then. *)
+let at_once_where_possible way =
+  let dimension = Polyhedron.dimension way.set in
+  let no_wait set (step, time) =
+    match ((step : Zone_steps.step), time) with
+    | Passes_some, Some t ->
+      let none = Constraint.equals (extended dimension t) (Linear.constant dimension Rat.zero) in
+      let at_once = Polyhedron.add set none in
+      if Polyhedron.is_empty at_once then set else at_once
+    | (Happens _ | Passes _ | Passes_some), _ -> set
+  in
+  Polyhedron.interior_point (List.fold_left no_wait way.set (List.rev way.taken))
+
 let at_point (root : Zone.t) way forms ~passing point =
   let value f = Linear.eval (extended (Array.length point) f) point in
+  let waits = function Passes_some t -> Rat.sign t > 0 | Happens _ | Passes _ -> true in
   let step (step, time) =
     match ((step : Zone_steps.step), time) with
     | Happens label, _ -> Happens label
@@ -84,7 +98,7 @@ let at_point (root : Zone.t) way forms ~passing point =
   in
   {
     values = Array.map value root.parameters;
-    steps = List.rev_map step way.taken;
+    steps = List.filter waits (List.rev_map step way.taken);
     offset = (if passing then value forms.(Array.length forms - 1) else Rat.zero);
   }
 
@@ -96,10 +110,10 @@ let run_within graph (place : Search_sets.place) values =
   if Polyhedron.is_empty place.states then None
   else
     let root, way, forms = way_to graph place in
-    Option.map (at_point root way forms ~passing:place.passing) (Polyhedron.interior_point way.set)
+    Option.map (at_point root way forms ~passing:place.passing) (at_once_where_possible way)
 
 let run graph place =
   let root, way, forms = way_to graph place in
-  match Polyhedron.interior_point way.set with
+  match at_once_where_possible way with
   | Some point -> at_point root way forms ~passing:place.passing point
   | None -> Scc_base.Bug.fail __POS__ "a way to nowhere"

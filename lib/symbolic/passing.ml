@@ -174,16 +174,18 @@ let until c (z : Zone.t) (cell : due First.cell) =
   let z = List.fold_left tick z cell.due in
   settled c (List.fold_left (expire c) z (expiries cell.due))
 
-let trajectory (c : Instant.context) (z : Zone.t) (cell : due First.cell) =
+(* The states until the cell's time, over one variable more: how much time has passed, which begins as it says. *)
+let until_then (c : Instant.context) (z : Zone.t) (cell : due First.cell) ~begins =
   let n = Zone.dimension z in
   let old = Array.init n (Linear.variable (n + 1)) in
   let lift f = Linear.compose f ~dimension:(n + 1) old in
   let passed = Linear.variable (n + 1) n in
   let within =
-    Constraint.greater passed (Linear.constant (n + 1) Rat.zero)
+    begins passed (Linear.constant (n + 1) Rat.zero)
     :: List.map (fun t -> Constraint.less passed (lift t)) (Option.to_list cell.time)
   in
   let set = Polyhedron.add_all (Polyhedron.embed cell.region ~dimension:(n + 1) (Array.init n Fun.id)) within in
   after c (Zone.with_variables z ~dimension:(n + 1) old set) passed
 
-let within c z cell = { (trajectory c z cell) with halted = true }
+let trajectory c z cell = until_then c z cell ~begins:Constraint.greater
+let within c z cell = { (until_then c z cell ~begins:Constraint.at_least) with halted = true }

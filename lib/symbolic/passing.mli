@@ -18,11 +18,11 @@ val until : Instant.context -> Zone.t -> due First.cell -> Zone.t list
     not canonical. *)
 
 val within : Instant.context -> Zone.t -> due First.cell -> Zone.t
-(** All states strictly between now and the time of the cell (all that come, where it has none), {!Zone.t.halted}:
+(** All states from now until before the time of the cell (all that come, where it has none), {!Zone.t.halted}:
     over one variable more, the last one, which says how much time has passed. *)
 
 val trajectory : Instant.context -> Zone.t -> due First.cell -> Zone.t
-(** The same states, as they pass by. *)
+(** The same states as they pass by, strictly after now. *)
 
 val may_split : Zone.t -> bool
 (** A weak split is enabled in some process. *)

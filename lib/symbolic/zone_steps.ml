@@ -46,14 +46,17 @@ let in_one_order c z region ~visible { Happening.urgent; weak } =
 let all ?visible c ~events (z : Zone.t) =
   let may_split = Passing.may_split z && not (Passing.on_grid c) in
   let of_region region =
-    let { Happening.urgent; weak } as happenings = Happening.all c ~events z region in
+    let happenings = Happening.all c ~events z region in
+    let passes = happenings.urgent = [] && not z.halted in
+    (* Where time may halt for a weak split, the one at once is the one after no time. *)
+    let happenings = if passes && may_split then { happenings with weak = [] } else happenings in
     let first, later =
       match visible with
-      | None -> (urgent @ weak, [])
+      | None -> (happenings.urgent @ happenings.weak, [])
       | Some visible -> in_one_order c z region ~visible happenings
     in
     let now = { steps = List.map happens first; postponed = List.map happens later; cells = [] } in
-    if urgent = [] && not z.halted then
+    if passes then
       List.fold_left (fun all cell -> both all (of_cell c ~may_split z cell)) now (Passing.cells c z region)
     else now
   in

@@ -7,7 +7,7 @@ open Scc_property
 type step =
   | Happens of Transition.label
   | Passes of Linear.t  (** so much time, until what comes next *)
-  | Passes_some  (** less than that: time is halted for a weak split *)
+  | Passes_some  (** less than that, or no time: time is halted for a weak split *)
 
 type t = {
   steps : (step * Zone.t) list;

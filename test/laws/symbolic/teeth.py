@@ -4,8 +4,8 @@
     test/laws/symbolic/teeth.py [--tree DIR] [NAME ...]
 
 Works on a copy of the source tree (below DIR, to be kept for the next time). Each mistake has to be noticed by the
-tests of test/laws/symbolic, test/laws/invariants and test/unit/symbolic: some test fails, or does not end. It takes about half a minute
-for each.
+tests of test/laws/symbolic, test/laws/invariants and test/unit/symbolic: some test fails, or does not end. It takes
+about half a minute for each.
 """
 
 from __future__ import annotations
@@ -122,10 +122,11 @@ MISTAKES = {
         "| Split_instant first -> (ignore zero; { z with clocks = set z.clocks first z.clocks.(first) })",
     ),
     "no time between events": (
-        "zone_graph.ml",
-        "let may_split = Passing.may_split z && not (Passing.on_grid e.context) in",
-        "let may_split = Passing.may_split z && Passing.on_grid e.context in",
+        "zone_steps.ml",
+        "let may_split = Passing.may_split z && not (Passing.on_grid c) in",
+        "let may_split = Passing.may_split z && Passing.on_grid c in",
     ),
+    "no weak split at once": ("passing.ml", "~begins:Constraint.at_least", "~begins:Constraint.greater"),
     "halted zones do all": ("passing.ml", "halted = true", "halted = false"),
     "eps(0) waits": (
         "passing.ml",
@@ -138,14 +139,14 @@ MISTAKES = {
         "(ignore still; [ expire c (at over) (leaf, [ d ]) ])",
     ),
     "time passes before what is urgent": (
-        "zone_graph.ml",
-        "if urgent = [] && not z.halted then",
-        "if not z.halted then",
+        "zone_steps.ml",
+        "let passes = happenings.urgent = [] && not z.halted in",
+        "let passes = not z.halted in",
     ),
     "no weak split beside what is urgent": (
-        "zone_graph.ml",
-        "List.iter (happen e source) weak;",
-        "if urgent = [] then List.iter (happen e source) weak;",
+        "zone_steps.ml",
+        "let happenings = if passes && may_split then",
+        "let happenings = if happenings.urgent <> [] || (passes && may_split) then",
     ),
     "the horizon is too early": (
         "zone_graph.ml",
@@ -170,6 +171,27 @@ MISTAKES = {
     ),
     "halted zones are zones": ("zone.ml", "Bool.equal a.halted b.halted && List", "List"),
     "what led to a zone is forgotten": ("zone.ml", "List.equal Int.equal a.arrived b.arrived && ", ""),
+    # Formulas, backwards over the graph.
+    "a split at once leads nowhere": (
+        "branching.ml",
+        "(project (restrict (halting n at) [ no_time ]) ~dimension)",
+        "(ignore no_time; Union.empty dimension)",
+    ),
+    "time halts nowhere": (
+        "branching.ml",
+        "let halts n s at = inter (all_along s) (halting n at)",
+        "let halts n s at = (ignore at; ignore n; Union.empty (Zone.dimension s.zone))",
+    ),
+    "what is bad in between does not matter": (
+        "branching.ml",
+        "let clear_from_start s ~bad = minus (some s.region) (project bad ~dimension:(Zone.dimension s.zone - 1))",
+        "let clear_from_start s ~bad = ignore bad; some s.region",
+    ),
+    "a formula holds for ever where its stretch is long": (
+        "branching.ml",
+        "union for_ever (union (late n s) (ends n s at))",
+        "union for_ever (union (late n s) (ignore at; some s.region))",
+    ),
     # Invariants: what is found wrongly is not accepted, and what is checked wrongly accepts what is none.
     "a join forgets what is new": ("zone_hull.ml", "both) a b in", "both) a a in"),
     "a plane that one has crossed parts two bodies": (
@@ -212,6 +234,7 @@ TESTS = [
     "test/unit/symbolic/test_contact_cells.exe",
     "test/unit/symbolic/test_zone.exe",
     "test/laws/symbolic/test_zones.exe",
+    "test/laws/symbolic/test_formulas.exe",
     "test/laws/invariants/test_models.exe",
     "test/laws/symbolic/test_invariants.exe",
 ]
