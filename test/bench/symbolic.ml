@@ -113,6 +113,9 @@ let read path =
   close_in channel;
   text
 
+(* What has a bar of zones as well. *)
+let zones_bars = [ ("window", 50) ]
+
 let most_zones = 100_000
 let heap_bar = 2048
 
@@ -174,6 +177,10 @@ let measure (name, bar, reductions, text) =
          in
          Printf.printf "    %s: probability %s\n%!" c.name p)
       l.checks probabilities;
+    let judge_zones bar =
+      Printf.printf "    zones: %d of %d  %s\n%!" report.stats.states bar (judged (report.stats.states < bar))
+    in
+    Option.iter judge_zones (List.assoc_opt name zones_bars);
     if report.stats.states >= most_zones then
       let mebibytes = (Gc.quick_stat ()).top_heap_words * (Sys.word_size / 8) / 1_048_576 in
       Printf.printf "    heap: %d MiB of %d  %s\n%!" mebibytes heap_bar (judged (mebibytes <= heap_bar))

@@ -301,9 +301,10 @@ let as_dimer bodies releases =
     (match releases with None -> one :: two :: rest | Some (r, r') -> behave one r :: behave two r' :: rest)
   | few -> few
 
+let dimers = Gen.frequencyl [ (1, true); (2, false) ]
 let cells = [| (1, 0, 0); (0, 1, 0); (1, 1, 0); (2, 0, 0); (0, 0, 1); (0, 2, 0); (2, 1, 0) |]
 
-let generate =
+let generated ~dimers =
   let open Gen in
   let range =
     let* low = frequencyl [ (3, 0); (1, -1) ] and* length = 1 -- 3 in
@@ -314,7 +315,7 @@ let generate =
   let* n = frequencyl [ (2, 2); (3, 3); (2, 4) ] in
   let* order = shuffle_a cells in
   let bodies = flatten_l (List.init n (fun i -> body ~cell:(if i = 0 then (0, 0, 0) else order.(i)) ranges i)) in
-  let* bodies = bodies and* dimer = frequencyl [ (1, true); (2, false) ] in
+  let* bodies = bodies and* dimer = dimers in
   let* one = sticky ranges ~bound:true 0 and* two = sticky ranges ~bound:true 1 in
   let* rare = frequencyl [ (3, false); (1, true) ] in
   let releases = if rare then None else Some (one, two) in
@@ -322,6 +323,9 @@ let generate =
   and+ timed = frequencyl [ (2, true); (1, false) ] in
   let bodies = if dimer then as_dimer bodies releases else bodies in
   { ranges; bodies; dimer; splits; together; timed }
+
+let generate = generated ~dimers
+let generate_bound = Gen.map (fun s -> { s with splits = Any }) (generated ~dimers:(Gen.pure true))
 
 (* {1 In words} *)
 
