@@ -125,7 +125,8 @@ let slice =
 let prove =
   let doc =
     "Looks for an invariant before anything is explored: a set of states that no run leaves, which may prove that \
-     something never happens where exploring comes to no end. What it does not decide is explored. See PROOFS."
+     something never happens where exploring comes to no end. What it does not decide is explored, for which half \
+     of the $(b,--seconds) are kept. See PROOFS."
   in
   Arg.(value & flag & info [ "prove" ] ~doc)
 

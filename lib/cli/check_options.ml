@@ -12,7 +12,8 @@ let options watch budget ~progress : Check.options =
   {
     Check.default with
     bounds = Budget.bounds defaults budget;
-    surroundings = { stop = Watch.stop watch; progress; attempt = Watch.attempt watch };
+    surroundings =
+      { stop = Watch.stop watch; half = Watch.half watch; progress; attempt = Watch.attempt watch };
   }
 
 let watch (budget : Budget.t) =

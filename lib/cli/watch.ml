@@ -137,6 +137,11 @@ let more t seconds =
   look t
 
 let stop t () = t.over
+let half t () : unit -> Limits.stop option =
+  let now = Unix.gettimeofday () in
+  let middle = now +. ((t.deadline -. now) /. 2.) in
+  fun () -> match t.over with None when Unix.gettimeofday () > middle -> Some Seconds | over -> over
+
 let interrupted t () = t.signalled
 
 let finish t =

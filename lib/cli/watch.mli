@@ -19,6 +19,9 @@ val more : t -> float -> unit
 val stop : t -> unit -> Limits.stop option
 (** What ends an exploration now. *)
 
+val half : t -> unit -> unit -> Limits.stop option
+(** What ends work that is begun now and may take half of the seconds that are left. *)
+
 val attempt : t -> Limits.attempt
 
 val interrupted : t -> unit -> bool

@@ -22,12 +22,18 @@ type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }
 
 type surroundings = {
   stop : unit -> stop option;
+  half : unit -> unit -> stop option;
   progress : progress -> unit;
   attempt : attempt;
 }
 
 let quiet =
-  { stop = (fun () -> None); progress = (fun _ -> ()); attempt = { run = (fun _ f -> Ok (f ())) } }
+  {
+    stop = (fun () -> None);
+    half = (fun () () -> None);
+    progress = (fun _ -> ());
+    attempt = { run = (fun _ f -> Ok (f ())) };
+  }
 
 exception Over of stop
 

@@ -40,6 +40,9 @@ type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }
 
 type surroundings = {
   stop : unit -> stop option;  (** asked before each state *)
+  half : unit -> unit -> stop option;
+  (** begins work that may take half of the seconds that are left now, for something to be done after it: what ends
+      it, to be asked now and then *)
   progress : progress -> unit;  (** called now and then *)
   attempt : attempt;
 }

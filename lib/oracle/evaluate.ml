@@ -97,8 +97,7 @@ let number p (l : Models.loaded) num =
 (* Of the time and the memory there are, the rest is for reading, telling and stopping. *)
 let share = 0.8
 
-let stop bounds =
-  let last = bounds.now () +. (share *. bounds.seconds) in
+let stop bounds ~last =
   let words = int_of_float (share *. float_of_int bounds.memory) in
   let round = ref 0 in
   fun () : Scc_explore.Limits.stop option ->
@@ -106,6 +105,14 @@ let stop bounds =
     if bounds.now () > last then Some Seconds
     else if !round land 255 = 0 && Memory.heap_words () > words then Some Memory
     else None
+
+let surroundings bounds : Scc_explore.Limits.surroundings =
+  let last = bounds.now () +. (share *. bounds.seconds) in
+  let half () =
+    let now = bounds.now () in
+    stop bounds ~last:(now +. ((last -. now) /. 2.))
+  in
+  { Scc_explore.Limits.quiet with stop = stop bounds ~last; half }
 
 let options bounds p : Check.options =
   let q = Read.quotas p in
@@ -123,7 +130,7 @@ let options bounds p : Check.options =
   {
     Check.default with
     bounds = Budget.bounds { states = Quotas.default_states; memory } budget;
-    surroundings = { Scc_explore.Limits.quiet with stop = stop bounds };
+    surroundings = surroundings bounds;
   }
 
 let temporal bounds p (l : Models.loaded) check =

@@ -20,7 +20,7 @@ type options = {
   observe : (State.t -> unit) option;  (** called with each new state, in order *)
   prove : bool;
   (** over zones, an invariant is looked for before anything is explored, and not only where nothing else proves it
-      (rule Invariants) *)
+      (rule Invariants), in half of the time *)
 }
 
 val default : options

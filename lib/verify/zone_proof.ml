@@ -13,7 +13,7 @@ let limits (options : Joint_check.options) =
   if options.prove then { Invariant_search.locations = 2_000; steps = 50_000 }
   else { locations = 200; steps = 1_000 }
 
-let no_time = None_found "there was no time to look for one"
+let no_time = None_found "there was too little time to look for one"
 
 let distinct events =
   let add kept e = if List.exists (Formula.equal_event e) kept then kept else e :: kept in
@@ -22,7 +22,8 @@ let distinct events =
 let search (options : Joint_check.options) semantics u ~declared ~parameters zones formulas =
   let context = Instant.context semantics in
   let events = Array.of_list (distinct (List.concat_map Formula.events formulas)) in
-  let stop () = Option.is_some (options.surroundings.stop ()) in
+  let over = if options.prove then options.surroundings.half () else options.surroundings.stop in
+  let stop () = Option.is_some (over ()) in
   let looked_at ~locations ~waiting =
     options.surroundings.progress
       { states = locations; transitions = 0; waiting; depth = 0; model_time = Rat.zero }

@@ -52,6 +52,26 @@ let inner_and_outer () =
   in
   match attempt.run Reporting inner with Ok code -> code | Error _ -> 2
 
+(* Half of what is left, and not more of it, however late it begins; a signal ends it as well. *)
+let half () =
+  let watch = Watch.start ~seconds:3. () in
+  processor_seconds 0.2;
+  let over = Watch.half watch () in
+  let rec wait () = match over () with None -> wait () | Some stop -> stop in
+  let at_first = over () in
+  let later = wait () in
+  let another = Watch.half watch () in
+  match (at_first, later, Watch.stop watch (), another ()) with
+  | None, Seconds, None, None -> (
+      signal ();
+      processor_seconds 0.1;
+      match another () with Some stop -> code (Error stop) | None -> 2)
+  | _ -> 1
+
+let without_end () =
+  let watch = Watch.start () in
+  match Watch.half watch () () with None -> 0 | Some _ -> 1
+
 let cases =
   [
     ("what ends in time", 0, attempt ~seconds:60. Exploring ignore);
@@ -61,6 +81,8 @@ let cases =
     ("the report", 10, attempt ~seconds:0.1 Reporting for_ever);
     ("an exploration within a report", 0, inner_and_outer);
     ("what is no attempt", 4, fun () -> ignore (Watch.start ~seconds:0.1 ()); for_ever (); 0);
+    ("work that has half of it", 12, half);
+    ("work that has half of no limit", 0, without_end);
     ("an exploration after a signal", 12, attempt ~before:signal Exploring for_ever);
     ("one that takes memory", 11, attempt ~memory:words Exploring allocate);
     ("nothing, once it is finished", 0, fun () ->

@@ -113,6 +113,31 @@ let enough () =
   Alcotest.(check bool) "many proofs" true (!compared > 60);
   Alcotest.(check bool) "many that are none" true (!rejected > 100)
 
+(* Where the search has no time, what is to be explored after it is explored all the same. *)
+let explored_after () =
+  match load "escape.sc" with
+  | Error _ -> Alcotest.fail "escape.sc is not read"
+  | Ok l -> (
+      let asked = ref 0 in
+      let half () =
+        incr asked;
+        fun () -> Some Scc_explore.Limits.Seconds
+      in
+      let surroundings = { Scc_explore.Limits.quiet with half } in
+      let bounds = { Bounds.default with depth = Given 50 } in
+      match Loaded.initial l with
+      | Ok initial -> (
+          let options = { Check.default with prove = true; surroundings; bounds } in
+          match Scc_session.Verdicts.report options l ~initial ~exactly:false l.checks ~premises:[] with
+          | Error _ -> Alcotest.fail "escape.sc has verdicts"
+          | Ok report ->
+            Alcotest.(check bool) "half of the time" true (!asked > 0);
+            Alcotest.(check bool) "zones" true (report.stats.states > 20);
+            let no_time = function Zone_proof.None_found reason -> reason | Proved _ -> "proved" in
+            let reasons = List.sort_uniq String.compare (List.map no_time report.invariants) in
+            Alcotest.(check (list string)) "invariants" [ "there was too little time to look for one" ] reasons)
+      | Error _ -> Alcotest.fail "no initial state")
+
 (* Its row is so long that it takes a minute. *)
 let slow = [ "cradle.sc" ]
 
@@ -121,4 +146,5 @@ let () =
   let files = List.filter (fun f -> not (List.mem f slow)) (List.sort String.compare files) in
   let case file = Alcotest.test_case file `Quick (proves file) in
   Alcotest.run "models by invariants"
-    [ ("models", List.map case files); ("enough", [ Alcotest.test_case "compared" `Quick enough ]) ]
+    [ ("models", List.map case files); ("enough", [ Alcotest.test_case "compared" `Quick enough ]);
+      ("time", [ Alcotest.test_case "explored after it" `Quick explored_after ]) ]
