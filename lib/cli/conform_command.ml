@@ -10,18 +10,19 @@ let ( let* ) = Result.bind
 type options = {
   path : string;
   trace : string;
-  overrides : (string * Rat.t) list;
+  given : Options.definitions;
   tolerance : Rat.t option;
   unobserved : Hide.pattern list;
   states : int;
   run : string option;
 }
 
-let parameters (trace : Recorded.t) overrides =
+let parameters (trace : Recorded.t) (given : Options.definitions) =
   let clash name =
     [ Recorded.malformed Span.command_line "the trace was made with another value of `%s` than -D gives" name ]
   in
-  Result.map_error clash (Origin.values ~recorded:trace.parameters ~overrides)
+  Origin.values ~recorded:trace.parameters ~overrides:given.values ~narrowed:given.narrowed
+  |> Result.map_error clash
 
 let check_digest (trace : Recorded.t) (origin : Origin.t) =
   match trace.digest with
@@ -68,11 +69,12 @@ let conform console o =
   let interrupted = Watch.interrupted (Watch.start ()) in
   let* source = Input.text console o.trace in
   let* trace = Read.trace source in
-  let* overrides = parameters trace o.overrides in
+  let* overrides, narrowed = parameters trace o.given in
   let given =
-    if o.overrides = [] then Span.make ~file:(Source.name source) ~start:0 ~stop:0 else Span.command_line
+    if o.given.values <> [] || o.given.narrowed <> [] then Span.command_line
+    else Span.make ~file:(Source.name source) ~start:0 ~stop:0
   in
-  let* l = Input.model ~given console ~overrides o.path in
+  let* l = Input.model ~given console ~overrides ~narrowed o.path in
   let* () = Ordinary.at_point l in
   let* () = check_digest trace l.origin in
   Console.report console l.warnings;
@@ -141,11 +143,11 @@ let run_file =
   Arg.(value & opt (some string) None & info [ "run" ] ~docv:"FILE" ~doc)
 
 let options =
-  let make path trace overrides tolerance unobserved states run =
-    { path; trace; overrides; tolerance; unobserved; states; run }
+  let make path trace given tolerance unobserved states run =
+    { path; trace; given; tolerance; unobserved; states; run }
   in
   Term.(
-    const make $ Options.model_file $ trace $ Options.overrides $ tolerance $ unobserved $ states $ run_file)
+    const make $ Options.model_file $ trace $ Options.definitions $ tolerance $ unobserved $ states $ run_file)
 
 let man =
   [

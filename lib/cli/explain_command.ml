@@ -11,7 +11,7 @@ type options = {
   witness : string;
   model : string option;
   check : string option;
-  overrides : (string * Rat.t) list;
+  given : Options.definitions;
   full : bool;
 }
 
@@ -106,7 +106,7 @@ let explain console o =
   let diagnosed r = Result.map_error (fun list -> Diagnosed list) r in
   let* schedule = diagnosed (Scheduled.read console o.witness) in
   let* path = diagnosed (model_path o schedule) in
-  let* model = diagnosed (Scheduled.model console schedule ~overrides:o.overrides path) in
+  let* model = diagnosed (Scheduled.model console schedule ~given:o.given path) in
   let* () = diagnosed (Ordinary.at_point model) in
   Console.report console model.warnings;
   let* check = diagnosed (check_of o schedule model.checks) in
@@ -146,8 +146,8 @@ let check =
 
 let options =
   let full = Options.full "Tells every step of the run, and all digits of numbers." in
-  let make witness model check overrides full = { witness; model; check; overrides; full } in
-  Term.(const make $ witness $ model $ check $ Options.overrides $ full)
+  let make witness model check given full = { witness; model; check; given; full } in
+  Term.(const make $ witness $ model $ check $ Options.definitions $ full)
 
 let man =
   [

@@ -8,7 +8,7 @@ let read console path =
   let* source = Input.text console path in
   Result.map_error (fun d -> [ d ]) (Schedule.read source)
 
-let parameters (s : Schedule.t) overrides =
+let parameters (s : Schedule.t) (given : Options.definitions) =
   let clash name =
     [
       Diag.error Code.bad_schedule Span.command_line
@@ -16,7 +16,8 @@ let parameters (s : Schedule.t) overrides =
         "the schedule was made with another value of `%s` than -D gives" name;
     ]
   in
-  Result.map_error clash (Origin.values ~recorded:s.parameters ~overrides)
+  Origin.values ~recorded:s.parameters ~overrides:given.values ~narrowed:given.narrowed
+  |> Result.map_error clash
 
 let check_digest (s : Schedule.t) (origin : Origin.t) =
   match s.digest with
@@ -29,9 +30,9 @@ let check_digest (s : Schedule.t) (origin : Origin.t) =
       ]
   | _ -> Ok ()
 
-let model console (s : Schedule.t) ~overrides path =
-  let given = if overrides = [] then s.offset_at else Span.command_line in
-  let* overrides = parameters s overrides in
-  let* model = Input.model ~given console ~overrides path in
+let model console (s : Schedule.t) ~(given : Options.definitions) path =
+  let from = if given.values = [] && given.narrowed = [] then s.offset_at else Span.command_line in
+  let* overrides, narrowed = parameters s given in
+  let* model = Input.model ~given:from console ~overrides ~narrowed path in
   let* () = check_digest s model.origin in
   Ok model

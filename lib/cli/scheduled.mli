@@ -1,7 +1,6 @@
 (** Models that are run by a schedule. *)
 
 open Scc_base
-open Scc_exact
 open Scc_session
 open Scc_exchange
 
@@ -9,6 +8,6 @@ val read : Console.t -> string -> (Schedule.t, Diag.t list) result
 (** The schedule in a file; its text becomes known to the console. *)
 
 val model :
-  Console.t -> Schedule.t -> overrides:(string * Rat.t) list -> string -> (Loaded.t, Diag.t list) result
-(** The model at a path with the parameters of the schedule, which an override may repeat but not change, and
-    others that are overridden. SC0801 when the schedule was made for another text. *)
+  Console.t -> Schedule.t -> given:Options.definitions -> string -> (Loaded.t, Diag.t list) result
+(** The model at a path with the parameters of the schedule, which what is given may repeat but not change, and
+    others that are given. SC0801 when the schedule was made for another text. *)

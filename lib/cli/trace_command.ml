@@ -10,7 +10,7 @@ type form = Lines | Human | Itf
 
 type options = {
   path : string;
-  overrides : (string * Rat.t) list;
+  given : Options.definitions;
   schedule : string option;
   choose : choose;
   start : Sample.how option;
@@ -27,11 +27,11 @@ let ( let* ) = Result.bind
 let prepare console o =
   match o.schedule with
   | None ->
-    let* model = Input.model console ~overrides:o.overrides o.path in
+    let* model = Input.model console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path in
     Ok (model, None)
   | Some path ->
     let* schedule = Scheduled.read console path in
-    let* model = Scheduled.model console schedule ~overrides:o.overrides o.path in
+    let* model = Scheduled.model console schedule ~given:o.given o.path in
     Ok (model, Some schedule)
 
 (* The ordinary model of one start: the values of -D and of the schedule, and for what they leave open those that
@@ -155,8 +155,9 @@ let start =
   let doc =
     "Which start to run from where parameters have ranges: $(b,simple), simple numbers within the ranges, or \
      $(b,random:SEED), by the generator SplitMix64 from the integer $(b,SEED) for each one of the 1023 values \
-     that divide its range into 1024 equal parts. What $(b,-D) or a schedule gives is kept. The header of the \
-     trace tells the values ($(b,--human): the first line)."
+     that divide its range into 1024 equal parts. Values that $(b,-D) or a schedule gives are kept, and a range \
+     that $(b,-D) narrows is the one that is sampled. The header of the trace tells the values ($(b,--human): the \
+     first line)."
   in
   Arg.(value & opt (some start_conv) None & info [ "start" ] ~docv:"START" ~doc)
 
@@ -198,11 +199,11 @@ let output =
 
 let options =
   let full = Options.full "With $(b,--human): tells every step, every body and all digits of numbers." in
-  let make path overrides schedule choose start steps time form full states output =
-    { path; overrides; schedule; choose; start; steps; time; form; full; states; output }
+  let make path given schedule choose start steps time form full states output =
+    { path; given; schedule; choose; start; steps; time; form; full; states; output }
   in
   Term.(
-    const make $ Options.model_file $ Options.overrides $ schedule $ choose $ start $ steps $ time $ form
+    const make $ Options.model_file $ Options.definitions $ schedule $ choose $ start $ steps $ time $ form
     $ full $ states $ output)
 
 let man =

@@ -14,19 +14,24 @@ let create ~narrowed values =
 let same_bound (a : Ranges.bound) (b : Ranges.bound) =
   Rat.equal a.value b.value && Bool.equal a.included b.included
 
-let same a b =
+(* What is given for one parameter twice: the same, or a value and a range that it is of. *)
+let agree name a b =
   match (a, b) with
   | Value p, Value q -> Rat.equal p q
   | Within (a, b), Within (c, d) -> same_bound a c && same_bound b d
-  | (Value _ | Within _), _ -> false
+  | Value q, Within (low, high) | Within (low, high), Value q -> Ranges.mem { name; low; high } q
+
+let is_value = function _, Value _ -> true | _, Within _ -> false
 
 let given t report ~name ~also =
   let names = name :: List.filter (fun n -> not (String.equal n name)) also in
   t.known <- names :: t.known;
   match List.filter (fun (n, _) -> List.exists (String.equal n) names) t.given with
   | [] -> None
-  | (first, g) :: others ->
-    (match List.find_opt (fun (_, other) -> not (same g other)) others with
+  | all ->
+    let values, ranges = List.partition is_value all in
+    let first, g = List.hd (values @ ranges) in
+    (match List.find_opt (fun (_, other) -> not (agree name g other)) all with
      | Some (second, _) ->
        Report.error report Code.unknown_parameter Span.none
          "`%s` and `%s` are one parameter, and have two values" first second

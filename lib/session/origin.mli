@@ -1,12 +1,13 @@
 (** Which model, and with which values of its parameters: what a document about a model says that it is of. *)
 
 open Scc_exact
+open Scc_calculus
 
 type t = {
   name : string option;  (** from [model NAME] *)
   digest : string;  (** of the text and of all that was read for it, see {!digest} *)
   parameters : (string * Rat.t) list;  (** with their values, in order *)
-  settings : (string * string) list;  (** {!Scc_calculus.Parameters.listed} *)
+  settings : (string * string) list;  (** {!Parameters.listed} *)
 }
 
 val digest : text:string -> files:(string * string) list -> string
@@ -17,6 +18,8 @@ val digest : text:string -> files:(string * string) list -> string
 val values :
   recorded:(string * Rat.t) list ->
   overrides:(string * Rat.t) list ->
-  ((string * Rat.t) list, string) result
+  narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
+  ((string * Rat.t) list * (string * (Ranges.bound * Ranges.bound)) list, string) result
 (** The values to run a model with again: those that were recorded, which an override may repeat but not change,
-    then the other overrides. The error is the first parameter that an override would change. *)
+    then the other overrides; and the ranges of what has no value yet. The error is a parameter of which another
+    value is recorded than an override gives, or one that is not in the range that it is narrowed to. *)

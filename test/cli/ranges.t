@@ -215,6 +215,35 @@ What -D or a schedule gives is kept, and a model of one start has none to choose
   2 transitions, time 10: nothing will ever happen again
   $ scc trace meet.sc --schedule simple.jsonl -D y=1 2>&1 | grep error
   command line: error[SC0801]: the schedule was made with another value of `y` than -D gives
+
+A range that -D narrows is the one that is sampled; a schedule or a trace made with a value of it will do:
+
+  $ scc trace meet.sc -D y=1..3 --start simple --human --states=ends | sed -n '1p'
+  for y = 2, z = 0
+  $ scc trace meet.sc -D 'y=[2,3)' -D z=4..5 --start random:8 > narrow.jsonl
+  $ head -1 narrow.jsonl | grep -o '"parameters":{[^}]*}'
+  "parameters":{"y":"1499/512","z":"1259/256"}
+  $ scc trace meet.sc -D y=1499/512 -D z=1259/256 | cmp - narrow.jsonl
+  $ scc trace meet.sc -D y=1..3 2>&1 | grep error
+  error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
+  $ scc trace meet.sc -D y=5..9 --start simple
+  command line: error[SC0217]: `y in [5, 9]` is not within `y in [-5, 5]`
+  [64]
+  $ scc trace meet.sc -D y=-1..3 --schedule simple.jsonl | cmp - simple.jsonl
+  $ scc trace meet.sc -D y=1..3 --schedule simple.jsonl 2>&1 | grep error
+  command line: error[SC0801]: the schedule was made with another value of `y` than -D gives
+  $ scc explain simple.jsonl meet.sc -D y=-1..3 | grep matter
+  1 of 1 events matter
+  $ scc explain simple.jsonl meet.sc -D y=1..3 2>&1 | grep error
+  command line: error[SC0801]: the schedule was made with another value of `y` than -D gives
+  $ scc conform meet.sc simple.jsonl -D y=-1..3
+  simple.jsonl: conforms: 1 event, a run of 2 transitions up to time 10
+  $ scc conform meet.sc simple.jsonl -D y=1..3
+  command line: error[SC0804]: the trace was made with another value of `y` than -D gives
+  [64]
+
+No word but these tells which start:
+
   $ scc trace meet.sc --start random:x 2>&1 | head -1
   scc: option '--start': the seed is no integer of 64 bits
   $ scc trace meet.sc --start middle 2>&1 | head -1
