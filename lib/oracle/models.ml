@@ -37,7 +37,8 @@ let of_tree given tree =
 
 let make given tree =
   let* model = of_tree given tree in
-  let* model = Ordinary.refuse model in
+  let* () = Ordinary.at_point ~otherwise:"with the member `start`, `model.load` chooses them" model in
+  let* () = Ordinary.on_grid model in
   let* initial = Loaded.initial model in
   Ok { model; network = Network_at.make model.semantics ~initial }
 
@@ -144,9 +145,24 @@ let read ~more p =
   | Error diagnostics -> refuse given diagnostics
   | Ok model -> (model, source_of given)
 
+let start p at : Wire.t -> Sample.how = function
+  | Text "simple" -> Simple
+  | Object _ as v ->
+    let p = Read.fields p at v in
+    Read.only p [ "random" ];
+    Random (Read.required p "random" Read.seed)
+  | _ -> Fault.invalid at "`simple` or `random` with a seed is expected"
+
+(* With values for what has none yet: a handle stands for one start. *)
+let at_start given how =
+  match of_tree given given.tree with
+  | Error diagnostics -> refuse given diagnostics
+  | Ok l -> { given with overrides = Long_list.append given.overrides (Sample.values how l.model.ranges) }
+
 let load store p =
   Handles.check_room store.models;
-  let given = given p in
+  let given = given ~more:[ "start" ] p in
+  let given = Option.fold ~none:given ~some:(at_start given) (Read.optional p "start" start) in
   let kept = { given; loaded = None } in
   let l = loaded kept in
   let handle = Handles.add store.models kept in

@@ -90,6 +90,15 @@ let natural _ at : Wire.t -> int = function
       | Some _ | None -> Fault.invalid at "a natural number is expected")
   | _ -> Fault.invalid at "a natural number is expected"
 
+let seed _ at : Wire.t -> int64 = function
+  | Number s | Text s -> (
+      (* OCaml reads 0x1f and 1_0, too. *)
+      let decimal = String.for_all (fun c -> c = '-' || (c >= '0' && c <= '9')) s in
+      match Int64.of_string_opt s with
+      | Some n when decimal && String.length s <= 20 -> n
+      | Some _ | None -> Fault.invalid at "an integer of 64 bits is expected")
+  | _ -> Fault.invalid at "an integer of 64 bits is expected"
+
 let text _ at : Wire.t -> string = function
   | Text s -> s
   | _ -> Fault.invalid at "a string is expected"

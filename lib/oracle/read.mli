@@ -37,6 +37,9 @@ val not_negative : Rat.t reader
 val natural : int reader
 (** At most 2^53. *)
 
+val seed : int64 reader
+(** A JSON integer, or a text of one. *)
+
 val text : string reader
 val truth : bool reader
 val vector : Vec.t reader

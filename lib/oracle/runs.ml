@@ -116,21 +116,12 @@ let choice p at (v : Wire.t) : Schedule.choice =
     else { index; label; at = Span.none }
   | Null | Bool _ | List _ -> Fault.invalid at "an index, a label or an object is expected"
 
-let seed _ at : Wire.t -> int64 = function
-  | Number s | Text s -> (
-      (* OCaml reads 0x1f and 1_0, too. *)
-      let decimal = String.for_all (fun c -> c = '-' || (c >= '0' && c <= '9')) s in
-      match Int64.of_string_opt s with
-      | Some n when decimal && String.length s <= 20 -> n
-      | Some _ | None -> Fault.invalid at "an integer of 64 bits is expected")
-  | _ -> Fault.invalid at "an integer of 64 bits is expected"
-
 let choose p at : Wire.t -> Replay.policy = function
   | Text "first" -> First
   | Object _ as v ->
     let p = Read.fields p at v in
     Read.only p [ "random" ];
-    Random (Read.required p "random" seed)
+    Random (Read.required p "random" Read.seed)
   | _ -> Fault.invalid at "`first` or `random` with a seed is expected"
 
 let policy p : Replay.policy =

@@ -150,6 +150,22 @@ class Answers(WithOracle):
         with self.assertRaises(ModelRefused):
             self.oracle.load_model(RANGED)
 
+    def test_starts(self):
+        simple = self.oracle.load_model(RANGED, start="simple")
+        self.assertEqual(simple.parameters, {"speed": 2, "y": 0, "z": 0})
+        self.assertEqual(self.oracle.evaluate(simple, "possibly bound(p, q)").verdict, "holds")
+        narrow = self.oracle.load_model(RANGED, parameters={"y": (2, 4)}, start="simple")
+        self.assertEqual(narrow.parameters, {"speed": 2, "y": 3, "z": 0})
+        self.assertEqual(self.oracle.evaluate(narrow, "possibly bound(p, q)").verdict, "violated")
+        seventh = self.oracle.load_model(RANGED, parameters={"z": 1}, start="random", seed=7)
+        again = self.oracle.load_model(RANGED, parameters=seventh.parameters)
+        self.assertEqual((again.parameters, again.parameters["z"]), (seventh.parameters, 1))
+        self.assertEqual(self.oracle.load_model(RANGED, parameters={"z": 1}, seed=7).parameters, seventh.parameters)
+        self.assertNotEqual(self.oracle.load_model(RANGED, seed=8).parameters["y"], seventh.parameters["y"])
+        for wrong in ({"start": "random"}, {"start": "simple", "seed": 1}):
+            with self.assertRaises(ValueError):
+                self.oracle.load_model(RANGED, **wrong)
+
     def test_command_line(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "cubes.sc")

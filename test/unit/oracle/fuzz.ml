@@ -212,7 +212,12 @@ let fresh () =
   incr id;
   !id
 
-let cases = ("model.load", `Assoc [ ("text", `String Cases.model) ]) :: ("shape.define", Cases.cube) :: Cases.valid
+let load members = ("model.load", `Assoc members)
+
+let cases =
+  load [ ("text", `String Cases.model) ]
+  :: load [ ("text", `String Cases.ranged); ("start", `Assoc [ ("random", `Int 7) ]) ]
+  :: ("shape.define", Cases.cube) :: Cases.valid
 
 let spoilt_request () =
   let name, params = pick cases in

@@ -286,15 +286,33 @@ def _text(
     return params
 
 
+def _seeded(member: str, word: Optional[str], seed: Optional[int]) -> Any:
+    if seed is None:
+        if word == "random":
+            raise ValueError('%s="random" takes a seed: %s="random", seed=1' % (member, member))
+        return word
+    if word not in (None, "random"):
+        raise ValueError('a seed goes with %s="random", and not with %r' % (member, word))
+    return {"random": integer(seed)}
+
+
 def load_model(
     text: str,
     *,
     files: Optional[Mapping[str, str]] = None,
     parameters: Optional[Mapping[str, Setting]] = None,
+    start: Optional[str] = None,
+    seed: Optional[int] = None,
     seconds: Optional[Number] = None,
 ) -> Request[Model]:
-    """Reads a model. ``files``: the texts of the meshes that it names. Raises ModelRefused."""
+    """Reads a model. ``files``: the texts of the meshes that it names. Raises ModelRefused.
+
+    Where parameters have ranges and no value, ``start="simple"`` chooses simple ones, and ``start="random"`` with a
+    ``seed`` (a seed alone will do) others; the answer's ``parameters`` tell which.
+    """
     params = _text(text, files, parameters)
+    if start is not None or seed is not None:
+        params["start"] = _seeded("start", start, seed)
     return Request("model.load", _limited(params, seconds), Model.from_json)
 
 
@@ -342,16 +360,6 @@ def _choice(choice: Choice) -> Any:
     return integer(choice)
 
 
-def _policy(choose: Optional[str], seed: Optional[int]) -> Any:
-    if seed is None:
-        if choose == "random":
-            raise ValueError('choose="random" takes a seed: replay(model, choose="random", seed=1)')
-        return choose
-    if choose not in (None, "random"):
-        raise ValueError("a seed goes with choose=\"random\", and not with %r" % (choose,))
-    return {"random": integer(seed)}
-
-
 def successors(
     model: ModelLike, path: Sequence[int] = (), *, states: str = "here", seconds: Optional[Number] = None
 ) -> Request[Successors]:
@@ -388,7 +396,7 @@ def replay(
     if choices is not None:
         params["choices"] = [_choice(c) for c in choices]
     if choose is not None or seed is not None:
-        params["choose"] = _policy(choose, seed)
+        params["choose"] = _seeded("choose", choose, seed)
     _set(params, to_json, offset=offset, time=time)
     _set(params, integer, steps=steps)
     return Request("replay", _limited(params, seconds), Replay.from_json)
