@@ -102,6 +102,9 @@ val absorbs : t -> bool
 val rounds : t -> bool
 (** Rule Round may change something. *)
 
+val binds_on_contact : t -> bool
+(** Bodies bind also without a collision: {!On_contact}. *)
+
 val closes_rings : t -> bool
 (** Bonds may close rings: {!Cyclic}. *)
 

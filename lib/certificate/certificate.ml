@@ -273,7 +273,13 @@ let starts t (u : Uncertain.t) ~declared =
   in
   List.iter of_region regions
 
-let check semantics u ~declared invariant claims ~stop =
+let not_for m =
+  if Model.binds_on_contact m then
+    Some
+      "its bodies bind on contact, and where they come to meet without a collision invariants are not checked"
+  else None
+
+let check_all semantics u ~declared invariant claims ~stop =
   let model = { (Semantics.model semantics) with keeps_time = false } in
   let semantics = Semantics.with_model semantics model in
   let t =
@@ -293,3 +299,8 @@ let check semantics u ~declared invariant claims ~stop =
   with
   | () -> Ok ()
   | exception Rejected reason -> Error reason
+
+let check semantics u ~declared invariant claims ~stop =
+  match not_for (Semantics.model semantics) with
+  | Some reason -> Error reason
+  | None -> check_all semantics u ~declared invariant claims ~stop

@@ -7,6 +7,9 @@ open Scc_calculus
 open Scc_semantics
 open Scc_symbolic
 
+val not_for : Model.t -> string option
+(** Why invariants of this model cannot be checked, for a person. *)
+
 val check :
   Semantics.t -> Uncertain.t -> declared:State.t -> Invariant.t -> Proof.claim list -> stop:(unit -> bool) ->
   (unit, string) result

@@ -354,8 +354,7 @@ let iter_spread f a =
   done
 
 (* Bodies that come to touch and do not collide are on no agenda (reading I-33). *)
-let can_run (m : Model.t) =
-  Model.straight m && match m.binding with On_collision -> true | On_contact -> false
+let can_run m = Model.straight m && not (Model.binds_on_contact m)
 
 let start semantics (s : State.t) =
   let m = Semantics.model semantics in

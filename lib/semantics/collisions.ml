@@ -123,8 +123,7 @@ let candidates c (processes : State.process array) (m : meeting) =
 (* {1 Meetings} *)
 
 (* Whether processes meet that do not collide (reading I-33). *)
-let by_contact (c : Semantics.t) =
-  match c.setting.model.binding with On_contact -> true | On_collision -> false
+let by_contact (c : Semantics.t) = Model.binds_on_contact c.setting.model
 
 let meetings (c : Semantics.t) processes =
   let (module K) = c.kinematics in

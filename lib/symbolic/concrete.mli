@@ -16,8 +16,8 @@ type t = {
 }
 
 val run : Zone_graph.t -> Search_sets.place -> t
-(** By the way that the node was found first, with weak splits at once where they may be, to a point in the relative
-    interior of all that lead there. *)
+(** By the way that the node was found first, with weak splits at once where they may be, to a point in the
+    relative interior of all that lead there. *)
 
 val run_within : Zone_graph.t -> Search_sets.place -> Scc_polyhedra.Polyhedron.t -> t option
 (** The same for values of the parameters in a polyhedron over them, if there are any. *)

@@ -17,16 +17,12 @@ let facet offset velocity index (f : Obstacle.facet) =
 (* When its plane is crossed. *)
 let crossing f = Linear.scale (Rat.div Rat.one f.speed) f.room
 
-let where region constraints =
-  let p = Polyhedron.add_all region constraints in
-  if Polyhedron.is_empty p then [] else [ p ]
-
 (* The last of the planes that are entered, and who is entered last: a region for each answer. *)
 let entered_last within entered =
   let enter cells f =
     let time = crossing f in
     let one { region; time = last; tight } =
-      let on c time tight = List.map (fun region -> { region; time; tight }) (where region [ c ]) in
+      let on c time tight = List.map (fun region -> { region; time; tight }) (Region.where region [ c ]) in
       on (Constraint.less time last) last tight
       @ on (Constraint.equals time last) last (f.index :: tight)
       @ on (Constraint.greater time last) time [ f.index ]
@@ -36,15 +32,6 @@ let entered_last within entered =
   match entered with
   | [] -> []
   | f :: rest -> List.fold_left enter [ { region = within; time = crossing f; tight = [ f.index ] } ] rest
-
-(* What is left of a region where all of the constraints hold, and disjoint pieces for the rest of it. *)
-let split region constraints =
-  let step (left, rest) c =
-    match left with
-    | [] -> ([], rest)
-    | p :: _ -> (where p [ c ], rest @ List.concat_map (fun n -> where p [ n ]) (Constraint.negation c))
-  in
-  List.fold_left step ([ region ], []) constraints
 
 (* The planes that are entered, left, and gone along. *)
 let by_signs o offset velocity =
@@ -65,10 +52,8 @@ let make o ~offset ~velocity ~limit within =
     @ List.map (fun g -> Constraint.greater (crossing g) zero) left
     @ List.concat_map (fun f -> List.map (before f) left) entered
   in
-  let needed = List.filter (fun c -> not (Polyhedron.implies within c)) conditions in
-  match if Vec.is_zero velocity then [] else where within needed with
-  | [] -> ([], [ within ])
-  | meet :: _ ->
-    let _, rest = split within needed in
+  match if Vec.is_zero velocity then (None, [ within ]) else Region.split within conditions with
+  | None, rest -> ([], rest)
+  | Some meet, rest ->
     let hit { region; time; tight } = { region; time; tight = List.sort Int.compare tight } in
     (List.map hit (entered_last meet entered), rest)

@@ -45,21 +45,6 @@ let pairs m (z : Zone.t) = two_of_different (List.map (parts m z) (Array.to_list
 let offset a b = Place.sub b.place a.place
 let relative_velocity a b = Vec.sub b.process.velocity a.process.velocity
 
-let where region constraints =
-  let p = Polyhedron.add_all region constraints in
-  if Polyhedron.is_empty p then [] else [ p ]
-
-(* A region where the constraints hold, if there is any, and disjoint pieces of where they do not. *)
-let split region constraints =
-  let needed = List.filter (fun c -> not (Polyhedron.implies region c)) constraints in
-  match where region needed with
-  | [] -> (None, [ region ])
-  | p :: _ ->
-    let step (left, rest) c =
-      (Polyhedron.add left c, rest @ List.concat_map (fun n -> where left [ n ]) (Constraint.negation c))
-    in
-    (Some p, snd (List.fold_left step (region, []) needed))
-
 (* {1 Who collides} *)
 
 (* Rule Approach: two parts collide where the offset is on planes of the obstacle that the velocity enters, and
@@ -75,11 +60,13 @@ let colliding c region (a, b) =
     let in_contact (room, sign) =
       if sign < 0 then Constraint.at_least room zero else Constraint.greater room zero
     in
-    match split region (List.map in_contact facets) with
+    match Region.split region (List.map in_contact facets) with
     | None, rest -> ([], rest)
     | Some meet, rest ->
       let entered = List.filter_map (fun (room, sign) -> if sign < 0 then Some room else None) facets in
-      let cut_one room p = where p [ Constraint.equals room zero ] @ where p [ Constraint.greater room zero ] in
+      let cut_one room p =
+        Region.where p [ Constraint.equals room zero ] @ Region.where p [ Constraint.greater room zero ]
+      in
       let cut regions room = List.concat_map (cut_one room) regions in
       (List.fold_left cut [ meet ] entered, rest)
 
@@ -100,19 +87,20 @@ let whether_in region (set : Polyhedron.t) offset =
   let x, y, z = offset in
   let n = Polyhedron.dimension region in
   let at_offset c = Constraint.substitute c ~dimension:n [| x; y; z |] in
-  split region (List.map at_offset (Polyhedron.constraints set))
+  Region.split region (List.map at_offset (Polyhedron.constraints set))
+
+(* What of a channel is on a part. *)
+let sides part =
+  let side (s : Site.t) =
+    if s.part = part.index then Some { Feature_cells.solid = part.solid; feature = s.feature } else None
+  in
+  List.filter_map side
 
 (* Two channels share the touching pairs of features of the highest dimension among them: so pairs are looked at in
    falling dimension, as long as none of a higher one touches. *)
 let by_channels c (a, b) regions ((one : Behaviour.channel), (two : Behaviour.channel)) =
-  let sides part (channel : Behaviour.channel) =
-    List.filter_map
-      (fun (s : Site.t) ->
-         if s.part = part.index then Some { Feature_cells.solid = part.solid; feature = s.feature } else None)
-      channel.surface
-  in
-  let twos = sides b two in
-  let both = List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) (sides a one) in
+  let twos = sides b two.surface in
+  let both = List.concat_map (fun one -> List.map (fun two -> (one, two)) twos) (sides a one.surface) in
   let of_dimension d = List.filter (fun (one, two) -> Feature_cells.dimension c.features one two = d) both in
   let offset = offset a b in
   (* Regions with whether some pair touches there. *)
@@ -144,6 +132,17 @@ let apart_by_touching c regions pair =
   in
   List.concat_map one regions
 
+(* {1 Meetings on the way} *)
+
+(* The features that two parts list for channels that are open and fit, as the offsets at which they meet. *)
+let meeting_offsets c (a, b) =
+  let of_channels ((one : Behaviour.channel), (two : Behaviour.channel)) =
+    let twos = sides b two.sites in
+    let offsets f g = Polyhedron.closure (Feature_cells.offsets c.features f g) in
+    List.concat_map (fun f -> List.map (offsets f) twos) (sides a one.sites)
+  in
+  List.concat_map of_channels (Collisions.fitting c.semantics (a.process, a.leaf) (b.process, b.leaf))
+
 (* {1 Collisions} *)
 
 let same_processes (a, b) (a', b') = a.process == a'.process && b.process == b'.process
@@ -161,6 +160,11 @@ let of_collisions c all (region, hits) =
   let beside = List.filter (fun pair -> (not (is_hit pair)) && List.exists (same_processes pair) hits) all in
   let regions = List.fold_left (fun regions hit -> List.concat_map (by_features c hit) regions) [ region ] hits in
   List.fold_left (apart_by_touching c) regions beside
+
+(* Reading I-33: who touches may bind, whether they collide or not. *)
+let of_contacts c all region =
+  let fit (a, b) = Collisions.fitting c.semantics (a.process, a.leaf) (b.process, b.leaf) <> [] in
+  List.fold_left (apart_by_touching c) [ region ] (List.filter fit all)
 
 (* {1 Within one process} *)
 
@@ -209,6 +213,9 @@ let cells c (z : Zone.t) =
   let m = Semantics.model c.semantics in
   let all = if z.halted then [] else pairs m z in
   let collisions = List.fold_left (add_pair c) [ (z.set, []) ] all |> List.concat_map (of_collisions c all) in
+  let collisions =
+    if Model.binds_on_contact m then List.concat_map (of_contacts c all) collisions else collisions
+  in
   let processes = Array.to_list z.skeleton.processes in
   let closings = List.fold_left (of_closings c z) collisions processes in
   if Parameters.may_push m z.skeleton then List.fold_left (of_pushes c z) closings processes else closings

@@ -35,7 +35,12 @@ val offset : part -> part -> Place.t
 
 val relative_velocity : part -> part -> Scc_exact.Vec.t
 
+val meeting_offsets : context -> part * part -> Polyhedron.t list
+(** For each two features that two parts list for channels that are open now and fit: the offsets at which the
+    features, which are closed, have a point in common (reading I-33). *)
+
 val cells : context -> Zone.t -> Polyhedron.t list
 (** Regions of the zone, none empty, that are disjoint and make it up. On each, the same parts collide, all that
     the processes that collide touch each other with is the same, the same features of open channels touch, and so
-    do closings and pushes find the same. Of {!Zone.t.halted} zones what collides is not looked at. *)
+    do closings and pushes find the same; with [binding contact] all that parts touch each other with that have
+    open channels which fit. Of {!Zone.t.halted} zones what collides is not looked at. *)

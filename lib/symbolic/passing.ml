@@ -38,6 +38,13 @@ let contact c (a, b) ~limit region =
   in
   (List.map (fun (h : Contact_cells.hit) -> (h.region, h.time)) hits, rest)
 
+(* Reading I-33: open features that fit come to meet. *)
+let meetings c (a, b) =
+  let meeting offsets ~limit region =
+    Meeting_cells.make offsets ~offset:(offset a b) ~velocity:(relative_velocity a b) ~limit region
+  in
+  if Model.binds_on_contact (Semantics.model c.semantics) then List.map meeting (meeting_offsets c (a, b)) else []
+
 let same_due a b =
   match (a, b) with
   | Contact i, Contact j | Split_instant i, Split_instant j -> Int.equal i j
@@ -62,7 +69,8 @@ let cells c z region =
   in
   let meet (i, cells) (a, b) =
     let moves = not (Vec.is_zero (relative_velocity a b)) in
-    (i + 1, if moves then First.on (contact c (a, b)) (Contact i) cells else cells)
+    let on cells comes = First.on comes (Contact i) cells in
+    (i + 1, if moves then List.fold_left on cells (contact c (a, b) :: meetings c (a, b)) else cells)
   in
   List.fold_left meet (0, by_themselves) (pairs (Semantics.model c.semantics) z) |> snd |> First.merged same_due
 

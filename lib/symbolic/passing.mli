@@ -4,7 +4,9 @@ open Scc_polyhedra
 
 (** What ends a passing of time, or happens at its end. *)
 type due =
-  | Contact of int  (** of the two parts that have this place among {!Instant.pairs} *)
+  | Contact of int
+  (** of the two parts that have this place among {!Instant.pairs}: they collide, or open features of them come to
+      meet (reading I-33) *)
   | Expiry of int * Linear.t
   (** the eps of a leaf whose duration is this form over the parameters (rule TimeBehaviour) *)
   | Split_instant of int  (** the next one of the process whose first leaf it is (reading I-9) *)

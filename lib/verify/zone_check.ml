@@ -23,14 +23,7 @@ let refused (m : Model.t) use =
   if Option.is_some m.rigid then because "its bodies turn" fixed
   else if m.steered then because "a law of motion steers its bodies" fixed
   else if Option.is_some m.round_velocity then because "its velocities are rounded" fixed
-  else
-    match m.binding with
-    | On_contact ->
-      because
-        "its bodies bind on contact, and that bodies which glide along each other begin to touch is no collision, \
-         which is what is looked for"
-        fixed
-    | On_collision -> []
+  else []
 
 type fault = { at : (string * Rat.t) list; reason : Start.reason }
 

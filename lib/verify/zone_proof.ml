@@ -50,13 +50,16 @@ let initial semantics declared =
   | Error _ -> Scc_base.Bug.fail __POS__ "a law of motion in a model with ranges"
 
 let attempt options semantics u ~declared (checks : Property.check list) =
-  let initial = initial semantics declared in
-  let formulas = List.map (fun (c : Property.check) -> c.formula) checks in
-  let parameters = Ranges.box (Semantics.model semantics).ranges in
-  Start.zones (Instant.context semantics) u ~initial ~keeps_time:false
-  |> Result.map (fun zones ->
-      let run () = search options semantics u ~declared ~parameters zones formulas in
-      Result.value (options.surroundings.attempt.run Concluding run) ~default:no_time)
+  match Scc_certificate.Certificate.not_for (Semantics.model semantics) with
+  | Some reason -> Ok (None_found reason)
+  | None ->
+    let initial = initial semantics declared in
+    let formulas = List.map (fun (c : Property.check) -> c.formula) checks in
+    let parameters = Ranges.box (Semantics.model semantics).ranges in
+    Start.zones (Instant.context semantics) u ~initial ~keeps_time:false
+    |> Result.map (fun zones ->
+        let run () = search options semantics u ~declared ~parameters zones formulas in
+        Result.value (options.surroundings.attempt.run Concluding run) ~default:no_time)
 
 let decided semantics ~declared (check : Property.check) (proof : Proof.t) =
   let outcome verdict =

@@ -232,6 +232,7 @@ let make context uncertain ~(initial : State.t) (z : Zone.t) formulas =
   let named = List.map owner (List.concat_map Formula.leaves formulas) in
   if
     Parameters.may_push m initial
+    || Model.binds_on_contact m
     || formulas = []
     || Array.length initial.processes < 2
     || (not (List.for_all Slice.can_be_sliced formulas))

@@ -404,6 +404,39 @@ def timed(r):
            ('always not ' + a_first, 'violated', part(8, F(1, 2), 'd <= 4, -i <= 0, i <= 2, -j <= 0, j <= 2, -d + i + j < 0')))
 
 
+def sliding(p, q, x='2', y='3 + y', z='z'):
+    """q glides down along the right side of p, which is fixed: their sides are level when y is 0."""
+    return ('fixed p = Cube [<a, {%s}>. nil]\n'
+            'process q = Cube mass 1 velocity (0,-1,0) at translate (%s,%s,%s) [<~a, {%s}>. nil]\n' % (p, x, y, z, q))
+
+
+def contacts(r):
+    """Reading I-33."""
+    way = ranges(y=(0, 6), z=(-4, 4))
+    r.told('The sides come to touch after 1 + y, if they are not too high or too low, and be it by an edge.',
+           'binding contact\n' + way + sliding('right', 'left'),
+           (BIND, 'violated', part(24, F(1, 2), '-z <= 2, z <= 2, -y <= 0, y <= 6')),
+           ('always (time > 4 => bound(p, q)) within 10', 'violated',
+            part(12, F(1, 4), '-y <= 0, y <= 3, -z <= 2, z <= 2')),
+           ('possibly (not bound(p, q) and time >= 4) within 4', 'violated', part(36, F(3, 4))),
+           (HIT, 'violated', NOWHERE))
+    r.told('They never collide.', way + sliding('right', 'left'), (BIND, 'violated', NOWHERE))
+    r.told('The edge is at the height -1, and on the closed face iff z - 1 <= -1 <= z + 1.',
+           'binding contact\n' + way + sliding('[b,c]', 'left'),
+           (BIND, 'violated', part(12, F(1, 4), '-y <= 0, y <= 6, -z <= 2, z <= 0')))
+    r.told('The corners come to meet iff z is 2, after 5 + y: then they stay bound.', 'binding contact\n' + way + sliding('f', 'd'),
+           (BIND, 'violated', part(0, 0, '-y <= 0, y <= 6, z = 2')),
+           ('possibly (bound(p, q) and time >= 7) within 7', 'violated', part(0, 0, '-y <= 0, y <= 2, z = 2')))
+    r.told('It passes at the distance g: they touch iff g is 0.',
+           'binding contact\n' + ranges(g=(0, 1)) + sliding('right', 'left', x='2 + g', y='4', z='0'),
+           (BIND, 'violated', part(0, 0, 'g = 0')))
+    r.told('A lid that is at rest binds when it opens.',
+           'binding contact\n' + ranges(t=(0, 4)) + 'process p = Cube mass 1 [<a, {top}>. nil]\n'
+           'process q = Cube mass 1 at translate (0,0,2) [eps(t). <~a, {bottom}>. nil]\n',
+           ('eventually bound(p, q)', 'holds', everywhere(4)),
+           ('always (time > 1 => bound(p, q)) within 5', 'violated', part(1, F(1, 4), '-t <= 0, t <= 1')))
+
+
 F_FIRST = '(%s and not (%s))'
 
 
@@ -415,4 +448,5 @@ def suites():
     ties(r)
     splits(r)
     timed(r)
+    contacts(r)
     return [r]

@@ -35,6 +35,7 @@ type t = {
   dimer : bool;
   splits : splits;
   together : bool;
+  contact : bool;  (** binding contact *)
   timed : bool;
 }
 
@@ -55,19 +56,21 @@ let features (p : Scc_geometry.Polyhedron.t) surface =
   | 4 -> ([], [ Feature.Vertex 0; Feature.Vertex 2 ])
   | _ -> ([ Feature.Edge 1; Feature.Face 0 ], [ Feature.Vertex 3 ])
 
-let channel shape name surface =
+(* By contact, nothing binds without its closure (reading I-33). *)
+let channel ~contact shape name surface =
   let part = if surface mod 2 = 1 then List.length Bodies.shapes.(shape) - 1 else 0 in
   let solid, _ = List.nth Bodies.shapes.(shape) part in
   let p = Bodies.solids.(solid).polyhedron in
   let sites, only = features p surface in
+  let sites, only = if contact then (sites @ only, []) else (sites, only) in
   let at = List.map (fun feature -> { Site.part; feature }) in
   Behaviour.channel ~only:(at only) ~name:names.(name) ~sites:(at sites)
     ~closure:(at (Scc_geometry.Polyhedron.closure p sites)) ()
 
 let form k from parameter = Linear.of_terms k ~constant:(int from) [ (parameter, Rat.one) ]
 
-let rec term k ~self shape t =
-  let go = term k ~self shape in
+let rec term k ~contact ~self shape t =
+  let go = term k ~contact ~self shape and channel = channel ~contact in
   match t with
   | Nil -> Behaviour.nil
   | Again -> Behaviour.call self
@@ -106,7 +109,9 @@ let range i (low, high, from, to_) : Ranges.range =
     high = { value = int high; included = to_ };
   }
 
-let body_term s i = term (parameters s) ~self:i (List.nth s.bodies i).shape (List.nth s.bodies i).behaviour
+let body_term s i =
+  let b = List.nth s.bodies i in
+  term (parameters s) ~contact:s.contact ~self:i b.shape b.behaviour
 
 let model s : Model.t =
   {
@@ -119,7 +124,7 @@ let model s : Model.t =
     ranges = Array.of_list (List.mapi range s.ranges);
     keeps_time = s.timed;
     collisions = (if s.together then Together else In_turn);
-    binding = On_collision;
+    binding = (if s.contact then On_contact else On_collision);
     bonds = Acyclic;
     round_velocity = None;
     rigid = None;
@@ -301,6 +306,23 @@ let as_dimer bodies releases =
     (match releases with None -> one :: two :: rest | Some (r, r') -> behave one r :: behave two r' :: rest)
   | few -> few
 
+(* Cubes that glide along each other, or rest on each other: where they open what fits, they bind without a
+   collision. *)
+let gliding bodies =
+  let one i (b : body) =
+    let x, y, z = b.base and _, vy, _ = b.velocity in
+    let moved = Option.map (fun (p, _, sign) -> (p, 1, sign)) b.moved in
+    let still = { b with shape = 0; moved = None; velocity = (0, 0, 0) } in
+    match i with
+    | 0 -> { b with shape = 0; velocity = (0, Int.min 0 vy, 0) }
+    | 1 ->
+      let y = if y < 2 then y + 4 else y in
+      { b with shape = 0; base = (2, y, z mod 2); velocity = (0, vy - 1, 0); moved }
+    | 2 -> { still with base = (x mod 2, 0, -2) }
+    | _ -> { b with shape = 0; base = (-2, -4 - (y mod 2), z mod 2); velocity = (0, 1 - Int.min 0 vy, 0); moved }
+  in
+  List.mapi one bodies
+
 let dimers = Gen.frequencyl [ (1, true); (2, false) ]
 let cells = [| (1, 0, 0); (0, 1, 0); (1, 1, 0); (2, 0, 0); (0, 0, 1); (0, 2, 0); (2, 1, 0) |]
 
@@ -320,9 +342,11 @@ let generated ~dimers =
   let* rare = frequencyl [ (3, false); (1, true) ] in
   let releases = if rare then None else Some (one, two) in
   let+ splits = oneofl [ Grid; Any ] and+ together = frequencyl [ (1, true); (2, false) ]
-  and+ timed = frequencyl [ (2, true); (1, false) ] in
+  and+ timed = frequencyl [ (2, true); (1, false) ]
+  and+ contact = frequencyl [ (3, None); (1, Some true); (1, Some false) ] in
+  let bodies = if contact = Some true then gliding bodies else bodies in
   let bodies = if dimer then as_dimer bodies releases else bodies in
-  { ranges; bodies; dimer; splits; together; timed }
+  { ranges; bodies; dimer; splits; together; contact = Option.is_some contact; timed }
 
 let generate = generated ~dimers
 let generate_bound = Gen.map (fun s -> { s with splits = Any }) (generated ~dimers:(Gen.pure true))
@@ -356,10 +380,11 @@ let print s =
       (term_to_string b.behaviour)
   in
   String.concat "\n"
-    (Printf.sprintf "%s%s%s%s; %s"
+    (Printf.sprintf "%s%s%s%s%s; %s"
        (match s.splits with Grid -> "grid" | Any -> "any time")
        (if s.dimer then " dimer" else "")
        (if s.together then " together" else "")
+       (if s.contact then " contact" else "")
        (if s.timed then " timed" else "")
        (Ranges.to_string (model s).ranges)
      :: List.mapi body s.bodies)

@@ -172,6 +172,21 @@ MISTAKES = {
     ),
     "halted zones are zones": ("zone.ml", "Bool.equal a.halted b.halted && List", "List"),
     "what led to a zone is forgotten": ("zone.ml", "List.equal Int.equal a.arrived b.arrived && ", ""),
+    "open features do not come to meet": (
+        "passing.ml",
+        "if Model.binds_on_contact (Semantics.model c.semantics) then",
+        "if false && Model.binds_on_contact (Semantics.model c.semantics) then",
+    ),
+    "they have met as soon as one border is passed": (
+        "meeting_cells.ml",
+        "on (Constraint.at_most f greatest) greatest @ on (Constraint.greater f greatest) f",
+        "on (Constraint.at_most f greatest) f @ on (Constraint.greater f greatest) greatest",
+    ),
+    "all of a zone touches with the same features": (
+        "instant.ml",
+        "if Model.binds_on_contact m then List.concat_map (of_contacts c all) collisions",
+        "if false then List.concat_map (of_contacts c all) collisions",
+    ),
     # Formulas, backwards over the graph.
     "a split at once leads nowhere": (
         "branching.ml",

@@ -95,7 +95,7 @@ let look case (m : Model.t) standard (invariant : Invariant.t) claims values =
     List.iter never claims
 
 let agrees case =
-  let s = { case.scene with timed = false } in
+  let s = { case.scene with timed = false; contact = false } in
   let case = { case with scene = s } in
   let m = Scene.model s in
   let standard = Scc_engine.Standard.of_model m in
