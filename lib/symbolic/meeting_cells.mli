@@ -6,7 +6,8 @@ open Scc_exact
 open Scc_polyhedra
 
 val make :
-  Polyhedron.t -> offset:Linear.t * Linear.t * Linear.t -> velocity:Vec.t -> limit:Linear.t option -> Polyhedron.t ->
+  Polyhedron.t -> offset:Linear.t * Linear.t * Linear.t -> velocity:Vec.t -> limit:Linear.t option ->
+  Polyhedron.t ->
   (Polyhedron.t * Linear.t) list * Polyhedron.t list
 (** [make offsets ~offset ~velocity ~limit within]: of the offsets at which they meet, which are closed; the
     offset now and its velocity as for {!Contact_cells.make}. Where they first meet, now or later and not later
