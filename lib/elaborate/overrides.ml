@@ -32,6 +32,9 @@ let given t report ~name ~also =
     let values, ranges = List.partition is_value all in
     let first, g = List.hd (values @ ranges) in
     (match List.find_opt (fun (_, other) -> not (agree name g other)) all with
+     | Some (second, _) when String.equal first second ->
+       Report.error report Code.bad_range Span.none
+         "`%s` is given a value that is not in the range given for it" name
      | Some (second, _) ->
        Report.error report Code.unknown_parameter Span.none
          "`%s` and `%s` are one parameter, and have two values" first second

@@ -14,8 +14,9 @@ type given =
 val create : narrowed:(string * (Ranges.bound * Ranges.bound)) list -> (string * Rat.t) list -> t
 
 val given : t -> Report.t -> name:string -> also:string list -> given option
-(** For the parameter with this global name and these others, if there is something: it is known from here on. Two
-    different things under two names are reported (SC0209). *)
+(** For the parameter with this global name and these others, if there is something: it is known from here on. A
+    value goes before a range that it is in; of a range that it is not in it is reported (SC0217), and so are two
+    different things under two names (SC0209). *)
 
 val value : t -> Report.t -> name:string -> also:string list -> Rat.t option
 (** Of a parameter that is a number: {!given}, and a range for it is reported (SC0217). *)

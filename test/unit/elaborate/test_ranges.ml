@@ -214,6 +214,14 @@ let narrowed () =
   refused "inverted" [ ("x", (bound (q 3 1) true, bound (q 2 1) true)) ] [];
   refused "a value beyond" [] [ ("x", q 7 1) ];
   refused "the open end" [] [ ("y", q (-1) 2) ];
+  let from_1_to_3 = ("x", (bound (q 1 1) true, bound (q 3 1) false)) in
+  refused "a value beyond what it is narrowed to" [ from_1_to_3 ] [ ("x", q 4 1) ];
+  refused "the end that is left out of that" [ from_1_to_3 ] [ ("x", q 3 1) ];
+  (match given [ from_1_to_3 ] [ ("x", q 2 1) ] with
+   | Ok t ->
+     let ranges = Ranges.to_string t.model.ranges in
+     Alcotest.(check string) "a value of what it is narrowed to" "y in (-1/2, 1/2], w in (1, 2)" ranges
+   | Error _ -> Alcotest.fail "it is within");
   refused "a range for a number" [ ("n", (bound (q 0 1) true, bound (q 2 1) true)) ] [];
   match given [ ("x", (bound (q 3 1) true, bound (q 3 1) true)) ] [] with
   | Ok t -> Alcotest.(check int) "to one number" 2 (Array.length t.model.ranges)
