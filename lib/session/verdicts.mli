@@ -19,5 +19,6 @@ val report :
   Property.check list ->
   (Check.report, Diag.t list) result
 (** By {!Zone_check.run}, with [exactly], or by {!Check.run}; with {!Check.options.prove} by invariants first, as
-    far as they decide (rule Invariants). Outcomes of premises ({!Loaded.t}) come after those of the checks. The error: numbers of the model would not be affine (SC0901), or the
-    declared state is not well-formed for some values. *)
+    far as they decide (rule Invariants). Outcomes of premises ({!Loaded.t}) come after those of the checks. The
+    error: numbers of the model would not be affine (SC0901), or the declared state is not well-formed for some
+    values. *)

@@ -211,7 +211,8 @@ let checked name =
       Scc_verify.Check.run options (standard model) ~initial checks
     else
       let uncertain = Option.value uncertain ~default:(Scc_symbolic.Start.known model declared) in
-      match Scc_verify.Zone_check.run options (standard model) uncertain ~declared ~exactly:false ~premises:[] checks with
+      let run = Scc_verify.Zone_check.run options (standard model) uncertain ~declared in
+      match run ~exactly:false ~premises:[] checks with
       | Ok report -> report
       | Error _ -> Alcotest.failf "%s: not well-formed for some starts" name
   in
