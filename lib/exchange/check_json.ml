@@ -47,15 +47,17 @@ let finish (w : Witness.t) =
   match w.finish with
   | At_state -> "state"
   | During _ -> "instant"
-  | Rests -> "rests"
+  | Rests _ -> "rests"
   | Stops -> "stops"
   | Repeats _ -> "repeats"
   | Passes _ -> "passes"
+  | Goes_on _ -> "goes_on"
 
 let cycle (w : Witness.t) =
   match w.finish with
   | Repeats { cycle; moved; _ } -> (`Int cycle, Json.vec moved)
-  | At_state | During _ | Rests | Stops | Passes _ -> (`Null, `Null)
+  | Goes_on { cycle } -> (`Int cycle, `Null)
+  | At_state | During _ | Rests _ | Stops | Passes _ -> (`Null, `Null)
 
 let step m (s : Witness.step) =
   `Assoc

@@ -111,7 +111,7 @@ let finish t (w : Witness.t) : Witness.finish =
         if open_piece && Algebraic.compare_rat from Rat.zero >= 0 then
           During { choice; offset; open_piece; from }
         else During { choice; offset; open_piece = false; from = offset })
-  | Rests | Stops | Repeats _ | Passes _ -> Scc_base.Bug.fail __POS__ "not the witness of a search"
+  | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> Scc_base.Bug.fail __POS__ "not the witness of a search"
 
 let timed semantics ~initial (w : Witness.t) =
   let kept = Array.make (Array.length (Semantics.model semantics).leaves) false in

@@ -66,7 +66,7 @@ let follow_lasso context graph steps cycle =
   again 1 entry
 
 (* A weak split that is enabled somewhere on a cycle and never made on it. *)
-let puts_off context (cycle : Witness.step list) ~from =
+let puts_off semantics (cycle : Witness.step list) ~from =
   let made = Long_list.map (fun (s : Witness.step) -> s.transition.label) cycle in
   let is_put_off (t : Transition.t) =
     match t.label with
@@ -74,7 +74,7 @@ let puts_off context (cycle : Witness.step list) ~from =
     | Weak_split _ | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Strong_split _ -> None
   in
   let at state =
-    match Network.successors (Network_lts.semantics context) state with
+    match Network.successors semantics state with
     | Ok transitions -> List.find_map is_put_off transitions
     | Error _ -> None
   in
@@ -87,7 +87,7 @@ let repeats context (run, moved) cycle : Witness.finish =
     | Some s -> s.Witness.transition.target
     | None -> Network_lts.start context
   in
-  Repeats { cycle; moved; puts_off = puts_off context (drop cycle steps) ~from }
+  Repeats { cycle; moved; puts_off = puts_off (Network_lts.semantics context) (drop cycle steps) ~from }
 
 (* Time passes in at most one way from a state. *)
 let time_choice context state =
@@ -187,7 +187,7 @@ let of_run context graph temporal (run : Scc_ctl.Run.t) =
       match run.finish with
       | At_state | Repeats _ -> At_state
       | During { moment; sample } -> during context followed.last moment sample
-      | Rests -> Rests
+      | Rests -> Rests { puts_off = None }
       | Stops -> Stops
       | Passes -> Passes { choice = Option.map fst (time_choice context followed.last) }
     in

@@ -12,10 +12,11 @@ type finish =
       open_piece : bool;
       from : Algebraic.t;
     }
-  | Rests
+  | Rests of { puts_off : Transition.label option }
   | Stops
   | Repeats of { cycle : int; moved : Vec.t; puts_off : Transition.label option }
   | Passes of { choice : int option }
+  | Goes_on of { cycle : int }
 
 type argument = {
   where : string option;
@@ -53,17 +54,17 @@ let halt w =
   match w.finish with
   | Stops -> Some Dead_end
   | Repeats { cycle; _ } -> if Rat.equal (time_before w cycle) (time w) then Some One_instant else None
-  | At_state | During _ | Rests | Passes _ -> None
+  | At_state | During _ | Rests _ | Passes _ | Goes_on _ -> None
 
 let instant w =
   match w.finish with
   | During { offset; _ } -> Algebraic.add_rat (time w) offset
-  | At_state | Rests | Stops | Repeats _ | Passes _ -> Algebraic.of_rat (time w)
+  | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> Algebraic.of_rat (time w)
 
 let at_rational_instant w =
   match w.finish with
   | During { offset; _ } -> Option.is_some (Algebraic.to_rat offset)
-  | At_state | Rests | Stops | Repeats _ | Passes _ -> true
+  | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> true
 
 let offset w =
   match w.finish with
@@ -74,7 +75,7 @@ let offset w =
         let width = Rat.make Z.one (Z.pow (Z.of_int 10) 12) in
         let low, high = Algebraic.enclose offset ~width in
         Some (Rat.div (Rat.add low high) (Rat.of_int 2)))
-  | At_state | Rests | Stops | Repeats _ | Passes _ -> None
+  | At_state | Rests _ | Stops | Repeats _ | Passes _ | Goes_on _ -> None
 
 let step_line model number s =
   Printf.sprintf "%d. %s, at time %s" (number + 1)
@@ -95,11 +96,25 @@ let during_line w ~offset ~open_piece ~from =
       (absolute offset)
   else Printf.sprintf "then time passes, until time %s" (absolute offset)
 
+let put_off model label =
+  let reason label =
+    Printf.sprintf "it puts off %s for ever: no fairness is assumed" (Transition.label_to_string model label)
+  in
+  Option.to_list (Option.map reason label)
+
 let finish_lines model w =
   match w.finish with
   | At_state -> ( match w.steps with [] -> [ "in the initial state" ] | _ :: _ -> [])
   | During { offset; open_piece; from; _ } -> [ during_line w ~offset ~open_piece ~from ]
-  | Rests -> [ "then nothing happens any more, and time passes for ever" ]
+  | Rests { puts_off } ->
+    "then nothing happens any more, and time passes for ever" :: put_off model puts_off
+  | Goes_on { cycle } ->
+    [
+      Printf.sprintf
+        "then it goes on for ever, which is known of sets of states: this one is like that before step %d, but \
+         for numbers, and no run was found that comes back to a state"
+        (cycle + 1);
+    ]
   | Stops -> [ "then the run ends: neither time nor anything else can go on, and the model is given up there" ]
   | Passes _ -> [ "then time passes beyond the bound" ]
   | Repeats { cycle; moved; puts_off } ->
@@ -111,11 +126,7 @@ let finish_lines model w =
       if Vec.is_zero moved then again
       else Printf.sprintf "%s, each time with everything moved by %s" again (Vec.to_string moved)
     in
-    let reason label =
-      Printf.sprintf "it puts off %s for ever: no fairness is assumed"
-        (Transition.label_to_string model label)
-    in
-    again :: Option.to_list (Option.map reason puts_off)
+    again :: put_off model puts_off
 
 let rec argument_lines depth a =
   let indented text = String.make (2 * depth) ' ' ^ text in

@@ -22,13 +22,17 @@ type finish =
           [from]); otherwise it is the instant itself *)
       from : Algebraic.t;
     }
-  | Rests  (** the network is quiescent: time passes for ever *)
+  | Rests of { puts_off : Transition.label option }
+  (** nothing happens any more, and time passes for ever; a weak split that is enabled is put off *)
   | Stops  (** the run is over: neither time nor anything else can go on *)
   | Repeats of { cycle : int; moved : Vec.t; puts_off : Transition.label option }
   (** the steps from the index [cycle] on are repeated for ever, each time with everything moved by [moved] from
       where it was; on the way, a weak split that is enabled is put off each time *)
   | Passes of { choice : int option }
   (** the bound of time of the property is passed in the middle of this time transition, or of the ray *)
+  | Goes_on of { cycle : int }
+  (** over zones (rule Zones): the state is one of the set of states that the step of the index [cycle] began in;
+      that some run goes on from there for ever is known of the set, and no state was found that comes back *)
 
 (** Why a formula holds, or does not: a tree of claims. *)
 type argument = {

@@ -119,15 +119,19 @@ let listed events =
   let rest = if more > 0 then [ Printf.sprintf "%d events more" more ] else [] in
   match shown @ rest with [] -> [] | lines -> [ String.concat "; " lines ]
 
-(* A run that repeats its steps from [k] on. *)
+(* A run that repeats its steps from [k] on, at a time since it began; [silent]: of these none is an event. *)
+let going_round k ~silent clock =
+  match (k, silent) with
+  | 0, true -> "nothing else happens, for ever"
+  | 0, false -> "the run then repeats all of this, for ever"
+  | _, true -> Printf.sprintf "nothing else happens after time %s from here, for ever" (Rat.to_string clock)
+  | _, false ->
+    Printf.sprintf "the run then repeats what happens after time %s from here, for ever" (Rat.to_string clock)
+
 let again context graph temporal (run : Scc_ctl.Run.t) k =
   let first = { run with steps = List.filteri (fun i _ -> i < k) run.steps } in
   let clock, before = story context graph temporal first and _, all = story context graph temporal run in
-  match (k, List.compare_lengths before all) with
-  | 0, 0 -> "nothing else happens, for ever"
-  | 0, _ -> "the run then repeats all of this, for ever"
-  | _, 0 -> Printf.sprintf "nothing else happens after time %s from here, for ever" (Rat.to_string clock)
-  | _ -> Printf.sprintf "the run then repeats what happens after time %s from here, for ever" (Rat.to_string clock)
+  going_round k ~silent:(List.compare_lengths before all = 0) clock
 
 let finish_text context graph temporal (run : Scc_ctl.Run.t) clock =
   let at offset = Algebraic.to_string (Algebraic.add_rat clock offset) in

@@ -11,7 +11,7 @@ type plan =
   | Any of plan list
   | Branches of branches  (** asked of the graph when all is known *)
 
-and branches = { formula : Property.temporal; mutable answer : (Union.t, string list) result }
+and branches = { formula : Property.temporal; mutable answer : (Branching.t * Union.t, string list) result }
 
 type t = {
   context : Instant.context;
@@ -99,7 +99,7 @@ let rec sets_of all = function
   | Branches { answer = Error _; _ } ->
     let none = Union.empty (Union.dimension all) in
     { holds = none; fails = none }
-  | Branches { answer = Ok holds; _ } ->
+  | Branches { answer = Ok (_, holds); _ } ->
     let holds = Union.inter holds all in
     { holds; fails = Union.difference all holds }
 
@@ -165,3 +165,15 @@ let rec place ~holds = function
   | Branches _ -> None
 
 let shown_by t ~holds = place ~holds t.plan
+
+let rec branch all ~holds = function
+  | Branches { answer = Ok (b, set); formula } ->
+    let so = if holds then Union.inter set all else Union.difference all set in
+    if Union.is_empty so then None else Some (b, formula)
+  | Branches { answer = Error _; _ } | Reaches _ | Avoids _ | Starts _ -> None
+  | All plans -> if holds then None else List.find_map (branch all ~holds) plans
+  | Any plans -> if holds then List.find_map (branch all ~holds) plans else None
+
+let run t graph ~holds =
+  Option.bind (branch (Union.of_polyhedron t.parameters) ~holds t.plan) (fun (b, f) ->
+      Shown_run.make graph b f ~holds)

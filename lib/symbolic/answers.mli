@@ -47,5 +47,8 @@ val reasons : t -> string list
 (** Why something could not be judged. *)
 
 val shown_by : t -> holds:bool -> Search_sets.place option
-(** A place that a run leads to which shows that it holds, or does not, for some values; [None]: no single run
-    does. *)
+(** A place that a run leads to which shows that it holds, or does not, for some values; [None]: no single run of
+    those that were searched for does. *)
+
+val run : t -> Zone_graph.t -> holds:bool -> Shown_run.t option
+(** After {!conclude}: a run that shows it, of a formula that no search decides. *)

@@ -5,7 +5,33 @@
 open Scc_polyhedra
 open Scc_property
 
-val holds : Instant.context -> Atoms.context -> Zone_graph.t -> Property.temporal -> (Union.t, string) result
+type t
+(** What was found of a formula and its parts. *)
+
+val holds : Instant.context -> Atoms.context -> Zone_graph.t -> Property.temporal -> (t * Union.t, string) result
 (** Of a graph in which all is known up to the latest bound of the formula ({!Plan.horizon}): the values for which
     it holds at the start. The error says why it is not known: a number that is not linear, a bound of time within
     another operator, the operator X, or sets that do not come to rest. *)
+
+(** {1 What decides a formula}
+
+    Of a formula that was decided, and of its parts. Bounds of time count from the start, for the [outermost]
+    operators. *)
+
+val model : t -> State_sets.model
+
+val truth : t -> outermost:bool -> Property.temporal -> holds:bool -> State_sets.sets
+(** Where it holds, or where it does not. *)
+
+(** Of an operator of time: some run. *)
+type search =
+  | Comes of { before : State_sets.sets; goal : State_sets.sets }
+  (** that comes to the goal, with states of [before] until then *)
+  | Stays of State_sets.sets  (** with such states alone, for ever, or until the horizon *)
+
+type quantified = {
+  holds_if_any : bool;  (** the operator holds where there is any of these runs; else it does not hold there *)
+  searches : (search * State_sets.sets) list;  (** with the states from which there is one *)
+}
+
+val quantified : t -> outermost:bool -> Property.temporal -> quantified option

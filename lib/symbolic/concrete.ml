@@ -64,17 +64,18 @@ let rec to_root graph (node : Zone_graph.node) states edges =
       | Some (parent, states, edge) -> to_root graph parent states (edge :: edges)
       | None -> Scc_base.Bug.fail __POS__ "states that no edge leads to")
 
+let start (z : Zone.t) set =
+  { set; here = Array.init (Zone.dimension z) (Linear.variable (Zone.dimension z)); taken = [] }
+
 let way_to graph (place : Search_sets.place) =
   let n = Zone.dimension place.node.zone in
   let root, edges = to_root graph place.node (Polyhedron.project place.states (Array.init n Fun.id)) [] in
   let z = root.zone in
-  let m = Zone.dimension z in
-  let start = { set = z.set; here = Array.init m (Linear.variable m); taken = [] } in
-  let way, forms = enter (List.fold_left along start edges) place.states in
+  let way, forms = enter (List.fold_left along (start z z.set) edges) place.states in
   (z, way, forms)
 
 (* The way with no wait for a split that need not be, the first ones first: the run is shorter then. *)
-let at_once_where_possible way =
+let sample way =
   let dimension = Polyhedron.dimension way.set in
   let no_wait set (step, time) =
     match ((step : Zone_steps.step), time) with
@@ -110,10 +111,10 @@ let run_within graph (place : Search_sets.place) values =
   if Polyhedron.is_empty place.states then None
   else
     let root, way, forms = way_to graph place in
-    Option.map (at_point root way forms ~passing:place.passing) (at_once_where_possible way)
+    Option.map (at_point root way forms ~passing:place.passing) (sample way)
 
 let run graph place =
   let root, way, forms = way_to graph place in
-  match at_once_where_possible way with
+  match sample way with
   | Some point -> at_point root way forms ~passing:place.passing point
   | None -> Scc_base.Bug.fail __POS__ "a way to nowhere"

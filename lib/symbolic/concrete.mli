@@ -15,6 +15,39 @@ type t = {
   offset : Rat.t;  (** the time that passes after the steps *)
 }
 
+(** {1 Ways}
+
+    Many runs that take the same steps: over the variables of the root that they start in, and the times that they
+    wait for splits, in order. *)
+
+type way = {
+  set : Scc_polyhedra.Polyhedron.t;
+  here : Scc_polyhedra.Linear.t array;  (** the variables of the node that they have come to *)
+  taken : (Zone_steps.step * Scc_polyhedra.Linear.t option) list;
+  (** the last first, with the time that passes; forms may know fewer variables than the set has now *)
+}
+
+val extended : int -> Scc_polyhedra.Linear.t -> Scc_polyhedra.Linear.t
+(** A form over the first variables, as one over so many. *)
+
+val start : Zone.t -> Scc_polyhedra.Polyhedron.t -> way
+(** In a root, from a part of it. *)
+
+val extend : way -> int -> way
+(** Over as many variables more, the last ones, of which nothing is said. *)
+
+val enter : way -> Scc_polyhedra.Polyhedron.t -> way * Scc_polyhedra.Linear.t array
+(** Where its node is in a set over the variables of the node, and perhaps others, which are new variables: these
+    variables as forms. *)
+
+val along : way -> Zone_graph.edge -> way
+
+val sample : way -> Rat.t array option
+(** One run: with weak splits at once where they may be, the first ones first, and else in the relative
+    interior. *)
+
+(** {1 Runs to a place} *)
+
 val run : Zone_graph.t -> Search_sets.place -> t
 (** By the way that the node was found first, with weak splits at once where they may be, to a point in the
     relative interior of all that lead there. *)

@@ -107,7 +107,7 @@ let lift semantics ~initial (w : Witness.t) : Witness.t =
     let lifted = Lift.timed semantics ~initial { w with finish = At_state } in
     let more = List.length lifted.steps - List.length w.steps in
     { lifted with finish = Repeats { r with cycle = r.cycle + more } }
-  | Rests | Stops | Passes _ -> Scc_base.Bug.fail __POS__ "a search that ends in no instant"
+  | Rests _ | Stops | Passes _ | Goes_on _ -> Scc_base.Bug.fail __POS__ "a search that ends in no instant"
 
 (* A slice does for the whole up to the horizon of its properties; a run that goes on from there is not one of the
    whole, and is not shown. *)

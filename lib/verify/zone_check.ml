@@ -201,6 +201,8 @@ let verdict options semantics u ~declared (e : explored) check answer (where : W
     Zone_witness.make semantics u ~declared ~sliced (Concrete.run e.graph place) place
   in
   let shown ~holds = Option.map witness (Answers.shown_by answer ~holds) in
+  let run ~holds = Option.map (Zone_witness.of_run semantics u ~declared) (Answers.run answer e.graph ~holds) in
+  let first_some a b = match a with Some _ -> a | None -> b () in
   let bounded = List.map (fun t -> Verdict.Truncated t) e.stopped_by in
   let reasons =
     bounded
@@ -212,11 +214,12 @@ let verdict options semantics u ~declared (e : explored) check answer (where : W
       match (shown ~holds:false, Union.point where.fails) with
       | (Some _ as w), _ -> w
       | None, Some values when not (Plan.is_search (Plan.of_formula check.Property.formula)) ->
-        Zone_single.run options semantics u ~declared check values
+        first_some (Zone_single.run options semantics u ~declared check values) (fun () -> run ~holds:false)
       | None, _ -> None
     in
     Violated { witness }
-  else if Union.is_empty where.unknown then Holds { bounds = []; witness = shown ~holds:true }
+  else if Union.is_empty where.unknown then 
+    Holds { bounds = []; witness = first_some (shown ~holds:true) (fun () -> run ~holds:true) }
   else if Answers.safe_so_far answer && List.length reasons = List.length e.stopped_by && reasons <> [] then
     Holds { bounds = e.stopped_by; witness = None }
   else Undecided reasons

@@ -12,6 +12,9 @@ let initial semantics declared =
   | Ok state -> state
   | Error _ -> Bug.fail __POS__ "a law of motion in a model with ranges"
 
+let named (m : Model.t) values =
+  List.mapi (fun i v -> (m.ranges.(i).Ranges.name, v)) (Array.to_list values)
+
 let numbered list = List.mapi (fun i x -> (i, x)) list
 
 (* The transitions that a step may be, each with its number among the successors. *)
@@ -119,7 +122,6 @@ let make given u ~declared ~sliced (run : Concrete.t) (place : Search_sets.place
       else (At_state, Timeline.Instant)
     in
     let arrived = arrived start (List.rev steps) in
-    let name i = m.ranges.(i).Ranges.name in
     {
       initial = start;
       steps;
@@ -127,5 +129,55 @@ let make given u ~declared ~sliced (run : Concrete.t) (place : Search_sets.place
       finish;
       facts = Facts.at ~arrived c last extent offset prop;
       argument = None;
-      fixed = Some { values = List.mapi (fun i v -> (name i, v)) (Array.to_list run.values); semantics = c };
+      fixed = Some { values = named m run.values; semantics = c };
+    }
+
+(* {1 Runs that decide formulas} *)
+
+let finish (r : Zone_established.t) (w : Shown_run.t) : Witness.finish =
+  let steps = Array.to_list r.steps in
+  let n = List.length steps in
+  let last = Zone_established.state r n in
+  let choice =
+    match candidates r.semantics last (Passes_some w.run.offset) with (i, _) :: _ -> Some i | [] -> None
+  in
+  let after k = List.filteri (fun i _ -> i >= k) steps in
+  match w.finish with
+  | There when Rat.sign w.run.offset = 0 -> At_state
+  | There ->
+    let offset = Algebraic.of_rat w.run.offset in
+    let from = match Zone_reasons.right_after r w.claim with Some d -> Algebraic.of_rat d | None -> offset in
+    During { choice; offset; open_piece = not (Algebraic.equal from offset); from }
+  | Rests -> Rests { puts_off = Make_witness.puts_off r.semantics [] ~from:last }
+  | Passes ->
+    let is_time (_, (t : Transition.t)) = Transition.is_time t.label in
+    let successors = match Network.successors r.semantics last with Ok list -> numbered list | Error _ -> [] in
+    Passes { choice = Option.map fst (List.find_opt is_time successors) }
+  | Goes_on cycle -> Goes_on { cycle }
+  | Repeats cycle -> (
+      let from = Zone_established.state r cycle in
+      let puts_off = Make_witness.puts_off r.semantics (after cycle) ~from in
+      match Make_witness.moved from last with
+      | Some moved -> Repeats { cycle; moved; puts_off }
+      | None -> Bug.fail __POS__ "a run over zones does not come back")
+
+let of_run given u ~declared (w : Shown_run.t) : Witness.t =
+  let m = Semantics.model given in
+  let values = w.run.values in
+  let c = Semantics.with_model given (Fixed.model m values) in
+  let start = initial c (Fixed.declared u declared values) in
+  let followed steps = { Zone_established.semantics = c; values; initial = start; steps = Array.of_list steps } in
+  let reached _ taken = Zone_established.claim (followed taken) w.claim in
+  match follow c ~reached start Rat.zero w.run.steps [] with
+  | None -> Bug.fail __POS__ "a run over zones does not show what it is to show"
+  | Some (last, steps) ->
+    let r = followed steps in
+    {
+      initial = start;
+      steps;
+      last;
+      finish = finish r w;
+      facts = Zone_reasons.facts r w.claim;
+      argument = Zone_reasons.argument m r w.claim;
+      fixed = Some { values = named m values; semantics = c };
     }

@@ -11,3 +11,7 @@ val make :
 (** With [sliced] the run is one of a slice ({!Zone_slice}): what was left out does in it what it must, and the run
     is shown as one of the whole network. It is a bug if the run cannot be followed, or the predicate does not hold
     where it leads. *)
+
+val of_run : Semantics.t -> Uncertain.t -> declared:State.t -> Shown_run.t -> Witness.t
+(** A run of the whole network that decides a formula, with the reasons. Every state predicate that these are about
+    is judged anew, along the whole run ({!Zone_established}): it is a bug if one is not as it was claimed. *)

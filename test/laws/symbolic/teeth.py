@@ -189,17 +189,17 @@ MISTAKES = {
     ),
     # Formulas, backwards over the graph.
     "a split at once leads nowhere": (
-        "branching.ml",
+        "state_sets.ml",
         "(project (restrict (halting n at) [ no_time ]) ~dimension)",
         "(ignore no_time; Union.empty dimension)",
     ),
     "time halts nowhere": (
-        "branching.ml",
+        "state_sets.ml",
         "let halts n s at = inter (all_along s) (halting n at)",
         "let halts n s at = (ignore at; ignore n; Union.empty (Zone.dimension s.zone))",
     ),
     "what is bad in between does not matter": (
-        "branching.ml",
+        "state_sets.ml",
         "let clear_from_start s ~bad = minus (some s.region) (project bad ~dimension:(Zone.dimension s.zone - 1))",
         "let clear_from_start s ~bad = ignore bad; some s.region",
     ),
@@ -207,6 +207,25 @@ MISTAKES = {
         "branching.ml",
         "union for_ever (union (late n s) (ends n s at))",
         "union for_ever (union (late n s) (ignore at; some s.region))",
+    ),
+    # Runs that are shown of formulas: they are looked at again before, and by the tests.
+    "a run passes by what it must not": (
+        "run_search.ml",
+        "within w w.way.here (clear_from_start s ~bad)",
+        "(ignore bad; within w w.way.here (some s.region))",
+    ),
+    "a run splits where it must not": (
+        "run_search.ml",
+        "(Array.append w.way.here [| last |]) (not_after s ~bad target)",
+        "(Array.append w.way.here [| last |]) (ignore bad; target)",
+    ),
+    "a run comes back to any state of a zone": (
+        "run_search.ml",
+        "(if takes_time then [ time ] else []) @ Array.to_list same",
+        "(ignore same; if takes_time then [ time ] else [])",
+    ),
+    "time passes before the bound": (
+        "run_search.ml", "constrained w [ Constraint.greater late", "constrained w [ Constraint.less late",
     ),
     # Invariants: what is found wrongly is not accepted, and what is checked wrongly accepts what is none.
     "a join forgets what is new": ("zone_hull.ml", "both) a b in", "both) a a in"),
@@ -251,6 +270,7 @@ TESTS = [
     "test/unit/symbolic/test_zone.exe",
     "test/laws/symbolic/test_zones.exe",
     "test/laws/symbolic/test_formulas.exe",
+    "test/laws/symbolic/test_runs.exe",
     "test/laws/invariants/test_models.exe",
     "test/laws/symbolic/test_invariants.exe",
 ]

@@ -348,4 +348,4 @@ check at_1 : possibly (event weak(b) and time = 1) within 1
 
 let () =
   Alcotest.run "sets of parameters by hand"
-    [ ("meetings", meetings); ("times", times); ("ties", ties); ("splits", splits) ]
+    [ ("meetings", meetings); ("times", times); ("ties", ties); ("splits", splits); ("runs", Runs_by_hand.cases) ]

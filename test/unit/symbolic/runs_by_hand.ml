@@ -1,0 +1,91 @@
+(* Runs of formulas over zones whose ends were worked out by hand: where they lead, and when. *)
+
+open Scc_explain
+open Scc_verify
+
+let report text =
+  let l = By_hand.load text in
+  let u = match l.uncertain with Some u -> u | None -> Scc_symbolic.Start.known l.model l.declared in
+  match Zone_check.run Check.default l.semantics u ~declared:l.declared ~exactly:false ~premises:[] l.checks with
+  | Ok report -> report.outcomes
+  | Error _ -> Alcotest.fail "the start is not well-formed"
+
+let ending (w : Witness.t) =
+  let after = " after " ^ string_of_int (List.length w.steps) in
+  (match w.finish with
+   | At_state -> "there"
+   | During { open_piece; _ } -> if open_piece then "right after" else "during"
+   | Rests { puts_off } -> if puts_off = None then "rests" else "rests, putting off"
+   | Stops -> "stops"
+   | Repeats { cycle; _ } -> "repeats from " ^ string_of_int cycle
+   | Passes _ -> "passes"
+   | Goes_on { cycle } -> "goes on like " ^ string_of_int cycle)
+  ^ after
+
+let shown (o : Verdict.outcome) =
+  let of_run = function None -> "no run" | Some w -> ending w in
+  let text =
+    match o.verdict with
+    | Holds { witness; _ } -> "holds: " ^ of_run witness
+    | Violated { witness } -> "violated: " ^ of_run witness
+    | Undecided _ -> "undecided"
+  in
+  (o.check.name, text)
+
+let case name text expected =
+  let test () = Alcotest.(check (list (pair string string))) name expected (List.map shown (report text)) in
+  Alcotest.test_case name `Quick test
+
+let dimer =
+  {|split_step any
+behaviour L on Cube = omega(b, {right}). nil
+behaviour R on Cube = omega(b, {left}). nil
+process p = Cube mass 1 at translate (0,20,0) [L]
+process q = Cube mass 1 at translate (2,20,0) [R]
+bond <b, {p.right, q.left}>
+|}
+
+let thrown =
+  {|split_step any
+behaviour L on Cube = omega(b, {right}) push(1). nil
+behaviour R on Cube = omega(b, {left}). nil
+process p = Cube mass 1 at translate (0,20,0) [L]
+process q = Cube mass 1 at translate (2,20,0) [R]
+process r = Cube mass 1 at translate (0,0,0) [L]
+process s = Cube mass 1 at translate (2,0,0) [R]
+bond <b, {p.right, q.left}>
+bond <b, {r.right, s.left}>
+|}
+
+let cases =
+  [
+    case "a bond that holds for ever" (dimer ^ "check parts : eventually not bound(p, q)")
+      [ ("parts", "violated: rests, putting off after 0") ];
+    (* it bounces at 2, 6, 10, ... *)
+    case "a ball between walls"
+      (dimer
+       ^ {|process ball = Cube mass 1 velocity (1,0,0) [nil]
+fixed west = Cube at translate (-4,0,0) [nil]
+fixed east = Cube at translate (4,0,0) [nil]
+check parts : eventually not bound(p, q)
+check soon  : eventually not bound(p, q) within 5
+check until : A[x(ball) <= 1 U x(ball) > 1 and not bound(p, q)]
+check apart : A[x(ball) <= 1 U x(ball) > 1]
+check first : E[(x(ball) < 1/2 or x(ball) > 1 or not bound(p, q)) U event bounce(ball, east)]
+|})
+      [
+        ("parts", "violated: repeats from 1 after 5");
+        ("soon", "violated: passes after 2");
+        ("until", "violated: during after 0");
+        ("apart", "violated: right after after 0");
+        ("first", "holds: there after 3");
+      ];
+    (* p and q fly apart for ever while r and s go to and fro *)
+    case "two bodies that drift"
+      (thrown
+       ^ {|fixed west = Cube at translate (-4,0,0) [nil]
+fixed east = Cube at translate (6,0,0) [nil]
+check goes : not EF EG (not bound(p, q) and AF event bounce(s, east))
+|})
+      [ ("goes", "violated: goes on like 2 after 7") ];
+  ]
