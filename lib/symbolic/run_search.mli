@@ -35,6 +35,6 @@ val right_after : State_sets.model -> State_sets.sets -> walk -> walk list
 val some_run :
   State_sets.model -> Branching.search -> win:State_sets.sets -> high:Rat.t option -> walk ->
   (walk * finish) option
-(** A run that a search is for, which goes on from a walk; [win]: the states from which there is one. One that is to
-    go on for ever need not be followed beyond the time [high]. Breadth-first; one in which time goes on is preferred.
-    [None]: none was found among the first few thousand. *)
+(** A run that a search is for, which goes on from a walk; [win]: the states from which there is one. One that
+    is to go on for ever need not be followed beyond the time [high]. Breadth-first; one in which time goes on
+    is preferred. [None]: none was found among the first few thousand. *)
