@@ -60,6 +60,16 @@ let process ?phase ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(k
   }
 
 let map_leaves f p = { p with leaves = Array.map f p.leaves }
+
+let renamed image (p : process) =
+  let finish (f : finish) = { f with at = image f.at } in
+  let renamed_bond (b : bond) = bond b.name (finish b.one) (finish b.two) in
+  let leaf (l : leaf) = { l with leaf = image l.leaf } in
+  process
+    ~leaves:(List.map leaf (Array.to_list p.leaves))
+    ~bonds:(List.map renamed_bond (Array.to_list p.bonds))
+    ?phase:p.phase ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
+
 let with_velocity velocity p = { p with velocity }
 let with_turn ~spin ~since ~lasts p = { p with spin; since; lasts }
 let with_kept kept p = { p with kept }

@@ -65,6 +65,9 @@ val process :
 val map_leaves : (leaf -> leaf) -> process -> process
 (** The function keeps the index of each leaf. *)
 
+val renamed : (int -> int) -> process -> process
+(** The process with other indices for its leaves, given by a function that takes no two to one. *)
+
 val with_velocity : Vec.t -> process -> process
 
 val with_turn : spin:Vec.t -> since:Rat.t -> lasts:Rat.t option -> process -> process

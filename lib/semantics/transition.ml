@@ -80,6 +80,24 @@ let equal_label a b =
   | Strong_split x, Strong_split y -> List.equal equal_release x y
   | (Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _), _ -> false
 
+let renamed image label =
+  let finish (f : State.finish) = { f with at = image f.at } in
+  let bond (b : State.bond) = State.bond b.name (finish b.one) (finish b.two) in
+  let release r = { r with bond = bond r.bond } in
+  let named (leaf, part) = (image leaf, part) in
+  match label with
+  | Time _ -> label
+  | Bind b -> Bind (bond b)
+  | Close b -> Close (bond b)
+  | Bounce { firsts; hits } ->
+    let hits = List.map (fun h -> hit (named h.one) (named h.two)) hits in
+    Bounce { firsts = List.sort Int.compare (List.map image firsts); hits = List.sort compare_hit hits }
+  | Absorb { first; absorber } -> Absorb { first = image first; absorber = image absorber }
+  | Weak_split r -> Weak_split (release r)
+  | Strong_split releases ->
+    let by_bond r s = State.compare_bond r.bond s.bond in
+    Strong_split (List.sort by_bond (List.map release releases))
+
 let same (a : outcome) (b : outcome) =
   equal_label a.label b.label && List.equal State.equal_process a.come b.come
 

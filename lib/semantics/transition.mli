@@ -71,6 +71,10 @@ val hit : int * int -> int * int -> hit
 val compare_hit : hit -> hit -> int
 val equal_label : label -> label -> bool
 
+val renamed : (int -> int) -> label -> label
+(** With other indices for the leaves, in a [Bounce] and an [Absorb] also for those that processes are told by,
+    which need not be the first ones of these then. *)
+
 val time_of_string : string -> Rat.t option
 (** Of a label [Time], as {!label_to_string} writes it. *)
 

@@ -61,16 +61,6 @@ let find (m : Model.t) ~(initial : State.t) ~searched ~evaluated =
 
 (** {2 Canonical form} *)
 
-(* A process, the leaves of which get other numbers. *)
-let renamed image (p : State.process) =
-  let finish (f : State.finish) = { f with at = image f.at } in
-  let bond (b : State.bond) = State.bond b.name (finish b.one) (finish b.two) in
-  let leaf (l : State.leaf) = { l with leaf = image l.leaf } in
-  State.process
-    ~leaves:(List.map leaf (Array.to_list p.leaves))
-    ~bonds:(List.map bond (Array.to_list p.bonds))
-    ?phase:p.phase ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
-
 (* The first of the members, in order of their places, and none of the others. *)
 let in_order places members ~present =
   let rec from i =
@@ -106,6 +96,6 @@ let canonical s processes =
         Array.iteri (fun i leaf -> image.(leaf) <- members.(i)) sorted
       in
       Array.iter2 sort s.members left;
-      Some (List.map (renamed (fun l -> image.(l))) (Array.to_list processes))
+      Some (List.map (State.renamed (fun l -> image.(l))) (Array.to_list processes))
     end
   end

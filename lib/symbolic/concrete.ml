@@ -10,6 +10,7 @@ type way = {
   set : Polyhedron.t;
   here : Linear.t array;  (** the variables of the node *)
   taken : (Zone_steps.step * Linear.t option) list;  (** the last first, with the time that passes *)
+  names : int array;  (** for each leaf of the node, which one of the root it is (rule Symmetry) *)
 }
 
 let extended dimension f =
@@ -24,6 +25,7 @@ let extend way more =
     set = (if more = 0 then way.set else Polyhedron.embed way.set ~dimension (Array.init n Fun.id));
     here = Array.map (extended dimension) way.here;
     taken = List.map (fun (step, time) -> (step, Option.map (extended dimension) time)) way.taken;
+    names = way.names;
   }
 
 (* Variables of a polyhedron over those of the node, and perhaps one more, as forms. *)
@@ -46,7 +48,15 @@ let along way (edge : Zone_graph.edge) =
     | Passes f -> Some (over f)
     | Passes_some -> Some forms.(Array.length forms - 1)
   in
-  { way with here = Array.map over edge.map; taken = (edge.step, time) :: way.taken }
+  let step : Zone_steps.step =
+    match edge.step with
+    | Happens label -> Happens (Transition.renamed (fun leaf -> way.names.(leaf)) label)
+    | (Passes _ | Passes_some) as step -> step
+  in
+  let names = Array.copy way.names in
+  let rename image = Array.iteri (fun leaf other -> names.(other) <- way.names.(leaf)) image in
+  Option.iter rename edge.renamed;
+  { way with here = Array.map over edge.map; taken = (step, time) :: way.taken; names }
 
 (* Edges that lead to some states of a node, which are found backwards: from where an edge leads into them. *)
 let rec to_root graph (node : Zone_graph.node) states edges =
@@ -65,7 +75,8 @@ let rec to_root graph (node : Zone_graph.node) states edges =
       | None -> Scc_base.Bug.fail __POS__ "states that no edge leads to")
 
 let start (z : Zone.t) set =
-  { set; here = Array.init (Zone.dimension z) (Linear.variable (Zone.dimension z)); taken = [] }
+  let here = Array.init (Zone.dimension z) (Linear.variable (Zone.dimension z)) in
+  { set; here; taken = []; names = Array.init (Array.length z.places) Fun.id }
 
 let way_to graph (place : Search_sets.place) =
   let n = Zone.dimension place.node.zone in

@@ -6,6 +6,7 @@ open Scc_semantics
 
 type step =
   | Happens of Transition.label
+  (** as leaves are called at the start; processes are told by some leaf of theirs *)
   | Passes of Rat.t  (** until what comes next *)
   | Passes_some of Rat.t  (** less than that, to a weak split; more than 0 *)
 
@@ -25,6 +26,7 @@ type way = {
   here : Scc_polyhedra.Linear.t array;  (** the variables of the node that they have come to *)
   taken : (Zone_steps.step * Scc_polyhedra.Linear.t option) list;
   (** the last first, with the time that passes; forms may know fewer variables than the set has now *)
+  names : int array;  (** for each leaf of the node, which one of the root it is (rule Symmetry) *)
 }
 
 val extended : int -> Scc_polyhedra.Linear.t -> Scc_polyhedra.Linear.t

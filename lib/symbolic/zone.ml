@@ -44,6 +44,25 @@ let centred z =
     List.iter (fun leaf -> places.(leaf) <- Place.sub places.(leaf) origin) leaves;
     { z with places }
 
+let renamed z image =
+  let by_image of_old =
+    let fresh = Array.copy of_old in
+    Array.iteri (fun leaf other -> fresh.(other) <- of_old.(leaf)) image;
+    fresh
+  in
+  let clocks = Array.copy z.clocks in
+  let rename (p : State.process) =
+    let fresh = State.renamed (fun leaf -> image.(leaf)) p in
+    (fresh, fresh.leaves.(0).leaf, z.clocks.(p.leaves.(0).leaf))
+  in
+  let all = List.map rename (Array.to_list z.skeleton.processes) in
+  let none = Linear.constant (dimension z) Rat.zero in
+  Array.fill clocks 0 (Array.length clocks) none;
+  List.iter (fun (_, first, clock) -> clocks.(first) <- clock) all;
+  let processes = List.map (fun (p, _, _) -> p) all in
+  let skeleton = State.make ~processes ~step:z.skeleton.step ~time:z.skeleton.time in
+  { z with skeleton; clocks; ages = by_image z.ages; places = by_image z.places }
+
 (* {1 The canonical form} *)
 
 (* Each variable, where the equalities of a polyhedron hold, by variables that none of them gives. *)

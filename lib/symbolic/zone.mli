@@ -41,6 +41,9 @@ val with_variables : t -> dimension:int -> Linear.t array -> Polyhedron.t -> t
 val centred : t -> t
 (** Each state moved as a whole, such that its first leaf comes to the origin (rule Translation). *)
 
+val renamed : t -> int array -> t
+(** With other names for leaves: for each the one that it gets (rule Symmetry). *)
+
 val canonical : t -> t * Linear.t array
 (** The same set of states by its own coordinates; and the new variables as forms over the old ones. *)
 

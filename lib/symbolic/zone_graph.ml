@@ -1,7 +1,13 @@
 open Scc_exact
 open Scc_polyhedra
 
-type edge = { guard : Polyhedron.t; step : Zone_steps.step; target : int; map : Linear.t array }
+type edge = {
+  guard : Polyhedron.t;
+  step : Zone_steps.step;
+  target : int;
+  map : Linear.t array;
+  renamed : int array option;
+}
 
 
 type node = {
@@ -51,6 +57,7 @@ type exploration = {
   visitor : visitor;
   displaced : bool;
   visible : (int -> bool) option;
+  interchangeable : int list list;
 }
 
 let put e zone parent =
@@ -113,7 +120,9 @@ let add_edge e (source : node) (step : Zone_steps.step) (target : Zone.t) =
   match within_horizon e ~late target with
   | None -> ()
   | Some zone ->
-    let edge n map = { guard = zone.set; step; target = n; map } in
+    let renamed = Zone_symmetry.image ~classes:e.interchangeable zone in
+    let edge n map = { guard = zone.set; step; target = n; map; renamed } in
+    let zone = Option.fold ~none:zone ~some:(Zone.renamed zone) renamed in
     let n, map = node_of e zone ~parent:(fun number map -> Some (source.number, edge number map)) in
     source.edges <- edge n.number map :: source.edges
 
@@ -141,11 +150,12 @@ let always work =
   work ();
   true
 
-let explore ?(displaced = false) ?visible ?(attempt = always) context ~events ~limits ~visitor zones =
+let explore ?(displaced = false) ?visible ?(interchangeable = []) ?(attempt = always) context ~events ~limits
+    ~visitor zones =
   let graph =
     { nodes = Scc_data.Growable.create (); by_kind = Kinds.create 64; waiting = Queue.create (); roots = [] }
   in
-  let e = { graph; context; limits; visitor; displaced; visible } in
+  let e = { graph; context; limits; visitor; displaced; visible; interchangeable } in
   let root zone =
     let n, _ = node_of e zone ~parent:(fun _ _ -> None) in
     graph.roots <- n :: graph.roots

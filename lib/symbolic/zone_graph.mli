@@ -14,6 +14,8 @@ type edge = {
   step : Zone_steps.step;
   target : int;
   map : Linear.t array;  (** the variables of the target, as forms over those of the guard *)
+  renamed : int array option;
+  (** by what names the target knows the leaves of the source, if not by the same (rule Symmetry) *)
 }
 
 type node = {
@@ -62,6 +64,7 @@ type visitor = {
 val explore :
   ?displaced:bool ->
   ?visible:(int -> bool) ->
+  ?interchangeable:int list list ->
   ?attempt:((unit -> unit) -> bool) ->
   Instant.context ->
   events:Property.event array ->
@@ -72,5 +75,7 @@ val explore :
 (** From zones, which need not be canonical: the roots are their canonical forms. With [displaced] each zone that
     is reached is {!Zone.centred} first: where the whole is does not matter. With [visible], independent events of
     one instant are followed in one order where nobody looks at who makes them (rule Order): for searches alone.
+    Of [interchangeable] leaves, class by class with the members increasing, it does not matter which of them is
+    where (rule Symmetry); the roots are as they are.
     Each node is expanded by [attempt], which may give it up wherever it is, and answer false: then the
     exploration is stopped, and the node is not expanded. *)

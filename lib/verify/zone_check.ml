@@ -155,7 +155,12 @@ let explore (options : Joint_check.options) context (group : group) ~initial zon
   let limits = { Zone_graph.depth = Some most; nodes = Zone_bounds.given options.bounds.states; horizon } in
   let displaced = Zone_reduction.displaced options (Semantics.model context.Instant.semantics) initial formulas in
   let visible = Zone_reduction.visible options formulas in
-  let graph, end_ = Zone_graph.explore ~displaced ?visible context ~events ~limits ~visitor zones in
+  let interchangeable =
+    Zone_reduction.interchangeable options (Semantics.model context.Instant.semantics) initial formulas
+  in
+  let graph, end_ =
+    Zone_graph.explore ~displaced ?visible ~interchangeable context ~events ~limits ~visitor zones
+  in
   let unexpanded f =
     for i = 0 to Zone_graph.size graph - 1 do
       let node = Zone_graph.node graph i in

@@ -1,3 +1,4 @@
+open Scc_property
 open Scc_space
 
 let displaced (options : Joint_check.options) model initial formulas =
@@ -10,3 +11,9 @@ let visible (options : Joint_check.options) formulas =
   if List.for_all Slice.can_be_sliced formulas then
     Reduction.visible options.reductions ~deep ~searched:formulas ~evaluated:[]
   else None
+
+let interchangeable (options : Joint_check.options) model initial formulas =
+  let is_search f = Plan.is_search (Plan.of_formula f) in
+  if List.exists (Reduction.equal Symmetry) options.reductions && List.for_all is_search formulas then
+    Symmetry.classes (Symmetry.find model ~initial ~searched:formulas ~evaluated:[])
+  else []

@@ -17,13 +17,23 @@ let named (m : Model.t) values =
 
 let numbered list = List.mapi (fun i x -> (i, x)) list
 
+(* A label that tells processes by some of their leaves, by the first ones of a state. *)
+let told_in state (label : Transition.label) : Transition.label =
+  let first leaf =
+    match State.home state leaf with Some p -> p.leaves.(0).leaf | None -> leaf
+  in
+  match label with
+  | Bounce b -> Bounce { b with firsts = List.sort Int.compare (List.map first b.firsts) }
+  | Absorb a -> Absorb { a with first = first a.first }
+  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> label
+
 (* The transitions that a step may be, each with its number among the successors. *)
 let candidates c state (step : Concrete.step) =
   let successors = match Network.successors c state with Ok list -> numbered list | Error _ -> [] in
   let labelled is = List.filter (fun (_, (t : Transition.t)) -> is t.label) successors in
   let time = function Transition.Time _ -> true | _ -> false in
   match step with
-  | Happens label -> labelled (Transition.equal_label label)
+  | Happens label -> labelled (Transition.equal_label (told_in state label))
   | Passes d -> labelled (function Time t -> Rat.equal t d | _ -> false)
   | Passes_some d -> (
       let choice = match labelled time with (i, _) :: _ -> i | [] -> List.length successors in
