@@ -295,7 +295,8 @@ def roundings(p, orientation, velocity):
         q = min((l.turned for l in p.leaves), key=lambda q: (max(map(abs, q)), q))
         r = rounded_quaternion(orientation, q)
         if r != q:
-            found.insert(0, p.moved(p.turned_by(s.times(r, s.inverse(q)))))
+            turned = p.moved(p.turned_by(s.times(r, s.inverse(q))))
+            found.insert(0, turned.moved(turned.leaves, spin=turned.rate()))  # of a free body, as it is turned now
     if velocity is not None:
         found = [rounded_motion(f, F(1, 2 ** velocity)) for f in found] + found
     return found
