@@ -139,8 +139,13 @@ let property console ~full ?where c ({ check; verdict = v; _ } as o : Verdict.ou
     match v with
     | Violated { witness = None } when Verdict.over_zones o ->
       let search = Scc_property.Plan.is_search (Scc_property.Plan.of_formula check.formula) in
-      let no_run = if search then "no run from there does otherwise" else "no single run shows it" in
-      [ Printf.sprintf "  %s: everything that counts was explored\n" no_run ]
+      let no_run =
+        if search then "no run from there does otherwise: everything that counts was explored"
+        else if Scc_property.Formula.by_one_run ~holds:false check.formula then
+          "there is a run that shows it, but none was found that is short enough to be shown"
+        else "no single run shows it: everything that counts was explored"
+      in
+      [ Printf.sprintf "  %s\n" no_run ]
     | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
     | _ -> []
   in

@@ -89,6 +89,13 @@ let atoms f =
   ignore (exists note f);
   List.rev !found
 
+let rec by_one_run ~holds = function
+  | State _ -> false
+  | Temporal_not f -> by_one_run ~holds:(not holds) f
+  | Temporal_and fs -> (not holds) && List.exists (by_one_run ~holds) fs
+  | Temporal_or fs -> holds && List.exists (by_one_run ~holds) fs
+  | Next (q, _) | Finally (q, _, _) | Globally (q, _, _) | Until (q, _, _, _) -> (q = Exists) = holds
+
 let mentions_time f = exists (Atom.depends_on Absolute_time) f
 let mentions_position f = exists (Atom.depends_on Absolute_place) f
 let has_events f = exists (fun a -> Option.is_some a.event) f

@@ -28,6 +28,9 @@ val quantifies : path_quantifier -> temporal -> bool
     holds also holds of fewer runs; without any over all runs, what does not hold does not hold of fewer either
     (rule CtlLaws). *)
 
+val by_one_run : holds:bool -> temporal -> bool
+(** Whether its outermost operators are such that one run may show that it holds, or that it does not. *)
+
 val mentions_time : temporal -> bool
 (** Whether the atom [time] occurs (the bounds of operators are relative and do not count). *)
 

@@ -223,7 +223,7 @@ let verdict options semantics u ~declared (e : explored) check answer (where : W
       | None, _ -> None
     in
     Violated { witness }
-  else if Union.is_empty where.unknown then 
+  else if Union.is_empty where.unknown then
     Holds { bounds = []; witness = first_some (shown ~holds:true) (fun () -> run ~holds:true) }
   else if Answers.safe_so_far answer && List.length reasons = List.length e.stopped_by && reasons <> [] then
     Holds { bounds = e.stopped_by; witness = None }

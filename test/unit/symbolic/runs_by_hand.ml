@@ -80,6 +80,16 @@ check first : E[(x(ball) < 1/2 or x(ball) > 1 or not bound(p, q)) U event bounce
         ("apart", "violated: right after after 0");
         ("first", "holds: there after 3");
       ];
+    (* before p and q part, r and s have to *)
+    case "two bonds"
+      (dimer
+       ^ {|process r = Cube mass 1 at translate (0,30,0) [L]
+process s = Cube mass 1 at translate (2,30,0) [R]
+bond <b, {r.right, s.left}>
+process ball = Cube mass 1 velocity (1,0,0) [nil]
+check late : E[(x(ball) < 1/2 or x(ball) > 1 or not bound(r, s)) U (event weak(b, p, q) and x(ball) > 1)]
+|})
+      [ ("late", "holds: there after 3") ];
     (* p and q fly apart for ever while r and s go to and fro *)
     case "two bodies that drift"
       (thrown
