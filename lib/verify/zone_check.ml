@@ -227,7 +227,14 @@ let verdict options semantics u ~declared (e : explored) check answer (where : W
     Holds { bounds = []; witness = first_some (shown ~holds:true) (fun () -> run ~holds:true) }
   else if Answers.safe_so_far answer && List.length reasons = List.length e.stopped_by && reasons <> [] then
     Holds { bounds = e.stopped_by; witness = None }
-  else Undecided reasons
+  else
+    let nearest =
+      if e.stopped_by = [] then None
+      else
+        let sliced = Option.is_some e.group.part in
+        Zone_nearest.reason options semantics u ~declared ~sliced e.graph ~unknown:where.unknown
+    in
+    Undecided (reasons @ Option.to_list nearest)
 
 let where ranges answer proof =
   let { Answers.holds; fails } = sets answer proof in

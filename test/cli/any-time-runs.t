@@ -228,3 +228,26 @@ Values of a parameter, and instants of splits, are chosen together: q has to be 
   
   explored: 25 states, 26 transitions, depth 6; complete
   2 properties: 2 violated
+
+Where a bound leaves a check undecided, the way to the nearest set of states that was not explored is shown:
+
+  $ sed '/^  *check/d; s/^process \([pq]\) = Cube mass 1 at/process \1 = Cube mass 1 velocity (0,1,0) at/; /^check/d' ball.sc > rise.sc
+  $ echo 'check parts : eventually (not bound(p, q) or y(p) < 0)' >> rise.sc
+  $ scc check rise.sc --states 30 | sed '/there:/,/^$/{/there:/d;/^    /d}'
+  semantics 2: split step any
+  
+  parts: undecided: the exploration ended at the bound of 30 states; 4 unexplored states matter
+    eventually not bound(p, q) or y(p) < 0
+    to the nearest unexplored state that matters:
+      1. time passes by 2, to time 2
+      2. ball and east collide and bounce, at time 2
+      3. time passes by 4, to time 6
+      4. ball and west collide and bounce, at time 6
+      5. time passes by 4, to time 10
+      6. ball and east collide and bounce, at time 10
+      7. time passes by 4, to time 14
+      8. p and q release <b, {p.right, q.left}>, at time 14
+      9. ball and west collide and bounce, at time 14
+  
+  explored: 30 states, 36 transitions, depth 10; not complete: stopped by the bound of 30 states
+  1 property: 1 undecided
