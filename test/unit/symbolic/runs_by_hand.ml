@@ -61,6 +61,19 @@ let cases =
   [
     case "a bond that holds for ever" (dimer ^ "check parts : eventually not bound(p, q)")
       [ ("parts", "violated: rests, putting off after 0") ];
+    (* after 1/16, and before 1/8: from 1/8 to 1/4 it must not be *)
+    case "a split in between"
+      ({|split_step any
+behaviour L on Cube = omega(b, {right}). nil
+behaviour R on Cube = omega(b, {left}). nil
+process p = Cube mass 1 velocity (1,0,0) at translate (0,20,0) [L]
+process q = Cube mass 1 velocity (1,0,0) at translate (2,20,0) [R]
+bond <b, {p.right, q.left}>
+let far = x(p) > 1/16
+check before : E[(bound(p, q) or far) and (x(p) < 1/8 or x(p) > 1/4) U not bound(p, q) and far]
+check again : E[(bound(p, q) or far) and (x(p) > 1/4 or x(p) < 1/8) U not bound(p, q) and far]
+|})
+      [ ("before", "holds: there after 2"); ("again", "holds: there after 2") ];
     (* it bounces at 2, 6, 10, ... *)
     case "a ball between walls"
       (dimer
