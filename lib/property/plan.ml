@@ -43,6 +43,13 @@ let rec is_search = function
   | Formula _ -> false
   | All plans | Any plans -> List.for_all is_search plans
 
+let rec searches : t -> Property.temporal list = function
+  | Now p -> [ State p ]
+  | Possibly (high, p) -> [ Finally (Exists, { low = Rat.zero; high }, State p) ]
+  | Always (high, p) -> [ Globally (All, { low = Rat.zero; high }, State p) ]
+  | Formula f -> [ f ]
+  | All plans | Any plans -> List.concat_map searches plans
+
 let rec horizon (f : Property.temporal) =
   match f with
   | State _ -> Some Rat.zero

@@ -16,6 +16,9 @@ val of_formula : Property.temporal -> t
 val is_search : t -> bool
 (** Nothing in it is to be evaluated on the graph. *)
 
+val searches : t -> Property.temporal list
+(** The searches that a plan is made of, each as a formula of its own, and what is to be evaluated. *)
+
 val horizon : Property.temporal -> Rat.t option
 (** What happens later than this does not matter; [None]: everything may. *)
 

@@ -34,8 +34,11 @@ let invariant formulas i j =
     (fun f -> Formula.equal_modulo_order f (Formula.permuted (swap i j) f))
     formulas
 
-(* To change places with is an equivalence, so that one member speaks for its class. *)
+(* To change places with is an equivalence, so that one member speaks for its class. Of several searches each has
+   to be the same by itself: two that change places with each other may be met by one state, under two names, and
+   in the model by none for the one of them. *)
 let find (m : Model.t) ~(initial : State.t) ~searched ~evaluated =
+  let searched = List.concat_map (fun f -> Plan.searches (Plan.of_formula f)) searched in
   let named = Array.make (Array.length m.leaves) false and apart = Array.make (Array.length m.leaves) false in
   let set a i = a.(i) <- true in
   List.iter (set apart) (List.concat_map Formula.leaves evaluated);

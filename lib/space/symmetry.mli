@@ -17,8 +17,9 @@ val is_none : t -> bool
 
 val find : Model.t -> initial:State.t -> searched:Property.temporal list -> evaluated:Property.temporal list -> t
 (** Among the leaves of the initial state. Fixed ones are left alone, and so are those that an event names, or a
-    formula of [evaluated], whose parts are explained one by one. A formula of [searched] may name leaves when it
-    stays the same, but for the order of what is symmetric, whichever of them change places. *)
+    formula of [evaluated], whose parts are explained one by one. A formula of [searched] may name leaves when each
+    search that it is made of stays the same, but for the order of what is symmetric, whichever of them change
+    places. *)
 
 val classes : t -> int list list
 (** Of two or more leaves. *)

@@ -220,6 +220,13 @@ def symmetry():
     r.verdict('Bodies that may be exchanged: some of them.', two, 'possibly exists p in c: x(p) = 4', 'holds')
     r.verdict('A name tells them apart.', two, 'possibly x(c[2]) = 4', 'violated')
     r.verdict('So it does here.', two, 'possibly x(c[1]) = 4', 'holds')
+    ring = ('fixed w = Cube scaled (1,5,1) at translate (-7,0,0)\nfixed e = Cube scaled (1,5,1) at translate (7,0,0)\n'
+            'fixed s = Cube scaled (5,1,1) at translate (0,-7,0)\nfixed n = Cube scaled (5,1,1) at translate (0,7,0)\n'
+            'process c[1] = Cube mass 1 velocity (1,-1,0) at translate (-1,-4,0) [nil]\n'
+            'process c[2] = Cube mass 1 velocity (-1,1,0) at translate (1,4,0) [nil]\n')
+    r.verdict('Both go round, and come to the east, each after half a round of the other.', ring,
+              '(possibly x(c[1]) = 5) and (possibly x(c[2]) = 5)', 'holds')
+    r.verdict('None stays away from it.', ring, '(always x(c[1]) < 5) or (always x(c[2]) < 5)', 'violated')
     r.verdict('All of them.', two, 'always forall p in c: x(p) >= 4', 'holds')
     return r
 

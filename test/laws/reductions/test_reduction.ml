@@ -296,6 +296,23 @@ check none : eventually processes = 1
          Alcotest.(check (list string)) "verdicts" [ "violated"; "holds (exhaustive)" ] verdicts)
     Reduction.[ [ Symmetry; Jump ]; [ Jump ] ]
 
+(* Each of two equal balls comes to the wall in the east and to that in the west, but in half a round, after which
+   they have changed places, only one of them to each: that is one state for both searches. *)
+let several () =
+  let text =
+    two_balls
+    ^ {|
+check both  : (possibly touching(p, east)) and (possibly touching(q, east))
+check one   : (always not touching(p, east)) or (always not touching(q, east))
+|}
+  in
+  let is reductions =
+    let verdicts, _ = verdicts_and_stats reductions text in
+    let last_two = List.filteri (fun i _ -> i >= List.length verdicts - 2) verdicts in
+    Alcotest.(check (list string)) "verdicts" [ "holds (exhaustive)"; "violated" ] last_two
+  in
+  List.iter is Reduction.[ [ Jump ]; [ Symmetry; Jump ]; all ]
+
 let enough () =
   Alcotest.(check bool) "few models are refused" true (!refused < 100);
   Alcotest.(check bool) "most formulas are decided" true (!decided > 1000);
@@ -331,6 +348,7 @@ let () =
           quick "order hides no event" hides_no_event;
           quick "symmetry" (fewer Symmetry two_balls ~with_it:9 ~without:17);
           quick "symmetry, where one is gone" gone;
+          quick "symmetry, of several searches" several;
           quick "translation" drift;
           quick "time spoils no other property" unspoilt;
           quick "time counts up to a constant" up_to_a_constant;

@@ -65,8 +65,18 @@ let text () =
   let names = Random.int 3 = 0 in
   let atom () = pick (if names then named @ atoms else atoms) in
   let prop () = if Random.bool () then Printf.sprintf "(%s) and (%s)" (atom ()) (atom ()) else atom () in
-  let check i =
+  let single () =
     let kind = pick ([ "possibly"; "always"; "always not"; "possibly not" ] @ if names then [ "AG EF" ] else []) in
-    Printf.sprintf "check c%d : %s (%s)\n" i kind (prop ())
+    Printf.sprintf "%s (%s)" kind (prop ())
+  in
+  (* Each names one of two that change places. *)
+  let several () =
+    let kind, connect = pick [ ("possibly", "and"); ("always not", "or") ] in
+    let coming p = Printf.sprintf "x(%s) > 4 and vx(%s) > 0" p p in
+    let atom = pick [ coming; Printf.sprintf "touching(%s, east)" ] in
+    Printf.sprintf "(%s (%s)) %s (%s (%s))" kind (atom "p[1]") connect kind (atom "p[2]")
+  in
+  let check i =
+    Printf.sprintf "check c%d : %s\n" i (if Random.int 3 = 0 then several () else single ())
   in
   head ^ walls ^ east ^ round n ^ others ^ String.concat "" (List.init 2 check)
