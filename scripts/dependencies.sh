@@ -5,7 +5,7 @@
 #   require test    that, and what the tests need
 
 build_packages='ocaml-nox ocaml-dune menhir libmenhir-ocaml-dev libzarith-ocaml-dev
-  libcmdliner-ocaml-dev libyojson-ocaml-dev'
+  libcmdliner-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev libbase64-ocaml-dev libjs-three'
 test_packages='libalcotest-ocaml-dev libqcheck-core-ocaml-dev ocp-indent python3 python3-jsonschema
   python3-pytest python3-venv graphviz zsh fish'
 

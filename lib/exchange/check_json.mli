@@ -27,6 +27,11 @@ val property : ?full:bool -> ?where:Scc_where.Where.t -> Semantics.t -> Verdict.
 (** A member of [properties]. Of the way to a state that was not explored it has the first and the last 100 steps,
     and all of them if [full]. *)
 
+val finish : Scc_explain.Witness.t -> string
+(** The word for where a run is taken to: ["state"], ["instant"], ["rests"], … *)
+
+val argument : Scc_explain.Witness.argument -> Json.t
+
 val invariants : Scc_calculus.Model.t -> Check.report -> (string * Json.t) list
 (** The member [invariants], if any were looked for. *)
 

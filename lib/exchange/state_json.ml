@@ -12,6 +12,15 @@ let leaf_name (m : Model.t) leaf = Json.text m.leaves.(leaf).name
 
 let part (m : Model.t) (leaf, index) = Json.text m.leaves.(leaf).parts.(index).name
 
+let kind : Transition.label -> string = function
+  | Time _ -> "time"
+  | Bind _ -> "bind"
+  | Close _ -> "close"
+  | Bounce _ -> "bounce"
+  | Absorb _ -> "absorb"
+  | Weak_split _ -> "weak"
+  | Strong_split _ -> "strong"
+
 let label m (l : Transition.label) =
   let parts =
     match l with
@@ -26,18 +35,8 @@ let label m (l : Transition.label) =
     | Absorb { first; absorber } -> [ ("between", `List [ leaf_name m first; leaf_name m absorber ]) ]
     | Strong_split releases -> [ ("bonds", `List (List.map (fun r -> `Assoc (release m r)) releases)) ]
   in
-  let kind =
-    match l with
-    | Time _ -> "time"
-    | Bind _ -> "bind"
-    | Close _ -> "close"
-    | Bounce _ -> "bounce"
-    | Absorb _ -> "absorb"
-    | Weak_split _ -> "weak"
-    | Strong_split _ -> "strong"
-  in
   `Assoc
-    (("kind", `String kind) :: ("text", Json.text (Transition.label_to_string m l)) :: parts)
+    (("kind", `String (kind l)) :: ("text", Json.text (Transition.label_to_string m l)) :: parts)
 
 let behaviour m ~leaf (b : Behaviour.aged) = Behaviour_text.to_string m ~leaf b.term
 

@@ -17,3 +17,12 @@ val behaviour : Model.t -> leaf:int -> Behaviour.aged -> string
 
 val phase : State.phase -> string
 (** ["moving"], ["due"] or ["steered"]. *)
+
+val kind : Transition.label -> string
+(** ["time"], ["bind"], ["close"], ["bounce"], ["absorb"], ["weak"] or ["strong"]. *)
+
+val quaternion : Scc_exact.Quaternion.t -> Json.t
+(** An array of four integers as texts: w, x, y, z. *)
+
+val origin : Model.t -> Behaviour.aged -> Json.t
+(** The name of the definition that it comes from; [null] without one. *)

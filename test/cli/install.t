@@ -157,9 +157,9 @@ Without a prefix it is ~/.local, and /usr/local for root (which is not tried her
 
 scripts/run checks all models of a folder, and ends with one line.
 
-  $ mkdir some; cp ../../specs/models/dimer.sc ../../specs/models/slot.sc some
+  $ mkdir some; cp ../../specs/models/dimer.sc ../../specs/models/slot.sc ../../specs/models/escape.sc some
   $ "$scripts/check-models" scc some 2>&1 | tail -n 1
-  2 models with 18 checks: all as expected
+  3 models with 22 checks: all as expected
   $ sed -i '0,/expect: holds/s//expect: violated/' some/dimer.sc
   $ echo 'check extra : possibly time > 1' >> some/dimer.sc
   $ echo 'shape' > some/wrong.sc
@@ -167,6 +167,6 @@ scripts/run checks all models of a folder, and ends with one line.
   check-models: some/dimer.sc: extra: the model does not say what to expect
   check-models: some/dimer.sc: born: holds, and violated was expected
   check-models: some/wrong.sc: exit code 3
-  3 models with 19 checks: 2 not as expected
+  4 models with 23 checks: 2 not as expected
   $ "$scripts/check-models" scc some > /dev/null 2>&1
   [1]

@@ -1,0 +1,264 @@
+open Scc_base
+open Scc_exact
+open Scc_property
+open Scc_verify
+open Scc_session
+open Scc_exchange
+open Scc_view
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type options = {
+  path : string;
+  given : Options.definitions;
+  budget : Budget.t;
+  output : string option;
+  data : bool;
+  check : string option;
+  schedule : string option;
+  graph : int;
+}
+
+(* {1 What is shown} *)
+
+let find_check name (checks : Property.check list) =
+  match List.filter (fun (c : Property.check) -> String.equal c.name name) checks with
+  | _ :: _ as found -> Ok found
+  | [] ->
+    let names = List.map (fun (c : Property.check) -> c.name) checks in
+    Error
+      [
+        Diag.error Code.unknown_name Span.command_line ?hint:(Diag.suggest name names)
+          "the model has no check `%s`" name;
+      ]
+
+let chosen_checks o checks = match o.check with None -> Ok checks | Some name -> find_check name checks
+
+let about (outcome : Verdict.outcome) : Runs.about =
+  {
+    formula = outcome.check.text;
+    verdict = Check_json.kind outcome.verdict;
+    text = Verdict.outcome_to_string outcome;
+  }
+
+let witness (v : Verdict.t) =
+  match v with
+  | Holds { witness; _ } | Violated { witness } -> witness
+  | Undecided reasons ->
+    List.find_map
+      (function
+        | Verdict.Unexplored { nearest = w; _ } -> Some w
+        | Truncated _ | Undefined _ | Fault _ -> None)
+      reasons
+
+(* A run by choices, up to where it ends. *)
+let follow (l : Loaded.t) policy limits ~interrupted =
+  let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
+  let note : Replay.event -> unit = function
+    | Start s -> initial := s
+    | Step { index; among; taken; state; _ } ->
+      let choice = if index < among then Some index else None in
+      steps := { Runs.choice; label = taken.label; rules = taken.rules; after = state () } :: !steps
+    | Instant i -> offset := i.offset
+    | End _ -> ()
+  in
+  match Replay.run l.semantics l.declared policy limits ~interrupted note with
+  | Ok ending -> Ok (!initial, List.rev !steps, !offset, ending)
+  | Error Interrupted -> Error []
+  | Error (Refused d) -> Error [ d ]
+  | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
+
+let ending (l : Loaded.t) (e : Replay.ending) =
+  match e with
+  | Open -> []
+  | Quiescent -> [ "nothing happens any more" ]
+  | Zeno -> [ "the run was stopped: it went on within one instant" ]
+  | Stuck f -> [ (Replay.diagnostic l.model f).message ]
+
+(* {1 The document} *)
+
+type making = {
+  loaded : Loaded.t;
+  tables : Tables.t;
+  states : States.t;
+  plots : Property.num list;
+  most : int;
+}
+
+let world_of making semantics =
+  States.world making.states making.tables ~words:(fun m l -> Run_text.label m l) ~plots:making.plots semantics
+
+let run_by_choices making world ~name policy limits ~interrupted =
+  let l = making.loaded in
+  let* initial, steps, offset, how = follow l policy limits ~interrupted in
+  Ok
+    (Runs.of_steps making.states world ~most:making.most ~name None ~initial steps ~offset
+       ~finish:(Trace.ending how) ~ending:(ending l how))
+
+let of_check making world (outcome : Verdict.outcome) =
+  let name = outcome.check.name and about = about outcome in
+  match witness outcome.verdict with
+  | None -> Runs.none ~name about
+  | Some w ->
+    let own = match w.fixed with None -> world | Some f -> world_of making f.semantics in
+    Runs.of_witness making.states own ~most:making.most ~name (Some about) w
+
+let report console o (l : Loaded.t) checks watch =
+  match checks with
+  | [] -> Ok []
+  | _ ->
+    let* initial = Loaded.initial l in
+    let options = Check_options.starting console watch o.budget in
+    let run () = Verdicts.report options l ~initial ~exactly:false ~premises:[] checks in
+    let* report =
+      match (Watch.attempt watch).run Reporting run with
+      | Ok report -> report
+      | Error stop -> Ok (Check.unexplored options checks stop)
+    in
+    Console.progress_done console;
+    Ok report.outcomes
+
+(* The model at one start, for what is about one. *)
+let at_point (l : Loaded.t) =
+  match Sample.values Simple l.model.ranges with [] -> Ok l | values -> Loaded.at l values
+
+let first_steps = 200
+
+let document console o watch =
+  let* schedule =
+    match o.schedule with
+    | None -> Ok None
+    | Some path -> Result.map Option.some (Scheduled.read console path)
+  in
+  let* l =
+    match schedule with
+    | None -> Input.model console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path
+    | Some s -> Scheduled.model console s ~given:o.given o.path
+  in
+  Console.report console l.warnings;
+  let* checks = chosen_checks o l.checks in
+  let* point = at_point l in
+  let interrupted = Watch.interrupted watch in
+  let making =
+    {
+      loaded = point;
+      tables = Tables.create ();
+      states = States.create ();
+      plots = Curves.of_checks point.checks;
+      most = Graph.bound point.model o.graph;
+    }
+  in
+  let world = world_of making point.semantics in
+  let* initial = Loaded.initial point in
+  let graph = Graph.explore making.states world ~most:making.most ~interrupted initial in
+  let limits steps = { Replay.steps; time = None; instant = Replay.default_instant } in
+  let* runs =
+    match schedule with
+    | Some s ->
+      let* run =
+        run_by_choices making world ~name:(Option.value s.check ~default:"run") (Scheduled s) (limits None)
+          ~interrupted
+      in
+      Ok [ run ]
+    | None ->
+      let* outcomes = report console o l checks watch in
+      let runs = List.map (of_check making world) outcomes in
+      let* first =
+        run_by_choices making world ~name:"first choices" First (limits (Some first_steps)) ~interrupted
+      in
+      Ok (runs @ [ first ])
+  in
+  Ok
+    {
+      Document.loaded = point;
+      name = Filename.basename o.path;
+      tables = making.tables;
+      states = making.states;
+      plots = making.plots;
+      graph = Some graph;
+      runs;
+    }
+
+(* {1 The command} *)
+
+let output_of o =
+  match o.output with
+  | Some path -> path
+  | None ->
+    let base = Filename.remove_extension (Filename.basename o.path) in
+    (if String.equal o.path "-" then "model" else base) ^ if o.data then ".view.json" else ".html"
+
+let run color budget options =
+  let o = { options with budget } in
+  let console = Console.make ~color ~json:false in
+  Guard.run console (fun () ->
+      let watch = Check_options.watch o.budget in
+      let* document = document console o watch in
+      Watch.finish watch;
+      let title = Printf.sprintf "%s – scc" document.name in
+      let data = Document.write document in
+      let output = output_of o in
+      let write put = if o.data then data put else Page.write ~title data put in
+      let path = if String.equal output "-" then None else Some output in
+      match Console.with_output console ~path write with
+      | Error d -> Error [ d ]
+      | Ok () ->
+        if Option.is_some path then Console.note console (Printf.sprintf "scc: wrote %s" output);
+        Ok Exit_code.Holds)
+
+let output =
+  let doc = "Writes to $(docv) instead of the name of the model with $(b,.html), in the present folder." in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+
+let data =
+  let doc =
+    "Writes the data of the page alone, as JSON ($(b,specs/schema/view.schema.json)), for those who draw it by \
+     other means."
+  in
+  Arg.(value & flag & info [ "data" ] ~doc)
+
+let check =
+  let doc = "Shows the check $(docv) alone." in
+  Arg.(value & opt (some string) None & info [ "check" ] ~docv:"NAME" ~doc)
+
+let schedule =
+  let doc =
+    "Shows the run that is led by the choices of $(docv), a schedule as $(b,scc check --witness) writes it, or a \
+     trace; then nothing is checked."
+  in
+  Arg.(value & opt (some string) None & info [ "schedule"; "trace" ] ~docv:"FILE" ~doc)
+
+let graph =
+  let doc = "Carries along what can happen otherwise: at most $(docv) states in all, fewer where each is large." in
+  Arg.(value & opt (Options.integer ~least:0 "number of states") 1000 & info [ "graph" ] ~docv:"N" ~doc)
+
+let options =
+  let make path given output data check schedule graph =
+    let budget = { Budget.depth = None; time = None; states = None; seconds = None; memory = None; bits = None } in
+    { path; given; budget; output; data; check; schedule; graph }
+  in
+  Term.(
+    const make $ Options.model_file $ Options.definitions $ output $ data $ check $ schedule $ graph)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Checks a model as $(b,scc check) does, and writes a page that shows the runs that decide: one file of HTML \
+       that opens in a browser from disk, needs no network, and can be mailed.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc view specs/models/hexokinase.sc";
+    `Pre "  scc view model.sc --check safe -o safe.html";
+    `Pre "  scc view model.sc --schedule runs/safe.json";
+  ]
+
+let command =
+  let told = [ (Exit_code.Holds, "if the page was written, whatever the verdicts on it.") ] in
+  let exits = Exits.man ~told ~never:[ Violated; Undecided ] () in
+  Cmd.v
+    (Cmd.info "view" ~doc:"write a page that shows the runs of a model" ~man ~exits)
+    Term.(const run $ Options.color $ Check_options.budget $ options)

@@ -1,0 +1,15 @@
+(** Numbers over time: what is plotted. *)
+
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_ctl
+open Scc_exchange
+
+val of_checks : Property.check list -> Property.num list
+(** The numbers that the checks name and that change while time passes, in order, each once; no more than 8. *)
+
+val value : Semantics.t -> State.t -> Timeline.extent -> Property.num -> Json.t
+(** From a state on, while nothing happens, as functions of the time since the state: an object with the
+    coefficients of a numerator and a denominator, or with the reason why there is no number; several of them with
+    where each begins, where it changes in between. *)

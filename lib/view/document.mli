@@ -1,0 +1,17 @@
+(** What a page shows, as one JSON document (see [specs/schema/view.schema.json]). *)
+
+open Scc_property
+open Scc_session
+open Scc_exchange
+
+type t = {
+  loaded : Loaded.t;
+  name : string;  (** of the file of the model *)
+  tables : Tables.t;
+  states : States.t;
+  plots : Property.num list;
+  graph : Graph.t option;  (** where all that can happen was told, up to a bound *)
+  runs : Json.t list;  (** {!Runs} *)
+}
+
+val write : t -> (string -> unit) -> unit

@@ -1,0 +1,25 @@
+open Scc_data
+open Scc_exchange
+
+type t = { numbers : (string, int) Hashtbl.t; rows : string Growable.t }
+
+let create () = { numbers = Hashtbl.create 64; rows = Growable.create () }
+let length t = Growable.length t.rows
+
+let add t json =
+  let row = Json.line json in
+  match Hashtbl.find_opt t.numbers row with
+  | Some n -> n
+  | None ->
+    let n = length t in
+    Hashtbl.add t.numbers row n;
+    Growable.push t.rows row;
+    n
+
+let write t put =
+  put "[";
+  for i = 0 to length t - 1 do
+    put (if i = 0 then "\n" else ",\n");
+    put (Growable.get t.rows i)
+  done;
+  put "]"

@@ -1,0 +1,180 @@
+open Scc_data
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_exchange
+
+type possible = { label : int; rules : Rule.t list; target : int option }
+
+type entry = {
+  base : int option;
+  later : Rat.t;
+  gone : int list;
+  come : int list;
+  mutable values : Json.t list;  (** none until it is known how long nothing happens *)
+  mutable next : possible list option;
+  mutable stuck : string option;
+  mutable rests : bool;
+}
+
+type t = entry Growable.t
+
+module Numbers = Hashtbl.Make (struct
+    type t = State.t
+
+    let equal = State.equal
+    let hash = State.hash
+  end)
+
+type world = {
+  entries : t;
+  tables : Tables.t;
+  words : Model.t -> Transition.label -> string;
+  plots : Property.num list;
+  semantics : Semantics.t;
+  numbers : int Numbers.t;
+}
+
+let none = function [] -> true | _ :: _ -> false
+let create () = Growable.create ()
+
+let world entries tables ~words ~plots semantics =
+  { entries; tables; words; plots; semantics; numbers = Numbers.create 64 }
+
+let semantics w = w.semantics
+let known w state = Numbers.find_opt w.numbers state
+let label w l = Tables.label w.tables ~words:w.words w.semantics l
+
+(* {1 What changes} *)
+
+let same_leaf (a : State.leaf) (b : State.leaf) =
+  Int.equal a.leaf b.leaf
+  && Vec.equal a.position b.position
+  && Quaternion.equal a.turned b.turned
+  && Behaviour.equal_aged a.behaviour b.behaviour
+
+let same_array equal a b =
+  a == b || (Array.length a = Array.length b && Array.for_all2 equal a b)
+
+(* Whether a process is what another one has become by moving on alone, as it goes on itself: clocks are not
+   told. *)
+let goes_on m d (p : State.process) (q : State.process) =
+  Vec.equal p.velocity q.velocity
+  && Vec.equal p.spin q.spin
+  && same_array State.equal_bond p.bonds q.bonds
+  &&
+  let still = Rat.sign d = 0 || (Vec.is_zero p.velocity && not (Turn.spinning p)) in
+  ((not (Turn.spinning p)) || Rat.equal q.since (Rat.add p.since d))
+  && same_array same_leaf (if still then p else Turn.pass m d p).leaves q.leaves
+
+let first (p : State.process) = p.leaves.(0).leaf
+
+(* Both are in the order of their first leaves. *)
+let changes m d (before : State.t) (after : State.t) =
+  let a = before.processes and b = after.processes in
+  let rec from i j gone come =
+    match (i < Array.length a, j < Array.length b) with
+    | false, false -> (List.rev gone, List.rev come)
+    | true, false -> from (i + 1) j (first a.(i) :: gone) come
+    | false, true -> from i (j + 1) gone (b.(j) :: come)
+    | true, true ->
+      let order = Int.compare (first a.(i)) (first b.(j)) in
+      if order < 0 then from (i + 1) j (first a.(i) :: gone) come
+      else if order > 0 then from i (j + 1) gone (b.(j) :: come)
+      else if goes_on m d a.(i) b.(j) then from (i + 1) (j + 1) gone come
+      else from (i + 1) (j + 1) (first a.(i) :: gone) (b.(j) :: come)
+  in
+  from 0 0 [] []
+
+(* {1 New states} *)
+
+let add w state entry =
+  let n = Growable.length w.entries in
+  Growable.push w.entries entry;
+  Numbers.add w.numbers state n;
+  n
+
+let told w processes = List.map (Tables.process w.tables w.semantics) processes
+
+let start w (state : State.t) =
+  match known w state with
+  | Some n -> n
+  | None ->
+    add w state
+      {
+        base = None;
+        later = Rat.zero;
+        gone = [];
+        come = told w (Array.to_list state.processes);
+        values = [];
+        next = None;
+        stuck = None;
+        rests = false;
+      }
+
+let after w (before, state) d next =
+  match known w next with
+  | Some n -> n
+  | None ->
+    let gone, come = changes (Semantics.model w.semantics) d state next in
+    add w next
+      {
+        base = Some before;
+        later = d;
+        gone;
+        come = told w come;
+        values = [];
+        next = None;
+        stuck = None;
+        rests = false;
+      }
+
+let set_extent w n state extent =
+  let e = Growable.get w.entries n in
+  if none e.values then e.values <- List.map (Curves.value w.semantics state extent) w.plots
+
+let set_next t n possible = (Growable.get t n).next <- Some possible
+let has_next t n = Option.is_some (Growable.get t n).next
+let set_stuck t n why = (Growable.get t n).stuck <- Some why
+let set_rests t n = (Growable.get t n).rests <- true
+let count = Growable.length
+
+let all_told t =
+  let told e =
+    match e.next with
+    | None -> false
+    | Some possible -> List.for_all (fun p -> Option.is_some p.target) possible
+  in
+  let rec from i = i = count t || (told (Growable.get t i) && from (i + 1)) in
+  from 0
+
+(* {1 JSON} *)
+
+let rules list = `List (List.map (fun r -> `String (Rule.id r)) list)
+let number n = `Int n
+
+let possible p =
+  `Assoc
+    [ ("label", `Int p.label); ("to", Json.option number p.target); ("rules", rules p.rules) ]
+
+let entry e =
+  `Assoc
+    ([
+      ("of", Json.option number e.base);
+      ("after", Json.rat e.later);
+      ("gone", `List (List.map number e.gone));
+      ("come", `List (List.map number e.come));
+      ("next", Json.option (fun list -> `List (List.map possible list)) e.next);
+      ("rests", `Bool e.rests);
+      ("stuck", Json.option Json.text e.stuck);
+    ]
+      @ match e.values with [] -> [] | values -> [ ("values", `List values) ])
+
+let write t put =
+  put "[";
+  for i = 0 to count t - 1 do
+    put (if i = 0 then "\n" else ",\n");
+    put (Json.line (entry (Growable.get t i)))
+  done;
+  put "]"
