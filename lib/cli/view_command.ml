@@ -224,10 +224,23 @@ let check =
 
 let schedule =
   let doc =
-    "Shows the run that is led by the choices of $(docv), a schedule as $(b,scc check --witness) writes it, or a \
-     trace; then nothing is checked."
+    "Shows the run that is led by the choices of $(docv), a schedule as $(b,scc check --witness) writes it; then \
+     nothing is checked."
   in
-  Arg.(value & opt (some string) None & info [ "schedule"; "trace" ] ~docv:"FILE" ~doc)
+  Arg.(value & opt (some string) None & info [ "schedule" ] ~docv:"FILE" ~doc)
+
+let trace =
+  let doc = "Shows the run of a trace, as $(b,scc trace) writes it; then nothing is checked." in
+  Arg.(value & opt (some string) None & info [ "trace" ] ~docv:"FILE" ~doc)
+
+let followed =
+  let one schedule trace =
+    match (schedule, trace) with
+    | Some _, Some _ -> Error "--schedule and --trace do not go together: either tells which run to show"
+    | Some path, None | None, Some path -> Ok (Some path)
+    | None, None -> Ok None
+  in
+  Term.(term_result' ~usage:true (const one $ schedule $ trace))
 
 let graph =
   let doc = "Carries along what can happen otherwise: at most $(docv) states in all, fewer where each is large." in
@@ -239,7 +252,7 @@ let options =
     { path; given; budget; output; data; check; schedule; graph }
   in
   Term.(
-    const make $ Options.model_file $ Options.definitions $ output $ data $ check $ schedule $ graph)
+    const make $ Options.model_file $ Options.definitions $ output $ data $ check $ followed $ graph)
 
 let man =
   [

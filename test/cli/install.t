@@ -21,6 +21,7 @@ is there, so that nothing is built here.
   prefix/share/man/man1/scc-oracle.1
   prefix/share/man/man1/scc-shape.1
   prefix/share/man/man1/scc-trace.1
+  prefix/share/man/man1/scc-view.1
   prefix/share/man/man1/scc.1
   prefix/share/scc/installed
   prefix/share/zsh/site-functions/_scc
@@ -47,9 +48,9 @@ Each command and each option of its manual is known to each shell, and the shell
   >   grep -q "^  $command) _arguments" $zsh || echo "zsh: $command"
   >   grep -q -- "-a $command " $fish || echo "fish: $command"
   >   scc $command --help=plain | grep -o '^       -.*' | grep -oE -- '--[a-z-]+' | while read -r option; do
-  >     grep "^      $command) options=" $bash | grep -qE -- "[\" ]$option[\" ]" || echo "bash: $command $option"
-  >     sed -n "/^  $command) /,/;;/p" $zsh | grep -q -- "'\*$option[=\[]" || echo "zsh: $command $option"
-  >     grep "_from $command'" $fish | grep -q -- "-l ${option#--} " || echo "fish: $command $option"
+  >     grep "^      $command) options=" $bash | grep -E -- "[\" ]$option[\" ]" > /dev/null || echo "bash: $command $option"
+  >     sed -n "/^  $command) /,/;;/p" $zsh | grep -- "'\*$option[=\[]" > /dev/null || echo "zsh: $command $option"
+  >     grep "_from $command'" $fish | grep -- "-l ${option#--} " > /dev/null || echo "fish: $command $option"
   >   done
   > done
   $ bash -n $bash
@@ -70,7 +71,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete() { bash complete.bash $bash "$@"; }
   $ touch 'a model.sc' model.sc; mkdir models
   $ complete scc ''
-  --help --version check compare conform diff explain explore fmt oracle shape trace
+  --help --version check compare conform diff explain explore fmt oracle shape trace view
   $ complete scc ex
   explain explore
   $ complete scc check --s
@@ -97,7 +98,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   model.sc models
   $ complete scc check --states ''
   $ complete scc --help ''
-  --help --version check compare conform diff explain explore fmt oracle shape trace
+  --help --version check compare conform diff explain explore fmt oracle shape trace view
 
 fish, where it is there, tells what each is for:
 
