@@ -52,6 +52,12 @@ let witness (v : Verdict.t) =
         | Truncated _ | Undefined _ | Fault _ -> None)
       reasons
 
+let ended (l : Loaded.t) = function
+  | Ok ending -> Ok ending
+  | Error Replay.Interrupted -> Error []
+  | Error (Refused d) -> Error [ d ]
+  | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
+
 (* A run by choices, up to where it ends. *)
 let follow (l : Loaded.t) policy limits ~interrupted =
   let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
@@ -63,11 +69,8 @@ let follow (l : Loaded.t) policy limits ~interrupted =
     | Instant i -> offset := i.offset
     | End _ -> ()
   in
-  match Replay.run l.semantics l.declared policy limits ~interrupted note with
-  | Ok ending -> Ok (!initial, List.rev !steps, !offset, ending)
-  | Error Interrupted -> Error []
-  | Error (Refused d) -> Error [ d ]
-  | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
+  let* ending = ended l (Replay.run l.semantics l.declared policy limits ~interrupted note) in
+  Ok (!initial, List.rev !steps, !offset, ending)
 
 let ending (l : Loaded.t) (e : Replay.ending) =
   match e with
@@ -89,12 +92,27 @@ type making = {
 let world_of making semantics =
   States.world making.states making.tables ~words:(fun m l -> Run_text.label m l) ~plots:making.plots semantics
 
-let run_by_choices making world ~name policy limits ~interrupted =
+let large_run making world ~name policy limits ~interrupted =
+  let l = making.loaded in
+  let run = ref None in
+  let note (event : Replay.event) =
+    match (event, !run) with
+    | Start s, _ -> run := Some (Large_run.start world s)
+    | _, Some r -> Large_run.step r event
+    | _, None -> Bug.fail __POS__ "a run without a start"
+  in
+  let* how = ended l (Replay.run l.semantics l.declared policy limits ~interrupted note) in
+  let told r = Large_run.json r ~name ~finish:(Trace.ending how) ~ending:(ending l how) in
+  match !run with Some r -> Ok (told r) | None -> Bug.fail __POS__ "a run without a start"
+
+let small_run making world ~name policy limits ~interrupted =
   let l = making.loaded in
   let* initial, steps, offset, how = follow l policy limits ~interrupted in
   Ok
     (Runs.of_steps making.states world ~most:making.most ~name None ~initial steps ~offset
        ~finish:(Trace.ending how) ~ending:(ending l how))
+
+let run_by_choices making = if Large_run.is_for making.loaded.model then large_run making else small_run making
 
 let of_check making world (outcome : Verdict.outcome) =
   let name = outcome.check.name and about = about outcome in
@@ -151,7 +169,10 @@ let document console o watch =
   in
   let world = world_of making point.semantics in
   let* initial = Loaded.initial point in
-  let graph = Graph.explore making.states world ~most:making.most ~interrupted initial in
+  let graph =
+    if Large_run.is_for point.model then None
+    else Some (Graph.explore making.states world ~most:making.most ~interrupted initial)
+  in
   let limits steps = { Replay.steps; time = None; instant = Replay.default_instant } in
   let* runs =
     match schedule with
@@ -176,7 +197,7 @@ let document console o watch =
       tables = making.tables;
       states = making.states;
       plots = making.plots;
-      graph = Some graph;
+      graph;
       runs;
     }
 

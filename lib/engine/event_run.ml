@@ -8,6 +8,7 @@ type body = {
   mutable process : State.process;
   mutable since : Rat.t;
   mutable age : int;  (** changes with [since]; -1 once the process has gone *)
+  mutable waits : bool;  (** an eps of it runs down *)
   flight : Flights.flight;
 }
 
@@ -70,6 +71,10 @@ type t = {
   mutable splitting : splits Firsts.t;  (** those at a split instant now, or with a strong split *)
   mutable choices : choice array option;  (** in the order of {!Network.successors} *)
   mutable room : int;  (** how many events to keep before those out of date are dropped *)
+  mutable asked : Rat.t;  (** when {!changes} were asked for last *)
+  mutable touched : bool Firsts.t;
+  (** since then: the first leaves of those to whom something has happened, and whether there was a process of that
+      first leaf then *)
 }
 
 let same_numbers (a, b) (c, d) = Int.equal a c && Int.equal b d
@@ -115,17 +120,22 @@ let line t p = Turn.pass (model t) (Rat.neg t.now) p
 let may_split t b = t.splitting <- Firsts.add b.flight.first { body = b; found = None } t.splitting
 let cannot_split t first = t.splitting <- Firsts.remove first t.splitting
 
+let touch t first =
+  if not (Firsts.mem first t.touched) then
+    t.touched <- Firsts.add first (Option.is_some t.bodies.(first)) t.touched
+
 (* For a process that is as it was just now. *)
 let schedule t b =
+  touch t b.flight.first;
   t.ages <- t.ages + 1;
   let age = t.ages in
   b.since <- t.now;
   b.age <- age;
   cannot_split t b.flight.first;
   let p = b.process in
-  Option.iter
-    (fun h -> add t (Horizon { time = Rat.add t.now h; body = b; age }))
-    (Time.horizon (model t) p);
+  let horizon = Time.horizon (model t) p in
+  b.waits <- Option.is_some horizon;
+  Option.iter (fun h -> add t (Horizon { time = Rat.add t.now h; body = b; age })) horizon;
   Option.iter
     (fun d -> add t (Split_instant { time = Rat.add t.now d; body = b; age }))
     (Time.to_split_instant (model t) p);
@@ -134,7 +144,8 @@ let schedule t b =
 let enter t (p : State.process) =
   let line = line t p in
   let flight = Flights.launch t.flights ~now:t.now line (watch t) in
-  let b = { process = line; since = t.now; age = -1; flight } in
+  let b = { process = line; since = t.now; age = -1; waits = false; flight } in
+  touch t flight.first;
   t.bodies.(flight.first) <- Some b;
   schedule t b
 
@@ -147,6 +158,7 @@ let velocity t first = (body t first).process.velocity
 
 let leave t first =
   let b = body t first in
+  touch t first;
   Flights.drop t.flights b.flight;
   b.age <- -1;
   cannot_split t first;
@@ -342,6 +354,25 @@ let state t =
     ~step:None
     ~time:(Option.map (Rat.add t.now) t.start_time)
 
+type changes = { gone : int list; come : State.process list }
+
+let changes t =
+  if Rat.compare t.asked t.now < 0 then
+    Array.iter (Option.iter (fun b -> if b.waits then touch t b.flight.first)) t.bodies;
+  let touched = t.touched in
+  t.asked <- t.now;
+  t.touched <- Firsts.empty;
+  let gone first was_there rest = if was_there then first :: rest else rest in
+  let come first _ rest =
+    match t.bodies.(first) with
+    | Some b -> present t b :: rest
+    | None -> rest
+  in
+  {
+    gone = List.rev (Firsts.fold gone touched []);
+    come = List.rev (Firsts.fold come touched []);
+  }
+
 (* Processes often come in rows, and a tree of boxes that come so has long nodes near its root, for ever. In steps
    of about the golden section, the first ones to come are from everywhere. *)
 let iter_spread f a =
@@ -372,7 +403,10 @@ let start semantics (s : State.t) =
       splitting = Firsts.empty;
       choices = None;
       room = least_room;
+      asked = Rat.zero;
+      touched = Firsts.empty;
     }
   in
   iter_spread (enter t) s.processes;
+  t.touched <- Firsts.empty;
   t

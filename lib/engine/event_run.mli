@@ -39,4 +39,11 @@ val state : t -> State.t
 val velocity : t -> int -> Vec.t
 (** Of the process with this first leaf (a bug when there is none). *)
 
+(** Who has changed: the first leaves of processes that are no more as they were, and the processes that came
+    instead, as they are now, in order. A process that has only moved on is neither. *)
+type changes = { gone : int list; come : State.process list }
+
+val changes : t -> changes
+(** Since it was asked for last, or since the start. *)
+
 val work : t -> Flights.work

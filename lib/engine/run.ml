@@ -65,6 +65,7 @@ let wait t d =
     in
     Result.map (Option.map went) (Network.wait s.semantics s.present d)
 
+let changes = function Eventwise run -> Some (Event_run.changes run) | Stepwise _ -> None
 let state = function Eventwise run -> Event_run.state run | Stepwise s -> s.present
 
 (* Without laws of motion, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)

@@ -31,6 +31,10 @@ val wait : t -> Scc_exact.Rat.t -> (alternative option, Transition.fault) result
 val state : t -> State.t
 (** The present state, in full. *)
 
+val changes : t -> Event_run.changes option
+(** Who has changed since it was asked for last, or since the start, of a network that runs from event to event; of
+    another one only its states tell. *)
+
 val quiescent : t -> bool
 (** {!Network.quiescent} of the present state, in which nothing is possible (of no meaning otherwise). *)
 

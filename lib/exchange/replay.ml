@@ -28,6 +28,7 @@ type event =
       among : int;
       time : Rat.t;
       taken : Run.alternative;
+      changes : unit -> Event_run.changes option;
       state : unit -> State.t;
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }
@@ -220,7 +221,7 @@ let run semantics declared policy limits ~interrupted emit =
   in
   let not_started fault = Fault { fault; steps = 0; time = Rat.zero } in
   let* run = Result.map_error not_started (Run.start semantics declared) in
-  let state () = Run.state run in
+  let state () = Run.state run and changes () = Run.changes run in
   let rec from place =
     if interrupted () then Error Interrupted
     else
@@ -251,7 +252,7 @@ let run semantics declared policy limits ~interrupted emit =
     | None -> go ()
   and go_on place guide index among taken =
     let next = advance place guide taken in
-    emit (Step { number = next.taken; index; among; time = next.time; taken; state });
+    emit (Step { number = next.taken; index; among; time = next.time; taken; changes; state });
     from next
   in
   emit (Start (state ()));

@@ -48,6 +48,8 @@ type event =
       among : int;
       time : Rat.t;  (** model time after it *)
       taken : Run.alternative;
+      changes : unit -> Event_run.changes option;
+      (** {!Run.changes} since it was asked for last. A run that is followed by them is asked after each step. *)
       state : unit -> State.t;  (** after it *)
     }
   | Instant of { offset : Rat.t; time : Rat.t; state : State.t }

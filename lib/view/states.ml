@@ -130,6 +130,26 @@ let after w (before, state) d next =
         rests = false;
       }
 
+let changed w before d ~gone ~come =
+  let n = Growable.length w.entries in
+  let entry =
+    {
+      base = Some before;
+      later = d;
+      gone;
+      come = told w come;
+      values = [];
+      next = None;
+      stuck = None;
+      rests = false;
+    }
+  in
+  Growable.push w.entries entry;
+  n
+
+let set_values w n values = (Growable.get w.entries n).values <- values
+let plots w = w.plots
+
 let set_extent w n state extent =
   let e = Growable.get w.entries n in
   if none e.values then e.values <- List.map (Curves.value w.semantics state extent) w.plots

@@ -27,12 +27,20 @@ val start : world -> State.t -> int
 val after : world -> int * State.t -> Rat.t -> State.t -> int
 (** [after w (before, state) d next]: the number of a state that is reached from another one in a time d. *)
 
+val changed : world -> int -> Rat.t -> gone:int list -> come:State.process list -> int
+(** A new state, by what has changed since the one of that number in so much time. It is not {!known}. *)
+
 val known : world -> State.t -> int option
 
 val label : world -> Transition.label -> int
 
 val set_extent : world -> int -> State.t -> Scc_ctl.Timeline.extent -> unit
 (** Tells the numbers that are plotted from the state of that number on, while nothing happens. *)
+
+val set_values : world -> int -> Json.t list -> unit
+(** Tells them as given, one for each of {!plots}. *)
+
+val plots : world -> Property.num list
 
 (** {1 What is possible there} *)
 
