@@ -359,30 +359,12 @@ type changes = { gone : int list; come : State.process list }
 let changes t =
   if Rat.compare t.asked t.now < 0 then
     Array.iter (Option.iter (fun b -> if b.waits then touch t b.flight.first)) t.bodies;
-  let touched = t.touched in
+  let touched = Firsts.bindings t.touched in
   t.asked <- t.now;
   t.touched <- Firsts.empty;
-  let gone first was_there rest = if was_there then first :: rest else rest in
-  let come first _ rest =
-    match t.bodies.(first) with
-    | Some b -> present t b :: rest
-    | None -> rest
-  in
-  {
-    gone = List.rev (Firsts.fold gone touched []);
-    come = List.rev (Firsts.fold come touched []);
-  }
-
-(* Processes often come in rows, and a tree of boxes that come so has long nodes near its root, for ever. In steps
-   of about the golden section, the first ones to come are from everywhere. *)
-let iter_spread f a =
-  let n = Array.length a in
-  let rec gcd a b = if b = 0 then a else gcd b (a mod b) in
-  let rec coprime k = if gcd n k = 1 then k else coprime (k + 1) in
-  let step = coprime (Int.max 1 (n * 618 / 1000)) in
-  for i = 0 to n - 1 do
-    f a.(i * step mod n)
-  done
+  let gone (first, was_there) = if was_there then Some first else None in
+  let come (first, _) = Option.map (present t) t.bodies.(first) in
+  { gone = List.filter_map gone touched; come = List.filter_map come touched }
 
 (* Bodies that come to touch and do not collide are on no agenda (reading I-33). *)
 let can_run m = Model.straight m && not (Model.binds_on_contact m)
@@ -407,6 +389,6 @@ let start semantics (s : State.t) =
       touched = Firsts.empty;
     }
   in
-  iter_spread (enter t) s.processes;
+  Spread.iter (enter t) s.processes;
   t.touched <- Firsts.empty;
   t

@@ -13,7 +13,8 @@ val start : States.world -> State.t -> t
 (** At the initial state. *)
 
 val step : t -> Replay.event -> unit
-(** To be called with each event of a run from event to event ({!Scc_engine.Run.changes}; a bug for another one). *)
+(** To be called with each event of a run from event to event ({!Scc_engine.Run.changes}; a bug for another
+    one). *)
 
 val steps : t -> int
 val json : t -> name:string -> finish:string -> ending:string list -> Json.t

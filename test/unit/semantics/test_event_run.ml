@@ -16,10 +16,32 @@ let label_and_rules m label rules =
 let of_transition m (t : Transition.t) = label_and_rules m t.label t.rules
 let of_alternative m (a : Event_run.alternative) = label_and_rules m a.label a.rules
 
+(* What has changed, put together, is the state: each process as it came, and moved on since. *)
+module Told = Map.Make (Int)
+
+let first (p : State.process) = p.leaves.(0).leaf
+
+let told_after now told (c : Event_run.changes) =
+  let drop told leaf = if Told.mem leaf told then Told.remove leaf told else Told.add (-1 - leaf) None told in
+  let come told p = Told.add (first p) (Some (p, now)) told in
+  List.fold_left come (List.fold_left drop told c.gone) c.come
+
+let same_as_told m now told (s : State.t) =
+  let same (p : State.process) =
+    match Told.find_opt (first p) told with
+    | Some (Some (q, since)) ->
+      let moved = Turn.pass m (Rat.sub now since) q in
+      State.equal_process (State.with_clock None p) (State.with_clock None moved)
+    | Some None | None -> false
+  in
+  Told.cardinal told = Array.length s.processes && Array.for_all same s.processes
+
 (* Follows both for some steps: the same alternatives in the same order, and the same states. [looks] says before
    which steps to look at the state, since looking must not matter. *)
 let follow m s choices ~looks =
   let run = Event_run.start (standard m) s in
+  let start = { Event_run.gone = []; come = Array.to_list s.processes } in
+  let told = ref (told_after Rat.zero Told.empty start) in
   let rec from step elapsed s = function
     | [] -> true
     | choice :: choices ->
@@ -33,6 +55,13 @@ let follow m s choices ~looks =
         QCheck2.Test.fail_reportf "step %d: another state" step
       else if not (Rat.equal elapsed (Event_run.elapsed run)) then
         QCheck2.Test.fail_reportf "step %d: another time" step
+      else if
+        looks step
+        && begin
+          told := told_after elapsed !told (Event_run.changes run);
+          not (same_as_told m elapsed !told s)
+        end
+      then QCheck2.Test.fail_reportf "step %d: other changes" step
       else
         match transitions with
         | [] -> true
