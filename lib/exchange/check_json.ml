@@ -82,6 +82,7 @@ let rec argument (a : Witness.argument) =
   `Assoc
     [
       ("where", Json.option Json.text a.where);
+      ("time", Json.option Json.rat a.time);
       ("claim", Json.text a.claim);
       ("holds", `Bool a.holds);
       ("because", `List (List.map Json.text a.because));

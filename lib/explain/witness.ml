@@ -20,6 +20,7 @@ type finish =
 
 type argument = {
   where : string option;
+  time : Rat.t option;
   claim : string;
   holds : bool;
   because : string list;

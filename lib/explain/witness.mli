@@ -38,6 +38,9 @@ type finish =
 type argument = {
   where : string option;
   (** on the run of the claim that it is a part of; [None]: where that run leads, or there *)
+  time : Rat.t option;
+  (** the same as a time of the run that is shown, if it is on that one; of an irrational instant a rational within
+      10^-12 before it *)
   claim : string;
   holds : bool;
   because : string list;  (** a sentence each *)

@@ -147,9 +147,18 @@ let finish_text context graph temporal (run : Scc_ctl.Run.t) clock =
   | Passes -> "the run then passes the bound of time"
 
 (* Where something is on the way of a run, from where the run begins. *)
-let time_of (course : Course.t) (place : Course.place) offset =
+let instant_of (course : Course.t) (place : Course.place) offset =
   let start = Option.value (Algebraic.to_rat course.run.start.offset) ~default:Rat.zero in
-  Algebraic.to_string (Algebraic.add_rat (Rat.sub place.clock start) offset)
+  Algebraic.add_rat (Rat.sub place.clock start) offset
+
+let time_of course place offset = Algebraic.to_string (instant_of course place offset)
+
+let width = Rat.make Z.one (Z.pow (Z.of_int 10) 12)
+
+let rational instant =
+  match Algebraic.to_rat instant with
+  | Some r -> r
+  | None -> fst (Algebraic.enclose instant ~width)
 
 let onward (course : Course.t option) (place : Course.place option) =
   match (course, place) with
@@ -203,25 +212,26 @@ let rec is_searched (e : Explanation.t) =
   | Parts parts -> List.exists is_searched parts
   | Given | Everywhere _ | Run { way = Onward _; _ } -> false
 
-let rec tree context graph temporal ~depth course (e : Explanation.t) : Witness.argument =
-  let tree_of = tree context graph temporal ~depth in
+(* [shown]: a run of this claim is the one that the witness shows. *)
+let rec tree context graph temporal ~shown ~depth course (e : Explanation.t) : Witness.argument =
+  let tree_of = tree context graph temporal ~shown:false ~depth in
   let parts =
     match e.because with
     | Given | Everywhere _ -> []
     | Parts parts -> List.map (tree_of course) parts
     | Run { parts; along; way; _ } ->
       let here = match way with Own -> None | Onward _ -> course in
-      let told = Option.bind along (on_the_way context graph temporal ~depth) in
+      let told = Option.bind along (on_the_way context graph temporal ~shown ~depth) in
       List.map (tree_of here) parts @ Option.to_list told
   in
   let formula, holds = affirmed temporal e in
   let claim = Show.temporal (Network_lts.model context) formula in
   let because = List.filter_map (beyond claim holds) (because context graph temporal course e) in
-  { where = None; claim; holds; because; parts }
+  { where = None; time = None; claim; holds; because; parts }
 
 (* What is so on the way of a run, when it takes more than a look at each position. *)
-and on_the_way context graph temporal ~depth (along : Explanation.along) =
-  let tree_of = tree context graph temporal ~depth:(depth + 1) (Some along.course) in
+and on_the_way context graph temporal ~shown ~depth (along : Explanation.along) =
+  let tree_of = tree context graph temporal ~shown:false ~depth:(depth + 1) (Some along.course) in
   (* Reasons, each with the first place that it is told of and how many there are. *)
   let rec reasons found left = function
     | [] -> (List.rev found, 0)
@@ -252,16 +262,18 @@ and on_the_way context graph temporal ~depth (along : Explanation.along) =
                 (at place.position.offset)
             else Printf.sprintf "after time %s of this run" (at place.low)
           in
-          { a with where = Some where }
+          let instant = instant_of along.course place place.position.offset in
+          { a with where = Some where; time = (if shown then Some (rational instant) else None) }
         in
-        let shown = List.filteri (fun i _ -> i < told depth) reasons in
+        let first = List.filteri (fun i _ -> i < told depth) reasons in
         Some
           {
             where = Some (everywhere along);
+            time = None;
             claim = Show.temporal (Network_lts.model context) formula;
             holds = along.claimed;
             because = [ "each place has its reason, for example" ];
-            parts = List.map part shown;
+            parts = List.map part first;
           })
 
 and everywhere (along : Explanation.along) =
@@ -283,4 +295,5 @@ let argument context graph temporal (e : Explanation.t) =
   match e.because with
   | Run { parts; along; _ }
     when List.for_all is_plain parts && Option.fold ~none:true ~some:is_told along -> None
-  | Run _ | Given | Parts _ | Everywhere _ -> Some (tree context graph temporal ~depth:0 None e)
+  | Run _ -> Some (tree context graph temporal ~shown:true ~depth:0 None e)
+  | Given | Parts _ | Everywhere _ -> Some (tree context graph temporal ~shown:false ~depth:0 None e)

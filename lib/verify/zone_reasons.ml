@@ -95,14 +95,14 @@ let rec tree model r (c : Shown_run.claim) : Witness.argument =
       let parts = List.map (tree model r) parts @ Option.to_list (on_the_way model r finish along) in
       (Wording.listed events @ [ ending model r c.spot ~until goal finish ], parts)
   in
-  { where = None; claim; holds; because = List.filter_map (Wording.beyond claim holds) because; parts }
+  { where = None; time = None; claim; holds; because = List.filter_map (Wording.beyond claim holds) because; parts }
 
 and on_the_way model r finish = function
   | Some { what; so; _ } when Formula.state_formula what = None ->
     let claim = Show.temporal model (Rename.known_temporal r.R.values what) in
     let where = if finish = Shown_run.There then "all the way" else "everywhere on this run" in
     let because = [ "that is known of all states that it goes through" ] in
-    Some { where = Some where; claim; holds = so; because; parts = [] }
+    Some { where = Some where; time = None; claim; holds = so; because; parts = [] }
   | Some _ | None -> None
 
 let rec is_plain (c : Shown_run.claim) =
