@@ -1,0 +1,160 @@
+// The data of a page, as lib/view writes it: format "scc-view", version 1. Rationals are texts "p/q".
+
+type Vec = [string, string, string];
+
+interface DataSolid {
+  name: string;
+  vertices: Vec[];
+  faces: { name: string; corners: number[] }[];
+  edges: { name: string; corners: number[] }[];
+  corners: string[];
+}
+
+interface DataPart {
+  name: string;
+  template: string;
+  solid: number;
+  offset: Vec;
+}
+
+interface DataLeaf {
+  name: string;
+  template: string;
+  fixed: boolean;
+  absorbs: boolean;
+  mass: string | null;
+  parts: DataPart[];
+}
+
+type SiteKind = "vertex" | "edge" | "face";
+
+/** A feature of a part: the part's number in its leaf, what it is, its number in the solid. */
+type DataSite = [number, SiteKind, number];
+
+interface DataBehaviour {
+  text: string;
+  origin: string | null;
+  open: { channel: string; co: boolean; sites: DataSite[] }[];
+}
+
+interface DataPlace {
+  leaf: number;
+  at: Vec;
+  turned?: [string, string, string, string];
+  behaviour: number;
+  arm?: Vec;
+}
+
+interface DataBond {
+  name: string;
+  ends: { leaf: number; site: DataSite; text: string }[];
+}
+
+interface DataProcess {
+  leaves: DataPlace[];
+  bonds: DataBond[];
+  velocity: Vec;
+  mass: string | null;
+  turn?: { centre: Vec; spin: Vec; since: string };
+}
+
+interface DataChoice {
+  label: number;
+  to: number | null;
+  rules: string[];
+}
+
+type DataPiece =
+  { n: string[]; d: string[]; none?: undefined } | { none: string; n?: undefined; d?: undefined };
+
+interface DataState {
+  of: number | null;
+  after: string;
+  gone: number[];
+  come: number[];
+  next: DataChoice[] | null;
+  rests: boolean;
+  stuck: string | null;
+  values?: DataPiece[];
+}
+
+interface DataLabel {
+  kind: string;
+  text: string;
+  words: string;
+  duration?: string;
+  leaves?: number[];
+}
+
+interface DataStep {
+  tail?: boolean;
+  choice: number | null;
+  label: number;
+  to: number;
+  rules: string[];
+}
+
+interface DataArgument {
+  where: string | null;
+  claim: string;
+  holds: boolean;
+  because: string[];
+  parts: DataArgument[];
+  time?: string | null;
+}
+
+/** A run. Where a check has none to show, its start is null, and it has a name and a check alone. */
+interface DataRun {
+  name: string;
+  check: { formula: string; verdict: string; text: string } | null;
+  start: number | null;
+  steps?: DataStep[];
+  rest?: string;
+  finish?: string;
+  cycle?: number | null;
+  facts?: string[];
+  argument?: DataArgument | null;
+  values?: { [parameter: string]: string };
+  ending?: string[];
+}
+
+interface PageData {
+  format: string;
+  version: number;
+  semantics: string;
+  model: string | null;
+  digest: string;
+  parameters: { [name: string]: string };
+  name: string;
+  text: string;
+  timestep: string;
+  resolution: string | null;
+  solids: DataSolid[];
+  leaves: DataLeaf[];
+  behaviours: DataBehaviour[];
+  processes: DataProcess[];
+  states: DataState[];
+  labels: DataLabel[];
+  plots: { text: string }[];
+  runs: DataRun[];
+  graph: { complete: boolean; bound: number; states: number; expanded: number } | null;
+  where?: unknown[];
+  rules: { [name: string]: string };
+}
+
+/** A run as it is played: one of the file, or one's own way: so many legs of one of the file, then choices. */
+interface PlayedRun extends DataRun {
+  start: number;
+  index: number;
+  steps: DataStep[];
+  rest: string;
+  way: { base: number; legs: number; choices: number[] } | null;
+}
+
+/** What is selected: a body, or a feature of one of its parts. */
+interface Chosen {
+  leaf: number;
+  part?: number | null;
+  kind?: SiteKind | null;
+  index?: number | null;
+}

@@ -1,0 +1,72 @@
+"use strict";
+
+/**
+ * Numbers and motions in words: exact ones beside their decimals.
+ */
+const Exactly = (() => {
+  /**
+   * Decimal digits of a float, as short as is useful.
+   * @param {number} x @param {number} [digits] significant ones
+   */
+  function decimal(x, digits) {
+    if (!Number.isFinite(x)) return String(x);
+    if (x === 0) return "0";
+    const size = Math.abs(x);
+    const text =
+      size >= 1e7 || size < 1e-4 ? x.toExponential(digits ? digits - 1 : 4) : x.toPrecision(digits || 6);
+    return (
+      text.includes("e") ? text.replace(/\.?0+e/, "e") : text.includes(".") ? text.replace(/\.?0+$/, "") : text
+    ).replace("-", "−");
+  }
+
+  /**
+   * The exact text, "p/q" or "p".
+   * @param {Rational} r
+   */
+  function text(r) {
+    return Rational.text(r).replace(/\/1$/, "");
+  }
+
+  /**
+   * An exact number, and its decimals if these are another text.
+   * @param {Rational} r
+   */
+  function both(r) {
+    const exact = text(r);
+    if (!exact.includes("/")) return exact;
+    return `${exact} ≈ ${decimal(Rational.toNumber(r))}`;
+  }
+
+  /**
+   * An element that shows an exact number, in full, and its decimals beside it.
+   * @param {Rational} r
+   */
+  function show(r) {
+    const exact = text(r);
+    const parts = [
+      Dom.make("span", { class: "exact", text: exact, title: exact.length > 24 ? "exact" : null }),
+    ];
+    if (exact.includes("/"))
+      parts.push(Dom.make("span", { class: "near", text: decimal(Rational.toNumber(r)) }));
+    return Dom.make("span", { class: "number" }, parts);
+  }
+
+  /**
+   * The nearest instant of the grid on which time is played.
+   * @param {number} x
+   */
+  function grid(x) {
+    return Rational.fromNumber(Math.round(x * 1048576) / 1048576);
+  }
+
+  /**
+   * An exact number that a user or an address wrote, or null.
+   * @param {string} s @returns {Rational | null}
+   */
+  function read(s) {
+    if (s.length > 20000 || !/^-?[0-9]+(\/[0-9]*[1-9][0-9]*)?$/.test(s)) return null;
+    return Rational.of(s);
+  }
+
+  return { decimal, text, both, show, grid, read };
+})();

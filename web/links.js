@@ -1,0 +1,171 @@
+"use strict";
+
+/**
+ * Addresses of what is shown: the part of the page's address after # holds the run, the exact time and how
+ * many legs are
+ * taken, one's own choices, the camera and what is selected.
+ */
+const Links = (() => {
+  /** @type {Player} */
+  let player;
+  /** @type {Scene | null} */
+  let scene;
+  let timer = 0;
+  let written = "";
+
+  /** @param {Player} of @param {Scene | null} shown */
+  function start(of, shown) {
+    player = of;
+    scene = shown;
+    read();
+    player.on("move", later);
+    Details.onSelect(later);
+    window.addEventListener("hashchange", () => {
+      if (window.location.hash.slice(1) !== written) read();
+    });
+    const cite = Dom.get("cite");
+    cite.addEventListener("click", () => {
+      write();
+      copy(window.location.href).then((done) => {
+        cite.textContent = done ? "Copied" : "In the address bar";
+        setTimeout(() => {
+          cite.textContent = "Copy link";
+        }, 1500);
+      });
+    });
+  }
+
+  /** @param {string} text */
+  async function copy(text) {
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch (_) {
+      return false;
+    }
+  }
+
+  /** Browsers bound how often an address may be changed: it is done when all has been still for a moment. */
+  function later() {
+    clearTimeout(timer);
+    if (!player.playing) timer = window.setTimeout(write, 400);
+  }
+
+  /** The address of what is shown, after #. */
+  function text() {
+    const parts = [`run=${player.run.index}`, `step=${player.legs}`, `time=${Exactly.text(player.time)}`];
+    const way = player.run.way;
+    if (way) parts.push(`way=${way.legs}.${way.choices.join(".")}`);
+    const selected = Details.selection();
+    if (selected) {
+      parts.push(
+        "select=" +
+          [selected.leaf, selected.part, selected.kind, selected.index]
+            .filter((one) => one !== null && one !== undefined)
+            .join("."),
+      );
+    }
+    if (scene) parts.push(`camera=${encodeURIComponent(JSON.stringify(scene.camera()))}`);
+    return parts.join("&");
+  }
+
+  function write() {
+    written = text();
+    try {
+      window.history.replaceState(null, "", "#" + written);
+    } catch (_) {
+      // A page that may not change its address is shown all the same.
+    }
+  }
+
+  /** Shows what the address says. What it does not say, or says wrongly, stays as it is. */
+  function read() {
+    const hash = window.location.hash.slice(1);
+    if (hash === "" || !hash.includes("=")) return;
+    written = hash;
+    /** @type {Map<string, string>} */
+    const said = new Map();
+    for (const part of hash.split("&")) {
+      const at = part.indexOf("=");
+      try {
+        if (at > 0) said.set(part.slice(0, at), decodeURIComponent(part.slice(at + 1)));
+      } catch (_) {
+        notice("a part of the address is not readable");
+      }
+    }
+    place(said);
+    const chosen = said.get("select");
+    if (chosen !== undefined) pick(chosen);
+    const camera = said.get("camera");
+    if (camera !== undefined && scene) {
+      try {
+        const plain = JSON.parse(camera);
+        if (plain === null || typeof plain !== "object") throw new Error("no camera");
+        scene.setCamera(plain);
+      } catch (_) {
+        notice("the camera in the address is not one of this page");
+      }
+    }
+  }
+
+  /** @param {Map<string, string>} said */
+  function place(said) {
+    const index = said.get("run");
+    if (index !== undefined) {
+      const way = said.get("way");
+      const run = player.runs.find((one) => one.way === null && String(one.index) === index);
+      if (!run) notice("the run of the address is not in this file");
+      else if (way !== undefined) {
+        const numbers = /^[0-9]+(\.[0-9]+)+$/.test(way) ? way.split(".").map(Number) : [];
+        if (numbers.length === 0 || !player.walk(run.index, numbers[0], numbers.slice(1))) {
+          notice("the choices of the address are not possible in this file");
+        }
+      } else if (run !== player.run) player.open(run);
+    }
+    const step = said.get("step");
+    const time = said.get("time");
+    const exact = time === undefined ? null : Exactly.read(time);
+    if (time !== undefined && exact === null) notice("the time of the address is not a number such as 5/2");
+    player.pause();
+    if (step !== undefined && /^[0-9]{1,9}$/.test(step)) player.go(Number(step), exact || undefined);
+    else if (exact !== null) player.seek(exact);
+  }
+
+  /** @param {string} chosen */
+  function pick(chosen) {
+    const [leaf, part, kind, index] = chosen.split(".");
+    const number = Number(leaf);
+    const of = /^[0-9]+$/.test(leaf) ? player.data.leaves[number] : undefined;
+    if (!of) {
+      notice("the body of the address is not in this file");
+      return;
+    }
+    const whole = part === undefined || !of.parts[Number(part)] || !["face", "edge", "vertex"].includes(kind);
+    Tabs.show("details");
+    Details.select(
+      whole
+        ? { leaf: number }
+        : { leaf: number, part: Number(part), kind: /** @type {SiteKind} */ (kind), index: Number(index) || 0 },
+    );
+  }
+
+  /** @param {string} text */
+  function notice(text) {
+    const box = Dom.get("notice");
+    box.hidden = false;
+    Dom.fill(
+      box,
+      `The address was not followed in all: ${text}.`,
+      " ",
+      Dom.button(
+        "Close",
+        () => {
+          box.hidden = true;
+        },
+        { class: "small" },
+      ),
+    );
+  }
+
+  return { start, text };
+})();

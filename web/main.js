@@ -1,0 +1,147 @@
+"use strict";
+
+/** Puts the page together. */
+const Main = (() => {
+  /**
+   * What tests ask of the page.
+   * @param {Player} player
+   */
+  function probe(player) {
+    const state = () => ({
+      run: player.run.name,
+      way: player.run.way,
+      legs: player.legs,
+      time: Rational.text(player.time),
+      state: player.state,
+      playing: player.playing,
+      positions: positions(player),
+    });
+    return {
+      version: 1,
+      state,
+      steps: () => player.course.legs.length,
+      runs: () => player.runs.map((run) => run.name),
+      open: (/** @type {number} */ index) => player.open(player.runs[index]),
+      go: (/** @type {number} */ legs, /** @type {string | undefined} */ time) =>
+        player.go(legs, time === undefined ? undefined : Rational.of(time)),
+      choose: (/** @type {number} */ choice) => player.choose(choice),
+      data: player.data,
+    };
+  }
+
+  /**
+   * Exact positions of all bodies, by their names.
+   * @param {Player} player
+   */
+  function positions(player) {
+    /** @type {{[name: string]: string[]}} */
+    const all = {};
+    for (const body of player.course.bodiesAfter(player.legs, player.time)) {
+      for (const place of body.process.leaves) {
+        all[player.data.leaves[place.leaf].name] = player.course.position(body, place).map(Rational.text);
+      }
+    }
+    return all;
+  }
+
+  /** @param {PageData} data */
+  function head(data) {
+    Dom.get("title").textContent = Dom.clip(data.name, 2000);
+    Dom.get("title").title = Dom.clip(data.name, 400);
+    const parameters = Object.entries(data.parameters).map(
+      ([name, value]) => `${name} = ${value.replace(/\/1$/, "")}`,
+    );
+    Dom.fill(Dom.get("about"), Dom.make("bdi", { text: Dom.clip(parameters.join(", "), 400) }));
+    Dom.get("about").title = Dom.clip(parameters.join("\n"), 2000);
+    Dom.get("model").append(Dom.make("pre", { class: "source", dir: "ltr", text: data.text }));
+  }
+
+  /**
+   * The scene, or null where it cannot be drawn: then the page says why.
+   * @param {PageData} data
+   */
+  function stage(data) {
+    const box = Dom.get("scene");
+    let why = "the library that draws it is not in this file";
+    try {
+      if (typeof Scene !== "undefined") {
+        const scene = new Scene(box, data, {
+          onPick: (/** @type {Chosen | null} */ found) => {
+            if (found) Tabs.show("details");
+            Details.select(found);
+          },
+        });
+        const said = scene.why || Scene.why;
+        if (!said) return scene;
+        why = String(said);
+      }
+    } catch (error) {
+      why = String(error instanceof Error ? error.message : error);
+    }
+    box.hidden = true;
+    Dom.get("scene-tools").hidden = true;
+    const told = Dom.get("scene-why");
+    told.hidden = false;
+    Dom.fill(
+      told,
+      Dom.make("p", { text: `The scene cannot be drawn here: ${why}.` }),
+      Dom.make("p", {
+        text: "All else is there: runs, events, choices, plots, and the exact places of bodies below Bodies.",
+      }),
+    );
+    Tabs.show("details");
+    return null;
+  }
+
+  function start() {
+    const text = Dom.get("data").textContent || "";
+    /** @type {PageData} */
+    const data = JSON.parse(text);
+    if (data.format !== "scc-view" || data.version !== 1)
+      throw new Error("the data is of another version than the page");
+    if (data.states.length === 0) throw new Error("the file holds no states");
+    head(data);
+    Tabs.start();
+    const player = new Player(data);
+    Rules.start(data);
+    const scene = stage(data);
+    Timeline.start(player);
+    Runs.start(player);
+    Choices.start(player);
+    Events.start(player);
+    Details.start(player);
+    Plots.start(player);
+    Graph.start(player);
+    Tools.start(player, scene);
+    Keys.start(player);
+    if (scene) {
+      const draw = () => scene.show(player.course, player.legs, player.time);
+      player.on("move", draw);
+      Details.onSelect((selection) => {
+        scene.select(selection);
+        draw();
+      });
+      draw();
+      scene.fit();
+    }
+    Links.start(player, scene);
+    Object.defineProperty(window, "scc", { value: probe(player) });
+    document.body.setAttribute("data-ready", "true");
+  }
+
+  /** A page that cannot be shown says so. */
+  function open() {
+    try {
+      start();
+    } catch (error) {
+      const box = Dom.get("notice");
+      box.hidden = false;
+      box.textContent = `This page cannot be shown: ${error instanceof Error ? error.message : error}.`;
+      throw error;
+    }
+  }
+
+  return { open };
+})();
+
+Main.open();

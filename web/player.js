@@ -1,0 +1,372 @@
+"use strict";
+
+/**
+ * Where one is: the run that is shown, how many of its legs are taken, and the exact time; and the clock that
+ * plays it.
+ *
+ * A run is cut into legs, one for each transition: passings of time, and events, which take none. So several
+ * states may
+ * be of one instant, and `legs` tells them apart. After the last leg, time passes on until the end of the run.
+ */
+class Player {
+  /** @param {PageData} data */
+  constructor(data) {
+    this.data = data;
+    /** @type {PlayedRun[]} the runs that there are, those of the file first */
+    this.runs = Player.playable(data);
+    /** @type {{[what: string]: ((player: Player) => void)[]}} */
+    this.listeners = {};
+    this.still = window.matchMedia("(prefers-reduced-motion: reduce)");
+    this.playing = false;
+    this.speed = 1;
+    /** @type {PlayedRun} */
+    this.run = this.runs.find((run) => run.check && run.check.verdict === "violated") || this.runs[0];
+    this.course = new Course(data, this.run);
+    this.legs = 0;
+    /** @type {Rational} */
+    this.time = Rational.zero;
+    /** The instants of the legs, as floats; the last one is the end. */
+    this.instants = new Float64Array(0);
+    /** The instant that the last leg leads to. @type {Rational} */
+    this.arrival = Rational.zero;
+    this.end = 0;
+    /** For how many seconds an event is shown while playing, and how much of time a second shows. */
+    this.dwell = 0;
+    this.rate = 1;
+    /** Seconds since the event came into view that is shown for a moment while playing. */
+    this.held = 0;
+    this.frame = 0;
+    this.last = 0;
+    this.clock = 0;
+    this.measure();
+  }
+
+  /**
+   * The runs of the file that have states to show.
+   * @param {PageData} data @returns {PlayedRun[]}
+   */
+  static playable(data) {
+    /** @type {PlayedRun[]} */
+    const runs = [];
+    data.runs.forEach((run, index) => {
+      if (run.start === null) return;
+      runs.push({
+        ...run,
+        start: run.start,
+        steps: run.steps || [],
+        rest: run.rest || "0/1",
+        index,
+        way: null,
+      });
+    });
+    const none = { name: "the beginning", check: null, start: 0, steps: [], rest: "0/1", index: -1, way: null };
+    return runs.length === 0 ? [none] : runs;
+  }
+
+  /**
+   * Calls a listener when something is so: "run", another run is shown; "move", another instant or state;
+   * "play",
+   * playing or speed are other ones.
+   * @param {string} what @param {(player: Player) => void} listener
+   */
+  on(what, listener) {
+    (this.listeners[what] = this.listeners[what] || []).push(listener);
+  }
+
+  /** @param {string} what */
+  tell(what) {
+    for (const listener of this.listeners[what] || []) listener(this);
+  }
+
+  measure() {
+    const { legs, duration } = this.course;
+    this.instants = new Float64Array(legs.length + 2);
+    for (let i = 0; i < legs.length; i++) this.instants[i] = Rational.toNumber(legs[i].start);
+    this.arrival =
+      legs.length === 0
+        ? Rational.zero
+        : Rational.add(legs[legs.length - 1].start, legs[legs.length - 1].duration);
+    this.instants[legs.length] = Rational.toNumber(this.arrival);
+    this.end = Rational.toNumber(duration);
+    this.instants[legs.length + 1] = this.end;
+    const events = legs.filter((leg) => Rational.sign(leg.duration) === 0).length;
+    this.dwell = events === 0 ? 0 : Math.min(0.5, 8 / events);
+    this.rate = Player.round(this.end / 12);
+  }
+
+  /**
+   * The nearest of 1, 2 and 5 times a power of ten.
+   * @param {number} x
+   */
+  static round(x) {
+    if (!(x > 0)) return 1;
+    const power = 10 ** Math.floor(Math.log10(x));
+    const lead = x / power;
+    return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+  }
+
+  /** The state that the legs taken lead to. */
+  get state() {
+    return this.legs === 0 ? this.run.start : this.course.legs[this.legs - 1].after;
+  }
+
+  /**
+   * The instant of that state.
+   * @param {number} legs @returns {Rational}
+   */
+  instant(legs) {
+    return legs < this.course.legs.length ? this.course.legs[legs].start : this.arrival;
+  }
+
+  /**
+   * The latest instant that is shown with so many legs taken.
+   * @param {number} legs @returns {Rational}
+   */
+  until(legs) {
+    return legs < this.course.legs.length ? this.instant(legs + 1) : this.course.duration;
+  }
+
+  /** Whether time has passed since the last leg that is taken. */
+  get between() {
+    return Rational.cmp(this.time, this.instant(this.legs)) > 0;
+  }
+
+  /**
+   * Shows another run, or the same one from its beginning.
+   * @param {PlayedRun} run @param {number} [legs] @param {Rational} [time]
+   */
+  open(run, legs, time) {
+    this.pause();
+    this.run = run;
+    this.course = new Course(this.data, run);
+    this.measure();
+    this.legs = 0;
+    this.time = Rational.zero;
+    this.place(legs || 0, time);
+    this.tell("run");
+    this.tell("move");
+  }
+
+  /** @param {number} legs @param {Rational} [time] */
+  place(legs, time) {
+    const k = Math.max(0, Math.min(this.course.legs.length, Math.floor(legs) || 0));
+    const from = this.instant(k);
+    const to = this.until(k);
+    this.legs = k;
+    this.time = !time || Rational.cmp(time, from) < 0 ? from : Rational.cmp(time, to) > 0 ? to : time;
+    // The end of a passing of time is the state that it leads to.
+    if (k < this.course.legs.length && Rational.cmp(this.time, to) === 0 && Rational.cmp(from, to) < 0)
+      this.legs = k + 1;
+    this.clock = Rational.toNumber(this.time);
+    this.held = 0;
+  }
+
+  /**
+   * Goes where so many legs are taken, at a time from then on.
+   * @param {number} legs @param {Rational} [time]
+   */
+  go(legs, time) {
+    this.place(legs, time);
+    this.tell("move");
+  }
+
+  /**
+   * Goes to a time: the last state of its instant.
+   * @param {Rational} time
+   */
+  seek(time) {
+    if (Rational.cmp(time, this.course.duration) > 0) time = this.course.duration;
+    if (Rational.sign(time) < 0) time = Rational.zero;
+    let low = 0;
+    let high = this.course.legs.length;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (Rational.cmp(this.instant(middle), time) <= 0) low = middle;
+      else high = middle - 1;
+    }
+    this.go(low, time);
+  }
+
+  /** Whether a stop comes after this one. */
+  get ended() {
+    return this.legs === this.course.legs.length && Rational.cmp(this.time, this.course.duration) >= 0;
+  }
+
+  next() {
+    this.pause();
+    if (this.legs < this.course.legs.length) this.go(this.legs + 1);
+    else this.go(this.legs, this.course.duration);
+  }
+
+  previous() {
+    this.pause();
+    this.go(this.between ? this.legs : this.legs - 1);
+  }
+
+  first() {
+    this.pause();
+    this.go(0);
+  }
+
+  finish() {
+    this.pause();
+    this.go(this.course.legs.length, this.course.duration);
+  }
+
+  /**
+   * Takes a transition of the state that is shown, the one taken already or another: a run of its own.
+   * @param {number} choice @returns {boolean} whether the file has the state that it leads to
+   */
+  choose(choice) {
+    const possible = this.data.states[this.state].next;
+    const taken = possible && possible[choice];
+    if (!taken || taken.to === null) return false;
+    const leg = this.course.legs[this.legs];
+    this.pause();
+    if (leg && leg.choice === choice && leg.after === taken.to) {
+      this.go(this.legs + 1);
+      return true;
+    }
+    const way = this.run.way || { base: this.run.index, legs: this.legs, choices: [] };
+    const kept = Math.min(way.legs, this.legs);
+    this.walk(way.base, kept, way.choices.slice(0, this.legs - kept).concat(choice));
+    return true;
+  }
+
+  /**
+   * Shows the run that goes so many legs of a run of the file, and then by choices; and its end.
+   * @param {number} base @param {number} legs @param {number[]} choices @returns {boolean} whether there is one
+   */
+  walk(base, legs, choices) {
+    const from = this.runs.find((run) => run.way === null && run.index === base);
+    if (!from || !(legs >= 0 && legs <= from.steps.length)) return false;
+    /** @type {DataStep[]} */
+    const steps = from.steps.slice(0, legs);
+    let state = legs === 0 ? from.start : steps[legs - 1].to;
+    for (const choice of choices) {
+      const next = this.data.states[state].next;
+      const taken = next && next[choice];
+      if (!taken || taken.to === null) return false;
+      steps.push({ choice, label: taken.label, to: taken.to, rules: taken.rules });
+      state = taken.to;
+    }
+    /** @type {PlayedRun} */
+    const run = {
+      name: `own way from ${from.name}`,
+      check: null,
+      start: from.start,
+      steps,
+      rest: "0/1",
+      index: base,
+      way: { base, legs, choices },
+      values: from.values,
+    };
+    this.runs = this.runs.filter((other) => !other.way || !Player.extends(run, other)).concat(run);
+    this.open(run, steps.length);
+    return true;
+  }
+
+  /**
+   * Whether a way begins with another one.
+   * @param {PlayedRun} run @param {PlayedRun} other
+   */
+  static extends(run, other) {
+    const [a, b] = [run.way, other.way];
+    return (
+      a !== null &&
+      b !== null &&
+      a.base === b.base &&
+      a.legs === b.legs &&
+      b.choices.every((choice, i) => choice === a.choices[i])
+    );
+  }
+
+  toggle() {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  play() {
+    if (this.ended) this.go(0);
+    if (this.ended || this.playing) return;
+    this.playing = true;
+    this.last = 0;
+    this.held = 0;
+    this.frame = requestAnimationFrame((now) => this.tick(now));
+    this.tell("play");
+  }
+
+  pause() {
+    if (!this.playing) return;
+    cancelAnimationFrame(this.frame);
+    this.playing = false;
+    this.tell("play");
+    this.tell("move");
+  }
+
+  /** @param {number} speed */
+  hasten(speed) {
+    this.speed = Math.max(1 / 64, Math.min(64, speed));
+    this.tell("play");
+  }
+
+  /** @param {number} now */
+  tick(now) {
+    if (!this.playing) return;
+    const passed = this.last === 0 ? 0 : Math.min(0.1, (now - this.last) / 1000);
+    this.last = now;
+    if (passed > 0) {
+      if (this.still.matches) this.hop(passed * this.speed);
+      else this.advance(passed * this.speed);
+      this.tell("move");
+    }
+    if (this.ended) this.pause();
+    else this.frame = requestAnimationFrame((later) => this.tick(later));
+  }
+
+  /**
+   * Where motion is not wanted, playing goes from event to event.
+   * @param {number} passed seconds
+   */
+  hop(passed) {
+    this.held += passed;
+    if (this.held < 1.5) return;
+    if (this.legs < this.course.legs.length) this.place(this.legs + 1);
+    else this.place(this.legs, this.course.duration);
+  }
+
+  /** @param {number} budget seconds */
+  advance(budget) {
+    const legs = this.course.legs;
+    while (budget > 0 && !this.ended) {
+      const k = this.legs;
+      if (k < legs.length && Rational.sign(legs[k].duration) === 0) {
+        const left = this.dwell - this.held;
+        if (left > budget) {
+          this.held += budget;
+          return;
+        }
+        budget -= Math.max(0, left);
+        this.legs = k + 1;
+        this.held = 0;
+      } else {
+        const end = this.instants[k + 1];
+        const need = (end - this.clock) / this.rate;
+        if (need <= budget) {
+          budget -= Math.max(0, need);
+          const instant = this.until(k);
+          this.legs = Math.min(k + 1, legs.length);
+          this.time = instant;
+          this.clock = end;
+          this.held = 0;
+        } else {
+          this.clock += budget * this.rate;
+          budget = 0;
+          const near = Exactly.grid(this.clock);
+          if (Rational.cmp(near, this.instant(k)) > 0 && Rational.cmp(near, this.until(k)) < 0)
+            this.time = near;
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,274 @@
+"use strict";
+
+/** Numbers over time, below each other and aligned with the timeline. */
+const Plots = (() => {
+  const height = 92;
+  /** Plots beyond this many are not drawn at once. */
+  const most = 12;
+  /** @type {Player} */
+  let player;
+  /** @type {HTMLElement} */
+  let box;
+  /** @type {HTMLElement} */
+  let rows;
+  /** @type {HTMLElement} */
+  let menu;
+  /**
+   * The plots that are shown.
+   * @type {number[]}
+   */
+  let chosen = [];
+  /** @type {Drawn[]} */
+  let drawn = [];
+
+  /**
+   * @typedef {{plot: number, value: HTMLElement, picture: SVGElement, cursor: SVGElement, dot: SVGElement,
+   *            y: (value: number) => number}} Drawn
+   */
+
+  /** @param {Player} of */
+  function start(of) {
+    player = of;
+    box = Dom.get("plots");
+    if (player.data.plots.length === 0) {
+      Dom.fill(box, Dom.make("p", { class: "empty", text: "The checks of the model name no numbers." }));
+      return;
+    }
+    rows = Dom.make("div", { class: "plot-rows" });
+    menu = Dom.make("div", { class: "plot-menu" });
+    const choose = Dom.make("details", { class: "plot-choose" }, [
+      Dom.make("summary", { text: "Choose", test: "plots-choose" }),
+      menu,
+    ]);
+    choose.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") choose.open = false;
+    });
+    Dom.get("plots-head").after(
+      Dom.make("div", { class: "plot-tools" }, [
+        choose,
+        Dom.button("SVG", () => Dom.save("plots.svg", "image/svg+xml", file()), {
+          title: "Save the plots as a drawing",
+          test: "plots-svg",
+        }),
+        Dom.button("CSV", () => Dom.save("plots.csv", "text/csv", Values.csv(player, chosen)), {
+          title: "Save the numbers at all events, exact and as floats",
+          test: "plots-csv",
+        }),
+      ]),
+    );
+    box.append(rows);
+    const all = player.data.plots.map((_, plot) => plot);
+    chosen = all.filter((plot) => Values.varies(player, plot)).slice(0, 2);
+    if (chosen.length === 0) chosen = all.slice(0, 2);
+    player.on("run", draw);
+    player.on("move", move);
+    Timeline.onRange(draw);
+    new ResizeObserver(draw).observe(rows);
+    list();
+    draw();
+  }
+
+  /** The boxes by which plots are chosen. */
+  function list() {
+    Dom.fill(
+      menu,
+      ...player.data.plots.slice(0, 500).map((plot, index) => {
+        const tick = Dom.make("input", {
+          type: "checkbox",
+          checked: chosen.includes(index),
+          change: () => {
+            chosen = chosen.filter((other) => other !== index);
+            if (tick.checked)
+              chosen = chosen
+                .concat(index)
+                .slice(-most)
+                .sort((a, b) => a - b);
+            if (chosen.length === most) list();
+            draw();
+          },
+        });
+        return Dom.make("label", {}, [tick, Dom.name(Dom.clip(plot.text, 300), "clipped")]);
+      }),
+    );
+  }
+
+  function draw() {
+    if (!rows || rows.clientWidth === 0 || Dom.get("plots-panel").hidden) return;
+    const width = rows.clientWidth;
+    drawn = [];
+    Dom.fill(
+      rows,
+      ...chosen.map((plot) => {
+        const value = Dom.make("span", { class: "plot-value", test: `plot-value-${plot}` });
+        const { picture, y } = chart(plot, width);
+        const cursor = Dom.draw("line", { class: "plot-cursor", y1: 0, y2: height });
+        const dot = Dom.draw("circle", { class: "plot-dot", r: 3.5 });
+        picture.append(cursor, dot);
+        drawn.push({ plot, value, picture, cursor, dot, y });
+        picture.addEventListener("pointerdown", (event) => seek(/** @type {PointerEvent} */ (event), picture));
+        picture.addEventListener("pointermove", (event) => {
+          if (/** @type {PointerEvent} */ (event).buttons === 1)
+            seek(/** @type {PointerEvent} */ (event), picture);
+        });
+        const name = Dom.name(Dom.clip(player.data.plots[plot].text, 300), "clipped");
+        return Dom.make("figure", { class: "plot", test: `plot-${plot}` }, [
+          Dom.make("figcaption", {}, [name, value]),
+          /** @type {any} */ (picture),
+        ]);
+      }),
+      chosen.length === 0 ? Dom.make("p", { class: "empty", text: "No plot is chosen." }) : null,
+    );
+    move();
+  }
+
+  /**
+   * The drawing of one number, and where a value is on it.
+   * @param {number} plot @param {number} width
+   */
+  function chart(plot, width) {
+    const { from, to } = Timeline.range;
+    const strokes = Values.points(player, plot, from, to, width);
+    let [low, high] = [Infinity, -Infinity];
+    for (const stroke of strokes)
+      for (const [, value] of stroke) {
+        low = Math.min(low, value);
+        high = Math.max(high, value);
+      }
+    if (!(low <= high)) [low, high] = [0, 1];
+    if (high - low < 1e-12 * Math.max(1, Math.abs(high))) [low, high] = [low - 1, high + 1];
+    const free = (high - low) * 0.12;
+    const y = (/** @type {number} */ value) =>
+      height - 6 - ((value - low + free) / (high - low + 2 * free)) * (height - 12);
+    const x = (/** @type {number} */ time) => Timeline.x(time, width);
+    const picture = Dom.draw("svg", {
+      class: "chart",
+      width,
+      height,
+      viewBox: `0 0 ${width} ${height}`,
+      role: "img",
+      "aria-label": Dom.clip(
+        `${player.data.plots[plot].text} over time, from ${Exactly.decimal(low)} to ${Exactly.decimal(high)}`,
+        300,
+      ),
+    });
+    for (const time of Timeline.steps(from, to, width / 90)) {
+      picture.append(
+        Dom.draw("line", { class: "plot-grid", x1: x(time), x2: x(time), y1: 0, y2: height, stroke: "#8884" }),
+      );
+    }
+    for (const value of Timeline.steps(low, high, 3)) {
+      picture.append(
+        Dom.draw("line", {
+          class: "plot-grid",
+          x1: Timeline.margin,
+          x2: width - Timeline.margin,
+          y1: y(value),
+          y2: y(value),
+          stroke: "#8884",
+        }),
+        Dom.draw("text", {
+          class: "plot-tick",
+          x: Timeline.margin + 3,
+          y: y(value) - 3,
+          text: Exactly.decimal(value, 4),
+          "font-size": 10,
+          "font-family": "sans-serif",
+          fill: "#777",
+        }),
+      );
+    }
+    const path = strokes
+      .filter((stroke) => stroke.length > 1)
+      .map(
+        (stroke) =>
+          "M" + stroke.map(([time, value]) => `${x(time).toFixed(2)} ${y(value).toFixed(2)}`).join("L"),
+      )
+      .join("");
+    // What is so for an instant alone is a point.
+    const dots = strokes
+      .filter((stroke) => stroke.length === 1)
+      .map(([[time, value]]) => `M${x(time).toFixed(2)} ${y(value).toFixed(2)}h0`)
+      .join("");
+    const pen = { fill: "none", stroke: "#2a7de1", "stroke-linecap": "round", "stroke-linejoin": "round" };
+    if (path !== "")
+      picture.append(Dom.draw("path", { class: "plot-line", d: path, "stroke-width": 1.6, ...pen }));
+    if (dots !== "")
+      picture.append(Dom.draw("path", { class: "plot-line", d: dots, "stroke-width": 5, ...pen }));
+    return { picture, y };
+  }
+
+  function move() {
+    if (Dom.get("plots-panel").hidden) return;
+    const width = rows ? rows.clientWidth : 0;
+    const at = Timeline.x(player.clock, width).toFixed(2);
+    const inside = player.clock >= Timeline.range.from && player.clock <= Timeline.range.to;
+    const age = Rational.sub(player.time, player.instant(player.legs));
+    for (const { plot, value, cursor, dot, y } of drawn) {
+      cursor.setAttribute("transform", `translate(${at} 0)`);
+      cursor.setAttribute("visibility", inside ? "visible" : "hidden");
+      const now = Values.exact(player.data, player.state, plot, age);
+      dot.setAttribute("visibility", inside && typeof now !== "string" ? "visible" : "hidden");
+      if (typeof now === "string") {
+        Dom.tell(value, Dom.clip(now, 80));
+        continue;
+      }
+      const near = Rational.toNumber(now);
+      if (Number.isFinite(near)) dot.setAttribute("transform", `translate(${at} ${y(near).toFixed(2)})`);
+      const exact = Exactly.text(now);
+      Dom.tell(value, player.playing || exact.length > 28 ? Exactly.decimal(near) : Exactly.both(now));
+    }
+  }
+
+  /** @param {PointerEvent} event @param {SVGElement} picture */
+  function seek(event, picture) {
+    const width = rows.clientWidth - 2 * Timeline.margin;
+    const part = (event.clientX - picture.getBoundingClientRect().left - Timeline.margin) / width;
+    const { from, to } = Timeline.range;
+    const time = from + Math.max(0, Math.min(1, part)) * (to - from);
+    player.pause();
+    player.seek(time >= player.end ? player.course.duration : Exactly.grid(time));
+  }
+
+  /** The plots that are shown as a file of its own. */
+  function file() {
+    const width = 900;
+    const whole = (height + 26) * chosen.length + 24;
+    const picture = Dom.draw("svg", {
+      xmlns: "http://www.w3.org/2000/svg",
+      width,
+      height: whole,
+      viewBox: `0 0 ${width} ${whole}`,
+    });
+    picture.append(Dom.draw("rect", { width, height: whole, fill: "#fff" }));
+    chosen.forEach((plot, i) => {
+      const row = Dom.draw("g", { transform: `translate(0 ${i * (height + 26) + 20})` });
+      row.append(
+        Dom.draw("text", {
+          x: Timeline.margin,
+          y: -5,
+          "font-size": 12,
+          "font-family": "sans-serif",
+          text: Dom.clip(player.data.plots[plot].text, 120),
+        }),
+        ...chart(plot, width).picture.childNodes,
+      );
+      picture.append(row);
+    });
+    const { from, to } = Timeline.range;
+    for (const time of Timeline.steps(from, to, 10)) {
+      picture.append(
+        Dom.draw("text", {
+          x: Timeline.x(time, width),
+          y: whole - 8,
+          "font-size": 11,
+          "font-family": "sans-serif",
+          "text-anchor": "middle",
+          text: Exactly.decimal(time),
+        }),
+      );
+    }
+    return new XMLSerializer().serializeToString(picture);
+  }
+
+  return { start, draw };
+})();

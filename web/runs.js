@@ -1,0 +1,302 @@
+"use strict";
+
+/** The runs to choose from, each with its check and verdict; and why the verdict of the one shown is so. */
+const Runs = (() => {
+  /** @type {Player} */
+  let player;
+  /** @type {HTMLElement} */
+  let box;
+  /**
+   * Entries of the list: runs, and checks that no run shows.
+   * @type {Entry[]}
+   */
+  let entries = [];
+  let chosen = 0;
+
+  /** @typedef {{name: string, check: DataRun["check"], run: PlayedRun | null}} Entry */
+
+  /** @param {Player} of */
+  function start(of) {
+    player = of;
+    box = Dom.make("div", {
+      class: "cards",
+      role: "listbox",
+      tabindex: "0",
+      "aria-labelledby": "runs-head",
+      keydown: key,
+    });
+    Dom.get("runs").append(box);
+    player.on("run", show);
+    show();
+  }
+
+  function show() {
+    entries = player.data.runs.map((run, index) => ({
+      name: run.name,
+      check: run.check,
+      run: player.runs.find((one) => one.way === null && one.index === index) || null,
+    }));
+    for (const run of player.runs) if (run.way !== null) entries.push({ name: run.name, check: null, run });
+    if (entries.length === 0) entries.push({ name: player.run.name, check: null, run: player.run });
+    chosen = entries.findIndex((entry) => entry.run === player.run);
+    Dom.fill(box, ...entries.map(card));
+    reasons(entries[chosen]);
+    mark();
+  }
+
+  /** @param {Entry} entry @param {number} index */
+  function card(entry, index) {
+    const verdict = entry.check ? entry.check.verdict : entry.run && entry.run.way ? "own" : "run";
+    return Dom.make(
+      "div",
+      {
+        class: `card verdict-${verdict.split("-")[0]}`,
+        role: "option",
+        id: `run-${index}`,
+        test: "run",
+        "data-run": entry.name.slice(0, 200),
+        click: () => choose(index),
+      },
+      [
+        Dom.make("span", { class: "card-top" }, [
+          Dom.name(Dom.clip(entry.name, 300), "name clipped"),
+          Dom.make("span", { class: "verdict", text: said(entry) }),
+        ]),
+        entry.check
+          ? Dom.make("bdi", { class: "formula clipped", text: Dom.clip(entry.check.formula, 400) })
+          : null,
+        entry.run === null ? Dom.make("span", { class: "quiet", text: "no run shows it" }) : null,
+      ],
+    );
+  }
+
+  /** @param {Entry} entry */
+  function said(entry) {
+    if (!entry.check) return entry.run && entry.run.way ? "by choices" : "run";
+    return entry.check.verdict.replace(/-/g, " ");
+  }
+
+  /** @param {number} index */
+  function choose(index) {
+    const entry = entries[index];
+    chosen = index;
+    if (entry.run && entry.run !== player.run) player.open(entry.run);
+    else {
+      reasons(entry);
+      mark();
+    }
+    Tabs.show("why");
+  }
+
+  function mark() {
+    [...box.children].forEach((child, i) => {
+      child.setAttribute("aria-selected", String(i === chosen));
+      child.classList.toggle("here", i === chosen);
+    });
+    if (chosen >= 0) {
+      box.setAttribute("aria-activedescendant", `run-${chosen}`);
+      const card = /** @type {HTMLElement} */ (box.children[chosen]);
+      if (
+        card.offsetTop < box.scrollTop ||
+        card.offsetTop + card.offsetHeight > box.scrollTop + box.clientHeight
+      ) {
+        box.scrollTop = card.offsetTop - 20;
+      }
+    }
+  }
+
+  /**
+   * Goes to the next run, or the one before.
+   * @param {number} by
+   */
+  function step(by) {
+    const to = Math.max(0, Math.min(entries.length - 1, chosen + by));
+    if (to !== chosen) choose(to);
+  }
+
+  /** @param {KeyboardEvent} event */
+  function key(event) {
+    /** @type {{[key: string]: number}} */
+    const moves = { ArrowDown: 1, ArrowUp: -1, Home: -entries.length, End: entries.length };
+    if (moves[event.key] === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    step(moves[event.key]);
+  }
+
+  /**
+   * Why a verdict is so.
+   * @param {Entry | undefined} entry
+   */
+  function reasons(entry) {
+    const panel = Dom.get("why");
+    if (!entry) return;
+    const { run, check } = entry;
+    const values = run && run.values ? Object.entries(run.values) : [];
+    Dom.fill(
+      panel,
+      Dom.make("h3", {}, [Dom.name(Dom.clip(entry.name, 2000))]),
+      check ? Dom.make("p", { class: "formula" }, [Dom.make("bdi", { text: check.formula })]) : null,
+      check
+        ? Dom.make("p", { class: `verdict-line verdict-${check.verdict.split("-")[0]}`, test: "verdict" }, [
+            Dom.make("bdi", { text: check.text }),
+          ])
+        : null,
+      run === null
+        ? Dom.make("p", { class: "quiet", text: "A verdict about all runs: no single run shows it." })
+        : null,
+      run && run.way
+        ? Dom.make("p", {
+            class: "quiet",
+            text: `${run.way.legs} steps of a run of the file, then ${run.way.choices.length} by your choices.`,
+          })
+        : null,
+      values.length === 0
+        ? null
+        : Dom.make("p", {}, [
+            "where ",
+            Dom.make("bdi", {
+              text: values.map(([name, value]) => `${name} = ${value.replace(/\/1$/, "")}`).join(", "),
+            }),
+          ]),
+      lines("What is so there", (run && run.facts) || []),
+      run && run.argument ? Dom.make("h3", { text: "Because" }) : null,
+      run && run.argument ? tree(run.argument) : null,
+      lines(
+        "How it ends",
+        ((run && run.ending) || []).filter((line) => !((run && run.facts) || []).includes(line)),
+      ),
+    );
+  }
+
+  /** @param {string} head @param {string[]} texts */
+  function lines(head, texts) {
+    if (texts.length === 0) return null;
+    return Dom.make("div", {}, [
+      Dom.make("h3", { text: head }),
+      Dom.make(
+        "ul",
+        {},
+        texts.map((text) => Dom.make("li", {}, [Dom.make("bdi", { text })])),
+      ),
+    ]);
+  }
+
+  /**
+   * The tree of reasons. Parts of a claim are made when they are opened.
+   * @param {DataArgument} argument
+   */
+  function tree(argument) {
+    const root = Dom.make("ul", {
+      role: "tree",
+      class: "tree",
+      "aria-label": "Reasons",
+      keydown: walk,
+      test: "reasons",
+    });
+    root.append(branch(argument, 0));
+    const first = root.querySelector("[role=treeitem]");
+    if (first) first.setAttribute("tabindex", "0");
+    return root;
+  }
+
+  /** @param {DataArgument} argument @param {number} depth @returns {HTMLElement} */
+  function branch(argument, depth) {
+    const time = argument.time ? Exactly.read(argument.time) : null;
+    const more = argument.parts.length > 0;
+    const line = Dom.make("div", { class: "reason" }, [
+      Dom.make("span", {
+        class: argument.holds ? "sign yes" : "sign no",
+        text: argument.holds ? "✓" : "✗",
+        "aria-hidden": "true",
+      }),
+      Dom.make("span", { class: "reason-text" }, [
+        Dom.make("bdi", { text: argument.claim }),
+        argument.holds ? " holds" : " fails",
+        argument.where ? Dom.make("span", { class: "quiet", text: ` · ${argument.where}` }) : null,
+        ...argument.because.map((text) => Dom.make("span", { class: "because" }, [Dom.make("bdi", { text })])),
+      ]),
+      time
+        ? Dom.make("span", {
+            class: "link jump",
+            text: `t = ${Dom.clip(Exactly.text(time), 16)}`,
+            "aria-hidden": "true",
+          })
+        : null,
+    ]);
+    const item = Dom.make(
+      "li",
+      {
+        role: "treeitem",
+        tabindex: "-1",
+        "aria-expanded": more ? String(depth < 3) : null,
+        "aria-level": depth + 1,
+      },
+      [line],
+    );
+    const open = () => {
+      if (!more || item.querySelector("ul")) return;
+      item.append(
+        Dom.make(
+          "ul",
+          { role: "group" },
+          argument.parts.map((part) => branch(part, depth + 1)),
+        ),
+      );
+    };
+    if (depth < 3) open();
+    line.addEventListener("click", () => {
+      if (time) jump(time);
+      else if (more) item.setAttribute("aria-expanded", String(item.getAttribute("aria-expanded") !== "true"));
+      open();
+    });
+    item.addEventListener("jump", (event) => {
+      event.stopPropagation();
+      if (time) jump(time);
+    });
+    item.addEventListener("unfold", (event) => {
+      event.stopPropagation();
+      open();
+    });
+    return item;
+  }
+
+  /** @param {Rational} time */
+  function jump(time) {
+    player.pause();
+    player.seek(time);
+  }
+
+  /** @param {KeyboardEvent} event */
+  function walk(event) {
+    const item = /** @type {HTMLElement} */ (event.target);
+    const root = /** @type {HTMLElement} */ (event.currentTarget);
+    if (item.getAttribute("role") !== "treeitem") return;
+    const seen = /** @type {HTMLElement[]} */ ([...root.querySelectorAll("[role=treeitem]")]).filter(
+      (one) => !one.parentElement || !one.parentElement.closest("[aria-expanded=false]"),
+    );
+    const at = seen.indexOf(item);
+    const open = item.getAttribute("aria-expanded");
+    let to = null;
+    if (event.key === "ArrowDown") to = seen[at + 1];
+    else if (event.key === "ArrowUp") to = seen[at - 1];
+    else if (event.key === "Home") to = seen[0];
+    else if (event.key === "End") to = seen[seen.length - 1];
+    else if (event.key === "ArrowRight" && open === "false") {
+      item.setAttribute("aria-expanded", "true");
+      item.dispatchEvent(new CustomEvent("unfold"));
+    } else if (event.key === "ArrowRight") to = open === "true" ? seen[at + 1] : null;
+    else if (event.key === "ArrowLeft" && open === "true") item.setAttribute("aria-expanded", "false");
+    else if (event.key === "ArrowLeft")
+      to = item.parentElement && item.parentElement.closest("[role=treeitem]");
+    else if (event.key === "Enter" || event.key === " ") item.dispatchEvent(new CustomEvent("jump"));
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (!(to instanceof HTMLElement)) return;
+    for (const one of seen) one.tabIndex = one === to ? 0 : -1;
+    to.focus();
+  }
+
+  return { start, step };
+})();

@@ -1,0 +1,241 @@
+"use strict";
+
+/** The buttons of the page: playing, the scene, dark and light, which panels are seen. */
+const Tools = (() => {
+  /** @type {Player} */
+  let player;
+  /** @type {Scene | null} */
+  let scene;
+  /**
+   * What the scene shows, by the names of its options.
+   * @type {{[option: string]: any}}
+   */
+  const options = {
+    names: false,
+    velocities: false,
+    spins: false,
+    trails: false,
+    grid: true,
+    projection: "perspective",
+  };
+  /** @type {HTMLElement} */
+  let say;
+  /** @type {{[id: string]: HTMLButtonElement}} */
+  const made = {};
+
+  /** @param {Player} of @param {Scene | null} shown */
+  function start(of, shown) {
+    player = of;
+    scene = shown;
+    transport();
+    if (scene) views();
+    theme();
+    switches();
+  }
+
+  /**
+   * Drawings of buttons, within 16 × 16.
+   * @type {{[icon: string]: string}}
+   */
+  const icons = {
+    first: "M3 3v10M13 3L6 8l7 5z",
+    previous: "M11.5 3L4.5 8l7 5z",
+    play: "M5 3l8 5-8 5z",
+    pause: "M5 3v10M11 3v10",
+    next: "M4.5 3l7 5-7 5z",
+    last: "M13 3v10M3 3l7 5-7 5z",
+    narrow: "M2 8h4M4 6l2 2-2 2M14 8h-4M12 6l-2 2 2 2",
+    wide: "M6 8H2M4 6L2 8l2 2M10 8h4M12 6l2 2-2 2",
+  };
+
+  /**
+   * Draws a button.
+   * @param {HTMLElement} button @param {string} icon
+   */
+  function picture(button, icon) {
+    button.replaceChildren(
+      Dom.draw("svg", { viewBox: "0 0 16 16", width: 16, height: 16, "aria-hidden": "true", class: "icon" }, [
+        Dom.draw("path", { d: icons[icon] }),
+      ]),
+    );
+  }
+
+  function transport() {
+    const time = Dom.make("input", {
+      type: "text",
+      id: "time",
+      class: "time-input",
+      "aria-label": "Time, as an exact number",
+      spellcheck: "false",
+      autocomplete: "off",
+      test: "time",
+      change: () => go(time),
+      keydown: (/** @type {KeyboardEvent} */ event) => {
+        if (event.key === "Enter") go(time);
+        if (event.key === "Escape") time.blur();
+      },
+    });
+    const near = Dom.make("span", { class: "near", test: "time-near" });
+    const step = Dom.make("span", { class: "quiet", test: "step" });
+    const speed = Dom.make("span", { class: "speed", test: "speed" });
+    const play = press("play", "", "Play (space)", () => player.toggle());
+    play.classList.add("primary");
+    Dom.fill(
+      Dom.get("transport"),
+      Dom.make("span", { class: "group" }, [
+        press("first", "", "To the beginning (Home)", () => player.first()),
+        press("previous", "", "One event back (left arrow)", () => player.previous()),
+        play,
+        press("next", "", "One event on (right arrow)", () => player.next()),
+        press("last", "", "To the end (End)", () => player.finish()),
+      ]),
+      Dom.make("span", { class: "group clock" }, [Dom.make("label", { for: "time", text: "t =" }), time, near]),
+      step,
+      Dom.make("span", { class: "group push" }, [
+        press("slower", "−", "Slower (-)", () => player.hasten(player.speed / 2)),
+        speed,
+        press("faster", "+", "Faster (+)", () => player.hasten(player.speed * 2)),
+      ]),
+      Dom.make("span", { class: "group" }, [
+        press("narrow", "", "See less of time, about now", () => Timeline.zoom(0.5)),
+        press("wide", "", "See more of time", () => Timeline.zoom(2)),
+        press("whole", "All", "See all of time", () => Timeline.look(0, player.end)),
+      ]),
+    );
+    const show = () => {
+      const exact = Exactly.text(player.time);
+      if (document.activeElement !== time) time.value = player.playing ? Exactly.decimal(player.clock) : exact;
+      Dom.tell(near, !player.playing && exact.includes("/") ? `≈ ${Exactly.decimal(player.clock)}` : "");
+      Dom.tell(step, `step ${player.legs} of ${player.course.legs.length}`);
+    };
+    const state = () => {
+      picture(play, player.playing ? "pause" : "play");
+      play.setAttribute("aria-label", player.playing ? "Pause (space)" : "Play (space)");
+      play.title = player.playing ? "Pause (space)" : "Play (space)";
+      const factor = player.speed < 1 ? `1/${1 / player.speed}` : String(player.speed);
+      Dom.tell(speed, `× ${factor}`);
+      speed.title = `A second shows ${Exactly.decimal(player.rate * player.speed)} of model time`;
+      show();
+    };
+    player.on("move", show);
+    player.on("play", state);
+    player.on("run", state);
+    state();
+  }
+
+  /** @param {HTMLInputElement} input */
+  function go(input) {
+    const wanted = input.value.trim().replace("−", "-");
+    const exact = Exactly.read(wanted);
+    const near = Number(wanted);
+    player.pause();
+    if (exact) player.seek(exact);
+    else if (wanted !== "" && Number.isFinite(near)) player.seek(Exactly.grid(near));
+    input.value = Exactly.text(player.time);
+  }
+
+  /** @param {string} id @param {string} text @param {string} title @param {() => void} action */
+  function press(id, text, title, action) {
+    made[id] = Dom.button(text, action, { id: `tool-${id}`, test: id, title, "aria-label": title });
+    if (icons[id]) picture(made[id], id);
+    return made[id];
+  }
+
+  function views() {
+    const bar = Dom.get("scene-tools");
+    const toggle = (/** @type {string} */ option, /** @type {string} */ text, /** @type {string} */ title) => {
+      const button = press(option, text, title, () => set(option, !options[option]));
+      button.setAttribute("aria-pressed", String(options[option]));
+      return button;
+    };
+    say = press("projection", "Perspective", "Perspective, or parallel (o)", () =>
+      set("projection", options.projection === "perspective" ? "orthographic" : "perspective"),
+    );
+    Dom.fill(
+      bar,
+      toggle("names", "Names", "Names of the bodies (n)"),
+      toggle("velocities", "Velocities", "Velocities as arrows (v)"),
+      toggle("spins", "Spins", "Spins as arrows"),
+      toggle("trails", "Trails", "Where bodies have been (r)"),
+      toggle("grid", "Grid", "The grid on the floor"),
+      say,
+      press("fit", "Fit", "See all bodies (f)", () => scene && scene.fit()),
+      press("follow", "Follow", "Go along with the selected body", follow),
+    );
+    made.follow.setAttribute("aria-pressed", "false");
+    if (scene) scene.setOptions(options);
+  }
+
+  function follow() {
+    if (!scene) return;
+    const on = made.follow.getAttribute("aria-pressed") !== "true";
+    const chosen = Details.selection();
+    if (on && !chosen) {
+      Dom.tell(Dom.get("live"), "Select a body first, to go along with it.");
+      Tabs.show("details");
+      return;
+    }
+    scene.follow(on && chosen ? chosen.leaf : null);
+    made.follow.setAttribute("aria-pressed", String(on));
+  }
+
+  /** @param {string} option @param {any} value */
+  function set(option, value) {
+    options[option] = value;
+    if (option === "projection") say.textContent = value === "perspective" ? "Perspective" : "Parallel";
+    else if (made[option]) made[option].setAttribute("aria-pressed", String(value));
+    if (scene) {
+      scene.setOptions(options);
+      scene.show(player.course, player.legs, player.time);
+    }
+  }
+
+  /** @param {string} option */
+  function flip(option) {
+    if (!made[option] || !scene) return;
+    made[option].click();
+  }
+
+  function theme() {
+    const button = Dom.get("theme");
+    const kinds = ["system", "dark", "light"];
+    let kind = 0;
+    const dark = window.matchMedia("(prefers-color-scheme: dark)");
+    const show = () => {
+      const root = document.documentElement;
+      const is = kinds[kind] === "system" ? (dark.matches ? "dark" : "light") : kinds[kind];
+      root.setAttribute("data-theme", is);
+      button.textContent = kinds[kind] === "system" ? "Theme" : kinds[kind] === "dark" ? "Dark" : "Light";
+      button.setAttribute("aria-label", `Theme: ${kinds[kind]}`);
+      if (scene) scene.setOptions({ ...options, theme: is });
+      Timeline.paint();
+      if (scene) scene.show(player.course, player.legs, player.time);
+    };
+    button.addEventListener("click", () => {
+      kind = kind === 0 ? (dark.matches ? 2 : 1) : kind === 1 ? (dark.matches ? 0 : 2) : dark.matches ? 1 : 0;
+      show();
+    });
+    dark.addEventListener("change", show);
+    show();
+  }
+
+  function switches() {
+    /** @type {[string, string, () => void][]} */
+    const panels = [
+      ["graph-switch", "graph-panel", () => Graph.show()],
+      ["plots-switch", "plots-panel", () => Plots.draw()],
+    ];
+    for (const [id, panel, shown] of panels) {
+      const button = Dom.get(id);
+      button.addEventListener("click", () => {
+        const on = button.getAttribute("aria-pressed") !== "true";
+        button.setAttribute("aria-pressed", String(on));
+        Dom.get(panel).hidden = !on;
+        document.body.classList.toggle(panel, on);
+        if (on) shown();
+      });
+    }
+  }
+
+  return { start, flip };
+})();
