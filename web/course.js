@@ -1,0 +1,308 @@
+"use strict";
+
+/**
+ * @typedef {{ index: number, label: DataLabel, start: Rational, duration: Rational, before: number, after: number,
+ *   choice: number | null, rules: string[], tail: boolean }} Leg  A transition; its time counts from the start.
+ * @typedef {{ index: number, since: Rational, from: number, to: number }} Segment  A process of the states that come
+ *   after so many legs, from..to - 1.
+ */
+
+/**
+ * A run: its transitions, and where everything is at any time.
+ */
+class Course {
+  /** @param {PageData} data @param {{ start: number, steps: DataStep[], rest: string }} run */
+  constructor(data, run) {
+    this.data = data;
+    this.start = run.start;
+    /** @type {Leg[]} */
+    this.legs = [];
+    let now = Rational.zero, before = run.start;
+    for (const [index, step] of run.steps.entries()) {
+      const label = data.labels[step.label];
+      const duration = label.duration ? Rational.of(label.duration) : Rational.zero;
+      this.legs.push({
+        index, label, start: now, duration, before, after: step.to,
+        choice: step.choice, rules: step.rules, tail: step.tail === true,
+      });
+      if (label.duration) now = Rational.add(now, duration);
+      before = step.to;
+    }
+    /** When the last leg is over. */
+    this.over = now;
+    this.duration = Rational.add(now, Rational.of(run.rest));
+    /** @type {Map<number, Segment[]>} by first leaf */
+    this.slots = new Map();
+    this.#lay(run.start);
+    /** @type {{ legs: number, bodies: Moving[] } | null} */
+    this.last = null;
+  }
+
+  /**
+   * What comes and goes, leg by leg.
+   * @param {number} start
+   */
+  #lay(start) {
+    for (const [index] of Course.#whole(this.data, start)) this.#enter(index, Rational.zero, 0);
+    for (const leg of this.legs) {
+      const k = leg.index + 1;
+      const state = this.data.states[leg.after];
+      const now = leg.label.duration ? Rational.add(leg.start, leg.duration) : leg.start;
+      if (state.of === leg.before && Rational.cmp(Rational.of(state.after), leg.duration) === 0) {
+        for (const first of state.gone) this.#leave(first, k);
+        for (const index of state.come) this.#enter(index, now, k);
+      } else this.#become(leg.after, now, k);
+    }
+    for (const segments of this.slots.values())
+      for (const s of segments) if (s.to < 0) s.to = this.legs.length + 1;
+  }
+
+  /**
+   * A state that is told by another one than that before: only what differs is new.
+   * @param {number} state @param {Rational} now @param {number} k
+   */
+  #become(state, now, k) {
+    const whole = new Map(Course.#whole(this.data, state).map(([index, age]) => [this.#first(index), { index, age }]));
+    for (const [first, segments] of this.slots) {
+      const s = segments[segments.length - 1];
+      if (s.to >= 0) continue;
+      const next = whole.get(first);
+      if (next && next.index === s.index && Rational.cmp(Rational.sub(now, next.age), s.since) === 0) whole.delete(first);
+      else this.#leave(first, k);
+    }
+    for (const { index, age } of whole.values()) this.#enter(index, Rational.sub(now, age), k);
+  }
+
+  /** @param {number} index of a process */
+  #first(index) { return this.data.processes[index].leaves[0].leaf; }
+
+  /** @param {number} index @param {Rational} since @param {number} k */
+  #enter(index, since, k) {
+    const first = this.#first(index);
+    const segments = this.slots.get(first);
+    const segment = { index, since, from: k, to: -1 };
+    if (segments) segments.push(segment); else this.slots.set(first, [segment]);
+  }
+
+  /** @param {number} first @param {number} k */
+  #leave(first, k) {
+    const segments = this.slots.get(first);
+    if (segments) segments[segments.length - 1].to = k;
+  }
+
+  /** @type {WeakMap<PageData, Map<number, [number, Rational][]>>} */
+  static #wholes = new WeakMap();
+
+  /**
+   * The processes of a state, each with how long ago it came.
+   * @param {PageData} data @param {number} state @returns {[number, Rational][]}
+   */
+  static #whole(data, state) {
+    let known = Course.#wholes.get(data);
+    if (!known) Course.#wholes.set(data, (known = new Map()));
+    const chain = [];
+    /** @type {number | null} */
+    let at = state;
+    while (at !== null && !known.has(at)) { chain.push(at); at = data.states[at].of; }
+    let bodies = new Map((at === null ? [] : known.get(at) || []).map((b) => [data.processes[b[0]].leaves[0].leaf, b]));
+    for (const k of chain.reverse()) {
+      const { after, gone, come } = data.states[k];
+      const later = Rational.of(after);
+      for (const first of gone) bodies.delete(first);
+      if (Rational.sign(later) !== 0)
+        for (const [first, [index, age]] of bodies) bodies.set(first, [index, Rational.add(age, later)]);
+      for (const index of come) bodies.set(data.processes[index].leaves[0].leaf, [index, Rational.zero]);
+    }
+    const all = [...bodies.values()];
+    if (known.size * all.length < 500000) known.set(state, all);
+    return all;
+  }
+
+  /**
+   * How many legs are over at a time.
+   * @param {Rational} time
+   */
+  legsAt(time) {
+    let low = 0, high = this.legs.length;
+    while (low < high) {
+      const middle = (low + high) >> 1, leg = this.legs[middle];
+      if (Rational.cmp(Rational.add(leg.start, leg.duration), time) <= 0) low = middle + 1; else high = middle;
+    }
+    return low;
+  }
+
+  /**
+   * The state that was reached last at a time.
+   * @param {Rational} time
+   */
+  stateAt(time) { return this.stateAfter(this.legsAt(time)); }
+
+  /** @param {number} k */
+  stateAfter(k) { return k === 0 ? this.start : this.legs[k - 1].after; }
+
+  /**
+   * Of several states of one instant, the last.
+   * @param {Rational} time
+   */
+  bodiesAt(time) { return this.bodiesAfter(this.legsAt(time), time); }
+
+  /**
+   * When so many legs are over, at a time before the next one is.
+   * @param {number} k @param {Rational} time
+   */
+  bodiesAfter(k, time) {
+    if (!this.last || this.last.legs !== k) this.last = { legs: k, bodies: this.#present(k) };
+    const n = Moving.float(time.n), d = Moving.float(time.d);
+    for (const body of this.last.bodies) body.at(time, n, d);
+    return this.last.bodies;
+  }
+
+  /** @param {number} k @returns {Moving[]} */
+  #present(k) {
+    const bodies = [];
+    for (const segments of this.slots.values()) {
+      let low = 0, high = segments.length;
+      while (low < high) {
+        const middle = (low + high) >> 1;
+        if (segments[middle].from <= k) low = middle + 1; else high = middle;
+      }
+      const s = segments[low - 1];
+      if (low > 0 && k < s.to) bodies.push(new Moving(this.data.processes[s.index], s.index, s.since));
+    }
+    return bodies.sort((a, b) => a.process.leaves[0].leaf - b.process.leaves[0].leaf);
+  }
+
+  /**
+   * Kept with the place, as it is asked for in each frame.
+   * @param {Moving} body @param {DataPlace} place one of the leaves of its process
+   * @returns {ReturnType<typeof Motion.straight> | ReturnType<typeof Motion.turning>}
+   */
+  static motion(body, place) {
+    const kept = /** @type {DataPlace & { motion?: ReturnType<typeof Course.motion> }} */ (place);
+    if (!kept.motion)
+      kept.motion = body.process.turn ? Motion.turning(body.process, place) : Motion.straight(body.process, place);
+    return kept.motion;
+  }
+
+  /**
+   * Where the point of reference of a leaf is.
+   * @param {Moving} body @param {DataPlace} place @returns {[Rational, Rational, Rational]}
+   */
+  position(body, place) {
+    const p = Motion.position(Course.motion(body, place), body.age);
+    return /** @type {[Rational, Rational, Rational]} */ (p.n.map((n) => Rational.make(n, p.d)));
+  }
+
+  /**
+   * How a leaf is turned: a matrix by rows.
+   * @param {Moving} body @param {DataPlace} place @returns {Rational[]}
+   */
+  orientation(body, place) {
+    const o = Motion.orientation(Course.motion(body, place), body.age);
+    return o.n.map((n) => Rational.make(n, o.d));
+  }
+
+  /**
+   * The same as floats, each the nearest to the exact number: the position relative to the target in out[0..2], the rows
+   * of the rotation in out[3..11].
+   * @param {Moving} body @param {DataPlace} place @param {Target} target {@link Motion.target}
+   * @param {Float64Array | number[]} out
+   */
+  place(body, place, target, out) {
+    const { sinceN, sinceD, timeN, timeD } = body;
+    const forward = timeN * sinceD, back = sinceN * timeD;
+    const n = Math.abs(forward) < 2 ** 53 && Math.abs(back) < 2 ** 53 ? forward - back : NaN;
+    Motion.place(Course.motion(body, place), body.gone, n, timeD * sinceD, target, out);
+  }
+
+  /**
+   * Where the leaf's point of reference has been, up to a time: points (x, y, z) relative to the target, one after the
+   * other, with those at which its process changed; what turns is sampled in between.
+   * @param {number} leaf @param {number} k @param {Rational} time @param {Target} target @param {number} [most] points
+   */
+  trail(leaf, k, time, target, most = 2000) {
+    /** @type {number[]} */
+    const points = [];
+    const out = new Float64Array(12);
+    const parts = 6;
+    for (const s of this.#segmentsOf(leaf)) {
+      if (s.from > k) break;
+      const process = this.data.processes[s.index];
+      const place = process.leaves.find((l) => l.leaf === leaf);
+      if (!place) continue;
+      const body = new Moving(process, s.index, s.since);
+      const end = s.to <= k ? this.arrival(s.to) : time, begin = this.arrival(s.from);
+      const n = process.turn ? parts : 1;
+      for (let i = points.length ? 1 : 0; i <= n; i++) {
+        const at = Rational.add(begin, Rational.mul(Rational.sub(end, begin), Rational.make(BigInt(i), BigInt(n))));
+        body.at(at, Moving.float(at.n), Moving.float(at.d));
+        this.place(body, place, target, out);
+        points.push(out[0], out[1], out[2]);
+      }
+    }
+    return points.length > 3 * most ? points.slice(points.length - 3 * most) : points;
+  }
+
+  /**
+   * When so many legs were over.
+   * @param {number} k
+   */
+  arrival(k) { return k < this.legs.length ? this.legs[k].start : this.over; }
+
+  /** @type {Map<number, Segment[]> | null} by leaf */
+  #trails = null;
+
+  /** @param {number} leaf */
+  #segmentsOf(leaf) {
+    if (!this.#trails) {
+      this.#trails = new Map();
+      const all = [...this.slots.values()].flat().sort((a, b) => a.from - b.from);
+      for (const s of all)
+        for (const place of this.data.processes[s.index].leaves) {
+          const of = this.#trails.get(place.leaf);
+          if (of) of.push(s); else this.#trails.set(place.leaf, [s]);
+        }
+    }
+    return this.#trails.get(leaf) || [];
+  }
+}
+
+/** A process of a state, on its way since an instant: its age is made when it is asked for. */
+class Moving {
+  /** @param {DataProcess} process @param {number} index @param {Rational} since */
+  constructor(process, index, since) {
+    this.process = process;
+    this.index = index;
+    this.since = since;
+    this.sinceN = Moving.float(since.n);
+    this.sinceD = Moving.float(since.d);
+    this.time = since;
+    this.timeN = this.sinceN;
+    this.timeD = this.sinceD;
+  }
+
+  /**
+   * A whole number as a float, if it is one; or NaN.
+   * @param {bigint} n
+   */
+  static float(n) { return n < 9007199254740992n && n > -9007199254740992n ? Number(n) : NaN; }
+
+  /**
+   * Later, at a time of which the terms are told as floats as well.
+   * @param {Rational} time @param {number} n @param {number} d
+   */
+  at(time, n, d) {
+    this.time = time;
+    this.timeN = n;
+    this.timeD = d;
+  }
+
+  get age() { return Rational.sub(this.time, this.since); }
+
+  /** The age without the work of lowest terms. */
+  gone = () => {
+    const { time, since } = this;
+    return time.d === since.d ? { n: time.n - since.n, d: time.d }
+      : { n: time.n * since.d - since.n * time.d, d: time.d * since.d };
+  };
+}
