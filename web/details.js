@@ -30,6 +30,7 @@ const Details = (() => {
       empty: "There are no bodies.",
     });
     list.show(player.data.leaves.length, -1);
+    list.box.style.height = `${30 * Math.min(player.data.leaves.length, 30) + 2}px`;
     player.on("move", () => {
       // Exact numbers are made anew while the run is played, but not for each frame.
       const now = performance.now();

@@ -16,7 +16,7 @@ const Exactly = (() => {
       size >= 1e7 || size < 1e-4 ? x.toExponential(digits ? digits - 1 : 4) : x.toPrecision(digits || 6);
     return (
       text.includes("e") ? text.replace(/\.?0+e/, "e") : text.includes(".") ? text.replace(/\.?0+$/, "") : text
-    ).replace("-", "−");
+    );
   }
 
   /**

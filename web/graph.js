@@ -62,7 +62,7 @@ const Graph = (() => {
           : `It is not drawn: more than ${most} states would tell little. Choices can be walked one by one.`;
       Dom.fill(
         box,
-        Dom.make("p", { class: "quiet", text: note, test: "graph-note" }),
+        Dom.make("p", { class: "empty", text: note, test: "graph-note" }),
         Dom.make("p", { class: "empty", text: why }),
       );
       return;

@@ -2,7 +2,7 @@
 
 /** Numbers over time, below each other and aligned with the timeline. */
 const Plots = (() => {
-  const height = 92;
+  const height = 84;
   /** Plots beyond this many are not drawn at once. */
   const most = 12;
   /** @type {Player} */

@@ -50,10 +50,11 @@ const Runs = (() => {
     return Dom.make(
       "div",
       {
-        class: `card verdict-${verdict.split("-")[0]}`,
+        class: `card verdict-${verdict.split("-")[0]}${entry.run === null ? " bare" : ""}`,
         role: "option",
         id: `run-${index}`,
         test: "run",
+        "title": entry.run === null ? "A verdict about all runs: no single run shows it" : null,
         "data-run": entry.name.slice(0, 200),
         click: () => choose(index),
       },
@@ -65,7 +66,6 @@ const Runs = (() => {
         entry.check
           ? Dom.make("bdi", { class: "formula clipped", text: Dom.clip(entry.check.formula, 400) })
           : null,
-        entry.run === null ? Dom.make("span", { class: "quiet", text: "no run shows it" }) : null,
       ],
     );
   }

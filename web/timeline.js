@@ -163,18 +163,54 @@ const Timeline = (() => {
       pen.fillText(Exactly.decimal(time), Math.max(margin, Math.min(width - margin, at)), height - 3);
     }
     const kinds = new Map();
+    const tint = (/** @type {string} */ kind) => {
+      if (!kinds.has(kind)) kinds.set(kind, colour(`--k-${kind}`) || colour("--accent"));
+      return kinds.get(kind);
+    };
+    ticks(pen, width, floor, tint);
+  }
+
+  /**
+   * Draws the events that are seen: ticks; or where there are more than can be told apart, how many there are of each
+   * kind (the height is the root of how many).
+   * @param {CanvasRenderingContext2D} pen @param {number} width @param {number} floor
+   * @param {(kind: string) => string} tint
+   */
+  function ticks(pen, width, floor, tint) {
+    const seen = instants.filter((instant) => instant.time >= range.from && instant.time <= range.to);
+    const kind = (/** @type {number} */ legs) => player.data.labels[player.run.steps[legs - 1].label].kind;
     const band = floor - 8;
-    const tick = instants.length > 300 ? 2 : 5;
-    for (const instant of instants) {
-      if (instant.time < range.from || instant.time > range.to) continue;
-      const at = Math.round(x(instant.time, width)) - 2;
-      const each = band / instant.count;
-      const gap = each > 4 ? 1.5 : 0;
-      for (let i = 0; i < instant.count; i++) {
-        const kind = player.data.labels[player.run.steps[instant.first + i - 1].label].kind;
-        if (!kinds.has(kind)) kinds.set(kind, colour(`--k-${kind}`) || colour("--accent"));
-        pen.fillStyle = kinds.get(kind);
-        pen.fillRect(at, floor - 2 - each * (i + 1) + gap, tick, Math.max(0.5, each - gap));
+    if (seen.length <= width / 4) {
+      const tick = seen.length > width / 12 ? 2 : 5;
+      for (const { time, first, count } of seen) {
+        const at = Math.round(x(time, width)) - 2;
+        const each = band / count;
+        const gap = each > 4 ? 1.5 : 0;
+        for (let i = 0; i < count; i++) {
+          pen.fillStyle = tint(kind(first + i));
+          pen.fillRect(at, floor - 2 - each * (i + 1) + gap, tick, Math.max(0.5, each - gap));
+        }
+      }
+      return;
+    }
+    /** @type {Map<number, Map<string, number>>} */
+    const piles = new Map();
+    const pileOf = (/** @type {Map<string, number>} */ pile) => [...pile.values()].reduce((sum, many) => sum + many, 0);
+    let highest = 1;
+    for (const { time, first, count } of seen) {
+      const at = Math.floor(x(time, width) / 4);
+      const pile = piles.get(at) || new Map();
+      piles.set(at, pile);
+      for (let i = 0; i < count; i++) pile.set(kind(first + i), (pile.get(kind(first + i)) || 0) + 1);
+      highest = Math.max(highest, pileOf(pile));
+    }
+    for (const [at, pile] of piles) {
+      let top = floor - 1;
+      for (const [name, many] of [...pile].sort()) {
+        const high = (many / pileOf(pile)) * Math.sqrt(pileOf(pile) / highest) * band;
+        top -= high;
+        pen.fillStyle = tint(name);
+        pen.fillRect(at * 4, top, 3, high);
       }
     }
   }
