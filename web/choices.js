@@ -64,21 +64,25 @@ const Choices = (() => {
     list.show(possible.length, taken());
     list.box.style.height = `${Math.min(5, possible.length) * 44 + 2}px`;
     list.nothing.hidden = true;
-    const leg = player.course.legs[at];
-    const turning = leg && leg.choice === null && possible.length === 0;
+    const step = at < player.run.steps.length ? player.run.steps[at] : null;
+    const before = at > 0 ? player.run.steps[at - 1] : null;
+    const turning = (step && step.tail) || (before && before.tail);
+    const part = step && step.choice === null && next !== null;
     Dom.tell(
       said,
-      next === null
-        ? "What else is possible here is not in the file: it lies beyond the bound of its state graph."
-        : turning
-          ? "Nothing but the passing of time is possible."
+      turning
+        ? "Nothing but the passing of time is possible."
+        : next === null
+          ? "What else is possible here is not in the file: it lies beyond the bound of its state graph."
           : possible.length === 0
             ? player.data.states[state].stuck
               ? "Nothing is possible here."
               : "Nothing is possible any more."
-            : possible.length === 1
-              ? "One thing is possible."
-              : `${possible.length} things are possible. Choose one to go there.`,
+            : part
+              ? "The run lets less time pass here than could. Choose something to go there."
+              : possible.length === 1
+                ? "One thing is possible."
+                : `${possible.length} things are possible. Choose one to go there.`,
     );
   }
 

@@ -200,18 +200,16 @@ const Details = (() => {
     return Dom.make(
       "ul",
       { class: "plain" },
-      behaviour.open
-        .slice(0, 100)
-        .map((open) =>
-          Dom.make("li", {}, [
-            Dom.make("bdi", {
-              class: open.co ? "channel co" : "channel",
-              text: (open.co ? "~" : "") + open.channel,
-            }),
-            " on ",
-            Dom.make("bdi", { text: Dom.clip(open.sites.map((at) => site(leaf, at)).join(", "), 1000) }),
-          ]),
-        ),
+      behaviour.open.slice(0, 100).map((open) =>
+        Dom.make("li", {}, [
+          Dom.make("bdi", {
+            class: open.co ? "channel co" : "channel",
+            text: (open.co ? "~" : "") + open.channel,
+          }),
+          " on ",
+          Dom.make("bdi", { text: Dom.clip(open.sites.map((at) => site(leaf, at)).join(", "), 1000) }),
+        ]),
+      ),
     );
   }
 

@@ -14,9 +14,11 @@ const Exactly = (() => {
     const size = Math.abs(x);
     const text =
       size >= 1e7 || size < 1e-4 ? x.toExponential(digits ? digits - 1 : 4) : x.toPrecision(digits || 6);
-    return (
-      text.includes("e") ? text.replace(/\.?0+e/, "e") : text.includes(".") ? text.replace(/\.?0+$/, "") : text
-    );
+    return text.includes("e")
+      ? text.replace(/\.?0+e/, "e")
+      : text.includes(".")
+        ? text.replace(/\.?0+$/, "")
+        : text;
   }
 
   /**

@@ -159,7 +159,7 @@ const Graph = (() => {
       const side = a.x >= b.x ? 26 : -26;
       path = `M${a.x} ${a.y - r}C${a.x + side} ${a.y - 30} ${b.x + side} ${b.y + 30} ${b.x} ${b.y + r + 3}`;
     }
-    const line = Dom.draw("path", { d: path, class: `edge kind-${[...kinds][0]}` }, [
+    const line = Dom.draw("path", { d: path, class: `edge kind-${[...kinds][0]}${b.y > a.y ? "" : " back"}` }, [
       Dom.draw("title", { text: words }),
     ]);
     lines.set(`${from}-${to}`, line);
@@ -214,6 +214,11 @@ const Graph = (() => {
 
   /** Marks the state that is shown. */
   function here() {
+    for (const line of picture ? picture.querySelectorAll(".edge.out") : []) line.classList.remove("out");
+    for (const choice of player.data.states[player.state].next || []) {
+      const line = lines.get(`${player.state}-${choice.to}`);
+      if (line) line.classList.add("out");
+    }
     const now = nodes.get(player.state);
     for (const node of nodes.values()) {
       if (node === now || !node.classList.contains("here")) continue;

@@ -3,42 +3,47 @@
 /** Puts the page together. */
 const Main = (() => {
   /**
-   * What tests ask of the page.
+   * What the page tells to those who test it, or drive it from the console, as `window.scc`: where one is, with all
+   * numbers as exact texts, and ways to go elsewhere.
    * @param {Player} player
    */
   function probe(player) {
-    const state = () => ({
-      run: player.run.name,
-      way: player.run.way,
-      legs: player.legs,
-      time: Rational.text(player.time),
-      state: player.state,
-      playing: player.playing,
-      positions: positions(player),
-    });
     return {
       version: 1,
-      state,
-      steps: () => player.course.legs.length,
-      runs: () => player.runs.map((run) => run.name),
+      data: player.data,
+      state: () => ({
+        run: player.run.name,
+        way: player.run.way,
+        legs: player.legs,
+        time: Rational.text(player.time),
+        state: player.state,
+        playing: player.playing,
+        bodies: bodies(player),
+      }),
+      runs: () => player.runs.map((run) => ({ name: run.name, index: run.index, steps: run.steps.length })),
+      link: () => Links.text(),
       open: (/** @type {number} */ index) => player.open(player.runs[index]),
       go: (/** @type {number} */ legs, /** @type {string | undefined} */ time) =>
         player.go(legs, time === undefined ? undefined : Rational.of(time)),
+      seek: (/** @type {string} */ time) => player.seek(Rational.of(time)),
       choose: (/** @type {number} */ choice) => player.choose(choice),
-      data: player.data,
     };
   }
 
   /**
-   * Exact positions of all bodies, by their names.
+   * All bodies, by their names.
    * @param {Player} player
    */
-  function positions(player) {
-    /** @type {{[name: string]: string[]}} */
+  function bodies(player) {
+    /** @type {{[name: string]: {position: string[], velocity: string[], behaviour: string}}} */
     const all = {};
     for (const body of player.course.bodiesAfter(player.legs, player.time)) {
       for (const place of body.process.leaves) {
-        all[player.data.leaves[place.leaf].name] = player.course.position(body, place).map(Rational.text);
+        all[player.data.leaves[place.leaf].name] = {
+          position: player.course.position(body, place).map(Rational.text),
+          velocity: body.process.velocity.map((/** @type {string} */ v) => Rational.text(Rational.of(v))),
+          behaviour: player.data.behaviours[place.behaviour].text,
+        };
       }
     }
     return all;

@@ -195,7 +195,8 @@ const Timeline = (() => {
     }
     /** @type {Map<number, Map<string, number>>} */
     const piles = new Map();
-    const pileOf = (/** @type {Map<string, number>} */ pile) => [...pile.values()].reduce((sum, many) => sum + many, 0);
+    const pileOf = (/** @type {Map<string, number>} */ pile) =>
+      [...pile.values()].reduce((sum, many) => sum + many, 0);
     let highest = 1;
     for (const { time, first, count } of seen) {
       const at = Math.floor(x(time, width) / 4);
