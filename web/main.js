@@ -76,7 +76,7 @@ const Main = (() => {
             Details.select(found);
           },
         });
-        const said = scene.why || Scene.why;
+        const said = Scene.why;
         if (!said) return scene;
         why = String(said);
       }

@@ -1,0 +1,172 @@
+"use strict";
+
+/**
+ * The camera: it looks at a target from some distance, and goes around it. The target is exact, and all that is drawn is
+ * told relative to it, so that nothing shakes far from the origin.
+ */
+class Orbit {
+  /** @param {HTMLCanvasElement} canvas @param {() => void} changed */
+  constructor(canvas, changed) {
+    this.canvas = canvas;
+    this.changed = changed;
+    /** @type {Rational[]} */
+    this.at = [Rational.zero, Rational.zero, Rational.zero];
+    this.target = Motion.target({ n: [0n, 0n, 0n], d: 1n });
+    this.distance = 20;
+    /** Around the axis that points up, from the front to the right; and above the floor. In radians. */
+    this.turn = 0.5;
+    this.height = 0.42;
+    this.parallel = false;
+    this.perspective = new THREE.PerspectiveCamera(40, 1, 0.1, 1000);
+    this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
+    this.#listen();
+  }
+
+  get camera() { return this.parallel ? this.orthographic : this.perspective; }
+
+  /** Where the camera is, relative to the target: a direction of length 1. */
+  get direction() {
+    const c = Math.cos(this.height);
+    return new THREE.Vector3(c * Math.sin(this.turn), Math.sin(this.height), c * Math.cos(this.turn));
+  }
+
+  /**
+   * Looks at a place, near enough: numbers stay short when they are multiples of a power of two that is small beside the
+   * distance.
+   * @param {number[]} place
+   */
+  lookAt(place) {
+    const step = 2 ** Math.floor(Math.log2(this.distance) - 12);
+    this.setTarget(place.map((x) => Rational.fromNumber(Math.round(x / step) * step)));
+  }
+
+  /** @param {Rational[]} at */
+  setTarget(at) {
+    this.at = at;
+    let d = 1n;
+    for (const r of at) d = (d / gcd(d, r.d)) * r.d;
+    this.target = Motion.target({ n: at.map((r) => r.n * (d / r.d)), d });
+
+    /** @param {bigint} a @param {bigint} b */
+    function gcd(a, b) {
+      while (b !== 0n) [a, b] = [b, a % b];
+      return a;
+    }
+  }
+
+  /**
+   * Moves the target by floats, exactly.
+   * @param {{ x: number, y: number, z: number }} by
+   */
+  pan(by) {
+    const step = 2 ** Math.floor(Math.log2(this.distance) - 14);
+    const moved = [by.x, by.y, by.z].map((x, i) =>
+      Rational.add(this.at[i], Rational.fromNumber(Math.round(x / step) * step)));
+    this.setTarget(moved);
+    this.changed();
+  }
+
+  /** @param {number} width @param {number} height of the picture @param {number} radius of what there is to see */
+  place(width, height, radius) {
+    const camera = this.camera, aspect = width / Math.max(1, height);
+    camera.position.copy(this.direction.multiplyScalar(this.distance));
+    camera.up.set(0, 1, 0);
+    camera.lookAt(0, 0, 0);
+    if (this.parallel) {
+      const half = this.distance * Math.tan((20 * Math.PI) / 180);
+      const depth = 4 * (this.distance + radius);
+      Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half, near: -depth, far: depth });
+    } else
+      Object.assign(camera, { aspect, near: this.distance / 100, far: 4 * (this.distance + radius) });
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+  }
+
+  /** How long a pixel is, at the target. @returns {number} */
+  get pixel() { return (2 * this.distance * Math.tan((20 * Math.PI) / 180)) / Math.max(1, this.canvas.clientHeight); }
+
+  /** @param {number} dx @param {number} dy in pixels */
+  around(dx, dy) {
+    this.turn -= dx * 0.008;
+    this.height = Math.max(-1.55, Math.min(1.55, this.height + dy * 0.008));
+    this.changed();
+  }
+
+  /** @param {number} dx @param {number} dy in pixels */
+  shift(dx, dy) {
+    const e = this.camera.matrixWorld.elements;
+    const right = new THREE.Vector3(e[0], e[1], e[2]), up = new THREE.Vector3(e[4], e[5], e[6]);
+    this.pan(right.multiplyScalar(-dx * this.pixel).add(up.multiplyScalar(dy * this.pixel)));
+  }
+
+  /** @param {number} factor less than 1: nearer */
+  zoom(factor) {
+    this.distance = Math.max(1e-6, Math.min(1e12, this.distance * factor));
+    this.changed();
+  }
+
+  /** @returns {{ [key: string]: any }} what an address can hold */
+  save() {
+    const short = (/** @type {number} */ x) => Number(x.toPrecision(5));
+    return {
+      at: this.at.map(Rational.text), distance: short(this.distance), turn: short(this.turn), height: short(this.height),
+      ...(this.parallel ? { parallel: true } : {}),
+    };
+  }
+
+  /** @param {{ [key: string]: any }} c */
+  load(c) {
+    const number = (/** @type {any} */ x) => typeof x === "number" && Number.isFinite(x);
+    const fraction = (/** @type {any} */ x) => typeof x === "string" && x.length < 2000 && /^-?\d+(\/\d*[1-9]\d*)?$/.test(x);
+    if (!Array.isArray(c.at) || c.at.length !== 3 || !c.at.every(fraction)) throw new Error("no camera");
+    if (![c.distance, c.turn, c.height].every(number) || c.distance <= 0) throw new Error("no camera");
+    this.setTarget(c.at.map(Rational.of));
+    this.distance = c.distance;
+    this.turn = c.turn;
+    this.height = Math.max(-1.55, Math.min(1.55, c.height));
+    this.parallel = c.parallel === true;
+    this.changed();
+  }
+
+  #listen() {
+    /** @type {Map<number, { x: number, y: number }>} */
+    const held = new Map();
+    this.canvas.addEventListener("pointerdown", (e) => {
+      this.canvas.setPointerCapture(e.pointerId);
+      held.set(e.pointerId, { x: e.clientX, y: e.clientY });
+    });
+    const release = (/** @type {PointerEvent} */ e) => held.delete(e.pointerId);
+    this.canvas.addEventListener("pointerup", release);
+    this.canvas.addEventListener("pointercancel", release);
+    this.canvas.addEventListener("pointermove", (e) => {
+      const was = held.get(e.pointerId);
+      if (!was) return;
+      const dx = e.clientX - was.x, dy = e.clientY - was.y;
+      if (held.size === 1) {
+        if (e.shiftKey || e.buttons & 6) this.shift(dx, dy); else this.around(dx, dy);
+      } else if (held.size === 2) {
+        const other = [...held].filter(([id]) => id !== e.pointerId)[0][1];
+        const before = Math.hypot(was.x - other.x, was.y - other.y), now = Math.hypot(e.clientX - other.x, e.clientY - other.y);
+        if (before > 10 && now > 10) this.zoom(before / now);
+        this.shift(dx / 2, dy / 2);
+      }
+      held.set(e.pointerId, { x: e.clientX, y: e.clientY });
+    });
+    this.canvas.addEventListener("wheel", (e) => {
+      e.preventDefault();
+      this.zoom(2 ** (Math.max(-100, Math.min(100, e.deltaY * (e.deltaMode ? 30 : 1))) / 250));
+    }, { passive: false });
+    this.canvas.addEventListener("contextmenu", (e) => e.preventDefault());
+    this.canvas.addEventListener("keydown", (e) => {
+      const way = { a: [-1, 0], d: [1, 0], w: [0, -1], s: [0, 1] }[e.key.toLowerCase()];
+      if (e.ctrlKey || e.metaKey || e.altKey) return;
+      if (way) {
+        if (e.shiftKey) this.shift(-30 * way[0], -30 * way[1]); else this.around(-15 * way[0], -15 * way[1]);
+      } else if (e.key === "z") this.zoom(0.85);
+      else if (e.key === "Z") this.zoom(1 / 0.85);
+      else return;
+      e.preventDefault();
+      e.stopPropagation();
+    });
+  }
+}

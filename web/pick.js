@@ -1,0 +1,86 @@
+"use strict";
+
+/**
+ * What is under a pointer: a part of a leaf, and the face, edge or corner of it.
+ *
+ * @typedef {{ leaf: number, parts: ReturnType<typeof Shapes.part>[], matrix: Float64Array }} Shown  A leaf as it is drawn.
+ */
+const Pick = (() => {
+  /**
+   * A point of the leaf, relative to the target.
+   * @param {Float64Array} m @param {number[]} p
+   */
+  function toWorld(m, p) {
+    return [0, 1, 2].map((i) => m[i] + m[3 + 3 * i] * p[0] + m[4 + 3 * i] * p[1] + m[5 + 3 * i] * p[2]);
+  }
+
+  /**
+   * A direction seen from the leaf.
+   * @param {Float64Array} m @param {number[]} v
+   * @returns {[number, number, number]}
+   */
+  function toBody(m, v) {
+    return /** @type {[number, number, number]} */ (
+      [0, 1, 2].map((i) => m[3 + i] * v[0] + m[6 + i] * v[1] + m[9 + i] * v[2]));
+  }
+
+  /**
+   * Where a ray enters a convex part: its face, and how far along the ray.
+   * @param {ReturnType<typeof Shapes.part>} part @param {[number, number, number]} from
+   * @param {[number, number, number]} way
+   */
+  function enter(part, from, way) {
+    let first = -Infinity, last = Infinity, face = -1;
+    for (const [i, f] of part.faces.entries()) {
+      const q = part.points[f.corners[0]];
+      const height = Shapes.dot(f.normal, Shapes.sub(from, q)), fall = Shapes.dot(f.normal, way);
+      if (Math.abs(fall) < 1e-14) {
+        if (height > 1e-9) return null;
+        continue;
+      }
+      const t = -height / fall;
+      if (fall < 0) {
+        if (t > first) { first = t; face = i; }
+      } else last = Math.min(last, t);
+    }
+    return face >= 0 && first <= last ? { face, t: first } : null;
+  }
+
+  /**
+   * The feature that is meant: a corner or an edge of the face, if it is within so many pixels.
+   * @param {Shown} shown @param {number} index of the part @param {number} face
+   * @param {(p: number[]) => { x: number, y: number }} project @param {number} x @param {number} y @param {number} near
+   * @returns {{ kind: SiteKind, index: number }}
+   */
+  function feature(shown, index, face, project, x, y, near) {
+    const part = shown.parts[index], around = part.faces[face].corners;
+    const seen = new Map(around.map((i) => [i, project(toWorld(shown.matrix, part.points[i]))]));
+    for (const [i, p] of seen) if (Math.hypot(p.x - x, p.y - y) < near) return { kind: "vertex", index: i };
+    for (const [i, [a, b]] of part.edges.entries()) {
+      const p = seen.get(a), q = seen.get(b);
+      if (!p || !q) continue;
+      const dx = q.x - p.x, dy = q.y - p.y;
+      const t = Math.max(0, Math.min(1, ((x - p.x) * dx + (y - p.y) * dy) / (dx * dx + dy * dy || 1)));
+      if (Math.hypot(p.x + t * dx - x, p.y + t * dy - y) < 0.6 * near) return { kind: "edge", index: i };
+    }
+    return { kind: "face", index: face };
+  }
+
+  /**
+   * @param {Shown[]} all @param {number[]} origin @param {number[]} way of the ray, relative to the target
+   */
+  function first(all, origin, way) {
+    let best = null;
+    for (const shown of all) {
+      const m = shown.matrix;
+      const from = toBody(m, [origin[0] - m[0], origin[1] - m[1], origin[2] - m[2]]), along = toBody(m, way);
+      for (const [index, part] of shown.parts.entries()) {
+        const hit = enter(part, from, along);
+        if (hit && hit.t > 0 && (!best || hit.t < best.t)) best = { shown, part: index, face: hit.face, t: hit.t };
+      }
+    }
+    return best;
+  }
+
+  return { first, feature, toWorld };
+})();
