@@ -100,9 +100,10 @@ class Scene {
     return made;
   }
 
-  /** @param {InstanceType<typeof Kinds.Kind>} kind */
-  #paint(kind) {
-    if (kind.edges && !kind.edges.uniforms.own.value) kind.edges.uniforms.color.value.set(this.dark ? 0x0a0d12 : 0x1b2430);
+  /** @param {InstanceType<typeof Kinds.Kind>} drawn */
+  #paint(drawn) {
+    if (drawn.edges && !drawn.edges.uniforms.own.value)
+      drawn.edges.uniforms.color.value.set(this.dark ? 0x0a0d12 : 0x1b2430);
   }
 
   get dark() { return this.options.theme === "dark"; }
