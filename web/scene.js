@@ -36,7 +36,7 @@ class Scene {
     this.scene = new THREE.Scene();
     this.orbit = new Orbit(this.canvas, () => this.refresh());
     this.marks = new Marks(this.scene, box);
-    /** @type {Map<string, InstanceType<typeof Kinds.Kind>>} */
+    /** @type {Map<string, Kind>} */
     this.kinds = new Map();
     this.models = data.leaves.map((leaf) => leaf.parts.map((p) => Shapes.part(data, p)));
     this.sizes = this.models.map((parts) => Math.max(...parts.flatMap((p) => p.points.map((q) => Math.hypot(...q)))));
@@ -87,8 +87,8 @@ class Scene {
 
   /**
    * The kind of that name, made when it is first asked for.
-   * @param {string} name @param {() => InstanceType<typeof Kinds.Kind>} make
-   * @returns {InstanceType<typeof Kinds.Kind>}
+   * @param {string} name @param {() => Kind} make
+   * @returns {Kind}
    */
   #kind(name, make) {
     const known = this.kinds.get(name);
@@ -100,7 +100,7 @@ class Scene {
     return made;
   }
 
-  /** @param {InstanceType<typeof Kinds.Kind>} drawn */
+  /** @param {Kind} drawn */
   #paint(drawn) {
     if (drawn.edges && !drawn.edges.uniforms.own.value)
       drawn.edges.uniforms.color.value.set(this.dark ? 0x0a0d12 : 0x1b2430);
@@ -112,7 +112,7 @@ class Scene {
   #body(leaf) {
     const { fixed, absorbs } = this.data.leaves[leaf];
     return this.#kind(`body ${fixed} ${absorbs} ${this.shapes[leaf]}`, () =>
-      new Kinds.Kind(Shapes.body(this.models[leaf]), {
+      new Kind(Shapes.body(this.models[leaf]), {
         opacity: fixed ? 0.32 : 1, lineOpacity: fixed ? 0.35 : 0.75, stripes: absorbs, stripeSize: this.sizes[leaf] / 4,
       }));
   }
@@ -124,7 +124,7 @@ class Scene {
   #open(leaf, [part, kind, index], co) {
     return this.#kind(`open ${co} ${part} ${kind} ${index} ${this.shapes[leaf]}`, () => {
       const size = this.sizes[leaf];
-      return new Kinds.Kind({ faces: Shapes.feature(this.models[leaf][part], kind, index, size) },
+      return new Kind({ faces: Shapes.feature(this.models[leaf][part], kind, index, size) },
         { stripes: co, stripeSize: size / 5, flat: true, pull: true });
     });
   }
@@ -138,7 +138,7 @@ class Scene {
       const size = this.sizes[leaf], model = this.models[leaf][part];
       const ball = new Shapes.Triangles();
       Shapes.ball(ball, Shapes.middle(Shapes.corners(model, kind, index)), 0.055 * size);
-      return new Kinds.Kind({ faces: ball, lines: Shapes.outline(model, kind, index, size) },
+      return new Kind({ faces: ball, lines: Shapes.outline(model, kind, index, size) },
         { above: true, flat: true, ownLines: true, order: 5 });
     });
   }
@@ -146,11 +146,11 @@ class Scene {
   /** @param {number} leaf */
   #whole(leaf) {
     return this.#kind(`whole ${this.shapes[leaf]}`, () =>
-      new Kinds.Kind({ lines: Shapes.body(this.models[leaf]).lines }, { above: true, ownLines: true, lineOpacity: 0.7, order: 5 }));
+      new Kind({ lines: Shapes.body(this.models[leaf]).lines }, { above: true, ownLines: true, lineOpacity: 0.7, order: 5 }));
   }
 
   #arrow() {
-    return this.#kind("arrow", () => new Kinds.Kind({ faces: Shapes.arrow() }, { order: 3 }));
+    return this.#kind("arrow", () => new Kind({ faces: Shapes.arrow() }, { order: 3 }));
   }
 
   /**
