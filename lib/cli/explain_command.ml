@@ -1,7 +1,5 @@
 open Scc_base
-open Scc_exact
 open Scc_property
-open Scc_motion
 open Scc_explain
 open Scc_session
 open Scc_exchange
@@ -56,18 +54,9 @@ type failure = Diagnosed of Diag.t list | Stopped of string
 
 (* The run, and how it stands where the schedule leaves it. *)
 let follow (l : Loaded.t) schedule check ~interrupted =
-  let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
-  let note : Replay.event -> unit = function
-    | Start s -> initial := s
-    | Step { taken; state; _ } -> steps := (taken.label, state ()) :: !steps
-    | Instant i -> offset := i.offset
-    | End _ -> ()
-  in
   let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
-  match Replay.run l.semantics l.declared (Scheduled schedule) limits ~interrupted note with
-  | Ok ending ->
-    let course = Course.make l.semantics ~initial:!initial (List.rev !steps) ~rest:!offset in
-    Ok ({ Causes.declared = l.declared; course; over = over check ending }, ending)
+  match Chosen_run.follow l (Scheduled schedule) limits ~interrupted with
+  | Ok (course, ending) -> Ok ({ Causes.declared = l.declared; course; over = over check ending }, ending)
   | Error Interrupted -> Error (Stopped "scc: interrupted")
   | Error (Refused d) -> Error (Diagnosed [ d ])
   | Error (Fault f) -> Error (Diagnosed [ Replay.diagnostic l.model f ])

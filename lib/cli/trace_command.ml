@@ -1,9 +1,6 @@
-open Scc_exact
 open Scc_session
 open Scc_exchange
 open Cmdliner
-
-type choose = First | Random of int64
 
 (* How the run is told. *)
 type form = Lines | Human | Itf
@@ -11,11 +8,7 @@ type form = Lines | Human | Itf
 type options = {
   path : string;
   given : Options.definitions;
-  schedule : string option;
-  choose : choose;
-  start : Sample.how option;
-  steps : int option;
-  time : Rat.t option;
+  choices : Chosen_run.options;
   form : form;
   full : bool;
   states : Trace.states;
@@ -24,49 +17,12 @@ type options = {
 
 let ( let* ) = Result.bind
 
-let prepare console o =
-  match o.schedule with
-  | None ->
-    let* model = Input.model console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path in
-    Ok (model, None)
-  | Some path ->
-    let* schedule = Scheduled.read console path in
-    let* model = Scheduled.model console schedule ~given:o.given o.path in
-    Ok (model, Some schedule)
-
-(* The ordinary model of one start: the values of -D and of the schedule, and for what they leave open those that
-   are sampled. *)
-let at_start o (l : Loaded.t) =
-  match o.start with
-  | None ->
-    let* () = Ordinary.at_point ~otherwise:"`--start simple` chooses them" l in
-    Ok (l, [])
-  | Some how -> (
-      match Sample.values how l.model.ranges with
-      | [] -> Ok (l, [])
-      | values ->
-        let* l = Loaded.at l values in
-        Ok (l, values))
-
-let policy o = function
-  | Some s -> Replay.Scheduled s
-  | None -> ( match o.choose with First -> Replay.First | Random seed -> Replay.Random seed)
-
-(* A schedule is followed to its end unless a limit is asked for. *)
-let limits o schedule : Replay.limits =
-  let steps =
-    match (o.steps, schedule, o.time) with
-    | Some n, _, _ -> Some n
-    | None, None, None -> Some Replay.default_steps
-    | None, _, _ -> None
-  in
-  { steps; time = o.time; instant = Replay.default_instant }
-
-let write_run o (l : Loaded.t) sampled policy limits ~interrupted write =
-  let run emit = Replay.run l.semantics l.declared policy limits ~interrupted emit in
+let write_run o (chosen : Chosen_run.t) ~interrupted write =
+  let l = chosen.loaded in
+  let run emit = Replay.run l.semantics l.declared chosen.policy chosen.limits ~interrupted emit in
   match o.form with
   | Human ->
-    if sampled <> [] then write (Printf.sprintf "for %s\n" (Sample.to_string sampled));
+    if chosen.sampled <> [] then write (Printf.sprintf "for %s\n" (Sample.to_string chosen.sampled));
     run (Human_trace.teller l.model ~full:o.full o.states write)
   | Lines ->
     let line json = write (Json.line json ^ "\n") in
@@ -101,77 +57,13 @@ let run color o =
   let console = Console.make ~color ~json:false in
   let interrupted = Watch.interrupted (Watch.start ()) in
   Guard.run console (fun () ->
-      let* model, schedule = prepare console o in
-      let* model, sampled = at_start o model in
-      Console.report console model.warnings;
-      let write = write_run o model sampled (policy o schedule) (limits o schedule) ~interrupted in
+      let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
+      let write = write_run o chosen ~interrupted in
       match Console.with_output console ~path:o.output write with
-      | Ok result -> Ok (finish console model result)
+      | Ok result -> Ok (finish console chosen.loaded result)
       | Error d -> Error [ d ])
 
 (* The command line. *)
-
-let schedule =
-  let doc =
-    "Makes the choices of $(docv): a schedule, as $(b,scc check --witness) writes it, or a trace, whose \
-     schedule is taken. It is followed to its end. A choice that is not possible where it is made is refused."
-  in
-  Arg.(value & opt (some string) None & info [ "schedule" ] ~docv:"FILE" ~doc)
-
-(* A word, or a seed; [seed] is that of a value which is not the word. *)
-let seeded ~docv word ~plain ~random ~seed =
-  let parse s =
-    let n = String.length s in
-    if String.equal s word then Ok plain
-    else if n > 7 && String.equal (String.sub s 0 7) "random:" then
-      match Int64.of_string_opt (String.sub s 7 (n - 7)) with
-      | Some seed -> Ok (random seed)
-      | None -> Error (`Msg "the seed is no integer of 64 bits")
-    else Error (`Msg (Printf.sprintf "`%s' is neither `%s' nor `random:SEED'" s word))
-  in
-  let print ppf x =
-    match seed x with
-    | None -> Format.pp_print_string ppf word
-    | Some seed -> Format.fprintf ppf "random:%Ld" seed
-  in
-  Arg.conv ~docv (parse, print)
-
-let choose_conv : choose Arg.conv =
-  let random seed = Random seed and seed = function First -> None | Random seed -> Some seed in
-  seeded ~docv:"POLICY" "first" ~plain:First ~random ~seed
-
-let start_conv : Sample.how Arg.conv =
-  let random seed = Sample.Random seed and seed = function Sample.Simple -> None | Random seed -> Some seed in
-  seeded ~docv:"START" "simple" ~plain:Sample.Simple ~random ~seed
-
-let choose =
-  let doc =
-    "How to choose between transitions: $(b,first), the first one, or $(b,random:SEED), each equally \
-     likely, by the generator SplitMix64 from the integer $(b,SEED): the same on every machine."
-  in
-  Arg.(value & opt choose_conv First & info [ "choose" ] ~docv:"POLICY" ~doc)
-
-let start =
-  let doc =
-    "Which start to run from where parameters have ranges: $(b,simple), simple numbers within the ranges, or \
-     $(b,random:SEED), by the generator SplitMix64 from the integer $(b,SEED) for each one of the 1023 values \
-     that divide its range into 1024 equal parts. Values that $(b,-D) or a schedule gives are kept, and a range \
-     that $(b,-D) narrows is the one that is sampled. The header of the trace tells the values ($(b,--human): the \
-     first line)."
-  in
-  Arg.(value & opt (some start_conv) None & info [ "start" ] ~docv:"START" ~doc)
-
-let steps =
-  let doc =
-    Printf.sprintf
-      "Ends the run after $(docv) transitions. The default is %d when neither a schedule nor $(b,--time) \
-       ends it." Replay.default_steps
-  in
-  Arg.(value & opt (some Options.transitions) None & info [ "steps" ] ~docv:"N" ~doc)
-
-let time =
-  let doc = "Ends the run at the model time $(docv), between events if need be." in
-  Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "time" ] ~docv:"T" ~doc)
 
 let form =
   let human =
@@ -199,12 +91,13 @@ let output =
 
 let options =
   let full = Options.full "With $(b,--human): tells every step, every body and all digits of numbers." in
-  let make path given schedule choose start steps time form full states output =
-    { path; given; schedule; choose; start; steps; time; form; full; states; output }
+  let choices =
+    Chosen_run.options
+      ~sampled:"The header of the trace tells the values ($(b,--human): the first line)."
   in
+  let make path given choices form full states output = { path; given; choices; form; full; states; output } in
   Term.(
-    const make $ Options.model_file $ Options.definitions $ schedule $ choose $ start $ steps $ time $ form
-    $ full $ states $ output)
+    const make $ Options.model_file $ Options.definitions $ choices $ form $ full $ states $ output)
 
 let man =
   [

@@ -1,0 +1,147 @@
+open Scc_exact
+open Scc_motion
+open Scc_session
+open Scc_exchange
+open Cmdliner
+
+type choose = First | Random of int64
+
+type options = {
+  schedule : string option;
+  choose : choose;
+  start : Sample.how option;
+  steps : int option;
+  time : Rat.t option;
+}
+
+type t = {
+  loaded : Loaded.t;
+  sampled : (string * Rat.t) list;
+  policy : Replay.policy;
+  limits : Replay.limits;
+}
+
+let ( let* ) = Result.bind
+
+let model console o ~(given : Options.definitions) path =
+  match o.schedule with
+  | None ->
+    let* model = Input.model console ~overrides:given.values ~narrowed:given.narrowed path in
+    Ok (model, None)
+  | Some file ->
+    let* schedule = Scheduled.read console file in
+    let* model = Scheduled.model console schedule ~given path in
+    Ok (model, Some schedule)
+
+(* The ordinary model of one start: the values of -D and of the schedule, and for what they leave open those that
+   are sampled. *)
+let at_start o (l : Loaded.t) =
+  match o.start with
+  | None ->
+    let* () = Ordinary.at_point ~otherwise:"`--start simple` chooses them" l in
+    Ok (l, [])
+  | Some how -> (
+      match Sample.values how l.model.ranges with
+      | [] -> Ok (l, [])
+      | values ->
+        let* l = Loaded.at l values in
+        Ok (l, values))
+
+let policy o = function
+  | Some s -> Replay.Scheduled s
+  | None -> ( match o.choose with First -> Replay.First | Random seed -> Replay.Random seed)
+
+(* A schedule is followed to its end unless a limit is asked for. *)
+let limits o schedule : Replay.limits =
+  let steps =
+    match (o.steps, schedule, o.time) with
+    | Some n, _, _ -> Some n
+    | None, None, None -> Some Replay.default_steps
+    | None, _, _ -> None
+  in
+  { steps; time = o.time; instant = Replay.default_instant }
+
+let prepare console o ~given path =
+  let* model, schedule = model console o ~given path in
+  let* loaded, sampled = at_start o model in
+  Console.report console loaded.warnings;
+  Ok { loaded; sampled; policy = policy o schedule; limits = limits o schedule }
+
+let follow (l : Loaded.t) policy limits ~interrupted =
+  let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
+  let note : Replay.event -> unit = function
+    | Start s -> initial := s
+    | Step { taken; state; _ } -> steps := (taken.label, state ()) :: !steps
+    | Instant i -> offset := i.offset
+    | End _ -> ()
+  in
+  let* ending = Replay.run l.semantics l.declared policy limits ~interrupted note in
+  Ok (Course.make l.semantics ~initial:!initial (List.rev !steps) ~rest:!offset, ending)
+
+(* {1 The command line} *)
+
+let schedule =
+  let doc =
+    "Makes the choices of $(docv): a schedule, as $(b,scc check --witness) writes it, or a trace, whose \
+     schedule is taken. It is followed to its end. A choice that is not possible where it is made is refused."
+  in
+  Arg.(value & opt (some string) None & info [ "schedule" ] ~docv:"FILE" ~doc)
+
+(* A word, or a seed; [seed] is that of a value which is not the word. *)
+let seeded ~docv word ~plain ~random ~seed =
+  let parse s =
+    let n = String.length s in
+    if String.equal s word then Ok plain
+    else if n > 7 && String.equal (String.sub s 0 7) "random:" then
+      match Int64.of_string_opt (String.sub s 7 (n - 7)) with
+      | Some seed -> Ok (random seed)
+      | None -> Error (`Msg "the seed is no integer of 64 bits")
+    else Error (`Msg (Printf.sprintf "`%s' is neither `%s' nor `random:SEED'" s word))
+  in
+  let print ppf x =
+    match seed x with
+    | None -> Format.pp_print_string ppf word
+    | Some seed -> Format.fprintf ppf "random:%Ld" seed
+  in
+  Arg.conv ~docv (parse, print)
+
+let choose_conv : choose Arg.conv =
+  let random seed = Random seed and seed = function First -> None | Random seed -> Some seed in
+  seeded ~docv:"POLICY" "first" ~plain:First ~random ~seed
+
+let start_conv : Sample.how Arg.conv =
+  let random seed = Sample.Random seed and seed = function Sample.Simple -> None | Random seed -> Some seed in
+  seeded ~docv:"START" "simple" ~plain:Sample.Simple ~random ~seed
+
+let choose =
+  let doc =
+    "How to choose between transitions: $(b,first), the first one, or $(b,random:SEED), each equally \
+     likely, by the generator SplitMix64 from the integer $(b,SEED): the same on every machine."
+  in
+  Arg.(value & opt choose_conv First & info [ "choose" ] ~docv:"POLICY" ~doc)
+
+let start ~sampled =
+  let doc =
+    "Which start to run from where parameters have ranges: $(b,simple), simple numbers within the ranges, or \
+     $(b,random:SEED), by the generator SplitMix64 from the integer $(b,SEED) for each one of the 1023 values \
+     that divide its range into 1024 equal parts. Values that $(b,-D) or a schedule gives are kept, and a range \
+     that $(b,-D) narrows is the one that is sampled. "
+    ^ sampled
+  in
+  Arg.(value & opt (some start_conv) None & info [ "start" ] ~docv:"START" ~doc)
+
+let steps =
+  let doc =
+    Printf.sprintf
+      "Ends the run after $(docv) transitions. The default is %d when neither a schedule nor $(b,--time) \
+       ends it." Replay.default_steps
+  in
+  Arg.(value & opt (some Options.transitions) None & info [ "steps" ] ~docv:"N" ~doc)
+
+let time =
+  let doc = "Ends the run at the model time $(docv), between events if need be." in
+  Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "time" ] ~docv:"T" ~doc)
+
+let options ~sampled =
+  let make schedule choose start steps time = { schedule; choose; start; steps; time } in
+  Term.(const make $ schedule $ choose $ start ~sampled $ steps $ time)
