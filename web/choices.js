@@ -67,7 +67,8 @@ const Choices = (() => {
     const step = at < player.run.steps.length ? player.run.steps[at] : null;
     const before = at > 0 ? player.run.steps[at - 1] : null;
     const turning = (step && step.tail) || (before && before.tail);
-    const part = step && step.choice === null && next !== null;
+    const asked = step && next && step.choice !== null ? next[step.choice] : null;
+    const part = step && (step.choice === null ? next !== null : asked && asked.label !== step.label);
     Dom.tell(
       said,
       turning

@@ -1,0 +1,135 @@
+"""A headless Chromium, and the pages of scc view in it."""
+import json
+import os
+import shutil
+import subprocess
+import time
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+except ImportError:  # told by `missing`
+    webdriver = None
+
+
+def program(*names):
+    return next((path for name in names if (path := shutil.which(name))), None)
+
+
+def missing():
+    """What these tests need and is not here, or None."""
+    if webdriver is None:
+        return 'python3-selenium is not installed'
+    if not program('chromium', 'chromium-browser', 'google-chrome'):
+        return 'chromium is not installed'
+    if not program('chromedriver'):
+        return 'chromium-driver is not installed'
+    return None
+
+
+class Browser:
+    def __init__(self, width=1400, height=900, flags=()):
+        options = webdriver.ChromeOptions()
+        options.binary_location = program('chromium', 'chromium-browser', 'google-chrome')
+        drawing = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist']
+        for flag in ['--headless=new', '--no-sandbox', '--disable-dev-shm-usage', *(flags or drawing)]:
+            options.add_argument(flag)
+        options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
+        self.driver = webdriver.Chrome(service=Service(program('chromedriver')), options=options)
+        self.driver.set_script_timeout(60)
+        self.size(width, height)
+
+    def size(self, width, height):
+        self.command('Emulation.setDeviceMetricsOverride', width=width, height=height, deviceScaleFactor=1,
+                     mobile=width < 500)
+
+    def command(self, name, **arguments):
+        return self.driver.execute_cdp_cmd(name, arguments)
+
+    def prefer(self, **features):
+        """Media features, as color_scheme='dark' or reduced_motion='reduce'."""
+        self.command('Emulation.setEmulatedMedia', features=[
+            {'name': 'prefers-' + name.replace('_', '-'), 'value': value} for name, value in features.items()])
+
+    def open(self, path, fragment=''):
+        self.driver.get('about:blank')
+        self.driver.get_log('browser')
+        self.driver.get('file://' + os.path.abspath(path) + ('#' + fragment if fragment else ''))
+        return self.wait('return document.body && document.body.dataset.ready === "true"', 30)
+
+    def js(self, script, *arguments):
+        return self.driver.execute_script(script, *arguments)
+
+    def wait(self, script, seconds=5):
+        end = time.monotonic() + seconds
+        while True:
+            value = self.js(script)
+            if value or time.monotonic() > end:
+                return value
+            time.sleep(0.02)
+
+    def complaints(self):
+        """What the console was told."""
+        return [entry['message'] for entry in self.driver.get_log('browser')]
+
+    def find(self, test):
+        return self.driver.find_element(By.CSS_SELECTOR, f'[data-testid="{test}"]')
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def keys(self, *keys):
+        ActionChains(self.driver).send_keys(*keys).perform()
+
+    def state(self):
+        return self.js('return scc.state()')
+
+    def text(self, test):
+        return self.js('return document.querySelector(`[data-testid="${arguments[0]}"]`).textContent', test)
+
+    def quit(self):
+        self.driver.quit()
+
+
+class Program:
+    """The program under test."""
+
+    def __init__(self, path, work):
+        self.path = path
+        self.work = work
+        self.count = 0
+
+    def run(self, *arguments):
+        return subprocess.run([self.path, *arguments], capture_output=True, text=True, timeout=300)
+
+    def file(self, ending):
+        self.count += 1
+        return os.path.join(self.work, f'{self.count}{ending}')
+
+    def view(self, model, *arguments):
+        """The page of a model."""
+        page = self.file('.html')
+        ended = self.run('view', model, '-o', page, *arguments)
+        if ended.returncode != 0:
+            raise RuntimeError(f'scc view {model}: {ended.stderr}')
+        return page
+
+    def trace(self, model, data, steps, values=None, *arguments):
+        """The states of the run that these steps lead to, by scc trace."""
+        schedule = self.file('.json')
+        choices = [{'label': data['labels'][step['label']]['text']} for step in steps]
+        for choice, step in zip(choices, steps):
+            if step['choice'] is not None:
+                choice['choice'] = step['choice']
+        document = {'format': 'scc-schedule', 'version': 2, 'parameters': {**data['parameters'], **(values or {})},
+                    'choices': choices}
+        with open(schedule, 'w') as f:
+            json.dump(document, f)
+        ended = self.run('trace', model, '--schedule', schedule, *arguments)
+        lines = [json.loads(line) for line in ended.stdout.splitlines()]
+        if ended.returncode not in (0, 2):
+            raise RuntimeError(f'scc trace {model}: {ended.stderr}')
+        return [line for line in lines if 'state' in line]

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""The pages of scc view in a browser: browser_test.py SCC WORK. The last line is 'N passed, N failed'.
+
+Everything that a page shows is held against scc trace, which makes it by other means: states of the kernel, not what
+has changed since an earlier one. Ends with 3 if there is no browser.
+"""
+import glob
+import os
+import sys
+import traceback
+from fractions import Fraction
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import browser  # noqa: E402
+
+TALLY = {'passed': 0, 'failed': 0}
+
+
+def check(what, holds, told=''):
+    TALLY['passed' if holds else 'failed'] += 1
+    if not holds:
+        print(f'failed: {what} {told}', flush=True)
+    return holds
+
+
+def same(what, found, expected):
+    return check(what, found == expected, f'\n  found    {str(found)[:600]}\n  expected {str(expected)[:600]}')
+
+
+def exact(vector):
+    return [Fraction(x) for x in vector]
+
+
+def bodies_of_page(state):
+    return {name: (exact(body['position']), exact(body['velocity']), body['behaviour'])
+            for name, body in state['bodies'].items()}
+
+
+def bodies_of_trace(line):
+    return {leaf['name']: (exact(leaf['position']), exact(process['velocity']), leaf['behaviour'])
+            for process in line['state']['processes'] for leaf in process['leaves']}
+
+
+# Reads the states of a run in one go: of each position, what the page tells.
+WALK = '''
+scc.open(arguments[0]);
+const all = [];
+for (let k = 0; k <= arguments[1]; k++) {
+  scc.go(k);
+  all.push(scc.state());
+}
+return all;
+'''
+
+
+def hold_against_trace(name, states, lines):
+    """Whether states of the page are those of a trace, one by one."""
+    for k, (state, line) in enumerate(zip(states, lines)):
+        if Fraction(state['time']) != Fraction(line['time']):
+            return same(f'{name}: time after {k} steps', state['time'], line['time'])
+        if bodies_of_page(state) != bodies_of_trace(line):
+            return same(f'{name}: state after {k} steps', bodies_of_page(state), bodies_of_trace(line))
+    return same(f'{name}: number of states', len(states), len(lines))
+
+
+def steps_of(run):
+    """The steps of a run up to where nothing happens any more; what is told after that is the passing of time alone."""
+    return [step for step in run.get('steps') or [] if not step.get('tail')]
+
+
+def runs(b, scc, model, data):
+    """Every run of the page, event by event, against scc trace."""
+    seen = set()
+    for at, entry in enumerate(b.js('return scc.runs()')):
+        run = data['runs'][entry['index']]
+        steps = steps_of(run)[:60]
+        key = (run['start'], tuple((step['to'], step['label']) for step in steps))
+        if key in seen or len(seen) == 5:
+            continue
+        seen.add(key)
+        lines = scc.trace(model, data, steps, run.get('values'))
+        name = f'{os.path.basename(model)}, run {run["name"]}'
+        hold_against_trace(name, b.js(WALK, at, len(steps)), lines)
+
+
+def alternatives(b, scc, model, data):
+    """Choices that a run did not take, against scc trace."""
+    tried = 0
+    for at, entry in enumerate(b.js('return scc.runs()')):
+        run = data['runs'][entry['index']]
+        state = run['start']
+        steps = steps_of(run)
+        for k, step in enumerate(steps):
+            possible = data['states'][state]['next'] or []
+            others = [i for i, one in enumerate(possible) if i != step['choice'] and one['to'] is not None]
+            if others and tried < 3:
+                tried += 1
+                choice = others[-1]
+                b.js('scc.open(arguments[0]); scc.go(arguments[1])', at, k)
+                way = steps[:k] + [{'choice': choice, 'label': possible[choice]['label']}]
+                name = f'{os.path.basename(model)}, run {run["name"]}, choice {choice} after {k} steps'
+                check(f'{name} is possible', b.js('return scc.choose(arguments[0])', choice))
+                line = scc.trace(model, data, way, run.get('values'))[-1]
+                same(name, bodies_of_page(b.state()), bodies_of_trace(line))
+            state = step['to']
+        if tried >= 3:
+            return
+
+
+def models(b, scc):
+    for model in sorted(glob.glob('specs/models/*.sc')):
+        name = os.path.basename(model)
+        page = scc.view(model)
+        if not check(f'{name}: the page opens', b.open(page), b.complaints()):
+            continue
+        data = b.js('return scc.data')
+        runs(b, scc, model, data)
+        alternatives(b, scc, model, data)
+        same(f'{name}: the console is told nothing', b.complaints(), [])
+
+
+def main():
+    scc = browser.Program(os.path.abspath(sys.argv[1]), sys.argv[2])
+    lacking = browser.missing()
+    if lacking:
+        print(lacking)
+        sys.exit(3)
+    import pages
+    b = browser.Browser()
+    try:
+        for part in [models, *pages.PARTS]:
+            try:
+                part(b, scc)
+            except Exception:  # the other parts are still told
+                traceback.print_exc()
+                check(part.__name__, False)
+    finally:
+        b.quit()
+    pages.without_webgl(scc)
+    print(f'{TALLY["passed"]} passed, {TALLY["failed"]} failed')
+    sys.exit(1 if TALLY['failed'] else 0)
+
+
+if __name__ == '__main__':
+    # The other files of the tests name this one.
+    sys.modules['browser_test'] = sys.modules['__main__']
+    main()

@@ -1,0 +1,304 @@
+"""What a person does on a page: by mouse, by keys alone, by addresses, with hostile names, without WebGL."""
+import csv
+import io
+import json
+import re
+from fractions import Fraction
+
+import browser
+from browser import Keys
+from browser_test import bodies_of_page, bodies_of_trace, check, same
+
+HEXOKINASE = 'specs/models/hexokinase.sc'
+
+
+def focused(b):
+    """What has the focus: its mark for tests or its identifier, and whether one sees that it has it."""
+    return b.js('''
+      const at = document.activeElement, style = getComputedStyle(at);
+      return [at.dataset.testid || at.id || at.tagName, style.outlineStyle !== "none" && style.outlineWidth !== "0px"]''')
+
+
+def by_mouse(b, scc):
+    """Buttons, lists, the line of time, choices, reasons and rules."""
+    b.open(scc.view(HEXOKINASE))
+    data = b.js('return scc.data')
+    lines = scc.trace(HEXOKINASE, data, data['runs'][-1]['steps'])
+    b.js('scc.open(scc.runs().length - 1)')
+    for k in range(1, len(lines)):
+        b.find('next').click()
+        same(f'the button of the next event, {k}', bodies_of_page(b.state()), bodies_of_trace(lines[k]))
+    check('the time is shown as an exact number', b.find('time').get_attribute('value') == '2')
+    b.find('first').click()
+    same('the button of the beginning', b.state()['legs'], 0)
+
+    b.all('[data-testid="events-list"] [data-index="2"]')[0].click()
+    same('an event of the list', b.state()['legs'], 2)
+    same('the present event is marked', len(b.all('[data-testid="events-list"] [aria-selected="true"]')), 1)
+    told = b.wait('const s = document.querySelector("[data-testid=live]").textContent; return s.includes("bind") && s')
+    check('the present event is told to screen readers', told and 'Step 2' in told, told)
+
+    row = b.all('[data-testid="choices-list"] [role=option]:not([aria-selected=true])')[0]
+    label = row.get_attribute('data-label')
+    row.click()
+    state = b.state()
+    check('a choice makes a run of its own', state['way'] is not None and state['legs'] == 3, state)
+    step = next(one for one in data['states'][2]['next'] if data['labels'][one['label']]['text'] == label)
+    way = data['runs'][-1]['steps'][:2] + [{'choice': None, 'label': step['label']}]
+    same('the state of that choice', bodies_of_page(state), bodies_of_trace(scc.trace(HEXOKINASE, data, way)[-1]))
+
+    time = b.find('time')
+    time.clear()
+    time.send_keys('7/5', Keys.ENTER)
+    same('a time that is typed', b.state()['time'], '7/5')
+    b.find('tab-details').click()
+    b.all('[data-testid="bodies-list"] [data-index="1"]')[0].click()
+    same('the exact place of a body', b.text('fact-position'), 'x-9/4-2.25y8/51.6z0')
+    b.find('rule-Time').click()
+    check('the rule of an event', 'Time' in b.text('rule-head') and len(b.text('rule')) > 400)
+
+    b.find('graph-switch').click()
+    same('the states of the graph', len(b.all('[data-testid="graph"] .node')), len(data['states']))
+    b.js('document.querySelector("[data-testid=state-9]").dispatchEvent(new MouseEvent("click", {bubbles: true}))')
+    same('a state of the graph', b.state()['state'], 9)
+    same('the present state is marked in the graph',
+         b.js('return [...document.querySelectorAll(".node.here")].map((n) => n.dataset.testid)'), ['state-9'])
+    same('the console is told nothing', b.complaints(), [])
+
+
+def reasons(b, scc):
+    """A line of the tree of reasons leads to its instant."""
+    b.open(scc.view('specs/models/enzyme.sc'))
+    b.js('scc.open(scc.runs().findIndex((run) => run.name === "surely_free"))')
+    lines = b.all('[data-testid="reasons"] .reason')
+    check('there is a tree of reasons', len(lines) >= 2)
+    b.js('scc.go(0)')
+    lines[1].click()
+    check('a reason leads to its instant', b.state()['legs'] > 0, b.state()['time'])
+
+
+def by_keys(b, scc):
+    """Everything without a mouse."""
+    b.open(scc.view(HEXOKINASE))
+    b.js('scc.open(scc.runs().length - 1); document.body.focus()')
+    seen, unseen = [], []
+    for _ in range(80):
+        b.keys(Keys.TAB)
+        name, visible = focused(b)
+        if name == 'BODY' or (seen and name == seen[0]):
+            break
+        seen.append(name)
+        if not visible:
+            unseen.append(name)
+    wanted = ['theme', 'help', 'graph-switch', 'plots-switch', 'cite', 'tab-why', 'play', 'next', 'time', 'timeline',
+              'choices-list', 'events-list']
+    same('the tabulator leads to all', [name for name in wanted if name not in seen], [])
+    same('one sees where it is', unseen, [])
+
+    b.js('document.activeElement.blur()')
+    b.keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+    same('an arrow leads to the next event', b.state()['legs'], 2)
+    b.keys(Keys.ARROW_LEFT)
+    same('an arrow leads back', b.state()['legs'], 1)
+    b.keys(Keys.END)
+    same('the end', b.state()['legs'], b.js('return scc.runs().slice(-1)[0].steps'))
+    b.keys(Keys.HOME)
+    same('the beginning', b.state()['legs'], 0)
+    b.keys(Keys.SPACE)
+    check('space plays', b.wait('return scc.state().playing && scc.state().time !== "0"'))
+    b.keys(Keys.SPACE)
+    check('space pauses', not b.state()['playing'])
+    denominator = Fraction(b.state()['time']).denominator
+    check('played time is of the grid', 2**20 % denominator == 0, denominator)
+    b.keys('.')
+    check('a little on in time', Fraction(b.state()['time']) > 0)
+    b.keys('+', '+', '-')
+    same('the speed', b.text('speed'), '× 2')
+
+    b.keys('?')
+    check('the help opens', b.js('return document.querySelector("[data-testid=keys]").open'))
+    b.keys(Keys.ESCAPE)
+    check('the help closes', not b.js('return document.querySelector("[data-testid=keys]").open'))
+
+    b.keys(Keys.HOME, Keys.ARROW_RIGHT, 'x')
+    same('the list of choices has the focus', focused(b)[0], 'choices-list')
+    before = b.state()['state']
+    b.keys(Keys.ARROW_DOWN, Keys.ENTER)
+    state = b.state()
+    to = b.js('return scc.data.states[arguments[0]].next[1].to', before)
+    check('a choice by keys', state['way'] is not None and state['state'] == to, state)
+
+    b.keys('b', Keys.ARROW_DOWN)
+    check('a body by keys', b.js('return document.querySelector("[data-testid=selected] h3") !== null'))
+    b.js('document.activeElement.blur()')
+    b.keys(Keys.ESCAPE)
+    check('nothing is selected', b.js('return document.querySelector("[data-testid=selected] h3") === null'))
+    name = b.state()['run']
+    b.keys('[')
+    check('the run before', b.js('return document.querySelector(".card.here").dataset.run') != name)
+
+    b.keys('g')
+    check('the graph opens', b.wait('return !document.getElementById("graph-panel").hidden'))
+    b.js('document.querySelector(".node[tabindex=\\"0\\"]").focus()')
+    b.keys(Keys.ARROW_DOWN, Keys.ENTER)
+    same('a state of the graph by keys', b.js('return document.activeElement.dataset.testid'),
+         f'state-{b.state()["state"]}')
+    b.js('document.activeElement.blur()')
+    theme = b.js('return document.documentElement.dataset.theme')
+    b.keys('t')
+    check('dark and light', b.js('return document.documentElement.dataset.theme') != theme)
+    same('the console is told nothing', b.complaints(), [])
+
+
+def links(b, scc):
+    """An address leads to what it was taken from; one that is wrong is told, and does no harm."""
+    page = scc.view(HEXOKINASE)
+    b.open(page)
+    b.js('scc.open(scc.runs().length - 1); scc.go(1); scc.choose(1); scc.go(0, "1/3")')
+    b.find('tab-details').click()
+    b.all('[data-testid="bodies-list"] [data-index="2"]')[0].click()
+    state, link = b.state(), b.js('return scc.link()')
+    b.open(page, link)
+    same('an address', b.state(), state)
+    check('the selection of an address', 'glucose' in b.text('selected'))
+    for wrong in ['run=99', 'run=0&step=1e9&time=1/0', 'run=0&way=1.2.3.4.5', 'time=%E0%A4%A', 'camera=%7B', 'select=7777',
+                  'select=__proto__', 'run=0&way=99999999999999999999.0', '%', 'x' * 5000]:
+        b.open(page, wrong)
+        same(f'a wrong address, {wrong[:40]}', b.complaints(), [])
+        if '=' in wrong:
+            check(f'a wrong address is told, {wrong[:40]}', b.find('notice').is_displayed())
+
+
+def plots(b, scc):
+    """The numbers of the plots, saved: exact, and the floats nearest to them."""
+    b.open(scc.view('specs/models/docking.sc'))
+    b.js('scc.open(0)')
+    text = b.js('''
+      let saved = null;
+      const create = URL.createObjectURL;
+      URL.createObjectURL = (blob) => { saved = blob; return create(blob); };
+      document.querySelector("[data-testid=plots-csv]").click();
+      URL.createObjectURL = create;
+      return saved.text();''')
+    rows = list(csv.reader(io.StringIO(text)))
+    check('a row for each position of the run', len(rows) >= b.js('return scc.runs()[0].steps') + 2)
+    wrong = [row for row in rows[1:] for at in [1, *range(4, len(row), 2)]
+             if row[at] and float(row[at + 1]) != float(Fraction(row[at]))]
+    same('floats are the nearest', wrong, [])
+    drawn = b.js('''
+      let saved = null;
+      const create = URL.createObjectURL;
+      URL.createObjectURL = (blob) => { saved = blob; return create(blob); };
+      document.querySelector("[data-testid=plots-svg]").click();
+      URL.createObjectURL = create;
+      return saved.text();''')
+    check('the plots as a drawing', drawn.startswith('<svg xmlns="http://www.w3.org/2000/svg"') and '<path' in drawn)
+
+
+HOSTILE = ['</script><script>window.pwned = 1</script><img src=x onerror="window.pwned = 1">',
+           'א' * 40 + '\u202e reversed \u2066 \u0000 &lt;b&gt;', 'long' * 2500]
+
+
+def hostile(b, scc):
+    """Texts of a model stay text, whatever they are."""
+    long = 'n' * 10000
+    model = scc.file('.sc')
+    with open(HEXOKINASE, encoding='utf-8') as f:
+        text = f.read()
+    with open(model, 'w', encoding='utf-8') as f:
+        f.write('\n'.join('// ' + one.replace('\0', '') for one in HOSTILE) + '\n' + re.sub(r'\bglucose\b', long, text))
+    pages = [scc.view(model)]
+    # And with names that no model can have, as the page must not rely on that.
+    with open(pages[0], encoding='utf-8') as f:
+        page = f.read()
+    head, rest = page.split('id="data">', 1)
+    data, tail = rest.split('</script>', 1)
+    data = json.loads(data)
+    data['name'] = data['model'] = HOSTILE[0]
+    for i, leaf in enumerate(data['leaves']):
+        leaf['name'] = leaf['template'] = leaf['parts'][0]['name'] = HOSTILE[i % 3]
+    for i, label in enumerate(data['labels']):
+        label['words'] = label['text'] = HOSTILE[i % 3]
+    for i, run in enumerate(data['runs']):
+        run['name'] = HOSTILE[i % 3]
+        if run['check']:
+            run['check'].update(formula=HOSTILE[0], text=HOSTILE[2])
+    for i, behaviour in enumerate(data['behaviours']):
+        behaviour['text'] = HOSTILE[i % 3]
+    for plot in data['plots']:
+        plot['text'] = HOSTILE[0]
+    for solid in data['solids']:
+        for face in solid['faces']:
+            face['name'] = HOSTILE[0]
+    data['rules'] = {name: HOSTILE[0] + text for name, text in data['rules'].items()}
+    pages.append(scc.file('.html'))
+    with open(pages[1], 'w', encoding='utf-8') as f:
+        f.write(head + 'id="data">' + json.dumps(data).replace('<', '\\u003c') + '</script>' + tail)
+    for page in pages:
+        b.open(page)
+        count = 'return document.querySelectorAll("script, img, iframe, style, link").length'
+        before = b.js(count)
+        b.find('graph-switch').click()
+        for tab in ['why', 'details', 'rule', 'model']:
+            b.find(f'tab-{tab}').click()
+        b.find('tab-details').click()
+        b.all('[data-testid="bodies-list"] [role=option]')[1].click()
+        for _ in range(5):
+            b.find('next').click()
+        b.js('document.querySelector("#now .link").click()')
+        check('no text becomes a script', b.js('return window.pwned === undefined'))
+        same('no text becomes an element', b.js(count), before)
+        same('nothing is refused by the policy, nothing goes wrong', b.complaints(), [])
+        for width in [1400, 400]:
+            b.size(width, 900)
+            wide = b.js('return document.scrollingElement.scrollWidth')
+            check(f'long names stay within {width} pixels', wide <= width, wide)
+        b.size(1400, 900)
+
+
+def motion(b, scc):
+    """Who wants no motion sees events one by one."""
+    b.prefer(reduced_motion='reduce', color_scheme='dark')
+    b.open(scc.view('specs/models/docking.sc'))
+    same('dark, as the system is', b.js('return document.documentElement.dataset.theme'), 'dark')
+    b.js('scc.go(0)')
+    b.find('faster').click()
+    b.find('faster').click()
+    b.find('play').click()
+    check('playing goes on', b.wait('return scc.state().legs >= 2'))
+    b.find('play').click()
+    instants = b.js('return [...Array(scc.state().legs + 1).keys()].map((k) => { scc.go(k); return scc.state().time; })')
+    check('at instants of events alone', b.state()['time'] in instants)
+    b.prefer(reduced_motion='no-preference', color_scheme='light')
+
+
+def no_states_beyond(b, scc):
+    """A choice that leads beyond what the file holds says so."""
+    b.open(scc.view(HEXOKINASE, '--graph', '3'))
+    data = b.js('return scc.data')
+    b.js('scc.open(scc.runs().length - 1)')
+    for k in range(b.js('return scc.runs().slice(-1)[0].steps') + 1):
+        b.js('scc.go(arguments[0])', k)
+        rows = b.all('[data-testid="choices-list"] .away')
+        if rows:
+            rows[0].click()
+            check('a state that is not in the file', 'not in the file' in b.text('choices-said'))
+            same('nothing else is shown then', b.state()['legs'], k)
+            return
+    check('the file holds no choice beyond its states', all(one['to'] is not None for state in data['states']
+                                                            for one in state['next'] or []))
+
+
+def without_webgl(scc):
+    """Where no scene can be drawn, the page says why, and all else is there."""
+    b = browser.Browser(flags=['--disable-3d-apis'])
+    try:
+        b.open(scc.view(HEXOKINASE))
+        check('why there is no scene', 'cannot be drawn' in b.text('scene-why'), b.text('scene-why'))
+        b.keys(Keys.ARROW_RIGHT)
+        same('all else is there', b.state()['legs'], 1)
+    finally:
+        b.quit()
+
+
+PARTS = [by_mouse, reasons, by_keys, links, plots, hostile, motion, no_states_beyond]
