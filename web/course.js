@@ -11,9 +11,11 @@
  * A run: its transitions, and where everything is at any time.
  */
 class Course {
-  /** @param {PageData} data @param {{ start: number, steps: DataStep[], rest: string }} run */
+  /** @param {PageData} data @param {{ start: number, steps: DataStep[], rest: string, leaves?: DataLeaf[] }} run */
   constructor(data, run) {
     this.data = data;
+    /** How bodies are put together. */
+    this.leaves = run.leaves || data.leaves;
     this.start = run.start;
     /** @type {Leg[]} */
     this.legs = [];

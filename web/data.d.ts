@@ -116,6 +116,38 @@ interface DataRun {
   argument?: DataArgument | null;
   values?: { [parameter: string]: string };
   ending?: string[];
+  /** Of a run whose bodies are put together in another way than those of the others. */
+  leaves?: DataLeaf[];
+  /** A run from a start in the drawing of regions. */
+  sample?: boolean;
+}
+
+/** Where checks hold, in the plane of two parameters, or on the line of one (then the second coordinate is from 0 to 1). */
+interface DataWhere {
+  axes: { name: string; low: DataBound; high: DataBound }[];
+  checks: string[];
+  regions: DataRegion[];
+  samples: DataSample[];
+}
+
+interface DataBound {
+  value: string;
+  included: boolean;
+}
+
+interface DataRegion {
+  outcomes: string[];
+  polygons: [string, string][][];
+  borders: { ends: [[string, string], [string, string]]; belongs: boolean }[];
+  lines: [[string, string], [string, string]][];
+  points: [string, string][];
+  share: string;
+}
+
+/** A start, and the number of its run. */
+interface DataSample {
+  at: { [parameter: string]: string };
+  run: number;
 }
 
 interface PageData {
@@ -138,7 +170,7 @@ interface PageData {
   plots: { text: string }[];
   runs: DataRun[];
   graph: { complete: boolean; bound: number; states: number; expanded: number } | null;
-  where?: unknown[];
+  where: DataWhere | null;
   rules: { [name: string]: string };
 }
 

@@ -75,7 +75,7 @@ class Kind {
         transparent: blend || style.above === true,
         depthWrite: !blend && !style.above,
         depthTest: !style.above,
-        side: blend ? THREE.DoubleSide : THREE.FrontSide,
+        side: THREE.FrontSide,
         polygonOffset: true,
         polygonOffsetFactor: style.pull ? -1 : 1,
         polygonOffsetUnits: style.pull ? -2 : 1,

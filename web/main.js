@@ -106,8 +106,9 @@ const Main = (() => {
       throw new Error("the data is of another version than the page");
     if (data.states.length === 0) throw new Error("the file holds no states");
     head(data);
-    Tabs.start();
     const player = new Player(data);
+    Regions.start(player);
+    Tabs.start();
     Rules.start(data);
     const scene = stage(data);
     Timeline.start(player);

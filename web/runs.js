@@ -31,11 +31,12 @@ const Runs = (() => {
   }
 
   function show() {
-    entries = player.data.runs.map((run, index) => ({
-      name: run.name,
-      check: run.check,
-      run: player.runs.find((one) => one.way === null && one.index === index) || null,
-    }));
+    entries = player.data.runs.flatMap((run, index) =>
+      run.sample && index !== player.run.index ? [] : [{
+        name: run.name,
+        check: run.check,
+        run: player.runs.find((one) => one.way === null && one.index === index) || null,
+      }]);
     for (const run of player.runs) if (run.way !== null) entries.push({ name: run.name, check: null, run });
     if (entries.length === 0) entries.push({ name: player.run.name, check: null, run: player.run });
     chosen = entries.findIndex((entry) => entry.run === player.run);

@@ -38,10 +38,16 @@ class Scene {
     this.marks = new Marks(this.scene, box);
     /** @type {Map<string, Kind>} */
     this.kinds = new Map();
-    this.models = data.leaves.map((leaf) => leaf.parts.map((p) => Shapes.part(data, p)));
-    this.sizes = this.models.map((parts) => Math.max(...parts.flatMap((p) => p.points.map((q) => Math.hypot(...q)))));
-    this.shapes = data.leaves.map((leaf) => JSON.stringify(leaf.parts.map((p) => [p.solid, p.offset])));
+    /** @type {DataLeaf[]} */
+    this.leaves = [];
+    /** @type {ReturnType<typeof Shapes.part>[][]} */
+    this.models = [];
+    /** @type {number[]} */
+    this.sizes = [];
+    /** @type {string[]} */
+    this.shapes = [];
     this.colors = this.#families();
+    this.#build(data.leaves);
     const fastest = (/** @type {(p: DataProcess) => Vec | undefined} */ of) =>
       Math.max(0, ...this.#some(data.processes).map((p) => Math.hypot(...(of(p) || ["0", "0", "0"]).map((t) => Rational.toNumber(Rational.of(t))))));
     this.fastest = fastest((p) => p.velocity);
@@ -62,6 +68,18 @@ class Scene {
     this.now = null;
     this.#listen(callbacks);
     new ResizeObserver(() => this.refresh()).observe(box);
+  }
+
+  /**
+   * How bodies are put together.
+   * @param {DataLeaf[]} leaves
+   */
+  #build(leaves) {
+    if (leaves === this.leaves) return;
+    this.leaves = leaves;
+    this.models = leaves.map((leaf) => leaf.parts.map((p) => Shapes.part(this.data, p)));
+    this.sizes = this.models.map((parts) => Math.max(...parts.flatMap((p) => p.points.map((q) => Math.hypot(...q)))));
+    this.shapes = leaves.map((leaf) => JSON.stringify(leaf.parts.map((p) => [p.solid, p.offset])));
   }
 
   /** @template T @param {T[]} all @returns {T[]} not more than a few thousand of them */
@@ -113,7 +131,7 @@ class Scene {
     const { fixed, absorbs } = this.data.leaves[leaf];
     return this.#kind(`body ${fixed} ${absorbs} ${this.shapes[leaf]}`, () =>
       new Kind(Shapes.body(this.models[leaf]), {
-        opacity: fixed ? 0.32 : 1, lineOpacity: fixed ? 0.35 : 0.75, stripes: absorbs, stripeSize: this.sizes[leaf] / 4,
+        opacity: fixed ? 0.26 : 1, lineOpacity: fixed ? 0.35 : 0.75, stripes: absorbs, stripeSize: this.sizes[leaf] / 4,
       }));
   }
 
@@ -169,6 +187,7 @@ class Scene {
    * @param {Course} course @param {number} legs @param {Rational} time
    */
   show(course, legs, time) {
+    this.#build(course.leaves);
     this.now = { course, legs, time };
     this.refresh();
   }

@@ -1,5 +1,7 @@
 open Scc_base
 open Scc_exact
+open Scc_calculus
+open Scc_semantics
 open Scc_property
 open Scc_verify
 open Scc_session
@@ -92,6 +94,17 @@ type making = {
 let world_of making semantics =
   States.world making.states making.tables ~words:(fun m l -> Run_text.label m l) ~plots:making.plots semantics
 
+(* Where the parts of leaves may depend on parameters, a run says how they are in it. *)
+let with_leaves making (own : Model.t) (run : Json.t) : Json.t =
+  let own, all =
+    let leaves = Bodies.leaves ~solids:making.tables.solids in
+    (leaves own, leaves making.loaded.model)
+  in
+  match run with
+  | `Assoc members when not (String.equal (Json.line own) (Json.line all)) ->
+    `Assoc (members @ [ ("leaves", own) ])
+  | run -> run
+
 let large_run making world ~name policy limits ~interrupted =
   let l = making.loaded in
   let run = ref None in
@@ -118,30 +131,67 @@ let of_check making world (outcome : Verdict.outcome) =
   let name = outcome.check.name and about = about outcome in
   match witness outcome.verdict with
   | None -> Runs.none ~name about
-  | Some w ->
-    let own = match w.fixed with None -> world | Some f -> world_of making f.semantics in
-    Runs.of_witness making.states own ~most:making.most ~name (Some about) w
+  | Some w -> (
+      let told world = Runs.of_witness making.states world ~most:making.most ~name (Some about) w in
+      match w.fixed with
+      | None -> told world
+      | Some f -> with_leaves making (Semantics.model f.semantics) (told (world_of making f.semantics)))
 
 let report console o (l : Loaded.t) checks watch =
+  let exactly = Array.length l.model.ranges > 0 in
   match checks with
-  | [] -> Ok []
+  | [] -> Ok ([], [])
   | _ ->
     let* initial = Loaded.initial l in
     let options = Check_options.starting console watch o.budget in
-    let run () = Verdicts.report options l ~initial ~exactly:false ~premises:[] checks in
+    let run () = Verdicts.report options l ~initial ~exactly ~premises:[] checks in
     let* report =
       match (Watch.attempt watch).run Reporting run with
       | Ok report -> report
       | Error stop -> Ok (Check.unexplored options checks stop)
     in
     Console.progress_done console;
-    Ok report.outcomes
+    Ok (report.outcomes, report.where)
 
 (* The model at one start, for what is about one. *)
 let at_point (l : Loaded.t) =
   match Sample.values Simple l.model.ranges with [] -> Ok l | values -> Loaded.at l values
 
 let first_steps = 200
+let sample_steps = 60
+
+(* Runs from here and there in the drawing of where checks hold. *)
+let samples making (l : Loaded.t) view where ~interrupted =
+  let run values =
+    let* point = Loaded.at l values in
+    let at_point = { making with loaded = point } in
+    let limits = { Replay.steps = Some sample_steps; time = None; instant = Replay.default_instant } in
+    let world = world_of at_point point.semantics in
+    let* run = run_by_choices at_point world ~name:(Sample.to_string values) First limits ~interrupted in
+    let numbers = List.map (fun (name, v) -> (name, Json.rat v)) values in
+    match with_leaves making point.model run with
+    | `Assoc members -> Ok (`Assoc (members @ [ ("sample", `Bool true); ("values", `Assoc numbers) ]))
+    | run -> Ok run
+  in
+  let add all values =
+    let* all = all in
+    if interrupted () then Ok all else Result.map (fun r -> (values, r) :: all) (run values)
+  in
+  Result.map List.rev (List.fold_left add (Ok []) (Regions.starts l.model.ranges view where))
+
+(* The drawing, and its runs. *)
+let regions making (l : Loaded.t) outcomes where ~before ~interrupted =
+  match where with
+  | [] -> Ok (None, [])
+  | _ :: _ -> (
+      match Scc_where.Plane.view l.model.ranges ~axes:[] ~fixed:[] with
+      | Error _ -> Ok (None, [])
+      | Ok view ->
+        let names = List.map (fun (o : Verdict.outcome) -> o.check.name) outcomes in
+        let* sampled = samples making l view where ~interrupted in
+        let numbered = List.mapi (fun i (values, _) -> (values, before + i)) sampled in
+        let json = Regions.json l.model.ranges view (List.combine names where) ~samples:numbered in
+        Ok (Some json, List.map snd sampled))
 
 let document console o watch =
   let* schedule =
@@ -174,21 +224,25 @@ let document console o watch =
     else Some (Graph.explore making.states world ~most:making.most ~interrupted initial)
   in
   let limits steps = { Replay.steps; time = None; instant = Replay.default_instant } in
-  let* runs =
+  let* runs, where =
     match schedule with
     | Some s ->
       let* run =
         run_by_choices making world ~name:(Option.value s.check ~default:"run") (Scheduled s) (limits None)
           ~interrupted
       in
-      Ok [ run ]
+      Ok ([ run ], None)
     | None ->
-      let* outcomes = report console o l checks watch in
+      let* outcomes, where = report console o l checks watch in
       let runs = List.map (of_check making world) outcomes in
       let* first =
         run_by_choices making world ~name:"first choices" First (limits (Some first_steps)) ~interrupted
       in
-      Ok (runs @ [ first ])
+      let runs = runs @ [ first ] in
+      let* drawn, more =
+        regions making l outcomes where ~before:(List.length runs) ~interrupted
+      in
+      Ok (runs @ more, drawn)
   in
   Ok
     {
@@ -199,6 +253,7 @@ let document console o watch =
       plots = making.plots;
       graph;
       runs;
+      where;
     }
 
 (* {1 The command} *)

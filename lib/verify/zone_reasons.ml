@@ -95,7 +95,8 @@ let rec tree model r (c : Shown_run.claim) : Witness.argument =
       let parts = List.map (tree model r) parts @ Option.to_list (on_the_way model r finish along) in
       (Wording.listed events @ [ ending model r c.spot ~until goal finish ], parts)
   in
-  { where = None; time = None; claim; holds; because = List.filter_map (Wording.beyond claim holds) because; parts }
+  let because = List.filter_map (Wording.beyond claim holds) because in
+  { where = None; time = None; claim; holds; because; parts }
 
 and on_the_way model r finish = function
   | Some { what; so; _ } when Formula.state_formula what = None ->

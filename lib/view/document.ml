@@ -12,6 +12,7 @@ type t = {
   plots : Property.num list;
   graph : Graph.t option;
   runs : Json.t list;
+  where : Json.t option;
 }
 
 let graph (g : Graph.t) =
@@ -51,6 +52,7 @@ let write d put =
   json "plots" (`List (List.map plot d.plots));
   json "graph" (Json.option graph d.graph);
   json "rules" (rules m);
+  json "where" (Json.option Fun.id d.where);
   member "runs" (fun put ->
       put "[";
       List.iteri (fun i run -> put ((if i = 0 then "\n" else ",\n") ^ Json.line run)) d.runs;

@@ -12,6 +12,7 @@ type t = {
   plots : Property.num list;
   graph : Graph.t option;  (** where all that can happen was told, up to a bound *)
   runs : Json.t list;  (** {!Runs} *)
+  where : Json.t option;  (** {!Regions} *)
 }
 
 val write : t -> (string -> unit) -> unit

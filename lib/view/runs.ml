@@ -64,9 +64,34 @@ let moves (s : State.t) =
 
 let half = Rat.make Z.one (Z.of_int 2)
 
-(* How long to look on where nothing happens any more. *)
+(* How long what moves takes to go about as far as leaves are from each other. *)
+let across (s : State.t) =
+  let places =
+    List.concat_map
+      (fun (p : State.process) -> List.map (fun (l : State.leaf) -> l.position) (Array.to_list p.leaves))
+      (Array.to_list s.processes)
+  in
+  let along axis =
+    let all = List.map (Vec.component axis) places in
+    Rat.sub (List.fold_left Rat.max (List.hd all) all) (List.fold_left Rat.min (List.hd all) all)
+  in
+  let fastest axis =
+    Array.fold_left
+      (fun v (p : State.process) -> Rat.max v (Rat.abs (Vec.component axis p.velocity)))
+      Rat.zero s.processes
+  in
+  let greatest f = Rat.max (f Vec.X) (Rat.max (f Vec.Y) (f Vec.Z)) in
+  let v = greatest fastest in
+  if Rat.sign v = 0 then Rat.zero else Rat.div (greatest along) v
+
+(* How long to look on where nothing happens any more, in whole movement steps. *)
 let a_while semantics ~over state =
-  if moves state then Rat.max (Semantics.model semantics).timestep (Rat.mul half over) else Rat.zero
+  if not (moves state) then Rat.zero
+  else
+    let step = (Semantics.model semantics).timestep in
+    let most = Rat.mul (Rat.of_int 100) (Rat.add step over) in
+    let long = Rat.max (Rat.mul half over) (Rat.min (across state) most) in
+    Rat.mul step (Rat.make (Z.add Z.one (Rat.floor (Rat.div long step))) Z.one)
 
 let finished states world ~most (n, state) ~rests ~over offset =
   let semantics = States.semantics world in
