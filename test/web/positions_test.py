@@ -1,0 +1,111 @@
+"""Where the page puts bodies, against scc trace: at 50 instants of every model.
+
+    positions_test.py SCC WORK
+
+The exact places and rotations have to be those of the state, and the floats that are drawn the nearest ones to them,
+relative to whatever is looked at. The last line is 'N passed, N failed', of models.
+"""
+
+import json
+import random
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+INSTANTS = 50
+TARGETS = [[Fraction(0)] * 3, [Fraction(10, 3), Fraction(-7, 3), Fraction(1, 3)], [Fraction(10**40, 7), Fraction(1, 7), Fraction(0)]]
+
+
+def matrix(quaternion):
+    """The rotation of an integer quaternion, by rows."""
+    w, x, y, z = (int(q) for q in quaternion)
+    n = w * w + x * x + y * y + z * z
+    rows = (
+        (w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z),
+    )
+    return [Fraction(m, n) for row in rows for m in row]
+
+
+def state_at(scc, model, time):
+    """The state that the run of the first choices has at a time, and that time; without it, where the run ends before."""
+    arguments = [scc, 'trace', model, '--start', 'simple', '--time', str(time), '--states', 'ends']
+    lines = subprocess.run(arguments, capture_output=True, text=True).stdout.splitlines()
+    states = [json.loads(line) for line in lines]
+    last = [s for s in states if 'state' in s][-1]
+    ends = [s for s in states if s.get('type') == 'end']
+    return last['state'] if ends and Fraction(ends[-1]['time']) == time else None
+
+
+def faults(found, state):
+    """What differs at one instant, in words."""
+    told = {leaf['name']: leaf for process in state['processes'] for leaf in process['leaves']}
+    if set(told) != set(found):
+        yield f'bodies {sorted(found)} and not {sorted(told)}'
+        return
+    for name, leaf in told.items():
+        place = found[name]
+        position = [Fraction(x) for x in leaf['position']]
+        turned = matrix(leaf.get('turned', ['1', '0', '0', '0']))
+        if [Fraction(x) for x in place['position']] != position:
+            yield f'{name} is at {place["position"]}, and not at {leaf["position"]}'
+        if [Fraction(x) for x in place['matrix']] != turned:
+            yield f'{name} is turned otherwise'
+        for target, floats in zip(TARGETS, place['floats']):
+            # A quotient of integers is rounded right.
+            if floats[:3] != [float(x - t) for x, t in zip(position, target)]:
+                yield f'{name} is drawn at {floats[:3]}'
+            if floats[3:] != [float(m) for m in turned]:
+                yield f'{name} is drawn turned otherwise'
+
+
+def check(scc, model, work):
+    """What is wrong with a model, in words; and at how many instants it was looked at."""
+    data = work / (model.stem + '.json')
+    made = subprocess.run([scc, 'view', '--data', '--seconds', '20', '--graph', '0', str(model), '-o', str(data)],
+                          capture_output=True, text=True)
+    if made.returncode != 0:
+        return [made.stderr], 0
+    document = json.loads(data.read_text())
+    index = next(i for i, run in enumerate(document['runs']) if run['name'] == 'first choices')
+    run = document['runs'][index]
+    durations = [Fraction(document['labels'][s['label']].get('duration', '0')) for s in run['steps']]
+    end = sum(durations, Fraction(0)) + Fraction(run['rest'])
+    generator = random.Random(model.stem)
+    times = [end * Fraction(generator.randrange(1, 99991), 99991) for _ in range(INSTANTS)]
+    answer = subprocess.run(['node', str(ROOT / 'test/web/positions.js'), str(ROOT / 'web'), str(data), str(index)]
+                            + [str(t) for t in times], capture_output=True, text=True)
+    if answer.returncode != 0:
+        return [answer.stderr], 0
+    wrong, looked = [], 0
+    for time, found in zip(times, json.loads(answer.stdout)):
+        state = state_at(scc, str(model), time)
+        # Where a network rests and still spins, a trace ends; the page goes on for a while, from turn to turn.
+        if state is not None:
+            looked += 1
+            wrong += [f'at {time}: {fault}' for fault in faults(found, state)]
+    if looked == 0:
+        wrong.append('it was looked at nowhere')
+    return wrong, looked
+
+
+def main():
+    scc, work = sys.argv[1], Path(sys.argv[2])
+    models = sorted((ROOT / 'specs/models').glob('*.sc'))
+    with ThreadPoolExecutor(2) as pool:
+        results = list(pool.map(lambda model: check(scc, model, work), models))
+    failed = 0
+    for model, (wrong, _) in zip(models, results):
+        if wrong:
+            failed += 1
+            print(f'{model.stem}: ' + '; '.join(wrong[:3]))
+    print(f'bodies were looked at at {sum(looked for _, looked in results)} instants')
+    print(f'{len(models) - failed} passed, {failed} failed')
+
+
+if __name__ == '__main__':
+    main()
