@@ -8,6 +8,8 @@ const Choices = (() => {
   let list;
   /** @type {HTMLElement} */
   let said;
+  /** @type {HTMLElement} */
+  let further;
   /** @type {DataChoice[]} */
   let possible = [];
   let state = -1;
@@ -19,6 +21,11 @@ const Choices = (() => {
   function start(of) {
     player = of;
     said = Dom.make("p", { class: "quiet", test: "choices-said" });
+    further = Dom.button("Go on by first choices", goOn, {
+      class: "small",
+      test: "go-on",
+      title: "Take what is possible first, again and again: until nothing is, or a state comes again",
+    });
     Dom.get("choices").append(said);
     list = new List(Dom.get("choices"), {
       label: "What can happen here: Enter takes it",
@@ -33,8 +40,16 @@ const Choices = (() => {
       event.preventDefault();
       take(list.current);
     });
+    Dom.get("choices").append(Dom.make("p", {}, [further]));
     player.on("move", show);
     show();
+  }
+
+  /** Steps after which going on stops. */
+  const most = 200;
+
+  function goOn() {
+    if (!player.goOn(most)) Dom.tell(said, "There is no state to go on to in the file.");
   }
 
   /** @param {number} index */
@@ -66,6 +81,7 @@ const Choices = (() => {
     list.nothing.hidden = true;
     const step = at < player.run.steps.length ? player.run.steps[at] : null;
     const before = at > 0 ? player.run.steps[at - 1] : null;
+    further.hidden = at < player.run.steps.length || !(next || []).some((one) => one.to !== null);
     const turning = (step && step.tail) || (before && before.tail);
     const asked = step && next && step.choice !== null ? next[step.choice] : null;
     const part = step && (step.choice === null ? next !== null : asked && asked.label !== step.label);

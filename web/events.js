@@ -103,7 +103,7 @@ const Events = (() => {
       Dom.make("dl", { class: "facts" }, [
         Dom.make("dt", { text: "at time" }),
         Dom.make("dd", {}, [Exactly.show(player.instant(legs))]),
-        after ? Dom.make("dt", { text: "and now" }) : null,
+        after ? Dom.make("dt", { text: "now at" }) : null,
         after ? Dom.make("dd", {}, [Exactly.show(player.time)]) : null,
         Dom.make("dt", { text: "step" }),
         Dom.make("dd", { text: `${legs} of ${count}`, test: "now-step" }),

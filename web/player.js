@@ -261,8 +261,40 @@ class Player {
       way: { base, legs, choices },
       values: from.values,
     };
-    this.runs = this.runs.filter((other) => !other.way || !Player.extends(run, other)).concat(run);
+    const others = this.runs.filter((other) => !other.way || !Player.extends(run, other));
+    const old = others.filter((other) => other.way).slice(0, -(Player.ways - 1));
+    this.runs = others.filter((other) => !old.includes(other)).concat(run);
     this.open(run, steps.length);
+    return true;
+  }
+
+  /**
+   * Goes on from the state that is shown, always by what is possible first: until nothing is, a state comes again, the
+   * file ends, or so many steps are taken.
+   * @param {number} most
+   * @returns {boolean} whether there was a step to take
+   */
+  goOn(most) {
+    const way = this.run.way || { base: this.run.index, legs: this.legs, choices: [] };
+    const kept = Math.min(way.legs, this.legs);
+    const choices = way.choices.slice(0, this.legs - kept);
+    const before = this.legs;
+    const met = new Set([this.run.start, ...this.run.steps.slice(0, this.legs).map((step) => step.to)]);
+    let state = this.state;
+    for (let k = 0; k < most; k++) {
+      const next = this.data.states[state].next || [];
+      const choice = next.findIndex((one) => one.to !== null);
+      const to = choice < 0 ? null : next[choice].to;
+      if (to === null) break;
+      choices.push(choice);
+      state = to;
+      if (met.has(to)) break;
+      met.add(to);
+    }
+    if (choices.length === this.legs - kept) return false;
+    this.pause();
+    if (!this.walk(way.base, kept, choices)) return false;
+    this.go(before);
     return true;
   }
 
@@ -370,3 +402,6 @@ class Player {
     }
   }
 }
+
+/** How many ways of one's own are kept. */
+Player.ways = 8;

@@ -76,7 +76,7 @@ const Tools = (() => {
       },
     });
     const near = Dom.make("span", { class: "near", test: "time-near" });
-    const step = Dom.make("span", { class: "quiet", test: "step" });
+    const step = Dom.make("span", { class: "quiet step", test: "step", title: "Steps taken, of all" });
     const speed = Dom.make("span", { class: "speed", test: "speed" });
     const play = press("play", "", "Play (space)", () => player.toggle());
     play.classList.add("primary");
@@ -106,7 +106,7 @@ const Tools = (() => {
       const exact = Exactly.text(player.time);
       if (document.activeElement !== time) time.value = player.playing ? Exactly.decimal(player.clock) : exact;
       Dom.tell(near, !player.playing && exact.includes("/") ? `≈ ${Exactly.decimal(player.clock)}` : "");
-      Dom.tell(step, `step ${player.legs} of ${player.course.legs.length}`);
+      Dom.tell(step, `${player.legs} / ${player.course.legs.length}`);
     };
     const state = () => {
       picture(play, player.playing ? "pause" : "play");
