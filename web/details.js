@@ -121,7 +121,10 @@ const Details = (() => {
         ...(process.turn ? vector("spin", process.turn.spin.map(Rational.of)) : []),
         ...line(
           "behaviour",
-          Dom.make("bdi", { class: "code", text: Dom.clip(behaviour.text, 12000), test: "behaviour" }),
+          Dom.make("span", {}, [
+            Dom.make("bdi", { class: "code", text: Dom.clip(behaviour.text, 12000), test: "behaviour" }),
+            player.between ? Dom.make("span", { class: "quiet", text: " as at the last event" }) : null,
+          ]),
         ),
         ...line("offers", offers(leaf, behaviour)),
         ...line("bonds", bonds(process, selected.leaf)),

@@ -20,6 +20,7 @@ const Main = (() => {
         playing: player.playing,
         bodies: bodies(player),
       }),
+      floats: () => floats(player),
       runs: () => player.runs.map((run) => ({ name: run.name, index: run.index, steps: run.steps.length })),
       link: () => Links.text(),
       open: (/** @type {number} */ index) => player.open(player.runs[index]),
@@ -44,6 +45,24 @@ const Main = (() => {
           velocity: body.process.velocity.map((/** @type {string} */ v) => Rational.text(Rational.of(v))),
           behaviour: player.data.behaviours[place.behaviour].text,
         };
+      }
+    }
+    return all;
+  }
+
+  /**
+   * Where the scene has all bodies, relative to the origin, by their names.
+   * @param {Player} player
+   */
+  function floats(player) {
+    const origin = Motion.target({ n: [0n, 0n, 0n], d: 1n });
+    const out = new Float64Array(12);
+    /** @type {{[name: string]: number[]}} */
+    const all = {};
+    for (const body of player.course.bodiesAfter(player.legs, player.time)) {
+      for (const place of body.process.leaves) {
+        player.course.place(body, place, origin, out);
+        all[player.data.leaves[place.leaf].name] = [...out.slice(0, 3)];
       }
     }
     return all;

@@ -118,18 +118,24 @@ class Program:
         return page
 
     def trace(self, model, data, steps, values=None, *arguments):
-        """The states of the run that these steps lead to, by scc trace."""
+        """The states of the run that these steps lead to, by scc trace; without steps, of first choices."""
+        parameters = {**data['parameters'], **(values or {})}
+        if steps is None:
+            defined = [text for name, value in parameters.items() for text in ['-D', f'{name}={value}']]
+            return self.states(['trace', model, *defined, *arguments])
         schedule = self.file('.json')
         choices = [{'label': data['labels'][step['label']]['text']} for step in steps]
         for choice, step in zip(choices, steps):
             if step['choice'] is not None:
                 choice['choice'] = step['choice']
-        document = {'format': 'scc-schedule', 'version': 2, 'parameters': {**data['parameters'], **(values or {})},
-                    'choices': choices}
+        document = {'format': 'scc-schedule', 'version': 2, 'parameters': parameters, 'choices': choices}
         with open(schedule, 'w') as f:
             json.dump(document, f)
-        ended = self.run('trace', model, '--schedule', schedule, *arguments)
+        return self.states(['trace', model, '--schedule', schedule, *arguments])
+
+    def states(self, command):
+        ended = self.run(*command)
         lines = [json.loads(line) for line in ended.stdout.splitlines()]
         if ended.returncode not in (0, 2):
-            raise RuntimeError(f'scc trace {model}: {ended.stderr}')
+            raise RuntimeError(f'scc {command}: {ended.stderr}')
         return [line for line in lines if 'state' in line]

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """The pages of scc view in a browser: browser_test.py SCC WORK. The last line is 'N passed, N failed'.
 
-Everything that a page shows is held against scc trace, which makes it by other means: states of the kernel, not what
-has changed since an earlier one. Ends with 3 if there is no browser.
+Everything that a page shows is held against scc trace, which makes it by other means: states of the kernel, not
+what has changed since an earlier one. Ends with 3 if there is no browser.
 """
 import glob
 import os
+import random
 import sys
 import traceback
 from fractions import Fraction
@@ -64,7 +65,7 @@ def hold_against_trace(name, states, lines):
 
 
 def steps_of(run):
-    """The steps of a run up to where nothing happens any more; what is told after that is the passing of time alone."""
+    """The steps of a run up to where nothing happens any more; after that, time alone is told to pass."""
     return [step for step in run.get('steps') or [] if not step.get('tail')]
 
 
@@ -107,7 +108,37 @@ def alternatives(b, scc, model, data):
             return
 
 
+# The exact state and the floats of the scene at times of the first choices.
+AT = '''
+scc.open(scc.runs().findIndex((run) => run.name === "first choices"));
+return arguments[0].map((time) => {
+  scc.seek(time);
+  return [scc.state(), scc.floats()];
+});
+'''
+
+
+def instants(b, scc, model, data, chance):
+    """Between events: what the page shows against scc trace --time, exact, and to the last float."""
+    run = next((run for run in data['runs'] if run['name'] == 'first choices'), None)
+    if run is None:
+        return
+    ended = sum(Fraction(data['labels'][step['label']].get('duration') or 0) for step in steps_of(run))
+    times = sorted(Fraction(chance.randrange(1, 2**20), 2**20) * ended for _ in range(1))
+    states = b.js(AT, [str(time) for time in times]) if ended > 0 else []
+    for time, (state, floats) in zip(times, states):
+        name = f'{os.path.basename(model)} at {time}'
+        line = scc.trace(model, data, None, None, '--time', str(time), '--states', 'ends')[-1]
+        # Behaviours that wait are told as they were at the last event.
+        expected = {body: at[:2] for body, at in bodies_of_trace(line).items()}
+        found = {body: at[:2] for body, at in bodies_of_page(state).items()}
+        if same(f'{name}, time', Fraction(state['time']), Fraction(line['time'])) and same(name, found, expected):
+            same(f'{name}, in floats', floats, {body: [float(x) for x in at[0]] for body, at in expected.items()})
+
+
 def models(b, scc):
+    chance = random.Random(16)
+    b.size(640, 480)  # without a graphics card, drawing is what takes the time
     for model in sorted(glob.glob('specs/models/*.sc')):
         name = os.path.basename(model)
         page = scc.view(model)
@@ -116,7 +147,9 @@ def models(b, scc):
         data = b.js('return scc.data')
         runs(b, scc, model, data)
         alternatives(b, scc, model, data)
+        instants(b, scc, model, data, chance)
         same(f'{name}: the console is told nothing', b.complaints(), [])
+    b.size(1400, 900)
 
 
 def main():

@@ -16,7 +16,8 @@ def focused(b):
     """What has the focus: its mark for tests or its identifier, and whether one sees that it has it."""
     return b.js('''
       const at = document.activeElement, style = getComputedStyle(at);
-      return [at.dataset.testid || at.id || at.tagName, style.outlineStyle !== "none" && style.outlineWidth !== "0px"]''')
+      return [at.dataset.testid || at.id || at.tagName,
+              style.outlineStyle !== "none" && style.outlineWidth !== "0px"]''')
 
 
 def by_mouse(b, scc):
@@ -35,7 +36,9 @@ def by_mouse(b, scc):
     b.all('[data-testid="events-list"] [data-index="2"]')[0].click()
     same('an event of the list', b.state()['legs'], 2)
     same('the present event is marked', len(b.all('[data-testid="events-list"] [aria-selected="true"]')), 1)
-    told = b.wait('const s = document.querySelector("[data-testid=live]").textContent; return s.includes("bind") && s')
+    told = b.wait('''
+      const told = document.querySelector("[data-testid=live]").textContent;
+      return told.includes("bind") && told''')
     check('the present event is told to screen readers', told and 'Step 2' in told, told)
 
     b.all('#now [data-testid="rule-Bind"]')[0].click()
@@ -75,7 +78,8 @@ def reasons(b, scc):
     check('there is a tree of reasons', len(lines) >= 2)
     jump = [line for line in lines if line.find_elements('css selector', '.jump')][-1]
     jump.click()
-    same('a reason leads to its instant', 't = ' + b.state()['time'], jump.find_element('css selector', '.jump').text)
+    time = jump.find_element('css selector', '.jump').text
+    same('a reason leads to its instant', 't = ' + b.state()['time'], time)
 
 
 def by_keys(b, scc):
@@ -91,8 +95,8 @@ def by_keys(b, scc):
         seen.append(name)
         if not visible:
             unseen.append(name)
-    wanted = ['theme', 'help', 'graph-switch', 'plots-switch', 'cite', 'tab-why', 'play', 'next', 'time', 'timeline',
-              'choices-list', 'events-list']
+    wanted = ['theme', 'help', 'graph-switch', 'plots-switch', 'cite', 'tab-why', 'play', 'next', 'time',
+              'timeline', 'choices-list', 'events-list']
     same('the tabulator leads to all', [name for name in wanted if name not in seen], [])
     same('one sees where it is', unseen, [])
 
@@ -162,8 +166,8 @@ def links(b, scc):
     b.open(page, link)
     same('an address', b.state(), state)
     check('the selection of an address', 'glucose' in b.text('selected'))
-    for wrong in ['run=99', 'run=0&step=1e9&time=1/0', 'run=0&way=1.2.3.4.5', 'time=%E0%A4%A', 'camera=%7B', 'select=7777',
-                  'select=__proto__', 'run=0&way=99999999999999999999.0', '%', 'x' * 5000]:
+    for wrong in ['run=99', 'run=0&step=1e9&time=1/0', 'run=0&way=1.2.3.4.5', 'time=%E0%A4%A', 'camera=%7B',
+                  'select=7777', 'select=__proto__', 'run=0&way=99999999999999999999.0', '%', 'x' * 5000]:
         b.open(page, wrong)
         same(f'a wrong address, {wrong[:40]}', b.complaints(), [])
         if '=' in wrong:
@@ -193,7 +197,8 @@ def plots(b, scc):
       document.querySelector("[data-testid=plots-svg]").click();
       URL.createObjectURL = create;
       return saved.text();''')
-    check('the plots as a drawing', drawn.startswith('<svg xmlns="http://www.w3.org/2000/svg"') and '<path' in drawn)
+    check('the plots as a drawing', drawn.startswith('<svg xmlns="http://www.w3.org/2000/svg"') and '<path' in drawn,
+          drawn[:200])
 
 
 HOSTILE = ['</script><script>window.pwned = 1</script><img src=x onerror="window.pwned = 1">',
@@ -207,7 +212,8 @@ def hostile(b, scc):
     with open(HEXOKINASE, encoding='utf-8') as f:
         text = f.read()
     with open(model, 'w', encoding='utf-8') as f:
-        f.write('\n'.join('// ' + one.replace('\0', '') for one in HOSTILE) + '\n' + re.sub(r'\bglucose\b', long, text))
+        comments = ['// ' + one.replace('\0', '') for one in HOSTILE]
+        f.write('\n'.join([*comments, re.sub(r'\bglucose\b', long, text)]))
     pages = [scc.view(model)]
     # And with names that no model can have, as the page must not rely on that.
     with open(pages[0], encoding='utf-8') as f:
@@ -254,8 +260,8 @@ def hostile(b, scc):
             b.size(width, 900)
             narrow = b.wait(f'return document.scrollingElement.scrollWidth <= {width}')
             check(f'long names stay within {width} pixels', narrow, b.js('''
-              return [...document.querySelectorAll("body *")].filter((e) => e.getBoundingClientRect().right > innerWidth)
-                .map((e) => e.id || e.className).slice(0, 20)'''))
+              return [...document.querySelectorAll("body *")]
+                .filter((e) => e.getBoundingClientRect().right > innerWidth).map((e) => e.id || e.className).slice(0, 20)'''))
         b.size(1400, 900)
 
 
@@ -270,8 +276,10 @@ def motion(b, scc):
     b.find('play').click()
     check('playing goes on', b.wait('return scc.state().legs >= 2'))
     b.find('play').click()
-    instants = b.js('return [...Array(scc.state().legs + 1).keys()].map((k) => { scc.go(k); return scc.state().time; })')
-    check('at instants of events alone', b.state()['time'] in instants)
+    now = b.state()
+    instants = b.js('''
+      return [...Array(arguments[0] + 1).keys()].map((k) => { scc.go(k); return scc.state().time; })''', now['legs'])
+    check('at instants of events alone', now['time'] in instants, now['time'])
     b.prefer(reduced_motion='no-preference', color_scheme='light')
 
 
