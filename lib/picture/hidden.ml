@@ -1,0 +1,171 @@
+open Scc_exact
+
+type t = {
+  view : View.t;
+  boxes : Cells.box array;
+  cells : Cells.t;
+  nearest : float array;  (** no point of the face is nearer *)
+  farthest : float array;
+  number : (int * int, int) Hashtbl.t;  (** of a face, by body and face *)
+}
+
+let view t = t.view
+
+let depths (f : View.face) =
+  let depth (p : Ivec.t) =
+    let x = Rat.near_float (Rat.make (Ivec.dot f.depth p) (Z.mul f.scale p.z)) in
+    (Cells.below x, Cells.above x)
+  in
+  let all = Array.map depth f.polygon in
+  ( Array.fold_left (fun m (_, high) -> Float.max m high) neg_infinity all,
+    Array.fold_left (fun m (low, _) -> Float.min m low) infinity all )
+
+let make (view : View.t) =
+  let boxes = Array.map (fun (f : View.face) -> Cells.around f.polygon) view.faces in
+  let range = Array.map depths view.faces in
+  let number = Hashtbl.create 64 in
+  Array.iteri (fun i (f : View.face) -> Hashtbl.replace number (f.body, f.face) i) view.faces;
+  {
+    view;
+    boxes;
+    cells = Cells.make boxes;
+    nearest = Array.map fst range;
+    farthest = Array.map snd range;
+    number;
+  }
+
+let none = function [] -> true | _ :: _ -> false
+
+(* {1 Faces} *)
+
+(* A piece of a face, with its box. *)
+type piece = { polygon : Convex.t; box : Cells.box }
+
+let piece polygon = { polygon; box = Cells.around polygon }
+
+(* What is left of a piece of face [i] where face [j] is not in front of it. In the part that both cover, the sign of
+   [line] tells who is in front. *)
+let less ~line ~first (g : View.face) box p =
+  if not (Cells.meet box p.box) then [ p ]
+  else
+    match Convex.split p.polygon g.sides with
+    | None -> [ p ]
+    | Some (both, others) -> (
+        let without more = List.map piece (more @ others) in
+        if Ivec.is_zero line then if first then without [] else [ p ]
+        else
+          match Convex.cut both line with
+          | None, _ -> [ p ]
+          | Some _, None -> without []
+          | Some _, Some behind -> without [ behind ])
+
+(* The faces that may be in front of face [i], those first that are likely to hide much. *)
+let candidates t i =
+  let may j = j <> i && t.nearest.(j) >= t.farthest.(i) in
+  let found = List.filter may (Cells.near t.cells t.boxes.(i)) in
+  let order a b =
+    let by_depth = Float.compare t.nearest.(b) t.nearest.(a) in
+    if by_depth <> 0 then by_depth else Int.compare a b
+  in
+  List.sort order found
+
+let pieces t i =
+  let f = t.view.faces.(i) in
+  let rec from pieces = function
+    | [] -> pieces
+    | _ when none pieces -> []
+    | j :: others ->
+      let g = t.view.faces.(j) in
+      let line = View.nearer g f in
+      from (List.concat_map (less ~line ~first:(j < i) g t.boxes.(j)) pieces) others
+  in
+  List.map (fun p -> p.polygon) (from [ piece f.polygon ] (candidates t i))
+
+let all_pieces t = Array.init (Array.length t.view.faces) (pieces t)
+
+(* {1 Edges} *)
+
+(* A part of an edge, as a range of the numbers from 0, at its first end, to 1. *)
+type range = Rat.t * Rat.t
+
+let value line (p : Ivec.t) = Rat.make (Ivec.dot line p) p.z
+
+(* Where a line is positive along an edge, beside it: on its left if [left]. *)
+let positive ~along ~left line (p, q) ((low, high) as range) : range option =
+  let a = value line p and b = value line q in
+  match (Rat.sign a, Rat.sign b) with
+  | 0, 0 ->
+    (* One line is the other one, times a number. *)
+    let same = Z.sign (Ivec.dot (Ivec.make line.Ivec.x line.y Z.zero) along) > 0 in
+    if Bool.equal same left then Some range else None
+  | sa, sb when sa >= 0 && sb >= 0 -> Some range
+  | sa, sb when sa <= 0 && sb <= 0 -> None
+  | sa, _ ->
+    let zero = Rat.div a (Rat.sub a b) in
+    let low, high = if sa > 0 then (low, Rat.min high zero) else (Rat.max low zero, high) in
+    if Rat.compare low high < 0 then Some (low, high) else None
+
+let hidden_by t ~along ~left ends i j : range option =
+  let f = t.view.faces.(i) and g = t.view.faces.(j) in
+  let inside range line = Option.bind range (positive ~along ~left line ends) in
+  match Array.fold_left inside (Some (Rat.zero, Rat.one)) g.sides with
+  | None -> None
+  | Some _ as range ->
+    let line = View.nearer g f in
+    if Ivec.is_zero line then if j < i then range else None else inside range line
+
+(* What is left of ranges in order. *)
+let without ranges (low, high) =
+  let rest (a, b) =
+    let keep a b = if Rat.compare a b < 0 then [ (a, b) ] else [] in
+    keep a (Rat.min b low) @ keep (Rat.max a high) b
+  in
+  List.concat_map rest ranges
+
+let beside t (e : View.edge) ~left (f : View.face) : range list =
+  let p, q = e.ends in
+  let along = Convex.through p q in
+  let i = Hashtbl.find t.number (f.body, f.face) in
+  let may j = j <> i && t.nearest.(j) >= t.farthest.(i) in
+  let rec from ranges = function
+    | [] -> ranges
+    | _ when none ranges -> []
+    | j :: others ->
+      let hidden = if may j then hidden_by t ~along ~left e.ends i j else None in
+      from (match hidden with None -> ranges | Some r -> without ranges r) others
+  in
+  from [ (Rat.zero, Rat.one) ] (Cells.near t.cells (Cells.around [| p; q |]))
+
+(* What is in one of two lists of ranges. *)
+let join some others =
+  let rec merge = function
+    | (a, b) :: (c, d) :: rest when Rat.compare c b <= 0 -> merge ((a, Rat.max b d) :: rest)
+    | range :: rest -> range :: merge rest
+    | [] -> []
+  in
+  merge (List.merge (fun (a, _) (b, _) -> Rat.compare a b) some others)
+
+let along ((p : Ivec.t), (q : Ivec.t)) at =
+  (* Of p/w and q/w' the point that is [at] from the first to the second. *)
+  let u = Rat.sub Rat.one at in
+  let mean a b = Rat.add (Rat.mul u (Rat.make a p.z)) (Rat.mul at (Rat.make b q.z)) in
+  let v, w = Ivec.of_vec (Vec.make (mean p.x q.x) (mean p.y q.y) Rat.zero) in
+  Convex.point v.x v.y w
+
+let segments t (e : View.edge) =
+  let side ~left = function None -> [] | Some f -> beside t e ~left f in
+  let ranges = join (side ~left:true e.left) (side ~left:false e.right) in
+  List.map (fun (a, b) -> (along e.ends a, along e.ends b)) ranges
+
+(* {1 Points} *)
+
+let over t p =
+  let covers j = Convex.inside t.view.faces.(j).polygon p in
+  List.filter covers (Cells.near t.cells (Cells.around [| p |]))
+
+let shows t p ~depth = List.for_all (fun j -> View.before t.view.faces.(j) p depth <= 0) (over t p)
+
+let front t p =
+  let nearer i j = Z.sign (Ivec.dot (View.nearer t.view.faces.(j) t.view.faces.(i)) p) > 0 in
+  let better best j = match best with Some i when not (nearer i j) -> best | _ -> Some j in
+  List.fold_left better None (over t p)
