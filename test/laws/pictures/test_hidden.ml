@@ -1,0 +1,232 @@
+(* What a picture shows at a point is what a ray hits first that comes from whoever looks. The ray is cut by the
+   planes of all faces, in rationals, and shares nothing with the library but the axes of the camera. *)
+
+open Scc_exact
+open Scc_picture
+open Solids
+
+let q = Rat.of_int
+
+(* {1 Scenes} *)
+
+type scene = { bodies : (body * Vec.t) list; from : Vec.t; far : Vec.t  (** where all of it is *) }
+
+let show s =
+  let body ((b : body), at) =
+    let m = b.turn in
+    Printf.sprintf "%s %s at %s" b.name
+      (String.concat "" (List.map Vec.to_string [ m.r0; m.r1; m.r2 ]))
+      (Vec.to_string at)
+  in
+  Printf.sprintf "from %s, far %s: %s" (Vec.to_string s.from) (Vec.to_string s.far)
+    (String.concat "; " (List.map body s.bodies))
+
+let stands s ((b : body), at) = placed b (Vec.add s.far at)
+
+(* Those that do not interpenetrate with one before. *)
+let apart s =
+  let fits kept one =
+    List.for_all (fun other -> Naive.relation (stands s one) (stands s other) <> Interpenetrating) kept
+  in
+  let add kept one = if fits kept one then one :: kept else kept in
+  { s with bodies = List.rev (List.fold_left add [] s.bodies) }
+
+let direction =
+  let some = Gen.map (fun (x, y, z) -> Vec.of_ints x y z) Gen.(triple (-3 -- 3) (-3 -- 3) (-3 -- 3)) in
+  Gen.map (fun d -> if Vec.is_zero d then Vec.of_ints 1 2 3 else d) some
+
+let far = Gen.oneofl [ Vec.zero; Vec.of_ints 1_000_000 (-1_000_000) 1_000_000; halves (3, 5, 2_000_001) ]
+let make_scene bodies (from, far) = { bodies; from; far }
+
+let crossing =
+  let one = Gen.pair body (Gen.map halves Gen.(triple (-7 -- 7) (-7 -- 7) (-7 -- 7))) in
+  Gen.map2 make_scene (Gen.list_size Gen.(2 -- 7) one) (Gen.pair direction far)
+
+let scattered = Gen.map apart crossing
+
+(* Boxes on a grid touch, and much of what is seen of them lies in one line. *)
+let stacked =
+  let solid = Gen.oneofl [ ("cube", cube); ("slab", slab); ("plank", plank); ("octahedron", octahedron) ] in
+  let body = Gen.map2 (fun (name, plain) turn -> { name; plain; turn }) solid (Gen.oneofl cube_turns) in
+  let place = Gen.map (fun (x, y, z) -> Vec.of_ints x y z) Gen.(triple (-3 -- 3) (-3 -- 3) (-3 -- 3)) in
+  let some = Gen.list_size Gen.(3 -- 12) (Gen.pair body place) in
+  Gen.map apart (Gen.map2 make_scene some (Gen.pair direction far))
+
+(* {1 The ray} *)
+
+let cross_of (s : Naive.solid) face =
+  match List.map (fun c -> s.points.(c)) face with
+  | a :: b :: c :: _ -> (Vec.cross (Vec.sub b a) (Vec.sub c a), a)
+  | _ -> assert false
+
+(* How far along the ray, at most, the solid is, and the faces that end it there. *)
+let exit_of (s : Naive.solid) origin towards =
+  let cut (low, high, faces) (i, face) =
+    let n, a = cross_of s face in
+    let height = Vec.dot n (Vec.sub a origin) and slope = Vec.dot n towards in
+    match Rat.sign slope with
+    | 0 -> if Rat.sign height > 0 then (low, high, faces) else (Some (q 1), Some (q 0), [])
+    | sign ->
+      let t = Rat.div height slope in
+      if sign > 0 then
+        match high with
+        | Some h when Rat.compare h t < 0 -> (low, high, faces)
+        | Some h when Rat.equal h t -> (low, high, i :: faces)
+        | _ -> (low, Some t, [ i ])
+      else ((match low with Some l when Rat.compare l t > 0 -> low | _ -> Some t), high, faces)
+  in
+  let numbered = List.mapi (fun i f -> (i, f)) s.faces in
+  match List.fold_left cut (None, None, []) numbered with
+  | Some low, Some high, faces when Rat.compare low high < 0 -> Some (high, faces)
+  | _ -> None
+
+type answer = Nothing | Face of int * int | Unclear
+
+let frontmost solids origin towards =
+  let better answer (i, s) =
+    match exit_of s origin towards with
+    | None -> answer
+    | Some (t, faces) -> (
+        let here = match faces with [ f ] -> Face (i, f) | _ -> Unclear in
+        match answer with
+        | Some (best, _) when Rat.compare best t > 0 -> answer
+        | Some (best, _) when Rat.equal best t -> Some (t, Unclear)
+        | _ -> Some (t, here))
+  in
+  let numbered = List.mapi (fun i s -> (i, s)) solids in
+  match List.fold_left better None numbered with None -> Nothing | Some (_, answer) -> answer
+
+(* {1 The picture} *)
+
+type seen = { scene : scene; camera : Camera.t; origin : Ivec.t; hidden : Hidden.t; pieces : Convex.t list array }
+
+let see s =
+  let camera = Camera.make s.from in
+  let origin, d = Ivec.of_vec s.far in
+  let origin = if Z.equal d Z.one then origin else Ivec.zero in
+  let solid id ((b : body), at) =
+    View.of_placed { solid = solid ~id b; turned = Quaternion.identity; at = Vec.add s.far at }
+  in
+  let hidden = Hidden.make (View.make camera ~origin (Array.of_list (List.mapi solid s.bodies))) in
+  { scene = s; camera; origin; hidden; pieces = Hidden.all_pieces hidden }
+
+(* The point of space at a point of the picture. *)
+let in_space v x y =
+  let along axis c =
+    let a = Ivec.to_vec axis in
+    Vec.scale (Rat.div c (Vec.norm2 a)) a
+  in
+  Vec.add (Ivec.to_vec v.origin) (Vec.add (along v.camera.right x) (along v.camera.up y))
+
+let hit v x y =
+  frontmost (List.map (stands v.scene) v.scene.bodies) (in_space v x y) (Ivec.to_vec v.camera.near)
+
+let name v i =
+  let f = (Hidden.view v.hidden).faces.(i) in
+  (f.body, f.face)
+
+let homogeneous x y =
+  let n, w = Ivec.of_vec (Vec.make x y Rat.one) in
+  Convex.point n.x n.y w
+
+let drawn v x y =
+  let p = homogeneous x y in
+  let here = ref [] in
+  Array.iteri (fun i pieces -> if List.exists (fun c -> Convex.contains c p) pieces then here := i :: !here) v.pieces;
+  !here
+
+(* What is drawn at the point is what the ray hits; on a line where faces meet, any of them may be. *)
+let right v (x, y) =
+  match (hit v x y, drawn v x y) with
+  | Unclear, _ -> true
+  | Nothing, [] -> true
+  | Face (b, f), [ i ] -> name v i = (b, f) && Hidden.front v.hidden (homogeneous x y) = Some i
+  | Face (b, f), (_ :: _ as several) -> List.exists (fun i -> name v i = (b, f)) several
+  | Nothing, _ :: _ | Face _, [] -> false
+
+let corners v = List.concat_map Array.to_list (Array.to_list (Hidden.view v.hidden).points)
+
+(* Points over the picture, at places that no corner is likely to have. *)
+let somewhere v numbers =
+  let places = List.map Convex.place (corners v) in
+  let extent f = (List.fold_left (fun m p -> Rat.min m (f p)) (f (List.hd places)) places,
+                  List.fold_left (fun m p -> Rat.max m (f p)) (f (List.hd places)) places) in
+  let within (low, high) n = Rat.add low (Rat.mul (Rat.sub high low) (Rat.make (Z.of_int n) (Z.of_int 9973))) in
+  List.map (fun (a, b) -> (within (extent fst) a, within (extent snd) b)) numbers
+
+let anywhere = Gen.list_size (Gen.return 25) Gen.(pair (0 -- 9973) (0 -- 9973))
+
+let at_random (s, numbers) =
+  let v = see s in
+  List.for_all (right v) (somewhere v numbers)
+
+(* The middle of each piece is a point of it, and so what is hit there is known beforehand. *)
+let in_the_middle (s, _) =
+  let v = see s in
+  let all i pieces =
+    List.for_all
+      (fun piece ->
+         let x, y = Convex.place (Convex.middle piece) in
+         match hit v x y with Face (b, f) -> name v i = (b, f) | Unclear -> true | Nothing -> false)
+      pieces
+  in
+  Array.for_all Fun.id (Array.mapi all v.pieces)
+
+(* Pieces do not overlap: their areas add up to that of the picture, which is measured by one face at a time being
+   taken away from a frame around all. *)
+let disjoint (s, _) =
+  let v = see s in
+  let all = List.concat (Array.to_list v.pieces) in
+  let rec apart = function
+    | [] -> true
+    | p :: others ->
+      List.for_all (fun o -> Option.is_none (Convex.split o (Convex.sides p))) others && apart others
+  in
+  apart all
+
+(* Close beside an edge, on the side of a face of it, that face is hit just where the edge is drawn. *)
+let close = Rat.make Z.one (Z.shift_left Z.one 80)
+
+let edges (s, numbers) =
+  let v = see s in
+  let beside (e : View.edge) (f : View.face option) turn (x, y) =
+    match f with
+    | None -> false
+    | Some f -> (
+        let (px, py), (qx, qy) = (Convex.place (fst e.ends), Convex.place (snd e.ends)) in
+        let x = Rat.sub x (Rat.mul turn (Rat.sub qy py)) and y = Rat.add y (Rat.mul turn (Rat.sub qx px)) in
+        match hit v x y with Face (b, g) -> b = f.body && g = f.face | Unclear | Nothing -> false)
+  in
+  let edge (e : View.edge) =
+    let drawn = List.map (fun (a, b) -> (Convex.place a, Convex.place b)) (Hidden.segments v.hidden e) in
+    let (px, py), (qx, qy) = (Convex.place (fst e.ends), Convex.place (snd e.ends)) in
+    let between a b x = Rat.sign (Rat.mul (Rat.sub x a) (Rat.sub x b)) < 0 in
+    let at n =
+      let t = Rat.make (Z.of_int ((2 * n) + 1)) (Z.of_int 20011) in
+      let x = Rat.add px (Rat.mul t (Rat.sub qx px)) and y = Rat.add py (Rat.mul t (Rat.sub qy py)) in
+      let here = List.exists (fun ((ax, ay), (bx, by)) -> between ax bx x || between ay by y) drawn in
+      let seen = beside e e.left close (x, y) || beside e e.right (Rat.neg close) (x, y) in
+      Bool.equal here seen
+    in
+    List.for_all at (List.map fst (List.filteri (fun i _ -> i < 4) numbers))
+  in
+  Array.for_all edge (Hidden.view v.hidden).edges
+
+let law ~count name gen holds =
+  QCheck2.Test.make ~name ~count ~print:(fun (s, _) -> show s) (Gen.pair gen anywhere) holds
+
+let on kind gen =
+  [
+    law ~count:60 (kind ^ ": a ray tells what is drawn") gen at_random;
+    law ~count:40 (kind ^ ": each piece shows what a ray tells in its middle") gen in_the_middle;
+    law ~count:20 (kind ^ ": pieces are disjoint") gen disjoint;
+    law ~count:20 (kind ^ ": edges are drawn where their faces are seen") gen edges;
+  ]
+
+let () =
+  Alcotest.run "hidden"
+    [
+      ("apart", Scc_test_support.Property.cases (on "Solids apart" scattered));
+      ("stacked", Scc_test_support.Property.cases (on "Solids that touch" stacked));
+      ("crossing", Scc_test_support.Property.cases (on "Solids that cross" crossing));
+    ]
