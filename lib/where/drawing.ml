@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_drawing
 open Scc_polyhedra
 open Scc_calculus
 

@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_polyhedra
+open Scc_drawing
 open Scc_calculus
 
 type t = { letter : string; colour : string; hatched : bool; name : string; share : string; told : string }
@@ -18,17 +19,9 @@ let caption (ranges : Ranges.t) (view : Plane.view) =
 
 (* {1 Colours} *)
 
-(* Of middle lightness, so that a wash of them is pale on white and deep on black; people who confuse some colours
-   can tell these: P. Tol's scheme {e bright}, and some more. *)
-let palette =
-  [| "#4477aa"; "#ee6677"; "#228833"; "#ccbb44"; "#aa3377"; "#66ccee"; "#ee7733"; "#009988"; "#9977cc";
-     "#997700" |]
-
 let nothing = "#888888"
 
-(* Beyond the palette, hues that are far from each other: multiples of 137 degrees. *)
-let further i = Printf.sprintf "hsl(%d, 55%%, 50%%)" (i * 137 mod 360)
-let colour i = if i < Array.length palette then palette.(i) else further i
+let colour = Palette.colour
 
 let letter i =
   let letter = String.make 1 (Char.chr (Char.code 'A' + (i mod 26))) in

@@ -3,6 +3,7 @@ open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
 open Scc_where
+open Scc_drawing
 open Where_samples.Samples
 module G = QCheck2.Gen
 
