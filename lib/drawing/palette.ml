@@ -4,27 +4,20 @@ let palette =
      "#997700" |]
 
 (* Beyond the palette, hues that are far from each other: multiples of 137 degrees. *)
-let hue i = i * 137 mod 360
-let colour i = if i < Array.length palette then palette.(i) else Printf.sprintf "hsl(%d, 55%%, 50%%)" (hue i)
+let further i = Printf.sprintf "hsl(%d, 55%%, 50%%)" (i * 137 mod 360)
+let colour i = if i < Array.length palette then palette.(i) else further i
 
 type rgb = float * float * float
 
 let white = (1., 1., 1.)
 let black = (0., 0., 0.)
 
-(* hsl(hue, 55 %, 50 %). *)
-let of_hue hue =
-  let channel shift =
-    let k = Float.rem (shift +. (float_of_int hue /. 30.)) 12. in
-    0.5 -. (0.55 *. 0.5 *. Float.max (-1.) (Float.min (Float.min (k -. 3.) (9. -. k)) 1.))
-  in
-  (channel 0., channel 8., channel 4.)
+(* The first are M. Okabe's and K. Ito's, for people who confuse some colours. *)
+let bodies =
+  [| (0.90, 0.62, 0.0); (0.34, 0.71, 0.91); (0.0, 0.62, 0.45); (0.84, 0.37, 0.0); (0.80, 0.47, 0.65);
+     (0.0, 0.45, 0.70); (0.88, 0.82, 0.26); (0.55, 0.42, 0.85); (0.60, 0.60, 0.60); (0.70, 0.25, 0.35) |]
 
-let of_hex text =
-  let at i = float_of_int (int_of_string ("0x" ^ String.sub text i 2)) /. 255. in
-  (at 1, at 3, at 5)
-
-let rgb i = if i < Array.length palette then of_hex palette.(i) else of_hue (hue i)
+let body i = bodies.(i mod Array.length bodies)
 
 let mix (r, g, b) (r', g', b') x =
   let of_both a b = a +. (x *. (b -. a)) in

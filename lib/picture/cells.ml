@@ -33,8 +33,8 @@ let join a b =
     high = Float.max a.high b.high;
   }
 
-(* Where a coordinate is among so many equal parts. Never decreasing in the coordinate, so that boxes that meet have
-   a cell in common. What is no number is in the first. *)
+(* Where a coordinate is among so many equal parts. Never decreasing in the coordinate, so that boxes that meet
+   have a cell in common. What is no number is in the first. *)
 let cell count low high x =
   let at = (x -. low) /. (high -. low) *. float_of_int count in
   if not (at > 0.) then 0 else if at >= float_of_int count then count - 1 else int_of_float at

@@ -62,7 +62,8 @@ let area2 t =
   !sum
 
 let middle t =
-  let mean f = Rat.div (Array.fold_left (fun s p -> Rat.add s (f (place p))) Rat.zero t) (Rat.of_int (Array.length t)) in
+  let count = Rat.of_int (Array.length t) in
+  let mean f = Rat.div (Array.fold_left (fun s p -> Rat.add s (f (place p))) Rat.zero t) count in
   let x = mean fst and y = mean snd in
-  let (p, w) = Ivec.of_vec (Vec.make x y Rat.one) in
+  let p, w = Ivec.of_vec (Vec.make x y Rat.one) in
   point p.x p.y w

@@ -7,6 +7,7 @@ type t = {
   nearest : float array;  (** no point of the face is nearer *)
   farthest : float array;
   number : (int * int, int) Hashtbl.t;  (** of a face, by body and face *)
+  seen : Convex.t list option array;  (** of faces that have been asked for *)
 }
 
 let view t = t.view
@@ -32,6 +33,7 @@ let make (view : View.t) =
     nearest = Array.map fst range;
     farthest = Array.map snd range;
     number;
+    seen = Array.make (Array.length view.faces) None;
   }
 
 let none = function [] -> true | _ :: _ -> false
@@ -43,8 +45,8 @@ type piece = { polygon : Convex.t; box : Cells.box }
 
 let piece polygon = { polygon; box = Cells.around polygon }
 
-(* What is left of a piece of face [i] where face [j] is not in front of it. In the part that both cover, the sign of
-   [line] tells who is in front. *)
+(* What is left of a piece of face [i] where face [j] is not in front of it. In the part that both cover, the
+   sign of [line] tells who is in front. *)
 let less ~line ~first (g : View.face) box p =
   if not (Cells.meet box p.box) then [ p ]
   else
@@ -69,7 +71,7 @@ let candidates t i =
   in
   List.sort order found
 
-let pieces t i =
+let find_pieces t i =
   let f = t.view.faces.(i) in
   let rec from pieces = function
     | [] -> pieces
@@ -80,6 +82,14 @@ let pieces t i =
       from (List.concat_map (less ~line ~first:(j < i) g t.boxes.(j)) pieces) others
   in
   List.map (fun p -> p.polygon) (from [ piece f.polygon ] (candidates t i))
+
+let pieces t i =
+  match t.seen.(i) with
+  | Some pieces -> pieces
+  | None ->
+    let pieces = find_pieces t i in
+    t.seen.(i) <- Some pieces;
+    pieces
 
 let all_pieces t = Array.init (Array.length t.view.faces) (pieces t)
 

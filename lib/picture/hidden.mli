@@ -1,6 +1,6 @@
-(** What is seen of faces and edges when others are in front of them. Exact: a face is in front of another one where
-    its depth is greater, which is decided by integers; floats only choose who is asked. The solids may touch, and
-    they may even cross; where two faces of one plane cover each other the first of them is seen. *)
+(** What is seen of faces and edges when others are in front of them. Exact: a face is in front of another one
+    where its depth is greater, which is decided by integers; floats only choose who is asked. The solids may
+    touch, and they may even cross; where two faces of one plane cover each other the first of them is seen. *)
 
 open Scc_exact
 

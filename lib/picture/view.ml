@@ -26,8 +26,8 @@ let normal points corners =
   let at i = points.(corners.(i)) in
   Ivec.primitive (Ivec.cross (Ivec.sub (at 1) (at 0)) (Ivec.sub (at 2) (at 0)))
 
-(* With the axes of the camera for axes, the plane of a face is n . p = n . c, for a corner c. Solved for the depth,
-   over the denominator of the corners. *)
+(* With the axes of the camera for axes, the plane of a face is n . p = n . c, for a corner c. Solved for the
+   depth, over the denominator of the corners. *)
 let seen ~body ~face world points flat denominator corners =
   let n = normal points corners in
   if Z.sign n.z <= 0 then None

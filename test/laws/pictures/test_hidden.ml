@@ -131,9 +131,8 @@ let homogeneous x y =
 
 let drawn v x y =
   let p = homogeneous x y in
-  let here = ref [] in
-  Array.iteri (fun i pieces -> if List.exists (fun c -> Convex.contains c p) pieces then here := i :: !here) v.pieces;
-  !here
+  let here pieces = List.exists (fun c -> Convex.contains c p) pieces in
+  List.filter (fun i -> here v.pieces.(i)) (List.init (Array.length v.pieces) Fun.id)
 
 (* What is drawn at the point is what the ray hits; on a line where faces meet, any of them may be. *)
 let right v (x, y) =
@@ -172,8 +171,7 @@ let in_the_middle (s, _) =
   in
   Array.for_all Fun.id (Array.mapi all v.pieces)
 
-(* Pieces do not overlap: their areas add up to that of the picture, which is measured by one face at a time being
-   taken away from a frame around all. *)
+(* Nothing is drawn twice. *)
 let disjoint (s, _) =
   let v = see s in
   let all = List.concat (Array.to_list v.pieces) in
@@ -183,6 +181,49 @@ let disjoint (s, _) =
       List.for_all (fun o -> Option.is_none (Convex.split o (Convex.sides p))) others && apart others
   in
   apart all
+
+let twice_area points =
+  let turn sum (x, y) (x', y') = Rat.add sum (Rat.sub (Rat.mul x y') (Rat.mul x' y)) in
+  match points with
+  | [] -> Rat.zero
+  | first :: _ ->
+    let rec around sum = function
+      | p :: (q :: _ as rest) -> around (turn sum p q) rest
+      | [ last ] -> turn sum last first
+      | [] -> sum
+    in
+    around Rat.zero points
+
+(* The border of what is seen of a face encloses just its pieces, holes counted off. *)
+let bordered (s, numbers) =
+  let v = see s in
+  let sum = List.fold_left Rat.add Rat.zero in
+  let face pieces =
+    let loops = Outline.loops pieces in
+    let inside =
+      let crossings (x, y) loop =
+        let places = List.map Convex.place loop in
+        let side count (ax, ay) (bx, by) =
+          let upwards = Rat.compare ay y <= 0 and other = Rat.compare by y <= 0 in
+          if Bool.equal upwards other then count
+          else
+            let at = Rat.add ax (Rat.mul (Rat.sub bx ax) (Rat.div (Rat.sub y ay) (Rat.sub by ay))) in
+            if Rat.compare at x > 0 then count + 1 else count
+        in
+        let last = List.nth places (List.length places - 1) in
+        fst (List.fold_left (fun (count, p) q -> (side count p q, q)) (0, last) places)
+      in
+      fun p -> List.fold_left (fun n loop -> n + crossings p loop) 0 loops mod 2 = 1
+    in
+    Rat.equal
+      (sum (List.map Convex.area2 pieces))
+      (sum (List.map (fun loop -> twice_area (List.map Convex.place loop)) loops))
+    && List.for_all
+      (fun (x, y) ->
+         Bool.equal (inside (x, y)) (List.exists (fun c -> Convex.contains c (homogeneous x y)) pieces))
+      (somewhere v numbers)
+  in
+  Array.for_all face v.pieces
 
 (* Close beside an edge, on the side of a face of it, that face is hit just where the edge is drawn. *)
 let close = Rat.make Z.one (Z.shift_left Z.one 80)
@@ -220,6 +261,7 @@ let on kind gen =
     law ~count:60 (kind ^ ": a ray tells what is drawn") gen at_random;
     law ~count:40 (kind ^ ": each piece shows what a ray tells in its middle") gen in_the_middle;
     law ~count:20 (kind ^ ": pieces are disjoint") gen disjoint;
+    law ~count:15 (kind ^ ": borders enclose the pieces") gen bordered;
     law ~count:20 (kind ^ ": edges are drawn where their faces are seen") gen edges;
   ]
 

@@ -1,0 +1,117 @@
+open Scc_exact
+open Scc_geometry
+open Scc_rigid
+open Scc_drawing
+
+let hatch_colour = "#1f2328"
+let bond_colour = "#1f2328"
+
+let pattern (t : Paint.t) ~id =
+  let period = Float.max 2.5 (5. *. t.stroke) in
+  let wide = Paint.pixels period in
+  let size = [ ("id", id); ("patternUnits", "userSpaceOnUse"); ("width", wide); ("height", wide) ] in
+  let turn = [ ("patternTransform", "rotate(45)") ] in
+  let line = [ ("x1", "0"); ("y1", "0"); ("x2", "0"); ("y2", wide) ] in
+  let stroke = [ ("stroke", hatch_colour); ("stroke-width", Paint.pixels (0.32 *. period)) ] in
+  Svg.tag "pattern" (size @ turn) (Svg.tag "line" (line @ stroke @ [ ("stroke-opacity", "0.7") ]) [])
+
+let circle (x, y) radius attributes =
+  Svg.tag "circle" ([ ("cx", Svg.number x); ("cy", Svg.number y); ("r", Paint.pixels radius) ] @ attributes) []
+
+(* {1 Open features} *)
+
+let none = function [] -> true | _ :: _ -> false
+
+let open_features (t : Paint.t) ~pattern colour body placed features =
+  let view = Hidden.view t.hidden in
+  let is_open f = List.exists (Feature.equal f) features in
+  let face i =
+    if not (is_open (Face view.faces.(i).face)) then []
+    else
+      match Hidden.pieces t.hidden i with
+      | [] -> []
+      | pieces -> Svg.tag "path" [ ("d", Paint.region t pieces); ("fill", "url(#" ^ pattern ^ ")") ] []
+  in
+  let edge i =
+    let e = view.edges.(i) in
+    if is_open (Edge e.edge) then Hidden.segments t.hidden e else []
+  in
+  let vertex = function
+    | Feature.Vertex v ->
+      let p = Placed.point placed (Solid.vertex placed.solid v) in
+      if Paint.shows t p then
+        let stroke = [ ("fill", "#ffffff"); ("stroke", hatch_colour); ("stroke-width", "1.2") ] in
+        circle (Paint.place t p) 3. stroke
+      else []
+    | Edge _ | Face _ -> []
+  in
+  let edges =
+    match List.concat_map edge t.edges.(body) with
+    | [] -> []
+    | segments ->
+      let data = [ ("d", Paint.lines t segments); ("fill", "none") ] in
+      let stroke colour width = [ ("stroke", colour); ("stroke-width", width) ] in
+      Svg.tag "path" (data @ stroke hatch_colour "4.4") []
+      @ Svg.tag "path" (data @ stroke (Palette.hex (Palette.mix colour Palette.white 0.6)) "2") []
+  in
+  List.concat_map face t.faces.(body) @ edges @ List.concat_map vertex features
+
+(* {1 Bonds} *)
+
+let half = Rat.make Z.one (Z.of_int 2)
+let between p q = Vec.scale half (Vec.add p q)
+
+let middle placed feature =
+  let corners = Placed.corners placed feature in
+  Vec.scale
+    (Rat.make Z.one (Z.of_int (List.length corners)))
+    (List.fold_left Vec.add Vec.zero corners)
+
+let bond t ~told (one, feature) (two, other) =
+  let contact = Paint.place t (between (middle one feature) (middle two other)) in
+  let ends = [ Paint.place t (Placed.centroid one); Paint.place t (Placed.centroid two) ] in
+  let data = Svg.segments (List.map (fun p -> (p, contact)) ends) in
+  let line colour width more =
+    Svg.tag "path" ([ ("d", data); ("fill", "none"); ("stroke", colour); ("stroke-width", width) ] @ more) []
+  in
+  let dashes = [ ("stroke-dasharray", "4 3"); ("stroke-linecap", "butt") ] in
+  let rim = [ ("fill", bond_colour); ("stroke", "#ffffff"); ("stroke-width", "1") ] in
+  Svg.tag "g" [] (Svg.title told @ line "#ffffff" "3" [] @ line bond_colour "1.4" dashes @ circle contact 3.2 rim)
+
+(* {1 Names} *)
+
+type name = { text : string; at : (Rat.t * Rat.t) list; size : float }
+
+let letter_wide = 7
+let letter_high = 13
+
+type box = { left : float; right : float; low : float; high : float }
+
+let box name (x, y) =
+  let x = Rat.to_float x and y = Rat.to_float y in
+  let wide = float_of_int (letter_wide * String.length name.text) /. 2. in
+  let high = float_of_int letter_high /. 2. in
+  { left = x -. wide; right = x +. wide; low = y -. high; high = y +. high }
+
+let meet a b = a.left < b.right && b.left < a.right && a.low < b.high && b.low < a.high
+
+let written (name, (x, y)) =
+  Svg.text
+    [ ("x", Svg.number x); ("y", Svg.number (Rat.add y (Rat.of_int 4))) ]
+    name.text
+
+let names names =
+  let order a b = Float.compare b.size a.size in
+  let put (taken, found) name =
+    let free p = not (List.exists (meet (box name p)) taken) in
+    match List.find_opt free name.at with
+    | None -> (taken, found)
+    | Some p -> (box name p :: taken, (name, p) :: found)
+  in
+  let _, found = List.fold_left put ([], []) (List.stable_sort order names) in
+  if none found then []
+  else
+    let halo = [ ("stroke", "#ffffff"); ("stroke-width", "2.5"); ("stroke-opacity", "0.8") ] in
+    let how = [ ("paint-order", "stroke"); ("stroke-linejoin", "round"); ("text-anchor", "middle") ] in
+    let font = [ ("font-size", "12"); ("fill", "#1f2328") ] in
+    Svg.tag "g" (halo @ how @ font) (List.concat_map written (List.rev found))

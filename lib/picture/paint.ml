@@ -1,0 +1,126 @@
+open Scc_exact
+open Scc_drawing
+
+type t = {
+  camera : Camera.t;
+  origin : Ivec.t;
+  canvas : Canvas.t;
+  hidden : Hidden.t;
+  stroke : float;
+  faces : int list array;
+  edges : int list array;
+}
+
+let by_body count body items =
+  let lists = Array.make count [] in
+  for i = Array.length items - 1 downto 0 do
+    let b = body items.(i) in
+    lists.(b) <- i :: lists.(b)
+  done;
+  lists
+
+(* The mean size of a solid on the paper decides. *)
+let stroke_of (canvas : Canvas.t) (view : View.t) =
+  let size points =
+    let extent f =
+      let values = Array.map (fun p -> Rat.near_float (f (canvas.place p))) points in
+      Array.fold_left Float.max neg_infinity values -. Array.fold_left Float.min infinity values
+    in
+    extent fst +. extent snd
+  in
+  let sum = Array.fold_left (fun sum points -> sum +. size points) 0. view.points in
+  let mean = sum /. float_of_int (max 1 (Array.length view.points)) in
+  Float.max 0.25 (Float.min 1. (mean /. 100.))
+
+let make camera ~origin canvas hidden =
+  let view = Hidden.view hidden in
+  let count = Array.length view.points in
+  {
+    camera;
+    origin;
+    canvas;
+    hidden;
+    stroke = stroke_of canvas view;
+    faces = by_body count (fun (f : View.face) -> f.body) view.faces;
+    edges = by_body count (fun (e : View.edge) -> e.body) view.edges;
+  }
+
+(* {1 Points} *)
+
+let turned t p =
+  let v, w = Ivec.of_vec (Vec.sub p (Ivec.to_vec t.origin)) in
+  (Camera.turn t.camera v, w)
+
+let point t p =
+  let v, w = turned t p in
+  Convex.point v.x v.y w
+
+let place t p = t.canvas.place (point t p)
+
+let shows t p =
+  let v, w = turned t p in
+  Hidden.shows t.hidden (Convex.point v.x v.y w) ~depth:(Rat.make v.z w)
+
+(* {1 Colours} *)
+
+let unit_vector (v : Ivec.t) =
+  let greatest = Z.max (Z.abs v.x) (Z.max (Z.abs v.y) (Z.abs v.z)) in
+  let part c = Rat.near_float (Rat.make c greatest) in
+  let x = part v.x and y = part v.y and z = part v.z in
+  let length = sqrt ((x *. x) +. (y *. y) +. (z *. z)) in
+  (x /. length, y /. length, z /. length)
+
+let dot (a, b, c) (d, e, f) = (a *. d) +. (b *. e) +. (c *. f)
+
+(* The light comes from the upper left, and a little from whoever looks. *)
+let light t (f : View.face) =
+  let n = unit_vector f.normal in
+  let along axis = dot n (unit_vector axis) in
+  (0.75 *. along t.camera.up) -. (0.45 *. along t.camera.right) +. (0.48 *. along t.camera.near)
+
+let shade t base face =
+  let l = light t face -. 0.2 in
+  if l >= 0. then Palette.mix base Palette.white (0.6 *. l) else Palette.mix base Palette.black (-0.35 *. l)
+
+let ink base = Palette.mix base Palette.black 0.62
+
+(* {1 Shapes} *)
+
+let pixels x = Decimal.fixed ~places:2 (Q.of_float x)
+
+let region t pieces =
+  Svg.closed (List.map (List.map t.canvas.place) (Outline.loops pieces))
+
+let lines t segments =
+  let place = t.canvas.place in
+  Svg.segments (List.map (fun (p, q) -> (place p, place q)) segments)
+
+let none = function [] -> true | _ :: _ -> false
+
+let face t base i =
+  match Hidden.pieces t.hidden i with
+  | [] -> []
+  | pieces ->
+    let fill = Palette.hex (shade t base (Hidden.view t.hidden).faces.(i)) in
+    (* The stroke of its own colour closes the seam to its neighbours. *)
+    Svg.tag "path" [ ("d", region t pieces); ("fill", fill); ("stroke", fill) ] []
+
+let solid t base body =
+  let view = Hidden.view t.hidden in
+  let faces = List.concat_map (face t base) t.faces.(body) in
+  let outer, inner =
+    List.partition
+      (fun (e : View.edge) -> Option.is_none e.left || Option.is_none e.right)
+      (List.map (fun i -> view.edges.(i)) t.edges.(body))
+  in
+  let stroked width edges =
+    match List.concat_map (Hidden.segments t.hidden) edges with
+    | [] -> []
+    | segments ->
+      let stroke = [ ("stroke", Palette.hex (ink base)); ("stroke-width", pixels width) ] in
+      Svg.tag "path" ([ ("d", lines t segments); ("fill", "none") ] @ stroke) []
+  in
+  let edges = stroked (0.8 *. t.stroke) inner @ stroked (1.3 *. t.stroke) outer in
+  (if none faces then []
+   else Svg.tag "g" [ ("stroke-width", pixels (0.5 *. t.stroke)) ] faces)
+  @ edges

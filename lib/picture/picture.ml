@@ -1,0 +1,186 @@
+open Scc_exact
+open Scc_rigid
+open Scc_drawing
+open Scc_calculus
+open Scc_semantics
+
+type options = {
+  from : Vec.t;
+  up : Vec.t;
+  width : int;
+  names : bool;
+  marks : bool;
+  key : bool;
+  bar : bool;
+  title : string option;
+}
+
+let default =
+  {
+    from = Vec.of_ints 2 (-5) 3;
+    up = Vec.of_ints 0 0 1;
+    width = 800;
+    names = false;
+    marks = true;
+    key = true;
+    bar = true;
+    title = None;
+  }
+
+let none = function [] -> true | _ :: _ -> false
+
+(* {1 What is there} *)
+
+(* A leaf of the state: its parts are solids of the view, from [first] on. *)
+type body = { leaf : State.leaf; of_model : Model.leaf; placed : Placed.t array; first : int }
+
+let bodies (m : Model.t) (state : State.t) =
+  let add (first, found) (leaf : State.leaf) =
+    let of_model = m.leaves.(leaf.leaf) in
+    let placed = Array.mapi (fun i _ -> State.placed m leaf i) of_model.parts in
+    (first + Array.length placed, { leaf; of_model; placed; first } :: found)
+  in
+  let leaves = Array.concat (Array.to_list (Array.map (fun (p : State.process) -> p.leaves) state.processes)) in
+  let order (a : State.leaf) (b : State.leaf) = Int.compare a.leaf b.leaf in
+  let in_order = List.sort order (Array.to_list leaves) in
+  List.rev (snd (List.fold_left add (0, []) in_order))
+
+(* {1 Colours} *)
+
+(* What is named alike but for an index, as on the page of scc view. *)
+let family (l : Model.leaf) =
+  let name = match String.index_opt l.name '[' with None -> l.name | Some i -> String.sub l.name 0 i in
+  let digit c = c >= '0' && c <= '9' in
+  let rec last i = if i > 0 && digit name.[i - 1] then last (i - 1) else i in
+  String.sub name 0 (last (String.length name))
+
+(* Of all bodies that move, in the order of the model, whoever of them is left. *)
+let families (m : Model.t) =
+  let numbers = Hashtbl.create 16 in
+  let add (l : Model.leaf) =
+    if not (l.fixed || Hashtbl.mem numbers (family l)) then
+      Hashtbl.add numbers (family l) (Hashtbl.length numbers)
+  in
+  Array.iter add m.leaves;
+  numbers
+
+let fixed_colour = (0.80, 0.82, 0.84)
+let absorber_colour = (0.58, 0.60, 0.64)
+
+let colour families (l : Model.leaf) =
+  if l.absorbs then absorber_colour
+  else if l.fixed then fixed_colour
+  else Palette.body (Hashtbl.find families (family l))
+
+(* {1 Marks} *)
+
+let open_sites (m : Model.t) (leaf : State.leaf) =
+  let sites : Behaviours.offer -> Site.t list = function
+    | Offer_open (_, channel, _) -> channel.sites @ channel.only
+    | Offer_weak _ | Offer_strong _ -> []
+  in
+  List.sort_uniq Site.compare (List.concat_map sites (Behaviours.offers m.definitions leaf.behaviour))
+
+let hatch = "open"
+
+let open_features (m : Model.t) paint colour b =
+  let sites = open_sites m b.leaf in
+  let part i placed =
+    let here (s : Site.t) = if s.part = i then Some s.feature else None in
+    match List.filter_map here sites with
+    | [] -> []
+    | features -> Marks.open_features paint ~pattern:hatch (colour b.of_model) (b.first + i) placed features
+  in
+  List.concat (Array.to_list (Array.mapi part b.placed))
+
+let bonds (state : State.t) =
+  List.concat_map (fun (p : State.process) -> Array.to_list p.bonds) (Array.to_list state.processes)
+
+let bond (m : Model.t) paint bodies (b : State.bond) =
+  let finish (f : State.finish) =
+    let body = List.find (fun body -> body.leaf.leaf = f.at) bodies in
+    (body.placed.(f.site.part), f.site.feature)
+  in
+  let name (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
+  let told = Printf.sprintf "<%s, {%s, %s}>" b.name (name b.one) (name b.two) in
+  Marks.bond paint ~told (finish b.one) (finish b.two)
+
+(* {1 Names} *)
+
+(* Where a name may be: in the middle of the largest pieces that are seen of its body. *)
+let name (paint : Paint.t) b =
+  let pieces =
+    List.concat_map
+      (fun i -> List.concat_map (Hidden.pieces paint.hidden) paint.faces.(b.first + i))
+      (List.init (Array.length b.placed) Fun.id)
+  in
+  let sized = List.map (fun p -> (Rat.near_float (Convex.area2 p), p)) pieces in
+  let order (a, _) (b, _) = Float.compare b a in
+  let largest = List.filteri (fun i _ -> i < 6) (List.stable_sort order sized) in
+  let at = List.map (fun (_, p) -> paint.canvas.place (Convex.middle p)) largest in
+  let size = List.fold_left (fun sum (a, _) -> sum +. a) 0. sized in
+  { Marks.text = b.of_model.name; at; size }
+
+(* {1 The key} *)
+
+let swatch text colour : Key.entry =
+  { sample = Swatch { fill = Palette.hex colour; stroke = Palette.hex (Paint.ink colour) }; text }
+
+(* The families that are there, each once. *)
+let present bodies =
+  let add found b = if b.of_model.fixed || List.mem (family b.of_model) (List.map fst found) then found
+    else (family b.of_model, b.of_model) :: found in
+  List.rev (List.fold_left add [] bodies)
+
+let key colour bodies ~open_ ~bonds : Key.entry list =
+  let exists test = List.exists (fun b -> test b.of_model) bodies in
+  let dot = [ ("r", "3.2"); ("fill", Marks.bond_colour) ] in
+  let bond_glyph =
+    Svg.tag "path" [ ("d", "M-9 0 L9 0"); ("stroke", Marks.bond_colour); ("stroke-width", "1.4") ] []
+    @ Svg.tag "circle" dot []
+  in
+  List.map (fun (name, l) -> swatch name (colour l)) (present bodies)
+  @ (if exists (fun l -> l.fixed && not l.absorbs) then [ swatch "fixed" fixed_colour ] else [])
+  @ (if exists (fun l -> l.absorbs) then [ swatch "absorbs" absorber_colour ] else [])
+  @ (if open_ then [ { Key.sample = Hatch hatch; text = "open" } ] else [])
+  @ if bonds then [ { Key.sample = Glyph bond_glyph; text = "bond" } ] else []
+
+(* {1 All of it} *)
+
+let told options bodies =
+  match options.title with
+  | Some title -> title
+  | None -> String.concat ", " (List.map (fun b -> b.of_model.name) bodies)
+
+let drawn (m : Model.t) state options bodies =
+  let solids = List.concat_map (fun b -> Array.to_list b.placed) bodies in
+  let camera = Camera.make ~up:options.up options.from in
+  let whole (v : Vec.t) = Ivec.make (Rat.floor v.x) (Rat.floor v.y) (Rat.floor v.z) in
+  let origin = match solids with [] -> Ivec.zero | p :: _ -> whole p.at in
+  let view = View.make camera ~origin (Array.of_list (List.map View.of_placed solids)) in
+  let points = List.concat_map Array.to_list (Array.to_list view.points) in
+  let top = Sheet.top ~title:options.title in
+  let points = if none points then [ Convex.point Z.zero Z.zero Z.one ] else points in
+  let canvas = Canvas.make camera ~width:options.width ~margin:Sheet.margin ~top points in
+  let paint = Paint.make camera ~origin canvas (Hidden.make view) in
+  let colour = colour (families m) in
+  let body b =
+    let parts = List.init (Array.length b.placed) (fun i -> Paint.solid paint (colour b.of_model) (b.first + i)) in
+    match List.concat parts with
+    | [] -> []
+    | painted -> Svg.tag "g" [] (Svg.title b.of_model.name @ painted)
+  in
+  let opened = if options.marks then List.concat_map (open_features m paint colour) bodies else [] in
+  let bonded = if options.marks then List.concat_map (bond m paint bodies) (bonds state) else [] in
+  let names = if options.names then Marks.names (List.map (name paint) bodies) else [] in
+  let open_ = not (none opened) in
+  let key =
+    if options.key then key colour bodies ~open_ ~bonds:(not (none bonded)) else []
+  in
+  let defs = if open_ then Marks.pattern paint ~id:hatch else [] in
+  Sheet.svg canvas ~title:options.title ~told:(told options bodies) ~defs
+    ~bar:(options.bar && not (none bodies))
+    ~key
+    (List.concat_map body bodies @ opened @ bonded @ names)
+
+let svg m state options = drawn m state options (bodies m state)

@@ -1,0 +1,23 @@
+(** Drawings of states for papers, in SVG: what is in front hides what is behind, decided exactly ({!Hidden}). Seen
+    from very far, without perspective, so that equal lengths of one direction are equal everywhere. Bodies of one
+    family (shape or compound of the model) have one colour; fixed ones are grey. The same state gives the same
+    bytes. *)
+
+open Scc_exact
+open Scc_calculus
+
+type options = {
+  from : Vec.t;  (** the picture is seen from the side to which it points; not zero *)
+  up : Vec.t;  (** upwards in the picture, unless that is where it is seen from *)
+  width : int;  (** in pixels, within {!Sheet.width_limits} *)
+  names : bool;  (** of bodies, where there is room *)
+  marks : bool;  (** open features and bonds *)
+  key : bool;  (** what the colours and marks mean *)
+  bar : bool;  (** a scale *)
+  title : string option;
+}
+
+val default : options
+(** From the right, the front and above; 800 pixels wide, with marks, key and scale. *)
+
+val svg : Model.t -> State.t -> options -> string
