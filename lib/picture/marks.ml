@@ -6,10 +6,15 @@ open Scc_drawing
 let hatch_colour = "#1f2328"
 let bond_colour = "#1f2328"
 
-let pattern (t : Paint.t) ~id =
-  let period = Float.max 2.5 (5. *. t.stroke) in
+let period (t : Paint.t) = Float.max 2.5 (5. *. t.stroke)
+
+(* Of two pictures on one page equal identifiers are of equal patterns. *)
+let hatch t = "open-" ^ String.map (fun c -> if c = '.' then '-' else c) (Paint.pixels (period t))
+
+let pattern t =
+  let period = period t in
   let wide = Paint.pixels period in
-  let size = [ ("id", id); ("patternUnits", "userSpaceOnUse"); ("width", wide); ("height", wide) ] in
+  let size = [ ("id", hatch t); ("patternUnits", "userSpaceOnUse"); ("width", wide); ("height", wide) ] in
   let turn = [ ("patternTransform", "rotate(45)") ] in
   let line = [ ("x1", "0"); ("y1", "0"); ("x2", "0"); ("y2", wide) ] in
   let stroke = [ ("stroke", hatch_colour); ("stroke-width", Paint.pixels (0.32 *. period)) ] in
@@ -22,7 +27,7 @@ let circle (x, y) radius attributes =
 
 let none = function [] -> true | _ :: _ -> false
 
-let open_features (t : Paint.t) ~pattern colour body placed features =
+let open_features (t : Paint.t) colour body placed features =
   let view = Hidden.view t.hidden in
   let is_open f = List.exists (Feature.equal f) features in
   let face i =
@@ -30,7 +35,7 @@ let open_features (t : Paint.t) ~pattern colour body placed features =
     else
       match Hidden.pieces t.hidden i with
       | [] -> []
-      | pieces -> Svg.tag "path" [ ("d", Paint.region t pieces); ("fill", "url(#" ^ pattern ^ ")") ] []
+      | pieces -> Svg.tag "path" [ ("d", Paint.region t pieces); ("fill", "url(#" ^ hatch t ^ ")") ] []
   in
   let edge i =
     let e = view.edges.(i) in

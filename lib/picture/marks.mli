@@ -5,18 +5,20 @@ open Scc_geometry
 open Scc_rigid
 open Scc_drawing
 
-val open_features : Paint.t -> pattern:string -> Palette.rgb -> int -> Placed.t -> Feature.t list -> string list
-(** Features of a solid of the view, which is placed there, where they are seen: faces are hatched with the
-    pattern of that identifier, edges are thick, vertices are rings. *)
+val open_features : Paint.t -> Palette.rgb -> int -> Placed.t -> Feature.t list -> string list
+(** Features of a solid of the view, which is placed there and has that colour, where they are seen: faces are
+    hatched, edges are thick, vertices are rings. *)
 
-val pattern : Paint.t -> id:string -> string list
-(** Its definition. *)
+val hatch : Paint.t -> string
+(** The identifier of the hatch. *)
+
+val pattern : Paint.t -> string list
+(** Its definition, which a picture with open features needs. *)
 
 val bond : Paint.t -> told:string -> Placed.t * Feature.t -> Placed.t * Feature.t -> string list
 (** A line from the middle of one solid to that of the other over a dot between their features, in front of
     everything: where solids touch nothing is seen. *)
 
-val hatch_colour : string
 val bond_colour : string
 
 (** A name and where it may be written: in the picture, and how much is seen of what it names. *)

@@ -81,15 +81,13 @@ let open_sites (m : Model.t) (leaf : State.leaf) =
   in
   List.sort_uniq Site.compare (List.concat_map sites (Behaviours.offers m.definitions leaf.behaviour))
 
-let hatch = "open"
-
 let open_features (m : Model.t) paint colour b =
   let sites = open_sites m b.leaf in
   let part i placed =
     let here (s : Site.t) = if s.part = i then Some s.feature else None in
     match List.filter_map here sites with
     | [] -> []
-    | features -> Marks.open_features paint ~pattern:hatch (colour b.of_model) (b.first + i) placed features
+    | features -> Marks.open_features paint (colour b.of_model) (b.first + i) placed features
   in
   List.concat (Array.to_list (Array.mapi part b.placed))
 
@@ -132,7 +130,7 @@ let present bodies =
     else (family b.of_model, b.of_model) :: found in
   List.rev (List.fold_left add [] bodies)
 
-let key colour bodies ~open_ ~bonds : Key.entry list =
+let key colour bodies ~hatch ~open_ ~bonds : Key.entry list =
   let exists test = List.exists (fun b -> test b.of_model) bodies in
   let dot = [ ("r", "3.2"); ("fill", Marks.bond_colour) ] in
   let bond_glyph =
@@ -175,9 +173,9 @@ let drawn (m : Model.t) state options bodies =
   let names = if options.names then Marks.names (List.map (name paint) bodies) else [] in
   let open_ = not (none opened) in
   let key =
-    if options.key then key colour bodies ~open_ ~bonds:(not (none bonded)) else []
+    if options.key then key colour bodies ~hatch:(Marks.hatch paint) ~open_ ~bonds:(not (none bonded)) else []
   in
-  let defs = if open_ then Marks.pattern paint ~id:hatch else [] in
+  let defs = if open_ then Marks.pattern paint else [] in
   Sheet.svg canvas ~title:options.title ~told:(told options bodies) ~defs
     ~bar:(options.bar && not (none bodies))
     ~key
