@@ -306,6 +306,15 @@ def check_refusals(scc):
         check(name, text_of(result), f"check {model}")
 
 
+def check_view(scc, model):
+    """The data of a page, and the page: the same data is in it, and no script but its own."""
+    result = run(scc, "view", "--data", "--graph", "100", "--seconds", "20", model, "-o", "-")
+    document = check("view", text_of(result), f"view {model}")
+    page = text_of(run(scc, "view", "--graph", "100", "--seconds", "20", model, "-o", "-"))
+    data = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
+    count(data is not None and json.loads(data[1]) == document, f"view {model}", "another document is in the page")
+
+
 def check_conformance():
     """The files of the conformance suite."""
     with open("specs/conformance/manifest.json", encoding="utf-8") as file:
@@ -415,6 +424,7 @@ def main():
         for model in sorted(glob.glob("specs/models/*.sc")):
             check_model(scc, model, folder)
             check_sarif(scc, model, folder)
+            check_view(scc, model)
             if is_open(model):
                 check_zones(scc, model)
             else:
