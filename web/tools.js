@@ -136,7 +136,9 @@ const Tools = (() => {
 
   /** @param {string} id @param {string} text @param {string} title @param {() => void} action */
   function press(id, text, title, action) {
-    made[id] = Dom.button(text, action, { id: `tool-${id}`, test: id, title, "aria-label": title });
+    // What has no words is called by its title.
+    const label = /^[A-Z]/.test(text) ? null : title;
+    made[id] = Dom.button(text, action, { id: `tool-${id}`, test: id, title, "aria-label": label });
     if (icons[id]) picture(made[id], id);
     return made[id];
   }
@@ -219,10 +221,16 @@ const Tools = (() => {
     show();
   }
 
+  /** The scene is narrower beside the graph. */
+  function graph() {
+    Graph.show();
+    requestAnimationFrame(() => requestAnimationFrame(() => scene && scene.fit()));
+  }
+
   function switches() {
     /** @type {[string, string, () => void][]} */
     const panels = [
-      ["graph-switch", "graph-panel", () => Graph.show()],
+      ["graph-switch", "graph-panel", graph],
       ["plots-switch", "plots-panel", () => Plots.draw()],
     ];
     for (const [id, panel, shown] of panels) {

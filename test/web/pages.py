@@ -82,6 +82,42 @@ def reasons(b, scc):
     same('a reason leads to its instant', 't = ' + b.state()['time'], time)
 
 
+def starts(b, scc):
+    """Where a check holds: another start leads to the run from there."""
+    b.open(scc.view('specs/models/meeting.sc'))
+    b.find('tab-where').click()
+    b.find('where').click()
+    run = b.js('return document.querySelector("[data-testid=where] .sample.here").dataset.run')
+    first = b.state()
+    b.js('document.querySelector("[data-testid=where]").focus()')
+    b.keys(Keys.ARROW_UP)
+    moved = b.js('return document.querySelector("[data-testid=where] .sample.here").dataset.run')
+    check('the arrows lead to another start', run != moved, (run, moved))
+    check('a run from there is shown', b.state()['bodies'] != first['bodies'])
+
+
+def onwards(b, scc):
+    """From a choice on by what is possible first, to where the run ends."""
+    b.open(scc.view('specs/models/enzyme.sc'))
+    data = b.js('return scc.data')
+    b.js('scc.open(scc.runs().length - 1)')
+    at = next(k for k, step in enumerate(data['runs'][-1]['steps']) if len(b.js(
+        'scc.go(arguments[0]); return scc.data.states[scc.state().state].next', k)) > 1)
+    b.js('scc.go(arguments[0]); scc.choose(1)', at)
+    b.find('go-on').click()
+    b.keys(Keys.END)
+    state = b.state()
+    steps = [{'choice': step['choice'], 'label': step['label']} for step in data['runs'][-1]['steps'][:at]]
+    now = data['runs'][-1]['steps'][at - 1]['to'] if at else data['runs'][-1]['start']
+    for choice in state['way']['choices']:
+        one = data['states'][now]['next'][choice]
+        steps.append({'choice': choice, 'label': one['label']})
+        now = one['to']
+    check('there are more steps', len(steps) > at + 1, len(steps))
+    same('where they lead', bodies_of_page(state),
+         bodies_of_trace(scc.trace('specs/models/enzyme.sc', data, steps)[-1]))
+
+
 def by_keys(b, scc):
     """Everything without a mouse."""
     b.open(scc.view(HEXOKINASE))
@@ -312,4 +348,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, by_keys, links, plots, hostile, motion, no_states_beyond]
+PARTS = [by_mouse, reasons, starts, onwards, by_keys, links, plots, hostile, motion, no_states_beyond]
