@@ -1,8 +1,6 @@
 open Scc_ctl
 open Scc_base
 open Scc_exact
-open Scc_syntax
-open Scc_property
 open Scc_evaluate
 open Scc_verify
 open Scc_session
@@ -10,58 +8,15 @@ open Scc_exchange
 
 type bounds = { seconds : float; memory : int; now : unit -> float }
 
-(* {1 What kind of formula it is}
-
-   A check takes temporal formulas only, and says so of a state predicate. Whatever else it does not take is a
-   number, or wrong: then a comparison takes it, or not. *)
-
-let ast at it = { Ast.it; at }
-let as_it_is e = e
-let possibly (e : Ast.expr) = ast e.at (Ast.Temporal (Possibly, None, e))
-
-(* The other side is no constant, so that the comparison stays one. *)
-let compared (e : Ast.expr) =
-  let time = ast e.at (Ast.Path (ast e.at [ { Ast.name = ast e.at "time"; indices = [] } ])) in
-  possibly (ast e.at (Ast.Binary (Le, e, time)))
-
-type question =
-  | State of Models.loaded * Property.prop
-  | Number of Models.loaded * Property.num
-  | Temporal of Models.loaded * Property.check
-
-let rec last = function
-  | [] -> Bug.fail __POS__ "the check of the formula is missing"
-  | [ (c : Property.check) ] -> c
-  | _ :: rest -> last rest
-
-let check (l : Models.loaded) = { (last l.model.checks) with name = "formula" }
-
-let is_state_formula = function
-  | [ (d : Diag.t) ] -> String.equal d.code (Code.not_a_formula :> string)
-  | _ -> false
+(* {1 What kind of formula it is} *)
 
 let read store ~handle ~formula =
-  let ask change form = Models.with_formula store ~handle ~formula change ~form in
-  let refuse diagnostics =
+  let load = Models.with_formula store ~handle ~formula in
+  match Question.ask ~model:(fun (l : Models.loaded) -> l.model) load with
+  | Ok found -> found
+  | Error diagnostics ->
     let source = Models.sources store handle ~formula in
     Fault.refuse (Formula_refused (Fault.diagnostics ~source diagnostics))
-  in
-  match ask as_it_is "check" with
-  | Ok l -> Temporal (l, check l)
-  | Error diagnostics when is_state_formula diagnostics -> (
-      match ask possibly "state" with
-      | Error diagnostics -> refuse diagnostics
-      | Ok l -> (
-          match (check l).formula with
-          | Finally (_, _, State p) -> State (l, p)
-          | _ -> Bug.fail __POS__ "a state predicate is none"))
-  | Error diagnostics -> (
-      match ask compared "number" with
-      | Error _ -> refuse diagnostics
-      | Ok l -> (
-          match (check l).formula with
-          | Finally (_, _, State (Compare (_, n, Quantity Time))) -> Number (l, n)
-          | _ -> refuse diagnostics))
 
 (* {1 At a state} *)
 
@@ -162,6 +117,6 @@ let evaluate bounds store p =
   (* A path that is not possible is told before anything else. *)
   ignore (Models.path p base.network);
   match read store ~handle ~formula with
-  | State (l, prop) -> state p l prop
-  | Number (l, num) -> number p l num
-  | Temporal (l, check) -> temporal bounds p l check
+  | l, State prop -> state p l prop
+  | l, Number num -> number p l num
+  | l, Temporal check -> temporal bounds p l check

@@ -185,21 +185,17 @@ let sources store handle ~formula name =
   if String.equal name formula_name then Some (Source.make ~name formula)
   else source_of (kept_of store handle).given name
 
-(* No name of the language looks like this one. *)
-let check_name = "(formula)"
-
-let with_formula store ~handle ~formula change ~form =
+let with_formula store ~handle ~formula form =
+  let name = Question.name form in
   let same a =
-    String.equal a.handle handle && String.equal a.form form && String.equal a.formula formula
+    String.equal a.handle handle && String.equal a.form name && String.equal a.formula formula
   in
   match List.find_opt same store.lately with
   | Some a -> Ok a.answer
   | None ->
     let given = (kept_of store handle).given in
     let* e = (Front_end.of_source given.source).expression (Source.make ~name:formula_name formula) in
-    let name = { Ast.it = check_name; at = e.at } in
-    let item = { Ast.it = Ast.Check (name, change e); at = e.at } in
-    let* answer = make given (Long_list.append given.tree [ item ]) in
+    let* answer = make given (Long_list.append given.tree [ Question.item form e ]) in
     let older = List.filteri (fun i _ -> i < most_lately - 1) store.lately in
-    store.lately <- { handle; formula; form; answer } :: older;
+    store.lately <- { handle; formula; form = name; answer } :: older;
     Ok answer

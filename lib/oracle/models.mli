@@ -31,11 +31,9 @@ val with_formula :
   store ->
   handle:string ->
   formula:string ->
-  (Scc_syntax.Ast.expr -> Scc_syntax.Ast.expr) ->
-  form:string ->
+  Question.form ->
   (loaded, Diag.t list) result
-(** The model with a check of the formula, changed, as its last one. [form] names the change. Those asked for
-    lately are kept. *)
+(** The model with the formula, in this form, as its last check. Those asked for lately are kept. *)
 
 val sources : store -> string -> formula:string -> string -> Source.t option
 (** The texts of the model of a handle, and of a formula, by name. *)

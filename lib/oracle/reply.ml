@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_exchange
 
@@ -33,16 +34,6 @@ let add_string b s =
   go 0 0;
   Buffer.add_char b '"'
 
-(* The shortest of 15, 16 and 17 digits that reads back as the same float. *)
-let float_text x =
-  if Float.is_integer x && Float.abs x < 1e15 then Printf.sprintf "%.0f.0" x
-  else
-    let rec with_digits n =
-      let s = Printf.sprintf "%.*g" n x in
-      if n = 17 || Float.equal (float_of_string s) x then s else with_digits (n + 1)
-    in
-    with_digits 15
-
 let add_list b add items =
   let rec more = function
     | [] -> ()
@@ -67,7 +58,7 @@ let rec add_json b (json : Json.t) =
   | `Null -> Buffer.add_string b "null"
   | `Bool x -> Buffer.add_string b (if x then "true" else "false")
   | `Int n -> Buffer.add_string b (string_of_int n)
-  | `Float x -> Buffer.add_string b (float_text x)
+  | `Float x -> Buffer.add_string b (Float_text.shortest x)
   | `String s -> add_string b s
   | `List items ->
     Buffer.add_char b '[';

@@ -15,7 +15,7 @@ type t = {
   checks : Property.check list;
   premises : Property.check list;
   warnings : Diag.t list;
-  again : (string * Rat.t) list -> (t, Diag.t list) result;
+  again : Scc_syntax.Ast.model -> (string * Rat.t) list -> (t, Diag.t list) result;
 }
 
 type reader = string -> (string, string) result
@@ -35,14 +35,17 @@ let rec of_tree ~read_file ~overrides ?narrowed source tree =
   let { Scc_elaborate.Elaborate.model; declared; uncertain; checks; premises; warnings; _ } = e in
   let settings = Scc_calculus.Parameters.listed model declared in
   let origin = { Origin.name = e.name; digest; parameters = e.parameters; settings } in
-  let again values = of_tree ~read_file ~overrides:(overrides @ values) ?narrowed source tree in
+  let again items values =
+    of_tree ~read_file ~overrides:(overrides @ values) ?narrowed source (Long_list.append tree items)
+  in
   Ok
     {
       source; origin; semantics = Standard.of_model model; model; declared; uncertain; checks; premises; warnings;
       again;
     }
 
-let at l values = l.again values
+let at l values = l.again [] values
+let with_items l items = l.again items []
 
 let load ~read_file ~overrides ?narrowed source =
   let* tree = (Front_end.of_source source).model source in

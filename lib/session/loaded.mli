@@ -20,7 +20,8 @@ type t = {
       them. They keep no exploration going, as a check is never decided before its premise has been met or all is
       explored. *)
   warnings : Diag.t list;
-  again : (string * Rat.t) list -> (t, Diag.t list) result;  (** see {!at} *)
+  again : Scc_syntax.Ast.model -> (string * Rat.t) list -> (t, Diag.t list) result;
+  (** see {!at} and {!with_items} *)
 }
 
 type reader = string -> (string, string) result
@@ -47,6 +48,9 @@ val of_tree :
 val at : t -> (string * Rat.t) list -> (t, Diag.t list) result
 (** The same model where parameters have these values as well: of one point, if all that have ranges are among
     them. The error is why there is no such model, a value out of its range (SC0217) for one. *)
+
+val with_items : t -> Scc_syntax.Ast.model -> (t, Diag.t list) result
+(** The same model with more in it than its text says, after all else. *)
 
 val initial : t -> (State.t, Diag.t list) result
 (** The initial state. The error is why a law of motion has no value there. *)
