@@ -308,9 +308,9 @@ def check_refusals(scc):
 
 def check_view(scc, model):
     """The data of a page, and the page: the same data is in it, and no script but its own."""
-    result = run(scc, "view", "--data", "--graph", "100", "--seconds", "20", model, "-o", "-")
+    result = run(scc, "view", "--data", "--graph", "20", "--seconds", "20", model, "-o", "-")
     document = check("view", text_of(result), f"view {model}")
-    page = text_of(run(scc, "view", "--graph", "100", "--seconds", "20", model, "-o", "-"))
+    page = text_of(run(scc, "view", "--graph", "20", "--seconds", "20", model, "-o", "-"))
     data = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
     count(data is not None and json.loads(data[1]) == document, f"view {model}", "another document is in the page")
 
