@@ -1,293 +1,63 @@
-open Scc_base
 open Scc_exact
-open Scc_calculus
-open Scc_semantics
-open Scc_property
 open Scc_verify
 open Scc_session
-open Scc_exchange
 open Scc_view
 open Cmdliner
 
 let ( let* ) = Result.bind
 
-type options = {
-  path : string;
-  given : Options.definitions;
-  budget : Budget.t;
-  output : string option;
-  data : bool;
-  check : string option;
-  schedule : string option;
-  graph : int;
-}
-
-(* {1 What is shown} *)
-
-let find_check name (checks : Property.check list) =
-  match List.filter (fun (c : Property.check) -> String.equal c.name name) checks with
-  | _ :: _ as found -> Ok found
-  | [] ->
-    let names = List.map (fun (c : Property.check) -> c.name) checks in
-    Error
-      [
-        Diag.error Code.unknown_name Span.command_line ?hint:(Diag.suggest name names)
-          "the model has no check `%s`" name;
-      ]
-
-let chosen_checks o checks = match o.check with None -> Ok checks | Some name -> find_check name checks
-
-let about (outcome : Verdict.outcome) : Runs.about =
-  {
-    formula = outcome.check.text;
-    verdict = Check_json.kind outcome.verdict;
-    text = Verdict.outcome_to_string outcome;
-  }
-
-let witness (v : Verdict.t) =
-  match v with
-  | Holds { witness; _ } | Violated { witness } -> witness
-  | Undecided reasons ->
-    List.find_map
-      (function
-        | Verdict.Unexplored { nearest = w; _ } -> Some w
-        | Truncated _ | Undefined _ | Fault _ -> None)
-      reasons
-
-let ended (l : Loaded.t) = function
-  | Ok ending -> Ok ending
-  | Error Replay.Interrupted -> Error []
-  | Error (Refused d) -> Error [ d ]
-  | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
-
-(* A run by choices, up to where it ends. *)
-let follow (l : Loaded.t) policy limits ~interrupted =
-  let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
-  let note : Replay.event -> unit = function
-    | Start s -> initial := s
-    | Step { index; among; taken; state; _ } ->
-      let choice = if index < among then Some index else None in
-      steps := { Runs.choice; label = taken.label; rules = taken.rules; after = state () } :: !steps
-    | Instant i -> offset := i.offset
-    | End _ -> ()
-  in
-  let* ending = ended l (Replay.run l.semantics l.declared policy limits ~interrupted note) in
-  Ok (!initial, List.rev !steps, !offset, ending)
-
-let ending (l : Loaded.t) (e : Replay.ending) =
-  match e with
-  | Open -> []
-  | Quiescent -> [ "nothing happens any more" ]
-  | Zeno -> [ "the run was stopped: it went on within one instant" ]
-  | Stuck f -> [ (Replay.diagnostic l.model f).message ]
-
-(* {1 The document} *)
-
-type making = {
-  loaded : Loaded.t;
-  tables : Tables.t;
-  states : States.t;
-  plots : Property.num list;
-  most : int;
-}
-
-let world_of making semantics =
-  States.world making.states making.tables ~words:(fun m l -> Run_text.label m l) ~plots:making.plots semantics
-
-(* Where the parts of leaves may depend on parameters, a run says how they are in it. *)
-let with_leaves making (own : Model.t) (run : Json.t) : Json.t =
-  let own, all =
-    let leaves = Bodies.leaves ~solids:making.tables.solids in
-    (leaves own, leaves making.loaded.model)
-  in
-  match run with
-  | `Assoc members when not (String.equal (Json.line own) (Json.line all)) ->
-    `Assoc (members @ [ ("leaves", own) ])
-  | run -> run
-
-let large_run making world ~name policy limits ~interrupted =
-  let l = making.loaded in
-  let run = ref None in
-  let note (event : Replay.event) =
-    match (event, !run) with
-    | Start s, _ -> run := Some (Large_run.start world s)
-    | _, Some r -> Large_run.step r event
-    | _, None -> Bug.fail __POS__ "a run without a start"
-  in
-  let* how = ended l (Replay.run l.semantics l.declared policy limits ~interrupted note) in
-  let told r = Large_run.json r ~name ~finish:(Trace.ending how) ~ending:(ending l how) in
-  match !run with Some r -> Ok (told r) | None -> Bug.fail __POS__ "a run without a start"
-
-let small_run making world ~name policy limits ~interrupted =
-  let l = making.loaded in
-  let* initial, steps, offset, how = follow l policy limits ~interrupted in
-  Ok
-    (Runs.of_steps making.states world ~most:making.most ~name None ~initial steps ~offset
-       ~finish:(Trace.ending how) ~ending:(ending l how))
-
-let run_by_choices making = if Large_run.is_for making.loaded.model then large_run making else small_run making
-
-let of_check making world (outcome : Verdict.outcome) =
-  let name = outcome.check.name and about = about outcome in
-  match witness outcome.verdict with
-  | None -> Runs.none ~name about
-  | Some w -> (
-      let told world = Runs.of_witness making.states world ~most:making.most ~name (Some about) w in
-      match w.fixed with
-      | None -> told world
-      | Some f -> with_leaves making (Semantics.model f.semantics) (told (world_of making f.semantics)))
-
-let report console o (l : Loaded.t) checks watch =
-  let exactly = Array.length l.model.ranges > 0 in
-  match checks with
-  | [] -> Ok ([], [])
-  | _ ->
-    let* initial = Loaded.initial l in
-    let options = Check_options.starting console watch o.budget in
-    let run () = Verdicts.report options l ~initial ~exactly ~premises:[] checks in
-    let* report =
-      match (Watch.attempt watch).run Reporting run with
-      | Ok report -> report
-      | Error stop -> Ok (Check.unexplored options checks stop)
-    in
-    Console.progress_done console;
-    Ok (report.outcomes, report.where)
-
-(* The model at one start, for what is about one. *)
-let at_point (l : Loaded.t) =
-  match Sample.values Simple l.model.ranges with [] -> Ok l | values -> Loaded.at l values
-
-let first_steps = 200
-let sample_steps = 60
-
-(* Runs from here and there in the drawing of where checks hold. *)
-let samples making (l : Loaded.t) view where ~interrupted =
-  let run values =
-    let* point = Loaded.at l values in
-    let at_point = { making with loaded = point } in
-    let limits = { Replay.steps = Some sample_steps; time = None; instant = Replay.default_instant } in
-    let world = world_of at_point point.semantics in
-    let* run = run_by_choices at_point world ~name:(Sample.to_string values) First limits ~interrupted in
-    let numbers = List.map (fun (name, v) -> (name, Json.rat v)) values in
-    match with_leaves making point.model run with
-    | `Assoc members -> Ok (`Assoc (members @ [ ("sample", `Bool true); ("values", `Assoc numbers) ]))
-    | run -> Ok run
-  in
-  let add all values =
-    let* all = all in
-    if interrupted () then Ok all else Result.map (fun r -> (values, r) :: all) (run values)
-  in
-  Result.map List.rev (List.fold_left add (Ok []) (Regions.starts l.model.ranges view where))
-
-(* The drawing, and its runs. *)
-let regions making (l : Loaded.t) outcomes where ~before ~interrupted =
-  match where with
-  | [] -> Ok (None, [])
-  | _ :: _ -> (
-      match Scc_where.Plane.view l.model.ranges ~axes:[] ~fixed:[] with
-      | Error _ -> Ok (None, [])
-      | Ok view ->
-        let names = List.map (fun (o : Verdict.outcome) -> o.check.name) outcomes in
-        let* sampled = samples making l view where ~interrupted in
-        let numbered = List.mapi (fun i (values, _) -> (values, before + i)) sampled in
-        let json = Regions.json l.model.ranges view (List.combine names where) ~samples:numbered in
-        Ok (Some json, List.map snd sampled))
-
-let document console o watch =
-  let* schedule =
-    match o.schedule with
-    | None -> Ok None
-    | Some path -> Result.map Option.some (Scheduled.read console path)
-  in
-  let* l =
-    match schedule with
-    | None -> Input.model console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path
-    | Some s -> Scheduled.model console s ~given:o.given o.path
-  in
-  Console.report console l.warnings;
-  let* checks = chosen_checks o l.checks in
-  let* point = at_point l in
-  let interrupted = Watch.interrupted watch in
-  let making =
-    {
-      loaded = point;
-      tables = Tables.create ();
-      states = States.create ();
-      plots = Curves.of_checks point.checks;
-      most = Graph.bound point.model o.graph;
-    }
-  in
-  let world = world_of making point.semantics in
-  let* initial = Loaded.initial point in
-  let graph =
-    if Large_run.is_for point.model then None
-    else Some (Graph.explore making.states world ~most:making.most ~interrupted initial)
-  in
-  let limits steps = { Replay.steps; time = None; instant = Replay.default_instant } in
-  let* runs, where =
-    match schedule with
-    | Some s ->
-      let* run =
-        run_by_choices making world ~name:(Option.value s.check ~default:"run") (Scheduled s) (limits None)
-          ~interrupted
-      in
-      Ok ([ run ], None)
-    | None ->
-      let* outcomes, where = report console o l checks watch in
-      let runs = List.map (of_check making world) outcomes in
-      let* first =
-        run_by_choices making world ~name:"first choices" First (limits (Some first_steps)) ~interrupted
-      in
-      let runs = runs @ [ first ] in
-      let* drawn, more =
-        regions making l outcomes where ~before:(List.length runs) ~interrupted
-      in
-      Ok (runs @ more, drawn)
-  in
-  Ok
-    {
-      Document.loaded = point;
-      name = Filename.basename o.path;
-      tables = making.tables;
-      states = making.states;
-      plots = making.plots;
-      graph;
-      runs;
-      where;
-    }
-
-(* {1 The command} *)
+type what = Page | Data | Picture of Rat.t
+type options = { shown : Viewed.options; output : string option; what : what; names : bool }
 
 let output_of o =
   match o.output with
   | Some path -> path
   | None ->
-    let base = Filename.remove_extension (Filename.basename o.path) in
-    (if String.equal o.path "-" then "model" else base) ^ if o.data then ".view.json" else ".html"
+    let base = Filename.remove_extension (Filename.basename o.shown.path) in
+    let ending = match o.what with Page -> ".html" | Data -> ".view.json" | Picture _ -> ".svg" in
+    (if String.equal o.shown.path "-" then "model" else base) ^ ending
 
-let run color budget options =
-  let o = { options with budget } in
+(* What writes the file. *)
+let content console o watch =
+  let document () = Viewed.document console o.shown watch in
+  match o.what with
+  | Data -> Result.map Document.write (document ())
+  | Page ->
+    let page (d : Document.t) = Page.write ~title:(d.name ^ " – scc") (Document.write d) in
+    Result.map page (document ())
+  | Picture time ->
+    let* model, state = Pictured.state console o.shown watch time in
+    let options = { Scc_picture.Picture.default with names = o.names } in
+    Ok (fun put -> put (Scc_picture.Picture.svg model state options))
+
+let run color budget o =
+  let o = { o with shown = { o.shown with budget } } in
   let console = Console.make ~color ~json:false in
   Guard.run console (fun () ->
-      let watch = Check_options.watch o.budget in
-      let* document = document console o watch in
+      let watch = Check_options.watch budget in
+      let* write = content console o watch in
+      let interrupted = Watch.interrupted watch () in
       Watch.finish watch;
-      let title = Printf.sprintf "%s – scc" document.name in
-      let data = Document.write document in
+      Console.progress_done console;
       let output = output_of o in
-      let write put = if o.data then data put else Page.write ~title data put in
       let path = if String.equal output "-" then None else Some output in
       match Console.with_output console ~path write with
       | Error d -> Error [ d ]
       | Ok () ->
         if Option.is_some path then Console.note console (Printf.sprintf "scc: wrote %s" output);
-        Ok Exit_code.Holds)
+        if interrupted then begin
+          Console.note console "scc: interrupted: what was done until then is shown";
+          Ok Exit_code.Stopped
+        end
+        else Ok Holds)
+
+(* The command line. *)
 
 let output =
   let doc = "Writes to $(docv) instead of the name of the model with $(b,.html), in the present folder." in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
 
-let data =
+let data_alone =
   let doc =
     "Writes the data of the page alone, as JSON ($(b,specs/schema/view.schema.json)), for those who draw it by \
      other means."
@@ -322,13 +92,35 @@ let graph =
   let doc = "Carries along what can happen otherwise: at most $(docv) states in all, fewer where each is large." in
   Arg.(value & opt (Options.integer ~least:0 "number of states") 1000 & info [ "graph" ] ~docv:"N" ~doc)
 
+let svg =
+  let doc =
+    "Writes a picture of the state at the model time $(docv) instead of a page, as SVG, with hidden surfaces right: \
+     of the run of $(b,--schedule) or $(b,--trace), of that which shows the verdict of $(b,--check), or of that of \
+     the first choices."
+  in
+  Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "svg" ] ~docv:"TIME" ~doc)
+
+let names =
+  let doc = "With $(b,--svg): writes the names of bodies into the picture." in
+  Arg.(value & flag & info [ "names" ] ~doc)
+
+let what =
+  let one data svg =
+    match (data, svg) with
+    | true, Some _ -> Error "--data and --svg do not go together"
+    | true, None -> Ok Data
+    | false, Some time -> Ok (Picture time)
+    | false, None -> Ok Page
+  in
+  Term.(term_result' ~usage:true (const one $ data_alone $ svg))
+
 let options =
-  let make path given output data check schedule graph =
+  let make path given output what names check schedule graph =
     let budget = { Budget.depth = None; time = None; states = None; seconds = None; memory = None; bits = None } in
-    { path; given; budget; output; data; check; schedule; graph }
+    { shown = { path; given; budget; check; schedule; graph }; output; what; names }
   in
   Term.(
-    const make $ Options.model_file $ Options.definitions $ output $ data $ check $ followed $ graph)
+    const make $ Options.model_file $ Options.definitions $ output $ what $ names $ check $ followed $ graph)
 
 let man =
   [
@@ -343,6 +135,7 @@ let man =
     `Pre "  scc view specs/models/hexokinase.sc";
     `Pre "  scc view model.sc --check safe -o safe.html";
     `Pre "  scc view model.sc --schedule runs/safe.json";
+    `Pre "  scc view model.sc --svg 5/2 --names -o figure.svg";
   ]
 
 let command =

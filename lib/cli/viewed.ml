@@ -1,0 +1,260 @@
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_verify
+open Scc_session
+open Scc_exchange
+open Scc_view
+
+let ( let* ) = Result.bind
+
+type options = {
+  path : string;
+  given : Options.definitions;
+  budget : Budget.t;
+  check : string option;
+  schedule : string option;
+  graph : int;
+}
+
+(* {1 What is shown} *)
+
+let find_check name (checks : Property.check list) =
+  match List.filter (fun (c : Property.check) -> String.equal c.name name) checks with
+  | _ :: _ as found -> Ok found
+  | [] ->
+    let names = List.map (fun (c : Property.check) -> c.name) checks in
+    Error
+      [
+        Diag.error Code.unknown_name Span.command_line ?hint:(Diag.suggest name names)
+          "the model has no check `%s`" name;
+      ]
+
+let chosen_checks o checks = match o.check with None -> Ok checks | Some name -> find_check name checks
+
+let about (outcome : Verdict.outcome) : Runs.about =
+  {
+    formula = outcome.check.text;
+    verdict = Check_json.kind outcome.verdict;
+    text = Verdict.outcome_to_string outcome;
+  }
+
+let witness (v : Verdict.t) =
+  match v with
+  | Holds { witness; _ } | Violated { witness } -> witness
+  | Undecided reasons ->
+    List.find_map
+      (function
+        | Verdict.Unexplored { nearest = w; _ } -> Some w
+        | Truncated _ | Undefined _ | Fault _ -> None)
+      reasons
+
+(* A run that is interrupted is shown as far as it came. *)
+let ended (l : Loaded.t) = function
+  | Ok ending -> Ok ending
+  | Error Replay.Interrupted -> Ok Replay.Open
+  | Error (Refused d) -> Error [ d ]
+  | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
+
+(* A run by choices, up to where it ends. *)
+let follow (l : Loaded.t) policy limits ~interrupted =
+  let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
+  let note : Replay.event -> unit = function
+    | Start s -> initial := s
+    | Step { index; among; taken; state; _ } ->
+      let choice = if index < among then Some index else None in
+      steps := { Runs.choice; label = taken.label; rules = taken.rules; after = state () } :: !steps
+    | Instant i -> offset := i.offset
+    | End _ -> ()
+  in
+  let* ending = ended l (Replay.run l.semantics l.declared policy limits ~interrupted note) in
+  Ok (!initial, List.rev !steps, !offset, ending)
+
+let ending (l : Loaded.t) (e : Replay.ending) =
+  match e with
+  | Open -> []
+  | Quiescent -> [ "nothing happens any more" ]
+  | Zeno -> [ "the run was stopped: it went on within one instant" ]
+  | Stuck f -> [ (Replay.diagnostic l.model f).message ]
+
+(* {1 The document} *)
+
+type making = {
+  loaded : Loaded.t;
+  tables : Tables.t;
+  states : States.t;
+  plots : Property.num list;
+  most : int;
+}
+
+let world_of making semantics =
+  States.world making.states making.tables ~words:(fun m l -> Run_text.label m l) ~plots:making.plots semantics
+
+(* Where the parts of leaves may depend on parameters, a run says how they are in it. *)
+let with_leaves making (own : Model.t) (run : Json.t) : Json.t =
+  let own, all =
+    let leaves = Bodies.leaves ~solids:making.tables.solids in
+    (leaves own, leaves making.loaded.model)
+  in
+  match run with
+  | `Assoc members when not (String.equal (Json.line own) (Json.line all)) ->
+    `Assoc (members @ [ ("leaves", own) ])
+  | run -> run
+
+let large_run making world ~name policy limits ~interrupted =
+  let l = making.loaded in
+  let run = ref None in
+  let note (event : Replay.event) =
+    match (event, !run) with
+    | Start s, _ -> run := Some (Large_run.start world s)
+    | _, Some r -> Large_run.step r event
+    | _, None -> Bug.fail __POS__ "a run without a start"
+  in
+  let* how = ended l (Replay.run l.semantics l.declared policy limits ~interrupted note) in
+  let told r = Large_run.json r ~name ~finish:(Trace.ending how) ~ending:(ending l how) in
+  match !run with Some r -> Ok (told r) | None -> Bug.fail __POS__ "a run without a start"
+
+let small_run making world ~name policy limits ~interrupted =
+  let l = making.loaded in
+  let* initial, steps, offset, how = follow l policy limits ~interrupted in
+  Ok
+    (Runs.of_steps making.states world ~most:making.most ~name None ~initial steps ~offset
+       ~finish:(Trace.ending how) ~ending:(ending l how))
+
+let run_by_choices making = if Large_run.is_for making.loaded.model then large_run making else small_run making
+
+let of_check making world (outcome : Verdict.outcome) =
+  let name = outcome.check.name and about = about outcome in
+  match witness outcome.verdict with
+  | None -> Runs.none ~name about
+  | Some w -> (
+      let told world = Runs.of_witness making.states world ~most:making.most ~name (Some about) w in
+      match w.fixed with
+      | None -> told world
+      | Some f -> with_leaves making (Semantics.model f.semantics) (told (world_of making f.semantics)))
+
+let report console o (l : Loaded.t) checks watch =
+  let exactly = Array.length l.model.ranges > 0 in
+  match checks with
+  | [] -> Ok ([], [])
+  | _ ->
+    let* initial = Loaded.initial l in
+    let options = Check_options.starting console watch o.budget in
+    let run () = Verdicts.report options l ~initial ~exactly ~premises:[] checks in
+    let* report =
+      match (Watch.attempt watch).run Reporting run with
+      | Ok report -> report
+      | Error stop -> Ok (Check.unexplored options checks stop)
+    in
+    Console.progress_done console;
+    Ok (report.outcomes, report.where)
+
+(* The model at one start, for what is about one. *)
+let at_point (l : Loaded.t) =
+  match Sample.values Simple l.model.ranges with [] -> Ok l | values -> Loaded.at l values
+
+let first_steps = 200
+let sample_steps = 60
+
+(* Runs from here and there in the drawing of where checks hold. *)
+let samples making (l : Loaded.t) view where ~interrupted =
+  let run values =
+    let* point = Loaded.at l values in
+    let at_point = { making with loaded = point } in
+    let limits = { Replay.steps = Some sample_steps; time = None; instant = Replay.default_instant } in
+    let world = world_of at_point point.semantics in
+    let* run = run_by_choices at_point world ~name:(Sample.to_string values) First limits ~interrupted in
+    let numbers = List.map (fun (name, v) -> (name, Json.rat v)) values in
+    match with_leaves making point.model run with
+    | `Assoc members -> Ok (`Assoc (members @ [ ("sample", `Bool true); ("values", `Assoc numbers) ]))
+    | run -> Ok run
+  in
+  let add all values =
+    let* all = all in
+    if interrupted () then Ok all else Result.map (fun r -> (values, r) :: all) (run values)
+  in
+  Result.map List.rev (List.fold_left add (Ok []) (Regions.starts l.model.ranges view where))
+
+(* The drawing, and its runs. *)
+let regions making (l : Loaded.t) outcomes where ~before ~interrupted =
+  match where with
+  | [] -> Ok (None, [])
+  | _ :: _ -> (
+      match Scc_where.Plane.view l.model.ranges ~axes:[] ~fixed:[] with
+      | Error _ -> Ok (None, [])
+      | Ok view ->
+        let names = List.map (fun (o : Verdict.outcome) -> o.check.name) outcomes in
+        let* sampled = samples making l view where ~interrupted in
+        let numbered = List.mapi (fun i (values, _) -> (values, before + i)) sampled in
+        let json = Regions.json l.model.ranges view (List.combine names where) ~samples:numbered in
+        Ok (Some json, List.map snd sampled))
+
+let read_schedule console o =
+  match o.schedule with
+  | None -> Ok None
+  | Some path -> Result.map Option.some (Scheduled.read console path)
+
+let model console o schedule =
+  let* l =
+    match schedule with
+    | None -> Input.model console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path
+    | Some s -> Scheduled.model console s ~given:o.given o.path
+  in
+  Console.report console l.warnings;
+  Ok l
+
+(* The runs of the checks and one more, and where checks hold. *)
+let checked console o making world (l : Loaded.t) watch ~interrupted =
+  let* checks = chosen_checks o l.checks in
+  let* outcomes, where = report console o l checks watch in
+  let runs = List.map (of_check making world) outcomes in
+  let limits = { Replay.steps = Some first_steps; time = None; instant = Replay.default_instant } in
+  let* first = run_by_choices making world ~name:"first choices" First limits ~interrupted in
+  let runs = runs @ [ first ] in
+  let* drawn, more = regions making l outcomes where ~before:(List.length runs) ~interrupted in
+  Ok (runs @ more, drawn)
+
+let scheduled making world (s : Schedule.t) ~interrupted =
+  let name = Option.value s.check ~default:"run" in
+  let limits = { Replay.steps = None; time = None; instant = Replay.default_instant } in
+  let* run = run_by_choices making world ~name (Scheduled s) limits ~interrupted in
+  Ok ([ run ], None)
+
+let document console o watch =
+  let* schedule = read_schedule console o in
+  let* l = model console o schedule in
+  let* point = at_point l in
+  let interrupted = Watch.interrupted watch in
+  let making =
+    {
+      loaded = point;
+      tables = Tables.create ();
+      states = States.create ();
+      plots = Curves.of_checks point.checks;
+      most = Graph.bound point.model o.graph;
+    }
+  in
+  let world = world_of making point.semantics in
+  let* initial = Loaded.initial point in
+  let graph =
+    if Large_run.is_for point.model then None
+    else Some (Graph.explore making.states world ~most:making.most ~interrupted initial)
+  in
+  let* runs, where =
+    match schedule with
+    | Some s -> scheduled making world s ~interrupted
+    | None -> checked console o making world l watch ~interrupted
+  in
+  Ok
+    {
+      Document.loaded = point;
+      name = Filename.basename o.path;
+      tables = making.tables;
+      states = making.states;
+      plots = making.plots;
+      graph;
+      runs;
+      where;
+    }

@@ -1,0 +1,41 @@
+(** What [scc view] shows of a model. *)
+
+open Scc_base
+open Scc_session
+open Scc_verify
+
+type options = {
+  path : string;
+  given : Options.definitions;
+  budget : Budget.t;
+  check : string option;  (** of this one alone *)
+  schedule : string option;  (** the file of a schedule or a trace: then nothing is checked *)
+  graph : int;  (** how many states of all that can happen to carry along, at most *)
+}
+
+val document : Console.t -> options -> Watch.t -> (Scc_view.Document.t, Diag.t list) result
+(** What is done when the watch stops it is shown. *)
+
+(** {1 Parts of it} *)
+
+val read_schedule : Console.t -> options -> (Scc_exchange.Schedule.t option, Diag.t list) result
+
+val model : Console.t -> options -> Scc_exchange.Schedule.t option -> (Loaded.t, Diag.t list) result
+(** Warnings are reported. *)
+
+val at_point : Loaded.t -> (Loaded.t, Diag.t list) result
+(** At simple values of the parameters that have ranges. *)
+
+val find_check : string -> Scc_property.Property.check list -> (Scc_property.Property.check list, Diag.t list) result
+
+val report :
+  Console.t ->
+  options ->
+  Loaded.t ->
+  Scc_property.Property.check list ->
+  Watch.t ->
+  (Verdict.outcome list * Scc_where.Where.t list, Diag.t list) result
+(** The verdicts; and where they hold, of a model with ranges. *)
+
+val witness : Verdict.t -> Scc_explain.Witness.t option
+(** The run that shows it, or one to where exploring has ended. *)
