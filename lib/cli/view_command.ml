@@ -88,15 +88,24 @@ let followed =
   in
   Term.(term_result' ~usage:true (const one $ schedule $ trace))
 
+let plots =
+  let doc =
+    "Plots the number $(docv) over time, as one would write it in a check: $(b,distance2\\(p, q\\)). May be given \
+     several times. Numbers that the checks name are plotted in any case."
+  in
+  Arg.(value & opt_all string [] & info [ "plot" ] ~docv:"NUMBER" ~doc)
+
 let graph =
-  let doc = "Carries along what can happen otherwise: at most $(docv) states in all, fewer where each is large." in
+  let doc =
+    "Carries along what can happen otherwise: at most $(docv) states in all, fewer where each is large."
+  in
   Arg.(value & opt (Options.integer ~least:0 "number of states") 1000 & info [ "graph" ] ~docv:"N" ~doc)
 
 let svg =
   let doc =
-    "Writes a picture of the state at the model time $(docv) instead of a page, as SVG, with hidden surfaces right: \
-     of the run of $(b,--schedule) or $(b,--trace), of that which shows the verdict of $(b,--check), or of that of \
-     the first choices."
+    "Writes a picture of the state at the model time $(docv) instead of a page, as SVG, with hidden surfaces \
+     right: of the run of $(b,--schedule) or $(b,--trace), of that which shows the verdict of $(b,--check), or of \
+     that of the first choices."
   in
   Arg.(value & opt (some (Options.not_negative "model time")) None & info [ "svg" ] ~docv:"TIME" ~doc)
 
@@ -115,12 +124,13 @@ let what =
   Term.(term_result' ~usage:true (const one $ data_alone $ svg))
 
 let options =
-  let make path given output what names check schedule graph =
+  let make path given output what names check schedule graph plots =
     let budget = { Budget.depth = None; time = None; states = None; seconds = None; memory = None; bits = None } in
-    { shown = { path; given; budget; check; schedule; graph }; output; what; names }
+    { shown = { path; given; budget; check; schedule; graph; plots }; output; what; names }
   in
   Term.(
-    const make $ Options.model_file $ Options.definitions $ output $ what $ names $ check $ followed $ graph)
+    const make $ Options.model_file $ Options.definitions $ output $ what $ names $ check $ followed $ graph
+    $ plots)
 
 let man =
   [

@@ -17,6 +17,7 @@ type options = {
   check : string option;
   schedule : string option;
   graph : int;
+  plots : string list;
 }
 
 (* {1 What is shown} *)
@@ -222,17 +223,41 @@ let scheduled making world (s : Schedule.t) ~interrupted =
   let* run = run_by_choices making world ~name (Scheduled s) limits ~interrupted in
   Ok ([ run ], None)
 
+(* The numbers that are asked for, and the model in which they have their meaning. *)
+let asked console (l : Loaded.t) texts =
+  match texts with
+  | [] -> Ok (l, [])
+  | _ :: _ ->
+    let source text = Source.make ~name:("--plot " ^ text) text in
+    let sources = List.map source texts in
+    List.iter (Console.add_source console) sources;
+    let* model, questions = Question.all l sources in
+    let number source (q : Question.t) =
+      match q with
+      | Number n -> Ok n
+      | State _ | Temporal _ ->
+        let text = Source.text source in
+        let at = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length text) in
+        Error [ Diag.error Code.bad_value at "this is no number: a plot shows a number over time" ]
+    in
+    let add all q = let* all = all in Result.map (fun n -> n :: all) q in
+    let* numbers = List.fold_left add (Ok []) (List.map2 number sources questions) in
+    Ok (model, List.rev numbers)
+
 let document console o watch =
   let* schedule = read_schedule console o in
   let* l = model console o schedule in
   let* point = at_point l in
+  let* model, asked = asked console point o.plots in
+  let named = Curves.of_checks point.checks in
+  let point = { model with checks = point.checks } in
   let interrupted = Watch.interrupted watch in
   let making =
     {
       loaded = point;
       tables = Tables.create ();
       states = States.create ();
-      plots = Curves.of_checks point.checks;
+      plots = asked @ List.filter (fun n -> not (List.exists (Formula.equal_num n) asked)) named;
       most = Graph.bound point.model o.graph;
     }
   in

@@ -11,6 +11,7 @@ type options = {
   check : string option;  (** of this one alone *)
   schedule : string option;  (** the file of a schedule or a trace: then nothing is checked *)
   graph : int;  (** how many states of all that can happen to carry along, at most *)
+  plots : string list;  (** numbers to plot, besides those that the checks name *)
 }
 
 val document : Console.t -> options -> Watch.t -> (Scc_view.Document.t, Diag.t list) result
@@ -26,7 +27,8 @@ val model : Console.t -> options -> Scc_exchange.Schedule.t option -> (Loaded.t,
 val at_point : Loaded.t -> (Loaded.t, Diag.t list) result
 (** At simple values of the parameters that have ranges. *)
 
-val find_check : string -> Scc_property.Property.check list -> (Scc_property.Property.check list, Diag.t list) result
+val find_check :
+  string -> Scc_property.Property.check list -> (Scc_property.Property.check list, Diag.t list) result
 
 val report :
   Console.t ->

@@ -17,12 +17,14 @@ let compared (e : Ast.expr) =
   let time = ast e.at (Ast.Path (ast e.at [ { Ast.name = ast e.at "time"; indices = [] } ])) in
   possibly (ast e.at (Ast.Binary (Le, e, time)))
 
-(* No name of the language looks like this one. *)
-let check_name = "(formula)"
+(* No name of the language looks like these. *)
+let check_name number = Printf.sprintf "(formula %d)" number
 
-let item form (e : Ast.expr) =
+let numbered number form (e : Ast.expr) =
   let written = match form with As_it_is -> e | Possibly -> possibly e | Compared -> compared e in
-  ast e.at (Ast.Check (ast e.at check_name, written))
+  ast e.at (Ast.Check (ast e.at (check_name number), written))
+
+let item form e = numbered 0 form e
 
 let of_check form (c : Property.check) =
   match (form, c.formula) with
@@ -71,7 +73,7 @@ let all (l : Loaded.t) sources =
       forms ((form, e) :: known) rest
   in
   let* forms = forms [] sources in
-  let* l = Loaded.with_items l (List.map (fun (form, e) -> item form e) forms) in
+  let* l = Loaded.with_items l (List.mapi (fun i (form, e) -> numbered i form e) forms) in
   let before = List.length l.checks - List.length forms in
   let checks = List.filteri (fun i _ -> i >= before) l.checks in
   let meant (form, _) check =
