@@ -85,12 +85,18 @@ const Rational = (() => {
       const half = Math.trunc(-(shift + 1) / 2);
       x = x * 2 ** half * 2 ** (-(shift + 1) - half);
     } else {
-      // Multiples of 2^-1074, which is the least float.
-      const high = m << 1074n;
+      // Multiples of 2^-1074, which is the least float, from two more bits and the mark of a rest. Where there are 53 bits or
+      // more of them, the conversion rounds, and it alone: rounding twice may end at another float.
+      const high = m << 1076n;
       let q = high / d;
-      const rest = 2n * (high - q * d);
-      if (rest > d || (rest === d && (q & 1n) === 1n)) q += 1n;
-      x = Number(q) * 2 ** -1074;
+      if (q * d !== high) q |= 1n;
+      if (q >> 55n !== 0n) x = Number(q) * 2 ** -512 * 2 ** -564;
+      else {
+        const rest = q & 3n;
+        q >>= 2n;
+        if (rest === 3n || (rest === 2n && (q & 1n) === 1n)) q += 1n;
+        x = Number(q) * 2 ** -1074;
+      }
     }
     return negative ? -x : x;
   }
