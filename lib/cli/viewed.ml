@@ -242,22 +242,23 @@ let asked console (l : Loaded.t) texts =
     in
     let add all q = let* all = all in Result.map (fun n -> n :: all) q in
     let* numbers = List.fold_left add (Ok []) (List.map2 number sources questions) in
-    Ok (model, List.rev numbers)
+    Ok ({ model with checks = l.checks }, List.rev numbers)
 
 let document console o watch =
   let* schedule = read_schedule console o in
   let* l = model console o schedule in
   let* point = at_point l in
-  let* model, asked = asked console point o.plots in
+  let* point, numbers = asked console point o.plots in
+  (* States of the runs that are found have to keep what the numbers speak of, too. *)
+  let* l, _ = asked console l o.plots in
   let named = Curves.of_checks point.checks in
-  let point = { model with checks = point.checks } in
   let interrupted = Watch.interrupted watch in
   let making =
     {
       loaded = point;
       tables = Tables.create ();
       states = States.create ();
-      plots = asked @ List.filter (fun n -> not (List.exists (Formula.equal_num n) asked)) named;
+      plots = numbers @ List.filter (fun n -> not (List.exists (Formula.equal_num n) numbers)) named;
       most = Graph.bound point.model o.graph;
     }
   in

@@ -5,12 +5,11 @@
 // instant.
 
 const fs = require("fs");
-const vm = require("vm");
+const { load } = require("./load.js");
 
 const [web, file, index, ...times] = process.argv.slice(2);
-const names = ["rational", "motion", "course"];
-const text = names.map((name) => fs.readFileSync(`${web}/${name}.js`, "utf8").replace('"use strict";', "")).join("\n");
-const { Rational, Motion, Course } = vm.runInThisContext(`"use strict";${text}\n;({ Rational, Motion, Course })`);
+const { Rational, Motion, Course } =
+  load(web, ["rational.js", "motion.js", "course.js"], ["Rational", "Motion", "Course"]);
 
 const data = JSON.parse(fs.readFileSync(file, "utf8"));
 const course = new Course(data, data.runs[Number(index)]);
