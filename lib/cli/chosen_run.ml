@@ -78,6 +78,25 @@ let follow (l : Loaded.t) policy limits ~interrupted =
   let* ending = Replay.run l.semantics l.declared policy limits ~interrupted note in
   Ok (Course.make l.semantics ~initial:!initial (List.rev !steps) ~rest:!offset, ending)
 
+let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) result) =
+  let report d = Console.report console [ d ] in
+  match result with
+  | Ok Zeno ->
+    Console.note console
+      (Printf.sprintf "scc: stopped after %d transitions without time passing (Zeno behaviour)"
+         Replay.default_instant);
+    Exit_code.Stopped
+  | Ok (Open | Quiescent) -> Exit_code.Holds
+  | Error Interrupted ->
+    Console.note console "scc: interrupted";
+    Exit_code.Stopped
+  | Error (Refused d) ->
+    report d;
+    Exit_code.Invalid
+  | Ok (Stuck f) | Error (Fault f) ->
+    report (Replay.diagnostic l.model f);
+    Exit_code.of_fault f.fault
+
 (* {1 The command line} *)
 
 let schedule =

@@ -31,3 +31,6 @@ val follow :
   interrupted:(unit -> bool) ->
   (Course.t * Replay.ending, Replay.failure) result
 (** The whole run, kept. *)
+
+val finish : Console.t -> Loaded.t -> (Replay.ending, Replay.failure) result -> Exit_code.t
+(** Says how a run ended, unless all is well. *)

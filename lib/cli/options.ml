@@ -20,6 +20,14 @@ let not_negative what =
   in
   Arg.conv ~docv:"NUMBER" (parse, Arg.conv_printer rational)
 
+let positive what =
+  let parse s =
+    match Arg.conv_parser rational s with
+    | Ok q when Rat.sign q <= 0 -> Error (`Msg (Printf.sprintf "`%s' is not positive, and no %s" s what))
+    | result -> result
+  in
+  Arg.conv ~docv:"NUMBER" (parse, Arg.conv_printer rational)
+
 let integer ?(least = min_int) ?(most = max_int) what =
   let parse s =
     match int_of_string_opt s with

@@ -8,6 +8,8 @@ val rational : Rat.t Arg.conv
 val not_negative : string -> Rat.t Arg.conv
 (** The text tells what a negative number is not: ["tolerance"]. *)
 
+val positive : string -> Rat.t Arg.conv
+
 val integer : ?least:int -> ?most:int -> string -> int Arg.conv
 (** From [least] to [most]; the text tells what anything else is not one of. *)
 

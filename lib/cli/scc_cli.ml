@@ -15,6 +15,7 @@ let commands =
     Check_command.command;
     Trace_command.command;
     View_command.command;
+    Export_command.command;
     Explore_command.command;
     Explain_command.command;
     Compare_command.command;

@@ -34,25 +34,6 @@ let write_run o (chosen : Chosen_run.t) ~interrupted write =
     Itf.close itf;
     result
 
-let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) result) =
-  let report d = Console.report console [ d ] in
-  match result with
-  | Ok Zeno ->
-    Console.note console
-      (Printf.sprintf "scc: stopped after %d transitions without time passing (Zeno behaviour)"
-         Replay.default_instant);
-    Exit_code.Stopped
-  | Ok (Open | Quiescent) -> Exit_code.Holds
-  | Error Interrupted ->
-    Console.note console "scc: interrupted";
-    Exit_code.Stopped
-  | Error (Refused d) ->
-    report d;
-    Exit_code.Invalid
-  | Ok (Stuck f) | Error (Fault f) ->
-    report (Replay.diagnostic l.model f);
-    Exit_code.of_fault f.fault
-
 let run color o =
   let console = Console.make ~color ~json:false in
   let interrupted = Watch.interrupted (Watch.start ()) in
@@ -60,7 +41,7 @@ let run color o =
       let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
       let write = write_run o chosen ~interrupted in
       match Console.with_output console ~path:o.output write with
-      | Ok result -> Ok (finish console chosen.loaded result)
+      | Ok result -> Ok (Chosen_run.finish console chosen.loaded result)
       | Error d -> Error [ d ])
 
 (* The command line. *)

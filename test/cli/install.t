@@ -17,6 +17,7 @@ is there, so that nothing is built here.
   prefix/share/man/man1/scc-diff.1
   prefix/share/man/man1/scc-explain.1
   prefix/share/man/man1/scc-explore.1
+  prefix/share/man/man1/scc-export.1
   prefix/share/man/man1/scc-fmt.1
   prefix/share/man/man1/scc-oracle.1
   prefix/share/man/man1/scc-shape.1
@@ -71,9 +72,9 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete() { bash complete.bash $bash "$@"; }
   $ touch 'a model.sc' model.sc; mkdir models
   $ complete scc ''
-  --help --version check compare conform diff explain explore fmt oracle shape trace view
+  --help --version check compare conform diff explain explore export fmt oracle shape trace view
   $ complete scc ex
-  explain explore
+  explain explore export
   $ complete scc check --s
   --sarif --seconds --shortest --slice --smt --states --stats
   $ complete scc check --color = ''
@@ -98,7 +99,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   model.sc models
   $ complete scc check --states ''
   $ complete scc --help ''
-  --help --version check compare conform diff explain explore fmt oracle shape trace view
+  --help --version check compare conform diff explain explore export fmt oracle shape trace view
 
 fish, where it is there, tells what each is for:
 
@@ -126,6 +127,7 @@ Installing again replaces what is there, also what an earlier version had beside
   scc-compare.1
   scc-conform.1
   scc-explore.1
+  scc-export.1
   scc-oracle.1
 
   $ "$scripts/uninstall" prefix | sed "s|$PWD|.|g"

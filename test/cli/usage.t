@@ -22,6 +22,7 @@ The arguments of each command that make it succeed, without options:
   >   case $1 in
   >     check | trace | fmt) echo cube.sc ;;
   >     view) echo -o page.html cube.sc ;;
+  >     export) echo --steps 20 -o run.glb cube.sc ;;
   >     explore) echo cube.sc -o out.aut ;;
   >     explain) echo runs/goes.json cube.sc ;;
   >     compare) echo cube.sc cube.sc ;;
@@ -31,9 +32,9 @@ The arguments of each command that make it succeed, without options:
   >     oracle) ;;
   >   esac
   > }
-  $ commands='check trace view explore explain compare conform diff shape oracle fmt'
+  $ commands='check trace view export explore explain compare conform diff shape oracle fmt'
   $ scc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | sort | xargs
-  check compare conform diff explain explore fmt oracle shape trace view
+  check compare conform diff explain explore export fmt oracle shape trace view
   $ for c in $commands; do scc $c $(arguments $c) < /dev/null > out 2> err || echo "$c: $?"; done
 
 misuse WORDS: each of those commands, with its arguments and these words. What does not end with 64, or says nothing,
@@ -52,7 +53,7 @@ No such option; one given twice; a flag with a value; an option without its valu
   $ those=$commands
   $ misuse --no-such-option
   $ misuse --help=nothing
-  $ those='check trace view explore explain compare conform diff shape fmt'
+  $ those='check trace view export explore explain compare conform diff shape fmt'
   $ misuse --color=sometimes
   $ misuse --color=never --color=never
   $ misuse --color
@@ -62,15 +63,15 @@ No such option; one given twice; a flag with a value; an option without its valu
 
 Too many arguments, and none:
 
-  $ those='check trace view explore explain compare conform diff shape oracle'
+  $ those='check trace view export explore explain compare conform diff shape oracle'
   $ misuse a b c
-  $ for c in check trace view explore explain compare conform diff shape fmt; do
+  $ for c in check trace view export explore explain compare conform diff shape fmt; do
   >   scc $c > out 2>&1; [ $? = 64 ] || echo "$c"
   > done
 
 Parameters: not of the form, no number, a division by zero, twice, and one that the model does not have.
 
-  $ those='check trace view explore explain compare conform shape'
+  $ those='check trace view export explore explain compare conform shape'
   $ misuse -D
   $ misuse -D m
   $ misuse -D =1

@@ -1,0 +1,246 @@
+open Scc_base
+open Scc_exact
+open Scc_motion
+open Scc_session
+open Scc_exchange
+open Scc_export
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type format = Glb | X3d | Vtp | Simularium | Obj | Csv
+
+let formats =
+  [ ("glb", Glb); ("x3d", X3d); ("vtp", Vtp); ("simularium", Simularium); ("obj", Obj); ("csv", Csv) ]
+
+type options = {
+  path : string;
+  given : Options.definitions;
+  choices : Chosen_run.options;
+  format : format;
+  at : Rat.t option;
+  every : Rat.t option;
+  observed : string list;
+  output : string option;
+}
+
+(* {1 What is asked for} *)
+
+let observe console (l : Loaded.t) texts =
+  let source i text = Source.make ~name:(Printf.sprintf "<observable %d>" (i + 1)) text in
+  let sources = List.mapi source texts in
+  List.iter (Console.add_source console) sources;
+  let observable source : Question.t -> (Table.observable, Diag.t list) result = function
+    | Number n -> Ok { Table.text = Source.text source; what = Number n }
+    | State p -> Ok { Table.text = Source.text source; what = Truth p }
+    | Temporal check ->
+      let at = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length (Source.text source)) in
+      Error
+        [
+          Diag.error Code.type_mismatch at ~hint:"`scc check` decides it"
+            "%s is a formula about runs: a number or a predicate of a state is needed here" check.text;
+        ]
+  in
+  let* l, questions = if texts = [] then Ok (l, []) else Question.all l sources in
+  let rec all found = function
+    | [], _ | _, [] -> Ok (l, List.rev found)
+    | source :: sources, question :: questions ->
+      let* o = observable source question in
+      all (o :: found) (sources, questions)
+  in
+  all [] (sources, questions)
+
+let instant (f : Film.t) at =
+  let over = Course.duration f.course in
+  let time = Option.value at ~default:over in
+  if Rat.compare time over <= 0 then Ok time
+  else
+    Error
+      [
+        Diag.error Code.bad_value Span.command_line
+          "the run is over at time %s: there is no state at %s" (Rat.to_string over) (Rat.to_string time);
+      ]
+
+(* {1 Files} *)
+
+let make_folder path =
+  try Ok (if not (Sys.file_exists path) then Sys.mkdir path 0o777) with
+  | Sys_error message ->
+    Error
+      [
+        Diag.error Code.cannot_write
+          (Span.make ~file:path ~start:0 ~stop:0)
+          "cannot make this folder: %s" (Os_error.reason path message);
+      ]
+
+let diagnosed r = Result.map_error (fun d -> [ d ]) r
+let alone console o write = diagnosed (Console.with_output console ~path:o.output write)
+
+let several o files =
+  match o.output with
+  | None -> Bug.fail __POS__ "several files without a name"
+  | Some path -> diagnosed (Whole_file.write (files path))
+
+let write console o (f : Film.t) observables =
+  match o.format with
+  | Glb -> alone console o (Gltf.file f)
+  | X3d -> alone console o (X3d.file f)
+  | Csv -> alone console o (Table.file f observables ~every:o.every)
+  | Obj ->
+    let* time = instant f o.at in
+    alone console o (Obj.state f ~time)
+  | Simularium -> several o (fun path -> Simularium.files f ~path ~every:o.every)
+  | Vtp ->
+    let* () = Option.fold ~none:(Ok ()) ~some:(fun path -> make_folder (Vtk.folder path)) o.output in
+    several o (fun path -> Vtk.files f ~path ~times:(Film.instants f ~every:o.every))
+
+(* {1 The command} *)
+
+let export console o ~interrupted =
+  let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
+  if chosen.sampled <> [] then Console.note console ("scc: for " ^ Sample.to_string chosen.sampled);
+  let* loaded, observables = observe console chosen.loaded o.observed in
+  match Chosen_run.follow loaded chosen.policy chosen.limits ~interrupted with
+  | Error failure -> Ok (Chosen_run.finish console loaded (Error failure))
+  | Ok (course, ending) ->
+    let film = { Film.title = Filename.basename o.path; origin = chosen.loaded.origin; course } in
+    let* () = write console o film observables in
+    Ok (Chosen_run.finish console loaded (Ok ending))
+
+let run color o =
+  let console = Console.make ~color ~json:false in
+  let interrupted = Watch.interrupted (Watch.start ()) in
+  Guard.run console (fun () -> export console o ~interrupted)
+
+(* {1 The command line} *)
+
+let format =
+  let doc =
+    "What to write: $(b,glb) (glTF), $(b,x3d), $(b,vtp) (a series for ParaView), $(b,simularium), $(b,obj) (one \
+     state) or $(b,csv) (a table of numbers). By default the ending of $(b,-o) tells."
+  in
+  Arg.(value & opt (some (enum formats)) None & info [ "format" ] ~docv:"FORMAT" ~doc)
+
+let output =
+  let doc =
+    "Writes to $(docv) instead of standard output. The series of $(b,vtp) and the meshes of $(b,simularium) go to \
+     files beside it, so that these formats need a name."
+  in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+
+let at =
+  let doc = "With $(b,obj): the state at the time $(docv). The default is the end of the run." in
+  Arg.(value & opt (some (Options.not_negative "time")) None & info [ "at" ] ~docv:"TIME" ~doc)
+
+let every =
+  let doc =
+    "With $(b,vtp), $(b,simularium) and $(b,csv): the states at the multiples of $(docv). By default $(b,vtp) has \
+     each instant at which something happens, $(b,csv) each state after a transition, and $(b,simularium) a \
+     hundred steps of the same length."
+  in
+  Arg.(value & opt (some (Options.positive "step")) None & info [ "every" ] ~docv:"STEP" ~doc)
+
+let observed =
+  let doc =
+    "With $(b,csv): a column for $(docv), any number or predicate of a state that a check can name. May be given \
+     several times."
+  in
+  Arg.(value & opt_all string [] & info [ "observe" ] ~docv:"FORMULA" ~doc)
+
+let of_ending output =
+  match Option.map Filename.extension output with
+  | Some ".pvd" -> Some Vtp
+  | Some ending when String.length ending > 1 ->
+    List.assoc_opt (String.sub ending 1 (String.length ending - 1)) formats
+  | Some _ | None -> None
+
+let fitting o =
+  let only what given list =
+    if given && not (List.mem o.format list) then
+      Error (Printf.sprintf "%s does not go with this format" what)
+    else Ok ()
+  in
+  let* () = only "--at" (Option.is_some o.at) [ Obj ] in
+  let* () = only "--every" (Option.is_some o.every) [ Vtp; Simularium; Csv ] in
+  let* () = only "--observe" (o.observed <> []) [ Csv ] in
+  match (o.format, o.output) with
+  | (Vtp | Simularium), (None | Some "-") ->
+    Error "this format has several files: say by -o where they go"
+  | _, Some "-" -> Ok { o with output = None }
+  | _, _ -> Ok o
+
+let options =
+  let make path given choices format at every observed output =
+    match (format, of_ending output) with
+    | None, None -> Error "which format? --format says so, or the ending of -o"
+    | Some format, _ | None, Some format ->
+      fitting { path; given; choices; format; at; every; observed; output }
+  in
+  let choices = Chosen_run.options ~sampled:"A line on standard error tells the values." in
+  Term.(
+    term_result' ~usage:true
+      (const make $ Options.model_file $ Options.definitions $ choices $ format $ at $ every $ observed $ output))
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Runs one behaviour of a model, chosen as by $(b,scc trace), and writes it for programs that show, \
+       render or plot: glTF, X3D, ParaView, Simularium, Wavefront OBJ, and tables. Bodies have the colours of \
+       their templates, and fixed ones can be seen through; bodies that are absorbed vanish. The same run \
+       gives the same bytes.";
+    `P
+      "All of these formats but $(b,csv) hold floats: each number is the nearest one to the exact number, \
+       found at the end. Animations ($(b,glb), $(b,x3d)) have a key wherever the motion of a body changes. \
+       Between keys players go on evenly, which is right for what goes straight. Bodies that turn have more \
+       keys, so that none turns by more than a tenth of a radian between two of them, and are only near their \
+       way in between; the files say so. The exact run is that of $(b,scc trace).";
+    `I
+      ( "$(b,glb)",
+        "glTF 2.0, binary, with an animation: a unit of time lasts a second. A node for each body, below it \
+         one for each part of a compound; $(b,asset.extras) has the events with their exact times. Coordinates \
+         are told from a point near the bodies. The root turns z up into y up, as glTF wants it." );
+    `I
+      ( "$(b,x3d)",
+        "X3D 3.3 (XML, profile Interchange): interpolators of place, orientation and, for what vanishes, \
+         scale, driven by one TimeSensor." );
+    `I
+      ( "$(b,vtp)",
+        "A series for ParaView: $(i,FILE).pvd, and in the folder $(i,FILE) a file $(b,.vtp) for each time. The \
+         faces of all bodies and a line for each bond, in the coordinates of the world, with the numbers of \
+         leaf, part, family and process, the bond's channel, and the velocity. What the numbers stand for is \
+         field data." );
+    `I
+      ( "$(b,simularium)",
+        "A trajectory for Simularium: bodies as agents with a mesh for each kind, in files $(b,.obj) beside \
+         it, which are to be loaded with it; bonds as fibers between centroids; events so far as a plot. Its \
+         times are evenly spaced, so that events lie between them. Its units are called metre and second, \
+         which a model need not mean." );
+    `I ("$(b,obj)", "One state, $(b,--at) a time: an object for each part, with its faces as groups.");
+    `I
+      ( "$(b,csv)",
+        "A table: time, event, and each $(b,--observe), exactly (p/q) and beside it as a float. What has no \
+         value is empty." );
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc export specs/models/hexokinase.sc -o reaction.glb";
+    `Pre "  scc export model.sc --schedule runs/meet.json -o meet.x3d";
+    `Pre "  scc export model.sc --time 5 --every 1/10 -o series.pvd";
+    `Pre "  scc export model.sc --at 3/2 -o state.obj";
+    `Pre "  scc export model.sc --observe 'x(p)' --observe 'distance2(p, q)' --every 1/4 -o run.csv";
+    `Pre "  scc export model.sc --format csv --observe 'touching(p, q)'";
+  ]
+
+let command =
+  let told =
+    [
+      (Exit_code.Holds, "if the run is written to its end, or to a limit that was asked for.");
+      (Undecided, "if the run ends in a dead end: it is written up to there; the error is SC0602.");
+    ]
+  in
+  let exits = Exits.man ~told ~never:[ Violated ] () in
+  Cmd.v
+    (Cmd.info "export" ~doc:"write a run for other programs" ~man ~exits)
+    Term.(const run $ Options.color $ options)

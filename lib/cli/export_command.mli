@@ -1,0 +1,6 @@
+(** [scc export]: a run for other programs. *)
+
+open Scc_session
+open Cmdliner
+
+val command : Exit_code.t Cmd.t

@@ -1,0 +1,28 @@
+(** A run that is to be told to another program. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_motion
+open Scc_session
+
+type t = {
+  title : string;  (** the name of the model's file *)
+  origin : Origin.t;
+  course : Course.t;
+}
+
+type file = string * ((string -> unit) -> unit)
+(** A path, and what writes to it. *)
+
+val model : t -> Model.t
+
+val events : t -> (Rat.t * Transition.label) list
+(** All but the passings of time, in order, with when they are. *)
+
+val instants : t -> every:Rat.t option -> Rat.t list
+(** The times of the states to be told: the start, each instant at which something happens, or each multiple of
+    [every], and the end. Each once. *)
+
+val about : t -> (string * Scc_exchange.Json.t) list
+(** Which model it is, and with which values of its parameters. *)

@@ -1,0 +1,137 @@
+open Scc_base
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_motion
+
+type key = { time : Rat.t; at : Vec.t; turned : Quaternion.t }
+type t = { keys : key array; gone : Rat.t option }
+
+type growing = {
+  mutable newest : key list;
+  mutable going : Vec.t option;  (** up to the newest key it has gone straight, with this velocity *)
+  mutable left : Rat.t option;
+}
+
+let key time (l : State.leaf) = { time; at = l.position; turned = l.turned }
+let same_pose a b = Vec.equal a.at b.at && Quaternion.equal a.turned b.turned
+
+(* Of two keys of one instant the later counts. *)
+let put g k =
+  match g.newest with
+  | last :: older when Rat.equal last.time k.time -> g.newest <- k :: older
+  | all -> g.newest <- k :: all
+
+let rest_of g k =
+  (match g.newest with
+   | last :: _ when same_pose last k -> ()
+   | _ -> put g k);
+  g.going <- None
+
+let straight g velocity from until =
+  (match (g.going, g.newest) with
+   | Some v, last :: older when Vec.equal v velocity && Rat.equal last.time from.time && same_pose last from ->
+     g.newest <- until :: older
+   | _ ->
+     put g from;
+     put g until);
+  g.going <- Some velocity
+
+(* {1 Stretches} *)
+
+(* In a time d a process turns by less than |w| d: the number of steps of a tenth of a radian. *)
+let steps (p : State.process) d =
+  let tenths = Rat.mul (Rat.of_int 100) (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) in
+  1 + Z.to_int (Rat.floor (Rat.root tenths))
+
+(* A process over a time in which no turn ends. *)
+let process model growing start d (p : State.process) =
+  let path = Path.make model p in
+  let keys offset =
+    let at = if Rat.sign offset = 0 then p else Path.at path offset in
+    Array.map (key (Rat.add start offset)) at.leaves
+  in
+  if Turn.spinning p then
+    let n = steps p d in
+    for i = 0 to n do
+      let offset = Rat.mul d (Rat.make (Z.of_int i) (Z.of_int n)) in
+      Array.iteri
+        (fun j k ->
+           let g = growing.(p.leaves.(j).leaf) in
+           put g k;
+           g.going <- None)
+        (keys offset)
+    done
+  else if Vec.is_zero p.velocity then
+    Array.iter (fun (l : State.leaf) -> rest_of growing.(l.leaf) (key start l)) p.leaves
+  else
+    let until = keys d in
+    Array.iteri
+      (fun j (l : State.leaf) -> straight growing.(l.leaf) p.velocity (key start l) until.(j))
+      p.leaves
+
+let stretch model growing start d (s : State.t) = Array.iter (process model growing start d) s.processes
+
+let turn_left (s : State.t) =
+  let least d p =
+    match (d, Turn.left p) with
+    | None, x | x, None -> x
+    | Some a, Some b -> Some (Rat.min a b)
+  in
+  Array.fold_left least None s.processes
+
+(* The rest of a run may be longer than a turn: then the next one begins. *)
+let rec rest semantics growing start d s =
+  if Rat.sign d > 0 then
+    match turn_left s with
+    | Some left when Rat.sign left = 0 -> (
+        match Steer.settle semantics s with
+        | Ok settled -> rest semantics growing start d settled.state
+        | Error _ -> Bug.fail __POS__ "a run goes on where it cannot")
+    | left ->
+      let piece = Option.fold ~none:d ~some:(Rat.min d) left in
+      stretch (Semantics.model semantics) growing start piece s;
+      if Rat.compare piece d < 0 then
+        rest semantics growing (Rat.add start piece) (Rat.sub d piece) (Time.pass semantics piece s)
+
+(* {1 Runs} *)
+
+let settle growing time (s : State.t) =
+  let leaf (l : State.leaf) =
+    let g = growing.(l.leaf) and k = key time l in
+    match g.newest with last :: _ when same_pose last k -> () | _ -> put g k
+  in
+  Array.iter (fun (p : State.process) -> Array.iter leaf p.leaves) s.processes
+
+let leave model growing time s =
+  List.iter
+    (fun leaf ->
+       let g = growing.(leaf) in
+       if Option.is_none g.left then g.left <- Some time)
+    (State.gone model s)
+
+let of_course course =
+  let semantics = Course.semantics course in
+  let model = Semantics.model semantics in
+  let growing = Array.map (fun _ -> { newest = []; going = None; left = None }) model.leaves in
+  settle growing Rat.zero (Course.initial course);
+  leave model growing Rat.zero (Course.initial course);
+  let leg (l : Course.leg) =
+    match l.label with
+    | Time d -> stretch model growing l.start d l.before
+    | Absorb _ -> leave model growing l.start l.after
+    | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ -> ()
+  in
+  Array.iter leg (Course.legs course);
+  let over = Rat.sub (Course.duration course) (Course.rest course) in
+  settle growing over (Course.last course);
+  rest semantics growing over (Course.rest course) (Course.last course);
+  let finish g =
+    match g.newest with
+    | [] -> { keys = [| { time = Rat.zero; at = Vec.zero; turned = Quaternion.identity } |]; gone = Some Rat.zero }
+    | keys -> { keys = Array.of_list (List.rev keys); gone = g.left }
+  in
+  Array.map finish growing
+
+let turns t = Array.exists (fun k -> not (Quaternion.equal k.turned t.keys.(0).turned)) t.keys
+let moves t = Array.length t.keys > 1
