@@ -1,5 +1,4 @@
 open Scc_exact
-open Scc_verify
 open Scc_session
 open Scc_view
 open Cmdliner
