@@ -20,6 +20,9 @@ const Links = (() => {
     read();
     player.on("move", later);
     Details.onSelect(later);
+    for (const event of ["pointerup", "wheel", "keyup"]) {
+      Dom.get("scene-panel").addEventListener(event, later, { passive: true });
+    }
     window.addEventListener("hashchange", () => {
       if (window.location.hash.slice(1) !== written) read();
     });

@@ -227,10 +227,8 @@ class Player {
       this.go(this.legs + 1);
       return true;
     }
-    const way = this.run.way || { base: this.run.index, legs: this.legs, choices: [] };
-    const kept = Math.min(way.legs, this.legs);
-    this.walk(way.base, kept, way.choices.slice(0, this.legs - kept).concat(choice));
-    return true;
+    const { base, legs, choices } = Ways.until(this.run, this.legs);
+    return this.walk(base, legs, choices.concat(choice));
   }
 
   /**
@@ -239,78 +237,25 @@ class Player {
    */
   walk(base, legs, choices) {
     const from = this.runs.find((run) => run.way === null && run.index === base);
-    if (!from || !(legs >= 0 && legs <= from.steps.length)) return false;
-    /** @type {DataStep[]} */
-    const steps = from.steps.slice(0, legs);
-    let state = legs === 0 ? from.start : steps[legs - 1].to;
-    for (const choice of choices) {
-      const next = this.data.states[state].next;
-      const taken = next && next[choice];
-      if (!taken || taken.to === null) return false;
-      steps.push({ choice, label: taken.label, to: taken.to, rules: taken.rules });
-      state = taken.to;
-    }
-    /** @type {PlayedRun} */
-    const run = {
-      name: `own way from ${from.name}`,
-      check: null,
-      start: from.start,
-      steps,
-      rest: "0/1",
-      index: base,
-      way: { base, legs, choices },
-      values: from.values,
-    };
-    const others = this.runs.filter((other) => !other.way || !Player.extends(run, other));
-    const old = others.filter((other) => other.way).slice(0, -(Player.ways - 1));
-    this.runs = others.filter((other) => !old.includes(other)).concat(run);
-    this.open(run, steps.length);
+    const run = from ? Ways.make(this.data, from, legs, choices) : null;
+    if (!run) return false;
+    this.runs = Ways.among(this.runs, run);
+    this.open(run, run.steps.length);
     return true;
   }
 
   /**
-   * Goes on from the state that is shown, always by what is possible first: until nothing is, a state comes again, the
-   * file ends, or so many steps are taken.
-   * @param {number} most
+   * Goes on from the state that is shown, always by what is possible first.
+   * @param {number} most steps
    * @returns {boolean} whether there was a step to take
    */
   goOn(most) {
-    const way = this.run.way || { base: this.run.index, legs: this.legs, choices: [] };
-    const kept = Math.min(way.legs, this.legs);
-    const choices = way.choices.slice(0, this.legs - kept);
+    const { base, legs, choices } = Ways.until(this.run, this.legs);
+    const more = Ways.onwards(this.data, this.run, this.legs, most);
     const before = this.legs;
-    const met = new Set([this.run.start, ...this.run.steps.slice(0, this.legs).map((step) => step.to)]);
-    let state = this.state;
-    for (let k = 0; k < most; k++) {
-      const next = this.data.states[state].next || [];
-      const choice = next.findIndex((one) => one.to !== null);
-      const to = choice < 0 ? null : next[choice].to;
-      if (to === null) break;
-      choices.push(choice);
-      state = to;
-      if (met.has(to)) break;
-      met.add(to);
-    }
-    if (choices.length === this.legs - kept) return false;
-    this.pause();
-    if (!this.walk(way.base, kept, choices)) return false;
+    if (more.length === 0 || !this.walk(base, legs, choices.concat(more))) return false;
     this.go(before);
     return true;
-  }
-
-  /**
-   * Whether a way begins with another one.
-   * @param {PlayedRun} run @param {PlayedRun} other
-   */
-  static extends(run, other) {
-    const [a, b] = [run.way, other.way];
-    return (
-      a !== null &&
-      b !== null &&
-      a.base === b.base &&
-      a.legs === b.legs &&
-      b.choices.every((choice, i) => choice === a.choices[i])
-    );
   }
 
   toggle() {
@@ -402,6 +347,3 @@ class Player {
     }
   }
 }
-
-/** How many ways of one's own are kept. */
-Player.ways = 8;
