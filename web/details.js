@@ -29,8 +29,8 @@ const Details = (() => {
       test: "bodies-list",
       empty: "There are no bodies.",
     });
-    list.show(player.data.leaves.length, -1);
-    list.box.style.height = `${30 * Math.min(player.data.leaves.length, 30) + 2}px`;
+    list.show(player.course.leaves.length, -1);
+    list.box.style.height = `${30 * Math.min(player.course.leaves.length, 30) + 2}px`;
     player.on("move", () => {
       // Exact numbers are made anew while the run is played, but not for each frame.
       const now = performance.now();
@@ -45,7 +45,7 @@ const Details = (() => {
 
   /** @param {number} leaf @param {HTMLElement} element */
   function row(leaf, element) {
-    const of = player.data.leaves[leaf];
+    const of = player.course.leaves[leaf];
     element.append(
       Dom.name(Dom.clip(of.name, 300), "name clipped"),
       Dom.make("span", { class: "row-side quiet" }, [
@@ -99,7 +99,7 @@ const Details = (() => {
       );
       return;
     }
-    const leaf = player.data.leaves[selected.leaf];
+    const leaf = player.course.leaves[selected.leaf];
     const found = body(selected.leaf);
     const name = Dom.make("h3", {}, [Dom.make("bdi", { text: Dom.clip(leaf.name, 12000) })]);
     if (!found) {
@@ -245,7 +245,7 @@ const Details = (() => {
         .slice(0, 40)
         .flatMap((place, i) => [
           i === 0 ? "" : ", ",
-          Dom.button(Dom.clip(player.data.leaves[place.leaf].name, 80), () => select({ leaf: place.leaf }), {
+          Dom.button(Dom.clip(player.course.leaves[place.leaf].name, 80), () => select({ leaf: place.leaf }), {
             class: "link",
           }),
         ])

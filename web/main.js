@@ -40,7 +40,7 @@ const Main = (() => {
     const all = {};
     for (const body of player.course.bodiesAfter(player.legs, player.time)) {
       for (const place of body.process.leaves) {
-        all[player.data.leaves[place.leaf].name] = {
+        all[player.course.leaves[place.leaf].name] = {
           position: player.course.position(body, place).map(Rational.text),
           velocity: body.process.velocity.map((/** @type {string} */ v) => Rational.text(Rational.of(v))),
           behaviour: player.data.behaviours[place.behaviour].text,
@@ -62,7 +62,7 @@ const Main = (() => {
     for (const body of player.course.bodiesAfter(player.legs, player.time)) {
       for (const place of body.process.leaves) {
         player.course.place(body, place, origin, out);
-        all[player.data.leaves[place.leaf].name] = [...out.slice(0, 3)];
+        all[player.course.leaves[place.leaf].name] = [...out.slice(0, 3)];
       }
     }
     return all;

@@ -41,6 +41,7 @@ const Ways = (() => {
       index: from.index,
       way: { base: from.index, legs, choices },
       values: from.values,
+      leaves: from.leaves,
     };
   }
 
