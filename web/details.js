@@ -50,7 +50,7 @@ const Details = (() => {
       Dom.name(Dom.clip(of.name, 300), "name clipped"),
       Dom.make("span", { class: "row-side quiet" }, [
         Dom.make("bdi", { class: "clipped", text: Dom.clip(of.template, 80) }),
-        of.fixed ? " · fixed" : "",
+        of.fixed ? "\u00a0· fixed" : "",
       ]),
     );
   }
@@ -205,10 +205,8 @@ const Details = (() => {
       { class: "plain" },
       behaviour.open.slice(0, 100).map((open) =>
         Dom.make("li", {}, [
-          Dom.make("bdi", {
-            class: open.co ? "channel co" : "channel",
-            text: (open.co ? "~" : "") + open.channel,
-          }),
+          Channels.patch(open.channel, open.co),
+          Dom.make("bdi", { class: "channel", text: (open.co ? "~" : "") + open.channel }),
           " on ",
           Dom.make("bdi", { text: Dom.clip(open.sites.map((at) => site(leaf, at)).join(", "), 1000) }),
         ]),
@@ -227,6 +225,7 @@ const Details = (() => {
         .slice(0, 100)
         .map((bond) =>
           Dom.make("li", {}, [
+            Channels.patch(bond.name, false),
             Dom.make("bdi", { class: "channel", text: bond.name }),
             ": ",
             Dom.make("bdi", { text: bond.ends.map((end) => end.text).join(" and ") }),

@@ -176,9 +176,7 @@ class Scene {
    * @param {string} name
    */
   #channel(name) {
-    let hash = 0;
-    for (const c of name) hash = (hash * 31 + c.charCodeAt(0)) % 997;
-    const color = new THREE.Color().setHSL((hash % 12) / 12 + 0.04, 0.85, this.dark ? 0.62 : 0.5);
+    const color = new THREE.Color().setHSL(Channels.hue(name), 0.85, this.dark ? 0.62 : 0.5);
     return [color.r, color.g, color.b, 0];
   }
 

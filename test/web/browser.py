@@ -40,6 +40,7 @@ class Browser:
         options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
         self.driver = webdriver.Chrome(service=Service(program('chromedriver')), options=options)
         self.driver.set_script_timeout(60)
+        self.shown = None
         self.size(width, height)
 
     def size(self, width, height):
@@ -55,7 +56,9 @@ class Browser:
             {'name': 'prefers-' + name.replace('_', '-'), 'value': value} for name, value in features.items()])
 
     def open(self, path, fragment=''):
-        self.driver.get('about:blank')
+        if path == self.shown:  # or it would not be loaded anew
+            self.driver.get('about:blank')
+        self.shown = path
         self.driver.get_log('browser')
         self.driver.get('file://' + os.path.abspath(path) + ('#' + fragment if fragment else ''))
         return self.wait('return document.body && document.body.dataset.ready === "true"', 30)
