@@ -49,11 +49,12 @@ let rec turns semantics state left count =
   match turn with
   | d :: more when count > 0 && Rat.sign left > 0 ->
     let d = Rat.min left (List.fold_left Rat.min d more) in
-    if Rat.sign d = 0 then ([], left)
-    else
-      let after = Time.pass semantics d state in
-      let steps, left = turns semantics after (Rat.sub left d) (count - 1) in
-      ({ choice = None; label = Time d; rules = [ Rule.Time ]; after } :: steps, left)
+    (* The next turns begin. *)
+    (match Steer.settle semantics (Time.pass semantics d state) with
+     | Error _ -> ([], Rat.zero)
+     | Ok { state = after; rules; _ } ->
+       let steps, left = turns semantics after (Rat.sub left d) (count - 1) in
+       ({ choice = None; label = Time d; rules = Rule.Time :: rules; after } :: steps, left))
   | _ :: _ -> ([], Rat.zero)
   | [] -> ([], left)
 

@@ -256,8 +256,10 @@ def main():
             check(json.loads(answer))
         except AssertionError as wrong:
             print("wrong:", json.dumps(question, default=text)[:2000], answer[:2000], wrong)
+            print("0 passed, 1 failed")
             sys.exit(1)
     print(f"{len(asked)} cases of the page's numbers and courses are as fractions say")
+    print("1 passed, 0 failed")
 
 
 if __name__ == "__main__":

@@ -31,14 +31,26 @@ def matrix(quaternion):
     return [Fraction(m, n) for row in rows for m in row]
 
 
-def state_at(scc, model, time):
-    """The state that the run of the first choices has at a time, and that time; without it, where the run ends before."""
-    arguments = [scc, 'trace', model, '--start', 'simple', '--time', str(time), '--states', 'ends']
+def last_state(scc, model, *options):
+    """The state that a run ends with, and at which time that is."""
+    arguments = [scc, 'trace', model, '--start', 'simple', '--states', 'ends', *options]
     lines = subprocess.run(arguments, capture_output=True, text=True).stdout.splitlines()
     states = [json.loads(line) for line in lines]
-    last = [s for s in states if 'state' in s][-1]
-    ends = [s for s in states if s.get('type') == 'end']
-    return last['state'] if ends and Fraction(ends[-1]['time']) == time else None
+    return [s for s in states if 'state' in s][-1]['state'], Fraction(states[-1]['time'])
+
+
+def state_at(scc, model, time, choices, over, schedule):
+    """The state that a run of so many choices (the first ones, until a time) has at a time."""
+    if time <= over:
+        options = ['--time', str(time)]
+    else:
+        choices = [{'choice': 0} for _ in range(choices)]
+        offset = time - over
+        schedule.write_text(json.dumps({'format': 'scc-schedule', 'version': 1, 'choices': choices,
+                                        'offset': f'{offset.numerator}/{offset.denominator}'}))
+        options = ['--schedule', str(schedule)]
+    state, end = last_state(scc, model, *options)
+    return state if end == time else None
 
 
 def faults(found, state):
@@ -81,15 +93,16 @@ def check(scc, model, work):
                             + [str(t) for t in times], capture_output=True, text=True)
     if answer.returncode != 0:
         return [answer.stderr], 0
+    steps = [(s, d) for s, d in zip(run['steps'], durations) if 'tail' not in s]
+    over = sum((d for _, d in steps), Fraction(0))
     wrong, looked = [], 0
     for time, found in zip(times, json.loads(answer.stdout)):
-        state = state_at(scc, str(model), time)
-        # Where a network rests and still spins, a trace ends; the page goes on for a while, from turn to turn.
-        if state is not None:
+        state = state_at(scc, str(model), time, len(steps), over, work / (model.stem + '.schedule.json'))
+        if state is None:
+            wrong.append(f'no trace ends at {time}')
+        else:
             looked += 1
             wrong += [f'at {time}: {fault}' for fault in faults(found, state)]
-    if looked == 0:
-        wrong.append('it was looked at nowhere')
     return wrong, looked
 
 
