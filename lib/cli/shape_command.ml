@@ -42,7 +42,7 @@ let set console ~overrides argument =
   | path, None ->
     if Front_end.has_extension path then templates_of console path else mesh console path
 
-type options = { snap : Rat.t option; hull : bool; output : string option }
+type options = { snap : Rat.t option; hull : bool; output : string option; svg : string option }
 
 (* {1 The solid that is meant} *)
 
@@ -117,6 +117,13 @@ let write output code set =
     Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put (text set)))
   | Some _ | None -> Ok ()
 
+let draw o ~name set =
+  match o.svg with
+  | None -> Ok ()
+  | Some path ->
+    let text = Scc_picture.Solid_picture.svg ~name Scc_picture.Solid_picture.default (Solid_report.make set) in
+    Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+
 let shape console ~overrides o output argument =
   let* set = set console ~overrides argument in
   let* () = too_fine set in
@@ -130,6 +137,7 @@ let shape console ~overrides o output argument =
   let set = match snapped with Some (_, s) -> s.set | None -> set in
   let gone = corners - Array.length set.ifs_vertices in
   let code = report console argument ~gone ?snapped set in
+  let* () = draw o ~name:argument set in
   let* () = write output code set in
   Ok code
 
@@ -189,8 +197,15 @@ let output =
   in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
+let svg =
+  let doc =
+    "Draws the shape into $(docv), from two opposite sides, with the names of its faces and vertices. Of a shape      that is refused it shows the witness of each fault, and of each condition of Definition 4.3 that fails, at its      place. What hides what is found exactly; places in the picture are rounded."
+  in
+  Arg.(value & opt (some string) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
+
 let options =
-  Term.(const (fun snap hull output -> { snap; hull; output }) $ snap_option $ hull_option $ output)
+  Term.(
+    const (fun snap hull output svg -> { snap; hull; output; svg }) $ snap_option $ hull_option $ output $ svg)
 
 let man =
   [
@@ -200,7 +215,7 @@ let man =
        is what a template has to be, with every fault; and each of the seven conditions of Definition 4.3 as \
        printed, with a witness where it fails. Then the numbers of vertices, edges and faces and, of an \
        accepted shape, the exact volume, centroid and inertia. $(b,--snap) makes exact what is rounded, \
-       $(b,--hull) makes a solid of points, and $(b,-o) writes what came out.";
+       $(b,--hull) makes a solid of points, $(b,-o) writes what came out, and $(b,--svg) draws it.";
   ]
   @ Options.diagnostics_man
   @ [
@@ -209,6 +224,7 @@ let man =
     `Pre "  scc shape specs/models/hexokinase.sc:Cube --json";
     `Pre "  scc shape --snap 1e-5 snub_cube.off -o exact.obj";
     `Pre "  scc shape --hull --snap 1e-5 points.off -o solid.sc";
+    `Pre "  scc shape broken.off --svg broken.svg";
   ]
 
 let command =

@@ -100,20 +100,24 @@ type range = Rat.t * Rat.t
 
 let value line (p : Ivec.t) = Rat.make (Ivec.dot line p) p.z
 
-(* Where a line is positive along an edge, beside it: on its left if [left]. *)
-let positive ~along ~left line (p, q) ((low, high) as range) : range option =
-  let a = value line p and b = value line q in
+(* Where a linear function that has these values at both ends is positive. *)
+let above a b (low, high) : range option =
   match (Rat.sign a, Rat.sign b) with
-  | 0, 0 ->
-    (* One line is the other one, times a number. *)
-    let same = Z.sign (Ivec.dot (Ivec.make line.Ivec.x line.y Z.zero) along) > 0 in
-    if Bool.equal same left then Some range else None
-  | sa, sb when sa >= 0 && sb >= 0 -> Some range
   | sa, sb when sa <= 0 && sb <= 0 -> None
+  | sa, sb when sa >= 0 && sb >= 0 -> Some (low, high)
   | sa, _ ->
     let zero = Rat.div a (Rat.sub a b) in
     let low, high = if sa > 0 then (low, Rat.min high zero) else (Rat.max low zero, high) in
     if Rat.compare low high < 0 then Some (low, high) else None
+
+(* Where a line is positive along an edge, beside it: on its left if [left]. *)
+let positive ~along ~left line (p, q) range : range option =
+  let a = value line p and b = value line q in
+  if Rat.sign a = 0 && Rat.sign b = 0 then
+    (* One line is the other one, times a number. *)
+    let same = Z.sign (Ivec.dot (Ivec.make line.Ivec.x line.y Z.zero) along) > 0 in
+    if Bool.equal same left then Some range else None
+  else above a b range
 
 let hidden_by t ~along ~left ends i j : range option =
   let f = t.view.faces.(i) and g = t.view.faces.(j) in
@@ -166,6 +170,20 @@ let segments t (e : View.edge) =
   let side ~left = function None -> [] | Some f -> beside t e ~left f in
   let ranges = join (side ~left:true e.left) (side ~left:false e.right) in
   List.map (fun (a, b) -> (along e.ends a, along e.ends b)) ranges
+
+let uncovered t (p, near) (q, near') =
+  let hides ranges j =
+    let g = t.view.faces.(j) in
+    let inside range line = Option.bind range (above (value line p) (value line q)) in
+    let in_front p depth = Rat.sub (View.depth_at g p) depth in
+    let covered = Array.fold_left inside (Some (Rat.zero, Rat.one)) g.sides in
+    match Option.bind covered (above (in_front p near) (in_front q near')) with
+    | None -> ranges
+    | Some r -> without ranges r
+  in
+  let some = Cells.near t.cells (Cells.around [| p; q |]) in
+  let ranges = List.fold_left hides [ (Rat.zero, Rat.one) ] some in
+  List.map (fun (a, b) -> (along (p, q) a, along (p, q) b)) ranges
 
 (* {1 Points} *)
 

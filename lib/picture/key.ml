@@ -32,6 +32,37 @@ let rows ~left ~width ~top entries =
   let _, y, found = List.fold_left add (left, top + (row_high / 2), []) entries in
   (List.rev found, match entries with [] -> 0 | _ :: _ -> y + (row_high / 2) - top)
 
+type note = { badge : string list; text : string }
+
+let line_high = 17
+
+(* The words of a text in lines of at most so many letters, or of one word that is longer. *)
+let wrapped letters text =
+  let add (lines, line) word =
+    if line = "" then (lines, word)
+    else if String.length line + 1 + String.length word <= letters then (lines, line ^ " " ^ word)
+    else (line :: lines, word)
+  in
+  let lines, last = List.fold_left add ([], "") (String.split_on_char ' ' text) in
+  List.rev (last :: lines)
+
+let notes ~left ~width ~top all =
+  let letters = max 10 ((width - sample_wide - 8) / letter_wide) in
+  let add (y, found) note =
+    let moved = Printf.sprintf "translate(%d %d)" (left + 12) y in
+    let badge = Svg.tag "g" [ ("transform", moved) ] note.badge in
+    let line i text =
+      let x = match note.badge with [] -> left | _ :: _ -> left + sample_wide + 8 in
+      let at = [ ("x", number x); ("y", number (y + 4 + (i * line_high))) ] in
+      Svg.text (at @ [ ("fill", ink) ]) text
+    in
+    let lines = wrapped letters note.text in
+    let text = List.concat (List.mapi line lines) in
+    (y + 5 + (line_high * List.length lines), List.rev_append (badge @ text) found)
+  in
+  let y, found = List.fold_left add (top + (row_high / 2), []) all in
+  (List.rev found, y - (row_high / 2) - top)
+
 let bar canvas ~left ~top =
   let length = Canvas.bar canvas ~most:160 in
   let wide = Rat.mul length canvas.unit_length in

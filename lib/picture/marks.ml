@@ -85,7 +85,7 @@ let bond t ~told (one, feature) (two, other) =
 
 (* {1 Names} *)
 
-type name = { text : string; at : (Rat.t * Rat.t) list; size : float }
+type name = { text : string; at : (Rat.t * Rat.t) list; size : float; style : (string * string) list }
 
 let letter_wide = 7
 let letter_high = 13
@@ -102,7 +102,7 @@ let meet a b = a.left < b.right && b.left < a.right && a.low < b.high && b.low <
 
 let written (name, (x, y)) =
   Svg.text
-    [ ("x", Svg.number x); ("y", Svg.number (Rat.add y (Rat.of_int 4))) ]
+    ([ ("x", Svg.number x); ("y", Svg.number (Rat.add y (Rat.of_int 4))) ] @ name.style)
     name.text
 
 let names names =

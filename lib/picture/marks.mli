@@ -22,7 +22,12 @@ val bond : Paint.t -> told:string -> Placed.t * Feature.t -> Placed.t * Feature.
 val bond_colour : string
 
 (** A name and where it may be written: in the picture, and how much is seen of what it names. *)
-type name = { text : string; at : (Rat.t * Rat.t) list; size : float }
+type name = {
+  text : string;
+  at : (Rat.t * Rat.t) list;
+  size : float;
+  style : (string * string) list;  (** attributes *)
+}
 
 val names : name list -> string list
 (** Names that do not cover each other, those of what is seen best first; each at the first of its places that is

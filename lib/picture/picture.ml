@@ -117,7 +117,7 @@ let name (paint : Paint.t) b =
   let largest = List.filteri (fun i _ -> i < 6) (List.stable_sort order sized) in
   let at = List.map (fun (_, p) -> paint.canvas.place (Convex.middle p)) largest in
   let size = List.fold_left (fun sum (a, _) -> sum +. a) 0. sized in
-  { Marks.text = b.of_model.name; at; size }
+  { Marks.text = b.of_model.name; at; size; style = [] }
 
 (* {1 The key} *)
 
@@ -176,9 +176,17 @@ let drawn (m : Model.t) state options bodies =
     if options.key then key colour bodies ~hatch:(Marks.hatch paint) ~open_ ~bonds:(not (none bonded)) else []
   in
   let defs = if open_ then Marks.pattern paint else [] in
-  Sheet.svg canvas ~title:options.title ~told:(told options bodies) ~defs
-    ~bar:(options.bar && not (none bodies))
-    ~key
-    (List.concat_map body bodies @ opened @ bonded @ names)
+  let sheet : Sheet.t =
+    {
+      size = (canvas.width, canvas.height);
+      title = options.title;
+      told = told options bodies;
+      defs;
+      bar = (if options.bar && not (none bodies) then Some canvas else None);
+      key;
+      notes = [];
+    }
+  in
+  Sheet.svg sheet (List.concat_map body bodies @ opened @ bonded @ names)
 
 let svg m state options = drawn m state options (bodies m state)

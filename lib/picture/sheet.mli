@@ -8,8 +8,15 @@ val margin : int
 val top : title:string option -> int
 (** How much is above the drawing. *)
 
-val svg :
-  Canvas.t ->
-  title:string option -> told:string -> defs:string list -> bar:bool -> key:Key.entry list -> string list -> string
-(** [told] is the name of the picture for those who do not see it. Places are rounded to 1/100 of a pixel, which
-    the file says. *)
+type t = {
+  size : int * int;  (** of the drawing, with what is above it *)
+  title : string option;
+  told : string;  (** the name of the picture for those who do not see it *)
+  defs : string list;
+  bar : Canvas.t option;  (** a scale for what is drawn on this *)
+  key : Key.entry list;
+  notes : Key.note list;
+}
+
+val svg : t -> string list -> string
+(** The file around a drawing. Places are rounded to 1/100 of a pixel, which it says. *)

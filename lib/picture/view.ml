@@ -22,22 +22,33 @@ type edge = { body : int; edge : int; ends : Ivec.t * Ivec.t; left : face option
 
 type t = { faces : face array; edges : edge array; points : Ivec.t array array }
 
+type points = { world : Ivec.t array; turned : Ivec.t array; flat : Ivec.t array; over : Z.t }
+
+let points camera ~origin corners over =
+  let from = Ivec.scale over origin in
+  let world = Array.map (fun p -> Ivec.sub p from) corners in
+  let turned = Array.map (Camera.turn camera) world in
+  let flat = Array.map (fun (p : Ivec.t) -> Convex.point p.x p.y over) turned in
+  { world; turned; flat; over }
+
 let normal points corners =
   let at i = points.(corners.(i)) in
   Ivec.primitive (Ivec.cross (Ivec.sub (at 1) (at 0)) (Ivec.sub (at 2) (at 0)))
 
 (* With the axes of the camera for axes, the plane of a face is n . p = n . c, for a corner c. Solved for the
    depth, over the denominator of the corners. *)
-let seen ~body ~face world points flat denominator corners =
-  let n = normal points corners in
+let facing ~body ~face p corners =
+  let n = normal p.turned corners in
   if Z.sign n.z <= 0 then None
   else
-    let polygon = Array.map (fun c -> flat.(c)) corners in
-    let over = Z.neg denominator in
-    let depth = Ivec.make (Z.mul over n.x) (Z.mul over n.y) (Ivec.dot n points.(corners.(0))) in
-    let scale = Z.mul denominator n.z in
+    let polygon = Array.map (fun c -> p.flat.(c)) corners in
+    let over = Z.neg p.over in
+    let depth = Ivec.make (Z.mul over n.x) (Z.mul over n.y) (Ivec.dot n p.turned.(corners.(0))) in
+    let scale = Z.mul p.over n.z in
     let sides = Convex.sides polygon in
-    Some { body; face; polygon; sides; depth; scale; normal = normal world corners }
+    Some { body; face; polygon; sides; depth; scale; normal = normal p.world corners }
+
+let depth p i = Rat.make p.turned.(i).Ivec.z p.over
 
 (* For each directed side of a face that is seen, the face. Seen from outside the face is to the left of it, and so
    it is in the picture. *)
@@ -52,19 +63,16 @@ let beside (solid : solid) faces =
   Hashtbl.find_opt table
 
 let see camera ~origin body (solid : solid) =
-  let from = Ivec.scale solid.denominator origin in
-  let world = Array.map (fun p -> Ivec.sub p from) solid.corners in
-  let points = Array.map (Camera.turn camera) world in
-  let flat = Array.map (fun (p : Ivec.t) -> Convex.point p.x p.y solid.denominator) points in
-  let face i corners = seen ~body ~face:i world points flat solid.denominator corners in
+  let p = points camera ~origin solid.corners solid.denominator in
+  let face i corners = facing ~body ~face:i p corners in
   let faces = List.filter_map Fun.id (Array.to_list (Array.mapi face solid.faces)) in
   let beside = beside solid faces in
   let edge i (v, w) =
     match (beside (v, w), beside (w, v)) with
     | None, None -> None
-    | left, right -> Some { body; edge = i; ends = (flat.(v), flat.(w)); left; right }
+    | left, right -> Some { body; edge = i; ends = (p.flat.(v), p.flat.(w)); left; right }
   in
-  (faces, List.filter_map Fun.id (Array.to_list (Array.mapi edge solid.edges)), flat)
+  (faces, List.filter_map Fun.id (Array.to_list (Array.mapi edge solid.edges)), p.flat)
 
 let make camera ~origin solids =
   let all = Array.to_list (Array.mapi (see camera ~origin) solids) in
@@ -76,5 +84,5 @@ let make camera ~origin solids =
 
 let nearer f g = Ivec.sub (Ivec.scale g.scale f.depth) (Ivec.scale f.scale g.depth)
 
-let before f (p : Ivec.t) depth =
-  Rat.compare (Rat.make (Ivec.dot f.depth p) (Z.mul f.scale p.z)) depth
+let depth_at f (p : Ivec.t) = Rat.make (Ivec.dot f.depth p) (Z.mul f.scale p.z)
+let before f p depth = Rat.compare (depth_at f p) depth

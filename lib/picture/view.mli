@@ -36,11 +36,31 @@ type edge = {
 
 type t = { faces : face array; edges : edge array; points : Ivec.t array array  (** of each solid its corners *) }
 
+(** Points of space as a camera sees them. *)
+type points = {
+  world : Ivec.t array;  (** from the origin, over the denominator *)
+  turned : Ivec.t array;  (** along the axes of the camera, over it *)
+  flat : Ivec.t array;  (** in the picture *)
+  over : Z.t;
+}
+
+val points : Camera.t -> origin:Ivec.t -> Ivec.t array -> Z.t -> points
+
+val facing : body:int -> face:int -> points -> int array -> face option
+(** The face with these corners, which are those of a convex polygon of a plane, counterclockwise seen from outside:
+    [None] if it shows its inner side, or an edge. *)
+
+val depth : points -> int -> Rat.t
+(** Of a point, as those of faces. *)
+
 val make : Camera.t -> origin:Ivec.t -> solid array -> t
 (** [origin] comes to (0, 0), at depth 0. *)
 
 val nearer : face -> face -> Ivec.t
 (** [nearer f g], a line: positive where the first is in front of the second. Zero if they are of one plane. *)
+
+val depth_at : face -> Ivec.t -> Rat.t
+(** How deep the plane of a face is at a point of the picture. *)
 
 val before : face -> Ivec.t -> Rat.t -> int
 (** The sign of how much the face is in front of a point of the picture at a depth. *)

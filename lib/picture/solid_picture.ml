@@ -1,0 +1,286 @@
+open Scc_exact
+open Scc_geometry
+open Scc_drawing
+
+type options = { from : Vec.t; width : int }
+
+let default = { from = Vec.of_ints 2 (-5) 3; width = 900 }
+let none = function [] -> true | _ :: _ -> false
+
+(* Each pair of vertices that some face goes along, once, in order; what is no vertex is left out. *)
+let edges_of (set : Polyhedron.ifs) =
+  let count = Array.length set.ifs_vertices in
+  let there v = v >= 0 && v < count in
+  let of_face (_, corners) =
+    let n = Array.length corners in
+    let side i =
+      let v = corners.(i) and w = corners.((i + 1) mod n) in
+      (min v w, max v w)
+    in
+    List.filter (fun (v, w) -> there v && there w && v <> w) (List.init n side)
+  in
+  let order (a, b) (c, d) = match Int.compare a c with 0 -> Int.compare b d | first -> first in
+  List.sort_uniq order (List.concat_map of_face (Array.to_list set.ifs_faces))
+
+(* {1 One side} *)
+
+type side = {
+  report : Solid_report.t;
+  witnesses : Witness.t list;
+  soup : Soup.t;
+  paint : Paint.t;
+  edges : (int * int) list;
+}
+
+let caption_high = 20
+
+let see ~width ~top report witnesses edges from =
+  let camera = Camera.make from in
+  let set = report.Solid_report.set in
+  let positions = Array.map snd set.ifs_vertices in
+  let origin =
+    if Array.length positions = 0 then Ivec.zero
+    else
+      let p = positions.(0) in
+      Ivec.make (Rat.floor p.x) (Rat.floor p.y) (Rat.floor p.z)
+  in
+  let soup = Soup.make camera ~origin positions (Array.map snd set.ifs_faces) in
+  let points = match Array.to_list soup.points.flat with [] -> [ Convex.point Z.zero Z.zero Z.one ] | all -> all in
+  let canvas = Canvas.make camera ~width ~margin:(2 * Sheet.margin) ~top points in
+  let paint = Paint.make camera ~origin canvas (Hidden.make soup.view) in
+  { report; witnesses; soup; paint; edges }
+
+let ink = "#1f2328"
+let quiet = "#57606a"
+let alarm = (0.84, 0.2, 0.0)
+let outer_colour = (0.50, 0.76, 0.92)
+let inner_colour = (0.90, 0.84, 0.66)
+let accused_outer = (0.97, 0.64, 0.54)
+let accused_inner = (0.93, 0.58, 0.28)
+let at s v = s.soup.points.flat.(v)
+let shown s v = Hidden.shows s.paint.hidden (at s v) ~depth:(View.depth s.soup.points v)
+let on_paper s v = s.paint.canvas.place (at s v)
+
+(* {1 Faces} *)
+
+let accused s face = List.exists (fun (w : Witness.t) -> List.mem face w.faces) s.witnesses
+
+(* The parts of the view that belong to each face, in order. *)
+let parts s =
+  let lists = Array.make (Array.length s.report.set.ifs_faces) [] in
+  let faces = s.soup.view.faces in
+  for i = Array.length faces - 1 downto 0 do
+    lists.(faces.(i).face) <- i :: lists.(faces.(i).face)
+  done;
+  lists
+
+let seen s i = Hidden.pieces s.paint.hidden i
+
+let face s parts f =
+  let fill i =
+    let of_view = s.soup.view.faces.(i) in
+    let base =
+      match (Soup.inner of_view, accused s f) with
+      | false, false -> outer_colour
+      | true, false -> inner_colour
+      | false, true -> accused_outer
+      | true, true -> accused_inner
+    in
+    Palette.hex (Paint.shade s.paint base of_view)
+  in
+  (* Parts of one colour are one region, so that no seams are seen between them. *)
+  let add found i =
+    match (seen s i, fill i, found) with
+    | [], _, _ -> found
+    | pieces, fill, (last, before) :: rest when String.equal fill last -> (last, pieces @ before) :: rest
+    | pieces, fill, _ -> (fill, pieces) :: found
+  in
+  let paint (fill, pieces) =
+    Svg.tag "path" [ ("d", Paint.region s.paint pieces); ("fill", fill); ("stroke", fill) ] []
+  in
+  match List.concat_map paint (List.rev (List.fold_left add [] parts)) with
+  | [] -> []
+  | painted -> Svg.tag "g" [ ("stroke-width", "0.5") ] (Svg.title (Solid_report.face_name s.report f) @ painted)
+
+(* {1 Edges} *)
+
+let uncovered s (v, w) =
+  if Ivec.equal (at s v) (at s w) then []
+  else
+    let depth = View.depth s.soup.points in
+    Hidden.uncovered s.paint.hidden (at s v, depth v) (at s w, depth w)
+
+let path s segments attributes =
+  match segments with
+  | [] -> []
+  | _ :: _ -> Svg.tag "path" ([ ("d", Paint.lines s.paint segments); ("fill", "none") ] @ attributes) []
+
+let strokes colour width = [ ("stroke", colour); ("stroke-width", width) ]
+let dashes = [ ("stroke-dasharray", "4 4"); ("stroke-linecap", "butt") ]
+
+(* Beyond so many edges those that are hidden only confuse. *)
+let most_dashed = 200
+
+(* All of them dashed, and over that what is seen of them. *)
+let edges s =
+  let whole (v, w) = (at s v, at s w) in
+  let hidden = if List.compare_length_with s.edges most_dashed > 0 then [] else List.map whole s.edges in
+  path s hidden (strokes quiet "0.7" @ dashes @ [ ("stroke-opacity", "0.6") ])
+  @ path s (List.concat_map (uncovered s) s.edges) (strokes ink "1.2")
+
+(* {1 Witnesses} *)
+
+let alarm_hex = Palette.hex alarm
+
+let circle (x, y) radius attributes =
+  Svg.tag "circle" ([ ("cx", Svg.number x); ("cy", Svg.number y); ("r", radius) ] @ attributes) []
+
+let witness s (w : Witness.t) =
+  let outline f =
+    let corners = snd s.report.set.ifs_faces.(f) in
+    let n = Array.length corners in
+    let there v = v >= 0 && v < Array.length s.soup.points.flat in
+    let side i = (corners.(i), corners.((i + 1) mod n)) in
+    List.filter (fun (v, w) -> there v && there w && v <> w) (List.init n side)
+  in
+  let border = List.concat_map outline w.faces in
+  let line width (v, w) =
+    path s [ (at s v, at s w) ] (strokes alarm_hex width @ dashes)
+    @ path s (uncovered s (v, w)) (strokes alarm_hex width)
+  in
+  let vertex v =
+    let fill = if shown s v then alarm_hex else "#ffffff" in
+    circle (on_paper s v) "4.5" (("fill", fill) :: strokes alarm_hex "1.6")
+  in
+  List.concat_map (line "1.4") border @ List.concat_map (line "3.6") w.edges @ List.concat_map vertex w.vertices
+
+let badge text =
+  let circle = circle (Rat.zero, Rat.zero) "10" [ ("fill", "#ffffff"); ("stroke", alarm_hex) ] in
+  let at = [ ("x", "0"); ("y", "4"); ("text-anchor", "middle"); ("font-size", "11"); ("font-weight", "bold") ] in
+  circle @ Svg.text (at @ [ ("fill", alarm_hex); ("stroke", "none") ]) text
+
+let half = Rat.make Z.one (Z.of_int 2)
+let mean (x, y) (x', y') = (Rat.mul half (Rat.add x x'), Rat.mul half (Rat.add y y'))
+
+(* The largest pieces that are seen of a face, the greatest first, and twice their area in all. *)
+let largest s parts f =
+  let pieces = List.concat_map (seen s) parts.(f) in
+  let sized = List.map (fun p -> (Rat.near_float (Convex.area2 p), p)) pieces in
+  let sorted = List.stable_sort (fun (a, _) (b, _) -> Float.compare b a) sized in
+  (List.map snd sorted, List.fold_left (fun sum (a, _) -> sum +. a) 0. sized)
+
+let is_seen s parts f = List.exists (fun i -> not (none (seen s i))) parts.(f)
+
+(* [elsewhere] tells which faces are seen from the other side. *)
+let anchor s ~elsewhere parts (w : Witness.t) =
+  match (w.vertices, w.edges, w.faces) with
+  | v :: _, _, _ -> Some (on_paper s v)
+  | [], (v, w) :: _, _ -> Some (mean (on_paper s v) (on_paper s w))
+  | [], [], f :: _ when (not (is_seen s parts f)) && elsewhere f -> None
+  | [], [], f :: _ -> (
+      match (fst (largest s parts f), snd s.report.set.ifs_faces.(f)) with
+      | p :: _, _ -> Some (s.paint.canvas.place (Convex.middle p))
+      | [], corners -> (
+          let there v = v >= 0 && v < Array.length s.soup.points.flat in
+          match List.filter there (Array.to_list corners) with
+          | [] -> None
+          | v :: _ as all -> Some (mean (on_paper s v) (on_paper s (List.nth all (List.length all / 2))))))
+  | [], [], [] -> None
+
+(* Badges step aside where others are. *)
+let badges s ~elsewhere parts =
+  let steps = [ (16, -16); (16, 16); (-16, -16); (-16, 16); (38, -16); (38, 16); (-38, -16); (-38, 16); (0, -38) ] in
+  let put (taken, found) (w : Witness.t) =
+    match anchor s ~elsewhere parts w with
+    | None -> (taken, found)
+    | Some (x, y) ->
+      let moved (dx, dy) = (Rat.add x (Rat.of_int dx), Rat.add y (Rat.of_int dy)) in
+      let far (a, b) (c, d) =
+        let dx = Rat.to_float (Rat.sub a c) and dy = Rat.to_float (Rat.sub b d) in
+        (dx *. dx) +. (dy *. dy) > 440.
+      in
+      let free p = List.for_all (far p) taken in
+      let p = Option.value ~default:(moved (16, -16)) (List.find_opt free (List.map moved steps)) in
+      let at = Printf.sprintf "translate(%s %s)" (Svg.number (fst p)) (Svg.number (snd p)) in
+      let leader = Svg.segments [ ((x, y), p) ] in
+      let line = Svg.tag "path" (("d", leader) :: strokes alarm_hex "0.8") [] in
+      (p :: taken, found @ line @ Svg.tag "g" [ ("transform", at) ] (Svg.title w.text @ badge w.badge))
+  in
+  snd (List.fold_left put ([], []) s.witnesses)
+
+(* {1 Names} *)
+
+let names s parts =
+  let face f (name, _) : Marks.name option =
+    match largest s parts f with
+    | [], _ -> None
+    | pieces, size ->
+      let at = List.map (fun p -> s.paint.canvas.place (Convex.middle p)) (List.filteri (fun i _ -> i < 4) pieces) in
+      Some { text = name; at; size; style = [] }
+  in
+  let middle = Rat.make (Z.of_int s.paint.canvas.width) (Z.of_int 2) in
+  let vertex v (name, _) : Marks.name option =
+    if not (shown s v) then None
+    else
+      let x, y = on_paper s v in
+      let away = if Rat.compare x middle < 0 then -12 else 12 in
+      let moved (dx, dy) = (Rat.add x (Rat.of_int dx), Rat.add y (Rat.of_int dy)) in
+      let at = List.map moved [ (away, 0); (away, -10); (away, 10); (0, -12); (0, 12); (-away, 0) ] in
+      Some { text = name; at; size = 0.; style = [ ("font-size", "11"); ("font-style", "italic"); ("fill", quiet) ] }
+  in
+  let all f named = List.filter_map Fun.id (Array.to_list (Array.mapi f named)) in
+  Marks.names (all face s.report.set.ifs_faces @ all vertex s.report.set.ifs_vertices)
+
+(* {1 Both} *)
+
+let draw s ~other ~left ~top caption =
+  let parts = parts s and elsewhere = is_seen other (parts other) in
+  let told = Svg.text [ ("x", string_of_int Sheet.margin); ("y", string_of_int (top - 2)); ("fill", quiet) ] caption in
+  let faces = List.concat (List.mapi (fun f parts -> face s parts f) (Array.to_list parts)) in
+  let accused = List.concat_map (witness s) s.witnesses in
+  Svg.tag "g"
+    [ ("transform", Printf.sprintf "translate(%d 0)" left) ]
+    (told @ faces @ edges s @ accused @ names s parts @ badges s ~elsewhere parts)
+
+let notes (r : Solid_report.t) witnesses =
+  let p = r.paper in
+  let sizes = Printf.sprintf "%d vertices, %d edges, %d faces" p.vertices p.edges p.faces in
+  let plain text : Key.note = { badge = []; text } in
+  match r.verdict with
+  | Accepted (_, mass) ->
+    [ plain (Printf.sprintf "A convex closed polyhedron: %s, volume %s." sizes (Rat.to_string mass.volume)) ]
+  | Rejected _ ->
+    let note (w : Witness.t) : Key.note = { badge = badge w.badge; text = w.text } in
+    let more = Witness.more r in
+    (plain (Printf.sprintf "Not a convex closed polyhedron: %s." sizes) :: List.map note witnesses)
+    @ if more > 0 then [ plain (Printf.sprintf "and %d more faults" more) ] else []
+
+let key sides : Key.entry list =
+  let swatch text colour : Key.entry =
+    { sample = Swatch { fill = Palette.hex colour; stroke = Palette.hex (Paint.ink colour) }; text }
+  in
+  let inner s = List.exists (fun i -> Soup.inner s.soup.view.faces.(i) && not (none (seen s i))) in
+  let shows_inner s = inner s (List.init (Array.length s.soup.view.faces) Fun.id) in
+  if List.exists shows_inner sides then [ swatch "outer side" outer_colour; swatch "inner side" inner_colour ] else []
+
+let svg ~name options (report : Solid_report.t) =
+  let witnesses = Witness.all report in
+  let width = options.width / 2 in
+  let top = Sheet.top ~title:(Some name) + caption_high in
+  let see = see ~width ~top report witnesses (edges_of report.set) in
+  let one = see options.from and two = see (Vec.neg options.from) in
+  let sheet : Sheet.t =
+    {
+      size = (options.width, max one.paint.canvas.height two.paint.canvas.height);
+      title = Some name;
+      told = name;
+      defs = [];
+      bar = Some one.paint.canvas;
+      key = key [ one; two ];
+      notes = notes report witnesses;
+    }
+  in
+  let top = top + 4 in
+  Sheet.svg sheet
+    (draw one ~other:two ~left:0 ~top ("seen from " ^ Vec.to_string options.from)
+     @ draw two ~other:one ~left:width ~top "seen from the other side")
