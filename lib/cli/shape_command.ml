@@ -121,6 +121,8 @@ let draw o ~name set =
   match o.svg with
   | None -> Ok ()
   | Some path ->
+    (* Names of files need not be UTF-8. *)
+    let name = match Scc_exchange.Json.text name with `String text -> text | _ -> name in
     let text = Scc_picture.Solid_picture.svg ~name Scc_picture.Solid_picture.default (Solid_report.make set) in
     Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 
@@ -137,9 +139,11 @@ let shape console ~overrides o output argument =
   let set = match snapped with Some (_, s) -> s.set | None -> set in
   let gone = corners - Array.length set.ifs_vertices in
   let code = report console argument ~gone ?snapped set in
-  let* () = draw o ~name:argument set in
-  let* () = write output code set in
-  Ok code
+  (* One output that cannot be written keeps the other one from nothing. *)
+  match (draw o ~name:argument set, write output code set) with
+  | Ok (), Ok () -> Ok code
+  | Error d, Error e -> Error (d @ e)
+  | Error d, Ok () | Ok (), Error d -> Error d
 
 let run color json overrides o argument =
   let console = Console.make ~color ~json in
@@ -147,6 +151,8 @@ let run color json overrides o argument =
   match o.output with
   | _ when (match o.snap with Some t -> Rat.sign t <= 0 | None -> false) ->
     Guard.usage "the distance of --snap is to be greater than 0"
+  | _ when Option.equal String.equal o.svg (Some "-") ->
+    Guard.usage "the picture of --svg is to have a file: the report goes to standard output"
   | None -> go None
   | Some path -> (
       match Scc_mesh.Written.to_file ~path with
@@ -199,7 +205,9 @@ let output =
 
 let svg =
   let doc =
-    "Draws the shape into $(docv), from two opposite sides, with the names of its faces and vertices. Of a shape      that is refused it shows the witness of each fault, and of each condition of Definition 4.3 that fails, at its      place. What hides what is found exactly; places in the picture are rounded."
+    "Draws the shape into $(docv), from two opposite sides, with the names of its faces and vertices. Of a shape \
+     that is refused it shows the witness of each fault, and of each condition of Definition 4.3 that fails, at \
+     its place. What hides what is found exactly; places in the picture are rounded."
   in
   Arg.(value & opt (some string) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
 

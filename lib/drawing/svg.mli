@@ -3,7 +3,7 @@
 open Scc_exact
 
 val escape : string -> string
-(** Text of an element or of an attribute. *)
+(** Text of an element or of an attribute, in UTF-8. Control characters, which XML has not, become U+FFFD. *)
 
 val number : Rat.t -> string
 (** Rounded to two places. *)

@@ -18,8 +18,8 @@ val segments : t -> View.edge -> (Ivec.t * Ivec.t) list
 (** What is seen of an edge, in order: the parts along which a face of it is seen. *)
 
 val uncovered : t -> Ivec.t * Rat.t -> Ivec.t * Rat.t -> (Ivec.t * Ivec.t) list
-(** The parts of a segment, from a point of the picture at a depth to another one, that no face is in front of; sides
-    of faces are in front of nothing. *)
+(** The parts of a segment, from a point of the picture at a depth to another one, that no face is in front of;
+    sides of faces are in front of nothing. *)
 
 val shows : t -> Ivec.t -> depth:Rat.t -> bool
 (** Whether no face is in front of a point of the picture at a depth. *)

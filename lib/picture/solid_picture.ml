@@ -118,15 +118,16 @@ let path s segments attributes =
 let strokes colour width = [ ("stroke", colour); ("stroke-width", width) ]
 let dashes = [ ("stroke-dasharray", "4 4"); ("stroke-linecap", "butt") ]
 
-(* Beyond so many edges those that are hidden only confuse. *)
+(* Beyond so many edges those that are hidden only confuse, and the others are thin. *)
 let most_dashed = 200
 
 (* All of them dashed, and over that what is seen of them. *)
 let edges s =
+  let many = List.compare_length_with s.edges most_dashed > 0 in
   let whole (v, w) = (at s v, at s w) in
-  let hidden = if List.compare_length_with s.edges most_dashed > 0 then [] else List.map whole s.edges in
+  let hidden = if many then [] else List.map whole s.edges in
   path s hidden (strokes quiet "0.7" @ dashes @ [ ("stroke-opacity", "0.6") ])
-  @ path s (List.concat_map (uncovered s) s.edges) (strokes ink "1.2")
+  @ path s (List.concat_map (uncovered s) s.edges) (strokes ink (if many then "0.6" else "1.2"))
 
 (* {1 Witnesses} *)
 
@@ -171,62 +172,79 @@ let largest s parts f =
 
 let is_seen s parts f = List.exists (fun i -> not (none (seen s i))) parts.(f)
 
-(* [elsewhere] tells which faces are seen from the other side. *)
-let anchor s ~elsewhere parts (w : Witness.t) =
-  match (w.vertices, w.edges, w.faces) with
-  | v :: _, _, _ -> Some (on_paper s v)
-  | [], (v, w) :: _, _ -> Some (mean (on_paper s v) (on_paper s w))
-  | [], [], f :: _ when (not (is_seen s parts f)) && elsewhere f -> None
-  | [], [], f :: _ -> (
-      match (fst (largest s parts f), snd s.report.set.ifs_faces.(f)) with
-      | p :: _, _ -> Some (s.paint.canvas.place (Convex.middle p))
-      | [], corners -> (
-          let there v = v >= 0 && v < Array.length s.soup.points.flat in
-          match List.filter there (Array.to_list corners) with
-          | [] -> None
-          | v :: _ as all -> Some (mean (on_paper s v) (on_paper s (List.nth all (List.length all / 2))))))
-  | [], [], [] -> None
+(* Where the badges of a witness are, for each of its features. [elsewhere] tells which faces are seen from the
+   other side. *)
+let anchors s ~elsewhere parts (w : Witness.t) =
+  let face f =
+    match fst (largest s parts f) with
+    | p :: _ -> Some (s.paint.canvas.place (Convex.middle p))
+    | [] when elsewhere f -> None
+    | [] -> (
+        let there v = v >= 0 && v < Array.length s.soup.points.flat in
+        match List.filter there (Array.to_list (snd s.report.set.ifs_faces.(f))) with
+        | [] -> None
+        | v :: _ as all -> Some (mean (on_paper s v) (on_paper s (List.nth all (List.length all / 2)))))
+  in
+  match (w.vertices, w.edges) with
+  | (_ :: _ as vertices), _ -> List.map (on_paper s) vertices
+  | [], (_ :: _ as edges) -> List.map (fun (v, w) -> mean (on_paper s v) (on_paper s w)) edges
+  | [], [] -> List.filter_map face w.faces
 
 (* Badges step aside where others are. *)
 let badges s ~elsewhere parts =
-  let steps = [ (16, -16); (16, 16); (-16, -16); (-16, 16); (38, -16); (38, 16); (-38, -16); (-38, 16); (0, -38) ] in
-  let put (taken, found) (w : Witness.t) =
-    match anchor s ~elsewhere parts w with
-    | None -> (taken, found)
-    | Some (x, y) ->
-      let moved (dx, dy) = (Rat.add x (Rat.of_int dx), Rat.add y (Rat.of_int dy)) in
-      let far (a, b) (c, d) =
-        let dx = Rat.to_float (Rat.sub a c) and dy = Rat.to_float (Rat.sub b d) in
-        (dx *. dx) +. (dy *. dy) > 440.
-      in
-      let free p = List.for_all (far p) taken in
-      let p = Option.value ~default:(moved (16, -16)) (List.find_opt free (List.map moved steps)) in
-      let at = Printf.sprintf "translate(%s %s)" (Svg.number (fst p)) (Svg.number (snd p)) in
-      let leader = Svg.segments [ ((x, y), p) ] in
-      let line = Svg.tag "path" (("d", leader) :: strokes alarm_hex "0.8") [] in
-      (p :: taken, found @ line @ Svg.tag "g" [ ("transform", at) ] (Svg.title w.text @ badge w.badge))
+  let near = [ (16, -16); (16, 16); (-16, -16); (-16, 16) ] in
+  let steps = near @ [ (38, -16); (38, 16); (-38, -16); (-38, 16); (0, -38) ] in
+  let far (a, b) (c, d) =
+    let dx = Rat.to_float (Rat.sub a c) and dy = Rat.to_float (Rat.sub b d) in
+    (dx *. dx) +. (dy *. dy) > 440.
   in
-  snd (List.fold_left put ([], []) s.witnesses)
+  let put (w : Witness.t) (taken, found) (x, y) =
+    let moved (dx, dy) = (Rat.add x (Rat.of_int dx), Rat.add y (Rat.of_int dy)) in
+    let free p = List.for_all (far p) taken in
+    let p = Option.value ~default:(moved (16, -16)) (List.find_opt free (List.map moved steps)) in
+    let at = Printf.sprintf "translate(%s %s)" (Svg.number (fst p)) (Svg.number (snd p)) in
+    let line = Svg.tag "path" (("d", Svg.segments [ ((x, y), p) ]) :: strokes alarm_hex "0.8") [] in
+    (p :: taken, found @ line @ Svg.tag "g" [ ("transform", at) ] (Svg.title w.text @ badge w.badge))
+  in
+  let all found w = List.fold_left (put w) found (anchors s ~elsewhere parts w) in
+  snd (List.fold_left all ([], []) s.witnesses)
 
 (* {1 Names} *)
 
+(* Of more vertices only those have names that are witnesses. *)
+let most_named = 60
+
 let names s parts =
+  (* A name is on its face: one that is too small for it has none. *)
+  let room name piece =
+    let places = List.map s.paint.canvas.place (Array.to_list piece) in
+    let extent f =
+      let all = List.map (fun p -> Rat.to_float (f p)) places in
+      List.fold_left Float.max neg_infinity all -. List.fold_left Float.min infinity all
+    in
+    extent fst > float_of_int (7 * String.length name) && extent snd > 14.
+  in
   let face f (name, _) : Marks.name option =
-    match largest s parts f with
-    | [], _ -> None
-    | pieces, size ->
-      let at = List.map (fun p -> s.paint.canvas.place (Convex.middle p)) (List.filteri (fun i _ -> i < 4) pieces) in
+    let pieces, size = largest s parts f in
+    match List.filter (room name) (List.filteri (fun i _ -> i < 4) pieces) with
+    | [] -> None
+    | pieces ->
+      let at = List.map (fun p -> s.paint.canvas.place (Convex.middle p)) pieces in
       Some { text = name; at; size; style = [] }
   in
+  let witnesses = List.concat_map (fun (w : Witness.t) -> w.vertices) s.witnesses in
+  let few = Array.length s.report.set.ifs_vertices <= most_named in
+  let named v = (few || List.mem v witnesses) && shown s v in
   let middle = Rat.make (Z.of_int s.paint.canvas.width) (Z.of_int 2) in
   let vertex v (name, _) : Marks.name option =
-    if not (shown s v) then None
+    if not (named v) then None
     else
       let x, y = on_paper s v in
       let away = if Rat.compare x middle < 0 then -12 else 12 in
       let moved (dx, dy) = (Rat.add x (Rat.of_int dx), Rat.add y (Rat.of_int dy)) in
       let at = List.map moved [ (away, 0); (away, -10); (away, 10); (0, -12); (0, 12); (-away, 0) ] in
-      Some { text = name; at; size = 0.; style = [ ("font-size", "11"); ("font-style", "italic"); ("fill", quiet) ] }
+      let style = [ ("font-size", "11"); ("font-style", "italic"); ("fill", quiet) ] in
+      Some { text = name; at; size = 0.; style }
   in
   let all f named = List.filter_map Fun.id (Array.to_list (Array.mapi f named)) in
   Marks.names (all face s.report.set.ifs_faces @ all vertex s.report.set.ifs_vertices)
@@ -235,7 +253,8 @@ let names s parts =
 
 let draw s ~other ~left ~top caption =
   let parts = parts s and elsewhere = is_seen other (parts other) in
-  let told = Svg.text [ ("x", string_of_int Sheet.margin); ("y", string_of_int (top - 2)); ("fill", quiet) ] caption in
+  let at = [ ("x", string_of_int Sheet.margin); ("y", string_of_int (top - 2)) ] in
+  let told = Svg.text (at @ [ ("fill", quiet) ]) caption in
   let faces = List.concat (List.mapi (fun f parts -> face s parts f) (Array.to_list parts)) in
   let accused = List.concat_map (witness s) s.witnesses in
   Svg.tag "g"
@@ -261,7 +280,18 @@ let key sides : Key.entry list =
   in
   let inner s = List.exists (fun i -> Soup.inner s.soup.view.faces.(i) && not (none (seen s i))) in
   let shows_inner s = inner s (List.init (Array.length s.soup.view.faces) Fun.id) in
-  if List.exists shows_inner sides then [ swatch "outer side" outer_colour; swatch "inner side" inner_colour ] else []
+  if List.exists shows_inner sides then
+    [ swatch "outer side" outer_colour; swatch "inner side" inner_colour ]
+  else []
+
+(* At most so many letters, those at the end of a long path. *)
+let ending letters text =
+  let n = String.length text in
+  if n <= letters then text
+  else
+    let rec boundary i = if i < n && Char.code text.[i] land 0xC0 = 0x80 then boundary (i + 1) else i in
+    let from = boundary (n - letters) in
+    "..." ^ String.sub text from (n - from)
 
 let svg ~name options (report : Solid_report.t) =
   let witnesses = Witness.all report in
@@ -272,10 +302,10 @@ let svg ~name options (report : Solid_report.t) =
   let sheet : Sheet.t =
     {
       size = (options.width, max one.paint.canvas.height two.paint.canvas.height);
-      title = Some name;
+      title = Some (ending (options.width / 9) name);
       told = name;
       defs = [];
-      bar = Some one.paint.canvas;
+      bar = (if none (edges_of report.set) then None else Some one.paint.canvas);
       key = key [ one; two ];
       notes = notes report witnesses;
     }

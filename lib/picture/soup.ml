@@ -13,8 +13,9 @@ let turn (flat : Ivec.t array) a b c = Z.sign (Ivec.det flat.(a) flat.(b) flat.(
 (* More corners than that take too long. *)
 let most_corners = 200
 
-(* Ears are cut off one by one: corners that turn left, without another corner in their triangle. [tries] is how many
-   corners are still to be looked at until it is given up, as there is none where a polygon crosses itself. *)
+(* Ears are cut off one by one: corners that turn left, without another corner in their triangle. [tries] is how
+   many corners are still to be looked at until it is given up, as there is none where a polygon crosses itself.
+*)
 let triangles flat corners =
   let turn = turn flat in
   let rec clip found ring tries =
@@ -48,7 +49,8 @@ let orientation (flat : Ivec.t array) corners =
 let reversed corners = Array.of_list (List.rev (Array.to_list corners))
 
 let pieces (p : View.points) face corners =
-  let corners = Array.of_list (List.filter (fun c -> c >= 0 && c < Array.length p.world) (Array.to_list corners)) in
+  let there c = c >= 0 && c < Array.length p.world in
+  let corners = Array.of_list (List.filter there (Array.to_list corners)) in
   if Array.length corners < 3 then []
   else
     match Face_check.check p.world corners with

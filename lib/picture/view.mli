@@ -47,8 +47,8 @@ type points = {
 val points : Camera.t -> origin:Ivec.t -> Ivec.t array -> Z.t -> points
 
 val facing : body:int -> face:int -> points -> int array -> face option
-(** The face with these corners, which are those of a convex polygon of a plane, counterclockwise seen from outside:
-    [None] if it shows its inner side, or an edge. *)
+(** The face with these corners, which are those of a convex polygon of a plane, counterclockwise seen from
+    outside: [None] if it shows its inner side, or an edge. *)
 
 val depth : points -> int -> Rat.t
 (** Of a point, as those of faces. *)

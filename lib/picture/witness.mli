@@ -3,7 +3,7 @@
 open Scc_geometry
 
 type t = {
-  badge : string;  (** short, of each a different one: a fault's number, or ["c6"] for a condition of Definition 4.3 *)
+  badge : string;  (** of each another: the number of a fault, or ["c6"] for a condition of Definition 4.3 *)
   text : string;
   faces : int list;
   edges : (int * int) list;  (** pairs of vertices *)

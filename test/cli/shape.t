@@ -287,6 +287,36 @@ What is not accepted is told in both ways, and the exit code is 3.
     7. holds: V - E + F = 2
     (7 with ordered pairs of vertices for edges: 9 - 32 + 9 = -14)
 
+Pictures: of what is accepted, and of what is not, with all that is wrong; the report is told even where they
+cannot be written.
+
+  $ scc shape ../../specs/models/hexokinase.sc:Cube --svg cube.svg > /dev/null
+  $ grep -o '>A convex.*<' cube.svg
+  >A convex closed polyhedron: 8 vertices, 12 edges, 6 faces, volume 8.<
+  $ sed -n 's/.*<text x="[0-9.]*" y="[0-9.]*">\(.*\)<.text>/\1/p' cube.svg | sort | xargs
+  back bottom front left right top
+  $ scc shape open.off --svg open.svg > /dev/null
+  [3]
+  $ sed -n 's/.*<title>\(.*\)<.title>/\1/p' open.svg | sort -u
+  f0
+  f1
+  f2
+  open.off
+  the solid is not closed: edge [v1,v3] belongs to one face only, f1
+  the solid is not closed: edge [v2,v1] belongs to one face only, f0
+  the solid is not closed: edge [v3,v2] belongs to one face only, f2
+  $ scc shape open.off --svg nowhere/open.svg -o nowhere/open.obj 2> err | head -n 1; cat err
+  open.off
+  nowhere/open.svg: error[SC0103]: cannot write: No such file or directory
+  $ scc shape tetrahedron.off --svg nowhere/t.svg -o nowhere/t.obj 2> err | head -n 1; cat err
+  tetrahedron.off
+  nowhere/t.svg: error[SC0103]: cannot write: No such file or directory
+  nowhere/t.obj: error[SC0103]: cannot write: No such file or directory
+  $ cp tetrahedron.off "$(printf 'a&b\001\377.off')"
+  $ scc shape "$(printf 'a&b\001\377.off')" --svg name.svg > /dev/null
+  $ sed -n 2p name.svg
+    <title>a&amp;b��.off</title>
+
 What cannot be read.
 
   $ scc shape nowhere.off

@@ -187,7 +187,8 @@ Names:
   $ misuse --check --check
   $ for arguments in 'explore cube.sc' 'explore cube.sc -o graph' 'explore cube.sc -o graph.png' 'explore cube.sc -o -' \
   >   'explore cube.sc -o - --format tra' 'compare - -' 'conform - -' 'diff - -' 'fmt -i -' \
-  >   'shape cube.sc' 'shape cube.sc:Nothing' 'shape cube.sc:Pair' '' 'chekc cube.sc' '--nothing'; do
+  >   'shape cube.sc' 'shape cube.sc:Nothing' 'shape cube.sc:Pair' \
+  >   'shape cube.sc:Cube --svg' 'shape cube.sc:Cube --svg -' '' 'chekc cube.sc' '--nothing'; do
   >   scc $arguments < /dev/null > out 2>&1; [ $? = 64 ] || { echo "scc $arguments"; cat out; }
   > done
   $ scc explain runs/goes.json cube.sc --check gose 2>&1 | tail -n 2

@@ -253,6 +253,39 @@ let edges (s, numbers) =
   in
   Array.for_all edge (Hidden.view v.hidden).edges
 
+(* Of a segment just those points are uncovered that nothing is in front of. *)
+let segments (s, numbers) =
+  let v = see s in
+  let solids = List.map (stands s) s.bodies in
+  let height p =
+    let n = Ivec.to_vec v.camera.near in
+    Vec.dot n (Vec.sub p (Ivec.to_vec v.origin))
+  in
+  let flat p =
+    let x, y = Camera.flat v.camera (Vec.sub p (Ivec.to_vec v.origin)) in
+    homogeneous x y
+  in
+  let one (solid : Naive.solid) (a, b) =
+    let p = solid.points.(a) and q = solid.points.(b) in
+    Ivec.equal (flat p) (flat q)
+    ||
+    let parts = Hidden.uncovered v.hidden (flat p, height p) (flat q, height q) in
+    let at (n, _) =
+      let t = Rat.make (Z.of_int ((2 * n) + 1)) (Z.of_int 20011) in
+      let here = Vec.axpy t (Vec.sub q p) p in
+      let x, y = Convex.place (flat here) in
+      let between ((r, _), (s, _)) = Rat.sign (Rat.mul (Rat.sub x r) (Rat.sub x s)) <= 0 in
+      let upright (((_, r), (_, s))) = Rat.sign (Rat.mul (Rat.sub y r) (Rat.sub y s)) <= 0 in
+      let on (r, s) =
+        let r = Convex.place r and s = Convex.place s in
+        between (r, s) && upright (r, s)
+      in
+      Bool.equal (List.exists on parts) (Hidden.shows v.hidden (flat here) ~depth:(height here))
+    in
+    List.for_all at (List.filteri (fun i _ -> i < 3) numbers)
+  in
+  List.for_all (fun solid -> List.for_all (one solid) (Naive.edges solid)) solids
+
 let law ~count name gen holds =
   QCheck2.Test.make ~name ~count ~print:(fun (s, _) -> show s) (Gen.pair gen anywhere) holds
 
@@ -262,6 +295,7 @@ let on kind gen =
     law ~count:40 (kind ^ ": each piece shows what a ray tells in its middle") gen in_the_middle;
     law ~count:20 (kind ^ ": pieces are disjoint") gen disjoint;
     law ~count:15 (kind ^ ": borders enclose the pieces") gen bordered;
+    law ~count:15 (kind ^ ": what is uncovered of a segment has nothing in front") gen segments;
     law ~count:20 (kind ^ ": edges are drawn where their faces are seen") gen edges;
   ]
 

@@ -78,7 +78,27 @@ let resting () =
   let outline = List.filter foot (Array.to_list (Hidden.view both).edges) in
   Alcotest.check number "its outline is all there" (List.length outline) (List.length (drawn outline))
 
+(* A face that is no convex polygon is divided; its pieces cover it. *)
+let letter_l () =
+  let corner (x, z) = Vec.of_ints x 0 z in
+  let l = Array.map corner [| (0, 0); (2, 0); (2, 1); (1, 1); (1, 2); (0, 2) |] in
+  let drawn from faces =
+    let soup = Soup.make (Camera.make from) ~origin:Ivec.zero l faces in
+    let hidden = Hidden.make soup.view in
+    let count = Array.length soup.view.faces in
+    (Array.exists Soup.inner soup.view.faces, List.init count (area hidden))
+  in
+  let sum = List.fold_left Rat.add Rat.zero in
+  let outside, areas = drawn (Vec.of_ints 0 (-1) 0) [| [| 0; 1; 2; 3; 4; 5 |] |] in
+  Alcotest.(check bool) "from outside" false outside;
+  Alcotest.(check string) "all of it" "6" (Rat.to_string (sum areas));
+  let inside, areas = drawn (Vec.of_ints 0 1 0) [| [| 0; 1; 2; 3; 4; 5 |] |] in
+  Alcotest.(check bool) "from inside" true inside;
+  Alcotest.(check string) "all of it" "6" (Rat.to_string (sum areas));
+  let _, areas = drawn (Vec.of_ints 0 (-1) 0) [| [| 0; 1 |]; [| 0; 1; 9; -1; 2 |]; [| 3; 3; 3; 3 |] |] in
+  Alcotest.(check string) "what is left of a face with wrong numbers" "2" (Rat.to_string (sum areas))
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "picture"
-    [ ("hidden", [ case "three bars" three_bars; case "a stack" stack; case "resting" resting ]) ]
+    [ ("hidden", [ case "three bars" three_bars; case "a stack" stack; case "resting" resting ]); ("any faces", [ case "the letter L" letter_l ]) ]
