@@ -95,10 +95,14 @@ let letter_l () =
   let inside, areas = drawn (Vec.of_ints 0 1 0) [| [| 0; 1; 2; 3; 4; 5 |] |] in
   Alcotest.(check bool) "from inside" true inside;
   Alcotest.(check string) "all of it" "6" (Rat.to_string (sum areas));
-  let _, areas = drawn (Vec.of_ints 0 (-1) 0) [| [| 0; 1 |]; [| 0; 1; 9; -1; 2 |]; [| 3; 3; 3; 3 |] |] in
+  let wrong = [| [| 0; 1 |]; [| 0; 1; 9; -1; 2 |]; [| 3; 3; 3; 3 |] |] in
+  let _, areas = drawn (Vec.of_ints 0 (-1) 0) wrong in
   Alcotest.(check string) "what is left of a face with wrong numbers" "2" (Rat.to_string (sum areas))
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "picture"
-    [ ("hidden", [ case "three bars" three_bars; case "a stack" stack; case "resting" resting ]); ("any faces", [ case "the letter L" letter_l ]) ]
+    [
+      ("hidden", [ case "three bars" three_bars; case "a stack" stack; case "resting" resting ]);
+      ("any faces", [ case "the letter L" letter_l ]);
+    ]
