@@ -5,9 +5,9 @@ const Main = (() => {
   /**
    * What the page tells to those who test it, or drive it from the console, as `window.scc`: where one is, with all
    * numbers as exact texts, and ways to go elsewhere.
-   * @param {Player} player
+   * @param {Player} player @param {Scene | null} scene
    */
-  function probe(player) {
+  function probe(player, scene) {
     return {
       version: 1,
       data: player.data,
@@ -23,6 +23,7 @@ const Main = (() => {
       floats: () => floats(player),
       runs: () => player.runs.map((run) => ({ name: run.name, index: run.index, steps: run.steps.length })),
       link: () => Links.text(),
+      work: () => (scene ? scene.work : null),
       open: (/** @type {number} */ index) => player.open(player.runs[index]),
       go: (/** @type {number} */ legs, /** @type {string | undefined} */ time) =>
         player.go(legs, time === undefined ? undefined : Rational.of(time)),
@@ -150,7 +151,7 @@ const Main = (() => {
       scene.fit();
     }
     Links.start(player, scene);
-    Object.defineProperty(window, "scc", { value: probe(player) });
+    Object.defineProperty(window, "scc", { value: probe(player, scene) });
     document.body.setAttribute("data-ready", "true");
   }
 

@@ -16,6 +16,10 @@ let output_of o =
     let ending = match o.what with Page -> ".html" | Data -> ".view.json" | Picture _ -> ".svg" in
     (if String.equal o.shown.path "-" then "model" else base) ^ ending
 
+(* As the page looks at bodies when it opens: from the front, the right and above, with y upwards. *)
+let from = { Vec.x = Rat.of_int 11; y = Rat.of_int 10; z = Rat.of_int 20 }
+let up = { Vec.x = Rat.zero; y = Rat.one; z = Rat.zero }
+
 (* What writes the file. *)
 let content console o watch =
   let document () = Viewed.document console o.shown watch in
@@ -26,7 +30,7 @@ let content console o watch =
     Result.map page (document ())
   | Picture time ->
     let* model, state = Pictured.state console o.shown watch time in
-    let options = { Scc_picture.Picture.default with names = o.names } in
+    let options = { Scc_picture.Picture.default with names = o.names; from; up } in
     Ok (fun put -> put (Scc_picture.Picture.svg model state options))
 
 let run color budget o =

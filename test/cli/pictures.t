@@ -1,4 +1,7 @@
-The pictures of the guide are those that scc draws.
+The pictures of the README and the guide are those that scc draws.
+
+  $ scc view ../../specs/models/hexokinase.sc --svg 1 --names -o hexokinase.svg 2> /dev/null
+  $ cmp ../../specs/pictures/hexokinase.svg hexokinase.svg
 
   $ scc check ../../specs/models/meeting.sc --draw meeting.svg > /dev/null
   [1]
