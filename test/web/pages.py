@@ -81,7 +81,7 @@ def reasons(b, scc):
     jump = [line for line in lines if line.find_elements('css selector', '.jump')][-1]
     jump.click()
     instant = jump.find_element('css selector', '.jump').text
-    same('a reason leads to its instant', 't = ' + b.state()['instant'], time)
+    same('a reason leads to its instant', 't = ' + b.state()['time'], instant)
 
 
 def starts(b, scc):
