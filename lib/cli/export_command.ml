@@ -61,6 +61,17 @@ let instant (f : Film.t) at =
           "the run is over at time %s: there is no state at %s" (Rat.to_string over) (Rat.to_string time);
       ]
 
+let check_every (f : Film.t) = function
+  | Some every when Film.too_many f ~every ->
+    Error
+      [
+        Diag.error Code.bad_value Span.command_line ~hint:"a longer step, or an earlier end by --time"
+          "the run lasts %s: it has more than %d multiples of %s"
+          (Rat.to_string (Course.duration f.course))
+          Film.most_instants (Rat.to_string every);
+      ]
+  | Some _ | None -> Ok ()
+
 (* {1 Files} *)
 
 let make_folder path =
@@ -82,6 +93,7 @@ let several o files =
   | Some path -> diagnosed (Whole_file.write (files path))
 
 let write console o (f : Film.t) observables =
+  let* () = check_every f o.every in
   match o.format with
   | Glb -> alone console o (Gltf.file f)
   | X3d -> alone console o (X3d.file f)
@@ -94,6 +106,12 @@ let write console o (f : Film.t) observables =
     let* () = Option.fold ~none:(Ok ()) ~some:(fun path -> make_folder (Vtk.folder path)) o.output in
     several o (fun path -> Vtk.files f ~path ~times:(Film.instants f ~every:o.every))
 
+let too_great o =
+  Diag.error Code.number_too_large
+    (Span.make ~file:o.path ~start:0 ~stop:0)
+    ~hint:"`--format csv` tells exact numbers, however great"
+    "the run leads to a number that is too great for the floats of this format"
+
 (* {1 The command} *)
 
 let export console o ~interrupted =
@@ -104,7 +122,11 @@ let export console o ~interrupted =
   | Error failure -> Ok (Chosen_run.finish console loaded (Error failure))
   | Ok (course, ending) ->
     let film = { Film.title = Filename.basename o.path; origin = chosen.loaded.origin; course } in
-    let* () = write console o film observables in
+    let* () =
+      match write console o film observables with
+      | result -> result
+      | exception Floats.Too_great -> Error [ too_great o ]
+    in
     Ok (Chosen_run.finish console loaded (Ok ending))
 
 let run color o =

@@ -17,6 +17,9 @@ let events f =
   in
   List.filter_map event (Array.to_list (Course.legs f.course))
 
+let most_instants = 1_000_000
+let too_many f ~every = Rat.compare (Rat.div (Course.duration f.course) every) (Rat.of_int most_instants) > 0
+
 let instants f ~every =
   let over = Course.duration f.course in
   let inner =

@@ -20,6 +20,12 @@ val model : t -> Model.t
 val events : t -> (Rat.t * Transition.label) list
 (** All but the passings of time, in order, with when they are. *)
 
+val most_instants : int
+(** Of a file: 1 000 000. *)
+
+val too_many : t -> every:Rat.t -> bool
+(** More multiples than that lie within the run. *)
+
 val instants : t -> every:Rat.t option -> Rat.t list
 (** The times of the states to be told: the start, each instant at which something happens, or each multiple of
     [every], and the end. Each once. *)

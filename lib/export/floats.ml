@@ -1,14 +1,18 @@
 open Scc_base
 open Scc_exact
 
+exception Too_great
+
+let finite x = if Float.is_finite x then x else raise Too_great
+
 let text x =
   if Float.is_integer x && Float.abs x < 1e15 then Printf.sprintf "%.0f" (x +. 0.)
   else if not (Float.is_finite x) then Bug.fail __POS__ "a number is too great for a float"
   else Float_text.shortest x
 
-let of_rat r = Rat.to_float r +. 0.
+let of_rat r = finite (Rat.to_float r +. 0.)
 let point (v : Vec.t) = [| of_rat v.x; of_rat v.y; of_rat v.z |]
-let single x = Int32.float_of_bits (Int32.bits_of_float x)
+let single x = finite (Int32.float_of_bits (Int32.bits_of_float x))
 
 let unit integers =
   let greatest = Array.fold_left (fun m z -> Z.max m (Z.abs z)) Z.zero integers in

@@ -3,11 +3,14 @@
 
 open Scc_exact
 
+exception Too_great
+(** A number is too great for the floats of a format. *)
+
 val text : float -> string
 (** The shortest of the usual forms that reads back as the same float; never an infinity (a bug otherwise). *)
 
 val of_rat : Rat.t -> float
-(** The nearest one, and 0 rather than -0. *)
+(** The nearest one, and 0 rather than -0. Raises {!Too_great}, as what follows does. *)
 
 val point : Vec.t -> float array
 

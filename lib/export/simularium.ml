@@ -149,28 +149,32 @@ let space (v : Vec.t) : json =
 
 let half = Rat.make Z.one (Z.of_int 2)
 
-(* All that the bodies need over the run, as far as its frames tell. *)
-let box m states =
+(* All that the bodies need over the run, as far as its frames tell, and the channels of the bonds there are. *)
+let survey (f : Film.t) times =
+  let m = Film.model f in
   let join f (a : Vec.t) (b : Vec.t) = Vec.make (f a.x b.x) (f a.y b.y) (f a.z b.z) in
-  let widen box s =
+  let channels = numbers () in
+  let widen box time =
+    let s = Course.at f.course time in
+    let bond (b : State.bond) = ignore (number channels b.name) in
+    Array.iter (fun (p : State.process) -> Array.iter bond p.bonds) s.processes;
     match (box, Figure.extent m s) with
     | None, b | b, None -> b
     | Some (l, h), Some (low, high) -> Some (join Rat.min l low, join Rat.max h high)
   in
-  Option.value (List.fold_left widen None states) ~default:(Vec.zero, Vec.of_ints 1 1 1)
+  let box = List.fold_left widen None times in
+  (Option.value box ~default:(Vec.zero, Vec.of_ints 1 1 1), channels)
 
 let unit name : json = `Assoc [ ("magnitude", `Int 1); ("name", `String name) ]
 
-let document (f : Film.t) ~path k ~times : json =
+(* Frames are made one at a time, since there may be many. *)
+let write (f : Film.t) ~path k ~times put =
   let m = Film.model f in
-  let states = List.map (Course.at f.course) times in
-  let low, high = box m states in
+  let (low, high), channels = survey f times in
   let size = Vec.sub high low and middle = Vec.scale half (Vec.add low high) in
   let greatest = Rat.max size.x (Rat.max size.y size.z) in
   let thickness = Floats.of_rat (Rat.div greatest (Rat.of_int 200)) in
-  let channels = numbers () and bonds = numbers () in
-  let frame i time s = frame m k channels bonds ~thickness i time s in
-  let frames = List.mapi (fun i (time, s) -> frame i time s) (List.combine times states) in
+  let bonds = numbers () in
   let step = match times with a :: b :: _ -> Floats.of_rat (Rat.sub b a) | _ -> 0. in
   let away = Rat.add greatest Rat.one in
   let camera = Vec.add middle (Vec.make away (Rat.neg (Rat.mul (Rat.of_int 2) away)) away) in
@@ -178,41 +182,40 @@ let document (f : Film.t) ~path k ~times : json =
   let fibers = List.mapi (fun i c -> bond_entry (Array.length k.firsts + i) c) (List.rev channels.items) in
   let events = Film.events f in
   let over = Floats.of_rat (Course.duration f.course) in
-  `Assoc
-    [
-      ( "trajectoryInfo",
-        `Assoc
-          [
-            ("version", `Int 3);
-            ("timeUnits", unit "s");
-            ("timeStepSize", float step);
-            ("totalSteps", `Int (List.length times));
-            ("spatialUnits", unit "m");
-            ("size", space size);
-            ( "cameraDefault",
-              `Assoc
-                [
-                  ("position", space camera);
-                  ("lookAtPosition", space middle);
-                  ("upVector", space (Vec.of_ints 0 0 1));
-                  ("fovDegrees", `Int 60);
-                ] );
-            ("typeMapping", `Assoc (agents @ fibers));
-            ("trajectoryTitle", text f.title);
-          ] );
-      ( "spatialData",
-        `Assoc
-          [
-            ("version", `Int 1);
-            ("msgType", `Int 1);
-            ("bundleStart", `Int 0);
-            ("bundleSize", `Int (List.length frames));
-            ("bundleData", `List frames);
-          ] );
-      ( "plotData",
-        `Assoc
-          [ ("version", `Int 1); ("data", `List (if events = [] then [] else [ plot events ~over ])) ] );
-    ]
+  let json (j : json) = put (Yojson.Safe.to_string j) in
+  put "{\"trajectoryInfo\":";
+  json
+    (`Assoc
+       [
+         ("version", `Int 3);
+         ("timeUnits", unit "s");
+         ("timeStepSize", float step);
+         ("totalSteps", `Int (List.length times));
+         ("spatialUnits", unit "m");
+         ("size", space size);
+         ( "cameraDefault",
+           `Assoc
+             [
+               ("position", space camera);
+               ("lookAtPosition", space middle);
+               ("upVector", space (Vec.of_ints 0 0 1));
+               ("fovDegrees", `Int 60);
+             ] );
+         ("typeMapping", `Assoc (agents @ fibers));
+         ("trajectoryTitle", text f.title);
+       ]);
+  put
+    (Printf.sprintf
+       ",\"spatialData\":{\"version\":1,\"msgType\":1,\"bundleStart\":0,\"bundleSize\":%d,\"bundleData\":["
+       (List.length times));
+  List.iteri
+    (fun i time ->
+       if i > 0 then put ",";
+       json (frame m k channels bonds ~thickness i time (Course.at f.course time)))
+    times;
+  put "]},\"plotData\":";
+  json (`Assoc [ ("version", `Int 1); ("data", `List (if events = [] then [] else [ plot events ~over ])) ]);
+  put "}\n"
 
 let evenly (f : Film.t) ~every =
   let over = Course.duration f.course in
@@ -225,8 +228,5 @@ let files f ~path ~every =
   let k = kinds m in
   let times = evenly f ~every in
   let mesh i leaf = (mesh_path ~path k i, Obj.form m ~leaf) in
-  let trajectory put =
-    put (Yojson.Safe.to_string (document f ~path k ~times));
-    put "\n"
-  in
+  let trajectory put = write f ~path k ~times put in
   Array.to_list (Array.mapi mesh k.firsts) @ [ (path, trajectory) ]

@@ -20,7 +20,9 @@ let line put fields =
   put (String.concat "," (List.map quoted fields));
   put "\r\n"
 
-let number r = [ Rat.to_string r; Floats.text (Floats.of_rat r) ]
+let number r =
+  let rounded = match Floats.of_rat r with x -> Floats.text x | exception Floats.Too_great -> "" in
+  [ Rat.to_string r; rounded ]
 
 (* {1 Values} *)
 

@@ -1,5 +1,5 @@
 (** Numbers and truths of the states of a run as a table (CSV, RFC 4180): a line for each state, with the time, the
-    event that led to it, and each observable, exactly and, in the column behind it, as a float. *)
+    event that led to it, and each observable, exactly and, in the column behind it, as a float (empty where there is none so great). *)
 
 open Scc_exact
 open Scc_property

@@ -140,6 +140,28 @@ What cannot be:
   $ scc export $models/hexokinase.sc --at 50 -o late.obj
   command line: error[SC0208]: the run is over at time 2: there is no state at 50
   [64]
+  $ scc export $models/hexokinase.sc --every 1e-40 -o many.simularium
+  command line: error[SC0208]: the run lasts 2: it has more than 1000000 multiples of 1/10000000000000000000000000000000000000000
+    hint: a longer step, or an earlier end by --time
+  [64]
+  $ sed 's/velocity (1\/3,0,0)/velocity (1e400,0,0)/' $models/drift.sc > far.sc
+  $ for ending in glb x3d pvd simularium obj; do scc export far.sc --time 2 -o far.$ending 2>&1 | head -n 1; done
+  far.sc:1:1: error[SC0106]: the run leads to a number that is too great for the floats of this format
+  far.sc:1:1: error[SC0106]: the run leads to a number that is too great for the floats of this format
+  far.sc:1:1: error[SC0106]: the run leads to a number that is too great for the floats of this format
+  far.sc:1:1: error[SC0106]: the run leads to a number that is too great for the floats of this format
+  far.sc:1:1: error[SC0106]: the run leads to a number that is too great for the floats of this format
+  $ sed 's/1e400/1e50/' far.sc > single.sc; scc export single.sc --time 2 -o single.glb 2>&1 | head -n 1
+  single.sc:1:1: error[SC0106]: the run leads to a number that is too great for the floats of this format
+  $ ls -d far* single*
+  far
+  far.sc
+  single.sc
+  $ scc export far.sc --time 2 --format csv --observe 'x(p) > 0' --observe 'x(p)' |
+  >   tr -d '\r' | cut -c 1-40
+  time,time (float),event,x(p) > 0,x(p) > 
+  0,0,,false,0,0,0
+  2,2,,true,1,2000000000000000000000000000
   $ scc export $models/hexokinase.sc -o missing/run.glb
   missing/run.glb: error[SC0103]: cannot write: No such file or directory
   [74]
