@@ -42,7 +42,13 @@ let set console ~overrides argument =
   | path, None ->
     if Front_end.has_extension path then templates_of console path else mesh console path
 
-type options = { snap : Rat.t option; hull : bool; output : string option; svg : string option }
+type options = {
+  snap : Rat.t option;
+  hull : bool;
+  output : string option;
+  svg : string option;
+  drawing : Scc_picture.Solid_picture.options;
+}
 
 (* {1 The solid that is meant} *)
 
@@ -123,7 +129,7 @@ let draw o ~name set =
   | Some path ->
     (* Names of files need not be UTF-8. *)
     let name = match Scc_exchange.Json.text name with `String text -> text | _ -> name in
-    let text = Scc_picture.Solid_picture.svg ~name Scc_picture.Solid_picture.default (Solid_report.make set) in
+    let text = Scc_picture.Solid_picture.svg ~name o.drawing (Solid_report.make set) in
     Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 
 let shape console ~overrides o output argument =
@@ -151,8 +157,6 @@ let run color json overrides o argument =
   match o.output with
   | _ when (match o.snap with Some t -> Rat.sign t <= 0 | None -> false) ->
     Guard.usage "the distance of --snap is to be greater than 0"
-  | _ when Option.equal String.equal o.svg (Some "-") ->
-    Guard.usage "the picture of --svg is to have a file: the report goes to standard output"
   | None -> go None
   | Some path -> (
       match Scc_mesh.Written.to_file ~path with
@@ -211,9 +215,18 @@ let svg =
   in
   Arg.(value & opt (some string) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
 
+let drawn =
+  let one svg drawing =
+    match svg with
+    | None when Picture_options.given drawing -> Error "--from, --up and --width tell how --svg draws"
+    | Some "-" -> Error "the picture of --svg is to have a file: the report goes to standard output"
+    | _ -> Ok (svg, Picture_options.of_solid drawing)
+  in
+  Term.(term_result' ~usage:true (const one $ svg $ Picture_options.term))
+
 let options =
-  Term.(
-    const (fun snap hull output svg -> { snap; hull; output; svg }) $ snap_option $ hull_option $ output $ svg)
+  let make snap hull output (svg, drawing) = { snap; hull; output; svg; drawing } in
+  Term.(const make $ snap_option $ hull_option $ output $ drawn)
 
 let man =
   [

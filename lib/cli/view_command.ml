@@ -6,7 +6,12 @@ open Cmdliner
 let ( let* ) = Result.bind
 
 type what = Page | Data | Picture of Rat.t
-type options = { shown : Viewed.options; output : string option; what : what; names : bool }
+type options = {
+  shown : Viewed.options;
+  output : string option;
+  what : what;
+  drawing : Scc_picture.Picture.options;
+}
 
 let output_of o =
   match o.output with
@@ -15,10 +20,6 @@ let output_of o =
     let base = Filename.remove_extension (Filename.basename o.shown.path) in
     let ending = match o.what with Page -> ".html" | Data -> ".view.json" | Picture _ -> ".svg" in
     (if String.equal o.shown.path "-" then "model" else base) ^ ending
-
-(* As the page looks at bodies when it opens: from the front, the right and above, with y upwards. *)
-let from = { Vec.x = Rat.of_int 11; y = Rat.of_int 10; z = Rat.of_int 20 }
-let up = { Vec.x = Rat.zero; y = Rat.one; z = Rat.zero }
 
 (* What writes the file. *)
 let content console o watch =
@@ -30,8 +31,7 @@ let content console o watch =
     Result.map page (document ())
   | Picture time ->
     let* model, state = Pictured.state console o.shown watch time in
-    let options = { Scc_picture.Picture.default with names = o.names; from; up } in
-    Ok (fun put -> put (Scc_picture.Picture.svg model state options))
+    Ok (fun put -> put (Scc_picture.Picture.svg model state o.drawing))
 
 let run color budget o =
   let o = { o with shown = { o.shown with budget } } in
@@ -117,22 +117,24 @@ let names =
   Arg.(value & flag & info [ "names" ] ~doc)
 
 let what =
-  let one data svg =
+  let one data svg names picture =
     match (data, svg) with
     | true, Some _ -> Error "--data and --svg do not go together"
-    | true, None -> Ok Data
-    | false, Some time -> Ok (Picture time)
-    | false, None -> Ok Page
+    | _, None when names || Picture_options.given picture ->
+      Error "--names, --from, --up and --width tell how --svg draws"
+    | true, None -> Ok (Data, Picture_options.of_state picture ~names)
+    | false, Some time -> Ok (Picture time, Picture_options.of_state picture ~names)
+    | false, None -> Ok (Page, Picture_options.of_state picture ~names)
   in
-  Term.(term_result' ~usage:true (const one $ data_alone $ svg))
+  Term.(term_result' ~usage:true (const one $ data_alone $ svg $ names $ Picture_options.term))
 
 let options =
-  let make path given output what names check schedule graph plots =
+  let make path given output (what, drawing) check schedule graph plots =
     let budget = { Budget.depth = None; time = None; states = None; seconds = None; memory = None; bits = None } in
-    { shown = { path; given; budget; check; schedule; graph; plots }; output; what; names }
+    { shown = { path; given; budget; check; schedule; graph; plots }; output; what; drawing }
   in
   Term.(
-    const make $ Options.model_file $ Options.definitions $ output $ what $ names $ check $ followed $ graph
+    const make $ Options.model_file $ Options.definitions $ output $ what $ check $ followed $ graph
     $ plots)
 
 let man =

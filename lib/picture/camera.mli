@@ -7,8 +7,8 @@ open Scc_exact
 type t = private { right : Ivec.t; up : Ivec.t; near : Ivec.t }
 
 val make : ?up:Vec.t -> Vec.t -> t
-(** [make d] looks at things from the side to which [d] points; [d] is not zero. [up] (the z axis, or the y axis if
-    [d] points along z) is upwards in the picture. *)
+(** [make d] looks at things from the side to which [d] points; [d] is not zero. [up] (the y axis)
+    is upwards in the picture; if it is along [d], the direction against the z axis, or the y axis. *)
 
 val turn : t -> Ivec.t -> Ivec.t
 (** The components of a vector along the axes, each times the length of its axis. *)

@@ -105,11 +105,16 @@ let written (name, (x, y)) =
     ([ ("x", Svg.number x); ("y", Svg.number (Rat.add y (Rat.of_int 4))) ] @ name.style)
     name.text
 
-let names names =
+(* Names stay within the picture, which is so wide. *)
+let inside width name (x, y) =
+  let half = Rat.of_int ((letter_wide * String.length name.text / 2) + 2) in
+  (Rat.max half (Rat.min x (Rat.sub (Rat.of_int width) half)), y)
+
+let names ~width names =
   let order a b = Float.compare b.size a.size in
   let put (taken, found) name =
     let free p = not (List.exists (meet (box name p)) taken) in
-    match List.find_opt free name.at with
+    match List.find_opt free (List.map (inside width name) name.at) with
     | None -> (taken, found)
     | Some p -> (box name p :: taken, (name, p) :: found)
   in

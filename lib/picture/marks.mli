@@ -29,6 +29,6 @@ type name = {
   style : (string * string) list;  (** attributes *)
 }
 
-val names : name list -> string list
+val names : width:int -> name list -> string list
 (** Names that do not cover each other, those of what is seen best first; each at the first of its places that is
     free, or nowhere. *)

@@ -17,8 +17,8 @@ type options = {
 
 let default =
   {
-    from = Vec.of_ints 2 (-5) 3;
-    up = Vec.of_ints 0 0 1;
+    from = Vec.of_ints 11 10 20;
+    up = Vec.of_ints 0 1 0;
     width = 800;
     names = false;
     marks = true;
@@ -170,7 +170,7 @@ let drawn (m : Model.t) state options bodies =
   in
   let opened = if options.marks then List.concat_map (open_features m paint colour) bodies else [] in
   let bonded = if options.marks then List.concat_map (bond m paint bodies) (bonds state) else [] in
-  let names = if options.names then Marks.names (List.map (name paint) bodies) else [] in
+  let names = if options.names then Marks.names ~width:canvas.width (List.map (name paint) bodies) else [] in
   let open_ = not (none opened) in
   let key =
     if options.key then key colour bodies ~hatch:(Marks.hatch paint) ~open_ ~bonds:(not (none bonded)) else []

@@ -18,6 +18,7 @@ type options = {
 }
 
 val default : options
-(** From the right, the front and above; 800 pixels wide, with marks, key and scale. *)
+(** As the page of [scc view] shows bodies when it opens: from the front, the right and above, with y upwards; 800
+    pixels wide, with marks, key and scale. *)
 
 val svg : Model.t -> State.t -> options -> string

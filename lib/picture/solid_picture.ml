@@ -2,9 +2,9 @@ open Scc_exact
 open Scc_geometry
 open Scc_drawing
 
-type options = { from : Vec.t; width : int }
+type options = { from : Vec.t; up : Vec.t; width : int }
 
-let default = { from = Vec.of_ints 2 (-5) 3; width = 900 }
+let default = { from = Picture.default.from; up = Picture.default.up; width = 900 }
 let none = function [] -> true | _ :: _ -> false
 
 (* Each pair of vertices that some face goes along, once, in order; what is no vertex is left out. *)
@@ -34,8 +34,8 @@ type side = {
 
 let caption_high = 20
 
-let see ~width ~top report witnesses edges from =
-  let camera = Camera.make from in
+let see ~width ~top ~up report witnesses edges from =
+  let camera = Camera.make ~up from in
   let set = report.Solid_report.set in
   let positions = Array.map snd set.ifs_vertices in
   let origin =
@@ -247,7 +247,7 @@ let names s parts =
       Some { text = name; at; size = 0.; style }
   in
   let all f named = List.filter_map Fun.id (Array.to_list (Array.mapi f named)) in
-  Marks.names (all face s.report.set.ifs_faces @ all vertex s.report.set.ifs_vertices)
+  Marks.names ~width:s.paint.canvas.width (all face s.report.set.ifs_faces @ all vertex s.report.set.ifs_vertices)
 
 (* {1 Both} *)
 
@@ -297,7 +297,7 @@ let svg ~name options (report : Solid_report.t) =
   let witnesses = Witness.all report in
   let width = options.width / 2 in
   let top = Sheet.top ~title:(Some name) + caption_high in
-  let see = see ~width ~top report witnesses (edges_of report.set) in
+  let see = see ~width ~top ~up:options.up report witnesses (edges_of report.set) in
   let one = see options.from and two = see (Vec.neg options.from) in
   let sheet : Sheet.t =
     {

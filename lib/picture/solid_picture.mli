@@ -7,6 +7,7 @@ open Scc_geometry
 
 type options = {
   from : Vec.t;  (** the first side from which it is seen; not zero *)
+  up : Vec.t;  (** upwards in the picture, unless that is where it is seen from *)
   width : int;  (** in pixels, within {!Sheet.width_limits} *)
 }
 

@@ -295,6 +295,11 @@ cannot be written.
   >A convex closed polyhedron: 8 vertices, 12 edges, 6 faces, volume 8.<
   $ sed -n 's/.*<text x="[0-9.]*" y="[0-9.]*">\(.*\)<.text>/\1/p' cube.svg | sort | xargs
   back bottom front left right top
+  $ scc shape ../../specs/models/hexokinase.sc:Cube --svg cube.svg --from 0,0,1 --up=-1,0,0 --width 400 > /dev/null
+  $ grep -o 'viewBox="0 0 [0-9]*' cube.svg
+  viewBox="0 0 400
+  $ sed -n 's/.*<text x="[0-9.]*" y="[0-9.]*">\(.*\)<.text>/\1/p' cube.svg | sort | xargs
+  back front
   $ scc shape open.off --svg open.svg > /dev/null
   [3]
   $ sed -n 's/.*<title>\(.*\)<.title>/\1/p' open.svg | sort -u

@@ -171,6 +171,18 @@ Names:
   $ misuse --no-reduce=everything
   $ misuse --shortest=way
   $ misuse --witness out --no-reduce jump
+  $ those='view shape'
+  $ misuse --svg 1 --from 0,0,0
+  $ misuse --svg 1 --from 1,0
+  $ misuse --svg 1 --from=1,0,1/0
+  $ misuse --svg 1 --up=1,2,3,4
+  $ misuse --svg 1 --width=10
+  $ misuse --svg 1 --width=100000
+  $ misuse --from 1,1,1
+  $ misuse --width 500
+  $ those=view
+  $ misuse --svg=-1
+  $ misuse --names
   $ those=explore
   $ misuse --format=png
   $ misuse --dialect=mine

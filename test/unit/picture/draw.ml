@@ -16,5 +16,8 @@ let () =
     List.iter (fun d -> prerr_endline (Scc_base.Diag.render ~source:(fun _ -> Some source) d)) diagnostics;
     exit 1
   | Ok l ->
-    let options = { Scc_picture.Picture.default with names = true; title = Some "A scene" } in
+    let v = Scc_exact.Vec.of_ints in
+    let options =
+      { Scc_picture.Picture.default with from = v 2 (-5) 3; up = v 0 0 1; names = true; title = Some "A scene" }
+    in
     print_string (Scc_picture.Picture.svg l.model l.declared options)

@@ -1,0 +1,55 @@
+open Scc_exact
+open Scc_picture
+open Cmdliner
+
+type t = { from : Vec.t option; up : Vec.t option; width : int option }
+
+let given t = Option.is_some t.from || Option.is_some t.up || Option.is_some t.width
+
+let direction =
+  let ( let* ) = Result.bind in
+  let number text = Arg.conv_parser Options.rational (String.trim text) in
+  let parse text =
+    match String.split_on_char ',' text with
+    | [ x; y; z ] ->
+      let* x = number x in
+      let* y = number y in
+      let* z = number z in
+      let v = Vec.make x y z in
+      if Vec.is_zero v then Error (`Msg (Printf.sprintf "`%s' is no direction" text)) else Ok v
+    | _ -> Error (`Msg (Printf.sprintf "`%s' is not of the form X,Y,Z" text))
+  in
+  let print ppf (v : Vec.t) =
+    Format.pp_print_string ppf (String.concat "," (List.map Rat.to_string [ v.x; v.y; v.z ]))
+  in
+  Arg.conv ~docv:"X,Y,Z" (parse, print)
+
+let from =
+  let doc =
+    "With $(b,--svg): shows what is seen from that side, to which the vector $(docv) points: $(b,0,1,0) is from \
+     above. Write $(b,--from=-1,0,0) if it begins with a minus."
+  in
+  Arg.(value & opt (some direction) None & info [ "from" ] ~docv:"X,Y,Z" ~doc)
+
+let up =
+  let doc =
+    "With $(b,--svg): the direction that is upwards in the picture, the y axis unless $(docv) is given. If it is \
+     seen from there, another axis."
+  in
+  Arg.(value & opt (some direction) None & info [ "up" ] ~docv:"X,Y,Z" ~doc)
+
+let width =
+  let doc = "With $(b,--svg): how wide the picture is, in pixels." in
+  let least, most = Sheet.width_limits in
+  Arg.(value & opt (some (Options.integer ~least ~most "width")) None & info [ "width" ] ~docv:"PIXELS" ~doc)
+
+let term = Term.(const (fun from up width -> { from; up; width }) $ from $ up $ width)
+let or_default option default = Option.value ~default option
+
+let of_state t ~names =
+  let d = Picture.default in
+  { d with names; from = or_default t.from d.from; up = or_default t.up d.up; width = or_default t.width d.width }
+
+let of_solid t : Solid_picture.options =
+  let d = Solid_picture.default in
+  { from = or_default t.from d.from; up = or_default t.up d.up; width = or_default t.width d.width }
