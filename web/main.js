@@ -126,6 +126,7 @@ const Main = (() => {
       throw new Error("the data is of another version than the page");
     if (data.states.length === 0) throw new Error("the file holds no states");
     head(data);
+    Channels.start(data);
     const player = new Player(data);
     Regions.start(player);
     Tabs.start();

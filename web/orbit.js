@@ -17,6 +17,11 @@ class Orbit {
     this.turn = 0.5;
     this.height = 0.42;
     this.parallel = false;
+    /**
+     * Where it is going.
+     * @type {{ frame: number } | null}
+     */
+    this.flight = null;
     this.perspective = new THREE.PerspectiveCamera(40, 1, 0.1, 1000);
     this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
     this.#listen();
@@ -43,15 +48,42 @@ class Orbit {
   /** @param {Rational[]} at */
   setTarget(at) {
     this.at = at;
-    let d = 1n;
-    for (const r of at) d = (d / gcd(d, r.d)) * r.d;
-    this.target = Motion.target({ n: at.map((r) => r.n * (d / r.d)), d });
+    this.target = Motion.target(Motion.ints(at.map(Rational.text)));
+  }
 
-    /** @param {bigint} a @param {bigint} b */
-    function gcd(a, b) {
-      while (b !== 0n) [a, b] = [b, a % b];
-      return a;
+  /**
+   * Goes to a place and a distance: at once, or on a short way where motion is wanted.
+   * @param {number[]} place @param {number} distance @param {boolean} still
+   */
+  fly(place, distance, still) {
+    this.stop();
+    const from = this.at.map(Rational.toNumber), near = this.distance;
+    const far = place.some((x, i) => !(Math.abs(x - from[i]) < 1e3 * (distance + near)));
+    if (still || far || document.hidden) {
+      this.distance = distance;
+      this.lookAt(place);
+      this.changed();
+      return;
     }
+    let begun = 0;
+    const flight = (this.flight = { frame: 0 });
+    const step = (/** @type {number} */ now) => {
+      if (this.flight !== flight) return;
+      if (begun === 0) begun = now;
+      const t = Math.min(1, (now - begun) / 260), s = t * t * (3 - 2 * t);
+      this.distance = near * (distance / near) ** s;
+      this.lookAt(place.map((x, i) => from[i] + s * (x - from[i])));
+      this.changed();
+      if (t < 1) flight.frame = window.requestAnimationFrame(step);
+      else this.flight = null;
+    };
+    flight.frame = window.requestAnimationFrame(step);
+  }
+
+  /** Stays where it is. */
+  stop() {
+    if (this.flight) window.cancelAnimationFrame(this.flight.frame);
+    this.flight = null;
   }
 
   /**
@@ -59,6 +91,7 @@ class Orbit {
    * @param {{ x: number, y: number, z: number }} by
    */
   pan(by) {
+    this.stop();
     const step = 2 ** Math.floor(Math.log2(this.distance) - 14);
     const moved = [by.x, by.y, by.z].map((x, i) =>
       Rational.add(this.at[i], Rational.fromNumber(Math.round(x / step) * step)));
@@ -75,7 +108,8 @@ class Orbit {
     if (this.parallel) {
       const half = this.distance * Math.tan((20 * Math.PI) / 180);
       const depth = 4 * (this.distance + radius);
-      Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half, near: -depth, far: depth });
+      const [near, far] = [-depth, depth];
+      Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half, near, far });
     } else
       Object.assign(camera, { aspect, near: this.distance / 100, far: 4 * (this.distance + radius) });
     camera.updateProjectionMatrix();
@@ -99,9 +133,16 @@ class Orbit {
     this.pan(right.multiplyScalar(-dx * this.pixel).add(up.multiplyScalar(dy * this.pixel)));
   }
 
-  /** @param {number} factor less than 1: nearer */
-  zoom(factor) {
-    this.distance = Math.max(1e-6, Math.min(1e12, this.distance * factor));
+  /**
+   * Goes nearer, or away; what is under a pixel stays there.
+   * @param {number} factor less than 1: nearer @param {number} [x] @param {number} [y] of the pixel, from the middle
+   */
+  zoom(factor, x = 0, y = 0) {
+    this.stop();
+    const distance = Math.max(1e-6, Math.min(1e12, this.distance * factor));
+    const part = 1 - distance / this.distance;
+    if (x !== 0 || y !== 0) this.shift(-x * part, -y * part);
+    this.distance = distance;
     this.changed();
   }
 
@@ -120,6 +161,7 @@ class Orbit {
     const fraction = (/** @type {any} */ x) => typeof x === "string" && x.length < 2000 && /^-?\d+(\/\d*[1-9]\d*)?$/.test(x);
     if (!Array.isArray(c.at) || c.at.length !== 3 || !c.at.every(fraction)) throw new Error("no camera");
     if (![c.distance, c.turn, c.height].every(number) || c.distance <= 0) throw new Error("no camera");
+    this.stop();
     this.setTarget(c.at.map(Rational.of));
     this.distance = c.distance;
     this.turn = c.turn;
@@ -135,6 +177,7 @@ class Orbit {
       this.canvas.setPointerCapture(e.pointerId);
       held.set(e.pointerId, { x: e.clientX, y: e.clientY });
     });
+    this.canvas.addEventListener("pointerdown", () => this.stop());
     const release = (/** @type {PointerEvent} */ e) => held.delete(e.pointerId);
     this.canvas.addEventListener("pointerup", release);
     this.canvas.addEventListener("pointercancel", release);
@@ -146,7 +189,8 @@ class Orbit {
         if (e.shiftKey || e.buttons & 6) this.shift(dx, dy); else this.around(dx, dy);
       } else if (held.size === 2) {
         const other = [...held].filter(([id]) => id !== e.pointerId)[0][1];
-        const before = Math.hypot(was.x - other.x, was.y - other.y), now = Math.hypot(e.clientX - other.x, e.clientY - other.y);
+        const before = Math.hypot(was.x - other.x, was.y - other.y);
+        const now = Math.hypot(e.clientX - other.x, e.clientY - other.y);
         if (before > 10 && now > 10) this.zoom(before / now);
         this.shift(dx / 2, dy / 2);
       }
@@ -154,7 +198,9 @@ class Orbit {
     });
     this.canvas.addEventListener("wheel", (e) => {
       e.preventDefault();
-      this.zoom(2 ** (Math.max(-100, Math.min(100, e.deltaY * (e.deltaMode ? 30 : 1))) / 250));
+      const box = this.canvas.getBoundingClientRect();
+      this.zoom(2 ** (Math.max(-100, Math.min(100, e.deltaY * (e.deltaMode ? 30 : 1))) / 250),
+        e.clientX - box.left - box.width / 2, e.clientY - box.top - box.height / 2);
     }, { passive: false });
     this.canvas.addEventListener("contextmenu", (e) => e.preventDefault());
     this.canvas.addEventListener("keydown", (e) => {

@@ -2,16 +2,16 @@
 
 /**
  * What is under a pointer: a part of a leaf, and the face, edge or corner of it.
- *
- * @typedef {{ leaf: number, parts: ReturnType<typeof Shapes.part>[], matrix: Float64Array }} Shown  A leaf as it is drawn.
  */
 const Pick = (() => {
   /**
    * A point of the leaf, relative to the target.
    * @param {Float64Array} m @param {number[]} p
+   * @returns {[number, number, number]}
    */
   function toWorld(m, p) {
-    return [0, 1, 2].map((i) => m[i] + m[3 + 3 * i] * p[0] + m[4 + 3 * i] * p[1] + m[5 + 3 * i] * p[2]);
+    return /** @type {[number, number, number]} */ (
+      [0, 1, 2].map((i) => m[i] + m[3 + 3 * i] * p[0] + m[4 + 3 * i] * p[1] + m[5 + 3 * i] * p[2]));
   }
 
   /**
@@ -71,8 +71,13 @@ const Pick = (() => {
    */
   function first(all, origin, way) {
     let best = null;
+    const long = way[0] ** 2 + way[1] ** 2 + way[2] ** 2;
     for (const shown of all) {
       const m = shown.matrix;
+      // Most bodies are not near the ray.
+      const x = m[0] - origin[0], y = m[1] - origin[1], z = m[2] - origin[2];
+      const t = (x * way[0] + y * way[1] + z * way[2]) / long;
+      if ((x - t * way[0]) ** 2 + (y - t * way[1]) ** 2 + (z - t * way[2]) ** 2 > 1.0001 * shown.size ** 2) continue;
       const from = toBody(m, [origin[0] - m[0], origin[1] - m[1], origin[2] - m[2]]), along = toBody(m, way);
       for (const [index, part] of shown.parts.entries()) {
         const hit = enter(part, from, along);

@@ -3,181 +3,115 @@
 /**
  * The bodies of a state, drawn in space.
  *
- * `Scene.why` tells why nothing can be drawn at all; the constructor throws where a browser cannot draw.
+ * `Scene.why` tells why nothing can be drawn, if so: then the rest of the page does without.
  */
 class Scene {
   /** @type {string | null} */
   static why = typeof THREE === "undefined" ? "this file was written without the library three.js, which draws it" : null;
 
-  /** Told apart by those who see few colours, too. */
-  static palette = [
-    [0.90, 0.62, 0.0], [0.34, 0.71, 0.91], [0.0, 0.62, 0.45], [0.84, 0.37, 0.0], [0.80, 0.47, 0.65], [0.0, 0.45, 0.70],
-    [0.88, 0.82, 0.26], [0.55, 0.42, 0.85], [0.60, 0.60, 0.60], [0.70, 0.25, 0.35],
-  ];
-
   /** @param {HTMLElement} box @param {PageData} data @param {{ onPick?: (found: Chosen | null) => void }} callbacks */
   constructor(box, data, callbacks) {
     this.box = box;
     this.data = data;
+    this.callbacks = callbacks;
     /** @type {{ [option: string]: any }} */
-    this.options = { names: false, velocities: false, spins: false, trails: false, grid: true, projection: "perspective", theme: "light" };
-    this.canvas = document.createElement("canvas");
-    this.canvas.tabIndex = 0;
-    this.canvas.setAttribute("role", "img");
-    this.canvas.setAttribute("aria-label",
-      "The bodies in space. Keys: w a s d turn, with shift they move, z and shift z zoom. All that is seen is told below Bodies.");
-    Object.assign(this.canvas.style, { position: "absolute", inset: "0", width: "100%", height: "100%", touchAction: "none" });
-    try {
-      this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
-    } catch (error) {
-      throw new Error("this browser has no WebGL");
-    }
-    box.append(this.canvas);
-    this.scene = new THREE.Scene();
-    this.orbit = new Orbit(this.canvas, () => this.refresh());
-    this.marks = new Marks(this.scene, box);
-    /** @type {Map<string, Kind>} */
-    this.kinds = new Map();
-    /** @type {DataLeaf[]} */
-    this.leaves = [];
-    /** @type {ReturnType<typeof Shapes.part>[][]} */
-    this.models = [];
-    /** @type {number[]} */
-    this.sizes = [];
-    /** @type {string[]} */
-    this.shapes = [];
-    this.colors = this.#families();
-    this.#build(data.leaves);
-    const fastest = (/** @type {(p: DataProcess) => Vec | undefined} */ of) =>
-      Math.max(0, ...this.#some(data.processes).map((p) => Math.hypot(...(of(p) || ["0", "0", "0"]).map((t) => Rational.toNumber(Rational.of(t))))));
-    this.fastest = fastest((p) => p.velocity);
-    this.widest = fastest((p) => p.turn && p.turn.spin);
-    /** @type {any[]} */
-    this.shown = [];
-    /** @type {Chosen | null} */
-    this.chosen = null;
+    this.options = {
+      names: false, velocities: false, spins: false, trails: false, grid: true, legend: true, projection: "perspective",
+      theme: "light",
+    };
     /** @type {number | null} */
     this.followed = null;
-    /** What a frame took besides the drawing, in milliseconds. */
+    /** What a frame took besides the drawing by the graphics card, in milliseconds. */
     this.work = 0;
-    /** What was drawn last: the size of the picture, and the height of the floor. */
-    this.size = "";
-    this.floor = 0;
     this.waiting = false;
+    this.fitted = false;
+    this.size = "";
+    /**
+     * How high the floor is.
+     * @type {Rational}
+     */
+    this.floorAt = typeof Rational === "undefined" ? /** @type {any} */ (null) : Rational.zero;
     /** @type {{ course: Course, legs: number, time: Rational } | null} */
     this.now = null;
-    this.#listen(callbacks);
+    /**
+     * Where the pointer is, while it only points.
+     * @type {{ x: number, y: number } | null}
+     */
+    this.pointer = null;
+    this.still = window.matchMedia("(prefers-reduced-motion: reduce)");
+    this.canvas = document.createElement("canvas");
+    // These are there wherever something can be drawn at all.
+    const none = /** @type {any} */ (null);
+    this.renderer = none;
+    /** @type {Orbit} */
+    this.orbit = none;
+    /** @type {Floor} */
+    this.floor = none;
+    /** @type {Bodies} */
+    this.bodies = none;
+    /** @type {Trails} */
+    this.trails = none;
+    /** @type {Overlay} */
+    this.overlay = none;
+    /** @type {ReturnType<Scene["legend"]>} */
+    this.entries = [];
+    if (Scene.why) return;
+    const context = Scene.#context(this.canvas);
+    if (!context) {
+      Scene.why = "this browser offers no WebGL here";
+      return;
+    }
+    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, context });
+    this.renderer.autoClear = false;
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "application");
+    this.canvas.setAttribute("aria-roledescription", "scene");
+    this.canvas.setAttribute("aria-label",
+      "The bodies in space. Keys: w a s d turn, with shift they move, z and shift z zoom. All that is seen is told in Bodies.");
+    Object.assign(this.canvas.style, { position: "absolute", inset: "0", width: "100%", height: "100%", touchAction: "none" });
+    box.append(this.canvas);
+    this.scene = new THREE.Scene();
+    this.above = new THREE.Scene();
+    this.orbit = new Orbit(this.canvas, () => this.refresh());
+    this.floor = new Floor(this.scene);
+    this.bodies = new Bodies(data, this.scene, this.above);
+    this.trails = new Trails(data, this.bodies, this.scene);
+    this.overlay = new Overlay(box);
+    this.entries = this.legend();
+    this.#listen();
     new ResizeObserver(() => this.refresh()).observe(box);
   }
 
-  /**
-   * How bodies are put together.
-   * @param {DataLeaf[]} leaves
-   */
-  #build(leaves) {
-    if (leaves === this.leaves) return;
-    this.leaves = leaves;
-    this.models = leaves.map((leaf) => leaf.parts.map((p) => Shapes.part(this.data, p)));
-    this.sizes = this.models.map((parts) => Math.max(...parts.flatMap((p) => p.points.map((q) => Math.hypot(...q)))));
-    this.shapes = leaves.map((leaf) => JSON.stringify(leaf.parts.map((p) => [p.solid, p.offset])));
-  }
-
-  /** @template T @param {T[]} all @returns {T[]} not more than a few thousand of them */
-  #some(all) {
-    const every = Math.ceil(all.length / 5000);
-    return every <= 1 ? all : all.filter((_, i) => i % every === 0);
-  }
-
-  /** A colour for each family: what is named alike but for an index. */
-  #families() {
-    /** @type {Map<string, number>} */
-    const families = new Map();
-    const family = (/** @type {DataLeaf} */ leaf) => leaf.name.replace(/\[.*$/, "").replace(/[0-9]+$/, "");
-    for (const leaf of this.data.leaves)
-      if (!leaf.fixed && !families.has(family(leaf))) families.set(family(leaf), families.size);
-    return this.data.leaves.map((leaf) => {
-      if (leaf.absorbs) return [0.62, 0.45, 0.75, 0];
-      if (leaf.fixed) return [0.58, 0.63, 0.69, 0];
-      const color = Scene.palette[(families.get(family(leaf)) || 0) % Scene.palette.length];
-      return [...color, 0];
-    });
-  }
-
-  /**
-   * The kind of that name, made when it is first asked for.
-   * @param {string} name @param {() => Kind} make
-   * @returns {Kind}
-   */
-  #kind(name, make) {
-    const known = this.kinds.get(name);
-    if (known) return known;
-    const made = make();
-    this.kinds.set(name, made);
-    for (const object of made.objects) this.scene.add(object);
-    this.#paint(made);
-    return made;
-  }
-
-  /** @param {Kind} drawn */
-  #paint(drawn) {
-    if (drawn.edges && !drawn.edges.uniforms.own.value)
-      drawn.edges.uniforms.color.value.set(this.dark ? 0x0a0d12 : 0x1b2430);
+  /** @param {HTMLCanvasElement} canvas @returns {RenderingContext | null} */
+  static #context(canvas) {
+    const wanted = { alpha: true, antialias: true, stencil: true, premultipliedAlpha: true };
+    try {
+      return canvas.getContext("webgl", wanted);
+    } catch (_) {
+      return null;
+    }
   }
 
   get dark() { return this.options.theme === "dark"; }
 
-  /** @param {number} leaf */
-  #body(leaf) {
-    const { fixed, absorbs } = this.data.leaves[leaf];
-    return this.#kind(`body ${fixed} ${absorbs} ${this.shapes[leaf]}`, () =>
-      new Kind(Shapes.body(this.models[leaf]), {
-        opacity: fixed ? 0.26 : 1, lineOpacity: fixed ? 0.35 : 0.75, stripes: absorbs, stripeSize: this.sizes[leaf] / 4,
-      }));
-  }
-
-  /**
-   * A feature that is open: names are plain, co-names are striped.
-   * @param {number} leaf @param {DataSite} site @param {boolean} co
-   */
-  #open(leaf, [part, kind, index], co) {
-    return this.#kind(`open ${co} ${part} ${kind} ${index} ${this.shapes[leaf]}`, () => {
-      const size = this.sizes[leaf];
-      return new Kind({ faces: Shapes.feature(this.models[leaf][part], kind, index, size) },
-        { stripes: co, stripeSize: size / 5, flat: true, pull: true });
-    });
-  }
-
-  /**
-   * An outline that is seen through what is in front of it: of what holds a bond, or is selected.
-   * @param {number} leaf @param {DataSite} site
-   */
-  #outline(leaf, [part, kind, index]) {
-    return this.#kind(`outline ${part} ${kind} ${index} ${this.shapes[leaf]}`, () => {
-      const size = this.sizes[leaf], model = this.models[leaf][part];
-      const ball = new Shapes.Triangles();
-      Shapes.ball(ball, Shapes.middle(Shapes.corners(model, kind, index)), 0.055 * size);
-      return new Kind({ faces: ball, lines: Shapes.outline(model, kind, index, size) },
-        { above: true, flat: true, ownLines: true, order: 5 });
-    });
-  }
-
-  /** @param {number} leaf */
-  #whole(leaf) {
-    return this.#kind(`whole ${this.shapes[leaf]}`, () =>
-      new Kind({ lines: Shapes.body(this.models[leaf]).lines }, { above: true, ownLines: true, lineOpacity: 0.7, order: 5 }));
-  }
-
-  #arrow() {
-    return this.#kind("arrow", () => new Kind({ faces: Shapes.arrow() }, { order: 3 }));
-  }
-
-  /**
-   * A colour for a channel: the same for all that may bind by it.
-   * @param {string} name
-   */
-  #channel(name) {
-    const color = new THREE.Color().setHSL(Channels.hue(name), 0.85, this.dark ? 0.62 : 0.5);
-    return [color.r, color.g, color.b, 0];
+  /** What colours and patterns mean. */
+  legend() {
+    /** @type {{ text: string, color: number[], shape: "body" | "name" | "co" | "fixed" }[]} */
+    const entries = [];
+    const seen = new Set();
+    for (const { name, color, fixed, absorbs } of this.bodies.families) {
+      const key = `${name} ${fixed} ${absorbs}`;
+      if (seen.has(key)) continue;
+      seen.add(key);
+      const text = absorbs ? `${name} (absorbs)` : fixed ? `${name} (fixed)` : name;
+      entries.push({ text, color, shape: fixed ? "fixed" : "body" });
+    }
+    const open = this.data.behaviours.flatMap((b) => b.open);
+    for (const [channel, color] of this.bodies.channels)
+      for (const co of [false, true])
+        if (open.some((o) => o.channel === channel && o.co === co))
+          entries.push({ text: co ? `~${channel}` : channel, color, shape: co ? "co" : "name" });
+    return entries;
   }
 
   /**
@@ -185,14 +119,14 @@ class Scene {
    * @param {Course} course @param {number} legs @param {Rational} time
    */
   show(course, legs, time) {
-    this.#build(course.leaves);
     this.now = { course, legs, time };
+    if (!Scene.why && this.bodies.setLeaves(course.leaves)) this.entries = this.legend();
     this.refresh();
   }
 
   /** Draws when the browser is next ready to. */
   refresh() {
-    if (this.waiting || !this.now) return;
+    if (this.waiting || !this.now || Scene.why) return;
     this.waiting = true;
     window.requestAnimationFrame(() => {
       this.waiting = false;
@@ -200,121 +134,129 @@ class Scene {
     });
   }
 
+  /** Draws now. */
   draw() {
     const now = this.now, width = this.box.clientWidth, height = this.box.clientHeight;
     if (!now || width === 0 || height === 0) return;
     const began = performance.now();
-    const bodies = now.course.bodiesAfter(now.legs, now.time);
-    this.#goAlong(now.course, bodies);
-    for (const kind of this.kinds.values()) kind.clear();
-    this.#place(now.course, bodies);
-    const radius = this.extent();
-    this.orbit.place(width, height, radius);
-    this.#surroundings(now);
-    for (const kind of this.kinds.values()) kind.finish();
+    const { orbit, bodies, options } = this;
+    const present = now.course.bodiesAfter(now.legs, now.time);
+    this.#goAlong(now.course, present);
+    bodies.update(now.course, present, orbit.target);
+    orbit.place(width, height, this.#extent());
+    this.floor.place(orbit.at, orbit.distance, this.floorAt, bodies.colors, options.grid);
+    this.#shared(width, height);
+    bodies.arrows(/** @type {any} */ (options), orbit.distance);
+    this.trails.update(now.course, now.legs, now.time, orbit, options.trails);
+    if (this.pointer) this.#hover(this.pointer);
+    if (!bodies.last.bodies) bodies.update(now.course, present, orbit.target);
+    bodies.finish();
     this.#words(width, height);
     this.work = performance.now() - began;
-    /** @type {string} */
-    const size = `${width} ${height} ${window.devicePixelRatio}`;
-    if (size !== this.size) {
-      this.size = size;
-      this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
-      this.renderer.setSize(width, height, false);
-    }
-    this.renderer.render(this.scene, this.orbit.camera);
+    this.renderer.clear();
+    this.renderer.render(this.scene, orbit.camera);
+    this.renderer.clearDepth();
+    this.renderer.render(this.above, orbit.camera);
   }
 
-  /** @param {Course} course @param {Moving[]} bodies */
-  #goAlong(course, bodies) {
-    if (this.followed === null) return;
-    for (const body of bodies)
+  /** @param {number} width @param {number} height */
+  #shared(width, height) {
+    const ratio = Math.min(2, window.devicePixelRatio || 1);
+    if (this.size !== `${width} ${height} ${ratio}`) {
+      this.size = `${width} ${height} ${ratio}`;
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(width, height, false);
+    }
+    const { floor, orbit } = this;
+    Kind.shared.size.value.set(width, height);
+    Kind.shared.near.value = orbit.parallel ? 0 : orbit.camera.near;
+    Kind.shared.ground.value = floor.ground + 1e-3 * floor.step;
+    Kind.shared.shadow.value = this.options.grid && orbit.direction.y > 0 ? this.bodies.colors.shadow : 0;
+  }
+
+  /** @param {Course} course @param {Moving[]} present */
+  #goAlong(course, present) {
+    if (this.followed === null || this.orbit.flight) return;
+    for (const body of present)
       for (const place of body.process.leaves)
         if (place.leaf === this.followed) this.orbit.lookAt(course.position(body, place).map(Rational.toNumber));
   }
 
-  /** @param {Course} course @param {Moving[]} bodies */
-  #place(course, bodies) {
-    const target = this.orbit.target, data = this.data;
-    let n = 0;
-    for (const body of bodies) {
-      const from = n;
-      for (const place of body.process.leaves) {
-        let shown = this.shown[n];
-        if (!shown) this.shown[n] = shown = { leaf: 0, parts: [], matrix: new Float64Array(12), body, place };
-        Object.assign(shown, { leaf: place.leaf, parts: this.models[place.leaf], body, place });
-        course.place(body, place, target, shown.matrix);
-        this.#body(place.leaf).push(shown.matrix, this.colors[place.leaf]);
-        for (const channel of data.behaviours[place.behaviour].open) {
-          const color = this.#channel(channel.channel);
-          for (const site of channel.sites) this.#open(place.leaf, site, channel.co).push(shown.matrix, color);
-        }
-        n++;
-      }
-      for (const bond of body.process.bonds)
-        for (const end of bond.ends) {
-          const at = this.shown.slice(from, n).find((s) => s.leaf === end.leaf);
-          if (at) this.#outline(end.leaf, end.site).push(at.matrix, this.dark ? [1, 1, 1, 0] : [0.05, 0.06, 0.1, 0]);
-        }
-      if (this.options.velocities) this.#pointer(body, this.shown[from], body.process.velocity, this.fastest, [0.15, 0.55, 0.95, 0]);
-      if (this.options.spins && body.process.turn)
-        this.#pointer(body, this.shown[from], body.process.turn.spin, this.widest, [0.95, 0.35, 0.65, 0]);
+  /** @param {number} width @param {number} height */
+  #words(width, height) {
+    const { overlay, bodies, orbit, floor, options } = this;
+    overlay.begin(width, height, Math.min(2, window.devicePixelRatio || 1), bodies.colors);
+    const project = this.projector(width, height);
+    overlay.axes(orbit.camera.matrixWorld.elements);
+    const tools = this.#tools(), long = floor.step / orbit.pixel;
+    if (options.grid) overlay.scale(long, floor.decimal(1n), tools.right > width - long - 30 ? tools.height : 0);
+    if (options.legend && this.entries.length > 1) overlay.legend(this.entries);
+    const at = (/** @type {Shown} */ s) => project(Pick.toWorld(s.matrix, bodies.centres[s.leaf]));
+    const chosen = bodies.chosen ? bodies.byLeaf.get(bodies.chosen.leaf) : undefined;
+    const named = options.names ? bodies.shown : chosen ? [chosen] : [];
+    /** @type {{ shown: Shown, x: number, y: number, depth: number }[]} */
+    const places = [];
+    for (const shown of named) {
+      const p = at(shown);
+      if (p.seen && p.x > -50 && p.y > -20 && p.x < width + 50 && p.y < height + 20) places.push({ shown, ...p });
     }
-    this.shown.length = n;
-    const chosen = this.chosen;
-    if (!chosen) return;
-    const at = this.shown.find((s) => s.leaf === chosen.leaf);
-    if (!at) return;
-    const mark = this.dark ? [1, 0.85, 0.3, 0] : [0.85, 0.1, 0.3, 0];
-    this.#whole(chosen.leaf).push(at.matrix, mark);
-    const { part, kind, index } = chosen;
-    if (part !== null && part !== undefined && kind && index !== null && index !== undefined)
-      this.#outline(chosen.leaf, [part, kind, index]).push(at.matrix, mark);
+    places.sort((a, b) => (b.shown === chosen ? 1 : 0) - (a.shown === chosen ? 1 : 0) || a.depth - b.depth);
+    const style = { size: 12, strong: true, color: bodies.colors.text };
+    let said = 0;
+    for (const { shown, x, y } of places.slice(0, 1000)) {
+      if (said >= 250) break;
+      if (overlay.word(this.bodies.leaves[shown.leaf].name, x, y, { ...style, force: shown === chosen })) said++;
+    }
+    if (options.grid) {
+      const { x, z } = bodies.colors;
+      for (const n of floor.numbers(this.#clip(), width, height, tools.height))
+        if (!this.#covered(n.x, n.y)) overlay.word(n.text, n.x, n.y, { size: 10.5, color: Colors.css(Colors.mix(n.axis ? z : x, bodies.colors.grid, 0.35)) });
+    }
+    const pointed = this.pointer && bodies.hovered;
+    if (this.pointer && pointed)
+      overlay.word(this.#told(pointed), this.pointer.x, this.pointer.y - 18, { ...style, size: 11.5, force: true });
+  }
+
+  /** How much of the picture is under the buttons below: from below, and from the left. */
+  #tools() {
+    const parent = this.box.parentElement, bar = parent && parent.querySelector("[role=toolbar]");
+    const box = this.box.getBoundingClientRect(), of = bar && bar.getBoundingClientRect();
+    if (!of || of.height === 0 || of.top < box.top + box.height / 2) return { height: 0, right: 0 };
+    return { height: Math.max(0, box.bottom - of.top), right: of.right - box.left };
   }
 
   /**
-   * An arrow from the middle of a process, the longest of all a good part of the picture.
-   * @param {Moving} body @param {any} shown @param {Vec} vec @param {number} most @param {number[]} color
+   * Whether a body that is not seen through is at a pixel.
+   * @param {number} x @param {number} y
    */
-  #pointer(body, shown, vec, most, color) {
-    const v = vec.map((t) => Rational.toNumber(Rational.of(t)));
-    const long = Math.hypot(...v);
-    if (!(long > 0) || !(most > 0) || this.data.leaves[shown.leaf].fixed) return;
-    const length = (0.28 * this.orbit.distance * (0.15 + 0.85 * (long / most)));
-    const x = Shapes.unit([v[0], v[1], v[2]]);
-    const y = Shapes.unit(Shapes.cross(x, Math.abs(x[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0])), z = Shapes.cross(x, y);
-    const m = shown.matrix, l = length;
-    this.#arrow().push([m[0], m[1], m[2], l * x[0], l * y[0], l * z[0], l * x[1], l * y[1], l * z[1], l * x[2], l * y[2], l * z[2]], color);
+  #covered(x, y) {
+    const found = this.pick(x, y, 0);
+    return found !== null && !this.bodies.leaves[found.leaf].fixed;
   }
 
-  /** @param {{ course: Course, legs: number, time: Rational }} now */
-  #surroundings({ course, legs, time }) {
-    const at = this.orbit.at.map(Rational.toNumber);
-    this.marks.dark = this.dark;
-    this.marks.ground(this.floor - at[1], at.map((x) => -x), this.orbit.distance, this.options.grid);
-    const trails = [];
-    if (this.options.trails)
-      for (const shown of this.shown) {
-        if (this.data.leaves[shown.leaf].fixed || trails.length >= 300) continue;
-        trails.push({ points: course.trail(shown.leaf, legs, time, this.orbit.target), color: this.colors[shown.leaf] });
-      }
-    this.marks.trails(trails);
+  /**
+   * The name of what is pointed at, and the channels that are open on it.
+   * @param {Chosen} chosen
+   */
+  #told({ leaf, part, kind, index }) {
+    const of = this.bodies.leaves[leaf];
+    const in_ = typeof part === "number" ? of.parts[part] : undefined;
+    if (!in_ || !kind || typeof index !== "number") return of.name;
+    const solid = this.data.solids[in_.solid];
+    const name = kind === "face" ? solid.faces[index].name : kind === "edge" ? solid.edges[index].name : solid.corners[index];
+    const shown = this.bodies.byLeaf.get(leaf);
+    const open = !shown ? [] : this.data.behaviours[shown.place.behaviour].open
+      .filter((o) => o.sites.some((s) => s[0] === part && s[1] === kind && s[2] === index))
+      .map((o) => (o.co ? "~" : "") + o.channel);
+    return `${in_.name}.${name}${open.length ? ": " + open.join(", ") : ""}`;
   }
 
-  /** @param {number} width @param {number} height */
-  #words(width, height) {
-    const project = this.projector(width, height);
-    this.marks.begin();
-    for (const { text, at } of this.marks.numbers || []) {
-      const p = project(at);
-      if (p.seen && p.x > 8 && p.y > 8 && p.x < width - 8 && p.y < height - 8) this.marks.word(text, p, false);
-    }
-    const named = this.options.names ? this.shown.filter((s) => this.shown.length <= 60 || !this.data.leaves[s.leaf].fixed).slice(0, 200) : [];
-    for (const shown of named) {
-      const centre = Shapes.middle(shown.parts.map((/** @type {any} */ p) => p.centre));
-      const p = project(Pick.toWorld(shown.matrix, centre));
-      if (p.seen) this.marks.word(this.data.leaves[shown.leaf].name, p, true);
-    }
-    this.marks.end();
+  /** @returns {(p: number[]) => number[]} from points relative to the target to clip space */
+  #clip() {
+    const camera = this.orbit.camera;
+    const inverse = new THREE.Matrix4().getInverse(camera.matrixWorld);
+    const m = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, inverse).elements;
+    return (p) => [0, 1, 2, 3].map((i) => m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i]);
   }
 
   /**
@@ -322,86 +264,122 @@ class Scene {
    * @param {number} width @param {number} height
    */
   projector(width, height) {
-    const camera = this.orbit.camera;
-    const m = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse.getInverse(camera.matrixWorld)).elements;
+    const clip = this.#clip();
     return (/** @type {number[]} */ p) => {
-      const row = (/** @type {number} */ i) => m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i];
-      const w = row(3);
-      return { x: (0.5 + row(0) / w / 2) * width, y: (0.5 - row(1) / w / 2) * height, seen: w > 0 };
+      const [x, y, z, w] = clip(p);
+      return { x: (0.5 + x / w / 2) * width, y: (0.5 - y / w / 2) * height, depth: z / w, seen: w > 0 };
     };
   }
 
   /** How far what is shown reaches from the target. */
-  extent() {
+  #extent() {
     let far = this.orbit.distance;
-    for (const s of this.shown) far = Math.max(far, Math.hypot(s.matrix[0], s.matrix[1], s.matrix[2]) + this.sizes[s.leaf]);
+    for (const { matrix: m, size } of this.bodies.shown)
+      far = Math.max(far, Math.sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) + size);
     return far;
   }
 
-  /** Sees all bodies: those that move, and what is fixed unless it is much larger. */
+  /** Sees all bodies: those that move, and what is fixed unless it is much larger; at first, those of the whole run. */
   fit() {
-    if (!this.now) return;
-    const { course, legs, time } = this.now;
-    const zero = Motion.target({ n: [0n, 0n, 0n], d: 1n }), out = new Float64Array(12);
-    /** @type {{ low: number[], high: number[], fixed: boolean }[]} */
-    const all = [];
-    for (const body of course.bodiesAfter(legs, time))
-      for (const place of body.process.leaves) {
-        course.place(body, place, zero, out);
-        const points = this.models[place.leaf].flatMap((p) => p.points).map((p) => Pick.toWorld(out, p));
-        const range = (/** @type {(...x: number[]) => number} */ f) => [0, 1, 2].map((i) => f(...points.map((p) => p[i])));
-        all.push({ low: range(Math.min), high: range(Math.max), fixed: this.data.leaves[place.leaf].fixed });
+    const now = this.now;
+    if (!now || Scene.why) return;
+    const { course, legs, time } = now;
+    const here = Frame.boxes(this.bodies, course, course.bodiesAfter(legs, time));
+    let all = here;
+    if (!this.fitted)
+      for (let i = 0; i <= 8; i++) {
+        const at = Rational.mul(course.duration, Rational.make(BigInt(i), 8n));
+        all = all.concat(Frame.boxes(this.bodies, course, course.bodiesAt(at)).filter((b) => !b.fixed));
       }
-    const moving = all.filter((b) => !b.fixed);
-    const box = (/** @type {typeof all} */ of) => ({
-      low: [0, 1, 2].map((i) => Math.min(...of.map((b) => b.low[i]))),
-      high: [0, 1, 2].map((i) => Math.max(...of.map((b) => b.high[i]))),
-    });
-    const size = (/** @type {{ low: number[], high: number[] }} */ b) => Math.hypot(...b.high.map((h, i) => h - b.low[i]));
-    let seen = box(moving.length ? moving : all);
-    const near = all.filter((b) => b.fixed && size(b) <= 3 * size(seen));
-    if (moving.length && near.length) seen = box([...moving, ...near]);
-    if (!seen.low.every(Number.isFinite)) return;
-    this.floor = Math.min(seen.low[1], ...near.map((b) => b.low[1]));
-    const aspect = this.box.clientWidth / Math.max(1, this.box.clientHeight) || 1;
-    this.orbit.distance = Math.max(1e-6, 0.5 * size(seen)) / Math.sin((20 * Math.PI) / 180) / Math.min(1, aspect) * 0.92;
-    this.orbit.lookAt(seen.low.map((l, i) => (l + seen.high[i]) / 2));
+    let seen = Frame.whole(here);
+    const later = Frame.whole(all);
+    if (!seen || !later) return;
+    if (later.size < 3.5 * seen.size) seen = later;
+    const { at, distance } = Frame.fit(seen.points, this.orbit, this.box.clientWidth, this.box.clientHeight);
+    const { lead, power } = Floor.round(distance / 9), step = lead * 10 ** power;
+    this.floorAt = Rational.fromNumber(Math.floor(seen.low[1] / step + 1e-6) * step);
+    this.followed = null;
+    this.orbit.fly(at, distance, this.still.matches || !this.fitted);
+    this.fitted = true;
     this.refresh();
   }
 
   /** @param {{ [option: string]: any }} options */
   setOptions(options) {
+    const dark = this.dark;
     Object.assign(this.options, options);
+    if (Scene.why) return;
     this.orbit.parallel = this.options.projection === "orthographic";
-    for (const kind of this.kinds.values()) this.#paint(kind);
+    if (dark !== this.dark) this.bodies.setTheme(this.dark);
     this.refresh();
   }
 
   /** @param {number | null} leaf */
-  follow(leaf) { this.followed = leaf; this.refresh(); }
+  follow(leaf) {
+    this.followed = leaf;
+    this.refresh();
+  }
 
   /** @param {Chosen | null} chosen */
-  select(chosen) { this.chosen = chosen; this.refresh(); }
+  select(chosen) {
+    if (Scene.why) return;
+    this.bodies.chosen = chosen;
+    this.bodies.relay();
+    this.refresh();
+  }
 
-  camera() { return this.orbit.save(); }
+  camera() { return Scene.why ? {} : this.orbit.save(); }
 
   /** @param {{ [key: string]: any }} camera */
   setCamera(camera) {
+    if (Scene.why) return;
     this.orbit.load(camera);
+    this.fitted = true;
     this.options.projection = this.orbit.parallel ? "orthographic" : "perspective";
     this.refresh();
   }
 
-  /** @param {{ onPick?: (found: Chosen | null) => void }} callbacks */
-  #listen(callbacks) {
-    let from = { x: 0, y: 0 };
-    this.canvas.addEventListener("pointerdown", (e) => { from = { x: e.clientX, y: e.clientY }; });
-    this.canvas.addEventListener("pointerup", (e) => {
-      if (e.button !== 0 || Math.hypot(e.clientX - from.x, e.clientY - from.y) > 4) return;
+  #listen() {
+    let from = { x: 0, y: 0 }, held = 0;
+    const at = (/** @type {PointerEvent} */ e) => {
       const box = this.canvas.getBoundingClientRect();
-      const found = this.pick(e.clientX - box.left, e.clientY - box.top, e.pointerType === "touch" ? 16 : 8);
-      if (callbacks.onPick) callbacks.onPick(found);
+      return { x: e.clientX - box.left, y: e.clientY - box.top };
+    };
+    const point = (/** @type {{ x: number, y: number } | null} */ to) => {
+      this.pointer = to;
+      if (!to && this.bodies.hovered) {
+        this.bodies.hovered = null;
+        this.bodies.relay();
+      }
+      this.refresh();
+    };
+    this.canvas.addEventListener("pointerdown", (e) => {
+      from = at(e);
+      held++;
+      point(null);
     });
+    this.canvas.addEventListener("pointermove", (e) => {
+      if (e.pointerType === "mouse" && e.buttons === 0) point(at(e));
+    });
+    this.canvas.addEventListener("pointerleave", () => point(null));
+    this.canvas.addEventListener("pointercancel", () => { held = 0; });
+    this.canvas.addEventListener("pointerup", (e) => {
+      const to = at(e), many = held > 1;
+      held = Math.max(0, held - 1);
+      if (e.button !== 0 || many || Math.hypot(to.x - from.x, to.y - from.y) > 4) return;
+      const found = this.pick(to.x, to.y, e.pointerType === "touch" ? 16 : 8);
+      if (this.callbacks.onPick) this.callbacks.onPick(found);
+    });
+    this.canvas.addEventListener("webglcontextrestored", () => this.refresh());
+  }
+
+  /** @param {{ x: number, y: number }} pointer */
+  #hover(pointer) {
+    const found = this.pick(pointer.x, pointer.y);
+    if (JSON.stringify(found) === JSON.stringify(this.bodies.hovered)) return;
+    this.bodies.hovered = found;
+    this.bodies.relay();
+    this.canvas.style.cursor = found ? "pointer" : "grab";
   }
 
   /**
@@ -413,7 +391,7 @@ class Scene {
     const width = this.box.clientWidth, height = this.box.clientHeight, camera = this.orbit.camera;
     const end = (/** @type {number} */ z) => new THREE.Vector3((2 * x) / width - 1, 1 - (2 * y) / height, z).unproject(camera);
     const a = end(-1), b = end(1);
-    const hit = Pick.first(this.shown, [a.x, a.y, a.z], [b.x - a.x, b.y - a.y, b.z - a.z]);
+    const hit = Pick.first(this.bodies.shown, [a.x, a.y, a.z], [b.x - a.x, b.y - a.y, b.z - a.z]);
     if (!hit) return null;
     const { kind, index } = Pick.feature(hit.shown, hit.part, hit.face, this.projector(width, height), x, y, near);
     return { leaf: hit.shown.leaf, part: hit.part, kind, index };

@@ -1,0 +1,177 @@
+"use strict";
+
+/** The floor: a grid of whole multiples of a step, and the axes where they are near. */
+class Floor {
+  /** How many steps of it are seen around what is looked at. */
+  static reach = 15;
+
+  /** @param {any} scene of three.js */
+  constructor(scene) {
+    this.uniforms = {
+      ground: { value: 0 }, step: { value: 1 }, reach: { value: Floor.reach }, shift: { value: new THREE.Vector2() },
+      origin: { value: new THREE.Vector2() }, grid: { value: new THREE.Color() }, x: { value: new THREE.Color() },
+      z: { value: new THREE.Color() },
+    };
+    const material = new THREE.ShaderMaterial({
+      extensions: { derivatives: true },
+      uniforms: this.uniforms,
+      vertexShader: `
+        uniform float ground; uniform float step; uniform float reach; varying vec2 vAt;
+        void main() {
+          vAt = position.xz * reach;
+          gl_Position = projectionMatrix * viewMatrix * vec4(vAt.x * step, ground, vAt.y * step, 1.0);
+        }`,
+      fragmentShader: `
+        uniform float reach; uniform vec2 shift; uniform vec2 origin; uniform vec3 grid; uniform vec3 x; uniform vec3 z;
+        varying vec2 vAt;
+        float lines(vec2 p, float width) {
+          vec2 f = fwidth(p);
+          vec2 near = clamp(0.5 * width + 0.5 - abs(fract(p - 0.5) - 0.5) / f, 0.0, 1.0) * (1.0 - smoothstep(0.15, 0.5, f));
+          return max(near.x, near.y);
+        }
+        void main() {
+          vec2 p = vAt + shift;
+          float seen = max(0.28 * lines(p, 1.0), 0.5 * lines(p / 5.0, 1.2));
+          vec3 color = grid;
+          vec2 axes = clamp(1.4 - abs(vAt - origin) / fwidth(vAt), 0.0, 1.0);
+          if (axes.y > 0.0) { color = mix(color, x, axes.y); seen = max(seen, 0.9 * axes.y); }
+          if (axes.x > 0.0) { color = mix(color, z, axes.x); seen = max(seen, 0.9 * axes.x); }
+          gl_FragColor = vec4(color, seen * (1.0 - smoothstep(0.45, 1.0, length(vAt) / reach)));
+        }`,
+      transparent: true, depthWrite: false, side: THREE.DoubleSide,
+    });
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.Float32BufferAttribute([-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1], 3));
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    this.object = new THREE.Mesh(geometry, material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = -8;
+    scene.add(this.object);
+    this.step = 1;
+    this.ground = 0;
+    /** The last multiple of the step before the target, along x and z, and how far it is, in steps. */
+    this.whole = [0n, 0n];
+    this.rest = [0, 0];
+    /** Digits of the step: lead times a power of ten. */
+    this.power = 0;
+    this.lead = 1;
+  }
+
+  /**
+   * A step of 1, 2 or 5 times a power of ten.
+   * @param {number} x @returns {{ lead: number, power: number }}
+   */
+  static round(x) {
+    const power = Math.floor(Math.log10(x)), lead = x / 10 ** power;
+    return lead < 1.5 ? { lead: 1, power } : lead < 3.5 ? { lead: 2, power } : lead < 7.5 ? { lead: 5, power }
+      : { lead: 1, power: power + 1 };
+  }
+
+  /**
+   * @param {Rational[]} at what is looked at @param {number} distance of the camera @param {Rational} height of the floor
+   * @param {ReturnType<typeof Colors.theme>} colors @param {boolean} shown
+   */
+  place(at, distance, height, colors, shown) {
+    const { lead, power } = Floor.round(distance / 9);
+    this.lead = lead;
+    this.power = power;
+    this.step = lead * 10 ** power;
+    this.ground = Rational.toNumber(Rational.sub(height, at[1]));
+    const ten = 10n ** BigInt(Math.abs(power));
+    const step = power < 0 ? Rational.make(BigInt(lead), ten) : Rational.make(BigInt(lead) * ten, 1n);
+    [at[0], at[2]].forEach((t, i) => {
+      const steps = Rational.div(t, step);
+      let k = steps.n / steps.d;
+      if (k * steps.d > steps.n) k -= 1n;
+      this.whole[i] = k;
+      this.rest[i] = Rational.toNumber(Rational.sub(steps, Rational.make(k, 1n)));
+    });
+    const u = this.uniforms;
+    const near = (/** @type {number} */ i) => Math.max(-1e4, Math.min(1e4, -Number(this.whole[i]) - this.rest[i]));
+    u.ground.value = this.ground;
+    u.step.value = this.step;
+    u.shift.value.set(...[0, 1].map((i) => Number(((this.whole[i] % 5n) + 5n) % 5n) + this.rest[i]));
+    u.origin.value.set(near(0), near(1));
+    u.grid.value.setRGB(...colors.grid);
+    u.x.value.setRGB(...colors.x);
+    u.z.value.setRGB(...colors.z);
+    this.object.visible = shown;
+  }
+
+  /**
+   * A multiple of the step, as a decimal.
+   * @param {bigint} n
+   */
+  decimal(n) {
+    const digits = n * BigInt(this.lead), size = digits < 0n ? -digits : digits;
+    const sign = digits < 0n ? "\u2212" : "";
+    if (this.power >= 0) {
+      const text = size === 0n ? "0" : String(size) + "0".repeat(this.power);
+      return sign + (text.length > 12 ? Number(text).toExponential(4) : text);
+    }
+    const text = String(size).padStart(1 - this.power, "0"), point = text.length + this.power;
+    const whole = text.slice(0, point), part = text.slice(point).replace(/0+$/, "");
+    return sign + whole + (part ? "." + part : "");
+  }
+
+  /**
+   * Numbers at the ends of the grid's lines, where they leave the picture or the floor.
+   * @param {(p: number[]) => number[]} clip to clip space @param {number} width @param {number} height
+   * @param {number} margin how much of the picture is covered from below
+   * @returns {{ text: string, axis: number, x: number, y: number }[]}
+   */
+  numbers(clip, width, height, margin) {
+    const reach = 0.6 * Floor.reach;
+    /** @type {{ text: string, axis: number, x: number, y: number }[]} */
+    const found = [];
+    for (const axis of [0, 1]) {
+      /** @type {{ n: bigint, x: number, y: number }[]} */
+      const ends = [];
+      for (let i = -Math.floor(reach); i <= reach; i++) {
+        const a = (i - this.rest[axis]) * this.step, half = Math.sqrt(Math.max(0, (reach * this.step) ** 2 - a * a));
+        const point = (/** @type {number} */ b) => (axis === 0 ? [a, this.ground, b] : [b, this.ground, a]);
+        const end = Floor.#leaves(clip(point(-half)), clip(point(half)), width, height, margin);
+        if (end) ends.push({ n: this.whole[axis] + BigInt(i), ...end });
+      }
+      const stride = [1n, 2n, 5n, 10n].find((by) => {
+        const kept = ends.filter((e) => e.n % by === 0n);
+        return kept.every((e, i) => i === 0 || Math.hypot(e.x - kept[i - 1].x, e.y - kept[i - 1].y) > 38);
+      }) || 20n;
+      const kept = ends.filter((e) => e.n % stride === 0n);
+      kept.forEach((e, i) => {
+        const text = this.decimal(e.n);
+        found.push({ text: i === kept.length >> 1 ? `${"xz"[axis]} = ${text}` : text, axis, x: e.x, y: e.y });
+      });
+    }
+    return found;
+  }
+
+  /**
+   * The end of a line that is nearer to the viewer, within the picture.
+   * @param {number[]} a @param {number[]} b in clip space @param {number} width @param {number} height
+   * @param {number} margin
+   */
+  static #leaves(a, b, width, height, margin) {
+    const w = 1e-3 * Math.max(a[3], b[3]);
+    if (!(w > 0)) return null;
+    const mix = (/** @type {number[]} */ p, /** @type {number[]} */ q, /** @type {number} */ t) => p.map((x, i) => x + t * (q[i] - x));
+    if (a[3] < w) a = mix(a, b, (w - a[3]) / (b[3] - a[3]));
+    if (b[3] < w) b = mix(b, a, (w - b[3]) / (a[3] - b[3]));
+    const pixel = (/** @type {number[]} */ p) => [(0.5 + p[0] / p[3] / 2) * width, (0.5 - p[1] / p[3] / 2) * height];
+    const p = pixel(a), q = pixel(b), d = [q[0] - p[0], q[1] - p[1]];
+    const low = [26, 14], high = [width - 26, height - 14 - margin];
+    let from = 0, to = 1;
+    for (const i of [0, 1]) {
+      if (Math.abs(d[i]) < 1e-9) {
+        if (p[i] < low[i] || p[i] > high[i]) return null;
+        continue;
+      }
+      const s = (low[i] - p[i]) / d[i], t = (high[i] - p[i]) / d[i];
+      from = Math.max(from, Math.min(s, t));
+      to = Math.min(to, Math.max(s, t));
+    }
+    if (from >= to) return null;
+    const t = d[1] > 0 ? to : from;
+    return { x: p[0] + t * d[0], y: p[1] + t * d[1] };
+  }
+}

@@ -1,0 +1,89 @@
+"use strict";
+
+/** What a picture is to hold, and from where it does. */
+const Frame = (() => {
+  /** @typedef {{ points: [number, number, number][], low: number[], high: number[], fixed: boolean }} Box */
+
+  /**
+   * Where each body is, in floats: the picture need not be exact.
+   * @param {Bodies} bodies @param {Course} course @param {Moving[]} present
+   * @returns {Box[]}
+   */
+  function boxes(bodies, course, present) {
+    const zero = Motion.target({ n: [0n, 0n, 0n], d: 1n }), out = new Float64Array(12);
+    return present.flatMap((body) => body.process.leaves.map((place) => {
+      course.place(body, place, zero, out);
+      const points = bodies.models[place.leaf].flatMap((p) => p.points).map((p) => Pick.toWorld(out, p));
+      return { points, ...range(points), fixed: bodies.leaves[place.leaf].fixed };
+    }));
+  }
+
+  /** @param {number[][]} points */
+  function range(points) {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (const p of points)
+      for (let i = 0; i < 3; i++) {
+        low[i] = Math.min(low[i], p[i]);
+        high[i] = Math.max(high[i], p[i]);
+      }
+    return { low, high };
+  }
+
+  /** @param {{ low: number[], high: number[] }} box */
+  const size = ({ low, high }) => Math.hypot(...high.map((h, i) => h - low[i]));
+
+  /**
+   * All that moves, and what is fixed, unless it is much larger.
+   * @param {Box[]} all
+   */
+  function whole(all) {
+    const moving = all.filter((b) => !b.fixed);
+    const main = moving.length ? moving : all;
+    const around = range(main.flatMap((b) => [b.low, b.high])), wide = size(around);
+    const near = all.filter((b) => b.fixed && size(b) <= 4 * wide);
+    const points = [...main, ...near].flatMap((b) => b.points);
+    const box = range(points);
+    if (!box.low.every(Number.isFinite) || !box.high.every(Number.isFinite)) return null;
+    return { points, ...box, size: size(box) };
+  }
+
+  /**
+   * From where an orbit sees all points, as large as may be.
+   * @param {[number, number, number][]} points @param {Orbit} orbit @param {number} width @param {number} height
+   */
+  function fit(points, orbit, width, height) {
+    const d = orbit.direction, back = /** @type {[number, number, number]} */ ([d.x, d.y, d.z]);
+    const right = Shapes.unit(Shapes.cross([0, 1, 0], back)), up = Shapes.cross(back, right);
+    const seen = points.map((p) => [Shapes.dot(p, right), Shapes.dot(p, up), Shapes.dot(p, back)]);
+    // Words and buttons have some room at the border.
+    const room = Math.min(56, 0.16 * Math.min(width, height));
+    const tall = Math.tan((20 * Math.PI) / 180) * Math.max(0.3, 1 - (2 * room) / Math.max(1, height));
+    const wide = (Math.tan((20 * Math.PI) / 180) * Math.max(1, width - 2 * room)) / Math.max(1, height);
+    const middle = range(seen).low.map((l, i) => (l + range(seen).high[i]) / 2);
+    let distance = 1e-6;
+    for (let round = 0; round < 4; round++) {
+      distance = 1e-6;
+      for (const p of seen) {
+        const depth = orbit.parallel ? 0 : p[2] - middle[2];
+        distance = Math.max(distance, Math.abs(p[0] - middle[0]) / wide + depth, Math.abs(p[1] - middle[1]) / tall + depth);
+      }
+      // In perspective, what is near takes more room than what is far: the middle moves accordingly.
+      const flat = seen.map((p) => {
+        const away = orbit.parallel ? distance : distance - (p[2] - middle[2]);
+        return [((p[0] - middle[0]) / away) * distance, ((p[1] - middle[1]) / away) * distance];
+      });
+      for (const i of [0, 1]) {
+        let low = Infinity, high = -Infinity;
+        for (const p of flat) {
+          low = Math.min(low, p[i]);
+          high = Math.max(high, p[i]);
+        }
+        middle[i] += (low + high) / 2;
+      }
+    }
+    const at = [0, 1, 2].map((i) => middle[0] * right[i] + middle[1] * up[i] + middle[2] * back[i]);
+    return { at, distance: 1.02 * distance };
+  }
+
+  return { boxes, whole, fit };
+})();
