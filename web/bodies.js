@@ -9,11 +9,10 @@
  *   body: Moving, place: DataPlace, drawn: { kind: Kind, k: number }[] }} Shown  A leaf as it is drawn.
  */
 class Bodies {
-  /** @param {PageData} data @param {any} scene of three.js @param {any} above what is drawn above all else */
-  constructor(data, scene, above) {
+  /** @param {PageData} data @param {any} scene of three.js */
+  constructor(data, scene) {
     this.data = data;
     this.scene = scene;
-    this.above = above;
     /** @type {DataLeaf[]} */
     this.leaves = [];
     /** @type {ReturnType<typeof Shapes.part>[][]} of each leaf */
@@ -118,15 +117,15 @@ class Bodies {
 
   /**
    * The kind of that name, made when it is first asked for.
-   * @param {string} name @param {() => Kind} make @param {any} [scene]
+   * @param {string} name @param {() => Kind} make
    * @returns {Kind}
    */
-  #kind(name, make, scene = this.scene) {
+  #kind(name, make) {
     const known = this.kinds.get(name);
     if (known) return known;
     const made = make();
     this.kinds.set(name, made);
-    for (const object of made.objects) scene.add(object);
+    for (const object of made.objects) this.scene.add(object);
     return made;
   }
 
@@ -270,8 +269,8 @@ class Bodies {
    * @param {{ velocities: boolean, spins: boolean }} options @param {number} distance of the camera
    */
   arrows({ velocities, spins }, distance) {
-    const arrow = this.#kind("arrow", () => new Kind({ faces: Shapes.arrow() }, { order: 3 }), this.above);
-    const curl = this.#kind("curl", () => new Kind({ faces: Shapes.curl() }, { order: 3 }), this.above);
+    const arrow = this.#kind("arrow", () => new Kind({ faces: Shapes.arrow() }, { ghost: 0.5, order: 3 }));
+    const curl = this.#kind("curl", () => new Kind({ faces: Shapes.curl() }, { ghost: 0.3, order: 3 }));
     arrow.clear();
     curl.clear();
     if (!velocities && !spins) return;

@@ -124,8 +124,10 @@ class Floor {
     const reach = 0.6 * Floor.reach;
     /** @type {{ text: string, axis: number, x: number, y: number }[]} */
     const found = [];
+    /** @type {string[]} */
+    const sides = [];
     for (const axis of [0, 1]) {
-      /** @type {{ n: bigint, x: number, y: number }[]} */
+      /** @type {{ n: bigint, x: number, y: number, side: string }[]} */
       const ends = [];
       for (let i = -Math.floor(reach); i <= reach; i++) {
         const a = (i - this.rest[axis]) * this.step, half = Math.sqrt(Math.max(0, (reach * this.step) ** 2 - a * a));
@@ -133,11 +135,18 @@ class Floor {
         const end = Floor.#leaves(clip(point(-half)), clip(point(half)), width, height, margin);
         if (end) ends.push({ n: this.whole[axis] + BigInt(i), ...end });
       }
+      // Those of one axis are at one side, those of the other at another one.
+      const free = ["below", "left", "right", "within"].filter((side) => !sides.includes(side));
+      const many = (/** @type {string} */ side) => ends.filter((e) => e.side === side).length;
+      const side = free.reduce((best, other) => (many(other) > many(best) ? other : best));
+      sides.push(side);
+      const there = ends.filter((e) => e.side === side);
+      const apart = side === "below" ? 44 : 30;
       const stride = [1n, 2n, 5n, 10n].find((by) => {
-        const kept = ends.filter((e) => e.n % by === 0n);
-        return kept.every((e, i) => i === 0 || Math.hypot(e.x - kept[i - 1].x, e.y - kept[i - 1].y) > 38);
+        const kept = there.filter((e) => e.n % by === 0n);
+        return kept.every((e, i) => i === 0 || Math.hypot(e.x - kept[i - 1].x, e.y - kept[i - 1].y) > apart);
       }) || 20n;
-      const kept = ends.filter((e) => e.n % stride === 0n);
+      const kept = there.filter((e) => e.n % stride === 0n);
       kept.forEach((e, i) => {
         const text = this.decimal(e.n);
         found.push({ text: i === kept.length >> 1 ? `${"xz"[axis]} = ${text}` : text, axis, x: e.x, y: e.y });
@@ -172,6 +181,8 @@ class Floor {
     }
     if (from >= to) return null;
     const t = d[1] > 0 ? to : from;
-    return { x: p[0] + t * d[0], y: p[1] + t * d[1] };
+    const x = p[0] + t * d[0], y = p[1] + t * d[1];
+    const side = y > high[1] - 1 ? "below" : x < low[0] + 1 ? "left" : x > high[0] - 1 ? "right" : "within";
+    return { x, y, side };
   }
 }

@@ -45,16 +45,10 @@ class Scene {
     this.renderer = none;
     /** @type {Orbit} */
     this.orbit = none;
-    /** @type {Floor} */
-    this.floor = none;
     /** @type {Bodies} */
     this.bodies = none;
-    /** @type {Trails} */
-    this.trails = none;
-    /** @type {Overlay} */
-    this.overlay = none;
-    /** @type {ReturnType<Scene["legend"]>} */
-    this.entries = [];
+    /** @type {Marks} */
+    this.marks = none;
     if (Scene.why) return;
     const context = Scene.#context(this.canvas);
     if (!context) {
@@ -62,7 +56,6 @@ class Scene {
       return;
     }
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, context });
-    this.renderer.autoClear = false;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-roledescription", "scene");
@@ -71,13 +64,9 @@ class Scene {
     Object.assign(this.canvas.style, { position: "absolute", inset: "0", width: "100%", height: "100%", touchAction: "none" });
     box.append(this.canvas);
     this.scene = new THREE.Scene();
-    this.above = new THREE.Scene();
     this.orbit = new Orbit(this.canvas, () => this.refresh());
-    this.floor = new Floor(this.scene);
-    this.bodies = new Bodies(data, this.scene, this.above);
-    this.trails = new Trails(data, this.bodies, this.scene);
-    this.overlay = new Overlay(box);
-    this.entries = this.legend();
+    this.bodies = new Bodies(data, this.scene);
+    this.marks = new Marks(this, box);
     this.#listen();
     new ResizeObserver(() => this.refresh()).observe(box);
   }
@@ -94,33 +83,13 @@ class Scene {
 
   get dark() { return this.options.theme === "dark"; }
 
-  /** What colours and patterns mean. */
-  legend() {
-    /** @type {{ text: string, color: number[], shape: "body" | "name" | "co" | "fixed" }[]} */
-    const entries = [];
-    const seen = new Set();
-    for (const { name, color, fixed, absorbs } of this.bodies.families) {
-      const key = `${name} ${fixed} ${absorbs}`;
-      if (seen.has(key)) continue;
-      seen.add(key);
-      const text = absorbs ? `${name} (absorbs)` : fixed ? `${name} (fixed)` : name;
-      entries.push({ text, color, shape: fixed ? "fixed" : "body" });
-    }
-    const open = this.data.behaviours.flatMap((b) => b.open);
-    for (const [channel, color] of this.bodies.channels)
-      for (const co of [false, true])
-        if (open.some((o) => o.channel === channel && o.co === co))
-          entries.push({ text: co ? `~${channel}` : channel, color, shape: co ? "co" : "name" });
-    return entries;
-  }
-
   /**
    * Shows the state after so many legs of a run, at a time.
    * @param {Course} course @param {number} legs @param {Rational} time
    */
   show(course, legs, time) {
     this.now = { course, legs, time };
-    if (!Scene.why && this.bodies.setLeaves(course.leaves)) this.entries = this.legend();
+    if (!Scene.why && this.bodies.setLeaves(course.leaves)) this.marks.learn();
     this.refresh();
   }
 
@@ -144,19 +113,15 @@ class Scene {
     this.#goAlong(now.course, present);
     bodies.update(now.course, present, orbit.target);
     orbit.place(width, height, this.#extent());
-    this.floor.place(orbit.at, orbit.distance, this.floorAt, bodies.colors, options.grid);
+    this.marks.place(now);
     this.#shared(width, height);
     bodies.arrows(/** @type {any} */ (options), orbit.distance);
-    this.trails.update(now.course, now.legs, now.time, orbit, options.trails);
     if (this.pointer) this.#hover(this.pointer);
     if (!bodies.last.bodies) bodies.update(now.course, present, orbit.target);
     bodies.finish();
-    this.#words(width, height);
+    this.marks.words(width, height);
     this.work = performance.now() - began;
-    this.renderer.clear();
     this.renderer.render(this.scene, orbit.camera);
-    this.renderer.clearDepth();
-    this.renderer.render(this.above, orbit.camera);
   }
 
   /** @param {number} width @param {number} height */
@@ -167,7 +132,7 @@ class Scene {
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(width, height, false);
     }
-    const { floor, orbit } = this;
+    const { marks: { floor }, orbit } = this;
     Kind.shared.size.value.set(width, height);
     Kind.shared.near.value = orbit.parallel ? 0 : orbit.camera.near;
     Kind.shared.ground.value = floor.ground + 1e-3 * floor.step;
@@ -182,77 +147,8 @@ class Scene {
         if (place.leaf === this.followed) this.orbit.lookAt(course.position(body, place).map(Rational.toNumber));
   }
 
-  /** @param {number} width @param {number} height */
-  #words(width, height) {
-    const { overlay, bodies, orbit, floor, options } = this;
-    overlay.begin(width, height, Math.min(2, window.devicePixelRatio || 1), bodies.colors);
-    const project = this.projector(width, height);
-    overlay.axes(orbit.camera.matrixWorld.elements);
-    const tools = this.#tools(), long = floor.step / orbit.pixel;
-    if (options.grid) overlay.scale(long, floor.decimal(1n), tools.right > width - long - 30 ? tools.height : 0);
-    if (options.legend && this.entries.length > 1) overlay.legend(this.entries);
-    const at = (/** @type {Shown} */ s) => project(Pick.toWorld(s.matrix, bodies.centres[s.leaf]));
-    const chosen = bodies.chosen ? bodies.byLeaf.get(bodies.chosen.leaf) : undefined;
-    const named = options.names ? bodies.shown : chosen ? [chosen] : [];
-    /** @type {{ shown: Shown, x: number, y: number, depth: number }[]} */
-    const places = [];
-    for (const shown of named) {
-      const p = at(shown);
-      if (p.seen && p.x > -50 && p.y > -20 && p.x < width + 50 && p.y < height + 20) places.push({ shown, ...p });
-    }
-    places.sort((a, b) => (b.shown === chosen ? 1 : 0) - (a.shown === chosen ? 1 : 0) || a.depth - b.depth);
-    const style = { size: 12, strong: true, color: bodies.colors.text };
-    let said = 0;
-    for (const { shown, x, y } of places.slice(0, 1000)) {
-      if (said >= 250) break;
-      if (overlay.word(this.bodies.leaves[shown.leaf].name, x, y, { ...style, force: shown === chosen })) said++;
-    }
-    if (options.grid) {
-      const { x, z } = bodies.colors;
-      for (const n of floor.numbers(this.#clip(), width, height, tools.height))
-        if (!this.#covered(n.x, n.y)) overlay.word(n.text, n.x, n.y, { size: 10.5, color: Colors.css(Colors.mix(n.axis ? z : x, bodies.colors.grid, 0.35)) });
-    }
-    const pointed = this.pointer && bodies.hovered;
-    if (this.pointer && pointed)
-      overlay.word(this.#told(pointed), this.pointer.x, this.pointer.y - 18, { ...style, size: 11.5, force: true });
-  }
-
-  /** How much of the picture is under the buttons below: from below, and from the left. */
-  #tools() {
-    const parent = this.box.parentElement, bar = parent && parent.querySelector("[role=toolbar]");
-    const box = this.box.getBoundingClientRect(), of = bar && bar.getBoundingClientRect();
-    if (!of || of.height === 0 || of.top < box.top + box.height / 2) return { height: 0, right: 0 };
-    return { height: Math.max(0, box.bottom - of.top), right: of.right - box.left };
-  }
-
-  /**
-   * Whether a body that is not seen through is at a pixel.
-   * @param {number} x @param {number} y
-   */
-  #covered(x, y) {
-    const found = this.pick(x, y, 0);
-    return found !== null && !this.bodies.leaves[found.leaf].fixed;
-  }
-
-  /**
-   * The name of what is pointed at, and the channels that are open on it.
-   * @param {Chosen} chosen
-   */
-  #told({ leaf, part, kind, index }) {
-    const of = this.bodies.leaves[leaf];
-    const in_ = typeof part === "number" ? of.parts[part] : undefined;
-    if (!in_ || !kind || typeof index !== "number") return of.name;
-    const solid = this.data.solids[in_.solid];
-    const name = kind === "face" ? solid.faces[index].name : kind === "edge" ? solid.edges[index].name : solid.corners[index];
-    const shown = this.bodies.byLeaf.get(leaf);
-    const open = !shown ? [] : this.data.behaviours[shown.place.behaviour].open
-      .filter((o) => o.sites.some((s) => s[0] === part && s[1] === kind && s[2] === index))
-      .map((o) => (o.co ? "~" : "") + o.channel);
-    return `${in_.name}.${name}${open.length ? ": " + open.join(", ") : ""}`;
-  }
-
   /** @returns {(p: number[]) => number[]} from points relative to the target to clip space */
-  #clip() {
+  clip() {
     const camera = this.orbit.camera;
     const inverse = new THREE.Matrix4().getInverse(camera.matrixWorld);
     const m = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, inverse).elements;
@@ -264,7 +160,7 @@ class Scene {
    * @param {number} width @param {number} height
    */
   projector(width, height) {
-    const clip = this.#clip();
+    const clip = this.clip();
     return (/** @type {number[]} */ p) => {
       const [x, y, z, w] = clip(p);
       return { x: (0.5 + x / w / 2) * width, y: (0.5 - y / w / 2) * height, depth: z / w, seen: w > 0 };
@@ -298,7 +194,6 @@ class Scene {
     const { at, distance } = Frame.fit(seen.points, this.orbit, this.box.clientWidth, this.box.clientHeight);
     const { lead, power } = Floor.round(distance / 9), step = lead * 10 ** power;
     this.floorAt = Rational.fromNumber(Math.floor(seen.low[1] / step + 1e-6) * step);
-    this.followed = null;
     this.orbit.fly(at, distance, this.still.matches || !this.fitted);
     this.fitted = true;
     this.refresh();

@@ -312,9 +312,9 @@ const Shapes = (() => {
       const t = (1.55 * Math.PI * i) / n;
       return /** @type {Point} */ ([0, Math.cos(t), Math.sin(t)]);
     };
-    for (let i = 0; i < n; i++) rod(into, at(i), at(i + 1.05), 0.032);
+    for (let i = 0; i < n; i++) rod(into, at(i), at(i + 1.04), 0.024);
     const end = at(n), way = unit(cross([1, 0, 0], end));
-    cone(into, end, along(end, 0.3, way), 0.1);
+    cone(into, end, along(end, 0.24, way), 0.075);
     return into;
   }
 

@@ -1,0 +1,120 @@
+"use strict";
+
+/** What stands around the bodies: the floor with its numbers, names, a legend, and where bodies have been. */
+class Marks {
+  /** @param {Scene} scene @param {HTMLElement} box */
+  constructor(scene, box) {
+    this.scene = scene;
+    this.floor = new Floor(scene.scene);
+    this.trails = new Trails(scene.data, scene.bodies, scene.scene);
+    this.overlay = new Overlay(box);
+    this.entries = this.#legend();
+  }
+
+  /** There are other bodies. */
+  learn() {
+    this.entries = this.#legend();
+  }
+
+  /**
+   * Where it is now.
+   * @param {{ course: Course, legs: number, time: Rational }} now
+   */
+  place({ course, legs, time }) {
+    const { orbit, bodies, options, floorAt } = this.scene;
+    this.floor.place(orbit.at, orbit.distance, floorAt, bodies.colors, options.grid);
+    this.trails.update(course, legs, time, orbit, options.trails);
+  }
+
+  /** What colours and patterns mean. */
+  #legend() {
+    /** @type {{ text: string, color: number[], shape: "body" | "name" | "co" | "fixed" }[]} */
+    const entries = [];
+    const seen = new Set();
+    for (const { name, color, fixed, absorbs } of this.scene.bodies.families) {
+      const key = `${name} ${fixed} ${absorbs}`;
+      if (seen.has(key)) continue;
+      seen.add(key);
+      const text = absorbs ? `${name} (absorbs)` : fixed ? `${name} (fixed)` : name;
+      entries.push({ text, color, shape: fixed ? "fixed" : "body" });
+    }
+    const open = this.scene.data.behaviours.flatMap((b) => b.open);
+    for (const [channel, color] of this.scene.bodies.channels)
+      for (const co of [false, true])
+        if (open.some((o) => o.channel === channel && o.co === co))
+          entries.push({ text: co ? `~${channel}` : channel, color, shape: co ? "co" : "name" });
+    return entries;
+  }
+
+  /**
+   * All words of the picture.
+   * @param {number} width @param {number} height
+   */
+  words(width, height) {
+    const { overlay, floor } = this, { bodies, orbit, options } = this.scene;
+    overlay.begin(width, height, Math.min(2, window.devicePixelRatio || 1), bodies.colors);
+    const project = this.scene.projector(width, height);
+    overlay.axes(orbit.camera.matrixWorld.elements);
+    const tools = this.#tools(), long = floor.step / orbit.pixel;
+    if (options.grid) overlay.scale(long, floor.decimal(1n), tools.right > width - long - 30 ? tools.height : 0);
+    if (options.legend && this.entries.length > 1) overlay.legend(this.entries);
+    const at = (/** @type {Shown} */ s) => project(Pick.toWorld(s.matrix, bodies.centres[s.leaf]));
+    const chosen = bodies.chosen ? bodies.byLeaf.get(bodies.chosen.leaf) : undefined;
+    const named = options.names ? bodies.shown : chosen ? [chosen] : [];
+    /** @type {{ shown: Shown, x: number, y: number, depth: number }[]} */
+    const places = [];
+    for (const shown of named) {
+      const p = at(shown);
+      if (p.seen && p.x > -50 && p.y > -20 && p.x < width + 50 && p.y < height + 20) places.push({ shown, ...p });
+    }
+    places.sort((a, b) => (b.shown === chosen ? 1 : 0) - (a.shown === chosen ? 1 : 0) || a.depth - b.depth);
+    const style = { size: 12, strong: true, color: bodies.colors.text };
+    let said = 0;
+    for (const { shown, x, y } of places.slice(0, 1000)) {
+      if (said >= 250) break;
+      if (overlay.word(this.scene.bodies.leaves[shown.leaf].name, x, y, { ...style, force: shown === chosen })) said++;
+    }
+    if (options.grid) {
+      const { x, z } = bodies.colors;
+      for (const n of floor.numbers(this.scene.clip(), width, height, tools.height))
+        if (!this.#covered(n.x, n.y)) overlay.word(n.text, n.x, n.y, { size: 10.5, color: Colors.css(Colors.mix(n.axis ? z : x, bodies.colors.grid, 0.35)) });
+    }
+    const pointed = this.scene.pointer && bodies.hovered;
+    if (this.scene.pointer && pointed)
+      overlay.word(this.#told(pointed), this.scene.pointer.x, this.scene.pointer.y - 18, { ...style, size: 11.5, force: true });
+  }
+
+  /** How much of the picture is under the buttons below: from below, and from the left. */
+  #tools() {
+    const parent = this.scene.box.parentElement, bar = parent && parent.querySelector("[role=toolbar]");
+    const box = this.scene.box.getBoundingClientRect(), of = bar && bar.getBoundingClientRect();
+    if (!of || of.height === 0 || of.top < box.top + box.height / 2) return { height: 0, right: 0 };
+    return { height: Math.max(0, box.bottom - of.top), right: of.right - box.left };
+  }
+
+  /**
+   * Whether a body that is not seen through is at a pixel.
+   * @param {number} x @param {number} y
+   */
+  #covered(x, y) {
+    const found = this.scene.pick(x, y, 0);
+    return found !== null && !this.scene.bodies.leaves[found.leaf].fixed;
+  }
+
+  /**
+   * The name of what is pointed at, and the channels that are open on it.
+   * @param {Chosen} chosen
+   */
+  #told({ leaf, part, kind, index }) {
+    const of = this.scene.bodies.leaves[leaf];
+    const in_ = typeof part === "number" ? of.parts[part] : undefined;
+    if (!in_ || !kind || typeof index !== "number") return of.name;
+    const solid = this.scene.data.solids[in_.solid];
+    const name = kind === "face" ? solid.faces[index].name : kind === "edge" ? solid.edges[index].name : solid.corners[index];
+    const shown = this.scene.bodies.byLeaf.get(leaf);
+    const open = !shown ? [] : this.scene.data.behaviours[shown.place.behaviour].open
+      .filter((o) => o.sites.some((s) => s[0] === part && s[1] === kind && s[2] === index))
+      .map((o) => (o.co ? "~" : "") + o.channel);
+    return `${in_.name}.${name}${open.length ? ": " + open.join(", ") : ""}`;
+  }
+}
