@@ -1,6 +1,5 @@
 open Scc_base
 open Scc_exact
-open Scc_motion
 open Scc_session
 open Scc_exchange
 open Scc_export
@@ -51,7 +50,7 @@ let observe console (l : Loaded.t) texts =
   all [] (sources, questions)
 
 let instant (f : Film.t) at =
-  let over = Course.duration f.course in
+  let over = Film.duration f in
   let time = Option.value at ~default:over in
   if Rat.compare time over <= 0 then Ok time
   else
@@ -67,7 +66,7 @@ let check_every (f : Film.t) = function
       [
         Diag.error Code.bad_value Span.command_line ~hint:"a longer step, or an earlier end by --time"
           "the run lasts %s: it has more than %d multiples of %s"
-          (Rat.to_string (Course.duration f.course))
+          (Rat.to_string (Film.duration f))
           Film.most_instants (Rat.to_string every);
       ]
   | Some _ | None -> Ok ()
@@ -97,7 +96,10 @@ let write console o (f : Film.t) observables =
   match o.format with
   | Glb -> alone console o (Gltf.file f)
   | X3d -> alone console o (X3d.file f)
-  | Csv -> alone console o (Table.file f observables ~every:o.every)
+  | Csv -> (
+      match f.run with
+      | States course -> alone console o (Table.file f course observables ~every:o.every)
+      | Changes _ -> Bug.fail __POS__ "a table of a run without its states")
   | Obj ->
     let* time = instant f o.at in
     alone console o (Obj.state f ~time)
@@ -114,14 +116,32 @@ let too_great o =
 
 (* {1 The command} *)
 
+(* A table asks for whole states; all else for what changes, where a run tells it. *)
+let follow o (l : Loaded.t) policy limits ~interrupted =
+  if o.format = Csv || not (Scc_engine.Event_run.can_run l.model) then
+    let* course, ending = Chosen_run.follow l policy limits ~interrupted in
+    Ok (Film.States course, ending)
+  else
+    let ways = ref None in
+    let note (event : Replay.event) =
+      match (event, !ways) with
+      | Start s, _ -> ways := Some (Ways.start l.semantics s)
+      | _, Some w -> Ways.step w event
+      | _, None -> Bug.fail __POS__ "a run without a start"
+    in
+    let* ending = Replay.run l.semantics l.declared policy limits ~interrupted note in
+    match !ways with
+    | Some w -> Ok (Film.Changes w, ending)
+    | None -> Bug.fail __POS__ "a run without a start"
+
 let export console o ~interrupted =
   let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
   if chosen.sampled <> [] then Console.note console ("scc: for " ^ Sample.to_string chosen.sampled);
   let* loaded, observables = observe console chosen.loaded o.observed in
-  match Chosen_run.follow loaded chosen.policy chosen.limits ~interrupted with
+  match follow o loaded chosen.policy chosen.limits ~interrupted with
   | Error failure -> Ok (Chosen_run.finish console loaded (Error failure))
-  | Ok (course, ending) ->
-    let film = { Film.title = Filename.basename o.path; origin = chosen.loaded.origin; course } in
+  | Ok (run, ending) ->
+    let film = { Film.title = Filename.basename o.path; origin = chosen.loaded.origin; run } in
     let* () =
       match write console o film observables with
       | result -> result

@@ -6,16 +6,27 @@ open Scc_semantics
 open Scc_motion
 open Scc_session
 
+(** With all of its states, or by what changes. *)
+type run = States of Course.t | Changes of Ways.t
+
 type t = {
   title : string;  (** the name of the model's file *)
   origin : Origin.t;
-  course : Course.t;
+  run : run;
 }
 
 type file = string * ((string -> unit) -> unit)
 (** A path, and what writes to it. *)
 
 val model : t -> Model.t
+val initial : t -> State.t
+val duration : t -> Rat.t
+
+val at : t -> Rat.t -> State.t
+(** As {!Course.at}; by what changes, as {!Ways.at}. *)
+
+val tracks : t -> Track.t array
+(** Of each leaf of the model. *)
 
 val events : t -> (Rat.t * Transition.label) list
 (** All but the passings of time, in order, with when they are. *)

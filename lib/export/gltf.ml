@@ -2,7 +2,6 @@ open Scc_exact
 open Scc_geometry
 open Scc_calculus
 open Scc_semantics
-open Scc_motion
 open Scc_exchange
 
 type json = Yojson.Safe.t
@@ -248,7 +247,7 @@ let event m (time, label) : json =
 
 (* The root stays where it is for the whole run, which is as long as the animation then. *)
 let animations b (f : Film.t) ~centre tracks : (string * json) list =
-  let over = Floats.single (Floats.of_rat (Course.duration f.course)) in
+  let over = Floats.single (Floats.of_rat (Film.duration f)) in
   if over <= 0. then []
   else
     let c = { samplers = []; channels = []; number = 0 } in
@@ -282,8 +281,8 @@ let lossy =
 
 let document b (f : Film.t) : json =
   let m = Film.model f and figure = Figure.make (Film.model f) in
-  let tracks = Track.of_course f.course in
-  let centre = Figure.centre m (Course.initial f.course) in
+  let tracks = Film.tracks f in
+  let centre = Figure.centre m (Film.initial f) in
   let families = Figure.families figure in
   let meshes = List.map (mesh b families) (Array.to_list (Figure.meshes figure)) in
   let add (nodes, parts, next) (leaf, track) =
@@ -308,7 +307,7 @@ let document b (f : Film.t) : json =
   let about =
     List.map (fun (name, j) -> (name, json j)) (Film.about f)
     @ [
-      ("duration", json (Json.rat (Course.duration f.course)));
+      ("duration", json (Json.rat (Film.duration f)));
       ("events", `List (List.map (event m) (Film.events f)));
       ("lossy", `String lossy);
     ]

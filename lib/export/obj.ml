@@ -2,7 +2,6 @@ open Scc_exact
 open Scc_geometry
 open Scc_rigid
 open Scc_calculus
-open Scc_motion
 
 (* Names end at a blank. *)
 let word s = String.map (fun c -> if c <= ' ' then '_' else c) s
@@ -40,7 +39,7 @@ let state (f : Film.t) ~time put =
     in
     fst (Array.fold_left part (first, 0) m.leaves.(l.leaf).parts)
   in
-  let leaves = Array.map (fun (p : State.process) -> p.leaves) (Course.at f.course time).processes in
+  let leaves = Array.map (fun (p : State.process) -> p.leaves) (Film.at f time).processes in
   ignore (Array.fold_left leaf 1 (Array.concat (Array.to_list leaves)))
 
 let form (m : Model.t) ~leaf put =

@@ -1,6 +1,5 @@
 open Scc_exact
 open Scc_calculus
-open Scc_motion
 open Scc_exchange
 
 type json = Yojson.Safe.t
@@ -155,7 +154,7 @@ let survey (f : Film.t) times =
   let join f (a : Vec.t) (b : Vec.t) = Vec.make (f a.x b.x) (f a.y b.y) (f a.z b.z) in
   let channels = numbers () in
   let widen box time =
-    let s = Course.at f.course time in
+    let s = Film.at f time in
     let bond (b : State.bond) = ignore (number channels b.name) in
     Array.iter (fun (p : State.process) -> Array.iter bond p.bonds) s.processes;
     match (box, Figure.extent m s) with
@@ -181,7 +180,7 @@ let write (f : Film.t) ~path k ~times put =
   let agents = List.mapi (kind_entry ~path k) (Array.to_list k.firsts) in
   let fibers = List.mapi (fun i c -> bond_entry (Array.length k.firsts + i) c) (List.rev channels.items) in
   let events = Film.events f in
-  let over = Floats.of_rat (Course.duration f.course) in
+  let over = Floats.of_rat (Film.duration f) in
   let json (j : json) = put (Yojson.Safe.to_string j) in
   put "{\"trajectoryInfo\":";
   json
@@ -211,14 +210,14 @@ let write (f : Film.t) ~path k ~times put =
   List.iteri
     (fun i time ->
        if i > 0 then put ",";
-       json (frame m k channels bonds ~thickness i time (Course.at f.course time)))
+       json (frame m k channels bonds ~thickness i time (Film.at f time)))
     times;
   put "]},\"plotData\":";
   json (`Assoc [ ("version", `Int 1); ("data", `List (if events = [] then [] else [ plot events ~over ])) ]);
   put "}\n"
 
 let evenly (f : Film.t) ~every =
-  let over = Course.duration f.course in
+  let over = Film.duration f in
   let step = match every with Some s -> s | None -> Rat.div over (Rat.of_int 100) in
   if Rat.sign step = 0 then [ Rat.zero ]
   else List.init (1 + Z.to_int (Rat.floor (Rat.div over step))) (fun i -> Rat.mul step (Rat.of_int i))

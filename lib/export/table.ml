@@ -56,19 +56,19 @@ let header observables =
   let both text = [ text; text ^ " (float)" ] in
   both "time" @ [ "event" ] @ List.concat_map (fun o -> both o.text) observables
 
-let file (f : Film.t) observables ~every put =
-  let semantics = Course.semantics f.course in
+let file (f : Film.t) course observables ~every put =
+  let semantics = Course.semantics course in
   let row = row put semantics observables in
   line put (header observables);
   match every with
-  | Some _ -> List.iter (fun time -> row ~time ~last:None (Course.at f.course time)) (Film.instants f ~every)
+  | Some _ -> List.iter (fun time -> row ~time ~last:None (Course.at course time)) (Film.instants f ~every)
   | None ->
-    row ~time:Rat.zero ~last:None (Course.initial f.course);
+    row ~time:Rat.zero ~last:None (Course.initial course);
     let leg (l : Course.leg) =
       let time = Rat.add l.start (Transition.duration_of l.label) in
       row ~time ~last:(Some (l.before, l.label)) l.after
     in
-    Array.iter leg (Course.legs f.course);
-    if Rat.sign (Course.rest f.course) > 0 then
-      let time = Course.duration f.course in
-      row ~time ~last:None (Course.at f.course time)
+    Array.iter leg (Course.legs course);
+    if Rat.sign (Course.rest course) > 0 then
+      let time = Course.duration course in
+      row ~time ~last:None (Course.at course time)

@@ -110,10 +110,17 @@ let leave model growing time s =
        if Option.is_none g.left then g.left <- Some time)
     (State.gone model s)
 
+let grow model = Array.map (fun _ -> { newest = []; going = None; left = None }) model.Model.leaves
+
+let finish g =
+  match g.newest with
+  | [] -> { keys = [| { time = Rat.zero; at = Vec.zero; turned = Quaternion.identity } |]; gone = Some Rat.zero }
+  | keys -> { keys = Array.of_list (List.rev keys); gone = g.left }
+
 let of_course course =
   let semantics = Course.semantics course in
   let model = Semantics.model semantics in
-  let growing = Array.map (fun _ -> { newest = []; going = None; left = None }) model.leaves in
+  let growing = grow model in
   settle growing Rat.zero (Course.initial course);
   leave model growing Rat.zero (Course.initial course);
   let leg (l : Course.leg) =
@@ -126,12 +133,33 @@ let of_course course =
   let over = Rat.sub (Course.duration course) (Course.rest course) in
   settle growing over (Course.last course);
   rest semantics growing over (Course.rest course) (Course.last course);
-  let finish g =
-    match g.newest with
-    | [] -> { keys = [| { time = Rat.zero; at = Vec.zero; turned = Quaternion.identity } |]; gone = Some Rat.zero }
-    | keys -> { keys = Array.of_list (List.rev keys); gone = g.left }
-  in
   Array.map finish growing
+
+(* From one change of its process to the next; in one instant nothing moves. *)
+let of_ways w =
+  let growing = grow (Ways.model w) in
+  let way g leaf (from : Ways.way) until =
+    match from.process with
+    | None -> if Option.is_none g.left then g.left <- Some from.since
+    | Some p ->
+      g.left <- None;
+      let k = key from.since (State.leaf_of p leaf) and d = Rat.sub until from.since in
+      if Rat.sign d = 0 then (if g.newest = [] then put g k)
+      else if Vec.is_zero p.velocity then rest_of g k
+      else straight g p.velocity k { k with time = until; at = Vec.axpy d p.velocity k.at }
+  in
+  let leaf i g =
+    let rec all = function
+      | [] -> ()
+      | from :: (next :: _ as rest) ->
+        way g i from next.Ways.since;
+        all rest
+      | [ from ] -> way g i from (Ways.duration w)
+    in
+    all (Ways.of_leaf w i);
+    finish g
+  in
+  Array.mapi leaf growing
 
 let turns t = Array.exists (fun k -> not (Quaternion.equal k.turned t.keys.(0).turned)) t.keys
 let moves t = Array.length t.keys > 1

@@ -21,6 +21,9 @@ type t = {
 val of_course : Course.t -> t array
 (** For each leaf of the model. *)
 
+val of_ways : Ways.t -> t array
+(** The same of such a run. *)
+
 val turns : t -> bool
 (** It is not always turned as it is at first. *)
 

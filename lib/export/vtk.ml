@@ -1,7 +1,6 @@
 open Scc_exact
 open Scc_rigid
 open Scc_calculus
-open Scc_motion
 
 let number = Floats.text
 let folder path = Filename.remove_extension path
@@ -98,7 +97,7 @@ let step (f : Film.t) figure time put =
       channels := !channels @ [ (name, i) ];
       i
   in
-  let d = draw m number_of (Course.at f.course time) in
+  let d = draw m number_of (Film.at f time) in
   let lines = List.rev d.lines and faces = List.rev d.faces in
   let all = lines @ faces in
   put "<?xml version=\"1.0\"?>\n";

@@ -1,7 +1,6 @@
 open Scc_exact
 open Scc_geometry
 open Scc_calculus
-open Scc_motion
 
 let number = Floats.text
 let point v = String.concat " " (List.map number (Array.to_list (Floats.point v)))
@@ -103,8 +102,8 @@ let meta put name content =
 
 let file (f : Film.t) put =
   let m = Film.model f in
-  let figure = Figure.make m and tracks = Track.of_course f.course and written = Hashtbl.create 64 in
-  let centre = Figure.centre m (Course.initial f.course) and over = Course.duration f.course in
+  let figure = Figure.make m and tracks = Film.tracks f and written = Hashtbl.create 64 in
+  let centre = Figure.centre m (Film.initial f) and over = Film.duration f in
   put "<?xml version='1.0' encoding='UTF-8'?>\n";
   put "<!DOCTYPE X3D PUBLIC 'ISO//Web3D//DTD X3D 3.3//EN' 'http://www.web3d.org/specifications/x3d-3.3.dtd'>\n";
   put "<X3D profile='Interchange' version='3.3'>\n<head>\n";
