@@ -3,8 +3,8 @@
 /**
  * @typedef {{ index: number, label: DataLabel, start: Rational, duration: Rational, before: number, after: number,
  *   choice: number | null, rules: string[], tail: boolean }} Leg  A transition; its time counts from the start.
- * @typedef {{ index: number, since: Rational, from: number, to: number }} Segment  A process of the states that come
- *   after so many legs, from..to - 1.
+ * @typedef {{ index: number, since: Rational, from: number, to: number, body?: Moving }} Segment  A process of the
+ *   states that come after so many legs, from..to - 1; its body, once it was asked for.
  */
 
 /**
@@ -154,8 +154,8 @@ class Course {
    */
   bodiesAfter(k, time) {
     if (!this.last || this.last.legs !== k) this.last = { legs: k, bodies: this.#present(k) };
-    const n = Moving.float(time.n), d = Moving.float(time.d);
-    for (const body of this.last.bodies) body.at(time, n, d);
+    const high = Twofold.of(time.n, time.d), low = Twofold.low[0];
+    for (const body of this.last.bodies) body.at(time, high, low);
     return this.last.bodies;
   }
 
@@ -169,7 +169,9 @@ class Course {
         if (segments[middle].from <= k) low = middle + 1; else high = middle;
       }
       const s = segments[low - 1];
-      if (low > 0 && k < s.to) bodies.push(new Moving(this.data.processes[s.index], s.index, s.since));
+      if (low === 0 || k >= s.to) continue;
+      if (!s.body) s.body = new Moving(this.data.processes[s.index], s.index, s.since);
+      bodies.push(s.body);
     }
     return bodies.sort((a, b) => a.process.leaves[0].leaf - b.process.leaves[0].leaf);
   }
@@ -211,10 +213,7 @@ class Course {
    * @param {Float64Array | number[]} out
    */
   place(body, place, target, out) {
-    const { sinceN, sinceD, timeN, timeD } = body;
-    const forward = timeN * sinceD, back = sinceN * timeD;
-    const n = Math.abs(forward) < 2 ** 53 && Math.abs(back) < 2 ** 53 ? forward - back : NaN;
-    Motion.place(Course.motion(body, place), body.gone, n, timeD * sinceD, target, out);
+    Motion.place(Course.motion(body, place), body, target, out);
   }
 
   /**
@@ -237,7 +236,8 @@ class Course {
       const n = process.turn ? parts : 1;
       for (let i = points.length ? 1 : 0; i <= n; i++) {
         const at = Rational.add(begin, Rational.mul(Rational.sub(end, begin), Rational.make(BigInt(i), BigInt(n))));
-        body.at(at, Moving.float(at.n), Moving.float(at.d));
+        const high = Twofold.of(at.n, at.d);
+        body.at(at, high, Twofold.low[0]);
         this.place(body, place, target, out);
         points.push(out[0], out[1], out[2]);
       }
@@ -276,35 +276,29 @@ class Moving {
     this.process = process;
     this.index = index;
     this.since = since;
-    this.sinceN = Moving.float(since.n);
-    this.sinceD = Moving.float(since.d);
+    this.sinceHigh = Twofold.of(since.n, since.d);
+    this.sinceLow = Twofold.low[0];
     this.time = since;
-    this.timeN = this.sinceN;
-    this.timeD = this.sinceD;
+    this.timeHigh = this.sinceHigh;
+    this.timeLow = this.sinceLow;
   }
 
   /**
-   * A whole number as a float, if it is one; or NaN.
-   * @param {bigint} n
+   * Later, at a time that is told as a twofold float as well.
+   * @param {Rational} time @param {number} high @param {number} low
    */
-  static float(n) { return n < 9007199254740992n && n > -9007199254740992n ? Number(n) : NaN; }
-
-  /**
-   * Later, at a time of which the terms are told as floats as well.
-   * @param {Rational} time @param {number} n @param {number} d
-   */
-  at(time, n, d) {
+  at(time, high, low) {
     this.time = time;
-    this.timeN = n;
-    this.timeD = d;
+    this.timeHigh = high;
+    this.timeLow = low;
   }
 
   get age() { return Rational.sub(this.time, this.since); }
 
   /** The age without the work of lowest terms. */
-  gone = () => {
+  gone() {
     const { time, since } = this;
     return time.d === since.d ? { n: time.n - since.n, d: time.d }
       : { n: time.n * since.d - since.n * time.d, d: time.d * since.d };
-  };
+  }
 }

@@ -8,17 +8,18 @@
  * start of that turn. All of it is computed over integers, with one division at the end.
  *
  * @typedef {{ n: bigint[], d: bigint }} Ints  Integers over one denominator.
- * @typedef {{ n: number[], d: number }} Floats  The same as floats, each a whole number below 2^53 in size.
- * @typedef {Ints & { numbers: Floats | null }} Target  What floats are relative to.
+ * @typedef {{ at: Ints, name: number }} Anchor  A place that floats are held relative to, with its number.
+ * @typedef {Ints & { anchor: Anchor, high: number[], low: number[] }} Target  What floats are relative to: exactly, and
+ *   from the anchor by twofold floats.
  * @typedef {{ n: bigint, d: bigint }} Age  How long ago the process came; need not be in lowest terms.
  * @typedef {[bigint, bigint, bigint, bigint]} Quaternion  w, x, y, z.
- * @typedef {{ at: Ints, velocity: Ints, turned: Quaternion, numbers: { at: number[], velocity: number[], d: number } | null,
- *   matrix: number[] | null }} Straight
- * @typedef {{ centre: Ints, velocity: Ints, arm: Ints, spin: Ints, since: Rational, turned: Quaternion }} Turning
+ * @typedef {{ at: Ints, velocity: Ints, turned: Quaternion, matrix: number[] | null, held: Held | null }} Straight
+ * @typedef {{ centre: Ints, velocity: Ints, arm: Ints, spin: Ints, since: Rational, turned: Quaternion,
+ *   held: Held | null }} Turning
+ * @typedef {{ anchor: number, floats: Float64Array, quadrics: Float64Array | null, speed: number }} Held  A motion in
+ *   twofold floats: its place at first (3) and velocity (3); what turns, see {@link turned}.
  */
 const Motion = (() => {
-  const safe = 2 ** 53;
-
   /** @param {bigint} a @param {bigint} b */
   function gcd(a, b) {
     while (b !== 0n) [a, b] = [b, a % b];
@@ -81,9 +82,6 @@ const Motion = (() => {
     return [a.n.map((n) => n * (d / a.d)), b.n.map((n) => n * (d / b.d)), d];
   }
 
-  /** @param {bigint} a */
-  const small = (a) => a < 9007199254740992n && a > -9007199254740992n;
-
   /** @param {DataProcess} process @param {DataPlace} place @returns {Straight} */
   function straight(process, place) {
     const [at, velocity, d] = together(ints(place.at), ints(process.velocity));
@@ -93,8 +91,7 @@ const Motion = (() => {
       at: { n: at, d },
       velocity: { n: velocity, d },
       turned,
-      numbers: [...at, ...velocity, d].every(small)
-        ? { at: at.map(Number), velocity: velocity.map(Number), d: Number(d) } : null,
+      held: null,
       matrix: turned[1] || turned[2] || turned[3] ? matrix(turned).map((m) => Rational.ratio(m, n)) : null,
     };
   }
@@ -109,6 +106,7 @@ const Motion = (() => {
       spin: ints(of.spin),
       since: Rational.of(of.since),
       turned: quaternion(place.turned),
+      held: null,
     };
   }
 
@@ -147,62 +145,158 @@ const Motion = (() => {
     return { n: matrix(q), d: norm(q) };
   }
 
-  /**
-   * As floats, each the nearest one to the exact number: the position relative to a target, in out[0..2], and the rows of
-   * the rotation, in out[3..11].
-   * @param {Straight | Turning} m @param {() => Age} age
-   * @param {number} n @param {number} d the age once more, in floats that are whole numbers, or NaN
-   * @param {Target} target @param {Float64Array | number[]} out
-   */
-  function place(m, age, n, d, target, out) {
-    if (!("at" in m)) {
-      const gone = age();
-      write(position(m, gone), target, out);
-      const o = orientation(m, gone);
-      for (let i = 0; i < 9; i++) out[3 + i] = Rational.ratio(o.n[i], o.d);
-      return;
-    }
-    if (m.matrix) for (let i = 0; i < 9; i++) out[3 + i] = m.matrix[i];
-    else {
-      out[3] = out[7] = out[11] = 1;
-      out[4] = out[5] = out[6] = out[8] = out[9] = out[10] = 0;
-    }
-    if (!m.numbers || !target.numbers || !quick(m.numbers, n, d, target.numbers, out))
-      write(position(m, age()), target, out);
-  }
+  // The last anchor: targets near it share it.
+  /** @type {Anchor} */
+  let anchor = { at: { n: [0n, 0n, 0n], d: 1n }, name: 0 };
 
   /**
    * What floats are to be relative to.
    * @param {Ints} p @returns {Target}
    */
   function target(p) {
-    const numbers = [...p.n, p.d].every(small) ? { n: p.n.map(Number), d: Number(p.d) } : null;
-    return { n: p.n, d: p.d, numbers };
-  }
-
-  /** @param {Ints} p @param {Ints} target @param {Float64Array | number[]} out */
-  function write(p, target, out) {
-    for (let i = 0; i < 3; i++) out[i] = Rational.ratio(p.n[i] * target.d - target.n[i] * p.d, p.d * target.d);
+    let from = away(p, anchor.at);
+    if (!from.every((x) => Math.abs(x.high) < 1e6)) {
+      anchor = { at: { n: p.n, d: p.d }, name: anchor.name + 1 };
+      from = away(p, anchor.at);
+    }
+    return { n: p.n, d: p.d, anchor, high: from.map((x) => x.high), low: from.map((x) => x.low) };
   }
 
   /**
-   * The same in floats, as long as all that comes up is a whole number that a float can be: then nothing is rounded but
-   * the last quotient, to the nearest. False where that is not so; a product that is too great is never told as less.
-   * @param {{ at: number[], velocity: number[], d: number }} m @param {number} n @param {number} d  of the age
-   * @param {Floats} target @param {Float64Array | number[]} out
+   * One place from another, by twofold floats.
+   * @param {Ints} p @param {Ints} q
    */
-  function quick(m, n, d, target, out) {
-    const td = target.d, below = m.d * d;
-    const all = below * td;
-    if (!(Math.abs(n) < safe && d < safe && below < safe && all < safe)) return false;
-    for (let i = 0; i < 3; i++) {
-      const a = m.at[i] * d, b = m.velocity[i] * n;
-      const here = a + b, c = here * td, e = target.n[i] * below;
-      if (!(Math.abs(a) < safe && Math.abs(b) < safe && Math.abs(here) < safe)) return false;
-      if (!(Math.abs(c) < safe && Math.abs(e) < safe && Math.abs(c - e) < safe)) return false;
-      out[i] = (c - e) / all;
+  function away(p, q) {
+    return p.n.map((n, i) => {
+      const high = Twofold.of(n * q.d - q.n[i] * p.d, p.d * q.d);
+      return { high, low: Twofold.low[0] };
+    });
+  }
+
+  /**
+   * The motion in twofold floats.
+   *
+   * Where it turns, x = C(s w) a, w half the spin, is (a + s (q + s p)) / (1 + s² |w|²) with q = 2 w × a and
+   * p = 2 (w·a) w - |w|² a. Four vectors turn: the arm, and the columns of the rotation at the start of the turn. Of each of
+   * their coordinates the quadrics hold a, q and p; and at the end |w|² and how long ago the turn began.
+   * @param {Straight | Turning} m @param {Anchor} to @returns {Held}
+   */
+  function hold(m, to) {
+    const start = "at" in m ? m.at : m.centre;
+    const floats = new Float64Array(12);
+    away(start, to.at).forEach((x, i) => { floats[2 * i] = x.high; floats[2 * i + 1] = x.low; });
+    m.velocity.n.forEach((n, i) => {
+      floats[6 + 2 * i] = Twofold.of(n, m.velocity.d);
+      floats[7 + 2 * i] = Twofold.low[0];
+    });
+    if ("at" in m) return { anchor: to.name, floats, quadrics: null, speed: 0 };
+    const quadrics = new Float64Array(76);
+    const put = (/** @type {number} */ at, /** @type {bigint} */ n, /** @type {bigint} */ d) => {
+      quadrics[at] = Twofold.of(n, d);
+      quadrics[at + 1] = Twofold.low[0];
+    };
+    const w = m.spin.n, wd = 2n * m.spin.d, w2 = dot(w, w);
+    const turned = matrix(m.turned), n2 = norm(m.turned);
+    const vectors = [m.arm, ...[0, 1, 2].map((k) => ({ n: [turned[k], turned[k + 3], turned[k + 6]], d: n2 }))];
+    vectors.forEach((a, k) => {
+      const q = cross(w, a.n), along = dot(w, a.n);
+      for (let i = 0; i < 3; i++) {
+        const at = 18 * k + 6 * i;
+        put(at, a.n[i], a.d);
+        put(at + 2, 2n * q[i], wd * a.d);
+        put(at + 4, 2n * along * w[i] - w2 * a.n[i], wd * wd * a.d);
+      }
+    });
+    put(72, w2, wd * wd);
+    put(74, m.since.n, m.since.d);
+    const arm = Math.hypot(quadrics[0], quadrics[6], quadrics[12]);
+    return { anchor: to.name, floats, quadrics, speed: 4 * Math.sqrt(quadrics[72]) * (1 + arm) };
+  }
+
+  /**
+   * As floats, each the nearest one to the exact number: the position relative to a target, in out[0..2], and the rows of
+   * the rotation, in out[3..11].
+   *
+   * What is computed in twofold floats is within 2^-96 of the sizes of what is added: some ten operations, each within
+   * 2^-102. Where the whole of that span rounds to one float, it is the nearest one. Else, which is rare but where the result
+   * is 0, exact arithmetic decides.
+   * @param {Straight | Turning} m @param {Moving} body @param {Target} target @param {Float64Array | number[]} out
+   */
+  function place(m, body, target, out) {
+    const held = m.held !== null && m.held.anchor === target.anchor.name ? m.held : (m.held = hold(m, target.anchor));
+    const f = held.floats, { low, add, mul } = Twofold;
+    const { timeHigh, timeLow, sinceHigh, sinceLow } = body;
+    const age = add(timeHigh, timeLow, -sinceHigh, -sinceLow), ageLow = low[0];
+    const ages = Math.abs(timeHigh) + Math.abs(sinceHigh);
+    if (held.quadrics === null) {
+      for (let i = 0; i < 3; i++) {
+        const v = f[6 + 2 * i];
+        let high = mul(age, ageLow, v, f[7 + 2 * i]);
+        high = add(high, low[0], f[2 * i], f[2 * i + 1]);
+        high = add(high, low[0], -target.high[i], -target.low[i]);
+        const within = (ages * Math.abs(v) + Math.abs(f[2 * i]) + Math.abs(target.high[i])) * 2 ** -96;
+        const nearest = high + (low[0] + within);
+        out[i] = nearest === high + (low[0] - within) ? nearest : exactly(m, body, target, i);
+      }
+      const r = /** @type {Straight} */ (m).matrix;
+      if (r) for (let i = 0; i < 9; i++) out[3 + i] = r[i];
+      else {
+        out[3] = out[7] = out[11] = 1;
+        out[4] = out[5] = out[6] = out[8] = out[9] = out[10] = 0;
+      }
+      return;
     }
-    return true;
+    const q = held.quadrics;
+    const s = add(age, ageLow, q[74], q[75]), sLow = low[0];
+    let y = mul(s, sLow, s, sLow);
+    y = mul(y, low[0], q[72], q[73]);
+    y = add(y, low[0], 1, 0);
+    const yLow = low[0];
+    const lost = held.speed * (ages + Math.abs(q[74]));
+    for (let k = 0; k < 12; k++) {
+      const at = 6 * k;
+      if (k >= 3 && q[at] === 0 && q[at + 2] === 0 && q[at + 4] === 0) {
+        out[entry(k)] = 0;
+        continue;
+      }
+      let x = mul(s, sLow, q[at + 4], q[at + 5]);
+      x = add(x, low[0], q[at + 2], q[at + 3]);
+      x = mul(s, sLow, x, low[0]);
+      x = add(x, low[0], q[at], q[at + 1]);
+      let high = Twofold.div(x, low[0], y, yLow);
+      let size = Math.abs(q[at]) + Math.abs(s) * (Math.abs(q[at + 2]) + Math.abs(s * q[at + 4])) + lost;
+      if (k < 3) {
+        const xLow = low[0], v = f[6 + 2 * k];
+        let here = mul(age, ageLow, v, f[7 + 2 * k]);
+        here = add(here, low[0], f[2 * k], f[2 * k + 1]);
+        here = add(here, low[0], -target.high[k], -target.low[k]);
+        high = add(here, low[0], high, xLow);
+        size += ages * Math.abs(v) + Math.abs(f[2 * k]) + Math.abs(target.high[k]);
+      }
+      const within = size * 2 ** -96;
+      const nearest = high + (low[0] + within);
+      const i = entry(k);
+      out[i] = nearest === high + (low[0] - within) ? nearest : exactly(m, body, target, i);
+    }
+  }
+
+  /**
+   * Where in the result a coordinate of what turns is: columns of the rotation, in rows.
+   * @param {number} k
+   */
+  const entry = (k) => (k < 3 ? k : 3 + 3 * (k % 3) + Math.floor(k / 3) - 1);
+
+  /**
+   * One number of the result, by exact arithmetic.
+   * @param {Straight | Turning} m @param {Moving} body @param {Target} target @param {number} i
+   */
+  function exactly(m, body, target, i) {
+    if (i < 3) {
+      const p = position(m, body.gone());
+      return Rational.ratio(p.n[i] * target.d - target.n[i] * p.d, p.d * target.d);
+    }
+    const o = orientation(m, body.gone());
+    return Rational.ratio(o.n[i - 3], o.d);
   }
 
   return { ints, straight, turning, position, orientation, target, place };

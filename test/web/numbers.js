@@ -5,7 +5,7 @@
 const readline = require("readline");
 const { load } = require("./load.js");
 
-const scripts = ["rational.js", "motion.js", "course.js"];
+const scripts = ["rational.js", "twofold.js", "motion.js", "course.js"];
 const { Rational, Motion, Course } = load(process.argv[2], scripts, ["Rational", "Motion", "Course"]);
 
 /** A float as its bits, so that nothing is lost on the way. */

@@ -9,7 +9,7 @@ const { load } = require("./load.js");
 
 const [web, file, index, ...times] = process.argv.slice(2);
 const { Rational, Motion, Course } =
-  load(web, ["rational.js", "motion.js", "course.js"], ["Rational", "Motion", "Course"]);
+  load(web, ["rational.js", "twofold.js", "motion.js", "course.js"], ["Rational", "Motion", "Course"]);
 
 const data = JSON.parse(fs.readFileSync(file, "utf8"));
 const course = new Course(data, data.runs[Number(index)]);
