@@ -76,7 +76,7 @@ let dot (a, b, c) (d, e, f) = (a *. d) +. (b *. e) +. (c *. f)
 let light t (f : View.face) =
   let n = unit_vector f.normal in
   let along axis = dot n (unit_vector axis) in
-  (0.75 *. along t.camera.up) -. (0.45 *. along t.camera.right) +. (0.48 *. along t.camera.near)
+  (0.75 *. along t.camera.up) -. (0.6 *. along t.camera.right) +. (0.48 *. along t.camera.near)
 
 let shade t base face =
   let l = light t face -. 0.2 in
