@@ -236,8 +236,7 @@ class Course {
       const n = process.turn ? parts : 1;
       for (let i = points.length ? 1 : 0; i <= n; i++) {
         const at = Rational.add(begin, Rational.mul(Rational.sub(end, begin), Rational.make(BigInt(i), BigInt(n))));
-        const high = Twofold.of(at.n, at.d);
-        body.at(at, high, Twofold.low[0]);
+        body.at(at);
         this.place(body, place, target, out);
         points.push(out[0], out[1], out[2]);
       }
@@ -284,10 +283,10 @@ class Moving {
   }
 
   /**
-   * Later, at a time that is told as a twofold float as well.
-   * @param {Rational} time @param {number} high @param {number} low
+   * At another time, which may be told as a twofold float as well.
+   * @param {Rational} time @param {number} [high] @param {number} [low]
    */
-  at(time, high, low) {
+  at(time, high = Twofold.of(time.n, time.d), low = Twofold.low[0]) {
     this.time = time;
     this.timeHigh = high;
     this.timeLow = low;

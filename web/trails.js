@@ -81,7 +81,7 @@ class Trails {
     let last = null;
     for (let i = 0; i <= n; i++) {
       const at = Rational.add(from, Rational.mul(long, Rational.make(BigInt(i), BigInt(n))));
-      body.at(at, Moving.float(at.n), Moving.float(at.d));
+      body.at(at);
       course.place(body, place, this.base, out);
       const p = Pick.toWorld(out, this.bodies.centres[place.leaf]);
       if (last) {
