@@ -134,15 +134,6 @@ class Course {
   }
 
   /**
-   * The state that was reached last at a time.
-   * @param {Rational} time
-   */
-  stateAt(time) { return this.stateAfter(this.legsAt(time)); }
-
-  /** @param {number} k */
-  stateAfter(k) { return k === 0 ? this.start : this.legs[k - 1].after; }
-
-  /**
    * Of several states of one instant, the last.
    * @param {Rational} time
    */
@@ -217,55 +208,10 @@ class Course {
   }
 
   /**
-   * Where the leaf's point of reference has been, up to a time: points (x, y, z) relative to the target, one after the
-   * other, with those at which its process changed; what turns is sampled in between.
-   * @param {number} leaf @param {number} k @param {Rational} time @param {Target} target @param {number} [most] points
-   */
-  trail(leaf, k, time, target, most = 2000) {
-    /** @type {number[]} */
-    const points = [];
-    const out = new Float64Array(12);
-    const parts = 6;
-    for (const s of this.#segmentsOf(leaf)) {
-      if (s.from > k) break;
-      const process = this.data.processes[s.index];
-      const place = process.leaves.find((l) => l.leaf === leaf);
-      if (!place) continue;
-      const body = new Moving(process, s.index, s.since);
-      const end = s.to <= k ? this.arrival(s.to) : time, begin = this.arrival(s.from);
-      const n = process.turn ? parts : 1;
-      for (let i = points.length ? 1 : 0; i <= n; i++) {
-        const at = Rational.add(begin, Rational.mul(Rational.sub(end, begin), Rational.make(BigInt(i), BigInt(n))));
-        body.at(at);
-        this.place(body, place, target, out);
-        points.push(out[0], out[1], out[2]);
-      }
-    }
-    return points.length > 3 * most ? points.slice(points.length - 3 * most) : points;
-  }
-
-  /**
    * When so many legs were over.
    * @param {number} k
    */
   arrival(k) { return k < this.legs.length ? this.legs[k].start : this.over; }
-
-  /** @type {Map<number, Segment[]> | null} by leaf */
-  #trails = null;
-
-  /** @param {number} leaf */
-  #segmentsOf(leaf) {
-    if (!this.#trails) {
-      this.#trails = new Map();
-      const all = [...this.slots.values()].flat().sort((a, b) => a.from - b.from);
-      for (const s of all)
-        for (const place of this.data.processes[s.index].leaves) {
-          const of = this.#trails.get(place.leaf);
-          if (of) of.push(s); else this.#trails.set(place.leaf, [s]);
-        }
-    }
-    return this.#trails.get(leaf) || [];
-  }
 }
 
 /** A process of a state, on its way since an instant: its age is made when it is asked for. */
