@@ -179,22 +179,23 @@ class Bodies {
 
   /**
    * A mark around a feature: of what holds a bond, or is selected.
-   * @param {string} what @param {number} leaf @param {DataSite} site @param {boolean} filled
+   * @param {string} what @param {number} leaf @param {DataSite} site @param {boolean} held
    */
-  #mark(what, leaf, [part, kind, index], filled) {
+  #mark(what, leaf, [part, kind, index], held) {
     return this.#kind(`${what} ${part} ${kind} ${index} ${this.shapes[leaf]}`, () => {
       const size = this.sizes[leaf], model = this.models[leaf][part];
+      if (!held) return new Kind({ faces: Shapes.band(model, kind, index, size) }, { flat: true, ghost: 0.3, pull: 2, order: 2 });
       const faces = new Shapes.Triangles();
-      if (filled) Shapes.ball(faces, Shapes.middle(Shapes.corners(model, kind, index)), 0.06 * size);
+      Shapes.ball(faces, Shapes.middle(Shapes.corners(model, kind, index)), 0.06 * size);
       return new Kind({ faces, lines: Shapes.outline(model, kind, index, size) },
-        { flat: true, own: true, line: filled ? 2.5 : 3.5, ghost: filled ? 0.45 : 0.6, pull: 3, order: 2 });
+        { flat: true, own: true, line: 2.5, ghost: 0.45, pull: 3, order: 2 });
     });
   }
 
   /** @param {number} leaf */
   #around(leaf) {
     return this.#kind(`around ${this.shapes[leaf]}`, () =>
-      new Kind({ lines: Surface.edges(this.models[leaf]) }, { own: true, line: 2.5, ghost: 0.35, pull: 2, order: 2 }));
+      new Kind({ lines: Surface.edges(this.models[leaf]) }, { own: true, line: 2, ghost: 0.35, pull: 2, order: 2 }));
   }
 
   /**

@@ -163,7 +163,8 @@ class Floor {
   static #leaves(a, b, width, height, margin) {
     const w = 1e-3 * Math.max(a[3], b[3]);
     if (!(w > 0)) return null;
-    const mix = (/** @type {number[]} */ p, /** @type {number[]} */ q, /** @type {number} */ t) => p.map((x, i) => x + t * (q[i] - x));
+    /** @param {number[]} p @param {number[]} q @param {number} t */
+    const mix = (p, q, t) => p.map((x, i) => x + t * (q[i] - x));
     if (a[3] < w) a = mix(a, b, (w - a[3]) / (b[3] - a[3]));
     if (b[3] < w) b = mix(b, a, (w - b[3]) / (a[3] - b[3]));
     const pixel = (/** @type {number[]} */ p) => [(0.5 + p[0] / p[3] / 2) * width, (0.5 - p[1] / p[3] / 2) * height];

@@ -35,7 +35,7 @@ const Shaders = (() => {
   // Lines of so many pixels. What is behind the camera is cut off first.
   const lineVertex = `
     ${rows} attribute vec3 other; attribute float side; attribute vec4 color4;
-    uniform vec2 size; uniform float width; uniform float near; uniform float pull;
+    uniform vec2 size; uniform float width; uniform float near; uniform float pull; uniform float fade;
     varying vec4 vColor;
     vec4 place(vec3 q) {
       vec4 p = vec4(q, 1.0);
@@ -46,10 +46,12 @@ const Shaders = (() => {
       if (a.w < near && b.w > near) a = mix(a, b, (near - a.w) / (b.w - a.w));
       else if (b.w < near && a.w > near) b = mix(b, a, (near - b.w) / (a.w - b.w));
       vec2 d = (b.xy / b.w - a.xy / a.w) * size;
+      // The edges of what is small in the picture would hide it.
+      float seen = fade > 0.5 ? smoothstep(1.0, 12.0, 0.5 * length(d)) : 1.0;
       d = length(d) > 0.0 ? normalize(d) : vec2(0.0);
       a.xy += (side * vec2(-d.y, d.x) - 0.5 * d) * width * a.w / size;
       a.z -= pull * a.w;
-      vColor = vec4(mix(tint.rgb, color4.rgb, color4.a), 1.0 - tint.a);
+      vColor = vec4(mix(tint.rgb, color4.rgb, color4.a), seen * (1.0 - tint.a));
       gl_Position = a;
     }`;
 
@@ -152,7 +154,10 @@ class Kind {
     const geometry = new THREE.InstancedBufferGeometry();
     Kind.fill(geometry, ribbons);
     this.geometries.push(geometry);
-    const line = Kind.line({ width: style.line ?? 1.25, own: style.own, opacity, pull: 4e-5 * (1 + (style.pull || 0)) });
+    const line = Kind.line({
+      width: style.line ?? 1.25, own: style.own, opacity, fade: style.own !== true,
+      pull: 4e-5 * (1 + (style.pull || 0)),
+    });
     line.uniforms.color = this.ink;
     this.#add(geometry, new THREE.Mesh(geometry, line), style.opacity ? order + 4 : order);
     if (!style.ghost) return;
@@ -163,16 +168,17 @@ class Kind {
   }
 
   /**
-   * @param {{ width: number, own?: boolean, opacity?: number, pull?: number }} style
+   * @param {{ width: number, own?: boolean, opacity?: number, pull?: number, fade?: boolean }} style
    * @returns {any} a material for lines
    */
-  static line({ width, own, opacity, pull }) {
+  static line({ width, own, opacity, pull, fade }) {
     return new THREE.ShaderMaterial({
       vertexShader: Shaders.lineVertex,
       fragmentShader: Shaders.lineFragment,
       uniforms: {
         color: { value: new THREE.Color(0x000000) }, own: { value: own ? 1 : 0 }, opacity: { value: opacity ?? 1 },
-        width: { value: width }, pull: { value: pull || 0 }, size: Kind.shared.size, near: Kind.shared.near,
+        width: { value: width }, pull: { value: pull || 0 }, fade: { value: fade ? 1 : 0 },
+        size: Kind.shared.size, near: Kind.shared.near,
       },
       transparent: true, depthWrite: false, side: THREE.DoubleSide,
     });

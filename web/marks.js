@@ -77,7 +77,10 @@ class Marks {
     if (options.grid) {
       const { x, z } = bodies.colors;
       for (const n of floor.numbers(this.scene.clip(), width, height, tools.height))
-        if (!this.#covered(n.x, n.y)) overlay.word(n.text, n.x, n.y, { size: 10.5, color: Colors.css(Colors.mix(n.axis ? z : x, bodies.colors.grid, 0.35)) });
+        if (!this.#covered(n.x, n.y)) {
+          const color = Colors.css(Colors.mix(n.axis ? z : x, bodies.colors.grid, 0.35));
+          overlay.word(n.text, n.x, n.y, { size: 10.5, color });
+        }
     }
     const pointed = this.scene.pointer && bodies.hovered;
     if (this.scene.pointer && pointed)

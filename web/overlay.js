@@ -6,7 +6,8 @@ class Overlay {
   constructor(box) {
     this.canvas = document.createElement("canvas");
     this.canvas.setAttribute("aria-hidden", "true");
-    Object.assign(this.canvas.style, { position: "absolute", inset: "0", width: "100%", height: "100%", pointerEvents: "none" });
+    Object.assign(this.canvas.style,
+      { position: "absolute", inset: "0", width: "100%", height: "100%", pointerEvents: "none" });
     box.append(this.canvas);
     this.pen = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
     this.colors = Colors.theme(false);
@@ -54,7 +55,8 @@ class Overlay {
     const wide = pen.measureText(said).width, left = align === "center" ? x - wide / 2 : align === "right" ? x - wide : x;
     const room = [left - 2, y - size / 2 - 1, left + wide + 2, y + size / 2 + 1];
     if (room[2] < 0 || room[0] > this.width || room[3] < 0 || room[1] > this.height) return false;
-    if (!force && this.taken.some((t) => t[0] < room[2] && room[0] < t[2] && t[1] < room[3] && room[1] < t[3])) return false;
+    const meets = (/** @type {number[]} */ t) => t[0] < room[2] && room[0] < t[2] && t[1] < room[3] && room[1] < t[3];
+    if (!force && this.taken.some(meets)) return false;
     this.taken.push(room);
     pen.textAlign = "left";
     pen.lineWidth = 3;
@@ -122,7 +124,8 @@ class Overlay {
       const more = i + 1 === most && entries.length > most;
       const x = 14, y = 18 + i * step;
       if (!more) this.#swatch(x, y, color, shape);
-      this.word(more ? `${entries.length - i} more` : text, x + 12, y, { align: "left", color: this.colors.text, force: true });
+      this.word(more ? `${entries.length - i} more` : text, x + 12, y,
+        { align: "left", color: this.colors.text, force: true });
     });
     pen.globalAlpha = 1;
   }

@@ -60,8 +60,10 @@ class Scene {
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-roledescription", "scene");
     this.canvas.setAttribute("aria-label",
-      "The bodies in space. Keys: w a s d turn, with shift they move, z and shift z zoom. All that is seen is told in Bodies.");
-    Object.assign(this.canvas.style, { position: "absolute", inset: "0", width: "100%", height: "100%", touchAction: "none" });
+      "The bodies in space. Keys: w a s d turn, with shift they move, z and shift z zoom. " +
+      "All that is seen is told in Bodies.");
+    Object.assign(this.canvas.style,
+      { position: "absolute", inset: "0", width: "100%", height: "100%", touchAction: "none" });
     box.append(this.canvas);
     this.scene = new THREE.Scene();
     this.orbit = new Orbit(this.canvas, () => this.refresh());
@@ -284,7 +286,8 @@ class Scene {
    */
   pick(x, y, near = 8) {
     const width = this.box.clientWidth, height = this.box.clientHeight, camera = this.orbit.camera;
-    const end = (/** @type {number} */ z) => new THREE.Vector3((2 * x) / width - 1, 1 - (2 * y) / height, z).unproject(camera);
+    const end = (/** @type {number} */ z) =>
+      new THREE.Vector3((2 * x) / width - 1, 1 - (2 * y) / height, z).unproject(camera);
     const a = end(-1), b = end(1);
     const hit = Pick.first(this.bodies.shown, [a.x, a.y, a.z], [b.x - a.x, b.y - a.y, b.z - a.z]);
     if (!hit) return null;

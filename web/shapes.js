@@ -144,7 +144,8 @@ const Shapes = (() => {
    */
   function ball(into, at, r) {
     const half = (/** @type {Point} */ p, /** @type {Point} */ q) => unit([p[0] + q[0], p[1] + q[1], p[2] + q[2]]);
-    const put = (/** @type {Point} */ a, /** @type {Point} */ b, /** @type {Point} */ c, /** @type {number} */ depth) => {
+    /** @param {Point} a @param {Point} b @param {Point} c @param {number} depth */
+    const put = (a, b, c, depth) => {
       if (depth === 0) return into.round([a, b, c].map((p) => along(at, r, p)), [a, b, c]);
       const ab = half(a, b), bc = half(b, c), ca = half(c, a);
       for (const [p, q, s] of [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]) put(p, q, s, depth - 1);
@@ -278,6 +279,23 @@ const Shapes = (() => {
   }
 
   /**
+   * A band that tells which feature is meant: along the border of a face, or around an edge or a corner.
+   * @param {Part} p @param {SiteKind} kind @param {number} index @param {number} size of the body
+   */
+  function band(p, kind, index, size) {
+    const into = new Triangles();
+    const all = corners(p, kind, index);
+    if (kind === "vertex") ball(into, all[0], 0.09 * size);
+    else if (kind === "edge") rod(into, all[0], all[1], 0.04 * size);
+    else {
+      const n = p.faces[index].normal, c = middle(all);
+      const [out, ins] = [1, 0.87].map((t) => all.map((q) => along(between(c, q, t), 0.006 * size, n)));
+      out.forEach((q, i) => into.polygon([q, out[(i + 1) % out.length], ins[(i + 1) % ins.length], ins[i]], n));
+    }
+    return into;
+  }
+
+  /**
    * Its outline, as lines; a corner as a small cross.
    * @param {Part} p @param {SiteKind} kind @param {number} index @param {number} size
    */
@@ -319,7 +337,7 @@ const Shapes = (() => {
   }
 
   return {
-    point, sub, cross, dot, unit, middle, along, between, across, part, body, ball, rod, corners, feature, outline, arrow, curl,
-    Triangles,
+    point, sub, cross, dot, unit, middle, along, between, across, part, body, ball, rod, corners, feature, band, outline,
+    arrow, curl, Triangles,
   };
 })();

@@ -30,8 +30,11 @@ class Trails {
      * @type {number[]}
      */
     this.ends = [];
-    this.legs = -1;
-    this.capacity = 0;
+    /**
+     * Where processes that go straight began.
+     * @type {Map<DataPlace, [number, number, number]>}
+     */
+    this.begins = new Map();
   }
 
   /**
@@ -45,6 +48,7 @@ class Trails {
     if (course !== this.course || Math.hypot(...away) > 1e4 * orbit.distance) {
       this.course = course;
       this.base = orbit.target;
+      this.begins.clear();
       this.#past(course);
       away = [0, 0, 0];
     }
@@ -59,7 +63,7 @@ class Trails {
     this.past.move(0, matrix);
     this.present.move(0, matrix);
     for (const kind of [this.past, this.present]) kind.buffer.needsUpdate = true;
-    this.#present(course, legs, time);
+    this.#present(course, time, away);
   }
 
   /** @param {Target} a @param {Target} b */
@@ -120,22 +124,36 @@ class Trails {
     Trails.#fill(this.past, lines, colors);
   }
 
-  /** @param {Course} course @param {number} legs @param {Rational} time */
-  #present(course, legs, time) {
+  /**
+   * The pieces that are not over. What goes straight is drawn from where its process began to where it is.
+   * @param {Course} course @param {Rational} time @param {number[]} away of the target, from what lines are relative to
+   */
+  #present(course, time, away) {
     /** @type {number[]} */
     const lines = [];
     /** @type {number[]} */
     const colors = [];
-    /** @type {Moving | null} */
-    let last = null;
-    for (const { body } of this.bodies.moving) {
-      if (body === last || lines.length > 6 * 4000) continue;
-      last = body;
-      const from = body.since;
-      const begin = Rational.sign(from) < 0 ? Rational.zero : from;
+    for (const shown of this.bodies.moving) {
+      if (lines.length > 6 * 4000) break;
+      const { body, place, leaf } = shown;
+      if (this.bodies.leaves[leaf].fixed) continue;
+      const begin = Rational.sign(body.since) < 0 ? Rational.zero : body.since;
       if (Rational.cmp(begin, time) >= 0) continue;
-      const s = { index: body.index, since: body.since, from: 0, to: 0 };
-      for (const place of this.#places(body.index)) this.#pieces(course, s, place, begin, time, lines, colors);
+      if (body.process.turn) {
+        this.#pieces(course, { index: body.index, since: body.since, from: 0, to: 0 }, place, begin, time, lines, colors);
+        continue;
+      }
+      let from = this.begins.get(place);
+      if (!from) {
+        const start = new Moving(body.process, body.index, body.since), out = new Float64Array(12);
+        start.at(begin, Moving.float(begin.n), Moving.float(begin.d));
+        course.place(start, place, this.base, out);
+        from = Pick.toWorld(out, this.bodies.centres[leaf]);
+        this.begins.set(place, from);
+      }
+      const to = Pick.toWorld(shown.matrix, this.bodies.centres[leaf]), c = this.bodies.tints[leaf];
+      lines.push(from[0], from[1], from[2], to[0] - away[0], to[1] - away[1], to[2] - away[2]);
+      colors.push(c[0], c[1], c[2], c[0], c[1], c[2]);
     }
     for (const o of this.present.objects) o.visible = lines.length > 0;
     if (lines.length) Trails.#fill(this.present, lines, colors);
