@@ -45,8 +45,10 @@ const Graph = (() => {
   function draw() {
     const all = player.data.states;
     states = [];
+    // What comes after the end of a run is no state of the graph: nothing but turning goes on there.
+    const after = new Set(player.runs.flatMap((run) => run.steps.filter((step) => step.tail).map((step) => step.to)));
     all.forEach((state, index) => {
-      if (state.next !== null) states.push(index);
+      if (state.next !== null && !after.has(index)) states.push(index);
     });
     const known = player.data.graph;
     const note = !known
@@ -219,7 +221,11 @@ const Graph = (() => {
       const line = lines.get(`${player.state}-${choice.to}`);
       if (line) line.classList.add("out");
     }
-    const now = nodes.get(player.state);
+    let state = player.state;
+    for (let k = player.legs; k > 0 && player.run.steps[k - 1].tail; k--) {
+      state = k > 1 ? player.run.steps[k - 2].to : player.run.start;
+    }
+    const now = nodes.get(state);
     for (const node of nodes.values()) {
       if (node === now || !node.classList.contains("here")) continue;
       node.classList.remove("here");
@@ -231,7 +237,7 @@ const Graph = (() => {
     now.setAttribute("aria-current", "true");
     now.setAttribute("tabindex", "0");
     const view = picture && picture.parentElement;
-    const place = places.get(player.state);
+    const place = places.get(state);
     if (!view || !place) return;
     const [x, y] = [place.x * scale, place.y * scale];
     if (x < view.scrollLeft + 20 || x > view.scrollLeft + view.clientWidth - 20)
