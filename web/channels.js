@@ -1,24 +1,40 @@
 "use strict";
 
-/** Colours of channels: in the scene, where they are open, and beside their names. */
+/** The colours of the scene, beside the names of bodies and channels. */
 const Channels = (() => {
   /** @type {Map<string, [number, number, number]>} */
-  let colors = new Map();
+  let channels = new Map();
+  /** @type {[number, number, number][]} */
+  let leaves = [];
 
   /** @param {PageData} data */
   function start(data) {
-    colors = Colors.ofChannels(data.behaviours);
+    channels = Colors.ofChannels(data.behaviours);
+    leaves = Colors.ofLeaves(data.leaves).map((leaf) => leaf.color);
   }
 
   /**
-   * A patch of the colour that the scene shows; a striped frame for a co-name, as there.
-   * @param {string} name @param {boolean} co
+   * A patch of a colour.
+   * @param {[number, number, number] | undefined} color @param {string} kind a class
    */
-  function patch(name, co) {
-    const made = Dom.make("span", { class: co ? "patch co" : "patch", "aria-hidden": "true" });
-    made.style.setProperty("--patch", Colors.css(colors.get(name) || [1, 1, 1]));
+  function swatch(color, kind) {
+    const made = Dom.make("span", { class: kind, "aria-hidden": "true" });
+    const [r, g, b] = (color || [1, 1, 1]).map((part) => Math.round(255 * part));
+    made.style.setProperty("--patch", `rgb(${r}, ${g}, ${b})`);
     return made;
   }
 
-  return { start, patch };
+  /**
+   * Of a channel; striped for a co-name, as in the scene.
+   * @param {string} name @param {boolean} co
+   */
+  const patch = (name, co) => swatch(channels.get(name), co ? "patch co" : "patch");
+
+  /**
+   * Of a body.
+   * @param {number} leaf
+   */
+  const body = (leaf) => swatch(leaves[leaf], "patch body");
+
+  return { start, patch, body };
 })();

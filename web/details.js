@@ -47,6 +47,7 @@ const Details = (() => {
   function row(leaf, element) {
     const of = player.course.leaves[leaf];
     element.append(
+      Channels.body(leaf),
       Dom.name(Dom.clip(of.name, 300), "name clipped"),
       Dom.make("span", { class: "row-side quiet" }, [
         Dom.make("bdi", { class: "clipped", text: Dom.clip(of.template, 80) }),

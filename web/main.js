@@ -129,6 +129,7 @@ const Main = (() => {
     Channels.start(data);
     const player = new Player(data);
     Regions.start(player);
+    Channels.start(data);
     Tabs.start();
     Rules.start(data);
     const scene = stage(data);
