@@ -187,6 +187,15 @@ def by_keys(b, scc):
     same('a state of the graph by keys', b.js('return document.activeElement.dataset.testid'),
          f'state-{b.state()["state"]}')
     b.js('document.activeElement.blur()')
+    for key, tool in [('n', 'names'), ('v', 'velocities'), ('r', 'trails')]:
+        b.keys(key)
+        same(f'the scene has {tool}', b.find(tool).get_attribute('aria-pressed'), 'true')
+    b.keys('o', 'f')
+    b.find('spins').click()
+    for _ in range(3):
+        b.keys(Keys.ARROW_LEFT)
+        b.js('return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))')
+    b.js('document.activeElement.blur()')
     theme = b.js('return document.documentElement.dataset.theme')
     b.keys('t')
     check('dark and light', b.js('return document.documentElement.dataset.theme') != theme)
@@ -319,6 +328,11 @@ def motion(b, scc):
       return [...Array(arguments[0] + 1).keys()].map((k) => { scc.go(k); return scc.state().time; })''', now['legs'])
     check('at instants of events alone', now['time'] in instants, now['time'])
     b.prefer(reduced_motion='no-preference', color_scheme='light')
+    for tool in ['names', 'velocities', 'spins', 'trails', 'projection', 'fit']:
+        b.find(tool).click()
+    for legs in range(8):
+        b.js('scc.go(arguments[0]); return new Promise((done) => requestAnimationFrame(() => done()))', legs)
+    same('the scene with all that it can show', b.complaints(), [])
 
 
 def no_states_beyond(b, scc):
