@@ -40,6 +40,23 @@ require_debian() {
     apt-get -qq -o Dpkg::Use-Pty=0 install -y --no-install-recommends $missing >/dev/null
 }
 
+# three.js draws the scenes of `scc view`. It is no opam package: npm has it. Without it pages have all but the scene.
+require_three() {
+  [ -r /usr/share/javascript/three/three.min.js ] && return 0
+  three=$OPAM_SWITCH_PREFIX/share/scc-three/three.min.js
+  [ -r "$three" ] && return 0
+  if command -v npm >/dev/null 2>&1; then
+    fetched=$(mktemp -d)
+    if (cd "$fetched" && npm pack --silent three@0.111.0 >/dev/null && tar -xzf three-0.111.0.tgz) &&
+       mkdir -p "$(dirname "$three")" && cp "$fetched/package/build/three.min.js" "$three"; then
+      rm -rf "$fetched"
+      return 0
+    fi
+    rm -rf "$fetched"
+  fi
+  echo 'scc: three.js could not be had (by npm): the pages of scc view will have no scene' >&2
+}
+
 # The stamp spares a second run the half minute that opam takes to find that all is there.
 require_opam() {
   stamp="$OPAM_SWITCH_PREFIX/.scc-$1-dependencies"
@@ -52,7 +69,7 @@ require_opam() {
 
 require() {
   if [ -n "${OPAM_SWITCH_PREFIX:-}" ]; then
-    require_opam "$1"
+    require_opam "$1" && require_three
   elif command -v apt-get >/dev/null 2>&1; then
     case $1 in
       build) require_debian $build_packages ;;

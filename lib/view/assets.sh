@@ -1,11 +1,12 @@
 #!/bin/sh
 # Writes the parts of the page as a module of OCaml: `assets.sh WEB`, with the folder of its sources.
 #
-# three.js draws the scene. It is where Debian's package libjs-three has it, or where SCC_THREE says; without it the
-# page has everything but the scene, and says so.
+# three.js draws the scene. It is where SCC_THREE says, where Debian's package libjs-three has it, or where
+# scripts/dependencies.sh put it in an opam switch; without it the page has everything but the scene, and says so.
 set -eu
 web=$1
 three=${SCC_THREE:-/usr/share/javascript/three/three.min.js}
+[ -r "$three" ] || three=${OPAM_SWITCH_PREFIX:-}/share/scc-three/three.min.js
 
 # text NAME FILE
 text() {
