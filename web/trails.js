@@ -146,7 +146,7 @@ class Trails {
       let from = this.begins.get(place);
       if (!from) {
         const start = new Moving(body.process, body.index, body.since), out = new Float64Array(12);
-        start.at(begin, Moving.float(begin.n), Moving.float(begin.d));
+        start.at(begin);
         course.place(start, place, this.base, out);
         from = Pick.toWorld(out, this.bodies.centres[leaf]);
         this.begins.set(place, from);
