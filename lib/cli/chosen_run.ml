@@ -67,16 +67,28 @@ let prepare console o ~given path =
   Console.report console loaded.warnings;
   Ok { loaded; sampled; policy = policy o schedule; limits = limits o schedule }
 
-let follow (l : Loaded.t) policy limits ~interrupted =
-  let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
+let each (l : Loaded.t) policy limits ~interrupted ~start ~leg =
+  let before = ref l.declared and time = ref Rat.zero and rest = ref Rat.zero in
   let note : Replay.event -> unit = function
-    | Start s -> initial := s
-    | Step { taken; state; _ } -> steps := (taken.label, state ()) :: !steps
-    | Instant i -> offset := i.offset
+    | Start s ->
+      before := s;
+      start s
+    | Step { taken; state; time = until; _ } ->
+      let after = state () in
+      leg { Course.label = taken.label; start = !time; before = !before; after };
+      before := after;
+      time := until
+    | Instant i -> rest := i.offset
     | End _ -> ()
   in
   let* ending = Replay.run l.semantics l.declared policy limits ~interrupted note in
-  Ok (Course.make l.semantics ~initial:!initial (List.rev !steps) ~rest:!offset, ending)
+  Ok (!rest, ending)
+
+let follow (l : Loaded.t) policy limits ~interrupted =
+  let initial = ref l.declared and steps = ref [] in
+  let start s = initial := s and leg (g : Course.leg) = steps := (g.label, g.after) :: !steps in
+  let* rest, ending = each l policy limits ~interrupted ~start ~leg in
+  Ok (Course.make l.semantics ~initial:!initial (List.rev !steps) ~rest, ending)
 
 let finish console (l : Loaded.t) (result : (Replay.ending, Replay.failure) result) =
   let report d = Console.report console [ d ] in

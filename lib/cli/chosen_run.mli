@@ -2,6 +2,7 @@
 
 open Scc_base
 open Scc_exact
+open Scc_calculus
 open Scc_motion
 open Scc_session
 open Scc_exchange
@@ -23,6 +24,16 @@ type t = {
 val prepare : Console.t -> options -> given:Options.definitions -> string -> (t, Diag.t list) result
 (** Reads the schedule, if any, and the model at a path; reports the warnings of the model. SC0903 when parameters
     with ranges are left open. *)
+
+val each :
+  Loaded.t ->
+  Replay.policy ->
+  Replay.limits ->
+  interrupted:(unit -> bool) ->
+  start:(State.t -> unit) ->
+  leg:(Course.leg -> unit) ->
+  (Rat.t * Replay.ending, Replay.failure) result
+(** Follows the run: its initial state, then each leg; how much time passes after the last one. *)
 
 val follow :
   Loaded.t ->

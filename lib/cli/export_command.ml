@@ -98,7 +98,7 @@ let write console o (f : Film.t) observables =
   | X3d -> alone console o (X3d.file f)
   | Csv -> (
       match f.run with
-      | States course -> alone console o (Table.file f course observables ~every:o.every)
+      | States course -> alone console o (Table.at course observables (Film.instants f ~every:o.every))
       | Changes _ -> Bug.fail __POS__ "a table of a run without its states")
   | Obj ->
     let* time = instant f o.at in
@@ -116,7 +116,8 @@ let too_great o =
 
 (* {1 The command} *)
 
-(* A table asks for whole states; all else for what changes, where a run tells it. *)
+(* A table asks for whole states, one after the other unless it is of given times; all else for what changes,
+   where a run tells it. *)
 let follow o (l : Loaded.t) policy limits ~interrupted =
   if o.format = Csv || not (Scc_engine.Event_run.can_run l.model) then
     let* course, ending = Chosen_run.follow l policy limits ~interrupted in
@@ -134,10 +135,18 @@ let follow o (l : Loaded.t) policy limits ~interrupted =
     | Some w -> Ok (Film.Changes w, ending)
     | None -> Bug.fail __POS__ "a run without a start"
 
-let export console o ~interrupted =
-  let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
-  if chosen.sampled <> [] then Console.note console ("scc: for " ^ Sample.to_string chosen.sampled);
-  let* loaded, observables = observe console chosen.loaded o.observed in
+let table console o (l : Loaded.t) observables policy limits ~interrupted =
+  let lines = ref None in
+  let start s = lines := Some (Table.start l.semantics observables s) in
+  let leg g = Option.iter (fun t -> Table.leg t g) !lines in
+  match (Chosen_run.each l policy limits ~interrupted ~start ~leg, !lines) with
+  | Ok (rest, ending), Some t ->
+    let* () = alone console o (Table.finish t ~rest) in
+    Ok (Chosen_run.finish console l (Ok ending))
+  | Error failure, _ -> Ok (Chosen_run.finish console l (Error failure))
+  | Ok _, None -> Bug.fail __POS__ "a run without a start"
+
+let film console o (chosen : Chosen_run.t) loaded observables ~interrupted =
   match follow o loaded chosen.policy chosen.limits ~interrupted with
   | Error failure -> Ok (Chosen_run.finish console loaded (Error failure))
   | Ok (run, ending) ->
@@ -148,6 +157,14 @@ let export console o ~interrupted =
       | exception Floats.Too_great -> Error [ too_great o ]
     in
     Ok (Chosen_run.finish console loaded (Ok ending))
+
+let export console o ~interrupted =
+  let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
+  if chosen.sampled <> [] then Console.note console ("scc: for " ^ Sample.to_string chosen.sampled);
+  let* loaded, observables = observe console chosen.loaded o.observed in
+  match (o.format, o.every) with
+  | Csv, None -> table console o loaded observables chosen.policy chosen.limits ~interrupted
+  | _ -> film console o chosen loaded observables ~interrupted
 
 let run color o =
   let console = Console.make ~color ~json:false in

@@ -52,23 +52,42 @@ let row put semantics observables ~time ~last (s : State.t) =
   in
   line put (number time @ [ event ] @ List.concat_map (value trajectory) observables)
 
-let header observables =
+let header observables put =
   let both text = [ text; text ^ " (float)" ] in
-  both "time" @ [ "event" ] @ List.concat_map (fun o -> both o.text) observables
+  line put (both "time" @ [ "event" ] @ List.concat_map (fun o -> both o.text) observables)
 
-let file (f : Film.t) course observables ~every put =
-  let semantics = Course.semantics course in
-  let row = row put semantics observables in
-  line put (header observables);
-  match every with
-  | Some _ -> List.iter (fun time -> row ~time ~last:None (Course.at course time)) (Film.instants f ~every)
-  | None ->
-    row ~time:Rat.zero ~last:None (Course.initial course);
-    let leg (l : Course.leg) =
-      let time = Rat.add l.start (Transition.duration_of l.label) in
-      row ~time ~last:(Some (l.before, l.label)) l.after
-    in
-    Array.iter leg (Course.legs course);
-    if Rat.sign (Course.rest course) > 0 then
-      let time = Course.duration course in
-      row ~time ~last:None (Course.at course time)
+(* {1 As the run is made} *)
+
+type lines = {
+  semantics : Semantics.t;
+  observables : observable list;
+  text : Buffer.t;
+  mutable over : Rat.t;
+  mutable latest : State.t;
+}
+
+let add t ~time ~last s = row (Buffer.add_string t.text) t.semantics t.observables ~time ~last s
+
+let start semantics observables initial =
+  let text = Buffer.create 4096 in
+  header observables (Buffer.add_string text);
+  let t = { semantics; observables; text; over = Rat.zero; latest = initial } in
+  add t ~time:Rat.zero ~last:None initial;
+  t
+
+let leg t (l : Course.leg) =
+  t.over <- Rat.add l.start (Transition.duration_of l.label);
+  t.latest <- l.after;
+  add t ~time:t.over ~last:(Some (l.before, l.label)) l.after
+
+let finish t ~rest put =
+  if Rat.sign rest > 0 then
+    add t ~time:(Rat.add t.over rest) ~last:None (Time.pass t.semantics rest t.latest);
+  put (Buffer.contents t.text)
+
+(* {1 At given times} *)
+
+let at course observables times put =
+  header observables put;
+  let row time = row put (Course.semantics course) observables ~time ~last:None (Course.at course time) in
+  List.iter row times

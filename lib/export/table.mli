@@ -3,12 +3,30 @@
     is none so great). *)
 
 open Scc_exact
+open Scc_calculus
 open Scc_property
+open Scc_semantics
 open Scc_motion
 
 type observable = { text : string;  (** as it was asked for *) what : what }
 and what = Number of Property.num | Truth of Property.prop
 
-val file : Film.t -> Course.t -> observable list -> every:Rat.t option -> (string -> unit) -> unit
-(** The states of the run, the initial one and the one after each transition; or with [every] those at its
-    multiples, and at the end. What has no value is left empty. A truth is [true] or [false], as a float 1 or 0. *)
+(** What has no value is left empty. A truth is [true] or [false], as a float 1 or 0. *)
+
+(** {1 The initial state, and the one after each transition} *)
+
+type lines
+
+val start : Semantics.t -> observable list -> State.t -> lines
+(** From the initial state on. *)
+
+val leg : lines -> Course.leg -> unit
+(** One after the other. *)
+
+val finish : lines -> rest:Rat.t -> (string -> unit) -> unit
+(** Writes the table, given how much time passes after the last leg. *)
+
+(** {1 Other states} *)
+
+val at : Course.t -> observable list -> Rat.t list -> (string -> unit) -> unit
+(** Those at times of the run. *)
