@@ -283,7 +283,7 @@ class Bodies {
       const centre = this.#centre(shown);
       const { velocity, turn } = shown.body.process;
       const long = 0.24 * distance, wide = 1.1 * shown.size;
-      if (velocities) this.#pointer(arrow, centre, velocity, this.fastest, long, long, this.colors.velocity);
+      if (velocities) this.#pointer(arrow, centre, velocity, this.fastest, long, Math.min(long, 6 * shown.size), this.colors.velocity);
       if (spins && turn) this.#pointer(curl, centre, turn.spin, this.widest, 4 * wide, wide, this.colors.spin);
     }
   }

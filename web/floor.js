@@ -107,11 +107,19 @@ class Floor {
     const sign = digits < 0n ? "\u2212" : "";
     if (this.power >= 0) {
       const text = size === 0n ? "0" : String(size) + "0".repeat(this.power);
-      return sign + (text.length > 12 ? Number(text).toExponential(4) : text);
+      return sign + Floor.#short(text);
     }
     const text = String(size).padStart(1 - this.power, "0"), point = text.length + this.power;
     const whole = text.slice(0, point), part = text.slice(point).replace(/0+$/, "");
-    return sign + whole + (part ? "." + part : "");
+    return sign + Floor.#short(whole) + (part ? "." + part : "");
+  }
+
+  /**
+   * Of a long number its last digits, which tell it from those beside it.
+   * @param {string} digits
+   */
+  static #short(digits) {
+    return digits.length > 9 ? "…" + digits.slice(-6) : digits;
   }
 
   /**

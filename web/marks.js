@@ -79,12 +79,12 @@ class Marks {
       for (const n of floor.numbers(this.scene.clip(), width, height, tools.height))
         if (!this.#covered(n.x, n.y)) {
           const color = Colors.css(Colors.mix(n.axis ? z : x, bodies.colors.grid, 0.35));
-          overlay.word(n.text, n.x, n.y, { size: 10.5, color });
+          overlay.word(n.text, n.x, n.y, { size: 10.5, color, within: true });
         }
     }
     const pointed = this.scene.pointer && bodies.hovered;
     if (this.scene.pointer && pointed)
-      overlay.word(this.#told(pointed), this.scene.pointer.x, this.scene.pointer.y - 18, { ...style, size: 11.5, force: true });
+      overlay.word(this.#told(pointed), this.scene.pointer.x, this.scene.pointer.y - 18, { ...style, size: 11.5, force: true, within: true });
   }
 
   /** How much of the picture is under the buttons below: from below, and from the left. */

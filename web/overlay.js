@@ -46,13 +46,16 @@ class Overlay {
   /**
    * A word, with a seam of the background around it. False where another one is already.
    * @param {string} text @param {number} x @param {number} y
-   * @param {{ size?: number, color?: string, align?: "center" | "left" | "right", strong?: boolean, force?: boolean }} [style]
+   * @param {{ size?: number, color?: string, align?: "center" | "left" | "right", strong?: boolean, force?: boolean,
+   *   within?: boolean }} [style] within: it is moved so that all of it is seen
    */
   word(text, x, y, style = {}) {
     const { size = 11, color = this.colors.quiet, align = "center", strong = false, force = false } = style;
     const pen = this.pen, said = Overlay.clip(text);
     pen.font = `${strong ? "600 " : ""}${size}px ${this.font}`;
-    const wide = pen.measureText(said).width, left = align === "center" ? x - wide / 2 : align === "right" ? x - wide : x;
+    const wide = pen.measureText(said).width;
+    let left = align === "center" ? x - wide / 2 : align === "right" ? x - wide : x;
+    if (style.within) left = Math.max(4, Math.min(this.width - wide - 4, left));
     const room = [left - 2, y - size / 2 - 1, left + wide + 2, y + size / 2 + 1];
     if (room[2] < 0 || room[0] > this.width || room[3] < 0 || room[1] > this.height) return false;
     const meets = (/** @type {number[]} */ t) => t[0] < room[2] && room[0] < t[2] && t[1] < room[3] && room[1] < t[3];

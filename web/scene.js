@@ -192,7 +192,7 @@ class Scene {
     let seen = Frame.whole(here);
     const later = Frame.whole(all);
     if (!seen || !later) return;
-    if (later.size < 3.5 * seen.size) seen = later;
+    if (later.size < 2.5 * seen.size) seen = later;
     const { at, distance } = Frame.fit(seen.points, this.orbit, this.box.clientWidth, this.box.clientHeight);
     const { lead, power } = Floor.round(distance / 9), step = lead * 10 ** power;
     this.floorAt = Rational.fromNumber(Math.floor(seen.low[1] / step + 1e-6) * step);

@@ -84,7 +84,7 @@ const Shapes = (() => {
      * @param {Point[]} corners @param {Point} n @param {(number[]) | ((p: Point) => number)} [along]
      */
     polygon(corners, n, along) {
-      const pattern = (/** @type {number} */ i) => (!along ? 0 : Array.isArray(along) ? along[i] : along(corners[i]));
+      const pattern = (/** @type {number} */ i) => (!along ? 0.75 : Array.isArray(along) ? along[i] : along(corners[i]));
       for (let i = 1; i + 1 < corners.length; i++)
         for (const k of [0, i, i + 1]) {
           this.positions.push(...corners[k]);
@@ -101,7 +101,7 @@ const Shapes = (() => {
       corners.forEach((p, i) => {
         this.positions.push(...p);
         this.normals.push(...normals[i]);
-        this.patterns.push(0);
+        this.patterns.push(0.75);
       });
     }
   }
