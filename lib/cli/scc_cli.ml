@@ -26,6 +26,19 @@ let commands =
     Fmt_command.command;
   ]
 
+(* A manual that nobody reads to its end, or that cannot be written: what is left of it is not tried again at the
+   exit, where it would be an exception. What went wrong is told when standard output is flushed. *)
+let drop_manual () =
+  let nothing _ = () in
+  Format.set_formatter_out_functions
+    {
+      out_string = (fun _ _ _ -> ());
+      out_flush = nothing;
+      out_newline = nothing;
+      out_spaces = nothing;
+      out_indent = nothing;
+    }
+
 let main () =
   let info =
     Cmd.info "scc" ~version:Version.told ~doc:"interpreter and model checker for the Shape Calculus" ~man
@@ -39,6 +52,9 @@ let main () =
     | Ok (`Version | `Help) -> Holds
     | Error (`Parse | `Term) -> Usage
     | Error `Exn -> Bug
+    | exception Sys_error _ ->
+      drop_manual ();
+      Holds
   in
   (* The manual may still wait in the buffer. *)
   let console = Console.make ~color:Never ~json:false in
