@@ -77,7 +77,7 @@ class Bodies {
     this.models = leaves.map((leaf) => leaf.parts.map((p) => Shapes.part(this.data, p)));
     this.sizes = this.models.map((parts) => Math.max(...parts.map((p) => p.radius)));
     this.centres = this.models.map((parts) => Shapes.middle(parts.flatMap((p) => p.points)));
-    this.families = Colors.ofLeaves(leaves);
+    this.families = Colors.ofLeaves(this.data, leaves);
     this.tints = this.families.map((f) => [...f.color, 0]);
     this.shapes = Bodies.#numbers(leaves.map((leaf) =>
       JSON.stringify([leaf.fixed, leaf.absorbs, leaf.parts.map((p) => [p.solid, p.offset])])));

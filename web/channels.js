@@ -10,7 +10,7 @@ const Channels = (() => {
   /** @param {PageData} data */
   function start(data) {
     channels = Colors.ofChannels(data.behaviours);
-    leaves = Colors.ofLeaves(data.leaves).map((leaf) => leaf.color);
+    leaves = Colors.ofLeaves(data, data.leaves).map((leaf) => leaf.color);
   }
 
   /**

@@ -25,23 +25,15 @@ const Colors = (() => {
   const mix = (a, b, t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])];
 
   /**
-   * What is named alike but for its number is of one family; where there are too many of these, what is made from one
-   * template.
-   * @param {DataLeaf[]} leaves
-   * @returns {{ name: string, color: [number, number, number], fixed: boolean, absorbs: boolean }[]} of each leaf
+   * How each leaf looks: those of one family alike.
+   * @param {PageData} data @param {DataLeaf[]} leaves
+   * @returns {{ name: string, color: [number, number, number], fixed: boolean, absorbs: boolean }[]}
    */
-  function ofLeaves(leaves) {
-    const bare = (/** @type {DataLeaf} */ leaf) => leaf.name.replace(/\[.*$/s, "").replace(/[0-9]+$/, "") || leaf.name;
-    const moving = leaves.filter((leaf) => !leaf.fixed);
-    const few = new Set(moving.map(bare)).size <= families.length;
-    const family = (/** @type {DataLeaf} */ leaf) => (few ? bare(leaf) : leaf.template);
-    const order = [...new Set([...moving, ...leaves.filter((leaf) => leaf.fixed)].map(family))];
-    /** @type {Map<string, number>} */
-    const rank = new Map(order.map((name, i) => [name, i]));
-    return leaves.map((leaf) => {
-      const own = families[(rank.get(family(leaf)) || 0) % families.length];
-      const color = leaf.absorbs ? mix(absorbing, own, 0.25) : leaf.fixed ? mix(fixed, own, 0.18) : own;
-      return { name: family(leaf), color, fixed: leaf.fixed, absorbs: leaf.absorbs };
+  function ofLeaves(data, leaves) {
+    return leaves.map(({ family, fixed: still, absorbs }) => {
+      const own = families[family % families.length];
+      const color = absorbs ? mix(absorbing, own, 0.25) : still ? mix(fixed, own, 0.18) : own;
+      return { name: data.families[family], color, fixed: still, absorbs };
     });
   }
 

@@ -19,6 +19,8 @@ interface DataPart {
 
 interface DataLeaf {
   name: string;
+  /** What looks alike: an index into the families of the page. */
+  family: number;
   template: string;
   fixed: boolean;
   absorbs: boolean;
@@ -162,6 +164,7 @@ interface PageData {
   timestep: string;
   resolution: string | null;
   solids: DataSolid[];
+  families: string[];
   leaves: DataLeaf[];
   behaviours: DataBehaviour[];
   processes: DataProcess[];

@@ -48,19 +48,18 @@ let numbering () =
 let make (m : Model.t) =
   let family_number, families = numbering () and mesh_number, meshes = numbering () in
   let form_number, forms = numbering () in
-  let moving = ref 0 in
-  let family (l : Model.leaf) =
-    family_number (l.template, l.fixed, l.absorbs) (fun _ ->
+  let alike = Families.of_model m in
+  let family leaf (l : Model.leaf) =
+    let number = alike.of_leaf.(leaf) in
+    family_number (number, l.fixed, l.absorbs) (fun _ ->
         let rgb, linear =
           if l.absorbs then absorbing
           else if l.fixed then fixed
-          else (
-            incr moving;
-            palette.((!moving - 1) mod Array.length palette))
+          else palette.(number mod Array.length palette)
         in
-        { name = l.template; solid = not l.fixed; rgb; linear })
+        { name = alike.names.(number); solid = not l.fixed; rgb; linear })
   in
-  let of_leaf = Array.map family m.leaves in
+  let of_leaf = Array.mapi family m.leaves in
   let part leaf (p : Model.part) = mesh_number (p.solid.id, of_leaf.(leaf)) (fun _ -> (p.solid, of_leaf.(leaf))) in
   let of_part = Array.mapi (fun leaf (l : Model.leaf) -> Array.map (part leaf) l.parts) m.leaves in
   let form leaf (l : Model.leaf) =

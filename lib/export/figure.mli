@@ -4,9 +4,9 @@ open Scc_exact
 open Scc_geometry
 open Scc_calculus
 
-(** The leaves that are of one template, and all or none of them fixed. *)
+(** The leaves that look alike ({!Families}), all or none of them fixed. *)
 type family = {
-  name : string;  (** the template *)
+  name : string;
   solid : bool;  (** not to be seen through: fixed bodies would hide what is within them *)
   rgb : int * int * int;  (** of 255, as screens take them (sRGB) *)
   linear : float array;  (** the same, as amounts of light *)

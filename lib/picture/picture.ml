@@ -47,30 +47,13 @@ let bodies (m : Model.t) (state : State.t) =
 
 (* {1 Colours} *)
 
-(* What is named alike but for an index, as on the page of scc view. *)
-let family (l : Model.leaf) =
-  let name = match String.index_opt l.name '[' with None -> l.name | Some i -> String.sub l.name 0 i in
-  let digit c = c >= '0' && c <= '9' in
-  let rec last i = if i > 0 && digit name.[i - 1] then last (i - 1) else i in
-  String.sub name 0 (last (String.length name))
-
-(* Of all bodies that move, in the order of the model, whoever of them is left. *)
-let families (m : Model.t) =
-  let numbers = Hashtbl.create 16 in
-  let add (l : Model.leaf) =
-    if not (l.fixed || Hashtbl.mem numbers (family l)) then
-      Hashtbl.add numbers (family l) (Hashtbl.length numbers)
-  in
-  Array.iter add m.leaves;
-  numbers
-
 let fixed_colour = (0.80, 0.82, 0.84)
 let absorber_colour = (0.58, 0.60, 0.64)
 
-let colour families (l : Model.leaf) =
-  if l.absorbs then absorber_colour
-  else if l.fixed then fixed_colour
-  else Palette.body (Hashtbl.find families (family l))
+let colour (families : Families.t) b =
+  if b.of_model.absorbs then absorber_colour
+  else if b.of_model.fixed then fixed_colour
+  else Palette.body families.of_leaf.(b.leaf.leaf)
 
 (* {1 Marks} *)
 
@@ -87,7 +70,7 @@ let open_features (m : Model.t) paint colour b =
     let here (s : Site.t) = if s.part = i then Some s.feature else None in
     match List.filter_map here sites with
     | [] -> []
-    | features -> Marks.open_features paint (colour b.of_model) (b.first + i) placed features
+    | features -> Marks.open_features paint (colour b) (b.first + i) placed features
   in
   List.concat (Array.to_list (Array.mapi part b.placed))
 
@@ -125,19 +108,22 @@ let swatch text colour : Key.entry =
   { sample = Swatch { fill = Palette.hex colour; stroke = Palette.hex (Paint.ink colour) }; text }
 
 (* The families that are there, each once. *)
-let present bodies =
-  let add found b = if b.of_model.fixed || List.mem (family b.of_model) (List.map fst found) then found
-    else (family b.of_model, b.of_model) :: found in
+let present (families : Families.t) bodies =
+  let family b = families.of_leaf.(b.leaf.leaf) in
+  let add found b =
+    if b.of_model.fixed || List.exists (fun other -> family other = family b) found then found else b :: found
+  in
   List.rev (List.fold_left add [] bodies)
 
-let key colour bodies ~hatch ~open_ ~bonds : Key.entry list =
+let key families bodies ~hatch ~open_ ~bonds : Key.entry list =
   let exists test = List.exists (fun b -> test b.of_model) bodies in
   let dot = [ ("r", "3.2"); ("fill", Marks.bond_colour) ] in
   let bond_glyph =
     Svg.tag "path" [ ("d", "M-9 0 L9 0"); ("stroke", Marks.bond_colour); ("stroke-width", "1.4") ] []
     @ Svg.tag "circle" dot []
   in
-  List.map (fun (name, l) -> swatch name (colour l)) (present bodies)
+  let of_family b = swatch families.Families.names.(families.of_leaf.(b.leaf.leaf)) (colour families b) in
+  List.map of_family (present families bodies)
   @ (if exists (fun l -> l.fixed && not l.absorbs) then [ swatch "fixed" fixed_colour ] else [])
   @ (if exists (fun l -> l.absorbs) then [ swatch "absorbs" absorber_colour ] else [])
   @ (if open_ then [ { Key.sample = Hatch hatch; text = "open" } ] else [])
@@ -161,9 +147,10 @@ let drawn (m : Model.t) state options bodies =
   let points = if none points then [ Convex.point Z.zero Z.zero Z.one ] else points in
   let canvas = Canvas.make camera ~width:options.width ~margin:Sheet.margin ~top points in
   let paint = Paint.make camera ~origin canvas (Hidden.make view) in
-  let colour = colour (families m) in
+  let families = Families.of_model m in
+  let colour = colour families in
   let body b =
-    let parts = List.init (Array.length b.placed) (fun i -> Paint.solid paint (colour b.of_model) (b.first + i)) in
+    let parts = List.init (Array.length b.placed) (fun i -> Paint.solid paint (colour b) (b.first + i)) in
     match List.concat parts with
     | [] -> []
     | painted -> Svg.tag "g" [] (Svg.title b.of_model.name @ painted)
@@ -173,7 +160,7 @@ let drawn (m : Model.t) state options bodies =
   let names = if options.names then Marks.names ~width:canvas.width (List.map (name paint) bodies) else [] in
   let open_ = not (none opened) in
   let key =
-    if options.key then key colour bodies ~hatch:(Marks.hatch paint) ~open_ ~bonds:(not (none bonded)) else []
+    if options.key then key families bodies ~hatch:(Marks.hatch paint) ~open_ ~bonds:(not (none bonded)) else []
   in
   let defs = if open_ then Marks.pattern paint else [] in
   let sheet : Sheet.t =

@@ -30,10 +30,11 @@ let part ~solids (p : Model.part) =
       ("offset", Json.vec p.offset);
     ]
 
-let leaf ~solids (l : Model.leaf) =
+let leaf ~solids (families : Families.t) i (l : Model.leaf) =
   `Assoc
     [
       ("name", Json.text l.name);
+      ("family", `Int families.of_leaf.(i));
       ("template", Json.text l.template);
       ("fixed", `Bool l.fixed);
       ("absorbs", `Bool l.absorbs);
@@ -41,4 +42,8 @@ let leaf ~solids (l : Model.leaf) =
       ("parts", list (part ~solids) l.parts);
     ]
 
-let leaves ~solids (m : Model.t) = list (leaf ~solids) m.leaves
+let families (m : Model.t) = list (fun name -> Json.text name) (Families.of_model m).names
+
+let leaves ~solids (m : Model.t) =
+  let families = Families.of_model m in
+  `List (List.mapi (leaf ~solids families) (Array.to_list m.leaves))

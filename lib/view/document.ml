@@ -48,6 +48,7 @@ let write d put =
   json "text" (Json.text (Scc_base.Source.text d.loaded.source));
   json "timestep" (Json.rat m.timestep);
   json "resolution" (Json.option Json.rat (Model.resolution m));
+  json "families" (Bodies.families m);
   json "leaves" (Bodies.leaves ~solids:d.tables.solids m);
   json "plots" (`List (List.map plot d.plots));
   json "graph" (Json.option graph d.graph);

@@ -90,6 +90,7 @@ A series is a list and a folder; meshes are beside the trajectory that has them.
   $ scc export $models/hexokinase.sc -o run.simularium --every 1/2; ls run.*
   run.0-Enzyme.obj
   run.1-Cube.obj
+  run.2-Cube.obj
   run.csv
   run.glb
   run.simularium
@@ -99,6 +100,7 @@ A series is a list and a folder; meshes are beside the trajectory that has them.
   "totalSteps":5
   "url":"run.0-Enzyme.obj"
   "url":"run.1-Cube.obj"
+  "url":"run.2-Cube.obj"
   "time":0
   "time":0.5
   "time":1
