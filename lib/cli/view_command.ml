@@ -100,7 +100,8 @@ let plots =
 
 let graph =
   let doc =
-    "Carries along what can happen otherwise: at most $(docv) states in all, fewer where each is large."
+    "Carries along what can happen otherwise: at most $(docv) states in all, fewer where each is large, \
+     or where half of $(b,--seconds) is over."
   in
   Arg.(value & opt (Options.integer ~least:0 "number of states") 1000 & info [ "graph" ] ~docv:"N" ~doc)
 

@@ -266,7 +266,10 @@ let document console o watch =
   let* initial = Loaded.initial point in
   let graph =
     if Large_run.is_for point.model then None
-    else Some (Graph.explore making.states world ~most:making.most ~interrupted initial)
+    else
+      let stop = Watch.half watch () in
+      let stopped () = Option.is_some (stop ()) in
+      Some (Graph.explore making.states world ~most:making.most ~interrupted:stopped initial)
   in
   let* runs, where =
     match schedule with
