@@ -5,14 +5,14 @@ const Frame = (() => {
   /** @typedef {{ points: [number, number, number][], low: number[], high: number[], fixed: boolean }} Box */
 
   /**
-   * Where each body is, in floats: the picture need not be exact.
-   * @param {Bodies} bodies @param {Course} course @param {Moving[]} present
+   * Where each body is from a place that is told exactly, in floats: the picture need not be exact.
+   * @param {Bodies} bodies @param {Course} course @param {Moving[]} present @param {bigint[]} base
    * @returns {Box[]}
    */
-  function boxes(bodies, course, present) {
-    const zero = Motion.target({ n: [0n, 0n, 0n], d: 1n }), out = new Float64Array(12);
+  function boxes(bodies, course, present, base) {
+    const from = Motion.target({ n: base, d: 1n }), out = new Float64Array(12);
     return present.flatMap((body) => body.process.leaves.map((place) => {
-      course.place(body, place, zero, out);
+      course.place(body, place, from, out);
       const points = bodies.models[place.leaf].flatMap((p) => p.points).map((p) => Pick.toWorld(out, p));
       return { points, ...range(points), fixed: bodies.leaves[place.leaf].fixed };
     }));

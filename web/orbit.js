@@ -45,6 +45,30 @@ class Orbit {
     this.setTarget(place.map((x) => Rational.fromNumber(Math.round(x / step) * step)));
   }
 
+  /**
+   * Looks at an exact place from a distance, at once.
+   * @param {Rational[]} at @param {number} distance
+   */
+  stand(at, distance) {
+    this.stop();
+    this.distance = distance;
+    this.setTarget(at);
+    this.changed();
+  }
+
+  /**
+   * The same as {@link lookAt} of an exact place, however far away it is.
+   * @param {Rational[]} place
+   */
+  goTo(place) {
+    const whole = place.map((x) => x.n / x.d);
+    const step = 2 ** Math.floor(Math.log2(this.distance) - 12);
+    this.setTarget(place.map((x, i) => {
+      const rest = Rational.toNumber(Rational.sub(x, { n: whole[i], d: 1n }));
+      return Rational.add({ n: whole[i], d: 1n }, Rational.fromNumber(Math.round(rest / step) * step));
+    }));
+  }
+
   /** @param {Rational[]} at */
   setTarget(at) {
     this.at = at;

@@ -135,7 +135,9 @@ const Plots = (() => {
         high = Math.max(high, value);
       }
     if (!(low <= high)) [low, high] = [0, 1];
-    if (high - low < 1e-12 * Math.max(1, Math.abs(high))) [low, high] = [low - 1, high + 1];
+    // What hardly changes has some room, more of it where numbers are so great that one more is the same float.
+    const pad = Math.max(1, 1e-6 * Math.abs(high));
+    if (high - low < 1e-12 * Math.max(1, Math.abs(high))) [low, high] = [low - pad, high + pad];
     const free = (high - low) * 0.12;
     const y = (/** @type {number} */ value) =>
       height - 6 - ((value - low + free) / (high - low + 2 * free)) * (height - 12);

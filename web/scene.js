@@ -146,7 +146,7 @@ class Scene {
     if (this.followed === null || this.orbit.flight) return;
     for (const body of present)
       for (const place of body.process.leaves)
-        if (place.leaf === this.followed) this.orbit.lookAt(course.position(body, place).map(Rational.toNumber));
+        if (place.leaf === this.followed) this.orbit.goTo(course.position(body, place));
   }
 
   /** @returns {(p: number[]) => number[]} from points relative to the target to clip space */
@@ -182,12 +182,17 @@ class Scene {
     const now = this.now;
     if (!now || Scene.why) return;
     const { course, legs, time } = now;
-    const here = Frame.boxes(this.bodies, course, course.bodiesAfter(legs, time));
+    const present = course.bodiesAfter(legs, time);
+    // So far from the origin that floats from there would lose what is between bodies, one counts from a body.
+    const first = present.length ? course.position(present[0], present[0].process.leaves[0]) : [];
+    const far = first.some((x) => Math.abs(Rational.toNumber(x)) > 1e6);
+    const base = far ? first.map((x) => x.n / x.d) : [0n, 0n, 0n];
+    const here = Frame.boxes(this.bodies, course, present, base);
     let all = here;
     if (!this.fitted)
       for (let i = 0; i <= 8; i++) {
         const at = Rational.mul(course.duration, Rational.make(BigInt(i), 8n));
-        all = all.concat(Frame.boxes(this.bodies, course, course.bodiesAt(at)).filter((b) => !b.fixed));
+        all = all.concat(Frame.boxes(this.bodies, course, course.bodiesAt(at), base).filter((b) => !b.fixed));
       }
     let seen = Frame.whole(here);
     const later = Frame.whole(all);
@@ -195,8 +200,11 @@ class Scene {
     if (later.size < 2.5 * seen.size) seen = later;
     const { at, distance } = Frame.fit(seen.points, this.orbit, this.box.clientWidth, this.box.clientHeight);
     const { lead, power } = Floor.round(distance / 9), step = lead * 10 ** power;
-    this.floorAt = Rational.fromNumber(Math.floor(seen.low[1] / step + 1e-6) * step);
-    this.orbit.fly(at, distance, this.still.matches || !this.fitted);
+    const based = (/** @type {number} */ x, /** @type {number} */ i) =>
+      Rational.add({ n: base[i], d: 1n }, Rational.fromNumber(x));
+    this.floorAt = based(Math.floor(seen.low[1] / step + 1e-6) * step, 1);
+    if (far) this.orbit.stand(at.map(based), distance);
+    else this.orbit.fly(at, distance, this.still.matches || !this.fitted);
     this.fitted = true;
     this.refresh();
   }

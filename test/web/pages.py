@@ -6,6 +6,7 @@ import os
 import re
 import time
 from fractions import Fraction
+from urllib.parse import unquote
 
 import browser
 from browser import Keys
@@ -118,6 +119,28 @@ def onwards(b, scc):
     check('there are more steps', len(steps) > at + 1, len(steps))
     same('where they lead', bodies_of_page(state),
          bodies_of_trace(scc.trace('specs/models/enzyme.sc', data, steps)[-1]))
+
+
+def far_away(b, scc):
+    """Bodies so far from the origin that floats from there could not tell them apart are seen, and plotted."""
+    model = scc.file('.sc')
+    with open('specs/models/gas.sc', encoding='utf-8') as f:
+        shape = f.read().split('shape Cube', 1)[1].split('for i', 1)[0]
+    with open(model, 'w', encoding='utf-8') as f:
+        f.write('shape Cube' + shape + """
+process p = Cube mass 1 velocity (1,0,0)  at translate (1e40, 0, 0) [nil]
+process q = Cube mass 1 velocity (-1,0,0) at translate (1e40 + 6, 0, 0) [nil]
+check meets : possibly x(q) - x(p) <= 2 and x(p) > 0
+""")
+    b.open(scc.view(model))
+    time.sleep(0.5)
+    camera = json.loads(unquote(b.js('return scc.link()').split('camera=', 1)[1].split('&')[0]))
+    check('the camera is as far from them as they are large', 5 < camera['distance'] < 100, camera)
+    near = Fraction(camera['at'][0]) - 10**40
+    check('it looks at them', -2 < near < 8, camera)
+    same('nothing is said on the console', b.complaints(), [])
+    b.js('scc.go(1)')
+    same('nor at another instant', b.complaints(), [])
 
 
 def by_keys(b, scc):
@@ -416,4 +439,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, starts, onwards, by_keys, links, plots, hostile, motion, no_states_beyond, large]
+PARTS = [by_mouse, reasons, starts, onwards, by_keys, links, plots, hostile, far_away, motion, no_states_beyond, large]
