@@ -18,16 +18,6 @@ let exit_code (report : Check.report) verdicts =
     Exit_code.of_exploration ~complete:s.complete ~faults:s.faults ~stopped_by:s.stopped_by
   | _ -> Exit_code.worst (List.map (fun (o : Verdict.outcome) -> Exit_code.of_verdict o.verdict) verdicts)
 
-let witness_of (v : Verdict.t) =
-  match v with
-  | Holds { witness; _ } | Violated { witness } -> witness
-  | Undecided reasons ->
-    List.find_map
-      (function
-        | Verdict.Unexplored { nearest = w; _ } -> Some w
-        | Truncated _ | Undefined _ | Fault _ -> None)
-      reasons
-
 (* With the path of the model, but not that of standard input. *)
 let schedule (l : Loaded.t) path (check : Property.check) (w : Witness.t) =
   let choice (s : Witness.step) = (s.choice, Transition.label_to_string l.model s.transition.label) in
@@ -56,7 +46,7 @@ let write_file path text = Whole_file.with_file path (fun put -> put text)
 (* As many of them as can be written; and what was wrong with the first that cannot. *)
 let write_witnesses loaded path folder verdicts =
   let one ({ check; verdict; _ } : Verdict.outcome) =
-    match witness_of verdict with
+    match Verdict.shown verdict with
     | None -> Ok ()
     | Some w -> write_file (Filename.concat folder (check.name ^ ".json")) (schedule loaded path check w)
   in

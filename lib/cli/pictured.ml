@@ -39,7 +39,7 @@ let course console (o : Viewed.options) watch time =
   | None, Some name -> (
       let* checks = Viewed.find_check name l.checks in
       let* outcomes, _ = Viewed.report console o l checks watch in
-      match List.find_map (fun (v : Verdict.outcome) -> Viewed.witness v.verdict) outcomes with
+      match List.find_map (fun (v : Verdict.outcome) -> Verdict.shown v.verdict) outcomes with
       | None -> Error (no_run name)
       | Some w -> Ok (of_witness point w))
 

@@ -42,16 +42,6 @@ let about (outcome : Verdict.outcome) : Runs.about =
     text = Verdict.outcome_to_string outcome;
   }
 
-let witness (v : Verdict.t) =
-  match v with
-  | Holds { witness; _ } | Violated { witness } -> witness
-  | Undecided reasons ->
-    List.find_map
-      (function
-        | Verdict.Unexplored { nearest = w; _ } -> Some w
-        | Truncated _ | Undefined _ | Fault _ -> None)
-      reasons
-
 (* A run that is interrupted is shown as far as it came. *)
 let ended (l : Loaded.t) = function
   | Ok ending -> Ok ending
@@ -128,7 +118,7 @@ let run_by_choices making = if Large_run.is_for making.loaded.model then large_r
 
 let of_check making world (outcome : Verdict.outcome) =
   let name = outcome.check.name and about = about outcome in
-  match witness outcome.verdict with
+  match Verdict.shown outcome.verdict with
   | None -> Runs.none ~name about
   | Some w -> (
       let told world = Runs.of_witness making.states world ~most:making.most ~name (Some about) w in

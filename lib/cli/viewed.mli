@@ -38,6 +38,3 @@ val report :
   Watch.t ->
   (Verdict.outcome list * Scc_where.Where.t list, Diag.t list) result
 (** The verdicts; and where they hold, of a model with ranges. *)
-
-val witness : Verdict.t -> Scc_explain.Witness.t option
-(** The run that shows it, or one to where exploring has ended. *)

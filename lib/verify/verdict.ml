@@ -208,3 +208,12 @@ let outcome_to_string o =
   in
   let told = function Named s -> Slowing.to_string s | Proved q -> Quickening.to_string q in
   verdict ^ Option.fold ~none:"" ~some:(fun c -> "; " ^ told c) o.converges
+
+let shown = function
+  | Holds { witness; _ } | Violated { witness } -> witness
+  | Undecided reasons ->
+    List.find_map
+      (function
+        | Unexplored { nearest = w; _ } -> Some w
+        | Truncated _ | Undefined _ | Fault _ -> None)
+      reasons

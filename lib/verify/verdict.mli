@@ -122,3 +122,6 @@ val to_string : t -> string
 
 val outcome_to_string : outcome -> string
 (** The same with what it rests on and its scale, unless it is undecided. *)
+
+val shown : t -> Witness.t option
+(** The run that shows it, or of an undecided one a run to where exploring has ended. *)

@@ -89,6 +89,9 @@ let changes m d (before : State.t) (after : State.t) =
 
 (* {1 New states} *)
 
+let entry base later ~gone ~come =
+  { base; later; gone; come; values = []; next = None; stuck = None; rests = false }
+
 let add w state entry =
   let n = Growable.length w.entries in
   Growable.push w.entries entry;
@@ -101,50 +104,18 @@ let start w (state : State.t) =
   match known w state with
   | Some n -> n
   | None ->
-    add w state
-      {
-        base = None;
-        later = Rat.zero;
-        gone = [];
-        come = told w (Array.to_list state.processes);
-        values = [];
-        next = None;
-        stuck = None;
-        rests = false;
-      }
+    add w state (entry None Rat.zero ~gone:[] ~come:(told w (Array.to_list state.processes)))
 
 let after w (before, state) d next =
   match known w next with
   | Some n -> n
   | None ->
     let gone, come = changes (Semantics.model w.semantics) d state next in
-    add w next
-      {
-        base = Some before;
-        later = d;
-        gone;
-        come = told w come;
-        values = [];
-        next = None;
-        stuck = None;
-        rests = false;
-      }
+    add w next (entry (Some before) d ~gone ~come:(told w come))
 
 let changed w before d ~gone ~come =
   let n = Growable.length w.entries in
-  let entry =
-    {
-      base = Some before;
-      later = d;
-      gone;
-      come = told w come;
-      values = [];
-      next = None;
-      stuck = None;
-      rests = false;
-    }
-  in
-  Growable.push w.entries entry;
+  Growable.push w.entries (entry (Some before) d ~gone ~come:(told w come));
   n
 
 let set_values w n values = (Growable.get w.entries n).values <- values
@@ -178,7 +149,7 @@ let possible p =
   `Assoc
     [ ("label", `Int p.label); ("to", Json.option number p.target); ("rules", rules p.rules) ]
 
-let entry e =
+let entry_json e =
   `Assoc
     ([
       ("of", Json.option number e.base);
@@ -195,6 +166,6 @@ let write t put =
   put "[";
   for i = 0 to count t - 1 do
     put (if i = 0 then "\n" else ",\n");
-    put (Json.line (entry (Growable.get t i)))
+    put (Json.line (entry_json (Growable.get t i)))
   done;
   put "]"
