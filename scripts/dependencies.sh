@@ -5,7 +5,8 @@
 #   require test    that, and what the tests need
 
 build_packages='ocaml-nox ocaml-dune menhir libmenhir-ocaml-dev libzarith-ocaml-dev
-  libcmdliner-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev libbase64-ocaml-dev libjs-three'
+  libcmdliner-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev libbase64-ocaml-dev
+  libcohttp-lwt-unix-ocaml-dev libjs-three libjs-codemirror'
 test_packages='libalcotest-ocaml-dev libqcheck-core-ocaml-dev ocp-indent python3 python3-jsonschema
   python3-pytest python3-venv graphviz zsh fish
   chromium chromium-driver python3-selenium node-typescript'
@@ -40,21 +41,27 @@ require_debian() {
     apt-get -qq -o Dpkg::Use-Pty=0 install -y --no-install-recommends $missing >/dev/null
 }
 
-# three.js draws the scenes of `scc view`. It is no opam package: npm has it. Without it pages have all but the scene.
-require_three() {
-  [ -r /usr/share/javascript/three/three.min.js ] && return 0
-  three=$OPAM_SWITCH_PREFIX/share/scc-three/three.min.js
-  [ -r "$three" ] && return 0
-  if command -v npm >/dev/null 2>&1; then
-    fetched=$(mktemp -d)
-    if (cd "$fetched" && npm pack --silent three@0.111.0 >/dev/null && tar -xzf three-0.111.0.tgz) &&
-       mkdir -p "$(dirname "$three")" && cp "$fetched/package/build/three.min.js" "$three"; then
-      rm -rf "$fetched"
-      return 0
-    fi
-    rm -rf "$fetched"
-  fi
-  echo 'scc: three.js could not be had (by npm): the pages of scc view will have no scene' >&2
+# from_npm PACKAGE VERSION PART FOLDER: a part of a package that npm has becomes the folder.
+from_npm() {
+  command -v npm >/dev/null 2>&1 || return 1
+  fetched=$(mktemp -d)
+  (cd "$fetched" && npm pack --silent "$1@$2" >/dev/null && tar -xzf "$1-$2.tgz") &&
+    mkdir -p "$(dirname "$4")" && rm -rf "$4" && cp -r "$fetched/package/$3" "$4"
+  code=$?
+  rm -rf "$fetched"
+  return $code
+}
+
+# three.js draws the scenes of `scc view`, and CodeMirror is the editor of `scc serve`. They are no opam packages: npm has
+# them. Without them pages have no scene, and a plain field for the text.
+require_pages() {
+  [ -r /usr/share/javascript/three/three.min.js ] || [ -r "$OPAM_SWITCH_PREFIX/share/scc-three/three.min.js" ] ||
+    from_npm three 0.111.0 build "$OPAM_SWITCH_PREFIX/share/scc-three" ||
+    echo 'scc: three.js could not be had (by npm): the pages of scc view will have no scene' >&2
+  [ -r /usr/share/javascript/codemirror/lib/codemirror.js ] ||
+    [ -r "$OPAM_SWITCH_PREFIX/share/scc-codemirror/lib/codemirror.js" ] ||
+    from_npm codemirror 5.65.0 . "$OPAM_SWITCH_PREFIX/share/scc-codemirror" ||
+    echo 'scc: CodeMirror could not be had (by npm): scc serve will have a plain field for the text' >&2
 }
 
 # The stamp spares a second run the half minute that opam takes to find that all is there.
@@ -69,7 +76,7 @@ require_opam() {
 
 require() {
   if [ -n "${OPAM_SWITCH_PREFIX:-}" ]; then
-    require_opam "$1" && require_three
+    require_opam "$1" && require_pages
   elif command -v apt-get >/dev/null 2>&1; then
     case $1 in
       build) require_debian $build_packages ;;

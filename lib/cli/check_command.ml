@@ -214,7 +214,7 @@ let unfit (extras : Check_extras.t) =
   Option.is_some extras.witness && not (List.exists (Reduction.equal Jump) extras.reductions)
 
 let run color json budget (extras : Check_extras.t) given path =
-  let console = Console.make ~color ~json in
+  let console = Console.make ~color ~json () in
   if unfit extras then
     Guard.usage "--witness does not go with --no-reduce jump: schedules are replayed with jumps"
   else

@@ -73,7 +73,7 @@ let compare console o =
   Ok code
 
 let run color json o =
-  let console = Console.make ~color ~json in
+  let console = Console.make ~color ~json () in
   Guard.run_on_two console o.first o.second (fun () -> compare console o)
 
 (** {2 The command line} *)

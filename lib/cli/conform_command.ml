@@ -105,7 +105,7 @@ let conform console o =
   Ok code
 
 let run color json o =
-  let console = Console.make ~color ~json in
+  let console = Console.make ~color ~json () in
   Guard.run_on_two console o.path o.trace (fun () -> conform console o)
 
 (* The command line. *)

@@ -10,6 +10,7 @@ type t = {
   mutable sources : Source.t list;
   mutable kept : Diag.t list;  (** newest first *)
   mutable progressing : bool;
+  sink : (string -> unit) option;  (** what takes the lines of progress, if they go elsewhere *)
 }
 
 exception Output_failed of Diag.t
@@ -17,7 +18,7 @@ exception Output_closed
 
 let is_terminal fd = try Unix.isatty fd with Unix.Unix_error _ -> false
 
-let make ~color ~json =
+let make ?progress ~color ~json () =
   let plain =
     Sys.getenv_opt "NO_COLOR" <> None
     || match Sys.getenv_opt "TERM" with Some "dumb" -> true | _ -> false
@@ -33,6 +34,7 @@ let make ~color ~json =
     sources = [];
     kept = [];
     progressing = false;
+    sink = progress;
   }
 
 let is_json c = c.json
@@ -105,12 +107,14 @@ let progress_done c =
   end
 
 let progress c line =
-  if c.terminal && not c.json then begin
+  match c.sink with
+  | Some put -> put line
+  | None when c.terminal && not c.json ->
     c.progressing <- true;
     (* Without the switch, a line that is too long for the terminal would go on in the next. *)
     prerr_string ("\r\027[K\027[?7l" ^ line ^ "\027[?7h");
     Stdlib.flush stderr
-  end
+  | None -> ()
 
 let report c diagnostics =
   progress_done c;

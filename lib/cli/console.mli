@@ -12,8 +12,9 @@ exception Output_failed of Diag.t
 exception Output_closed
 (** Standard output is a pipe that nobody reads any more. *)
 
-val make : color:color -> json:bool -> t
-(** With [json], diagnostics are kept for the JSON report instead of being shown. *)
+val make : ?progress:(string -> unit) -> color:color -> json:bool -> unit -> t
+(** With [json], diagnostics are kept for the JSON report instead of being shown. [progress] takes the lines of
+    {!progress} instead of the terminal. *)
 
 val is_json : t -> bool
 
@@ -38,7 +39,7 @@ val note : t -> string -> unit
 (** A line to standard error (not in [json] mode). *)
 
 val progress : t -> string -> unit
-(** Replaces the line of progress: only when standard error is a terminal. *)
+(** Replaces the line of progress: on a terminal alone, unless it goes elsewhere ({!make}). *)
 
 val progress_done : t -> unit
 

@@ -40,7 +40,7 @@ let diff console o =
   Ok code
 
 let run color json o =
-  let console = Console.make ~color ~json in
+  let console = Console.make ~color ~json () in
   Guard.run_on_two console o.first o.second (fun () -> diff console o)
 
 (* The command line. *)

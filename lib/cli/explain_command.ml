@@ -107,7 +107,7 @@ let explain console o =
   Ok ()
 
 let run color json o =
-  let console = Console.make ~color ~json in
+  let console = Console.make ~color ~json () in
   Guard.run console (fun () ->
       match explain console o with
       | Ok () -> Ok Exit_code.Holds

@@ -166,7 +166,7 @@ let explore console o format =
   (if Verdicts.over_zones loaded then over_zones else ordinarily) console o watch loaded format
 
 let run color o =
-  let console = Console.make ~color ~json:false in
+  let console = Console.make ~color ~json:false () in
   Guard.run console (fun () ->
       match format_of o with
       | Error message -> Ok (Guard.usage message)

@@ -167,7 +167,7 @@ let export console o ~interrupted =
   | _ -> film console o chosen loaded observables ~interrupted
 
 let run color o =
-  let console = Console.make ~color ~json:false in
+  let console = Console.make ~color ~json:false () in
   let interrupted = Watch.interrupted (Watch.start ()) in
   Guard.run console (fun () -> export console o ~interrupted)
 

@@ -27,7 +27,7 @@ let one console mode path =
     Ok Exit_code.Holds
 
 let run color mode paths =
-  let console = Console.make ~color ~json:false in
+  let console = Console.make ~color ~json:false () in
   let in_place = match mode with In_place -> true | Print | Check -> false in
   if in_place && List.exists (String.equal "-") paths then
     Guard.usage "standard input cannot be rewritten: `-' does not go with --inplace"

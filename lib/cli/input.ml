@@ -74,8 +74,14 @@ let placed given (d : Diag.t) =
   if Span.is_none d.span && List.mem d.code of_parameters then { d with span = given }
   else d
 
-let model ?(given = Span.command_line) ?(narrowed = []) console ~overrides path =
+let model ?(given = Span.command_line) ?(narrowed = []) ?source console ~overrides path =
   let* () = check_overrides (List.map fst overrides @ List.map fst narrowed) in
-  let* source = text console path in
+  let* source =
+    match source with
+    | None -> text console path
+    | Some source ->
+      Console.add_source console source;
+      Ok source
+  in
   Result.map_error (List.map (placed given))
     (Scc_session.Loaded.load ~read_file:(mesh_reader console path) ~overrides ~narrowed source)

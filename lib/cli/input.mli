@@ -19,9 +19,10 @@ val text : Console.t -> string -> (Source.t, Diag.t list) result
 val model :
   ?given:Span.t ->
   ?narrowed:(string * (Scc_calculus.Ranges.bound * Scc_calculus.Ranges.bound)) list ->
+  ?source:Source.t ->
   Console.t ->
   overrides:(string * Rat.t) list ->
   string ->
   (Scc_session.Loaded.t, Diag.t list) result
-(** Reads and loads the file. Its texts become known to the console. [given] is where the values of [overrides]
-    come from, the command line if nothing is said. *)
+(** Reads and loads the file, or [source] as if it were what is in the file. Its texts become known to the console.
+    [given] is where the values of [overrides] come from, the command line if nothing is said. *)

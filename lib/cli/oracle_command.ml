@@ -53,6 +53,7 @@ let serve (quotas : Quotas.t) =
       Session.now = Unix.gettimeofday;
       bounded = (fun ~seconds f -> Time_slices.bounded slices ~seconds f);
       passes = (function Interrupted -> true | _ -> false);
+      read_file = Models.no_files;
     }
   in
   let session = Session.create ~quotas ~surroundings ~version:Version.current () in
@@ -83,7 +84,7 @@ let serve (quotas : Quotas.t) =
     Exit_code.Stopped
 
 let run line_bytes seconds memory_mib =
-  let console = Console.make ~color:Never ~json:false in
+  let console = Console.make ~color:Never ~json:false () in
   Guard.run console (fun () -> Ok (serve { Quotas.default with line_bytes; seconds; memory_mib }))
 
 (* {1 The command line} *)

@@ -33,10 +33,10 @@ let course console (o : Viewed.options) watch time =
   let* l = Viewed.model console o schedule in
   let* point = Viewed.at_point l in
   let interrupted = Watch.interrupted watch in
-  match (schedule, o.check) with
+  match (schedule, o.checks) with
   | Some s, _ -> by_choices point (Scheduled s) ~until:None ~interrupted
-  | None, None -> by_choices point First ~until:(Some time) ~interrupted
-  | None, Some name -> (
+  | None, (All | Unchecked) -> by_choices point First ~until:(Some time) ~interrupted
+  | None, Only name -> (
       let* checks = Viewed.find_check name l.checks in
       let* outcomes, _ = Viewed.report console o l checks watch in
       match List.find_map (fun (v : Verdict.outcome) -> Verdict.shown v.verdict) outcomes with

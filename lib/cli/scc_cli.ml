@@ -15,6 +15,7 @@ let commands =
     Check_command.command;
     Trace_command.command;
     View_command.command;
+    Serve_command.command;
     Export_command.command;
     Explore_command.command;
     Explain_command.command;
@@ -57,6 +58,6 @@ let main () =
       Holds
   in
   (* The manual may still wait in the buffer. *)
-  let console = Console.make ~color:Never ~json:false in
+  let console = Console.make ~color:Never ~json:false () in
   let flushed = Guard.run console (fun () -> Console.flush console; Ok Holds) in
   Exit_code.to_int (Exit_code.worst [ code; flushed ])

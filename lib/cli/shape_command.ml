@@ -152,7 +152,7 @@ let shape console ~overrides o output argument =
   | Error d, Ok () | Ok (), Error d -> Error d
 
 let run color json overrides o argument =
-  let console = Console.make ~color ~json in
+  let console = Console.make ~color ~json () in
   let go output = Guard.run console (fun () -> shape console ~overrides o output argument) in
   match o.output with
   | _ when (match o.snap with Some t -> Rat.sign t <= 0 | None -> false) ->

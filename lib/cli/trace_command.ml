@@ -35,7 +35,7 @@ let write_run o (chosen : Chosen_run.t) ~interrupted write =
     result
 
 let run color o =
-  let console = Console.make ~color ~json:false in
+  let console = Console.make ~color ~json:false () in
   let interrupted = Watch.interrupted (Watch.start ()) in
   Guard.run console (fun () ->
       let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in

@@ -35,7 +35,7 @@ let content console o watch =
 
 let run color budget o =
   let o = { o with shown = { o.shown with budget } } in
-  let console = Console.make ~color ~json:false in
+  let console = Console.make ~color ~json:false () in
   Guard.run console (fun () ->
       let watch = Check_options.watch budget in
       let* write = content console o watch in
@@ -132,7 +132,9 @@ let what =
 let options =
   let make path given output (what, drawing) check schedule graph plots =
     let budget = { Budget.depth = None; time = None; states = None; seconds = None; memory = None; bits = None } in
-    { shown = { path; given; budget; check; schedule; graph; plots }; output; what; drawing }
+    let checks = Option.fold check ~none:Viewed.All ~some:(fun name -> Viewed.Only name) in
+    let shown = { Viewed.path; source = None; given; budget; checks; schedule; graph; plots } in
+    { shown; output; what; drawing }
   in
   Term.(
     const make $ Options.model_file $ Options.definitions $ output $ what $ check $ followed $ graph

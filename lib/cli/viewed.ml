@@ -10,11 +10,14 @@ open Scc_view
 
 let ( let* ) = Result.bind
 
+type checks = All | Only of string | Unchecked
+
 type options = {
   path : string;
+  source : Source.t option;
   given : Options.definitions;
   budget : Budget.t;
-  check : string option;
+  checks : checks;
   schedule : string option;
   graph : int;
   plots : string list;
@@ -33,7 +36,11 @@ let find_check name (checks : Property.check list) =
           "the model has no check `%s`" name;
       ]
 
-let chosen_checks o checks = match o.check with None -> Ok checks | Some name -> find_check name checks
+let chosen_checks o checks =
+  match o.checks with
+  | All -> Ok checks
+  | Only name -> find_check name checks
+  | Unchecked -> Ok []
 
 let about (outcome : Verdict.outcome) : Runs.about =
   {
@@ -190,7 +197,7 @@ let read_schedule console o =
 let model console o schedule =
   let* l =
     match schedule with
-    | None -> Input.model console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path
+    | None -> Input.model ?source:o.source console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path
     | Some s -> Scheduled.model console s ~given:o.given o.path
   in
   Console.report console l.warnings;

@@ -4,11 +4,14 @@ open Scc_base
 open Scc_session
 open Scc_verify
 
+type checks = All | Only of string  (** by its name *) | Unchecked
+
 type options = {
   path : string;
+  source : Source.t option;  (** what is there, if it is not to be read *)
   given : Options.definitions;
   budget : Budget.t;
-  check : string option;  (** of this one alone *)
+  checks : checks;  (** what is checked *)
   schedule : string option;  (** the file of a schedule or a trace: then nothing is checked *)
   graph : int;  (** how many states of all that can happen to carry along, at most *)
   plots : string list;  (** numbers to plot, besides those that the checks name *)

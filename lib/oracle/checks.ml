@@ -8,10 +8,10 @@ let report options (l : Loaded.t) ~where =
   let* initial = Loaded.initial l in
   Verdicts.report options l ~initial ~exactly:where ~premises:[] l.checks
 
-let check bounds p =
+let check bounds store p =
   let where = Option.value (Read.optional p "where" Read.truth) ~default:false in
   let prove = Option.value (Read.optional p "prove" Read.truth) ~default:false in
-  let l, source = Models.read ~more:[ "where"; "prove" ] p in
+  let l, source = Models.read store ~more:[ "where"; "prove" ] p in
   match report { (Evaluate.options bounds p) with prove } l ~where with
   | Error diagnostics -> Fault.refuse (Model_refused (Fault.diagnostics ~source diagnostics))
   | Ok report ->

@@ -14,14 +14,17 @@ type given = {
   overrides : (string * Rat.t) list;
   narrowed : (string * (Ranges.bound * Ranges.bound)) list;
   tree : Ast.model;
+  others : Loaded.reader;  (** of files that are not among these *)
 }
 
 type kept = { given : given; mutable loaded : loaded option }
 type asked = { handle : string; formula : string; form : string; answer : loaded }
-type store = { models : kept Handles.t; mutable lately : asked list }
+type store = { models : kept Handles.t; read_file : Loaded.reader; mutable lately : asked list }
 
-let store (q : Quotas.t) =
-  { models = Handles.create ~prefix:"m" ~limit:"models" ~most:q.models; lately = [] }
+let no_files _ = Error "it is not among the files of the request"
+
+let store (q : Quotas.t) ~read_file =
+  { models = Handles.create ~prefix:"m" ~limit:"models" ~most:q.models; read_file; lately = [] }
 
 (* {1 Making} *)
 
@@ -31,7 +34,7 @@ let ( let* ) = Result.bind
 
 let of_tree given tree =
   let read_file name =
-    Option.to_result ~none:"it is not among the files of the request" (List.assoc_opt name given.files)
+    match List.assoc_opt name given.files with Some text -> Ok text | None -> given.others name
   in
   Loaded.of_tree ~read_file ~overrides:given.overrides ~narrowed:given.narrowed given.source tree
 
@@ -44,7 +47,13 @@ let make given tree =
 
 let source_of given name =
   if String.equal name text_name then Some given.source
-  else Option.map (fun text -> Source.make ~name text) (List.assoc_opt name given.files)
+  else
+    let text =
+      match List.assoc_opt name given.files with
+      | Some _ as found -> found
+      | None -> Result.to_option (given.others name)
+    in
+    Option.map (fun text -> Source.make ~name text) text
 
 let refuse given diagnostics =
   Fault.refuse (Model_refused (Fault.diagnostics ~source:(source_of given) diagnostics))
@@ -127,20 +136,20 @@ let settings p =
   List.partition_map side all
 
 (* The model of a request, as it is written. *)
-let given ?(more = []) p =
+let given ?(more = []) store p =
   Read.only p ([ "text"; "files"; "parameters"; "limits" ] @ more);
   let source = Source.make ~name:text_name (Read.required p "text" Read.text) in
   let files = Option.value (Read.optional p "files" (Read.entries Read.text)) ~default:[] in
   let overrides, narrowed = settings p in
-  let given = { source; files; overrides; narrowed; tree = [] } in
+  let given = { source; files; overrides; narrowed; tree = []; others = store.read_file } in
   let most = (Read.quotas p).model_bytes in
   if bytes given > most then Fault.refuse (Limit ("model_bytes", most));
   match (Front_end.of_source source).model source with
   | Error diagnostics -> refuse given diagnostics
   | Ok tree -> { given with tree }
 
-let read ~more p =
-  let given = given ~more p in
+let read store ~more p =
+  let given = given ~more store p in
   match of_tree given given.tree with
   | Error diagnostics -> refuse given diagnostics
   | Ok model -> (model, source_of given)
@@ -161,7 +170,7 @@ let at_start given how =
 
 let load store p =
   Handles.check_room store.models;
-  let given = given ~more:[ "start" ] p in
+  let given = given ~more:[ "start" ] store p in
   let given = Option.fold ~none:given ~some:(at_start given) (Read.optional p "start" start) in
   let kept = { given; loaded = None } in
   let l = loaded kept in

@@ -7,7 +7,11 @@ type loaded = { model : Loaded.t; network : Network_at.t }
 
 type store
 
-val store : Quotas.t -> store
+val store : Quotas.t -> read_file:Loaded.reader -> store
+(** [read_file] is asked for files that a model names, and that are not part of the request. *)
+
+val no_files : Loaded.reader
+(** For who has none. *)
 
 val model : store -> loaded Read.reader
 (** Of a handle. *)
@@ -19,7 +23,7 @@ val forget : store -> unit
 (** What was worked out of the models, and may have been left half made. *)
 
 val load : store -> Read.params -> Reply.t
-val read : more:string list -> Read.params -> Loaded.t * (string -> Source.t option)
+val read : store -> more:string list -> Read.params -> Loaded.t * (string -> Source.t option)
 (** The model of a request that gives all of it, as [model.load] does, and has no other members but [more]; and
     its texts by name. Its parameters may have ranges, and its bonds may be released at any time. *)
 

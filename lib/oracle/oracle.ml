@@ -13,7 +13,7 @@ let evaluate (s : Session.t) ~seconds p =
 
 let check (s : Session.t) ~seconds p =
   let memory = Memory.words_of_mib s.quotas.memory_mib in
-  Checks.check { seconds; memory; now = s.surroundings.now } p
+  Checks.check { seconds; memory; now = s.surroundings.now } s.models p
 
 let plain f : work = fun _ ~seconds:_ p -> f p
 let on_shapes f : work = fun s ~seconds:_ p -> f s.Session.shapes p
@@ -55,9 +55,9 @@ let describe (s : Session.t) p =
          ("limits", `Assoc (List.map (fun (name, n) -> (name, `Int n)) (Quotas.listed s.quotas)));
        ])
 
-let work name : work option =
+let work more name : work option =
   if String.equal name described || String.equal name discover then Some (fun s ~seconds:_ p -> describe s p)
-  else List.assoc_opt name table
+  else match List.assoc_opt name table with Some _ as found -> found | None -> List.assoc_opt name more
 
 (* What a notification may ask for to any effect. *)
 let has_effect name = String.equal name "shape.release" || String.equal name "model.release"
@@ -130,8 +130,8 @@ let seconds (s : Session.t) name p =
 
 let shown name = if String.length name <= 64 then name else "a long name"
 
-let answer (s : Session.t) r =
-  match work r.name with
+let answer (s : Session.t) more r =
+  match work more r.name with
   | None -> Error (Fault.No_method (shown r.name))
   | Some work -> (
       let p = Read.params s.quotas r.members in
@@ -180,7 +180,7 @@ let write (s : Session.t) b ~id result =
   | Error fault -> spoilt fault
 
 (* Whether something was added. *)
-let one s b v =
+let one s more b v =
   let id = id_of v in
   match guarded s (fun () -> Ok (request v)) with
   | Error (Invalid_params _) when Option.is_none id -> false
@@ -189,19 +189,19 @@ let one s b v =
     true
   | Ok { id = None; name; _ } when not (has_effect name) -> false
   | Ok r -> (
-      let result = if is_full s b then Error (full s) else guarded s (fun () -> answer s r) in
+      let result = if is_full s b then Error (full s) else guarded s (fun () -> answer s more r) in
       match r.id with
       | None -> false
       | Some id ->
         write s b ~id result;
         true)
 
-let batch s b requests =
+let batch s more b requests =
   Buffer.add_char b '[';
   let add any v =
     let before = Buffer.length b in
     if any then Buffer.add_char b ',';
-    let added = one s b v in
+    let added = one s more b v in
     if not added then Buffer.truncate b before;
     any || added
   in
@@ -215,7 +215,7 @@ let refused s b fault =
 
 let is_blank c = c = ' ' || c = '\t' || c = '\r' || c = '\n'
 
-let handle (s : Session.t) line =
+let handle ?(more = []) (s : Session.t) line =
   if String.for_all is_blank line then None
   else
     let b = Buffer.create 256 in
@@ -226,8 +226,8 @@ let handle (s : Session.t) line =
       | Ok (List requests) ->
         if List.compare_length_with requests s.quotas.batch > 0 then
           refused s b (Limit ("batch", s.quotas.batch))
-        else batch s b requests
-      | Ok v -> one s b v
+        else batch s more b requests
+      | Ok v -> one s more b v
     in
     if some then Some (Buffer.contents b) else None
 

@@ -1,10 +1,19 @@
+open Scc_session
+
 type surroundings = {
   now : unit -> float;
   bounded : 'a. seconds:float -> (unit -> 'a) -> ('a, Fault.stop) result;
   passes : exn -> bool;
+  read_file : Loaded.reader;
 }
 
-let quiet = { now = (fun () -> 0.); bounded = (fun ~seconds:_ f -> Ok (f ())); passes = (fun _ -> false) }
+let quiet =
+  {
+    now = (fun () -> 0.);
+    bounded = (fun ~seconds:_ f -> Ok (f ()));
+    passes = (fun _ -> false);
+    read_file = Models.no_files;
+  }
 
 type t = {
   quotas : Quotas.t;
@@ -15,7 +24,8 @@ type t = {
 }
 
 let create ?(quotas = Quotas.default) ?(surroundings = quiet) ~version () =
-  { quotas; version; surroundings; shapes = Shapes.store quotas; models = Models.store quotas }
+  let models = Models.store quotas ~read_file:surroundings.read_file in
+  { quotas; version; surroundings; shapes = Shapes.store quotas; models }
 
 let distrust t =
   Shapes.forget t.shapes;

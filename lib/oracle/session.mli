@@ -7,10 +7,11 @@ type surroundings = {
   bounded : 'a. seconds:float -> (unit -> 'a) -> ('a, Fault.stop) result;
   (** does something, or gives it up when it takes more time, or the program more memory, than there is *)
   passes : exn -> bool;  (** an exception of theirs (Ctrl-C), which no request stops *)
+  read_file : Scc_session.Loaded.reader;  (** files that a model names, and that are not part of the request *)
 }
 
 val quiet : surroundings
-(** A clock that stands still, and nothing is given up. *)
+(** A clock that stands still, nothing is given up, and there are no files. *)
 
 type t = {
   quotas : Quotas.t;

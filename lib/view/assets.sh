@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes the parts of the page as a module of OCaml: `assets.sh WEB`, with the folder of its sources.
+# Writes the parts of the pages as a module of OCaml: `assets.sh WEB`, with the folder of their sources.
 #
 # three.js draws the scene. It is where SCC_THREE says, where Debian's package libjs-three has it, or where
 # scripts/dependencies.sh put it in an opam switch; without it the page has everything but the scene, and says so.
@@ -7,6 +7,10 @@ set -eu
 web=$1
 three=${SCC_THREE:-/usr/share/javascript/three/three.min.js}
 [ -r "$three" ] || three=${OPAM_SWITCH_PREFIX:-}/share/scc-three/three.min.js
+
+# CodeMirror is the editor of the desk, likewise: of its files those that web/desk-library names.
+editor=${SCC_CODEMIRROR:-/usr/share/javascript/codemirror}
+[ -r "$editor/lib/codemirror.js" ] || editor=${OPAM_SWITCH_PREFIX:-}/share/scc-codemirror
 
 # text NAME FILE
 text() {
@@ -21,10 +25,33 @@ script() {
   printf '|scc_asset});\n'
 }
 
+# library ENDING: the files of the editor with that ending, if it is there.
+library() {
+  [ -r "$editor/lib/codemirror.js" ] || return 0
+  sed -n "s|.*\\.$1\$|$editor/&|p" "$web/desk-library"
+}
+
 text page "$web/page.html"
 text style "$web/page.css"
 echo 'let scripts ='
 echo '  ['
 [ ! -r "$three" ] || script "$three"
 while read -r name; do script "$web/$name"; done < "$web/scripts"
+echo '  ]'
+echo
+
+text desk "$web/desk.html"
+echo 'let desk_styles ='
+echo '  ['
+for file in $(library css) "$web/desk.css"; do
+  printf '    {scc_asset|'
+  cat "$file"
+  printf '|scc_asset};\n'
+done
+echo '  ]'
+echo
+echo 'let desk_scripts ='
+echo '  ['
+for file in $(library js); do script "$file"; done
+while read -r name; do script "$web/$name"; done < "$web/desk-scripts"
 echo '  ]'

@@ -19,31 +19,35 @@ let extent semantics state (transitions : Transition.t list) : Scc_ctl.Timeline.
     if Network.quiescent semantics state || (transitions <> [] && List.for_all only_weak transitions) then Forever
     else Instant
 
-let expand states world ~most (n, state) =
-  if States.has_next states n then []
-  else
-    let semantics = States.semantics world in
-    match Network.successors semantics state with
-    | Error fault ->
-      States.set_stuck states n (Transition.diagnostic (Semantics.model semantics) fault).message;
-      States.set_next states n [];
-      States.set_extent world n state Instant;
-      []
-    | Ok transitions ->
-      States.set_extent world n state (extent semantics state transitions);
-      if transitions = [] && Network.quiescent semantics state then States.set_rests states n;
-      let one (found, possible) (t : Transition.t) =
-        let known = States.known world t.target in
-        let is_new = Option.is_none known && States.count states < most in
-        let target =
-          if is_new then Some (States.after world (n, state) (Transition.duration t) t.target) else known
-        in
-        let found = match target with Some k when is_new -> (k, t.target) :: found | _ -> found in
-        (found, { States.label = States.label world t.label; rules = t.rules; target } :: possible)
+let look states world ~most (n, state) =
+  let semantics = States.semantics world in
+  match Network.successors semantics state with
+  | Error fault ->
+    States.set_stuck states n (Transition.diagnostic (Semantics.model semantics) fault).message;
+    States.set_next states n [];
+    States.set_extent world n state Instant;
+    []
+  | Ok transitions ->
+    States.set_extent world n state (extent semantics state transitions);
+    if transitions = [] && Network.quiescent semantics state then States.set_rests states n;
+    let one (found, possible) (t : Transition.t) =
+      let known = States.known world t.target in
+      let is_new = Option.is_none known && States.count states < most in
+      let target =
+        if is_new then Some (States.after world (n, state) (Transition.duration t) t.target) else known
       in
-      let found, possible = List.fold_left one ([], []) transitions in
-      States.set_next states n (List.rev possible);
-      List.rev found
+      let found = match target with Some k when is_new -> (k, t.target) :: found | _ -> found in
+      (found, { States.label = States.label world t.label; rules = t.rules; target } :: possible)
+    in
+    let found, possible = List.fold_left one ([], []) transitions in
+    States.set_next states n (List.rev possible);
+    List.rev found
+
+let expand states world ~most (n, state) =
+  if States.has_next states n then [] else look states world ~most (n, state)
+
+let reach states world ~most (n, state) =
+  if not (States.told states n) then ignore (look states world ~most (n, state))
 
 let explore states world ~most ~interrupted initial =
   let most = bound (Semantics.model (States.semantics world)) most in

@@ -13,6 +13,9 @@ val expand : States.t -> States.world -> most:int -> int * State.t -> (int * Sta
 (** Tells what is possible in a state, if that is not told yet: the states that were not known before are the
     result. Where [most] states are told already, others are not. *)
 
+val reach : States.t -> States.world -> most:int -> int * State.t -> unit
+(** Tells what is possible in a state and where it leads, also where that was not told before for want of space. *)
+
 val explore : States.t -> States.world -> most:int -> interrupted:(unit -> bool) -> State.t -> t
 (** Breadth first from the initial state. *)
 

@@ -16,30 +16,40 @@ let for_data s =
 
 let hash text = Printf.sprintf "'sha256-%s'" (Base64.encode_string (Sha256.to_bin (Sha256.string text)))
 
-(* Scripts are told by their hashes, so that nothing that slips in is run. *)
-let policy =
-  lazy
-    (let hashes texts = String.concat " " (List.map hash texts) in
-     Printf.sprintf
-       "default-src 'none'; script-src %s; style-src %s; img-src data: blob:; base-uri 'none'; form-action 'none'"
-       (hashes (List.map snd Assets.scripts))
-       (hash Assets.style))
+(* Scripts and styles are told by their hashes, so that nothing that slips in is run. *)
+let policy ~scripts ~styles ~more =
+  let hashes texts = String.concat " " (List.map hash texts) in
+  Printf.sprintf
+    "default-src 'none'; script-src %s; style-src %s; img-src data: blob:; base-uri 'none'; form-action 'none'%s"
+    (hashes (List.map snd scripts)) (hashes styles) more
 
 let element name attributes text = Printf.sprintf "<%s%s>%s</%s>\n" name attributes text name
 
-(* The template says where each of these goes, by a line of its own. *)
-let write ~title data put =
+(* A template says where each of these goes, by a line of its own. *)
+let fill template ~title ~policy ~meta ~styles ~scripts data put =
   let line = function
     | "@policy@" ->
-      put
-        (Printf.sprintf "<meta http-equiv=\"Content-Security-Policy\" content=\"%s\">\n" (Lazy.force policy))
+      put (Printf.sprintf "<meta http-equiv=\"Content-Security-Policy\" content=\"%s\">\n%s" policy meta)
     | "@title@" -> put (element "title" "" (for_text title))
-    | "@style@" -> put (element "style" "" Assets.style)
+    | "@style@" -> List.iter (fun text -> put (element "style" "" text)) styles
     | "@data@" ->
       put "<script type=\"application/json\" id=\"data\">";
       data (fun s -> put (for_data s));
       put "</script>\n"
-    | "@scripts@" -> List.iter (fun (_, text) -> put (element "script" "" text)) Assets.scripts
+    | "@scripts@" -> List.iter (fun (_, text) -> put (element "script" "" text)) scripts
     | text -> put (text ^ "\n")
   in
-  List.iter line (String.split_on_char '\n' Assets.page)
+  List.iter line (String.split_on_char '\n' template)
+
+let own_server = "; connect-src 'self'"
+let live = "<meta name=\"scc-live\" content=\"ask\">\n"
+
+let write ?(served = false) ~title data put =
+  let styles = [ Assets.style ] and scripts = Assets.scripts in
+  let policy = policy ~scripts ~styles ~more:(if served then own_server else "") in
+  fill Assets.page ~title ~policy ~meta:(if served then live else "") ~styles ~scripts data put
+
+let desk ~title data put =
+  let styles = Assets.desk_styles and scripts = Assets.desk_scripts in
+  let policy = policy ~scripts ~styles ~more:(own_server ^ "; frame-src 'self'") in
+  fill Assets.desk ~title ~policy ~meta:"" ~styles ~scripts data put

@@ -16,6 +16,8 @@ let add t json =
     Growable.push t.rows row;
     n
 
+let since t n = List.init (Int.max 0 (length t - n)) (fun i -> Growable.get t.rows (n + i))
+
 let write t put =
   put "[";
   for i = 0 to length t - 1 do

@@ -11,5 +11,8 @@ val add : t -> Json.t -> int
 
 val length : t -> int
 
+val since : t -> int -> string list
+(** The rows from that number on, each as JSON. *)
+
 val write : t -> (string -> unit) -> unit
 (** As an array, a row on each line. *)

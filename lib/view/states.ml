@@ -7,6 +7,13 @@ open Scc_exchange
 
 type possible = { label : int; rules : Rule.t list; target : int option }
 
+module Numbers = Hashtbl.Make (struct
+    type t = State.t
+
+    let equal = State.equal
+    let hash = State.hash
+  end)
+
 type entry = {
   base : int option;
   later : Rat.t;
@@ -16,18 +23,12 @@ type entry = {
   mutable next : possible list option;
   mutable stuck : string option;
   mutable rests : bool;
+  home : (world * State.t) option;  (** none where what has changed is all that is known *)
 }
 
-type t = entry Growable.t
+and t = entry Growable.t
 
-module Numbers = Hashtbl.Make (struct
-    type t = State.t
-
-    let equal = State.equal
-    let hash = State.hash
-  end)
-
-type world = {
+and world = {
   entries : t;
   tables : Tables.t;
   words : Model.t -> Transition.label -> string;
@@ -89,8 +90,8 @@ let changes m d (before : State.t) (after : State.t) =
 
 (* {1 New states} *)
 
-let entry base later ~gone ~come =
-  { base; later; gone; come; values = []; next = None; stuck = None; rests = false }
+let entry ?home base later ~gone ~come =
+  { base; later; gone; come; values = []; next = None; stuck = None; rests = false; home }
 
 let add w state entry =
   let n = Growable.length w.entries in
@@ -104,14 +105,15 @@ let start w (state : State.t) =
   match known w state with
   | Some n -> n
   | None ->
-    add w state (entry None Rat.zero ~gone:[] ~come:(told w (Array.to_list state.processes)))
+    let come = told w (Array.to_list state.processes) in
+    add w state (entry ~home:(w, state) None Rat.zero ~gone:[] ~come)
 
 let after w (before, state) d next =
   match known w next with
   | Some n -> n
   | None ->
     let gone, come = changes (Semantics.model w.semantics) d state next in
-    add w next (entry (Some before) d ~gone ~come:(told w come))
+    add w next (entry ~home:(w, next) (Some before) d ~gone ~come:(told w come))
 
 let changed w before d ~gone ~come =
   let n = Growable.length w.entries in
@@ -126,18 +128,21 @@ let set_extent w n state extent =
   if none e.values then e.values <- List.map (Curves.value w.semantics state extent) w.plots
 
 let set_next t n possible = (Growable.get t n).next <- Some possible
+let home t n = (Growable.get t n).home
 let has_next t n = Option.is_some (Growable.get t n).next
 let set_stuck t n why = (Growable.get t n).stuck <- Some why
 let set_rests t n = (Growable.get t n).rests <- true
 let count = Growable.length
 
+let next t n = (Growable.get t n).next
+
+let told t n =
+  match next t n with
+  | None -> false
+  | Some possible -> List.for_all (fun p -> Option.is_some p.target) possible
+
 let all_told t =
-  let told e =
-    match e.next with
-    | None -> false
-    | Some possible -> List.for_all (fun p -> Option.is_some p.target) possible
-  in
-  let rec from i = i = count t || (told (Growable.get t i) && from (i + 1)) in
+  let rec from i = i = count t || (told t i && from (i + 1)) in
   from 0
 
 (* {1 JSON} *)
@@ -162,10 +167,12 @@ let entry_json e =
     ]
       @ match e.values with [] -> [] | values -> [ ("values", `List values) ])
 
+let json t n = entry_json (Growable.get t n)
+
 let write t put =
   put "[";
   for i = 0 to count t - 1 do
     put (if i = 0 then "\n" else ",\n");
-    put (Json.line (entry_json (Growable.get t i)))
+    put (Json.line (json t i))
   done;
   put "]"

@@ -48,12 +48,23 @@ type possible = { label : int; rules : Rule.t list; target : int option  (** if 
 
 val set_next : t -> int -> possible list -> unit
 val has_next : t -> int -> bool
+val next : t -> int -> possible list option
+
+val told : t -> int -> bool
+(** What is possible is told of the state of that number, and where it leads. *)
+
+val home : t -> int -> (world * State.t) option
+(** The state of that number, and where it is at home; none where what has {!changed} is all that is known. *)
+
 val set_stuck : t -> int -> string -> unit
 val set_rests : t -> int -> unit
 val count : t -> int
 
 val all_told : t -> bool
-(** What is possible is told of each state, and where it leads. *)
+(** {!told} of each of them. *)
+
+val json : t -> int -> Json.t
+(** One of them. *)
 
 val write : t -> (string -> unit) -> unit
 (** All of them, as an array. *)

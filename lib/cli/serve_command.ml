@@ -1,0 +1,180 @@
+open Scc_base
+open Scc_session
+open Scc_exchange
+open Scc_serve
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+(* {1 Its own processes}
+
+   They are this program, with the same arguments and one more that says what is to be done. *)
+
+type task = Desk | Document of { checks : Viewed.checks; seconds : float option }
+
+let task_json : task -> Json.t = function
+  | Desk -> `String "desk"
+  | Document { checks; seconds } ->
+    let checks : Json.t =
+      match checks with
+      | All -> `String "all"
+      | Unchecked -> `String "none"
+      | Only name -> `Assoc [ ("only", Json.text name) ]
+    in
+    let whole s = `Int (int_of_float s) in
+    `Assoc [ ("check", checks); ("seconds", Json.option whole seconds) ]
+
+let checks_of : Json.t -> (Viewed.checks, string) result = function
+  | `String "all" -> Ok All
+  | `String "none" -> Ok Unchecked
+  | `Assoc [ ("only", `String name) ] -> Ok (Only name)
+  | _ -> Error "`check` is \"all\", \"none\" or {\"only\": NAME}"
+
+let task_of text =
+  match Yojson.Basic.from_string text with
+  | `String "desk" -> Ok Desk
+  | `Assoc _ as json ->
+    let seconds = Option.map float_of_int (Option.bind (Json.member "seconds" json) Json.int) in
+    let* checks = checks_of (Option.value (Json.member "check" json) ~default:`Null) in
+    Ok (Document { checks; seconds })
+  | _ | (exception Yojson.Json_error _) -> Error "it is no task"
+
+let arguments task =
+  match Array.to_list Sys.argv with
+  | program :: command :: rest ->
+    Array.of_list (program :: command :: ("--task=" ^ Json.line (task_json task)) :: rest)
+  | [ _ ] | [] -> Bug.fail __POS__ "a command without its name"
+
+(* {1 Serving} *)
+
+type options = {
+  model : string option;
+  given : Options.definitions;
+  port : int option;
+  task : task option;
+}
+
+let unsaved_name = "model.sc"
+
+(* What one sees who begins without a model. *)
+let start =
+  {|// Two cubes fly towards each other and stick together.
+shape Cube = hull {
+  a: (0, 0, 0), b: (1, 0, 0), c: (1, 1, 0), d: (0, 1, 0),
+  e: (0, 0, 1), f: (1, 0, 1), g: (1, 1, 1), h: (0, 1, 1)
+}
+|}
+
+let served_graph = 400
+
+let viewed o budget checks =
+  {
+    Viewed.path = Option.value o.model ~default:unsaved_name;
+    source = None;
+    given = o.given;
+    budget;
+    checks;
+    schedule = None;
+    graph = served_graph;
+    plots = [];
+  }
+
+let desk o =
+  let told result = Result.map_error (fun (d : Diag.t) -> d.message) result in
+  let read path = told (Result.map Source.text (Input.read path)) in
+  let write path text = told (Whole_file.with_file path (fun put -> put text)) in
+  let name = Filename.basename (Option.value o.model ~default:unsaved_name) in
+  { Desk.name; path = o.model; read; write; start }
+
+let listening console desk address =
+  Console.print console (Printf.sprintf "scc: %s is served at %s\n" desk.Desk.name address);
+  Console.print console "Open this address in a browser. Ctrl-C ends the service.\n";
+  Console.flush console
+
+let cannot_listen port why =
+  let what = match port with Some n -> Printf.sprintf "port %d" n | None -> "a free port" in
+  [
+    Diag.error Code.cannot_listen Span.command_line "cannot listen on %s of this machine: %s" what why
+      ~hint:"without --port, a port that is free is taken";
+  ]
+
+let serve console o =
+  let desk = desk o in
+  let document_process ~check ~seconds =
+    Result.map (fun checks -> arguments (Document { checks; seconds })) (checks_of check)
+  in
+  let how =
+    {
+      Server.desk;
+      port = o.port;
+      desk_process = arguments Desk;
+      document_process;
+      listening = listening console desk;
+    }
+  in
+  Result.map_error (cannot_listen o.port) (Server.run how)
+
+let run color (budget : Budget.t) o =
+  match (o.task, o.model) with
+  | Some Desk, _ -> Document_process.desk ~path:(Option.value o.model ~default:unsaved_name)
+  | Some (Document { checks; seconds }), _ ->
+    let seconds = match seconds with None -> budget.seconds | Some _ -> seconds in
+    Document_process.document (viewed o { budget with seconds } checks)
+  | None, Some "-" -> Guard.usage "standard input cannot be served: the model is a file"
+  | None, _ ->
+    let console = Console.make ~color ~json:false () in
+    Guard.run console (fun () ->
+        let* () = serve console o in
+        Ok Exit_code.Holds)
+
+(* {1 The command line} *)
+
+let model =
+  let doc =
+    "The model, a $(b,.sc) file, which may still have to be written. Without one, the page begins with a small \
+     model and saves nothing."
+  in
+  Arg.(value & pos 0 (some string) None & info [] ~docv:"MODEL" ~doc)
+
+let port =
+  let doc = "Listens on this port of the machine's own address 127.0.0.1, instead of one that is free." in
+  let number = Options.integer ~least:1 ~most:65535 "port, a number from 1 to 65535" in
+  Arg.(value & opt (some number) None & info [ "port" ] ~docv:"PORT" ~doc)
+
+let task =
+  let parse text = Result.map_error (fun why -> `Msg why) (task_of text) in
+  let task = Arg.conv (parse, fun ppf t -> Format.pp_print_string ppf (Json.line (task_json t))) in
+  Arg.(value & opt (some task) None & info [ "task" ] ~docs:Manpage.s_none)
+
+let options =
+  let make model given port task = { model; given; port; task } in
+  Term.(const make $ model $ Options.definitions $ port $ task)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Serves a page on which a model is written, checked and looked at: the text on the left, with what is wrong \
+       in it told as one types, and on the right the page of $(b,scc view), where what else is possible is worked \
+       out when it is asked for. So a state space may be of any size.";
+    `P
+      "The service is for this machine alone: it listens on the loopback, and answers only who knows the secret \
+       that is part of the printed address. It ends with Ctrl-C. Each model that is shown is a process of its own, \
+       bounded by the options below.";
+    `S Manpage.s_examples;
+    `Pre "  scc serve specs/models/hexokinase.sc";
+    `Pre "  scc serve model.sc --port 8080 --seconds 60";
+  ]
+
+let command =
+  let told =
+    [
+      (Exit_code.Holds, "if Ctrl-C or a signal to terminate has ended the service.");
+      (Stopped, "if nobody reads the address that it prints.");
+      (Unwritten, "if it cannot listen on the port, or the address could not be printed.");
+    ]
+  in
+  let exits = Exits.man ~told ~never:[ Violated; Undecided; Invalid ] () in
+  Cmd.v
+    (Cmd.info "serve" ~doc:"write and look at a model in a browser" ~man ~exits)
+    Term.(const run $ Options.color $ Check_options.budget $ options)

@@ -1,0 +1,102 @@
+open Scc_exchange
+open Scc_oracle
+open Scc_view
+
+(* {1 Rows that the page does not have} *)
+
+type have = { solids : int; behaviours : int; processes : int; labels : int; states : int }
+
+let have p at v =
+  let p = Read.fields p at v in
+  Read.only p [ "solids"; "behaviours"; "processes"; "labels"; "states" ];
+  let count name = Read.required p name Read.natural in
+  {
+    solids = count "solids";
+    behaviours = count "behaviours";
+    processes = count "processes";
+    labels = count "labels";
+    states = count "states";
+  }
+
+let states_since states n =
+  List.init (Int.max 0 (States.count states - n)) (fun i -> Json.line (States.json states (n + i)))
+
+let more (d : Document.t) have looked =
+  let rows all since = Reply.Printed (Rows.since all since) in
+  let looked_at n = Json.line (`List [ `Int n; States.json d.states n ]) in
+  Reply.Fields
+    [
+      ("solids", rows d.tables.solids have.solids);
+      ("behaviours", rows d.tables.behaviours have.behaviours);
+      ("processes", rows d.tables.processes have.processes);
+      ("labels", rows d.tables.labels have.labels);
+      ("states", Printed (states_since d.states have.states));
+      ("looked", Printed (List.map looked_at (List.sort_uniq Int.compare looked)));
+    ]
+
+(* {1 Looking at states} *)
+
+(* Tells all of a state, and what is possible there. *)
+let look p (d : Document.t) n =
+  match States.home d.states n with
+  | None ->
+    Fault.invalid (Member "state")
+      "of a run of so many bodies it is told what changes, and not what else was possible"
+  | Some (world, state) ->
+    let most = (Read.quotas p).states in
+    Graph.reach d.states world ~most (n, state);
+    let next = Option.value (States.next d.states n) ~default:[] in
+    if not (States.told d.states n) then Fault.refuse (Limit ("states", most));
+    List.filter_map (fun (possible : States.possible) -> possible.target) next
+
+let state (d : Document.t) p at v =
+  let n = Read.natural p at v in
+  if n < States.count d.states then n else Fault.invalid at "the document has no such state"
+
+let expand d p =
+  Read.only p [ "state"; "have"; "limits" ];
+  let have = Read.required p "have" have in
+  let n = Read.required p "state" (state d) in
+  ignore (look p d n);
+  Reply.Fields [ ("more", more d have [ n ]) ]
+
+let told d have ~choices ~looked =
+  let choices = Reply.Value (`List (List.rev_map (fun k -> `Int k) choices)) in
+  Reply.Fields [ ("choices", choices); ("more", more d have looked) ]
+
+let walk d p =
+  Read.only p [ "state"; "choices"; "have"; "limits" ];
+  let have = Read.required p "have" have in
+  let most = (Read.quotas p).path in
+  let wanted = Read.required p "choices" (Read.short_list Read.natural ~limit:"path" ~most) in
+  let rec from n taken looked wanted =
+    let possible = look p d n in
+    let looked = n :: looked in
+    match wanted with
+    | [] -> told d have ~choices:taken ~looked
+    | k :: rest -> (
+        match List.nth_opt possible k with
+        | None -> told d have ~choices:taken ~looked
+        | Some target -> from target (k :: taken) looked rest)
+  in
+  from (Read.required p "state" (state d)) [] [] wanted
+
+let most_onwards = 1000
+
+let onwards d p =
+  Read.only p [ "state"; "most"; "have"; "limits" ];
+  let have = Read.required p "have" have in
+  let most = Int.min most_onwards (Read.required p "most" Read.natural) in
+  let rec from n taken looked left =
+    match look p d n with
+    | target :: _ when left > 0 ->
+      let looked = n :: looked in
+      if List.mem target looked then told d have ~choices:(0 :: taken) ~looked
+      else from target (0 :: taken) looked (left - 1)
+    | [] | _ :: _ -> told d have ~choices:taken ~looked:(n :: looked)
+  in
+  from (Read.required p "state" (state d)) [] [] most
+
+let methods d =
+  let on f : Oracle.work = fun _ ~seconds:_ p -> f d p in
+  [ ("document.expand", on expand); ("document.walk", on walk); ("document.onwards", on onwards) ]

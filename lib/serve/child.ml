@@ -1,0 +1,89 @@
+open Lwt.Syntax
+
+type t = {
+  pid : int;
+  input : Lwt_io.output_channel;
+  output : Lwt_io.input_channel;
+  turn : Lwt_mutex.t;  (** of who asks *)
+  mutable waiting : int;
+  mutable alive : bool;
+}
+
+type failure = Over | Too_slow | Busy
+
+let most_waiting = 64
+
+let signal t number = if t.alive then try Unix.kill t.pid number with Unix.Unix_error _ -> ()
+let kill t = signal t Sys.sigkill
+let interrupt t = signal t Sys.sigint
+let alive t = t.alive
+
+let rec waited pid =
+  Lwt.catch
+    (fun () -> Lwt.map ignore (Lwt_unix.waitpid [] pid))
+    (function Unix.Unix_error (EINTR, _, _) -> waited pid | _ -> Lwt.return_unit)
+
+let close channel = Lwt.catch (fun () -> Lwt_io.close channel) (fun _ -> Lwt.return_unit)
+
+let start arguments =
+  let their_input, input = Unix.pipe ~cloexec:true () in
+  let output, their_output = Unix.pipe ~cloexec:true () in
+  let pid = Unix.create_process Sys.executable_name arguments their_input their_output Unix.stderr in
+  Unix.close their_input;
+  Unix.close their_output;
+  let channel mode fd = Lwt_io.of_fd ~mode (Lwt_unix.of_unix_file_descr fd) in
+  let t =
+    {
+      pid;
+      input = channel Lwt_io.output input;
+      output = channel Lwt_io.input output;
+      turn = Lwt_mutex.create ();
+      waiting = 0;
+      alive = true;
+    }
+  in
+  Lwt.async (fun () ->
+      let* () = waited pid in
+      t.alive <- false;
+      close t.input);
+  t
+
+let discard t =
+  kill t;
+  Lwt.async (fun () -> close t.output)
+
+let say t line =
+  Lwt.catch
+    (fun () ->
+       let* () = Lwt_io.write_line t.input line in
+       Lwt_io.flush t.input)
+    (fun _ -> Lwt.return_unit)
+
+let hear t = Lwt.catch (fun () -> Lwt_io.read_line_opt t.output) (fun _ -> Lwt.return_none)
+
+(* One that is late would answer the next question with what belongs to this one: it is ended. *)
+let answered t ~seconds line =
+  if not t.alive then Lwt.return_error Over
+  else
+    let answer () =
+      let* () = say t line in
+      Lwt.map (Option.to_result ~none:Over) (hear t)
+    in
+    Lwt.catch
+      (fun () -> Lwt_unix.with_timeout seconds answer)
+      (fun _ ->
+         discard t;
+         Lwt.return_error Too_slow)
+
+let ask t ~seconds line =
+  if t.waiting >= most_waiting then Lwt.return_error Busy
+  else begin
+    t.waiting <- t.waiting + 1;
+    (* Whoever asks may go away: the answer is read all the same, or the next one would get it. *)
+    Lwt.no_cancel
+      (Lwt.finalize
+         (fun () -> Lwt_mutex.with_lock t.turn (fun () -> answered t ~seconds line))
+         (fun () ->
+            t.waiting <- t.waiting - 1;
+            Lwt.return_unit))
+  end
