@@ -159,7 +159,7 @@ let man =
        out when it is asked for. So a state space may be of any size.";
     `P
       "The service is for this machine alone: it listens on the loopback, and answers only who knows the secret \
-       that is part of the printed address. It ends with Ctrl-C. Each model that is shown is a process of its own, \
+       that is part of the printed address. Ctrl-C ends it. Each model that is shown is a process of its own, \
        bounded by the options below.";
     `S Manpage.s_examples;
     `Pre "  scc serve specs/models/hexokinase.sc";

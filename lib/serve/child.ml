@@ -7,6 +7,7 @@ type t = {
   turn : Lwt_mutex.t;  (** of who asks *)
   mutable waiting : int;
   mutable alive : bool;
+  gone : unit Lwt.t;
 }
 
 type failure = Over | Too_slow | Busy
@@ -32,6 +33,7 @@ let start arguments =
   Unix.close their_input;
   Unix.close their_output;
   let channel mode fd = Lwt_io.of_fd ~mode (Lwt_unix.of_unix_file_descr fd) in
+  let gone, wake = Lwt.wait () in
   let t =
     {
       pid;
@@ -40,17 +42,20 @@ let start arguments =
       turn = Lwt_mutex.create ();
       waiting = 0;
       alive = true;
+      gone;
     }
   in
   Lwt.async (fun () ->
       let* () = waited pid in
       t.alive <- false;
+      Lwt.wakeup_later wake ();
       close t.input);
   t
 
 let discard t =
   kill t;
-  Lwt.async (fun () -> close t.output)
+  let* () = t.gone in
+  close t.output
 
 let say t line =
   Lwt.catch
@@ -72,8 +77,7 @@ let answered t ~seconds line =
     Lwt.catch
       (fun () -> Lwt_unix.with_timeout seconds answer)
       (fun _ ->
-         discard t;
-         Lwt.return_error Too_slow)
+         Lwt.map (fun () -> Error Too_slow) (discard t))
 
 let ask t ~seconds line =
   if t.waiting >= most_waiting then Lwt.return_error Busy

@@ -24,7 +24,7 @@ val ask : t -> seconds:float -> string -> (string, failure) result Lwt.t
 val interrupt : t -> unit
 (** Sends SIGINT. *)
 
-val discard : t -> unit
+val discard : t -> unit Lwt.t
 (** Ends it, whatever it does. *)
 
 val alive : t -> bool

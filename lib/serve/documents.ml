@@ -31,10 +31,10 @@ let find t id =
   found
 
 let close t d =
-  Child.discard d.child;
-  t.all <- List.filter (fun other -> not (String.equal other.id d.id)) t.all
+  t.all <- List.filter (fun other -> not (String.equal other.id d.id)) t.all;
+  Child.discard d.child
 
-let close_all t = List.iter (close t) t.all
+let close_all t = Lwt.join (List.map (close t) t.all)
 
 let is_working d = match d.state with Working -> true | Ready _ | Refused _ | Over _ -> false
 let is_ready d = match d.state with Ready _ -> true | Working | Refused _ | Over _ -> false
@@ -83,7 +83,7 @@ let make_room t =
     match idle with
     | [] -> false
     | first :: rest ->
-      close t (List.fold_left older first rest);
+      Lwt.async (fun () -> close t (List.fold_left older first rest));
       true
 
 let opened t arguments ~text =

@@ -23,5 +23,5 @@ val interrupt : document -> unit
 (** One that is being made ends with what it has. *)
 
 val ask : document -> string -> (string, Child.failure) result Lwt.t
-val close : t -> document -> unit
-val close_all : t -> unit
+val close : t -> document -> unit Lwt.t
+val close_all : t -> unit Lwt.t

@@ -23,7 +23,7 @@ type t = {
 
 let most_bytes = 8 * Scc_base.Memory.mib
 let most_connections = 200
-let seconds_to_read = 30.
+let seconds_to_read = 10.
 let seconds_of_connection = 120
 let seconds_for_help = 30.
 let seconds_for_news = 1.
@@ -164,8 +164,7 @@ let of_document t d what body =
     Documents.interrupt d;
     now done_
   | "close" ->
-    Documents.close t.documents d;
-    now done_
+    Lwt.map (fun () -> done_) (Documents.close t.documents d)
   | _ -> now (refused `Not_found "there is no such request")
 
 let post t path body =
@@ -179,29 +178,24 @@ let post t path body =
       | None -> now no_document)
   | _ -> now (refused `Not_found "there is no such request")
 
+let in_time ~late f =
+  Lwt.catch
+    (fun () -> Lwt_unix.with_timeout seconds_to_read f)
+    (function Lwt_unix.Timeout -> Lwt.return late | e -> Lwt.fail e)
+
 let too_large = refused `Request_entity_too_large "the request is too large"
 
-(* What is sent of a body that is too large is not kept. *)
-let read_body request body =
-  let told = Option.bind (Header.get (Request.headers request) "content-length") int_of_string_opt in
-  let b = Buffer.create 4096 in
+(* What is sent of a body that is too large is read, as many a client hears nothing before it has said all, and is not
+   kept. *)
+let read_body body =
+  let b = Buffer.create 4096 and size = ref 0 in
   let add part =
-    if Buffer.length b + String.length part > most_bytes then Lwt.fail Exit
-    else Lwt.return (Buffer.add_string b part)
+    size := !size + String.length part;
+    if !size <= most_bytes then Buffer.add_string b part
   in
-  let read () =
-    let* () = Lwt_stream.iter_s add (Cohttp_lwt.Body.to_stream body) in
-    Lwt.return_ok (Buffer.contents b)
-  in
-  match told with
-  | Some n when n > most_bytes -> Lwt.return_error too_large
-  | Some _ | None ->
-    Lwt.catch
-      (fun () -> Lwt_unix.with_timeout seconds_to_read read)
-      (function
-        | Exit -> Lwt.return_error too_large
-        | Lwt_unix.Timeout -> Lwt.return_error (refused `Request_timeout "the request took too long to come")
-        | e -> Lwt.fail e)
+  in_time ~late:(Error (refused `Request_timeout "the request took too long to come")) (fun () ->
+      let* () = Lwt_stream.iter add (Cohttp_lwt.Body.to_stream body) in
+      if !size > most_bytes then Lwt.return_error too_large else Lwt.return_ok (Buffer.contents b))
 
 let is_json request =
   match Header.get (Request.headers request) "content-type" with
@@ -218,16 +212,28 @@ let answer t request body =
   | Ok path, `GET -> get t path
   | Ok _, `POST when not (is_json request) -> now (refused `Unsupported_media_type "a request is JSON")
   | Ok path, `POST -> (
-      let* body = read_body request body in
+      let* body = read_body body in
       match body with Ok body -> post t path body | Error a -> now a)
   | Ok _, _ -> now (refused `Method_not_allowed "GET and POST are what can be asked")
 
-let callback t _connection request body =
+(* Each connection is for one request, so that none stays open for nothing: it hears no more. *)
+let hear_no_more : Conduit_lwt_unix.flow -> unit = function
+  | TCP { fd; _ } -> (try Lwt_unix.shutdown fd SHUTDOWN_RECEIVE with Unix.Unix_error _ -> ())
+  | Domain_socket _ | Vchan _ -> ()
+
+let inherited_by_none : Conduit_lwt_unix.flow -> unit = function
+  | TCP { fd; _ } -> Lwt_unix.set_close_on_exec fd
+  | Domain_socket _ | Vchan _ -> ()
+
+let callback t (flow, _) request body =
+  inherited_by_none flow;
   let* a =
     Lwt.catch
       (fun () -> answer t request body)
       (fun e -> now (refused `Internal_server_error ("a fault of scc: " ^ Printexc.to_string e)))
   in
+  let* () = in_time ~late:() (fun () -> Cohttp_lwt.Body.drain_body body) in
+  hear_no_more flow;
   respond a
 
 (* {1 Listening} *)
@@ -263,9 +269,8 @@ let serve how socket =
     Server.create ~timeout:seconds_of_connection ~stop ~on_exn:ignore ~mode:(`TCP (`Socket socket))
       (Server.make ~callback:(callback t) ())
   in
-  Documents.close_all t.documents;
-  Option.iter Child.discard t.helper;
-  Lwt.return_unit
+  let* () = Documents.close_all t.documents in
+  Option.fold t.helper ~none:Lwt.return_unit ~some:Child.discard
 
 let run how =
   Lwt_main.run

@@ -1,0 +1,332 @@
+"""What scc serve answers, and to whom: asked as programs ask, without a browser.
+
+    serve_test.py SCC FOLDER    the program; a folder for its files
+
+The last line is 'N passed, N failed'."""
+import hashlib
+import http.client
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+
+MODEL = 'specs/models/hexokinase.sc'
+passed, failed = 0, 0
+
+
+def check(what, holds, *seen):
+    """Counts a check."""
+    global passed, failed
+    if holds:
+        passed += 1
+    else:
+        failed += 1
+        print('FAILED:', what, *seen)
+
+
+def same(what, found, wanted):
+    check(what, found == wanted, f'found {found!r}, not {wanted!r}')
+
+
+class Served:
+    """scc serve, and requests to it."""
+
+    def __init__(self, scc, *arguments):
+        self.process = subprocess.Popen([scc, 'serve', *arguments], stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, text=True)
+        line = self.process.stdout.readline()
+        found = re.search(r'http://127\.0\.0\.1:([0-9]+)(/[0-9a-f]{32}/)$', line.strip())
+        if not found:
+            raise SystemExit(f'no address in {line!r}: {self.process.stderr.read()}')
+        self.port, self.root = int(found[1]), found[2]
+
+    def ask(self, method, path, body=None, headers=None, root=None):
+        """The status, the headers and the bytes of an answer."""
+        connection = http.client.HTTPConnection('127.0.0.1', self.port, timeout=60)
+        headers = {'content-type': 'application/json', **(headers or {})}
+        connection.request(method, (self.root if root is None else root) + path, body, headers)
+        answer = connection.getresponse()
+        content = answer.read()
+        connection.close()
+        return answer.status, dict(answer.getheaders()), content
+
+    def post(self, path, body):
+        status, _, content = self.ask('POST', path, json.dumps(body))
+        return status, json.loads(content)
+
+    def rpc(self, to, method, **params):
+        """The result, or the error, of a question to a process."""
+        status, answer = self.post(to, {'jsonrpc': '2.0', 'id': 1, 'method': method, 'params': params})
+        return answer.get('result', answer.get('error')) if status == 200 else status
+
+    def open(self, text, what='none', **more):
+        """The name of a new document, and its status once it is made."""
+        status, answer = self.post('open', {'text': text, 'check': what, **more})
+        if status != 200:
+            return None, answer
+        name = answer['document']
+        while True:
+            _, told = self.post(f'view/{name}/status', {})
+            if told['state'] != 'working':
+                return name, told
+
+    def end(self):
+        """Ends it as Ctrl-C does: its exit code."""
+        self.process.send_signal(signal.SIGINT)
+        try:
+            return self.process.wait(10)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            return 'it went on'
+
+
+def who_may_ask(served):
+    wrong = '/' + '0' * 32 + '/'
+    for what, wanted, method, path, headers, root in [
+            ('the address', 200, 'GET', '', {}, None),
+            ('another name of this machine', 200, 'GET', '', {'host': f'localhost:{served.port}'}, None),
+            ('its own origin', 200, 'GET', '', {'origin': f'http://127.0.0.1:{served.port}'}, None),
+            ('no secret', 403, 'GET', '', {}, '/'),
+            ('a wrong secret', 403, 'GET', '', {}, wrong),
+            ('a part of the secret', 403, 'GET', '', {}, served.root[:-2] + '/'),
+            ('a longer secret', 403, 'GET', '', {}, served.root[:-1] + 'a/'),
+            ('a wrong secret that asks', 403, 'POST', 'open', {}, wrong),
+            ('another host', 403, 'GET', '', {'host': f'evil.example:{served.port}'}, None),
+            ('another port', 403, 'GET', '', {'host': f'127.0.0.1:{served.port + 1}'}, None),
+            ('a foreign origin', 403, 'POST', 'open', {'origin': 'http://evil.example'}, None),
+            ('a foreign port', 403, 'POST', 'open', {'origin': f'http://127.0.0.1:{served.port + 1}'}, None),
+            ('no origin to tell', 403, 'POST', 'open', {'origin': 'null'}, None),
+            ('a form of a page', 415, 'POST', 'open', {'content-type': 'text/plain'}, None),
+            ('another method', 405, 'PUT', 'open', {}, None),
+            ('no such page', 404, 'GET', 'other', {}, None),
+            ('no such request', 404, 'POST', 'other', {}, None),
+            ('a way out of the folder', 404, 'GET', '../../etc/passwd', {}, None),
+            ('a document that is not there', 410, 'GET', 'view/d99/', {}, None)]:
+        body = '{}' if method != 'GET' else None
+        status, told, content = served.ask(method, path, body, headers, root)
+        same(f'status for {what}', status, wanted)
+        if wanted >= 400:
+            check(f'a sentence for {what}', len(json.loads(content)['error']) > 10, content)
+        same(f'nothing is kept of {what}', told.get('cache-control'), 'no-store')
+    _, told, page = served.ask('GET', '')
+    same('others cannot frame it', told['content-security-policy'], "frame-ancestors 'self'")
+    check('the page lets in what has its hash alone', b"default-src 'none'" in page and b'unsafe' not in page)
+
+
+def bad_requests(served):
+    for body in ['', '[]', 'null', '{', '[' * 100_000, '{"text": 5}', '{"text": ""}\x00', '{"text": "", "check": 3}',
+                 '{"text": "", "check": {"only": 3}}', '{"text": "", "seconds": -1}', b'\xff\xfe']:
+        status, told, content = served.ask('POST', 'open', body)
+        same(f'status for {body[:30]!r}', status, 400)
+    status, answer = served.post('ask', {'jsonrpc': '2.0', 'id': 1, 'method': 'none'})
+    same('an unknown method', answer['error']['code'], -32601)
+    status, _, answer = served.ask('POST', 'ask', '\n{"jsonrpc": "2.0",\r\n"id": 7, "method": "service.describe"}\n')
+    same('a question on several lines', json.loads(answer)['id'], 7)
+    status, _, answer = served.ask('POST', 'ask', 'document')
+    same('what is no JSON', json.loads(answer)['error']['code'], -32700)
+
+
+def large_requests(served):
+    megabyte = b' ' * 1_000_000
+
+    def parts():
+        for _ in range(100):
+            yield megabyte
+
+    same('100 MB at once', served.ask('POST', 'open', megabyte * 100)[0], 413)
+    same('100 MB in parts', served.ask('POST', 'open', parts())[0], 413)
+    with open(f'/proc/{served.process.pid}/status', encoding='utf-8') as status:
+        peak = int(re.search(r'VmHWM:\s+(\d+) kB', status.read())[1])
+    check('they are not kept', peak < 400_000, peak)
+    same('it goes on after them', served.ask('GET', '')[0], 200)
+
+
+def many_requests(served, text):
+    """A thousand at once, and half of those who asked go away before they have an answer."""
+    name, _ = served.open(text)
+    statuses = []
+
+    def one(k):
+        line = {'jsonrpc': '2.0', 'id': k, 'method': 'successors', 'params': {'model': 'm1', 'path': []}}
+        if k % 2 == 0:
+            for _ in range(50):
+                status, answer = served.post(f'view/{name}/ask', line)
+                if status != 503:
+                    break
+                time.sleep(0.1)
+            statuses.append((status, answer.get('id') == k))
+        else:
+            body = json.dumps(line)
+            with socket.create_connection(('127.0.0.1', served.port), 60) as s:
+                s.sendall(f'POST {served.root}view/{name}/ask HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n'
+                          f'Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n{body}'.encode())
+
+    threads = [threading.Thread(target=one, args=(k,)) for k in range(1000)]
+    for t in threads:
+        t.start()
+    for t in threads:
+        t.join()
+    same('1000 at once: each has its own answer', set(statuses), {(200, True)})
+    same('how many', len(statuses), 500)
+    same('it goes on after them', served.ask('GET', '')[0], 200)
+
+
+def documents(served, text):
+    name, told = served.open(text, 'all')
+    same('a model that is checked', told['state'], 'ready')
+    same('its verdicts', {v['name']: v['verdict'] for v in told['verdicts']}.get('reaction'), 'holds')
+    status, _, page = served.ask('GET', f'view/{name}/')
+    check('its page', status == 200 and b'name="scc-live"' in page and b"connect-src 'self'" in page)
+    data = json.loads(re.search(rb'id="data">(.*?)</script>', page, re.S)[1])
+    same('its data', data['format'], 'scc-view')
+    have = {name: len(data[name]) for name in ['solids', 'behaviours', 'processes', 'labels', 'states']}
+    result = served.rpc(f'view/{name}/ask', 'document.walk', state=0, choices=[0, 0, 99], have=have)
+    same('a way as far as it is possible', result['choices'], [0, 0])
+    looked = dict(result['more']['looked'])
+    same('what was looked at', len(looked), 3)
+    check('where it leads', all(c['to'] is not None for e in looked.values() for c in e['next']))
+    again = served.rpc(f'view/{name}/ask', 'document.walk', state=0, choices=[0, 0, 99], have=have)
+    same('the same question has the same answer', again, result)
+    for what, params in [('a state that is not there', {'state': 10**9, 'have': have}),
+                         ('a state that is none', {'state': 'x', 'have': have}),
+                         ('nothing had', {'state': 0})]:
+        same(what, served.rpc(f'view/{name}/ask', 'document.expand', **params)['code'], -32602)
+    possible = served.rpc(f'view/{name}/ask', 'successors', model='m1', path=[])
+    check('its model', len(possible['transitions']) > 0, possible)
+
+    _, told = served.open(text, {'only': 'reaction'})
+    same('one check alone', [v['name'] for v in told['verdicts']], ['reaction'])
+    _, told = served.open(text, {'only': 'nothing'})
+    same('a check that is not there', (told['state'], told['diagnostics'][0]['code']), ('refused', 'SC0201'))
+    _, told = served.open(text + '\ncheck odd : always oddity\n')
+    same('a text with a fault', told['state'], 'refused')
+    check('its place', 'line' in json.dumps(told['diagnostics'][0]), told['diagnostics'][0])
+
+    same('closing', served.post(f'view/{name}/close', {})[0], 200)
+    same('what is closed', served.ask('GET', f'view/{name}/')[0], 410)
+    same('asking what is closed', served.rpc(f'view/{name}/ask', 'successors', model='m1', path=[]), 410)
+    first, _ = served.open(text)
+    for _ in range(12):
+        served.open(text)
+    same('only so many are kept', served.ask('GET', f'view/{first}/')[0], 410)
+
+
+ENDLESS = '''// A cube that gets faster for ever.
+shape Cube {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+           e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  faces    back  [a,d,c,b]  front  [e,f,g,h]  left [a,e,h,d]
+           right [b,c,g,f]  bottom [a,b,f,e]  top  [d,h,g,c]
+}
+process p = Cube mass 1 velocity (1,0,0) at translate (0,0,0) [nil]
+process q = Cube mass 1 velocity (-1,0,0) at translate (0,9,0) [nil]
+timestep 1
+motion p = (vx + 1/4, vy, vz)
+check there : always x(p) < 1e100
+'''
+
+
+def long_work(served, endless):
+    """A check that does not end: it tells how far it is, and ends with what it has."""
+    _, answer = served.post('open', {'text': endless, 'check': 'all'})
+    name, progress, since = answer['document'], None, time.monotonic()
+    while progress is None and time.monotonic() - since < 20:
+        _, told = served.post(f'view/{name}/status', {})
+        if told['state'] != 'working':
+            break
+        progress = told['progress']
+    check('it tells how far it is', progress is not None and 'states' in progress, told)
+    same('its page is not there yet', served.ask('GET', f'view/{name}/')[0], 410)
+    same('stopping', served.post(f'view/{name}/stop', {})[0], 200)
+    since = time.monotonic()
+    while told['state'] == 'working' and time.monotonic() - since < 20:
+        _, told = served.post(f'view/{name}/status', {})
+    same('what was stopped', (told['state'], told.get('interrupted')), ('ready', True))
+    same('it holds as far as it came', [v['verdict'] for v in told['verdicts']], ['holds-up-to-bound'])
+    same('and a page', served.ask('GET', f'view/{name}/')[0], 200)
+    _, told = served.open(endless, 'all', seconds=1)
+    same('one that is bounded in time', told['state'], 'ready')
+
+
+def saving(scc, folder):
+    path = os.path.join(folder, 'saved.sc')
+    shutil.copy(MODEL, path)
+    served = Served(scc, path)
+    with open(path, encoding='utf-8') as file:
+        text = file.read()
+    _, _, page = served.ask('GET', '')
+    data = json.loads(re.search(rb'id="data">(.*?)</script>', page, re.S)[1])
+    same('the text of the file', data['text'], text)
+    same('its digest', data['saved'], 'md5:' + hashlib.md5(text.encode()).hexdigest())
+    new = text + '\n// one more line: é\n'
+    status, answer = served.post('save', {'text': new, 'saved': data['saved']})
+    same('saving', status, 200)
+    with open(path, encoding='utf-8') as file:
+        same('what is in the file then', file.read(), new)
+    same('over what is not there any more', served.post('save', {'text': text, 'saved': data['saved']})[0], 409)
+    with open(path, 'a', encoding='utf-8') as file:
+        file.write('// by somebody else\n')
+    status, other = served.post('save', {'text': text, 'saved': answer['saved']})
+    same('somebody else has written', (status, other['text']), (409, new + '// by somebody else\n'))
+    same('nothing is lost', open(path, encoding='utf-8').read(), other['text'])
+    same('writing over it', served.post('save', {'text': text, 'saved': other['saved']})[0], 200)
+    os.remove(path)
+    same('a file that has gone', served.post('save', {'text': text, 'saved': other['saved']})[0], 409)
+    same('a new one', served.post('save', {'text': text, 'saved': None})[0], 200)
+    os.remove(path)
+    os.mkdir(path)
+    status, answer = served.post('save', {'text': text, 'saved': None})
+    check('a file that cannot be written', status == 400 and len(answer['error']) > 10, status, answer)
+    same('the end', served.end(), 0)
+    served = Served(scc)
+    same('without a file', served.post('save', {'text': text, 'saved': None})[0], 400)
+    same('its end', served.end(), 0)
+
+
+def ends(scc, text):
+    served = Served(scc, MODEL)
+    taken = subprocess.run([scc, 'serve', '--port', str(served.port)], capture_output=True, text=True, timeout=20)
+    same('a port in use', taken.returncode, 74)
+    check('its message', 'SC0108' in taken.stderr and str(served.port) in taken.stderr, taken.stderr)
+    name, _ = served.open(text)
+    children = subprocess.run(['pgrep', '-P', str(served.process.pid)], capture_output=True, text=True).stdout.split()
+    check('a process for the document', len(children) >= 1, children)
+    os.kill(int(children[0]), signal.SIGKILL)
+    time.sleep(0.2)
+    same('a document whose process was killed', served.rpc(f'view/{name}/ask', 'successors', model='m1', path=[]), 410)
+    name, told = served.open(text)
+    same('another one', told['state'], 'ready')
+    children = subprocess.run(['pgrep', '-P', str(served.process.pid)], capture_output=True, text=True).stdout.split()
+    same('the end by Ctrl-C', served.end(), 0)
+    time.sleep(0.2)
+    left = [c for c in children if os.path.exists(f'/proc/{c}')]
+    same('no process is left', left, [])
+
+
+def main(scc, folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    with open(MODEL, encoding='utf-8') as file:
+        text = file.read()
+    served = Served(scc, MODEL)
+    who_may_ask(served)
+    bad_requests(served)
+    documents(served, text)
+    long_work(served, ENDLESS)
+    many_requests(served, text)
+    large_requests(served)
+    same('the end', served.end(), 0)
+    saving(scc, folder)
+    ends(scc, text)
+    print(f'{passed} passed, {failed} failed')
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1], sys.argv[2]))
