@@ -101,12 +101,24 @@ let with_leaves making (own : Model.t) (run : Json.t) : Json.t =
     `Assoc (members @ [ ("leaves", own) ])
   | run -> run
 
+(* Follows the run again up to a step: that costs less than to keep all states. *)
+let state_after (l : Loaded.t) policy (limits : Replay.limits) n =
+  let found = ref None in
+  let note : Replay.event -> unit = function
+    | Step { number; state; _ } when number = n -> found := Some (state ())
+    | Start _ | Step _ | Instant _ | End _ -> ()
+  in
+  let limits : Replay.limits = { limits with steps = Some n } in
+  match (Replay.run l.semantics l.declared policy limits ~interrupted:(fun () -> false) note, !found) with
+  | Ok _, Some state -> state
+  | (Ok _ | Error _), _ -> Bug.fail __POS__ "a run that is not the same again"
+
 let large_run making world ~name policy limits ~interrupted =
   let l = making.loaded in
   let run = ref None in
   let note (event : Replay.event) =
     match (event, !run) with
-    | Start s, _ -> run := Some (Large_run.start world s)
+    | Start s, _ -> run := Some (Large_run.start world ~state_after:(state_after l policy limits) s)
     | _, Some r -> Large_run.step r event
     | _, None -> Bug.fail __POS__ "a run without a start"
   in

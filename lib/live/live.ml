@@ -38,16 +38,12 @@ let more (d : Document.t) have looked =
 
 (* Tells all of a state, and what is possible there. *)
 let look p (d : Document.t) n =
-  match States.home d.states n with
-  | None ->
-    Fault.invalid (Member "state")
-      "of a run of so many bodies it is told what changes, and not what else was possible"
-  | Some (world, state) ->
-    let most = (Read.quotas p).states in
-    Graph.reach d.states world ~most (n, state);
-    let next = Option.value (States.next d.states n) ~default:[] in
-    if not (States.told d.states n) then Fault.refuse (Limit ("states", most));
-    List.filter_map (fun (possible : States.possible) -> possible.target) next
+  let world, state = States.home d.states n in
+  let most = (Read.quotas p).states in
+  Graph.reach d.states world ~most (n, state);
+  if not (States.told d.states n) then Fault.refuse (Limit ("states", most));
+  let next = Option.value (States.next d.states n) ~default:[] in
+  List.filter_map (fun (possible : States.possible) -> possible.target) next
 
 let state (d : Document.t) p at v =
   let n = Read.natural p at v in

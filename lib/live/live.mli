@@ -10,6 +10,4 @@ val methods : Document.t -> (string * Oracle.work) list
     - [document.expand] ([state]): what is possible in a state, and where it leads.
     - [document.walk] ([state], [choices]): the same along a way; answers those of the choices that were possible.
     - [document.onwards] ([state], [most]): the first of what is possible, again and again, until nothing is, or a
-      state comes again; answers the choices.
-
-    A state of a large run ({!Large_run}) is not known as a whole, and refused. *)
+      state comes again; answers the choices. *)

@@ -13,6 +13,7 @@ type moving = { process : State.process; since : Rat.t }
 
 type t = {
   world : States.world;
+  state_after : int -> State.t;
   first : int;
   homes : moving option array;  (** by leaf; [None] once it is gone *)
   mutable last : int;
@@ -61,12 +62,13 @@ let leave t first =
   let clear h = Array.iter (fun (l : State.leaf) -> t.homes.(l.leaf) <- None) h.process.State.leaves in
   Option.iter clear t.homes.(first)
 
-let start world (initial : State.t) =
+let start world ~state_after (initial : State.t) =
   let leaves = Array.length (Semantics.model (States.semantics world)).leaves in
   let first = States.start world initial in
   let t =
     {
       world;
+      state_after;
       first;
       homes = Array.make leaves None;
       last = first;
@@ -85,7 +87,7 @@ let step t (event : Replay.event) =
   match event with
   | Start _ | End _ -> ()
   | Instant { offset; _ } -> t.rest <- offset
-  | Step { index; among; taken; changes; _ } ->
+  | Step { number; index; among; taken; changes; _ } ->
     let { Scc_engine.Event_run.gone; come } =
       match changes () with
       | Some c -> c
@@ -96,7 +98,7 @@ let step t (event : Replay.event) =
     t.now <- Rat.add t.now d;
     List.iter (leave t) gone;
     List.iter (enter t t.now) come;
-    let target = States.changed t.world t.last d ~gone ~come in
+    let target = States.changed t.world t.last d ~gone ~come (lazy (t.state_after number)) in
     let step =
       `Assoc
         [

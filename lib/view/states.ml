@@ -23,7 +23,8 @@ type entry = {
   mutable next : possible list option;
   mutable stuck : string option;
   mutable rests : bool;
-  home : (world * State.t) option;  (** none where what has changed is all that is known *)
+  home : world;
+  state : State.t Lazy.t;
 }
 
 and t = entry Growable.t
@@ -90,8 +91,8 @@ let changes m d (before : State.t) (after : State.t) =
 
 (* {1 New states} *)
 
-let entry ?home base later ~gone ~come =
-  { base; later; gone; come; values = []; next = None; stuck = None; rests = false; home }
+let entry home state base later ~gone ~come =
+  { base; later; gone; come; values = []; next = None; stuck = None; rests = false; home; state }
 
 let add w state entry =
   let n = Growable.length w.entries in
@@ -106,18 +107,18 @@ let start w (state : State.t) =
   | Some n -> n
   | None ->
     let come = told w (Array.to_list state.processes) in
-    add w state (entry ~home:(w, state) None Rat.zero ~gone:[] ~come)
+    add w state (entry w (Lazy.from_val state) None Rat.zero ~gone:[] ~come)
 
 let after w (before, state) d next =
   match known w next with
   | Some n -> n
   | None ->
     let gone, come = changes (Semantics.model w.semantics) d state next in
-    add w next (entry ~home:(w, next) (Some before) d ~gone ~come:(told w come))
+    add w next (entry w (Lazy.from_val next) (Some before) d ~gone ~come:(told w come))
 
-let changed w before d ~gone ~come =
+let changed w before d ~gone ~come state =
   let n = Growable.length w.entries in
-  Growable.push w.entries (entry (Some before) d ~gone ~come:(told w come));
+  Growable.push w.entries (entry w state (Some before) d ~gone ~come:(told w come));
   n
 
 let set_values w n values = (Growable.get w.entries n).values <- values
@@ -128,7 +129,11 @@ let set_extent w n state extent =
   if none e.values then e.values <- List.map (Curves.value w.semantics state extent) w.plots
 
 let set_next t n possible = (Growable.get t n).next <- Some possible
-let home t n = (Growable.get t n).home
+
+let home t n =
+  let e = Growable.get t n in
+  (e.home, Lazy.force e.state)
+
 let has_next t n = Option.is_some (Growable.get t n).next
 let set_stuck t n why = (Growable.get t n).stuck <- Some why
 let set_rests t n = (Growable.get t n).rests <- true

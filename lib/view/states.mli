@@ -27,7 +27,7 @@ val start : world -> State.t -> int
 val after : world -> int * State.t -> Rat.t -> State.t -> int
 (** [after w (before, state) d next]: the number of a state that is reached from another one in a time d. *)
 
-val changed : world -> int -> Rat.t -> gone:int list -> come:State.process list -> int
+val changed : world -> int -> Rat.t -> gone:int list -> come:State.process list -> State.t Lazy.t -> int
 (** A new state, by what has changed since the one of that number in so much time. It is not {!known}. *)
 
 val known : world -> State.t -> int option
@@ -53,8 +53,8 @@ val next : t -> int -> possible list option
 val told : t -> int -> bool
 (** What is possible is told of the state of that number, and where it leads. *)
 
-val home : t -> int -> (world * State.t) option
-(** The state of that number, and where it is at home; none where what has {!changed} is all that is known. *)
+val home : t -> int -> world * State.t
+(** The state of that number, and where it is at home. *)
 
 val set_stuck : t -> int -> string -> unit
 val set_rests : t -> int -> unit

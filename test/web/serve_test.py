@@ -217,6 +217,26 @@ def documents(served, text):
     same('only so many are kept', served.ask('GET', f'view/{first}/')[0], 410)
 
 
+def large_runs(served):
+    """Of a run of many bodies, states are told by what changes: what else is possible is found all the same."""
+    with open('specs/models/gas.sc', encoding='utf-8') as file:
+        gas = file.read().replace('param n = 2', 'param n = 5').split('check energy')[0]
+    name, _ = served.open(gas)
+    _, _, page = served.ask('GET', f'view/{name}/')
+    data = json.loads(re.search(rb'id="data">(.*?)</script>', page, re.S)[1])
+    run = data['runs'][0]
+    check('a run of many bodies', len(data['leaves']) == 125 and len(run['steps']) > 30, len(run['steps']))
+    have = {what: len(data[what]) for what in ['solids', 'behaviours', 'processes', 'labels', 'states']}
+    labels, state = data['labels'], run['start']
+    for step in run['steps'][:12]:
+        more = served.rpc(f'view/{name}/ask', 'document.expand', state=state, have=have)['more']
+        labels += more['labels'][len(labels) - have['labels']:]
+        possible = dict(more['looked'])[state]['next']
+        same(f'what the run takes in state {state}', labels[possible[step['choice']]['label']]['text'],
+             labels[step['label']]['text'])
+        state = step['to']
+
+
 ENDLESS = '''// A cube that gets faster for ever.
 shape Cube {
   vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
@@ -318,6 +338,7 @@ def main(scc, folder):
     who_may_ask(served)
     bad_requests(served)
     documents(served, text)
+    large_runs(served)
     long_work(served, ENDLESS)
     many_requests(served, text)
     large_requests(served)
