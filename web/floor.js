@@ -9,21 +9,25 @@ class Floor {
   constructor(scene) {
     this.uniforms = {
       ground: { value: 0 }, step: { value: 1 }, reach: { value: Floor.reach }, shift: { value: new THREE.Vector2() },
-      origin: { value: new THREE.Vector2() }, grid: { value: new THREE.Color() }, x: { value: new THREE.Color() },
-      z: { value: new THREE.Color() },
+      origin: { value: new THREE.Vector2() }, grid: { value: new THREE.Color() },
+      // The axes of the floor, their colours, and which way is up.
+      first: { value: new THREE.Vector3() }, second: { value: new THREE.Vector3() }, up: { value: new THREE.Vector3() },
+      firstInk: { value: new THREE.Color() }, secondInk: { value: new THREE.Color() },
     };
     const material = new THREE.ShaderMaterial({
       extensions: { derivatives: true },
       uniforms: this.uniforms,
       vertexShader: `
-        uniform float ground; uniform float step; uniform float reach; varying vec2 vAt;
+        uniform float ground; uniform float step; uniform float reach; uniform vec3 first; uniform vec3 second; uniform vec3 up;
+        varying vec2 vAt;
         void main() {
           vAt = position.xz * reach;
-          gl_Position = projectionMatrix * viewMatrix * vec4(vAt.x * step, ground, vAt.y * step, 1.0);
+          vec3 at = vAt.x * step * first + vAt.y * step * second + ground * up;
+          gl_Position = projectionMatrix * viewMatrix * vec4(at, 1.0);
         }`,
       fragmentShader: `
-        uniform float reach; uniform vec2 shift; uniform vec2 origin; uniform vec3 grid; uniform vec3 x; uniform vec3 z;
-        varying vec2 vAt;
+        uniform float reach; uniform vec2 shift; uniform vec2 origin; uniform vec3 grid;
+        uniform vec3 firstInk; uniform vec3 secondInk; varying vec2 vAt;
         float lines(vec2 p, float width) {
           vec2 f = fwidth(p);
           vec2 near = clamp(0.5 * width + 0.5 - abs(fract(p - 0.5) - 0.5) / f, 0.0, 1.0) * (1.0 - smoothstep(0.15, 0.5, f));
@@ -34,8 +38,8 @@ class Floor {
           float seen = max(0.28 * lines(p, 1.0), 0.5 * lines(p / 5.0, 1.2));
           vec3 color = grid;
           vec2 axes = clamp(1.4 - abs(vAt - origin) / fwidth(vAt), 0.0, 1.0);
-          if (axes.y > 0.0) { color = mix(color, x, axes.y); seen = max(seen, 0.9 * axes.y); }
-          if (axes.x > 0.0) { color = mix(color, z, axes.x); seen = max(seen, 0.9 * axes.x); }
+          if (axes.y > 0.0) { color = mix(color, firstInk, axes.y); seen = max(seen, 0.9 * axes.y); }
+          if (axes.x > 0.0) { color = mix(color, secondInk, axes.x); seen = max(seen, 0.9 * axes.x); }
           gl_FragColor = vec4(color, seen * (1.0 - smoothstep(0.45, 1.0, length(vAt) / reach)));
         }`,
       transparent: true, depthWrite: false, side: THREE.DoubleSide,
@@ -49,7 +53,8 @@ class Floor {
     scene.add(this.object);
     this.step = 1;
     this.ground = 0;
-    /** The last multiple of the step before the target, along x and z, and how far it is, in steps. */
+    this.upright = Orbit.uprights.y;
+    /** The last multiple of the step before the target, along both axes, and how far it is, in steps. */
     this.whole = [0n, 0n];
     this.rest = [0, 0];
     /** Digits of the step: lead times a power of ten. */
@@ -68,19 +73,20 @@ class Floor {
   }
 
   /**
-   * @param {Rational[]} at what is looked at @param {number} distance of the camera @param {Rational} height of the floor
+   * @param {Orbit} orbit from where it is seen @param {Rational} height of the floor
    * @param {ReturnType<typeof Colors.theme>} colors @param {boolean} shown
    */
-  place(at, distance, height, colors, shown) {
+  place({ at, distance, upright }, height, colors, shown) {
+    this.upright = upright;
     const { lead, power } = Floor.round(distance / 9);
     this.lead = lead;
     this.power = power;
     this.step = lead * 10 ** power;
-    this.ground = Rational.toNumber(Rational.sub(height, at[1]));
+    this.ground = Rational.toNumber(Rational.sub(height, at[upright.up]));
     const ten = 10n ** BigInt(Math.abs(power));
     const step = power < 0 ? Rational.make(BigInt(lead), ten) : Rational.make(BigInt(lead) * ten, 1n);
-    [at[0], at[2]].forEach((t, i) => {
-      const steps = Rational.div(t, step);
+    upright.floor.forEach((axis, i) => {
+      const steps = Rational.div(at[axis], step);
       let k = steps.n / steps.d;
       if (k * steps.d > steps.n) k -= 1n;
       this.whole[i] = k;
@@ -93,8 +99,10 @@ class Floor {
     u.shift.value.set(...[0, 1].map((i) => Number(((this.whole[i] % 5n) + 5n) % 5n) + this.rest[i]));
     u.origin.value.set(near(0), near(1));
     u.grid.value.setRGB(...colors.grid);
-    u.x.value.setRGB(...colors.x);
-    u.z.value.setRGB(...colors.z);
+    const axes = upright.floor.map((axis) => ({ axis, ink: [colors.x, colors.y, colors.z][axis] }));
+    [u.first, u.second].forEach((way, i) => way.value.set(0, 0, 0).setComponent(axes[i].axis, 1));
+    [u.firstInk, u.secondInk].forEach((color, i) => color.value.setRGB(...axes[i].ink));
+    u.up.value.set(0, 0, 0).setComponent(upright.up, 1);
     this.object.visible = shown;
   }
 
@@ -123,6 +131,18 @@ class Floor {
   }
 
   /**
+   * A point of the floor.
+   * @param {number} a along its first axis @param {number} b along the second
+   */
+  #point(a, b) {
+    const { up, floor } = this.upright, p = [0, 0, 0];
+    p[floor[0]] = a;
+    p[floor[1]] = b;
+    p[up] = this.ground;
+    return p;
+  }
+
+  /**
    * Numbers at the ends of the grid's lines, where they leave the picture or the floor.
    * @param {(p: number[]) => number[]} clip to clip space @param {number} width @param {number} height
    * @param {number} margin how much of the picture is covered from below
@@ -139,7 +159,7 @@ class Floor {
       const ends = [];
       for (let i = -Math.floor(reach); i <= reach; i++) {
         const a = (i - this.rest[axis]) * this.step, half = Math.sqrt(Math.max(0, (reach * this.step) ** 2 - a * a));
-        const point = (/** @type {number} */ b) => (axis === 0 ? [a, this.ground, b] : [b, this.ground, a]);
+        const point = (/** @type {number} */ b) => (axis === 0 ? this.#point(a, b) : this.#point(b, a));
         const end = Floor.#leaves(clip(point(-half)), clip(point(half)), width, height, margin);
         if (end) ends.push({ n: this.whole[axis] + BigInt(i), ...end });
       }
@@ -157,7 +177,8 @@ class Floor {
       const kept = there.filter((e) => e.n % stride === 0n);
       kept.forEach((e, i) => {
         const text = this.decimal(e.n);
-        found.push({ text: i === kept.length >> 1 ? `${"xz"[axis]} = ${text}` : text, axis, x: e.x, y: e.y });
+        const of = this.upright.floor[axis];
+        found.push({ text: i === kept.length >> 1 ? `${"xyz"[of]} = ${text}` : text, axis: of, x: e.x, y: e.y });
       });
     }
     return found;

@@ -52,8 +52,8 @@ const Frame = (() => {
    * @param {[number, number, number][]} points @param {Orbit} orbit @param {number} width @param {number} height
    */
   function fit(points, orbit, width, height) {
-    const d = orbit.direction, back = /** @type {[number, number, number]} */ ([d.x, d.y, d.z]);
-    const right = Shapes.unit(Shapes.cross([0, 1, 0], back)), up = Shapes.cross(back, right);
+    const back = orbit.direction;
+    const right = Shapes.unit(Shapes.cross(orbit.way(0, 1, 0), back)), up = Shapes.cross(back, right);
     const seen = points.map((p) => [Shapes.dot(p, right), Shapes.dot(p, up), Shapes.dot(p, back)]);
     // Words and buttons have some room at the border.
     const room = Math.min(56, 0.16 * Math.min(width, height));

@@ -16,7 +16,8 @@ const Keys = (() => {
     ["g", "state graph"],
     ["p", "plots"],
     ["f", "see all bodies"],
-    ["n v r o", "names, velocities, trails, projection"],
+    ["n v r", "names, velocities, trails"],
+    ["o u", "projection, which axis points up"],
     ["t", "dark, light"],
     ["c", "copy a link to what is shown"],
     ["Esc", "nothing selected"],
@@ -137,6 +138,7 @@ const Keys = (() => {
     v: () => Tools.flip("velocities"),
     r: () => Tools.flip("trails"),
     o: () => Tools.flip("projection"),
+    u: () => Tools.flip("up"),
     Escape: () => Details.select(null),
     "?": () => dialog.showModal(),
   };

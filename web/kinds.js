@@ -5,7 +5,7 @@ const Shaders = (() => {
   const rows = "attribute vec4 row0; attribute vec4 row1; attribute vec4 row2; attribute vec4 tint;";
 
   const faceVertex = `
-    ${rows} attribute float pattern; uniform float flatten; uniform float ground;
+    ${rows} attribute float pattern; uniform float flatten; uniform float ground; uniform vec3 up;
     varying vec3 vNormal; varying vec4 vTint; varying float vPattern;
     void main() {
       vec4 p = vec4(position, 1.0);
@@ -13,16 +13,16 @@ const Shaders = (() => {
       vNormal = vec3(dot(row0.xyz, normal), dot(row1.xyz, normal), dot(row2.xyz, normal));
       vTint = tint;
       vPattern = pattern;
-      if (flatten > 0.5) world.y = ground;
+      if (flatten > 0.5) world = mix(world, vec3(ground), up);
       gl_Position = projectionMatrix * viewMatrix * vec4(world, 1.0);
     }`;
 
   // Light from above and from the right of the front, so that each side of a cube has its own shade.
   const faceFragment = `
     uniform float stripes; uniform float opacity; uniform float flatness; uniform vec3 other;
-    varying vec3 vNormal; varying vec4 vTint; varying float vPattern;
+    uniform vec3 light; varying vec3 vNormal; varying vec4 vTint; varying float vPattern;
     void main() {
-      float shine = 0.56 + 0.48 * (0.5 + 0.5 * dot(normalize(vNormal), vec3(0.33, 0.80, 0.50)));
+      float shine = 0.56 + 0.48 * (0.5 + 0.5 * dot(normalize(vNormal), light));
       vec3 base = vTint.rgb;
       if (stripes > 0.5 && fract(vPattern) < 0.5) base = mix(base, other, 0.72);
       gl_FragColor = vec4(base * mix(shine, 1.0, flatness), opacity * (1.0 - vTint.a));
@@ -70,12 +70,15 @@ const Shaders = (() => {
  */
 class Kind {
   /**
-   * What all of them share: the size of the picture, how near is too near, where the floor is.
+   * What all of them share: the size of the picture, how near is too near, where the floor is, which way is up, and from
+   * where the light comes.
    */
   static shared = {
     size: { value: typeof THREE === "undefined" ? null : new THREE.Vector2(1, 1) },
     near: { value: 0 },
     ground: { value: 0 },
+    up: { value: typeof THREE === "undefined" ? null : new THREE.Vector3(0, 1, 0) },
+    light: { value: typeof THREE === "undefined" ? null : new THREE.Vector3(0, 1, 0) },
     shadow: { value: 0.1 },
   };
 
@@ -121,7 +124,7 @@ class Kind {
         uniforms: {
           stripes: { value: style.stripes ? 1 : 0 }, other: { value: new THREE.Vector3(...(style.other || [1, 1, 1])) },
           opacity: { value: opacity }, flatness: { value: style.flat ? 1 : 0 }, flatten: { value: 0 },
-          ground: Kind.shared.ground, ...uniforms,
+          ground: Kind.shared.ground, up: Kind.shared.up, light: Kind.shared.light, ...uniforms,
         },
         polygonOffset: true, polygonOffsetFactor: 1 - (style.pull || 0), polygonOffsetUnits: 1 - (style.pull || 0),
         ...more,
@@ -138,7 +141,7 @@ class Kind {
       const shadow = new THREE.ShaderMaterial({
         vertexShader: Shaders.faceVertex, fragmentShader: Shaders.shadowFragment,
         uniforms: {
-          flatten: { value: 1 }, ground: Kind.shared.ground, opacity: Kind.shared.shadow,
+          flatten: { value: 1 }, ground: Kind.shared.ground, up: Kind.shared.up, opacity: Kind.shared.shadow,
           color: { value: new THREE.Color(0x000000) },
         },
         transparent: true, depthWrite: false, side: THREE.DoubleSide,

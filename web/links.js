@@ -105,6 +105,7 @@ const Links = (() => {
         const plain = JSON.parse(camera);
         if (plain === null || typeof plain !== "object") throw new Error("no camera");
         scene.setCamera(plain);
+        Tools.learn();
       } catch (_) {
         notice("the camera in the address is not one of this page");
       }

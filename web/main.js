@@ -24,6 +24,7 @@ const Main = (() => {
       runs: () => player.runs.map((run) => ({ name: run.name, index: run.index, steps: run.steps.length })),
       link: () => Links.text(),
       work: () => (scene ? scene.work : null),
+      look: () => (scene ? scene.look() : null),
       open: (/** @type {number} */ index) => player.open(player.runs[index]),
       go: (/** @type {number} */ legs, /** @type {string | undefined} */ time) =>
         player.go(legs, time === undefined ? undefined : Rational.of(time)),

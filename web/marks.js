@@ -22,7 +22,7 @@ class Marks {
    */
   place({ course, legs, time }) {
     const { orbit, bodies, options, floorAt } = this.scene;
-    this.floor.place(orbit.at, orbit.distance, floorAt, bodies.colors, options.grid);
+    this.floor.place(orbit, floorAt, bodies.colors, options.grid);
     this.trails.update(course, legs, time, orbit, options.trails);
   }
 
@@ -75,10 +75,10 @@ class Marks {
       if (overlay.word(this.scene.bodies.leaves[shown.leaf].name, x, y, { ...style, force: shown === chosen })) said++;
     }
     if (options.grid) {
-      const { x, z } = bodies.colors;
+      const { x, y, z } = bodies.colors;
       for (const n of floor.numbers(this.scene.clip(), width, height, tools.height))
         if (!this.#covered(n.x, n.y)) {
-          const color = Colors.css(Colors.mix(n.axis ? z : x, bodies.colors.grid, 0.35));
+          const color = Colors.css(Colors.mix([x, y, z][n.axis], bodies.colors.grid, 0.35));
           overlay.word(n.text, n.x, n.y, { size: 10.5, color, within: true });
         }
     }

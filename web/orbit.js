@@ -1,10 +1,23 @@
 "use strict";
 
 /**
+ * Where the camera stands when one axis of space points up on the page: that axis, those of the floor, and whether the second
+ * of these points to the front or away, so that the first one points to the right.
+ * @typedef {{ up: number, floor: [number, number], front: 1 | -1 }} Upright
+ */
+
+/**
  * The camera: it looks at a target from some distance, and goes around it. The target is exact, and all that is drawn is
  * told relative to it, so that nothing shakes far from the origin.
  */
 class Orbit {
+  /** @type {{ [axis: string]: Upright }} */
+  static uprights = {
+    x: { up: 0, floor: [1, 2], front: -1 },
+    y: { up: 1, floor: [0, 2], front: 1 },
+    z: { up: 2, floor: [0, 1], front: -1 },
+  };
+
   /** @param {HTMLCanvasElement} canvas @param {() => void} changed */
   constructor(canvas, changed) {
     this.canvas = canvas;
@@ -17,6 +30,8 @@ class Orbit {
     this.turn = 0.5;
     this.height = 0.42;
     this.parallel = false;
+    /** The name of the axis that points up. */
+    this.up = "y";
     /**
      * Where it is going.
      * @type {{ frame: number } | null}
@@ -29,10 +44,24 @@ class Orbit {
 
   get camera() { return this.parallel ? this.orthographic : this.perspective; }
 
+  get upright() { return Orbit.uprights[this.up]; }
+
+  /**
+   * A direction of the page in space.
+   * @param {number} right @param {number} up @param {number} front @returns {[number, number, number]}
+   */
+  way(right, up, front) {
+    const to = this.upright, v = /** @type {[number, number, number]} */ ([0, 0, 0]);
+    v[to.floor[0]] = right;
+    v[to.up] = up;
+    v[to.floor[1]] = to.front * front;
+    return v;
+  }
+
   /** Where the camera is, relative to the target: a direction of length 1. */
   get direction() {
     const c = Math.cos(this.height);
-    return new THREE.Vector3(c * Math.sin(this.turn), Math.sin(this.height), c * Math.cos(this.turn));
+    return this.way(c * Math.sin(this.turn), Math.sin(this.height), c * Math.cos(this.turn));
   }
 
   /**
@@ -126,8 +155,8 @@ class Orbit {
   /** @param {number} width @param {number} height of the picture @param {number} radius of what there is to see */
   place(width, height, radius) {
     const camera = this.camera, aspect = width / Math.max(1, height);
-    camera.position.copy(this.direction.multiplyScalar(this.distance));
-    camera.up.set(0, 1, 0);
+    camera.position.set(...this.direction).multiplyScalar(this.distance);
+    camera.up.set(...this.way(0, 1, 0));
     camera.lookAt(0, 0, 0);
     if (this.parallel) {
       const half = this.distance * Math.tan((20 * Math.PI) / 180);
@@ -175,7 +204,7 @@ class Orbit {
     const short = (/** @type {number} */ x) => Number(x.toPrecision(5));
     return {
       at: this.at.map(Rational.text), distance: short(this.distance), turn: short(this.turn), height: short(this.height),
-      ...(this.parallel ? { parallel: true } : {}),
+      ...(this.parallel ? { parallel: true } : {}), ...(this.up === "y" ? {} : { up: this.up }),
     };
   }
 
@@ -191,6 +220,7 @@ class Orbit {
     this.turn = c.turn;
     this.height = Math.max(-1.55, Math.min(1.55, c.height));
     this.parallel = c.parallel === true;
+    this.up = c.up === "x" || c.up === "z" ? c.up : "y";
     this.changed();
   }
 

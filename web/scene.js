@@ -17,7 +17,7 @@ class Scene {
     /** @type {{ [option: string]: any }} */
     this.options = {
       names: false, velocities: false, spins: false, trails: false, grid: true, legend: true, projection: "perspective",
-      theme: "light",
+      up: "y", theme: "light",
     };
     /** @type {number | null} */
     this.followed = null;
@@ -138,7 +138,9 @@ class Scene {
     Kind.shared.size.value.set(width, height);
     Kind.shared.near.value = orbit.parallel ? 0 : orbit.camera.near;
     Kind.shared.ground.value = floor.ground + 1e-3 * floor.step;
-    Kind.shared.shadow.value = this.options.grid && orbit.direction.y > 0 ? this.bodies.colors.shadow : 0;
+    Kind.shared.up.value.set(...orbit.way(0, 1, 0));
+    Kind.shared.light.value.set(...orbit.way(0.33, 0.8, 0.5));
+    Kind.shared.shadow.value = this.options.grid && orbit.height > 0 ? this.bodies.colors.shadow : 0;
   }
 
   /** @param {Course} course @param {Moving[]} present */
@@ -177,10 +179,12 @@ class Scene {
     return far;
   }
 
-  /** Sees all bodies: those that move, and what is fixed unless it is much larger; at first, those of the whole run. */
-  fit() {
-    const now = this.now;
-    if (!now || Scene.why) return;
+  /**
+   * What there is to see: bodies that move, and what is fixed unless it is much larger; at first, those of the whole run;
+   * and a whole place near them, from which they are told.
+   * @param {{ course: Course, legs: number, time: Rational }} now
+   */
+  #seen(now) {
     const { course, legs, time } = now;
     const present = course.bodiesAfter(legs, time);
     // So far from the origin that floats from there would lose what is between bodies, one counts from a body.
@@ -196,13 +200,30 @@ class Scene {
       }
     let seen = Frame.whole(here);
     const later = Frame.whole(all);
-    if (!seen || !later) return;
+    if (!seen || !later) return null;
     if (later.size < 2.5 * seen.size) seen = later;
-    const { at, distance } = Frame.fit(seen.points, this.orbit, this.box.clientWidth, this.box.clientHeight);
-    const { lead, power } = Floor.round(distance / 9), step = lead * 10 ** power;
     const based = (/** @type {number} */ x, /** @type {number} */ i) =>
       Rational.add({ n: base[i], d: 1n }, Rational.fromNumber(x));
-    this.floorAt = based(Math.floor(seen.low[1] / step + 1e-6) * step, 1);
+    return { seen, far, based };
+  }
+
+  /**
+   * Puts the floor below what there is to see.
+   * @param {{ seen: { low: number[] }, based: (x: number, i: number) => Rational }} of
+   * @param {number} distance from which it is seen
+   */
+  #level({ seen, based }, distance) {
+    const { lead, power } = Floor.round(distance / 9), step = lead * 10 ** power, { up } = this.orbit.upright;
+    this.floorAt = based(Math.floor(seen.low[up] / step + 1e-6) * step, up);
+  }
+
+  /** Sees all bodies. */
+  fit() {
+    const of = this.now && !Scene.why ? this.#seen(this.now) : null;
+    if (!of) return;
+    const { seen, far, based } = of;
+    const { at, distance } = Frame.fit(seen.points, this.orbit, this.box.clientWidth, this.box.clientHeight);
+    this.#level(of, distance);
     if (far) this.orbit.stand(at.map(based), distance);
     else this.orbit.fly(at, distance, this.still.matches || !this.fitted);
     this.fitted = true;
@@ -215,6 +236,11 @@ class Scene {
     Object.assign(this.options, options);
     if (Scene.why) return;
     this.orbit.parallel = this.options.projection === "orthographic";
+    if (this.options.up !== this.orbit.up) {
+      this.orbit.up = this.options.up;
+      this.fitted = false;
+      this.fit();
+    }
     if (dark !== this.dark) this.bodies.setTheme(this.dark);
     this.refresh();
   }
@@ -235,10 +261,20 @@ class Scene {
 
   camera() { return Scene.why ? {} : this.orbit.save(); }
 
+  /** Which axis points up, how high the floor is, and from where one looks, for tests. */
+  look() {
+    const { up, direction } = this.orbit;
+    return { up, floor: Rational.text(this.floorAt), from: direction };
+  }
+
   /** @param {{ [key: string]: any }} camera */
   setCamera(camera) {
     if (Scene.why) return;
     this.orbit.load(camera);
+    this.fitted = this.options.up === this.orbit.up;
+    this.options.up = this.orbit.up;
+    const of = !this.fitted && this.now ? this.#seen(this.now) : null;
+    if (of) this.#level(of, this.orbit.distance);
     this.fitted = true;
     this.options.projection = this.orbit.parallel ? "orthographic" : "perspective";
     this.refresh();

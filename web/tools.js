@@ -17,9 +17,8 @@ const Tools = (() => {
     trails: false,
     grid: true,
     projection: "perspective",
+    up: "y",
   };
-  /** @type {HTMLElement} */
-  let say;
   /** @type {{[id: string]: HTMLButtonElement}} */
   const made = {};
 
@@ -150,8 +149,11 @@ const Tools = (() => {
       button.setAttribute("aria-pressed", String(options[option]));
       return button;
     };
-    say = press("projection", "Perspective", "Perspective, or parallel (o)", () =>
+    const projection = press("projection", "Perspective", "Perspective, or parallel (o)", () =>
       set("projection", options.projection === "perspective" ? "orthographic" : "perspective"),
+    );
+    const up = press("up", "Up: y", "Which axis points up: y, z or x (u)", () =>
+      set("up", { y: "z", z: "x", x: "y" }[/** @type {"x" | "y" | "z"} */ (options.up)]),
     );
     Dom.fill(
       bar,
@@ -160,7 +162,8 @@ const Tools = (() => {
       toggle("spins", "Spins", "Spins as arrows"),
       toggle("trails", "Trails", "Where bodies have been (r)"),
       toggle("grid", "Grid", "The grid on the floor"),
-      say,
+      projection,
+      up,
       press("fit", "Fit", "See all bodies (f)", () => scene && scene.fit()),
       press("follow", "Follow", "Go along with the selected body", follow),
     );
@@ -184,11 +187,31 @@ const Tools = (() => {
   /** @param {string} option @param {any} value */
   function set(option, value) {
     options[option] = value;
-    if (option === "projection") say.textContent = value === "perspective" ? "Perspective" : "Parallel";
-    else if (made[option]) made[option].setAttribute("aria-pressed", String(value));
+    tell(option);
     if (scene) {
       scene.setOptions(options);
       scene.show(player.course, player.legs, player.time);
+    }
+  }
+
+  /**
+   * Says on its button what an option is.
+   * @param {string} option
+   */
+  function tell(option) {
+    const button = made[option], value = options[option];
+    if (!button) return;
+    if (option === "projection") button.textContent = value === "perspective" ? "Perspective" : "Parallel";
+    else if (option === "up") button.textContent = `Up: ${value}`;
+    else button.setAttribute("aria-pressed", String(value));
+  }
+
+  /** Learns what an address has changed in the scene. */
+  function learn() {
+    if (!scene) return;
+    for (const option of ["projection", "up"]) {
+      options[option] = scene.options[option];
+      tell(option);
     }
   }
 
@@ -245,5 +268,5 @@ const Tools = (() => {
     }
   }
 
-  return { start, flip };
+  return { start, flip, learn };
 })();

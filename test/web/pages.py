@@ -271,6 +271,30 @@ def plots(b, scc):
           drawn[:200])
 
 
+def upright(b, scc):
+    """Another axis points up: the floor lies below the bodies along it, the address says so, and the button too."""
+    page = scc.view('specs/models/gravity.sc')
+    b.open(page)
+    same('y is up at first', (b.find('up').text, b.js('return scc.look().up')), ('Up: y', 'y'))
+    for axis, at in [('z', 2), ('x', 0), ('y', 1), ('z', 2)]:
+        b.js('document.activeElement.blur()')
+        b.keys('u')
+        look = b.js('return scc.look()')
+        same(f'{axis} is up', (b.find('up').text, look['up']), (f'Up: {axis}', axis))
+        ball = Fraction(b.state()['bodies']['ball']['position'][at])
+        check(f'the floor is below the body along {axis}', ball - 6 <= Fraction(look['floor']) < ball, (ball, look))
+        check(f'one looks from above, along {axis}', 0 < look['from'][at] < 1, look)
+    b.find('projection').click()
+    link, floor = b.js('return scc.link()'), look['floor']
+    b.open(page, link)
+    same('an address keeps the axis', (b.find('up').text, b.find('projection').text), ('Up: z', 'Parallel'))
+    look = b.js('return scc.look()')
+    same('and the floor', (look['up'], look['floor']), ('z', floor))
+    b.find('names').click()
+    same('another button changes neither', (b.js('return scc.look().up'), b.js('return scc.link()')), ('z', link))
+    same('the console is told nothing', b.complaints(), [])
+
+
 HOSTILE = ['</script><script>window.pwned = 1</script><img src=x onerror="window.pwned = 1">',
            'א' * 40 + '\u202e reversed \u2066 \u0000 &lt;b&gt;', 'long' * 2500]
 
@@ -439,4 +463,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, reasons, starts, onwards, by_keys, links, plots, hostile, far_away, motion, no_states_beyond, large]
+PARTS = [by_mouse, reasons, starts, onwards, by_keys, links, plots, upright, hostile, far_away, motion, no_states_beyond, large]
