@@ -222,26 +222,12 @@ const Tools = (() => {
   }
 
   function theme() {
-    const button = Dom.get("theme");
-    const kinds = ["system", "dark", "light"];
-    let kind = 0;
-    const dark = window.matchMedia("(prefers-color-scheme: dark)");
-    const show = () => {
-      const root = document.documentElement;
-      const is = kinds[kind] === "system" ? (dark.matches ? "dark" : "light") : kinds[kind];
-      root.setAttribute("data-theme", is);
-      button.textContent = kinds[kind] === "system" ? "Theme" : kinds[kind] === "dark" ? "Dark" : "Light";
-      button.setAttribute("aria-label", `Theme: ${kinds[kind]}`);
+    const served = document.querySelector('meta[name="scc-live"]') !== null;
+    Theme.start(Dom.get("theme"), served, (is) => {
       if (scene) scene.setOptions({ ...options, theme: is });
       Timeline.paint();
       if (scene) scene.show(player.course, player.legs, player.time);
-    };
-    button.addEventListener("click", () => {
-      kind = kind === 0 ? (dark.matches ? 2 : 1) : kind === 1 ? (dark.matches ? 0 : 2) : dark.matches ? 1 : 0;
-      show();
     });
-    dark.addEventListener("change", show);
-    show();
   }
 
   /** The scene is narrower beside the graph. */

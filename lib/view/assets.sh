@@ -12,10 +12,11 @@ three=${SCC_THREE:-/usr/share/javascript/three/three.min.js}
 editor=${SCC_CODEMIRROR:-/usr/share/javascript/codemirror}
 [ -r "$editor/lib/codemirror.js" ] || editor=${OPAM_SWITCH_PREFIX:-}/share/scc-codemirror
 
-# text NAME FILE
+# text NAME FILE…
 text() {
   printf 'let %s = {scc_asset|' "$1"
-  cat "$2"
+  shift
+  cat "$@"
   printf '|scc_asset}\n\n'
 }
 
@@ -32,7 +33,7 @@ library() {
 }
 
 text page "$web/page.html"
-text style "$web/page.css"
+text style "$web/base.css" "$web/page.css"
 echo 'let scripts ='
 echo '  ['
 [ ! -r "$three" ] || script "$three"
@@ -43,7 +44,7 @@ echo
 text desk "$web/desk.html"
 echo 'let desk_styles ='
 echo '  ['
-for file in $(library css) "$web/desk.css"; do
+for file in $(library css) "$web/base.css" "$web/desk.css"; do
   printf '    {scc_asset|'
   cat "$file"
   printf '|scc_asset};\n'
