@@ -27,6 +27,16 @@ let make ?(arrived = fun _ -> false) semantics (state : State.t) extent =
   in
   { semantics; state; extent; homes; arrived; paths = Array.map (Path.make ~for_ever model) state.processes }
 
+let extent semantics state (transitions : Transition.t list) : Timeline.extent =
+  let time (t : Transition.t) = match t.label with Time d -> Some d | _ -> None in
+  match List.find_map time transitions with
+  | Some d when Rat.sign d > 0 -> Lasts d
+  | Some _ -> Instant
+  | None ->
+    let only_weak (t : Transition.t) = match t.label with Weak_split _ -> true | _ -> false in
+    if Network.quiescent semantics state || (transitions <> [] && List.for_all only_weak transitions) then Forever
+    else Instant
+
 (** A trajectory as a whole: numbers and truths vary from piece to piece. *)
 module Stretch = struct
   type context = Semantics.t

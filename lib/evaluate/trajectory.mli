@@ -16,6 +16,10 @@ val make : ?arrived:(Property.event -> bool) -> Semantics.t -> State.t -> Timeli
     the discrete transition was that has just led to the state (by default of none, as in the initial
     state): they hold at the start alone. *)
 
+val extent : Semantics.t -> State.t -> Transition.t list -> Timeline.extent
+(** How long nothing happens from a state on, of which these are all transitions: for ever also where bonds may be
+    released at any of the instants that are looked at, and nothing else is ahead. *)
+
 val predicate : Semantics.t -> Property.prop -> t -> Truth.t Timeline.t
 (** Where the predicate holds, of a trajectory of the model; prepared when it is given. Undecided at instants where
     it divides by zero. *)

@@ -4,6 +4,12 @@ open Scc_calculus
 
 type t = Ratio of Polynomial.t * Polynomial.t | Undefined of string
 
+let equal a b =
+  match (a, b) with
+  | Ratio (n, d), Ratio (m, e) -> Polynomial.equal n m && Polynomial.equal d e
+  | Undefined r, Undefined s -> String.equal r s
+  | Ratio _, Undefined _ | Undefined _, Ratio _ -> false
+
 let polynomial p = Ratio (p, Polynomial.one)
 let of_rat r = polynomial (Polynomial.constant r)
 let of_int n = of_rat (Rat.of_int n)

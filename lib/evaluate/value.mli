@@ -8,6 +8,9 @@ type t =
   (** numerator and denominator; the denominator vanishes nowhere on the piece *)
   | Undefined of string  (** why there is no number, for a person *)
 
+val equal : t -> t -> bool
+(** Whether they are told alike: as quotients of the same polynomials, or undefined for one reason. *)
+
 val greatest_degree : int
 (** Numbers whose numerator or denominator would have a greater degree are undefined: finding the roots of
     such a polynomial could take hours. *)

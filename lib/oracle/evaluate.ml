@@ -1,6 +1,7 @@
 open Scc_ctl
 open Scc_base
 open Scc_exact
+open Scc_semantics
 open Scc_evaluate
 open Scc_verify
 open Scc_session
@@ -20,13 +21,15 @@ let read store ~handle ~formula =
 
 (* {1 At a state} *)
 
-let trajectory semantics (place : Network_at.place) =
+let trajectory semantics (place : Network_at.place) extent =
   let arrived event =
     match place.last with
     | None -> false
     | Some (source, label) -> Event.matches ~source label event
   in
-  Trajectory.make ~arrived semantics place.state Timeline.Instant
+  Trajectory.make ~arrived semantics place.state extent
+
+let at semantics place = trajectory semantics place Timeline.Instant
 
 let answer kind value reason =
   let reason = Json.option Json.text reason in
@@ -34,14 +37,14 @@ let answer kind value reason =
 
 let state p (l : Models.loaded) prop =
   let place = Models.path p l.network in
-  match (Trajectory.prop (trajectory l.model.semantics place) prop).start with
+  match (Trajectory.prop (at l.model.semantics place) prop).start with
   | True -> answer "state" (`Bool true) None
   | False -> answer "state" (`Bool false) None
   | Undecided reason -> answer "state" `Null (Some reason)
 
 let number p (l : Models.loaded) num =
   let place = Models.path p l.network in
-  match (Trajectory.num (trajectory l.model.semantics place) num).start with
+  match (Trajectory.num (at l.model.semantics place) num).start with
   | Undefined reason -> answer "number" `Null (Some reason)
   | Ratio (n, d) ->
     let at_start polynomial = Polynomial.eval polynomial Rat.zero in
@@ -109,14 +112,44 @@ let formula p at v =
   let text = Read.text p at v and most = (Read.quotas p).formula_bytes in
   if String.length text > most then Fault.refuse (Limit ("formula_bytes", most)) else text
 
-let evaluate bounds store p =
+let asked store p =
   Read.only p [ "model"; "path"; "formula"; "limits" ];
   let handle = Read.required p "model" Read.text in
   let base = Read.required p "model" (Models.model store) in
   let formula = Read.required p "formula" formula in
   (* A path that is not possible is told before anything else. *)
   ignore (Models.path p base.network);
-  match read store ~handle ~formula with
+  read store ~handle ~formula
+
+let evaluate bounds store p =
+  match asked store p with
   | l, State prop -> state p l prop
   | l, Number num -> number p l num
   | l, Temporal check -> temporal bounds p l check
+
+(* {1 Along a path} *)
+
+(* Where the transitions cannot be computed, nothing is known to come. *)
+let extent (l : Models.loaded) (place : Network_at.place) (next : Transition.label option) : Timeline.extent =
+  match next with
+  | Some (Time d) when Rat.sign d > 0 -> Lasts d
+  | Some _ -> Instant
+  | None -> (
+      match Network_at.next l.network place with
+      | transitions -> Trajectory.extent l.model.semantics place.state transitions
+      | exception Fault.Refused (No_transitions _) -> Instant)
+
+let along p (l : Models.loaded) kind piece =
+  let one place next = piece (trajectory l.model.semantics place (extent l place next)) in
+  let pieces = Network_at.along l.network (Models.choices p) one in
+  Reply.Value (`Assoc [ ("kind", `String kind); ("values", `List pieces) ])
+
+let values store p =
+  match asked store p with
+  | l, State prop ->
+    let predicate = Trajectory.predicate l.model.semantics prop in
+    along p l "state" (fun t -> Curve_json.truth (predicate t))
+  | l, Number num -> along p l "number" (fun t -> Curve_json.number (Trajectory.num t num))
+  | _, Temporal _ ->
+    Fault.invalid (Member "formula")
+      "a temporal formula is about whole runs: `evaluate` answers it. A number or a state predicate is expected"

@@ -1,4 +1,4 @@
-(** The method [evaluate]: formulas of the property language, at a state. *)
+(** The methods [evaluate] and [values]: formulas of the property language, at a state and along a path. *)
 
 type bounds = {
   seconds : float;  (** of the request *)
@@ -10,3 +10,4 @@ val options : bounds -> Read.params -> Scc_verify.Check.options
 (** Of an exploration: by the member [limits], within the bounds. *)
 
 val evaluate : bounds -> Models.store -> Read.params -> Reply.t
+val values : Models.store -> Read.params -> Reply.t

@@ -74,11 +74,12 @@ let forget store =
   store.lately <- [];
   Handles.iter (fun k -> k.loaded <- None) store.models
 
-let path p network =
+let choices p =
   let most = (Read.quotas p).path in
   let choices = Read.short_list Read.natural ~limit:"path" ~most in
-  let path = Option.value (Read.optional p "path" choices) ~default:[] in
-  Network_at.follow network (Array.of_list path)
+  Array.of_list (Option.value (Read.optional p "path" choices) ~default:[])
+
+let path p network = Network_at.follow network (choices p)
 
 (* {1 Methods} *)
 

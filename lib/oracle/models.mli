@@ -16,8 +16,11 @@ val no_files : Loaded.reader
 val model : store -> loaded Read.reader
 (** Of a handle. *)
 
+val choices : Read.params -> int array
+(** The param [path]. *)
+
 val path : Read.params -> Network_at.t -> Network_at.place
-(** Of the param [path]. *)
+(** Where it leads. *)
 
 val forget : store -> unit
 (** What was worked out of the models, and may have been left half made. *)

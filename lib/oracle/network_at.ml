@@ -117,6 +117,22 @@ let follow t path =
   keep t e;
   e.place
 
+let along t path f =
+  let h = hashes path in
+  let known n =
+    match Table.find_opt t.table (n, h.(n)) with
+    | Some e when begins path e -> Some e
+    | Some _ | None -> None
+  in
+  let rec go e n told =
+    if n = Array.length path then List.rev (f e.place None :: told)
+    else
+      let after = match known (n + 1) with Some e -> e | None -> after t e path n in
+      keep t after;
+      go after (n + 1) (f e.place (Option.map snd after.place.last) :: told)
+  in
+  go { place = start t; next = None } 0 []
+
 let next t place =
   match entry t place.path with
   | Some e -> transitions t e

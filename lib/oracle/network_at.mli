@@ -24,6 +24,10 @@ val follow : t -> int array -> place
 (** Refuses a path that is not possible ([Not_possible]), or on which transitions cannot be computed
     ([No_transitions]). *)
 
+val along : t -> int array -> (place -> Transition.label option -> 'a) -> 'a list
+(** Of each place on a path, the initial one first, and what happens there next on the path: nothing at its end.
+    Refuses as {!follow}. *)
+
 val labels : Model.t -> Transition.t list -> string list
 (** Their texts. *)
 

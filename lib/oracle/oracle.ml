@@ -37,7 +37,9 @@ let table : (string * work) list =
     ("step", on_models Runs.step);
     ("replay", on_models Runs.replay);
     ("evaluate", evaluate);
+    ("values", on_models Evaluate.values);
     ("model.check", check);
+    ("text.format", plain Texts.format);
   ]
 
 let methods = List.sort String.compare (described :: discover :: List.map fst table)

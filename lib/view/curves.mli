@@ -10,6 +10,4 @@ val of_checks : Property.check list -> Property.num list
 (** The numbers that the checks name and that change while time passes, in order, each once; no more than 8. *)
 
 val value : Semantics.t -> State.t -> Timeline.extent -> Property.num -> Json.t
-(** From a state on, while nothing happens, as functions of the time since the state: an object with the
-    coefficients of a numerator and a denominator, or with the reason why there is no number; several of them with
-    where each begins, where it changes in between. *)
+(** From a state on, while nothing happens, as {!Curve_json.number} tells it. *)

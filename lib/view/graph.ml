@@ -1,4 +1,3 @@
-open Scc_exact
 open Scc_calculus
 open Scc_semantics
 
@@ -9,16 +8,6 @@ let most_processes = 40_000
 
 let bound (m : Model.t) most = Int.min most (Int.max 1 (most_processes / Int.max 1 (Array.length m.leaves)))
 
-let extent semantics state (transitions : Transition.t list) : Scc_ctl.Timeline.extent =
-  let time (t : Transition.t) = match t.label with Time d -> Some d | _ -> None in
-  match List.find_map time transitions with
-  | Some d when Rat.sign d > 0 -> Lasts d
-  | Some _ -> Instant
-  | None ->
-    let only_weak (t : Transition.t) = match t.label with Weak_split _ -> true | _ -> false in
-    if Network.quiescent semantics state || (transitions <> [] && List.for_all only_weak transitions) then Forever
-    else Instant
-
 let look states world ~most (n, state) =
   let semantics = States.semantics world in
   match Network.successors semantics state with
@@ -28,7 +17,7 @@ let look states world ~most (n, state) =
     States.set_extent world n state Instant;
     []
   | Ok transitions ->
-    States.set_extent world n state (extent semantics state transitions);
+    States.set_extent world n state (Scc_evaluate.Trajectory.extent semantics state transitions);
     if transitions = [] && Network.quiescent semantics state then States.set_rests states n;
     let one (found, possible) (t : Transition.t) =
       let known = States.known world t.target in

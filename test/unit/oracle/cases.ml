@@ -89,6 +89,9 @@ let valid =
       ("evaluate", {|{"model":"m1","path":[0],"formula":"x(q) / 3"}|});
       ("evaluate", {|{"model":"m1","formula":"possibly bonds(k) = 1 within 2",
                       "limits":{"seconds":5,"states":100}}|});
+      ("values", {|{"model":"m1","path":[0,0],"formula":"distance2(p, q) / 2"}|});
+      ("values", {|{"model":"m1","path":[0,0],"formula":"event bind(k) or x(p) > 1"}|});
+      ("text.format", {|{"text":"process p=Cube[nil]// a\nmodel x","name":"x.sc"}|});
       ("model.check", Yojson.Basic.to_string (`Assoc [ ("text", `String ranged); ("where", `Bool true) ]));
       ("service.describe", "{}");
     ]
