@@ -124,6 +124,7 @@ let run color (budget : Budget.t) o =
   | None, _ ->
     let console = Console.make ~color ~json:false () in
     Guard.run console (fun () ->
+        let* () = Input.check_overrides (List.map fst o.given.values @ List.map fst o.given.narrowed) in
         let* () = serve console o in
         Ok Exit_code.Holds)
 

@@ -185,8 +185,8 @@ let in_time ~late f =
 
 let too_large = refused `Request_entity_too_large "the request is too large"
 
-(* What is sent of a body that is too large is read, as many a client hears nothing before it has said all, and is not
-   kept. *)
+(* What is sent of a body that is too large is read, as many a client hears nothing before it has said all, and is
+   not kept. *)
 let read_body body =
   let b = Buffer.create 4096 and size = ref 0 in
   let add part =

@@ -10,7 +10,8 @@ val is_for : Model.t -> bool
 (** Of more than 100 leaves, and of those that run from event to event. *)
 
 val start : States.world -> state_after:(int -> State.t) -> State.t -> t
-(** At the initial state. [state_after] finds the state after so many steps anew, for who asks about it as a whole. *)
+(** At the initial state. [state_after] finds the state after so many steps anew, for who asks about it as a
+    whole. *)
 
 val step : t -> Replay.event -> unit
 (** To be called with each event of a run from event to event ({!Scc_engine.Run.changes}; a bug for another

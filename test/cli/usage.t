@@ -20,7 +20,7 @@ The arguments of each command that make it succeed, without options:
 
   $ arguments() {
   >   case $1 in
-  >     check | trace | fmt) echo cube.sc ;;
+  >     check | trace | fmt | serve) echo cube.sc ;;
   >     view) echo -o page.html cube.sc ;;
   >     export) echo --steps 20 -o run.glb cube.sc ;;
   >     explore) echo cube.sc -o out.aut ;;
@@ -34,7 +34,7 @@ The arguments of each command that make it succeed, without options:
   > }
   $ commands='check trace view export explore explain compare conform diff shape oracle fmt'
   $ scc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | sort | xargs
-  check compare conform diff explain explore export fmt oracle shape trace view
+  check compare conform diff explain explore export fmt oracle serve shape trace view
   $ for c in $commands; do scc $c $(arguments $c) < /dev/null > out 2> err || echo "$c: $?"; done
 
 misuse WORDS: each of those commands, with its arguments and these words. What does not end with 64, or says nothing,
@@ -50,10 +50,10 @@ or says something on standard output, is printed.
 
 No such option; one given twice; a flag with a value; an option without its value:
 
-  $ those=$commands
+  $ those="$commands serve"
   $ misuse --no-such-option
   $ misuse --help=nothing
-  $ those='check trace view export explore explain compare conform diff shape fmt'
+  $ those='check trace view serve export explore explain compare conform diff shape fmt'
   $ misuse --color=sometimes
   $ misuse --color=never --color=never
   $ misuse --color
@@ -63,7 +63,7 @@ No such option; one given twice; a flag with a value; an option without its valu
 
 Too many arguments, and none:
 
-  $ those='check trace view export explore explain compare conform diff shape oracle'
+  $ those='check trace view serve export explore explain compare conform diff shape oracle'
   $ misuse a b c
   $ for c in check trace view export explore explain compare conform diff shape fmt; do
   >   scc $c > out 2>&1; [ $? = 64 ] || echo "$c"
@@ -183,6 +183,16 @@ Names:
   $ those=view
   $ misuse --svg=-1
   $ misuse --names
+  $ those=serve
+  $ misuse --port=0
+  $ misuse --port=65536
+  $ misuse --port=http
+  $ misuse --seconds=0
+  $ misuse -D m
+  $ misuse -D m=1 -D m=2
+  $ misuse --task=nothing
+  $ scc serve - < /dev/null; [ $? = 64 ]
+  scc: standard input cannot be served: the model is a file
   $ those=explore
   $ misuse --format=png
   $ misuse --dialect=mine
