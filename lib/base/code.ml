@@ -7,7 +7,6 @@ let lexical = "SC0104"
 let unterminated = "SC0105"
 let number_too_large = "SC0106"
 let zero_denominator = "SC0107"
-let cannot_listen = "SC0108"
 let syntax = "SC0110"
 let too_deep = "SC0111"
 let empty_model = "SC0112"
@@ -82,7 +81,6 @@ let all =
     (unterminated, "a comment or string without its end");
     (number_too_large, "a number beyond the stated size limit");
     (zero_denominator, "a division by the literal zero");
-    (cannot_listen, "a port that cannot be listened on");
     (syntax, "text that does not fit the grammar");
     (too_deep, "nesting or repetition beyond the stated limit");
     (empty_model, "a model that declares nothing");

@@ -28,9 +28,6 @@ val number_too_large : t
 val zero_denominator : t
 (** SC0107: a division by the literal zero. *)
 
-val cannot_listen : t
-(** SC0108: a port that cannot be listened on. *)
-
 val syntax : t
 (** SC0110: text that does not fit the grammar. *)
 

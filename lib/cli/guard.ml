@@ -13,9 +13,7 @@ let ended console code =
   if Console.is_json console then document console code;
   code
 
-let is_of_output (d : Diag.t) =
-  List.exists (fun (c : Code.t) -> String.equal d.code (c :> string)) [ Code.cannot_write; Code.cannot_listen ]
-
+let is_of_output (d : Diag.t) = String.equal (d.code :> string) (Code.cannot_write :> string)
 let is_of_command_line (d : Diag.t) = Span.equal d.span Span.command_line
 
 let invalid console diagnostics =

@@ -91,12 +91,14 @@ let listening console desk address =
   Console.print console "Open this address in a browser. Ctrl-C ends the service.\n";
   Console.flush console
 
-let cannot_listen port why =
-  let what = match port with Some n -> Printf.sprintf "port %d" n | None -> "a free port" in
-  [
-    Diag.error Code.cannot_listen Span.command_line "cannot listen on %s of this machine: %s" what why
-      ~hint:"without --port, a port that is free is taken";
-  ]
+let cannot_listen console port why =
+  let what =
+    match port with
+    | Some n -> Printf.sprintf "port %d: %s (without --port, one that is free is taken)" n why
+    | None -> Printf.sprintf "any port: %s" why
+  in
+  Console.note console ("scc: cannot listen on " ^ what);
+  Exit_code.Unwritten
 
 let serve console o =
   let desk = desk o in
@@ -112,7 +114,9 @@ let serve console o =
       listening = listening console desk;
     }
   in
-  Result.map_error (cannot_listen o.port) (Server.run how)
+  match Server.run how with
+  | Ok () -> Exit_code.Holds
+  | Error why -> cannot_listen console o.port why
 
 let run color (budget : Budget.t) o =
   match (o.task, o.model) with
@@ -125,8 +129,7 @@ let run color (budget : Budget.t) o =
     let console = Console.make ~color ~json:false () in
     Guard.run console (fun () ->
         let* () = Input.check_overrides (List.map fst o.given.values @ List.map fst o.given.narrowed) in
-        let* () = serve console o in
-        Ok Exit_code.Holds)
+        Ok (serve console o))
 
 (* {1 The command line} *)
 
