@@ -23,6 +23,8 @@ const Desk = (() => {
     const label = "Text of the model";
     const make = typeof CodeMirror === "undefined" ? PlainEditor.make : RichEditor.make;
     editor = make(Dom.get("editor"), label);
+    Keep.start(data.path || data.name, memory);
+    const before = Keep.read();
     editor.reset(Source.read(data.text));
     Theme.start(Dom.get("theme"), true, () => {});
     Notices.say("");
@@ -34,12 +36,10 @@ const Desk = (() => {
     Server.start(away);
     parts();
     Commands.start(commands());
-    switches();
+    switches(before);
     editor.on("change", changed);
     editor.on("cursor", cursor);
-    const kept = Keep.read();
-    Keep.start(data.path || data.name, memory);
-    recall(kept);
+    recall(before);
     if (data.unreadable !== null)
       Notices.show("unreadable", `The file cannot be read: ${Dom.clip(data.unreadable, 500)}.`);
     Hover.start(editor);
@@ -66,7 +66,6 @@ const Desk = (() => {
   /** @param {ReturnType<typeof memory> | null} kept */
   async function recall(kept) {
     if (kept) {
-      automatic = kept.automatic !== false;
       if (typeof kept.text === "string" && kept.text !== editor.text()) bring(kept.text, kept.saved);
     }
     if (kept && kept.server === window.location.pathname && kept.documents) {
@@ -261,10 +260,10 @@ const Desk = (() => {
     editor.refresh();
   }
 
-  function switches() {
+  /** @param {{automatic: boolean} | null} before */
+  function switches(before) {
     const box = /** @type {HTMLInputElement} */ (Dom.get("automatic"));
-    const kept = Keep.read();
-    box.checked = automatic = !(kept && kept.automatic === false);
+    box.checked = automatic = !(before && before.automatic === false);
     box.addEventListener("change", () => {
       automatic = box.checked;
       if (automatic && Diagnose.fresh()) sound(!Problems.errors());
@@ -302,7 +301,7 @@ const Desk = (() => {
         read: Diagnose.fresh(),
         away: Server.away(),
         older: !Dom.get("older").hidden,
-        place: editor.line(editor.cursor()),
+        place: { line: editor.line(editor.cursor()).line, ch: editor.line(editor.cursor()).ch },
       }),
     };
   }

@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{name: string, formula: string, verdict: string, text: string}} Verdict
- * @typedef {{kind: "show" | "check", only: string | null, sum: string, id: string | null, dropped: boolean,
+ * @typedef {{kind: "show" | "check", only: string | null, sum: string, id: string | null, dropped: boolean, entered: boolean,
  *            closed: boolean, verdicts: Verdict[], interrupted: boolean}} Made  `sum` tells the text
  */
 
@@ -51,7 +51,7 @@ const Documents = (() => {
     const text = present();
     const before = making[kind];
     /** @type {Made} */
-    const made = { kind, only, sum: Source.sum(text), id: null, dropped: false, closed: false, verdicts: [], interrupted: false };
+    const made = { kind, only, sum: Source.sum(text), id: null, dropped: false, entered: false, closed: false, verdicts: [], interrupted: false };
     making[kind] = made;
     if (before) drop(before);
     progress = kind === "check" ? "Checking …" : "Opening …";
@@ -70,8 +70,12 @@ const Documents = (() => {
     }
   }
 
-  /** @param {Made} made */
+  /**
+   * One that is just shown is shown first.
+   * @param {Made} made
+   */
   function drop(made) {
+    if (made.entered) return;
     made.dropped = true;
     discard(made);
   }
@@ -92,8 +96,9 @@ const Documents = (() => {
         }
         continue;
       }
-      making[made.kind] = making[made.kind] === made ? null : making[made.kind];
+      made.entered = true;
       await enter(made, body);
+      if (making[made.kind] === made) making[made.kind] = null;
       changed();
       return;
     }
@@ -161,9 +166,11 @@ const Documents = (() => {
    */
   async function run(name) {
     if (checked === null) return;
-    if (shown !== null && shown.id === checked.id && Frames.run(name)) return;
-    if (!(await put(checked, name)))
+    if (!(shown !== null && shown.id === checked.id) && !(await put(checked, name))) {
       Notices.show("document", "The checked document is over. Check again to see its runs.");
+      return;
+    }
+    if (!Frames.run(name)) Notices.say(`${Dom.clip(name, 80)}: no single run shows it.`);
   }
 
   /** Asks what is made to end with what it has. */
@@ -189,7 +196,7 @@ const Documents = (() => {
    */
   async function recall(kept) {
     const again = (/** @type {any} */ one) =>
-      one && /** @type {Made} */ ({ ...one, dropped: false, closed: false, verdicts: [], interrupted: false });
+      one && /** @type {Made} */ ({ ...one, dropped: false, entered: false, closed: false, verdicts: [], interrupted: false });
     const wanted = [again(kept.checked), again(kept.shown)];
     /** @type {Set<string>} */
     const over = new Set();
