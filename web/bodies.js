@@ -53,18 +53,29 @@ class Bodies {
      * @type {{ bodies: Moving[] | null, target: Target | null }}
      */
     this.last = { bodies: null, target: null };
-    const most = (/** @type {(p: DataProcess) => Vec | undefined} */ of) => {
-      const every = Math.ceil(data.processes.length / 5000);
-      let max = 0;
-      for (let i = 0; i < data.processes.length; i += every) {
-        const v = of(data.processes[i]);
-        if (v) max = Math.max(max, Math.hypot(...Shapes.point(v)));
-      }
-      return max;
-    };
-    this.fastest = most((p) => p.velocity);
-    this.widest = most((p) => p.turn && p.turn.spin);
+    /** The longest velocity and spin of so many processes. */
+    this.fastest = 0;
+    this.widest = 0;
+    this.measured = 0;
+    this.#measure();
     this.setLeaves(data.leaves);
+  }
+
+  #measure() {
+    const { processes } = this.data;
+    const every = Math.ceil((processes.length - this.measured) / 5000);
+    const long = (/** @type {Vec | undefined} */ v) => (v ? Math.hypot(...Shapes.point(v)) : 0);
+    for (let i = this.measured; i < processes.length; i += every) {
+      this.fastest = Math.max(this.fastest, long(processes[i].velocity));
+      this.widest = Math.max(this.widest, long(processes[i].turn?.spin));
+    }
+    this.measured = processes.length;
+  }
+
+  /** There are more behaviours and processes. */
+  learn() {
+    this.channels = Colors.ofChannels(this.data.behaviours);
+    this.#measure();
   }
 
   /**

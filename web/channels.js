@@ -36,5 +36,13 @@ const Channels = (() => {
    */
   const body = (leaf) => swatch(leaves[leaf], "patch body");
 
-  return { start, patch, body };
+  /**
+   * More behaviours, and perhaps channels, are known.
+   * @param {PageData} data
+   */
+  function learn(data) {
+    channels = Colors.ofChannels(data.behaviours);
+  }
+
+  return { start, learn, patch, body };
 })();

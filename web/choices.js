@@ -42,6 +42,10 @@ const Choices = (() => {
     });
     Dom.get("choices").append(Dom.make("p", {}, [further]));
     player.on("move", show);
+    player.on("grow", () => {
+      state = -1;
+      show();
+    });
     show();
   }
 
@@ -49,17 +53,48 @@ const Choices = (() => {
   const most = 200;
 
   function goOn() {
-    if (!player.goOn(most)) Dom.tell(said, "There is no state to go on to in the file.");
+    const none = Live.on ? "There is no state to go on to." : "There is no state to go on to in the file.";
+    when(player.goOn(most), (done) => done || Dom.tell(said, none));
   }
 
   /** @param {number} index */
   function take(index) {
-    if (player.choose(index)) list.box.focus({ preventScroll: true });
-    else
-      Dom.tell(
-        said,
-        "The state that this leads to is not in the file: it lies beyond the bound of its state graph.",
-      );
+    const none = Live.on
+      ? "The state that this leads to could not be asked for."
+      : "The state that this leads to is not in the file: it lies beyond the bound of its state graph.";
+    when(player.choose(index), (done) => {
+      if (done) list.box.focus({ preventScroll: true });
+      else Dom.tell(said, none);
+    });
+  }
+
+  /**
+   * Does something at once, or when an answer has come, if one has not gone elsewhere meanwhile.
+   * @param {boolean | Promise<boolean | null>} answer @param {(done: boolean) => void} then
+   */
+  function when(answer, then) {
+    if (typeof answer === "boolean") then(answer);
+    else answer.then((done) => done !== null && then(done));
+  }
+
+  /** The state that was asked for. */
+  let asked = -1;
+
+  /** A served page asks what is possible in the state that is shown. */
+  function look() {
+    const here = player.state;
+    if (player.playing || asked === here || player.data.states[here].next || Grow.why(here) || turning()) return;
+    asked = here;
+    Grow.expand(here, { still: () => player.state === here && !player.playing }).then(() => {
+      asked = -1;
+    });
+  }
+
+  /** Whether time alone passes here for ever. */
+  function turning() {
+    const { steps } = player.run;
+    const step = steps[player.legs], before = steps[player.legs - 1];
+    return Boolean((step && step.tail) || (before && before.tail));
   }
 
   /** @returns {number} which of them the run takes, or -1 */
@@ -69,6 +104,7 @@ const Choices = (() => {
   }
 
   function show() {
+    if (Live.on) look();
     if (player.state === state && player.legs === at && player.run.steps === steps) return;
     if (player.playing && player.legs === at) return;
     state = player.state;
@@ -80,17 +116,16 @@ const Choices = (() => {
     list.box.style.height = `${Math.min(5, possible.length) * 44 + 2}px`;
     list.nothing.hidden = true;
     const step = at < player.run.steps.length ? player.run.steps[at] : null;
-    const before = at > 0 ? player.run.steps[at - 1] : null;
-    further.hidden = at < player.run.steps.length || !(next || []).some((one) => one.to !== null);
-    const turning = (step && step.tail) || (before && before.tail);
+    const onwards = Live.on ? next === null || next.length > 0 : (next || []).some((one) => one.to !== null);
+    further.hidden = at < player.run.steps.length || !onwards || turning();
     const asked = step && next && step.choice !== null ? next[step.choice] : null;
     const part = step && (step.choice === null ? next !== null : asked && asked.label !== step.label);
     Dom.tell(
       said,
-      turning
+      turning()
         ? "Nothing but the passing of time is possible."
         : next === null
-          ? "What else is possible here is not in the file: it lies beyond the bound of its state graph."
+          ? unknown()
           : possible.length === 0
             ? player.data.states[state].stuck
               ? "Nothing is possible here."
@@ -103,13 +138,21 @@ const Choices = (() => {
     );
   }
 
+  /** What is said where it is not known what is possible. */
+  function unknown() {
+    if (!Live.on) return "What else is possible here is not in the file: it lies beyond the bound of its state graph.";
+    const why = Grow.why(state);
+    return why ? `What is possible here could not be looked at: ${why}.` : "…";
+  }
+
   /** @param {number} index @param {HTMLElement} element */
   function row(index, element) {
     const choice = possible[index];
     const label = player.data.labels[choice.label];
     const here = index === taken();
     element.classList.add(`kind-${label.kind}`);
-    element.classList.toggle("away", choice.to === null);
+    const away = choice.to === null && !Live.on;
+    element.classList.toggle("away", away);
     element.setAttribute("data-label", Dom.clip(label.text, 1000));
     element.append(
       Dom.make("span", { class: "dot", "aria-hidden": "true" }),
@@ -119,7 +162,7 @@ const Choices = (() => {
       Dom.make("span", { class: "row-side" }, [
         Dom.make("span", {
           class: here ? "taken" : "quiet",
-          text: here ? "taken" : choice.to === null ? "not in the file" : "",
+          text: here ? "taken" : away ? "not in the file" : "",
         }),
         choice.rules.length === 0
           ? null

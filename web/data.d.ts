@@ -67,7 +67,9 @@ interface DataChoice {
 }
 
 type DataPiece =
-  { n: string[]; d: string[]; none?: undefined } | { none: string; n?: undefined; d?: undefined };
+  | { n: string[]; d: string[]; none?: undefined; pieces?: undefined }
+  | { none: string; n?: undefined; d?: undefined; pieces?: undefined }
+  | { pieces: (DataPiece & { from: string })[]; n?: undefined; d?: undefined; none?: undefined };
 
 interface DataState {
   of: number | null;
@@ -184,6 +186,25 @@ interface PlayedRun extends DataRun {
   steps: DataStep[];
   rest: string;
   way: { base: number; legs: number; choices: number[] } | null;
+}
+
+/** How many rows of each table of a document are known. */
+interface Had {
+  solids: number;
+  behaviours: number;
+  processes: number;
+  labels: number;
+  states: number;
+}
+
+/** Rows that come after these, and states that are told anew: what a served document answers. */
+interface DataMore {
+  solids: DataSolid[];
+  behaviours: DataBehaviour[];
+  processes: DataProcess[];
+  labels: DataLabel[];
+  states: DataState[];
+  looked: [number, DataState][];
 }
 
 /** What is selected: a body, or a feature of one of its parts. */

@@ -24,6 +24,7 @@ const Events = (() => {
     });
     player.on("run", show);
     player.on("move", move);
+    player.on("grow", now);
     show();
     move();
   }

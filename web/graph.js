@@ -22,6 +22,8 @@ const Graph = (() => {
   /** @type {Map<string, SVGElement>} */
   const lines = new Map();
   let drawn = false;
+  /** Whether what is near the run is drawn alone. */
+  let partly = false;
   let scale = 1;
   /** @type {SVGElement | null} */
   let picture = null;
@@ -30,8 +32,23 @@ const Graph = (() => {
   function start(of) {
     player = of;
     box = Dom.get("graph");
-    player.on("run", () => drawn && way());
+    player.on("run", () => {
+      if (partly) again();
+      else if (drawn) way();
+    });
     player.on("move", () => drawn && here());
+    player.on("grow", again);
+  }
+
+  /** More is known, or another part of it is to be drawn: at once where one sees it. */
+  function again() {
+    if (!drawn) return;
+    drawn = false;
+    if (Dom.get("graph-panel").hidden) return;
+    const focused = [...nodes].find(([, node]) => node === document.activeElement);
+    show();
+    const node = focused && nodes.get(focused[0]);
+    if (node) /** @type {any} */ (node).focus({ preventScroll: true });
   }
 
   /** Draws it, if that was not done yet. */
@@ -42,21 +59,43 @@ const Graph = (() => {
     here();
   }
 
+  /** What is said of how much is known. */
+  function known() {
+    const all = player.data.states, { graph } = player.data;
+    if (graph && graph.complete) return `All ${graph.states} states that there are.`;
+    if (Live.on)
+      return `${states.length} states were looked at so far; the graph grows as you go on.` +
+        (partly ? ` The ${most} nearest to the run are drawn.` : "");
+    if (!graph) return `The file holds the ${all.length} states of its runs.`;
+    return `${graph.states} states, of ${graph.expanded} of which all that can happen is known: ` +
+      `the graph was followed up to the bound of ${graph.bound} states.`;
+  }
+
+  /** Of many states that were looked at, those that are nearest to the run. */
+  function near() {
+    const all = player.data.states, wanted = new Set(states);
+    const found = new Set([player.run.start, ...player.run.steps.map((step) => step.to)].filter((n) => wanted.has(n)));
+    for (const state of found) {
+      if (found.size >= most) break;
+      for (const { to } of all[state].next || []) if (to !== null && wanted.has(to) && found.size < most) found.add(to);
+    }
+    return [...found].slice(0, most);
+  }
+
   function draw() {
     const all = player.data.states;
     states = [];
+    for (const map of [nodes, places, lines]) map.clear();
+    const first = picture === null;
+    picture = null;
     // What comes after the end of a run is no state of the graph: nothing but turning goes on there.
     const after = new Set(player.runs.flatMap((run) => run.steps.filter((step) => step.tail).map((step) => step.to)));
     all.forEach((state, index) => {
       if (state.next !== null && !after.has(index)) states.push(index);
     });
-    const known = player.data.graph;
-    const note = !known
-      ? `The file holds the ${all.length} states of its runs.`
-      : known.complete
-        ? `All ${known.states} states that there are.`
-        : `${known.states} states, of ${known.expanded} of which all that can happen is known: ` +
-          `the graph was followed up to the bound of ${known.bound} states.`;
+    partly = Live.on && states.length > most;
+    const note = known();
+    if (partly) states = near();
     if (states.length === 0 || states.length > most) {
       const why =
         states.length === 0
@@ -121,7 +160,8 @@ const Graph = (() => {
       Dom.button("SVG", () => Dom.save("graph.svg", "image/svg+xml", file()), { title: "Save the drawing" }),
     ]);
     Dom.fill(box, tools, Dom.make("div", { class: "graph-view", keydown: walk }, [picture]));
-    fit();
+    if (first) fit();
+    else zoom(scale);
   }
 
   /** @param {number} to */

@@ -12,6 +12,8 @@ const Links = (() => {
   let scene;
   let timer = 0;
   let written = "";
+  /** Whether an answer has to come before what the address says can be shown. */
+  let following = false;
 
   /** @param {Player} of @param {Scene | null} shown */
   function start(of, shown) {
@@ -19,6 +21,7 @@ const Links = (() => {
     scene = shown;
     read();
     player.on("move", later);
+    document.addEventListener("plots", later);
     Details.onSelect(later);
     for (const event of ["pointerup", "wheel", "keyup"]) {
       Dom.get("scene-panel").addEventListener(event, later, { passive: true });
@@ -51,7 +54,7 @@ const Links = (() => {
   /** Browsers bound how often an address may be changed: it is done when all has been still for a moment. */
   function later() {
     clearTimeout(timer);
-    if (!player.playing) timer = window.setTimeout(write, 400);
+    if (!player.playing && !following) timer = window.setTimeout(write, 400);
   }
 
   /** The address of what is shown, after #. */
@@ -68,6 +71,7 @@ const Links = (() => {
             .join("."),
       );
     }
+    for (const text of Plots.own()) parts.push(`plot=${encodeURIComponent(text)}`);
     if (scene) parts.push(`camera=${encodeURIComponent(JSON.stringify(scene.camera()))}`);
     return parts.join("&");
   }
@@ -88,15 +92,20 @@ const Links = (() => {
     written = hash;
     /** @type {Map<string, string>} */
     const said = new Map();
+    /** @type {string[]} */
+    const plots = [];
     for (const part of hash.split("&")) {
       const at = part.indexOf("=");
       try {
-        if (at > 0) said.set(part.slice(0, at), decodeURIComponent(part.slice(at + 1)));
+        if (at > 0 && part.slice(0, at) === "plot") plots.push(decodeURIComponent(part.slice(at + 1)));
+        else if (at > 0) said.set(part.slice(0, at), decodeURIComponent(part.slice(at + 1)));
       } catch (_) {
         notice("a part of the address is not readable");
       }
     }
     place(said);
+    if (Live.on) Plots.add(plots);
+    else if (plots.length > 0) notice("formulas can be plotted where a page is served (scc serve)");
     const chosen = said.get("select");
     if (chosen !== undefined) pick(chosen);
     const camera = said.get("camera");
@@ -118,14 +127,31 @@ const Links = (() => {
     if (index !== undefined) {
       const way = said.get("way");
       const run = player.runs.find((one) => one.way === null && String(one.index) === index);
-      if (!run) notice("the run of the address is not in this file");
+      if (!run) notice(`the run of the address is not ${Live.on ? "here" : "in this file"}`);
       else if (way !== undefined) {
         const numbers = /^[0-9]+(\.[0-9]+)+$/.test(way) ? way.split(".").map(Number) : [];
-        if (numbers.length === 0 || !player.walk(run.index, numbers[0], numbers.slice(1))) {
-          notice("the choices of the address are not possible in this file");
+        const there = numbers.length > 0 && player.walk(run.index, numbers[0], numbers.slice(1));
+        if (typeof there !== "boolean") {
+          following = true;
+          there.then((done) => {
+            following = false;
+            if (done !== null) arrive(said, done);
+          });
+          return;
         }
+        arrive(said, there);
+        return;
       } else if (run !== player.run) player.open(run);
     }
+    arrive(said, true);
+  }
+
+  /**
+   * Goes to the step and the time of an address, in its run.
+   * @param {Map<string, string>} said @param {boolean} there whether there is that run
+   */
+  function arrive(said, there) {
+    if (!there) notice(`the choices of the address are not possible ${Live.on ? "here" : "in this file"}`);
     const step = said.get("step");
     const time = said.get("time");
     const exact = time === undefined ? null : Exactly.read(time);

@@ -30,6 +30,7 @@ const Main = (() => {
         player.go(legs, time === undefined ? undefined : Rational.of(time)),
       seek: (/** @type {string} */ time) => player.seek(Rational.of(time)),
       choose: (/** @type {number} */ choice) => player.choose(choice),
+      busy: () => Live.busy(),
     };
   }
 
@@ -129,6 +130,8 @@ const Main = (() => {
     head(data);
     Channels.start(data);
     const player = new Player(data);
+    Live.start();
+    Grow.start(player);
     Regions.start(player);
     Channels.start(data);
     Tabs.start();
@@ -146,6 +149,7 @@ const Main = (() => {
     if (scene) {
       const draw = () => scene.show(player.course, player.legs, player.time);
       player.on("move", draw);
+      player.on("grow", () => scene.learn());
       Details.onSelect((selection) => {
         scene.select(selection);
         draw();

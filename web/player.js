@@ -38,6 +38,8 @@ class Player {
     this.frame = 0;
     this.last = 0;
     this.clock = 0;
+    /** How often one has gone elsewhere. */
+    this.moves = 0;
     this.measure();
   }
 
@@ -66,7 +68,7 @@ class Player {
   /**
    * Calls a listener when something is so: "run", another run is shown; "move", another instant or state;
    * "play",
-   * playing or speed are other ones.
+   * playing or speed are other ones; "grow", more is known of the document.
    * @param {string} what @param {(player: Player) => void} listener
    */
   on(what, listener) {
@@ -149,6 +151,7 @@ class Player {
 
   /** @param {number} legs @param {Rational} [time] */
   place(legs, time) {
+    this.moves += 1;
     const k = Math.max(0, Math.min(this.course.legs.length, Math.floor(legs) || 0));
     const from = this.instant(k);
     const to = this.until(k);
@@ -214,10 +217,29 @@ class Player {
   }
 
   /**
+   * Goes somewhere when an answer has come, unless one has gone elsewhere meanwhile.
+   * @param {Promise<any>} answer @param {() => boolean} there @returns {Promise<boolean | null>} null: one has
+   */
+  async later(answer, there) {
+    this.pause();
+    const { moves } = this;
+    await answer.catch(() => null);
+    return moves === this.moves ? there() : null;
+  }
+
+  /**
    * Takes a transition of the state that is shown, the one taken already or another: a run of its own.
-   * @param {number} choice @returns {boolean} whether the file has the state that it leads to
+   * @param {number} choice
+   * @returns {boolean | Promise<boolean | null>} whether the state that it leads to is known; a served page may have to ask
    */
   choose(choice) {
+    const next = this.data.states[this.state].next, taken = next && next[choice];
+    if (!Live.on || (next && !taken) || (taken && taken.to !== null)) return this.take(choice);
+    return this.later(Grow.walk(this.state, [choice]), () => this.take(choice));
+  }
+
+  /** @param {number} choice */
+  take(choice) {
     const possible = this.data.states[this.state].next;
     const taken = possible && possible[choice];
     if (!taken || taken.to === null) return false;
@@ -228,15 +250,30 @@ class Player {
       return true;
     }
     const { base, legs, choices } = Ways.until(this.run, this.legs);
-    return this.walk(base, legs, choices.concat(choice));
+    return this.follow(base, legs, choices.concat(choice));
   }
 
   /**
    * Shows the run that goes so many legs of a run of the file, and then by choices; and its end.
-   * @param {number} base @param {number} legs @param {number[]} choices @returns {boolean} whether there is one
+   * @param {number} base @param {number} legs @param {number[]} choices
+   * @returns {boolean | Promise<boolean | null>} whether there is one; a served page may have to ask
    */
   walk(base, legs, choices) {
-    const from = this.runs.find((run) => run.way === null && run.index === base);
+    const from = this.base(base);
+    if (this.follow(base, legs, choices)) return true;
+    if (!Live.on || !from || !(legs >= 0 && legs <= from.steps.length)) return false;
+    const state = legs === 0 ? from.start : from.steps[legs - 1].to;
+    return this.later(Grow.walk(state, choices), () => this.follow(base, legs, choices));
+  }
+
+  /** @param {number} index of a run of the file */
+  base(index) {
+    return this.runs.find((run) => run.way === null && run.index === index);
+  }
+
+  /** @param {number} base @param {number} legs @param {number[]} choices */
+  follow(base, legs, choices) {
+    const from = this.base(base);
     const run = from ? Ways.make(this.data, from, legs, choices) : null;
     if (!run) return false;
     this.runs = Ways.among(this.runs, run);
@@ -247,13 +284,19 @@ class Player {
   /**
    * Goes on from the state that is shown, always by what is possible first.
    * @param {number} most steps
-   * @returns {boolean} whether there was a step to take
+   * @returns {boolean | Promise<boolean | null>} whether there was a step to take; a served page has to ask
    */
   goOn(most) {
+    if (!Live.on) return this.onwards(most);
+    return this.later(Grow.onwards(this.state, most), () => this.onwards(most));
+  }
+
+  /** @param {number} most */
+  onwards(most) {
     const { base, legs, choices } = Ways.until(this.run, this.legs);
     const more = Ways.onwards(this.data, this.run, this.legs, most);
     const before = this.legs;
-    if (more.length === 0 || !this.walk(base, legs, choices.concat(more))) return false;
+    if (more.length === 0 || !this.follow(base, legs, choices.concat(more))) return false;
     this.go(before);
     return true;
   }
@@ -266,6 +309,7 @@ class Player {
   play() {
     if (this.ended) this.go(0);
     if (this.ended || this.playing) return;
+    this.moves += 1;
     this.playing = true;
     this.last = 0;
     this.held = 0;

@@ -30,7 +30,8 @@ const Plots = (() => {
   function start(of) {
     player = of;
     box = Dom.get("plots");
-    if (player.data.plots.length === 0) {
+    Formulas.start(player, draw, refuse);
+    if (player.data.plots.length === 0 && !Live.on) {
       Dom.fill(box, Dom.make("p", { class: "empty", text: "The checks of the model name no numbers." }));
       return;
     }
@@ -50,29 +51,107 @@ const Plots = (() => {
           title: "Save the plots as a drawing",
           test: "plots-svg",
         }),
-        Dom.button("CSV", () => Dom.save("plots.csv", "text/csv", Values.csv(player, chosen)), {
+        Dom.button("CSV", () => Dom.save("plots.csv", "text/csv", Values.csv(player, numbers())), {
           title: "Save the numbers at all events, exact and as floats",
           test: "plots-csv",
         }),
       ]),
     );
+    if (Live.on) ask();
     box.append(rows);
     const all = player.data.plots.map((_, plot) => plot);
     chosen = all.filter((plot) => Values.varies(player, plot)).slice(0, 2);
     if (chosen.length === 0) chosen = all.slice(0, 2);
     player.on("run", draw);
     player.on("move", move);
+    player.on("grow", draw);
     Timeline.onRange(draw);
     new ResizeObserver(draw).observe(rows);
     list();
     draw();
   }
 
+  /** @type {HTMLInputElement} */
+  let input;
+  /** @type {HTMLElement} */
+  let wrong;
+
+  /** The line in which a served page is asked for any number or formula. */
+  function ask() {
+    input = Dom.make("input", {
+      type: "text",
+      "aria-label": "Any number or formula",
+      "aria-describedby": "plot-wrong",
+      placeholder: "Any number or formula, such as x(a), distance2(a, b), bound(a, b), always x(a) < 1",
+      spellcheck: "false",
+      autocomplete: "off",
+      maxlength: 10000,
+      test: "plot-input",
+    });
+    wrong = Dom.make("p", { id: "plot-wrong", class: "plot-wrong", role: "alert", hidden: true, test: "plot-wrong" });
+    const form = Dom.make("form", { class: "plot-ask" }, [
+      input, Dom.make("button", { type: "submit", text: "Plot", test: "plot-add" }),
+    ]);
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      wrong.hidden = true;
+      if (input.value.trim() === "") return;
+      add([input.value.trim()]);
+      const last = rows.lastElementChild;
+      if (last) last.scrollIntoView({ block: "nearest" });
+      input.value = "";
+    });
+    input.addEventListener("input", () => {
+      wrong.hidden = true;
+    });
+    box.append(form, wrong);
+  }
+
+  /**
+   * Says what is wrong with a text, and marks where.
+   * @param {string} text @param {string} why @param {number} start @param {number} stop
+   */
+  function refuse(text, why, start, stop) {
+    chosen = chosen.filter(Formulas.there);
+    if (input.value === "") input.value = text;
+    wrong.hidden = false;
+    const mark = Dom.make("mark", { text: text.slice(start, stop) || "\u00a0" });
+    const [before, after] = [Dom.clip(text.slice(0, start), 300), Dom.clip(text.slice(stop), 300)];
+    Dom.fill(
+      wrong,
+      Dom.make("bdi", { class: "code" }, [before, mark, after]),
+      Dom.make("bdi", { class: "words", text: why }),
+    );
+    others();
+  }
+
+  /**
+   * Plots formulas of one's own.
+   * @param {string[]} texts
+   */
+  function add(texts) {
+    const own = texts.slice(0, most).map((text) => player.data.plots.length + Formulas.add(text));
+    chosen = chosen.filter((plot) => !own.includes(plot)).concat(own).slice(-most);
+    others();
+  }
+
+  /** Other plots are shown. */
+  function others() {
+    list();
+    draw();
+    document.dispatchEvent(new CustomEvent("plots"));
+  }
+
+  /** The texts of those of one's own that are shown. */
+  function own() {
+    return chosen.filter((plot) => plot >= player.data.plots.length).map(Formulas.text);
+  }
+
   /** The boxes by which plots are chosen. */
   function list() {
     Dom.fill(
       menu,
-      ...player.data.plots.slice(0, 500).map((plot, index) => {
+      ...[...player.data.plots.slice(0, 500).keys(), ...Formulas.own()].map((index) => {
         const tick = Dom.make("input", {
           type: "checkbox",
           checked: chosen.includes(index),
@@ -85,9 +164,10 @@ const Plots = (() => {
                 .sort((a, b) => a - b);
             if (chosen.length === most) list();
             draw();
+            document.dispatchEvent(new CustomEvent("plots"));
           },
         });
-        return Dom.make("label", {}, [tick, Dom.name(Dom.clip(plot.text, 300), "clipped")]);
+        return Dom.make("label", {}, [tick, Dom.name(Dom.clip(Formulas.text(index), 300), "clipped")]);
       }),
     );
   }
@@ -96,9 +176,11 @@ const Plots = (() => {
     if (!rows || rows.clientWidth === 0 || Dom.get("plots-panel").hidden) return;
     const width = rows.clientWidth;
     drawn = [];
+    if (Live.on) Formulas.look(chosen);
     Dom.fill(
       rows,
       ...chosen.map((plot) => {
+        if (Formulas.kind(plot) === "temporal") return judged(plot);
         const value = Dom.make("span", { class: "plot-value", test: `plot-value-${plot}` });
         const { picture, y } = chart(plot, width);
         const cursor = Dom.draw("line", { class: "plot-cursor", y1: 0, y2: height });
@@ -110,15 +192,42 @@ const Plots = (() => {
           if (/** @type {PointerEvent} */ (event).buttons === 1)
             seek(/** @type {PointerEvent} */ (event), picture);
         });
-        const name = Dom.name(Dom.clip(player.data.plots[plot].text, 300), "clipped");
         return Dom.make("figure", { class: "plot", test: `plot-${plot}` }, [
-          Dom.make("figcaption", {}, [name, value]),
+          Dom.make("figcaption", {}, [name(plot), value, remove(plot)]),
           /** @type {any} */ (picture),
         ]);
       }),
       chosen.length === 0 ? Dom.make("p", { class: "empty", text: "No plot is chosen." }) : null,
     );
     move();
+  }
+
+  /** @param {number} plot */
+  const name = (plot) => Dom.name(Dom.clip(Formulas.text(plot), 300), "clipped");
+
+  /**
+   * What takes a formula of one's own away.
+   * @param {number} plot
+   */
+  function remove(plot) {
+    if (plot < player.data.plots.length) return null;
+    const away = () => {
+      Formulas.drop(plot);
+      chosen = chosen.filter(Formulas.there);
+      others();
+    };
+    return Dom.button("×", away, { class: "small plot-remove", "aria-label": "Remove this plot", test: `remove-${plot}` });
+  }
+
+  /**
+   * A formula about whole runs has no values over time: it is judged.
+   * @param {number} plot
+   */
+  function judged(plot) {
+    return Dom.make("figure", { class: "plot", test: `plot-${plot}` }, [
+      Dom.make("figcaption", {}, [name(plot), remove(plot)]),
+      Dom.make("div", { class: "plot-words" }, Formulas.words(plot)),
+    ]);
   }
 
   /**
@@ -134,7 +243,8 @@ const Plots = (() => {
         low = Math.min(low, value);
         high = Math.max(high, value);
       }
-    if (!(low <= high)) [low, high] = [0, 1];
+    const truth = Formulas.kind(plot) === "state";
+    if (truth || !(low <= high)) [low, high] = [0, 1];
     // What hardly changes has some room, more of it where numbers are so great that one more is the same float.
     const pad = Math.max(1, 1e-6 * Math.abs(high));
     if (high - low < 1e-12 * Math.max(1, Math.abs(high))) [low, high] = [low - pad, high + pad];
@@ -149,7 +259,7 @@ const Plots = (() => {
       viewBox: `0 0 ${width} ${height}`,
       role: "img",
       "aria-label": Dom.clip(
-        `${player.data.plots[plot].text} over time, from ${Exactly.decimal(low)} to ${Exactly.decimal(high)}`,
+        `${Formulas.text(plot)} over time, from ${said(truth, low)} to ${said(truth, high)}`,
         300,
       ),
     });
@@ -158,7 +268,7 @@ const Plots = (() => {
         Dom.draw("line", { class: "plot-grid", x1: x(time), x2: x(time), y1: 0, y2: height, stroke: "#8884" }),
       );
     }
-    for (const value of Timeline.steps(low, high, 3)) {
+    for (const value of truth ? [0, 1] : Timeline.steps(low, high, 3)) {
       picture.append(
         Dom.draw("line", {
           class: "plot-grid",
@@ -172,7 +282,7 @@ const Plots = (() => {
           class: "plot-tick",
           x: Timeline.margin + 3,
           y: y(value) - 3,
-          text: Exactly.decimal(value, 4),
+          text: truth ? said(truth, value) : Exactly.decimal(value, 4),
           "font-size": 10,
           "font-family": "sans-serif",
           fill: "#777",
@@ -199,16 +309,18 @@ const Plots = (() => {
     return { picture, y };
   }
 
+  /** @param {boolean} truth @param {number} value */
+  const said = (truth, value) => (truth ? (value === 1 ? "true" : "false") : Exactly.decimal(value));
+
   function move() {
     if (Dom.get("plots-panel").hidden) return;
     const width = rows ? rows.clientWidth : 0;
     const at = Timeline.x(player.clock, width).toFixed(2);
     const inside = player.clock >= Timeline.range.from && player.clock <= Timeline.range.to;
-    const age = Rational.sub(player.time, player.instant(player.legs));
     for (const { plot, value, cursor, dot, y } of drawn) {
       cursor.setAttribute("transform", `translate(${at} 0)`);
       cursor.setAttribute("visibility", inside ? "visible" : "hidden");
-      const now = Values.exact(player.data, player.state, plot, age);
+      const now = Values.exact(player, player.legs, plot, player.time);
       dot.setAttribute("visibility", inside && typeof now !== "string" ? "visible" : "hidden");
       if (typeof now === "string") {
         Dom.tell(value, Dom.clip(now, 80));
@@ -217,7 +329,8 @@ const Plots = (() => {
       const near = Rational.toNumber(now);
       if (Number.isFinite(near)) dot.setAttribute("transform", `translate(${at} ${y(near).toFixed(2)})`);
       const exact = Exactly.text(now);
-      Dom.tell(value, player.playing || exact.length > 28 ? Exactly.decimal(near) : Exactly.both(now));
+      if (Formulas.kind(plot) === "state") Dom.tell(value, said(true, near));
+      else Dom.tell(value, player.playing || exact.length > 28 ? Exactly.decimal(near) : Exactly.both(now));
     }
   }
 
@@ -231,9 +344,12 @@ const Plots = (() => {
     player.seek(time >= player.end ? player.course.duration : Exactly.grid(time));
   }
 
-  /** The plots that are shown as a file of its own. */
+  /** The plots that are shown and have values over time. */
+  const numbers = () => chosen.filter((plot) => Formulas.kind(plot) !== "temporal");
+
+  /** These as a file of its own. */
   function file() {
-    const width = 900;
+    const width = 900, chosen = numbers();
     const whole = (height + 26) * chosen.length + 24;
     const picture = Dom.draw("svg", {
       xmlns: "http://www.w3.org/2000/svg",
@@ -250,7 +366,7 @@ const Plots = (() => {
           y: -5,
           "font-size": 12,
           "font-family": "sans-serif",
-          text: Dom.clip(player.data.plots[plot].text, 120),
+          text: Dom.clip(Formulas.text(plot), 120),
         }),
         ...chart(plot, width).picture.childNodes,
       );
@@ -272,5 +388,5 @@ const Plots = (() => {
     return new XMLSerializer().serializeToString(picture);
   }
 
-  return { start, draw };
+  return { start, draw, add, own };
 })();

@@ -149,7 +149,7 @@ const Runs = (() => {
       run && run.way
         ? Dom.make("p", {
             class: "quiet",
-            text: `Steps of a run of the file: ${run.way.legs}. Steps by your choices after them: ${run.way.choices.length}.`,
+            text: `Steps of a run of the ${Live.on ? "document" : "file"}: ${run.way.legs}. Steps by your choices after them: ${run.way.choices.length}.`,
           })
         : null,
       values.length === 0

@@ -245,6 +245,13 @@ class Scene {
     this.refresh();
   }
 
+  /** More is known of the document. */
+  learn() {
+    this.bodies.learn();
+    this.marks.learn();
+    this.refresh();
+  }
+
   /** @param {number | null} leaf */
   follow(leaf) {
     this.followed = leaf;

@@ -1,18 +1,44 @@
 "use strict";
 
 /**
- * The numbers that the checks name, along a run: of each state, n(t)/d(t) while only time passes, t after it.
+ * The numbers of plots along a run: of each state, n(t)/d(t) while only time passes, t after it, perhaps in pieces.
  */
 const Values = (() => {
-  /** @typedef {{n: number[], d: number[], flat: boolean}} Rounded a piece in floats; straight if it is linear */
+  /**
+   * @typedef {{n: number[], d: number[], flat: boolean}} Rounded a piece in floats; straight if it is linear
+   * @typedef {{from: Rational, at: number, of: DataPiece}} Part what holds from a time since the state on
+   */
 
-  /** @type {Map<DataPiece, Rounded | null>} */
-  const rounded = new Map();
+  /** @type {WeakMap<DataPiece, Rounded | null>} */
+  const rounded = new WeakMap();
+  /** @type {WeakMap<DataPiece, Part[]>} */
+  const divided = new WeakMap();
 
-  /** @param {PageData} data @param {number} state @param {number} plot @returns {DataPiece | null} */
-  function piece(data, state, plot) {
-    const values = data.states[state].values;
-    return (values && values[plot]) || null;
+  /**
+   * What a plot is after so many legs, and from which time before them on its time counts: for those of the file, from the
+   * state that is reached by them.
+   * @param {Player} player @param {number} legs @param {number} plot
+   * @returns {{of: DataPiece | null, since: Rational, why: string}}
+   */
+  function piece(player, legs, plot) {
+    const own = plot - player.data.plots.length;
+    if (own >= 0) return Formulas.piece(own, legs);
+    const state = legs === 0 ? player.run.start : player.course.legs[legs - 1].after;
+    const values = player.data.states[state].values;
+    return { of: (values && values[plot]) || null, since: player.instant(legs), why: Live.on ? "…" : "not in the file" };
+  }
+
+  /** @param {DataPiece} of @returns {Part[]} in the order of time */
+  function parts(of) {
+    let made = divided.get(of);
+    if (!made) {
+      made = (of.pieces || [{ ...of, from: "0/1" }]).map((part) => {
+        const from = Rational.of(part.from);
+        return { from, at: Rational.toNumber(from), of: part };
+      });
+      divided.set(of, made);
+    }
+    return made;
   }
 
   /** @param {string[]} coefficients @param {Rational} t */
@@ -24,22 +50,26 @@ const Values = (() => {
   }
 
   /**
-   * The exact value so long after a state, or why there is none.
-   * @param {PageData} data @param {number} state @param {number} plot @param {Rational} age
+   * The exact value after so many legs, at a time, or why there is none.
+   * @param {Player} player @param {number} legs @param {number} plot @param {Rational} time
    * @returns {Rational | string}
    */
-  function exact(data, state, plot, age) {
-    const found = piece(data, state, plot);
-    if (!found) return "not in the file";
+  function exact(player, legs, plot, time) {
+    const { of, since, why } = piece(player, legs, plot);
+    if (!of) return why;
+    const age = Rational.sub(time, since);
+    // Of several that begin at one time, the first is what is so at that instant.
+    const all = parts(of);
+    const found = (all.find((part) => Rational.cmp(part.from, age) === 0) ||
+      all.reduce((last, part) => (Rational.cmp(part.from, age) < 0 ? part : last))).of;
     if (found.n === undefined || found.d === undefined) return found.none || "none";
     const below = exactly(found.d, age);
     return Rational.sign(below) === 0 ? "not defined" : Rational.div(exactly(found.n, age), below);
   }
 
-  /** @param {PageData} data @param {number} state @param {number} plot @returns {Rounded | null} */
-  function floats(data, state, plot) {
-    const found = piece(data, state, plot);
-    if (!found || found.n === undefined || found.d === undefined) return null;
+  /** @param {DataPiece} found @returns {Rounded | null} */
+  function floats(found) {
+    if (found.n === undefined || found.d === undefined) return null;
     let made = rounded.get(found);
     if (made === undefined) {
       const number = (/** @type {string} */ s) => Rational.toNumber(Rational.of(s));
@@ -101,22 +131,36 @@ const Values = (() => {
       if (instants[middle + 1] < from) low = middle + 1;
       else high = middle;
     }
-    for (let k = low; k <= legs && instants[k] <= to; k++) {
-      const state = k === 0 ? player.run.start : player.course.legs[k - 1].after;
-      const curve = floats(player.data, state, plot);
-      const [a, b] = [instants[k], instants[k + 1]];
-      if (!curve) {
-        end();
-        continue;
-      }
+    /** @param {Rounded} curve @param {number} a @param {number} b @param {number} zero */
+    const draw = (curve, a, b, zero) => {
       const [first, last] = [Math.max(a, from), Math.min(b, to)];
       const count = curve.flat ? 1 : Math.max(1, Math.ceil(((last - first) / (to - from)) * width));
-      add(first, at(curve, first - a));
+      add(first, at(curve, first - zero));
       if (last > first)
         for (let i = 1; i <= count; i++) {
           const time = i === count ? last : first + ((last - first) * i) / count;
-          add(time, at(curve, time - a));
+          add(time, at(curve, time - zero));
         }
+    };
+    for (let k = low; k <= legs && instants[k] <= to; k++) {
+      const { of, since } = piece(player, k, plot);
+      const [a, b] = [instants[k], instants[k + 1]];
+      if (!of) {
+        end();
+        continue;
+      }
+      const zero = Rational.toNumber(since);
+      const all = parts(of);
+      all.forEach((part, i) => {
+        const curve = floats(part.of);
+        const begin = Math.max(a, zero + part.at);
+        const over = i + 1 < all.length ? Math.min(b, zero + all[i + 1].at) : b;
+        // Of what was over when the state was reached, nothing is left; what is so for an instant alone is a point.
+        const passed = begin === over && b > a && i + 1 < all.length && part.at < all[i + 1].at;
+        if (begin > over || begin > to || over < from || passed) return;
+        if (curve) draw(curve, begin, over, zero);
+        else end();
+      });
     }
     end();
     return strokes;
@@ -128,9 +172,9 @@ const Values = (() => {
    */
   function varies(player, plot) {
     let last = "";
-    const states = [player.run.start, ...player.run.steps.slice(0, 500).map((step) => step.to)];
-    for (const [i, state] of states.entries()) {
-      const found = piece(player.data, state, plot);
+    for (let i = 0; i <= Math.min(500, player.run.steps.length); i++) {
+      const found = piece(player, i, plot).of;
+      if (found && found.pieces) return true;
       if (!found || found.n === undefined || found.d === undefined) continue;
       if (found.n.length > 1 || found.d.length > 1) return true;
       const now = `${found.n[0] || "0/1"} ${found.d[0]}`;
@@ -148,20 +192,18 @@ const Values = (() => {
    */
   function csv(player, plots) {
     const quote = (/** @type {string} */ s) => (/[",\r\n]/.test(s) ? `"${s.replace(/"/g, '""')}"` : s);
-    const names = plots.map((plot) => player.data.plots[plot].text);
+    const names = plots.map((plot) => Formulas.text(plot));
     const rows = [
       ["step", "time", "time (float)", "event", ...names.flatMap((name) => [name, `${name} (float)`])],
     ];
     const row = (/** @type {number} */ k, /** @type {Rational} */ time, /** @type {string} */ event) => {
-      const state = k === 0 ? player.run.start : player.course.legs[k - 1].after;
-      const age = Rational.sub(time, player.instant(k));
       rows.push([
         String(k),
         Rational.text(time),
         String(Rational.toNumber(time)),
         event,
         ...plots.flatMap((plot) => {
-          const value = exact(player.data, state, plot, age);
+          const value = exact(player, k, plot, time);
           return typeof value === "string"
             ? ["", ""]
             : [Rational.text(value), String(Rational.toNumber(value))];
