@@ -214,3 +214,18 @@ interface Chosen {
   kind?: SiteKind | null;
   index?: number | null;
 }
+
+/** The data of the page of a solid, as lib/view/solid_page.ml writes it: format "scc-solid", version 1. */
+interface SolidData {
+  format: string;
+  version: number;
+  name: string;
+  accepted: boolean;
+  report: string;
+  vertices: { name: string; at: Vec }[];
+  faces: { name: string; corners: number[] }[];
+  /** What is wrong, each with where it is: a badge that the picture has, too. */
+  wrong: { badge: string; text: string; faces: number[]; edges: [number, number][]; vertices: number[] }[];
+  /** How much more is wrong. */
+  more: number;
+}

@@ -47,6 +47,7 @@ type options = {
   hull : bool;
   output : string option;
   svg : string option;
+  page : string option;
   drawing : Scc_picture.Solid_picture.options;
 }
 
@@ -132,6 +133,13 @@ let draw o ~name set =
     let text = Scc_picture.Solid_picture.svg ~name o.drawing (Solid_report.make set) in
     Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
 
+let show o ~name set =
+  match o.page with
+  | None -> Ok ()
+  | Some path ->
+    let page = Scc_view.Solid_page.write ~name (Solid_report.make set) in
+    Result.map_error (fun d -> [ d ]) (Whole_file.with_file path page)
+
 let shape console ~overrides o output argument =
   let* set = set console ~overrides argument in
   let* () = too_fine set in
@@ -145,11 +153,11 @@ let shape console ~overrides o output argument =
   let set = match snapped with Some (_, s) -> s.set | None -> set in
   let gone = corners - Array.length set.ifs_vertices in
   let code = report console argument ~gone ?snapped set in
-  (* One output that cannot be written keeps the other one from nothing. *)
-  match (draw o ~name:argument set, write output code set) with
-  | Ok (), Ok () -> Ok code
-  | Error d, Error e -> Error (d @ e)
-  | Error d, Ok () | Ok (), Error d -> Error d
+  (* One output that cannot be written keeps the others from nothing. *)
+  let written = [ draw o ~name:argument set; show o ~name:argument set; write output code set ] in
+  match List.concat_map (function Ok () -> [] | Error d -> d) written with
+  | [] -> Ok code
+  | faults -> Error faults
 
 let run color json overrides o argument =
   let console = Console.make ~color ~json () in
@@ -215,6 +223,20 @@ let svg =
   in
   Arg.(value & opt (some string) None & info [ "svg" ] ~docv:"PICTURE" ~doc)
 
+let page =
+  let doc =
+    "Writes a page to $(docv), one file of HTML that opens in a browser from disk: the shape in space, with the \
+     names and exact places of its faces, edges and vertices, and what is wrong at its place, as for $(b,--svg)."
+  in
+  Arg.(value & opt (some string) None & info [ "view" ] ~docv:"PAGE" ~doc)
+
+let page =
+  let one = function
+    | Some "-" -> Error "the page of --view is to have a file: the report goes to standard output"
+    | page -> Ok page
+  in
+  Term.(term_result' ~usage:true (const one $ page))
+
 let drawn =
   let one svg drawing =
     match svg with
@@ -225,8 +247,8 @@ let drawn =
   Term.(term_result' ~usage:true (const one $ svg $ Picture_options.term))
 
 let options =
-  let make snap hull output (svg, drawing) = { snap; hull; output; svg; drawing } in
-  Term.(const make $ snap_option $ hull_option $ output $ drawn)
+  let make snap hull output page (svg, drawing) = { snap; hull; output; svg; page; drawing } in
+  Term.(const make $ snap_option $ hull_option $ output $ page $ drawn)
 
 let man =
   [
@@ -236,7 +258,8 @@ let man =
        is what a template has to be, with every fault; and each of the seven conditions of Definition 4.3 as \
        printed, with a witness where it fails. Then the numbers of vertices, edges and faces and, of an \
        accepted shape, the exact volume, centroid and inertia. $(b,--snap) makes exact what is rounded, \
-       $(b,--hull) makes a solid of points, $(b,-o) writes what came out, and $(b,--svg) draws it.";
+       $(b,--hull) makes a solid of points, $(b,-o) writes what came out, $(b,--svg) draws it, and $(b,--view) \
+       makes a page of it.";
   ]
   @ Options.diagnostics_man
   @ [
@@ -245,7 +268,7 @@ let man =
     `Pre "  scc shape specs/models/hexokinase.sc:Cube --json";
     `Pre "  scc shape --snap 1e-5 snub_cube.off -o exact.obj";
     `Pre "  scc shape --hull --snap 1e-5 points.off -o solid.sc";
-    `Pre "  scc shape broken.off --svg broken.svg";
+    `Pre "  scc shape broken.off --svg broken.svg --view broken.html";
   ]
 
 let command =

@@ -41,6 +41,15 @@ while read -r name; do script "$web/$name"; done < "$web/scripts"
 echo '  ]'
 echo
 
+text solid "$web/solid.html"
+text solid_style "$web/base.css" "$web/solid.css"
+echo 'let solid_scripts ='
+echo '  ['
+[ ! -r "$three" ] || script "$three"
+while read -r name; do script "$web/$name"; done < "$web/solid-scripts"
+echo '  ]'
+echo
+
 text desk "$web/desk.html"
 echo 'let desk_styles ='
 echo '  ['

@@ -49,6 +49,11 @@ let write ?(served = false) ~title data put =
   let policy = policy ~scripts ~styles ~more:(if served then own_server else "") in
   fill Assets.page ~title ~policy ~meta:(if served then live else "") ~styles ~scripts data put
 
+let solid ~title data put =
+  let styles = [ Assets.solid_style ] and scripts = Assets.solid_scripts in
+  let policy = policy ~scripts ~styles ~more:"" in
+  fill Assets.solid ~title ~policy ~meta:"" ~styles ~scripts data put
+
 let desk ~title data put =
   let styles = Assets.desk_styles and scripts = Assets.desk_scripts in
   let policy = policy ~scripts ~styles ~more:(own_server ^ "; frame-src 'self'") in

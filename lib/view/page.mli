@@ -7,3 +7,6 @@ val write : ?served:bool -> title:string -> ((string -> unit) -> unit) -> (strin
 
 val desk : title:string -> ((string -> unit) -> unit) -> (string -> unit) -> unit
 (** The page on which a model is written and its documents are shown, likewise. *)
+
+val solid : title:string -> ((string -> unit) -> unit) -> (string -> unit) -> unit
+(** The page that shows a solid ({!Solid_page}), likewise. *)
