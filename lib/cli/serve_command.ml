@@ -59,10 +59,21 @@ let unsaved_name = "model.sc"
 (* What one sees who begins without a model. *)
 let start =
   {|// Two cubes fly towards each other and stick together.
-shape Cube = hull {
-  a: (0, 0, 0), b: (1, 0, 0), c: (1, 1, 0), d: (0, 1, 0),
-  e: (0, 0, 1), f: (1, 0, 1), g: (1, 1, 1), h: (0, 1, 1)
+model meeting
+
+timestep 1/2
+
+shape Cube {
+  vertices a (-1, -1, -1)  b (1, -1, -1)  c (1, 1, -1)  d (-1, 1, -1)  e (-1, -1, 1)  f (1, -1, 1)
+           g (1, 1, 1)  h (-1, 1, 1)
+  faces    back [a, d, c, b]  front [e, f, g, h]  left [a, e, h, d]  right [b, c, g, f]
+           bottom [a, b, f, e]  top [d, h, g, c]
 }
+
+process p = Cube mass 1 velocity (1, 0, 0) at translate (-4, 0, 0) [<a, {right}>. nil]
+process q = Cube mass 2 velocity (-1/2, 0, 0) at translate (4, 0, 0) [<~a, {left}>. nil]
+
+check meet : eventually bound(p, q) within 5
 |}
 
 let served_graph = 400

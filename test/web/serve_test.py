@@ -306,6 +306,9 @@ def saving(scc, folder):
     check('a file that cannot be written', status == 400 and len(answer['error']) > 10, status, answer)
     same('the end', served.end(), 0)
     served = Served(scc)
+    data = json.loads(re.search(rb'id="data">(.*?)</script>', served.ask('GET', '')[2], re.S)[1])
+    _, told = served.open(data['text'], 'all')
+    same('what one begins with holds', [v['verdict'] for v in told['verdicts']], ['holds'])
     same('without a file', served.post('save', {'text': text, 'saved': None})[0], 400)
     same('its end', served.end(), 0)
 
