@@ -20,10 +20,12 @@ const Formulas = (() => {
   let changed = () => {};
   /** @type {(text: string, why: string, start: number, stop: number) => void} */
   let refuse = () => {};
+  /** The model has no handle. */
+  const nobody = "not in models with parameters without values, or bonds that are released at any instant";
   /** Values along so many runs are kept of each. */
   const kept = 20;
-  /** Seconds that a verdict may take. */
-  const seconds = 20;
+  /** How far a verdict is looked for: other questions wait meanwhile. */
+  const limits = { states: 20000, seconds: 20 };
 
   /**
    * @param {Player} of @param {() => void} redraw when values have come
@@ -188,6 +190,7 @@ const Formulas = (() => {
   function wrong(formula, key, error) {
     const { code, data } = error instanceof Live.Refusal ? error : { code: 0, data: {} };
     if (code === -32602 && data.at === "formula") formula.kind = "temporal";
+    else if (code === -32001) keep(formula, key, nobody);
     else if (code !== -32007) keep(formula, key, Grow.said(error));
     else if (all.includes(formula)) {
       drop(player.data.plots.length + all.indexOf(formula));
@@ -240,7 +243,7 @@ const Formulas = (() => {
     }
     try {
       const handle = await model(asked.parameters), path = asked.path.slice(0, legs);
-      const params = () => ({ model: handle, path, formula: formula.text, limits: { seconds } });
+      const params = () => ({ model: handle, path, formula: formula.text, limits });
       await Live.ask("evaluate", params, ({ report, explored }) => say(verdict(report, explored)));
     } catch (error) {
       say({ text: Grow.said(error) });

@@ -31,6 +31,7 @@ const Main = (() => {
       seek: (/** @type {string} */ time) => player.seek(Rational.of(time)),
       choose: (/** @type {number} */ choice) => player.choose(choice),
       busy: () => Live.busy(),
+      plots: () => Plots.told(),
     };
   }
 

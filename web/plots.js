@@ -147,6 +147,15 @@ const Plots = (() => {
     return chosen.filter((plot) => plot >= player.data.plots.length).map(Formulas.text);
   }
 
+  /** What is told of those that are shown, as exact texts. */
+  function told() {
+    return chosen.map((plot) => {
+      const kind = Formulas.kind(plot);
+      const value = kind === "temporal" ? null : Values.exact(player, player.legs, plot, player.time);
+      return { plot, text: Formulas.text(plot), kind, value: value === null || typeof value === "string" ? value : Rational.text(value) };
+    });
+  }
+
   /** The boxes by which plots are chosen. */
   function list() {
     Dom.fill(
@@ -388,5 +397,5 @@ const Plots = (() => {
     return new XMLSerializer().serializeToString(picture);
   }
 
-  return { start, draw, add, own };
+  return { start, draw, add, own, told };
 })();
