@@ -116,6 +116,7 @@ const Live = (() => {
     const why = typeof told.error === "string" ? told.error : `the answer has the status ${answer.status}`;
     if (![403, 410, 504].includes(answer.status)) throw new Error(why);
     over = why;
+    document.body.setAttribute("data-over", "true");
     tell(`This page is not served any more: ${why}. What is known stays, and can be looked at.`);
     throw new Error(over);
   }

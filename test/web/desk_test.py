@@ -6,6 +6,7 @@ The last line is 'N passed, N failed'; it ends with 3 if something that it needs
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -27,6 +28,9 @@ def read(path):
 def write(path, text):
     with open(path, 'w', encoding='utf-8', newline='') as file:
         file.write(text)
+
+
+WITHOUT_SCENES = ['--disable-3d-apis']
 
 
 class Desk(Browser):
@@ -57,6 +61,7 @@ class Desk(Browser):
 
     def end(self):
         same('nothing is told to the console', self.complaints(), [])
+        self.driver.get('about:blank')  # or it would tell that the service has gone
         same('the end of the service', self.served.end(), 0)
 
     def is_read(self):
@@ -463,8 +468,51 @@ def plain(b, scc, folder):
     b.js('desk.set(desk.text().slice(7))')
     check('what is mended is not unsaved', b.wait('return !desk.state().unsaved && desk.diagnostics().length === 0'))
     b.command('Page.removeScriptToEvaluateOnNewDocument', identifier=name)
+    b.driver.get('about:blank')
     b.driver.get_log('browser')  # of the parts of the library
     same('the end of the service', b.served.end(), 0)
+
+
+def looking(b, scc, folder):
+    """The view of a new text is seen from where one looked at the one before, and has the same panels open."""
+    b.begin(scc, folder, 'looking.sc')
+    camera = 'return decodeURIComponent(scc.link().split("camera=")[1].split("&")[0])'
+    whole = b.frame(camera)
+    inside = 'document.querySelector("iframe.frame:not(.coming)").contentDocument'
+    for one in ['names', 'plots-switch']:
+        b.js(f'{inside}.querySelector("[data-testid={one}]").click()')
+    b.driver.switch_to.frame(b.find('frame'))
+    ActionChains(b.driver).move_to_element(b.find('scene')).scroll_by_amount(0, 300).click_and_hold() \
+        .move_by_offset(60, 20).release().perform()
+    b.driver.switch_to.default_content()
+    there = b.frame(camera)
+    check('one looks from elsewhere', there != whole)
+    b.js('desk.set(desk.text().replace("[Ready]", "[nil]"))')
+    b.is_read()
+    b.wait('return !desk.state().older && desk.state().working === null', 15)
+    same('the same camera', b.frame(camera), there)
+    pressed = f'return {inside}.querySelector(`[data-testid=${{arguments[0]}}]`).getAttribute("aria-pressed")'
+    same('the same switches', [b.js(pressed, one) for one in ['names', 'plots-switch', 'grid']], ['true', 'false', 'true'])
+    b.js('desk.set(desk.text().replace(/\\btug\\b/g, "boat").replace(/\\bship\\b/g, "quay").replace("(-4,", "(-400,"))')
+    b.is_read()
+    b.wait('return !desk.state().older && desk.state().working === null', 15)
+    check('another model is seen whole', b.wait("""
+      const scc = document.querySelector("iframe.frame:not(.coming)").contentWindow.scc;
+      return JSON.parse(decodeURIComponent(scc.link().split("camera=")[1].split("&")[0])).distance > 100"""), b.frame(camera))
+    b.end()
+
+
+def ended(b):
+    """A document that ends while one looks at it."""
+    children = subprocess.run(['pgrep', '-P', str(b.served.process.pid)], capture_output=True, text=True).stdout.split()
+    for child in children:
+        os.kill(int(child), signal.SIGKILL)
+    b.js('document.querySelector("iframe").contentDocument.querySelector("[data-testid=go-on]").click()')
+    check('it is told', b.notice('document'))
+    before = b.js('return desk.document()')
+    b.find('again').click()
+    check('and can be shown again', b.wait(f'return desk.document() !== "{before}"', 10))
+    b.driver.get_log('browser')
 
 
 def words(b):
@@ -481,17 +529,22 @@ def main(scc, folder):
         return 3
     folder = os.path.join(folder, 'desk')
     os.makedirs(folder, exist_ok=True)
-    b = Desk()
+    b = Desk(flags=WITHOUT_SCENES)  # which would take most of the time
     try:
         b.begin(scc, folder, 'docking.sc')
         for part in [words, typing]:
             timed(part, b)
         timed(formatting, b, scc)
-        for part in [saving, checking, reloading, tabs, by_keys, sizes, offline]:
+        for part in [saving, checking, reloading, tabs, by_keys, sizes, offline, ended]:
             timed(part, b)
         b.end()
         for part in [hostile, line_ends, stopping, plain, killed]:
             timed(part, b, scc, folder)
+    finally:
+        b.quit()
+    b = Desk(950, 500)
+    try:
+        timed(looking, b, scc, folder)
     finally:
         b.quit()
     print(f'{serve_test.passed} passed, {serve_test.failed} failed')

@@ -32,7 +32,7 @@ const Desk = (() => {
     Verdicts.start(Dom.get("verdicts"));
     Saving.start(editor, data, data.saved, draw);
     Documents.start(() => editor.text(), draw);
-    Frames.start(Dom.get("frames"), (event) => Commands.key(event));
+    Frames.start(Dom.get("frames"), (event) => Commands.key(event), over);
     Server.start(away);
     parts();
     Commands.start(commands());
@@ -156,14 +156,21 @@ const Desk = (() => {
 
   /** @param {boolean} isAway @param {string} why */
   function away(isAway, why) {
+    const download = { text: "Download the text", press: () => Saving.download(), test: "download" };
     if (isAway)
-      Notices.show("away", `${why} Your text is kept here. It is tried again every two seconds.`, [], true);
+      Notices.show("away", `${why} Your text is kept here. It is tried again every two seconds.`, [download], true);
     else {
       Notices.close("away");
       Notices.close("save");
       Notices.say("The server answers again.");
       draw();
     }
+  }
+
+  /** The document that is seen has ended: its process was killed, or gave its place to newer ones. */
+  function over() {
+    const again = { text: "Show the text as it is now", press: () => void Documents.open("show", null), test: "again" };
+    Notices.show("document", "The document that is shown has ended: what is not known of it yet cannot be asked.", [again]);
   }
 
   // What can be done.

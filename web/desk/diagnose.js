@@ -40,9 +40,8 @@ const Diagnose = (() => {
     busy = true;
     const of = changes;
     const text = editor.text();
-    const begun = performance.now();
     const answer = await Server.ask("model.load", { text: Source.outer(text), start: "simple" });
-    took = performance.now() - begun;
+    took = Server.took();
     if ("result" in answer) await Server.ask("model.release", { model: answer.result.model });
     busy = false;
     if (of !== changes) return later();

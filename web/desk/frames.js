@@ -16,11 +16,17 @@ const Frames = (() => {
   let coming = null;
   /** @type {((event: KeyboardEvent) => void)} */
   let pressed = () => {};
+  /** @type {() => void} */
+  let over = () => {};
 
-  /** @param {HTMLElement} place @param {(event: KeyboardEvent) => void} keys heard in the frame, too */
-  function start(place, keys) {
+  /**
+   * @param {HTMLElement} place @param {(event: KeyboardEvent) => void} keys heard in the frame, too
+   * @param {() => void} end of the document that is seen
+   */
+  function start(place, keys, end) {
     box = place;
     pressed = keys;
+    over = end;
   }
 
   /**
@@ -97,6 +103,21 @@ const Frames = (() => {
     seen = frame;
     if (had) frame.focus();
     /** @type {Window} */ (frame.contentWindow).addEventListener("keydown", pressed, true);
+    watch(frame);
+  }
+
+  /**
+   * The view says at its body when its document has ended.
+   * @param {HTMLIFrameElement} frame
+   */
+  function watch(frame) {
+    const body = frame.contentDocument && frame.contentDocument.body;
+    if (!body) return;
+    const tell = () => {
+      if (body.hasAttribute("data-over") && frame === seen) over();
+    };
+    new MutationObserver(tell).observe(body, { attributes: true, attributeFilter: ["data-over"] });
+    tell();
   }
 
   /** @param {any} view @param {string} run */

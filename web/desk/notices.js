@@ -16,7 +16,7 @@ const Notices = (() => {
       Dom.button(
         one.text,
         () => {
-          close(name);
+          if (!stays) close(name);
           one.press();
         },
         { class: "small", test: one.test },
@@ -26,7 +26,7 @@ const Notices = (() => {
       buttons.push(
         Dom.button("✕", () => close(name), { class: "small bare", title: "Close", "aria-label": "Close" }),
       );
-    const box = Dom.make("div", { class: "notice", role: "status", test: `notice-${name}` }, [
+    const box = Dom.make("div", { class: "notice", test: `notice-${name}` }, [
       Dom.make("span", { class: "notice-text", text }),
       ...buttons,
     ]);

@@ -190,7 +190,7 @@ const Problems = (() => {
   function at(index) {
     return all.filter((_, k) => {
       const place = where(k);
-      return place !== null && place.from <= index && index < Math.max(place.to, place.from + 1);
+      return place !== null && place.from <= index && index <= place.to;
     });
   }
 

@@ -32,10 +32,14 @@ const Saving = (() => {
 
   const unsaved = () => !editor.unchanged(clean);
 
+  function download() {
+    Dom.save(file.name, "text/plain;charset=utf-8", Source.outer(editor.text()));
+  }
+
   async function save() {
     if (busy) return;
     if (file.path === null) {
-      Dom.save(file.name, "text/plain;charset=utf-8", Source.outer(editor.text()));
+      download();
       clean = editor.generation();
       Notices.say("Downloaded.");
       return changed();
@@ -122,5 +126,5 @@ const Saving = (() => {
     saved = digest;
   }
 
-  return { start, save, take, base, unsaved, version: () => saved };
+  return { start, save, download, take, base, unsaved, version: () => saved };
 })();

@@ -11,6 +11,8 @@ const Server = (() => {
   /** @type {(away: boolean, why: string) => void} */
   let told = () => {};
   let leaving = false;
+  /** The milliseconds of the last answer. */
+  let took = 0;
 
   /** The server does not answer, or does not know this page any more. */
   class Away extends Error {}
@@ -35,13 +37,16 @@ const Server = (() => {
    * @returns {Promise<{status: number, body: any}>}
    */
   async function once(path, body) {
+    const begun = performance.now();
     const answer = await window.fetch(path, {
       method: "POST",
       headers: { "content-type": "application/json" },
       body: JSON.stringify(body),
       cache: "no-store",
     });
-    return { status: answer.status, body: await answer.json() };
+    const read = await answer.json();
+    took = performance.now() - begun;
+    return { status: answer.status, body: read };
   }
 
   /** A request that changes nothing, to hear whether there is somebody. */
@@ -125,5 +130,5 @@ const Server = (() => {
     return { error: { code: status, message: String(body.error), data: {} } };
   }
 
-  return { start, attempt, post, ask, pause, Away, away: () => back !== null };
+  return { start, attempt, post, ask, pause, Away, away: () => back !== null, took: () => took };
 })();

@@ -28,6 +28,7 @@ const Verdicts = (() => {
     all = verdicts;
     list.fill(all.map(row), "The model has no checks.");
     const kinds = all.map(kind);
+    list.mark(kinds.indexOf("violated"));
     const count = (/** @type {string} */ one) => kinds.filter((is) => is === one).length;
     const parts = [
       [count("holds"), count("holds") === 1 ? "holds" : "hold"],
