@@ -45,6 +45,8 @@ let constants : (string * (Property.num, Property.prop) Typed.value) list =
 let functions =
   [ "bonds"; "offers"; "behaviour" ] @ Long_list.map fst one_leaf @ Long_list.map fst two_leaves
 
+let words = functions @ Long_list.map fst constants @ [ "momentum"; "angular" ]
+
 let value : (Property.num, Property.prop) Typed.value -> (Property.num, Property.temporal) Typed.value =
   function
   | Num n -> Num n
@@ -83,6 +85,8 @@ let changes : (string * Property.change) list =
     ("bind", Made); ("weak", Released_weakly); ("strong", Released_strongly); ("split", Released);
   ]
 
+let transitions = "absorb" :: "bounce" :: "hit" :: Long_list.map fst changes
+
 let ends t env arguments : Property.ends option =
   match arguments with
   | [] -> Some Any
@@ -115,10 +119,9 @@ let event t env at (word : Ast.name) arguments =
   | name, Some _, _ ->
     arity t at name "a channel and at most two processes after it" (List.length arguments)
   | name, None, _ ->
-    let known = "absorb" :: "bounce" :: "hit" :: Long_list.map fst changes in
     error t Code.unknown_name word.at
       "unknown transition `%s`; it is one of absorb, bind, bounce, hit, weak, strong, split" name
-      ~near:(name, fun () -> known);
+      ~near:(name, fun () -> transitions);
     None
 
 let apply t env (e : Ast.expr) (f : Ast.name) arguments =

@@ -7,6 +7,12 @@ open Scc_property
 
 type value := (Property.num, Property.temporal) Typed.value option
 
+val words : string list
+(** The numbers and predicates of formulas, by their names. *)
+
+val transitions : string list
+(** What [event] may be followed by. *)
+
 val apply : Subjects.t -> Env.t -> Ast.expr -> Ast.name -> Ast.expr list -> value
 (** [x(p)], [bonds(a, p, q)]: an application, its function and its arguments. *)
 

@@ -16,6 +16,8 @@ let variables : (string * Law.variable) list =
     ("dt", Dt);
   ]
 
+let words = List.map fst variables
+
 module Algebra = struct
   type context = { report : Report.t; budget : Typed.budget }
   type num = Law.expr

@@ -4,6 +4,9 @@
 open Scc_syntax
 open Scc_calculus
 
+val words : string list
+(** The variables of laws, by their names. *)
+
 val can_read : Typed.budget -> Env.t -> Ast.expr -> bool
 (** Whether an expression makes sense in a law. *)
 

@@ -15,6 +15,7 @@ let check (s : Session.t) ~seconds p =
   let memory = Memory.words_of_mib s.quotas.memory_mib in
   Checks.check { seconds; memory; now = s.surroundings.now } s.models p
 
+let describe_text (s : Session.t) ~seconds:_ p = Texts.describe ~read_file:s.surroundings.read_file p
 let plain f : work = fun _ ~seconds:_ p -> f p
 let on_shapes f : work = fun s ~seconds:_ p -> f s.Session.shapes p
 let on_models f : work = fun s ~seconds:_ p -> f s.Session.models p
@@ -40,6 +41,7 @@ let table : (string * work) list =
     ("values", on_models Evaluate.values);
     ("model.check", check);
     ("text.format", plain Texts.format);
+    ("text.describe", describe_text);
   ]
 
 let methods = List.sort String.compare (described :: discover :: List.map fst table)

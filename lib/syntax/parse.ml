@@ -194,6 +194,46 @@ let with_trivia source =
           ~hint:"a model declares at least one `process`" ]
   | Ok model -> Ok (model, t.trivia)
 
+(* {1 Piece by piece} *)
+
+(* For each opening bracket that is closed the index of its closing one; [-1] elsewhere. *)
+let closing (t : Tokens.t) =
+  let closing = Array.make (Array.length t.tokens) (-1) in
+  Array.iteri (fun i o -> if o >= 0 then closing.(o) <- i) t.opening;
+  closing
+
+(* The tokens from [first] up to [last], which is left out, as a text. *)
+let piece (t : Tokens.t) first last =
+  let stop = t.tokens.(last - 1).stop in
+  let finish : Tokens.token = { token = EOF; start = stop; stop; after_fault = false } in
+  { t with tokens = Array.append (Array.sub t.tokens first (last - first)) [| finish |] }
+
+let readable source =
+  let t = Tokens.read source in
+  if Tokens.hopeless t then []
+  else
+    match run t Parser.Incremental.model 0 with
+    | Ok model -> model
+    | Error _ ->
+      let closing = closing t and count = Array.length t.tokens - 1 in
+      let rec start i = if i >= count || t.restart.(i) then Int.min i count else start (i + 1) in
+      (* Where a declaration ends: before the next one that is not within its brackets, or the end of its loop. *)
+      let rec stop first i =
+        let of_loop () = match t.tokens.(i).token with RBRACE -> t.opening.(i) < first | _ -> false in
+        if i >= count || t.restart.(i) || of_loop () then Int.min i count
+        else stop first (if closing.(i) >= 0 then closing.(i) + 1 else i + 1)
+      in
+      (* A loop that has a fault is looked into. *)
+      let rec read items first =
+        if first >= count then List.rev items
+        else
+          let last = stop first (first + 1) in
+          match run (piece t first last) Parser.Incremental.model 0 with
+          | Ok more -> read (List.rev_append more items) (start last)
+          | Error _ -> read items (start (first + 1))
+      in
+      read [] (start 0)
+
 let parse source = Result.map fst (with_trivia source)
 let expression source = of_tokens (Tokens.read source) source Parser.Incremental.expression
 

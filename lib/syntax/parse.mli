@@ -20,6 +20,10 @@ val parse : Source.t -> (Ast.model, Diag.t list) result
 val with_trivia : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result
 (** The same with the comments and empty lines, for {!Printer.model}. *)
 
+val readable : Source.t -> Ast.model
+(** What can be read of a text that may be full of faults: the declarations that are whole, each by itself where
+    the text as such is refused. Nothing, if it is no text at all. *)
+
 val expression : Source.t -> (Ast.expr, Diag.t list) result
 (** A number or formula alone, the whole text. *)
 
