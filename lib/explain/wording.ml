@@ -212,33 +212,46 @@ let rec is_searched (e : Explanation.t) =
   | Parts parts -> List.exists is_searched parts
   | Given | Everywhere _ | Run { way = Onward _; _ } -> false
 
-(* [shown]: a run of this claim is the one that the witness shows. *)
-let rec tree context graph temporal ~shown ~depth course (e : Explanation.t) : Witness.argument =
+(* When a run is where it leads, by the time since its start, if it leads somewhere. *)
+let end_of context graph temporal (run : Scc_ctl.Run.t) =
+  let clock, _ = story context graph temporal run in
+  match run.finish with
+  | At_state -> Some clock
+  | During { moment; sample } ->
+    let offset = if moment.attained then moment.offset else sample in
+    Some (rational (Algebraic.add_rat clock offset))
+  | Rests | Stops | Repeats _ | Passes -> None
+
+(* [shown]: a run of this claim is the one that the witness shows. [at]: the time on the shown run that the claim is
+   about, if it is on that one. *)
+let rec tree context graph temporal ~shown ~at ~depth course (e : Explanation.t) : Witness.argument =
   let tree_of = tree context graph temporal ~shown:false ~depth in
   let parts =
     match e.because with
     | Given | Everywhere _ -> []
-    | Parts parts -> List.map (tree_of course) parts
-    | Run { parts; along; way; _ } ->
+    | Parts parts -> List.map (tree_of ~at course) parts
+    | Run { run; parts; along; way } ->
       let here = match way with Own -> None | Onward _ -> course in
+      let there = if shown then end_of context graph temporal run else None in
       let told = Option.bind along (on_the_way context graph temporal ~shown ~depth) in
-      List.map (tree_of here) parts @ Option.to_list told
+      List.map (tree_of ~at:there here) parts @ Option.to_list told
   in
   let formula, holds = affirmed temporal e in
   let claim = Show.temporal (Network_lts.model context) formula in
   let because = List.filter_map (beyond claim holds) (because context graph temporal course e) in
-  { where = None; time = None; claim; holds; because; parts }
+  { where = None; time = at; claim; holds; because; parts }
 
 (* What is so on the way of a run, when it takes more than a look at each position. *)
 and on_the_way context graph temporal ~shown ~depth (along : Explanation.along) =
   let tree_of = tree context graph temporal ~shown:false ~depth:(depth + 1) (Some along.course) in
-  (* Reasons, each with the first place that it is told of and how many there are. *)
+  (* Reasons that differ, each with the first place that it is told of: without times, so that they are seen to be
+     the same. *)
   let rec reasons found left = function
     | [] -> (List.rev found, 0)
     | rest when left = 0 -> (List.rev found, List.length rest)
     | (s : Explanation.stretch) :: rest ->
       let why = Lazy.force s.why in
-      let found = note s.place (tree_of why) found in
+      let found = note (s.place, why) (tree_of ~at:None why) found in
       reasons found (if is_searched why then left - 1 else left) rest
   and note place argument = function
     | [] -> [ (place, argument) ]
@@ -254,7 +267,7 @@ and on_the_way context graph temporal ~shown ~depth (along : Explanation.along) 
       | [ (_, argument) ], 0 -> Some { argument with where = Some (everywhere along) }
       | reasons, _ ->
         let formula = Skeleton.to_temporal (Temporal.predicate temporal) along.claim in
-        let part ((place : Course.place), (a : Witness.argument)) =
+        let part (((place : Course.place), why), _) =
           let at = time_of along.course place in
           let where =
             if Course.is_interval place then
@@ -263,7 +276,8 @@ and on_the_way context graph temporal ~shown ~depth (along : Explanation.along) 
             else Printf.sprintf "after time %s of this run" (at place.low)
           in
           let instant = instant_of along.course place place.position.offset in
-          { a with where = Some where; time = (if shown then Some (rational instant) else None) }
+          let at = if shown then Some (rational instant) else None in
+          { (tree_of ~at why) with where = Some where }
         in
         let first = List.filteri (fun i _ -> i < told depth) reasons in
         Some
@@ -295,5 +309,5 @@ let argument context graph temporal (e : Explanation.t) =
   match e.because with
   | Run { parts; along; _ }
     when List.for_all is_plain parts && Option.fold ~none:true ~some:is_told along -> None
-  | Run _ -> Some (tree context graph temporal ~shown:true ~depth:0 None e)
-  | Given | Parts _ | Everywhere _ -> Some (tree context graph temporal ~shown:false ~depth:0 None e)
+  | Run _ -> Some (tree context graph temporal ~shown:true ~at:(Some Rat.zero) ~depth:0 None e)
+  | Given | Parts _ | Everywhere _ -> Some (tree context graph temporal ~shown:false ~at:(Some Rat.zero) ~depth:0 None e)
