@@ -8,7 +8,12 @@ let hexadecimal bytes =
   String.concat "" (List.map (fun c -> Printf.sprintf "%02x" (Char.code c)) (List.of_seq (String.to_seq bytes)))
 
 let make ~port = { port; secret = hexadecimal (random_bytes 16) }
-let hosts t = List.map (fun name -> Printf.sprintf "%s:%d" name t.port) [ "127.0.0.1"; "localhost" ]
+
+(* Browsers leave the port of HTTP out. *)
+let hosts t =
+  let names = [ "127.0.0.1"; "localhost" ] in
+  List.map (fun name -> Printf.sprintf "%s:%d" name t.port) names @ if t.port = 80 then names else []
+
 let address t = Printf.sprintf "http://127.0.0.1:%d/%s/" t.port t.secret
 
 (* Takes the same time wherever the first difference is. *)
