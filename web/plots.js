@@ -30,7 +30,11 @@ const Plots = (() => {
   function start(of) {
     player = of;
     box = Dom.get("plots");
-    Formulas.start(player, draw, refuse);
+    Formulas.start(player, draw, (text, why, start, stop) => {
+      chosen = chosen.filter(Formulas.there);
+      others();
+      Wanted.refuse(text, why, start, stop);
+    });
     if (player.data.plots.length === 0 && !Live.on) {
       Dom.fill(box, Dom.make("p", { class: "empty", text: "The checks of the model name no numbers." }));
       return;
@@ -57,7 +61,12 @@ const Plots = (() => {
         }),
       ]),
     );
-    if (Live.on) ask();
+    if (Live.on)
+      Wanted.start(box, (text) => {
+        add([text]);
+        const last = rows.lastElementChild;
+        if (last) last.scrollIntoView({ block: "nearest" });
+      });
     box.append(rows);
     const all = player.data.plots.map((_, plot) => plot);
     chosen = all.filter((plot) => Values.varies(player, plot)).slice(0, 2);
@@ -69,60 +78,6 @@ const Plots = (() => {
     new ResizeObserver(draw).observe(rows);
     list();
     draw();
-  }
-
-  /** @type {HTMLInputElement} */
-  let input;
-  /** @type {HTMLElement} */
-  let wrong;
-
-  /** The line in which a served page is asked for any number or formula. */
-  function ask() {
-    input = Dom.make("input", {
-      type: "text",
-      "aria-label": "Any number or formula",
-      "aria-describedby": "plot-wrong",
-      placeholder: "Any number or formula, such as x(a), distance2(a, b), bound(a, b), always x(a) < 1",
-      spellcheck: "false",
-      autocomplete: "off",
-      maxlength: 10000,
-      test: "plot-input",
-    });
-    wrong = Dom.make("p", { id: "plot-wrong", class: "plot-wrong", role: "alert", hidden: true, test: "plot-wrong" });
-    const form = Dom.make("form", { class: "plot-ask" }, [
-      input, Dom.make("button", { type: "submit", text: "Plot", test: "plot-add" }),
-    ]);
-    form.addEventListener("submit", (event) => {
-      event.preventDefault();
-      wrong.hidden = true;
-      if (input.value.trim() === "") return;
-      add([input.value.trim()]);
-      const last = rows.lastElementChild;
-      if (last) last.scrollIntoView({ block: "nearest" });
-      input.value = "";
-    });
-    input.addEventListener("input", () => {
-      wrong.hidden = true;
-    });
-    box.append(form, wrong);
-  }
-
-  /**
-   * Says what is wrong with a text, and marks where.
-   * @param {string} text @param {string} why @param {number} start @param {number} stop
-   */
-  function refuse(text, why, start, stop) {
-    chosen = chosen.filter(Formulas.there);
-    if (input.value === "") input.value = text;
-    wrong.hidden = false;
-    const mark = Dom.make("mark", { text: text.slice(start, stop) || "\u00a0" });
-    const [before, after] = [Dom.clip(text.slice(0, start), 300), Dom.clip(text.slice(stop), 300)];
-    Dom.fill(
-      wrong,
-      Dom.make("bdi", { class: "code" }, [before, mark, after]),
-      Dom.make("bdi", { class: "words", text: why }),
-    );
-    others();
   }
 
   /**
@@ -181,11 +136,15 @@ const Plots = (() => {
     );
   }
 
+  /** How wide drawings are: as the line of time, also where a bar to scroll by covers their margin. */
+  const wide = () => (rows && rows.clientWidth > 0 ? box.offsetWidth : 0);
+
   function draw() {
-    if (!rows || rows.clientWidth === 0 || Dom.get("plots-panel").hidden) return;
-    const width = rows.clientWidth;
+    const width = wide();
+    if (width === 0 || Dom.get("plots-panel").hidden) return;
     drawn = [];
     if (Live.on) Formulas.look(chosen);
+    const held = rows.contains(document.activeElement) && document.activeElement;
     Dom.fill(
       rows,
       ...chosen.map((plot) => {
@@ -208,6 +167,9 @@ const Plots = (() => {
       }),
       chosen.length === 0 ? Dom.make("p", { class: "empty", text: "No plot is chosen." }) : null,
     );
+    // What had the focus is made anew.
+    const again = held && rows.querySelector(`[data-testid="${held.getAttribute("data-testid")}"]`);
+    if (again instanceof HTMLElement) again.focus({ preventScroll: true });
     move();
   }
 
@@ -323,7 +285,7 @@ const Plots = (() => {
 
   function move() {
     if (Dom.get("plots-panel").hidden) return;
-    const width = rows ? rows.clientWidth : 0;
+    const width = wide();
     const at = Timeline.x(player.clock, width).toFixed(2);
     const inside = player.clock >= Timeline.range.from && player.clock <= Timeline.range.to;
     for (const { plot, value, cursor, dot, y } of drawn) {
@@ -345,7 +307,7 @@ const Plots = (() => {
 
   /** @param {PointerEvent} event @param {SVGElement} picture */
   function seek(event, picture) {
-    const width = rows.clientWidth - 2 * Timeline.margin;
+    const width = wide() - 2 * Timeline.margin;
     const part = (event.clientX - picture.getBoundingClientRect().left - Timeline.margin) / width;
     const { from, to } = Timeline.range;
     const time = from + Math.max(0, Math.min(1, part)) * (to - from);

@@ -57,6 +57,11 @@ class Live(Browser):
         check('all is answered', self.wait('return !scc.busy()', 30))
         self.js('return new Promise((done) => setTimeout(done))')
 
+    def press(self, test):
+        """By keys, as what is drawn anew meanwhile keeps the focus."""
+        self.js('document.querySelector(`[data-testid="${arguments[0]}"]`).focus()', test)
+        self.keys(Keys.ENTER)
+
     def plot(self, text):
         field = self.find('plot-input')
         field.clear()
@@ -200,12 +205,12 @@ def verdicts(b, served, name):
     plot = next(one['plot'] for one in b.js('return scc.plots()') if one['text'] == text)
     b.js('scc.open(0); scc.go(1)')
     b.idle()
-    b.find(f'judge-{plot}').click()
+    b.press(f'judge-{plot}')
     check('a verdict', b.wait('return !scc.busy() && document.querySelector("[data-testid=judged-run]")'))
     told = served.rpc(f'view/{name}/ask', 'evaluate', model='m1', path=[0], formula=text)
     same('its kind', told['verdict'], 'violated')
     check('it is told', told['report']['text'] in b.text(f'judged-{plot}'), b.text(f'judged-{plot}'))
-    b.find('judged-run').click()
+    b.press('judged-run')
     b.idle()
     b.keys(Keys.END)
     b.idle()
@@ -214,7 +219,7 @@ def verdicts(b, served, name):
     long = 'always x(ball) < 100'
     b.plot(long)
     plot = next(one['plot'] for one in b.js('return scc.plots()') if one['text'] == long)
-    b.find(f'judge-{plot}').click()
+    b.press(f'judge-{plot}')
     check('one sees that it works', b.wait('return document.querySelector("[data-testid=asking]").textContent'))
     check('it ends', b.wait(f'return !scc.busy() && document.querySelector("[data-testid=judged-{plot}]")', 30))
     check('it says its bound', 'bound of 20000 states' in b.text(f'judged-{plot}'), b.text(f'judged-{plot}'))

@@ -1,0 +1,57 @@
+"use strict";
+
+/** The line in which any number or formula is asked for. */
+const Wanted = (() => {
+  /** @type {HTMLInputElement} */
+  let input;
+  /** @type {HTMLElement} */
+  let wrong;
+
+  /** @param {HTMLElement} box where it goes @param {(text: string) => void} ask */
+  function start(box, ask) {
+    input = Dom.make("input", {
+      type: "text",
+      "aria-label": "Any number or formula",
+      "aria-describedby": "plot-wrong",
+      placeholder: "Any number or formula, such as x(a), distance2(a, b), bound(a, b), always x(a) < 1",
+      spellcheck: "false",
+      autocomplete: "off",
+      maxlength: 10000,
+      test: "plot-input",
+    });
+    wrong = Dom.make("p", { id: "plot-wrong", class: "plot-wrong", role: "alert", hidden: true, test: "plot-wrong" });
+    const form = Dom.make("form", { class: "plot-ask" }, [
+      input, Dom.make("button", { type: "submit", text: "Plot", test: "plot-add" }),
+    ]);
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      const text = input.value.trim();
+      wrong.hidden = true;
+      input.value = "";
+      if (text !== "") ask(text);
+    });
+    input.addEventListener("input", () => {
+      wrong.hidden = true;
+    });
+    box.append(form, wrong);
+  }
+
+  /**
+   * Says what is wrong with a text, and marks where; it can be mended, unless another one has been begun.
+   * @param {string} text @param {string} why @param {number} from @param {number} to the characters that are marked
+   */
+  function refuse(text, why, from, to) {
+    if (input.value === "") input.value = text;
+    wrong.hidden = false;
+    const mark = Dom.make("mark", { text: text.slice(from, to) || "\u00a0" });
+    const [before, after] = [Dom.clip(text.slice(0, from), 300), Dom.clip(text.slice(to), 300)];
+    Dom.fill(
+      wrong,
+      Dom.make("bdi", { class: "code" }, [before, mark, after]),
+      Dom.make("bdi", { class: "words", text: why }),
+    );
+    input.scrollIntoView({ block: "nearest" });
+  }
+
+  return { start, refuse };
+})();
