@@ -222,8 +222,8 @@ let end_of context graph temporal (run : Scc_ctl.Run.t) =
     Some (rational (Algebraic.add_rat clock offset))
   | Rests | Stops | Repeats _ | Passes -> None
 
-(* [shown]: a run of this claim is the one that the witness shows. [at]: the time on the shown run that the claim is
-   about, if it is on that one. *)
+(* [shown]: a run of this claim is the one that the witness shows. [at]: the time on the shown run that the claim
+   is about, if it is on that one. *)
 let rec tree context graph temporal ~shown ~at ~depth course (e : Explanation.t) : Witness.argument =
   let tree_of = tree context graph temporal ~shown:false ~depth in
   let parts =
@@ -304,10 +304,12 @@ let rec is_plain (e : Explanation.t) =
   | Everywhere _ | Run _ -> false
   | Parts parts -> List.for_all is_plain parts
 
+(* Of the initial state. *)
 let argument context graph temporal (e : Explanation.t) =
+  let tree = tree context graph temporal ~at:(Some Rat.zero) ~depth:0 None in
   let is_told (a : Explanation.along) = is_state a.claim || a.stretches = [] in
   match e.because with
   | Run { parts; along; _ }
     when List.for_all is_plain parts && Option.fold ~none:true ~some:is_told along -> None
-  | Run _ -> Some (tree context graph temporal ~shown:true ~at:(Some Rat.zero) ~depth:0 None e)
-  | Given | Parts _ | Everywhere _ -> Some (tree context graph temporal ~shown:false ~at:(Some Rat.zero) ~depth:0 None e)
+  | Run _ -> Some (tree ~shown:true e)
+  | Given | Parts _ | Everywhere _ -> Some (tree ~shown:false e)
