@@ -419,6 +419,9 @@ def stopping(b, scc, folder):
     b.begin(scc, folder, 'endless.sc', ENDLESS)
     b.find('check').click()
     check('progress', b.wait('return /states/.test(document.getElementById("progress").textContent)', 20))
+    b.driver.refresh()
+    b.settled(shown=False)
+    check('it goes on over a reload', b.wait('return desk.state().working === "check"', 5))
     b.go(0)
     b.keys('//')
     check('one can go on writing', b.is_read())
@@ -515,6 +518,15 @@ def ended(b):
     b.driver.get_log('browser')
 
 
+def without_file(b, scc):
+    """Without a model there is one to begin with, and no file."""
+    b.served = Served(scc)
+    b.load(f'http://127.0.0.1:{b.served.port}{b.served.root}')
+    same('a text is downloaded, as there is no file', b.find('save').text, 'Download')
+    same('the model has no problems', b.problems(), [])
+    b.end()
+
+
 def words(b):
     """The words that are coloured are those of the reference."""
     with open('specs/language.md', encoding='utf-8') as file:
@@ -532,12 +544,13 @@ def main(scc, folder):
     b = Desk(flags=WITHOUT_SCENES)  # which would take most of the time
     try:
         b.begin(scc, folder, 'docking.sc')
-        for part in [words, typing]:
+        for part in [words, typing, naming]:
             timed(part, b)
         timed(formatting, b, scc)
         for part in [saving, checking, reloading, tabs, by_keys, sizes, offline, ended]:
             timed(part, b)
         b.end()
+        timed(without_file, b, scc)
         for part in [hostile, line_ends, stopping, plain, killed]:
             timed(part, b, scc, folder)
     finally:
