@@ -10,7 +10,7 @@ const Hover = (() => {
   let timer = 0;
   /** The question that is answered last is the newest. */
   let asked = 0;
-  let known = true;
+  let offered = true;
 
   /** @param {Writing} of */
   function start(of) {
@@ -29,6 +29,7 @@ const Hover = (() => {
     editor.on("change", close);
     editor.on("cursor", close);
     document.addEventListener("scroll", close, true);
+    document.addEventListener("keydown", (event) => event.key === "Escape" && close(), true);
   }
 
   function close() {
@@ -40,7 +41,7 @@ const Hover = (() => {
    * @param {number} index
    */
   async function describe(index) {
-    if (!known) return null;
+    if (!offered) return null;
     asked += 1;
     const mine = asked;
     const text = editor.text();
@@ -49,7 +50,7 @@ const Hover = (() => {
       offset: Source.offset(text, index),
     });
     if ("error" in answer) {
-      if (answer.error.code === -32601) known = false;
+      if (answer.error.code === -32601) offered = false;
       return null;
     }
     return mine === asked ? answer.result.found : null;
@@ -58,7 +59,9 @@ const Hover = (() => {
   /** @param {number} index @param {number} left @param {number} bottom @param {number} top */
   async function show(index, left, bottom, top) {
     const problems = Problems.at(index);
-    const found = await describe(index);
+    const known = await describe(index);
+    // Where there is an error, that nobody declares the name is told by it.
+    const found = known && known.kind === "name" && problems.length > 0 ? null : known;
     if (!found && problems.length === 0) return close();
     Dom.fill(
       tip,
@@ -71,12 +74,15 @@ const Hover = (() => {
     put(left, bottom, top);
   }
 
-  /** @param {{kind: string, name: string, text: string}} found */
+  /**
+   * The first line says what it is; what follows is text of the model, or where it is explained.
+   * @param {{text: string}} found
+   */
   function about(found) {
+    const [first, ...rest] = Dom.clip(found.text, 2000).split("\n");
     return Dom.make("div", {}, [
-      Dom.make("span", { class: "tip-kind", text: found.kind }),
-      Dom.make("bdi", { class: "tip-name", text: Dom.clip(found.name, 200) }),
-      Dom.make("div", { class: "tip-text", dir: "auto", text: Dom.clip(found.text, 2000) }),
+      Dom.make("div", { class: "tip-first", dir: "auto", text: first }),
+      rest.length > 0 ? Dom.make("div", { class: "tip-rest", dir: "auto", text: rest.join("\n") }) : null,
     ]);
   }
 
