@@ -90,12 +90,20 @@ let viewed o budget checks =
     plots = [];
   }
 
+let bound (b : Scc_calculus.Ranges.bound) : Json.t =
+  `Assoc [ ("value", Json.rat b.value); ("included", `Bool b.included) ]
+
+let parameters (given : Options.definitions) =
+  let value (name, v) = (name, Json.rat v) in
+  let range (name, (low, high)) = (name, `Assoc [ ("low", bound low); ("high", bound high) ]) in
+  List.map value given.values @ List.map range given.narrowed
+
 let desk o =
   let told result = Result.map_error (fun (d : Diag.t) -> d.message) result in
   let read path = told (Result.map Source.text (Input.read path)) in
   let write path text = told (Whole_file.with_file path (fun put -> put text)) in
   let name = Filename.basename (Option.value o.model ~default:unsaved_name) in
-  { Desk.name; path = o.model; read; write; start }
+  { Desk.name; path = o.model; read; write; parameters = parameters o.given; start }
 
 let listening console desk address =
   Console.print console (Printf.sprintf "scc: %s is served at %s\n" desk.Desk.name address);

@@ -5,6 +5,7 @@ type t = {
   path : string option;
   read : string -> (string, string) result;
   write : string -> string -> (unit, string) result;
+  parameters : (string * Json.t) list;
   start : string;
 }
 
@@ -31,6 +32,7 @@ let page_data t : Json.t =
       ("text", Json.text text);
       ("saved", text_of saved);
       ("unreadable", text_of why);
+      ("parameters", `Assoc t.parameters);
     ]
 
 type saved = Saved of string | Another of { text : string; digest : string } | Failed of string

@@ -7,6 +7,8 @@ type t = {
   path : string option;  (** none where it is in no file *)
   read : string -> (string, string) result;  (** the bytes of a file, or why they cannot be had *)
   write : string -> string -> (unit, string) result;  (** puts these bytes into a file *)
+  parameters : (string * Json.t) list;
+  (** values and ranges that the command line gives, as [model.load] takes them *)
   start : string;  (** the text to begin with, where there is no file *)
 }
 

@@ -313,6 +313,21 @@ def saving(scc, folder):
     same('its end', served.end(), 0)
 
 
+def definitions(scc):
+    """What -D says holds for documents, and the desk is told of it as model.load takes it."""
+    text = 'param n = 1\nparam r in [0, 4]\n' + ENDLESS.replace('vx + 1/4', 'vx + n/4')
+    served = Served(scc, '-D', 'n=3', '-D', 'r=[1,2)')
+    data = json.loads(re.search(rb'id="data">(.*?)</script>', served.ask('GET', '')[2], re.S)[1])
+    same('parameters', data['parameters'], {'n': '3/1', 'r': {'low': {'value': '1/1', 'included': True},
+                                                              'high': {'value': '2/1', 'included': False}}})
+    loaded = served.rpc('ask', 'model.load', text=text, parameters=data['parameters'], start='simple')
+    same('they are taken', loaded['parameters']['n'], '3/1')
+    name, _ = served.open(text)
+    page = json.loads(re.search(rb'id="data">(.*?)</script>', served.ask('GET', f'view/{name}/')[2], re.S)[1])
+    same('those of a document', page['parameters'], loaded['parameters'])
+    same('the end', served.end(), 0)
+
+
 def ends(scc, text):
     served = Served(scc, MODEL)
     taken = subprocess.run([scc, 'serve', '--port', str(served.port)], capture_output=True, text=True, timeout=20)
@@ -348,6 +363,7 @@ def main(scc, folder):
     large_requests(served)
     same('the end', served.end(), 0)
     saving(scc, folder)
+    definitions(scc)
     ends(scc, text)
     print(f'{passed} passed, {failed} failed')
     return 1 if failed else 0

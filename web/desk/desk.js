@@ -2,7 +2,10 @@
 
 /** Puts the desk together. */
 const Desk = (() => {
-  /** @typedef {{name: string, path: string | null, text: string, saved: string | null, unreadable: string | null}} DeskData */
+  /**
+   * @typedef {{name: string, path: string | null, text: string, saved: string | null, unreadable: string | null,
+   *   parameters: {[name: string]: any}}} DeskData
+   */
   const stillness = 500;
   /** @type {DeskData} */
   let data;
@@ -74,7 +77,7 @@ const Desk = (() => {
       address = "";
     }
     begun = true;
-    Diagnose.start(editor, sound);
+    Diagnose.start(editor, data.parameters, sound);
   }
 
   /** @param {string} text @param {string | null} saved */

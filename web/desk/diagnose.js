@@ -19,9 +19,19 @@ const Diagnose = (() => {
   let changes = 0;
   let read = -1;
 
-  /** @param {Writing} of @param {(sound: boolean) => void} hear whether the text has no errors */
-  function start(of, hear) {
+  /**
+   * What the command line says of parameters.
+   * @type {{[name: string]: any}}
+   */
+  let parameters = {};
+
+  /**
+   * @param {Writing} of @param {{[name: string]: any}} given values and ranges of parameters
+   * @param {(sound: boolean) => void} hear whether the text has no errors
+   */
+  function start(of, given, hear) {
     editor = of;
+    parameters = given;
     told = hear;
     editor.on("change", () => {
       changes += 1;
@@ -40,7 +50,7 @@ const Diagnose = (() => {
     busy = true;
     const of = changes;
     const text = editor.text();
-    const answer = await Server.ask("model.load", { text: Source.outer(text), start: "simple" });
+    const answer = await Server.ask("model.load", { text: Source.outer(text), parameters, start: "simple" });
     took = Server.took();
     if ("result" in answer) await Server.ask("model.release", { model: answer.result.model });
     busy = false;
