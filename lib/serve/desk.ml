@@ -14,12 +14,16 @@ let digest text = "md5:" ^ Digest.to_hex (Digest.string text)
 (* What is in the file, if it is there. *)
 let present t path = if Sys.file_exists path then Result.map Option.some (t.read path) else Ok None
 
+(* What is no text would be another file when it is saved. *)
+let is_text bytes = match Json.text bytes with `String text -> String.equal text bytes | _ -> false
+
 let page_data t : Json.t =
   let text, saved, why =
     match t.path with
     | None -> (t.start, None, None)
     | Some path -> (
         match present t path with
+        | Ok (Some text) when not (is_text text) -> ("", None, Some "it is not UTF-8 text")
         | Ok (Some text) -> (text, Some (digest text), None)
         | Ok None -> (t.start, None, None)
         | Error why -> ("", None, Some why))
@@ -49,4 +53,5 @@ let save t ~text ~over =
       | Ok None when Option.is_none over -> put ()
       | Ok None -> Another { text = ""; digest = "" }
       | Ok (Some there) when Option.equal String.equal over (Some (digest there)) -> put ()
+      | Ok (Some there) when not (is_text there) -> Failed "what is in the file is not UTF-8 text"
       | Ok (Some there) -> Another { text = there; digest = digest there })

@@ -305,6 +305,13 @@ def saving(scc, folder):
     status, answer = served.post('save', {'text': text, 'saved': None})
     check('a file that cannot be written', status == 400 and len(answer['error']) > 10, status, answer)
     same('the end', served.end(), 0)
+    with open(os.path.join(folder, 'latin.sc'), 'wb') as file:
+        file.write(b'// caf\xe9\n')
+    served = Served(scc, os.path.join(folder, 'latin.sc'))
+    data = json.loads(re.search(rb'id="data">(.*?)</script>', served.ask('GET', '')[2], re.S)[1])
+    same('what is no text is not shown as one', (data['text'], data['unreadable']), ('', 'it is not UTF-8 text'))
+    same('and not written over', served.post('save', {'text': 'x', 'saved': None})[0], 400)
+    same('its end', served.end(), 0)
     served = Served(scc)
     data = json.loads(re.search(rb'id="data">(.*?)</script>', served.ask('GET', '')[2], re.S)[1])
     _, told = served.open(data['text'], 'all')
