@@ -216,24 +216,22 @@ let answer t request body =
       match body with Ok body -> post t path body | Error a -> now a)
   | Ok _, _ -> now (refused `Method_not_allowed "GET and POST are what can be asked")
 
-(* Each connection is for one request, so that none stays open for nothing: it hears no more. *)
-let hear_no_more : Conduit_lwt_unix.flow -> unit = function
-  | TCP { fd; _ } -> (try Lwt_unix.shutdown fd SHUTDOWN_RECEIVE with Unix.Unix_error _ -> ())
-  | Domain_socket _ | Vchan _ -> ()
+(* Versions of conduit differ in the other kinds of connections, of which there are none here. *)
+let socket_of : Conduit_lwt_unix.flow -> Lwt_unix.file_descr option = function TCP { fd; _ } -> Some fd | _ -> None
 
-let inherited_by_none : Conduit_lwt_unix.flow -> unit = function
-  | TCP { fd; _ } -> Lwt_unix.set_close_on_exec fd
-  | Domain_socket _ | Vchan _ -> ()
+(* Each connection is for one request, so that none stays open for nothing: it hears no more. *)
+let hear_no_more fd = try Lwt_unix.shutdown fd SHUTDOWN_RECEIVE with Unix.Unix_error _ -> ()
 
 let callback t (flow, _) request body =
-  inherited_by_none flow;
+  let socket = socket_of flow in
+  Option.iter (fun fd -> Lwt_unix.set_close_on_exec fd) socket;
   let* a =
     Lwt.catch
       (fun () -> answer t request body)
       (fun e -> now (refused `Internal_server_error ("a fault of scc: " ^ Printexc.to_string e)))
   in
   let* () = in_time ~late:() (fun () -> Cohttp_lwt.Body.drain_body body) in
-  hear_no_more flow;
+  Option.iter hear_no_more socket;
   respond a
 
 (* {1 Listening} *)
