@@ -232,11 +232,14 @@ let edges (s, numbers) =
   let v = see s in
   let beside (e : View.edge) (f : View.face option) turn (x, y) =
     match f with
-    | None -> false
+    | None -> Some false
     | Some f -> (
         let (px, py), (qx, qy) = (Convex.place (fst e.ends), Convex.place (snd e.ends)) in
         let x = Rat.sub x (Rat.mul turn (Rat.sub qy py)) and y = Rat.add y (Rat.mul turn (Rat.sub qx px)) in
-        match hit v x y with Face (b, g) -> b = f.body && g = f.face | Unclear | Nothing -> false)
+        match hit v x y with
+        | Face (b, g) -> Some (b = f.body && g = f.face)
+        | Nothing -> Some false
+        | Unclear -> None)
   in
   let edge (e : View.edge) =
     let drawn = List.map (fun (a, b) -> (Convex.place a, Convex.place b)) (Hidden.segments v.hidden e) in
@@ -246,8 +249,10 @@ let edges (s, numbers) =
       let t = Rat.make (Z.of_int ((2 * n) + 1)) (Z.of_int 20011) in
       let x = Rat.add px (Rat.mul t (Rat.sub qx px)) and y = Rat.add py (Rat.mul t (Rat.sub qy py)) in
       let here = List.exists (fun ((ax, ay), (bx, by)) -> between ax bx x || between ay by y) drawn in
-      let seen = beside e e.left close (x, y) || beside e e.right (Rat.neg close) (x, y) in
-      Bool.equal here seen
+      (* Of faces of one plane that cover each other a ray does not tell which is seen. *)
+      match (beside e e.left close (x, y), beside e e.right (Rat.neg close) (x, y)) with
+      | Some left, Some right -> Bool.equal here (left || right)
+      | None, _ | _, None -> true
     in
     List.for_all at (List.map fst (List.filteri (fun i _ -> i < 4) numbers))
   in
