@@ -153,7 +153,8 @@ let somewhere v numbers =
   let within (low, high) n = Rat.add low (Rat.mul (Rat.sub high low) (Rat.make (Z.of_int n) (Z.of_int 9973))) in
   List.map (fun (a, b) -> (within (extent fst) a, within (extent snd) b)) numbers
 
-let anywhere = Gen.list_size (Gen.return 25) Gen.(pair (0 -- 9973) (0 -- 9973))
+(* Not at the ends of the picture: there a ray only grazes what it meets. *)
+let anywhere = Gen.list_size (Gen.return 25) Gen.(pair (1 -- 9972) (1 -- 9972))
 
 let at_random (s, numbers) =
   let v = see s in
