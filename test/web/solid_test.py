@@ -39,6 +39,19 @@ ELL = '''OFF
 TENT = '''shape Tent = hull { a (0, 0, 0)  b (1, 0, 0)  c (0, 1, 0)  d (0, 0, 1) }
 '''
 
+# A solid smaller than any float of a graphics card, so far away that a double cannot tell it from a point.
+FAR = """OFF
+4 4 0
+1e40 0 0
+1e40 1e-45 0
+10000000000000000000000000000000000000000.000000000000000000000000000000000000000000001 0 0
+1e40 0 1e-45
+3 0 1 2
+3 0 3 1
+3 1 3 2
+3 0 2 3
+"""
+
 
 def page(scc, work, name, argument, text):
     path = os.path.join(work, name)
@@ -90,6 +103,15 @@ def main(scc, work):
         rows[0].click()
         check('a face is told with its corners', b.text('here').count('(') == 3, b.text('here'))
         same('it is marked', rows[0].get_attribute('aria-pressed'), 'true')
+        done, html = page(scc, work, 'far.off', '', FAR)
+        same('a small solid far away', done.returncode, 0)
+        b.open(html)
+        b.wait('return scc.spots() && scc.spots().vertices.length === 4')
+        spots = b.js('return scc.spots()')
+        found = [b.js('return scc.pick(arguments[0], arguments[1])', f['x'], f['y']) for f in spots['faces']]
+        check('it is there to be pointed at', any((f or {}).get('face') is not None for f in found), found)
+        width = max(v['x'] for v in spots['vertices']) - min(v['x'] for v in spots['vertices'])
+        check('as large as any other', width > 200, width)
         same('words on the console', b.complaints(), [])
     finally:
         b.quit()

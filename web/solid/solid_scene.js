@@ -21,8 +21,7 @@ class SolidScene {
     this.shows = { faces: true, vertices: false };
     /** @type {SolidSpot | null} */
     this.chosen = null;
-    /** @type {Rational[][]} */
-    this.corners = data.vertices.map(({ at }) => at.map(Rational.of));
+    this.corners = SolidScene.nearby(data.vertices.map(({ at }) => at.map(Rational.of)));
     /**
      * Relative to the target of the camera.
      * @type {number[][]}
@@ -72,6 +71,21 @@ class SolidScene {
     } catch (_) {
       return null;
     }
+  }
+
+  /**
+   * The same points about the first of them, in a unit that makes them about 1 wide: then floats tell them apart
+   * wherever they are, and however small the solid is.
+   * @param {Rational[][]} points
+   */
+  static nearby(points) {
+    const about = points.map((p) => p.map((x, i) => Rational.sub(x, points[0][i])));
+    const bits = (/** @type {bigint} */ n) => (n < 0n ? -n : n).toString(2).length;
+    const sizes = about.flat().filter((x) => x.n !== 0n).map((x) => bits(x.n) - bits(x.d));
+    const power = sizes.reduce((a, b) => Math.max(a, b), -Infinity);
+    if (!Number.isFinite(power)) return about;
+    const unit = Rational.make(power < 0 ? 2n ** BigInt(-power) : 1n, power > 0 ? 2n ** BigInt(power) : 1n);
+    return about.map((p) => p.map((x) => Rational.mul(x, unit)));
   }
 
   /**
