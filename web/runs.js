@@ -247,13 +247,13 @@ const Runs = (() => {
     };
     if (depth < 3) open();
     line.addEventListener("click", () => {
-      if (time) jump(time);
+      if (time) jump(time, depth);
       else if (more) item.setAttribute("aria-expanded", String(item.getAttribute("aria-expanded") !== "true"));
       open();
     });
     item.addEventListener("jump", (event) => {
       event.stopPropagation();
-      if (time) jump(time);
+      if (time) jump(time, depth);
     });
     item.addEventListener("unfold", (event) => {
       event.stopPropagation();
@@ -262,10 +262,15 @@ const Runs = (() => {
     return item;
   }
 
-  /** @param {Rational} time */
-  function jump(time) {
+  /**
+   * Goes to the last state of an instant; the whole claim is about the state that the run begins in, whatever else
+   * happens at its instant.
+   * @param {Rational} time @param {number} depth
+   */
+  function jump(time, depth) {
     player.pause();
-    player.seek(time);
+    if (depth === 0 && Rational.sign(time) === 0) player.first();
+    else player.seek(time);
   }
 
   /** @param {KeyboardEvent} event */
