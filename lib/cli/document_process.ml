@@ -100,10 +100,17 @@ let text_of line =
   | `String text -> text
   | _ | (exception Yojson.Json_error _) -> Bug.fail __POS__ "the first line is no JSON string"
 
+(* SIGINT is blocked where nobody waits for it: it neither ends the process nor is it lost. *)
+let interruptible f =
+  ignore (Unix.sigprocmask SIG_UNBLOCK [ Sys.sigint ]);
+  let x = f () in
+  ignore (Unix.sigprocmask SIG_BLOCK [ Sys.sigint ]);
+  x
+
 let make console (shown : Viewed.options) text =
   let shown = { shown with source = Some (Source.make ~name:shown.path text) } in
   let watch = Check_options.watch shown.budget in
-  let document = Viewed.document console shown watch in
+  let document = interruptible (fun () -> Viewed.document console shown watch) in
   let interrupted = Watch.interrupted watch () in
   Watch.finish watch;
   Sys.set_signal Sys.sigint Sys.Signal_ignore;

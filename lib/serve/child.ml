@@ -26,10 +26,17 @@ let rec waited pid =
 
 let close channel = Lwt.catch (fun () -> Lwt_io.close channel) (fun _ -> Lwt.return_unit)
 
+(* A process begins with SIGINT held back: one that comes before it can take it waits. *)
+let create arguments input output =
+  let before = Unix.sigprocmask SIG_BLOCK [ Sys.sigint ] in
+  Fun.protect
+    ~finally:(fun () -> ignore (Unix.sigprocmask SIG_SETMASK before))
+    (fun () -> Unix.create_process Sys.executable_name arguments input output Unix.stderr)
+
 let start arguments =
   let their_input, input = Unix.pipe ~cloexec:true () in
   let output, their_output = Unix.pipe ~cloexec:true () in
-  let pid = Unix.create_process Sys.executable_name arguments their_input their_output Unix.stderr in
+  let pid = create arguments their_input their_output in
   Unix.close their_input;
   Unix.close their_output;
   let channel mode fd = Lwt_io.of_fd ~mode (Lwt_unix.of_unix_file_descr fd) in

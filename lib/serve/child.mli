@@ -10,7 +10,8 @@ type failure =
   | Busy  (** too many questions wait *)
 
 val start : string array -> t
-(** Of this program with these arguments (the first one is its name). *)
+(** Of this program with these arguments (the first one is its name). SIGINT is blocked in it until it says
+    otherwise. *)
 
 val say : t -> string -> unit Lwt.t
 (** A line to which there is no answer. *)

@@ -8,6 +8,7 @@ type document = {
   child : Child.t;
   mutable state : state;
   mutable progress : string option;
+  mutable interrupted : bool;
   news : unit Lwt_condition.t;
   mutable used : int;  (** when it was asked for last, by a count of all that was asked *)
 }
@@ -96,6 +97,7 @@ let opened t arguments ~text =
         child = Child.start arguments;
         state = Working;
         progress = None;
+        interrupted = false;
         news = Lwt_condition.create ();
         used = 0;
       }
@@ -130,7 +132,12 @@ let status d ~seconds =
   let* () = if is_working d then wait () else Lwt.return_unit in
   Lwt.return (json d)
 
-let interrupt d = if is_working d then Child.interrupt d.child
+(* Once: a second signal would end the process, with all that it has found. *)
+let interrupt d =
+  if is_working d && not d.interrupted then begin
+    d.interrupted <- true;
+    Child.interrupt d.child
+  end
 
 let ask d line =
   let* answer = Child.ask d.child ~seconds:patience line in

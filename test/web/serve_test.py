@@ -271,6 +271,16 @@ def long_work(served, endless):
     same('what was stopped', (told['state'], told.get('interrupted')), ('ready', True))
     same('it holds as far as it came', [v['verdict'] for v in told['verdicts']], ['holds-up-to-bound'])
     same('and a page', served.ask('GET', f'view/{name}/')[0], 200)
+    for what, pauses in [('at once', [0]), ('while it begins', [0.02]), ('twice', [1, 0])]:
+        _, answer = served.post('open', {'text': endless, 'check': 'all'})
+        name = answer['document']
+        for pause in pauses:
+            time.sleep(pause)
+            served.post(f'view/{name}/stop', {})
+        told, since = {'state': 'working'}, time.monotonic()
+        while told['state'] == 'working' and time.monotonic() - since < 20:
+            _, told = served.post(f'view/{name}/status', {})
+        same(f'what was stopped {what}', (told['state'], told.get('interrupted')), ('ready', True))
     _, told = served.open(endless, 'all', seconds=1)
     same('one that is bounded in time', told['state'], 'ready')
 
