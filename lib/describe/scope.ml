@@ -69,20 +69,25 @@ let name_channel t (c : context) how (name : Ast.name) =
 (* {1 Features} *)
 
 (* What may follow the name of something after a dot: images have the features of what they are images of. *)
-let rec inside t fuel name (d : Declared.t) =
-  match (Declared.find (Lazy.force d.by_name) name, d.solid) with
-  | [], Some s -> of_solid t fuel name s
-  | found, _ -> found
-
-and of_solid t fuel name (s : Ast.solid) =
-  match s.it with
-  | Scaled (s, _) -> of_solid t fuel name s
-  | Template { qualifier = None; target; _ } when fuel > 0 ->
-    List.concat_map (inside t (fuel - 1) name) (Declared.find t.all.templates target.it)
-  | Template _ | Mesh _ | Faces _ | Hull _ -> []
+let inside t within name =
+  (* Each template is looked into once: images may be of themselves, or declared many times. *)
+  let seen = Hashtbl.create 8 in
+  let rec of_declared (d : Declared.t) =
+    match (Declared.find (Lazy.force d.by_name) name, d.solid) with
+    | [], Some s -> of_solid s
+    | found, _ -> found
+  and of_solid (s : Ast.solid) =
+    match s.it with
+    | Scaled (s, _) -> of_solid s
+    | Template { qualifier = None; target; _ } when not (Hashtbl.mem seen target.it) ->
+      Hashtbl.add seen target.it ();
+      List.concat_map of_declared (Declared.find t.all.templates target.it)
+    | Template _ | Mesh _ | Faces _ | Hull _ -> []
+  in
+  List.concat_map of_declared within
 
 let in_some t within name () =
-  match List.concat_map (inside t 100 name) within with
+  match inside t within name with
   | [] -> None
   | found -> Some (Declared found)
 

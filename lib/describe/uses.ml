@@ -87,14 +87,20 @@ let channel_of t c how (ch : Ast.channel) =
 let opened (ch : Ast.channel) = if ch.co then As_co_name else As_name
 
 (* What becomes of the argument of a behaviour is told by what its argument is used for there. *)
-let rec use_of t fuel (k : Ast.name) i =
+let use_of t k i =
+  let seen = Hashtbl.create 8 in
   let of_formal (a : Ast.name) = Hashtbl.find_all t.arguments a.at.start in
-  let at_place formals = Option.fold ~none:[] ~some:of_formal (List.nth_opt formals i) in
-  let through = function
-    | To (k, i) -> if fuel > 0 then use_of t (fuel - 1) k i else None
+  let rec at_place (k : Ast.name) i =
+    let of_family formals = Option.fold ~none:[] ~some:of_formal (List.nth_opt formals i) in
+    List.find_map through (List.concat_map of_family (Hashtbl.find_all t.families k.it))
+  and through = function
+    | To (k, i) when Hashtbl.mem seen (k.it, i) -> None
+    | To (k, i) ->
+      Hashtbl.add seen (k.it, i) ();
+      at_place k i
     | (As_channel | As_feature | As_behaviour) as direct -> Some direct
   in
-  List.find_map through (List.concat_map at_place (Hashtbl.find_all t.families k.it))
+  at_place k i
 
 let passed t c (k : Ast.name) i (e : Ast.expr) =
   match e.it with
@@ -108,7 +114,7 @@ let passed t c (k : Ast.name) i (e : Ast.expr) =
         let feature () = Some (as_feature ()) in
         let channel () = if Hashtbl.mem t.channels name.it then Some Channel else None in
         let meaning () =
-          match use_of t 10 k i with
+          match use_of t k i with
           | Some As_channel -> Channel
           | Some As_feature -> as_feature ()
           | Some (As_behaviour | To _) | None ->

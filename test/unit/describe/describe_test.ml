@@ -268,6 +268,23 @@ let readable () =
   Alcotest.(check int) "of no text" 0 (items "model x \x00");
   Alcotest.(check int) "a loop is whole, or looked into" 2 (items "for i in 1..2 { let x = let y = 2 model m }")
 
+(* What leads back to itself, in several ways, is looked into once. *)
+let circles () =
+  let doubled =
+    {|shape A = A scaled (2,2,2)
+shape A = A scaled (3,3,3)
+behaviour F(x) = eps(1). F(x) + eps(2). F(x) + eps(3). F(x) + eps(4). F(x) + eps(5). F(x) + eps(6). F(x)
+               + eps(7). F(x) + eps(8). F(x)
+behaviour G on A = <a, {left}>. F(b)
+|}
+  in
+  let since = Sys.time () in
+  let find = find doubled in
+  let kind piece = Option.map (fun (d : Describe.t) -> d.kind) (find (place doubled piece)) in
+  Alcotest.(check (option string)) "of an image of itself" (Some "feature") (kind "left");
+  Alcotest.(check (option string)) "passed on for ever" (Some "feature") (kind "b)");
+  Alcotest.(check bool) "at once" true (Sys.time () -. since < 1.)
+
 (* {1 The vocabulary} *)
 
 let section_of_reference = "../../../specs/language.md"
@@ -345,7 +362,7 @@ let () =
     [
       ( "by hand",
         [ case "kinds" kinds; case "texts" texts; case "places" places; case "uses" uses ] );
-      ("faults", [ case "names" faults; case "readable" readable ]);
+      ("faults", [ case "names" faults; case "readable" readable; case "circles" circles ]);
       ("vocabulary", [ case "words" vocabulary ]);
       ("models", List.map (fun file -> case file (fun () -> every_byte file)) models);
     ]
