@@ -4,9 +4,9 @@
  * Numbers and formulas that somebody writes into a served page: asked along the run that is shown, and plotted beside those
  * of the document.
  *
- * @typedef {{ key: string, path: number[], through: number, parameters: { [name: string]: string } | null }} Asked
- *   What leads to a run: choices from the initial state, perhaps with other values of parameters; after the last of them,
- *   time alone passes until so many legs are taken.
+ * @typedef {{ key: string, path: number[], through: number, lasts: boolean, parameters: { [name: string]: string } | null }}
+ *   Asked  What leads to a run: choices from the initial state, perhaps with other values of parameters; after the last of
+ *   them, time alone passes until so many legs are taken, and `lasts` if any does.
  * @typedef {{ text: string, kind: "" | "number" | "state" | "temporal", known: Map<string, DataPiece[] | string>,
  *   asked: string, judged: Judged | null }} Formula  Its values along runs, or why there are none.
  * @typedef {{ run: PlayedRun, legs: number, text: string, facts: string[], choices: number[] }} Judged
@@ -94,16 +94,18 @@ const Formulas = (() => {
     let through = path.length;
     while (through < run.steps.length && data.labels[run.steps[through].label].duration) through++;
     const parameters = values ? { ...data.parameters, ...values } : null;
-    return { key: `${JSON.stringify(parameters)} ${path.map((choice) => `${choice}.`).join("")}`, path, through, parameters };
+    const lasts = run.steps.length > path.length || Rational.sign(Rational.of(run.rest)) > 0;
+    return { key: `${JSON.stringify(parameters)} ${path.map((choice) => `${choice}.`).join("")}`, path, through, lasts, parameters };
   }
 
   /**
-   * What was told of a formula along a way, or along one that goes on from it.
+   * What was told of a formula along a way, or along one that goes on from it: that tells what is so at each instant, and
+   * while time passes only of the states that both leave by the same choice.
    * @param {Formula} formula @param {Asked} asked
    */
   function told(formula, asked) {
     const exactly = formula.known.get(asked.key);
-    if (exactly !== undefined) return exactly;
+    if (exactly !== undefined || asked.lasts) return exactly;
     for (const [key, values] of formula.known)
       if (typeof values !== "string" && key.startsWith(asked.key)) return values;
     return undefined;

@@ -226,6 +226,20 @@ def verdicts(b, served, name):
     same('nothing is seen of work then', b.text('asking'), '')
 
 
+def parting(b, served):
+    """What is told of a way that leaves a state by an event says nothing of how time passes there in another run."""
+    name, _ = served.open(RAFTS + 'check half : possibly x(ball) = 7/6', 'all')
+    b.look(served, name)
+    half = b.js('return scc.runs().findIndex((run) => run.name === "half")')
+    b.js('scc.open(arguments[0]); scc.go(0); scc.choose(0)', half)
+    b.idle()
+    for text in ['x(ball)', 'x(ball) < 1']:
+        b.plot(text)
+    b.js('scc.open(arguments[0]); scc.seek("1/2")', half)
+    b.idle()
+    same('values while time passes', b.values(), {'x(ball)': '7/6', 'x(ball) < 1': '0'})
+
+
 def graph(b):
     """The drawing of states grows."""
     b.js('scc.open(0); scc.go(0)')
@@ -311,6 +325,8 @@ def main(program, folder):
         graph(b)
         hindrances(b)
         same('nothing is told to the console in all', b.complaints(), [])
+        parting(b, served)
+        b.look(served, name)
         endings(b, served, name, RAFTS)
     finally:
         b.quit()
