@@ -244,6 +244,20 @@ def checking(b):
     b.js('document.getElementById("which").value = ""')
 
 
+# Two views, one right after the other: which of them were shown, and after how many seconds that was known.
+TWO_VIEWS = '''
+const begun = performance.now(), show = () => Frames.show(desk.document(), "", null);
+return Promise.all([show(), show()]).then((shown) => [shown, (performance.now() - begun) / 1000]);'''
+
+
+def overtaking(b):
+    """A view that comes while another one is loaded takes its place at once."""
+    shown, seconds = b.js(TWO_VIEWS)
+    same('the newer one is shown', shown, [False, True])
+    check('nobody waits for the other one', seconds < 20, seconds)
+    same('one frame is left', len(b.all('iframe')), 1)
+
+
 def reloading(b):
     """A reload keeps what is not saved, the document that is shown, and where one is in it."""
     saved = read(b.path)
@@ -547,7 +561,7 @@ def main(scc, folder):
         for part in [words, typing, naming]:
             timed(part, b)
         timed(formatting, b, scc)
-        for part in [saving, checking, reloading, tabs, by_keys, sizes, offline, ended]:
+        for part in [saving, checking, overtaking, reloading, tabs, by_keys, sizes, offline, ended]:
             timed(part, b)
         b.end()
         timed(without_file, b, scc)

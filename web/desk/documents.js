@@ -99,6 +99,8 @@ const Documents = (() => {
       made.entered = true;
       await enter(made, body);
       if (making[made.kind] === made) making[made.kind] = null;
+      // Where a newer one took its place in the frame, nobody needs it.
+      discard(made);
       changed();
       return;
     }

@@ -14,6 +14,8 @@ const Frames = (() => {
   let seen = null;
   /** @type {HTMLIFrameElement | null} */
   let coming = null;
+  /** Gives up the one that is coming: a frame that is taken away tells nothing more. */
+  let giveUp = () => {};
   /** @type {((event: KeyboardEvent) => void)} */
   let pressed = () => {};
   /** @type {() => void} */
@@ -59,7 +61,7 @@ const Frames = (() => {
    * @returns {Promise<boolean>} false if it could not be
    */
   function show(id, address, run) {
-    if (coming) coming.remove();
+    giveUp();
     const frame = Dom.make("iframe", {
       title: "View of the model",
       class: "frame coming",
@@ -75,6 +77,9 @@ const Frames = (() => {
         if (!shown) frame.remove();
         if (coming === frame) coming = null;
         done(shown);
+      };
+      giveUp = () => {
+        if (coming === frame) end(false);
       };
       const late = window.setTimeout(() => end(false), patience);
       frame.addEventListener("load", () => {
