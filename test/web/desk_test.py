@@ -258,6 +258,22 @@ def overtaking(b):
     same('one frame is left', len(b.all('iframe')), 1)
 
 
+def whole(b):
+    """What is told of the model as a whole has no place in the text, and hinders nothing."""
+    text = b.text_of()
+    b.js('desk.set(arguments[0])', text + 'param free in [0, 1]\ncheck less : always x(tug) < free\n')
+    b.is_read()
+    b.wait('return !desk.state().older && desk.state().working === null', 15)
+    b.find('check').click()
+    check('that it cannot be checked is told', b.wait('return desk.diagnostics().some((one) => one.place === null)'), b.problems())
+    b.js('desk.set(arguments[0])', text + 'x')
+    check('nothing is waited for', b.wait('return desk.state().working === null'))
+    check('problems are told after it', b.wait('return desk.diagnostics().some((one) => one.severity === "error")'))
+    b.js('desk.set(arguments[0])', text)
+    b.is_read()
+    b.wait('return !desk.state().older && desk.state().working === null', 15)
+
+
 def reloading(b):
     """A reload keeps what is not saved, the document that is shown, and where one is in it."""
     saved = read(b.path)
@@ -561,7 +577,7 @@ def main(scc, folder):
         for part in [words, typing, naming]:
             timed(part, b)
         timed(formatting, b, scc)
-        for part in [saving, checking, overtaking, reloading, tabs, by_keys, sizes, offline, ended]:
+        for part in [saving, checking, overtaking, whole, reloading, tabs, by_keys, sizes, offline, ended]:
             timed(part, b)
         b.end()
         timed(without_file, b, scc)

@@ -3,8 +3,9 @@
 /**
  * @typedef {{offset: number, line: number, column: number}} Spot
  * @typedef {{file: string, start: Spot, end: Spot}} Place
- * @typedef {{code: string, severity: string, message: string, place: Place, notes: {message: string, place: Place}[],
- *            hint: string | null}} Diagnostic
+ * @typedef {{code: string, severity: string, message: string, place: Place | null,
+ *            notes: {message: string, place: Place | null}[], hint: string | null}} Diagnostic
+ *   Without a place it is about the model as a whole.
  * @typedef {{diagnostic: Diagnostic, from: number, to: number, here: boolean}} Problem
  */
 
@@ -48,14 +49,14 @@ const Problems = (() => {
   }
 
   /** @param {Diagnostic} d whether its place is in this text */
-  const isHere = (d) => d.place.file === "<model>" || d.place.file === Desk.file();
+  const isHere = ({ place }) => place !== null && (place.file === "<model>" || place.file === Desk.file());
 
   function unique() {
     /** @type {Map<string, Diagnostic>} */
     const known = new Map();
     for (const d of [...found.typed, ...found.made]) {
-      const file = isHere(d) ? "" : d.place.file;
-      const key = `${d.code} ${file} ${d.place.start.offset} ${d.message}`;
+      const at = d.place && `${isHere(d) ? "" : d.place.file} ${d.place.start.offset}`;
+      const key = `${d.code} ${at} ${d.message}`;
       if (!known.has(key)) known.set(key, d);
     }
     return [...known.values()];
@@ -66,7 +67,7 @@ const Problems = (() => {
     const diagnostics = unique();
     const places = Source.places(
       text,
-      diagnostics.flatMap((d) => [d.place.start.offset, d.place.end.offset]),
+      diagnostics.flatMap(({ place }) => (place ? [place.start.offset, place.end.offset] : [0, 0])),
     );
     all = diagnostics.map((diagnostic, k) => {
       const here = isHere(diagnostic);
@@ -115,7 +116,7 @@ const Problems = (() => {
   /** @param {Problem} problem */
   function row({ diagnostic: d, here }) {
     const error = d.severity === "error";
-    const at = `${d.place.start.line}:${d.place.start.column}`;
+    const at = d.place && `${d.place.start.line}:${d.place.start.column}`;
     const notes = d.notes.map((note) => Dom.make("div", { class: "quiet", dir: "auto", text: Dom.clip(note.message, 2000) }));
     return Dom.make("div", { class: "problem-row", "data-code": d.code, "data-severity": d.severity }, [
       Dom.make("span", { class: error ? "sign-error" : "sign-warning", "aria-hidden": "true", text: error ? "●" : "▲" }),
@@ -127,7 +128,7 @@ const Problems = (() => {
         ...notes,
         d.hint ? Dom.make("div", { class: "hint", dir: "auto", text: `Hint: ${Dom.clip(d.hint, 2000)}` }) : null,
       ]),
-      Dom.make("bdi", { class: "quiet where", text: here ? at : `${Dom.clip(d.place.file, 40)}:${at}` }),
+      d.place && Dom.make("bdi", { class: "quiet where", text: here ? at : `${Dom.clip(d.place.file, 40)}:${at}` }),
     ]);
   }
 
