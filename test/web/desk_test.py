@@ -154,6 +154,32 @@ def naming(b):
       return !tip.hidden && tip.textContent.includes("tug")'''), b.text('tip'))
 
 
+# Answers about names are late.
+LATE = '''
+const fetched = window.fetch;
+window.fetch = async (path, how) => {
+  if (String(how.body).includes("text.describe")) await new Promise((done) => setTimeout(done, 600));
+  return fetched(path, how);
+};'''
+
+
+def late(b):
+    """An answer about an earlier text is not told in this one, and leads nowhere."""
+    b.js(LATE)
+    text = b.text_of()
+    for what, key in [('a name', lambda: b.chord([Keys.ALT], 'h')), ('a declaration', lambda: b.keys(Keys.F12))]:
+        b.js('desk.set(arguments[0])', text)
+        b.at(text, 'Docked\n')
+        key()
+        b.js('desk.set("// one more line\\n" + desk.text())')
+        before = b.js('return desk.cursor()')
+        time.sleep(1.2)
+        check(f'{what} is not told', b.js('return document.getElementById("tip").hidden'), b.text('tip'))
+        same(f'the cursor stays, for {what}', b.js('return desk.cursor()'), before)
+    b.js('desk.set(arguments[0])', text)
+    b.is_read()
+
+
 def formatting(b, scc):
     """Formats as scc fmt does, keeps the cursor at its word, and can be undone."""
     untidy = b.text_of().replace('process tug  = Cube', 'process   tug=Cube').replace('[Ready]', '[ Ready ]')
@@ -574,7 +600,7 @@ def main(scc, folder):
     b = Desk(flags=WITHOUT_SCENES)  # which would take most of the time
     try:
         b.begin(scc, folder, 'docking.sc')
-        for part in [words, typing, naming]:
+        for part in [words, typing, naming, late]:
             timed(part, b)
         timed(formatting, b, scc)
         for part in [saving, checking, overtaking, whole, reloading, tabs, by_keys, sizes, offline, ended]:

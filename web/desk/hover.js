@@ -26,7 +26,12 @@ const Hover = (() => {
       timer = window.setTimeout(() => show(index, left, bottom, top), rest);
     });
     editor.jump(declaration);
-    editor.on("change", close);
+    editor.on("change", () => {
+      // What is asked about the text before has no place in this one.
+      window.clearTimeout(timer);
+      asked += 1;
+      close();
+    });
     editor.on("cursor", close);
     document.addEventListener("scroll", close, true);
     document.addEventListener("keydown", (event) => event.key === "Escape" && close(), true);
@@ -37,7 +42,7 @@ const Hover = (() => {
   }
 
   /**
-   * What stands there, or null.
+   * What stands there, or null; nothing where something else has been asked, or the text is another one.
    * @param {number} index
    */
   async function describe(index) {
@@ -53,13 +58,14 @@ const Hover = (() => {
       if (answer.error.code === -32601) offered = false;
       return null;
     }
-    return mine === asked ? answer.result.found : null;
+    return mine === asked ? answer.result.found : undefined;
   }
 
   /** @param {number} index @param {number} left @param {number} bottom @param {number} top */
   async function show(index, left, bottom, top) {
     const problems = Problems.at(index);
     const known = await describe(index);
+    if (known === undefined) return;
     // Where there is an error, that nobody declares the name is told by it.
     const found = known && known.kind === "name" && problems.length > 0 ? null : known;
     if (!found && problems.length === 0) return close();
@@ -109,6 +115,7 @@ const Hover = (() => {
   async function declaration(from) {
     const index = from === undefined ? editor.cursor() : from;
     const found = await describe(index);
+    if (found === undefined) return;
     if (!found || !found.declared)
       return Notices.say(found ? "It has no declaration in this text." : "Nothing is known of what stands here.");
     const [start, stop] = Source.places(editor.text(), [found.declared.start, found.declared.stop]);
