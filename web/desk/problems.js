@@ -18,6 +18,8 @@ const Problems = (() => {
   let list;
   /** @type {{[source: string]: Diagnostic[]}} */
   const found = { typed: [], made: [] };
+  /** The text of the document in which `made` were found: they say nothing of another one. */
+  let of = "";
   /** @type {Problem[]} */
   let all = [];
   /** @type {(() => {from: number, to: number} | null)[]} */
@@ -45,6 +47,7 @@ const Problems = (() => {
    */
   function set(source, diagnostics) {
     found[source] = diagnostics;
+    if (source === "made") of = editor.text();
     show();
   }
 
@@ -54,7 +57,7 @@ const Problems = (() => {
   function unique() {
     /** @type {Map<string, Diagnostic>} */
     const known = new Map();
-    for (const d of [...found.typed, ...found.made]) {
+    for (const d of editor.text() === of ? [...found.typed, ...found.made] : found.typed) {
       const at = d.place && `${isHere(d) ? "" : d.place.file} ${d.place.start.offset}`;
       const key = `${d.code} ${at} ${d.message}`;
       if (!known.has(key)) known.set(key, d);
