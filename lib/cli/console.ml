@@ -63,7 +63,11 @@ let to_stdout f =
        else output_failed "standard output" message)
 
 let print _ s = to_stdout (fun () -> print_string s)
-let flush _ = to_stdout (fun () -> Stdlib.flush stdout)
+(* Manuals are written by [Format]. *)
+let flush _ =
+  to_stdout (fun () ->
+      Format.print_flush ();
+      Stdlib.flush stdout)
 
 type style = Good | Bad | Doubtful | Strong | Faint
 

@@ -53,11 +53,10 @@ let main () =
     | Ok (`Version | `Help) -> Holds
     | Error (`Parse | `Term) -> Usage
     | Error `Exn -> Bug
-    | exception Sys_error _ ->
-      drop_manual ();
-      Holds
+    | exception Sys_error _ -> Holds
   in
   (* The manual may still wait in the buffer. *)
   let console = Console.make ~color:Never ~json:false () in
   let flushed = Guard.run console (fun () -> Console.flush console; Ok Holds) in
+  drop_manual ();
   Exit_code.to_int (Exit_code.worst [ code; flushed ])
