@@ -21,10 +21,13 @@ and cond =
   | Or of cond * cond
   | Not of cond
 
-type t = Inertial | Velocity of expr * expr * expr
-type fault = Division_by_zero | Bad_quantum | Too_long
+type vector = expr * expr * expr
+type kick = { velocity : vector; weight : expr }
+type t = Inertial | Velocity of vector | Choose of kick list
+type fault = Division_by_zero | Bad_quantum | Too_long | Negative_weight | No_weight | Too_many
 
 let longest = 1 lsl 24
+let most_outcomes = 1_000_000
 
 let compare_rationals comparison a b =
   let c = Rat.compare a b in
@@ -93,9 +96,12 @@ and cond_mentions test = function
   | And (a, b) | Or (a, b) -> cond_mentions test a || cond_mentions test b
   | Not c -> cond_mentions test c
 
+let vector_mentions test (a, b, c) = expr_mentions test a || expr_mentions test b || expr_mentions test c
+
 let mentions test = function
   | Inertial -> false
-  | Velocity (a, b, c) -> expr_mentions test a || expr_mentions test b || expr_mentions test c
+  | Velocity v -> vector_mentions test v
+  | Choose kicks -> List.exists (fun k -> vector_mentions test k.velocity || expr_mentions test k.weight) kicks
 
 let mentions_time =
   mentions (function
@@ -138,8 +144,20 @@ and equal_cond a b =
   | Not a, Not b -> equal_cond a b
   | (Bool _ | Compare _ | And _ | Or _ | Not _), _ -> false
 
+let equal_vector (a, b, c) (d, e, f) = equal_expr a d && equal_expr b e && equal_expr c f
+let equal_kick a b = equal_vector a.velocity b.velocity && equal_expr a.weight b.weight
+
 let equal a b =
   match (a, b) with
   | Inertial, Inertial -> true
-  | Velocity (a, b, c), Velocity (d, e, f) -> equal_expr a d && equal_expr b e && equal_expr c f
-  | (Inertial | Velocity _), _ -> false
+  | Velocity v, Velocity w -> equal_vector v w
+  | Choose kicks, Choose others -> List.equal equal_kick kicks others
+  | (Inertial | Velocity _ | Choose _), _ -> false
+
+let is_inertial = function
+  | Inertial -> true
+  | Velocity _ | Choose _ -> false
+
+let draws = function
+  | Choose _ -> true
+  | Inertial | Velocity _ -> false

@@ -26,21 +26,36 @@ and cond =
   | Or of cond * cond
   | Not of cond
 
+type vector = expr * expr * expr
+
+(** One of several velocities, and how much it counts among them. *)
+type kick = { velocity : vector; weight : expr }
+
 type t =
   | Inertial
-  | Velocity of expr * expr * expr  (** the new velocity *)
+  | Velocity of vector  (** the new velocity *)
+  | Choose of kick list  (** the new velocity is drawn, each with the share that its weight has in their sum *)
 
 type fault =
   | Division_by_zero
   | Bad_quantum  (** a quantum of [round] that is not positive *)
   | Too_long  (** a number of more than {!longest} bits on the way *)
+  | Negative_weight
+  | No_weight  (** the weights of all kicks are 0 *)
+  | Too_many
+  (** more than {!most_outcomes} pairs, of what some leaves of a process draw and what the next one does *)
 
 val longest : int
+val most_outcomes : int
 
 val compare_rationals : comparison -> Rat.t -> Rat.t -> bool
 val eval : (variable -> Rat.t) -> expr -> (Rat.t, fault) result
 
 val equal : t -> t -> bool
+val is_inertial : t -> bool
+
+val draws : t -> bool
+(** Whether it leaves the velocity to chance. *)
 
 val mentions_time : t -> bool
 (** Whether [Time] occurs. *)

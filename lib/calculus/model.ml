@@ -57,6 +57,7 @@ let keeps_beat m = m.steered && match m.steps with Steady -> true | Shared | Own
 let has_turns m = Option.is_some m.rigid || Option.is_some m.round_velocity
 let binds_on_contact m = match m.binding with On_contact -> true | On_collision -> false
 let closes_rings m = match m.bonds with Cyclic -> true | Acyclic -> false
+let draws m = Array.exists (fun l -> Law.draws l.law) m.leaves
 let straight m = not (m.steered || has_turns m)
 let absorbs m = Array.exists (fun (l : leaf) -> l.absorbs) m.leaves
 

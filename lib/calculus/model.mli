@@ -108,6 +108,9 @@ val binds_on_contact : t -> bool
 val closes_rings : t -> bool
 (** Bonds may close rings: {!Cyclic}. *)
 
+val draws : t -> bool
+(** Whether a law leaves velocities to chance (rule Draw). *)
+
 val straight : t -> bool
 (** Neither steered nor with turns: a process moves in a straight line, and has to do with nobody until it
     collides. *)

@@ -23,6 +23,7 @@ let equal_bond a b = compare_bond a b = 0
 let bond name a b = if compare_finish a b <= 0 then { name; one = a; two = b } else { name; one = b; two = a }
 
 type phase = Moving | Due | Steered
+type draw = Waits | Drawn of Vec.t
 
 type process = {
   leaves : leaf array;
@@ -34,6 +35,7 @@ type process = {
   kept : Vec.t;
   clock : Rat.t option;
   phase : phase option;
+  draw : draw option;
 }
 
 type step = { remaining : Rat.t; phase : phase }
@@ -49,14 +51,14 @@ let compare_leaf_index (a : leaf) (b : leaf) = Int.compare a.leaf b.leaf
 
 let no_turn = Some Rat.zero
 
-let process ?phase ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves ~bonds
-    ~velocity ~clock () =
+let process ?phase ?draw ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves
+    ~bonds ~velocity ~clock () =
   if List.length bonds < List.length leaves - 1 then
     Scc_base.Bug.fail __POS__ "a process that does not hang together";
   {
     leaves = sorted compare_leaf_index leaves;
     bonds = sorted compare_bond bonds;
-    velocity; spin; since; lasts; kept; clock; phase;
+    velocity; spin; since; lasts; kept; clock; phase; draw;
   }
 
 let map_leaves f p = { p with leaves = Array.map f p.leaves }
@@ -68,7 +70,8 @@ let renamed image (p : process) =
   process
     ~leaves:(List.map leaf (Array.to_list p.leaves))
     ~bonds:(List.map renamed_bond (Array.to_list p.bonds))
-    ?phase:p.phase ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
+    ?phase:p.phase ?draw:p.draw ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept
+    ~clock:p.clock ()
 
 let with_velocity velocity p = { p with velocity }
 let with_turn ~spin ~since ~lasts p = { p with spin; since; lasts }
@@ -76,6 +79,7 @@ let with_kept kept p = { p with kept }
 let with_clock clock p = { p with clock }
 let with_bond b p = { p with bonds = sorted compare_bond (b :: Array.to_list p.bonds) }
 let with_phase phase (p : process) = { p with phase }
+let with_draw draw p = { p with draw }
 let first p = p.leaves.(0).leaf
 
 let make ~processes ~step ~time =
@@ -176,6 +180,13 @@ let compare_arrays compare a b =
 let phase_rank = function Moving -> 0 | Due -> 1 | Steered -> 2
 let compare_phase a b = Int.compare (phase_rank a) (phase_rank b)
 
+let compare_draw a b =
+  match (a, b) with
+  | Waits, Waits -> 0
+  | Waits, Drawn _ -> -1
+  | Drawn _, Waits -> 1
+  | Drawn v, Drawn w -> Vec.compare v w
+
 let compare_process p q =
   if p == q then 0
   else
@@ -186,7 +197,9 @@ let compare_process p q =
             Vec.compare p.spin q.spin <?> fun () ->
               Rat.compare p.since q.since <?> fun () ->
                 Option.compare Rat.compare p.lasts q.lasts <?> fun () ->
-                  Vec.compare p.kept q.kept <?> fun () -> Option.compare compare_phase p.phase q.phase
+                  Vec.compare p.kept q.kept <?> fun () ->
+                    Option.compare compare_phase p.phase q.phase <?> fun () ->
+                      Option.compare compare_draw p.draw q.draw
 
 let equal_phase a b = Int.equal (phase_rank a) (phase_rank b)
 
@@ -212,7 +225,8 @@ let hash_process_from h p =
   let h = Array.fold_left hash_leaf h p.leaves in
   let h = Array.fold_left (fun h b -> mix h (hash_bond b)) h p.bonds in
   let spin = if Vec.is_zero p.spin then 0 else mix (Vec.hash p.spin) (Rat.hash p.since) in
-  mix (mix h (Vec.hash p.velocity)) (hash_option Rat.hash p.clock) lxor spin
+  let draw = match p.draw with None -> 0 | Some Waits -> 1 | Some (Drawn v) -> mix 2 (Vec.hash v) in
+  mix (mix h (Vec.hash p.velocity)) (hash_option Rat.hash p.clock) lxor spin lxor draw
 
 let hash_process p = hash_process_from 7 p land max_int
 let equal_process p q = compare_process p q = 0

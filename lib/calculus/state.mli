@@ -26,6 +26,11 @@ type phase =
   | Due  (** the step is over, and this instant has not been steered *)
   | Steered  (** this instant has been steered *)
 
+(** What chance has decided of a process whose law is asked (rule Draw). *)
+type draw =
+  | Waits  (** it has not drawn yet *)
+  | Drawn of Vec.t  (** the velocity that it will have when all have drawn *)
+
 type process = private {
   leaves : leaf array;  (** in order of [leaf]; not empty *)
   bonds : bond array;
@@ -43,6 +48,8 @@ type process = private {
       {!Model.Any_time}; [Some] iff a weak split is enabled *)
   phase : phase option;
   (** of what is steered, where processes have steps of their own ({!Model.of_each}); else [None] *)
+  draw : draw option;
+  (** of each process whose law is asked at this instant, while some of them waits to draw; else [None] *)
 }
 
 (** The movement step of the network, where it has one ({!Model.of_all}). *)
@@ -58,7 +65,7 @@ type t = private {
 }
 
 val process :
-  ?phase:phase -> ?spin:Vec.t -> ?since:Rat.t -> ?lasts:Rat.t option -> ?kept:Vec.t ->
+  ?phase:phase -> ?draw:draw -> ?spin:Vec.t -> ?since:Rat.t -> ?lasts:Rat.t option -> ?kept:Vec.t ->
   leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> unit -> process
 (** Canonical order. The bonds must join the leaves into one (a bug if they are too few for that). *)
 
@@ -74,6 +81,7 @@ val with_turn : spin:Vec.t -> since:Rat.t -> lasts:Rat.t option -> process -> pr
 val with_kept : Vec.t -> process -> process
 val with_clock : Rat.t option -> process -> process
 val with_phase : phase option -> process -> process
+val with_draw : draw option -> process -> process
 val with_bond : bond -> process -> process
 (** One more, between two of its leaves. *)
 

@@ -67,6 +67,7 @@ let leaves_of (label : Transition.label) =
   match label with
   | Bounce { firsts; _ } -> firsts
   | Absorb { first; absorber } -> [ first; absorber ]
+  | Draw { first; _ } -> [ first ]
   | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> List.concat_map ends (Transition.bonds label)
 
 module Leaves = Set.Make (Int)

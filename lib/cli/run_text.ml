@@ -43,6 +43,10 @@ let label ?(full = false) m : Transition.label -> string = function
     Printf.sprintf "%s and %s release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)
   | Strong_split [ ({ bond = b; _ } as r) ] ->
     Printf.sprintf "%s and %s react and release %s" (name m b.one.at) (name m b.two.at) (release ~full m r)
+  | Draw { first; velocity; chance } ->
+    let each (x, y, z) = String.concat ", " (List.map (number ~full) [ x; y; z ]) in
+    Printf.sprintf "%s draws the velocity (%s), with probability %s" (name m first)
+      (each (velocity.x, velocity.y, velocity.z)) (number ~full chance)
   | Strong_split releases ->
     Printf.sprintf "a reaction releases %s" (String.concat ", " (List.map (release ~full m) releases))
 

@@ -104,6 +104,7 @@ let kind : Transition.label -> Recorded.kind option = function
   | Absorb _ -> Some Absorb
   | Weak_split _ -> Some Weak
   | Strong_split _ -> Some Strong
+  | Draw _ -> Some Draw
 
 let ends (b : State.bond) = [ b.one; b.two ]
 
@@ -133,6 +134,7 @@ let same_bodies t s e (label : Transition.label) =
   | Time _ -> false
   | Bounce { firsts; _ } -> between s mine firsts
   | Absorb { first; absorber } -> between s mine [ first; absorber ]
+  | Draw { first; _ } -> between s mine [ first ]
   | Bind b when e.kind = Bounce || e.kind = Absorb -> between s mine [ b.one.at; b.two.at ]
   | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
     let finishes = List.concat_map ends (Transition.bonds label) in
@@ -162,7 +164,7 @@ let same_features t (e : Recorded.event) label =
   same_bonds t e label
   &&
   match e.kind with
-  | Bounce | Absorb -> true
+  | Bounce | Absorb | Draw -> true
   | Bind | Close | Weak -> within e.features theirs
   | Strong -> e.features = [] || List.equal String.equal e.features theirs
 
@@ -171,13 +173,21 @@ let common_body t s e label =
     match (label : Transition.label) with
     | Bounce { firsts; _ } -> firsts
     | Absorb { first; absorber } -> [ first; absorber ]
+    | Draw { first; _ } -> [ first ]
     | _ ->
       let finishes = List.concat_map ends (Transition.bonds label) in
       List.filter_map (fun (f : State.finish) -> first_of s f.at) finishes
   in
   List.exists (fun p -> List.mem p theirs) (processes_of t s e)
 
-type nearness = Same | Other_features | Other_channel | Other_kind | Other_partner | Unlike
+let same_velocity t (e : Recorded.event) label =
+  match (e.velocity, (label : Transition.label)) with
+  | Some told, Draw { velocity; _ } ->
+    let off x y = Rat.compare (Rat.abs (Rat.sub x y)) t.tolerance > 0 in
+    not (off told.x velocity.x || off told.y velocity.y || off told.z velocity.z)
+  | _ -> true
+
+type nearness = Same | Other_velocity | Other_features | Other_channel | Other_kind | Other_partner | Unlike
 
 let nearness t s (e : Recorded.event) label =
   match kind label with
@@ -186,6 +196,7 @@ let nearness t s (e : Recorded.event) label =
     let same_kind = k = e.kind in
     if same_bodies t s e label then
       if not same_kind then Other_kind
+      else if not (same_velocity t e label) then Other_velocity
       else if not (same_channels e label) then Other_channel
       else if same_features t e label then Same
       else Other_features

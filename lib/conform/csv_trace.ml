@@ -58,9 +58,18 @@ let untold row allowed =
   | None -> Ok ()
   | Some c -> Error (malformed row.at "a row `%s` has nothing in the column `%s`" (row.get "event") c)
 
+(* All three, or none. *)
+let drawn row =
+  let* x, x_float = number row "vx" in
+  let* y, y_float = number row "vy" in
+  let* z, z_float = number row "vz" in
+  Ok (Some (Scc_exact.Vec.make x y z), x_float || y_float || z_float)
+
 let event row kind =
-  let of_bonds = match kind with Bounce | Absorb -> false | Bind | Close | Weak | Strong -> true in
-  let allowed = [ "time"; "event"; "bodies" ] @ if of_bonds then [ "channel"; "features" ] else [] in
+  let of_bonds = match kind with Bounce | Absorb | Draw -> false | Bind | Close | Weak | Strong -> true in
+  let velocity = [ "vx"; "vy"; "vz" ] in
+  let of_kind = if of_bonds then [ "channel"; "features" ] else if kind = Draw then velocity else [] in
+  let allowed = [ "time"; "event"; "bodies" ] @ of_kind in
   let* () = untold row allowed in
   let bodies = words ~spaces:true (row.get "bodies") in
   let features = sort (List.map normal (words ~spaces:false (row.get "features"))) in
@@ -74,9 +83,12 @@ let event row kind =
     | (Bind | Close | Weak) when count <> 2 && not (count = 0 && features <> []) ->
       Error (malformed row.at "a row `%s` is of two bodies, not of %d" (kind_name kind) count)
     | Strong when count = 0 && features = [] -> Error (malformed row.at "a row `strong` names no bodies")
-    | Bounce | Absorb | Bind | Close | Weak | Strong -> Ok ()
+    | Draw when count <> 1 -> Error (malformed row.at "a row `draw` is of one body, not of %d" count)
+    | Bounce | Absorb | Bind | Close | Weak | Strong | Draw -> Ok ()
   in
-  Ok (Event { kind; channels; bodies; features; together = [] }, false)
+  let told = List.exists (fun c -> row.get c <> "") velocity in
+  let* velocity, inexact = if told then drawn row else Ok (None, false) in
+  Ok (Event { kind; channels; bodies; features; together = []; velocity }, inexact)
 
 let state row =
   let* () = untold row [ "time"; "event"; "bodies"; "x"; "y"; "z"; "vx"; "vy"; "vz"; "behaviour" ] in
@@ -122,7 +134,9 @@ let item row =
         | None ->
           Error
             (malformed row.at
-               "`%s` is none of bind, bounce, weak, strong, state, time, end, quiescent and stuck" name))
+               "`%s` is none of bind, close, bounce, absorb, weak, strong, draw, state, time, end, quiescent and \
+                stuck"
+               name))
   in
   Ok ({ line = row.line; at = row.at; time; what; choice = None }, time_float || inexact)
 

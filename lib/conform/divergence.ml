@@ -62,12 +62,14 @@ let when_rules against : Transition.label -> string list = function
   | Time _ -> [ "Time" ]
   | Weak_split _ -> [ "WeakSplit"; "I-9" ]
   | Strong_split _ -> [ "StrongSplit"; "TimeBehaviour" ]
+  | Draw _ -> [ "Draw"; "Steer" ]
   | Close _ -> [ "Close"; "TimeBehaviour" ]
   | Bind _ | Bounce _ | Absorb _ -> if rigid against then [ "Cast"; "Collision" ] else [ "Ftoc"; "Collision" ]
 
 let urgency : Transition.label -> string list * string = function
   | Strong_split _ -> ([ "StrongSplit"; "Time" ], "a strong split that is enabled is urgent")
   | Close _ -> ([ "Close"; "Time" ], "a bond that two leaves of one process can make is urgent")
+  | Draw _ -> ([ "Draw"; "Time" ], "no time passes while a velocity has to be drawn")
   | Bind _ | Bounce _ | Absorb _ -> ([ "Collision"; "Time" ], "no time passes while bodies collide")
   | Weak_split _ | Time _ -> ([ "Time" ], "time cannot pass")
 
@@ -78,6 +80,7 @@ let kind_rules : Recorded.kind -> string list = function
   | Absorb -> [ "Absorb"; "Collision" ]
   | Weak -> [ "WeakSplit"; "I-9" ]
   | Strong -> [ "StrongSplit" ]
+  | Draw -> [ "Draw" ]
 
 (* {1 Events that do not fit} *)
 
@@ -151,6 +154,7 @@ let substitute against item e options =
   let own = kind_rules e.kind in
   first_some
     [
+      of_kind Against.Other_velocity Wrong_velocity own (fun _ -> ", of another velocity");
       of_kind Against.Other_features Wrong_features own
         (fun _ -> ", by other features");
       of_kind Against.Other_channel Wrong_channel own (fun _ -> ", by another channel");
@@ -158,14 +162,14 @@ let substitute against item e options =
         (match e.Recorded.kind with
          | Bind | Bounce -> [ "Bind"; "Bounce" ]
          | Absorb -> [ "Absorb"; "Bind"; "Bounce" ]
-         | Close | Weak | Strong -> own)
+         | Close | Weak | Strong | Draw -> own)
         (fun o ->
            match (e.kind, o.Prospect.taken.label) with
            | Bounce, Absorb _ -> ": what hits a body that absorbs never bounces"
            | Bounce, _ -> ": a collision with a candidate never bounces"
            | Bind, Close _ -> ": the two are of one process already"
            | Bind, _ -> ": the collision has no such candidate"
-           | (Absorb | Close | Weak | Strong), _ -> "");
+           | (Absorb | Close | Weak | Strong | Draw), _ -> "");
       of_kind Against.Other_partner Wrong_partner own
         (fun _ -> ", of other bodies");
     ]

@@ -47,4 +47,4 @@ type t = {
 val most_allowed : int
 
 val find :
-  Against.t -> Recorded.t -> observed:(string -> bool) -> Search.dead_end -> t
+  Against.t -> Recorded.t -> observed:(Scc_semantics.Transition.label -> bool) -> Search.dead_end -> t

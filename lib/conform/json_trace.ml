@@ -39,6 +39,12 @@ let texts c what json = all c what (fun c j -> text c what j) json
 
 (* {1 Labels} *)
 
+let vector c what json =
+  let* numbers = all c what (fun c j -> rational c what j) json in
+  match numbers with
+  | [ x; y; z ] -> Ok (Vec.make x y z)
+  | _ -> wrong c "`%s` has three coordinates" what
+
 let bond_ends c json =
   let* ends = texts c "ends" json in
   if List.length ends = 2 then Ok ends else wrong c "`ends` are two"
@@ -56,15 +62,19 @@ let label c json =
   let bodies = Option.value between ~default:[] @ Option.value listed ~default:[] in
   match (kind, kind_of_name kind) with
   | "time", _ -> Ok None
-  | _, None -> wrong c "`%s` is none of time, bind, close, bounce, absorb, weak and strong" kind
+  | _, None -> wrong c "`%s` is none of time, bind, close, bounce, absorb, weak, strong and draw" kind
   | _, Some Bounce ->
     if List.length bodies >= 2 then
-      Ok (Some { kind = Bounce; channels = []; bodies; features = []; together = [] })
+      Ok (Some { kind = Bounce; channels = []; bodies; features = []; together = []; velocity = None })
     else wrong c "a bounce is of two bodies or more, `between`"
   | _, Some Absorb ->
     if List.length bodies = 2 then
-      Ok (Some { kind = Absorb; channels = []; bodies; features = []; together = [] })
+      Ok (Some { kind = Absorb; channels = []; bodies; features = []; together = []; velocity = None })
     else wrong c "an absorption is of two bodies, `between`: who is gone and who took it"
+  | _, Some Draw ->
+    let* process = required c json "process" (text c "process") in
+    let* velocity = optional json "velocity" (vector c "velocity") in
+    Ok (Some { kind = Draw; channels = []; bodies = [ process ]; features = []; together = []; velocity })
   | _, Some kind ->
     let* own = bond c json in
     let* more = match Json.member "bonds" json with None -> Ok [] | Some l -> all c "bonds" bond l in
@@ -77,15 +87,13 @@ let label c json =
     in
     let together = sort (List.filter_map told bonds) in
     if bodies = [] && features = [] then wrong c "neither `ends` nor `bodies` tell what takes part"
-    else Ok (Some { kind; channels; bodies; features; together })
+    else Ok (Some { kind; channels; bodies; features; together; velocity = None })
 
 (* {1 States} *)
 
 let axes c what quantity json =
-  let* numbers = all c what (fun c j -> rational c what j) json in
-  match numbers with
-  | [ x; y; z ] -> Ok [ (quantity 0, x); (quantity 1, y); (quantity 2, z) ]
-  | _ -> wrong c "`%s` has three coordinates" what
+  let* v = vector c what json in
+  Ok [ (quantity 0, v.x); (quantity 1, v.y); (quantity 2, v.z) ]
 
 let quaternion c json =
   let* numbers = all c "turned" (fun c j -> rational c "turned" j) json in

@@ -17,7 +17,7 @@ let until against ~observed ~past (h : Search.hypothesis) =
     match Network.successors (Against.semantics against) at with
     | Error _ -> []
     | Ok transitions ->
-      let seen (x : Transition.t) = observed (Transition.label_to_string (Against.model against) x.label) in
+      let seen (x : Transition.t) = observed x.label in
       List.filter seen (events transitions) |> List.map (fun taken -> { at; time; taken; from = h })
   in
   let over time = match past with None -> true | Some past -> Rat.compare time past > 0 in
@@ -42,7 +42,7 @@ let distinct options =
 let most_options = 500
 
 let find against ~observed ~past (dead : Search.dead_end) =
-  let seen (p : Search.possible) = observed (Transition.label_to_string (Against.model against) p.taken.label) in
+  let seen (p : Search.possible) = observed p.taken.label in
   let here =
     List.filter seen dead.possible
     |> List.filteri (fun i _ -> i < most_options)

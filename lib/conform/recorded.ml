@@ -1,7 +1,7 @@
 open Scc_base
 open Scc_exact
 
-type kind = Bind | Close | Bounce | Absorb | Weak | Strong
+type kind = Bind | Close | Bounce | Absorb | Weak | Strong | Draw
 
 type event = {
   kind : kind;
@@ -9,6 +9,7 @@ type event = {
   bodies : string list;
   together : string list;
   features : string list;
+  velocity : Vec.t option;
 }
 
 type quantity = Position of int | Velocity of int | Spin of int
@@ -46,9 +47,13 @@ type t = {
 let events t =
   Array.fold_left (fun n i -> match i.what with Event _ -> n + 1 | _ -> n) 0 t.items
 
+let tells_draws t =
+  Array.exists (fun i -> match i.what with Event { kind = Draw; _ } -> true | _ -> false) t.items
+
 let kinds =
   [
     ("bind", Bind); ("close", Close); ("bounce", Bounce); ("absorb", Absorb); ("weak", Weak); ("strong", Strong);
+    ("draw", Draw);
   ]
 let kind_of_name name = List.assoc_opt name kinds
 let kind_name kind = fst (List.find (fun (_, k) -> k = kind) kinds)
@@ -73,7 +78,8 @@ let event_text e =
     | _, [] -> e.channels @ e.bodies
     | _, features -> e.channels @ features
   in
-  Printf.sprintf "%s(%s)" (kind_name e.kind) (String.concat ", " parts)
+  let drawn = match e.velocity with Some v -> [ Vec.to_string v ] | None -> [] in
+  Printf.sprintf "%s(%s)" (kind_name e.kind) (String.concat ", " (parts @ drawn))
 
 let axis prefix i = prefix ^ String.make 1 "xyz".[i]
 

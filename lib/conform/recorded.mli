@@ -5,7 +5,7 @@ open Scc_base
 open Scc_exact
 open Scc_exchange
 
-type kind = Bind | Close | Bounce | Absorb | Weak | Strong
+type kind = Bind | Close | Bounce | Absorb | Weak | Strong | Draw
 
 (** An event. What is an empty list was not told, and fits anything. *)
 type event = {
@@ -15,6 +15,7 @@ type event = {
   together : string list;
   (** bonds whose ends are told together, as {!bond_text}, sorted; with the name [""] where it is not told *)
   features : string list;  (** ends of the bonds as ["p.right"], {!normal} and sorted *)
+  velocity : Vec.t option;  (** what was drawn *)
 }
 
 (** What a number of a body is. *)
@@ -74,6 +75,10 @@ type t = {
 }
 
 val events : t -> int
+
+val tells_draws : t -> bool
+(** Whether any draw is among them. Else draws were not recorded, and may have happened at any time. *)
+
 val kind_name : kind -> string
 val kind_of_name : string -> kind option
 

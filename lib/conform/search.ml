@@ -60,7 +60,7 @@ type t = {
   against : Against.t;
   items : Recorded.item array;
   latest : Rat.t array;  (* the latest time up to each item, from 0 *)
-  observed : string -> bool;
+  observed : Transition.label -> bool;
   limits : limits;
 }
 
@@ -145,8 +145,7 @@ let event t layer h index (taken : Transition.t) =
        let deviation = Against.later h.deviation (off_time h t.items.(item)) in
        push layer.onward layer.onward_known (met h ~firsts { target with deviation } item))
     (fitting t h taken.label);
-  let text = Transition.label_to_string (Against.model t.against) taken.label in
-  if not (t.observed text) then push layer.queue layer.known target
+  if not (t.observed taken.label) then push layer.queue layer.known target
 
 (* {2 Time} *)
 

@@ -56,10 +56,10 @@ val run :
   Against.t ->
   Recorded.t ->
   State.t ->
-  observed:(string -> bool) ->
+  observed:(Transition.label -> bool) ->
   limits ->
   (outcome, Transition.fault) result
-(** From the declared state. [observed] is asked for the texts of labels. *)
+(** From the declared state. [observed] tells which events have to be recorded. *)
 
 val urgent : Transition.t -> bool
 (** A collision or a strong split: no time passes while there is one. *)

@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_calculus
+open Scc_semantics
 
 type answer =
   | Conforms of {
@@ -22,8 +23,17 @@ let tolerance (m : Model.t) (trace : Recorded.t) asked =
         refuse at "the tolerance is less than the resolution of the model, %s" (Rat.to_string resolution)
       | _, _ -> Ok t)
 
+(* Draws are seen by their results; who records none of them is not asked for them. *)
+let is_recorded model trace ~observed =
+  let tells_draws = Recorded.tells_draws trace in
+  fun (label : Transition.label) ->
+    match label with
+    | Draw _ when not tells_draws -> false
+    | label -> observed (Transition.label_to_string model label)
+
 let check semantics declared trace ~tolerance ~observed limits =
   let against = Against.make semantics ~tolerance in
+  let observed = is_recorded (Against.model against) trace ~observed in
   match Against.names against trace with
   | _ :: _ as faults -> Error (`Invalid faults)
   | [] -> (

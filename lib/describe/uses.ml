@@ -218,15 +218,24 @@ let process t c (s : Ast.segment) one rest =
   in
   List.iter next rest
 
+(* What is within, where its variable is known. *)
+let range t c (r : Ast.range) =
+  let d = index r.index ~start:r.index.at.start r.bounds in
+  let inner = bind c d in
+  known t r.index (Declared [ d ]);
+  bounds t c r.bounds inner;
+  inner
+
 let law t c (l : Ast.law) =
   let c = { c with law = true } in
   match l.it with
   | Inertial -> ()
   | Expression v -> expr t c v
   | Choose kicks ->
-    let kick (v, weight) =
-      expr t c v;
-      Option.iter (expr t c) weight
+    let kick (k : Ast.kick) =
+      let c = List.fold_left (range t) c k.over in
+      expr t c k.velocity;
+      Option.iter (expr t c) k.weight
     in
     List.iter kick kicks
 
@@ -296,14 +305,7 @@ and plain t c (i : Ast.item) =
   | Process (s, one, rest) | Fixed (s, one, rest) -> process t c s one rest
   | Bond b -> bond t c b
   | For (ranges, items) ->
-    let range c (r : Ast.range) =
-      let d = index r.index ~start:r.index.at.start r.bounds in
-      let inner = bind c d in
-      known t r.index (Declared [ d ]);
-      bounds t c r.bounds inner;
-      inner
-    in
-    ignore (List.fold_left (item t) (List.fold_left range c ranges) items)
+    ignore (List.fold_left (item t) (List.fold_left (range t) c ranges) items)
   | Network paths -> List.iter (path t c Body) paths
   | Motion (of_whom, l) ->
     Option.iter (path t c Body) of_whom;

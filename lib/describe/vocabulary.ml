@@ -220,6 +220,8 @@ let law =
     ("mass", "the process's own mass");
     ("time", "model time since the start");
     ("dt", "the time since the last update of this law");
+    ("diffuse", "a law of motion: `diffuse(d)` kicks a body as diffusion with the constant d does; \
+                 `diffuse(d, v)` with the drift v besides, `diffuse(d, v, h)` by kicks of the length h");
   ]
 
 let events =

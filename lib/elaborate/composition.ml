@@ -123,8 +123,8 @@ let read_general report general (m : Program.motion) law =
     general
   | None -> Some (law, m.at)
 
-let read_motion report budget (bodies : Bodies.t) laws general (m : Program.motion) =
-  let law = Laws.law report budget m.env m.law in
+let read_motion report budget ~timestep (bodies : Bodies.t) laws general (m : Program.motion) =
+  let law = Laws.law report budget ~timestep m.env m.law in
   match (m.target, law) with
   | None, None -> general
   | None, Some law -> read_general report general m law
@@ -142,7 +142,8 @@ let read_motion report budget (bodies : Bodies.t) laws general (m : Program.moti
 let read_laws report (program : Program.t) (bodies : Bodies.t) =
   let budget = Typed.budget () in
   let laws = Array.make (Array.length bodies.leaves) None in
-  let general = List.fold_left (read_motion report budget bodies laws) None program.motions in
+  let read = read_motion report budget ~timestep:program.timestep bodies laws in
+  let general = List.fold_left read None program.motions in
   let law i =
     match (laws.(i), general) with
     | Some a, _ -> (a.law, a.at)

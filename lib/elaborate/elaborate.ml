@@ -54,10 +54,7 @@ let templates (c : Context.t) (program : Program.t) =
   in
   List.filter_map basic program.shapes
 
-let is_steered (l : Model.leaf) =
-  match l.law with
-  | Inertial -> false
-  | Velocity _ -> not l.fixed
+let is_steered (l : Model.leaf) = not (l.fixed || Law.is_inertial l.law)
 
 (* Everything is in order. *)
 let build (c : Context.t) (program : Program.t) bodies composition joints initial definitions checks premises =

@@ -29,32 +29,8 @@ let disjunction formulas =
   | Some ps -> Property.State (Or ps)
   | None -> Temporal_or formulas
 
-(* The integers of a range, in order. *)
-let numbers t env (v : Ast.name) (r : Ast.bounds) =
-  let integer = Constant.integer t.c.report env "the bound of a range" in
-  let* low, high = Typed.both (integer r.low) (integer r.high) in
-  if Z.compare (Z.sub high low) (Z.of_int Limits.items) > 0 then begin
-    error t Code.too_deep r.high.at "this range has more than %d numbers" Limits.items;
-    None
-  end
-  else
-    let rec from i found =
-      if Z.compare i high > 0 then Some (List.rev found)
-      else
-        let value = Env.Number (Rat.make i Z.one) in
-        let admitted =
-          match r.filter with
-          | None -> Some true
-          | Some c ->
-            Constant.truth t.c.report (Env.add v.it { Env.value; span = v.at; used = false } env) c
-        in
-        let* admitted = admitted in
-        from (Z.succ i) (if admitted then value :: found else found)
-    in
-    from low []
-
 let members t env v = function
-  | Ast.Numbers r -> numbers t env v r
+  | Ast.Numbers r -> Indices.numbers t.c.report env v r
   | Ast.Bodies e ->
     let* leaves = range t env e in
     Some (List.filter_map (fun i -> if i >= 0 then Some (Env.Leaf i) else None) leaves)

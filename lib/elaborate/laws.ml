@@ -17,6 +17,8 @@ let variables : (string * Law.variable) list =
   ]
 
 let words = List.map fst variables
+let diffuse = "diffuse"
+let functions = [ diffuse ]
 
 module Algebra = struct
   type context = { report : Report.t; budget : Typed.budget }
@@ -93,8 +95,12 @@ module Algebra = struct
     | Apply ({ it = "round"; _ }, _) ->
       Report.error c.report Code.bad_arity e.at "`round` takes two arguments, a number and a quantum";
       None
+    | Apply ({ it; at }, _) when String.equal it diffuse ->
+      Report.error c.report Code.type_mismatch at "`diffuse` is a whole law, and cannot stand within one"
+        ~hint:"its second argument is a drift, as in `diffuse(1, (vx, vy, vz)/2)`";
+      None
     | Apply (f, _) when not (List.mem f.it Constant.of_state) ->
-      Typed.unknown_function c.report f ("round" :: Typed.functions);
+      Typed.unknown_function c.report f (("round" :: functions) @ Typed.functions);
       None
     | _ ->
       Report.error c.report Code.type_mismatch e.at "this cannot stand in a law of motion"
@@ -123,17 +129,119 @@ let speaks_of_a_law env e =
        | _ -> false)
     e
 
-let law report budget env (l : Ast.law) =
+let vector c env (v : Ast.expr) =
+  match v.it with
+  | Vector (x, y, z) -> (
+      match (Eval.num c env x, Eval.num c env y, Eval.num c env z) with
+      | Some x, Some y, Some z -> Some (x, y, z)
+      | _ -> None)
+  | _ -> Eval.vec c env v
+
+(* What is known now of a weight; the rest is seen when it is drawn by. *)
+let weight c env (e : Ast.expr option) =
+  match e with
+  | None -> Some (Law.Const Rat.one)
+  | Some e -> (
+      match Eval.num c env e with
+      | Some (Law.Const w) when Rat.sign w < 0 ->
+        Report.error c.Algebra.report Code.bad_law e.at "a weight of %s, which is negative" (Rat.to_string w);
+        None
+      | weight -> weight)
+
+let rec all_known acc = function
+  | [] -> Some (List.rev acc)
+  | Some x :: rest -> all_known (x :: acc) rest
+  | None :: _ -> None
+
+let kick c env (k : Ast.kick) =
+  let one env =
+    match (vector c env k.velocity, weight c env k.weight) with
+    | Some velocity, Some weight -> Some { Law.velocity; weight }
+    | _ -> None
+  in
+  Option.bind (Indices.scopes c.Algebra.report env k.over) (fun scopes -> all_known [] (List.map one scopes))
+
+let is_nothing (k : Law.kick) = match k.weight with Const w -> Rat.sign w = 0 | _ -> false
+
+(* {1 Diffusion} *)
+
+let known c at (e : Law.expr) =
+  match e with
+  | Const q -> Some q
+  | _ ->
+    Report.error c.Algebra.report Code.bad_law at
+      "`diffuse` takes known numbers: what depends on the state is drift";
+    None
+
+let not_negative c at q =
+  if Rat.sign q >= 0 then Some q
+  else begin
+    Report.error c.Algebra.report Code.bad_law at "a diffusion constant of %s, which is negative"
+      (Rat.to_string q);
+    None
+  end
+
+(* One for all directions, or one for each axis. *)
+let constants c env (e : Ast.expr) =
+  let constant x = Option.bind (known c e.at x) (not_negative c e.at) in
+  match Eval.eval c env e with
+  | Some (Typed.Num d) -> Option.map (fun d -> Vec.make d d d) (constant d)
+  | Some (Typed.Vec (x, y, z)) -> (
+      match (constant x, constant y, constant z) with
+      | Some x, Some y, Some z -> Some (Vec.make x y z)
+      | _ -> None)
+  | Some (Typed.Cond _) ->
+    Report.error c.report Code.type_mismatch e.at "a diffusion constant is a number, or a vector of three";
+    None
+  | None -> None
+
+let length c env (e : Ast.expr) =
+  match Option.bind (Eval.num c env e) (known c e.at) with
+  | Some h when Rat.sign h <= 0 ->
+    Report.error c.Algebra.report Code.bad_law e.at "a kick of %s, which is not positive" (Rat.to_string h);
+    None
+  | h -> h
+
+let diffusion c ~timestep env at args =
+  let at_rest = Law.(Const Rat.zero, Const Rat.zero, Const Rat.zero) in
+  let read d drift kick =
+    match (constants c env d, drift, kick) with
+    | Some d, Some drift, Some kick -> (
+        let kick = match kick with Some h -> h | None -> Diffusion.least_kick ~timestep d in
+        match Diffusion.kicks ~timestep ~drift ~kick d with
+        | Ok kicks -> Some (Law.Choose kicks)
+        | Error least ->
+          Report.error c.Algebra.report Code.bad_law at
+            "kicks of %s are too short to diffuse so fast: their square is less than %s, which is 2 d times the \
+             timestep, of all axes together"
+            (Rat.to_string kick) (Rat.to_string least);
+          None)
+    | _ -> None
+  in
+  match args with
+  | [ d ] -> read d (Some at_rest) (Some None)
+  | [ d; v ] -> read d (vector c env v) (Some None)
+  | [ d; v; h ] -> read d (vector c env v) (Option.map Option.some (length c env h))
+  | _ ->
+    Report.error c.report Code.bad_arity at
+      "`diffuse` takes a diffusion constant, and then a drift and the length of a kick, if they are to be said";
+    None
+
+let law report budget ~timestep env (l : Ast.law) =
+  let c = { Algebra.report; budget } in
   match l.it with
   | Inertial -> Some Law.Inertial
-  | Choose _ ->
-    Report.error report Code.not_yet l.at "`choose` is not supported yet"
-      ~hint:"this version executes `inertial` and laws given by expressions";
-    None
-  | Expression { it = Vector (x, y, z); _ } -> (
-      let num = Eval.num { Algebra.report; budget } env in
-      match (num x, num y, num z) with
-      | Some x, Some y, Some z -> Some (Law.Velocity (x, y, z))
-      | _ -> None)
-  | Expression v ->
-    Eval.vec { Algebra.report; budget } env v |> Option.map (fun (x, y, z) -> Law.Velocity (x, y, z))
+  | Expression { it = Apply ({ it = f; _ }, args); at } when String.equal f diffuse ->
+    diffusion c ~timestep env at args
+  | Expression v -> Option.map (fun v -> Law.Velocity v) (vector c env v)
+  | Choose kicks -> (
+      match all_known [] (List.map (kick c env) kicks) with
+      | None -> None
+      | Some kicks ->
+        let kicks = List.concat kicks in
+        if not (List.for_all is_nothing kicks) then Some (Law.Choose kicks)
+        else begin
+          Report.error report Code.bad_law l.at
+            "the weights of all velocities are 0, or there is none: there is nothing to choose";
+          None
+        end)

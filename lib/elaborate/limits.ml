@@ -92,11 +92,17 @@ let solid_children (s : Ast.solid) =
   | Scaled (s, v) -> Solid s :: vector v
   | Faces (vertices, _) | Hull vertices -> List.concat_map (fun (_, v) -> vector v) vertices
 
+let range (r : Ast.range) = bounds r.bounds
+
 let law (l : Ast.law) =
   match l.it with
   | Inertial -> []
   | Expression v -> vector v
-  | Choose cases -> List.concat_map (fun (v, w) -> vector v @ Long_list.map expr (Option.to_list w)) cases
+  | Choose kicks ->
+    let kick (k : Ast.kick) =
+      List.concat_map range k.over @ vector k.velocity @ Long_list.map expr (Option.to_list k.weight)
+    in
+    List.concat_map kick kicks
 
 let part (p : Ast.part) = Solid p.part_solid :: List.concat_map attribute p.part_attributes
 let glue (g : Ast.glue) = feature g.glue_first @ feature g.glue_second
@@ -117,7 +123,7 @@ let item_children (i : Ast.item) =
   | Bond b -> bond b
   | For (ranges, items) ->
     Long_list.append
-      (List.concat_map (fun (r : Ast.range) -> bounds r.bounds) ranges)
+      (List.concat_map range ranges)
       (Long_list.map (fun i -> Item i) items)
   | Network ps -> List.concat_map path ps
   | Motion (p, l) -> List.concat_map path (Option.to_list p) @ law l

@@ -9,7 +9,7 @@ let write (e : Exported.t) mdp put =
   let line fmt = Printf.ksprintf (fun s -> put (s ^ "\n")) fmt in
   let l = Mdp.labelling mdp in
   (* The format has no declarations, and Storm does not know labels that hold nowhere. *)
-  let occurs = Mdp.occurs mdp in
+  let occurs = Mdp.occurs mdp and draws = Scc_calculus.Model.draws e.loaded.model in
   List.iter (comment put) (Exported.summary e);
   List.iter (comment put) (Exported.label_notes l);
   Array.iter
@@ -19,7 +19,7 @@ let write (e : Exported.t) mdp put =
   List.iter
     (fun (c : Property.check) ->
        let asked =
-         match Pctl.formula ~occurs (Labelling.predicates l) c.formula with
+         match Pctl.formula ~occurs ~draws (Labelling.predicates l) c.formula with
          | Ok f -> f
          | Error why -> "is not asked for by labels alone: " ^ why
        in
@@ -41,6 +41,6 @@ let write (e : Exported.t) mdp put =
     List.iter
       (fun (c : Mdp.choice) ->
          line "\taction %s [%s]" c.action (Rat.to_string c.duration);
-         line "\t\t%d : 1" c.target)
+         List.iter (fun (target, chance) -> line "\t\t%d : %s" target (Rat.to_string chance)) c.targets)
       (Mdp.choices mdp i)
   done

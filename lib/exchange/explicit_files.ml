@@ -1,3 +1,4 @@
+open Scc_exact
 open Scc_property
 
 type dialect = Prism | Storm
@@ -7,16 +8,22 @@ let each mdp f =
     f i
   done
 
+(* Both programs read floats here. *)
+let probability chance =
+  if Rat.equal chance Rat.one then "1" else Scc_base.Float_text.shortest (Rat.to_float chance)
+
 let transitions dialect mdp put =
   (match dialect with
-   | Prism -> put (Printf.sprintf "%d %d %d\n" (Mdp.states mdp) (Mdp.count mdp) (Mdp.count mdp))
+   | Prism -> put (Printf.sprintf "%d %d %d\n" (Mdp.states mdp) (Mdp.count mdp) (Mdp.transitions mdp))
    | Storm -> put "mdp\n");
   each mdp (fun i ->
       List.iteri
         (fun k (c : Mdp.choice) ->
-           match dialect with
-           | Prism -> put (Printf.sprintf "%d %d %d 1 %s\n" i k c.target c.action)
-           | Storm -> put (Printf.sprintf "%d %d %d 1\n" i k c.target))
+           List.iter
+             (fun (target, chance) ->
+                let action = match dialect with Prism -> " " ^ c.action | Storm -> "" in
+                put (Printf.sprintf "%d %d %d %s%s\n" i k target (probability chance) action))
+             c.targets)
         (Mdp.choices mdp i))
 
 let declaration put names =
@@ -78,9 +85,9 @@ let names (e : Exported.t) mdp variables put =
   let texts list = `List (List.map Json.text list) in
   let label (p : State_predicates.t) = `Assoc [ ("name", Json.text p.name); ("text", Json.text p.text) ] in
   let action (name, text) = `Assoc [ ("name", Json.text name); ("text", Json.text text) ] in
-  let occurs = Mdp.occurs mdp in
+  let occurs = Mdp.occurs mdp and draws = Scc_calculus.Model.draws e.loaded.model in
   let check (c : Property.check) =
-    let asked = Pctl.formula ~occurs (Labelling.predicates l) c.formula in
+    let asked = Pctl.formula ~occurs ~draws (Labelling.predicates l) c.formula in
     `Assoc
       [
         ("name", Json.text c.name);

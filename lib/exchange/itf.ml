@@ -17,6 +17,7 @@ let variables =
 (* Those of rigid models come last. *)
 let variables (m : Model.t) =
   let variables = if Model.of_each m then variables @ [ "waited"; "phase" ] else variables in
+  let variables = if Model.draws m then variables @ [ "drawn"; "waits" ] else variables in
   match m.rigid with
   | None -> variables
   | Some _ ->
@@ -105,6 +106,15 @@ let values (m : Model.t) ~action ~time (s : State.t) =
            each (fun (p : State.process) _ ->
                `String (Option.fold ~none:"none" ~some:State_json.phase p.phase)) );
        ]
+     else [])
+  @ (if Model.draws m then
+       let drawn (p : State.process) =
+         match p.draw with Some (Drawn v) -> Some (first p, vector v) | Some Waits | None -> None
+       in
+       let waits (p : State.process) =
+         match p.draw with Some Waits -> Some (first p) | Some (Drawn _) | None -> None
+       in
+       [ ("drawn", map (List.filter_map drawn processes)); ("waits", set (List.filter_map waits processes)) ]
      else [])
   @
   if Option.is_none m.rigid then []

@@ -2,8 +2,8 @@ open Scc_exact
 open Scc_semantics
 open Scc_verify
 
-type choice = { action : string; duration : Rat.t; target : int }
-type t = { labelling : Labelling.t; names : Safe_names.t; count : int }
+type choice = { action : string; duration : Rat.t; targets : (int * Rat.t) list }
+type t = { labelling : Labelling.t; names : Safe_names.t; choices : int; transitions : int }
 
 let loops = [ "rest"; "stuck"; "unexplored" ]
 let labelling m = m.labelling
@@ -13,8 +13,27 @@ let named names space label =
   Safe_names.name names (Transition.label_to_string (Explored.model space) label)
 
 let action m label = named m.names (Labelling.space m.labelling) label
-let passing m d ~target = { action = action m (Time d); duration = d; target }
-let loop action target = { action; duration = Rat.zero; target }
+let surely target = [ (target, Rat.one) ]
+let passing m d ~target = { action = action m (Time d); duration = d; targets = surely target }
+let loop action target = { action; duration = Rat.zero; targets = surely target }
+
+(* Each target once, in order. *)
+let distinct targets =
+  let add kept (t, chance) =
+    match kept with
+    | (u, c) :: rest when Int.equal t u -> (u, Rat.add c chance) :: rest
+    | _ -> (t, chance) :: kept
+  in
+  List.sort (fun (t, _) (u, _) -> Int.compare t u) targets |> List.fold_left add [] |> List.rev
+
+(* Where a process draws, that is all that happens: the one choice is to let it. *)
+let draw m first (edges : Explored.edge array) =
+  let text = Printf.sprintf "draw(%s)" (Explored.model (Labelling.space m.labelling)).leaves.(first).name in
+  let outcome (e : Explored.edge) = (e.target, Transition.chance e.label) in
+  {
+    action = Safe_names.name m.names text; duration = Rat.zero;
+    targets = distinct (List.map outcome (Array.to_list edges));
+  }
 
 let of_stretch m (s : Labelling.stretch) =
   match s.lasts with
@@ -28,14 +47,18 @@ let of_state m i =
     match (e.label, detour) with
     | Time _, Some (d, target) -> passing m d ~target
     | label, _ ->
-      { action = action m label; duration = Transition.duration_of label; target = e.target }
+      { action = action m label; duration = Transition.duration_of label; targets = surely e.target }
   in
   match (Labelling.status m.labelling i, detour) with
   | Unexplored, _ -> [ loop "unexplored" i ]
   | Stuck, _ -> [ loop "stuck" i ]
   | Rests, None -> [ loop "rest" i ]
   | Rests, Some (d, target) -> [ passing m d ~target ]
-  | Moves, _ -> List.map choice (Array.to_list (space.edges i))
+  | Moves, _ -> (
+      let edges = space.edges i in
+      match edges.(0).label with
+      | Draw { first; _ } -> [ draw m first edges ]
+      | _ -> List.map choice (Array.to_list edges))
 
 let choices m i =
   match Labelling.stretch m.labelling i with
@@ -44,13 +67,18 @@ let choices m i =
 
 (* Names are given in the order of the states, whatever is written first. *)
 let make labelling =
-  let m = { labelling; names = Safe_names.make ~reserved:loops; count = 0 } in
-  let rec from i count =
-    if i = states m then count else from (i + 1) (count + List.length (choices m i))
+  let m = { labelling; names = Safe_names.make ~reserved:loops; choices = 0; transitions = 0 } in
+  let rec from i m =
+    if i = states m then m
+    else
+      let here = choices m i in
+      let outcomes = List.fold_left (fun n c -> n + List.length c.targets) 0 here in
+      from (i + 1) { m with choices = m.choices + List.length here; transitions = m.transitions + outcomes }
   in
-  { m with count = from 0 0 }
+  from 0 m
 
-let count m = m.count
+let count m = m.choices
+let transitions m = m.transitions
 
 let status_label l i =
   let of_state i =

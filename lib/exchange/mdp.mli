@@ -1,14 +1,14 @@
-(** An explored graph as a Markov decision process in which nothing is left to chance: each transition is an
-    action that leads to its target with probability 1. A state in which nothing happens gets a loop, since
-    every state of an MDP has an action: [rest] where time passes for ever, [stuck] where not even time
-    passes, and [unexplored] where it is not known what happens. *)
+(** An explored graph as a Markov decision process: each transition is an action that leads to its target with
+    probability 1, but for the draws of a state (rule Draw), which are one action together. A state in which
+    nothing happens gets a loop, since every state of an MDP has an action: [rest] where time passes for ever,
+    [stuck] where not even time passes, and [unexplored] where it is not known what happens. *)
 
 open Scc_exact
 
 type choice = {
   action : string;  (** see {!Safe_names} *)
   duration : Rat.t;  (** 0 for what takes no time, and for the loops *)
-  target : int;
+  targets : (int * Rat.t) list;  (** each once, in order, with its probability: positive ones that sum to 1 *)
 }
 
 type t
@@ -22,6 +22,9 @@ val states : t -> int
 
 val count : t -> int
 (** Of all choices. *)
+
+val transitions : t -> int
+(** Of all targets of all choices. *)
 
 val choices : t -> int -> choice list
 (** Not empty. *)

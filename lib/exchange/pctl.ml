@@ -26,7 +26,7 @@ let several operator ~neutral parts =
 let both f g = several " & " ~neutral:true [ f; g ]
 let either f g = several " | " ~neutral:false [ f; g ]
 
-type labels = { predicates : State_predicates.t array; occurs : string -> bool }
+type labels = { predicates : State_predicates.t array; occurs : string -> bool; draws : bool }
 
 let label l name = if l.occurs name then Asked (Printf.sprintf "\"%s\"" name) else Constant false
 
@@ -42,11 +42,18 @@ let state l (p : Property.prop) =
 let unbounded (b : Property.bound) =
   if Rat.sign b.low = 0 && Option.is_none b.high then Ok () else Error "it has a bound of time"
 
-(* A path formula of all schedulers, or of some one. Runs have probability 0 or 1. *)
-let path (q : Property.path_quantifier) format =
-  match q with
-  | All -> Asked (Printf.sprintf "P>=1 [%s]" format)
-  | Exists -> Asked (Printf.sprintf "!(P<1 [%s])" format)
+(* Whether some first steps of a run show that it does so, or that it does not. *)
+type shown = By_a_prefix | By_its_absence
+
+(* A path formula of all schedulers, or of some one. Where nothing is drawn, runs have probability 0 or 1. Where
+   something is, what takes all of a run may have probability 0, and is there all the same. *)
+let path l (q : Property.path_quantifier) shown format =
+  match (q, shown) with
+  | All, _ when not l.draws -> Ok (Asked (Printf.sprintf "P>=1 [%s]" format))
+  | Exists, _ when not l.draws -> Ok (Asked (Printf.sprintf "!(P<1 [%s])" format))
+  | All, By_its_absence -> Ok (Asked (Printf.sprintf "P>=1 [%s]" format))
+  | Exists, By_a_prefix -> Ok (Asked (Printf.sprintf "!(P<=0 [%s])" format))
+  | All, By_a_prefix | Exists, By_its_absence -> Error "it speaks of runs of probability 0, too"
 
 let rec ask l (f : Property.temporal) =
   match Formula.state_formula f with
@@ -60,10 +67,12 @@ let rec ask l (f : Property.temporal) =
       | Next _ -> Error "it has the operator X"
       | Finally (q, b, f) ->
         let* () = unbounded b in
-        Result.map (fun f -> path q ("F " ^ bracket f)) (ask l f)
+        let* f = ask l f in
+        path l q By_a_prefix ("F " ^ bracket f)
       | Globally (q, b, f) ->
         let* () = unbounded b in
-        Result.map (fun f -> path q ("G " ^ bracket f)) (ask l f)
+        let* f = ask l f in
+        path l q By_its_absence ("G " ^ bracket f)
       | Until (q, b, f, g) ->
         let* () = unbounded b in
         let* f = ask l f in
@@ -72,7 +81,8 @@ let rec ask l (f : Property.temporal) =
            only after instants of the same stretch; at each of those themselves, g is enough (rule Until). *)
         let after = label l "right_after" in
         let met = both g (either f (not_ after)) in
-        Ok (either (both after g) (path q (Printf.sprintf "%s U %s" (bracket f) (bracket met)))))
+        let* until = path l q By_a_prefix (Printf.sprintf "%s U %s" (bracket f) (bracket met)) in
+        Ok (either (both after g) until))
 
 and all l fs =
   let add found f =
@@ -82,4 +92,4 @@ and all l fs =
   in
   Result.map List.rev (List.fold_left add (Ok []) fs)
 
-let formula ~occurs predicates f = Result.map text (ask { predicates; occurs } f)
+let formula ~occurs ~draws predicates f = Result.map text (ask { predicates; occurs; draws } f)

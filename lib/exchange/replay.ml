@@ -105,6 +105,13 @@ let part_of_time (model : Model.t) transitions (c : Schedule.choice) =
     let at_place = match c.index with Some i -> i = time_index transitions | None -> true in
     if at_place then Transition.time_of_string label else None
 
+(* Draws by their chances; all else alike, as nothing tells how likely it is. *)
+let at_random (transitions : Run.alternative list) g =
+  match transitions with
+  | { label = Draw _; _ } :: _ ->
+    Splitmix64.by_chance (List.map (fun (t : Run.alternative) -> Transition.chance t.label) transitions) g
+  | _ -> Splitmix64.below (List.length transitions) g
+
 let decide model transitions guide =
   match guide with
   | Choices [] -> Leave
@@ -124,7 +131,7 @@ let decide model transitions guide =
   | (Always_first | Generator _) when none transitions -> Leave
   | Always_first -> Take (0, guide)
   | Generator g ->
-    let i, g = Splitmix64.below (List.length transitions) g in
+    let i, g = at_random transitions g in
     Take (i, Generator g)
 
 let wanted (c : Schedule.choice) =

@@ -16,3 +16,28 @@ let rec below n g =
   (* bits - r + (n - 1) passes 2^63 - 1 exactly in the last, incomplete block *)
   if Int64.compare (Int64.add (Int64.sub bits r) (Int64.pred n64)) 0L < 0 then below n g
   else (Int64.to_int r, g)
+
+let rec below_integer n g =
+  let rec outputs bits raw g =
+    if bits = 0 then (raw, g)
+    else
+      let next, g = next g in
+      let unsigned = Z.extract (Z.of_int64 next) 0 64 in
+      outputs (bits - 1) (Z.logor (Z.shift_left raw 64) unsigned) g
+  in
+  let width = Z.numbits (Z.pred n) in
+  let count = (width + 63) / 64 in
+  let raw, g = outputs count Z.zero g in
+  let r = Z.shift_right raw ((64 * count) - width) in
+  if Z.lt r n then (r, g) else below_integer n g
+
+let by_chance chances g =
+  let open Scc_exact in
+  let common = List.fold_left (fun d (c : Rat.t) -> Z.lcm d c.den) Z.one chances in
+  let weights = List.map (fun (c : Rat.t) -> Z.mul c.num (Z.divexact common c.den)) chances in
+  let drawn, g = below_integer (List.fold_left Z.add Z.zero weights) g in
+  let rec place i left = function
+    | w :: rest when Z.geq left w -> place (i + 1) (Z.sub left w) rest
+    | _ -> i
+  in
+  (place 0 drawn weights, g)

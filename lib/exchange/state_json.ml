@@ -20,6 +20,7 @@ let kind : Transition.label -> string = function
   | Absorb _ -> "absorb"
   | Weak_split _ -> "weak"
   | Strong_split _ -> "strong"
+  | Draw _ -> "draw"
 
 let label m (l : Transition.label) =
   let parts =
@@ -34,6 +35,8 @@ let label m (l : Transition.label) =
       ]
     | Absorb { first; absorber } -> [ ("between", `List [ leaf_name m first; leaf_name m absorber ]) ]
     | Strong_split releases -> [ ("bonds", `List (List.map (fun r -> `Assoc (release m r)) releases)) ]
+    | Draw { first; velocity; chance } ->
+      [ ("process", leaf_name m first); ("velocity", Json.vec velocity); ("chance", Json.rat chance) ]
   in
   `Assoc
     (("kind", `String (kind l)) :: ("text", Json.text (Transition.label_to_string m l)) :: parts)
@@ -82,6 +85,16 @@ let own_step (m : Model.t) (p : State.process) =
   in
   Json.option step p.phase
 
+(* Of models in which velocities are drawn. *)
+let draw (m : Model.t) (p : State.process) =
+  if not (Model.draws m) then []
+  else
+    let told : State.draw -> Json.t = function
+      | Waits -> `String "waits"
+      | Drawn velocity -> Json.vec velocity
+    in
+    [ ("draw", Json.option told p.draw) ]
+
 let process m (p : State.process) =
   `Assoc
     ((("velocity", Json.vec p.velocity)
@@ -94,6 +107,7 @@ let process m (p : State.process) =
           @ if Turn.is_free m then [ ("angular_momentum", Json.vec p.kept) ] else []))
      @ straight_turns m (fun () -> [ ("lasts", Json.option Json.rat p.lasts) ])
      @ of_each m (fun () -> [ ("step", own_step m p) ])
+     @ draw m p
      @ [
        ("clock", Json.option Json.rat p.clock);
        ("leaves", list (leaf m) p.leaves);

@@ -168,6 +168,12 @@ let transition w ~step ~time (label : Transition.label) source target =
     let gone = List.filter (fun l -> l <> absorber) all in
     set w.at.structure event gone;
     set w.at.behaviour event gone
+  | Draw { first = leaf; _ } ->
+    (* what it draws is how it goes on, also where it goes on as before *)
+    let leaves = first leaf (home source leaf) in
+    let reasons = motion_of w.at leaves @ structure_of w.at leaves in
+    let event = tell_event w ~step ~time (Discrete label) leaves reasons in
+    set w.at.motion event leaves
   | Close _ -> by_itself w ~step ~time label source target ~clocked:false
   | Weak_split _ -> by_itself w ~step ~time label source target ~clocked:true
   | Strong_split _ -> by_itself w ~step ~time label source target ~clocked:false

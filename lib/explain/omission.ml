@@ -85,7 +85,7 @@ let compare_end w (place : place) =
 let make (place : place) (t : Transition.t) =
   match t.label with
   | Time d -> { state = t.target; time = Rat.add place.time d; arrival = None }
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ ->
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ ->
     { place with state = t.target; arrival = Some (place.state, t.label) }
 
 let is_time (t : Transition.t) = Transition.is_time t.label
@@ -212,7 +212,7 @@ let final course =
         let { Course.label; before; _ } = legs.(n - 1) in
         match label with
         | Time _ -> None
-        | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> Some (before, label))
+        | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> Some (before, label))
   in
   { state = Course.last course; time = Rat.sub (Course.duration course) (Course.rest course); arrival }
 

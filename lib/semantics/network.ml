@@ -78,10 +78,19 @@ let rec all_ok acc = function
   | Ok t :: rest -> all_ok (t :: acc) rest
   | Error e :: _ -> Error e
 
-let successors c s =
+let draws c s p =
+  let* outcomes = Steer.draw c s p in
+  all_ok [] (List.map (fun (label, target) -> finish c label [ Rule.Draw ] target) outcomes)
+
+let events_and_time c s =
   { urgent = of_single c s urgent; weak = of_single c s weak; collisions = collisions c s }
   |> in_order Fun.id ~time:(time c s)
   |> all_ok []
+
+let successors c s =
+  match Steer.next_to_draw c s with
+  | Some p -> draws c s p
+  | None -> events_and_time c s
 
 let within c s d =
   match (Semantics.model c).splits with
@@ -92,7 +101,8 @@ let within c s d =
 
 let wait c s d =
   let urgent () = is_urgent { urgent = of_single c s urgent; weak = []; collisions = collisions c s } in
-  if (not (within c s d)) || urgent () then Ok None else Result.map Option.some (passes c d s)
+  let drawing () = Option.is_some (Steer.next_to_draw c s) in
+  if (not (within c s d)) || drawing () || urgent () then Ok None else Result.map Option.some (passes c d s)
 
 let together c processes =
   let sure = function
@@ -102,7 +112,8 @@ let together c processes =
   List.concat_map (fun cluster -> sure (collision c processes cluster)) (Collisions.clusters c processes)
 
 let quiescent c (s : State.t) =
-  Array.for_all (fun p -> urgent c p = [] && Option.is_none p.State.clock) s.processes
+  Option.is_none (Steer.next_to_draw c s)
+  && Array.for_all (fun p -> urgent c p = [] && Option.is_none p.State.clock) s.processes
   && (not (Collisions.collides c s))
   && Option.is_none (Time.delay c s)
 

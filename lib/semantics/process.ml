@@ -30,9 +30,11 @@ let restart_clock m p =
   State.with_clock (if weak_split_enabled m p then Some Scc_exact.Rat.zero else None) p
 
 let steers (m : Model.t) (p : State.process) =
-  let inertial = function Law.Inertial -> true | Law.Velocity _ -> false in
-  Array.exists (fun (l : State.leaf) -> not (inertial m.leaves.(l.leaf).law)) p.leaves
+  Array.exists (fun (l : State.leaf) -> not (Law.is_inertial m.leaves.(l.leaf).law)) p.leaves
   && Option.is_some (State.mass m p)
+
+let draws (m : Model.t) (p : State.process) =
+  steers m p && Array.exists (fun (l : State.leaf) -> Law.draws m.leaves.(l.leaf).law) p.leaves
 
 let begin_step p = State.map_leaves (fun l -> { l with waited = Scc_exact.Rat.zero }) p
 

@@ -29,6 +29,9 @@ val restart_clock : Model.t -> State.process -> State.process
 val steers : Model.t -> State.process -> bool
 (** Whether a law that is not inertial moves this process: not when it is bound to a fixed leaf. *)
 
+val draws : Model.t -> State.process -> bool
+(** Whether it is steered and a law of it leaves its velocity to chance (rule Draw). *)
+
 val restart_step : Model.t -> State.process -> State.process
 (** The process about to be steered for the first time, if a law moves it; in this and what follows nothing is
     changed where processes have no steps of their own. *)

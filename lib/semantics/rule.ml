@@ -14,6 +14,7 @@ type t =
   | Absorb
   | Time
   | Steer
+  | Draw
   | Turn
   | Round
 
@@ -33,13 +34,14 @@ let id = function
   | Absorb -> "Absorb"
   | Time -> "Time"
   | Steer -> "Steer"
+  | Draw -> "Draw"
   | Turn -> "Turn"
   | Round -> "Round"
 
 let all =
   [
     Pre; Weak; Strong; Sum; Def; Eps0; Time_behaviour; Weak_split; Strong_split; Bind; Close; Bounce; Absorb; Time;
-    Steer; Turn; Round;
+    Steer; Draw; Turn; Round;
   ]
 
 let of_model (m : Scc_calculus.Model.t) =
@@ -48,6 +50,7 @@ let of_model (m : Scc_calculus.Model.t) =
     | Turn -> Option.is_some m.rigid
     | Round -> Scc_calculus.Model.has_turns m
     | Absorb -> Scc_calculus.Model.absorbs m
+    | Draw -> Scc_calculus.Model.draws m
     | _ -> true
   in
   List.filter can all

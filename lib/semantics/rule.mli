@@ -16,6 +16,7 @@ type t =
   | Absorb  (** of models in which some body absorbs *)
   | Time
   | Steer
+  | Draw
   | Turn  (** of the rigid calculus only, as is *)
   | Round
 

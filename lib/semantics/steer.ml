@@ -5,97 +5,193 @@ let ( let* ) = Result.bind
 
 let steers = Process.steers
 
-(* The change of velocity that a leaf's law asks for. *)
-let change (m : Model.t) ~time ~dt (p : State.process) (l : State.leaf) =
-  let leaf = m.leaves.(l.leaf) in
-  match leaf.law with
-  | Inertial -> Ok Vec.zero
-  | Velocity (x, y, z) ->
-    let centre = State.centroid m l in
-    let v = Turn.velocity_at m p centre in
-    let env : Law.variable -> Rat.t = function
-      | X -> centre.x
-      | Y -> centre.y
-      | Z -> centre.z
-      | Vx -> v.x
-      | Vy -> v.y
-      | Vz -> v.z
-      | Mass -> leaf.mass
-      | Time -> time
-      | Dt -> dt
-    in
-    let eval e =
-      Law.eval env e
-      |> Result.map_error (fun fault -> Transition.Bad_law { leaf = l.leaf; fault })
-    in
-    let* x = eval x in
-    let* y = eval y in
-    let* z = eval z in
-    Ok (Vec.sub (Vec.make x y z) v)
+(* {1 What laws give} *)
+
+let all_ok list =
+  let add known x =
+    let* known = known in
+    let* x = x in
+    Ok (x :: known)
+  in
+  Result.map List.rev (List.fold_left add (Ok []) list)
+
+(* Each vector once, in order, with all of its chance. *)
+let distinct chances =
+  let add kept (v, chance) =
+    match kept with
+    | (w, c) :: rest when Vec.equal v w -> (w, Rat.add c chance) :: rest
+    | _ -> (v, chance) :: kept
+  in
+  List.sort (fun (v, _) (w, _) -> Vec.compare v w) chances |> List.fold_left add [] |> List.rev
+
+let environment (m : Model.t) ~time ~dt (l : State.leaf) centre (v : Vec.t) : Law.variable -> Rat.t = function
+  | X -> centre.Vec.x
+  | Y -> centre.y
+  | Z -> centre.z
+  | Vx -> v.x
+  | Vy -> v.y
+  | Vz -> v.z
+  | Mass -> m.leaves.(l.leaf).mass
+  | Time -> time
+  | Dt -> dt
+
+let vector env (x, y, z) =
+  let* x = Law.eval env x in
+  let* y = Law.eval env y in
+  let* z = Law.eval env z in
+  Ok (Vec.make x y z)
+
+(* Velocities of no weight are not asked for. *)
+let shares env kicks =
+  let share (k : Law.kick) =
+    let* weight = Law.eval env k.weight in
+    match Rat.sign weight with
+    | 0 -> Ok []
+    | s when s < 0 -> Error Law.Negative_weight
+    | _ -> Result.map (fun v -> [ (v, weight) ]) (vector env k.velocity)
+  in
+  let* shares = Result.map List.concat (all_ok (List.map share kicks)) in
+  let total = List.fold_left (fun sum (_, w) -> Rat.add sum w) Rat.zero shares in
+  if Rat.sign total = 0 then Error Law.No_weight
+  else Ok (distinct (List.map (fun (v, w) -> (v, Rat.div w total)) shares))
+
+(* The changes of velocity that a leaf's law may ask for, with their chances. *)
+let changes (m : Model.t) ~time ~dt (p : State.process) (l : State.leaf) =
+  let centre = State.centroid m l in
+  let velocity = Turn.velocity_at m p centre in
+  let env = environment m ~time ~dt l centre velocity in
+  let velocities =
+    match m.leaves.(l.leaf).law with
+    | Inertial -> Ok [ (velocity, Rat.one) ]
+    | Velocity v -> Result.map (fun v -> [ (v, Rat.one) ]) (vector env v)
+    | Choose kicks -> shares env kicks
+  in
+  Result.map (List.map (fun (v, chance) -> (Vec.sub v velocity, chance))) velocities
+
+(* Of two that are independent of each other. *)
+let sums some others =
+  if List.compare_lengths some [] > 0 && List.length some * List.length others > Law.most_outcomes then
+    Error Law.Too_many
+  else
+    let plus (v, c) = List.rev_map (fun (w, d) -> (Vec.add v w, Rat.mul c d)) others in
+    Ok (distinct (List.concat_map plus some))
 
 (* The whole takes the mean of the changes of its leaves, weighted by mass. *)
-let steer_process (m : Model.t) ~time ~dt (p : State.process) =
+let velocities (m : Model.t) ~time ~dt (p : State.process) =
   let add sum (l : State.leaf) =
     let* sum, total = sum in
-    let* c = change m ~time ~dt:(dt l) p l in
     let mass = m.leaves.(l.leaf).mass in
-    Ok (Vec.axpy mass c sum, Rat.add total mass)
+    let of_leaf =
+      let* changes = changes m ~time ~dt:(dt l) p l in
+      sums sum (List.map (fun (c, chance) -> (Vec.scale mass c, chance)) changes)
+    in
+    let* sum = Result.map_error (fun fault -> Transition.Bad_law { leaf = l.leaf; fault }) of_leaf in
+    Ok (sum, Rat.add total mass)
   in
-  let* sum, total = Array.fold_left add (Ok (Vec.zero, Rat.zero)) p.leaves in
-  Ok (State.with_velocity (Vec.axpy (Rat.div Rat.one total) sum p.velocity) p)
+  let* sums, total = Array.fold_left add (Ok ([ (Vec.zero, Rat.one) ], Rat.zero)) p.leaves in
+  let mean = Rat.div Rat.one total in
+  Ok (List.map (fun (sum, chance) -> (Vec.axpy mean sum p.velocity, chance)) sums)
+
+(* {1 Whose laws are asked, and when} *)
+
+let waits (p : State.process) = match p.draw with Some Waits -> true | Some (Drawn _) | None -> false
+let is_drawing (s : State.t) = Array.exists waits s.processes
+let time (s : State.t) = Option.value s.time ~default:Rat.zero
+
+(* How long ago the laws of a leaf were asked. *)
+let dt (m : Model.t) (s : State.t) (l : State.leaf) =
+  match s.step with Some step -> Rat.sub m.timestep step.remaining | None -> l.waited
+
+(* At the end of the one movement step all; else each at the end of its own, if it does not collide. *)
+let due c (s : State.t) =
+  let is_due (p : State.process) = match p.phase with Some Due -> true | Some (Moving | Steered) | None -> false in
+  match s.step with
+  | Some { phase = Due; _ } -> if Collisions.collides c s then None else Some (fun _ -> true)
+  | Some { phase = Moving | Steered; _ } -> None
+  | None when not (Array.exists is_due s.processes) -> None
+  | None ->
+    let hit = Collisions.colliding c s in
+    let which i = is_due s.processes.(i) && not (List.exists (fun (a, b) -> a = i || b = i) hit) in
+    if List.exists which (List.init (Array.length s.processes) Fun.id) then Some which else None
+
+(* They see their turns end. What cannot be evaluated is found here, also of those who draw later. *)
+let ask (c : Semantics.t) ~which (s : State.t) =
+  let (module K) = c.kinematics in
+  let m = c.setting.model in
+  let ask_one i p =
+    if not (steers m p && which i) then Ok p
+    else
+      let p = K.renewed c.setting p in
+      let* velocities = velocities m ~time:(time s) ~dt:(dt m s) p in
+      let next = if Process.draws m p then State.Waits else Drawn (fst (List.hd velocities)) in
+      Ok (State.with_draw (Some next) p)
+  in
+  let* processes = all_ok (List.mapi ask_one (Array.to_list s.processes)) in
+  Ok (State.make ~processes ~step:s.step ~time:s.time)
+
+(* All velocities take effect at once, and steps begin. *)
+let begin_steps (m : Model.t) (s : State.t) =
+  let begin_own p =
+    State.with_phase (Some State.Steered) (State.map_leaves (fun l -> { l with waited = Rat.zero }) p)
+  in
+  let begin_one (p : State.process) =
+    match p.draw with
+    | None | Some Waits -> p
+    | Some (Drawn velocity) ->
+      let p = State.with_draw None (State.with_velocity velocity p) in
+      if Model.of_each m then begin_own p else p
+  in
+  let step = Option.map (fun _ -> { State.remaining = m.timestep; phase = Steered }) s.step in
+  State.make ~processes:(List.map begin_one (Array.to_list s.processes)) ~step ~time:s.time
 
 type outcome = { state : State.t; rules : Rule.t list; rounded : State.t option }
 
-(* New velocities for processes under a law, which sees them at the start of a turn. *)
-let run (c : Semantics.t) ~which ~dt ~steered ~step (s : State.t) =
-  let (module K) = c.kinematics in
-  let m = c.setting.model in
-  let time = Option.value s.time ~default:Rat.zero in
-  let add done_ (i, p) =
-    let* done_ = done_ in
-    let* p =
-      if steers m p && which i then
-        Result.map steered (steer_process m ~time ~dt (K.renewed c.setting p))
-      else Ok p
-    in
-    Ok (p :: done_)
-  in
-  let* processes = List.fold_left add (Ok []) (List.mapi (fun i p -> (i, p)) (Array.to_list s.processes)) in
-  Ok (State.make ~processes ~step ~time:s.time)
-
-(* All at the end of the one movement step. *)
-let of_all c (step : State.step) (s : State.t) =
-  let m = Semantics.model c in
-  let dt _ = Rat.sub m.timestep step.remaining in
-  let step = Some { State.remaining = m.timestep; phase = State.Steered } in
-  let* state = run c ~which:(fun _ -> true) ~dt ~steered:Fun.id ~step s in
-  Ok (state, if Array.exists (steers m) s.processes then [ Rule.Steer ] else [])
-
-(* Each at the end of its own, if it does not collide. *)
-let of_each c (s : State.t) =
-  let is_due (p : State.process) = match p.phase with Some Due -> true | Some (Moving | Steered) | None -> false in
-  if not (Array.exists is_due s.processes) then Ok (s, [])
-  else
-    let hit = Collisions.colliding c s in
-    let which i = is_due s.processes.(i) && not (List.exists (fun (a, b) -> a = i || b = i) hit) in
-    if not (List.exists which (List.init (Array.length s.processes) Fun.id)) then Ok (s, [])
-    else
-      let dt (l : State.leaf) = l.waited in
-      let steered p =
-        State.with_phase (Some State.Steered) (State.map_leaves (fun l -> { l with waited = Rat.zero }) p)
-      in
-      let* state = run c ~which ~dt ~steered ~step:s.step s in
-      Ok (state, [ Rule.Steer ])
-
-let steer c (s : State.t) =
-  match s.step with
-  | Some ({ phase = Due; _ } as step) when not (Collisions.collides c s) -> of_all c step s
-  | Some { phase = Due | Moving | Steered; _ } -> Ok (s, [])
-  | None -> if Model.of_each (Semantics.model c) then of_each c s else Ok (s, [])
-
 let settle (c : Semantics.t) (s : State.t) =
   let (module K) = c.kinematics in
+  let m = c.setting.model in
   let colliding = Collisions.colliding c in
-  let* steered, rules = steer c (K.at_contact c.setting ~colliding s) in
-  let state, rounded = K.begin_turns c.setting ~colliding (K.at_contact c.setting ~colliding steered) in
-  Ok { state; rules = (if Option.is_some rounded then rules @ [ Rule.Round ] else rules); rounded }
+  let s = K.at_contact c.setting ~colliding s in
+  let* over, s =
+    if Array.exists (fun (p : State.process) -> Option.is_some p.draw) s.processes then Ok (true, s)
+    else
+      match due c s with
+      | None -> Ok (false, s)
+      | Some which -> Result.map (fun s -> (true, s)) (ask c ~which s)
+  in
+  if is_drawing s then Ok { state = s; rules = []; rounded = None }
+  else
+    let rules = if over && Array.exists (steers m) s.processes then [ Rule.Steer ] else [] in
+    let steered = if over then begin_steps m s else s in
+    let state, rounded = K.begin_turns c.setting ~colliding (K.at_contact c.setting ~colliding steered) in
+    Ok { state; rules = (if Option.is_some rounded then rules @ [ Rule.Round ] else rules); rounded }
+
+(* {1 Draws} *)
+
+(* By their places alone, in which no two bodies of one shape can be the same: names and shifts change nothing. *)
+let compare_places (m : Model.t) p q =
+  let place (l : State.leaf) = (l.position, l.turned, m.leaves.(l.leaf).template) in
+  let compare_leaves (v, q, s) (w, r, t) =
+    match Vec.compare v w with
+    | 0 -> ( match Quaternion.compare q r with 0 -> String.compare s t | c -> c)
+    | c -> c
+  in
+  let places (p : State.process) = List.sort compare_leaves (List.map place (Array.to_list p.leaves)) in
+  List.compare compare_leaves (places p) (places q)
+
+let next_to_draw c (s : State.t) =
+  let earlier first p =
+    match first with
+    | Some q when compare_places (Semantics.model c) q p <= 0 -> first
+    | Some _ | None -> Some p
+  in
+  Array.to_seq s.processes |> Seq.filter waits |> Seq.fold_left earlier None
+
+let draw c (s : State.t) p =
+  let m = Semantics.model c in
+  let* velocities = velocities m ~time:(time s) ~dt:(dt m s) p in
+  let drawn (velocity, chance) =
+    let of_one q = if q == p then State.with_draw (Some (State.Drawn velocity)) p else q in
+    let target = State.make ~processes:(List.map of_one (Array.to_list s.processes)) ~step:s.step ~time:s.time in
+    (Transition.Draw { first = p.leaves.(0).leaf; velocity; chance }, target)
+  in
+  Ok (List.map drawn velocities)

@@ -13,6 +13,7 @@ type label =
   | Absorb of { first : int; absorber : int }
   | Weak_split of release
   | Strong_split of release list
+  | Draw of { first : int; velocity : Vec.t; chance : Rat.t }
 
 type outcome = {
   rule : Rule.t;
@@ -38,22 +39,26 @@ type fault =
   | Persistent_contact of int list
 
 let bonds = function
-  | Time _ | Bounce _ | Absorb _ -> []
+  | Time _ | Bounce _ | Absorb _ | Draw _ -> []
   | Bind b | Close b -> [ b ]
   | Weak_split r -> [ r.bond ]
   | Strong_split releases -> List.map (fun r -> r.bond) releases
 
 let duration_of = function
   | Time d -> d
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> Rat.zero
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> Rat.zero
 
 let is_time = function
   | Time _ -> true
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> false
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> false
 
 let is_urgent = function
-  | Strong_split _ | Close _ | Bind _ | Bounce _ | Absorb _ -> true
+  | Strong_split _ | Close _ | Bind _ | Bounce _ | Absorb _ | Draw _ -> true
   | Time _ | Weak_split _ -> false
+
+let chance = function
+  | Draw { chance; _ } -> chance
+  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> Rat.one
 
 let duration (t : t) = duration_of t.label
 
@@ -78,7 +83,8 @@ let equal_label a b =
     List.equal Int.equal x.firsts y.firsts && List.equal (fun a b -> compare_hit a b = 0) x.hits y.hits
   | Absorb x, Absorb y -> Int.equal x.first y.first && Int.equal x.absorber y.absorber
   | Strong_split x, Strong_split y -> List.equal equal_release x y
-  | (Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _), _ -> false
+  | Draw x, Draw y -> Int.equal x.first y.first && Vec.equal x.velocity y.velocity && Rat.equal x.chance y.chance
+  | (Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _), _ -> false
 
 let renamed image label =
   let finish (f : State.finish) = { f with at = image f.at } in
@@ -97,6 +103,7 @@ let renamed image label =
   | Strong_split releases ->
     let by_bond r s = State.compare_bond r.bond s.bond in
     Strong_split (List.sort by_bond (List.map release releases))
+  | Draw d -> Draw { d with first = image d.first }
 
 let same (a : outcome) (b : outcome) =
   equal_label a.label b.label && List.equal State.equal_process a.come b.come
@@ -133,6 +140,8 @@ let label_to_string (m : Model.t) = function
     List.map (fun ({ bond = b; _ } as r) -> Printf.sprintf "<%s, {%s}>%s" b.name (ends m b) (pushed r)) releases
     |> String.concat ", "
     |> Printf.sprintf "strong({%s})"
+  | Draw { first; velocity; chance } ->
+    Printf.sprintf "draw(%s, %s) chance(%s)" m.leaves.(first).name (Vec.to_string velocity) (Rat.to_string chance)
 
 let diagnostic (m : Model.t) fault =
   match fault with
@@ -142,7 +151,10 @@ let diagnostic (m : Model.t) fault =
       (match fault with
        | Division_by_zero -> "it divides by zero"
        | Bad_quantum -> "it rounds to a quantum that is not positive"
-       | Too_long -> Printf.sprintf "it makes a number of more than %d bits" Law.longest)
+       | Too_long -> Printf.sprintf "it makes a number of more than %d bits" Law.longest
+       | Negative_weight -> "a weight is negative"
+       | No_weight -> "the weights of all its velocities are 0"
+       | Too_many -> Printf.sprintf "a whole draws among more than %d velocities" Law.most_outcomes)
   | Persistent_contact firsts ->
     Scc_base.Diag.error Scc_base.Code.persistent_contact Scc_base.Span.none
       "persistent contact: %s would interpenetrate at once, though they do not approach where they touch"

@@ -19,6 +19,8 @@ type label =
   (** the first leaf of the process that is gone, and the leaf that took it *)
   | Weak_split of release
   | Strong_split of release list  (** sorted by their bonds *)
+  | Draw of { first : int; velocity : Vec.t; chance : Rat.t }
+  (** the first leaf of the process, the velocity that it draws, and the probability of it: more than 0 *)
 
 (** What happens to some processes, whatever the others do. *)
 type outcome = {
@@ -65,7 +67,10 @@ val is_time : label -> bool
 (** The others are events. *)
 
 val is_urgent : label -> bool
-(** Whether no time passes while it is possible (rule Time): strong splits, closings and collisions. *)
+(** Whether no time passes while it is possible (rule Time): strong splits, closings, collisions and draws. *)
+
+val chance : label -> Rat.t
+(** The probability of a draw (rule Draw), among those of its state, which sum to 1; 1 of everything else. *)
 
 val hit : int * int -> int * int -> hit
 val compare_hit : hit -> hit -> int
@@ -80,7 +85,7 @@ val time_of_string : string -> Rat.t option
 
 val label_to_string : Model.t -> label -> string
 (** [time(1/2)], [bind(a, p.right, q.left)], [close(a, p.right, q.left)], [bounce(p, q)], [absorb(p, drain)],
-    [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})]. *)
+    [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})], [draw(p, (1, 0, 0)) chance(1/2)]. *)
 
 val diagnostic : Model.t -> fault -> Scc_base.Diag.t
 (** SC0601 or SC0602. *)

@@ -163,6 +163,25 @@ let step_is_right (m : Model.t) (s : State.t) =
       | Due -> Rat.sign remaining >= 0 (* a collision cuts a step short *)
       | Moving | Steered -> Rat.sign remaining > 0)
 
+(* Only while somebody waits, and then of all whose laws are asked. *)
+let draw_is_right (m : Model.t) (s : State.t) =
+  let is_asked (p : State.process) =
+    Process.steers m p
+    &&
+    match (s.step, p.phase) with
+    | Some { phase = Due; _ }, _ | None, Some Due -> true
+    | Some { phase = Moving | Steered; _ }, _ | None, (None | Some (Moving | Steered)) -> false
+  in
+  let right (p : State.process) =
+    match p.draw with
+    | None -> Option.is_none s.step || not (is_asked p)
+    | Some Waits -> is_asked p && Process.draws m p
+    | Some (Drawn _) -> is_asked p
+  in
+  let waits (p : State.process) = match p.draw with Some Waits -> true | Some (Drawn _) | None -> false in
+  if Array.exists waits s.processes then Array.for_all right s.processes
+  else Array.for_all (fun (p : State.process) -> Option.is_none p.draw) s.processes
+
 let time_is_right (m : Model.t) (s : State.t) =
   match s.time with
   | None -> not m.keeps_time
@@ -176,7 +195,7 @@ let check (c : Semantics.t) (s : State.t) =
       check_leaves m s;
       check_overlaps c s;
       processes;
-      (if step_is_right m s then [] else [ Bad_step ]);
+      (if step_is_right m s && draw_is_right m s then [] else [ Bad_step ]);
       (if time_is_right m s then [] else [ Bad_time ]);
     ]
 

@@ -20,7 +20,8 @@ type fault =
       [0, split step) (reading I-9) *)
   | Bad_turn of int
   (** a turn or an orientation in the translational calculus, or a turn that began in the future (rule Turn) *)
-  | Bad_step  (** a step where nothing is steered, none where something is, or one that is out of range *)
+  | Bad_step  (** a step where nothing is steered, none where something is, one that is out of range, or a draw
+                  of somebody whose law is not asked, or that nobody waits for *)
   | Bad_time  (** a time where nothing needs it, none where something does, or a negative one *)
 
 val check : Semantics.t -> State.t -> fault list

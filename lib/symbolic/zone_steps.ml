@@ -27,7 +27,7 @@ let some_leaf (h : Happening.t) =
   match (h.label, Transition.bonds h.label) with
   | _, b :: _ -> b.one.at
   | Bounce { firsts = i :: _; _ }, [] -> i
-  | Absorb { first; _ }, [] -> first
+  | (Absorb { first; _ } | Draw { first; _ }), [] -> first
   | (Time _ | Bounce _ | Bind _ | Close _ | Weak_split _ | Strong_split _), [] ->
     Scc_base.Bug.fail __POS__ "an event of nobody"
 

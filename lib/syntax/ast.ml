@@ -132,23 +132,26 @@ type leaf = {
   leaf_span : Span.t;
 }
 
+(** [where x = e, y = f]: names that a declaration has for itself. *)
+type definitions = (name * expr) list
+
+type range = { index : name; bounds : bounds }
+
 type law = law_kind loc
 
 and law_kind =
   | Inertial
   | Expression of vector
-  | Choose of (vector * expr option) list  (** a weight with each, or none *)
+  | Choose of kick list
+
+(** A velocity of a choice, with its weight or none; or many, as in [for i in 1..3: (i, 0, 0) weight 1/i]. *)
+and kick = { over : range list; velocity : vector; weight : expr option }
 
 (** Whose movement steps are, and what ends them: [local], [steady], or neither. *)
 type pace = Shared | Local | Steady
 
 (** What a declaration names: [K], [K[i, 0]] (integers, or variables for them), [K(a, b)]. *)
 type head = { declared : name; places : expr list; formals : name list }
-
-(** [where x = e, y = f]: names that a declaration has for itself. *)
-type definitions = (name * expr) list
-
-type range = { index : name; bounds : bounds }
 
 (** An end of a range: [[0] or [(0]. *)
 type limit = { value : expr; included : bool }

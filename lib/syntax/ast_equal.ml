@@ -122,14 +122,17 @@ let leaf (a : leaf) (b : leaf) =
   option segment a.label b.label && solid a.solid b.solid && list attribute a.attributes b.attributes
   && option behaviour a.behaviour b.behaviour
 
+let range (a : range) (b : range) = name a.index b.index && bounds a.bounds b.bounds
+
+let kick (a : kick) (b : kick) =
+  list range a.over b.over && vector a.velocity b.velocity && option expr a.weight b.weight
+
 let law a b =
   match (a.it, b.it) with
   | Inertial, Inertial -> true
   | Expression v, Expression w -> vector v w
-  | Choose ks, Choose ls -> list (pair vector (option expr)) ks ls
+  | Choose ks, Choose ls -> list kick ks ls
   | (Inertial | Expression _ | Choose _), _ -> false
-
-let range (a : range) (b : range) = name a.index b.index && bounds a.bounds b.bounds
 
 let head (a : head) (b : head) =
   name a.declared b.declared && list expr a.places b.places && list name a.formals b.formals

@@ -193,8 +193,10 @@ law_of_all:
 | IF c = expr THEN t = expr ELSE e = expr { at $loc (Expression (at $loc (If (c, t, e)))) }
 
 kick:
-| v = vector { (v, None) }
-| v = vector WEIGHT w = expr { (v, Some w) }
+| velocity = expr weight = ioption(weight) { { over = []; velocity; weight } }
+| FOR over = comma_list(range) COLON velocity = expr weight = ioption(weight) { { over; velocity; weight } }
+
+weight: WEIGHT w = expr { w }
 
 (* Items *)
 

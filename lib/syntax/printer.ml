@@ -127,9 +127,14 @@ let glue_doc g =
   text ~at:(start g.glue_span)
     (Printf.sprintf "glue %s ~ %s" (Text.feature g.glue_first) (Text.feature g.glue_second))
 
-let kick (v, weight) =
-  let weight = match weight with None -> "" | Some w -> " weight " ^ Text.expr w in
-  (at v, Text.vector v ^ weight)
+let range (r : range) = Printf.sprintf "%s in %s" r.index.it (Text.bounds r.bounds)
+let ranges list = String.concat ", " (List.map range list)
+
+let kick (k : kick) =
+  let weight = match k.weight with None -> "" | Some w -> " weight " ^ Text.expr w in
+  match k.over with
+  | [] -> (at k.velocity, Text.expr k.velocity ^ weight)
+  | first :: _ -> (at first.index, Printf.sprintf "for %s: %s%s" (ranges k.over) (Text.expr k.velocity) weight)
 
 let motion span subject law =
   let head = match subject with None -> "motion" | Some p -> "motion " ^ Text.path p ^ " =" in
@@ -156,7 +161,6 @@ let network span = function
     in
     nest 2 (cat (separated (fill " ") pieces))
 
-let range (r : range) = Printf.sprintf "%s in %s" r.index.it (Text.bounds r.bounds)
 
 (* What is declared, with the names of its own after it. *)
 let with_definitions doc definitions =
@@ -220,7 +224,7 @@ let rec item i =
   | Process (n, l, rest) -> process_doc span "process" n l rest
   | Fixed (n, l, rest) -> process_doc span "fixed" n l rest
   | Bond b -> head "bond %s" (Text.bond b)
-  | For (ranges, body) -> loop span (head "for %s {" (String.concat ", " (List.map range ranges))) body
+  | For (over, body) -> loop span (head "for %s {" (ranges over)) body
   | Network ps -> network span ps
   | Motion (p, l) -> motion span p l
   | Let (n, e) -> definition (head "let %s =" n.it) (formula e)

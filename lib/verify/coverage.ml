@@ -179,7 +179,7 @@ let transition t (tr : Transition.t) =
   fire t tr.fired;
   count_rules t tr.rules;
   match tr.label with
-  | Time _ | Bounce _ | Absorb _ -> ()
+  | Time _ | Bounce _ | Absorb _ | Draw _ -> ()
   | Bind b | Close b -> note t b.name (fun u -> u.mades <- u.mades + 1)
   | Weak_split { bond = b; _ } -> note t b.name (fun u -> u.weaks <- u.weaks + 1)
   | Strong_split releases ->

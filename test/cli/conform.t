@@ -414,7 +414,7 @@ Invalid traces.
     hint: did you mean `q.left`?
   [3]
   $ conform latch '2,bump,p;q\n'
-  <standard input>:2:1: error[SC0804]: `bump` is none of bind, bounce, weak, strong, state, time, end, quiescent and stuck
+  <standard input>:2:1: error[SC0804]: `bump` is none of bind, close, bounce, absorb, weak, strong, draw, state, time, end, quiescent and stuck
      |
    2 | 2,bump,p;q
      | ^^^^^^^^^^

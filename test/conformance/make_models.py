@@ -210,8 +210,12 @@ def rules_of_models(rulebook):
     return found
 
 
-def examples_suite(implementation, specs):
-    suite = Suite('models/examples.json', 'The models of specs/models: verdicts of their checks.', EXPECTED)
+CHOOSES = re.compile(r'^motion .*\b(choose|diffuse)\b', re.M)
+
+
+def examples_suite(specs, file, about, chosen):
+    """A file has less models than an implementation keeps at a time."""
+    suite = Suite(file, about, EXPECTED)
     with open(os.path.join(specs, 'rulebook.md'), encoding='utf-8') as f:
         rules = rules_of_models(f.read())
     folder = os.path.join(specs, 'models')
@@ -221,6 +225,8 @@ def examples_suite(implementation, specs):
             continue
         with open(os.path.join(folder, file), encoding='utf-8') as f:
             text = f.read()
+        if not chosen(text):
+            continue
         checks = [c for c in CHECK.findall(text)]
         bare = CHECK.sub('', text)  # formulas are asked one by one
         if not checks:
@@ -270,4 +276,7 @@ def paper_suite(specs):
 
 
 def all_suites(implementation, specs):
-    return [paper_suite(specs), transitions_suite(implementation), verdicts_suite(), examples_suite(implementation, specs)]
+    certain = examples_suite(specs, 'models/examples.json', 'The models of specs/models: verdicts of their checks.',
+                             lambda text: not CHOOSES.search(text))
+    chance = examples_suite(specs, 'models/chance.json', 'Those that leave velocities to chance.', CHOOSES.search)
+    return [paper_suite(specs), transitions_suite(implementation), verdicts_suite(), certain, chance]

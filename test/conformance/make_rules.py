@@ -157,6 +157,7 @@ def pair(first, second, dimension):
 
 def all_suites():
     import rules_of_bodies
+    import rules_of_chance
     import rules_of_geometry
     import rules_of_properties
     import rules_of_readings
@@ -164,5 +165,5 @@ def all_suites():
     import rules_of_invariants
     import rules_of_zones
     return [s for m in (rules_of_geometry, rules_of_bodies, rules_of_turning, rules_of_properties, rules_of_readings,
-                        rules_of_zones, rules_of_invariants)
+                        rules_of_zones, rules_of_invariants, rules_of_chance)
             for s in m.suites()]

@@ -349,6 +349,35 @@ def a_duration_is_off(params, r):
     return times and shift(times[0], 'duration', TINY)
 
 
+def all_draws(r):
+    return [t['label'] for t in r['transitions'] if t['label']['kind'] == 'draw']
+
+
+@mutant('successors')
+def chances_are_equal(params, r):
+    draws = all_draws(r)
+    for label in draws:
+        label['chance'] = '1/%d' % len(draws)
+    return draws
+
+
+@mutant('successors')
+def chances_are_weights(params, r):
+    draws = all_draws(r)
+    for label in draws:
+        label['chance'] = '%d/1' % F(label['chance']).numerator
+    return draws
+
+
+@mutant('successors')
+def what_is_drawn_is_the_change(params, r):
+    here = {leaf['name']: p['velocity'] for p in (r.get('state') or {'processes': []})['processes'] for leaf in p['leaves']}
+    draws = [label for label in all_draws(r) if label['process'] in here]
+    for label in draws:
+        label['velocity'] = [out(F(a) - F(b)) for a, b in zip(label['velocity'], here[label['process']])]
+    return draws
+
+
 @mutant('successors')
 def bonds_end_elsewhere(params, r):
     labels = [t['label'] for t in r['transitions'] if t['label']['kind'] == 'bind']

@@ -19,7 +19,7 @@ let part (s : State.t) (t : Transition.t) =
   let leaves =
     match t.label with
     | Bounce { firsts; _ } -> firsts
-    | Absorb { first; _ } -> [ first ]
+    | Absorb { first; _ } | Draw { first; _ } -> [ first ]
     | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
       List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds t.label)
   in
@@ -93,7 +93,8 @@ let twice (m, (s : State.t)) =
     State.process
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(List.map bond (Array.to_list p.bonds))
-      ?phase:p.phase ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
+      ?phase:p.phase ?draw:p.draw ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts
+      ~kept:p.kept ~clock:p.clock ()
   in
   let processes = Array.to_list s.processes in
   ( { m with Model.leaves = Array.append m.leaves (Array.map other m.leaves) },
@@ -224,7 +225,7 @@ let bind_iff s transitions meet one two =
   let binds (t : Transition.t) =
     match t.label with
     | Bind _ -> List.equal Int.equal (part s t) [ one; two ]
-    | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Time _ -> false
+    | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Time _ -> false
   in
   if Bool.equal meet (List.exists binds transitions) then None
   else Some (if meet then "surfaces meet, and nothing binds" else "what binds does not meet")
@@ -292,7 +293,7 @@ let undone m (s, transitions) =
          else if not in_time then Some "something happens on the way back"
          else if not (State.equal (Time.pass (standard m) d back) goal) then Some "the way back leads elsewhere"
          else None
-       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None)
+       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None)
     transitions
 
 let some_network networks shows () =
@@ -309,7 +310,7 @@ let several =
            let undoes (u : Transition.t) = State.equal u.target (backwards s) in
            match t.label with
            | Bounce _ -> not (List.exists undoes (Reach.successors m (backwards t.target)))
-           | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ -> false)
+           | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> false)
         ts)
 
 (* Backwards, a third body may collide as well. *)

@@ -25,7 +25,8 @@ let moved from by (p : State.process) =
   State.process
     ~leaves:(List.map leaf (Array.to_list p.leaves))
     ~bonds:(List.map bond (Array.to_list p.bonds))
-    ?phase:p.phase ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
+    ?phase:p.phase ?draw:p.draw ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts
+    ~kept:p.kept ~clock:p.clock ()
 
 let beside from (a : State.t) (b : State.t) =
   let second = List.map (moved from apart) (Array.to_list b.processes) in
@@ -38,6 +39,7 @@ let relabelled from : Transition.label -> Transition.label =
   | Time d -> Time d
   | Bind b -> Bind (bond b)
   | Close b -> Close (bond b)
+  | Draw d -> Draw { d with first = d.first + from }
   | Weak_split r -> Weak_split { r with bond = bond r.bond }
   | Strong_split releases ->
     Strong_split (List.map (fun (r : Transition.release) -> { r with bond = bond r.bond }) releases)
@@ -194,10 +196,11 @@ let laws =
       (Random_rigid.generate { Random_rigid.anything with rounds = true; laws = true })
       falling_and_turning;
     law "Locality: with the switches of a model" ~count:50 ~print:Random_network.print
-      (Random_network.switched ~steered:true ())
+      (Random_network.switched ~steered:true ~draws:false ())
       falling;
     law "Locality: bodies that turn, with the switches of a model" ~count:5 ~print:Random_rigid.print
-      (Random_rigid.generate { Random_rigid.anything with rounds = true; laws = true; switched = true })
+      (Random_rigid.generate
+         { Random_rigid.anything with rounds = true; laws = true; switched = true; draws = false })
       falling_and_turning;
   ]
 

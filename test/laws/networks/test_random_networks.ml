@@ -4,6 +4,7 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_test_networks
+module Gen = QCheck2.Gen
 
 let standard = Scc_engine.Standard.of_model
 
@@ -77,6 +78,7 @@ let kinds m (s, ts) =
     | Bounce { firsts; _ } -> if List.compare_length_with firsts 2 > 0 then "bounce, of several" else "bounce"
     | Weak_split _ when opens_ring t -> "weak, of a ring"
     | Absorb _ -> "absorb"
+    | Draw _ -> "draw"
     | Weak_split _ -> "weak"
     | Strong_split _ when opens_ring t -> "strong, of a ring"
     | Strong_split _ -> "strong"
@@ -94,6 +96,8 @@ let () =
   let cases = Scc_test_support.Property.cases in
   let any = Random_network.generate () and switched = Random_network.switched () in
   let absorbing = Random_network.absorbing () in
+  let steered = Random_network.generate ~steered:true () in
+  let drawing = Gen.map (Random_network.with_switches Switches.drawing) steered in
   let all = [ "bind"; "bounce"; "strong"; "time"; "weak" ] in
   let rings = [ "close"; "strong, of a ring"; "weak, of a ring" ] in
   let more = "absorb" :: "bind, by contact" :: "bounce, of several" :: rings in
@@ -104,6 +108,7 @@ let () =
         [
           Alcotest.test_case "every kind of transition comes up" `Quick (varied any all);
           Alcotest.test_case "absorption, too" `Quick (varied absorbing ("absorb" :: all));
+          Alcotest.test_case "draws, too" `Quick (varied drawing [ "bind"; "bounce"; "draw"; "time"; "weak" ]);
           Alcotest.test_case "with switches, too" `Quick (varied switched more);
         ] );
       ( "laws",

@@ -23,7 +23,7 @@ let say = Printf.sprintf
 let with_fixed m (s : State.t) : Transition.label -> bool = function
   | Bounce { firsts; _ } ->
     List.exists (fun leaf -> Option.is_none (State.mass m (Option.get (State.home s leaf)))) firsts
-  | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ -> false
+  | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> false
 
 (* {1 Laws of a state or a transition} *)
 
@@ -32,19 +32,21 @@ let well_formed m s =
   | [] -> None
   | fault :: _ -> Some (Well_formed.to_string m s fault)
 
-(* What does not collide is in a turn, and not by more than 2 atan(1/4); a step that is over is steered. *)
+(* What does not collide is in a turn, and not by more than 2 atan(1/4); a step that is over is steered;
+   but while somebody waits to draw, all of that waits. *)
 let turns_are_right m (s : State.t) =
   let colliding = Collisions.colliding (standard m) s in
   let collides i = List.exists (fun (a, b) -> a = i || b = i) colliding in
+  let drawing = Option.is_some (Steer.next_to_draw (standard m) s) in
   let wrong i (p : State.process) =
     match p.lasts with
-    | None -> if collides i then None else Some "a turn that is due does not begin"
+    | None -> if drawing || collides i then None else Some "a turn that is due does not begin"
     | Some d ->
       let too_far = Rat.compare (Rat.mul (Vec.norm2 p.spin) (Rat.mul d d)) (rational 1 4) > 0 in
       if too_far then Some "a process turns too far" else None
   in
   let due = match s.step with Some { phase = Due; _ } -> true | Some _ | None -> false in
-  if due && colliding = [] then Some "a step that is over goes on"
+  if due && colliding = [] && not drawing then Some "a step that is over goes on"
   else List.find_map Fun.id (List.mapi wrong (Array.to_list s.processes))
 
 let find (s : State.t) (p : State.process) =
@@ -92,7 +94,7 @@ let passes m d (t : Transition.t) (p : State.process) =
 let time_law m (s : State.t) (t : Transition.t) =
   match t.label with
   | Time d -> Array.to_list s.processes |> List.find_map (passes m d t)
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None
 
 let interpenetrate m s =
   List.find_map
@@ -107,7 +109,7 @@ let between m (s : State.t) (t : Transition.t) =
     List.find_map
       (fun (n, k) -> interpenetrate m (Time.pass (standard m) (Rat.mul (rational n k) d) s))
       [ (1, 3); (1, 2); (9, 10); (999, 1000) ]
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None
 
 let resolution m = (Turn.rigid m).resolution
 
@@ -240,6 +242,7 @@ let varied features expected () =
     | Close _ -> "close"
     | Bounce _ -> if with_fixed m s t.label then "bounce, fixed" else "bounce"
     | Absorb _ -> "absorb"
+    | Draw _ -> "draw"
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"
   in

@@ -45,7 +45,7 @@ let passes_time (s, transitions) =
     (fun (t : Transition.t) ->
        match t.label with
        | Time d -> Some (s, d, t)
-       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None)
+       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None)
     transitions
 
 (* {1 TimeDeterminism} *)
@@ -92,7 +92,7 @@ let continuous m part state =
 
 let is_urgent (t : Transition.t) =
   match t.label with
-  | Strong_split _ | Bind _ | Close _ | Bounce _ | Absorb _ -> true
+  | Strong_split _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ -> true
   | Weak_split _ | Time _ -> false
 
 let urgent m _ (s, transitions) =

@@ -38,7 +38,14 @@ let crowd_gen =
   let* bodies = list_repeat n body_gen in
   let* gap = oneofl [ 2; 4 ] in
   let* wall = frequencyl [ (2, None); (1, Some ""); (1, Some " absorb") ] in
-  let* falls = frequencyl [ (5, false); (1, true) ] in
+  let kicks = "choose { (1,0,0) weight 2, (-1,0,0), (vx, vy, vz) }" in
+  let* law =
+    frequencyl
+      [
+        (6, []); (1, [ "motion p0 = (vx, vy, vz - dt)" ]); (1, [ "motion p1 = " ^ kicks ]);
+        (1, [ "motion p0 = " ^ kicks; "motion p1 = " ^ kicks ]);
+      ]
+  in
   let body i ((vx, vy), behaviour) =
     let x, y = List.nth places i in
     Printf.sprintf "process p%d = Cube mass 1 velocity (%d,%d,0) at translate (%d,%d,0) [%s]" i vx vy (gap * x)
@@ -46,7 +53,6 @@ let crowd_gen =
   in
   let standing = Printf.sprintf "fixed wall = Cube scaled (1,20,1)%s at translate (30,0,0)" in
   let walls = List.map standing (Option.to_list wall) in
-  let law = if falls then [ "motion p0 = (vx, vy, vz - dt)" ] else [] in
   return (n, String.concat "\n" ((shapes :: List.mapi body bodies) @ walls @ law))
 
 (* Some of the same in a square, that bind with all neighbours: bonds close rings (reading I-37). *)

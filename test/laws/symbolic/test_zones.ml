@@ -115,7 +115,8 @@ let count_labels ~contact g =
         | Bounce { firsts; _ } -> if List.length firsts > 2 then "bounce of many" else "bounce"
         | Absorb _ -> "absorb"
         | Weak_split _ -> "weak split"
-        | Strong_split _ -> "strong split")
+        | Strong_split _ -> "strong split"
+        | Draw _ -> "draw")
   in
   let count (e : Zone_graph.edge) =
     let w = word e.step in

@@ -47,7 +47,7 @@ let sums m (s : State.t) = Array.fold_left (fun sums p -> add sums (of_process m
 let involved (label : Transition.label) =
   match label with
   | Bounce { firsts; _ } -> firsts
-  | Absorb { first; _ } -> [ first ]
+  | Absorb { first; _ } | Draw { first; _ } -> [ first ]
   | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
     List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds label)
 
@@ -57,7 +57,7 @@ let pushes (label : Transition.label) =
   match label with
   | Weak_split r -> by r
   | Strong_split releases -> List.exists by releases
-  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ -> false
+  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ -> false
 
 (* Whether a push surely moves pieces apart: not where all that it drives apart goes on as one, nor where the
    pushes on a piece may cancel each other, which takes a ring. *)
@@ -72,7 +72,7 @@ let drives_apart (m : Model.t) (t : Transition.t) =
       | [] -> false
       | [ _ ] -> true
       | _ -> not (Model.closes_rings m))
-  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ -> false
+  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ -> false
 
 let is_fixed m s leaf =
   Option.is_none (State.mass m (Option.get (State.home s leaf)))
@@ -91,7 +91,7 @@ let fault m s (t : Transition.t) =
   let rigid = Option.is_some m.Model.rigid in
   let energy = Rat.compare after.energy before.energy in
   match t.label with
-  | Time _ -> None
+  | Time _ | Draw _ -> None
   | (Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _)
     when List.memq Rule.Steer t.rules || List.memq Rule.Round t.rules -> None
   | Absorb { first; _ } ->

@@ -107,8 +107,6 @@ let behaviour i = if i = 0 then Behaviour.nil else Behaviour.call (i - 1)
 
 (* {1 Networks} *)
 
-let fall : Law.t = Velocity (Var Vx, Sub (Var Vy, Mul (Const (int 2), Var Dt)), Var Vz)
-
 (* About half of the fixed ones, where some may absorb: they do nothing. *)
 let absorbs switches b = Switches.absorbs switches && b.fixed && b.behaviour mod 2 = 0
 
@@ -122,7 +120,7 @@ let leaf switches i (b : body) : Model.leaf =
   in
   {
     name; template = "Cube"; parts = Array.of_list (List.mapi part parts); fixed = b.fixed;
-    absorbs = absorbs switches b; mass = int b.mass; law = (if b.falls then fall else Inertial);
+    absorbs = absorbs switches b; mass = int b.mass; law = (if b.falls then Switches.law switches else Inertial);
     law_at = Scc_base.Span.none;
   }
 
@@ -205,9 +203,9 @@ let packed ~steered =
 
 let generate ?(steered = false) () = Gen.map plain (apart ~steered)
 
-let switched ?(steered = false) () =
+let switched ?(steered = false) ?draws () =
   let open Gen in
-  let* switches = Switches.generate () and* tight = frequencyl [ (2, true); (1, false) ] in
+  let* switches = Switches.generate ?draws () and* tight = frequencyl [ (2, true); (1, false) ] in
   let* bodies = if tight then packed ~steered else apart ~steered in
   let linking b = map (fun linked -> if linked then { b with behaviour = link } else b) bool in
   let+ bodies = if Switches.closes_rings switches then flatten_l (List.map linking bodies) else pure bodies in

@@ -9,9 +9,9 @@ val generate : ?steered:bool -> unit -> t QCheck2.Gen.t
 (** Two to six bodies, close together and in motion; shrinks. With [steered] (not by default), some fall
     by a law of motion. *)
 
-val switched : ?steered:bool -> unit -> t QCheck2.Gen.t
+val switched : ?steered:bool -> ?draws:bool -> unit -> t QCheck2.Gen.t
 (** The same with random switches of the semantics ({!Switches}), most of them packed: face to face in a grid, so
-    that much collides at once. *)
+    that much collides at once. With [draws] false nothing is drawn. *)
 
 val absorbing : unit -> t QCheck2.Gen.t
 (** Every third body absorbs what hits it, and perhaps others. *)

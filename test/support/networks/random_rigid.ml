@@ -12,10 +12,11 @@ type features = {
   behaves : bool;
   plain : bool;
   switched : bool;
+  draws : bool;
 }
 
 let anything =
-  { dynamics = `Any; rounds = false; laws = false; behaves = true; plain = false; switched = false }
+  { dynamics = `Any; rounds = false; laws = false; behaves = true; plain = false; switched = false; draws = true }
 
 type body = {
   cell : int * int * int;  (** distinct from body to body *)
@@ -120,8 +121,6 @@ let behaviour i = if i = 0 then Behaviour.nil else Behaviour.call (i - 1)
 
 (* {1 Networks} *)
 
-let fall : Law.t = Velocity (Var Vx, Sub (Var Vy, Mul (Const (int 2), Var Dt)), Var Vz)
-
 let leaves bodies =
   List.concat (List.mapi (fun i b -> List.mapi (fun j leaf -> (i, j, b, leaf)) shapes.(b.shape)) bodies)
 
@@ -140,7 +139,7 @@ let model_leaf switches (i, j, b, (parts, _)) : Model.leaf =
   {
     name; template = "Cube"; parts; fixed = b.fixed; absorbs = absorbs switches b;
     mass = Array.fold_left (fun sum (p : Model.part) -> Rat.add sum p.mass) Rat.zero parts;
-    law = (if b.falls then fall else Inertial);
+    law = (if b.falls then Switches.law switches else Inertial);
     law_at = Scc_base.Span.none;
   }
 
@@ -240,7 +239,8 @@ let body ~packed (features : features) =
 let generate (features : features) =
   let open Gen in
   let* packed = if features.switched then frequencyl [ (2, true); (1, false) ] else pure false in
-  let* switches = if features.switched then Switches.generate ~rigid:true () else pure Switches.off in
+  let switches = Switches.generate ~rigid:true ~draws:features.draws () in
+  let* switches = if features.switched then switches else pure Switches.off in
   let* bodies = map distinct (list_size (if packed then 3 -- 5 else 2 -- 4) (body ~packed features)) in
   let* dynamics =
     match features.dynamics with

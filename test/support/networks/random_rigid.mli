@@ -13,6 +13,7 @@ type features = {
   switched : bool;
   (** random switches of the semantics ({!Switches}), and most of the networks packed: cubes, planks and turned
       cubes in a grid, face to face *)
+  draws : bool;  (** what is under a law may draw, where there are switches *)
 }
 
 val anything : features

@@ -8,13 +8,14 @@ type t = {
   pushes : bool;
   rings : bool;
   absorbs : bool;
+  draws : bool;
   rounding : int option;
 }
 
 let off =
   {
     together = false; steps = Model.Shared; by_contact = false; pushes = false; rings = false; absorbs = false;
-    rounding = None;
+    draws = false; rounding = None;
   }
 
 let together = { off with together = true }
@@ -23,17 +24,37 @@ let by_contact = { off with by_contact = true }
 let absorbing = { off with absorbs = true }
 let rounding = { off with rounding = Some 2 }
 let rings = { off with rings = true }
+let drawing = { off with draws = true }
+let draws s = s.draws
 let pushes s = s.pushes
 let closes_rings s = s.rings
 let absorbs s = s.absorbs
 let without_pushes s = { s with pushes = false }
 
-let generate ?(rigid = false) () =
+let generate ?(rigid = false) ?(draws = true) () =
   let open Gen in
   let* together = frequencyl [ (2, true); (1, false) ] in
   let+ steps = oneofl [ Model.Shared; Own; Steady ] and* pushes = bool and* rings = bool and* absorbs = bool
+  and* draws = if draws then bool else pure false
   and* by_contact = if rigid then pure false else bool in
-  { together; steps; by_contact; pushes; rings; absorbs; rounding = None }
+  { together; steps; by_contact; pushes; rings; absorbs; draws; rounding = None }
+
+let minus_two_dt v : Law.expr = Sub (Var v, Mul (Const (Scc_exact.Rat.of_int 2), Var Dt))
+let fall : Law.vector = (Var Vx, minus_two_dt Vy, Var Vz)
+
+(* Seen alike from what moves on in a straight line. With a velocity that several kicks come to, one that is never
+   drawn, and weights that depend on the body. *)
+let kicks : Law.kick list =
+  let const n = Law.Const (Scc_exact.Rat.of_int n) in
+  [
+    { velocity = fall; weight = const 2 };
+    { velocity = (Add (Var Vx, const 1), Var Vy, Sub (Var Vz, const 1)); weight = Var Mass };
+    { velocity = (Div (Var Vx, const 0), Var Vy, Var Vz); weight = const 0 };
+    { velocity = (Var Vx, Var Vy, Var Vz); weight = Div (const 1, const 2) };
+    { velocity = fall; weight = If (Compare (Gt, Var Dt, const 0), const 1, const 0) };
+  ]
+
+let law s : Law.t = if s.draws then Choose kicks else Velocity fall
 
 let apply s (m : Model.t) =
   {
@@ -53,4 +74,5 @@ let print s =
   ^ word s.pushes " pushes"
   ^ word s.rings " rings"
   ^ word s.absorbs " absorbing"
+  ^ word s.draws " drawing"
   ^ word (Option.is_some s.rounding) " rounding"

@@ -16,6 +16,8 @@ val rings : t
 
 val absorbing : t
 
+val drawing : t
+
 val rounding : t
 (** One of them alone; the last rounds velocities to quarters. *)
 
@@ -30,9 +32,16 @@ val without_pushes : t -> t
 val absorbs : t -> bool
 (** Whether some fixed bodies absorb what hits them (rule Absorb). *)
 
-val generate : ?rigid:bool -> unit -> t QCheck2.Gen.t
+val draws : t -> bool
+(** Whether bodies under a law of motion draw their velocities (rule Draw). *)
+
+val law : t -> Law.t
+(** Of bodies under a law: they fall, or draw among falling and others. *)
+
+val generate : ?rigid:bool -> ?draws:bool -> unit -> t QCheck2.Gen.t
 (** Some on, some off: collisions together, steps of single processes or steady ones (where something is
-    steered), pushes, rings, bodies that absorb and, but with [rigid], binding by contact. *)
+    steered), pushes, rings, bodies that absorb, velocities that are drawn and, but with [rigid], binding by
+    contact. With [draws] false nothing is drawn. *)
 
 val apply : t -> Model.t -> Model.t
 val print : t -> string

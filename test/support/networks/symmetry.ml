@@ -10,14 +10,19 @@ type t = {
   later : Rat.t -> State.t -> State.t;
   duration : Rat.t -> Rat.t;
   impulse : Rat.t -> Rat.t;
+  velocity : Vec.t -> Vec.t;
   bond : State.bond -> State.bond;
   leaf : int -> int;
 }
 
-let make name ?(model = Fun.id) ?later ?(duration = Fun.id) ?(impulse = Fun.id) ?(bond = Fun.id)
-    ?(leaf = Fun.id) state =
+let make name ?(model = Fun.id) ?later ?(duration = Fun.id) ?(impulse = Fun.id) ?(velocity = Fun.id)
+    ?(bond = Fun.id)    ?(leaf = Fun.id) state =
   let later = match later with Some f -> f | None -> fun _ -> state in
-  { name; model; state; later; duration; impulse; bond; leaf }
+  { name; model; state; later; duration; impulse; velocity; bond; leaf }
+
+let mapped_draw velocity : State.draw -> State.draw = function
+  | Waits -> Waits
+  | Drawn v -> Drawn (velocity v)
 
 let map_processes f (s : State.t) =
   State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
@@ -26,7 +31,7 @@ let map_processes f (s : State.t) =
 let move ~position ~velocity ~turned =
   map_processes (fun (p : State.process) ->
       let leaf (l : State.leaf) = { l with position = position l.position; turned = turned l.turned } in
-      State.process ?phase:p.phase
+      State.process ?phase:p.phase ?draw:(Option.map (mapped_draw velocity) p.draw)
         ~leaves:(List.map leaf (Array.to_list p.leaves))
         ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~spin:(velocity p.spin) ~since:p.since
         ~lasts:p.lasts ~kept:(velocity p.kept) ~clock:p.clock ())
@@ -60,14 +65,16 @@ let quaternion_of r =
 (* The shapes are turned as declared; how they have turned since then is seen from elsewhere. *)
 let seen_by name q r =
   let turned t = Quaternion.mul q (Quaternion.mul t (Quaternion.inverse q)) in
-  make name ~model:(turned_model r) (move ~position:(Mat.apply r) ~velocity:(Mat.apply r) ~turned)
+  let apply = Mat.apply r in
+  make name ~model:(turned_model r) ~velocity:apply (move ~position:apply ~velocity:apply ~turned)
 
 let rotation name r = seen_by name (quaternion_of r) r
 let any_rotation q = seen_by ("rotation by " ^ Quaternion.to_string q) q (Quaternion.to_mat q)
 
 let turning q =
   let apply = Quaternion.apply q in
-  make ("turning by " ^ Quaternion.to_string q) (move ~position:apply ~velocity:apply ~turned:(Quaternion.mul q))
+  let state = move ~position:apply ~velocity:apply ~turned:(Quaternion.mul q) in
+  make ("turning by " ^ Quaternion.to_string q) ~velocity:apply state
 
 (* The signed permutation matrices of determinant 1. *)
 let rotations =
@@ -97,7 +104,7 @@ let permutation perm =
   in
   let process (p : State.process) =
     let leaf (l : State.leaf) = { l with leaf = perm.(l.leaf) } in
-    State.process ?phase:p.phase
+    State.process ?phase:p.phase ?draw:p.draw
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(List.map bond (Array.to_list p.bonds))
       ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
@@ -108,12 +115,16 @@ let permutation perm =
   make name ~model ~bond ~leaf:(Array.get perm) (map_processes process)
 
 let boost by =
-  let state = map_processes (fun (p : State.process) -> State.with_velocity (Vec.add by p.velocity) p) in
+  let velocity = Vec.add by in
+  let boosted (p : State.process) =
+    State.with_velocity (velocity p.velocity) (State.with_draw (Option.map (mapped_draw velocity) p.draw) p)
+  in
+  let state = map_processes boosted in
   let later d s =
     let leaf (l : State.leaf) = { l with position = Vec.axpy d by l.position } in
     map_processes (State.map_leaves leaf) (state s)
   in
-  make ("boost by " ^ Vec.to_string by) ~later state
+  make ("boost by " ^ Vec.to_string by) ~velocity ~later state
 
 (* {1 Units}
 
@@ -159,7 +170,7 @@ let scaling ~length ~time ~mass =
     { l with position = Vec.scale length l.position; behaviour }
   in
   let process (p : State.process) =
-    State.process ?phase:p.phase
+    State.process ?phase:p.phase ?draw:(Option.map (mapped_draw speed) p.draw)
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(Array.to_list p.bonds) ~velocity:(speed p.velocity) ~spin:(spin p.spin) ~since:(Rat.mul time p.since)
       ~lasts:(Option.map (Rat.mul time) p.lasts) ~kept:(momentum p.kept)
@@ -176,7 +187,7 @@ let scaling ~length ~time ~mass =
   make
     (Printf.sprintf "lengths times %s, times times %s, masses times %s" (say length) (say time) (say mass))
     ~model:(scaled_model ~length ~time ~mass) ~duration:(Rat.mul time)
-    ~impulse:(Rat.mul (impulse ~length ~time ~mass)) state
+    ~impulse:(Rat.mul (impulse ~length ~time ~mass)) ~velocity:speed state
 
 (* {1 Transitions under a symmetry} *)
 
@@ -197,6 +208,8 @@ let map_label symmetry s : Transition.label -> Transition.label = function
   | Strong_split releases ->
     let in_order (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
     Strong_split (List.sort in_order (List.map (map_release symmetry) releases))
+  | Draw { first; velocity; chance } ->
+    Draw { first = first_leaf symmetry s first; velocity = symmetry.velocity velocity; chance }
   | Absorb { first; absorber } ->
     Absorb { first = first_leaf symmetry s first; absorber = symmetry.leaf absorber }
   | Bounce { firsts; hits } ->
@@ -218,7 +231,7 @@ let of_leaves : Transition.label -> Transition.label = function
   | Bounce { firsts; hits } ->
     let hit (h : Transition.hit) = Transition.hit (fst h.one, 0) (fst h.two, 0) in
     Bounce { firsts; hits = List.sort_uniq Transition.compare_hit (List.map hit hits) }
-  | (Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _) as label -> label
+  | (Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _) as label -> label
 
 let equal (a : Transition.t) (b : Transition.t) =
   Transition.equal_label (of_leaves a.label) (of_leaves b.label)

@@ -10,13 +10,14 @@ type t = {
   later : Rat.t -> State.t -> State.t;  (** of the target of a transition that lasts so long *)
   duration : Rat.t -> Rat.t;
   impulse : Rat.t -> Rat.t;  (** of a push *)
+  velocity : Vec.t -> Vec.t;  (** that is drawn *)
   bond : State.bond -> State.bond;
   leaf : int -> int;
 }
 
 val make :
   string -> ?model:(Model.t -> Model.t) -> ?later:(Rat.t -> State.t -> State.t) -> ?duration:(Rat.t -> Rat.t) ->
-  ?impulse:(Rat.t -> Rat.t) ->
+  ?impulse:(Rat.t -> Rat.t) -> ?velocity:(Vec.t -> Vec.t) ->
   ?bond:(State.bond -> State.bond) -> ?leaf:(int -> int) -> (State.t -> State.t) -> t
 (** Of what is not said, the identity; [later] is [state] whatever has passed. *)
 

@@ -274,7 +274,21 @@ let behaviours_and_laws =
     case "a state predicate as a check" "SC0701" "time > 1" ~says:"always" "check k : time > 1";
     case "only, where contact binds" "SC0901" "top"
       (cube ^ "binding contact process p = Cube mass 1 [<a, {only top}>. nil]");
-    case "choose" "SC0901" "choose { (1,0,0), (0,1,0) }" "motion choose { (1,0,0), (0,1,0) }";
+    case "a negative weight" "SC0601" "-1" "motion choose { (1,0,0) weight 2, (0,1,0) weight -1 }";
+    case "a choice of nothing" "SC0601" "choose { (1,0,0) weight 1 - 1 }" "motion choose { (1,0,0) weight 1 - 1 }";
+    case "a family of no velocity" "SC0601" "choose { for i in 1..3 if i > 3: (i,0,0) }"
+      "motion choose { for i in 1..3 if i > 3: (i,0,0) }";
+    case "more velocities than there may be" "SC0111" "i"
+      "motion choose { for i in 1..1000, j in 1..1000, k in 1..2: (i,j,k) }";
+    case "the index of a family outside of it" "SC0201" "i" "motion choose { for i in 1..3: (i,0,0), (i,0,0) }";
+    case "a negative diffusion constant" "SC0601" "-1" "motion (diffuse(-1))";
+    case "diffusion that depends on the state" "SC0601" "x" "motion (diffuse(x))";
+    case "kicks that are too short" "SC0601" "diffuse(1, (0,0,0), 2)" ~says:"less than 6"
+      "motion (diffuse(1, (0,0,0), 2))";
+    case "a kick of no length" "SC0601" "0" "motion (diffuse(1, (0,0,0), 0))";
+    case "diffusion of nothing" "SC0206" "diffuse()" "motion (diffuse())";
+    case "diffusion within a law" "SC0205" "diffuse" ~says:"whole law" "motion (diffuse(1) + (1,0,0))";
+    case "diffusion outside of a law" "SC0201" "diffuse" "let d = diffuse(1)";
   ]
 
 (* Neighbours among the denominators have almost no common factors. *)

@@ -292,11 +292,7 @@ let motion () =
           motion r = (1/2, 0, 0) motion p3 = (1,0,0) motion (vx, vy, vz - 10*dt) motion g = inertial")
   in
   let law name = (leaf t name).law in
-  let is_inertial name =
-    match law name with
-    | Law.Inertial -> true
-    | Velocity _ -> false
-  in
+  let is_inertial name = Law.is_inertial (law name) in
   Alcotest.(check bool) "the family's" true (is_inertial "g[1]");
   Alcotest.(check bool) "none for a wall" true (is_inertial "w");
   (match law "g[2]" with

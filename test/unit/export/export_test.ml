@@ -91,7 +91,7 @@ check three : eventually quiescent
     (List.map aim (State_predicates.aims e.loaded.checks))
 
 let asked () =
-  let check formula =
+  let check ~draws formula =
     let e =
       Graphs.explored
         (Printf.sprintf
@@ -104,11 +104,11 @@ check c : %s
     in
     let predicates = Array.of_list (State_predicates.of_checks (Explored.model e.space) e.loaded.checks) in
     let f = (List.hd e.loaded.checks).formula in
-    match Pctl.formula ~occurs:(fun name -> not (String.equal name "x_p_gt_9")) predicates f with
+    match Pctl.formula ~occurs:(fun name -> not (String.equal name "x_p_gt_9")) ~draws predicates f with
     | Ok s -> s
     | Error why -> why
   in
-  let is expected formula = text formula expected (check formula) in
+  let is ?(draws = false) expected formula = text formula expected (check ~draws formula) in
   is "!(P<1 [F (\"x_p_eq_1\")])" "EF x(p) = 1";
   is "P>=1 [F (\"x_p_eq_1\")]" "AF x(p) = 1";
   is "!(P<1 [G (\"x_p_eq_1\")])" "EG x(p) = 1";
@@ -122,7 +122,14 @@ check c : %s
     (Printf.sprintf "((\"right_after\") & (\"x_p_eq_2\")) | (%s)" until)
     "A[ x(p) = 1 U x(p) = 2 ]";
   is "it has a bound of time" "AF[<= 2] x(p) = 1";
-  is "it has the operator X" "EX x(p) = 1"
+  is "it has the operator X" "EX x(p) = 1";
+  let is = is ~draws:true and not_told = "it speaks of runs of probability 0, too" in
+  is "!(P<=0 [F (\"x_p_eq_1\")])" "EF x(p) = 1";
+  is "P>=1 [G (\"x_p_eq_1\")]" "AG x(p) = 1";
+  is not_told "AF x(p) = 1";
+  is not_told "EG x(p) = 1";
+  is not_told "A[ x(p) = 1 U x(p) = 2 ]";
+  is not_told "x(p) = 1 leads_to x(p) = 2"
 
 let four () =
   Graphs.made ~unexplored:[ 3 ] ~resting:[ 2 ]

@@ -112,7 +112,7 @@ let either_order () =
     let bind (t : Transition.t) =
       match t.label with
       | Bind b -> Some b.name
-      | Time _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> None
+      | Time _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None
     in
     ignore m;
     List.find_map
@@ -147,7 +147,7 @@ let reversed m states =
 
 (* Laws of motion may speak of places and directions. *)
 let unless_laws symmetry (m : Model.t) states =
-  let inertial (l : Model.leaf) = match l.law with Inertial -> true | Velocity _ -> false in
+  let inertial (l : Model.leaf) = Law.is_inertial l.law in
   if Array.for_all inertial m.leaves then symmetry m states else None
 
 let translated =

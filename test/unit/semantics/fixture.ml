@@ -47,7 +47,7 @@ let body ?(velocity = (0, 0, 0)) ?(mass = 1) ?(fixed = false) ?(absorbs = false)
 
 let vec (x, y, z) = Vec.of_ints x y z
 
-let inertial = function Law.Inertial -> true | Law.Velocity _ -> false
+let inertial = Law.is_inertial
 
 let model ?(definitions = [||]) ?(timestep = q 1) ?(splits = Model.Every (q 1)) bodies : Model.t =
   let leaf b : Model.leaf =

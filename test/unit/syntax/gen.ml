@@ -241,15 +241,20 @@ let glue =
     (fun glue_first glue_second -> { glue_first; glue_second; glue_span = Scc_base.Span.none })
     feature feature
 
+let range = map2 (fun index bounds -> { index; bounds }) name (bounds_of expr)
+
+let kick =
+  map3
+    (fun over velocity weight -> { over; velocity; weight })
+    (oneof [ return []; some range ]) vector (opt expr)
+
 let law =
   located
     (oneof
        [
          return Inertial; map (fun v -> Expression v) vector;
-         map (fun ks -> Choose ks) (some (pair vector (opt expr)));
+         map (fun ks -> Choose ks) (some kick);
        ])
-
-let range = map2 (fun index bounds -> { index; bounds }) name (bounds_of expr)
 
 let import =
   let* library = bool in

@@ -174,9 +174,10 @@ class State:
 
 @dataclass(frozen=True)
 class Label:
-    """What a transition does: ``kind`` is "time", "bind", "close", "bounce", "absorb", "weak" or "strong".
+    """What a transition does: ``kind`` is "time", "bind", "close", "bounce", "absorb", "weak", "strong" or "draw".
 
-    ``text`` says who takes part; ``touching``, of a bounce, which bodies (or parts of them) touch, in pairs.
+    ``text`` says who takes part; ``touching``, of a bounce, which bodies (or parts of them) touch, in pairs. Of a
+    draw, ``process`` is the first body of who draws, ``velocity`` what it draws and ``chance`` its probability.
     """
 
     kind: str
@@ -187,6 +188,9 @@ class Label:
     between: Tuple[str, ...] = ()
     bonds: Tuple[Bond, ...] = ()
     touching: Tuple[Tuple[str, str], ...] = ()
+    process: Optional[str] = None
+    velocity: Optional[Vector] = None
+    chance: Optional[Fraction] = None
 
     @classmethod
     def from_json(cls, json: Json) -> Label:
@@ -200,6 +204,9 @@ class Label:
             tuple(json.get("between", ())),
             tuple(map(Bond.from_json, json.get("bonds", ()))),
             tuple((one, two) for one, two in json.get("touching", ())),
+            json.get("process"),
+            None if "velocity" not in json else numbers.vector(json["velocity"]),
+            None if "chance" not in json else numbers.fraction(json["chance"]),
         )
 
 
