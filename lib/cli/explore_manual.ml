@@ -27,13 +27,14 @@ let text =
       ( "$(b,tra)",
         "The explicit files of PRISM, or of Storm with $(b,--dialect storm): $(i,FILE).tra, .lab and .sta (and \
          .clab for Storm, with actions). The graph is a Markov decision process in which each transition is an \
-         action with probability 1. States without transitions get a loop: $(b,rest) where time passes for \
-         ever, $(b,stuck) where not even time passes, $(b,unexplored). $(i,FILE).names.json tells what the \
-         names stand for." );
+         action with probability 1, but where a velocity is drawn: all draws of a state are one action (the \
+         probabilities are floats here). States without transitions get a loop: $(b,rest) where time passes \
+         for ever, $(b,stuck) where not even time passes, $(b,unexplored). $(i,FILE).names.json tells what \
+         the names stand for." );
     `I
       ( "$(b,drn)",
-        "The same for Storm in one file, with exact durations as the reward model $(b,time). Comments tell \
-         what the names stand for." );
+        "The same for Storm in one file, with exact probabilities, and exact durations as the reward model \
+         $(b,time). Comments tell what the names stand for." );
     `I ("$(b,json)", "All there is: states in full. The schema is $(b,specs/schema/graph.schema.json).");
     `P
       "Of a model with parameters of which ranges are known ($(b,-D x=LOW..HIGH) narrows them), or with \
