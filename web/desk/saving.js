@@ -55,7 +55,7 @@ const Saving = (() => {
     try {
       const { status, body } = await Server.attempt("save", { text, saved: over });
       if (status === 200) done(generation, body.saved, "Saved.");
-      else if (status === 409 && body.text === text) done(generation, body.saved, "Saved.");
+      else if (status === 409 && body.saved !== "" && body.text === text) done(generation, body.saved, "Saved.");
       else if (status === 409) conflict(body);
       else Notices.show("save", `Not saved: ${body.error}.`);
     } catch (error) {
@@ -115,7 +115,7 @@ const Saving = (() => {
 
   /** @param {{text: string, saved: string}} there */
   function take(there) {
-    editor.replace(Source.inner(there.text));
+    editor.replace(Source.read(there.text));
     saved = there.saved;
     clean = editor.generation();
     Notices.say("This is what is in the file.");
