@@ -96,6 +96,9 @@ class Desk(Browser):
     def said(self, words, seconds=5):
         return self.wait(f'return document.querySelector("[data-testid=said]").textContent.includes("{words}")', seconds)
 
+    def no_problems(self):
+        return self.js('return document.querySelector("[data-testid=problems]").parentElement.querySelector(".empty").textContent')
+
     def notice(self, name, seconds=5):
         return self.wait(f'return document.querySelector(`[data-testid="notice-{name}"]`) !== null', seconds)
 
@@ -231,7 +234,26 @@ def saving(b):
     b.find('conflict-overwrite').click()
     b.wait('return !desk.state().unsaved')
     same('it is written over', read(b.path), ours)
+    write(b.path, (ours + '// in lines\n').replace('\n', '\r\n'))
+    b.js('desk.set(desk.text() + "// mine\\n")')
+    b.find('save').click()
+    b.wait('return document.getElementById("conflict").open')
+    b.find('conflict-take').click()
+    b.js('desk.set(desk.text() + "// on\\n")')
+    b.find('save').click()
+    b.wait('return !desk.state().unsaved')
+    same('lines end as in what was taken', read(b.path), (ours + '// in lines\n// on\n').replace('\n', '\r\n'))
+    write(b.path, ours)
+    b.js('desk.set(desk.text() + "// mine\\n")')
+    b.find('save').click()
+    b.wait('return document.getElementById("conflict").open')
+    b.find('conflict-take').click()
     os.remove(b.path)
+    b.js('desk.set("")')
+    b.find('save').click()
+    check('nor is there an empty file', b.wait('return document.getElementById("conflict").open'))
+    b.find('conflict-on').click()
+    b.js('desk.set(arguments[0])', ours)
     b.js('desk.set(desk.text() + "// more\\n")')
     b.find('save').click()
     b.wait('return document.getElementById("conflict").open')
@@ -499,8 +521,13 @@ def stopping(b, scc, folder):
     took = time.monotonic() - begun
     check('a text of 1 MB does not freeze the page', took < 4, took)
     check('and is read', b.wait('return desk.state().read', 20))
+    b.js('desk.set("// " + "z".repeat(9000000))')
+    check('one of 9 MB is not read, and that is said', b.notice('unread'))
+    same('nor is it told to be right', b.no_problems(), 'The text has not been read.')
+    b.driver.get_log('browser')  # the browser tells of the answer 413
     b.js('desk.set(arguments[0])', ENDLESS)
     b.is_read()
+    same('now it is', b.no_problems(), 'No problems.')
     b.end()
 
 

@@ -69,7 +69,8 @@ const Diagnose = (() => {
     const { code, message, data } = answer.error;
     const diagnostics = data && data.diagnostics;
     if (!diagnostics) {
-      result([], false);
+      Problems.unread();
+      told(false);
       Notices.show("unread", `The text is not read as you type: ${message}.`);
       return;
     }

@@ -25,6 +25,7 @@ const Problems = (() => {
   /** @type {(() => {from: number, to: number} | null)[]} */
   let live = [];
   let told = "";
+  let read = false;
 
   /** @param {Writing} of @param {HTMLElement} box */
   function start(of, box) {
@@ -47,6 +48,7 @@ const Problems = (() => {
    */
   function set(source, diagnostics) {
     found[source] = diagnostics;
+    if (source === "typed") read = true;
     if (source === "made") of = editor.text();
     show();
   }
@@ -63,6 +65,13 @@ const Problems = (() => {
       if (!known.has(key)) known.set(key, d);
     }
     return [...known.values()];
+  }
+
+  /** Nobody could read the text as it is now: it is not known what is wrong with it. */
+  function unread() {
+    found.typed = [];
+    read = false;
+    show();
   }
 
   function show() {
@@ -87,7 +96,7 @@ const Problems = (() => {
       })),
     );
     live = all.map((one) => (one.here ? marks[marked.indexOf(one)] : () => null));
-    list.fill(rows(), "No problems.");
+    list.fill(rows(), read ? "No problems." : "The text has not been read.");
     count();
   }
 
@@ -139,7 +148,7 @@ const Problems = (() => {
     const errors = all.filter((one) => one.diagnostic.severity === "error").length;
     const warnings = all.length - errors;
     const parts = [number(errors, "error"), number(warnings, "warning")].filter((part) => part !== "");
-    const text = parts.length === 0 ? "No problems" : parts.join(", ");
+    const text = parts.length > 0 ? parts.join(", ") : read ? "No problems" : "The text has not been read";
     const head = Dom.get("problems-count");
     Dom.tell(head, errors + warnings === 0 ? "" : String(errors + warnings));
     head.className = errors > 0 ? "count bad" : warnings > 0 ? "count open" : "count";
@@ -201,5 +210,5 @@ const Problems = (() => {
   const list_ = () => all;
   const errors = () => all.some((one) => one.diagnostic.severity === "error");
 
-  return { start, set, next, at, words, all: list_, errors };
+  return { start, set, unread, next, at, words, all: list_, errors };
 })();
