@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import json
 import random
+import re
 import signal
 import sys
 import time
@@ -18,10 +19,11 @@ from pathlib import Path
 from typing import Any, List, Optional, Tuple
 
 import generate
+from draws import chooses
 from model import Model, Undefined
 from motion import Undecided
 from oracle import Oracle, Refusal
-from states import State, label_of, state_of
+from states import Process, State, label_of, state_of
 from straight import Rules, Stopped
 from syntax import Refused
 from turning import Turning
@@ -55,10 +57,10 @@ def shown(here: Counter, told: Counter) -> str:
 def told_apart(key: Any) -> List[str]:
     processes, step, now = key
     lines = ["%s, time %s" % (plain(step), plain(now))]
-    for velocity, clock, bodies, bonds, spin, since, momentum, lasts, own in processes:
+    for velocity, clock, bodies, bonds, spin, since, momentum, lasts, own, draw in processes:
         lines.append(
-            "v %s clock %s bonds %s step %s lasts %s"
-            % (plain(velocity), plain(clock), plain(bonds), plain(own), plain(lasts))
+            "v %s clock %s bonds %s step %s lasts %s draw %s"
+            % tuple(plain(x) for x in (velocity, clock, bonds, own, lasts, draw))
         )
         if any(body.turned for _, body in bodies):
             lines.append(
@@ -76,8 +78,6 @@ def told_apart(key: Any) -> List[str]:
 
 
 def plain(value: Any) -> str:
-    import re
-
     text = re.sub(r"Fraction\((-?\d+), (\d+)\)", r"\1/\2", repr(value))
     return re.sub(r"frozenset\(\{(('[^']*'|[^'])*?)\}\)", r"{\1}", text.replace("/1,", ","))
 
@@ -87,6 +87,7 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
     model = rules.model
     own = Counter({(label, after.key()): 1 for label, after in rules.successors(state)})
     told: Counter = Counter()
+    drawn: List[Any] = []
     for t in answer["transitions"]:
         label = label_of(model, t["label"])
         after_time = state.time + (label[1] if label[0] == "time" else 0)
@@ -102,15 +103,41 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
             tally.kinds["bounce of several"] += 1
         if model.by_contact and label[0] == "bind" and not collide(rules, state, label):
             tally.kinds["bind by contact"] += 1
+        if label[0] == "draw":
+            drawn.append(label[2])
+            if t["label"]["text"] != "draw(%s, (%s, %s, %s)) chance(%s)" % (
+                label[1], *label[2], label[3]
+            ):  # fmt: skip
+                return "a label is written %s" % t["label"]["text"]
+            after = state_of(model, t["state"], str(after_time))
+            count_draw(rules, state, label, after, tally)
     tally.counts["transitions"] += sum(told.values())
     tally.counts["states"] += 1
     if not told and answer["ending"] == "quiescent" and model.rigid:
         tally.counts["rest proved"] += 1
+    if drawn != sorted(drawn):
+        return "the draws are not in order: %s" % plain(drawn)
     if own != told:
         return shown(own - told, told - own)
     if (answer["ending"] is None) != bool(told):
         return "ending %s" % answer["ending"]
     return None
+
+
+def count_draw(rules: Rules, state: State, label: Any, after: State, tally: Tally) -> None:
+    """What is special about a draw."""
+    last = all(p.draw is None for p in after.processes)
+    kinds = {
+        "draw of a compound": len(process_of(state, label[1]).bodies) > 1,
+        "draw among others": sum(p.draw is not None for p in state.processes) > 1,
+        "last draw": last,
+        "last draw into a collision": last and bool(rules.hit(after)),
+    }
+    tally.kinds.update({kind: 1 for kind, found in kinds.items() if found})
+
+
+def process_of(state: State, leaf: str) -> Process:
+    return next(p for p in state.processes if leaf in p.bodies)
 
 
 def pushes(label: Any) -> bool:
@@ -136,6 +163,7 @@ def switches(model: Model) -> List[str]:
     found = ["together"] * model.together + ["by contact"] * model.by_contact
     found += ["laws"] * model.steered + ["local steps"] * (model.steered and model.local)
     found += ["steady steps"] * (model.steered and model.steady) + ["only"] * model.only
+    found += ["draws"] * any(map(chooses, model.leaves.values()))
     found += ["pushes"] * model.pushes + ["cyclic"] * model.cyclic
     found += ["absorption"] * any(leaf.absorbs for leaf in model.leaves.values())
     rounding = model.rounding if model.rigid else "velocity" in model.rounding
@@ -195,17 +223,18 @@ def walk(
     """Random runs of a model; the first difference."""
     try:
         model = Model(text)
+        rules = Turning(model) if model.rigid else Rules(model)
         loaded = oracle.ask("model.load", text=text)
     except (Refusal, Refused) as error:
         tally.passed_over[str(error)[:60]] += 1
-        return None
+        without_value = isinstance(error, Refusal) and "SC0601" in str(error)
+        return given_up(rules, None, []) if without_value else None
     try:
         if loaded["rigid"] != model.rigid:
             return "rigid: %s" % loaded["rigid"]
         tally.counts["rigid models" if model.rigid else "models"] += 1
         for switch in switches(model):
             tally.counts[switch] += 1
-        rules = Turning(model) if model.rigid else Rules(model)
         seen: set = set()
         for run in range(runs):
             path: List[int] = []
@@ -288,6 +317,7 @@ def main() -> int:
     parser.add_argument("--no-suite", action="store_true")
     parser.add_argument("--stop", type=int, default=3, help="after so many differences")
     parser.add_argument("--only-rigid", action="store_true")
+    parser.add_argument("--only-draws", action="store_true", help="laws that choose")
     parser.add_argument("--seconds", type=int, default=0, help="for each model")
     parser.add_argument("--file", action="append", default=[])
     parser.add_argument("--suite", default=str(HERE / "../../../specs/conformance"))
@@ -315,6 +345,8 @@ def main() -> int:
     name = "the first"
     try:
         for name, text in numbered():
+            if options.only_draws and not re.search(r"\b(choose|diffuse)\b", text):
+                continue
             if options.only_rigid and "spin" not in text and "dynamics" not in text:
                 continue
             rng = random.Random("%s %d" % (name, options.seed))

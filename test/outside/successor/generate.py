@@ -31,6 +31,10 @@ SOLIDS = {
 }
 WALL = "shape Wall = Cube scaled (6, 1/2, 6)"
 SCALES = ["1", "1", "1", "1/2", "2", "3/2"]
+WEIGHTS = [
+    "", "", " weight 2", " weight 3", " weight 1/2", " weight 0", " weight mass",
+    " weight 1 + x*x", " weight if y > 0 then 1 else 0",
+]  # fmt: skip
 TURNS = ["(1,0,0,1)", "(1,1,0,0)", "(0,0,0,1)", "(1,1,1,1)", "(1,0,1,0)", "(2,0,0,1)"]
 
 
@@ -75,6 +79,7 @@ class Generator:
         self.behaviours: Dict[str, str] = {}  # of bodies, by name
         self.absorbers: Set[str] = set()
         self.laws = rng.random() < 0.3
+        self.draws = self.laws and rng.random() < 0.3  # rule Draw
         self.together = rng.random() < 0.35  # reading I-32
         self.by_contact = not rigid and rng.random() < 0.35  # reading I-33
         self.pushes = rng.random() < 0.5  # reading I-36
@@ -500,12 +505,54 @@ class Generator:
             "(if x > 0 then -1 else 1, vy, vz)", "(0, -1, 0)", "(round(vx, 1/2), vy, vz)",
             "(vx - x*dt/mass, vy, vz)", "(1 - time, vy, 0)",
         ]  # fmt: skip
+        if self.draws:
+            laws = laws[:4] + [self.choosing() for _ in range(4)]
         if rng.random() < 0.5:
-            self.lines.append("motion %s" % rng.choice(laws))
+            general = [law for law in laws if not law.startswith("diffuse")]
+            self.lines.append("motion %s" % rng.choice(general))
         fixed = {line.split()[1] for line in self.lines if line.startswith("fixed")}
         for name, _, _, _ in placed:
             if name not in fixed and rng.random() < 0.4:
                 self.lines.append("motion %s = %s" % (name, rng.choice(laws + ["inertial"])))
+
+
+    def choosing(self) -> str:
+        """A law that leaves the velocity to chance (Draw); in a few states it has no value."""
+        rng = self.rng
+        if rng.random() < 0.2:
+            more = rng.choice(["", "", ", (vx, 0, -1)", ", (vx, vy, vz)/2, 2", ", (0, dt, 0), 3"])
+            return "diffuse(%s%s)" % (rng.choice(["1/8", "1/3", "(1/4, 0, 1/2)"]), more)
+        if rng.random() < 0.1:
+            return rng.choice(
+                [
+                    "choose { for i in -1..1, j in 0..1: (vx, vy, vz)/2 + (i, j, 0)"
+                    " weight 1/(1 + i*i + j) }",
+                    "choose { (1/x, 0, 0) weight if x = 0 then 0 else 1, (0, y, 1) weight 1/2 }",
+                    "choose { (-1, 0, 0) weight x, (1, 0, 0) weight 2, (0, 1, 0) weight -y*y*0 }",
+                    "choose { (1, vy, 0) weight 1 - vx, (-1, vy, 0) weight 1 + vx }",
+                ]
+            )
+        kicks = []
+        for _ in range(rng.choice([1, 2, 2, 2, 3, 3, 4])):
+            kick = self.kick()
+            kicks += [kick + rng.choice(WEIGHTS)] * rng.choice([1, 1, 1, 1, 2])
+            if rng.random() < 0.15:
+                kicks.append(kick + rng.choice(WEIGHTS))
+        if rng.random() < 0.2:
+            kicks.append("for i in -1..1: (i, 0, vz) weight 2 - i*i")
+        kicks.append(self.kick())
+        rng.shuffle(kicks)
+        return "choose { %s }" % ", ".join(kicks)
+
+    def kick(self) -> str:
+        """A velocity: on a lattice, one that rounding changes, or one of what is seen."""
+        rng = self.rng
+        step = rng.choice(["1", "1", "1", "1/2", "1/3", "2/7"])
+        lattice = "(%s)" % ", ".join("%d*%s" % (rng.choice([-1, 0, 0, 1]), step) for _ in "xyz")
+        seen = ["(vx, vy, vz) + %s", "(vx, vy, vz)/2 - %s", "-(vx, 0, vz) + 2*%s", "(-x, -y, vz)"]
+        seen += ["(1 - time, vy, 0)", "(vx, vy - dt, vz)", "(0, mass/2, -1)", "(vx, vy, vz)"]
+        text = rng.choice(seen) if rng.random() < 0.4 else "%s"
+        return text % lattice if "%s" in text else text
 
 
 def overlap(a: Leaf, b: Leaf, offset: Vector) -> bool:

@@ -9,7 +9,7 @@ from typing import Any, Dict, List, Optional, Tuple
 import terms
 from solids import Feature, Solid
 from syntax import Refused, read, read_behaviour
-from vectors import IDENTITY, ZERO, Matrix, Vector, add, apply, multiply, scale
+from vectors import IDENTITY, ZERO, Matrix, Vector, add, apply, cross, dot, multiply, scale
 
 Site = Tuple[Optional[str], Feature]  # the part (None: the leaf is one solid), and its feature
 
@@ -32,7 +32,8 @@ class Leaf:
         self.name, self.parts, self.fixed = name, parts, fixed
         self.by_name = {part.name: part for part in parts}
         self.absorbs = False
-        self.law: Optional[Any] = None  # an expression for each component
+        self.template = ""  # the name of the shape that it is declared with
+        self.law: Optional[Any] = None  # an expression of a vector, or what gives several
         shares = []
         for part in parts:
             volume, centroid = part.solid.volume_and_centroid()
@@ -110,10 +111,16 @@ class Model:
         if kind == "not":
             return not self.number(expr[1], env)
         if kind == "negate":
-            return -self.number(expr[1], env)
+            return times(-1, self.number(expr[1], env))
+        if kind == "vector":
+            return tuple(self.number(e, env) for e in expr[1])
+        if kind == "component":
+            return self.number(expr[1], env)["xyz".index(expr[2])]
         if kind == "call" and expr[1] == "round":
             value, step = (self.number(e, env) for e in expr[2])
             return nearest(value, step)
+        if kind == "call" and expr[1] in FUNCTIONS:
+            return FUNCTIONS[expr[1]](*(self.number(e, env) for e in expr[2]))
         if kind in OPERATORS:
             left, right = self.number(expr[1], env), self.number(expr[2], env)
             if kind == "/" and right == 0:
@@ -221,6 +228,7 @@ class Model:
                 parts[0].mass = None if mass is None else Fraction(mass)
             leaf = Leaf(leaf_name, parts, word == "fixed")
             leaf.absorbs = "absorb" in declared
+            leaf.template = template_name(declared["solid"])
             self.leaves[leaf_name] = leaf
             moves = parts[0].motion if parts[0].motion else {"velocity": ZERO, "spin": ZERO}
             velocity = declared.get("velocity")
@@ -419,6 +427,22 @@ def written(text: str) -> Any:
     return read_behaviour(text)
 
 
+def template_name(solid: Any) -> str:
+    """The shape of which a solid is made, as it is written."""
+    return solid[1] if solid[0] == "shape" else template_name(solid[1])
+
+
+def times(a: Any, b: Any) -> Any:
+    """A product of numbers, or of a number and a vector."""
+    if isinstance(b, tuple):
+        a, b = b, a
+    return scale(b, a) if isinstance(a, tuple) else a * b
+
+
+def plus(a: Any, b: Any) -> Any:
+    return add(a, b) if isinstance(a, tuple) else a + b
+
+
 def is_let(value: Any) -> bool:
     return isinstance(value, tuple) and value[0] == "let"
 
@@ -449,11 +473,20 @@ def rotation(q: List[Fraction]) -> Matrix:
     )
 
 
+FUNCTIONS = {
+    "min": min,
+    "max": max,
+    "abs": abs,
+    "sign": lambda a: (a > 0) - (a < 0),
+    "dot": dot,
+    "cross": cross,
+}
+
 OPERATORS = {
-    "+": lambda a, b: a + b,
-    "-": lambda a, b: a - b,
-    "*": lambda a, b: a * b,
-    "/": lambda a, b: Fraction(a) / b,
+    "+": plus,
+    "-": lambda a, b: plus(a, times(-1, b)),
+    "*": times,
+    "/": lambda a, b: times(a, 1 / Fraction(b)),
     "=": lambda a, b: a == b,
     "!=": lambda a, b: a != b,
     "<": lambda a, b: a < b,

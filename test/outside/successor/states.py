@@ -13,6 +13,7 @@ from vectors import ZERO, Vector
 
 End = Tuple[str, Site]
 Bond = Tuple[str, FrozenSet[End]]
+WAITS = "waits"  # of a process that is to draw its velocity (rule Draw)
 
 
 @dataclass(frozen=True)
@@ -47,11 +48,13 @@ class Process:
     momentum: Optional[Vector] = None  # angular, of free bodies
     lasts: Optional[Fraction] = None  # a turn in all; None while one is due
     step: Optional[Step] = None  # of its own, with local steps (I-31)
+    draw: Any = None  # while somebody waits to draw: WAITS, or the velocity to come
 
     def key(self) -> Any:
         return (
             self.velocity, self.clock, tuple(sorted(self.bodies.items(), key=lambda b: b[0])),
             self.bonds, self.spin, self.since, self.momentum, self.lasts, self.step,
+            self.draw,
         )  # fmt: skip
 
 
@@ -107,7 +110,13 @@ def process_of(model: Model, told: dict) -> Process:
         vector(told["angular_momentum"]) if "angular_momentum" in told else None,
         None if told.get("lasts") is None else Fraction(told["lasts"]),
         step_of(told.get("step")),
+        draw_of(told.get("draw")),
     )
+
+
+def draw_of(told: Any) -> Any:
+    """Rule Draw: that a process waits, the velocity that it has drawn, or nothing."""
+    return vector(told) if isinstance(told, list) else told
 
 
 def step_of(told: Optional[dict]) -> Optional[Step]:
@@ -130,6 +139,8 @@ def label_of(model: Model, told: dict) -> Any:
     if kind == "bounce":
         hits = frozenset(frozenset(pair) for pair in told["touching"])
         return ("bounce", tuple(told["between"]), hits)
+    if kind == "draw":
+        return (kind, told["process"], vector(told["velocity"]), Fraction(told["chance"]))
     if kind == "absorb":
         return (kind,) + tuple(told["between"])
     if kind == "strong":

@@ -12,6 +12,7 @@ import impact
 import response
 import steps
 import terms
+from draws import Draws, waits
 from model import Leaf, Model, Part
 from rounding import Rounding
 from solids import Feature, Solid
@@ -21,6 +22,9 @@ from vectors import IDENTITY, ZERO, Vector, add, scale, sub
 Transition = Tuple[Any, State]
 Meeting = Tuple[Process, Process, List[Any]]  # two processes, and their touching pairs of parts
 Released = Dict[Bond, Fraction]  # bonds that are released, with their pushes (I-36)
+
+
+STEERED = Step(Fraction(0), "steered")
 
 
 class Stopped(Exception):
@@ -41,7 +45,7 @@ class Pair:
         return contact.approaching(self.part1.solid, self.part2.solid, self.offset, w)
 
 
-class Rules(Rounding):
+class Rules(Draws, Rounding):
     """The rules over one model."""
 
     def __init__(self, model: Model) -> None:
@@ -569,8 +573,12 @@ class Rules(Rounding):
 
     def settled(self, state: State, kind: str) -> State:
         """The end of each transition: Steer, and Round where velocities are rounded."""
-        state = self.after_steering(state, kind)
-        return self.begin_turns(state) if "velocity" in self.model.rounding else state
+        return self.finished(self.after_steering(state, kind))
+
+    def finished(self, state: State) -> State:
+        """The end of each transition after Steer, unless somebody waits to draw (Draw)."""
+        rounds = "velocity" in self.model.rounding and not waits(state)
+        return self.begin_turns(state) if rounds else state
 
     def begin_turns(self, state: State) -> State:
         """All turns that are due, of what neither collides nor binds by contact (I-33), begin at
@@ -583,30 +591,36 @@ class Rules(Rounding):
 
     def after_steering(self, state: State, kind: str) -> State:
         """Rule Steer: what is due after a transition (I-15)."""
-        if self.model.local:
-            return self.settled_locally(state)
         step = state.step
-        if step is None:
+        if step and step.phase == "moving" and (step.remaining == 0 or self.ends_step(kind)):
+            state = replace(state, step=Step(step.remaining, "due"))
+        asked = self.asked(state)
+        if not asked:
             return state
-        collides = bool(self.hit(state))
-        if step.phase == "moving" and (step.remaining == 0 or self.ends_step(kind)):
-            step = Step(step.remaining, "due")
-        if step.phase == "due" and not collides:
-            dt = self.model.timestep - step.remaining
-            processes = tuple(self.steered(p, state.time, dt) for p in state.processes)
-            return replace(state, processes=processes, step=Step(self.model.timestep, "steered"))
-        return replace(state, step=step)
+        return self.to_draw(state, asked) or self.steer_all(state, asked)
 
     def ends_step(self, kind: str) -> bool:
         """Whether a transition of a kind ends the step of the network (I-35)."""
         return kind in ("bind", "bounce", "absorb") and not self.model.steady
 
-    def settled_locally(self, state: State) -> State:
-        """Reading I-31: the steps that are over, of what does not collide, all at once."""
+    def asked(self, state: State) -> List[Process]:
+        """The processes whose laws are asked now: with steps of their own those that do not
+        collide and whose steps are over (I-31), and else all, if nothing collides."""
+        over = [p for p in state.processes if (p.step or state.step or STEERED).phase == "due"]
+        if not over:
+            return []
         hit = {id(p) for p in self.hit(state)}
-        old = [p for p in state.processes if p.step and p.step.phase == "due" and id(p) not in hit]
-        new = [steps.begun(self, self.steered(p, state.time, Fraction(0))) for p in old]
-        return state.having(old, new)
+        if self.model.local:
+            return [p for p in over if id(p) not in hit]
+        return [] if hit else over
+
+    def steer_all(self, state: State, asked: List[Process]) -> State:
+        """With new velocities of all whose laws are asked, and their next steps begun."""
+        dt = self.since_asked(state)
+        new = [self.steered(p, state.time, dt) for p in asked]
+        if self.model.local:
+            return state.having(asked, [steps.begun(self, p) for p in new])
+        return replace(state.having(asked, new), step=Step(self.model.timestep, "steered"))
 
     def seen(self, process: Process, name: str) -> Tuple[Vector, Vector]:
         """The place and the velocity of a leaf, as its law sees them."""
@@ -616,20 +630,10 @@ class Rules(Rounding):
     def steered(self, process: Process, time: Fraction, dt: Fraction) -> Process:
         if not steps.is_steered(self, process):
             return process
-        change = ZERO
-        for name, body in process.bodies.items():
-            leaf = self.leaf(name)
-            if leaf.law is not None:
-                x, v = self.seen(process, name)
-                law, env = leaf.law
-                seen = {
-                    "x": x[0], "y": x[1], "z": x[2], "vx": v[0], "vy": v[1], "vz": v[2],
-                    "mass": leaf.mass, "time": time, "dt": body.waited if self.model.local else dt,
-                }  # fmt: skip
-                new = self.model.vector(law, {**env, "": seen})
-                change = add(change, scale(leaf.mass, sub(new, v)))
-        velocity = add(process.velocity, scale(1 / self.mass(process), change))
-        return replace(process, velocity=velocity, lasts=None)
+        velocity = process.draw
+        if velocity is None:
+            (velocity,) = self.ways(process, time, dt)
+        return replace(process, velocity=velocity, lasts=None, draw=None)
 
     # States.
 
@@ -655,6 +659,9 @@ class Rules(Rounding):
 
     def successors(self, state: State) -> List[Transition]:
         """All transitions, in no order."""
+        drawings = self.drawings(state)
+        if drawings:
+            return drawings
         found = [*self.splits(state), *self.closings(state), *self.resolutions(state)]
         urgent = any(label[0] != "weak" for label, _ in found)
         if not urgent:

@@ -181,19 +181,31 @@ class Reader:
             return ("number", number(self.next()))
         if self.accept("("):
             inner = self.expr()
-            self.expect(")")
-            return inner
+            if self.accept(","):
+                inner = ("vector", [inner, *self.separated(self.expr, ")")])
+                if len(inner[1]) != 3:
+                    raise Refused("a vector has three components")
+            else:
+                self.expect(")")
+            return self._component(inner)
         if self.accept("true"):
             return ("true",)
         if self.accept("false"):
             return ("false",)
         name = self.name()
         if self.accept("("):
-            return ("call", name, self.separated(self.expr, ")"))
+            return self._component(("call", name, self.separated(self.expr, ")")))
         if indices and self.peek() == "[":
             self.next()
             return ("member", name, self.separated(self.expr, "]"))
-        return ("name", name)
+        return self._component(("name", name))
+
+    def _component(self, vector: Any) -> Any:
+        """A component of what was read, if it is asked for."""
+        if self.peek() == "." and self.peek(1) in ("x", "y", "z") and self.peek(2) != "(":
+            self.next()
+            return ("component", vector, self.next())
+        return vector
 
     def vector(self) -> Any:
         self.expect("(")
@@ -498,7 +510,8 @@ class Reader:
                 glues.append((first, self.feature()))
         return ("compound", name, parts, glues)
 
-    def _loop(self) -> Any:
+    def _ranges(self) -> List[Any]:
+        """Indices with their bounds."""
         ranges = []
         while True:
             name = self.name()
@@ -507,7 +520,10 @@ class Reader:
             self.expect("..")
             ranges.append((name, low, self.expr()))
             if not self.accept(","):
-                break
+                return ranges
+
+    def _loop(self) -> Any:
+        ranges = self._ranges()
         self.expect("{")
         body = self.items("}")
         self.expect("}")
@@ -522,9 +538,23 @@ class Reader:
                 self.at, target = start, None
         if self.accept("inertial"):
             return ("motion", target, None)
-        if self.peek() == "choose":
-            raise Refused("choose")
-        return ("motion", target, self.vector())
+        if self.accept("choose"):
+            self.expect("{")
+            return ("motion", target, ("choose", self.separated(self._kick, "}")))
+        if self.peek() == "diffuse" and self.peek(1) == "(":
+            self.at += 2
+            return ("motion", target, ("diffuse", self.separated(self.expr, ")")))
+        return ("motion", target, self.expr())
+
+    def _kick(self) -> Any:
+        """A velocity of ``choose``, with its weight, and the indices that write many of them."""
+        ranges = []
+        if self.accept("for"):
+            ranges = self._ranges()
+            self.expect(":")
+        velocity = self.expr()
+        weight = self.expr() if self.accept("weight") else ("number", Fraction(1))
+        return (ranges, velocity, weight)
 
     def _named_formula(self, word: str) -> Any:
         """A check is passed over; of a let, what is an expression of laws is kept."""

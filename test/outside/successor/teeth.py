@@ -17,6 +17,7 @@ from typing import Any, Callable, Dict
 
 import compare
 import contact
+import draws
 import generate
 import response
 import steps
@@ -25,7 +26,9 @@ import terms
 from model import Leaf
 from oracle import Oracle
 from rounding import Rounding
+from states import WAITS
 from straight import Rules
+from turning import Turning
 
 Mistake = Callable[[], Any]
 
@@ -45,7 +48,7 @@ _covered, _touch, _dimension = response.covered, contact.touch, contact.dimensio
 _grown, _passed = terms.grown, Rules.passed
 _clusters, _active, _steered = Rules.clusters, Leaf.active, Rules.steered
 _driven_apart, _line, _taken = Rules.driven_apart, Rules.line, Rules.taken
-_successors = Rules.successors
+_successors, _ways, _share = Rules.successors, Rules.ways, Rules.share
 
 
 def every_direction(own: Any, n: Any, others: Any) -> bool:
@@ -122,6 +125,56 @@ def not_urgent(self: Rules, state: Any) -> Any:
     return found
 
 
+def first_way(pairs: Any) -> Any:
+    """What is named twice counts as it is named first."""
+    found: Dict[Any, Any] = {}
+    for velocity, weight in pairs:
+        found.setdefault(velocity, weight)
+    return found
+
+
+def plain_mean(self: Rules, process: Any, leaf: Leaf) -> Fraction:
+    """All leaves count alike where something is drawn."""
+    drawing = self.draws(process)
+    return Fraction(1, len(process.bodies)) if drawing else _share(self, process, leaf)
+
+
+def one_for_all(self: Rules, process: Any, time: Fraction, dt: Fraction) -> Any:
+    """A whole draws by the law of its first leaf that chooses."""
+    drawing = [name for name in process.bodies if draws.chooses(self.leaf(name))]
+    if not drawing:
+        return _ways(self, process, time, dt)
+    alone = replace(process, bodies={drawing[0]: process.bodies[drawing[0]]})
+    return _ways(self, alone, time, dt)
+
+
+def at_once(self: Rules, state: Any) -> Any:
+    """A velocity takes effect as soon as it is drawn."""
+    after = [p if p.draw in (None, WAITS) else replace(p, velocity=p.draw) for p in state.processes]
+    return _after_drawing(self, replace(state, processes=tuple(after)))
+
+
+def time_and_draws(self: Rules, state: Any) -> Any:
+    """Time may pass although somebody waits to draw."""
+    found, d = _drawings(self, state), self.delay(state)
+    if found and d:
+        found.append((("time", d), self.settled(self.passed(state, d), "time")))
+    return found
+
+
+def in_any_order(self: Rules, state: Any) -> Any:
+    """Everybody who waits may draw next."""
+    found = []
+    for p in state.processes:
+        if p.draw == WAITS:
+            self.place = lambda q: q is not p  # type: ignore[method-assign]
+            found += _drawings(self, state)
+            del self.place
+    return found
+
+
+_after_drawing, _drawings = Rules.after_drawing, Rules.drawings
+
 MISTAKES: Dict[str, Mistake] = {
     "I-13: every direction counts": replaced(response, "covered", every_direction),
     "Response: the steepest normal alone": replaced(response, "project", nearest_normal),
@@ -175,6 +228,26 @@ MISTAKES: Dict[str, Mistake] = {
     "I-37: two bonds of two leaves": replaced(Rules, "unbound", any_two),
     "I-37: bonds are a tree": replaced(Rules, "closings", lambda self, state: []),
     "Close: time may pass": replaced(Rules, "successors", not_urgent),
+    "Draw: weights are chances": replaced(Rules, "normalised", lambda self, weights: weights),
+    "Draw: named twice, counted once": replaced(draws, "merged", first_way),
+    "Draw: weight 0 is drawn": replaced(Rules, "counts", lambda self, weight: True),
+    "Draw: masses do not count": replaced(Rules, "share", plain_mean),
+    "Draw: velocities change one by one": replaced(Rules, "after_drawing", at_once),
+    "Draw: by name": replaced(Rules, "place", lambda self, process: self.first(process)),
+    "Draw: in the order of declaration": replaced(
+        Rules, "place", lambda self, process: list(self.model.leaves).index(self.first(process))
+    ),
+    "Draw: the last one first": replaced(
+        Rules, "place", lambda self, process: max(b.position for b in process.bodies.values())
+    ),
+    "Draw: in any order": replaced(Rules, "drawings", in_any_order),
+    "Draw: time may pass": replaced(Rules, "drawings", time_and_draws),
+    "Draw: a turn goes on until all have drawn": replaced(
+        Turning, "stopped", lambda self, process: process
+    ),
+    "Draw: turns begin before all have drawn": replaced(straight, "waits", lambda state: False),
+    "I-38: one draw moves the whole": replaced(Rules, "ways", one_for_all),
+    "Diffuse: any kick": replaced(draws, "least_kick", lambda square: Fraction(4)),
     "I-36: along the first normal": replaced(
         Rules, "line", lambda self, normals, one, two: normals[0]
     ),

@@ -13,6 +13,7 @@ import impact
 import near
 import steps
 import terms
+from draws import waits
 from masses import NOTHING, from_moment, plus, point_inertia, second_moment
 from model import Model, Part, rotation
 from motion import STILL, Flight, inverse, product, whole
@@ -394,9 +395,10 @@ class Turning(Rest, Rules):
     def settled(self, state: State, kind: str) -> State:
         """The end of each transition: ends of turns, Steer, Round, beginnings of turns."""
         state = self.at_contact(state)
-        state = self.after_steering(state, kind)
-        state = self.at_contact(state)
-        return self.begin_turns(state)
+        return self.finished(self.after_steering(state, kind))
+
+    def finished(self, state: State) -> State:
+        return state if waits(state) else self.begin_turns(self.at_contact(state))
 
     def at_contact(self, state: State) -> State:
         """The turns that go on of all processes that collide end."""
@@ -412,8 +414,11 @@ class Turning(Rest, Rules):
 
     def steered(self, process: Process, time: Fraction, dt: Fraction) -> Process:
         """A law is asked when the turn is over."""
-        over = self.ended(process) if steps.is_steered(self, process) else process
+        over = self.stopped(process) if steps.is_steered(self, process) else process
         return super().steered(over, time, dt)
+
+    def stopped(self, process: Process) -> Process:
+        return self.ended(process)
 
     def begin_turns(self, state: State) -> State:
         """All turns that are due, of what does not collide, begin at once."""

@@ -32,13 +32,15 @@ class Part:
 
 
 class Body:
-    """What a leaf is made of. `law` is None or a function from an environment to a velocity."""
+    """What a leaf is made of. `law` is None or a function from an environment to a velocity, or to those that
+    it `chooses` from."""
 
     def __init__(self, name, parts, fixed, law=None):
         self.name = name
         self.parts = parts
         self.fixed = fixed
         self.law = law
+        self.chooses = False
         self.mass = sum(p.mass for p in parts)
 
     def centroid(self):

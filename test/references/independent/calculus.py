@@ -11,6 +11,7 @@ from itertools import combinations, product
 
 from behaviours import age, age_origin, canonical, horizon, least, offers
 from boxes import AXES, Body, Part, approaching, entry, inside, obstacle, on_surface, touching_pairs
+from draws import Draws
 
 __all__ = ['AXES', 'Body', 'Calculus', 'Leaf', 'Part', 'Process', 'State', 'ZERO', 'canonical', 'inside', 'minus',
            'obstacle', 'plus', 'times', 'touching_pairs']
@@ -20,7 +21,8 @@ __all__ = ['AXES', 'Body', 'Calculus', 'Leaf', 'Part', 'Process', 'State', 'ZERO
 
 Leaf = namedtuple('Leaf', 'name position behaviour origin')
 # bonds: a frozenset of (name, frozenset of two (leaf, part, vertex names))
-Process = namedtuple('Process', 'velocity clock leaves bonds')
+# draw: while somebody waits to draw, 'waits' or the velocity to come (draws.py)
+Process = namedtuple('Process', 'velocity clock leaves bonds draw', defaults=[None])
 # step: None, or (time left, 'moving' | 'due' | 'steered')
 State = namedtuple('State', 'processes step time')
 
@@ -40,7 +42,7 @@ def times(k, u):
 ZERO = (F(0), F(0), F(0))
 
 
-class Calculus:
+class Calculus(Draws):
     def __init__(self, bodies, definitions, timestep, split_step, together=False, by_contact=False, cyclic=False):
         self.together, self.by_contact, self.cyclic = together, by_contact, cyclic
         self.bodies = bodies
@@ -307,8 +309,7 @@ class Calculus:
                      + [self.horizon(p) for p in state.processes] + splits)
 
     def steerable(self, state):
-        return any(not self.fixed(p) and any(self.bodies[l.name].law for l in p.leaves)
-                   for p in state.processes)
+        return any(self.under_law(p) for p in state.processes)
 
     def pass_time(self, state, d):
         processes = []
@@ -331,25 +332,20 @@ class Calculus:
         return self.state(processes, step, state.time + d)
 
     def settle(self, state):
-        """Rule Steer, if it is due and nothing collides."""
+        """Rule Steer, if it is due and nothing collides, or the draws to come before."""
         if state.step and state.step[1] == 'due' and not self.collisions(state):
-            return self.steer(state, self.timestep - state.step[0])
+            dt = self.timestep - state.step[0]
+            return self.waiting(state, dt) or self.steer(state, dt)
         return state
 
     def steer(self, state, dt):
         processes = []
         for p in state.processes:
-            if not self.fixed(p):
-                change = ZERO
-                for l in p.leaves:
-                    body = self.bodies[l.name]
-                    if body.law:
-                        x, y, z = plus(l.position, body.centroid())
-                        vx, vy, vz = p.velocity
-                        new = body.law(dict(x=x, y=y, z=z, vx=vx, vy=vy, vz=vz, mass=F(body.mass),
-                                            time=state.time, dt=dt))
-                        change = plus(change, times(F(body.mass) / self.mass(p), minus(new, p.velocity)))
-                p = p._replace(velocity=plus(p.velocity, change))
+            if p.draw is not None:
+                p = p._replace(velocity=p.draw, draw=None)
+            elif not self.fixed(p):
+                (velocity,) = self.choices(p, state.time, dt)
+                p = p._replace(velocity=velocity)
             processes.append(p)
         return self.state(processes, (self.timestep, 'steered'), state.time)
 
@@ -364,6 +360,9 @@ class Calculus:
     def successors(self, state, jump=False):
         """All transitions: a set of (label, next state). Where all that has a law is held by something
         fixed, steps steer nothing, and time may jump over their ends."""
+        first = self.first_to_draw(state)
+        if first:
+            return self.draws(state, first, self.timestep - state.step[0])
         found = set()
 
         def replace(old, new, step):

@@ -125,10 +125,11 @@ class Comparison:
         if any('time' in t for t in model.law_texts):
             return
         try:
+            drawing = any(body.chooses for body in model.bodies.values())
             graph = explore.Graph(model.calculus, model.initial(), self.states)
         except explore.TooMany:
             return
-        self.found('explored')
+        self.found('explored with draws' if drawing else 'explored')
         rng = random.Random(seed)
         questions = [question(model, rng, graph) for _ in range(self.questions)]
         path = os.path.join(self.folder, 'check.sc')

@@ -8,7 +8,7 @@ from fractions import Fraction as F
 import random
 
 import calculus as c
-from shapes import LAWS, QUATERNIONS, TEMPLATES, Shape, site_text, vector
+from shapes import CHOICES, LAWS, QUATERNIONS, RETURNS, TEMPLATES, Shape, site_text, vector
 
 
 def site_order(site):
@@ -354,11 +354,26 @@ class Model:
     def laws(self):
         self.law_texts = []
         if self.rng.random() < 0.35:
+            drawn, few = self.aside.random() < 0.3, self.aside.random() < 0.6
             for body in self.bodies.values():
                 if not body.fixed and self.rng.random() < 0.7:
                     k = F(self.rng.choice([1, 2, 1, 4]), self.rng.choice([1, 2]))
                     text, body.law = self.rng.choice(LAWS)(k)
+                    if drawn and not few and self.aside.random() < 0.7:
+                        text, body.law = self.aside.choice(CHOICES)(k)
+                        body.chooses = True
                     self.law_texts.append('motion %s = %s\n' % (body.name, text))
+            if drawn and few:
+                self.few_places()
+
+    def few_places(self):
+        """Laws for all that leave bodies but few places to be in, so that states come again."""
+        self.law_texts = []
+        for body in self.bodies.values():
+            if not body.fixed:
+                text, body.law = self.aside.choice(RETURNS)(self.timestep)
+                body.chooses = True
+                self.law_texts.append('motion %s = %s\n' % (body.name, text))
 
     def channels(self):
         """The channels of the bonds, and of the behaviours that the leaves can come to."""

@@ -154,7 +154,9 @@ class Output:
                              l['origin']) for l in p['leaves']]
             bonds = frozenset(self.bond(b['name'], b['ends']) for b in p['bonds'])
             clock = None if p['clock'] is None else F(p['clock'])
-            processes.append(c.Process(self.vector(p['velocity']), clock, tuple(sorted(leaves)), bonds))
+            draw = p.get('draw')
+            processes.append(c.Process(self.vector(p['velocity']), clock, tuple(sorted(leaves)), bonds,
+                                       self.vector(draw) if isinstance(draw, list) else draw))
         processes.sort(key=lambda p: p.leaves[0].name)
         step = s['step'] and (F(s['step']['remaining']), s['step']['phase'])
         return c.State(tuple(processes), step, F(time))
@@ -169,6 +171,9 @@ class Output:
             return ('strong', frozenset(self.bond(b['name'], b['ends']) for b in label['bonds']))
         if kind == 'bounce':
             return ('bounce', frozenset(self.process_of(name, before) for name in label['between']))
+        if kind == 'draw':
+            drawn = self.vector(label['velocity'])
+            return ('draw', self.process_of(label['process'], before), drawn, F(label['chance']))
         raise Difference('label %s' % label)
 
     def process_of(self, name, state):

@@ -92,3 +92,23 @@ LAWS = [
     lambda k: ('(vx + %s*dt*(2 - time), vy, vz)' % k,
                lambda e: (e['vx'] + k * e['dt'] * (2 - e['time']), e['vy'], e['vz'])),
 ]
+
+# Laws that choose (rule Draw): velocities with weights. With the timestep for k the first ones lead to few places.
+RETURNS = [
+    lambda k: ('choose { (-x/(%s), 0, 0), (0, -y/(%s), 0) weight 2, (0, 0, 0) }' % (k, k),
+               lambda e: [((-e['x'] / k, F(0), F(0)), F(1)), ((F(0), -e['y'] / k, F(0)), F(2)),
+                          ((F(0), F(0), F(0)), F(1))]),
+    lambda k: ('choose { (-2*x/(%s), 0, 0), (0, 0, 0) weight x*x }' % k,
+               lambda e: [((-2 * e['x'] / k, F(0), F(0)), F(1)), ((F(0), F(0), F(0)), e['x'] ** 2)]),
+]
+CHOICES = RETURNS + [
+    lambda k: ('choose { (vx, vy, vz) + (%s, 0, 0), (vx, vy, vz) - (%s, 0, 0) weight 3 }' % (k, k),
+               lambda e: [((e['vx'] + k, e['vy'], e['vz']), F(1)), ((e['vx'] - k, e['vy'], e['vz']), F(3))]),
+    lambda k: ('choose { (%s, 0, 0) weight mass, (-1, vy, 0) weight if y > 0 then 1 else 0, (%s, 0, 0) }' % (k, k),
+               lambda e: [((k, F(0), F(0)), e['mass']), ((F(-1), e['vy'], F(0)), F(e['y'] > 0)),
+                          ((k, F(0), F(0)), F(1))]),
+    lambda k: ('choose { for i in -1..1: (i, 0, 0) weight 2 - i*i }',
+               lambda e: [((F(i), F(0), F(0)), F(2 - i * i)) for i in (-1, 0, 1)]),
+    lambda k: ('choose { (0, 0, 0), (0, -1, 0) weight %s + dt }' % k,
+               lambda e: [((F(0), F(0), F(0)), F(1)), ((F(0), F(-1), F(0)), k + e['dt'])]),
+]
