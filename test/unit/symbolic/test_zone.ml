@@ -30,6 +30,24 @@ let borders () =
   check "a closed one in an open one" false closed open_;
   check "a closed one in itself" true closed closed
 
+(* The same line of states, (t, 2 t): told by its first number, and by its second. *)
+let by_first constraint_ : Zone.t =
+  { (zone constraint_) with parameters = [| x; Linear.scale (Rat.of_int 2) x |] }
+
+let by_second constraint_ : Zone.t =
+  { (zone constraint_) with parameters = [| Linear.scale (Rat.div Rat.one (Rat.of_int 2)) x; x |]; basis = [| 1 |] }
+
+let other_forms () =
+  let least = Constraint.at_least x and greater = Constraint.greater x in
+  let one = Linear.constant 1 Rat.one and two = Linear.constant 1 (Rat.of_int 2) in
+  check "an open one in a closed one" true (by_first (greater one)) (by_second (least two));
+  check "a closed one in an open one" false (by_first (least one)) (by_second (greater two));
+  check "a closed one in a closed one" true (by_first (least one)) (by_second (least two));
+  check "the half of one" false (by_first (least one)) (by_second (least (Linear.constant 1 (Rat.of_int 3))));
+  check "of another line" false
+    { (by_first (least one)) with parameters = [| x; x |] }
+    (by_second (least (Linear.constant 1 Rat.zero)))
+
 let kinds () =
   let same name expected b = Alcotest.(check bool) name expected (Zone.same_kind closed b) in
   same "other numbers" true open_;
@@ -38,4 +56,4 @@ let kinds () =
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "zone" [ ("comparing", [ case "borders" borders; case "kinds" kinds ]) ]
+  Alcotest.run "zone" [ ("comparing", [ case "borders" borders; case "borders of other forms" other_forms; case "kinds" kinds ]) ]
