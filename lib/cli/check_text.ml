@@ -12,7 +12,8 @@ let shown_processes = 12
 let style : Verdict.t -> Console.style = function
   | Holds { bounds = []; _ } -> Good
   | Holds _ as v when not (Verdict.by_default v || Verdict.resources v) -> Good
-  | Holds _ | Undecided _ -> Doubtful
+  | Measured { reasons = []; _ } -> Good
+  | Holds _ | Measured _ | Undecided _ -> Doubtful
   | Violated _ -> Bad
 
 (* Steps that are told in one line: how many passings of the same time, or one step. *)
@@ -119,16 +120,35 @@ let way ~full m w = Scc_base.Long_list.append (step_lines ~most:12 ~full m w) (e
 
 let indented depth lines = Scc_base.Long_list.map (fun l -> String.make depth ' ' ^ l ^ "\n") lines
 
+(* What a run that is shown is to a probability, and how likely it is once all is chosen as it is there. *)
+let counted (check : Scc_property.Property.check) (w : Witness.t) =
+  let chance =
+    List.fold_left
+      (fun product (s : Witness.step) -> Rat.mul product (Scc_semantics.Transition.chance s.transition.label))
+      Rat.one w.steps
+  in
+  let counts =
+    match check.formula with
+    | Globally (Chance _, _, _) -> "that does not count"
+    | Finally (Chance _, _, _) | Until (Chance _, _, _, _) -> "that counts"
+    | _ -> "of which the reasons speak"
+  in
+  if Rat.equal chance Rat.one then counts
+  else Printf.sprintf "%s, of probability %s" counts (Likelihoods.number chance)
+
 let property console ~full ?where c ({ check; verdict = v; _ } as o : Verdict.outcome) =
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
   let witness = witness ~full ~about:(about check.formula) c in
   let run =
     match v with
+    | Holds { witness = Some w; _ } | Violated { witness = Some w } | Measured { reasons = []; witness = Some w; _ }
+      when Scc_property.Formula.asks_probability check.formula ->
+      [ (Printf.sprintf "a run %s:" (counted check w), witness w) ]
     | Holds { witness = Some w; _ } -> [ ("a run that shows it:", witness w) ]
     | Violated { witness = Some w } -> [ ("a run that violates it:", witness w) ]
     | Holds _ | Violated _ -> []
-    | Undecided reasons ->
+    | Measured { reasons; _ } | Undecided reasons ->
       List.filter_map
         (function
           | Verdict.Unexplored { nearest; _ } ->
@@ -214,6 +234,7 @@ let tally console verdicts =
   let exhaustive = count Verdict.exhaustive in
   let bounded = count (function Verdict.Holds { bounds = _ :: _; _ } -> true | _ -> false) in
   let violated = count (function Verdict.Violated _ -> true | _ -> false) in
+  let measured = count (function Verdict.Measured _ -> true | _ -> false) in
   let undecided = count (function Verdict.Undecided _ -> true | _ -> false) in
   let part n style text =
     if n = 0 then [] else [ Console.styled console style (Printf.sprintf "%d %s" n text) ]
@@ -222,6 +243,7 @@ let tally console verdicts =
     part exhaustive Good (if exhaustive = 1 then "holds" else "hold")
     @ part bounded Doubtful (if bounded = 1 then "holds up to the bound" else "hold up to the bound")
     @ part violated Bad "violated"
+    @ part measured Good "measured"
     @ part undecided Doubtful "undecided"
   in
   match verdicts with

@@ -262,11 +262,11 @@ let recurring t s (u : Eval.until) =
 let follow e (u : Eval.until) spot =
   let t = spot.course in
   let here = t.places.(spot.index) in
-  match Algebraic.to_rat spot.at.offset with
-  | None -> None
-  | Some offset ->
+  match (Algebraic.to_rat spot.at.offset, u.quantifier) with
+  | None, _ | _, Chance _ -> None
+  | Some offset, ((All | Exists) as quantifier) ->
     let start = Rat.add here.clock offset in
-    let some = match u.quantifier with Exists -> true | All -> false in
+    let some = quantifier = Formula.Exists in
     let side f = let v = Eval.value e f in if some then v.lower else v.upper in
     let s =
       { f = side u.left; g = side u.right; some; low = rat_max start (Some (Rat.add start u.bound.low));

@@ -24,33 +24,6 @@ let failure ~f (place : Run.place) =
   | Lost m -> Some m
   | Reached _ | Passes -> None
 
-(* To a moment inside the flow of s; where an open interval begins there, an offset in it, before the limit too.
-*)
-let during graph ~f ~g ?limit s (moment : Timeline.moment) =
-  let least a b =
-    match (a, b) with
-    | None, x | x, None -> x
-    | Some a, Some b -> Some (if Algebraic.compare a b <= 0 then a else b)
-  in
-  let next cuts =
-    Array.fold_left
-      (fun acc c -> if Algebraic.compare c moment.offset > 0 then least acc (Some c) else acc)
-      None cuts
-  in
-  let sample =
-    if moment.attained then moment.offset
-    else
-      let ending =
-        match Timed_graph.flow graph s with
-        | Lasts (d, _) -> Some (Algebraic.of_rat d)
-        | No_flow | Forever -> None
-      in
-      let cuts set = next (Positions.along set s).Pieces.cuts in
-      let high = least (least (cuts f) (cuts g)) (least ending limit) in
-      Algebraic.of_rat (Pieces.inside moment.offset high)
-  in
-  Run.During { moment; sample }
-
 let same (a : Timeline.moment option) (b : Timeline.moment option) =
   match (a, b) with
   | Some a, Some b -> Timeline.compare_moment a b = 0
@@ -108,7 +81,7 @@ let some_from_start e (u : Eval.until) high start =
       let edge = keep.edge s in
       match (graph.flow s, first ~f ~g place) with
       | No_flow, _ -> Follow { edge; flow = never }
-      | _, Reached m when keep.own p m -> Found (during graph ~f ~g ?limit s m)
+      | _, Reached m when keep.own p m -> Found (Run.during graph ~f ~g ?limit s m)
       | _, Passes -> Follow { edge; flow = keep.flow p }
       | _, (Reached _ | Lost _) -> Follow { edge; flow = never }
   in
@@ -121,9 +94,13 @@ let interval e (u : Eval.until) ~generous side =
   let high = Option.map (fun h -> Rat.sub h u.bound.low) u.bound.high in
   let phi = side (Eval.value e (the_until u u.quantifier high)) in
   let f = side (Eval.value e u.left) in
-  let x =
-    Interval.solve (Eval.index e) u.quantifier ~generous ~from:u.bound.low ~f ~phi
+  let quantifier : Interval.quantifier =
+    match u.quantifier with
+    | Exists -> Some_run
+    | All -> Every_run
+    | Chance _ -> Scc_base.Bug.fail __POS__ "no one run decides a probability"
   in
+  let x = Interval.solve (Eval.index e) quantifier ~generous ~from:u.bound.low ~f ~phi in
   (high, f, phi, x)
 
 (* Whether the instant [left] of a place lies inside its flow, or after the flow, of the given time. *)
@@ -216,7 +193,7 @@ let every_from_start e (u : Eval.until) high start =
       match (flow, first ~f ~g place) with
       | No_flow, _ -> Follow { edge; flow = never }
       | _, (Reached m | Lost m) when comes_late high place m -> Found Passes
-      | _, Lost m -> Found (during graph ~f ~g ?limit s m)
+      | _, Lost m -> Found (Run.during graph ~f ~g ?limit s m)
       | _, Reached _ -> Follow { edge; flow = never }
       | Forever, Passes -> Found (match high with None -> Rests | Some _ -> Passes)
       | Lasts (d, _), Passes ->
@@ -244,7 +221,7 @@ let every e (u : Eval.until) start =
       else if Timed_graph.is_dead_end graph s then Found (Ends Stops)
       else
         let edge t = not (Interval.at x t place.left) in
-        let fails m = Run.Found (Ends (during graph ~f ~g:f ~limit:place.left s m)) in
+        let fails m = Run.Found (Ends (Run.during graph ~f ~g:f ~limit:place.left s m)) in
         match (reach graph place, failure ~f place) with
         | Nowhere, _ -> Follow { edge; flow = never }
         | Within, Some m when Algebraic.compare m.offset place.left < 0 -> fails m

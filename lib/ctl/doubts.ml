@@ -92,10 +92,10 @@ let next t (f : Eval.value) sources =
    else. *)
 type way = { visited : int list; through : int list }
 
-let way t (u : Eval.until) (f : Eval.value) (g : Eval.value) (op : Eval.value) sources =
+let way t (u : Eval.until) (f : Eval.value) (g : Eval.value) in_doubt sources =
   let late = Rat.sign u.bound.low > 0 in
-  let unbounded = (not late) && Option.is_none u.bound.high in
-  let in_doubt, _ = doubtful op in
+  let unbounded = Option.is_some in_doubt && (not late) && Option.is_none u.bound.high in
+  let in_doubt = Option.value in_doubt ~default:(fun _ -> true) in
   let through s =
     if unbounded then in_doubt s else Positions.at f.upper s && (late || not (Positions.at g.lower s))
   in
@@ -112,9 +112,18 @@ let way t (u : Eval.until) (f : Eval.value) (g : Eval.value) (op : Eval.value) s
   let visited = List.rev !visited in
   { visited; through = List.filter through visited }
 
+(* A probability may be in doubt for what comes after positions from which on it is known well enough. *)
+let is_likelihood formula =
+  match Eval.as_until formula with Some ({ quantifier = Chance _; _ }, _) -> true | Some _ | None -> false
+
+let rec has_likelihood (f : Formula.t) =
+  match f with
+  | Not f -> has_likelihood f
+  | And fs | Or fs -> List.exists has_likelihood fs
+  | Predicate _ | Next _ | Until _ | Finally _ | Globally _ -> is_likelihood f
+
 let rec walk t (formula : Formula.t) sources =
-  let value = Eval.value t.eval formula in
-  let sources = restrict value sources in
+  let sources = if has_likelihood formula then sources else restrict (Eval.value t.eval formula) sources in
   match (sources, formula) with
   | { nodes = []; flows = [] }, _ -> ()
   | _, Predicate p -> predicate t p sources
@@ -124,23 +133,25 @@ let rec walk t (formula : Formula.t) sources =
   | _, (Until _ | Finally _ | Globally _) -> (
       match Eval.as_until formula with
       | None -> Scc_base.Bug.fail __POS__ "an operator of time that is none"
-      | Some (u, _) -> until t u value sources)
+      | Some (u, _) -> until t u formula sources)
 
-and until t (u : Eval.until) value sources =
+and until t (u : Eval.until) formula sources =
   let f = Eval.value t.eval u.left and g = Eval.value t.eval u.right in
-  let { visited; through } = way t u f g value sources in
+  let in_doubt =
+    if is_likelihood formula then None else Some (fst (doubtful (Eval.value t.eval formula)))
+  in
+  let { visited; through } = way t u f g in_doubt sources in
   let known, unknown = List.partition t.graph.known through in
   List.iter (unexplored t) unknown;
   let flows = List.filter (has_flow t) (List.rev_append sources.flows known) in
   walk t u.left { nodes = visited; flows };
   walk t u.right { nodes = visited; flows }
 
-let find eval formula (position : Positions.position) =
+let possible eval formula (position : Positions.position) =
   let graph = Eval.graph eval in
   let t = { eval; graph; unexplored_nodes = Bits.create graph.size; found = [] } in
   let sources =
-    if Option.is_some (Eval.truth eval formula position) then { nodes = []; flows = [] }
-    else if Positions.is_inside position then { nodes = []; flows = [ position.node ] }
+    if Positions.is_inside position then { nodes = []; flows = [ position.node ] }
     else { nodes = [ position.node ]; flows = [] }
   in
   walk t formula sources;
@@ -149,3 +160,8 @@ let find eval formula (position : Positions.position) =
     if Bits.mem t.unexplored_nodes s then nodes := s :: !nodes
   done;
   { unexplored = !nodes; undefined = List.rev t.found }
+
+let find eval formula position =
+  match Eval.truth eval formula position with
+  | Some _ -> { unexplored = []; undefined = [] }
+  | None -> possible eval formula position

@@ -10,5 +10,8 @@ type t = {
   (** predicates that are undecided where it matters, each predicate and reason once *)
 }
 
+val possible : Eval.t -> Formula.t -> Positions.position -> t
+(** Whether or not it is decided there: what keeps a probability that it asks for from being known. *)
+
 val find : Eval.t -> Formula.t -> Positions.position -> t
 (** All empty where it is decided, and only there. *)

@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_chance
 module Map = Map.Make (Formula)
 
 type predicates = {
@@ -8,9 +9,14 @@ type predicates = {
 }
 
 type value = { lower : Positions.t; upper : Positions.t }
-type t = { index : Timed_graph.index; predicates : predicates; mutable values : value Map.t }
+type t = {
+  index : Timed_graph.index;
+  predicates : predicates;
+  effort : Effort.t;
+  mutable values : value Map.t;
+}
 
-let create index predicates = { index; predicates; values = Map.empty }
+let create ?(effort = Effort.default) index predicates = { index; predicates; effort; values = Map.empty }
 let index t = t.index
 let graph t = Timed_graph.graph t.index
 let predicates t = t.predicates
@@ -22,17 +28,13 @@ type until = {
   right : Formula.t;
 }
 
-let dual : Formula.quantifier -> Formula.quantifier = function
-  | All -> Exists
-  | Exists -> All
-
 let opposite : Formula.t -> Formula.t = function Not f -> f | f -> Not f
 
 let as_until : Formula.t -> (until * bool) option = function
   | Until (quantifier, bound, left, right) -> Some ({ quantifier; bound; left; right }, false)
   | Finally (quantifier, bound, right) -> Some ({ quantifier; bound; left = And []; right }, false)
   | Globally (q, bound, f) ->
-    Some ({ quantifier = dual q; bound; left = And []; right = opposite f }, true)
+    Some ({ quantifier = Formula.dual q; bound; left = And []; right = opposite f }, true)
   | Predicate _ | Not _ | And _ | Or _ | Next _ -> None
 
 (** {2 Pairs of sets} *)
@@ -61,25 +63,44 @@ let some_next t f =
     ~exact:(is_exact f && Timed_graph.complete t.index)
     (fun ~generous side -> Until.next t.index ~generous (side f))
 
-let until t (q : Formula.quantifier) (bound : Formula.bound) f g =
-  let exact = is_exact f && is_exact g && Timed_graph.complete t.index in
+let all_known t f g = is_exact f && is_exact g && Timed_graph.complete t.index
+
+let until_of_runs t (q : Interval.quantifier) (bound : Formula.bound) f g =
   let from_start ~generous high f g =
     match (q, high) with
-    | Exists, None -> Until.some t.index ~generous ~f ~g
-    | All, None -> Until.every t.index ~generous ~f ~g
-    | Exists, Some bound -> Bounded.some t.index ~generous ~bound ~f ~g
-    | All, Some bound -> Bounded.every t.index ~generous ~bound ~f ~g
+    | Some_run, None -> Until.some t.index ~generous ~f ~g
+    | Every_run, None -> Until.every t.index ~generous ~f ~g
+    | Some_run, Some bound -> Bounded.some t.index ~generous ~bound ~f ~g
+    | Every_run, Some bound -> Bounded.every t.index ~generous ~bound ~f ~g
   in
   let empty = match bound.high with None -> false | Some h -> Rat.compare h bound.low < 0 in
   if empty then exactly (Positions.constant (graph t) false)
   else
-    both ~exact (fun ~generous side ->
+    both ~exact:(all_known t f g) (fun ~generous side ->
         let f = side f and g = side g in
         if Rat.sign bound.low <= 0 then from_start ~generous bound.high f g
         else
           let high = Option.map (fun h -> Rat.sub h bound.low) bound.high in
           let phi = from_start ~generous high f g in
           Interval.set (Interval.solve t.index q ~generous ~from:bound.low ~f ~phi))
+
+(* A probability grows with what satisfies f and g; whether that is for or against the test, it tells. *)
+let likely t ({ side; test } : Formula.chance) bound f g =
+  let question generous side_of : Likelihood.question =
+    { graph = graph t; side; bound; f = side_of f; g = side_of g; generous }
+  in
+  let effort = { t.effort with bound = Some test } in
+  let low = question false (fun v -> v.lower) and high = question true (fun v -> v.upper) in
+  let surely a = Answer.holds a test = Some true and perhaps a = Answer.holds a test <> Some false in
+  let upwards = match test.relation with At_least_so | More -> true | At_most | Less -> false in
+  if upwards then make (Likelihood.set low effort surely) (Likelihood.set high effort perhaps)
+  else make (Likelihood.set high effort surely) (Likelihood.set low effort perhaps)
+
+let until t (q : Formula.quantifier) bound f g =
+  match q with
+  | Exists -> until_of_runs t Some_run bound f g
+  | All -> until_of_runs t Every_run bound f g
+  | Chance chance -> likely t chance bound f g
 
 (** {2 Formulas} *)
 
@@ -107,6 +128,7 @@ and compute t (f : Formula.t) =
   | Or (f :: rest) -> List.fold_left (fun v g -> map2 ( || ) v (value t g)) (value t f) rest
   | Next (Exists, f) -> some_next t (value t f)
   | Next (All, f) -> not_ (some_next t (value t (opposite f)))
+  | Next (Chance _, _) -> Scc_base.Bug.fail __POS__ "a probability of the next transition"
   | Until _ | Finally _ | Globally _ -> (
       match as_until f with
       | None -> Scc_base.Bug.fail __POS__ "an operator of time that is none"
@@ -121,7 +143,7 @@ let parts (f : Formula.t) =
   | Predicate _ -> []
   | Not f -> [ f ]
   | And list | Or list -> list
-  | Next (Exists, f) -> [ f ]
+  | Next ((Exists | Chance _), f) -> [ f ]
   | Next (All, f) -> [ opposite f ]
   | Until _ | Finally _ | Globally _ ->
     Option.fold ~none:[] ~some:(fun (u, _) -> [ u.left; u.right ]) (as_until f)
@@ -131,8 +153,62 @@ let retain t formulas =
   let needed = List.fold_left need Map.empty formulas in
   t.values <- Map.filter (fun f _ -> Map.mem f needed) t.values
 
+(* At one position, of which a probability is found without those of all others. *)
+let pair_of v position = (Positions.mem v.lower position, Positions.mem v.upper position)
+
+let interval t effort side bound f g position =
+  let question generous side_of : Likelihood.question =
+    { graph = graph t; side; bound; f = side_of f; g = side_of g; generous }
+  in
+  let low = Likelihood.at (question false (fun v -> v.lower)) effort position in
+  if all_known t f g then (low, low)
+  else (low, Likelihood.at (question true (fun v -> v.upper)) effort position)
+
+type measured = { least : Answer.t; most : Answer.t }
+
+let probability t ~decide side f position =
+  match as_until f with
+  | None -> Scc_base.Bug.fail __POS__ "a probability of what is no until"
+  | Some (u, flipped) ->
+    let asked : Formula.quantifier -> Answer.bound option = function
+      | Chance { test; _ } -> Some test
+      | All | Exists -> None
+    in
+    let effort = { t.effort with bound = if decide then asked u.quantifier else None } in
+    let side = if flipped then Formula.other_side side else side in
+    let low, high = interval t effort side u.bound (value t u.left) (value t u.right) position in
+    if flipped then { least = Answer.complement high; most = Answer.complement low }
+    else { least = low; most = high }
+
+let rec decided t (f : Formula.t) position =
+  match f with
+  | Not f -> (
+      match decided t f position with
+      | lower, upper -> (not upper, not lower))
+  | And fs -> together ( && ) true t fs position
+  | Or fs -> together ( || ) false t fs position
+  | Until (Chance c, _, _, _) | Finally (Chance c, _, _) | Globally (Chance c, _, _) ->
+    if Map.mem f t.values then pair_of (value t f) position
+    else
+      let { least; most } = probability t ~decide:true c.side f position in
+      let upwards = match c.test.relation with At_least_so | More -> true | At_most | Less -> false in
+      let for_it, against = if upwards then (least, most) else (most, least) in
+      (Answer.holds for_it c.test = Some true, Answer.holds against c.test <> Some false)
+  | Predicate _ | Next _ | Until _ | Finally _ | Globally _ -> pair_of (value t f) position
+
+and together connect neutral t fs position =
+  List.fold_left
+    (fun (lower, upper) f ->
+       let l, u = decided t f position in
+       (connect lower l, connect upper u))
+    (neutral, neutral) fs
+
 let truth t f position =
-  let v = value t f in
-  if Positions.mem v.lower position then Some true
-  else if Positions.mem v.upper position then None
-  else Some false
+  match decided t f position with true, _ -> Some true | false, true -> None | false, false -> Some false
+
+let likely_run t (u : until) position =
+  match u.quantifier with
+  | All | Exists -> None
+  | Chance { side; _ } ->
+    let f = (value t u.left).lower and g = (value t u.right).lower in
+    Likelihood.run { graph = graph t; side; bound = u.bound; f; g; generous = false } t.effort position

@@ -33,8 +33,8 @@ type predicates = {
 
 type t
 
-val create : Timed_graph.index -> predicates -> t
-(** Sub-formulas are evaluated once for all formulas that are asked. *)
+val create : ?effort:Scc_chance.Effort.t -> Timed_graph.index -> predicates -> t
+(** Sub-formulas are evaluated once for all formulas that are asked. The effort is that for probabilities. *)
 
 val index : t -> Timed_graph.index
 val graph : t -> Timed_graph.t
@@ -49,6 +49,13 @@ val retain : t -> Formula.t list -> unit
 val truth : t -> Formula.t -> Positions.position -> bool option
 (** [None]: undecided. *)
 
+(** A probability; where not all is known, what it is not below, and what it is not above. *)
+type measured = { least : Scc_chance.Answer.t; most : Scc_chance.Answer.t }
+
+val probability : t -> decide:bool -> Formula.side -> Formula.t -> Positions.position -> measured
+(** Of an operator F, G or U, whatever its quantifier: the probability that a run from there does as it says. To
+    [decide] is to stop as soon as the test of that quantifier is. *)
+
 (** {1 The one operator behind F, G and U} *)
 
 type until = {
@@ -60,3 +67,7 @@ type until = {
 
 val as_until : Formula.t -> (until * bool) option
 (** An F, G or U as an U, and whether its truth is the opposite of that. *)
+
+val likely_run : t -> until -> Positions.position -> (Run.t * Scc_exact.Rat.t) option
+(** Of an until with a probability, a run that surely satisfies it, of a scheduler that attains the probability
+    ({!Likelihood.run}). *)

@@ -8,6 +8,7 @@ and because =
   | Parts of t list
   | Run of { run : Run.t; way : way; parts : t list; along : along option }
   | Everywhere of int Lazy.t
+  | Likelihood of { side : Formula.side; measured : Eval.measured; run : (Run.t * Rat.t) option; parts : t list }
 
 and way = Own | Onward of Course.place option
 and along = { claim : Formula.t; claimed : bool; course : Course.t; stretches : stretch list }
@@ -74,6 +75,18 @@ let until e (u : Eval.until) ~right spot position holds explain =
     let parts = at_goal found u.left u.left false @ at_goal found u.right right false in
     Run { run; way; parts; along }
   | Exists, false | All, true -> Everywhere (lazy (count e u position))
+  | Chance _, _ -> Bug.fail __POS__ "a probability is explained by one run"
+
+(* Of F and U a run that does as they say, of G one that does not. *)
+let likelihood e formula (u : Eval.until) ~side position explain =
+  let measured = Eval.probability e ~decide:false side formula position in
+  let run = Eval.likely_run e u position in
+  let at_goal =
+    match Option.bind run (fun (run, _) -> Run.goal run) with
+    | Some goal when definitely e u.right goal true -> [ explain None u.right goal ]
+    | Some _ | None -> []
+  in
+  Likelihood { side; measured; run; parts = at_goal }
 
 let visited e position =
   let n = ref 0 in
@@ -89,7 +102,7 @@ let next e (f : Formula.t) position holds ~quantifier explain =
     let leads s = if holds then Positions.at reach.lower s else not (Positions.at reach.upper s) in
     let run = Deciding_run.next e ~holds:is_so ~leads position in
     Run { run; way = Own; parts = [ explain f (Positions.start run.last) ]; along = None }
-  | Exists, false | All, true -> Everywhere (lazy (visited e position))
+  | Exists, false | All, true | Chance _, _ -> Everywhere (lazy (visited e position))
 
 (* Recursion is as deep as the formula. *)
 let rec of_known e spot (formula : Formula.t) position : t =
@@ -110,6 +123,9 @@ let rec of_known e spot (formula : Formula.t) position : t =
       | Until _ | Finally _ | Globally _ -> (
           match Eval.as_until formula with
           | None -> Bug.fail __POS__ "an operator of time that is none"
+          | Some (({ quantifier = Chance { side; _ }; _ } as u), flipped) ->
+            let side = if flipped then Formula.other_side side else side in
+            likelihood e formula u ~side position (of_known e)
           | Some (u, flipped) ->
             let right = match formula with Globally (_, _, f) -> f | _ -> u.right in
             until e u ~right spot position (not (Bool.equal holds flipped)) (of_known e))
@@ -126,9 +142,9 @@ let goes_on (run : Run.t) =
 
 let rec chain t =
   match t.because with
-  | Given | Everywhere _ -> None
+  | Given | Everywhere _ | Likelihood { run = None; _ } -> None
   | Parts parts -> List.find_map chain parts
-  | Run { run; parts; _ } -> (
+  | Run { run; parts; _ } | Likelihood { run = Some (run, _); parts; _ } -> (
       match (Run.goal run, List.find_map chain parts) with
       | Some _, Some more when goes_on more -> Some (Run.append run more)
       | _ -> Some run)

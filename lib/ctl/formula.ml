@@ -1,6 +1,8 @@
 open Scc_exact
 
-type quantifier = All | Exists
+type side = Least | Greatest
+type chance = { side : side; test : Scc_chance.Answer.bound }
+type quantifier = All | Exists | Chance of chance
 type bound = { low : Rat.t; high : Rat.t option }
 
 type t =
@@ -15,8 +17,34 @@ type t =
 
 let first_difference list = match List.find_opt (fun c -> c <> 0) list with Some c -> c | None -> 0
 
+let side_rank = function Least -> 0 | Greatest -> 1
+
+let compare_chance a b =
+  first_difference
+    [ Int.compare (side_rank a.side) (side_rank b.side); Scc_chance.Answer.compare_bound a.test b.test ]
+
+let quantifier_rank = function All -> 0 | Exists -> 1 | Chance _ -> 2
+
 let compare_quantifier a b =
-  match (a, b) with All, All | Exists, Exists -> 0 | All, Exists -> -1 | Exists, All -> 1
+  match (a, b) with
+  | Chance c, Chance d -> compare_chance c d
+  | (All | Exists | Chance _), _ -> Int.compare (quantifier_rank a) (quantifier_rank b)
+
+let other_side = function Least -> Greatest | Greatest -> Least
+
+(* "At least p of all runs satisfy f": for the most of them that can, not more than 1 - p do not satisfy it. *)
+let dual = function
+  | All -> Exists
+  | Exists -> All
+  | Chance { side; test } ->
+    let relation : Scc_chance.Answer.relation =
+      match test.relation with
+      | Less -> At_most
+      | At_most -> Less
+      | At_least_so -> More
+      | More -> At_least_so
+    in
+    Chance { side = other_side side; test = { relation; than = Rat.sub Rat.one test.than } }
 
 let compare_bound a b =
   first_difference [ Rat.compare a.low b.low; Option.compare Rat.compare a.high b.high ]
@@ -46,7 +74,11 @@ let rec compare a b =
 
 (** {2 For messages} *)
 
-let letter = function All -> "A" | Exists -> "E"
+let chance { side; test } =
+  let p = match side with Least -> "Pmin" | Greatest -> "Pmax" in
+  Printf.sprintf "%s %s" p (Scc_chance.Answer.bound_to_string test)
+
+let letter = function All -> "A" | Exists -> "E" | Chance c -> chance c ^ " "
 
 let bound b =
   match b.high with

@@ -2,10 +2,12 @@ open Scc_data
 open Scc_exact
 module P = Pieces
 
+type quantifier = Every_run | Some_run
+
 (* [x] says of positive rests up to [from] what X is; above it does not matter. *)
 type solution = {
   graph : Timed_graph.t;
-  quantifier : Formula.quantifier;
+  quantifier : quantifier;
   from : Rat.t;
   f : Positions.t;
   phi : Positions.t;
@@ -15,8 +17,8 @@ type solution = {
 let at t s rest =
   if Algebraic.compare_rat rest Rat.zero = 0 then Positions.at t.phi s else P.at t.x.(s) rest
 
-let quantify (q : Formula.quantifier) test targets =
-  match q with Exists -> Array.exists test targets | All -> Array.for_all test targets
+let quantify q test targets =
+  match q with Some_run -> Array.exists test targets | Every_run -> Array.for_all test targets
 
 (* Since when f fails, at the positive offset or after it: it holds up to there. *)
 let failure f offset =
@@ -55,7 +57,7 @@ let value t ~generous s =
   else if not (t.graph.known s) then P.constant generous
   else
     let edges = t.graph.edges s in
-    let join = match t.quantifier with Exists -> ( || ) | All -> ( && ) in
+    let join = match t.quantifier with Some_run -> ( || ) | Every_run -> ( && ) in
     let discrete () =
       Array.fold_left
         (fun acc u -> match acc with None -> Some t.x.(u) | Some p -> Some (P.map2 join p t.x.(u)))

@@ -12,11 +12,13 @@
 
 open Scc_exact
 
+type quantifier = Every_run | Some_run
+
 type solution
 
 val solve :
   Timed_graph.index ->
-  Formula.quantifier ->
+  quantifier ->
   generous:bool ->
   from:Rat.t ->
   f:Positions.t ->

@@ -19,6 +19,33 @@ let goal r : Positions.position option =
   | During { sample; _ } -> Some { node = r.last; offset = sample }
   | Rests | Stops | Repeats _ | Passes -> None
 
+(* To a moment inside the flow of s; where an open interval begins there, an offset in it, before the limit too.
+*)
+let during graph ~f ~g ?limit s (moment : Timeline.moment) =
+  let least a b =
+    match (a, b) with
+    | None, x | x, None -> x
+    | Some a, Some b -> Some (if Algebraic.compare a b <= 0 then a else b)
+  in
+  let next cuts =
+    Array.fold_left
+      (fun acc c -> if Algebraic.compare c moment.offset > 0 then least acc (Some c) else acc)
+      None cuts
+  in
+  let sample =
+    if moment.attained then moment.offset
+    else
+      let ending =
+        match Timed_graph.flow graph s with
+        | Lasts (d, _) -> Some (Algebraic.of_rat d)
+        | No_flow | Forever -> None
+      in
+      let cuts set = next (Positions.along set s).Pieces.cuts in
+      let high = least (least (cuts f) (cuts g)) (least ending limit) in
+      Algebraic.of_rat (Pieces.inside moment.offset high)
+  in
+  During { moment; sample }
+
 let append a b =
   let finish = match b.finish with Repeats k -> Repeats (k + List.length a.steps) | f -> f in
   { b with start = a.start; steps = List.rev_append (List.rev a.steps) b.steps; finish }

@@ -27,6 +27,17 @@ type t = {
 val goal : t -> Positions.position option
 (** The position to which the run is taken, when it ends in one. *)
 
+val during :
+  Timed_graph.t ->
+  f:Positions.t ->
+  g:Positions.t ->
+  ?limit:Algebraic.t ->
+  int ->
+  Timeline.moment ->
+  finish
+(** To a moment inside the flow of a node; where an open interval begins there, to an offset in it at which neither of
+    the sets has changed, and before the limit. *)
+
 val append : t -> t -> t
 (** The second run begins where the first one ends ({!goal}). *)
 

@@ -2,7 +2,13 @@ open Scc_data
 open Scc_exact
 
 type flow = No_flow | Lasts of Rat.t * int array | Forever
-type t = { size : int; known : int -> bool; edges : int -> int array; flow : int -> flow }
+type t = {
+  size : int;
+  known : int -> bool;
+  edges : int -> int array;
+  drawn : int -> Rat.t array option;
+  flow : int -> flow;
+}
 
 let edges g s = if g.known s then g.edges s else [||]
 let flow g s = if g.known s then g.flow s else No_flow

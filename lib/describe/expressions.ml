@@ -33,11 +33,24 @@ let rec expr t c (e : Ast.expr) =
   | Temporal (_, b, e) ->
     Option.iter (bound t c) b;
     expr t c e
+  | Measured (_, test, o) ->
+    Option.iter (fun (_, e) -> expr t c e) test;
+    outcome t c o
   | Until (_, f, b, g) | Leads_to (f, b, g) ->
     expr t c f;
     Option.iter (bound t c) b;
     expr t c g
   | Event (w, es) -> event t c w es
+
+and outcome t c = function
+  | Does e -> expr t c e
+  | Goes_until (f, b, g) ->
+    expr t c f;
+    Option.iter (bound t c) b;
+    expr t c g
+  | Has_at (e, at) ->
+    expr t c e;
+    expr t c at
 
 and component t (axis : Ast.name) =
   known t axis (first [ (fun () -> word Component axis.it) ])

@@ -10,7 +10,7 @@ let described (e : Ast.expr) =
   | Apply_in _ -> Printf.sprintf "`%s`" (Printer.expr e)
   | Co n -> Printf.sprintf "`~%s`" n.it
   | Quantified _ -> "a quantifier"
-  | Temporal _ | Until _ | Leads_to _ -> "a temporal operator"
+  | Temporal _ | Until _ | Leads_to _ | Measured _ -> "a temporal operator"
   | Event _ -> "`event`"
   | Number _ | True | False | Path _ | Component _ | Vector _ | Neg _ | Not _ | Binary _ | If _ -> "this"
 
@@ -155,7 +155,7 @@ let rec is_constant env (e : Ast.expr) =
   | Neg a | Not a | Component (a, _) -> is_constant env a
   | Binary (_, a, b) -> is_constant env a && is_constant env b
   | If (a, b, c) -> is_constant env a && is_constant env b && is_constant env c
-  | Co _ | Apply _ | Apply_in _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ -> false
+  | Co _ | Apply _ | Apply_in _ | Quantified _ | Temporal _ | Until _ | Measured _ | Leads_to _ | Event _ -> false
 
 (* Of `let`s within `let`s no more is looked at. *)
 let most_looked_at = 10_000

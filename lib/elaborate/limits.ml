@@ -57,6 +57,11 @@ let reference (r : Ast.reference) = Long_list.map expr (r.indices @ r.arguments)
 let head (h : Ast.head) = Long_list.map expr h.places
 let definitions ds = Long_list.map (fun (_, e) -> Expr e) ds
 
+let outcome = function
+  | Ast.Does e -> [ Expr e ]
+  | Goes_until (f, b, g) -> Expr f :: Expr g :: bound b
+  | Has_at (e, t) -> [ Expr e; Expr t ]
+
 let expr_children (e : Ast.expr) =
   match e.it with
   | Number _ | True | False | Co _ -> []
@@ -70,6 +75,7 @@ let expr_children (e : Ast.expr) =
   | Binary (_, a, b) -> [ Expr a; Expr b ]
   | If (a, b, c) -> [ Expr a; Expr b; Expr c ]
   | Temporal (_, b, a) -> Expr a :: bound b
+  | Measured (m, test, o) -> Expr m :: (Option.to_list (Option.map (fun (_, e) -> Expr e) test) @ outcome o)
   | Until (_, a, b, c) | Leads_to (a, b, c) -> Expr a :: Expr c :: bound b
 
 let push j = Option.to_list (Option.map (fun e -> Expr e) j)

@@ -53,7 +53,7 @@ module Make (A : ALGEBRA) = struct
       | If (c, a, b) -> conditional ctx depth env c a b
       | Apply (f, es) when List.mem f.it functions -> apply ctx depth env e.at f.it es
       | Component (v, axis) -> component ctx axis (as_vec ctx v.at (at_depth ctx (depth + 1) env v))
-      | Apply _ | Apply_in _ | Co _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ->
+      | Apply _ | Apply_in _ | Co _ | Quantified _ | Temporal _ | Until _ | Measured _ | Leads_to _ | Event _ ->
         A.other ctx (at_depth ctx (depth + 1)) env e
 
   and num_at ctx depth env (e : Ast.expr) = as_num ctx e.at (at_depth ctx depth env e)

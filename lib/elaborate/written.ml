@@ -55,10 +55,16 @@ and written env names (e : expr) =
       Quantified (q, v, over, expr env inner body)
     | Temporal (t, b, a) -> Temporal (t, Option.map (bound env names) b, below a)
     | Until (q, f, b, g) -> Until (q, below f, Option.map (bound env names) b, below g)
+    | Measured (m, test, o) -> Measured (m, Option.map (fun (o, e) -> (o, below e)) test, outcome env names o)
     | Leads_to (f, b, g) -> Leads_to (below f, Option.map (bound env names) b, below g)
     | Event (w, es) -> Event (w, List.map below es)
   in
   { e with it = kind }
+
+and outcome env names = function
+  | Does e -> Does (expr env names e)
+  | Goes_until (f, b, g) -> Goes_until (expr env names f, Option.map (bound env names) b, expr env names g)
+  | Has_at (e, t) -> Has_at (expr env names e, expr env names t)
 
 and bound env names = function
   | Within t -> Within (expr env names t)

@@ -21,6 +21,7 @@ let kind : Verdict.t -> string = function
   | Holds { bounds = []; _ } -> "holds"
   | Holds _ -> "holds-up-to-bound"
   | Violated _ -> "violated"
+  | Measured _ -> "measured"
   | Undecided _ -> "undecided"
 
 let limit : Verdict.limit -> string * Json.t = function
@@ -172,11 +173,22 @@ let over ({ instants; ranges; example; _ } : Verdict.over) =
 (* An ordinary model leaves nothing open. *)
 let spoken_of (o : Verdict.over) = o.instants || Array.length o.ranges > 0
 
+(* A number, or bounds of it that are proved. *)
+let measured (side, (m : Scc_ctl.Eval.measured)) =
+  let end_ f a = Json.option Json.rat (f a) in
+  `Assoc
+    [
+      ("over", `String (match (side : Scc_property.Property.side) with Least -> "least" | Greatest -> "greatest"));
+      ("low", end_ Scc_chance.Answer.lower m.least);
+      ("high", end_ Scc_chance.Answer.upper m.most);
+    ]
+
 let property ?(full = false) ?where c ({ check; verdict = v; scale; rests; converges } as o : Verdict.outcome) =
   let bounds, reasons, run =
     match v with
     | Holds { bounds; witness } -> (bounds, [], witness)
     | Violated { witness } -> ([], [], witness)
+    | Measured { reasons; witness; _ } -> ([], reasons, witness)
     | Undecided reasons -> ([], reasons, None)
   in
   `Assoc
@@ -189,6 +201,9 @@ let property ?(full = false) ?where c ({ check; verdict = v; scale; rests; conve
       ("reasons", `List (List.map (reason ~full c) reasons));
       ("witness", Json.option (witness c) run);
     ]
+      @ (match v with
+          | Measured { values; _ } -> [ ("values", `List (List.map measured values)) ]
+          | Holds _ | Violated _ | Undecided _ -> [])
       @ (match rests with [] -> [] | _ :: _ -> [ ("rests_on", `List (List.map rest rests)) ])
       @ List.map convergence (Option.to_list converges)
       @ List.map (fun s -> ("split_step", Json.rat s)) (Option.to_list scale.split_step)

@@ -45,10 +45,21 @@ let unbounded (b : Property.bound) =
 (* Whether some first steps of a run show that it does so, or that it does not. *)
 type shown = By_a_prefix | By_its_absence
 
+(* Without a word for it, "P >= p" is meant of all schedulers. *)
+let likely (side : Property.side) (test : Scc_chance.Answer.bound) format =
+  let asked bound = Printf.sprintf "P%s [%s]" (Scc_chance.Answer.bound_to_string bound) format in
+  match (side, test.relation) with
+  | Least, (At_least_so | More) | Greatest, (At_most | Less) -> asked test
+  | Least, At_most -> Printf.sprintf "!(%s)" (asked { test with relation = More })
+  | Least, Less -> Printf.sprintf "!(%s)" (asked { test with relation = At_least_so })
+  | Greatest, At_least_so -> Printf.sprintf "!(%s)" (asked { test with relation = Less })
+  | Greatest, More -> Printf.sprintf "!(%s)" (asked { test with relation = At_most })
+
 (* A path formula of all schedulers, or of some one. Where nothing is drawn, runs have probability 0 or 1. Where
    something is, what takes all of a run may have probability 0, and is there all the same. *)
 let path l (q : Property.path_quantifier) shown format =
   match (q, shown) with
+  | Chance { side; test }, _ -> Ok (Asked (likely side test format))
   | All, _ when not l.draws -> Ok (Asked (Printf.sprintf "P>=1 [%s]" format))
   | Exists, _ when not l.draws -> Ok (Asked (Printf.sprintf "!(P<1 [%s])" format))
   | All, By_its_absence -> Ok (Asked (Printf.sprintf "P>=1 [%s]" format))

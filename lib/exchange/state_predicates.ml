@@ -57,10 +57,11 @@ let rec aim (f : Property.temporal) =
     | _ -> []
   in
   match f with
-  | Finally (_, b, g) -> of_state b g (fun p -> Reached p)
+  | Finally ((All | Exists), b, g) -> of_state b g (fun p -> Reached p)
   | Globally (All, b, g) -> of_state b g (fun p -> Kept p)
   | Temporal_and fs -> List.concat_map aim fs
-  | State _ | Temporal_not _ | Temporal_or _ | Next _ | Globally (Exists, _, _) | Until _ -> []
+  | State _ | Temporal_not _ | Temporal_or _ | Next _ | Finally (Chance _, _, _)
+  | Globally ((Exists | Chance _), _, _) | Until _ -> []
 
 let aims checks =
   List.concat_map

@@ -30,7 +30,7 @@ let rec given (e : Explanation.t) =
   match (e.formula, e.because) with
   | Predicate p, Given -> [ (p, e.position) ]
   | _, Parts parts -> List.concat_map given parts
-  | _, (Given | Run _ | Everywhere _) -> []
+  | _, (Given | Run _ | Everywhere _ | Likelihood _) -> []
 
 let rec is_state (f : Scc_ctl.Formula.t) =
   match f with
@@ -45,7 +45,8 @@ let leads_on e = match Explanation.chain e with Some run -> Explanation.goes_on 
 (* The last run of the chain, and the explanations where it leads. *)
 let rec last_run (e : Explanation.t) =
   match e.because with
-  | Given | Everywhere _ -> None
+  | Given | Everywhere _ | Likelihood { run = None; _ } -> None
+  | Likelihood { run = Some (run, _); parts; _ } -> Some (run, parts, None)
   | Parts parts -> Option.bind (List.find_opt has_run parts) last_run
   | Run { run; parts; along; _ } -> (
       match (Scc_ctl.Run.goal run, List.find_opt has_run parts) with
@@ -79,7 +80,7 @@ let facts context graph temporal e =
        let at_goal (part : Explanation.t) =
          match part.because with
          | Run { along; _ } -> on_the_way_of along
-         | Given | Parts _ | Everywhere _ -> given part
+         | Given | Parts _ | Everywhere _ | Likelihood _ -> given part
        in
        distinct (told (List.concat_map at_goal parts)))
 
@@ -170,7 +171,7 @@ let onward (course : Course.t option) (place : Course.place option) =
       (if recurs then ", and each time round" else "")
 
 (* [course] is the run on whose way it is explained. *)
-let because context graph temporal course (e : Explanation.t) =
+let because context graph temporal ~shown course (e : Explanation.t) =
   match e.because with
   | Given -> (
       match e.formula with
@@ -181,6 +182,14 @@ let because context graph temporal course (e : Explanation.t) =
   | Everywhere (lazy 0) -> [ "nothing on the way says otherwise" ]
   | Everywhere (lazy 1) -> [ "the one state that counts from here on was looked at" ]
   | Everywhere (lazy n) -> [ Printf.sprintf "all %d states that count from here on were looked at" n ]
+  | Likelihood { side; measured; _ } when shown -> [ Likelihoods.known side measured ]
+  | Likelihood { side; measured; run; _ } ->
+    Likelihoods.known side measured
+    :: List.concat_map
+      (fun (run, chance) ->
+         let clock, events = story context graph temporal run in
+         Likelihoods.of_run chance :: (listed events @ [ finish_text context graph temporal run clock ]))
+      (Option.to_list run)
   | Run { way = Onward place; _ } -> [ onward course place ]
   | Run { run; _ } ->
     let clock, events = story context graph temporal run in
@@ -210,7 +219,7 @@ let rec is_searched (e : Explanation.t) =
   match e.because with
   | Run { way = Own; _ } -> true
   | Parts parts -> List.exists is_searched parts
-  | Given | Everywhere _ | Run { way = Onward _; _ } -> false
+  | Given | Everywhere _ | Likelihood _ | Run { way = Onward _; _ } -> false
 
 (* When a run is where it leads, by the time since its start, if it leads somewhere. *)
 let end_of context graph temporal (run : Scc_ctl.Run.t) =
@@ -230,6 +239,9 @@ let rec tree context graph temporal ~shown ~at ~depth course (e : Explanation.t)
     match e.because with
     | Given | Everywhere _ -> []
     | Parts parts -> List.map (tree_of ~at course) parts
+    | Likelihood { run; parts; _ } ->
+      let there = Option.bind run (fun (run, _) -> if shown then end_of context graph temporal run else None) in
+      List.map (tree_of ~at:there None) parts
     | Run { run; parts; along; way } ->
       let here = match way with Own -> None | Onward _ -> course in
       let there = if shown then end_of context graph temporal run else None in
@@ -238,7 +250,7 @@ let rec tree context graph temporal ~shown ~at ~depth course (e : Explanation.t)
   in
   let formula, holds = affirmed temporal e in
   let claim = Show.temporal (Network_lts.model context) formula in
-  let because = List.filter_map (beyond claim holds) (because context graph temporal course e) in
+  let because = List.filter_map (beyond claim holds) (because context graph temporal ~shown course e) in
   { where = None; time = at; claim; holds; because; parts }
 
 (* What is so on the way of a run, when it takes more than a look at each position. *)
@@ -301,7 +313,7 @@ and everywhere (along : Explanation.along) =
 let rec is_plain (e : Explanation.t) =
   match e.because with
   | Given -> true
-  | Everywhere _ | Run _ -> false
+  | Everywhere _ | Run _ | Likelihood _ -> false
   | Parts parts -> List.for_all is_plain parts
 
 (* Of the initial state. *)
@@ -311,5 +323,5 @@ let argument context graph temporal (e : Explanation.t) =
   match e.because with
   | Run { parts; along; _ }
     when List.for_all is_plain parts && Option.fold ~none:true ~some:is_told along -> None
-  | Run _ -> Some (tree ~shown:true e)
+  | Run _ | Likelihood _ -> Some (tree ~shown:true e)
   | Given | Parts _ | Everywhere _ -> Some (tree ~shown:false e)

@@ -25,9 +25,7 @@ let rec negate = function
   | Or ps -> And (Long_list.map negate ps)
   | Fact _ as p -> Not p
 
-let dual = function
-  | All -> Exists
-  | Exists -> All
+let dual = Scc_ctl.Formula.dual
 
 let rec negation_normal_form = function
   | State p -> State p
@@ -51,7 +49,11 @@ and refuse = function
   | Until _ as f -> Temporal_not (negation_normal_form f)
 
 let rec quantifies kind f =
-  let is q = match (q, kind) with All, All | Exists, Exists -> true | All, Exists | Exists, All -> false in
+  let is q =
+    match (q, kind) with
+    | All, All | Exists, Exists | Chance _, _ -> true
+    | All, _ | Exists, _ -> false
+  in
   match f with
   | State _ -> false
   | Temporal_not f -> quantifies (dual kind) f
@@ -95,6 +97,13 @@ let rec by_one_run ~holds = function
   | Temporal_and fs -> (not holds) && List.exists (by_one_run ~holds) fs
   | Temporal_or fs -> holds && List.exists (by_one_run ~holds) fs
   | Next (q, _) | Finally (q, _, _) | Globally (q, _, _) | Until (q, _, _, _) -> (q = Exists) = holds
+
+let rec asks_probability = function
+  | State _ -> false
+  | Next (Chance _, _) | Finally (Chance _, _, _) | Globally (Chance _, _, _) | Until (Chance _, _, _, _) -> true
+  | Temporal_not f | Next (_, f) | Finally (_, _, f) | Globally (_, _, f) -> asks_probability f
+  | Temporal_and fs | Temporal_or fs -> List.exists asks_probability fs
+  | Until (_, _, f, g) -> asks_probability f || asks_probability g
 
 let mentions_time f = exists (Atom.depends_on Absolute_time) f
 let mentions_position f = exists (Atom.depends_on Absolute_place) f

@@ -83,7 +83,9 @@ and prop =
   | And of prop list
   | Or of prop list
 
-type path_quantifier = Scc_ctl.Formula.quantifier = All | Exists
+type side = Scc_ctl.Formula.side = Least | Greatest
+type chance = Scc_ctl.Formula.chance = { side : side; test : Scc_chance.Answer.bound }
+type path_quantifier = Scc_ctl.Formula.quantifier = All | Exists | Chance of chance
 
 (** Bounds of model time; [low] is 0 but for [[a, b]]. *)
 type bound = Scc_ctl.Formula.bound = { low : Rat.t; high : Rat.t option }
@@ -98,9 +100,16 @@ type temporal =
   | Globally of path_quantifier * bound * temporal
   | Until of path_quantifier * bound * temporal * temporal
 
+(** What is asked about a formula. *)
+type asked =
+  | Whether  (** it holds *)
+  | How_likely of side list
+  (** it is an operator of time of any quantifier: with which probability a run does as it says *)
+
 type check = {
   name : string;
   span : Scc_base.Span.t;
   text : string;  (** as the printer writes it *)
+  asked : asked;
   formula : temporal;
 }

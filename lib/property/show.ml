@@ -72,6 +72,7 @@ and bracket m p =
 let quantifier = function
   | All -> "A"
   | Exists -> "E"
+  | Chance c -> Scc_ctl.Formula.chance c ^ " "
 
 let bound b =
   match (Rat.sign b.low, b.high) with
@@ -111,11 +112,15 @@ let rec levelled m f =
       match (negated f, fs) with
       | Some premise, [ g ] -> (0, Printf.sprintf "%s => %s" (at 1 m premise) (at 0 m g))
       | _ -> joined 1 "or" f fs)
+  | Finally (Chance c, b, f) -> likely m c ("eventually" ^ bound b) f
+  | Globally (Chance c, b, f) -> likely m c ("always" ^ bound b) f
   | Next (q, f) -> prefix (quantifier q ^ "X") f
   | Finally (q, b, f) -> prefix (quantifier q ^ "F" ^ bound b) f
   | Globally (q, b, f) -> prefix (quantifier q ^ "G" ^ bound b) f
   | Until (q, b, f, g) ->
     (4, Printf.sprintf "%s[ %s U%s %s ]" (quantifier q) (temporal m f) (bound b) (temporal m g))
+
+and likely m c operator f = (4, Printf.sprintf "%s [ %s %s ]" (Scc_ctl.Formula.chance c) operator (temporal m f))
 
 and at level m f =
   let own, text = levelled m f in

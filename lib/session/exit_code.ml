@@ -48,7 +48,8 @@ let of_verdict (v : Verdict.t) =
   match v with
   | Violated _ -> Violated
   | Holds { bounds; _ } -> of_bounds bounds
-  | Undecided _ -> if Verdict.resources v then Stopped else Undecided
+  | Measured { reasons = []; _ } -> Holds
+  | Measured _ | Undecided _ -> if Verdict.resources v then Stopped else Undecided
 
 let of_exploration ~complete ~faults ~stopped_by =
   match faults with

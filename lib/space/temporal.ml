@@ -4,6 +4,7 @@ open Scc_property
 module Graph = State_graph
 
 type asked = {
+  context : Network_lts.context;
   formulas : Scc_ctl.Formula.t array;
   props : Property.prop array;
   predicates : On_the_fly.predicate array;
@@ -13,7 +14,7 @@ type t = { asked : asked; graph : Graph.t; eval : Scc_ctl.Eval.t }
 
 let ask context temporals =
   let formulas, props = Skeleton.of_temporal temporals in
-  { formulas = Array.of_list formulas; props; predicates = Array.map (Predicate.make context) props }
+  { context; formulas = Array.of_list formulas; props; predicates = Array.map (Predicate.make context) props }
 
 let is_timed g (e : Graph.edge) = Rat.sign (Graph.duration g e) > 0
 
@@ -22,7 +23,17 @@ let indexed test edges =
   let all = Array.to_list (Array.mapi (fun k e -> (k, e)) edges) in
   Array.of_list (List.filter (fun (_, e) -> test e) all)
 
-let timed_graph ~rests g : Timed_graph.t =
+(* Where something is drawn nothing else can happen. *)
+let drawn context g i =
+  let label (e : Graph.edge) = Catalogue.label_of (Network_lts.catalogue context) e.label in
+  match Graph.edges g i with
+  | [||] -> None
+  | edges -> (
+      match label edges.(0) with
+      | Draw _ -> Some (Array.map (fun e -> Scc_semantics.Transition.chance (label e)) edges)
+      | _ -> None)
+
+let timed_graph context ~rests g : Timed_graph.t =
   let size = Graph.size g in
   let known i =
     match Graph.status g i with
@@ -43,7 +54,7 @@ let timed_graph ~rests g : Timed_graph.t =
     | Some d -> Lasts (d, Graph.targets g ~timed:true i)
     | None -> if Array.length (edges i) = 0 && rests i then Forever else No_flow
   in
-  { size; known; edges; flow }
+  { size; known; edges; drawn = drawn context g; flow }
 
 let on asked ~rests graph =
   let along p node extent =
@@ -58,7 +69,7 @@ let on asked ~rests graph =
       steady = (fun p -> Option.is_none asked.predicates.(p).along);
     }
   in
-  { asked; graph; eval = Scc_ctl.Eval.create (Timed_graph.index (timed_graph ~rests graph)) predicates }
+  { asked; graph; eval = Scc_ctl.Eval.create (Timed_graph.index (timed_graph asked.context ~rests graph)) predicates }
 
 let origin = Scc_ctl.Positions.start 0
 let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin
@@ -72,6 +83,21 @@ let explain t i =
   | Some e -> e
   | None -> Scc_base.Bug.fail __POS__ "an undecided formula is explained"
 
+let probability t i side = Scc_ctl.Eval.probability t.eval ~decide:false side t.asked.formulas.(i) origin
+
+(* Of the operators with a probability that its truth in the initial state depends on at once. *)
+let probabilities t i =
+  let rec go (f : Scc_ctl.Formula.t) =
+    match f with
+    | Not f -> go f
+    | And fs | Or fs -> List.concat_map go fs
+    | Until (Chance { side; _ }, _, _, _) | Finally (Chance { side; _ }, _, _) | Globally (Chance { side; _ }, _, _) ->
+      [ Scc_ctl.Eval.probability t.eval ~decide:true side f origin ]
+    | Predicate _ | Next _ | Until _ | Finally _ | Globally _ -> []
+  in
+  go t.asked.formulas.(i)
+
+let possible_doubts t i = Scc_ctl.Doubts.possible t.eval t.asked.formulas.(i) origin
 let doubts t i = Scc_ctl.Doubts.find t.eval t.asked.formulas.(i) origin
 let formula t i = t.asked.formulas.(i)
 let predicate t i = t.asked.props.(i)

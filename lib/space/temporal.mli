@@ -21,11 +21,21 @@ val truth : t -> int -> bool option
 val done_with : t -> int -> unit
 (** This formula and all before it are not asked about any more: what was found for them alone is forgotten. *)
 
+val probability : t -> int -> Property.side -> Scc_ctl.Eval.measured
+(** Of the operator of time that the formula of this index is: with which probability a run from the initial state does
+    as it says. *)
+
 val explain : t -> int -> Explanation.t
 (** Of one that is decided. *)
 
 val doubts : t -> int -> Scc_ctl.Doubts.t
 (** Of one that is not. *)
+
+val probabilities : t -> int -> Scc_ctl.Eval.measured list
+(** What is known of the probabilities that a formula compares in the initial state. *)
+
+val possible_doubts : t -> int -> Scc_ctl.Doubts.t
+(** What keeps the probability of one from being known. *)
 
 val formula : t -> int -> Scc_ctl.Formula.t
 (** That of an index. *)

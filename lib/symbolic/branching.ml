@@ -181,6 +181,8 @@ and compute t ~outermost (f : Property.temporal) =
   | Temporal_or fs ->
     let fails u f = map2 inter u (complement m (eval t ~outermost f)) in
     (complement m (List.fold_left fails (everything m) fs), None)
+  | Finally (Chance _, _, _) | Globally (Chance _, _, _) | Until (Chance _, _, _, _) ->
+    not_known "a probability, over all starts and instants"
   | Next _ -> not_known "what is next, where time may halt at any instant"
   | Finally (Exists, b, f) -> quantified true [ Comes { before = everything m; goal = within b f } ]
   | Finally (All, b, f) -> quantified false [ Stays (complement m (within b f)) ]

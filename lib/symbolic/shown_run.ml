@@ -53,7 +53,9 @@ let told (f : Property.temporal) search =
   | Until (Exists, _, f, g), _ -> (along always f true, [ (g, true) ], always)
   | Until (All, b, _, g), Stays _ -> (along b g false, [], b)
   | Until (All, b, f, g), Comes _ -> (along b g false, [ (f, false) ], b)
-  | (State _ | Temporal_not _ | Temporal_and _ | Temporal_or _ | Next _), _ ->
+  | ( ( State _ | Temporal_not _ | Temporal_and _ | Temporal_or _ | Next _ | Finally (Chance _, _, _)
+      | Globally (Chance _, _, _) | Until (Chance _, _, _, _) ),
+      _ ) ->
     Scc_base.Bug.fail __POS__ "no operator that a run decides"
 
 (* A run that only waits in the stretch that it is in is not worth showing: the instant is. *)

@@ -32,8 +32,17 @@ and expr_kind =
   | Quantified of quantifier * name * over * expr  (** variable, what it ranges over, body *)
   | Temporal of temporal * bound option * expr
   | Until of path_quantifier * expr * bound option * expr  (** [A[ f U[b] g ]] *)
+  | Measured of expr * (binary * expr) option * outcome
+  (** [P >= 1/2 [ f U g ]], [Pmax = ? [ eventually f ]], [E = ? [ x(p) at 10 ]]: what is measured, as written; what
+      it is compared with, or asked for ([None]); of what *)
   | Leads_to of expr * bound option * expr  (** [f leads_to[b] g], [f leads_to g within t] *)
   | Event of name * expr list  (** [event bind(a, p, q)] *)
+
+(** What the runs of a model do, or come to. *)
+and outcome =
+  | Does of expr  (** [eventually f], [always f] *)
+  | Goes_until of expr * bound option * expr  (** [f U[b] g] *)
+  | Has_at of expr * expr  (** [e at t] *)
 
 (** What a quantifier ranges over. *)
 and over =

@@ -35,10 +35,20 @@ let rec expr a b =
   | Temporal (t, d, e), Temporal (t', d', e') -> temporal t t' && option bound d d' && expr e e'
   | Until (q, f, d, g), Until (q', f', d', g') ->
     path_quantifier q q' && expr f f' && option bound d d' && expr g g'
+  | Measured (m, t, o), Measured (n, u, p) -> expr m n && option test t u && outcome o p
   | Leads_to (f, d, g), Leads_to (f', d', g') -> expr f f' && option bound d d' && expr g g'
   | Event (e, xs), Event (e', ys) -> name e e' && list expr xs ys
   | ( ( Number _ | True | False | Path _ | Co _ | Apply _ | Apply_in _ | Component _ | Vector _ | Neg _ | Not _
-      | Binary _ | If _ | Quantified _ | Temporal _ | Until _ | Leads_to _ | Event _ ), _ ) -> false
+      | Binary _ | If _ | Quantified _ | Temporal _ | Until _ | Measured _ | Leads_to _ | Event _ ), _ ) -> false
+
+and test (o, e) (o', e') = binary o o' && expr e e'
+
+and outcome a b =
+  match (a, b) with
+  | Does e, Does f -> expr e f
+  | Goes_until (f, d, g), Goes_until (f', d', g') -> expr f f' && option bound d d' && expr g g'
+  | Has_at (e, t), Has_at (e', t') -> expr e e' && expr t t'
+  | (Does _ | Goes_until _ | Has_at _), _ -> false
 
 and bound a b =
   match (a, b) with

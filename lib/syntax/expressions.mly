@@ -69,7 +69,9 @@
 | LABEL_BRACKET { () }
 
 (* Where an expression may stand: `A[` is followed by indices or by `f U g]`, which the bracket after tells. *)
-%public term_name: n = plain_name | n = quantifying_letter { n }
+%public term_name:
+| n = plain_name %prec OPEN { n }
+| n = quantifying_letter %prec OPEN { n }
 
 %public name: n = term_name | n = operator_word { n }
 
@@ -81,6 +83,8 @@
 
 %public segment: s = indexed(name) { s }
 
+(* A bracket after a name has its indices: before the outcome that `P >= (q) [ … ]` measures, a name needs brackets
+   of its own. *)
 %public term_segment:
 | name = term_name { { name; indices = [] } }
 | name = plain_name bracket indices = comma_list(expr) RBRACKET { { name; indices } }
@@ -93,7 +97,7 @@
 %public path: ss = segments(name) { at $loc (List.rev ss) }
 
 %public later_segment:
-| name = name { { name; indices = [] } }
+| name = name %prec OPEN { { name; indices = [] } }
 | name = name bracket indices = comma_list(expr) RBRACKET { { name; indices } }
 
 %public term_segments:
@@ -182,6 +186,17 @@ over:
 | LBRACKET LE t = expr RBRACKET { At_most t }
 | LBRACKET a = expr COMMA b = expr RBRACKET { Between (a, b) }
 
+%public %inline threshold:
+| LT { Lt }
+| LE { Le }
+| GT { Gt }
+| GE { Ge }
+
+outcome:
+| e = expr { Does e }
+| f = expr U b = ioption(bound) g = expr { Goes_until (f, b, g) }
+| e = expr AT t = expr { Has_at (e, t) }
+
 %public expr:
 | q = NUMBER { at $loc (Number q) }
 | TRUE { at $loc True }
@@ -201,6 +216,8 @@ over:
 | EVENT e = event_word LPAREN es = optional_list(expr) RPAREN { at $loc (Event (at $loc(e) e, es)) }
 | q = path_quantifier bracket f = expr U b = ioption(bound) g = expr RBRACKET
     { at $loc (Until (q, f, b, g)) }
+| m = expr o = threshold e = expr bracket w = outcome RBRACKET { at $loc (Measured (m, Some (o, e), w)) }
+| m = expr EQ QUESTION bracket w = outcome RBRACKET { at $loc (Measured (m, None, w)) }
 | MINUS e = expr %prec NEGATION { at $loc (Neg e) }
 | NOT e = expr { at $loc (Not e) }
 | l = expr o = operator r = expr { at $loc (Binary (o, l, r)) }

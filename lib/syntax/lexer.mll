@@ -163,7 +163,7 @@ rule next = parse
 | "||" | "\xE2\x80\x96" | "\xE2\x88\xA5" { Token PARALLEL }
 | '<' | "\xE2\x9F\xA8" | "\xE2\x8C\xA9" | "\xE3\x80\x88" { Token LT }
 | '>' | "\xE2\x9F\xA9" | "\xE2\x8C\xAA" | "\xE3\x80\x89" { Token GT }
-| "<=" { Token LE } | ">=" { Token GE } | '=' { Token EQ } | "!=" { Token NE } | "=>" { Token IMPLIES }
+| "<=" { Token LE } | ">=" { Token GE } | '=' { Token EQ } | '?' { Token QUESTION } | "!=" { Token NE } | "=>" { Token IMPLIES }
 | '+' { Token PLUS } | '-' { Token MINUS } | '*' { Token STAR } | '/' { Token SLASH }
 | "\xCF\x89" { Token OMEGA }
 | "\xCF\x81" | "\xCF\xB1" { Token RHO }

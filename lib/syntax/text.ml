@@ -90,7 +90,8 @@ let level e =
   | Number q ->
     if Option.is_none (decimal (Q.abs q)) then product else if Q.sign q < 0 then negation else atom
   | True | False | Path _ | Co _ | Apply _ | Apply_in _ | Component _ | Vector _ | Quantified (Count, _, _, _)
-  | Until _ | Event _ -> atom
+  | Until _ | Measured (_, None, _) | Event _ -> atom
+  | Measured (_, Some _, _) -> comparison
   | Neg _ -> negation
   | Not _ | Temporal ((Next _ | Finally _ | Globally _), _, _) -> prefix
   | Leads_to _ -> leads_to
@@ -170,11 +171,33 @@ and add_bare b e =
     str (quantified_by q); str "["; add_expr open_ended b f; str " U";
     Option.iter (add_bound b) bound;
     str " "; add_expr open_ended b g; str "]"
+  | Measured (m, test, outcome) ->
+    add_expr atom b m;
+    (match test with
+     | None -> str " = ?"
+     | Some (o, e) -> str (operator o); add_bracketed b e);
+    str " [ ";
+    add_outcome b outcome;
+    str " ]"
   | Leads_to (f, bound, g) ->
     add_expr implies b f; str " ";
     add_consequence b (bound, g)
   | Event (e, []) -> str "event "; str e.it
   | Event (e, es) -> str "event "; str e.it; str "("; list b (add_expr open_ended) es; str ")"
+
+(* Before a bracket that does not belong to it: a name would take that for its indices. *)
+and add_bracketed b e =
+  match e.it with
+  | Number _ | Neg _ | Binary ((Add | Sub | Mul | Div | Mod), _, { it = Number _; _ }) -> add_expr sum b e
+  | _ -> add_expr (atom + 1) b e
+
+and add_outcome b = function
+  | Does e -> add_expr open_ended b e
+  | Goes_until (f, bound, g) ->
+    add_expr open_ended b f; Buffer.add_string b " U";
+    Option.iter (add_bound b) bound;
+    Buffer.add_char b ' '; add_expr open_ended b g
+  | Has_at (e, t) -> add_expr open_ended b e; Buffer.add_string b " at "; add_expr open_ended b t
 
 and add_consequence b (bound, g) =
   let str = Buffer.add_string b in

@@ -125,6 +125,9 @@ let lift_verdict lift (v : Verdict.t) : Verdict.t =
   match v with
   | Holds { bounds; witness } -> Holds { bounds; witness = Option.bind witness lift }
   | Violated { witness } -> Violated { witness = Option.bind witness lift }
+  | Measured m ->
+    Measured
+      { m with reasons = List.filter_map (lift_reason lift) m.reasons; witness = Option.bind m.witness lift }
   | Undecided reasons -> Undecided (List.filter_map (lift_reason lift) reasons)
 
 (** {2 All explorations} *)
@@ -181,7 +184,7 @@ let rests semantics (result : Joint_check.result) (check : Property.check) (v : 
     @ List.filter_map (fun halt -> if lasting then None else Some (Verdict.Among halt)) round
   in
   match v with
-  | Undecided _ -> []
+  | Undecided _ | Measured _ -> []
   | Holds { witness = Some w; _ } | Violated { witness = Some w } -> by w
   | Holds { witness = None; _ } -> unless_lasting Exists
   | Violated { witness = None } -> unless_lasting All
@@ -203,7 +206,7 @@ let explored options semantics ~initial group =
   let lift = lift_in_time semantics ~initial (Joint_check.horizon (List.map snd members)) in
   let lifted v = if whole then v else lift_verdict lift v in
   let outcome (i, check) (_, v) =
-    let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ -> result.stats.split_step in
+    let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ | Measured _ -> result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
     let rests = rests semantics result check v and converges = converges result v in
     (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step; over = None }; rests; converges })

@@ -107,13 +107,21 @@ let unexplored r states =
 let undefined (d : Search.doubts) = List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined)
 let search_doubts r (d : Search.doubts) = undefined d @ unexplored r d.unexplored
 
-let formula_doubts r temporal i =
-  let d = Temporal.doubts temporal i in
+let doubts r (d : Scc_ctl.Doubts.t) =
   let undefined =
     List.map (fun (u : Scc_ctl.Doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
   in
   List.map (fun text -> Verdict.Undefined text) undefined
   @ unexplored r d.unexplored
+
+let shown_interval (m : Scc_ctl.Eval.measured) =
+  Verdict.Undefined (Printf.sprintf "the probability is %s" (Likelihoods.measured m))
+
+(* A probability that is not known well enough is the reason where there is no other. *)
+let formula_doubts r temporal i =
+  match doubts r (Temporal.doubts temporal i) with
+  | [] -> List.map shown_interval (Temporal.probabilities temporal i)
+  | reasons -> reasons
 
 (** {2 Verdicts} *)
 
@@ -189,6 +197,35 @@ and verdicts r combine plans answers =
   in
   let found, answers = List.fold_left step ([], answers) plans in
   (combine (List.rev found), answers)
+
+(* A number that is asked for. What keeps it from being known is looked for as for an undecided formula. *)
+let measured r sides answers =
+  let i = answers.next_formula in
+  let found temporal () =
+    let values = List.map (fun side -> (side, Temporal.probability temporal i side)) sides in
+    let known (m : Scc_ctl.Eval.measured) =
+      match (m.least, m.most) with Scc_chance.Answer.Exact x, Exact y -> Rat.equal x y | _ -> false
+    in
+    let all_known = List.for_all (fun (_, m) -> known m) values in
+    let reasons = if all_known then [] else doubts r (Temporal.possible_doubts temporal i) in
+    let witness = Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i) in
+    let witness = Option.map (fun w -> { w with Witness.argument = None }) witness in
+    Verdict.Measured { values; reasons; witness }
+  in
+  let temporal = match answers.temporal with Some t -> t | None -> Scc_base.Bug.fail __POS__ "a question that was not asked" in
+  let result = r.options.surroundings.attempt.run Concluding (found temporal) in
+  Temporal.done_with temporal i;
+  let verdict =
+    match result with
+    | Ok v -> v
+    | Error stop -> Undecided [ Truncated (Bounds.stopped r.options.bounds stop) ]
+  in
+  (verdict, { answers with next_formula = i + 1 })
+
+let outcome r ((check : Property.check), plan) answers =
+  match check.asked with
+  | Whether -> verdict r plan answers
+  | How_likely sides -> measured r sides answers
 
 (** {2 Questions} *)
 
@@ -312,9 +349,13 @@ let system options semantics ~initial checks plans =
     ?visible:(Reduction.visible options.reductions ~deep ~searched ~evaluated)
     semantics initial
 
+(* A question for a number is one about the graph, whatever the formula is. *)
+let plan (c : Property.check) : Plan.t =
+  match c.asked with Whether -> Plan.of_formula c.formula | How_likely _ -> Formula c.formula
+
 (* One exploration for some checks. *)
 let check options semantics ~initial (checks : Property.check list) =
-  let plans = List.map (fun (c : Property.check) -> Plan.of_formula c.formula) checks in
+  let plans = List.map plan checks in
   let context = system options semantics ~initial checks plans in
   let asked = List.concat_map (questions context) plans in
   let temporals = List.concat_map formulas plans in
@@ -332,7 +373,13 @@ let check options semantics ~initial (checks : Property.check list) =
     in
     Result.value (options.surroundings.attempt.run Exploring look) ~default:false
   in
-  let settled = match temporals with [] -> None | _ :: _ -> Some settled in
+  let asks_number (c : Property.check) = match c.asked with Whether -> false | How_likely _ -> true in
+  let settled =
+    match temporals with
+    | [] -> None
+    | _ :: _ when List.exists asks_number checks -> Some (fun _ -> false)
+    | _ :: _ -> Some settled
+  in
   let result =
     Search.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits) ~rests limits
       options.surroundings context asked
@@ -343,7 +390,7 @@ let check options semantics ~initial (checks : Property.check list) =
     match temporals with [] -> None | _ :: _ -> Some (Temporal.on formulas ~rests graph)
   in
   let step (outcomes, answers) (check, plan) =
-    let v, answers = verdict r plan answers in
+    let v, answers = outcome r (check, plan) answers in
     ((check, v) :: outcomes, answers)
   in
   let answers = { searches = result.answers; next_formula = 0; temporal } in

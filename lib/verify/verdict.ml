@@ -25,6 +25,7 @@ type reason =
 type t =
   | Holds of { bounds : truncation list; witness : Witness.t option }
   | Violated of { witness : Witness.t option }
+  | Measured of { values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list; reasons : reason list; witness : Witness.t option }
   | Undecided of reason list
 
 type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list; by_invariant : bool }
@@ -42,7 +43,7 @@ type outcome = {
 
 let by_invariant o = match o.scale.over with Some over -> over.by_invariant | None -> false
 let over_zones o = Option.is_some o.scale.over
-let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Undecided _ -> false
+let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Measured _ | Undecided _ -> false
 
 let rank = function
   | Depth _ -> 0
@@ -74,6 +75,7 @@ let together a b =
 (* As good as the worst of them. *)
 let both a b =
   match (a, b) with
+  | Measured _, _ | _, Measured _ -> Scc_base.Bug.fail __POS__ "a number among truth values"
   | (Violated _ as v), _ | _, (Violated _ as v) -> v
   | Undecided r, Undecided s -> Undecided (r @ s)
   | (Undecided _ as u), _ | _, (Undecided _ as u) -> u
@@ -84,6 +86,7 @@ let both a b =
 (* As good as the best of them. *)
 let either a b =
   match (a, b) with
+  | Measured _, _ | _, Measured _ -> Scc_base.Bug.fail __POS__ "a number among truth values"
   | (Holds { bounds = []; _ } as v), _ | _, (Holds { bounds = []; _ } as v) -> v
   | (Holds _ as v), _ | _, (Holds _ as v) -> v
   | Undecided r, Undecided s -> Undecided (r @ s)
@@ -100,7 +103,7 @@ let disjunction = function
 let truncated = function
   | Holds { bounds; _ } -> bounds
   | Violated _ -> []
-  | Undecided reasons ->
+  | Measured { reasons; _ } | Undecided reasons ->
     List.filter_map
       (function Truncated t -> Some t | Unexplored _ | Undefined _ | Fault _ -> None)
       reasons
@@ -116,7 +119,7 @@ let resources v =
 let by_default = function
   | Holds { bounds; _ } ->
     List.exists (fun t -> match t.origin with By_default -> true | By_user | By_property -> false) bounds
-  | Violated _ | Undecided _ -> false
+  | Violated _ | Measured _ | Undecided _ -> false
 
 (* Rounded up to one digit. *)
 let at_most p =
@@ -178,6 +181,10 @@ let to_string = function
   | Holds { bounds; _ } ->
     "holds up to the bound: " ^ String.concat ", " (List.map truncation_to_string bounds)
   | Violated _ -> "violated"
+  | Measured { values; reasons = []; _ } -> Likelihoods.values values
+  | Measured { values; reasons; _ } ->
+    Printf.sprintf "%s, as far as is known: %s" (Likelihoods.values values)
+      (String.concat "; " (List.map reason_to_string reasons))
   | Undecided reasons -> "undecided: " ^ String.concat "; " (List.map reason_to_string reasons)
 
 (* Of what is violated for some values alone, for which. *)
@@ -195,6 +202,7 @@ let outcome_to_string o =
   let verdict =
     match o.verdict with
     | Undecided _ -> to_string o.verdict
+    | Measured _ -> to_string o.verdict ^ scale_to_string o.scale
     | Holds { bounds = []; _ } when by_invariant o ->
       Printf.sprintf "holds (proved by an invariant%s)%s" everywhere (scale_to_string o.scale)
     | Holds { bounds = []; _ } when everywhere <> "" ->
@@ -210,7 +218,7 @@ let outcome_to_string o =
   verdict ^ Option.fold ~none:"" ~some:(fun c -> "; " ^ told c) o.converges
 
 let shown = function
-  | Holds { witness; _ } | Violated { witness } -> witness
+  | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
   | Undecided reasons ->
     List.find_map
       (function

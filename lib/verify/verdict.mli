@@ -37,6 +37,11 @@ type t =
       witness : Witness.t option;
     }
   | Violated of { witness : Witness.t option  (** [None] when all of what counts was explored in vain *) }
+  | Measured of {
+      values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list;
+      reasons : reason list;  (** why they are not better known than that; empty: nothing was left out *)
+      witness : Witness.t option;  (** of the last of them, a run that counts *)
+    }  (** the answer to a question for numbers *)
   | Undecided of reason list  (** not empty *)
 
 (** What a verdict is about at once: all that is not known of a model. *)

@@ -246,7 +246,7 @@ let rests_on_proof answer (where : Where.t) (verdict : Verdict.t) =
   match verdict with
   | Holds { bounds = []; _ } -> not (Union.is_empty (Union.difference where.holds holds))
   | Violated _ -> Union.is_empty fails
-  | Holds _ | Undecided _ -> false
+  | Holds _ | Measured _ | Undecided _ -> false
 
 (* A bound on its size has ended the exploration, and something is not known. *)
 let is_open ~exactly (e : explored) =

@@ -1,0 +1,23 @@
+open Scc_exact
+open Scc_data
+
+let elsewhere : Answer.t = Within (Rat.zero, Rat.one)
+
+let solve q (direction : Equations.direction) effort ~asked =
+  let back = Qualitative.backwards q in
+  let zero, one, merged, choice =
+    match direction with
+    | Min ->
+      let zero = Qualitative.avoiding q and one = Qualitative.one_min q in
+      (zero.set, one, (fun _ -> Components.none (Backwards.mdp back)), Array.get zero.choice)
+    | Max ->
+      let zero = Qualitative.zero_max q and one = Qualitative.surely q in
+      let merged inside = Components.ends back ~inside ~allowed:(fun _ -> true) in
+      (zero, one.set, merged, Array.get one.choice)
+  in
+  let status s : Equations.status =
+    if Bits.mem zero s then Known Rat.zero else if Bits.mem one s then Known Rat.one else Open
+  in
+  let merged = merged (fun s -> not (Bits.mem zero s || Bits.mem one s)) in
+  Solution.solve back direction effort ~asked ~status ~elsewhere ~allowed:(fun _ -> true) ~merged ~rewards:false
+    ~choice

@@ -1,0 +1,72 @@
+(** Arrays of floats that are proved to be below and above the solution of equations, and the sweeps that bring them
+    nearer to it. OCaml has no modes of rounding: each right side of a row is worked out with the ordinary operations,
+    and moved by a bound of all errors.
+
+    {1 The bound}
+
+    Let u = 2^-53, S = c + sum p(i) x(i) over k entries, where the x(i) are floats from 0 to {!ceiling}, and Z what is
+    computed for it. All terms are at least 0, so nothing cancels. Each operation has a relative error of u at most,
+    and so has the float that stands for p(i); a term goes through k additions, one product, and the rounding of p(i):
+    S (1 - u)^(k + 2) - n <= Z <= S (1 + u)^(k + 2) + n, where n is what is lost when numbers are too small for that.
+    This is at most 2^-1074 for each product, and 2^-1074 x(i) for each p(i), together less than k 10^-305: below
+    10^-280, as k < 2^48. With [tiny] = 10^-250 and [step] = 2^-52 = 2 u:
+
+    - Below. When Z < tiny, 0 will do. Else n < u Z, and S >= Z (1 - u) / (1 + u)^(k + 2). The product of Z and
+      1 - (k + 6) step is rounded once more; 1 - (k + 6) step <= 1 - (k + 4) u <= (1 - u) / (1 + u)^(k + 3).
+    - Above. Z + tiny is rounded once, and more than n is added; then the product of that and 1 + (k + 6) step.
+      S <= (Z + tiny) / (1 - u)^(k + 2), and 1 + (k + 6) step >= 1 / (1 - u)^(k + 4), as (k + 4) u < 1/2.
+
+    Both factors are floats, as k < 2^48. The constant of a row is the float below its nearest one, or above. *)
+
+open Scc_exact
+
+type t = private {
+  equations : Equations.t;
+  below : float array;  (** the constants of rows *)
+  above : float array;
+  lower : float array;  (** of each node: at most its value *)
+  upper : float array;  (** at least its value; may be infinite *)
+  low_row : int array;
+  (** Of each node one of its rows: the values of that scheduler are at least [lower] when the greatest values are
+      asked for. [lower v] is never more than the right side of the row for [lower], as it has been proved when the
+      row was put there, and [lower] has only grown since then. *)
+  high_row : int array;
+  (** The values of that scheduler are at most [upper], when the least values are asked for: in the same way. *)
+  trial : float array;
+  (** Of the nodes in the component that is worked on: what may be above; of all others as [upper]. *)
+  trial_row : int array;
+}
+
+val ceiling : float
+(** 10^18: no number in [lower] is greater, nor is a finite one in [upper]. *)
+
+val start : Equations.t -> upper:float -> t
+(** With 0 and a number that is at least all values. *)
+
+val raise_lower : t -> first:int -> last:int -> forward:bool -> relative:bool -> float
+(** One sweep over the nodes from first to last: each becomes the right side, for what the others are then, if that is
+    more. The greatest change, or the greatest share of a change in what came out. The equations have no other
+    solution, and sums of rewards are the limits of finite ones; so by induction [lower] stays at most that. *)
+
+val single : t -> int -> unit
+(** Both sides of a node that is a component by itself. *)
+
+type trial =
+  | Proved  (** the trial has become numbers that are above *)
+  | Open
+  | Refuted  (** some number has come below [lower]: it is not above *)
+
+val sweep_trial : t -> first:int -> last:int -> forward:bool -> trial
+(** Each node of the trial becomes its right side. When none has grown by that, the trial is at least its own right
+    sides: each was found with numbers that were not less than those that are there in the end. Whatever is so is at
+    least the solution (Park's induction; Hartmanns and Kaminski, "Optimistic Value Iteration", 2020), if it is for
+    the greatest values, or for some scheduler that pays no more than it, and so leaves the component. *)
+
+val set_trial : t -> int -> float -> unit
+val accept_trial : t -> first:int -> last:int -> unit
+(** After [Proved]: [upper] becomes what is less. *)
+
+val drop_trial : t -> first:int -> last:int -> unit
+
+val interval : t -> int -> Rat.t * Rat.t option
+(** Of a node; [None]: nothing is known above. *)

@@ -1,0 +1,99 @@
+open Scc_exact
+open Scc_data
+
+type asked = All | States of int list
+
+type found =
+  | By_graph
+  | In_rationals
+  | In_intervals of { sweeps : int; not_exact : Exact_solver.given_up option }
+  | Given_up of Exact_solver.given_up
+
+type t = { value : int -> Answer.t; scheduler : int array Lazy.t; found : found }
+
+let value t s = t.value s
+let scheduler t = Lazy.force t.scheduler
+let found t = t.found
+
+(* Values and rows of the nodes. *)
+type nodes = { of_node : int -> Answer.t; row : int -> int; how : found }
+
+let exactly (s : Exact_solver.solution) =
+  { of_node = (fun v -> Answer.Exact s.value.(v)); row = Array.get s.row; how = In_rationals }
+
+let nearly e effort ~possible ~rewards ~asked not_exact =
+  let upper = if rewards then infinity else 1. in
+  let s = Interval_solver.solve e effort ~upper ~asked in
+  let of_node v : Answer.t =
+    match s.interval v with
+    | low, None -> if Rat.sign low = 0 then possible else At_least low
+    | low, Some high -> if Rat.equal low high then Exact low else Within (low, high)
+  in
+  { of_node; row = Array.get s.row; how = In_intervals { sweeps = s.sweeps; not_exact } }
+
+let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
+  let nearly = nearly e effort ~possible ~rewards ~asked in
+  if e.size = 0 then { of_node = (fun _ -> possible); row = (fun _ -> 0); how = By_graph }
+  else
+    match effort.engine with
+    | Nearly -> nearly None
+    | Exactly -> (
+        match Exact_solver.solve e effort with
+        | Ok s -> exactly s
+        | Error why ->
+          { of_node = (fun _ -> possible); row = (fun v -> e.first_row.(v)); how = Given_up why })
+    | Either -> (
+        let greatest = Exact_solver.greatest_component e in
+        if greatest > effort.component then nearly (Some (Component greatest))
+        else match Exact_solver.solve e effort with Ok s -> exactly s | Error why -> nearly (Some why))
+
+(* In a merged component the state that has the chosen choice is gone to, by internal choices. *)
+let spread back (e : Equations.t) (merged : Components.ends) row (choice : int array) =
+  let found = Worklist.create (Mdp.states (Backwards.mdp back)) in
+  for v = 0 to e.size - 1 do
+    let c = e.choice.(row v) in
+    let s = Backwards.owner back c in
+    choice.(s) <- c;
+    Worklist.add found s
+  done;
+  Worklist.run found (fun t ->
+      if merged.number.(t) >= 0 then
+        Backwards.iter back t (fun c ->
+            let s = Backwards.owner back c in
+            if Bits.mem merged.internal c && not (Worklist.mem found s) then begin
+              choice.(s) <- c;
+              Worklist.add found s
+            end))
+
+let solve back direction effort ~asked ~status ~elsewhere ~allowed ~merged ~rewards ~choice =
+  let m = Backwards.mdp back in
+  let n = Mdp.states m in
+  let possible : Answer.t = if rewards then At_least Rat.zero else Within (Rat.zero, Rat.one) in
+  let is_asked =
+    match asked with
+    | All -> fun _ -> true
+    | States l ->
+      let set = Bits.create n in
+      List.iter (Bits.add set) l;
+      Bits.mem set
+  in
+  let e = Equations.make back direction ~status ~allowed ~merged ~rewards ~asked:is_asked in
+  let asked =
+    match asked with
+    | All -> List.init e.size Fun.id
+    | States l -> List.sort_uniq Int.compare (List.filter (fun v -> v >= 0) (List.map (Array.get e.node_of) l))
+  in
+  let nodes = nodes e effort ~possible ~rewards ~asked in
+  let value s : Answer.t =
+    match status s with
+    | Known x -> Exact x
+    | Elsewhere -> elsewhere
+    | Open -> if e.node_of.(s) < 0 then possible else nodes.of_node e.node_of.(s)
+  in
+  let scheduler =
+    lazy
+      (let chosen = Array.init n choice in
+       spread back e merged nodes.row chosen;
+       Array.mapi (fun s c -> if c < 0 then 0 else c - Mdp.first_choice m s) chosen)
+  in
+  { value; scheduler; found = nodes.how }

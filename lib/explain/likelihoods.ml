@@ -1,0 +1,44 @@
+open Scc_exact
+open Scc_chance
+
+(* Below a number, and above it, in so many decimals. *)
+let digits = 6
+
+let scale = Rat.make (Z.pow (Z.of_int 10) digits) Z.one
+let decimal n = Algebraic.to_decimal ~digits (Algebraic.of_rat (Rat.div (Rat.make n Z.one) scale))
+let below x = decimal (Rat.floor (Rat.mul x scale))
+let above x = decimal (Z.neg (Rat.floor (Rat.neg (Rat.mul x scale))))
+
+let longest = 24
+
+let number x =
+  let text = Rat.to_string x in
+  let about () = Algebraic.to_decimal ~digits (Algebraic.of_rat x) in
+  if String.length text > 2 * longest then "about " ^ about ()
+  else if String.length text > longest then Printf.sprintf "%s (about %s)" text (about ())
+  else text
+
+let between low high =
+  match (low, high) with
+  | Some x, Some y when Rat.equal x y -> number x
+  | Some x, Some y -> Printf.sprintf "in [%s, %s]" (below x) (above y)
+  | Some x, None -> Printf.sprintf "at least %s" (below x)
+  | None, _ -> "infinite"
+
+let answer a = between (Answer.lower a) (Answer.upper a)
+let measured (m : Scc_ctl.Eval.measured) = between (Answer.lower m.least) (Answer.upper m.most)
+
+let side : Scc_property.Property.side -> string = function Least -> "least" | Greatest -> "greatest"
+let known s m = Printf.sprintf "the %s probability is %s" (side s) (measured m)
+
+let values list =
+  let told = List.map (fun (s, m) -> (side s, measured m)) list in
+  let exact (m : Scc_ctl.Eval.measured) = match (m.least, m.most) with Exact x, Exact y -> Rat.equal x y | _ -> false in
+  match told with
+  | (_, first) :: rest when List.for_all (fun (_, m) -> exact m) list && List.for_all (fun (_, t) -> t = first) rest ->
+    if rest = [] then String.concat ", " (List.map (fun (s, t) -> s ^ " " ^ t) told) else first
+  | told -> String.concat ", " (List.map (fun (s, t) -> Printf.sprintf "%s %s" s t) told)
+
+let of_run chance =
+  if Rat.equal chance Rat.one then "the choices that attain it lead to this run:"
+  else Printf.sprintf "the choices that attain it lead to this run, among others, with the probability %s:" (number chance)
