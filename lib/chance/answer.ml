@@ -4,6 +4,13 @@ type t = Exact of Rat.t | Within of Rat.t * Rat.t | At_least of Rat.t | Infinite
 type relation = Less | At_most | At_least_so | More
 type bound = { relation : relation; than : Rat.t }
 
+let add a y =
+  match a with
+  | Exact x -> Exact (Rat.add x y)
+  | Within (x, z) -> Within (Rat.add x y, Rat.add z y)
+  | At_least x -> At_least (Rat.add x y)
+  | Infinite -> Infinite
+
 let rank = function Less -> 0 | At_most -> 1 | At_least_so -> 2 | More -> 3
 
 let compare_bound a b =

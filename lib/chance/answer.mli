@@ -19,6 +19,9 @@ val compare_bound : bound -> bound -> int
 val bound_to_string : bound -> string
 (** [">= 1/2"]. *)
 
+val add : t -> Rat.t -> t
+(** So much more, or less. *)
+
 val complement : t -> t
 (** Of a probability: 1 minus it. *)
 

@@ -19,6 +19,7 @@ type t = {
 let create ?(effort = Effort.default) index predicates = { index; predicates; effort; values = Map.empty }
 let index t = t.index
 let graph t = Timed_graph.graph t.index
+let effort t = t.effort
 let predicates t = t.predicates
 
 type until = {

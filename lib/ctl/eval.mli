@@ -38,6 +38,7 @@ val create : ?effort:Scc_chance.Effort.t -> Timed_graph.index -> predicates -> t
 
 val index : t -> Timed_graph.index
 val graph : t -> Timed_graph.t
+val effort : t -> Scc_chance.Effort.t
 val predicates : t -> predicates
 
 type value = { lower : Positions.t; upper : Positions.t  (** physically the lower one when nothing is in doubt *) }

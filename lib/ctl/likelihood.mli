@@ -10,7 +10,7 @@
 open Scc_exact
 open Scc_chance
 
-type question = {
+type question = Decisions.question = {
   graph : Timed_graph.t;
   side : Formula.side;
   bound : Formula.bound;

@@ -191,6 +191,49 @@ let every t w ~generous ~f ~g =
   done;
   Array.init n (fun k -> not against.(k).(0))
 
+(** {1 Probabilities} *)
+
+(* A decision process whose states are steps and clocks, two more for the ends. Its solver is tested by itself. *)
+let likely t w (side : Formula.side) ~generous ~f ~g =
+  let open Scc_chance in
+  let n = Array.length t.steps and m = top w + 1 in
+  let state (k, c) = 2 + (k * m) + c in
+  let b = Mdp.builder () in
+  let add choices =
+    ignore (Mdp.add_state b);
+    List.iter (Mdp.add_choice b) choices
+  in
+  let sure s = [ (s, Rat.one) ] in
+  add [ sure 0 ];
+  add [ sure 1 ];
+  let ways k c =
+    let x = t.steps.(k) in
+    let c' = tick w c x.length in
+    let to_ k' = state (k', c') in
+    let jumps =
+      match x.place with
+      | Node s when t.small.nodes.(s).drawn ->
+        [ List.map2 (fun k' p -> (to_ k', p)) x.jumps (Small.chances t.small.nodes.(s)) ]
+      | _ -> List.map (fun k' -> sure (to_ k')) x.jumps
+    in
+    jumps @ List.map (fun k' -> sure (to_ k')) x.passes
+  in
+  for k = 0 to n - 1 do
+    for c = 0 to m - 1 do
+      add
+        (match here t w ~f ~g k c with
+         | Met -> [ sure 0 ]
+         | Broken -> [ sure 1 ]
+         | Goes_on when t.steps.(k).hidden -> [ sure (if generous then 0 else 1) ]
+         | Goes_on -> ( match ways k c with [] -> [ sure 1 ] | ways -> ways))
+    done
+  done;
+  let mdp = match Mdp.finish b with Ok m -> m | Error e -> failwith (Mdp.describe e) in
+  let q = Qualitative.until (Backwards.make mdp) ~stay:(fun s -> s <> 1) ~goal:(fun s -> s = 0) in
+  let direction = match side with Least -> Equations.Min | Greatest -> Max in
+  let found = Reach.solve q direction Effort.default ~asked:All in
+  Array.init n (fun k -> Solution.value found (state (k, 0)))
+
 (** {1 Formulas} *)
 
 let low v = Array.map (fun a -> a.surely) v
@@ -224,6 +267,12 @@ and compute t f =
   let until (q : Formula.quantifier) b f g =
     let w = window t b in
     match q with
+    | Chance { side; test } ->
+      let least = likely t w side ~generous:false ~f:(low f) ~g:(low g) in
+      let most = likely t w side ~generous:true ~f:(high f) ~g:(high g) in
+      let holds a = Option.get (Scc_chance.Answer.holds a test) in
+      let l = Array.map holds least and h = Array.map holds most in
+      (match test.relation with At_least_so | More -> both l h | Less | At_most -> both h l)
     | Exists ->
       both
         (some t w ~generous:false ~f:(low f) ~g:(low g))
@@ -242,11 +291,25 @@ and compute t f =
   | And l -> List.fold_left all always (List.map (value t) l)
   | Or l -> negation (List.fold_left all always (List.map (fun f -> negation (value t f)) l))
   | Next (Exists, f) -> next (value t f)
+  | Next (Chance _, _) -> failwith "a probability of the next transition"
   | Next (All, f) -> negation (next (negation (value t f)))
   | Until (q, b, f, g) -> until q b (value t f) (value t g)
   | Finally (q, b, g) -> until q b always (value t g)
   | Globally (All, b, g) -> negation (until Exists b always (negation (value t g)))
   | Globally (Exists, b, g) -> negation (until All b always (negation (value t g)))
+  | Globally (Chance { side; test }, b, g) ->
+    let chance : Formula.chance =
+      {
+        side = (match side with Least -> Greatest | Greatest -> Least);
+        test =
+          {
+            than = Rat.sub Rat.one test.than;
+            relation =
+              (match test.relation with Less -> More | More -> Less | At_most -> At_least_so | At_least_so -> At_most);
+          };
+      }
+    in
+    until (Chance chance) b always (negation (value t g))
 
 let node t f s = (value t f).(Hashtbl.find t.numbers (Node s))
 

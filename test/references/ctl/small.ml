@@ -8,6 +8,7 @@ type node = {
   at : truth array;
   cells : truth array array;
   edges : int list;
+  drawn : bool;
   flow : flow;
   known : bool;
 }
@@ -18,11 +19,16 @@ let time g k = Rat.mul g.unit (Rat.of_int k)
 let cells node = match node.flow with No_flow -> 0 | Lasts (d, _) -> (2 * d) - 1 | Ray k -> (2 * k) + 1
 let cell a i = a.(Int.min i (Array.length a - 1))
 
+let chances node =
+  let n = List.length node.edges in
+  List.mapi (fun i _ -> Rat.make (Z.of_int (2 * (i + 1))) (Z.of_int (n * (n + 1)))) node.edges
+
 let graph g : Timed_graph.t =
   {
     size = Array.length g.nodes;
     known = (fun s -> g.nodes.(s).known);
     edges = (fun s -> Array.of_list g.nodes.(s).edges);
+    drawn = (fun s -> if g.nodes.(s).drawn && g.nodes.(s).edges <> [] then Some (Array.of_list (chances g.nodes.(s))) else None);
     flow =
       (fun s ->
          match g.nodes.(s).flow with
@@ -74,7 +80,7 @@ let node_gen n ~weights ~known =
   let open Gen in
   let truth = frequency (List.map (fun (w, v) -> (w, return v)) weights) in
   let target = int_range 0 (n - 1) in
-  let* edges = list_size (frequencyl [ (3, 0); (4, 1); (2, 2) ]) target in
+  let* edges = list_size (frequencyl [ (3, 0); (4, 1); (2, 2); (1, 3) ]) target in
   let* flow =
     frequency
       [
@@ -85,8 +91,10 @@ let node_gen n ~weights ~known =
       ]
   in
   let* known = known in
+  let* by_lot = bool in
+  let drawn = by_lot && edges <> [] && flow = No_flow in
   let* at = array_repeat count truth in
-  let blank = { at; cells = [||]; edges; flow; known } in
+  let blank = { at; cells = [||]; edges; drawn; flow; known } in
   (* Often the same all the way. *)
   let* varied = bool in
   let along v = if varied then array_repeat (cells blank) truth else return (Array.make (cells blank) v) in
@@ -134,6 +142,13 @@ let formula_gen unit_of_time depth =
       { Formula.low = time low; high = Option.map (fun m -> time (low + m)) more }
   in
   let quantifier = oneofl [ Formula.All; Exists ] in
+  let chance =
+    let* side = oneofl [ Formula.Least; Greatest ] in
+    let* relation = oneofl [ Scc_chance.Answer.Less; At_most; At_least_so; More ] in
+    let* n, d = oneofl [ (0, 1); (1, 6); (1, 3); (1, 2); (2, 3); (1, 1) ] in
+    return (Formula.Chance { side; test = { relation; than = Rat.make (Z.of_int n) (Z.of_int d) } })
+  in
+  let lasting = frequency [ (2, quantifier); (2, chance) ] in
   let leaf = map (fun p -> Formula.Predicate p) (int_range 0 (count - 1)) in
   let rec go depth =
     if depth = 0 then leaf
@@ -146,10 +161,10 @@ let formula_gen unit_of_time depth =
           (1, map2 (fun f g -> Formula.And [ f; g ]) sub sub);
           (1, map2 (fun f g -> Formula.Or [ f; g ]) sub sub);
           (2, map2 (fun q f -> Formula.Next (q, f)) quantifier sub);
-          (2, map3 (fun q b f -> Formula.Finally (q, b, f)) quantifier bound sub);
-          (2, map3 (fun q b f -> Formula.Globally (q, b, f)) quantifier bound sub);
+          (2, map3 (fun q b f -> Formula.Finally (q, b, f)) lasting bound sub);
+          (2, map3 (fun q b f -> Formula.Globally (q, b, f)) lasting bound sub);
           ( 4,
-            let* q = quantifier in
+            let* q = lasting in
             let* b = bound in
             map2 (fun f g -> Formula.Until (q, b, f, g)) sub sub );
         ]
@@ -169,7 +184,9 @@ let print g =
       | Lasts (d, l) -> Printf.sprintf " in %d to %s [%s]" d (numbers l) (rows x.cells)
       | Ray _ -> Printf.sprintf " for ever [%s]" (rows x.cells)
     in
-    Printf.sprintf "%d%s %s -> %s%s" i (if x.known then "" else " (unknown)") (row x.at) (numbers x.edges) flow
+    Printf.sprintf "%d%s %s -> %s%s" i (if x.known then "" else " (unknown)") (row x.at)
+      (if x.drawn then "by lot " ^ numbers x.edges else numbers x.edges)
+      flow
   in
   String.concat "\n" (Array.to_list (Array.mapi node g.nodes) @ [ "unit " ^ Rat.to_string g.unit ])
 

@@ -15,6 +15,7 @@ type node = {
   at : truth array;  (** by predicate *)
   cells : truth array array;  (** by predicate, along the flow *)
   edges : int list;
+  drawn : bool;  (** which of the edges is left to chance: 1 part to the first, 2 to the second, … *)
   flow : flow;
   known : bool;  (** what follows a node that is not known is there all the same: one way it could be *)
 }
@@ -27,6 +28,9 @@ val evaluator : t -> Eval.t
 
 val cells : node -> int
 (** Of its flow. *)
+
+val chances : node -> Rat.t list
+(** Of its edges, when they are drawn. *)
 
 val cell : truth array -> int -> truth
 (** The last one stands for all that come after it. *)

@@ -35,7 +35,7 @@ let graph size : Timed_graph.t =
     | -1 -> if s land 63 = 0 then Timed_graph.Forever else No_flow
     | t -> Lasts (times.(s land 15), [| t |])
   in
-  { size; known = (fun _ -> true); edges; flow }
+  { size; known = (fun _ -> true); edges; drawn = (fun _ -> None); flow }
 
 let predicates : Eval.predicates =
   let at p s = Truth.of_bool (s * 7919 land 1023 < if p = 0 then 1 else 900) in

@@ -3,6 +3,7 @@
 
 open Scc_ctl
 open Scc_exact
+open Scc_chance
 open Scc_test_ctl
 module Gen = QCheck2.Gen
 
@@ -30,9 +31,7 @@ let always : Formula.t = And []
 let same_position (p : Positions.position) (q : Positions.position) =
   Int.equal p.node q.node && Algebraic.equal p.offset q.offset
 
-let opposite : Formula.quantifier -> Formula.quantifier = function
-  | All -> Exists
-  | Exists -> All
+let opposite = Formula.dual
 
 (* Rounds of a cycle until the window is passed, or has been reached and gone through once. *)
 let rounds (w : Walk.window) c =
@@ -99,7 +98,7 @@ let rec onward (e : Explanation.t) =
   match e.because with
   | Parts parts -> List.concat_map onward parts
   | Run { run; way = Onward place; _ } -> [ (run, place) ]
-  | Given | Everywhere _ | Run { way = Own; _ } -> []
+  | Given | Everywhere _ | Likelihood _ | Run { way = Own; _ } -> []
 
 let check_onward c (outer : Run.t) step ((run : Run.t), place) =
   let rounds = match outer.finish with Repeats _ -> 6 | _ -> 0 in
@@ -118,6 +117,18 @@ let chosen depth stretches =
   let keep i = depth = 0 || i = 0 || i = n - 1 || i = n / 2 in
   List.filteri (fun i _ -> keep i) stretches
 
+let is_globally : Formula.t -> bool = function Globally _ -> true | _ -> false
+
+(* How likely it is once all is chosen as it is there. *)
+let chance_of c (run : Run.t) =
+  let step product (s : Run.step) =
+    let node = c.graph.nodes.(s.source) in
+    match s.move with
+    | Edge k when node.drawn -> Rat.mul product (List.nth (Small.chances node) k)
+    | Edge _ | Flow _ -> product
+  in
+  List.fold_left step Rat.one run.steps
+
 (* [holds] is the truth of the U; [show] that of what its right side was made of. *)
 let rec check_until ?(depth = 0) c naive q (b : Formula.bound) f g ~holds (e : Explanation.t) =
   let w = { Walk.low = b.low; high = b.high } in
@@ -125,8 +136,29 @@ let rec check_until ?(depth = 0) c naive q (b : Formula.bound) f g ~holds (e : E
   | Everywhere (lazy n) ->
     ensure c "something is reached" (n > 0 || Positions.is_inside e.position);
     ensure c "only what no run shows is so everywhere"
-      (match (q : Formula.quantifier) with All -> holds | Exists -> not holds)
+      (match (q : Formula.quantifier) with All -> holds | Exists -> not holds | Chance _ -> false)
   | Given | Parts _ -> fail c "an operator without a run"
+  | Likelihood { run = None; measured; _ } ->
+    let known = if is_globally e.formula then Answer.complement measured.most else measured.least in
+    ensure c "no run, and a probability" (Answer.lower known = Some Rat.zero)
+  | Likelihood { run = Some (run, chance); measured; parts; _ } -> (
+      ensure c "the run starts elsewhere" (same_position run.start e.position);
+      ensure c "another probability" (Rat.equal chance (chance_of c run));
+      let known = if is_globally e.formula then Answer.complement measured.most else measured.least in
+      ensure c "more than all runs together"
+        (match Answer.upper known with None -> false | Some p -> Rat.compare chance p <= 0);
+      List.iter (check ~depth c naive) parts;
+      match Walk.pieces c.graph ~rounds:1 run with
+      | Error text -> fail c "%s" text
+      | Ok pieces -> (
+          match Walk.until w ~f:(surely c naive f) ~g:(surely c naive g) pieces with
+          | Met, _ -> (
+              match ends_at pieces with
+              | Some last ->
+                ensure c "it is not met at the end"
+                  (surely c naive g last.position && Walk.in_window w last)
+              | None -> fail c "an empty run")
+          | (Broken | Past | Open), _ -> fail c "the run does not count"))
   | Run { run; parts; along; way } -> (
       ensure c "the run starts elsewhere" (same_position run.start e.position);
       match Walk.pieces c.graph ~rounds:(rounds w c) run with
@@ -137,17 +169,18 @@ let rec check_until ?(depth = 0) c naive q (b : Formula.bound) f g ~holds (e : E
               | Some goal -> ensure c "a part elsewhere" (same_position goal p.position)
               | None -> fail c "a part of a run without end") parts;
           List.iter (check ~depth c naive) parts;
-          let before = match (q : Formula.quantifier) with Exists -> before_goal | All -> before_open_end in
+          let before = match (q : Formula.quantifier) with Exists -> before_goal | All | Chance _ -> before_open_end in
           let claim, claimed, scope =
             match (q : Formula.quantifier) with
             | Exists -> (f, true, fun _ -> true)
-            | All -> (
+            | All | Chance _ -> (
                 match e.formula with
                 | Globally (_, _, g) -> (g, true, Walk.in_window w)
                 | _ -> (g, false, Walk.in_window w))
           in
           check_along ~depth c naive run claim claimed (List.filter scope (before run pieces)) along;
           match q with
+          | Chance _ -> fail c "one run decides a probability"
           | Exists -> (
               ensure c "a run decides E only when it holds" holds;
               ensure c "one part" (List.length parts = 1);
@@ -214,7 +247,7 @@ and check_along ~depth c naive run claim claimed pieces along =
 and check_next ~depth c naive f ~wanted (e : Explanation.t) =
   match e.because with
   | Everywhere (lazy n) -> ensure c "something is reached" (n > 0 || Positions.is_inside e.position)
-  | Given | Parts _ -> fail c "an operator without a run"
+  | Given | Parts _ | Likelihood _ -> fail c "an operator without a run"
   | Run { run; parts; _ } ->
     (match Walk.pieces c.graph ~rounds:1 run with Ok _ -> () | Error text -> fail c "%s" text);
     ensure c "it starts elsewhere" (same_position run.start e.position);
@@ -253,7 +286,7 @@ and check ?(depth = 0) c naive (e : Explanation.t) =
     ensure c "or" (if e.holds then List.exists (fun (p : Explanation.t) -> p.holds) l else all);
     parts l
   | Next (q, f), _ ->
-    let by_run = match q with Exists -> e.holds | All -> not e.holds in
+    let by_run = match q with Exists -> e.holds | All | Chance _ -> not e.holds in
     (match e.because with
      | Run _ -> ensure c "a run" by_run
      | _ -> ensure c "no run" (not by_run));

@@ -119,7 +119,7 @@ let hold =
 let rec universal q (f : Formula.t) : Formula.t =
   match f with
   | Predicate _ -> f
-  | Not f -> Not (universal (match q with All -> Exists | Exists -> All) f)
+  | Not f -> Not (universal (Formula.dual q) f)
   | And fs -> And (List.map (universal q) fs)
   | Or fs -> Or (List.map (universal q) fs)
   | Next (_, f) -> Next (q, universal q f)

@@ -19,6 +19,7 @@ let line ends : Timed_graph.t =
       (fun s ->
          if s < last && not (on s) then [| s + 1 |]
          else match ends with `Back when s = last -> [| 0 |] | _ -> [||]);
+    drawn = (fun _ -> None);
     flow = (fun s -> if on s then Lasts (Rat.one, [| s + 1 |]) else No_flow);
   }
 
@@ -27,6 +28,7 @@ let ring : Timed_graph.t =
     size;
     known = (fun _ -> true);
     edges = (fun s -> [| (s + 1) mod size |]);
+    drawn = (fun _ -> None);
     flow = (fun _ -> No_flow);
   }
 

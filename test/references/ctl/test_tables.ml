@@ -226,6 +226,7 @@ let irrational () =
       size = 2;
       known = (fun _ -> true);
       edges = (fun _ -> [||]);
+      drawn = (fun _ -> None);
       flow = (fun s -> if s = 0 then Lasts (two, [| 1 |]) else No_flow);
     }
   in

@@ -1,0 +1,149 @@
+open Scc_data
+open Scc_exact
+open Scc_chance
+open Decisions
+
+type what =
+  | Time_until of Formula.t
+  | Changes_until of Formula.t * Formula.t
+  | Value_at of (int -> Rat.t -> (Rat.t, string) result) * Rat.t
+
+type answer =
+  | Known of Eval.measured
+  | Unknown of { reason : string option; unexplored : int list }
+
+let solve side effort built =
+  let solution = Reward.solve (until built) (direction side) effort ~asked:(States built.asked) in
+  match built.asked with
+  | [ start ] -> Solution.value solution start
+  | _ -> Scc_base.Bug.fail __POS__ "an expectation from one place"
+
+(* {1 What is earned until something holds} *)
+
+let width = Rat.make Z.one (Z.shift_left Z.one 40)
+
+(* The time that a branch takes; where it ends at no rational instant, less than that, or more. *)
+let duration graph ~up (p : place) branch =
+  match branch.way with
+  | Move move -> Timed_graph.duration graph p.node move
+  | During { offset; _ } ->
+    let low, high = Algebraic.enclose offset ~width in
+    if up then high else low
+  | Nowhere -> Rat.zero
+
+let irrational branch =
+  match branch.way with
+  | During { offset; _ } -> Option.is_none (Algebraic.to_rat offset)
+  | Move _ | Nowhere -> false
+
+let change graph counts (p : place) branch =
+  match branch.way with
+  | Move (Edge _ as move) when counts (Timed_graph.target graph p.node move) -> Rat.one
+  | Move _ | During _ | Nowhere -> Rat.zero
+
+let all_time = { Formula.low = Rat.zero; high = None }
+
+(* More states at which it is over make it less, for each scheduler: with all that may be such a state it is not more
+   than it is, and with those that are known to be, not less. *)
+let earned e side ~counts g =
+  let graph = Eval.graph e in
+  let value = Eval.value e g in
+  let anywhere = Positions.constant graph true in
+  let rounded = ref false in
+  let answer ~up =
+    let g = if up then value.lower else value.upper in
+    let q = { graph; side; bound = all_time; f = anywhere; g; generous = not up } in
+    let w = window q in
+    let earns p branch =
+      if irrational branch then rounded := true;
+      { branch with reward = counts ~up p branch }
+    in
+    let choices p = List.map (List.map (earns p)) (choices q w p) in
+    solve side (Eval.effort e) (build ~choices [ next q w (place w 0 Rat.zero) ])
+  in
+  let least = answer ~up:false in
+  let same = value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !rounded in
+  Known { least; most = (if same then least else answer ~up:true) }
+
+let changes e side f g =
+  let value = Eval.value e f in
+  let counts ~up p branch = change (Eval.graph e) (Positions.at (if up then value.upper else value.lower)) p branch in
+  earned e side ~counts g
+
+(* {1 A number at a time} *)
+
+type ends = { mutable reason : string option; mutable unexplored : int list; mutable lowest : Rat.t option }
+
+(* Each branch that time takes past the instant ends there, with what the number is, and more by the shift. *)
+let ending ends number time ~shift (p : place) elapsed =
+  match number p.node (Rat.sub time elapsed) with
+  | Error reason ->
+    if ends.reason = None then ends.reason <- Some reason;
+    one Nowhere Fail
+  | Ok x ->
+    ends.lowest <- Some (match ends.lowest with None -> x | Some y -> Rat.min x y);
+    one ~reward:(match shift with None -> Rat.zero | Some s -> Rat.sub x s) Nowhere Goal
+
+let steps graph ends number time ~shift (p : place) =
+  let elapsed = Option.get p.elapsed in
+  let go node d = Go { node; elapsed = Some (Rat.add elapsed d) } in
+  let s = p.node in
+  let ending () = [ ending ends number time ~shift p elapsed ] in
+  if not (graph.Timed_graph.known s) then begin
+    ends.unexplored <- s :: ends.unexplored;
+    [ one Nowhere Fail ]
+  end
+  else
+    let branch k t probability =
+      { way = Move (Edge k); next = go t Rat.zero; probability; reward = Rat.zero }
+    in
+    let edges = Array.to_list (graph.edges s) in
+    let discrete =
+      match graph.drawn s with
+      | Some chances -> [ List.mapi (fun k t -> branch k t chances.(k)) edges ]
+      | None -> List.mapi (fun k t -> [ branch k t Rat.one ]) edges
+    in
+    let timed =
+      match graph.flow s with
+      | No_flow when edges = [] && Rat.equal elapsed time -> ending ()
+      | No_flow -> []
+      | Forever -> ending ()
+      | Lasts (d, targets) ->
+        if Rat.compare (Rat.add elapsed d) time > 0 then ending ()
+        else List.mapi (fun k t -> one (Move (Flow k)) (go t d)) (Array.to_list targets)
+    in
+    match discrete @ timed with
+    | [] ->
+      if ends.reason = None then
+        ends.reason <-
+          Some
+            (Printf.sprintf "a run is over at time %s, and has no value at time %s" (Rat.to_string elapsed)
+               (Rat.to_string time));
+      [ one Nowhere Fail ]
+    | choices -> choices
+
+let endless time =
+  Printf.sprintf "runs that go on for ever within one instant do not come to time %s" (Rat.to_string time)
+
+let value_at e side number time =
+  let graph = Eval.graph e in
+  let ends = { reason = None; unexplored = []; lowest = None } in
+  let start = [ Go { node = 0; elapsed = Some Rat.zero } ] in
+  let build shift = build ~choices:(steps graph ends number time ~shift) start in
+  (* What is earned is never negative: at first it is only looked what the least is. *)
+  let first = build None in
+  let unknown reason = Unknown { reason; unexplored = List.sort_uniq Int.compare ends.unexplored } in
+  match (ends.reason, ends.unexplored, ends.lowest) with
+  | None, [], Some lowest ->
+    let certain = Qualitative.one_min (until first) in
+    if not (List.for_all (Bits.mem certain) first.asked) then unknown (Some (endless time))
+    else
+      let answer = Answer.add (solve side (Eval.effort e) (build (Some lowest))) lowest in
+      Known { least = answer; most = answer }
+  | None, [], None -> unknown (Some (endless time))
+  | reason, _, _ -> unknown reason
+
+let find e side = function
+  | Time_until g -> earned e side ~counts:(duration (Eval.graph e)) g
+  | Changes_until (f, g) -> changes e side f g
+  | Value_at (number, time) -> value_at e side number time
