@@ -109,69 +109,14 @@ let formula t eval env (e : Ast.expr) =
     None
   | None -> None
 
-(* {1 Probabilities} *)
-
-(* The letters before `[ … ]`, and over which schedulers each is asked for: one without a word for it of all of them,
-   whatever they do. *)
-let measures = [ ("P", [ Property.Least; Greatest ]); ("Pmin", [ Least ]); ("Pmax", [ Greatest ]) ]
-
-let measure t (m : Ast.expr) =
-  let known = match m.it with Path { it = [ { name; indices = [] } ]; _ } -> List.assoc_opt name.it measures | _ -> None in
-  if Option.is_none known then
-    error t Code.not_a_formula m.at "`%s` stands before what runs do, and `P`, `Pmin` or `Pmax` is expected there"
-      (Printer.expr m);
-  known
-
-let chance t env (sides : Property.side list) (o : Ast.binary) (e : Ast.expr) =
-  let relation : Scc_chance.Answer.relation * Property.side =
-    match o with
-    | Lt -> (Less, Greatest)
-    | Le -> (At_most, Greatest)
-    | Gt -> (More, Least)
-    | Ge -> (At_least_so, Least)
-    | Add | Sub | Mul | Div | Mod | Eq | Ne | And | Or | Implies -> Bug.fail __POS__ "no threshold"
-  in
-  let relation, of_all = relation in
-  let side = match sides with [ side ] -> side | _ -> of_all in
-  match Constant.number t.c.report env e with
-  | Some than when Rat.sign than >= 0 && Rat.compare than Rat.one <= 0 ->
-    Some (Property.Chance { side; test = { relation; than } })
-  | Some than ->
-    error t Code.bad_value e.at "a probability is from 0 to 1, and this is %s" (Rat.to_string than);
-    None
-  | None -> None
-
-let outcome t eval env quantifier (o : Ast.outcome) =
-  match o with
-  | Does { it = Temporal (((Eventually | Always) as operator), written, f); _ } ->
-    let* b, f = Typed.both (bound t env written) (formula t eval env f) in
-    (match operator with
-     | Always -> Some (Property.Globally (quantifier, b, f))
-     | _ -> Some (Finally (quantifier, b, f)))
-  | Goes_until (f, written, g) ->
-    let f = formula t eval env f and g = formula t eval env g in
-    let* b = bound t env written in
-    let* f, g = Typed.both f g in
-    Some (Property.Until (quantifier, b, f, g))
-  | Does e ->
-    error t Code.not_a_formula e.at "what a run does is expected here, and this is none"
-      ~hint:"write `eventually …`, `always …` or `f U g`";
-    None
-  | Has_at (e, _) ->
-    error t Code.not_a_formula e.at "a probability is one of what a run does, and not of a value at a time"
-      ~hint:"write `eventually[t, t] …` for what is so at the time t";
-    None
-
-let measured t eval env at m test o =
-  let* sides = measure t m in
-  match test with
-  | None ->
-    error t Code.not_a_formula at "`= ?` asks for a number, and a formula is expected here"
-      ~hint:"a check may ask for it, if nothing stands around";
-    None
-  | Some (relation, e) ->
-    let* quantifier = chance t env sides relation e in
-    outcome t eval env quantifier o
+let reader t eval env : Measures.reader =
+  {
+    report = t.c.report;
+    env;
+    formula = formula t eval env;
+    bound = bound t env;
+    value = (fun e -> eval env e);
+  }
 
 let other t eval env (e : Ast.expr) =
   match e.it with
@@ -187,7 +132,8 @@ let other t eval env (e : Ast.expr) =
     let* b = bound t env written in
     let* f, g = Typed.both f g in
     Some (Typed.Cond (Property.Until (path_quantifier q, b, f, g)))
-  | Measured (m, test, o) -> Option.map (fun f -> Typed.Cond f) (measured t eval env e.at m test o)
+  | Measured (m, test, o) ->
+    Option.map (fun f -> Typed.Cond f) (Measures.formula (reader t eval env) e.at m test o)
   | Leads_to (f, written, g) ->
     let f = formula t eval env f and g = formula t eval env g in
     let* b = bound t env written in
@@ -273,21 +219,6 @@ let rec is_temporal (e : Ast.expr) =
   | If (c, a, b) -> is_temporal c || is_temporal a || is_temporal b
   | Number _ | True | False | Path _ | Co _ | Apply _ | Apply_in _ | Vector _ | Neg _ | Event _ -> false
 
-(* Of all schedulers, or the least and the greatest: the greatest is that of which there is a run to show. *)
-let question t (k : Program.check) m o =
-  let* sides = measure t m in
-  let side = if List.mem Property.Greatest sides then Property.Greatest else Least in
-  let any = Property.Chance { side; test = { relation = At_least_so; than = Rat.zero } } in
-  let* formula = outcome t (Eval.eval t) k.env any o in
-  Some
-    {
-      Property.name = k.name;
-      span = k.span;
-      text = k.written k.formula;
-      asked = How_likely sides;
-      formula;
-    }
-
 let truth_of t (k : Program.check) =
   let* f = Eval.cond t k.env k.formula in
   match Formula.state_formula f with
@@ -300,7 +231,11 @@ let truth_of t (k : Program.check) =
     Some { Property.name = k.name; span = k.span; text = k.written k.formula; asked = Whether; formula = f }
 
 let check t (k : Program.check) =
-  match k.formula.it with Measured (m, None, o) -> question t k m o | _ -> truth_of t k
+  match k.formula.it with
+  | Measured (m, test, o) when Measures.is_question m test ->
+    let* asked, formula = Measures.question (reader t (Eval.eval t) k.env) m test o in
+    Some { Property.name = k.name; span = k.span; text = k.written k.formula; asked; formula }
+  | _ -> truth_of t k
 
 (* What is read here has been read as part of the check, so that nothing is reported, and no budget is spent. *)
 let premises t (k : Program.check) =

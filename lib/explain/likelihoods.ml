@@ -31,11 +31,16 @@ let measured (m : Scc_ctl.Eval.measured) = between (Answer.lower m.least) (Answe
 let side : Scc_property.Property.side -> string = function Least -> "least" | Greatest -> "greatest"
 let known s m = Printf.sprintf "the %s probability is %s" (side s) (measured m)
 
+let is_exact (m : Scc_ctl.Eval.measured) =
+  match (m.least, m.most) with
+  | Exact x, Exact y -> Rat.equal x y
+  | Infinite, Infinite -> true
+  | (Exact _ | Within _ | At_least _ | Infinite), _ -> false
+
 let values list =
   let told = List.map (fun (s, m) -> (side s, measured m)) list in
-  let exact (m : Scc_ctl.Eval.measured) = match (m.least, m.most) with Exact x, Exact y -> Rat.equal x y | _ -> false in
   match told with
-  | (_, first) :: rest when List.for_all (fun (_, m) -> exact m) list && List.for_all (fun (_, t) -> t = first) rest ->
+  | (_, first) :: rest when List.for_all (fun (_, m) -> is_exact m) list && List.for_all (fun (_, t) -> t = first) rest ->
     if rest = [] then String.concat ", " (List.map (fun (s, t) -> s ^ " " ^ t) told) else first
   | told -> String.concat ", " (List.map (fun (s, t) -> Printf.sprintf "%s %s" s t) told)
 

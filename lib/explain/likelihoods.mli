@@ -13,6 +13,8 @@ val measured : Eval.measured -> string
 val known : Scc_property.Property.side -> Eval.measured -> string
 (** ["the least probability is 1/3"]. *)
 
+val is_exact : Eval.measured -> bool
+
 val values : (Scc_property.Property.side * Eval.measured) list -> string
 (** ["1/3"] where all schedulers have the same, ["least 1/4, greatest 1/2"]. *)
 

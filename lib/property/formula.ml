@@ -98,6 +98,8 @@ let rec by_one_run ~holds = function
   | Temporal_or fs -> holds && List.exists (by_one_run ~holds) fs
   | Next (q, _) | Finally (q, _, _) | Globally (q, _, _) | Until (q, _, _, _) -> (q = Exists) = holds
 
+let always = { low = Scc_exact.Rat.zero; high = None }
+
 let rec asks_probability = function
   | State _ -> false
   | Next (Chance _, _) | Finally (Chance _, _, _) | Globally (Chance _, _, _) | Until (Chance _, _, _, _) -> true

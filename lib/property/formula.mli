@@ -31,6 +31,9 @@ val quantifies : path_quantifier -> temporal -> bool
 val by_one_run : holds:bool -> temporal -> bool
 (** Whether its outermost operators are such that one run may show that it holds, or that it does not. *)
 
+val always : bound
+(** All time. *)
+
 val asks_probability : temporal -> bool
 (** Whether some operator has a probability for a quantifier. *)
 

@@ -105,6 +105,16 @@ type asked =
   | Whether  (** it holds *)
   | How_likely of side list
   (** it is an operator of time of any quantifier: with which probability a run does as it says *)
+  | Expected of side list * mean * Scc_chance.Answer.bound option
+  (** a mean over the runs, or whether it stands so to a bound; the formula has all atoms that it depends on, up to
+      the time at which it does *)
+
+(** Means over runs (rule Expectation). *)
+and mean =
+  | Time_until of temporal  (** the time until it holds *)
+  | Events_until of prop * temporal
+  (** the number of transitions of which this is so, until that holds; a combination of events *)
+  | Value_at of num * Rat.t  (** at a time *)
 
 type check = {
   name : string;

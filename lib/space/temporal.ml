@@ -85,6 +85,29 @@ let explain t i =
 
 let probability t i side = Scc_ctl.Eval.probability t.eval ~decide:false side t.asked.formulas.(i) origin
 
+(* At an offset of the flow of a node. *)
+let number t n =
+  let semantics = Network_lts.semantics t.asked.context in
+  let graph = Scc_ctl.Eval.graph t.eval in
+  let catalogue = Network_lts.catalogue t.asked.context in
+  fun node offset ->
+    let extent = Timed_graph.extent (Timed_graph.flow graph node) in
+    let state = Catalogue.decode catalogue (Graph.tuple t.graph node) in
+    let line = Scc_evaluate.Trajectory.num (Scc_evaluate.Trajectory.make semantics state extent) n in
+    match Timeline.at line (Algebraic.of_rat offset) with
+    | Scc_evaluate.Value.Ratio (p, q) -> Ok (Rat.div (Polynomial.eval p offset) (Polynomial.eval q offset))
+    | Undefined reason -> Error reason
+
+let mean t i side (mean : Property.mean) =
+  let what : Expectation.what =
+    match (mean, t.asked.formulas.(i)) with
+    | Time_until _, Finally (_, _, g) -> Time_until g
+    | Events_until _, Until (_, _, f, g) -> Changes_until (f, g)
+    | Value_at (n, time), _ -> Value_at (number t n, time)
+    | (Time_until _ | Events_until _), _ -> Scc_base.Bug.fail __POS__ "a mean with another formula"
+  in
+  Expectation.find t.eval side what
+
 (* Of the operators with a probability that its truth in the initial state depends on at once. *)
 let probabilities t i =
   let rec go (f : Scc_ctl.Formula.t) =

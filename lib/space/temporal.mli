@@ -31,6 +31,9 @@ val explain : t -> int -> Explanation.t
 val doubts : t -> int -> Scc_ctl.Doubts.t
 (** Of one that is not. *)
 
+val mean : t -> int -> Property.side -> Property.mean -> Scc_ctl.Expectation.answer
+(** Of a check that asks for it, of which the formula of this index is that. *)
+
 val probabilities : t -> int -> Scc_ctl.Eval.measured list
 (** What is known of the probabilities that a formula compares in the initial state. *)
 

@@ -55,77 +55,15 @@ type result = {
   numbers : unit -> (string * int) list;
 }
 
-type run = {
-  options : options;
-  model : Model.t;
-  context : Network_lts.context;
-  graph : Graph.t;
-  horizon : Rat.t option;
-}
-
-let cause r reason = Bounds.cause r.options.bounds r.model ~horizon:r.horizon reason
-
-(** {2 Why there is no answer} *)
-
-let reason_of r i =
-  match Graph.status r.graph i with
-  | Explore.Unexpanded reason -> cause r reason
-  | Expanded | Queued -> Scc_base.Bug.fail __POS__ "a state that was expanded is in doubt"
-
-(* The nearest of some states, in steps. *)
-let nearest r = function
-  | [] -> None
-  | i :: rest ->
-    let nearer best j = if Graph.depth r.graph j < Graph.depth r.graph best then j else best in
-    Some (List.fold_left nearer i rest)
-
-(* Why no answer was found in some states. *)
-let causes r states : Verdict.reason list =
-  let bound = function
-    | Bounds.Bound t -> Some t
-    | Fault _ -> None
-    | Early -> Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going"
-  in
-  let fault = function Bounds.Fault f -> Some f.Scc_base.Diag.message | Bound _ | Early -> None in
-  (* There may be millions of them. *)
-  let causes = List.rev (List.rev_map (reason_of r) states) in
-  let bounds = Verdict.distinct (List.filter_map bound causes) in
-  let faults = List.sort_uniq String.compare (List.filter_map fault causes) in
-  List.map (fun t -> Verdict.Truncated t) bounds @ List.map (fun text -> Verdict.Fault text) faults
-
-(* With a run to the nearest of them. It may be long, and take as long to be made as to be found: then it is left
-   out. *)
-let unexplored r states =
-  let run i () = Make_witness.of_path r.context r.graph i in
-  let matter i =
-    match r.options.surroundings.attempt.run Concluding (run i) with
-    | Ok nearest -> Some (Verdict.Unexplored { count = List.length states; nearest })
-    | Error _ -> None
-  in
-  causes r states @ Option.to_list (Option.bind (nearest r states) matter)
-
-let undefined (d : Search.doubts) = List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined)
-let search_doubts r (d : Search.doubts) = undefined d @ unexplored r d.unexplored
-
-let doubts r (d : Scc_ctl.Doubts.t) =
-  let undefined =
-    List.map (fun (u : Scc_ctl.Doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
-  in
-  List.map (fun text -> Verdict.Undefined text) undefined
-  @ unexplored r d.unexplored
-
-let shown_interval (m : Scc_ctl.Eval.measured) =
-  Verdict.Undefined (Printf.sprintf "the probability is %s" (Likelihoods.measured m))
-
 (* A probability that is not known well enough is the reason where there is no other. *)
 let formula_doubts r temporal i =
-  match doubts r (Temporal.doubts temporal i) with
-  | [] -> List.map shown_interval (Temporal.probabilities temporal i)
+  match Unsettled.doubts r (Temporal.doubts temporal i) with
+  | [] -> Measuring.intervals temporal i
   | reasons -> reasons
 
 (** {2 Verdicts} *)
 
-let trace r p trace = Make_witness.of_trace r.context r.graph (Some p) trace
+let trace (r : Unsettled.t) p trace = Make_witness.of_trace r.context r.graph (Some p) trace
 let holds = Verdict.Holds { bounds = []; witness = None }
 
 (* Success up to a bound is one kind of verdict; what was not decided for another reason is not success. *)
@@ -139,17 +77,17 @@ let up_to_bound r (doubts : Search.doubts) =
     | Ok bounds, Ok b -> Ok (b :: bounds)
     | Error (), _ | _, Error () -> Error ()
   in
-  match List.fold_left add (Ok []) (undefined doubts @ causes r doubts.unexplored) with
+  match List.fold_left add (Ok []) (Unsettled.undefined doubts @ Unsettled.causes r doubts.unexplored) with
   | Ok bounds -> Verdict.Holds { bounds = List.rev bounds; witness = None }
-  | Error () -> Undecided (search_doubts r doubts)
+  | Error () -> Undecided (Unsettled.search_doubts r doubts)
 
-let now r p =
+let now (r : Unsettled.t) p =
   match Trajectory.holds (Network_lts.semantics r.context) (Network_lts.start r.context) p with
   | True -> Verdict.Holds { bounds = []; witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
   | False -> Violated { witness = Some (trace r p { steps = []; last = 0; finish = At_state }) }
   | Undecided text -> Undecided [ Undefined text ]
 
-let evaluated r temporal i =
+let evaluated (r : Unsettled.t) temporal i =
   match Temporal.truth temporal i with
   | None -> Verdict.Undecided (formula_doubts r temporal i)
   | Some truth -> (
@@ -158,12 +96,12 @@ let evaluated r temporal i =
       | false, witness -> Violated { witness })
 
 (* An evaluation that takes longer than there is time for leaves one formula open, and nothing else. *)
-let formula r temporal i =
-  let result = r.options.surroundings.attempt.run Concluding (fun () -> evaluated r temporal i) in
+let formula (r : Unsettled.t) temporal i =
+  let result = r.surroundings.attempt.run Concluding (fun () -> evaluated r temporal i) in
   Temporal.done_with temporal i;
   match result with
   | Ok v -> v
-  | Error stop -> Undecided [ Truncated (Bounds.stopped r.options.bounds stop) ]
+  | Error stop -> Undecided [ Truncated (Bounds.stopped r.bounds stop) ]
 
 (* Answers and formulas are taken up in the order of {!questions} and {!formulas}. *)
 type answers = { searches : Search.answer list; next_formula : int; temporal : Temporal.t option }
@@ -175,7 +113,7 @@ let rec verdict r (plan : Plan.t) answers =
     ((match a with
         | Met t -> Verdict.Holds { bounds = []; witness = Some (trace r p t) }
         | Never -> Violated { witness = None }
-        | Open doubts -> Undecided (search_doubts r doubts)), { answers with searches })
+        | Open doubts -> Undecided (Unsettled.search_doubts r doubts)), { answers with searches })
   | Always (_, p), a :: searches ->
     ((match a with
         | Met t -> Verdict.Violated { witness = Some (trace r p t) }
@@ -198,34 +136,24 @@ and verdicts r combine plans answers =
   let found, answers = List.fold_left step ([], answers) plans in
   (combine (List.rev found), answers)
 
-(* A number that is asked for. What keeps it from being known is looked for as for an undecided formula. *)
-let measured r sides answers =
+(* A number that is asked for. *)
+let measured (r : Unsettled.t) answers find =
   let i = answers.next_formula in
-  let found temporal () =
-    let values = List.map (fun side -> (side, Temporal.probability temporal i side)) sides in
-    let known (m : Scc_ctl.Eval.measured) =
-      match (m.least, m.most) with Scc_chance.Answer.Exact x, Exact y -> Rat.equal x y | _ -> false
-    in
-    let all_known = List.for_all (fun (_, m) -> known m) values in
-    let reasons = if all_known then [] else doubts r (Temporal.possible_doubts temporal i) in
-    let witness = Make_witness.of_explanation r.context r.graph temporal (Temporal.explain temporal i) in
-    let witness = Option.map (fun w -> { w with Witness.argument = None }) witness in
-    Verdict.Measured { values; reasons; witness }
+  let temporal =
+    match answers.temporal with Some t -> t | None -> Scc_base.Bug.fail __POS__ "a question that was not asked"
   in
-  let temporal = match answers.temporal with Some t -> t | None -> Scc_base.Bug.fail __POS__ "a question that was not asked" in
-  let result = r.options.surroundings.attempt.run Concluding (found temporal) in
+  let result = r.surroundings.attempt.run Concluding (fun () -> find temporal i) in
   Temporal.done_with temporal i;
-  let verdict =
-    match result with
-    | Ok v -> v
-    | Error stop -> Undecided [ Truncated (Bounds.stopped r.options.bounds stop) ]
+  let v =
+    match result with Ok v -> v | Error stop -> Verdict.Undecided [ Truncated (Bounds.stopped r.bounds stop) ]
   in
-  (verdict, { answers with next_formula = i + 1 })
+  (v, { answers with next_formula = i + 1 })
 
 let outcome r ((check : Property.check), plan) answers =
   match check.asked with
   | Whether -> verdict r plan answers
-  | How_likely sides -> measured r sides answers
+  | How_likely sides -> measured r answers (fun t i -> Measuring.probability r t i sides)
+  | Expected (sides, mean, test) -> measured r answers (fun t i -> Measuring.mean r t i sides mean test)
 
 (** {2 Questions} *)
 
@@ -258,30 +186,30 @@ let is_too_long : _ Explore.reason -> bool = function
   | Depth | Time | Instant | States | Seconds | Memory | Interrupted | Stopped | Fault _ -> false
 
 (* The first state with a number that is too long. *)
-let growth r unexpanded =
+let growth (r : Unsettled.t) unexpanded =
   let told (i, _) =
     let state = Catalogue.decode (Network_lts.catalogue r.context) (Graph.tuple r.graph i) in
     Bounds.long_number r.model state ~depth:(Graph.depth r.graph i)
   in
   Option.map told (List.find_opt (fun (_, reason) -> is_too_long reason) unexpanded)
 
-let convergence r =
+let convergence (r : Unsettled.t) =
   match Quickening.find r.context r.graph with
   | Some q -> Some (Verdict.Proved q)
   | None -> Option.map (fun s -> Verdict.Named s) (Slowing.find r.graph)
 
 (* It looks at some hundreds of states, which may be large: with no time for that, nothing is said. *)
-let likely r bounds =
+let likely (r : Unsettled.t) bounds =
   match bounds with
   | [] -> []
   | _ :: _ -> (
-      match r.options.surroundings.attempt.run Concluding (fun () -> Growth.find r.context r.graph) with
+      match r.surroundings.attempt.run Concluding (fun () -> Growth.find r.context r.graph) with
       | Ok causes -> causes
       | Error _ -> [])
 
-let stats r : stats =
+let stats (r : Unsettled.t) : stats =
   let unexpanded = Graph.unexpanded r.graph in
-  let causes = List.rev (List.rev_map (fun (_, reason) -> cause r reason) unexpanded) in
+  let causes = List.rev (List.rev_map (fun (_, reason) -> Unsettled.cause r reason) unexpanded) in
   let bounds = List.filter_map (function Bounds.Bound t -> Some t | Fault _ | Early -> None) causes in
   {
     states = Graph.size r.graph;
@@ -304,7 +232,7 @@ let stats r : stats =
   }
 
 (* A cycle without duration, or else a run that met the guard. *)
-let zeno r (result : Search.result) =
+let zeno (r : Unsettled.t) (result : Search.result) =
   match result.zeno with
   | Some t -> Some (Make_witness.of_trace r.context r.graph None t)
   | None ->
@@ -323,7 +251,7 @@ let needs_edges plans limits =
 let rests context tuple =
   Network.quiescent (Network_lts.semantics context) (Catalogue.decode (Network_lts.catalogue context) tuple)
 
-let stores r =
+let stores (r : Unsettled.t) =
   let m = Graph.memory r.graph in
   [ ("states", m.states); ("labels", m.labels); ("edges", m.edges) ]
 
@@ -351,7 +279,17 @@ let system options semantics ~initial checks plans =
 
 (* A question for a number is one about the graph, whatever the formula is. *)
 let plan (c : Property.check) : Plan.t =
-  match c.asked with Whether -> Plan.of_formula c.formula | How_likely _ -> Formula c.formula
+  match c.asked with Whether -> Plan.of_formula c.formula | How_likely _ | Expected _ -> Formula c.formula
+
+let unsettled options context graph ~horizon : Unsettled.t =
+  {
+    bounds = options.bounds;
+    surroundings = options.surroundings;
+    model = Network_lts.model context;
+    context;
+    graph;
+    horizon;
+  }
 
 (* One exploration for some checks. *)
 let check options semantics ~initial (checks : Property.check list) =
@@ -373,7 +311,7 @@ let check options semantics ~initial (checks : Property.check list) =
     in
     Result.value (options.surroundings.attempt.run Exploring look) ~default:false
   in
-  let asks_number (c : Property.check) = match c.asked with Whether -> false | How_likely _ -> true in
+  let asks_number (c : Property.check) = match c.asked with Whether -> false | How_likely _ | Expected _ -> true in
   let settled =
     match temporals with
     | [] -> None
@@ -385,7 +323,7 @@ let check options semantics ~initial (checks : Property.check list) =
       options.surroundings context asked
   in
   let graph = result.graph in
-  let r = { options; model = Network_lts.model context; context; graph; horizon } in
+  let r = unsettled options context graph ~horizon in
   let temporal =
     match temporals with [] -> None | _ :: _ -> Some (Temporal.on formulas ~rests graph)
   in
@@ -409,7 +347,7 @@ let explore ?time_seen ?(visitor = fun _ -> Graph.blind) options semantics ~init
   let graph =
     Graph.run ~visitor:(visitor context) ~order:options.order limits options.surroundings context
   in
-  let r = { options; model = Network_lts.model context; context; graph; horizon = None } in
+  let r = unsettled options context graph ~horizon:None in
   (context, graph, stats r)
 
 let may_have_events options semantics ~initial =

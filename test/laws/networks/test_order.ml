@@ -146,6 +146,7 @@ let verdicts n =
           match o.verdict with
           | Holds _ -> if Verdict.exhaustive o.verdict then "holds" else "bounded"
           | Violated _ -> "violated"
+          | Measured { values; _ } -> Scc_explain.Likelihoods.values values
           | Undecided _ -> "undecided"
         in
         o.check.name ^ ": " ^ kind)

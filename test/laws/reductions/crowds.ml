@@ -130,6 +130,14 @@ let formula_of atom =
       (1, Printf.sprintf "A[ (%s) U (%s) ]" p q);
       (1, Printf.sprintf "(%s) leads_to (%s)" p q);
       (1, Printf.sprintf "EF[1, 3] (%s)" s);
+      (1, Printf.sprintf "P = ? [ eventually (%s)%s ]" s within);
+      (1, Printf.sprintf "Pmin = ? [ (%s) U (%s) ]" p q);
+      (1, Printf.sprintf "P >= 1/2 [ always (%s)%s ]" s within);
+      (1, Printf.sprintf "E = ? [ time U (%s) ]" s);
+      (1, Printf.sprintf "Emax = ? [ event bounce U (%s) ]" s);
+      (1, return "E = ? [ energy at 2 ]");
+      (1, return "E = ? [ processes + momentum.x at 5/2 ]");
+      (1, Printf.sprintf "AG (Pmax <= 2/3 [ eventually[1, 2] (%s) ])" s);
     ]
 
 let formula_gen n = formula_of (atom_gen n)

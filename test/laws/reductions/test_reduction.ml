@@ -31,15 +31,18 @@ let definite (v : Verdict.t) =
   match v with
   | Holds { bounds = []; _ } -> Some true
   | Violated _ -> Some false
-  | Holds _ | Undecided _ -> None
+  | Holds _ | Measured _ | Undecided _ -> None
 
 let conflict (a : Verdict.outcome) (b : Verdict.outcome) =
-  match (definite a.verdict, definite b.verdict) with
-  | Some x, Some y -> not (Bool.equal x y)
-  | None, _ | _, None -> false
+  match (a.verdict, b.verdict) with
+  | Measured x, Measured y -> x.reasons = [] && y.reasons = [] && x.values <> y.values
+  | v, w -> (
+      match (definite v, definite w) with
+      | Some x, Some y -> not (Bool.equal x y)
+      | None, _ | _, None -> false)
 
 let witness : Verdict.t -> Witness.t option = function
-  | Holds { witness; _ } | Violated { witness } -> witness
+  | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
   | Undecided _ -> None
 
 (* By the rules alone, in the model as it is. *)
@@ -59,7 +62,7 @@ let shows (e : Scc_elaborate.Elaborate.t) ({ check = c; verdict = v; _ } : Verdi
   | Some ({ finish = At_state; _ } as w), (Possibly (_, p) | Always (_, p))
     when not (Formula.has_events (State p)) ->
     let holds = Trajectory.holds (standard e.model) w.last p in
-    let wanted = match v with Holds _ -> Truth.True | Violated _ | Undecided _ -> False in
+    let wanted = match v with Holds _ -> Truth.True | Violated _ | Measured _ | Undecided _ -> False in
     Truth.equal holds wanted
   | _ -> true
 

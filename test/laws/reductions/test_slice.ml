@@ -18,7 +18,7 @@ let standard = Scc_engine.Standard.of_model
 let generous n = { Check.default with bounds = { Bounds.default with states = Given n } }
 
 let check options m initial formula =
-  let check = { Property.name = "c"; span = Scc_base.Span.none; text = ""; formula } in
+  let check = { Property.name = "c"; span = Scc_base.Span.none; text = ""; asked = Whether; formula } in
   match (Check.run options (standard m) ~initial [ check ]).outcomes with
   | [ o ] -> o.verdict
   | _ -> failwith "one outcome"
@@ -26,10 +26,10 @@ let check options m initial formula =
 let decided : Verdict.t -> bool option = function
   | Holds { bounds = []; _ } -> Some true
   | Violated _ -> Some false
-  | Holds _ | Undecided _ -> None
+  | Holds _ | Measured _ | Undecided _ -> None
 
 let witness : Verdict.t -> Witness.t option = function
-  | Holds { witness; _ } | Violated { witness } -> witness
+  | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
   | Undecided _ -> None
 
 let facts m formula (w : Witness.t) =

@@ -59,15 +59,18 @@ let definite (v : Verdict.t) =
   match v with
   | Holds { bounds = []; _ } -> Some true
   | Violated _ -> Some false
-  | Holds _ | Undecided _ -> None
+  | Holds _ | Measured _ | Undecided _ -> None
 
 let in_full (r : Check.report) = r.stats.complete && not r.stats.decided_early
 
 let same (a : Check.report) (b : Check.report) =
   let differ (x : Verdict.outcome) (y : Verdict.outcome) =
-    match (definite x.verdict, definite y.verdict) with
-    | Some x, Some y -> not (Bool.equal x y)
-    | None, _ | _, None -> false
+    match (x.verdict, y.verdict) with
+    | Measured x, Measured y -> x.reasons = [] && y.reasons = [] && x.values <> y.values
+    | v, w -> (
+        match (definite v, definite w) with
+        | Some x, Some y -> not (Bool.equal x y)
+        | None, _ | _, None -> false)
   in
   if List.exists2 differ a.outcomes b.outcomes then QCheck2.Test.fail_report "verdicts differ"
   else if in_full a && in_full b && a.stats.states <> b.stats.states then

@@ -199,7 +199,7 @@ let has_run case claim (v : Verdict.t) =
   match v with
   | Holds { bounds = []; witness } when some -> Some witness
   | Violated { witness } when not some -> Some witness
-  | Holds _ | Violated _ | Undecided _ -> None
+  | Holds _ | Violated _ | Measured _ | Undecided _ -> None
 
 let options = { Check.default with bounds = { Bounds.default with states = Given 150; depth = Given 60 } }
 
@@ -210,7 +210,7 @@ let law_of case =
   let middle = Option.get (Polyhedron.interior_point (Ranges.box m.ranges)) in
   let declared = Scene.declared s middle in
   let check i claim =
-    { Property.name = string_of_int i; span = Scc_base.Span.none; text = ""; formula = formula case claim }
+    { Property.name = string_of_int i; span = Scc_base.Span.none; text = ""; asked = Whether; formula = formula case claim }
   in
   let checks = List.mapi check case.claims in
   match Zone_check.run options standard (Scene.uncertain s) ~declared ~exactly:false ~premises:[] checks with

@@ -195,6 +195,7 @@ let verdict (v : Scc_verify.Verdict.t) =
     match v with
     | Holds _ -> "bounded"
     | Violated _ -> "violated"
+    | Measured { values; _ } -> Scc_explain.Likelihoods.values values
     | Undecided _ -> "undecided"
 
 let pair = Alcotest.(list (pair string string))
@@ -292,7 +293,7 @@ let witnesses () =
     List.filter_map
       (fun (o : Scc_verify.Verdict.outcome) ->
          match o.verdict with
-         | Scc_verify.Verdict.Holds { witness; _ } | Violated { witness } -> witness
+         | Scc_verify.Verdict.Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
          | Undecided _ -> None)
       report.outcomes
     |> fun ws -> List.iter (check m initial name) ws; List.length ws

@@ -28,6 +28,7 @@ let shown (o : Verdict.outcome) =
     match o.verdict with
     | Holds { witness; _ } -> "holds: " ^ of_run witness
     | Violated { witness } -> "violated: " ^ of_run witness
+    | Measured _ -> "measured"
     | Undecided _ -> "undecided"
   in
   (o.check.name, text)

@@ -1,0 +1,28 @@
+(** An exploration that is over, and why it leaves something open. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_explore
+open Scc_space
+
+type t = {
+  bounds : Bounds.t;
+  surroundings : Limits.surroundings;
+  model : Model.t;
+  context : Network_lts.context;
+  graph : State_graph.t;
+  horizon : Rat.t option;  (** the time beyond which nothing is asked *)
+}
+
+val cause : t -> Transition.fault Explore.reason -> Bounds.cause
+
+val causes : t -> int list -> Verdict.reason list
+(** Why these states were not expanded. *)
+
+val unexplored : t -> int list -> Verdict.reason list
+(** The same, with a run to the nearest of them. *)
+
+val search_doubts : t -> Search.doubts -> Verdict.reason list
+val undefined : Search.doubts -> Verdict.reason list
+val doubts : t -> Scc_ctl.Doubts.t -> Verdict.reason list
