@@ -45,7 +45,7 @@ let all_time = { Formula.low = Rat.zero; high = None }
 
 (* More states at which it is over make it less, for each scheduler: with all that may be such a state it is not more
    than it is, and with those that are known to be, not less. *)
-let earned e side ~counts g =
+let earned e side ~exact ~counts g =
   let graph = Eval.graph e in
   let value = Eval.value e g in
   let anywhere = Positions.constant graph true in
@@ -62,13 +62,13 @@ let earned e side ~counts g =
     solve side (Eval.effort e) (build ~choices [ next q w (place w 0 Rat.zero) ])
   in
   let least = answer ~up:false in
-  let same = value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !rounded in
+  let same = exact && value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !rounded in
   Known { least; most = (if same then least else answer ~up:true) }
 
 let changes e side f g =
   let value = Eval.value e f in
   let counts ~up p branch = change (Eval.graph e) (Positions.at (if up then value.upper else value.lower)) p branch in
-  earned e side ~counts g
+  earned e side ~exact:(value.lower == value.upper) ~counts g
 
 (* {1 A number at a time} *)
 
@@ -144,6 +144,6 @@ let value_at e side number time =
   | reason, _, _ -> unknown reason
 
 let find e side = function
-  | Time_until g -> earned e side ~counts:(duration (Eval.graph e)) g
+  | Time_until g -> earned e side ~exact:true ~counts:(duration (Eval.graph e)) g
   | Changes_until (f, g) -> changes e side f g
   | Value_at (number, time) -> value_at e side number time

@@ -135,8 +135,8 @@ let formula_of atom =
       (1, Printf.sprintf "P >= 1/2 [ always (%s)%s ]" s within);
       (1, Printf.sprintf "E = ? [ time U (%s) ]" s);
       (1, Printf.sprintf "Emax = ? [ event bounce U (%s) ]" s);
-      (1, return "E = ? [ energy at 2 ]");
-      (1, return "E = ? [ processes + momentum.x at 5/2 ]");
+      (1, "E = ? [ energy at 2 ]");
+      (1, "E = ? [ processes + momentum.x at 5/2 ]");
       (1, Printf.sprintf "AG (Pmax <= 2/3 [ eventually[1, 2] (%s) ])" s);
     ]
 
