@@ -19,7 +19,7 @@ let write (e : Exported.t) mdp put =
   List.iter
     (fun (c : Property.check) ->
        let asked =
-         match Pctl.formula ~occurs ~draws (Labelling.predicates l) c.formula with
+         match Pctl.check ~occurs ~draws (Labelling.predicates l) c with
          | Ok f -> f
          | Error why -> "is not asked for by labels alone: " ^ why
        in

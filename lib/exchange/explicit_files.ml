@@ -87,7 +87,7 @@ let names (e : Exported.t) mdp variables put =
   let action (name, text) = `Assoc [ ("name", Json.text name); ("text", Json.text text) ] in
   let occurs = Mdp.occurs mdp and draws = Scc_calculus.Model.draws e.loaded.model in
   let check (c : Property.check) =
-    let asked = Pctl.formula ~occurs ~draws (Labelling.predicates l) c.formula in
+    let asked = Pctl.check ~occurs ~draws (Labelling.predicates l) c in
     `Assoc
       [
         ("name", Json.text c.name);

@@ -46,8 +46,11 @@ let unbounded (b : Property.bound) =
 type shown = By_a_prefix | By_its_absence
 
 (* Without a word for it, "P >= p" is meant of all schedulers. *)
-let likely (side : Property.side) (test : Scc_chance.Answer.bound) format =
-  let asked bound = Printf.sprintf "P%s [%s]" (Scc_chance.Answer.bound_to_string bound) format in
+let compared measure (side : Property.side) (test : Scc_chance.Answer.bound) format =
+  let without_spaces text = String.concat "" (String.split_on_char ' ' text) in
+  let asked bound =
+    Printf.sprintf "%s%s [%s]" measure (without_spaces (Scc_chance.Answer.bound_to_string bound)) format
+  in
   match (side, test.relation) with
   | Least, (At_least_so | More) | Greatest, (At_most | Less) -> asked test
   | Least, At_most -> Printf.sprintf "!(%s)" (asked { test with relation = More })
@@ -59,7 +62,7 @@ let likely (side : Property.side) (test : Scc_chance.Answer.bound) format =
    something is, what takes all of a run may have probability 0, and is there all the same. *)
 let path l (q : Property.path_quantifier) shown format =
   match (q, shown) with
-  | Chance { side; test }, _ -> Ok (Asked (likely side test format))
+  | Chance { side; test }, _ -> Ok (Asked (compared "P" side test format))
   | All, _ when not l.draws -> Ok (Asked (Printf.sprintf "P>=1 [%s]" format))
   | Exists, _ when not l.draws -> Ok (Asked (Printf.sprintf "!(P<1 [%s])" format))
   | All, By_its_absence -> Ok (Asked (Printf.sprintf "P>=1 [%s]" format))
@@ -76,24 +79,37 @@ let rec ask l (f : Property.temporal) =
       | Temporal_and fs -> Result.map (several " & " ~neutral:true) (all l fs)
       | Temporal_or fs -> Result.map (several " | " ~neutral:false) (all l fs)
       | Next _ -> Error "it has the operator X"
-      | Finally (q, b, f) ->
-        let* () = unbounded b in
-        let* f = ask l f in
-        path l q By_a_prefix ("F " ^ bracket f)
-      | Globally (q, b, f) ->
-        let* () = unbounded b in
-        let* f = ask l f in
-        path l q By_its_absence ("G " ^ bracket f)
-      | Until (q, b, f, g) ->
-        let* () = unbounded b in
-        let* f = ask l f in
+      | Finally (q, _, _) ->
+        let* format = path_formula l f in
+        path l q By_a_prefix format
+      | Globally (q, _, _) ->
+        let* format = path_formula l f in
+        path l q By_its_absence format
+      | Until (q, _, _, g) ->
+        let* format = path_formula l f in
+        let* until = path l q By_a_prefix format in
         let* g = ask l g in
-        (* A stretch that begins right after an instant has no first instant: who comes from before meets g there
-           only after instants of the same stretch; at each of those themselves, g is enough (rule Until). *)
-        let after = label l "right_after" in
-        let met = both g (either f (not_ after)) in
-        let* until = path l q By_a_prefix (Printf.sprintf "%s U %s" (bracket f) (bracket met)) in
-        Ok (either (both after g) until))
+        Ok (either (both (label l "right_after") g) until))
+
+(* Of an operator without its quantifier, in a state that does not begin right after an instant. *)
+and path_formula l (f : Property.temporal) =
+  match f with
+  | Finally (_, b, f) ->
+    let* () = unbounded b in
+    Result.map (fun f -> "F " ^ bracket f) (ask l f)
+  | Globally (_, b, f) ->
+    let* () = unbounded b in
+    Result.map (fun f -> "G " ^ bracket f) (ask l f)
+  | Until (_, b, f, g) ->
+    let* () = unbounded b in
+    let* f = ask l f in
+    let* g = ask l g in
+    (* A stretch that begins right after an instant has no first instant: who comes from before meets g there only
+       after instants of the same stretch; at each of those themselves, g is enough (rule Until). *)
+    let met = both g (either f (not_ (label l "right_after"))) in
+    Ok (Printf.sprintf "%s U %s" (bracket f) (bracket met))
+  | State _ | Temporal_not _ | Temporal_and _ | Temporal_or _ | Next _ ->
+    Error "it is no operator of time"
 
 and all l fs =
   let add found f =
@@ -104,3 +120,23 @@ and all l fs =
   Result.map List.rev (List.fold_left add (Ok []) fs)
 
 let formula ~occurs ~draws predicates f = Result.map text (ask { predicates; occurs; draws } f)
+
+let word : Property.side -> string = function Least -> "min" | Greatest -> "max"
+
+let asked_for measure sides format =
+  String.concat "; " (List.map (fun side -> Printf.sprintf "%s%s=? [%s]" measure (word side) format) sides)
+
+let elapsed = {|R{"time"}|}
+
+let check ~occurs ~draws predicates (c : Property.check) =
+  let l = { predicates; occurs; draws } in
+  match c.asked with
+  | Whether -> formula ~occurs ~draws predicates c.formula
+  | How_likely sides -> Result.map (asked_for "P" sides) (path_formula l c.formula)
+  | Expected (sides, Time_until _, test) -> (
+      let* format = path_formula l c.formula in
+      match (test, sides) with
+      | Some test, side :: _ -> Ok (compared elapsed side test format)
+      | _ -> Ok (asked_for elapsed sides format))
+  | Expected (_, Events_until _, _) -> Error "it counts events"
+  | Expected (_, Value_at _, _) -> Error "it is about an instant"

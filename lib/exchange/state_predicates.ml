@@ -21,6 +21,10 @@ let rec greatest found (f : Property.temporal) =
 let has_label : Property.prop -> bool = function Bool _ | Fact Quiescent -> true | _ -> false
 
 let of_checks model (checks : Property.check list) =
+  let speaks_of_states (c : Property.check) =
+    match c.asked with Whether | How_likely _ | Expected (_, Time_until _, _) -> true | Expected _ -> false
+  in
+  let checks = List.filter speaks_of_states checks in
   let wholes = List.map (fun (c : Property.check) -> (c, List.rev (greatest [] c.formula))) checks in
   let add found p =
     if has_label p || List.exists (Formula.equal_prop p) found then found else p :: found

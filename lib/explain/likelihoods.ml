@@ -5,7 +5,13 @@ open Scc_chance
 let digits = 6
 
 let scale = Rat.make (Z.pow (Z.of_int 10) digits) Z.one
-let decimal n = Algebraic.to_decimal ~digits (Algebraic.of_rat (Rat.div (Rat.make n Z.one) scale))
+let trimmed text =
+  if not (String.contains text '.') then text
+  else
+    let rec last i = if text.[i] = '0' then last (i - 1) else if text.[i] = '.' then i - 1 else i in
+    String.sub text 0 (last (String.length text - 1) + 1)
+
+let decimal n = trimmed (Algebraic.to_decimal ~digits (Algebraic.of_rat (Rat.div (Rat.make n Z.one) scale)))
 let below x = decimal (Rat.floor (Rat.mul x scale))
 let above x = decimal (Z.neg (Rat.floor (Rat.neg (Rat.mul x scale))))
 

@@ -120,6 +120,14 @@ let probabilities t i =
   in
   go t.asked.formulas.(i)
 
+(* What is counted until g is no condition for going on. *)
+let doubts_of_mean t i =
+  let until_right : Scc_ctl.Formula.t -> Scc_ctl.Formula.t = function
+    | Until (q, b, _, g) -> Finally (q, b, g)
+    | f -> f
+  in
+  Scc_ctl.Doubts.possible t.eval (until_right t.asked.formulas.(i)) origin
+
 let possible_doubts t i = Scc_ctl.Doubts.possible t.eval t.asked.formulas.(i) origin
 let doubts t i = Scc_ctl.Doubts.find t.eval t.asked.formulas.(i) origin
 let formula t i = t.asked.formulas.(i)

@@ -40,6 +40,9 @@ val probabilities : t -> int -> Scc_ctl.Eval.measured list
 val possible_doubts : t -> int -> Scc_ctl.Doubts.t
 (** What keeps the probability of one from being known. *)
 
+val doubts_of_mean : t -> int -> Scc_ctl.Doubts.t
+(** What keeps the mean of one from being known. *)
+
 val formula : t -> int -> Scc_ctl.Formula.t
 (** That of an index. *)
 

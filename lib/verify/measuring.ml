@@ -22,7 +22,7 @@ let compared (r : Unsettled.t) temporal i bound m : Verdict.t =
   match (Answer.holds least bound, Answer.holds most bound) with
   | Some true, Some true -> Holds { bounds = []; witness = None }
   | Some false, Some false -> Violated { witness = None }
-  | _ -> Undecided (told "mean" m :: Unsettled.doubts r (Temporal.possible_doubts temporal i))
+  | _ -> Undecided (told "mean" m :: Unsettled.doubts r (Temporal.doubts_of_mean temporal i))
 
 let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
   let find side = (side, Temporal.mean temporal i side mean) in
@@ -41,5 +41,5 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
   | [], [ (_, m) ], Some bound -> compared r temporal i bound m
   | [], values, _ ->
     let all_known = List.for_all (fun (_, m) -> Likelihoods.is_exact m) values in
-    let reasons = if all_known then [] else Unsettled.doubts r (Temporal.possible_doubts temporal i) in
+    let reasons = if all_known then [] else Unsettled.doubts r (Temporal.doubts_of_mean temporal i) in
     Measured { values; reasons; witness = None }

@@ -19,6 +19,10 @@ motion ligand = diffuse((1/8, 1/8, 0), (0, 0, 0), 1)
 check finds  : possibly bound(ligand, pocket)                    // expect: holds
 check always_may : AG EF bound(ligand, pocket)                   // expect: holds
 check surely : eventually bound(ligand, pocket)                  // expect: violated
+check almost : P >= 1 [ eventually bound(ligand, pocket) ]       // expect: holds
+check by_ten : P = ? [ eventually bound(ligand, pocket) within 10 ]   // expect: 5413133/2147483648
+check mean   : E = ? [ time U bound(ligand, pocket) ]            // expect: 126280323808/573735017
+check knocks : E >= 44 [ event bounce U bound(ligand, pocket) ]  // expect: holds
 check soon   : always not bound(ligand, pocket) within 11/2      // expect: holds
 check at_six : always not bound(ligand, pocket) within 6         // expect: violated
 check inside : always abs(x(ligand)) <= 5/2 and abs(y(ligand)) <= 3/2   // expect: holds

@@ -187,7 +187,7 @@ def verdicts_suite(count=45, questions=6):
 
 # specs/models ---------------------------------------------------------------------------
 
-CHECK = re.compile(r'^check (\w+)\s*:\s*(.*?)\s*// expect: (\w+)\s*$', re.M)
+CHECK = re.compile(r'^check (\w+)\s*:\s*(.*?)\s*// expect: ([a-z]\w*)\s*$', re.M)
 VERDICTS = {'bounded': 'holds-up-to-bound'}
 # Over ranges, or all instants of splits: no model that is loaded.
 OVER = re.compile(r'^(param \w+ in [\[(]|split_step any)', re.M)

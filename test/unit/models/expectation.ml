@@ -1,9 +1,10 @@
-type verdict = Holds | Bounded | Violated | Undecided
+type verdict = Holds | Bounded | Violated | Measured of string | Undecided
 
 let verdict_to_string = function
   | Holds -> "holds"
   | Bounded -> "bounded"
   | Violated -> "violated"
+  | Measured text -> text
   | Undecided -> "undecided"
 
 let verdict_of_string = function
@@ -11,7 +12,11 @@ let verdict_of_string = function
   | "bounded" -> Bounded
   | "violated" -> Violated
   | "undecided" -> Undecided
-  | other -> failwith ("no verdict: " ^ other)
+  | "" -> failwith "no verdict"
+  | other -> (
+      match (other.[0], String.split_on_char ' ' other) with
+      | ('0' .. '9' | '-'), _ | _, ("infinite" | "least" | "greatest") :: _ -> Measured other
+      | _ -> failwith ("no verdict: " ^ other))
 
 (* What follows a mark in a line, if it is there. *)
 let after mark line =

@@ -1,6 +1,6 @@
 (** What a model under specs/models says of itself in comments. *)
 
-type verdict = Holds | Bounded | Violated | Undecided
+type verdict = Holds | Bounded | Violated | Measured of string | Undecided
 
 val checks : string -> (string * verdict) list
 (** [checks text]: for each line [check NAME : … // expect: VERDICT] the name and the verdict; a check
