@@ -1,18 +1,19 @@
 (** What is left of a question once the graph has answered what it can: the optimality equations of the states that
     are open, with end components of which nothing leaks made into one unknown each.
 
-    The unknowns are the nodes 0 .. size - 1. For each, x = opt over its rows r of constant(r) + sum p(e) x(node of e)
-    over the entries e of r, where opt is min or max. What makes the values of the question the only solution, is that
-    no end component is left in which the sum of rewards would be 0:
+    The unknowns are the nodes 0 .. size - 1. For each, x = opt over its rows r of constant(r) + sum p(e) x(node of
+    e) over the entries e of r, where opt is min or max. What makes the values of the question the only solution,
+    is that no end component is left in which the sum of rewards would be 0:
 
-    - probabilities, and greatest rewards: none at all, so that every scheduler leaves the open states almost surely;
+    - probabilities, and greatest rewards: none at all, so that every scheduler leaves the open states almost
+      surely;
     - least rewards: each that is left costs something each time round, so that a scheduler that stays in one pays
       without end, and some scheduler leaves (Bertsekas and Tsitsiklis, "An Analysis of Stochastic Shortest Path
       Problems", 1991).
 
     Collapsing end components: Haddad and Monmege, "Interval Iteration Algorithm for MDPs and IMDPs", 2018; Brázdil
-    et al., "Verification of Markov Decision Processes Using Learning Algorithms", 2014; Baier et al., "Ensuring the
-    Reliability of Your Model Checker", 2017. *)
+    et al., "Verification of Markov Decision Processes Using Learning Algorithms", 2014; Baier et al., "Ensuring
+    the Reliability of Your Model Checker", 2017. *)
 
 open Scc_exact
 
@@ -52,9 +53,9 @@ val make :
   asked:(int -> bool) ->
   t
 (** Of the open states that can be reached from those asked for by allowed choices. The states of a component of
-    [merged], all of them open, become one node, and its internal choices disappear. A row that leads to its own node
-    with probability p < 1 is divided by 1 - p; with p = 1, it is left out, which is right for least rewards alone, and
-    only if something is left: elsewhere it is an end component, which should have been merged. *)
+    [merged], all of them open, become one node, and its internal choices disappear. A row that leads to its own
+    node with probability p < 1 is divided by 1 - p; with p = 1, it is left out, which is right for least rewards
+    alone, and only if something is left: elsewhere it is an end component, which should have been merged. *)
 
 val row_sum : t -> (int -> Rat.t) -> int -> Rat.t
 (** The right side of a row, for the values of the nodes that its entries lead to. *)

@@ -41,8 +41,9 @@ let leads (e : Equations.t) part r test =
   in
   go e.first_entry.(r)
 
-(* Gives the nodes of the part, one after the other, rows of theirs by which it is left; whether all got one. Rows are
-   taken among those that the nodes have already, or any. The passes go down and up by turns, and are few as a rule. *)
+(* Gives the nodes of the part, one after the other, rows of theirs by which it is left; whether all got one. Rows
+   are taken among those that the nodes have already, or any. The passes go down and up by turns, and are few as a
+   rule. *)
 let leaving (e : Equations.t) part ~any (row : int array) =
   let settled = Array.make (part.last - part.first + 1) false in
   let is_settled v = settled.(v - part.first) in

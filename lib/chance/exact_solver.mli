@@ -1,8 +1,8 @@
-(** The equations, solved in rationals: component by component, from those that lead nowhere else on. A component of
-    one node is worked out from what is known; of others, a scheduler is improved until none is better (Howard's
+(** The equations, solved in rationals: component by component, from those that lead nowhere else on. A component
+    of one node is worked out from what is known; of others, a scheduler is improved until none is better (Howard's
     policy iteration), its values being found by {!Elimination}. The first scheduler leaves the component from
-    everywhere with probability 1, and so does each that is better. It is guessed by iteration in floats, so that as a
-    rule one system is solved, and another question asked of its solution. *)
+    everywhere with probability 1, and so does each that is better. It is guessed by iteration in floats, so that
+    as a rule one system is solved, and another question asked of its solution. *)
 
 open Scc_exact
 

@@ -93,8 +93,8 @@ let attempt t part ~outside ~gap ~sweeps =
   if not proved then drop t part;
   proved
 
-(* Changes become a geometric sequence in the end. From two of them, [lag] sweeps apart, how far the limit is away: a
-   guess, on which nothing depends but when upper ends are tried. *)
+(* Changes become a geometric sequence in the end. From two of them, [lag] sweeps apart, how far the limit is away:
+   a guess, on which nothing depends but when upper ends are tried. *)
 let lag = 8
 
 type pace = {
@@ -128,13 +128,13 @@ let stalled t p part =
   || p.sweeps mod lag = 0
      && p.change
         <= 0x1p-49
-           *. (if t.effort.relative then 1.
-               else
-                 let greatest = ref 0. in
-                 for v = part.first to part.last do
-                   if t.r.lower.(v) > !greatest then greatest := t.r.lower.(v)
-                 done;
-                 !greatest)
+                *. (if t.effort.relative then 1.
+                    else
+                      let greatest = ref 0. in
+                      for v = part.first to part.last do
+                        if t.r.lower.(v) > !greatest then greatest := t.r.lower.(v)
+                      done;
+                      !greatest)
 
 let solve_part t part ~gap =
   let outside = gap_outside t part in

@@ -1,8 +1,8 @@
 (** The equations, enclosed: intervals that are proved to hold the values, component by component, from those that
-    lead nowhere else on. Lower ends by value iteration from 0. Upper ends are guessed when those seem to be near, and
-    proved by one more sweep ({!Rounded}); sweeps go up and down by turns. Interval iteration (Haddad and Monmege,
-    2018) has two sequences that come nearer to each other; here the upper one begins near its end, and needs no bound
-    of rewards to begin with. *)
+    lead nowhere else on. Lower ends by value iteration from 0. Upper ends are guessed when those seem to be near,
+    and proved by one more sweep ({!Rounded}); sweeps go up and down by turns. Interval iteration (Haddad and
+    Monmege, 2018) has two sequences that come nearer to each other; here the upper one begins near its end, and
+    needs no bound of rewards to begin with. *)
 
 open Scc_exact
 

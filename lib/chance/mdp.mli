@@ -1,6 +1,6 @@
 (** Finite Markov decision processes with rational probabilities (Puterman, "Markov Decision Processes"; Baier and
-    Katoen, "Principles of Model Checking", chapter 10). States are 0 .. states - 1. Each has one choice or more, each
-    choice a reward (of no sign but positive, or zero: a duration, a cost) and a distribution over states, its
+    Katoen, "Principles of Model Checking", chapter 10). States are 0 .. states - 1. Each has one choice or more,
+    each choice a reward (of no sign but positive, or zero: a duration, a cost) and a distribution over states, its
     branches. Choices are numbered through, state by state, and branches choice by choice, so that 10^6 states with
     some 10^7 branches are a few arrays. *)
 
@@ -63,8 +63,8 @@ val add_state : builder -> int
     are of this state. *)
 
 val add_choice : builder -> ?reward:Rat.t -> (int * Rat.t) list -> unit
-(** Of the state that was added last (a bug if there is none). Targets may be states that are added later; of several
-    branches to one target the probabilities are added up. Without [reward] it is 0. *)
+(** Of the state that was added last (a bug if there is none). Targets may be states that are added later; of
+    several branches to one target the probabilities are added up. Without [reward] it is 0. *)
 
 val finish : builder -> (t, error) result
 (** Everything is checked here; the first fault is told. The builder is not used any more. *)

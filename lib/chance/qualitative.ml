@@ -39,8 +39,8 @@ let zero_max q =
 
 let choices_of m s = Mdp.first_choice m (s + 1) - Mdp.first_choice m s
 
-(* The states from which every scheduler leads into the set of goals with positive probability: on the way, and each
-   choice leads to one of them. A choice counts when its first target is found. *)
+(* The states from which every scheduler leads into the set of goals with positive probability: on the way, and
+   each choice leads to one of them. A choice counts when its first target is found. *)
 let zero_min q =
   let m = mdp q in
   let n = size q in
@@ -74,8 +74,8 @@ let avoiding q =
   in
   { set; choice = Array.init (size q) (fun s -> if Bits.mem set s && on_the_way q s then staying s else -1) }
 
-(* The greatest set from which goal is reached through the set by choices that do not leave it. What cannot reach goal
-   so leaves, with what has no choice left; until nothing leaves. *)
+(* The greatest set from which goal is reached through the set by choices that do not leave it. What cannot reach
+   goal so leaves, with what has no choice left; until nothing leaves. *)
 let surely q =
   let m = mdp q in
   let n = size q in

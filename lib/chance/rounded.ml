@@ -32,9 +32,9 @@ let start (e : Equations.t) ~upper =
     trial_row = rows ();
   }
 
-(* The loops below make up all the time of large models. They allocate nothing: that is why they are written out, once
-   for each side, and not made of functions that return floats. Indices come from the equations, where rows and
-   entries are contiguous, and nodes of entries are less than the size. *)
+(* The loops below make up all the time of large models. They allocate nothing: that is why they are written out,
+   once for each side, and not made of functions that return floats. Indices come from the equations, where rows
+   and entries are contiguous, and nodes of entries are less than the size. *)
 
 let raise_lower t ~first ~last ~forward ~relative =
   let e = t.equations in

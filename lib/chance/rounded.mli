@@ -1,15 +1,15 @@
-(** Arrays of floats that are proved to be below and above the solution of equations, and the sweeps that bring them
-    nearer to it. OCaml has no modes of rounding: each right side of a row is worked out with the ordinary operations,
-    and moved by a bound of all errors.
+(** Arrays of floats that are proved to be below and above the solution of equations, and the sweeps that bring
+    them nearer to it. OCaml has no modes of rounding: each right side of a row is worked out with the ordinary
+    operations, and moved by a bound of all errors.
 
     {1 The bound}
 
-    Let u = 2^-53, S = c + sum p(i) x(i) over k entries, where the x(i) are floats from 0 to {!ceiling}, and Z what is
-    computed for it. All terms are at least 0, so nothing cancels. Each operation has a relative error of u at most,
-    and so has the float that stands for p(i); a term goes through k additions, one product, and the rounding of p(i):
-    S (1 - u)^(k + 2) - n <= Z <= S (1 + u)^(k + 2) + n, where n is what is lost when numbers are too small for that.
-    This is at most 2^-1074 for each product, and 2^-1074 x(i) for each p(i), together less than k 10^-305: below
-    10^-280, as k < 2^48. With [tiny] = 10^-250 and [step] = 2^-52 = 2 u:
+    Let u = 2^-53, S = c + sum p(i) x(i) over k entries, where the x(i) are floats from 0 to {!ceiling}, and Z what
+    is computed for it. All terms are at least 0, so nothing cancels. Each operation has a relative error of u at
+    most, and so has the float that stands for p(i); a term goes through k additions, one product, and the rounding
+    of p(i): S (1 - u)^(k + 2) - n <= Z <= S (1 + u)^(k + 2) + n, where n is what is lost when numbers are too
+    small for that. This is at most 2^-1074 for each product, and 2^-1074 x(i) for each p(i), together less than k
+    10^-305: below 10^-280, as k < 2^48. With [tiny] = 10^-250 and [step] = 2^-52 = 2 u:
 
     - Below. When Z < tiny, 0 will do. Else n < u Z, and S >= Z (1 - u) / (1 + u)^(k + 2). The product of Z and
       1 - (k + 6) step is rounded once more; 1 - (k + 6) step <= 1 - (k + 4) u <= (1 - u) / (1 + u)^(k + 3).
@@ -44,8 +44,8 @@ val start : Equations.t -> upper:float -> t
 (** With 0 and a number that is at least all values. *)
 
 val raise_lower : t -> first:int -> last:int -> forward:bool -> relative:bool -> float
-(** One sweep over the nodes from first to last: each becomes the right side, for what the others are then, if that is
-    more. The greatest change, or the greatest share of a change in what came out. The equations have no other
+(** One sweep over the nodes from first to last: each becomes the right side, for what the others are then, if that
+    is more. The greatest change, or the greatest share of a change in what came out. The equations have no other
     solution, and sums of rewards are the limits of finite ones; so by induction [lower] stays at most that. *)
 
 val single : t -> int -> unit
@@ -58,9 +58,9 @@ type trial =
 
 val sweep_trial : t -> first:int -> last:int -> forward:bool -> trial
 (** Each node of the trial becomes its right side. When none has grown by that, the trial is at least its own right
-    sides: each was found with numbers that were not less than those that are there in the end. Whatever is so is at
-    least the solution (Park's induction; Hartmanns and Kaminski, "Optimistic Value Iteration", 2020), if it is for
-    the greatest values, or for some scheduler that pays no more than it, and so leaves the component. *)
+    sides: each was found with numbers that were not less than those that are there in the end. Whatever is so is
+    at least the solution (Park's induction; Hartmanns and Kaminski, "Optimistic Value Iteration", 2020), if it is
+    for the greatest values, or for some scheduler that pays no more than it, and so leaves the component. *)
 
 val set_trial : t -> int -> float -> unit
 val accept_trial : t -> first:int -> last:int -> unit

@@ -142,7 +142,8 @@ let property console ~full ?where c ({ check; verdict = v; _ } as o : Verdict.ou
   let witness = witness ~full ~about:(about check.formula) c in
   let run =
     match v with
-    | Holds { witness = Some w; _ } | Violated { witness = Some w } | Measured { reasons = []; witness = Some w; _ }
+    | Holds { witness = Some w; _ } | Violated { witness = Some w }
+    | Measured { reasons = []; witness = Some w; _ }
       when Scc_property.Formula.asks_probability check.formula ->
       [ (Printf.sprintf "a run %s:" (counted check w), witness w) ]
     | Holds { witness = Some w; _ } -> [ ("a run that shows it:", witness w) ]

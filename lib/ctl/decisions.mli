@@ -1,5 +1,5 @@
-(** The decision process of "f until g" within a window of time on a timed graph ({!Likelihood}): what can be chosen at
-    each of its places, and what comes of it. *)
+(** The decision process of "f until g" within a window of time on a timed graph ({!Likelihood}): what can be
+    chosen at each of its places, and what comes of it. *)
 
 open Scc_data
 open Scc_exact

@@ -43,8 +43,8 @@ let change graph counts (p : place) branch =
 
 let all_time = { Formula.low = Rat.zero; high = None }
 
-(* More states at which it is over make it less, for each scheduler: with all that may be such a state it is not more
-   than it is, and with those that are known to be, not less. *)
+(* More states at which it is over make it less, for each scheduler: with all that may be such a state it is not
+   more than it is, and with those that are known to be, not less. *)
 let earned e side ~exact ~counts g =
   let graph = Eval.graph e in
   let value = Eval.value e g in
@@ -67,8 +67,8 @@ let earned e side ~exact ~counts g =
 
 let changes e side f g =
   let value = Eval.value e f in
-  let counts ~up p branch = change (Eval.graph e) (Positions.at (if up then value.upper else value.lower)) p branch in
-  earned e side ~exact:(value.lower == value.upper) ~counts g
+  let counts ~up p branch = change (Eval.graph e) (Positions.at (if up then value.upper else value.lower)) p branch
+  in earned e side ~exact:(value.lower == value.upper) ~counts g
 
 (* {1 A number at a time} *)
 

@@ -19,7 +19,8 @@ and because =
   | Everywhere of int Lazy.t
   (** no run decides it otherwise: all of them together go through these many nodes (0: they do not leave the flow
       of the position) *)
-  | Likelihood of { side : Formula.side; measured : Eval.measured; run : (Run.t * Scc_exact.Rat.t) option; parts : t list }
+  | Likelihood of { side : Formula.side; measured : Eval.measured; run : (Run.t * Scc_exact.Rat.t) option; parts :
+                      t list }
   (** the probability of the operator, over that side; and of a scheduler that attains it a run that does as F or U
       say, or not as G says, with the probability that it comes to be, and what is so where it leads *)
 

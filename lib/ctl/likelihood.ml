@@ -134,7 +134,8 @@ let to_run q w position trail : Run.t * Rat.t =
   let finish, last =
     match trail with
     | { source; branch = { way = During moment; _ } } :: _ -> (finish q w source moment, source.node)
-    | { source; branch = { way = Move move; _ } } :: _ -> (Run.At_state, Timed_graph.target q.graph source.node move)
+    | { source; branch = { way = Move move; _ } } :: _ -> (Run.At_state, Timed_graph.target q.graph source.node
+                                                             move)
     | _ -> (Run.At_state, position.Positions.node)
   in
   ({ start = position; steps = List.filter_map step (List.rev trail); last; finish }, chance)

@@ -35,8 +35,8 @@ val during :
   int ->
   Timeline.moment ->
   finish
-(** To a moment inside the flow of a node; where an open interval begins there, to an offset in it at which neither of
-    the sets has changed, and before the limit. *)
+(** To a moment inside the flow of a node; where an open interval begins there, to an offset in it at which neither
+    of the sets has changed, and before the limit. *)
 
 val append : t -> t -> t
 (** The second run begins where the first one ends ({!goal}). *)

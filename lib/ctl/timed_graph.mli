@@ -14,7 +14,8 @@ type t = {
   known : int -> bool;  (** [false]: what follows the node was not explored *)
   edges : int -> int array;  (** the targets of its discrete transitions, which take no time *)
   drawn : int -> Rat.t array option;
-  (** Of a node that it is left by lot: the probability of each edge, positive and with the sum 1; it has no flow. *)
+  (** Of a node that it is left by lot: the probability of each edge, positive and with the sum 1; it has no flow.
+  *)
   flow : int -> flow;
 }
 (** A node may have edges and a flow. One that is known and has neither is a dead end: the run is over, and no

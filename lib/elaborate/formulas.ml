@@ -244,7 +244,8 @@ let premises t (k : Program.check) =
     let* f = Eval.cond t k.env possibly in
     match f with
     | Property.Finally (_, _, State _) ->
-      Some { Property.name = k.name; span = premise.Ast.at; text = k.written premise; asked = Whether; formula = f }
+      Some { Property.name = k.name; span = premise.Ast.at; text = k.written premise; asked = Whether; formula = f
+           }
     | _ -> None
   in
   List.filter_map read (Premises.of_check k.formula)

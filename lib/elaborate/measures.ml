@@ -35,7 +35,7 @@ let known (m : Ast.expr) =
 let measure r (m : Ast.expr) =
   let found = known m in
   if Option.is_none found then
-    error r Code.not_a_formula m.at "`%s` stands before what runs do, and a probability or a mean is expected there"
+    error r Code.not_a_formula m.at "`%s` stands before what runs do, and a probability or a mean is expected"
       (Printer.expr m) ~hint:"these are `P`, `Pmin`, `Pmax`, `E`, `Emin` and `Emax`";
   found
 

@@ -1,4 +1,5 @@
-(** Probabilities and means in properties: [P >= 1/2 [ f U g ]], [Pmax = ? [ eventually f ]], [E = ? [ x(p) at 10 ]]. *)
+(** Probabilities and means in properties: [P >= 1/2 [ f U g ]], [Pmax = ? [ eventually f ]], [E = ? [ x(p) at 10
+    ]]. *)
 
 open Scc_syntax
 open Scc_property
@@ -16,7 +17,8 @@ val is_question : Ast.expr -> (Ast.binary * Ast.expr) option -> bool
 (** Whether only a check by itself can say it: what asks for a number, and what compares a mean. *)
 
 val formula :
-  reader -> Scc_base.Span.t -> Ast.expr -> (Ast.binary * Ast.expr) option -> Ast.outcome -> Property.temporal option
+  reader -> Scc_base.Span.t -> Ast.expr -> (Ast.binary * Ast.expr) option -> Ast.outcome -> Property.temporal
+    option
 (** Of a probability that is compared. *)
 
 val question :

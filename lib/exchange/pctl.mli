@@ -5,8 +5,8 @@ open Scc_property
 
 val check :
   occurs:(string -> bool) -> draws:bool -> State_predicates.t array -> Property.check -> (string, string) result
-(** {!formula}, or for what a check asks ([= ?]) the questions, separated by semicolons: times are those of the reward
-    model [time]. *)
+(** {!formula}, or for what a check asks ([= ?]) the questions, separated by semicolons: times are those of the
+    reward model [time]. *)
 
 val formula :
   occurs:(string -> bool) -> draws:bool -> State_predicates.t array -> Property.temporal -> (string, string) result

@@ -46,10 +46,12 @@ let is_exact (m : Scc_ctl.Eval.measured) =
 let values list =
   let told = List.map (fun (s, m) -> (side s, measured m)) list in
   match told with
-  | (_, first) :: rest when List.for_all (fun (_, m) -> is_exact m) list && List.for_all (fun (_, t) -> t = first) rest ->
+  | (_, first) :: rest
+    when List.for_all (fun (_, m) -> is_exact m) list && List.for_all (fun (_, t) -> t = first) rest ->
     if rest = [] then String.concat ", " (List.map (fun (s, t) -> s ^ " " ^ t) told) else first
   | told -> String.concat ", " (List.map (fun (s, t) -> Printf.sprintf "%s %s" s t) told)
 
 let of_run chance =
   if Rat.equal chance Rat.one then "the choices that attain it lead to this run:"
-  else Printf.sprintf "the choices that attain it lead to this run, among others, with the probability %s:" (number chance)
+  else Printf.sprintf "the choices that attain it lead to this run, among others, with the probability %s:"
+      (number chance)

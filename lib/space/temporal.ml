@@ -69,7 +69,8 @@ let on asked ~rests graph =
       steady = (fun p -> Option.is_none asked.predicates.(p).along);
     }
   in
-  { asked; graph; eval = Scc_ctl.Eval.create (Timed_graph.index (timed_graph asked.context ~rests graph)) predicates }
+  { asked; graph; eval = Scc_ctl.Eval.create (Timed_graph.index (timed_graph asked.context ~rests graph))
+                      predicates }
 
 let origin = Scc_ctl.Positions.start 0
 let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin
@@ -114,7 +115,8 @@ let probabilities t i =
     match f with
     | Not f -> go f
     | And fs | Or fs -> List.concat_map go fs
-    | Until (Chance { side; _ }, _, _, _) | Finally (Chance { side; _ }, _, _) | Globally (Chance { side; _ }, _, _) ->
+    | Until (Chance { side; _ }, _, _, _) | Finally (Chance { side; _ }, _, _)
+    | Globally (Chance { side; _ }, _, _) ->
       [ Scc_ctl.Eval.probability t.eval ~decide:true side f origin ]
     | Predicate _ | Next _ | Until _ | Finally _ | Globally _ -> []
   in

@@ -22,8 +22,8 @@ val done_with : t -> int -> unit
 (** This formula and all before it are not asked about any more: what was found for them alone is forgotten. *)
 
 val probability : t -> int -> Property.side -> Scc_ctl.Eval.measured
-(** Of the operator of time that the formula of this index is: with which probability a run from the initial state does
-    as it says. *)
+(** Of the operator of time that the formula of this index is: with which probability a run from the initial state
+    does as it says. *)
 
 val explain : t -> int -> Explanation.t
 (** Of one that is decided. *)

@@ -86,7 +86,7 @@ let process_doc span word name l rest =
 let fineness e =
   match e.it with
   | Number q ->
-    (match Text.power_of_two q with
+    (match Numerals.power_of_two q with
      | Some s -> text ~at:(at e) s
      | None -> formula e)
   | _ -> formula e

@@ -1,15 +1,6 @@
 (** The pieces of a model on one line each, in canonical form: ASCII, and no more parentheses than the
     precedence of operators asks for. *)
 
-open Scc_exact
-
-val number : Rat.t -> string
-(** Reads back as the same number: a decimal where there is one (every number of a source text is), else
-    ["p/q"]. *)
-
-val power_of_two : Rat.t -> string option
-(** ["2^-k"] of 2^-k, for k > 0. *)
-
 val expr : Ast.expr -> string
 
 val condition : Ast.expr -> string

@@ -206,7 +206,8 @@ let explored options semantics ~initial group =
   let lift = lift_in_time semantics ~initial (Joint_check.horizon (List.map snd members)) in
   let lifted v = if whole then v else lift_verdict lift v in
   let outcome (i, check) (_, v) =
-    let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ | Measured _ -> result.stats.split_step in
+    let split_step = match v with Verdict.Undecided _ -> None | Holds _ | Violated _ | Measured _ ->
+      result.stats.split_step in
     let resolution = Model.resolution (Semantics.model semantics) in
     let rests = rests semantics result check v and converges = converges result v in
     (i, { Verdict.check; verdict = lifted v; scale = { resolution; split_step; over = None }; rests; converges })

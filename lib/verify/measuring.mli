@@ -7,7 +7,8 @@ val probability : Unsettled.t -> Temporal.t -> int -> Property.side list -> Verd
 (** Of what the formula of this index says of a run. *)
 
 val mean :
-  Unsettled.t -> Temporal.t -> int -> Property.side list -> Property.mean -> Scc_chance.Answer.bound option -> Verdict.t
+  Unsettled.t -> Temporal.t -> int -> Property.side list -> Property.mean -> Scc_chance.Answer.bound option ->
+  Verdict.t
 (** The formula of the index is that of the check. Compared with a bound, it holds or not. *)
 
 val intervals : Temporal.t -> int -> Verdict.reason list

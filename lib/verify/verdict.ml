@@ -25,7 +25,8 @@ type reason =
 type t =
   | Holds of { bounds : truncation list; witness : Witness.t option }
   | Violated of { witness : Witness.t option }
-  | Measured of { values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list; reasons : reason list; witness : Witness.t option }
+  | Measured of { values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list; reasons : reason list;
+                  witness : Witness.t option }
   | Undecided of reason list
 
 type over = { instants : bool; ranges : Ranges.t; example : (string * Rat.t) list; by_invariant : bool }
@@ -43,7 +44,8 @@ type outcome = {
 
 let by_invariant o = match o.scale.over with Some over -> over.by_invariant | None -> false
 let over_zones o = Option.is_some o.scale.over
-let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Measured _ | Undecided _ -> false
+let exhaustive = function Holds { bounds = []; _ } -> true | Holds _ | Violated _ | Measured _ | Undecided _ ->
+  false
 
 let rank = function
   | Depth _ -> 0

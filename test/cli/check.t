@@ -390,7 +390,7 @@ An evaluation that takes too long leaves its own formula open, and no other.
   explored: 5 states, 5 transitions, depth 4, model time 9; complete
   2 properties: 1 holds, 1 undecided
   [4]
-  $ timeout -s INT 1 scc check far.sc | grep ': '
+  $ timeout -s INT 3 scc check far.sc | grep ': '
   near: holds (exhaustive)
   far: undecided: the exploration ended at the interruption
   explored: 5 states, 5 transitions, depth 4, model time 9; complete

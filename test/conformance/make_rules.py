@@ -67,6 +67,13 @@ class Rule(Suite):
             params['limits'] = limits
         self.add_next(note, 'evaluate', params, result(kind='temporal', verdict=verdict), rules=rules)
 
+    def measured(self, note, model, formula, **values):
+        """Numbers that are asked for: least and greatest, as rationals."""
+        told = [{'over': side, 'low': num(values[side]), 'high': num(values[side])}
+                for side in ('least', 'greatest') if side in values]
+        self.add_next(note, 'evaluate', {'model': self.model(model), 'formula': formula},
+                      result(kind='temporal', verdict='measured', report={'values': told}))
+
     def value(self, note, model, along, formula, value, rules=()):
         """Of a state predicate (a truth value), or a number."""
         expect = result(kind='state', value=value) if isinstance(value, bool) or value is None \

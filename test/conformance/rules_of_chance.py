@@ -71,6 +71,57 @@ def diffuse():
     return r
 
 
+RUIN = ('process p = Cube mass 1 [nil]\nmotion p = choose { (1,0,0) weight 2, (-1,0,0) weight 3 }\n'
+        'fixed west = Cube absorb at translate (-4,0,0)\nfixed east = Cube absorb at translate (5,0,0)\n')
+# Which of two bodies it hits that it comes to at one instant, is chosen and not drawn.
+LOTS = ('process p = Cube mass 1 [nil]\nmotion p = choose { (2,0,0), (0,0,2) weight 3 }\n'
+        'fixed a = Cube absorb at translate (4,1,0)\nfixed b = Cube absorb at translate (4,-1,0)\n'
+        'fixed top = Cube absorb at translate (0,0,4)\n')
+
+
+def probability():
+    r = Rule('Probability')
+    lost, won = 'event absorb(p, west)', 'event absorb(p, east)'
+    r.measured('Ruin: (r^2 - r^5) / (1 - r^5) for r = 3/2.', RUIN, 'P = ? [ eventually %s ]' % lost,
+               least='171/211', greatest='171/211')
+    r.measured('The other end has the rest.', RUIN, 'Pmax = ? [ eventually %s ]' % won, greatest='40/211')
+    r.verdict('It walks for ever with probability 0.', RUIN, 'P >= 1 [ eventually gone(p) ]', 'holds')
+    r.verdict('Though there is a run that does.', RUIN, 'eventually gone(p)', 'violated')
+    r.measured('By the fourth step: 2 to the left, or 3, or 4 with one back.', RUIN,
+               'P = ? [ eventually gone(p) within 4 ]', least='373/625', greatest='373/625')
+    r.measured('Always is what is left.', RUIN, 'P = ? [ always not gone(p) within 4 ]', least='252/625', greatest='252/625')
+    r.measured('In a window of time.', RUIN, 'P = ? [ eventually[3, 5] %s ]' % lost, least='108/625', greatest='108/625')
+    r.measured('P = 3/5 (3/5 + 2/5 P).', RUIN, 'P = ? [ not x(p) > 0 U %s ]' % lost, least='9/19', greatest='9/19')
+    r.verdict('Less than it is.', RUIN, 'P > 4/5 [ eventually %s ]' % lost, 'holds')
+    r.verdict('More than it is.', RUIN, 'P >= 9/10 [ eventually %s ]' % lost, 'violated')
+    r.verdict('Exactly it.', RUIN, 'P >= (171/211) [ eventually %s ]' % lost, 'holds')
+    r.verdict('Not more than it.', RUIN, 'P > (171/211) [ eventually %s ]' % lost, 'violated')
+    r.verdict('Nested: from everywhere.', RUIN, 'AG (P > 1/10 [ eventually gone(p) within 4 ])', 'holds')
+    a = 'event absorb(p, a)'
+    r.measured('What is not drawn is chosen: 1/4, or not at all.', LOTS, 'P = ? [ eventually %s ]' % a, least=0, greatest='1/4')
+    r.verdict('All that is chosen counts.', LOTS, 'P > 0 [ eventually %s ]' % a, 'violated')
+    r.verdict('Or the best choice.', LOTS, 'Pmax >= 1/4 [ eventually %s ]' % a, 'holds')
+    r.verdict('Not above.', LOTS, 'P <= 1/4 [ eventually %s ]' % a, 'holds')
+    return r
+
+
+def expectation():
+    r = Rule('Expectation')
+    lost = 'event absorb(p, west)'
+    r.measured('Ruin: 10 - 25 (1 - r^2) / (1 - r^5) for r = 3/2.', RUIN, 'E = ? [ time U gone(p) ]',
+               least='1110/211', greatest='1110/211')
+    r.measured('An event that is counted.', RUIN, 'E = ? [ %s U gone(p) ]' % lost, least='171/211', greatest='171/211')
+    r.verdict('Infinite, as there are runs that never come to it.', RUIN, 'E <= 1000 [ time U %s ]' % lost, 'violated')
+    r.measured('After one and a half steps: -1/5 (1 + 1/2).', RUIN, 'E = ? [ x(p) at 3/2 ]', least='-3/10', greatest='-3/10')
+    r.measured('Of a square.', RUIN, 'E = ? [ x(p) * x(p) at 1 ]', least=1, greatest=1)
+    r.verdict('Who is gone is nowhere.', RUIN, 'E = ? [ x(p) at 2 ]', 'undecided')
+    r.measured('By cases.', RUIN, 'E = ? [ (if gone(p) then 0 else 1) at 4 ]', least='252/625', greatest='252/625')
+    r.verdict('More than 5.', RUIN, 'E >= 5 [ time U gone(p) ]', 'holds')
+    r.verdict('Not 6.', RUIN, 'E < 6 [ time U gone(p) ]', 'holds')
+    r.measured('What is chosen: which of two it hits.', LOTS, 'E = ? [ event absorb(p, a) U gone(p) ]', least=0, greatest='1/4')
+    return r
+
+
 def i_38():
     r = Rule('I-38')
     whole = bonded('', 'nil', 'nil', 'motion p = choose { (4,0,0), (-4,0,0) }\nmotion q = choose { (4,0,0), (0,0,0) weight 3 }\n')
@@ -87,4 +138,4 @@ def i_38():
 
 
 def suites():
-    return [draw(), diffuse(), i_38()]
+    return [draw(), diffuse(), i_38(), probability(), expectation()]

@@ -73,7 +73,8 @@ let generate_any =
   and+ seed = 0 -- 1_000_000 in
   { scene; formulas; seed }
 
-let check i formula = { Property.name = string_of_int i; span = Scc_base.Span.none; text = ""; asked = Whether; formula }
+let check i formula = { Property.name = string_of_int i; span = Scc_base.Span.none; text = ""; asked = Whether;
+                        formula }
 let options = { Check.default with bounds = { Bounds.default with states = Given 150; depth = Given 60 } }
 let many = { Check.default with bounds = { Bounds.default with states = Given 600; depth = Given 120 } }
 let compared = ref 0

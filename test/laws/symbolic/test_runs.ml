@@ -210,8 +210,8 @@ let law_of case =
   let middle = Option.get (Polyhedron.interior_point (Ranges.box m.ranges)) in
   let declared = Scene.declared s middle in
   let check i claim =
-    { Property.name = string_of_int i; span = Scc_base.Span.none; text = ""; asked = Whether; formula = formula case claim }
-  in
+    { Property.name = string_of_int i; span = Scc_base.Span.none; text = ""; asked = Whether; formula = formula
+                                                                                                  case claim } in
   let checks = List.mapi check case.claims in
   match Zone_check.run options standard (Scene.uncertain s) ~declared ~exactly:false ~premises:[] checks with
   | Error _ -> true

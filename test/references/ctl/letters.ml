@@ -9,7 +9,8 @@ let truths text =
   Array.init (String.length text) (fun i ->
       match text.[i] with 'T' -> Small.T | '.' -> F | '?' -> U | _ -> failwith "no truth value")
 
-let node ?(edges = []) ?(drawn = false) ?(flow = Small.No_flow) ?(p = "") ?(q = "") ?(known = true) at : Small.node =
+let node ?(edges = []) ?(drawn = false) ?(flow = Small.No_flow) ?(p = "") ?(q = "") ?(known = true) at : Small.node
+  =
   { at = truths at; cells = [| truths p; truths q |]; edges; drawn; flow; known }
 
 let graph nodes : Small.t = { nodes = Array.of_list nodes; unit = Rat.one }

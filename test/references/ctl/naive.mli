@@ -3,25 +3,38 @@
 
 open Scc_ctl
 
-type t
+(** Steps of a run. Times are counted in halves of the unit. Who starts at an offset inside an open interval is
+    put into the middle of it: at a [Middle], with the second half of the interval to come. *)
+type place =
+  | Node of int
+  | Whole of int * int  (** a cell of a flow: an instant, or the interval from its beginning on *)
+  | Middle of int * int
+  | Half of int * int
 
-val make : Small.t -> t
+type step = {
+  place : place;
+  length : int;  (** 0 for what is one instant *)
+  jumps : int list;  (** by edges *)
+  passes : int list;  (** by the passing of time *)
+  hidden : bool;
+}
 
 (** Whether it holds for certain, and whether it may hold. *)
 type answer = { surely : bool; perhaps : bool }
 
+type t = {
+  small : Small.t;
+  steps : step array;
+  numbers : (place, int) Hashtbl.t;
+  mutable known : (Formula.t * answer array) list;  (** by step *)
+}
+
+val make : Small.t -> t
+
+val value : t -> Formula.t -> answer array
+val low : answer array -> bool array
+val high : answer array -> bool array
+
 val node : t -> Formula.t -> int -> answer
 val cell : t -> Formula.t -> int -> int -> answer
 (** In a cell of the flow of a node. *)
-
-(** {1 Means} *)
-
-val time_until : t -> Formula.side -> Formula.t -> Scc_chance.Answer.t * Scc_chance.Answer.t
-(** From node 0 on: with all that may end it, and with what surely does. *)
-
-val changes_until : t -> Formula.side -> Formula.t -> Formula.t -> Scc_chance.Answer.t * Scc_chance.Answer.t
-
-type mean = Never_decided | Is of Scc_chance.Answer.t
-
-val value_at : t -> Formula.side -> (int -> Scc_exact.Rat.t -> Scc_exact.Rat.t) -> int -> mean
-(** Of a number that is not negative, at a time in halves of the unit. *)

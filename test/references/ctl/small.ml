@@ -28,7 +28,10 @@ let graph g : Timed_graph.t =
     size = Array.length g.nodes;
     known = (fun s -> g.nodes.(s).known);
     edges = (fun s -> Array.of_list g.nodes.(s).edges);
-    drawn = (fun s -> if g.nodes.(s).drawn && g.nodes.(s).edges <> [] then Some (Array.of_list (chances g.nodes.(s))) else None);
+    drawn =
+      (fun s ->
+         let node = g.nodes.(s) in
+         if node.drawn && node.edges <> [] then Some (Array.of_list (chances node)) else None);
     flow =
       (fun s ->
          match g.nodes.(s).flow with

@@ -169,7 +169,8 @@ let rec check_until ?(depth = 0) c naive q (b : Formula.bound) f g ~holds (e : E
               | Some goal -> ensure c "a part elsewhere" (same_position goal p.position)
               | None -> fail c "a part of a run without end") parts;
           List.iter (check ~depth c naive) parts;
-          let before = match (q : Formula.quantifier) with Exists -> before_goal | All | Chance _ -> before_open_end in
+          let before = match (q : Formula.quantifier) with Exists -> before_goal | All | Chance _ ->
+            before_open_end in
           let claim, claimed, scope =
             match (q : Formula.quantifier) with
             | Exists -> (f, true, fun _ -> true)

@@ -1,12 +1,11 @@
-(* Decision processes solved against the definition: all schedulers that remember nothing, one by one, each a chain whose
-   linear system is solved with no thought for speed; and against closed forms. *)
+(* Decision processes solved against the definition: all schedulers that remember nothing, one by one, each a chain
+   whose linear system is solved with no thought for speed; and against closed forms. *)
 
 open Scc_data
 open Scc_exact
 open Scc_chance
 module Gen = QCheck2.Gen
 module Property = Scc_test_support.Property
-
 
 let rat n d = Rat.make (Z.of_int n) (Z.of_int d)
 
@@ -31,8 +30,10 @@ let build (p : plain) =
 (* x = a x + b, with one solution: Gauss and Jordan. *)
 let solve a b =
   let n = Array.length b in
-  let m = Array.init n (fun i -> Array.init (n + 1) (fun j -> if j = n then b.(i) else
-                                                        Rat.sub (if i = j then Rat.one else Rat.zero) a.(i).(j))) in
+  let entry i j =
+    if j = n then b.(i) else Rat.sub (if i = j then Rat.one else Rat.zero) a.(i).(j)
+  in
+  let m = Array.init n (fun i -> Array.init (n + 1) (entry i)) in
   for k = 0 to n - 1 do
     let pivot = ref k in
     while Rat.sign m.(!pivot).(k) = 0 do incr pivot done;
@@ -104,8 +105,8 @@ let compare_reward a b =
   | Some x, Some y -> Rat.compare x y
 
 let best (direction : Equations.direction) compare values =
-  let pick x y = match direction with Min -> if compare x y <= 0 then x else y | Max -> if compare x y >= 0 then x else y in
-  match values with
+  let pick x y = match direction with Min -> if compare x y <= 0 then x else y | Max -> if compare x y >= 0 then x
+    else y in match values with
   | first :: rest -> List.fold_left (fun acc v -> Array.map2 pick acc v) first rest
   | [] -> Alcotest.fail "no scheduler"
 
@@ -144,6 +145,9 @@ let all_states c f =
 
 let both f = f Equations.Min && f Equations.Max
 
+(* What it is by each scheduler. *)
+let of_all by c = List.map (fun chain -> by chain ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)) (chains c.plain)
+
 let chain_of c scheduler = Array.mapi (fun s choices -> List.nth choices scheduler.(s)) c.plain
 let exactly = { Effort.default with engine = Exactly }
 let nearly = { Effort.default with engine = Nearly; width = rat 1 1_000_000_000 }
@@ -152,8 +156,7 @@ let reach_exact c =
   let q = question c in
   both (fun d ->
       let expected =
-        best d Rat.compare (List.map (probabilities ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)) (chains c.plain))
-      in
+        best d Rat.compare (of_all probabilities c) in
       let found = Reach.solve q d exactly ~asked:All in
       let attained =
         probabilities (chain_of c (Solution.scheduler found)) ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)
@@ -168,8 +171,7 @@ let reach_nearly c =
   both (fun d ->
       let found = Reach.solve q d nearly ~asked:All in
       let expected =
-        best d Rat.compare (List.map (probabilities ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)) (chains c.plain))
-      in
+        best d Rat.compare (of_all probabilities c) in
       all_states c (fun s ->
           let a = Solution.value found s in
           Answer.contains a expected.(s)
@@ -181,10 +183,11 @@ let rewards_exact c =
   let q = question c in
   both (fun d ->
       let expected =
-        best d compare_reward (List.map (rewards ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)) (chains c.plain))
-      in
+        best d compare_reward (of_all rewards c) in
       let found = Reward.solve q d exactly ~asked:All in
-      let attained = rewards (chain_of c (Solution.scheduler found)) ~stay:(Array.get c.stay) ~goal:(Array.get c.goal) in
+      let attained =
+        rewards (chain_of c (Solution.scheduler found)) ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)
+      in
       all_states c (fun s ->
           match (Solution.value found s, expected.(s), attained.(s)) with
           | Exact x, Some y, Some z -> Rat.equal x y && Rat.equal y z
@@ -195,8 +198,7 @@ let rewards_nearly c =
   let q = question c in
   both (fun d ->
       let expected =
-        best d compare_reward (List.map (rewards ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)) (chains c.plain))
-      in
+        best d compare_reward (of_all rewards c) in
       let found = Reward.solve q d nearly ~asked:All in
       all_states c (fun s ->
           match (Solution.value found s, expected.(s)) with
@@ -211,8 +213,7 @@ let rewards_nearly c =
 let qualitative c =
   let q = question c in
   let p d =
-    best d Rat.compare (List.map (probabilities ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)) (chains c.plain))
-  in
+    best d Rat.compare (of_all probabilities c) in
   let least = p Equations.Min and greatest = p Equations.Max in
   let same set value numbers = all_states c (fun s -> Bits.mem set s = Rat.equal numbers.(s) value) in
   same (Qualitative.zero_max q) Rat.zero greatest
@@ -226,8 +227,7 @@ let decided (c, k) =
   let bound = { Answer.relation = At_least_so; than = rat k 12 } in
   both (fun d ->
       let expected =
-        best d Rat.compare (List.map (probabilities ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)) (chains c.plain))
-      in
+        best d Rat.compare (of_all probabilities c) in
       let found = Reach.solve q d { nearly with bound = Some bound } ~asked:(States [ 0 ]) in
       match Answer.holds (Solution.value found 0) bound with
       | Some yes -> yes = (Rat.compare expected.(0) bound.than >= 0)
@@ -318,7 +318,8 @@ let refused () =
   check "no choice" "state 1 has no choice" [ loop; [] ];
   check "a sum" "the probabilities of choice 0 of state 0 have the sum 1/2, which is not 1"
     [ [ (Rat.zero, [ (0, rat 1 2) ]) ] ];
-  check "no state" "choice 0 of state 0 leads to state 3, which does not exist" [ [ (Rat.zero, [ (3, Rat.one) ]) ] ];
+  check "no state" "choice 0 of state 0 leads to state 3, which does not exist"
+    [ [ (Rat.zero, [ (3, Rat.one) ]) ] ];
   check "a probability" "choice 1 of state 0 has the probability -1, which is not positive"
     [ [ (Rat.zero, [ (0, Rat.one) ]); (Rat.zero, [ (0, rat (-1) 1); (1, rat 2 1) ]) ]; loop ];
   check "a reward" "choice 0 of state 0 has the negative reward -1/2" [ [ (rat (-1) 2, [ (0, Rat.one) ]) ] ]
@@ -344,8 +345,8 @@ let () =
           law "probabilities in intervals" gen print reach_nearly;
           law "sums of rewards" gen print rewards_exact;
           law "sums of rewards in intervals" gen print rewards_nearly;
-          law "what a bound decides" with_bound (fun (c, k) -> Printf.sprintf "%s\nbound %d/12" (print c) k) decided;
-        ] );
+          law "what a bound decides" with_bound (fun (c, k) -> Printf.sprintf "%s\nbound %d/12" (print c) k)
+            decided; ] );
       ("closed forms", [ case "ruin" ruin; case "slow convergence" slow ]);
       ("limits", [ case "what is no process" refused; case "interrupted" interrupted ]);
     ]

@@ -35,7 +35,8 @@ let by_first constraint_ : Zone.t =
   { (zone constraint_) with parameters = [| x; Linear.scale (Rat.of_int 2) x |] }
 
 let by_second constraint_ : Zone.t =
-  { (zone constraint_) with parameters = [| Linear.scale (Rat.div Rat.one (Rat.of_int 2)) x; x |]; basis = [| 1 |] }
+  { (zone constraint_) with parameters = [| Linear.scale (Rat.div Rat.one (Rat.of_int 2)) x; x |]; basis = [| 1 |]
+  }
 
 let other_forms () =
   let least = Constraint.at_least x and greater = Constraint.greater x in
@@ -56,4 +57,5 @@ let kinds () =
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "zone" [ ("comparing", [ case "borders" borders; case "borders of other forms" other_forms; case "kinds" kinds ]) ]
+  Alcotest.run "zone" [ ("comparing", [ case "borders" borders; case "borders of other forms" other_forms; case
+                                          "kinds" kinds ]) ]

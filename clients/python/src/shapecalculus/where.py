@@ -151,7 +151,7 @@ def wheres(report: Json) -> Dict[str, Where]:
 
 @dataclass(frozen=True)
 class Checked:
-    """What ``check`` tells: a verdict (``"holds"``, ``"holds-up-to-bound"``, ``"violated"``, ``"undecided"``) for each
+    """What ``check`` tells: a verdict (``"holds"``, ``"holds-up-to-bound"``, ``"violated"``, ``"measured"``, ``"undecided"``) for each
     check by its name, where each holds if that was asked and found, and the entries of the report.
     """
 
