@@ -2,8 +2,8 @@ Velocities that laws of motion leave to chance (rules Draw and Diffuse).
 
   $ M=../../specs/models
   $ scc check $M/brownian.sc | tail -2
-  explored: 231 states, 610 transitions, depth 16, model time 7; complete
-  6 properties: 4 hold, 2 violated
+  explored: 250 states, 629 transitions, depth 16, model time 7; complete
+  10 properties: 6 hold, 2 violated, 2 measured
   $ scc trace $M/ruin.sc --choose random:1 --human
   time 0
           walker at (0, 0, 0) [nil], velocity (0, 0, 0)
@@ -142,3 +142,314 @@ What cannot be drawn.
   explored: 4 states, 3 transitions, depth 3, model time 1; not complete
   1 property: 1 undecided
   [2]
+
+How likely something is, and what it is on the average.
+
+  $ cat > ruin.sc <<'END'
+  > timestep 1
+  > import <solids>
+  > process walker = solids.Cube(1) mass 1 [nil]
+  > fixed ruin   = solids.Cube(1) absorb at translate (-3, 0, 0)
+  > fixed riches = solids.Cube(1) absorb at translate (4, 0, 0)
+  > motion walker = choose { (1, 0, 0) weight 2, (-1, 0, 0) weight 3 }
+  > check lost  : P = ? [ eventually event absorb(walker, ruin) ]
+  > check won   : Pmax = ? [ eventually event absorb(walker, riches) ]
+  > check likely: P >= 8/10 [ eventually event absorb(walker, ruin) ]
+  > check sure  : P >= 9/10 [ eventually event absorb(walker, ruin) ]
+  > check stays : P = ? [ always not gone(walker) within 4 ]
+  > check time  : E = ? [ time U gone(walker) ]
+  > check never : E = ? [ time U event absorb(walker, ruin) ]
+  > check where : E = ? [ x(walker) at 3/2 ]
+  > check gone  : E = ? [ x(walker) at 2 ]
+  > check quick : E <= 5 [ time U gone(walker) ]
+  > END
+  $ scc check ruin.sc
+  semantics 2: timestep 1
+  
+  lost: 171/211
+    P = ? [ eventually event absorb(walker, ruin) ]
+    a run that counts, of probability 9/25:
+      1. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker hits ruin and is gone, at time 2
+      event absorb(walker, ruin) holds
+      there:
+        ruin at (-3, 0, 0) [nil], fixed, and absorbs what hits it
+        riches at (4, 0, 0) [nil], fixed, and absorbs what hits it
+        gone: walker
+  
+  won: greatest 40/211
+    Pmax = ? [ eventually event absorb(walker, riches) ]
+    a run that counts, of probability 8/125:
+      1. walker draws the velocity (1, 0, 0), with probability 2/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (1, 0, 0), with probability 2/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker draws the velocity (1, 0, 0), with probability 2/5, at time 2
+      6. time passes by 1, to time 3
+      7. walker hits riches and is gone, at time 3
+      event absorb(walker, riches) holds
+      there:
+        ruin at (-3, 0, 0) [nil], fixed, and absorbs what hits it
+        riches at (4, 0, 0) [nil], fixed, and absorbs what hits it
+        gone: walker
+  
+  likely: holds (exhaustive)
+    P >= 8/10 [ eventually event absorb(walker, ruin) ]
+    a run that counts, of probability 9/25:
+      1. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker hits ruin and is gone, at time 2
+      event absorb(walker, ruin) holds
+      why:
+        Pmin >= 4/5 [ eventually event absorb(walker, ruin) ] holds: the least probability is 171/211
+          event absorb(walker, ruin) holds
+      there:
+        ruin at (-3, 0, 0) [nil], fixed, and absorbs what hits it
+        riches at (4, 0, 0) [nil], fixed, and absorbs what hits it
+        gone: walker
+  
+  sure: violated
+    P >= 9/10 [ eventually event absorb(walker, ruin) ]
+    a run that counts, of probability 9/25:
+      1. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker hits ruin and is gone, at time 2
+      event absorb(walker, ruin) holds
+      why:
+        Pmin >= 9/10 [ eventually event absorb(walker, ruin) ] does not hold: the least probability is 171/211
+          event absorb(walker, ruin) holds
+      there:
+        ruin at (-3, 0, 0) [nil], fixed, and absorbs what hits it
+        riches at (4, 0, 0) [nil], fixed, and absorbs what hits it
+        gone: walker
+  
+  stays: 252/625
+    P = ? [ always not gone(walker) within 4 ]
+    a run that does not count, of probability 9/25:
+      1. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker hits ruin and is gone, at time 2
+      gone(walker) holds
+      there:
+        fixed: ruin and riches
+        gone: walker
+  
+  time: 1110/211
+    E = ? [ time U gone(walker) ]
+  
+  never: infinite
+    E = ? [ time U event absorb(walker, ruin) ]
+  
+  where: -3/10
+    E = ? [ x(walker) at 3/2 ]
+  
+  gone: undecided: `walker` is gone, and nowhere: ask for `gone(walker)` first
+    E = ? [ x(walker) at 2 ]
+  
+  quick: violated
+    E <= 5 [ time U gone(walker) ]
+    no run shows it: everything that counts was explored
+  
+  explored: 19 states, 24 transitions, depth 7, model time 3; complete
+  10 properties: 1 holds, 2 violated, 6 measured, 1 undecided
+  [1]
+  $ scc check ruin.sc --json | grep -A 14 '"values"' | head -16
+        "values": [
+          {"over": "least", "low": "171/211", "high": "171/211"},
+          {"over": "greatest", "low": "171/211", "high": "171/211"}
+        ]
+      },
+      {
+        "name": "won",
+        "formula": "Pmax = ? [ eventually event absorb(walker, riches) ]",
+        "verdict": "measured",
+        "text": "greatest 40/211",
+        "bounds": [],
+        "reasons": [],
+        "witness": {
+          "initial": {
+            "processes": [
+  --
+  $ scc check ruin.sc --depth 6
+  semantics 2: timestep 1
+  
+  lost: least in [0.810426, 1], greatest in [0.810426, 1], as far as is known: the exploration ended at the depth bound 6; one unexplored state matters
+    P = ? [ eventually event absorb(walker, ruin) ]
+    to the nearest unexplored state that matters:
+      1. walker draws the velocity (1, 0, 0), with probability 2/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (1, 0, 0), with probability 2/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker draws the velocity (1, 0, 0), with probability 2/5, at time 2
+      6. time passes by 1, to time 3
+      7. walker hits riches and is gone, at time 3
+  
+  won: greatest 40/211
+    Pmax = ? [ eventually event absorb(walker, riches) ]
+    a run that counts, of probability 8/125:
+      1. walker draws the velocity (1, 0, 0), with probability 2/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (1, 0, 0), with probability 2/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker draws the velocity (1, 0, 0), with probability 2/5, at time 2
+      6. time passes by 1, to time 3
+      7. walker hits riches and is gone, at time 3
+      event absorb(walker, riches) holds
+      there:
+        ruin at (-3, 0, 0) [nil], fixed, and absorbs what hits it
+        riches at (4, 0, 0) [nil], fixed, and absorbs what hits it
+        gone: walker
+  
+  likely: holds (exhaustive)
+    P >= 8/10 [ eventually event absorb(walker, ruin) ]
+    a run that counts, of probability 9/25:
+      1. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker hits ruin and is gone, at time 2
+      event absorb(walker, ruin) holds
+      why:
+        Pmin >= 4/5 [ eventually event absorb(walker, ruin) ] holds: the least probability is in [0.810426, 1]
+          event absorb(walker, ruin) holds
+      there:
+        ruin at (-3, 0, 0) [nil], fixed, and absorbs what hits it
+        riches at (4, 0, 0) [nil], fixed, and absorbs what hits it
+        gone: walker
+  
+  sure: undecided: the exploration ended at the depth bound 6; one unexplored state matters
+    P >= 9/10 [ eventually event absorb(walker, ruin) ]
+    to the nearest unexplored state that matters:
+      1. walker draws the velocity (1, 0, 0), with probability 2/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (1, 0, 0), with probability 2/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker draws the velocity (1, 0, 0), with probability 2/5, at time 2
+      6. time passes by 1, to time 3
+      7. walker hits riches and is gone, at time 3
+  
+  stays: 252/625
+    P = ? [ always not gone(walker) within 4 ]
+    a run that does not count, of probability 9/25:
+      1. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (-1, 0, 0), with probability 3/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker hits ruin and is gone, at time 2
+      gone(walker) holds
+      there:
+        fixed: ruin and riches
+        gone: walker
+  
+  time: 1110/211
+    E = ? [ time U gone(walker) ]
+  
+  never: least at least 5.260663, greatest at least 5.260663, as far as is known: the exploration ended at the depth bound 6; one unexplored state matters
+    E = ? [ time U event absorb(walker, ruin) ]
+    to the nearest unexplored state that matters:
+      1. walker draws the velocity (1, 0, 0), with probability 2/5, at time 0
+      2. time passes by 1, to time 1
+      3. walker draws the velocity (1, 0, 0), with probability 2/5, at time 1
+      4. time passes by 1, to time 2
+      5. walker draws the velocity (1, 0, 0), with probability 2/5, at time 2
+      6. time passes by 1, to time 3
+      7. walker hits riches and is gone, at time 3
+  
+  where: -3/10
+    E = ? [ x(walker) at 3/2 ]
+  
+  gone: undecided: `walker` is gone, and nowhere: ask for `gone(walker)` first
+    E = ? [ x(walker) at 2 ]
+  
+  quick: violated
+    E <= 5 [ time U gone(walker) ]
+    no run shows it: everything that counts was explored
+  
+  explored: 19 states, 24 transitions, depth 7, model time 3; not complete: stopped by the depth bound 6
+  10 properties: 1 holds, 1 violated, 6 measured, 2 undecided
+  [1]
+
+What cannot be asked.
+
+  $ ask() { { head -6 ruin.sc; echo "$1"; } > asked.sc; scc check asked.sc; }
+  $ ask 'check c : P >= 3/2 [ eventually gone(walker) ]'
+  asked.sc:7:16: error[SC0208]: a probability is from 0 to 1, and this is 3/2
+     |
+   7 | check c : P >= 3/2 [ eventually gone(walker) ]
+     |                ^^^
+  [3]
+  $ ask 'check c : Q >= 1/2 [ eventually gone(walker) ]'
+  asked.sc:7:11: error[SC0701]: `Q` stands before what runs do, and a probability or a mean is expected
+     |
+   7 | check c : Q >= 1/2 [ eventually gone(walker) ]
+     |           ^
+    hint: these are `P`, `Pmin`, `Pmax`, `E`, `Emin` and `Emax`
+  [3]
+  $ ask 'check c : P = ? [ gone(walker) ]'
+  asked.sc:7:19: error[SC0701]: what a run does is expected here, and this is none
+     |
+   7 | check c : P = ? [ gone(walker) ]
+     |                   ^^^^^^^^^^^^
+    hint: write `eventually …`, `always …` or `f U g`
+  [3]
+  $ ask 'check c : AG (P = ? [ eventually gone(walker) ])'
+  asked.sc:7:15: error[SC0701]: this asks about a number, and a formula is expected here
+     |
+   7 | check c : AG (P = ? [ eventually gone(walker) ])
+     |               ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    hint: a check may ask for it, if nothing stands around
+  [3]
+  $ ask 'check c : AG (E <= 5 [ time U gone(walker) ])'
+  asked.sc:7:15: error[SC0701]: this asks about a number, and a formula is expected here
+     |
+   7 | check c : AG (E <= 5 [ time U gone(walker) ])
+     |               ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    hint: a check may ask for it, if nothing stands around
+  [3]
+  $ ask 'check c : P = ? [ x(walker) at 10 ]'
+  asked.sc:7:19: error[SC0701]: a probability is one of what a run does, and not of a value at a time
+     |
+   7 | check c : P = ? [ x(walker) at 10 ]
+     |                   ^^^^^^^^^
+    hint: write `eventually[t, t] …` for what is so at the time t
+  [3]
+  $ ask 'check c : E = ? [ x(walker) U gone(walker) ]'
+  asked.sc:7:19: error[SC0701]: before the `U` of a mean stands `time`, or events that are counted
+     |
+   7 | check c : E = ? [ x(walker) U gone(walker) ]
+     |                   ^^^^^^^^^
+  [3]
+  $ ask 'check c : E = ? [ time U[<= 5] gone(walker) ]'
+  asked.sc:7:29: error[SC0701]: a mean until something holds takes no bound of time
+     |
+   7 | check c : E = ? [ time U[<= 5] gone(walker) ]
+     |                             ^
+  [3]
+  $ ask 'check c : E = ? [ x(walker) at 0 - 1 ]'
+  asked.sc:7:32: error[SC0208]: a time is not negative, and this is -1
+     |
+   7 | check c : E = ? [ x(walker) at 0 - 1 ]
+     |                                ^^^^^
+  [3]
+  $ ask 'check c : E = ? [ gone(walker) at 1 ]'
+  asked.sc:7:19: error[SC0701]: a mean is one of a number, and this is none
+     |
+   7 | check c : E = ? [ gone(walker) at 1 ]
+     |                   ^^^^^^^^^^^^
+    hint: write `time U f`, `event … U f`, or a number and `at` a time
+  [3]
+  $ ask 'check c : P = ? eventually gone(walker)'
+  asked.sc:7:17: error[SC0110]: `eventually` does not fit here: expected `[` and what is asked for, as in `P = ? [ eventually f ]`
+     |
+   7 | check c : P = ? eventually gone(walker)
+     |                 ^^^^^^^^^^
+  [3]

@@ -52,6 +52,9 @@ def label_pattern(label):
         return {'kind': kind, 'between': unordered(label['between'])}
     if kind == 'absorb':
         return {'kind': kind, 'between': label['between']}
+    if kind == 'draw':
+        return {'kind': kind, 'process': label['process'], 'velocity': nums(label['velocity']),
+                'chance': num(label['chance'])}
     return {'kind': kind, 'bonds': unordered([bond_pattern(b) for b in label['bonds']])}
 
 
@@ -65,13 +68,19 @@ def state_pattern(state):
         'velocity': nums(p['velocity']), 'clock': p['clock'] and num(p['clock']),
         'leaves': unordered([{'name': l['name'], 'position': nums(l['position']), 'origin': l['origin']}
                              for l in p['leaves']]),
-        'bonds': unordered([bond_pattern(b) for b in p['bonds']])} for p in state['processes']])}
+        'bonds': unordered([bond_pattern(b) for b in p['bonds']]),
+        **({'draw': draw_pattern(p['draw'])} if 'draw' in p else {})} for p in state['processes']])}
+
+
+def draw_pattern(draw):
+    """Who waits to draw, or what it has drawn."""
+    return nums(draw) if isinstance(draw, list) else draw
 
 
 # All transitions of all states ----------------------------------------------------------
 
 RULE = {'time': ['Time'], 'bind': ['Bind', 'Collision'], 'close': ['Close'], 'bounce': ['Bounce', 'Collision', 'Response'],
-        'weak': ['WeakSplit'], 'strong': ['StrongSplit']}
+        'weak': ['WeakSplit'], 'strong': ['StrongSplit'], 'draw': ['Draw']}
 
 
 def naive(model, output, state, answer):

@@ -1,0 +1,13 @@
+(** Means by the definition. *)
+
+open Scc_ctl
+
+val time_until : Naive.t -> Formula.side -> Formula.t -> Scc_chance.Answer.t * Scc_chance.Answer.t
+(** From node 0 on: with all that may end it, and with what surely does. *)
+
+val changes_until : Naive.t -> Formula.side -> Formula.t -> Formula.t -> Scc_chance.Answer.t * Scc_chance.Answer.t
+
+type mean = Never_decided | Is of Scc_chance.Answer.t
+
+val value_at : Naive.t -> Formula.side -> (int -> Scc_exact.Rat.t -> Scc_exact.Rat.t) -> int -> mean
+(** Of a number that is not negative, at a time in halves of the unit. *)
