@@ -146,7 +146,8 @@ let all_states c f =
 let both f = f Equations.Min && f Equations.Max
 
 (* What it is by each scheduler. *)
-let of_all by c = List.map (fun chain -> by chain ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)) (chains c.plain)
+let of_all by c =
+  List.map (fun chain -> by chain ~stay:(Array.get c.stay) ~goal:(Array.get c.goal)) (chains c.plain)
 
 let chain_of c scheduler = Array.mapi (fun s choices -> List.nth choices scheduler.(s)) c.plain
 let exactly = { Effort.default with engine = Exactly }
