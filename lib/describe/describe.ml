@@ -167,7 +167,7 @@ let by_spelling (t : Tokens.t) (uses : Uses.t) i (name : Ast.name) =
     | _ -> None
   in
   let tables = [ all.bodies; all.behaviours; all.templates; all.values; all.modules; all.features ] in
-  let words = [ Vocabulary.Atom; Function; Solid; Event; Setting; Law ] in
+  let words = [ Vocabulary.Atom; Function; Solid; Event; Setting; Law; Measure ] in
   let declared = List.map (fun table -> Scope.among table name.it) tables in
   let unread () = match unread t name.it with [] -> None | found -> Some (Scope.Declared found) in
   let channel () = match Uses.channel uses name.it with [] -> None | _ :: _ -> Some Scope.Channel in

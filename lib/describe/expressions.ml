@@ -33,7 +33,8 @@ let rec expr t c (e : Ast.expr) =
   | Temporal (_, b, e) ->
     Option.iter (bound t c) b;
     expr t c e
-  | Measured (_, test, o) ->
+  | Measured (m, test, o) ->
+    measure t c m;
     Option.iter (fun (_, e) -> expr t c e) test;
     outcome t c o
   | Until (_, f, b, g) | Leads_to (f, b, g) ->
@@ -41,6 +42,11 @@ let rec expr t c (e : Ast.expr) =
     Option.iter (bound t c) b;
     expr t c g
   | Event (w, es) -> event t c w es
+
+and measure t c (m : Ast.expr) =
+  match m.it with
+  | Path { it = [ { name; indices = [] } ]; _ } -> known t name (first [ (fun () -> word Measure name.it) ])
+  | _ -> expr t c m
 
 and outcome t c = function
   | Does e -> expr t c e

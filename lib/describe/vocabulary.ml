@@ -1,4 +1,4 @@
-type category = Word | Setting | Solid | Function | Component | Atom | Law | Event
+type category = Word | Setting | Solid | Function | Component | Atom | Law | Event | Measure
 type entry = { category : category; word : string; kind : string; section : string; meaning : string }
 
 let group category kind section words =
@@ -144,11 +144,22 @@ let properties =
     ("AX", "this holds right after the next event, whichever it is");
     ("EX", "this holds right after the next event, for some");
     ("A", "`A[f U g]`: on every run g comes to hold, and f does at every instant before");
-    ("E", "`E[f U g]`: on some run g comes to hold, and f does at every instant before");
+    ("E", "`E[f U g]`: on some run g comes to hold, and f does at every instant before; \
+           `E = ? [time U g]`: the mean over the runs");
     ("U", "until: `A[f U g]`, `E[f U g]`");
     ("F", "a letter of AF and EF, which are one word each");
     ("G", "a letter of AG and EG, which are one word each");
     ("X", "a letter of AX and EX, which are one word each");
+  ]
+
+let measures =
+  [
+    ("P", "the probability of what is in the brackets: `P >= 9/10 [eventually f]`, `P = ? [f U g]`");
+    ("Pmin", "the least probability, over all ways in which what is not drawn may go");
+    ("Pmax", "the greatest probability, over all ways in which what is not drawn may go");
+    ("E", "the mean over the runs: `E = ? [time U f]`, `E <= 3 [event bounce U f]`, `E = ? [x(p) at 10]`");
+    ("Emin", "the least mean, over all ways in which what is not drawn may go");
+    ("Emax", "the greatest mean, over all ways in which what is not drawn may go");
   ]
 
 let solids =
@@ -250,6 +261,7 @@ let all =
       group Word "keyword" "Networks and motion" motion;
       group Word "keyword" "Expressions" expressions;
       group Word "keyword" "Properties" properties;
+      group Measure "keyword" "Properties" measures;
       group Solid "shape" "Shapes" solids;
       group Function "function" "Expressions" functions;
       group Component "component" "Expressions" components;

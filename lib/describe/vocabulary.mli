@@ -10,6 +10,7 @@ type category =
   | Atom  (** of a formula: [distance2] *)
   | Law  (** what a law of motion may use: [dt] *)
   | Event  (** a transition: [event bind] *)
+  | Measure  (** what stands before a bracket: [Pmax] *)
 
 type entry = {
   category : category;

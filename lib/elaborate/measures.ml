@@ -27,6 +27,8 @@ let measures =
     ("E", (Mean, both)); ("Emin", (Mean, [ Least ])); ("Emax", (Mean, [ Greatest ]));
   ]
 
+let words = List.map fst measures
+
 let known (m : Ast.expr) =
   match m.it with
   | Path { it = [ { name; indices = [] } ]; _ } -> List.assoc_opt name.it measures

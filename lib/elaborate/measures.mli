@@ -13,6 +13,9 @@ type reader = {
   value : Ast.expr -> (Property.num, Property.temporal) Typed.value option;
 }
 
+val words : string list
+(** What may stand before the bracket: [P], [Emin], ... *)
+
 val is_question : Ast.expr -> (Ast.binary * Ast.expr) option -> bool
 (** Whether only a check by itself can say it: what asks for a number, and what compares a mean. *)
 

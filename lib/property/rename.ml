@@ -33,6 +33,19 @@ let rec states f = function
 
 let temporal f g = states (prop f) g
 
+let mean f = function
+  | Time_until g -> Time_until (temporal f g)
+  | Events_until (e, g) -> Events_until (prop f e, temporal f g)
+  | Value_at (n, time) -> Value_at (num f n, time)
+
+let check f (c : check) =
+  let asked =
+    match c.asked with
+    | (Whether | How_likely _) as asked -> asked
+    | Expected (sides, m, test) -> Expected (sides, mean f m, test)
+  in
+  { c with asked; formula = temporal f c.formula }
+
 (* {1 Values of parameters} *)
 
 let rec known_num values n =

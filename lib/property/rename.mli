@@ -5,6 +5,9 @@ open Property
 val temporal : (int -> int) -> temporal -> temporal
 (** Each leaf replaced by its image. *)
 
+val check : (int -> int) -> check -> check
+(** The same of all that is asked. *)
+
 val ordered : temporal -> temporal
 (** An equivalent formula: two that differ in the order or the brackets of what [and], [or], [count], [+] and
     [*] join, in the order of the two leaves of a symmetric atom, or in the direction of a comparison, have

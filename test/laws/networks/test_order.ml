@@ -153,7 +153,7 @@ let verdicts n =
 
 let permuted rand ?perm n =
   let perm, symmetry = symmetry rand ?perm n.model in
-  let check (c : Property.check) = { c with formula = Formula.permuted (Array.get perm) c.formula } in
+  let check = Rename.check (Array.get perm) in
   {
     model = symmetry.model n.model;
     declared = symmetry.state n.declared;

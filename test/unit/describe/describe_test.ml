@@ -298,6 +298,7 @@ let vocabulary () =
   all Word (List.map fst Lexer.words);
   all Atom Scc_elaborate.Atoms.words;
   all Event Scc_elaborate.Atoms.transitions;
+  all Measure Scc_elaborate.Measures.words;
   all Law Scc_elaborate.Laws.(functions @ words);
   all Function ("round" :: Scc_elaborate.Operations.functions);
   let lines = String.split_on_char '\n' (read section_of_reference) in
