@@ -244,6 +244,18 @@ def check_trace(scc, model, *options):
         count(len(lines) >= 3, f"trace {model}", "too short")
 
 
+def check_simulation(scc, model):
+    """Two runs of few steps, of the model's time, and what they come to."""
+    words = ["simulate", model, "--runs", "2", "--steps", "40", "--observe", "time", "--observe", "bonds()",
+             "--every", "1/2", "--until", "2", "--format", "jsonl"]
+    validate = validator("simulation")
+    for options, lines in ([], 3), (["--decimals", "3"], 3), (["--summary"], 11):
+        found = text_of(run(scc, *words, *options)).splitlines()
+        documents = [json.loads(line, parse_float=no_float) for line in found]
+        errors = [e for d in documents for e in validate.iter_errors(d)]
+        count(not errors and len(found) == lines, f"simulate {model}", errors and errors[0].message[:300] or len(found))
+
+
 def check_zones(scc, model):
     """The zones of a model with ranges, or with splits at any time, complete and not."""
     for bound in ("--states=300", "--states=2", "--time=1"):
@@ -430,6 +442,7 @@ def main():
             else:
                 check_trace(scc, model)
                 check_trace(scc, model, "--states=ends")
+                check_simulation(scc, model)
                 check_graphs(scc, model, folder)
         for model in sorted(glob.glob("specs/conformance/invalid/*.sc")):
             check_sarif(scc, model, folder)

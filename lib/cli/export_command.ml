@@ -25,30 +25,6 @@ type options = {
 
 (* {1 What is asked for} *)
 
-let observe console (l : Loaded.t) texts =
-  let source i text = Source.make ~name:(Printf.sprintf "<observable %d>" (i + 1)) text in
-  let sources = List.mapi source texts in
-  List.iter (Console.add_source console) sources;
-  let observable source : Question.t -> (Table.observable, Diag.t list) result = function
-    | Number n -> Ok { Table.text = Source.text source; what = Number n }
-    | State p -> Ok { Table.text = Source.text source; what = Truth p }
-    | Temporal check ->
-      let at = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length (Source.text source)) in
-      Error
-        [
-          Diag.error Code.type_mismatch at ~hint:"`scc check` decides it"
-            "%s is a formula about runs: a number or a predicate of a state is needed here" check.text;
-        ]
-  in
-  let* l, questions = if texts = [] then Ok (l, []) else Question.all l sources in
-  let rec all found = function
-    | [], _ | _, [] -> Ok (l, List.rev found)
-    | source :: sources, question :: questions ->
-      let* o = observable source question in
-      all (o :: found) (sources, questions)
-  in
-  all [] (sources, questions)
-
 let instant (f : Film.t) at =
   let over = Film.duration f in
   let time = Option.value at ~default:over in
@@ -161,7 +137,7 @@ let film console o (chosen : Chosen_run.t) loaded observables ~interrupted =
 let export console o ~interrupted =
   let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
   if chosen.sampled <> [] then Console.note console ("scc: for " ^ Sample.to_string chosen.sampled);
-  let* loaded, observables = observe console chosen.loaded o.observed in
+  let* loaded, observables = Observed.all console chosen.loaded o.observed in
   match (o.format, o.every) with
   | Csv, None -> table console o loaded observables chosen.policy chosen.limits ~interrupted
   | _ -> film console o chosen loaded observables ~interrupted

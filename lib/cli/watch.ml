@@ -102,9 +102,14 @@ let look t =
 
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
 
-let default_signals () =
-  Sys.set_signal Sys.sigint Sys.Signal_default;
-  Sys.set_signal Sys.sigterm Sys.Signal_default
+let on_signals behaviour = List.iter (fun s -> Sys.set_signal s behaviour) [ Sys.sigint; Sys.sigterm ]
+
+(* Seconds in which one wish to stop may arrive twice, sent to the program and to its group of processes. *)
+let again = 0.5
+
+let end_by signal =
+  Sys.set_signal signal Sys.Signal_default;
+  Unix.kill (Unix.getpid ()) signal
 
 let start ?seconds ?memory () =
   let t =
@@ -121,13 +126,16 @@ let start ?seconds ?memory () =
       stage = None;
     }
   in
-  let arrived _ =
-    t.signalled <- true;
-    default_signals ();
-    timer interval
+  let first = ref infinity in
+  let arrived signal =
+    if not t.signalled then begin
+      t.signalled <- true;
+      first := Unix.gettimeofday ();
+      timer interval
+    end
+    else if Unix.gettimeofday () -. !first > again then end_by signal
   in
-  Sys.set_signal Sys.sigint (Sys.Signal_handle arrived);
-  Sys.set_signal Sys.sigterm (Sys.Signal_handle arrived);
+  on_signals (Signal_handle arrived);
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> look t));
   if Option.is_some seconds || Option.is_some memory then timer interval;
   t
@@ -147,7 +155,7 @@ let interrupted t () = t.signalled
 let finish t =
   timer 0.;
   t.stage <- None;
-  default_signals ()
+  if not t.signalled then on_signals Signal_default
 
 (* What was given up for its memory has left it behind as garbage. *)
 let compacted t stage =

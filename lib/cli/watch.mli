@@ -11,7 +11,8 @@ type t
 
 val start : ?seconds:float -> ?memory:int -> unit -> t
 (** [memory] in words, of all that the program takes. Without limits only signals end the work. A second signal
-    ends the program at once. *)
+    ends the program at once, unless it comes with the first one: [timeout], for one, sends each to the program and
+    to its group. *)
 
 val more : t -> float -> unit
 (** So many seconds more, for another work. *)

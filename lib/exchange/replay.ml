@@ -176,7 +176,7 @@ let finish ?offset run limits emit place ahead =
   Ok ending
 
 (* Leaves the run after [offset] more of undisturbed time, if that is possible. *)
-let leave_at semantics run limits emit place ahead offset ~at =
+let leave_at semantics run limits ~passing emit place ahead offset ~at =
   let fits = match room run ahead with None -> true | Some d -> Rat.compare offset d <= 0 in
   if not fits then
     Error
@@ -187,6 +187,7 @@ let leave_at semantics run limits emit place ahead offset ~at =
             (Rat.to_string offset)))
   else begin
     let state = Run.state run in
+    if Rat.sign offset > 0 then passing ~start:place.time ~lasts:offset (fun () -> state);
     let state = if Rat.sign offset = 0 then state else Time.pass semantics offset state in
     emit (Instant { offset; time = Rat.add place.time offset; state });
     finish ~offset run limits emit place ahead
@@ -210,15 +211,17 @@ let advance place guide (t : Run.alternative) =
   }
 
 (* The run is over: at the instant that the schedule names, or where time alone may go on to its limit. *)
-let leave semantics run (limits : limits) emit place ahead (offset : (Rat.t * Span.t) option) =
+let leave semantics run (limits : limits) ~passing emit place ahead (offset : (Rat.t * Span.t) option) =
   match (offset, limits.time, ahead) with
-  | Some (d, at), _, _ -> leave_at semantics run limits emit place ahead d ~at
+  | Some (d, at), _, _ -> leave_at semantics run limits ~passing emit place ahead d ~at
   | None, Some t, Possible []
     when Rat.compare t place.time > 0 && Run.quiescent run && not (Run.spinning run) ->
-    leave_at semantics run limits emit place ahead (Rat.sub t place.time) ~at:Span.none
+    leave_at semantics run limits ~passing emit place ahead (Rat.sub t place.time) ~at:Span.none
   | None, _, _ -> finish run limits emit place ahead
 
-let run semantics declared policy limits ~interrupted emit =
+let not_asked ~start:_ ~lasts:_ _ = ()
+
+let run ?(passing = not_asked) semantics declared policy limits ~interrupted emit =
   let model = Semantics.model semantics in
   let guide, offset =
     match policy with
@@ -237,24 +240,28 @@ let run semantics declared policy limits ~interrupted emit =
       else
         let transitions = transitions ahead in
         match decide model transitions place.guide with
-        | Leave -> leave semantics run limits emit place ahead offset
+        | Leave -> leave semantics run limits ~passing emit place ahead offset
         | Misfit c -> Error (misfit model transitions place c)
         | Take (index, guide) ->
           let taken = List.nth transitions index in
           within place ahead (duration taken) (fun () ->
+              passes place (duration taken);
               Run.take run index;
               go_on place guide index (List.length transitions) taken)
         | Wait (d, choice, guide) ->
           within place ahead d (fun () ->
+              passes place d;
               match Run.wait run d with
               | Ok (Some taken) ->
                 let index = time_index transitions in
                 go_on place guide index (Int.max (List.length transitions) (index + 1)) taken
               | Ok None -> Error (misfit model transitions place choice)
               | Error fault -> Error (Fault { fault; steps = place.taken; time = place.time }))
+  and passes place d = if Rat.sign d > 0 then passing ~start:place.time ~lasts:d state
   and within place ahead d go =
     match beyond limits place d with
-    | Some rest when Rat.sign rest > 0 -> leave_at semantics run limits emit place ahead rest ~at:Span.none
+    | Some rest when Rat.sign rest > 0 -> leave_at semantics run limits ~passing emit place ahead rest
+                                            ~at:Span.none
     | Some _ -> finish run limits emit place ahead
     | None -> go ()
   and go_on place guide index among taken =

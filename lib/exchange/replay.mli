@@ -69,6 +69,7 @@ type failure =
   | Interrupted
 
 val run :
+  ?passing:(start:Rat.t -> lasts:Rat.t -> (unit -> State.t) -> unit) ->
   Semantics.t ->
   State.t ->
   policy ->
@@ -78,5 +79,6 @@ val run :
   (ending, failure) result
 (** [run semantics declared policy limits ~interrupted emit] emits the events of the run in order. The events
     depend on the model and the choices alone, not on where the choices came from. When the limit of time
-    falls within a passing of time, the run ends with an [Instant] at the limit. A dead end is an end, and no
-    failure. *)
+    falls within a passing of time, the run ends with an [Instant] at the limit. [passing] is told of each stretch
+    of time before it passes: when it begins, how long it lasts, and the state there, which may only be asked for
+    then. A dead end is an end, and no failure. *)

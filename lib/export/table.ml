@@ -26,19 +26,26 @@ let number r =
 
 (* {1 Values} *)
 
-let value trajectory o =
+(* At the start of a trajectory. *)
+let at_start trajectory o =
   match o.what with
   | Number n -> (
       match (Trajectory.num trajectory n).start with
-      | Undefined _ -> [ ""; "" ]
-      | Ratio (n, d) ->
-        let at_start p = Polynomial.eval p Rat.zero in
-        number (Rat.div (at_start n) (at_start d)))
+      | Undefined _ -> None
+      | Ratio (n, d) -> Some (Rat.div (Polynomial.eval n Rat.zero) (Polynomial.eval d Rat.zero)))
   | Truth p -> (
       match (Trajectory.prop trajectory p).start with
-      | True -> [ "true"; "1" ]
-      | False -> [ "false"; "0" ]
-      | Undecided _ -> [ ""; "" ])
+      | True -> Some Rat.one
+      | False -> Some Rat.zero
+      | Undecided _ -> None)
+
+let exact semantics o state = at_start (Trajectory.make semantics state Timeline.Instant) o
+
+let value trajectory o =
+  match (at_start trajectory o, o.what) with
+  | None, _ -> [ ""; "" ]
+  | Some r, Number _ -> number r
+  | Some r, Truth _ -> if Rat.sign r = 0 then [ "false"; "0" ] else [ "true"; "1" ]
 
 let row put semantics observables ~time ~last (s : State.t) =
   let arrived event =

@@ -11,6 +11,12 @@ open Scc_motion
 type observable = { text : string;  (** as it was asked for *) what : what }
 and what = Number of Property.num | Truth of Property.prop
 
+val line : (string -> unit) -> string list -> unit
+(** Fields in quotes where they need them, and the end of a line (RFC 4180). *)
+
+val exact : Semantics.t -> observable -> State.t -> Rat.t option
+(** Of a state that nothing has just led to: the number, or 1 or 0 for a truth, if it has a value there. *)
+
 (** What has no value is left empty. A truth is [true] or [false], as a float 1 or 0. *)
 
 (** {1 The initial state, and the one after each transition} *)

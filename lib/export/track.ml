@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_calculus
 open Scc_semantics
@@ -72,28 +71,6 @@ let process model growing start d (p : State.process) =
 
 let stretch model growing start d (s : State.t) = Array.iter (process model growing start d) s.processes
 
-let turn_left (s : State.t) =
-  let least d p =
-    match (d, Turn.left p) with
-    | None, x | x, None -> x
-    | Some a, Some b -> Some (Rat.min a b)
-  in
-  Array.fold_left least None s.processes
-
-(* The rest of a run may be longer than a turn: then the next one begins. *)
-let rec rest semantics growing start d s =
-  if Rat.sign d > 0 then
-    match turn_left s with
-    | Some left when Rat.sign left = 0 -> (
-        match Steer.settle semantics s with
-        | Ok settled -> rest semantics growing start d settled.state
-        | Error _ -> Bug.fail __POS__ "a run goes on where it cannot")
-    | left ->
-      let piece = Option.fold ~none:d ~some:(Rat.min d) left in
-      stretch (Semantics.model semantics) growing start piece s;
-      if Rat.compare piece d < 0 then
-        rest semantics growing (Rat.add start piece) (Rat.sub d piece) (Time.pass semantics piece s)
-
 (* {1 Runs} *)
 
 let settle growing time (s : State.t) =
@@ -132,7 +109,8 @@ let of_course course =
   Array.iter leg (Course.legs course);
   let over = Rat.sub (Course.duration course) (Course.rest course) in
   settle growing over (Course.last course);
-  rest semantics growing over (Course.rest course) (Course.last course);
+  let piece ~start ~lasts s = stretch model growing start lasts s in
+  Ray.follow semantics ~start:over ~lasts:(Course.rest course) (Course.last course) piece;
   Array.map finish growing
 
 (* From one change of its process to the next; in one instant nothing moves. *)

@@ -1,0 +1,313 @@
+open Scc_base
+open Scc_exact
+open Scc_session
+open Scc_simulate
+open Scc_workers
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type options = {
+  path : string;
+  given : (string * Rat.t) list;
+  runs : int;
+  seed : int64;
+  jobs : int;
+  observed : string list;
+  every : Rat.t;
+  until : Rat.t;
+  steps : int option;
+  summary : bool;
+  quantiles : Rat.t list;
+  form : Report.form;
+  decimals : int option;
+  output : string option;
+  resume : string option;
+  plot : string option;
+}
+
+(* {1 What is there already} *)
+
+let bad_trace path format =
+  Printf.ksprintf
+    (fun text -> Error [ Diag.error Code.bad_trace (Span.make ~file:path ~start:0 ~stop:0) "%s" text ])
+    format
+
+let is_run number line =
+  match Yojson.Safe.from_string line with
+  | `Assoc members -> List.assoc_opt "run" members = Some (`Int number)
+  | _ -> false
+  | exception Yojson.Json_error _ -> false
+
+(* The whole lines of the runs from 0 on; a last line without its end is not one. *)
+let done_before path header =
+  let* source = Result.map_error (fun d -> [ d ]) (Input.read ~max_bytes:max_int path) in
+  match String.split_on_char '\n' (Source.text source) with
+  | first :: rest when String.equal (first ^ "\n") header ->
+    let rec count n = function
+      | [] | [ _ ] -> Ok n
+      | line :: rest when is_run n line -> count (n + 1) rest
+      | _ -> bad_trace path "line %d is not that of run %d" (n + 2) n
+    in
+    let* n = count 0 rest in
+    let kept = List.filteri (fun i _ -> i <= n) (first :: rest) in
+    Ok (n, String.concat "\n" kept ^ "\n")
+  | _ -> bad_trace path "this file is not of the same simulation: its first line would be `%s`" (String.trim
+                                                                                                   header)
+
+(* {1 The runs} *)
+
+let plan o (l : Loaded.t) observables : Simulation.plan =
+  {
+    semantics = l.semantics;
+    declared = l.declared;
+    observables;
+    times = Simulation.times ~every:o.every ~until:o.until;
+    steps = o.steps;
+  }
+
+let report o (l : Loaded.t) observables times : Report.t =
+  {
+    form = o.form;
+    digits = (match o.decimals with None -> Exactly | Some k -> Rounded k);
+    origin = l.origin;
+    seed = o.seed;
+    observables = List.map (fun (o : Scc_export.Table.observable) -> o.text) observables;
+    times;
+  }
+
+let each_run console o plan ~first ~interrupted each =
+  let told k (r : Simulation.run) =
+    Console.progress console (Printf.sprintf "%d of %d runs" (k + 1) o.runs);
+    each r
+  in
+  let work = Simulation.run plan ~seed:o.seed in
+  let result = Pool.run ~jobs:o.jobs ~first ~count:o.runs ~work ~interrupted ~each:told in
+  Console.progress_done console;
+  result
+
+let early console n =
+  if n > 0 then
+    Console.note console
+      (Printf.sprintf "scc: %s did not come to the last time; what was not observed is empty"
+         (if n = 1 then "1 run" else Printf.sprintf "%d runs" n))
+
+let conclude console o ~finished ~ended_early = function
+  | Ok () ->
+    early console ended_early;
+    Ok (if ended_early > 0 then Exit_code.Undecided else Exit_code.Holds)
+  | Error Pool.Interrupted ->
+    early console ended_early;
+    Console.note console
+      (Printf.sprintf "scc: interrupted after %d of %d runs, which are written" finished o.runs);
+    Ok Exit_code.Stopped
+  | Error (Lost { task; how }) ->
+    Console.note console
+      (Printf.sprintf "scc: the process that made run %d came to an end (%s); %d of %d runs are written" task how
+         finished o.runs);
+    Ok Exit_code.Bug
+
+let simulate console o ~interrupted =
+  let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
+  let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" model in
+  Console.report console model.warnings;
+  let* loaded, observables = Observed.all console model o.observed in
+  let plan = plan o loaded observables in
+  let report = report o model observables plan.times in
+  let* first, before =
+    match o.resume with
+    | None -> Ok (0, Report.header report)
+    | Some path -> done_before path (Report.header report)
+  in
+  let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
+  let written = ref first and ended_early = ref 0 in
+  let note (r : Simulation.run) =
+    incr written;
+    if Option.is_some r.ended then incr ended_early
+  in
+  let together = o.summary || Option.is_some o.plot in
+  let all = ref (Report.nobody report) in
+  let write put =
+    if not o.summary then put before;
+    let result =
+      each_run console o plan ~first ~interrupted (fun r ->
+          note r;
+          if together then all := Report.add !all r;
+          if not o.summary then put (Report.run report r))
+    in
+    if o.summary then
+      Report.summary report ~quantiles:o.quantiles ~decimals:(Option.value o.decimals ~default:6) !all put;
+    result
+  in
+  let draw path =
+    let chart put = put (Plot.chart report ~quantiles:o.quantiles !all) in
+    Console.with_output console ~path:(Some path) chart
+  in
+  Console.flush console;
+  match Console.with_output console ~path write with
+  | Error d -> Error [ d ]
+  | Ok result ->
+    let* () = Result.map_error (fun d -> [ d ]) (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
+    conclude console o ~finished:!written ~ended_early:!ended_early result
+
+let run color o =
+  let console = Console.make ~color ~json:false () in
+  let interrupted = Watch.interrupted (Watch.start ()) in
+  Guard.run console (fun () -> simulate console o ~interrupted)
+
+(* {1 The command line} *)
+
+let runs =
+  let doc = "How many runs, from number 0 on." in
+  Arg.(required & opt (some (Options.integer ~least:1 "number of runs")) None & info [ "runs" ] ~docv:"N" ~doc)
+
+let seed_conv =
+  let parse s =
+    match Int64.of_string_opt s with
+    | Some seed -> Ok seed
+    | None -> Error (`Msg (Printf.sprintf "`%s' is no integer of 64 bits" s))
+  in
+  Arg.conv ~docv:"SEED" (parse, fun ppf -> Format.fprintf ppf "%Ld")
+
+let seed =
+  let doc =
+    "An integer. Run $(i,k) has the seed that is the output number $(i,k), from 0 on, of SplitMix64 from this \
+     one, and makes its choices by it as $(b,scc trace --choose random:) does: the same runs, whatever \
+     $(b,--jobs) is, on every machine."
+  in
+  Arg.(value & opt seed_conv 0L & info [ "seed" ] ~docv:"SEED" ~doc)
+
+let jobs =
+  let doc = "How many processes work at the runs." in
+  Arg.(value & opt (Options.integer ~least:1 ~most:1024 "number of processes") 1 & info [ "j"; "jobs" ] ~docv:"J"
+         ~doc)
+
+let observed =
+  let doc =
+    "Observes $(docv), any number or predicate of a state that a check can name; a predicate is 1 or 0. May be \
+     given several times."
+  in
+  Arg.(non_empty & opt_all string [] & info [ "observe" ] ~docv:"FORMULA" ~doc)
+
+let every =
+  let doc = "Observes at the multiples of $(docv), and at the end." in
+  Arg.(required & opt (some (Options.positive "step")) None & info [ "every" ] ~docv:"STEP" ~doc)
+
+let until =
+  let doc = "Runs end at the model time $(docv)." in
+  Arg.(required & opt (some (Options.not_negative "model time")) None & info [ "until" ] ~docv:"TIME" ~doc)
+
+let steps =
+  let doc = "Ends a run after $(docv) transitions." in
+  Arg.(value & opt (some Options.transitions) None & info [ "steps" ] ~docv:"N" ~doc)
+
+let summary =
+  let doc =
+    "Tells of all runs together, for each time and observable: of how many there is a value, mean, variance of \
+     the sample, standard deviation, least, quantiles and greatest. All are exact but the deviation, which \
+     is rounded to $(b,--decimals), or 6."
+  in
+  Arg.(value & flag & info [ "summary" ] ~doc)
+
+let quantiles =
+  let doc = "Of $(b,--summary) and $(b,--plot): which quantiles, by the nearest rank." in
+  let default = List.map (fun (n, d) -> Rat.make (Z.of_int n) (Z.of_int d)) [ (1, 20); (1, 2); (19, 20) ] in
+  Arg.(value & opt (list (Options.not_negative "quantile")) default & info [ "quantiles" ] ~docv:"Q,..." ~doc)
+
+let plot =
+  let doc =
+    "Draws a chart, as SVG: for each observable the mean over the time, and the range from the first to the \
+     last of $(b,--quantiles)."
+  in
+  Arg.(value & opt (some string) None & info [ "plot" ] ~docv:"FILE" ~doc)
+
+let form =
+  let doc = "$(b,csv) (RFC 4180), or $(b,jsonl), a JSON object a line." in
+  Arg.(
+    value
+    & opt (enum [ ("csv", Report.Csv); ("jsonl", Jsonl) ]) Report.Csv
+    & info [ "format" ] ~docv:"FORMAT" ~doc)
+
+let decimals =
+  let doc =
+    "Writes numbers with $(docv) decimals, rounded, instead of exactly, as texts $(b,p/q): what is written is \
+     then near the exact numbers, and not these."
+  in
+  Arg.(value & opt (some (Options.integer ~least:0 ~most:1000 "number of decimals")) None & info [ "decimals" ]
+         ~docv:"K" ~doc)
+
+let output =
+  let doc = "Writes to $(docv) instead of standard output." in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+
+let resume =
+  let doc =
+    "Goes on where $(docv), written with $(b,--format jsonl) by a simulation that was interrupted, or had less \
+     runs, ends; a line that was not finished is made anew. Everything but $(b,--runs) and $(b,--jobs) has \
+     to be as it was. The file becomes what it would be if nothing had been interrupted, or $(b,-o) does."
+  in
+  Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
+
+let fitting o =
+  if Simulation.too_many ~every:o.every ~until:o.until then
+    Error (Printf.sprintf "--every and --until make more than %d times" Simulation.most_times)
+  else if List.exists (fun q -> Rat.compare q Rat.one > 0) o.quantiles then Error "a quantile is not above 1"
+  else
+    match (o.resume, o.form, o.summary) with
+    | Some _, Csv, _ -> Error "--resume goes on with JSON Lines: --format jsonl"
+    | Some _, _, true -> Error "--resume does not go with --summary"
+    | Some _, _, false when Option.is_some o.plot -> Error "--resume does not go with --plot"
+    | _ -> Ok { o with output = (if o.output = Some "-" then None else o.output) }
+
+let options =
+  let make path given runs seed jobs observed every until steps summary quantiles form decimals output resume plot
+    = fitting
+      {
+        path; given; runs; seed; jobs; observed; every; until; steps; summary; quantiles; form; decimals; output;
+        resume; plot; }
+  in
+  Term.(
+    term_result' ~usage:true
+      (const make $ Options.model_file $ Options.overrides $ runs $ seed $ jobs $ observed $ every $ until $ steps
+       $ summary $ quantiles $ form $ decimals $ output $ resume $ plot))
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Makes independent runs of a model, and writes what is observed of each at given times, or what all of \
+       them together look like. Velocities are drawn by their exact probabilities. What is free (which of \
+       several collisions comes first, whether a weak split happens) is chosen evenly among all \
+       transitions that are possible: the model says nothing of how likely it is, so that numbers may \
+       depend on it; $(b,scc check) tells the least and the greatest.";
+    `P
+      "What is told of a time is so after all that happens at that instant, when time goes on. $(b,event) is \
+       false then. A number that has no value, as the place of a body that is gone, is empty. So is what \
+       comes after the end of a run that is over before the last time; the column $(b,ended) says why it \
+       was.";
+    `P
+      "The same model, seed and observables give the same bytes, however many processes work at it. Ctrl-C \
+       keeps all runs that are done.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc simulate brownian.sc --runs 1000 --observe 'x(ligand)' --observe 'bound(ligand, pocket)' \\\\\n\
+         \      --every 1/2 --until 20 --summary -o brownian.csv";
+    `Pre "  scc simulate ruin.sc --runs 100000 --jobs 4 --observe 'gone(walker)' --every 1 --until 100 \\\\\n\
+         \      --format jsonl -o ruin.jsonl";
+    `Pre "  scc simulate ruin.sc --runs 200000 --jobs 4 --observe 'gone(walker)' --every 1 --until 100 \\\\\n\
+         \      --format jsonl --resume ruin.jsonl";
+  ]
+
+let command =
+  let told =
+    [
+      (Exit_code.Holds, "if all runs came to the last time.");
+      (Exit_code.Undecided, "if some run was over before.");
+      (Exit_code.Stopped, "if it was interrupted: the runs that were done are written.");
+    ]
+  in
+  let exits = Exits.man ~told ~never:[ Violated ] () in
+  let info = Cmd.info "simulate" ~doc:"make many runs of a model, and tell what they come to" ~man ~exits in
+  Cmd.v info Term.(const run $ Options.color $ options)

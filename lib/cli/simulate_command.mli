@@ -1,0 +1,3 @@
+(** [scc simulate]: many runs of a model. *)
+
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

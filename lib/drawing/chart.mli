@@ -1,0 +1,23 @@
+(** Charts of numbers over a number, as SVG. What is drawn is rounded; numbers beside the axes are exact. *)
+
+open Scc_exact
+
+type point = {
+  x : Rat.t;
+  y : Rat.t;
+  band : (Rat.t * Rat.t) option;  (** from the first to the second, around y: drawn pale *)
+}
+
+type curve = {
+  name : string;  (** said beside it, if there are several *)
+  pieces : point list list;  (** joined within a piece, by increasing x; not from one to the next *)
+}
+
+type panel = { title : string; curves : curve list }
+
+val ticks : least:Rat.t -> greatest:Rat.t -> about:int -> Rat.t list
+(** Multiples of 1, 2 or 5 times a power of ten from the one number to the other, at most so many and two more. Of
+    a range that is empty the number itself. *)
+
+val curves : title:string -> caption:string -> x:string -> panel list -> string
+(** A document with one panel below the other over the same x axis, which bears that name. *)
