@@ -256,6 +256,22 @@ def check_simulation(scc, model):
         count(not errors and len(found) == lines, f"simulate {model}", errors and errors[0].message[:300] or len(found))
 
 
+def check_estimates(scc):
+    """Probabilities and means that are known, that are not, and that depend on choices."""
+    asked = ["--property", "P = ? [ eventually bonds() = 0 ]", "--property", "E = ? [ bonds() at 3 ]", "--json"]
+    for words in (["ruin.sc", "--runs", "40", "--json"], ["brownian.sc", "--most", "130", "--json"],
+                  ["dimer.sc", *asked], ["dimer.sc", "--free", "evenly", "--runs", "50", *asked],
+                  ["ruin.sc", "--runs", "40", "--json", "--property", "E <= 3 [ x(walker) at 99 ]"]):
+        result = run(scc, "estimate", os.path.join("specs/models", words[0]), *words[1:])
+        document = check("estimate", text_of(result), f"estimate {' '.join(words)}")
+        if document is not None:
+            ok = document["exit"] == result.returncode
+            for p in document["properties"]:
+                kinds = ("yes", "no", "numbers", "never", "free", "too_long", "no_value")
+                ok = ok and p["runs"] == sum(p[kind] for kind in kinds)
+            count(ok, f"estimate {' '.join(words)}", "another exit code, or runs that are not counted")
+
+
 def check_zones(scc, model):
     """The zones of a model with ranges, or with splits at any time, complete and not."""
     for bound in ("--states=300", "--states=2", "--time=1"):
@@ -455,6 +471,7 @@ def main():
     check_shapes(scc)
     check_comparisons(scc)
     check_oracle(scc)
+    check_estimates(scc)
     if len(sys.argv) > 2:
         with open(sys.argv[2], "w", encoding="utf-8") as file:
             file.write(f"{PASSED} passed, {FAILED} failed\n")

@@ -3,6 +3,8 @@
 open Scc_verify
 open Scc_session
 
+val seconds_conv : float Cmdliner.Arg.conv
+
 val budget : Budget.t Cmdliner.Term.t
 val defaults : Budget.defaults
 

@@ -161,27 +161,6 @@ let runs =
   let doc = "How many runs, from number 0 on." in
   Arg.(required & opt (some (Options.integer ~least:1 "number of runs")) None & info [ "runs" ] ~docv:"N" ~doc)
 
-let seed_conv =
-  let parse s =
-    match Int64.of_string_opt s with
-    | Some seed -> Ok seed
-    | None -> Error (`Msg (Printf.sprintf "`%s' is no integer of 64 bits" s))
-  in
-  Arg.conv ~docv:"SEED" (parse, fun ppf -> Format.fprintf ppf "%Ld")
-
-let seed =
-  let doc =
-    "An integer. Run $(i,k) has the seed that is the output number $(i,k), from 0 on, of SplitMix64 from this \
-     one, and makes its choices by it as $(b,scc trace --choose random:) does: the same runs, whatever \
-     $(b,--jobs) is, on every machine."
-  in
-  Arg.(value & opt seed_conv 0L & info [ "seed" ] ~docv:"SEED" ~doc)
-
-let jobs =
-  let doc = "How many processes work at the runs." in
-  Arg.(value & opt (Options.integer ~least:1 ~most:1024 "number of processes") 1 & info [ "j"; "jobs" ] ~docv:"J"
-         ~doc)
-
 let observed =
   let doc =
     "Observes $(docv), any number or predicate of a state that a check can name; a predicate is 1 or 0. May be \
@@ -268,7 +247,8 @@ let options =
   in
   Term.(
     term_result' ~usage:true
-      (const make $ Options.model_file $ Options.overrides $ runs $ seed $ jobs $ observed $ every $ until $ steps
+      (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs $ observed
+       $ every $ until $ steps
        $ summary $ quantiles $ form $ decimals $ output $ resume $ plot))
 
 let man =

@@ -157,4 +157,9 @@ module Along = Terms.Make (Stretch)
 let predicate = Along.prop
 let prop s p = Along.prop s.semantics p s
 let num s n = Along.num s.semantics n s
+let number_at t n offset =
+  match Timeline.at (num t n) (Algebraic.of_rat offset) with
+  | Value.Ratio (p, q) -> Ok (Rat.div (Polynomial.eval p offset) (Polynomial.eval q offset))
+  | Undefined reason -> Error reason
+
 let holds semantics state p = (prop (make semantics state Timeline.Instant) p).Timeline.start

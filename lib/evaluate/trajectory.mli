@@ -29,5 +29,8 @@ val prop : t -> Property.prop -> Truth.t Timeline.t
 
 val num : t -> Property.num -> Value.t Timeline.t
 
+val number_at : t -> Property.num -> Scc_exact.Rat.t -> (Scc_exact.Rat.t, string) result
+(** At an offset of it; or why there is none. *)
+
 val holds : Semantics.t -> State.t -> Property.prop -> Truth.t
 (** Whether a predicate holds in a state (at the instant of it). *)

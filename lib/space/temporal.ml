@@ -94,10 +94,7 @@ let number t n =
   fun node offset ->
     let extent = Timed_graph.extent (Timed_graph.flow graph node) in
     let state = Catalogue.decode catalogue (Graph.tuple t.graph node) in
-    let line = Scc_evaluate.Trajectory.num (Scc_evaluate.Trajectory.make semantics state extent) n in
-    match Timeline.at line (Algebraic.of_rat offset) with
-    | Scc_evaluate.Value.Ratio (p, q) -> Ok (Rat.div (Polynomial.eval p offset) (Polynomial.eval q offset))
-    | Undefined reason -> Error reason
+    Scc_evaluate.Trajectory.number_at (Scc_evaluate.Trajectory.make semantics state extent) n offset
 
 let mean t i side (mean : Property.mean) =
   let what : Expectation.what =

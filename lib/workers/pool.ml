@@ -1,16 +1,5 @@
 type stop = Interrupted | Lost of { task : int; how : string }
 
-let alone ~first ~count ~work ~interrupted ~each =
-  let rec go k =
-    if k >= count then Ok ()
-    else if interrupted () then Error Interrupted
-    else begin
-      each k (work k);
-      go (k + 1)
-    end
-  in
-  go first
-
 type worker = { pid : int; from : Unix.file_descr; channel : in_channel; mutable status : Unix.process_status
                     option }
 
@@ -104,15 +93,12 @@ let finish workers =
     workers
 
 let run ~jobs ~first ~count ~work ~interrupted ~each =
-  let jobs = Int.min jobs (Int.max 1 (count - first)) in
-  if jobs <= 1 then alone ~first ~count ~work ~interrupted ~each
-  else begin
-    let rec start number found =
-      if number = jobs then List.rev found
-      else start (number + 1) (fork ~jobs ~number ~first ~count ~work found :: found)
-    in
-    let workers = Array.of_list (start 0 []) in
-    Fun.protect
-      ~finally:(fun () -> finish workers)
-      (fun () -> collect workers ~jobs ~first ~count ~interrupted ~each)
-  end
+  let jobs = Int.min jobs (count - first) in
+  let rec start number found =
+    if number >= jobs then List.rev found
+    else start (number + 1) (fork ~jobs ~number ~first ~count ~work found :: found)
+  in
+  let workers = Array.of_list (start 0 []) in
+  Fun.protect
+    ~finally:(fun () -> finish workers)
+    (fun () -> collect workers ~jobs ~first ~count ~interrupted ~each)

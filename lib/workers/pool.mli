@@ -16,7 +16,8 @@ val run :
   interrupted:(unit -> bool) ->
   each:(int -> 'a -> unit) ->
   (unit, stop) result
-(** Tasks [first] to [count] - 1. [work] is called in another process unless [jobs] is 1, and what it gives must be
+(** Tasks [first] to [count] - 1. [work] is called in another process, also of one, so that a task that takes long
+    can be left; what it gives must be
     something that {!Marshal} takes; an exception of it is a process lost. [each] is called in this one, by
     increasing numbers, and for no task after the one at which it stops. Nothing that was printed before is printed
     twice, if it was flushed. *)

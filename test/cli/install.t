@@ -15,6 +15,7 @@ is there, so that nothing is built here.
   prefix/share/man/man1/scc-compare.1
   prefix/share/man/man1/scc-conform.1
   prefix/share/man/man1/scc-diff.1
+  prefix/share/man/man1/scc-estimate.1
   prefix/share/man/man1/scc-explain.1
   prefix/share/man/man1/scc-explore.1
   prefix/share/man/man1/scc-export.1
@@ -74,7 +75,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete() { bash complete.bash $bash "$@"; }
   $ touch 'a model.sc' model.sc; mkdir models
   $ complete scc ''
-  --help --version check compare conform diff explain explore export fmt oracle serve shape simulate trace view
+  --help --version check compare conform diff estimate explain explore export fmt oracle serve shape simulate trace view
   $ complete scc ex
   explain explore export
   $ complete scc check --s
@@ -101,7 +102,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   model.sc models
   $ complete scc check --states ''
   $ complete scc --help ''
-  --help --version check compare conform diff explain explore export fmt oracle serve shape simulate trace view
+  --help --version check compare conform diff estimate explain explore export fmt oracle serve shape simulate trace view
 
 fish, where it is there, tells what each is for:
 

@@ -1,0 +1,329 @@
+open Scc_base
+open Scc_exact
+open Scc_property
+open Scc_session
+open Scc_estimate
+open Scc_workers
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type options = {
+  path : string;
+  given : (string * Rat.t) list;
+  checks : string list;
+  properties : string list;
+  runs : int option;
+  most : int;
+  confidence : Rat.t;
+  width : Rat.t;
+  free : Sample.free;
+  steps : int;
+  until : Rat.t option;
+  seconds : float option;
+  seed : int64;
+  jobs : int;
+}
+
+(* {1 What is asked} *)
+
+let properties console (l : Loaded.t) texts =
+  let source i text = Source.make ~name:(Printf.sprintf "<property %d>" (i + 1)) text in
+  let sources = List.mapi source texts in
+  List.iter (Console.add_source console) sources;
+  let* l, questions = if texts = [] then Ok (l, []) else Question.all l sources in
+  let named i : Question.t -> (Property.check, Diag.t list) result = function
+    | Temporal check -> Ok { check with name = Printf.sprintf "property%d" (i + 1) }
+    | State _ | Number _ ->
+      let source = List.nth sources i in
+      let at = Span.make ~file:(Source.name source) ~start:0 ~stop:(String.length (Source.text source)) in
+      Error
+        [
+          Diag.error Code.type_mismatch at ~hint:"as in `P = ? [ eventually f ]`, `E = ? [ x(p) at 10 ]`"
+            "this is about states, and asks for no probability and no mean";
+        ]
+  in
+  let rec all i found = function
+    | [] -> Ok (l, List.rev found)
+    | q :: rest ->
+      let* check = named i q in
+      all (i + 1) (check :: found) rest
+  in
+  all 0 [] questions
+
+let named checks name =
+  let base (c : Property.check) = List.hd (String.split_on_char '[' c.name) in
+  let is_meant (c : Property.check) = String.equal name c.name || String.equal name (base c) in
+  match List.filter is_meant checks with
+  | [] ->
+    let names = List.map (fun (c : Property.check) -> c.name) checks in
+    Error
+      [
+        Diag.error Code.unknown_name Span.command_line ?hint:(Diag.suggest name names)
+          "the model has no check `%s`" name;
+      ]
+  | found -> Ok found
+
+let of_names checks names =
+  let rec all found = function
+    | [] -> Ok (List.concat (List.rev found))
+    | name :: rest ->
+      let* those = named checks name in
+      all (those :: found) rest
+  in
+  all [] names
+
+let refused (c : Property.check) why =
+  [ Diag.error Code.type_mismatch c.span "`%s` cannot be estimated: %s" c.name why ]
+
+(* Everything that can be estimated, if nothing is named; what is named has to be. *)
+let paths (l : Loaded.t) asked ~by_name =
+  let one (found, left) (c : Property.check) =
+    match Path.of_check c with
+    | Ok path -> Ok (path :: found, left)
+    | Error why -> if by_name then Error (refused c why) else Ok (found, (c, why) :: left)
+  in
+  let* found, left =
+    List.fold_left (fun acc c -> let* acc = acc in one acc c) (Ok ([], [])) asked
+  in
+  match (found, left) with
+  | [], _ ->
+    Error
+      [
+        Diag.error Code.type_mismatch
+          (Span.make ~file:(Source.name l.source) ~start:0 ~stop:0)
+          "no check of the model asks for a probability or a mean"
+          ~hint:"`--property 'P = ? [ eventually f ]'` asks";
+      ]
+  | found, left -> Ok (List.rev found, List.rev_map (fun ((c : Property.check), why) -> (c.name, why)) left)
+
+(* {1 The runs} *)
+
+type ending = Whole | Interrupted | Lost of string
+
+let sample console o (plan : Sample.plan) estimation ~stopped =
+  let work = Sample.run plan ~seed:o.seed in
+  let rec go first =
+    match Estimation.next estimation with
+    | None -> Whole
+    | Some count -> (
+        let each k outcome =
+          Console.progress console (Printf.sprintf "%d runs" (k + 1));
+          Estimation.add estimation outcome
+        in
+        match Pool.run ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each with
+        | Ok () ->
+          Estimation.judge estimation ~last:false;
+          go count
+        | Error Interrupted ->
+          Estimation.judge estimation ~last:true;
+          Interrupted
+        | Error (Lost { task; how }) ->
+          Estimation.judge estimation ~last:true;
+          Lost (Printf.sprintf "the process that made run %d came to an end (%s)" task how))
+  in
+  let ending = go 0 in
+  Console.progress_done console;
+  ending
+
+(* {1 The report} *)
+
+let style : Estimation.verdict -> Console.style = function
+  | Holds -> Good
+  | Violated -> Bad
+  | Undecided -> Doubtful
+  | Estimated -> Strong
+
+let text console (r : Estimate_report.t) =
+  let answer (a : Estimation.answer) =
+    let verdict = Console.styled console (style a.verdict) (Estimate_report.word a.verdict) in
+    let line = Estimate_report.line a ~confidence:r.aim.confidence in
+    let even =
+      if a.chosen && a.verdict <> Undecided then [ "  choices that nothing draws were taken evenly" ] else []
+    in
+    let reasons = List.map (fun why -> "  " ^ why) a.reasons in
+    String.concat "\n" (((a.path.check.name ^ ": " ^ verdict ^ ": " ^ line) :: even) @ reasons) ^ "\n"
+  in
+  let reasons = List.sort_uniq String.compare (List.map snd r.left_out) in
+  let left why =
+    let names = List.filter_map (fun (name, w) -> if String.equal w why then Some name else None) r.left_out in
+    Console.styled console Faint ("left out: " ^ String.concat ", " names ^ ": " ^ why) ^ "\n"
+  in
+  String.concat "\n" (List.map answer r.answers @ List.map left reasons)
+
+let exit_code (answers : Estimation.answer list) ending : Exit_code.t =
+  let code (a : Estimation.answer) : Exit_code.t =
+    match (a.verdict, a.reasons) with
+    | Holds, _ | Estimated, [] -> Holds
+    | Violated, _ -> Violated
+    | Undecided, _ | Estimated, _ :: _ -> Undecided
+  in
+  match ending with
+  | Whole -> Exit_code.worst (List.map code answers)
+  | Interrupted -> Stopped
+  | Lost _ -> Bug
+
+let estimate console o watch =
+  let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
+  let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" model in
+  Console.report console model.warnings;
+  let* loaded, added = properties console model o.properties in
+  let by_name = o.checks <> [] || added <> [] in
+  let* named = of_names loaded.checks o.checks in
+  let asked = if by_name then named @ added else model.checks in
+  let* paths, left_out = paths model asked ~by_name in
+  let size = match o.runs with Some n -> Estimation.Exactly n | None -> At_most o.most in
+  let aim = { Estimation.confidence = o.confidence; width = o.width; size; free = o.free } in
+  let plan =
+    {
+      Sample.semantics = loaded.semantics;
+      declared = loaded.declared;
+      paths;
+      free = o.free;
+      steps = o.steps;
+      until = o.until;
+    }
+  in
+  let estimation = Estimation.start aim paths in
+  let stopped () = Option.is_some (Watch.stop watch ()) in
+  let ending = sample console o plan estimation ~stopped in
+  let answers = Estimation.answers estimation in
+  let exit = exit_code answers ending in
+  let report =
+    {
+      Estimate_report.origin = model.origin;
+      aim;
+      seed = o.seed;
+      answers;
+      left_out;
+      interrupted = (match ending with Whole -> false | Interrupted | Lost _ -> true);
+    }
+  in
+  Console.answer console
+    ~json:(fun () -> Estimate_report.json report ~exit)
+    ~text:(fun () -> text console report);
+  (match ending with
+   | Whole -> ()
+   | Interrupted -> Console.note console "scc: stopped; what is said rests on the runs that were made"
+   | Lost why -> Console.note console ("scc: " ^ why ^ "; what is said rests on the runs that were made"));
+  Ok exit
+
+let run color json o =
+  let console = Console.make ~color ~json () in
+  let watch = Watch.start ?seconds:o.seconds () in
+  Guard.run console (fun () -> estimate console o watch)
+
+(* {1 The command line} *)
+
+let checks =
+  let doc = "Estimates the check $(docv) alone. May be given several times." in
+  Arg.(value & opt_all string [] & info [ "check" ] ~docv:"NAME" ~doc)
+
+let properties =
+  let doc =
+    "Estimates $(docv), which the model has not: $(b,P = ? [ eventually f ]). May be given several times."
+  in
+  Arg.(value & opt_all string [] & info [ "property" ] ~docv:"PROPERTY" ~doc)
+
+let count = Options.integer ~least:1 "number of runs"
+
+let runs =
+  let doc = "Makes $(docv) runs, and looks once: the intervals are narrower than after as many by $(b,--width)." in
+  Arg.(value & opt (some count) None & info [ "runs" ] ~docv:"N" ~doc)
+
+let most =
+  let doc = "Makes at most $(docv) runs." in
+  Arg.(value & opt count 10_000 & info [ "most" ] ~docv:"N" ~doc)
+
+let confidence =
+  let doc =
+    "An interval misses the number, or an answer is wrong, with a probability of at most 1 less $(docv), for each \
+     property."
+  in
+  Arg.(
+    value
+    & opt (Options.positive "confidence") (Rat.make (Z.of_int 99) (Z.of_int 100))
+    & info [ "confidence" ] ~docv:"C" ~doc)
+
+let width =
+  let doc =
+    "Makes runs until the interval of a probability is not wider than $(docv), and that of a mean not wider than \
+     this share of it; of a comparison, until it is decided."
+  in
+  Arg.(
+    value
+    & opt (Options.positive "width") (Rat.make Z.one (Z.of_int 20))
+    & info [ "width" ] ~docv:"W" ~doc)
+
+let free =
+  let doc =
+    "What becomes of a run where several things are possible and none of them is drawn. $(b,apart): it is left \
+     there; what is not known by then counts for no at the lower end of the interval, and for yes at the \
+     upper end, so that the least and the greatest probability are in it. $(b,evenly): each is taken as often; \
+     what comes of it is a probability of that alone."
+  in
+  Arg.(
+    value
+    & opt (enum [ ("apart", Sample.Apart); ("evenly", Sample.Evenly) ]) Sample.Apart
+    & info [ "free" ] ~docv:"HOW" ~doc)
+
+let steps =
+  let doc = "Leaves a run after $(docv) transitions." in
+  Arg.(value & opt Options.transitions 10_000 & info [ "steps" ] ~docv:"N" ~doc)
+
+let until =
+  let doc = "Leaves a run at the model time $(docv), if not all is decided by then." in
+  Arg.(value & opt (some (Options.positive "model time")) None & info [ "until" ] ~docv:"TIME" ~doc)
+
+let options =
+  let make path given checks properties runs most confidence width free steps until seconds seed jobs =
+    if Rat.compare confidence Rat.one >= 0 then Error "a confidence is below 1"
+    else if Rat.compare width (Rat.make Z.one (Z.of_int 10_000)) < 0 then Error "a width is at least 1/10000"
+    else
+      Ok
+        {
+          path; given; checks; properties; runs; most; confidence; width; free; steps; until; seconds; seed; jobs;
+        }
+  in
+  Term.(
+    term_result' ~usage:true
+      (const make $ Options.model_file $ Options.overrides $ checks $ properties $ runs $ most $ confidence $ width
+       $ free $ steps $ until $ Run_options.seconds $ Run_options.seed $ Run_options.jobs))
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Makes runs of a model, and tells from them how likely the properties of its checks are, and what is to be \
+       expected: $(b,P) and $(b,E), where what is in the brackets is about states. Each run is judged exactly; \
+       that there are only so many of them is all that is not exact. An answer says $(b,estimated), and is no \
+       proof; $(b,scc check) proves, where it gets to the end.";
+    `P
+      "Intervals of probabilities are those of Clopper and Pearson, with proved bounds, and hold for any number \
+       of runs. Without $(b,--runs) they are looked at again and again, with a share of what the confidence \
+       leaves for each look, so that it holds for all of them together. Intervals of means rest on the normal \
+       approximation.";
+    `P
+      "The same options give the same answers, however many processes work at it, but for $(b,--seconds) and \
+       interruptions, after which there is an answer from the runs that were made.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc estimate brownian.sc --jobs 4";
+    `Pre "  scc estimate brownian.sc --property 'P = ? [ eventually bound(ligand, pocket) within 30 ]' \\\\\n\
+         \      --width 1/100 --confidence 0.999";
+  ]
+
+let command =
+  let told =
+    [
+      (Exit_code.Holds, "if every comparison is estimated to hold, and every number is estimated. No proof.");
+      (Exit_code.Violated, "if some comparison is estimated to be violated.");
+      (Exit_code.Undecided, "if some property is undecided, or some number not as narrow as was asked for.");
+      (Exit_code.Stopped, "if it was stopped: what is said rests on the runs that were made.");
+    ]
+  in
+  let exits = Exits.man ~told () in
+  let info = Cmd.info "estimate" ~doc:"tell probabilities and means from many runs" ~man ~exits in
+  Cmd.v info Term.(const run $ Options.color $ Options.json $ options)

@@ -1,0 +1,3 @@
+(** [scc estimate]: probabilities and means by samples. *)
+
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

@@ -1,0 +1,102 @@
+open Scc_exact
+open Scc_session
+open Scc_exchange
+open Estimation
+
+type t = {
+  origin : Origin.t;
+  aim : aim;
+  seed : int64;
+  answers : answer list;
+  left_out : (string * string) list;
+  interrupted : bool;
+}
+
+let word = function
+  | Estimated -> "estimated"
+  | Holds -> "estimated to hold"
+  | Violated -> "estimated to be violated"
+  | Undecided -> "undecided"
+
+(* {1 For people} *)
+
+let places = 6
+let scale = Rat.make (Z.pow (Z.of_int 10) places) Z.one
+let decimal = Scc_drawing.Decimal.fixed ~places
+let down r = decimal (Rat.div (Rat.make (Rat.floor (Rat.mul r scale)) Z.one) scale)
+let up r = decimal (Rat.neg (Rat.div (Rat.make (Rat.floor (Rat.mul (Rat.neg r) scale)) Z.one) scale))
+
+(* The share of the runs that do, where it is known of each. *)
+let share (t : Tally.t) =
+  if Tally.open_ended t > 0 then "" else decimal (Rat.make (Z.of_int t.yes) (Z.of_int t.runs)) ^ ", "
+
+let line (a : answer) ~confidence =
+  let sure = "with confidence " ^ Rat.to_string confidence in
+  let runs = Printf.sprintf "%d runs" a.tally.runs in
+  match a.value with
+  | Probability (low, high) ->
+    Printf.sprintf "%sfrom %s to %s %s, %s" (share a.tally) (down low) (up high) sure runs
+  | Mean { mean; low; high } ->
+    Printf.sprintf "%s, from %s to %s %s by the normal approximation, %s" (decimal mean) (down low) (up high) sure
+      runs
+  | Infinite -> Printf.sprintf "infinite: %d of %s never come to it" a.tally.never runs
+  | Unknown -> "not known, " ^ runs
+
+(* {1 For programs} *)
+
+let value : value -> Json.t = function
+  | Unknown -> `Null
+  | Infinite -> `Assoc [ ("kind", `String "infinite") ]
+  | Probability (low, high) ->
+    `Assoc [ ("kind", `String "probability"); ("low", Json.rat low); ("high", Json.rat high) ]
+  | Mean { mean; low; high } ->
+    `Assoc
+      [ ("kind", `String "mean"); ("mean", Json.rat mean); ("low", Json.rat low); ("high", Json.rat high) ]
+
+let verdict = function
+  | Estimated -> "estimated"
+  | Holds -> "estimated_holds"
+  | Violated -> "estimated_violated"
+  | Undecided -> "undecided"
+
+let answer (a : answer) : Json.t =
+  let t = a.tally in
+  `Assoc
+    [
+      ("name", `String a.path.check.name);
+      ("text", Json.text a.path.check.text);
+      ("verdict", `String (verdict a.verdict));
+      ("value", value a.value);
+      ("runs", `Int t.runs);
+      ("yes", `Int t.yes);
+      ("no", `Int t.no);
+      ("numbers", `Int (Tally.numbers t));
+      ("never", `Int t.never);
+      ("free", `Int t.free);
+      ("too_long", `Int t.too_long);
+      ("no_value", `Int t.no_value);
+      ("chosen_evenly", `Bool a.chosen);
+      ("reasons", `List (List.map Json.text a.reasons));
+    ]
+
+let json t ~exit : Json.t =
+  let left (name, why) : Json.t = `Assoc [ ("name", `String name); ("reason", Json.text why) ] in
+  let sequential = match t.aim.size with Exactly _ -> false | At_most _ -> true in
+  `Assoc
+    ([
+      ("format", `String "scc-estimate");
+      ("version", `Int 1);
+      ("semantics", `String Scc_calculus.Parameters.version);
+    ]
+      @ Origin_json.members t.origin
+      @ [
+        ("seed", `String (Int64.to_string t.seed));
+        ("confidence", Json.rat t.aim.confidence);
+        ("width", Json.rat t.aim.width);
+        ("sequential", `Bool sequential);
+        ("free", `String (match t.aim.free with Apart -> "apart" | Evenly -> "evenly"));
+        ("interrupted", `Bool t.interrupted);
+        ("exit", `Int (Exit_code.to_int exit));
+        ("properties", `List (List.map answer t.answers));
+        ("left_out", `List (List.map left t.left_out));
+      ])

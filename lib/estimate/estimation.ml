@@ -1,0 +1,174 @@
+open Scc_exact
+open Scc_property
+open Scc_chance
+
+type size = Exactly of int | At_most of int
+type aim = { confidence : Rat.t; width : Rat.t; size : size; free : Sample.free }
+
+type value =
+  | Probability of Rat.t * Rat.t
+  | Mean of { mean : Rat.t; low : Rat.t; high : Rat.t }
+  | Infinite
+  | Unknown
+
+type verdict = Estimated | Holds | Violated | Undecided
+
+type answer = {
+  path : Path.t;
+  verdict : verdict;
+  value : value;
+  tally : Tally.t;
+  chosen : bool;
+  reasons : string list;
+}
+
+type question = {
+  asked : Path.t;
+  mutable tally : Tally.t;
+  mutable answer : answer option;  (** when it is settled *)
+}
+
+type t = { aim : aim; questions : question list; mutable looks : int; mutable runs : int; mutable chosen : bool }
+
+let first_size = 128
+
+let start aim paths =
+  let question path = { asked = path; tally = Tally.empty; answer = None } in
+  { aim; questions = List.map question paths; looks = 0; runs = 0; chosen = false }
+
+let settled t = List.for_all (fun q -> Option.is_some q.answer) t.questions
+
+let next t =
+  if settled t then None
+  else
+    match t.aim.size with
+    | Exactly n -> Some n
+    | At_most n -> Some (Int.min n (if t.runs = 0 then first_size else t.runs + (t.runs / 2)))
+
+let add t (outcomes, chosen) =
+  t.runs <- t.runs + 1;
+  if chosen then t.chosen <- true;
+  List.iter2 (fun q o -> if Option.is_none q.answer then q.tally <- Tally.add q.tally o) t.questions outcomes
+
+(* {1 One look} *)
+
+let miss t =
+  let all = Rat.sub Rat.one t.aim.confidence in
+  match t.aim.size with
+  | Exactly _ -> all
+  | At_most _ -> Rat.div all (Rat.of_int (t.looks * (t.looks + 1)))
+
+let test (path : Path.t) : (Property.side * Answer.bound) option =
+  match (path.check.asked, path.check.formula) with
+  | Expected ([ side ], _, Some test), _ -> Some (side, test)
+  | Whether, (Finally (Chance c, _, _) | Globally (Chance c, _, _) | Until (Chance c, _, _, _)) ->
+    Some (c.side, c.test)
+  | _, _ -> None
+
+let value q miss =
+  match q.asked.question with
+  | Does ->
+    let low, high = Tally.likelihood q.tally ~miss in
+    Probability (low, high)
+  | Amounts _ -> (
+      if q.tally.never > 0 then Infinite
+      else
+        match Tally.mean q.tally ~z:(Normal.two_sided (Rat.sub Rat.one miss)) with
+        | Some (mean, low, high) -> Mean { mean; low; high }
+        | None -> Unknown)
+
+(* What is known of what the test is about. Where choices have been taken evenly the least is not more than what
+   was found, and the greatest not less. *)
+let known t q (side : Property.side) value : Answer.t option =
+  let no_open = Tally.open_ended q.tally = 0 in
+  let within ~least ~greatest low high : Answer.t option =
+    match (t.chosen, side) with
+    | false, _ -> Some (Within (low, high))
+    | true, Least -> Option.map (fun least -> Answer.Within (least, high)) least
+    | true, Greatest -> (
+        match greatest with
+        | Some greatest -> Some (Within (low, greatest))
+        | None -> Some (At_least low))
+  in
+  match value with
+  | Probability (low, high) -> within ~least:(Some Rat.zero) ~greatest:(Some Rat.one) low high
+  | Mean { low; high; _ } when no_open -> within ~least:None ~greatest:None low high
+  | Infinite when (not t.chosen) || side = Greatest -> Some Infinite
+  | Mean _ | Infinite | Unknown -> None
+
+let is_narrow t q value =
+  match value with
+  | Probability (low, high) -> Rat.compare (Rat.sub high low) t.aim.width <= 0
+  | Mean { mean; low; high } ->
+    Tally.open_ended q.tally = 0
+    && Rat.compare (Rat.sub high low) (Rat.mul t.aim.width (Rat.abs mean)) <= 0
+  | Infinite -> true
+  | Unknown -> false
+
+(* What stays open, however many runs there are, is already too much. *)
+let is_hopeless t q ~miss value =
+  let n = q.tally.runs and k = Tally.open_ended q.tally in
+  k > 0
+  &&
+  match value with
+  | Probability _ ->
+    Rat.compare (Clopper_pearson.lower ~n ~k ~miss:(Rat.div miss (Rat.of_int 2))) t.aim.width > 0
+  | Mean _ | Infinite | Unknown -> true
+
+let of_runs (tally : Tally.t) k = Printf.sprintf "%d of %d runs" k tally.runs
+
+let open_reasons (tally : Tally.t) =
+  List.concat
+    [
+      (if tally.free = 0 then []
+       else
+         [ of_runs tally tally.free
+           ^ " depend on choices that nothing draws: `--free evenly` takes each of them as often, \
+              and `scc check` tells the least and the greatest" ]);
+      (if tally.too_long = 0 then []
+       else [ of_runs tally tally.too_long ^ " were left before it was known: --steps, --until" ]);
+      (match tally.why with
+       | None -> []
+       | Some why -> [ Printf.sprintf "%s do not tell: %s" (of_runs tally tally.no_value) why ]);
+    ]
+
+let asked_for t value =
+  match (value, t.aim.size) with
+  | Unknown, _ -> "there are too few numbers"
+  | _, Exactly _ -> "more runs would tell more"
+  | _, At_most n when t.runs >= n -> Printf.sprintf "more than %d runs are needed: --most" n
+  | _, At_most _ -> "more runs would tell more"
+
+let answer t q value verdict ~reasons =
+  { path = q.asked; verdict; value; tally = q.tally; chosen = t.chosen; reasons }
+
+let look t q ~miss ~last =
+  let value = value q miss in
+  let narrow = is_narrow t q value and hopeless = is_hopeless t q ~miss value in
+  let wide () = if narrow then [] else open_reasons q.tally @ if hopeless then [] else [ asked_for t value ] in
+  let settle verdict ~reasons = q.answer <- Some (answer t q value verdict ~reasons) in
+  match test q.asked with
+  | None ->
+    let fixed = match t.aim.size with Exactly _ -> true | At_most _ -> false in
+    let unknown = value = Unknown || (hopeless && match q.asked.question with Amounts _ -> true | Does -> false) in
+    if narrow || hopeless || last then
+      if unknown then settle Undecided ~reasons:(wide ())
+      else settle Estimated ~reasons:(if fixed && not hopeless then open_reasons q.tally else wide ())
+  | Some (side, test) -> (
+      match Option.bind (known t q side value) (fun known -> Answer.holds known test) with
+      | Some holds -> settle (if holds then Holds else Violated) ~reasons:[]
+      | None ->
+        let even =
+          if t.chosen then [ "choices that nothing draws were taken evenly, which the bound is not about" ] else []
+        in
+        if narrow then settle Undecided ~reasons:(even @ [ "the bound is within the interval" ])
+        else if hopeless || last then settle Undecided ~reasons:(even @ wide ()))
+
+let judge t ~last =
+  t.looks <- t.looks + 1;
+  let full = match next t with Some n -> t.runs >= n | None -> true in
+  let at_end = last || match t.aim.size with Exactly _ -> true | At_most n -> full && t.runs >= n in
+  let miss = miss t in
+  List.iter (fun q -> if Option.is_none q.answer then look t q ~miss ~last:at_end) t.questions
+
+let answers t = List.filter_map (fun q -> q.answer) t.questions

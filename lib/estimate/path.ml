@@ -1,0 +1,42 @@
+open Scc_exact
+open Scc_property
+
+type question = Does | Amounts of Property.mean
+
+type t = {
+  check : Property.check;
+  question : question;
+  formula : Property.temporal;
+  horizon : Rat.t option;
+}
+
+let rec about_states : Property.temporal -> bool = function
+  | State _ -> true
+  | Temporal_not f -> about_states f
+  | Temporal_and fs | Temporal_or fs -> List.for_all about_states fs
+  | Next _ | Finally _ | Globally _ | Until _ -> false
+
+(* On the one run that there is, all runs do what it does. *)
+let of_run : Property.temporal -> (Property.temporal * Rat.t option) option = function
+  | Finally (_, b, f) when about_states f -> Some (Finally (All, b, f), b.high)
+  | Globally (_, b, f) when about_states f -> Some (Globally (All, b, f), b.high)
+  | Until (_, b, f, g) when about_states f && about_states g -> Some (Until (All, b, f, g), b.high)
+  | State _ | Temporal_not _ | Temporal_and _ | Temporal_or _ | Next _ | Finally _ | Globally _ | Until _ -> None
+
+let is_likelihood : Property.temporal -> bool = function
+  | Finally (Chance _, _, _) | Globally (Chance _, _, _) | Until (Chance _, _, _, _) -> true
+  | _ -> false
+
+let nested = "what is in its brackets is about other runs: single ones do not tell"
+
+let of_check (check : Property.check) =
+  let made question =
+    match of_run check.formula with
+    | Some (formula, horizon) -> Ok { check; question; formula; horizon }
+    | None -> Error nested
+  in
+  match check.asked with
+  | How_likely _ -> made Does
+  | Whether when is_likelihood check.formula -> made Does
+  | Whether -> Error "no probability or mean is asked for: `scc check` decides it"
+  | Expected (_, mean, _) -> made (Amounts mean)

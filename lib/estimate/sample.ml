@@ -1,0 +1,84 @@
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_exchange
+open Scc_simulate
+
+type free = Apart | Evenly
+
+type plan = {
+  semantics : Semantics.t;
+  declared : State.t;
+  paths : Path.t list;
+  free : free;
+  steps : int;
+  until : Rat.t option;
+}
+
+type outcome = Truth of bool | Number of Rat.t | Never | Free | Too_long | No_value of string
+
+(* What was asked is looked for after so many states, half as many again, and so on. *)
+let first_look = 8
+let next_look n = n + (n / 2)
+
+(* Nothing that is asked depends on what comes a unit of time after all horizons. *)
+let horizon plan =
+  let later h (p : Path.t) =
+    match (h, p.horizon) with Some a, Some b -> Some (Rat.max a b) | _, _ -> None
+  in
+  match plan.paths with
+  | [] -> None
+  | p :: rest -> Option.map (Rat.add Rat.one) (List.fold_left later p.horizon rest)
+
+let until plan =
+  match (horizon plan, plan.until) with
+  | Some a, Some b -> Some (Rat.min a b)
+  | (Some _ as t), None | None, t -> t
+
+let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && match s.label with Draw _ -> false | _ -> true
+
+let run plan ~seed number =
+  let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in
+  let next = ref first_look and found = ref [] and over = ref false and chosen = ref false in
+  let look () =
+    found := Chain.answers questions chain;
+    if List.for_all (fun (a : Chain.answer) -> a <> Open) !found then over := true
+  in
+  let stopped_by_choice = ref false in
+  let note : Replay.event -> unit = function
+    | Start state -> Chain.start chain state
+    | Step { taken; among; state; _ } when not !over ->
+      let free = is_free taken ~among in
+      if free && plan.free = Evenly then chosen := true;
+      if free && plan.free = Apart then begin
+        look ();
+        stopped_by_choice := not !over;
+        over := true
+      end
+      else begin
+        Chain.step chain taken.label (state ());
+        if Chain.length chain >= !next then begin
+          next := next_look !next;
+          look ()
+        end
+      end
+    | Step _ -> ()
+    | Instant { offset; state; _ } -> if Rat.sign offset > 0 then Chain.step chain (Time offset) state
+    | End { ending = Quiescent; _ } -> Chain.for_ever chain
+    | End { ending = Stuck _; _ } -> Chain.dead_end chain
+    | End { ending = Open | Zeno; _ } -> ()
+  in
+  let limits = { Replay.steps = Some plan.steps; time = until plan; instant = Replay.default_instant } in
+  let policy = Replay.Random (Simulation.seed_of seed number) and interrupted () = !over in
+  (match Replay.run plan.semantics plan.declared policy limits ~interrupted note with
+   | Ok _ | Error (Fault _) -> if not !over then look ()
+   | Error (Interrupted | Refused _) -> ());
+  let outcome : Chain.answer -> outcome = function
+    | Truth b -> Truth b
+    | Number r -> Number r
+    | Never -> Never
+    | No_value why -> No_value why
+    | Open when Chain.is_over chain -> No_value "something that it asks for has no value there"
+    | Open -> if !stopped_by_choice then Free else Too_long
+  in
+  (List.map outcome !found, !chosen)

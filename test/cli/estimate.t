@@ -1,0 +1,132 @@
+Probabilities and means from many runs.
+
+  $ M=../../specs/models
+  $ scc estimate $M/ruin.sc --check how_often --check by_four --runs 500
+  how_often: estimated: 0.8, from 0.750133 to 0.844019 with confidence 99/100, 500 runs
+  
+  by_four: estimated: 0.614, from 0.55603 to 0.669758 with confidence 99/100, 500 runs
+  $ scc estimate $M/ruin.sc --check drift --check how_long --runs 500 --seed 7
+  drift: estimated: -0.254, from -0.378921 to -0.129079 with confidence 99/100 by the normal approximation, 500 runs
+  
+  how_long: estimated: 5.372, from 4.905603 to 5.838397 with confidence 99/100 by the normal approximation, 500 runs
+
+The same, however many processes work at it; the exact numbers are 171/211 and 373/625, about 0.810427 and 0.5968.
+
+  $ scc estimate $M/ruin.sc --check how_often --check by_four --json > one.json
+  $ for j in 2 5; do scc estimate $M/ruin.sc --check how_often --check by_four --json --jobs $j | cmp - one.json; done
+  $ scc estimate $M/ruin.sc --check how_often --check by_four
+  how_often: estimated: 0.80813, from 0.785406 to 0.829526 with confidence 99/100, 4920 runs
+  
+  by_four: estimated: 0.594851, from 0.572041 to 0.617383 with confidence 99/100, 7380 runs
+
+Comparisons end as soon as they are decided.
+
+  $ scc estimate $M/ruin.sc --property 'P >= 1/2 [ eventually event absorb(walker, ruin) ]' --property 'P < 1/2 [ eventually event absorb(walker, ruin) ]' --property 'E <= 20 [ time U gone(walker) ]'
+  property1: estimated to hold: 0.75, from 0.629163 to 0.848442 with confidence 99/100, 128 runs
+  
+  property2: estimated to be violated: 0.75, from 0.629163 to 0.848442 with confidence 99/100, 128 runs
+  
+  property3: estimated to hold: 5.4375, from 4.31721 to 6.55779 with confidence 99/100 by the normal approximation, 128 runs
+  [1]
+  $ scc estimate $M/ruin.sc --check surely --most 200
+  surely: undecided: 1, from 0.95427 to 1 with confidence 99/100, 128 runs
+    the bound is within the interval
+  [2]
+
+What nobody draws is left open, or taken evenly, and then it is said.
+
+  $ ask() { scc estimate $M/dimer.sc --property 'P = ? [ eventually bonds() = 0 ]' --property 'P >= 1/10 [ always bonds() > 0 ]' --property 'E = ? [ bonds() at 3 ]' "$@"; }
+  $ ask
+  property1: estimated: from 0 to 1 with confidence 99/100, 128 runs
+    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+  
+  property2: undecided: from 0 to 1 with confidence 99/100, 128 runs
+    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+  
+  property3: undecided: not known, 128 runs
+    128 of 128 runs depend on choices that nothing draws: `--free evenly` takes each of them as often, and `scc check` tells the least and the greatest
+  [2]
+  $ ask --free evenly --runs 200
+  property1: estimated: 1, from 0.973856 to 1 with confidence 99/100, 200 runs
+    choices that nothing draws were taken evenly
+  
+  property2: estimated to be violated: 0, from 0 to 0.026144 with confidence 99/100, 200 runs
+    choices that nothing draws were taken evenly
+  
+  property3: estimated: 0.105, from 0.04902 to 0.16098 with confidence 99/100 by the normal approximation, 200 runs
+    choices that nothing draws were taken evenly
+  [1]
+
+Runs that do not end.
+
+  $ scc estimate $M/brownian.sc --property 'P = ? [ eventually bound(ligand, pocket) ]' --runs 40 --steps 50
+  property1: estimated: from 0.002616 to 1 with confidence 99/100, 40 runs
+    38 of 40 runs were left before it was known: --steps, --until
+  [2]
+  $ scc estimate $M/brownian.sc --property 'P = ? [ eventually bound(ligand, pocket) ]' --runs 40 --until 5
+  property1: estimated: from 0 to 1 with confidence 99/100, 40 runs
+    40 of 40 runs were left before it was known: --steps, --until
+  [2]
+  $ scc estimate $M/ruin.sc --property 'E = ? [ x(walker) at 99 ]' --property 'E = ? [ time U x(walker) >= 2 ]' --runs 40
+  property1: undecided: not known, 40 runs
+    40 of 40 runs do not tell: `walker` is gone, and nowhere: ask for `gone(walker)` first
+  
+  property2: undecided: not known, 40 runs
+    26 of 40 runs do not tell: something that it asks for has no value there
+  [2]
+
+It is stopped with what it has.
+
+  $ timeout -s INT 2 scc estimate $M/brownian.sc --check by_ten --width 1/10000 --most 100000000 > stopped.txt; echo $?
+  scc: stopped; what is said rests on the runs that were made
+  124
+  $ head -c 18 stopped.txt
+  by_ten: estimated:
+  $ scc estimate $M/brownian.sc --check by_ten --width 1/10000 --most 100000000 --seconds 1 > stopped.txt
+  scc: stopped; what is said rests on the runs that were made
+  [4]
+  $ head -c 18 stopped.txt
+  by_ten: estimated:
+
+What cannot be asked.
+
+  $ scc estimate $M/dimer.sc
+  ../../specs/models/dimer.sc:1:1: error[SC0205]: no check of the model asks for a probability or a mean
+     |
+   1 | // Two dimers born bound. For two time units nothing can happen; then the
+     | ^
+    hint: `--property 'P = ? [ eventually f ]'` asks
+  [3]
+  $ scc estimate $M/ruin.sc --check ruined
+  ../../specs/models/ruin.sc:18:7: error[SC0205]: `ruined` cannot be estimated: no probability or mean is asked for: `scc check` decides it
+      |
+   18 | check ruined    : possibly event absorb(walker, ruin)                          // expect: holds
+      |       ^^^^^^
+  [3]
+  $ scc estimate $M/ruin.sc --check howoften
+  command line: error[SC0201]: the model has no check `howoften`
+    hint: did you mean `how_often`?
+  [64]
+  $ scc estimate $M/ruin.sc --property 'x(walker)'
+  <property 1>:1:1: error[SC0205]: this is about states, and asks for no probability and no mean
+     |
+   1 | x(walker)
+     | ^^^^^^^^^
+    hint: as in `P = ? [ eventually f ]`, `E = ? [ x(p) at 10 ]`
+  [3]
+  $ scc estimate $M/ruin.sc --property 'P = ? [ eventually AG gone(walker) ]'
+  <property 1>:1:1: error[SC0205]: `property1` cannot be estimated: what is in its brackets is about other runs: single ones do not tell
+     |
+   1 | P = ? [ eventually AG gone(walker) ]
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  [3]
+  $ scc estimate $M/ruin.sc --confidence 1 2>&1 | head -1
+  scc: a confidence is below 1
+  $ scc estimate $M/ruin.sc --width 0 2>&1 | head -1
+  scc: option '--width': `0' is not positive, and no width
+  $ scc estimate $M/ruin.sc --seed 1/2 2>&1 | head -1
+  scc: option '--seed': `1/2' is no integer of 64 bits
+  $ scc estimate $M/meeting.sc
+  error[SC0903]: this needs the values of all parameters, and of `y`, `z` a range is known
+    hint: `scc check` answers for all values; `-D y=VALUE` gives one; `scc trace --start simple` chooses them
+  [3]

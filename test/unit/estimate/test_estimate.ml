@@ -1,0 +1,257 @@
+(* Intervals against the distributions that they are about; that they cover what they should as often as they
+   say; and single runs against the rules for all runs. *)
+
+open Scc_exact
+
+open Scc_semantics
+open Scc_exchange
+open Scc_estimate
+open Scc_test_support
+open Scc_test_models
+
+let fraction n d = Rat.make (Z.of_int n) (Z.of_int d)
+let rec power r n = if n = 0 then Rat.one else Rat.mul r (power r (n - 1))
+
+(* P(X = k), P(X >= k) of n trials. *)
+let exactly n k p =
+  Rat.mul (Rat.make (Z.bin (Z.of_int n) k) Z.one) (Rat.mul (power p k) (power (Rat.sub Rat.one p) (n - k)))
+
+let at_least n k p = List.fold_left Rat.add Rat.zero (List.init (n - k + 1) (fun i -> exactly n (k + i) p))
+
+(* {1 Clopper and Pearson} *)
+
+let small = QCheck2.Gen.(bind (int_range 1 40) (fun n -> triple (return n) (int_bound n) (int_range 1 499)))
+let print (n, k, m) = Printf.sprintf "%d of %d, miss %d/1000" k n m
+
+(* By the whole distribution: the tail is small enough at the end, and not two units above it (one unit above it
+   may be just as much, which no rounding proves). *)
+let ends =
+  QCheck2.Test.make ~name:"the ends are where the tails are as they should be" ~count:400 ~print small
+    (fun (n, k, m) ->
+       let miss = fraction m 1000 in
+       let low = Clopper_pearson.lower ~n ~k ~miss and high = Clopper_pearson.upper ~n ~k ~miss in
+       let enough p = Rat.compare (at_least n k p) miss <= 0 in
+       (k = 0 && Rat.sign low = 0)
+       || (enough low && not (enough (Rat.add low (Rat.mul (Rat.of_int 2) Clopper_pearson.unit))))
+          && Rat.equal high (Rat.sub Rat.one (Clopper_pearson.lower ~n ~k:(n - k) ~miss)))
+
+let tails =
+  QCheck2.Test.make ~name:"tails are never said to be less than they are" ~count:400
+    ~print:(fun (s, p) -> print s ^ Printf.sprintf ", p = %d/97" p)
+    QCheck2.Gen.(pair small (int_bound 97))
+    (fun ((n, k, m), p) ->
+       let miss = fraction m 1000 and p = fraction p 97 in
+       (not (Tail.at_most (Tail.coefficient ~n ~k) ~chance:p miss)) || Rat.compare (at_least n k p) miss <= 0)
+
+(* For every probability, all results that miss it together are not likelier than they may be. *)
+let covers =
+  QCheck2.Test.make ~name:"coverage, by the whole distribution" ~count:60
+    ~print:(fun (n, p) -> Printf.sprintf "n = %d, p = %d/211" n p)
+    QCheck2.Gen.(pair (int_range 1 40) (int_bound 211))
+    (fun (n, p) ->
+       let p = fraction p 211 and half = fraction 1 40 in
+       let missed k =
+         Rat.compare p (Clopper_pearson.lower ~n ~k ~miss:half) < 0
+         || Rat.compare p (Clopper_pearson.upper ~n ~k ~miss:half) > 0
+       in
+       let add sum k = if missed k then Rat.add sum (exactly n k p) else sum in
+       Rat.compare (List.fold_left add Rat.zero (List.init (n + 1) Fun.id)) (fraction 1 20) <= 0)
+
+let known () =
+  let check n k (low, high) =
+    let miss = fraction 1 40 in
+    let text r = Scc_drawing.Decimal.fixed ~places:3 r in
+    Alcotest.(check (pair string string))
+      (Printf.sprintf "%d of %d" k n) (low, high)
+      (text (Clopper_pearson.lower ~n ~k ~miss), text (Clopper_pearson.upper ~n ~k ~miss))
+  in
+  (* the intervals of 95 % in tables *)
+  check 10 3 ("0.067", "0.652");
+  check 100 0 ("0", "0.036");
+  check 100 100 ("0.964", "1");
+  check 1000 500 ("0.469", "0.531")
+
+let normal () =
+  let check (n, d) z = Alcotest.(check string) "z" z (Rat.to_string (Normal.two_sided (fraction n d))) in
+  check (9, 10) "329/200";
+  check (95, 100) "49/25";
+  check (99, 100) "322/125";
+  check (999, 1000) "3291/1000"
+
+(* {1 Coverage by counting} *)
+
+(* Of [count] estimates of a coin at most so many may miss: what is expected and four deviations. *)
+let few_missed what ~count ~miss missed =
+  let expected = Rat.mul miss (Rat.of_int count) in
+  let above = Rat.sub (Rat.of_int missed) expected in
+  let variance = Rat.mul expected (Rat.sub Rat.one miss) in
+  if Rat.sign above > 0 && Rat.compare (Rat.mul above above) (Rat.mul (Rat.of_int 16) variance) > 0 then
+    Alcotest.failf "%s: %d of %d intervals miss" what missed count
+
+let coin (p : Rat.t) g =
+  let i, g = Splitmix64.by_chance [ p; Rat.sub Rat.one p ] g in
+  (i = 0, g)
+
+let path text =
+  let model = "model m\nimport <solids>\nprocess a = solids.Cube(1) mass 1 [nil]\ncheck c : " ^ text ^ "\n" in
+  let e = Load.exactly (Load.text model) in
+  Result.get_ok (Path.of_check (List.hd e.checks))
+
+(* One estimate of coins that are thrown: the answer. *)
+let estimate aim path p g =
+  let t = Estimation.start aim [ path ] in
+  let rec throw n g =
+    if n = 0 then g
+    else
+      let side, g = coin p g in
+      Estimation.add t ([ Sample.Truth side ], false);
+      throw (n - 1) g
+  in
+  let rec go made g =
+    match Estimation.next t with
+    | None -> (List.hd (Estimation.answers t), g)
+    | Some n ->
+      let g = throw (n - made) g in
+      Estimation.judge t ~last:false;
+      go n g
+  in
+  go 0 g
+
+let missed p (a : Estimation.answer) =
+  match a.value with
+  | Probability (low, high) -> Rat.compare p low < 0 || Rat.compare p high > 0
+  | Mean _ | Infinite | Unknown -> Alcotest.fail "no probability"
+
+let counted what ~count size p () =
+  let miss = fraction 1 20 in
+  let aim = { Estimation.confidence = Rat.sub Rat.one miss; width = fraction 1 5; size; free = Sample.Apart } in
+  let path = path "P = ? [ eventually x(a) >= 1 ]" in
+  let rec go i g wrong =
+    if i = count then wrong
+    else
+      let a, g = estimate aim path p g in
+      go (i + 1) g (if missed p a then wrong + 1 else wrong)
+  in
+  let wrong = go 0 (Splitmix64.of_seed 17L) 0 in
+  few_missed what ~count ~miss wrong
+
+(* Comparisons: how often the answer is wrong. *)
+let decided () =
+  let miss = fraction 1 20 and count = 400 in
+  let confidence = Rat.sub Rat.one miss in
+  let aim = { Estimation.confidence; width = fraction 1 20; size = At_most 2000; free = Apart } in
+  List.iter
+    (fun (bound, p, right) ->
+       let path = path (Printf.sprintf "P >= %s [ eventually x(a) >= 1 ]" bound) in
+       let rec go i g wrong decided =
+         if i = count then (wrong, decided)
+         else
+           let a, g = estimate aim path p g in
+           let is_wrong = match a.verdict with Undecided -> false | v -> v <> right in
+           let more yes n = if yes then n + 1 else n in
+           go (i + 1) g (more is_wrong wrong) (more (a.verdict = right) decided)
+       in
+       let wrong, found = go 0 (Splitmix64.of_seed 5L) 0 0 in
+       few_missed bound ~count ~miss wrong;
+       Alcotest.(check bool) (bound ^ ": most are decided") true (2 * found > count))
+    [ ("1/2", fraction 3 5, Estimation.Holds); ("1/2", fraction 2 5, Violated); ("9/10", fraction 39 40, Holds) ]
+
+(* {1 Runs} *)
+
+let folder = "../../../specs/models/"
+
+let sampled ?(free = Sample.Apart) ?(steps = 10_000) text property ~runs =
+  let e = Load.exactly (Load.text (text ^ "\ncheck asked : " ^ property ^ "\n")) in
+  let check = List.find (fun (c : Scc_property.Property.check) -> c.name = "asked") e.checks in
+  let path = Result.get_ok (Path.of_check check) in
+  let semantics = Scc_engine.Standard.of_model e.model in
+  let plan = { Sample.semantics; declared = e.declared; paths = [ path ]; free; steps; until = None } in
+  let initial = Result.get_ok (Network.initial semantics e.declared) in
+  let checked =
+    match (Scc_verify.Check.run Scc_verify.Check.default semantics ~initial [ check ]).outcomes with
+    | [ { verdict = Measured { values; _ }; _ } ] -> List.map (fun (_, (m : Scc_ctl.Eval.measured)) -> m) values
+    | _ -> []
+  in
+  (List.init runs (Sample.run plan ~seed:3L), checked)
+
+let outcome : Sample.outcome -> string = function
+  | Truth b -> string_of_bool b
+  | Number r -> Rat.to_string r
+  | Never -> "never"
+  | Free -> "free"
+  | Too_long -> "too long"
+  | No_value why -> "no value: " ^ why
+
+let model name = Load.read (folder ^ name)
+
+let hand () =
+  let check ?free ?steps name text property expected =
+    let runs, _ = sampled ?free ?steps text property ~runs:1 in
+    let found = match runs with [ ([ o ], chosen) ] -> (outcome o, chosen) | _ -> ("", false) in
+    Alcotest.(check (pair string bool)) (name ^ ": " ^ property) expected found
+  in
+  let straight = "import <solids>\nprocess a = solids.Cube(1) mass 1 velocity (2, 0, 0) [nil]" in
+  check "straight" straight "P = ? [ eventually x(a) > 5 ]" ("true", false);
+  check "straight" straight "P = ? [ eventually x(a) > 5 within 5/2 ]" ("false", false);
+  check "straight" straight "P = ? [ eventually x(a) >= 5 within 5/2 ]" ("true", false);
+  check "straight" straight "P = ? [ always x(a) >= 0 ]" ("true", false);
+  check "straight" straight "P = ? [ x(a) < 3 U x(a) = 3 ]" ("true", false);
+  check "straight" straight "P = ? [ x(a) < 3 U x(a) > 3 ]" ("false", false);
+  check "straight" straight "E = ? [ time U x(a) >= 7/3 ]" ("7/6", false);
+  check "straight" straight "E = ? [ time U x(a) < 0 ]" ("never", false);
+  check "straight" straight "E = ? [ x(a) at 5/4 ]" ("5/2", false);
+  check "straight" straight "E = ? [ event bounce U x(a) > 9 ]" ("0", false);
+  (* weak splits are free *)
+  check "dimer" (model "dimer.sc") "P = ? [ eventually bonds() = 0 ]" ("free", false);
+  check "dimer" (model "dimer.sc") ~free:Evenly "P = ? [ eventually bonds() = 0 ]" ("true", true);
+  check "dimer" (model "dimer.sc") "P = ? [ always bonds() = 2 within 1 ]" ("true", false);
+  check "billiard" (model "billiard.sc") ~steps:3 "P = ? [ eventually bonds() = 1 ]" ("too long", false);
+  check "gone" (model "ruin.sc") "E = ? [ x(walker) at 1000 ]"
+    ("no value: `walker` is gone, and nowhere: ask for `gone(walker)` first", false)
+
+(* The mean of what single runs say is near what is true of all of them, within five deviations. *)
+let near file property () =
+  let count = 2_000 in
+  let runs, checked = sampled (model file) property ~runs:count in
+  let exact =
+    match checked with
+    | { least = Exact x; _ } :: _ -> x
+    | _ -> Alcotest.failf "%s: %s is not known" file property
+  in
+  let number : Sample.outcome list * bool -> Rat.t = function
+    | [ Truth true ], false -> Rat.one
+    | [ Truth false ], false -> Rat.zero
+    | [ Number r ], false -> r
+    | os, _ -> Alcotest.failf "%s: %s: %s" file property (String.concat " " (List.map outcome os))
+  in
+  let s = List.fold_left Scc_simulate.Statistics.add Scc_simulate.Statistics.empty (List.map number runs) in
+  let off = Rat.sub (Scc_simulate.Statistics.mean s) exact in
+  let variance = Option.get (Scc_simulate.Statistics.variance s) in
+  if Rat.compare (Rat.mul (Rat.of_int count) (Rat.mul off off)) (Rat.mul (Rat.of_int 25) variance) > 0 then
+    Alcotest.failf "%s: %s is %s on the average, and not %s" file property
+      (Rat.to_string (Scc_simulate.Statistics.mean s))
+      (Rat.to_string exact)
+
+let () =
+  let case name f = Alcotest.test_case name `Quick f in
+  let near file property = case (file ^ ": " ^ property) (near file property) in
+  Alcotest.run "estimate"
+    [
+      ("distributions", Property.cases [ ends; tails; covers ] @ [ case "tables" known; case "normal" normal ]);
+      ( "counted",
+        [
+          case "10 000 intervals of 60 throws" (counted "60" ~count:10_000 (Exactly 60) (fraction 171 211));
+          case "2 000 intervals in looks" (counted "looks" ~count:2_000 (At_most 1_000) (fraction 1 3));
+          case "comparisons" decided;
+        ] );
+      ("single runs", [ case "by hand" hand ]);
+      ( "beside the model checker",
+        [
+          near "ruin.sc" "P = ? [ eventually event absorb(walker, ruin) ]";
+          near "ruin.sc" "P = ? [ eventually gone(walker) within 4 ]";
+          near "ruin.sc" "P = ? [ not gone(walker) U[3, 6] gone(walker) ]";
+          near "ruin.sc" "E = ? [ time U gone(walker) ]";
+          near "ruin.sc" "E = ? [ x(walker) at 3/2 ]";
+          near "brownian.sc" "E = ? [ x(ligand) * y(ligand) at 6 ]";
+        ] );
+    ]
