@@ -272,6 +272,18 @@ def check_estimates(scc):
             count(ok, f"estimate {' '.join(words)}", "another exit code, or runs that are not counted")
 
 
+def check_sweeps(scc):
+    """Verdicts, numbers, infinite ones, bounds, and points at which a model is invalid."""
+    validate = validator("sweep")
+    for words, points in ((["chain.sc", "-D", "n=0..3"], 4), (["gas.sc", "-D", "n=1..3", "--states", "50"], 3),
+                          (["hexokinase.sc", "-D", "atp_arrives=1,2", "-D", "glucose_arrives=1:2:1/2"], 6)):
+        result = run(scc, "sweep", os.path.join("specs/models", words[0]), *words[1:], "--format", "jsonl")
+        found = text_of(result).splitlines()
+        errors = [e for line in found for e in validate.iter_errors(json.loads(line, parse_float=no_float))]
+        count(not errors and len(found) == points + 1, f"sweep {' '.join(words)}",
+              errors and errors[0].message[:300] or len(found))
+
+
 def check_zones(scc, model):
     """The zones of a model with ranges, or with splits at any time, complete and not."""
     for bound in ("--states=300", "--states=2", "--time=1"):
@@ -472,6 +484,7 @@ def main():
     check_comparisons(scc)
     check_oracle(scc)
     check_estimates(scc)
+    check_sweeps(scc)
     if len(sys.argv) > 2:
         with open(sys.argv[2], "w", encoding="utf-8") as file:
             file.write(f"{PASSED} passed, {FAILED} failed\n")

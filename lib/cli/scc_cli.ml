@@ -13,7 +13,7 @@ let man =
 let commands =
   [
     Check_command.command;
-    Trace_command.command; Simulate_command.command; Estimate_command.command;
+    Trace_command.command; Simulate_command.command; Estimate_command.command; Sweep_command.command;
     View_command.command;
     Serve_command.command;
     Export_command.command;

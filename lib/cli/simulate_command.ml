@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_exact
 open Scc_session
 open Scc_simulate
@@ -25,35 +24,6 @@ type options = {
   resume : string option;
   plot : string option;
 }
-
-(* {1 What is there already} *)
-
-let bad_trace path format =
-  Printf.ksprintf
-    (fun text -> Error [ Diag.error Code.bad_trace (Span.make ~file:path ~start:0 ~stop:0) "%s" text ])
-    format
-
-let is_run number line =
-  match Yojson.Safe.from_string line with
-  | `Assoc members -> List.assoc_opt "run" members = Some (`Int number)
-  | _ -> false
-  | exception Yojson.Json_error _ -> false
-
-(* The whole lines of the runs from 0 on; a last line without its end is not one. *)
-let done_before path header =
-  let* source = Result.map_error (fun d -> [ d ]) (Input.read ~max_bytes:max_int path) in
-  match String.split_on_char '\n' (Source.text source) with
-  | first :: rest when String.equal (first ^ "\n") header ->
-    let rec count n = function
-      | [] | [ _ ] -> Ok n
-      | line :: rest when is_run n line -> count (n + 1) rest
-      | _ -> bad_trace path "line %d is not that of run %d" (n + 2) n
-    in
-    let* n = count 0 rest in
-    let kept = List.filteri (fun i _ -> i <= n) (first :: rest) in
-    Ok (n, String.concat "\n" kept ^ "\n")
-  | _ -> bad_trace path "this file is not of the same simulation: its first line would be `%s`" (String.trim
-                                                                                                   header)
 
 (* {1 The runs} *)
 
@@ -117,7 +87,7 @@ let simulate console o ~interrupted =
   let* first, before =
     match o.resume with
     | None -> Ok (0, Report.header report)
-    | Some path -> done_before path (Report.header report)
+    | Some path -> Resume.lines ~path ~header:(Report.header report) ~member:"run" ~what:"simulation"
   in
   let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
   let written = ref first and ended_early = ref 0 in
@@ -223,7 +193,8 @@ let resume =
   let doc =
     "Goes on where $(docv), written with $(b,--format jsonl) by a simulation that was interrupted, or had less \
      runs, ends; a line that was not finished is made anew. Everything but $(b,--runs) and $(b,--jobs) has \
-     to be as it was. The file becomes what it would be if nothing had been interrupted, or $(b,-o) does."
+     to be as it was. The file becomes what it would be if nothing had been interrupted, or $(b,-o) does. \
+     The exit code is about the runs that are made now."
   in
   Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
 

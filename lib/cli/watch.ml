@@ -15,6 +15,7 @@ let left_to_conclusions = 0.25
 exception Given_up of Limits.stop
 
 type t = {
+  signals : bool;
   mutable deadline : float;
   memory : float;  (** in bytes *)
   mutable signalled : bool;
@@ -111,9 +112,10 @@ let end_by signal =
   Sys.set_signal signal Sys.Signal_default;
   Unix.kill (Unix.getpid ()) signal
 
-let start ?seconds ?memory () =
+let start ?(signals = true) ?seconds ?memory () =
   let t =
     {
+      signals;
       deadline = Option.fold ~none:infinity ~some:(fun s -> Unix.gettimeofday () +. s) seconds;
       memory =
         Option.fold ~none:infinity memory ~some:(fun w ->
@@ -135,7 +137,7 @@ let start ?seconds ?memory () =
     end
     else if Unix.gettimeofday () -. !first > again then end_by signal
   in
-  on_signals (Signal_handle arrived);
+  if signals then on_signals (Signal_handle arrived);
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> look t));
   if Option.is_some seconds || Option.is_some memory then timer interval;
   t
@@ -155,7 +157,7 @@ let interrupted t () = t.signalled
 let finish t =
   timer 0.;
   t.stage <- None;
-  if not t.signalled then on_signals Signal_default
+  if t.signals && not t.signalled then on_signals Signal_default
 
 (* What was given up for its memory has left it behind as garbage. *)
 let compacted t stage =

@@ -9,10 +9,10 @@ open Scc_explore
 
 type t
 
-val start : ?seconds:float -> ?memory:int -> unit -> t
+val start : ?signals:bool -> ?seconds:float -> ?memory:int -> unit -> t
 (** [memory] in words, of all that the program takes. Without limits only signals end the work. A second signal
     ends the program at once, unless it comes with the first one: [timeout], for one, sends each to the program and
-    to its group. *)
+    to its group. Without [signals] only limits end the work: signals are somebody else's to answer. *)
 
 val more : t -> float -> unit
 (** So many seconds more, for another work. *)

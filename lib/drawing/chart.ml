@@ -4,6 +4,10 @@ type point = { x : Rat.t; y : Rat.t; band : (Rat.t * Rat.t) option }
 type curve = { name : string; pieces : point list list }
 type panel = { title : string; curves : curve list }
 
+type amount = Nothing | Named of string | Amount of Rat.t
+type cell = { said : string; amount : amount }
+type map = { title : string; rows : string array; columns : string array; cells : cell array array }
+
 (* {1 Axes} *)
 
 let ten n = if n >= 0 then Rat.make (Z.pow (Z.of_int 10) n) Z.one else Rat.make Z.one (Z.pow (Z.of_int 10) (-n))
@@ -125,8 +129,9 @@ let names panel ~y =
 let heights p = p.y :: (match p.band with None -> [] | Some (a, b) -> [ a; b ])
 let points panel = List.concat_map (fun c -> List.concat c.pieces) panel.curves
 
-let panel xs i p =
-  let top = head + (i * (above + height + below)) in
+let panel_height = above + height + below
+
+let panel xs top (p : panel) =
   let base = Rat.of_int (top + above + height) in
   let ys = axis (List.concat_map heights (points p)) ~from:base ~until:(Rat.of_int (top + above)) in
   let y = Rat.of_int (top + 16) in
@@ -135,17 +140,107 @@ let panel xs i p =
   @ rule ~x1:xs.from ~y1:base ~x2:xs.until ~y2:base grey
   @ List.concat (List.mapi (curve xs ys) p.curves)
 
-let curves ~title ~caption ~x panels =
+(* {1 Maps} *)
+
+let nothing = "#e4e7eb"
+
+let amounts m =
+  let of_cell c = match c.amount with Amount r -> Some r | Nothing | Named _ -> None in
+  List.concat_map (fun row -> List.filter_map of_cell (Array.to_list row)) (Array.to_list m.cells)
+
+(* From pale to dark, in steps of one in a hundred. *)
+let shade ~least ~greatest r =
+  let range = Rat.sub greatest least in
+  let share =
+    if Rat.sign range = 0 then 50
+    else Z.to_int (Rat.floor (Rat.div (Rat.mul (Rat.of_int 100) (Rat.sub r least)) range))
+  in
+  Palette.hex (Palette.mix (0.90, 0.94, 0.98) (0.10, 0.25, 0.50) (float_of_int share /. 100.))
+
+let fill named amounts = function
+  | Nothing -> nothing
+  | Named name -> Option.value (List.assoc_opt name named) ~default:nothing
+  | Amount r ->
+    let extreme f = List.fold_left f r amounts in
+    shade ~least:(extreme Rat.min) ~greatest:(extreme Rat.max) r
+
+let cell_height m = Int.max 4 (Int.min 28 (300 / Array.length m.rows))
+let map_height m = above + (cell_height m * Array.length m.rows) + below
+
+(* So few labels that they do not run into each other. *)
+let labelled ~most n i = i mod ((n + most - 1) / most) = 0
+
+let between_amounts = function
+  | [] -> ""
+  | r :: rest ->
+    let text f = Decimal.significant ~digits:6 (List.fold_left f r rest) in
+    Printf.sprintf "   %s to %s" (text Rat.min) (text Rat.max)
+
+let map named top m =
+  let count = Array.length m.columns and high = cell_height m in
+  let amounts = amounts m in
+  let base = top + above + (high * Array.length m.rows) in
+  let inner = Rat.of_int (width - left - right) in
+  let x i = Rat.add (Rat.of_int left) (Rat.div (Rat.mul inner (Rat.of_int i)) (Rat.of_int count)) in
+  let wide = Svg.number (Rat.div inner (Rat.of_int count)) in
+  let cell j i c =
+    Svg.tag "rect"
+      [
+        ("x", Svg.number (x i)); ("y", int (base - ((j + 1) * high))); ("width", wide); ("height", int high);
+        ("fill", fill named amounts c.amount); ("stroke", "#ffffff"); ("stroke-width", "0.5");
+      ]
+      (Svg.title c.said)
+  in
+  let row j cells =
+    let y = Rat.of_int (base - (j * high) - (high / 2) + 4) in
+    let name = if labelled ~most:14 (Array.length m.rows) j then m.rows.(j) else "" in
+    (if name = "" then [] else label ~x:(Rat.of_int (left - 6)) ~y ~anchor:"end" name)
+    @ List.concat (List.mapi (cell j) (Array.to_list cells))
+  in
+  let column i name =
+    if labelled ~most:12 count i then
+      let middle = Rat.div (Rat.add (x i) (x (i + 1))) (Rat.of_int 2) in
+      label ~x:middle ~y:(Rat.of_int (base + 15)) ~anchor:"middle" name
+    else []
+  in
+  Svg.text
+    [ ("x", int left); ("y", int (top + 16)); ("font-weight", "bold") ]
+    (m.title ^ between_amounts amounts)
+  @ List.concat (List.mapi row (Array.to_list m.cells))
+  @ List.concat (List.mapi column (Array.to_list m.columns))
+
+(* The colours of the names that are there. *)
+let legend named maps ~y =
+  let is_there name =
+    List.exists (fun m -> Array.exists (Array.exists (fun c -> c.amount = Named name)) m.cells) maps
+  in
+  let one i (name, colour) =
+    let x = left + (130 * i) in
+    Svg.tag "rect" [ ("x", int x); ("y", int (y - 10)); ("width", "12"); ("height", "12"); ("fill", colour) ] []
+    @ Svg.text [ ("x", int (x + 17)); ("y", int y); ("fill", grey) ] name
+  in
+  List.concat (List.mapi one (List.filter (fun (name, _) -> is_there name) named))
+
+(* {1 The whole} *)
+
+(* What is drawn at the height that is reached, one below the other. *)
+let stacked height draw top list =
+  List.fold_left (fun (top, lines) item -> (top + height item, lines @ draw top item)) (top, []) list
+
+let sheet ~title ~caption ~x ~named panels maps =
   let numbers = List.concat_map (fun p -> List.map (fun point -> point.x) (points p)) panels in
   let xs = axis numbers ~from:(Rat.of_int left) ~until:(Rat.of_int (width - right)) in
-  let total = head + (List.length panels * (above + height + below)) + 8 in
+  let top, drawn_panels = stacked (fun _ -> panel_height) (panel xs) head panels in
+  let top, drawn_maps = stacked map_height (map named) top maps in
+  let total = top + 12 in
   let inside =
     Svg.title title
     @ Svg.tag "rect" [ ("width", int width); ("height", int total); ("fill", "#ffffff") ] []
     @ Svg.text [ ("x", int left); ("y", "22"); ("font-size", "15"); ("font-weight", "bold") ] title
     @ Svg.text [ ("x", int left); ("y", "40"); ("fill", grey) ] caption
-    @ List.concat (List.mapi (panel xs) panels)
-    @ label ~x:(Rat.of_int (width - right)) ~y:(Rat.of_int (total - 10)) ~anchor:"end" x
+    @ drawn_panels @ drawn_maps
+    @ legend named maps ~y:(total - 8)
+    @ label ~x:(Rat.of_int (width - right)) ~y:(Rat.of_int (total - 8)) ~anchor:"end" x
   in
   let document =
     Svg.tag "svg"

@@ -38,4 +38,5 @@ let chart (t : Report.t) ~quantiles summary =
     { title = text; curves = [ { name = ""; pieces = pieces quantiles t.times cells } ] }
   in
   let title = Option.value t.origin.Origin.name ~default:"a model" in
-  Chart.curves ~title ~caption:(caption t quantiles summary) ~x:"time" (List.mapi panel t.observables)
+  let panels = List.mapi panel t.observables in
+  Chart.sheet ~title ~caption:(caption t quantiles summary) ~x:"time" ~named:[] panels []

@@ -24,6 +24,7 @@ is there, so that nothing is built here.
   prefix/share/man/man1/scc-serve.1
   prefix/share/man/man1/scc-shape.1
   prefix/share/man/man1/scc-simulate.1
+  prefix/share/man/man1/scc-sweep.1
   prefix/share/man/man1/scc-trace.1
   prefix/share/man/man1/scc-view.1
   prefix/share/man/man1/scc.1
@@ -75,7 +76,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete() { bash complete.bash $bash "$@"; }
   $ touch 'a model.sc' model.sc; mkdir models
   $ complete scc ''
-  --help --version check compare conform diff estimate explain explore export fmt oracle serve shape simulate trace view
+  --help --version check compare conform diff estimate explain explore export fmt oracle serve shape simulate sweep trace view
   $ complete scc ex
   explain explore export
   $ complete scc check --s
@@ -102,7 +103,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   model.sc models
   $ complete scc check --states ''
   $ complete scc --help ''
-  --help --version check compare conform diff estimate explain explore export fmt oracle serve shape simulate trace view
+  --help --version check compare conform diff estimate explain explore export fmt oracle serve shape simulate sweep trace view
 
 fish, where it is there, tells what each is for:
 

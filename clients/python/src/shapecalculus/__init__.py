@@ -58,6 +58,7 @@ from .models import (
 )
 from .oracle import PROTOCOL, Batch, Future, Oracle
 from .requests import Body, Fixed, Request, Touch
+from .sweeps import Record, sweep, sweep_records
 from .where import Checked, Polyhedron, Region, Where, wheres
 
 __version__ = "0.1.0"
@@ -67,7 +68,7 @@ __all__ = [
     "Feature", "Fixed", "FormulaRefused", "Future", "InternalError", "InvalidParams", "InvalidRequest", "Label", "Leaf",
     "LimitExceeded", "MassProperties", "Meeting", "MethodNotFound", "Model", "ModelRefused", "Motion", "MovementStep",
     "NoTransitions", "NotInContact", "NotPossible", "Oracle", "OracleError", "PROTOCOL", "Pair", "ParseError",
-    "Polyhedron", "Process", "Region", "Replay", "Request", "RequestError", "Response", "ServiceError", "Shape",
+    "Polyhedron", "Process", "Record", "Region", "Replay", "Request", "RequestError", "Response", "ServiceError", "Shape",
     "ShapeRefused", "ShapeReport", "ShapeWarning", "State", "Step", "Stopped", "Successors", "Touch", "Transition",
-    "UnknownHandle", "Where", "wheres",
+    "UnknownHandle", "Where", "sweep", "sweep_records", "wheres",
 ]

@@ -1,0 +1,87 @@
+"""Sweeps: the table of scc as records."""
+
+import io
+import math
+import os
+import tempfile
+import unittest
+from fractions import Fraction
+
+from shapecalculus import ServiceError, sweep, sweep_records
+
+from .support import program
+
+WALK = """
+param p = 1/2
+param n = 3
+import <solids>
+process walker = solids.Cube(1) mass 1 [nil]
+fixed left  = solids.Cube(1) absorb at translate (-3, 0, 0)
+fixed right = solids.Cube(1) absorb at translate (n + 1, 0, 0)
+motion walker = choose { (1, 0, 0) weight p, (-1, 0, 0) weight 1 - p }
+check ruin   : P = ? [ eventually event absorb(walker, left) ]
+check never  : E = ? [ time U event absorb(walker, left) ]
+check likely : P >= 1/2 [ eventually event absorb(walker, left) ]
+"""
+
+
+class Sweeps(unittest.TestCase):
+    def setUp(self):
+        if program() is None:
+            raise unittest.SkipTest("no scc: name it in the environment variable SCC")
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = os.path.join(self.folder.name, "walk.sc")
+        with open(self.path, "w", encoding="utf-8") as file:
+            file.write(WALK)
+
+    def sweep(self, grid, **options):
+        return sweep(self.path, grid, scc=program(), **options)
+
+    def test_closed_form(self):
+        records = self.sweep({"n": range(1, 4), "p": [Fraction(1, 3), "0.4", Fraction(2, 3)]}, jobs=2)
+        self.assertEqual(len(records), 27)
+        for record in records:
+            if record["check"] != "ruin":
+                continue
+            # two steps to the left, n to the right, at each step with r = (1 - p) / p
+            n, r = int(record["n"]), (1 - record["p"]) / record["p"]
+            exact = (r**2 - r ** (n + 2)) / (1 - r ** (n + 2))
+            self.assertEqual((record["low"], record["high"]), (exact, exact))
+            likely = next(x for x in records if x["check"] == "likely" and (x["n"], x["p"]) == (n, record["p"]))
+            self.assertEqual(likely["verdict"], "holds" if exact >= Fraction(1, 2) else "violated")
+
+    def test_order_and_infinity(self):
+        records = self.sweep({"p": ["1/4", "1/2"], "n": [1, 2]})
+        self.assertEqual([(r["p"], r["n"]) for r in records[::3]],
+                         [(Fraction(1, 4), 1), (Fraction(1, 4), 2), (Fraction(1, 2), 1), (Fraction(1, 2), 2)])
+        never = [r for r in records if r["check"] == "never"]
+        self.assertTrue(all(r["least_low"] == r["high"] == math.inf for r in never))
+
+    def test_invalid_points(self):
+        records = self.sweep({"p": [Fraction(1, 2), 2]})
+        self.assertEqual([r["verdict"] for r in records], ["measured", "measured", "holds", "invalid"])
+        self.assertEqual((records[3]["p"], records[3]["check"], records[3]["low"]), (2, None, None))
+        self.assertRegex(records[3]["why"], "^SC[0-9]{4}: ")
+
+    def test_pandas(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("no pandas")
+        frame = pandas.DataFrame(self.sweep({"n": [1, 2]}))
+        self.assertEqual(frame[frame["check"] == "ruin"]["low"].tolist(), [Fraction(1, 3), Fraction(1, 2)])
+
+    def test_what_cannot_be(self):
+        with self.assertRaisesRegex(ServiceError, "exit code 64"):
+            self.sweep({"nothing": [1]})
+        with self.assertRaisesRegex(ServiceError, "cannot start"):
+            sweep(self.path, {"n": [1]}, scc=os.path.join(self.folder.name, "none"))
+        with self.assertRaises(ValueError):
+            self.sweep({"n": ["many"]})
+        with self.assertRaises(ValueError):
+            sweep_records(io.StringIO('{"format": "scc-graph"}\n'))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,29 @@
+open Scc_base
+
+let ( let* ) = Result.bind
+
+let bad path format =
+  Printf.ksprintf
+    (fun text -> Error [ Diag.error Code.bad_trace (Span.make ~file:path ~start:0 ~stop:0) "%s" text ])
+    format
+
+let has_number member number line =
+  match Yojson.Safe.from_string line with
+  | `Assoc members -> List.assoc_opt member members = Some (`Int number)
+  | _ -> false
+  | exception Yojson.Json_error _ -> false
+
+(* A last line without its end is none. *)
+let lines ~path ~header ~member ~what =
+  let* source = Result.map_error (fun d -> [ d ]) (Input.read ~max_bytes:max_int path) in
+  match String.split_on_char '\n' (Source.text source) with
+  | first :: rest when String.equal (first ^ "\n") header ->
+    let rec count n = function
+      | [] | [ _ ] -> Ok n
+      | line :: rest when has_number member n line -> count (n + 1) rest
+      | _ -> bad path "line %d is not that of %s %d" (n + 2) member n
+    in
+    let* n = count 0 rest in
+    let kept = List.filteri (fun i _ -> i <= n) (first :: rest) in
+    Ok (n, String.concat "\n" kept ^ "\n")
+  | _ -> bad path "this file is not of the same %s: its first line would be `%s`" what (String.trim header)

@@ -1,0 +1,249 @@
+open Scc_base
+open Scc_verify
+open Scc_session
+open Scc_sweep
+open Scc_workers
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+type form = Csv | Jsonl
+
+type options = {
+  path : string;
+  grid : Grid.t;
+  budget : Budget.t;
+  jobs : int;
+  form : form;
+  output : string option;
+  resume : string option;
+  plot : string option;
+}
+
+(* {1 One point} *)
+
+(* In a process of its own, and by itself: as `scc check` with these values. *)
+let check o source k =
+  let console = Console.make ~color:Console.Never ~json:true () in
+  let memory = Option.value o.budget.memory ~default:(Check_options.defaults.memory / o.jobs) in
+  let watch = Watch.start ~signals:false ?seconds:o.budget.seconds ~memory () in
+  let options = Check_options.options watch o.budget ~progress:ignore in
+  let found =
+    let* l = Input.model console ~source ~overrides:(Grid.point o.grid k) ~narrowed:[] o.path in
+    let* () = Verdicts.refused l ~prove:false in
+    let* initial = Loaded.initial l in
+    let run () = Verdicts.report options l ~initial ~exactly:false ~premises:l.premises l.checks in
+    let* report =
+      match (Watch.attempt watch).run Reporting run with
+      | Ok report -> report
+      | Error stop -> Ok (Check.unexplored options (l.checks @ l.premises) stop)
+    in
+    Ok (List.filteri (fun i _ -> i < List.length l.checks) report.outcomes)
+  in
+  Watch.finish watch;
+  match found with
+  | Ok outcomes -> Outcome.of_outcomes outcomes
+  | Error diagnostics -> Outcome.of_diagnostics diagnostics
+
+(* {1 All of them} *)
+
+let bounds (b : Budget.t) =
+  let some name text = Option.fold ~none:[] ~some:(fun x -> [ (name, text x) ]) in
+  List.concat
+    [
+      some "depth" string_of_int b.depth; some "time" Scc_exact.Rat.to_string b.time;
+      some "states" string_of_int b.states; some "seconds" (Printf.sprintf "%g") b.seconds;
+      some "memory" string_of_int b.memory; some "bits" string_of_int b.bits;
+    ]
+
+(* What is wrong with the command line is so at every point. *)
+let first_point console source o =
+  match Input.model console ~source ~overrides:(Grid.point o.grid 0) ~narrowed:[] o.path with
+  | Ok l -> Ok (Some l)
+  | Error diagnostics when List.exists (fun (d : Diag.t) -> Span.equal d.span Span.command_line) diagnostics ->
+    Error diagnostics
+  | Error _ -> Ok None
+
+type seen = {
+  mutable written : int;
+  mutable open_ : int;
+  mutable refused : int;
+  mutable all : Outcome.t list;  (** the last first, if there is to be a picture *)
+}
+
+let conclude console seen ~count = function
+  | Ok () ->
+    if seen.refused > 0 then
+      Console.note console (Printf.sprintf "scc: the model is invalid at %d of %d points" seen.refused count);
+    if seen.refused = count then Ok Exit_code.Invalid
+    else Ok (if seen.open_ + seen.refused > 0 then Exit_code.Undecided else Exit_code.Holds)
+  | Error Pool.Interrupted ->
+    Console.note console
+      (Printf.sprintf "scc: interrupted after %d of %d points, which are written" seen.written count);
+    Ok Exit_code.Stopped
+  | Error (Lost { task; how }) ->
+    Console.note console
+      (Printf.sprintf "scc: the process that worked on point %d came to an end (%s); %d of %d points are written"
+         task how seen.written count);
+    Ok Exit_code.Bug
+
+let told result = Result.map_error (fun d -> [ d ]) result
+
+let sweep console o ~interrupted =
+  let* source = Input.text console o.path in
+  let* first = first_point console source o in
+  let name, digest =
+    match first with
+    | Some l -> Table.origin l.origin
+    | None -> (None, "md5:" ^ Digest.to_hex (Digest.string (Source.text source)))
+  in
+  let table = { Table.name; digest; grid = o.grid; bounds = bounds o.budget } in
+  let count = Z.to_int (Grid.size o.grid) in
+  let* start, before =
+    match o.resume with
+    | None -> Ok (0, match o.form with Csv -> Table.csv_header table | Jsonl -> Table.json_header table)
+    | Some path -> Resume.lines ~path ~header:(Table.json_header table) ~member:"point" ~what:"sweep"
+  in
+  let path = match (o.output, o.resume) with None, Some path -> Some path | path, _ -> path in
+  let seen = { written = start; open_ = 0; refused = 0; all = [] } in
+  let note outcome =
+    seen.written <- seen.written + 1;
+    (match (outcome : Outcome.t) with
+     | Refused _ -> seen.refused <- seen.refused + 1
+     | Checked _ -> if not (Outcome.is_known outcome) then seen.open_ <- seen.open_ + 1);
+    if Option.is_some o.plot then seen.all <- outcome :: seen.all
+  in
+  let write put =
+    put before;
+    let each k outcome =
+      note outcome;
+      Console.progress console (Printf.sprintf "%d of %d points" (k + 1) count);
+      put (match o.form with Csv -> Table.csv table k outcome | Jsonl -> Table.json table k outcome)
+    in
+    let result = Pool.run ~jobs:o.jobs ~first:start ~count ~work:(check o source) ~interrupted ~each in
+    Console.progress_done console;
+    result
+  in
+  Console.flush console;
+  let* result = told (Console.with_output console ~path write) in
+  let title = Option.value name ~default:"a model" in
+  let draw path =
+    let chart put = put (Picture.chart ~title o.grid (Array.of_list (List.rev seen.all))) in
+    told (Console.with_output console ~path:(Some path) chart)
+  in
+  let* () =
+    match (o.plot, result) with
+    | Some path, Ok () -> draw path
+    | Some _, Error _ | None, _ -> Ok ()
+  in
+  conclude console seen ~count result
+
+let run color o =
+  let console = Console.make ~color ~json:false () in
+  let interrupted = Watch.interrupted (Watch.start ()) in
+  Guard.run console (fun () -> sweep console o ~interrupted)
+
+(* {1 The command line} *)
+
+let axis_conv =
+  let parse s =
+    match String.index_opt s '=' with
+    | Some i when i > 0 -> (
+        let name = String.sub s 0 i in
+        match Grid.values (String.sub s (i + 1) (String.length s - i - 1)) with
+        | Ok values -> Ok { Grid.name; values }
+        | Error text -> Error (`Msg text))
+    | _ -> Error (`Msg (Printf.sprintf "`%s' is not of the form name=values" s))
+  in
+  Arg.conv ~docv:"NAME=VALUES" (parse, fun ppf (a : Grid.axis) -> Format.pp_print_string ppf a.name)
+
+let grid =
+  let doc =
+    "The values of the parameter $(i,NAME): one, $(b,3); a list, $(b,1,2,5); from one to the other by steps of 1, \
+     $(b,1..10), or by others, $(b,0:2:1/8). Repeatable: each value goes with each of the others, those of the \
+     last option fastest."
+  in
+  Arg.(non_empty & opt_all axis_conv [] & info [ "D"; "define" ] ~docv:"NAME=VALUES" ~doc)
+
+let form =
+  let doc =
+    "$(b,csv) (RFC 4180), a line for each point and check, or $(b,jsonl), a JSON object for each point."
+  in
+  Arg.(value & opt (enum [ ("csv", Csv); ("jsonl", Jsonl) ]) Csv & info [ "format" ] ~docv:"FORMAT" ~doc)
+
+let output =
+  let doc = "Writes to $(docv) instead of standard output." in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"FILE" ~doc)
+
+let resume =
+  let doc =
+    "Goes on where $(docv), written with $(b,--format jsonl) by a sweep that was interrupted, ends. Everything \
+     but $(b,--jobs) has to be as it was. The exit code is about the points that are made now."
+  in
+  Arg.(value & opt (some string) None & info [ "resume" ] ~docv:"FILE" ~doc)
+
+let plot =
+  let doc =
+    "Draws the sweep, as SVG: numbers that are asked for as curves over one parameter; verdicts, and numbers over \
+     two parameters, as cells with colours."
+  in
+  Arg.(value & opt (some string) None & info [ "plot" ] ~docv:"FILE" ~doc)
+
+let twice grid =
+  let rec go = function
+    | [] -> None
+    | (a : Grid.axis) :: rest ->
+      if List.exists (fun (b : Grid.axis) -> String.equal a.name b.name) rest then Some a.name else go rest
+  in
+  go grid
+
+let options =
+  let make path grid budget jobs form output resume plot =
+    let size = Grid.size grid in
+    match (twice grid, resume, form, plot, if Option.is_some plot then Picture.axes grid else Ok []) with
+    | Some name, _, _, _, _ -> Error (Printf.sprintf "-D %s is there twice" name)
+    | None, _, _, _, _ when Z.gt size (Z.of_int Grid.most) ->
+      Error (Printf.sprintf "the grid has %s points: at most %d" (Z.to_string size) Grid.most)
+    | None, Some _, Csv, _, _ -> Error "--resume goes on with JSON Lines: --format jsonl"
+    | None, Some _, Jsonl, Some _, _ -> Error "--resume does not go with --plot"
+    | None, _, _, _, Error text -> Error ("--plot: " ^ text)
+    | None, _, _, _, Ok _ ->
+      let output = if output = Some "-" then None else output in
+      Ok { path; grid; budget; jobs; form; output; resume; plot }
+  in
+  Term.(
+    term_result' ~usage:true
+      (const make $ Options.model_file $ grid $ Check_options.budget $ Run_options.jobs $ form $ output $ resume
+       $ plot))
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Checks a model with each combination of values of its parameters, as $(b,scc check -D) does, and writes a \
+       table of the verdicts, and of the numbers that its checks ask for. Bounds hold for each point by itself; \
+       without $(b,--memory) the processes share what $(b,scc check) takes.";
+    `P
+      "Where the model is invalid the table says so, and the sweep goes on. Without $(b,--seconds) the same sweep \
+       gives the same bytes, however many processes work at it. Ctrl-C keeps all points that are done.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc sweep chain.sc -D n=1..6 --jobs 2";
+    `Pre "  scc sweep model.sc -D n=1,2,4 -D v=0:2:1/8 --format jsonl -o sweep.jsonl --plot sweep.svg";
+  ]
+
+let command =
+  let told =
+    [
+      (Exit_code.Holds, "if everything is decided, whatever it is.");
+      ( Exit_code.Undecided,
+        "if something is undecided or holds up to a bound, or the model is invalid somewhere." );
+      (Exit_code.Invalid, "if the model is invalid at all points.");
+      (Exit_code.Stopped, "if it was interrupted: the points that were done are written.");
+    ]
+  in
+  let exits = Exits.man ~told ~never:[ Violated ] () in
+  let info = Cmd.info "sweep" ~doc:"check a model over a grid of parameters" ~man ~exits in
+  Cmd.v info Term.(const run $ Options.color $ options)

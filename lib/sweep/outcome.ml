@@ -1,0 +1,44 @@
+open Scc_base
+open Scc_exact
+open Scc_chance
+open Scc_verify
+
+type number = { over : string; low : Rat.t option; high : Rat.t option; infinite : bool }
+type check = { name : string; verdict : string; numbers : number list; reasons : string list }
+type t = Checked of check list | Refused of { code : string; message : string }
+
+let number (side, (m : Scc_ctl.Eval.measured)) =
+  let infinite = match m.least with Answer.Infinite -> true | Exact _ | Within _ | At_least _ -> false in
+  let over = match (side : Scc_property.Property.side) with Least -> "least" | Greatest -> "greatest" in
+  { over; low = Answer.lower m.least; high = Answer.upper m.most; infinite }
+
+let reasons : Verdict.t -> Verdict.reason list = function
+  | Measured { reasons; _ } | Undecided reasons -> reasons
+  | Holds { bounds; _ } -> List.map (fun b -> Verdict.Truncated b) bounds
+  | Violated _ -> []
+
+let check (o : Verdict.outcome) =
+  let numbers = match o.verdict with Measured { values; _ } -> List.map number values | _ -> [] in
+  {
+    name = o.check.name;
+    verdict = Scc_exchange.Check_json.kind o.verdict;
+    numbers;
+    reasons = List.map Verdict.reason_to_string (reasons o.verdict);
+  }
+
+let of_outcomes list = Checked (List.map check list)
+
+let of_diagnostics = function
+  | [] -> Bug.fail __POS__ "refused without a diagnostic"
+  | (d : Diag.t) :: _ -> Refused { code = d.code; message = d.message }
+
+let is_known = function
+  | Refused _ -> false
+  | Checked checks ->
+    let known c =
+      match c.verdict with
+      | "holds" | "violated" -> true
+      | "measured" -> c.reasons = []
+      | _ -> false
+    in
+    List.for_all known checks
