@@ -111,7 +111,7 @@
 | TILDE n = name { (true, n) }
 | n = BARRED { (true, at $loc n) }
 
-call(N): f = N LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
+%public call(N): f = N LPAREN es = optional_list(expr) RPAREN { at $loc (Apply (f, es)) }
 
 (* A vector in brackets: three numbers, or an expression. *)
 %public closed_vector:

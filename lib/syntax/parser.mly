@@ -190,6 +190,7 @@ law:
 law_of_all:
 | l = named_law { l }
 | v = closed_vector { at $loc (Expression v) }
+| c = call(name) { at $loc (Expression c) }
 | IF c = expr THEN t = expr ELSE e = expr { at $loc (Expression (at $loc (If (c, t, e)))) }
 
 kick:

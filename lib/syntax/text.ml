@@ -237,7 +237,7 @@ let vector e =
   | (Path _ | Apply _) when is_arithmetic open_ended e -> expr e
   | _ -> closed_vector e
 
-let law_of_all e = match e.it with If _ -> expr e | _ -> closed_vector e
+let law_of_all e = match e.it with If _ | Apply _ -> expr e | _ -> closed_vector e
 
 let applied opening es closing =
   match es with

@@ -119,6 +119,7 @@ network nil
 network p || q[1, 2]
 motion inertial
 motion (vx, vy, if z > 0 then vz - 10*dt else round(vz, 1/8))
+motion diffuse(1/8, (0, 0, -1))
 motion p = choose { (1, 0, 0) weight 2, (0, 1, 0) }
 let x = bonds(bond, p, q) >= 1 and quiescent => momentum.x != 0
 check y : E[true U[1, 2] not false] or EX AF[<= 3] bound(p, q)
