@@ -56,8 +56,10 @@ let unguarded = "SC0501"
 let negative_delay = "SC0502"
 let empty_channel = "SC0503"
 let wrong_template = "SC0504"
+let chance_at_any_time = "SC0505"
 let bad_law = "SC0601"
 let persistent_contact = "SC0602"
+let bad_chance = "SC0603"
 let not_a_formula = "SC0701"
 let vacuous = "SC0702"
 let uneventful = "SC0703"
@@ -130,8 +132,10 @@ let all =
     (negative_delay, "a negative delay");
     (empty_channel, "a channel or a strong split without entries");
     (wrong_template, "a behaviour used on another template than its own");
+    (chance_at_any_time, "a chance of a split where bonds may be released at any time");
     (bad_law, "a law of motion that cannot be evaluated");
     (persistent_contact, "a contact of turning bodies at which time cannot pass");
+    (bad_chance, "chances with which a bond is released that sum to more than 1");
     (not_a_formula, "a check that is not a temporal formula");
     (vacuous, "a check that says nothing, since its premise never holds");
     (uneventful, "a model in which no event ever happens");

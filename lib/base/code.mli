@@ -184,6 +184,8 @@ val empty_channel : t
 val wrong_template : t
 (** SC0504: a behaviour used on another template than its own. *)
 
+val chance_at_any_time : t
+(** SC0505: a chance of a split where bonds may be released at any time, so that there are no instants to draw at. *)
 
 (** {1 Motion} *)
 
@@ -192,6 +194,9 @@ val bad_law : t
 
 val persistent_contact : t
 (** SC0602: two turning bodies that would interpenetrate at once though their response is zero. *)
+
+val bad_chance : t
+(** SC0603: chances with which a leaf releases a bond that sum to more than 1. *)
 
 
 (** {1 Properties} *)

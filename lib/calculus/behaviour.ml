@@ -14,10 +14,12 @@ let active c site = List.exists (Site.equal site) c.surface
 
 type polarity = Name | Co_name
 
+type loosening = { push : Rat.t; chance : Rat.t option }
+
 type t =
   | Nil
   | Open of polarity * channel * t
-  | Weak of channel * Rat.t * t
+  | Weak of channel * loosening * t
   | Strong of channel list * Rat.t * t
   | Delay of Rat.t * t
   | Wait of Linear.t * t
@@ -50,6 +52,9 @@ let rank = function
   | Sum _ -> 6
   | Call _ -> 7
 
+let compare_loosening i j =
+  Rat.compare i.push j.push <?> fun () -> Option.compare Rat.compare i.chance j.chance
+
 let rec compare a b =
   if a == b then 0
   else
@@ -58,7 +63,7 @@ let rec compare a b =
       Int.compare (polarity_rank p) (polarity_rank q) <?> fun () ->
         compare_channel c d <?> fun () -> compare x y
     | Weak (c, i, x), Weak (d, j, y) ->
-      compare_channel c d <?> fun () -> Rat.compare i j <?> fun () -> compare x y
+      compare_channel c d <?> fun () -> compare_loosening i j <?> fun () -> compare x y
     | Strong (l, i, x), Strong (m, j, y) ->
       compare_lists compare_channel l m <?> fun () -> Rat.compare i j <?> fun () -> compare x y
     | Delay (s, x), Delay (t, y) -> Rat.compare s t <?> fun () -> compare x y
@@ -75,6 +80,9 @@ let hash_depth = 4
 let hash_channel (c : channel) =
   List.fold_left (fun h s -> (h * 31) + Site.hash s) (Hashtbl.hash c.name) c.surface
 
+let hash_loosening j =
+  match j.chance with None -> Rat.hash j.push | Some q -> Rat.hash j.push + (47 * Rat.hash q)
+
 let rec hash_to depth b =
   if depth = 0 then 17
   else
@@ -82,7 +90,7 @@ let rec hash_to depth b =
     match b with
     | Nil -> 1
     | Open (p, c, b) -> (((polarity_rank p * 31) + hash_channel c) * 31) + below b
-    | Weak (c, j, b) -> (hash_channel c * 37) + (Rat.hash j * 43) + below b
+    | Weak (c, j, b) -> (hash_channel c * 37) + (hash_loosening j * 43) + below b
     | Strong (l, j, b) -> List.fold_left (fun h c -> (h * 41) + hash_channel c) ((Rat.hash j * 43) + below b) l
     | Delay (t, b) -> (Rat.hash t * 43) + below b
     | Wait (t, b) -> (Linear.hash t * 43) + below b
@@ -92,7 +100,7 @@ let rec hash_to depth b =
 let hash = hash_to hash_depth
 let nil = Nil
 let open_ polarity channel b = Open (polarity, channel, b)
-let weak ?(push = Rat.zero) channel b = Weak (channel, push, b)
+let weak ?(push = Rat.zero) ?chance channel b = Weak (channel, { push; chance }, b)
 
 let strong ?(push = Rat.zero) channels b =
   match channels with

@@ -23,10 +23,17 @@ val active : channel -> Site.t -> bool
 (** alpha ranges over names a and co-names ~a. *)
 type polarity = Name | Co_name
 
+(** How a weak split releases a bond: by omega(a, Phi) push(j) chance q. B *)
+type loosening = {
+  push : Rat.t;  (** j >= 0, and 0 without a push (reading I-36) *)
+  chance : Rat.t option;
+  (** q, the probability at each split instant, 0 <= q <= 1 (rule Lot); [None]: a free choice *)
+}
+
 type t = private
   | Nil
   | Open of polarity * channel * t  (** <alpha, Phi>. B *)
-  | Weak of channel * Rat.t * t  (** omega(a, Phi) push(j). B; j >= 0, and 0 without a push (reading I-36) *)
+  | Weak of channel * loosening * t  (** omega(a, Phi). B *)
   | Strong of channel list * Rat.t * t
   (** rho(L) push(j). B; L sorted, a set by name and surface, not empty *)
   | Delay of Rat.t * t  (** eps(t). B with t > 0: eps(0).B is B *)
@@ -38,7 +45,7 @@ type t = private
 
 val nil : t
 val open_ : polarity -> channel -> t -> t
-val weak : ?push:Rat.t -> channel -> t -> t
+val weak : ?push:Rat.t -> ?chance:Rat.t -> channel -> t -> t
 val strong : ?push:Rat.t -> channel list -> t -> t
 
 val delay : Rat.t -> t -> t

@@ -47,6 +47,7 @@ type t = {
   collisions : collisions;
   binding : binding;
   bonds : bonds;
+  lots : bool;
   round_velocity : int option;
   rigid : rigid option;
 }
@@ -58,7 +59,8 @@ let has_turns m = Option.is_some m.rigid || Option.is_some m.round_velocity
 let binds_on_contact m = match m.binding with On_contact -> true | On_collision -> false
 let closes_rings m = match m.bonds with Cyclic -> true | Acyclic -> false
 let draws m = Array.exists (fun l -> Law.draws l.law) m.leaves
-let straight m = not (m.steered || has_turns m)
+let leaves_to_chance m = m.lots || draws m
+let straight m = not (m.steered || has_turns m || m.lots)
 let absorbs m = Array.exists (fun (l : leaf) -> l.absorbs) m.leaves
 
 let rounds m =

@@ -80,6 +80,7 @@ type t = {
   collisions : collisions;
   binding : binding;
   bonds : bonds;
+  lots : bool;  (** some weak split has a chance: split instants of the network are part of the state (rule Lot) *)
   round_velocity : int option;  (** velocities and spins are rounded to multiples of 2^-k (rule Round) *)
   rigid : rigid option;  (** [None]: the translational calculus, in which nothing turns *)
 }
@@ -111,8 +112,11 @@ val closes_rings : t -> bool
 val draws : t -> bool
 (** Whether a law leaves velocities to chance (rule Draw). *)
 
+val leaves_to_chance : t -> bool
+(** Something is drawn: velocities ({!draws}) or splits ({!lots}). *)
+
 val straight : t -> bool
-(** Neither steered nor with turns: a process moves in a straight line, and has to do with nobody until it
+(** Neither steered nor with turns nor lots: a process moves in a straight line, and has to do with nobody until it
     collides. *)
 
 val resolution : t -> Rat.t option

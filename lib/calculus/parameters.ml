@@ -18,7 +18,16 @@ let exists_prefix is (m : Model.t) (s : State.t) =
   || Array.exists of_process s.processes
 
 let may_split = exists_prefix (function Weak _ -> true | _ -> false)
-let may_push = exists_prefix (function Weak (_, j, _) | Strong (_, j, _) -> Rat.sign j > 0 | _ -> false)
+
+let may_push =
+  exists_prefix (function
+      | Weak (_, { push = j; _ }, _) | Strong (_, j, _) -> Rat.sign j > 0
+      | Nil | Open _ | Delay _ | Wait _ | Sum _ | Call _ -> false)
+
+let has_lots =
+  exists_prefix (function
+      | Weak (_, { chance = Some _; _ }, _) -> true
+      | Weak _ | Nil | Open _ | Strong _ | Delay _ | Wait _ | Sum _ | Call _ -> false)
 
 let dynamics : Model.dynamics -> string = function
   | Constant_spin -> "constant_spin"

@@ -17,6 +17,9 @@ val at_any_time : string * string
 val may_push : Model.t -> State.t -> bool
 (** A split with a push is written somewhere (reading I-36). *)
 
+val has_lots : Model.t -> State.t -> bool
+(** A weak split with a chance is written somewhere (rule Lot). *)
+
 val line : (string * string) list -> string
 (** ["semantics 2: split step 1, timestep 1/10"], or ["semantics 2"]. *)
 

@@ -25,6 +25,10 @@ let bond name a b = if compare_finish a b <= 0 then { name; one = a; two = b } e
 type phase = Moving | Due | Steered
 type draw = Waits | Drawn of Vec.t
 
+type drawn = (int * Behaviour.t) list
+type lot = Undecided | Let_go of drawn | Next of drawn
+type lots = { since : Rat.t; pending : (bond * lot) list }
+
 type process = {
   leaves : leaf array;
   bonds : bond array;
@@ -36,6 +40,7 @@ type process = {
   clock : Rat.t option;
   phase : phase option;
   draw : draw option;
+  lots : lots option;
 }
 
 type step = { remaining : Rat.t; phase : phase }
@@ -51,15 +56,33 @@ let compare_leaf_index (a : leaf) (b : leaf) = Int.compare a.leaf b.leaf
 
 let no_turn = Some Rat.zero
 
-let process ?phase ?draw ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves
+let process ?phase ?draw ?lots ?(spin = Vec.zero) ?(since = Rat.zero) ?(lasts = no_turn) ?(kept = Vec.zero) ~leaves
     ~bonds ~velocity ~clock () =
   if List.length bonds < List.length leaves - 1 then
     Scc_base.Bug.fail __POS__ "a process that does not hang together";
   {
     leaves = sorted compare_leaf_index leaves;
     bonds = sorted compare_bond bonds;
-    velocity; spin; since; lasts; kept; clock; phase; draw;
+    velocity; spin; since; lasts; kept; clock; phase; draw; lots;
   }
+
+let compare_choice (i, b) (j, c) = Int.compare i j <?> fun () -> Behaviour.compare b c
+
+let lot_rank = function Undecided -> 0 | Let_go _ -> 1 | Next _ -> 2
+
+let compare_lot a b =
+  match (a, b) with
+  | Let_go c, Let_go d | Next c, Next d -> List.compare compare_choice c d
+  | _ -> Int.compare (lot_rank a) (lot_rank b)
+
+let compare_pending (b, l) (c, m) = compare_bond b c <?> fun () -> compare_lot l m
+
+let renamed_lot image lot =
+  let renamed drawn = List.sort compare_choice (List.map (fun (leaf, summand) -> (image leaf, summand)) drawn) in
+  match lot with
+  | Undecided -> Undecided
+  | Let_go drawn -> Let_go (renamed drawn)
+  | Next drawn -> Next (renamed drawn)
 
 let map_leaves f p = { p with leaves = Array.map f p.leaves }
 
@@ -67,10 +90,14 @@ let renamed image (p : process) =
   let finish (f : finish) = { f with at = image f.at } in
   let renamed_bond (b : bond) = bond b.name (finish b.one) (finish b.two) in
   let leaf (l : leaf) = { l with leaf = image l.leaf } in
+  let lots ({ since; pending } : lots) =
+    let one (b, lot) = (renamed_bond b, renamed_lot image lot) in
+    { since; pending = List.sort compare_pending (List.map one pending) }
+  in
   process
     ~leaves:(List.map leaf (Array.to_list p.leaves))
     ~bonds:(List.map renamed_bond (Array.to_list p.bonds))
-    ?phase:p.phase ?draw:p.draw ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept
+    ?phase:p.phase ?draw:p.draw ?lots:(Option.map lots p.lots) ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept
     ~clock:p.clock ()
 
 let with_velocity velocity p = { p with velocity }
@@ -80,6 +107,7 @@ let with_clock clock p = { p with clock }
 let with_bond b p = { p with bonds = sorted compare_bond (b :: Array.to_list p.bonds) }
 let with_phase phase (p : process) = { p with phase }
 let with_draw draw p = { p with draw }
+let with_lots lots p = { p with lots }
 let first p = p.leaves.(0).leaf
 
 let make ~processes ~step ~time =
@@ -187,6 +215,9 @@ let compare_draw a b =
   | Drawn _, Waits -> 1
   | Drawn v, Drawn w -> Vec.compare v w
 
+let compare_lots (a : lots) (b : lots) =
+  Rat.compare a.since b.since <?> fun () -> List.compare compare_pending a.pending b.pending
+
 let compare_process p q =
   if p == q then 0
   else
@@ -199,7 +230,8 @@ let compare_process p q =
                 Option.compare Rat.compare p.lasts q.lasts <?> fun () ->
                   Vec.compare p.kept q.kept <?> fun () ->
                     Option.compare compare_phase p.phase q.phase <?> fun () ->
-                      Option.compare compare_draw p.draw q.draw
+                      Option.compare compare_draw p.draw q.draw <?> fun () ->
+                        Option.compare compare_lots p.lots q.lots
 
 let equal_phase a b = Int.equal (phase_rank a) (phase_rank b)
 
@@ -221,12 +253,16 @@ let hash_leaf h l =
 let hash_finish f = mix f.at (Site.hash f.site)
 let hash_bond (b : bond) = mix (hash_finish b.one) (hash_finish b.two)
 
+let hash_lots ({ since; pending } : lots) =
+  List.fold_left (fun h (b, lot) -> mix (mix h (hash_bond b)) (lot_rank lot)) (Rat.hash since) pending
+
 let hash_process_from h p =
   let h = Array.fold_left hash_leaf h p.leaves in
   let h = Array.fold_left (fun h b -> mix h (hash_bond b)) h p.bonds in
   let spin = if Vec.is_zero p.spin then 0 else mix (Vec.hash p.spin) (Rat.hash p.since) in
   let draw = match p.draw with None -> 0 | Some Waits -> 1 | Some (Drawn v) -> mix 2 (Vec.hash v) in
-  mix (mix h (Vec.hash p.velocity)) (hash_option Rat.hash p.clock) lxor spin lxor draw
+  let lots = match p.lots with None -> 0 | Some lots -> hash_lots lots in
+  mix (mix h (Vec.hash p.velocity)) (hash_option Rat.hash p.clock) lxor spin lxor draw lxor lots
 
 let hash_process p = hash_process_from 7 p land max_int
 let equal_process p q = compare_process p q = 0

@@ -31,6 +31,21 @@ type draw =
   | Waits  (** it has not drawn yet *)
   | Drawn of Vec.t  (** the velocity that it will have when all have drawn *)
 
+(** The summands by which leaves release a bond, [omega(a, Phi) chance q. B] each, in order of the leaves: of those of
+    its two leaves that have a chance for it. The others are free to choose among their own. *)
+type drawn = (int * Behaviour.t) list
+
+(** What has been decided of a bond at a split instant of the network (rule Lot). *)
+type lot =
+  | Undecided
+  | Let_go of drawn  (** it is to be released *)
+  | Next of drawn  (** it is, before others that end at one of its leaves *)
+
+type lots = {
+  since : Rat.t;  (** the time since the last split instant of the network, less than the split step *)
+  pending : (bond * lot) list;  (** in order; what is left to be drawn or released at this instant *)
+}
+
 type process = private {
   leaves : leaf array;  (** in order of [leaf]; not empty *)
   bonds : bond array;
@@ -50,6 +65,7 @@ type process = private {
   (** of what is steered, where processes have steps of their own ({!Model.of_each}); else [None] *)
   draw : draw option;
   (** of each process whose law is asked at this instant, while some of them waits to draw; else [None] *)
+  lots : lots option;  (** [Some] iff {!Model.lots}; [since] is the same of all processes *)
 }
 
 (** The movement step of the network, where it has one ({!Model.of_all}). *)
@@ -65,7 +81,7 @@ type t = private {
 }
 
 val process :
-  ?phase:phase -> ?draw:draw -> ?spin:Vec.t -> ?since:Rat.t -> ?lasts:Rat.t option -> ?kept:Vec.t ->
+  ?phase:phase -> ?draw:draw -> ?lots:lots -> ?spin:Vec.t -> ?since:Rat.t -> ?lasts:Rat.t option -> ?kept:Vec.t ->
   leaves:leaf list -> bonds:bond list -> velocity:Vec.t -> clock:Rat.t option -> unit -> process
 (** Canonical order. The bonds must join the leaves into one (a bug if they are too few for that). *)
 
@@ -82,6 +98,7 @@ val with_kept : Vec.t -> process -> process
 val with_clock : Rat.t option -> process -> process
 val with_phase : phase option -> process -> process
 val with_draw : draw option -> process -> process
+val with_lots : lots option -> process -> process
 val with_bond : bond -> process -> process
 (** One more, between two of its leaves. *)
 

@@ -69,6 +69,7 @@ let leaves_of (label : Transition.label) =
   | Bounce { firsts; _ } -> firsts
   | Absorb { first; absorber } -> [ first; absorber ]
   | Draw { first; _ } -> [ first ]
+  | Lot { bond; _ } -> ends bond
   | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> List.concat_map ends (Transition.bonds label)
 
 module Leaves = Set.Make (Int)

@@ -32,7 +32,7 @@ let label_text (space : Explored.t) ~renamed s (label : Transition.label) =
     | Absorb { first; absorber } ->
       Absorb { first = representative space ~renamed (space.state s) first; absorber }
     | Draw d -> Draw { d with first = representative space ~renamed (space.state s) d.first }
-    | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> label
+    | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ | Lot _ -> label
   in
   Transition.label_to_string (Explored.model space) label
 

@@ -47,6 +47,12 @@ let label ?(full = false) m : Transition.label -> string = function
     let each (x, y, z) = String.concat ", " (List.map (number ~full) [ x; y; z ]) in
     Printf.sprintf "%s draws the velocity (%s), with probability %s" (name m first)
       (each (velocity.x, velocity.y, velocity.z)) (number ~full chance)
+  | Lot { bond = b; decision; chance } ->
+    let what =
+      match decision with Kept -> "are to keep" | Let_go -> "are to release" | First -> "are first to release"
+    in
+    Printf.sprintf "%s and %s %s %s, with probability %s" (name m b.one.at) (name m b.two.at) what (bond m b)
+      (number ~full chance)
   | Strong_split releases ->
     Printf.sprintf "a reaction releases %s" (String.concat ", " (List.map (release ~full m) releases))
 

@@ -97,7 +97,7 @@ let processes_of t s e =
   distinct (List.filter_map (first_of s) (leaves t e))
 
 let kind : Transition.label -> Recorded.kind option = function
-  | Time _ -> None
+  | Time _ | Lot _ -> None
   | Bind _ -> Some Bind
   | Close _ -> Some Close
   | Bounce _ -> Some Bounce
@@ -131,7 +131,7 @@ let between s mine firsts =
 let same_bodies t s e (label : Transition.label) =
   let mine = leaves t e in
   match label with
-  | Time _ -> false
+  | Time _ | Lot _ -> false
   | Bounce { firsts; _ } -> between s mine firsts
   | Absorb { first; absorber } -> between s mine [ first; absorber ]
   | Draw { first; _ } -> between s mine [ first ]

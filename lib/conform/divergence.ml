@@ -61,6 +61,7 @@ let rigid against = Option.is_some (Against.model against).rigid
 let when_rules against : Transition.label -> string list = function
   | Time _ -> [ "Time" ]
   | Weak_split _ -> [ "WeakSplit"; "I-9" ]
+  | Lot _ -> [ "Lot" ]
   | Strong_split _ -> [ "StrongSplit"; "TimeBehaviour" ]
   | Draw _ -> [ "Draw"; "Steer" ]
   | Close _ -> [ "Close"; "TimeBehaviour" ]
@@ -70,6 +71,7 @@ let urgency : Transition.label -> string list * string = function
   | Strong_split _ -> ([ "StrongSplit"; "Time" ], "a strong split that is enabled is urgent")
   | Close _ -> ([ "Close"; "Time" ], "a bond that two leaves of one process can make is urgent")
   | Draw _ -> ([ "Draw"; "Time" ], "no time passes while a velocity has to be drawn")
+  | Lot _ -> ([ "Lot"; "Time" ], "no time passes while lots have to be drawn")
   | Bind _ | Bounce _ | Absorb _ -> ([ "Collision"; "Time" ], "no time passes while bodies collide")
   | Weak_split _ | Time _ -> ([ "Time" ], "time cannot pass")
 

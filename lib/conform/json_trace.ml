@@ -61,8 +61,8 @@ let label c json =
   let* listed = optional json "bodies" (texts c "bodies") in
   let bodies = Option.value between ~default:[] @ Option.value listed ~default:[] in
   match (kind, kind_of_name kind) with
-  | "time", _ -> Ok None
-  | _, None -> wrong c "`%s` is none of time, bind, close, bounce, absorb, weak, strong and draw" kind
+  | ("time" | "lot"), _ -> Ok None
+  | _, None -> wrong c "`%s` is none of time, bind, close, bounce, absorb, weak, strong, draw and lot" kind
   | _, Some Bounce ->
     if List.length bodies >= 2 then
       Ok (Some { kind = Bounce; channels = []; bodies; features = []; together = []; velocity = None })

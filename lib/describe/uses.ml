@@ -141,9 +141,10 @@ let rec behaviour t c (b : Ast.behaviour) =
   | Open (ch, b) ->
     channel_of t c (opened ch) ch;
     behaviour t c b
-  | Weak (ch, push, b) ->
+  | Weak (ch, { push; odds }, b) ->
     channel_of t c Weak ch;
     Option.iter (expr t c) push;
+    Option.iter (fun (o : Ast.odds) -> expr t c o.value) odds;
     behaviour t c b
   | Strong (chs, push, b) ->
     List.iter (channel_of t c Strong) chs;

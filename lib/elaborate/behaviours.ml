@@ -208,6 +208,50 @@ let push t env = function
         None
       | q -> q)
 
+let of_chances = "probabilities would depend on it"
+
+(* A probability, from [chance q] or [rate r]; none where neither is given. *)
+let odds t env = function
+  | None -> Some None
+  | Some ({ odds; value } : Ast.odds) -> (
+      let error code at text ~hint = Report.error t.c.report code at "%s" text ~hint; None in
+      let number q = Option.bind (Constant.number ~why:of_chances t.c.report env value) q in
+      let of_step step =
+        match odds.it with
+        | "chance" ->
+          number (fun q ->
+              if Rat.sign q >= 0 && Rat.compare q Rat.one <= 0 then Some (Some q)
+              else
+                error Code.bad_value value.at
+                  (Printf.sprintf "a chance is a probability, between 0 and 1, and this is %s" (Rat.to_string q))
+                  ~hint:"it is that of being released at one split instant; for so many times a unit of time say `rate`")
+        | "rate" ->
+          number (fun r ->
+              if Rat.sign r < 0 then
+                error Code.bad_value value.at
+                  (Printf.sprintf "a rate is not negative, and this is %s" (Rat.to_string r))
+                  ~hint:"it tells how often per unit of time"
+              else
+                match Odds.of_rate ~step r with
+                | Some q -> Some (Some q)
+                | None ->
+                  error Code.bad_value value.at
+                    (Printf.sprintf "a rate of %s is too great for the split step %s" (Rat.to_string r)
+                       (Rat.to_string step))
+                    ~hint:(Printf.sprintf "their product may be %d at most: give a shorter `split_step`" Odds.greatest))
+        | word ->
+          error Code.syntax odds.at
+            (Printf.sprintf "expected `chance` or `rate`, and this is `%s`" word)
+            ~hint:"as in `omega(a, {top}) chance 1/10. B`"
+      in
+      match t.program.splits with
+      | Every step -> of_step step
+      | Any_time ->
+        error Code.chance_at_any_time odds.at "with `split_step any` there are no instants at which to draw"
+          ~hint:"give a `split_step`: chances are drawn at its multiples")
+
+let loosening t env ({ push = j; odds = o } : Ast.loosening) = Typed.both (push t env j) (odds t env o)
+
 let polarity (ch : Ast.channel) = if ch.co then Behaviour.Co_name else Behaviour.Name
 
 (* Both parts are read before either is looked at, so that the faults of both are found. *)
@@ -219,10 +263,10 @@ let rec elaborate t scope (b : Ast.behaviour) =
     let* c, b = Typed.both (channel t scope ch) (elaborate t scope rest) in
     Some (Behaviour.open_ (polarity ch) c b)
   | Weak (ch, j, rest) ->
-    let* (c, b), push =
-      Typed.both (Typed.both (channel t scope ch) (elaborate t scope rest)) (push t scope.env j)
+    let* (c, b), (push, chance) =
+      Typed.both (Typed.both (channel t scope ch) (elaborate t scope rest)) (loosening t scope.env j)
     in
-    Some (Behaviour.weak ~push c b)
+    Some (Behaviour.weak ~push ?chance c b)
   | Strong (list, j, rest) ->
     let* (cs, b), push =
       Typed.both (Typed.both (channels_of t scope b.at list) (elaborate t scope rest)) (push t scope.env j)
@@ -306,7 +350,10 @@ let rec check_names t env (b : Ast.behaviour) =
   match b.it with
   | Nil -> ()
   | Open (_, rest) -> check_names t env rest
-  | Weak (_, j, rest) | Strong (_, j, rest) ->
+  | Weak (_, j, rest) ->
+    ignore (loosening t env j);
+    check_names t env rest
+  | Strong (_, j, rest) ->
     ignore (push t env j);
     check_names t env rest
   | Delay (e, rest) ->

@@ -79,15 +79,18 @@ let build (c : Context.t) (program : Program.t) bodies composition joints initia
       binding = Settings.binding program.settings;
       bonds = Settings.bonds program.settings;
       round_velocity = Settings.round_velocity program.settings;
+      lots = false;
       rigid;
     }
   in
+  let declared = Assembly.state bodies composition joints initial model in
+  let model = { model with lots = Parameters.has_lots model declared } in
   {
     name = program.name;
     parameters = program.parameters;
     templates = templates c program;
     model;
-    declared = Assembly.state bodies composition joints initial model;
+    declared;
     uncertain = Assembly.uncertain bodies composition program.ranges;
     checks;
     premises;

@@ -85,7 +85,9 @@ let behaviour_children (b : Ast.behaviour) =
   | Nil -> []
   | Name k -> reference k
   | Open (c, b) -> Behaviour b :: channel c
-  | Weak (c, j, b) -> (Behaviour b :: channel c) @ push j
+  | Weak (c, j, b) ->
+    let odds = Option.map (fun (o : Ast.odds) -> Expr o.value) j.odds in
+    (Behaviour b :: channel c) @ push j.push @ Option.to_list odds
   | Strong (cs, j, b) -> (Behaviour b :: List.concat_map channel cs) @ push j
   | Delay (e, b) -> [ Expr e; Behaviour b ]
   | Sum (a, b) -> [ Behaviour a; Behaviour b ]

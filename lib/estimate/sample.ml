@@ -35,7 +35,7 @@ let until plan =
   | Some a, Some b -> Some (Rat.min a b)
   | (Some _ as t), None | None, t -> t
 
-let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && match s.label with Draw _ -> false | _ -> true
+let is_free (s : Scc_engine.Run.alternative) ~among = among > 1 && not (Scc_semantics.Transition.is_drawn s.label)
 
 let run plan ~seed number =
   let chain = Chain.make plan.semantics and questions = Chain.questions plan.semantics plan.paths in

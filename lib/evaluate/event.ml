@@ -62,6 +62,6 @@ let matches ~source (label : Transition.label) (event : Property.event) =
   | Bounce ends, Bounce { firsts; _ } -> fits_processes source firsts ends
   | Hit (p, q), Bounce { hits; _ } -> List.exists (fits_hit p q) hits
   | Absorbed ends, Absorb { first; absorber } -> fits_absorbed source ~first ~absorber ends
-  | Bond _, (Time _ | Bounce _ | Absorb _ | Draw _)
-  | (Bounce _ | Hit _), (Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _)
-  | Absorbed _, (Time _ | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ | Draw _) -> false
+  | Bond _, (Time _ | Bounce _ | Absorb _ | Draw _ | Lot _)
+  | (Bounce _ | Hit _), (Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _)
+  | Absorbed _, (Time _ | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ | Draw _ | Lot _) -> false

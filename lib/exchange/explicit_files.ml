@@ -85,7 +85,7 @@ let names (e : Exported.t) mdp variables put =
   let texts list = `List (List.map Json.text list) in
   let label (p : State_predicates.t) = `Assoc [ ("name", Json.text p.name); ("text", Json.text p.text) ] in
   let action (name, text) = `Assoc [ ("name", Json.text name); ("text", Json.text text) ] in
-  let occurs = Mdp.occurs mdp and draws = Scc_calculus.Model.draws e.loaded.model in
+  let occurs = Mdp.occurs mdp and draws = Scc_calculus.Model.leaves_to_chance e.loaded.model in
   let check (c : Property.check) =
     let asked = Pctl.check ~occurs ~draws (Labelling.predicates l) c in
     `Assoc

@@ -18,6 +18,7 @@ let variables =
 let variables (m : Model.t) =
   let variables = if Model.of_each m then variables @ [ "waited"; "phase" ] else variables in
   let variables = if Model.draws m then variables @ [ "drawn"; "waits" ] else variables in
+  let variables = if m.lots then variables @ [ "split_clock"; "lots" ] else variables in
   match m.rigid with
   | None -> variables
   | Some _ ->
@@ -115,6 +116,19 @@ let values (m : Model.t) ~action ~time (s : State.t) =
          match p.draw with Some Waits -> Some (first p) | Some (Drawn _) | None -> None
        in
        [ ("drawn", map (List.filter_map drawn processes)); ("waits", set (List.filter_map waits processes)) ]
+     else [])
+  @ (if m.lots then
+       let since (p : State.process) = Option.map (fun (l : State.lots) -> (first p, rational l.since)) p.lots in
+       let pending (p : State.process) =
+         let one (b, (lot : State.lot)) =
+           let decided =
+             match lot with Undecided -> "undecided" | Let_go _ -> "release" | Next _ -> "first"
+           in
+           tuple [ bond m b; `String decided ]
+         in
+         Option.fold ~none:[] ~some:(fun (l : State.lots) -> List.map one l.pending) p.lots
+       in
+       [ ("split_clock", map (List.filter_map since processes)); ("lots", set (List.concat_map pending processes)) ]
      else [])
   @
   if Option.is_none m.rigid then []

@@ -30,7 +30,7 @@ type t = {
 let duration (e : Explored.edge) =
   match e.label with
   | Time d -> Some d
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> None
 
 (* At most one transition of a state is a passing of time. *)
 let passing edges =

@@ -26,9 +26,8 @@ let distinct targets =
   in
   List.sort (fun (t, _) (u, _) -> Int.compare t u) targets |> List.fold_left add [] |> List.rev
 
-(* Where a process draws, that is all that happens: the one choice is to let it. *)
-let draw m first (edges : Explored.edge array) =
-  let text = Printf.sprintf "draw(%s)" (Explored.model (Labelling.space m.labelling)).leaves.(first).name in
+(* Where something is drawn, that is all that happens: the one choice is to let it. *)
+let draw m text (edges : Explored.edge array) =
   let outcome (e : Explored.edge) = (e.target, Transition.chance e.label) in
   {
     action = Safe_names.name m.names text; duration = Rat.zero;
@@ -56,8 +55,12 @@ let of_state m i =
   | Rests, Some (d, target) -> [ passing m d ~target ]
   | Moves, _ -> (
       let edges = space.edges i in
+      let model = Explored.model space in
       match edges.(0).label with
-      | Draw { first; _ } -> [ draw m first edges ]
+      | Draw { first; _ } -> [ draw m (Printf.sprintf "draw(%s)" model.leaves.(first).name) edges ]
+      | Lot { bond; decision; _ } ->
+        let what = match decision with First -> "first" | Kept | Let_go -> "lot" in
+        [ draw m (Printf.sprintf "%s(%s)" what (Transition.bond_to_string model bond)) edges ]
       | _ -> List.map choice (Array.to_list edges))
 
 let choices m i =

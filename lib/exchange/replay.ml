@@ -68,7 +68,7 @@ let ahead run place =
   match Run.alternatives run with
   | Ok list -> Ok (Possible list)
   | Error (Transition.Persistent_contact _ as fault) -> Ok (Over (given_up fault))
-  | Error (Bad_law _ as fault) -> Error (Fault (given_up fault))
+  | Error ((Bad_law _ | Bad_chance _) as fault) -> Error (Fault (given_up fault))
 
 let possible (model : Model.t) transitions =
   let line i (t : Run.alternative) =
@@ -105,10 +105,10 @@ let part_of_time (model : Model.t) transitions (c : Schedule.choice) =
     let at_place = match c.index with Some i -> i = time_index transitions | None -> true in
     if at_place then Transition.time_of_string label else None
 
-(* Draws by their chances; all else alike, as nothing tells how likely it is. *)
+(* What is drawn by its chances; all else alike, as nothing tells how likely it is. *)
 let at_random (transitions : Run.alternative list) g =
   match transitions with
-  | { label = Draw _; _ } :: _ ->
+  | first :: _ when Transition.is_drawn first.label ->
     Splitmix64.by_chance (List.map (fun (t : Run.alternative) -> Transition.chance t.label) transitions) g
   | _ -> Splitmix64.below (List.length transitions) g
 

@@ -21,6 +21,7 @@ let kind : Transition.label -> string = function
   | Weak_split _ -> "weak"
   | Strong_split _ -> "strong"
   | Draw _ -> "draw"
+  | Lot _ -> "lot"
 
 let label m (l : Transition.label) =
   let parts =
@@ -37,6 +38,9 @@ let label m (l : Transition.label) =
     | Strong_split releases -> [ ("bonds", `List (List.map (fun r -> `Assoc (release m r)) releases)) ]
     | Draw { first; velocity; chance } ->
       [ ("process", leaf_name m first); ("velocity", Json.vec velocity); ("chance", Json.rat chance) ]
+    | Lot { bond = b; decision; chance } ->
+      bond m b
+      @ [ ("decision", `String (Transition.decision_to_string decision)); ("chance", Json.rat chance) ]
   in
   `Assoc
     (("kind", `String (kind l)) :: ("text", Json.text (Transition.label_to_string m l)) :: parts)
@@ -95,6 +99,31 @@ let draw (m : Model.t) (p : State.process) =
     in
     [ ("draw", Json.option told p.draw) ]
 
+(* Of models in which splits are left to chance. *)
+let lots (m : Model.t) (p : State.process) =
+  let told (b, (lot : State.lot)) =
+    let decided, drawn =
+      match lot with
+      | Undecided -> ("undecided", [])
+      | Let_go drawn -> ("release", drawn)
+      | Next drawn -> ("first", drawn)
+    in
+    let by (leaf, summand) =
+      `Assoc
+        [
+          ("leaf", leaf_name m leaf);
+          ("summand", Json.text (Behaviour_text.to_string m ~leaf summand));
+        ]
+    in
+    `Assoc (bond m b @ [ ("decided", `String decided); ("by", `List (List.map by drawn)) ])
+  in
+  let of_process (lots : State.lots) =
+    `Assoc [ ("since", Json.rat lots.since); ("pending", `List (List.map told lots.pending)) ]
+  in
+  match p.lots with
+  | Some lots when m.lots -> [ ("lots", of_process lots) ]
+  | Some _ | None -> []
+
 let process m (p : State.process) =
   `Assoc
     ((("velocity", Json.vec p.velocity)
@@ -108,6 +137,7 @@ let process m (p : State.process) =
      @ straight_turns m (fun () -> [ ("lasts", Json.option Json.rat p.lasts) ])
      @ of_each m (fun () -> [ ("step", own_step m p) ])
      @ draw m p
+     @ lots m p
      @ [
        ("clock", Json.option Json.rat p.clock);
        ("leaves", list (leaf m) p.leaves);

@@ -174,6 +174,12 @@ let transition w ~step ~time (label : Transition.label) source target =
     let reasons = motion_of w.at leaves @ structure_of w.at leaves in
     let event = tell_event w ~step ~time (Discrete label) leaves reasons in
     set w.at.motion event leaves
+  | Lot { bond = b; _ } ->
+    (* what is to be released is what its two leaves may do next *)
+    let ends = [ b.one.at; b.two.at ] in
+    let reasons = structure_of w.at ends @ behaviour_of w.at ends in
+    let event = tell_event w ~step ~time (Discrete label) ends reasons in
+    set w.at.behaviour event ends
   | Close _ -> by_itself w ~step ~time label source target ~clocked:false
   | Weak_split _ -> by_itself w ~step ~time label source target ~clocked:true
   | Strong_split _ -> by_itself w ~step ~time label source target ~clocked:false

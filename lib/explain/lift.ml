@@ -34,6 +34,7 @@ let some_leaf (label : Transition.label) =
   | _, b :: _ -> Some b.one.at
   | Bounce { firsts = i :: _; _ }, [] -> Some i
   | (Absorb { first; _ } | Draw { first; _ }), [] -> Some first
+  | Lot { bond; _ }, [] -> Some bond.one.at
   | (Time _ | Bounce _ | Bind _ | Close _ | Weak_split _ | Strong_split _), [] -> None
 
 let is_of_slice t label = match some_leaf label with Some i -> t.kept.(i) | None -> false
@@ -88,7 +89,7 @@ let choose t (step : Witness.step) =
 let repeat t (step : Witness.step) =
   match step.transition.label with
   | Time _ -> ()
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ ->
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ ->
     arrive t step.time;
     let k, a = choose t step in
     take t k a;

@@ -71,7 +71,7 @@ let puts_off semantics (cycle : Witness.step list) ~from =
   let is_put_off (t : Transition.t) =
     match t.label with
     | Weak_split _ when not (List.exists (Transition.equal_label t.label) made) -> Some t.label
-    | Weak_split _ | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Strong_split _ | Draw _ -> None
+    | Weak_split _ | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Strong_split _ | Draw _ | Lot _ -> None
   in
   let at state =
     match Network.successors semantics state with
@@ -99,7 +99,7 @@ let time_choice context state =
       | (t : Transition.t) :: rest -> (
           match t.label with
           | Time d -> Some (k, d)
-          | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> find (k + 1) rest)
+          | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> find (k + 1) rest)
     in
     find 0 transitions
 

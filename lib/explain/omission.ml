@@ -71,7 +71,7 @@ let ending semantics ~over (place : place) =
   | Some (Error (Persistent_contact firsts)) ->
     let names = List.map (fun leaf -> model.leaves.(leaf).name) firsts in
     [ "the run is over: " ^ String.concat " and " names ^ " are in persistent contact" ]
-  | Some (Ok _ | Error (Bad_law _)) -> [ "the run goes on" ]
+  | Some (Ok _ | Error (Bad_law _ | Bad_chance _)) -> [ "the run goes on" ]
 
 let all_facts semantics props ~over place = facts semantics props place @ ending semantics ~over place
 
@@ -85,7 +85,7 @@ let compare_end w (place : place) =
 let make (place : place) (t : Transition.t) =
   match t.label with
   | Time d -> { state = t.target; time = Rat.add place.time d; arrival = None }
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ ->
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ ->
     { place with state = t.target; arrival = Some (place.state, t.label) }
 
 let is_time (t : Transition.t) = Transition.is_time t.label
@@ -212,7 +212,7 @@ let final course =
         let { Course.label; before; _ } = legs.(n - 1) in
         match label with
         | Time _ -> None
-        | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> Some (before, label))
+        | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> Some (before, label))
   in
   { state = Course.last course; time = Rat.sub (Course.duration course) (Course.rest course); arrival }
 

@@ -93,7 +93,7 @@ let duration context graph (s : Graph.step) =
 let event context graph (s : Graph.step) =
   match Catalogue.label_of (Network_lts.catalogue context) (Graph.edges graph s.source).(s.choice).label with
   | Time _ -> None
-  | (Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _) as label ->
+  | (Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _) as label ->
     Some (Transition.label_to_string (Network_lts.model context) label)
 
 (* What happens on a run, seen from where it starts. *)

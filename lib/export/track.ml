@@ -104,7 +104,7 @@ let of_course course =
     match l.label with
     | Time d -> stretch model growing l.start d l.before
     | Absorb _ -> leave model growing l.start l.after
-    | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ | Draw _ -> ()
+    | Bind _ | Close _ | Bounce _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> ()
   in
   Array.iter leg (Course.legs course);
   let over = Rat.sub (Course.duration course) (Course.rest course) in

@@ -3,7 +3,7 @@ open Scc_calculus.Behaviour
 
 type offer =
   | Offer_open of polarity * channel * t
-  | Offer_weak of channel * Rat.t * t
+  | Offer_weak of channel * loosening * t
   | Offer_strong of channel list * Rat.t * t
 
 type derivation = { summand : t; within : int option list; by_sum : bool; by_def : bool }

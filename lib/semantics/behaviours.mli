@@ -8,7 +8,7 @@ open Scc_calculus.Behaviour
 (** A summand that a behaviour offers, with what follows it. *)
 type offer =
   | Offer_open of polarity * channel * t
-  | Offer_weak of channel * Rat.t * t  (** with its push *)
+  | Offer_weak of channel * loosening * t
   | Offer_strong of channel list * Rat.t * t
 
 val offers : definitions -> aged -> offer list

@@ -59,6 +59,7 @@ let joined (c : Semantics.t) (p : State.process) (q : State.process) bond contin
   State.process ~leaves ~bonds ~velocity:Scc_exact.Vec.zero ~clock:None ()
   |> Process.restart_clock c.setting.model |> K.joined c.setting p q
   |> Process.joined_step c.setting.model p q
+  |> State.with_lots p.lots
 
 type candidate = {
   bond : State.bond;

@@ -82,15 +82,20 @@ let draws c s p =
   let* outcomes = Steer.draw c s p in
   all_ok [] (List.map (fun (label, target) -> finish c label [ Rule.Draw ] target) outcomes)
 
+let lots c (s : State.t) p =
+  let* outcomes = Splits.lots c p in
+  all_ok [] (List.map (happens c s ~step:s.step) outcomes)
+
 let events_and_time c s =
   { urgent = of_single c s urgent; weak = of_single c s weak; collisions = collisions c s }
   |> in_order Fun.id ~time:(time c s)
   |> all_ok []
 
 let successors c s =
-  match Steer.next_to_draw c s with
-  | Some p -> draws c s p
-  | None -> events_and_time c s
+  match (Lots.next (Semantics.model c) s, Steer.next_to_draw c s) with
+  | Some p, _ -> lots c s p
+  | None, Some p -> draws c s p
+  | None, None -> events_and_time c s
 
 let within c s d =
   match (Semantics.model c).splits with
@@ -113,6 +118,7 @@ let together c processes =
 
 let quiescent c (s : State.t) =
   Option.is_none (Steer.next_to_draw c s)
+  && (not (Lots.pending s))
   && Array.for_all (fun p -> urgent c p = [] && Option.is_none p.State.clock) s.processes
   && (not (Collisions.collides c s))
   && Option.is_none (Time.delay c s)
@@ -124,7 +130,7 @@ let initial (c : Semantics.t) (declared : State.t) =
     if Model.of_all m then Some { State.remaining = m.timestep; phase = State.Due } else None
   in
   let time = if m.keeps_time then Some Scc_exact.Rat.zero else None in
-  let start p = Process.restart_step m (K.start c.setting (Process.restart_clock m p)) in
+  let start p = Lots.start m @@ Process.restart_step m (K.start c.setting (Process.restart_clock m p)) in
   let processes = List.map start (Array.to_list declared.processes) in
   let* settled = Steer.settle c (State.make ~processes ~step ~time) in
   Ok settled.state

@@ -5,22 +5,28 @@ let continue continuations (l : State.leaf) =
   | Some b -> { l with behaviour = Behaviour.fresh b }
   | None -> l
 
-type released = { rest : Behaviour.t; push : Scc_exact.Rat.t; how : Behaviours.derivation }
+type released = {
+  rest : Behaviour.t;
+  push : Scc_exact.Rat.t;
+  chance : Scc_exact.Rat.t option;
+  how : Behaviours.derivation;
+}
 
-(* What an end of a bond may do to release it: its summands omega(a, Phi) that match. *)
 let releases (m : Model.t) p name (f : State.finish) =
   Behaviours.derivations m.definitions (State.leaf_of p f.at).behaviour
   |> List.filter_map (fun (offer, derivation) ->
       match offer with
-      | Behaviours.Offer_weak (c, push, rest) when String.equal c.name name && Behaviour.active c f.site ->
-        Some { rest; push; how = derivation }
+      | Behaviours.Offer_weak (c, { push; chance }, rest) when String.equal c.name name && Behaviour.active c f.site ->
+        Some { rest; push; chance; how = derivation }
       | Offer_weak _ | Offer_open _ | Offer_strong _ -> None)
 
+let free_releases m p name f = List.filter (fun r -> Option.is_none r.chance) (releases m p name f)
+
 let weak_offers m p (b : State.bond) =
-  let first = releases m p b.name b.one in
+  let first = free_releases m p b.name b.one in
   if first = [] then []
   else
-    let second = releases m p b.name b.two in
+    let second = free_releases m p b.name b.two in
     List.concat_map (fun one -> List.map (fun two -> (one, two)) second) first
 
 let releasable m p b = weak_offers m p b <> []
@@ -66,3 +72,22 @@ let at_split_instant (p : State.process) =
   match p.clock with
   | Some clock -> Scc_exact.Rat.sign clock = 0
   | None -> false
+
+(* By their places alone, in which no two bodies of one shape can be the same: names and shifts change nothing. *)
+let compare_places (m : Model.t) p q =
+  let place (l : State.leaf) = (l.position, l.turned, m.leaves.(l.leaf).template) in
+  let compare_leaves (v, q, s) (w, r, t) =
+    match Scc_exact.Vec.compare v w with
+    | 0 -> ( match Scc_exact.Quaternion.compare q r with 0 -> String.compare s t | c -> c)
+    | c -> c
+  in
+  let places (p : State.process) = List.sort compare_leaves (List.map place (Array.to_list p.leaves)) in
+  List.compare compare_leaves (places p) (places q)
+
+let first_by_place m processes =
+  let earlier first p =
+    match first with
+    | Some q when compare_places m q p <= 0 -> first
+    | Some _ | None -> Some p
+  in
+  List.fold_left earlier None processes

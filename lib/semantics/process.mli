@@ -5,11 +5,21 @@ open Scc_calculus
 val continue : (int * Behaviour.t) list -> State.leaf -> State.leaf
 (** The leaf with the behaviour that the list gives for it, if it gives one. *)
 
-(** What an end of a bond becomes when it releases it, by which summand, and how hard it pushes (reading I-36). *)
-type released = { rest : Behaviour.t; push : Scc_exact.Rat.t; how : Behaviours.derivation }
+(** What an end of a bond becomes when it releases it, by which summand, how hard it pushes (reading I-36), and with
+    which probability at each split instant, if it is not free to choose (rule Lot). *)
+type released = {
+  rest : Behaviour.t;
+  push : Scc_exact.Rat.t;
+  chance : Scc_exact.Rat.t option;
+  how : Behaviours.derivation;
+}
+
+val releases : Model.t -> State.process -> string -> State.finish -> released list
+(** What an end of a bond of this name may do to release it: its summands omega(a, Phi) that match. *)
 
 val weak_offers : Model.t -> State.process -> State.bond -> (released * released) list
-(** The ways to release a bond, which both its ends, the lesser and the greater, must offer (reading I-6). *)
+(** The ways to release a bond by free choice, which both its ends, the lesser and the greater, must offer
+    (reading I-6). *)
 
 val releasable : Model.t -> State.process -> State.bond -> bool
 (** Whether a bond may be released by rule WeakSplit, at some instant. *)
@@ -45,3 +55,9 @@ val joined_step : Model.t -> State.process -> State.process -> State.process -> 
 
 val piece_step : Model.t -> whole:State.process -> State.process -> State.process
 (** A piece goes on in the step of the whole; one that leaves a fixed body is about to be steered. *)
+
+(** {1 Whose turn it is to draw} *)
+
+val first_by_place : Model.t -> State.process list -> State.process option
+(** The one whose leaves are least by their reference points, then by how they are turned, then by the names of their
+    templates, and then the first of the list (rule Draw). *)

@@ -15,6 +15,7 @@ type t =
   | Time
   | Steer
   | Draw
+  | Lot
   | Turn
   | Round
 
@@ -35,13 +36,14 @@ let id = function
   | Time -> "Time"
   | Steer -> "Steer"
   | Draw -> "Draw"
+  | Lot -> "Lot"
   | Turn -> "Turn"
   | Round -> "Round"
 
 let all =
   [
     Pre; Weak; Strong; Sum; Def; Eps0; Time_behaviour; Weak_split; Strong_split; Bind; Close; Bounce; Absorb; Time;
-    Steer; Draw; Turn; Round;
+    Steer; Draw; Lot; Turn; Round;
   ]
 
 let of_model (m : Scc_calculus.Model.t) =
@@ -51,6 +53,7 @@ let of_model (m : Scc_calculus.Model.t) =
     | Round -> Scc_calculus.Model.has_turns m
     | Absorb -> Scc_calculus.Model.absorbs m
     | Draw -> Scc_calculus.Model.draws m
+    | Lot -> m.lots
     | _ -> true
   in
   List.filter can all

@@ -17,6 +17,7 @@ type t =
   | Time
   | Steer
   | Draw
+  | Lot  (** of models in which a weak split has a chance *)
   | Turn  (** of the rigid calculus only, as is *)
   | Round
 
@@ -26,4 +27,4 @@ val id : t -> string
 val all : t list
 
 val of_model : Scc_calculus.Model.t -> t list
-(** Those that apply to a model: {!Close}, {!Absorb}, {!Turn} and {!Round} are for some only. *)
+(** Those that apply to a model: {!Close}, {!Absorb}, {!Draw}, {!Lot}, {!Turn} and {!Round} are for some only. *)

@@ -52,23 +52,112 @@ let fall_apart (c : Semantics.t) (p : State.process) releases continuations =
       State.process ~leaves ~bonds ~velocity:p.velocity ~clock:None ()
       |> K.piece c.setting ~whole:p
       |> Process.piece_step c.setting.model ~whole:p
-      |> Process.restart_clock c.setting.model)
+      |> Process.restart_clock c.setting.model
+      |> Lots.piece c.setting.model ~whole:p)
   |> pushed_apart c p releases
 
+let released c p (b : State.bond) ((one : Process.released), (two : Process.released)) =
+  let release = { Transition.bond = b; push = Rat.add one.push two.push } in
+  {
+    Transition.rule = Rule.Weak_split;
+    label = Weak_split release;
+    fired = [ [ one.how; two.how ] ];
+    gone = [ p ];
+    come = fall_apart c p [ release ] [ (b.one.at, one.rest); (b.two.at, two.rest) ];
+  }
+
 let weak (c : Semantics.t) (p : State.process) =
-  let release (b : State.bond) =
-    Process.weak_offers c.setting.model p b
-    |> List.map (fun ((one : Process.released), (two : Process.released)) ->
-        let release = { Transition.bond = b; push = Rat.add one.push two.push } in
-        {
-          Transition.rule = Rule.Weak_split;
-          label = Weak_split release;
-          fired = [ [ one.how; two.how ] ];
-          gone = [ p ];
-          come = fall_apart c p [ release ] [ (b.one.at, one.rest); (b.two.at, two.rest) ];
-        })
-  in
+  let release b = List.map (released c p b) (Process.weak_offers c.setting.model p b) in
   if Process.at_split_instant p then List.concat_map release (Array.to_list p.bonds) else []
+
+(* {1 Rule Lot} *)
+
+let decided p lots (b : State.bond) decision chance pending =
+  {
+    Transition.rule = Rule.Lot;
+    label = Lot { bond = b; decision; chance };
+    fired = [];
+    gone = [ p ];
+    come = [ State.with_lots (Some { lots with State.pending }) p ];
+  }
+
+let total drawn = List.fold_left (fun sum (_, q) -> Rat.add sum q) Rat.zero drawn
+
+(* Each of the two ends draws by itself, if it has a chance; where both let go, the bond is to be released. *)
+let decide m (p : State.process) (lots : State.lots) b =
+  let choices (side : Lots.side) =
+    match side.drawn with
+    | [] -> [ ([], Rat.one) ]
+    | drawn -> List.map (fun (summand, q) -> ([ (side.finish.at, summand) ], q)) drawn
+  in
+  let with_lot lot = List.map (fun (c, l) -> if State.equal_bond b c then (c, lot) else (c, l)) lots.pending in
+  let without = List.filter (fun (c, _) -> not (State.equal_bond b c)) lots.pending in
+  match Lots.sides m p b with
+  | None -> Scc_base.Bug.fail __POS__ "lots are pending for what has no chance"
+  | Some (one, two) -> (
+      let too_much (side : Lots.side) = Rat.compare (total side.drawn) Rat.one > 0 in
+      match List.find_opt too_much [ one; two ] with
+      | Some side -> Error (Transition.Bad_chance side.finish)
+      | None ->
+        let both (s, q) = List.map (fun (t, r) -> (s @ t, Rat.mul q r)) (choices two) in
+        let ways = List.concat_map both (choices one) in
+        let let_go (drawn, q) = decided p lots b Let_go q (with_lot (Let_go drawn)) in
+        let rest = Rat.sub Rat.one (total ways) in
+        let kept = if Rat.sign rest > 0 then [ decided p lots b Kept rest without ] else [] in
+        Ok (List.map let_go ways @ kept))
+
+(* The bonds of a list that hang together with one of them by leaves that they share. *)
+let together (b : State.bond) bonds =
+  let touch (b : State.bond) (c : State.bond) =
+    List.exists (fun leaf -> leaf = c.one.at || leaf = c.two.at) [ b.one.at; b.two.at ]
+  in
+  let rec grow found left =
+    match List.partition (fun c -> List.exists (touch c) found) left with
+    | [], _ -> found
+    | more, left -> grow (found @ more) left
+  in
+  grow [ b ] (List.filter (fun c -> not (State.equal_bond b c)) bonds)
+
+(* What an end that is free chooses is left open: there is an outcome for each. *)
+let release (c : Semantics.t) (p : State.process) (b : State.bond) drawn =
+  let by_lot (f : State.finish) =
+    let follows (r : Process.released) =
+      match List.assoc_opt f.at drawn with
+      | Some summand -> Behaviour.equal summand r.how.summand
+      | None -> Option.is_none r.chance
+    in
+    List.filter follows (Process.releases c.setting.model p b.name f)
+  in
+  List.concat_map (fun one -> List.map (fun two -> released c p b (one, two)) (by_lot b.two)) (by_lot b.one)
+
+let carry_out c (p : State.process) (lots : State.lots) in_order =
+  let drawn_first = function b, State.Next drawn -> Some (b, drawn) | _, (Undecided | Let_go _) -> None in
+  let let_go = function b, State.Let_go drawn -> Some (b, drawn) | _, (Undecided | Next _) -> None in
+  match (List.find_map drawn_first in_order, List.filter_map let_go in_order) with
+  | Some (b, drawn), _ -> release c p b drawn
+  | None, [] -> Scc_base.Bug.fail __POS__ "no lots are pending"
+  | None, ((b, drawn) :: _ as all) -> (
+      match together b (List.map fst all) with
+      | [ _ ] -> release c p b drawn
+      | several ->
+        let chance = Rat.div Rat.one (Rat.of_int (List.length several)) in
+        let first b =
+          let next (c, (lot : State.lot)) =
+            match lot with
+            | Let_go drawn when State.equal_bond b c -> (c, State.Next drawn)
+            | Undecided | Let_go _ | Next _ -> (c, lot)
+          in
+          decided p lots b First chance (List.map next lots.pending)
+        in
+        List.map first several)
+
+let lots (c : Semantics.t) (p : State.process) =
+  let undecided = function b, State.Undecided -> Some b | _, (Let_go _ | Next _) -> None in
+  let in_order = Lots.in_order c.setting.model p in
+  match (p.lots, List.find_map undecided in_order) with
+  | None, _ -> Ok []
+  | Some lots, Some b -> decide c.setting.model p lots b
+  | Some lots, None -> Ok (carry_out c p lots in_order)
 
 (* Rule StrongSplit. A reaction is grown from its least bond: whoever is at an end of a bond of X must choose
    a summand rho(L) whose entries match exactly the bonds of X at that leaf, which may bring in more bonds,

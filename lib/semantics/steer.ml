@@ -102,13 +102,15 @@ let time (s : State.t) = Option.value s.time ~default:Rat.zero
 let dt (m : Model.t) (s : State.t) (l : State.leaf) =
   match s.step with Some step -> Rat.sub m.timestep step.remaining | None -> l.waited
 
-(* At the end of the one movement step all; else each at the end of its own, if it does not collide. *)
+(* At the end of the one movement step all; else each at the end of its own, if it does not collide. What falls apart
+   by lot does so before. *)
 let due c (s : State.t) =
   let is_due (p : State.process) = match p.phase with Some Due -> true | Some (Moving | Steered) | None -> false in
   match s.step with
+  | Some { phase = Due; _ } when Lots.pending s -> None
   | Some { phase = Due; _ } -> if Collisions.collides c s then None else Some (fun _ -> true)
   | Some { phase = Moving | Steered; _ } -> None
-  | None when not (Array.exists is_due s.processes) -> None
+  | None when Lots.pending s || not (Array.exists is_due s.processes) -> None
   | None ->
     let hit = Collisions.colliding c s in
     let which i = is_due s.processes.(i) && not (List.exists (fun (a, b) -> a = i || b = i) hit) in
@@ -167,24 +169,8 @@ let settle (c : Semantics.t) (s : State.t) =
 
 (* {1 Draws} *)
 
-(* By their places alone, in which no two bodies of one shape can be the same: names and shifts change nothing. *)
-let compare_places (m : Model.t) p q =
-  let place (l : State.leaf) = (l.position, l.turned, m.leaves.(l.leaf).template) in
-  let compare_leaves (v, q, s) (w, r, t) =
-    match Vec.compare v w with
-    | 0 -> ( match Quaternion.compare q r with 0 -> String.compare s t | c -> c)
-    | c -> c
-  in
-  let places (p : State.process) = List.sort compare_leaves (List.map place (Array.to_list p.leaves)) in
-  List.compare compare_leaves (places p) (places q)
-
 let next_to_draw c (s : State.t) =
-  let earlier first p =
-    match first with
-    | Some q when compare_places (Semantics.model c) q p <= 0 -> first
-    | Some _ | None -> Some p
-  in
-  Array.to_seq s.processes |> Seq.filter waits |> Seq.fold_left earlier None
+  Process.first_by_place (Semantics.model c) (List.filter waits (Array.to_list s.processes))
 
 let draw c (s : State.t) p =
   let m = Semantics.model c in

@@ -29,7 +29,7 @@ let step_left (m : Model.t) (s : State.t) =
   | None when Model.of_each m -> Array.fold_left (fun d p -> least d (of_process p)) None s.processes
   | None -> None
 
-let wait m p = least (horizon m p) (to_split_instant m p)
+let wait m p = least (horizon m p) (least (to_split_instant m p) (Lots.wait m p))
 
 let delay (c : Semantics.t) (s : State.t) =
   let (module K) = c.kinematics in
@@ -70,7 +70,7 @@ let age_process (m : Model.t) d (p : State.process) =
   else
     let age (l : State.leaf) = { l with behaviour = Behaviours.pass m.definitions d l.behaviour } in
     let aged = State.map_leaves age p in
-    State.with_clock (age_clock m d p aged) aged
+    State.with_clock (age_clock m d p aged) (Lots.pass m d aged)
 
 let pass_process m d p = Turn.pass m d (age_process m d p)
 

@@ -5,6 +5,8 @@ type hit = { one : int * int; two : int * int }
 
 type release = { bond : State.bond; push : Rat.t }
 
+type decision = Kept | Let_go | First
+
 type label =
   | Time of Rat.t
   | Bind of State.bond
@@ -14,6 +16,7 @@ type label =
   | Weak_split of release
   | Strong_split of release list
   | Draw of { first : int; velocity : Vec.t; chance : Rat.t }
+  | Lot of { bond : State.bond; decision : decision; chance : Rat.t }
 
 type outcome = {
   rule : Rule.t;
@@ -35,29 +38,34 @@ type t = {
   rounded : State.t option;
 }
 type fault =
+  | Bad_chance of State.finish
   | Bad_law of { leaf : int; fault : Law.fault }
   | Persistent_contact of int list
 
 let bonds = function
-  | Time _ | Bounce _ | Absorb _ | Draw _ -> []
+  | Time _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> []
   | Bind b | Close b -> [ b ]
   | Weak_split r -> [ r.bond ]
   | Strong_split releases -> List.map (fun r -> r.bond) releases
 
 let duration_of = function
   | Time d -> d
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> Rat.zero
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> Rat.zero
 
 let is_time = function
   | Time _ -> true
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> false
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> false
+
+let is_drawn = function
+  | Draw _ | Lot _ -> true
+  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> false
 
 let is_urgent = function
-  | Strong_split _ | Close _ | Bind _ | Bounce _ | Absorb _ | Draw _ -> true
+  | Strong_split _ | Close _ | Bind _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> true
   | Time _ | Weak_split _ -> false
 
 let chance = function
-  | Draw { chance; _ } -> chance
+  | Draw { chance; _ } | Lot { chance; _ } -> chance
   | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> Rat.one
 
 let duration (t : t) = duration_of t.label
@@ -84,7 +92,8 @@ let equal_label a b =
   | Absorb x, Absorb y -> Int.equal x.first y.first && Int.equal x.absorber y.absorber
   | Strong_split x, Strong_split y -> List.equal equal_release x y
   | Draw x, Draw y -> Int.equal x.first y.first && Vec.equal x.velocity y.velocity && Rat.equal x.chance y.chance
-  | (Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _), _ -> false
+  | Lot x, Lot y -> State.equal_bond x.bond y.bond && x.decision = y.decision && Rat.equal x.chance y.chance
+  | (Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _), _ -> false
 
 let renamed image label =
   let finish (f : State.finish) = { f with at = image f.at } in
@@ -104,6 +113,7 @@ let renamed image label =
     let by_bond r s = State.compare_bond r.bond s.bond in
     Strong_split (List.sort by_bond (List.map release releases))
   | Draw d -> Draw { d with first = image d.first }
+  | Lot l -> Lot { l with bond = bond l.bond }
 
 let same (a : outcome) (b : outcome) =
   equal_label a.label b.label && List.equal State.equal_process a.come b.come
@@ -117,6 +127,7 @@ let distinct outcomes = List.fold_left (fun kept o -> add o kept) [] outcomes
 
 let finish_to_string m (f : State.finish) = Model.site_name m ~leaf:f.at f.site
 let ends m (b : State.bond) = finish_to_string m b.one ^ ", " ^ finish_to_string m b.two
+let bond_to_string m (b : State.bond) = Printf.sprintf "%s, %s" b.name (ends m b)
 
 let pushed r = if Rat.sign r.push = 0 then "" else Printf.sprintf " push(%s)" (Rat.to_string r.push)
 
@@ -127,6 +138,8 @@ let time_of_string text =
   if n > 6 && String.equal (String.sub text 0 5) "time(" && text.[n - 1] = ')' then
     match Rat.of_literal (String.sub text 5 (n - 6)) with Ok d -> Some d | Error _ -> None
   else None
+
+let decision_to_string = function Kept -> "keep" | Let_go -> "release" | First -> "first"
 
 let label_to_string (m : Model.t) = function
   | Time d -> Printf.sprintf "time(%s)" (Rat.to_string d)
@@ -142,9 +155,16 @@ let label_to_string (m : Model.t) = function
     |> Printf.sprintf "strong({%s})"
   | Draw { first; velocity; chance } ->
     Printf.sprintf "draw(%s, %s) chance(%s)" m.leaves.(first).name (Vec.to_string velocity) (Rat.to_string chance)
+  | Lot { bond = b; decision; chance } ->
+    Printf.sprintf "%s(%s, %s) chance(%s)" (decision_to_string decision) b.name (ends m b) (Rat.to_string chance)
 
 let diagnostic (m : Model.t) fault =
   match fault with
+  | Bad_chance f ->
+    Scc_base.Diag.error Scc_base.Code.bad_chance Scc_base.Span.none
+      "the chances with which `%s` releases a bond at %s sum to more than 1" m.leaves.(f.at).name
+      (Model.site_name m ~leaf:f.at f.site)
+      ~hint:"each is the probability of one way to release it, and at most one of them happens"
   | Bad_law { leaf; fault } ->
     Scc_base.Diag.error Scc_base.Code.bad_law m.leaves.(leaf).law_at
       "the law of motion of %s cannot be evaluated: %s" m.leaves.(leaf).name

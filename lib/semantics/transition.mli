@@ -9,6 +9,12 @@ type hit = { one : int * int; two : int * int }
 (** A bond that a split releases, and the impulse by which the two leaves that it joined part (reading I-36). *)
 type release = { bond : State.bond; push : Rat.t }
 
+(** What chance may decide of a bond at a split instant (rule Lot). *)
+type decision =
+  | Kept  (** it stays *)
+  | Let_go  (** it is to be released *)
+  | First  (** it is to be released before others that end at one of its leaves *)
+
 type label =
   | Time of Rat.t
   | Bind of State.bond  (** the bond that was made *)
@@ -21,6 +27,8 @@ type label =
   | Strong_split of release list  (** sorted by their bonds *)
   | Draw of { first : int; velocity : Vec.t; chance : Rat.t }
   (** the first leaf of the process, the velocity that it draws, and the probability of it: more than 0 *)
+  | Lot of { bond : State.bond; decision : decision; chance : Rat.t }
+  (** with the probability of the decision: more than 0 *)
 
 (** What happens to some processes, whatever the others do. *)
 type outcome = {
@@ -50,6 +58,7 @@ type t = {
 
 (** Why a state's transitions cannot be computed. *)
 type fault =
+  | Bad_chance of State.finish  (** the chances that a leaf has for a bond sum to more than 1 *)
   | Bad_law of { leaf : int; fault : Law.fault }
   | Persistent_contact of int list
   (** processes, by their first leaves, would interpenetrate at once, and their response is zero (rule Persistent):
@@ -61,16 +70,20 @@ val duration : t -> Rat.t
 val duration_of : label -> Rat.t
 
 val bonds : label -> State.bond list
-(** That are made or released. *)
+(** That are made or released; not those that lots are drawn for. *)
 
 val is_time : label -> bool
 (** The others are events. *)
 
 val is_urgent : label -> bool
-(** Whether no time passes while it is possible (rule Time): strong splits, closings, collisions and draws. *)
+(** Whether no time passes while it is possible (rule Time): strong splits, closings, collisions, draws and lots. *)
 
 val chance : label -> Rat.t
-(** The probability of a draw (rule Draw), among those of its state, which sum to 1; 1 of everything else. *)
+(** The probability of what is drawn, among those of its state, which sum to 1; 1 of everything else. *)
+
+val is_drawn : label -> bool
+(** What chance decides: a velocity or a lot (rules Draw and Lot). While something is to be drawn, that is all that may
+    happen. *)
 
 val hit : int * int -> int * int -> hit
 val compare_hit : hit -> hit -> int
@@ -80,12 +93,18 @@ val renamed : (int -> int) -> label -> label
 (** With other indices for the leaves, in a [Bounce] and an [Absorb] also for those that processes are told by,
     which need not be the first ones of these then. *)
 
+val decision_to_string : decision -> string
+(** [keep], [release] or [first]. *)
+
 val time_of_string : string -> Rat.t option
 (** Of a label [Time], as {!label_to_string} writes it. *)
 
+val bond_to_string : Model.t -> State.bond -> string
+(** [a, p.right, q.left]. *)
+
 val label_to_string : Model.t -> label -> string
 (** [time(1/2)], [bind(a, p.right, q.left)], [close(a, p.right, q.left)], [bounce(p, q)], [absorb(p, drain)],
-    [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})], [draw(p, (1, 0, 0)) chance(1/2)]. *)
+    [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})], [draw(p, (1, 0, 0)) chance(1/2)], [release(a, p.right, q.left) chance(1/2)], likewise [keep] and [first]. *)
 
 val diagnostic : Model.t -> fault -> Scc_base.Diag.t
-(** SC0601 or SC0602. *)
+(** SC0601, SC0602 or SC0603. *)

@@ -17,6 +17,7 @@ type fault =
   | Bad_clock of int
   | Bad_turn of int
   | Bad_step
+  | Bad_lots
   | Bad_time
 
 let leaves (state : State.t) =
@@ -182,6 +183,33 @@ let draw_is_right (m : Model.t) (s : State.t) =
   if Array.exists waits s.processes then Array.for_all right s.processes
   else Array.for_all (fun (p : State.process) -> Option.is_none p.draw) s.processes
 
+(* Split instants are those of the network, and lots are pending at them alone, for bonds that are there. *)
+let lots_are_right (m : Model.t) (s : State.t) =
+  let right (since : Rat.t) (p : State.process) =
+    match p.lots with
+    | None -> false
+    | Some lots ->
+      let of_bond (b, (lot : State.lot)) =
+        Array.exists (State.equal_bond b) p.bonds
+        && match lot with Undecided -> Option.is_some (Lots.sides m p b) | Let_go _ | Next _ -> true
+      in
+      let next (_, lot) = match lot with State.Next _ -> true | Undecided | Let_go _ -> false in
+      Rat.equal lots.since since
+      && (lots.pending = [] || Rat.sign since = 0)
+      && List.for_all of_bond lots.pending
+      && List.length (List.filter next lots.pending) <= 1
+  in
+  let lots (p : State.process) = Option.is_some p.lots in
+  match (m.lots, m.splits) with
+  | true, Any_time -> false
+  | false, _ -> not (Array.exists lots s.processes)
+  | true, Every step -> (
+      match Array.to_list s.processes with
+      | [] -> true
+      | { lots = Some { since; _ }; _ } :: _ ->
+        Rat.sign since >= 0 && Rat.compare since step < 0 && Array.for_all (right since) s.processes
+      | { lots = None; _ } :: _ -> false)
+
 let time_is_right (m : Model.t) (s : State.t) =
   match s.time with
   | None -> not m.keeps_time
@@ -196,6 +224,7 @@ let check (c : Semantics.t) (s : State.t) =
       check_overlaps c s;
       processes;
       (if step_is_right m s && draw_is_right m s then [] else [ Bad_step ]);
+      (if lots_are_right m s then [] else [ Bad_lots ]);
       (if time_is_right m s then [] else [ Bad_time ]);
     ]
 
@@ -223,4 +252,5 @@ let to_string (m : Model.t) (s : State.t) fault =
   | Bad_clock i -> Printf.sprintf "the split clock of the process of `%s` is wrong" (process i)
   | Bad_turn i -> Printf.sprintf "the process of `%s` turns as it cannot" (process i)
   | Bad_step -> "the movement step is wrong"
+  | Bad_lots -> "the lots of a split instant are wrong"
   | Bad_time -> "the time is wrong"

@@ -22,6 +22,8 @@ type fault =
   (** a turn or an orientation in the translational calculus, or a turn that began in the future (rule Turn) *)
   | Bad_step  (** a step where nothing is steered, none where something is, one that is out of range, or a draw
                   of somebody whose law is not asked, or that nobody waits for *)
+  | Bad_lots  (** lots between split instants or for bonds that have none, or instants that are not those of all
+                  (rule Lot) *)
   | Bad_time  (** a time where nothing needs it, none where something does, or a negative one *)
 
 val check : Semantics.t -> State.t -> fault list

@@ -58,5 +58,5 @@ let of_exploration ~complete ~faults ~stopped_by =
   | [] -> of_bounds stopped_by
 
 let of_fault : Transition.fault -> t = function
-  | Bad_law _ -> Invalid
+  | Bad_law _ | Bad_chance _ -> Invalid
   | Persistent_contact _ -> Undecided

@@ -187,7 +187,7 @@ let given_up c = List.rev c.given_up
 
 let is_given_up : Transition.fault -> bool = function
   | Persistent_contact _ -> true
-  | Bad_law _ -> false
+  | Bad_law _ | Bad_chance _ -> false
 
 let is_dead_end semantics state =
   match Network.successors semantics state with

@@ -29,9 +29,8 @@ let drawn context g i =
   match Graph.edges g i with
   | [||] -> None
   | edges -> (
-      match label edges.(0) with
-      | Draw _ -> Some (Array.map (fun e -> Scc_semantics.Transition.chance (label e)) edges)
-      | _ -> None)
+      let chance e = Scc_semantics.Transition.chance (label e) in
+      if Scc_semantics.Transition.is_drawn (label edges.(0)) then Some (Array.map chance edges) else None)
 
 let timed_graph context ~rests g : Timed_graph.t =
   let size = Graph.size g in

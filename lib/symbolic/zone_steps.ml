@@ -28,7 +28,7 @@ let some_leaf (h : Happening.t) =
   | _, b :: _ -> b.one.at
   | Bounce { firsts = i :: _; _ }, [] -> i
   | (Absorb { first; _ } | Draw { first; _ }), [] -> first
-  | (Time _ | Bounce _ | Bind _ | Close _ | Weak_split _ | Strong_split _), [] ->
+  | (Time _ | Bounce _ | Bind _ | Close _ | Weak_split _ | Strong_split _ | Lot _), [] ->
     Scc_base.Bug.fail __POS__ "an event of nobody"
 
 (* Rule Order: what one group does that nobody can see, if it has to do something, before what all others do. *)

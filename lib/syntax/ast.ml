@@ -115,13 +115,17 @@ type member = { feature : feature; only : bool }
 (** A channel [<a, {f1,…}>], [omega(a, {…})] or an entry of [rho]. *)
 type channel = { channel : name; co : bool; features : member list; span : Span.t }
 
+(** [chance 1/10] or [rate 2] of a weak split: the word, which may be another one yet, and the number. *)
+type odds = { odds : name; value : expr }
+
+type loosening = { push : expr option; odds : odds option }
 type behaviour = behaviour_kind loc
 
 and behaviour_kind =
   | Nil
   | Open of channel * behaviour  (** [<alpha, Phi>. B] *)
-  | Weak of channel * expr option * behaviour  (** [omega(a, Phi). B], perhaps with a [push(j)] *)
-  | Strong of channel list * expr option * behaviour  (** [rho({…}). B], likewise *)
+  | Weak of channel * loosening * behaviour  (** [omega(a, Phi). B], perhaps with a [push(j)] and [chance q] *)
+  | Strong of channel list * expr option * behaviour  (** [rho({…}). B], perhaps with a [push(j)] *)
   | Delay of expr * behaviour  (** [eps(t). B] *)
   | Sum of behaviour * behaviour
   | Name of reference  (** K *)

@@ -109,11 +109,14 @@ let member (a : member) (b : member) = Bool.equal a.only b.only && feature a.fea
 let channel (a : channel) (b : channel) =
   name a.channel b.channel && Bool.equal a.co b.co && list member a.features b.features
 
+let odds (a : odds) (b : odds) = name a.odds b.odds && expr a.value b.value
+let loosening a b = Option.equal expr a.push b.push && Option.equal odds a.odds b.odds
+
 let rec behaviour (a : behaviour) (b : behaviour) =
   match (a.it, b.it) with
   | Nil, Nil -> true
   | Open (c, x), Open (d, y) -> channel c d && behaviour x y
-  | Weak (c, i, x), Weak (d, j, y) -> channel c d && Option.equal expr i j && behaviour x y
+  | Weak (c, i, x), Weak (d, j, y) -> channel c d && loosening i j && behaviour x y
   | Strong (cs, i, x), Strong (ds, j, y) -> list channel cs ds && Option.equal expr i j && behaviour x y
   | Delay (t, x), Delay (u, y) -> expr t u && behaviour x y
   | Sum (w, x), Sum (y, z) -> behaviour w y && behaviour x z

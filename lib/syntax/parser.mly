@@ -92,6 +92,15 @@ definitions:
 
 push: PUSH LPAREN j = expr RPAREN { j }
 
+(* What a dot can follow: in an expression a name and a dot might go on. *)
+odds_value:
+| q = NUMBER { at $loc (Number q) }
+| p = NUMBER SLASH q = NUMBER { at $loc (Binary (Div, at $loc(p) (Number p), at $loc(q) (Number q))) }
+| n = name { at $loc (Path (at $loc [ { name = n; indices = [] } ])) }
+| LPAREN e = expr RPAREN { e }
+
+odds: w = NAME e = odds_value { { odds = at $loc(w) w; value = e } }
+
 behaviour:
 | b = behaviour_term { b }
 | b = behaviour PLUS c = behaviour_term { at $loc (Sum (b, c)) }
@@ -102,7 +111,8 @@ behaviour_term:
 | k = indexed_reference { at $loc (Name k) }
 | LPAREN b = behaviour RPAREN { b }
 | c = angle_channel DOT b = behaviour_term { at $loc (Open (c, b)) }
-| c = weak_channel j = ioption(push) DOT b = behaviour_term { at $loc (Weak (c, j, b)) }
+| c = weak_channel push = ioption(push) odds = ioption(odds) DOT b = behaviour_term
+    { at $loc (Weak (c, { push; odds }, b)) }
 | RHO LPAREN LBRACE cs = optional_list(angle_channel) RBRACE RPAREN j = ioption(push) DOT b = behaviour_term
     { at $loc (Strong (cs, j, b)) }
 | EPS LPAREN t = expr RPAREN DOT b = behaviour_term { at $loc (Delay (t, b)) }

@@ -273,7 +273,17 @@ let surface (c : channel) =
 
 let angle c = "<" ^ surface c ^ ">"
 let push = function None -> "" | Some j -> " push(" ^ expr j ^ ")"
-let weak c j = "omega(" ^ surface c ^ ")" ^ push j
+
+let odds (o : odds) =
+  let bare =
+    match o.value.it with
+    | Number _ | Path { it = [ { indices = []; _ } ]; _ } -> true
+    | Binary (Div, { it = Number _; _ }, { it = Number _; _ }) -> true
+    | _ -> false
+  in
+  Printf.sprintf (if bare then " %s %s" else " %s (%s)") o.odds.it (expr o.value)
+
+let weak c j = "omega(" ^ surface c ^ ")" ^ push j.push ^ Option.fold ~none:"" ~some:odds j.odds
 let strong cs j = "rho({" ^ String.concat ", " (List.map angle cs) ^ "})" ^ push j
 let bond b = Printf.sprintf "<%s, {%s, %s}>" b.bond.it (feature b.first) (feature b.second)
 

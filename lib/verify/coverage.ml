@@ -179,7 +179,7 @@ let transition t (tr : Transition.t) =
   fire t tr.fired;
   count_rules t tr.rules;
   match tr.label with
-  | Time _ | Bounce _ | Absorb _ | Draw _ -> ()
+  | Time _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> ()
   | Bind b | Close b -> note t b.name (fun u -> u.mades <- u.mades + 1)
   | Weak_split { bond = b; _ } -> note t b.name (fun u -> u.weaks <- u.weaks + 1)
   | Strong_split releases ->
@@ -194,7 +194,7 @@ let expanded t semantics here =
         List.iter (transition t) transitions;
         t.looked_at <- t.looked_at + 1)
   | Error (Persistent_contact _) -> t.looked_at <- t.looked_at + 1
-  | Error (Bad_law _) -> Scc_base.Bug.fail __POS__ "an expanded state has transitions, or is a dead end"
+  | Error (Bad_law _ | Bad_chance _) -> Scc_base.Bug.fail __POS__ "an expanded state has transitions, or is a dead end"
 
 let explore ?time_seen (options : Check.options) semantics ~initial =
   let t = create (Semantics.model semantics) ~initial in

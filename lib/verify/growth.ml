@@ -204,20 +204,20 @@ module Instants = Map.Make (struct
     let compare = Rat.compare
   end)
 
-(* In how many ways an event of each kind was one of several at a state. Draws do not count: nothing else is
+(* In how many ways an event of each kind was one of several at a state. What is drawn does not count: nothing else is
    possible then, and what they lead to is growth of another kind. *)
 let choices context graph states =
   let add (others, splits) i =
     let label (e : Graph.edge) = Catalogue.label_of (Network_lts.catalogue context) e.label in
     let labels = List.map label (Array.to_list (Graph.edges graph i)) in
     let is_event : Transition.label -> bool = function
-      | Time _ | Draw _ -> false
+      | Time _ | Draw _ | Lot _ -> false
       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ -> true
     in
     let events = List.filter is_event labels in
     let is_split : Transition.label -> bool = function
       | Weak_split _ -> true
-      | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Strong_split _ | Draw _ -> false
+      | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Strong_split _ | Draw _ | Lot _ -> false
     in
     let weak = List.length (List.filter is_split events) in
     (* A weak split is a choice by itself: it can be put off. *)

@@ -94,7 +94,7 @@ let way context graph source target =
       match Catalogue.label_of (Network_lts.catalogue context) e.label with
       | Time d -> Passes d
       | Bounce _ -> Bounces
-      | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> Otherwise)
+      | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> Otherwise)
 
 (* No eps, split or end of a step, which come at times of their own: after each passing of time there is a bounce.
    How long the round took, if so. [round] is the ways of it, in order; the places between are those of

@@ -46,6 +46,6 @@ let warning context =
   let m = Network_lts.model context and initial = Network_lts.start context in
   let of_label : Transition.label -> Scc_base.Diag.t option = function
     | Bind b | Close b -> List.find_map (of_end m initial b.name) [ b.one; b.two ]
-    | Time _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None
+    | Time _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> None
   in
   Catalogue.find_label (Network_lts.catalogue context) of_label

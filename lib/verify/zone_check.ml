@@ -22,6 +22,7 @@ let refused (m : Model.t) use =
   let because text hint = [ Diag.error Code.not_yet Span.none "%s: %s" what text ~hint ] in
   if Option.is_some m.rigid then because "its bodies turn" fixed
   else if m.steered then because "a law of motion steers its bodies" fixed
+  else if m.lots then because "splits of it are left to chance" "give every parameter a value"
   else if Option.is_some m.round_velocity then because "its velocities are rounded" fixed
   else []
 

@@ -26,7 +26,7 @@ let told_in state (label : Transition.label) : Transition.label =
   | Bounce b -> Bounce { b with firsts = List.sort Int.compare (List.map first b.firsts) }
   | Absorb a -> Absorb { a with first = first a.first }
   | Draw d -> Draw { d with first = first d.first }
-  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ -> label
+  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ | Lot _ -> label
 
 (* The transitions that a step may be, each with its number among the successors. *)
 let candidates c state (step : Concrete.step) =

@@ -89,6 +89,7 @@ let leaves_of (l : Transition.label) =
       (firsts @ List.concat_map (fun (h : Transition.hit) -> [ fst h.one; fst h.two ]) hits)
   | Absorb { first; absorber } -> [ first; absorber ]
   | Draw { first; _ } -> [ first ]
+  | Lot { bond = b; _ } -> List.sort_uniq Int.compare [ b.one.at; b.two.at ]
   | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
     List.sort_uniq Int.compare
       (List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds l))

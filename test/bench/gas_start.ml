@@ -123,6 +123,7 @@ let network t =
       binding = On_collision;
       bonds = Acyclic;
       round_velocity = None;
+      lots = false;
       rigid = None;
       steered = false;
       steps = Shared;

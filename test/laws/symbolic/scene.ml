@@ -127,6 +127,7 @@ let model s : Model.t =
     binding = (if s.contact then On_contact else On_collision);
     bonds = Acyclic;
     round_velocity = None;
+    lots = false;
     rigid = None;
     steered = false;
     steps = Shared;

@@ -137,6 +137,7 @@ let model { bodies; switches; _ } : Model.t =
       binding = On_collision;
       bonds = Acyclic;
       round_velocity = None;
+      lots = false;
       rigid = None;
       steered = List.exists (fun b -> b.falls) bodies;
       steps = Shared;

@@ -156,6 +156,7 @@ let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
       binding = On_collision;
       bonds = Acyclic;
       round_velocity = rounding;
+      lots = false;
       rigid =
         Some { dynamics; resolution = rational 1 1024; round_orientation = rounding };
       steered = List.exists (fun b -> b.falls && not b.fixed) bodies;

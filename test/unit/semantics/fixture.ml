@@ -70,6 +70,7 @@ let model ?(definitions = [||]) ?(timestep = q 1) ?(splits = Model.Every (q 1)) 
     binding = On_collision;
     bonds = Acyclic;
     round_velocity = None;
+    lots = false;
     rigid = None;
     steered = List.exists (fun b -> not (inertial b.law)) bodies;
     steps = Shared;

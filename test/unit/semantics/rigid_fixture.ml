@@ -14,6 +14,7 @@ let rigid ?(dynamics = Model.Constant_spin) ?rounding ?(resolution = ratio 1 102
     m with
     rigid = Some { dynamics; resolution; round_orientation = rounding };
     round_velocity = rounding;
+    lots = false;
   }
 
 (* A plank of sides 2, 1 and 1/2 instead of the cube: no two of its moments of inertia are equal. *)

@@ -215,6 +215,7 @@ let boxed ?(keeps_time = false) velocities =
       binding = On_collision;
       bonds = Acyclic;
       round_velocity = None;
+      lots = false;
       rigid = None;
       steered = false;
       steps = Shared;
