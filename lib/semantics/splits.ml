@@ -106,7 +106,7 @@ let decide m (p : State.process) (lots : State.lots) b =
         let kept = if Rat.sign rest > 0 then [ decided p lots b Kept rest without ] else [] in
         Ok (List.map let_go ways @ kept))
 
-(* The bonds of a list that hang together with one of them by leaves that they share. *)
+(* The bonds of a list that hang together with one of them by leaves that they share, in the order of the list. *)
 let together (b : State.bond) bonds =
   let touch (b : State.bond) (c : State.bond) =
     List.exists (fun leaf -> leaf = c.one.at || leaf = c.two.at) [ b.one.at; b.two.at ]
@@ -116,7 +116,8 @@ let together (b : State.bond) bonds =
     | [], _ -> found
     | more, left -> grow (found @ more) left
   in
-  grow [ b ] (List.filter (fun c -> not (State.equal_bond b c)) bonds)
+  let found = grow [ b ] (List.filter (fun c -> not (State.equal_bond b c)) bonds) in
+  List.filter (fun c -> List.exists (State.equal_bond c) found) bonds
 
 (* What an end that is free chooses is left open: there is an outcome for each. *)
 let release (c : Semantics.t) (p : State.process) (b : State.bond) drawn =

@@ -89,7 +89,7 @@ let rec cut_behaviour axis shift (b : Behaviour.t) =
   | Nil -> b
   | Call k -> Behaviour.call (k + shift)
   | Open (polarity, c, b) -> Behaviour.open_ polarity (channel c) (again b)
-  | Weak (c, push, b) -> Behaviour.weak ~push (channel c) (again b)
+  | Weak (c, { push; chance }, b) -> Behaviour.weak ~push ?chance (channel c) (again b)
   | Strong (l, push, b) -> Behaviour.strong ~push (List.map channel l) (again b)
   | Delay (t, b) -> Behaviour.delay t (again b)
   | Wait (t, b) -> Behaviour.wait t (again b)
@@ -147,6 +147,7 @@ let see (t : Transition.t) state =
     | Absorb { first; absorber } -> say "absorb %d %d" first absorber
     | Draw { first; velocity; chance } ->
       say "draw %d %s %s" first (Vec.to_string velocity) (Rat.to_string chance)
+    | Lot { decision; chance; _ } -> say "%s %s" (Transition.decision_to_string decision) (Rat.to_string chance)
     | Weak_split _ | Strong_split _ -> "split"
   in
   { label; state = plain state }

@@ -20,7 +20,7 @@ let part (s : State.t) (t : Transition.t) =
     match t.label with
     | Bounce { firsts; _ } -> firsts
     | Absorb { first; _ } | Draw { first; _ } -> [ first ]
-    | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
+    | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ | Lot _ ->
       List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds t.label)
   in
   let has leaf i = State.has_leaf s.processes.(i) leaf in
@@ -225,7 +225,7 @@ let bind_iff s transitions meet one two =
   let binds (t : Transition.t) =
     match t.label with
     | Bind _ -> List.equal Int.equal (part s t) [ one; two ]
-    | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Time _ -> false
+    | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ | Time _ -> false
   in
   if Bool.equal meet (List.exists binds transitions) then None
   else Some (if meet then "surfaces meet, and nothing binds" else "what binds does not meet")
@@ -293,7 +293,7 @@ let undone m (s, transitions) =
          else if not in_time then Some "something happens on the way back"
          else if not (State.equal (Time.pass (standard m) d back) goal) then Some "the way back leads elsewhere"
          else None
-       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None)
+       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> None)
     transitions
 
 let some_network networks shows () =
@@ -310,7 +310,7 @@ let several =
            let undoes (u : Transition.t) = State.equal u.target (backwards s) in
            match t.label with
            | Bounce _ -> not (List.exists undoes (Reach.successors m (backwards t.target)))
-           | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> false)
+           | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> false)
         ts)
 
 (* Backwards, a third body may collide as well. *)

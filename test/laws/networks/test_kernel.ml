@@ -17,7 +17,8 @@ let same_fault (a : Transition.fault) (b : Transition.fault) =
   match (a, b) with
   | Persistent_contact firsts, Persistent_contact firsts' -> List.equal Int.equal firsts firsts'
   | Bad_law { leaf; _ }, Bad_law { leaf = other; _ } -> leaf = other
-  | (Persistent_contact _ | Bad_law _), _ -> false
+  | Bad_chance f, Bad_chance g -> f = g
+  | (Persistent_contact _ | Bad_law _ | Bad_chance _), _ -> false
 
 (* The first states of a network breadth first, and some of those behind the limit. *)
 let reached standard start ~limit =

@@ -39,6 +39,7 @@ let relabelled from : Transition.label -> Transition.label =
   | Time d -> Time d
   | Bind b -> Bind (bond b)
   | Close b -> Close (bond b)
+  | Lot l -> Lot { l with bond = bond l.bond }
   | Draw d -> Draw { d with first = d.first + from }
   | Weak_split r -> Weak_split { r with bond = bond r.bond }
   | Strong_split releases ->

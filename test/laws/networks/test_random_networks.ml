@@ -79,6 +79,7 @@ let kinds m (s, ts) =
     | Weak_split _ when opens_ring t -> "weak, of a ring"
     | Absorb _ -> "absorb"
     | Draw _ -> "draw"
+    | Lot { decision; _ } -> Transition.decision_to_string decision
     | Weak_split _ -> "weak"
     | Strong_split _ when opens_ring t -> "strong, of a ring"
     | Strong_split _ -> "strong"

@@ -23,7 +23,7 @@ let say = Printf.sprintf
 let with_fixed m (s : State.t) : Transition.label -> bool = function
   | Bounce { firsts; _ } ->
     List.exists (fun leaf -> Option.is_none (State.mass m (Option.get (State.home s leaf)))) firsts
-  | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> false
+  | Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> false
 
 (* {1 Laws of a state or a transition} *)
 
@@ -94,7 +94,7 @@ let passes m d (t : Transition.t) (p : State.process) =
 let time_law m (s : State.t) (t : Transition.t) =
   match t.label with
   | Time d -> Array.to_list s.processes |> List.find_map (passes m d t)
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> None
 
 let interpenetrate m s =
   List.find_map
@@ -109,7 +109,7 @@ let between m (s : State.t) (t : Transition.t) =
     List.find_map
       (fun (n, k) -> interpenetrate m (Time.pass (standard m) (Rat.mul (rational n k) d) s))
       [ (1, 3); (1, 2); (9, 10); (999, 1000) ]
-  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> None
 
 let resolution m = (Turn.rigid m).resolution
 
@@ -243,6 +243,7 @@ let varied features expected () =
     | Bounce _ -> if with_fixed m s t.label then "bounce, fixed" else "bounce"
     | Absorb _ -> "absorb"
     | Draw _ -> "draw"
+    | Lot { decision; _ } -> Transition.decision_to_string decision
     | Weak_split _ -> "weak"
     | Strong_split _ -> "strong"
   in

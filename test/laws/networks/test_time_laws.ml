@@ -45,7 +45,7 @@ let passes_time (s, transitions) =
     (fun (t : Transition.t) ->
        match t.label with
        | Time d -> Some (s, d, t)
-       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None)
+       | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> None)
     transitions
 
 (* {1 TimeDeterminism} *)
@@ -92,13 +92,13 @@ let continuous m part state =
 
 let is_urgent (t : Transition.t) =
   match t.label with
-  | Strong_split _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ -> true
+  | Strong_split _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> true
   | Weak_split _ | Time _ -> false
 
 let urgent m _ (s, transitions) =
   let times = List.length (passes_time (s, transitions)) in
   let quiescent = Network.quiescent (standard m) s in
-  if List.exists is_urgent transitions then
+  if List.exists is_urgent transitions || Lots.pending s then
     if times > 0 then Some "time passes while something urgent is possible" else None
   else if quiescent && times > 0 then Some "time passes to an event that never comes"
   else if (not quiescent) && times = 0 && transitions <> [] then Some "a weak split holds time up"
@@ -117,6 +117,7 @@ let progresses m _ (s, _) =
     if Option.is_none m.Model.rigid then Some "a persistent contact in translation"
     else if List.exists meets (Collisions.meetings (standard m) s.processes) then None
     else Some "a persistent contact of what does not collide"
+  | Error (Bad_chance _) -> Some "chances sum to more than 1"
   | Error (Bad_law _) -> Some "a law of motion cannot be evaluated"
   | Ok [] when not (Network.quiescent (standard m) s) -> Some "nothing is possible, and it is not the end"
   | Ok ts ->

@@ -116,7 +116,8 @@ let count_labels ~contact g =
         | Absorb _ -> "absorb"
         | Weak_split _ -> "weak split"
         | Strong_split _ -> "strong split"
-        | Draw _ -> "draw")
+        | Draw _ -> "draw"
+        | Lot _ -> "lot")
   in
   let count (e : Zone_graph.edge) =
     let w = word e.step in

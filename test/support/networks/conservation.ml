@@ -48,7 +48,7 @@ let involved (label : Transition.label) =
   match label with
   | Bounce { firsts; _ } -> firsts
   | Absorb { first; _ } | Draw { first; _ } -> [ first ]
-  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
+  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ | Lot _ ->
     List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds label)
 
 (* By a split (reading I-36). *)
@@ -57,7 +57,7 @@ let pushes (label : Transition.label) =
   match label with
   | Weak_split r -> by r
   | Strong_split releases -> List.exists by releases
-  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ -> false
+  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> false
 
 (* Whether a push surely moves pieces apart: not where all that it drives apart goes on as one, nor where the
    pushes on a piece may cancel each other, which takes a ring. *)
@@ -72,7 +72,7 @@ let drives_apart (m : Model.t) (t : Transition.t) =
       | [] -> false
       | [ _ ] -> true
       | _ -> not (Model.closes_rings m))
-  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ -> false
+  | Time _ | Bind _ | Close _ | Bounce _ | Absorb _ | Draw _ | Lot _ -> false
 
 let is_fixed m s leaf =
   Option.is_none (State.mass m (Option.get (State.home s leaf)))
@@ -92,6 +92,8 @@ let fault m s (t : Transition.t) =
   let energy = Rat.compare after.energy before.energy in
   match t.label with
   | Time _ | Draw _ -> None
+  | Lot _ when List.memq Rule.Steer t.rules || List.memq Rule.Round t.rules -> None
+  | Lot _ -> if Vec.equal before.momentum after.momentum && energy = 0 then None else broken "momentum or energy"
   | (Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _)
     when List.memq Rule.Steer t.rules || List.memq Rule.Round t.rules -> None
   | Absorb { first; _ } ->

@@ -59,9 +59,19 @@ let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 3; 5 ]
 
 (* With splits that push apart what they release, or without. *)
-let definitions ~pushes : Behaviour.definitions =
+let definitions ~pushes ~lots : Behaviour.definitions =
   let open Behaviour in
-  let weak j = weak ~push:(if pushes then rational 1 j else Rat.zero) in
+  let push j = if pushes then rational 1 j else Rat.zero in
+  (* Some ends have a chance, in one way or in two, and some are free. *)
+  let weak j surface rest =
+    let by chance rest = weak ~push:(push j) ?chance surface rest in
+    if not lots then by None rest
+    else
+      match j with
+      | 2 -> sum (by (Some (rational 1 3)) rest) (by (Some (rational 1 4)) nil)
+      | 3 -> by (Some (rational 2 5)) rest
+      | _ -> by None rest
+  in
   let strong j = strong ~push:(if pushes then rational 1 j else Rat.zero) in
   [|
     { name = "Sticky"; body = open_ Name all (call 1) };
@@ -128,7 +138,7 @@ let model { bodies; switches; _ } : Model.t =
   Switches.apply switches
     {
       leaves = Array.of_list (List.mapi (leaf switches) bodies);
-      definitions = definitions ~pushes:(Switches.pushes switches);
+      definitions = definitions ~pushes:(Switches.pushes switches) ~lots:(Switches.has_lots switches);
       timestep = rational 1 2;
       splits = Every (rational 1 2);
       ranges = [||];

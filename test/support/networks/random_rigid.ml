@@ -99,10 +99,11 @@ let channel faces =
 let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 2; 5 ]
 
-let definitions ~pushes ~rings : Behaviour.definitions =
+let definitions ~pushes ~rings ~lots : Behaviour.definitions =
   let push = if pushes then rational 1 2 else Rat.zero in
   let open Behaviour in
   let also b c = if rings then sum b c else b in
+  let weak surface rest = weak ?chance:(if lots then Some (rational 2 5) else None) surface rest in
   [|
     { name = "Sticky"; body = open_ Name all (call 1) };
     {
@@ -147,7 +148,8 @@ let model { dynamics; rounding; switches; bodies; packed = _ } : Model.t =
   Switches.apply switches
     {
       leaves = Array.of_list (List.map (model_leaf switches) (leaves bodies));
-      definitions = definitions ~pushes:(Switches.pushes switches) ~rings:(Switches.closes_rings switches);
+      definitions = definitions ~pushes:(Switches.pushes switches) ~rings:(Switches.closes_rings switches)
+          ~lots:(Switches.has_lots switches);
       timestep = Rat.one;
       splits = Every (rational 1 2);
       ranges = [||];

@@ -42,7 +42,7 @@ let rec rewrite book defs (b : t) =
     match b with
     | Nil | Call _ -> b
     | Open (p, c, rest) -> open_ p c (into rest)
-    | Weak (c, push, rest) -> weak ~push c (into rest)
+    | Weak (c, { push; chance }, rest) -> weak ~push ?chance c (into rest)
     | Strong (l, push, rest) -> strong ~push l (into rest)
     | Delay (t, rest) -> delay t (into rest)
     | Wait (t, rest) -> wait t (into rest)

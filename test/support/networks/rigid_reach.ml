@@ -19,7 +19,7 @@ let successors m s =
   match Network.successors (standard m) s with
   | Ok ts -> ts
   | Error (Persistent_contact _) -> []
-  | Error (Bad_law _) -> failwith "a law of motion could not be evaluated"
+  | Error (Bad_law _ | Bad_chance _) -> failwith "a law of motion could not be evaluated"
 
 (* The first states breadth first, each with its transitions. *)
 let explored m start ~limit =

@@ -9,13 +9,14 @@ type t = {
   rings : bool;
   absorbs : bool;
   draws : bool;
+  lots : bool;
   rounding : int option;
 }
 
 let off =
   {
     together = false; steps = Model.Shared; by_contact = false; pushes = false; rings = false; absorbs = false;
-    draws = false; rounding = None;
+    draws = false; lots = false; rounding = None;
   }
 
 let together = { off with together = true }
@@ -25,6 +26,8 @@ let absorbing = { off with absorbs = true }
 let rounding = { off with rounding = Some 2 }
 let rings = { off with rings = true }
 let drawing = { off with draws = true }
+let lots = { off with lots = true }
+let has_lots s = s.lots
 let draws s = s.draws
 let pushes s = s.pushes
 let closes_rings s = s.rings
@@ -36,8 +39,9 @@ let generate ?(rigid = false) ?(draws = true) () =
   let* together = frequencyl [ (2, true); (1, false) ] in
   let+ steps = oneofl [ Model.Shared; Own; Steady ] and* pushes = bool and* rings = bool and* absorbs = bool
   and* draws = if draws then bool else pure false
+  and* lots = if draws then bool else pure false
   and* by_contact = if rigid then pure false else bool in
-  { together; steps; by_contact; pushes; rings; absorbs; draws; rounding = None }
+  { together; steps; by_contact; pushes; rings; absorbs; draws; lots; rounding = None }
 
 let minus_two_dt v : Law.expr = Sub (Var v, Mul (Const (Scc_exact.Rat.of_int 2), Var Dt))
 let fall : Law.vector = (Var Vx, minus_two_dt Vy, Var Vz)
@@ -63,6 +67,7 @@ let apply s (m : Model.t) =
     binding = (if s.by_contact then On_contact else On_collision);
     bonds = (if s.rings then Cyclic else Acyclic);
     steps = s.steps;
+    lots = s.lots;
     round_velocity = (match s.rounding with None -> m.round_velocity | Some _ as k -> k);
   }
 
@@ -75,4 +80,5 @@ let print s =
   ^ word s.rings " rings"
   ^ word s.absorbs " absorbing"
   ^ word s.draws " drawing"
+  ^ word s.lots " lots"
   ^ word (Option.is_some s.rounding) " rounding"

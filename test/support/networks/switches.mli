@@ -18,6 +18,8 @@ val absorbing : t
 
 val drawing : t
 
+val lots : t
+
 val rounding : t
 (** One of them alone; the last rounds velocities to quarters. *)
 
@@ -35,12 +37,15 @@ val absorbs : t -> bool
 val draws : t -> bool
 (** Whether bodies under a law of motion draw their velocities (rule Draw). *)
 
+val has_lots : t -> bool
+(** Whether some weak splits are left to chance (rule Lot), which is a matter of the behaviours. *)
+
 val law : t -> Law.t
 (** Of bodies under a law: they fall, or draw among falling and others. *)
 
 val generate : ?rigid:bool -> ?draws:bool -> unit -> t QCheck2.Gen.t
 (** Some on, some off: collisions together, steps of single processes or steady ones (where something is
-    steered), pushes, rings, bodies that absorb, velocities that are drawn and, but with [rigid], binding by
+    steered), pushes, rings, bodies that absorb, velocities and splits that are drawn and, but with [rigid], binding by
     contact. With [draws] false nothing is drawn. *)
 
 val apply : t -> Model.t -> Model.t

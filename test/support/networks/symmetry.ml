@@ -135,7 +135,7 @@ let rec behaving ~time ~impulse (b : Behaviour.t) =
   match b with
   | Nil | Call _ -> b
   | Open (polarity, c, b) -> Behaviour.open_ polarity c (again b)
-  | Weak (c, j, b) -> Behaviour.weak ~push:(push j) c (again b)
+  | Weak (c, j, b) -> Behaviour.weak ~push:(push j.push) ?chance:j.chance c (again b)
   | Strong (l, j, b) -> Behaviour.strong ~push:(push j) l (again b)
   | Delay (t, b) -> Behaviour.delay (Rat.mul time t) (again b)
   | Wait (t, b) -> Behaviour.wait (Scc_polyhedra.Linear.scale time t) (again b)
@@ -205,6 +205,7 @@ let map_label symmetry s : Transition.label -> Transition.label = function
   | Bind b -> Bind (symmetry.bond b)
   | Close b -> Close (symmetry.bond b)
   | Weak_split r -> Weak_split (map_release symmetry r)
+  | Lot l -> Lot { l with bond = symmetry.bond l.bond }
   | Strong_split releases ->
     let in_order (r : Transition.release) (s : Transition.release) = State.compare_bond r.bond s.bond in
     Strong_split (List.sort in_order (List.map (map_release symmetry) releases))
@@ -231,7 +232,7 @@ let of_leaves : Transition.label -> Transition.label = function
   | Bounce { firsts; hits } ->
     let hit (h : Transition.hit) = Transition.hit (fst h.one, 0) (fst h.two, 0) in
     Bounce { firsts; hits = List.sort_uniq Transition.compare_hit (List.map hit hits) }
-  | (Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _) as label -> label
+  | (Time _ | Bind _ | Close _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _) as label -> label
 
 let equal (a : Transition.t) (b : Transition.t) =
   Transition.equal_label (of_leaves a.label) (of_leaves b.label)

@@ -112,7 +112,7 @@ let either_order () =
     let bind (t : Transition.t) =
       match t.label with
       | Bind b -> Some b.name
-      | Time _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> None
+      | Time _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> None
     in
     ignore m;
     List.find_map

@@ -166,6 +166,10 @@ let head ~indices =
   let indexed = map (fun places -> { plain with places }) (some expr) in
   oneof (return plain :: return plain :: applied :: (if indices then [ indexed ] else []))
 
+let loosening =
+  let odds = map2 (fun odds value -> { odds; value }) (located (oneofl [ "chance"; "rate" ])) expr in
+  map2 (fun push odds -> { push; odds }) (opt expr) (opt odds)
+
 let behaviour =
   sized_size (int_range 0 8) (fix (fun self n ->
       let leaf = oneof [ return Nil; map (fun k -> Name k) (reference ~indices:true) ] in
@@ -177,7 +181,7 @@ let behaviour =
              [
                leaf;
                map2 (fun c b -> Open (c, b)) channel next;
-               map3 (fun c j b -> Weak (c, j, b)) channel (opt expr) next;
+               map3 (fun c j b -> Weak (c, j, b)) channel loosening next;
                map3 (fun cs j b -> Strong (cs, j, b)) (few channel) (opt expr) next;
                map2 (fun t b -> Delay (t, b)) expr next;
                map2 (fun b c -> Sum (b, c)) next next;

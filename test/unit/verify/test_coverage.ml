@@ -158,7 +158,7 @@ let named (s : Explored.t) =
       match Network.successors s.semantics (s.state i) with
       | Ok list -> List.iter (fun (t : Transition.t) -> List.iter add t.rules) list
       | Error (Persistent_contact _) -> ()
-      | Error (Bad_law _) -> Alcotest.fail "an expanded state has transitions, or is a dead end"
+      | Error (Bad_law _ | Bad_chance _) -> Alcotest.fail "an expanded state has transitions, or is a dead end"
   done;
   counts
 
