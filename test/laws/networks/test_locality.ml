@@ -25,7 +25,8 @@ let moved from by (p : State.process) =
   State.process
     ~leaves:(List.map leaf (Array.to_list p.leaves))
     ~bonds:(List.map bond (Array.to_list p.bonds))
-    ?phase:p.phase ?draw:p.draw ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts
+    ?phase:p.phase ?draw:p.draw
+      ?lots:(Option.map (Symmetry.mapped_lots ~bond ~leaf:(fun l -> l + from)) p.lots) ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts
     ~kept:p.kept ~clock:p.clock ()
 
 let beside from (a : State.t) (b : State.t) =

@@ -100,8 +100,8 @@ let () =
   let steered = Random_network.generate ~steered:true () in
   let drawing = Gen.map (Random_network.with_switches Switches.drawing) steered in
   let all = [ "bind"; "bounce"; "strong"; "time"; "weak" ] in
-  let rings = [ "close"; "strong, of a ring"; "weak, of a ring" ] in
-  let more = "absorb" :: "bind, by contact" :: "bounce, of several" :: rings in
+  let rings = [ "close"; "strong, of a ring"; "weak, of a ring" ] and lots = [ "first"; "keep"; "release" ] in
+  let more = "absorb" :: "bind, by contact" :: "bounce, of several" :: (lots @ rings) in
   let more = List.sort String.compare (more @ all) in
   Alcotest.run "random networks"
     [

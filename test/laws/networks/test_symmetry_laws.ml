@@ -29,8 +29,8 @@ let straight name ?(count = 250) ?steered ?(of_network = Fun.id) symmetry =
   of_networks name ~count ~of_network (Random_network.generate ?steered ()) symmetry
 
 (* With the switches that a model has. *)
-let switched name ?(count = 80) ?steered ?(of_network = Fun.id) symmetry =
-  of_networks name ~count ~of_network (Random_network.switched ?steered ()) symmetry
+let switched name ?(count = 80) ?steered ?draws ?(of_network = Fun.id) symmetry =
+  of_networks name ~count ~of_network (Random_network.switched ?steered ?draws ()) symmetry
 
 (* {1 Bodies that turn} *)
 
@@ -174,9 +174,9 @@ let () =
           turning "Rotation: shapes that are declared in another position" ~count:10 constant_spin rotation;
           turning "Rotation: free bodies by a quarter turn" any quarter_turn;
           turning "Rotation: with rounding, by the rotations of a cube" rounded cube_rotation;
-          switched "Rotation: with the switches of a model" rotation;
+          switched "Rotation: with the switches of a model" ~draws:false rotation;
           turning "Rotation: bodies that turn, with the switches of a model" ~count:10
-            (with_switches constant_spin) turn;
+            (with_switches { constant_spin with draws = false }) turn;
         ];
       group "Boost" ~failing:[ fails "Boost: fails with rounding and where something is fixed" rounded boost ]
         [

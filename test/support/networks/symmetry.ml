@@ -24,6 +24,18 @@ let mapped_draw velocity : State.draw -> State.draw = function
   | Waits -> Waits
   | Drawn v -> Drawn (velocity v)
 
+let mapped_lots ?(time = Fun.id) ?(bond = Fun.id) ?(leaf = Fun.id) ?(summand = Fun.id) (lots : State.lots) : State.lots =
+  let drawn list =
+    List.sort (fun (i, _) (j, _) -> Int.compare i j) (List.map (fun (l, s) -> (leaf l, summand s)) list)
+  in
+  let lot : State.lot -> State.lot = function
+    | Undecided -> Undecided
+    | Let_go d -> Let_go (drawn d)
+    | Next d -> Next (drawn d)
+  in
+  let pending = List.map (fun (b, l) -> (bond b, lot l)) lots.pending in
+  { since = time lots.since; pending = List.sort (fun (b, _) (c, _) -> State.compare_bond b c) pending }
+
 let map_processes f (s : State.t) =
   State.make ~processes:(List.map f (Array.to_list s.processes)) ~step:s.step ~time:s.time
 
@@ -31,7 +43,7 @@ let map_processes f (s : State.t) =
 let move ~position ~velocity ~turned =
   map_processes (fun (p : State.process) ->
       let leaf (l : State.leaf) = { l with position = position l.position; turned = turned l.turned } in
-      State.process ?phase:p.phase ?draw:(Option.map (mapped_draw velocity) p.draw)
+      State.process ?phase:p.phase ?draw:(Option.map (mapped_draw velocity) p.draw) ?lots:p.lots
         ~leaves:(List.map leaf (Array.to_list p.leaves))
         ~bonds:(Array.to_list p.bonds) ~velocity:(velocity p.velocity) ~spin:(velocity p.spin) ~since:p.since
         ~lasts:p.lasts ~kept:(velocity p.kept) ~clock:p.clock ())
@@ -105,6 +117,7 @@ let permutation perm =
   let process (p : State.process) =
     let leaf (l : State.leaf) = { l with leaf = perm.(l.leaf) } in
     State.process ?phase:p.phase ?draw:p.draw
+      ?lots:(Option.map (mapped_lots ~bond ~leaf:(Array.get perm)) p.lots)
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(List.map bond (Array.to_list p.bonds))
       ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept ~clock:p.clock ()
@@ -170,7 +183,9 @@ let scaling ~length ~time ~mass =
     { l with position = Vec.scale length l.position; behaviour }
   in
   let process (p : State.process) =
+    let summand = behaving ~time ~impulse:(impulse ~length ~time ~mass) in
     State.process ?phase:p.phase ?draw:(Option.map (mapped_draw speed) p.draw)
+      ?lots:(Option.map (mapped_lots ~time:(Rat.mul time) ~summand) p.lots)
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(Array.to_list p.bonds) ~velocity:(speed p.velocity) ~spin:(spin p.spin) ~since:(Rat.mul time p.since)
       ~lasts:(Option.map (Rat.mul time) p.lasts) ~kept:(momentum p.kept)

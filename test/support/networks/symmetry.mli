@@ -21,6 +21,11 @@ val make :
   ?bond:(State.bond -> State.bond) -> ?leaf:(int -> int) -> (State.t -> State.t) -> t
 (** Of what is not said, the identity; [later] is [state] whatever has passed. *)
 
+val mapped_lots :
+  ?time:(Rat.t -> Rat.t) -> ?bond:(State.bond -> State.bond) -> ?leaf:(int -> int) ->
+  ?summand:(Behaviour.t -> Behaviour.t) -> State.lots -> State.lots
+(** Lots with other times, bonds, leaves and summands. *)
+
 val translation : Vec.t -> t
 (** The whole network elsewhere. *)
 
