@@ -22,11 +22,18 @@ let rec derive (defs : definitions) how found (b : t) =
     derive defs how (derive defs how found x) y
   | Call k -> derive defs { how with within = [ Some k ]; by_def = true } found defs.(k).body
 
+(* What is left to chance counts as often as it is written (rule Lot). *)
+let together offer other =
+  match (offer, other) with
+  | Offer_weak (c, ({ chance = Some p; _ } as j), rest), Offer_weak (_, { chance = Some q; _ }, _) ->
+    Offer_weak (c, { j with chance = Some (Rat.add p q) }, rest)
+  | (Offer_open _ | Offer_weak _ | Offer_strong _), _ -> offer
+
 (* Equal summands are one, that may stand in several definitions. *)
-let rec add ((_, derived) as offered) = function
+let rec add ((offer, derived) as offered) = function
   | [] -> [ offered ]
-  | (offer, kept) :: rest when equal kept.summand derived.summand ->
-    (offer, { kept with within = kept.within @ derived.within }) :: rest
+  | (other, kept) :: rest when equal kept.summand derived.summand ->
+    (together other offer, { kept with within = kept.within @ derived.within }) :: rest
   | other :: rest -> other :: add offered rest
 
 let derivations defs (b : aged) =
@@ -73,6 +80,14 @@ let rec term_delays (defs : definitions) found (b : t) =
 let delays defs (b : aged) = List.rev (term_delays defs [] b.term)
 let ages defs b = term_delays defs [] b <> []
 
+let has_chance defs b =
+  let by_chance = function
+    | Offer_weak (_, { chance = Some _; _ }, _) -> true
+    | Offer_weak _ | Offer_open _ | Offer_strong _ -> false
+  in
+  List.exists (fun (offer, _) -> by_chance offer)
+    (derive defs { summand = b; within = []; by_sum = false; by_def = false } [] b)
+
 (* Ageing can bring up nil and equal summands again and again, which offer nothing new: without them a
    recursion through sums comes back to where it was (reading I-17). What still ages stays a summand, if need be
    of nil: so it makes no difference to origins when the others go (reading I-14). *)
@@ -82,7 +97,7 @@ let without_repetition defs b =
     | Sum (x, y) -> summands (summands found x) y
     | Nil -> found
     | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Call _ ->
-      if List.exists (equal b) found then found else b :: found
+      if List.exists (equal b) found && not (has_chance defs b) then found else b :: found
   in
   match List.rev (summands [] b) with
   | [] -> nil

@@ -12,7 +12,8 @@ type offer =
   | Offer_strong of channel list * Rat.t * t
 
 val offers : definitions -> aged -> offer list
-(** Every discrete transition, in the order of the text, without repetition. *)
+(** Every discrete transition, in the order of the text, without repetition: where a summand with a chance is repeated, its
+    chances are added (rule Lot). *)
 
 (** How an offer was derived from the term. *)
 type derivation = {
@@ -44,5 +45,5 @@ val shorten : definitions -> (t -> t) -> aged -> aged
 
 val pass : definitions -> Rat.t -> aged -> aged
 (** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed
-    eps stay folded; an aged sum has neither nil nor equal summands, except that a single one which still ages has
-    nil beside it (readings I-14, I-17). *)
+    eps stay folded; an aged sum has neither nil nor equal summands, except those that offer something by chance, and that a single
+    one which still ages has nil beside it (readings I-14, I-17, rule Lot). *)

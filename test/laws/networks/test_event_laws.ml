@@ -20,7 +20,8 @@ let part (s : State.t) (t : Transition.t) =
     match t.label with
     | Bounce { firsts; _ } -> firsts
     | Absorb { first; _ } | Draw { first; _ } -> [ first ]
-    | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ | Lot _ ->
+    | Lot { bond; _ } -> [ bond.one.at; bond.two.at ]
+    | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
       List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds t.label)
   in
   let has leaf i = State.has_leaf s.processes.(i) leaf in

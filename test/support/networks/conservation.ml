@@ -48,7 +48,8 @@ let involved (label : Transition.label) =
   match label with
   | Bounce { firsts; _ } -> firsts
   | Absorb { first; _ } | Draw { first; _ } -> [ first ]
-  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ | Lot _ ->
+  | Lot { bond; _ } -> [ bond.one.at; bond.two.at ]
+  | Time _ | Bind _ | Close _ | Weak_split _ | Strong_split _ ->
     List.concat_map (fun (b : State.bond) -> [ b.one.at; b.two.at ]) (Transition.bonds label)
 
 (* By a split (reading I-36). *)

@@ -17,9 +17,21 @@ let third k = Rat.make (Z.of_int k) (Z.of_int 3)
 (* Tick := eps(1/3). Tick *)
 let idle book = define book (delay (third 1) (call book.count))
 
-(* A law at the top of a behaviour. *)
+(* Whether something may be left to chance here. To be sure, what is looked for is looked for everywhere. *)
+let has_chance (defs : definitions) b =
+  let rec within seen = function
+    | Weak (_, { chance = Some _; _ }, _) -> true
+    | Nil | Open _ | Weak _ | Strong _ -> false
+    | Delay (_, b) | Wait (_, b) -> within seen b
+    | Sum (b, c) -> within seen b || within seen c
+    | Call k -> k >= Array.length defs || ((not (List.mem k seen)) && within (k :: seen) defs.(k).body)
+  in
+  within [] b
+
+(* A law at the top of a behaviour. Twice the same is the same, but where chances would add. *)
 let once book (defs : definitions) (b : t) =
   match (below book 9, b) with
+  | (2 | 3), _ when has_chance defs b -> sum b nil
   | 0, _ -> sum b nil
   | 1, _ -> sum nil b
   | 2, _ -> sum b b
@@ -63,4 +75,9 @@ let model seed (m : Model.t) s =
 
 let waiting d s = with_behaviours (fun b -> fresh (sum b.term (delay d nil))) s
 
-let without_behaviours s = with_behaviours (fun _ -> fresh nil) s
+let without_behaviours s =
+  let of_process (p : State.process) =
+    State.with_lots (Option.map (Symmetry.mapped_lots ~summand:(fun _ -> nil)) p.lots) p
+  in
+  let s = with_behaviours (fun _ -> fresh nil) s in
+  State.make ~processes:(List.map of_process (Array.to_list s.processes)) ~step:s.step ~time:s.time
