@@ -14,7 +14,7 @@ let active c site = List.exists (Site.equal site) c.surface
 
 type polarity = Name | Co_name
 
-type loosening = { push : Rat.t; chance : Rat.t option }
+type loosening = { push : Rat.t; odds : Odds.t option }
 
 type t =
   | Nil
@@ -53,7 +53,7 @@ let rank = function
   | Call _ -> 7
 
 let compare_loosening i j =
-  Rat.compare i.push j.push <?> fun () -> Option.compare Rat.compare i.chance j.chance
+  Rat.compare i.push j.push <?> fun () -> Option.compare Odds.compare i.odds j.odds
 
 let rec compare a b =
   if a == b then 0
@@ -81,7 +81,7 @@ let hash_channel (c : channel) =
   List.fold_left (fun h s -> (h * 31) + Site.hash s) (Hashtbl.hash c.name) c.surface
 
 let hash_loosening j =
-  match j.chance with None -> Rat.hash j.push | Some q -> Rat.hash j.push + (47 * Rat.hash q)
+  match j.odds with None -> Rat.hash j.push | Some odds -> Rat.hash j.push + (47 * Odds.hash odds)
 
 let rec hash_to depth b =
   if depth = 0 then 17
@@ -100,7 +100,7 @@ let rec hash_to depth b =
 let hash = hash_to hash_depth
 let nil = Nil
 let open_ polarity channel b = Open (polarity, channel, b)
-let weak ?(push = Rat.zero) ?chance channel b = Weak (channel, { push; chance }, b)
+let weak ?(push = Rat.zero) ?odds channel b = Weak (channel, { push; odds }, b)
 
 let strong ?(push = Rat.zero) channels b =
   match channels with

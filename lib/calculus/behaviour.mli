@@ -23,11 +23,10 @@ val active : channel -> Site.t -> bool
 (** alpha ranges over names a and co-names ~a. *)
 type polarity = Name | Co_name
 
-(** How a weak split releases a bond: by omega(a, Phi) push(j) chance q. B *)
+(** How a weak split releases a bond: by omega(a, Phi) push(j) chance q. B, or ... rate r. B *)
 type loosening = {
   push : Rat.t;  (** j >= 0, and 0 without a push (reading I-36) *)
-  chance : Rat.t option;
-  (** q, the probability at each split instant, 0 <= q <= 1 (rule Lot); [None]: a free choice *)
+  odds : Odds.t option;  (** how likely it is at each split instant (rule Lot); [None]: a free choice *)
 }
 
 type t = private
@@ -45,7 +44,7 @@ type t = private
 
 val nil : t
 val open_ : polarity -> channel -> t -> t
-val weak : ?push:Rat.t -> ?chance:Rat.t -> channel -> t -> t
+val weak : ?push:Rat.t -> ?odds:Odds.t -> channel -> t -> t
 val strong : ?push:Rat.t -> channel list -> t -> t
 
 val delay : Rat.t -> t -> t

@@ -26,7 +26,7 @@ let may_push =
 
 let has_lots =
   exists_prefix (function
-      | Weak (_, { chance = Some _; _ }, _) -> true
+      | Weak (_, { odds = Some _; _ }, _) -> true
       | Weak _ | Nil | Open _ | Strong _ | Delay _ | Wait _ | Sum _ | Call _ -> false)
 
 let dynamics : Model.dynamics -> string = function

@@ -135,6 +135,8 @@ let reference t c (r : Ast.reference) =
   List.iter (expr t c) r.indices;
   List.iteri (passed t c r.target) r.arguments
 
+let setting t (name : Ast.name) = known t name (first [ (fun () -> word Setting name.it) ])
+
 let rec behaviour t c (b : Ast.behaviour) =
   match b.it with
   | Nil -> ()
@@ -144,7 +146,11 @@ let rec behaviour t c (b : Ast.behaviour) =
   | Weak (ch, { push; odds }, b) ->
     channel_of t c Weak ch;
     Option.iter (expr t c) push;
-    Option.iter (fun (o : Ast.odds) -> expr t c o.value) odds;
+    Option.iter
+      (fun ({ odds; value } : Ast.odds) ->
+         setting t odds;
+         expr t c value)
+      odds;
     behaviour t c b
   | Strong (chs, push, b) ->
     List.iter (channel_of t c Strong) chs;
@@ -254,8 +260,6 @@ let compound t c (h : Ast.head) parts glues ds shown =
   in
   List.iter part parts;
   List.iter glue glues
-
-let setting t (name : Ast.name) = known t name (first [ (fun () -> word Setting name.it) ])
 
 let import t (i : Ast.import) shown =
   known t i.from (Declared [ Declared.of_import i shown ]);

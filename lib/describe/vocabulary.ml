@@ -84,6 +84,12 @@ let behaviours =
     ("eps", "waits for that long");
   ]
 
+let odds =
+  [
+    ("chance", "how likely the weak split before it is at each multiple of the split step");
+    ("rate", "how often per unit of time the weak split before it happens where it may");
+  ]
+
 let processes =
   [
     ("process", "a body with its behaviour, or several that are bound");
@@ -255,6 +261,7 @@ let all =
       group Word "keyword" "Shapes" shapes;
       group Word "keyword" "Compounds" compounds;
       group Word "keyword" "Features, channels, behaviours" behaviours;
+      group Setting "word" "Features, channels, behaviours" odds;
       group Word "keyword" "Processes" processes;
       group Word "keyword" "Families" families;
       group Word "keyword" "Modules" modules;

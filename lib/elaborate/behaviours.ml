@@ -220,7 +220,7 @@ let odds t env = function
         match odds.it with
         | "chance" ->
           number (fun q ->
-              if Rat.sign q >= 0 && Rat.compare q Rat.one <= 0 then Some (Some q)
+              if Rat.sign q >= 0 && Rat.compare q Rat.one <= 0 then Some (Some (Odds.Chance q))
               else
                 error Code.bad_value value.at
                   (Printf.sprintf "a chance is a probability, between 0 and 1, and this is %s" (Rat.to_string q))
@@ -231,12 +231,11 @@ let odds t env = function
                 error Code.bad_value value.at
                   (Printf.sprintf "a rate is not negative, and this is %s" (Rat.to_string r))
                   ~hint:"it tells how often per unit of time"
+              else if Rat.compare (Rat.mul r step) (Rat.of_int Odds.greatest) <= 0 then
+                Some (Some (Odds.Rate { rate = r; alone = Odds.within ~step r }))
               else
-                match Odds.of_rate ~step r with
-                | Some q -> Some (Some q)
-                | None ->
-                  error Code.bad_value value.at
-                    (Printf.sprintf "a rate of %s is too great for the split step %s" (Rat.to_string r)
+                error Code.bad_value value.at
+                  (Printf.sprintf "a rate of %s is too great for the split step %s" (Rat.to_string r)
                        (Rat.to_string step))
                     ~hint:(Printf.sprintf "their product may be %d at most: give a shorter `split_step`" Odds.greatest))
         | word ->
@@ -263,10 +262,10 @@ let rec elaborate t scope (b : Ast.behaviour) =
     let* c, b = Typed.both (channel t scope ch) (elaborate t scope rest) in
     Some (Behaviour.open_ (polarity ch) c b)
   | Weak (ch, j, rest) ->
-    let* (c, b), (push, chance) =
+    let* (c, b), (push, odds) =
       Typed.both (Typed.both (channel t scope ch) (elaborate t scope rest)) (loosening t scope.env j)
     in
-    Some (Behaviour.weak ~push ?chance c b)
+    Some (Behaviour.weak ~push ?odds c b)
   | Strong (list, j, rest) ->
     let* (cs, b), push =
       Typed.both (Typed.both (channels_of t scope b.at list) (elaborate t scope rest)) (push t scope.env j)

@@ -17,13 +17,13 @@ let bare m leaf (c : Behaviour.channel) = Printf.sprintf "%s, %s" c.name (surfac
 
 let push j = if Rat.sign j = 0 then "" else Printf.sprintf " push(%s)" (Rat.to_string j)
 
-let chance = function None -> "" | Some q -> " chance " ^ Rat.to_string q
+let odds = function None -> "" | Some odds -> " " ^ Odds.to_string odds
 
 let prefix m leaf : Behaviour.t -> string option = function
   | Open (polarity, c, _) ->
     let bar = match polarity with Name -> "" | Co_name -> "~" in
     Some (Printf.sprintf "<%s%s>. " bar (bare m leaf c))
-  | Weak (c, j, _) -> Some (Printf.sprintf "omega(%s)%s%s. " (bare m leaf c) (push j.push) (chance j.chance))
+  | Weak (c, j, _) -> Some (Printf.sprintf "omega(%s)%s%s. " (bare m leaf c) (push j.push) (odds j.odds))
   | Strong (cs, j, _) ->
     let entry c = "<" ^ bare m leaf c ^ ">" in
     Some (Printf.sprintf "rho({%s})%s. " (String.concat ", " (List.map entry cs)) (push j))

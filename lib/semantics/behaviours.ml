@@ -22,18 +22,16 @@ let rec derive (defs : definitions) how found (b : t) =
     derive defs how (derive defs how found x) y
   | Call k -> derive defs { how with within = [ Some k ]; by_def = true } found defs.(k).body
 
-(* What is left to chance counts as often as it is written (rule Lot). *)
-let together offer other =
-  match (offer, other) with
-  | Offer_weak (c, ({ chance = Some p; _ } as j), rest), Offer_weak (_, { chance = Some q; _ }, _) ->
-    Offer_weak (c, { j with chance = Some (Rat.add p q) }, rest)
-  | (Offer_open _ | Offer_weak _ | Offer_strong _), _ -> offer
+let by_chance = function
+  | Offer_weak (_, { odds = Some _; _ }, _) -> true
+  | Offer_weak _ | Offer_open _ | Offer_strong _ -> false
 
-(* Equal summands are one, that may stand in several definitions. *)
+(* Equal summands are one, that may stand in several definitions; but what is left to chance counts as often as it is
+   written (rule Lot). *)
 let rec add ((offer, derived) as offered) = function
   | [] -> [ offered ]
-  | (other, kept) :: rest when equal kept.summand derived.summand ->
-    (together other offer, { kept with within = kept.within @ derived.within }) :: rest
+  | (other, kept) :: rest when equal kept.summand derived.summand && not (by_chance offer) ->
+    (other, { kept with within = kept.within @ derived.within }) :: rest
   | other :: rest -> other :: add offered rest
 
 let derivations defs (b : aged) =
@@ -81,10 +79,6 @@ let delays defs (b : aged) = List.rev (term_delays defs [] b.term)
 let ages defs b = term_delays defs [] b <> []
 
 let has_chance defs b =
-  let by_chance = function
-    | Offer_weak (_, { chance = Some _; _ }, _) -> true
-    | Offer_weak _ | Offer_open _ | Offer_strong _ -> false
-  in
   List.exists (fun (offer, _) -> by_chance offer)
     (derive defs { summand = b; within = []; by_sum = false; by_def = false } [] b)
 

@@ -12,8 +12,7 @@ type offer =
   | Offer_strong of channel list * Rat.t * t
 
 val offers : definitions -> aged -> offer list
-(** Every discrete transition, in the order of the text, without repetition: where a summand with a chance is repeated, its
-    chances are added (rule Lot). *)
+(** Every discrete transition, in the order of the text, without repetition but for what is left to chance (rule Lot). *)
 
 (** How an offer was derived from the term. *)
 type derivation = {

@@ -3,14 +3,26 @@ open Scc_calculus
 
 type side = { finish : State.finish; drawn : (Behaviour.t * Rat.t) list }
 
+let step (m : Model.t) =
+  match m.splits with
+  | Every step -> step
+  | Any_time -> Scc_base.Bug.fail __POS__ "chances without split instants"
+
+(* Each summand once, with all of its chance. *)
+let rec add (summand, q) = function
+  | [] -> [ (summand, q) ]
+  | (other, r) :: rest when Behaviour.equal summand other -> (other, Rat.add q r) :: rest
+  | other :: rest -> other :: add (summand, q) rest
+
 (* What never happens is not offered. *)
 let side m p name (finish : State.finish) =
   let offers = Process.releases m p name finish in
-  let drawn (r : Process.released) =
-    match r.chance with Some q when Rat.sign q > 0 -> Some (r.how.summand, q) | Some _ | None -> None
-  in
-  let free = List.exists (fun (r : Process.released) -> Option.is_none r.chance) offers in
-  match List.filter_map drawn offers with
+  let by_chance (r : Process.released) = Option.map (fun odds -> (r.how.summand, odds)) r.odds in
+  let free = List.exists (fun (r : Process.released) -> Option.is_none r.odds) offers in
+  let left_to_chance = List.filter_map by_chance offers in
+  let shares = Odds.shares ~step:(step m) (List.map snd left_to_chance) in
+  let drawn = List.fold_left2 (fun all (summand, _) q -> add (summand, q) all) [] left_to_chance shares in
+  match List.filter (fun (_, q) -> Rat.sign q > 0) drawn with
   | [] when not free -> None
   | drawn -> Some { finish; drawn }
 
@@ -22,11 +34,6 @@ let sides (m : Model.t) p (b : State.bond) =
     | Some one, Some two -> Some (one, two)
 
 let has_lot m p b = Option.is_some (sides m p b)
-
-let step (m : Model.t) =
-  match m.splits with
-  | Every step -> step
-  | Any_time -> Scc_base.Bug.fail __POS__ "chances without split instants"
 
 let wait m (p : State.process) =
   match p.lots with
@@ -52,7 +59,7 @@ let would_follow m p (b : State.bond) drawn =
     let fits (r : Process.released) =
       match List.assoc_opt f.at drawn with
       | Some summand -> Behaviour.equal summand r.how.summand
-      | None -> Option.is_none r.chance
+      | None -> Option.is_none r.odds
     in
     List.exists fits (Process.releases m p b.name f)
   in

@@ -8,7 +8,7 @@ let continue continuations (l : State.leaf) =
 type released = {
   rest : Behaviour.t;
   push : Scc_exact.Rat.t;
-  chance : Scc_exact.Rat.t option;
+  odds : Odds.t option;
   how : Behaviours.derivation;
 }
 
@@ -16,11 +16,11 @@ let releases (m : Model.t) p name (f : State.finish) =
   Behaviours.derivations m.definitions (State.leaf_of p f.at).behaviour
   |> List.filter_map (fun (offer, derivation) ->
       match offer with
-      | Behaviours.Offer_weak (c, { push; chance }, rest) when String.equal c.name name && Behaviour.active c f.site ->
-        Some { rest; push; chance; how = derivation }
+      | Behaviours.Offer_weak (c, { push; odds }, rest) when String.equal c.name name && Behaviour.active c f.site ->
+        Some { rest; push; odds; how = derivation }
       | Offer_weak _ | Offer_open _ | Offer_strong _ -> None)
 
-let free_releases m p name f = List.filter (fun r -> Option.is_none r.chance) (releases m p name f)
+let free_releases m p name f = List.filter (fun r -> Option.is_none r.odds) (releases m p name f)
 
 let weak_offers m p (b : State.bond) =
   let first = free_releases m p b.name b.one in

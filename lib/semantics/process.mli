@@ -5,12 +5,12 @@ open Scc_calculus
 val continue : (int * Behaviour.t) list -> State.leaf -> State.leaf
 (** The leaf with the behaviour that the list gives for it, if it gives one. *)
 
-(** What an end of a bond becomes when it releases it, by which summand, how hard it pushes (reading I-36), and with
-    which probability at each split instant, if it is not free to choose (rule Lot). *)
+(** What an end of a bond becomes when it releases it, by which summand, how hard it pushes (reading I-36), and how
+    likely, if it is not free to choose (rule Lot). *)
 type released = {
   rest : Behaviour.t;
   push : Scc_exact.Rat.t;
-  chance : Scc_exact.Rat.t option;
+  odds : Odds.t option;
   how : Behaviours.derivation;
 }
 

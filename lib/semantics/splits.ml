@@ -125,7 +125,7 @@ let release (c : Semantics.t) (p : State.process) (b : State.bond) drawn =
     let follows (r : Process.released) =
       match List.assoc_opt f.at drawn with
       | Some summand -> Behaviour.equal summand r.how.summand
-      | None -> Option.is_none r.chance
+      | None -> Option.is_none r.odds
     in
     List.filter follows (Process.releases c.setting.model p b.name f)
   in

@@ -6,7 +6,7 @@ let rec behaviour values (b : Behaviour.t) =
   match b with
   | Nil | Call _ -> b
   | Open (polarity, c, rest) -> Behaviour.open_ polarity c (at rest)
-  | Weak (c, { push; chance }, rest) -> Behaviour.weak ~push ?chance c (at rest)
+  | Weak (c, { push; odds }, rest) -> Behaviour.weak ~push ?odds c (at rest)
   | Strong (l, push, rest) -> Behaviour.strong ~push l (at rest)
   | Delay (t, rest) -> Behaviour.delay t (at rest)
   | Wait (t, rest) -> Behaviour.delay (Linear.eval t values) (at rest)

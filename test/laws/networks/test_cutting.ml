@@ -89,7 +89,7 @@ let rec cut_behaviour axis shift (b : Behaviour.t) =
   | Nil -> b
   | Call k -> Behaviour.call (k + shift)
   | Open (polarity, c, b) -> Behaviour.open_ polarity (channel c) (again b)
-  | Weak (c, { push; chance }, b) -> Behaviour.weak ~push ?chance (channel c) (again b)
+  | Weak (c, { push; odds }, b) -> Behaviour.weak ~push ?odds (channel c) (again b)
   | Strong (l, push, b) -> Behaviour.strong ~push (List.map channel l) (again b)
   | Delay (t, b) -> Behaviour.delay t (again b)
   | Wait (t, b) -> Behaviour.wait t (again b)

@@ -33,10 +33,10 @@ let surface =
 let definitions kinds : Behaviour.definitions =
   let nothing = Behaviour.call (Array.length kinds) in
   let body i = function
-    | Again q -> Behaviour.weak ~chance:q surface (Behaviour.call i)
-    | Once q -> Behaviour.weak ~chance:q surface nothing
+    | Again q -> Behaviour.weak ~odds:(Chance q) surface (Behaviour.call i)
+    | Once q -> Behaviour.weak ~odds:(Chance q) surface nothing
     | Either (q, r) ->
-      Behaviour.(sum (weak ~chance:q surface nothing) (weak ~chance:r surface (call i)))
+      Behaviour.(sum (weak ~odds:(Chance q) surface nothing) (weak ~odds:(Chance r) surface (call i)))
     | Free -> Behaviour.weak surface (Behaviour.call i)
     | Free_once -> Behaviour.weak surface nothing
     | Nothing -> Behaviour.nil

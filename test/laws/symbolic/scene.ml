@@ -188,7 +188,7 @@ let rec known point (b : Behaviour.t) =
   | Nil -> Behaviour.nil
   | Call k -> Behaviour.call k
   | Open (p, c, b) -> Behaviour.open_ p c (known point b)
-  | Weak (c, { push; chance }, b) -> Behaviour.weak ~push ?chance c (known point b)
+  | Weak (c, { push; odds }, b) -> Behaviour.weak ~push ?odds c (known point b)
   | Strong (l, push, b) -> Behaviour.strong ~push l (known point b)
   | Delay (t, b) -> Behaviour.delay t (known point b)
   | Wait (t, b) -> Behaviour.delay (Linear.eval t point) (known point b)

@@ -59,17 +59,20 @@ let all = channel [ 0; 1; 2; 3; 4; 5 ]
 let some = channel [ 1; 3; 5 ]
 
 (* With splits that push apart what they release, or without. *)
+(* In models whose split step is 1/2. *)
+let rate n : Odds.t = Rate { rate = int n; alone = Odds.within ~step:(rational 1 2) (int n) }
+
 let definitions ~pushes ~lots : Behaviour.definitions =
   let open Behaviour in
   let push j = if pushes then rational 1 j else Rat.zero in
   (* Some ends have a chance, in one way or in two, and some are free. *)
   let weak j surface rest =
-    let by chance rest = weak ~push:(push j) ?chance surface rest in
+    let by odds rest = weak ~push:(push j) ?odds surface rest in
     if not lots then by None rest
     else
       match j with
-      | 2 -> sum (by (Some (rational 1 3)) rest) (by (Some (rational 1 4)) nil)
-      | 3 -> by (Some (rational 2 5)) rest
+      | 2 -> sum (by (Some (Chance (rational 1 3))) rest) (by (Some (Chance (rational 1 4))) nil)
+      | 3 -> sum (by (Some (rate 2)) rest) (by (Some (rate 1)) nil)
       | _ -> by None rest
   in
   let strong j = strong ~push:(if pushes then rational 1 j else Rat.zero) in

@@ -103,7 +103,7 @@ let definitions ~pushes ~rings ~lots : Behaviour.definitions =
   let push = if pushes then rational 1 2 else Rat.zero in
   let open Behaviour in
   let also b c = if rings then sum b c else b in
-  let weak surface rest = weak ?chance:(if lots then Some (rational 2 5) else None) surface rest in
+  let weak surface rest = weak ?odds:(if lots then Some (Odds.Chance (rational 2 5)) else None) surface rest in
   [|
     { name = "Sticky"; body = open_ Name all (call 1) };
     {

@@ -20,7 +20,7 @@ let idle book = define book (delay (third 1) (call book.count))
 (* Whether something may be left to chance here. To be sure, what is looked for is looked for everywhere. *)
 let has_chance (defs : definitions) b =
   let rec within seen = function
-    | Weak (_, { chance = Some _; _ }, _) -> true
+    | Weak (_, { odds = Some _; _ }, _) -> true
     | Nil | Open _ | Weak _ | Strong _ -> false
     | Delay (_, b) | Wait (_, b) -> within seen b
     | Sum (b, c) -> within seen b || within seen c
@@ -54,7 +54,7 @@ let rec rewrite book defs (b : t) =
     match b with
     | Nil | Call _ -> b
     | Open (p, c, rest) -> open_ p c (into rest)
-    | Weak (c, { push; chance }, rest) -> weak ~push ?chance c (into rest)
+    | Weak (c, { push; odds }, rest) -> weak ~push ?odds c (into rest)
     | Strong (l, push, rest) -> strong ~push l (into rest)
     | Delay (t, rest) -> delay t (into rest)
     | Wait (t, rest) -> wait t (into rest)

@@ -143,12 +143,17 @@ let boost by =
 
    A length of 1 becomes [length], a time of 1 [time] and a mass of 1 [mass]; all else follows. *)
 
+(* The probability within a step stays what it is, as steps are scaled too. *)
+let scaled_odds ~time : Odds.t -> Odds.t = function
+  | Chance q -> Chance q
+  | Rate { rate; alone } -> Rate { rate = Rat.div rate time; alone }
+
 let rec behaving ~time ~impulse (b : Behaviour.t) =
   let again = behaving ~time ~impulse and push = Rat.mul impulse in
   match b with
   | Nil | Call _ -> b
   | Open (polarity, c, b) -> Behaviour.open_ polarity c (again b)
-  | Weak (c, j, b) -> Behaviour.weak ~push:(push j.push) ?chance:j.chance c (again b)
+  | Weak (c, j, b) -> Behaviour.weak ~push:(push j.push) ?odds:(Option.map (scaled_odds ~time) j.odds) c (again b)
   | Strong (l, j, b) -> Behaviour.strong ~push:(push j) l (again b)
   | Delay (t, b) -> Behaviour.delay (Rat.mul time t) (again b)
   | Wait (t, b) -> Behaviour.wait (Scc_polyhedra.Linear.scale time t) (again b)

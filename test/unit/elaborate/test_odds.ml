@@ -1,7 +1,7 @@
 (* Rule Lot: the chance of what happens at a rate, within a step. *)
 
 open Scc_exact
-open Scc_elaborate
+open Scc_calculus
 module Gen = QCheck2.Gen
 
 let q n d = Rat.make (Z.of_int n) (Z.of_int d)
@@ -35,38 +35,46 @@ let near =
   let gen = Gen.(pair (map2 q (1 -- 60) (1 -- 40)) (map2 q (1 -- 20) (1 -- 30))) in
   let print (r, h) = Printf.sprintf "rate %s, step %s" (Rat.to_string r) (Rat.to_string h) in
   QCheck2.Test.make ~name:"Lot: chances of rates" ~count:100 ~print gen (fun (rate, step) ->
-      match Odds.of_rate ~step rate with
-      | Some p -> is_near (value (Rat.mul rate step)) p && Rat.sign p > 0 && Rat.compare p Rat.one < 0
-      | None -> false)
+      let p = Odds.within ~step rate in
+      is_near (value (Rat.mul rate step)) p && Rat.sign p > 0 && Rat.compare p Rat.one < 0)
 
 (* No fraction of a smaller denominator is as near: looked for by brute force where denominators are small. *)
 let simplest () =
   List.iter
     (fun x ->
-       match Odds.of_rate ~step:Rat.one x with
-       | None -> Alcotest.fail "a rate that is not great"
-       | Some p ->
-         let denominator = Z.to_int (Q.den p) in
-         let v = value x in
-         for d = 1 to min 3_000 (denominator - 1) do
-           let n = Rat.floor (Rat.mul (fst v) (Rat.of_int d)) in
-           List.iter
-             (fun n -> if is_near v (Rat.make n (Z.of_int d)) then Alcotest.failf "%s/%d is simpler" (Z.to_string n) d)
-             [ n; Z.succ n ]
-         done)
+       let p = Odds.within ~step:Rat.one x and v = value x in
+       for d = 1 to min 3_000 (Z.to_int (Q.den p) - 1) do
+         let n = Rat.floor (Rat.mul (fst v) (Rat.of_int d)) in
+         List.iter
+           (fun n -> if is_near v (Rat.make n (Z.of_int d)) then Alcotest.failf "%s/%d is simpler" (Z.to_string n) d)
+           [ n; Z.succ n ]
+       done)
     [ q 1 4; q 30 1; q 1 1_000_000_000 ]
 
 let known () =
   let check what expected step rate =
-    Alcotest.(check (option string)) what expected (Option.map Rat.to_string (Odds.of_rate ~step rate))
+    Alcotest.(check string) what expected (Rat.to_string (Odds.within ~step rate))
   in
-  check "never" (Some "0") Rat.one Rat.zero;
-  check "a rate of 2, eight times a unit of time" (Some "107680/486801") (q 1 8) (q 2 1);
-  check "as slow as you like: 10^-12" (Some "1/1000000000000") Rat.one (Rat.make Z.one (Z.pow (Z.of_int 10) 12));
-  check "too great" None Rat.one (q 1001 1);
-  match Odds.of_rate ~step:Rat.one (q 1000 1) with
-  | Some p -> Alcotest.(check bool) "the greatest: almost surely" true (Rat.compare p Rat.one < 0)
-  | None -> Alcotest.fail "the greatest rate"
+  check "never" "0" Rat.one Rat.zero;
+  check "a rate of 2, eight times a unit of time" "107680/486801" (q 1 8) (q 2 1);
+  check "as slow as you like: 10^-12" "1/1000000000000" Rat.one (Rat.make Z.one (Z.pow (Z.of_int 10) 12));
+  Alcotest.(check bool) "the greatest: almost surely" true
+    (Rat.compare (Odds.within ~step:Rat.one (q Odds.greatest 1)) Rat.one < 0)
+
+(* Rates that compete are one rate together, of which each has its share; chances are what they are. *)
+let shares () =
+  let step = q 1 8 in
+  let rate n : Odds.t = Rate { rate = Rat.of_int n; alone = Odds.within ~step (Rat.of_int n) } in
+  let whole = Odds.within ~step (Rat.of_int 3) in
+  let check what expected odds =
+    Alcotest.(check (list string)) what (List.map Rat.to_string expected)
+      (List.map Rat.to_string (Odds.shares ~step odds))
+  in
+  check "one alone" [ Odds.within ~step (Rat.of_int 2) ] [ rate 2 ];
+  check "two" [ Rat.mul whole (q 2 3); Rat.mul whole (q 1 3) ] [ rate 2; rate 1 ];
+  check "with a chance, and a rate that never happens"
+    [ q 1 7; Rat.mul whole (q 1 3); Rat.zero; Rat.mul whole (q 2 3) ]
+    [ Chance (q 1 7); rate 1; rate 0; rate 2 ]
 
 let () =
   Alcotest.run "odds"
@@ -76,5 +84,6 @@ let () =
         @ [
           Alcotest.test_case "known values" `Quick known;
           Alcotest.test_case "the simplest ones" `Quick simplest;
+          Alcotest.test_case "Lot: rates that compete" `Quick shares;
         ] );
     ]

@@ -5,7 +5,7 @@ open Scc_calculus
 open Scc_semantics
 open Fixture
 
-let chance q name faces rest = Behaviour.weak ~chance:q (channel name faces) rest
+let chance q name faces rest = Behaviour.weak ~odds:(Chance q) (channel name faces) rest
 
 let network ?splits ?definitions ?velocity bodies bonds =
   let m = { (model ?splits ?definitions bodies) with lots = true } in

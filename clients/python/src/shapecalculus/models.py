@@ -174,10 +174,11 @@ class State:
 
 @dataclass(frozen=True)
 class Label:
-    """What a transition does: ``kind`` is "time", "bind", "close", "bounce", "absorb", "weak", "strong" or "draw".
+    """What a transition does: ``kind`` is "time", "bind", "close", "bounce", "absorb", "weak", "strong", "draw" or "lot".
 
     ``text`` says who takes part; ``touching``, of a bounce, which bodies (or parts of them) touch, in pairs. Of a
-    draw, ``process`` is the first body of who draws, ``velocity`` what it draws and ``chance`` its probability.
+    draw, ``process`` is the first body of who draws, ``velocity`` what it draws and ``chance`` its probability. Of a
+    lot, ``decision`` says of the bond ``name``, ``ends`` whether it is to "keep", to "release" or "first" to release.
     """
 
     kind: str
@@ -191,6 +192,7 @@ class Label:
     process: Optional[str] = None
     velocity: Optional[Vector] = None
     chance: Optional[Fraction] = None
+    decision: Optional[str] = None
 
     @classmethod
     def from_json(cls, json: Json) -> Label:
@@ -207,6 +209,7 @@ class Label:
             json.get("process"),
             None if "velocity" not in json else numbers.vector(json["velocity"]),
             None if "chance" not in json else numbers.fraction(json["chance"]),
+            json.get("decision"),
         )
 
 

@@ -1,5 +1,21 @@
 open Scc_exact
 
+type t = Chance of Rat.t | Rate of { rate : Rat.t; alone : Rat.t }
+
+let compare a b =
+  match (a, b) with
+  | Chance p, Chance q -> Rat.compare p q
+  | Rate r, Rate s -> Rat.compare r.rate s.rate
+  | Chance _, Rate _ -> -1
+  | Rate _, Chance _ -> 1
+
+let equal a b = compare a b = 0
+let hash = function Chance q -> Rat.hash q | Rate { rate; _ } -> 1 + Rat.hash rate
+
+let to_string = function
+  | Chance q -> "chance " ^ Rat.to_string q
+  | Rate { rate; _ } -> "rate " ^ Rat.to_string rate
+
 let greatest = 1000
 let half = Rat.make Z.one (Z.of_int 2)
 let power k = Q.of_bigint (Z.shift_left Z.one k)
@@ -45,8 +61,18 @@ let rec simplest bits x =
     let q = Scc_polyhedra.Fraction.simplest ~above:(Some (below v.low)) ~below:(Some (above v.high)) in
     if Rat.compare q (below v.high) > 0 && Rat.compare q (above v.low) < 0 then q else finer ()
 
-let of_rate ~step rate =
+let within ~step rate =
   let x = Rat.mul rate step in
-  if Rat.sign x = 0 then Some Rat.zero
-  else if Rat.compare x (Rat.of_int greatest) > 0 then None
-  else Some (simplest 128 x)
+  if Rat.sign x = 0 then Rat.zero else simplest 128 x
+
+let shares ~step odds =
+  let rates = List.filter_map (function Rate { rate; _ } -> Some rate | Chance _ -> None) odds in
+  let all = List.fold_left Rat.add Rat.zero rates in
+  let share rate alone =
+    match rates with [ _ ] -> alone | _ -> Rat.mul (within ~step all) (Rat.div rate all)
+  in
+  List.map
+    (function
+      | Chance q -> q
+      | Rate { rate; alone } -> if Rat.sign rate = 0 then Rat.zero else share rate alone)
+    odds
