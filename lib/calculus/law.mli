@@ -57,6 +57,9 @@ val is_inertial : t -> bool
 val draws : t -> bool
 (** Whether it leaves the velocity to chance. *)
 
+val mentions : (variable -> bool) -> t -> bool
+(** Whether one of these variables occurs. *)
+
 val mentions_time : t -> bool
 (** Whether [Time] occurs. *)
 

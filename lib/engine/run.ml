@@ -14,16 +14,18 @@ type stepwise = {
   mutable present : State.t;
   mutable next : ((alternative * State.t) list, Transition.fault) result option;  (** with where they lead *)
   mutable rounded : Totals.sum;
+  mutable elapsed : Scc_exact.Rat.t;
 }
 
 type t = Stepwise of stepwise | Eventwise of Event_run.t
 
-let start semantics declared =
-  Result.map
-    (fun s ->
-       if Event_run.can_run (Semantics.model semantics) then Eventwise (Event_run.start semantics s)
-       else Stepwise { semantics; present = s; next = None; rounded = Totals.no_sum })
-    (Network.initial semantics declared)
+let resume semantics s =
+  if Event_run.can_run (Semantics.model semantics) then Eventwise (Event_run.start semantics s)
+  else
+    Stepwise
+      { semantics; present = s; next = None; rounded = Totals.no_sum; elapsed = Scc_exact.Rat.zero }
+
+let start semantics declared = Result.map (resume semantics) (Network.initial semantics declared)
 
 let seen s (t : Transition.t) =
   let rounded = Totals.added (Semantics.model s.semantics) t in
@@ -43,6 +45,7 @@ let alternatives = function
 
 let go s ((taken : alternative), target) =
   Option.iter (fun added -> s.rounded <- Totals.accumulate s.rounded (Lazy.force added)) taken.rounded;
+  s.elapsed <- Scc_exact.Rat.add s.elapsed (Transition.duration_of taken.label);
   s.present <- target;
   s.next <- None
 
@@ -66,6 +69,7 @@ let wait t d =
     Result.map (Option.map went) (Network.wait s.semantics s.present d)
 
 let changes = function Eventwise run -> Some (Event_run.changes run) | Stepwise _ -> None
+let elapsed = function Eventwise run -> Event_run.elapsed run | Stepwise s -> s.elapsed
 let state = function Eventwise run -> Event_run.state run | Stepwise s -> s.present
 
 (* Without laws of motion, whatever may ever happen gives time a place to pass to: see {!Time.delay}. *)

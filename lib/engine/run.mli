@@ -13,6 +13,9 @@ type t
 val start : Semantics.t -> State.t -> (t, Transition.fault) result
 (** At the initial state, from the declared one. *)
 
+val resume : Semantics.t -> State.t -> t
+(** At any state of a model, such as the initial one. *)
+
 type alternative = Event_run.alternative = {
   label : Transition.label;
   rules : Rule.t list;
@@ -27,6 +30,9 @@ val take : t -> int -> unit
 
 val wait : t -> Scc_exact.Rat.t -> (alternative option, Transition.fault) result
 (** Takes {!Network.wait}, and says what was taken. *)
+
+val elapsed : t -> Scc_exact.Rat.t
+(** The time since it began. *)
 
 val state : t -> State.t
 (** The present state, in full. *)

@@ -5,7 +5,7 @@ open Scc_engine
 
 type t = {
   semantics : Semantics.t;
-  run : Event_run.t;
+  run : Run.t;
   kept : bool array;  (** the leaves of the slice *)
   mutable steps : Witness.step list;  (** the last first *)
   mutable within_instant : int;  (** transitions since time has passed *)
@@ -16,18 +16,20 @@ let fail () = Scc_base.Bug.fail __POS__ "a run of a slice is no run of the whole
 (* Groups that are left out make so many at most, each of them. *)
 let patience t = 10_000 * Array.length (Semantics.model t.semantics).leaves
 
-let take t choice (a : Event_run.alternative) =
-  Event_run.take t.run choice;
-  let target = Event_run.state t.run in
+let alternatives t = match Run.alternatives t.run with Ok found -> found | Error _ -> fail ()
+
+let take t choice (a : Run.alternative) =
+  Run.take t.run choice;
+  let target = Run.state t.run in
   let transition = { Transition.label = a.label; rules = a.rules; fired = []; target; rounded = None } in
   t.within_instant <- (match a.label with Time _ -> 0 | _ -> t.within_instant + 1);
   if t.within_instant > patience t then fail ();
-  t.steps <- { choice; transition; time = Event_run.elapsed t.run } :: t.steps
+  t.steps <- { choice; transition; time = Run.elapsed t.run } :: t.steps
 
 (* The alternatives with their choices that satisfy a condition. *)
 let those alternatives condition =
-  List.mapi (fun k (a : Event_run.alternative) -> (k, a)) alternatives
-  |> List.filter (fun (_, (a : Event_run.alternative)) -> condition a.label)
+  List.mapi (fun k (a : Run.alternative) -> (k, a)) alternatives
+  |> List.filter (fun (_, (a : Run.alternative)) -> condition a.label)
 
 let some_leaf (label : Transition.label) =
   match (label, Transition.bonds label) with
@@ -39,18 +41,26 @@ let some_leaf (label : Transition.label) =
 
 let is_of_slice t label = match some_leaf label with Some i -> t.kept.(i) | None -> false
 
+(* Those that are left out draw when it is their turn: any velocity will do. *)
+let rec let_others_draw t =
+  match alternatives t with
+  | ({ label = Draw _ as label; _ } as a) :: _ when not (is_of_slice t label) ->
+    take t 0 a;
+    let_others_draw t
+  | _ -> ()
+
 (** Where a run is that was to go on to an instant. *)
 type place =
   | There
   | Before of int option  (** in a state before it, and time passes beyond it by this choice, or for ever *)
 
 let rec advance t ~until =
-  if Algebraic.compare_rat until (Event_run.elapsed t.run) = 0 then There
+  if Algebraic.compare_rat until (Run.elapsed t.run) = 0 then There
   else
-    let alternatives = Event_run.alternatives t.run in
+    let alternatives = alternatives t in
     match (those alternatives Transition.is_time, those alternatives Transition.is_urgent) with
     | (k, a) :: _, _ ->
-      let next = Rat.add (Event_run.elapsed t.run) (Transition.duration_of a.label) in
+      let next = Rat.add (Run.elapsed t.run) (Transition.duration_of a.label) in
       if Algebraic.compare_rat until next < 0 then Before (Some k)
       else begin
         take t k a;
@@ -63,7 +73,7 @@ let rec advance t ~until =
     | [], [] -> if alternatives = [] then Before None else fail ()
 
 let arrive t time =
-  if Algebraic.compare_rat (Algebraic.of_rat time) (Event_run.elapsed t.run) < 0 then fail ();
+  if Algebraic.compare_rat (Algebraic.of_rat time) (Run.elapsed t.run) < 0 then fail ();
   match advance t ~until:(Algebraic.of_rat time) with There -> () | Before _ -> fail ()
 
 (* The processes of the slice in a state of the whole. *)
@@ -76,11 +86,11 @@ let same_in_slice t (slice : State.t) (whole : State.t) =
 (* Transitions with the same label may lead to different behaviours. *)
 let choose t (step : Witness.step) =
   let label = step.transition.label and target = step.transition.target in
-  match those (Event_run.alternatives t.run) (Transition.equal_label label) with
+  match those (alternatives t) (Transition.equal_label label) with
   | [] -> fail ()
   | [ found ] -> found
   | several -> (
-      match Network.successors t.semantics (Event_run.state t.run) with
+      match Network.successors t.semantics (Run.state t.run) with
       | Error _ -> fail ()
       | Ok transitions ->
         let leads (k, _) = same_in_slice t target (List.nth transitions k).target in
@@ -91,11 +101,14 @@ let repeat t (step : Witness.step) =
   | Time _ -> ()
   | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ ->
     arrive t step.time;
+    let_others_draw t;
     let k, a = choose t step in
     take t k a;
-    if not (same_in_slice t step.transition.target (Event_run.state t.run)) then fail ()
+    (* What is drawn takes effect when all have drawn. *)
+    (match a.label with Draw _ -> let_others_draw t | _ -> ());
+    if not (same_in_slice t step.transition.target (Run.state t.run)) then fail ()
 
-let since t instant = Algebraic.add_rat (Rat.neg (Event_run.elapsed t.run)) instant
+let since t instant = Algebraic.add_rat (Rat.neg (Run.elapsed t.run)) instant
 
 let finish t (w : Witness.t) : Witness.finish =
   match w.finish with
@@ -119,7 +132,7 @@ let timed semantics ~initial (w : Witness.t) =
   Array.iter
     (fun (p : State.process) -> Array.iter (fun (l : State.leaf) -> kept.(l.leaf) <- true) p.leaves)
     w.initial.processes;
-  let t = { semantics; run = Event_run.start semantics initial; kept; steps = []; within_instant = 0 } in
+  let t = { semantics; run = Run.resume semantics initial; kept; steps = []; within_instant = 0 } in
   List.iter (repeat t) w.steps;
   let finish = finish t w in
-  { w with initial; steps = List.rev t.steps; last = Event_run.state t.run; finish }
+  { w with initial; steps = List.rev t.steps; last = Run.state t.run; finish }

@@ -26,10 +26,27 @@ let rec is_search (plan : Plan.t) =
   | Formula _ -> false
   | All plans | Any plans -> List.for_all is_search plans
 
-let favours_events f = is_search (Plan.of_formula f)
+(* A probability, or a mean, of what runs do as far as predicates tell. *)
+let rec is_chance (f : Property.temporal) =
+  let favours positive f = Option.fold ~none:false ~some:(favours positive) (Formula.state_formula f) in
+  match f with
+  | Temporal_not f -> is_chance f
+  | Finally (Chance _, _, g) -> favours true g
+  | Globally (Chance _, _, g) -> favours false g
+  | Until (Chance _, _, f, g) ->
+    Option.is_some (Formula.state_formula f) && (not (Formula.has_events f)) && favours true g
+  | State _ | Temporal_and _ | Temporal_or _ | Next _ | Finally _ | Globally _ | Until _ -> false
 
-let can_be_sliced f =
-  favours_events f && (not (Formula.global f)) && Formula.leaves f <> []
+let rec is_served (plan : Plan.t) =
+  match plan with
+  | Formula f -> is_chance f
+  | All plans | Any plans -> List.for_all is_served plans
+  | Now _ | Possibly _ | Always _ -> is_search plan
+
+let favours_events f = is_search (Plan.of_formula f)
+let is_local f = (not (Formula.global f)) && Formula.leaves f <> []
+let can_be_sliced f = favours_events f && is_local f
+let serves f = is_served (Plan.of_formula f) && is_local f
 
 (** {1 Walls} *)
 
@@ -65,12 +82,18 @@ type swarm = {
   still : Box_tree.t;  (** the parts of walls *)
   groups : Union_find.t;  (** of processes *)
   members : int list array;  (** the parts of a group, by representative *)
-  energy : Rat.t array;  (** 2E of a group, by representative *)
+  paces : Pace.t array;  (** of a group, by representative *)
   stirred : bool array;  (** the group may have a collision, by representative *)
+  unsteady : bool array;  (** its velocities are not known; so it is of all that are stirred *)
   grown : bool array;  (** and its boxes have been grown by what that may lead to *)
+  restless : bool array;  (** it may make transitions for ever within an instant without a collision *)
 }
 
 let find s i = Union_find.find s.groups i
+
+let stir s g =
+  s.stirred.(g) <- true;
+  s.unsteady.(g) <- true
 
 (* Of two groups, by their representatives. *)
 let join s g h =
@@ -80,16 +103,12 @@ let join s g h =
   let few, many = if List.compare_lengths few many <= 0 then (few, many) else (many, few) in
   s.members.(g) <- List.rev_append few many;
   s.members.(h) <- [];
-  s.energy.(g) <- Rat.add s.energy.(g) s.energy.(h);
-  s.stirred.(g) <- true;
+  s.paces.(g) <- Pace.add s.paces.(g) s.paces.(h);
+  s.restless.(g) <- s.restless.(g) || s.restless.(h);
+  stir s g;
   s.grown.(g) <- false
 
 let is_fixed s i = s.model.leaves.(s.parts.(i).leaf.leaf).fixed
-
-let twice_energy m (p : State.process) =
-  match State.mass m p with
-  | Some mass -> Rat.mul mass (Vec.norm2 p.velocity)
-  | None -> Rat.zero
 
 let create semantics ~horizon ~in_events (initial : State.t) =
   let model = Semantics.model semantics in
@@ -101,7 +120,9 @@ let create semantics ~horizon ~in_events (initial : State.t) =
   let until =
     match horizon with None -> infinity | Some h -> Float.max Float.min_float (Float_box.up h)
   in
-  let members = Array.make n [] in
+  let members = Array.make n [] and paces = Array.map (Pace.of_process model) processes in
+  let releases = Array.map (Pace.may_release model) processes in
+  let driven = Array.map Pace.driven paces in
   Array.iteri
     (fun i (p : Part.t) ->
        Moving_boxes.set lines i p.placed.solid.box ~at:p.placed.at ~velocity:(Part.velocity p);
@@ -109,14 +130,16 @@ let create semantics ~horizon ~in_events (initial : State.t) =
        members.(p.process) <- i :: members.(p.process))
     parts;
   {
-    semantics; model; horizon; processes; parts; lines; members;
+    semantics; model; horizon; processes; parts; lines; members; paces;
     walls = Array.map (is_wall model ~in_events) processes;
     present = Box_tree.create ();
     still = Box_tree.create ();
     groups = Union_find.create n;
-    energy = Array.map (twice_energy model) processes;
-    stirred = Array.make n false;
+    (* Pieces that laws move meet each other. *)
+    stirred = Array.map2 ( && ) driven releases;
+    unsteady = driven;
     grown = Array.make n false;
+    restless = Array.map (fun releases -> releases && Model.closes_rings model) releases;
   }
 
 (** {2 On their lines} *)
@@ -135,22 +158,22 @@ let collide s i j =
 (* Puts the parts in the trees, and finds who collides with whom as long as nobody has collided. Where the boxes of
    groups will be grown (those then hold their lines), nothing is to be found. *)
 let fly s =
-  let all_stirred = ref false in
-  let is_calm g = not (s.stirred.(g) || !all_stirred) in
+  let everywhere = ref false in
+  let is_calm g = not (s.unsteady.(g) || !everywhere) in
   (* Without a horizon, a group that may have a collision gets everywhere. *)
-  let stir () = if Option.is_none s.horizon then all_stirred := true in
+  let met () = if Option.is_none s.horizon then everywhere := true in
   let meet i j =
     let g = find s s.parts.(i).process and h = find s s.parts.(j).process in
     if g <> h && is_calm g && is_calm h && collide s i j then begin
       join s g h;
-      stir ()
+      met ()
     end
   in
   let hit wall i =
     let g = find s s.parts.(i).process in
     if is_calm g && collide s i wall then begin
-      s.stirred.(g) <- true;
-      stir ()
+      stir s g;
+      met ()
     end
   in
   let enter i (p : Part.t) =
@@ -167,16 +190,19 @@ let fly s =
   in
   Array.iteri enter s.parts
 
-(** {2 After collisions} *)
+(** {2 On other ways} *)
+
+let energy s g = Pace.energy s.model ~horizon:s.horizon ~collide:s.stirred.(g) s.paces.(g)
 
 (* v^2 <= 2E/m, so that the way until h is at most the root of 2E h^2/m. The root of a float is rounded to the
    nearest, and so is below the next float. *)
 let reach s ~energy i =
-  if is_fixed s i || Rat.sign energy = 0 then 0.
+  let rests = match energy with Some energy -> Rat.sign energy = 0 | None -> false in
+  if is_fixed s i || rests then 0.
   else
-    match s.horizon with
-    | None -> infinity
-    | Some h ->
+    match (energy, s.horizon) with
+    | None, _ | _, None -> infinity
+    | Some energy, Some h ->
       let mass = s.model.leaves.(s.parts.(i).leaf.leaf).mass in
       Float.succ (Float.sqrt (Float_box.up (Rat.div (Rat.mul energy (Rat.mul h h)) mass)))
 
@@ -200,15 +226,21 @@ let found s box i =
       let may_meet =
         if not (is_fixed s i) then true
         else if is_fixed s j then false
-        else s.stirred.(h) || collide s i j
+        else s.unsteady.(h) || collide s i j
       in
       if may_meet then groups := h :: !groups);
   List.sort_uniq Int.compare !groups
 
-(* Grows a group, joins it with those that it may meet, and grows the whole, until it meets nobody. *)
+let meets_wall s box =
+  let met = ref false in
+  Box_tree.iter_meeting s.still box (fun _ -> met := true);
+  !met
+
+(* Grows a group, joins it with those that it may meet, and grows the whole, until it meets nobody. That it may meet a
+   wall, or somebody, may let it get farther. *)
 let rec grow s g =
   withdraw s g;
-  let energy = s.energy.(g) in
+  let energy = energy s g in
   let boxes = List.rev_map (fun i -> (i, grown_box s ~energy i)) s.members.(g) in
   let take_in whole h =
     withdraw s h;
@@ -217,6 +249,10 @@ let rec grow s g =
   in
   let whole = List.fold_left (fun whole (i, box) -> List.fold_left take_in whole (found s box i)) g boxes in
   if List.compare_lengths s.members.(whole) boxes <> 0 then grow s whole
+  else if (not s.stirred.(whole)) && List.exists (fun (_, box) -> meets_wall s box) boxes then begin
+    stir s whole;
+    grow s whole
+  end
   else begin
     List.iter (fun (i, box) -> Box_tree.insert s.present i box) boxes;
     s.grown.(g) <- true
@@ -228,7 +264,7 @@ let settle s =
   Array.iteri
     (fun i _ ->
        let g = find s i in
-       if s.stirred.(g) && not s.grown.(g) then grow s g)
+       if s.unsteady.(g) && not s.grown.(g) then grow s g)
     s.processes
 
 (** {1 What is left out} *)
@@ -239,12 +275,18 @@ let reached s groups =
   let note energy i =
     Box_tree.iter_meeting s.still (grown_box s ~energy i) (fun j -> near.(s.parts.(j).process) <- true)
   in
-  List.iter (fun g -> if s.stirred.(g) then List.iter (note s.energy.(g)) s.members.(g)) groups;
+  List.iter (fun g -> if s.stirred.(g) then List.iter (note (energy s g)) s.members.(g)) groups;
   near
 
 let restricted (initial : State.t) stays =
   let processes = List.filteri (fun i _ -> stays i) (Array.to_list initial.processes) in
   State.make ~processes ~step:initial.step ~time:initial.time
+
+(* When those who had to draw first, or to collide, are not there, the movement step may begin at once. *)
+let settled semantics state =
+  match Steer.settle semantics state with
+  | Ok outcome -> outcome.state
+  | Error _ -> Scc_base.Bug.fail __POS__ "a bounded law that is in error"
 
 (* How many transitions a group may make until the horizon. *)
 let patience = 10_000
@@ -281,36 +323,52 @@ let owners (m : Model.t) (initial : State.t) =
     initial.processes;
   owner
 
-let kept s initial named =
+(* Whether a group may be left out: time gets to the horizon in one run of it, or in all of them. *)
+let goes_on s initial ~in_all g =
+  if s.stirred.(g) || s.restless.(g) then (not in_all) && lasts s initial g else Pace.may_draw s.paces.(g)
+
+let kept s initial named ~in_all =
   let n = Array.length s.processes in
   let wanted = Array.make n false in
   List.iter (fun p -> wanted.(find s p) <- true) named;
   for g = 0 to n - 1 do
-    if is_group s g && s.stirred.(g) && (not wanted.(g)) && not (lasts s initial g) then wanted.(g) <- true
+    if is_group s g && (not wanted.(g)) && not (goes_on s initial ~in_all g) then wanted.(g) <- true
   done;
   let groups = List.filter (fun g -> is_group s g && wanted.(g)) (List.init n Fun.id) in
   let near = reached s groups in
   let stays = Array.init n (fun i -> wanted.(find s i) || near.(i)) in
-  if Array.for_all Fun.id stays then None else Some (restricted initial (fun i -> stays.(i)))
+  if Array.for_all Fun.id stays then None
+  else Some (settled s.semantics (restricted initial (fun i -> stays.(i))))
 
-let make semantics ~(initial : State.t) formulas =
+(* Bodies that come to touch and do not collide are not looked for (reading I-33). *)
+let can_be_cut (m : Model.t) initial =
+  not (Model.has_turns m || Model.binds_on_contact m || Parameters.may_push m initial) && Pace.allows m
+
+(* Groups are looked for once for all formulas that look as far, and name the same leaves in events. *)
+let make semantics ~(initial : State.t) =
   let m = Semantics.model semantics in
-  let owner = owners m initial in
-  let named = List.concat_map (fun f -> List.map (fun l -> owner.(l)) (Formula.leaves f)) formulas in
-  if
-    (not (Event_run.can_run m))
-    || Parameters.may_push m initial
-    || formulas = []
-    || not (List.for_all can_be_sliced formulas)
-    || List.exists (fun p -> p < 0) named
-  then None
-  else begin
-    let in_events = List.concat_map Formula.leaves_of_events formulas in
-    let s = create semantics ~horizon:(Plan.latest_horizon formulas) ~in_events initial in
-    fly s;
-    settle s;
-    kept s initial named
-  end
+  let owner = lazy (owners m initial) and can_be_cut = lazy (can_be_cut m initial) and known = ref [] in
+  let swarm ~horizon ~in_events =
+    let is_same (h, leaves, _) = Option.equal Rat.equal h horizon && List.equal Int.equal leaves in_events in
+    match List.find_opt is_same !known with
+    | Some (_, _, s) -> s
+    | None ->
+      let s = create semantics ~horizon ~in_events initial in
+      fly s;
+      settle s;
+      known := (horizon, in_events, s) :: !known;
+      s
+  in
+  let slice formulas =
+    let named = List.concat_map (fun f -> List.map (fun l -> (Lazy.force owner).(l)) (Formula.leaves f)) formulas in
+    let in_events = List.sort_uniq Int.compare (List.concat_map Formula.leaves_of_events formulas) in
+    if List.exists (fun p -> p < 0) named then None
+    else
+      let in_all = not (Model.straight m && List.for_all favours_events formulas) in
+      kept (swarm ~horizon:(Plan.latest_horizon formulas) ~in_events) initial named ~in_all
+  in
+  fun formulas ->
+    if formulas <> [] && List.for_all serves formulas && Lazy.force can_be_cut then slice formulas else None
 
 let left_out (m : Model.t) ~initial slice =
   let before = owners m initial and after = owners m slice in

@@ -73,9 +73,9 @@ type group = {
 }
 
 let groups options semantics ~initial checks =
+  let slice = Slice.make semantics ~initial in
   let part (c : Property.check) =
-    if List.exists (Reduction.equal Slice) options.reductions then Slice.make semantics ~initial [ c.formula ]
-    else None
+    if List.exists (Reduction.equal Slice) options.reductions then slice [ c.formula ] else None
   in
   (* Times are not passed on there, so that a bound on them cannot be kept. *)
   let timeless = match options.bounds.time with Unbounded -> true | Default _ | Given _ -> false in

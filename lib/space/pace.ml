@@ -1,0 +1,104 @@
+open Scc_exact
+open Scc_calculus
+
+(* What a bounded law may give. *)
+type given = { speed2 : Rat.t; velocities : int }
+
+let looks_at_mass_alone =
+  let beyond : Law.variable -> bool = function
+    | Mass -> false
+    | X | Y | Z | Vx | Vy | Vz | Time | Dt -> true
+  in
+  fun law -> not (Law.mentions beyond law)
+
+(* None where the law is not bounded, or is in error. *)
+let given (leaf : Model.leaf) =
+  let eval e = Result.to_option (Law.eval (fun _ -> leaf.mass) e) in
+  let speed2 (x, y, z) =
+    match (eval x, eval y, eval z) with
+    | Some x, Some y, Some z -> Some (Vec.norm2 (Vec.make x y z))
+    | _ -> None
+  in
+  let add sum (kick : Law.kick) =
+    match (sum, speed2 kick.velocity, eval kick.weight) with
+    | Some (greatest, total), Some v2, Some weight when Rat.sign weight >= 0 ->
+      Some (Rat.max greatest v2, Rat.add total weight)
+    | _ -> None
+  in
+  if not (looks_at_mass_alone leaf.law) then None
+  else
+    match leaf.law with
+    | Inertial -> Some { speed2 = Rat.zero; velocities = 1 }
+    | Velocity v -> Option.map (fun speed2 -> { speed2; velocities = 1 }) (speed2 v)
+    | Choose kicks -> (
+        match List.fold_left add (Some (Rat.zero, Rat.zero)) kicks with
+        | Some (speed2, total) when Rat.sign total > 0 -> Some { speed2; velocities = List.length kicks }
+        | _ -> None)
+
+let allows (m : Model.t) =
+  let laws = List.filter (fun (l : Model.leaf) -> not (Law.is_inertial l.law)) (Array.to_list m.leaves) in
+  let draws (l : Model.leaf) = Law.draws l.law in
+  List.for_all (fun l -> Option.is_some (given l)) laws
+  && (List.for_all draws laws || not (List.exists draws laws))
+
+type t = {
+  first : Rat.t;  (** the energy at the start *)
+  laws : Rat.t;  (** what laws give to the leaves that they move, at most *)
+  free : bool;  (** some leaf that is not fixed is under no law *)
+  driven : bool;
+  velocities : int;  (** that they may draw together, or more than {!Law.most_outcomes} *)
+}
+
+let times a b = if a > Law.most_outcomes / b then Law.most_outcomes + 1 else a * b
+
+let add a b =
+  {
+    first = Rat.add a.first b.first;
+    laws = Rat.add a.laws b.laws;
+    free = a.free || b.free;
+    driven = a.driven || b.driven;
+    velocities = times a.velocities b.velocities;
+  }
+
+let of_process (m : Model.t) (p : State.process) =
+  let of_leaf (l : State.leaf) =
+    let leaf = m.leaves.(l.leaf) in
+    let driven = not (leaf.fixed || Law.is_inertial leaf.law) in
+    match given leaf with
+    | None when driven -> Scc_base.Bug.fail __POS__ "a law that is not bounded"
+    | Some { speed2; velocities } when driven ->
+      { first = Rat.zero; laws = Rat.mul leaf.mass speed2; free = false; driven; velocities }
+    | _ -> { first = Rat.zero; laws = Rat.zero; free = not leaf.fixed; driven; velocities = 1 }
+  in
+  let first =
+    match State.mass m p with
+    | Some mass -> Rat.mul mass (Vec.norm2 p.velocity)
+    | None -> Rat.zero
+  in
+  let alone = { first; laws = Rat.zero; free = false; driven = false; velocities = 1 } in
+  Array.fold_left (fun sum l -> add sum (of_leaf l)) alone p.leaves
+
+let driven t = t.driven
+let may_draw t = t.velocities <= Law.most_outcomes
+
+(* Laws are asked once right now, and then each time that a timestep is over. *)
+let times_asked (m : Model.t) h = Rat.make (Z.succ (Rat.floor (Rat.div h m.timestep))) Z.one
+
+let energy (m : Model.t) ~horizon ~collide t =
+  match horizon with
+  | _ when not t.driven -> Some t.first
+  | _ when collide && Model.of_each m -> None
+  | _ when not t.free -> Some (Rat.max t.first t.laws)
+  | Some h when Model.keeps_beat m -> Some (Rat.add t.first (Rat.mul (times_asked m h) t.laws))
+  | Some _ | None -> None
+
+let may_release (m : Model.t) (p : State.process) =
+  let rec look seen (b : Behaviour.t) =
+    match b with
+    | Nil -> false
+    | Weak _ | Strong _ -> true
+    | Open (_, _, b) | Delay (_, b) | Wait (_, b) -> look seen b
+    | Sum (a, b) -> look seen a || look seen b
+    | Call k -> (not (List.mem k seen)) && look (k :: seen) m.definitions.(k).body
+  in
+  Array.length p.leaves > 1 && Array.exists (fun (l : State.leaf) -> look [] l.behaviour.term) p.leaves
