@@ -1,0 +1,215 @@
+(* Slices of networks whose bodies draw their velocities, against whole networks: the same verdicts and the same exact
+   numbers, with runs of the whole. *)
+
+open Scc_exact
+open Scc_calculus
+open Scc_semantics
+open Scc_property
+open Scc_evaluate
+open Scc_space
+open Scc_explain
+open Scc_verify
+module Gen = QCheck2.Gen
+
+let standard = Scc_engine.Standard.of_model
+
+(* {1 Random walkers} *)
+
+let shapes =
+  {|
+split_step 1
+shape Cube {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+           e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]  right [b,c,g,f]  front [a,b,f,e]  back [d,h,g,c]
+}
+behaviour Shy    = nil
+behaviour Right  = <dock, {right}>. Held
+behaviour Left   = <~dock, {left}>. Held
+behaviour Held   = omega(dock, {left, right}). Shy
+behaviour Late   = eps(1/2). Left
+|}
+
+(* Of the laws of a model: all leave velocities to chance, or none, or some of them. *)
+let laws =
+  let open Gen in
+  let coin = oneofl [ "choose { (1,0,0), (-1,0,0) }"; "choose { (0,0,0) weight 3, (2,0,0) }" ]
+  and certain = oneofl [ "(1,0,0)"; "(-1,0,0)" ] in
+  let other = oneofl [ "choose { (vx,vy,vz), (0,0,0) }"; "(vx, vy + dt, vz)" ] in
+  frequencyl [ (6, coin); (2, certain); (2, oneof [ coin; certain ]); (1, oneof [ coin; other ]) ]
+
+let body_gen law =
+  let open Gen in
+  let* driven = frequencyl [ (3, true); (1, false) ] and* law = law in
+  let* velocity = frequencyl [ (3, 0); (1, 1); (1, -1) ] and* mass = frequencyl [ (3, 1); (1, 4) ] in
+  let* behaviour = frequencyl [ (3, "Shy"); (2, "Right"); (2, "Left"); (1, "Late") ] in
+  let+ distance = frequencyl [ (2, 3); (2, 4); (2, 6); (3, 9); (3, 14) ] and+ pair = map (fun n -> n = 0) (0 -- 5) in
+  let moves name = if driven then Printf.sprintf "motion %s = %s\n" name law else "" in
+  let single i x =
+    Printf.sprintf "process p%d = Cube mass %d velocity (%d,0,0) at translate (%d,0,0) [%s]\n" i mass velocity x
+      behaviour
+    ^ moves (Printf.sprintf "p%d" i)
+  and double i x =
+    Printf.sprintf "process d%d = p%d : Cube mass 1 at translate (%d,0,0) [Held] <dock, {p%d.right, q%d.left}>\n" i i x
+      i i
+    ^ Printf.sprintf "q%d : Cube mass %d at translate (%d,0,0) [Held]\n" i mass (x + 2)
+    ^ moves (Printf.sprintf "d%d" i)
+  in
+  (distance, if pair then double else single)
+
+(* One after the other along x, at these distances. *)
+let crowd_gen =
+  let open Gen in
+  let* law = laws and* n = frequencyl [ (3, 2); (3, 3); (1, 4) ] in
+  let* bodies = list_repeat n (body_gen law) in
+  let* steps = oneofl [ ""; " steady"; " local" ] and* wall = frequencyl [ (3, None); (1, Some ""); (1, Some " absorb") ] in
+  let+ beyond = oneofl [ 3; 5; 8 ] in
+  let place (i, x, text) (distance, body) = (i + 1, x + 2 + distance, text ^ body i x) in
+  let _, last, text = List.fold_left place (0, 0, "") bodies in
+  let standing = Printf.sprintf "fixed wall = Cube%s at translate (%d,0,0)\n" in
+  let wall = match wall with None -> "" | Some absorb -> standing absorb (last - 2 + beyond) in
+  (n, Printf.sprintf "timestep 1%s\n%s%s%s" steps shapes text wall)
+
+let predicate_gen n =
+  let open Gen in
+  let leaf = frequencyl ((4, 0) :: List.init n (fun i -> (1, i))) in
+  let one =
+    oneof
+      [
+        map2 (Printf.sprintf "x(p%d) > %d") leaf (0 -- 12);
+        map2 (Printf.sprintf "vx(p%d) > %d") leaf (-1 -- 1);
+        map (Printf.sprintf "size(p%d) > 1") leaf;
+        map2 (Printf.sprintf "same(p%d, p%d)") leaf leaf;
+        map (Printf.sprintf "gone(p%d)") leaf;
+        map (Printf.sprintf "event bounce(p%d)") leaf;
+        map (Printf.sprintf "event split(dock, p%d)") leaf;
+        map (Printf.sprintf "event bind(dock, p%d)") leaf;
+      ]
+  in
+  let* p = one and* q = one in
+  oneofl [ p; Printf.sprintf "(%s and %s)" p q; Printf.sprintf "(%s or not gone(p0) and %s)" p q; "not " ^ p ]
+
+let check_gen n =
+  let open Gen in
+  let* p = predicate_gen n and* q = predicate_gen n and* h = oneofl [ "1"; "3/2"; "2"; "3" ] in
+  let* m = oneofl [ "P"; "Pmin"; "Pmax" ] and* t = oneofl [ "0"; "1"; "3/2"; "2" ] in
+  oneofl
+    [
+      Printf.sprintf "possibly (%s) within %s" p h;
+      Printf.sprintf "always (%s) within %s" p h;
+      Printf.sprintf "%s = ? [ eventually (%s) within %s ]" m p h;
+      Printf.sprintf "%s = ? [ always (%s) within %s ]" m p h;
+      Printf.sprintf "%s = ? [ eventually[1, 2] (%s) ]" m p;
+      Printf.sprintf "%s = ? [ (%s) U[<= %s] (%s) ]" m p h q;
+      Printf.sprintf "P >= 1/2 [ eventually (%s) within %s ]" p h;
+      Printf.sprintf "not P <= 1/4 [ eventually (%s) within %s ] and possibly (%s) within %s" p h q t;
+      Printf.sprintf "E = ? [ if gone(p0) then 0 else x(p0) at %s ]" t;
+      Printf.sprintf "Emax = ? [ if gone(p0) then 0 else vx(p0) at %s ]" t;
+      (* what is no business of slices *)
+      Printf.sprintf "EF ((%s) and P >= 1 [ eventually[0, 0] (%s) ])" p q;
+      Printf.sprintf "E = ? [ event bounce U time > %s ]" t;
+    ]
+
+let case_gen =
+  let open Gen in
+  let* n, text = crowd_gen in
+  let+ checks = list_size (1 -- 3) (check_gen n) in
+  text ^ String.concat "\n" (List.mapi (fun i c -> Printf.sprintf "check c%d : %s" i c) checks)
+
+(* {1 The comparison} *)
+
+type tally = { mutable sliced : int; mutable numbers : int; mutable searches : int; mutable runs : int }
+
+let tally = { sliced = 0; numbers = 0; searches = 0; runs = 0 }
+let bounds = { Bounds.default with states = Given 1500 }
+
+let load text =
+  match Scc_test_models.Load.text text with
+  | Error _ -> None
+  | Ok e -> Result.to_option (Result.map (fun s -> (e, s)) (Network.initial (standard e.model) e.declared))
+
+let run reductions (e : Scc_elaborate.Elaborate.t) initial check =
+  Check.run { Check.default with bounds; reductions } (standard e.model) ~initial [ check ]
+
+(* What is known for certain. *)
+type known = Is of bool | Number of (Property.side * Scc_ctl.Eval.measured) list | Open
+
+let known (v : Verdict.t) =
+  match v with
+  | Holds { bounds = []; _ } -> Is true
+  | Violated _ -> Is false
+  | Measured { reasons = []; values; _ } -> Number values
+  | Holds _ | Measured _ | Undecided _ -> Open
+
+let witness : Verdict.t -> Witness.t option = function
+  | Holds { witness; _ } | Violated { witness } | Measured { witness; _ } -> witness
+  | Undecided _ -> None
+
+(* By the rules of the whole, at the times that it says. *)
+let replays (e : Scc_elaborate.Elaborate.t) initial (w : Witness.t) =
+  match Scc_test_networks.Reach.follow (standard e.model) initial (Witness.choices w) with
+  | Error _ -> false
+  | Ok transitions ->
+    let last = match List.rev transitions with [] -> initial | t :: _ -> t.Transition.target in
+    let time = List.fold_left (fun t s -> Rat.add t (Transition.duration s)) Rat.zero transitions in
+    State.equal last w.last && Rat.equal time (Witness.time w)
+
+let arrived (w : Witness.t) =
+  match List.rev w.steps with
+  | [] -> fun _ -> false
+  | [ only ] -> Event.matches ~source:w.initial only.transition.label
+  | last :: before :: _ -> Event.matches ~source:before.transition.target last.transition.label
+
+(* What was searched for is so where the run ends. *)
+let shows (e : Scc_elaborate.Elaborate.t) (check : Property.check) v (w : Witness.t) =
+  match (w.finish, check.asked, Plan.of_formula check.formula) with
+  | At_state, Whether, (Possibly (_, p) | Always (_, p)) -> (
+      let there = Trajectory.make ~arrived:(arrived w) (standard e.model) w.last Instant in
+      match ((Trajectory.prop there p).start, known v) with
+      | Scc_ctl.Truth.True, Is true | False, Is false -> true
+      | _ -> false)
+  | _ -> true
+
+let compare (e : Scc_elaborate.Elaborate.t) initial check =
+  let part = run [ Reduction.Jump; Slice ] e initial check in
+  if part.slices <> [] then begin
+    tally.sliced <- tally.sliced + 1;
+    let verdict (r : Check.report) = (List.hd r.outcomes).verdict in
+    let of_part = verdict part and of_whole = verdict (run [ Reduction.Jump ] e initial check) in
+    (match (known of_part, known of_whole) with
+     | Open, _ | _, Open -> ()
+     | Is a, Is b ->
+       tally.searches <- tally.searches + 1;
+       if not (Bool.equal a b) then QCheck2.Test.fail_reportf "slice: %b, whole: %b" a b
+     | Number a, Number b ->
+       tally.numbers <- tally.numbers + 1;
+       if a <> b then
+         QCheck2.Test.fail_reportf "slice: %s, whole: %s" (Likelihoods.values a) (Likelihoods.values b)
+     | Is _, Number _ | Number _, Is _ -> QCheck2.Test.fail_report "a number and a truth");
+    match witness of_part with
+    | None -> ()
+    | Some w ->
+      tally.runs <- tally.runs + 1;
+      if not (replays e initial w) then QCheck2.Test.fail_report "a run does not replay";
+      if not (shows e check of_part w) then QCheck2.Test.fail_report "a run does not show what it should"
+  end
+
+let agrees text =
+  match load text with
+  | None -> true  (* where nobody docks, no formula may speak of it *)
+  | Some (e, initial) -> List.iter (compare e initial) e.checks; true
+
+let random = QCheck2.Test.make ~name:"Fragments: walkers" ~count:500 ~print:Fun.id case_gen agrees
+
+let counts () =
+  Printf.printf "%d slices, %d numbers and %d truths compared, %d runs\n" tally.sliced tally.numbers tally.searches
+    tally.runs;
+  let some what expected n = if n < expected then Alcotest.failf "only %d %s" n what in
+  some "slices" 100 tally.sliced;
+  some "numbers" 40 tally.numbers;
+  some "truths" 20 tally.searches;
+  some "runs" 20 tally.runs
+
+let () =
+  Alcotest.run "walkers"
+    [ ("random", [ Scc_test_support.Property.case random; Alcotest.test_case "counts" `Quick counts ]) ]
