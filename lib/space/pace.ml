@@ -70,13 +70,13 @@ let of_process (m : Model.t) (p : State.process) =
       { first = Rat.zero; laws = Rat.mul leaf.mass speed2; free = false; driven; velocities }
     | _ -> { first = Rat.zero; laws = Rat.zero; free = not leaf.fixed; driven; velocities = 1 }
   in
-  let first =
-    match State.mass m p with
-    | Some mass -> Rat.mul mass (Vec.norm2 p.velocity)
-    | None -> Rat.zero
-  in
-  let alone = { first; laws = Rat.zero; free = false; driven = false; velocities = 1 } in
-  Array.fold_left (fun sum l -> add sum (of_leaf l)) alone p.leaves
+  let still = { first = Rat.zero; laws = Rat.zero; free = false; driven = false; velocities = 1 } in
+  let leaves = Array.fold_left (fun sum l -> add sum (of_leaf l)) still p.leaves in
+  (* Of who is about to have a new velocity the old one counts no more, but for leaves that ask for no change of it. *)
+  let renewed = Option.is_some p.draw && not leaves.free in
+  match State.mass m p with
+  | Some mass when not renewed -> { leaves with first = Rat.mul mass (Vec.norm2 p.velocity) }
+  | Some _ | None -> leaves
 
 let driven t = t.driven
 let may_draw t = t.velocities <= Law.most_outcomes

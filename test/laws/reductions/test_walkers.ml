@@ -210,6 +210,158 @@ let counts () =
   some "truths" 20 tally.searches;
   some "runs" 20 tally.runs
 
+(* {1 By hand} *)
+
+let cube = String.concat "\n" (List.filteri (fun i _ -> i >= 2 && i <= 6) (String.split_on_char '\n' shapes)) ^ "\n"
+let loaded text = match load (cube ^ text) with Some x -> x | None -> Alcotest.failf "it does not load: %s" text
+let all_kept = [ "(no slice)" ]
+
+let is what expected text =
+  let e, initial = loaded text in
+  let formulas = List.map (fun (c : Property.check) -> c.formula) e.checks in
+  let left_out =
+    match Slice.make (standard e.model) ~initial formulas with
+    | None -> all_kept
+    | Some slice -> Slice.left_out e.model ~initial slice
+  in
+  Alcotest.(check (list string)) what expected left_out
+
+let body ?(mass = 1) ?(velocity = 0) name x y =
+  Printf.sprintf "process %s = Cube mass %d velocity (%d,0,0) at translate (%d,%d,0) [nil]\n" name mass velocity x y
+
+let coin name = Printf.sprintf "motion %s = choose { (1,0,0), (-1,0,0) }\n" name
+let walker name x y = body name x y ^ coin name
+let still_within h = Printf.sprintf "check a : always x(s) = 0 within %s\n" h
+
+let how_far () =
+  let scene = body "s" 0 0 ^ walker "w" 10 0 in
+  is "a walker that is too far" [ "w" ] (scene ^ still_within "79/10");
+  is "one that may come to touch" all_kept (scene ^ still_within "8");
+  let scene = walker "s" 0 0 ^ walker "w" 10 0 in
+  is "two that walk" [ "w" ] (scene ^ "check a : P = ? [ eventually x(s) > 3 within 39/10 ]");
+  is "and may meet" all_kept (scene ^ "check a : P = ? [ eventually x(s) > 3 within 4 ]");
+  is "a mean at a time" [ "w" ] (scene ^ "check a : E = ? [ x(s) at 39/10 ]");
+  is "and later" all_kept (scene ^ "check a : E = ? [ x(s) at 4 ]");
+  is "with all the time there is" all_kept (scene ^ "check a : P = ? [ eventually x(s) > 3 ]");
+  is "one that flies" [ "b" ] (walker "s" 0 0 ^ body ~velocity:1 "b" (-20) 20 ^ "check a : possibly x(s) > 0 within 3");
+  is "the fastest of its draws" all_kept
+    (body "s" 0 0 ^ body "w" 10 0
+     ^ "motion w = choose { (0,0,0) weight 1000, (0,4,0) weight 1/1000 }\n" ^ still_within "2");
+  is "its law and nothing before" [ "w" ]
+    (body "s" 0 0 ^ body ~velocity:(-9) "w" 10 0 ^ coin "w" ^ still_within "79/10")
+
+let who_gains () =
+  let company = walker "w" 0 0 ^ body "c" 4 0 in
+  let far = body "s" 0 40 and asked = "check a : possibly x(c) > 20 within 3" in
+  is "a body under no law takes energy at each collision" all_kept (company ^ far ^ asked);
+  is "at each step that keeps its beat" [ "s" ] ("timestep 1 steady\n" ^ company ^ far ^ asked);
+  is "four times until 3, three of it" all_kept
+    ("timestep 1 steady\n" ^ company ^ body "s" 0 7 ^ "check a : possibly x(c) > 20 within 3");
+  is "which is not enough for" [ "s" ]
+    ("timestep 1 steady\n" ^ company ^ body "s" 0 9 ^ "check a : possibly x(c) > 20 within 3");
+  let two = walker "w" 0 0 ^ walker "c" 4 0 in
+  is "walkers among themselves do not" [ "s" ] (two ^ far ^ asked);
+  is "but with steps of their own" all_kept ("timestep 1 local\n" ^ two ^ far ^ asked);
+  is "unless they do not meet" [ "w" ]
+    ("timestep 1 local\n" ^ walker "w" 0 0 ^ walker "s" 40 0 ^ "check a : possibly x(s) > 42 within 3")
+
+let no_collisions () =
+  let two = walker "w" 0 0 ^ walker "c" 4 0 ^ walker "s" 0 40 in
+  is "whose collisions end a step of all" all_kept (two ^ still_within "1");
+  is "or put it off" all_kept ("timestep 1 steady\n" ^ two ^ still_within "1");
+  let walled x = Printf.sprintf "fixed wall = Cube at translate (%d,0,0)\n" x ^ walker "w" 0 0 ^ walker "s" 0 40 in
+  is "a wall in reach" all_kept (walled 5 ^ still_within "3");
+  is "and out of it" [ "wall"; "w" ] (walled 6 ^ still_within "3");
+  is "a wall that the kept may reach" [ "s" ] (walled 5 ^ "check a : possibly x(w) > 1 within 3");
+  let pair behaviour =
+    Printf.sprintf
+      "behaviour B on Cube = %s\nprocess d = p : Cube mass 1 [B] <a, {p.right, q.left}> q : Cube mass 1 at translate \
+       (2,0,0) [B]\n"
+      behaviour
+    ^ coin "d" ^ walker "s" 0 40
+  in
+  is "a pair that holds" [ "p"; "q" ] (pair "<b, {top}>. nil" ^ still_within "3");
+  is "pieces may meet" all_kept (pair "eps(2). omega(a, {left, right}). nil" ^ still_within "3");
+  let chain =
+    "process d = p : Cube mass 1 [nil] <a, {p.right, q.left}> q : Cube mass 1 at translate (2,0,0) [nil] <a, {q.right, \
+     r.left}> r : Cube mass 1 at translate (4,0,0) [nil]\n"
+  and kicks n = Printf.sprintf "motion d = choose { for i in 1..%d: (i / 1000, 0, 0) }\n" n in
+  is "as many draws as may be" [ "p"; "q"; "r" ] (chain ^ kicks 100 ^ walker "s" 0 40 ^ still_within "3");
+  is "more than may be drawn together" all_kept (chain ^ kicks 101 ^ walker "s" 0 40 ^ still_within "3")
+
+let which_laws () =
+  let with_law law = body "s" 0 0 ^ body ~mass:2 "w" 50 0 ^ "motion w = " ^ law ^ "\n" ^ still_within "3" in
+  is "constant" [ "w" ] (with_law "(1,2,3)");
+  is "by the mass" [ "w" ] (with_law "(1/mass,0,0)");
+  is "diffusion with a drift" [ "w" ] (with_law "diffuse(1/8, (1,0,0))");
+  List.iter
+    (fun law -> is law all_kept (with_law law))
+    [ "(vx,0,0)"; "(0,y,0)"; "(time,0,0)"; "(0,0,dt)"; "choose { (1,0,0) weight x, (0,0,0) }" ];
+  is "of which one draws, and one does not" all_kept
+    (body "s" 0 0 ^ "motion s = (1,0,0)\n" ^ walker "w" 50 0 ^ still_within "3")
+
+let which_formulas () =
+  let scene = walker "s" 0 0 ^ walker "w" 50 0 in
+  let inside f = is f [ "w" ] (scene ^ "check a : " ^ f) and outside f = is f all_kept (scene ^ "check a : " ^ f) in
+  List.iter inside
+    [
+      "Pmin = ? [ eventually x(s) > 1 within 2 ]"; "P >= 1/3 [ always x(s) < 1 within 2 ]";
+      "P = ? [ x(s) < 1 U[1, 2] event bounce(s) ]"; "not P > 1/2 [ eventually x(s) > 1 within 2 ]";
+      "P >= 1/3 [ always x(s) < 1 within 2 ] or possibly x(s) > 4 within 3"; "P = ? [ always not event bounce(s) within 2 ]";
+    ];
+  List.iter outside
+    [
+      "P >= 1/3 [ eventually P >= 1/3 [ eventually x(s) > 1 within 1 ] within 2 ]"; "E = ? [ event bounce(s) U x(s) > 1 ]";
+      "P = ? [ event bounce(s) U[<= 2] x(s) > 1 ]"; "P = ? [ eventually not event bounce(s) and x(s) > 1 within 2 ]";
+      "P = ? [ eventually energy > 1 and x(s) > 1 within 2 ]"; "P = ? [ eventually event bounce within 2 ]";
+      "AF[0, 2] x(s) > 1";
+    ]
+
+(* {1 What it costs} *)
+
+(* Walkers on a grid, 20 from each other, each with checks of its own, and two of them with one. *)
+let grid n =
+  let side = if n > 8 then 3 else 2 in
+  let each make = String.concat "\n" (List.init n make) ^ "\n" in
+  each (fun i ->
+      Printf.sprintf "process w[%d] = Cube mass 1 at translate (%d,%d,%d) [nil]" i
+        (20 * (i mod side))
+        (20 * (i / side mod side))
+        (20 * (i / (side * side))))
+  ^ "motion diffuse(1/8)\n"
+  ^ each (fun i ->
+      let x = 20 * (i mod side) in
+      Printf.sprintf
+        "check p%d : P = ? [ eventually x(w[%d]) > %d within 2 ]\ncheck e%d : E = ? [ x(w[%d]) at 2 ]\n\
+         check s%d : possibly x(w[%d]) >= %d within 2"
+        i i (x + 1) i i i i (x + 2))
+
+let together = "check t : possibly same(w[0], w[1]) within 1\n"
+
+let cost text =
+  let e, initial = loaded text in
+  let report = Check.run Check.default (standard e.model) ~initial e.checks in
+  let is_known (o : Verdict.outcome) = match known o.verdict with Open -> false | Is _ | Number _ -> true in
+  if not (List.for_all is_known report.outcomes) then Alcotest.fail "some check is open";
+  report.stats.transitions
+
+let linear () =
+  let one = cost (grid 1) in
+  Alcotest.(check int) "eight cost eight times as much as one" (8 * one) (cost (grid 8));
+  Alcotest.(check int) "twenty-seven, twenty-seven times" (27 * one) (cost (grid 27));
+  let two = cost (grid 2 ^ together) - (2 * one) in
+  Alcotest.(check int) "two of them as much in any company" ((8 * one) + two) (cost (grid 8 ^ together))
+
 let () =
+  let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "walkers"
-    [ ("random", [ Scc_test_support.Property.case random; Alcotest.test_case "counts" `Quick counts ]) ]
+    [
+      ("random", [ Scc_test_support.Property.case random; Alcotest.test_case "counts" `Quick counts ]);
+      ( "by hand",
+        [
+          case "how far walkers get" how_far; case "who gains energy" who_gains;
+          case "only without collisions" no_collisions; case "which laws" which_laws;
+          case "which formulas" which_formulas;
+        ] );
+      ("cost", [ case "grows with their number" linear ]);
+    ]
