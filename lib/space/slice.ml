@@ -86,7 +86,7 @@ type swarm = {
   stirred : bool array;  (** the group may have a collision, by representative *)
   unsteady : bool array;  (** its velocities are not known; so it is of all that are stirred *)
   grown : bool array;  (** and its boxes have been grown by what that may lead to *)
-  restless : bool array;  (** it may make transitions for ever within an instant without a collision *)
+  restless : bool array;  (** a process that may make transitions for ever within an instant, without a collision *)
 }
 
 let find s i = Union_find.find s.groups i
@@ -104,7 +104,6 @@ let join s g h =
   s.members.(g) <- List.rev_append few many;
   s.members.(h) <- [];
   s.paces.(g) <- Pace.add s.paces.(g) s.paces.(h);
-  s.restless.(g) <- s.restless.(g) || s.restless.(h);
   stir s g;
   s.grown.(g) <- false
 
@@ -139,7 +138,7 @@ let create semantics ~horizon ~in_events (initial : State.t) =
     stirred = Array.map2 ( && ) driven releases;
     unsteady = driven;
     grown = Array.make n false;
-    restless = Array.map (fun releases -> releases && Model.closes_rings model) releases;
+    restless = Array.map (( && ) (Model.closes_rings model)) releases;
   }
 
 (** {2 On their lines} *)

@@ -193,7 +193,10 @@ let lasts s g =
 let kept s named =
   let wanted = Array.make (count s) false in
   List.iter (fun i -> wanted.(find s i) <- true) named;
-  List.iter (fun g -> if s.stirred.(g) && (not wanted.(g)) && not (lasts s g) then wanted.(g) <- true) (groups s);
+  (* A ring may open and close for ever within an instant, without a collision. *)
+  let may_go_round g = Model.closes_rings s.model && Pace.may_release s.model s.initial.processes.(g) in
+  let must_last g = s.stirred.(g) || may_go_round g in
+  List.iter (fun g -> if must_last g && (not wanted.(g)) && not (lasts s g) then wanted.(g) <- true) (groups s);
   let all = List.filter (fun g -> wanted.(g)) (groups s) in
   let stays i = wanted.(find s i) || List.exists (fun g -> near s g i) all in
   if List.for_all stays (numbers s) then None else Some (restricted s.initial stays)

@@ -33,7 +33,7 @@ behaviour Late   = eps(1/2). Left
 (* Of the laws of a model: all leave velocities to chance, or none, or some of them. *)
 let laws =
   let open Gen in
-  let coin = oneofl [ "choose { (1,0,0), (-1,0,0) }"; "choose { (0,0,0) weight 3, (2,0,0) }" ]
+  let coin = oneofl [ "choose { (1,0,0), (-1,0,0) }"; "choose { (0,0,0) weight 3, (2,0,0) }"; "choose { (1,0,0), (-3/2,0,0) }" ]
   and certain = oneofl [ "(1,0,0)"; "(-1,0,0)" ] in
   let other = oneofl [ "choose { (vx,vy,vz), (0,0,0) }"; "(vx, vy + dt, vz)" ] in
   frequencyl [ (6, coin); (2, certain); (2, oneof [ coin; certain ]); (1, oneof [ coin; other ]) ]
@@ -57,17 +57,17 @@ let body_gen law =
   in
   (distance, if pair then double else single)
 
-(* One after the other along x, at these distances. *)
+(* One after the other along x, at these distances, to one side or the other. *)
 let crowd_gen =
   let open Gen in
   let* law = laws and* n = frequencyl [ (3, 2); (3, 3); (1, 4) ] in
   let* bodies = list_repeat n (body_gen law) in
   let* steps = oneofl [ ""; " steady"; " local" ] and* wall = frequencyl [ (3, None); (1, Some ""); (1, Some " absorb") ] in
-  let+ beyond = oneofl [ 3; 5; 8 ] in
-  let place (i, x, text) (distance, body) = (i + 1, x + 2 + distance, text ^ body i x) in
+  let+ beyond = oneofl [ 3; 5; 8 ] and+ side = oneofl [ 1; -1 ] in
+  let place (i, x, text) (distance, body) = (i + 1, x + 2 + distance, text ^ body i (side * x)) in
   let _, last, text = List.fold_left place (0, 0, "") bodies in
   let standing = Printf.sprintf "fixed wall = Cube%s at translate (%d,0,0)\n" in
-  let wall = match wall with None -> "" | Some absorb -> standing absorb (last - 2 + beyond) in
+  let wall = match wall with None -> "" | Some absorb -> standing absorb (side * (last - 2 + beyond)) in
   (n, Printf.sprintf "timestep 1%s\n%s%s%s" steps shapes text wall)
 
 let predicate_gen n =
@@ -76,7 +76,7 @@ let predicate_gen n =
   let one =
     oneof
       [
-        map2 (Printf.sprintf "x(p%d) > %d") leaf (0 -- 12);
+        map2 (Printf.sprintf "x(p%d) > %d") leaf (-4 -- 8);
         map2 (Printf.sprintf "vx(p%d) > %d") leaf (-1 -- 1);
         map (Printf.sprintf "size(p%d) > 1") leaf;
         map2 (Printf.sprintf "same(p%d, p%d)") leaf leaf;
