@@ -72,7 +72,8 @@ let of_process (m : Model.t) (p : State.process) =
   in
   let still = { first = Rat.zero; laws = Rat.zero; free = false; driven = false; velocities = 1 } in
   let leaves = Array.fold_left (fun sum l -> add sum (of_leaf l)) still p.leaves in
-  (* Of who is about to have a new velocity the old one counts no more, but for leaves that ask for no change of it. *)
+  (* Of who is about to have a new velocity the old one counts no more, but for leaves that ask for no change of
+     it. *)
   let renewed = Option.is_some p.draw && not leaves.free in
   match State.mass m p with
   | Some mass when not renewed -> { leaves with first = Rat.mul mass (Vec.norm2 p.velocity) }

@@ -86,7 +86,7 @@ type swarm = {
   stirred : bool array;  (** the group may have a collision, by representative *)
   unsteady : bool array;  (** its velocities are not known; so it is of all that are stirred *)
   grown : bool array;  (** and its boxes have been grown by what that may lead to *)
-  restless : bool array;  (** a process that may make transitions for ever within an instant, without a collision *)
+  restless : bool array;  (** a process may make transitions for ever at an instant, without a collision *)
 }
 
 let find s i = Union_find.find s.groups i
@@ -235,8 +235,8 @@ let meets_wall s box =
   Box_tree.iter_meeting s.still box (fun _ -> met := true);
   !met
 
-(* Grows a group, joins it with those that it may meet, and grows the whole, until it meets nobody. That it may meet a
-   wall, or somebody, may let it get farther. *)
+(* Grows a group, joins it with those that it may meet, and grows the whole, until it meets nobody. That it may
+   meet a wall, or somebody, may let it get farther. *)
 let rec grow s g =
   withdraw s g;
   let energy = energy s g in
@@ -359,7 +359,8 @@ let make semantics ~(initial : State.t) =
       s
   in
   let slice formulas =
-    let named = List.concat_map (fun f -> List.map (fun l -> (Lazy.force owner).(l)) (Formula.leaves f)) formulas in
+    let owner = Lazy.force owner in
+    let named = List.concat_map (fun f -> List.map (Array.get owner) (Formula.leaves f)) formulas in
     let in_events = List.sort_uniq Int.compare (List.concat_map Formula.leaves_of_events formulas) in
     if List.exists (fun p -> p < 0) named then None
     else

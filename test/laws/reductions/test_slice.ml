@@ -338,29 +338,6 @@ check a : always x(s) = 0 within 10
   is "they bounce to and fro" [ "w[1]"; "w[2]"; "a" ] (between 1);
   is "too often" all_kept (between 3000)
 
-(* Without any collision: a clasp that closes a ring, opens it and closes it again, all at once. *)
-let round_for_ever () =
-  let ring again =
-    let end_ name polarity side =
-      let then_ = if again then Printf.sprintf "rho({<clasp, {only %s}>}). %s" side name else "nil" in
-      Printf.sprintf "behaviour %s on Cube = <%sclasp, {only %s}>. %s\n" name polarity side then_
-    in
-    "bonds cyclic\n" ^ end_ "Hook" "" "top" ^ end_ "Eye" "~" "bottom"
-    ^ {|
-process a = Cube mass 1 [Hook]
-process b = Cube mass 1 at translate (2,0,0) [nil]
-process c = Cube mass 1 at translate (2,0,2) [nil]
-process d = Cube mass 1 at translate (0,0,2) [Eye]
-bond <link, {a.right, b.left}>
-bond <link, {b.top, c.bottom}>
-bond <link, {c.left, d.right}>
-process s = Cube mass 1 velocity (1,0,0) at translate (0,50,0) [nil]
-check a : possibly x(s) > 2 within 5
-|}
-  in
-  is "once" [ "a"; "b"; "c"; "d" ] (ring false);
-  is "again and again" all_kept (ring true)
-
 (* What is left out bounces at 1, which it must, while one of its bonds may be released, which it need not. *)
 let only_what_must () =
   let scene =
@@ -417,7 +394,6 @@ let () =
           Alcotest.test_case "walls" `Quick walls;
           Alcotest.test_case "steered" `Quick steered;
           Alcotest.test_case "urgent for ever" `Quick urgent_for_ever;
-          Alcotest.test_case "round for ever" `Quick round_for_ever;
           Alcotest.test_case "only what must" `Quick only_what_must;
           Alcotest.test_case "same label" `Quick same_label;
         ] );

@@ -245,25 +245,6 @@ check c : always x(u) = 0 within 4
   in
   left_out "it bounces to and fro" [ "v"; "w"; "a" ] (far ^ between 1);
   left_out "too often to be known" [] (far ^ between 3000);
-  let ring again =
-    let end_ name polarity side =
-      let then_ = if again then Printf.sprintf "rho({<clasp, {only %s}>}). %s" side name else "nil" in
-      Printf.sprintf "behaviour %s on Cube = <%sclasp, {only %s}>. %s\n" name polarity side then_
-    in
-    "bonds cyclic\n" ^ end_ "Hook" "" "top" ^ end_ "Eye" "~" "bottom"
-    ^ {|process a = Cube mass 1 at translate (s, 0, 0) [Hook]
-process b = Cube mass 1 at translate (s + 2, 0, 0) [nil]
-process c = Cube mass 1 at translate (s + 2, 0, 2) [nil]
-process d = Cube mass 1 at translate (s, 0, 2) [Eye]
-bond <link, {a.right, b.left}>
-bond <link, {b.top, c.bottom}>
-bond <link, {c.left, d.right}>
-process e = Cube mass 1 velocity (1, 0, 0) at translate (0, 1000000, 0) [nil]
-check c : possibly x(e) > 2 within 4
-|}
-  in
-  left_out "a ring that closes" [ "a"; "b"; "c"; "d" ] (ring false);
-  left_out "and one that opens and closes for ever, at once" [] (ring true);
   (* v is at 5 + t, between 4 and 8, and so its side between 3 and 7; p gets from 1 to 5 in time 4, for s = 0, and
      to 7 for s = 2. It may meet v, but where both are at the same height. *)
   let meets y =
