@@ -330,6 +330,22 @@ let which_formulas () =
       "AF[0, 2] x(s) > 1";
     ]
 
+(* A body that is let go at the start, after the step of all has begun: it rests until that is over, though nobody that
+   is kept was asked when it began. *)
+let when_steps_begin () =
+  let e, initial =
+    loaded
+      ("behaviour Let on Cube = rho({<a, {left, right}>}). nil\n"
+       ^ "fixed f = Cube [Let]\nprocess p = Cube mass 1 at translate (2,0,0) [Let]\nbond <a, {f.right, p.left}>\n"
+       ^ "motion p = choose { (1,0,0), (2,0,0) }\n" ^ walker "w" 50 0 ^ "check a : always vx(p) = 0 within 1/2")
+  in
+  let report = run [ Reduction.Jump; Slice ] e initial (List.hd e.checks) in
+  Alcotest.(check (list (list string)))
+    "the walker is left out" [ [ "w" ] ]
+    (List.map (fun (s : Check.slice) -> s.left_out) report.slices);
+  Alcotest.(check bool) "it rests" true (known (List.hd report.outcomes).verdict = Is true);
+  compare e initial (List.hd e.checks)
+
 (* {1 What it costs} *)
 
 (* Walkers on a grid, 20 from each other, each with checks of its own, and two of them with one. *)
@@ -374,7 +390,7 @@ let () =
         [
           case "how far walkers get" how_far; case "who gains energy" who_gains;
           case "only without collisions" no_collisions; case "which laws" which_laws;
-          case "which formulas" which_formulas;
+          case "which formulas" which_formulas; case "when steps begin" when_steps_begin;
         ] );
       ("cost", [ case "grows with their number" linear ]);
     ]
