@@ -336,7 +336,8 @@ let kept s initial named ~in_all =
   let groups = List.filter (fun g -> is_group s g && wanted.(g)) (List.init n Fun.id) in
   let near = reached s groups in
   let stays = Array.init n (fun i -> wanted.(find s i) || near.(i)) in
-  if Array.for_all Fun.id stays then None
+  (* Walls that nobody reaches cost nothing: without them alone, an exploration of its own would not pay. *)
+  if Array.for_all2 ( || ) stays s.walls then None
   else Some (settled s.semantics (restricted initial (fun i -> stays.(i))))
 
 (* Bodies that come to touch and do not collide are not looked for (reading I-33). *)

@@ -78,9 +78,9 @@ open Scc_semantics
 open Scc_property
 
 val make : Semantics.t -> initial:State.t -> Property.temporal list -> State.t option
-(** The slice of an initial state for all the formulas together; [None] when nothing can be left out, or a
-    formula or the model is none of those above. Given a model and a state, it remembers who may meet whom up to
-    a horizon for the lists of formulas that follow. *)
+(** The slice of an initial state for all the formulas together; [None] when nothing but walls can be left out,
+    or a formula or the model is none of those above. Given a model and a state, it remembers who may meet whom
+    up to a horizon for the lists of formulas that follow. *)
 
 val favours_events : Property.temporal -> bool
 (** A search in which events only count in favour of what is searched for: others of the same instant, which end

@@ -330,13 +330,14 @@ let which_formulas () =
       "AF[0, 2] x(s) > 1";
     ]
 
-(* A body that is let go at the start, after the step of all has begun: it rests until that is over, though nobody that
-   is kept was asked when it began. *)
+(* A body that is let go at the start, after the step of all has begun: it rests until that is over, though nobody
+   that is kept was asked when it began. *)
 let when_steps_begin () =
   let e, initial =
     loaded
       ("behaviour Let on Cube = rho({<a, {left, right}>}). nil\n"
-       ^ "fixed f = Cube [Let]\nprocess p = Cube mass 1 at translate (2,0,0) [Let]\nbond <a, {f.right, p.left}>\n"
+       ^ "fixed f = Cube [Let]\n"
+       ^ "process p = Cube mass 1 at translate (2,0,0) [Let]\nbond <a, {f.right, p.left}>\n"
        ^ "motion p = choose { (1,0,0), (2,0,0) }\n" ^ walker "w" 50 0 ^ "check a : always vx(p) = 0 within 1/2")
   in
   let report = run [ Reduction.Jump; Slice ] e initial (List.hd e.checks) in
