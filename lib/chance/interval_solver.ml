@@ -43,125 +43,165 @@ type part = { first : int; last : int }
 
 let size part = part.last - part.first + 1
 
-(* The greatest uncertainty of what a component leads to. *)
-let gap_outside t part =
-  let greatest = ref 0. in
+(* How much of the uncertainty of a component comes from what it leads to: a share of what is there, and so much
+   more. Half of the widest interval, as guesses are made with the middles of intervals. *)
+type outside = { share : float; more : float }
+
+let outside_of t part =
+  let share = ref 0. and more = ref 0. in
   let e = t.e in
   for i = e.first_entry.(e.first_row.(part.first)) to e.first_entry.(e.first_row.(part.last + 1)) - 1 do
     let w = e.node.(i) in
     if w < part.first || w > part.last then begin
-      let gap = t.r.upper.(w) -. t.r.lower.(w) in
-      if gap > !greatest then greatest := gap
+      let low = t.r.lower.(w) in
+      let gap = t.r.upper.(w) -. low in
+      if t.effort.relative && low > 1e-200 then begin
+        if gap > !share *. low then share := gap /. low
+      end
+      else if gap > !more then more := gap
     end
   done;
-  !greatest
+  { share = 0.5 *. !share; more = 0.5 *. !more }
 
-let trial_of t ~outside ~gap x =
-  if t.effort.relative then (x *. (1. +. gap)) +. outside +. (gap *. 0x1p-20) else x +. outside +. gap
+let bounded o = o.share < infinity && o.more < infinity
 
-(* Whether all intervals of a component are as narrow as a trial would make them. *)
-let narrow t part ~outside ~gap =
+(* What the ends of an interval around a guess are to be. *)
+let low_end t o ~gap x =
+  let o = if bounded o then o else { share = 0.; more = 0. } in
+  if t.effort.relative then (x *. (1. -. gap -. o.share)) -. o.more else x -. gap -. o.more
+
+let high_end t o ~gap x =
+  if t.effort.relative then (x *. (1. +. gap +. o.share)) +. o.more +. 1e-200 else x +. gap +. o.more
+
+(* Whether all intervals of a component are as narrow as trials would make them. *)
+let narrow t part o ~gap =
+  let twice = { share = 2. *. o.share; more = 2. *. o.more } in
   let rec go v =
-    v > part.last || (t.r.upper.(v) <= trial_of t ~outside ~gap t.r.lower.(v) && go (v + 1))
+    v > part.last || (t.r.upper.(v) <= high_end t twice ~gap:(2. *. gap) t.r.lower.(v) && go (v + 1))
   in
   go part.first
 
-let drop t part = Rounded.drop_trial t.r ~first:part.first ~last:part.last
+type side = Low | High
 
-(* Guesses upper ends, and sees in so many sweeps at most whether they are right. *)
-let attempt t part ~outside ~gap ~sweeps =
-  for v = part.first to part.last do
-    Rounded.set_trial t.r v (trial_of t ~outside ~gap t.r.lower.(v))
+(* Guesses ends of one side, and sees in so many sweeps at most whether they are right. *)
+let attempt t part o side ~gap ~sweeps =
+  let first = part.first and last = part.last in
+  for v = first to last do
+    match side with
+    | Low -> Rounded.set_low t.r v (low_end t o ~gap t.r.guess.(v))
+    | High -> Rounded.set_high t.r v (high_end t o ~gap t.r.guess.(v))
   done;
+  let drop () =
+    match side with
+    | Low -> Rounded.drop_low t.r ~first ~last
+    | High -> Rounded.drop_high t.r ~first ~last
+  in
   let rec go n =
     if n = 0 then false
     else begin
       (match worked t (size part) with
        | () -> ()
        | exception Enough ->
-         drop t part;
+         drop ();
          raise Enough);
-      match Rounded.sweep_trial t.r ~first:part.first ~last:part.last ~forward:(n land 1 = 0) with
+      let forward = n land 1 = 0 in
+      match
+        match side with
+        | Low -> Rounded.sweep_low t.r ~first ~last ~forward
+        | High -> Rounded.sweep_high t.r ~first ~last ~forward
+      with
       | Proved ->
-        Rounded.accept_trial t.r ~first:part.first ~last:part.last;
+        (match side with
+         | Low -> Rounded.accept_low t.r ~first ~last
+         | High -> Rounded.accept_high t.r ~first ~last);
         true
       | Open -> go (n - 1)
       | Refuted -> false
     end
   in
   let proved = go sweeps in
-  if not proved then drop t part;
+  if not proved then drop ();
   proved
 
-(* Changes become a geometric sequence in the end. From two of them, [lag] sweeps apart, how far the limit is away:
-   a guess, on which nothing depends but when upper ends are tried. *)
-let lag = 8
-
+(* Guesses come nearer to the solution by two sweeps at a time, one up and one down, of which the first one's change
+   is looked at. Changes become a geometric sequence in the end, and what is changed is the same up to a factor: so
+   the limit can be seen from far. Nothing that is proved depends on it. *)
 type pace = {
   mutable sweeps : int;
   mutable change : float;
-  mutable earlier : float;  (** the change [lag] sweeps or more before, or infinity *)
-  mutable mark : float;
-  mutable early : int;  (** the number of sweeps at which upper ends are tried before they are near *)
+  mutable ratio : float;  (** of the last two changes *)
+  mutable steady : int;  (** for how many pairs of sweeps the ratio has been nearly the same *)
+  mutable early : int;  (** the number of sweeps at which ends are tried before they are near *)
 }
 
 let distance p =
-  if p.change = 0. then 0.
-  else
-    let ratio = (p.change /. p.earlier) ** (1. /. float_of_int lag) in
-    if ratio >= 1. || p.earlier = infinity then infinity else p.change *. ratio /. (1. -. ratio)
+  if p.change = 0. then 0. else if p.ratio >= 1. then infinity else p.change *. p.ratio /. (1. -. p.ratio)
 
-let sweep t part p =
-  worked t (size part);
-  p.change <-
-    Rounded.raise_lower t.r ~first:part.first ~last:part.last ~forward:(p.sweeps land 1 = 0)
-      ~relative:t.effort.relative;
-  p.sweeps <- p.sweeps + 1;
-  if p.sweeps mod lag = 0 then begin
-    p.earlier <- p.mark;
-    p.mark <- p.change
-  end
+let sweep_pair t part p =
+  let relative = t.effort.relative and first = part.first and last = part.last in
+  worked t (2 * size part);
+  (* What is remembered is needed if the limit is to be guessed after these. *)
+  let leap = p.steady >= 3 in
+  if leap then Rounded.remember t.r ~first ~last;
+  let change = Rounded.approach t.r ~first ~last ~forward:true ~relative in
+  let second = Rounded.approach t.r ~first ~last ~forward:false ~relative in
+  let ratio = if p.change > 0. && p.change < infinity then change /. p.change else 1. in
+  p.steady <- (if Float.abs (ratio -. p.ratio) < 0.1 *. (1. -. ratio) then p.steady + 1 else 0);
+  p.ratio <- ratio;
+  p.change <- change;
+  p.sweeps <- p.sweeps + 2;
+  if leap && p.steady > 0 then begin
+    Rounded.go_on t.r ~first ~last ~factor:(ratio /. (1. -. ratio));
+    p.steady <- -2;
+    p.ratio <- 1.
+  end;
+  Float.max change second
 
 (* Floats do not get on when a sweep changes the last digits alone. *)
-let stalled t p part =
-  p.change = 0.
-  || p.sweeps mod lag = 0
-     && p.change
-        <= 0x1p-49
-                *. (if t.effort.relative then 1.
-                    else
-                      let greatest = ref 0. in
-                      for v = part.first to part.last do
-                        if t.r.lower.(v) > !greatest then greatest := t.r.lower.(v)
-                      done;
-                      !greatest)
+let stalled t part change =
+  change = 0.
+  || change
+     <= 0x1p-49
+        *. (if t.effort.relative then 1.
+            else
+              let greatest = ref 0. in
+              for v = part.first to part.last do
+                if t.r.guess.(v) > !greatest then greatest := t.r.guess.(v)
+              done;
+              !greatest)
 
 let solve_part t part ~gap =
-  let outside = gap_outside t part in
-  let p = { sweeps = 0; change = infinity; earlier = infinity; mark = infinity; early = 32 } in
-  let trial gap sweeps = attempt t part ~outside ~gap ~sweeps in
+  let o = outside_of t part in
+  let p = { sweeps = 0; change = infinity; ratio = 1.; steady = 0; early = 32 } in
+  let trial side gap sweeps = attempt t part o side ~gap ~sweeps in
+  let early () =
+    p.early <- 2 * p.early;
+    let near = distance p in
+    let near = if near < infinity then near else 0. in
+    ignore (trial Low near (4 + (p.sweeps / 8)));
+    if bounded o && near > 0. then ignore (trial High (2. *. near) (4 + (p.sweeps / 8)))
+  in
   (* Until the limit seems to be so near, or is as near as floats come. *)
   let rec approach target =
-    sweep t part p;
-    if stalled t p part then true
-    else if p.sweeps mod lag = 0 && distance p <= target then false
+    let change = sweep_pair t part p in
+    if stalled t part change then true
+    else if distance p <= target then false
     else begin
-      if p.sweeps >= p.early then begin
-        p.early <- 2 * p.early;
-        let near = distance p in
-        if near > gap && near < infinity && outside < infinity then
-          ignore (trial (2. *. near) (4 + (p.sweeps / 8)))
-      end;
+      if p.sweeps >= p.early then early ();
       approach target
     end
   in
-  let rec go target gap =
+  let rec go ~low ~high target gap =
     let stalled = approach target in
-    if outside < infinity && not (trial gap (16 + (p.sweeps / 2))) then
-      if not stalled then go (target /. 4.) gap
-      else if gap < Rounded.ceiling then go target (4. *. gap)
+    let sweeps = 16 + (p.sweeps / 2) in
+    let low = low || trial Low gap sweeps in
+    let high = high || (not (bounded o)) || trial High gap sweeps in
+    if not (low && high) then
+      if not stalled then go ~low ~high (target /. 4.) gap
+      else if gap < Rounded.ceiling then go ~low ~high target (4. *. gap)
   in
-  if not (narrow t part ~outside ~gap) then go (gap /. 4.) gap
+  if not (narrow t part o ~gap) then go ~low:false ~high:false (gap /. 4.) gap;
+  Rounded.settle t.r ~first:part.first ~last:part.last
 
 let parts_of (e : Equations.t) = Array.length e.parts - 1
 
@@ -213,7 +253,7 @@ let solve (e : Equations.t) (effort : Effort.t) ~upper ~asked =
       next = stride;
     }
   in
-  let gap = 0.9 *. Rat.to_float effort.width /. float_of_int (Int.max 1 (depth e)) in
+  let gap = 0.45 *. Rat.to_float effort.width /. float_of_int (Int.max 1 (depth e)) in
   (match passes t ~gap ~before:infinity with () -> () | exception Enough -> ());
   {
     interval = Rounded.interval t.r;

@@ -8,7 +8,10 @@ type t = {
   upper : float array;
   low_row : int array;
   high_row : int array;
-  trial : float array;
+  guess : float array;
+  before : float array;
+  low_trial : float array;
+  high_trial : float array;
   trial_row : int array;
 }
 
@@ -28,28 +31,67 @@ let start (e : Equations.t) ~upper =
     upper = Array.make e.size upper;
     low_row = rows ();
     high_row = rows ();
-    trial = Array.make e.size upper;
-    trial_row = rows ();
+    guess = Array.make e.size 0.;
+    before = Array.make e.size 0.;
+    low_trial = Array.make e.size 0.;
+    high_trial = Array.make e.size upper;
+    trial_row = Array.make e.size 0;
   }
 
 (* The loops below make up all the time of large models. They allocate nothing: that is why they are written out,
    once for each side, and not made of functions that return floats. Indices come from the equations, where rows
    and entries are contiguous, and nodes of entries are less than the size. *)
 
-let raise_lower t ~first ~last ~forward ~relative =
+let approach t ~first ~last ~forward ~relative =
   let e = t.equations in
-  let lower = t.lower and near = e.near and node = e.node and below = t.below in
+  let guess = t.guess and near = e.near and node = e.node and below = t.below in
   let is_max = match e.direction with Max -> true | Min -> false in
   let greatest = ref 0. in
   for n = 0 to last - first do
     let v = if forward then first + n else last - n in
-    let best = ref (if is_max then 0. else infinity) and best_row = ref (-1) in
+    let best = ref (if is_max then 0. else ceiling) in
+    let from = ref (Array.unsafe_get e.first_entry (Array.unsafe_get e.first_row v)) in
+    for r = Array.unsafe_get e.first_row v to Array.unsafe_get e.first_row (v + 1) - 1 do
+      let till = Array.unsafe_get e.first_entry (r + 1) in
+      let sum = ref (Array.unsafe_get below r) in
+      for i = !from to till - 1 do
+        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get guess (Array.unsafe_get node i))
+      done;
+      from := till;
+      if (if is_max then !sum > !best else !sum < !best) then best := !sum
+    done;
+    let x = if !best > ceiling then ceiling else !best in
+    let change = Float.abs (x -. Array.unsafe_get guess v) in
+    Array.unsafe_set guess v x;
+    if change > (if relative then !greatest *. x else !greatest) then
+      greatest := if relative then change /. x else change
+  done;
+  !greatest
+
+let remember t ~first ~last = Array.blit t.guess first t.before first (last - first + 1)
+
+let go_on t ~first ~last ~factor =
+  for v = first to last do
+    let x = t.guess.(v) +. (factor *. (t.guess.(v) -. t.before.(v))) in
+    t.guess.(v) <- (if x < 0. then 0. else if x > t.upper.(v) then t.upper.(v) else x)
+  done
+
+type trial = Proved | Open | Refuted
+
+let sweep_low t ~first ~last ~forward =
+  let e = t.equations in
+  let trial = t.low_trial and near = e.near and node = e.node and below = t.below in
+  let is_max = match e.direction with Max -> true | Min -> false in
+  let fallen = ref false in
+  for n = 0 to last - first do
+    let v = if forward then first + n else last - n in
+    let best = ref (if is_max then -1. else infinity) and best_row = ref e.first_row.(v) in
     let from = ref e.first_entry.(e.first_row.(v)) in
     for r = e.first_row.(v) to e.first_row.(v + 1) - 1 do
       let till = e.first_entry.(r + 1) in
       let sum = ref (Array.unsafe_get below r) in
       for i = !from to till - 1 do
-        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get lower (Array.unsafe_get node i))
+        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get trial (Array.unsafe_get node i))
       done;
       let x = if !sum < tiny then 0. else !sum *. (1. -. (float_of_int (till - !from + 6) *. step)) in
       from := till;
@@ -59,21 +101,15 @@ let raise_lower t ~first ~last ~forward ~relative =
       end
     done;
     let x = if !best > ceiling then ceiling else !best in
-    let before = lower.(v) in
-    if x > before then begin
-      lower.(v) <- x;
-      t.low_row.(v) <- !best_row;
-      let change = if relative then (x -. before) /. x else x -. before in
-      if change > !greatest then greatest := change
-    end
+    if x < trial.(v) then fallen := true;
+    trial.(v) <- x;
+    t.trial_row.(v) <- !best_row
   done;
-  !greatest
+  if !fallen then Open else Proved
 
-type trial = Proved | Open | Refuted
-
-let sweep_trial t ~first ~last ~forward =
+let sweep_high t ~first ~last ~forward =
   let e = t.equations in
-  let trial = t.trial and near = e.near and node = e.node and above = t.above in
+  let trial = t.high_trial and near = e.near and node = e.node and above = t.above in
   let is_max = match e.direction with Max -> true | Min -> false in
   let grown = ref false and crossed = ref false in
   for n = 0 to last - first do
@@ -101,25 +137,44 @@ let sweep_trial t ~first ~last ~forward =
   done;
   if !crossed then Refuted else if !grown then Open else Proved
 
-let set_trial t v x = t.trial.(v) <- (if x > ceiling then infinity else x)
+let set_low t v x = t.low_trial.(v) <- (if x > ceiling then ceiling else if x > 0. then x else 0.)
+let set_high t v x = t.high_trial.(v) <- (if x > ceiling then infinity else x)
 
-let accept_trial t ~first ~last =
+let accept_low t ~first ~last =
   for v = first to last do
-    if t.trial.(v) < t.upper.(v) then begin
-      t.upper.(v) <- t.trial.(v);
-      t.high_row.(v) <- t.trial_row.(v)
+    if t.low_trial.(v) > t.lower.(v) then begin
+      t.lower.(v) <- t.low_trial.(v);
+      t.low_row.(v) <- t.trial_row.(v)
     end
-    else t.trial.(v) <- t.upper.(v)
+    else t.low_trial.(v) <- t.lower.(v)
   done
 
-let drop_trial t ~first ~last = Array.blit t.upper first t.trial first (last - first + 1)
+let accept_high t ~first ~last =
+  for v = first to last do
+    if t.high_trial.(v) < t.upper.(v) then begin
+      t.upper.(v) <- t.high_trial.(v);
+      t.high_row.(v) <- t.trial_row.(v)
+    end
+    else t.high_trial.(v) <- t.upper.(v)
+  done
+
+let drop_low t ~first ~last = Array.blit t.lower first t.low_trial first (last - first + 1)
+let drop_high t ~first ~last = Array.blit t.upper first t.high_trial first (last - first + 1)
+
+let settle t ~first ~last =
+  for v = first to last do
+    let low = t.lower.(v) and high = t.upper.(v) in
+    t.guess.(v) <- (if high < infinity then low +. (0.5 *. (high -. low)) else low)
+  done
 
 let single t v =
-  ignore (raise_lower t ~first:v ~last:v ~forward:true ~relative:false);
-  t.trial.(v) <- infinity;
-  match sweep_trial t ~first:v ~last:v ~forward:true with
-  | Proved | Open -> accept_trial t ~first:v ~last:v
-  | Refuted -> Scc_base.Bug.fail __POS__ "a bound from above is below one from below"
+  ignore (sweep_low t ~first:v ~last:v ~forward:true);
+  accept_low t ~first:v ~last:v;
+  t.high_trial.(v) <- infinity;
+  (match sweep_high t ~first:v ~last:v ~forward:true with
+   | Proved | Open -> accept_high t ~first:v ~last:v
+   | Refuted -> Scc_base.Bug.fail __POS__ "a bound from above is below one from below");
+  settle t ~first:v ~last:v
 
 let interval t v =
   (Q.of_float t.lower.(v), if Float.is_finite t.upper.(v) then Some (Q.of_float t.upper.(v)) else None)

@@ -32,8 +32,11 @@ type t = private {
       row was put there, and [lower] has only grown since then. *)
   high_row : int array;
   (** The values of that scheduler are at most [upper], when the least values are asked for: in the same way. *)
-  trial : float array;
-  (** Of the nodes in the component that is worked on: what may be above; of all others as [upper]. *)
+  guess : float array;  (** where the values seem to be *)
+  before : float array;  (** what was remembered of [guess] *)
+  low_trial : float array;
+  (** Of the nodes in the component that is worked on: what may be below; of all others as [lower]. *)
+  high_trial : float array;  (** In the same way: what may be above; of all others as [upper]. *)
   trial_row : int array;
 }
 
@@ -43,30 +46,56 @@ val ceiling : float
 val start : Equations.t -> upper:float -> t
 (** With 0 and a number that is at least all values. *)
 
-val raise_lower : t -> first:int -> last:int -> forward:bool -> relative:bool -> float
-(** One sweep over the nodes from first to last: each becomes the right side, for what the others are then, if that
-    is more. The greatest change, or the greatest share of a change in what came out. The equations have no other
-    solution, and sums of rewards are the limits of finite ones; so by induction [lower] stays at most that. *)
+(** {1 Guessing}
 
-val single : t -> int -> unit
-(** Both sides of a node that is a component by itself. *)
+    Nothing is proved here, and nothing is lost if a guess is wrong. *)
+
+val approach : t -> first:int -> last:int -> forward:bool -> relative:bool -> float
+(** One sweep over the nodes from first to last: in [guess] each becomes the right side, for what the others are
+    then. The greatest change, or the greatest share of a change in what came out. *)
+
+val remember : t -> first:int -> last:int -> unit
+val go_on : t -> first:int -> last:int -> factor:float -> unit
+(** The change since {!remember} once more, so many times. *)
+
+val settle : t -> first:int -> last:int -> unit
+(** [guess] becomes the middles of intervals, or what is below where nothing is known above. *)
+
+(** {1 Proving} *)
+
+val set_low : t -> int -> float -> unit
+val set_high : t -> int -> float -> unit
+(** Puts a number to be tried; one below 0, or above {!ceiling}, becomes one that says less. *)
 
 type trial =
-  | Proved  (** the trial has become numbers that are above *)
+  | Proved  (** the trial has become numbers that are below, or above *)
   | Open
   | Refuted  (** some number has come below [lower]: it is not above *)
 
-val sweep_trial : t -> first:int -> last:int -> forward:bool -> trial
-(** Each node of the trial becomes its right side. When none has grown by that, the trial is at least its own right
-    sides: each was found with numbers that were not less than those that are there in the end. Whatever is so is
+val sweep_low : t -> first:int -> last:int -> forward:bool -> trial
+(** Each node of the trial becomes its right side. When none has fallen by that, the trial is at most its own right
+    sides: each was found with numbers that were not greater than those that are there in the end. So it is at most
+    the right sides of some scheduler: of its rows in [trial_row] for the greatest values; of any, and so of the best
+    one, for the least. The values of a scheduler that leaves the component are the limit of its right sides from
+    any numbers, and if these grow from the trial on, they are at least the trial. For the greatest values all
+    schedulers leave it; for the least ones the best one does, and that is all that is needed. Never [Refuted]. *)
+
+val sweep_high : t -> first:int -> last:int -> forward:bool -> trial
+(** In the same way, when none has grown: the trial is at least its own right sides. Whatever is so is
     at least the solution (Park's induction; Hartmanns and Kaminski, "Optimistic Value Iteration", 2020), if it is
     for the greatest values, or for some scheduler that pays no more than it, and so leaves the component. *)
 
-val set_trial : t -> int -> float -> unit
-val accept_trial : t -> first:int -> last:int -> unit
+val accept_low : t -> first:int -> last:int -> unit
+(** After [Proved]: [lower] becomes what is greater. *)
+
+val accept_high : t -> first:int -> last:int -> unit
 (** After [Proved]: [upper] becomes what is less. *)
 
-val drop_trial : t -> first:int -> last:int -> unit
+val drop_low : t -> first:int -> last:int -> unit
+val drop_high : t -> first:int -> last:int -> unit
+
+val single : t -> int -> unit
+(** Both sides of a node that is a component by itself. *)
 
 val interval : t -> int -> Rat.t * Rat.t option
 (** Of a node; [None]: nothing is known above. *)
