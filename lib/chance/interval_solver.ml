@@ -96,8 +96,8 @@ let attempt t part o side ~gap ~sweeps =
     | Low -> Rounded.drop_low t.r ~first ~last
     | High -> Rounded.drop_high t.r ~first ~last
   in
-  let rec go n =
-    if n = 0 then false
+  let rec go n ~least ~patience =
+    if n = 0 || patience = 0 then false
     else begin
       (match worked t (size part) with
        | () -> ()
@@ -115,47 +115,55 @@ let attempt t part o side ~gap ~sweeps =
          | Low -> Rounded.accept_low t.r ~first ~last
          | High -> Rounded.accept_high t.r ~first ~last);
         true
-      | Open -> go (n - 1)
+      | Open ->
+        let against = t.r.measure.(0) in
+        if against < 0.99 *. least then go (n - 1) ~least:against ~patience:8
+        else go (n - 1) ~least ~patience:(patience - 1)
       | Refuted -> false
     end
   in
-  let proved = go sweeps in
+  let proved = go sweeps ~least:infinity ~patience:8 in
   if not proved then drop ();
   proved
 
-(* Guesses come nearer to the solution by two sweeps at a time, one up and one down, of which the first one's change
-   is looked at. Changes become a geometric sequence in the end, and what is changed is the same up to a factor: so
-   the limit can be seen from far. Nothing that is proved depends on it. *)
+(* Guesses come nearer to the solution by rounds (modified policy iteration): one sweep finds the best rows, and then
+   these are evaluated by pairs of sweeps, one up and one down. Of each pair the first one's change is looked at.
+   Changes become a geometric sequence in the end, and what is changed is the same up to a factor: so the limit can
+   be seen from far. Nothing that is proved depends on it. *)
 type pace = {
   mutable sweeps : int;
-  mutable change : float;
-  mutable ratio : float;  (** of the last two changes *)
+  mutable rounds : int;
+  mutable change : float;  (** the greatest one of the last pair *)
+  mutable moved : float;  (** the sum of its changes *)
+  mutable ratio : float;  (** of the last two sums *)
   mutable steady : int;  (** for how many pairs of sweeps the ratio has been nearly the same *)
+  mutable rate : float;  (** the ratio when it last was so *)
   mutable early : int;  (** the number of sweeps at which ends are tried before they are near *)
 }
 
-let distance p =
-  if p.change = 0. then 0. else if p.ratio >= 1. then infinity else p.change *. p.ratio /. (1. -. p.ratio)
+let distance ~rate change =
+  if change = 0. then 0. else if rate >= 1. then infinity else change *. rate /. (1. -. rate)
 
-let sweep_pair t part p =
+let pair t part p =
   let relative = t.effort.relative and first = part.first and last = part.last in
   worked t (2 * size part);
-  (* What is remembered is needed if the limit is to be guessed after these. *)
-  let leap = p.steady >= 3 in
-  if leap then Rounded.remember t.r ~first ~last;
-  let change = Rounded.approach t.r ~first ~last ~forward:true ~relative in
-  let second = Rounded.approach t.r ~first ~last ~forward:false ~relative in
-  let ratio = if p.change > 0. && p.change < infinity then change /. p.change else 1. in
+  Rounded.remember t.r ~first ~last;
+  let change = Rounded.evaluate t.r ~first ~last ~forward:true ~relative in
+  let moved = t.r.measure.(0) in
+  ignore (Rounded.evaluate t.r ~first ~last ~forward:false ~relative);
+  let ratio = if p.moved > 0. && p.moved < infinity then moved /. p.moved else 1. in
   p.steady <- (if Float.abs (ratio -. p.ratio) < 0.1 *. (1. -. ratio) then p.steady + 1 else 0);
   p.ratio <- ratio;
+  if p.steady > 0 || ratio > p.rate then p.rate <- ratio;
   p.change <- change;
+  p.moved <- moved;
   p.sweeps <- p.sweeps + 2;
-  if leap && p.steady > 0 then begin
+  if p.steady > 0 then begin
     Rounded.go_on t.r ~first ~last ~factor:(ratio /. (1. -. ratio));
-    p.steady <- -2;
-    p.ratio <- 1.
-  end;
-  Float.max change second
+    p.steady <- 0;
+    p.ratio <- 1.;
+    p.moved <- infinity
+  end
 
 (* Floats do not get on when a sweep changes the last digits alone. *)
 let stalled t part change =
@@ -170,37 +178,62 @@ let stalled t part change =
               done;
               !greatest)
 
+let pairs = 12
+
+(* One round; the change of its first sweep. *)
+let round t part p ~target =
+  let first = part.first and last = part.last in
+  worked t (size part);
+  let change = Rounded.improve t.r ~first ~last ~forward:true ~relative:t.effort.relative in
+  p.sweeps <- p.sweeps + 1;
+  p.rounds <- p.rounds + 1;
+  p.change <- infinity;
+  p.moved <- infinity;
+  p.ratio <- 1.;
+  p.steady <- 0;
+  let enough = Float.max (0.25 *. target) (0.25 *. change) in
+  let rec go n =
+    if n > 0 && not (stalled t part p.change) then begin
+      pair t part p;
+      if distance ~rate:p.rate p.change > enough then go (n - 1)
+    end
+  in
+  if distance ~rate:p.rate change > target && not (stalled t part change) then go (Int.min pairs p.rounds);
+  change
+
 let solve_part t part ~gap =
   let o = outside_of t part in
-  let p = { sweeps = 0; change = infinity; ratio = 1.; steady = 0; early = 32 } in
+  let p = { sweeps = 0; rounds = 0; change = infinity; moved = infinity; ratio = 1.; steady = 0; rate = 1.; early = (if t.few then 64 else 256) } in
   let trial side gap sweeps = attempt t part o side ~gap ~sweeps in
-  let early () =
+  let early change =
     p.early <- 2 * p.early;
-    let near = distance p in
-    let near = if near < infinity then near else 0. in
-    ignore (trial Low near (4 + (p.sweeps / 8)));
-    if bounded o && near > 0. then ignore (trial High (2. *. near) (4 + (p.sweeps / 8)))
+    let near = distance ~rate:p.rate change in
+    if near < infinity then begin
+      ignore (trial Low (2. *. near) (4 + (p.sweeps / 16)));
+      if bounded o then ignore (trial High (2. *. near) (4 + (p.sweeps / 16)))
+    end
+    else ignore (trial Low 0. 4)
   in
   (* Until the limit seems to be so near, or is as near as floats come. *)
   let rec approach target =
-    let change = sweep_pair t part p in
+    let change = round t part p ~target in
     if stalled t part change then true
-    else if distance p <= target then false
+    else if distance ~rate:p.rate change <= target then false
     else begin
-      if p.sweeps >= p.early then early ();
+      if p.sweeps >= p.early then early change;
       approach target
     end
   in
   let rec go ~low ~high target gap =
     let stalled = approach target in
-    let sweeps = 16 + (p.sweeps / 2) in
+    let sweeps = 16 + p.sweeps in
     let low = low || trial Low gap sweeps in
     let high = high || (not (bounded o)) || trial High gap sweeps in
     if not (low && high) then
-      if not stalled then go ~low ~high (target /. 4.) gap
-      else if gap < Rounded.ceiling then go ~low ~high target (4. *. gap)
+      if not stalled then go ~low ~high (target /. 64.) gap
+      else if gap < Rounded.ceiling then go ~low ~high target (64. *. gap)
   in
-  if not (narrow t part o ~gap) then go ~low:false ~high:false (gap /. 4.) gap;
+  if not (narrow t part o ~gap) then go ~low:false ~high:false (gap /. 64.) gap;
   Rounded.settle t.r ~first:part.first ~last:part.last
 
 let parts_of (e : Equations.t) = Array.length e.parts - 1

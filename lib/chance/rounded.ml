@@ -9,7 +9,9 @@ type t = {
   low_row : int array;
   high_row : int array;
   guess : float array;
+  row : int array;
   before : float array;
+  measure : float array;
   low_trial : float array;
   high_trial : float array;
   trial_row : int array;
@@ -32,7 +34,9 @@ let start (e : Equations.t) ~upper =
     low_row = rows ();
     high_row = rows ();
     guess = Array.make e.size 0.;
+    row = rows ();
     before = Array.make e.size 0.;
+    measure = [| 0. |];
     low_trial = Array.make e.size 0.;
     high_trial = Array.make e.size upper;
     trial_row = Array.make e.size 0;
@@ -42,14 +46,14 @@ let start (e : Equations.t) ~upper =
    once for each side, and not made of functions that return floats. Indices come from the equations, where rows
    and entries are contiguous, and nodes of entries are less than the size. *)
 
-let approach t ~first ~last ~forward ~relative =
+let improve t ~first ~last ~forward ~relative =
   let e = t.equations in
   let guess = t.guess and near = e.near and node = e.node and below = t.below in
   let is_max = match e.direction with Max -> true | Min -> false in
-  let greatest = ref 0. in
+  let greatest = ref 0. and total = ref 0. in
   for n = 0 to last - first do
     let v = if forward then first + n else last - n in
-    let best = ref (if is_max then 0. else ceiling) in
+    let best = ref (if is_max then -1. else infinity) in
     let from = ref (Array.unsafe_get e.first_entry (Array.unsafe_get e.first_row v)) in
     for r = Array.unsafe_get e.first_row v to Array.unsafe_get e.first_row (v + 1) - 1 do
       let till = Array.unsafe_get e.first_entry (r + 1) in
@@ -58,14 +62,40 @@ let approach t ~first ~last ~forward ~relative =
         sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get guess (Array.unsafe_get node i))
       done;
       from := till;
-      if (if is_max then !sum > !best else !sum < !best) then best := !sum
+      if (if is_max then !sum > !best else !sum < !best) then begin
+        best := !sum;
+        Array.unsafe_set t.row v r
+      end
     done;
     let x = if !best > ceiling then ceiling else !best in
     let change = Float.abs (x -. Array.unsafe_get guess v) in
     Array.unsafe_set guess v x;
+    total := !total +. change;
     if change > (if relative then !greatest *. x else !greatest) then
       greatest := if relative then change /. x else change
   done;
+  t.measure.(0) <- !total;
+  !greatest
+
+let evaluate t ~first ~last ~forward ~relative =
+  let e = t.equations in
+  let guess = t.guess and near = e.near and node = e.node and below = t.below in
+  let greatest = ref 0. and total = ref 0. in
+  for n = 0 to last - first do
+    let v = if forward then first + n else last - n in
+    let r = Array.unsafe_get t.row v in
+    let sum = ref (Array.unsafe_get below r) in
+    for i = Array.unsafe_get e.first_entry r to Array.unsafe_get e.first_entry (r + 1) - 1 do
+      sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get guess (Array.unsafe_get node i))
+    done;
+    let x = if !sum > ceiling then ceiling else !sum in
+    let change = Float.abs (x -. Array.unsafe_get guess v) in
+    Array.unsafe_set guess v x;
+    total := !total +. change;
+    if change > (if relative then !greatest *. x else !greatest) then
+      greatest := if relative then change /. x else change
+  done;
+  t.measure.(0) <- !total;
   !greatest
 
 let remember t ~first ~last = Array.blit t.guess first t.before first (last - first + 1)
@@ -82,7 +112,7 @@ let sweep_low t ~first ~last ~forward =
   let e = t.equations in
   let trial = t.low_trial and near = e.near and node = e.node and below = t.below in
   let is_max = match e.direction with Max -> true | Min -> false in
-  let fallen = ref false in
+  let fallen = ref 0 in
   for n = 0 to last - first do
     let v = if forward then first + n else last - n in
     let best = ref (if is_max then -1. else infinity) and best_row = ref e.first_row.(v) in
@@ -101,17 +131,18 @@ let sweep_low t ~first ~last ~forward =
       end
     done;
     let x = if !best > ceiling then ceiling else !best in
-    if x < trial.(v) then fallen := true;
+    if x < trial.(v) then incr fallen;
     trial.(v) <- x;
     t.trial_row.(v) <- !best_row
   done;
-  if !fallen then Open else Proved
+  t.measure.(0) <- float_of_int !fallen;
+  if !fallen > 0 then Open else Proved
 
 let sweep_high t ~first ~last ~forward =
   let e = t.equations in
   let trial = t.high_trial and near = e.near and node = e.node and above = t.above in
   let is_max = match e.direction with Max -> true | Min -> false in
-  let grown = ref false and crossed = ref false in
+  let grown = ref 0 and crossed = ref false in
   for n = 0 to last - first do
     let v = if forward then first + n else last - n in
     let best = ref (if is_max then 0. else infinity) and best_row = ref e.first_row.(v) in
@@ -130,12 +161,13 @@ let sweep_high t ~first ~last ~forward =
       end
     done;
     let x = !best in
-    if x > trial.(v) || x > ceiling then grown := true;
+    if x > trial.(v) || x > ceiling then incr grown;
     if x < t.lower.(v) then crossed := true;
     trial.(v) <- (if x > ceiling then infinity else x);
     t.trial_row.(v) <- !best_row
   done;
-  if !crossed then Refuted else if !grown then Open else Proved
+  t.measure.(0) <- float_of_int !grown;
+  if !crossed then Refuted else if !grown > 0 then Open else Proved
 
 let set_low t v x = t.low_trial.(v) <- (if x > ceiling then ceiling else if x > 0. then x else 0.)
 let set_high t v x = t.high_trial.(v) <- (if x > ceiling then infinity else x)

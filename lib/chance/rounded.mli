@@ -33,7 +33,11 @@ type t = private {
   high_row : int array;
   (** The values of that scheduler are at most [upper], when the least values are asked for: in the same way. *)
   guess : float array;  (** where the values seem to be *)
+  row : int array;  (** of each node, the row that seemed to be the best *)
   before : float array;  (** what was remembered of [guess] *)
+  measure : float array;
+  (** One number: of the last sweep of [guess], the sum of all changes; of that of a trial, how many nodes spoke
+      against it. *)
   low_trial : float array;
   (** Of the nodes in the component that is worked on: what may be below; of all others as [lower]. *)
   high_trial : float array;  (** In the same way: what may be above; of all others as [upper]. *)
@@ -50,9 +54,13 @@ val start : Equations.t -> upper:float -> t
 
     Nothing is proved here, and nothing is lost if a guess is wrong. *)
 
-val approach : t -> first:int -> last:int -> forward:bool -> relative:bool -> float
+val improve : t -> first:int -> last:int -> forward:bool -> relative:bool -> float
 (** One sweep over the nodes from first to last: in [guess] each becomes the right side, for what the others are
-    then. The greatest change, or the greatest share of a change in what came out. *)
+    then, and in [row] the best of its rows. The greatest change, or the greatest share of a change in what came
+    out. *)
+
+val evaluate : t -> first:int -> last:int -> forward:bool -> relative:bool -> float
+(** The same of the rows in [row] alone: this is much quicker, as it does not wait for the comparison of rows. *)
 
 val remember : t -> first:int -> last:int -> unit
 val go_on : t -> first:int -> last:int -> factor:float -> unit
