@@ -138,6 +138,8 @@ type pace = {
   mutable ratio : float;  (** of the last two sums *)
   mutable steady : int;  (** for how many pairs of sweeps the ratio has been nearly the same *)
   mutable rate : float;  (** the ratio when it last was so *)
+  mutable least : float;  (** of the changes of the first sweeps of all rounds *)
+  mutable since : int;  (** the round of that *)
   mutable early : int;  (** the number of sweeps at which ends are tried before they are near *)
 }
 
@@ -180,13 +182,21 @@ let stalled t part change =
 
 let pairs = 12
 
+(* Guesses that leap, or follow rows that are not the best, may go in circles. What does not get on after so many
+   rounds goes on with the best rows alone, and this comes to the solution from wherever it is. *)
+let patience = 500
+
 (* One round; the change of its first sweep. *)
 let round t part p ~target =
   let first = part.first and last = part.last in
   worked t (size part);
-  let change = Rounded.improve t.r ~first ~last ~forward:true ~relative:t.effort.relative in
+  let change = Rounded.improve t.r ~first ~last ~forward:(p.rounds land 1 = 0) ~relative:t.effort.relative in
   p.sweeps <- p.sweeps + 1;
   p.rounds <- p.rounds + 1;
+  if change < p.least then begin
+    p.least <- change;
+    p.since <- p.rounds
+  end;
   p.change <- infinity;
   p.moved <- infinity;
   p.ratio <- 1.;
@@ -198,12 +208,13 @@ let round t part p ~target =
       if distance ~rate:p.rate p.change > enough then go (n - 1)
     end
   in
-  if distance ~rate:p.rate change > target && not (stalled t part change) then go (Int.min pairs p.rounds);
+  if distance ~rate:p.rate change > target && not (stalled t part change) then
+    if p.rounds - p.since < patience then go (Int.min pairs p.rounds);
   change
 
 let solve_part t part ~gap =
   let o = outside_of t part in
-  let p = { sweeps = 0; rounds = 0; change = infinity; moved = infinity; ratio = 1.; steady = 0; rate = 1.; early = (if t.few then 64 else 256) } in
+  let p = { sweeps = 0; rounds = 0; change = infinity; moved = infinity; ratio = 1.; steady = 0; rate = 1.; least = infinity; since = 0; early = (if t.few then 64 else 256) } in
   let trial side gap sweeps = attempt t part o side ~gap ~sweeps in
   let early change =
     p.early <- 2 * p.early;
@@ -217,7 +228,7 @@ let solve_part t part ~gap =
   (* Until the limit seems to be so near, or is as near as floats come. *)
   let rec approach target =
     let change = round t part p ~target in
-    if stalled t part change then true
+    if stalled t part change || p.rounds - p.since > 2 * patience then true
     else if distance ~rate:p.rate change <= target then false
     else begin
       if p.sweeps >= p.early then early change;
