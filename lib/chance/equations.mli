@@ -28,14 +28,20 @@ type t = private {
   first_row : int array;  (** of each node, and the number of rows; a node has one row or more *)
   first_entry : int array;  (** of each row, and the number of entries *)
   constant : Rat.t array;  (** of each row, at least 0 *)
+  near_constant : float array;  (** the nearest floats *)
   node : int array;  (** of each entry; never the node that has the row, and each node once in a row *)
-  probability : Rat.t array;  (** of each entry, positive *)
-  near : float array;  (** the nearest floats, but never 0 *)
+  near : float array;  (** of each entry: the float nearest to its {!probability}, but never 0 *)
+  mdp : Mdp.t;
+  branch : int array;  (** of each entry: the branch that has its probability; or -1 - its place in [worked_out] *)
+  worked_out : Rat.t array;  (** probabilities that are not those of a branch *)
   leaks : Scc_data.Bits.t;
   (** The rows of which the entries of its own component have a sum less than 1. *)
   choice : int array;  (** of each row: the choice of the MDP that it stands for *)
   node_of : int array;  (** of each state; -1: it is not open, or was not asked for *)
 }
+
+val probability : t -> int -> Rat.t
+(** Of an entry: positive. *)
 
 (** What is known of a state beforehand. *)
 type status =
@@ -50,9 +56,9 @@ val make :
   allowed:(int -> bool) ->
   merged:Components.ends ->
   rewards:bool ->
-  asked:(int -> bool) ->
+  asked:(int -> bool) option ->
   t
-(** Of the open states that can be reached from those asked for by allowed choices. The states of a component of
+(** Of the open states that can be reached from those asked for by allowed choices, or of all. The states of a component of
     [merged], all of them open, become one node, and its internal choices disappear. A row that leads to its own
     node with probability p < 1 is divided by 1 - p; with p = 1, it is left out, which is right for least rewards
     alone, and only if something is left: elsewhere it is an end component, which should have been merged. *)

@@ -120,7 +120,7 @@ let evaluate (e : Equations.t) (effort : Effort.t) part (value : Rat.t array) (r
       if k < e.first_entry.(r) then l
       else
         go (k - 1)
-          (if inside part e.node.(k) then (e.node.(k) - part.first, e.probability.(k)) :: l else l)
+          (if inside part e.node.(k) then (e.node.(k) - part.first, Equations.probability e k) :: l else l)
     in
     go (e.first_entry.(r + 1) - 1) []
   in

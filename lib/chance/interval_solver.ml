@@ -117,12 +117,12 @@ let attempt t part o side ~gap ~sweeps =
         true
       | Open ->
         let against = t.r.measure.(0) in
-        if against < 0.99 *. least then go (n - 1) ~least:against ~patience:8
+        if against < least then go (n - 1) ~least:against ~patience:(8 + (n / 4))
         else go (n - 1) ~least ~patience:(patience - 1)
       | Refuted -> false
     end
   in
-  let proved = go sweeps ~least:infinity ~patience:8 in
+  let proved = go sweeps ~least:infinity ~patience:(8 + (sweeps / 4)) in
   if not proved then drop ();
   proved
 

@@ -5,6 +5,7 @@ let elsewhere : Answer.t = Within (Rat.zero, Rat.one)
 
 let solve q (direction : Equations.direction) effort ~asked =
   let back = Qualitative.backwards q in
+  let t0 = Sys.time () in
   let zero, one, merged, choice =
     match direction with
     | Min ->
@@ -15,9 +16,11 @@ let solve q (direction : Equations.direction) effort ~asked =
       let merged inside = Components.ends back ~inside ~allowed:(fun _ -> true) in
       (zero, one.set, merged, Array.get one.choice)
   in
-  let status s : Equations.status =
-    if Bits.mem zero s then Known Rat.zero else if Bits.mem one s then Known Rat.one else Open
+  let at_zero : Equations.status = Known Rat.zero and at_one : Equations.status = Known Rat.one in
+  let status s = if Bits.mem zero s then at_zero else if Bits.mem one s then at_one else Equations.Open
   in
+  let t1 = Sys.time () in
   let merged = merged (fun s -> not (Bits.mem zero s || Bits.mem one s)) in
+  Printf.eprintf "qual %.3f merged %.3f\n%!" (t1 -. t0) (Sys.time() -. t1);
   Solution.solve back direction effort ~asked ~status ~elsewhere ~allowed:(fun _ -> true) ~merged ~rewards:false
     ~choice

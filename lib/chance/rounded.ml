@@ -22,13 +22,14 @@ let tiny = 1e-250
 let step = 0x1p-52
 
 let start (e : Equations.t) ~upper =
-  let below c = if Rat.sign c = 0 then 0. else Float.max 0. (Float.pred (Rat.to_float c)) in
-  let above c = if Rat.sign c = 0 then 0. else Float.succ (Rat.to_float c) in
+  (* A constant is 0 exactly or positive; the float next to it may be 0 all the same. *)
+  let below x = if x > 0. then Float.pred x else 0. in
+  let above r x = if x > 0. || Rat.sign e.constant.(r) > 0 then Float.succ x else 0. in
   let rows () = Array.init e.size (fun v -> e.first_row.(v)) in
   {
     equations = e;
-    below = Array.map below e.constant;
-    above = Array.map above e.constant;
+    below = Array.map below e.near_constant;
+    above = Array.mapi above e.near_constant;
     lower = Array.make e.size 0.;
     upper = Array.make e.size upper;
     low_row = rows ();
