@@ -172,13 +172,13 @@ let stalled t part change =
   change = 0.
   || change
      <= 0x1p-49
-        *. (if t.effort.relative then 1.
-            else
-              let greatest = ref 0. in
-              for v = part.first to part.last do
-                if t.r.guess.(v) > !greatest then greatest := t.r.guess.(v)
-              done;
-              !greatest)
+             *. (if t.effort.relative then 1.
+                 else
+                   let greatest = ref 0. in
+                   for v = part.first to part.last do
+                     if t.r.guess.(v) > !greatest then greatest := t.r.guess.(v)
+                   done;
+                   !greatest)
 
 let pairs = 12
 

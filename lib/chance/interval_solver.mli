@@ -1,8 +1,9 @@
 (** The equations, enclosed: intervals that are proved to hold the values, component by component, from those that
-    lead nowhere else on. Lower ends by value iteration from 0. Upper ends are guessed when those seem to be near,
-    and proved by one more sweep ({!Rounded}); sweeps go up and down by turns. Interval iteration (Haddad and
-    Monmege, 2018) has two sequences that come nearer to each other; here the upper one begins near its end, and
-    needs no bound of rewards to begin with. *)
+    lead nowhere else on. The values are guessed in plain floats, by modified policy iteration (Puterman, section
+    6.5) that goes on to the limit at once where changes have become a geometric sequence. Then a number a little less
+    than each guess, and one a little more, are tried, and proved by sweeps that are rounded outwards ({!Rounded}):
+    as in optimistic value iteration (Hartmanns and Kaminski, 2020), but on both sides, so that nothing depends on
+    how guesses were found. *)
 
 open Scc_exact
 

@@ -5,7 +5,6 @@ let elsewhere : Answer.t = Within (Rat.zero, Rat.one)
 
 let solve q (direction : Equations.direction) effort ~asked =
   let back = Qualitative.backwards q in
-  let t0 = Sys.time () in
   let zero, one, merged, choice =
     match direction with
     | Min ->
@@ -19,8 +18,6 @@ let solve q (direction : Equations.direction) effort ~asked =
   let at_zero : Equations.status = Known Rat.zero and at_one : Equations.status = Known Rat.one in
   let status s = if Bits.mem zero s then at_zero else if Bits.mem one s then at_one else Equations.Open
   in
-  let t1 = Sys.time () in
   let merged = merged (fun s -> not (Bits.mem zero s || Bits.mem one s)) in
-  Printf.eprintf "qual %.3f merged %.3f\n%!" (t1 -. t0) (Sys.time() -. t1);
   Solution.solve back direction effort ~asked ~status ~elsewhere ~allowed:(fun _ -> true) ~merged ~rewards:false
     ~choice

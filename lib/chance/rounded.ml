@@ -132,6 +132,7 @@ let sweep_low t ~first ~last ~forward =
       end
     done;
     let x = if !best > ceiling then ceiling else !best in
+    let x = if x < t.lower.(v) then t.lower.(v) else x in
     if x < trial.(v) then incr fallen;
     trial.(v) <- x;
     t.trial_row.(v) <- !best_row
@@ -161,17 +162,24 @@ let sweep_high t ~first ~last ~forward =
         best_row := r
       end
     done;
-    let x = !best in
-    if x > trial.(v) || x > ceiling then incr grown;
+    let x = if !best > ceiling then infinity else !best in
+    let x = if x > t.upper.(v) then t.upper.(v) else x in
+    if x > trial.(v) || x = infinity then incr grown;
     if x < t.lower.(v) then crossed := true;
-    trial.(v) <- (if x > ceiling then infinity else x);
+    trial.(v) <- x;
     t.trial_row.(v) <- !best_row
   done;
   t.measure.(0) <- float_of_int !grown;
   if !crossed then Refuted else if !grown > 0 then Open else Proved
 
-let set_low t v x = t.low_trial.(v) <- (if x > ceiling then ceiling else if x > 0. then x else 0.)
-let set_high t v x = t.high_trial.(v) <- (if x > ceiling then infinity else x)
+let set_low t v x =
+  let x = if x > ceiling then ceiling else x in
+  t.low_trial.(v) <- (if x > t.lower.(v) then x else t.lower.(v))
+
+let set_high t v x =
+  let x = if x > ceiling then infinity else x in
+  t.high_trial.(v) <- (if x > t.upper.(v) then t.upper.(v) else x)
+
 
 let accept_low t ~first ~last =
   for v = first to last do

@@ -77,16 +77,13 @@ let solve back direction effort ~asked ~status ~elsewhere ~allowed ~merged ~rewa
       List.iter (Bits.add set) l;
       Some (Bits.mem set)
   in
-  let t0 = Sys.time () in
   let e = Equations.make back direction ~status ~allowed ~merged ~rewards ~asked:is_asked in
   let asked =
     match asked with
     | All -> List.init e.size Fun.id
     | States l -> List.sort_uniq Int.compare (List.filter (fun v -> v >= 0) (List.map (Array.get e.node_of) l))
   in
-  let t1 = Sys.time () in
   let nodes = nodes e effort ~possible ~rewards ~asked in
-  Printf.eprintf "equations %.3f nodes %.3f\n%!" (t1 -. t0) (Sys.time() -. t1);
   let value s : Answer.t =
     match status s with
     | Known x -> Exact x

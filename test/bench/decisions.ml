@@ -178,13 +178,21 @@ let () =
     (fun s -> kind := s)
     ("decisions.exe [OPTIONS] " ^ String.concat "|" (List.map fst kinds));
   match List.assoc_opt !kind kinds with
-  | None -> prerr_endline ("no such kind: " ^ !kind); exit 2
+  | None ->
+    prerr_endline ("no such kind: " ^ !kind);
+    exit 2
   | Some make ->
     let k = make !states in
     let m = build k in
     Printf.printf "process\t%d\t%d\t%d\n%!" (Mdp.states m) (Mdp.choices m) (Mdp.branches m);
     if !drn <> "" then write_drn k m !drn;
-    let of_time = if k.timed then [ ({|R{"time"}min=? [F "end"]|}, Equations.Min, true); ({|R{"time"}max=? [F "end"]|}, Equations.Max, true) ] else [] in
     List.iter
-      (ask k m (if !exact then Effort.Exactly else Effort.Nearly))
-      ([ ({|Pmin=? [F "goal"]|}, Equations.Min, false); ({|Pmax=? [F "goal"]|}, Equations.Max, false) ] @ of_time)
+      (fun (name, direction, time) ->
+         if k.timed || not time then
+           ask k m (if !exact then Effort.Exactly else Effort.Nearly) (name, direction, time))
+      [
+        ({|Pmin=? [F "goal"]|}, Equations.Min, false);
+        ({|Pmax=? [F "goal"]|}, Equations.Max, false);
+        ({|R{"time"}min=? [F "end"]|}, Equations.Min, true);
+        ({|R{"time"}max=? [F "end"]|}, Equations.Max, true);
+      ]
