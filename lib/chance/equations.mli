@@ -58,10 +58,11 @@ val make :
   rewards:bool ->
   asked:(int -> bool) option ->
   t
-(** Of the open states that can be reached from those asked for by allowed choices, or of all. The states of a component of
-    [merged], all of them open, become one node, and its internal choices disappear. A row that leads to its own
-    node with probability p < 1 is divided by 1 - p; with p = 1, it is left out, which is right for least rewards
-    alone, and only if something is left: elsewhere it is an end component, which should have been merged. *)
+(** Of the open states that can be reached from those asked for by allowed choices, or of all. The states of a
+    component of [merged], all of them open, become one node, and its internal choices disappear. A row that
+    leads to its own node with probability p < 1 is divided by 1 - p; with p = 1, it is left out, which is right
+    for least rewards alone, and only if something is left: elsewhere it is an end component, which should have
+    been merged. *)
 
 val row_sum : t -> (int -> Rat.t) -> int -> Rat.t
 (** The right side of a row, for the values of the nodes that its entries lead to. *)

@@ -126,10 +126,10 @@ let attempt t part o side ~gap ~sweeps =
   if not proved then drop ();
   proved
 
-(* Guesses come nearer to the solution by rounds (modified policy iteration): one sweep finds the best rows, and then
-   these are evaluated by pairs of sweeps, one up and one down. Of each pair the first one's change is looked at.
-   Changes become a geometric sequence in the end, and what is changed is the same up to a factor: so the limit can
-   be seen from far. Nothing that is proved depends on it. *)
+(* Guesses come nearer to the solution by rounds (modified policy iteration): one sweep finds the best rows, and
+   then these are evaluated by pairs of sweeps, one up and one down. Of each pair the first one's change is
+   looked at. Changes become a geometric sequence in the end, and what is changed is the same up to a factor: so
+   the limit can be seen from far. Nothing that is proved depends on it. *)
 type pace = {
   mutable sweeps : int;
   mutable rounds : int;
@@ -214,7 +214,20 @@ let round t part p ~target =
 
 let solve_part t part ~gap =
   let o = outside_of t part in
-  let p = { sweeps = 0; rounds = 0; change = infinity; moved = infinity; ratio = 1.; steady = 0; rate = 1.; least = infinity; since = 0; early = (if t.few then 64 else 256) } in
+  let p =
+    {
+      sweeps = 0;
+      rounds = 0;
+      change = infinity;
+      moved = infinity;
+      ratio = 1.;
+      steady = 0;
+      rate = 1.;
+      least = infinity;
+      since = 0;
+      early = (if t.few then 64 else 256);
+    }
+  in
   let trial side gap sweeps = attempt t part o side ~gap ~sweeps in
   let early change =
     p.early <- 2 * p.early;

@@ -1,9 +1,9 @@
-(** The equations, enclosed: intervals that are proved to hold the values, component by component, from those that
-    lead nowhere else on. The values are guessed in plain floats, by modified policy iteration (Puterman, section
-    6.5) that goes on to the limit at once where changes have become a geometric sequence. Then a number a little less
-    than each guess, and one a little more, are tried, and proved by sweeps that are rounded outwards ({!Rounded}):
-    as in optimistic value iteration (Hartmanns and Kaminski, 2020), but on both sides, so that nothing depends on
-    how guesses were found. *)
+(** The equations, enclosed: intervals that are proved to hold the values, component by component, from those
+    that lead nowhere else on. The values are guessed in plain floats, by modified policy iteration (Puterman,
+    section 6.5) that goes on to the limit at once where changes have become a geometric sequence. Then a number
+    a little less than each guess, and one a little more, are tried, and proved by sweeps that are rounded
+    outwards ({!Rounded}): as in optimistic value iteration (Hartmanns and Kaminski, 2020), but on both sides,
+    so that nothing depends on how guesses were found. *)
 
 open Scc_exact
 

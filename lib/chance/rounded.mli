@@ -82,22 +82,22 @@ type trial =
   | Refuted  (** some number has come below [lower]: it is not above *)
 
 val sweep_low : t -> first:int -> last:int -> forward:bool -> trial
-(** Each node of the trial becomes its right side, or what [lower] says, if that is more. When none has fallen by
-    that, each was found with numbers that were not greater than those that are there in the end; so with the
-    trial l, the solution x, and [lower] <= x, it is l <= max(right sides of l, [lower]). Then m = max(l, x) is at
-    most its own right sides: where l > x those of l were taken, and elsewhere x is its own right side. So for some
-    scheduler m is at most its right sides: for the greatest values, that of the best rows for m; for the least, any,
-    and so the best one. That one leaves the component (for the greatest values all do), so its values are the limit
-    of its right sides from any numbers, and as these only grow from m on, m is at most its values, and these are no
-    better than x. Hence l <= x. Never [Refuted]. *)
+(** Each node of the trial becomes its right side, or what [lower] says, if that is more. When none has fallen
+    by that, each was found with numbers that were not greater than those that are there in the end; so with the
+    trial l, the solution x, and [lower] <= x, it is l <= max(right sides of l, [lower]). Then m = max(l, x) is
+    at most its own right sides: where l > x those of l were taken, and elsewhere x is its own right side. So
+    for some scheduler m is at most its right sides: for the greatest values, that of the best rows for m; for
+    the least, any, and so the best one. That one leaves the component (for the greatest values all do), so its
+    values are the limit of its right sides from any numbers, and as these only grow from m on, m is at most its
+    values, and these are no better than x. Hence l <= x. Never [Refuted]. *)
 
 val sweep_high : t -> first:int -> last:int -> forward:bool -> trial
-(** In the same way, each becomes its right side, or what [upper] says, if that is less. When none has grown, the
-    trial h is at least min(right sides of h, [upper]). The solution is the limit of right sides from 0 on, all of
-    which are at most [upper]: by induction each is at most h (Park's induction; Hartmanns and Kaminski, "Optimistic
-    Value Iteration", 2020). In the same way h is at least the values of the rows that are told, for the least
-    values: of [trial_row], or of [high_row] where [upper] was taken. That holds if those rows leave the
-    component, which a scheduler that pays no more than h does. *)
+(** In the same way, each becomes its right side, or what [upper] says, if that is less. When none has grown,
+    the trial h is at least min(right sides of h, [upper]). The solution is the limit of right sides from 0 on,
+    all of which are at most [upper]: by induction each is at most h (Park's induction; Hartmanns and Kaminski,
+    "Optimistic Value Iteration", 2020). In the same way h is at least the values of the rows that are told, for
+    the least values: of [trial_row], or of [high_row] where [upper] was taken. That holds if those rows leave
+    the component, which a scheduler that pays no more than h does. *)
 
 val accept_low : t -> first:int -> last:int -> unit
 (** After [Proved]: [lower] becomes what is greater. *)

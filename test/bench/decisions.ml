@@ -4,10 +4,11 @@
      decisions.exe KIND [--states N] [--drn FILE] [--exact]
 
    KIND is one of those of [kinds], below. The process and its questions are told by lines of fields with tabs
-   between them: "process", states, choices and branches; for each question "question", what Storm is asked, seconds
-   of processor time and sweeps; and after it "value", a state, its lower end and its upper end, for each of some
-   states that are spread over all. Time is what solving takes for all states, from the finished process on: the
-   graph, the equations, and the intervals, which are to be as wide as 10^-6 of their lower ends at most. *)
+   between them: "process", states, choices and branches; for each question "question", what Storm is asked,
+   seconds of processor time and sweeps; and after it "value", a state, its lower end and its upper end, for
+   each of some states that are spread over all. Time is what solving takes for all states, from the finished
+   process on: the graph, the equations, and the intervals, which are to be as wide as 10^-6 of their lower ends
+   at most. *)
 
 open Scc_exact
 open Scc_chance
