@@ -103,6 +103,8 @@ let mentions test = function
   | Velocity v -> vector_mentions test v
   | Choose kicks -> List.exists (fun k -> vector_mentions test k.velocity || expr_mentions test k.weight) kicks
 
+let is_constant law = not (mentions (fun _ -> true) law)
+
 let mentions_time =
   mentions (function
       | Time -> true

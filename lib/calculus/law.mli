@@ -60,6 +60,9 @@ val draws : t -> bool
 val mentions : (variable -> bool) -> t -> bool
 (** Whether one of these variables occurs. *)
 
+val is_constant : t -> bool
+(** Whether it gives the same wherever and whenever it is asked, to whomever (an inertial law is not asked). *)
+
 val mentions_time : t -> bool
 (** Whether [Time] occurs. *)
 

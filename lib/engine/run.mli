@@ -3,7 +3,8 @@
     A network without laws of motion runs from event to event ({!Event_run}): a step costs about as much as the few
     bodies that take part in it, and only {!state} looks at all. Under laws of motion every step changes the
     velocity of every steered body anyway, and the whole of {!Network.successors} is computed for each; so
-    it is where processes bind that do not collide (reading I-33). *)
+    it is where processes bind that do not collide (reading I-33). Draws are no steps of that kind: all bodies that
+    draw at one instant are asked in turn, each for itself, and the last one takes the network on. *)
 
 open Scc_calculus
 open Scc_semantics
@@ -22,11 +23,11 @@ type alternative = Event_run.alternative = {
   rounded : Totals.t Lazy.t option;  (** what rule Round added to the totals of the network, if it was used *)
 }
 
-val alternatives : t -> (alternative list, Transition.fault) result
-(** Labels and rules of {!Network.successors} of the present state, in that order. *)
+val labels : t -> (Transition.label list, Transition.fault) result
+(** Those of {!Network.successors} of the present state, in that order. *)
 
-val take : t -> int -> unit
-(** Takes the alternative with a number, from 0 (a bug when there is none, or a fault). *)
+val take : t -> int -> alternative
+(** Takes the one with a number, from 0 (a bug when there is none, or a fault), and says what was taken. *)
 
 val wait : t -> Scc_exact.Rat.t -> (alternative option, Transition.fault) result
 (** Takes {!Network.wait}, and says what was taken. *)

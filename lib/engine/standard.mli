@@ -1,5 +1,5 @@
-(** The semantics as everybody runs it: exact geometry with a memory of contact queries, and neighbours by boxes.
-    Neither changes an answer. *)
+(** The semantics as everybody runs it: exact geometry with a memory of contact queries, a memory of laws that
+    never change, and neighbours by boxes. None of them changes an answer. *)
 
 open Scc_calculus
 open Scc_semantics

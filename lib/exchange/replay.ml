@@ -59,42 +59,40 @@ let ( let* ) = Result.bind
 let none = function [] -> true | _ :: _ -> false
 
 (* What may happen next, or why nothing can and the run is over. *)
-type ahead = Possible of Run.alternative list | Over of given_up
+type ahead = Possible of Transition.label list | Over of given_up
 
 let transitions = function Possible list -> list | Over _ -> []
 
 let ahead run place =
   let given_up fault = { fault; steps = place.taken; time = place.time } in
-  match Run.alternatives run with
+  match Run.labels run with
   | Ok list -> Ok (Possible list)
   | Error (Transition.Persistent_contact _ as fault) -> Ok (Over (given_up fault))
   | Error ((Bad_law _ | Bad_chance _) as fault) -> Error (Fault (given_up fault))
 
 let possible (model : Model.t) transitions =
-  let line i (t : Run.alternative) =
-    let less = match (model.splits, t.label) with Any_time, Time _ -> ", or any time before" | _ -> "" in
-    Printf.sprintf "%d: %s%s" i (Transition.label_to_string model t.label) less
+  let line i (label : Transition.label) =
+    let less = match (model.splits, label) with Any_time, Time _ -> ", or any time before" | _ -> "" in
+    Printf.sprintf "%d: %s%s" i (Transition.label_to_string model label) less
   in
   match transitions with
   | [] -> "nothing was possible there"
   | _ -> "possible there: " ^ String.concat "; " (List.mapi line transitions)
 
-let label_fits model (t : Run.alternative) = function
+let label_fits model label = function
   | None -> true
-  | Some label -> String.equal label (Transition.label_to_string model t.label)
+  | Some wanted -> String.equal wanted (Transition.label_to_string model label)
 
 let index_of model transitions label =
   let rec from i = function
     | [] -> None
-    | t :: rest -> if label_fits model t (Some label) then Some i else from (i + 1) rest
+    | l :: rest -> if label_fits model l (Some label) then Some i else from (i + 1) rest
   in
   from 0 transitions
 
-let is_time (t : Run.alternative) = Transition.is_time t.label
-
 (* The number of the passing of time; where time may pass for ever, the one after all others. *)
 let time_index transitions =
-  let rec from i = function [] -> i | t :: rest -> if is_time t then i else from (i + 1) rest in
+  let rec from i = function [] -> i | label :: rest -> if Transition.is_time label then i else from (i + 1) rest in
   from 0 transitions
 
 (* Time that may be less than the greatest, where bonds may be released at any time (rule Time). *)
@@ -106,10 +104,10 @@ let part_of_time (model : Model.t) transitions (c : Schedule.choice) =
     if at_place then Transition.time_of_string label else None
 
 (* What is drawn by its chances; all else alike, as nothing tells how likely it is. *)
-let at_random (transitions : Run.alternative list) g =
+let at_random (transitions : Transition.label list) g =
   match transitions with
-  | first :: _ when Transition.is_drawn first.label ->
-    Splitmix64.by_chance (List.map (fun (t : Run.alternative) -> Transition.chance t.label) transitions) g
+  | first :: _ when Transition.is_drawn first ->
+    Splitmix64.by_chance (List.map Transition.chance transitions) g
   | _ -> Splitmix64.below (List.length transitions) g
 
 let decide model transitions guide =
@@ -156,11 +154,11 @@ let ending run limits place ahead =
     if not (Run.quiescent run) then Bug.fail __POS__ "time cannot pass, and nothing collides (law Progress)";
     Quiescent
 
-let duration (t : Run.alternative) = Transition.duration_of t.label
+let duration = Transition.duration_of
 
 (* How long time may pass here without an event: [None] when for ever. *)
 let room run ahead =
-  let weak (t : Run.alternative) = match t.label with Weak_split _ -> true | _ -> false in
+  let weak : Transition.label -> bool = function Weak_split _ -> true | _ -> false in
   match ahead with
   | Possible [] when Run.quiescent run -> None
   | Possible (_ :: _ as list) when List.for_all weak list -> None
@@ -201,8 +199,8 @@ let beyond (limits : limits) place d =
 let out_of_steps (limits : limits) place =
   match limits.steps with Some n -> place.taken >= n | None -> false
 
-let advance place guide (t : Run.alternative) =
-  let d = duration t in
+let advance place guide (taken : Run.alternative) =
+  let d = duration taken.label in
   {
     time = Rat.add place.time d;
     taken = place.taken + 1;
@@ -243,10 +241,10 @@ let run ?(passing = not_asked) semantics declared policy limits ~interrupted emi
         | Leave -> leave semantics run limits ~passing emit place ahead offset
         | Misfit c -> Error (misfit model transitions place c)
         | Take (index, guide) ->
-          let taken = List.nth transitions index in
-          within place ahead (duration taken) (fun () ->
-              passes place (duration taken);
-              Run.take run index;
+          let d = duration (List.nth transitions index) in
+          within place ahead d (fun () ->
+              passes place d;
+              let taken = Run.take run index in
               go_on place guide index (List.length transitions) taken)
         | Wait (d, choice, guide) ->
           within place ahead d (fun () ->

@@ -31,7 +31,12 @@ let everyone =
          | t, _ -> t);
   }
 
-type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours }
+type shares = ((Vec.t * Rat.t) list, Law.fault) result
+type laws = int -> Law.t -> (unit -> shares) -> shares
+
+let ask_again _ _ ask = ask ()
+
+type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours; laws : laws }
 type contact = Apart | Touching | Colliding
 type meeting = { first : int; second : int; collide : bool; touching : (Part.t * Part.t) list }
 

@@ -21,8 +21,17 @@ type neighbours = {
 
 val everyone : neighbours
 
+(** What a law of a leaf chooses from: velocities with their chances, or why it cannot. *)
+type shares = ((Vec.t * Rat.t) list, Law.fault) result
+
+(** [laws leaf law ask] is [ask ()], for the law of a leaf that gives the same wherever and whenever it is asked
+    ({!Law.is_constant}): whoever runs the rules may remember it. {!ask_again} does not. *)
+type laws = int -> Law.t -> (unit -> shares) -> shares
+
+val ask_again : laws
+
 (** What the rules are applied in: all that does not change, and those who answer for it. *)
-type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours }
+type setting = { model : Model.t; geometry : Geometry.t; neighbours : neighbours; laws : laws }
 
 (** How two parts of different processes stand to each other. *)
 type contact =

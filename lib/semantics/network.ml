@@ -78,9 +78,15 @@ let rec all_ok acc = function
   | Ok t :: rest -> all_ok (t :: acc) rest
   | Error e :: _ -> Error e
 
+let draw_rules = [ Rule.Draw ]
+
+let drawn c s ~before p (velocity, chance) =
+  let of_one q = if q == p then Some velocity else before q in
+  finish c (Steer.draw_label p (velocity, chance)) draw_rules (Steer.drawn of_one s)
+
 let draws c s p =
-  let* outcomes = Steer.draw c s p in
-  all_ok [] (List.map (fun (label, target) -> finish c label [ Rule.Draw ] target) outcomes)
+  let* chances = Steer.chances c s p in
+  all_ok [] (List.map (drawn c s ~before:(fun _ -> None) p) chances)
 
 let lots c (s : State.t) p =
   let* outcomes = Splits.lots c p in

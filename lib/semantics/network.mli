@@ -47,5 +47,14 @@ val together : Semantics.t -> State.process array -> Transition.outcome list
     are not steered. What two do by themselves they do in any company, unless collisions are resolved together.
 *)
 
+val drawn :
+  Semantics.t -> State.t -> before:(State.process -> Scc_exact.Vec.t option) -> State.process ->
+  Scc_exact.Vec.t * Scc_exact.Rat.t -> (Transition.t, Transition.fault) result
+(** The transition in which a process draws a velocity of a chance ({!Steer.chances}), of a state in which others
+    have drawn before, each in its turn ({!Steer.drawers}), what the function says. *)
+
+val draw_rules : Rule.t list
+(** Those that a draw uses after which somebody still waits. *)
+
 val time_rules : Semantics.t -> Rule.t list
 (** Those that a passing of time uses. *)

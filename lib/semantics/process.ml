@@ -73,21 +73,21 @@ let at_split_instant (p : State.process) =
   | Some clock -> Scc_exact.Rat.sign clock = 0
   | None -> false
 
+let compare_place (v, q, s) (w, r, t) =
+  match Scc_exact.Vec.compare v w with
+  | 0 -> ( match Scc_exact.Quaternion.compare q r with 0 -> String.compare s t | c -> c)
+  | c -> c
+
 (* By their places alone, in which no two bodies of one shape can be the same: names and shifts change nothing. *)
-let compare_places (m : Model.t) p q =
+let placed (m : Model.t) (p : State.process) =
   let place (l : State.leaf) = (l.position, l.turned, m.leaves.(l.leaf).template) in
-  let compare_leaves (v, q, s) (w, r, t) =
-    match Scc_exact.Vec.compare v w with
-    | 0 -> ( match Scc_exact.Quaternion.compare q r with 0 -> String.compare s t | c -> c)
-    | c -> c
-  in
-  let places (p : State.process) = List.sort compare_leaves (List.map place (Array.to_list p.leaves)) in
-  List.compare compare_leaves (places p) (places q)
+  (List.sort compare_place (List.map place (Array.to_list p.leaves)), p)
+
+let compare_placed (a, _) (b, _) = List.compare compare_place a b
+let by_place m processes = List.map snd (List.stable_sort compare_placed (List.map (placed m) processes))
 
 let first_by_place m processes =
-  let earlier first p =
-    match first with
-    | Some q when compare_places m q p <= 0 -> first
-    | Some _ | None -> Some p
-  in
-  List.fold_left earlier None processes
+  let earlier first p = if compare_placed first p <= 0 then first else p in
+  match List.map (placed m) processes with
+  | [] -> None
+  | p :: rest -> Some (snd (List.fold_left earlier p rest))

@@ -58,6 +58,9 @@ val piece_step : Model.t -> whole:State.process -> State.process -> State.proces
 
 (** {1 Whose turn it is to draw} *)
 
+val by_place : Model.t -> State.process list -> State.process list
+(** By their leaves: by the reference points of these, then by how they are turned, then by the names of their
+    templates; those that are alike stay in the order of the list (rule Draw). *)
+
 val first_by_place : Model.t -> State.process list -> State.process option
-(** The one whose leaves are least by their reference points, then by how they are turned, then by the names of their
-    templates, and then the first of the list (rule Draw). *)
+(** The first one of them. *)

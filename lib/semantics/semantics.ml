@@ -8,8 +8,8 @@ let kinematics (m : Model.t) : (module Kinematics.S) =
 
 let afresh = Geometry.exact ~obstacle:(fun a b -> Obstacle.make a b)
 
-let make ?(geometry = afresh) ?(neighbours = Kinematics.everyone) model =
-  { setting = { model; geometry; neighbours }; kinematics = kinematics model }
+let make ?(geometry = afresh) ?(neighbours = Kinematics.everyone) ?(laws = Kinematics.ask_again) model =
+  { setting = { model; geometry; neighbours; laws }; kinematics = kinematics model }
 
 let model t = t.setting.model
 let with_model t model = { setting = { t.setting with model }; kinematics = kinematics model }

@@ -5,9 +5,11 @@ open Scc_calculus
 
 type t = private { setting : Kinematics.setting; kinematics : (module Kinematics.S) }
 
-val make : ?geometry:Geometry.t -> ?neighbours:Kinematics.neighbours -> Model.t -> t
+val make :
+  ?geometry:Geometry.t -> ?neighbours:Kinematics.neighbours -> ?laws:Kinematics.laws -> Model.t -> t
 (** Its kinematics is chosen here, once and for all: {!Turning} for rigid models (reading I-18), {!Straight} for
-    others. Left to itself, each question about contact is answered afresh, and all pairs are looked at. *)
+    others. Left to itself, each question about contact and each law is answered afresh, and all pairs are looked
+    at. *)
 
 val model : t -> Model.t
 

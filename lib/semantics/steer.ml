@@ -55,18 +55,14 @@ let shares env kicks =
   if Rat.sign total = 0 then Error Law.No_weight
   else Ok (distinct (List.map (fun (v, w) -> (v, Rat.div w total)) shares))
 
-(* The changes of velocity that a leaf's law may ask for, with their chances. *)
-let changes (m : Model.t) ~time ~dt (p : State.process) (l : State.leaf) =
-  let centre = State.centroid m l in
-  let velocity = Turn.velocity_at m p centre in
-  let env = environment m ~time ~dt l centre velocity in
-  let velocities =
-    match m.leaves.(l.leaf).law with
-    | Inertial -> Ok [ (velocity, Rat.one) ]
-    | Velocity v -> Result.map (fun v -> [ (v, Rat.one) ]) (vector env v)
-    | Choose kicks -> shares env kicks
-  in
-  Result.map (List.map (fun (v, chance) -> (Vec.sub v velocity, chance))) velocities
+(* The velocities that a leaf's law may ask for, with their chances. *)
+let of_leaf ({ model = m; laws; _ } : Kinematics.setting) ~time ~dt (l : State.leaf) velocity =
+  let env = environment m ~time ~dt l (State.centroid m l) velocity in
+  match m.leaves.(l.leaf).law with
+  | Inertial -> Ok [ (velocity, Rat.one) ]
+  | Velocity v -> Result.map (fun v -> [ (v, Rat.one) ]) (vector env v)
+  | Choose kicks as law ->
+    if Law.is_constant law then laws l.leaf law (fun () -> shares env kicks) else shares env kicks
 
 (* Of two that are independent of each other. *)
 let sums some others =
@@ -77,13 +73,14 @@ let sums some others =
     Ok (distinct (List.concat_map plus some))
 
 (* The whole takes the mean of the changes of its leaves, weighted by mass. *)
-let velocities (m : Model.t) ~time ~dt (p : State.process) =
+let of_whole (c : Kinematics.setting) ~time ~dt (p : State.process) =
   let add sum (l : State.leaf) =
     let* sum, total = sum in
-    let mass = m.leaves.(l.leaf).mass in
+    let mass = c.model.leaves.(l.leaf).mass in
     let of_leaf =
-      let* changes = changes m ~time ~dt:(dt l) p l in
-      sums sum (List.map (fun (c, chance) -> (Vec.scale mass c, chance)) changes)
+      let velocity = Turn.velocity_at c.model p (State.centroid c.model l) in
+      let* velocities = of_leaf c ~time ~dt:(dt l) l velocity in
+      sums sum (List.map (fun (v, chance) -> (Vec.scale mass (Vec.sub v velocity), chance)) velocities)
     in
     let* sum = Result.map_error (fun fault -> Transition.Bad_law { leaf = l.leaf; fault }) of_leaf in
     Ok (sum, Rat.add total mass)
@@ -91,6 +88,15 @@ let velocities (m : Model.t) ~time ~dt (p : State.process) =
   let* sums, total = Array.fold_left add (Ok ([ (Vec.zero, Rat.one) ], Rat.zero)) p.leaves in
   let mean = Rat.div Rat.one total in
   Ok (List.map (fun (sum, chance) -> (Vec.axpy mean sum p.velocity, chance)) sums)
+
+(* A leaf alone turns about its own centroid, and the mean over it is itself. *)
+let velocities c ~time ~dt (p : State.process) =
+  match p.leaves with
+  | [| l |] ->
+    Result.map_error
+      (fun fault -> Transition.Bad_law { leaf = l.leaf; fault })
+      (of_leaf c ~time ~dt:(dt l) l p.velocity)
+  | _ -> of_whole c ~time ~dt p
 
 (* {1 Whose laws are asked, and when} *)
 
@@ -124,7 +130,7 @@ let ask (c : Semantics.t) ~which (s : State.t) =
     if not (steers m p && which i) then Ok p
     else
       let p = K.renewed c.setting p in
-      let* velocities = velocities m ~time:(time s) ~dt:(dt m s) p in
+      let* velocities = velocities c.setting ~time:(time s) ~dt:(dt m s) p in
       let next = if Process.draws m p then State.Waits else Drawn (fst (List.hd velocities)) in
       Ok (State.with_draw (Some next) p)
   in
@@ -172,12 +178,19 @@ let settle (c : Semantics.t) (s : State.t) =
 let next_to_draw c (s : State.t) =
   Process.first_by_place (Semantics.model c) (List.filter waits (Array.to_list s.processes))
 
-let draw c (s : State.t) p =
-  let m = Semantics.model c in
-  let* velocities = velocities m ~time:(time s) ~dt:(dt m s) p in
-  let drawn (velocity, chance) =
-    let of_one q = if q == p then State.with_draw (Some (State.Drawn velocity)) p else q in
-    let target = State.make ~processes:(List.map of_one (Array.to_list s.processes)) ~step:s.step ~time:s.time in
-    (Transition.Draw { first = p.leaves.(0).leaf; velocity; chance }, target)
+let drawers c (s : State.t) =
+  Process.by_place (Semantics.model c) (List.filter waits (Array.to_list s.processes))
+
+let chances (c : Semantics.t) (s : State.t) p =
+  velocities c.setting ~time:(time s) ~dt:(dt c.setting.model s) p
+
+let draw_label (p : State.process) (velocity, chance) =
+  Transition.Draw { first = p.leaves.(0).leaf; velocity; chance }
+
+let drawn velocity (s : State.t) =
+  let of_one p =
+    match if waits p then velocity p else None with
+    | Some v -> State.with_draw (Some (State.Drawn v)) p
+    | None -> p
   in
-  Ok (List.map drawn velocities)
+  State.make ~processes:(List.map of_one (Array.to_list s.processes)) ~step:s.step ~time:s.time

@@ -6,12 +6,6 @@ open Scc_calculus
 val steers : Model.t -> State.process -> bool
 (** Whether a law that is not inertial moves this process: not when it is bound to a fixed leaf. *)
 
-val velocities :
-  Model.t -> time:Rat.t -> dt:(State.leaf -> Rat.t) -> State.process ->
-  ((Vec.t * Rat.t) list, Transition.fault) result
-(** What the laws of a process may give it, each velocity once, in order, with its chance: positive ones that sum
-    to 1. One velocity, where no law leaves anything to chance. *)
-
 type outcome = {
   state : State.t;
   rules : Rule.t list;  (** Steer and Round, if they were used *)
@@ -28,5 +22,14 @@ val settle : Semantics.t -> State.t -> (outcome, Transition.fault) result
 val next_to_draw : Semantics.t -> State.t -> State.process option
 (** Who draws now; [None] where nobody waits to draw. *)
 
-val draw : Semantics.t -> State.t -> State.process -> ((Transition.label * State.t) list, Transition.fault) result
-(** What {!next_to_draw} may draw, in order of velocities, and where that leads before {!settle}. *)
+val drawers : Semantics.t -> State.t -> State.process list
+(** All who wait to draw, in the order in which they do, {!next_to_draw} first: nobody's draw changes it. *)
+
+val chances : Semantics.t -> State.t -> State.process -> ((Vec.t * Rat.t) list, Transition.fault) result
+(** What somebody who waits may draw, each velocity once, in order, with its chance: positive ones that sum to 1.
+    What others have drawn does not matter. *)
+
+val draw_label : State.process -> Vec.t * Rat.t -> Transition.label
+
+val drawn : (State.process -> Vec.t option) -> State.t -> State.t
+(** The state when those of a velocity have drawn it, of those who wait, before {!settle}. *)
