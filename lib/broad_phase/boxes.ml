@@ -7,13 +7,11 @@ let compare_pair (i, j) (k, l) =
   if c <> 0 then c else Int.compare j l
 
 let pairs boxes =
-  let by_low i j =
-    let c = Float.compare (Float_box.low boxes.(i) 0) (Float_box.low boxes.(j) 0) in
-    if c <> 0 then c else Int.compare i j
-  in
   let n = Array.length boxes in
+  let lows = Array.map (fun box -> Float_box.low box 0) boxes in
+  let by_low i j = Float.compare (lows.(i)) (lows.(j)) in
   let sorted = Array.init n Fun.id in
-  Array.sort by_low sorted;
+  Array.stable_sort by_low sorted;
   let found = ref [] in
   for k = 0 to n - 1 do
     let i = sorted.(k) in

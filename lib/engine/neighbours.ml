@@ -28,27 +28,60 @@ let box ~margin p =
   let shape, at = framed ~margin p in
   Float_box.at at shape
 
-(* With few parts every pair is looked at: boxes would cost more than they save. *)
+(* {1 A memory of boxes} *)
+
+(* The box about a part that does not turn, where it was when it was last asked for. *)
+type seen = { solid : Solid.t; at : Vec.t; margin : Rat.t; box : Float_box.t }
+
+(* By the places of parts in the arrays that are asked about: many are where they were, as walls are always, and
+   all of them when nothing but velocities has changed. *)
+type memory = {
+  mutable seen : seen option array;
+  mutable boxes : Float_box.t array;  (** those of the last call of [within] *)
+  mutable pairs : (int * int) list;  (** which of them meet *)
+}
+
+let recall memory margin i (p : Part.t) =
+  if not (is_upright p) then box ~margin p
+  else
+    match memory.seen.(i) with
+    | Some s when s.solid == p.placed.solid && Vec.equal s.at p.placed.at && Rat.equal s.margin margin -> s.box
+    | Some _ | None ->
+      let box = box ~margin p in
+      memory.seen.(i) <- Some { solid = p.placed.solid; at = p.placed.at; margin; box };
+      box
+
+let boxes_of memory margin parts =
+  let missing = Array.length parts - Array.length memory.seen in
+  if missing > 0 then memory.seen <- Array.append memory.seen (Array.make missing None);
+  Array.mapi (recall memory margin) parts
+
+(* {1 Pairs} *)
+
+(* With few boxes every pair is looked at: to sort them would cost more than it saves. *)
 let few = 12
 
+let meeting boxes =
+  let n = Array.length boxes in
+  if n > few then Boxes.pairs boxes
+  else
+    let rec from i j found =
+      if i < 0 then found
+      else if j = i then from (i - 1) (n - 1) found
+      else from i (j - 1) (if Float_box.meet boxes.(i) boxes.(j) then (i, j) :: found else found)
+    in
+    from (n - 2) (n - 1) []
+
+let same_boxes a b = Array.length a = Array.length b && Array.for_all2 ( == ) a b
 let of_two_processes (parts : Part.t array) (i, j) = parts.(i).process <> parts.(j).process
 
-let within margin (parts : Part.t array) =
-  let boxes = Array.map (box ~margin) parts in
-  let n = Array.length parts in
-  let pairs =
-    if n > few then List.filter (of_two_processes parts) (Boxes.pairs boxes)
-    else
-      let rec from i j found =
-        if i < 0 then found
-        else if j = i then from (i - 1) (n - 1) found
-        else
-          let near = of_two_processes parts (i, j) && Float_box.meet boxes.(i) boxes.(j) in
-          from i (j - 1) (if near then (i, j) :: found else found)
-      in
-      from (n - 2) (n - 1) []
-  in
-  List.map (fun (i, j) -> (parts.(i), parts.(j))) pairs
+let within memory margin (parts : Part.t array) =
+  let boxes = boxes_of memory margin parts in
+  if not (same_boxes boxes memory.boxes) then begin
+    memory.boxes <- boxes;
+    memory.pairs <- meeting boxes
+  end;
+  List.filter (of_two_processes parts) memory.pairs |> List.map (fun (i, j) -> (parts.(i), parts.(j)))
 
 (* {1 Sweeps} *)
 
@@ -60,16 +93,9 @@ let fold_pairs f (parts : Part.t array) =
   from 0 1 None
 
 (* The pairs whose boxes, swept over [0, span] for a span > 0, meet. *)
-let meeting_within ~margin parts span =
-  let moving = Moving_boxes.create (Array.length parts) in
-  let until = Float_box.up span in
-  let sweep i (p : Part.t) =
-    let shape, at = framed ~margin p in
-    Moving_boxes.set moving i shape ~at ~velocity:(Part.velocity p);
-    Moving_boxes.set_until moving i until;
-    Moving_boxes.swept moving i ~from:0.
-  in
-  Boxes.pairs (Array.mapi sweep parts)
+let meeting_within boxes (parts : Part.t array) span =
+  let until = Float.succ (Float_box.up span) in
+  meeting (Array.map2 (fun box p -> Float_box.swept (Part.velocity p) ~until box) boxes parts)
 
 (* Sizes and speeds only say how far to look, which floats are good enough for. *)
 
@@ -101,12 +127,11 @@ let power_of_two x =
 
 (* How far ahead to look first: so far that the fastest part sweeps about the least size of a part, or to the limit
    if that is sooner; [None]: at everything. Exact answers about what has turned cost so much that boxes always
-   pay. *)
+   pay, and so they do where few are looked at for a short time. *)
 let first_window (parts : Part.t array) ~limit =
   if not (Array.for_all is_upright parts) then limit
-  else if
-    Array.length parts <= few || Array.for_all (fun (p : Part.t) -> Vec.is_zero (Part.velocity p)) parts
-  then None
+  else if Array.length parts <= few then limit
+  else if Array.for_all (fun (p : Part.t) -> Vec.is_zero (Part.velocity p)) parts then None
   else Some (cut limit (power_of_two (least_size parts /. greatest_speed parts)))
 
 (* Sweeps of bodies that fly apart never meet, however wide the window: without a limit the rounds must end. *)
@@ -119,7 +144,8 @@ let wider parts ~limit ~met ~round span =
   if met > n * n / 8 || (Option.is_none limit && round >= most_rounds) then None
   else Some (cut limit (Rat.mul (Rat.of_int 4) span))
 
-let earliest ~margin ~limit time (parts : Part.t array) =
+let earliest memory ~margin ~limit time (parts : Part.t array) =
+  let boxes = lazy (boxes_of memory margin parts) in
   let earlier best (i, j) =
     if not (Part.in_relative_motion parts.(i) parts.(j)) then best
     else
@@ -134,7 +160,7 @@ let earliest ~margin ~limit time (parts : Part.t array) =
     match window with
     | None -> fold_pairs earlier parts
     | Some span -> (
-        let near = meeting_within ~margin parts span in
+        let near = meeting_within (Lazy.force boxes) parts span in
         match List.fold_left earlier None near with
         | Some t when Rat.compare t span <= 0 -> Some t
         | Some _ | None when Option.equal Rat.equal limit window -> None
@@ -143,4 +169,6 @@ let earliest ~margin ~limit time (parts : Part.t array) =
   if Part.move_alike parts then None
   else match look 1 (first_window parts ~limit) with Some t when within_limit t -> Some t | Some _ | None -> None
 
-let boxes = { Kinematics.within; earliest }
+let boxes () =
+  let memory = { seen = [||]; boxes = [||]; pairs = [] } in
+  { Kinematics.within = within memory; earliest = earliest memory }

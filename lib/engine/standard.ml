@@ -1,18 +1,19 @@
 open Scc_broad_phase
+open Scc_calculus
 open Scc_semantics
 
 (* A leaf whose law is another one than when it was asked belongs to another model ({!Semantics.with_model}). *)
-let laws () : Kinematics.laws =
-  let known = Hashtbl.create 16 in
+let laws (model : Model.t) : Kinematics.laws =
+  let known = Array.make (Array.length model.leaves) None in
   fun leaf law ask ->
-    match Hashtbl.find_opt known leaf with
+    match known.(leaf) with
     | Some (same, shares) when same == law -> shares
     | Some _ | None ->
       let shares = ask () in
-      Hashtbl.replace known leaf (law, shares);
+      if Law.is_constant law then known.(leaf) <- Some (law, shares);
       shares
 
 let of_model model =
   let memory = Obstacle_cache.create () in
   let geometry = Geometry.exact ~obstacle:(Obstacle_cache.find memory) in
-  Semantics.make ~geometry ~neighbours:Neighbours.boxes ~laws:(laws ()) model
+  Semantics.make ~geometry ~neighbours:(Neighbours.boxes ()) ~laws:(laws model) model

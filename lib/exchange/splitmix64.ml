@@ -33,8 +33,9 @@ let rec below_integer n g =
 
 let by_chance chances g =
   let open Scc_exact in
-  let common = List.fold_left (fun d (c : Rat.t) -> Z.lcm d c.den) Z.one chances in
-  let weights = List.map (fun (c : Rat.t) -> Z.mul c.num (Z.divexact common c.den)) chances in
+  let common = List.fold_left (fun d (c : Rat.t) -> if Z.equal d c.den then d else Z.lcm d c.den) Z.one chances in
+  let weight (c : Rat.t) = if Z.equal c.den common then c.num else Z.mul c.num (Z.divexact common c.den) in
+  let weights = List.map weight chances in
   let drawn, g = below_integer (List.fold_left Z.add Z.zero weights) g in
   let rec place i left = function
     | w :: rest when Z.geq left w -> place (i + 1) (Z.sub left w) rest

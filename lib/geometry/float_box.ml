@@ -16,6 +16,19 @@ let at (p : Vec.t) (b : t) =
   let low q x = Float.pred (down q +. x) and high q x = Float.succ (up q +. x) in
   [| low p.x b.(0); low p.y b.(1); low p.z b.(2); high p.x b.(3); high p.y b.(4); high p.z b.(5) |]
 
+(* An edge at x + u t with x >= x0 and u >= u0 has x + u t >= x0 + u0 t, which is least at the end if u0 < 0. *)
+let swept (v : Vec.t) ~until (b : t) =
+  if Vec.is_zero v then b
+  else
+    let low u x =
+      let u = down u in
+      if u < 0. then Float.pred (x +. Float.pred (u *. until)) else x
+    and high u x =
+      let u = up u in
+      if u > 0. then Float.succ (x +. Float.succ (u *. until)) else x
+    in
+    [| low v.x b.(0); low v.y b.(1); low v.z b.(2); high v.x b.(3); high v.y b.(4); high v.z b.(5) |]
+
 let make ~low ~high = [| low.(0); low.(1); low.(2); high.(0); high.(1); high.(2) |]
 let low (b : t) axis = b.(axis)
 let high (b : t) axis = b.(axis + 3)

@@ -17,6 +17,9 @@ val of_corners : Vec.t -> Vec.t -> t
 val at : Vec.t -> t -> t
 (** The box, given about a point, when that is at a place. *)
 
+val swept : Vec.t -> until:float -> t -> t
+(** Holds the box wherever it is from now to a time, [until] > 0, with a velocity. *)
+
 val make : low:float array -> high:float array -> t
 (** From the coordinates of the corners; none is a NaN. *)
 

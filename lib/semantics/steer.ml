@@ -56,13 +56,12 @@ let shares env kicks =
   else Ok (distinct (List.map (fun (v, w) -> (v, Rat.div w total)) shares))
 
 (* The velocities that a leaf's law may ask for, with their chances. *)
-let of_leaf ({ model = m; laws; _ } : Kinematics.setting) ~time ~dt (l : State.leaf) velocity =
-  let env = environment m ~time ~dt l (State.centroid m l) velocity in
-  match m.leaves.(l.leaf).law with
+let of_leaf (c : Kinematics.setting) ~time ~dt (l : State.leaf) velocity =
+  let env () = environment c.model ~time ~dt l (State.centroid c.model l) velocity in
+  match c.model.leaves.(l.leaf).law with
   | Inertial -> Ok [ (velocity, Rat.one) ]
-  | Velocity v -> Result.map (fun v -> [ (v, Rat.one) ]) (vector env v)
-  | Choose kicks as law ->
-    if Law.is_constant law then laws l.leaf law (fun () -> shares env kicks) else shares env kicks
+  | Velocity v -> Result.map (fun v -> [ (v, Rat.one) ]) (vector (env ()) v)
+  | Choose kicks as law -> c.laws l.leaf law (fun () -> shares (env ()) kicks)
 
 (* Of two that are independent of each other. *)
 let sums some others =

@@ -65,8 +65,9 @@ let age_clock (m : Model.t) d (p : State.process) aged =
     | Every step -> Option.map (fun clock -> Rat.modulo (Rat.add clock d) step) p.clock
     | Any_time -> p.clock
 
+(* Where no eps is exposed and no clock runs, nothing ages. *)
 let age_process (m : Model.t) d (p : State.process) =
-  if Rat.sign d = 0 then p
+  if Rat.sign d = 0 || (Option.is_none p.clock && Option.is_none (horizon m p)) then p
   else
     let age (l : State.leaf) = { l with behaviour = Behaviours.pass m.definitions d l.behaviour } in
     let aged = State.map_leaves age p in

@@ -37,7 +37,34 @@ let grid () =
   Alcotest.(check int) "pairs" ((((28 * 28 * 28) - 1000) / 2) + 100) (List.length found);
   Alcotest.(check bool) "the floor first" true (List.hd found = (0, 1))
 
+(* A box at a time of a sweep, given exactly, is within what it sweeps: also where nothing is a float exactly. *)
+let sweeps =
+  let open Scc_exact in
+  let thirds n = Rat.make (Z.of_int n) (Z.of_int 3) in
+  let vector = Gen.map (fun (x, y, z) -> Vec.make (thirds x) (thirds y) (thirds z)) Gen.(triple (-9 -- 9) (-9 -- 9)
+                                                                                           (-9 -- 9)) in
+  let print (a, v, (n, d)) = Printf.sprintf "%s by %s, %d/7 of %d/3" (Vec.to_string a) (Vec.to_string v) n d in
+  QCheck2.Test.make ~name:"a box is within what it sweeps" ~count:500 ~print
+    Gen.(triple vector vector (pair (0 -- 7) (1 -- 9)))
+    (fun (a, v, (n, d)) ->
+       let until = thirds d in
+       let time = Rat.mul until (Rat.make (Z.of_int n) (Z.of_int 7)) in
+       let b = Vec.add a (Vec.of_ints 1 2 3) in
+       let swept = Float_box.swept v ~until:(Float_box.up until) (Float_box.of_corners a b) in
+       let exactly x = Rat.of_literal (Printf.sprintf "%.60f" x) |> Result.get_ok in
+       let within axis =
+         let at q = Rat.add (Vec.component axis q) (Rat.mul time (Vec.component axis v)) in
+         let k = match axis with Vec.X -> 0 | Y -> 1 | Z -> 2 in
+         let low = exactly (Float_box.low swept k) and high = exactly (Float_box.high swept k) in
+         Rat.compare low (at a) <= 0
+         && Rat.compare (at b) high <= 0
+         (* and not by much: no more than the way, and what rounding adds *)
+         && Rat.compare (Rat.sub high low)
+           (Rat.add (thirds 10) (Rat.mul until (Rat.abs (Vec.component axis v)))) <= 0
+       in
+       List.for_all within [ Vec.X; Y; Z ])
+
 let () =
   Alcotest.run "boxes"
     [ ("known", [ Alcotest.test_case "a grid of cubes on a floor" `Quick grid ]);
-      ("properties", Scc_test_support.Property.cases [ complete ]) ]
+      ("properties", Scc_test_support.Property.cases [ complete; sweeps ]) ]
