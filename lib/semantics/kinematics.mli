@@ -24,8 +24,8 @@ val everyone : neighbours
 (** What a law of a leaf chooses from: velocities with their chances, or why it cannot. *)
 type shares = ((Vec.t * Rat.t) list, Law.fault) result
 
-(** [laws leaf law ask] is [ask ()], for the law of a leaf: whoever runs the rules may remember it of one that gives
-    the same wherever and whenever it is asked ({!Law.is_constant}). {!ask_again} does not. *)
+(** [laws leaf law ask] is [ask ()], for the law of a leaf: whoever runs the rules may remember it of one that
+    gives the same wherever and whenever it is asked ({!Law.is_constant}). {!ask_again} does not. *)
 type laws = int -> Law.t -> (unit -> shares) -> shares
 
 val ask_again : laws
