@@ -47,7 +47,7 @@ type step = { remaining : Rat.t; phase : phase }
 type t = { processes : process array; step : step option; time : Rat.t option }
 
 let sorted compare list =
-  let a = Array.of_list list in
+  let a = Scc_data.Long_array.of_list list in
   let rec in_order i = i >= Array.length a || (compare a.(i - 1) a.(i) <= 0 && in_order (i + 1)) in
   if not (in_order 1) then Array.stable_sort compare a;
   a

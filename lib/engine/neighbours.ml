@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 open Scc_geometry
 open Scc_broad_phase
@@ -54,7 +55,7 @@ let recall memory margin i (p : Part.t) =
 let boxes_of memory margin parts =
   let missing = Array.length parts - Array.length memory.seen in
   if missing > 0 then memory.seen <- Array.append memory.seen (Array.make missing None);
-  Array.mapi (recall memory margin) parts
+  Long_array.init (Array.length parts) (fun i -> recall memory margin i parts.(i))
 
 (* {1 Pairs} *)
 
@@ -95,7 +96,8 @@ let fold_pairs f (parts : Part.t array) =
 (* The pairs whose boxes, swept over [0, span] for a span > 0, meet. *)
 let meeting_within boxes (parts : Part.t array) span =
   let until = Float.succ (Float_box.up span) in
-  meeting (Array.map2 (fun box p -> Float_box.swept (Part.velocity p) ~until box) boxes parts)
+  let sweep i = Float_box.swept (Part.velocity parts.(i)) ~until boxes.(i) in
+  meeting (Long_array.init (Array.length parts) sweep)
 
 (* Sizes and speeds only say how far to look, which floats are good enough for. *)
 

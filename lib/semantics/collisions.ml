@@ -5,7 +5,7 @@ open Kinematics
 
 let parts (c : Semantics.t) processes =
   let (module K) = c.kinematics in
-  Array.of_list (List.concat (List.mapi (K.parts c.setting) (Array.to_list processes)))
+  Scc_data.Long_array.of_list (List.concat (List.mapi (K.parts c.setting) (Array.to_list processes)))
 
 (* Those of two processes together, in order. *)
 let by_processes pairs =

@@ -208,6 +208,21 @@ let worklist () =
     (List.filteri (fun i _ -> i < 6) (List.rev !order));
   Alcotest.(check bool) "never added" false (Worklist.mem w 0)
 
+(* Of all lengths about those at which they are put together. *)
+let long () =
+  let check n =
+    let asked = ref [] in
+    let word i =
+      asked := i :: !asked;
+      string_of_int i
+    in
+    let expected = List.init n string_of_int in
+    Alcotest.(check (list string)) "made" expected (Array.to_list (Long_array.init n word));
+    Alcotest.(check (list int)) "asked in order" (List.init n Fun.id) (List.rev !asked);
+    Alcotest.(check (list string)) "of a list" expected (Array.to_list (Long_array.of_list expected))
+  in
+  List.iter check [ 0; 1; 2; 255; 256; 257; 511; 512; 513; 1000; 1024 ]
+
 let () =
   Alcotest.run "structures"
     [
@@ -218,5 +233,6 @@ let () =
         [
           Alcotest.test_case "a million nodes" `Quick long_way;
           Alcotest.test_case "a worklist" `Quick worklist;
+          Alcotest.test_case "long arrays" `Quick long;
         ] );
     ]
