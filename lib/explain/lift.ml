@@ -16,20 +16,19 @@ let fail () = Scc_base.Bug.fail __POS__ "a run of a slice is no run of the whole
 (* Groups that are left out make so many at most, each of them. *)
 let patience t = 10_000 * Array.length (Semantics.model t.semantics).leaves
 
-let alternatives t = match Run.alternatives t.run with Ok found -> found | Error _ -> fail ()
+let labels t = match Run.labels t.run with Ok found -> found | Error _ -> fail ()
 
-let take t choice (a : Run.alternative) =
-  Run.take t.run choice;
+let take t choice =
+  let a = Run.take t.run choice in
   let target = Run.state t.run in
   let transition = { Transition.label = a.label; rules = a.rules; fired = []; target; rounded = None } in
   t.within_instant <- (match a.label with Time _ -> 0 | _ -> t.within_instant + 1);
   if t.within_instant > patience t then fail ();
   t.steps <- { choice; transition; time = Run.elapsed t.run } :: t.steps
 
-(* The alternatives with their choices that satisfy a condition. *)
-let those alternatives condition =
-  List.mapi (fun k (a : Run.alternative) -> (k, a)) alternatives
-  |> List.filter (fun (_, (a : Run.alternative)) -> condition a.label)
+(* The labels that satisfy a condition, with their choices. *)
+let those labels condition =
+  List.filter (fun (_, label) -> condition label) (List.mapi (fun k label -> (k, label)) labels)
 
 let some_leaf (label : Transition.label) =
   match (label, Transition.bonds label) with
@@ -43,9 +42,9 @@ let is_of_slice t label = match some_leaf label with Some i -> t.kept.(i) | None
 
 (* Those that are left out draw when it is their turn: any velocity will do. *)
 let rec let_others_draw t =
-  match alternatives t with
-  | ({ label = Draw _ as label; _ } as a) :: _ when not (is_of_slice t label) ->
-    take t 0 a;
+  match labels t with
+  | (Draw _ as label) :: _ when not (is_of_slice t label) ->
+    take t 0;
     let_others_draw t
   | _ -> ()
 
@@ -57,20 +56,20 @@ type place =
 let rec advance t ~until =
   if Algebraic.compare_rat until (Run.elapsed t.run) = 0 then There
   else
-    let alternatives = alternatives t in
-    match (those alternatives Transition.is_time, those alternatives Transition.is_urgent) with
-    | (k, a) :: _, _ ->
-      let next = Rat.add (Run.elapsed t.run) (Transition.duration_of a.label) in
+    let labels = labels t in
+    match (those labels Transition.is_time, those labels Transition.is_urgent) with
+    | (k, time) :: _, _ ->
+      let next = Rat.add (Run.elapsed t.run) (Transition.duration_of time) in
       if Algebraic.compare_rat until next < 0 then Before (Some k)
       else begin
-        take t k a;
+        take t k;
         advance t ~until
       end
-    | [], (k, a) :: _ ->
-      if is_of_slice t a.label then fail ();
-      take t k a;
+    | [], (k, label) :: _ ->
+      if is_of_slice t label then fail ();
+      take t k;
       advance t ~until
-    | [], [] -> if alternatives = [] then Before None else fail ()
+    | [], [] -> if labels = [] then Before None else fail ()
 
 let arrive t time =
   if Algebraic.compare_rat (Algebraic.of_rat time) (Run.elapsed t.run) < 0 then fail ();
@@ -86,7 +85,7 @@ let same_in_slice t (slice : State.t) (whole : State.t) =
 (* Transitions with the same label may lead to different behaviours. *)
 let choose t (step : Witness.step) =
   let label = step.transition.label and target = step.transition.target in
-  match those (alternatives t) (Transition.equal_label label) with
+  match those (labels t) (Transition.equal_label label) with
   | [] -> fail ()
   | [ found ] -> found
   | several -> (
@@ -102,10 +101,10 @@ let repeat t (step : Witness.step) =
   | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ ->
     arrive t step.time;
     let_others_draw t;
-    let k, a = choose t step in
-    take t k a;
+    let k, label = choose t step in
+    take t k;
     (* What is drawn takes effect when all have drawn. *)
-    (match a.label with Draw _ -> let_others_draw t | _ -> ());
+    (match label with Draw _ -> let_others_draw t | _ -> ());
     if not (same_in_slice t step.transition.target (Run.state t.run)) then fail ()
 
 let since t instant = Algebraic.add_rat (Rat.neg (Run.elapsed t.run)) instant
