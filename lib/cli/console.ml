@@ -139,9 +139,9 @@ let note c line =
     prerr_endline line
   end
 
-let with_output c ~path f =
+let with_output ?(pieces = false) c ~path f =
   match path with
-  | Some path -> Whole_file.with_file path f
+  | Some path -> if pieces then Whole_file.with_pieces path f else Whole_file.with_file path f
   | None ->
     let result = f (print c) in
     flush c;

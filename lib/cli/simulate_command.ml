@@ -114,7 +114,7 @@ let simulate console o ~interrupted =
     Console.with_output console ~path:(Some path) chart
   in
   Console.flush console;
-  match Console.with_output console ~path write with
+  match Console.with_output console ~pieces:(not o.summary) ~path write with
   | Error d -> Error [ d ]
   | Ok result ->
     let* () = Result.map_error (fun d -> [ d ]) (Option.fold ~none:(Ok ()) ~some:draw o.plot) in

@@ -125,7 +125,7 @@ let sweep console o ~interrupted =
     result
   in
   Console.flush console;
-  let* result = told (Console.with_output console ~path write) in
+  let* result = told (Console.with_output console ~pieces:true ~path write) in
   let title = Option.value name ~default:"a model" in
   let draw path =
     let chart put = put (Picture.chart ~title o.grid (Array.of_list (List.rev seen.all))) in

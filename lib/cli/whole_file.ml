@@ -115,6 +115,43 @@ let settle o =
         end
         else Sys.rename temporary target)
 
+(* A channel that could not write some bytes tries again when it is closed. *)
+let keep o ~complete =
+  close_out_noerr o.out;
+  match o.place with
+  | Directly _ -> ()
+  | Beside { temporary; _ } ->
+    failing o.path (fun () -> Unix.truncate temporary complete);
+    settle o
+
+let with_pieces path f =
+  let complete = ref 0 and pieces = ref 0 in
+  let put_piece o text =
+    put o text;
+    failing path (fun () -> flush o.out);
+    complete := pos_out o.out;
+    incr pieces
+  in
+  let kept (d : Diag.t) = { d with hint = Some "what was complete before that is in the file" } in
+  match start path with
+  | exception Failed d -> Error d
+  | o -> (
+      match
+        let result = f (put_piece o) in
+        finish o;
+        settle o;
+        result
+      with
+      | result -> Ok result
+      | exception Failed d when !pieces > 1 -> (
+          match keep o ~complete:!complete with () -> Error (kept d) | exception Failed d -> drop o; Error d)
+      | exception Failed d ->
+        drop o;
+        Error d
+      | exception e ->
+        drop o;
+        raise e)
+
 let write_one path f =
   let o = start path in
   match

@@ -67,7 +67,8 @@ let age_clock (m : Model.t) d (p : State.process) aged =
 
 (* Where no eps is exposed and no clock runs, nothing ages. *)
 let age_process (m : Model.t) d (p : State.process) =
-  if Rat.sign d = 0 || (Option.is_none p.clock && Option.is_none (horizon m p)) then p
+  let ageless = Option.is_none p.clock && Option.is_none p.lots && Option.is_none (horizon m p) in
+  if Rat.sign d = 0 || ageless then p
   else
     let age (l : State.leaf) = { l with behaviour = Behaviours.pass m.definitions d l.behaviour } in
     let aged = State.map_leaves age p in

@@ -453,3 +453,7 @@ What cannot be asked.
    7 | check c : P = ? eventually gone(walker)
      |                 ^^^^^^^^^^
   [3]
+
+Splits that are left to chance.
+
+  $ scc check $M/dissociation.sc 2>&1 | grep '^[a-z_]*: '

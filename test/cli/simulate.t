@@ -140,3 +140,28 @@ What cannot be asked.
   $ scc simulate $M/ruin.sc --runs 1 --observe 'x(walker)' --every 1 --until 4 -o /dev/full
   /dev/full: error[SC0103]: cannot write: No space left on device
   [74]
+
+What is whole stays when the disk is full. (Here no file may be larger than 8 KiB; 512 bytes are a unit.)
+
+  $ limited() { (trap '' XFSZ; ulimit -f 16; "$@"); }
+  $ limited scc simulate $M/ruin.sc --runs 500 --seed 1 --observe 'x(walker)' --every 1 --until 4 -o long.csv
+  long.csv: error[SC0103]: cannot write: File too large
+    hint: what was complete before that is in the file
+  [74]
+  $ scc simulate $M/ruin.sc --runs 500 --seed 1 --observe 'x(walker)' --every 1 --until 4 > whole.csv
+  $ head -c $(wc -c < long.csv) whole.csv | cmp - long.csv && tail -c 1 long.csv | od -An -c
+    \n
+  $ test $(wc -l < long.csv) -gt 300 && echo a good many
+  a good many
+  $ limited scc simulate $M/ruin.sc --runs 500 --seed 1 --observe 'x(walker)' --every 1 --until 4 --format jsonl -o long.jsonl
+  long.jsonl: error[SC0103]: cannot write: File too large
+    hint: what was complete before that is in the file
+  [74]
+  $ scc simulate $M/ruin.sc --runs 500 --seed 1 --observe 'x(walker)' --every 1 --until 4 --format jsonl --resume long.jsonl
+  $ scc simulate $M/ruin.sc --runs 500 --seed 1 --observe 'x(walker)' --every 1 --until 4 --format jsonl | cmp - long.jsonl
+  $ limited scc simulate $M/ruin.sc --runs 4 --observe 'x(walker)' --every 1/200 --until 4 -o early.csv
+  early.csv: error[SC0103]: cannot write: File too large
+  [74]
+  $ ls early.csv
+  ls: cannot access 'early.csv': No such file or directory
+  [2]
