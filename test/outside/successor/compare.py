@@ -15,11 +15,13 @@ import signal
 import sys
 import time
 from collections import Counter
+from fractions import Fraction
 from pathlib import Path
 from typing import Any, List, Optional, Tuple
 
 import generate
 from draws import chooses
+from lots import lots_wait
 from model import Model, Undefined
 from motion import Undecided
 from oracle import Oracle, Refusal
@@ -55,12 +57,12 @@ def shown(here: Counter, told: Counter) -> str:
 
 
 def told_apart(key: Any) -> List[str]:
-    processes, step, now = key
-    lines = ["%s, time %s" % (plain(step), plain(now))]
-    for velocity, clock, bodies, bonds, spin, since, momentum, lasts, own, draw in processes:
+    processes, step, now, instant = key
+    lines = ["%s, time %s, split instant %s" % (plain(step), plain(now), plain(instant))]
+    for velocity, clock, bodies, bonds, spin, since, momentum, lasts, own, draw, lots in processes:
         lines.append(
-            "v %s clock %s bonds %s step %s lasts %s draw %s"
-            % tuple(plain(x) for x in (velocity, clock, bonds, own, lasts, draw))
+            "v %s clock %s bonds %s step %s lasts %s draw %s lots %s"
+            % tuple(plain(x) for x in (velocity, clock, bonds, own, lasts, draw, lots))
         )
         if any(body.turned for _, body in bodies):
             lines.append(
@@ -111,6 +113,12 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
                 return "a label is written %s" % t["label"]["text"]
             after = state_of(model, t["state"], str(after_time))
             count_draw(rules, state, label, after, tally)
+        if label[0] == "lot":
+            if not written_as(t["label"]):
+                return "a label is written %s" % t["label"]["text"]
+            count_lot(rules, state, label, tally)
+        elif label[0] == "weak" and lots_wait(state):
+            tally.kinds["released by lot"] += 1
     tally.counts["transitions"] += sum(told.values())
     tally.counts["states"] += 1
     if not told and answer["ending"] == "quiescent" and model.rigid:
@@ -134,6 +142,25 @@ def count_draw(rules: Rules, state: State, label: Any, after: State, tally: Tall
         "last draw into a collision": last and bool(rules.hit(after)),
     }
     tally.kinds.update({kind: 1 for kind, found in kinds.items() if found})
+
+
+def written_as(told: dict) -> bool:
+    """Whether the text of a lot says what it says."""
+    name, ends, chance = told["name"], ", ".join(told["ends"]), Fraction(told["chance"])
+    return told["text"] == "%s(%s, %s) chance(%s)" % (told["decision"], name, ends, chance)
+
+
+def count_lot(rules: Rules, state: State, label: Any, tally: Tally) -> None:
+    """What is special about a lot."""
+    process = next(p for p in state.processes if any(lot.bond == label[2:4] for lot in p.lots))
+    drawing = [end for end in label[3] if rules.end_chances(process, label[2], end)]
+    tally.kinds[label[1]] += 1
+    tally.kinds["lot of both ends"] += len(drawing) > 1
+    tally.kinds["lot among others"] += len(process.lots) > 1
+    tally.kinds["lot of a ring"] += len(process.bonds) >= len(process.bodies)
+    tally.kinds["several ways"] += any(
+        len(rules.end_chances(process, label[2], end) or ()) > 1 for end in drawing
+    )
 
 
 def process_of(state: State, leaf: str) -> Process:
@@ -165,6 +192,7 @@ def switches(model: Model) -> List[str]:
     found += ["steady steps"] * (model.steered and model.steady) + ["only"] * model.only
     found += ["draws"] * any(map(chooses, model.leaves.values()))
     found += ["pushes"] * model.pushes + ["cyclic"] * model.cyclic
+    found += ["lots"] * model.lots
     found += ["absorption"] * any(leaf.absorbs for leaf in model.leaves.values())
     rounding = model.rounding if model.rigid else "velocity" in model.rounding
     return found + ["rounding"] * bool(rounding)
@@ -318,6 +346,7 @@ def main() -> int:
     parser.add_argument("--stop", type=int, default=3, help="after so many differences")
     parser.add_argument("--only-rigid", action="store_true")
     parser.add_argument("--only-draws", action="store_true", help="laws that choose")
+    parser.add_argument("--only-lots", action="store_true", help="splits left to chance")
     parser.add_argument("--seconds", type=int, default=0, help="for each model")
     parser.add_argument("--file", action="append", default=[])
     parser.add_argument("--suite", default=str(HERE / "../../../specs/conformance"))
@@ -346,6 +375,8 @@ def main() -> int:
     try:
         for name, text in numbered():
             if options.only_draws and not re.search(r"\b(choose|diffuse)\b", text):
+                continue
+            if options.only_lots and not re.search(r"\b(chance|rate)\b", text):
                 continue
             if options.only_rigid and "spin" not in text and "dynamics" not in text:
                 continue

@@ -83,6 +83,7 @@ class Generator:
         self.together = rng.random() < 0.35  # reading I-32
         self.by_contact = not rigid and rng.random() < 0.35  # reading I-33
         self.pushes = rng.random() < 0.5  # reading I-36
+        self.lots = rng.random() < 0.4  # rule Lot
         self.cyclic = rng.random() < 0.35  # reading I-37
         self.spins: Dict[str, Vector] = {}  # of bodies, by name
         self.centres: Dict[str, Vector] = {}
@@ -170,7 +171,9 @@ class Generator:
         if draw < 0.5:
             return "<%s%s, %s>. %s" % (rng.choice(["", "~"]), channel, self.sites(leaf), then)
         if draw < 0.66:
-            return "omega(%s, %s)%s. %s" % (channel, self.sites(leaf), self.push(), then)
+            return "omega(%s, %s)%s%s. %s" % (
+                channel, self.sites(leaf), self.push(), self.odds(), then,
+            )  # fmt: skip
         if draw < 0.84:
             entries = []
             for _ in range(rng.choice([1, 1, 1, 2])):
@@ -188,6 +191,16 @@ class Generator:
             return ""
         return " push(%s)" % self.rng.choice(["1", "1", "1/2", "2", "3/2", "1/3", "0"])
 
+    def odds(self) -> str:
+        """What a weak split says of its chance (Lot): in half of the cases nothing."""
+        if not self.lots or self.rng.random() < 0.5:
+            return ""
+        rates = ["rate 1", "rate 1/3", "rate (1/8 + 2)", "rate 0", "rate 40"]
+        chances = ["1/2", "1/2", "1/3", "1/4", "2/3", "1/8", "1", "0", "(1 - 1/5)"]
+        if self.rng.random() < 0.2:
+            return " " + self.rng.choice(rates)
+        return " chance " + self.rng.choice(chances)
+
     def guarded(self, leaf: Leaf, names: List[str], depth: int) -> str:
         """A term that is no name."""
         return "<%s, %s>. %s" % (
@@ -203,7 +216,8 @@ class Generator:
         rng = self.rng
         sites = self.sites(leaf)
         release = rng.choice(["omega(a, %s)", "rho({<a, %s>})", "eps(1). omega(a, %s)"]) % sites
-        release += "%s. %s" % (self.push(), rng.choice(names + ["nil"]))
+        odds = self.odds() if "omega" in release else ""
+        release += "%s%s. %s" % (self.push(), odds, rng.choice(names + ["nil"]))
         if rng.random() < 0.4:
             release = "(%s)" % (release + " + " + self.term(leaf, names, 1))
         delay = "eps(%s). " % rng.choice(["1/2", "1", "2"]) if self.late(rng) else ""
@@ -250,7 +264,7 @@ class Generator:
             if draw < 0.5:
                 text = "<%s%s, %s>" % (rng.choice(["", "~"]), name, sites())
             elif draw < 0.7:
-                text = "omega(%s, %s)%s" % (name, sites(), self.push())
+                text = "omega(%s, %s)%s%s" % (name, sites(), self.push(), self.odds())
             else:
                 several = ["<%s, %s>" % (n, sites()) for n in (name, rng.choice("aab"))]
                 entries = ", ".join(several[: rng.choice([1, 2, 2])])
@@ -465,9 +479,16 @@ class Generator:
         weak, strong = "omega(%s, {%%s})" % channel, "rho({<%s, {%%s}>})" % channel
         if rng.random() < 0.35:
             return strong + self.push() + ". nil"
-        parts = [rng.choice([weak, strong, strong]) + self.push()]
-        if rng.random() < 0.3:
-            parts.append(rng.choice([weak, strong]) + self.push())
+        if self.lots and rng.random() < 0.6:
+            strong = weak
+
+        def split() -> str:
+            kind = rng.choice([weak, strong, strong])
+            return kind + self.push() + (self.odds() if "omega" in kind else "")
+
+        parts = [split()]
+        while rng.random() < (0.5 if self.lots else 0.3) and len(parts) < 3:
+            parts.append(split())
         delays = ["", "", "eps(1). ", "eps(1/2). ", "eps(3/2). "]
         return " + ".join("%s%s. nil" % (rng.choice(delays), part) for part in parts)
 

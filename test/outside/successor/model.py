@@ -7,6 +7,7 @@ from functools import lru_cache
 from typing import Any, Dict, List, Optional, Tuple
 
 import terms
+from rates import chance_of_rate
 from solids import Feature, Solid
 from syntax import Refused, read, read_behaviour
 from vectors import IDENTITY, ZERO, Matrix, Vector, add, apply, cross, dot, multiply, scale
@@ -316,7 +317,8 @@ class Model:
         if kind == "open":
             return ("open", written[1][0], written[1][1], sites(written[1]), then)
         if kind == "weak":
-            return ("weak", written[1][1], sites(written[1]), self.push(written[3], env), then)
+            push, odds = self.push(written[3], env), self.odds(written[4], env)
+            return ("weak", written[1][1], sites(written[1]), odds, push, then)
         entries = frozenset((c[1], sites(c)) for c in written[1])
         return ("strong", entries, self.push(written[3], env), then)
 
@@ -325,6 +327,16 @@ class Model:
         found = Fraction(self.number(written, env))
         if found < 0:
             raise Refused("a push that pulls (I-36)")
+        return found
+
+    def odds(self, written: Any, env: dict) -> Optional[Fraction]:
+        """Rule Lot: the chance of a weak split; None where it is a free choice."""
+        if written is None:
+            return None
+        word, value = written[0], Fraction(self.number(written[1], env))
+        found = value if word == "chance" else chance_of_rate(value, self.split_step)
+        if found is None or not 0 <= found <= 1:
+            raise Refused("no probability (Lot)")
         return found
 
     def lookup(self, leaf: Leaf) -> terms.Lookup:
@@ -355,6 +367,8 @@ class Model:
             ends = [self.end(f, env) for f in bond[1]]
             if all(leaf in home for leaf, _ in ends):
                 joined.append((bond, env))
+        self.timestep = Fraction(self.settings.get("timestep", 1))
+        self.split_step = self.settings.get("split_step", self.timestep)
         self.initial_leaves = {}
         for p in taking:
             for leaf in self.declared[p]["leaves"]:
@@ -366,8 +380,6 @@ class Model:
         self.leaves = {name: leaf for name, leaf in all_leaves.items() if name in home}
         for name, leaf in self.leaves.items():
             self._law(leaf, home[name])
-        self.timestep = Fraction(self.settings.get("timestep", 1))
-        self.split_step = Fraction(self.settings.get("split_step", self.timestep))
         self.steered = any(leaf.law is not None for leaf in self.leaves.values())
         spins = any(leaf["spin"] != ZERO for leaf in self.initial_leaves.values())
         self.rigid = spins or "dynamics" in self.settings
@@ -380,8 +392,21 @@ class Model:
         behaviours += [leaf["behaviour"] for leaf in self.initial_leaves.values()]
         self.only = any(any(only for only, _ in c[2]) for b in behaviours for c in channels(b))
         self.pushes = any(pushes(b) for b in behaviours)
+        self.lots = self._left_to_chance()
         if self.only and self.by_contact:
             raise Refused("features without their closure, and binding contact (I-34)")
+
+    def _left_to_chance(self) -> bool:
+        """Whether a behaviour that a leaf may come to leaves a split to chance (Lot)."""
+        names: List[str] = []
+        texts = [leaf["behaviour"] for leaf in self.initial_leaves.values()]
+        while texts:
+            odds, named = says_odds(texts.pop())
+            if odds:
+                return True
+            texts += [self.behaviours[name] for name in named if name not in names]
+            names += named
+        return False
 
     def _law(self, leaf: Leaf, process: str) -> None:
         """The most special law counts."""
@@ -420,6 +445,18 @@ def pushes(written: Any) -> bool:
         return False
     own = kind in ("weak", "strong") and written[3] != ("number", 0)
     return own or pushes(written[2])
+
+
+def says_odds(written: Any) -> Tuple[bool, List[str]]:
+    """Whether a behaviour, as it is written, leaves a split to chance, and what it names."""
+    kind = written[0]
+    if kind == "name":
+        return False, [written[1]]
+    if kind == "nil":
+        return False, []
+    inner = [says_odds(term) for term in (written[1] if kind == "sum" else [written[2]])]
+    odds = kind == "weak" and written[4] is not None
+    return odds or any(o for o, _ in inner), [name for _, named in inner for name in named]
 
 
 @lru_cache(maxsize=1000)

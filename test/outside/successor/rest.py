@@ -39,7 +39,7 @@ class Rest:
         for process in state.processes:
             if steps.is_steered(self, process) or process.clock is not None:
                 return False
-            if self.horizon(process) is not None or self.to_be_rounded(process):
+            if self.left_to_chance(process) or self.horizon(process) is not None or self.to_be_rounded(process):
                 return False
         return all(self.known(self.never_meet, *pair) for pair in combinations(state.processes, 2))
 

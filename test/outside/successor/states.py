@@ -14,6 +14,7 @@ from vectors import ZERO, Vector
 End = Tuple[str, Site]
 Bond = Tuple[str, FrozenSet[End]]
 WAITS = "waits"  # of a process that is to draw its velocity (rule Draw)
+UNDECIDED, RELEASE, FIRST = "undecided", "release", "first"  # what lots have decided (rule Lot)
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,16 @@ class Step:
 
 
 @dataclass(frozen=True)
+class Lot:
+    """A bond whose lots are pending: what they have decided, and by which summands of its leaves
+    (rule Lot)."""
+
+    bond: Bond
+    decided: str = UNDECIDED
+    by: FrozenSet[Tuple[str, terms.Term]] = frozenset()
+
+
+@dataclass(frozen=True)
 class Process:
     """Leaves that are bound to each other."""
 
@@ -49,12 +60,13 @@ class Process:
     lasts: Optional[Fraction] = None  # a turn in all; None while one is due
     step: Optional[Step] = None  # of its own, with local steps (I-31)
     draw: Any = None  # while somebody waits to draw: WAITS, or the velocity to come
+    lots: FrozenSet[Lot] = frozenset()  # that are pending
 
     def key(self) -> Any:
         return (
             self.velocity, self.clock, tuple(sorted(self.bodies.items(), key=lambda b: b[0])),
             self.bonds, self.spin, self.since, self.momentum, self.lasts, self.step,
-            self.draw,
+            self.draw, self.lots,
         )  # fmt: skip
 
 
@@ -65,12 +77,15 @@ class State:
     processes: Tuple[Process, ...]
     step: Optional[Step]
     time: Fraction = field(default=Fraction(0))
+    since: Optional[Fraction] = None  # the last split instant, where lots are drawn (I-39)
 
     def key(self) -> Any:
         def order(process: Process) -> str:
             return min(process.bodies)
 
-        return (tuple(p.key() for p in sorted(self.processes, key=order)), self.step, self.time)
+        processes = tuple(p.key() for p in sorted(self.processes, key=order))
+        since = self.since if processes else None  # processes tell it
+        return (processes, self.step, self.time, since)
 
     def having(self, old: List[Process], new: List[Process]) -> "State":
         """With some processes in the place of others."""
@@ -111,7 +126,17 @@ def process_of(model: Model, told: dict) -> Process:
         None if told.get("lasts") is None else Fraction(told["lasts"]),
         step_of(told.get("step")),
         draw_of(told.get("draw")),
+        frozenset(lot_of(model, lot) for lot in told.get("lots", {"pending": []})["pending"]),
     )
+
+
+def lot_of(model: Model, told: dict) -> Lot:
+    """Rule Lot: a bond whose lots are pending."""
+    by = {
+        (way["leaf"], model.read_term(model.leaves[way["leaf"]], way["summand"]))
+        for way in told["by"]
+    }
+    return Lot(bond_of(model, told), told["decided"], frozenset(by))
 
 
 def draw_of(told: Any) -> Any:
@@ -128,7 +153,12 @@ def step_of(told: Optional[dict]) -> Optional[Step]:
 def state_of(model: Model, told: dict, time: str) -> State:
     """The state that the JSON tells."""
     processes = tuple(process_of(model, p) for p in told["processes"])
-    return State(processes, step_of(told.get("step")), Fraction(time))
+    since = {p["lots"]["since"] if "lots" in p else None for p in told["processes"]}
+    if len(since) > 1:
+        raise ValueError("split instants of the network that are not the same for all")
+    last = next(iter(since), None)
+    step = step_of(told.get("step"))
+    return State(processes, step, Fraction(time), None if last is None else Fraction(last))
 
 
 def label_of(model: Model, told: dict) -> Any:
@@ -141,6 +171,8 @@ def label_of(model: Model, told: dict) -> Any:
         return ("bounce", tuple(told["between"]), hits)
     if kind == "draw":
         return (kind, told["process"], vector(told["velocity"]), Fraction(told["chance"]))
+    if kind == "lot":
+        return (kind, told["decision"], *bond_of(model, told), Fraction(told["chance"]))
     if kind == "absorb":
         return (kind,) + tuple(told["between"])
     if kind == "strong":

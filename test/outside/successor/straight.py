@@ -13,6 +13,7 @@ import response
 import steps
 import terms
 from draws import Draws, waits
+from lots import Lots, lots_wait
 from model import Leaf, Model, Part
 from rounding import Rounding
 from solids import Feature, Solid
@@ -45,7 +46,7 @@ class Pair:
         return contact.approaching(self.part1.solid, self.part2.solid, self.offset, w)
 
 
-class Rules(Draws, Rounding):
+class Rules(Draws, Lots, Rounding):
     """The rules over one model."""
 
     def __init__(self, model: Model) -> None:
@@ -303,7 +304,7 @@ class Rules(Draws, Rounding):
                     [
                         (leaf, s)
                         for s in self.summands(leaf, body)
-                        if s[0] == "weak" and s[1] == name and site in s[2]
+                        if s[0] == "weak" and s[1] == name and site in s[2] and s[3] is None
                     ]
                 )
             for chosen in product(*offers):
@@ -526,6 +527,9 @@ class Rules(Draws, Rounding):
                 events.append(h)
             if process.clock is not None:
                 events.append(self.model.split_step - process.clock)
+        instant = self.to_split_instant(state)
+        if instant is not None:
+            events.append(instant)
         if state.step is not None and (events or self.goes_on(state)):
             events.append(state.step.remaining)
         return min(events) if events else None
@@ -555,7 +559,8 @@ class Rules(Draws, Rounding):
         step = state.step
         if step is not None:
             step = replace(step, remaining=step.remaining - d, phase="moving")
-        return State(tuple(processes), step, state.time + d)
+        after = State(tuple(processes), step, state.time + d, self.since(state, d))
+        return self.pending(after)
 
     def releasable(self, process: Process) -> set:
         return {bond for released, _ in self.releases(process) for bond in released}
@@ -576,8 +581,8 @@ class Rules(Draws, Rounding):
         return self.finished(self.after_steering(state, kind))
 
     def finished(self, state: State) -> State:
-        """The end of each transition after Steer, unless somebody waits to draw (Draw)."""
-        rounds = "velocity" in self.model.rounding and not waits(state)
+        """The end of each transition after Steer, unless somebody waits to draw (Draw, Lot)."""
+        rounds = "velocity" in self.model.rounding and not waits(state) and not lots_wait(state)
         return self.begin_turns(state) if rounds else state
 
     def begin_turns(self, state: State) -> State:
@@ -594,7 +599,7 @@ class Rules(Draws, Rounding):
         step = state.step
         if step and step.phase == "moving" and (step.remaining == 0 or self.ends_step(kind)):
             state = replace(state, step=Step(step.remaining, "due"))
-        asked = self.asked(state)
+        asked = [] if lots_wait(state) else self.asked(state)
         if not asked:
             return state
         return self.to_draw(state, asked) or self.steer_all(state, asked)
@@ -650,7 +655,12 @@ class Rules(Draws, Rounding):
             velocity = velocities[next(iter(piece.bodies))]
             piece = steps.having(self, replace(piece, velocity=velocity), None)
             processes.append(self.begun(piece))
-        return self.settled(State(tuple(processes), self.first_step()), "time")
+        state = State(tuple(processes), self.first_step(), since=self.first_instant())
+        return self.settled(state, "time")
+
+    def first_instant(self) -> Optional[Fraction]:
+        """The start counts as a split instant of the network, but no lots are drawn then."""
+        return Fraction(0) if self.model.lots else None
 
     def first_step(self) -> Optional[Step]:
         """Of the network, before its first steer."""
@@ -662,6 +672,9 @@ class Rules(Draws, Rounding):
         drawings = self.drawings(state)
         if drawings:
             return drawings
+        lots = self.drawings_of_lots(state)
+        if lots:
+            return [(label, self.settled(after, label[0])) for label, after in lots]
         found = [*self.splits(state), *self.closings(state), *self.resolutions(state)]
         urgent = any(label[0] != "weak" for label, _ in found)
         if not urgent:

@@ -272,6 +272,23 @@ class Reader:
         self.expect(")")
         return found
 
+    def odds(self) -> Any:
+        """What a weak split says of its chance (Lot): a number, a quotient of two, a name, or what
+        stands in brackets; None if nothing is said."""
+        if self.peek() not in ("chance", "rate"):
+            return None
+        word = self.next()
+        if self.accept("("):
+            found = self.expr()
+            self.expect(")")
+        elif self.kind() == "number":
+            found = ("number", number(self.next()))
+            if self.accept("/"):
+                found = ("/", found, ("number", number(self.next())))
+        else:
+            found = ("name", self.name())
+        return (word, found)
+
     def behaviour(self) -> Any:
         terms = [self.term()]
         while self.accept("+"):
@@ -296,9 +313,9 @@ class Reader:
             self.expect(",")
             members = self.members()
             self.expect(")")
-            push = self.push()
+            push, odds = self.push(), self.odds()
             self.expect(".")
-            return ("weak", (barred, name, members), self.term(), push)
+            return ("weak", (barred, name, members), self.term(), push, odds)
         if self.accept("rho"):
             self.expect("(")
             self.expect("{")

@@ -2,7 +2,7 @@
 
     ("nil",)
     ("open", barred, name, sites, then)           <a,{..}>. then
-    ("weak", name, sites, push, then)             omega(a,{..}) push(j). then
+    ("weak", name, sites, q, push, then)          omega(a,{..}) push(j) chance q. then; q None: free
     ("strong", {(name, sites), ..}, push, then)   rho({..}) push(j). then
     ("wait", t, then)                             eps(t). then, t > 0
     ("sum", (term, ...))                          of at least two, none of them a sum

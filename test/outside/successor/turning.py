@@ -14,6 +14,7 @@ import near
 import steps
 import terms
 from draws import waits
+from lots import lots_wait
 from masses import NOTHING, from_moment, plus, point_inertia, second_moment
 from model import Model, Part, rotation
 from motion import STILL, Flight, inverse, product, whole
@@ -398,7 +399,9 @@ class Turning(Rest, Rules):
         return self.finished(self.after_steering(state, kind))
 
     def finished(self, state: State) -> State:
-        return state if waits(state) else self.begin_turns(self.at_contact(state))
+        if waits(state) or lots_wait(state):
+            return state
+        return self.begin_turns(self.at_contact(state))
 
     def at_contact(self, state: State) -> State:
         """The turns that go on of all processes that collide end."""
@@ -452,6 +455,9 @@ class Turning(Rest, Rules):
                 t = self.straight(p, q)
                 if t is not None:
                     events.append(t)
+        instant = self.to_split_instant(state)
+        if instant is not None:
+            events.append(instant)
         if state.step is not None and (events or self.goes_on(state)):
             events.append(state.step.remaining)
         if not events:
@@ -484,7 +490,8 @@ class Turning(Rest, Rules):
                 piece, velocity=velocity, spin=spin, momentum=momentum if self.free else None
             )
             processes.append(self.begun(steps.having(self, piece, None)))
-        return self.settled(State(tuple(processes), self.first_step()), "initial")
+        state = State(tuple(processes), self.first_step(), since=self.first_instant())
+        return self.settled(state, "initial")
 
 
 def course(process: Process) -> Any:

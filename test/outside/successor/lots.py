@@ -1,0 +1,207 @@
+"""Weak splits that are left to chance (rule Lot, reading I-39)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from itertools import product
+from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Tuple
+
+import terms
+from model import Undefined
+from states import FIRST, RELEASE, UNDECIDED, Bond, End, Lot, Process, State
+
+Drawn = Dict[FrozenSet[Tuple[str, terms.Term]], Fraction]  # what the ends of a bond come to
+
+
+class Lots:
+    """Rule Lot, of the rules of a model."""
+
+    model: Any
+
+    # What ends offer.
+
+    def matching(self, process: Process, name: str, end: End) -> List[terms.Term]:
+        """The summands that let go of the end of a bond; equal ones are one (Successors)."""
+        leaf, site = end
+        found: List[terms.Term] = []
+        for s in self.summands(leaf, process.bodies[leaf]):  # type: ignore[attr-defined]
+            if s[0] == "weak" and s[1] == name and site in s[2] and s[3] != 0 and s not in found:
+                found.append(s)
+        return found
+
+    def free_ways(self, process: Process, name: str, end: End) -> List[terms.Term]:
+        """Those of them without a chance."""
+        return [s for s in self.matching(process, name, end) if s[3] is None]
+
+    def end_chances(
+        self, process: Process, name: str, end: End
+    ) -> Optional[Dict[terms.Term, Fraction]]:
+        """By which summands an end lets go, with their chances; None if it is free."""
+        return {s: s[3] for s in self.matching(process, name, end) if s[3] is not None} or None
+
+    def applies(self, process: Process, bond: Bond) -> bool:
+        """Whether lots are drawn for a bond."""
+        name, ends = bond
+        return all(self.matching(process, name, end) for end in ends) and any(
+            self.end_chances(process, name, end) for end in ends
+        )
+
+    def left_to_chance(self, process: Process) -> bool:
+        return any(self.applies(process, bond) for bond in process.bonds)
+
+    # When lots are drawn.
+
+    def to_split_instant(self, state: State) -> Optional[Fraction]:
+        """Until the next split instant of the network; None if no lot would be drawn there."""
+        if state.since is None or not any(map(self.left_to_chance, state.processes)):
+            return None
+        return self.model.split_step - state.since
+
+    def since(self, state: State, d: Fraction) -> Optional[Fraction]:
+        """The time since the last split instant, when time has passed."""
+        return None if state.since is None else (state.since + d) % self.model.split_step
+
+    def pending(self, state: State) -> State:
+        """As soon as time has passed: at a split instant lots are pending."""
+        if state.since != 0:
+            return state
+        processes = []
+        for p in state.processes:
+            lots = frozenset(Lot(bond) for bond in p.bonds if self.applies(p, bond))
+            processes.append(replace(p, lots=lots))
+        return replace(state, processes=tuple(processes))
+
+    # Who is first.
+
+    def place_of(self, process: Process, end: End) -> Any:
+        """By which ends are compared: by their leaves as in Draw, then by their features."""
+        name, (part, feature) = end
+        body, leaf = process.bodies[name], self.leaf(name)  # type: ignore[attr-defined]
+        parts = [p.name for p in leaf.parts]
+        features = list(leaf.by_name[part].solid.features())
+        declared = list(self.model.leaves).index(name)
+        own = (parts.index(part), features.index(feature))
+        return body.position, body.turned, leaf.template, declared, own
+
+    def in_order(self, process: Process, lots: Any) -> List[Lot]:
+        def ends(lot: Lot) -> Any:
+            return sorted(self.place_of(process, end) for end in lot.bond[1])
+
+        return sorted(lots, key=ends)
+
+    # What is drawn.
+
+    def drawings_of_lots(self, state: State) -> List[Tuple[Any, State]]:
+        """What comes of the lots of who goes first; none if no lots are pending."""
+        waiting = [p for p in state.processes if p.lots]
+        if not waiting:
+            return []
+        process = min(waiting, key=self.place)  # type: ignore[attr-defined]
+        lots = self.in_order(process, process.lots)
+        undecided = [lot for lot in lots if lot.decided == UNDECIDED]
+        if undecided:
+            return list(self.decisions(state, process, undecided[0]))
+        first = [lot for lot in lots if lot.decided == FIRST]
+        together = self.together(lots)
+        if first or len(together) == 1:
+            return list(self.released_lot(state, process, (first or lots)[0]))
+        share = Fraction(1, len(together))
+        return [
+            (self.lot_label(lot, FIRST, share), self.decided(state, process, lot, FIRST, lot.by))
+            for lot in together
+        ]
+
+    def lot_label(self, lot: Lot, decision: str, chance: Fraction) -> Any:
+        return ("lot", decision, *lot.bond, chance)
+
+    def decisions(self, state: State, process: Process, lot: Lot) -> Iterator[Tuple[Any, State]]:
+        """To draw."""
+        ways = self.ways_out(process, lot.bond)
+        for by, chance in ways.items():
+            label = self.lot_label(lot, RELEASE, chance)
+            yield label, self.decided(state, process, lot, RELEASE, by)
+        kept = 1 - sum(ways.values(), Fraction(0))
+        if kept:
+            after = replace(process, lots=process.lots - {lot})
+            yield self.lot_label(lot, "keep", kept), state.having([process], [after])
+
+    def ways_out(self, process: Process, bond: Bond) -> Drawn:
+        """By what both ends of a bond let go, with the probabilities."""
+        name, ends = bond
+        drawn = []
+        for end in ends:
+            chances = self.end_chances(process, name, end)
+            if chances is None:
+                continue
+            if sum(chances.values()) > 1:
+                raise Undefined
+            drawn.append([((end[0], s), q) for s, q in chances.items()])
+        return {
+            frozenset(way for way, _ in ways): self.both([q for _, q in ways])
+            for ways in product(*drawn)
+        }
+
+    def both(self, chances: List[Fraction]) -> Fraction:
+        """The probability that independent ends let go."""
+        found = Fraction(1)
+        for q in chances:
+            found *= q
+        return found
+
+    def decided(
+        self, state: State, process: Process, lot: Lot, decision: str, by: Any
+    ) -> State:
+        lots = process.lots - {lot} | {Lot(lot.bond, decision, by)}
+        return state.having([process], [replace(process, lots=lots)])
+
+    def together(self, lots: List[Lot]) -> List[Lot]:
+        """The first of some, with all that hang together with it by leaves."""
+        found, left = lots[:1], lots[1:]
+        grown = True
+        while grown:
+            leaves = {leaf for lot in found for leaf, _ in lot.bond[1]}
+            more = [lot for lot in left if any(leaf in leaves for leaf, _ in lot.bond[1])]
+            left = [lot for lot in left if lot not in more]
+            found, grown = found + more, bool(more)
+        return found
+
+    # To release.
+
+    def released_lot(
+        self, state: State, process: Process, lot: Lot
+    ) -> Iterator[Tuple[Any, State]]:
+        """A weak split, by what has been drawn; a free end chooses."""
+        name, ends = lot.bond
+        drawn = dict(lot.by)
+        choices = [
+            [(end[0], s) for s in ([drawn[end[0]]] if end[0] in drawn else
+                                   self.free_ways(process, name, end))]
+            for end in ends
+        ]  # fmt: skip
+        for chosen in product(*choices):
+            pushes, new = self.outcome(process, [lot.bond], dict(chosen))  # type: ignore
+            pieces = self.fall_apart(process, pushes, new)  # type: ignore[attr-defined]
+            others = process.lots - {lot}
+            pieces = [replace(p, lots=self.left_to_release(p, others)) for p in pieces]
+            push = pushes[lot.bond] or None
+            yield ("weak", *lot.bond, push), state.having([process], pieces)
+
+    def left_to_release(self, piece: Process, others: Any) -> FrozenSet[Lot]:
+        """Those of a piece whose ends still offer what they have drawn."""
+        return frozenset(lot for lot in others if lot.bond in piece.bonds and self.holds(piece, lot))
+
+    def holds(self, process: Process, lot: Lot) -> bool:
+        name, ends = lot.bond
+        drawn = dict(lot.by)
+        return all(
+            drawn[end[0]] in self.matching(process, name, end)
+            if end[0] in drawn
+            else bool(self.free_ways(process, name, end))
+            for end in ends
+        )
+
+
+def lots_wait(state: State) -> bool:
+    """Whether lots are pending."""
+    return any(p.lots for p in state.processes)
