@@ -118,7 +118,7 @@ def compare_state(rules: Rules, answer: dict, state: State, tally: Tally) -> Opt
                 return "a label is written %s" % t["label"]["text"]
             count_lot(rules, state, label, tally)
         elif label[0] == "weak" and lots_wait(state):
-            tally.kinds["released by lot"] += 1
+            count_release(state, state_of(model, t["state"], str(after_time)), tally)
     tally.counts["transitions"] += sum(told.values())
     tally.counts["states"] += 1
     if not told and answer["ending"] == "quiescent" and model.rigid:
@@ -161,6 +161,14 @@ def count_lot(rules: Rules, state: State, label: Any, tally: Tally) -> None:
     tally.kinds["several ways"] += any(
         len(rules.end_chances(process, label[2], end) or ()) > 1 for end in drawing
     )
+
+
+def count_release(before: State, after: State, tally: Tally) -> None:
+    """What becomes of the other bonds of a process that are to be released."""
+    tally.kinds["released by lot"] += 1
+    old, new = (sum(len(p.lots) for p in state.processes) for state in (before, after))
+    tally.kinds["others stay to be released"] += new > 0
+    tally.kinds["others are kept then"] += new < old - 1
 
 
 def process_of(state: State, leaf: str) -> Process:

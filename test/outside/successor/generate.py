@@ -298,6 +298,75 @@ class Generator:
         rng.shuffle(bonds)
         return bonds[: rng.choice([3, 3, 4])]
 
+    # Clusters that fall apart by lot.
+
+    def tearing(self, leaf: Leaf) -> str:
+        """A behaviour that lets go of several neighbours: by lot, freely, or now one, now another."""
+        rng = self.rng
+        names = ["Tear0", "Tear1", "Tear2"]
+        summands = []
+        for _ in range(rng.choice([1, 2, 2, 3, 3])):
+            draw, name = rng.random(), rng.choice("aaab")
+            sides = ["left", "right", "top", "bottom", "front", "back"]
+            some = sides if rng.random() < 0.7 else rng.sample(sides, rng.choice([2, 3, 4]))
+            sites = "{%s}" % ", ".join(some) if rng.random() < 0.9 else self.sites(leaf)
+            text = "omega(%s, %s)%s%s" % (name, sites, self.push(), self.odds())
+            if draw < 0.08:
+                text = "rho({<%s, %s>})%s" % (name, sites, self.push())
+            elif draw < 0.2:
+                text = "<%s%s, %s>" % (rng.choice(["", "~"]), name, sites)
+            delay = "eps(%s). " % rng.choice(["1/2", "1"]) if rng.random() < 0.15 else ""
+            then = rng.choice([*names, *names, "nil", text.split(" push")[0] + ". nil"])
+            summands += ["%s%s. %s" % (delay, text, then)] * rng.choice([1, 1, 1, 1, 2])
+        return " + ".join(summands)
+
+    def cluster(self, number: int, placed: List[Tuple[str, Leaf, Vector, str]]) -> List[str]:
+        """Cubes of a lattice far away that hang together by bonds: a tree of them, or with rings."""
+        rng = self.rng
+        if not any(shape.name == "Node" for shape in self.shapes):
+            self.shapes.append(Shape("Node", "shape Node = Cube", [None]))
+            leaf = self.leaf_of("t = Node mass 1 [nil]")
+            for i in range(3):
+                self.lines.append("behaviour Tear%d on Node = %s" % (i, self.tearing(leaf)))
+        leaf = self.leaf_of("t = Node mass 1 [nil]")
+        cells, sides = [(0, 0, 0)], {0: ("right", "left"), 1: ("back", "front"), 2: ("top", "bottom")}
+        names, bonds = list(range(9)), []
+        rng.shuffle(names)
+        origin = (Fraction(-60 + 40 * number), Fraction(90), Fraction(0))
+        speed = (Fraction(rng.choice([0, 0, 8, -8])), Fraction(0), Fraction(0))
+        spin = self.spin() if self.rigid else (Fraction(0),) * 3
+        for i in range(rng.choice([2, 3, 3] if self.rigid else [2, 3, 3, 4, 4, 5])):
+            joined = False
+            while not joined:
+                near, axis, sign = rng.choice(cells), rng.choice([0, 0, 1, 2]), rng.choice([-1, 1])
+                cell = tuple(x + sign * (k == axis) for k, x in enumerate(near)) if i else cells[0]
+                joined = not i or cell not in cells
+            if i:
+                cells.append(cell)  # type: ignore[arg-type]
+            name = "n%d%d" % (number, names[i])
+            at = add(origin, tuple(Fraction(2 * x) for x in cell))  # type: ignore[arg-type]
+            for j in range(i):
+                apart = [x - y for x, y in zip(cell, cells[j])]
+                if sum(map(abs, apart)) != 1:
+                    continue
+                if cells[j] != near and not (self.cyclic and rng.random() < 0.8):
+                    continue
+                k = next(k for k in range(3) if apart[k])
+                f, g = sides[k][:: -apart[k]]  # of this one, and of the other
+                other = "n%d%d" % (number, names[j])
+                bonds.append("bond <%s, {%s.%s, %s.%s}>" % (rng.choice("aaab"), name, f, other, g))
+            velocity = vector_text(add(speed, cross(spin, sub(at, origin))))  # type: ignore[arg-type]
+            self.spins[name] = spin  # type: ignore[assignment]
+            self.lines.append(
+                "process %s = Node mass %s velocity %s%s at translate %s"
+                % (name, rng.choice("112"), velocity, self.spin_text(name), vector_text(at))
+            )
+            some = [self.tearing(leaf), "Tear0", "Tear1", "Tear2"]
+            self.behaviours[name] = rng.choice(some)
+            placed.append((name, leaf, at, velocity))
+        rng.shuffle(bonds)
+        return bonds
+
     # The network.
 
     def network(self) -> str:
@@ -397,6 +466,9 @@ class Generator:
                 break
         if self.cyclic and rng.random() < 0.7:
             bonds += self.square(placed)
+        if self.lots and rng.random() < 0.6:
+            for number in range(1 if self.rigid else rng.choice([1, 2])):
+                bonds += self.cluster(number, placed)
         if self.laws:
             self.law(placed)
         for i, line in enumerate(self.lines):

@@ -26,13 +26,17 @@ class Lots:
         leaf, site = end
         found: List[terms.Term] = []
         for s in self.summands(leaf, process.bodies[leaf]):  # type: ignore[attr-defined]
-            if s[0] == "weak" and s[1] == name and site in s[2] and s[3] != 0 and s not in found:
+            fits = s[0] == "weak" and s[1] == name and site in s[2] and self.offers(s)
+            if fits and s not in found:
                 found.append(s)
         return found
 
+    def offers(self, summand: terms.Term) -> bool:
+        return summand[3] != 0
+
     def free_ways(self, process: Process, name: str, end: End) -> List[terms.Term]:
         """Those of them without a chance."""
-        return [s for s in self.matching(process, name, end) if s[3] is None]
+        return [s for s in self.matching(process, name, end) if self.is_free(s)]  # type: ignore
 
     def end_chances(
         self, process: Process, name: str, end: End

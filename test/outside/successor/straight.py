@@ -304,11 +304,15 @@ class Rules(Draws, Lots, Rounding):
                     [
                         (leaf, s)
                         for s in self.summands(leaf, body)
-                        if s[0] == "weak" and s[1] == name and site in s[2] and s[3] is None
+                        if s[0] == "weak" and s[1] == name and site in s[2] and self.is_free(s)
                     ]
                 )
             for chosen in product(*offers):
                 yield self.outcome(process, [bond], dict(chosen))
+
+    def is_free(self, summand: terms.Term) -> bool:
+        """Whether a summand is a free choice, and not left to chance (Lot)."""
+        return summand[3] is None
 
     def outcome(
         self, process: Process, bonds: List[Bond], chosen: Dict[str, terms.Term]
@@ -581,8 +585,8 @@ class Rules(Draws, Lots, Rounding):
         return self.finished(self.after_steering(state, kind))
 
     def finished(self, state: State) -> State:
-        """The end of each transition after Steer, unless somebody waits to draw (Draw, Lot)."""
-        rounds = "velocity" in self.model.rounding and not waits(state) and not lots_wait(state)
+        """The end of each transition after Steer, unless somebody waits to draw (Draw)."""
+        rounds = "velocity" in self.model.rounding and not waits(state)
         return self.begin_turns(state) if rounds else state
 
     def begin_turns(self, state: State) -> State:

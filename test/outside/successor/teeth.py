@@ -19,10 +19,12 @@ import compare
 import contact
 import draws
 import generate
+import model
 import response
 import steps
 import straight
 import terms
+from lots import Lot, lots_wait
 from model import Leaf
 from oracle import Oracle
 from rounding import Rounding
@@ -173,6 +175,54 @@ def in_any_order(self: Rules, state: Any) -> Any:
     return found
 
 
+def from_the_start(self: Rules) -> Any:
+    """Lots are drawn at the start, too."""
+    return self.pending(_initial(self))
+
+
+def by_name(self: Rules, process: Any, lots: Any) -> Any:
+    return sorted(lots, key=lambda lot: sorted(leaf for leaf, _ in lot.bond[1]))
+
+
+def leaves_alone(self: Rules, process: Any, end: Any) -> Any:
+    """Names of templates and the order of declaration before the position."""
+    position, turned, template, declared, own = _place_of(self, process, end)
+    return template, declared, position, turned, own
+
+
+def also_new(self: Rules, piece: Any, others: Any) -> Any:
+    """What a release makes releasable draws at the same instant."""
+    known = {lot.bond for lot in others}
+    new = {Lot(b) for b in piece.bonds if b not in known and self.applies(piece, b)}
+    return _left_to_release(self, piece, others) | new
+
+
+def set_anew(self: Rules, state: Any, process: Any, lot: Any, decision: str, by: Any) -> Any:
+    """A lot sets the split clock of its process."""
+    after = _decided(self, state, process, lot, decision, by)
+    return replace(after, processes=tuple(
+        self.begun(p) if set(p.bodies) == set(process.bodies) else p for p in after.processes
+    ))  # fmt: skip
+
+
+def with_its_free_ways(self: Rules, process: Any, name: str, end: Any) -> Any:
+    """Who has a chance may let go freely, too."""
+    drawn = _end_chances(self, process, name, end)
+    free = {s: Fraction(0) for s in self.matching(process, name, end) if s[3] is None}
+    return {**drawn, **free} if drawn else drawn
+
+
+def each_of_equal_ones(self: Rules, process: Any, name: str, end: Any) -> Any:
+    """Equal summands have their chance each."""
+    drawn = _end_chances(self, process, name, end)
+    every = self.summands(end[0], process.bodies[end[0]])
+    return drawn and {s: q * every.count(s) for s, q in drawn.items()}
+
+
+_initial, _place_of, _left_to_release = Rules.initial, Rules.place_of, Rules.left_to_release
+_decided, _end_chances, _in_order = Rules.decided, Rules.end_chances, Rules.in_order
+_free_ways = Rules.free_ways
+_waits = straight.waits
 _after_drawing, _drawings = Rules.after_drawing, Rules.drawings
 
 MISTAKES: Dict[str, Mistake] = {
@@ -248,6 +298,42 @@ MISTAKES: Dict[str, Mistake] = {
     "Draw: turns begin before all have drawn": replaced(straight, "waits", lambda state: False),
     "I-38: one draw moves the whole": replaced(Rules, "ways", one_for_all),
     "Diffuse: any kick": replaced(draws, "least_kick", lambda square: Fraction(4)),
+    "Lot: drawn at the start": replaced(Rules, "initial", from_the_start),
+    "Lot: bonds by name": replaced(Rules, "in_order", by_name),
+    "Lot: leaves as they are declared": replaced(Rules, "place_of", leaves_alone),
+    "Lot: the last bond first": replaced(
+        Rules, "in_order", lambda self, process, lots: _in_order(self, process, lots)[::-1]
+    ),
+    "Lot: chances of both ends are added": replaced(
+        Rules, "both", lambda self, chances: sum(chances, Fraction(0))
+    ),
+    "Lot: laws are asked before": replaced(straight, "lots_wait", lambda state: False),
+    "Lot: turns begin when all lots are drawn": replaced(
+        straight, "waits", lambda state: _waits(state) or lots_wait(state)
+    ),
+    "Lot: the first of them is first": replaced(Rules, "together", lambda self, lots: lots[:1]),
+    "Lot: whoever is left is first": replaced(Rules, "together", lambda self, lots: lots),
+    "Lot: nothing left of the offer, and released": replaced(
+        Rules, "holds", lambda self, process, lot: True
+    ),
+    "Lot: the others are kept": replaced(Rules, "holds", lambda self, process, lot: False),
+    "Lot: what becomes releasable draws at once": replaced(Rules, "left_to_release", also_new),
+    "Lot: a free choice as well": replaced(Rules, "is_free", lambda self, summand: True),
+    "Lot: chance 0 offers": replaced(Rules, "offers", lambda self, summand: True),
+    "Lot: equal summands count twice": replaced(Rules, "end_chances", each_of_equal_ones),
+    "Lot: who has a chance is free too": replaced(Rules, "end_chances", with_its_free_ways),
+    "Lot: a free end takes the first": replaced(
+        Rules, "free_ways", lambda self, *end: _free_ways(self, *end)[:1]
+    ),
+    "Lot: rates are chances": replaced(model, "chance_of_rate", lambda rate, step: rate * step),
+    "Lot: lots set split clocks": replaced(Rules, "decided", set_anew),
+    "I-39: time passes over split instants": replaced(
+        Rules, "to_split_instant", lambda self, state: None
+    ),
+    "I-39: the instants go on from the last event": replaced(
+        Rules, "since", lambda self, state, d: None if state.since is None else
+        d % self.model.split_step
+    ),
     "I-36: along the first normal": replaced(
         Rules, "line", lambda self, normals, one, two: normals[0]
     ),

@@ -14,7 +14,6 @@ import near
 import steps
 import terms
 from draws import waits
-from lots import lots_wait
 from masses import NOTHING, from_moment, plus, point_inertia, second_moment
 from model import Model, Part, rotation
 from motion import STILL, Flight, inverse, product, whole
@@ -399,9 +398,7 @@ class Turning(Rest, Rules):
         return self.finished(self.after_steering(state, kind))
 
     def finished(self, state: State) -> State:
-        if waits(state) or lots_wait(state):
-            return state
-        return self.begin_turns(self.at_contact(state))
+        return state if waits(state) else self.begin_turns(self.at_contact(state))
 
     def at_contact(self, state: State) -> State:
         """The turns that go on of all processes that collide end."""
