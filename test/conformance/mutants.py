@@ -369,6 +369,82 @@ def chances_are_weights(params, r):
     return draws
 
 
+def all_lots(r, decision):
+    return [t['label'] for t in r['transitions'] if t['label'].get('decision') == decision]
+
+
+@mutant('successors')
+def lots_are_equal(params, r):
+    lots = all_lots(r, 'release') + all_lots(r, 'keep')
+    for label in lots:
+        label['chance'] = '1/%d' % len(lots)
+    return lots
+
+
+@mutant('successors')
+def chances_of_lots_are_changed_about(params, r):
+    """What is kept has the chance of what is released."""
+    released, kept = all_lots(r, 'release'), all_lots(r, 'keep')
+    if len(released) != 1 or len(kept) != 1:
+        return False
+    released[0]['chance'], kept[0]['chance'] = kept[0]['chance'], released[0]['chance']
+    return True
+
+
+@mutant('successors')
+def lots_never_keep(params, r):
+    kept = all_lots(r, 'keep')
+    r['transitions'] = [t for t in r['transitions'] if t['label'] not in kept]
+    return kept
+
+
+@mutant('successors')
+def the_first_is_first(params, r):
+    first = all_lots(r, 'first')
+    r['transitions'] = [t for t in r['transitions'] if t['label'] not in first[1:]]
+    for label in first:
+        label['chance'] = '1/1'
+    return first
+
+
+@mutant('successors')
+def free_choices_beside_lots(params, r):
+    """While lots are pending it may be released freely, too."""
+    for t in r['transitions']:
+        if t['label'].get('decision') == 'release':
+            label = {k: v for k, v in t['label'].items() if k in ('name', 'ends')}
+            r['transitions'].append({**t, 'label': {**label, 'kind': 'weak'}, 'rules': ['WeakSplit']})
+            return True
+    return False
+
+
+@mutant('successors')
+def time_does_not_stop_for_lots(params, r):
+    """The network's split instants are not waited for."""
+    state = r.get('state') or {'processes': []}
+    ahead = any(F(p['lots']['since']) != 0 for p in state['processes'] if 'lots' in p)
+    times = [t['label'] for t in r['transitions'] if t['label']['kind'] == 'time']
+    return ahead and times and shift(times[0], 'duration', F(1))
+
+
+@mutant('successors')
+def split_instants_start_anew(params, r):
+    told = [p['lots'] for p in (r.get('state') or {'processes': []})['processes'] if 'lots' in p]
+    late = [lots for lots in told if F(lots['since']) != 0]
+    for lots in late:
+        lots['since'] = '0/1'
+    return late
+
+
+@mutant('successors')
+def nobody_knows_by_what_it_is_released(params, r):
+    told = [b for p in (r.get('state') or {'processes': []})['processes'] for b in p.get('lots', {}).get('pending', [])]
+    drawn = [bond for bond in told if bond['by']]
+    for bond in drawn:
+        bond['by'] = []
+    return drawn
+
+
 @mutant('successors')
 def what_is_drawn_is_the_change(params, r):
     here = {leaf['name']: p['velocity'] for p in (r.get('state') or {'processes': []})['processes'] for leaf in p['leaves']}

@@ -1,7 +1,7 @@
-"""By hand: velocities that laws leave to chance."""
+"""By hand: what is left to chance, velocities by laws, and weak splits."""
 
-from make_rules import BOUNCE, TIME, Rule, bonded, bounces, passes
-from cases import num, nums
+from make_rules import BIND, BOUNCE, DOCK, TIME, WEAK, Rule, bonded, bounces, cubes, leaf, passes, releases
+from cases import num, nums, unordered
 
 
 def draws(process, velocity, chance):
@@ -68,6 +68,136 @@ def diffuse():
                [draws('p', (4, 3, 0), '1/8'), draws('p', (0, 3, 0), '1/8'), draws('p', (2, 3, 0), '3/4')])
     r.refused('A kick of 1 for S = 6.', text % (1, '1, (0,0,0), 1'), 'SC0601')
     r.refused('A constant that is no constant.', text % (1, 'x'), 'SC0601')
+    return r
+
+
+def drawn_lot(decision, one, other, chance, name='dock'):
+    return {'kind': 'lot', 'name': name, 'ends': unordered([one, other]), 'decision': decision, 'chance': num(chance)}
+
+
+def lot(decision, *ends):
+    """One to follow: of this bond, if it is told."""
+    found = {'kind': 'lot', 'decision': decision}
+    return {**found, 'ends': unordered(list(ends))} if ends else found
+
+
+PQ, RP, PT = ('p.right', 'q.left'), ('r.right', 'p.left'), ('p.top', 't.bottom')
+RELEASE, KEEP = lot('release'), lot('keep')
+FREE = 'omega(dock, {left}). nil'
+
+
+def by_chance(*chances):
+    """The cube p lets go of q by these chances, and becomes nil."""
+    return ' + '.join('omega(dock, {right}) %s. nil' % c for c in chances)
+
+
+def shared(then):
+    """Cubes r, p and q in a row: p lets go by lot, and goes on as it is told."""
+    return bonded('behaviour Lets on Cube = omega(dock, {left, right}) chance 1/2. %s\n' % then, 'Lets', FREE,
+                  'process r = Cube mass 1 at translate (-2,0,0) [omega(dock, {right}). nil]\nbond <dock, {r.right, p.left}>\n')
+
+
+STAR = ('behaviour Lets on Cube = omega(dock, {left, right, top}) chance 1/2. Lets\n', 'Lets', FREE,
+        'process r = Cube mass 1 at translate (-2,0,0) [omega(dock, {right}). nil]\nbond <dock, {r.right, p.left}>\n'
+        'process t = Cube mass 1 at translate (0,0,2) [omega(dock, {bottom}). nil]\nbond <dock, {p.top, t.bottom}>\n')
+# Two pairs of cubes, of which the one that is declared last stands to the left.
+PAIRS = ('process u = Cube mass 1 at translate (-12,0,0) [omega(dock, {right}) chance 1/4. nil]\n'
+         'process v = Cube mass 1 at translate (-10,0,0) [omega(dock, {left}). nil]\nbond <dock, {u.right, v.left}>\n')
+
+
+def lots():
+    r = Rule('Lot')
+    third = bonded('', by_chance('chance 1/3'), FREE)
+    both = [drawn_lot('release', *PQ, '1/3'), drawn_lot('keep', *PQ, '2/3')]
+    r.outcomes('No lots are drawn at the start, and it is released by them alone.', third, [], [passes(1)])
+    r.outcomes('At the next split instant: released with probability 1/3.', third, [TIME], both)
+    r.outcomes('It is kept, and time passes.', third, [TIME, KEEP], [passes(1)])
+    r.outcomes('At each split instant anew.', third, [TIME, KEEP, TIME], both)
+    r.outcomes('Then it is released.', third, [TIME, RELEASE], [releases('dock', *PQ)])
+    r.outcomes('And is gone.', third, [TIME, RELEASE, WEAK], [], 'quiescent')
+    r.outcomes('Both ends draw: 1/2 times 1/3.', bonded('', by_chance('chance 1/2'), 'omega(dock, {left}) chance 1/3. nil'), [TIME],
+               [drawn_lot('release', *PQ, '1/6'), drawn_lot('keep', *PQ, '5/6')])
+    r.outcomes('What is certain leaves nothing to keep.', bonded('', by_chance('chance 1'), FREE), [TIME],
+               [drawn_lot('release', *PQ, 1)])
+    r.outcomes('The chance 0 offers nothing.', bonded('', by_chance('chance 0'), FREE), [], [], 'quiescent')
+    r.outcomes('Neither does the rate 0.', bonded('', by_chance('rate 0'), FREE), [], [], 'quiescent')
+    r.outcomes('Two ways.', bonded('', by_chance('chance 1/4') + ' + omega(dock, {right}) chance 1/2. eps(1). nil', FREE), [TIME],
+               [drawn_lot('release', *PQ, '1/4'), drawn_lot('release', *PQ, '1/2'), drawn_lot('keep', *PQ, '1/4')])
+    r.outcomes('Equal ones count once.', bonded('', by_chance('chance 1/3', 'chance 1/3'), FREE), [TIME], both)
+    free = bonded('', by_chance('chance 1/3', ''), FREE)
+    r.outcomes('Beside a free choice.', free, [], [releases('dock', *PQ), passes(1)])
+    r.outcomes('Which does not count for the lots.', free, [TIME], both)
+    r.outcomes('And is there after them.', free, [TIME, KEEP], [releases('dock', *PQ), passes(1)])
+    r.outcomes('The other end is free, and chooses.', bonded('', by_chance('chance 1/3'), FREE + ' + omega(dock, {left}). eps(1). nil'),
+               [TIME, RELEASE], [releases('dock', *PQ)] * 2)
+    r.outcomes('Before the release: the one to the left draws first.', shared('nil'), [TIME],
+               [drawn_lot('release', *RP, '1/2'), drawn_lot('keep', *RP, '1/2')])
+    r.outcomes('Then the other.', shared('nil'), [TIME, RELEASE],
+               [drawn_lot('release', *PQ, '1/2'), drawn_lot('keep', *PQ, '1/2')])
+    r.outcomes('Both are to be released, and share p: one is first.', shared('nil'), [TIME, RELEASE, RELEASE],
+               [drawn_lot('first', *RP, '1/2'), drawn_lot('first', *PQ, '1/2')])
+    second = [TIME, RELEASE, RELEASE, lot('first', *PQ)]
+    r.outcomes('It is released.', shared('nil'), second, [releases('dock', *PQ)])
+    r.outcomes('p offers nothing more: the other is kept.', shared('nil'), [*second, WEAK], [], 'quiescent')
+    r.outcomes('p offers the same again: the other is released, too.', shared('Lets'), [*second, WEAK], [releases('dock', *RP)])
+    r.outcomes('One of three.', bonded(*STAR), [TIME, RELEASE, RELEASE, RELEASE],
+               [drawn_lot('first', *e, '1/3') for e in (RP, PQ, PT)])
+    r.outcomes('Then one of two.', bonded(*STAR), [TIME, RELEASE, RELEASE, RELEASE, lot('first', *PQ), WEAK],
+               [drawn_lot('first', *e, '1/2') for e in (RP, PT)])
+    pairs = bonded('', by_chance('chance 1/3'), FREE, PAIRS)
+    left = drawn_lot('release', 'u.right', 'v.left', '1/4')
+    r.outcomes('The process on the left goes first.', pairs, [TIME], [left, drawn_lot('keep', 'u.right', 'v.left', '3/4')])
+    r.outcomes('All its bonds draw and are released, before the other draws.', pairs, [TIME, RELEASE],
+               [releases('dock', 'u.right', 'v.left')])
+    r.outcomes('Then the other.', pairs, [TIME, RELEASE, WEAK], both)
+    faster = bonded('', by_chance('chance 1/3'), FREE, 'motion (vx + 1, vy, vz)\n')
+    r.value('No law is asked while lots are pending.', faster, [TIME], 'vx(p)', 1)
+    r.value('Then they are.', faster, [TIME, KEEP], 'vx(p)', 2)
+    r.value('Not before it is released.', faster, [TIME, RELEASE], 'vx(p)', 1)
+    r.value('But then.', faster, [TIME, RELEASE, WEAK], 'vx(p) = 2 and vx(q) = 2', True)
+    rate = 'split_step 1/2\n' + bonded('', by_chance('rate 1'), FREE)
+    # A convergent of 1 - exp(-1/2); no fraction of a lesser denominator is as near.
+    r.outcomes('The rate 1 in a step of 1/2.', rate, [TIME],
+               [drawn_lot('release', *PQ, '487202/1238221'), drawn_lot('keep', *PQ, '751019/1238221')])
+    r.measured('By the second instant: 1 - (2/3)^2.', third, 'P = ? [ eventually not bound(p, q) within 2 ]', least='5/9', greatest='5/9')
+    r.measured('It lasts three steps on average.', third, 'E = ? [ time U not bound(p, q) ]', least=3, greatest=3)
+    r.named(third, [TIME], both[0], 'Lot')
+    r.refused('No probability.', bonded('', by_chance('chance 3/2'), FREE), 'SC0208')
+    r.refused('No instants to draw at.', 'split_step any\n' + third, 'SC0505')
+    r.add_next('More than 1.', 'successors', {'model': r.model(bonded('', by_chance('chance 2/3', 'chance 1/2'), FREE))},
+               {'error': {'code': -32006, 'data': {'diagnostics': {'some': [{'code': 'SC0603', 'severity': 'error'}]}}}}, [TIME])
+    return r
+
+
+def i_39():
+    r = Rule('I-39')
+    lets = DOCK.replace('nil', 'omega(dock, {left, right}) chance 1/2. nil')
+    quarter = [drawn_lot('release', *PQ, '1/4'), drawn_lot('keep', *PQ, '3/4')]
+    late = cubes('Open', 'Shut', lets, v='(4/3,0,0)')
+    r.outcomes('Nothing is bound, and no instant is waited for.', late, [], [passes('3/2')])
+    r.outcomes('Bound at 3/2, it is drawn for at 2.', late, [TIME, BIND], [passes('1/2')])
+    r.outcomes('With the chances of both ends: 1/4.', late, [TIME, BIND, TIME], quarter)
+    r.outcomes('Then at 3.', late, [TIME, BIND, TIME, KEEP], [passes(1)])
+    r.outcomes('Bound at a split instant, it waits for the next one.', cubes('Open', 'Shut', lets), [TIME, BIND], [passes(1)])
+    event = bonded('', by_chance('chance 1/3'), FREE, 'process r = Cube mass 1 at translate (0,9,0) [eps(3/4). nil]\n')
+    both = [drawn_lot('release', *PQ, '1/3'), drawn_lot('keep', *PQ, '2/3')]
+    r.outcomes('What happens between two instants.', event, [], [passes('3/4')])
+    r.outcomes('Does not shift them.', event, [TIME], [passes('1/4')])
+    r.state('All processes tell how long ago the last one was.', event, [TIME],
+            [{**leaf('p'), 'lots': {'since': num('3/4'), 'pending': []}},
+             {**leaf('r'), 'lots': {'since': num('3/4'), 'pending': []}}])
+    r.outcomes('At 1.', event, [TIME, TIME], both)
+    r.outcomes('What becomes releasable as time comes to the instant is drawn for at once.',
+               bonded('', 'eps(1). ' + by_chance('chance 1/3'), FREE), [TIME], both)
+    pending = {'name': 'dock', 'ends': unordered(PQ), 'decided': 'undecided', 'by': []}
+    r.state('A state tells for what is still to draw.', event, [TIME, TIME],
+            [{**leaf('p'), 'lots': {'since': num(0), 'pending': [pending]}}, {**leaf('r'), 'lots': {'since': num(0), 'pending': []}}])
+    by = [{'leaf': 'p', 'summand': 'omega(dock, {right}) chance 1/3. nil'}]
+    r.state('And by what is to be released.', event, [TIME, TIME, RELEASE],
+            [{**leaf('p'), 'lots': {'since': num(0), 'pending': [{**pending, 'decided': 'release', 'by': by}]}}, leaf('r')])
+    r.measured('From a free end nothing is chosen but what becomes of it: q goes on as Goes, or not, where it is released.',
+               bonded('behaviour Goes on Cube = nil\n', by_chance('chance 1/3'), FREE + ' + omega(dock, {left}). Goes'),
+               'P = ? [ eventually behaviour(q) = Goes within 1 ]', least=0, greatest='1/3')
     return r
 
 
@@ -138,4 +268,4 @@ def i_38():
 
 
 def suites():
-    return [draw(), diffuse(), i_38(), probability(), expectation()]
+    return [draw(), diffuse(), i_38(), lots(), i_39(), probability(), expectation()]

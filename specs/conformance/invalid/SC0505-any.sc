@@ -1,0 +1,11 @@
+// a chance where weak splits may happen at any time
+split_step any
+shape Cube {
+  vertices a (-1,-1,-1)  b (1,-1,-1)  c (1,1,-1)  d (-1,1,-1)
+           e (-1,-1,1)   f (1,-1,1)   g (1,1,1)   h (-1,1,1)
+  faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
+           right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
+}
+process p = Cube mass 1 [omega(dock, {right}) chance 1/2. nil + omega(dock, {right}) rate 1. nil + omega(dock, {right}). nil]
+process q = Cube mass 1 at translate (2,0,0) [omega(dock, {left}). nil]
+bond <dock, {p.right, q.left}>
