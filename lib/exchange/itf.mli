@@ -18,6 +18,14 @@
     motion
     v}
 
+    A model in which weak splits are left to chance has two more:
+
+    {v
+    split_clock  from the first leaf of each process to the time since the last split instant of the network
+    lots         the set of bonds whose lots are pending, each a pair of the bond, as in bonds, and of what is
+                 decided: "undecided", "release" or "first"
+    v}
+
     A rigid model has four more variables, or five:
 
     {v
