@@ -78,9 +78,17 @@ let rec term_delays (defs : definitions) found (b : t) =
 let delays defs (b : aged) = List.rev (term_delays defs [] b.term)
 let ages defs b = term_delays defs [] b <> []
 
-let has_chance defs b =
-  List.exists (fun (offer, _) -> by_chance offer)
-    (derive defs { summand = b; within = []; by_sum = false; by_def = false } [] b)
+(* Whether it offers something by chance, or will when delays have expired. *)
+let left_to_chance (defs : definitions) b =
+  let rec look seen (b : t) =
+    match b with
+    | Weak (_, { odds = Some _; _ }, _) -> true
+    | Nil | Open _ | Weak _ | Strong _ -> false
+    | Delay (_, b) | Wait (_, b) -> look seen b
+    | Sum (a, b) -> look seen a || look seen b
+    | Call k -> (not (List.mem k seen)) && look (k :: seen) defs.(k).body
+  in
+  look [] b
 
 (* Ageing can bring up nil and equal summands again and again, which offer nothing new: without them a
    recursion through sums comes back to where it was (reading I-17). What still ages stays a summand, if need be
@@ -91,7 +99,7 @@ let without_repetition defs b =
     | Sum (x, y) -> summands (summands found x) y
     | Nil -> found
     | Open _ | Weak _ | Strong _ | Delay _ | Wait _ | Call _ ->
-      if List.exists (equal b) found && not (has_chance defs b) then found else b :: found
+      if List.exists (equal b) found && not (left_to_chance defs b) then found else b :: found
   in
   match List.rev (summands [] b) with
   | [] -> nil

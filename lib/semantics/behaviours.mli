@@ -44,5 +44,5 @@ val shorten : definitions -> (t -> t) -> aged -> aged
 
 val pass : definitions -> Rat.t -> aged -> aged
 (** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed
-    eps stay folded; an aged sum has neither nil nor equal summands, except those that offer something by chance, and that a single
+    eps stay folded; an aged sum has neither nil nor equal summands, except those that offer something by chance, now or later, and that a single
     one which still ages has nil beside it (readings I-14, I-17, rule Lot). *)

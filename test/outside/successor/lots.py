@@ -9,6 +9,7 @@ from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Tuple
 
 import terms
 from model import Undefined
+from rates import chance_of_rate
 from states import FIRST, RELEASE, UNDECIDED, Bond, End, Lot, Process, State
 
 Drawn = Dict[FrozenSet[Tuple[str, terms.Term]], Fraction]  # what the ends of a bond come to
@@ -22,17 +23,18 @@ class Lots:
     # What ends offer.
 
     def matching(self, process: Process, name: str, end: End) -> List[terms.Term]:
-        """The summands that let go of the end of a bond; equal ones are one (Successors)."""
+        """The summands that let go of the end of a bond; of those without a chance equal ones are
+        one (Successors)."""
         leaf, site = end
         found: List[terms.Term] = []
         for s in self.summands(leaf, process.bodies[leaf]):  # type: ignore[attr-defined]
             fits = s[0] == "weak" and s[1] == name and site in s[2] and self.offers(s)
-            if fits and s not in found:
+            if fits and (s[3] is not None or s not in found):
                 found.append(s)
         return found
 
     def offers(self, summand: terms.Term) -> bool:
-        return summand[3] != 0
+        return summand[3] is None or summand[3][1] != 0
 
     def free_ways(self, process: Process, name: str, end: End) -> List[terms.Term]:
         """Those of them without a chance."""
@@ -42,7 +44,14 @@ class Lots:
         self, process: Process, name: str, end: End
     ) -> Optional[Dict[terms.Term, Fraction]]:
         """By which summands an end lets go, with their chances; None if it is free."""
-        return {s: s[3] for s in self.matching(process, name, end) if s[3] is not None} or None
+        odds = [(s, *s[3]) for s in self.matching(process, name, end) if s[3] is not None]
+        rate = sum((value for _, word, value in odds if word == "rate"), Fraction(0))
+        within = chance_of_rate(rate, self.model.split_step, greatest=None)
+        found: Dict[terms.Term, Fraction] = {}
+        for s, word, value in odds:
+            q = value if word == "chance" else within * value / rate
+            found[s] = found.get(s, Fraction(0)) + q
+        return found or None
 
     def applies(self, process: Process, bond: Bond) -> bool:
         """Whether lots are drawn for a bond."""

@@ -329,15 +329,15 @@ class Model:
             raise Refused("a push that pulls (I-36)")
         return found
 
-    def odds(self, written: Any, env: dict) -> Optional[Fraction]:
-        """Rule Lot: the chance of a weak split; None where it is a free choice."""
+    def odds(self, written: Any, env: dict) -> Optional[Tuple[str, Fraction]]:
+        """Rule Lot: the chance or the rate of a weak split; None where it is a free choice."""
         if written is None:
             return None
         word, value = written[0], Fraction(self.number(written[1], env))
         found = value if word == "chance" else chance_of_rate(value, self.split_step)
         if found is None or not 0 <= found <= 1:
             raise Refused("no probability (Lot)")
-        return found
+        return word, value
 
     def lookup(self, leaf: Leaf) -> terms.Lookup:
         def body(name: str) -> terms.Term:

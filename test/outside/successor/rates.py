@@ -9,11 +9,13 @@ CLOSE = Fraction(1, 2**40)
 GREATEST = 1000
 
 
-def chance_of_rate(rate: Fraction, step: Fraction) -> Optional[Fraction]:
-    """The fraction of the least denominator near enough to 1 - exp(-rate step); None if there is
-    none."""
+def chance_of_rate(
+    rate: Fraction, step: Fraction, greatest: Optional[int] = GREATEST
+) -> Optional[Fraction]:
+    """The fraction of the least denominator near enough to 1 - exp(-rate step); None for a rate
+    that may not be written."""
     x = rate * step
-    if x < 0 or x > GREATEST:
+    if x < 0 or (greatest is not None and x > greatest):
         return None
     if x == 0:
         return Fraction(0)

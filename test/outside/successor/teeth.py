@@ -19,6 +19,7 @@ import compare
 import contact
 import draws
 import generate
+import lots
 import model
 import response
 import steps
@@ -27,6 +28,7 @@ import terms
 from lots import Lot, lots_wait
 from model import Leaf
 from oracle import Oracle
+from rates import chance_of_rate
 from rounding import Rounding
 from states import WAITS
 from straight import Rules
@@ -212,11 +214,20 @@ def with_its_free_ways(self: Rules, process: Any, name: str, end: Any) -> Any:
     return {**drawn, **free} if drawn else drawn
 
 
-def each_of_equal_ones(self: Rules, process: Any, name: str, end: Any) -> Any:
-    """Equal summands have their chance each."""
+def equal_ones_once(self: Rules, process: Any, name: str, end: Any) -> Any:
+    """Equal summands have one chance together."""
     drawn = _end_chances(self, process, name, end)
     every = self.summands(end[0], process.bodies[end[0]])
-    return drawn and {s: q * every.count(s) for s, q in drawn.items()}
+    return drawn and {s: q / every.count(s) for s, q in drawn.items()}
+
+
+def each_rate_alone(self: Rules, process: Any, name: str, end: Any) -> Any:
+    """Rates do not compete."""
+    drawn = _end_chances(self, process, name, end)
+    step = self.model.split_step
+    return drawn and {
+        s: chance_of_rate(s[3][1], step) if s[3][0] == "rate" else q for s, q in drawn.items()
+    }
 
 
 _initial, _place_of, _left_to_release = Rules.initial, Rules.place_of, Rules.left_to_release
@@ -320,12 +331,15 @@ MISTAKES: Dict[str, Mistake] = {
     "Lot: what becomes releasable draws at once": replaced(Rules, "left_to_release", also_new),
     "Lot: a free choice as well": replaced(Rules, "is_free", lambda self, summand: True),
     "Lot: chance 0 offers": replaced(Rules, "offers", lambda self, summand: True),
-    "Lot: equal summands count twice": replaced(Rules, "end_chances", each_of_equal_ones),
+    "Lot: equal summands count once": replaced(Rules, "end_chances", equal_ones_once),
+    "Lot: rates do not compete": replaced(Rules, "end_chances", each_rate_alone),
     "Lot: who has a chance is free too": replaced(Rules, "end_chances", with_its_free_ways),
     "Lot: a free end takes the first": replaced(
         Rules, "free_ways", lambda self, *end: _free_ways(self, *end)[:1]
     ),
-    "Lot: rates are chances": replaced(model, "chance_of_rate", lambda rate, step: rate * step),
+    "Lot: rates are chances": replaced(
+        lots, "chance_of_rate", lambda rate, step, greatest=None: rate * step
+    ),
     "Lot: lots set split clocks": replaced(Rules, "decided", set_anew),
     "I-39: time passes over split instants": replaced(
         Rules, "to_split_instant", lambda self, state: None

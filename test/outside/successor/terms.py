@@ -2,7 +2,8 @@
 
     ("nil",)
     ("open", barred, name, sites, then)           <a,{..}>. then
-    ("weak", name, sites, q, push, then)          omega(a,{..}) push(j) chance q. then; q None: free
+    ("weak", name, sites, odds, push, then)       omega(a,{..}) push(j) chance q. then, with the odds
+                                                  ("chance", q) or ("rate", r), or None: free
     ("strong", {(name, sites), ..}, push, then)   rho({..}) push(j). then
     ("wait", t, then)                             eps(t). then, t > 0
     ("sum", (term, ...))                          of at least two, none of them a sum
@@ -89,14 +90,25 @@ def aged(
     return without_repetition(after, lookup), origin
 
 
+def left_to_chance(term: Term, lookup: Lookup, seen: Tuple[str, ...] = ()) -> bool:
+    """Whether it offers something by chance, or will when time has passed."""
+    if term[0] == "weak":
+        return term[3] is not None
+    if term[0] == "wait":
+        return left_to_chance(term[2], lookup, seen)
+    if term[0] == "name":
+        return term[1] not in seen and left_to_chance(lookup(term[1]), lookup, (*seen, term[1]))
+    return term[0] == "sum" and any(left_to_chance(t, lookup, seen) for t in term[1])
+
+
 def without_repetition(term: Term, lookup: Lookup) -> Term:
     """Reading I-17: a sum that time has changed, without nil and without repetition; a single
-    summand that goes on ageing is kept a summand, beside nil."""
+    summand that goes on ageing is kept a summand, beside nil. Chances add (Lot)."""
     if term[0] != "sum":
         return term
     kept: List[Term] = []
     for inner in term[1]:
-        if inner != NIL and inner not in kept:
+        if inner != NIL and (inner not in kept or left_to_chance(inner, lookup)):
             kept.append(inner)
     if len(kept) == 1 and horizon(kept[0], lookup) is not None:
         kept.append(NIL)
