@@ -20,7 +20,6 @@ import contact
 import draws
 import generate
 import lots
-import model
 import response
 import steps
 import straight
