@@ -130,6 +130,7 @@ let release (c : Semantics.t) (p : State.process) (b : State.bond) drawn =
     List.filter follows (Process.releases c.setting.model p b.name f)
   in
   List.concat_map (fun one -> List.map (fun two -> released c p b (one, two)) (by_lot b.two)) (by_lot b.one)
+  |> Transition.distinct
 
 let carry_out c (p : State.process) (lots : State.lots) in_order =
   let drawn_first = function b, State.Next drawn -> Some (b, drawn) | _, (Undecided | Let_go _) -> None in

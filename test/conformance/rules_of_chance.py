@@ -123,7 +123,7 @@ def lots():
     r.outcomes('Neither does the rate 0.', bonded('', by_chance('rate 0'), FREE), [], [], 'quiescent')
     r.outcomes('Two ways.', bonded('', by_chance('chance 1/4') + ' + omega(dock, {right}) chance 1/2. eps(1). nil', FREE), [TIME],
                [drawn_lot('release', *PQ, '1/4'), drawn_lot('release', *PQ, '1/2'), drawn_lot('keep', *PQ, '1/4')])
-    r.outcomes('Equal ones count once.', bonded('', by_chance('chance 1/3', 'chance 1/3'), FREE), [TIME], both)
+    r.outcomes('What is written twice counts twice.', bonded('', by_chance('chance 1/6', 'chance 1/6'), FREE), [TIME], both)
     free = bonded('', by_chance('chance 1/3', ''), FREE)
     r.outcomes('Beside a free choice.', free, [], [releases('dock', *PQ), passes(1)])
     r.outcomes('Which does not count for the lots.', free, [TIME], both)
@@ -159,6 +159,9 @@ def lots():
     # A convergent of 1 - exp(-1/2); no fraction of a lesser denominator is as near.
     r.outcomes('The rate 1 in a step of 1/2.', rate, [TIME],
                [drawn_lot('release', *PQ, '487202/1238221'), drawn_lot('keep', *PQ, '751019/1238221')])
+    ways = 'behaviour One on Cube = nil\nbehaviour Two on Cube = nil\n'
+    rates = bonded(ways, 'omega(dock, {right}) rate 2. One + omega(dock, {right}) rate 1. Two', FREE)
+    r.measured('Rates compete.', rates, 'P = ? [ eventually behaviour(p) = One ]', least='2/3', greatest='2/3')
     r.measured('By the second instant: 1 - (2/3)^2.', third, 'P = ? [ eventually not bound(p, q) within 2 ]', least='5/9', greatest='5/9')
     r.measured('It lasts three steps on average.', third, 'E = ? [ time U not bound(p, q) ]', least=3, greatest=3)
     r.named(third, [TIME], both[0], 'Lot')
