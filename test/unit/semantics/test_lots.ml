@@ -161,9 +161,9 @@ let repeated () =
   let definitions : Behaviour.definitions = [| { name = "K"; body = chance (ratio 1 4) "a" [ "right" ] nil } |] in
   let bodies = [ body "p" (0, 0, 0) ~behaviour:twice; body "q" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil) ] in
   let m, s = network ~definitions bodies pair in
-  let half = "release(a, p.right, q.left) chance(1/2)" in
-  check_labels "one half" [ half; "keep(a, p.right, q.left) chance(1/2)" ] m (take m s "time(1)");
-  check_labels "and one way to release it" [ "weak(a, p.right, q.left)" ] m (List.fold_left (take m) s [ "time(1)"; half ]);
+  let one_half = "release(a, p.right, q.left) chance(1/2)" in
+  check_labels "one half" [ one_half; "keep(a, p.right, q.left) chance(1/2)" ] m (take m s "time(1)");
+  check_labels "and one way to release it" [ "weak(a, p.right, q.left)" ] m (List.fold_left (take m) s [ "time(1)"; one_half ]);
   let late = eps (q 3) nil + chance (ratio 1 4) "a" [ "right" ] nil + eps half (chance (ratio 1 4) "a" [ "right" ] nil) in
   let bodies = [ body "p" (0, 0, 0) ~behaviour:late; body "q" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil) ] in
   let m, s = network bodies pair in
