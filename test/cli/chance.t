@@ -457,3 +457,25 @@ What cannot be asked.
 Splits that are left to chance.
 
   $ scc check $M/dissociation.sc 2>&1 | grep '^[a-z_]*: '
+  dimer_breaks: holds (exhaustive)
+  dimer_lasts: violated
+  dimer_by_two: 175/256
+  dimer_life: 2
+  not_sooner: holds (exhaustive)
+  left_first: 5/12
+  right_first: 1/4
+  one_only: holds (exhaustive)
+  left_at_all: 5/8
+  reacts: 1/3
+  is_left: holds (exhaustive)
+  is_left_most: holds (exhaustive)
+  explored: 102 states, 143 transitions, depth 11, model time 1; complete
+  $ cat > lots.sc <<END
+  > import <solids>
+  > behaviour L on solids.Cube(1) = omega(b, {right}) push(1) chance q . nil
+  > process p = solids.Cube(1) mass 1 [L]
+  > process q = solids.Cube(1) mass 1 at translate (1, 0, 0) [omega(b, {left}) . nil]
+  > bond <b, {p.right, q.left}>
+  > param q = 1/4
+  > END
+  $ scc trace lots.sc --choose first --human

@@ -155,11 +155,12 @@ let translated =
     (Symmetry.broken
        (Symmetry.translation (Vec.make (Rat.of_int 11) (Rat.make Z.one (Z.of_int 3)) (Rat.of_int (-4)))))
 
+(* Where splits are left to chance, lots are drawn in another order. *)
 let turned =
   unless_laws (fun m states ->
       (* what turns takes its time *)
       let states = if Option.is_some m.rigid then List.filteri (fun i _ -> i mod 5 = 0) states else states in
-      List.find_map (fun r -> Symmetry.broken r m states) Symmetry.rotations)
+      if m.lots then None else List.find_map (fun r -> Symmetry.broken r m states) Symmetry.rotations)
 
 (* The states of a path, found again by the numbers of its choices. *)
 let replayed m states =
