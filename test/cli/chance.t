@@ -472,10 +472,29 @@ Splits that are left to chance.
   explored: 102 states, 143 transitions, depth 11, model time 1; complete
   $ cat > lots.sc <<END
   > import <solids>
-  > behaviour L on solids.Cube(1) = omega(b, {right}) push(1) chance q . nil
+  > param q = 1/4
+  > behaviour L on solids.Cube(1) = omega(b, {right}) push(1) chance (q) . nil
   > process p = solids.Cube(1) mass 1 [L]
   > process q = solids.Cube(1) mass 1 at translate (1, 0, 0) [omega(b, {left}) . nil]
   > bond <b, {p.right, q.left}>
-  > param q = 1/4
   > END
   $ scc trace lots.sc --choose first --human
+  time 0
+          one process, velocity (0, 0, 0), <b, {p.right, q.left}>
+            p at (0, 0, 0) [L]
+            q at (1, 0, 0) [omega(b, {left}). nil]
+      1.  time passes by 1   {Time, TimeBehaviour}
+  time 1
+          one process, velocity (0, 0, 0), <b, {p.right, q.left}>
+            p at (0, 0, 0) [L]
+            q at (1, 0, 0) [omega(b, {left}). nil]
+      2.  p and q are to release <b, {p.right, q.left}>, with probability 1/4 (choice 0 of 2)   {Lot}
+  time 1
+          one process, velocity (0, 0, 0), <b, {p.right, q.left}>
+            p at (0, 0, 0) [L]
+            q at (1, 0, 0) [omega(b, {left}). nil]
+      3.  p and q release <b, {p.right, q.left}> with a push of 1   {WeakSplit, Weak, Def}
+  time 1
+          p at (0, 0, 0) [nil], velocity (-1, 0, 0)
+          q at (1, 0, 0) [nil], velocity (1, 0, 0)
+  3 transitions, time 1: nothing will ever happen again
