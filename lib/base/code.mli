@@ -185,7 +185,8 @@ val wrong_template : t
 (** SC0504: a behaviour used on another template than its own. *)
 
 val chance_at_any_time : t
-(** SC0505: a chance of a split where bonds may be released at any time, so that there are no instants to draw at. *)
+(** SC0505: a chance of a split where bonds may be released at any time, so that there are no instants to draw
+    at. *)
 
 (** {1 Motion} *)
 

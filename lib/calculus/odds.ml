@@ -28,8 +28,8 @@ let rounded bits { low; high } =
   let down q = Rat.div (Q.of_bigint (Rat.floor (Rat.mul q scale))) scale in
   { low = down low; high = Rat.neg (down (Rat.neg high)) }
 
-(* exp(-y) for 0 < y <= 1/2. The terms of its series alternate and get smaller, so that it is between any two sums that
-   follow each other. *)
+(* exp(-y) for 0 < y <= 1/2. The terms of its series alternate and get smaller, so that it is between any two
+   sums that follow each other. *)
 let exponential bits y =
   let small = Rat.div Rat.one (power bits) in
   let rec add n term sum =
@@ -48,8 +48,8 @@ let rec decay bits x =
 
 let tolerance = Rat.div Rat.one (power 40)
 
-(* Both ends of the range that is allowed grow with v. Where the simplest fraction between the outermost ends is between
-   the innermost ones as well, it is that of the true range. *)
+(* Both ends of the range that is allowed grow with v. Where the simplest fraction between the outermost ends is
+   between the innermost ones as well, it is that of the true range. *)
 let rec simplest bits x =
   let e = decay bits x in
   let v = { low = Rat.sub Rat.one e.high; high = Rat.sub Rat.one e.low } in

@@ -5,7 +5,8 @@ open Scc_exact
 type t =
   | Chance of Rat.t  (** the probability at each split instant, from 0 to 1 *)
   | Rate of { rate : Rat.t; alone : Rat.t }
-  (** how often per unit of time, from 0 on; and the probability within a split step, if nothing competes with it *)
+  (** how often per unit of time, from 0 on; and the probability within a split step, if nothing competes with it
+  *)
 
 val equal : t -> t -> bool
 val compare : t -> t -> int
@@ -24,5 +25,5 @@ val greatest : int
 (** The greatest rate times split step that models may have: 1000. *)
 
 val shares : step:Rat.t -> t list -> Rat.t list
-(** What each comes to where they compete: a chance is what it is; rates together are as likely as one rate that is their
-    sum, and each has its share in that. The whole may be more than 1. *)
+(** What each comes to where they compete: a chance is what it is; rates together are as likely as one rate that
+    is their sum, and each has its share in that. The whole may be more than 1. *)

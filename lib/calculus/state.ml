@@ -97,7 +97,8 @@ let renamed image (p : process) =
   process
     ~leaves:(List.map leaf (Array.to_list p.leaves))
     ~bonds:(List.map renamed_bond (Array.to_list p.bonds))
-    ?phase:p.phase ?draw:p.draw ?lots:(Option.map lots p.lots) ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts ~kept:p.kept
+    ?phase:p.phase ?draw:p.draw ?lots:(Option.map lots p.lots) ~velocity:p.velocity ~spin:p.spin
+    ~since:p.since ~lasts:p.lasts ~kept:p.kept
     ~clock:p.clock ()
 
 let with_velocity velocity p = { p with velocity }

@@ -31,8 +31,8 @@ type draw =
   | Waits  (** it has not drawn yet *)
   | Drawn of Vec.t  (** the velocity that it will have when all have drawn *)
 
-(** The summands by which leaves release a bond, [omega(a, Phi) chance q. B] each, in order of the leaves: of those of
-    its two leaves that have a chance for it. The others are free to choose among their own. *)
+(** The summands by which leaves release a bond, [omega(a, Phi) chance q. B] each, in order of the leaves: of
+    those of its two leaves that have a chance for it. The others are free to choose among their own. *)
 type drawn = (int * Behaviour.t) list
 
 (** What has been decided of a bond at a split instant of the network (rule Lot). *)

@@ -51,8 +51,8 @@ val styled : t -> style -> string -> string
 
 val with_output : ?pieces:bool -> t -> path:string option -> ((string -> unit) -> 'a) -> ('a, Diag.t) result
 (** [with_output c ~path f] gives [f] a function that writes to the file ({!Whole_file}), or to standard output
-    without [path], where it raises {!Output_failed} or {!Output_closed}. With [pieces], what is whole of a file stays
-    when it cannot be written to its end ({!Whole_file.with_pieces}). *)
+    without [path], where it raises {!Output_failed} or {!Output_closed}. With [pieces], what is whole of a file
+    stays when it cannot be written to its end ({!Whole_file.with_pieces}). *)
 
 val flush : t -> unit
 (** Sends off what is printed so far. *)

@@ -13,9 +13,9 @@ val write : (string * ((string -> unit) -> unit)) list -> (unit, Diag.t) result
     pass through. *)
 
 val with_pieces : string -> ((string -> unit) -> 'a) -> ('a, Diag.t) result
-(** Of a file in pieces, of which each is of use with those before it: the function is given what writes a whole piece.
-    When one cannot be written (the disk is full), those before it are put in place, if there are two at least (the
-    first may be a header), and SC0103 says so. *)
+(** Of a file in pieces, of which each is of use with those before it: the function is given what writes a whole
+    piece. When one cannot be written (the disk is full), those before it are put in place, if there are two at
+    least (the first may be a header), and SC0103 says so. *)
 
 val with_file : string -> ((string -> unit) -> 'a) -> ('a, Diag.t) result
 (** The same of one, with what the function gives. *)

@@ -23,7 +23,8 @@ let tolerance (m : Model.t) (trace : Recorded.t) asked =
         refuse at "the tolerance is less than the resolution of the model, %s" (Rat.to_string resolution)
       | _, _ -> Ok t)
 
-(* Draws are seen by their results; who records none of them is not asked for them. Lots are seen by what is released. *)
+(* Draws are seen by their results; who records none of them is not asked for them. Lots are seen by what is
+   released. *)
 let is_recorded model trace ~observed =
   let tells_draws = Recorded.tells_draws trace in
   fun (label : Transition.label) ->

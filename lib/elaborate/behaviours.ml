@@ -195,61 +195,10 @@ let delay t env (e : Ast.expr) =
   Option.bind (Constant.form t.c.report env e) (fun form ->
       if check_delay t e form then Some (linear t form) else None)
 
-let of_pushes = "velocities would depend on it, and times at which bodies meet not be linear"
+let push t env j = Release.push t.c.report env j
 
-(* An impulse, 0 where none is given. *)
-let push t env = function
-  | None -> Some Rat.zero
-  | Some (e : Ast.expr) -> (
-      match Constant.number ~why:of_pushes t.c.report env e with
-      | Some q when Rat.sign q < 0 ->
-        Report.error t.c.report Code.bad_value e.at "a push is not negative, and this is %s" (Rat.to_string q)
-          ~hint:"what is split can be pushed apart, and not pulled into each other";
-        None
-      | q -> q)
-
-let of_chances = "probabilities would depend on it"
-
-(* A probability, from [chance q] or [rate r]; none where neither is given. *)
-let odds t env = function
-  | None -> Some None
-  | Some ({ odds; value } : Ast.odds) -> (
-      let error code at text ~hint = Report.error t.c.report code at "%s" text ~hint; None in
-      let number q = Option.bind (Constant.number ~why:of_chances t.c.report env value) q in
-      let of_step step =
-        match odds.it with
-        | "chance" ->
-          number (fun q ->
-              if Rat.sign q >= 0 && Rat.compare q Rat.one <= 0 then Some (Some (Odds.Chance q))
-              else
-                error Code.bad_value value.at
-                  (Printf.sprintf "a chance is a probability, between 0 and 1, and this is %s" (Rat.to_string q))
-                  ~hint:"it is that of being released at one split instant; for so many times a unit of time say `rate`")
-        | "rate" ->
-          number (fun r ->
-              if Rat.sign r < 0 then
-                error Code.bad_value value.at
-                  (Printf.sprintf "a rate is not negative, and this is %s" (Rat.to_string r))
-                  ~hint:"it tells how often per unit of time"
-              else if Rat.compare (Rat.mul r step) (Rat.of_int Odds.greatest) <= 0 then
-                Some (Some (Odds.Rate { rate = r; alone = Odds.within ~step r }))
-              else
-                error Code.bad_value value.at
-                  (Printf.sprintf "a rate of %s is too great for the split step %s" (Rat.to_string r)
-                       (Rat.to_string step))
-                    ~hint:(Printf.sprintf "their product may be %d at most: give a shorter `split_step`" Odds.greatest))
-        | word ->
-          error Code.syntax odds.at
-            (Printf.sprintf "expected `chance` or `rate`, and this is `%s`" word)
-            ~hint:"as in `omega(a, {top}) chance 1/10. B`"
-      in
-      match t.program.splits with
-      | Every step -> of_step step
-      | Any_time ->
-        error Code.chance_at_any_time odds.at "with `split_step any` there are no instants at which to draw"
-          ~hint:"give a `split_step`: chances are drawn at its multiples")
-
-let loosening t env ({ push = j; odds = o } : Ast.loosening) = Typed.both (push t env j) (odds t env o)
+let loosening t env ({ push = j; odds } : Ast.loosening) =
+  Typed.both (push t env j) (Release.odds t.c.report ~splits:t.program.splits env odds)
 
 let polarity (ch : Ast.channel) = if ch.co then Behaviour.Co_name else Behaviour.Name
 

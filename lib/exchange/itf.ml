@@ -128,7 +128,10 @@ let values (m : Model.t) ~action ~time (s : State.t) =
          in
          Option.fold ~none:[] ~some:(fun (l : State.lots) -> List.map one l.pending) p.lots
        in
-       [ ("split_clock", map (List.filter_map since processes)); ("lots", set (List.concat_map pending processes)) ]
+       [
+         ("split_clock", map (List.filter_map since processes));
+         ("lots", set (List.concat_map pending processes));
+       ]
      else [])
   @
   if Option.is_none m.rigid then []

@@ -99,7 +99,8 @@ let time_choice context state =
       | (t : Transition.t) :: rest -> (
           match t.label with
           | Time d -> Some (k, d)
-          | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> find (k + 1) rest)
+          | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ ->
+            find (k + 1) rest)
     in
     find 0 transitions
 

@@ -212,7 +212,8 @@ let final course =
         let { Course.label; before; _ } = legs.(n - 1) in
         match label with
         | Time _ -> None
-        | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> Some (before, label))
+        | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ ->
+          Some (before, label))
   in
   { state = Course.last course; time = Rat.sub (Course.duration course) (Course.rest course); arrival }
 

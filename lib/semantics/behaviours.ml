@@ -26,8 +26,8 @@ let by_chance = function
   | Offer_weak (_, { odds = Some _; _ }, _) -> true
   | Offer_weak _ | Offer_open _ | Offer_strong _ -> false
 
-(* Equal summands are one, that may stand in several definitions; but what is left to chance counts as often as it is
-   written (rule Lot). *)
+(* Equal summands are one, that may stand in several definitions; but what is left to chance counts as often as
+   it is written (rule Lot). *)
 let rec add ((offer, derived) as offered) = function
   | [] -> [ offered ]
   | (other, kept) :: rest when equal kept.summand derived.summand && not (by_chance offer) ->

@@ -12,7 +12,8 @@ type offer =
   | Offer_strong of channel list * Rat.t * t
 
 val offers : definitions -> aged -> offer list
-(** Every discrete transition, in the order of the text, without repetition but for what is left to chance (rule Lot). *)
+(** Every discrete transition, in the order of the text, without repetition but for what is left to chance (rule
+    Lot). *)
 
 (** How an offer was derived from the term. *)
 type derivation = {
@@ -43,6 +44,6 @@ val shorten : definitions -> (t -> t) -> aged -> aged
     shorter one or, if it expires, what follows it. *)
 
 val pass : definitions -> Rat.t -> aged -> aged
-(** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed
-    eps stay folded; an aged sum has neither nil nor equal summands, except those that offer something by chance, now or later, and that a single
-    one which still ages has nil beside it (readings I-14, I-17, rule Lot). *)
+(** [pass defs d b] is the one b' with b --d--> b', for d >= 0 ([b] itself for d = 0). Names with no exposed eps
+    stay folded; an aged sum has neither nil nor equal summands, except those that offer something by chance, now
+    or later, and that a single one which still ages has nil beside it (readings I-14, I-17, rule Lot). *)

@@ -12,8 +12,8 @@ type side = {
 }
 
 val sides : Model.t -> State.process -> State.bond -> (side * side) option
-(** The ends of a bond, the lesser one first, if lots are drawn for it: both would release it, and one of them has a
-    chance to. *)
+(** The ends of a bond, the lesser one first, if lots are drawn for it: both would release it, and one of them
+    has a chance to. *)
 
 val wait : Model.t -> State.process -> Rat.t option
 (** The time until the next split instant of the network, if lots would be drawn then for a bond of the process. *)
@@ -22,11 +22,12 @@ val start : Model.t -> State.process -> State.process
 (** At the start no lots are drawn. *)
 
 val pass : Model.t -> Rat.t -> State.process -> State.process
-(** [pass m d p]: a time d > 0, no more than {!wait}, has passed for what has aged already. Where that comes to a split
-    instant, all its bonds that lots are drawn for are pending. *)
+(** [pass m d p]: a time d > 0, no more than {!wait}, has passed for what has aged already. Where that comes to a
+    split instant, all its bonds that lots are drawn for are pending. *)
 
 val piece : Model.t -> whole:State.process -> State.process -> State.process
-(** A piece goes on with those lots of the whole that are about its bonds and that its leaves would still follow. *)
+(** A piece goes on with those lots of the whole that are about its bonds and that its leaves would still follow.
+*)
 
 val is_pending : State.process -> bool
 val pending : State.t -> bool

@@ -7,9 +7,9 @@ val initial : Semantics.t -> State.t -> (State.t, Transition.fault) result
 
 val successors : Semantics.t -> State.t -> (Transition.t list, Transition.fault) result
 (** Every transition of a state, in a fixed order: what comes of the lots of who is next, while some are pending
-    (rule Lot), the draws of who draws next, while somebody waits to draw (rule Draw), and else strong splits and closings, weak splits, each collision of
-    the instant by itself (reading I-8), and time. A steer that falls due is part of the transition (reading
-    I-15). *)
+    (rule Lot), the draws of who draws next, while somebody waits to draw (rule Draw), and else strong splits and
+    closings, weak splits, each collision of the instant by itself (reading I-8), and time. A steer that falls
+    due is part of the transition (reading I-15). *)
 
 val wait : Semantics.t -> State.t -> Scc_exact.Rat.t -> (Transition.t option, Transition.fault) result
 (** Rule Time by d, where bonds may be released at any time ({!Model.Any_time}) and time may pass: for 0 < d less

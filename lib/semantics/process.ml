@@ -16,7 +16,8 @@ let releases (m : Model.t) p name (f : State.finish) =
   Behaviours.derivations m.definitions (State.leaf_of p f.at).behaviour
   |> List.filter_map (fun (offer, derivation) ->
       match offer with
-      | Behaviours.Offer_weak (c, { push; odds }, rest) when String.equal c.name name && Behaviour.active c f.site ->
+      | Behaviours.Offer_weak (c, { push; odds }, rest)
+        when String.equal c.name name && Behaviour.active c f.site ->
         Some { rest; push; odds; how = derivation }
       | Offer_weak _ | Offer_open _ | Offer_strong _ -> None)
 

@@ -107,8 +107,8 @@ let time (s : State.t) = Option.value s.time ~default:Rat.zero
 let dt (m : Model.t) (s : State.t) (l : State.leaf) =
   match s.step with Some step -> Rat.sub m.timestep step.remaining | None -> l.waited
 
-(* At the end of the one movement step all; else each at the end of its own, if it does not collide. What falls apart
-   by lot does so before. *)
+(* At the end of the one movement step all; else each at the end of its own, if it does not collide. What falls
+   apart by lot does so before. *)
 let due c (s : State.t) =
   let is_due (p : State.process) = match p.phase with Some Due -> true | Some (Moving | Steered) | None -> false in
   match s.step with

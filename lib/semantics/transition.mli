@@ -76,14 +76,15 @@ val is_time : label -> bool
 (** The others are events. *)
 
 val is_urgent : label -> bool
-(** Whether no time passes while it is possible (rule Time): strong splits, closings, collisions, draws and lots. *)
+(** Whether no time passes while it is possible (rule Time): strong splits, closings, collisions, draws and lots.
+*)
 
 val chance : label -> Rat.t
 (** The probability of what is drawn, among those of its state, which sum to 1; 1 of everything else. *)
 
 val is_drawn : label -> bool
-(** What chance decides: a velocity or a lot (rules Draw and Lot). While something is to be drawn, that is all that may
-    happen. *)
+(** What chance decides: a velocity or a lot (rules Draw and Lot). While something is to be drawn, that is all
+    that may happen. *)
 
 val hit : int * int -> int * int -> hit
 val compare_hit : hit -> hit -> int
@@ -104,7 +105,8 @@ val bond_to_string : Model.t -> State.bond -> string
 
 val label_to_string : Model.t -> label -> string
 (** [time(1/2)], [bind(a, p.right, q.left)], [close(a, p.right, q.left)], [bounce(p, q)], [absorb(p, drain)],
-    [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})], [draw(p, (1, 0, 0)) chance(1/2)], [release(a, p.right, q.left) chance(1/2)], likewise [keep] and [first]. *)
+    [weak(a, p.right, q.left)], [strong({<a, {p.right, q.left}>, …})], [draw(p, (1, 0, 0)) chance(1/2)],
+    [release(a, p.right, q.left) chance(1/2)], likewise [keep] and [first]. *)
 
 val diagnostic : Model.t -> fault -> Scc_base.Diag.t
 (** SC0601, SC0602 or SC0603. *)

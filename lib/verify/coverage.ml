@@ -194,7 +194,8 @@ let expanded t semantics here =
         List.iter (transition t) transitions;
         t.looked_at <- t.looked_at + 1)
   | Error (Persistent_contact _) -> t.looked_at <- t.looked_at + 1
-  | Error (Bad_law _ | Bad_chance _) -> Scc_base.Bug.fail __POS__ "an expanded state has transitions, or is a dead end"
+  | Error (Bad_law _ | Bad_chance _) ->
+    Scc_base.Bug.fail __POS__ "an expanded state has transitions, or is a dead end"
 
 let explore ?time_seen (options : Check.options) semantics ~initial =
   let t = create (Semantics.model semantics) ~initial in

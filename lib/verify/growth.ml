@@ -204,8 +204,8 @@ module Instants = Map.Make (struct
     let compare = Rat.compare
   end)
 
-(* In how many ways an event of each kind was one of several at a state. What is drawn does not count: nothing else is
-   possible then, and what they lead to is growth of another kind. *)
+(* In how many ways an event of each kind was one of several at a state. What is drawn does not count: nothing
+   else is possible then, and what they lead to is growth of another kind. *)
 let choices context graph states =
   let add (others, splits) i =
     let label (e : Graph.edge) = Catalogue.label_of (Network_lts.catalogue context) e.label in

@@ -95,7 +95,8 @@ let twice (m, (s : State.t)) =
       ~leaves:(List.map leaf (Array.to_list p.leaves))
       ~bonds:(List.map bond (Array.to_list p.bonds))
       ?phase:p.phase ?draw:p.draw
-      ?lots:(Option.map (Symmetry.mapped_lots ~bond ~leaf:(fun l -> l + n)) p.lots) ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts
+      ?lots:(Option.map (Symmetry.mapped_lots ~bond ~leaf:(fun l -> l + n)) p.lots)
+      ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts
       ~kept:p.kept ~clock:p.clock ()
   in
   let processes = Array.to_list s.processes in

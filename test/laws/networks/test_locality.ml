@@ -26,7 +26,8 @@ let moved from by (p : State.process) =
     ~leaves:(List.map leaf (Array.to_list p.leaves))
     ~bonds:(List.map bond (Array.to_list p.bonds))
     ?phase:p.phase ?draw:p.draw
-      ?lots:(Option.map (Symmetry.mapped_lots ~bond ~leaf:(fun l -> l + from)) p.lots) ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts
+    ?lots:(Option.map (Symmetry.mapped_lots ~bond ~leaf:(fun l -> l + from)) p.lots)
+    ~velocity:p.velocity ~spin:p.spin ~since:p.since ~lasts:p.lasts
     ~kept:p.kept ~clock:p.clock ()
 
 let beside from (a : State.t) (b : State.t) =

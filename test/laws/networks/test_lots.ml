@@ -1,6 +1,6 @@
-(* Rule Lot against what it says by itself: at a split instant each bond draws, whatever the others do, and in whatever
-   order those that are to be released are released, each order alike, a bond stays whose leaf has no more to offer.
-   Here all draws, and all orders, are gone through one by one. *)
+(* Rule Lot against what it says by itself: at a split instant each bond draws, whatever the others do, and in
+   whatever order those that are to be released are released, each order alike, a bond stays whose leaf has no
+   more to offer. Here all draws, and all orders, are gone through one by one. *)
 
 open Scc_exact
 open Scc_geometry
@@ -15,7 +15,8 @@ let standard = Scc_engine.Standard.of_model
 type kind =
   | Again of Rat.t  (** with this chance, and offers it again *)
   | Once of Rat.t  (** and offers nothing more *)
-  | Either of Rat.t * Rat.t  (** with the one chance, and offers nothing more; with the other, and offers it again *)
+  | Either of Rat.t * Rat.t
+  (** with the one chance, and offers nothing more; with the other, and offers it again *)
   | Free  (** without a chance, again *)
   | Free_once
   | Nothing

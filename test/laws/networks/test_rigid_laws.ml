@@ -277,7 +277,8 @@ let () =
         [
           Alcotest.test_case "every kind of transition comes up" `Quick (varied rounded ("quiescent" :: all));
           Alcotest.test_case "with switches, too" `Quick
-            (varied { rounded with switched = true } ([ "absorb"; "close"; "first"; "keep"; "quiescent"; "release" ] @ all));
+            (varied { rounded with switched = true }
+               ([ "absorb"; "close"; "first"; "keep"; "quiescent"; "release" ] @ all));
         ] );
       ("laws", Scc_test_support.Property.cases laws);
       ("mirror images", Scc_test_support.Property.cases mirror);

@@ -45,8 +45,8 @@ val law : t -> Law.t
 
 val generate : ?rigid:bool -> ?draws:bool -> unit -> t QCheck2.Gen.t
 (** Some on, some off: collisions together, steps of single processes or steady ones (where something is
-    steered), pushes, rings, bodies that absorb, velocities and splits that are drawn and, but with [rigid], binding by
-    contact. With [draws] false nothing is drawn. *)
+    steered), pushes, rings, bodies that absorb, velocities and splits that are drawn and, but with [rigid],
+    binding by contact. With [draws] false nothing is drawn. *)
 
 val apply : t -> Model.t -> Model.t
 val print : t -> string

@@ -24,7 +24,8 @@ let mapped_draw velocity : State.draw -> State.draw = function
   | Waits -> Waits
   | Drawn v -> Drawn (velocity v)
 
-let mapped_lots ?(time = Fun.id) ?(bond = Fun.id) ?(leaf = Fun.id) ?(summand = Fun.id) (lots : State.lots) : State.lots =
+let mapped_lots ?(time = Fun.id) ?(bond = Fun.id) ?(leaf = Fun.id) ?(summand = Fun.id)
+    (lots : State.lots) : State.lots =
   let drawn list =
     List.sort (fun (i, _) (j, _) -> Int.compare i j) (List.map (fun (l, s) -> (leaf l, summand s)) list)
   in

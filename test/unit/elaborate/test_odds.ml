@@ -7,8 +7,8 @@ module Gen = QCheck2.Gen
 let q n d = Rat.make (Z.of_int n) (Z.of_int d)
 let power k = Q.of_bigint (Z.shift_left Z.one k)
 
-(* exp(x) for x > 0, from below and from above: by n terms of its series, whose rest is less than twice the next term
-   where n > 2x. A computation of its own, and exact. *)
+(* exp(x) for x > 0, from below and from above: by n terms of its series, whose rest is less than twice the next
+   term where n > 2x. A computation of its own, and exact. *)
 let exponential x =
   let rec sum n term total =
     let term = Rat.div (Rat.mul term x) (Rat.of_int n) in
@@ -46,7 +46,8 @@ let simplest () =
        for d = 1 to min 3_000 (Z.to_int (Q.den p) - 1) do
          let n = Rat.floor (Rat.mul (fst v) (Rat.of_int d)) in
          List.iter
-           (fun n -> if is_near v (Rat.make n (Z.of_int d)) then Alcotest.failf "%s/%d is simpler" (Z.to_string n) d)
+           (fun n ->
+              if is_near v (Rat.make n (Z.of_int d)) then Alcotest.failf "%s/%d is simpler" (Z.to_string n) d)
            [ n; Z.succ n ]
        done)
     [ q 1 4; q 30 1; q 1 1_000_000_000 ]

@@ -70,7 +70,8 @@ let both_ends () =
     [ "release(a, p.right, q.left) chance(1/6)"; "keep(a, p.right, q.left) chance(5/6)" ]
     m (take m s "time(1)")
 
-(* What an end without a chance does is a free choice; so are bonds that both release freely, at their own instants. *)
+(* What an end without a chance does is a free choice; so are bonds that both release freely, at their own
+   instants. *)
 let several_ways () =
   let definitions : Behaviour.definitions = [| { name = "One"; body = nil }; { name = "Two"; body = nil } |] in
   let one = Behaviour.call 0 and two = Behaviour.call 1 in
@@ -143,10 +144,12 @@ let all_of_them () =
   Alcotest.(check int) "three processes" 3 (Array.length s.processes);
   check_labels "and nothing is to come" [] m s
 
+let beside_free behaviour =
+  [ body "p" (0, 0, 0) ~behaviour; body "q" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil) ]
+
 let sum_beyond_one () =
   let too_much = chance (ratio 2 3) "a" [ "right" ] nil + chance half "a" [ "right"; "top" ] (eps half nil) in
-  let bodies = [ body "p" (0, 0, 0) ~behaviour:too_much; body "q" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil) ] in
-  let m, s = network bodies pair in
+  let m, s = network (beside_free too_much) pair in
   match Network.successors (standard m) (take m s "time(1)") with
   | Ok _ -> Alcotest.fail "no error"
   | Error fault ->
@@ -159,20 +162,19 @@ let sum_beyond_one () =
 let repeated () =
   let twice = chance (ratio 1 4) "a" [ "right" ] nil + Behaviour.call 0 in
   let definitions : Behaviour.definitions = [| { name = "K"; body = chance (ratio 1 4) "a" [ "right" ] nil } |] in
-  let bodies = [ body "p" (0, 0, 0) ~behaviour:twice; body "q" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil) ] in
-  let m, s = network ~definitions bodies pair in
+  let m, s = network ~definitions (beside_free twice) pair in
   let one_half = "release(a, p.right, q.left) chance(1/2)" in
   check_labels "one half" [ one_half; "keep(a, p.right, q.left) chance(1/2)" ] m (take m s "time(1)");
-  check_labels "and one way to release it" [ "weak(a, p.right, q.left)" ] m (List.fold_left (take m) s [ "time(1)"; one_half ]);
-  let late = eps (q 3) nil + chance (ratio 1 4) "a" [ "right" ] nil + eps half (chance (ratio 1 4) "a" [ "right" ] nil) in
-  let bodies = [ body "p" (0, 0, 0) ~behaviour:late; body "q" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil) ] in
-  let m, s = network bodies pair in
+  let released = List.fold_left (take m) s [ "time(1)"; one_half ] in
+  check_labels "and one way to release it" [ "weak(a, p.right, q.left)" ] m released;
+  let quarter = chance (ratio 1 4) "a" [ "right" ] nil in
+  let m, s = network (beside_free (eps (q 3) nil + quarter + eps half quarter)) pair in
   check_labels "also when it comes later"
     [ "release(a, p.right, q.left) chance(1/2)"; "keep(a, p.right, q.left) chance(1/2)" ]
     m (List.fold_left (take m) s [ "time(1/2)"; "time(1/2)" ])
 
-(* The bond becomes releasable at 1/4, and a wall is hit at 1/2 and so on: it makes no difference. One that becomes so at a
-   split instant after the lots were drawn waits for the next. *)
+(* The bond becomes releasable at 1/4, and a wall is hit at 1/2 and so on: it makes no difference. One that
+   becomes so at a split instant after the lots were drawn waits for the next. *)
 let instants () =
   let late = eps (ratio 1 4) (chance (ratio 1 4) "a" [ "right" ] nil) in
   let bodies =
@@ -188,11 +190,10 @@ let instants () =
   let s = List.fold_left (take m) s [ "time(1/4)"; "time(1/4)"; "bounce(p, w)"; "time(1/2)" ] in
   check_labels "at 1, though the whole has bounced at 1/2" [ released; kept ] m s;
   well_formed "a state like others" m s;
-  let s = take m s kept in
-  check_labels "the collision of this instant comes after that" [ "bounce(p, v)" ] m (List.fold_left (take m) s [ "time(1/2)" ]);
+  let s = List.fold_left (take m) s [ kept; "time(1/2)" ] in
+  check_labels "and then the next wall" [ "bounce(p, v)" ] m s;
   let opens = eps (q 1) (chance (ratio 1 4) "a" [ "right" ] nil) in
-  let bodies = [ body "p" (0, 0, 0) ~behaviour:opens; body "q" (2, 0, 0) ~behaviour:(weak "a" [ "left" ] nil) ] in
-  let m, s = network bodies pair in
+  let m, s = network (beside_free opens) pair in
   check_labels "what opens as the instant comes is drawn for" [ released; kept ] m (take m s "time(1)")
 
 (* Laws are asked after the lots: each piece draws for itself. *)
