@@ -309,14 +309,22 @@ let run against (trace : Recorded.t) declared ~observed limits =
 
 (* {1 Looking on} *)
 
+(* No trace tells lots, and so they are passed over like time. What is kept comes last of the lots of a bond: only where
+   all are kept time goes on, so that places are found in the order of time. *)
+let silent (x : Transition.t) =
+  match x.label with
+  | Time _ | Lot _ -> true
+  | Bind _ | Close _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ -> false
+
 let beyond against state time ~steps =
-  let rec go state time n found =
-    let found = (state, time) :: found in
-    match if n = 0 then Ok [] else successors against state with
-    | Error _ -> found
-    | Ok transitions -> (
-        match List.find_opt (fun (x : Transition.t) -> Transition.is_time x.label) transitions with
-        | Some x -> go x.target (add time (Transition.duration x)) (n - 1) found
-        | None -> found)
+  let rec go (left, found) state time =
+    if left = 0 then (left, found)
+    else
+      let here = (left - 1, (state, time) :: found) in
+      match successors against state with
+      | Error _ -> here
+      | Ok transitions ->
+        let follow so_far (x : Transition.t) = go so_far x.target (add time (Transition.duration x)) in
+        List.fold_left follow here (List.filter silent transitions)
   in
-  List.rev (go state time (steps - 1) [])
+  List.rev (snd (go (steps, []) state time))

@@ -117,6 +117,55 @@ Graphs tell probabilities.
   $ scc explore $M/ruin.sc --format aut -o - 2> /dev/null | grep -c 'draw(walker, (1, 0, 0)) chance(2/5)'
   7
 
+Lots are never asked for (rule Lot): a trace conforms with them and without, if bonds are released at split instants of the network.
+
+  $ cat > lets.sc <<EOF
+  > import <solids>
+  > split_step 1/2
+  > process p = solids.Cube(2) mass 1 [omega(dock, {right}) chance 1/2. nil]
+  > process q = solids.Cube(2) mass 1 at translate (2,0,0) [omega(dock, {left}). nil]
+  > bond <dock, {p.right, q.left}>
+  > EOF
+  $ scc trace lets.sc --choose random:3 > lets.jsonl
+  $ grep -o '"text":"[^"]*"' lets.jsonl
+  "text":"time(1/2)"
+  "text":"keep(dock, p.right, q.left) chance(1/2)"
+  "text":"time(1/2)"
+  "text":"release(dock, p.right, q.left) chance(1/2)"
+  "text":"weak(dock, p.right, q.left)"
+  $ scc conform lets.sc lets.jsonl
+  lets.jsonl: conforms: 1 event, a run of 5 transitions up to time 1
+    it could be in 3 states at once
+  $ grep -v '"kind":"lot"' lets.jsonl | scc conform lets.sc -
+  <standard input>: conforms: 1 event, a run of 5 transitions up to time 1
+    it could be in 3 states at once
+  $ release () { printf 'time,event,bodies\n%s,weak,p;q\n' $1 | scc conform lets.sc -; }
+  $ release 3/2
+  <standard input>: conforms: 1 event, a run of 7 transitions up to time 3/2
+  $ release 3/4
+  <standard input>: diverges at line 2, time 3/4: wrong-time
+    the trace: weak(p, q)
+    weak(dock, p.right, q.left) is allowed at time 1/2: the trace is 1/4 too late
+    rules: WeakSplit, I-9
+    allowed there:
+      weak(dock, p.right, q.left) at time 1/2   {WeakSplit, Weak}
+      weak(dock, p.right, q.left) at time 1   {WeakSplit, Weak}
+  [1]
+  $ release 0
+  <standard input>: diverges at line 2, time 0: wrong-time
+    the trace: weak(p, q)
+    weak(dock, p.right, q.left) is allowed at time 1/2: the trace is 1/2 too early
+    rules: WeakSplit, I-9
+    allowed there:
+      weak(dock, p.right, q.left) at time 1/2   {WeakSplit, Weak}
+  [1]
+  $ scc trace lets.sc --choose random:3 --itf | grep -o '"lots":{"#set":\[[^]]*\]' | grep -o 'undecided\|release\|first'
+  undecided
+  undecided
+  release
+  $ scc trace lets.sc --choose random:3 --itf | grep -o '"split_clock":{"#map":\[\[[^]]*\]' | sort | uniq -c | sed 's/^ *//'
+  6 "split_clock":{"#map":[["p",{"#tup":[{"#bigint":"0"},{"#bigint":"1"}]
+
 What cannot be drawn.
 
   $ cat > never.sc <<EOF
