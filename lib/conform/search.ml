@@ -309,8 +309,8 @@ let run against (trace : Recorded.t) declared ~observed limits =
 
 (* {1 Looking on} *)
 
-(* No trace tells lots, and so they are passed over like time. What is kept comes last of the lots of a bond: only where
-   all are kept time goes on, so that places are found in the order of time. *)
+(* No trace tells lots, and so they are passed over like time. What is kept comes last of the lots of a bond:
+   only where all are kept time goes on, so that places are found in the order of time. *)
 let silent (x : Transition.t) =
   match x.label with
   | Time _ | Lot _ -> true

@@ -65,5 +65,5 @@ val urgent : Transition.t -> bool
 (** A collision or a strong split: no time passes while there is one. *)
 
 val beyond : Against.t -> State.t -> Rat.t -> steps:int -> (State.t * Rat.t) list
-(** The states from this one on, at this time, that are reached by the passing of time, and by lots, alone; at most so
-    many, in the order of time. *)
+(** The states from this one on, at this time, that are reached by the passing of time, and by lots, alone; at
+    most so many, in the order of time. *)
