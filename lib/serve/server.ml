@@ -1,8 +1,8 @@
 open Lwt.Syntax
 open Cohttp
-open Cohttp_lwt_unix
 open Scc_exchange
 open Scc_view
+module Server = Cohttp_lwt.Make_server (Connections)
 
 type how = {
   desk : Desk.t;
@@ -24,7 +24,7 @@ type t = {
 let most_bytes = 8 * Scc_base.Memory.mib
 let most_connections = 200
 let seconds_to_read = 10.
-let seconds_of_connection = 120
+let seconds_of_connection = 120.
 let seconds_for_help = 30.
 let seconds_for_news = 1.
 
@@ -216,22 +216,16 @@ let answer t request body =
       match body with Ok body -> post t path body | Error a -> now a)
   | Ok _, _ -> now (refused `Method_not_allowed "GET and POST are what can be asked")
 
-(* Versions of conduit differ in the other kinds of connections, of which there are none here. *)
-let socket_of : Conduit_lwt_unix.flow -> Lwt_unix.file_descr option = function TCP { fd; _ } -> Some fd | _ -> None
-
 (* Each connection is for one request, so that none stays open for nothing: it hears no more. *)
-let hear_no_more fd = try Lwt_unix.shutdown fd SHUTDOWN_RECEIVE with Unix.Unix_error _ -> ()
-
-let callback t (flow, _) request body =
-  let socket = socket_of flow in
-  Option.iter (fun fd -> Lwt_unix.set_close_on_exec fd) socket;
+let callback t (connection, _) request body =
+  Connections.hear_body connection;
   let* a =
     Lwt.catch
       (fun () -> answer t request body)
       (fun e -> now (refused `Internal_server_error ("a fault of scc: " ^ Printexc.to_string e)))
   in
   let* () = in_time ~late:() (fun () -> Cohttp_lwt.Body.drain_body body) in
-  Option.iter hear_no_more socket;
+  Connections.hear_no_more connection;
   respond a
 
 (* {1 Listening} *)
@@ -261,11 +255,10 @@ let serve how socket =
   let access = Access.make ~port:(port_of socket) in
   let t = { how; access; documents = Documents.create (); helper = None } in
   let stop = until_signalled () in
-  Conduit_lwt_unix.set_max_active most_connections;
   how.listening (Access.address access);
   let* () =
-    Server.create ~timeout:seconds_of_connection ~stop ~on_exn:ignore ~mode:(`TCP (`Socket socket))
-      (Server.make ~callback:(callback t) ())
+    Connections.serve ~stop ~most:most_connections ~seconds:seconds_of_connection socket
+      (Server.callback (Server.make ~callback:(callback t) ()))
   in
   let* () = Documents.close_all t.documents in
   Option.fold t.helper ~none:Lwt.return_unit ~some:Child.discard

@@ -148,6 +148,33 @@ def large_requests(served):
     same('it goes on after them', served.ask('GET', '')[0], 200)
 
 
+def strange_heads(served):
+    """Heads that come in pieces, that never end, and two requests at once: the second one is not heard."""
+    head = f'GET {served.root} HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n'.encode()
+
+    def told(*pieces):
+        with socket.create_connection(('127.0.0.1', served.port), 60) as s:
+            said = b''
+            try:
+                for piece in pieces:
+                    s.sendall(piece)
+                while part := s.recv(65536):
+                    said += part
+            except ConnectionError:
+                pass
+            return said
+
+    page = served.ask('GET', '')[2]
+    check('a head byte by byte', told(*(bytes([b]) for b in head + b'\r\n')).endswith(page), 'not the page')
+    check('lines that end without a return', told(head.replace(b'\r', b'') + b'\n').endswith(page), 'not the page')
+    check('a long field', told(head + b'X: ' + b'x' * 30_000 + b'\r\n\r\n').endswith(page), 'not the page')
+    same('two requests: one answer', told(head + b'\r\n' + head + b'\r\n').count(b'HTTP/1.1 '), 1)
+    same('a field without an end', len(told(head + b'X: ' + b'x' * 1_000_000)), 0)
+    same('fields without an end', len(told(head + b'X: y\r\n' * 100_000)), 0)
+    same('no request', len(told(b'\x16\x03\x01' * 100 + b'\n')), 0)
+    same('it goes on after them', served.ask('GET', '')[0], 200)
+
+
 def many_requests(served, text):
     """A thousand at once, and half of those who asked go away before they have an answer."""
     name, _ = served.open(text)
@@ -378,6 +405,7 @@ def main(scc, folder):
     long_work(served, ENDLESS)
     many_requests(served, text)
     large_requests(served)
+    strange_heads(served)
     same('the end', served.end(), 0)
     saving(scc, folder)
     definitions(scc)

@@ -1,0 +1,149 @@
+open Lwt.Syntax
+
+type 'a t = 'a Lwt.t
+
+let ( >>= ) = Lwt.bind
+let return = Lwt.return
+
+type heard =
+  | Head of int  (** how much of it may come *)
+  | Body
+  | No_more
+
+(* The bytes from [first] to [last] are read, and not used yet. *)
+type conn = {
+  socket : Lwt_unix.file_descr;
+  mutable bytes : Bytes.t;
+  mutable first : int;
+  mutable last : int;
+  mutable heard : heard;
+}
+
+type ic = conn
+type oc = Lwt_io.output_channel
+type error = Unix.error
+
+let pp_error f e = Format.pp_print_string f (Unix.error_message e)
+
+let catch f =
+  Lwt.catch
+    (fun () -> Lwt.map Result.ok (f ()))
+    (function Unix.Unix_error (e, _, _) -> Lwt.return_error e | e -> Lwt.fail e)
+
+(* {1 Reading} *)
+
+let most_of_head = 64 * 1024
+let piece = 4096
+
+let make_way c =
+  let kept = c.last - c.first in
+  let bytes = if kept + piece > Bytes.length c.bytes then Bytes.create (2 * Bytes.length c.bytes) else c.bytes in
+  Bytes.blit c.bytes c.first bytes 0 kept;
+  c.bytes <- bytes;
+  c.first <- 0;
+  c.last <- kept
+
+let receive c =
+  if c.last + piece > Bytes.length c.bytes then make_way c;
+  let* n = Lwt_unix.read c.socket c.bytes c.last piece in
+  c.last <- c.last + n;
+  Lwt.return n
+
+(* What cohttp makes of a head that is cut off may be a request: too long a one has no answer. *)
+let refill c =
+  let more n = if n = 0 then `Eof else `Ok in
+  match c.heard with
+  | No_more -> Lwt.return `Eof
+  | Body -> Lwt.map more (receive c)
+  | Head room when room <= 0 -> Lwt.fail (Unix.Unix_error (EMSGSIZE, "read", ""))
+  | Head room ->
+    let* n = receive c in
+    c.heard <- Head (room - n);
+    Lwt.return (more n)
+
+let with_input_buffer c ~f =
+  let found, used = f (Bytes.unsafe_to_string c.bytes) ~pos:c.first ~len:(c.last - c.first) in
+  c.first <- c.first + used;
+  found
+
+let take c n = with_input_buffer c ~f:(fun text ~pos ~len:_ -> (String.sub text pos n, n))
+
+let rec read c most =
+  match c.last - c.first with
+  | 0 -> (
+      let* more = refill c in
+      match more with `Ok -> read c most | `Eof -> Lwt.return "")
+  | here -> Lwt.return (take c (min here most))
+
+let without_return line =
+  match String.length line with
+  | 0 -> line
+  | n -> if line.[n - 1] = '\r' then String.sub line 0 (n - 1) else line
+
+(* What lies within [seen] bytes is no end of a line. *)
+let rec line_after c seen =
+  match Bytes.index_from_opt c.bytes (c.first + seen) '\n' with
+  | Some k when k < c.last ->
+    let line = take c (k - c.first) in
+    c.first <- c.first + 1;
+    Lwt.return_some (without_return line)
+  | Some _ | None -> (
+      let seen = c.last - c.first in
+      let* more = refill c in
+      match more with
+      | `Ok -> line_after c seen
+      | `Eof -> if seen = 0 then Lwt.return_none else Lwt.return_some (without_return (take c seen)))
+
+let read_line c = line_after c 0
+
+(* {1 Writing} *)
+
+let write = Lwt_io.write
+let flush = Lwt_io.flush
+
+(* {1 Lives} *)
+
+let hear_body c = c.heard <- Body
+
+let hear_no_more c =
+  c.first <- c.last;
+  c.heard <- No_more
+
+let attend ~seconds handle socket =
+  let c = { socket; bytes = Bytes.create (2 * piece); first = 0; last = 0; heard = Head most_of_head } in
+  let out = Lwt_io.of_fd ~mode:Lwt_io.output socket in
+  Lwt.finalize
+    (fun () ->
+       Lwt.catch
+         (fun () -> Lwt_unix.with_timeout seconds (fun () -> handle c c out))
+         (fun _ -> Lwt.return_unit))
+    (fun () -> Lwt.catch (fun () -> Lwt_io.abort out) (fun _ -> Lwt.return_unit))
+
+(* A machine that has no descriptors left will have some when others end. *)
+let rec accepted socket =
+  Lwt.catch
+    (fun () -> Lwt.map fst (Lwt_unix.accept ~cloexec:true socket))
+    (function
+      | Unix.Unix_error _ ->
+        let* () = Lwt_unix.sleep 0.1 in
+        accepted socket
+      | e -> Lwt.fail e)
+
+let serve ~stop ~most ~seconds socket handle =
+  let free = Lwt_condition.create () and open_ = ref 0 in
+  let rec go_on () =
+    if !open_ >= most then Lwt.bind (Lwt_condition.wait free) go_on
+    else begin
+      let* one = accepted socket in
+      incr open_;
+      let ended () =
+        decr open_;
+        Lwt_condition.signal free ();
+        Lwt.return_unit
+      in
+      Lwt.async (fun () -> Lwt.finalize (fun () -> attend ~seconds handle one) ended);
+      go_on ()
+    end
+  in
+  let* () = Lwt.pick [ stop; go_on () ] in
+  Lwt_unix.close socket
