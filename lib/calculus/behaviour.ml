@@ -137,6 +137,28 @@ let compare_aged a b = Option.compare Int.compare a.origin b.origin <?> fun () -
 let equal_aged a b = compare_aged a b = 0
 let hash_aged a = (hash a.term * 31) + match a.origin with None -> 0 | Some k -> k + 1
 
+let is_delay = function
+  | Delay _ | Wait _ -> true
+  | Nil | Open _ | Weak _ | Strong _ | Sum _ | Call _ -> false
+
+(* Each definition is looked at once, however many ways lead to it. *)
+let some_prefix (defs : definitions) ~behind is b =
+  let seen = Hashtbl.create 8 in
+  let rec search = function
+    | [] -> false
+    | b :: rest -> (
+        match b with
+        | Nil -> search rest
+        | Sum (x, y) -> search (x :: y :: rest)
+        | Call k when Hashtbl.mem seen k -> search rest
+        | Call k ->
+          Hashtbl.add seen k ();
+          search (defs.(k).body :: rest)
+        | Open (_, _, next) | Weak (_, _, next) | Strong (_, _, next) | Delay (_, next) | Wait (_, next) ->
+          is b || search (if behind b then next :: rest else rest))
+  in
+  search [ b ]
+
 (* The names exposed in a body: those that it may unfold without anything happening. *)
 let rec exposed ~may_be_zero found = function
   | Wait (t, b) when may_be_zero t -> exposed ~may_be_zero found b

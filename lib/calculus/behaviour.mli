@@ -77,6 +77,15 @@ val reached : before:int option -> t -> aged
 val fresh : t -> aged
 (** A behaviour that a discrete transition has just reached (or an initial one). *)
 
+(** {1 What a behaviour may come to} *)
+
+val some_prefix : definitions -> behind:(t -> bool) -> (t -> bool) -> t -> bool
+(** [some_prefix defs ~behind is b]: whether some prefix (an [Open], [Weak], [Strong], [Delay] or [Wait]) [is] so,
+    of those that b exposes, and of those that come after one that is looked [behind]. *)
+
+val is_delay : t -> bool
+(** A [Delay] or a [Wait]: to look behind these alone finds what is offered now or when time has passed. *)
+
 (** {1 Guardedness} *)
 
 val unguarded : may_be_zero:(Linear.t -> bool) -> definitions -> int list

@@ -79,16 +79,10 @@ let delays defs (b : aged) = List.rev (term_delays defs [] b.term)
 let ages defs b = term_delays defs [] b <> []
 
 (* Whether it offers something by chance, or will when delays have expired. *)
-let left_to_chance (defs : definitions) b =
-  let rec look seen (b : t) =
-    match b with
-    | Weak (_, { odds = Some _; _ }, _) -> true
-    | Nil | Open _ | Weak _ | Strong _ -> false
-    | Delay (_, b) | Wait (_, b) -> look seen b
-    | Sum (a, b) -> look seen a || look seen b
-    | Call k -> (not (List.mem k seen)) && look (k :: seen) defs.(k).body
-  in
-  look [] b
+let left_to_chance defs =
+  some_prefix defs ~behind:is_delay (function
+      | Weak (_, { odds = Some _; _ }, _) -> true
+      | Weak _ | Nil | Open _ | Strong _ | Delay _ | Wait _ | Sum _ | Call _ -> false)
 
 (* Ageing can bring up nil and equal summands again and again, which offer nothing new: without them a
    recursion through sums comes back to where it was (reading I-17). What still ages stays a summand, if need be

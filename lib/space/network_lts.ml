@@ -178,7 +178,7 @@ let make ?(events = []) ?(time_seen = Time_seen.Always) ?(quotient = Quotient.no
   { book; quotient; visible; initial; singles = filler; pairs = Array.make memory no_pair; given_up = [] }
 
 let split_step c =
-  let may_split (p : State.process) = Option.is_some p.clock in
+  let may_split (p : State.process) = Option.is_some p.clock || Option.is_some (Lots.wait (model c) p) in
   match (model c).splits with
   | Every step when Catalogue.exists_form (catalogue c) may_split -> Some step
   | Every _ | Any_time -> None

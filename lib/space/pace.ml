@@ -94,12 +94,11 @@ let energy (m : Model.t) ~horizon ~collide t =
   | Some _ | None -> None
 
 let may_release (m : Model.t) (p : State.process) =
-  let rec look seen (b : Behaviour.t) =
-    match b with
-    | Nil -> false
+  let releases : Behaviour.t -> bool = function
     | Weak _ | Strong _ -> true
-    | Open (_, _, b) | Delay (_, b) | Wait (_, b) -> look seen b
-    | Sum (a, b) -> look seen a || look seen b
-    | Call k -> (not (List.mem k seen)) && look (k :: seen) m.definitions.(k).body
+    | Nil | Open _ | Delay _ | Wait _ | Sum _ | Call _ -> false
   in
-  Array.length p.leaves > 1 && Array.exists (fun (l : State.leaf) -> look [] l.behaviour.term) p.leaves
+  let may (l : State.leaf) =
+    Behaviour.some_prefix m.definitions ~behind:(fun _ -> true) releases l.behaviour.term
+  in
+  Array.length p.leaves > 1 && Array.exists may p.leaves

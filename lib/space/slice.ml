@@ -51,16 +51,12 @@ let serves f = is_served (Plan.of_formula f) && is_local f
 (** {1 Walls} *)
 
 (* Whether an offer to bind is exposed, or will be once delays have expired. *)
-let may_bind (definitions : Behaviour.definitions) (b : Behaviour.aged) =
-  let rec look seen (b : Behaviour.t) =
-    match b with
-    | Nil | Weak _ | Strong _ -> false
+let may_bind definitions (b : Behaviour.aged) =
+  let opens : Behaviour.t -> bool = function
     | Open _ -> true
-    | Delay (_, b) | Wait (_, b) -> look seen b
-    | Sum (a, b) -> look seen a || look seen b
-    | Call k -> (not (List.mem k seen)) && look (k :: seen) definitions.(k).body
+    | Nil | Weak _ | Strong _ | Delay _ | Wait _ | Sum _ | Call _ -> false
   in
-  look [] b.term
+  Behaviour.some_prefix definitions ~behind:Behaviour.is_delay opens b.term
 
 let is_wall (m : Model.t) ~in_events (p : State.process) =
   match p.leaves with

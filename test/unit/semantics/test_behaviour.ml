@@ -147,6 +147,31 @@ let unguarded () =
   Alcotest.(check (list int)) "the definitions on unguarded cycles" [ 0; 1; 5 ]
     (Behaviour.unguarded ~may_be_zero:(fun _ -> false) defs)
 
+(* Two ways from each definition to the next: as many ways as 2 to their number. *)
+let prefixes () =
+  let count = 40 in
+  let chain last : Behaviour.definitions =
+    Array.init count (fun k : Behaviour.definition ->
+        let next = if k = Stdlib.( - ) count 1 then last else Behaviour.call (succ k) in
+        { name = Printf.sprintf "K%d" k; body = eps (ratio 1 7) next + eps (ratio 1 5) next })
+  in
+  let looked = ref 0 in
+  let find defs behind what =
+    looked := 0;
+    let is b = incr looked; what b in
+    Behaviour.some_prefix defs ~behind is (Behaviour.call 0)
+  in
+  let is_open : Behaviour.t -> bool = function Open _ -> true | _ -> false in
+  let check what expected got = Alcotest.(check bool) what expected got in
+  let x = open_ "a" [ "top" ] nil and round = Behaviour.call 0 in
+  check "what is last is found" true (find (chain x) Behaviour.is_delay is_open);
+  check "and nothing where there is nothing" false (find (chain round) Behaviour.is_delay is_open);
+  Alcotest.(check int) "each definition is looked at once" (2 * count) !looked;
+  check "only where one looks" false (find (chain x) (fun _ -> false) is_open);
+  check "nor behind what is no delay" false
+    (find (chain (weak "a" [ "top" ] x)) Behaviour.is_delay is_open);
+  check "but where one looks behind all" true (find (chain (weak "a" [ "top" ] x)) (fun _ -> true) is_open)
+
 let () =
   Alcotest.run "behaviour"
     [
@@ -157,6 +182,7 @@ let () =
           Alcotest.test_case "I-17: aged sums recur, and L is a set" `Quick recurrence;
           Alcotest.test_case "State: terms are as they are written" `Quick brackets;
           Alcotest.test_case "guardedness" `Quick unguarded;
+          Alcotest.test_case "Prefixes: each definition is looked at once" `Quick prefixes;
         ] );
       ("laws", Scc_test_support.Property.cases [ additivity; before_horizon; order ]);
     ]
