@@ -506,18 +506,18 @@ What cannot be asked.
 Splits that are left to chance.
 
   $ scc check $M/dissociation.sc 2>&1 | grep '^[a-z_]*: '
-  dimer_breaks: holds (exhaustive)
-  dimer_lasts: violated
-  dimer_by_two: 175/256
-  dimer_life: 2
-  not_sooner: holds (exhaustive)
-  left_first: 5/12
-  right_first: 1/4
-  one_only: holds (exhaustive)
-  left_at_all: 5/8
-  reacts: 1/3
-  is_left: holds (exhaustive)
-  is_left_most: holds (exhaustive)
+  dimer_breaks: holds (exhaustive), at split step 1/2
+  dimer_lasts: violated, at split step 1/2
+  dimer_by_two: 175/256, at split step 1/2
+  dimer_life: 2, at split step 1/2
+  not_sooner: holds (exhaustive), at split step 1/2
+  left_first: 5/12, at split step 1/2
+  right_first: 1/4, at split step 1/2
+  one_only: holds (exhaustive), at split step 1/2
+  left_at_all: 5/8, at split step 1/2
+  reacts: 1/3, at split step 1/2
+  is_left: holds (exhaustive), at split step 1/2
+  is_left_most: holds (exhaustive), at split step 1/2
   explored: 102 states, 143 transitions, depth 11, model time 1; complete
   $ cat > lots.sc <<END
   > import <solids>
