@@ -126,7 +126,7 @@ def sarif_faults(log, report, model):
 
 def check_sarif(scc, model, folder):
     path = os.path.join(folder, "log.sarif")
-    report = json.loads(text_of(run(scc, "check", model, "--json", "--seconds", "60", "--sarif", path)))
+    report = json.loads(text_of(run(scc, "check", model, "--json", "--states", "4000", "--sarif", path)))
     with open(path, encoding="utf-8") as file:
         why = sarif_faults(json.load(file, parse_float=no_float), report, model)
     os.remove(path)
@@ -135,7 +135,7 @@ def check_sarif(scc, model, folder):
 
 def check_model(scc, model, folder):
     coverage = [] if is_open(model) else ["--coverage"]
-    result = run(scc, "check", model, "--json", *coverage, "--stats", "--seconds", "60", "--witness", folder)
+    result = run(scc, "check", model, "--json", *coverage, "--stats", "--states", "1500", "--witness", folder)
     document = check("check", text_of(result), f"check {model}")
     if document is not None:
         count(document["exit"] == result.returncode, f"check {model}", "another exit code in the document")
@@ -233,7 +233,7 @@ def is_open(model):
 
 
 def check_trace(scc, model, *options):
-    result = run(scc, "trace", model, "--steps", "40", "--choose", "random:1", *options)
+    result = run(scc, "trace", model, "--steps", "25", "--choose", "random:1", *options)
     lines = text_of(result).splitlines()
     bad = FAILED
     validate = validator("trace")
@@ -318,7 +318,7 @@ def check_zones(scc, model):
 
 def check_graphs(scc, model, folder):
     """The graph of a model as JSON, complete and not, and the names of its explicit files."""
-    for states in ("300", "2"):
+    for states in ("100", "2"):
         result = run(scc, "explore", model, "-o", "-", "--format", "json", "--states", states)
         document = check("graph", text_of(result), f"explore {model}")
         if document is None:
@@ -331,7 +331,7 @@ def check_graphs(scc, model, folder):
             f"explore {model}",
             "states are not as they should be",
         )
-    run(scc, "explore", model, "-o", os.path.join(folder, "graph.tra"), "--instants", "--states", "300")
+    run(scc, "explore", model, "-o", os.path.join(folder, "graph.tra"), "--instants", "--states", "100")
     for path in glob.glob(os.path.join(folder, "graph.*")):
         if path.endswith(".names.json"):
             with open(path, encoding="utf-8") as file:
@@ -350,9 +350,9 @@ def check_refusals(scc):
 
 def check_view(scc, model):
     """The data of a page, and the page: the same data is in it, and no script but its own."""
-    result = run(scc, "view", "--data", "--graph", "20", "--seconds", "20", model, "-o", "-")
+    result = run(scc, "view", "--data", "--graph", "20", "--states", "100", model, "-o", "-")
     document = check("view", text_of(result), f"view {model}")
-    page = text_of(run(scc, "view", "--graph", "20", "--seconds", "20", model, "-o", "-"))
+    page = text_of(run(scc, "view", "--graph", "20", "--states", "100", model, "-o", "-"))
     data = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
     count(data is not None and json.loads(data[1]) == document, f"view {model}", "another document is in the page")
 

@@ -49,9 +49,9 @@ A run as JSON Lines.
 The same bytes each time; a trace is its own schedule. A model with ranges has no start of its own.
 
   $ for model in $(grep -L "^param [a-z]* in" ../../specs/models/*.sc); do
-  >   for choose in first random:1 random:-7; do
-  >     scc trace $model --steps 40 --choose $choose > one.jsonl 2> /dev/null
-  >     scc trace $model --steps 40 --choose $choose > two.jsonl 2> /dev/null
+  >   for choose in first random:-7; do
+  >     scc trace $model --steps 25 --choose $choose > one.jsonl 2> /dev/null
+  >     scc trace $model --steps 25 --choose $choose > two.jsonl 2> /dev/null
   >     scc trace $model --schedule one.jsonl > three.jsonl 2> /dev/null
   >     cmp one.jsonl two.jsonl && cmp one.jsonl three.jsonl && test -s one.jsonl || echo "$model $choose"
   >   done

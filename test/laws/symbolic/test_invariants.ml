@@ -136,12 +136,12 @@ let agrees case =
 
 let generate = if Sys.getenv_opt "SCC_NO_SHRINKING" = None then generate else Gen.no_shrink generate
 
-let law = QCheck2.Test.make ~name:"invariants" ~count:100 ~print:(fun c -> Scene.print c.scene) generate agrees
+let law = QCheck2.Test.make ~name:"invariants" ~count:50 ~print:(fun c -> Scene.print c.scene) generate agrees
 
 let enough () =
   Printf.printf "%d invariants (%d not accepted), %d without; %d states; %d claims, looked at %d times\n" !found
     !refused !none !states !claimed !denied;
-  Alcotest.(check bool) "many" true (!found > 50 && !claimed > 60);
+  Alcotest.(check bool) "many" true (!found > 25 && !claimed > 30);
   Alcotest.(check bool) "nearly all are accepted" true (!refused * 50 <= !found)
 
 let () =

@@ -166,7 +166,7 @@ let scene () =
   in
   head ^ String.concat "" (List.map fst parts) ^ String.concat "" (List.init 3 check)
 
-let scenes = 500
+let scenes = 300
 let used = ref 0
 
 let random () =

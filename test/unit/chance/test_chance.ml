@@ -332,7 +332,7 @@ let interrupted () =
   let a = Solution.value (Reach.solve q Max effort ~asked:(States [ 50_000 ])) 50_000 in
   Alcotest.(check bool) (Answer.to_string a) true (Answer.contains a (rat 1 2))
 
-let law name ?(count = 2_000) gen print f = Property.case (QCheck2.Test.make ~name ~count ~print gen f)
+let law name ?(count = 1000) gen print f = Property.case (QCheck2.Test.make ~name ~count ~print gen f)
 
 let () =
   let case name f = Alcotest.test_case name `Quick f in

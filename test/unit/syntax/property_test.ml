@@ -4,7 +4,7 @@ open Scc_base
 open Scc_syntax
 module Gen2 = QCheck2.Gen
 
-let test ?(count = 500) name ?print gen law = QCheck2.Test.make ~count ~name ?print gen law
+let test ?(count = 250) name ?print gen law = QCheck2.Test.make ~count ~name ?print gen law
 
 let print_model m = Printer.model m
 
@@ -87,7 +87,7 @@ let comments_idempotent =
 
 (* Any bytes, and pieces of models cut and joined at random: an answer, never an exception. *)
 let total gen name =
-  test ~count:1000 name ~print:String.escaped gen (fun text ->
+  test ~count:500 name ~print:String.escaped gen (fun text ->
       match Parse.parse (Support.source text) with
       | Ok _ -> true
       | Error ds ->
