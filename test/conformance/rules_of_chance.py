@@ -130,6 +130,8 @@ def lots():
     r.outcomes('And is there after them.', free, [TIME, KEEP], [releases('dock', *PQ), passes(1)])
     r.outcomes('The other end is free, and chooses.', bonded('', by_chance('chance 1/3'), FREE + ' + omega(dock, {left}). eps(1). nil'),
                [TIME, RELEASE], [releases('dock', *PQ)] * 2)
+    r.outcomes('By two summands of which the same comes it is released in one way.',
+               bonded('', by_chance('chance 1/3'), FREE + ' + omega(dock, {left, top}). nil'), [TIME, RELEASE], [releases('dock', *PQ)])
     r.outcomes('Before the release: the one to the left draws first.', shared('nil'), [TIME],
                [drawn_lot('release', *RP, '1/2'), drawn_lot('keep', *RP, '1/2')])
     r.outcomes('Then the other.', shared('nil'), [TIME, RELEASE],
