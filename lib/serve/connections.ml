@@ -43,11 +43,17 @@ let make_way c =
   c.first <- 0;
   c.last <- kept
 
+let too_long () = Lwt.fail (Unix.Unix_error (EMSGSIZE, "read", ""))
+
+(* What is not used yet is the beginning of a line, or of a head: no more of one is kept than a head may have. *)
 let receive c =
-  if c.last + piece > Bytes.length c.bytes then make_way c;
-  let* n = Lwt_unix.read c.socket c.bytes c.last piece in
-  c.last <- c.last + n;
-  Lwt.return n
+  if c.last - c.first >= most_of_head then too_long ()
+  else begin
+    if c.last + piece > Bytes.length c.bytes then make_way c;
+    let* n = Lwt_unix.read c.socket c.bytes c.last piece in
+    c.last <- c.last + n;
+    Lwt.return n
+  end
 
 (* What cohttp makes of a head that is cut off may be a request: too long a one has no answer. *)
 let refill c =
@@ -55,7 +61,7 @@ let refill c =
   match c.heard with
   | No_more -> Lwt.return `Eof
   | Body -> Lwt.map more (receive c)
-  | Head room when room <= 0 -> Lwt.fail (Unix.Unix_error (EMSGSIZE, "read", ""))
+  | Head room when room <= 0 -> too_long ()
   | Head room ->
     let* n = receive c in
     c.heard <- Head (room - n);

@@ -27,7 +27,8 @@ val serve :
     seconds at the most. When a handler fails, the connection ends, and nothing else. *)
 
 val hear_body : conn -> unit
-(** What comes after the head of a request is heard. Before, no more than 64 KiB are. *)
+(** What comes after the head of a request is heard. Before, no more than 64 KiB are; nor is a longer line of the
+    body (of one in parts), so that what is kept of a connection is bounded. *)
 
 val hear_no_more : conn -> unit
 (** What is not read yet is never read: there is no further request. *)

@@ -171,6 +171,11 @@ def strange_heads(served):
     same('two requests: one answer', told(head + b'\r\n' + head + b'\r\n').count(b'HTTP/1.1 '), 1)
     same('a field without an end', len(told(head + b'X: ' + b'x' * 1_000_000)), 0)
     same('fields without an end', len(told(head + b'X: y\r\n' * 100_000)), 0)
+    parts = head.replace(b'GET', b'POST') + b'Transfer-Encoding: chunked\r\n\r\n'
+    told(parts + b'1' * 300_000_000)
+    with open(f'/proc/{served.process.pid}/status', encoding='utf-8') as status:
+        peak = int(re.search(r'VmHWM:\s+(\d+) kB', status.read())[1])
+    check('the size of a part without an end is not kept', peak < 400_000, peak)
     same('no request', len(told(b'\x16\x03\x01' * 100 + b'\n')), 0)
     same('it goes on after them', served.ask('GET', '')[0], 200)
 
