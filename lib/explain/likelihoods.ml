@@ -17,11 +17,18 @@ let above x = decimal (Z.neg (Rat.floor (Rat.neg (Rat.mul x scale))))
 
 let longest = 24
 
+(* What is hardly more than 0 is not said to be 0, nor what is hardly less than 1 to be 1. *)
+let rounded x =
+  let plain () = "about " ^ Algebraic.to_decimal ~digits (Algebraic.of_rat x) in
+  let near a b = Rat.compare (Rat.mul (Rat.abs (Rat.sub a b)) scale) Rat.one < 0 in
+  if near x Rat.zero then "about " ^ Scc_drawing.Decimal.significant ~digits:4 x
+  else if near x Rat.one then if Rat.compare x Rat.one < 0 then "more than " ^ below x else plain ()
+  else plain ()
+
 let number x =
   let text = Rat.to_string x in
-  let about () = Algebraic.to_decimal ~digits (Algebraic.of_rat x) in
-  if String.length text > 2 * longest then "about " ^ about ()
-  else if String.length text > longest then Printf.sprintf "%s (about %s)" text (about ())
+  if String.length text > 2 * longest then rounded x
+  else if String.length text > longest then Printf.sprintf "%s (%s)" text (rounded x)
   else text
 
 let between low high =

@@ -547,3 +547,13 @@ Splits that are left to chance.
           p at (0, 0, 0) [nil], velocity (-1, 0, 0)
           q at (1, 0, 0) [nil], velocity (1, 0, 0)
   3 transitions, time 1: nothing will ever happen again
+
+What is hardly more than 0, or hardly less than 1, is not rounded to it.
+
+  $ for chance in 1/10000000000000000000000000000000 9999999999999999999999999999999/10000000000000000000000000000000; do
+  >   sed "s|^param q = .*|param q = $chance|; s|push(1) ||" lots.sc > hardly.sc
+  >   echo 'check two : P = ? [ eventually not bound(p, q) within 2 ]' >> hardly.sc
+  >   scc check hardly.sc | grep '^two: '
+  > done
+  two: about 2e-31, at split step 1
+  two: more than 0.999999, at split step 1
