@@ -46,9 +46,9 @@ let width =
 let term = Term.(const (fun from up width -> { from; up; width }) $ from $ up $ width)
 let or_default option default = Option.value ~default option
 
-let of_state t ~names =
+let of_state t ~names ~without =
   let d = Picture.default in
-  { d with names; from = or_default t.from d.from; up = or_default t.up d.up; width = or_default t.width d.width }
+  { d with names; without; from = or_default t.from d.from; up = or_default t.up d.up; width = or_default t.width d.width }
 
 let of_solid t : Solid_picture.options =
   let d = Solid_picture.default in

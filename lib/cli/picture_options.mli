@@ -10,5 +10,5 @@ val given : t -> bool
 
 val term : t Cmdliner.Term.t
 
-val of_state : t -> names:bool -> Scc_picture.Picture.options
+val of_state : t -> names:bool -> without:string list -> Scc_picture.Picture.options
 val of_solid : t -> Scc_picture.Solid_picture.options

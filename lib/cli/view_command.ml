@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_exact
 open Scc_session
 open Scc_view
@@ -21,6 +22,16 @@ let output_of o =
     let ending = match o.what with Page -> ".html" | Data -> ".view.json" | Picture _ -> ".svg" in
     (if String.equal o.shown.path "-" then "model" else base) ^ ending
 
+let known model names =
+  match Scc_picture.Picture.unknown model names with
+  | None -> Ok ()
+  | Some name ->
+    Error
+      [
+        Diag.error Code.unknown_name Span.command_line "no body, part or family of bodies is called `%s`" name
+          ~hint:"parts of compounds are named with their body, as in --without room.south";
+      ]
+
 (* What writes the file. *)
 let content console o watch =
   let document () = Viewed.document console o.shown watch in
@@ -31,6 +42,7 @@ let content console o watch =
     Result.map page (document ())
   | Picture time ->
     let* model, state = Pictured.state console o.shown watch time in
+    let* () = known model o.drawing.without in
     Ok (fun put -> put (Scc_picture.Picture.svg model state o.drawing))
 
 let run color budget o =
@@ -117,17 +129,25 @@ let names =
   let doc = "With $(b,--svg): writes the names of bodies into the picture." in
   Arg.(value & flag & info [ "names" ] ~doc)
 
+let without =
+  let doc =
+    "With $(b,--svg): leaves out $(docv), a body, a part of one such as a wall that hides what is behind it \
+     ($(b,room.south)), or a family of bodies. May be given several times."
+  in
+  Arg.(value & opt_all string [] & info [ "without" ] ~docv:"NAME" ~doc)
+
 let what =
-  let one data svg names picture =
+  let one data svg names without picture =
+    let drawing = Picture_options.of_state picture ~names ~without in
     match (data, svg) with
     | true, Some _ -> Error "--data and --svg do not go together"
-    | _, None when names || Picture_options.given picture ->
-      Error "--names, --from, --up and --width tell how --svg draws"
-    | true, None -> Ok (Data, Picture_options.of_state picture ~names)
-    | false, Some time -> Ok (Picture time, Picture_options.of_state picture ~names)
-    | false, None -> Ok (Page, Picture_options.of_state picture ~names)
+    | _, None when names || without <> [] || Picture_options.given picture ->
+      Error "--names, --without, --from, --up and --width tell how --svg draws"
+    | true, None -> Ok (Data, drawing)
+    | false, Some time -> Ok (Picture time, drawing)
+    | false, None -> Ok (Page, drawing)
   in
-  Term.(term_result' ~usage:true (const one $ data_alone $ svg $ names $ Picture_options.term))
+  Term.(term_result' ~usage:true (const one $ data_alone $ svg $ names $ without $ Picture_options.term))
 
 let options =
   let make path given output (what, drawing) check schedule graph plots =

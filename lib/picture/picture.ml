@@ -13,6 +13,7 @@ type options = {
   key : bool;
   bar : bool;
   title : string option;
+  without : string list;
 }
 
 let default =
@@ -25,25 +26,46 @@ let default =
     key = true;
     bar = true;
     title = None;
+    without = [];
   }
 
 let none = function [] -> true | _ :: _ -> false
 
 (* {1 What is there} *)
 
-(* A leaf of the state: its parts are solids of the view, from [first] on. *)
-type body = { leaf : State.leaf; of_model : Model.leaf; placed : Placed.t array; first : int }
+(* A leaf of the state. Each of its parts is a solid of the view, of this number, unless the part is left out. *)
+type body = { leaf : State.leaf; of_model : Model.leaf; placed : Placed.t array; solids : int option array }
 
-let bodies (m : Model.t) (state : State.t) =
-  let add (first, found) (leaf : State.leaf) =
+(* Does the name mean this part of the leaf: by itself, with all of the leaf, or with the leaf's whole family? *)
+let means name (leaf : Model.leaf) (part : Model.part) =
+  String.equal name leaf.name || String.equal name part.name || String.starts_with ~prefix:(name ^ "[") leaf.name
+
+let unknown (m : Model.t) names =
+  let known name = Array.exists (fun (leaf : Model.leaf) -> Array.exists (means name leaf) leaf.parts) m.leaves in
+  List.find_opt (fun name -> not (known name)) names
+
+let bodies ~without (m : Model.t) (state : State.t) =
+  let add (next, found) (leaf : State.leaf) =
     let of_model = m.leaves.(leaf.leaf) in
     let placed = Array.mapi (fun i _ -> State.placed m leaf i) of_model.parts in
-    (first + Array.length placed, { leaf; of_model; placed; first } :: found)
+    let next = ref next in
+    let solid part =
+      if List.exists (fun name -> means name of_model part) without then None
+      else begin
+        incr next;
+        Some (!next - 1)
+      end
+    in
+    let solids = Array.map solid of_model.parts in
+    (!next, { leaf; of_model; placed; solids } :: found)
   in
   let leaves = Array.concat (Array.to_list (Array.map (fun (p : State.process) -> p.leaves) state.processes)) in
   let order (a : State.leaf) (b : State.leaf) = Int.compare a.leaf b.leaf in
   let in_order = List.sort order (Array.to_list leaves) in
   List.rev (snd (List.fold_left add (0, []) in_order))
+
+let drawn_solids b = List.filter_map Fun.id (Array.to_list b.solids)
+let is_drawn b = not (none (drawn_solids b))
 
 (* {1 Colours} *)
 
@@ -68,9 +90,9 @@ let open_features (m : Model.t) paint colour b =
   let sites = open_sites m b.leaf in
   let part i placed =
     let here (s : Site.t) = if s.part = i then Some s.feature else None in
-    match List.filter_map here sites with
-    | [] -> []
-    | features -> Marks.open_features paint (colour b) (b.first + i) placed features
+    match (b.solids.(i), List.filter_map here sites) with
+    | None, _ | _, [] -> []
+    | Some solid, features -> Marks.open_features paint (colour b) solid placed features
   in
   List.concat (Array.to_list (Array.mapi part b.placed))
 
@@ -78,13 +100,12 @@ let bonds (state : State.t) =
   List.concat_map (fun (p : State.process) -> Array.to_list p.bonds) (Array.to_list state.processes)
 
 let bond (m : Model.t) paint bodies (b : State.bond) =
-  let finish (f : State.finish) =
-    let body = List.find (fun body -> body.leaf.leaf = f.at) bodies in
-    (body.placed.(f.site.part), f.site.feature)
-  in
+  let body (f : State.finish) = List.find (fun body -> body.leaf.leaf = f.at) bodies in
+  let shown (f : State.finish) = Option.is_some (body f).solids.(f.site.part) in
+  let finish (f : State.finish) = ((body f).placed.(f.site.part), f.site.feature) in
   let name (f : State.finish) = Model.site_name m ~leaf:f.at f.site in
   let told = Printf.sprintf "<%s, {%s, %s}>" b.name (name b.one) (name b.two) in
-  Marks.bond paint ~told (finish b.one) (finish b.two)
+  if shown b.one && shown b.two then Marks.bond paint ~told (finish b.one) (finish b.two) else []
 
 (* {1 Names} *)
 
@@ -92,8 +113,8 @@ let bond (m : Model.t) paint bodies (b : State.bond) =
 let name (paint : Paint.t) b =
   let pieces =
     List.concat_map
-      (fun i -> List.concat_map (Hidden.pieces paint.hidden) paint.faces.(b.first + i))
-      (List.init (Array.length b.placed) Fun.id)
+      (fun solid -> List.concat_map (Hidden.pieces paint.hidden) paint.faces.(solid))
+      (drawn_solids b)
   in
   let sized = List.map (fun p -> (Rat.near_float (Convex.area2 p), p)) pieces in
   let order (a, _) (b, _) = Float.compare b a in
@@ -136,8 +157,10 @@ let told options bodies =
   | Some title -> title
   | None -> String.concat ", " (List.map (fun b -> b.of_model.name) bodies)
 
-let drawn (m : Model.t) state options bodies =
-  let solids = List.concat_map (fun b -> Array.to_list b.placed) bodies in
+let drawn (m : Model.t) state options all =
+  let bodies = List.filter is_drawn all in
+  let of_body b = List.filteri (fun i _ -> Option.is_some b.solids.(i)) (Array.to_list b.placed) in
+  let solids = List.concat_map of_body bodies in
   let camera = Camera.make ~up:options.up options.from in
   let whole (v : Vec.t) = Ivec.make (Rat.floor v.x) (Rat.floor v.y) (Rat.floor v.z) in
   let origin = match solids with [] -> Ivec.zero | p :: _ -> whole p.at in
@@ -150,13 +173,12 @@ let drawn (m : Model.t) state options bodies =
   let families = Families.of_model m in
   let colour = colour families in
   let body b =
-    let parts = List.init (Array.length b.placed) (fun i -> Paint.solid paint (colour b) (b.first + i)) in
-    match List.concat parts with
+    match List.concat_map (Paint.solid paint (colour b)) (drawn_solids b) with
     | [] -> []
     | painted -> Svg.tag "g" [] (Svg.title b.of_model.name @ painted)
   in
   let opened = if options.marks then List.concat_map (open_features m paint colour) bodies else [] in
-  let bonded = if options.marks then List.concat_map (bond m paint bodies) (bonds state) else [] in
+  let bonded = if options.marks then List.concat_map (bond m paint all) (bonds state) else [] in
   let names = if options.names then Marks.names ~width:canvas.width (List.map (name paint) bodies) else [] in
   let open_ = not (none opened) in
   let key =
@@ -176,4 +198,4 @@ let drawn (m : Model.t) state options bodies =
   in
   Sheet.svg sheet (List.concat_map body bodies @ opened @ bonded @ names)
 
-let svg m state options = drawn m state options (bodies m state)
+let svg m state options = drawn m state options (bodies ~without:options.without m state)

@@ -15,10 +15,15 @@ type options = {
   key : bool;  (** what the colours and marks mean *)
   bar : bool;  (** a scale *)
   title : string option;
+  without : string list;
+  (** what is left out, with its marks: bodies, parts of them ([room.south]), and families of bodies *)
 }
 
 val default : options
 (** As the page of [scc view] shows bodies when it opens: from the front, the right and above, with y upwards; 800
     pixels wide, with marks, key and scale. *)
+
+val unknown : Model.t -> string list -> string option
+(** The first name, if any, that means nothing of the model that could be left out. *)
 
 val svg : Model.t -> State.t -> options -> string

@@ -38,18 +38,18 @@ behaviour Membrane = nil
 
 fixed cell = solids.Room(7, 1, 7/2, 1) at translate (0, 0, 5/4) [Membrane]
 for i in 1..2 {
-  fixed r[i] = solids.Cube(1) at translate (2*i - 3, 0, 0) [Receptor]
-  bond <anchor, {r[i].bottom, cell.floor.top}>
+  fixed receptor[i] = solids.Cube(1) at translate (2*i - 3, 0, 0) [Receptor]
+  bond <anchor, {receptor[i].bottom, cell.floor.top}>
 }
 for i in 1..ligands {
-  process l[i] = Ligand at translate (if i = 1 then -2 else 2, 0, 2) [Free]
-  motion  l[i] = choose { (1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1) }
+  process ligand[i] = Ligand at translate (if i = 1 then -2 else 2, 0, 2) [Free]
+  motion  ligand[i] = choose { (1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1) }
 }
 
-let crosslink = exists i in 1..ligands: bound(l[i], r[1]) and bound(l[i], r[2])
-let held      = exists i in 1..2: bound(l[1], r[i])
-let by_both   = forall i in 1..2: bound(l[1], r[i])
-let by_one    = held and x(l[1]) != 0    // in the middle it has both, or gets them at once
+let crosslink = exists i in 1..ligands: bound(ligand[i], receptor[1]) and bound(ligand[i], receptor[2])
+let held      = exists i in 1..2: bound(ligand[1], receptor[i])
+let by_both   = forall i in 1..2: bound(ligand[1], receptor[i])
+let by_one    = held and x(ligand[1]) != 0    // in the middle it has both, or gets them at once
 
 check can       : possibly crosslink                                            // expect: holds
 check not_at_once : possibly crosslink within 1/2                                  // expect: violated
