@@ -48,7 +48,8 @@ let or_default option default = Option.value ~default option
 
 let of_state t ~names ~without =
   let d = Picture.default in
-  { d with names; without; from = or_default t.from d.from; up = or_default t.up d.up; width = or_default t.width d.width }
+  let from = or_default t.from d.from and up = or_default t.up d.up and width = or_default t.width d.width in
+  { d with names; without; from; up; width }
 
 let of_solid t : Solid_picture.options =
   let d = Solid_picture.default in
