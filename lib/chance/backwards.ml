@@ -1,34 +1,44 @@
-type t = { mdp : Mdp.t; owner : int array; first : int array; into : int array }
+open Scc_data
 
-let make m =
-  let n = Mdp.states m in
-  let owner = Array.make (Mdp.choices m) 0 in
-  for s = 0 to n - 1 do
-    Array.fill owner (Mdp.first_choice m s) (Mdp.first_choice m (s + 1) - Mdp.first_choice m s) s
+type into = { first : Int_array.t; choices : Int_array.t }
+type t = { mdp : Mdp.t; owner : Int_array.t Lazy.t; into : into Lazy.t }
+
+let owners m =
+  let owner = Int_array.make (Mdp.choices m) 0 in
+  for s = 0 to Mdp.states m - 1 do
+    for c = Mdp.first_choice m s to Mdp.first_choice m (s + 1) - 1 do
+      Int_array.set owner c s
+    done
   done;
-  (* first.(s) is where the choices into s end at first, and where they begin once all have been put. *)
-  let first = Array.make (n + 1) 0 in
+  owner
+
+let turn_round m =
+  let n = Mdp.states m in
+  (* [first] tells where the choices into a state end at first, and where they begin once all have been put. *)
+  let first = Int_array.make (n + 1) 0 in
+  let move t by = Int_array.set first t (Int_array.get first t + by) in
   for b = 0 to Mdp.branches m - 1 do
-    let t = Mdp.target m b in
-    first.(t) <- first.(t) + 1
+    move (Mdp.target m b) 1
   done;
   for s = 1 to n do
-    first.(s) <- first.(s) + first.(s - 1)
+    move s (Int_array.get first (s - 1))
   done;
-  let into = Array.make (Mdp.branches m) 0 in
+  let choices = Int_array.make (Mdp.branches m) 0 in
   for c = Mdp.choices m - 1 downto 0 do
     for b = Mdp.first_branch m c to Mdp.first_branch m (c + 1) - 1 do
       let t = Mdp.target m b in
-      first.(t) <- first.(t) - 1;
-      into.(first.(t)) <- c
+      move t (-1);
+      Int_array.set choices (Int_array.get first t) c
     done
   done;
-  { mdp = m; owner; first; into }
+  { first; choices }
 
+let make m = { mdp = m; owner = lazy (owners m); into = lazy (turn_round m) }
 let mdp b = b.mdp
-let owner b c = b.owner.(c)
+let owner b c = Int_array.get (Lazy.force b.owner) c
 
 let iter b s f =
-  for i = b.first.(s) to b.first.(s + 1) - 1 do
-    f b.into.(i)
+  let { first; choices } = Lazy.force b.into in
+  for i = Int_array.get first s to Int_array.get first (s + 1) - 1 do
+    f (Int_array.get choices i)
   done

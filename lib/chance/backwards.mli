@@ -1,4 +1,5 @@
-(** The branches of an MDP the other way round: which choices lead to a state. Made once for all questions. *)
+(** The branches of an MDP the other way round: which choices lead to a state. Made once for all questions,
+    and when it is first asked for: many need none of it. *)
 
 type t
 

@@ -97,28 +97,12 @@ let cut r part =
            end))
     part
 
-let ends back ~inside ~allowed =
-  let m = Backwards.mdp back in
+(* The components of what is left. *)
+let found r =
+  let m = Backwards.mdp r.back in
   let n = Mdp.states m in
-  let alive = Bits.create (Mdp.choices m) and left = Array.make n 0 in
-  let unknown = Array.make n (-1) in
-  let r =
-    { back; alive; left; place = unknown; component = Array.copy unknown; fresh = 0; lost = Bits.create n }
-  in
-  for s = 0 to n - 1 do
-    if inside s then
-      choices_of m s (fun c ->
-          if allowed c && Mdp.every_branch m c inside then begin
-            Bits.add alive c;
-            left.(s) <- left.(s) + 1
-          end)
-  done;
-  for s = 0 to n - 1 do
-    if inside s && left.(s) = 0 then
-      Backwards.iter back s (fun c -> if Bits.mem alive c then drop r c)
-  done;
   let final = Growable.create () in
-  let living states = Array.of_list (List.filter (fun s -> left.(s) > 0) states) in
+  let living states = Array.of_list (List.filter (fun s -> r.left.(s) > 0) states) in
   let rec go = function
     | [] -> ()
     | nodes :: waiting when Array.length nodes = 0 -> go waiting
@@ -139,4 +123,51 @@ let ends back ~inside ~allowed =
   for k = 0 to Growable.length final - 1 do
     List.iter (fun s -> number.(s) <- k) (Growable.get final k)
   done;
-  { count = Growable.length final; number; internal = alive }
+  { count = Growable.length final; number; internal = r.alive }
+
+(* Drops the choices that lead to what is gone, as far as passes find them: whether that was all. *)
+let drop_by_passes m ~alive ~left =
+  let leads_away c =
+    let last = Mdp.first_branch m (c + 1) in
+    let rec go b = b < last && (left.(Mdp.target m b) = 0 || go (b + 1)) in
+    go (Mdp.first_branch m c)
+  in
+  Passes.run ~size:(Mdp.states m) (fun s ->
+      left.(s) > 0
+      && begin
+        for c = Mdp.first_choice m s to Mdp.first_choice m (s + 1) - 1 do
+          if Bits.mem alive c && leads_away c then begin
+            Bits.remove alive c;
+            left.(s) <- left.(s) - 1
+          end
+        done;
+        left.(s) = 0
+      end)
+
+let ends back ~inside ~allowed =
+  let m = Backwards.mdp back in
+  let n = Mdp.states m in
+  let alive = Bits.create (Mdp.choices m) and left = Array.make n 0 in
+  let inner = Bits.init n inside in
+  for s = 0 to n - 1 do
+    if Bits.mem inner s then
+      choices_of m s (fun c ->
+          if allowed c && Mdp.stays_in m c inner then begin
+            Bits.add alive c;
+            left.(s) <- left.(s) + 1
+          end)
+  done;
+  let all_dropped = drop_by_passes m ~alive ~left in
+  if all_dropped && Array.for_all (Int.equal 0) left then none m
+  else begin
+    let unknown = Array.make n (-1) in
+    let r =
+      { back; alive; left; place = unknown; component = Array.copy unknown; fresh = 0; lost = Bits.create n }
+    in
+    if not all_dropped then
+      for s = 0 to n - 1 do
+        if Bits.mem inner s && left.(s) = 0 then
+          Backwards.iter back s (fun c -> if Bits.mem alive c then drop r c)
+      done;
+    found r
+  end

@@ -16,6 +16,7 @@
     the Reliability of Your Model Checker", 2017. *)
 
 open Scc_exact
+open Scc_data
 
 type direction = Min | Max
 
@@ -25,19 +26,19 @@ type t = private {
   parts : int array;
   (** The nodes of component k of the graph of nodes are parts.(k) .. parts.(k + 1) - 1; no entry leads to a
       greater component. *)
-  first_row : int array;  (** of each node, and the number of rows; a node has one row or more *)
-  first_entry : int array;  (** of each row, and the number of entries *)
+  first_row : Int_array.t;  (** of each node, and the number of rows; a node has one row or more *)
+  first_entry : Int_array.t;  (** of each row, and the number of entries; arrays of rows and entries may be longer *)
   constant : Rat.t array;  (** of each row, at least 0 *)
   near_constant : float array;  (** the nearest floats *)
-  node : int array;  (** of each entry; never the node that has the row, and each node once in a row *)
+  node : Int_array.t;  (** of each entry; never the node that has the row, and each node once in a row *)
   near : float array;  (** of each entry: the float nearest to its {!probability}, but never 0 *)
   mdp : Mdp.t;
-  branch : int array;  (** of each entry: the branch that has its probability; or -1 - its place in [worked_out] *)
+  branch : Int_array.t;  (** of each entry: the branch that has its probability; or -1 - its place in [worked_out] *)
   worked_out : Rat.t array;  (** probabilities that are not those of a branch *)
-  leaks : Scc_data.Bits.t;
+  leaks : Bits.t;
   (** The rows of which the entries of its own component have a sum less than 1. *)
-  choice : int array;  (** of each row: the choice of the MDP that it stands for *)
-  node_of : int array;  (** of each state; -1: it is not open, or was not asked for *)
+  choice : Int_array.t;  (** of each row: the choice of the MDP that it stands for *)
+  node_of : Int_array.t;  (** of each state; -1: it is not open, or was not asked for *)
 }
 
 val probability : t -> int -> Rat.t

@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_data
 
 type solution = { value : Rat.t array; row : int array }
 type given_up = Component of int | Elimination of Elimination.given_up
@@ -20,7 +21,7 @@ let better_float (e : Equations.t) (x : float) y = match e.direction with Min ->
 (* The best row of a node for some values; the one that is given, unless another is better. *)
 let best (e : Equations.t) value v row =
   let found = ref row and sum = ref (Equations.row_sum e value row) in
-  for r = e.first_row.(v) to e.first_row.(v + 1) - 1 do
+  for r = (Int_array.get e.first_row v) to (Int_array.get e.first_row (v + 1)) - 1 do
     if not (Int.equal r row) then begin
       let s = Equations.row_sum e value r in
       if better e s !sum then begin
@@ -37,9 +38,9 @@ let inside part w = w >= part.first && w <= part.last
 
 let leads (e : Equations.t) part r test =
   let rec go i =
-    i < e.first_entry.(r + 1) && ((inside part e.node.(i) && test e.node.(i)) || go (i + 1))
+    i < (Int_array.get e.first_entry (r + 1)) && ((inside part (Int_array.get e.node i) && test (Int_array.get e.node i)) || go (i + 1))
   in
-  go e.first_entry.(r)
+  go (Int_array.get e.first_entry r)
 
 (* Gives the nodes of the part, one after the other, rows of theirs by which it is left; whether all got one. Rows
    are taken among those that the nodes have already, or any. The passes go down and up by turns, and are few as a
@@ -47,12 +48,12 @@ let leads (e : Equations.t) part r test =
 let leaving (e : Equations.t) part ~any (row : int array) =
   let settled = Array.make (part.last - part.first + 1) false in
   let is_settled v = settled.(v - part.first) in
-  let good r = Scc_data.Bits.mem e.leaks r || leads e part r is_settled in
+  let good r = Bits.mem e.leaks r || leads e part r is_settled in
   let look v =
     if is_settled v then false
     else begin
-      let rec go r = if r = e.first_row.(v + 1) then -1 else if good r then r else go (r + 1) in
-      let r = if any then go e.first_row.(v) else if good row.(v) then row.(v) else -1 in
+      let rec go r = if r = (Int_array.get e.first_row (v + 1)) then -1 else if good r then r else go (r + 1) in
+      let r = if any then go (Int_array.get e.first_row v) else if good row.(v) then row.(v) else -1 in
       if r >= 0 then begin
         row.(v) <- r;
         settled.(v - part.first) <- true
@@ -79,16 +80,16 @@ let small = 0x1p-40
 (* A good scheduler, by value iteration in floats from that of [row] on: nothing is proved here. *)
 let guess (e : Equations.t) part value (row : int array) =
   let near = Array.make (part.last - part.first + 1) 0. in
-  let base = Array.make (e.first_row.(part.last + 1) - e.first_row.(part.first)) 0. in
-  let first = e.first_row.(part.first) in
-  for r = first to e.first_row.(part.last + 1) - 1 do
+  let base = Array.make ((Int_array.get e.first_row (part.last + 1)) - (Int_array.get e.first_row (part.first))) 0. in
+  let first = (Int_array.get e.first_row (part.first)) in
+  for r = first to (Int_array.get e.first_row (part.last + 1)) - 1 do
     let known w = if inside part w then Rat.zero else value.(w) in
     base.(r - first) <- Rat.to_float (Equations.row_sum e known r)
   done;
   let sum r =
     let s = ref base.(r - first) in
-    for i = e.first_entry.(r) to e.first_entry.(r + 1) - 1 do
-      if inside part e.node.(i) then s := !s +. (e.near.(i) *. near.(e.node.(i) - part.first))
+    for i = (Int_array.get e.first_entry r) to (Int_array.get e.first_entry (r + 1)) - 1 do
+      if inside part (Int_array.get e.node i) then s := !s +. (e.near.(i) *. near.((Int_array.get e.node i) - part.first))
     done;
     !s
   in
@@ -96,7 +97,7 @@ let guess (e : Equations.t) part value (row : int array) =
     let change = ref 0. in
     for v = part.first to part.last do
       let found = ref (sum row.(v)) in
-      for r = e.first_row.(v) to e.first_row.(v + 1) - 1 do
+      for r = (Int_array.get e.first_row v) to (Int_array.get e.first_row (v + 1)) - 1 do
         let s = sum r in
         if better_float e s (!found +. (match e.direction with Min -> -.small | Max -> small) *. Float.abs !found)
         then begin
@@ -117,12 +118,12 @@ let evaluate (e : Equations.t) (effort : Effort.t) part (value : Rat.t array) (r
   let entries i =
     let r = row.(part.first + i) in
     let rec go k l =
-      if k < e.first_entry.(r) then l
+      if k < (Int_array.get e.first_entry r) then l
       else
         go (k - 1)
-          (if inside part e.node.(k) then (e.node.(k) - part.first, Equations.probability e k) :: l else l)
+          (if inside part (Int_array.get e.node k) then ((Int_array.get e.node k) - part.first, Equations.probability e k) :: l else l)
     in
-    go (e.first_entry.(r + 1) - 1) []
+    go ((Int_array.get e.first_entry (r + 1)) - 1) []
   in
   let constant i =
     let known w = if inside part w then Rat.zero else value.(w) in
@@ -166,7 +167,7 @@ let solve_part (e : Equations.t) effort part value (row : int array) =
 
 let solve (e : Equations.t) (effort : Effort.t) =
   let value = Array.make e.size Rat.zero in
-  let row = Array.init e.size (fun v -> e.first_row.(v)) in
+  let row = Array.init e.size (fun v -> (Int_array.get e.first_row v)) in
   let at = Array.get value in
   let one v =
     let r, x = best e at v row.(v) in

@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_data
 
 type solution = { interval : int -> Rat.t * Rat.t option; row : int array; sweeps : int }
 
@@ -50,8 +51,8 @@ type outside = { share : float; more : float }
 let outside_of t part =
   let share = ref 0. and more = ref 0. in
   let e = t.e in
-  for i = e.first_entry.(e.first_row.(part.first)) to e.first_entry.(e.first_row.(part.last + 1)) - 1 do
-    let w = e.node.(i) in
+  for i = (Int_array.get e.first_entry ((Int_array.get e.first_row (part.first)))) to (Int_array.get e.first_entry ((Int_array.get e.first_row (part.last + 1)))) - 1 do
+    let w = (Int_array.get e.node i) in
     if w < part.first || w > part.last then begin
       let low = t.r.lower.(w) in
       let gap = t.r.upper.(w) -. low in
@@ -268,8 +269,8 @@ let depth (e : Equations.t) =
   for k = 0 to parts_of e - 1 do
     let first = e.parts.(k) and last = e.parts.(k + 1) - 1 in
     let below = ref 0 in
-    for i = e.first_entry.(e.first_row.(first)) to e.first_entry.(e.first_row.(last + 1)) - 1 do
-      if e.node.(i) < first then below := Int.max !below at.(e.node.(i))
+    for i = (Int_array.get e.first_entry ((Int_array.get e.first_row first))) to (Int_array.get e.first_entry ((Int_array.get e.first_row (last + 1)))) - 1 do
+      if (Int_array.get e.node i) < first then below := Int.max !below at.((Int_array.get e.node i))
     done;
     let here = if last > first then !below + 1 else !below in
     Array.fill at first (last - first + 1) here;

@@ -1,29 +1,39 @@
 open Scc_exact
-module Growable = Scc_data.Growable
+open Scc_data
 
 type t = {
-  first_choice : int array;  (** of each state, and the number of choices *)
-  first_branch : int array;  (** of each choice, and the number of branches *)
-  target : int array;
+  first_choice : Int_array.t;  (** of each state, and the number of choices *)
+  first_branch : Int_array.t;  (** of each choice, and the number of branches *)
+  target : Int_array.t;
   probability : Rat.t array;
   reward : Rat.t array;
-  near : float array Lazy.t;
+  near : float array;
 }
 
-let states m = Array.length m.first_choice - 1
-let choices m = Array.length m.first_branch - 1
-let branches m = Array.length m.target
-let first_choice m s = m.first_choice.(s)
-let first_branch m c = m.first_branch.(c)
-let target m b = m.target.(b)
+let states m = Int_array.length m.first_choice - 1
+let choices m = Int_array.length m.first_branch - 1
+let branches m = Int_array.length m.target
+let first_choice m s = Int_array.get m.first_choice s
+let first_branch m c = Int_array.get m.first_branch c
+let target m b = Int_array.get m.target b
 let probability m b = m.probability.(b)
 let reward m c = m.reward.(c)
-let near m = Lazy.force m.near
+let near m = m.near
+
+let leads_into m c set =
+  let last = first_branch m (c + 1) in
+  let rec go b = b < last && (Bits.mem set (target m b) || go (b + 1)) in
+  go (first_branch m c)
+
+let stays_in m c set =
+  let last = first_branch m (c + 1) in
+  let rec go b = b = last || (Bits.mem set (target m b) && go (b + 1)) in
+  go (first_branch m c)
 
 let some_branch m c test =
-  let last = m.first_branch.(c + 1) in
-  let rec go b = b < last && (test m.target.(b) || go (b + 1)) in
-  go m.first_branch.(c)
+  let last = first_branch m (c + 1) in
+  let rec go b = b < last && (test (target m b) || go (b + 1)) in
+  go (first_branch m c)
 
 let every_branch m c test = not (some_branch m c (fun t -> not (test t)))
 
@@ -46,25 +56,25 @@ let describe e =
   | Negative_reward r -> Printf.sprintf "%s has the negative reward %s" choice (Rat.to_string r)
 
 type builder = {
-  choice_starts : int Growable.t;
-  branch_starts : int Growable.t;
-  targets : int Growable.t;
+  choice_starts : Int_array.buffer;
+  branch_starts : Int_array.buffer;
+  targets : Int_array.buffer;
   probabilities : Rat.t Growable.t;
   rewards : Rat.t Growable.t;
 }
 
 let builder () =
   {
-    choice_starts = Growable.create ();
-    branch_starts = Growable.create ();
-    targets = Growable.create ();
+    choice_starts = Int_array.buffer ();
+    branch_starts = Int_array.buffer ();
+    targets = Int_array.buffer ();
     probabilities = Growable.create ();
     rewards = Growable.create ();
   }
 
 let add_state b =
-  Growable.push b.choice_starts (Growable.length b.branch_starts);
-  Growable.length b.choice_starts - 1
+  Int_array.push b.choice_starts (Int_array.size b.branch_starts);
+  Int_array.size b.choice_starts - 1
 
 let rec increasing = function
   | (t, _) :: ((u, _) :: _ as rest) -> t < u && increasing rest
@@ -84,12 +94,13 @@ let merged branches =
          [] sorted)
 
 let add_choice b ?(reward = Rat.zero) branches =
-  if Growable.length b.choice_starts = 0 then Scc_base.Bug.fail __POS__ "a choice of no state";
-  Growable.push b.branch_starts (Growable.length b.targets);
+  if Int_array.size b.choice_starts = 0 then Scc_base.Bug.fail __POS__ "a choice of no state";
+  Int_array.push b.branch_starts (Int_array.size b.targets);
   Growable.push b.rewards reward;
   List.iter
     (fun (t, p) ->
-       Growable.push b.targets t;
+       (* What is too great for the array is no state in any case. *)
+       Int_array.push b.targets (Int.max (-1) (Int.min Int_array.max_value t));
        Growable.push b.probabilities p)
     (merged branches)
 
@@ -99,36 +110,35 @@ let check_choice m c =
   let n = states m in
   if Rat.sign m.reward.(c) < 0 then raise (Wrong (Negative_reward m.reward.(c)));
   let sum = ref Rat.zero in
-  for b = m.first_branch.(c) to m.first_branch.(c + 1) - 1 do
-    if m.target.(b) < 0 || m.target.(b) >= n then raise (Wrong (No_such_target m.target.(b)));
+  for b = first_branch m c to first_branch m (c + 1) - 1 do
+    if target m b < 0 || target m b >= n then raise (Wrong (No_such_target (target m b)));
     if Rat.sign m.probability.(b) <= 0 then raise (Wrong (Not_positive m.probability.(b)));
     sum := Rat.add !sum m.probability.(b)
   done;
   if not (Rat.equal !sum Rat.one) then raise (Wrong (Sum !sum))
 
 let check_state m s =
-  let first = m.first_choice.(s) and last = m.first_choice.(s + 1) - 1 in
+  let first = first_choice m s and last = first_choice m (s + 1) - 1 in
   let rec go c =
     if c > last then Ok ()
     else match check_choice m c with () -> go (c + 1) | exception Wrong fault -> Error (c - first, fault)
   in
   if last < first then Error (0, No_choice) else go first
 
-let array g last =
-  let n = Growable.length g in
-  Array.init (n + 1) (fun i -> if i = n then last else Growable.get g i)
+let all g = Array.init (Growable.length g) (Growable.get g)
 
 let finish b =
-  let all g = Array.init (Growable.length g) (Growable.get g) in
+  Int_array.push b.choice_starts (Int_array.size b.branch_starts);
+  Int_array.push b.branch_starts (Int_array.size b.targets);
   let probability = all b.probabilities in
   let m =
     {
-      first_choice = array b.choice_starts (Growable.length b.branch_starts);
-      first_branch = array b.branch_starts (Growable.length b.targets);
-      target = all b.targets;
+      first_choice = Int_array.contents b.choice_starts;
+      first_branch = Int_array.contents b.branch_starts;
+      target = Int_array.contents b.targets;
       probability;
       reward = all b.rewards;
-      near = lazy (Array.map Rat.to_float probability);
+      near = Array.map Rat.to_float probability;
     }
   in
   let rec check s =

@@ -32,8 +32,13 @@ val reward : t -> int -> Rat.t
 (** Of a choice, at least 0: what is earned, or paid, when it is taken. *)
 
 val near : t -> float array
-(** The probabilities of all branches, each as the nearest float. Made when it is first asked for; not to be
-    changed. *)
+(** The probabilities of all branches, each as the nearest float. Not to be changed. *)
+
+val leads_into : t -> int -> Scc_data.Bits.t -> bool
+(** Whether a target of the choice is in the set. *)
+
+val stays_in : t -> int -> Scc_data.Bits.t -> bool
+(** Whether all are. *)
 
 val some_branch : t -> int -> (int -> bool) -> bool
 (** Whether a target of the choice passes the test. *)

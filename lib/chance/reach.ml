@@ -9,11 +9,11 @@ let solve q (direction : Equations.direction) effort ~asked =
     match direction with
     | Min ->
       let zero = Qualitative.avoiding q and one = Qualitative.one_min q in
-      (zero.set, one, (fun _ -> Components.none (Backwards.mdp back)), Array.get zero.choice)
+      (zero.set, one, (fun _ -> Components.none (Backwards.mdp back)), Int_array.get zero.choice)
     | Max ->
       let zero = Qualitative.zero_max q and one = Qualitative.surely q in
       let merged inside = Components.ends back ~inside ~allowed:(fun _ -> true) in
-      (zero, one.set, merged, Array.get one.choice)
+      (zero, one.set, merged, Int_array.get one.choice)
   in
   let at_zero : Equations.status = Known Rat.zero and at_one : Equations.status = Known Rat.one in
   let status s = if Bits.mem zero s then at_zero else if Bits.mem one s then at_one else Equations.Open

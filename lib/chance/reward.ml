@@ -24,5 +24,5 @@ let solve q (direction : Equations.direction) effort ~asked =
     let avoiding = Qualitative.avoiding q in
     let towards = Qualitative.towards q ~into:(Bits.mem avoiding.set) in
     let finite = Bits.init (Mdp.states m) (fun s -> not (Bits.mem towards.set s)) in
-    let choice s = Int.max avoiding.choice.(s) towards.choice.(s) in
+    let choice s = Int.max (Int_array.get avoiding.choice s) (Int_array.get towards.choice s) in
     solve ~finite ~allowed:(fun _ -> true) ~merged:(Components.none m) ~choice

@@ -1,4 +1,5 @@
 open Scc_exact
+open Scc_data
 
 type t = {
   equations : Equations.t;
@@ -25,7 +26,7 @@ let start (e : Equations.t) ~upper =
   (* A constant is 0 exactly or positive; the float next to it may be 0 all the same. *)
   let below x = if x > 0. then Float.pred x else 0. in
   let above r x = if x > 0. || Rat.sign e.constant.(r) > 0 then Float.succ x else 0. in
-  let rows () = Array.init e.size (fun v -> e.first_row.(v)) in
+  let rows () = Array.init e.size (fun v -> (Int_array.get e.first_row v)) in
   {
     equations = e;
     below = Array.map below e.near_constant;
@@ -55,12 +56,12 @@ let improve t ~first ~last ~forward ~relative =
   for n = 0 to last - first do
     let v = if forward then first + n else last - n in
     let best = ref (if is_max then -1. else infinity) in
-    let from = ref (Array.unsafe_get e.first_entry (Array.unsafe_get e.first_row v)) in
-    for r = Array.unsafe_get e.first_row v to Array.unsafe_get e.first_row (v + 1) - 1 do
-      let till = Array.unsafe_get e.first_entry (r + 1) in
+    let from = ref (Int_array.unsafe_get e.first_entry (Int_array.unsafe_get e.first_row v)) in
+    for r = Int_array.unsafe_get e.first_row v to Int_array.unsafe_get e.first_row (v + 1) - 1 do
+      let till = Int_array.unsafe_get e.first_entry (r + 1) in
       let sum = ref (Array.unsafe_get below r) in
       for i = !from to till - 1 do
-        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get guess (Array.unsafe_get node i))
+        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get guess (Int_array.unsafe_get node i))
       done;
       from := till;
       if (if is_max then !sum > !best else !sum < !best) then begin
@@ -86,8 +87,8 @@ let evaluate t ~first ~last ~forward ~relative =
     let v = if forward then first + n else last - n in
     let r = Array.unsafe_get t.row v in
     let sum = ref (Array.unsafe_get below r) in
-    for i = Array.unsafe_get e.first_entry r to Array.unsafe_get e.first_entry (r + 1) - 1 do
-      sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get guess (Array.unsafe_get node i))
+    for i = Int_array.unsafe_get e.first_entry r to Int_array.unsafe_get e.first_entry (r + 1) - 1 do
+      sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get guess (Int_array.unsafe_get node i))
     done;
     let x = if !sum > ceiling then ceiling else !sum in
     let change = Float.abs (x -. Array.unsafe_get guess v) in
@@ -116,13 +117,13 @@ let sweep_low t ~first ~last ~forward =
   let fallen = ref 0 in
   for n = 0 to last - first do
     let v = if forward then first + n else last - n in
-    let best = ref (if is_max then -1. else infinity) and best_row = ref e.first_row.(v) in
-    let from = ref e.first_entry.(e.first_row.(v)) in
-    for r = e.first_row.(v) to e.first_row.(v + 1) - 1 do
-      let till = e.first_entry.(r + 1) in
+    let best = ref (if is_max then -1. else infinity) and best_row = ref (Int_array.get e.first_row v) in
+    let from = ref (Int_array.get e.first_entry ((Int_array.get e.first_row v))) in
+    for r = (Int_array.get e.first_row v) to (Int_array.get e.first_row (v + 1)) - 1 do
+      let till = (Int_array.get e.first_entry (r + 1)) in
       let sum = ref (Array.unsafe_get below r) in
       for i = !from to till - 1 do
-        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get trial (Array.unsafe_get node i))
+        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get trial (Int_array.unsafe_get node i))
       done;
       let x = if !sum < tiny then 0. else !sum *. (1. -. (float_of_int (till - !from + 6) *. step)) in
       from := till;
@@ -147,13 +148,13 @@ let sweep_high t ~first ~last ~forward =
   let grown = ref 0 and crossed = ref false in
   for n = 0 to last - first do
     let v = if forward then first + n else last - n in
-    let best = ref (if is_max then 0. else infinity) and best_row = ref e.first_row.(v) in
-    let from = ref e.first_entry.(e.first_row.(v)) in
-    for r = e.first_row.(v) to e.first_row.(v + 1) - 1 do
-      let till = e.first_entry.(r + 1) in
+    let best = ref (if is_max then 0. else infinity) and best_row = ref (Int_array.get e.first_row v) in
+    let from = ref (Int_array.get e.first_entry ((Int_array.get e.first_row v))) in
+    for r = (Int_array.get e.first_row v) to (Int_array.get e.first_row (v + 1)) - 1 do
+      let till = (Int_array.get e.first_entry (r + 1)) in
       let sum = ref (Array.unsafe_get above r) in
       for i = !from to till - 1 do
-        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get trial (Array.unsafe_get node i))
+        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get trial (Int_array.unsafe_get node i))
       done;
       let x = (!sum +. tiny) *. (1. +. (float_of_int (till - !from + 6) *. step)) in
       from := till;

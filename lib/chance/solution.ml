@@ -41,7 +41,7 @@ let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
         match Exact_solver.solve e effort with
         | Ok s -> exactly s
         | Error why ->
-          { of_node = (fun _ -> possible); row = (fun v -> e.first_row.(v)); how = Given_up why })
+          { of_node = (fun _ -> possible); row = (fun v -> (Int_array.get e.first_row v)); how = Given_up why })
     | Either -> (
         let greatest = Exact_solver.greatest_component e in
         if greatest > effort.component then nearly (Some (Component greatest))
@@ -51,7 +51,7 @@ let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
 let spread back (e : Equations.t) (merged : Components.ends) row (choice : int array) =
   let found = Worklist.create (Mdp.states (Backwards.mdp back)) in
   for v = 0 to e.size - 1 do
-    let c = e.choice.(row v) in
+    let c = (Int_array.get e.choice (row v)) in
     let s = Backwards.owner back c in
     choice.(s) <- c;
     Worklist.add found s
@@ -81,14 +81,14 @@ let solve back direction effort ~asked ~status ~elsewhere ~allowed ~merged ~rewa
   let asked =
     match asked with
     | All -> List.init e.size Fun.id
-    | States l -> List.sort_uniq Int.compare (List.filter (fun v -> v >= 0) (List.map (Array.get e.node_of) l))
+    | States l -> List.sort_uniq Int.compare (List.filter (fun v -> v >= 0) (List.map (Int_array.get e.node_of) l))
   in
   let nodes = nodes e effort ~possible ~rewards ~asked in
   let value s : Answer.t =
     match status s with
     | Known x -> Exact x
     | Elsewhere -> elsewhere
-    | Open -> if e.node_of.(s) < 0 then possible else nodes.of_node e.node_of.(s)
+    | Open -> if (Int_array.get e.node_of s) < 0 then possible else nodes.of_node (Int_array.get e.node_of s)
   in
   let scheduler =
     lazy

@@ -5,6 +5,7 @@ type t = (int32, int32_elt, c_layout) Array1.t
 let max_value = 0x7fffffff
 let raw n : t = Array1.create Int32 C_layout n
 let get (a : t) i = Int32.to_int (Array1.get a i)
+let unsafe_get (a : t) i = Int32.to_int (Array1.unsafe_get a i)
 let set (a : t) i x = Array1.set a i (Int32.of_int x)
 let length (a : t) = Array1.dim a
 let fill (a : t) x = Array1.fill a (Int32.of_int x)

@@ -12,6 +12,10 @@ val make : int -> int -> t
 val length : t -> int
 val get : t -> int -> int
 val set : t -> int -> int -> unit
+
+val unsafe_get : t -> int -> int
+(** Without a look at the index: for the innermost loops, over indices that were made to be right. *)
+
 val fill : t -> int -> unit
 
 val prefix : t -> int -> t

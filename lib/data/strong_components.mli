@@ -7,6 +7,10 @@ type t
 val compute : size:int -> inside:(int -> bool) -> successors:(int -> int array) -> t
 (** Of the nodes that are inside; successors outside are left out. Each node is asked for its successors once. *)
 
+val of_graph : size:int -> inside:(int -> bool) -> first:Int_array.t -> targets:Int_array.t -> t
+(** The same of a graph that is written down: the successors of node v begin at [first v] in [targets], and end
+    where that is negative. *)
+
 val count : t -> int
 
 val number : t -> int -> int
