@@ -21,6 +21,12 @@ type t = {
   node_of : Int_array.t;
 }
 
+let first_row e v = Int_array.get e.first_row v
+let first_entry e r = Int_array.get e.first_entry r
+let node e i = Int_array.get e.node i
+let choice e r = Int_array.get e.choice r
+let node_of e s = Int_array.get e.node_of s
+
 let probability e i =
   let b = Int_array.get e.branch i in
   if b >= 0 then Mdp.probability e.mdp b else e.worked_out.(-1 - b)
@@ -186,7 +192,8 @@ let add_row src rows ~node_of ~first ~last v c =
     end
     else
       match src.status t with
-      | Open | Elsewhere -> Scc_base.Bug.fail __POS__ "an open state leads to one that has no place in the equations"
+      | Open | Elsewhere ->
+        Scc_base.Bug.fail __POS__ "an open state leads to one that has no place in the equations"
       | Known x ->
         outside := true;
         if x == Rat.one then add ~branch:b (Mdp.probability m b)

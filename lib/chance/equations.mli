@@ -27,19 +27,27 @@ type t = private {
   (** The nodes of component k of the graph of nodes are parts.(k) .. parts.(k + 1) - 1; no entry leads to a
       greater component. *)
   first_row : Int_array.t;  (** of each node, and the number of rows; a node has one row or more *)
-  first_entry : Int_array.t;  (** of each row, and the number of entries; arrays of rows and entries may be longer *)
+  first_entry : Int_array.t;
+  (** of each row, and the number of entries; the arrays of rows and entries may be longer than that *)
   constant : Rat.t array;  (** of each row, at least 0 *)
   near_constant : float array;  (** the nearest floats *)
   node : Int_array.t;  (** of each entry; never the node that has the row, and each node once in a row *)
   near : float array;  (** of each entry: the float nearest to its {!probability}, but never 0 *)
   mdp : Mdp.t;
-  branch : Int_array.t;  (** of each entry: the branch that has its probability; or -1 - its place in [worked_out] *)
+  branch : Int_array.t;
+  (** of each entry: the branch that has its probability; or -1 - its place in [worked_out] *)
   worked_out : Rat.t array;  (** probabilities that are not those of a branch *)
   leaks : Bits.t;
   (** The rows of which the entries of its own component have a sum less than 1. *)
   choice : Int_array.t;  (** of each row: the choice of the MDP that it stands for *)
   node_of : Int_array.t;  (** of each state; -1: it is not open, or was not asked for *)
 }
+
+val first_row : t -> int -> int
+val first_entry : t -> int -> int
+val node : t -> int -> int
+val choice : t -> int -> int
+val node_of : t -> int -> int
 
 val probability : t -> int -> Rat.t
 (** Of an entry: positive. *)

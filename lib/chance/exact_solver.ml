@@ -21,7 +21,7 @@ let better_float (e : Equations.t) (x : float) y = match e.direction with Min ->
 (* The best row of a node for some values; the one that is given, unless another is better. *)
 let best (e : Equations.t) value v row =
   let found = ref row and sum = ref (Equations.row_sum e value row) in
-  for r = (Int_array.get e.first_row v) to (Int_array.get e.first_row (v + 1)) - 1 do
+  for r = Equations.first_row e v to Equations.first_row e (v + 1) - 1 do
     if not (Int.equal r row) then begin
       let s = Equations.row_sum e value r in
       if better e s !sum then begin
@@ -38,9 +38,10 @@ let inside part w = w >= part.first && w <= part.last
 
 let leads (e : Equations.t) part r test =
   let rec go i =
-    i < (Int_array.get e.first_entry (r + 1)) && ((inside part (Int_array.get e.node i) && test (Int_array.get e.node i)) || go (i + 1))
+    i < Equations.first_entry e (r + 1)
+    && ((inside part (Equations.node e i) && test (Equations.node e i)) || go (i + 1))
   in
-  go (Int_array.get e.first_entry r)
+  go (Equations.first_entry e r)
 
 (* Gives the nodes of the part, one after the other, rows of theirs by which it is left; whether all got one. Rows
    are taken among those that the nodes have already, or any. The passes go down and up by turns, and are few as a
@@ -52,8 +53,8 @@ let leaving (e : Equations.t) part ~any (row : int array) =
   let look v =
     if is_settled v then false
     else begin
-      let rec go r = if r = (Int_array.get e.first_row (v + 1)) then -1 else if good r then r else go (r + 1) in
-      let r = if any then go (Int_array.get e.first_row v) else if good row.(v) then row.(v) else -1 in
+      let rec go r = if r = Equations.first_row e (v + 1) then -1 else if good r then r else go (r + 1) in
+      let r = if any then go (Equations.first_row e v) else if good row.(v) then row.(v) else -1 in
       if r >= 0 then begin
         row.(v) <- r;
         settled.(v - part.first) <- true
@@ -80,16 +81,16 @@ let small = 0x1p-40
 (* A good scheduler, by value iteration in floats from that of [row] on: nothing is proved here. *)
 let guess (e : Equations.t) part value (row : int array) =
   let near = Array.make (part.last - part.first + 1) 0. in
-  let base = Array.make ((Int_array.get e.first_row (part.last + 1)) - (Int_array.get e.first_row (part.first))) 0. in
-  let first = (Int_array.get e.first_row (part.first)) in
-  for r = first to (Int_array.get e.first_row (part.last + 1)) - 1 do
+  let base = Array.make (Equations.first_row e (part.last + 1) - (Equations.first_row e part.first)) 0. in
+  let first = Equations.first_row e part.first in
+  for r = first to Equations.first_row e (part.last + 1) - 1 do
     let known w = if inside part w then Rat.zero else value.(w) in
     base.(r - first) <- Rat.to_float (Equations.row_sum e known r)
   done;
   let sum r =
     let s = ref base.(r - first) in
-    for i = (Int_array.get e.first_entry r) to (Int_array.get e.first_entry (r + 1)) - 1 do
-      if inside part (Int_array.get e.node i) then s := !s +. (e.near.(i) *. near.((Int_array.get e.node i) - part.first))
+    for i = Equations.first_entry e r to Equations.first_entry e (r + 1) - 1 do
+      if inside part (Equations.node e i) then s := !s +. (e.near.(i) *. near.(Equations.node e i - part.first))
     done;
     !s
   in
@@ -97,7 +98,7 @@ let guess (e : Equations.t) part value (row : int array) =
     let change = ref 0. in
     for v = part.first to part.last do
       let found = ref (sum row.(v)) in
-      for r = (Int_array.get e.first_row v) to (Int_array.get e.first_row (v + 1)) - 1 do
+      for r = Equations.first_row e v to Equations.first_row e (v + 1) - 1 do
         let s = sum r in
         if better_float e s (!found +. (match e.direction with Min -> -.small | Max -> small) *. Float.abs !found)
         then begin
@@ -118,12 +119,13 @@ let evaluate (e : Equations.t) (effort : Effort.t) part (value : Rat.t array) (r
   let entries i =
     let r = row.(part.first + i) in
     let rec go k l =
-      if k < (Int_array.get e.first_entry r) then l
+      if k < Equations.first_entry e r then l
       else
         go (k - 1)
-          (if inside part (Int_array.get e.node k) then ((Int_array.get e.node k) - part.first, Equations.probability e k) :: l else l)
+          (let w = Equations.node e k in
+           if inside part w then (w - part.first, Equations.probability e k) :: l else l)
     in
-    go ((Int_array.get e.first_entry (r + 1)) - 1) []
+    go (Equations.first_entry e (r + 1) - 1) []
   in
   let constant i =
     let known w = if inside part w then Rat.zero else value.(w) in
@@ -167,7 +169,7 @@ let solve_part (e : Equations.t) effort part value (row : int array) =
 
 let solve (e : Equations.t) (effort : Effort.t) =
   let value = Array.make e.size Rat.zero in
-  let row = Array.init e.size (fun v -> (Int_array.get e.first_row v)) in
+  let row = Array.init e.size (fun v -> Equations.first_row e v) in
   let at = Array.get value in
   let one v =
     let r, x = best e at v row.(v) in

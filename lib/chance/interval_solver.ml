@@ -1,58 +1,19 @@
 open Scc_exact
-open Scc_data
+open Enclosure
 
 type solution = { interval : int -> Rat.t * Rat.t option; row : int array; sweeps : int }
-
-exception Enough
-
-type t = {
-  e : Equations.t;
-  effort : Effort.t;
-  r : Rounded.t;
-  asked : int list;
-  few : bool;  (** so few are asked for that to look at them costs nothing *)
-  mutable work : int;  (** nodes that were looked at *)
-  mutable next : int;  (** the work at which the next question is due whether to go on *)
-}
-
-let stride = 100_000
-
-(* Whether the interval of a node is good enough, exactly. *)
-let good t v =
-  let low, high = Rounded.interval t.r v in
-  let decided () =
-    match t.effort.bound with
-    | None -> false
-    | Some bound ->
-      let a : Answer.t = match high with None -> At_least low | Some high -> Within (low, high) in
-      Option.is_some (Answer.holds a bound)
-  in
-  match high with
-  | None -> decided ()
-  | Some high ->
-    let width = if t.effort.relative then Rat.mul t.effort.width low else t.effort.width in
-    Rat.compare (Rat.sub high low) width <= 0 || decided ()
-
-let worked t n =
-  t.work <- t.work + n;
-  if t.work >= t.next then begin
-    t.next <- t.work + stride;
-    if t.effort.interrupted () || (t.few && List.for_all (good t) t.asked) then raise Enough
-  end
-
-type part = { first : int; last : int }
-
-let size part = part.last - part.first + 1
 
 (* How much of the uncertainty of a component comes from what it leads to: a share of what is there, and so much
    more. Half of the widest interval, as guesses are made with the middles of intervals. *)
 type outside = { share : float; more : float }
 
+let first_entry_of e v = Equations.first_entry e (Equations.first_row e v)
+
 let outside_of t part =
   let share = ref 0. and more = ref 0. in
   let e = t.e in
-  for i = (Int_array.get e.first_entry ((Int_array.get e.first_row (part.first)))) to (Int_array.get e.first_entry ((Int_array.get e.first_row (part.last + 1)))) - 1 do
-    let w = (Int_array.get e.node i) in
+  for i = first_entry_of e part.first to first_entry_of e (part.last + 1) - 1 do
+    let w = Equations.node e i in
     if w < part.first || w > part.last then begin
       let low = t.r.lower.(w) in
       let gap = t.r.upper.(w) -. low in
@@ -66,7 +27,11 @@ let outside_of t part =
 
 let bounded o = o.share < infinity && o.more < infinity
 
-(* What the ends of an interval around a guess are to be. *)
+(* What the ends of an interval around a guess x are to be, but for what comes from outside: farther from x by a
+   share of it (or by that itself, where widths are absolute); by the same for all nodes; or by so much for each of
+   the steps that the component is expected to take from there. *)
+type margin = Gap of float | Even of float | Per_step of float
+
 let low_end t o ~gap x =
   let o = if bounded o then o else { share = 0.; more = 0. } in
   if t.effort.relative then (x *. (1. -. gap -. o.share)) -. o.more else x -. gap -. o.more
@@ -84,13 +49,21 @@ let narrow t part o ~gap =
 
 type side = Low | High
 
-(* Guesses ends of one side, and sees in so many sweeps at most whether they are right. *)
-let attempt t part o side ~gap ~sweeps =
+(* Guesses ends of one side, and sees in so many sweeps at most whether they are right. [quickly]: as long as each
+   sweep leaves half of the doubts, or those are very few. *)
+let attempt t part o side margin ~quickly ~sweeps =
   let first = part.first and last = part.last in
+  let gap = match margin with Gap gap -> gap | Even _ | Per_step _ -> 0. in
+  let farther v =
+    match (margin, t.steps) with
+    | Even far, _ -> far
+    | Per_step far, Some steps -> far *. steps.guess.(v)
+    | Per_step _, None | Gap _, _ -> 0.
+  in
   for v = first to last do
     match side with
-    | Low -> Rounded.set_low t.r v (low_end t o ~gap t.r.guess.(v))
-    | High -> Rounded.set_high t.r v (high_end t o ~gap t.r.guess.(v))
+    | Low -> Rounded.set_low t.r v (low_end t o ~gap t.r.guess.(v) -. farther v)
+    | High -> Rounded.set_high t.r v (high_end t o ~gap t.r.guess.(v) +. farther v)
   done;
   let drop () =
     match side with
@@ -118,7 +91,8 @@ let attempt t part o side ~gap ~sweeps =
         true
       | Open ->
         let against = t.r.measure.(0) in
-        if against < least then go (n - 1) ~least:against ~patience:(8 + (n / 4))
+        if quickly && against > 0.5 *. least && against > 0.001 *. float_of_int (size part) then false
+        else if against < least then go (n - 1) ~least:against ~patience:(8 + (n / 4))
         else go (n - 1) ~least ~patience:(patience - 1)
       | Refuted -> false
     end
@@ -126,140 +100,62 @@ let attempt t part o side ~gap ~sweeps =
   let proved = go sweeps ~least:infinity ~patience:(8 + (sweeps / 4)) in
   if not proved then drop ();
   proved
-
-(* Guesses come nearer to the solution by rounds (modified policy iteration): one sweep finds the best rows, and
-   then these are evaluated by pairs of sweeps, one up and one down. Of each pair the first one's change is
-   looked at. Changes become a geometric sequence in the end, and what is changed is the same up to a factor: so
-   the limit can be seen from far. Nothing that is proved depends on it. *)
-type pace = {
-  mutable sweeps : int;
-  mutable rounds : int;
-  mutable change : float;  (** the greatest one of the last pair *)
-  mutable moved : float;  (** the sum of its changes *)
-  mutable ratio : float;  (** of the last two sums *)
-  mutable steady : int;  (** for how many pairs of sweeps the ratio has been nearly the same *)
-  mutable rate : float;  (** the ratio when it last was so *)
-  mutable least : float;  (** of the changes of the first sweeps of all rounds *)
-  mutable since : int;  (** the round of that *)
-  mutable early : int;  (** the number of sweeps at which ends are tried before they are near *)
-}
-
-let distance ~rate change =
-  if change = 0. then 0. else if rate >= 1. then infinity else change *. rate /. (1. -. rate)
-
-let pair t part p =
-  let relative = t.effort.relative and first = part.first and last = part.last in
-  worked t (2 * size part);
-  Rounded.remember t.r ~first ~last;
-  let change = Rounded.evaluate t.r ~first ~last ~forward:true ~relative in
-  let moved = t.r.measure.(0) in
-  ignore (Rounded.evaluate t.r ~first ~last ~forward:false ~relative);
-  let ratio = if p.moved > 0. && p.moved < infinity then moved /. p.moved else 1. in
-  p.steady <- (if Float.abs (ratio -. p.ratio) < 0.1 *. (1. -. ratio) then p.steady + 1 else 0);
-  p.ratio <- ratio;
-  if p.steady > 0 || ratio > p.rate then p.rate <- ratio;
-  p.change <- change;
-  p.moved <- moved;
-  p.sweeps <- p.sweeps + 2;
-  if p.steady > 0 then begin
-    Rounded.go_on t.r ~first ~last ~factor:(ratio /. (1. -. ratio));
-    p.steady <- 0;
-    p.ratio <- 1.;
-    p.moved <- infinity
-  end
-
-(* Floats do not get on when a sweep changes the last digits alone. *)
-let stalled t part change =
-  change = 0.
-  || change
-     <= 0x1p-49
-             *. (if t.effort.relative then 1.
-                 else
-                   let greatest = ref 0. in
-                   for v = part.first to part.last do
-                     if t.r.guess.(v) > !greatest then greatest := t.r.guess.(v)
-                   done;
-                   !greatest)
-
-let pairs = 12
-
-(* Guesses that leap, or follow rows that are not the best, may go in circles. What does not get on after so many
-   rounds goes on with the best rows alone, and this comes to the solution from wherever it is. *)
-let patience = 500
-
-(* One round; the change of its first sweep. *)
-let round t part p ~target =
-  let first = part.first and last = part.last in
-  worked t (size part);
-  let change = Rounded.improve t.r ~first ~last ~forward:(p.rounds land 1 = 0) ~relative:t.effort.relative in
-  p.sweeps <- p.sweeps + 1;
-  p.rounds <- p.rounds + 1;
-  if change < p.least then begin
-    p.least <- change;
-    p.since <- p.rounds
-  end;
-  p.change <- infinity;
-  p.moved <- infinity;
-  p.ratio <- 1.;
-  p.steady <- 0;
-  let enough = Float.max (0.25 *. target) (0.25 *. change) in
-  let rec go n =
-    if n > 0 && not (stalled t part p.change) then begin
-      pair t part p;
-      if distance ~rate:p.rate p.change > enough then go (n - 1)
-    end
-  in
-  if distance ~rate:p.rate change > target && not (stalled t part change) then
-    if p.rounds - p.since < patience then go (Int.min pairs p.rounds);
-  change
-
 let solve_part t part ~gap =
+  let first = part.first and last = part.last in
   let o = outside_of t part in
-  let p =
-    {
-      sweeps = 0;
-      rounds = 0;
-      change = infinity;
-      moved = infinity;
-      ratio = 1.;
-      steady = 0;
-      rate = 1.;
-      least = infinity;
-      since = 0;
-      early = (if t.few then 64 else 256);
-    }
-  in
-  let trial side gap sweeps = attempt t part o side ~gap ~sweeps in
+  let p = Guess.pace t in
+  let trial ?(quickly = false) side margin sweeps = attempt t part o side margin ~quickly ~sweeps in
   let early change =
     p.early <- 2 * p.early;
-    let near = distance ~rate:p.rate change in
+    let near = Guess.distance p change in
     if near < infinity then begin
-      ignore (trial Low (2. *. near) (4 + (p.sweeps / 16)));
-      if bounded o then ignore (trial High (2. *. near) (4 + (p.sweeps / 16)))
+      ignore (trial Low (Gap (2. *. near)) (4 + (p.sweeps / 16)));
+      if bounded o then ignore (trial High (Gap (2. *. near)) (4 + (p.sweeps / 16)))
     end
-    else ignore (trial Low 0. 4)
+    else ignore (trial Low (Gap 0.) 4)
   in
   (* Until the limit seems to be so near, or is as near as floats come. *)
   let rec approach target =
-    let change = round t part p ~target in
-    if stalled t part change || p.rounds - p.since > 2 * patience then true
-    else if distance ~rate:p.rate change <= target then false
+    let change = Guess.round t part p ~target in
+    if Guess.stalled t part change || Guess.circling p then true
+    else if Guess.distance p change <= target then false
     else begin
       if p.sweeps >= p.early then early change;
       approach target
     end
   in
-  let rec go ~low ~high target gap =
-    let stalled = approach target in
-    let sweeps = 16 + p.sweeps in
-    let low = low || trial Low gap sweeps in
-    let high = high || (not (bounded o)) || trial High gap sweeps in
-    if not (low && high) then
-      if not stalled then go ~low ~high (target /. 64.) gap
-      else if gap < Rounded.ceiling then go ~low ~high target (64. *. gap)
+  (* Where some scheduler may stay for ever, there may be no greatest number of steps. *)
+  let by_steps =
+    lazy
+      (let sweeps = (if t.proper then 16 else 1) * (1_000 + p.sweeps) in
+       if size part <= Direct.greatest then 0. else Guess.per_step t part ~gap ~sweeps)
   in
-  if not (narrow t part o ~gap) then go ~low:false ~high:false (gap /. 64.) gap;
-  Rounded.settle t.r ~first:part.first ~last:part.last
+  let prove side gap sweeps =
+    (t.effort.relative && trial side (Even (gap *. Guess.least t part)) 2)
+    || trial ~quickly:true side (Gap gap) sweeps
+    || (let far = Lazy.force by_steps in
+        far > 0. && trial side (Per_step far) 8)
+    || trial side (Gap gap) sweeps
+  in
+  let rec go ~low ~high ~tries target gap =
+    let stalled = approach target in
+    let sweeps = tries * (16 + p.sweeps) in
+    let low = low || prove Low gap sweeps in
+    let high = high || (not (bounded o)) || prove High gap sweeps in
+    if not (low && high) then
+      let tries = 2 * tries in
+      if not stalled then go ~low ~high ~tries (target /. 64.) gap
+      else if gap < Rounded.ceiling then go ~low ~high ~tries target (64. *. gap)
+  in
+  if not (narrow t part o ~gap) then begin
+    let direct = Guess.directly t part in
+    if t.fresh && (not direct) && Float.is_finite t.r.upper.(first) then Guess.start t part p;
+    let low = direct && trial Low (Gap gap) 8 in
+    let high = direct && bounded o && trial High (Gap gap) 8 in
+    if not (low && (high || not (bounded o))) then go ~low ~high ~tries:1 (gap /. 64.) gap
+  end;
+  Option.iter (fun (r : Rounded.t) -> Array.fill r.guess first (size part) 0.) t.steps;
+  Rounded.settle t.r ~first ~last
 
 let parts_of (e : Equations.t) = Array.length e.parts - 1
 
@@ -269,8 +165,8 @@ let depth (e : Equations.t) =
   for k = 0 to parts_of e - 1 do
     let first = e.parts.(k) and last = e.parts.(k + 1) - 1 in
     let below = ref 0 in
-    for i = (Int_array.get e.first_entry ((Int_array.get e.first_row first))) to (Int_array.get e.first_entry ((Int_array.get e.first_row (last + 1)))) - 1 do
-      if (Int_array.get e.node i) < first then below := Int.max !below at.((Int_array.get e.node i))
+    for i = first_entry_of e first to first_entry_of e (last + 1) - 1 do
+      if Equations.node e i < first then below := Int.max !below at.(Equations.node e i)
     done;
     let here = if last > first then !below + 1 else !below in
     Array.fill at first (last - first + 1) here;
@@ -290,27 +186,18 @@ let pass t ~gap =
 
 (* The sum of the gaps of what is asked for: it tells whether a pass was of any use. *)
 let uncertainty t =
-  List.fold_left (fun sum v -> sum +. (t.r.upper.(v) -. t.r.lower.(v))) 0. t.asked
+  Array.fold_left (fun sum v -> sum +. (t.r.upper.(v) -. t.r.lower.(v))) 0. t.asked
 
 let rec passes t ~gap ~before =
   pass t ~gap;
-  if not (List.for_all (good t) t.asked) then begin
+  t.fresh <- false;
+  if not (Array.for_all (good t) t.asked) then begin
     let now = uncertainty t in
     if gap > 0x1p-60 && (now < 0.9 *. before || gap > 0x1p-40) then passes t ~gap:(gap /. 8.) ~before:now
   end
 
 let solve (e : Equations.t) (effort : Effort.t) ~upper ~asked =
-  let t =
-    {
-      e;
-      effort;
-      r = Rounded.start e ~upper;
-      asked;
-      few = List.compare_length_with asked 16 <= 0;
-      work = 0;
-      next = stride;
-    }
-  in
+  let t = Enclosure.start e effort ~upper ~asked in
   let gap = 0.45 *. Rat.to_float effort.width /. float_of_int (Int.max 1 (depth e)) in
   (match passes t ~gap ~before:infinity with () -> () | exception Enough -> ());
   {

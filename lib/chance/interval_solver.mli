@@ -15,6 +15,6 @@ type solution = {
   sweeps : int;  (** how many times all nodes were looked at, by and large *)
 }
 
-val solve : Equations.t -> Effort.t -> upper:float -> asked:int list -> solution
+val solve : Equations.t -> Effort.t -> upper:float -> asked:int array -> solution
 (** Until the intervals of the nodes asked for are good enough, or it is interrupted, or floats do not get any
     further. [upper] is at least all values, and may be infinite. *)

@@ -1,5 +1,5 @@
 (* So many passes are made in any case; after them only while each changes one number of so many. *)
-let few = 12
+let few = 64
 let share = 16
 
 let run ~size look =

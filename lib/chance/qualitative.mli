@@ -33,7 +33,10 @@ val one_min : t -> Bits.t
 
 (** {1 Choices that attain them} *)
 
-type directed = { set : Bits.t; choice : Int_array.t  (** of each state, numbered through; -1 where none is told *) }
+type directed = {
+  set : Bits.t;
+  choice : Int_array.t;  (** of each state, numbered through; -1 where none is told *)
+}
 
 val surely : t -> directed
 (** {!one_max}, and for its states on the way choices with which goal is reached with probability 1: all targets

@@ -3,6 +3,7 @@ open Scc_data
 
 type t = {
   equations : Equations.t;
+  is_max : bool;
   below : float array;
   above : float array;
   lower : float array;
@@ -16,19 +17,32 @@ type t = {
   low_trial : float array;
   high_trial : float array;
   trial_row : int array;
+  sums : float array;
 }
 
 let ceiling = 1e18
 let tiny = 1e-250
 let step = 0x1p-52
 
+let block = 8
+
+(* The greatest number of rows of so many nodes that follow each other, or fewer. *)
+let rows_of_a_block (e : Equations.t) =
+  let most = ref 0 in
+  for v = 0 to e.size - 1 do
+    let till = Equations.first_row e (Int.min e.size (v + block)) in
+    most := Int.max !most (till - Equations.first_row e v)
+  done;
+  !most
+
 let start (e : Equations.t) ~upper =
   (* A constant is 0 exactly or positive; the float next to it may be 0 all the same. *)
   let below x = if x > 0. then Float.pred x else 0. in
   let above r x = if x > 0. || Rat.sign e.constant.(r) > 0 then Float.succ x else 0. in
-  let rows () = Array.init e.size (fun v -> (Int_array.get e.first_row v)) in
+  let rows () = Array.init e.size (Equations.first_row e) in
   {
     equations = e;
+    is_max = (match e.direction with Max -> true | Min -> false);
     below = Array.map below e.near_constant;
     above = Array.mapi above e.near_constant;
     lower = Array.make e.size 0.;
@@ -42,44 +56,92 @@ let start (e : Equations.t) ~upper =
     low_trial = Array.make e.size 0.;
     high_trial = Array.make e.size upper;
     trial_row = Array.make e.size 0;
+    sums = Array.make (rows_of_a_block e) 0.;
+  }
+
+let steps t =
+  let e = t.equations in
+  {
+    t with
+    is_max = true;
+    below = Array.make (Array.length t.below) 1.;
+    upper = Array.make e.size infinity;
+    guess = Array.make e.size 0.;
+    row = Array.copy t.row;
+    before = Array.make e.size 0.;
+    measure = [| 0. |];
   }
 
 (* The loops below make up all the time of large models. They allocate nothing: that is why they are written out,
    once for each side, and not made of functions that return floats. Indices come from the equations, where rows
    and entries are contiguous, and nodes of entries are less than the size. *)
 
+(* Puts into [sums] the right sides of all rows of the nodes from low to high, for these values and constants. It
+   goes through several nodes before any row is compared with another: values that lie far from each other are then
+   waited for together, and not one after the other. *)
+let sum_rows t (values : float array) (constants : float array) low high =
+  let e = t.equations in
+  let near = e.near and node = e.node and sums = t.sums in
+  let first = Int_array.unsafe_get e.first_row low in
+  let from = ref (Int_array.unsafe_get e.first_entry first) in
+  for r = first to Int_array.unsafe_get e.first_row (high + 1) - 1 do
+    let till = Int_array.unsafe_get e.first_entry (r + 1) in
+    let sum = ref (Array.unsafe_get constants r) in
+    for i = !from to till - 1 do
+      sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get values (Int_array.unsafe_get node i))
+    done;
+    from := till;
+    Array.unsafe_set sums (r - first) !sum
+  done
+
+(* Calls [f low high] for the blocks of the nodes from first to last. In a small component each node is a block, to
+   be found with what those before it have become. *)
+let by_blocks ~first ~last ~forward f =
+  let width = if last - first < 8 * block then 1 else block in
+  if forward then begin
+    let low = ref first in
+    while !low <= last do
+      f !low (Int.min last (!low + width - 1));
+      low := !low + width
+    done
+  end
+  else begin
+    let high = ref last in
+    while !high >= first do
+      f (Int.max first (!high - width + 1)) !high;
+      high := !high - width
+    done
+  end
+
 let improve t ~first ~last ~forward ~relative =
   let e = t.equations in
-  let guess = t.guess and near = e.near and node = e.node and below = t.below in
-  let is_max = match e.direction with Max -> true | Min -> false in
-  let greatest = ref 0. and total = ref 0. in
-  for n = 0 to last - first do
-    let v = if forward then first + n else last - n in
-    let best = ref (if is_max then -1. else infinity) in
-    let from = ref (Int_array.unsafe_get e.first_entry (Int_array.unsafe_get e.first_row v)) in
-    for r = Int_array.unsafe_get e.first_row v to Int_array.unsafe_get e.first_row (v + 1) - 1 do
-      let till = Int_array.unsafe_get e.first_entry (r + 1) in
-      let sum = ref (Array.unsafe_get below r) in
-      for i = !from to till - 1 do
-        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get guess (Int_array.unsafe_get node i))
-      done;
-      from := till;
-      if (if is_max then !sum > !best else !sum < !best) then begin
-        best := !sum;
-        Array.unsafe_set t.row v r
-      end
-    done;
-    let x = if !best > ceiling then ceiling else !best in
-    let change = Float.abs (x -. Array.unsafe_get guess v) in
-    Array.unsafe_set guess v x;
-    total := !total +. change;
-    if change > (if relative then !greatest *. x else !greatest) then
-      greatest := if relative then change /. x else change
-  done;
-  t.measure.(0) <- !total;
-  !greatest
+  let guess = t.guess and is_max = t.is_max and sums = t.sums in
+  let greatest = [| 0. |] and total = [| 0. |] in
+  by_blocks ~first ~last ~forward (fun low high ->
+      sum_rows t guess t.below low high;
+      let base = Int_array.unsafe_get e.first_row low in
+      for v = low to high do
+        let r0 = Int_array.unsafe_get e.first_row v in
+        let best = ref (Array.unsafe_get sums (r0 - base)) and row = ref r0 in
+        for r = r0 + 1 to Int_array.unsafe_get e.first_row (v + 1) - 1 do
+          let sum = Array.unsafe_get sums (r - base) in
+          if (if is_max then sum > !best else sum < !best) then begin
+            best := sum;
+            row := r
+          end
+        done;
+        Array.unsafe_set t.row v !row;
+        let x = if !best > ceiling then ceiling else !best in
+        let change = Float.abs (x -. Array.unsafe_get guess v) in
+        Array.unsafe_set guess v x;
+        total.(0) <- total.(0) +. change;
+        if change > (if relative then greatest.(0) *. x else greatest.(0)) then
+          greatest.(0) <- (if relative then change /. x else change)
+      done);
+  t.measure.(0) <- total.(0);
+  greatest.(0)
 
-let evaluate t ~first ~last ~forward ~relative =
+let evaluate t ~first ~last ~forward ~relative ~stride =
   let e = t.equations in
   let guess = t.guess and near = e.near and node = e.node and below = t.below in
   let greatest = ref 0. and total = ref 0. in
@@ -90,8 +152,10 @@ let evaluate t ~first ~last ~forward ~relative =
     for i = Int_array.unsafe_get e.first_entry r to Int_array.unsafe_get e.first_entry (r + 1) - 1 do
       sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get guess (Int_array.unsafe_get node i))
     done;
-    let x = if !sum > ceiling then ceiling else !sum in
-    let change = Float.abs (x -. Array.unsafe_get guess v) in
+    let old = Array.unsafe_get guess v in
+    let x = old +. (stride *. (!sum -. old)) in
+    let x = if x > ceiling then ceiling else if x < 0. then 0. else x in
+    let change = Float.abs (x -. old) in
     Array.unsafe_set guess v x;
     total := !total +. change;
     if change > (if relative then !greatest *. x else !greatest) then
@@ -110,66 +174,67 @@ let go_on t ~first ~last ~factor =
 
 type trial = Proved | Open | Refuted
 
+(* The right side of a row, rounded, from what was computed for it, with so many entries. *)
+let[@inline] rounded_down sum entries =
+  if sum < tiny then 0. else sum *. (1. -. (float_of_int (entries + 6) *. step))
+
+let[@inline] rounded_up sum entries = (sum +. tiny) *. (1. +. (float_of_int (entries + 6) *. step))
+
+let[@inline] entries (e : Equations.t) r =
+  Int_array.unsafe_get e.first_entry (r + 1) - Int_array.unsafe_get e.first_entry r
+
 let sweep_low t ~first ~last ~forward =
   let e = t.equations in
-  let trial = t.low_trial and near = e.near and node = e.node and below = t.below in
-  let is_max = match e.direction with Max -> true | Min -> false in
+  let trial = t.low_trial and is_max = t.is_max and sums = t.sums in
   let fallen = ref 0 in
-  for n = 0 to last - first do
-    let v = if forward then first + n else last - n in
-    let best = ref (if is_max then -1. else infinity) and best_row = ref (Int_array.get e.first_row v) in
-    let from = ref (Int_array.get e.first_entry ((Int_array.get e.first_row v))) in
-    for r = (Int_array.get e.first_row v) to (Int_array.get e.first_row (v + 1)) - 1 do
-      let till = (Int_array.get e.first_entry (r + 1)) in
-      let sum = ref (Array.unsafe_get below r) in
-      for i = !from to till - 1 do
-        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get trial (Int_array.unsafe_get node i))
-      done;
-      let x = if !sum < tiny then 0. else !sum *. (1. -. (float_of_int (till - !from + 6) *. step)) in
-      from := till;
-      if (if is_max then x > !best else x < !best) then begin
-        best := x;
-        best_row := r
-      end
-    done;
-    let x = if !best > ceiling then ceiling else !best in
-    let x = if x < t.lower.(v) then t.lower.(v) else x in
-    if x < trial.(v) then incr fallen;
-    trial.(v) <- x;
-    t.trial_row.(v) <- !best_row
-  done;
+  by_blocks ~first ~last ~forward (fun low high ->
+      sum_rows t trial t.below low high;
+      let base = Int_array.unsafe_get e.first_row low in
+      for v = low to high do
+        let r0 = Int_array.unsafe_get e.first_row v in
+        let best = ref (rounded_down (Array.unsafe_get sums (r0 - base)) (entries e r0)) in
+        let best_row = ref r0 in
+        for r = r0 + 1 to Int_array.unsafe_get e.first_row (v + 1) - 1 do
+          let x = rounded_down (Array.unsafe_get sums (r - base)) (entries e r) in
+          if (if is_max then x > !best else x < !best) then begin
+            best := x;
+            best_row := r
+          end
+        done;
+        let x = if !best > ceiling then ceiling else !best in
+        let x = if x < t.lower.(v) then t.lower.(v) else x in
+        if x < trial.(v) then incr fallen;
+        trial.(v) <- x;
+        t.trial_row.(v) <- !best_row
+      done);
   t.measure.(0) <- float_of_int !fallen;
   if !fallen > 0 then Open else Proved
 
 let sweep_high t ~first ~last ~forward =
   let e = t.equations in
-  let trial = t.high_trial and near = e.near and node = e.node and above = t.above in
-  let is_max = match e.direction with Max -> true | Min -> false in
+  let trial = t.high_trial and is_max = t.is_max and sums = t.sums in
   let grown = ref 0 and crossed = ref false in
-  for n = 0 to last - first do
-    let v = if forward then first + n else last - n in
-    let best = ref (if is_max then 0. else infinity) and best_row = ref (Int_array.get e.first_row v) in
-    let from = ref (Int_array.get e.first_entry ((Int_array.get e.first_row v))) in
-    for r = (Int_array.get e.first_row v) to (Int_array.get e.first_row (v + 1)) - 1 do
-      let till = (Int_array.get e.first_entry (r + 1)) in
-      let sum = ref (Array.unsafe_get above r) in
-      for i = !from to till - 1 do
-        sum := !sum +. (Array.unsafe_get near i *. Array.unsafe_get trial (Int_array.unsafe_get node i))
-      done;
-      let x = (!sum +. tiny) *. (1. +. (float_of_int (till - !from + 6) *. step)) in
-      from := till;
-      if (if is_max then x > !best else x < !best) then begin
-        best := x;
-        best_row := r
-      end
-    done;
-    let x = if !best > ceiling then infinity else !best in
-    let x = if x > t.upper.(v) then t.upper.(v) else x in
-    if x > trial.(v) || x = infinity then incr grown;
-    if x < t.lower.(v) then crossed := true;
-    trial.(v) <- x;
-    t.trial_row.(v) <- !best_row
-  done;
+  by_blocks ~first ~last ~forward (fun low high ->
+      sum_rows t trial t.above low high;
+      let base = Int_array.unsafe_get e.first_row low in
+      for v = low to high do
+        let r0 = Int_array.unsafe_get e.first_row v in
+        let best = ref (rounded_up (Array.unsafe_get sums (r0 - base)) (entries e r0)) in
+        let best_row = ref r0 in
+        for r = r0 + 1 to Int_array.unsafe_get e.first_row (v + 1) - 1 do
+          let x = rounded_up (Array.unsafe_get sums (r - base)) (entries e r) in
+          if (if is_max then x > !best else x < !best) then begin
+            best := x;
+            best_row := r
+          end
+        done;
+        let x = if !best > ceiling then infinity else !best in
+        let x = if x > t.upper.(v) then t.upper.(v) else x in
+        if x > trial.(v) || x = infinity then incr grown;
+        if x < t.lower.(v) then crossed := true;
+        trial.(v) <- x;
+        t.trial_row.(v) <- !best_row
+      done);
   t.measure.(0) <- float_of_int !grown;
   if !crossed then Refuted else if !grown > 0 then Open else Proved
 
@@ -180,7 +245,6 @@ let set_low t v x =
 let set_high t v x =
   let x = if x > ceiling then infinity else x in
   t.high_trial.(v) <- (if x > t.upper.(v) then t.upper.(v) else x)
-
 
 let accept_low t ~first ~last =
   for v = first to last do
@@ -202,6 +266,9 @@ let accept_high t ~first ~last =
 
 let drop_low t ~first ~last = Array.blit t.lower first t.low_trial first (last - first + 1)
 let drop_high t ~first ~last = Array.blit t.upper first t.high_trial first (last - first + 1)
+
+let begin_high t ~first ~last = Array.blit t.upper first t.guess first (last - first + 1)
+let begin_low t ~first ~last = Array.blit t.lower first t.guess first (last - first + 1)
 
 let settle t ~first ~last =
   for v = first to last do

@@ -22,6 +22,7 @@ open Scc_exact
 
 type t = private {
   equations : Equations.t;
+  is_max : bool;  (** whether the best row is the greatest *)
   below : float array;  (** the constants of rows *)
   above : float array;
   lower : float array;  (** of each node: at most its value *)
@@ -42,6 +43,7 @@ type t = private {
   (** Of the nodes in the component that is worked on: what may be below; of all others as [lower]. *)
   high_trial : float array;  (** In the same way: what may be above; of all others as [upper]. *)
   trial_row : int array;
+  sums : float array;  (** the right sides of the rows of some nodes that are looked at together *)
 }
 
 val ceiling : float
@@ -59,12 +61,21 @@ val improve : t -> first:int -> last:int -> forward:bool -> relative:bool -> flo
     then, and in [row] the best of its rows. The greatest change, or the greatest share of a change in what came
     out. *)
 
-val evaluate : t -> first:int -> last:int -> forward:bool -> relative:bool -> float
-(** The same of the rows in [row] alone: this is much quicker, as it does not wait for the comparison of rows. *)
+val evaluate : t -> first:int -> last:int -> forward:bool -> relative:bool -> stride:float -> float
+(** The same of the rows in [row] alone: this is much quicker, as it does not wait for the comparison of rows. Each
+    change is made [stride] times as great (successive over-relaxation). *)
 
+val begin_high : t -> first:int -> last:int -> unit
+(** [guess] becomes what is above; {!begin_low}: what is below. *)
+
+val begin_low : t -> first:int -> last:int -> unit
 val remember : t -> first:int -> last:int -> unit
 val go_on : t -> first:int -> last:int -> factor:float -> unit
 (** The change since {!remember} once more, so many times. *)
+
+val steps : t -> t
+(** For guesses alone: of the same rows, the greatest expected number of steps before nodes are left whose number
+    is 0, which all are in the beginning. *)
 
 val settle : t -> first:int -> last:int -> unit
 (** [guess] becomes the middles of intervals, or what is below where nothing is known above. *)

@@ -41,7 +41,7 @@ let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
         match Exact_solver.solve e effort with
         | Ok s -> exactly s
         | Error why ->
-          { of_node = (fun _ -> possible); row = (fun v -> (Int_array.get e.first_row v)); how = Given_up why })
+          { of_node = (fun _ -> possible); row = (fun v -> Equations.first_row e v); how = Given_up why })
     | Either -> (
         let greatest = Exact_solver.greatest_component e in
         if greatest > effort.component then nearly (Some (Component greatest))
@@ -51,7 +51,7 @@ let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
 let spread back (e : Equations.t) (merged : Components.ends) row (choice : int array) =
   let found = Worklist.create (Mdp.states (Backwards.mdp back)) in
   for v = 0 to e.size - 1 do
-    let c = (Int_array.get e.choice (row v)) in
+    let c = Equations.choice e (row v) in
     let s = Backwards.owner back c in
     choice.(s) <- c;
     Worklist.add found s
@@ -80,15 +80,17 @@ let solve back direction effort ~asked ~status ~elsewhere ~allowed ~merged ~rewa
   let e = Equations.make back direction ~status ~allowed ~merged ~rewards ~asked:is_asked in
   let asked =
     match asked with
-    | All -> List.init e.size Fun.id
-    | States l -> List.sort_uniq Int.compare (List.filter (fun v -> v >= 0) (List.map (Int_array.get e.node_of) l))
+    | All -> Array.init e.size Fun.id
+    | States l ->
+      let nodes = List.filter (fun v -> v >= 0) (List.map (Equations.node_of e) l) in
+      Array.of_list (List.sort_uniq Int.compare nodes)
   in
   let nodes = nodes e effort ~possible ~rewards ~asked in
   let value s : Answer.t =
     match status s with
     | Known x -> Exact x
     | Elsewhere -> elsewhere
-    | Open -> if (Int_array.get e.node_of s) < 0 then possible else nodes.of_node (Int_array.get e.node_of s)
+    | Open -> if (Equations.node_of e s) < 0 then possible else nodes.of_node (Equations.node_of e s)
   in
   let scheduler =
     lazy
