@@ -43,6 +43,12 @@ let off_centre = "SC0312"
 let bad_mesh = "SC0320"
 let mesh_format = "SC0321"
 let cannot_snap = "SC0322"
+let bad_picture = "SC0340"
+let picture_format = "SC0341"
+let picture_too_large = "SC0342"
+let no_silhouette = "SC0343"
+let several_pieces = "SC0344"
+let cannot_inflate = "SC0345"
 let not_touching = "SC0401"
 let not_highest = "SC0402"
 let interpenetration = "SC0403"
@@ -119,6 +125,12 @@ let all =
     (bad_mesh, "a mesh file that does not fit its format");
     (mesh_format, "a mesh format that is not supported");
     (cannot_snap, "a mesh for which no exact solid is found near by");
+    (bad_picture, "a picture does not fit its format");
+    (picture_format, "a picture's format, or something in it, is not supported");
+    (picture_too_large, "a picture has too many pixels");
+    (no_silhouette, "a picture in which nothing is drawn");
+    (several_pieces, "a picture of several pieces, of which none or another one is chosen");
+    (cannot_inflate, "a drawing that cannot be inflated as asked for");
     (not_touching, "features that do not touch");
     (not_highest, "a glue that is not the highest touching pair");
     (interpenetration, "bodies that interpenetrate");

@@ -141,6 +141,23 @@ val mesh_format : t
 val cannot_snap : t
 (** SC0322: a mesh without an exact solid near it. *)
 
+val bad_picture : t
+(** SC0340: a picture that does not fit its format. *)
+
+val picture_format : t
+(** SC0341: a picture's format, or something in it, that is not supported. *)
+
+val picture_too_large : t
+(** SC0342: a picture of too many pixels. *)
+
+val no_silhouette : t
+(** SC0343: a picture in which nothing is drawn. *)
+
+val several_pieces : t
+(** SC0344: a picture of several pieces, of which none or another one is chosen. *)
+
+val cannot_inflate : t
+(** SC0345: a drawing that cannot be inflated as asked for. *)
 
 (** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 

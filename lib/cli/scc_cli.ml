@@ -23,6 +23,7 @@ let commands =
     Conform_command.command;
     Diff_command.command;
     Shape_command.command;
+    Inflate_command.command;
     Oracle_command.command;
     Fmt_command.command;
   ]

@@ -1,10 +1,11 @@
 open Scc_exact
 open Scc_geometry
 
+(* Other programs read decimals. *)
+let number q = match Scc_drawing.Decimal.exact q with Some text -> text | None -> Rat.to_string q
+
 let vertices b prefix (set : Polyhedron.ifs) =
-  let one (_, (v : Vec.t)) =
-    Printf.bprintf b "%s%s %s %s\n" prefix (Rat.to_string v.x) (Rat.to_string v.y) (Rat.to_string v.z)
-  in
+  let one (_, (v : Vec.t)) = Printf.bprintf b "%s%s %s %s\n" prefix (number v.x) (number v.y) (number v.z) in
   Array.iter one set.ifs_vertices
 
 let words f corners = String.concat " " (List.map f (Array.to_list corners))

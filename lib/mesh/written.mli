@@ -1,5 +1,5 @@
-(** Solids as files, exactly: coordinates are integers or fractions p/q, as {!Mesh.read} understands them (other
-    programs may not). *)
+(** Solids as files, exactly: coordinates are decimals where these are exact in twelve places, and else fractions
+    p/q, as {!Mesh.read} understands them (other programs may not). *)
 
 open Scc_geometry
 

@@ -1,0 +1,262 @@
+open Scc_base
+open Scc_exact
+open Scc_session
+open Scc_inflate
+open Cmdliner
+
+let ( let* ) = Result.bind
+let plain r = Result.map_error (fun d -> [ d ]) r
+
+exception Interrupted
+
+type options = { path : string; resolution : int option; output : string option; inflate : Inflated.options }
+
+(* {1 Report} *)
+
+let profile_name = function Relief.Diffused -> "diffused" | Round -> "round"
+let many n what = Printf.sprintf "%d %s%s" n what (if n = 1 then "" else "s")
+
+(* A distance is told rounded up, so that what is said holds. *)
+let short q = Scc_drawing.Decimal.significant ~digits:4 (Rat.short_above q)
+
+let text o (t : Inflated.t) =
+  let shape = t.relief.shape and gaps = t.solid.gaps in
+  let height = Rat.make (Z.of_int t.relief.highest) (Z.of_int Relief.quanta) in
+  let holes = match t.solid.holes with 0 -> "" | n -> Printf.sprintf ", with %s" (many n "hole") in
+  let b = Buffer.create 256 in
+  Printf.bprintf b "%s: %d x %d pixels, of which the shape has %d%s\n" o.path shape.picture.width
+    shape.picture.height shape.size holes;
+  Printf.bprintf b "inflated: highest %s pixels (%s, radius %s)\n"
+    (Scc_drawing.Decimal.significant ~digits:4 height)
+    (profile_name o.inflate.profile)
+    (Scc_drawing.Decimal.significant ~digits:4 t.relief.radius);
+  Printf.bprintf b "  no height is farther than %s pixels from that of the exact solution\n" (short gaps.solution);
+  Printf.bprintf b "solid: %s, %s\n"
+    (many (Array.length t.solid.mesh.ifs_vertices) "vertice" |> fun s ->
+     if Array.length t.solid.mesh.ifs_vertices = 1 then "1 vertex" else s)
+    (many (Array.length t.solid.mesh.ifs_faces) "face");
+  if Rat.sign gaps.surface > 0 || Rat.sign gaps.outline > 0 then
+    Printf.bprintf b "  simplified: heights change by at most %s pixels, the outline by at most %s\n"
+      (short gaps.surface) (short gaps.outline);
+  Buffer.contents b
+
+let json o (t : Inflated.t) code =
+  let shape = t.relief.shape and gaps = t.solid.gaps in
+  let module Json = Scc_exchange.Json in
+  `Assoc
+    [
+      ("format", `String "scc-inflate"); ("version", `Int 1);
+      ("exit", `Int (Exit_code.to_int code));
+      ("picture", Json.text o.path);
+      ("width", `Int shape.picture.width); ("height", `Int shape.picture.height);
+      ("pixels", `Int shape.size); ("holes", `Int t.solid.holes);
+      ("profile", `String (profile_name o.inflate.profile));
+      ("radius", Json.rat t.relief.radius);
+      ("highest", Json.rat (Rat.make (Z.of_int t.relief.highest) (Z.of_int Relief.quanta)));
+      ("scale", Json.rat o.inflate.scale);
+      ("vertices", `Int (Array.length t.solid.mesh.ifs_vertices));
+      ("faces", `Int (Array.length t.solid.mesh.ifs_faces));
+      ( "distances",
+        `Assoc
+          [
+            ("solution", Json.rat gaps.solution); ("surface", Json.rat gaps.surface);
+            ("outline", Json.rat gaps.outline);
+          ] );
+      ("output", Json.option Json.text o.output);
+      ("diagnostics", `List []);
+    ]
+
+(* {1 Work} *)
+
+let inflate console o write =
+  let interrupted = Watch.interrupted (Watch.start ()) in
+  let* source = plain (Input.read o.path) in
+  let* picture = plain (Scc_icon.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
+  let progress what share =
+    if interrupted () then raise Interrupted;
+    Console.progress console (Printf.sprintf "%s: %.0f %%" what (100. *. Float.min 1. share))
+  in
+  match Inflated.make ~progress ~path:o.path o.inflate picture with
+  | exception Interrupted ->
+    Console.progress_done console;
+    Console.note console "scc: interrupted: nothing was written";
+    Ok Exit_code.Stopped
+  | Error d -> Error [ d ]
+  | Ok found ->
+    let* () =
+      match write with
+      | None -> Ok ()
+      | Some (path, text) -> plain (Whole_file.with_file path (fun put -> put (text found.solid.mesh)))
+    in
+    Console.progress_done console;
+    Console.answer console ~text:(fun () -> text o found) ~json:(fun () -> json o found Exit_code.Holds);
+    Ok Exit_code.Holds
+
+let run color json o =
+  let console = Console.make ~color ~json () in
+  let go write = Guard.run console (fun () -> inflate console o write) in
+  match o.output with
+  | None -> go None
+  | Some path -> (
+      match Scc_mesh.Written.to_file ~path with
+      | Some text -> go (Some (path, text))
+      | None ->
+        Guard.usage
+          (Printf.sprintf "`%s' does not tell a format that shapes are written in, by its ending: %s" path
+             (String.concat ", " Scc_mesh.Written.endings)))
+
+(* {1 The command line} *)
+
+let hexadecimal c = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F')
+
+let parse_colour s =
+  if String.length s = 7 && s.[0] = '#' && Seq.fold_left (fun ok c -> ok && hexadecimal c) true (String.to_seq (String.sub s 1 6))
+  then Ok (int_of_string ("0x" ^ String.sub s 1 6))
+  else Error (`Msg (Printf.sprintf "`%s' is no colour such as #ff8000" s))
+
+let colour = Arg.conv ~docv:"COLOUR" (parse_colour, fun ppf c -> Format.pp_print_string ppf (Scc_icon.Raster.colour_text c))
+
+let strength_conv =
+  let number s = Arg.conv_parser (Options.not_negative "strength") s in
+  let parse s =
+    match String.index_opt s '=' with
+    | None -> Result.map (fun q -> (None, q)) (number s)
+    | Some i ->
+      Result.bind (parse_colour (String.sub s 0 i)) (fun c ->
+          Result.map (fun q -> (Some c, q)) (number (String.sub s (i + 1) (String.length s - i - 1))))
+  in
+  let print ppf (c, q) =
+    let colour = match c with None -> "" | Some c -> Scc_icon.Raster.colour_text c ^ "=" in
+    Format.fprintf ppf "%s%s" colour (Rat.to_string q)
+  in
+  Arg.conv ~docv:"STRENGTH" (parse, print)
+
+let strengths =
+  let doc =
+    "How strongly the shape is inflated: a number, 1 if not given, or $(i,COLOUR)$(b,=)$(i,NUMBER), as in \
+     $(b,'#ff0000=2'), for the pixels of exactly that colour. Repeatable, with one for each colour. 0 leaves a \
+     region to what is around it, as a skin."
+  in
+  Arg.(value & opt_all strength_conv [] & info [ "strength" ] ~docv:"STRENGTH" ~doc)
+
+let strengths =
+  let split given =
+    let all = List.filter_map (fun (c, q) -> if c = None then Some q else None) given in
+    let colours = List.filter_map (fun (c, q) -> Option.map (fun c -> (c, q)) c) given in
+    let distinct = List.sort_uniq compare (List.map fst colours) in
+    if List.length all > 1 || List.length distinct < List.length colours then
+      Error "--strength is given twice for the same pixels"
+    else Ok ((match all with [ q ] -> q | _ -> Rat.one), colours)
+  in
+  Term.(term_result' ~usage:true (const split $ strengths))
+
+let shaded =
+  let doc =
+    "Multiplies strengths by how dark a pixel is: the full strength for black, none for white, and in between by \
+     the mean of red, green and blue."
+  in
+  Arg.(value & flag & info [ "shaded" ] ~doc)
+
+let profile =
+  let doc =
+    "What becomes of the fixed point v of diffusion, which is the height (of a paraboloid, over a disc): \
+     $(b,diffused), as in Repenning's icons, v/r with r the radius of about the largest disc in the shape; or \
+     $(b,round), the root of v, which makes a sphere of a disc and has steep sides."
+  in
+  let choices = [ ("diffused", Relief.Diffused); ("round", Relief.Round) ] in
+  Arg.(value & opt (enum choices) Relief.Diffused & info [ "profile" ] ~docv:"PROFILE" ~doc)
+
+let faces =
+  let least = 6 and most = 20_000 and default = 200 in
+  let doc =
+    Printf.sprintf
+      "Simplifies the solid to at most $(docv) triangles, from %d to %d; $(b,all) keeps what the pixels make. The \
+       report tells how far the simplified surface is from that."
+      least most
+  in
+  let parse = function
+    | "all" -> Ok None
+    | s -> (
+        match int_of_string_opt s with
+        | Some n when n >= least && n <= most -> Ok (Some n)
+        | _ -> Error (`Msg (Printf.sprintf "`%s' is neither a number from %d to %d nor `all'" s least most)))
+  in
+  let print ppf = function None -> Format.pp_print_string ppf "all" | Some n -> Format.pp_print_int ppf n in
+  Arg.(value & opt (conv ~docv:"N" (parse, print)) (Some default) & info [ "faces" ] ~docv:"N" ~doc)
+
+let scale =
+  let doc = "The length of a pixel in the solid, 1 if not given." in
+  Arg.(value & opt (Options.positive "length") Rat.one & info [ "scale" ] ~docv:"LENGTH" ~doc)
+
+let background =
+  let doc =
+    "The colour of what is not of the shape, as #ff8000. Without it, a picture with transparent pixels has the \
+     opaque ones as its shape, and in another one the shape is what is far from white."
+  in
+  Arg.(value & opt (some colour) None & info [ "background" ] ~docv:"COLOUR" ~doc)
+
+let piece =
+  let doc = "Of a drawing in several pieces takes this one: 1 is the largest. Pixels hang together by their edges." in
+  Arg.(value & opt (some (Options.integer ~least:1 "number of a piece")) None & info [ "piece" ] ~docv:"N" ~doc)
+
+let resolution =
+  let doc =
+    Printf.sprintf "How many pixels the longer side of an SVG drawing gets, %d if not given."
+      Scc_icon.Icon.default_resolution
+  in
+  let most = Scc_icon.Raster.max_side in
+  let pixels = Options.integer ~least:1 ~most (Printf.sprintf "number of pixels from 1 to %d" most) in
+  Arg.(value & opt (some pixels) None & info [ "resolution" ] ~docv:"N" ~doc)
+
+let output =
+  let doc =
+    Printf.sprintf "Writes the solid to $(docv), exactly. The ending of the name tells the format: %s."
+      (String.concat ", " (List.map (fun e -> "$(b," ^ e ^ ")") Scc_mesh.Written.endings))
+  in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+
+let icon =
+  let doc = "The drawing: PNG, Netpbm (PBM, PGM, PPM) or SVG; $(b,-) reads it from standard input." in
+  Arg.(required & pos 0 (some string) None & info [] ~docv:"ICON" ~doc)
+
+let options =
+  let make path resolution output background piece (strength, colours) shaded profile faces scale =
+    let inflate = { Inflated.background; piece; strength; colours; shaded; profile; faces; scale } in
+    { path; resolution; output; inflate }
+  in
+  Term.(
+    const make $ icon $ resolution $ output $ background $ piece $ strengths $ shaded $ profile $ faces $ scale)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Makes a solid of a drawn silhouette, as inflatable icons do (section 6 of the paper; Repenning 2005). The \
+       height over the centre of each pixel is the fixed point of a diffusion: the mean of its four neighbours' \
+       and, besides, its strength over the radius; outside of the shape it is 0. The back is the mirror image of \
+       the front. The solid is closed, does not meet itself, and its coordinates are exact; holes in the drawing \
+       become holes in it.";
+    `P
+      "The heights are multiples of 1/256 of a pixel. The report tells how far they are from the exact solution \
+       at most, which is proved, and how far the simplified surface is from that over all pixels.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc inflate bean.png -o bean.obj";
+    `Pre "  scc inflate bean.svg --resolution 64 --profile round --faces 120 --scale 1/8 -o bean.off";
+    `Pre "  scc inflate cell.png --strength 1 --strength '#ff0000=2' --json";
+  ]
+
+let command =
+  let exits =
+    Exits.man () ~never:[ Violated; Undecided ]
+      ~told:
+        [
+          (Holds, "if there is a solid."); (Invalid, "if the drawing cannot be read or inflated.");
+          (Stopped, "if it was interrupted.");
+        ]
+  in
+  Cmd.v
+    (Cmd.info "inflate" ~doc:"make a solid of a drawn silhouette" ~man ~exits)
+    Term.(const run $ Options.color $ Options.json $ options)

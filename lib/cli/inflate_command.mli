@@ -1,0 +1,3 @@
+(** [scc inflate ICON -o SHAPE]: from a drawing to a solid. *)
+
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

@@ -1,0 +1,18 @@
+open Scc_base
+
+let start path = Span.make ~file:path ~start:0 ~stop:0
+let malformed ~path format = Printf.ksprintf (fun m -> Error (Diag.error Code.bad_picture (start path) "%s" m)) format
+
+let unsupported ~path ?hint format =
+  Printf.ksprintf (fun m -> Error (Diag.error ?hint Code.picture_format (start path) "%s" m)) format
+
+let check_size ~path ~width ~height =
+  if width < 1 || height < 1 then malformed ~path "the picture has no pixels"
+  else if Raster.too_large ~width ~height then
+    Error
+      (Diag.error Code.picture_too_large (start path)
+         ~hint:
+           (Printf.sprintf "make it smaller: at most %d pixels, and no side longer than %d" Raster.max_pixels
+              Raster.max_side)
+         "the picture has %d x %d pixels, which are too many" width height)
+  else Ok ()

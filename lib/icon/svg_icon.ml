@@ -1,0 +1,2 @@
+let is _ = false
+let read ~resolution:_ ~path _ = Picture_fault.unsupported ~path "not yet"
