@@ -32,8 +32,7 @@ let text o (t : Inflated.t) =
     (Scc_drawing.Decimal.significant ~digits:4 t.relief.radius);
   Printf.bprintf b "  no height is farther than %s pixels from that of the exact solution\n" (short gaps.solution);
   Printf.bprintf b "solid: %s, %s\n"
-    (many (Array.length t.solid.mesh.ifs_vertices) "vertice" |> fun s ->
-     if Array.length t.solid.mesh.ifs_vertices = 1 then "1 vertex" else s)
+    (Printf.sprintf "%d vertices" (Array.length t.solid.mesh.ifs_vertices))
     (many (Array.length t.solid.mesh.ifs_faces) "face");
   if Rat.sign gaps.surface > 0 || Rat.sign gaps.outline > 0 then
     Printf.bprintf b "  simplified: heights change by at most %s pixels, the outline by at most %s\n"
@@ -71,6 +70,7 @@ let json o (t : Inflated.t) code =
 let inflate console o write =
   let interrupted = Watch.interrupted (Watch.start ()) in
   let* source = plain (Input.read o.path) in
+  if Scc_icon.Icon.is_text (Source.text source) then Console.add_source console source;
   let* picture = plain (Scc_icon.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
   let progress what share =
     if interrupted () then raise Interrupted;

@@ -1,5 +1,7 @@
 let default_resolution = 128
 
+let is_text = Svg_icon.is
+
 let read ?(resolution = default_resolution) ~path text =
   if Pnm.is text then Pnm.read ~path text
   else if Png.is text then Png.read ~path text

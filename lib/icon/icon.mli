@@ -7,3 +7,6 @@ val read : ?resolution:int -> path:string -> string -> (Raster.t, Diag.t) result
     theirs. Faults: {!Picture_fault}. *)
 
 val default_resolution : int
+
+val is_text : string -> bool
+(** A drawing whose faults have places in its text. *)
