@@ -1,0 +1,323 @@
+(* Pictures: every type of PNG, made here; Netpbm; SVG against formulas; and files that are broken. *)
+open Scc_base
+open Scc_icon
+module G = QCheck2.Gen
+
+let read ?resolution text = Icon.read ?resolution ~path:"icon" text
+
+let ok ?resolution name text =
+  match read ?resolution text with
+  | Ok r -> r
+  | Error d -> Alcotest.failf "%s: %s" name d.Diag.message
+
+(* {1 PNG} *)
+
+let be n width = String.init width (fun k -> Char.chr ((n lsr (8 * (width - 1 - k))) land 255))
+
+let chunk kind data =
+  let crc = Int32.to_int (Zlib.update_crc_string 0l (kind ^ data) 0 (4 + String.length data)) land 0xffffffff in
+  be (String.length data) 4 ^ kind ^ data ^ be crc 4
+
+let deflate text =
+  let b = Buffer.create 64 and at = ref 0 in
+  Zlib.compress
+    (fun bytes ->
+       let n = min (Bytes.length bytes) (String.length text - !at) in
+       Bytes.blit_string text !at bytes 0 n;
+       at := !at + n;
+       n)
+    (fun bytes n -> Buffer.add_subbytes b bytes 0 n);
+  Buffer.contents b
+
+let channels = function 0 | 3 -> 1 | 2 -> 3 | 4 -> 2 | _ -> 4
+
+(* A row of samples as bytes, most significant bit first. *)
+let pack depth samples =
+  let b = Buffer.create 16 in
+  if depth >= 8 then List.iter (fun s -> Buffer.add_string b (be s (depth / 8))) samples
+  else begin
+    let bits = ref 0 and count = ref 0 in
+    let flush () = if !count > 0 then Buffer.add_char b (Char.chr (!bits lsl (8 - !count))); bits := 0; count := 0 in
+    List.iter
+      (fun s ->
+         bits := (!bits lsl depth) lor s;
+         count := !count + depth;
+         if !count = 8 then flush ())
+      samples;
+    flush ()
+  end;
+  Buffer.contents b
+
+let paeth a b c =
+  let p = a + b - c in
+  let da = abs (p - a) and db = abs (p - b) and dc = abs (p - c) in
+  if da <= db && da <= dc then a else if db <= dc then b else c
+
+(* Each row by another filter. *)
+let filtered ~step rows =
+  let byte row k = if k < 0 then 0 else Char.code row.[k] in
+  let _, text =
+    List.fold_left
+      (fun ((above, n), text) row ->
+         let filter = n mod 5 in
+         let up k = if above = "" || k < 0 then 0 else Char.code above.[k] in
+         let one k c =
+           let left = byte row (k - step) in
+           let predicted =
+             match filter with
+             | 0 -> 0
+             | 1 -> left
+             | 2 -> up k
+             | 3 -> (left + up k) / 2
+             | _ -> paeth left (up k) (if k >= step then up (k - step) else 0)
+           in
+           Char.chr ((Char.code c - predicted) land 255)
+         in
+         ((row, n + 1), text ^ String.make 1 (Char.chr filter) ^ String.mapi one row))
+      (("", 0), "") rows
+  in
+  text
+
+let passes interlaced =
+  if interlaced then
+    [ (0, 0, 8, 8); (4, 0, 8, 8); (0, 4, 4, 8); (2, 0, 4, 4); (0, 2, 2, 4); (1, 0, 2, 2); (0, 1, 1, 2) ]
+  else [ (0, 0, 1, 1) ]
+
+let rec from a step stop = if a >= stop then [] else a :: from (a + step) step stop
+
+(* [sample x y k] of a picture. *)
+let png ?(extra = "") ~width ~height ~kind ~depth ~interlaced sample =
+  let n = channels kind in
+  let pass (x0, y0, dx, dy) =
+    let columns = from x0 dx width in
+    if columns = [] then ""
+    else
+      from y0 dy height
+      |> List.map (fun y -> pack depth (List.concat_map (fun x -> List.init n (sample x y)) columns))
+      |> filtered ~step:(max 1 (n * depth / 8))
+  in
+  let data = deflate (String.concat "" (List.map pass (passes interlaced))) in
+  let half = String.length data / 2 in
+  let header = be width 4 ^ be height 4 ^ be depth 1 ^ be kind 1 ^ "\000\000" ^ be (Bool.to_int interlaced) 1 in
+  "\137PNG\r\n\026\n" ^ chunk "IHDR" header ^ extra
+  ^ chunk "IDAT" (String.sub data 0 half)
+  ^ chunk "tEXt" "between"
+  ^ chunk "IDAT" (String.sub data half (String.length data - half))
+  ^ chunk "IEND" ""
+
+let types = [ (0, [ 1; 2; 4; 8; 16 ]); (2, [ 8; 16 ]); (3, [ 1; 2; 4; 8 ]); (4, [ 8; 16 ]); (6, [ 8; 16 ]) ]
+
+let all_types () =
+  List.iter
+    (fun (kind, depths) ->
+       List.iter
+         (fun depth ->
+            List.iter
+              (fun (width, height) ->
+                 let name = Printf.sprintf "type %d, %d bits, %d x %d" kind depth width height in
+                 let most = (1 lsl depth) - 1 in
+                 let sample x y k = ((x * 7919) + (y * 104729) + (k * 31) + 5) * 2654435761 land most in
+                 let palette = String.init (3 * 256) (fun k -> Char.chr (k * 37 land 255)) in
+                 let extra = if kind = 3 then chunk "PLTE" palette ^ chunk "tRNS" "\003\200" else "" in
+                 let picture interlaced = ok name (png ~extra ~width ~height ~kind ~depth ~interlaced sample) in
+                 let plain = picture false and interlaced = picture true in
+                 Alcotest.(check bool) (name ^ ": interlaced") true (plain = interlaced);
+                 for y = 0 to height - 1 do
+                   for x = 0 to width - 1 do
+                     let level k = let s = sample x y k in if depth = 16 then s / 256 else s * 255 / most in
+                     let rgb r g b = (r lsl 16) lor (g lsl 8) lor b in
+                     let colour, alpha =
+                       match kind with
+                       | 0 -> (rgb (level 0) (level 0) (level 0), 255)
+                       | 2 -> (rgb (level 0) (level 1) (level 2), 255)
+                       | 4 -> (rgb (level 0) (level 0) (level 0), level 1)
+                       | 6 -> (rgb (level 0) (level 1) (level 2), level 3)
+                       | _ ->
+                         let n = sample x y 0 in
+                         let byte k = Char.code palette.[(3 * n) + k] in
+                         (rgb (byte 0) (byte 1) (byte 2), match n with 0 -> 3 | 1 -> 200 | _ -> 255)
+                     in
+                     Alcotest.(check (pair int int)) name (colour, alpha)
+                       (plain.colours.((y * width) + x), Bytes.get_uint8 plain.alphas ((y * width) + x))
+                   done
+                 done)
+              [ (1, 1); (3, 2); (9, 11); (16, 8) ])
+         depths)
+    types;
+  (* One colour alone is transparent. *)
+  let grey = png ~extra:(chunk "tRNS" "\000\007") ~width:2 ~height:1 ~kind:0 ~depth:8 ~interlaced:false (fun x _ _ -> 7 + x) in
+  Alcotest.(check string) "a transparent grey" "\000\255" (Bytes.to_string (ok "grey" grey).alphas)
+
+(* {1 Netpbm} *)
+
+let netpbm () =
+  let same name expected text =
+    Alcotest.(check (list int)) name expected (Array.to_list (ok name text).colours)
+  in
+  let black = 0 and white = 0xffffff in
+  same "P1" [ black; white; white; black ] "P1 # a comment\n2 2\n10\n0 1\n";
+  same "P2" [ black; white ] "P2\n2 1\n3\n0 3\n";
+  same "P3" [ 0xff0000; 0x00ff80 ] "P3 2 1 255\n255 0 0 0 255 128";
+  same "P4" [ black; white; black ] "P4\n3 1\n\xa0";
+  same "P5" [ black; 0x808080 ] "P5 2 1 255\n\000\128";
+  same "P5, two bytes" [ white ] "P5 1 1 1000\n\003\232";
+  same "P6" [ 0x0a0b0c ] "P6\n1 1\n255\n\x0a\x0b\x0c"
+
+(* {1 SVG} *)
+
+let svg ?(box = "0 0 40 30") body = Printf.sprintf "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"%s\">%s</svg>" box body
+
+let inside (r : Raster.t) x y = Bytes.get_uint8 r.alphas ((y * r.width) + x) <> 0
+
+(* [value x y], less than 0 inside, has at most the slope 1: centres nearer than 1/32 pixel to the line may be on
+   either side. Four pixels are one unit. *)
+let area name body value =
+  let r = ok ~resolution:160 name (svg body) in
+  Alcotest.(check (pair int int)) name (160, 120) (r.width, r.height);
+  for y = 0 to 119 do
+    for x = 0 to 159 do
+      let v = 4. *. value ((float_of_int x +. 0.5) /. 4.) ((float_of_int y +. 0.5) /. 4.) in
+      if Float.abs v > 1. /. 32. && inside r x y <> (v < 0.) then Alcotest.failf "%s: pixel %d, %d" name x y
+    done
+  done
+
+let circle x0 y0 r x y = Float.hypot (x -. x0) (y -. y0) -. r
+let box x0 y0 x1 y1 x y = Float.max (Float.max (x0 -. x) (x -. x1)) (Float.max (y0 -. y) (y -. y1))
+let union f g x y = Float.min (f x y) (g x y)
+let both f g x y = Float.max (f x y) (g x y)
+let without f g x y = Float.max (f x y) (-.g x y)
+
+let shapes () =
+  let disc = circle 20. 15. 10. in
+  area "circle" "<circle cx='20' cy='15' r='10'/>" disc;
+  area "arcs" "<path d='M10 15A10 10 0 0 1 30 15A10,10,0,0,1,10 15'/>" disc;
+  area "large arc" "<path d='M20 5a10 10 0 1 0 10 10L20 15z'/>" (fun x y ->
+      without disc (both (fun x _ -> 20. -. x) (fun _ y -> y -. 15.)) x y);
+  area "arc flags without blanks" "<path d='M20 5a10 10 0 1010 10L20 15z'/>" (fun x y ->
+      without disc (both (fun x _ -> 20. -. x) (fun _ y -> y -. 15.)) x y);
+  area "too small radii grow" "<path d='M10 15A1 1 0 0 1 30 15A1 1 0 0 1 10 15'/>" disc;
+  area "turned arcs" "<path d='M12.928932188 7.928932188A10 10 37 0 1 27.071067812 22.071067812A10 10 -80 0 1 12.928932188 7.928932188'/>" disc;
+  area "rect" "<rect x='5' y='6' width='20' height='10'/>" (box 5. 6. 25. 16.);
+  area "round rect" "<rect x='5' y='6' width='20' height='10' rx='3'/>" (fun x y ->
+      let dx = Float.max 0. (Float.abs (x -. 15.) -. 7.) and dy = Float.max 0. (Float.abs (y -. 11.) -. 2.) in
+      Float.hypot dx dy -. 3.);
+  area "hole by the even-odd rule"
+    "<path fill-rule='evenodd' d='M0 0h30v20h-30zM5 5h10v10h-10z'/>"
+    (without (box 0. 0. 30. 20.) (box 5. 5. 15. 15.));
+  area "no hole by the other one" "<path d='M0 0h30v20h-30zM5 5h10v10h-10z'/>" (box 0. 0. 30. 20.);
+  area "hole by winding" "<path d='M0 0H30V20H0zM5 5v10h10v-10z'/>" (without (box 0. 0. 30. 20.) (box 5. 5. 15. 15.));
+  area "transforms" "<g transform='translate(20,15)'><rect transform='rotate(90) scale(2 1)' x='-5' y='-4' width='10' height='8'/></g>"
+    (box 16. 5. 24. 25.);
+  area "rotation about a point" "<rect transform='rotate(45 20 15)' x='13' y='8' width='14' height='14'/>" (fun x y ->
+      (Float.abs (x -. 20.) +. Float.abs (y -. 15.)) /. sqrt 2. -. 7.);
+  area "two shapes" "<circle cx='10' cy='15' r='5'/><polygon points='20,5 30,5 30,15 20,15'/>"
+    (union (circle 10. 15. 5.) (box 20. 5. 30. 15.));
+  (* y = x^2 / 20 as a quadratic curve and as the same cubic one. *)
+  let parabola x y = ((x *. x /. 20.) -. y) /. Float.hypot 1. (x /. 10.) in
+  let cap = both parabola (fun _ y -> y -. 20.) in
+  area "quadratic" "<path d='M-20 20Q0 -20 20 20z'/>" cap;
+  area "relative quadratic" "<path d='M-20 20q20,-40,40,0'/>" cap;
+  area "cubic" "<path d='M-20 20C-6.6666666667 -6.6666666667 6.6666666667 -6.6666666667 20 20'/>" cap;
+  area "smooth quadratics" "<path d='M-20 20Q-10 0 0 0T20 20'/>" cap;
+  area "hidden things" "<g display='none'><rect width='9' height='9'/></g><rect style='fill:none' width='9' height='9'/><rect opacity='.4' width='9' height='9'/><rect x='1' y='1' width='5' height='5' style='opacity:60%'/>"
+    (box 1. 1. 6. 6.);
+  let colours = ok ~resolution:4 "colours" (svg ~box:"0 0 4 1" "<g fill='#f80'><rect width='1' height='1'/><rect x='1' width='1' height='1' fill='rgb(1,2,3)'/><rect x='2' width='1' height='1' style='fill: navy; stroke: none'/></g><rect x='3' width='1' height='1'/>") in
+  Alcotest.(check (list int)) "colours" [ 0xff8800; 0x010203; 0x000080; 0 ] (Array.to_list colours.colours)
+
+(* {1 What is refused} *)
+
+let code text = match read text with Ok _ -> "read" | Error d -> (d.code :> string)
+
+let refused () =
+  let is expected name text = Alcotest.(check string) name expected (code text) in
+  let header w h = "\137PNG\r\n\026\n" ^ chunk "IHDR" (be w 4 ^ be h 4 ^ "\008\002\000\000\000") in
+  is "SC0341" "nothing" "";
+  is "SC0341" "another format" "GIF89a";
+  is "SC0340" "no more than a header" (header 3 3);
+  is "SC0342" "a hundred megapixels" (header 10_000 10_000);
+  is "SC0342" "as many as fit a header" (header 0xffffffff 0xffffffff);
+  is "SC0342" "Netpbm, large" "P5 99999999 99999999 255\n";
+  is "SC0340" "Netpbm, no pixels" "P5 0 3 255\n";
+  is "SC0340" "Netpbm, short" "P5 3 3 255\nabc";
+  is "SC0340" "Netpbm, a large sample" "P2 1 1 3 4";
+  let one = png ~width:1 ~height:1 ~kind:0 ~depth:8 ~interlaced:false (fun _ _ _ -> 0) in
+  is "read" "a whole one" one;
+  is "SC0340" "a wrong checksum" (String.mapi (fun i c -> if i = String.length one - 1 then 'x' else c) one);
+  is "SC0340" "fewer rows" (header 9 9 ^ chunk "IDAT" (deflate "\000abc") ^ chunk "IEND" "");
+  is "SC0340" "no compressed data" (header 9 9 ^ chunk "IDAT" "rubbish" ^ chunk "IEND" "");
+  is "SC0340" "a colour that the palette has not"
+    (png ~extra:(chunk "PLTE" "abc") ~width:1 ~height:1 ~kind:3 ~depth:8 ~interlaced:false (fun _ _ _ -> 1));
+  is "SC0340" "no SVG" "<svg xmlns='http://www.w3.org/2000/svg'";
+  is "SC0341" "another root" "<html/>";
+  is "SC0341" "a stroke" (svg "<rect stroke='red' width='9' height='9'/>");
+  is "SC0341" "text" (svg "<text>x</text>");
+  is "SC0341" "a gradient" (svg "<rect fill='url(#a)' width='9' height='9'/>");
+  is "SC0341" "a style sheet" (svg "<style>rect{fill:none}</style>");
+  is "SC0341" "a document type of its own" ("<!DOCTYPE svg [<!ENTITY a 'aaaa'>]>" ^ svg "");
+  is "SC0340" "an entity" (svg "<title>&a;</title>");
+  is "SC0340" "a path" (svg "<path d='M0 0 L1'/>");
+  is "SC0340" "far away" (svg "<path d='M0 0 L1e9 1e9z'/>");
+  is "SC0340" "deep" (svg (String.concat "" (List.init 1000 (fun _ -> "<g>"))));
+  is "SC0340" "no size" (svg ~box:"0 0 0 4" "")
+
+(* No exception, whatever the bytes. *)
+let mutated seeds =
+  let open G in
+  let* text = oneofl seeds and* count = int_range 1 6 in
+  let* changes = list_repeat count (pair (int_range 0 (String.length text - 1)) (int_range 0 255)) in
+  let* cut = int_range 0 (4 * String.length text) in
+  let b = Bytes.of_string text in
+  List.iter (fun (i, c) -> Bytes.set b i (Char.chr c)) changes;
+  let text = Bytes.to_string b in
+  return (if cut < String.length text then String.sub text 0 cut else text)
+
+(* With checksums made right again, so that faults come deeper. *)
+let mended text =
+  let b = Bytes.of_string text in
+  let rec go i =
+    if i + 12 <= String.length text then begin
+      let n = Int32.to_int (String.get_int32_be text i) in
+      if n >= 0 && n <= String.length text - i - 12 then begin
+        Bytes.set_int32_be b (i + 8 + n) (Zlib.update_crc_string 0l text (i + 4) (n + 4));
+        go (i + 12 + n)
+      end
+    end
+  in
+  go 8;
+  Bytes.to_string b
+
+let pngs =
+  List.concat_map
+    (fun (kind, depths) ->
+       List.map
+         (fun depth ->
+            let extra = if kind = 3 then chunk "PLTE" (String.make 12 'p') else "" in
+            png ~extra ~width:5 ~height:9 ~kind ~depth ~interlaced:(depth > 4) (fun x y k -> (x + y + k) land 3 land ((1 lsl depth) - 1)))
+         depths)
+    types
+
+let texts =
+  [
+    "P2 # c\n2 2\n255\n0 1 2 3"; "P6\n2 1\n255\nabcdef"; "P1 2 2 1 0 0 1";
+    svg "<g transform='rotate(30 1 2) skewX(5)'><path style='fill:#123' d='M1 2l3,4-5.6.7e1zC1 2 3 4 5 6s7 8 9 9a1 2 30 1 0 4 4T3 3'/></g>";
+    svg "<rect x='1' y='2mm' width='3' height='4' rx='1'/><ellipse cx='5' cy='5' rx='3' ry='2' opacity='50%'/>";
+  ]
+
+let survives text = match read ~resolution:16 text with Ok _ | Error _ -> true
+
+let () =
+  let property name count gen law = Scc_test_support.Property.case (QCheck2.Test.make ~name ~count ~print:String.escaped gen law) in
+  Alcotest.run "icon"
+    [
+      ( "pictures",
+        [
+          Alcotest.test_case "PNG, every type" `Quick all_types; Alcotest.test_case "Netpbm" `Quick netpbm;
+          Alcotest.test_case "SVG" `Quick shapes; Alcotest.test_case "refused" `Quick refused;
+        ] );
+      ( "mutated",
+        [
+          property "PNG" 2000 (mutated pngs) survives;
+          property "PNG with right checksums" 4000 (G.map mended (mutated pngs)) survives;
+          property "texts" 4000 (mutated texts) survives;
+        ] );
+    ]
