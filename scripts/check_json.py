@@ -384,6 +384,14 @@ def check_shapes(scc):
         check("shape" if result.returncode == 0 else "diagnostics", text_of(result), f"shape {model}")
 
 
+def check_inflations(scc):
+    icon = "specs/models/parts/hexokinase.svg"
+    for options in ([], ["--profile", "round", "--faces", "60"], ["--resolution", "1"], ["--faces", "all"]):
+        check("inflate", text_of(run(scc, "inflate", icon, *options, "--json")), f"inflate {options}")
+    for icon, *options in [[icon, "--piece", "2"], ["README.md"], [icon, "--strength", "0"]]:
+        check("diagnostics", text_of(run(scc, "inflate", icon, *options, "--json")), f"inflate {icon} {options}")
+
+
 def check_comparisons(scc):
     models = "specs/models/"
     for first, second, *options in [
@@ -483,6 +491,7 @@ def main():
     check_conformance()
     check_refusals(scc)
     check_shapes(scc)
+    check_inflations(scc)
     check_comparisons(scc)
     check_oracle(scc)
     check_estimates(scc)

@@ -1,5 +1,6 @@
 Every mistake on the command line ends with exit code 64, whatever the command, and is told on standard error.
 
+  $ echo 'P1 1 1 1' > icon.pbm
   $ cat > cube.sc <<'END'
   > param m = 1
   > shape Cube {
@@ -29,12 +30,13 @@ The arguments of each command that make it succeed, without options:
   >     conform) echo cube.sc run.jsonl ;;
   >     diff) echo run.jsonl run.jsonl ;;
   >     shape) echo cube.sc:Cube ;;
+  >     inflate) echo icon.pbm ;;
   >     oracle) ;;
   >   esac
   > }
-  $ commands='check trace view export explore explain compare conform diff shape oracle fmt'
+  $ commands='check trace view export explore explain compare conform diff shape inflate oracle fmt'
   $ scc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | sort | xargs
-  check compare conform diff estimate explain explore export fmt oracle serve shape simulate sweep trace view
+  check compare conform diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace view
   $ for c in $commands; do scc $c $(arguments $c) < /dev/null > out 2> err || echo "$c: $?"; done
 
 misuse WORDS: each of those commands, with its arguments and these words. What does not end with 64, or says nothing,
@@ -53,19 +55,19 @@ No such option; one given twice; a flag with a value; an option without its valu
   $ those="$commands serve"
   $ misuse --no-such-option
   $ misuse --help=nothing
-  $ those='check trace view serve export explore explain compare conform diff shape fmt'
+  $ those='check trace view serve export explore explain compare conform diff shape inflate fmt'
   $ misuse --color=sometimes
   $ misuse --color=never --color=never
   $ misuse --color
-  $ those='check explain compare conform diff shape'
+  $ those='check explain compare conform diff shape inflate'
   $ misuse --json=yes
   $ misuse --json --json
 
 Too many arguments, and none:
 
-  $ those='check trace view serve export explore explain compare conform diff shape oracle'
+  $ those='check trace view serve export explore explain compare conform diff shape inflate oracle'
   $ misuse a b c
-  $ for c in check trace view export explore explain compare conform diff shape fmt; do
+  $ for c in check trace view export explore explain compare conform diff shape inflate fmt; do
   >   scc $c > out 2>&1; [ $? = 64 ] || echo "$c"
   > done
 
@@ -171,6 +173,20 @@ Names:
   $ misuse --no-reduce=everything
   $ misuse --shortest=way
   $ misuse --witness out --no-reduce jump
+  $ those=inflate
+  $ misuse --faces 5
+  $ misuse --faces some
+  $ misuse --scale 0
+  $ misuse --profile flat
+  $ misuse --strength=-1
+  $ misuse --strength red=1
+  $ misuse --strength '#ff000=1'
+  $ misuse --strength 1 --strength 2
+  $ misuse --strength '#ff0000=1' --strength '#FF0000=2'
+  $ misuse --background red
+  $ misuse --piece 0
+  $ misuse --resolution 100000
+  $ misuse -o solid.txt
   $ those='view shape'
   $ misuse --svg 1 --from 0,0,0
   $ misuse --svg 1 --from 1,0
