@@ -1,7 +1,7 @@
 type t = { width : int; height : int; colours : int array; alphas : Bytes.t }
 
 let max_side = 2048
-let max_pixels = 1 lsl 20
+let max_pixels = 1 lsl 18
 
 let too_large ~width ~height =
   width > max_side || height > max_side || width * height > max_pixels

@@ -17,12 +17,14 @@ let bits_of bound =
 
 let omega_bits = 16
 
-(* The factor that is best for a rectangle, rounded; any factor between 1 and 2 leads to the same solution, and this
-   one is computed without functions that differ between machines: sin x < x (1 - x^2/6 + x^4/120) for pi/(m + 1). *)
+(* The factor that is about the best one: that of the rectangle, or of a long strip three times as wide as the largest
+   disc in the shape, which is enough for thin shapes. Any factor between 1 and 2 leads to the same solution, and this
+   one is computed without functions that differ between machines: the sine of pi/(m + 1) by its series. *)
 let omega (s : Silhouette.t) =
   let inverse n = 1. /. float_of_int (n * n) in
-  let mean = (inverse (s.width - 1) +. inverse (s.height - 1)) /. 2. in
-  let x = 3.14159265358979 *. sqrt mean in
+  let rectangle = (inverse (s.width - 1) +. inverse (s.height - 1)) /. 2. in
+  let strip = 1. /. (2. *. 9. *. float_of_int (Silhouette.depth s)) in
+  let x = 3.14159265358979 *. sqrt (Float.max rectangle strip) in
   let sine = x *. (1. -. (x *. x /. 6.) +. (x *. x *. x *. x /. 120.)) in
   int_of_float (2. /. (1. +. sine) *. float_of_int (1 lsl omega_bits))
 

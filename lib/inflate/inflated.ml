@@ -102,5 +102,5 @@ let make ~progress ~path o picture =
       | Ok solid -> Ok { relief; solid }
       | Error needed ->
         refuse ~path Code.cannot_inflate
-          ~hint:(Printf.sprintf "allow more: --faces %d, or all of them: --faces all" needed)
+          ~hint:(Printf.sprintf "allow more, at least --faces %d, or all of them: --faces all" needed)
           "the drawing cannot be had with so few faces")

@@ -54,6 +54,8 @@ let trace (s : Silhouette.t) =
   done;
   List.rev !loops
 
+let corners loops = List.fold_left (fun n loop -> n + Array.length loop) 0 loops
+
 (* {1 Simplification} *)
 
 type simplified = { loops : loop list; off : int }

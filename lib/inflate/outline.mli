@@ -9,6 +9,9 @@ val trace : Silhouette.t -> loop list
 (** Simple and pairwise disjoint: the outer one, and one for each hole. They have a corner half-way between each
     pixel of the shape and each of its neighbours outside. The outer one comes first. *)
 
+val corners : loop list -> int
+(** In all. *)
+
 type simplified = {
   loops : loop list;  (** corners are some of those before *)
   off : int;  (** the two outlines are nowhere farther apart, in 1/256 of a pixel *)

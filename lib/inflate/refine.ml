@@ -65,8 +65,7 @@ let fill r t =
 (* {1 All of it} *)
 
 let reaching ~progress r loops ~most =
-  let corners = List.fold_left (fun n loop -> n + Array.length loop) 0 loops in
-  let least = corners - 2 + (2 * (List.length loops - 1)) in
+  let least = Outline.corners loops - 2 + (2 * (List.length loops - 1)) in
   (* Each triangle of the outline alone needs a corner within; four edges of the outline share one at best. *)
   if least + 1 > most then Error (least + 2)
   else begin

@@ -125,7 +125,7 @@ What cannot be inflated.
   [3]
   $ scc inflate ring.pbm --faces 6
   ring.pbm: error[SC0345]: the drawing cannot be had with so few faces
-    hint: allow more: --faces 18, or all of them: --faces all
+    hint: allow more, at least --faces 18, or all of them: --faces all
   [3]
   $ scc inflate ring.pbm --strength 0
   ring.pbm: error[SC0345]: all pixels of the shape have the strength 0: it stays flat
@@ -142,7 +142,7 @@ What cannot be inflated.
   $ echo 'P5 10000 10000 255' > large.pgm
   $ scc inflate large.pgm
   large.pgm: error[SC0342]: the picture has 10000 x 10000 pixels, which are too many
-    hint: make it smaller: at most 1048576 pixels, and no side longer than 2048
+    hint: make it smaller: at most 262144 pixels, and no side longer than 2048
   [3]
   $ echo 'P5 10 10 255' > short.pgm
   $ scc inflate short.pgm --json

@@ -35,9 +35,10 @@ import run
 
 
 def entries(rulebook):
-    """The ids of definitions, rules and readings. Laws follow of them, and have no cases of their own."""
+    """The ids of definitions, rules and readings. Laws follow of them, and have no cases of their own; nor has what is
+    done to files around the calculus."""
     chapters = re.split(r'^(?=## )', rulebook, flags=re.M)
-    return [i for c in chapters if not re.match(r'## \d+\. Laws\n', c) for i in re.findall(r'^### (\S+)', c, re.M)]
+    return [i for c in chapters if not re.match(r'## \d+\. (Laws|Around the calculus)\n', c) for i in re.findall(r'^### (\S+)', c, re.M)]
 
 
 def make(scc, folder):

@@ -1,0 +1,1 @@
+// a picture of six pixels that has four

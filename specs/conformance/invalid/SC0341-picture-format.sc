@@ -1,0 +1,1 @@
+// a drawing with a stroke

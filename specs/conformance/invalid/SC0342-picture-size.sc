@@ -1,0 +1,1 @@
+// a picture of a hundred megapixels

@@ -1,0 +1,1 @@
+// a picture in which nothing is drawn

@@ -1,0 +1,1 @@
+// a strength that leaves it flat
