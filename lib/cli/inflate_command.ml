@@ -110,11 +110,14 @@ let run color json o =
 let hexadecimal c = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F')
 
 let parse_colour s =
-  if String.length s = 7 && s.[0] = '#' && Seq.fold_left (fun ok c -> ok && hexadecimal c) true (String.to_seq (String.sub s 1 6))
+  let rec all i = i > 6 || (hexadecimal s.[i] && all (i + 1)) in
+  if String.length s = 7 && s.[0] = '#' && all 1
   then Ok (int_of_string ("0x" ^ String.sub s 1 6))
   else Error (`Msg (Printf.sprintf "`%s' is no colour such as #ff8000" s))
 
-let colour = Arg.conv ~docv:"COLOUR" (parse_colour, fun ppf c -> Format.pp_print_string ppf (Scc_icon.Raster.colour_text c))
+let colour =
+  let print ppf c = Format.pp_print_string ppf (Scc_icon.Raster.colour_text c) in
+  Arg.conv ~docv:"COLOUR" (parse_colour, print)
 
 let strength_conv =
   let number s = Arg.conv_parser (Options.not_negative "strength") s in
@@ -196,7 +199,9 @@ let background =
   Arg.(value & opt (some colour) None & info [ "background" ] ~docv:"COLOUR" ~doc)
 
 let piece =
-  let doc = "Of a drawing in several pieces takes this one: 1 is the largest. Pixels hang together by their edges." in
+  let doc =
+    "Of a drawing in several pieces takes this one: 1 is the largest. Pixels hang together by their edges."
+  in
   Arg.(value & opt (some (Options.integer ~least:1 "number of a piece")) None & info [ "piece" ] ~docv:"N" ~doc)
 
 let resolution =

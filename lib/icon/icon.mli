@@ -1,4 +1,5 @@
-(** Pictures that shapes are made of, from files: PNG, Netpbm (PBM, PGM, PPM) and SVG, told apart by what is in them. *)
+(** Pictures that shapes are made of, from files: PNG, Netpbm (PBM, PGM, PPM) and SVG, told apart by what is in
+    them. *)
 
 open Scc_base
 

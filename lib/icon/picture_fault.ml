@@ -1,7 +1,8 @@
 open Scc_base
 
 let start path = Span.make ~file:path ~start:0 ~stop:0
-let malformed ~path format = Printf.ksprintf (fun m -> Error (Diag.error Code.bad_picture (start path) "%s" m)) format
+let malformed ~path format =
+  Printf.ksprintf (fun m -> Error (Diag.error Code.bad_picture (start path) "%s" m)) format
 
 let unsupported ~path ?hint format =
   Printf.ksprintf (fun m -> Error (Diag.error ?hint Code.picture_format (start path) "%s" m)) format

@@ -33,7 +33,8 @@ let series x =
     else
       let next = Rat.round_to (Rat.div (term * x) (Rat.of_int (Stdlib.( + ) n 1))) ~quantum:short in
       let sign = if n land 2 = 0 then term else Rat.neg term in
-      if n land 1 = 0 then go (Stdlib.( + ) n 1) next (cos + sign) sin else go (Stdlib.( + ) n 1) next cos (sin + sign)
+      let after = Stdlib.( + ) n 1 in
+      if n land 1 = 0 then go after next (cos + sign) sin else go after next cos (sin + sign)
   in
   go 0 one zero zero
 

@@ -84,7 +84,8 @@ let inflate text found expected =
     ~finally:(fun () -> Zlib.inflate_end stream)
     (fun () ->
        try List.iter (fun (kind, part) -> if String.equal kind "IDAT" then feed part) found
-       with Zlib.Error (_, why) -> bad "cannot be decompressed: %s" (if String.equal why "" then "faulty data" else why));
+       with Zlib.Error (_, why) ->
+         bad "cannot be decompressed: %s" (if String.equal why "" then "faulty data" else why));
   if !written < expected then bad "has fewer rows than its header says";
   out
 

@@ -1,6 +1,6 @@
-(** PNG (Portable Network Graphics, second edition): all colour types, depths and interlaced pictures, with checksums
-    and transparency, by zlib for the compressed data. Samples are taken to 256 levels by their high bits, and
-    colours are taken as they are (gamma and profiles are skipped). *)
+(** PNG (Portable Network Graphics, second edition): all colour types, depths and interlaced pictures, with
+    checksums and transparency, by zlib for the compressed data. Samples are taken to 256 levels by their high
+    bits, and colours are taken as they are (gamma and profiles are skipped). *)
 
 open Scc_base
 

@@ -11,7 +11,8 @@ val max_side : int
 (** 2 048 pixels: then all that is asked about places in a picture fits in native integers. *)
 
 val max_pixels : int
-(** 2{^18}, as 512 x 512 has: more takes minutes to inflate, and says no more about a shape of a few hundred faces. *)
+(** 2{^18}, as 512 x 512 has: more takes minutes to inflate, and says no more about a shape of a few hundred
+    faces. *)
 
 val too_large : width:int -> height:int -> bool
 (** Whether such a picture is refused, before memory is taken for it. *)

@@ -6,7 +6,8 @@ let space = "http://www.w3.org/2000/svg"
 
 (* An XML file, with white space before it or not. *)
 let is text =
-  let rec first i = if i < String.length text && List.mem text.[i] [ ' '; '\t'; '\n'; '\r' ] then first (i + 1) else i in
+  let blank c = List.mem c [ ' '; '\t'; '\n'; '\r' ] in
+  let rec first i = if i < String.length text && blank text.[i] then first (i + 1) else i in
   let i = first (Source.after_mark text) in
   i < String.length text && text.[i] = '<'
 
@@ -106,7 +107,11 @@ let groups = [ "g"; "a" ]
 let shapes = [ "path"; "rect"; "circle"; "ellipse"; "polygon"; "polyline" ]
 
 (* Elements that paint nothing by themselves, with all that is in them. *)
-let silent = [ "title"; "desc"; "metadata"; "defs"; "line"; "clipPath"; "mask"; "linearGradient"; "radialGradient"; "filter"; "symbol"; "marker"; "pattern"; "script" ]
+let silent =
+  [
+    "title"; "desc"; "metadata"; "defs"; "line"; "clipPath"; "mask"; "linearGradient"; "radialGradient"; "filter";
+    "symbol"; "marker"; "pattern"; "script";
+  ]
 
 (* The rest of an element whose start was read is passed over. *)
 let pass_over input =
@@ -120,10 +125,13 @@ let pass_over input =
   go 1
 
 let draw ~resolution ~path input =
-  let plain attributes = List.filter_map (fun ((ns, name), v) -> if ns = "" then Some (name, v) else None) attributes in
+  let plain attributes =
+    List.filter_map (fun ((ns, name), v) -> if ns = "" then Some (name, v) else None) attributes
+  in
   let rec root () =
     match Xmlm.input input with
-    | `Dtd (Some text) when String.contains text '[' -> raise (Unread "document types with declarations of their own")
+    | `Dtd (Some text) when String.contains text '[' ->
+      raise (Unread "document types with declarations of their own")
     | `Dtd _ -> root ()
     | `El_start ((ns, "svg"), attributes) when ns = space || ns = "" -> plain attributes
     | _ -> raise (Unread "XML whose root is no svg element")
@@ -158,7 +166,10 @@ let draw ~resolution ~path input =
 (* The byte at a line and column of characters, both from 1. *)
 let offset text (line, column) =
   let n = String.length text in
-  let rec start i line = if line <= 1 then i else match String.index_from_opt text i '\n' with Some j when j + 1 <= n -> start (j + 1) (line - 1) | _ -> n in
+  let rec start i line =
+    if line <= 1 then i
+    else match String.index_from_opt text i '\n' with Some j -> start (j + 1) (line - 1) | None -> n
+  in
   let rec along i column =
     if column <= 1 || i >= n then min i n
     else

@@ -51,11 +51,13 @@ let number c =
   in
   if c.at - start > 40 then bad "a number of more than 40 characters";
   let negative = mantissa.[0] = '-' in
-  let plain = if negative || mantissa.[0] = '+' then String.sub mantissa 1 (String.length mantissa - 1) else mantissa in
-  let literal = (if before = 0 then "0" else "") ^ plain ^ if String.contains plain '.' && after = 0 then "0" else "" in
-  let unsigned = if exponent.[0] = '+' then String.sub exponent 1 (String.length exponent - 1) else exponent in
+  let unsigned t = if t.[0] = '+' || t.[0] = '-' then String.sub t 1 (String.length t - 1) else t in
+  let plain = unsigned mantissa in
+  let first = if before = 0 then "0" else "" in
+  let last = if String.contains plain '.' && after = 0 then "0" else "" in
+  let literal = first ^ plain ^ last in
   let power =
-    match int_of_string_opt unsigned with
+    match int_of_string_opt (if exponent.[0] = '+' then unsigned exponent else exponent) with
     | Some n when abs n <= 9 -> n
     | _ -> bad "a number with an exponent beyond 9"
   in

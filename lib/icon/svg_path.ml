@@ -29,7 +29,8 @@ let corner p place =
   if !(p.budget) < 0 then bad "more corners than are read of one drawing";
   let grid q =
     let z = (Rat.round_to (Rat.mul q (Rat.of_int unit)) ~quantum:Rat.one).num in
-    if Z.gt (Z.abs z) (Z.of_int farthest) then bad "something is drawn too far outside of the picture" else Z.to_int z
+    if Z.gt (Z.abs z) (Z.of_int farthest) then bad "something is drawn too far outside of the picture"
+    else Z.to_int z
   in
   let x, y = place in
   p.corners <- (grid x, grid y) :: p.corners
@@ -62,8 +63,8 @@ let fine (x, y) =
   let quantum = Rat.make Z.one (Z.of_int (1 lsl 20)) in
   (Rat.round_to x ~quantum, Rat.round_to y ~quantum)
 
-(* A piece of 1/n of a Bezier curve of degree k is within k (k - 1) / (8 n^2) times the longest second difference of
-   its control points of its chord. *)
+(* A piece of 1/n of a Bezier curve of degree k is within k (k - 1) / (8 n^2) times the longest second
+   difference of its control points of its chord. *)
 let curve p controls =
   begun p;
   let points = List.map (fun q -> fine (Plane_map.apply p.map q)) (p.here :: controls) in
@@ -129,9 +130,11 @@ let arc p (rx, ry) angle ~large ~sweep place =
     let centre = q *: (snd a, Rat.neg (fst a)) in
     let radii = Plane_map.scaling (Rat.mul rx grown) (Rat.mul ry grown) in
     let mx, my = half *: (p.here +: place) in
-    let map = Plane_map.compose (Plane_map.translation mx my) (Plane_map.compose (Plane_map.rotation angle) radii) in
     let cx, cy = centre in
-    let map = Plane_map.compose map (Plane_map.translation cx cy) in
+    let map =
+      Plane_map.(
+        compose (translation mx my) (compose (rotation angle) (compose radii (translation cx cy))))
+    in
     arc_of_circle p (Plane_map.compose p.map map) ~forward:sweep (a -: centre) ((Rat.of_int (-1) *: a) -: centre);
     p.here <- place
   end

@@ -17,9 +17,10 @@ let bits_of bound =
 
 let omega_bits = 16
 
-(* The factor that is about the best one: that of the rectangle, or of a long strip three times as wide as the largest
-   disc in the shape, which is enough for thin shapes. Any factor between 1 and 2 leads to the same solution, and this
-   one is computed without functions that differ between machines: the sine of pi/(m + 1) by its series. *)
+(* The factor that is about the best one: that of the rectangle, or of a long strip three times as wide as the
+   largest disc in the shape, which is enough for thin shapes. Any factor between 1 and 2 leads to the same
+   solution, and this one is computed without functions that differ between machines: the sine of pi/(m + 1) by
+   its series. *)
 let omega (s : Silhouette.t) =
   let inverse n = 1. /. float_of_int (n * n) in
   let rectangle = (inverse (s.width - 1) +. inverse (s.height - 1)) /. 2. in
@@ -88,7 +89,12 @@ let symmetries (s : Silhouette.t) strengths =
   let w = s.width and h = s.height in
   let mirrored x y = (w - 1 - x, y) and turned x y = (x, h - 1 - y) in
   let half x y = (w - 1 - x, h - 1 - y) in
-  let square = [ (fun x y -> (y, x)); (fun x y -> (y, w - 1 - x)); (fun x y -> (w - 1 - y, x)); (fun x y -> (w - 1 - y, w - 1 - x)) ] in
+  let square =
+    [
+      (fun x y -> (y, x)); (fun x y -> (y, w - 1 - x)); (fun x y -> (w - 1 - y, x));
+      (fun x y -> (w - 1 - y, w - 1 - x));
+    ]
+  in
   let index f i = let x, y = f (i mod w) (i / w) in (y * w) + x in
   let keeps f =
     let rec go i = i >= w * h || (strengths.(i) = strengths.(f i) && go (i + 1)) in

@@ -80,7 +80,8 @@ let between (r : Relief.t) t =
   for k = 0 to Triangulation.triangles t - 1 do
     see (corners_in r t ~columns covered k)
   done;
-  (* Centres beyond the outline of the triangulation; corners of the outline of the surface are 0, as it is there. *)
+  (* Centres beyond the outline of the triangulation; corners of the outline of the surface are 0, as it is
+     there. *)
   Array.iteri
     (fun i z ->
        if Bytes.get covered ((2 * (i / s.width) * columns) + (2 * (i mod s.width))) = '\000' then see z)

@@ -18,5 +18,5 @@ type options = {
 type t = { relief : Relief.t; solid : Solid_of.t }
 
 val make : progress:(string -> float -> unit) -> path:string -> options -> Raster.t -> (t, Diag.t) result
-(** [progress] is told what is done, and which share of it. Errors: SC0343 when nothing is drawn, SC0344 when it is in
-    several pieces, SC0345 when strengths, colours or the number of faces do not fit the drawing. *)
+(** [progress] is told what is done, and which share of it. Errors: SC0343 when nothing is drawn, SC0344 when it
+    is in several pieces, SC0345 when strengths, colours or the number of faces do not fit the drawing. *)

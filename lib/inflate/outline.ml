@@ -13,7 +13,8 @@ let half = unit / 2
 let dx = [| 1; 0; -1; 0 |]
 let dy = [| 0; 1; 0; -1 |]
 
-(* The next corner with the shape on the right: at (i, j), looking outward to d, the walk goes on to the side d + 1. *)
+(* The next corner with the shape on the right: at (i, j), looking outward to d, the walk goes on to the side d
+   + 1. *)
 let next s (i, j, d) =
   let e = (d + 1) land 3 in
   let i1 = i + dx.(e) and j1 = j + dy.(e) in
@@ -175,7 +176,13 @@ let simplify s ~most loops =
       else go removed (v :: blocked)
     | _ ->
       if removed && blocked <> [] && !remaining > most then begin
-        List.iter (fun v -> if Bytes.get c.gone v = '\000' then begin version.(v) <- version.(v) + 1; put v end) blocked;
+        let again v =
+          if Bytes.get c.gone v = '\000' then begin
+            version.(v) <- version.(v) + 1;
+            put v
+          end
+        in
+        List.iter again blocked;
         go false []
       end
   in

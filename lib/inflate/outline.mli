@@ -2,7 +2,8 @@
 
 type place = int * int
 
-(** A closed line without repetition, counter-clockwise on the screen around the shape, and clockwise around a hole. *)
+(** A closed line without repetition, counter-clockwise on the screen around the shape, and clockwise around a
+    hole. *)
 type loop = place array
 
 val trace : Silhouette.t -> loop list

@@ -11,7 +11,8 @@ let meet a b c d =
   let side = Int.compare 0 in
   let s1 = side (turn a b c) and s2 = side (turn a b d) and s3 = side (turn c d a) and s4 = side (turn c d b) in
   (s1 * s2 < 0 && s3 * s4 < 0)
-  || (s1 = 0 && between a b c) || (s2 = 0 && between a b d) || (s3 = 0 && between c d a) || (s4 = 0 && between c d b)
+  || (s1 = 0 && between a b c) || (s2 = 0 && between a b d)
+  || (s3 = 0 && between c d a) || (s4 = 0 && between c d b)
 
 (* {1 Holes} *)
 
@@ -53,7 +54,8 @@ let join at walls outer hole =
             turn (at v) (at m) (at other) = 0 && between (at v) (at m) (at other)))
         walls)
   in
-  let order = List.sort (fun j k -> compare (distance polygon.(j), j) (distance polygon.(k), k)) (List.init n Fun.id) in
+  let key k = (distance polygon.(k), k) in
+  let order = List.sort (fun j k -> compare (key j) (key k)) (List.init n Fun.id) in
   match List.find_opt sees order with
   | None -> Bug.fail __POS__ "a hole that nothing sees"
   | Some k ->

@@ -52,8 +52,8 @@ let split_chord r t (a, b) =
   | None -> Scc_base.Bug.fail __POS__ "a chord outside of its polygon"
   | Some k -> Triangulation.insert t k { x; y; z = height_or_least r x y }
 
-(* A polygon that is a triangle has neither chords nor vertices within: it gets one, nearer to its first corner. The
-   corners are at multiples of four. *)
+(* A polygon that is a triangle has neither chords nor vertices within: it gets one, nearer to its first corner.
+   The corners are at multiples of four. *)
 let fill r t =
   if Triangulation.triangles t = 1 then begin
     let a, b, c = Triangulation.corners t 0 in

@@ -3,8 +3,8 @@
 
 open Scc_exact
 
-(** From the fixed point v of diffusion ({!Diffusion}) to heights, in pixels. Over a disc of radius r and strength 1
-    both are highest by about r. *)
+(** From the fixed point v of diffusion ({!Diffusion}) to heights, in pixels. Over a disc of radius r and
+    strength 1 both are highest by about r. *)
 type profile =
   | Diffused  (** v/r, with {!field:t.radius} r: a paraboloid over a disc *)
   | Round  (** the root of v: a sphere over a disc *)
@@ -14,7 +14,8 @@ val quanta : int
 
 type t = {
   shape : Silhouette.t;
-  heights : int array;  (** of the pixels of the rectangle, in quanta: 0 outside of the shape, and more than 0 in it *)
+  heights : int array;
+  (** of the pixels of the rectangle, in quanta: 0 outside of the shape, and more than 0 in it *)
   radius : Rat.t;  (** in pixels *)
   highest : int;  (** in quanta *)
   off : Rat.t;  (** no height is farther than this, in pixels, from what it is exactly *)

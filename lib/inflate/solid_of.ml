@@ -92,7 +92,8 @@ let simplified ~progress r ~scale ~faces loops =
         { solution = r.off; surface = quanta (Gap.between r t); outline = quanta outline.off }
       in
       Ok { mesh = sew r ~scale (simple t); holes; gaps }
-    | Error _ when corners > fewest && Outline.corners outline.loops <= corners -> attempt (max fewest (corners * 3 / 4))
+    | Error _ when corners > fewest && Outline.corners outline.loops <= corners ->
+      attempt (max fewest (corners * 3 / 4))
     | Error needed -> Error (2 * needed)
   in
   attempt (max fewest (most / 3))

@@ -1,6 +1,6 @@
-(** The inflated shape as a solid: its front, and the mirror image of that behind, sewn together along the outline.
-    It is closed, and does not meet itself: each side is a graph over the inside of the outline, one above 0 and the
-    other one below. *)
+(** The inflated shape as a solid: its front, and the mirror image of that behind, sewn together along the
+    outline. It is closed, and does not meet itself: each side is a graph over the inside of the outline, one
+    above 0 and the other one below. *)
 
 open Scc_exact
 open Scc_geometry

@@ -68,15 +68,16 @@ let should_flip t a b c d =
   | false, true -> false
   | true, true | false, false -> in_circle t a b c d
 
-(* The edge opposite to corner i of k becomes the other diagonal, where that is better; its new neighbours are looked
-   at in turn. Each flip leaves fewer chords, or is one of Delaunay among as many: this ends. *)
+(* The edge opposite to corner i of k becomes the other diagonal, where that is better; its new neighbours are
+   looked at in turn. Each flip leaves fewer chords, or is one of Delaunay among as many: this ends. *)
 let legalize t start =
   let changed = Hashtbl.create 16 in
   let rec go = function
     | [] -> ()
     | (k, c) :: rest -> (
         Hashtbl.replace changed k ();
-        let i = if corner t k 0 = c then 0 else if corner t k 1 = c then 1 else if corner t k 2 = c then 2 else 3 in
+        let is i = corner t k i = c in
+        let i = if is 0 then 0 else if is 1 then 1 else if is 2 then 2 else 3 in
         let n = if i = 3 then -1 else beyond t k i in
         if n < 0 then go rest
         else

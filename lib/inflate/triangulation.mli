@@ -1,7 +1,7 @@
-(** Triangulations of a polygon with holes whose corners have heights, to which points are added: triangles that are
-    joined along edges, Delaunay as far as one thing that comes first allows. That is that few edges other than
-    those of the outline have both ends on the outline: on such a {e chord} the front and the back of a solid would
-    meet. Points are added once and never go. Places and heights as in {!Front}. *)
+(** Triangulations of a polygon with holes whose corners have heights, to which points are added: triangles that
+    are joined along edges, Delaunay as far as one thing that comes first allows. That is that few edges other
+    than those of the outline have both ends on the outline: on such a {e chord} the front and the back of a
+    solid would meet. Points are added once and never go. Places and heights as in {!Front}. *)
 
 type t
 
@@ -30,5 +30,5 @@ val locate : t -> int -> int -> int option
 (** A triangle that has the place in it or on its edges, by looking at all. *)
 
 val insert : t -> int -> Front.corner -> int list
-(** [insert t k p] adds a vertex at a place in the triangle [k], which is on no edge of the outline, nor at a vertex
-    (a bug otherwise). The triangles that are new or have changed. *)
+(** [insert t k p] adds a vertex at a place in the triangle [k], which is on no edge of the outline, nor at a
+    vertex (a bug otherwise). The triangles that are new or have changed. *)

@@ -37,7 +37,11 @@ let pack depth samples =
   if depth >= 8 then List.iter (fun s -> Buffer.add_string b (be s (depth / 8))) samples
   else begin
     let bits = ref 0 and count = ref 0 in
-    let flush () = if !count > 0 then Buffer.add_char b (Char.chr (!bits lsl (8 - !count))); bits := 0; count := 0 in
+    let flush () =
+      if !count > 0 then Buffer.add_char b (Char.chr (!bits lsl (8 - !count)));
+      bits := 0;
+      count := 0
+    in
     List.iter
       (fun s ->
          bits := (!bits lsl depth) lor s;
@@ -145,7 +149,8 @@ let all_types () =
          depths)
     types;
   (* One colour alone is transparent. *)
-  let grey = png ~extra:(chunk "tRNS" "\000\007") ~width:2 ~height:1 ~kind:0 ~depth:8 ~interlaced:false (fun x _ _ -> 7 + x) in
+  let extra = chunk "tRNS" "\000\007" in
+  let grey = png ~extra ~width:2 ~height:1 ~kind:0 ~depth:8 ~interlaced:false (fun x _ _ -> 7 + x) in
   Alcotest.(check string) "a transparent grey" "\000\255" (Bytes.to_string (ok "grey" grey).alphas)
 
 (* {1 Netpbm} *)
@@ -165,7 +170,8 @@ let netpbm () =
 
 (* {1 SVG} *)
 
-let svg ?(box = "0 0 40 30") body = Printf.sprintf "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"%s\">%s</svg>" box body
+let svg ?(box = "0 0 40 30") body =
+  Printf.sprintf "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"%s\">%s</svg>" box body
 
 let inside (r : Raster.t) x y = Bytes.get_uint8 r.alphas ((y * r.width) + x) <> 0
 
@@ -196,7 +202,10 @@ let shapes () =
   area "arc flags without blanks" "<path d='M20 5a10 10 0 1010 10L20 15z'/>" (fun x y ->
       without disc (both (fun x _ -> 20. -. x) (fun _ y -> y -. 15.)) x y);
   area "too small radii grow" "<path d='M10 15A1 1 0 0 1 30 15A1 1 0 0 1 10 15'/>" disc;
-  area "turned arcs" "<path d='M12.928932188 7.928932188A10 10 37 0 1 27.071067812 22.071067812A10 10 -80 0 1 12.928932188 7.928932188'/>" disc;
+  area "turned arcs"
+    "<path d='M12.928932188 7.928932188A10 10 37 0 1 27.071067812 22.071067812\
+     A10 10 -80 0 1 12.928932188 7.928932188'/>"
+    disc;
   area "rect" "<rect x='5' y='6' width='20' height='10'/>" (box 5. 6. 25. 16.);
   area "round rect" "<rect x='5' y='6' width='20' height='10' rx='3'/>" (fun x y ->
       let dx = Float.max 0. (Float.abs (x -. 15.) -. 7.) and dy = Float.max 0. (Float.abs (y -. 11.) -. 2.) in
@@ -205,11 +214,14 @@ let shapes () =
     "<path fill-rule='evenodd' d='M0 0h30v20h-30zM5 5h10v10h-10z'/>"
     (without (box 0. 0. 30. 20.) (box 5. 5. 15. 15.));
   area "no hole by the other one" "<path d='M0 0h30v20h-30zM5 5h10v10h-10z'/>" (box 0. 0. 30. 20.);
-  area "hole by winding" "<path d='M0 0H30V20H0zM5 5v10h10v-10z'/>" (without (box 0. 0. 30. 20.) (box 5. 5. 15. 15.));
-  area "transforms" "<g transform='translate(20,15)'><rect transform='rotate(90) scale(2 1)' x='-5' y='-4' width='10' height='8'/></g>"
+  area "hole by winding" "<path d='M0 0H30V20H0zM5 5v10h10v-10z'/>"
+    (without (box 0. 0. 30. 20.) (box 5. 5. 15. 15.));
+  area "transforms"
+    "<g transform='translate(20,15)'>\
+     <rect transform='rotate(90) scale(2 1)' x='-5' y='-4' width='10' height='8'/></g>"
     (box 16. 5. 24. 25.);
-  area "rotation about a point" "<rect transform='rotate(45 20 15)' x='13' y='8' width='14' height='14'/>" (fun x y ->
-      (Float.abs (x -. 20.) +. Float.abs (y -. 15.)) /. sqrt 2. -. 7.);
+  let turned x y = ((Float.abs (x -. 20.) +. Float.abs (y -. 15.)) /. sqrt 2.) -. 7. in
+  area "rotation about a point" "<rect transform='rotate(45 20 15)' x='13' y='8' width='14' height='14'/>" turned;
   area "two shapes" "<circle cx='10' cy='15' r='5'/><polygon points='20,5 30,5 30,15 20,15'/>"
     (union (circle 10. 15. 5.) (box 20. 5. 30. 15.));
   (* y = x^2 / 20 as a quadratic curve and as the same cubic one. *)
@@ -219,9 +231,15 @@ let shapes () =
   area "relative quadratic" "<path d='M-20 20q20,-40,40,0'/>" cap;
   area "cubic" "<path d='M-20 20C-6.6666666667 -6.6666666667 6.6666666667 -6.6666666667 20 20'/>" cap;
   area "smooth quadratics" "<path d='M-20 20Q-10 0 0 0T20 20'/>" cap;
-  area "hidden things" "<g display='none'><rect width='9' height='9'/></g><rect style='fill:none' width='9' height='9'/><rect opacity='.4' width='9' height='9'/><rect x='1' y='1' width='5' height='5' style='opacity:60%'/>"
+  area "hidden things"
+    "<g display='none'><rect width='9' height='9'/></g><rect style='fill:none' width='9' height='9'/>\
+     <rect opacity='.4' width='9' height='9'/><rect x='1' y='1' width='5' height='5' style='opacity:60%'/>"
     (box 1. 1. 6. 6.);
-  let colours = ok ~resolution:4 "colours" (svg ~box:"0 0 4 1" "<g fill='#f80'><rect width='1' height='1'/><rect x='1' width='1' height='1' fill='rgb(1,2,3)'/><rect x='2' width='1' height='1' style='fill: navy; stroke: none'/></g><rect x='3' width='1' height='1'/>") in
+  let squares =
+    "<g fill='#f80'><rect width='1' height='1'/><rect x='1' width='1' height='1' fill='rgb(1,2,3)'/>\
+     <rect x='2' width='1' height='1' style='fill: navy; stroke: none'/></g><rect x='3' width='1' height='1'/>"
+  in
+  let colours = ok ~resolution:4 "colours" (svg ~box:"0 0 4 1" squares) in
   Alcotest.(check (list int)) "colours" [ 0xff8800; 0x010203; 0x000080; 0 ] (Array.to_list colours.colours)
 
 (* {1 What is refused} *)
@@ -292,21 +310,25 @@ let pngs =
        List.map
          (fun depth ->
             let extra = if kind = 3 then chunk "PLTE" (String.make 12 'p') else "" in
-            png ~extra ~width:5 ~height:9 ~kind ~depth ~interlaced:(depth > 4) (fun x y k -> (x + y + k) land 3 land ((1 lsl depth) - 1)))
+            let sample x y k = (x + y + k) land 3 land ((1 lsl depth) - 1) in
+            png ~extra ~width:5 ~height:9 ~kind ~depth ~interlaced:(depth > 4) sample)
          depths)
     types
 
 let texts =
   [
     "P2 # c\n2 2\n255\n0 1 2 3"; "P6\n2 1\n255\nabcdef"; "P1 2 2 1 0 0 1";
-    svg "<g transform='rotate(30 1 2) skewX(5)'><path style='fill:#123' d='M1 2l3,4-5.6.7e1zC1 2 3 4 5 6s7 8 9 9a1 2 30 1 0 4 4T3 3'/></g>";
+    svg
+      "<g transform='rotate(30 1 2) skewX(5)'>\
+       <path style='fill:#123' d='M1 2l3,4-5.6.7e1zC1 2 3 4 5 6s7 8 9 9a1 2 30 1 0 4 4T3 3'/></g>";
     svg "<rect x='1' y='2mm' width='3' height='4' rx='1'/><ellipse cx='5' cy='5' rx='3' ry='2' opacity='50%'/>";
   ]
 
 let survives text = match read ~resolution:16 text with Ok _ | Error _ -> true
 
 let () =
-  let property name count gen law = Scc_test_support.Property.case (QCheck2.Test.make ~name ~count ~print:String.escaped gen law) in
+  let property name count gen law =
+    Scc_test_support.Property.case (QCheck2.Test.make ~name ~count ~print:String.escaped gen law) in
   Alcotest.run "icon"
     [
       ( "pictures",

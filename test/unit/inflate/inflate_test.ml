@@ -86,7 +86,8 @@ let dense (s : Silhouette.t) strength =
 
 let within what limit a b =
   if Rat.compare (Rat.abs (Rat.sub a b)) limit > 0 then
-    Alcotest.failf "%s: %s and %s are more than %s apart" what (Rat.to_string a) (Rat.to_string b) (Rat.to_string limit)
+    Alcotest.failf "%s: %s and %s are more than %s apart" what (Rat.to_string a) (Rat.to_string b)
+      (Rat.to_string limit)
 
 let check_equations (name, rows) =
   let s = shape rows in
@@ -257,7 +258,8 @@ let solid_holds rows =
     true
 
 (* The images of an icon under the symmetries of the square have the images of its heights. *)
-let mirror rows = List.map (fun row -> String.init (String.length row) (fun k -> row.[String.length row - 1 - k])) rows
+let mirror rows =
+  List.map (fun row -> String.init (String.length row) (fun k -> row.[String.length row - 1 - k])) rows
 
 let symmetric rows =
   let both = List.map2 (fun a b -> a ^ b) rows (mirror rows) in
@@ -278,7 +280,8 @@ let turned () =
   let _, _, r = relief s (strength s) in
   for y = 0 to s.height - 1 do
     for x = 0 to s.width - 1 do
-      Alcotest.(check int) "a quarter turn" r.heights.((y * s.width) + x) r.heights.((x * s.width) + s.width - 1 - y)
+      let at x y = r.heights.((y * s.width) + x) in
+      Alcotest.(check int) "a quarter turn" (at x y) (at (s.width - 1 - y) x)
     done
   done;
   match check_solid "turned" None s r with
@@ -311,8 +314,10 @@ let outlines () =
   Alcotest.(check int) "corners do not join" 2 (pieces [ "1 "; " 1" ])
 
 let () =
-  let icons_case name check = List.map (fun ((n, _) as icon) -> Alcotest.test_case (name ^ ": " ^ n) `Quick (fun () -> check icon)) icons in
-  let property name count gen law = Scc_test_support.Property.case (QCheck2.Test.make ~name ~count ~print:(String.concat "\n") gen law) in
+  let one name check ((n, _) as icon) = Alcotest.test_case (name ^ ": " ^ n) `Quick (fun () -> check icon) in
+  let icons_case name check = List.map (one name check) icons in
+  let property name count gen law =
+    Scc_test_support.Property.case (QCheck2.Test.make ~name ~count ~print:(String.concat "\n") gen law) in
   Alcotest.run "inflate"
     [
       ("equations", icons_case "dense elimination" check_equations);
