@@ -201,6 +201,10 @@ let shapes () =
       without disc (both (fun x _ -> 20. -. x) (fun _ y -> y -. 15.)) x y);
   area "arc flags without blanks" "<path d='M20 5a10 10 0 1010 10L20 15z'/>" (fun x y ->
       without disc (both (fun x _ -> 20. -. x) (fun _ y -> y -. 15.)) x y);
+  area "large arc the other way" "<path d='M30 15A10 10 0 1 1 20 5L20 15z'/>" (fun x y ->
+      without disc (both (fun x _ -> 20. -. x) (fun _ y -> y -. 15.)) x y);
+  area "small arc" "<path d='M20 5A10 10 0 0 0 10 15L20 15z'/>"
+    (both disc (both (fun x _ -> x -. 20.) (fun _ y -> y -. 15.)));
   area "too small radii grow" "<path d='M10 15A1 1 0 0 1 30 15A1 1 0 0 1 10 15'/>" disc;
   area "turned arcs"
     "<path d='M12.928932188 7.928932188A10 10 37 0 1 27.071067812 22.071067812\

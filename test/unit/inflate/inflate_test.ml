@@ -304,6 +304,24 @@ let by_hand () =
   (* 4 a - b = 4 and 4 b - 2 a = 4: b = 12/7. *)
   Alcotest.(check int) "three" 439 (height [ "111" ]).(7)
 
+(* Four centres are parted along the higher diagonal, whichever way that runs. *)
+let diagonals () =
+  List.iter
+    (fun (name, rows) ->
+       let s = shape rows in
+       let _, _, r = relief s (strength s) in
+       let at x y = r.heights.((y * s.width) + x) in
+       for y = 0 to s.height - 2 do
+         for x = 0 to s.width - 2 do
+           let a = at x y and b = at (x + 1) y and c = at (x + 1) (y + 1) and d = at x (y + 1) in
+           if a > 0 && b > 0 && c > 0 && d > 0 then begin
+             let n, over = Front.height r ((8 * x) + 4) ((8 * y) + 4) in
+             Alcotest.(check int) name (over * max (a + c) (b + d)) (2 * n)
+           end
+         done
+       done)
+    icons
+
 let outlines () =
   let count rows = List.map Array.length (Outline.trace (shape rows)) in
   Alcotest.(check (list int)) "a pixel" [ 4 ] (count [ "1" ]);
@@ -323,6 +341,7 @@ let () =
       ("equations", icons_case "dense elimination" check_equations);
       ( "by hand",
         [ Alcotest.test_case "small icons" `Quick by_hand; Alcotest.test_case "outlines" `Quick outlines;
+          Alcotest.test_case "the higher diagonal" `Quick diagonals;
           Alcotest.test_case "symmetric icons give symmetric solids" `Quick turned ] );
       ("solids", icons_case "closed, and front and back apart" check_solids);
       ( "random",
