@@ -191,6 +191,10 @@ let item (i : Ast.item) =
     let made_of = count parts "part" "parts" ^ ", " ^ count glues "glue" "glues" in
     let what = text "compound `%s`: %s" (Printer.head head) made_of in
     [ make Compound name ~shown ~inner:(Long_list.map (part name.it) parts) what ]
+  | Decomposed (head, s, attributes, _) ->
+    let name = head.declared in
+    let what = text "compound `%s`: %s in convex parts" (Printer.head head) (body s attributes None) in
+    [ make Compound name ~shown ~inner:(features name.it s) what ]
   | Behaviour (head, on, _, _) -> [ make Behaviour head.declared ~shown (behaviour head on) ]
   | Process (s, first, rest) -> bodies Process "process" shown s first rest
   | Fixed (s, first, rest) -> bodies Fixed "fixed body" shown s first rest

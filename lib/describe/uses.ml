@@ -300,6 +300,11 @@ and plain t c (i : Ast.item) =
     let within = declare t h.declared in
     solid t (definitions t (head t { c with within } h i.at) h ds) s
   | Compound (h, parts, glues, ds) -> compound t c h parts glues ds i.at
+  | Decomposed (h, s, attributes, ds) ->
+    let within = declare t h.declared in
+    let c = definitions t (head t { c with within } h i.at) h ds in
+    solid t c s;
+    List.iter (attribute t c) attributes
   | Behaviour (h, on, b, ds) ->
     ignore (declare t h.declared);
     Hashtbl.add t.families h.declared.it h.formals;

@@ -68,6 +68,7 @@ let compounds =
   [
     ("compound", "a template made of parts that are glued together");
     ("part", "a part of a compound");
+    ("decompose", "the convex parts of a solid that need not be convex, glued together");
     ("glue", "where two parts of a compound touch and stay together");
   ]
 

@@ -124,6 +124,8 @@ let item_children (i : Ast.item) =
   | Shape (h, s, ds) -> (Solid s :: head h) @ definitions ds
   | Compound (h, parts, glues, ds) ->
     Long_list.append (List.concat_map part parts) (List.concat_map glue glues) @ head h @ definitions ds
+  | Decomposed (h, s, attributes, ds) ->
+    (Solid s :: List.concat_map attribute attributes) @ head h @ definitions ds
   | Behaviour (h, on, b, ds) ->
     (Behaviour b :: head h) @ List.concat_map reference (Option.to_list on) @ definitions ds
   | Process (s, l, rest) | Fixed (s, l, rest) ->

@@ -12,7 +12,7 @@ let create () = { known = Hashtbl.create 8; prefixes = Hashtbl.create 8; reading
 
 let rec may_hold (i : Ast.item) =
   match i.it with
-  | Import _ | Param _ | Param_in _ | Let _ | Shape _ | Compound _ | Behaviour _ -> true
+  | Import _ | Param _ | Param_in _ | Let _ | Shape _ | Compound _ | Decomposed _ | Behaviour _ -> true
   | For (_, items) -> List.for_all may_hold items
   | Model _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _ | Bonds _ | Resolution _
   | Round _ | Process _

@@ -204,7 +204,7 @@ let allowed_in_loop (item : Ast.item) =
   match item.it with
   | Process _ | Fixed _ | Bond _ | For _ | Motion _ | Let _ | Check _ | Behaviour _ -> true
   | Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ | Binding _
-  | Bonds _ | Resolution _ | Round _ | Shape _ | Compound _
+  | Bonds _ | Resolution _ | Round _ | Shape _ | Compound _ | Decomposed _
   | Network _ -> false
 
 let declared = "what is declared must be known"

@@ -193,6 +193,8 @@ and item_kind =
   | Round of name * expr  (** of what, [orientation] or [velocity]; to multiples of what *)
   | Shape of head * solid * definitions
   | Compound of head * part list * glue list * definitions
+  | Decomposed of head * solid * attribute list * definitions
+  (** [compound C = decompose "c.obj" mass 1]: of a [Mesh], of [Faces], or of one of them [Scaled] *)
   | Behaviour of head * reference option * behaviour * definitions  (** [on] a template *)
   | Process of segment * leaf * (bond * leaf) list
   | Fixed of segment * leaf * (bond * leaf) list

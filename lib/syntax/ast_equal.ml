@@ -177,6 +177,8 @@ let rec item a b =
   | Shape (m, s, ds), Shape (n, t, es) -> head m n && solid s t && definitions ds es
   | Compound (m, ps, gs, ds), Compound (n, qs, hs, es) ->
     head m n && list part ps qs && list glue gs hs && definitions ds es
+  | Decomposed (m, s, xs, ds), Decomposed (n, t, ys, es) ->
+    head m n && solid s t && list attribute xs ys && definitions ds es
   | Behaviour (m, t, x, ds), Behaviour (n, u, y, es) ->
     head m n && option reference t u && behaviour x y && definitions ds es
   | Process (m, l, ls), Process (n, k, ks) | Fixed (m, l, ls), Fixed (n, k, ks) ->
@@ -187,7 +189,7 @@ let rec item a b =
   | Motion (p, l), Motion (q, m) -> option path p q && law l m
   | ( ( Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _
       | Binding _ | Bonds _ | Resolution _ | Round _ | Shape _
-      | Compound _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _
+      | Compound _ | Decomposed _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _
       | Check _ ), _ ) -> false
 
 let model = list item

@@ -41,6 +41,7 @@
 | BINDING { at $loc "binding" }
 | BONDS { at $loc "bonds" }
 | SNAP { at $loc "snap" }
+| DECOMPOSE { at $loc "decompose" }
 | RESOLUTION { at $loc "resolution" }
 | ROUND { at $loc "round" }
 | STEADY { at $loc "steady" }

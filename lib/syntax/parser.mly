@@ -133,6 +133,11 @@ face: n = name LBRACKET vs = comma_list(name) RBRACKET { (n, vs) }
 template:
 | VERTICES vs = many(vertex) FACES fs = many(face) { Faces (vs, fs) }
 
+decomposed:
+| file = STRING d = snap? { at $loc (Mesh (at $loc(file) file, d)) }
+| LBRACE t = template RBRACE { at $loc t }
+| s = decomposed SCALED v = vector { at $loc (Scaled (s, v)) }
+
 transform:
 | TRANSLATE v = vector { at $loc (Translate v) }
 | ROTATE QUATERNION q = quadruple { let w, x, y, z = q in at $loc (Rotate (w, x, y, z)) }
@@ -265,6 +270,8 @@ item_kind:
 | SHAPE h = head LBRACE t = template RBRACE ds = definitions { Shape (h, at $loc(t) t, ds) }
 | COMPOUND h = head LBRACE parts = many(part) glues = many(glue) RBRACE ds = definitions
     { Compound (h, parts, glues, ds) }
+| COMPOUND h = head EQ DECOMPOSE s = decomposed attributes = many(attribute) ds = definitions
+    { Decomposed (h, s, attributes, ds) }
 | BEHAVIOUR h = behaviour_head EQ b = behaviour ds = definitions { Behaviour (h, None, b, ds) }
 | BEHAVIOUR h = behaviour_head ON t = reference EQ b = behaviour ds = definitions { Behaviour (h, Some t, b, ds) }
 | PROCESS s = segment EQ c = chain(moving) { Process (s, c.head, List.rev c.tail) }

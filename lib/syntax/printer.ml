@@ -123,6 +123,17 @@ let part_doc p =
   let attributes = List.map (fun a -> text ~at:(at a) (Text.attribute a)) p.part_attributes in
   nest 2 (cat (separated (fill " ") (head :: attributes)))
 
+(* Of vertices and faces, and of what stretches them: as a declaration of them is laid out. *)
+let rec decomposed_doc head s =
+  match s.it with
+  | Faces (vs, fs) -> template (last_byte s.at) (cat [ head; text ~at:(at s) " {" ]) vs fs
+  | Scaled (inner, v) -> cat [ decomposed_doc head inner; fill " "; text ~at:(at v) ("scaled " ^ Text.vector v) ]
+  | Mesh _ | Template _ | Hull _ -> cat [ head; fill " "; text ~at:(at s) (Text.decomposed s) ]
+
+let decomposition head s attributes =
+  let attributes = List.map (fun a -> text ~at:(at a) (Text.attribute a)) attributes in
+  nest 2 (cat (separated (fill " ") (decomposed_doc head s :: attributes)))
+
 let glue_doc g =
   text ~at:(start g.glue_span)
     (Printf.sprintf "glue %s ~ %s" (Text.feature g.glue_first) (Text.feature g.glue_second))
@@ -218,6 +229,8 @@ let rec item i =
       (block (brace span ds) (head "compound %s {" (Text.head h))
          (List.concat [ map part_doc parts; map glue_doc glues ]))
       ds
+  | Decomposed (h, s, attributes, ds) ->
+    with_definitions (decomposition (head "compound %s = decompose" (Text.head h)) s attributes) ds
   | Behaviour (h, on, b, ds) ->
     let on = match on with None -> "" | Some t -> " on " ^ Text.reference t in
     with_definitions (definition (head "behaviour %s%s =" (Text.head h) on) (behaviour_doc b)) ds

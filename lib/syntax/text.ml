@@ -357,6 +357,12 @@ let rec solid s =
       (String.concat " " (List.map (fun (n, vs) -> face n vs) fs))
   | Hull points -> "hull { " ^ String.concat "  " (List.map vertex points) ^ " }"
 
+let rec decomposed s =
+  match s.it with
+  | Mesh (file, snap) -> quoted file.it ^ Option.fold ~none:"" ~some:(fun e -> " snap " ^ arithmetic e) snap
+  | Scaled (s, v) -> decomposed s ^ " scaled " ^ vector v
+  | Template _ | Faces _ | Hull _ -> solid s
+
 let transform t =
   match t.it with
   | Translate v -> "translate " ^ vector v

@@ -48,4 +48,7 @@ val face : Ast.name -> Ast.name list -> string
 val solid : Ast.solid -> string
 (** Vertices and faces in braces, which a text has in a declaration only. *)
 
+val decomposed : Ast.solid -> string
+(** After [decompose]: a file without the word [mesh]. *)
+
 val attribute : Ast.attribute -> string

@@ -202,6 +202,13 @@ let solid =
              ]
          else map2 (fun s v -> Scaled (s, v)) (self (n - 1)) vector)))
 
+let decomposed =
+  let faces = map2 (fun vs fs -> Faces (vs, fs)) (few (pair name vector)) (few (pair name (some name))) in
+  sized_size (int_range 0 2) (fix (fun self n ->
+      located
+        (if n = 0 then oneof [ map2 (fun f d -> Mesh (f, d)) file (option expr); faces ]
+         else map2 (fun s v -> Scaled (s, v)) (self (n - 1)) vector)))
+
 let quadruple = map (fun (a, b, c, d) -> (a, b, c, d)) (quad expr expr expr expr)
 
 let transform =
@@ -296,6 +303,8 @@ let simple_item =
        map2 (fun n ds -> Shape (n, loc (Faces (vs, fs)), ds)) (head ~indices:false) definitions);
       (let* n = head ~indices:false and* ds = definitions in
        map2 (fun ps gs -> Compound (n, ps, gs, ds)) (few part) (few glue));
+      (let* n = head ~indices:false and* ds = definitions in
+       map2 (fun s xs -> Decomposed (n, s, xs, ds)) decomposed (few attribute));
       (let* n = head ~indices:true and* ds = definitions in
        map2 (fun t b -> Behaviour (n, t, b, ds)) (opt (reference ~indices:false)) behaviour);
       map (fun (s, l, ls) -> Process (s, l, ls)) (chain (map Option.some behaviour));

@@ -1,0 +1,53 @@
+open Scc_exact
+
+type point = { x : Rat.t; y : Rat.t }
+type t = { xs : Z.t array; ys : Z.t array }
+
+let integers numbers =
+  let common = Array.fold_left (fun d q -> Z.lcm d (Q.den q)) Z.one numbers in
+  Array.map (fun q -> Z.mul (Q.num q) (Z.divexact common (Q.den q))) numbers
+
+let make points =
+  { xs = integers (Array.map (fun p -> p.x) points); ys = integers (Array.map (fun p -> p.y) points) }
+
+let count g = Array.length g.xs
+
+let cross g a b c =
+  let x k = Z.sub g.xs.(k) g.xs.(a) and y k = Z.sub g.ys.(k) g.ys.(a) in
+  Z.sub (Z.mul (x b) (y c)) (Z.mul (y b) (x c))
+
+let orient g a b c = Z.sign (cross g a b c)
+let compare_x g a b = Z.compare g.xs.(a) g.xs.(b)
+let compare_y g a b = Z.compare g.ys.(a) g.ys.(b)
+let same g a b = compare_x g a b = 0 && compare_y g a b = 0
+
+(* Along the line of a and b the axis that tells them apart orders the points. *)
+let strictly_within g a b c =
+  let by compare = compare g a c * compare g c b in
+  let x = by compare_x and y = by compare_y in
+  if compare_x g a b <> 0 then x > 0 else y > 0
+
+let between g a b c = orient g a b c = 0 && strictly_within g a b c
+let on_closed g a b c = orient g a b c = 0 && (same g a c || same g b c || strictly_within g a b c)
+
+let turns g a b c =
+  let o = orient g a b c in
+  o > 0 || (o = 0 && strictly_within g a c b)
+
+let crosses g (a, b) (c, d) =
+  orient g a b c * orient g a b d < 0 && orient g c d a * orient g c d b < 0
+
+let meet g (a, b) (c, d) =
+  crosses g (a, b) (c, d) || on_closed g a b c || on_closed g a b d || on_closed g c d a || on_closed g c d b
+
+let twice_area g ring =
+  let n = Array.length ring in
+  let sum = ref Z.zero in
+  for k = 1 to n - 2 do
+    sum := Z.add !sum (cross g ring.(0) ring.(k) ring.(k + 1))
+  done;
+  Z.sign !sum
+
+let squared g a b =
+  let square z = Z.mul z z in
+  Z.add (square (Z.sub g.xs.(a) g.xs.(b))) (square (Z.sub g.ys.(a) g.ys.(b)))
