@@ -158,6 +158,9 @@ val several_pieces : t
 
 val cannot_inflate : t
 (** SC0345: a drawing that cannot be inflated as asked for. *)
+val flat_feature : t
+(** SC0336: a name of a vertex or an edge of a drawn solid that is inside one of its faces, or of a longer edge. *)
+
 
 (** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 

@@ -130,11 +130,11 @@ type scope = {
 
 let site t scope (f : Ast.feature) =
   let* read = Feature_name.read t.c.report scope.env f in
-  let* site = Feature_name.on_shape t.c.report ~own:(Some scope.owner.name) scope.owner.shape read in
+  let* meaning = Feature_name.on_shape t.c.report ~own:(Some scope.owner.name) scope.owner.shape read in
   (match read.prefix with
    | (first, _) :: _ when String.equal first scope.owner.name -> scope.own_name ()
    | _ -> ());
-  Some site
+  Some meaning
 
 (* Without its edges and corners a face is open: there is no first instant at which two such faces meet that slide
    into each other (reading I-33). *)
@@ -147,12 +147,23 @@ let check_only t (m : Ast.member) =
        their closures touch"
       ~hint:"leave out `only`, or bind on collision"
 
+(* When features meet is asked of whole faces of parts (rule Collision with [binding contact]). *)
+let check_pieces t scope (m : Ast.member) meaning =
+  match Settings.binding t.program.settings with
+  | On_contact when not (Feature_name.closed_by_parts scope.owner.shape meaning) ->
+    Report.error t.c.report Code.not_yet m.feature.at
+      "this face cannot be had with `binding contact`: it is in pieces whose edges belong to other faces as well"
+      ~hint:"name pieces of it by their parts, as in `p1.top`, or bind on collision"
+  | On_contact | On_collision -> ()
+
 let channel t scope (ch : Ast.channel) =
   let name = Family.word scope.env ch.channel.it in
   use_channel t name;
   let read (m : Ast.member) =
     if m.only then check_only t m;
-    Option.map (fun site -> (m.only, site)) (site t scope m.feature)
+    let* meaning = site t scope m.feature in
+    check_pieces t scope m meaning;
+    Some (m.only, meaning)
   in
   let members = Long_list.map read ch.features in
   if List.length ch.features = 0 then begin
@@ -161,9 +172,10 @@ let channel t scope (ch : Ast.channel) =
   end
   else if List.for_all Option.is_some members then
     let only, sites = List.partition fst (List.filter_map Fun.id members) in
-    let only = Long_list.map snd only and sites = Long_list.map snd sites in
-    let closure = Feature_name.closure scope.owner.shape sites in
-    Some (Behaviour.channel ~only ~name ~sites ~closure ())
+    let all list of_meaning = List.concat_map (fun (_, m) -> of_meaning m) list in
+    let only = all only (fun (m : Feature_name.meaning) -> m.inside) in
+    let listed = all sites (fun m -> m.listed) and closure = all sites (fun m -> m.closed) in
+    Some (Behaviour.channel ~only ~name ~sites:listed ~closure ())
   else None
 
 let channels_of t scope at list =

@@ -143,7 +143,7 @@ let check_contact (c : Context.t) at (p, f) (q, g) =
 
 let read_site (c : Context.t) env compound (f : Ast.feature) =
   let* f = Feature_name.read c.report env f in
-  Feature_name.on_shape c.report ~own:None (Compound compound) f
+  Option.bind (Feature_name.on_shape c.report ~own:None (Compound compound) f) Feature_name.one
 
 let read_glue (c : Context.t) env (compound : Shape.compound) joined (g : Ast.glue) =
   match (read_site c env compound g.glue_first, read_site c env compound g.glue_second) with
@@ -175,7 +175,7 @@ let check_connected (c : Context.t) (name : Ast.name) (parts : Shape.part array)
 let build (c : Context.t) env (name : Ast.name) drafts glues =
   let parts = Array.map (fun d -> d.part) drafts in
   let velocity = common_velocity drafts and spin = Attributes.spin drafts.(0).motion in
-  let compound = { Shape.cid = c.fresh (); clabel = name.it; parts; open_glues = []; velocity; spin } in
+  let compound = { Shape.cid = c.fresh (); clabel = name.it; parts; open_glues = []; velocity; spin; drawn = None } in
   let joined = Union_find.create (Array.length parts) in
   let rigid = check_motion c name drafts in
   let disjoint = check_overlaps c name parts in

@@ -135,26 +135,116 @@ let bare report (c : Shape.compound) f =
     c.clabel ~hint;
   None
 
+(* {1 On a shape} *)
+
+type meaning = { listed : Site.t list; inside : Site.t list; closed : Site.t list }
+
+let part_closure (p : Polyhedron.t) part features =
+  Long_list.map (fun feature -> { Site.part; feature }) (Polyhedron.closure p features)
+
+let of_part p (site : Site.t) =
+  { listed = [ site ]; inside = [ site ]; closed = part_closure p site.part [ site.feature ] }
+
+let one meaning = match meaning.listed with [ site ] -> Some site | _ -> None
+
+(* {2 Of a drawn solid} *)
+
+let same_part part (s : Site.t) = Int.equal s.part part
+
+(* The closures that features have in their own parts. *)
+let closures polyhedra sites =
+  let parts = List.sort_uniq Int.compare (Long_list.map (fun (s : Site.t) -> s.part) sites) in
+  let of_part part =
+    part_closure polyhedra.(part) part
+      (Long_list.map (fun (s : Site.t) -> s.feature) (List.filter (same_part part) sites))
+  in
+  List.concat_map of_part parts
+
+(* Those that are in the closure of no other one. *)
+let largest polyhedra sites =
+  let dimension (s : Site.t) = Feature.dimension s.feature in
+  let larger = List.sort (fun a b -> Int.compare (dimension b) (dimension a)) sites in
+  let keep (kept, covered) site =
+    if List.exists (Site.equal site) covered then (kept, covered)
+    else (site :: kept, closures polyhedra [ site ] @ covered)
+  in
+  List.sort Site.compare (fst (List.fold_left keep ([], []) larger))
+
+let of_drawn shape (d : Scc_drawn.Parts.t) feature =
+  let sites list = Long_list.map (fun (part, feature) -> { Site.part; feature }) list in
+  let closed = sites (Scc_drawn.Parts.closed d feature) in
+  { listed = largest (Shape.polyhedra shape) closed; inside = sites (Scc_drawn.Parts.inside d feature); closed }
+
+let unknown_drawn report label (d : Scc_drawn.Parts.t) at name =
+  let set = d.drawn.set in
+  let told = Printf.sprintf "its faces are %s; its vertices %s" in
+  let all () = Array.to_list (Array.map fst set.ifs_faces) @ Array.to_list (Array.map fst set.ifs_vertices) in
+  Report.error report Code.unknown_feature at "`%s` has no feature `%s`" label name ~near:(name, all)
+    ~notes:[ (Span.none, told (Solid_report.names set.ifs_faces) (Solid_report.names set.ifs_vertices)) ];
+  None
+
+let found_drawn report (c : Shape.compound) d at text found =
+  match (found : Scc_drawn.Parts.found) with
+  | Shown feature -> Some (of_drawn (Shape.Compound c) d feature)
+  | Flat ->
+    Report.error report Code.flat_feature at
+      "%s is no feature of `%s`: it is inside a face, or an edge that goes straight on" text c.clabel
+      ~hint:"faces that are side by side in one plane are one face: name that";
+    None
+  | Turned face ->
+    Report.error report Code.unknown_feature at "%s is the face `%s` of `%s` the wrong way round" text face c.clabel
+      ~hint:"list its corners counter-clockwise as seen from outside";
+    None
+  | Nothing ->
+    Report.error report Code.unknown_feature at "%s is no feature of `%s`" text c.clabel;
+    None
+
+let on_drawn report (c : Shape.compound) (d : Scc_drawn.Parts.t) f =
+  match f.what with
+  | Name (name, at) -> (
+      match Scc_drawn.Parts.face_or_vertex d name with
+      | Nothing -> unknown_drawn report c.clabel d at name
+      | found -> found_drawn report c d at (Printf.sprintf "`%s`" name) found)
+  | Cycle corners ->
+    let vertex (name, at) =
+      match Scc_drawn.Parts.vertex d name with
+      | Some v -> Some v
+      | None -> unknown_drawn report c.clabel d at name
+    in
+    let found = Long_list.map vertex corners in
+    let text = Printf.sprintf "[%s]" (String.concat "," (Long_list.map fst corners)) in
+    if List.for_all Option.is_some found then
+      found_drawn report c d f.span text (Scc_drawn.Parts.tuple d (List.filter_map Fun.id found))
+    else None
+
+(* {2 Of all shapes} *)
+
 let on_compound report (c : Shape.compound) f =
   let resolve (name, at) =
     match Shape.part_index c name with
     | None -> not_a_part report c (name, at)
     | Some part ->
       let label = Printf.sprintf "%s.%s" c.clabel name in
-      on_polyhedron report label c.parts.(part).basic.polyhedron f
-      |> Option.map (fun feature -> { Site.part; feature })
+      let polyhedron = c.parts.(part).basic.polyhedron in
+      on_polyhedron report label polyhedron f
+      |> Option.map (fun feature -> of_part polyhedron { Site.part; feature })
   in
-  match f.prefix with
-  | [] -> bare report c f
-  | [ part ] -> resolve part
-  | _ :: (_, at) :: _ ->
+  match (f.prefix, c.drawn) with
+  | [], None -> bare report c f
+  | [], Some drawn -> on_drawn report c drawn f
+  | [ part ], _ -> resolve part
+  | _ :: (_, at) :: _, _ ->
     Report.error report Code.unknown_feature at "the parts of `%s` have no parts" c.clabel;
     None
 
+(* The name of the leaf itself may come first. A compound's part may have that name as well; a drawn one has
+   features without a part. *)
 let strip_own ~own shape prefix =
   match (own, prefix, shape) with
   | Some own, (first, _) :: rest, Shape.Basic _ when String.equal own first -> rest
   | Some own, (first, _) :: (_ :: _ as rest), Shape.Compound _ when String.equal own first -> rest
+  | Some own, [ (first, _) ], Shape.Compound ({ drawn = Some _; _ } as c)
+    when String.equal own first && Option.is_none (Shape.part_index c first) -> []
   | _ -> prefix
 
 let on_shape report ~own shape f =
@@ -162,20 +252,13 @@ let on_shape report ~own shape f =
   match (shape, prefix) with
   | Shape.Basic b, [] ->
     on_polyhedron report b.label b.polyhedron f
-    |> Option.map (fun feature -> { Site.part = 0; feature })
+    |> Option.map (fun feature -> of_part b.polyhedron { Site.part = 0; feature })
   | Shape.Basic b, (name, at) :: _ ->
     Report.error report Code.unknown_feature at "`%s` is a basic shape and has no part `%s`" b.label name
       ~hint:"a feature of a basic shape is named alone, or after the name of its own process";
     None
   | Shape.Compound c, _ -> on_compound report c { f with prefix }
 
-let closure shape sites =
-  let polyhedra = Shape.polyhedra shape in
-  let parts = List.sort_uniq Int.compare (Long_list.map (fun (s : Site.t) -> s.part) sites) in
-  let of_part part =
-    List.filter (fun (s : Site.t) -> Int.equal s.part part) sites
-    |> Long_list.map (fun (s : Site.t) -> s.feature)
-    |> Polyhedron.closure polyhedra.(part)
-    |> Long_list.map (fun feature -> { Site.part; feature })
-  in
-  List.concat_map of_part parts
+let closed_by_parts shape meaning =
+  let sorted = List.sort_uniq Site.compare in
+  List.equal Site.equal (sorted (closures (Shape.polyhedra shape) meaning.listed)) (sorted meaning.closed)

@@ -21,8 +21,8 @@ let read_end (c : Context.t) env (bodies : Bodies.t) (f : Ast.feature) =
       match Registry.find bodies.registry name with
       | Some (Leaf i) | Some (Process [ i ]) ->
         let* leaf = bodies.leaves.(i) in
-        let* site = Feature_name.on_shape c.report ~own:None leaf.shape { f with prefix = rest } in
-        Some (i, site)
+        let* meaning = Feature_name.on_shape c.report ~own:None leaf.shape { f with prefix = rest } in
+        Some (i, meaning)
       | Some (Process _ | Family _) ->
         Report.error c.report Code.wrong_kind at
           "`%s` stands for several bodies; a bond joins two of them" name;
@@ -59,6 +59,37 @@ let check_contact (c : Context.t) at ((p : Bodies.leaf), (f : Site.t)) ((q : Bod
           (Printf.sprintf "the bodies touch at %s and %s"
              (site_text p { f with feature = highest.first })
              (site_text q { g with feature = highest.second }))
+
+(* How two features of parts touch, if they do: 0 at a point, 1 along a segment, 2 in an area. *)
+let touch (c : Context.t) ((p : Bodies.leaf), (f : Site.t)) ((q : Bodies.leaf), (g : Site.t)) =
+  let a = p.parts.(f.part) and b = q.parts.(g.part) in
+  let obstacle = Obstacle_cache.find c.obstacles a.solid b.solid in
+  let offset = Vec.sub (Vec.add q.position b.offset) (Vec.add p.position a.offset) in
+  let is_pair (pair : Contact.pair) = Feature.equal pair.first f.feature && Feature.equal pair.second g.feature in
+  match Obstacle.relation obstacle offset with
+  | Interpenetrating | Apart -> None
+  | Touching ->
+    Option.map (fun (pair : Contact.pair) -> pair.dimension) (List.find_opt is_pair (c.touching obstacle offset))
+
+(* A name may stand for several pieces of a face: the bond is between two of them that touch, in an area if any do,
+   and of those that touch alike the first ones. *)
+let ends (c : Context.t) at (p, (m : Feature_name.meaning)) (q, (n : Feature_name.meaning)) =
+  match (m.inside, n.inside) with
+  | [ f ], [ g ] ->
+    check_contact c at (p, f) (q, g);
+    Some (f, g)
+  | fs, gs -> (
+      let better best f g =
+        match (best, touch c (p, f) (q, g)) with
+        | Some (most, _), Some d when d <= most -> best
+        | _, Some d -> Some (d, (f, g))
+        | _, None -> best
+      in
+      match List.fold_left (fun best f -> List.fold_left (fun best g -> better best f g) best gs) None fs with
+      | Some (_, found) -> Some found
+      | None ->
+        Report.error c.report Code.not_touching at "these features of `%s` and `%s` do not touch, in none of their                                                     pieces" p.name q.name;
+        None)
 
 (* What is bound has one spin, and the velocities of centroids differ by what it gives (Definition 4.5). *)
 let check_motion (c : Context.t) at (p : Bodies.leaf) (q : Bodies.leaf) =
@@ -129,8 +160,8 @@ let joins (c : Context.t) joined at ((p : Bodies.leaf), i) ((q : Bodies.leaf), j
 (* [admits]: whether the bond may join these two. *)
 let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.bond)) =
   let one = read_end c env bodies b.first and two = read_end c env bodies b.second in
-  let* i, f = one in
-  let* j, g = two in
+  let* i, m = one in
+  let* j, n = two in
   let p = leaf bodies i and q = leaf bodies j in
   if not (admits (b.first.at, i) (b.second.at, j)) then None
   else if Int.equal i j then begin
@@ -145,9 +176,9 @@ let read_bond (c : Context.t) (bodies : Bodies.t) joined ~admits (env, (b : Ast.
   end
   else if not (joins c joined b.bond_span (p, i) (q, j)) then None
   else begin
-    check_contact c b.bond_span (p, f) (q, g);
+    let found = ends c b.bond_span (p, m) (q, n) in
     check_motion c b.bond_span p q;
-    Some { name = b.bond.it; one = (i, f); two = (j, g); span = b.bond_span }
+    Option.map (fun (f, g) -> { name = b.bond.it; one = (i, f); two = (j, g); span = b.bond_span }) found
   end
 
 let included (composition : Composition.t) joint = composition.included.(fst joint.one)

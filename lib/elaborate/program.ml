@@ -275,6 +275,9 @@ and simple g place (i : Ast.item) =
   | Compound (head, parts, glues, definitions) ->
     g.templates <- Env.own place.env head.declared.it :: g.templates;
     Compounds.declare g.c place.env head parts glues definitions
+  | Decomposed (head, solid, attributes, definitions) ->
+    g.templates <- Env.own place.env head.declared.it :: g.templates;
+    Decomposition.declare g.c place.env head solid attributes definitions
   | Behaviour (head, on, b, definitions) -> declare_behaviour g place head definitions on b
   | Process (name, first, rest) -> body g place false name first rest i.at
   | Fixed (name, first, rest) -> body g place true name first rest i.at

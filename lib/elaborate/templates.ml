@@ -178,7 +178,7 @@ let resolve_corners (c : Context.t) index (face : Ast.name) corners =
   let found = Long_list.map resolve corners in
   if List.for_all Option.is_some found then Some (Array.of_list (List.filter_map Fun.id found)) else None
 
-let listed (c : Context.t) env ~label at vertices faces =
+let listed_set (c : Context.t) env vertices faces =
   let distinct = check_names c vertices faces in
   let index = Hashtbl.create 16 in
   List.iteri (fun i ((n : Ast.name), _) -> Hashtbl.replace index n.it i) vertices;
@@ -187,12 +187,16 @@ let listed (c : Context.t) env ~label at vertices faces =
   let places_of = Long_list.map place vertices and faces_of = Long_list.map corners faces in
   if distinct && List.for_all Option.is_some places_of && List.for_all Option.is_some faces_of then
     let array l = Array.of_list (List.filter_map Fun.id l) in
-    let spans l = Array.of_list (Long_list.map (fun ((n : Ast.name), _) -> n.at) l) in
-    accept c
-      { whole = at; vertices = spans vertices; faces = spans faces }
-      ~label
-      { ifs_vertices = array places_of; ifs_faces = array faces_of }
+    Some { Polyhedron.ifs_vertices = array places_of; ifs_faces = array faces_of }
   else None
+
+let places_of at vertices faces =
+  let spans l = Array.of_list (Long_list.map (fun ((n : Ast.name), _) -> n.at) l) in
+  { whole = at; vertices = spans vertices; faces = spans faces }
+
+let listed (c : Context.t) env ~label at vertices faces =
+  let* set = listed_set c env vertices faces in
+  accept c (places_of at vertices faces) ~label set
 
 let mesh (c : Context.t) env ~label (path : string Ast.loc) snap =
   let* ifs = Mesh_file.read c.report env ~read_file:c.read_file path snap in

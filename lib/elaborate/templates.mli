@@ -17,6 +17,10 @@ val declare :
 (** Enters a template or a family of them, each to be made in the scope of its definitions under its label (SC0202
     when the name is taken). *)
 
+val listed_set :
+  Context.t -> Env.t -> (Ast.name * Ast.vector) list -> (Ast.name * Ast.name list) list -> Scc_geometry.Polyhedron.ifs option
+(** Vertices and faces as written: their names, and that faces are of the vertices, are checked and nothing else. *)
+
 val declare_shape : Context.t -> Env.t -> Ast.head -> Ast.solid -> Ast.definitions -> unit
 (** [shape NAME = …]. *)
 

@@ -123,16 +123,17 @@ let part_doc p =
   let attributes = List.map (fun a -> text ~at:(at a) (Text.attribute a)) p.part_attributes in
   nest 2 (cat (separated (fill " ") (head :: attributes)))
 
-(* Of vertices and faces, and of what stretches them: as a declaration of them is laid out. *)
-let rec decomposed_doc head s =
-  match s.it with
-  | Faces (vs, fs) -> template (last_byte s.at) (cat [ head; text ~at:(at s) " {" ]) vs fs
-  | Scaled (inner, v) -> cat [ decomposed_doc head inner; fill " "; text ~at:(at v) ("scaled " ^ Text.vector v) ]
-  | Mesh _ | Template _ | Hull _ -> cat [ head; fill " "; text ~at:(at s) (Text.decomposed s) ]
-
+(* Vertices and faces are laid out as in the declaration of a shape; what stretches them, and the attributes, follow. *)
 let decomposition head s attributes =
+  let rec unscaled s after =
+    match s.it with
+    | Scaled (inner, v) -> unscaled inner (text ~at:(at v) ("scaled " ^ Text.vector v) :: after)
+    | Faces (vs, fs) -> (template (last_byte s.at) (cat [ head; text ~at:(at s) " {" ]) vs fs, after)
+    | Mesh _ | Template _ | Hull _ -> (cat [ head; nest 2 (cat [ fill " "; text ~at:(at s) (Text.decomposed s) ]) ], after)
+  in
   let attributes = List.map (fun a -> text ~at:(at a) (Text.attribute a)) attributes in
-  nest 2 (cat (separated (fill " ") (decomposed_doc head s :: attributes)))
+  let first, after = unscaled s attributes in
+  cat [ first; nest 2 (cat (List.concat_map (fun d -> [ fill " "; d ]) after)) ]
 
 let glue_doc g =
   text ~at:(start g.glue_span)

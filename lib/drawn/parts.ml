@@ -1,0 +1,133 @@
+open Scc_base
+open Scc_exact
+open Scc_geometry
+
+type t = {
+  drawn : Drawn.t;
+  parts : (string * Polyhedron.t) array;
+  shows : (Drawn.feature, (int * Feature.t) list) Hashtbl.t;
+}
+
+module Points = Hashtbl.Make (Vec)
+
+(* {1 Names} *)
+
+(* Names that the set does not have: w1, w2, … for one place each, cut1, cut2, … for one face each. *)
+let namer (set : Polyhedron.ifs) prefix =
+  let taken = Hashtbl.create 64 in
+  Array.iter (fun (n, _) -> Hashtbl.replace taken n ()) set.ifs_vertices;
+  Array.iter (fun (n, _) -> Hashtbl.replace taken n ()) set.ifs_faces;
+  let last = ref 0 in
+  let rec next () =
+    incr last;
+    let name = Printf.sprintf "%s%d" prefix !last in
+    if Hashtbl.mem taken name then next () else name
+  in
+  next
+
+let names (d : Drawn.t) =
+  let at = Points.create 64 in
+  Array.iter (fun (n, x) -> if not (Points.mem at x) then Points.add at x n) d.set.ifs_vertices;
+  let inner = namer d.set "w" and hidden = namer d.set "cut" in
+  let vertex x =
+    match Points.find_opt at x with
+    | Some n -> n
+    | None ->
+      let n = inner () in
+      Points.add at x n;
+      n
+  in
+  let face shows =
+    match shows with
+    | Some (Drawn.Region r :: _) -> d.regions.(r).name
+    | Some _ | None -> hidden ()
+  in
+  (vertex, face)
+
+let renamed (vertex, face) (p : Polyhedron.t) features =
+  let { Polyhedron.ifs_vertices; ifs_faces } = Polyhedron.to_ifs p in
+  let name_face f (_, corners) =
+    (face (List.assoc_opt (Feature.Face f) features), corners)
+  in
+  let ifs_vertices = Array.map (fun (_, x) -> (vertex x, x)) ifs_vertices in
+  match Polyhedron.of_ifs { ifs_vertices; ifs_faces = Array.mapi name_face ifs_faces } with
+  | Ok p -> p
+  | Error _ -> Bug.fail __POS__ "a polyhedron that is none under other names"
+
+let make ~limit (d : Drawn.t) pieces =
+  let shown = Shown.make d in
+  match Refined.parts shown d ~limit (List.map Refined.solid pieces) with
+  | None -> None
+  | Some list ->
+    let shows = Hashtbl.create 256 and names = names d in
+    let enter k p =
+      let features = Shown.features shown p in
+      let put (feature, carriers) =
+        let add c =
+          Hashtbl.replace shows c ((k, feature) :: Option.value ~default:[] (Hashtbl.find_opt shows c))
+        in
+        List.iter add carriers
+      in
+      List.iter put features;
+      (Printf.sprintf "p%d" (k + 1), renamed names p features)
+    in
+    Some { drawn = d; parts = Array.of_list (List.mapi enter list); shows }
+
+(* {1 Places} *)
+
+let compare_sites (k, f) (l, g) =
+  let c = Int.compare k l in
+  if c <> 0 then c else Feature.compare f g
+
+let inside t feature =
+  List.sort_uniq compare_sites (Option.value ~default:[] (Hashtbl.find_opt t.shows feature))
+
+let closed t feature = List.sort_uniq compare_sites (List.concat_map (inside t) (Drawn.closure t.drawn feature))
+
+(* {1 Names as written} *)
+
+type found = Shown of Drawn.feature | Flat | Turned of string | Nothing
+
+let index name array =
+  let rec find k =
+    if k = Array.length array then None else if String.equal (fst array.(k)) name then Some k else find (k + 1)
+  in
+  find 0
+
+let vertex t name = index name t.drawn.set.ifs_vertices
+let of_vertex t v = if t.drawn.corners.(v) then Shown (Corner v) else Flat
+
+let face_or_vertex t name =
+  match (index name t.drawn.set.ifs_faces, vertex t name) with
+  | Some f, _ -> Shown (Region t.drawn.region_of_face.(f))
+  | None, Some v -> of_vertex t v
+  | None, None -> Nothing
+
+let is_edge t u v =
+  Array.exists (fun (_, face) -> List.mem (u, v) (Scc_polygon.Polygon.edges face)) t.drawn.set.ifs_faces
+
+let cycle t corners =
+  let corners = Array.of_list corners in
+  let n = Array.length corners in
+  let reversed = Array.init n (fun i -> corners.(n - 1 - i)) in
+  let face_of cycle =
+    let rec find f =
+      if f = Array.length t.drawn.set.ifs_faces then None
+      else if Polyhedron.rotation_equivalent (snd t.drawn.set.ifs_faces.(f)) cycle then Some f
+      else find (f + 1)
+    in
+    find 0
+  in
+  match (face_of corners, face_of reversed) with
+  | Some f, _ -> Shown (Region t.drawn.region_of_face.(f))
+  | None, Some f -> Turned (fst t.drawn.set.ifs_faces.(f))
+  | None, None -> Nothing
+
+let tuple t = function
+  | [] -> Nothing
+  | [ v ] -> of_vertex t v
+  | [ u; v ] -> (
+      match Hashtbl.find_opt t.drawn.border_of_edge (Int.min u v, Int.max u v) with
+      | Some b -> Shown (Border b)
+      | None -> if is_edge t u v then Flat else Nothing)
+  | corners -> cycle t corners

@@ -1,0 +1,12 @@
+(** Parts cut further, until each of their features shows one thing of the drawn solid at most. *)
+
+open Scc_exact
+open Scc_geometry
+
+val solid : Vec.t list -> Polyhedron.t
+(** The convex hull of points that are not in one plane (a bug otherwise); names are of no meaning. *)
+
+val parts : Shown.t -> Drawn.t -> limit:int -> Polyhedron.t list -> Polyhedron.t list option
+(** Convex parts of the solid: where a face shows pieces of two regions, or an edge goes on from a border into a
+    region, the plane of a face of the solid that divides it cuts its part in two. [None] if there would be more
+    parts than the limit. *)

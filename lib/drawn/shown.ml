@@ -1,0 +1,156 @@
+open Scc_exact
+open Scc_geometry
+
+module Points = Hashtbl.Make (Vec)
+
+type t = {
+  drawn : Drawn.t;
+  by_plane : (string, int) Hashtbl.t;  (* the regions of each plane *)
+  by_sides : (int * int, int) Hashtbl.t;  (* the borders between two regions *)
+  corner_at : int Points.t;
+  regions_at : int list Points.t;  (* those in whose planes a point is, as far as they have been asked for *)
+}
+
+let plane n level = Ivec.to_string n ^ " " ^ Rat.to_string level
+
+let make (d : Drawn.t) =
+  let by_plane = Hashtbl.create 64 and by_sides = Hashtbl.create 64 and corner_at = Points.create 64 in
+  Array.iteri (fun r (region : Drawn.region) -> Hashtbl.add by_plane (plane region.normal region.level) r) d.regions;
+  Array.iteri
+    (fun b (border : Drawn.border) ->
+       match border.between with [ r; s ] -> Hashtbl.add by_sides (r, s) b | _ -> ())
+    d.borders;
+  Array.iteri (fun v corner -> if corner then Points.replace corner_at (snd d.set.ifs_vertices.(v)) v) d.corners;
+  { drawn = d; by_plane; by_sides; corner_at; regions_at = Points.create 64 }
+
+(* The region's plane holds the point. *)
+let in_plane (region : Drawn.region) x = Rat.equal (Vec.dot (Ivec.to_vec region.normal) x) region.level
+
+let regions_at t x =
+  match Points.find_opt t.regions_at x with
+  | Some list -> list
+  | None ->
+    let all = List.init (Array.length t.drawn.regions) Fun.id in
+    let list = List.filter (fun r -> in_plane t.drawn.regions.(r) x) all in
+    Points.add t.regions_at x list;
+    list
+
+(* {1 In a plane with the normal n} *)
+
+let cyclic points =
+  let n = Array.length points in
+  List.init n (fun k -> (points.(k), points.((k + 1) mod n)))
+
+(* Positive on the left of the way from c to d. *)
+let side n (c, d) x = Rat.sign (Vec.dot (Vec.cross n (Vec.sub d c)) (Vec.sub x c))
+
+(* Of two convex polygons that have no inner point in common an edge of one has the other one on its right. *)
+let apart n one other =
+  let separates edge = Array.for_all (fun x -> side n edge x <= 0) other in
+  List.exists separates (cyclic one)
+
+let overlap (region : Drawn.region) polygon =
+  let n = Ivec.to_vec region.normal in
+  List.exists (fun piece -> not (apart n piece polygon || apart n polygon piece)) region.pieces
+
+let holds n piece x = List.for_all (fun edge -> side n edge x >= 0) (cyclic piece)
+
+(* {1 Along a segment from a to b: parts of it as intervals from 0 to 1} *)
+
+let clip n piece (a, b) =
+  let way = Vec.sub b a in
+  let cut range (c, d) =
+    match range with
+    | None -> None
+    | Some (low, high) ->
+      let inner = Vec.cross n (Vec.sub d c) in
+      let start = Vec.dot inner (Vec.sub a c) and slope = Vec.dot inner way in
+      let s = Rat.sign slope in
+      if s = 0 then if Rat.sign start >= 0 then range else None
+      else
+        let zero = Rat.neg (Rat.div start slope) in
+        let low = if s > 0 then Rat.max low zero else low and high = if s < 0 then Rat.min high zero else high in
+        if Rat.compare low high < 0 then Some (low, high) else None
+  in
+  List.fold_left cut (Some (Rat.zero, Rat.one)) (cyclic piece)
+
+(* For a segment on the line of a and b. *)
+let common (a, b) (c, d) =
+  let way = Vec.sub b a in
+  let at x = Rat.div (Vec.dot way (Vec.sub x a)) (Vec.norm2 way) in
+  let s = at c and t = at d in
+  let low = Rat.max Rat.zero (Rat.min s t) and high = Rat.min Rat.one (Rat.max s t) in
+  if Rat.compare low high < 0 then Some (low, high) else None
+
+let length intervals =
+  let sorted = List.sort (fun (a, _) (b, _) -> Rat.compare a b) intervals in
+  let add (sum, reached) (low, high) =
+    let low = Rat.max low reached in
+    if Rat.compare low high < 0 then (Rat.add sum (Rat.sub high low), high) else (sum, reached)
+  in
+  fst (List.fold_left add (Rat.zero, Rat.zero) sorted)
+
+(* {1 Features of parts} *)
+
+let of_face t (p : Polyhedron.t) f =
+  let corners = Array.map (fun v -> snd p.vertices.(v)) (snd p.faces.(f)) in
+  let normal = Vec.cross (Vec.sub corners.(1) corners.(0)) (Vec.sub corners.(2) corners.(0)) in
+  let n = Ivec.primitive (fst (Ivec.of_vec normal)) in
+  let level = Vec.dot (Ivec.to_vec n) corners.(0) in
+  Hashtbl.find_all t.by_plane (plane n level)
+  |> List.filter (fun r -> overlap t.drawn.regions.(r) corners)
+  |> List.sort Int.compare
+  |> List.map (fun r -> Drawn.Region r)
+
+let borders_of t regions =
+  let pairs = List.concat_map (fun r -> List.filter_map (fun s -> if r < s then Some (r, s) else None) regions) regions in
+  List.concat_map (fun pair -> Hashtbl.find_all t.by_sides pair) pairs
+
+let of_edge t (a, b) =
+  let there = regions_at t b in
+  let regions = List.filter (fun r -> List.mem r there) (regions_at t a) in
+  let on_border k = List.filter_map (common (a, b)) t.drawn.borders.(k).segments in
+  let borders =
+    List.filter_map
+      (fun k -> match on_border k with [] -> None | list -> Some (k, list))
+      (List.sort_uniq Int.compare (borders_of t regions))
+  in
+  let inside r =
+    let region = t.drawn.regions.(r) in
+    let n = Ivec.to_vec region.normal in
+    let all = List.filter_map (fun piece -> clip n piece (a, b)) region.pieces in
+    let beside = List.filter (fun (k, _) -> List.mem r t.drawn.borders.(k).between) borders in
+    Rat.compare (length all) (length (List.concat_map snd beside)) > 0
+  in
+  List.map (fun (k, _) -> Drawn.Border k) borders
+  @ List.map (fun r -> Drawn.Region r) (List.filter inside regions)
+
+let on_segment x (c, d) =
+  let way = Vec.sub d c in
+  Vec.is_zero (Vec.cross way (Vec.sub x c))
+  && Rat.sign (Vec.dot way (Vec.sub x c)) >= 0
+  && Rat.sign (Vec.dot way (Vec.sub d x)) >= 0
+
+let of_vertex t x =
+  match Points.find_opt t.corner_at x with
+  | Some v -> [ Drawn.Corner v ]
+  | None -> (
+      let regions = regions_at t x in
+      let on k = List.exists (on_segment x) t.drawn.borders.(k).segments in
+      match List.filter on (List.sort_uniq Int.compare (borders_of t regions)) with
+      | _ :: _ as borders -> List.map (fun k -> Drawn.Border k) borders
+      | [] ->
+        let inside r =
+          let region = t.drawn.regions.(r) in
+          List.exists (fun piece -> holds (Ivec.to_vec region.normal) piece x) region.pieces
+        in
+        List.map (fun r -> Drawn.Region r) (List.filter inside regions))
+
+let features t (p : Polyhedron.t) =
+  let at v = snd p.vertices.(v) in
+  let faces = List.init (Array.length p.faces) (fun f -> (Feature.Face f, of_face t p f)) in
+  let edges =
+    List.mapi (fun e (u, v) -> (Feature.Edge e, of_edge t (at u, at v))) (Array.to_list p.edges)
+  in
+  let vertices = List.init (Array.length p.vertices) (fun v -> (Feature.Vertex v, of_vertex t (at v))) in
+  List.filter (fun (_, shows) -> shows <> []) (faces @ edges @ vertices)

@@ -1,0 +1,15 @@
+(** Which of a drawn solid's faces, edges and corners the features of its convex parts show. *)
+
+open Scc_geometry
+
+type t
+
+val make : Drawn.t -> t
+
+val features : t -> Polyhedron.t -> (Feature.t * Drawn.feature list) list
+(** Of a part of the solid: each feature that is seen from outside, with what it shows. That is more than one where
+    a face shows pieces of several regions, or an edge comes out of a border into a region; an edge or a corner
+    inside a region shows that region. What is glued to other parts and seen nowhere is not listed. *)
+
+val overlap : Drawn.region -> Scc_exact.Vec.t array -> bool
+(** A convex polygon in the plane of the region, counter-clockwise as seen from outside, has an area in common with it. *)

@@ -1,0 +1,98 @@
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_syntax
+open Scc_drawn
+
+let ( let* ) = Option.bind
+
+(* Of one compound. *)
+let max_parts = 10_000
+
+let scaled (set : Polyhedron.ifs) (f : Vec.t) =
+  let scale (name, (v : Vec.t)) = (name, Vec.make (Rat.mul f.x v.x) (Rat.mul f.y v.y) (Rat.mul f.z v.z)) in
+  { set with ifs_vertices = Array.map scale set.ifs_vertices }
+
+let rec read (c : Context.t) env (s : Ast.solid) =
+  match s.it with
+  | Faces (vertices, faces) -> Templates.listed_set c env vertices faces
+  | Mesh (path, snap) -> Mesh_file.read c.report env ~read_file:c.read_file path snap
+  | Scaled (inner, factors) ->
+    let set = read c env inner and factors = Constant.scaling c.report env s.at factors in
+    let* set = set in
+    Option.map (scaled set) factors
+  | Template _ | Hull _ -> Bug.fail __POS__ "no solid that can be decomposed"
+
+let too_fine (c : Context.t) at set =
+  let fine = Polyhedron.too_fine set in
+  if fine then
+    Report.error c.report Code.number_too_large at "the common denominator of the coordinates is too large"
+      ~hint:"use decimals, or fractions with few different denominators";
+  fine
+
+let parts (c : Context.t) at (set : Polyhedron.ifs) =
+  let vertices = Array.map snd set.ifs_vertices and faces = Array.map snd set.ifs_faces in
+  let pieces =
+    match Scc_polygon.Prism.pieces ~vertices ~faces with
+    | Some prisms -> List.map (fun prism -> List.map (fun v -> vertices.(v)) (Array.to_list prism)) prisms
+    | None -> [ Array.to_list vertices ]
+  in
+  let* drawn = Drawn.make set in
+  match Parts.make ~limit:max_parts drawn pieces with
+  | Some parts -> Some parts
+  | None ->
+    Report.error c.report Code.too_deep at "more than %d convex parts are needed" max_parts;
+    None
+
+(* Everything that the attributes must say, and must not. *)
+let checked (c : Context.t) at (a : Attributes.t) =
+  Option.iter
+    (fun at ->
+       Report.error c.report Code.bad_absorber at "a compound absorbs nothing by itself"
+         ~hint:"write `absorb` after the name of the compound, where a body of it is declared `fixed`")
+    a.absorb;
+  match a.mass with
+  | None ->
+    Report.error c.report Code.bad_value at "this compound has no mass"
+      ~hint:"write `mass m` with m > 0 after the file: its parts share it by their volumes";
+    None
+  | Some (mass, _) -> if a.complete && Option.is_none a.absorb then Some mass else None
+
+let compound (c : Context.t) at label (drawn : Parts.t) (a : Attributes.t) mass =
+  let volume = Drawn.volume drawn.drawn.set in
+  let linear = a.at.linear and translation = a.at.translation in
+  let placement = { Affine.linear; translation = Form.at c.point translation } in
+  let part (name, polyhedron) =
+    let id = c.fresh () in
+    let basic = { Shape.id; root = id; label = label ^ "." ^ name; polyhedron } in
+    let own = (Mass_properties.of_polyhedron polyhedron).volume in
+    let mass = Rat.mul mass (Rat.div own volume) in
+    { Shape.name; basic; placement; place = translation; solid = c.solid basic linear; mass; span = at }
+  in
+  let parts = Array.map part drawn.parts in
+  let sum = Array.fold_left (fun sum (p : Shape.part) -> Rat.add sum p.mass) Rat.zero parts in
+  if not (Rat.equal sum mass) then Bug.fail __POS__ "parts that are not the whole";
+  Shape.Compound
+    {
+      cid = c.fresh ();
+      clabel = label;
+      parts;
+      open_glues = [];
+      velocity = Attributes.velocity a;
+      spin = Attributes.spin a;
+      drawn = Some drawn;
+    }
+
+let make (c : Context.t) at (solid : Ast.solid) attributes env label =
+  let set = read c env solid in
+  let a = Attributes.read c.report env attributes in
+  let mass = checked c at a in
+  let* set = set in
+  if too_fine c solid.at set then None
+  else
+    let* drawn = parts c solid.at set in
+    let* mass = mass in
+    Some (compound c at label drawn a mass)
+
+let declare c env (h : Ast.head) solid attributes definitions =
+  Templates.declare c env h definitions (make c h.declared.at solid attributes)

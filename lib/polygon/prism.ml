@@ -1,0 +1,149 @@
+open Scc_exact
+
+let ( let* ) = Option.bind
+
+(* Of twice the area of the face, along its normal. *)
+let normal (vertices : Vec.t array) face =
+  let n = Array.length face in
+  let sum = ref Vec.zero in
+  for k = 0 to n - 1 do
+    sum := Vec.add !sum (Vec.cross vertices.(face.(k)) vertices.(face.((k + 1) mod n)))
+  done;
+  !sum
+
+let direction v = Ivec.primitive (fst (Ivec.of_vec v))
+let parallel n m = Vec.is_zero (Vec.cross n m)
+
+(* All of the faces are in one plane across n: how far along n. *)
+let level vertices n faces =
+  let height face = Vec.dot n vertices.(face.(0)) in
+  match faces with
+  | [] -> None
+  | face :: rest ->
+    let h = height face in
+    if List.for_all (fun face -> Rat.equal h (height face)) rest then Some h else None
+
+(* The boundary of faces side by side: what goes out of each vertex, if that is one edge. *)
+let boundary faces =
+  let directed = Hashtbl.create 64 in
+  List.iter (fun face -> List.iter (fun e -> Hashtbl.replace directed e ()) (Polygon.edges face)) faces;
+  let next = Hashtbl.create 64 in
+  let once =
+    Hashtbl.fold
+      (fun (u, v) () once ->
+         if Hashtbl.mem directed (v, u) then once
+         else begin
+           let fresh = not (Hashtbl.mem next u) in
+           Hashtbl.replace next u v;
+           once && fresh
+         end)
+      directed true
+  in
+  if once then Some next else None
+
+(* Each beginning with its least vertex, in the order of these. *)
+let loops next =
+  let starts = List.sort Int.compare (Hashtbl.fold (fun u _ all -> u :: all) next []) in
+  let seen = Hashtbl.create 64 in
+  let rec walk start u found =
+    Hashtbl.replace seen u ();
+    match Hashtbl.find_opt next u with
+    | None -> None
+    | Some v when v = start -> Some (Array.of_list (List.rev (u :: found)))
+    | Some v when Hashtbl.mem seen v -> None
+    | Some v -> walk start v (u :: found)
+  in
+  let add all start =
+    if Hashtbl.mem seen start then all
+    else
+      match (all, walk start start []) with
+      | Some all, Some loop -> Some (loop :: all)
+      | _ -> None
+  in
+  Option.map List.rev (List.fold_left add (Some []) starts)
+
+(* The vector that takes the corners of one cap to those of the other, which keeps their order, and for each corner
+   of the first that of the second. *)
+let match_corners (vertices : Vec.t array) low high =
+  let sorted loops =
+    let all = Array.concat loops in
+    Array.sort (fun u v -> Vec.compare vertices.(u) vertices.(v)) all;
+    all
+  in
+  let low = sorted low and high = sorted high in
+  if Array.length low <> Array.length high || Array.length low = 0 then None
+  else
+    let along = Vec.sub vertices.(high.(0)) vertices.(low.(0)) in
+    let above = Hashtbl.create 64 in
+    let fits k u =
+      Hashtbl.replace above u high.(k);
+      Vec.equal (Vec.add vertices.(u) along) vertices.(high.(k))
+    in
+    if List.for_all Fun.id (List.mapi fits (Array.to_list low)) then Some (along, above) else None
+
+(* As seen along n, so that what is counter-clockwise about n stays so. *)
+let flat (n : Vec.t) (v : Vec.t) : Grid.point =
+  let turned s x y : Grid.point = if s > 0 then { x; y } else { x = y; y = x } in
+  if Rat.sign n.z <> 0 then turned (Rat.sign n.z) v.x v.y
+  else if Rat.sign n.x <> 0 then turned (Rat.sign n.x) v.y v.z
+  else turned (Rat.sign n.y) v.z v.x
+
+(* With the cap whose outward normal is n. *)
+let polygon vertices n loops =
+  let corners = Array.concat loops in
+  let start = ref 0 in
+  let ring loop =
+    let first = !start in
+    start := first + Array.length loop;
+    Array.init (Array.length loop) (fun k -> first + k)
+  in
+  let rings = List.map ring loops in
+  let points = Array.map (fun u -> flat n vertices.(u)) corners in
+  let grid = Grid.make points in
+  match List.partition (fun ring -> Grid.twice_area grid ring > 0) rings with
+  | [ outer ], holes -> (
+      match Polygon.make points (outer :: holes) with
+      | Ok polygon -> Some (polygon, corners)
+      | Error _ -> None)
+  | _ -> None
+
+let along vertices faces normals n =
+  let all = List.combine (Array.to_list faces) normals in
+  let caps, sides = List.partition (fun (_, m) -> parallel n m) all in
+  let low, high = List.partition (fun (_, m) -> Rat.sign (Vec.dot n m) < 0) caps in
+  let low = List.map fst low and high = List.map fst high in
+  let* bottom = level vertices n low in
+  let* top = level vertices n high in
+  let* next_low = boundary low in
+  let* next_high = boundary high in
+  let* low = loops next_low in
+  let* high = loops next_high in
+  let* t, above = match_corners vertices low high in
+  let is_wall (_, m) = Rat.sign (Vec.dot m t) = 0 in
+  if Rat.compare bottom top >= 0 || not (List.for_all is_wall sides) then None
+  else
+    let* polygon, corners = polygon vertices (Vec.neg n) low in
+    let prism piece =
+      let base = Array.map (fun k -> corners.(k)) piece in
+      Array.append base (Array.map (Hashtbl.find above) base)
+    in
+    Some (List.map prism (Partition.convex polygon))
+
+(* Directions across which there are faces on both sides. *)
+let candidates normals =
+  let seen = Hashtbl.create 64 in
+  let key v = Ivec.to_string (direction v) in
+  List.iter (fun n -> Hashtbl.replace seen (key n) ()) normals;
+  let once = Hashtbl.create 64 in
+  List.filter
+    (fun n ->
+       let here = key n and there = key (Vec.neg n) in
+       let fresh = not (Hashtbl.mem once here || Hashtbl.mem once there) in
+       Hashtbl.replace once here ();
+       fresh && Hashtbl.mem seen there)
+    normals
+
+let pieces ~vertices ~faces =
+  let normals = List.map (normal vertices) (Array.to_list faces) in
+  if List.exists Vec.is_zero normals then None
+  else List.find_map (along vertices faces normals) (candidates normals)
