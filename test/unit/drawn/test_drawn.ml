@@ -1,0 +1,271 @@
+(* What names of a drawn solid's faces, edges and corners stand for in its convex parts, held against points: solids of
+   unit cubes, whose faces come as unit squares, and whose parts are boxes. *)
+
+open Scc_exact
+open Scc_geometry
+open Scc_drawn
+open Scc_test_support
+
+let rat = Rat.of_int
+let vec (x, y, z) = Vec.of_ints x y z
+
+(* {1 Solids of cubes} *)
+
+let axes = [ (1, 0, 0); (0, 1, 0); (0, 0, 1); (-1, 0, 0); (0, -1, 0); (0, 0, -1) ]
+let plus (a, b, c) (x, y, z) = (a + x, b + y, c + z)
+
+(* Counter-clockwise from outside, as corners of the unit cube. *)
+let square = function
+  | 1, 0, 0 -> [ (1, 0, 0); (1, 1, 0); (1, 1, 1); (1, 0, 1) ]
+  | -1, 0, 0 -> [ (0, 0, 0); (0, 0, 1); (0, 1, 1); (0, 1, 0) ]
+  | 0, 1, 0 -> [ (0, 1, 0); (0, 1, 1); (1, 1, 1); (1, 1, 0) ]
+  | 0, -1, 0 -> [ (0, 0, 0); (1, 0, 0); (1, 0, 1); (0, 0, 1) ]
+  | 0, 0, 1 -> [ (0, 0, 1); (1, 0, 1); (1, 1, 1); (0, 1, 1) ]
+  | _ -> [ (0, 0, 0); (0, 1, 0); (1, 1, 0); (1, 0, 0) ]
+
+let squares cells =
+  let of_cell c = List.filter_map (fun d -> if List.mem (plus c d) cells then None else Some (List.map (plus c) (square d))) axes in
+  List.concat_map of_cell cells
+
+let set_of cells : Polyhedron.ifs =
+  let faces = squares cells in
+  let points = List.sort_uniq compare (List.concat faces) in
+  let index p =
+    let rec find k = function q :: rest -> if q = p then k else find (k + 1) rest | [] -> assert false in
+    find 0 points
+  in
+  {
+    ifs_vertices = Array.of_list (List.mapi (fun i p -> (Printf.sprintf "v%d" i, vec p)) points);
+    ifs_faces =
+      Array.of_list
+        (List.mapi (fun i f -> (Printf.sprintf "f%d" i, Array.of_list (List.map index f))) faces);
+  }
+
+(* Each edge in two squares, and the squares at each point in one ring: cubes do not touch by an edge or corner alone. *)
+let manifold cells =
+  let faces = squares cells in
+  let edges f = List.mapi (fun k p -> (p, List.nth f ((k + 1) mod 4))) f in
+  let all = List.concat_map edges faces in
+  let twice (p, q) = List.length (List.filter (fun e -> e = (p, q) || e = (q, p)) all) = 2 in
+  let ring p =
+    let at = List.filter (List.mem p) faces in
+    let rec grow found =
+      let near f = List.exists (fun g -> List.length (List.filter (fun q -> List.mem q g) f) >= 2 && List.exists (fun q -> q <> p && List.mem q g && List.mem q f) f) found in
+      let more = List.filter (fun f -> (not (List.mem f found)) && near f) at in
+      if more = [] then found else grow (more @ found)
+    in
+    List.length (grow [ List.hd at ]) = List.length at
+  in
+  List.for_all twice all && List.for_all ring (List.sort_uniq compare (List.concat faces))
+
+(* The cells in boxes: rows along x, as long as they go. *)
+let rows cells =
+  let starts = List.filter (fun c -> not (List.mem (plus c (-1, 0, 0)) cells)) cells in
+  let rec stop c = if List.mem (plus c (1, 0, 0)) cells then stop (plus c (1, 0, 0)) else c in
+  let box c =
+    let d = plus (stop c) (1, 1, 1) in
+    let (x, y, z), (x', y', z') = (c, d) in
+    List.concat_map
+      (fun x -> List.concat_map (fun y -> List.map (fun z -> vec (x, y, z)) [ z; z' ]) [ y; y' ])
+      [ x; x' ]
+  in
+  List.map box starts
+
+let random_cells =
+  let open QCheck2.Gen in
+  let* n = int_range 1 9 in
+  let rec grow n cells =
+    if n = 0 then return cells
+    else
+      let* c = oneofl cells and* d = oneofl axes in
+      let next = plus c d in
+      if List.mem next cells then grow (n - 1) cells
+      else if manifold (next :: cells) then grow (n - 1) (next :: cells)
+      else grow (n - 1) cells
+  in
+  grow n [ (0, 0, 0) ]
+
+(* {1 Points against names} *)
+
+let sign_on (p : Polyhedron.t) f x =
+  let corner k = snd p.vertices.((snd p.faces.(f)).(k)) in
+  let n = Vec.cross (Vec.sub (corner 1) (corner 0)) (Vec.sub (corner 2) (corner 0)) in
+  Rat.sign (Vec.dot n (Vec.sub x (corner 0)))
+
+(* The feature of a part that has the point inside of itself. *)
+let at_point (p : Polyhedron.t) x : Feature.t option =
+  let faces = List.init (Array.length p.faces) Fun.id in
+  if List.exists (fun f -> sign_on p f x > 0) faces then None
+  else
+    let vertex = List.find_opt (fun v -> Vec.equal (snd p.vertices.(v)) x) (List.init (Array.length p.vertices) Fun.id) in
+    let between (u, v) =
+      let a = snd p.vertices.(u) and b = snd p.vertices.(v) in
+      Vec.is_zero (Vec.cross (Vec.sub b a) (Vec.sub x a)) && Rat.sign (Vec.dot (Vec.sub b x) (Vec.sub x a)) > 0
+    in
+    let edge = List.find_opt (fun e -> between p.edges.(e)) (List.init (Array.length p.edges) Fun.id) in
+    match (vertex, edge, List.filter (fun f -> sign_on p f x = 0) faces) with
+    | Some v, _, _ -> Some (Vertex v)
+    | None, Some e, _ -> Some (Edge e)
+    | None, None, [ f ] -> Some (Face f)
+    | None, None, _ -> None
+
+(* Of a square: its corners, the middles of its edges and its own, and points beside these. *)
+let samples cells =
+  let of_square f =
+    let corner k = vec (List.nth f (k mod 4)) in
+    let mix s t =
+      let a = corner 0 and b = Vec.sub (corner 1) (corner 0) and d = Vec.sub (corner 3) (corner 0) in
+      Vec.axpy s b (Vec.axpy t d a)
+    in
+    let q a b = Rat.div (rat a) (rat b) in
+    let values = [ rat 0; q 1 3; rat 1 ] in
+    List.concat_map (fun s -> List.map (fun t -> mix s t) values) values
+  in
+  List.sort_uniq Vec.compare (List.concat_map of_square (squares cells))
+
+let within set f x =
+  let corners = List.map (fun v -> snd set.Polyhedron.ifs_vertices.(v)) (Array.to_list (snd set.ifs_faces.(f))) in
+  let bounds get =
+    let values = List.map get corners in
+    let low = List.fold_left Rat.min (List.hd values) values and high = List.fold_left Rat.max (List.hd values) values in
+    Rat.compare low (get x) <= 0 && Rat.compare (get x) high <= 0
+  in
+  bounds (fun (v : Vec.t) -> v.x) && bounds (fun v -> v.y) && bounds (fun v -> v.z)
+
+let shown (t : Parts.t) name =
+  match Parts.face_or_vertex t name with Shown f -> f | Flat | Turned _ | Nothing -> Alcotest.fail name
+
+let parts cells = 
+  match Drawn.make (set_of cells) with
+  | None -> Alcotest.fail "no surface"
+  | Some drawn -> Option.get (Parts.make ~limit:1000 drawn (rows cells))
+
+let names_are_right cells =
+  let set = set_of cells in
+  let t = parts cells in
+  let faces = List.init (Array.length set.ifs_faces) Fun.id in
+  let region f = shown t (fst set.ifs_faces.(f)) in
+  let regions = List.sort_uniq compare (List.map region faces) in
+  let right x =
+    let here = List.filter (fun f -> within set f x) faces in
+    let around = List.sort_uniq compare (List.map region here) in
+    let features =
+      List.concat
+        (List.mapi
+           (fun k (_, p) -> match at_point p x with Some f -> [ (k, f) ] | None -> [])
+           (Array.to_list t.parts))
+    in
+    (* At a reflex edge a face of one part goes on under another part, so that it need not show both sides. *)
+    let some list = List.exists (fun site -> List.mem site list) features in
+    let interior r = match around with [ s ] -> s = r | _ -> false in
+    List.for_all
+      (fun r ->
+         let closed = some (Parts.closed t r) and inside = some (Parts.inside t r) in
+         closed = List.mem r around && (inside || not (interior r)) && (closed || not inside))
+      regions
+  in
+  List.for_all right (samples cells)
+
+let volume_is_kept cells =
+  let t = parts cells in
+  let volume (_, p) = (Mass_properties.of_polyhedron p).volume in
+  let sum = Array.fold_left (fun sum p -> Rat.add sum (volume p)) Rat.zero t.parts in
+  Rat.equal sum (rat (List.length cells)) && Rat.equal sum (Drawn.volume (set_of cells))
+
+let property name holds =
+  QCheck2.Test.make ~count:60 ~name
+    ~print:QCheck2.Print.(list (triple int int int))
+    random_cells holds
+
+(* {1 By hand: a T, of a bar with a stem on it} *)
+
+let tee = [ (0, 0, 0); (1, 0, 0); (2, 0, 0); (1, 0, 1) ]
+
+let shoulders () =
+  let t = parts tee in
+  let set = set_of tee in
+  let half k = Rat.div (rat ((2 * k) + 1)) (rat 2) in
+  let face (x, y) z =
+    let level f = Array.for_all (fun v -> Rat.equal (snd set.ifs_vertices.(v)).z (rat z)) (snd set.ifs_faces.(f)) in
+    let at f = level f && within set f (Vec.make (half x) (half y) (rat z)) in
+    List.find at (List.init (Array.length set.ifs_faces) Fun.id)
+  in
+  let name k = fst set.ifs_faces.(k) in
+  let left = shown t (name (face (0, 0) 1)) and right = shown t (name (face (2, 0) 1)) in
+  let common = List.filter (fun s -> List.mem s (Parts.closed t right)) (Parts.closed t left) in
+  Alcotest.(check int) "no feature shows both shoulders" 0 (List.length common);
+  Alcotest.(check bool) "each is there" true (Parts.inside t left <> [] && Parts.inside t right <> []);
+  let bottom = shown t (name (face (0, 0) 0)) in
+  Alcotest.(check bool) "squares of one plane are one face" true (bottom = shown t (name (face (2, 0) 0)))
+
+let flat_names () =
+  let t = parts [ (0, 0, 0); (1, 0, 0) ] in
+  let vertex (x, y, z) =
+    let rec find k = if Vec.equal (snd t.drawn.set.ifs_vertices.(k)) (vec (x, y, z)) then k else find (k + 1) in
+    find 0
+  in
+  let kind found = match (found : Parts.found) with
+    | Shown (Border _) -> "edge" | Shown (Corner _) -> "corner" | Shown (Region _) -> "face"
+    | Flat -> "flat" | Turned _ -> "turned" | Nothing -> "nothing" in
+  let check what expected corners =
+    Alcotest.(check string) what expected (kind (Parts.tuple t (List.map vertex corners)))
+  in
+  check "a corner" "corner" [ (0, 0, 0) ];
+  check "a point of a long edge" "flat" [ (1, 0, 0) ];
+  check "half of a long edge" "edge" [ (0, 0, 0); (1, 0, 0) ];
+  check "between two squares of a face" "flat" [ (1, 0, 0); (1, 1, 0) ];
+  check "a diagonal" "nothing" [ (0, 0, 0); (1, 1, 0) ];
+  check "a square" "face" [ (0, 0, 1); (1, 0, 1); (1, 1, 1); (0, 1, 1) ];
+  check "the wrong way round" "turned" [ (0, 0, 1); (0, 1, 1); (1, 1, 1); (1, 0, 1) ]
+
+(* {1 Prisms} *)
+
+let prism_of cells =
+  let set = set_of cells in
+  Scc_polygon.Prism.pieces ~vertices:(Array.map snd set.ifs_vertices) ~faces:(Array.map snd set.ifs_faces)
+
+let frame =
+  List.filter (fun c -> c <> (1, 1, 0)) (List.concat_map (fun x -> List.map (fun y -> (x, y, 0)) [ 0; 1; 2 ]) [ 0; 1; 2 ])
+
+let prism name expected cells =
+  Alcotest.test_case name `Quick (fun () ->
+      Alcotest.(check (option int)) name expected (Option.map List.length (prism_of cells)))
+
+let prism_parts_are_right cells =
+  match prism_of cells with
+  | None -> true
+  | Some pieces ->
+    let set = set_of cells in
+    let points piece = List.map (fun v -> snd set.ifs_vertices.(v)) (Array.to_list piece) in
+    let volume piece = (Mass_properties.of_polyhedron (Refined.solid (points piece))).volume in
+    let sum = List.fold_left (fun sum piece -> Rat.add sum (volume piece)) Rat.zero pieces in
+    Rat.equal sum (rat (List.length cells))
+
+let flat_cells = QCheck2.Gen.map (List.filter_map (fun (x, y, z) -> if z = 0 then Some (x, y, 0) else None)) random_cells
+
+let () =
+  Alcotest.run "drawn"
+    [
+      ( "by hand",
+        [
+          Alcotest.test_case "two shoulders of one bar" `Quick shoulders;
+          Alcotest.test_case "what is no feature" `Quick flat_names;
+        ] );
+      ( "prisms",
+        [
+          prism "a box" (Some 1) [ (0, 0, 0); (1, 0, 0) ];
+          prism "a T" (Some 2) tee;
+          prism "with a hole" (Some 4) frame;
+          prism "three cubes around a corner are none" None [ (0, 0, 0); (1, 0, 0); (0, 1, 0); (0, 0, 1) ];
+        ] );
+      ( "properties",
+        Property.cases
+          [
+            property "points and names" names_are_right;
+            property "parts have the volume of the whole" volume_is_kept;
+            QCheck2.Test.make ~count:60 ~name:"prisms keep the volume"
+              ~print:QCheck2.Print.(list (triple int int int))
+              flat_cells
+              (fun cells -> (not (manifold cells)) || prism_parts_are_right cells);
+          ] );
+    ]
