@@ -50,6 +50,7 @@ let no_silhouette = "SC0343"
 let several_pieces = "SC0344"
 let cannot_inflate = "SC0345"
 let flat_feature = "SC0336"
+let crossing_faces = "SC0337"
 let not_touching = "SC0401"
 let not_highest = "SC0402"
 let interpenetration = "SC0403"
@@ -133,6 +134,7 @@ let all =
     (several_pieces, "a picture of several pieces, of which none or another one is chosen");
     (cannot_inflate, "a drawing that cannot be inflated as asked for");
     (flat_feature, "a vertex or an edge that is inside a face of a drawn solid");
+    (crossing_faces, "faces of a drawn solid that cut or touch each other");
     (not_touching, "features that do not touch");
     (not_highest, "a glue that is not the highest touching pair");
     (interpenetration, "bodies that interpenetrate");

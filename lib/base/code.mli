@@ -161,6 +161,9 @@ val cannot_inflate : t
 val flat_feature : t
 (** SC0336: a name of a vertex or an edge of a drawn solid that is inside one of its faces, or of a longer edge. *)
 
+val crossing_faces : t
+(** SC0337: two faces of a drawn solid that meet elsewhere than at edges and corners of both. *)
+
 
 (** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 

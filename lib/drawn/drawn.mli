@@ -40,5 +40,11 @@ val make : Polyhedron.ifs -> t option
 val closure : t -> feature -> feature list
 (** With the borders and corners of a region, and the corners of a border. *)
 
+val normal : Polyhedron.ifs -> int array -> Vec.t
+(** Of a face by its corners: twice its area, outward. *)
+
+val convex_pieces : Polyhedron.ifs -> int array -> Vec.t -> Vec.t array list option
+(** Of a flat face with this normal; [None] if it is no simple polygon. *)
+
 val volume : Polyhedron.ifs -> Rat.t
 (** Of the solid that the faces bound; negative if they are turned inward. *)

@@ -56,7 +56,7 @@ let renamed (vertex, face) (p : Polyhedron.t) features =
 
 let make ~limit (d : Drawn.t) pieces =
   let shown = Shown.make d in
-  match Refined.parts shown d ~limit (List.map Refined.solid pieces) with
+  match Refined.parts shown d ~limit pieces with
   | None -> None
   | Some list ->
     let shows = Hashtbl.create 256 and names = names d in

@@ -1,6 +1,5 @@
 (** A drawn solid in convex parts, under the names of its own faces and vertices. *)
 
-open Scc_exact
 open Scc_geometry
 
 type t = private {
@@ -10,8 +9,8 @@ type t = private {
   shows : (Drawn.feature, (int * Feature.t) list) Hashtbl.t;
 }
 
-val make : limit:int -> Drawn.t -> Vec.t list list -> t option
-(** From convex parts, each by points of which it is the hull, which are cut further ({!Refined.parts}). [None] if
+val make : limit:int -> Drawn.t -> Polyhedron.t list -> t option
+(** From convex parts, which are cut further ({!Refined.parts}). [None] if
     there would be more parts than the limit. *)
 
 val inside : t -> Drawn.feature -> (int * Feature.t) list

@@ -6,6 +6,9 @@ open Scc_geometry
 val solid : Vec.t list -> Polyhedron.t
 (** The convex hull of points that are not in one plane (a bug otherwise); names are of no meaning. *)
 
+val halves : Drawn.region -> Polyhedron.t -> Polyhedron.t * Polyhedron.t
+(** What is behind the plane of the region, and what is before it; the plane divides the part. *)
+
 val parts : Shown.t -> Drawn.t -> limit:int -> Polyhedron.t list -> Polyhedron.t list option
 (** Convex parts of the solid: where a face shows pieces of two regions, or an edge goes on from a border into a
     region, the plane of a face of the solid that divides it cuts its part in two. [None] if there would be more

@@ -53,6 +53,10 @@ let overlap (region : Drawn.region) polygon =
   let n = Ivec.to_vec region.normal in
   List.exists (fun piece -> not (apart n piece polygon || apart n polygon piece)) region.pieces
 
+let share n one other =
+  let turned = Array.of_list (List.rev (Array.to_list other)) in
+  not (apart n one turned || apart n turned one)
+
 let holds n piece x = List.for_all (fun edge -> side n edge x >= 0) (cyclic piece)
 
 (* {1 Along a segment from a to b: parts of it as intervals from 0 to 1} *)

@@ -6,9 +6,6 @@ open Scc_drawn
 
 let ( let* ) = Option.bind
 
-(* Of one compound. *)
-let max_parts = 10_000
-
 let scaled (set : Polyhedron.ifs) (f : Vec.t) =
   let scale (name, (v : Vec.t)) = (name, Vec.make (Rat.mul f.x v.x) (Rat.mul f.y v.y) (Rat.mul f.z v.z)) in
   { set with ifs_vertices = Array.map scale set.ifs_vertices }
@@ -30,18 +27,35 @@ let too_fine (c : Context.t) at set =
       ~hint:"use decimals, or fractions with few different denominators";
   fine
 
-let parts (c : Context.t) at (set : Polyhedron.ifs) =
-  let vertices = Array.map snd set.ifs_vertices and faces = Array.map snd set.ifs_faces in
-  let pieces =
-    match Scc_polygon.Prism.pieces ~vertices ~faces with
-    | Some prisms -> List.map (fun prism -> List.map (fun v -> vertices.(v)) (Array.to_list prism)) prisms
-    | None -> [ Array.to_list vertices ]
-  in
-  let* drawn = Drawn.make set in
-  match Parts.make ~limit:max_parts drawn pieces with
-  | Some parts -> Some parts
-  | None ->
-    Report.error c.report Code.too_deep at "more than %d convex parts are needed" max_parts;
+let rec places (s : Ast.solid) =
+  match s.it with
+  | Faces (vertices, faces) -> Templates.places_of s.at vertices faces
+  | Scaled (inner, _) -> places inner
+  | Mesh (path, _) -> Templates.places_of path.at [] []
+  | Template _ | Hull _ -> Templates.places_of s.at [] []
+
+let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
+  let places = places solid in
+  let whole = Templates.face_span places max_int in
+  match (fault : Decomposed.fault) with
+  | Unsound (Structure faults) -> List.iter (Templates.report_fault c places set) faults
+  | Unsound (Cut (f, g, x)) ->
+    let name i = fst set.ifs_faces.(i) in
+    Report.error c.report Code.crossing_faces (Templates.face_span places f)
+      "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both" (name f) (name g)
+      (Vec.to_string x)
+      ~notes:[ (Templates.face_span places g, Printf.sprintf "the face `%s` is here" (name g)) ]
+  | Separate ->
+    Report.error c.report Code.several_solids whole
+      "these faces bound several solids that no face joins, or a hollow whose faces are turned the wrong way"
+  | Too_many ->
+    Report.error c.report Code.too_deep whole "more than %d convex parts are needed" Decomposed.limit
+
+let parts c solid set =
+  match Decomposed.make set with
+  | Ok parts -> Some parts
+  | Error fault ->
+    report c solid set fault;
     None
 
 (* Everything that the attributes must say, and must not. *)
@@ -90,7 +104,7 @@ let make (c : Context.t) at (solid : Ast.solid) attributes env label =
   let* set = set in
   if too_fine c solid.at set then None
   else
-    let* drawn = parts c solid.at set in
+    let* drawn = parts c solid set in
     let* mass = mass in
     Some (compound c at label drawn a mass)
 

@@ -48,6 +48,8 @@ let report_fault (c : Context.t) places (ifs : Polyhedron.ifs) fault =
     "%s"
     (Polyhedron_fault.message ~vertex ~face fault)
 
+let face_span places i = if i < Array.length places.faces then places.faces.(i) else places.whole
+
 let accept (c : Context.t) places ~label ifs =
   if Polyhedron.too_fine ifs then begin
     Report.error c.report Code.number_too_large places.whole

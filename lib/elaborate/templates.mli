@@ -17,6 +17,17 @@ val declare :
 (** Enters a template or a family of them, each to be made in the scope of its definitions under its label (SC0202
     when the name is taken). *)
 
+type places
+(** Where the vertices and faces of a solid are written. *)
+
+val places_of : Scc_base.Span.t -> (Ast.name * 'a) list -> (Ast.name * 'b) list -> places
+(** The whole, its vertices and its faces; none of a mesh. *)
+
+val report_fault : Context.t -> places -> Scc_geometry.Polyhedron.ifs -> Scc_geometry.Polyhedron_fault.t -> unit
+
+val face_span : places -> int -> Scc_base.Span.t
+(** Of the whole where the face is not written. *)
+
 val listed_set :
   Context.t -> Env.t -> (Ast.name * Ast.vector) list -> (Ast.name * Ast.name list) list -> Scc_geometry.Polyhedron.ifs option
 (** Vertices and faces as written: their names, and that faces are of the vertices, are checked and nothing else. *)

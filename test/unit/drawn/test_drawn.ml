@@ -138,7 +138,7 @@ let shown (t : Parts.t) name =
 let parts cells = 
   match Drawn.make (set_of cells) with
   | None -> Alcotest.fail "no surface"
-  | Some drawn -> Option.get (Parts.make ~limit:1000 drawn (rows cells))
+  | Some drawn -> Option.get (Parts.make ~limit:1000 drawn (List.map Refined.solid (rows cells)))
 
 let names_are_right cells =
   let set = set_of cells in

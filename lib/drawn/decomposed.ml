@@ -1,0 +1,68 @@
+open Scc_data
+open Scc_exact
+open Scc_geometry
+
+type fault = Unsound of Sound.fault | Separate | Too_many
+
+let ( let* ) = Result.bind
+let limit = 10_000
+
+(* {1 In one piece} *)
+
+let oriented (p : Polyhedron.t) f =
+  let corners = Array.map (fun v -> snd p.vertices.(v)) (snd p.faces.(f)) in
+  let n = Vec.cross (Vec.sub corners.(1) corners.(0)) (Vec.sub corners.(2) corners.(0)) in
+  (Ivec.primitive (fst (Ivec.of_vec n)), corners)
+
+let connected list =
+  let parts = Array.of_list list in
+  let joined = Union_find.create (Array.length parts) in
+  let at = Hashtbl.create 256 in
+  let key n x = Ivec.to_string n ^ " " ^ Rat.to_string (Vec.dot (Ivec.to_vec n) x) in
+  let each use =
+    Array.iteri
+      (fun k (p : Polyhedron.t) -> Array.iteri (fun f _ -> let n, corners = oriented p f in use k n corners) p.faces)
+      parts
+  in
+  each (fun k n corners -> Hashtbl.add at (key n corners.(0)) (k, corners));
+  let join k n corners =
+    let back = Ivec.neg n in
+    let meets (l, others) =
+      if Union_find.find joined k <> Union_find.find joined l && Shown.share (Ivec.to_vec back) others corners then
+        ignore (Union_find.union joined k l)
+    in
+    List.iter meets (Hashtbl.find_all at (key back corners.(0)))
+  in
+  each join;
+  Array.for_all Fun.id (Array.init (Array.length parts) (fun k -> Union_find.find joined k = Union_find.find joined 0))
+
+let volume list =
+  List.fold_left (fun sum p -> Rat.add sum (Mass_properties.of_polyhedron p).volume) Rat.zero list
+
+(* {1 Parts} *)
+
+let surface set =
+  match Sound.faults set with
+  | Some fault -> Error (Unsound fault)
+  | None -> (
+      match Drawn.make set with
+      | Some drawn -> Ok drawn
+      | None -> Scc_base.Bug.fail __POS__ "sound faces that are no polygons")
+
+let prism (set : Polyhedron.ifs) =
+  let vertices = Array.map snd set.ifs_vertices and faces = Array.map snd set.ifs_faces in
+  let solid piece = Refined.solid (List.map (fun v -> vertices.(v)) (Array.to_list piece)) in
+  Option.map (List.map solid) (Scc_polygon.Prism.pieces ~vertices ~faces)
+
+let parts set =
+  let* drawn = surface set in
+  let* list =
+    match prism set with
+    | Some list -> Ok list
+    | None -> Option.to_result ~none:Too_many (Cells.parts ~limit drawn)
+  in
+  if Rat.equal (volume list) (Drawn.volume set) && connected list then Ok (list, drawn) else Error Separate
+
+let make set =
+  let* list, drawn = parts set in
+  Option.to_result ~none:Too_many (Parts.make ~limit drawn list)

@@ -1,0 +1,156 @@
+open Scc_exact
+open Scc_geometry
+open Scc_polygon
+
+type fault = Structure of Polyhedron_fault.t list | Cut of int * int * Vec.t
+
+let place (set : Polyhedron.ifs) v = snd set.ifs_vertices.(v)
+
+(* {1 Faces by themselves} *)
+
+let structure count faces =
+  let outside i = i < 0 || i >= count in
+  let face f (_, corners) =
+    match List.find_opt outside (Array.to_list corners) with
+    | Some i -> Some (Polyhedron_fault.Bad_vertex_index (f, i))
+    | None -> if Array.length corners < 3 then Some (Polyhedron_fault.Short_face f) else None
+  in
+  List.filter_map Fun.id (Array.to_list (Array.mapi face faces))
+
+module Points = Hashtbl.Make (Vec)
+
+let positions (set : Polyhedron.ifs) =
+  let used = Array.make (Array.length set.ifs_vertices) false in
+  Array.iter (fun (_, corners) -> Array.iter (fun v -> used.(v) <- true) corners) set.ifs_faces;
+  let first = Points.create 64 in
+  let fault i (_, x) =
+    match Points.find_opt first x with
+    | Some j -> Some (Polyhedron_fault.Same_position (j, i))
+    | None ->
+      Points.add first x i;
+      if used.(i) then None else Some (Polyhedron_fault.Unused_vertex i)
+  in
+  List.filter_map Fun.id (Array.to_list (Array.mapi fault set.ifs_vertices))
+
+let flatness set f (_, corners) =
+  let n = Drawn.normal set corners in
+  let off v = Rat.sign (Vec.dot n (Vec.sub (place set v) (place set corners.(0)))) <> 0 in
+  if Vec.is_zero n then Some (Polyhedron_fault.Self_crossing f)
+  else
+    match List.find_opt off (Array.to_list corners) with
+    | Some v -> Some (Polyhedron_fault.Off_plane (f, v))
+    | None -> if Option.is_none (Drawn.convex_pieces set corners n) then Some (Polyhedron_fault.Self_crossing f) else None
+
+(* {1 Two faces} *)
+
+type face = { number : int; corners : int array; normal : Vec.t; pieces : Vec.t array list }
+
+(* What a convex polygon has on the closed side of a plane, on which the height is not negative. *)
+let clip height polygon =
+  let n = Array.length polygon in
+  let step k =
+    let a = polygon.(k) and b = polygon.((k + 1) mod n) in
+    let h = height a and i = height b in
+    let here = if Rat.sign h >= 0 then [ a ] else [] in
+    if Rat.sign h * Rat.sign i < 0 then here @ [ Vec.axpy (Rat.div h (Rat.sub h i)) (Vec.sub b a) a ] else here
+  in
+  Array.of_list (List.concat (List.init n step))
+
+(* Two convex polygons: points of which what they have in common is the hull. *)
+let common one m other =
+  let origin = other.(0) in
+  let above x = Vec.dot m (Vec.sub x origin) in
+  let in_plane = clip (fun x -> Rat.neg (above x)) (clip above one) in
+  let k = Array.length other in
+  let edge i polygon =
+    let c = other.(i) and d = other.((i + 1) mod k) in
+    let inner = Vec.cross m (Vec.sub d c) in
+    clip (fun x -> Vec.dot inner (Vec.sub x c)) polygon
+  in
+  List.sort_uniq Vec.compare (Array.to_list (List.fold_left (fun p i -> edge i p) in_plane (List.init k Fun.id)))
+
+let on_segment x (a, b) =
+  let way = Vec.sub b a in
+  Vec.is_zero (Vec.cross way (Vec.sub x a))
+  && Rat.sign (Vec.dot way (Vec.sub x a)) >= 0
+  && Rat.sign (Vec.dot way (Vec.sub b x)) >= 0
+
+(* What two faces may have in common: edges of both, and corners of both. *)
+let shared set f g =
+  let edges = Polygon.edges f.corners in
+  let both = List.filter (fun (u, v) -> List.mem (v, u) edges || List.mem (u, v) edges) (Polygon.edges g.corners) in
+  let corners = List.filter (fun v -> Array.exists (Int.equal v) f.corners) (Array.to_list g.corners) in
+  (List.map (fun (u, v) -> (place set u, place set v)) both, List.map (place set) corners)
+
+(* A point that two faces should not have in common. The common points of two pieces are a point, a segment, or an
+   area; at a point it is enough to be on what is shared, and a segment is so if its ends and its parts between all
+   corners on it are. The mean tells an area. *)
+let stray set f g =
+  let edges, corners = shared set f g in
+  let allowed x = List.exists (Vec.equal x) corners || List.exists (on_segment x) edges in
+  let mean points =
+    Vec.scale (Rat.div Rat.one (Rat.of_int (List.length points))) (List.fold_left Vec.add Vec.zero points)
+  in
+  let of_pieces one other =
+    let points = common one g.normal other in
+    match points with
+    | [] -> None
+    | first :: _ ->
+        let last = List.nth points (List.length points - 1) in
+        let on_line = List.filter (fun x -> on_segment x (first, last)) corners in
+        let stops = List.sort_uniq Vec.compare (points @ on_line) in
+        let rec middles = function a :: (b :: _ as rest) -> mean [ a; b ] :: middles rest | [ _ ] | [] -> [] in
+        List.find_opt (fun x -> not (allowed x)) (mean points :: (stops @ middles stops))
+  in
+  List.find_map (fun one -> List.find_map (of_pieces one) g.pieces) f.pieces
+
+let extent set corners get =
+  let values = Array.map (fun v -> get (place set v)) corners in
+  (Array.fold_left Rat.min values.(0) values, Array.fold_left Rat.max values.(0) values)
+
+(* From left to right, those whose boxes meet. *)
+let find_cut set faces =
+  let boxed f =
+    let of_axis get = extent set f.corners get in
+    (of_axis (fun (v : Vec.t) -> v.x), of_axis (fun v -> v.y), of_axis (fun v -> v.z), f)
+  in
+  let sorted = Array.of_list (List.map boxed faces) in
+  Array.sort (fun ((a, _), _, _, _) ((b, _), _, _, _) -> Rat.compare a b) sorted;
+  let n = Array.length sorted in
+  let meet (a, b) (c, d) = Rat.compare a d <= 0 && Rat.compare c b <= 0 in
+  let rec from i j =
+    if i >= n then None
+    else if j >= n then from (i + 1) (i + 2)
+    else
+      let x, y, z, f = sorted.(i) and x', y', z', g = sorted.(j) in
+      if Rat.compare (fst x') (snd x) > 0 then from (i + 1) (i + 2)
+      else if not (meet y y' && meet z z') then from i (j + 1)
+      else
+        match stray set f g with
+        | Some at -> Some (Cut (Int.min f.number g.number, Int.max f.number g.number, at))
+        | None -> from i (j + 1)
+  in
+  from 0 1
+
+(* {1 All} *)
+
+let some_structure = function [] -> None | faults -> Some (Structure faults)
+let ( <|> ) found next = match found with Some _ -> found | None -> next ()
+
+let faults (set : Polyhedron.ifs) =
+  let count = Array.length set.ifs_vertices in
+  if Array.length set.ifs_faces = 0 then Some (Structure [ No_faces ])
+  else
+    some_structure (structure count set.ifs_faces)
+    <|> (fun () -> some_structure (positions set))
+    <|> (fun () -> some_structure (Surface.edge_faults (Surface.make count (Array.map snd set.ifs_faces))))
+    <|> (fun () ->
+        some_structure (List.filter_map Fun.id (Array.to_list (Array.mapi (flatness set) set.ifs_faces))))
+    <|> (fun () ->
+        let face number (_, corners) =
+          let normal = Drawn.normal set corners in
+          let pieces = Option.value ~default:[] (Drawn.convex_pieces set corners normal) in
+          { number; corners; normal; pieces }
+        in
+        find_cut set (Array.to_list (Array.mapi face set.ifs_faces)))
+    <|> fun () -> if Rat.sign (Drawn.volume set) <= 0 then Some (Structure [ Inward ]) else None
