@@ -54,12 +54,29 @@ let prism (set : Polyhedron.ifs) =
   let solid piece = Refined.solid (List.map (fun v -> vertices.(v)) (Array.to_list piece)) in
   Option.map (List.map solid) (Scc_polygon.Prism.pieces ~vertices ~faces)
 
+exception Too_long
+
+(* What the parts are cut from is looked at this often. *)
+let ticks = 200_000
+
+let cells (drawn : Drawn.t) =
+  let left = ref ticks in
+  let tick () =
+    decr left;
+    if !left < 0 then raise_notrace Too_long
+  in
+  let surface = List.concat_map (fun (r : Drawn.region) -> r.pieces) (Array.to_list drawn.regions) in
+  match Scc_decompose.Decompose.parts ~tick surface with
+  | exception Too_long -> Error Too_many
+  | list when List.length list > limit -> Error Too_many
+  | list -> Ok (List.map Refined.solid list)
+
 let parts set =
   let* drawn = surface set in
   let* list =
     match prism set with
     | Some list -> Ok list
-    | None -> Option.to_result ~none:Too_many (Cells.parts ~limit drawn)
+    | None -> cells drawn
   in
   if Rat.equal (volume list) (Drawn.volume set) && connected list then Ok (list, drawn) else Error Separate
 

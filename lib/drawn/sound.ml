@@ -115,7 +115,7 @@ let find_cut set faces =
     (of_axis (fun (v : Vec.t) -> v.x), of_axis (fun v -> v.y), of_axis (fun v -> v.z), f)
   in
   let sorted = Array.of_list (List.map boxed faces) in
-  Array.sort (fun ((a, _), _, _, _) ((b, _), _, _, _) -> Rat.compare a b) sorted;
+  Array.stable_sort (fun ((a, _), _, _, _) ((b, _), _, _, _) -> Rat.compare a b) sorted;
   let n = Array.length sorted in
   let meet (a, b) (c, d) = Rat.compare a d <= 0 && Rat.compare c b <= 0 in
   let rec from i j =

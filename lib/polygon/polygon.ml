@@ -24,7 +24,7 @@ let find_clash g all =
   let low (a, b) = if Grid.compare_y g a b <= 0 then a else b in
   let high (a, b) = if Grid.compare_y g a b <= 0 then b else a in
   let sorted = Array.of_list all in
-  Array.sort (fun e f -> Grid.compare_x g (left e) (left f)) sorted;
+  Array.stable_sort (fun e f -> Grid.compare_x g (left e) (left f)) sorted;
   let n = Array.length sorted in
   let rec from i j =
     if i >= n then None
@@ -59,7 +59,7 @@ let repeated g rings =
     let c = Grid.compare_x g a b in
     if c <> 0 then c else Grid.compare_y g a b
   in
-  Array.sort order all;
+  Array.stable_sort order all;
   let rec from k =
     if k + 1 >= Array.length all then None
     else if Grid.same g all.(k) all.(k + 1) then Some (all.(k), all.(k + 1))

@@ -67,7 +67,7 @@ let loops next =
 let match_corners (vertices : Vec.t array) low high =
   let sorted loops =
     let all = Array.concat loops in
-    Array.sort (fun u v -> Vec.compare vertices.(u) vertices.(v)) all;
+    Array.stable_sort (fun u v -> Vec.compare vertices.(u) vertices.(v)) all;
     all
   in
   let low = sorted low and high = sorted high in

@@ -140,9 +140,12 @@ let parts cells =
   | None -> Alcotest.fail "no surface"
   | Some drawn -> Option.get (Parts.make ~limit:1000 drawn (List.map Refined.solid (rows cells)))
 
-let names_are_right cells =
+let decomposed cells =
+  match Decomposed.make (set_of cells) with Ok t -> t | Error _ -> Alcotest.fail "refused"
+
+let names_are_right parts cells =
   let set = set_of cells in
-  let t = parts cells in
+  let t : Parts.t = parts cells in
   let faces = List.init (Array.length set.ifs_faces) Fun.id in
   let region f = shown t (fst set.ifs_faces.(f)) in
   let regions = List.sort_uniq compare (List.map region faces) in
@@ -166,8 +169,8 @@ let names_are_right cells =
   in
   List.for_all right (samples cells)
 
-let volume_is_kept cells =
-  let t = parts cells in
+let volume_is_kept parts cells =
+  let t : Parts.t = parts cells in
   let volume (_, p) = (Mass_properties.of_polyhedron p).volume in
   let sum = Array.fold_left (fun sum p -> Rat.add sum (volume p)) Rat.zero t.parts in
   Rat.equal sum (rat (List.length cells)) && Rat.equal sum (Drawn.volume (set_of cells))
@@ -218,6 +221,64 @@ let flat_names () =
   check "a square" "face" [ (0, 0, 1); (1, 0, 1); (1, 1, 1); (0, 1, 1) ];
   check "the wrong way round" "turned" [ (0, 0, 1); (0, 1, 1); (1, 1, 1); (1, 0, 1) ]
 
+(* {1 What is refused} *)
+
+let box name (x, y, z) (x', y', z') =
+  let p k = [| (x, y, z); (x', y, z); (x', y', z); (x, y', z); (x, y, z'); (x', y, z'); (x', y', z'); (x, y', z') |].(k) in
+  let vertices = List.init 8 (fun k -> (Printf.sprintf "%s%d" name k, vec (p k))) in
+  let faces =
+    [ ("bottom", [ 0; 3; 2; 1 ]); ("top", [ 4; 5; 6; 7 ]); ("left", [ 0; 4; 7; 3 ]); ("right", [ 1; 2; 6; 5 ]);
+      ("front", [ 0; 1; 5; 4 ]); ("back", [ 3; 7; 6; 2 ]) ]
+  in
+  (vertices, List.map (fun (n, f) -> (name ^ n, f)) faces)
+
+let set_of_boxes list : Polyhedron.ifs =
+  let faces k (_, faces) = List.map (fun (n, f) -> (n, Array.of_list (List.map (fun v -> (8 * k) + v) f))) faces in
+  {
+    ifs_vertices = Array.of_list (List.concat_map fst list);
+    ifs_faces = Array.of_list (List.concat (List.mapi faces list));
+  }
+
+let turned (vertices, faces) = (vertices, List.map (fun (n, f) -> (n, List.rev f)) faces)
+
+let verdict (set : Polyhedron.ifs) =
+  match Decomposed.make set with
+  | Ok t -> Printf.sprintf "%d parts" (Array.length t.parts)
+  | Error Separate -> "separate"
+  | Error Too_many -> "too many"
+  | Error (Unsound (Cut (f, g, x))) ->
+    Printf.sprintf "%s and %s at %s" (fst set.ifs_faces.(f)) (fst set.ifs_faces.(g)) (Vec.to_string x)
+  | Error (Unsound (Structure (fault :: _))) -> Polyhedron_fault.kind fault
+  | Error (Unsound (Structure [])) -> "nothing"
+
+let refused name expected set =
+  Alcotest.test_case name `Quick (fun () -> Alcotest.(check string) name expected (verdict set))
+
+let cube = box "a" (0, 0, 0) (4, 4, 4)
+let without n (set : Polyhedron.ifs) = { set with ifs_faces = Array.sub set.ifs_faces 0 (Array.length set.ifs_faces - n) }
+
+let moved v x (set : Polyhedron.ifs) =
+  { set with ifs_vertices = Array.mapi (fun i (n, y) -> (n, if i = v then vec x else y)) set.ifs_vertices }
+
+let verdicts =
+  let boxes = set_of_boxes in
+  let two x y = boxes [ cube; box "b" x y ] in
+  [
+    refused "a box" "1 parts" (boxes [ cube ]);
+    refused "a hollow" "6 parts" (boxes [ cube; turned (box "b" (1, 1, 1) (3, 3, 3)) ]);
+    refused "no faces" "no-faces" (without 6 (boxes [ cube ]));
+    refused "without a lid" "open-edge" (without 1 (boxes [ cube ]));
+    refused "inside out" "inward" (boxes [ turned cube ]);
+    refused "two boxes" "separate" (two (6, 0, 0) (7, 4, 4));
+    refused "a box in a box" "separate" (two (1, 1, 1) (3, 3, 3));
+    refused "boxes that cut each other" "aright and bbottom at (4, 2, 1)" (two (3, 1, 1) (5, 3, 3));
+    refused "boxes with a face on a face" "atop and bbottom at (2, 2, 4)" (two (1, 1, 4) (3, 3, 5));
+    refused "boxes that touch in an edge" "aback and bbottom at (4, 4, 1)" (two (4, 4, 1) (5, 5, 3));
+    refused "one place twice" "same-position" (moved 1 (0, 0, 0) (boxes [ cube ]));
+    refused "a corner that is off its faces" "off-plane" (moved 6 (5, 5, 5) (boxes [ cube ]));
+    refused "a corner through a face" "off-plane" (moved 6 (4, 4, -1) (boxes [ cube ]));
+  ]
+
 (* {1 Prisms} *)
 
 let prism_of cells =
@@ -251,6 +312,7 @@ let () =
           Alcotest.test_case "two shoulders of one bar" `Quick shoulders;
           Alcotest.test_case "what is no feature" `Quick flat_names;
         ] );
+      ("verdicts", verdicts);
       ( "prisms",
         [
           prism "a box" (Some 1) [ (0, 0, 0); (1, 0, 0) ];
@@ -261,8 +323,10 @@ let () =
       ( "properties",
         Property.cases
           [
-            property "points and names" names_are_right;
-            property "parts have the volume of the whole" volume_is_kept;
+            property "points and names, in rows" (names_are_right parts);
+            property "points and names, decomposed" (names_are_right decomposed);
+            property "rows have the volume of the whole" (volume_is_kept parts);
+            property "what is decomposed has the volume of the whole" (volume_is_kept decomposed);
             QCheck2.Test.make ~count:60 ~name:"prisms keep the volume"
               ~print:QCheck2.Print.(list (triple int int int))
               flat_cells
