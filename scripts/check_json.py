@@ -379,6 +379,9 @@ def check_shapes(scc):
             text = text_of(run(scc, "shape", mesh, *options, "--json"))
             name = "diagnostics" if '"scc-diagnostics"' in text else "shape"
             check(name, text, f"shape {mesh} {options[0]}")
+        text = text_of(run(scc, "decompose", mesh, "--json"))
+        name = "diagnostics" if '"scc-diagnostics"' in text else "decomposition"
+        check(name, text, f"decompose {mesh}")
     for model in ["specs/models/hexokinase.sc:Cube", "specs/models/hexokinase.sc:Nothing"]:
         result = run(scc, "shape", model, "--json")
         check("shape" if result.returncode == 0 else "diagnostics", text_of(result), f"shape {model}")

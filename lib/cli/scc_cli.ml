@@ -24,6 +24,7 @@ let commands =
     Diff_command.command;
     Shape_command.command;
     Inflate_command.command;
+    Decompose_command.command;
     Oracle_command.command;
     Fmt_command.command;
   ]

@@ -1,4 +1,3 @@
-open Scc_data
 open Scc_exact
 open Scc_geometry
 
@@ -9,32 +8,9 @@ let limit = 10_000
 
 (* {1 In one piece} *)
 
-let oriented (p : Polyhedron.t) f =
-  let corners = Array.map (fun v -> snd p.vertices.(v)) (snd p.faces.(f)) in
-  let n = Vec.cross (Vec.sub corners.(1) corners.(0)) (Vec.sub corners.(2) corners.(0)) in
-  (Ivec.primitive (fst (Ivec.of_vec n)), corners)
-
 let connected list =
   let parts = Array.of_list list in
-  let joined = Union_find.create (Array.length parts) in
-  let at = Hashtbl.create 256 in
-  let key n x = Ivec.to_string n ^ " " ^ Rat.to_string (Vec.dot (Ivec.to_vec n) x) in
-  let each use =
-    Array.iteri
-      (fun k (p : Polyhedron.t) -> Array.iteri (fun f _ -> let n, corners = oriented p f in use k n corners) p.faces)
-      parts
-  in
-  each (fun k n corners -> Hashtbl.add at (key n corners.(0)) (k, corners));
-  let join k n corners =
-    let back = Ivec.neg n in
-    let meets (l, others) =
-      if Union_find.find joined k <> Union_find.find joined l && Shown.share (Ivec.to_vec back) others corners then
-        ignore (Union_find.union joined k l)
-    in
-    List.iter meets (Hashtbl.find_all at (key back corners.(0)))
-  in
-  each join;
-  Array.for_all Fun.id (Array.init (Array.length parts) (fun k -> Union_find.find joined k = Union_find.find joined 0))
+  List.length (Joints.forest parts) = Array.length parts - 1
 
 let volume list =
   List.fold_left (fun sum p -> Rat.add sum (Mass_properties.of_polyhedron p).volume) Rat.zero list

@@ -196,3 +196,22 @@ let closure t = function
     @ List.map (fun v -> Corner v) t.corners_of_region.(r)
   | Border b -> Border b :: List.map (fun v -> Corner v) t.borders.(b).ends
   | Corner v -> [ Corner v ]
+
+let reflex_edges t =
+  let reflex = Array.make (Array.length t.borders) false in
+  let face i (_, face) =
+    let r = t.region_of_face.(i) in
+    let edge (u, v) =
+      match Hashtbl.find_opt t.border_of_edge (edge_key u v) with
+      | None -> ()
+      | Some b -> (
+          match List.find_opt (fun other -> other <> r) t.borders.(b).between with
+          | None -> ()
+          | Some other ->
+            let turn = Ivec.to_vec (Ivec.cross t.regions.(r).normal t.regions.(other).normal) in
+            if Rat.sign (Vec.dot turn (Vec.sub (place t.set v) (place t.set u))) < 0 then reflex.(b) <- true)
+    in
+    List.iter edge (Polygon.edges face)
+  in
+  Array.iteri face t.set.ifs_faces;
+  Array.fold_left (fun n r -> if r then n + 1 else n) 0 reflex

@@ -1,10 +1,12 @@
 open Scc_exact
 open Scc_geometry
+open Scc_decompose
 
 module Points = Hashtbl.Make (Vec)
 
 type t = {
   drawn : Drawn.t;
+  planes : Plane.t array;  (* of regions *)
   by_plane : (string, int) Hashtbl.t;  (* the regions of each plane *)
   by_sides : (int * int, int) Hashtbl.t;  (* the borders between two regions *)
   corner_at : int Points.t;
@@ -21,17 +23,16 @@ let make (d : Drawn.t) =
        match border.between with [ r; s ] -> Hashtbl.add by_sides (r, s) b | _ -> ())
     d.borders;
   Array.iteri (fun v corner -> if corner then Points.replace corner_at (snd d.set.ifs_vertices.(v)) v) d.corners;
-  { drawn = d; by_plane; by_sides; corner_at; regions_at = Points.create 64 }
-
-(* The region's plane holds the point. *)
-let in_plane (region : Drawn.region) x = Rat.equal (Vec.dot (Ivec.to_vec region.normal) x) region.level
+  let plane (region : Drawn.region) = Plane.make region.normal (Place.of_vec (List.hd region.pieces).(0)) in
+  { drawn = d; planes = Array.map plane d.regions; by_plane; by_sides; corner_at; regions_at = Points.create 64 }
 
 let regions_at t x =
   match Points.find_opt t.regions_at x with
   | Some list -> list
   | None ->
+    let place = Place.of_vec x in
     let all = List.init (Array.length t.drawn.regions) Fun.id in
-    let list = List.filter (fun r -> in_plane t.drawn.regions.(r) x) all in
+    let list = List.filter (fun r -> Plane.side t.planes.(r) place = 0) all in
     Points.add t.regions_at x list;
     list
 

@@ -25,17 +25,17 @@ let obj (set : Polyhedron.ifs) =
   Array.iter face set.ifs_faces;
   Buffer.contents b
 
-(* A name of the language, from that of the file. *)
-let template ~path (set : Polyhedron.ifs) =
+let name_of ~path =
   let name = Filename.remove_extension (Filename.basename path) in
   let plain = String.map (function ('a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_') as c -> c | _ -> '_') name in
-  let name =
-    match plain with
-    | "" -> "Solid"
-    | s when s.[0] >= 'a' && s.[0] <= 'z' -> String.capitalize_ascii s
-    | s when s.[0] >= 'A' && s.[0] <= 'Z' -> s
-    | s -> "Solid" ^ s
-  in
+  match plain with
+  | "" -> "Solid"
+  | s when s.[0] >= 'a' && s.[0] <= 'z' -> String.capitalize_ascii s
+  | s when s.[0] >= 'A' && s.[0] <= 'Z' -> s
+  | s -> "Solid" ^ s
+
+let template ~path (set : Polyhedron.ifs) =
+  let name = name_of ~path in
   let b = Buffer.create 4096 in
   Printf.bprintf b "shape %s {\n  vertices\n" name;
   Array.iter (fun (n, v) -> Printf.bprintf b "    %s %s\n" n (Vec.to_string v)) set.ifs_vertices;

@@ -8,3 +8,6 @@ val endings : string list
 
 val to_file : path:string -> (Polyhedron.ifs -> string) option
 (** By the ending of the name. OBJ files name faces, as groups; OFF files lose all names; a template keeps them. *)
+
+val name_of : path:string -> string
+(** A name of the language for what a file has: its name without the ending, with a capital. *)

@@ -16,6 +16,7 @@ Every mistake on the command line ends with exit code 64, whatever the command, 
   $ scc check cube.sc --witness runs > check.out 2>&1
   $ scc trace cube.sc -o run.jsonl 2> /dev/null
   $ scc explore cube.sc -o graph.aut 2> /dev/null
+  $ scc shape cube.sc:Cube -o box.off > /dev/null
 
 The arguments of each command that make it succeed, without options:
 
@@ -31,12 +32,13 @@ The arguments of each command that make it succeed, without options:
   >     diff) echo run.jsonl run.jsonl ;;
   >     shape) echo cube.sc:Cube ;;
   >     inflate) echo icon.pbm ;;
+  >     decompose) echo box.off ;;
   >     oracle) ;;
   >   esac
   > }
-  $ commands='check trace view export explore explain compare conform diff shape inflate oracle fmt'
+  $ commands='check trace view export explore explain compare conform diff shape inflate decompose oracle fmt'
   $ scc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | sort | xargs
-  check compare conform diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace view
+  check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace view
   $ for c in $commands; do scc $c $(arguments $c) < /dev/null > out 2> err || echo "$c: $?"; done
 
 misuse WORDS: each of those commands, with its arguments and these words. What does not end with 64, or says nothing,

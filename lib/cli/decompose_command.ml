@@ -1,0 +1,147 @@
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_drawn
+open Scc_session
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+(* {1 Faults} *)
+
+let structure (set : Polyhedron.ifs) fault =
+  let name array i = if i >= 0 && i < Array.length array then fst array.(i) else string_of_int i in
+  let vertex = name set.ifs_vertices and face = name set.ifs_faces in
+  Diag.error (Polyhedron_fault.code fault) Span.none ?hint:(Polyhedron_fault.hint ~vertex ~face fault) "%s"
+    (Polyhedron_fault.message ~vertex ~face fault)
+
+let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
+  | Unsound (Structure faults) -> List.map (structure set) faults
+  | Unsound (Cut (f, g, x)) ->
+    let name i = fst set.ifs_faces.(i) in
+    [
+      Diag.error Code.crossing_faces Span.none
+        "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both" (name f) (name g)
+        (Vec.to_string x);
+    ]
+  | Separate ->
+    [
+      Diag.error Code.several_solids Span.none
+        "these faces bound several solids that no face joins, or a hollow whose faces are turned the wrong way"
+        ~hint:"each of several solids needs a file of its own";
+    ]
+  | Too_many ->
+    [ Diag.error Code.too_deep Span.none "more than %d convex parts are needed" Decomposed.limit ]
+
+(* {1 Report} *)
+
+let counted n one many = Printf.sprintf "%d %s" n (if n = 1 then one else many)
+
+let most_listed = 40
+
+let text ~name (t : Parts.t) =
+  let b = Buffer.create 1024 in
+  let drawn = t.drawn in
+  Printf.bprintf b "%s: %s, %s, volume %s\n" name
+    (counted (Array.length drawn.regions) "plane face" "plane faces")
+    (counted (Drawn.reflex_edges drawn) "reflex edge" "reflex edges")
+    (Rat.to_string (Drawn.volume drawn.set));
+  let joints = Joints.forest (Array.map snd t.parts) in
+  Printf.bprintf b "%s, %s\n" (counted (Array.length t.parts) "convex part" "convex parts")
+    (counted (List.length joints) "joint" "joints");
+  let part k (name, (p : Polyhedron.t)) =
+    if k < most_listed then
+      Printf.bprintf b "  %s: %d corners, %d faces, volume %s\n" name (Array.length p.vertices) (Array.length p.faces)
+        (Rat.to_string (Mass_properties.of_polyhedron p).volume)
+  in
+  Array.iteri part t.parts;
+  let more = Array.length t.parts - most_listed in
+  if more > 0 then Printf.bprintf b "  and %d more\n" more;
+  Buffer.contents b
+
+(* {1 The command} *)
+
+let formats =
+  [
+    (".sc", fun ~path ~mass t -> Written_parts.compound ~name:(Scc_mesh.Written.name_of ~path) ~mass t);
+    (".obj", fun ~path:_ ~mass:_ t -> Written_parts.obj t);
+  ]
+
+let writer path =
+  let base = String.lowercase_ascii (Filename.basename path) in
+  List.find_opt (fun (ending, _) -> Filename.check_suffix base ending) formats
+
+let decompose console ~mass output path =
+  let* source = Input.text console path in
+  let* set = Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source)) in
+  let* t = Result.map_error (diagnostics set) (Decomposed.make set) in
+  Console.answer console
+    ~text:(fun () -> text ~name:path t)
+    ~json:(fun () -> Scc_exchange.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) t);
+  match output with
+  | None -> Ok Exit_code.Holds
+  | Some (path, write) ->
+    let mass = match mass with Some m -> m | None -> Drawn.volume t.drawn.set in
+    let* () = Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put (write ~path ~mass t))) in
+    Ok Exit_code.Holds
+
+let run color json mass output path =
+  let console = Console.make ~color ~json () in
+  let go output = Guard.run console (fun () -> decompose console ~mass output path) in
+  match output with
+  | None -> go None
+  | Some file -> (
+      match writer file with
+      | Some (_, write) -> go (Some (file, write))
+      | None ->
+        Guard.usage
+          (Printf.sprintf "`%s' does not tell a format that parts are written in, by its ending: %s" file
+             (String.concat ", " (List.map fst formats))))
+
+let mesh =
+  let doc = "A polyhedron file, in any format that $(b,scc shape) reads." in
+  Arg.(required & pos 0 (some string) None & info [] ~docv:"MESH" ~doc)
+
+let output =
+  let doc =
+    "Writes the parts to $(docv), exactly. The ending of the name tells the format: $(b,.sc), a compound of the \
+     language with a template for each part, glued where they touch; or $(b,.obj), each part an object."
+  in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+
+let mass =
+  let doc = "The mass of the whole in $(b,-o) $(i,OUT).sc; its volume by default. Parts share it by their volumes." in
+  Arg.(value & opt (some (Options.positive "mass")) None & info [ "mass" ] ~docv:"M" ~doc)
+
+let man =
+  [
+    `S Manpage.s_description;
+    `P
+      "Cuts a closed polyhedron into convex parts, exactly: they have no inner point in common, and are together the \
+       solid, to the last digit. It need not be convex, and may have holes and hollows; faces that cross each other, \
+       that are not flat, or that leave a gap are refused, with the place.";
+    `P
+      "A prism over a polygon without holes has as few parts as cuts between its corners allow. Any other solid is \
+       cut by planes of its own faces, and parts are joined while they stay convex: with $(i,r) reflex edges there \
+       are about as many parts, and no bound that is better than 2 to the power of the number of planes. Parts are cut \
+       further where one of their faces would lie in two faces of the solid, so that a name of a face means that face.";
+    `P
+      "In a model, $(b,compound C = decompose \"FILE\" mass 1) is the same, and the names of the faces of the file are \
+       names of features.";
+  ]
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples;
+    `Pre "  scc decompose bracket.obj";
+    `Pre "  scc decompose bracket.obj -o bracket.sc --mass 3";
+    `Pre "  scc decompose bracket.off --json";
+  ]
+
+let command =
+  let exits =
+    Exits.man () ~never:[ Violated; Undecided ]
+      ~told:[ (Holds, "if there are such parts."); (Invalid, "if the mesh bounds no solid, or cannot be read.") ]
+  in
+  Cmd.v
+    (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man ~exits)
+    Term.(const run $ Options.color $ Options.json $ mass $ output $ mesh)

@@ -1,0 +1,169 @@
+A solid like the letter L, in two parts, as many as it needs:
+
+  $ cat > ell.off <<'END'
+  > OFF
+  > 12 8 0
+  > 0 0 0
+  > 2 0 0
+  > 2 0 1
+  > 1 0 1
+  > 1 0 2
+  > 0 0 2
+  > 0 2 0
+  > 2 2 0
+  > 2 2 1
+  > 1 2 1
+  > 1 2 2
+  > 0 2 2
+  > 6 0 1 2 3 4 5
+  > 6 6 11 10 9 8 7
+  > 4 0 6 7 1
+  > 4 1 7 8 2
+  > 4 2 8 9 3
+  > 4 3 9 10 4
+  > 4 4 10 11 5
+  > 4 5 11 6 0
+  > END
+  $ scc decompose ell.off -o ell.sc --mass 12
+  ell.off: 8 plane faces, 1 reflex edge, volume 6
+  2 convex parts, 1 joint
+    p1: 8 corners, 6 faces, volume 3
+    p2: 8 corners, 6 faces, volume 3
+
+What is written is a compound, whose parts share the mass by their volumes:
+
+  $ cat ell.sc
+  shape Ell_p1 {
+    vertices
+      v0 (0, 0, 0)
+      v5 (0, 0, 2)
+      v6 (0, 2, 0)
+      v11 (0, 2, 2)
+      v3 (1, 0, 1)
+      v4 (1, 0, 2)
+      v9 (1, 2, 1)
+      v10 (1, 2, 2)
+    faces
+      f7 [v0, v5, v11, v6]
+      cut1 [v0, v6, v9, v3]
+      f0 [v0, v3, v4, v5]
+      f6 [v5, v4, v10, v11]
+      f1 [v6, v11, v10, v9]
+      f5 [v3, v9, v10, v4]
+  }
+  
+  shape Ell_p2 {
+    vertices
+      v0 (0, 0, 0)
+      v6 (0, 2, 0)
+      v3 (1, 0, 1)
+      v9 (1, 2, 1)
+      v1 (2, 0, 0)
+      v2 (2, 0, 1)
+      v7 (2, 2, 0)
+      v8 (2, 2, 1)
+    faces
+      f2 [v0, v6, v7, v1]
+      cut2 [v0, v3, v9, v6]
+      f0 [v0, v1, v2, v3]
+      f1 [v6, v9, v8, v7]
+      f4 [v3, v2, v8, v9]
+      f3 [v1, v7, v8, v2]
+  }
+  
+  compound Ell {
+    part p1 : Ell_p1 mass 6
+    part p2 : Ell_p2 mass 6
+    glue p1.cut1 ~ p2.cut2
+  }
+  $ cat > model.sc <<'END'
+  > import "ell.sc"
+  > process p = ell.Ell velocity (1, 0, 0) [nil]
+  > check whole : always x(p) = 5/6 + time
+  > END
+  $ scc check model.sc --time 1 2> /dev/null | grep -v '^$'
+  semantics 2
+  whole: holds (exhaustive)
+    always x(p) = 5/6 + time
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  1 property: 1 holds
+
+The same in one word; mass, centre and all that follows from them are equal:
+
+  $ cat > word.sc <<'END'
+  > compound Ell = decompose "ell.off" mass 12
+  > process p = Ell velocity (1, 0, 0) [nil]
+  > check whole : always x(p) = 5/6 + time
+  > END
+  $ scc check word.sc --time 1 2> /dev/null | grep -v '^$'
+  semantics 2
+  whole: holds (exhaustive)
+    always x(p) = 5/6 + time
+  explored: 1 state, 0 transitions, depth 0, model time 0; complete
+  1 property: 1 holds
+
+As OBJ, each part an object:
+
+  $ scc decompose ell.off -o ell.obj > /dev/null && grep -c '^v ' ell.obj && grep '^o' ell.obj
+  16
+  o p1
+  o p2
+
+A convex one stays whole. The names of faces are those of the file.
+
+  $ scc decompose ../../specs/models/parts/clamp.obj | head -n 2
+  ../../specs/models/parts/clamp.obj: 10 plane faces, 2 reflex edges, volume 32
+  3 convex parts, 2 joints
+  $ scc shape --hull ell.off -o hull.off > /dev/null && scc decompose hull.off
+  hull.off: 7 plane faces, 0 reflex edges, volume 7
+  1 convex part, 0 joints
+    p1: 10 corners, 7 faces, volume 7
+  $ scc decompose ell.off --json | grep -c '"format": "scc-decomposition"'
+  1
+
+What is refused, and why:
+
+  $ grep -v '^4 5 11 6 0' ell.off | sed 's/^12 8 0/12 7 0/' > open.off && scc decompose open.off
+  error[SC0302]: the solid is not closed: edge [v5,v0] belongs to one face only, f0
+  error[SC0302]: the solid is not closed: edge [v6,v11] belongs to one face only, f1
+  error[SC0302]: the solid is not closed: edge [v0,v6] belongs to one face only, f2
+  error[SC0302]: the solid is not closed: edge [v11,v5] belongs to one face only, f6
+  [3]
+  $ sed 's/^1 0 2$/1 0 -1/' ell.off > bent.off && scc decompose bent.off 2>&1 | head -n 3
+  error[SC0306]: face f0 is not a simple polygon: it crosses itself or winds more than once
+  error[SC0306]: face f5 is not a simple polygon: it crosses itself or winds more than once
+  error[SC0305]: face f6 is not planar: v10 is off its plane
+  $ cat > crossing.off <<'END'
+  > OFF
+  > 8 8 0
+  > 0 0 0
+  > 4 0 0
+  > 0 4 0
+  > 0 0 4
+  > 1 1 1
+  > 5 1 1
+  > 1 5 1
+  > 1 1 -5
+  > 3 0 2 1
+  > 3 0 1 3
+  > 3 0 3 2
+  > 3 1 2 3
+  > 3 4 5 6
+  > 3 4 7 5
+  > 3 4 6 7
+  > 3 5 7 6
+  > END
+  $ scc decompose crossing.off
+  error[SC0337]: the faces `f0` and `f5` have the point (2, 1, 0) in common, which is at no edge or corner of both
+  [3]
+  $ sed 's/^1 1 1$/11 1 1/; s/^5 1 1/15 1 1/; s/^1 5 1/11 5 1/; s/^1 1 -5/11 1 -5/' crossing.off > two.off
+  $ scc decompose two.off
+  error[SC0310]: these faces bound several solids that no face joins, or a hollow whose faces are turned the wrong way
+    hint: each of several solids needs a file of its own
+  [3]
+  $ scc decompose ell.off -o ell.stp
+  scc: `ell.stp' does not tell a format that parts are written in, by its ending: .sc, .obj
+  [64]
+  $ scc decompose nothing.off
+  nothing.off: error[SC0101]: cannot read: No such file or directory
+  [3]
