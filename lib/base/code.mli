@@ -141,6 +141,12 @@ val mesh_format : t
 val cannot_snap : t
 (** SC0322: a mesh without an exact solid near it. *)
 
+val flat_feature : t
+(** SC0336: a name of a vertex or an edge of a drawn solid that is inside one of its faces, or of a longer edge. *)
+
+val crossing_faces : t
+(** SC0337: two faces of a drawn solid that meet elsewhere than at edges and corners of both. *)
+
 val bad_picture : t
 (** SC0340: a picture that does not fit its format. *)
 
@@ -158,12 +164,6 @@ val several_pieces : t
 
 val cannot_inflate : t
 (** SC0345: a drawing that cannot be inflated as asked for. *)
-val flat_feature : t
-(** SC0336: a name of a vertex or an edge of a drawn solid that is inside one of its faces, or of a longer edge. *)
-
-val crossing_faces : t
-(** SC0337: two faces of a drawn solid that meet elsewhere than at edges and corners of both. *)
-
 
 (** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 
