@@ -11,6 +11,8 @@ let readers =
     ("vrml", "VRML", Vrml.read);
     ("x3dv", "X3D (classic)", Vrml.read);
     ("x3d", "X3D", X3d.read);
+    ("glb", "glTF", Gltf.read);
+    ("gltf", "glTF", Gltf.read);
   ]
 
 let formats = List.map (fun (ending, name, _) -> ("." ^ ending, name)) readers
@@ -27,6 +29,7 @@ let by_text text =
     String.length text >= n && String.equal (String.sub text 0 n) prefix
   in
   if List.exists begins [ "OFF"; "COFF"; "NOFF"; "STOFF"; "CNOFF" ] then Some Off.read
+  else if begins "glTF" || begins "{" then Some Gltf.read
   else if begins "solid" then Some Stl.read
   else if begins "ply" then Some Ply.read
   else if begins "#VRML" || begins "#X3D" then Some Vrml.read

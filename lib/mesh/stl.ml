@@ -2,29 +2,11 @@ open Scc_base
 open Scc_exact
 open Text
 
-module Points = Hashtbl.Make (Vec)
-
-(* Triangles as they come, over vertices that are numbered as they are first met. *)
-type soup = {
-  numbers : int Points.t;
-  mutable vertices : Vec.t list;  (* in reverse order *)
-  mutable faces : int array list;
-}
-
-let number soup v =
-  match Points.find_opt soup.numbers v with
-  | Some i -> i
-  | None ->
-    let i = Points.length soup.numbers in
-    Points.add soup.numbers v i;
-    soup.vertices <- v :: soup.vertices;
-    i
-
 let add soup a b c =
-  let a = number soup a in
-  let b = number soup b in
-  let c = number soup c in
-  if a <> b && b <> c && c <> a then soup.faces <- [| a; b; c |] :: soup.faces
+  let a = Soup.number soup a in
+  let b = Soup.number soup b in
+  let c = Soup.number soup c in
+  Soup.add soup a b c
 
 (* {1 ASCII} *)
 
@@ -116,7 +98,7 @@ let binary ~path text count soup =
 
 let read ~path text =
   let n = String.length text in
-  let soup = { numbers = Points.create 64; vertices = []; faces = [] } in
+  let soup = Soup.create () in
   let promised = if n >= 84 then Bytes_of.unsigned ~big_endian:false text 80 4 else 0 in
   (* Some writers begin binary files with `solid` too; text has no zero bytes. *)
   let starts_solid =
@@ -133,4 +115,4 @@ let read ~path text =
       error_at ~path 0 "the header promises %d triangles, which take %d bytes, but the file has %d" promised
         (84 + (50 * promised)) n
   in
-  Ok (Merge_coplanar.merge (ifs soup.vertices soup.faces))
+  Ok (Soup.solid soup)

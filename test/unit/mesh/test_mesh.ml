@@ -51,8 +51,8 @@ let referring =
   "<X3D><IndexedFaceSet ccw='&#x74;rue' coordIndex='0 2 1&#32;&#45;1, 0 1 3 -1&#x2C;0 3 2 -1 1 2 3'>\n\
    <Coordinate point='0 &#45;0 0, 1&#46;25 0 0, 0 1 0, 0&#x20;0&#32;2'/></IndexedFaceSet></X3D>\n"
 
-let points = [| [ 0.; 0.; 0. ]; [ 1.25; 0.; 0. ]; [ 0.; 1.; 0. ]; [ 0.; 0.; 2. ] |]
-let corners = [ [ 0; 2; 1 ]; [ 0; 1; 3 ]; [ 0; 3; 2 ]; [ 1; 2; 3 ] ]
+let points = Gltf_files.points
+let corners = Gltf_files.corners
 
 let stl =
   let vertex i = "   vertex " ^ String.concat " " (List.map (Printf.sprintf "%.17e") points.(i)) ^ "\n" in
@@ -61,7 +61,7 @@ let stl =
   in
   "solid it\n" ^ String.concat "" (List.map facet corners) ^ "endsolid it\n"
 
-let float32 add b x = add b (Int32.bits_of_float x)
+let float32 = Gltf_files.float32
 
 let stl_binary count =
   let b = Buffer.create 300 in
@@ -123,7 +123,6 @@ let files =
 let stl_files =
   [ ("STL", "t.stl", stl); ("STL, CRLF", "t.stl", crlf stl); ("STL, binary", "t.stl", stl_binary 4) ]
   |> List.concat_map marked
-
 let by_first_use = [ "(0, 0, 0)"; "(0, 1, 0)"; "(5/4, 0, 0)"; "(0, 0, 2)"; "0 1 2"; "0 2 3"; "0 3 1"; "2 1 3" ]
 
 let good expected (name, path, text) =
@@ -136,6 +135,17 @@ let good expected (name, path, text) =
       Alcotest.(check string) "names" "v0 f3" (fst ifs.ifs_vertices.(0) ^ " " ^ fst ifs.ifs_faces.(3))
   in
   Alcotest.test_case name `Quick test
+
+(* A node that mirrors turns the faces over. *)
+let test_mirrored () =
+  match read "t.gltf" Gltf_files.mirrored with
+  | Error d -> Alcotest.fail d.Diag.message
+  | Ok set ->
+    Alcotest.(check (list string))
+      "the points" vertices
+      (List.sort String.compare (List.filteri (fun i _ -> i < 4) (describe set)) |> fun l ->
+       List.map (fun v -> List.find (String.equal v) l) vertices);
+    Alcotest.(check bool) "accepted" true (Result.is_ok (Polyhedron.of_ifs set))
 
 (* {1 Exactness} *)
 
@@ -299,7 +309,7 @@ let naming () =
 (* {1 Noise: any answer will do, but no exception} *)
 
 let mangled =
-  let texts = List.map (fun (_, path, text) -> (path, text)) (files @ stl_files) in
+  let texts = List.map (fun (_, path, text) -> (path, text)) (files @ stl_files @ Gltf_files.files) in
   let pieces =
     [ "-"; "9"; "1e9"; " "; "\n"; "{"; "]"; "<"; "'"; "\x00"; "nan"; "/"; "-1"; "3"; "element face 9\n" ]
   in
@@ -328,8 +338,9 @@ let no_exception =
 let () =
   Alcotest.run "mesh"
     [
-      ("formats", List.map (good tetrahedron) files @ List.map (good by_first_use) stl_files);
+      ("formats", List.map (good tetrahedron) files @ List.map (good by_first_use) (stl_files @ Gltf_files.files));
+      ("mirrors", [ Alcotest.test_case "of glTF" `Quick test_mirrored ]);
       ("exactness", [ Alcotest.test_case "numbers" `Quick test_exact ]);
       ("names", [ Alcotest.test_case "of faces" `Quick naming ]);
-      ("bad files", List.map bad_case bad); ("noise", [ Scc_test_support.Property.case no_exception ]);
+      ("bad files", List.map bad_case (bad @ Gltf_files.bad)); ("noise", [ Scc_test_support.Property.case no_exception ]);
     ]

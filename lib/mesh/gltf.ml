@@ -1,0 +1,221 @@
+open Scc_exact
+open Text
+module J = Gltf_json
+
+(* {1 The two chunks of a GLB file} *)
+
+let u32 text offset = Bytes_of.unsigned ~big_endian:false text offset 4
+let json_chunk = 0x4E4F534A
+let binary_chunk = 0x004E4942
+
+let chunk ~path text offset =
+  let n = String.length text in
+  if offset + 8 > n then error_at ~path (min n offset) "the file ends within the head of a chunk"
+  else
+    let length = u32 text offset in
+    if offset + 8 + length > n then
+      error_at ~path offset "the chunk promises %d bytes, but the file has only %d more" length (n - offset - 8)
+    else Ok (u32 text (offset + 4), String.sub text (offset + 8) length, offset + 8 + length)
+
+let is_binary text = String.length text >= 4 && String.equal (String.sub text 0 4) "glTF"
+
+let parts ~path text =
+  if not (is_binary text) then Ok (text, None)
+  else if String.length text < 12 then error_at ~path 0 "the file ends within its head of 12 bytes"
+  else if u32 text 4 <> 2 then error_at ~path 4 "only version 2 of GLB is read, not %d" (u32 text 4)
+  else
+    let* kind, json, next = chunk ~path text 12 in
+    if kind <> json_chunk then error_at ~path 16 "the first chunk of a GLB file is to be JSON"
+    else if next >= String.length text then Ok (json, None)
+    else
+      let* kind, data, _ = chunk ~path text next in
+      Ok (json, if kind = binary_chunk then Some data else None)
+
+(* {1 Places of nodes: x goes to linear x + shift} *)
+
+type place = { linear : Mat.t; shift : Vec.t }
+
+let here = { linear = Mat.identity; shift = Vec.zero }
+let move p v = Vec.add (Mat.apply p.linear v) p.shift
+let inside outer inner = { linear = Mat.mul outer.linear inner.linear; shift = move outer inner.shift }
+
+(* Numbers grow with each node that is inside of another. *)
+let max_bits = 4_000
+
+let too_long p =
+  let row (r : Vec.t) = Vec.bits r > max_bits in
+  row p.linear.r0 || row p.linear.r1 || row p.linear.r2 || row p.shift
+
+let vector a = Vec.make a.(0) a.(1) a.(2)
+
+let numbers_or default name node =
+  match J.member name node with
+  | None -> Ok default
+  | Some list -> J.numbers (Array.length default) list
+
+let of_matrix list =
+  (* by columns *)
+  let* m = J.numbers 16 list in
+  let row i = Vec.make m.(i) m.(4 + i) m.(8 + i) in
+  let last = Array.init 4 (fun k -> m.((4 * k) + 3)) in
+  if Array.for_all2 Rat.equal last [| Rat.zero; Rat.zero; Rat.zero; Rat.one |] then
+    Ok { linear = Mat.make (row 0) (row 1) (row 2); shift = vector (Array.sub m 12 3) }
+  else J.fail list "the last row of the matrix is to be 0 0 0 1"
+
+let of_parts node =
+  let zero = Rat.zero and one = Rat.one in
+  let* shift = numbers_or [| zero; zero; zero |] "translation" node in
+  let* turn = numbers_or [| zero; zero; zero; one |] "rotation" node in
+  let* scale = numbers_or [| one; one; one |] "scale" node in
+  match Mat.of_quaternion (turn.(3), turn.(0), turn.(1), turn.(2)) with
+  | Some m -> Ok { linear = Mat.mul m (Mat.diagonal (vector scale)); shift = vector shift }
+  | None -> J.fail node "the quaternion 0 is no rotation"
+
+let place node =
+  match J.member "matrix" node with
+  | Some m -> of_matrix m
+  | None -> of_parts node
+
+(* {1 Meshes} *)
+
+type file = { data : Gltf_data.t; meshes : J.t array; nodes : J.t array; seen : bool array; soup : Soup.t }
+
+let points = 0
+let triangles = 4
+let strip = 5
+let fan = 6
+
+(* Calls with the corners of each triangle, counter-clockwise from outside. *)
+let each_triangle mode corners put =
+  let n = Array.length corners in
+  let c i = corners.(i) in
+  if mode = triangles then
+    for k = 0 to (n / 3) - 1 do
+      put (c (3 * k)) (c ((3 * k) + 1)) (c ((3 * k) + 2))
+    done
+  else if mode = strip then
+    for k = 0 to n - 3 do
+      if k land 1 = 0 then put (c k) (c (k + 1)) (c (k + 2)) else put (c (k + 1)) (c k) (c (k + 2))
+    done
+  else if mode = fan then
+    for k = 1 to n - 2 do
+      put (c 0) (c k) (c (k + 1))
+    done
+
+let primitive file at p =
+  let* () = Gltf_data.spend file.data p 1 in
+  let* mode = J.index_or triangles "mode" p in
+  let* attributes = J.needed "attributes" p in
+  if mode <> points && (mode < triangles || mode > fan) then
+    J.fail p "the mesh is made of lines (mode %d), and a solid is made of triangles" mode
+  else
+    match J.member "POSITION" attributes with
+    | None -> J.fail p "the vertices have no positions"
+    | Some name ->
+      let* positions = Gltf_data.positions file.data name in
+      let count = Array.length positions in
+      let* corners =
+        match J.member "indices" p with
+        | Some name -> Gltf_data.indices file.data name ~below:count
+        | None -> Ok (Array.init count Fun.id)
+      in
+      let n = Array.length corners in
+      if mode = triangles && n mod 3 <> 0 then J.fail p "%d corners are not whole triangles" n
+      else
+        let numbers = Array.map (fun v -> Soup.number file.soup (move at v)) positions in
+        (* A mirror turns counter-clockwise into clockwise. *)
+        let mirrored = Rat.sign (Mat.det at.linear) < 0 in
+        each_triangle mode corners (fun a b c ->
+            let a = numbers.(a) and b = numbers.(b) and c = numbers.(c) in
+            if mirrored then Soup.add file.soup a c b else Soup.add file.soup a b c);
+        Ok ()
+
+let all f list = Result.map ignore (map f (Array.to_list list))
+
+let mesh file at m =
+  let* weights = J.items "weights" m in
+  let* () =
+    let rest w = Result.map (fun w -> Rat.sign w = 0) (J.number w) in
+    let* at_rest = map rest (Array.to_list weights) in
+    if List.for_all Fun.id at_rest then Ok () else J.fail m "a morphed mesh is not read"
+  in
+  let* primitives = J.items "primitives" m in
+  all (primitive file at) primitives
+
+let max_depth = 1000
+
+let rec node file depth at name =
+  let* n, i = J.nth file.nodes ~what:"node" name in
+  if file.seen.(i) then J.fail n "the node is used twice, or is inside of itself"
+  else if depth > max_depth then J.fail n "nodes are inside of each other more than %d deep" max_depth
+  else (
+    file.seen.(i) <- true;
+    let* own = place n in
+    let at = inside at own in
+    if too_long at then J.fail n "the numbers of the places of nodes inside of each other get too long"
+    else
+      let* () =
+        match (J.member "skin" n, J.member "weights" n, J.member "mesh" n) with
+        | Some skin, _, _ -> J.fail skin "a mesh on a skeleton is not read"
+        | None, Some weights, _ -> J.fail weights "a morphed mesh is not read"
+        | None, None, None -> Ok ()
+        | None, None, Some name ->
+          let* () = Gltf_data.spend file.data n 1 in
+          let* m, _ = J.nth file.meshes ~what:"mesh" name in
+          mesh file at m
+      in
+      let* children = J.items "children" n in
+      all (node file (depth + 1) at) children)
+
+(* The nodes that are inside of no other. *)
+let roots nodes =
+  let inner = Array.make (Array.length nodes) false in
+  let mark n =
+    let* children = J.items "children" n in
+    all (fun c -> Result.map (fun (_, i) -> inner.(i) <- true) (J.nth nodes ~what:"node" c)) children
+  in
+  let* () = all mark nodes in
+  Ok (List.filter (fun i -> not inner.(i)) (List.init (Array.length nodes) Fun.id))
+
+let scene root file =
+  let* scenes = J.items "scenes" root in
+  let* chosen =
+    match J.member "scene" root with
+    | Some name -> Result.map (fun (s, _) -> Some s) (J.nth scenes ~what:"scene" name)
+    | None -> Ok (if Array.length scenes > 0 then Some scenes.(0) else None)
+  in
+  match chosen with
+  | Some s -> Result.bind (J.items "nodes" s) (all (node file 0 here))
+  | None when Array.length file.nodes > 0 ->
+    let* first = roots file.nodes in
+    Result.map ignore (map (fun i -> node file 0 here (J.of_index root i)) first)
+  | None -> all (mesh file here) file.meshes
+
+(* Extensions that a file cannot be read without, and that leave positions as they are. *)
+let harmless name =
+  let begins p = String.length name >= String.length p && String.equal (String.sub name 0 (String.length p)) p in
+  List.exists begins [ "KHR_materials_"; "KHR_texture_"; "KHR_lights_"; "EXT_texture_"; "MSFT_texture_" ]
+
+let check_head root =
+  let* version = Result.bind (Result.bind (J.needed "asset" root) (J.needed "version")) J.text in
+  if not (String.length version >= 2 && String.equal (String.sub version 0 2) "2.") then
+    J.fail root "only version 2 of glTF is read, not %s" (quote version)
+  else
+    let* needed = J.items "extensionsRequired" root in
+    let one e =
+      let* name = J.text e in
+      if harmless name then Ok () else J.fail e "the extension %s is not read" (quote name)
+    in
+    all one needed
+
+let read ~path text =
+  let* json, binary = parts ~path text in
+  let* root = J.parse ~path json in
+  let* () = check_head root in
+  let budget = ref (100_000 + (2 * String.length text)) in
+  let* data = Gltf_data.make ~path ~binary ~budget root in
+  let* meshes = J.items "meshes" root in
+  let* nodes = J.items "nodes" root in
+  let file = { data; meshes; nodes; seen = Array.make (Array.length nodes) false; soup = Soup.create () } in
+  let* () = scene root file in
+  Ok (Soup.solid file.soup)

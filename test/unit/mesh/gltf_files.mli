@@ -1,0 +1,16 @@
+(** The tetrahedron of the tests as glTF, whole and with faults. *)
+
+val points : float list array
+val corners : int list list
+
+val float32 : (Buffer.t -> int32 -> unit) -> Buffer.t -> float -> unit
+(** By a function of [Buffer] that adds four bytes. *)
+
+val files : (string * string * string) list
+(** Name of the test, path, and text; vertices are numbered as they are met. *)
+
+val mirrored : string
+(** The same solid behind a node that mirrors. *)
+
+val bad : (string * string * string * string) list
+(** The same with the place of the fault in the file, and its code. *)
