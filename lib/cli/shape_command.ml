@@ -43,6 +43,8 @@ let set console ~overrides argument =
     if Front_end.has_extension path then templates_of console path else mesh console path
 
 type options = {
+  mend : Mend_options.t;
+  round : bool;
   snap : Rat.t option;
   hull : bool;
   output : string option;
@@ -108,20 +110,46 @@ let snap_text ~gone (tolerance, (s : Snap.snapped)) =
       (fst s.set.ifs_vertices.(!far))
       (short s.moved.(!far)) s.bits over gone
 
-let report console argument ~gone ?snapped (set : Polyhedron.ifs) =
+let report console argument ~mended ~gone ?snapped (set : Polyhedron.ifs) =
   let r = Solid_report.make set in
   let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
-  let told = Option.fold ~none:"" ~some:(snap_text ~gone) snapped in
+  let mended = String.concat "" (List.map (fun line -> line ^ "\n") mended) in
+  let told = mended ^ Option.fold ~none:"" ~some:(snap_text ~gone) snapped in
   Console.answer console
     ~text:(fun () -> told ^ Solid_report.to_text ~name:argument r)
     ~json:(fun () ->
         Scc_exchange.Shape_json.document ~name:argument ~exit:(Exit_code.to_int code) ?snap:snapped r);
   code
 
-let write output code set =
+(* With --round, what is written is not quite what is reported on, and that is told. *)
+let to_write console ~round path set =
+  if not round then Ok set
+  else
+    match Scc_mesh.Written.rounded set with
+    | None ->
+      let at = Span.make ~file:path ~start:0 ~stop:0 in
+      Error [ Diag.error Code.cannot_write at "a coordinate is beyond the greatest 64-bit number" ]
+    | Some (set, 0, _) -> Ok set
+    | Some (set, moved, most) ->
+      Console.note console
+        (Printf.sprintf "%s: rounded: coordinates changed: %d, by at most %.3g; faces may not be quite flat" path
+           moved (Rat.to_float most));
+      Ok set
+
+let write console ~round output code set =
   match output with
-  | Some (path, text) when Exit_code.equal code Exit_code.Holds ->
-    Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put (text set)))
+  | Some (path, text) when Exit_code.equal code Exit_code.Holds -> (
+      let* set = to_write console ~round path set in
+      match text set with
+      | Ok text -> Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
+      | Error vertex ->
+        Error
+          [
+            Diag.error Code.cannot_write
+              (Span.make ~file:path ~start:0 ~stop:0)
+              "the coordinates of %s are no decimals, and files of this format have no fractions" vertex
+              ~hint:"with --round they are rounded to 64-bit numbers; .off and .obj keep fractions";
+          ])
   | Some _ | None -> Ok ()
 
 let draw o ~name set =
@@ -143,6 +171,7 @@ let show o ~name set =
 let shape console ~overrides o output argument =
   let* set = set console ~overrides argument in
   let* () = too_fine set in
+  let* set, mended = Mend_options.apply o.mend set in
   let* set = if o.hull then hull set else Ok set in
   let* snapped =
     match o.snap with
@@ -152,9 +181,9 @@ let shape console ~overrides o output argument =
   let corners = Array.length set.ifs_vertices in
   let set = match snapped with Some (_, s) -> s.set | None -> set in
   let gone = corners - Array.length set.ifs_vertices in
-  let code = report console argument ~gone ?snapped set in
+  let code = report console argument ~mended ~gone ?snapped set in
   (* One output that cannot be written keeps the others from nothing. *)
-  let written = [ draw o ~name:argument set; show o ~name:argument set; write output code set ] in
+  let written = [ draw o ~name:argument set; show o ~name:argument set; write console ~round:o.round output code set ] in
   match List.concat_map (function Ok () -> [] | Error d -> d) written with
   | [] -> Ok code
   | faults -> Error faults
@@ -165,6 +194,7 @@ let run color json overrides o argument =
   match o.output with
   | _ when (match o.snap with Some t -> Rat.sign t <= 0 | None -> false) ->
     Guard.usage "the distance of --snap is to be greater than 0"
+  | None when o.round -> Guard.usage "--round tells how -o writes"
   | None -> go None
   | Some path -> (
       match Scc_mesh.Written.to_file ~path with
@@ -209,11 +239,19 @@ let hull_option =
 
 let output =
   let doc =
-    "Writes the shape to $(docv), exactly (with fractions p/q, which other programs may not read), if it is \
-     accepted. The ending of the name tells the format: $(b,.off), $(b,.obj) (which keeps the names of faces), or \
-     $(b,.sc), a template for a model."
+    "Writes the shape to $(docv), exactly, if it is accepted. The ending of the name tells the format: $(b,.off), \
+     $(b,.obj) (which keeps the names of faces), $(b,.stl), $(b,.ply), or $(b,.sc), a template for a model. \
+     Coordinates are decimals; where a number has none, as 1/3, there is a fraction p/q, which other programs may \
+     not read, and STL and PLY are not written."
   in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+
+let round =
+  let doc =
+    "What $(b,-o) writes has the nearest 64-bit numbers as coordinates, for other programs; how many changed and by \
+     how much at most is told."
+  in
+  Arg.(value & flag & info [ "round" ] ~doc)
 
 let svg =
   let doc =
@@ -247,8 +285,10 @@ let drawn =
   Term.(term_result' ~usage:true (const one $ svg $ Picture_options.term))
 
 let options =
-  let make snap hull output page (svg, drawing) = { snap; hull; output; svg; page; drawing } in
-  Term.(const make $ snap_option $ hull_option $ output $ page $ drawn)
+  let make mend round snap hull output page (svg, drawing) =
+    { mend; round; snap; hull; output; svg; page; drawing }
+  in
+  Term.(const make $ Mend_options.term $ round $ snap_option $ hull_option $ output $ page $ drawn)
 
 let man =
   [
@@ -258,7 +298,8 @@ let man =
        is what a template has to be, with every fault; and each of the seven conditions of Definition 4.3 as \
        printed, with a witness where it fails. Then the numbers of vertices, edges and faces and, of an \
        accepted shape, the exact volume, centroid and inertia. $(b,--snap) makes exact what is rounded, \
-       $(b,--hull) makes a solid of points, $(b,-o) writes what came out, $(b,--svg) draws it, and $(b,--view) \
+       $(b,--hull) makes a solid of points, $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge) mend meshes of \
+       other programs, $(b,-o) writes what came out, $(b,--svg) draws it, and $(b,--view) \
        makes a page of it.";
   ]
   @ Options.diagnostics_man
@@ -268,6 +309,7 @@ let man =
     `Pre "  scc shape specs/models/hexokinase.sc:Cube --json";
     `Pre "  scc shape --snap 1e-5 snub_cube.off -o exact.obj";
     `Pre "  scc shape --hull --snap 1e-5 points.off -o solid.sc";
+    `Pre "  scc shape --weld --orient --merge scanned.ply -o solid.stl";
     `Pre "  scc shape broken.off --svg broken.svg --view broken.html";
   ]
 

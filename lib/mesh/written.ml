@@ -1,8 +1,7 @@
 open Scc_exact
 open Scc_geometry
 
-(* Other programs read decimals. *)
-let number q = match Scc_drawing.Decimal.exact q with Some text -> text | None -> Rat.to_string q
+let number q = Option.value ~default:(Rat.to_string q) (Decimal.exact q)
 
 let vertices b prefix (set : Polyhedron.ifs) =
   let one (_, (v : Vec.t)) = Printf.bprintf b "%s%s %s %s\n" prefix (number v.x) (number v.y) (number v.z) in
@@ -24,6 +23,72 @@ let obj (set : Polyhedron.ifs) =
   let face (name, c) = Printf.bprintf b "g %s\nf %s\n" name (words (fun v -> string_of_int (v + 1)) c) in
   Array.iter face set.ifs_faces;
   Buffer.contents b
+
+let ply (set : Polyhedron.ifs) =
+  let b = Buffer.create 4096 in
+  Printf.bprintf b "ply\nformat ascii 1.0\nelement vertex %d\n" (Array.length set.ifs_vertices);
+  List.iter (Printf.bprintf b "property double %s\n") [ "x"; "y"; "z" ];
+  Printf.bprintf b "element face %d\nproperty list uint uint vertex_indices\nend_header\n"
+    (Array.length set.ifs_faces);
+  vertices b "" set;
+  Array.iter (fun (_, c) -> Printf.bprintf b "%d %s\n" (Array.length c) (words string_of_int c)) set.ifs_faces;
+  Buffer.contents b
+
+(* The direction of a normal, rounded. It is scaled exactly before, so that no square is beyond all floats. *)
+let unit (n : Vec.t) =
+  let most = Rat.max (Rat.abs n.x) (Rat.max (Rat.abs n.y) (Rat.abs n.z)) in
+  if Rat.sign most = 0 then "0 0 0"
+  else
+    let part q = Rat.to_float (Rat.div q most) in
+    let x = part n.x and y = part n.y and z = part n.z in
+    let length = sqrt ((x *. x) +. (y *. y) +. (z *. z)) in
+    (* Adding 0 makes 0 of -0. *)
+    Printf.sprintf "%.9g %.9g %.9g" ((x /. length) +. 0.) ((y /. length) +. 0.) ((z /. length) +. 0.)
+
+(* Faces are convex: triangles that share the first corner cover them. *)
+let stl (set : Polyhedron.ifs) =
+  let b = Buffer.create 4096 in
+  let place v = snd set.ifs_vertices.(v) in
+  let corner (v : Vec.t) = Printf.bprintf b "      vertex %s %s %s\n" (number v.x) (number v.y) (number v.z) in
+  let triangle p q r =
+    Printf.bprintf b "  facet normal %s\n    outer loop\n" (unit (Vec.cross (Vec.sub q p) (Vec.sub r p)));
+    List.iter corner [ p; q; r ];
+    Printf.bprintf b "    endloop\n  endfacet\n"
+  in
+  let face (_, c) =
+    for k = 1 to Array.length c - 2 do
+      triangle (place c.(0)) (place c.(k)) (place c.(k + 1))
+    done
+  in
+  Printf.bprintf b "solid scc\n";
+  Array.iter face set.ifs_faces;
+  Printf.bprintf b "endsolid scc\n";
+  Buffer.contents b
+
+(* {1 Rounding} *)
+
+let rounded (set : Polyhedron.ifs) =
+  let moved = ref 0 and most = ref Rat.zero and beyond = ref None in
+  let round q =
+    match Decimal.rounded q with
+    | Some near ->
+      let d = Rat.abs (Rat.sub q near) in
+      if Rat.sign d > 0 then incr moved;
+      most := Rat.max !most d;
+      near
+    | None ->
+      beyond := Some q;
+      q
+  in
+  let one (name, (v : Vec.t)) =
+    let x = round v.x in
+    let y = round v.y in
+    (name, Vec.make x y (round v.z))
+  in
+  let set = { set with Polyhedron.ifs_vertices = Array.map one set.ifs_vertices } in
+  match !beyond with
+  | Some _ -> None
+  | None -> Some (set, !moved, !most)
 
 let name_of ~path =
   let name = Filename.remove_extension (Filename.basename path) in
@@ -48,11 +113,29 @@ let template ~path (set : Polyhedron.ifs) =
   Printf.bprintf b "}\n";
   Buffer.contents b
 
-let formats = [ (".off", fun ~path:_ set -> off set); (".obj", fun ~path:_ set -> obj set); (".sc", template) ]
-let endings = List.map fst formats
+type format = { ending : string; fractions : bool; write : path:string -> Polyhedron.ifs -> string }
+
+let formats =
+  [
+    { ending = ".off"; fractions = true; write = (fun ~path:_ set -> off set) };
+    { ending = ".obj"; fractions = true; write = (fun ~path:_ set -> obj set) };
+    { ending = ".stl"; fractions = false; write = (fun ~path:_ set -> stl set) };
+    { ending = ".ply"; fractions = false; write = (fun ~path:_ set -> ply set) };
+    { ending = ".sc"; fractions = true; write = template };
+  ]
+
+let endings = List.map (fun f -> f.ending) formats
+
+let without_decimal (set : Polyhedron.ifs) =
+  let lacks q = Option.is_none (Decimal.exact q) in
+  let bad (_, (v : Vec.t)) = lacks v.x || lacks v.y || lacks v.z in
+  Option.map fst (List.find_opt bad (Array.to_list set.ifs_vertices))
 
 let to_file ~path =
   let base = String.lowercase_ascii (Filename.basename path) in
-  Option.map
-    (fun (_, write) -> write ~path)
-    (List.find_opt (fun (ending, _) -> Filename.check_suffix base ending) formats)
+  let writer f set =
+    match if f.fractions then None else without_decimal set with
+    | None -> Ok (f.write ~path set)
+    | Some vertex -> Error vertex
+  in
+  Option.map writer (List.find_opt (fun f -> Filename.check_suffix base f.ending) formats)

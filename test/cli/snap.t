@@ -108,8 +108,8 @@ How far is told where that is too far, and what else is in the way.
   $ scc shape --snap 0 prism.off
   scc: the distance of --snap is to be greater than 0
   [64]
-  $ scc shape prism.off -o prism.stl
-  scc: `prism.stl' does not tell a format that shapes are written in, by its ending: .off, .obj, .sc
+  $ scc shape prism.off -o prism.step
+  scc: `prism.step' does not tell a format that shapes are written in, by its ending: .off, .obj, .stl, .ply, .sc
   [64]
   $ scc shape prism.off -o never.off > /dev/null
   [3]

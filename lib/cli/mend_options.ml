@@ -1,0 +1,61 @@
+open Scc_base
+open Scc_exact
+open Scc_mesh
+open Cmdliner
+
+type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }
+
+let grid =
+  let doc =
+    "Rounds every coordinate to the nearest multiple of $(docv), and tells how many vertices moved and how far. With \
+     $(b,--weld), points that fall together become one vertex."
+  in
+  let positive = function
+    | Some d when Rat.sign d <= 0 -> Error "the distance of --grid is to be greater than 0"
+    | d -> Ok d
+  in
+  let value = Arg.(value & opt (some Options.rational) None & info [ "grid" ] ~docv:"DISTANCE" ~doc) in
+  Term.(term_result' ~usage:true (const positive $ value))
+
+let flag name doc = Arg.(value & flag & info [ name ] ~doc)
+
+let weld =
+  flag "weld"
+    "Makes equal points one vertex, as many programs give every face corners of its own, and leaves out faces that \
+     have fewer than three corners then."
+
+let orient =
+  flag "orient"
+    "Turns faces over so that all are counter-clockwise from outside, and tells which. A piece within the box of \
+     another one may be a cavity: it stays inside out."
+
+let merge =
+  flag "merge"
+    "Makes one face of neighbouring faces that are in one plane, exactly: most files have triangles only, and a \
+     template has maximal faces."
+
+let term =
+  let make grid weld orient merge = { grid; weld; orient; merge } in
+  Term.(const make $ grid $ weld $ orient $ merge)
+
+let apply o set =
+  let step wanted f (set, told) =
+    if wanted then
+      let set, line = f set in
+      (set, line :: told)
+    else (set, told)
+  in
+  let start = match o.grid with Some d -> step true (Mend.on_grid d) (set, []) | None -> (set, []) in
+  let set, told = step o.weld Mend.weld start in
+  let oriented =
+    if not o.orient then Ok (set, told)
+    else
+      match Mend.orient set with
+      | Ok (set, line) -> Ok (set, line :: told)
+      | Error why -> Error [ Diag.error Code.overused_edge Span.none "the faces cannot be oriented: %s" why ]
+  in
+  Result.map
+    (fun done_ ->
+       let set, told = step o.merge Mend.merge done_ in
+       (set, List.rev told))
+    oriented

@@ -1,0 +1,230 @@
+open Scc_exact
+open Scc_geometry
+module Points = Hashtbl.Make (Vec)
+
+let count n one many = if n = 1 then "1 " ^ one else Printf.sprintf "%d %s" n many
+let vertices n = count n "vertex" "vertices"
+let faces n = count n "face" "faces"
+
+(* {1 Grid} *)
+
+let on_grid quantum (set : Polyhedron.ifs) =
+  let round x = Rat.round_to x ~quantum in
+  let snap (name, (v : Vec.t)) = (name, Vec.make (round v.x) (round v.y) (round v.z)) in
+  let there = Array.map snap set.ifs_vertices in
+  let far = ref 0 and farthest = ref Rat.zero and moved = ref 0 in
+  Array.iteri
+    (fun i (_, v) ->
+       let d = Vec.norm2 (Vec.sub v (snd there.(i))) in
+       if Rat.sign d > 0 then incr moved;
+       if Rat.compare d !farthest > 0 then (
+         far := i;
+         farthest := d))
+    set.ifs_vertices;
+  let told =
+    if !moved = 0 then "on the grid: nothing moved"
+    else
+      Printf.sprintf "on the grid: %s moved, %s the farthest, by %.3g" (vertices !moved)
+        (fst set.ifs_vertices.(!far))
+        (sqrt (Rat.to_float !farthest))
+  in
+  ({ set with ifs_vertices = there }, told)
+
+(* {1 Weld} *)
+
+(* Without corners that are their successor, around the end too. *)
+let distinct corners =
+  let n = Array.length corners in
+  let keep i = corners.(i) <> corners.((i + 1) mod n) in
+  Array.of_list (List.filter_map (fun i -> if keep i then Some corners.(i) else None) (List.init n Fun.id))
+
+let weld (set : Polyhedron.ifs) =
+  let n = Array.length set.ifs_vertices in
+  let first = Points.create n in
+  let find i (_, v) =
+    match Points.find_opt first v with
+    | Some j -> j
+    | None ->
+      Points.add first v i;
+      i
+  in
+  let into = Array.mapi find set.ifs_vertices in
+  let face (name, corners) = (name, distinct (Array.map (fun v -> into.(v)) corners)) in
+  let mapped = Array.to_list (Array.map face set.ifs_faces) in
+  let kept = Array.of_list (List.filter (fun (_, c) -> Array.length c >= 3) mapped) in
+  let cloud = Array.length set.ifs_faces = 0 in
+  let used = Array.init n (fun i -> cloud && into.(i) = i) in
+  Array.iter (fun (_, c) -> Array.iter (fun v -> used.(v) <- true) c) kept;
+  let number = Array.make n 0 and next = ref 0 in
+  Array.iteri
+    (fun i u ->
+       if u then (
+         number.(i) <- !next;
+         incr next))
+    used;
+  let left = List.filter (fun i -> used.(i)) (List.init n Fun.id) in
+  let set' =
+    {
+      Polyhedron.ifs_vertices = Array.of_list (List.map (fun i -> set.ifs_vertices.(i)) left);
+      ifs_faces = Array.map (fun (name, c) -> (name, Array.map (fun v -> number.(v)) c)) kept;
+    }
+  in
+  let gone = Array.length set.ifs_faces - Array.length kept in
+  let told =
+    Printf.sprintf "welded: %s became %d%s" (vertices n) !next
+      (if gone = 0 then "" else Printf.sprintf "; %s without an area went" (faces gone))
+  in
+  (set', told)
+
+(* {1 Orient} *)
+
+let reversed corners =
+  let n = Array.length corners in
+  Array.init n (fun i -> corners.(n - 1 - i))
+
+(* The faces at each edge, with whether they run along it from the lesser vertex to the greater. *)
+let edges_of (set : Polyhedron.ifs) =
+  let edges = Hashtbl.create 1024 in
+  let put f corners =
+    let n = Array.length corners in
+    Array.iteri
+      (fun i a ->
+         let b = corners.((i + 1) mod n) in
+         let edge = (min a b, max a b) in
+         Hashtbl.replace edges edge ((f, a < b) :: Option.value ~default:[] (Hashtbl.find_opt edges edge)))
+      corners
+  in
+  Array.iteri (fun f (_, c) -> put f c) set.ifs_faces;
+  edges
+
+type piece = { members : int list; closed : bool }
+
+(* Which faces are to be turned, and the pieces; [Error f]: no choice fits at f. *)
+let pieces (set : Polyhedron.ifs) =
+  let n = Array.length set.ifs_faces in
+  let beside = Array.make n [] and shut = Array.make n true in
+  let open_edge l = List.iter (fun (f, _) -> shut.(f) <- false) l in
+  Hashtbl.iter
+    (fun _ at ->
+       match at with
+       | [ (f, along); (g, along') ] when f <> g ->
+         let differ = Bool.equal along along' in
+         beside.(f) <- (g, differ) :: beside.(f);
+         beside.(g) <- (f, differ) :: beside.(g)
+       | other -> open_edge other)
+    (edges_of set);
+  let turned = Array.make n None in
+  let wrong = ref max_int in
+  let piece f =
+    let queue = Queue.create () in
+    turned.(f) <- Some false;
+    Queue.add f queue;
+    let members = ref [] and closed = ref true in
+    while not (Queue.is_empty queue) do
+      let f = Queue.pop queue in
+      members := f :: !members;
+      closed := !closed && shut.(f);
+      let own = Option.equal Bool.equal turned.(f) (Some true) in
+      let visit (g, differ) =
+        let wanted = not (Bool.equal own differ) in
+        match turned.(g) with
+        | Some t -> if not (Bool.equal t wanted) then wrong := min !wrong (max f g)
+        | None ->
+          turned.(g) <- Some wanted;
+          Queue.add g queue
+      in
+      List.iter visit beside.(f)
+    done;
+    { members = !members; closed = !closed }
+  in
+  let found = List.filter_map (fun f -> if Option.is_none turned.(f) then Some (piece f) else None) in
+  let found = found (List.init n Fun.id) in
+  if !wrong < max_int then Error !wrong
+  else Ok (Array.map (Option.equal Bool.equal (Some true)) turned, found)
+
+let volume (set : Polyhedron.ifs) turned members =
+  let p i = snd set.ifs_vertices.(i) in
+  let face sum f =
+    let c = snd set.ifs_faces.(f) in
+    let part = ref Rat.zero in
+    for k = 1 to Array.length c - 2 do
+      part := Rat.add !part (Vec.dot (p c.(0)) (Vec.cross (p c.(k)) (p c.(k + 1))))
+    done;
+    if turned.(f) then Rat.sub sum !part else Rat.add sum !part
+  in
+  List.fold_left face Rat.zero members
+
+(* The least and greatest coordinates. *)
+let box (set : Polyhedron.ifs) members =
+  let lift f (a : Vec.t) (b : Vec.t) = Vec.make (f a.x b.x) (f a.y b.y) (f a.z b.z) in
+  let widen acc i =
+    let v = snd set.ifs_vertices.(i) in
+    match acc with
+    | None -> Some (v, v)
+    | Some (low, high) -> Some (lift Rat.min low v, lift Rat.max high v)
+  in
+  List.fold_left (fun acc f -> Array.fold_left widen acc (snd set.ifs_faces.(f))) None members
+
+let strictly_inside inner outer =
+  match (inner, outer) with
+  | Some ((a : Vec.t), (b : Vec.t)), Some ((c : Vec.t), (d : Vec.t)) ->
+    let less x y = Rat.compare x y < 0 in
+    less c.x a.x && less c.y a.y && less c.z a.z && less b.x d.x && less b.y d.y && less b.z d.z
+  | _ -> false
+
+let max_named = 6
+
+let named (set : Polyhedron.ifs) list =
+  let first = List.filteri (fun i _ -> i < max_named) list in
+  String.concat ", " (List.map (fun f -> fst set.ifs_faces.(f)) first)
+  ^ if List.compare_length_with list max_named > 0 then ", …" else ""
+
+(* Their boxes are compared each with all others. *)
+let max_pieces = 1000
+
+let orient (set : Polyhedron.ifs) =
+  match pieces set with
+  | Ok (_, found) when List.compare_length_with found max_pieces > 0 ->
+    Error (Printf.sprintf "it falls apart into more than %d pieces" max_pieces)
+  | Error f ->
+    Error
+      (Printf.sprintf "the surface has only one side: going around it, face %s comes out turned over"
+         (fst set.ifs_faces.(f)))
+  | Ok (turned, found) ->
+    let boxes = lazy (List.map (fun p -> box set p.members) found) in
+    let cavities = ref [] in
+    let outward p =
+      if p.closed && Rat.sign (volume set turned p.members) < 0 then
+        let inner =
+          match found with
+          | [ _ ] -> false
+          | _ ->
+            let own = box set p.members in
+            List.exists (strictly_inside own) (Lazy.force boxes)
+        in
+        if inner then cavities := List.fold_left min max_int p.members :: !cavities
+        else List.iter (fun f -> turned.(f) <- not turned.(f)) p.members
+    in
+    List.iter outward found;
+    let over = List.filter (fun f -> turned.(f)) (List.init (Array.length turned) Fun.id) in
+    let turn f (name, c) = (name, if turned.(f) then reversed c else c) in
+    let told =
+      match over with
+      | [] -> "oriented: no face had to be turned over"
+      | _ -> Printf.sprintf "oriented: %s turned over: %s" (faces (List.length over)) (named set over)
+    in
+    let told =
+      match List.rev !cavities with
+      | [] -> told
+      | l -> Printf.sprintf "%s; what may be cavities stays inside out: the pieces of %s" told (named set l)
+    in
+    Ok ({ set with ifs_faces = Array.mapi turn set.ifs_faces }, told)
+
+(* {1 Merge} *)
+
+let merge (set : Polyhedron.ifs) =
+  let merged = Merge_coplanar.merge set in
+  let told =
+    Printf.sprintf "merged: %s became %d" (faces (Array.length set.ifs_faces)) (Array.length merged.ifs_faces)
+  in
+  (merged, told)

@@ -1,0 +1,149 @@
+Meshes of other programs are mended on request, and what was done is told. A cube of triangles with corners of their own,
+one of them turned over:
+
+  $ python3 > soup.obj << 'END'
+  > corners = {0: "0 0 0", 1: "1 0 0", 2: "1 1 0", 3: "0 1 0", 4: "0 0 1", 5: "1 0 1", 6: "1 1 1", 7: "0 1 1.004"}
+  > faces = [(0, 3, 2), (0, 2, 1), (4, 5, 6), (4, 6, 7), (0, 1, 5), (5, 0, 4), (1, 2, 6), (1, 6, 5), (2, 3, 7), (2, 7, 6),
+  >          (3, 0, 4), (7, 3, 4)]
+  > for f in faces:
+  >     for c in f:
+  >         print("v", corners[c])
+  > for i in range(len(faces)):
+  >     print("f", 3 * i + 1, 3 * i + 2, 3 * i + 3)
+  > END
+  $ scc shape soup.obj | sed -n '2p;5,6p'
+  vertices: 36, edges: 36, faces: 12
+  convex closed polyhedron: no
+    error[SC0304]: vertices v0 and v3 have the same position
+  $ scc shape --grid 1/100 --weld --orient --merge soup.obj -o cube.stl | head -8
+  on the grid: 4 vertices moved, v11 the farthest, by 0.004
+  welded: 36 vertices became 8
+  oriented: 1 face turned over: f5
+  merged: 12 faces became 6
+  soup.obj
+  vertices: 8, edges: 12, faces: 6
+  names of faces: f0, f2, f4, f6, f8, f10
+  names of vertices: v0, v1, v2, v5, v6, v7, v8, v11
+  $ head -7 cube.stl
+  solid scc
+    facet normal 0 0 -1
+      outer loop
+        vertex 0 0 0
+        vertex 0 1 0
+        vertex 1 1 0
+      endloop
+  $ scc shape cube.stl | sed -n '2p;5p'
+  vertices: 8, edges: 12, faces: 6
+  convex closed polyhedron: yes
+  $ scc shape --merge cube.stl -o cube.ply > /dev/null && cat cube.ply
+  ply
+  format ascii 1.0
+  element vertex 8
+  property double x
+  property double y
+  property double z
+  element face 6
+  property list uint uint vertex_indices
+  end_header
+  0 0 0
+  0 1 0
+  1 1 0
+  1 0 0
+  0 0 1
+  1 0 1
+  1 1 1
+  0 1 1
+  4 0 1 2 3
+  4 4 5 6 7
+  4 0 3 5 4
+  4 3 2 6 5
+  4 2 1 7 6
+  4 1 0 4 7
+  $ scc shape cube.ply | sed -n '2p;5p'
+  vertices: 8, edges: 12, faces: 6
+  convex closed polyhedron: yes
+
+A surface of one side (a strip of Möbius) has no outside.
+
+  $ cat > strip.off << 'END'
+  > OFF
+  > 5 5 0
+  > 0 0 0
+  > 1 0 0
+  > 0 1 0
+  > 0 0 1
+  > 1 1 1
+  > 3 0 1 2
+  > 3 1 2 3
+  > 3 2 3 4
+  > 3 3 4 0
+  > 3 4 0 1
+  > END
+  $ scc shape --orient strip.off
+  error[SC0303]: the faces cannot be oriented: the surface has only one side: going around it, face f3 comes out turned over
+  [3]
+
+A shell within another stays as it is; a solid inside out is turned over as a whole.
+
+  $ cat > inward.off << 'END'
+  > OFF
+  > 4 4 0
+  > 0 0 0
+  > 1 0 0
+  > 0 1 0
+  > 0 0 1
+  > 3 0 1 2
+  > 3 0 3 1
+  > 3 0 2 3
+  > 3 1 3 2
+  > END
+  $ scc shape --orient inward.off | head -3
+  oriented: 4 faces turned over: f0, f1, f2, f3
+  inward.off
+  vertices: 4, edges: 6, faces: 4
+  $ cat > hollow.off << 'END'
+  > OFF
+  > 8 8 0
+  > -9 -9 -9
+  > 90 -9 -9
+  > -9 90 -9
+  > -9 -9 90
+  > 0 0 0
+  > 1 0 0
+  > 0 1 0
+  > 0 0 1
+  > 3 0 2 1
+  > 3 0 1 3
+  > 3 0 3 2
+  > 3 1 2 3
+  > 3 4 5 6
+  > 3 4 7 5
+  > 3 4 6 7
+  > 3 5 7 6
+  > END
+  $ scc shape --orient hollow.off | head -1
+  oriented: no face had to be turned over; what may be cavities stays inside out: the pieces of f4
+
+What has no decimals goes into formats with fractions, or is rounded.
+
+  $ sed 's/1 0 0/1\/3 0 0/' inward.off > third.off
+  $ scc shape --orient third.off -o third.ply > /dev/null
+  third.ply: error[SC0103]: the coordinates of v1 are no decimals, and files of this format have no fractions
+    hint: with --round they are rounded to 64-bit numbers; .off and .obj keep fractions
+  [74]
+  $ ls third.ply
+  ls: cannot access 'third.ply': No such file or directory
+  [2]
+  $ scc shape --orient third.off -o third.obj > /dev/null && sed -n 2p third.obj
+  v 1/3 0 0
+  $ scc shape --orient third.off -o third.ply --round > /dev/null && sed -n 11p third.ply
+  third.ply: rounded: coordinates changed: 1, by at most 1.85e-17; faces may not be quite flat
+  0.333333333333333314829616256247390992939472198486328125 0 0
+  $ scc shape third.off --round
+  scc: --round tells how -o writes
+  [64]
+  $ scc shape third.off --grid 0
+  scc: the distance of --grid is to be greater than 0
+  Usage: scc shape [OPTION]… FILE
+  Try 'scc shape --help' or 'scc --help' for more information.
+  [64]
