@@ -286,6 +286,7 @@ What is not accepted is told in both ways, and the exit code is 3.
        faces t1 and t4 do not meet at an angle of less than 180 degrees at edge [e,t]
     7. holds: V - E + F = 2
     (7 with ordered pairs of vertices for edges: 9 - 32 + 9 = -14)
+  for convex parts of it: scc decompose; for its hull: scc shape --hull
 
 Pictures: of what is accepted, and of what is not, with all that is wrong; the report is told even where they
 cannot be written.
