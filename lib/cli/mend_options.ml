@@ -7,8 +7,8 @@ type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }
 
 let grid =
   let doc =
-    "Rounds every coordinate to the nearest multiple of $(docv), and tells how many vertices moved and how far. With \
-     $(b,--weld), points that fall together become one vertex."
+    "Rounds every coordinate to the nearest multiple of $(docv), and tells how many vertices moved and how far. \
+     With $(b,--weld), points that fall together become one vertex."
   in
   let positive = function
     | Some d when Rat.sign d <= 0 -> Error "the distance of --grid is to be greater than 0"
@@ -21,8 +21,8 @@ let flag name doc = Arg.(value & flag & info [ name ] ~doc)
 
 let weld =
   flag "weld"
-    "Makes equal points one vertex, as many programs give every face corners of its own, and leaves out faces that \
-     have fewer than three corners then."
+    "Makes equal points one vertex, as many programs give every face corners of its own, and leaves out faces \
+     that have fewer than three corners then."
 
 let orient =
   flag "orient"

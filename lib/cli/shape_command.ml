@@ -201,7 +201,8 @@ let shape console ~overrides o output argument =
   let gone = corners - Array.length set.ifs_vertices in
   let code = report console argument ~mended ~gone ?snapped set in
   (* One output that cannot be written keeps the others from nothing. *)
-  let written = [ draw o ~name:argument set; show o ~name:argument set; write console ~round:o.round output code set ] in
+  let write = write console ~round:o.round output code in
+  let written = [ draw o ~name:argument set; show o ~name:argument set; write set ] in
   match List.concat_map (function Ok () -> [] | Error d -> d) written with
   | [] -> Ok code
   | faults -> Error faults
@@ -266,8 +267,8 @@ let output =
 
 let round =
   let doc =
-    "What $(b,-o) writes has the nearest 64-bit numbers as coordinates, for other programs; how many changed and by \
-     how much at most is told."
+    "What $(b,-o) writes has the nearest 64-bit numbers as coordinates, for other programs; how many changed and \
+     by how much at most is told."
   in
   Arg.(value & flag & info [ "round" ] ~doc)
 
@@ -316,8 +317,8 @@ let man =
        is what a template has to be, with every fault; and each of the seven conditions of Definition 4.3 as \
        printed, with a witness where it fails. Then the numbers of vertices, edges and faces and, of an \
        accepted shape, the exact volume, centroid and inertia. $(b,--snap) makes exact what is rounded, \
-       $(b,--hull) makes a solid of points, $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge) mend meshes of \
-       other programs, $(b,-o) writes what came out, $(b,--svg) draws it, and $(b,--view) \
+       $(b,--hull) makes a solid of points, $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge) mend meshes \
+       of other programs, $(b,-o) writes what came out, $(b,--svg) draws it, and $(b,--view) \
        makes a page of it.";
   ]
   @ Options.diagnostics_man

@@ -1,5 +1,5 @@
-(** The JSON of a glTF file, with numbers as they are written. A fault (SC0320, at the start of the file, as what is
-    read has no places) tells by a path where it is: [accessors[3].count]. *)
+(** The JSON of a glTF file, with numbers as they are written. A fault (SC0320, at the start of the file, as
+    what is read has no places) tells by a path where it is: [accessors[3].count]. *)
 
 open Scc_base
 open Scc_exact

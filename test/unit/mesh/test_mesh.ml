@@ -342,5 +342,6 @@ let () =
       ("mirrors", [ Alcotest.test_case "of glTF" `Quick test_mirrored ]);
       ("exactness", [ Alcotest.test_case "numbers" `Quick test_exact ]);
       ("names", [ Alcotest.test_case "of faces" `Quick naming ]);
-      ("bad files", List.map bad_case (bad @ Gltf_files.bad)); ("noise", [ Scc_test_support.Property.case no_exception ]);
+      ("bad files", List.map bad_case (bad @ Gltf_files.bad));
+      ("noise", [ Scc_test_support.Property.case no_exception ]);
     ]
