@@ -54,7 +54,7 @@ let elements v =
   match v.value with
   | `List values ->
     let one i value = { v with at = Printf.sprintf "%s[%d]" v.at i; value } in
-    Ok (Array.of_list (List.mapi one values))
+    Ok (Array.mapi one (Array.of_list values))
   | _ -> fail v "expected an array"
 
 let items name v =

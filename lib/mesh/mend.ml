@@ -65,7 +65,7 @@ let weld (set : Polyhedron.ifs) =
   let left = List.filter (fun i -> used.(i)) (List.init n Fun.id) in
   let set' =
     {
-      Polyhedron.ifs_vertices = Array.of_list (List.map (fun i -> set.ifs_vertices.(i)) left);
+      Polyhedron.ifs_vertices = Array.map (fun i -> set.ifs_vertices.(i)) (Array.of_list left);
       ifs_faces = Array.map (fun (name, c) -> (name, Array.map (fun v -> number.(v)) c)) kept;
     }
   in
@@ -223,7 +223,8 @@ let orient (set : Polyhedron.ifs) =
 (* {1 Merge} *)
 
 let merge (set : Polyhedron.ifs) =
-  let merged = Merge_coplanar.merge set in
+  (* A cloud of points keeps them: there is no face that could use them. *)
+  let merged = if Array.length set.ifs_faces = 0 then set else Merge_coplanar.merge set in
   let told =
     Printf.sprintf "merged: %s became %d" (faces (Array.length set.ifs_faces)) (Array.length merged.ifs_faces)
   in

@@ -21,4 +21,4 @@ val orient : Polyhedron.ifs -> (Polyhedron.ifs * string, string) result
     strip, with a face at which it was found, or more than 1000 pieces. *)
 
 val merge : Polyhedron.ifs -> Polyhedron.ifs * string
-(** {!Merge_coplanar.merge}. *)
+(** {!Merge_coplanar.merge}; a cloud of points, without faces, stays as it is. *)

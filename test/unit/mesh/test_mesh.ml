@@ -177,6 +177,21 @@ let test_exact () =
       (Vec.to_string (snd ifs.ifs_vertices.(0)))
   | Error d -> Alcotest.fail d.Diag.message
 
+(* What is written as a decimal is read as the same number, and 1/3 is not written. *)
+let decimals =
+  let number =
+    G.map3
+      (fun n twos fives -> Rat.make (Z.of_int n) (Z.mul (Z.pow (Z.of_int 2) twos) (Z.pow (Z.of_int 5) fives)))
+      G.int (G.int_bound 300) (G.int_bound 300)
+  in
+  QCheck2.Test.make ~name:"decimals are exact" ~count:500 ~print:Rat.to_string number (fun q ->
+      let third = Rat.div (Rat.add (Rat.mul (Rat.of_int 3) q) Rat.one) (Rat.of_int 3) in
+      Option.is_none (Decimal.exact third)
+      &&
+      match Decimal.exact q with
+      | Some text -> Rat.equal q (first_x "t.off" ("OFF\n1 0 0\n" ^ text ^ " 0 0\n"))
+      | None -> false)
+
 (* {1 Files that do not fit} *)
 
 let unlike_fractions =
@@ -340,7 +355,7 @@ let () =
     [
       ("formats", List.map (good tetrahedron) files @ List.map (good by_first_use) (stl_files @ Gltf_files.files));
       ("mirrors", [ Alcotest.test_case "of glTF" `Quick test_mirrored ]);
-      ("exactness", [ Alcotest.test_case "numbers" `Quick test_exact ]);
+      ("exactness", [ Alcotest.test_case "numbers" `Quick test_exact; Scc_test_support.Property.case decimals ]);
       ("names", [ Alcotest.test_case "of faces" `Quick naming ]);
       ("bad files", List.map bad_case (bad @ Gltf_files.bad));
       ("noise", [ Scc_test_support.Property.case no_exception ]);
