@@ -99,10 +99,9 @@ let name_of ~path =
   | s when s.[0] >= 'A' && s.[0] <= 'Z' -> s
   | s -> "Solid" ^ s
 
-let template ~path (set : Polyhedron.ifs) =
-  let name = name_of ~path in
+let listed before (set : Polyhedron.ifs) after =
   let b = Buffer.create 4096 in
-  Printf.bprintf b "shape %s {\n  vertices\n" name;
+  Printf.bprintf b "%s {\n  vertices\n" before;
   Array.iter (fun (n, v) -> Printf.bprintf b "    %s %s\n" n (Vec.to_string v)) set.ifs_vertices;
   Printf.bprintf b "  faces\n";
   let corner v = fst set.ifs_vertices.(v) in
@@ -110,8 +109,11 @@ let template ~path (set : Polyhedron.ifs) =
     Printf.bprintf b "    %s [%s]\n" n (String.concat ", " (List.map corner (Array.to_list c)))
   in
   Array.iter face set.ifs_faces;
-  Printf.bprintf b "}\n";
+  Printf.bprintf b "}%s\n" after;
   Buffer.contents b
+
+let template ~path set = listed ("shape " ^ name_of ~path) set ""
+let drawn ~path set = listed (Printf.sprintf "compound %s = decompose" (name_of ~path)) set " mass 1"
 
 type format = { ending : string; fractions : bool; write : path:string -> Polyhedron.ifs -> string }
 

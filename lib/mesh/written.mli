@@ -18,3 +18,6 @@ val rounded : Polyhedron.ifs -> (Polyhedron.ifs * int * Rat.t) option
 
 val name_of : path:string -> string
 (** A name of the language for what a file has: its name without the ending, with a capital. *)
+
+val drawn : path:string -> Polyhedron.ifs -> string
+(** In the language, a solid that need not be convex: a compound [decompose { … }] of mass 1, named after the file. *)
