@@ -8,7 +8,7 @@ type mode = Print | Check | In_place
 
 let formatted console path =
   let* source = Input.text console path in
-  let* after = (Front_end.of_source source).canonical source in
+  let* after = Scc_notation.Notation.canonical source in
   Ok (Source.text source, after)
 
 let one console mode path =

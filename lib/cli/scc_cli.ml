@@ -27,6 +27,7 @@ let commands =
     Decompose_command.command;
     Oracle_command.command;
     Fmt_command.command;
+    Translate_command.command;
   ]
 
 (* A manual that nobody reads to its end, or that cannot be written: what is left of it is not tried again at the

@@ -16,7 +16,7 @@ let split argument =
 
 let template console ~overrides path name =
   let* source = Input.text console path in
-  let* tree = (Front_end.of_source source).model source in
+  let* tree = Scc_notation.Notation.model source in
   let read_file = Input.mesh_reader console path in
   Scc_elaborate.Template_set.find ~read_file ~overrides ~asked_at:Span.command_line tree name
 
@@ -26,7 +26,7 @@ let mesh console path =
 
 let templates_of console path =
   let* source = Input.text console path in
-  let* tree = (Front_end.of_source source).model source in
+  let* tree = Scc_notation.Notation.model source in
   let names = Scc_elaborate.Template_set.names tree in
   let hint = Printf.sprintf "name one of them: %s:%s" path (match names with n :: _ -> n | [] -> "NAME") in
   let list = match names with [] -> "no templates" | _ -> String.concat ", " names in
@@ -40,7 +40,7 @@ let set console ~overrides argument =
   match split argument with
   | path, Some name -> template console ~overrides path name
   | path, None ->
-    if Front_end.has_extension path then templates_of console path else mesh console path
+    if Option.is_some (Scc_notation.Notation.of_name path) then templates_of console path else mesh console path
 
 type options = {
   mend : Mend_options.t;

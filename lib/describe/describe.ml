@@ -67,7 +67,7 @@ let of_exported read (i : Ast.import) name =
   match read_module read i with
   | None -> unread
   | Some source -> (
-      match exported (Declared.of_model (Parse.readable source)) name with
+      match exported (Declared.of_model (Scc_notation.Notation.readable source)) name with
       | [] -> ("imported", text "`%s`: %s declares nothing of this name" name (from i))
       | d :: _ -> (Declared.kind d.kind, lines (text "%s, from %s" d.what (from i) :: source_of source d)))
 
@@ -81,7 +81,7 @@ let names_of read (i : Ast.import) =
       | Param (n, _) | Param_in (n, _, _) | Let (n, _) -> [ n.it ]
       | _ -> []
     in
-    [ "it declares " ^ some_of (List.concat_map declares (Parse.readable source)) ]
+    [ "it declares " ^ some_of (List.concat_map declares (Scc_notation.Notation.readable source)) ]
 
 (* {1 Names} *)
 
@@ -216,7 +216,7 @@ let find ~read_module:read source =
   let tokens = Tokens.read source in
   let uses =
     lazy
-      (let model = Parse.readable source in
+      (let model = Scc_notation.Notation.readable source in
        Uses.of_model (Declared.of_model model) model)
   in
   fun offset ->

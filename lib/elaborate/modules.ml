@@ -94,7 +94,7 @@ let report_cycle t report at path =
 
 let parse t report ~read path text at =
   let source = Source.make ~name:path text in
-  match Parse.parse source with
+  match Scc_notation.Notation.model source with
   | Error faults ->
     List.iter (Report.add report) faults;
     None

@@ -145,7 +145,7 @@ let given ?(more = []) store p =
   let given = { source; files; overrides; narrowed; tree = []; others = store.read_file } in
   let most = (Read.quotas p).model_bytes in
   if bytes given > most then Fault.refuse (Limit ("model_bytes", most));
-  match (Front_end.of_source source).model source with
+  match Scc_notation.Notation.model source with
   | Error diagnostics -> refuse given diagnostics
   | Ok tree -> { given with tree }
 
@@ -204,7 +204,7 @@ let with_formula store ~handle ~formula form =
   | Some a -> Ok a.answer
   | None ->
     let given = (kept_of store handle).given in
-    let* e = (Front_end.of_source given.source).expression (Source.make ~name:formula_name formula) in
+    let* e = Scc_syntax.Parse.expression (Source.make ~name:formula_name formula) in
     let* answer = make given (Long_list.append given.tree [ Question.item form e ]) in
     let older = List.filteri (fun i _ -> i < most_lately - 1) store.lately in
     store.lately <- { handle; formula; form = name; answer } :: older;

@@ -1,5 +1,4 @@
 open Scc_base
-open Scc_session
 open Scc_exchange
 
 let unnamed = "<model>"
@@ -17,7 +16,7 @@ let source p =
 let format p =
   Read.only p [ "text"; "name"; "limits" ];
   let source = source p in
-  match (Front_end.of_source source).canonical source with
+  match Scc_notation.Notation.canonical source with
   | Ok text -> Reply.Value (`Assoc [ ("text", `String text) ])
   | Error diagnostics ->
     let named name = if String.equal name (Source.name source) then Some source else None in

@@ -48,7 +48,7 @@ let at l values = l.again [] values
 let with_items l items = l.again items []
 
 let load ~read_file ~overrides ?narrowed source =
-  let* tree = (Front_end.of_source source).model source in
+  let* tree = Scc_notation.Notation.model source in
   of_tree ~read_file ~overrides ?narrowed source tree
 
 let initial l =

@@ -33,7 +33,7 @@ val load :
   ?narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
   Source.t ->
   (t, Diag.t list) result
-(** By the front end of the text ({!Front_end.of_source}), with the values of [overrides] for parameters, and the
+(** In the notation of the text ({!Scc_notation.Notation.of_source}), with the values of [overrides] for parameters, and the
     ranges of [narrowed] for those that have ranges. *)
 
 val of_tree :

@@ -64,7 +64,7 @@ let ( let* ) = Result.bind
 
 (* What each is by itself, then all of them in one model. *)
 let all (l : Loaded.t) sources =
-  let read = (Front_end.of_source l.source).expression in
+  let read = Scc_syntax.Parse.expression in
   let rec forms known = function
     | [] -> Ok (List.rev known)
     | source :: rest ->

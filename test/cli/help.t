@@ -1,6 +1,6 @@
 Every command has a manual with its exit codes.
 
-  $ for command in check trace view export explore shape inflate decompose fmt; do
+  $ for command in check trace view export explore shape inflate decompose fmt translate; do
   >   scc $command --help=plain | grep -A 40 'EXIT STATUS' | grep -cE '^ +(0|3|4|64|70) '
   > done
   5

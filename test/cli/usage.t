@@ -22,7 +22,7 @@ The arguments of each command that make it succeed, without options:
 
   $ arguments() {
   >   case $1 in
-  >     check | trace | fmt | serve) echo cube.sc ;;
+  >     check | trace | fmt | translate | serve) echo cube.sc ;;
   >     view) echo -o page.html cube.sc ;;
   >     export) echo --steps 20 -o run.glb cube.sc ;;
   >     explore) echo cube.sc -o out.aut ;;
@@ -36,9 +36,9 @@ The arguments of each command that make it succeed, without options:
   >     oracle) ;;
   >   esac
   > }
-  $ commands='check trace view export explore explain compare conform diff shape inflate decompose oracle fmt'
+  $ commands='check trace view export explore explain compare conform diff shape inflate decompose oracle fmt translate'
   $ scc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | sort | xargs
-  check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace view
+  check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace translate view
   $ for c in $commands; do scc $c $(arguments $c) < /dev/null > out 2> err || echo "$c: $?"; done
 
 misuse WORDS: each of those commands, with its arguments and these words. What does not end with 64, or says nothing,
@@ -57,7 +57,7 @@ No such option; one given twice; a flag with a value; an option without its valu
   $ those="$commands serve"
   $ misuse --no-such-option
   $ misuse --help=nothing
-  $ those='check trace view serve export explore explain compare conform diff shape inflate fmt'
+  $ those='check trace view serve export explore explain compare conform diff shape inflate fmt translate'
   $ misuse --color=sometimes
   $ misuse --color=never --color=never
   $ misuse --color
@@ -67,9 +67,9 @@ No such option; one given twice; a flag with a value; an option without its valu
 
 Too many arguments, and none:
 
-  $ those='check trace view serve export explore explain compare conform diff shape inflate oracle'
+  $ those='check trace view serve export explore explain compare conform diff shape inflate oracle translate'
   $ misuse a b c
-  $ for c in check trace view export explore explain compare conform diff shape inflate fmt; do
+  $ for c in check trace view export explore explain compare conform diff shape inflate fmt translate; do
   >   scc $c > out 2>&1; [ $? = 64 ] || echo "$c"
   > done
 
@@ -222,6 +222,9 @@ Names:
   $ misuse '--rename=p=*'
   $ those=explain
   $ misuse --check=gose
+  $ those=translate
+  $ misuse --to
+  $ misuse --to=nothing
   $ those=fmt
   $ misuse --check -i
   $ misuse --check --check

@@ -1,0 +1,63 @@
+open Scc_notation
+open Scc_session
+open Cmdliner
+
+let ( let* ) = Result.bind
+
+(* What is asked for by its name, or by the ending of the output; else the language of scc. *)
+let target ~named ~output =
+  match (named, Option.bind output Notation.of_name) with
+  | Some n, _ | None, Some n -> n
+  | None, None -> Notation.shape_calculus
+
+let translate console notation output path =
+  let* source = Input.text console path in
+  let* read = (Notation.of_source source).read source in
+  let* text = (notation : Notation.t).write read in
+  let path = match output with Some "-" -> None | path -> path in
+  let* () = Result.map_error (fun d -> [ d ]) (Console.with_output console ~path (fun put -> put text)) in
+  Console.flush console;
+  Ok Exit_code.Holds
+
+let run color named output path =
+  let console = Console.make ~color ~json:false () in
+  Guard.run console (fun () -> translate console (target ~named ~output) output path)
+
+let names = List.map (fun (n : Notation.t) -> (n.name, n)) Notation.all
+
+let named =
+  let doc = Printf.sprintf "The notation to write: %s (see NOTATIONS)." (Arg.doc_alts_enum names) in
+  Arg.(value & opt (some (enum names)) None & info [ "to" ] ~docv:"NOTATION" ~doc)
+
+let output =
+  let doc =
+    "Writes to $(docv) instead of standard output; without $(b,--to), the ending of its name tells the notation."
+  in
+  Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
+
+let file =
+  let doc =
+    "The model. The ending of its name tells its notation, or, if that is none, how its text begins; $(b,-) is \
+     standard input."
+  in
+  Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc)
+
+let man =
+  let told (n : Notation.t) = `I ("$(b," ^ n.name ^ ")", n.told ^ ". Files: " ^ String.concat ", " n.extensions ^ ".") in
+  [
+    `S Manpage.s_description;
+    `P
+      "Writes a model in another notation: the same declarations, in the same order, and its comments. Nothing is \
+       worked out: loops, parameters and imports stay what they are, and a file that is imported is not translated \
+       with it. Without $(b,--to) and $(b,-o), the model is written in the language of scc.";
+  ]
+  @ (`S "NOTATIONS" :: List.map told Notation.all)
+  @ Options.diagnostics_man
+  @ [
+    `S Manpage.s_examples; `Pre "  scc translate hexokinase.sc --to xml"; `Pre "  scc translate model.xml -o model.sc";
+  ]
+
+let command =
+  Cmd.v
+    (Cmd.info "translate" ~doc:"write a model in another notation" ~man ~exits:(Exits.man ()))
+    Term.(const run $ Options.color $ named $ output $ file)

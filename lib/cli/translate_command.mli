@@ -1,0 +1,3 @@
+(** [scc translate]. *)
+
+val command : Scc_session.Exit_code.t Cmdliner.Cmd.t

@@ -1,0 +1,34 @@
+open Scc_base
+open Scc_syntax
+
+type t = {
+  name : string;
+  told : string;
+  extensions : string list;
+  read : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result;
+  write : Ast.model * Trivia.t list -> (string, Diag.t list) result;
+  readable : Source.t -> Ast.model;
+}
+
+let shape_calculus =
+  let write (model, trivia) = Ok (Printer.model ~trivia model) in
+  {
+    name = "sc";
+    told = "the language of scc";
+    extensions = [ ".sc" ];
+    read = Parse.with_trivia;
+    write;
+    readable = Parse.readable;
+  }
+
+let all = [ shape_calculus ]
+let has_extension file n = List.exists (Filename.check_suffix file) n.extensions
+let of_name file = List.find_opt (has_extension file) all
+let of_source source = Option.value (of_name (Source.name source)) ~default:shape_calculus
+let model source = Result.map fst ((of_source source).read source)
+
+let readable source = (of_source source).readable source
+
+let canonical source =
+  let notation = of_source source in
+  Result.bind (notation.read source) notation.write
