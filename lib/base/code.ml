@@ -51,6 +51,11 @@ let several_pieces = "SC0344"
 let cannot_inflate = "SC0345"
 let flat_feature = "SC0336"
 let crossing_faces = "SC0337"
+let xml_malformed = "SC0350"
+let xml_refused = "SC0351"
+let xml_unexpected = "SC0352"
+let xml_missing = "SC0353"
+let xml_text = "SC0354"
 let not_touching = "SC0401"
 let not_highest = "SC0402"
 let interpenetration = "SC0403"
@@ -135,6 +140,11 @@ let all =
     (cannot_inflate, "a drawing that cannot be inflated as asked for");
     (flat_feature, "a vertex or an edge that is inside a face of a drawn solid");
     (crossing_faces, "faces of a drawn solid that cut or touch each other");
+    (xml_malformed, "a text that is not well-formed XML");
+    (xml_refused, "a document type, an entity or an encoding of XML that is not read");
+    (xml_unexpected, "an element, attribute or text of XML that does not belong where it stands");
+    (xml_missing, "an element or attribute of XML that is missing");
+    (xml_text, "a text that XML cannot hold");
     (not_touching, "features that do not touch");
     (not_highest, "a glue that is not the highest touching pair");
     (interpenetration, "bodies that interpenetrate");

@@ -165,6 +165,23 @@ val several_pieces : t
 val cannot_inflate : t
 (** SC0345: a drawing that cannot be inflated as asked for. *)
 
+(** {1 Models in XML} *)
+
+val xml_malformed : t
+(** SC0350: a text that is not well-formed XML. *)
+
+val xml_refused : t
+(** SC0351: XML that is not read: a document type, an entity of its own, an encoding that is not UTF-8. *)
+
+val xml_unexpected : t
+(** SC0352: an element, attribute or text that does not belong where it stands. *)
+
+val xml_missing : t
+(** SC0353: an element or attribute that is missing. *)
+
+val xml_text : t
+(** SC0354: a text that XML cannot hold. *)
+
 (** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 
 val not_touching : t

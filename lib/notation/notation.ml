@@ -21,10 +21,25 @@ let shape_calculus =
     readable = Parse.readable;
   }
 
-let all = [ shape_calculus ]
+let bioshape =
+  {
+    name = "xml";
+    told = "XML after BioShape's, by a schema of our own: specs/schema/bioshape.xsd";
+    extensions = [ ".xml" ];
+    read = Scc_bioshape.Read.with_trivia;
+    write = (fun (model, trivia) -> Scc_bioshape.Write.model ~trivia model);
+    readable = Scc_bioshape.Read.readable;
+  }
+
+let all = [ shape_calculus; bioshape ]
 let has_extension file n = List.exists (Filename.check_suffix file) n.extensions
 let of_name file = List.find_opt (has_extension file) all
-let of_source source = Option.value (of_name (Source.name source)) ~default:shape_calculus
+
+let of_source source =
+  match of_name (Source.name source) with
+  | Some n -> n
+  | None -> if Scc_bioshape.Read.begins (Source.text source) then bioshape else shape_calculus
+
 let model source = Result.map fst ((of_source source).read source)
 
 let readable source = (of_source source).readable source

@@ -17,6 +17,9 @@ type t = {
 val shape_calculus : t
 (** The language of [specs/language.md]. *)
 
+val bioshape : t
+(** XML: [specs/bioshape-xml.md]. *)
+
 val all : t list
 (** The table: another notation is another line of it. *)
 

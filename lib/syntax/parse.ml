@@ -235,7 +235,9 @@ let readable source =
       read [] (start 0)
 
 let parse source = Result.map fst (with_trivia source)
-let expression source = of_tokens (Tokens.read source) source Parser.Incremental.expression
+let model_of t source = of_tokens t source Parser.Incremental.model
+let expression_of t source = of_tokens t source Parser.Incremental.expression
+let expression source = expression_of (Tokens.read source) source
 
 let rational source =
   let text = Source.text source in

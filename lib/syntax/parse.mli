@@ -27,5 +27,10 @@ val readable : Source.t -> Ast.model
 val expression : Source.t -> (Ast.expr, Diag.t list) result
 (** A number or formula alone, the whole text. *)
 
+val model_of : Tokens.t -> Source.t -> (Ast.model, Diag.t list) result
+(** The same of tokens, wherever they come from: their places are of that source. *)
+
+val expression_of : Tokens.t -> Source.t -> (Ast.expr, Diag.t list) result
+
 val rational : Source.t -> (Rat.t, Diag.t list) result
 (** A number given on the command line: ["6"], ["-1/4"], ["0.125"], ["1e-3"]. *)

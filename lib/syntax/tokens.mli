@@ -37,6 +37,9 @@ val read : Source.t -> t
 (** Never fails: what is not of the language is left out of [tokens] and told in [faults] (codes SC0102,
     SC0104 to SC0107, SC0111). After SC0102 or SC0111 the text is not to be parsed: see {!hopeless}. *)
 
+val not_text : string -> string -> Utf8.fault -> Diag.t
+(** What is said (SC0102) of a file by this name, with this text. *)
+
 val hopeless : t -> bool
 (** The faults are such that parsing makes no sense or could exhaust the stack of a later pass. *)
 

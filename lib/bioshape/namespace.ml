@@ -1,0 +1,1 @@
+let uri = "urn:scc:bioshape:1"
