@@ -250,10 +250,11 @@ let document r consumed first =
   match calling r (consumed, Xmlm.input) with
   | `El_start tag ->
     let root = element r consumed 1 tag in
-    if not (calling r (consumed, Xmlm.eoi)) then
-      refuse Code.xml_malformed
-        (span r r.cursor (min (String.length r.text) (r.cursor + 1)))
-        "nothing but comments follows the first element of a document";
+    if not (calling r (consumed, Xmlm.eoi)) then begin
+      let i = spaces r.text r.cursor in
+      refuse Code.xml_malformed (span r i (min (String.length r.text) (i + 1)))
+        "nothing but comments follows the first element of a document"
+    end;
     to_tag r;
     blank r;
     { root; trivia = List.rev r.trivia }

@@ -123,7 +123,7 @@ let deep () =
   kept ("shape S = T" ^ scaled ^ "\n")
 
 let large () =
-  let vertices = String.concat " " (List.init 100_000 (Printf.sprintf "v%d (0, 0, 0)")) in
+  let vertices = String.concat " " (List.init 20_000 (Printf.sprintf "v%d (0, 0, 0)")) in
   let text = "shape S = hull { " ^ vertices ^ " }\n" in
   let model = get text (Parse.parse (Source.make ~name:"model.sc" text)) in
   Alcotest.(check bool) "the tree" true (Ast_equal.model model (fst (read (xml model))))
