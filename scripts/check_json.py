@@ -340,7 +340,7 @@ def check_graphs(scc, model, folder):
 
 
 def check_refusals(scc):
-    for model in sorted(glob.glob("specs/conformance/invalid/*.sc")) + sorted(
+    for model in sorted(glob.glob("specs/conformance/invalid/*.sc") + glob.glob("specs/conformance/invalid/*.xml")) + sorted(
         glob.glob("specs/models/refused/*.sc")
     ):
         result = run(scc, "check", model, "--json", "--seconds", "60")

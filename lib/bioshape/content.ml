@@ -16,7 +16,7 @@ let error ?hint r code at fmt = Printf.ksprintf (fun s -> add r (Diag.error ?hin
 type t = {
   reports : report;
   element : Document.element;
-  mutable attributes : (string * Embedded.t) list;
+  mutable attributes : (string * (Span.t * Embedded.t)) list;
   mutable asked : string list;  (* attributes that it may have *)
   mutable children : Document.element list;
   mutable text : bool;  (* whether its text is asked for *)
@@ -29,9 +29,9 @@ let reports t = t.reports
 let element t = t.element
 
 let finish t =
-  let attribute (key, (value : Embedded.t)) =
+  let attribute (key, (at, _)) =
     let hint = Diag.suggest key t.asked in
-    error t.reports ?hint Code.xml_unexpected (Embedded.span value) "`<%s>` has no attribute `%s`" t.element.tag key
+    error t.reports ?hint Code.xml_unexpected at "`<%s>` has no attribute `%s`" t.element.tag key
   in
   List.iter attribute t.attributes;
   (match t.children with
@@ -129,7 +129,7 @@ let optional t key kind =
   t.asked <- key :: t.asked;
   match List.assoc_opt key t.attributes with
   | None -> None
-  | Some e ->
+  | Some (_, e) ->
     t.attributes <- List.remove_assoc key t.attributes;
     Some (value t kind e)
 

@@ -6,7 +6,7 @@ type element = {
   at : Span.t;
   whole : Span.t;
   close : int;
-  attributes : (string * Embedded.t) list;
+  attributes : (string * (Span.t * Embedded.t)) list;
   children : element list;
   text : Embedded.t;
 }
@@ -98,16 +98,20 @@ and skip r mark =
 let shown s = if String.length s <= 40 then s else String.sub s 0 (Utf8.boundary s 37) ^ "..."
 
 let malformed r place (e : Xmlm.error) =
-  let at = Utf8.boundary r.text (min place (max 0 (String.length r.text - 1))) in
-  let at = span r at (min (String.length r.text) (at + 1)) in
+  let last = Utf8.boundary r.text (min place (max 0 (String.length r.text - 1))) in
+  let at = span r last (min (String.length r.text) (last + 1)) in
+  (* Of a reference Xmlm has read the end. *)
+  let reference () =
+    match String.rindex_from_opt r.text last '&' with Some first -> span r first (last + 1) | None -> at
+  in
   let refuse_here fmt = refuse Code.xml_malformed at fmt in
   match e with
   | `Unknown_entity_ref name ->
-    refuse Code.xml_refused at ~hint:"a character is written as it is, or by its number: `&#45;`"
+    refuse Code.xml_refused (reference ()) ~hint:"a character is written as it is, or by its number: `&#45;`"
       "`&%s;` is no entity of XML itself, and others are not read" (shown name)
   | `Unexpected_eoi -> refuse_here "the text ends here, before the document does"
   | `Unknown_ns_prefix p -> refuse_here "the prefix `%s` is bound to no namespace" (shown p)
-  | `Illegal_char_ref c -> refuse_here "`&#%s;` is no character of XML" (shown c)
+  | `Illegal_char_ref c -> refuse Code.xml_malformed (reference ()) "`&#%s;` is no character of XML" (shown c)
   | `Illegal_char_seq s -> refuse_here "`%s` does not fit here in XML" (shown s)
   | `Expected_root_element -> refuse_here "the first element of the document is expected here"
   | `Expected_char_seqs (wanted, found) ->
@@ -180,7 +184,9 @@ let rec element r consumed depth (tag : Xmlm.tag) =
   r.cursor <- stop;
   let empty = r.text.[stop - 2] = '/' in
   let leaf, children, stray = content r consumed depth true [] None in
-  let value (name, _, (start, stop)) = (name, Characters.attribute r.source start stop) in
+  let value (name, at, (start, stop)) =
+    (name, (span r at (at + String.length name), Characters.attribute r.source start stop))
+  in
   let close =
     if empty then stop
     else begin

@@ -13,7 +13,8 @@ type element = {
   at : Span.t;  (** of the start tag *)
   whole : Span.t;  (** from there to the end of its end tag *)
   close : int;  (** offset of the end tag; of the end of the tag, if it is one for both *)
-  attributes : (string * Embedded.t) list;  (** in the order of the text; those of the schema's instances are left out *)
+  attributes : (string * (Span.t * Embedded.t)) list;
+  (** with the places of their names, in the order of the text; those of the schema's instances are left out *)
   children : element list;
   text : Embedded.t;  (** what stands in an element without elements in it *)
 }

@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_notation
 open Scc_session
 open Cmdliner
@@ -10,10 +11,18 @@ let target ~named ~output =
   | Some n, _ | None, Some n -> n
   | None, None -> Notation.shape_calculus
 
+(* In another notation things may nest deeper than the limits of the language allow. *)
+let check_readable console (notation : Notation.t) text =
+  let source = Source.make ~name:"the translation" text in
+  Console.add_source console source;
+  Result.map ignore (notation.read source)
+
 let translate console notation output path =
   let* source = Input.text console path in
-  let* read = (Notation.of_source source).read source in
+  let from = Notation.of_source source in
+  let* read = from.read source in
   let* text = (notation : Notation.t).write read in
+  let* () = if String.equal from.name notation.name then Ok () else check_readable console notation text in
   let path = match output with Some "-" -> None | path -> path in
   let* () = Result.map_error (fun d -> [ d ]) (Console.with_output console ~path (fun put -> put text)) in
   Console.flush console;

@@ -13,6 +13,11 @@ let files folder ending =
   |> List.filter (fun f -> Filename.check_suffix f ending)
   |> List.sort String.compare
 
+let is_case file = List.exists (Filename.check_suffix file) [ ".sc"; ".xml" ]
+
+let inputs folder =
+  Sys.readdir folder |> Array.to_list |> List.filter is_case |> List.sort String.compare
+
 let run scc case =
   let output = Filename.temp_file "scc" ".out" in
   let words = [ "./run-case"; scc; Filename.concat cases case ] in
@@ -29,7 +34,7 @@ let contains text piece =
   from 0
 
 let check scc case () =
-  let expected = read (Filename.concat cases (Filename.chop_suffix case ".sc" ^ ".out")) in
+  let expected = read (Filename.concat cases (Filename.remove_extension case ^ ".out")) in
   let found = run scc case in
   Alcotest.(check string) case expected found;
   let code = List.hd (String.split_on_char '-' case) in
@@ -37,7 +42,7 @@ let check scc case () =
 
 (* A code is covered by a case named after it or by a cram test that shows it. *)
 let covered crams code =
-  List.exists (fun f -> contains f (code ^ "-")) (files cases ".sc")
+  List.exists (fun f -> contains f (code ^ "-")) (inputs cases)
   || List.exists (fun text -> contains text ("[" ^ code ^ "]")) crams
 
 let every_code () =
@@ -51,6 +56,6 @@ let () =
   let one case = Alcotest.test_case case `Quick (check scc case) in
   Alcotest.run ~argv:[| Sys.argv.(0) |] "invalid inputs"
     [
-      ("cases", List.map one (files cases ".sc"));
+      ("cases", List.map one (inputs cases));
       ("codes", [ Alcotest.test_case "every code has a case" `Quick every_code ]);
     ]

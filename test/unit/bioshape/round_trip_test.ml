@@ -54,6 +54,55 @@ let random =
           | Ok (m', _) -> Ast_equal.model m m' || QCheck2.Test.fail_report text
           | Error ds -> QCheck2.Test.fail_report (text ^ rendered text ds)))
 
+(* In XML an expression stands alone wherever it is, and may be one that the grammar of the language has in brackets only
+   there: what is printed has them. *)
+
+let expressions = [ "value"; "by"; "from"; "to"; "above"; "below"; "if"; "x"; "point"; "time"; "push"; "weight"; "velocity"; "snap" ]
+
+let with_expressions (text, those) =
+  let b = Buffer.create (String.length text) and left = ref those in
+  let n = String.length text in
+  (* The value of a setting is a word, and no expression. *)
+  let word i =
+    let tag = String.rindex_from text i '<' in
+    List.exists
+      (fun s -> String.equal s (String.sub text (tag + 1) (min (String.length s) (n - tag - 1))))
+      [ "dynamics"; "collisions"; "binding"; "bonds" ]
+  in
+  let rec go i =
+    if i < n then
+      match if text.[i] = ' ' then String.index_from_opt text i '=' else None with
+      | Some j when List.mem (String.sub text (i + 1) (j - i - 1)) expressions && text.[j + 1] = '"' ->
+        let close = String.index_from text (j + 2) '"' in
+        let old = String.sub text (j + 2) (close - j - 2) in
+        let value =
+          match !left with
+          | e :: rest when not (word i) ->
+            left := rest @ [ e ];
+            Escaped.attribute (Printer.expr e)
+          | _ -> "\"" ^ old ^ "\""
+        in
+        Buffer.add_string b (String.sub text i (j - i + 1) ^ value);
+        go (close + 1)
+      | _ ->
+        Buffer.add_char b text.[i];
+        go (i + 1)
+  in
+  go 0;
+  Buffer.contents b
+
+let contexts =
+  let gen = Gen2.pair (Gen2.map (fun m -> get "" (Write.model m)) Gen.model) (Gen2.list_size (Gen2.return 7) Gen.expr) in
+  QCheck2.Test.make ~count:100 ~name:"expressions in places of their own" ~print:with_expressions gen (fun given ->
+      let text = with_expressions given in
+      match Read.with_trivia (Source.make ~name:"model.xml" text) with
+      | Error ds -> QCheck2.Test.fail_report (rendered text ds)
+      | Ok (m, _) -> (
+          let printed = Printer.model m in
+          match Parse.parse (Source.make ~name:"model.sc" printed) with
+          | Ok m' -> Ast_equal.model m m' || QCheck2.Test.fail_report ("another tree\n" ^ printed)
+          | Error ds -> QCheck2.Test.fail_report (rendered printed ds)))
+
 (* {1 Comments} *)
 
 let comments =
@@ -133,7 +182,7 @@ let () =
   Alcotest.run "models in XML"
     [
       ("models", [ quick "every model of specs/models" models ]);
-      ("random", Scc_test_support.Property.cases [ random ]);
+      ("random", Scc_test_support.Property.cases [ random; contexts ]);
       ("comments", List.map comment comments);
       ("others", foreign);
       ("size", [ quick "deep" deep; quick "large" large ]);
