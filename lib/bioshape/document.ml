@@ -16,6 +16,7 @@ type t = { root : element; trivia : Trivia.t list }
 exception Stop
 exception Refused of Diag.t
 
+let max_attributes = 100
 let max_nesting = (2 * Tokens.max_nesting) + 10
 
 type reader = {
@@ -180,6 +181,8 @@ let rec element r consumed depth (tag : Xmlm.tag) =
   if depth > max_nesting then
     refuse Code.too_deep at "elements are nested too deeply (the limit is %d)" max_nesting;
   check_namespaces r at tag;
+  if List.compare_length_with attributes max_attributes > 0 then
+    refuse Code.xml_unexpected at "more than %d attributes belong to no element" max_attributes;
   check_twice r attributes;
   r.cursor <- stop;
   let empty = r.text.[stop - 2] = '/' in
@@ -205,7 +208,7 @@ let rec element r consumed depth (tag : Xmlm.tag) =
   end;
   {
     tag = local (String.sub r.text (start + 1) (named - start - 1)); at; whole = span r start r.cursor; close;
-    attributes = List.map value (List.filter own attributes); children; text;
+    attributes = Long_list.map value (List.filter own attributes); children; text;
   }
 
 (* Up to the end of the element: whether it has none in it, those that are kept, and where text stands that is not only

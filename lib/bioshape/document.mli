@@ -27,6 +27,9 @@ type t = {
 val max_nesting : int
 (** 2 010: a choice within a choice takes two elements, so that what the language can nest can be written. *)
 
+val max_attributes : int
+(** Of one element (SC0352): 100. *)
+
 val read : namespace:string -> each:(element -> unit) -> Source.t -> (t, Diag.t) result
 (** [each] is given the children of the root, one by one, with what is in them; they are not kept. An element or attribute
     that is not of the namespace is SC0352. [each] may end the reading by {!Stop}. *)

@@ -16,7 +16,9 @@ let placed_fault e (d : Diag.t) =
 let tokens e : Tokens.t =
   let t = Tokens.read (Source.make ~name:(file e) e.text) in
   let placed (token : Tokens.token) = { token with start = e.place token.start; stop = e.place token.stop } in
-  { t with tokens = Array.map placed t.tokens; faults = List.map (placed_fault e) t.faults }
+  (* Of a text that is not to be parsed, the faults alone are of use. *)
+  let tokens = if Tokens.hopeless t then t.tokens else Array.map placed t.tokens in
+  { t with tokens; faults = List.map (placed_fault e) t.faults }
 
 let expression e = Parse.expression_of (tokens e) e.source
 

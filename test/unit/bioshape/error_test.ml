@@ -85,6 +85,8 @@ let schema =
     case "an element of another namespace" "<let xmlns='' name='a' value='1'/>" [ "SC0352 2:1" ] [];
     case "an attribute of another namespace" "<let xmlns:q='r' q:a='1' name='a' value='1'/>" [ "SC0352 2:1" ] [ "`a`" ];
     case "an attribute that there is not" "<let name='a' value='1' vlue='2'/>" [ "SC0352 2:25" ] [ "`vlue`" ];
+    case "many attributes" ("<let" ^ String.concat "" (List.init 101 (Printf.sprintf " a%d=''")) ^ "/>")
+      [ "SC0352 2:1" ] [ "100" ];
     case "text between elements" "<let name='a' value='1'/> x" [ "SC0352 2:27" ] [];
     case "text in an element" "<let name='a' value='1'> y </let>" [ "SC0352 2:26" ] [];
     case "an element in another one" "<let name='a' value='1'><nil/></let>" [ "SC0352 2:25" ] [ "<nil>" ];
