@@ -132,3 +132,15 @@ What is wrong is told at its place in the document.
   $ scc translate p.sc -o nowhere/p.xml
   nowhere/p.xml: error[SC0103]: cannot write: No such file or directory
   [74]
+
+  $ cat > itself.xml <<'END'
+  > <bioshape xmlns="urn:scc:bioshape:1">
+  >   <import file="itself.xml"/><let name="a" value="1"/>
+  > </bioshape>
+  > END
+  $ scc check itself.xml
+  itself.xml:2:17: error[SC0216]: `itself.xml` imports itself
+     |
+   2 |   <import file="itself.xml"/><let name="a" value="1"/>
+     |                 ^^^^^^^^^^
+  [3]

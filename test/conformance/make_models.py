@@ -2,6 +2,7 @@
 test/references/independent, and verdicts."""
 
 from fractions import Fraction as F
+import html
 import os
 import random
 import re
@@ -284,8 +285,32 @@ def paper_suite(specs):
     return suite
 
 
+XML_CHECK = re.compile(r'<check name="(\w+)">([^<]*)</check> *<!-- ?expect: (\w+) ?-->\n?')
+
+
+def xml_suite(specs):
+    """Models in XML: what is expected is written in comments beside their checks."""
+    suite = Suite('models/bioshape.json', 'Models in XML (specs/bioshape-xml.md): verdicts of their checks.', EXPECTED)
+    folder = os.path.join(specs, 'models', 'bioshape')
+    for file in sorted(os.listdir(folder)):
+        with open(os.path.join(folder, file), encoding='utf-8') as f:
+            text = f.read()
+        checks = XML_CHECK.findall(text)
+        if not checks:
+            continue
+        bare = XML_CHECK.sub('', text)
+        files = files_of(folder, bare)
+        reference = suite.give(file, load(bare, files=files) if files else load(bare))
+        for check, formula, verdict in checks:
+            suite.add('%s.%s' % (file, check), ['Verdict'], 'evaluate',
+                      {'model': reference, 'formula': html.unescape(formula)},
+                      result(kind='temporal', verdict=VERDICTS.get(verdict, verdict)))
+    return suite
+
+
 def all_suites(implementation, specs):
     certain = examples_suite(specs, 'models/examples.json', 'The models of specs/models: verdicts of their checks.',
                              lambda text: not CHOOSES.search(text))
     chance = examples_suite(specs, 'models/chance.json', 'Those that leave velocities to chance.', CHOOSES.search)
-    return [paper_suite(specs), transitions_suite(implementation), verdicts_suite(), certain, chance]
+    return [paper_suite(specs), transitions_suite(implementation), verdicts_suite(), certain, chance,
+            xml_suite(specs)]
