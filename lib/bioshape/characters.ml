@@ -51,7 +51,8 @@ let plain c = c <> '&' && c <> '\r' && c <> '\n' && c <> '\t'
 let attribute source start stop =
   let raw = Source.text source in
   let rec all_plain i = i >= stop || (plain raw.[i] && all_plain (i + 1)) in
-  if all_plain start then { Embedded.source; text = String.sub raw start (stop - start); place = (fun i -> start + i) }
+  if all_plain start then
+    { Embedded.source; text = String.sub raw start (stop - start); place = (fun i -> start + i) }
   else
     let d = { bytes = Buffer.create (stop - start); places = [||] } in
     let rec go i =

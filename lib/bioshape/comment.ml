@@ -9,7 +9,8 @@ let unix_line_ends text =
     text;
   Buffer.contents b
 
-(* [f b count] between two hyphens with so many backslashes between them, and nothing else; the end counts as a hyphen. *)
+(* [f b count] between two hyphens with so many backslashes between them, and nothing else; the end counts as a
+   hyphen. *)
 let between_hyphens f s =
   let b = Buffer.create (String.length s) and n = String.length s in
   let backslashes count = Buffer.add_string b (String.make count '\\') in

@@ -36,7 +36,8 @@ let finish t =
   List.iter attribute t.attributes;
   (match t.children with
    | [] -> ()
-   | child :: _ -> error t.reports Code.xml_unexpected child.at "`<%s>` does not belong here in `<%s>`" child.tag t.element.tag);
+   | child :: _ -> error t.reports Code.xml_unexpected child.at "`<%s>` does not belong here in `<%s>`" child.tag
+                     t.element.tag);
   if (not t.text) && String.length t.element.text.text > 0 then
     error t.reports Code.xml_unexpected (Embedded.span t.element.text) "`<%s>` holds no text" t.element.tag
 
@@ -67,7 +68,7 @@ let plain_head =
 
 let head = { read = Embedded.head; instead = (fun at -> { Ast.declared = some at; places = []; formals = [] }) }
 
-let refuse code (e : Embedded.t) fmt = Printf.ksprintf (fun s -> Error [ Diag.error code (Embedded.span e) "%s" s ]) fmt
+let refuse code e fmt = Printf.ksprintf (fun s -> Error [ Diag.error code (Embedded.span e) "%s" s ]) fmt
 
 (* The words of a text, each a piece of its own. *)
 let words (e : Embedded.t) =

@@ -1,5 +1,6 @@
-(** What an element should hold, taken from it piece by piece: what is missing, what is left over and what is wrong in a
-    text are reported, and something else of its kind stands in for it, so that a document is looked through to its end. *)
+(** What an element should hold, taken from it piece by piece: what is missing, what is left over and what is
+    wrong in a text are reported, and something else of its kind stands in for it, so that a document is looked
+    through to its end. *)
 
 open Scc_base
 open Scc_syntax

@@ -161,7 +161,9 @@ let check_twice r names =
   let known = Hashtbl.create 8 in
   let check (name, at, _) =
     if Hashtbl.mem known name then
-      refuse Code.xml_malformed (span r at (at + String.length name)) "the attribute `%s` is given twice" (shown name);
+      refuse Code.xml_malformed
+        (span r at (at + String.length name))
+        "the attribute `%s` is given twice" (shown name);
     Hashtbl.add known name ()
   in
   List.iter check names
@@ -211,8 +213,8 @@ let rec element r consumed depth (tag : Xmlm.tag) =
     attributes = Long_list.map value (List.filter own attributes); children; text;
   }
 
-(* Up to the end of the element: whether it has none in it, those that are kept, and where text stands that is not only
-   spaces. *)
+(* Up to the end of the element: whether it has none in it, those that are kept, and where text stands that is
+   not only spaces. *)
 and content r consumed depth leaf children stray =
   match calling r (consumed, Xmlm.input) with
   | `El_end -> (leaf, List.rev children, stray)

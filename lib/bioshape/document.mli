@@ -1,9 +1,10 @@
-(** Documents of XML as elements with their places. Xmlm reads them, and says what is well-formed; where things stand is
-    found by going once more over what it has read.
+(** Documents of XML as elements with their places. Xmlm reads them, and says what is well-formed; where things
+    stand is found by going once more over what it has read.
 
-    Refused: what is not UTF-8 (SC0102), what is not well-formed (SC0350), document types, entities but the five of XML
-    itself, and declarations of another encoding (SC0351), elements nested deeper than {!max_nesting} (SC0111). Nothing
-    is fetched and nothing expanded, so that no document is larger in memory than its text times a constant. *)
+    Refused: what is not UTF-8 (SC0102), what is not well-formed (SC0350), document types, entities but the five
+    of XML itself, and declarations of another encoding (SC0351), elements nested deeper than {!max_nesting}
+    (SC0111). Nothing is fetched and nothing expanded, so that no document is larger in memory than its text
+    times a constant. *)
 
 open Scc_base
 open Scc_syntax
@@ -31,8 +32,8 @@ val max_attributes : int
 (** Of one element (SC0352): 100. *)
 
 val read : namespace:string -> each:(element -> unit) -> Source.t -> (t, Diag.t) result
-(** [each] is given the children of the root, one by one, with what is in them; they are not kept. An element or attribute
-    that is not of the namespace is SC0352. [each] may end the reading by {!Stop}. *)
+(** [each] is given the children of the root, one by one, with what is in them; they are not kept. An element or
+    attribute that is not of the namespace is SC0352. [each] may end the reading by {!Stop}. *)
 
 exception Stop
 (** Raised by [each], and passed on. *)

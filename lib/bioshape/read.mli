@@ -1,9 +1,9 @@
-(** Models from XML, as [specs/bioshape-xml.md] tells it. What comes of a document is a tree as {!Parse} makes it, with its
-    places in the document: of an element, or of the text that a name or an expression is.
+(** Models from XML, as [specs/bioshape-xml.md] tells it. What comes of a document is a tree as {!Parse} makes
+    it, with its places in the document: of an element, or of the text that a name or an expression is.
 
-    Errors are results, several at a time, at most {!Parse.max_errors}. Codes: SC0102, SC0111, SC0350 to SC0353, those of
-    {!Parse} for the texts, and SC0112 for a document that declares nothing. Stack and memory are bounded by the limits of
-    {!Document} and {!Tokens}. *)
+    Errors are results, several at a time, at most {!Parse.max_errors}. Codes: SC0102, SC0111, SC0350 to SC0353,
+    those of {!Parse} for the texts, and SC0112 for a document that declares nothing. Stack and memory are
+    bounded by the limits of {!Document} and {!Tokens}. *)
 
 open Scc_base
 open Scc_syntax

@@ -17,7 +17,8 @@ let rec separated sep acc = function
 let separated sep ds = separated sep [] ds
 
 let opening tag attributes =
-  String.concat "" (("<" ^ tag) :: List.map (fun (key, value) -> " " ^ key ^ "=" ^ Escaped.attribute value) attributes)
+  let attribute (key, value) = " " ^ key ^ "=" ^ Escaped.attribute value in
+  String.concat "" (("<" ^ tag) :: List.map attribute attributes)
 
 let empty ~at tag attributes = text ~at (opening tag attributes ^ "/>")
 
@@ -108,7 +109,9 @@ let solid s =
 
 let transform (t : transform) =
   let empty = empty ~at:(start t.at) in
-  let quadruple (w, x, y, z) = [ ("w", Text.expr w); ("x", Text.expr x); ("y", Text.expr y); ("z", Text.expr z) ] in
+  let quadruple (w, x, y, z) =
+    [ ("w", Text.expr w); ("x", Text.expr x); ("y", Text.expr y); ("z", Text.expr z) ]
+  in
   match t.it with
   | Translate v -> empty "translate" [ ("by", Text.expr v) ]
   | Rotate (w, x, y, z) -> empty "rotate" (quadruple (w, x, y, z))
@@ -240,7 +243,8 @@ let rec unwritable (i : item) =
   | Import { from; _ } -> [ from ]
   | Shape (_, s, _) -> of_solid s
   | Compound (_, parts, _, _) -> List.concat_map (fun p -> of_solid p.part_solid) parts
-  | Process (_, l, rest) | Fixed (_, l, rest) -> List.concat_map (fun (l : leaf) -> of_solid l.solid) (leaves l rest)
+  | Process (_, l, rest) | Fixed (_, l, rest) ->
+    List.concat_map (fun (l : leaf) -> of_solid l.solid) (leaves l rest)
   | For (_, body) -> List.concat_map unwritable body
   | _ -> []
 

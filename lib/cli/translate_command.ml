@@ -52,18 +52,22 @@ let file =
   Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc)
 
 let man =
-  let told (n : Notation.t) = `I ("$(b," ^ n.name ^ ")", n.told ^ ". Files: " ^ String.concat ", " n.extensions ^ ".") in
+  let told (n : Notation.t) =
+    `I ("$(b," ^ n.name ^ ")", n.told ^ ". Files: " ^ String.concat ", " n.extensions ^ ".")
+  in
   [
     `S Manpage.s_description;
     `P
       "Writes a model in another notation: the same declarations, in the same order, and its comments. Nothing is \
-       worked out: loops, parameters and imports stay what they are, and a file that is imported is not translated \
-       with it. Without $(b,--to) and $(b,-o), the model is written in the language of scc.";
+       worked out: loops, parameters and imports stay what they are, and a file that is imported is not \
+       translated with it. Without $(b,--to) and $(b,-o), the model is written in the language of scc.";
   ]
   @ (`S "NOTATIONS" :: List.map told Notation.all)
   @ Options.diagnostics_man
   @ [
-    `S Manpage.s_examples; `Pre "  scc translate hexokinase.sc --to xml"; `Pre "  scc translate model.xml -o model.sc";
+    `S Manpage.s_examples;
+    `Pre "  scc translate hexokinase.sc --to xml";
+    `Pre "  scc translate model.xml -o model.sc";
   ]
 
 let command =

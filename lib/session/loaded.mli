@@ -33,8 +33,8 @@ val load :
   ?narrowed:(string * (Ranges.bound * Ranges.bound)) list ->
   Source.t ->
   (t, Diag.t list) result
-(** In the notation of the text ({!Scc_notation.Notation.of_source}), with the values of [overrides] for parameters, and the
-    ranges of [narrowed] for those that have ranges. *)
+(** In the notation of the text ({!Scc_notation.Notation.of_source}), with the values of [overrides] for
+    parameters, and the ranges of [narrowed] for those that have ranges. *)
 
 val of_tree :
   read_file:reader ->

@@ -24,9 +24,9 @@ let expression e = Parse.expression_of (tokens e) e.source
 
 (* {1 In a context}
 
-   The grammar has no entrance for a feature alone. Between the tokens of a declaration that holds one and nothing else,
-   a piece is a feature exactly if all of it is that declaration, with the feature in its place: text that closes the
-   declaration and begins another one makes it two. *)
+   The grammar has no entrance for a feature alone. Between the tokens of a declaration that holds one and
+   nothing else, a piece is a feature exactly if all of it is that declaration, with the feature in its place:
+   text that closes the declaration and begins another one makes it two. *)
 
 let between before (t : Tokens.t) after : Tokens.t =
   let n = Array.length t.tokens - 1 and shift = List.length before in
@@ -52,7 +52,8 @@ let in_context before after what found e =
   | _ :: _ -> Error t.faults
   | [] -> (
       match Parse.model_of (between before t after) e.source with
-      | Ok [ { it = (item : Ast.item_kind); _ } ] -> Option.fold ~none:(expected e what) ~some:Result.ok (found item)
+      | Ok [ { it = (item : Ast.item_kind); _ } ] ->
+        Option.fold ~none:(expected e what) ~some:Result.ok (found item)
       | Ok _ | Error _ -> expected e what)
 
 let some : Parser.token = NAME "_"

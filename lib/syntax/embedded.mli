@@ -1,6 +1,6 @@
 (** Pieces of the language that stand in the text of another notation: a name, a feature or an expression in an
-    attribute of XML, say. They are read by the grammar of the language itself, each as a whole, and have their places,
-    and those of what is wrong with them, in the text that they stand in.
+    attribute of XML, say. They are read by the grammar of the language itself, each as a whole, and have their
+    places, and those of what is wrong with them, in the text that they stand in.
 
     The codes are those of {!Parse}; SC0110 for what is something else than is asked for. *)
 

@@ -64,13 +64,15 @@ let refused =
       ("<!-- bomb -->\n <!DOCTYPE b [<!ENTITY a 'aaaaaaaaaa'><!ENTITY b '&a;&a;&a;&a;'>]>" ^ around "&b;")
       [ "SC0351 2:2" ] [];
     case "an entity of its own" "<let name='a' value='&x;'/>" [ "SC0351 2:22" ] [ "`&x;`" ];
-    whole "another encoding" ("<?xml version='1.0' encoding='ISO-8859-1'?>" ^ around "") [ "SC0351 1:31" ] [ "UTF-8" ];
+    whole "another encoding" ("<?xml version='1.0' encoding='ISO-8859-1'?>" ^ around "") [ "SC0351 1:31" ]
+      [ "UTF-8" ];
     whole "one that nobody knows" ("<?xml version='1.0' encoding=\"x\"?>" ^ around "") [ "SC0351 1:31" ] [];
     whole "too deep" (around (repeated 3_000 "<for>")) [ "SC0111 2:10046" ] [ "2010" ];
     whole "too deep in behaviours"
       (around (behaviour (repeated 1_100 "<choice><branch><nil/></branch><branch>")))
       [ "SC0111 2:39154" ] [];
-    case "too many prefixes" (behaviour (repeated 10_001 "<delay time='1'/>" ^ "<nil/>")) [ "SC0111 2:1" ] [ "10000" ];
+    case "too many prefixes" (behaviour (repeated 10_001 "<delay time='1'/>" ^ "<nil/>")) [ "SC0111 2:1" ]
+      [ "10000" ];
     case "too deep in an expression" ("<let name='a' value='" ^ repeated 1_001 "(" ^ "'/>") [ "SC0111 2:1022" ] [];
   ]
 
@@ -79,11 +81,13 @@ let schema =
     whole "another document" "<html/>" [ "SC0352 1:1" ] [ "namespace"; "xmlns" ];
     whole "another element first" (Printf.sprintf "<model %s/>" xmlns) [ "SC0352 1:1" ] [ "<bioshape>" ];
     whole "nothing" (Printf.sprintf "<bioshape %s/>" xmlns) [ "SC0112 1:1" ] [];
-    whole "an attribute of the first element" (Printf.sprintf "<bioshape %s a='1'><let name='a' value='1'/></bioshape>" xmlns)
+    whole "an attribute of the first element"
+      (Printf.sprintf "<bioshape %s a='1'><let name='a' value='1'/></bioshape>" xmlns)
       [ "SC0352 1:38" ] [ "`a`" ];
     case "no declaration" "<proces name='p'/>" [ "SC0352 2:1" ] [ "did you mean `process`?" ];
     case "an element of another namespace" "<let xmlns='' name='a' value='1'/>" [ "SC0352 2:1" ] [];
-    case "an attribute of another namespace" "<let xmlns:q='r' q:a='1' name='a' value='1'/>" [ "SC0352 2:1" ] [ "`a`" ];
+    case "an attribute of another namespace" "<let xmlns:q='r' q:a='1' name='a' value='1'/>"
+      [ "SC0352 2:1" ] [ "`a`" ];
     case "an attribute that there is not" "<let name='a' value='1' vlue='2'/>" [ "SC0352 2:25" ] [ "`vlue`" ];
     case "many attributes" ("<let" ^ String.concat "" (List.init 101 (Printf.sprintf " a%d=''")) ^ "/>")
       [ "SC0352 2:1" ] [ "100" ];
@@ -97,14 +101,15 @@ let schema =
       [ "SC0352 2:66" ] [];
     case "parameters and indices" "<behaviour name='K[1]' parameters='a'><nil/></behaviour>" [ "SC0352 2:1" ] [];
     case "no name" "<process/>" [ "SC0353 2:1"; "SC0353 2:1" ] [ "`name`"; "<leaf>" ];
-    case "no value, but nearly" "<let name='a' vlue='1'/>" [ "SC0353 2:1"; "SC0352 2:15" ] [ "did you mean `vlue`?" ];
+    case "no value, but nearly" "<let name='a' vlue='1'/>"
+      [ "SC0353 2:1"; "SC0352 2:15" ] [ "did you mean `vlue`?" ];
     case "no end of a behaviour" (behaviour "<delay time='1'/>") [ "SC0353 2:1" ] [ "<nil>" ];
     case "a choice of one" (behaviour "<choice><branch><nil/></branch></choice>") [ "SC0353 2:21" ] [];
     case "no behaviour" "<process name='p'><leaf><template name='T'/></leaf></process>" [ "SC0353 2:19" ] [];
     case "no shape" "<process name='p'><leaf><behaviour><nil/></behaviour></leaf></process>" [ "SC0353 2:25" ] [];
     case "a bond without the next leaf"
-      "<fixed name='p'><leaf><template name='T'/></leaf><bond channel='a'><feature name='x'/><feature name='y'/></bond>\
-       </fixed>"
+      "<fixed name='p'><leaf><template name='T'/></leaf><bond channel='a'><feature name='x'/><feature name='y'/>\
+       </bond></fixed>"
       [ "SC0353 2:1" ] [];
     case "half a bond" "<bond channel='a'><feature name='x'/></bond>" [ "SC0353 2:1" ] [];
     case "three rows"
@@ -114,35 +119,41 @@ let schema =
     case "no range" "<for><let name='a' value='1'/></for>" [ "SC0353 2:6" ] [];
     case "no law" "<motion/>" [ "SC0353 2:1" ] [];
     case "half a range of a parameter" "<parameter name='a' from='1'/>" [ "SC0353 2:1" ] [ "`to`" ];
-    case "no more than 20" (repeated 30 "<let/>") (List.init 20 (fun i -> Printf.sprintf "SC0353 2:%d" (1 + (i / 2 * 6)))) [];
+    case "no more than 20" (repeated 30 "<let/>")
+      (List.init 20 (fun i -> Printf.sprintf "SC0353 2:%d" (1 + (i / 2 * 6)))) [];
   ]
 
 (* In texts. *)
 let texts =
   [
-    case "a word for a name" "<process name='nil'><leaf/></process>" [ "SC0110 2:16"; "SC0353 2:21"; "SC0353 2:21" ] [];
+    case "a word for a name" "<process name='nil'><leaf/></process>"
+      [ "SC0110 2:16"; "SC0353 2:21"; "SC0353 2:21" ] [];
     case "more than a name" "<let name='a = 1 let b' value='1'/>" [ "SC0110 2:12" ] [ "a name" ];
     case "more than a path" "<motion of='p = inertial motion q'><inertial/></motion>" [ "SC0110 2:13" ] [];
     case "more than a feature"
       (behaviour "<open channel='a'><feature name='x}>. nil + &lt;b, {y'/></open><nil/>") [ "SC0110 2:54" ] [];
     case "two features" (behaviour "<open channel='a'><feature name='x, y'/></open><nil/>") [ "SC0110 2:54" ] [];
-    case "only in a name" (behaviour "<open channel='a'><feature name='only y'/></open><nil/>") [ "SC0110 2:54" ] [];
+    case "only in a name" (behaviour "<open channel='a'><feature name='only y'/></open><nil/>")
+      [ "SC0110 2:54" ] [];
     case "more than a call" (behaviour "<call name='A + B'/>") [ "SC0110 2:33" ] [];
     case "definitions with a call" (behaviour "<call name='A where x = 1'/>") [ "SC0110 2:33" ] [];
     case "more than a shape" "<shape name='S'><template name='T scaled (1,1,1)'/></shape>" [ "SC0110 2:33" ] [];
     case "a number as what is rounded" "<round of='velocity 1 +' to='1'/>" [ "SC0110 2:12" ] [];
     case "no text" "<let name='' value=''/>" [ "SC0110 2:12"; "SC0110 2:21" ] [];
     case "a face of no vertices"
-      "<shape name='S'><indexedFaceSet><face name='f' vertices=' '/></indexedFaceSet></shape>" [ "SC0353 2:58" ] [];
+      "<shape name='S'><indexedFaceSet><face name='f' vertices=' '/></indexedFaceSet></shape>"
+      [ "SC0353 2:58" ] [];
     case "a wrong vertex among others"
-      "<shape name='S'><indexedFaceSet><face name='f' vertices='a b- c'/></indexedFaceSet></shape>" [ "SC0110 2:60" ] [];
+      "<shape name='S'><indexedFaceSet><face name='f' vertices='a b- c'/></indexedFaceSet></shape>"
+      [ "SC0110 2:60" ] [];
     case "neither true nor false" (behaviour "<open channel='a' co='yes'/><nil/>") [ "SC0110 2:43" ] [ "true" ];
     case "a pace" "<timestep value='1' pace='quick'/>" [ "SC0110 2:27" ] [ "steady" ];
     case "a line end in the name of a file" "<import file='a&#10;b'/>" [ "SC0110 2:15" ] [];
     case "an expression that stops" "<let name='a' value='1 + '/>" [ "SC0110 2:26" ] [ "the text ends here" ];
     case "after a reference" "<let name='a' value='1 &lt; ) 2'/>" [ "SC0110 2:29" ] [ "`)`" ];
     case "a reference itself" "<let name='a' value='1 + &#41; 2'/>" [ "SC0110 2:26" ] [];
-    case "in a content" "<check name='a'>\n  always <!-- so -->  <![CDATA[ x(p) <  ]]> or\n</check>" [ "SC0110 3:45" ] [];
+    case "in a content" "<check name='a'>\n  always <!-- so -->  <![CDATA[ x(p) <  ]]> or\n</check>"
+      [ "SC0110 3:45" ] [];
     case "after letters that are not ASCII" "<!-- \xC3\xA9\xC3\xA9 --><let name='a' value='\xC3\xA9 $'/>"
       [ "SC0104 2:33"; "SC0104 2:35" ] [];
     case "an unknown character" "<let name='a' value='1 $ 2'/>" [ "SC0104 2:24" ] [];
@@ -155,7 +166,9 @@ let texts =
 
 (* Nothing that XML has no character for can be written. *)
 let unwritable () =
-  let source = Source.make ~name:"m.sc" "import \"a\012b.sc\"\nshape S = mesh \"\xEF\xBF\xBF\" scaled (1, 1, 1)\n" in
+  let source =
+    Source.make ~name:"m.sc" "import \"a\012b.sc\"\nshape S = mesh \"\xEF\xBF\xBF\" scaled (1, 1, 1)\n"
+  in
   match Scc_syntax.Parse.parse source with
   | Error _ -> Alcotest.fail "refused"
   | Ok model -> (

@@ -1,5 +1,5 @@
-(* Documents that somebody has damaged: whatever is done to one, it is read, or refused with places that are in it, and
-   what is read can be written in both notations and read again. With [SCC_TIMES=n], n times as many. *)
+(* Documents that somebody has damaged: whatever is done to one, it is read, or refused with places that are in
+   it, and what is read can be written in both notations and read again. With [SCC_TIMES=n], n times as many. *)
 
 open Scc_base
 open Scc_syntax
@@ -13,7 +13,8 @@ let rec files folder =
 
 let contents path =
   let channel = open_in_bin path in
-  Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
+  let read () = really_input_string channel (in_channel_length channel) in
+  Fun.protect ~finally:(fun () -> close_in channel) read
 
 (* Small ones: a large one takes its time, and says no more. *)
 let documents =
@@ -28,9 +29,13 @@ let documents =
 
 let pieces =
   [|
-    "<"; ">"; "/>"; "</"; "&"; "&lt;"; "&#65;"; "&#x110000;"; "&x;"; "\""; "'"; "<!--"; "-->"; "--"; "<![CDATA["; "]]>"; "<?"; "?>";
-    "<!DOCTYPE a [<!ENTITY b 'c'>]>"; "\000"; "\xFF"; "\xC3"; "\xC3\xA9"; "\r"; "\n"; "="; " a='b'"; "xmlns=''"; "<nil/>";
-    "<branch>"; "</branch>"; "<for>"; "("; ")"; "["; "]"; "{"; "}"; "/*"; "*/"; "//"; "only "; "1/0"; "9"; ","; ".."; "<bioshape>";
+    "<"; ">"; "/>"; "</"; "&"; "&lt;"; "&#65;"; "&#x110000;"; "&x;"; "\""; "'"; "<!--"; "-->"; "--"; "<![CDATA["; "]]>";
+    "<?"; "?>";
+    "<!DOCTYPE a [<!ENTITY b 'c'>]>"; "\000"; "\xFF"; "\xC3"; "\xC3\xA9"; "\r";
+    "\n"; "=";
+    " a='b'"; "xmlns=''"; "<nil/>";
+    "<branch>"; "</branch>"; "<for>"; "("; ")"; "["; "]"; "{"; "}"; 
+    "/*"; "*/"; "//"; "only "; "1/0"; "9"; ","; ".."; "<bioshape>";
   |]
 
 let between state low high = if high <= low then low else low + Random.State.int state (high - low)

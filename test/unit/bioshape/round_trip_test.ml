@@ -23,14 +23,16 @@ let rec files folder =
 
 let contents path =
   let channel = open_in_bin path in
-  Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
+  let read () = really_input_string channel (in_channel_length channel) in
+  Fun.protect ~finally:(fun () -> close_in channel) read
 
 (* The canonical print with its comments; and the document is canonical itself. *)
 let kept text =
   let model, trivia = get text (Parse.with_trivia (Source.make ~name:"model.sc" text)) in
   let document = xml ~trivia model in
   let model', trivia' = read document in
-  Alcotest.(check string) "the canonical print" (Printer.model ~trivia model) (Printer.model ~trivia:trivia' model');
+  let printed = Printer.model ~trivia model in
+  Alcotest.(check string) "the canonical print" printed (Printer.model ~trivia:trivia' model');
   Alcotest.(check bool) "the tree" true (Ast_equal.model model model');
   Alcotest.(check string) "the document, written again" document (xml ~trivia:trivia' model')
 
@@ -46,7 +48,7 @@ let models () =
 (* {1 Random trees} *)
 
 let random =
-  QCheck2.Test.make ~count:300 ~name:"read (write m) = m" ~print:Printer.model Gen.model (fun m ->
+  QCheck2.Test.make ~count:120 ~name:"read (write m) = m" ~print:Printer.model Gen.model (fun m ->
       match Write.model m with
       | Error ds -> QCheck2.Test.fail_report (rendered "" ds)
       | Ok text -> (
@@ -54,10 +56,14 @@ let random =
           | Ok (m', _) -> Ast_equal.model m m' || QCheck2.Test.fail_report text
           | Error ds -> QCheck2.Test.fail_report (text ^ rendered text ds)))
 
-(* In XML an expression stands alone wherever it is, and may be one that the grammar of the language has in brackets only
-   there: what is printed has them. *)
+(* In XML an expression stands alone wherever it is, and may be one that the grammar of the language has in
+   brackets only there: what is printed has them. *)
 
-let expressions = [ "value"; "by"; "from"; "to"; "above"; "below"; "if"; "x"; "point"; "time"; "push"; "weight"; "velocity"; "snap" ]
+let expressions =
+  [
+    "value"; "by"; "from"; "to"; "above"; "below"; "if"; "x"; "point"; "time"; "push"; "weight"; "velocity";
+    "snap";
+  ]
 
 let with_expressions (text, those) =
   let b = Buffer.create (String.length text) and left = ref those in
@@ -92,8 +98,9 @@ let with_expressions (text, those) =
   Buffer.contents b
 
 let contexts =
-  let gen = Gen2.pair (Gen2.map (fun m -> get "" (Write.model m)) Gen.model) (Gen2.list_size (Gen2.return 7) Gen.expr) in
-  QCheck2.Test.make ~count:100 ~name:"expressions in places of their own" ~print:with_expressions gen (fun given ->
+  let document = Gen2.map (fun m -> get "" (Write.model m)) Gen.model in
+  let gen = Gen2.pair document (Gen2.list_size (Gen2.return 7) Gen.expr) in
+  QCheck2.Test.make ~count:40 ~name:"expressions in places of their own" ~print:with_expressions gen (fun given ->
       let text = with_expressions given in
       match Read.with_trivia (Source.make ~name:"model.xml" text) with
       | Error ds -> QCheck2.Test.fail_report (rendered text ds)
@@ -112,14 +119,16 @@ let comments =
     ("several lines", "/* one\n   two <three> & four -- */\nprocess p = Cube [nil] // after\n\n// at the end\n");
     ("an empty one", "//\nprocess p = Cube [nil]\n");
     ("inside", "compound C {\n  part a : Cube mass 1 // the first\n  // before the glue\n  glue a.l ~ a.r\n}\n");
-    ("empty lines", "param a = 1\n\n\nparam b = 2\nparam c = 3\n\nfor i in 1..2 {\n  let x = 1\n\n  let y = 2\n}\n");
+    ("empty lines",
+     "param a = 1\n\n\nparam b = 2\nparam c = 3\n\nfor i in 1..2 {\n  let x = 1\n\n  let y = 2\n}\n");
   ]
 
 let kept_comment text () =
   let model, trivia = get text (Parse.with_trivia (Source.make ~name:"model.sc" text)) in
   let _, trivia' = read (xml ~trivia model) in
   let texts t = List.filter_map (fun (c : Trivia.t) -> if Trivia.is_comment c then Some c.text else None) t in
-  let bare s = String.trim (String.sub s 2 (String.length s - if String.length s > 3 && s.[1] = '*' then 4 else 2)) in
+  let marks s = if String.length s > 3 && s.[1] = '*' then 4 else 2 in
+  let bare s = String.trim (String.sub s 2 (String.length s - marks s)) in
   Alcotest.(check (list string)) text (List.map bare (texts trivia)) (List.map bare (texts trivia'))
 
 let comment (name, text) = Alcotest.test_case name `Quick (kept_comment text)
@@ -139,7 +148,8 @@ let foreign =
   [
     same_as "a prefix, apostrophes, marked sections, references, comments within a text"
       (Printf.sprintf
-         "\xEF\xBB\xBF<?xml version='1.0' encoding='utf-8' standalone='yes'?>\r\n<?go on?><b:bioshape xmlns:b='%s'\r\n>\
+         "\xEF\xBB\xBF<?xml version='1.0' encoding='utf-8' standalone='yes'?>\r\n\
+          <?go on?><b:bioshape xmlns:b='%s'\r\n>\
           <b:check name='&#99;'>al<!-- in -->ways <![CDATA[x(p) < 3]]> and &#x79;(p) &lt; 4<?and so?></b:check >\
           </b:bioshape><!-- after -->\n"
          Namespace.uri)
