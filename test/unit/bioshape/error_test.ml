@@ -73,6 +73,8 @@ let refused =
       [ "SC0111 2:39154" ] [];
     case "too many prefixes" (behaviour (repeated 10_001 "<delay time='1'/>" ^ "<nil/>")) [ "SC0111 2:1" ]
       [ "10000" ];
+    case "too many summands" (behaviour ("<choice>" ^ repeated 10_002 "<branch><nil/></branch>" ^ "</choice>"))
+      [ "SC0111 2:1" ] [ "10000" ];
     case "too deep in an expression" ("<let name='a' value='" ^ repeated 1_001 "(" ^ "'/>") [ "SC0111 2:1022" ] [];
   ]
 
