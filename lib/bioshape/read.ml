@@ -83,6 +83,18 @@ let compound c =
   let glues = Content.many c [ "glue" ] glue in
   Compound (h, parts, glues, where c)
 
+let rec drawn (s : solid) =
+  match s.it with
+  | Mesh _ | Faces _ -> true
+  | Scaled (inner, _) -> drawn inner
+  | Template _ | Hull _ -> false
+
+let decomposed c =
+  let h = head c Content.plain_head in
+  let s = Terms.solid c in
+  if not (drawn s) then Content.missing c "the solid of a `<decomposed>` is a `<mesh>`, or `<faces>` of its own";
+  Decomposed (h, s, Terms.attributes c, where c)
+
 let behaviour c =
   let h = head c Content.head in
   let on = Content.optional c "on" Content.template in
@@ -171,7 +183,7 @@ let simple =
     ("dynamics", setting (fun n -> Dynamics n)); ("collisions", setting (fun n -> Collisions n));
     ("binding", setting (fun n -> Binding n)); ("bonds", setting (fun n -> Bonds n));
     ("resolution", valued (fun e -> Resolution e)); ("round", always round); ("shape", always shape);
-    ("compound", always compound); ("behaviour", always behaviour); ("process", process); ("fixed", fixed);
+    ("compound", always compound); ("decomposed", always decomposed); ("behaviour", always behaviour); ("process", process); ("fixed", fixed);
     ("bond", always (fun c -> Bond (bond c))); ("network", always network); ("motion", motion);
     ("let", always (fun c -> let n = named c in Let (n, expr c "value")));
     ("check", always (fun c -> let n = named c in Check (n, Content.content c Content.expression)));

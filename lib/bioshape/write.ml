@@ -215,6 +215,8 @@ let rec item (i : item) =
   | Shape (h, s, ds) -> block "shape" (declared h) (solid s @ map definition ds)
   | Compound (h, parts, glues, ds) ->
     long ~at "compound" (declared h) (Long_list.concat [ map part parts; map glue glues; map definition ds ])
+  | Decomposed (h, s, attributes, ds) ->
+    block "decomposed" (declared h) (List.concat [ solid s; map attribute attributes; map definition ds ])
   | Behaviour (h, on, b, ds) ->
     block "behaviour" (declared h @ optional "on" Text.reference on)
       (Long_list.append (behaviour b) (map definition ds))
