@@ -92,7 +92,7 @@ let rec drawn (s : solid) =
 let decomposed c =
   let h = head c Content.plain_head in
   let s = Terms.solid c in
-  if not (drawn s) then Content.missing c "the solid of a `<decomposed>` is a `<mesh>`, or `<faces>` of its own";
+  if not (drawn s) then Content.missing c "the solid of a `<decomposed>` is a `<mesh>` or an `<indexedFaceSet>`";
   Decomposed (h, s, Terms.attributes c, where c)
 
 let behaviour c =
