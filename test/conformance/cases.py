@@ -79,7 +79,7 @@ def define(solid, linear=None, quaternion=None):
 def files_of(folder, model, within=''):
     """The files that a model names, and those that these name: by their paths from the model; those that are there."""
     found = {}
-    for name in re.findall(r'(?:mesh|import)\s+(?:file=)?"([^"]*)"', model):
+    for name in re.findall(r'(?:mesh|decompose|import)\s+(?:file=)?"([^"]*)"', model):
         path = os.path.normpath(os.path.join(within, name)).replace(os.sep, '/')
         if os.path.exists(os.path.join(folder, path)):
             with open(os.path.join(folder, path), encoding='utf-8') as f:

@@ -145,6 +145,50 @@ def def_4_5():
     return r
 
 
+# A C of three bars, its caps and its spine drawn in pieces; and the same with other text in between.
+CLAMP = """compound Clamp = decompose {
+  vertices a (0,0,0) b (6,0,0) c (6,0,1) d (1,0,1) e (1,0,5) f (6,0,5) g (6,0,6) h (0,0,6) m (0,0,3)
+           a' (0,2,0) b' (6,2,0) c' (6,2,1) d' (1,2,1) e' (1,2,5) f' (6,2,5) g' (6,2,6) h' (0,2,6) m' (0,2,3)
+  faces    front0 [a,b,c,d,m] front1 [d,e,h,m] front2 [e,f,g,h] back [m',h',g',f',e',d',c',b',a']
+           below [b,a,a',b'] low_tip [c,b,b',c'] low_jaw [d,c,c',d'] inner [e,d,d',e'] up_jaw [f,e,e',f']
+           up_tip [g,f,f',g'] above [h,g,g',h'] spine0 [m,h,h',m'] spine1 [a,m,m',a']
+} %s
+"""
+
+
+def decomposed():
+    r = Rule('Decomposed')
+
+    def held(where, at='(9,1,3)', v='(-1,0,0)', mine='left', attributes='mass 32'):
+        return CLAMP % attributes + (
+            'process t = Clamp [<a, {%s}>. nil]\nprocess q = Cube mass 1 velocity %s at translate %s [<~a, {%s}>. nil]\n'
+            % (where, v, at, mine))
+
+    r.value('The centre of mass is that of the whole: the spine at 1/2 and the jaws at 7/2, of areas 6 and 10.', held('inner'),
+            [], 'x(t) = 19/8 and y(t) = 1 and z(t) = 3', True)
+    r.value('So is what a bond gives: 32 of 33.', held('inner'), [TIME, {'kind': 'bind'}], 'vx(t)', '-1/33')
+    for what, where, at, v, mine, binds in (
+            ('The floor between the jaws.', 'inner', '(9,1,3)', '(-1,0,0)', 'left', True),
+            ('Not the tip of a jaw.', 'inner', '(9,1,0)', '(-1,0,0)', 'left', False),
+            ('The tip.', 'low_tip', '(9,1,0)', '(-1,0,0)', 'left', True),
+            ('A cap, by a name of it, on the lower jaw;', 'front1', '(4,-4,1/2)', '(0,1,0)', 'back', True),
+            ('on the upper one;', 'front1', '(4,-4,11/2)', '(0,1,0)', 'back', True),
+            ('on the spine;', 'front1', '(1/2,-4,3)', '(0,1,0)', 'back', True),
+            ('without its edges, in its middle.', 'only front1', '(1/2,-4,3)', '(0,1,0)', 'back', True),
+            ('Not the other cap.', 'back', '(4,-4,1/2)', '(0,1,0)', 'back', False),
+            ('The spine from outside.', 'spine0', '(-5,1,1)', '(1,0,0)', 'right', True),
+            ('An edge comes to the floor.', 'inner', '(9,1,3)', '(-1,0,0)', '[e,h]', True)):
+        r.verdict(what, held(where, at, v, mine), 'eventually bound(t, q)', 'holds' if binds else 'violated')
+    r.refused('A corner inside an edge that goes straight on.', held('m'), 'SC0336')
+    r.refused('An edge inside a cap.', held('[d, m]'), 'SC0336')
+    r.refused('Without a mass.', held('inner', attributes=''), 'SC0208')
+    r.refused('Jaws that go through each other.', held('inner').replace('f (6,0,5)', 'f (6,0,1/2)').replace(
+        "f' (6,2,5)", "f' (6,2,1/2)"), 'SC0306')
+    r.refused('A tip that goes through the spine.', held('inner').replace('c (6,0,1)', 'c (6,0,8)').replace(
+        "c' (6,2,1)", "c' (6,2,8)"), 'SC0306')
+    return r
+
+
 def approach():
     r = Rule('Approach')
     cube = cube_of(r)
@@ -204,5 +248,5 @@ def response():
 
 
 def suites():
-    return [def_4_1(), def_4_2(), def_4_3(), def_4_4(), mass(), contact(), touching_(), highest_(), def_4_5(),
+    return [def_4_1(), def_4_2(), def_4_3(), def_4_4(), mass(), contact(), touching_(), highest_(), def_4_5(), decomposed(),
             approach(), ftoc(), response()]
