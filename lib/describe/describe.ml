@@ -77,7 +77,8 @@ let names_of read (i : Ast.import) =
   | Some source ->
     let declares (item : Ast.item) =
       match item.it with
-      | Shape (h, _, _) | Compound (h, _, _, _) | Decomposed (h, _, _, _) | Behaviour (h, _, _, _) -> [ Printer.head h ]
+      | Shape (h, _, _) | Compound (h, _, _, _) | Decomposed (h, _, _, _) | Behaviour (h, _, _, _) ->
+        [ Printer.head h ]
       | Param (n, _) | Param_in (n, _, _) | Let (n, _) -> [ n.it ]
       | _ -> []
     in

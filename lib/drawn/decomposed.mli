@@ -9,7 +9,8 @@ type fault =
 
 val parts : Polyhedron.ifs -> (Polyhedron.t list * Drawn.t, fault) result
 (** Disjoint convex polyhedra of which the solid is the union. A prism over a polygon has the parts of
-    {!Scc_polygon.Prism}, any other solid those of {!Scc_decompose.Decompose}. Each is joined to the others by faces. *)
+    {!Scc_polygon.Prism}, any other solid those of {!Scc_decompose.Decompose}. Each is joined to the others by
+    faces. *)
 
 val make : Polyhedron.ifs -> (Parts.t, fault) result
 (** The same, cut further so that names of the solid's faces are exact, and with these names. *)

@@ -1,7 +1,8 @@
 (** The surface of a solid that need not be convex: its faces, edges and corners.
 
-    Faces of the set that are side by side in one plane are one region, and edges between regions that go straight on
-    are one border; so triangles that a program made of a face are that face again. A region need not be convex. *)
+    Faces of the set that are side by side in one plane are one region, and edges between regions that go
+    straight on are one border; so triangles that a program made of a face are that face again. A region need
+    not be convex. *)
 
 open Scc_exact
 open Scc_geometry
@@ -27,15 +28,16 @@ type t = private {
   regions : region array;
   borders : border array;
   region_of_face : int array;
-  border_of_edge : (int * int, int) Hashtbl.t;  (** by the vertices, the lesser one first; not of edges inside regions *)
+  border_of_edge : (int * int, int) Hashtbl.t;  (** by the vertices, the lesser one first;
+                                                    not of edges inside regions *)
   corners : bool array;  (** by vertex: whether borders of different directions meet at it *)
   corners_of_region : int list array;
   borders_of_region : int list array;
 }
 
 val make : Polyhedron.ifs -> t option
-(** The faces are those of a closed solid without self-intersections, turned outward. [None] where one of them is no
-    simple polygon. *)
+(** The faces are those of a closed solid without self-intersections, turned outward. [None] where one of them
+    is no simple polygon. *)
 
 val closure : t -> feature -> feature list
 (** With the borders and corners of a region, and the corners of a border. *)

@@ -5,7 +5,8 @@ open Scc_geometry
 type t = private {
   drawn : Drawn.t;
   parts : (string * Polyhedron.t) array;
-  (** [p1], [p2], …; a face that shows a region has its name, and a corner at a vertex of the set that of the vertex *)
+  (** [p1], [p2], …; a face that shows a region has its name, and a corner at a vertex of the set that of the
+      vertex *)
   shows : (Drawn.feature, (int * Feature.t) list) Hashtbl.t;
 }
 
@@ -14,7 +15,8 @@ val make : limit:int -> Drawn.t -> Polyhedron.t list -> t option
     there would be more parts than the limit. *)
 
 val inside : t -> Drawn.feature -> (int * Feature.t) list
-(** The features of parts that show a region, without its borders and corners, a border without its ends, or a corner. *)
+(** The features of parts that show a region, without its borders and corners, a border without its ends, or a
+    corner. *)
 
 val closed : t -> Drawn.feature -> (int * Feature.t) list
 (** Of its closure. *)

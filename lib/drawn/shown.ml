@@ -17,7 +17,8 @@ let plane n level = Ivec.to_string n ^ " " ^ Rat.to_string level
 
 let make (d : Drawn.t) =
   let by_plane = Hashtbl.create 64 and by_sides = Hashtbl.create 64 and corner_at = Points.create 64 in
-  Array.iteri (fun r (region : Drawn.region) -> Hashtbl.add by_plane (plane region.normal region.level) r) d.regions;
+  Array.iteri (fun r (region : Drawn.region) ->
+      Hashtbl.add by_plane (plane region.normal region.level) r) d.regions;
   Array.iteri
     (fun b (border : Drawn.border) ->
        match border.between with [ r; s ] -> Hashtbl.add by_sides (r, s) b | _ -> ())
@@ -108,7 +109,8 @@ let of_face t (p : Polyhedron.t) f =
   |> List.map (fun r -> Drawn.Region r)
 
 let borders_of t regions =
-  let pairs = List.concat_map (fun r -> List.filter_map (fun s -> if r < s then Some (r, s) else None) regions) regions in
+  let pairs = List.concat_map (fun r -> List.filter_map (fun s -> if r < s
+                                                          then Some (r, s) else None) regions) regions in
   List.concat_map (fun pair -> Hashtbl.find_all t.by_sides pair) pairs
 
 let of_edge t (a, b) =

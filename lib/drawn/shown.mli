@@ -13,8 +13,9 @@ val features : t -> Polyhedron.t -> (Feature.t * Drawn.feature list) list
     inside a region shows that region. What is glued to other parts and seen nowhere is not listed. *)
 
 val share : Vec.t -> Vec.t array -> Vec.t array -> bool
-(** Two convex polygons of a plane with this normal, the first counter-clockwise about it, the other one clockwise, have
-    an area in common. *)
+(** Two convex polygons of a plane with this normal, the first counter-clockwise about it, the other one
+    clockwise, have an area in common. *)
 
 val overlap : Drawn.region -> Vec.t array -> bool
-(** A convex polygon in the plane of the region, counter-clockwise as seen from outside, has an area in common with it. *)
+(** A convex polygon in the plane of the region, counter-clockwise as seen from outside, has an area in common
+    with it. *)

@@ -39,7 +39,8 @@ let flatness set f (_, corners) =
   else
     match List.find_opt off (Array.to_list corners) with
     | Some v -> Some (Polyhedron_fault.Off_plane (f, v))
-    | None -> if Option.is_none (Drawn.convex_pieces set corners n) then Some (Polyhedron_fault.Self_crossing f) else None
+    | None -> if Option.is_none (Drawn.convex_pieces set corners n)
+      then Some (Polyhedron_fault.Self_crossing f) else None
 
 (* {1 Two faces} *)
 
@@ -78,7 +79,8 @@ let on_segment x (a, b) =
 (* What two faces may have in common: edges of both, and corners of both. *)
 let shared set f g =
   let edges = Polygon.edges f.corners in
-  let both = List.filter (fun (u, v) -> List.mem (v, u) edges || List.mem (u, v) edges) (Polygon.edges g.corners) in
+  let both = List.filter (fun (u, v) -> List.mem (v, u) edges
+                                        || List.mem (u, v) edges) (Polygon.edges g.corners) in
   let corners = List.filter (fun v -> Array.exists (Int.equal v) f.corners) (Array.to_list g.corners) in
   (List.map (fun (u, v) -> (place set u, place set v)) both, List.map (place set) corners)
 
@@ -96,11 +98,11 @@ let stray set f g =
     match points with
     | [] -> None
     | first :: _ ->
-        let last = List.nth points (List.length points - 1) in
-        let on_line = List.filter (fun x -> on_segment x (first, last)) corners in
-        let stops = List.sort_uniq Vec.compare (points @ on_line) in
-        let rec middles = function a :: (b :: _ as rest) -> mean [ a; b ] :: middles rest | [ _ ] | [] -> [] in
-        List.find_opt (fun x -> not (allowed x)) (mean points :: (stops @ middles stops))
+      let last = List.nth points (List.length points - 1) in
+      let on_line = List.filter (fun x -> on_segment x (first, last)) corners in
+      let stops = List.sort_uniq Vec.compare (points @ on_line) in
+      let rec middles = function a :: (b :: _ as rest) -> mean [ a; b ] :: middles rest | [ _ ] | [] -> [] in
+      List.find_opt (fun x -> not (allowed x)) (mean points :: (stops @ middles stops))
   in
   List.find_map (fun one -> List.find_map (of_pieces one) g.pieces) f.pieces
 

@@ -11,5 +11,6 @@ type fault =
   (** two faces that have this point in common, which is at no edge or corner that they share *)
 
 val faults : Polyhedron.ifs -> fault option
-(** [None]: every edge is in two faces, one for each direction, the faces are simple polygons, meet at common edges and
-    corners alone, and bound a positive volume. Exact. Faces whose boxes are apart are not looked at in pairs. *)
+(** [None]: every edge is in two faces, one for each direction, the faces are simple polygons, meet at common
+    edges and corners alone, and bound a positive volume. Exact. Faces whose boxes are apart are not looked at
+    in pairs. *)

@@ -175,7 +175,8 @@ let check_connected (c : Context.t) (name : Ast.name) (parts : Shape.part array)
 let build (c : Context.t) env (name : Ast.name) drafts glues =
   let parts = Array.map (fun d -> d.part) drafts in
   let velocity = common_velocity drafts and spin = Attributes.spin drafts.(0).motion in
-  let compound = { Shape.cid = c.fresh (); clabel = name.it; parts; open_glues = []; velocity; spin; drawn = None } in
+  let compound = { Shape.cid = c.fresh (); clabel = name.it; parts; open_glues = []; velocity; spin;
+                   drawn = None } in
   let joined = Union_find.create (Array.length parts) in
   let rigid = check_motion c name drafts in
   let disjoint = check_overlaps c name parts in

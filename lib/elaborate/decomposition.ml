@@ -42,7 +42,8 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   | Unsound (Cut (f, g, x)) ->
     let name i = fst set.ifs_faces.(i) in
     Report.error c.report Code.crossing_faces (Templates.face_span places f)
-      "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both" (name f) (name g)
+      "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both"
+      (name f) (name g)
       (Vec.to_string x)
       ~notes:[ (Templates.face_span places g, Printf.sprintf "the face `%s` is here" (name g)) ]
   | Separate ->

@@ -192,7 +192,8 @@ let found_drawn report (c : Shape.compound) d at text found =
       ~hint:"faces that are side by side in one plane are one face: name that";
     None
   | Turned face ->
-    Report.error report Code.unknown_feature at "%s is the face `%s` of `%s` the wrong way round" text face c.clabel
+    Report.error report Code.unknown_feature at "%s is the face `%s` of `%s` the wrong way round" text face
+      c.clabel
       ~hint:"list its corners counter-clockwise as seen from outside";
     None
   | Nothing ->

@@ -25,9 +25,9 @@ type meaning = {
 }
 
 val on_shape : Report.t -> own:string option -> Shape.t -> t -> meaning option
-(** [right] on a basic shape, [left.right] on a compound, where a bare name is SC0408 but for drawn ones. The name of the
-    leaf itself, if given, may come first. SC0203 when the shape has no such feature, SC0336 where it is inside
-    another. *)
+(** [right] on a basic shape, [left.right] on a compound, where a bare name is SC0408 but for drawn ones. The
+    name of the leaf itself, if given, may come first. SC0203 when the shape has no such feature, SC0336 where
+    it is inside another. *)
 
 val one : meaning -> Site.t option
 (** Of a feature of one part. *)

@@ -88,7 +88,9 @@ let ends (c : Context.t) at (p, (m : Feature_name.meaning)) (q, (n : Feature_nam
       match List.fold_left (fun best f -> List.fold_left (fun best g -> better best f g) best gs) None fs with
       | Some (_, found) -> Some found
       | None ->
-        Report.error c.report Code.not_touching at "these features of `%s` and `%s` do not touch, in none of their                                                     pieces" p.name q.name;
+        Report.error c.report Code.not_touching at
+          "no pieces of these features of `%s` and `%s` touch" p.name
+          q.name;
         None)
 
 (* What is bound has one spin, and the velocities of centroids differ by what it gives (Definition 4.5). *)

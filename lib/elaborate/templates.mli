@@ -29,8 +29,10 @@ val face_span : places -> int -> Scc_base.Span.t
 (** Of the whole where the face is not written. *)
 
 val listed_set :
-  Context.t -> Env.t -> (Ast.name * Ast.vector) list -> (Ast.name * Ast.name list) list -> Scc_geometry.Polyhedron.ifs option
-(** Vertices and faces as written: their names, and that faces are of the vertices, are checked and nothing else. *)
+  Context.t -> Env.t -> (Ast.name * Ast.vector) list -> (Ast.name * Ast.name list) list ->
+  Scc_geometry.Polyhedron.ifs option
+(** Vertices and faces as written: their names, and that faces are of the vertices, are checked and nothing
+    else. *)
 
 val declare_shape : Context.t -> Env.t -> Ast.head -> Ast.solid -> Ast.definitions -> unit
 (** [shape NAME = …]. *)

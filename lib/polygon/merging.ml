@@ -26,7 +26,8 @@ let merged g pieces =
   let enter k ring = List.iter (fun edge -> Hashtbl.replace owner edge k) (Polygon.edges ring) in
   Array.iteri (fun k ring -> Option.iter (enter k) ring) table;
   let inner (u, v) k = match Hashtbl.find_opt owner (v, u) with Some l when k < l -> [ (u, v) ] | _ -> [] in
-  let cuts = List.concat (List.mapi (fun k ring -> List.concat_map (fun e -> inner e k) (Polygon.edges ring)) pieces) in
+  let cuts = List.concat (List.mapi (fun k ring -> List.concat_map (fun e ->
+      inner e k) (Polygon.edges ring)) pieces) in
   let try_cut (u, v) =
     let k = Hashtbl.find owner (u, v) and l = Hashtbl.find owner (v, u) in
     match (table.(k), table.(l)) with

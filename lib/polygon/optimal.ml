@@ -3,11 +3,11 @@
    convex pieces of the polygon i, i+1, …, k; it is 0 of an edge.
 
    The piece at the chord (i, k) is a chain of chords i = v0, v1, …, vm = k that turns nowhere to the right, with
-   the chord back. For one i, [cost] of a chord (a, b) is the least sum of [least] over the chains from i whose last
-   chord it is, and [first] the greatest v1 of those: the narrowest at i. One that costs more need not be kept: it
-   is no better than the chain that begins with the chord (i, a), and has this diagonal as another cut. All of a
-   chain is left of its first chord, and i is left of all others, so that it winds around i less than half a turn:
-   no right turns, also at its ends, make it convex. *)
+   the chord back. For one i, [cost] of a chord (a, b) is the least sum of [least] over the chains from i whose
+   last chord it is, and [first] the greatest v1 of those: the narrowest at i. One that costs more need not be
+   kept: it is no better than the chain that begins with the chord (i, a), and has this diagonal as another cut.
+   All of a chain is left of its first chord, and i is left of all others, so that it winds around i less than
+   half a turn: no right turns, also at its ends, make it convex. *)
 
 type t = {
   g : Grid.t;

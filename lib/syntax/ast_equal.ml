@@ -189,7 +189,8 @@ let rec item a b =
   | Motion (p, l), Motion (q, m) -> option path p q && law l m
   | ( ( Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _
       | Binding _ | Bonds _ | Resolution _ | Round _ | Shape _
-      | Compound _ | Decomposed _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion _ | Let _
+      | Compound _ | Decomposed _ | Behaviour _ | Process _ | Fixed _ | Bond _ | For _ | Network _ | Motion
+        _ | Let _
       | Check _ ), _ ) -> false
 
 let model = list item

@@ -123,13 +123,15 @@ let part_doc p =
   let attributes = List.map (fun a -> text ~at:(at a) (Text.attribute a)) p.part_attributes in
   nest 2 (cat (separated (fill " ") (head :: attributes)))
 
-(* Vertices and faces are laid out as in the declaration of a shape; what stretches them, and the attributes, follow. *)
+(* Vertices and faces are laid out as in the declaration of a shape; what stretches them, and the attributes,
+   follow. *)
 let decomposition head s attributes =
   let rec unscaled s after =
     match s.it with
     | Scaled (inner, v) -> unscaled inner (text ~at:(at v) ("scaled " ^ Text.vector v) :: after)
     | Faces (vs, fs) -> (template (last_byte s.at) (cat [ head; text ~at:(at s) " {" ]) vs fs, after)
-    | Mesh _ | Template _ | Hull _ -> (cat [ head; nest 2 (cat [ fill " "; text ~at:(at s) (Text.decomposed s) ]) ], after)
+    | Mesh _ | Template _ | Hull _ -> (cat [ head; nest 2 (cat [ fill " ";
+                                                                 text ~at:(at s) (Text.decomposed s) ]) ], after)
   in
   let attributes = List.map (fun a -> text ~at:(at a) (Text.attribute a)) attributes in
   let first, after = unscaled s attributes in

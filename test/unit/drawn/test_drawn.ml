@@ -1,5 +1,5 @@
-(* What names of a drawn solid's faces, edges and corners stand for in its convex parts, held against points: solids of
-   unit cubes, whose faces come as unit squares, and whose parts are boxes. *)
+(* What names of a drawn solid's faces, edges and corners stand for in its convex parts, held against points:
+   solids of unit cubes, whose faces come as unit squares, and whose parts are boxes. *)
 
 open Scc_exact
 open Scc_geometry
@@ -24,7 +24,8 @@ let square = function
   | _ -> [ (0, 0, 0); (0, 1, 0); (1, 1, 0); (1, 0, 0) ]
 
 let squares cells =
-  let of_cell c = List.filter_map (fun d -> if List.mem (plus c d) cells then None else Some (List.map (plus c) (square d))) axes in
+  let of_cell c = List.filter_map (fun d -> if List.mem (plus c d) cells
+                                    then None else Some (List.map (plus c) (square d))) axes in
   List.concat_map of_cell cells
 
 let set_of cells : Polyhedron.ifs =
@@ -41,7 +42,8 @@ let set_of cells : Polyhedron.ifs =
         (List.mapi (fun i f -> (Printf.sprintf "f%d" i, Array.of_list (List.map index f))) faces);
   }
 
-(* Each edge in two squares, and the squares at each point in one ring: cubes do not touch by an edge or corner alone. *)
+(* Each edge in two squares, and the squares at each point in one ring: cubes do not touch by an edge or corner
+   alone. *)
 let manifold cells =
   let faces = squares cells in
   let edges f = List.mapi (fun k p -> (p, List.nth f ((k + 1) mod 4))) f in
@@ -50,7 +52,9 @@ let manifold cells =
   let ring p =
     let at = List.filter (List.mem p) faces in
     let rec grow found =
-      let near f = List.exists (fun g -> List.length (List.filter (fun q -> List.mem q g) f) >= 2 && List.exists (fun q -> q <> p && List.mem q g && List.mem q f) f) found in
+      let near f = List.exists (fun g -> List.length (List.filter (fun q -> List.mem q g) f) >= 2
+                                         && List.exists (fun q -> q <> p && List.mem q g
+                                                                  && List.mem q f) f) found in
       let more = List.filter (fun f -> (not (List.mem f found)) && near f) at in
       if more = [] then found else grow (more @ found)
     in
@@ -97,7 +101,8 @@ let at_point (p : Polyhedron.t) x : Feature.t option =
   let faces = List.init (Array.length p.faces) Fun.id in
   if List.exists (fun f -> sign_on p f x > 0) faces then None
   else
-    let vertex = List.find_opt (fun v -> Vec.equal (snd p.vertices.(v)) x) (List.init (Array.length p.vertices) Fun.id) in
+    let vertex = List.find_opt (fun v -> Vec.equal (snd p.vertices.(v)) x) (List.init
+                                                                              (Array.length p.vertices) Fun.id) in
     let between (u, v) =
       let a = snd p.vertices.(u) and b = snd p.vertices.(v) in
       Vec.is_zero (Vec.cross (Vec.sub b a) (Vec.sub x a)) && Rat.sign (Vec.dot (Vec.sub b x) (Vec.sub x a)) > 0
@@ -127,7 +132,8 @@ let within set f x =
   let corners = List.map (fun v -> snd set.Polyhedron.ifs_vertices.(v)) (Array.to_list (snd set.ifs_faces.(f))) in
   let bounds get =
     let values = List.map get corners in
-    let low = List.fold_left Rat.min (List.hd values) values and high = List.fold_left Rat.max (List.hd values) values in
+    let low = List.fold_left Rat.min (List.hd values) values and high =
+                                                               List.fold_left Rat.max (List.hd values) values in
     Rat.compare low (get x) <= 0 && Rat.compare (get x) high <= 0
   in
   bounds (fun (v : Vec.t) -> v.x) && bounds (fun v -> v.y) && bounds (fun v -> v.z)
@@ -189,7 +195,8 @@ let shoulders () =
   let set = set_of tee in
   let half k = Rat.div (rat ((2 * k) + 1)) (rat 2) in
   let face (x, y) z =
-    let level f = Array.for_all (fun v -> Rat.equal (snd set.ifs_vertices.(v)).z (rat z)) (snd set.ifs_faces.(f)) in
+    let level f = Array.for_all (fun v -> Rat.equal (snd set.ifs_vertices.(v)).z (rat z))
+        (snd set.ifs_faces.(f)) in
     let at f = level f && within set f (Vec.make (half x) (half y) (rat z)) in
     List.find at (List.init (Array.length set.ifs_faces) Fun.id)
   in
@@ -224,7 +231,8 @@ let flat_names () =
 (* {1 What is refused} *)
 
 let box name (x, y, z) (x', y', z') =
-  let p k = [| (x, y, z); (x', y, z); (x', y', z); (x, y', z); (x, y, z'); (x', y, z'); (x', y', z'); (x, y', z') |].(k) in
+  let p k = [| (x, y, z); (x', y, z); (x', y', z); (x, y', z); (x, y, z'); (x', y, z'); (x', y', z');
+               (x, y', z') |].(k) in
   let vertices = List.init 8 (fun k -> (Printf.sprintf "%s%d" name k, vec (p k))) in
   let faces =
     [ ("bottom", [ 0; 3; 2; 1 ]); ("top", [ 4; 5; 6; 7 ]); ("left", [ 0; 4; 7; 3 ]); ("right", [ 1; 2; 6; 5 ]);
@@ -255,7 +263,8 @@ let refused name expected set =
   Alcotest.test_case name `Quick (fun () -> Alcotest.(check string) name expected (verdict set))
 
 let cube = box "a" (0, 0, 0) (4, 4, 4)
-let without n (set : Polyhedron.ifs) = { set with ifs_faces = Array.sub set.ifs_faces 0 (Array.length set.ifs_faces - n) }
+let without n (set : Polyhedron.ifs) = { set with ifs_faces =
+                                                    Array.sub set.ifs_faces 0 (Array.length set.ifs_faces - n) }
 
 let moved v x (set : Polyhedron.ifs) =
   { set with ifs_vertices = Array.mapi (fun i (n, y) -> (n, if i = v then vec x else y)) set.ifs_vertices }
@@ -286,7 +295,9 @@ let prism_of cells =
   Scc_polygon.Prism.pieces ~vertices:(Array.map snd set.ifs_vertices) ~faces:(Array.map snd set.ifs_faces)
 
 let frame =
-  List.filter (fun c -> c <> (1, 1, 0)) (List.concat_map (fun x -> List.map (fun y -> (x, y, 0)) [ 0; 1; 2 ]) [ 0; 1; 2 ])
+  List.filter (fun c -> c <> (1, 1, 0)) (List.concat_map (fun x -> List.map (fun y -> (x, y, 0)) [ 0; 1;
+                                                                                                   2 ]) [
+                                           0; 1; 2 ])
 
 let prism name expected cells =
   Alcotest.test_case name `Quick (fun () ->
@@ -302,7 +313,8 @@ let prism_parts_are_right cells =
     let sum = List.fold_left (fun sum piece -> Rat.add sum (volume piece)) Rat.zero pieces in
     Rat.equal sum (rat (List.length cells))
 
-let flat_cells = QCheck2.Gen.map (List.filter_map (fun (x, y, z) -> if z = 0 then Some (x, y, 0) else None)) random_cells
+let flat_cells = QCheck2.Gen.map (List.filter_map (fun (x, y, z) -> if z = 0
+                                                    then Some (x, y, 0) else None)) random_cells
 
 let () =
   Alcotest.run "drawn"

@@ -34,7 +34,8 @@ let leaf (t : Scc_elaborate.Elaborate.t) name =
   | None -> Alcotest.fail name
 
 let behaviour (t : Scc_elaborate.Elaborate.t) name =
-  let all = List.concat_map (fun (p : State.process) -> Array.to_list p.leaves) (Array.to_list t.declared.processes) in
+  let all = List.concat_map (fun (p : State.process) ->
+      Array.to_list p.leaves) (Array.to_list t.declared.processes) in
   let is (l : State.leaf) = String.equal t.model.leaves.(l.leaf).name name in
   match List.find_opt is all with
   | Some { behaviour = { term = Open (_, c, _); _ }; leaf; _ } -> (c, leaf)
@@ -45,7 +46,8 @@ let strings = Alcotest.(list string)
 (* Which faces of the parts an active surface has, and how many edges and corners. *)
 let surface t name =
   let c, leaf = behaviour t name in
-  let faces, others = List.partition (fun (s : Site.t) -> Scc_geometry.Feature.dimension s.feature = 2) c.surface in
+  let faces, others = List.partition (fun (s : Site.t) ->
+      Scc_geometry.Feature.dimension s.feature = 2) c.surface in
   (List.map (Model.site_name t.model ~leaf) faces, List.length others)
 
 let opens what expected others features text =
@@ -58,14 +60,16 @@ let channels () =
   (* one of two parts has the face; the other has its edge [d,j] with two corners as well *)
   opens "a face of one part" [ "p.p1.inner" ] (4 + 4 + 3) "inner" ell;
   opens "alone" [ "p.p1.inner" ] 0 "only inner" ell;
-  (* in two pieces with five corners each that share an edge: of both the five edges and corners, and the seam twice *)
+  (* in two pieces with five corners each that share an edge: of both the five edges and corners, and the seam
+     twice *)
   opens "a face of two parts" [ "p.p1.top"; "p.p2.top" ] (8 + 8) "top" ell;
   opens "a seam is no edge" [ "p.p1.top"; "p.p2.top" ] 2 "only top" ell;
   opens "an edge of two parts, and its corners" [] 6 "[d, j]" ell;
   opens "a corner of two parts" [] 2 "j" ell;
   opens "by its own name" [ "p.p1.inner" ] (4 + 4 + 3) "p.inner" ell;
   opens "a piece, by its part" [ "p.p2.top" ] (4 + 4) "p2.top" ell;
-  opens "names of one plane are one face" (List.init 8 (fun k -> Printf.sprintf "p.p%d.rim0" (k + 2))) 16 "only rim2" pit;
+  opens "names of one plane are one face" (List.init 8 (fun k ->
+      Printf.sprintf "p.p%d.rim0" (k + 2))) 16 "only rim2" pit;
   opens "the face of a part that goes on under others" [ "p.p1.floor" ] 0 "only floor" pit
 
 let masses () =
@@ -73,7 +77,8 @@ let masses () =
     let t = accept text in
     let l = leaf t "p" in
     Alcotest.(check string) what (Rat.to_string expected) (Rat.to_string l.mass);
-    Alcotest.(check string) (what ^ ": centre of mass") (Vec.to_string centre) (Vec.to_string (Model.leaf_centroid l))
+    Alcotest.(check string) (what ^ ": centre of mass") (Vec.to_string centre) (Vec.to_string
+                                                                                  (Model.leaf_centroid l))
   in
   let half a = Rat.div (Rat.of_int a) (Rat.of_int 22) in
   (* 6 x 1 at (3, 1/2) and 1 x 5 at (1/2, 7/2), of area 11 *)
@@ -81,13 +86,16 @@ let masses () =
   check "an L" (Rat.of_int 22) (Vec.make x x Rat.one) (ell ^ "process p = Ell [nil]");
   check "scaled, moved" (Rat.of_int 5)
     (Vec.make (Rat.add x (Rat.of_int 10)) x (Rat.of_int 3))
-    ("compound Ell = decompose " ^ ell_set ^ " scaled (1, 1, 3) mass 5 at translate (10, 0, 0) process p = Ell [nil]");
+    ("compound Ell = decompose " ^ ell_set ^
+     " scaled (1, 1, 3) mass 5 at translate (10, 0, 0) process p = Ell [nil]");
   check "a family" (Rat.of_int 7)
     (Vec.make (Rat.mul x (Rat.of_int 2)) x Rat.one)
-    ("compound Ell(k) = decompose " ^ ell_set ^ " scaled (k, 1, 1) mass m where m = k + 5 process p = Ell(2) [nil]");
+    ("compound Ell(k) = decompose " ^ ell_set ^
+     " scaled (k, 1, 1) mass m where m = k + 5 process p = Ell(2) [nil]");
   let t = accept (ell ^ "param q in [0, 1] process p = Ell at translate (0, 0, q) [nil]") in
   Alcotest.(check int) "with a place that is not known" 2 (Array.length (leaf t "p").parts);
-  let t = accept ("param q in [0, 1] compound Ell = decompose " ^ ell_set ^ " mass 1 at translate (0, 0, q) process p = Ell [nil]") in
+  let t = accept ("param q in [0, 1] compound Ell = decompose " ^ ell_set ^
+                  " mass 1 at translate (0, 0, q) process p = Ell [nil]") in
   Alcotest.(check int) "or of its parts" 2 (Array.length (leaf t "p").parts)
 
 let off =
@@ -96,9 +104,11 @@ let off =
 
 let meshes () =
   let read_file = function "box.off" -> Ok off | path -> Error ("no file " ^ path) in
-  let t = accept ~read_file "compound Box = decompose \"box.off\" mass 1 process p = Box [<a, {f2, f11, [v0, v1]}>. nil]" in
+  let t = accept ~read_file "compound Box = decompose \"box.off\" mass 1\n\
+                            process p = Box [<a, {f2, f11, [v0, v1]}>. nil]" in
   Alcotest.(check int) "a convex mesh is one part, in triangles or not" 1 (Array.length (leaf t "p").parts);
-  Alcotest.(check (pair strings int)) "triangles of one plane are one face" ([ "p.p1.f10"; "p.p1.f2" ], 15) (surface t "p")
+  Alcotest.(check (pair strings int)) "triangles of one plane are one face" ([ "p.p1.f10";
+                                                                               "p.p1.f2" ], 15) (surface t "p")
 
 let bonds () =
   let text at face = ell ^ Printf.sprintf "process p = Ell [nil]\n\
@@ -106,7 +116,8 @@ let bonds () =
                                            bond <a, {p.%s, q.bottom}>\n" at face in
   let ends text =
     let t = accept text in
-    let b = List.concat_map (fun (p : State.process) -> Array.to_list p.bonds) (Array.to_list t.declared.processes) in
+    let b = List.concat_map (fun (p : State.process) ->
+        Array.to_list p.bonds) (Array.to_list t.declared.processes) in
     List.map (fun (b : State.bond) -> Model.site_name t.model ~leaf:b.one.at b.one.site) b
   in
   Alcotest.(check strings) "on one piece" [ "p.p1.top" ] (ends (text "(5, 1/2, 5/2)" "top"));
@@ -131,7 +142,8 @@ let faults =
       ("binding contact " ^ pit ^ "process p = Pit [<a, {floor}>. nil]");
     case "two names" "SC0202" "a"
       "compound T = decompose { vertices a (0,0,0) b (1,0,0) c (0,1,0) a (0,0,1) faces w [a,c,b] } mass 1";
-    case "in a loop" "SC0210" "compound T = decompose \"t.off\" mass 1" "for i in 1..2 { compound T = decompose \"t.off\" mass 1 }";
+    case "in a loop" "SC0210" "compound T = decompose \"t.off\" mass 1"
+      "for i in 1..2 { compound T = decompose \"t.off\" mass 1 }";
   ]
 
 let () =

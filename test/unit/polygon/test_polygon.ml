@@ -164,7 +164,8 @@ let optimal name ~count ~corners ~size =
 let reflex p ring =
   let n = List.length ring in
   let corner k = List.nth ring (k mod n) in
-  List.length (List.filter (fun k -> cross p (corner k) (corner (k + 1)) (corner (k + 2)) < 0) (List.init n Fun.id))
+  List.length (List.filter (fun k -> cross p (corner k) (corner (k + 1)) (corner (k + 2)) < 0)
+                 (List.init n Fun.id))
 
 (* A large polygon with holes: quadrilaterals, and others, in cells of a grid inside of a frame with teeth. *)
 let holed =
@@ -261,7 +262,8 @@ let () =
         Property.cases
           [
             optimal "the fewest pieces, corners on a small grid" ~count:1500 ~corners:(int_range 4 9) ~size:4;
-            optimal "the fewest pieces, corners in general position" ~count:1500 ~corners:(int_range 5 9) ~size:1000;
+            optimal "the fewest pieces, corners in general position" ~count:1500 ~corners:(int_range 5 9)
+              ~size:1000;
             holed;
           ] );
     ]
