@@ -269,6 +269,15 @@ let without n (set : Polyhedron.ifs) = { set with ifs_faces =
 let moved v x (set : Polyhedron.ifs) =
   { set with ifs_vertices = Array.mapi (fun i (n, y) -> (n, if i = v then vec x else y)) set.ifs_vertices }
 
+let sheet (set : Polyhedron.ifs) : Polyhedron.ifs =
+  let n = Array.length set.ifs_vertices in
+  let more = [| ("s", vec (6, 0, 0)); ("t", vec (7, 0, 0)); ("u", vec (6, 1, 0)) |] in
+  {
+    ifs_vertices = Array.append set.ifs_vertices more;
+    ifs_faces =
+      Array.append set.ifs_faces [| ("one", [| n; n + 1; n + 2 |]); ("two", [| n + 2; n + 1; n |]) |];
+  }
+
 let verdicts =
   let boxes = set_of_boxes in
   let two x y = boxes [ cube; box "b" x y ] in
@@ -283,6 +292,7 @@ let verdicts =
     refused "boxes that cut each other" "aright and bbottom at (4, 2, 1)" (two (3, 1, 1) (5, 3, 3));
     refused "boxes with a face on a face" "atop and bbottom at (2, 2, 4)" (two (1, 1, 4) (3, 3, 5));
     refused "boxes that touch in an edge" "aback and bbottom at (4, 4, 1)" (two (4, 4, 1) (5, 5, 3));
+    refused "a sheet of two faces beside a box" "one and two at (19/3, 1/3, 0)" (sheet (boxes [ cube ]));
     refused "one place twice" "same-position" (moved 1 (0, 0, 0) (boxes [ cube ]));
     refused "a corner that is off its faces" "off-plane" (moved 6 (5, 5, 5) (boxes [ cube ]));
     refused "a corner through a face" "off-plane" (moved 6 (4, 4, -1) (boxes [ cube ]));
