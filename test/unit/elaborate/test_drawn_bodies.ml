@@ -105,7 +105,7 @@ let off =
 let meshes () =
   let read_file = function "box.off" -> Ok off | path -> Error ("no file " ^ path) in
   let t = accept ~read_file "compound Box = decompose \"box.off\" mass 1\n\
-                            process p = Box [<a, {f2, f11, [v0, v1]}>. nil]" in
+                             process p = Box [<a, {f2, f11, [v0, v1]}>. nil]" in
   Alcotest.(check int) "a convex mesh is one part, in triangles or not" 1 (Array.length (leaf t "p").parts);
   Alcotest.(check (pair strings int)) "triangles of one plane are one face" ([ "p.p1.f10";
                                                                                "p.p1.f2" ], 15) (surface t "p")
