@@ -512,6 +512,8 @@ class Reader:
 
     def _compound(self) -> Any:
         name = self.name()
+        if self.accept("="):
+            raise Refused("drawn bodies are not read here")
         self.expect("{")
         parts, glues = [], []
         while not self.accept("}"):
