@@ -56,6 +56,14 @@ let xml_refused = "SC0351"
 let xml_unexpected = "SC0352"
 let xml_missing = "SC0353"
 let xml_text = "SC0354"
+let bad_region = "SC0360"
+let off_surface = "SC0361"
+let unknown_points = "SC0362"
+let region_of_what = "SC0363"
+let not_common = "SC0364"
+let bad_curve = "SC0365"
+let too_many_pieces = "SC0366"
+let cut_shape = "SC0367"
 let not_touching = "SC0401"
 let not_highest = "SC0402"
 let interpenetration = "SC0403"
@@ -145,6 +153,14 @@ let all =
     (xml_unexpected, "an element, attribute or text of XML that does not belong where it stands");
     (xml_missing, "an element or attribute of XML that is missing");
     (xml_text, "a text that XML cannot hold");
+    (bad_region, "an expression that is no region of contact");
+    (off_surface, "a region that is not on the surface of its shape");
+    (unknown_points, "a region to be cut out of a shape whose points are not plain numbers");
+    (region_of_what, "a region of which it is not known on which shape it is");
+    (not_common, "a bond or glue that is not on the common surface of two regions");
+    (bad_curve, "a curved solid without a polyhedron as near as it has to be");
+    (too_many_pieces, "regions that cut a shape into too many pieces");
+    (cut_shape, "a shape that its regions cut, where one in one piece is needed");
     (not_touching, "features that do not touch");
     (not_highest, "a glue that is not the highest touching pair");
     (interpenetration, "bodies that interpenetrate");

@@ -182,6 +182,32 @@ val xml_missing : t
 val xml_text : t
 (** SC0354: a text that XML cannot hold. *)
 
+(** {1 Regions of the original notation} *)
+
+val bad_region : t
+(** SC0360: an expression that is no region of contact. *)
+
+val off_surface : t
+(** SC0361: a region that is not on the surface of its shape. *)
+
+val unknown_points : t
+(** SC0362: a region to be cut out of a shape whose points are not plain numbers. *)
+
+val region_of_what : t
+(** SC0363: a region of which it is not known on which shape it is. *)
+
+val not_common : t
+(** SC0364: a bond or glue that is not on the common surface of two regions. *)
+
+val bad_curve : t
+(** SC0365: a curved solid without a polyhedron as near as it has to be. *)
+
+val too_many_pieces : t
+(** SC0366: regions that cut a shape into too many pieces. *)
+
+val cut_shape : t
+(** SC0367: a shape that its regions cut, where one in one piece is needed. *)
+
 (** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 
 val not_touching : t

@@ -32,7 +32,9 @@ let run color named output path =
   let console = Console.make ~color ~json:false () in
   Guard.run console (fun () -> translate console (target ~named ~output) output path)
 
-let names = List.map (fun (n : Notation.t) -> (n.name, n)) Notation.all
+(* The language of scc is the refined calculus, and is known by that as well. *)
+let names =
+  ("refined", Notation.shape_calculus) :: List.map (fun (n : Notation.t) -> (n.name, n)) Notation.all
 
 let named =
   let doc = Printf.sprintf "The notation to write: %s (see NOTATIONS)." (Arg.doc_alts_enum names) in

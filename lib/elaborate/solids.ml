@@ -9,148 +9,21 @@ let ( let* ) = Option.bind
 
 let max_points = 100
 
-(* Names for that many faces: f1, f2, …, without those of points. *)
-let face_names points count =
-  let taken name = List.exists (fun (n, _) -> String.equal n name) points in
-  let rec from i left =
-    let name = Printf.sprintf "f%d" i in
-    if left = 0 then []
-    else if taken name then from (i + 1) left
-    else name :: from (i + 1) (left - 1)
-  in
-  from 1 count
-
-(* Two faces have at most two corners in common. *)
-let compare_corners f g =
-  let sorted f = List.sort Int.compare (Array.to_list f) in
-  let rec compare a b =
-    match (a, b) with
-    | x :: a, y :: b -> if Int.equal x y then compare a b else Int.compare x y
-    | [], _ | _, [] -> List.compare_lengths a b
-  in
-  compare (sorted f) (sorted g)
-
 let hull report at list =
   if List.length list > max_points then begin
     Report.error report Code.too_deep at "this hull has more than %d points" max_points;
     None
   end
   else
-    match Scc_mesh.Hull_of.hull { Polyhedron.ifs_vertices = Array.of_list list; ifs_faces = [||] } with
+    match Scc_mesh.Hull_of.named list with
     | None ->
       Report.error report Code.no_solid at "these points span no solid: all of them are in one plane";
       None
-    | Some hull ->
-      let faces = List.sort compare_corners (Array.to_list (Array.map snd hull.ifs_faces)) in
-      let names = face_names list (List.length faces) in
-      Some { hull with ifs_faces = Array.of_list (List.combine names faces) }
-
-(* {1 Points of the circle}
-
-   For a rational t, ((1 - t^2)/(1 + t^2), 2t/(1 + t^2)) is a point of the unit circle, and t the tangent
-   of half its
-   angle. That of the angle 2 pi k/n is irrational but for quarters: t is taken to the next multiple of
-   2^-10, in the
-   first eighth of the circle, of which the others are images. *)
-
-let int = Rat.of_int
-let fraction a b = Rat.div (int a) (int b)
-let grid = fraction 1 1024
-let pi =
-  let digits = Z.of_string "314159265358979323846264338327950288" in
-  Rat.make digits (Z.pow (Z.of_int 10) 35)
-
-(* By their series, whose terms are below 2^-60 from the tenth on where 0 <= x < 1/2. *)
-let tangent x =
-  let square = Rat.mul x x in
-  let rec series term k sum =
-    if k > 20 then sum
-    else
-      let next = Rat.neg (Rat.div (Rat.mul term square) (int ((k + 1) * (k + 2)))) in
-      series next (k + 2) (Rat.add sum term)
-  in
-  Rat.div (series x 1 Rat.zero) (series Rat.one 0 Rat.zero)
-
-let in_first_eighth turn =
-  let t = Rat.round_to (tangent (Rat.mul pi turn)) ~quantum:grid in
-  let t2 = Rat.mul t t in
-  let d = Rat.add Rat.one t2 in
-  (Rat.div (Rat.sub Rat.one t2) d, Rat.div (Rat.mul (int 2) t) d)
-
-(* At k/n of a full turn. *)
-let on_circle n k =
-  let quarters = 4 * k / n in
-  let rest = Rat.sub (fraction k n) (fraction quarters 4) in
-  let x, y =
-    if Rat.compare rest (fraction 1 8) <= 0 then in_first_eighth rest
-    else
-      let y, x = in_first_eighth (Rat.sub (fraction 1 4) rest) in
-      (x, y)
-  in
-  match quarters with
-  | 0 -> (x, y)
-  | 1 -> (Rat.neg y, x)
-  | 2 -> (Rat.neg x, Rat.neg y)
-  | _ -> (y, Rat.neg x)
+    | Some hull -> Some hull
 
 (* {1 Solids that need no import} *)
 
-let at_height r z (x, y) = Vec.make (Rat.mul r x) (Rat.mul r y) z
-let numbered letter i = Printf.sprintf "%s%d" letter (i + 1)
-let half q = Rat.div q (int 2)
-let ifs vertices faces = { Polyhedron.ifs_vertices = Array.of_list vertices; ifs_faces = Array.of_list faces }
-
-let box a b c =
-  let x = half a and y = half b and z = half c in
-  let corner name sx sy sz =
-    let signed s q = if s then q else Rat.neg q in
-    (name, Vec.make (signed sx x) (signed sy y) (signed sz z))
-  in
-  ifs
-    [
-      corner "a" false false false; corner "b" true false false; corner "c" true true false;
-      corner "d" false true false; corner "e" false false true; corner "f" true false true;
-      corner "g" true true true; corner "h" false true true;
-    ]
-    [
-      ("bottom", [| 0; 3; 2; 1 |]); ("top", [| 4; 5; 6; 7 |]); ("left", [| 0; 4; 7; 3 |]);
-      ("right", [| 1; 2; 6; 5 |]); ("front", [| 0; 1; 5; 4 |]); ("back", [| 3; 7; 6; 2 |]);
-    ]
-
-let ring letter n r z angle = List.init n (fun i -> (numbered letter i, at_height r z (angle i)))
-let bottom n = ("bottom", Array.init n (fun i -> n - 1 - i))
-
-let prism n r h =
-  let z = half h in
-  let side i =
-    let j = (i + 1) mod n in
-    (numbered "side" i, [| i; j; n + j; n + i |])
-  in
-  ifs
-    (ring "b" n r (Rat.neg z) (on_circle n) @ ring "t" n r z (on_circle n))
-    (bottom n :: ("top", Array.init n (fun i -> n + i)) :: List.init n side)
-
-(* The corners of the top are between those of the bottom. *)
-let antiprism n r h =
-  let z = half h in
-  let even i = on_circle (2 * n) (2 * i) and odd i = on_circle (2 * n) ((2 * i) + 1) in
-  let up i = (numbered "up" i, [| i; (i + 1) mod n; n + i |]) in
-  let down i =
-    let j = (i + 1) mod n in
-    (numbered "down" i, [| j; n + j; n + i |])
-  in
-  ifs
-    (ring "b" n r (Rat.neg z) even @ ring "t" n r z odd)
-    ((bottom n :: ("top", Array.init n (fun i -> n + i)) :: List.init n up) @ List.init n down)
-
-(* Its centroid is a quarter of the height above the base, where the origin is. *)
-let pyramid n r h =
-  let base = Rat.neg (Rat.div h (int 4)) in
-  let side i = (numbered "side" i, [| i; (i + 1) mod n; n |]) in
-  ifs
-    (ring "b" n r base (on_circle n) @ [ ("apex", Vec.make Rat.zero Rat.zero (Rat.add base h)) ])
-    (bottom n :: List.init n side)
-
+let on_circle = Named_solids.on_circle
 let names = [ "antiprism(_,_,_)"; "box(_,_,_)"; "prism(_,_,_)"; "pyramid(_,_,_)" ]
 let max_corners = 256
 
@@ -179,7 +52,7 @@ let made_box report r (arguments : Env.value list) =
   match arguments with
   | [ Number a; Number b; Number c ] | [ Vector { x = a; y = b; z = c } ] ->
     let* () = positive report r [ a; b; c ] in
-    Some (box a b c)
+    Some (Named_solids.box a b c)
   | _ -> wrong report r arguments lengths
 
 let round report (r : Ast.reference) make (arguments : Env.value list) =
@@ -217,7 +90,7 @@ let find report (r : Ast.reference) (reference : Family.reference) =
   | None, [], _ :: _, ("box" | "prism" | "antiprism" | "pyramid") when Family.is_open reference ->
     Some (check_open report r reference)
   | None, [], _ :: _, "box" -> Some (made_box report r reference.arguments)
-  | None, [], _ :: _, "prism" -> Some (round report r prism reference.arguments)
-  | None, [], _ :: _, "antiprism" -> Some (round report r antiprism reference.arguments)
-  | None, [], _ :: _, "pyramid" -> Some (round report r pyramid reference.arguments)
+  | None, [], _ :: _, "prism" -> Some (round report r Named_solids.prism reference.arguments)
+  | None, [], _ :: _, "antiprism" -> Some (round report r Named_solids.antiprism reference.arguments)
+  | None, [], _ :: _, "pyramid" -> Some (round report r Named_solids.pyramid reference.arguments)
   | None, [], _ :: _, _ -> None

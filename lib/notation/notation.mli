@@ -12,6 +12,8 @@ type t = {
   read : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result;  (** with the comments *)
   write : Ast.model * Trivia.t list -> (string, Diag.t list) result;
   (** in canonical layout, the comments kept; the error is what the notation cannot say *)
+  canonical : Source.t -> (string, Diag.t list) result;
+  (** what was read in canonical layout; where reading loses nothing, what {!write} gives of it *)
   readable : Source.t -> Ast.model;  (** what can be read of a text that may be full of faults *)
 }
 
@@ -20,6 +22,9 @@ val shape_calculus : t
 
 val bioshape : t
 (** XML: [specs/bioshape-xml.md]. *)
+
+val original : t
+(** The original calculus: [specs/original.md]. *)
 
 val all : t list
 (** The table: another notation is another line of it. *)

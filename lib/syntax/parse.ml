@@ -183,8 +183,8 @@ let of_tokens (t : Tokens.t) source start =
 
 let is_empty (t : Tokens.t) = Array.length t.tokens = 1
 
-let with_trivia source =
-  let t = Tokens.read source in
+let with_trivia ?(tokens = Tokens.read ?rewrite:None) source =
+  let t = tokens source in
   match of_tokens t source Parser.Incremental.model with
   | Error errors -> Error errors
   | Ok _ when is_empty t ->
@@ -208,8 +208,8 @@ let piece (t : Tokens.t) first last =
   let finish : Tokens.token = { token = EOF; start = stop; stop; after_fault = false } in
   { t with tokens = Array.append (Array.sub t.tokens first (last - first)) [| finish |] }
 
-let readable source =
-  let t = Tokens.read source in
+let readable ?(tokens = Tokens.read ?rewrite:None) source =
+  let t = tokens source in
   if Tokens.hopeless t then []
   else
     match run t Parser.Incremental.model 0 with

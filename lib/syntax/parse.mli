@@ -17,10 +17,11 @@ val max_errors : int
 val parse : Source.t -> (Ast.model, Diag.t list) result
 (** A whole model. *)
 
-val with_trivia : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result
-(** The same with the comments and empty lines, for {!Printer.model}. *)
+val with_trivia : ?tokens:(Source.t -> Tokens.t) -> Source.t -> (Ast.model * Trivia.t list, Diag.t list) result
+(** The same with the comments and empty lines, for {!Printer.model}. [tokens] reads a text of another notation
+    into tokens of this grammar, each at its place in that text. *)
 
-val readable : Source.t -> Ast.model
+val readable : ?tokens:(Source.t -> Tokens.t) -> Source.t -> Ast.model
 (** What can be read of a text that may be full of faults: the declarations that are whole, each by itself where
     the text as such is refused. Nothing, if it is no text at all. *)
 

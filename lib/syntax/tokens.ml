@@ -298,7 +298,7 @@ let not_text file text fault =
   in
   Diag.error Code.not_text (Span.make ~file ~start:at ~stop:(at + 1)) "%s" message
 
-let read source =
+let read ?(rewrite = fun tokens -> (tokens, [])) source =
   let file = Source.name source and text = Source.text source in
   let read, trivia, faults =
     match Utf8.check text with
@@ -306,7 +306,8 @@ let read source =
     | Some fault ->
       ([ { token = EOF; start = 0; stop = 0; after_fault = true } ], [], [ not_text file text fault ])
   in
-  let s = structure (Array.of_list (List.rev read)) in
+  let tokens, misplaced = rewrite (Array.of_list (List.rev read)) in
+  let s = structure tokens in
   let deep =
     match s.too_deep with
     | None -> []
@@ -318,7 +319,7 @@ let read source =
     file;
     tokens = s.tokens;
     trivia = List.rev trivia;
-    faults = List.rev_append faults deep;
+    faults = List.rev_append faults (misplaced @ deep);
     opening = s.opening;
     unclosed = s.unclosed;
     restart = s.restart;

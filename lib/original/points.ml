@@ -1,0 +1,152 @@
+open Scc_base
+open Scc_exact
+open Scc_geometry
+open Scc_syntax
+
+type t = {
+  faces : (Ast.name * Ast.vector) list * (Ast.name * Ast.name list) list;
+  others : (Ast.name * Region.t) list;
+}
+
+(* What a point is: told by its numbers, or as it is written. *)
+type place = Known of Vec.t | Written of Ast.expr
+
+let same a b =
+  match (a, b) with
+  | Known v, Known w -> Vec.equal v w
+  | Written e, Written f -> Ast_equal.expr e f
+  | Known _, Written _ | Written _, Known _ -> false
+
+let place plain e = match Plain.vector plain e with Ok v -> Known v | Error _ -> Written e
+let known = function Known v -> Some v | Written _ -> None
+
+let rec distinct seen = function
+  | [] -> List.rev seen
+  | (p, e) :: rest ->
+    if List.exists (fun (q, _) -> same p q) seen then distinct seen rest else distinct ((p, e) :: seen) rest
+
+(* A table by coordinates, where all are known: solids may have thousands of points. *)
+module Places = Hashtbl.Make (struct
+    type t = Vec.t
+
+    let equal = Vec.equal
+    let hash = Vec.hash
+  end)
+
+let all_known points =
+  let seen = Places.create 64 in
+  List.filter
+    (fun (v, _) ->
+       let fresh = not (Places.mem seen v) in
+       if fresh then Places.add seen v ();
+       fresh)
+    points
+
+(* How the corners are found among the points: an index, if it is one. *)
+let index_of points =
+  match Array.map (fun (p, _) -> known p) points with
+  | vs when Array.for_all Option.is_some vs ->
+    let table = Places.create 64 in
+    Array.iteri (fun i v -> Option.iter (fun v -> Places.replace table v i) v) vs;
+    (function Known v -> Places.find_opt table v | Written _ -> None)
+  | _ ->
+    fun p ->
+      let rec from i =
+        if i = Array.length points then None else if same p (fst points.(i)) then Some i else from (i + 1)
+      in
+      from 0
+
+(* The faces of the hull, as indices of points. *)
+let hull at points =
+  let named = Array.mapi (fun i (p, _) -> (string_of_int i, Option.value (known p) ~default:Vec.zero)) points in
+  match Scc_mesh.Hull_of.hull { Polyhedron.ifs_vertices = named; ifs_faces = [||] } with
+  | None -> Fault.refuse Code.no_solid at "these points span no solid: all of them are in one plane"
+  | Some h ->
+    let index v = int_of_string (fst h.ifs_vertices.(v)) in
+    let faces = Array.map (fun (_, c) -> Array.map index c) h.ifs_faces in
+    (Array.map (fun (n, _) -> int_of_string n) h.ifs_vertices, faces)
+
+let fresh prefix taken at count =
+  let rec from i left =
+    let name = Printf.sprintf "%s%d" prefix i in
+    if left = 0 then []
+    else if Hashtbl.mem taken name then from (i + 1) left
+    else Tree.at at name :: from (i + 1) (left - 1)
+  in
+  from 1 count
+
+let key corners =
+  let sorted = Array.copy corners in
+  Array.sort Int.compare sorted;
+  Array.to_list sorted
+
+let read plain ~at written regions =
+  let placed = List.map (fun e -> (place plain e, e)) written in
+  let exact = List.for_all (fun (p, _) -> Option.is_some (known p)) placed in
+  let points =
+    if exact then
+      List.map (fun (p, e) -> (Option.value (known p) ~default:Vec.zero, e)) placed
+      |> all_known
+      |> List.map (fun (v, e) -> (Known v, e))
+    else distinct [] placed
+  in
+  let points = Array.of_list points in
+  let index = index_of points in
+  let corners, faces = if exact then hull at points else (Array.init (Array.length points) Fun.id, [||]) in
+  let is_corner = Array.make (Array.length points) false in
+  Array.iter (fun i -> is_corner.(i) <- true) corners;
+  let by_corners = Hashtbl.create 16 in
+  Array.iteri (fun i c -> Hashtbl.replace by_corners (key c) i) faces;
+  let names = Array.make (Array.length points) None and listed = Array.make (Array.length faces) false in
+  let found = ref [] and others = ref [] in
+  let vertex name p =
+    match index (place plain p) with
+    | Some i when is_corner.(i) && Option.is_none names.(i) ->
+      names.(i) <- Some name;
+      true
+    | Some _ | None -> false
+  in
+  let face name ps =
+    let cycle = List.map (fun p -> index (place plain p)) ps in
+    if not (List.for_all Option.is_some cycle) then false
+    else
+      let cycle = Array.of_list (List.filter_map Fun.id cycle) in
+      if not exact then begin
+        found := (name, cycle) :: !found;
+        true
+      end
+      else
+        match Hashtbl.find_opt by_corners (key cycle) with
+        | Some i when not listed.(i) ->
+          let n = Array.length cycle in
+          let turned = Array.init n (fun k -> cycle.(n - 1 - k)) in
+          let is c = Polyhedron.rotation_equivalent c faces.(i) in
+          let right = if is cycle then Some cycle else if is turned then Some turned else None in
+          Option.iter
+            (fun c ->
+               listed.(i) <- true;
+               found := (name, c) :: !found)
+            right;
+          Option.is_some right
+        | Some _ | None -> false
+  in
+  List.iter
+    (fun (name, (x : Region.t)) ->
+       let is_feature =
+         match x.kind with Point p -> vertex name p | Polygon ps -> face name ps | _ -> false
+       in
+       if not is_feature then others := (name, x) :: !others)
+    regions;
+  let taken = Hashtbl.create 16 in
+  List.iter (fun ((n : Ast.name), _) -> Hashtbl.replace taken n.it ()) regions;
+  let corners = List.filter (fun i -> is_corner.(i)) (List.init (Array.length points) Fun.id) in
+  let unnamed = List.filter (fun i -> Option.is_none names.(i)) corners in
+  List.iter2 (fun i n -> names.(i) <- Some n) unnamed (fresh "v" taken at (List.length unnamed));
+  let name i = Option.value names.(i) ~default:(Tree.at at "") in
+  let missing = List.filter (fun i -> not listed.(i)) (List.init (Array.length faces) Fun.id) in
+  let more = List.map2 (fun i n -> (n, faces.(i))) missing (fresh "f" taken at (List.length missing)) in
+  let told (n, c) = (n, List.map name (Array.to_list c)) in
+  {
+    faces = (List.map (fun i -> (name i, snd points.(i))) corners, List.map told (List.rev !found @ more));
+    others = List.rev !others;
+  }

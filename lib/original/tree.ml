@@ -1,0 +1,47 @@
+open Scc_base
+open Scc_exact
+open Scc_syntax
+
+let at at it : 'a Ast.loc = { it; at }
+let surface = "\001region"
+let segment name : Ast.segment = { name; indices = [] }
+let path span names = at span (List.map (fun n -> segment (at span n)) names)
+
+let feature (x : Ast.expr) =
+  at x.at (Ast.Named (at x.at [ { Ast.name = at x.at surface; indices = [ x ] } ]))
+
+let region (f : Ast.feature) =
+  match f.it with
+  | Named { it = [ { name; indices = [ x ] } ]; _ } when String.equal name.it surface -> Some x
+  | Named _ | Tuple _ -> None
+
+type declared = Region of Ast.name * Ast.name * Ast.expr | Curved of Ast.name * Ast.expr
+
+let keyword = function
+  | `Region (name, shape) -> "\002region " ^ name ^ " on " ^ shape
+  | `Curved word -> "\002curved " ^ word
+
+let declared (i : Ast.item) =
+  match i.it with
+  | Let (n, x) when String.length n.it > 0 && n.it.[0] = '\002' -> (
+      match String.split_on_char ' ' n.it with
+      | [ _; name; _; shape ] -> Some (Region (at n.at name, at n.at shape, x))
+      | [ _; word ] -> Some (Curved (at n.at word, x))
+      | _ -> Bug.fail __POS__ "a declaration of neither kind")
+  | _ -> None
+
+let item = function
+  | Region (name, shape, x) -> Ast.Let (at name.at (keyword (`Region (name.it, shape.it))), x)
+  | Curved (word, x) -> Ast.Let (at word.at (keyword (`Curved word.it)), x)
+
+let natural span z : Ast.expr = at span (Ast.Number (Q.of_bigint z))
+
+let number span q =
+  let size = Rat.abs q in
+  let whole = natural span (Q.num size) in
+  let written =
+    if Rat.is_integer size then whole else at span (Ast.Binary (Div, whole, natural span (Q.den size)))
+  in
+  if Rat.sign q < 0 then at span (Ast.Neg written) else written
+
+let vector span (v : Vec.t) = at span (Ast.Vector (number span v.x, number span v.y, number span v.z))
