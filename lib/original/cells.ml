@@ -3,6 +3,7 @@ open Scc_exact
 open Scc_geometry
 open Scc_syntax
 
+(* [polyhedron] is in the frame of the whole. *)
 type piece = { name : string; cut : Pieces.piece; polyhedron : Polyhedron.t }
 type t = { solid : Extent.solid; whole : Polyhedron.t; pieces : piece array; one : bool }
 
@@ -121,11 +122,15 @@ let reference span name arguments : Ast.reference =
 
 let shape_name (name : Ast.name) piece = Printf.sprintf "%s'%s" name.it piece.name
 
+let centre piece = (Mass_properties.of_polyhedron piece.polyhedron).centroid
+
+(* About its own centroid. *)
 let shape (name : Ast.name) piece =
   let at = name.at in
+  let centre = centre piece in
   let p = piece.polyhedron in
   let named n = Tree.at at n in
-  let vertices = Array.to_list (Array.map (fun (n, v) -> (named n, Tree.vector at v)) p.vertices) in
+  let vertices = Array.to_list (Array.map (fun (n, v) -> (named n, Tree.vector at (Vec.sub v centre))) p.vertices) in
   let corner v = named (fst p.vertices.(v)) in
   let face (n, c) = (named n, List.map corner (Array.to_list c)) in
   let faces = List.map face (Array.to_list p.faces) in
@@ -137,11 +142,12 @@ let mass_name = "mass_of_all"
 let part (name : Ast.name) piece fraction =
   let at = name.at in
   let mass = Tree.at at (Ast.Path (Tree.path at [ mass_name ])) in
+  let place = Tree.vector at (centre piece) in
   let share = Tree.at at (Ast.Binary (Mul, Tree.number at fraction, mass)) in
   {
     Ast.part = Tree.at at piece.name;
     part_solid = Tree.at at (Ast.Template (reference at (shape_name name piece) []));
-    part_attributes = [ Tree.at at (Ast.Mass share) ];
+    part_attributes = [ Tree.at at (Ast.Mass share); Tree.at at (Ast.At [ Tree.at at (Ast.Translate place) ]) ];
     part_span = at;
   }
 

@@ -34,14 +34,12 @@ let item = function
   | Region (name, shape, x) -> Ast.Let (at name.at (keyword (`Region (name.it, shape.it))), x)
   | Curved (word, x) -> Ast.Let (at word.at (keyword (`Curved word.it)), x)
 
-let natural span z : Ast.expr = at span (Ast.Number (Q.of_bigint z))
+let integer span z : Ast.expr =
+  let size = at span (Ast.Number (Q.of_bigint (Z.abs z))) in
+  if Z.sign z < 0 then at span (Ast.Neg size) else size
 
 let number span q =
-  let size = Rat.abs q in
-  let whole = natural span (Q.num size) in
-  let written =
-    if Rat.is_integer size then whole else at span (Ast.Binary (Div, whole, natural span (Q.den size)))
-  in
-  if Rat.sign q < 0 then at span (Ast.Neg written) else written
+  let top = integer span (Q.num q) in
+  if Rat.is_integer q then top else at span (Ast.Binary (Div, top, integer span (Q.den q)))
 
 let vector span (v : Vec.t) = at span (Ast.Vector (number span v.x, number span v.y, number span v.z))
