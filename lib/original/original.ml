@@ -2,8 +2,14 @@ open Scc_base
 open Scc_syntax
 
 let tokens source =
-  let spelt = Source.make ~name:(Source.name source) (Signs.spelt (Source.text source)) in
-  Tokens.read ~rewrite:(Words.rewrite ~file:(Source.name source)) spelt
+  let name = Source.name source and text = Source.text source in
+  let whole (t : Tokens.token) =
+    match t.token with
+    | PLUS | STAR | MINUS -> { t with stop = t.start + Signs.length text t.start }
+    | _ -> t
+  in
+  let rewrite tokens = Words.rewrite ~file:name (Array.map whole tokens) in
+  Tokens.read ~rewrite (Source.make ~name (Signs.spelt text))
 
 let ( let* ) = Result.bind
 let tree source = Parse.with_trivia ~tokens source

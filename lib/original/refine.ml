@@ -224,7 +224,7 @@ let setting faults plain items =
             | Ok s -> (s, Some word)
             | Error d ->
               faults := d :: !faults;
-              (setting, Some word)))
+              (Setting.rough, Some word)))
     | Some (Region _) | None -> (setting, before)
   in
   fst (List.fold_left add (Setting.none, None) items)

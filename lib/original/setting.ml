@@ -5,6 +5,7 @@ open Scc_syntax
 type t = (Curved.side * Rat.t) option
 
 let none = None
+let rough = Some (Curved.Inscribed, Rat.make Z.one (Z.of_int 2))
 let most = Rat.make Z.one (Z.of_int 2)
 
 let read plain (word : Ast.name) e =

@@ -7,6 +7,9 @@ type t
 
 val none : t
 
+val rough : t
+(** What stands for one that was refused, so that no more is said of it. *)
+
 val read : Plain.t -> Ast.name -> Ast.expr -> t
 (** The word and the distance, a fraction of the radius. Raises {!Fault.Found}: SC0362 where it is no plain number, SC0365 where it
     is not from {!Curved.least} up to 1/2. *)

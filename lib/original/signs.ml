@@ -1,4 +1,4 @@
-let signs = [ ("\xE2\x88\xAA", " + "); ("\xE2\x88\xA9", " * "); ("\xE2\x88\x96", " - ") ]
+let signs = [ ("\xE2\x88\xAA", "+  "); ("\xE2\x88\xA9", "*  "); ("\xE2\x88\x96", "-  ") ]
 
 type state = Text | Line | Block of int | Quoted
 
@@ -26,3 +26,5 @@ let spelt text =
   in
   go 0 Text;
   Bytes.to_string result
+
+let length text start = if start < String.length text && text.[start] = '\xE2' then 3 else 1

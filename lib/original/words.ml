@@ -69,14 +69,15 @@ let hold_region s i j =
 
 (* The region between [i] and [j], as a set of one feature. *)
 let surface s i j =
-  (match token s i with
-   | LBRACE ->
-     fault s Code.bad_region i (j - 1) "features in braces are of the refined calculus"
-       ~hint:"a region is written without braces, as in `<dock, top + left>`"
-   | _ -> ());
-  add s i LBRACE;
-  hold_region s i j;
-  add s j RBRACE
+  match token s i with
+  | LBRACE ->
+    fault s Code.bad_region i (j - 1) "features in braces are of the refined calculus"
+      ~hint:"a region is written without braces, as in `<dock, top + left>`";
+    copy_all s i j
+  | _ ->
+    add s i LBRACE;
+    hold_region s i j;
+    add s j RBRACE
 
 (* The regions of which the tokens between [i] and [j] are the intersection. *)
 let common s i j between =
@@ -90,7 +91,9 @@ let common s i j between =
   | _ ->
     fault s Code.not_common i (Int.max i (j - 1)) "this is not the common surface of two regions"
       ~hint:"write `X * Y`, where X is on the one body and Y on the other";
-    copy_all s i j
+    add s i (NAME Tree.surface);
+    add s j between;
+    add s j (NAME Tree.surface)
 
 let is_name t = Tokens.can_be_name t || (match t with ONLY | STEADY | PUSH | ABSORB -> true | _ -> false)
 
@@ -130,7 +133,7 @@ let tuple s i =
         Some (stop + 1)
       | _ ->
         fault s Code.bad_arity i stop "a basic shape is a tuple of four: <solid, mass, place, velocity>";
-        copy_all s (i + 1) stop;
+        copy_all s (i + 1) (match all s (i + 1) stop is_comma with comma :: _ -> comma | [] -> stop);
         Some (stop + 1))
 
 let channel s i =

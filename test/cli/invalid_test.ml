@@ -13,7 +13,7 @@ let files folder ending =
   |> List.filter (fun f -> Filename.check_suffix f ending)
   |> List.sort String.compare
 
-let is_case file = List.exists (Filename.check_suffix file) [ ".sc"; ".xml" ]
+let is_case file = List.exists (Filename.check_suffix file) [ ".sc"; ".xml"; ".osc" ]
 
 let inputs folder =
   Sys.readdir folder |> Array.to_list |> List.filter is_case |> List.sort String.compare

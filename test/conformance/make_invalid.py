@@ -39,7 +39,7 @@ def suite(folder):
     s = Suite('invalid/cases.json', 'Models that are refused, or loaded with a warning: codes and places.',
               'read by hand: the .out file of that name')
     codes, commands = {}, []
-    for file in sorted(f for f in os.listdir(folder) if f.endswith(('.sc', '.xml'))):
+    for file in sorted(f for f in os.listdir(folder) if f.endswith(('.sc', '.xml', '.osc'))):
         name, code = os.path.splitext(file)[0], file[:6]
         out = read(folder, name + '.out').decode(errors='replace')
         arguments = read(folder, name + '.args').decode().strip() if os.path.exists(
