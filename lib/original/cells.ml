@@ -7,7 +7,7 @@ open Scc_syntax
 type piece = { name : string; cut : Pieces.piece; polyhedron : Polyhedron.t }
 type t = { solid : Extent.solid; whole : Polyhedron.t; pieces : piece array; one : bool }
 
-let max_pieces = 64
+let max_pieces = 256
 
 (* The normal with its first component that is not zero made 1: planes are equal iff these are. *)
 let normal_form (p : Pieces.plane) : Pieces.plane =

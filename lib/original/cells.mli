@@ -7,7 +7,7 @@ open Scc_syntax
 type t
 
 val max_pieces : int
-(** 64. *)
+(** 256. *)
 
 val make : Extent.solid -> Scc_geometry.Polyhedron.t -> at:Span.t -> (Span.t * Extent.t) list -> t
 (** The solid, cut along the planes that its regions ask for. Raises {!Fault.Found}: SC0366 for more than {!max_pieces}. *)

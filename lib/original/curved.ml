@@ -38,8 +38,10 @@ let ball n =
 
 (* {1 How near} *)
 
-(* The least square of the distances of the face planes from the centre. *)
-let inner_square (p : Polyhedron.ifs) =
+(* The least square of the distances of the face planes of [ball n] from the centre. Points of the circle at quarters of
+   a turn from each other, and opposite ones, are exact images: the faces of one quarter of the southern half tell all. *)
+let inner_square n =
+  let p = ball n in
   let place v = snd p.ifs_vertices.(v) in
   let square (_, corners) =
     let a = place corners.(0) in
@@ -47,7 +49,9 @@ let inner_square (p : Polyhedron.ifs) =
     let offset = Vec.dot normal a in
     Rat.div (Rat.mul offset offset) (Vec.norm2 normal)
   in
-  Array.fold_left (fun least f -> Rat.min least (square f)) Rat.one p.ifs_faces
+  let quarter j = List.init (n / 4) (fun k -> p.ifs_faces.((j * n) + k)) in
+  List.concat_map quarter (List.init (n / 4) Fun.id)
+  |> List.fold_left (fun least f -> Rat.min least (square f)) Rat.one
 
 (* The same of the sides of the polygon, in the plane. *)
 let polygon_square n =
@@ -76,4 +80,4 @@ let rec from square side d n =
   if Rat.compare distance d <= 0 then { corners = n; factor; distance } else from square side d (n + 4)
 
 let disc side d = from polygon_square side d 4
-let sphere side d = from (fun n -> inner_square (ball n)) side d 4
+let sphere side d = from inner_square side d 4

@@ -25,6 +25,8 @@ let write (items, trivia) =
 
 let canonical source =
   let* items, trivia = tree source in
-  Ok (Written.model ~trivia items)
+  match List.sort_uniq Diag.compare (Region.faults items) with
+  | [] -> Ok (Written.model ~trivia items)
+  | faults -> Error faults
 
 let readable source = Parse.readable ~tokens source

@@ -10,7 +10,7 @@ val write : Ast.model * Trivia.t list -> (string, Diag.t list) result
 (** A model of the language, by {!Abstract}. *)
 
 val canonical : Source.t -> (string, Diag.t list) result
-(** The same model in canonical layout, its regions as they were written. *)
+(** The same model in canonical layout, its regions as they were written; SC0360 for what is none. *)
 
 val readable : Source.t -> Ast.model
 (** What can be read of a text that may be full of faults, regions and all as {!Tree} has them. *)

@@ -59,7 +59,7 @@ let index_of points =
 (* The faces of the hull, as indices of points. *)
 let hull at points =
   let named = Array.mapi (fun i (p, _) -> (string_of_int i, Option.value (known p) ~default:Vec.zero)) points in
-  match Scc_mesh.Hull_of.hull { Polyhedron.ifs_vertices = named; ifs_faces = [||] } with
+  match Scc_mesh.Hull_of.named (Array.to_list named) with
   | None -> Fault.refuse Code.no_solid at "these points span no solid: all of them are in one plane"
   | Some h ->
     let index v = int_of_string (fst h.ifs_vertices.(v)) in

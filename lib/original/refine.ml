@@ -9,6 +9,7 @@ type shape = {
   regions : (Ast.name * Region.t) list;  (* that are no features, in order *)
   mutable inline : Region.t list;  (* in behaviours that are of the shape *)
   mutable cells : (Extent.solid * Cells.t) option;  (* where some region is no union of features as it is written *)
+  mutable refused : bool;  (* its regions have a fault that has been told *)
 }
 
 type t = {
@@ -89,6 +90,7 @@ let members t on (x : Region.t) =
      | [], Empty -> []
      | [], _ -> Fault.refuse Code.bad_region x.at "no point of the surface of `%s` is in this region" s.name.it
      | found, _ -> found)
+  | Some { refused = true; _ } -> []
   | Some s -> (
       match Region.members x with
       | Some ms -> List.concat_map (expanded s 0) ms
@@ -191,8 +193,8 @@ let rec item t (i : Ast.item) : Ast.item list =
       | Some _ | None -> [ i ])
   | Shape (head, s, ds), _ -> (
       match Names.find_opt head.declared.it t.declared with
-      | Some shape when head.formals = [] -> made (Shape (head, whole t shape.solid, ds))
-      | Some _ | None -> made (Shape (head, solid t s, ds)))
+      | Some shape -> made (Shape (head, whole t shape.solid, ds))
+      | None -> made (Shape (head, solid t s, ds)))
   | Compound (h, parts, glues, ds), _ ->
     let part (p : Ast.part) = { p with part_solid = whole t p.part_solid } in
     let glued = Walk.item bonds { i with it = Compound (h, Long_list.map part parts, glues, ds) } in
@@ -208,7 +210,27 @@ let rec item t (i : Ast.item) : Ast.item list =
 
 (* {1 What is declared} *)
 
-let constants items = List.fold_left Plain.add Plain.none items
+(* Not those whose names stand for something else somewhere: what is written there means that. *)
+let constants items =
+  let inner = Hashtbl.create 16 in
+  let hide (n : Ast.name) = Hashtbl.replace inner n.it () in
+  let head (h : Ast.head) ds =
+    List.iter hide h.formals;
+    List.iter (fun (p : Ast.expr) -> match p.it with Path { it = [ s ]; _ } -> hide s.name | _ -> ()) h.places;
+    List.iter (fun (n, _) -> hide n) ds
+  in
+  let rec within ~top (i : Ast.item) =
+    match i.it with
+    | Shape (h, _, ds) | Compound (h, _, _, ds) | Behaviour (h, _, _, ds) -> head h ds
+    | For (ranges, body) ->
+      List.iter (fun (r : Ast.range) -> hide r.index) ranges;
+      List.iter (within ~top:false) body
+    | Let (n, _) when not top -> hide n
+    | _ -> ()
+  in
+  List.iter (within ~top:true) items;
+  let is_inner (i : Ast.item) = match i.it with Let (n, _) -> Hashtbl.mem inner n.it | _ -> false in
+  List.fold_left Plain.add Plain.none (List.filter (fun i -> not (is_inner i)) items)
 
 let setting faults plain items =
   let add (setting, before) i =
@@ -259,7 +281,7 @@ let shapes faults plain regions items =
     | Shape (head, s, _) -> (
         let name = head.declared in
         let declared = on name.it in
-        let made solid regions = { name; solid; regions; inline = []; cells = None } in
+        let made solid regions = { name; solid; regions; inline = []; cells = None; refused = false } in
         match s.it with
         | Template { qualifier = None; target = { it = "polyhedron"; _ }; indices = []; arguments = _ :: _ as points }
           -> (
@@ -312,7 +334,8 @@ let find_inline t items =
 
 let cut t shape =
   let all = List.map snd shape.regions @ List.rev shape.inline in
-  if not (List.for_all is_simple all) then
+  if not (List.for_all is_simple all) then begin
+    shape.refused <- true;
     attempt t ~default:() (fun () ->
         let known name = Option.map (fun s -> s.solid) (Names.find_opt name t.declared) in
         let g =
@@ -323,7 +346,9 @@ let cut t shape =
         in
         let solid = Extent.solid ~plain:t.plain ~declared g.round g.polyhedron in
         let resolved = List.map (fun (x : Region.t) -> (x.at, Extent.resolve solid x)) all in
-        shape.cells <- Some (solid, Cells.make solid g.polyhedron ~at:shape.name.at resolved))
+        shape.cells <- Some (solid, Cells.make solid g.polyhedron ~at:shape.name.at resolved);
+        shape.refused <- false)
+  end
 
 (* {1 Models} *)
 

@@ -119,3 +119,21 @@ let of_members span members =
     let join (x : Ast.expr) (y : Ast.expr) = Tree.at (Span.merge x.at y.at) (Ast.Binary (Add, x, y)) in
     Ok (List.fold_left join first rest)
   | exception Fault d -> Error d
+
+let faults items =
+  let found = ref [] in
+  let check e = match read e with Ok _ -> () | Error d -> found := d :: !found in
+  let feature f =
+    Option.iter check (Tree.region f);
+    f
+  in
+  let channel (c : Ast.channel) =
+    List.iter (fun (m : Ast.member) -> ignore (feature m.feature)) c.features;
+    c
+  in
+  let item i =
+    (match Tree.declared i with Some (Region (_, _, e)) -> check e | Some (Curved _) | None -> ());
+    ignore (Walk.item { Walk.same with feature; channel } i)
+  in
+  List.iter item items;
+  List.rev !found

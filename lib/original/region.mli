@@ -31,3 +31,6 @@ val of_members : Span.t -> Ast.member list -> (Ast.expr, Diag.t) result
     wherever a region stands. *)
 
 val of_feature : Ast.feature -> (Ast.expr, Diag.t) result
+
+val faults : Ast.model -> Diag.t list
+(** What {!read} refuses of the regions of a tree ({!Tree}). *)

@@ -2,11 +2,14 @@ open Scc_base
 open Scc_exact
 open Scc_syntax
 
-type t = (Curved.side * Rat.t) option
+(* Each found when it is needed, and once. *)
+type near = { ball : Curved.t Lazy.t; disc : Curved.t Lazy.t }
+type t = near option
 
 let none = None
-let rough = Some (Curved.Inscribed, Rat.make Z.one (Z.of_int 2))
+let near side d = Some { ball = lazy (Curved.sphere side d); disc = lazy (Curved.disc side d) }
 let most = Rat.make Z.one (Z.of_int 2)
+let rough = near Curved.Inscribed most
 
 let read plain (word : Ast.name) e =
   let side = match word.it with "circumscribed" -> Curved.Circumscribed | _ -> Curved.Inscribed in
@@ -17,25 +20,25 @@ let read plain (word : Ast.name) e =
     if Rat.compare d Curved.least < 0 || Rat.compare d most > 0 then
       Fault.refuse Code.bad_curve e.at "curved solids are taken as near as 1/2 to %s of their radius, and not %s"
         (Rat.to_string Curved.least) (Rat.to_string d);
-    Some (side, d)
+    near side d
 
 type curved =
   | Sphere of Curved.t * Ast.expr
   | Cylinder of Curved.t * Ast.expr * Ast.expr
   | Cone of Curved.t * Ast.expr * Ast.expr
 
-let taken t (r : Ast.reference) near =
+let taken t (r : Ast.reference) which =
   match t with
-  | Some (side, d) -> near side d
+  | Some near -> Lazy.force (which near)
   | None ->
     Fault.refuse Code.bad_curve r.target.at "the model does not say as which polyhedron a %s is taken" r.target.it
       ~hint:"declare `curved inscribed 1/20`, or `circumscribed`: as near as a twentieth of the radius"
 
 let curved t (r : Ast.reference) =
   match (r.qualifier, r.indices, r.target.it, r.arguments) with
-  | None, [], "sphere", [ radius ] -> Some (Sphere (taken t r Curved.sphere, radius))
-  | None, [], "cylinder", [ radius; height ] -> Some (Cylinder (taken t r Curved.disc, radius, height))
-  | None, [], "cone", [ radius; height ] -> Some (Cone (taken t r Curved.disc, radius, height))
+  | None, [], "sphere", [ radius ] -> Some (Sphere (taken t r (fun n -> n.ball), radius))
+  | None, [], "cylinder", [ radius; height ] -> Some (Cylinder (taken t r (fun n -> n.disc), radius, height))
+  | None, [], "cone", [ radius; height ] -> Some (Cone (taken t r (fun n -> n.disc), radius, height))
   | None, [], (("sphere" | "cylinder" | "cone") as name), _ ->
     Fault.refuse Code.bad_arity r.target.at "a %s takes %s" name
       (match name with "sphere" -> "its radius" | _ -> "the radius and the height")

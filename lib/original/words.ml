@@ -51,6 +51,12 @@ let find s first holds =
   in
   go first 0
 
+(* Where a region ends that begins at [i], if this comes before anything that is in no region. *)
+let end_of_region s i ends =
+  match find s i (fun t -> ends t || (match t with COMMA | LT | LE | GE | GT | EQ -> true | _ -> false)) with
+  | Some stop when stop > i && ends (token s stop) -> Some stop
+  | Some _ | None -> None
+
 let is_gt = function GT -> true | _ -> false
 let is_comma = function COMMA -> true | _ -> false
 let is_closing = function RPAREN -> true | _ -> false
@@ -140,27 +146,27 @@ let channel s i =
   match after_name s (i + 1) with
   | None -> None
   | Some first -> (
-      match find s first is_gt with
-      | Some stop when stop > first ->
+      match end_of_region s first is_gt with
+      | Some stop ->
         copy_all s i first;
         surface s first stop;
         copy s stop;
         Some (stop + 1)
-      | Some _ | None -> None)
+      | None -> None)
 
 let bond s i =
   match after_name s (i + 1) with
   | None -> None
   | Some first -> (
-      match find s first is_gt with
-      | Some stop when stop > first ->
+      match end_of_region s first is_gt with
+      | Some stop ->
         copy_all s i first;
         add s first LBRACE;
         common s first stop COMMA;
         add s stop RBRACE;
         copy s stop;
         Some (stop + 1)
-      | Some _ | None -> None)
+      | None -> None)
 
 (* What `<` begins: in a chain, outside of the behaviours, a basic shape or a bond; elsewhere a channel, unless what
    stands before it makes it a comparison. *)
@@ -178,13 +184,13 @@ let angle s i =
 let weak s i =
   match (token s (i + 1), after_name s (i + 2)) with
   | LPAREN, Some first -> (
-      match find s first is_closing with
-      | Some stop when stop > first ->
+      match end_of_region s first is_closing with
+      | Some stop ->
         copy_all s i first;
         surface s first stop;
         copy s stop;
         Some (stop + 1)
-      | Some _ | None -> None)
+      | None -> None)
   | _ -> None
 
 let glue s i =
@@ -208,6 +214,14 @@ let glue s i =
     Some stop
   | Some _ | None -> None
 
+(* These words are names, or begin an atom of formulas, elsewhere. *)
+let declares s i =
+  match (token s i, token s (i + 1)) with
+  | BOND, LT -> true
+  | BEHAVIOUR, LPAREN -> false
+  | BEHAVIOUR, _ -> true
+  | _ -> false
+
 (* [region R on S =], [curved inscribed]. *)
 let declaration s i =
   let name t =
@@ -228,7 +242,9 @@ let declaration s i =
     Some (i + 2)
   | _ -> None
 
-let note s = function
+let note s i =
+  match token s i with
+  | (BOND | BEHAVIOUR) when not (declares s i) -> ()
   | PROCESS | FIXED -> s.chain <- true; s.square <- 0
   | LBRACKET -> s.square <- s.square + 1
   | RBRACKET -> s.square <- Int.max 0 (s.square - 1)
@@ -242,7 +258,7 @@ let rewrite ~file (tokens : Tokens.token array) =
     if i >= last then copy s last
     else begin
       let t = token s i in
-      note s t;
+      note s i;
       let next =
         match t with
         | LT -> angle s i
