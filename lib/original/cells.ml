@@ -95,7 +95,7 @@ let of_piece t span region piece =
   List.iter
     (fun f ->
        let x = middle p f in
-       if Extent.on_surface t.solid x && Extent.contains t.solid region x then Features.replace inside f ())
+       if (t.one || Extent.on_surface t.solid x) && Extent.contains t.solid region x then Features.replace inside f ())
     all;
   let covered = Features.create 64 in
   let member f =

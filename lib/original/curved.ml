@@ -4,7 +4,7 @@ open Scc_geometry
 type side = Inscribed | Circumscribed
 type t = { corners : int; factor : Rat.t; distance : Rat.t }
 
-let least = Rat.make Z.one (Z.of_int 250)
+let least = Rat.make Z.one (Z.of_int 100)
 
 (* {1 The ball} *)
 

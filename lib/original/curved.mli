@@ -23,7 +23,7 @@ type t = {
 }
 
 val least : Rat.t
-(** 1/250: a smaller distance would take more faces than are of use. *)
+(** 1/100: a smaller distance would take more faces than are of use. *)
 
 val disc : side -> Rat.t -> t
 (** The polygon with the fewest corners, a multiple of four, that is at most [d] from the disc of radius 1;

@@ -173,12 +173,13 @@ let cap s at axis c =
 
 (* {1 Regions} *)
 
-let most_nested = 1_000
+let most_parts = 1_000
 
-let rec region s depth (x : Region.t) =
-  if depth > most_nested then
-    Fault.refuse Code.too_deep x.at "regions are nested more than %d deep" most_nested;
-  let inner = region s (depth + 1) in
+let rec region s left (x : Region.t) =
+  decr left;
+  if !left < 0 then
+    Fault.refuse Code.too_deep x.at "a region is made of more than %d others, or of itself" most_parts;
+  let inner = region s left in
   match x.kind with
   | Named p -> (
       let name = single p in
@@ -213,7 +214,7 @@ let rec region s depth (x : Region.t) =
   | Common (y, z) -> Common (inner y, inner z)
   | Less (y, z) -> Less (inner y, inner z)
 
-let resolve s x = region s 0 x
+let resolve s x = region s (ref most_parts) x
 
 (* {1 Cuts} *)
 

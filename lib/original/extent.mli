@@ -18,10 +18,14 @@ val solid : plain:Plain.t -> declared:(string -> Region.t option) -> round -> Po
 
 type t
 
+val most_parts : int
+(** A region is made of 1 000 others at most, however they are named. *)
+
 val resolve : solid -> Region.t -> t
 (** Raises {!Fault.Found}: SC0203 (no such feature), SC0360 (sides of a polygon that cross, a cap of what is not curved,
     the interior of what is no feature), SC0361 (not on the surface), SC0362 (coordinates that are no plain numbers),
-    SC0111 (regions within one another beyond 1 000).
+    SC0111
+    (more than {!most_parts}).
 
     [cap(v, c)], for 0 <= c < 1, consists of the whole facets all of whose vertices x have v.x >= c |v| |x| (about an
     axis: of x and v both without their z, where x is off the axis). For a ball that is the cone about v of which the cap of

@@ -59,3 +59,25 @@ let add names (i : Ast.item) =
       match value names e with Ok v -> Names.add n.it v names | Error _ -> Names.remove n.it names)
   | (Param (n, _) | Param_in (n, _, _)), _ -> Names.remove n.it names
   | _ -> names
+
+(* Not those whose names stand for something else somewhere: what is written there means that. *)
+let of_model items =
+  let inner = Hashtbl.create 16 in
+  let hide (n : Ast.name) = Hashtbl.replace inner n.it () in
+  let head (h : Ast.head) ds =
+    List.iter hide h.formals;
+    List.iter (fun (p : Ast.expr) -> match p.it with Path { it = [ s ]; _ } -> hide s.name | _ -> ()) h.places;
+    List.iter (fun (n, _) -> hide n) ds
+  in
+  let rec within ~top (i : Ast.item) =
+    match i.it with
+    | Shape (h, _, ds) | Compound (h, _, _, ds) | Behaviour (h, _, _, ds) -> head h ds
+    | For (ranges, body) ->
+      List.iter (fun (r : Ast.range) -> hide r.index) ranges;
+      List.iter (within ~top:false) body
+    | Let (n, _) when not top -> hide n
+    | _ -> ()
+  in
+  List.iter (within ~top:true) items;
+  let is_inner (i : Ast.item) = match i.it with Let (n, _) -> Hashtbl.mem inner n.it | _ -> false in
+  List.fold_left add none (List.filter (fun i -> not (is_inner i)) items)

@@ -8,8 +8,10 @@ open Scc_syntax
 type t
 
 val none : t
-val add : t -> Ast.item -> t
-(** What a declaration adds: a [let]. *)
+
+val of_model : Ast.model -> t
+(** The constants that a text declares; not those whose names stand for something else somewhere in it, as a parameter of
+    a shape or behaviour, a value of its own, the index of a loop or a [let] in one: there these are meant. *)
 
 val number : t -> Ast.expr -> (Rat.t, Span.t) result
 (** The error is the place of what is no plain number. *)

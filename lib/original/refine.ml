@@ -36,14 +36,20 @@ let attempt t ~default f =
 let is_simple x = Option.is_some (Region.members x)
 
 (* The names of regions of the shape give way to what they stand for. *)
-let rec expanded shape depth (m : Ast.member) =
-  match m.feature.it with
-  | Named { it = [ { name; indices = [] } ]; _ } when depth < 1_000 -> (
-      match List.find_opt (fun ((n : Ast.name), _) -> String.equal n.it name.it) shape.regions with
-      | Some (_, x) when not m.only ->
-        List.concat_map (expanded shape (depth + 1)) (Option.value (Region.members x) ~default:[])
-      | Some _ | None -> [ m ])
-  | _ -> [ m ]
+let expanded shape (x : Region.t) members =
+  let left = ref Extent.most_parts in
+  let rec one (m : Ast.member) =
+    decr left;
+    if !left < 0 then
+      Fault.refuse Code.too_deep x.at "a region is made of more than %d others, or of itself" Extent.most_parts;
+    match m.feature.it with
+    | Named { it = [ { name; indices = [] } ]; _ } when not m.only -> (
+        match List.find_opt (fun ((n : Ast.name), _) -> String.equal n.it name.it) shape.regions with
+        | Some (_, y) -> List.concat_map one (Option.value (Region.members y) ~default:[])
+        | None -> [ m ])
+    | _ -> [ m ]
+  in
+  List.concat_map one members
 
 let rec mentions names (x : Region.t) =
   match x.kind with
@@ -93,7 +99,7 @@ let members t on (x : Region.t) =
   | Some { refused = true; _ } -> []
   | Some s -> (
       match Region.members x with
-      | Some ms -> List.concat_map (expanded s 0) ms
+      | Some ms -> expanded s x ms
       | None -> no_shape x)
   | None -> ( match Region.members x with Some ms -> ms | None -> no_shape x)
 
@@ -210,28 +216,6 @@ let rec item t (i : Ast.item) : Ast.item list =
 
 (* {1 What is declared} *)
 
-(* Not those whose names stand for something else somewhere: what is written there means that. *)
-let constants items =
-  let inner = Hashtbl.create 16 in
-  let hide (n : Ast.name) = Hashtbl.replace inner n.it () in
-  let head (h : Ast.head) ds =
-    List.iter hide h.formals;
-    List.iter (fun (p : Ast.expr) -> match p.it with Path { it = [ s ]; _ } -> hide s.name | _ -> ()) h.places;
-    List.iter (fun (n, _) -> hide n) ds
-  in
-  let rec within ~top (i : Ast.item) =
-    match i.it with
-    | Shape (h, _, ds) | Compound (h, _, _, ds) | Behaviour (h, _, _, ds) -> head h ds
-    | For (ranges, body) ->
-      List.iter (fun (r : Ast.range) -> hide r.index) ranges;
-      List.iter (within ~top:false) body
-    | Let (n, _) when not top -> hide n
-    | _ -> ()
-  in
-  List.iter (within ~top:true) items;
-  let is_inner (i : Ast.item) = match i.it with Let (n, _) -> Hashtbl.mem inner n.it | _ -> false in
-  List.fold_left Plain.add Plain.none (List.filter (fun i -> not (is_inner i)) items)
-
 let setting faults plain items =
   let add (setting, before) i =
     match Tree.declared i with
@@ -323,6 +307,9 @@ let find_inline t items =
   let leaf (l : Ast.leaf) = Option.iter (walk (of_solid t l.solid)) l.behaviour in
   let rec item (i : Ast.item) =
     match i.it with
+    | For (_, body) when List.exists (fun i -> Option.is_some (Tree.declared i)) body ->
+      t.faults :=
+        Diag.error Code.wrong_kind i.at "`region` and `curved` are not declared in a loop" :: !(t.faults)
     | Behaviour (_, on, b, _) -> walk (on_of t on) b
     | Process (_, first, rest) | Fixed (_, first, rest) ->
       leaf first;
@@ -365,9 +352,24 @@ let balls t =
   in
   Hashtbl.fold (fun n () all -> n :: all) t.balls [] |> List.sort Int.compare |> List.map ball
 
+(* What of the translation is not seen from it. *)
+let notes t items =
+  let of_item (i : Ast.item) =
+    match (i.it, Tree.declared i) with
+    | _, Some (Curved _) -> List.map (fun text -> (i.at, text)) (Setting.notes t.setting)
+    | Shape (h, _, _), _ -> (
+        match Names.find_opt h.declared.it t.declared with
+        | Some { cells = Some (_, c); name; _ } when Cells.is_cut c ->
+          let parts = List.length (Cells.fractions c) in
+          [ (i.at, Printf.sprintf "%s is cut along the regions of it, into %d parts" name.it parts) ]
+        | Some _ | None -> [])
+    | _ -> []
+  in
+  Long_list.concat (Long_list.map of_item items)
+
 let model items =
   let faults = ref [] in
-  let plain = constants items in
+  let plain = Plain.of_model items in
   let setting = setting faults plain items in
   let all = regions faults items in
   let t = { plain; setting; balls = Hashtbl.create 4; declared = shapes faults plain all items; faults } in
@@ -375,5 +377,5 @@ let model items =
   Names.iter (fun _ s -> cut t s) t.declared;
   let refined = Long_list.concat (Long_list.map (item t) items) in
   match List.sort_uniq Diag.compare !faults with
-  | [] -> Ok (Long_list.append (balls t) refined)
+  | [] -> Ok (Long_list.append (balls t) refined, notes t items)
   | faults -> Error (List.filteri (fun i _ -> i < Parse.max_errors) faults)

@@ -3,11 +3,11 @@ open Scc_exact
 open Scc_syntax
 
 (* Each found when it is needed, and once. *)
-type near = { ball : Curved.t Lazy.t; disc : Curved.t Lazy.t }
+type near = { side : Curved.side; ball : Curved.t Lazy.t; disc : Curved.t Lazy.t }
 type t = near option
 
 let none = None
-let near side d = Some { ball = lazy (Curved.sphere side d); disc = lazy (Curved.disc side d) }
+let near side d = Some { side; ball = lazy (Curved.sphere side d); disc = lazy (Curved.disc side d) }
 let most = Rat.make Z.one (Z.of_int 2)
 let rough = near Curved.Inscribed most
 
@@ -26,6 +26,17 @@ type curved =
   | Sphere of Curved.t * Ast.expr
   | Cylinder of Curved.t * Ast.expr * Ast.expr
   | Cone of Curved.t * Ast.expr * Ast.expr
+
+let notes = function
+  | None -> []
+  | Some { side; ball; disc } ->
+    let word = match side with Curved.Inscribed -> "inscribed in" | Circumscribed -> "circumscribed about" in
+    let note what which (c : Curved.t) =
+      Printf.sprintf "%s is %s it by %d corners to a turn, at the Hausdorff distance of at most %s of its radius"
+        what word which (Rat.to_string c.distance)
+    in
+    let made what c = if Lazy.is_val c then List.map (fun w -> note w (Lazy.force c).Curved.corners (Lazy.force c)) what else [] in
+    made [ "what stands for a sphere" ] ball @ made [ "what stands for a cylinder or cone" ] disc
 
 let taken t (r : Ast.reference) which =
   match t with

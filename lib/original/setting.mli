@@ -14,6 +14,9 @@ val read : Plain.t -> Ast.name -> Ast.expr -> t
 (** The word and the distance, a fraction of the radius. Raises {!Fault.Found}: SC0362 where it is no plain number, SC0365 where it
     is not from {!Curved.least} up to 1/2. *)
 
+val notes : t -> string list
+(** How near the polyhedra are that have been asked for, a sentence each. *)
+
 (** What a solid of the original calculus is, in the language. *)
 type curved =
   | Sphere of Curved.t * Ast.expr
