@@ -20,10 +20,8 @@ let copy s i = put s s.tokens.(i)
 let copy_all s i j =
   for k = i to j - 1 do copy s k done
 
-(* A word that nobody wrote, where the token [i] begins. *)
-let add s i token =
-  let start = s.tokens.(i).start in
-  put s { Tokens.token; start; stop = start; after_fault = false }
+(* A word that nobody wrote, in the place of the token [i] that comes next. *)
+let add s i token = put s { (s.tokens.(i)) with token; after_fault = false }
 
 (* A word in place of the tokens from [i] to [j]. *)
 let replace s i j token =

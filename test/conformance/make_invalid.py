@@ -55,6 +55,8 @@ def suite(folder):
         params = {'text': model, 'files': files_of(folder, model)}
         if not params['files']:
             del params['files']
+        if file.endswith('.osc'):
+            params['name'] = file
         if arguments == 'check -D m=3 {}':
             params['parameters'] = {'m': 3}
         elif arguments != 'check {}':
