@@ -168,9 +168,10 @@ def all_suites():
     import rules_of_geometry
     import rules_of_properties
     import rules_of_readings
+    import rules_of_regions
     import rules_of_turning
     import rules_of_invariants
     import rules_of_zones
     return [s for m in (rules_of_geometry, rules_of_bodies, rules_of_turning, rules_of_properties, rules_of_readings,
-                        rules_of_zones, rules_of_invariants, rules_of_chance)
+                        rules_of_zones, rules_of_invariants, rules_of_chance, rules_of_regions)
             for s in m.suites()]
