@@ -11,5 +11,5 @@ val flattened : within:float -> Polyhedron.ifs -> Polyhedron.ifs
     that are not on three faces any more go. Faces are [f0], [f1], … again. What comes out need not be flat. *)
 
 val named : (string * Scc_exact.Vec.t) list -> Polyhedron.ifs option
-(** The hull of points, as the language has it: its faces are f1, f2, … in the order of the first three of their corners,
-    without numbers that a point has. *)
+(** The hull of points, as the language has it: its faces are f1, f2, … in the order of the first three of their
+    corners, without numbers that a point has. *)

@@ -6,7 +6,8 @@ exception Fault of Diag.t
 let ok = function Ok x -> x | Error d -> raise (Fault d)
 
 let channel (c : Ast.channel) =
-  { c with features = [ { Ast.feature = Tree.feature (ok (Region.of_members c.span c.features)); only = false } ] }
+  { c with features = [ { Ast.feature = Tree.feature (ok (Region.of_members c.span c.features)); only = false
+                        } ] }
 
 let feature f = Tree.feature (ok (Region.of_feature f))
 

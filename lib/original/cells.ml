@@ -95,7 +95,8 @@ let of_piece t span region piece =
   List.iter
     (fun f ->
        let x = middle p f in
-       if (t.one || Extent.on_surface t.solid x) && Extent.contains t.solid region x then Features.replace inside f ())
+       if (t.one || Extent.on_surface t.solid x) && Extent.contains t.solid region x then Features.replace
+           inside f ())
     all;
   let covered = Features.create 64 in
   let member f =
@@ -130,7 +131,8 @@ let shape (name : Ast.name) piece =
   let centre = centre piece in
   let p = piece.polyhedron in
   let named n = Tree.at at n in
-  let vertices = Array.to_list (Array.map (fun (n, v) -> (named n, Tree.vector at (Vec.sub v centre))) p.vertices) in
+  let vertices = Array.to_list (Array.map (fun (n, v) -> (named n, Tree.vector at (Vec.sub v centre)))
+                                  p.vertices) in
   let corner v = named (fst p.vertices.(v)) in
   let face (n, c) = (named n, List.map corner (Array.to_list c)) in
   let faces = List.map face (Array.to_list p.faces) in

@@ -38,8 +38,9 @@ let ball n =
 
 (* {1 How near} *)
 
-(* The least square of the distances of the face planes of [ball n] from the centre. Points of the circle at quarters of
-   a turn from each other, and opposite ones, are exact images: the faces of one quarter of the southern half tell all. *)
+(* The least square of the distances of the face planes of [ball n] from the centre. Points of the circle at
+   quarters of a turn from each other, and opposite ones, are exact images: the faces of one quarter of the
+   southern half tell all. *)
 let inner_square n =
   let p = ball n in
   let place v = snd p.ifs_vertices.(v) in

@@ -36,7 +36,8 @@ let face_plane (p : Polyhedron.t) (_, c) : Pieces.plane =
   { normal; offset = Vec.dot normal a }
 
 let solid ~plain ~declared round polyhedron =
-  { polyhedron; round; plain; declared; face_planes = Array.map (face_plane polyhedron) polyhedron.Polyhedron.faces }
+  { polyhedron; round; plain; declared; face_planes = Array.map (face_plane polyhedron)
+                                            polyhedron.Polyhedron.faces }
 
 let place s v = snd s.polyhedron.vertices.(v)
 let plane s f = s.face_planes.(f)
@@ -63,7 +64,8 @@ let number s e = match Plain.number s.plain e with Ok q -> q | Error at -> not_p
 let on_one_face s at points =
   let stray = List.find_opt (fun x -> not (within s x && on_surface s x)) points in
   match (stray, faces_with s points) with
-  | Some x, _ -> Fault.refuse Code.off_surface at "the point %s is not on the surface of the shape" (Vec.to_string x)
+  | Some x, _ -> Fault.refuse Code.off_surface at "the point %s is not on the surface of the shape"
+                   (Vec.to_string x)
   | None, [] -> Fault.refuse Code.off_surface at "these points are not on one face of the shape"
   | None, face :: _ -> face
 
@@ -112,7 +114,8 @@ let unknown s at name =
   let names =
     Array.to_list (Array.map fst s.polyhedron.faces) @ Array.to_list (Array.map fst s.polyhedron.vertices)
   in
-  Fault.refuse Code.unknown_feature at "the shape has no feature or region `%s`" name ?hint:(Diag.suggest name names)
+  Fault.refuse Code.unknown_feature at "the shape has no feature or region `%s`" name ?hint:(Diag.suggest
+                                                                                               name names)
 
 let vertex s (name : Ast.name) =
   match Polyhedron.find_vertex s.polyhedron name.it with
@@ -123,7 +126,8 @@ let single (p : Ast.path) =
   match p.it with
   | [ { name; indices = [] } ] -> name
   | _ ->
-    Fault.refuse Code.bad_region p.at "a region of a shape that is cut is told without names of bodies or indices"
+    Fault.refuse Code.bad_region p.at "a region of a shape that is cut is told without names of bodies or \
+                                       indices"
 
 let hull s at paths =
   let corners = Array.of_list (List.map (fun p -> vertex s (single p)) paths) in
@@ -232,7 +236,8 @@ let of_polygon s face corners =
 
 (* The end of a segment, unless it is where the segment comes to the end of its face or edge. *)
 let ends s faces p q =
-  let crosswise x = if List.length (faces_with s [ x ]) > List.length faces then [] else [ through (Vec.sub q p) x ] in
+  let crosswise x = if List.length (faces_with s [ x ]) > List.length faces then [] else [ through (Vec.sub q
+                                                                                                      p) x ] in
   crosswise p @ crosswise q
 
 let of_segment s p q =

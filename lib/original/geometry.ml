@@ -55,7 +55,8 @@ let named s at (r : Ast.reference) =
   | "box", [ a; b; c ] -> Some (flat at (Named_solids.box (length a) (length b) (length c)))
   | "box", [ e ] ->
     let v = vector s e in
-    if List.for_all is_length [ v.x; v.y; v.z ] then Some (flat at (Named_solids.box v.x v.y v.z)) else unknown e.at
+    if List.for_all is_length [ v.x; v.y; v.z ] then Some (flat at (Named_solids.box v.x v.y v.z)) else
+      unknown e.at
   | "prism", [ n; r; h ] -> Some (flat at (Named_solids.prism (corners s n) (length r) (length h)))
   | "antiprism", [ n; r; h ] -> Some (flat at (Named_solids.antiprism (corners s n) (length r) (length h)))
   | "pyramid", [ n; r; h ] -> Some (flat at (Named_solids.pyramid (corners s n) (length r) (length h)))

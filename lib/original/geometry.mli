@@ -10,5 +10,5 @@ type shapes = { plain : Plain.t; setting : Setting.t; shape : string -> Ast.soli
 
 val of_solid : shapes -> Ast.solid -> t
 (** Of a template by vertices and faces, a hull, a box, prism, antiprism or pyramid, a sphere, cylinder or cone, a
-    declared shape, and what is [scaled] of them. Raises {!Fault.Found}: SC0362 for all else, and for what is not told in plain
-    numbers; SC0111 for shapes within one another beyond 100. *)
+    declared shape, and what is [scaled] of them. Raises {!Fault.Found}: SC0362 for all else, and for what is
+    not told in plain numbers; SC0111 for shapes within one another beyond 100. *)

@@ -18,8 +18,9 @@ val is_cut : plane -> piece -> bool
 (** The plane passes through its interior. *)
 
 val cut : most:int -> plane list -> piece -> piece list option
-(** Along all the planes that pass through it: the closures of what is left of the interior without them, which have
-    disjoint interiors. Two of them that have a face in common have all of it in common. [None] for more than [most]. *)
+(** Along all the planes that pass through it: the closures of what is left of the interior without them, which
+    have disjoint interiors. Two of them that have a face in common have all of it in common. [None] for more
+    than [most]. *)
 
 val ifs : piece -> vertex:(int -> string) -> face:(face_of -> string) -> Polyhedron.ifs
 (** With its corners numbered from 0, in the order of {!Vec.compare}. *)
@@ -29,5 +30,5 @@ val joints : piece array -> (int * int * int) list
 
 val volume : piece -> Rat.t
 val area : piece -> int -> Vec.t
-(** Twice the area of the piece's part of that face of the whole, as a vector along the normal of the face: these add up
-    over pieces as areas do. *)
+(** Twice the area of the piece's part of that face of the whole, as a vector along the normal of the face:
+    these add up over pieces as areas do. *)

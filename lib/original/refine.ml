@@ -8,7 +8,8 @@ type shape = {
   solid : Ast.solid;  (* as in the language *)
   regions : (Ast.name * Region.t) list;  (* that are no features, in order *)
   mutable inline : Region.t list;  (* in behaviours that are of the shape *)
-  mutable cells : (Extent.solid * Cells.t) option;  (* where some region is no union of features as it is written *)
+  mutable cells : (Extent.solid * Cells.t) option;  (* where some region is no union of features as it is
+                                                       written *)
   mutable refused : bool;  (* its regions have a fault that has been told *)
 }
 
@@ -86,7 +87,8 @@ let shape_of t on x = match on with Some s -> Some s | None -> by_names t x
 
 let no_shape (x : Region.t) =
   Fault.refuse Code.region_of_what x.at "it is not known on which shape this region is"
-    ~hint:"declare it, as in `region pocket on Cube = …`, or say of which shape the behaviour is: `behaviour B on Cube = …`"
+    ~hint:"declare it, as in `region pocket on Cube = …`, or say of which shape the behaviour is: `behaviour \
+           B on Cube = …`"
 
 let members t on (x : Region.t) =
   match shape_of t on x with
@@ -121,7 +123,8 @@ let feature t (f : Ast.feature) =
         | Some [ { feature; only = false } ] -> feature
         | Some _ | None ->
           Fault.refuse Code.not_common e.at "a bond or glue is on the surface of one feature of each body"
-            ~hint:"the feature of each which has all that they have in common inside of it, as in `p.right * q.left`")
+            ~hint:"the feature of each which has all that they have in common inside of it, as in `p.right * \
+                   q.left`")
 
 (* {1 Solids} *)
 
@@ -135,7 +138,8 @@ let rec solid t (s : Ast.solid) : Ast.solid =
           (match c with Sphere (b, _) -> Hashtbl.replace t.balls b.corners () | Cylinder _ | Cone _ -> ());
           { s with it = Setting.solid s.at c }
         | None when String.equal r.target.it "polyhedron" && r.arguments <> [] ->
-          { s with it = Hull (List.mapi (fun i v -> (Tree.at v.Ast.at (Printf.sprintf "v%d" (i + 1)), v)) r.arguments) }
+          { s with it = Hull (List.mapi (fun i v -> (Tree.at v.Ast.at (Printf.sprintf "v%d" (i + 1)), v))
+                                r.arguments) }
         | None -> s)
     | _ -> s
   in
@@ -223,7 +227,8 @@ let setting faults plain items =
         match before with
         | Some (first : Ast.name) ->
           let notes = [ (first.at, "it is said here as well") ] in
-          faults := Diag.error ~notes Code.repeated_attribute word.at "how curved solids are taken is said twice" :: !faults;
+          faults := Diag.error ~notes Code.repeated_attribute word.at "how curved solids are taken is said \
+                                                                       twice" :: !faults;
           (setting, before)
         | None -> (
             match Fault.catch (fun () -> Setting.read plain word e) with
@@ -267,7 +272,8 @@ let shapes faults plain regions items =
         let declared = on name.it in
         let made solid regions = { name; solid; regions; inline = []; cells = None; refused = false } in
         match s.it with
-        | Template { qualifier = None; target = { it = "polyhedron"; _ }; indices = []; arguments = _ :: _ as points }
+        | Template { qualifier = None; target = { it = "polyhedron"; _ }; indices = []; arguments = _ :: _ as
+                                                                                                    points }
           -> (
               match Fault.catch (fun () -> Points.read plain ~at:s.at points declared) with
               | Ok { faces = vertices, faces; others } ->
@@ -346,7 +352,8 @@ let balls t =
     let { Scc_geometry.Polyhedron.ifs_vertices; ifs_faces } = Curved.ball n in
     let vertices = Array.to_list (Array.map (fun (v, x) -> (name v, Tree.vector Span.none x)) ifs_vertices) in
     let corner v = name (fst ifs_vertices.(v)) in
-    let faces = Array.to_list (Array.map (fun (f, c) -> (name f, List.map corner (Array.to_list c))) ifs_faces) in
+    let faces = Array.to_list (Array.map (fun (f, c) -> (name f, List.map corner (Array.to_list c)))
+                                 ifs_faces) in
     let head = { Ast.declared = name (Setting.ball_name n); places = []; formals = [] } in
     Tree.at Span.none (Ast.Shape (head, Tree.at Span.none (Ast.Faces (vertices, faces)), []))
   in

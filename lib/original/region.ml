@@ -24,13 +24,15 @@ let refuse ?hint at fmt =
   Printf.ksprintf (fun text -> raise (Fault (Diag.error ?hint Code.bad_region at "%s" text))) fmt
 
 let hint =
-  "a region is a feature, `hull(a, b)`, `polygon(p, q, r)`, `segment(p, q)`, `point(p)`, `half(n, d)`, `cap(v, c)`, \
+  "a region is a feature, `hull(a, b)`, `polygon(p, q, r)`, `segment(p, q)`, `point(p)`, `half(n, d)`, \
+   `cap(v, c)`, \
    `interior(f)`, `surface()`, or X + Y, X * Y, X - Y of regions"
 
 let path_of (e : Ast.expr) =
   match e.it with
   | Path p -> p
-  | _ -> refuse e.at "the corners of a `hull` are names of vertices" ~hint:"of places, it is a `polygon` or `segment`"
+  | _ -> refuse e.at "the corners of a `hull` are names of vertices" ~hint:"of places, it is a `polygon` or \
+                                                                            `segment`"
 
 (* As deep as the text is: at most Tokens.max_depth. *)
 let rec of_expr (e : Ast.expr) =

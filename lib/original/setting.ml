@@ -35,14 +35,16 @@ let notes = function
       Printf.sprintf "%s is %s it by %d corners to a turn, at the Hausdorff distance of at most %s of its radius"
         what word which (Rat.to_string c.distance)
     in
-    let made what c = if Lazy.is_val c then List.map (fun w -> note w (Lazy.force c).Curved.corners (Lazy.force c)) what else [] in
+    let made what c = if Lazy.is_val c then List.map (fun w -> note w (Lazy.force c).Curved.corners
+                                                         (Lazy.force c)) what else [] in
     made [ "what stands for a sphere" ] ball @ made [ "what stands for a cylinder or cone" ] disc
 
 let taken t (r : Ast.reference) which =
   match t with
   | Some near -> Lazy.force (which near)
   | None ->
-    Fault.refuse Code.bad_curve r.target.at "the model does not say as which polyhedron a %s is taken" r.target.it
+    Fault.refuse Code.bad_curve r.target.at "the model does not say as which polyhedron a %s is taken"
+      r.target.it
       ~hint:"declare `curved inscribed 1/20`, or `circumscribed`: as near as a twentieth of the radius"
 
 let curved t (r : Ast.reference) =

@@ -11,8 +11,8 @@ val rough : t
 (** What stands for one that was refused, so that no more is said of it. *)
 
 val read : Plain.t -> Ast.name -> Ast.expr -> t
-(** The word and the distance, a fraction of the radius. Raises {!Fault.Found}: SC0362 where it is no plain number, SC0365 where it
-    is not from {!Curved.least} up to 1/2. *)
+(** The word and the distance, a fraction of the radius. Raises {!Fault.Found}: SC0362 where it is no plain
+    number, SC0365 where it is not from {!Curved.least} up to 1/2. *)
 
 val notes : t -> string list
 (** How near the polyhedra are that have been asked for, a sentence each. *)
@@ -24,8 +24,8 @@ type curved =
   | Cone of Curved.t * Ast.expr * Ast.expr
 
 val curved : t -> Ast.reference -> curved option
-(** Of [sphere(r)], [cylinder(r, h)] and [cone(r, h)]. Raises {!Fault.Found}: SC0365 if the model does not say how; SC0206 for
-    other arguments. *)
+(** Of [sphere(r)], [cylinder(r, h)] and [cone(r, h)]. Raises {!Fault.Found}: SC0365 if the model does not say
+    how; SC0206 for other arguments. *)
 
 val ball_name : int -> string
 (** Of the shape that stands for the ball of radius 1, {!Curved.ball} of so many corners. *)

@@ -28,7 +28,8 @@ let replace s i j token =
   put s { Tokens.token; start = s.tokens.(i).start; stop = s.tokens.(j).stop; after_fault = false }
 
 let ends_all = function
-  | EOF | MODEL | PARAM | TIMESTEP | SPLIT_STEP | SHAPE | COMPOUND | PROCESS | FIXED | NETWORK | MOTION | CHECK | IMPORT
+  | EOF | MODEL | PARAM | TIMESTEP | SPLIT_STEP | SHAPE | COMPOUND | PROCESS | FIXED | NETWORK | MOTION |
+    CHECK | IMPORT
     -> true
   | _ -> false
 
@@ -166,8 +167,8 @@ let bond s i =
         Some (stop + 1)
       | None -> None)
 
-(* What `<` begins: in a chain, outside of the behaviours, a basic shape or a bond; elsewhere a channel, unless what
-   stands before it makes it a comparison. *)
+(* What `<` begins: in a chain, outside of the behaviours, a basic shape or a bond; elsewhere a channel, unless
+   what stands before it makes it a comparison. *)
 let angle s i =
   let outside = s.chain && s.square = 0 in
   match before s i with

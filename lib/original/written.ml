@@ -40,7 +40,8 @@ let tuple (s : Ast.solid) (attributes : Ast.attribute list) =
   let mass (a : Ast.attribute) = match a.it with Mass e -> Some e | _ -> None in
   let velocity (a : Ast.attribute) = match a.it with Velocity e -> Some e | _ -> None in
   let place (a : Ast.attribute) = match a.it with At [ { it = Translate p; _ } ] -> Some p | _ -> None in
-  let taken (a : Ast.attribute) = match a.it with Mass _ | Velocity _ | At _ -> true | Spin _ | Absorb -> false in
+  let taken (a : Ast.attribute) = match a.it with Mass _ | Velocity _ | At _ -> true | Spin _ | Absorb ->
+    false in
   let only found = match List.filter_map found attributes with [ e ] -> Some e | _ -> None in
   match (only mass, only place, only velocity) with
   | Some m, Some p, Some v when List.length (List.filter taken attributes) = 3 ->
@@ -88,7 +89,8 @@ let changes =
 let unmarked text =
   let n = String.length text in
   let b = Buffer.create n in
-  let starts i piece = i + String.length piece <= n && String.equal (String.sub text i (String.length piece)) piece in
+  let starts i piece = i + String.length piece <= n && String.equal (String.sub text i (String.length piece))
+                         piece in
   let rec go i =
     if i < n then
       match text.[i] with

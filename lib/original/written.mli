@@ -1,4 +1,5 @@
-(** Models of the original notation as texts, in canonical form: ASCII, as {!Scc_syntax.Printer} lays models out. *)
+(** Models of the original notation as texts, in canonical form: ASCII, as {!Scc_syntax.Printer} lays models
+    out. *)
 
 open Scc_syntax
 

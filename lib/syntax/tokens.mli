@@ -35,8 +35,9 @@ val can_be_name : Parser.token -> bool
 
 val read : ?rewrite:(token array -> token array * Diag.t list) -> Source.t -> t
 (** [rewrite] makes tokens of this grammar of those that were read, in another notation's order of words, before
-    brackets are matched; what it cannot make sense of is among the faults. Never fails: what is not of the language is left out of [tokens] and told in [faults] (codes SC0102,
-    SC0104 to SC0107, SC0111). After SC0102 or SC0111 the text is not to be parsed: see {!hopeless}. *)
+    brackets are matched; what it cannot make sense of is among the faults. Never fails: what is not of the
+    language is left out of [tokens] and told in [faults] (codes SC0102, SC0104 to SC0107, SC0111). After SC0102
+    or SC0111 the text is not to be parsed: see {!hopeless}. *)
 
 val not_text : string -> string -> Utf8.fault -> Diag.t
 (** What is said (SC0102) of a file by this name, with this text. *)

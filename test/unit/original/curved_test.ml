@@ -41,7 +41,8 @@ let distances () =
        let inside = Curved.sphere Inscribed d in
        let p = polyhedron (Curved.ball inside.corners) in
        Alcotest.(check bool) "as near as asked for" true (Rat.compare inside.distance d <= 0);
-       Alcotest.(check bool) "the ball of radius 1 - d is within" true (holds_ball p (Rat.sub Rat.one inside.distance));
+       Alcotest.(check bool) "the ball of radius 1 - d is within" true (holds_ball p (Rat.sub Rat.one
+                                                                                        inside.distance));
        let outside = Curved.sphere Circumscribed d in
        let p =
          polyhedron (Curved.ball outside.corners)
@@ -67,12 +68,14 @@ let discs () =
     let cross = Rat.sub (Rat.mul x y') (Rat.mul y x') in
     (square cross, Rat.add (square (Rat.sub x' x)) (square (Rat.sub y' y)))
   in
-  let beyond r n = List.for_all (fun k -> let c, l = side n k in Rat.compare c (Rat.mul (square r) l) >= 0) (List.init n Fun.id) in
+  let beyond r n = List.for_all (fun k -> let c, l = side n k in Rat.compare c (Rat.mul (square r) l) >= 0)
+      (List.init n Fun.id) in
   List.iter
     (fun d ->
        let inside = Curved.disc Inscribed d and outside = Curved.disc Circumscribed d in
        Alcotest.(check bool) "inscribed" true (beyond (Rat.sub Rat.one inside.distance) inside.corners);
-       Alcotest.(check bool) "near" true (Rat.compare inside.distance d <= 0 && Rat.compare outside.distance d <= 0);
+       Alcotest.(check bool) "near" true (Rat.compare inside.distance d <= 0 && Rat.compare outside.distance
+                                            d <= 0);
        Alcotest.(check bool) "circumscribed" true (beyond (Rat.div Rat.one outside.factor) outside.corners))
     [ frac 1 2; frac 1 10; frac 1 30; frac 1 100 ]
 
@@ -85,7 +88,8 @@ let least () =
 
 let solid name text =
   let text =
-    Printf.sprintf "curved inscribed 1/10\nshape S = %s\nbehaviour Open on S = <a, %s>. nil\nprocess p = S mass 1 [Open]"
+    Printf.sprintf "curved inscribed 1/10\nshape S = %s\nbehaviour Open on S = <a, %s>. nil\nprocess p = S \
+                    mass 1 [Open]"
       name text
   in
   match Original.read (Scc_base.Source.make ~name:"model.osc" text) with
@@ -111,7 +115,8 @@ let cap () =
   Alcotest.(check bool) "closed faces" true (List.for_all (fun (only, _) -> not only) (north "0"));
   let rest = features (solid "sphere(2)" "surface() ∖ cap((0, 0, 1), 0)") in
   let has name = List.exists (fun (_, f) -> String.equal f name) rest in
-  Alcotest.(check bool) "the other half, without the equator" true (has "f3_1" && (not (has "f4_1")) && not (has "v3_1"));
+  Alcotest.(check bool) "the other half, without the equator" true (has "f3_1" && (not (has "f4_1")) && not
+                                                                      (has "v3_1"));
   Alcotest.(check bool) "open along it" true (List.mem (true, "f3_1") rest)
 
 let strips () =

@@ -6,7 +6,8 @@ module G = QCheck2.Gen
 
 let seed =
   "model dock // ∪ in a comment\ncurved inscribed 1/4\nlet s = 2\n\
-   shape Cube = polyhedron((-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, 1, 1), \
+   shape Cube = polyhedron((-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, \
+   1, 1), \
    (-1, 1, 1))\nregion top on Cube = polygon((-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1))\n\
    region pocket on Cube = top ∩ half((1, 0, 0), 1/s) ∖ point((1, 1, 1))\nshape Ball = sphere(1)\n\
    region pole on Ball = cap((0, 0, -1), 1/2)\ncompound Two { part a : <Ball, 1, (0, 0, 0), (0, 0, 0)>\n\
@@ -14,14 +15,19 @@ let seed =
    behaviour E on Cube = <dock, pocket ∪ hull(v1, v2)>. eps(1). omega(dock, pocket) push(1). E\n\
    behaviour L on Ball = <~dock, pole>. rho({<dock, pole>}). nil\n\
    process e = <Cube, 3, (0, 0, 0), (0, 0, 0)> [E]\n\
-   process l = l1 : <Ball, 1, (0, 0, 5), (0, 0, -1)> [L] <dock, l1.south * l2.north> l2 : Ball mass 1 velocity (0, 0, -1) \
-   at translate (0, 0, 3) [nil]\nfor i in 1..2 if i < s, j in 0..1 { process c[i, j] = <Ball, 1, (9*i, 9*j, 0), (0, 0, \
+   process l = l1 : <Ball, 1, (0, 0, 5), (0, 0, -1)> [L] <dock, l1.south * l2.north> l2 : Ball mass 1 \
+   velocity (0, 0, -1) \
+   at translate (0, 0, 3) [nil]\nfor i in 1..2 if i < s, j in 0..1 { process c[i, j] = <Ball, 1, (9*i, 9*j, \
+   0), (0, 0, \
    0)> [nil] }\ncheck c : always x(e) < 3 and bonds(dock) <= 1\n"
 
 let pieces =
-  [ "<"; ">"; "⟨"; "⟩"; ","; "("; ")"; "{"; "}"; "["; "]"; " region "; " on "; " curved "; " glue "; " omega("; "∪"; "∩"; "∖";
-    "*"; "+"; "-"; "-"; "/"; "0"; "1e9"; "1/0"; " surface() "; " half("; " cap("; " point("; " segment("; " sphere(1) ";
-    " polyhedron("; " interior("; " hull("; "\""; "/*"; "*/"; "//"; "\n"; "\xE2"; "\xE2\x88"; " only "; " process "; "=" ]
+  [
+    "<"; ">"; "⟨"; "⟩"; ","; "("; ")"; "{"; "}"; "["; "]"; " region "; " on "; " curved "; " glue "; " omega("; "∪";
+    "∩"; "∖"; "*"; "+"; "-"; "/"; "0"; "1e9"; "1/0"; " surface() "; " half("; " cap("; " point("; " segment("; "=";
+    " sphere(1) "; " polyhedron("; " interior("; " hull("; "\""; "/*"; "*/"; "//"; "\n"; "\xE2"; "\xE2\x88"; " only ";
+    " process ";
+  ]
 
 type change = Cut of int * int | Put of int * string | Twice of int * int
 
@@ -78,5 +84,6 @@ let long () =
 let () =
   Alcotest.run "texts of the original notation"
     [
-      ("mutations", [ Scc_test_support.Property.case damaged ]); ("long", [ Alcotest.test_case "long texts" `Quick long ]);
+      ("mutations", [ Scc_test_support.Property.case damaged ]); ("long", [ Alcotest.test_case "long texts"
+                                                                              `Quick long ]);
     ]

@@ -1,5 +1,5 @@
-(* Regions as unions of features: the translation, read back from the shapes and compounds that it writes, has the points
-   of the region and no others. *)
+(* Regions as unions of features: the translation, read back from the shapes and compounds that it writes, has
+   the points of the region and no others. *)
 
 open Scc_exact
 open Scc_syntax
@@ -43,7 +43,8 @@ let solids name model =
     let shape = match p.part_solid.it with Template r -> r.target.it | _ -> Alcotest.fail "no template" in
     let place =
       List.find_map
-        (fun (a : Ast.attribute) -> match a.it with At [ { it = Translate v; _ } ] -> Some (vector v) | _ -> None)
+        (fun (a : Ast.attribute) -> match a.it with At [ { it = Translate v; _ } ] -> Some (vector v) | _ ->
+             None)
         p.part_attributes
     in
     let move (n, v) = (n, Vec.add v (Option.value place ~default:Vec.zero)) in
@@ -185,18 +186,21 @@ let leaf =
   G.oneof
     [
       G.map (fun c -> Polygon c) polygon;
-      G.map3 (fun a b d -> Half ((if a = 0 && b = 0 then 1 else a), b, d)) (G.int_range (-2) 2) (G.int_range (-2) 2)
+      G.map3 (fun a b d -> Half ((if a = 0 && b = 0 then 1 else a), b, d)) (G.int_range (-2) 2) (G.int_range
+                                                                                                   (-2) 2)
         (G.int_range (-3) 3);
       G.return Top; G.return Inner;
     ]
 
 let region =
   let pair make = G.map2 make leaf leaf in
-  G.oneof [ leaf; pair (fun a b -> Both (a, b)); pair (fun a b -> Either (a, b)); pair (fun a b -> Without (a, b)) ]
+  G.oneof [ leaf; pair (fun a b -> Both (a, b)); pair (fun a b -> Either (a, b)); pair (fun a b -> Without
+                                                                                           (a, b)) ]
 
 let model r =
   Printf.sprintf
-    "shape Box = box(2, 2, 2)\nbehaviour Open on Box = <a, top ∩ (%s)>. nil\nprocess p = Box mass 1 [Open]" (text r)
+    "shape Box = box(2, 2, 2)\nbehaviour Open on Box = <a, top ∩ (%s)>. nil\nprocess p = Box mass 1 [Open]"
+    (text r)
 
 let grid = List.concat_map (fun i -> List.map (fun j -> (frac i 8, frac j 8)) (List.init 17 (fun j -> j - 8)))
     (List.init 17 (fun i -> i - 8))
@@ -211,11 +215,13 @@ let box =
   }
 
 let pieces model =
-  if List.exists (fun (i : Ast.item) -> match i.it with Compound _ -> true | _ -> false) model then solids "Box" model
+  if List.exists (fun (i : Ast.item) -> match i.it with Compound _ -> true | _ -> false) model then solids
+      "Box" model
   else [ ("", box) ]
 
 let points =
-  QCheck2.Test.make ~count:40 ~name:"Regions: a point is in the region iff it is in a feature of it" ~print:text region
+  QCheck2.Test.make ~count:40 ~name:"Regions: a point is in the region iff it is in a feature of it"
+    ~print:text region
     (fun r ->
        match Original.read (source (model r)) with
        | Error ds ->
@@ -258,14 +264,17 @@ let cut =
              behaviour Open on Tent = <a, spot>. nil\nprocess p = Tent mass 3 [Open]")
 
 let masses () =
-  let parts = List.concat_map (fun (i : Ast.item) -> match i.it with Compound (_, ps, _, _) -> ps | _ -> []) cut in
+  let parts = List.concat_map (fun (i : Ast.item) -> match i.it with Compound (_, ps, _, _) -> ps | _ -> [])
+      cut in
   let share (a : Ast.attribute) =
     match a.it with Mass { it = Binary (Mul, share, _); _ } -> Some (number share) | _ -> None
   in
   let shares = List.concat_map (fun (p : Ast.part) -> List.filter_map share p.part_attributes) parts in
   Alcotest.(check bool) "several" true (List.length shares > 3);
-  Alcotest.(check string) "they add up to the whole" "1" (Rat.to_string (List.fold_left Rat.add Rat.zero shares));
-  let glues = List.concat_map (fun (i : Ast.item) -> match i.it with Compound (_, _, gs, _) -> gs | _ -> []) cut in
+  Alcotest.(check string) "they add up to the whole" "1" (Rat.to_string (List.fold_left Rat.add Rat.zero
+                                                                           shares));
+  let glues = List.concat_map (fun (i : Ast.item) -> match i.it with Compound (_, _, gs, _) -> gs | _ -> [])
+      cut in
   Alcotest.(check int) "a tree" (List.length parts - 1) (List.length glues)
 
 let slanted () =
@@ -280,7 +289,8 @@ let slanted () =
 let few_cuts () =
   let parts text =
     let m = read (Printf.sprintf
-                    "shape Box = box(2, 2, 2)\nbehaviour Open on Box = <a, %s>. nil\nprocess p = Box mass 1 [Open]" text)
+                    "shape Box = box(2, 2, 2)\nbehaviour Open on Box = <a, %s>. nil\nprocess p = Box mass 1 \
+                     [Open]" text)
     in
     let count (i : Ast.item) = match i.it with Compound (_, ps, _, _) -> List.length ps | _ -> 0 in
     (List.fold_left (fun n i -> n + count i) 0 m, List.length (features m))

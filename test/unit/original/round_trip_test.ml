@@ -19,11 +19,13 @@ let rec files folder =
 
 let contents path =
   let channel = open_in_bin path in
-  Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
+  Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length
+                                                                                              channel))
 
 (* {1 Up to what means nothing}
 
-   The order of attributes, and whether the name of a body is said of each vertex of a tuple or once before it. *)
+   The order of attributes, and whether the name of a body is said of each vertex of a tuple or once before
+     it. *)
 
 let rank (a : Ast.attribute) =
   match a.it with Mass _ -> 0 | Velocity _ -> 1 | Spin _ -> 2 | Absorb -> 3 | At _ -> 4
@@ -87,7 +89,8 @@ let says () =
     \  <~a, {only top, x}>. omega(a, {}) push(1). nil\n\
     \  + rho({<a, {top}>, <b, {q.f}>}). K(x)\n";
   check "bond <a, p[1].right ∩ q.left.top>" "bond <a, {p[1].right, q.left.top}>\n";
-  check "compound C { part a : box(1,1,1) mass 1 part b : <box(1,1,1), 1, (0,0,1), (0,0,0)> glue a.top*b.bottom }"
+  check "compound C { part a : box(1,1,1) mass 1 part b : <box(1,1,1), 1, (0,0,1), (0,0,0)> glue \
+         a.top*b.bottom }"
     "compound C {\n\
     \  part a : box(1, 1, 1) mass 1\n\
     \  part b : box(1, 1, 1) mass 1 velocity (0, 0, 0) at translate (0, 0, 1)\n\
