@@ -71,7 +71,8 @@ let of_model items =
   in
   let rec within ~top (i : Ast.item) =
     match i.it with
-    | Shape (h, _, ds) | Compound (h, _, _, ds) | Behaviour (h, _, _, ds) -> head h ds
+    | Shape (h, _, ds) | Compound (h, _, _, ds) | Decomposed (h, _, _, ds) | Behaviour (h, _, _, ds) ->
+      head h ds
     | For (ranges, body) ->
       List.iter (fun (r : Ast.range) -> hide r.index) ranges;
       List.iter (within ~top:false) body

@@ -43,8 +43,7 @@ let rec item w (i : Ast.item) : Ast.item =
     | Fixed (s, first, rest) -> Fixed (s, leaf w first, chain w rest)
     | Bond b -> Bond (bond w b)
     | For (ranges, body) -> For (ranges, Long_list.map (item w) body)
-    | Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _ | Collisions _ |
-      Binding _
-    | Bonds _ | Resolution _ | Round _ | Network _ | Motion _ | Let _ | Check _ -> i.it
+    | Decomposed _ | Model _ | Import _ | Param _ | Param_in _ | Timestep _ | Split_step _ | Dynamics _
+    | Collisions _ | Binding _ | Bonds _ | Resolution _ | Round _ | Network _ | Motion _ | Let _ | Check _ -> i.it
   in
   { i with it }
