@@ -183,7 +183,8 @@ let simple =
     ("dynamics", setting (fun n -> Dynamics n)); ("collisions", setting (fun n -> Collisions n));
     ("binding", setting (fun n -> Binding n)); ("bonds", setting (fun n -> Bonds n));
     ("resolution", valued (fun e -> Resolution e)); ("round", always round); ("shape", always shape);
-    ("compound", always compound); ("decomposed", always decomposed); ("behaviour", always behaviour); ("process", process); ("fixed", fixed);
+    ("compound", always compound); ("decomposed", always decomposed); ("behaviour", always behaviour);
+    ("process", process); ("fixed", fixed);
     ("bond", always (fun c -> Bond (bond c))); ("network", always network); ("motion", motion);
     ("let", always (fun c -> let n = named c in Let (n, expr c "value")));
     ("check", always (fun c -> let n = named c in Check (n, Content.content c Content.expression)));

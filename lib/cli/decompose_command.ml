@@ -21,8 +21,8 @@ let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = funct
     let name i = fst set.ifs_faces.(i) in
     [
       Diag.error Code.crossing_faces Span.none
-        "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both" (name f) (name g)
-        (Vec.to_string x);
+        "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both" (name f)
+        (name g) (Vec.to_string x);
     ]
   | Separate ->
     [
@@ -39,6 +39,11 @@ let counted n one many = Printf.sprintf "%d %s" n (if n = 1 then one else many)
 
 let most_listed = 40
 
+(* Cuts through cuts have long numbers. *)
+let short q =
+  let text = Rat.to_string q in
+  if String.length text <= 24 then text else "about " ^ Scc_drawing.Decimal.significant ~digits:6 q
+
 let text ~name (t : Parts.t) =
   let b = Buffer.create 1024 in
   let drawn = t.drawn in
@@ -51,8 +56,9 @@ let text ~name (t : Parts.t) =
     (counted (List.length joints) "joint" "joints");
   let part k (name, (p : Polyhedron.t)) =
     if k < most_listed then
-      Printf.bprintf b "  %s: %d corners, %d faces, volume %s\n" name (Array.length p.vertices) (Array.length p.faces)
-        (Rat.to_string (Mass_properties.of_polyhedron p).volume)
+      Printf.bprintf b "  %s: %d corners, %d faces, volume %s\n" name (Array.length p.vertices)
+        (Array.length p.faces)
+        (short (Mass_properties.of_polyhedron p).volume)
   in
   Array.iteri part t.parts;
   let more = Array.length t.parts - most_listed in
@@ -82,7 +88,8 @@ let decompose console ~mass output path =
   | None -> Ok Exit_code.Holds
   | Some (path, write) ->
     let mass = match mass with Some m -> m | None -> Drawn.volume t.drawn.set in
-    let* () = Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put (write ~path ~mass t))) in
+    let text = write ~path ~mass t in
+    let* () = Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text)) in
     Ok Exit_code.Holds
 
 let run color json mass output path =
@@ -110,24 +117,27 @@ let output =
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 
 let mass =
-  let doc = "The mass of the whole in $(b,-o) $(i,OUT).sc; its volume by default. Parts share it by their volumes." in
+  let doc =
+    "The mass of the whole in $(b,-o) $(i,OUT).sc; its volume by default. Parts share it by their volumes."
+  in
   Arg.(value & opt (some (Options.positive "mass")) None & info [ "mass" ] ~docv:"M" ~doc)
 
 let man =
   [
     `S Manpage.s_description;
     `P
-      "Cuts a closed polyhedron into convex parts, exactly: they have no inner point in common, and are together the \
-       solid, to the last digit. It need not be convex, and may have holes and hollows; faces that cross each other, \
-       that are not flat, or that leave a gap are refused, with the place.";
+      "Cuts a closed polyhedron into convex parts, exactly: they have no inner point in common, and are together \
+       the solid, to the last digit. It need not be convex, and may have holes and hollows; faces that cross each \
+       other, that are not flat, or that leave a gap are refused, with the place.";
     `P
-      "A prism over a polygon without holes has as few parts as cuts between its corners allow. Any other solid is \
-       cut by planes of its own faces, and parts are joined while they stay convex: with $(i,r) reflex edges there \
-       are about as many parts, and no bound that is better than 2 to the power of the number of planes. Parts are cut \
-       further where one of their faces would lie in two faces of the solid, so that a name of a face means that face.";
+      "A prism over a polygon without holes has as few parts as cuts between its corners allow. Any other solid \
+       is cut by planes of its own faces, and parts are joined while they stay convex: there are about as many parts \
+       as reflex edges, and no better bound is known than 2 to the power of the number of planes. Parts are cut \
+       further where one of their faces would lie in two faces of the solid, so that a name of a face means that \
+       face.";
     `P
-      "In a model, $(b,compound C = decompose \"FILE\" mass 1) is the same, and the names of the faces of the file are \
-       names of features.";
+      "In a model, $(b,compound C = decompose \"FILE\" mass 1) is the same, and the names of the faces of the \
+       file are names of features.";
   ]
   @ Options.diagnostics_man
   @ [

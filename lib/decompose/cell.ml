@@ -6,9 +6,11 @@ type t = facet list
 module Places = Hashtbl.Make (Place)
 
 let box low high : t =
-  let at i = Place.of_vec (Vec.make (if i land 1 = 0 then low.Vec.x else high.Vec.x)
-                             (if i land 2 = 0 then low.Vec.y else high.Vec.y)
-                             (if i land 4 = 0 then low.Vec.z else high.Vec.z)) in
+  let at i =
+    let either bit part = part (if i land bit = 0 then low else high) in
+    let x = either 1 (fun (v : Vec.t) -> v.x) and y = either 2 (fun (v : Vec.t) -> v.y) in
+    Place.of_vec (Vec.make x y (either 4 (fun (v : Vec.t) -> v.z)))
+  in
   let facet (x, y, z) corners =
     let corners = Array.map at corners in
     { plane = Plane.make (Ivec.of_ints x y z) corners.(0); corners }
@@ -49,7 +51,7 @@ let position plane corners =
 
 (* {1 Cells} *)
 
-(* The edges of what is left of the facets that lie on the plane, taken the other way round, bound the new facet. *)
+(* The edges that lie on the plane, of what is left of the facets, bound the new facet the other way round. *)
 let lid plane (facets : t) =
   let next = Places.create 16 in
   let edges f =
@@ -60,7 +62,8 @@ let lid plane (facets : t) =
     done
   in
   List.iter edges facets;
-  let first = Places.fold (fun p _ least -> match least with Some l when Place.compare l p <= 0 -> least | _ -> Some p) next None in
+  let lesser p _ least = match least with Some l when Place.compare l p <= 0 -> least | _ -> Some p in
+  let first = Places.fold lesser next None in
   match first with
   | None -> Scc_base.Bug.fail __POS__ "a cut without an edge"
   | Some first ->

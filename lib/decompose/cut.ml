@@ -2,7 +2,9 @@ type fragment = { plane : int; polygon : Place.t array }
 
 module Planes = Hashtbl.Make (Plane)
 
-let in_front fragments plane = Array.exists (fun f -> Array.exists (fun p -> Plane.side plane p > 0) f.polygon) fragments
+let in_front fragments plane =
+  let ahead f = Array.exists (fun p -> Plane.side plane p > 0) f.polygon in
+  Array.exists ahead fragments
 
 let planes_of fragments =
   List.sort_uniq Int.compare (Array.to_list (Array.map (fun f -> f.plane) fragments))

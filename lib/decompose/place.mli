@@ -1,5 +1,5 @@
-(** Points of space as four integers, (x/w, y/w, z/w) with w > 0 and no common divisor: what planes cut out of planes
-    stays as short as it can be. *)
+(** Points of space as four integers, (x/w, y/w, z/w) with w > 0 and no common divisor: what planes cut out of
+    planes stays as short as it can be. *)
 
 open Scc_exact
 

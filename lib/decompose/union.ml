@@ -7,7 +7,9 @@ module Polygons = Hashtbl.Make (struct
 
 let key (f : Cell.facet) = List.sort Place.compare (Array.to_list f.corners)
 
-let all_behind corners planes = List.for_all (fun plane -> List.for_all (fun p -> Plane.side plane p <= 0) corners) planes
+let all_behind corners planes =
+  let behind plane = List.for_all (fun p -> Plane.side plane p <= 0) corners in
+  List.for_all behind planes
 
 (* The planes of the union, if it is convex: of two cells with a facet in common. *)
 let planes_of_union (f : Cell.facet) (a : Cell.t) (b : Cell.t) =

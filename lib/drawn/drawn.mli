@@ -52,4 +52,5 @@ val volume : Polyhedron.ifs -> Rat.t
 (** Of the solid that the faces bound; negative if they are turned inward. *)
 
 val reflex_edges : t -> int
-(** The number of borders at which the solid is not convex. A solid without any is convex, if it is in one piece; each needs a cut. *)
+(** The number of borders at which the solid is not convex. A solid without any is convex, if it is in one
+    piece; each needs a cut. *)

@@ -13,8 +13,8 @@ let side (p : Polyhedron.t) part face =
 let plane n x = (Ivec.to_string n, Rat.to_string (Vec.dot (Ivec.to_vec n) x))
 
 let forest parts =
-  let all = Array.to_list (Array.mapi (fun k (p : Polyhedron.t) -> List.init (Array.length p.faces) (side p k)) parts) in
-  let all = List.concat all in
+  let sides k (p : Polyhedron.t) = List.init (Array.length p.faces) (side p k) in
+  let all = List.concat (Array.to_list (Array.mapi sides parts)) in
   let at = Hashtbl.create 256 in
   List.iter (fun s -> Hashtbl.add at (plane s.normal s.corners.(0)) s) all;
   let joined = Union_find.create (Array.length parts) in

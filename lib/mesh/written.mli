@@ -13,11 +13,12 @@ val to_file : path:string -> (Polyhedron.ifs -> (string, string) result) option
     coordinate without a decimal, in a format of which no reader takes fractions (STL, PLY). *)
 
 val rounded : Polyhedron.ifs -> (Polyhedron.ifs * int * Rat.t) option
-(** With the nearest 64-bit numbers as coordinates: how many of these changed, and by how much at most. Faces may
-    not be flat any more. [None] when one is beyond the greatest number. *)
+(** With the nearest 64-bit numbers as coordinates: how many of these changed, and by how much at most. Faces
+    may not be flat any more. [None] when one is beyond the greatest number. *)
 
 val name_of : path:string -> string
 (** A name of the language for what a file has: its name without the ending, with a capital. *)
 
 val drawn : path:string -> Polyhedron.ifs -> string
-(** In the language, a solid that need not be convex: a compound [decompose { … }] of mass 1, named after the file. *)
+(** In the language, a solid that need not be convex: a compound [decompose { … }] of mass 1, named after the
+    file. *)

@@ -23,10 +23,10 @@ let seed =
 
 let pieces =
   [
-    "<"; ">"; "⟨"; "⟩"; ","; "("; ")"; "{"; "}"; "["; "]"; " region "; " on "; " curved "; " glue "; " omega("; "∪";
-    "∩"; "∖"; "*"; "+"; "-"; "/"; "0"; "1e9"; "1/0"; " surface() "; " half("; " cap("; " point("; " segment("; "=";
-    " sphere(1) "; " polyhedron("; " interior("; " hull("; "\""; "/*"; "*/"; "//"; "\n"; "\xE2"; "\xE2\x88"; " only ";
-    " process ";
+    "<"; ">"; "⟨"; "⟩"; ","; "("; ")"; "{"; "}"; "["; "]"; " region "; " on "; " curved "; " glue ";
+    " omega("; "∪"; "∩"; "∖"; "*"; "+"; "-"; "/"; "0"; "1e9"; "1/0"; " surface() "; " half("; " cap(";
+    " point("; " segment("; "="; " sphere(1) "; " polyhedron("; " interior("; " hull("; "\""; "/*"; "*/";
+    "//"; "\n"; "\xE2"; "\xE2\x88"; " only "; " process ";
   ]
 
 type change = Cut of int * int | Put of int * string | Twice of int * int
