@@ -14,6 +14,15 @@ The pictures of the README and the guide are those that scc draws.
   $ scc view ../../specs/models/capsid.sc --svg 2 --width 480 -o capsid.svg 2> /dev/null
   $ cmp ../../specs/pictures/capsid.svg capsid.svg
 
+The one of a drawn enzyme is made from the drawing, and the solid in between is the one that the model has:
+
+  $ scc inflate ../../specs/models/parts/hexokinase.svg --resolution 48 --strength 1/2 --faces 60 --scale 1/8 \
+  >   -o hexokinase.obj > /dev/null && cmp ../../specs/models/parts/hexokinase.obj hexokinase.obj
+  $ grep -c -- '--resolution 48 --strength 1/2 --faces 60 --scale 1/8' ../../scripts/drawing
+  1
+  $ scc view ../../specs/models/drawn_hexokinase.sc --svg 3 --from 3,2,9 --width 480 -o drawn_hexokinase.svg 2> /dev/null
+  $ cmp ../../specs/pictures/drawn_hexokinase.svg drawn_hexokinase.svg
+
 What is left out takes its marks along: here a family, of which the bonds are.
 
   $ scc view ../../specs/models/crosslink.sc --check can --svg 3 --without cell --without receptor -o few.svg 2> /dev/null
