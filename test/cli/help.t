@@ -11,6 +11,8 @@ Every command has a manual with its exit codes.
   5
   5
   5
+  5
+  5
   $ scc --version
   0.1.0 (semantics 2)
   $ { sleep 0.3; scc check --help=plain; echo $? > code; } | true; cat code

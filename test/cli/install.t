@@ -14,6 +14,7 @@ is there, so that nothing is built here.
   prefix/share/man/man1/scc-check.1
   prefix/share/man/man1/scc-compare.1
   prefix/share/man/man1/scc-conform.1
+  prefix/share/man/man1/scc-decompose.1
   prefix/share/man/man1/scc-diff.1
   prefix/share/man/man1/scc-estimate.1
   prefix/share/man/man1/scc-explain.1
@@ -27,6 +28,7 @@ is there, so that nothing is built here.
   prefix/share/man/man1/scc-simulate.1
   prefix/share/man/man1/scc-sweep.1
   prefix/share/man/man1/scc-trace.1
+  prefix/share/man/man1/scc-translate.1
   prefix/share/man/man1/scc-view.1
   prefix/share/man/man1/scc.1
   prefix/share/scc/installed
@@ -77,7 +79,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete() { bash complete.bash $bash "$@"; }
   $ touch 'a model.sc' model.sc; mkdir models
   $ complete scc ''
-  --help --version check compare conform diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace view
+  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace translate view
   $ complete scc ex
   explain explore export
   $ complete scc check --s
@@ -104,7 +106,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   model.sc models
   $ complete scc check --states ''
   $ complete scc --help ''
-  --help --version check compare conform diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace view
+  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate sweep trace translate view
 
 fish, where it is there, tells what each is for:
 
@@ -131,6 +133,7 @@ Installing again replaces what is there, also what an earlier version had beside
   other.1
   scc-compare.1
   scc-conform.1
+  scc-decompose.1
   scc-explore.1
   scc-export.1
   scc-oracle.1
