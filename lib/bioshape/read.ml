@@ -93,7 +93,8 @@ let decomposed c =
   let h = head c Content.plain_head in
   let s = Terms.solid c in
   if not (drawn s) then Content.missing c "the solid of a `<decomposed>` is a `<mesh>` or an `<indexedFaceSet>`";
-  Decomposed (h, s, Terms.attributes c, where c)
+  let attributes = Terms.attributes c in
+  Decomposed (h, s, attributes, where c)
 
 let behaviour c =
   let h = head c Content.head in

@@ -57,4 +57,4 @@ check leaves    : AG (by_one => P >= 37/64 [ eventually not held within 3 ])    
 check stays     : AG (by_both => P <= 1/3 [ eventually not held within 3 ])       // expect: holds
 check not_ever  : AG (by_both => P >= 1 [ eventually not held ])                  // expect: holds
 check anchored  : always bonds(anchor) = 2                                        // expect: holds
-check at_12     : E = ? [ if crosslink then 1 else 0 at 12 ]                      // expect: 903362304883/8796093022208
+check at_6      : E = ? [ if crosslink then 1 else 0 at 6 ]                       // expect: 36467/524288

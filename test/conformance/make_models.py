@@ -221,6 +221,7 @@ def rules_of_models(rulebook):
 
 
 CHOOSES = re.compile(r'^motion .*\b(choose|diffuse)\b', re.M)
+TURNS = re.compile(r'^dynamics\b|\bspin \(', re.M)
 
 
 def examples_suite(specs, file, about, chosen):
@@ -310,7 +311,9 @@ def xml_suite(specs):
 
 def all_suites(implementation, specs):
     certain = examples_suite(specs, 'models/examples.json', 'The models of specs/models: verdicts of their checks.',
-                             lambda text: not CHOOSES.search(text))
+                             lambda text: not CHOOSES.search(text) and not TURNS.search(text))
+    turning = examples_suite(specs, 'models/turning.json', 'Those in which bodies turn.',
+                             lambda text: TURNS.search(text) and not CHOOSES.search(text))
     chance = examples_suite(specs, 'models/chance.json', 'Those that leave velocities to chance.', CHOOSES.search)
-    return [paper_suite(specs), transitions_suite(implementation), verdicts_suite(), certain, chance,
+    return [paper_suite(specs), transitions_suite(implementation), verdicts_suite(), certain, turning, chance,
             xml_suite(specs)]
