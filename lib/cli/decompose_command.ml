@@ -17,21 +17,10 @@ let structure (set : Polyhedron.ifs) fault =
 
 let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
   | Unsound (Structure faults) -> List.map (structure set) faults
-  | Unsound (Cut (f, g, x)) ->
-    let name i = fst set.ifs_faces.(i) in
-    [
-      Diag.error Code.crossing_faces Span.none
-        "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both" (name f)
-        (name g) (Vec.to_string x);
-    ]
-  | Separate ->
-    [
-      Diag.error Code.several_solids Span.none
-        "these faces bound several solids that no face joins, or a hollow whose faces are turned the wrong way"
-        ~hint:"each of several solids needs a file of its own";
-    ]
-  | Too_many ->
-    [ Diag.error Code.too_deep Span.none "more than %d convex parts are needed" Decomposed.limit ]
+  | fault ->
+    let hint = match fault with Separate -> Some "each of several solids needs a file of its own" | _ -> None in
+    let code, text = Decomposed.message set fault in
+    [ Diag.error code Span.none ?hint "%s" text ]
 
 (* {1 Report} *)
 
@@ -40,9 +29,9 @@ let counted n one many = Printf.sprintf "%d %s" n (if n = 1 then one else many)
 let most_listed = 40
 
 (* Cuts through cuts have long numbers. *)
-let short q =
+let short ?(most = 24) q =
   let text = Rat.to_string q in
-  if String.length text <= 24 then text else "about " ^ Scc_drawing.Decimal.significant ~digits:6 q
+  if String.length text <= most then text else "about " ^ Scc_drawing.Decimal.significant ~digits:6 q
 
 let text ~name (t : Parts.t) =
   let b = Buffer.create 1024 in
@@ -50,7 +39,7 @@ let text ~name (t : Parts.t) =
   Printf.bprintf b "%s: %s, %s, volume %s\n" name
     (counted (Array.length drawn.regions) "plane face" "plane faces")
     (counted (Drawn.reflex_edges drawn) "reflex edge" "reflex edges")
-    (Rat.to_string (Drawn.volume drawn.set));
+    (short ~most:64 (Drawn.volume drawn.set));
   let joints = Joints.forest (Array.map snd t.parts) in
   Printf.bprintf b "%s, %s\n" (counted (Array.length t.parts) "convex part" "convex parts")
     (counted (List.length joints) "joint" "joints");

@@ -6,6 +6,20 @@ type fault = Unsound of Sound.fault | Separate | Too_many
 let ( let* ) = Result.bind
 let limit = 10_000
 
+let message (set : Polyhedron.ifs) : fault -> Scc_base.Code.t * string =
+  let open Scc_base in
+  function
+  | Unsound (Structure _) -> Bug.fail __POS__ "faults of single faces have words of their own"
+  | Unsound (Cut (f, g, x)) ->
+    let name i = fst set.ifs_faces.(i) in
+    ( Code.crossing_faces,
+      Printf.sprintf "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both"
+        (name f) (name g) (Vec.to_string x) )
+  | Separate ->
+    ( Code.several_solids,
+      "these faces bound several solids that no face joins, or a hollow whose faces are turned the wrong way" )
+  | Too_many -> (Code.too_deep, Printf.sprintf "more than %d convex parts are needed" limit)
+
 (* {1 In one piece} *)
 
 let connected list =

@@ -37,20 +37,16 @@ let rec places (s : Ast.solid) =
 let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   let places = places solid in
   let whole = Templates.face_span places max_int in
+  let told ?notes at =
+    let code, text = Decomposed.message set fault in
+    Report.error c.report code at ?notes "%s" text
+  in
   match (fault : Decomposed.fault) with
   | Unsound (Structure faults) -> List.iter (Templates.report_fault c places set) faults
-  | Unsound (Cut (f, g, x)) ->
-    let name i = fst set.ifs_faces.(i) in
-    Report.error c.report Code.crossing_faces (Templates.face_span places f)
-      "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both"
-      (name f) (name g)
-      (Vec.to_string x)
-      ~notes:[ (Templates.face_span places g, Printf.sprintf "the face `%s` is here" (name g)) ]
-  | Separate ->
-    Report.error c.report Code.several_solids whole
-      "these faces bound several solids that no face joins, or a hollow whose faces are turned the wrong way"
-  | Too_many ->
-    Report.error c.report Code.too_deep whole "more than %d convex parts are needed" Decomposed.limit
+  | Unsound (Cut (f, g, _)) ->
+    told (Templates.face_span places f)
+      ~notes:[ (Templates.face_span places g, Printf.sprintf "the face `%s` is here" (fst set.ifs_faces.(g))) ]
+  | Separate | Too_many -> told whole
 
 let parts c solid set =
   match Decomposed.make set with

@@ -1,0 +1,148 @@
+(* Convex parts of solids with slanted faces: stars, whose surface is that of an octahedron in many triangles, with each
+   corner moved along its ray. Which points are inside is known for them: a star is the union of the tetrahedra over
+   its triangles, with the middle as apex. *)
+
+open Scc_exact
+open Scc_geometry
+open Scc_drawn
+open Scc_test_support
+
+let q a b = Rat.make (Z.of_int a) (Z.of_int b)
+
+(* {1 Stars} *)
+
+(* The points with |x| + |y| + |z| = n, and the triangles between neighbours, counter-clockwise from outside. *)
+let triangles n =
+  let sign s (x, y, z) = match s with `X -> (-x, y, z) | `Y -> (x, -y, z) | `Z -> (x, y, -z) in
+  let octant =
+    let point i j = (i, j, n - i - j) in
+    let cell i j =
+      let up = [ (point i j, point (i + 1) j, point i (j + 1)) ] in
+      if i + j + 2 <= n then (point (i + 1) j, point (i + 1) (j + 1), point i (j + 1)) :: up else up
+    in
+    List.concat (List.init n (fun i -> List.concat (List.init (n - i) (cell i))))
+  in
+  let mirror s list = List.map (fun (a, b, c) -> (sign s a, sign s c, sign s b)) list in
+  let half = octant @ mirror `X octant in
+  let upper = half @ mirror `Y half in
+  upper @ mirror `Z upper
+
+let n = 2
+
+(* [radius] tells of each point how far it is moved, in eighths. *)
+let star radius =
+  let at (x, y, z) = Vec.scale (q (radius (x, y, z)) 8) (Vec.of_ints x y z) in
+  List.map (fun (a, b, c) -> (at a, at b, at c)) (triangles n)
+
+let points = List.sort_uniq compare (List.concat_map (fun (a, b, c) -> [ a; b; c ]) (triangles n))
+
+let random_star =
+  let open QCheck2.Gen in
+  let+ radii = list_repeat (List.length points) (int_range 4 12) in
+  star (fun p -> List.assoc p (List.combine points radii))
+
+let parts star = Scc_decompose.Decompose.parts (List.map (fun (a, b, c) -> [| a; b; c |]) star)
+let solids star = List.map Refined.solid (parts star)
+
+(* {1 Laws} *)
+
+let det a b c = Vec.dot a (Vec.cross b c)
+let sum f list = List.fold_left (fun total x -> Rat.add total (f x)) Rat.zero list
+let six_volumes star = sum (fun (a, b, c) -> det a b c) star
+let volume p = (Mass_properties.of_polyhedron p).volume
+let same_volume star = Rat.equal (Rat.mul (Rat.of_int 6) (sum volume (solids star))) (six_volumes star)
+
+(* Twice the area of a polygon, times the length of a normal. *)
+let area_vector corners =
+  let k = Array.length corners in
+  let edge i = Vec.cross corners.(i) corners.((i + 1) mod k) in
+  List.fold_left Vec.add Vec.zero (List.init k edge)
+
+(* Of each plane what looks to one side, less what looks to the other: where two parts touch they cancel, and what is left
+   is the surface of the solid. Planes are told by their normals that are not negative, and their levels. *)
+let areas polygons =
+  let table = Hashtbl.create 64 in
+  let add corners =
+    let a = area_vector corners in
+    let normal = Ivec.primitive (fst (Ivec.of_vec a)) in
+    let normal = if Ivec.compare normal Ivec.zero < 0 then Ivec.neg normal else normal in
+    let direction = Ivec.to_vec normal in
+    let key = (Ivec.to_string normal, Rat.to_string (Vec.dot direction corners.(0))) in
+    let before = Option.value ~default:Rat.zero (Hashtbl.find_opt table key) in
+    Hashtbl.replace table key (Rat.add before (Vec.dot direction a))
+  in
+  List.iter add polygons;
+  let all = Hashtbl.fold (fun key a list -> (key, a) :: list) table [] in
+  List.sort compare
+    (List.filter_map (fun (key, a) -> if Rat.sign a = 0 then None else Some (key, Rat.to_string a)) all)
+
+let faces (p : Polyhedron.t) =
+  List.map (fun (_, corners) -> Array.map (fun v -> snd p.vertices.(v)) corners) (Array.to_list p.faces)
+
+let same_surface star =
+  areas (List.map (fun (a, b, c) -> [| a; b; c |]) star) = areas (List.concat_map faces (solids star))
+
+type place = Inside | Outside | Border
+
+(* In the tetrahedron over a triangle: behind it, and on the inner side of the planes through the middle. *)
+let in_star star x =
+  let signs (a, b, c) =
+    let over = Rat.sub (det a b c) (Vec.dot (Vec.cross (Vec.sub b a) (Vec.sub c a)) x) in
+    List.map Rat.sign [ det x b c; det a x c; det a b x; over ]
+  in
+  let least t = List.fold_left Int.min 1 (signs t) in
+  match List.fold_left Int.max (-1) (List.map least star) with 1 -> Inside | 0 -> Border | _ -> Outside
+
+let in_part x (p : Polyhedron.t) =
+  let side corners =
+    Rat.sign (Vec.dot (area_vector corners) (Vec.sub x corners.(0)))
+  in
+  match List.fold_left Int.max (-1) (List.map side (faces p)) with -1 -> Inside | 0 -> Border | _ -> Outside
+
+let random_points =
+  QCheck2.Gen.(list_size (return 60) (triple (int_range (-35) 35) (int_range (-35) 35) (int_range (-35) 35)))
+
+let same_points (star, points) =
+  let solids = solids star in
+  let right (x, y, z) =
+    let x = Vec.make (q x 11) (q y 11) (q z 11) in
+    let where = List.map (in_part x) solids in
+    let inside = List.length (List.filter (fun p -> p = Inside) where) and border = List.mem Border where in
+    match in_star star x with
+    | Inside -> (inside = 1 && not border) || (inside = 0 && border)
+    | Outside -> inside = 0 && not border
+    | Border -> inside <= 1
+  in
+  List.for_all right points
+
+(* {1 By hand} *)
+
+let count star = List.length (parts star)
+let convex_stays () = Alcotest.(check int) "parts of an octahedron" 1 (count (star (fun _ -> 8)))
+
+(* One corner of the octahedron pulled in as far as the plane of its neighbours and beyond. *)
+let dented () =
+  let dent k = star (fun p -> if p = (0, 0, n) then k else 8) in
+  Alcotest.(check int) "a flat tip is convex" 1 (count (dent 4));
+  Alcotest.(check bool) "a dent is not" true (count (dent 2) > 1);
+  Alcotest.(check bool) "and keeps its volume" true (same_volume (dent 2) && same_surface (dent 2))
+
+let property name gen holds = QCheck2.Test.make ~count:25 ~name gen holds
+
+let () =
+  Alcotest.run "decompose"
+    [
+      ( "by hand",
+        [
+          Alcotest.test_case "what is convex stays whole" `Quick convex_stays;
+          Alcotest.test_case "a dent" `Quick dented;
+        ] );
+      ( "laws",
+        Property.cases
+          [
+            property "the volume is that of the solid" random_star same_volume;
+            property "so is the area in each plane" random_star same_surface;
+            property "each point is in one part, or in none" (QCheck2.Gen.pair random_star random_points)
+              same_points;
+          ] );
+    ]
