@@ -418,31 +418,15 @@ check near : always distance2(p[1], q[1]) >= 0 within 1
 
 
 def large(b, scc):
-    """1 000 bodies, 10 000 events: the page opens soon, and is quick."""
+    """1 000 bodies, 10 000 events: the page is not large, and nor is what it lists (test/bench/view takes its times)."""
     model, run = scc.file('.sc'), scc.file('.jsonl')
     with open(model, 'w', encoding='utf-8') as f:
         f.write(LARGE)
     scc.run('trace', '--steps', '10000', '--states', 'ends', '-o', run, model)
-    begun = time.monotonic()
     page = scc.view(model, '--trace', run)
-    written, size = time.monotonic() - begun, os.path.getsize(page)
-    opened = []
-    for _ in range(3):
-        b.open(page)
-        opened.append(b.js('return performance.getEntriesByType("navigation")[0].domComplete') / 1000)
-    moved = b.js('''
-      const times = [];
-      for (let k = 0; k < 200; k++) {
-        const begun = performance.now();
-        scc.go(k * 49);
-        times.push(performance.now() - begun);
-      }
-      return times.sort((a, b) => a - b)[100];''')
-    print(f'1000 bodies, 10000 events: {written:.2f} s to write, {size / 1e6:.1f} MB, {min(opened):.2f} s to open, '
-          f'{moved:.2f} ms to go elsewhere')
-    check('it is written in 5 s', written < 5, written)
+    size = os.path.getsize(page)
     check('it is less than 20 MB', size < 20e6, size)
-    check('it opens in 3 s', min(opened) < 3, opened)
+    b.open(page)
     check('the list holds what is seen alone', 0 < len(b.all('[data-testid="events-list"] .row')) < 60)
     b.js('document.activeElement.blur()')
     b.keys(Keys.END)
