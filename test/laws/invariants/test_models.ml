@@ -92,6 +92,9 @@ let rejects l u (invariant : Invariant.t) =
 
 let few = 12
 
+(* Each certificate is checked for seconds, as there are dozens of parts to meet. *)
+let many_parts = [ "drawn_hexokinase.sc" ]
+
 let proves file () =
   match load file with
   | Error _ -> ()
@@ -104,7 +107,7 @@ let proves file () =
       | Ok (None_found reason) -> print_endline reason
       | Ok (Proved { invariant; proofs }) ->
         List.iter2 (compare_one all (Ranges.point l.model.ranges)) (ordinary l) proofs;
-        if List.length invariant.locations <= few then rejects l u invariant)
+        if List.length invariant.locations <= few && not (List.mem file many_parts) then rejects l u invariant)
 
 let enough () =
   Printf.printf "%d proved, %d rejected; of %d with a single state of a kind, %d accepted\n" !compared !rejected
