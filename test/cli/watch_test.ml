@@ -54,10 +54,10 @@ let inner_and_outer () =
 
 (* Half of what is left, and not more of it, however late it begins; a signal ends it as well. *)
 let half () =
-  let watch = Watch.start ~seconds:3. () in
+  let watch = Watch.start ~seconds:12. () in
   processor_seconds 0.2;
   let over = Watch.half watch () in
-  let rec wait () = match over () with None -> wait () | Some stop -> stop in
+  let rec wait () = match over () with None -> Unix.sleepf 0.05; wait () | Some stop -> stop in
   let at_first = over () in
   let later = wait () in
   let another = Watch.half watch () in

@@ -78,7 +78,7 @@ def faults(found, state):
 def check(scc, model, work):
     """What is wrong with a model, in words; and at how many instants it was looked at."""
     data = work / (model.stem + '.json')
-    made = subprocess.run([scc, 'view', '--data', '--seconds', '20', '--graph', '0', str(model), '-o', str(data)],
+    made = subprocess.run([scc, 'view', '--data', '--seconds', '300', '--graph', '0', str(model), '-o', str(data)],
                           capture_output=True, text=True)
     if made.returncode != 0:
         return [made.stderr], 0

@@ -1,6 +1,6 @@
-(* Convex parts of solids with slanted faces: stars, whose surface is that of an octahedron in many triangles, with
-   each corner moved along its ray. Which points are inside is known for them: a star is the union of the tetrahedra
-   over its triangles, with the middle as apex. *)
+(* Convex parts of solids with slanted faces: stars, whose surface is that of an octahedron in many triangles, each
+   corner moved along its ray. Which points are inside is known: a star is the union of the tetrahedra over its
+   triangles, with the middle as apex. *)
 
 open Scc_exact
 open Scc_geometry
@@ -58,8 +58,8 @@ let area_vector corners =
   let edge i = Vec.cross corners.(i) corners.((i + 1) mod k) in
   List.fold_left Vec.add Vec.zero (List.init k edge)
 
-(* Of each plane what looks to one side, less what looks to the other: where two parts touch they cancel, and what
-   is left is the surface of the solid. Planes are told by their normals that are not negative, and their levels. *)
+(* Of each plane what looks to one side, less what looks to the other: where two parts touch they cancel, and the
+   surface of the solid is left. Planes are told by their normals that are not negative, and their levels. *)
 let areas polygons =
   let table = Hashtbl.create 64 in
   let add corners =
