@@ -1,0 +1,33 @@
+(** Numbers as bytes, each in one way only (format: [specs/state-bytes.md]). Readers take nothing else. *)
+
+open Scc_exact
+
+(** {1 Writing} *)
+
+val put_nat : Buffer.t -> int -> unit
+(** Not negative. *)
+
+val put_integer : Buffer.t -> Z.t -> unit
+val put_rational : Buffer.t -> Rat.t -> unit
+val put_vector : Buffer.t -> Vec.t -> unit
+
+(** {1 Reading} *)
+
+exception Malformed of string
+(** What the bytes are not, in words. *)
+
+type source
+
+val source : string -> source
+val at_end : source -> bool
+
+val nat : source -> int
+val below : int -> what:string -> source -> int
+(** Less than the limit. *)
+
+val integer : source -> Z.t
+val rational : source -> Rat.t
+val vector : source -> Vec.t
+
+val list : source -> (source -> 'a) -> 'a list
+(** Its length, and so many things of at least a byte each. *)

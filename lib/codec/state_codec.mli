@@ -1,0 +1,21 @@
+(** States as bytes and back. The bytes of a state mean the same to every process that has read the same model, and
+    equal states have equal bytes: they are told apart by them, stored and sent. The format, with its version, is
+    told in [specs/state-bytes.md]. *)
+
+open Scc_calculus
+
+type t
+
+val version : int
+(** The first byte. It changes whenever the bytes of some state do. *)
+
+val make : Model.t -> State.t -> t
+(** With the initial state, as {!Scc_semantics.Network.initial} gives it. *)
+
+val encode : t -> State.t -> string
+(** Of a state that is reachable in the model. *)
+
+val decode : t -> string -> (State.t, string) result
+(** [decode t (encode t s)] is [Ok s], and nothing but [encode t s] gives [s]. Otherwise what is wrong. What is
+    decoded names leaves, features and behaviours that are there; whether it is well-formed, is for
+    {!Scc_semantics.Well_formed} to say. *)
