@@ -1,25 +1,47 @@
+open Scc_base
 open Scc_geometry
 
 let renumbered (set : Polyhedron.ifs) =
   { set with ifs_faces = Array.mapi (fun i (_, f) -> ("f" ^ string_of_int i, f)) set.ifs_faces }
 
+let compare_lists = List.compare Int.compare
+
+(* The corners from the least one on. *)
+let from_least corners =
+  let n = Array.length corners and least = ref 0 in
+  Array.iteri (fun i v -> if v < corners.(!least) then least := i) corners;
+  Array.init n (fun i -> corners.((!least + i) mod n))
+
+(* The least of the triangles that corners, from the least one on, make when they are joined to the face one after
+   the other. Those at the least corner are between neighbours there. *)
+let first_triangle corners =
+  let n = Array.length corners in
+  let least_from first =
+    let least = ref first in
+    for i = first + 1 to n - 1 do
+      if corners.(i) < corners.(!least) then least := i
+    done;
+    !least
+  in
+  let second = least_from 1 in
+  if second < n - 1 then [ corners.(0); corners.(second); corners.(least_from (second + 1)) ]
+  else
+    let third = Array.fold_left Int.min max_int (Array.sub corners 1 (n - 2)) in
+    [ corners.(0); third; corners.(second) ]
+
+(* The same whatever the search did: faces come as their triangles would. *)
+let in_order (set : Polyhedron.ifs) =
+  let faces = Array.map (fun (name, f) -> (name, from_least f)) set.ifs_faces in
+  let faces = Array.map (fun (name, f) -> (first_triangle f, (name, f))) faces in
+  let faces = List.sort (fun (a, _) (b, _) -> compare_lists a b) (Array.to_list faces) in
+  { set with ifs_faces = Array.of_list (Long_list.map snd faces) }
+
 let hull (set : Polyhedron.ifs) =
   match Hull.triangles (Array.map snd set.ifs_vertices) with
   | None -> None
   | Some triangles ->
-    (* the same order whatever the search did *)
-    let least t = if t.(0) <= t.(1) && t.(0) <= t.(2) then 0 else if t.(1) <= t.(2) then 1 else 2 in
-    let turned t = Array.init 3 (fun k -> t.((least t + k) mod 3)) in
-    let rec compare i f g =
-      if i = 3 then 0
-      else
-        let c = Int.compare f.(i) g.(i) in
-        if c <> 0 then c else compare (i + 1) f g
-    in
-    let faces = Array.of_list (List.sort (compare 0) (List.rev_map turned triangles)) in
-    let numbered = Array.mapi (fun i f -> ("f" ^ string_of_int i, f)) faces in
-    let merged = Merge_coplanar.merge { set with ifs_faces = numbered } in
-    Some (renumbered merged)
+    let faces = Array.map (fun f -> ("", f)) (Array.of_list triangles) in
+    Some (renumbered (in_order (Merge_coplanar.merge { set with ifs_faces = faces })))
 
 let flattened ~within (hull : Polyhedron.ifs) =
   renumbered (Merge_coplanar.unite hull (Nearly_flat.groups ~within hull))
