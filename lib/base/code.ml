@@ -64,6 +64,7 @@ let not_common = "SC0364"
 let bad_curve = "SC0365"
 let too_many_pieces = "SC0366"
 let cut_shape = "SC0367"
+let few_faces = "SC0370"
 let not_touching = "SC0401"
 let not_highest = "SC0402"
 let interpenetration = "SC0403"
@@ -161,6 +162,7 @@ let all =
     (bad_curve, "a curved solid without a polyhedron as near as it has to be");
     (too_many_pieces, "regions that cut a shape into too many pieces");
     (cut_shape, "a shape that its regions cut, where one in one piece is needed");
+    (few_faces, "a solid around others that cannot have so few faces");
     (not_touching, "features that do not touch");
     (not_highest, "a glue that is not the highest touching pair");
     (interpenetration, "bodies that interpenetrate");

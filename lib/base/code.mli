@@ -208,6 +208,9 @@ val too_many_pieces : t
 val cut_shape : t
 (** SC0367: a shape that its regions cut, where one in one piece is needed. *)
 
+val few_faces : t
+(** SC0370: a solid around others that cannot have so few faces. *)
+
 (** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 
 val not_touching : t

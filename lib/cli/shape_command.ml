@@ -47,6 +47,7 @@ type options = {
   round : bool;
   snap : Rat.t option;
   hull : bool;
+  faces : int option;
   output : string option;
   svg : string option;
   page : string option;
@@ -59,6 +60,16 @@ let hull (set : Polyhedron.ifs) =
   match Scc_mesh.Hull_of.hull set with
   | Some hull -> Ok hull
   | None -> Error [ Diag.error Code.no_solid Span.none "all points are in one plane: they span no solid" ]
+
+let around hull most =
+  match Outer.of_hull ~faces:most hull with
+  | Ok outer -> Ok outer
+  | Error least ->
+    Error
+      [
+        Diag.error Code.few_faces Span.none "no solid around the hull was found with so few of its faces"
+          ~hint:(Printf.sprintf "--faces %d is enough" least);
+      ]
 
 let refused what (why, hint) =
   Error [ Diag.error Code.cannot_snap Span.none ?hint "%s cannot be snapped: %s" what why ]
@@ -110,6 +121,14 @@ let snap_text ~gone (tolerance, (s : Snap.snapped)) =
       (fst s.set.ifs_vertices.(!far))
       (short s.moved.(!far)) s.bits over gone
 
+let outer_text (o : Outer.t) =
+  let faces = Array.length o.solid.ifs_faces in
+  if faces = o.faces then Printf.sprintf "the hull has %d faces\n" faces
+  else
+    Printf.sprintf
+      "simplified: %d faces for %d of the hull, which is inside, and beyond it by at most %s\n" faces o.faces
+      (Scc_drawing.Decimal.significant_above ~digits:4 o.beyond)
+
 (* What to try with a mesh of another program, in the order in which it helps. *)
 let advice (r : Solid_report.t) =
   match r.verdict with
@@ -128,15 +147,17 @@ let advice (r : Solid_report.t) =
     (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
     ^ if concave then "for convex parts of it: scc decompose; for its hull: scc shape --hull\n" else ""
 
-let report console argument ~mended ~gone ?snapped (set : Polyhedron.ifs) =
+let report console argument ~mended ~gone ?snapped ?outer (set : Polyhedron.ifs) =
   let r = Solid_report.make set in
   let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
   let mended = String.concat "" (List.map (fun line -> line ^ "\n") mended) in
-  let told = mended ^ Option.fold ~none:"" ~some:(snap_text ~gone) snapped in
+  let told =
+    mended ^ Option.fold ~none:"" ~some:outer_text outer ^ Option.fold ~none:"" ~some:(snap_text ~gone) snapped
+  in
   Console.answer console
     ~text:(fun () -> told ^ Solid_report.to_text ~name:argument r ^ advice r)
     ~json:(fun () ->
-        Scc_exchange.Shape_json.document ~name:argument ~exit:(Exit_code.to_int code) ?snap:snapped r);
+        Scc_exchange.Shape_json.document ~name:argument ~exit:(Exit_code.to_int code) ?snap:snapped ?outer r);
   code
 
 (* With --round, what is written is not quite what is reported on, and that is told. *)
@@ -191,6 +212,12 @@ let shape console ~overrides o output argument =
   let* () = too_fine set in
   let* set, mended = Mend_options.apply o.mend set in
   let* set = if o.hull then hull set else Ok set in
+  let* outer =
+    match o.faces with
+    | None -> Ok None
+    | Some most -> Result.map Option.some (around set most)
+  in
+  let set = match outer with Some o -> o.solid | None -> set in
   let* snapped =
     match o.snap with
     | None -> Ok None
@@ -199,7 +226,7 @@ let shape console ~overrides o output argument =
   let corners = Array.length set.ifs_vertices in
   let set = match snapped with Some (_, s) -> s.set | None -> set in
   let gone = corners - Array.length set.ifs_vertices in
-  let code = report console argument ~mended ~gone ?snapped set in
+  let code = report console argument ~mended ~gone ?snapped ?outer set in
   (* One output that cannot be written keeps the others from nothing. *)
   let write = write console ~round:o.round output code in
   let written = [ draw o ~name:argument set; show o ~name:argument set; write set ] in
@@ -213,6 +240,9 @@ let run color json overrides o argument =
   match o.output with
   | _ when (match o.snap with Some t -> Rat.sign t <= 0 | None -> false) ->
     Guard.usage "the distance of --snap is to be greater than 0"
+  | _ when Option.is_some o.faces && not o.hull -> Guard.usage "--faces tells how many faces --hull may have"
+  | _ when Option.is_some o.faces && Option.is_some o.snap ->
+    Guard.usage "--faces and --snap do not go together: both choose the planes of faces"
   | None when o.round -> Guard.usage "--round tells how -o writes"
   | None -> go None
   | Some path -> (
@@ -255,6 +285,24 @@ let hull_option =
      farther than the distance in front of a face."
   in
   Arg.(value & flag & info [ "hull" ] ~doc)
+
+let faces_option =
+  let least = 4 and most = 1000 in
+  let doc =
+    Printf.sprintf
+      "A solid of at most $(docv) faces, from %d to %d, that contains the $(b,--hull), so all points: faces of \
+       the hull, in directions rounded to some fifteen bits, without which it grows most; each touches the \
+       hull. The report tells how far the solid goes beyond the hull at most: the greatest distance of a point \
+       of the one from the other. Not with $(b,--snap)."
+      least most
+  in
+  let parse s =
+    match int_of_string_opt s with
+    | Some n when n >= least && n <= most -> Ok n
+    | _ -> Error (`Msg (Printf.sprintf "`%s' is no number from %d to %d" s least most))
+  in
+  let number = Arg.conv ~docv:"N" (parse, Format.pp_print_int) in
+  Arg.(value & opt (some number) None & info [ "faces" ] ~docv:"N" ~doc)
 
 let output =
   let doc =
@@ -304,10 +352,10 @@ let drawn =
   Term.(term_result' ~usage:true (const one $ svg $ Picture_options.term))
 
 let options =
-  let make mend round snap hull output page (svg, drawing) =
-    { mend; round; snap; hull; output; svg; page; drawing }
+  let make mend round snap hull faces output page (svg, drawing) =
+    { mend; round; snap; hull; faces; output; svg; page; drawing }
   in
-  Term.(const make $ Mend_options.term $ round $ snap_option $ hull_option $ output $ page $ drawn)
+  Term.(const make $ Mend_options.term $ round $ snap_option $ hull_option $ faces_option $ output $ page $ drawn)
 
 let man =
   [
@@ -328,6 +376,7 @@ let man =
     `Pre "  scc shape specs/models/hexokinase.sc:Cube --json";
     `Pre "  scc shape --snap 1e-5 snub_cube.off -o exact.obj";
     `Pre "  scc shape --hull --snap 1e-5 points.off -o solid.sc";
+    `Pre "  scc shape --hull --faces 50 points.off -o around.off";
     `Pre "  scc shape --weld --orient --merge scanned.ply -o solid.stl";
     `Pre "  scc shape broken.off --svg broken.svg --view broken.html";
   ]

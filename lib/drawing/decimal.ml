@@ -26,11 +26,11 @@ let order_of_magnitude x =
   let n = length (Q.num x) - length (Q.den x) in
   if Rat.compare x (ten_to n) < 0 then n - 1 else n
 
-let significant ~digits x =
+let significant_by round ~digits x =
   if Rat.sign x = 0 then "0"
   else
     let size = Rat.abs x in
-    let at n = nearest (Rat.div size (ten_to (n - digits + 1))) in
+    let at n = round (Rat.div size (ten_to (n - digits + 1))) in
     let n = order_of_magnitude size in
     (* rounded up to a power of 10, it has one digit more *)
     let n = if Z.geq (at n) (power digits) then n + 1 else n in
@@ -40,6 +40,9 @@ let significant ~digits x =
       else Z.to_string (Z.mul (at n) (power (n - digits + 1)))
     in
     signed x text
+
+let significant = significant_by nearest
+let significant_above = significant_by (fun x -> Z.neg (Rat.floor (Rat.neg x)))
 
 let exact x =
   let places = 12 in

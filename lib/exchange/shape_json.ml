@@ -81,7 +81,10 @@ let snapped (tolerance, (s : Scc_snap.Snap.snapped)) =
       ("bits", `Int s.bits);
     ]
 
-let document ~name ~exit ?snap (r : Solid_report.t) =
+let simplified (o : Scc_snap.Outer.t) =
+  `Assoc [ ("faces_of_hull", `Int o.faces); ("beyond", Json.rat o.beyond) ]
+
+let document ~name ~exit ?snap ?outer (r : Solid_report.t) =
   let faults, properties, warnings =
     match r.verdict with
     | Accepted (_, m) -> ([], mass m, List.map warning (Solid_report.faults r))
@@ -100,4 +103,5 @@ let document ~name ~exit ?snap (r : Solid_report.t) =
       ("mass_properties", properties);
     ]
       @ Option.to_list (Option.map (fun s -> ("snapped", snapped s)) snap)
+      @ Option.to_list (Option.map (fun o -> ("simplified", simplified o)) outer)
       @ geometry r)

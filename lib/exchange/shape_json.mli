@@ -3,5 +3,11 @@
 open Scc_geometry
 
 val document :
-  name:string -> exit:int -> ?snap:Scc_exact.Rat.t * Scc_snap.Snap.snapped -> Solid_report.t -> Json.t
-(** [snap]: within which distance it was snapped, and what that did. *)
+  name:string ->
+  exit:int ->
+  ?snap:Scc_exact.Rat.t * Scc_snap.Snap.snapped ->
+  ?outer:Scc_snap.Outer.t ->
+  Solid_report.t ->
+  Json.t
+(** [snap]: within which distance it was snapped, and what that did. [outer]: that it has fewer faces than the
+    hull. *)

@@ -329,3 +329,19 @@ Of rounded points faces are bent: the hull of a dodecahedron in five decimals ha
   error[SC0322]: the hull cannot be snapped: the faces that are flat within that distance bound no solid
     hint: without --snap the hull is exact as it is, with more faces; a smaller distance merges fewer of them
   [3]
+
+A solid with fewer faces around the hull, and how far it goes beyond; no fewer than a cube of six has.
+
+  $ scc shape --hull --faces 12 points.obj -o around.sc | sed -n '1,3p;6p'
+  simplified: 12 faces for 36 of the hull, which is inside, and beyond it by at most 0.00006495
+  points.obj
+  vertices: 20, edges: 30, faces: 12
+  convex closed polyhedron: yes
+  $ scc shape --hull --faces 12 --json points.obj | grep simplified
+    "simplified": {"faces_of_hull": 36, "beyond": "1169969529959/18014398509481984"},
+  $ scc shape --hull --faces 40 points.obj | head -1
+  the hull has 36 faces
+  $ scc shape --hull --faces 5 cube.sc:Cube
+  error[SC0370]: no solid around the hull was found with so few of its faces
+    hint: --faces 6 is enough
+  [3]

@@ -231,6 +231,8 @@ Names:
   $ for arguments in 'explore cube.sc' 'explore cube.sc -o graph' 'explore cube.sc -o graph.png' 'explore cube.sc -o -' \
   >   'explore cube.sc -o - --format tra' 'compare - -' 'conform - -' 'diff - -' 'fmt -i -' \
   >   'shape cube.sc' 'shape cube.sc:Nothing' 'shape cube.sc:Pair' \
+  >   'shape cube.sc:Cube --faces 9' 'shape cube.sc:Cube --hull --faces 3' 'shape cube.sc:Cube --hull --faces all' \
+  >   'shape cube.sc:Cube --hull --faces 9 --snap 1' 'shape cube.sc:Cube --hull --faces 1001' \
   >   'shape cube.sc:Cube --svg' 'shape cube.sc:Cube --svg -' '' 'chekc cube.sc' '--nothing'; do
   >   scc $arguments < /dev/null > out 2>&1; [ $? = 64 ] || { echo "scc $arguments"; cat out; }
   > done

@@ -1,0 +1,184 @@
+open Scc_data
+open Scc_exact
+open Scc_geometry
+open Scc_mesh
+module Ints = Set.Make (Int)
+
+(* A processor that multiplies and adds in one step would round otherwise, and keep other faces. *)
+let ( *! ) a b = Sys.opaque_identity (a *. b)
+
+(* {1 Planes, and their dual} *)
+
+type plane = { x : float; y : float; z : float; d : float }  (* a unit normal; about the middle of the solid *)
+
+type corner = { planes : int list; px : float; py : float; pz : float }
+
+let above p c = (p.x *! c.px) +. (p.y *! c.py) +. (p.z *! c.pz) -. p.d
+
+let plane middle (set : Polyhedron.ifs) (_, corners) =
+  let at k = Vec.sub (snd set.ifs_vertices.(corners.(k))) middle in
+  let n = Vec.cross (Vec.sub (at 1) (at 0)) (Vec.sub (at 2) (at 0)) in
+  let d = Vec.dot n (at 0) in
+  let length = sqrt (Rat.to_float (Vec.norm2 n)) in
+  let unit q = Rat.to_float q /. length in
+  ({ x = unit n.x; y = unit n.y; z = unit n.z; d = unit d }, Vec.scale (Rat.div Rat.one d) n)
+
+(* To so many parts of the farthest of them: short numbers, and few points fall together. *)
+let parts = Rat.of_int (1 lsl 40)
+
+let rounded points =
+  let larger m (v : Vec.t) = List.fold_left Rat.max m (List.map Rat.abs [ v.x; v.y; v.z ]) in
+  let quantum = Rat.div (Array.fold_left larger Rat.zero points) parts in
+  let round q = Rat.floor (Rat.add (Rat.div q quantum) (Rat.make Z.one (Z.of_int 2))) in
+  (Array.map (fun (v : Vec.t) -> Ivec.make (round v.x) (round v.y) (round v.z)) points, quantum)
+
+type t = {
+  flat : plane array;
+  dual : Ivec.t array;
+  quantum : Rat.t;
+  corners : corner Growable.t;
+  at : Ints.t array;  (* the corners of each face *)
+  gone : int list array;  (* near a face that is there: those that went *)
+  changes : int array;
+}
+
+(* {1 Corners that a hull of the dual shows} *)
+
+let by_names points list =
+  let one f = (string_of_int f, Ivec.to_vec points.(f)) in
+  { Polyhedron.ifs_vertices = Array.of_list (List.map one list); ifs_faces = [||] }
+
+(* Of a plane n . y = e of the dual, e > 0. *)
+let corner t planes n e =
+  let coordinate c = Rat.to_float (Rat.div (Rat.make c e) t.quantum) in
+  { planes; px = coordinate n.Ivec.x; py = coordinate n.y; pz = coordinate n.z }
+
+let through dual = function
+  | a :: b :: c :: _ ->
+    let n = Ivec.cross (Ivec.sub dual.(b) dual.(a)) (Ivec.sub dual.(c) dual.(a)) in
+    (n, Ivec.dot n dual.(a))
+  | _ -> Scc_base.Bug.fail __POS__ "a face of fewer than three corners"
+
+let faces_of (hull : Polyhedron.ifs) =
+  let index v = int_of_string (fst hull.ifs_vertices.(v)) in
+  List.map (fun (_, f) -> List.map index (Array.to_list f)) (Array.to_list hull.ifs_faces)
+
+(* Those of the plane that some of the points are all in. *)
+let flat_face dual list =
+  let not_in_line a b c = not (Ivec.is_zero (fst (through dual [ a; b; c ]))) in
+  match list with
+  | a :: b :: rest -> (
+      match List.find_opt (not_in_line a b) rest with
+      | Some c ->
+        let n, e = through dual [ a; b; c ] in
+        Some (if Z.sign e < 0 then (Ivec.neg n, Z.neg e) else (n, e))
+      | None -> None)
+  | _ -> None
+
+let beside t f =
+  let of_corner c = Ints.of_list (Growable.get t.corners c).planes in
+  Ints.elements (Ints.remove f (Ints.fold (fun c all -> Ints.union (of_corner c) all) t.at.(f) Ints.empty))
+
+(* The corners that there are when a face has gone; None when the solid is not bounded then. *)
+let without t f =
+  let list = beside t f in
+  let in_front (n, e) = Z.compare (Ivec.dot n t.dual.(f)) e > 0 in
+  let faces =
+    match Hull_of.hull (by_names t.dual list) with
+    | Some hull -> List.map (fun planes -> (planes, through t.dual planes)) (faces_of hull)
+    | None -> Option.to_list (Option.map (fun plane -> (list, plane)) (flat_face t.dual list))
+  in
+  let fresh = List.filter (fun (_, plane) -> in_front plane) faces in
+  if fresh <> [] && List.for_all (fun (_, (_, e)) -> Z.sign e > 0) fresh then
+    Some (List.map (fun (planes, (n, e)) -> corner t planes n e) fresh)
+  else None
+
+(* {1 One after the other} *)
+
+let growth t f fresh =
+  let over c =
+    let planes = f :: List.concat_map (fun g -> t.gone.(g)) (f :: c.planes) in
+    List.fold_left (fun m g -> Float.max m (above t.flat.(g) c)) 0. planes
+  in
+  List.fold_left (fun m c -> Float.max m (over c)) 0. fresh
+
+let enter t c =
+  let number = Growable.length t.corners in
+  Growable.push t.corners c;
+  List.iter (fun g -> t.at.(g) <- Ints.add number t.at.(g)) c.planes
+
+(* What went is remembered by the face beside that looks the most to its side. *)
+let remember t f list =
+  let along g =
+    let a = t.flat.(f) and b = t.flat.(g) in
+    (a.x *! b.x) +. (a.y *! b.y) +. (a.z *! b.z)
+  in
+  let nearer g h = if along h > along g then h else g in
+  let heir = List.fold_left nearer (List.hd list) (List.tl list) in
+  t.gone.(heir) <- List.rev_append (f :: t.gone.(f)) t.gone.(heir);
+  t.gone.(f) <- []
+
+let drop t f fresh =
+  let list = beside t f in
+  let leave c =
+    let corner = Growable.get t.corners c in
+    let planes = List.filter (fun g -> g <> f) corner.planes in
+    Growable.set t.corners c { corner with planes };
+    if List.compare_length_with planes 3 < 0 then
+      List.iter (fun g -> t.at.(g) <- Ints.remove c t.at.(g)) planes
+  in
+  Ints.iter leave t.at.(f);
+  t.at.(f) <- Ints.empty;
+  remember t f list;
+  List.iter (enter t) fresh;
+  list
+
+type candidate = { face : int; grows : float; change : int; fresh : corner list }
+
+let compare_candidates a b =
+  let c = Float.compare a.grows b.grows in
+  if c <> 0 then c else Int.compare a.face b.face
+
+let start (set : Polyhedron.ifs) =
+  let sum = Array.fold_left (fun s (_, p) -> Vec.add s p) Vec.zero set.ifs_vertices in
+  let middle = Vec.scale (Rat.make Z.one (Z.of_int (Array.length set.ifs_vertices))) sum in
+  let planes = Array.map (plane middle set) set.ifs_faces in
+  let count = Array.length planes in
+  let dual, quantum = rounded (Array.map snd planes) in
+  let t =
+    {
+      flat = Array.map fst planes; dual; quantum; corners = Growable.create ();
+      at = Array.make count Ints.empty; gone = Array.make count []; changes = Array.make count 0;
+    }
+  in
+  let add planes =
+    let n, e = through dual planes in
+    enter t (corner t planes n e)
+  in
+  Option.iter (fun hull -> List.iter add (faces_of hull)) (Hull_of.hull (by_names dual (List.init count Fun.id)));
+  t
+
+let keep ~most set =
+  let t = start set in
+  let is_there f = not (Ints.is_empty t.at.(f)) in
+  let there () = List.filter is_there (List.init (Array.length t.flat) Fun.id) in
+  let heap = Heap.create ~near:(fun c -> c.grows) ~compare:compare_candidates in
+  let propose f =
+    let add fresh = Heap.add heap { face = f; grows = growth t f fresh; change = t.changes.(f); fresh } in
+    Option.iter add (without t f)
+  in
+  let rec go count =
+    if count <= most then Ok (there ())
+    else
+      match Heap.take heap with
+      | None -> Error count
+      | Some c when is_there c.face && Int.equal c.change t.changes.(c.face) ->
+        let list = drop t c.face c.fresh in
+        List.iter (fun g -> t.changes.(g) <- t.changes.(g) + 1) list;
+        List.iter propose list;
+        go (count - 1)
+      | Some _ -> go count
+  in
+  let first = there () in
+  if List.compare_length_with first most > 0 then List.iter propose first;
+  go (List.length first)
