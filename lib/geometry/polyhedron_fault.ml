@@ -100,6 +100,7 @@ let message ~vertex ~face =
     say "these are separate solids: faces %s and %s are not connected through edges" (face f) (face g)
 
 let hint ~vertex ~face = function
+  | No_faces -> Some "of points alone scc shape --hull makes a solid, their convex hull"
   | Coplanar_neighbours (f, g) -> Some (Printf.sprintf "merge %s and %s into one face" (face f) (face g))
   | Inward -> Some "reverse the order of the corners of every face"
   | Turned_face f -> Some (Printf.sprintf "reverse the order of the corners of %s" (face f))

@@ -13,6 +13,7 @@ let readers =
     ("x3d", "X3D", X3d.read);
     ("glb", "glTF", Gltf.read);
     ("gltf", "glTF", Gltf.read);
+    ("xyz", "XYZ", Xyz.read);
   ]
 
 let formats = List.map (fun (ending, name, _) -> ("." ^ ending, name)) readers

@@ -345,3 +345,15 @@ A solid with fewer faces around the hull, and how far it goes beyond; no fewer t
   error[SC0370]: no solid around the hull was found with so few of its faces
     hint: --faces 6 is enough
   [3]
+
+Of an XYZ file, which has points alone.
+
+  $ printf "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n.1 .1 .1 9\n" > scan.xyz
+  $ scc shape scan.xyz | sed -n '2p;5,7p'
+  vertices: 5, edges: 0, faces: 0
+  convex closed polyhedron: no
+    error[SC0301]: there is no face, so no solid is enclosed
+      hint: of points alone scc shape --hull makes a solid, their convex hull
+  $ scc shape --hull scan.xyz | sed -n '2p;5p'
+  vertices: 4, edges: 6, faces: 4
+  convex closed polyhedron: yes

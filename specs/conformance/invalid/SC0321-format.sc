@@ -5,6 +5,6 @@ shape Cube {
   faces    bottom [a,d,c,b]  top [e,f,g,h]  left [a,e,h,d]
            right [b,c,g,f]   front [a,b,f,e]  back [d,h,g,c]
 }
-shape S = mesh "cloud.xyz"
+shape S = mesh "cloud.pcd"
 process q = S mass 1 at translate (5,0,0) [nil]
 process p = Cube mass 1 [nil]

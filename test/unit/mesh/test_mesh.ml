@@ -98,6 +98,8 @@ let ply_binary ~big format =
   List.iter face corners;
   Buffer.contents b
 
+let xyz = "# a scan\n0 0 0 0 0 -1\n1.25 0 0 255 0 0 text\n\n0 1 0 # the third\n\t0 0 2.\n"
+
 let crlf text = String.concat "\r\n" (String.split_on_char '\n' text)
 
 (* Also after a byte order mark, that binary files have not. *)
@@ -135,6 +137,21 @@ let good expected (name, path, text) =
       Alcotest.(check string) "names" "v0 f3" (fst ifs.ifs_vertices.(0) ^ " " ^ fst ifs.ifs_faces.(3))
   in
   Alcotest.test_case name `Quick test
+
+(* Points alone. *)
+let cloud (name, text) =
+  let test () =
+    match read "t.xyz" text with
+    | Error d -> Alcotest.fail d.Diag.message
+    | Ok set -> Alcotest.(check (list string)) "the points" vertices (describe set)
+  in
+  Alcotest.test_case name `Quick test
+
+let clouds =
+  [
+    ("XYZ", xyz); ("XYZ, CRLF", crlf xyz); ("XYZ, after a byte order mark", "\xEF\xBB\xBF" ^ xyz);
+    ("XYZ with a count", "4\n" ^ xyz);
+  ]
 
 (* A node that mirrors turns the faces over. *)
 let test_mirrored () =
@@ -251,6 +268,13 @@ let bad =
     ("VRML without a bracket", "t.wrl", "IndexedFaceSet { coordIndex [ 0 1", "1:29 SC0320");
     ("X3D that moves", "t.x3d", "<X3D><Transform scale='2 2 2'>", "1:7 SC0320");
     ("X3D without an end", "t.x3d", "<X3D", "1:2 SC0320"); ("an unknown ending", "t.doc", "x", "1:1 SC0321");
+    ("XYZ without points", "t.xyz", "# nothing\n", "1:1 SC0320");
+    ("XYZ, two coordinates", "t.xyz", "0 0 0\n1 2\n", "2:1 SC0320");
+    ("XYZ, a wrong count", "t.xyz", "3\n0 0 0\n1 2 3\n", "1:1 SC0320");
+    ("XYZ, a header", "t.xyz", "0 0 0\nx y z\n", "2:1 SC0320");
+    ("XYZ, atoms", "t.xyz", "1\nO 0 0 0\n", "2:1 SC0320");
+    ("XYZ, commas", "t.xyz", "0 0 0\n1,2,3\n", "2:1 SC0320");
+    ("XYZ, one word", "t.xyz", "points\n", "1:1 SC0320");
     ("X3D, an unknown entity", "t.x3d", "<IndexedFaceSet coordIndex='0 &dash;1'/>", "1:31 SC0320");
     ("X3D, no character", "t.x3d", "<IndexedFaceSet coordIndex='0 &#xD800;'/>", "1:31 SC0320");
     ("X3D, a reference that does not end", "t.x3d", "<IndexedFaceSet coordIndex='0 & 1'/>", "1:31 SC0320");
@@ -324,7 +348,7 @@ let naming () =
 (* {1 Noise: any answer will do, but no exception} *)
 
 let mangled =
-  let texts = List.map (fun (_, path, text) -> (path, text)) (files @ stl_files @ Gltf_files.files) in
+  let texts = List.map (fun (_, path, text) -> (path, text)) (("", "t.xyz", xyz) :: files @ stl_files @ Gltf_files.files) in
   let pieces =
     [ "-"; "9"; "1e9"; " "; "\n"; "{"; "]"; "<"; "'"; "\x00"; "nan"; "/"; "-1"; "3"; "element face 9\n" ]
   in
@@ -354,6 +378,7 @@ let () =
   Alcotest.run "mesh"
     [
       ("formats", List.map (good tetrahedron) files @ List.map (good by_first_use) (stl_files @ Gltf_files.files));
+      ("clouds", List.map cloud clouds);
       ("mirrors", [ Alcotest.test_case "of glTF" `Quick test_mirrored ]);
       ("exactness", [ Alcotest.test_case "numbers" `Quick test_exact; Scc_test_support.Property.case decimals ]);
       ("names", [ Alcotest.test_case "of faces" `Quick naming ]);

@@ -1,0 +1,34 @@
+open Scc_base
+open Text
+
+let is_letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
+
+let point ~path = function
+  | [] -> Bug.fail __POS__ "a line without words"
+  | (w : word) :: _ :: _ :: _ :: _ when is_letter w.text.[0] ->
+    error ~path w "expected the three coordinates of a point, found %s: files of atoms are not read" (quote w.text)
+  | _ :: _ :: _ :: _ as words -> coordinates ~path words
+  | w :: _ -> error ~path w "expected the three coordinates of a point on this line"
+
+let points ~path text position =
+  let rec go acc count position =
+    match next_line text position with
+    | None -> Ok (acc, count)
+    | Some (words, next) -> (
+        match point ~path words with
+        | Ok v -> go (v :: acc) (count + 1) next
+        | Error _ as e -> e)
+  in
+  go [] 0 position
+
+let read ~path text =
+  match next_line text 0 with
+  | None -> error_at ~path 0 "the file has no points"
+  | Some ([ head ], next) ->
+    let* promised = integer ~path ~what:"the coordinates of a point, or the number of points," head in
+    let* list, count = points ~path text next in
+    if promised <> count then error ~path head "the file promises %d points, but has %d" promised count
+    else Ok (ifs list [])
+  | Some _ ->
+    let* list, _ = points ~path text 0 in
+    Ok (ifs list [])
