@@ -13,6 +13,7 @@ let readers =
     ("x3d", "X3D", X3d.read);
     ("glb", "glTF", Gltf.read);
     ("gltf", "glTF", Gltf.read);
+    ("3mf", "3MF", Threemf.read);
     ("xyz", "XYZ", Xyz.read);
   ]
 
@@ -31,6 +32,7 @@ let by_text text =
   in
   if List.exists begins [ "OFF"; "COFF"; "NOFF"; "STOFF"; "CNOFF" ] then Some Off.read
   else if begins "glTF" || begins "{" then Some Gltf.read
+  else if begins "PK\003\004" then Some Threemf.read
   else if begins "solid" then Some Stl.read
   else if begins "ply" then Some Ply.read
   else if begins "#VRML" || begins "#X3D" then Some Vrml.read

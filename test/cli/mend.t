@@ -147,3 +147,33 @@ What has no decimals goes into formats with fractions, or is rounded.
   Usage: scc shape [OPTION]… FILE
   Try 'scc shape --help' or 'scc --help' for more information.
   [64]
+
+3MF files hold objects in a ZIP file: a cube of 10 by 20 by 30, twice, the second one beside the first.
+
+  $ cat > pack.py << 'END'
+  > import sys, zipfile
+  > corners = [(x, y, z) for x in (0, 10) for y in (0, 20) for z in (0, 30)]
+  > faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+  > triangles = [t for a, b, c, d in faces for t in ((a, b, c), (a, c, d))]
+  > mesh = "<vertices>%s</vertices><triangles>%s</triangles>" % (
+  >     "".join('<vertex x="%d" y="%d" z="%d"/>' % c for c in corners),
+  >     "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % t for t in triangles))
+  > model = """<model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>
+  > <object id="1"><mesh>%s</mesh></object></resources><build><item objectid="1"/>%s</build></model>"""
+  > rels = """<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="r"
+  > Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel" Target="/3D/3dmodel.model"/></Relationships>"""
+  > with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as file:
+  >     file.writestr("_rels/.rels", rels)
+  >     file.writestr("3D/3dmodel.model", model % (mesh, sys.argv[2]))
+  > END
+  $ python3 pack.py brick.3mf ''
+  $ scc shape brick.3mf | sed -n '2p;5p;/^volume/p'
+  vertices: 8, edges: 12, faces: 6
+  convex closed polyhedron: yes
+  volume: 6000
+  $ python3 pack.py two.3mf '<item objectid="1" transform="1 0 0 0 1 0 0 0 1 10.5 0 0"/>'
+  $ scc shape --hull two.3mf | grep volume
+  volume: 12300
+  $ python3 pack.py none.3mf '<item objectid="2"/>'
+  $ scc shape none.3mf 2>&1 | head -1
+  none.3mf:1:1: error[SC0320]: `3D/3dmodel.model`, line 2: there is no object `2` before this

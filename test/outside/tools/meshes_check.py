@@ -19,7 +19,7 @@ from trimesh import creation
 from common import Run
 
 MEND = ["--weld", "--orient", "--merge"]
-READ = ("off", "obj", "stl", "ply", "glb", "gltf")
+READ = ("off", "obj", "stl", "ply", "glb", "gltf", "3mf")
 SECONDS = 20
 LARGEST = 3_000_000
 
@@ -87,7 +87,7 @@ def read_back(run, name, path, convex):
 
 def made(run):
     for name, mesh, convex in shapes():
-        for kind in ("off", "obj", "stl", "stl_ascii", "ply", "glb", "gltf"):
+        for kind in ("off", "obj", "stl", "stl_ascii", "ply", "glb", "gltf", "3mf"):
             path = run.path("in." + kind.split("_")[0])
             with open(path, "wb") as file:
                 file.write(export(mesh, kind))

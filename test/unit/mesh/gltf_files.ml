@@ -77,6 +77,9 @@ let sparse =
   String.sub json 0 i ^ ",{\"buffer\":0,\"byteOffset\":156,\"byteLength\":13}"
   ^ String.sub json i (String.length json - i)
 
+let in_glb = gltf_json ~uri:false ()
+let packed json = glb json gltf_data
+
 let files =
   [
     ("glTF", "t.gltf", gltf_json ()); ("glTF told by its text", "t", gltf_json ());

@@ -9,6 +9,12 @@ val float32 : (Buffer.t -> int32 -> unit) -> Buffer.t -> float -> unit
 val files : (string * string * string) list
 (** Name of the test, path, and text; vertices are numbered as they are met. *)
 
+val in_glb : string
+(** The JSON of a GLB file, for {!packed}. *)
+
+val packed : string -> string
+(** With the data of the solid, as GLB. *)
+
 val mirrored : string
 (** The same solid behind a node that mirrors. *)
 

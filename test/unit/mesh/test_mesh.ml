@@ -153,15 +153,15 @@ let clouds =
     ("XYZ with a count", "4\n" ^ xyz);
   ]
 
-(* A node that mirrors turns the faces over. *)
-let test_mirrored () =
-  match read "t.gltf" Gltf_files.mirrored with
+(* What mirrors turns the faces over; the points are the same with another x. *)
+let mirrors x path text () =
+  match read path text with
   | Error d -> Alcotest.fail d.Diag.message
   | Ok set ->
-    Alcotest.(check (list string))
-      "the points" vertices
-      (List.sort String.compare (List.filteri (fun i _ -> i < 4) (describe set)) |> fun l ->
-       List.map (fun v -> List.find (String.equal v) l) vertices);
+    let move (_, (v : Vec.t)) = Vec.to_string { v with x = x v.x } in
+    let sorted = List.sort String.compare in
+    let points = sorted (List.map move (Array.to_list set.ifs_vertices)) in
+    Alcotest.(check (list string)) "the points" (sorted vertices) points;
     Alcotest.(check bool) "accepted" true (Result.is_ok (Polyhedron.of_ifs set))
 
 (* {1 Exactness} *)
@@ -298,59 +298,22 @@ let bad_case (name, path, text, expected) =
   in
   Alcotest.test_case name `Quick test
 
-(* {1 Names of faces} *)
-
-let names_of path text =
-  match read path text with
-  | Ok ifs -> String.concat " " (Array.to_list (Array.map fst ifs.ifs_faces))
-  | Error d -> Alcotest.fail d.Diag.message
-
-let obj_faces groups =
-  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
-  ^ String.concat "" (List.map2 (fun g f -> g ^ "f " ^ f ^ "\n") groups [ "1 3 2"; "1 2 4"; "1 4 3"; "2 3 4" ])
-
-let x3d_sets shapes =
-  let set (shape, own) =
-    Printf.sprintf "<Shape%s><IndexedFaceSet%s coordIndex='0 1 2 -1'>" shape own
-    ^ "<Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape>"
-  in
-  "<X3D>" ^ String.concat "" (List.map set shapes) ^ "</X3D>"
-
-let vrml_sets shapes =
-  let set (shape, own) =
-    Printf.sprintf "%s Shape { geometry %s IndexedFaceSet {" shape own
-    ^ " coord Coordinate { point [ 0 0 0 1 0 0 0 1 0 ] } coordIndex [ 0 1 2 ] } }\n"
-  in
-  "#VRML V2.0 utf8\n" ^ String.concat "" (List.map set shapes)
-
-let named =
-  let obj = List.map (fun (groups, names) -> ("t.obj", obj_faces groups, names)) in
-  obj
-    [
-      ([ ""; ""; ""; "" ], "f0 f1 f2 f3"); ([ "o Cube\n"; ""; ""; "" ], "f0 f1 f2 f3");
-      ([ "g top\n"; "g side\n"; ""; "g last\n" ], "top side0 side1 last");
-      ([ ""; "g top\n"; "g\n"; "g default\n" ], "f0 top f2 f3");
-      ([ "o A\n"; "g b c\n"; "o D\n"; "" ], "A b D0 D1"); ([ "g a2\n"; ""; "g b\n"; "" ], "a2_0 a2_1 b0 b1");
-      ([ "g f1\n"; "g\n"; "g f0\n"; "g v1\n" ], "f1 f1_ f0 f3");
-      ([ "g x.y-z\n"; "g 4th\n"; "g \xC3\xA9\n"; "g _\n" ], "x_y_z g4th g__ g_");
-      ([ "g side\n"; ""; "g side0\n"; "g t\n" ], "f0 side1 side0 t");
-    ]
-  @ [
-    ( "t.x3d",
-      x3d_sets [ (" DEF='a'", ""); ("", ""); (" DEF='b'", " DEF='&#99;'"); ("", " DEF='d'") ], "a f1 c d" );
-    ("t.wrl", vrml_sets [ ("DEF a", ""); ("", ""); ("DEF b", "DEF c"); ("", "DEF d") ], "a f1 c d");
-    ("t.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "f0");
-  ]
-
-let naming () =
-  List.iter (fun (path, text, expected) -> Alcotest.(check string) text expected (names_of path text)) named
-
 (* {1 Noise: any answer will do, but no exception} *)
 
+(* Damage is done to the text, and what packs it, if anything does, comes after it. *)
 let mangled =
-  let texts = List.map (fun (_, path, text) -> (path, text)) (("", "t.xyz", xyz) :: files @ stl_files @ Gltf_files.files) in
+  let as_it_is = List.map (fun (_, path, text) -> (path, Fun.id, text)) in
+  let plain = (("", "t.xyz", xyz) :: files) @ stl_files @ Gltf_files.files @ Threemf_files.files in
+  let texts =
+    as_it_is plain
+    @ List.map (fun model -> ("t.3mf", Threemf_files.packed, model)) Threemf_files.models
+    @ [ ("t.glb", Gltf_files.packed, Gltf_files.in_glb) ]
+  in
   let pieces =
-    [ "-"; "9"; "1e9"; " "; "\n"; "{"; "]"; "<"; "'"; "\x00"; "nan"; "/"; "-1"; "3"; "element face 9\n" ]
+    [
+      "-"; "9"; "1e9"; " "; "\n"; "{"; "]"; "<"; "'"; "\x00"; "nan"; "/"; "-1"; "3"; "element face 9\n"; "\xFF";
+      "PK"; "\""; ","; ">"; "&";
+    ]
   in
   let piece = G.oneofl pieces in
   let change text = function
@@ -362,11 +325,12 @@ let mangled =
       let stop = min (String.length text) (at + length) in
       String.sub text 0 at ^ String.sub text stop (String.length text - stop)
   in
-  let changes = G.list_size (G.int_range 1 3) (G.quad G.bool (G.int_bound 1000) (G.int_bound 30) piece) in
-  G.map2 (fun (path, text) changes -> (path, List.fold_left change text changes)) (G.oneofl texts) changes
+  let changes = G.list_size (G.int_range 1 3) (G.quad G.bool (G.int_bound 2000) (G.int_bound 30) piece) in
+  let damaged (path, pack, text) changes = (path, pack (List.fold_left change text changes)) in
+  G.map2 damaged (G.oneofl texts) changes
 
 let no_exception =
-  QCheck2.Test.make ~name:"mangled files" ~count:5000
+  QCheck2.Test.make ~name:"mangled files" ~count:10000
     ~print:(fun (path, text) -> path ^ ": " ^ String.escaped text)
     mangled
     (fun (path, text) ->
@@ -377,11 +341,15 @@ let no_exception =
 let () =
   Alcotest.run "mesh"
     [
-      ("formats", List.map (good tetrahedron) files @ List.map (good by_first_use) (stl_files @ Gltf_files.files));
+      ( "formats",
+        List.map (good tetrahedron) (files @ Threemf_files.files)
+        @ List.map (good by_first_use) (stl_files @ Gltf_files.files) );
       ("clouds", List.map cloud clouds);
-      ("mirrors", [ Alcotest.test_case "of glTF" `Quick test_mirrored ]);
+      ("mirrors", [
+          Alcotest.test_case "of glTF" `Quick (mirrors Fun.id "t.gltf" Gltf_files.mirrored);
+          Alcotest.test_case "of 3MF" `Quick (mirrors Rat.neg "t.3mf" Threemf_files.mirrored);
+        ]);
       ("exactness", [ Alcotest.test_case "numbers" `Quick test_exact; Scc_test_support.Property.case decimals ]);
-      ("names", [ Alcotest.test_case "of faces" `Quick naming ]);
-      ("bad files", List.map bad_case (bad @ Gltf_files.bad));
+      ("bad files", List.map bad_case (bad @ Gltf_files.bad @ Threemf_files.bad));
       ("noise", [ Scc_test_support.Property.case no_exception ]);
     ]

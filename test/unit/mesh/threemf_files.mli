@@ -1,0 +1,15 @@
+(** The tetrahedron of the tests as 3MF, whole and with faults. *)
+
+val files : (string * string * string) list
+(** Name, path and text. *)
+
+val mirrored : string
+(** The tetrahedron in a mirror. *)
+
+val models : string list
+(** The XML in some, for {!packed}. *)
+
+val packed : string -> string
+
+val bad : (string * string * string * string) list
+(** And where the fault is, with its code. *)
