@@ -95,7 +95,7 @@ let distance2 ~(hull : Polyhedron.ifs) (outer : Polyhedron.ifs) =
     match try_one (snd (first (infinity, triangles.(0)) triangles)) with
     | Some d -> d
     | None -> (
-        let all = by_distance (List.map (fun t -> (far t, t)) (Array.to_list triangles)) in
+        let all = by_distance (Array.to_list (Array.map (fun t -> (far t, t)) triangles)) in
         match List.find_map (fun (_, t) -> try_one t) all with
         | Some d -> d
         | None -> Bug.fail __POS__ "no point of a convex solid is nearest")

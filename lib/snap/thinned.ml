@@ -1,3 +1,4 @@
+open Scc_base
 open Scc_data
 open Scc_exact
 open Scc_geometry
@@ -46,7 +47,7 @@ type t = {
 
 let by_names points list =
   let one f = (string_of_int f, Ivec.to_vec points.(f)) in
-  { Polyhedron.ifs_vertices = Array.of_list (List.map one list); ifs_faces = [||] }
+  { Polyhedron.ifs_vertices = Array.map one (Array.of_list list); ifs_faces = [||] }
 
 (* Of a plane n . y = e of the dual, e > 0. *)
 let corner t planes n e =
@@ -57,11 +58,11 @@ let through dual = function
   | a :: b :: c :: _ ->
     let n = Ivec.cross (Ivec.sub dual.(b) dual.(a)) (Ivec.sub dual.(c) dual.(a)) in
     (n, Ivec.dot n dual.(a))
-  | _ -> Scc_base.Bug.fail __POS__ "a face of fewer than three corners"
+  | _ -> Bug.fail __POS__ "a face of fewer than three corners"
 
 let faces_of (hull : Polyhedron.ifs) =
   let index v = int_of_string (fst hull.ifs_vertices.(v)) in
-  List.map (fun (_, f) -> List.map index (Array.to_list f)) (Array.to_list hull.ifs_faces)
+  Array.to_list (Array.map (fun (_, f) -> List.map index (Array.to_list f)) hull.ifs_faces)
 
 (* Those of the plane that some of the points are all in. *)
 let flat_face dual list =
@@ -85,12 +86,12 @@ let without t f =
   let in_front (n, e) = Z.compare (Ivec.dot n t.dual.(f)) e > 0 in
   let faces =
     match Hull_of.hull (by_names t.dual list) with
-    | Some hull -> List.map (fun planes -> (planes, through t.dual planes)) (faces_of hull)
+    | Some hull -> Long_list.map (fun planes -> (planes, through t.dual planes)) (faces_of hull)
     | None -> Option.to_list (Option.map (fun plane -> (list, plane)) (flat_face t.dual list))
   in
   let fresh = List.filter (fun (_, plane) -> in_front plane) faces in
   if fresh <> [] && List.for_all (fun (_, (_, e)) -> Z.sign e > 0) fresh then
-    Some (List.map (fun (planes, (n, e)) -> corner t planes n e) fresh)
+    Some (Long_list.map (fun (planes, (n, e)) -> corner t planes n e) fresh)
   else None
 
 (* {1 One after the other} *)

@@ -131,6 +131,10 @@ let decimals () =
   significant "great" "123500" (q 123456 1);
   significant "greater" "1.235e11" (q 123456789012 1);
   significant "nothing" "0" Rat.zero;
+  let above = check (Decimal.significant_above ~digits:4) in
+  above "a third, rounded up" "0.3334" (q 1 3);
+  above "four digits as they are" "0.1234" (q 1234 10000);
+  above "up to a power" "1" (q 99991 100000);
   let exact name expected x = Alcotest.(check (option string)) name expected (Decimal.exact x) in
   exact "eighth" (Some "0.125") (q 1 8);
   exact "third" None (q 1 3);
