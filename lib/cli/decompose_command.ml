@@ -120,10 +120,10 @@ let man =
        other, that are not flat, or that leave a gap are refused, with the place.";
     `P
       "A prism over a polygon without holes has as few parts as cuts between its corners allow. Any other solid \
-       is cut by planes of its own faces, and parts are joined while they stay convex: there are about as many \
-       parts as reflex edges, and no better bound is known than 2 to the power of the number of planes. Parts are \
-       cut further where one of their faces would lie in two faces of the solid, so that a name of a face means \
-       that face.";
+       is cut by planes through its reflex edges, which are those of its faces or go through a third corner, and \
+       parts are joined while they stay convex: as a rule there are no more parts than reflex edges, but some \
+       solids need about as many as the square of that, and no such bound holds here. Parts are cut further where \
+       one of their faces would lie in two faces of the solid, so that a name of a face means that face.";
     `P
       "In a model, $(b,compound C = decompose \"FILE\" mass 1) is the same, and the names of the faces of the \
        file are names of features.";

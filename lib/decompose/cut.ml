@@ -9,46 +9,16 @@ let in_front fragments plane =
 let planes_of fragments =
   List.sort_uniq Int.compare (Array.to_list (Array.map (fun f -> f.plane) fragments))
 
-(* How many fragments are cut, and how uneven the halves are. *)
-let cost planes fragments k =
-  let across = ref 0 and front = ref 0 and back = ref 0 in
-  Array.iter
-    (fun f ->
-       if f.plane <> k then
-         match Cell.position planes.(k) f.polygon with
-         | Across -> incr across
-         | In_front -> incr front
-         | Behind -> incr back
-         | On -> ())
-    fragments;
-  if !front + !across = 0 then None else Some (!across, abs (!front - !back))
-
-(* As many planes are tried as keep the work at one cell near linear. *)
-let most_tried fragments = Int.max 24 (40_000 / Int.max 1 (Array.length fragments))
-
-let sample most list =
-  let all = Array.of_list list in
-  let n = Array.length all in
-  if n <= most then list else List.init most (fun i -> all.(i * n / most))
-
-let best planes fragments candidates =
-  let better found k =
-    match (cost planes fragments k, found) with
-    | None, _ -> found
-    | Some c, Some (least, _) when compare least c <= 0 -> found
-    | Some c, _ -> Some (c, k)
-  in
-  Option.map snd (List.fold_left better None candidates)
-
 (* The plane of a fragment in front of which there is something; none when the fragments are in convex position. *)
-let choose planes fragments =
-  let all = planes_of fragments in
-  match best planes fragments (sample (most_tried fragments) all) with
-  | Some k -> Some k
-  | None -> List.find_opt (fun k -> in_front fragments planes.(k)) all
+let separating planes fragments =
+  List.find_opt (in_front fragments) (List.map (fun k -> planes.(k)) (planes_of fragments))
 
-let halves planes fragments k =
-  let plane = planes.(k) in
+let choose planes fragments notches =
+  match Notch.plane planes notches with
+  | Some plane -> Some plane
+  | None -> separating planes fragments
+
+let halves plane fragments =
   let opposite = Plane.opposite plane in
   let front = ref [] and back = ref [] in
   Array.iter
@@ -82,22 +52,25 @@ let parts ~tick box polygons =
   in
   let fragments = Array.map (fun (plane, polygon) -> { plane = number plane; polygon }) (Array.of_list polygons) in
   let planes = Array.of_list (List.rev !list) in
+  let notches = Notch.of_surface planes (Array.map (fun f -> (f.plane, f.polygon)) fragments) in
   (* Cells that wait, so that nothing depends on how deep the cuts go. *)
   let rec work found = function
     | [] -> List.rev found
-    | (cell, fragments) :: waiting -> (
+    | (cell, fragments, notches) :: waiting -> (
         tick ();
-        match choose planes fragments with
+        match choose planes fragments notches with
         | None ->
           let inside = List.fold_left (fun cell k -> clipped cell planes.(k)) cell (planes_of fragments) in
           work (inside :: found) waiting
-        | Some k ->
-          let back, front = halves planes fragments k in
-          let behind = clipped cell planes.(k) in
+        | Some plane ->
+          let back, front = halves plane fragments in
+          let notches_behind, notches_ahead = Notch.split plane notches in
+          let behind = clipped cell plane in
           let waiting =
             if Array.length front = 0 then waiting
-            else (clipped cell (Plane.opposite planes.(k)), front) :: waiting
+            else (clipped cell (Plane.opposite plane), front, notches_ahead) :: waiting
           in
-          if Array.length back = 0 then work (behind :: found) waiting else work found ((behind, back) :: waiting))
+          if Array.length back = 0 then work (behind :: found) waiting
+          else work found ((behind, back, notches_behind) :: waiting))
   in
-  work [] [ (box, fragments) ]
+  work [] [ (box, fragments, notches) ]

@@ -9,6 +9,14 @@ let make (n : Ivec.t) (p : Place.t) =
   let g = Z.gcd (Z.gcd a b) (Z.gcd c level) in
   { a = Z.divexact a g; b = Z.divexact b g; c = Z.divexact c g; d = Z.divexact level g }
 
+let through (p : Place.t) (q : Place.t) (r : Place.t) =
+  let from_p (q : Place.t) =
+    let part a b = Z.sub (Z.mul a p.w) (Z.mul b q.w) in
+    Ivec.make (part q.x p.x) (part q.y p.y) (part q.z p.z)
+  in
+  let n = Ivec.cross (from_p q) (from_p r) in
+  if Ivec.is_zero n then None else Some (make n p)
+
 let opposite s = { a = Z.neg s.a; b = Z.neg s.b; c = Z.neg s.c; d = Z.neg s.d }
 let equal s t = Z.equal s.a t.a && Z.equal s.b t.b && Z.equal s.c t.c && Z.equal s.d t.d
 let hash s = (((((Z.hash s.a * 31) + Z.hash s.b) * 31) + Z.hash s.c) * 31) + Z.hash s.d

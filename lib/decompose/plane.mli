@@ -7,6 +7,9 @@ type t = private { a : Z.t; b : Z.t; c : Z.t; d : Z.t }  (** a x + b y + c z <= 
 val make : Ivec.t -> Place.t -> t
 (** With that normal, not zero, through the point. *)
 
+val through : Place.t -> Place.t -> Place.t -> t option
+(** They run counter-clockwise as seen from in front. [None] if they are on a line. *)
+
 val opposite : t -> t
 val equal : t -> t -> bool
 val hash : t -> int

@@ -127,6 +127,20 @@ let dented () =
   Alcotest.(check bool) "a dent is not" true (count (dent 2) > 1);
   Alcotest.(check bool) "and keeps its volume" true (same_volume (dent 2) && same_surface (dent 2))
 
+(* Two frusta on each other by their smaller squares: no plane of a face goes through all four reflex edges, but
+   the one between them does. *)
+let hourglass () =
+  let corner s z k = Vec.of_ints (if k = 1 || k = 2 then s else -s) (if k >= 2 then s else -s) z in
+  let square s z = Array.init 4 (corner s z) in
+  let side (s, z) (t, y) k =
+    let next = (k + 1) mod 4 in
+    [| corner s z k; corner s z next; corner t y next; corner t y k |]
+  in
+  let sides low high = List.init 4 (side low high) in
+  let bottom = Array.of_list (List.rev (Array.to_list (square 3 (-2)))) in
+  let faces = (bottom :: square 2 2 :: sides (3, -2) (1, 0)) @ sides (1, 0) (2, 2) in
+  Alcotest.(check int) "one cut" 2 (List.length (Scc_decompose.Decompose.parts faces))
+
 let property name gen holds = QCheck2.Test.make ~count:25 ~name gen holds
 
 let () =
@@ -136,6 +150,7 @@ let () =
         [
           Alcotest.test_case "what is convex stays whole" `Quick convex_stays;
           Alcotest.test_case "a dent" `Quick dented;
+          Alcotest.test_case "an hourglass" `Quick hourglass;
         ] );
       ( "laws",
         Property.cases

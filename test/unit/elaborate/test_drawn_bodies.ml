@@ -68,8 +68,9 @@ let channels () =
   opens "a corner of two parts" [] 2 "j" ell;
   opens "by its own name" [ "p.p1.inner" ] (4 + 4 + 3) "p.inner" ell;
   opens "a piece, by its part" [ "p.p2.top" ] (4 + 4) "p2.top" ell;
-  opens "names of one plane are one face" (List.init 8 (fun k ->
-      Printf.sprintf "p.p%d.rim0" (k + 2))) 16 "only rim2" pit;
+  (* a part under the floor and four around it *)
+  opens "names of one plane are one face" (List.init 4 (fun k ->
+      Printf.sprintf "p.p%d.rim0" (k + 2))) 8 "only rim2" pit;
   opens "the face of a part that goes on under others" [ "p.p1.floor" ] 0 "only floor" pit
 
 let masses () =
