@@ -60,8 +60,7 @@ let make ~limit (d : Drawn.t) pieces =
   | None -> None
   | Some list ->
     let shows = Hashtbl.create 256 and names = names d in
-    let enter k p =
-      let features = Shown.features shown p in
+    let enter k (p, features) =
       let put (feature, carriers) =
         let add c =
           Hashtbl.replace shows c ((k, feature) :: Option.value ~default:[] (Hashtbl.find_opt shows c))

@@ -74,8 +74,9 @@ let parts shown (d : Drawn.t) ~limit list =
     | _ when count > limit -> None
     | [] -> Some (List.rev done_)
     | p :: rest -> (
-        match List.find_map (dividing d p) (Shown.features shown p) with
-        | None -> refine (p :: done_) count rest
+        let features = Shown.features shown p in
+        match List.find_map (dividing d p) features with
+        | None -> refine ((p, features) :: done_) count rest
         | Some region ->
           let one, other = halves region p in
           refine done_ (count + 1) (one :: other :: rest))
