@@ -11,8 +11,9 @@ let normal (vertices : Vec.t array) face =
   done;
   !sum
 
+module Directions = Hashtbl.Make (Ivec)
+
 let direction v = Ivec.primitive (fst (Ivec.of_vec v))
-let parallel n m = Vec.is_zero (Vec.cross n m)
 
 (* All of the faces are in one plane across n: how far along n. *)
 let level vertices n faces =
@@ -107,11 +108,11 @@ let polygon vertices n loops =
       | Error _ -> None)
   | _ -> None
 
-let along vertices faces normals n =
-  let all = List.combine (Array.to_list faces) normals in
-  let caps, sides = List.partition (fun (_, m) -> parallel n m) all in
-  let low, high = List.partition (fun (_, m) -> Rat.sign (Vec.dot n m) < 0) caps in
-  let low = List.map fst low and high = List.map fst high in
+(* Of faces with their directions, by these; n is a direction across which there are faces on both sides. *)
+let along vertices all by_direction n =
+  let low = Directions.find by_direction (Ivec.neg n) and high = Directions.find by_direction n in
+  let is_cap m = Ivec.equal m n || Ivec.equal m (Ivec.neg n) in
+  let n = Ivec.to_vec n in
   let* bottom = level vertices n low in
   let* top = level vertices n high in
   let* next_low = boundary low in
@@ -119,8 +120,8 @@ let along vertices faces normals n =
   let* low = loops next_low in
   let* high = loops next_high in
   let* t, above = match_corners vertices low high in
-  let is_wall (_, m) = Rat.sign (Vec.dot m t) = 0 in
-  if Rat.compare bottom top >= 0 || not (List.for_all is_wall sides) then None
+  let is_wall (_, m) = is_cap m || Rat.sign (Vec.dot (Ivec.to_vec m) t) = 0 in
+  if Rat.compare bottom top >= 0 || not (List.for_all is_wall all) then None
   else
     let* polygon, corners = polygon vertices (Vec.neg n) low in
     let prism piece =
@@ -129,21 +130,22 @@ let along vertices faces normals n =
     in
     Some (List.map prism (Partition.convex polygon))
 
-(* Directions across which there are faces on both sides. *)
-let candidates normals =
-  let seen = Hashtbl.create 64 in
-  let key v = Ivec.to_string (direction v) in
-  List.iter (fun n -> Hashtbl.replace seen (key n) ()) normals;
-  let once = Hashtbl.create 64 in
-  List.filter
-    (fun n ->
-       let here = key n and there = key (Vec.neg n) in
-       let fresh = not (Hashtbl.mem once here || Hashtbl.mem once there) in
-       Hashtbl.replace once here ();
-       fresh && Hashtbl.mem seen there)
-    normals
-
 let pieces ~vertices ~faces =
-  let normals = List.map (normal vertices) (Array.to_list faces) in
-  if List.exists Vec.is_zero normals then None
-  else List.find_map (along vertices faces normals) (candidates normals)
+  let normals = Array.map (normal vertices) faces in
+  if Array.exists Vec.is_zero normals then None
+  else begin
+    let all = List.combine (Array.to_list faces) (List.map direction (Array.to_list normals)) in
+    let by_direction = Directions.create 64 in
+    let at n = Option.value ~default:[] (Directions.find_opt by_direction n) in
+    List.iter (fun (face, n) -> Directions.replace by_direction n (face :: at n)) (List.rev all);
+    let tried = Directions.create 64 in
+    let attempt (_, n) =
+      let back = Ivec.neg n in
+      if Directions.mem tried n || Directions.mem tried back || not (Directions.mem by_direction back) then None
+      else begin
+        Directions.replace tried n ();
+        along vertices all by_direction n
+      end
+    in
+    List.find_map attempt all
+  end
