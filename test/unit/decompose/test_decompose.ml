@@ -129,17 +129,31 @@ let dented () =
 
 (* Two frusta on each other by their smaller squares: no plane of a face goes through all four reflex edges, but
    the one between them does. *)
-let hourglass () =
+let hourglass split =
   let corner s z k = Vec.of_ints (if k = 1 || k = 2 then s else -s) (if k >= 2 then s else -s) z in
   let square s z = Array.init 4 (corner s z) in
   let side (s, z) (t, y) k =
     let next = (k + 1) mod 4 in
-    [| corner s z k; corner s z next; corner t y next; corner t y k |]
+    split [| corner s z k; corner s z next; corner t y next; corner t y k |]
   in
-  let sides low high = List.init 4 (side low high) in
+  let sides low high = List.concat (List.init 4 (side low high)) in
   let bottom = Array.of_list (List.rev (Array.to_list (square 3 (-2)))) in
-  let faces = (bottom :: square 2 2 :: sides (3, -2) (1, 0)) @ sides (1, 0) (2, 2) in
-  Alcotest.(check int) "one cut" 2 (List.length (Scc_decompose.Decompose.parts faces))
+  (bottom :: square 2 2 :: sides (3, -2) (1, 0)) @ sides (1, 0) (2, 2)
+
+let one_cut () =
+  let parts = Scc_decompose.Decompose.parts (hourglass (fun side -> [ side ])) in
+  Alcotest.(check int) "parts" 2 (List.length parts)
+
+(* The upper sides in two pieces each, so that below no polygon has the same edge. *)
+let edges_unmatched () =
+  let halves side =
+    let middle a b = Vec.scale (q 1 2) (Vec.add side.(a) side.(b)) in
+    let m = middle 0 1 and n = middle 2 3 in
+    if Rat.sign side.(0).z < 0 then [ side ]
+    else [ [| side.(0); m; n; side.(3) |]; [| m; side.(1); side.(2); n |] ]
+  in
+  let solids = List.map Refined.solid (Scc_decompose.Decompose.parts (hourglass halves)) in
+  Alcotest.(check string) "volume" "160/3" (Rat.to_string (sum volume solids))
 
 let property name gen holds = QCheck2.Test.make ~count:25 ~name gen holds
 
@@ -150,7 +164,8 @@ let () =
         [
           Alcotest.test_case "what is convex stays whole" `Quick convex_stays;
           Alcotest.test_case "a dent" `Quick dented;
-          Alcotest.test_case "an hourglass" `Quick hourglass;
+          Alcotest.test_case "an hourglass needs one cut" `Quick one_cut;
+          Alcotest.test_case "an hourglass whose edges do not match" `Quick edges_unmatched;
         ] );
       ( "laws",
         Property.cases
