@@ -372,17 +372,19 @@ def check_conformance():
 
 def check_shapes(scc):
     for mesh in sorted(glob.glob("specs/**/*.off", recursive=True) + glob.glob("specs/**/*.obj", recursive=True)):
-        result = run(scc, "shape", mesh, "--json")
-        text = text_of(result)
-        name = "diagnostics" if '"scc-diagnostics"' in text else "shape"
-        check(name, text, f"shape {mesh}")
         for options in (["--snap", "1/10"], ["--hull"]):
             text = text_of(run(scc, "shape", mesh, *options, "--json"))
             name = "diagnostics" if '"scc-diagnostics"' in text else "shape"
             check(name, text, f"shape {mesh} {options[0]}")
-        text = text_of(run(scc, "decompose", mesh, "--json"))
-        name = "diagnostics" if '"scc-diagnostics"' in text else "decomposition"
-        check(name, text, f"decompose {mesh}")
+        mend = ["--grid", "1/64", "--weld", "--orient", "--merge"]
+        for command, title in (("shape", "shape"), ("decompose", "decomposition")):
+            for options in ([], mend):
+                text = text_of(run(scc, command, mesh, *options, "--json"))
+                name = "diagnostics" if '"scc-diagnostics"' in text else title
+                document = check(name, text, f"{command} {mesh} {' '.join(options)}")
+                told = [m["by"] for m in (document or {}).get("mended", [])]
+                wanted = [] if name == "diagnostics" else [o[2:] for o in options if o.startswith("--")]
+                count(told == wanted, f"{command} {mesh}", f"{told} is told to be mended")
     for model in ["specs/models/hexokinase.sc:Cube", "specs/models/hexokinase.sc:Nothing"]:
         result = run(scc, "shape", model, "--json")
         check("shape" if result.returncode == 0 else "diagnostics", text_of(result), f"shape {model}")

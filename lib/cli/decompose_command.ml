@@ -9,14 +9,24 @@ let ( let* ) = Result.bind
 
 (* {1 Faults} *)
 
-let structure (set : Polyhedron.ifs) fault =
+(* What an option mends is to be mended by that: the last of the faults says so. *)
+let structure (set : Polyhedron.ifs) faults =
   let name array i = if i >= 0 && i < Array.length array then fst array.(i) else string_of_int i in
   let vertex = name set.ifs_vertices and face = name set.ifs_faces in
-  Diag.error (Polyhedron_fault.code fault) Span.none ?hint:(Polyhedron_fault.hint ~vertex ~face fault) "%s"
-    (Polyhedron_fault.message ~vertex ~face fault)
+  let last = List.length faults - 1 in
+  let one i fault =
+    let hint =
+      match (Mend_options.helping [ fault ], Mend_options.helping faults) with
+      | _, (_ :: _ as tries) when i = last -> Some ("to mend it, add " ^ String.concat " " tries)
+      | [], _ -> Polyhedron_fault.hint ~vertex ~face fault
+      | _ -> None
+    in
+    Diag.error (Polyhedron_fault.code fault) Span.none ?hint "%s" (Polyhedron_fault.message ~vertex ~face fault)
+  in
+  List.mapi one faults
 
 let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
-  | Unsound (Structure faults) -> List.map (structure set) faults
+  | Unsound (Structure faults) -> structure set faults
   | fault ->
     let hint = match fault with Separate -> Some "each of several solids needs a file of its own" | _ -> None in
     let code, text = Decomposed.message set fault in
@@ -33,8 +43,9 @@ let short ?(most = 24) q =
   let text = Rat.to_string q in
   if String.length text <= most then text else "about " ^ Scc_drawing.Decimal.significant ~digits:6 q
 
-let text ~name (t : Parts.t) =
+let text ~name ~mended (t : Parts.t) =
   let b = Buffer.create 1024 in
+  Buffer.add_string b (Mend_options.text mended);
   let drawn = t.drawn in
   Printf.bprintf b "%s: %s, %s, volume %s\n" name
     (counted (Array.length drawn.regions) "plane face" "plane faces")
@@ -66,13 +77,15 @@ let writer path =
   let base = String.lowercase_ascii (Filename.basename path) in
   List.find_opt (fun (ending, _) -> Filename.check_suffix base ending) formats
 
-let decompose console ~mass output path =
+let decompose console ~mend ~mass output path =
   let* source = Input.text console path in
   let* set = Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source)) in
+  let* set, mended = Mend_options.apply mend set in
   let* t = Result.map_error (diagnostics set) (Decomposed.make set) in
   Console.answer console
-    ~text:(fun () -> text ~name:path t)
-    ~json:(fun () -> Scc_exchange.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) t);
+    ~text:(fun () -> text ~name:path ~mended t)
+    ~json:(fun () ->
+        Scc_exchange.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds) ~mended t);
   match output with
   | None -> Ok Exit_code.Holds
   | Some (path, write) ->
@@ -81,9 +94,9 @@ let decompose console ~mass output path =
     let* () = Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text)) in
     Ok Exit_code.Holds
 
-let run color json mass output path =
+let run color json mend mass output path =
   let console = Console.make ~color ~json () in
-  let go output = Guard.run console (fun () -> decompose console ~mass output path) in
+  let go output = Guard.run console (fun () -> decompose console ~mend ~mass output path) in
   match output with
   | None -> go None
   | Some file -> (
@@ -117,7 +130,9 @@ let man =
     `P
       "Cuts a closed polyhedron into convex parts, exactly: they have no inner point in common, and are together \
        the solid, to the last digit. It need not be convex, and may have holes and hollows; faces that cross each \
-       other, that are not flat, or that leave a gap are refused, with the place.";
+       other, that are not flat, or that leave a gap are refused, with the place. Meshes of other programs can be \
+       mended before: $(b,--grid), $(b,--weld), $(b,--orient) and $(b,--merge), in this order, as for $(b,scc \
+       shape).";
     `P
       "A prism over a polygon without holes has as few parts as cuts between its corners allow. Any other solid \
        is cut by planes through its reflex edges, which are those of its faces or go through a third corner, and \
@@ -133,6 +148,7 @@ let man =
     `S Manpage.s_examples;
     `Pre "  scc decompose bracket.obj";
     `Pre "  scc decompose bracket.obj -o bracket.sc --mass 3";
+    `Pre "  scc decompose bracket.stl --weld --orient -o bracket.obj";
     `Pre "  scc decompose bracket.off --json";
   ]
 
@@ -143,4 +159,4 @@ let command =
   in
   Cmd.v
     (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man ~exits)
-    Term.(const run $ Options.color $ Options.json $ mass $ output $ mesh)
+    Term.(const run $ Options.color $ Options.json $ Mend_options.term $ mass $ output $ mesh)

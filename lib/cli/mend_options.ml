@@ -1,5 +1,6 @@
 open Scc_base
 open Scc_exact
+open Scc_geometry
 open Scc_mesh
 open Cmdliner
 
@@ -38,24 +39,40 @@ let term =
   let make grid weld orient merge = { grid; weld; orient; merge } in
   Term.(const make $ grid $ weld $ orient $ merge)
 
+type told = (string * string) list
+
 let apply o set =
-  let step wanted f (set, told) =
+  let step wanted by f (set, told) =
     if wanted then
       let set, line = f set in
-      (set, line :: told)
+      (set, (by, line) :: told)
     else (set, told)
   in
-  let start = match o.grid with Some d -> step true (Mend.on_grid d) (set, []) | None -> (set, []) in
-  let set, told = step o.weld Mend.weld start in
+  let start = match o.grid with Some d -> step true "grid" (Mend.on_grid d) (set, []) | None -> (set, []) in
+  let set, told = step o.weld "weld" Mend.weld start in
   let oriented =
     if not o.orient then Ok (set, told)
     else
       match Mend.orient set with
-      | Ok (set, line) -> Ok (set, line :: told)
+      | Ok (set, line) -> Ok (set, ("orient", line) :: told)
       | Error why -> Error [ Diag.error Code.overused_edge Span.none "the faces cannot be oriented: %s" why ]
   in
   Result.map
     (fun done_ ->
-       let set, told = step o.merge Mend.merge done_ in
+       let set, told = step o.merge "merge" Mend.merge done_ in
        (set, List.rev told))
     oriented
+
+(* In the order in which they help. *)
+let helping faults =
+  let some test = List.exists test faults in
+  let tries =
+    [
+      (some (function Polyhedron_fault.Same_position _ | Unused_vertex _ -> true | _ -> false), "--weld");
+      (some (function Polyhedron_fault.Turned_face _ | Inward -> true | _ -> false), "--orient");
+      (some (function Polyhedron_fault.Coplanar_neighbours _ -> true | _ -> false), "--merge");
+    ]
+  in
+  List.filter_map (fun (wanted, name) -> if wanted then Some name else None) tries
+
+let text told = String.concat "" (List.map (fun (_, line) -> line ^ "\n") told)

@@ -129,35 +129,28 @@ let outer_text (o : Outer.t) =
       "simplified: %d faces for %d of the hull, which is inside, and beyond it by at most %s\n" faces o.faces
       (Scc_drawing.Decimal.significant_above ~digits:4 o.beyond)
 
-(* What to try with a mesh of another program, in the order in which it helps. *)
+(* What to try with a mesh of another program. *)
 let advice (r : Solid_report.t) =
   match r.verdict with
   | Accepted _ -> ""
   | Rejected faults ->
-    let some test = List.exists test faults in
-    let tries =
-      [
-        (some (function Polyhedron_fault.Same_position _ | Unused_vertex _ -> true | _ -> false), "--weld");
-        (some (function Polyhedron_fault.Turned_face _ | Inward -> true | _ -> false), "--orient");
-        (some (function Polyhedron_fault.Coplanar_neighbours _ -> true | _ -> false), "--merge");
-      ]
-    in
-    let tries = List.filter_map (fun (wanted, name) -> if wanted then Some name else None) tries in
-    let concave = some (function Polyhedron_fault.Not_convex _ -> true | _ -> false) in
+    let tries = Mend_options.helping faults in
+    let concave = List.exists (function Polyhedron_fault.Not_convex _ -> true | _ -> false) faults in
     (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
     ^ if concave then "for convex parts of it: scc decompose; for its hull: scc shape --hull\n" else ""
 
 let report console argument ~mended ~gone ?snapped ?outer (set : Polyhedron.ifs) =
   let r = Solid_report.make set in
   let code = if Solid_report.accepted r then Exit_code.Holds else Exit_code.Invalid in
-  let mended = String.concat "" (List.map (fun line -> line ^ "\n") mended) in
   let told =
-    mended ^ Option.fold ~none:"" ~some:outer_text outer ^ Option.fold ~none:"" ~some:(snap_text ~gone) snapped
+    Mend_options.text mended
+    ^ Option.fold ~none:"" ~some:outer_text outer
+    ^ Option.fold ~none:"" ~some:(snap_text ~gone) snapped
   in
+  let exit = Exit_code.to_int code in
   Console.answer console
     ~text:(fun () -> told ^ Solid_report.to_text ~name:argument r ^ advice r)
-    ~json:(fun () ->
-        Scc_exchange.Shape_json.document ~name:argument ~exit:(Exit_code.to_int code) ?snap:snapped ?outer r);
+    ~json:(fun () -> Scc_exchange.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r);
   code
 
 (* With --round, what is written is not quite what is reported on, and that is told. *)

@@ -22,16 +22,19 @@ let joint (t : Parts.t) (one, other) =
   in
   `List [ site one; site other ]
 
-let document ~name ~exit (t : Parts.t) =
+let document ~name ~exit ~mended (t : Parts.t) =
   `Assoc
-    [
+    ([
       ("format", `String "scc-decomposition");
       ("version", `Int 1);
       ("exit", `Int exit);
       ("name", Json.text name);
-      ("volume", Json.rat (Drawn.volume t.drawn.set));
-      ("faces", `Int (Array.length t.drawn.set.ifs_faces));
-      ("reflex_edges", `Int (Drawn.reflex_edges t.drawn));
-      ("parts", `List (List.map part (Array.to_list t.parts)));
-      ("joints", `List (List.map (joint t) (Joints.forest (Array.map snd t.parts))));
     ]
+      @ Mended_json.field mended
+      @ [
+        ("volume", Json.rat (Drawn.volume t.drawn.set));
+        ("faces", `Int (Array.length t.drawn.set.ifs_faces));
+        ("reflex_edges", `Int (Drawn.reflex_edges t.drawn));
+        ("parts", `List (List.map part (Array.to_list t.parts)));
+        ("joints", `List (List.map (joint t) (Joints.forest (Array.map snd t.parts))));
+      ])

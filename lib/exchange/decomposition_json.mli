@@ -2,4 +2,5 @@
 
 open Scc_drawn
 
-val document : name:string -> exit:int -> Parts.t -> Json.t
+val document : name:string -> exit:int -> mended:(string * string) list -> Parts.t -> Json.t
+(** [mended]: {!Mended_json}. *)

@@ -84,7 +84,7 @@ let snapped (tolerance, (s : Scc_snap.Snap.snapped)) =
 let simplified (o : Scc_snap.Outer.t) =
   `Assoc [ ("faces_of_hull", `Int o.faces); ("beyond", Json.rat o.beyond) ]
 
-let document ~name ~exit ?snap ?outer (r : Solid_report.t) =
+let document ~name ~exit ?(mended = []) ?snap ?outer (r : Solid_report.t) =
   let faults, properties, warnings =
     match r.verdict with
     | Accepted (_, m) -> ([], mass m, List.map warning (Solid_report.faults r))
@@ -102,6 +102,7 @@ let document ~name ~exit ?snap ?outer (r : Solid_report.t) =
       ("definition_4_3", paper r);
       ("mass_properties", properties);
     ]
+      @ Mended_json.field mended
       @ Option.to_list (Option.map (fun s -> ("snapped", snapped s)) snap)
       @ Option.to_list (Option.map (fun o -> ("simplified", simplified o)) outer)
       @ geometry r)

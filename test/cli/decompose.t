@@ -167,3 +167,45 @@ What is refused, and why:
   $ scc decompose nothing.off
   nothing.off: error[SC0101]: cannot read: No such file or directory
   [3]
+
+Meshes of other programs are mended first, on request, and what was done is told. Here every face has corners of its
+own, and one is turned over:
+
+  $ python3 > soup.obj <<'END'
+  > lines = open("ell.off").read().split("\n")
+  > points = lines[2:14]
+  > faces = [[int(i) for i in line.split()[1:]] for line in lines[14:22]]
+  > faces[4].reverse()
+  > for face in faces:
+  >     print("".join(f"v {points[i]}\n" for i in face) + "f", " ".join(str(i - len(face)) for i in range(len(face))))
+  > END
+  $ scc decompose soup.obj 2>&1 | sed -n '1,2p;$p'
+  error[SC0304]: vertices v0 and v12 have the same position
+  error[SC0304]: vertices v6 and v13 have the same position
+    hint: to mend it, add --weld
+  $ scc decompose soup.obj --weld
+  error[SC0303]: face f4 is turned over: it runs the other way round than its neighbours
+    hint: to mend it, add --orient
+  [3]
+  $ scc decompose soup.obj --weld --orient
+  welded: 36 vertices became 12
+  oriented: 1 face turned over: f4
+  soup.obj: 8 plane faces, 1 reflex edge, volume 6
+  2 convex parts, 1 joint
+    p1: 8 corners, 6 faces, volume 3
+    p2: 8 corners, 6 faces, volume 3
+  $ scc decompose soup.obj --weld --orient --json | sed -n '/mended/,/]/p'
+    "mended": [
+      {"by": "weld", "told": "welded: 36 vertices became 12"},
+      {"by": "orient", "told": "oriented: 1 face turned over: f4"}
+    ],
+  $ scc shape soup.obj --weld --orient --json | sed -n '/mended/,/]/p'
+    "mended": [
+      {"by": "weld", "told": "welded: 36 vertices became 12"},
+      {"by": "orient", "told": "oriented: 1 face turned over: f4"}
+    ],
+  $ scc decompose ell.off --grid 0
+  scc: the distance of --grid is to be greater than 0
+  Usage: scc decompose [OPTION]… MESH
+  Try 'scc decompose --help' or 'scc --help' for more information.
+  [64]
