@@ -65,6 +65,7 @@ let bad_curve = "SC0365"
 let too_many_pieces = "SC0366"
 let cut_shape = "SC0367"
 let few_faces = "SC0370"
+let outward_hollow = "SC0375"
 let not_touching = "SC0401"
 let not_highest = "SC0402"
 let interpenetration = "SC0403"
@@ -163,6 +164,7 @@ let all =
     (too_many_pieces, "regions that cut a shape into too many pieces");
     (cut_shape, "a shape that its regions cut, where one in one piece is needed");
     (few_faces, "a solid around others that cannot have so few faces");
+    (outward_hollow, "faces within a drawn solid that are turned outward, as those of a hollow are not");
     (not_touching, "features that do not touch");
     (not_highest, "a glue that is not the highest touching pair");
     (interpenetration, "bodies that interpenetrate");

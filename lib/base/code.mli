@@ -211,6 +211,9 @@ val cut_shape : t
 val few_faces : t
 (** SC0370: a solid around others that cannot have so few faces. *)
 
+val outward_hollow : t
+(** SC0375: faces within a drawn solid that are turned outward, as those of a hollow are not. *)
+
 (** {1 Compounds, bonds and networks (Definitions 4.5, 5.2; rule WellFormed)} *)
 
 val not_touching : t

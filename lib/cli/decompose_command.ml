@@ -28,7 +28,12 @@ let structure (set : Polyhedron.ifs) faults =
 let diagnostics (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
   | Unsound (Structure faults) -> structure set faults
   | fault ->
-    let hint = match fault with Separate -> Some "each of several solids needs a file of its own" | _ -> None in
+    let hint =
+      match fault with
+      | Pieces (Apart _ | Island _) -> Some "each of several solids needs a file of its own"
+      | Pieces (Outward _) -> Some "to mend it, add --orient"
+      | Unsound _ | Too_many -> None
+    in
     let code, text = Decomposed.message set fault in
     [ Diag.error code Span.none ?hint "%s" text ]
 

@@ -2,6 +2,7 @@ open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_mesh
+open Scc_drawn
 open Cmdliner
 
 type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }
@@ -27,8 +28,9 @@ let weld =
 
 let orient =
   flag "orient"
-    "Turns faces over so that all are counter-clockwise from outside, and tells which. A piece within the box of \
-     another one may be a cavity: it stays inside out."
+    "Turns faces over so that all are counter-clockwise from outside, and tells which. What is within a solid is \
+     taken for a hollow of it, whose faces look into the hollow, and what is in a hollow for a solid. Where faces \
+     cross each other this is not known: what is inside out, and within the box of another piece, stays so."
 
 let merge =
   flag "merge"
@@ -38,6 +40,15 @@ let merge =
 let term =
   let make grid weld orient merge = { grid; weld; orient; merge } in
   Term.(const make $ grid $ weld $ orient $ merge)
+
+(* Boxes do not tell which piece is a hollow of another one. *)
+let in_each_other set line =
+  match Shells.oriented set with
+  | set, [] -> (set, line)
+  | set, turned ->
+    let names = List.map (fun f -> fst set.Polyhedron.ifs_faces.(f)) turned in
+    let over = "; then turned over, by what is within what: the pieces of " in
+    (set, line ^ over ^ String.concat ", " names)
 
 type told = (string * string) list
 
@@ -54,7 +65,9 @@ let apply o set =
     if not o.orient then Ok (set, told)
     else
       match Mend.orient set with
-      | Ok (set, line) -> Ok (set, ("orient", line) :: told)
+      | Ok (set, line) ->
+        let set, line = in_each_other set line in
+        Ok (set, ("orient", line) :: told)
       | Error why -> Error [ Diag.error Code.overused_edge Span.none "the faces cannot be oriented: %s" why ]
   in
   Result.map

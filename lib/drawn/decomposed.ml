@@ -1,7 +1,7 @@
 open Scc_exact
 open Scc_geometry
 
-type fault = Unsound of Sound.fault | Separate | Too_many
+type fault = Unsound of Sound.fault | Pieces of Shells.fault | Too_many
 
 let ( let* ) = Result.bind
 let limit = 10_000
@@ -15,12 +15,19 @@ let message (set : Polyhedron.ifs) : fault -> Scc_base.Code.t * string =
     ( Code.crossing_faces,
       Printf.sprintf "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both"
         (name f) (name g) (Vec.to_string x) )
-  | Separate ->
-    ( Code.several_solids,
-      "these faces bound several solids that no face joins, or a hollow whose faces are turned the wrong way" )
+  | Pieces fault -> Shells.message set fault
   | Too_many -> (Code.too_deep, Printf.sprintf "more than %d convex parts are needed" limit)
 
-(* {1 In one piece} *)
+(* {1 The solid} *)
+
+let surface set =
+  match Sound.faults set with
+  | Some fault -> Error (Unsound fault)
+  | None -> (
+      match (Shells.fault set, Drawn.make set) with
+      | Some fault, _ -> Error (Pieces fault)
+      | None, Some drawn -> Ok drawn
+      | None, None -> Scc_base.Bug.fail __POS__ "sound faces that are no polygons")
 
 let connected list =
   let parts = Array.of_list list in
@@ -30,14 +37,6 @@ let volume list =
   List.fold_left (fun sum p -> Rat.add sum (Mass_properties.of_polyhedron p).volume) Rat.zero list
 
 (* {1 Parts} *)
-
-let surface set =
-  match Sound.faults set with
-  | Some fault -> Error (Unsound fault)
-  | None -> (
-      match Drawn.make set with
-      | Some drawn -> Ok drawn
-      | None -> Scc_base.Bug.fail __POS__ "sound faces that are no polygons")
 
 let prism (set : Polyhedron.ifs) =
   let vertices = Array.map snd set.ifs_vertices and faces = Array.map snd set.ifs_faces in
@@ -68,7 +67,8 @@ let parts set =
     | Some list -> Ok list
     | None -> cells drawn
   in
-  if Rat.equal (volume list) (Drawn.volume set) && connected list then Ok (list, drawn) else Error Separate
+  if Rat.equal (volume list) (Drawn.volume set) && connected list then Ok (list, drawn)
+  else Scc_base.Bug.fail __POS__ "parts that are not the solid"
 
 let make set =
   let* list, drawn = parts set in

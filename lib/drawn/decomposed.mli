@@ -4,11 +4,14 @@ open Scc_geometry
 
 type fault =
   | Unsound of Sound.fault
-  | Separate  (** solids that have no face in common, or a hollow that is turned the wrong way *)
+  | Pieces of Shells.fault  (** not one solid *)
   | Too_many  (** more parts than the limit, or too long a way to them *)
 
 val message : Polyhedron.ifs -> fault -> Scc_base.Code.t * string
 (** Of one that is about more than single faces; {!Polyhedron_fault} has the words for [Structure] (a bug here). *)
+
+val surface : Polyhedron.ifs -> (Drawn.t, fault) result
+(** Of one solid: its faces are sound ({!Sound}), and it is in one piece ({!Shells}). Fails with no [Too_many]. *)
 
 val parts : Polyhedron.ifs -> (Polyhedron.t list * Drawn.t, fault) result
 (** Disjoint convex polyhedra of which the solid is the union. A prism over a polygon has the parts of

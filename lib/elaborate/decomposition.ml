@@ -37,6 +37,7 @@ let rec places (s : Ast.solid) =
 let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   let places = places solid in
   let whole = Templates.face_span places max_int in
+  let here g = Printf.sprintf "the face `%s` is here" (fst set.ifs_faces.(g)) in
   let told ?notes at =
     let code, text = Decomposed.message set fault in
     Report.error c.report code at ?notes "%s" text
@@ -45,8 +46,11 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   | Unsound (Structure faults) -> List.iter (Templates.report_fault c places set) faults
   | Unsound (Cut (f, g, _)) ->
     told (Templates.face_span places f)
-      ~notes:[ (Templates.face_span places g, Printf.sprintf "the face `%s` is here" (fst set.ifs_faces.(g))) ]
-  | Separate | Too_many -> told whole
+      ~notes:[ (Templates.face_span places g, here g) ]
+  | Pieces (Apart (f, g) | Island (f, g)) ->
+    told (Templates.face_span places f) ~notes:[ (Templates.face_span places g, here g) ]
+  | Pieces (Outward f) -> told (Templates.face_span places f)
+  | Too_many -> told whole
 
 let parts c solid set =
   match Decomposed.make set with

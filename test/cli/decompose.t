@@ -1,29 +1,5 @@
-A solid like the letter L, in two parts, as many as it needs:
+A solid like the letter L (ell.off), in two parts, as many as it needs:
 
-  $ cat > ell.off <<'END'
-  > OFF
-  > 12 8 0
-  > 0 0 0
-  > 2 0 0
-  > 2 0 1
-  > 1 0 1
-  > 1 0 2
-  > 0 0 2
-  > 0 2 0
-  > 2 2 0
-  > 2 2 1
-  > 1 2 1
-  > 1 2 2
-  > 0 2 2
-  > 6 0 1 2 3 4 5
-  > 6 6 11 10 9 8 7
-  > 4 0 6 7 1
-  > 4 1 7 8 2
-  > 4 2 8 9 3
-  > 4 3 9 10 4
-  > 4 4 10 11 5
-  > 4 5 11 6 0
-  > END
   $ scc decompose ell.off -o ell.sc --mass 12
   ell.off: 8 plane faces, 1 reflex edge, volume 6
   2 convex parts, 1 joint
@@ -158,9 +134,17 @@ What is refused, and why:
   [3]
   $ sed 's/^1 1 1$/11 1 1/; s/^5 1 1/15 1 1/; s/^1 5 1/11 5 1/; s/^1 1 -5/11 1 -5/' crossing.off > two.off
   $ scc decompose two.off
-  error[SC0310]: these faces bound several solids that no face joins, or a hollow whose faces are turned the wrong way
+  error[SC0310]: these are several solids: `f0` is a face of one, and `f4` of another one beside it
     hint: each of several solids needs a file of its own
   [3]
+  $ sed 's/^1 0 0$/8 0 0/; s/^0 1 0$/0 8 0/; s/^0 0 1$/0 0 8/; s/^8 8 0$/12 12 0/; s/^3 0 2 1$/1 1 1\n2 1 1\n1 2 1\n1 1 2\n&/' hollow.off > island.off
+  $ printf '3 8 10 9\n3 8 9 11\n3 8 11 10\n3 9 10 11\n' >> island.off && scc decompose island.off
+  error[SC0310]: these are several solids: `f8` is a face of one that is in a hollow of another one, with the face `f0`
+    hint: each of several solids needs a file of its own
+  [3]
+  $ scc decompose island.off --orient 2>&1 | tail -n 2
+  error[SC0310]: these are several solids: `f8` is a face of one that is in a hollow of another one, with the face `f0`
+    hint: each of several solids needs a file of its own
   $ scc decompose ell.off -o ell.stp
   scc: `ell.stp' does not tell a format that parts are written in, by its ending: .sc, .obj
   [64]

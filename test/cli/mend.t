@@ -83,7 +83,7 @@ A surface of one side (a strip of Möbius) has no outside.
   error[SC0303]: the faces cannot be oriented: the surface has only one side: going around it, face f3 comes out turned over
   [3]
 
-A shell within another stays as it is; a solid inside out is turned over as a whole.
+A solid inside out is turned over as a whole. What is within another solid is a hollow of it, and its faces look inward.
 
   $ cat > inward.off << 'END'
   > OFF
@@ -101,28 +101,22 @@ A shell within another stays as it is; a solid inside out is turned over as a wh
   oriented: 4 faces turned over: f0, f1, f2, f3
   inward.off
   vertices: 4, edges: 6, faces: 4
-  $ cat > hollow.off << 'END'
-  > OFF
-  > 8 8 0
-  > -9 -9 -9
-  > 90 -9 -9
-  > -9 90 -9
-  > -9 -9 90
-  > 0 0 0
-  > 1 0 0
-  > 0 1 0
-  > 0 0 1
-  > 3 0 2 1
-  > 3 0 1 3
-  > 3 0 3 2
-  > 3 1 2 3
-  > 3 4 5 6
-  > 3 4 7 5
-  > 3 4 6 7
-  > 3 5 7 6
-  > END
   $ scc shape --orient hollow.off | head -1
   oriented: no face had to be turned over; what may be cavities stays inside out: the pieces of f4
+  $ sed 's/^\(3 [4567]\) \([4567]\) \([4567]\)$/\1 \3 \2/' hollow.off > outward.off && scc decompose outward.off
+  error[SC0375]: `f4` and the faces around it are within the solid, but turned outward: those of a hollow look into it
+    hint: to mend it, add --orient
+  [3]
+  $ scc decompose --orient outward.off | head -2
+  oriented: no face had to be turned over; then turned over, by what is within what: the pieces of f4
+  outward.off: 8 plane faces, 6 reflex edges, volume 485149/3
+  $ scc decompose hollow.off | head -1
+  hollow.off: 8 plane faces, 6 reflex edges, volume 485149/3
+
+Where faces cross each other, nobody knows what is within what.
+
+  $ sed 's/^0 0 1$/0 0 -99/' outward.off > through.off && scc shape --orient through.off | head -1
+  oriented: 4 faces turned over: f4, f5, f6, f7
 
 What has no decimals goes into formats with fractions, or is rounded.
 

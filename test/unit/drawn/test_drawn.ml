@@ -5,89 +5,7 @@ open Scc_exact
 open Scc_geometry
 open Scc_drawn
 open Scc_test_support
-
-let rat = Rat.of_int
-let vec (x, y, z) = Vec.of_ints x y z
-
-(* {1 Solids of cubes} *)
-
-let axes = [ (1, 0, 0); (0, 1, 0); (0, 0, 1); (-1, 0, 0); (0, -1, 0); (0, 0, -1) ]
-let plus (a, b, c) (x, y, z) = (a + x, b + y, c + z)
-
-(* Counter-clockwise from outside, as corners of the unit cube. *)
-let square = function
-  | 1, 0, 0 -> [ (1, 0, 0); (1, 1, 0); (1, 1, 1); (1, 0, 1) ]
-  | -1, 0, 0 -> [ (0, 0, 0); (0, 0, 1); (0, 1, 1); (0, 1, 0) ]
-  | 0, 1, 0 -> [ (0, 1, 0); (0, 1, 1); (1, 1, 1); (1, 1, 0) ]
-  | 0, -1, 0 -> [ (0, 0, 0); (1, 0, 0); (1, 0, 1); (0, 0, 1) ]
-  | 0, 0, 1 -> [ (0, 0, 1); (1, 0, 1); (1, 1, 1); (0, 1, 1) ]
-  | _ -> [ (0, 0, 0); (0, 1, 0); (1, 1, 0); (1, 0, 0) ]
-
-let squares cells =
-  let of_cell c = List.filter_map (fun d -> if List.mem (plus c d) cells
-                                    then None else Some (List.map (plus c) (square d))) axes in
-  List.concat_map of_cell cells
-
-let set_of cells : Polyhedron.ifs =
-  let faces = squares cells in
-  let points = List.sort_uniq compare (List.concat faces) in
-  let index p =
-    let rec find k = function q :: rest -> if q = p then k else find (k + 1) rest | [] -> assert false in
-    find 0 points
-  in
-  {
-    ifs_vertices = Array.of_list (List.mapi (fun i p -> (Printf.sprintf "v%d" i, vec p)) points);
-    ifs_faces =
-      Array.of_list
-        (List.mapi (fun i f -> (Printf.sprintf "f%d" i, Array.of_list (List.map index f))) faces);
-  }
-
-(* Each edge in two squares, and the squares at each point in one ring: cubes do not touch by an edge or corner
-   alone. *)
-let manifold cells =
-  let faces = squares cells in
-  let edges f = List.mapi (fun k p -> (p, List.nth f ((k + 1) mod 4))) f in
-  let all = List.concat_map edges faces in
-  let twice (p, q) = List.length (List.filter (fun e -> e = (p, q) || e = (q, p)) all) = 2 in
-  let ring p =
-    let at = List.filter (List.mem p) faces in
-    let rec grow found =
-      let near f = List.exists (fun g -> List.length (List.filter (fun q -> List.mem q g) f) >= 2
-                                         && List.exists (fun q -> q <> p && List.mem q g
-                                                                  && List.mem q f) f) found in
-      let more = List.filter (fun f -> (not (List.mem f found)) && near f) at in
-      if more = [] then found else grow (more @ found)
-    in
-    List.length (grow [ List.hd at ]) = List.length at
-  in
-  List.for_all twice all && List.for_all ring (List.sort_uniq compare (List.concat faces))
-
-(* The cells in boxes: rows along x, as long as they go. *)
-let rows cells =
-  let starts = List.filter (fun c -> not (List.mem (plus c (-1, 0, 0)) cells)) cells in
-  let rec stop c = if List.mem (plus c (1, 0, 0)) cells then stop (plus c (1, 0, 0)) else c in
-  let box c =
-    let d = plus (stop c) (1, 1, 1) in
-    let (x, y, z), (x', y', z') = (c, d) in
-    List.concat_map
-      (fun x -> List.concat_map (fun y -> List.map (fun z -> vec (x, y, z)) [ z; z' ]) [ y; y' ])
-      [ x; x' ]
-  in
-  List.map box starts
-
-let random_cells =
-  let open QCheck2.Gen in
-  let* n = int_range 1 9 in
-  let rec grow n cells =
-    if n = 0 then return cells
-    else
-      let* c = oneofl cells and* d = oneofl axes in
-      let next = plus c d in
-      if List.mem next cells then grow (n - 1) cells
-      else if manifold (next :: cells) then grow (n - 1) (next :: cells)
-      else grow (n - 1) cells
-  in
-  grow n [ (0, 0, 0) ]
+open Cubes
 
 (* {1 Points against names} *)
 
@@ -228,76 +146,6 @@ let flat_names () =
   check "a square" "face" [ (0, 0, 1); (1, 0, 1); (1, 1, 1); (0, 1, 1) ];
   check "the wrong way round" "turned" [ (0, 0, 1); (0, 1, 1); (1, 1, 1); (1, 0, 1) ]
 
-(* {1 What is refused} *)
-
-let box name (x, y, z) (x', y', z') =
-  let p k = [| (x, y, z); (x', y, z); (x', y', z); (x, y', z); (x, y, z'); (x', y, z'); (x', y', z');
-               (x, y', z') |].(k) in
-  let vertices = List.init 8 (fun k -> (Printf.sprintf "%s%d" name k, vec (p k))) in
-  let faces =
-    [ ("bottom", [ 0; 3; 2; 1 ]); ("top", [ 4; 5; 6; 7 ]); ("left", [ 0; 4; 7; 3 ]); ("right", [ 1; 2; 6; 5 ]);
-      ("front", [ 0; 1; 5; 4 ]); ("back", [ 3; 7; 6; 2 ]) ]
-  in
-  (vertices, List.map (fun (n, f) -> (name ^ n, f)) faces)
-
-let set_of_boxes list : Polyhedron.ifs =
-  let faces k (_, faces) = List.map (fun (n, f) -> (n, Array.of_list (List.map (fun v -> (8 * k) + v) f))) faces in
-  {
-    ifs_vertices = Array.of_list (List.concat_map fst list);
-    ifs_faces = Array.of_list (List.concat (List.mapi faces list));
-  }
-
-let turned (vertices, faces) = (vertices, List.map (fun (n, f) -> (n, List.rev f)) faces)
-
-let verdict (set : Polyhedron.ifs) =
-  match Decomposed.make set with
-  | Ok t -> Printf.sprintf "%d parts" (Array.length t.parts)
-  | Error Separate -> "separate"
-  | Error Too_many -> "too many"
-  | Error (Unsound (Cut (f, g, x))) ->
-    Printf.sprintf "%s and %s at %s" (fst set.ifs_faces.(f)) (fst set.ifs_faces.(g)) (Vec.to_string x)
-  | Error (Unsound (Structure (fault :: _))) -> Polyhedron_fault.kind fault
-  | Error (Unsound (Structure [])) -> "nothing"
-
-let refused name expected set =
-  Alcotest.test_case name `Quick (fun () -> Alcotest.(check string) name expected (verdict set))
-
-let cube = box "a" (0, 0, 0) (4, 4, 4)
-let without n (set : Polyhedron.ifs) = { set with ifs_faces =
-                                                    Array.sub set.ifs_faces 0 (Array.length set.ifs_faces - n) }
-
-let moved v x (set : Polyhedron.ifs) =
-  { set with ifs_vertices = Array.mapi (fun i (n, y) -> (n, if i = v then vec x else y)) set.ifs_vertices }
-
-let sheet (set : Polyhedron.ifs) : Polyhedron.ifs =
-  let n = Array.length set.ifs_vertices in
-  let more = [| ("s", vec (6, 0, 0)); ("t", vec (7, 0, 0)); ("u", vec (6, 1, 0)) |] in
-  {
-    ifs_vertices = Array.append set.ifs_vertices more;
-    ifs_faces =
-      Array.append set.ifs_faces [| ("one", [| n; n + 1; n + 2 |]); ("two", [| n + 2; n + 1; n |]) |];
-  }
-
-let verdicts =
-  let boxes = set_of_boxes in
-  let two x y = boxes [ cube; box "b" x y ] in
-  [
-    refused "a box" "1 parts" (boxes [ cube ]);
-    refused "a hollow" "6 parts" (boxes [ cube; turned (box "b" (1, 1, 1) (3, 3, 3)) ]);
-    refused "no faces" "no-faces" (without 6 (boxes [ cube ]));
-    refused "without a lid" "open-edge" (without 1 (boxes [ cube ]));
-    refused "inside out" "inward" (boxes [ turned cube ]);
-    refused "two boxes" "separate" (two (6, 0, 0) (7, 4, 4));
-    refused "a box in a box" "separate" (two (1, 1, 1) (3, 3, 3));
-    refused "boxes that cut each other" "aright and bbottom at (4, 2, 1)" (two (3, 1, 1) (5, 3, 3));
-    refused "boxes with a face on a face" "atop and bbottom at (2, 2, 4)" (two (1, 1, 4) (3, 3, 5));
-    refused "boxes that touch in an edge" "aback and bbottom at (4, 4, 1)" (two (4, 4, 1) (5, 5, 3));
-    refused "a sheet of two faces beside a box" "one and two at (19/3, 1/3, 0)" (sheet (boxes [ cube ]));
-    refused "one place twice" "same-position" (moved 1 (0, 0, 0) (boxes [ cube ]));
-    refused "a corner that is off its faces" "off-plane" (moved 6 (5, 5, 5) (boxes [ cube ]));
-    refused "a corner through a face" "off-plane" (moved 6 (4, 4, -1) (boxes [ cube ]));
-  ]
-
 (* {1 Prisms} *)
 
 let prism_of cells =
@@ -334,7 +182,6 @@ let () =
           Alcotest.test_case "two shoulders of one bar" `Quick shoulders;
           Alcotest.test_case "what is no feature" `Quick flat_names;
         ] );
-      ("verdicts", verdicts);
       ( "prisms",
         [
           prism "a box" (Some 1) [ (0, 0, 0); (1, 0, 0) ];

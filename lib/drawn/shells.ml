@@ -1,0 +1,117 @@
+open Scc_data
+open Scc_exact
+open Scc_geometry
+
+type shell = { first : int; faces : int list; low : Vec.t; high : Vec.t }
+
+let place (set : Polyhedron.ifs) v = snd set.ifs_vertices.(v)
+let corners (set : Polyhedron.ifs) f = snd set.ifs_faces.(f)
+
+let shell set faces =
+  let first = List.hd faces in
+  let start = place set (corners set first).(0) in
+  let each f (a : Vec.t) (b : Vec.t) = Vec.make (f a.x b.x) (f a.y b.y) (f a.z b.z) in
+  let over f = List.fold_left (fun m i -> Array.fold_left (fun m v -> each f m (place set v)) m (corners set i)) in
+  { first; faces; low = over Rat.min start faces; high = over Rat.max start faces }
+
+let all (set : Polyhedron.ifs) =
+  let n = Array.length set.ifs_faces in
+  let joined = Union_find.create n in
+  let surface = Surface.make (Array.length set.ifs_vertices) (Array.map snd set.ifs_faces) in
+  let join = function
+    | _, (f, _) :: rest -> List.iter (fun (g, _) -> ignore (Union_find.union joined f g)) rest
+    | _, [] -> ()
+  in
+  List.iter join (Surface.unordered surface);
+  let members = Array.make n [] in
+  for f = n - 1 downto 0 do
+    let root = Union_find.find joined f in
+    members.(root) <- f :: members.(root)
+  done;
+  Array.of_list (List.filter_map (function [] -> None | faces -> Some (shell set faces)) (Array.to_list members))
+
+(* {1 Which are within which} *)
+
+let boxed (s : shell) (t : shell) =
+  let least (a : Vec.t) (b : Vec.t) =
+    Rat.compare a.x b.x <= 0 && Rat.compare a.y b.y <= 0 && Rat.compare a.z b.z <= 0
+  in
+  least t.low s.low && least s.high t.high
+
+(* Shells have no points in common but corners, and so the middle of an edge is on none but its own. *)
+let around set shells s =
+  let c = corners set shells.(s).first in
+  let middle = Vec.scale (Rat.make Z.one (Z.of_int 2)) (Vec.add (place set c.(0)) (place set c.(1))) in
+  let is t = t <> s && boxed shells.(s) shells.(t) && Within.surface set shells.(t).faces middle in
+  List.filter is (List.init (Array.length shells) Fun.id)
+
+let outward (set : Polyhedron.ifs) s =
+  let faces = Array.of_list (List.map (fun f -> set.ifs_faces.(f)) s.faces) in
+  Rat.sign (Drawn.volume { set with ifs_faces = faces }) > 0
+
+(* {1 Faults} *)
+
+type fault = Apart of int * int | Island of int * int | Outward of int
+
+let fault set =
+  let shells = all set in
+  let first s = shells.(s).first in
+  let count = Array.length shells in
+  let rec from outermost s =
+    if s = count then None
+    else
+      match (around set shells s, outermost) with
+      | [], None -> from (Some s) (s + 1)
+      | [], Some other -> Some (Apart (first other, first s))
+      | [ _ ], _ -> if outward set shells.(s) then Some (Outward (first s)) else from outermost (s + 1)
+      | [ one; other ], _ ->
+        let outer = if List.mem other (around set shells one) then other else one in
+        Some (Island (first s, first outer))
+      | _ -> from outermost (s + 1) (* something around it is an island *)
+  in
+  if count <= 1 then None else from None 0
+
+let message (set : Polyhedron.ifs) =
+  let open Scc_base in
+  let name f = fst set.ifs_faces.(f) in
+  function
+  | Apart (f, g) ->
+    ( Code.several_solids,
+      Printf.sprintf "these are several solids: `%s` is a face of one, and `%s` of another one beside it" (name f)
+        (name g) )
+  | Island (f, g) ->
+    ( Code.several_solids,
+      Printf.sprintf
+        "these are several solids: `%s` is a face of one that is in a hollow of another one, with the face `%s`"
+        (name f) (name g) )
+  | Outward f ->
+    ( Code.outward_hollow,
+      Printf.sprintf
+        "`%s` and the faces around it are within the solid, but turned outward: those of a hollow look into it"
+        (name f) )
+
+(* {1 Mending} *)
+
+let reversed corners =
+  let n = Array.length corners in
+  Array.init n (fun i -> corners.(n - 1 - i))
+
+let in_place set =
+  match Sound.faults set with
+  | None | Some (Structure [ Inward ]) -> true
+  | Some (Structure _ | Cut _) -> false
+
+let turned_over (set : Polyhedron.ifs) shells =
+  let wrong s =
+    let even = List.length (around set shells s) mod 2 = 0 in
+    not (Bool.equal even (outward set shells.(s)))
+  in
+  let list = List.filter wrong (List.init (Array.length shells) Fun.id) in
+  let faces = Array.copy set.ifs_faces in
+  let turn s = List.iter (fun f -> faces.(f) <- (fst faces.(f), reversed (snd faces.(f)))) shells.(s).faces in
+  List.iter turn list;
+  ({ set with ifs_faces = faces }, List.map (fun s -> shells.(s).first) list)
+
+let oriented set =
+  let shells = all set in
+  if Array.length shells > 1 && in_place set then turned_over set shells else (set, [])
