@@ -67,20 +67,6 @@ let json o (t : Inflated.t) code =
 
 (* {1 Work} *)
 
-(* In the language only convex solids are templates, and others are cut into parts where they are used. *)
-let written path text (set : Scc_geometry.Polyhedron.ifs) =
-  let language = Filename.check_suffix (String.lowercase_ascii path) ".sc" in
-  if language && Result.is_error (Scc_geometry.Polyhedron.of_ifs set) then Ok (Scc_mesh.Written.drawn ~path set)
-  else
-    let refused vertex =
-      [
-        Diag.error Code.cannot_write (Span.make ~file:path ~start:0 ~stop:0)
-          "the coordinates of %s are no decimals, and files of this format have no fractions" vertex
-          ~hint:".off, .obj and .sc keep fractions";
-      ]
-    in
-    Result.map_error refused (text set)
-
 let inflate console o write =
   let interrupted = Watch.interrupted (Watch.start ()) in
   let* source = plain (Input.read o.path) in
@@ -101,8 +87,7 @@ let inflate console o write =
       match write with
       | None -> Ok ()
       | Some (path, text) ->
-        let* text = written path text found.solid.mesh in
-        plain (Whole_file.with_file path (fun put -> put text))
+        Written_solid.drawn (path, text) ~hint:".off, .obj and .sc keep fractions" found.solid.mesh
     in
     Console.progress_done console;
     Console.answer console ~text:(fun () -> text o found) ~json:(fun () -> json o found Exit_code.Holds);

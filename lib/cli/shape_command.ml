@@ -135,7 +135,8 @@ let advice (r : Solid_report.t) =
   | Accepted _ -> ""
   | Rejected faults ->
     let tries = Mend_options.helping faults in
-    let concave = List.exists (function Polyhedron_fault.Not_convex _ -> true | _ -> false) faults in
+    let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
+    let concave = List.exists bent faults in
     (if tries = [] then "" else Printf.sprintf "to mend it: scc shape %s\n" (String.concat " " tries))
     ^ if concave then "for convex parts of it: scc decompose; for its hull: scc shape --hull\n" else ""
 
@@ -153,36 +154,11 @@ let report console argument ~mended ~gone ?snapped ?outer (set : Polyhedron.ifs)
     ~json:(fun () -> Scc_exchange.Shape_json.document ~name:argument ~exit ~mended ?snap:snapped ?outer r);
   code
 
-(* With --round, what is written is not quite what is reported on, and that is told. *)
-let to_write console ~round path set =
-  if not round then Ok set
-  else
-    match Scc_mesh.Written.rounded set with
-    | None ->
-      let at = Span.make ~file:path ~start:0 ~stop:0 in
-      Error [ Diag.error Code.cannot_write at "a coordinate is beyond the greatest 64-bit number" ]
-    | Some (set, 0, _) -> Ok set
-    | Some (set, moved, most) ->
-      Console.note console
-        (Printf.sprintf "%s: rounded: coordinates changed: %d, by at most %.3g; faces may not be quite flat" path
-           moved (Rat.to_float most));
-      Ok set
-
 let write console ~round output code set =
   match output with
-  | Some (path, text) when Exit_code.equal code Exit_code.Holds -> (
-      let* set = to_write console ~round path set in
-      match text set with
-      | Ok text -> Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text))
-      | Error vertex ->
-        Error
-          [
-            Diag.error Code.cannot_write
-              (Span.make ~file:path ~start:0 ~stop:0)
-              "the coordinates of %s are no decimals, and files of this format have no fractions" vertex
-              ~hint:"with --round they are rounded to 64-bit numbers; .off and .obj keep fractions";
-          ])
-  | Some _ | None -> Ok ()
+  | Some written when Exit_code.equal code Exit_code.Holds -> Written_solid.convex console ~round written set
+  | Some written -> Written_solid.concave console ~round written set
+  | None -> Ok ()
 
 let draw o ~name set =
   match o.svg with
@@ -299,10 +275,13 @@ let faces_option =
 
 let output =
   let doc =
-    "Writes the shape to $(docv), exactly, if it is accepted. The ending of the name tells the format: $(b,.off), \
-     $(b,.obj) (which keeps the names of faces), $(b,.stl), $(b,.ply), or $(b,.sc), a template for a model. \
-     Coordinates are decimals; where a number has none, as 1/3, there is a fraction p/q, which other programs may \
-     not read, and STL and PLY are not written."
+    "Writes the shape to $(docv), exactly, if it is accepted, or else if its faces bound a solid all the \
+     same: closed, in one piece, and without cutting each other, but not convex, or with faces that \
+     $(b,--merge) would join. That is told, and the exit code is still that of a refused shape; $(b,scc decompose) \
+     takes such a file, and so does $(b,decompose \"OUT\") in a model. The ending of the name tells the \
+     format: $(b,.off), $(b,.obj) (which keeps the names of faces), $(b,.stl), $(b,.ply), or $(b,.sc), a \
+     template for a model, or a compound. Coordinates are decimals; where a number has none, as 1/3, there is \
+     a fraction p/q, which other programs may not read, and STL and PLY are not written."
   in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 

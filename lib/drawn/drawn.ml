@@ -39,13 +39,15 @@ let flat (n : Vec.t) (v : Vec.t) : Grid.point =
   else if Rat.sign n.x <> 0 then turned (Rat.sign n.x) v.y v.z
   else turned (Rat.sign n.y) v.z v.x
 
-let convex_pieces set face n =
-  let corners = Array.map (place set) face in
-  if Array.length face = 3 then Some [ corners ]
+let convex_corners set face n =
+  if Array.length face = 3 then Some [ face ]
   else
-    match Polygon.make (Array.map (flat n) corners) [ Array.init (Array.length face) Fun.id ] with
+    let corners = Array.map (fun v -> flat n (place set v)) face in
+    match Polygon.make corners [ Array.init (Array.length face) Fun.id ] with
     | Error _ -> None
-    | Ok polygon -> Some (List.map (Array.map (fun k -> corners.(k))) (Partition.convex polygon))
+    | Ok polygon -> Some (List.map (Array.map (fun k -> face.(k))) (Partition.convex polygon))
+
+let convex_pieces set face n = Option.map (List.map (Array.map (place set))) (convex_corners set face n)
 
 let volume (set : Polyhedron.ifs) =
   let of_face (_, face) =

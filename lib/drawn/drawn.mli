@@ -45,6 +45,12 @@ val closure : t -> feature -> feature list
 val normal : Polyhedron.ifs -> int array -> Vec.t
 (** Of a face by its corners: twice its area, outward. *)
 
+val area_vector : (int -> Vec.t) -> int -> Vec.t
+(** [area_vector corner n] of a flat polygon with n corners: twice its area, along its normal. *)
+
+val convex_corners : Polyhedron.ifs -> int array -> Vec.t -> int array list option
+(** As {!convex_pieces}, by vertices. *)
+
 val convex_pieces : Polyhedron.ifs -> int array -> Vec.t -> Vec.t array list option
 (** Of a flat face with this normal; [None] if it is no simple polygon. *)
 

@@ -63,6 +63,46 @@ one of them turned over:
   vertices: 8, edges: 12, faces: 6
   convex closed polyhedron: yes
 
+What is no template because it is not convex, but bounds a solid, is written all the same. So corners and directions
+of faces are mended once and for all; in STL, faces are cut into triangles.
+
+  $ awk 'NR > 2 && NR < 15 { p[NR - 3] = $0 }
+  >      NR > 14 { f = "f"; for (i = 2; i <= NF; i++) { print "v " p[$i]; f = f " " ++n }; print f }' ell.off > ell.obj
+  $ scc shape ell.obj -o refused.obj | sed -n 2p; ls refused.obj
+  vertices: 36, edges: 36, faces: 8
+  ls: cannot access 'refused.obj': No such file or directory
+  [2]
+  $ for f in obj stl sc; do scc shape --weld ell.obj -o out.$f > report; echo "$?: $(tail -n 1 report)"; done
+  out.obj: not a convex polyhedron, but a solid: scc decompose takes it, and in a model decompose "out.obj"
+  3: for convex parts of it: scc decompose; for its hull: scc shape --hull
+  out.stl: not a convex polyhedron, but a solid: scc decompose takes it, and in a model decompose "out.stl"
+  3: for convex parts of it: scc decompose; for its hull: scc shape --hull
+  out.sc: not a convex polyhedron, but a solid: a compound, which is cut where it is used
+  3: for convex parts of it: scc decompose; for its hull: scc shape --hull
+  $ scc decompose out.obj | head -n 2; scc decompose out.stl | head -n 2; grep -c facet out.stl; head -n 3 out.sc
+  out.obj: 8 plane faces, 1 reflex edge, volume 6
+  2 convex parts, 1 joint
+  out.stl: 8 plane faces, 1 reflex edge, volume 6
+  2 convex parts, 1 joint
+  40
+  compound Out = decompose {
+    vertices
+      v0 (0, 0, 0)
+  $ echo 'compound C = decompose "out.stl" mass 1 process p = C [nil] check still : always x(p) = 5/6' > model.sc
+  $ scc check model.sc --time 1 2>&1 | grep still
+  still: holds (exhaustive)
+
+Rounded, it may be one no more: here a face is not flat then.
+
+  $ awk 'NR > 2 && NR < 15 { $0 = $1 "/3 " $2 "/7 " 21 * $3 + 7 * $1 + 3 * $2 "/21" } { print }' ell.off > slant.off
+  $ scc shape slant.off -o slant.ply | sed -n 2p; scc shape slant.off -o slant.ply --round | sed -n 2p
+  slant.ply: error[SC0103]: the coordinates of v1 are no decimals, and files of this format have no fractions
+    hint: with --round they are rounded to 64-bit numbers; .off and .obj keep fractions
+  vertices: 12, edges: 18, faces: 8
+  slant.ply: rounded: coordinates changed: 24, by at most 1.48e-16; faces may not be quite flat
+  slant.ply: not a convex polyhedron, and rounded no solid that can be cut
+  vertices: 12, edges: 18, faces: 8
+
 A surface of one side (a strip of Möbius) has no outside.
 
   $ cat > strip.off << 'END'

@@ -170,6 +170,17 @@ let orienting_is_right list =
   in
   List.length list < 2 || List.for_all Fun.id (List.mapi right list)
 
+(* {1 Triangles} *)
+
+let triangles_are_right cells =
+  let set = Scc_mesh.Merge_coplanar.merge (set_of cells) in
+  let cut = Triangles.make set in
+  let faces = Array.map snd cut.ifs_faces in
+  let right f = Array.length f = 3 && not (Vec.is_zero (Drawn.normal cut f)) in
+  Array.for_all right faces
+  && Surface.edge_faults (Surface.make (Array.length cut.ifs_vertices) faces) = []
+  && Rat.equal (Drawn.volume cut) (rat (List.length cells))
+
 let () =
   Alcotest.run "shells"
     [
@@ -179,6 +190,7 @@ let () =
           [
             QCheck2.Test.make ~count:60 ~name:"points within, and points beside"
               (QCheck2.Gen.pair random_cells points) within_is_right;
+            QCheck2.Test.make ~count:60 ~name:"faces in triangles" random_cells triangles_are_right;
             QCheck2.Test.make ~count:200 ~name:"hollows and solids in them are turned" some_boxes
               orienting_is_right;
           ] );
