@@ -385,6 +385,8 @@ def check_shapes(scc):
                 told = [m["by"] for m in (document or {}).get("mended", [])]
                 wanted = [] if name == "diagnostics" else [o[2:] for o in options if o.startswith("--")]
                 count(told == wanted, f"{command} {mesh}", f"{told} is told to be mended")
+    text = text_of(run(scc, "decompose", "specs/models/parts/clamp.obj", "--seconds", "1e-9", "--json"))
+    check("diagnostics" if '"scc-diagnostics"' in text else "decomposition", text, "decompose within no time")
     for model in ["specs/models/hexokinase.sc:Cube", "specs/models/hexokinase.sc:Nothing"]:
         result = run(scc, "shape", model, "--json")
         check("shape" if result.returncode == 0 else "diagnostics", text_of(result), f"shape {model}")

@@ -82,11 +82,40 @@ let writer path =
   let base = String.lowercase_ascii (Filename.basename path) in
   List.find_opt (fun (ending, _) -> Filename.check_suffix base ending) formats
 
-let decompose console ~mend ~mass output path =
+let line : Decomposed.progress -> string = function
+  | Looking faces -> "looking at " ^ counted faces "face" "faces"
+  | Cutting n -> "cutting: " ^ counted n "cell looked at" "cells looked at"
+  | Making (k, of_) -> Printf.sprintf "making part %d of %d" k of_
+  | Naming left -> "naming faces: " ^ counted left "part left" "parts left"
+
+(* At most ten times a second. *)
+let show console =
+  let last = ref 0. in
+  fun progress ->
+    let now = Unix.gettimeofday () in
+    if now -. !last >= 0.1 then begin
+      last := now;
+      Console.progress console (line progress)
+    end
+
+let stopped ~seconds (stop : Scc_explore.Limits.stop) =
+  let why =
+    match (stop, seconds) with
+    | Interrupted, _ | Seconds, None -> "interrupted"
+    | Seconds, Some s -> Printf.sprintf "the limit of %g seconds has passed" s
+    | Memory, _ -> "the limit of memory was met"
+  in
+  why ^ ": nothing was written"
+
+(* The mesh, what was done to it, and its parts. *)
+let work console ~mend path =
   let* source = Input.text console path in
   let* set = Result.map_error (fun d -> [ d ]) (Scc_mesh.Mesh.read ~path (Source.text source)) in
   let* set, mended = Mend_options.apply mend set in
-  let* t = Result.map_error (diagnostics set) (Decomposed.make set) in
+  let* t = Result.map_error (diagnostics set) (Decomposed.make ~progress:(show console) set) in
+  Ok (t, mended)
+
+let report console ~mended ~mass output path (t : Parts.t) =
   Console.answer console
     ~text:(fun () -> text ~name:path ~mended t)
     ~json:(fun () ->
@@ -99,9 +128,20 @@ let decompose console ~mend ~mass output path =
     let* () = Result.map_error (fun d -> [ d ]) (Whole_file.with_file path (fun put -> put text)) in
     Ok Exit_code.Holds
 
-let run color json mend mass output path =
+let decompose console ~mend ~seconds ~mass output path =
+  let watch = Watch.start ?seconds () in
+  let done_ = (Watch.attempt watch).run Exploring (fun () -> work console ~mend path) in
+  Watch.finish watch;
+  match done_ with
+  | Error stop -> Ok (Guard.stopped console (stopped ~seconds stop))
+  | Ok (Error _ as faults) -> faults
+  | Ok (Ok (t, mended)) ->
+    Console.progress_done console;
+    report console ~mended ~mass output path t
+
+let run color json mend seconds mass output path =
   let console = Console.make ~color ~json () in
-  let go output = Guard.run console (fun () -> decompose console ~mend ~mass output path) in
+  let go output = Guard.run console (fun () -> decompose console ~mend ~seconds ~mass output path) in
   match output with
   | None -> go None
   | Some file -> (
@@ -128,6 +168,10 @@ let mass =
     "The mass of the whole in $(b,-o) $(i,OUT).sc; its volume by default. Parts share it by their volumes."
   in
   Arg.(value & opt (some (Options.positive "mass")) None & info [ "mass" ] ~docv:"M" ~doc)
+
+let seconds =
+  let doc = "Gives up after $(docv) seconds of the clock. No default." in
+  Arg.(value & opt (some Check_options.seconds_conv) None & info [ "seconds" ] ~docv:"S" ~doc)
 
 let man =
   [
@@ -160,8 +204,12 @@ let man =
 let command =
   let exits =
     Exits.man () ~never:[ Violated; Undecided ]
-      ~told:[ (Holds, "if there are such parts."); (Invalid, "if the mesh bounds no solid, or cannot be read.") ]
+      ~told:
+        [
+          (Holds, "if there are such parts."); (Invalid, "if the mesh bounds no solid, or cannot be read.");
+          (Stopped, "if it was interrupted, or had not ended after the seconds of --seconds.");
+        ]
   in
   Cmd.v
     (Cmd.info "decompose" ~doc:"cut a solid that is not convex into convex parts" ~man ~exits)
-    Term.(const run $ Options.color $ Options.json $ Mend_options.term $ mass $ output $ mesh)
+    Term.(const run $ Options.color $ Options.json $ Mend_options.term $ seconds $ mass $ output $ mesh)

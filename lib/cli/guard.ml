@@ -23,6 +23,10 @@ let invalid console diagnostics =
      else if List.for_all is_of_command_line diagnostics then Exit_code.Usage
      else Exit_code.Invalid)
 
+let stopped console why =
+  Console.note console ("scc: " ^ why);
+  ended console Exit_code.Stopped
+
 let complain lines = List.iter prerr_endline lines
 
 let usage message =

@@ -8,6 +8,10 @@ val invalid : Console.t -> Diag.t list -> Exit_code.t
     or 64 when it is only the command line that is wrong ({!Span.command_line}). In JSON mode the
     diagnostics are the document. *)
 
+val stopped : Console.t -> string -> Exit_code.t
+(** Tells what ended the work before there was a result: exit 4. In JSON mode there is a document without
+    diagnostics. *)
+
 val usage : string -> Exit_code.t
 (** Says what is wrong with the command line: exit 64. *)
 

@@ -78,9 +78,7 @@ let inflate console o write =
   in
   match Inflated.make ~progress ~path:o.path o.inflate picture with
   | exception Interrupted ->
-    Console.progress_done console;
-    Console.note console "scc: interrupted: nothing was written";
-    Ok Exit_code.Stopped
+    Ok (Guard.stopped console "interrupted: nothing was written")
   | Error d -> Error [ d ]
   | Ok found ->
     let* () =

@@ -277,11 +277,11 @@ let output =
   let doc =
     "Writes the shape to $(docv), exactly, if it is accepted, or else if its faces bound a solid all the \
      same: closed, in one piece, and without cutting each other, but not convex, or with faces that \
-     $(b,--merge) would join. That is told, and the exit code is still that of a refused shape; $(b,scc decompose) \
-     takes such a file, and so does $(b,decompose \"OUT\") in a model. The ending of the name tells the \
-     format: $(b,.off), $(b,.obj) (which keeps the names of faces), $(b,.stl), $(b,.ply), or $(b,.sc), a \
-     template for a model, or a compound. Coordinates are decimals; where a number has none, as 1/3, there is \
-     a fraction p/q, which other programs may not read, and STL and PLY are not written."
+     $(b,--merge) would join. That is told, and the exit code is still that of a refused shape; $(b,scc \
+     decompose) takes such a file, and so does $(b,decompose \"OUT\") in a model. The ending of the name \
+     tells the format: $(b,.off), $(b,.obj) (which keeps the names of faces), $(b,.stl), $(b,.ply), or \
+     $(b,.sc), a template for a model, or a compound. Coordinates are decimals; where a number has none, as \
+     1/3, there is a fraction p/q, which other programs may not read, and STL and PLY are not written."
   in
   Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"OUT" ~doc)
 

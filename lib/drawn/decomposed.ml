@@ -1,6 +1,7 @@
 open Scc_exact
 open Scc_geometry
 
+type progress = Looking of int | Cutting of int | Making of int * int | Naming of int
 type fault = Unsound of Sound.fault | Pieces of Shells.fault | Too_many
 
 let ( let* ) = Result.bind
@@ -48,28 +49,37 @@ exception Too_long
 (* What the parts are cut from is looked at this often. *)
 let ticks = 200_000
 
-let cells (drawn : Drawn.t) =
+let cells progress (drawn : Drawn.t) =
   let left = ref ticks in
   let tick () =
     decr left;
-    if !left < 0 then raise_notrace Too_long
+    if !left < 0 then raise_notrace Too_long;
+    progress (Cutting (ticks - !left))
   in
   let surface = List.concat_map (fun (r : Drawn.region) -> r.pieces) (Array.to_list drawn.regions) in
   match Scc_decompose.Decompose.parts ~tick surface with
   | exception Too_long -> Error Too_many
   | list when List.length list > limit -> Error Too_many
-  | list -> Ok (List.map Refined.solid list)
+  | list ->
+    let count = List.length list in
+    let make k corners =
+      progress (Making (k + 1, count));
+      Refined.solid corners
+    in
+    Ok (List.mapi make list)
 
-let parts set =
+let parts ?(progress = ignore) set =
+  progress (Looking (Array.length set.Polyhedron.ifs_faces));
   let* drawn = surface set in
   let* list =
     match prism set with
     | Some list -> Ok list
-    | None -> cells drawn
+    | None -> cells progress drawn
   in
   if Rat.equal (volume list) (Drawn.volume set) && connected list then Ok (list, drawn)
   else Scc_base.Bug.fail __POS__ "parts that are not the solid"
 
-let make set =
-  let* list, drawn = parts set in
-  Option.to_result ~none:Too_many (Parts.make ~limit drawn list)
+let make ?(progress = ignore) set =
+  let* list, drawn = parts ~progress set in
+  let tick ~left = progress (Naming left) in
+  Option.to_result ~none:Too_many (Parts.make ~tick ~limit drawn list)

@@ -13,13 +13,21 @@ val message : Polyhedron.ifs -> fault -> Scc_base.Code.t * string
 val surface : Polyhedron.ifs -> (Drawn.t, fault) result
 (** Of one solid: its faces are sound ({!Sound}), and it is in one piece ({!Shells}). Fails with no [Too_many]. *)
 
-val parts : Polyhedron.ifs -> (Polyhedron.t list * Drawn.t, fault) result
+(** How far it is: what was done last. *)
+type progress =
+  | Looking of int  (** at so many faces *)
+  | Cutting of int  (** cells, and pairs of them, that were looked at *)
+  | Making of int * int  (** parts of so many *)
+  | Naming of int  (** the faces of parts; so many parts are left *)
+
+val parts : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Polyhedron.t list * Drawn.t, fault) result
 (** Disjoint convex polyhedra of which the solid is the union. A prism over a polygon has the parts of
     {!Scc_polygon.Prism}, any other solid those of {!Scc_decompose.Decompose}. Each is joined to the others by
     faces. *)
 
-val make : Polyhedron.ifs -> (Parts.t, fault) result
-(** The same, cut further so that names of the solid's faces are exact, and with these names. *)
+val make : ?progress:(progress -> unit) -> Polyhedron.ifs -> (Parts.t, fault) result
+(** The same, cut further so that names of the solid's faces are exact, and with these names. What is called for
+    [progress], again and again, may raise. *)
 
 val limit : int
 (** 10 000 parts. *)

@@ -54,9 +54,9 @@ let renamed (vertex, face) (p : Polyhedron.t) features =
   | Ok p -> p
   | Error _ -> Bug.fail __POS__ "a polyhedron that is none under other names"
 
-let make ~limit (d : Drawn.t) pieces =
+let make ?(tick = fun ~left:_ -> ()) ~limit (d : Drawn.t) pieces =
   let shown = Shown.make d in
-  match Refined.parts shown d ~limit pieces with
+  match Refined.parts ~tick shown d ~limit pieces with
   | None -> None
   | Some list ->
     let shows = Hashtbl.create 256 and names = names d in

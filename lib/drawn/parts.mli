@@ -10,8 +10,8 @@ type t = private {
   shows : (Drawn.feature, (int * Feature.t) list) Hashtbl.t;
 }
 
-val make : limit:int -> Drawn.t -> Polyhedron.t list -> t option
-(** From convex parts, which are cut further ({!Refined.parts}). [None] if
+val make : ?tick:(left:int -> unit) -> limit:int -> Drawn.t -> Polyhedron.t list -> t option
+(** From convex parts, which are cut further ({!Refined.parts}, where [tick] is told). [None] if
     there would be more parts than the limit. *)
 
 val inside : t -> Drawn.feature -> (int * Feature.t) list

@@ -69,16 +69,18 @@ let dividing (d : Drawn.t) p (feature, shows) =
   | (Face _ | Edge _), _ :: _ :: _ -> Option.map snd (Array.fold_left better None d.regions)
   | _ -> None
 
-let parts shown (d : Drawn.t) ~limit list =
-  let rec refine done_ count = function
+let parts ~tick shown (d : Drawn.t) ~limit list =
+  let rec refine done_ count left = function
     | _ when count > limit -> None
     | [] -> Some (List.rev done_)
     | p :: rest -> (
+        tick ~left;
         let features = Shown.features shown p in
         match List.find_map (dividing d p) features with
-        | None -> refine ((p, features) :: done_) count rest
+        | None -> refine ((p, features) :: done_) count (left - 1) rest
         | Some region ->
           let one, other = halves region p in
-          refine done_ (count + 1) (one :: other :: rest))
+          refine done_ (count + 1) (left + 1) (one :: other :: rest))
   in
-  refine [] (List.length list) list
+  let count = List.length list in
+  refine [] count count list

@@ -193,3 +193,20 @@ own, and one is turned over:
   Usage: scc decompose [OPTION]… MESH
   Try 'scc decompose --help' or 'scc --help' for more information.
   [64]
+
+One that takes too long, of 7200 triangles; there is nothing then.
+
+  $ python3 -B terrain.py 60 > terrain.off
+  $ scc decompose terrain.off --seconds 0.2 -o terrain.obj
+  scc: the limit of 0.2 seconds has passed: nothing was written
+  [4]
+  $ ls terrain.obj
+  ls: cannot access 'terrain.obj': No such file or directory
+  [2]
+  $ scc decompose terrain.off --seconds 0
+  scc: option '--seconds': `0' is no positive number of seconds
+  Usage: scc decompose [OPTION]… MESH
+  Try 'scc decompose --help' or 'scc --help' for more information.
+  [64]
+  $ python3 -B terrain.py 4 > small.off && scc decompose small.off --seconds 100 | head -n 1
+  small.off: 37 plane faces, 25 reflex edges, volume 46229/2
