@@ -37,7 +37,12 @@ let rec places (s : Ast.solid) =
 let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   let places = places solid in
   let whole = Templates.face_span places max_int in
-  let here g = Printf.sprintf "the face `%s` is here" (fst set.ifs_faces.(g)) in
+  (* All faces of a file are at one place. *)
+  let also f g =
+    let place = Templates.face_span places g in
+    if Span.equal place (Templates.face_span places f) then []
+    else [ (place, Printf.sprintf "the face `%s` is here" (fst set.ifs_faces.(g))) ]
+  in
   let told ?notes at =
     let code, text = Decomposed.message set fault in
     Report.error c.report code at ?notes "%s" text
@@ -45,10 +50,9 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   match (fault : Decomposed.fault) with
   | Unsound (Structure faults) -> List.iter (Templates.report_fault c places set) faults
   | Unsound (Cut (f, g, _)) ->
-    told (Templates.face_span places f)
-      ~notes:[ (Templates.face_span places g, here g) ]
+    told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Apart (f, g) | Island (f, g)) ->
-    told (Templates.face_span places f) ~notes:[ (Templates.face_span places g, here g) ]
+    told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Outward f) -> told (Templates.face_span places f)
   | Too_many -> told whole
 
