@@ -109,26 +109,6 @@ What is refused, and why:
   error[SC0306]: face f0 is not a simple polygon: it crosses itself or winds more than once
   error[SC0306]: face f5 is not a simple polygon: it crosses itself or winds more than once
   error[SC0305]: face f6 is not planar: v10 is off its plane
-  $ cat > crossing.off <<'END'
-  > OFF
-  > 8 8 0
-  > 0 0 0
-  > 4 0 0
-  > 0 4 0
-  > 0 0 4
-  > 1 1 1
-  > 5 1 1
-  > 1 5 1
-  > 1 1 -5
-  > 3 0 2 1
-  > 3 0 1 3
-  > 3 0 3 2
-  > 3 1 2 3
-  > 3 4 5 6
-  > 3 4 7 5
-  > 3 4 6 7
-  > 3 5 7 6
-  > END
   $ scc decompose crossing.off
   error[SC0337]: the faces `f0` and `f5` have the point (2, 1, 0) in common, which is at no edge or corner of both
   [3]

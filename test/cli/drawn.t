@@ -64,26 +64,6 @@ What is wrong with a file is told where the model names it.
   bad.sc:1:28: error[SC0302]: the solid is not closed: edge [v0,v6] belongs to one face only, f2
   bad.sc:1:28: error[SC0302]: the solid is not closed: edge [v5,v0] belongs to one face only, f0
   bad.sc:1:28: error[SC0302]: the solid is not closed: edge [v6,v11] belongs to one face only, f1
-  $ cat > crossing.off <<'END'
-  > OFF
-  > 8 8 0
-  > 0 0 0
-  > 4 0 0
-  > 0 4 0
-  > 0 0 4
-  > 1 1 1
-  > 5 1 1
-  > 1 5 1
-  > 1 1 -5
-  > 3 0 2 1
-  > 3 0 1 3
-  > 3 0 3 2
-  > 3 1 2 3
-  > 3 4 5 6
-  > 3 4 7 5
-  > 3 4 6 7
-  > 3 5 7 6
-  > END
   $ bad crossing.off 'mass 1'
   bad.sc:1:28: error[SC0337]: the faces `f0` and `f5` have the point (2, 1, 0) in common, which is at no edge or corner of both
      |

@@ -1,5 +1,5 @@
 """Meshes between scc shape and trimesh: what trimesh makes, in every format that it writes, is read and mended; what is
-written is read by trimesh, watertight, with the same volume. With `--models FOLDER` after the two folders, the files of
+written is read by trimesh, watertight, with the same volume; so are the parts of scc decompose, all of them convex. With `--models FOLDER` after the two folders, the files of
 that folder (trimesh's `models`, say) are read too, and what came of each is counted.
 """
 
@@ -98,6 +98,77 @@ def made(run):
         read_back(run, name + ", hull", path, False)
 
 
+def cubes(cells):
+    """The boundary of a solid of unit cubes."""
+    points, faces = {}, []
+    for cell in cells:
+        for axis in range(3):
+            for side in (0, 1):
+                step = np.eye(3, dtype=int)[axis] * (2 * side - 1)
+                if tuple(np.array(cell) + step) in cells:
+                    continue
+                u, v = np.eye(3, dtype=int)[(axis + 1) % 3], np.eye(3, dtype=int)[(axis + 2) % 3]
+                start = np.array(cell) + side * np.eye(3, dtype=int)[axis]
+                ring = [tuple(start), tuple(start + u), tuple(start + u + v), tuple(start + v)]
+                face = [points.setdefault(p, len(points)) for p in ring]
+                faces.append(face if side else face[::-1])
+    return trimesh.Trimesh(np.array(list(points)), trimesh.geometry.triangulate_quads(faces), process=False)
+
+
+def spiked(count):
+    """A sphere of triangles, every third corner of which is pulled out."""
+    ball = creation.icosphere(subdivisions=count)
+    far = np.where(np.arange(len(ball.vertices)) % 3 == 0, 1.5, 1.0)
+    rounded = np.round(ball.vertices * far[:, None] * 1024) / 1024
+    return trimesh.Trimesh(rounded, ball.faces, process=False)
+
+
+def concave():
+    """Names, and files or meshes."""
+    yield "clamp.obj", "specs/models/parts/clamp.obj"
+    yield "ell.off", "test/cli/ell.off"
+    yield "hollow.off", "test/cli/hollow.off"
+    square = [(x, y, 0) for x in range(4) for y in range(4)]
+    yield "U", cubes({(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 0, 1), (2, 0, 1)})
+    yield "ring of cubes", cubes({c for c in square if c not in [(1, 1, 0), (1, 2, 0), (2, 1, 0), (2, 2, 0)]})
+    yield "hollow cube", cubes({(x, y, z) for x in range(3) for y in range(3) for z in range(3)} - {(1, 1, 1)})
+    yield "star", spiked(0)
+    yield "star of 320 faces", spiked(2)
+
+
+def in_floats(path):
+    """An OBJ file whose fractions p/q are floats."""
+    with open(path, encoding="utf-8") as file:
+        text = re.sub(r"(-?\d+)/(\d+)", lambda m: repr(int(m[1]) / int(m[2])), file.read())
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def parts_of(run, name, source):
+    """scc cuts it into parts, of which trimesh makes a mesh each. Floats: volumes agree to 1e-9 of the whole."""
+    path, out = run.path("solid.obj"), run.path("parts.obj")
+    if isinstance(source, str):
+        run.call("shape", source, "-o", path)
+    else:
+        with open(path, "wb") as file:
+            file.write(export(source, "obj"))
+    whole = trimesh.load(path, force="mesh")
+    done = run.call("decompose", path, "-o", out, "--json")
+    if not run.ok(done.returncode == 0, f"{name}: {done.stdout[-300:]}"):
+        return
+    report = json.loads(done.stdout)
+    wanted = float(Fraction(report["volume"]))
+    run.ok(abs(whole.volume - wanted) < 1e-9 * wanted, f"{name}: volume {whole.volume} in trimesh, not {wanted}")
+    in_floats(out)
+    parts = trimesh.load(out, force="scene", split_objects=True, process=False).geometry
+    run.ok(len(parts) == len(report["parts"]), f"{name}: {len(parts)} parts, not {len(report['parts'])}")
+    bad = [part for part, mesh in parts.items()
+           if not (mesh.is_watertight and mesh.is_winding_consistent and mesh.volume > 0 and mesh.is_convex)]
+    run.ok(not bad, f"{name}: not watertight and convex: {bad}")
+    total = sum(mesh.volume for mesh in parts.values())
+    run.ok(abs(total - wanted) < 1e-9 * wanted, f"{name}: the parts have the volume {total}, not {wanted}")
+
+
 def outcome(run, path):
     if os.path.getsize(path) > LARGEST:
         return "left out: more than 3 MB"
@@ -128,6 +199,8 @@ def others(run, folder):
 def main():
     run = Run("Meshes between scc and trimesh")
     made(run)
+    for name, source in concave():
+        parts_of(run, name, source)
     if sys.argv[3:4] == ["--models"]:
         others(run, sys.argv[4])
     run.end()
