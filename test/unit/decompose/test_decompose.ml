@@ -52,35 +52,9 @@ let six_volumes star = sum (fun (a, b, c) -> det a b c) star
 let volume p = (Mass_properties.of_polyhedron p).volume
 let same_volume star = Rat.equal (Rat.mul (Rat.of_int 6) (sum volume (solids star))) (six_volumes star)
 
-(* Twice the area of a polygon, times the length of a normal. *)
-let area_vector corners =
-  let k = Array.length corners in
-  let edge i = Vec.cross corners.(i) corners.((i + 1) mod k) in
-  List.fold_left Vec.add Vec.zero (List.init k edge)
-
-(* Of each plane what looks to one side, less what looks to the other: where two parts touch they cancel, and the
-   surface of the solid is left. Planes are told by their normals that are not negative, and their levels. *)
-let areas polygons =
-  let table = Hashtbl.create 64 in
-  let add corners =
-    let a = area_vector corners in
-    let normal = Ivec.primitive (fst (Ivec.of_vec a)) in
-    let normal = if Ivec.compare normal Ivec.zero < 0 then Ivec.neg normal else normal in
-    let direction = Ivec.to_vec normal in
-    let key = (Ivec.to_string normal, Rat.to_string (Vec.dot direction corners.(0))) in
-    let before = Option.value ~default:Rat.zero (Hashtbl.find_opt table key) in
-    Hashtbl.replace table key (Rat.add before (Vec.dot direction a))
-  in
-  List.iter add polygons;
-  let all = Hashtbl.fold (fun key a list -> (key, a) :: list) table [] in
-  List.sort compare
-    (List.filter_map (fun (key, a) -> if Rat.sign a = 0 then None else Some (key, Rat.to_string a)) all)
-
-let faces (p : Polyhedron.t) =
-  List.map (fun (_, corners) -> Array.map (fun v -> snd p.vertices.(v)) corners) (Array.to_list p.faces)
-
 let same_surface star =
-  areas (List.map (fun (a, b, c) -> [| a; b; c |]) star) = areas (List.concat_map faces (solids star))
+  let surface = List.map (fun (a, b, c) -> [| a; b; c |]) star in
+  Planes.areas surface = Planes.areas (List.concat_map Planes.faces (solids star))
 
 type place = Inside | Outside | Border
 
@@ -95,12 +69,15 @@ let in_star star x =
 
 let in_part x (p : Polyhedron.t) =
   let side corners =
-    Rat.sign (Vec.dot (area_vector corners) (Vec.sub x corners.(0)))
+    Rat.sign (Vec.dot (Planes.area_vector corners) (Vec.sub x corners.(0)))
   in
-  match List.fold_left Int.max (-1) (List.map side (faces p)) with -1 -> Inside | 0 -> Border | _ -> Outside
+  match List.fold_left Int.max (-1) (List.map side (Planes.faces p)) with -1 -> Inside | 0 -> Border | _ -> Outside
 
 let random_points =
   QCheck2.Gen.(list_size (return 60) (triple (int_range (-35) 35) (int_range (-35) 35) (int_range (-35) 35)))
+
+let near_points =
+  QCheck2.Gen.(list_size (return 60) (triple (int_range (-12) 12) (int_range (-12) 12) (int_range (-12) 12)))
 
 let same_points (star, points) =
   let solids = solids star in
@@ -112,6 +89,24 @@ let same_points (star, points) =
     | Inside -> (inside = 1 && not border) || (inside = 0 && border)
     | Outside -> inside = 0 && not border
     | Border -> inside <= 1
+  in
+  List.for_all right points
+
+(* Points in eighths, as the corners are: rays go through corners and edges. *)
+let ray_agrees (star, points) =
+  let corners = List.concat_map (fun (a, b, c) -> [ a; b; c ]) star in
+  let set : Polyhedron.ifs =
+    {
+      ifs_vertices = Array.of_list (List.map (fun x -> ("", x)) corners);
+      ifs_faces = Array.of_list (List.mapi (fun k _ -> ("", [| 3 * k; (3 * k) + 1; (3 * k) + 2 |])) star);
+    }
+  in
+  let faces = List.init (List.length star) Fun.id in
+  let right (x, y, z) =
+    let x = Vec.make (q x 8) (q y 8) (q z 8) in
+    match in_star star x with
+    | Border -> true
+    | (Inside | Outside) as place -> Bool.equal (place = Inside) (Within.surface set faces x)
   in
   List.for_all right points
 
@@ -174,5 +169,6 @@ let () =
             property "so is the area in each plane" random_star same_surface;
             property "each point is in one part, or in none" (QCheck2.Gen.pair random_star random_points)
               same_points;
+            property "a ray tells what is within" (QCheck2.Gen.pair random_star near_points) ray_agrees;
           ] );
     ]
