@@ -144,13 +144,9 @@ let run color json mend seconds mass output path =
   let go output = Guard.run console (fun () -> decompose console ~mend ~seconds ~mass output path) in
   match output with
   | None -> go None
-  | Some file -> (
-      match writer file with
-      | Some (_, write) -> go (Some (file, write))
-      | None ->
-        Guard.usage
-          (Printf.sprintf "`%s' does not tell a format that parts are written in, by its ending: %s" file
-             (String.concat ", " (List.map fst formats))))
+  | Some file ->
+    let find file = Option.map snd (writer file) in
+    Guard.by_ending file ~endings:(List.map fst formats) ~what:"parts" find (fun output -> go (Some output))
 
 let mesh =
   let doc = "A polyhedron file, in any format that $(b,scc shape) reads." in

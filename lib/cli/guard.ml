@@ -33,6 +33,14 @@ let usage message =
   complain [ "scc: " ^ message ];
   Exit_code.Usage
 
+let by_ending path ~endings ~what find go =
+  match find path with
+  | Some how -> go (path, how)
+  | None ->
+    usage
+      (Printf.sprintf "`%s' does not tell a format that %s are written in, by its ending: %s" path what
+         (String.concat ", " endings))
+
 let bug what =
   complain
     [

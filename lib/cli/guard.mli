@@ -15,6 +15,14 @@ val stopped : Console.t -> string -> Exit_code.t
 val usage : string -> Exit_code.t
 (** Says what is wrong with the command line: exit 64. *)
 
+val by_ending :
+  string ->
+  endings:string list ->
+  what:string ->
+  (string -> 'a option) ->
+  (string * 'a -> Exit_code.t) -> Exit_code.t
+(** Goes on with a file to be written and what is found for the ending of its name; {!usage} if nothing is. *)
+
 val run : Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
 (** Runs a command; diagnostics are {!invalid}. Turns exceptions into exit codes: an output that failed (74), an
     output that nobody reads any more (4, silently), no memory left (4), our own bugs and everything unforeseen

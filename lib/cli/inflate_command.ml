@@ -96,13 +96,9 @@ let run color json o =
   let go write = Guard.run console (fun () -> inflate console o write) in
   match o.output with
   | None -> go None
-  | Some path -> (
-      match Scc_mesh.Written.to_file ~path with
-      | Some text -> go (Some (path, text))
-      | None ->
-        Guard.usage
-          (Printf.sprintf "`%s' does not tell a format that shapes are written in, by its ending: %s" path
-             (String.concat ", " Scc_mesh.Written.endings)))
+  | Some path ->
+    let find path = Scc_mesh.Written.to_file ~path in
+    Guard.by_ending path ~endings:Scc_mesh.Written.endings ~what:"shapes" find (fun output -> go (Some output))
 
 (* {1 The command line} *)
 

@@ -214,13 +214,9 @@ let run color json overrides o argument =
     Guard.usage "--faces and --snap do not go together: both choose the planes of faces"
   | None when o.round -> Guard.usage "--round tells how -o writes"
   | None -> go None
-  | Some path -> (
-      match Scc_mesh.Written.to_file ~path with
-      | Some text -> go (Some (path, text))
-      | None ->
-        Guard.usage
-          (Printf.sprintf "`%s' does not tell a format that shapes are written in, by its ending: %s" path
-             (String.concat ", " Scc_mesh.Written.endings)))
+  | Some path ->
+    let find path = Scc_mesh.Written.to_file ~path in
+    Guard.by_ending path ~endings:Scc_mesh.Written.endings ~what:"shapes" find (fun output -> go (Some output))
 
 let argument =
   let formats = Scc_mesh.Mesh.formats in

@@ -266,7 +266,7 @@ let warn_off_centre (c : Context.t) =
       let centroid = (c.solid b Mat.identity).Solid.centroid in
       if not (Vec.is_zero centroid) then
         Report.warning c.report Code.off_centre t.span
-          "the centroid of `%s` is at %s of its frame, not at the origin" b.label (Vec.to_string centroid)
+          "the centroid of `%s` is at %s of its frame, not at the origin" b.label (Vec.in_short centroid)
           ~hint:"nothing depends on it: motion and contact are computed about the true centroid"
     end
   in

@@ -39,3 +39,9 @@ let hash a = (((Rat.hash a.x * 31) + Rat.hash a.y) * 31) + Rat.hash a.z
 
 let to_string a =
   Printf.sprintf "(%s, %s, %s)" (Rat.to_string a.x) (Rat.to_string a.y) (Rat.to_string a.z)
+
+let in_short a =
+  let text = to_string a in
+  let about q = Printf.sprintf "%.6g" (Rat.to_float q) in
+  if String.length text <= 120 then text
+  else Printf.sprintf "about (%s, %s, %s)" (about a.x) (about a.y) (about a.z)

@@ -35,3 +35,6 @@ val hash : t -> int
 
 val to_string : t -> string
 (** ["(x, y, z)"]. *)
+
+val in_short : t -> string
+(** The same, for people; rounded if it would be longer than a line, and then it says [about]. *)

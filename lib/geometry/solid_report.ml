@@ -44,7 +44,7 @@ let faults r =
     [
       Diag.warning Code.off_centre Span.none
         "the centroid %s is not the origin of body space (positions and motion are of the centroid)"
-        (Vec.to_string centroid);
+        (Vec.in_short centroid);
     ]
 
 (* {1 Text} *)
