@@ -156,10 +156,13 @@ let edges () =
     let z = Z.of_string text in
     let b = Buffer.create 16 in
     Packed.put_integer b z;
+    let takes_bytes = Char.code (Buffer.nth b 0) land 1 = 1 in
+    Alcotest.(check bool) (text ^ " is long") (Z.geq (Z.abs z) (Z.of_int 0x20000000)) takes_bytes;
     Alcotest.(check string) text text (Z.to_string (Packed.integer (Packed.source (Buffer.contents b))))
   in
   List.iter one
-    [ "0"; "1"; "-1"; "536870911"; "536870912"; "1073741823"; "1073741824"; "-1073741823"; "-1073741824";
+    [ "0"; "1"; "-1"; "536870911"; "536870912"; "-536870911"; "-536870912"; "1073741823";
+      "1073741824"; "-1073741823"; "-1073741824";
       "4294967295"; "4294967296"; "18446744073709551616"; "-340282366920938463463374607431768211456" ]
 
 let () =
