@@ -4,3 +4,7 @@ let words_of_bytes n = n / word
 let words_of_mib n = words_of_bytes (n * mib)
 let bytes_of_words n = n * word
 let heap_words () = (Gc.quick_stat ()).heap_words
+
+let beside_bytes = ref 0
+let beside () = !beside_bytes
+let set_beside bytes = beside_bytes := bytes

@@ -11,3 +11,8 @@ val bytes_of_words : int -> int
 
 val heap_words : unit -> int
 (** What the heap takes now. *)
+
+val beside : unit -> int
+(** Bytes of the heaps of other processes that work for this one. *)
+
+val set_beside : int -> unit

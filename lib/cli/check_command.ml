@@ -159,8 +159,10 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let* view = view extras l in
   Console.report console (l.warnings @ Vacuity.impossible l);
   let* initial = Loaded.initial l in
+  let* () = if zones && Option.is_some extras.store then Expanded.no_sets else Ok () in
+  let* expanded = Expanded.openly ~jobs:extras.jobs ~store:extras.store (Check_extras.explored extras budget) l in
   let options =
-    let options = Check_options.starting console watch budget in
+    let options = { (Check_options.starting console watch budget) with expanding = Expanded.expanding expanded } in
     let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in
     let compact = if extras.compact then Some states else None in
     { options with reductions = extras.reductions; order = extras.order; compact; prove = extras.prove }
@@ -168,7 +170,9 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   (* What an invariant decides need not be explored: then nothing is known of premises. *)
   let premises = if extras.prove && not zones then [] else l.premises in
   let explore () =
-    let run () = Verdicts.report options l ~initial ~exactly:where ~premises l.checks in
+    let run () =
+      Expanded.guard expanded (fun () -> Verdicts.report options l ~initial ~exactly:where ~premises l.checks)
+    in
     match (Watch.attempt watch).run Reporting run with
     | Ok report -> report
     | Error stop -> Ok (Check.unexplored options (l.checks @ premises) stop)
@@ -194,6 +198,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
       Console.report console [ d ];
       code := Exit_code.worst [ !code; Unwritten ]
   in
+  List.iter (fun d -> output (Error d)) (Expanded.close expanded);
   Option.iter (fun folder -> output (write_witnesses l path folder verdicts)) extras.witness;
   Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
   let named = named_where verdicts report in
@@ -217,6 +222,8 @@ let run color json budget (extras : Check_extras.t) given path =
   let console = Console.make ~color ~json () in
   if unfit extras then
     Guard.usage "--witness does not go with --no-reduce jump: schedules are replayed with jumps"
+  else if extras.compact && Option.is_some extras.store then
+    Guard.usage "--store does not go with --hash-compact: what a store keeps is exact"
   else
     Guard.run console (fun () ->
         match check console budget extras given path with

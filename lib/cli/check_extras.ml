@@ -17,6 +17,8 @@ type t = {
   prove : bool;
   invariant : string option;
   full : bool;
+  jobs : int option;
+  store : string option;
 }
 
 let witness =
@@ -137,12 +139,42 @@ let invariant =
   in
   Arg.(value & opt (some string) None & info [ "invariant" ] ~docv:"FILE" ~doc)
 
+let jobs =
+  let doc =
+    "How many processes explore. By default as many as there are cores, once it pays; with 1 it is this process \
+     alone. Whatever it is, the report is the same, to the byte."
+  in
+  Arg.(
+    value
+    & opt (some (Options.integer ~least:1 ~most:1024 "number of processes from 1 to 1024")) None
+    & info [ "j"; "jobs" ] ~docv:"J" ~doc)
+
+let store =
+  let doc =
+    "Keeps the exploration in the folder $(docv) while it goes on, which is made if need be. After an interruption, \
+     the same command goes on from there, and ends with the report of a run that was never interrupted. See STORES."
+  in
+  Arg.(value & opt (some string) None & info [ "store" ] ~docv:"DIR" ~doc)
+
+let explored e (budget : Scc_session.Budget.t) =
+  let number = function None -> "default" | Some n -> string_of_int n in
+  [
+    ("--no-reduce", String.concat "," (List.filter_map (fun k ->
+         if List.exists (Reduction.equal k) e.reductions then None else Some (Reduction.name k)) Reduction.all));
+    ("--shortest", match e.order with State_graph.By_steps -> "steps" | By_time -> "time");
+    ("--depth", number budget.depth);
+    ("--time", Option.fold ~none:"default" ~some:Scc_exact.Rat.to_string budget.time);
+    ("--states", number budget.states);
+    ("--bits", number budget.bits);
+  ]
+
 let term =
-  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant full =
+  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant full jobs
+      store =
     let prove = prove || Option.is_some invariant in
     {
       witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; prove; invariant;
-      full;
+      full; jobs; store;
     }
   in
   Term.(
@@ -150,4 +182,5 @@ let term =
     $ slice $ prove $ invariant
     $ Options.full
       "Tells runs in full: every step and every body, and numbers with all their digits; in JSON all steps of the \
-       way to a state that was not explored.")
+       way to a state that was not explored."
+    $ jobs $ store)

@@ -16,6 +16,12 @@ type t = {
   prove : bool;  (** look for an invariant first *)
   invariant : string option;  (** a file for it *)
   full : bool;  (** runs with all there is *)
+  jobs : int option;  (** processes; [None]: as many as help *)
+  store : string option;  (** a folder *)
 }
 
 val term : t Cmdliner.Term.t
+
+val explored : t -> Scc_session.Budget.t -> (string * string) list
+(** By their names, the options on which a graph depends, or which graphs there are, without those that end the work
+    before it is done. *)

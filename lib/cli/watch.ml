@@ -91,7 +91,7 @@ let over t (stage : Limits.stage) =
 
 let look t =
   let passed = passed t in
-  let bytes = if t.memory < infinity then resident () else 0. in
+  let bytes = if t.memory < infinity then resident () +. float_of_int (Memory.beside ()) else 0. in
   t.over <- beyond t ~passed ~bytes ~more:0. ~share:(1. -. left_to_conclusions);
   t.late <- beyond t ~passed ~bytes ~more:grace ~share:1.;
   t.last <- beyond t ~passed ~bytes ~more:(1.5 *. grace) ~share:1.1;

@@ -88,6 +88,13 @@ let vector s =
   let z = rational s in
   Vec.make x y z
 
+let text s =
+  let n = nat s in
+  if n > left s then fail "a text is longer than what is there";
+  let text = String.sub s.text s.next n in
+  s.next <- s.next + n;
+  text
+
 let list s item =
   let n = nat s in
   if n > left s then fail "a list is longer than what is there";

@@ -29,5 +29,8 @@ val integer : source -> Z.t
 val rational : source -> Rat.t
 val vector : source -> Vec.t
 
+val text : source -> string
+(** A length, and so many bytes. *)
+
 val list : source -> (source -> 'a) -> 'a list
 (** Its length, and so many things of at least a byte each. *)

@@ -112,15 +112,15 @@ let put_process t buffer (p : State.process) =
   Option.iter (put_draw buffer) p.draw;
   Option.iter (put_lots t buffer) p.lots
 
+let put_step buffer (step : State.step) =
+  Packed.put_rational buffer step.remaining;
+  put_phase buffer step.phase
+
 let encode t (s : State.t) =
   let buffer = Buffer.create 256 in
   Packed.put_nat buffer version;
   put_list buffer (put_process t) (Array.to_list s.processes);
-  let step buffer (step : State.step) =
-    Packed.put_rational buffer step.remaining;
-    put_phase buffer step.phase
-  in
-  put_list buffer step (Option.to_list s.step);
+  put_list buffer put_step (Option.to_list s.step);
   put_list buffer Packed.put_rational (Option.to_list s.time);
   Buffer.contents buffer
 
@@ -222,16 +222,17 @@ let process t source =
     malformed "a bond ends at a body of another process";
   State.process ?phase ?draw ?lots ~spin ~since ~lasts ~kept ~leaves ~bonds ~velocity ~clock ()
 
+let step source : State.step =
+  let remaining = Packed.rational source in
+  { remaining; phase = phase source }
+
 let decode t text =
   let source = Packed.source text in
   let read () =
     let v = Packed.nat source in
     if v <> version then malformed (Printf.sprintf "it is of version %d, and %d is read" v version);
     let processes = Packed.list source (process t) in
-    let step = option source (fun source : State.step ->
-        let remaining = Packed.rational source in
-        { remaining; phase = phase source })
-    in
+    let step = option source step in
     let time = option source Packed.rational in
     if not (Packed.at_end source) then malformed "there is more than a state";
     let state = State.make ~processes ~step ~time in

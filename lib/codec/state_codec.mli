@@ -19,3 +19,16 @@ val decode : t -> string -> (State.t, string) result
 (** [decode t (encode t s)] is [Ok s], and nothing but [encode t s] gives [s]. Otherwise what is wrong. What is
     decoded names leaves, features and behaviours that are there; whether it is well-formed, is for
     {!Scc_semantics.Well_formed} to say. *)
+
+(** {1 Parts}
+
+    The bytes of parts of a state, as they stand in it, for those who tell states apart by their parts. [version] is
+    not among them. Readers raise {!Packed.Malformed}; they do not ask whether what they read is in the one form
+    that it has, so that they are for bytes that were written by the same program. *)
+
+val put_process : t -> Buffer.t -> State.process -> unit
+val process : t -> Packed.source -> State.process
+val put_step : Buffer.t -> State.step -> unit
+val step : Packed.source -> State.step
+val put_bond : t -> Buffer.t -> State.bond -> unit
+val bond : t -> Packed.source -> State.bond

@@ -49,6 +49,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
     ?observe:(Graph.t -> int -> int array -> unit) ->
     ?order:Graph.order ->
     ?keep_edges:bool ->
+    ?expanding:Graph.expanding ->
     ?settled:(Graph.t -> bool) ->
     rests:(int array -> bool) ->
     Limits.t ->

@@ -70,7 +70,8 @@ module Make (L : Lts.S) = struct
       if not (List.exists same s.left) then s.left <- reason :: s.left
 
   (* States are expanded in the order of their numbers, so that each waits, whether or not it is to be expanded. *)
-  let add s key label ~choice =
+  let add s key label changes ~choice =
+    L.entered s.context changes;
     Distances.push s.paths label;
     Choices.push s.choices choice;
     Int_queue.push s.frontier key
@@ -100,7 +101,7 @@ module Make (L : Lts.S) = struct
     end
     else if Fingerprints.add s.seen key then begin
       let number = size s in
-      add s key (after s i step) ~choice;
+      add s key (after s i step) step.changes ~choice;
       Limits.within around (fun () -> visitor.found number (Tuples.apply step.changes tuple))
     end
 
@@ -129,7 +130,8 @@ module Make (L : Lts.S) = struct
     let room = match limits.states with None -> capacity | Some n -> Int.min n capacity in
     let near = Tuples.spread tuples in
     let first = L.initial context in
-    let key = Tuples.key tuples ~near (Tuples.difference (Array.map (fun _ -> -1) first) first) in
+    let whole = Tuples.difference (Array.map (fun _ -> -1) first) first in
+    let key = Tuples.key tuples ~near whole in
     let s =
       {
         context; limits; room; tuples; near;
@@ -143,7 +145,7 @@ module Make (L : Lts.S) = struct
       }
     in
     ignore (Fingerprints.add s.seen key);
-    add s key Distances.origin ~choice:0;
+    add s key Distances.origin whole ~choice:0;
     (s, first)
 
   let progress s i : Limits.progress =

@@ -17,24 +17,10 @@ let of_stop = Statuses.of_stop
 type 'fault status = 'fault Statuses.status = Expanded | Queued | Unexpanded of 'fault reason
 
 module Make (L : Lts.S) = struct
-  type edge = { label : int; target : int }
-  type step = { source : int; choice : int }
-  type order = By_steps | By_time
+  include Explored_graph.Make (L)
 
-  type t = {
-    context : L.context;
-    order : order;
-    tuples : Tuples.t;
-    near : Tuples.spread;  (** the state being expanded *)
-    reader : Tuples.spread;  (** for those who ask *)
-    distances : Distances.t;
-    statuses : L.fault Statuses.t;
-    frontier : Frontier.t;
-    edges : Edge_store.t option;
-    mutable transitions : int;
-    mutable turns : bool;
-    timed : Timed_labels.t;
-  }
+  type arrow = New of Lts.step | Known of edge
+  type expansion = All of Lts.step list | Noted of { arrows : arrow list; count : int }
 
   type visitor = {
     found : t -> int -> int array -> unit;
@@ -53,113 +39,11 @@ module Make (L : Lts.S) = struct
       enough = (fun () -> false);
     }
 
-  let context g = g.context
-  let size g = Tuples.size g.tuples
-  let depth g i = Distances.depth g.distances i
-  let arrival g i = Distances.arrival g.distances i
-  let transitions g = g.transitions
-  let turns g = g.turns
-  let duration g e = L.duration g.context e.label
-
-  let tuple g i =
-    Tuples.load g.tuples g.reader i;
-    Tuples.slots g.reader
-
-  (** {2 Statuses} *)
-
-  let status g i = Statuses.get g.statuses i
-  let is_expanded g i = Statuses.is_expanded g.statuses i
-  let mark g i status = Statuses.set g.statuses i status
-  let leave_out g i reason = mark g i (Unexpanded reason)
-
-  let unexpanded g =
-    let reason i = match status g i with Unexpanded reason -> [ (i, reason) ] | Expanded | Queued -> [] in
-    let rec from i acc = if i < 0 then acc else from (i - 1) (reason i @ acc) in
-    from (size g - 1) []
-
-  let complete g =
-    let rec from i = i = size g || (is_expanded g i && from (i + 1)) in
-    from 0
-
-  let greatest_depth g = Distances.greatest_depth g.distances
-  let greatest_arrival g = Distances.greatest_arrival g.distances
-
-  (** {2 Edges} *)
-
-  let takes_time g label = Timed_labels.takes_time g.timed label ~duration:(L.duration g.context)
-
-  (* Those that were put off when the state was expanded may lead to states that are not there. *)
-  let edges_of_steps g steps =
-    let edge (s : Lts.step) =
-      match Tuples.find g.tuples ~near:g.reader s.changes with
-      | -1 -> None
-      | target -> Some { label = s.label; target }
-    in
-    Array.of_list (List.filter_map edge steps)
-
-  let made_anew g i =
-    let tuple = tuple g i in
-    match L.successors g.context tuple with
-    | Ok steps -> edges_of_steps g steps
-    | Error _ -> Scc_base.Bug.fail __POS__ "the transitions of a state cannot be made again"
-
-  (* Of a state whose transitions have been made, though it may not have been looked at to the end. *)
-  let known_edges g i =
-    match g.edges with
-    | None -> made_anew g i
-    | Some store -> Edge_store.get store i (fun label target -> { label; target })
-
-  let edges g i = if is_expanded g i then known_edges g i else [||]
-
-  let passing g i =
-    let timed e = takes_time g e.label in
-    let label =
-      match g.edges with
-      | Some store when is_expanded g i -> Edge_store.find_label store i (takes_time g)
-      | Some _ | None -> Option.map (fun e -> e.label) (List.find_opt timed (Array.to_list (edges g i)))
-    in
-    Option.map (L.duration g.context) label
-
-  let targets g ~timed i =
-    let wanted label = Bool.equal timed (takes_time g label) in
-    match g.edges with
-    | Some store when is_expanded g i -> Edge_store.targets store i wanted
-    | Some _ | None ->
-      let fitting = List.filter (fun e -> wanted e.label) (Array.to_list (edges g i)) in
-      Array.of_list (List.map (fun e -> e.target) fitting)
-
-  (** {2 Paths} *)
-
-  (* The first choice that leads from the one state to the other and passes the test. *)
-  let choice g source target test =
-    let edges = known_edges g source in
-    let rec from k =
-      if k = Array.length edges then Scc_base.Bug.fail __POS__ "a path without an edge"
-      else if edges.(k).target = target && test edges.(k) then k
-      else from (k + 1)
-    in
-    from 0
-
-  let path g before test i =
-    let rec go i acc =
-      match before g.distances i with
-      | -1 -> acc
-      | source -> go source ({ source; choice = choice g source i (test source i) } :: acc)
-    in
-    go i []
-
-  let ancestors g =
-    let rec before known = function
-      | -1 -> known
-      | i -> before (i :: known) (Distances.before_nearest g.distances i)
-    in
-    before []
-
-  let shortest_path g i = path g Distances.before_nearest (fun _ _ _ -> true) i
-
-  let earliest_path g i =
-    let in_time source target e = Rat.equal (arrival g target) (Rat.add (arrival g source) (duration g e)) in
-    path g Distances.before_earliest in_time i
+  type expander = {
+    expand : int -> int array -> (expansion, L.fault) result;
+    expanded : (int -> (arrow * bool) list -> unit) option;
+    finish : unit -> unit;
+  }
 
   (** {2 Bounds} *)
 
@@ -172,22 +56,17 @@ module Make (L : Lts.S) = struct
     else if beyond (Distances.instant g.distances i) limits.instant then Some Instant
     else None
 
-  type memory = { states : int; labels : int; edges : int }
-
-  let memory g =
-    {
-      states = Tuples.bytes g.tuples;
-      labels = Distances.bytes g.distances + Statuses.bytes g.statuses;
-      edges = Option.fold ~none:0 ~some:Edge_store.bytes g.edges;
-    }
-
   (** {2 Growing the graph} *)
+
+  let mark g i status = Statuses.set g.statuses i status
+  let leave_out g i reason = mark g i (Unexpanded reason)
 
   (* Hardly any exploration has numbers that are too long: which states have is asked only then. *)
   let too_long g limits tuple =
     Limits.too_long limits ~longest:(L.longest g.context) ~bits:(fun () -> L.bits g.context (tuple ()))
 
-  let add g limits i label tuple =
+  let add g limits i label changes tuple =
+    L.entered g.context changes;
     Distances.push g.distances label;
     Option.iter Edge_store.make_room g.edges;
     if too_long g limits tuple then leave_out g i Bits
@@ -257,7 +136,7 @@ module Make (L : Lts.S) = struct
   let connect g limits i tuple n ({ label; changes } : Lts.step) =
     let known = size g in
     let id = Tuples.intern_prepared g.tuples n in
-    if id = known then add g limits id (after g i label) (fun () -> Tuples.apply changes tuple);
+    if id = known then add g limits id (after g i label) changes (fun () -> Tuples.apply changes tuple);
     id
 
   (* Shows the visitor those that are new, in the order of their numbers from [first] on. *)
@@ -277,44 +156,86 @@ module Make (L : Lts.S) = struct
     && Distances.arrival_number g.distances target = Distances.arrival_number g.distances i
     && depth g target = depth g i + 1
 
+  (* Whether the edge changes anything for its target. *)
   let relax g limits visitor i e =
-    if not (is_plain g i e.label e.target) then begin
+    let matters = not (is_plain g i e.label e.target) in
+    if matters then begin
       let better, is_earlier = improve g i e in
       if is_earlier then visitor.earlier g e.target;
       if better then settle g limits visitor e.target
-    end
+    end;
+    matters
+
+  let all_or_some g ~some ~all =
+    match some with
+    | Some steps when List.for_all (is_new g) steps -> Ok steps
+    | Some _ | None -> all ()
 
   let successors g tuple =
-    match L.reduced g.context tuple with
-    | Some steps when List.for_all (is_new g) steps -> Ok steps
-    | Some _ | None -> L.successors g.context tuple
+    all_or_some g ~some:(L.reduced g.context tuple) ~all:(fun () -> L.successors g.context tuple)
+
+  (* The targets of the steps of a state that has just been loaded, and those that are new among them. *)
+  let looked_up g limits i tuple steps =
+    List.iteri (fun n (s : Lts.step) -> Tuples.prepare g.tuples ~near:g.near s.changes n) steps;
+    Tuples.fetch g.tuples (List.length steps);
+    List.mapi (connect g limits i tuple) steps
+
+  let not_as_noted () = Scc_base.Bug.fail __POS__ "an expansion is not what it was when it was noted"
+
+  let as_noted g limits i tuple arrows =
+    let target = function
+      | Known { target; _ } -> if target < size g then target else not_as_noted ()
+      | New s ->
+        let known = size g in
+        Tuples.prepare g.tuples ~near:g.near s.changes 0;
+        if connect g limits i tuple 0 s = known then known else not_as_noted ()
+    in
+    List.map target arrows
+
+  let without_target = function New s -> s | Known { label; _ } -> { Lts.label; changes = [||] }
+
+  (* The first edge to a state that is new makes it; others from the same state find it there. *)
+  let arrows ~first steps targets =
+    let next = ref first in
+    let arrow (s : Lts.step) target =
+      if target = !next then begin
+        incr next;
+        New s
+      end
+      else Known { label = s.label; target }
+    in
+    List.map2 arrow steps targets
 
   (* Expands a state; or says what ends the exploration. *)
-  let expand g (limits : Limits.t) around visitor i =
+  let expand g (limits : Limits.t) around visitor expander i =
     Tuples.load g.tuples g.near i;
     let tuple = Tuples.slots g.near in
-    match Limits.within around (fun () -> successors g tuple) with
+    let grow steps ~targets ~count =
+      match limits.states with
+      | Some n when not (fits g (n - size g) tuple steps) -> Some States
+      | Some _ | None ->
+        mark g i Expanded;
+        let first = size g in
+        let targets = targets () in
+        g.transitions <- g.transitions + count;
+        let edge (s : Lts.step) target = { label = s.label; target } in
+        let keep store = Edge_store.set store i (List.map2 (fun (s : Lts.step) t -> (s.label, t)) steps targets) in
+        Option.iter keep g.edges;
+        introduce g around visitor ~first tuple steps targets;
+        let matter = List.map2 (fun s target -> relax g limits visitor i (edge s target)) steps targets in
+        let edges () = Array.of_list (List.map2 edge steps targets) in
+        Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
+        Option.iter (fun told -> told i (List.combine (arrows ~first steps targets) matter)) expander.expanded;
+        None
+    in
+    match Limits.within around (fun () -> expander.expand i tuple) with
     | Error fault ->
       leave_out g i (Fault fault);
       None
-    | Ok steps when match limits.states with None -> false | Some n -> not (fits g (n - size g) tuple steps) ->
-      Some States
-    | Ok steps ->
-      mark g i Expanded;
-      List.iteri (fun n (s : Lts.step) -> Tuples.prepare g.tuples ~near:g.near s.changes n) steps;
-      let count = List.length steps in
-      Tuples.fetch g.tuples count;
-      let first = size g in
-      let targets = List.mapi (connect g limits i tuple) steps in
-      g.transitions <- g.transitions + count;
-      let edge (s : Lts.step) target = { label = s.label; target } in
-      let keep store = Edge_store.set store i (List.map2 (fun (s : Lts.step) t -> (s.label, t)) steps targets) in
-      Option.iter keep g.edges;
-      introduce g around visitor ~first tuple steps targets;
-      List.iter2 (fun s target -> relax g limits visitor i (edge s target)) steps targets;
-      let edges () = Array.of_list (List.map2 edge steps targets) in
-      Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
-      None
+    | Ok (All steps) ->
+      grow steps ~targets:(fun () -> looked_up g limits i tuple steps) ~count:(List.length steps)
+    | Ok (Noted { arrows; count }) ->
+      grow (List.map without_target arrows) ~targets:(fun () -> as_noted g limits i tuple arrows) ~count
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
   let give_up g i reason =
@@ -346,7 +267,7 @@ module Make (L : Lts.S) = struct
     }
 
   (* Looks at a state that waited; or says what ends the exploration. *)
-  let visit g limits around visitor i =
+  let visit g limits around visitor expander i =
     match (status g i, out_of_bounds g limits i) with
     | (Expanded | Unexpanded _), _ -> None
     | Queued, Some reason ->
@@ -355,13 +276,34 @@ module Make (L : Lts.S) = struct
     | Queued, None when not (visitor.matters (arrival g i)) ->
       leave_out g i Stopped;
       None
-    | Queued, None -> expand g limits around visitor i
+    | Queued, None -> expand g limits around visitor expander i
 
-  let run ?(visitor = blind) ?(order = By_steps) ?(keep_edges = true) (limits : Limits.t)
+  (* Those that will be expanded as far as can be told now, the next one first. *)
+  let exists_waiting g limits visitor test =
+    let waits i =
+      match status g i with
+      | Queued -> Option.is_none (out_of_bounds g limits i) && visitor.matters (arrival g i)
+      | Expanded | Unexpanded _ -> false
+    in
+    Frontier.exists (fun i -> waits i && test i) g.frontier
+
+  type expanding = t -> all_edges:bool -> waiting:((int -> bool) -> bool) -> expander
+
+  let here g ~all_edges:_ ~waiting:_ =
+    {
+      expand = (fun _ tuple -> Result.map (fun steps -> All steps) (successors g tuple));
+      expanded = None;
+      finish = Fun.id;
+    }
+
+  let run ?(visitor = blind) ?(order = By_steps) ?(keep_edges = true) ?(expanding = here) (limits : Limits.t)
       (around : Limits.surroundings) context =
     let g = empty context order keep_edges in
     let first = L.initial context in
-    let i = Tuples.intern g.tuples ~near:g.near (Tuples.difference (Array.map (fun _ -> -1) first) first) in
+    let whole = Tuples.difference (Array.map (fun _ -> -1) first) first in
+    let i = Tuples.intern g.tuples ~near:g.near whole in
+    let all_edges = keep_edges || Option.is_some visitor.opened in
+    let expander = expanding g ~all_edges ~waiting:(exists_waiting g limits visitor) in
     (* What ends the exploration, at this state or before it. *)
     let look round i =
       if visitor.enough () then Some Stopped
@@ -370,7 +312,7 @@ module Make (L : Lts.S) = struct
         | Some stop -> Some (Statuses.of_stop stop)
         | None -> (
             if round land 255 = 0 then around.progress (progress g i);
-            match visit g limits around visitor i with
+            match visit g limits around visitor expander i with
             | reason -> reason
             | exception Limits.Over stop ->
               (* It may have been expanded, but not looked at to the end. *)
@@ -385,9 +327,12 @@ module Make (L : Lts.S) = struct
           | Some reason -> give_up g i reason
           | None -> loop (round + 1))
     in
-    add g limits i Distances.origin (fun () -> first);
-    (match Limits.within around (fun () -> visitor.found g i first) with
-     | () -> loop 0
-     | exception Limits.Over stop -> give_up g i (Statuses.of_stop stop));
+    let explore () =
+      add g limits i Distances.origin whole (fun () -> first);
+      match Limits.within around (fun () -> visitor.found g i first) with
+      | () -> loop 0
+      | exception Limits.Over stop -> give_up g i (Statuses.of_stop stop)
+    in
+    Fun.protect explore ~finally:expander.finish;
     g
 end

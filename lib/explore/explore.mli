@@ -50,8 +50,44 @@ module Make (L : Lts.S) : sig
     | By_steps  (** those found first first: breadth-first *)
     | By_time  (** by their earliest arrivals, then as found *)
 
+  (** {1 Where transitions come from} *)
+
+  (** An edge of a state that is expanded: to one that is new, or to one that is there by then. *)
+  type arrow = New of Lts.step | Known of edge
+
+  (** What is found at a state: all of its transitions, or, where it was expanded before in the same graph, those
+      that change anything, and how many there are. *)
+  type expansion = All of Lts.step list | Noted of { arrows : arrow list; count : int }
+
+  (** Who finds the transitions of states. What a graph is does not depend on it. *)
+  type expander = {
+    expand : int -> int array -> (expansion, L.fault) result;
+    (** of a state and its tuple. Called within an attempt, which may be given up wherever it is *)
+    expanded : (int -> (arrow * bool) list -> unit) option;
+    (** told of each state that was expanded and looked at to the end: what was found, in order, and of each edge
+        whether it has changed anything. Edges of which only the number was noted are left out *)
+    finish : unit -> unit;  (** at the end, whatever that is *)
+  }
+
+  type expanding = t -> all_edges:bool -> waiting:((int -> bool) -> bool) -> expander
+  (** Of an exploration that begins. [all_edges]: edges are kept or looked at, also those that change nothing.
+      [waiting test]: whether one of the states satisfies the test that are to be expanded as far as can be told
+      now; the next one is looked at first, and none after the one that does. *)
+
+  val here : expanding
+  (** By {!successors}. *)
+
+  val successors : t -> int array -> (Lts.step list, L.fault) result
+  (** What {!expander.expand} is to find: the reduced transitions of a tuple if all of them lead to states that are
+      not known, and else all. *)
+
+  val all_or_some :
+    t -> some:Lts.step list option -> all:(unit -> (Lts.step list, L.fault) result) ->
+    (Lts.step list, L.fault) result
+  (** The same of the state that is expanded, when both are known. *)
+
   val run :
-    ?visitor:visitor -> ?order:order -> ?keep_edges:bool ->
+    ?visitor:visitor -> ?order:order -> ?keep_edges:bool -> ?expanding:expanding ->
     Limits.t -> Limits.surroundings -> L.context -> t
   (** Explores until nothing is left to expand within the bounds, or a bound on the resources is met, or
       the visitor has seen enough. Edges are kept unless told otherwise. *)

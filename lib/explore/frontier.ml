@@ -53,3 +53,9 @@ let take = function
 let iter f = function
   | Line l -> Queue.iter (fun run -> for i = run.first to run.last do f i done) l.runs
   | Calendar c -> Times.iter (fun _ day -> Queue.iter f day) c.days
+
+let exists test f =
+  let rec between i last = i <= last && (test i || between (i + 1) last) in
+  match f with
+  | Line l -> Seq.fold_left (fun found run -> found || between run.first run.last) false (Queue.to_seq l.runs)
+  | Calendar c -> Times.exists (fun _ day -> Seq.fold_left (fun found i -> found || test i) false (Queue.to_seq day)) c.days

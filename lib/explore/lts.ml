@@ -22,6 +22,9 @@ module type S = sig
       they lead to states that have not been seen yet: what else is possible is put off, and possible
       afterwards. [None]: no less than all will do. *)
 
+  val entered : context -> Tuples.changes -> unit
+  (** A state has been found that differs so from one that was found before; of the first, all of it. *)
+
   val longest : context -> int
   (** No number that came up is longer than so many bits. Answered at once. *)
 
@@ -30,4 +33,27 @@ module type S = sig
 
   val duration : context -> int -> Scc_exact.Rat.t
   (** Of a label; 0 for a discrete transition. *)
+end
+
+(** What the numbers of a system mean to another process: they are exchanged for bytes, which are the same for the
+    same things in each of them. *)
+module type Exchange = sig
+  type context
+
+  val width : context -> int
+  (** Of the tuples. *)
+
+  val families : context -> int
+  val family : context -> int -> int
+  (** Of a slot, below {!families}: slots of one family share their numbers. *)
+
+  val component : context -> family:int -> int -> string
+  val of_component : context -> family:int -> string -> int
+  (** Raises [Failure], with what is wrong, for bytes that {!component} has not made for the same model; so does
+      {!of_name}. *)
+
+  val name : context -> int -> string
+  (** Of a label. *)
+
+  val of_name : context -> string -> int
 end

@@ -115,6 +115,19 @@ let step_slot = leaves
 let time_slot c = leaves c + option_slot (Model.of_all c.model)
 let mark_slot c = time_slot c + option_slot c.model.keeps_time
 
+type slot = Process | Step | Time | Mark
+
+let slot c i =
+  if i < leaves c then Process
+  else if Model.of_all c.model && i = step_slot c then Step
+  else if c.model.keeps_time && i = time_slot c then Time
+  else if c.marked then Mark
+  else Process
+
+let step c i = Steps.get c.steps i
+let step_number c s = Steps.intern c.steps s
+let rational c i = Rationals.get c.times i
+
 (* The tuple of the empty network has a slot all the same. *)
 let width c = Int.max 1 (mark_slot c + option_slot c.marked)
 let bodies c = Pairs.size c.processes
@@ -186,10 +199,12 @@ let time_number c time =
   c.bits <- Int.max c.bits (Rat.bits seen);
   Rationals.intern c.times seen
 
+let rational_number = time_number
+
 let encode c (s : State.t) =
   let tuple = Array.make (width c) nobody in
   Array.iter (fun p -> tuple.(first_leaf p) <- process c p) s.processes;
-  Option.iter (fun step -> tuple.(step_slot c) <- Steps.intern c.steps step) s.step;
+  Option.iter (fun step -> tuple.(step_slot c) <- step_number c step) s.step;
   Option.iter (fun time -> tuple.(time_slot c) <- time_number c time) s.time;
   tuple
 
@@ -211,22 +226,11 @@ let pass_time c tuple d =
     tuple.(slot) <- time_number c (Rat.add (Rationals.get c.times tuple.(slot)) d)
   end
 
-let exists_form c test =
-  let rec from i = i < forms c && (test (form c i) || from (i + 1)) in
-  from 0
-
 let label c l = Labels.intern c.labels l
 let label_of c i = Labels.get c.labels i
 
-let find_label c f =
-  let rec from i =
-    if i >= Labels.size c.labels then None
-    else match f (label_of c i) with Some _ as found -> found | None -> from (i + 1)
-  in
-  from 0
-
-let has_events c =
-  Option.is_some (find_label c (fun l -> if Transition.is_time l then None else Some ()))
+let labels c = List.init (Labels.size c.labels) (label_of c)
+let has_events c = List.exists (fun l -> not (Transition.is_time l)) (labels c)
 
 let duration c i = Transition.duration_of (label_of c i)
 

@@ -34,6 +34,21 @@ val time : t -> int array -> Rat.t option
 val pass_time : t -> int array -> Rat.t -> unit
 (** Puts the time forward, if states have it. *)
 
+(** {1 Slots} *)
+
+(** What the numbers in a slot stand for. *)
+type slot = Process | Step | Time | Mark
+
+val slot : t -> int -> slot
+
+val step : t -> int -> State.step
+val step_number : t -> State.step -> int
+val rational : t -> int -> Rat.t
+(** Of a number in the slot of time. *)
+
+val rational_number : t -> Rat.t -> int
+(** Of such a time, as it is seen. *)
+
 (** {1 Components} *)
 
 (** Things numbered as they are first seen. *)
@@ -74,8 +89,8 @@ val first_leaf : State.process -> int
 val label : t -> Transition.label -> int
 val label_of : t -> int -> Transition.label
 
-val find_label : t -> (Transition.label -> 'a option) -> 'a option
-(** What a function has for the first of the labels that have come up for which it has something. *)
+val labels : t -> Transition.label list
+(** That have come up. *)
 
 val has_events : t -> bool
 (** Whether a label has come up that is no passing of time. *)
@@ -87,9 +102,6 @@ val bodies : t -> int
 (** How many processes have been seen. *)
 
 val forms : t -> int
-
-val exists_form : t -> (State.process -> bool) -> bool
-(** Whether one of the forms that have been seen is so. *)
 
 val greatest_bits : t -> int
 (** No number that came up is longer; with the parts of a process relative to its first leaf. *)

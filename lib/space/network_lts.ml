@@ -54,9 +54,12 @@ type context = {
   quotient : Quotient.t;
   visible : (int -> bool) option;
   initial : State.t;
+  codec : Scc_codec.State_codec.t Lazy.t;
   singles : alone array;  (** the last that were asked for, at their numbers modulo the size *)
   pairs : together array;  (** likewise *)
   mutable given_up : Transition.fault list;  (** at the states seen so far, each once *)
+  mutable seen : Bytes.t;  (** a bit for each process: whether a state has been found that has it *)
+  mutable may_split : bool;  (** one of them may split at a split instant *)
 }
 
 let no_pair = { pair = -1; collisions = []; contact = None }
@@ -65,6 +68,7 @@ let catalogue c = c.book.catalogue
 let semantics c = c.book.semantics
 let model c = Semantics.model (semantics c)
 let start c = c.initial
+let codec c = Lazy.force c.codec
 let width c = Catalogue.width (catalogue c)
 let initial c = Quotient.representative c.quotient (catalogue c) (Catalogue.encode (catalogue c) c.initial)
 let longest c = Catalogue.greatest_bits (catalogue c)
@@ -175,12 +179,35 @@ let make ?(events = []) ?(time_seen = Time_seen.Always) ?(quotient = Quotient.no
     | p :: _ when Model.straight model -> Array.make memory (look book (Catalogue.process catalogue p))
     | _ :: _ -> [||]
   in
-  { book; quotient; visible; initial; singles = filler; pairs = Array.make memory no_pair; given_up = [] }
+  let codec = lazy (Scc_codec.State_codec.make model initial) in
+  { book; quotient; visible; initial; codec; singles = filler; pairs = Array.make memory no_pair; given_up = [];
+    seen = Bytes.empty; may_split = false }
+
+(* Processes that were only thought of, as targets of transitions that are not possible as yet, do not count. *)
+let enter c number =
+  let at = number lsr 3 and bit = 1 lsl (number land 7) in
+  if at >= Bytes.length c.seen then begin
+    let seen = Bytes.make (Int.max 1024 (2 * (at + 1))) '\000' in
+    Bytes.blit c.seen 0 seen 0 (Bytes.length c.seen);
+    c.seen <- seen
+  end;
+  let byte = Char.code (Bytes.unsafe_get c.seen at) in
+  if byte land bit = 0 then begin
+    Bytes.unsafe_set c.seen at (Char.unsafe_chr (byte lor bit));
+    let p = Catalogue.form (catalogue c) (Catalogue.body (catalogue c) number).form in
+    if Option.is_some p.clock || Option.is_some (Lots.wait (model c) p) then c.may_split <- true
+  end
+
+let entered c changes =
+  let leaves = Array.length (model c).leaves in
+  for i = 0 to (Array.length changes / 2) - 1 do
+    let number = changes.((2 * i) + 1) in
+    if changes.(2 * i) < leaves && number <> Catalogue.nobody then enter c number
+  done
 
 let split_step c =
-  let may_split (p : State.process) = Option.is_some p.clock || Option.is_some (Lots.wait (model c) p) in
   match (model c).splits with
-  | Every step when Catalogue.exists_form (catalogue c) may_split -> Some step
+  | Every step when c.may_split -> Some step
   | Every _ | Any_time -> None
 
 let given_up c = List.rev c.given_up
@@ -202,8 +229,11 @@ let unmarked c tuple =
   set_mark c copy 0;
   copy
 
+let happened c mark = Marks.get c.book.marks mark
+let mark_of c events = Marks.intern c.book.marks events
+
 let arrived c tuple event =
-  let happened = Marks.get c.book.marks tuple.(Catalogue.mark_slot (catalogue c)) in
+  let happened = happened c tuple.(Catalogue.mark_slot (catalogue c)) in
   List.exists (fun i -> Formula.equal_event (List.nth c.book.events i) event) happened
 
 (** {2 Transitions of the whole} *)

@@ -26,13 +26,22 @@ val make :
 val arrived : context -> int array -> Property.event -> bool
 (** Whether the transition that has just led to the state was of the event, one of those of {!make}. *)
 
+val happened : context -> int -> int list
+(** The places of the events that a mark stands for ({!Catalogue.mark_slot}). *)
+
+val mark_of : context -> int list -> int
+(** The mark of some events, by their places, increasing. *)
+
 val catalogue : context -> Catalogue.t
 val semantics : context -> Semantics.t
 val model : context -> Model.t
 val start : context -> State.t
 
+val codec : context -> Scc_codec.State_codec.t
+(** Of the states of the model. *)
+
 val split_step : context -> Rat.t option
-(** Between the instants at which weak splits were looked at, when one has been enabled in a state seen so far: in
+(** Between the instants at which weak splits were looked at, when one has been enabled in a state found so far: in
     the calculus they may happen at any time between them as well (reading I-9). *)
 
 val given_up : context -> Transition.fault list

@@ -16,6 +16,7 @@ type options = Joint_check.options = {
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
   prove : bool;
+  expanding : about:string -> State_graph.expanding;
 }
 
 val default : options

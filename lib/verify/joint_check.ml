@@ -16,6 +16,7 @@ type options = {
   surroundings : Limits.surroundings;
   observe : (State.t -> unit) option;
   prove : bool;
+  expanding : about:string -> Graph.expanding;
 }
 
 let default =
@@ -27,6 +28,7 @@ let default =
     surroundings = Limits.quiet;
     observe = None;
     prove = false;
+    expanding = (fun ~about:_ -> Graph.here);
   }
 
 type stats = {
@@ -291,6 +293,11 @@ let unsettled options context graph ~horizon : Unsettled.t =
     horizon;
   }
 
+(* No check has such a name. *)
+let about = function
+  | [] -> "no property"
+  | checks -> String.concat "," (List.map (fun (c : Property.check) -> c.name) checks)
+
 (* One exploration for some checks. *)
 let check options semantics ~initial (checks : Property.check list) =
   let plans = List.map plan checks in
@@ -319,8 +326,8 @@ let check options semantics ~initial (checks : Property.check list) =
     | _ :: _ -> Some settled
   in
   let result =
-    Search.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits) ~rests limits
-      options.surroundings context asked
+    Search.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits)
+      ~expanding:(options.expanding ~about:(about checks)) ~rests limits options.surroundings context asked
   in
   let graph = result.graph in
   let r = unsettled options context graph ~horizon in
@@ -345,7 +352,8 @@ let explore ?time_seen ?(visitor = fun _ -> Graph.blind) options semantics ~init
   let context = Network_lts.make ?time_seen semantics initial in
   let limits = Bounds.limits options.bounds ~horizon:None in
   let graph =
-    Graph.run ~visitor:(visitor context) ~order:options.order limits options.surroundings context
+    Graph.run ~visitor:(visitor context) ~order:options.order ~expanding:(options.expanding ~about:"all states") limits
+      options.surroundings context
   in
   let r = unsettled options context graph ~horizon:None in
   (context, graph, stats r)

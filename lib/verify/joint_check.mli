@@ -21,6 +21,9 @@ type options = {
   prove : bool;
   (** over zones, an invariant is looked for before anything is explored, and not only where nothing else proves it
       (rule Invariants), in half of the time *)
+  expanding : about:string -> State_graph.expanding;
+  (** asked for with each exploration; what it is about and the options determine it, and explorations that are about
+      the same come in the same order *)
 }
 
 val default : options

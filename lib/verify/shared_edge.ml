@@ -48,4 +48,6 @@ let warning context =
     | Bind b | Close b -> List.find_map (of_end m initial b.name) [ b.one; b.two ]
     | Time _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> None
   in
-  Catalogue.find_label (Network_lts.catalogue context) of_label
+  match List.sort Scc_base.Diag.compare (List.filter_map of_label (Catalogue.labels (Network_lts.catalogue context))) with
+  | [] -> None
+  | first :: _ -> Some first

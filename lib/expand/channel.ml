@@ -1,0 +1,81 @@
+exception Closed
+
+type t = { fd : Unix.file_descr; pid : int;  (** of the other process; 0 there *) head : Bytes.t }
+
+(** {2 Whole messages}
+
+    The length of a message in four bytes, and then the message. *)
+
+let rec again f = match f () with x -> x | exception Unix.Unix_error (EINTR, _, _) -> again f
+
+let closed f =
+  match again f with
+  | x -> x
+  | exception Unix.Unix_error ((EPIPE | ECONNRESET | EBADF), _, _) -> raise Closed
+
+let rec write c bytes from left =
+  if left > 0 then begin
+    let n = closed (fun () -> Unix.write c.fd bytes from left) in
+    write c bytes (from + n) (left - n)
+  end
+
+let rec read c bytes from left =
+  if left > 0 then begin
+    let n = closed (fun () -> Unix.read c.fd bytes from left) in
+    if n = 0 then raise Closed;
+    read c bytes (from + n) (left - n)
+  end
+
+let put c message =
+  let length = Buffer.length message in
+  let bytes = Bytes.create (4 + length) in
+  Bytes.set_int32_le bytes 0 (Int32.of_int length);
+  Buffer.blit message 0 bytes 4 length;
+  write c bytes 0 (4 + length)
+
+let get c =
+  read c c.head 0 4;
+  let length = Int32.to_int (Bytes.get_int32_le c.head 0) in
+  let bytes = Bytes.create length in
+  read c bytes 0 length;
+  Bytes.unsafe_to_string bytes
+
+let readable seconds list =
+  match Unix.select (List.map (fun c -> c.fd) list) [] [] seconds with
+  | fds, _, _ -> List.filter (fun c -> List.mem c.fd fds) list
+  | exception Unix.Unix_error (EINTR, _, _) -> []
+
+let ready list = readable 0.2 list
+let has_message c = match readable 0. [ c ] with [] -> false | _ :: _ -> true
+
+(** {2 Processes} *)
+
+(* Without the process that forked it, a child ends when it waits for a message, or tells of something. *)
+let child fd work =
+  List.iter (fun s -> Sys.set_signal s Sys.Signal_ignore) [ Sys.sigint; Sys.sigpipe ];
+  List.iter (fun s -> Sys.set_signal s Sys.Signal_default) [ Sys.sigterm; Sys.sigalrm ];
+  match work { fd; pid = 0; head = Bytes.create 4 } with
+  | () | (exception Closed) -> Unix._exit 0
+  | exception e ->
+    prerr_endline (Printexc.to_string e);
+    Unix._exit 70
+
+let fork work =
+  let ours, theirs = Unix.socketpair ~cloexec:true PF_UNIX SOCK_STREAM 0 in
+  let signals = [ Sys.sigint; Sys.sigterm; Sys.sigalrm ] in
+  let before = Unix.sigprocmask SIG_BLOCK signals in
+  match Unix.fork () with
+  | 0 ->
+    Unix.close ours;
+    List.iter (fun s -> Sys.set_signal s Sys.Signal_ignore) signals;
+    ignore (Unix.sigprocmask SIG_SETMASK before);
+    child theirs work
+  | pid ->
+    ignore (Unix.sigprocmask SIG_SETMASK before);
+    Unix.close theirs;
+    { fd = ours; pid; head = Bytes.create 4 }
+
+let close c =
+  (match Unix.kill c.pid Sys.sigkill with () | (exception Unix.Unix_error _) -> ());
+  (match Unix.close c.fd with () | (exception Unix.Unix_error _) -> ());
+  match again (fun () -> Unix.waitpid [] c.pid) with _ -> () | exception Unix.Unix_error _ -> ()

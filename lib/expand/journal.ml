@@ -1,0 +1,179 @@
+open Scc_base
+open Scc_codec
+open Scc_explore
+
+exception Unfit of string
+
+(* A block is written when it has so many bytes, or so many seconds after the one before. *)
+let full = 1 lsl 20
+let patience = 1.
+
+(* The clock is asked after so many notes. *)
+let between_looks = 64
+
+module Make
+    (L : Lts.S)
+    (E : Lts.Exchange with type context = L.context)
+    (Graph : module type of Explore.Make (L)) = struct
+  module Wire = Wire.Make (E)
+
+  type note = { state : int; count : int; arrows : Graph.arrow list }
+
+  type t = {
+    log : Log.t;
+    wire : Wire.t;
+    all_edges : bool;
+    mutable source : Packed.source option;  (** of the block that is read; [None]: all has been *)
+    mutable ahead : note option;  (** the next note *)
+    mutable followed : bool;  (** the state that is being expanded was noted before *)
+    mutable last : int;  (** the state of the last note *)
+    buffer : Buffer.t;
+    mutable notes : int;  (** in the buffer *)
+    mutable written : float;  (** when, the last block *)
+  }
+
+  (** {2 Notes as bytes}
+
+      The state, as a difference from the one after that of the note before; how many edges it has; and those that
+      are told. An edge is its label and 0, with what is different in the new state, or 1 + the number of a state. *)
+
+  let zigzag n = if n >= 0 then 2 * n else (-2 * n) - 1
+  let unzigzag n = if n land 1 = 0 then n / 2 else -((n + 1) / 2)
+
+  let put_arrow j (arrow : Graph.arrow) =
+    match arrow with
+    | New s ->
+      Wire.put_label j.wire j.buffer s.label;
+      Packed.put_nat j.buffer 0;
+      Wire.put_changes j.wire j.buffer s.changes
+    | Known e ->
+      Wire.put_label j.wire j.buffer e.label;
+      Packed.put_nat j.buffer (e.target + 1)
+
+  let put j note =
+    Packed.put_nat j.buffer (zigzag (note.state - j.last - 1));
+    Packed.put_nat j.buffer note.count;
+    Packed.put_nat j.buffer (List.length note.arrows);
+    List.iter (put_arrow j) note.arrows;
+    j.last <- note.state;
+    j.notes <- j.notes + 1
+
+  let arrow j source : Graph.arrow =
+    let label = Wire.read_label j.wire source in
+    match Packed.nat source with
+    | 0 -> New { label; changes = Wire.read_changes j.wire source }
+    | n -> Known { label; target = n - 1 }
+
+  let read j source =
+    let state = j.last + 1 + unzigzag (Packed.nat source) in
+    let count = Packed.nat source in
+    j.last <- state;
+    { state; count; arrows = Packed.list source (arrow j) }
+
+  (** {2 Blocks} *)
+
+  let unfit what = raise (Unfit what)
+
+  (* Each begins with whether all edges are told. *)
+  let open_block j block =
+    let source = Packed.source block in
+    let told = Packed.nat source in
+    if told <> Bool.to_int j.all_edges then unfit "it was written for other questions";
+    source
+
+  let rec advance j =
+    match j.source with
+    | None -> j.ahead <- None
+    | Some source when Packed.at_end source ->
+      j.source <- Option.map (open_block j) (j.log.next ());
+      advance j
+    | Some source -> j.ahead <- Some (read j source)
+
+  let advance j =
+    match advance j with
+    | () -> ()
+    | exception (Packed.Malformed what | Failure what) -> unfit what
+
+  let write j =
+    if j.notes > 0 then begin
+      let block = Buffer.create (Buffer.length j.buffer + 1) in
+      Packed.put_nat block (Bool.to_int j.all_edges);
+      Buffer.add_buffer block j.buffer;
+      Buffer.clear j.buffer;
+      j.notes <- 0;
+      j.log.keep (Buffer.contents block)
+    end;
+    j.written <- Unix.gettimeofday ()
+
+  let write_in_time j =
+    if
+      Buffer.length j.buffer >= full
+      || (j.notes land (between_looks - 1) = 0 && Unix.gettimeofday () -. j.written > patience)
+    then write j
+
+  (** {2 Following and noting} *)
+
+  (* Of edges that change nothing the number will do, unless all are told. A label is told when it first comes up, so
+     that all are known of the edges of a graph. *)
+  let is_told j ((arrow : Graph.arrow), matters) =
+    match arrow with
+    | New _ -> true
+    | Known e -> j.all_edges || matters || not (Wire.knows_label j.wire e.label)
+
+  let note j state edges =
+    Critical.run (fun () ->
+        put j { state; count = List.length edges; arrows = List.map fst (List.filter (is_told j) edges) };
+        write_in_time j)
+
+  let follow j =
+    Critical.run (fun () ->
+        let note = j.ahead in
+        advance j;
+        note)
+
+  let expanding log (after : Graph.expanding) : Graph.expanding =
+   fun g ~all_edges ~waiting ->
+    let j =
+      {
+        log;
+        wire = Wire.make (Graph.context g);
+        all_edges;
+        source = Some (Packed.source "");
+        ahead = None;
+        followed = false;
+        last = -1;
+        buffer = Buffer.create full;
+        notes = 0;
+        written = Unix.gettimeofday ();
+      }
+    in
+    advance j;
+    let after = lazy (after g ~all_edges ~waiting) in
+    let afresh state tuple = (Lazy.force after).Graph.expand state tuple in
+    let expand state tuple =
+      match j.ahead with
+      | Some n when n.state = state ->
+        j.followed <- true;
+        let n = Option.get (follow j) in
+        Ok (Graph.Noted { arrows = n.arrows; count = n.count })
+      | Some _ -> (
+          (* What is not noted has no transitions. *)
+          match afresh state tuple with
+          | (Ok (All []) | Error _) as none -> none
+          | Ok _ -> unfit (Printf.sprintf "there is nothing of state %d" state))
+      | None ->
+        j.followed <- false;
+        afresh state tuple
+    in
+    let expanded state edges =
+      match edges with
+      | [] -> ()
+      | _ :: _ when j.followed -> j.followed <- false
+      | _ :: _ -> note j state edges
+    in
+    let finish () =
+      Critical.run (fun () -> write j);
+      if Lazy.is_val after then (Lazy.force after).finish ()
+    in
+    { expand; expanded = Some expanded; finish }
+end

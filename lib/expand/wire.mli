@@ -1,0 +1,21 @@
+(** Transitions as bytes, to another process or to a later one: numbers of labels and of what is in the slots by
+    {!Dictionary}, one for each family. *)
+
+open Scc_codec
+open Scc_explore
+
+module Make (E : Lts.Exchange) : sig
+  type t
+
+  val make : E.context -> t
+  val knows_label : t -> int -> bool
+  val put_label : t -> Buffer.t -> int -> unit
+  val read_label : t -> Packed.source -> int
+
+  val put_changes : t -> Buffer.t -> Tuples.changes -> unit
+  val read_changes : t -> Packed.source -> Tuples.changes
+
+  val put_tuple : t -> Buffer.t -> int array -> unit
+  val read_tuple : t -> Packed.source -> int array
+end
+(** Readers raise {!Packed.Malformed} and [Failure]. *)

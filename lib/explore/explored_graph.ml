@@ -1,0 +1,136 @@
+open Scc_exact
+
+module Make (L : Lts.S) = struct
+  type edge = { label : int; target : int }
+  type step = { source : int; choice : int }
+  type order = By_steps | By_time
+  type t = {
+    context : L.context;
+    order : order;
+    tuples : Tuples.t;
+    near : Tuples.spread;  (** the state being expanded *)
+    reader : Tuples.spread;  (** for those who ask *)
+    distances : Distances.t;
+    statuses : L.fault Statuses.t;
+    frontier : Frontier.t;
+    edges : Edge_store.t option;
+    mutable transitions : int;
+    mutable turns : bool;
+    timed : Timed_labels.t;
+  }
+
+  let context g = g.context
+  let size g = Tuples.size g.tuples
+  let depth g i = Distances.depth g.distances i
+  let arrival g i = Distances.arrival g.distances i
+  let transitions g = g.transitions
+  let turns g = g.turns
+  let duration g e = L.duration g.context e.label
+
+  let tuple g i =
+    Tuples.load g.tuples g.reader i;
+    Tuples.slots g.reader
+
+  (** {2 Statuses} *)
+
+  let status g i = Statuses.get g.statuses i
+  let is_expanded g i = Statuses.is_expanded g.statuses i
+  let unexpanded g =
+    let reason i = match status g i with Unexpanded reason -> [ (i, reason) ] | Expanded | Queued -> [] in
+    let rec from i acc = if i < 0 then acc else from (i - 1) (reason i @ acc) in
+    from (size g - 1) []
+
+  let complete g =
+    let rec from i = i = size g || (is_expanded g i && from (i + 1)) in
+    from 0
+
+  let greatest_depth g = Distances.greatest_depth g.distances
+  let greatest_arrival g = Distances.greatest_arrival g.distances
+
+  (** {2 Edges} *)
+
+  let takes_time g label = Timed_labels.takes_time g.timed label ~duration:(L.duration g.context)
+
+  (* Those that were put off when the state was expanded may lead to states that are not there. *)
+  let edges_of_steps g steps =
+    let edge (s : Lts.step) =
+      match Tuples.find g.tuples ~near:g.reader s.changes with
+      | -1 -> None
+      | target -> Some { label = s.label; target }
+    in
+    Array.of_list (List.filter_map edge steps)
+
+  let made_anew g i =
+    let tuple = tuple g i in
+    match L.successors g.context tuple with
+    | Ok steps -> edges_of_steps g steps
+    | Error _ -> Scc_base.Bug.fail __POS__ "the transitions of a state cannot be made again"
+
+  (* Of a state whose transitions have been made, though it may not have been looked at to the end. *)
+  let known_edges g i =
+    match g.edges with
+    | None -> made_anew g i
+    | Some store -> Edge_store.get store i (fun label target -> { label; target })
+
+  let edges g i = if is_expanded g i then known_edges g i else [||]
+
+  let passing g i =
+    let timed e = takes_time g e.label in
+    let label =
+      match g.edges with
+      | Some store when is_expanded g i -> Edge_store.find_label store i (takes_time g)
+      | Some _ | None -> Option.map (fun e -> e.label) (List.find_opt timed (Array.to_list (edges g i)))
+    in
+    Option.map (L.duration g.context) label
+
+  let targets g ~timed i =
+    let wanted label = Bool.equal timed (takes_time g label) in
+    match g.edges with
+    | Some store when is_expanded g i -> Edge_store.targets store i wanted
+    | Some _ | None ->
+      let fitting = List.filter (fun e -> wanted e.label) (Array.to_list (edges g i)) in
+      Array.of_list (List.map (fun e -> e.target) fitting)
+
+  (** {2 Paths} *)
+
+  (* The first choice that leads from the one state to the other and passes the test. *)
+  let choice g source target test =
+    let edges = known_edges g source in
+    let rec from k =
+      if k = Array.length edges then Scc_base.Bug.fail __POS__ "a path without an edge"
+      else if edges.(k).target = target && test edges.(k) then k
+      else from (k + 1)
+    in
+    from 0
+
+  let path g before test i =
+    let rec go i acc =
+      match before g.distances i with
+      | -1 -> acc
+      | source -> go source ({ source; choice = choice g source i (test source i) } :: acc)
+    in
+    go i []
+
+  let ancestors g =
+    let rec before known = function
+      | -1 -> known
+      | i -> before (i :: known) (Distances.before_nearest g.distances i)
+    in
+    before []
+
+  let shortest_path g i = path g Distances.before_nearest (fun _ _ _ -> true) i
+
+  let earliest_path g i =
+    let in_time source target e = Rat.equal (arrival g target) (Rat.add (arrival g source) (duration g e)) in
+    path g Distances.before_earliest in_time i
+
+  type memory = { states : int; labels : int; edges : int }
+
+  let memory g =
+    {
+      states = Tuples.bytes g.tuples;
+      labels = Distances.bytes g.distances + Statuses.bytes g.statuses;
+      edges = Option.fold ~none:0 ~some:Edge_store.bytes g.edges;
+    }
+
+end

@@ -1,0 +1,30 @@
+(** Explorations on disk: a folder with one SQLite database, in which each exploration of a run has its blocks
+    ({!Scc_expand.Log}), one transaction for each.
+
+    A block is there as a whole or not at all, and is there for good once {!Scc_expand.Log.t.keep} has returned:
+    the write-ahead log is synchronised with each transaction. Each block has a digest of itself and of all before
+    it, so that what is read is what was written, in its order. *)
+
+open Scc_base
+
+type t
+
+val openly : string -> identity:(string * string) list -> (t, Diag.t) result
+(** The store in a folder, which is made if it is not there. [identity]: of what it keeps explorations, by names
+    and values: all must be those that it was made with. It is this process's alone until it ends. The error:
+    the folder cannot be made, read or written, or is no store (SC0910); another process has it (SC0911); it keeps
+    something else, and what differs (SC0912); it is damaged (SC0913). All blocks have been looked at. *)
+
+val folder : t -> string
+
+val log : t -> string -> Scc_expand.Log.t
+(** Of the exploration of this name. A name that comes again in one run is that of another one: those come in the
+    same order in each run. When a block cannot be kept, this and all later ones are not, and {!failed} tells. *)
+
+val resumed : t -> bool
+(** It had blocks when it was opened. *)
+
+val failed : t -> Diag.t option
+(** Why blocks are not kept any more, if so (SC0914). *)
+
+val close : t -> unit
