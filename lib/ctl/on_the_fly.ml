@@ -257,25 +257,27 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   let monitor rests by_time question =
     { question; rests; by_time; met = None; decided = false; doubtful = [] }
 
-  (* A cycle of the whole graph along which no time passes. *)
-  let find_zeno_cycle g =
-    let arcs i =
-      Array.to_list (Array.mapi (fun k (e : Graph.edge) -> (k, e)) (Graph.edges g i))
-      |> List.filter (fun (_, e) -> Rat.sign (Graph.duration g e) = 0)
-      |> List.map (fun (k, (e : Graph.edge)) -> (e.target, k))
-    in
+  (* States that can be reached from some by edges without duration. *)
+  let reached_at_once g arcs targets =
+    let reached = Worklist.create (Graph.size g) in
+    for n = 0 to Int_vector.length targets - 1 do
+      Worklist.add reached (Int_vector.get targets n)
+    done;
+    Worklist.run reached (fun i -> List.iter (fun (j, _) -> Worklist.add reached j) (arcs i));
+    Worklist.mem reached
+
+  (* The first cycle along which no time passes, of those that lead through what is inside. *)
+  let find_cycle g arcs inside =
     let size = Graph.size g in
     let components =
-      Strong_components.compute ~size
-        ~inside:(fun _ -> true)
-        ~successors:(fun i -> Array.of_list (List.map fst (arcs i)))
+      Strong_components.compute ~size ~inside ~successors:(fun i -> Array.of_list (List.map fst (arcs i)))
     in
     let number = Strong_components.number components in
-    let inside i (j, _) = Int.equal (number i) (number j) in
+    let together i (j, _) = Int.equal (number i) (number j) in
     let cycle i =
       Option.map
         (fun (j, choice) ->
-           let successors u = List.filter (inside u) (arcs u) in
+           let successors u = List.filter (together u) (arcs u) in
            match Shortest_path.find ~successors ~from:j ~goal:(Int.equal i) with
            | None -> Bug.fail __POS__ "a component is not connected"
            | Some back ->
@@ -286,14 +288,24 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
                last = i;
                finish = Repeats (List.length stem);
              })
-        (List.find_opt (inside i) (arcs i))
+        (List.find_opt (together i) (arcs i))
     in
     let rec go i =
-      if i = size then None else match cycle i with Some t -> Some t | None -> go (i + 1)
+      if i = size then None
+      else match if inside i then cycle i else None with Some t -> Some t | None -> go (i + 1)
     in
     go 0
 
-  let zeno_cycle g = if Graph.turns g then find_zeno_cycle g else None
+  let zeno_cycle g =
+    let arcs i =
+      Array.to_list (Array.mapi (fun k (e : Graph.edge) -> (k, e)) (Graph.edges g i))
+      |> List.filter (fun (_, e) -> Rat.sign (Graph.duration g e) = 0)
+      |> List.map (fun (k, (e : Graph.edge)) -> (e.target, k))
+    in
+    match Graph.turning g with
+    | Anywhere -> find_cycle g arcs (fun _ -> true)
+    | At targets when Int_vector.length targets = 0 -> None
+    | At targets -> find_cycle g arcs (reached_at_once g arcs targets)
 
   (* Looking at a whole graph costs time in proportion to it: it is done each time that it has doubled. *)
   let at_doublings settled =

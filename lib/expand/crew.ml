@@ -160,9 +160,13 @@ module Make
   let has_room w =
     Queue.is_empty w.requests || (Queue.length w.requests < 2 && bytes_under_way w <= most_bytes / 2)
 
+  (* What is found is of no use before its turn: nobody runs far ahead of the process that has the graph. *)
+  let is_far_ahead c = Hashtbl.length c.states > 3 * c.batch * List.length c.workers
+
   let rec send c =
     match List.filter has_room c.workers with
     | [] -> ()
+    | _ :: _ when is_far_ahead c -> ()
     | free -> (
         let busy w = Queue.length w.requests in
         let w = List.hd (List.stable_sort (fun a b -> Int.compare (busy a) (busy b)) free) in
@@ -221,7 +225,7 @@ module Make
 
   (* Whether it pays is asked once the first states have been found here. *)
   let expanding ~jobs ~start : Graph.expanding =
-   fun g ~all_edges ~waiting ->
+    fun g ~all_edges ~waiting ->
     if jobs < 2 then Graph.here g ~all_edges ~waiting
     else begin
       let crew = ref None and turns = ref 0 in

@@ -4,8 +4,7 @@ open Scc_explore
 
 exception Unfit of string
 
-(* A block is written when it has so many bytes, or so many seconds after the one before. *)
-let full = 1 lsl 20
+(* Seconds after which a block is written that is not full. *)
 let patience = 1.
 
 (* The clock is asked after so many notes. *)
@@ -23,6 +22,7 @@ module Make
     log : Log.t;
     wire : Wire.t;
     all_edges : bool;
+    full : int;  (** bytes of a block *)
     mutable source : Packed.source option;  (** of the block that is read; [None]: all has been *)
     mutable ahead : note option;  (** the next note *)
     mutable followed : bool;  (** the state that is being expanded was noted before *)
@@ -107,7 +107,7 @@ module Make
 
   let write_in_time j =
     if
-      Buffer.length j.buffer >= full
+      Buffer.length j.buffer >= j.full
       || (j.notes land (between_looks - 1) = 0 && Unix.gettimeofday () -. j.written > patience)
     then write j
 
@@ -131,18 +131,19 @@ module Make
         advance j;
         note)
 
-  let expanding log (after : Graph.expanding) : Graph.expanding =
-   fun g ~all_edges ~waiting ->
+  let expanding ?(block = 1 lsl 20) log (after : Graph.expanding) : Graph.expanding =
+    fun g ~all_edges ~waiting ->
     let j =
       {
         log;
         wire = Wire.make (Graph.context g);
         all_edges;
+        full = block;
         source = Some (Packed.source "");
         ahead = None;
         followed = false;
         last = -1;
-        buffer = Buffer.create full;
+        buffer = Buffer.create 65536;
         notes = 0;
         written = Unix.gettimeofday ();
       }

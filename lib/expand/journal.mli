@@ -15,6 +15,7 @@ module Make
     (L : Lts.S)
     (_ : Lts.Exchange with type context = L.context)
     (Graph : module type of Explore.Make (L)) : sig
-  val expanding : Log.t -> Graph.expanding -> Graph.expanding
-  (** By what was kept, and then by another one, which is asked for when it is needed. *)
+  val expanding : ?block:int -> Log.t -> Graph.expanding -> Graph.expanding
+  (** By what was kept, and then by another one, which is asked for when it is needed. A block is written when it has
+      [block] bytes, a MiB by default, or a second after the one before. *)
 end

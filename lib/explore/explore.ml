@@ -1,3 +1,4 @@
+open Scc_data
 open Scc_exact
 
 type 'fault reason = 'fault Statuses.reason =
@@ -79,12 +80,23 @@ module Make (L : Lts.S) = struct
   let after g i label =
     Distances.after g.distances i (if takes_time g label then Some (L.duration g.context label) else None)
 
+  (* All states of a cycle without duration have one earliest arrival. When one of these changes, all edges of its
+     state are looked at again. *)
+  let are_reached_together g i j = Distances.arrival_number g.distances i = Distances.arrival_number g.distances j
+
+  let note_turning g target =
+    match g.turning with
+    | At targets -> Int_vector.push targets target
+    | Anywhere -> ()
+
   (* Better labels for the target of an edge; whether there were any, and whether it is reached earlier. *)
   let improve g i e =
     let known = depth g e.target in
     let nearer, is_earlier = Distances.improve g.distances e.target (after g i e.label) in
     (* An edge that leads deeper when it is found may not do so once a shorter path to its end is known. *)
-    if nearer || ((not (takes_time g e.label)) && known <= depth g i) then g.turns <- true;
+    if nearer then g.turning <- Anywhere
+    else if (not (takes_time g e.label)) && known <= depth g i && are_reached_together g i e.target then
+      note_turning g e.target;
     (nearer || is_earlier, is_earlier)
 
   (* A state left out for its labels alone, and now within the bounds, is taken up again. *)
@@ -253,7 +265,7 @@ module Make (L : Lts.S) = struct
       frontier = (match order with By_steps -> Frontier.by_steps () | By_time -> Frontier.by_time ());
       edges = (if keep_edges then Some (Edge_store.create ()) else None);
       transitions = 0;
-      turns = false;
+      turning = At (Int_vector.create ());
       timed = Timed_labels.create ();
     }
 

@@ -111,8 +111,12 @@ module Make (L : Lts.S) : sig
   val transitions : t -> int
   (** The number of edges. *)
 
-  val turns : t -> bool
-  (** Unless this is so, every edge without duration leads to a greater depth: there is no cycle of them. *)
+  (** Where cycles may be along which no time passes. *)
+  type turning =
+    | At of Scc_data.Int_vector.t  (** each of them leads through one of these states *)
+    | Anywhere
+
+  val turning : t -> turning
 
   val depth : t -> int -> int
   (** The least number of transitions from the initial state. *)

@@ -1,9 +1,13 @@
+open Scc_data
 open Scc_exact
 
 module Make (L : Lts.S) = struct
   type edge = { label : int; target : int }
   type step = { source : int; choice : int }
   type order = By_steps | By_time
+
+  type turning = At of Int_vector.t | Anywhere
+
   type t = {
     context : L.context;
     order : order;
@@ -15,7 +19,7 @@ module Make (L : Lts.S) = struct
     frontier : Frontier.t;
     edges : Edge_store.t option;
     mutable transitions : int;
-    mutable turns : bool;
+    mutable turning : turning;
     timed : Timed_labels.t;
   }
 
@@ -24,7 +28,7 @@ module Make (L : Lts.S) = struct
   let depth g i = Distances.depth g.distances i
   let arrival g i = Distances.arrival g.distances i
   let transitions g = g.transitions
-  let turns g = g.turns
+  let turning g = g.turning
   let duration g e = L.duration g.context e.label
 
   let tuple g i =

@@ -56,6 +56,9 @@ let iter f = function
 
 let exists test f =
   let rec between i last = i <= last && (test i || between (i + 1) last) in
+  let rec some holds seq =
+    match seq () with Seq.Nil -> false | Cons (x, rest) -> holds x || some holds rest
+  in
   match f with
-  | Line l -> Seq.fold_left (fun found run -> found || between run.first run.last) false (Queue.to_seq l.runs)
-  | Calendar c -> Times.exists (fun _ day -> Seq.fold_left (fun found i -> found || test i) false (Queue.to_seq day)) c.days
+  | Line l -> some (fun run -> between run.first run.last) (Queue.to_seq l.runs)
+  | Calendar c -> some (fun (_, day) -> some test (Queue.to_seq day)) (Times.to_seq c.days)

@@ -227,6 +227,7 @@ module Endless = struct
     Ok (List.map (fun t -> { Lts.label = 1; changes = [| 0; t |] }) [ 2 * s.(0); (2 * s.(0)) + 1 ])
 
   let reduced _ _ = None
+  let entered _ _ = ()
   let longest _ = 0
   let bits _ _ = 0
   let duration () _ = Rat.one

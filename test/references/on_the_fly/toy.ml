@@ -24,6 +24,7 @@ module System = struct
     Ok (match g.(s.(0)).ahead with Edges l -> List.map step l | Ray _ | Dead_end -> [])
 
   let reduced _ _ = None
+  let entered _ _ = ()
   let longest _ = 0
   let bits _ _ = 0
   let duration _ d = Rat.of_int d

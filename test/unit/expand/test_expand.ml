@@ -1,0 +1,307 @@
+(* Explorations that are kept, go on, or are worked on by several processes, against those of one process that does
+   all at once: on small random graphs, told by all that a visitor hears. *)
+
+open Scc_exact
+open Scc_explore
+open Scc_expand
+module Gen = QCheck2.Gen
+
+(* For each state its transitions (target, duration), or a fault. *)
+type toy = (int * int) list option array
+
+(* Things are numbered as they come up, so that no two processes have the same numbers for them. *)
+module Numbers = struct
+  type t = { number : (int, int) Hashtbl.t; mutable things : int list; first : int }
+
+  let create first = { number = Hashtbl.create 8; things = []; first }
+
+  let intern t thing =
+    match Hashtbl.find_opt t.number thing with
+    | Some n -> n
+    | None ->
+      let n = t.first + List.length t.things in
+      t.things <- t.things @ [ thing ];
+      Hashtbl.replace t.number thing n;
+      n
+
+  let get t n = List.nth t.things (n - t.first)
+end
+
+(* A state is a number twice, in two slots of one family, so that a change may be of one or two. *)
+module Toy = struct
+  type context = {
+    graph : toy;
+    states : Numbers.t;
+    durations : Numbers.t;
+    reducing : bool;  (** one transition will do where its target is new *)
+    dies : int -> bool;  (** in another process, at this state *)
+    own : int;  (** the number of this process *)
+  }
+
+  type fault = string
+
+  let make ?(reducing = false) ?(dies = fun _ -> false) ?(first = 0) graph =
+    {
+      graph; reducing; dies;
+      states = Numbers.create first;
+      durations = Numbers.create first;
+      own = Unix.getpid ();
+    }
+
+  let width _ = 2
+
+  let encode c s =
+    let a = Numbers.intern c.states (s / 3) in
+    [| a; Numbers.intern c.states (1000 + (s mod 3)) |]
+
+  let decode c (t : int array) = (3 * Numbers.get c.states t.(0)) + (Numbers.get c.states t.(1) - 1000)
+  let initial c = encode c 0
+
+  let step c from (target, d) =
+    { Lts.label = Numbers.intern c.durations d; changes = Tuples.difference from (encode c target) }
+
+  let successors c tuple =
+    let s = decode c tuple in
+    if c.dies s && Unix.getpid () <> c.own then Unix._exit 9;
+    match c.graph.(s) with
+    | Some l -> Ok (List.map (step c tuple) l)
+    | None -> Error "broken"
+
+  let reduced c tuple =
+    match c.graph.(decode c tuple) with
+    | Some (first :: _ :: _) when c.reducing -> Some [ step c tuple first ]
+    | Some _ | None -> None
+
+  let entered _ _ = ()
+  let duration c label = Rat.of_int (Numbers.get c.durations label)
+  let longest _ = 0
+  let bits _ _ = 0
+end
+
+module Exchange = struct
+  type context = Toy.context
+
+  let width = Toy.width
+  let families _ = 1
+  let family _ _ = 0
+  let component (c : context) ~family:_ n = string_of_int (Numbers.get c.states n)
+  let of_component (c : context) ~family:_ text = Numbers.intern c.states (int_of_string text)
+  let name (c : context) n = string_of_int (Numbers.get c.durations n)
+  let of_name (c : context) text = Numbers.intern c.durations (int_of_string text)
+end
+
+module Graph = Explore.Make (Toy)
+module Journal = Journal.Make (Toy) (Exchange) (Graph)
+module Crew = Scc_expand.Crew
+module Crews = Crew.Make (Toy) (Exchange) (Graph)
+
+(** {2 What is told of an exploration} *)
+
+type case = {
+  toy : toy;
+  depth : int option;
+  time : int option;
+  states : int option;
+  by_time : bool;
+  keep_edges : bool;
+  sees_edges : bool;
+  reducing : bool;
+}
+
+(* All that the visitor hears, and the graph that comes of it, by the names of states. *)
+let told ?expanding ?dies ?(first = 0) ?(stop = fun () -> None) case =
+  let context = Toy.make ~reducing:case.reducing ?dies ~first case.toy in
+  let heard = Buffer.create 256 in
+  let say format = Printf.bprintf heard (format ^^ "\n") in
+  let name g i = Toy.decode context (Graph.tuple g i) in
+  let edge g (e : Graph.edge) =
+    Printf.sprintf "%d@%s" (name g e.target) (Rat.to_string (Graph.duration g e))
+  in
+  let edges g list = String.concat " " (List.map (edge g) (Array.to_list list)) in
+  let visitor =
+    {
+      Graph.blind with
+      found = (fun g i tuple -> say "found %d: %d %d" i (Toy.decode context tuple) (Graph.depth g i));
+      opened = (if case.sees_edges then Some (fun g i _ list -> say "opened %d: %s" i (edges g list)) else None);
+      earlier = (fun g i -> say "earlier %d %s" i (Rat.to_string (Graph.arrival g i)));
+    }
+  in
+  let order = if case.by_time then Graph.By_time else By_steps in
+  let limits =
+    { Limits.unlimited with depth = case.depth; time = Option.map Rat.of_int case.time; states = case.states }
+  in
+  let g =
+    Graph.run ~visitor ~order ~keep_edges:case.keep_edges ?expanding limits { Limits.quiet with stop } context
+  in
+  let status = function Explore.Expanded -> "expanded" | Queued -> "queued" | Unexpanded _ -> "left" in
+  say "%d transitions" (Graph.transitions g);
+  for i = 0 to Graph.size g - 1 do
+    say "%d: %d %s %d %s: %s" i (name g i) (status (Graph.status g i)) (Graph.depth g i)
+      (Rat.to_string (Graph.arrival g i))
+      (edges g (Graph.edges g i))
+  done;
+  Buffer.contents heard
+
+let case_gen =
+  let open Gen in
+  let* n = int_range 1 12 in
+  let edge = pair (int_range 0 (n - 1)) (int_range 0 5) in
+  let node = frequency [ (12, map Option.some (list_size (int_range 0 3) edge)); (1, return None) ] in
+  let* toy = array_repeat n node in
+  let* depth = opt ~ratio:0.3 (int_range 0 8) in
+  let* time = opt ~ratio:0.3 (int_range 0 20) in
+  let* states = opt ~ratio:0.2 (int_range 1 10) in
+  let* by_time = bool in
+  let* keep_edges = bool in
+  let* sees_edges = bool in
+  let+ reducing = bool in
+  (* Transitions that are put off are not made anew. *)
+  { toy; depth; time; states; by_time; keep_edges = keep_edges || reducing; sees_edges; reducing }
+
+let print case =
+  let node = function
+    | None -> "fault"
+    | Some l -> String.concat " " (List.map (fun (t, d) -> Printf.sprintf "%d@%d" t d) l)
+  in
+  let bound = function None -> "-" | Some n -> string_of_int n in
+  Printf.sprintf "depth %s time %s states %s by time %b edges %b seen %b reducing %b\n%s" (bound case.depth)
+    (bound case.time) (bound case.states) case.by_time case.keep_edges case.sees_edges case.reducing
+    (String.concat "\n" (Array.to_list (Array.mapi (fun i x -> Printf.sprintf "%d: %s" i (node x)) case.toy)))
+
+let same case text expected =
+  String.equal text expected
+  || QCheck2.Test.fail_reportf "%s\n\n%s\n\ninstead of\n\n%s" (print case) text expected
+
+(** {2 What is kept} *)
+
+(* With a block for each note. *)
+let kept_from blocks = Log.in_memory blocks
+let by_journal log = Journal.expanding ~block:1 log Graph.here
+
+let rec prefixes = function [] -> [ [] ] | x :: rest -> [] :: List.map (fun p -> x :: p) (prefixes rest)
+
+let follows case =
+  let expected = told case in
+  let log, kept = kept_from [] in
+  ignore (same case (told ~expanding:(by_journal log) case) expected);
+  let all = kept () in
+  let goes_on blocks =
+    let log, kept = kept_from blocks in
+    same case (told ~expanding:(by_journal log) ~first:7 case) expected
+    && (kept () = all || QCheck2.Test.fail_reportf "%s\n\nother notes" (print case))
+  in
+  List.for_all goes_on (prefixes all)
+
+let kept =
+  QCheck2.Test.make ~count:1500 ~name:"from whatever was kept the exploration is the same" ~print case_gen follows
+
+(* Stopped after some looks, and again, until it comes to its end. *)
+let in_pieces (case, pieces) =
+  let expected = told case in
+  let stopping n =
+    let looks = ref 0 in
+    fun () ->
+      incr looks;
+      if !looks > n then Some Limits.Interrupted else None
+  in
+  let rec go blocks = function
+    | [] ->
+      let log, _ = kept_from blocks in
+      told ~expanding:(by_journal log) case
+    | n :: rest ->
+      let log, kept = kept_from blocks in
+      ignore (told ~expanding:(by_journal log) ~first:n ~stop:(stopping n) case);
+      go (kept ()) rest
+  in
+  same case (go [] pieces) expected
+
+let pieces =
+  QCheck2.Test.make ~count:3000 ~name:"stopped and resumed, it is the same"
+    ~print:(fun (c, _) -> print c)
+    Gen.(pair case_gen (list_size (int_range 1 4) (int_range 0 12)))
+    in_pieces
+
+(* Notes of another graph are seen not to fit, or make the exploration that they are of. *)
+let unfit () =
+  let case =
+    {
+      toy = [| Some [ (1, 0); (2, 0) ]; Some [ (2, 1) ]; Some [ (0, 1) ] |];
+      depth = None; time = None; states = None; by_time = false; keep_edges = true; sees_edges = false;
+      reducing = false;
+    }
+  in
+  let log, kept = kept_from [] in
+  ignore (told ~expanding:(by_journal log) case);
+  let refuses what blocks case =
+    let log, _ = kept_from blocks in
+    match told ~expanding:(by_journal log) case with
+    | _ -> Alcotest.failf "%s: it was taken" what
+    | exception Scc_expand.Journal.Unfit _ -> ()
+  in
+  let all = kept () in
+  refuses "other questions" all { case with keep_edges = false };
+  refuses "the first note is missing" (List.tl all) case;
+  refuses "a note that ends too early" [ String.sub (List.hd all) 0 2 ] case
+
+(** {2 Several processes} *)
+
+let by_crew jobs = Crews.expanding ~jobs ~start:Crew.At_once
+
+let together case = same case (told ~expanding:(by_crew 2) case) (told case)
+
+let crews =
+  QCheck2.Test.make ~count:300 ~name:"two processes find what one finds" ~print case_gen together
+
+let crew_and_journal case =
+  let expected = told case in
+  let log, kept = kept_from [] in
+  let run log = told ~expanding:(Journal.expanding ~block:1 log (by_crew 3)) case in
+  ignore (same case (run log) expected);
+  let some = List.filteri (fun i _ -> i < 2) (kept ()) in
+  same case (run (fst (kept_from some))) expected
+
+let both =
+  QCheck2.Test.make ~count:150 ~name:"also while it is kept" ~print case_gen crew_and_journal
+
+(* A process dies wherever it comes to such a state; in the end nobody is left but this one. *)
+let mortal (case, k) =
+  let dies s = s mod k = 0 in
+  same case (told ~dies ~expanding:(by_crew 2) case) (told case)
+
+let deaths =
+  QCheck2.Test.make ~count:100 ~name:"processes that die lose nothing"
+    ~print:(fun (c, _) -> print c)
+    Gen.(pair case_gen (int_range 1 4))
+    mortal
+
+let zigzags =
+  (* Long enough that requests are many, and some under way when others are asked for. *)
+  let n = 4000 in
+  let toy = Array.init n (fun i -> Some [ (((i * 7) + 1) mod n, 1); (((i * 3) + 2) mod n, 0); ((i + 1) mod n, 2) ]) in
+  let case by_time =
+    {
+      toy; depth = None; time = None; states = None; by_time; keep_edges = true; sees_edges = true;
+      reducing = false;
+    }
+  in
+  fun () ->
+    List.iter
+      (fun by_time ->
+         let case = case by_time in
+         let expected = told case in
+         List.iter
+           (fun jobs ->
+              Alcotest.(check bool) "the same" true (String.equal expected (told ~expanding:(by_crew jobs) case)))
+           [ 2; 5 ])
+      [ false; true ]
+
+let () =
+  Alcotest.run "expand"
+    [
+      ( "kept",
+        Scc_test_support.Property.cases [ kept; pieces ]
+        @ [ Alcotest.test_case "notes that do not fit" `Quick unfit ] );
+      ( "several processes",
+        Scc_test_support.Property.cases [ crews; both; deaths ]
+        @ [ Alcotest.test_case "a large graph" `Quick zigzags ] );
+    ]
