@@ -4,11 +4,12 @@ open Scc_explore
 
 exception Unfit of string
 
-(* Seconds after which a block is written that is not full. *)
-let patience = 1.
+(* Seconds after which a block is written that is not full: so that little is lost of a short exploration, and writing
+   takes little of the time of any. *)
+let patience ~since_beginning = Float.min 1. (Float.max 0.02 (since_beginning /. 20.))
 
 (* The clock is asked after so many notes. *)
-let between_looks = 64
+let between_looks = 32
 
 module Make
     (L : Lts.S)
@@ -29,6 +30,7 @@ module Make
     mutable last : int;  (** the state of the last note *)
     buffer : Buffer.t;
     mutable notes : int;  (** in the buffer *)
+    begun : float;
     mutable written : float;  (** when, the last block *)
   }
 
@@ -105,11 +107,12 @@ module Make
     end;
     j.written <- Unix.gettimeofday ()
 
+  let is_time j =
+    let now = Unix.gettimeofday () in
+    now -. j.written > patience ~since_beginning:(now -. j.begun)
+
   let write_in_time j =
-    if
-      Buffer.length j.buffer >= j.full
-      || (j.notes land (between_looks - 1) = 0 && Unix.gettimeofday () -. j.written > patience)
-    then write j
+    if Buffer.length j.buffer >= j.full || (j.notes land (between_looks - 1) = 0 && is_time j) then write j
 
   (** {2 Following and noting} *)
 
@@ -133,6 +136,7 @@ module Make
 
   let expanding ?(block = 1 lsl 20) log (after : Graph.expanding) : Graph.expanding =
     fun g ~all_edges ~waiting ->
+    let now = Unix.gettimeofday () in
     let j =
       {
         log;
@@ -145,7 +149,8 @@ module Make
         last = -1;
         buffer = Buffer.create 65536;
         notes = 0;
-        written = Unix.gettimeofday ();
+        begun = now;
+        written = now;
       }
     in
     advance j;

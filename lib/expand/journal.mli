@@ -17,5 +17,5 @@ module Make
     (Graph : module type of Explore.Make (L)) : sig
   val expanding : ?block:int -> Log.t -> Graph.expanding -> Graph.expanding
   (** By what was kept, and then by another one, which is asked for when it is needed. A block is written when it has
-      [block] bytes, a MiB by default, or a second after the one before. *)
+      [block] bytes, a MiB by default, or a while after the one before, a second at most. *)
 end

@@ -1,0 +1,313 @@
+#!/usr/bin/env python3
+"""Explorations that are kept, and what becomes of them: killed, interrupted, on full disks and with damaged files.
+
+    durability.py SCC [--instants N] [--seed N] [--only NAME] [--few]
+
+Whatever happens to a run with --store, the same command ends with the report of a run that nothing happened to, to
+the byte, or refuses the store with a code. --few is a part of it that takes some seconds. The last line is
+'N passed, N failed'.
+"""
+import argparse
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+MODELS = "specs/models/"
+BENCH = "test/bench/"
+
+# All kinds of property, and of option that an exploration depends on.
+EXPLORATIONS = {
+    "invariant": [BENCH + "checker/bonds.sc", "-D", "n=15"],
+    "hexokinase": [BENCH + "checker/hexokinase.sc", "-D", "n=4"],
+    "by time": [BENCH + "checker/hexokinase.sc", "-D", "n=3", "--shortest", "time"],
+    "depth": [BENCH + "checker/hexokinase.sc", "-D", "n=4", "--depth", "300"],
+    "states": [MODELS + "gas.sc", "-D", "n=3", "--states", "3000"],
+    "dimers": [BENCH + "dimers.sc", "-D", "n=6"],
+    "nested": [MODELS + "glycolysis.sc"],
+    "bounded time": [MODELS + "glycolysis.sc", "--time", "4"],
+    "slices": [MODELS + "crowded.sc"],
+    "no reduction": [MODELS + "crowded.sc", "--no-reduce", "all", "--depth", "12"],
+    "probabilities": [MODELS + "brownian.sc"],
+    "rates": [MODELS + "dissociation.sc"],
+    "cycles": [MODELS + "cradle.sc"],
+    "rigid": [MODELS + "tumbling.sc"],
+    "binding": [MODELS + "crosslink.sc"],
+    "enzyme": [MODELS + "enzyme.sc", "--json"],
+    "association": [MODELS + "association.sc", "--full"],
+    "coverage": [MODELS + "enzyme.sc", "--coverage"],
+    "invariants": [MODELS + "gas.sc", "--prove"],
+    "meeting": [MODELS + "meeting.sc"],
+}
+FEW = ["hexokinase", "by time", "slices", "probabilities", "coverage"]
+
+
+class Tally:
+    def __init__(self):
+        self.passed = self.failed = 0
+
+    def check(self, good, what):
+        if good:
+            self.passed += 1
+        else:
+            self.failed += 1
+            print("FAILED:", what, flush=True)
+
+
+def command(scc, args, store=None):
+    return [scc, "check", *args] + (["--store", store] if store else [])
+
+
+def run(cmd, **how):
+    done = subprocess.run(cmd, capture_output=True, text=True, timeout=600, **how)
+    return done.returncode, done.stdout, done.stderr
+
+
+def killed_after(cmd, seconds, how=signal.SIGKILL):
+    """Runs a command, and sends a signal after some seconds. Whether it was still running."""
+    process = subprocess.Popen(cmd, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+    try:
+        process.communicate(timeout=seconds)
+        return False
+    except subprocess.TimeoutExpired:
+        process.send_signal(how)
+        process.communicate(timeout=60)
+        return True
+    finally:
+        # Processes that worked for it end by themselves.
+        if process.poll() is None:
+            process.kill()
+
+
+def code_of(stderr):
+    at = stderr.find("error[SC")
+    return stderr[at + 6 : at + 12] if at >= 0 else None
+
+
+def kills(scc, names, instants, chance, folder, tally):
+    hit = 0
+    for name in names:
+        args = EXPLORATIONS[name]
+        began = time.time()
+        expected = run(command(scc, args))
+        lasts = time.time() - began
+        for k in range(instants):
+            store = os.path.join(folder, f"kill-{name}-{k}")
+            jobs = chance.choice([[], ["--jobs", "1"], ["--jobs", "2"]])
+            cmd = command(scc, args + jobs, store)
+            times = chance.choice([1, 1, 2, 3])
+            for _ in range(times):
+                hit += killed_after(cmd, chance.uniform(0.02, 1.2 * lasts + 0.05))
+            again = run(cmd)
+            tally.check(again == expected, f"{name}, killed {times} times: another report\n{again}\n{expected}")
+            tally.check(run(cmd) == expected, f"{name}: another report from a store that has all")
+            shutil.rmtree(store, ignore_errors=True)
+    print(f"{hit} runs were killed while they went on", flush=True)
+
+
+def interruptions(scc, names, chance, folder, tally):
+    for name in names:
+        args = EXPLORATIONS[name]
+        began = time.time()
+        expected = run(command(scc, args))
+        lasts = time.time() - began
+        store = os.path.join(folder, "interrupted")
+        cmd = command(scc, args, store)
+        killed_after(cmd, chance.uniform(0.05, lasts), signal.SIGINT)
+        tally.check(run(cmd) == expected, f"{name}: another report after an interruption")
+        run(cmd + ["--seconds", "0.05"])
+        tally.check(run(cmd) == expected, f"{name}: another report after a limit of seconds")
+        shutil.rmtree(store)
+
+
+def workers(scc, names, chance, tally):
+    """Processes that work for it are killed."""
+    for name in names:
+        args = EXPLORATIONS[name]
+        expected = run(command(scc, args))
+        process = subprocess.Popen(
+            command(scc, args + ["--jobs", "2"]), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        hit = 0
+        while process.poll() is None and hit < 5:
+            time.sleep(chance.uniform(0.01, 0.1))
+            try:
+                with open(f"/proc/{process.pid}/task/{process.pid}/children") as file:
+                    children = file.read().split()
+                if children:
+                    os.kill(int(chance.choice(children)), signal.SIGKILL)
+                    hit += 1
+            except (OSError, ProcessLookupError):
+                pass
+        out, err = process.communicate(timeout=600)
+        tally.check((process.returncode, out, err) == expected, f"{name}, {hit} workers killed: another report")
+        print(f"{name}: {hit} workers killed", flush=True)
+
+
+def full_disks(scc, names, chance, folder, tally):
+    """Files may not grow beyond some size."""
+    for name in names:
+        args = EXPLORATIONS[name]
+        expected = run(command(scc, args))
+        store = os.path.join(folder, "full")
+        run(command(scc, args, store))
+        whole = sum(os.path.getsize(os.path.join(store, f)) for f in os.listdir(store))
+        shutil.rmtree(store)
+        for share in [0.001, chance.uniform(0.1, 0.9)]:
+            most = max(1, int(share * whole))
+
+            def limited():
+                signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+
+            code, out, err = run(command(scc, args, store), preexec_fn=limited)
+            told = code_of(err) or (out.startswith("{") and "SC0914" in out and "SC0914")
+            tally.check(
+                (code in (1, 2, 74) and told == "SC0914") or (code == 3 and told == "SC0910") or (code, out, err) == expected,
+                f"{name} with {most} bytes of {whole}: exit code {code}, {err}",
+            )
+            tally.check(run(command(scc, args, store)) == expected, f"{name}: another report after a full disk")
+            shutil.rmtree(store)
+
+
+def damage(scc, names, trials, chance, folder, tally):
+    """A file that was cut or changed: refused, or of no matter; never another report."""
+    refused = 0
+    for name in names:
+        args = EXPLORATIONS[name]
+        expected = run(command(scc, args))
+        good = os.path.join(folder, "good")
+        run(command(scc, args, good))
+        file = os.path.join(good, "explorations.sqlite")
+        with open(file, "rb") as stream:
+            bytes_ = stream.read()
+        for k in range(trials):
+            changed = bytearray(bytes_)
+            if chance.random() < 0.4:
+                what = f"cut to {(n := chance.randrange(len(bytes_)))}"
+                changed = changed[:n]
+            else:
+                at, bit = chance.randrange(len(bytes_)), chance.randrange(8)
+                what = f"bit {bit} of byte {at}"
+                changed[at] ^= 1 << bit
+            store = os.path.join(folder, "damaged")
+            os.mkdir(store)
+            with open(os.path.join(store, "explorations.sqlite"), "wb") as stream:
+                stream.write(changed)
+            code, out, err = run(command(scc, args, store))
+            told = code_of(err) or next((c for c in ["SC0910", "SC0912", "SC0913"] if c in out), None)
+            is_refused = code == 3 and told in ("SC0910", "SC0912", "SC0913")
+            refused += is_refused
+            tally.check(
+                is_refused or (code, out, err) == expected,
+                f"{name}, {what} of {len(bytes_)}: exit code {code}\n{out}\n{err}",
+            )
+            shutil.rmtree(store)
+        shutil.rmtree(good)
+    print(f"{refused} damaged stores refused", flush=True)
+
+
+def refusals(scc, folder, tally):
+    model = [BENCH + "checker/hexokinase.sc", "-D", "n=3"]
+
+    def expect(what, cmd, exit_code, code, text, **how):
+        got, out, err = run(cmd, **how)
+        tally.check(
+            got == exit_code and code_of(err) == code and text in err, f"{what}: exit code {got}\n{out}\n{err}"
+        )
+
+    store = os.path.join(folder, "of three")
+    expected = run(command(scc, model))
+    tally.check(run(command(scc, model, store)) == expected, "a new store")
+    n4 = [BENCH + "checker/hexokinase.sc", "-D", "n=4"]
+    expect("another parameter", command(scc, n4, store), 3, "SC0912", "parameter n is 3 there, and 4 here")
+    expect("another model", command(scc, [MODELS + "chain.sc", "-D", "n=3"], store), 3, "SC0912", "model is")
+    expect("another option", command(scc, model + ["--depth", "5"], store), 3, "SC0912", "--depth is default there, and 5 here")
+    expect("no reduction", command(scc, model + ["--no-reduce", "jump"], store), 3, "SC0912", "--no-reduce is")
+    tally.check(run(command(scc, model + ["--seconds", "60"], store)) == expected, "limits of resources do not differ")
+
+    plain = os.path.join(folder, "plain")
+    with open(plain, "w") as file:
+        file.write("a file\n")
+    expect("a file", command(scc, model, plain), 3, "SC0910", "it is a file")
+    expect("below a file", command(scc, model, os.path.join(plain, "x")), 3, "SC0910", "")
+    other = os.path.join(folder, "other")
+    os.mkdir(other)
+    with open(os.path.join(other, "letter"), "w") as file:
+        file.write("dear\n")
+    expect("a folder of other things", command(scc, model, other), 3, "SC0910", "holds other things")
+    garbage = os.path.join(folder, "garbage")
+    os.mkdir(garbage)
+    with open(os.path.join(garbage, "explorations.sqlite"), "wb") as file:
+        file.write(b"no database at all" * 1000)
+    expect("no database", command(scc, model, garbage), 3, "SC0913", "damaged")
+
+    if os.geteuid() == 0:
+        how = {"preexec_fn": lambda: os.setuid(65534)}
+        os.chmod(folder, 0o755)
+    else:
+        how = {}
+    locked = os.path.join(folder, "locked")
+    os.mkdir(locked, 0o555)
+    expect("a folder that is not ours to write", command(scc, model, os.path.join(locked, "x")), 3, "SC0910", "", **how)
+    os.chmod(os.path.join(store, "explorations.sqlite"), 0o444)
+    os.chmod(store, 0o555)
+    expect("a store that is read-only", command(scc, model, store), 3, "SC0910", "", **how)
+    os.chmod(store, 0o755)
+
+    busy = os.path.join(folder, "busy")
+    long = [BENCH + "checker/hexokinase.sc", "-D", "n=6", "--states", "10000000"]
+    first = subprocess.Popen(command(scc, long, busy), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        while not os.path.exists(os.path.join(busy, "explorations.sqlite-wal")):
+            time.sleep(0.01)
+        time.sleep(0.3)
+        expect("two at once", command(scc, long, busy), 3, "SC0911", "another process")
+    finally:
+        first.kill()
+        first.wait()
+
+    ranged = [MODELS + "moment.sc"]
+    got, _, err = run(command(scc, ranged, os.path.join(folder, "ranged")))
+    tally.check(got == 3 and code_of(err) == "SC0901", f"sets of states: exit code {got}, {err}")
+    got, _, err = run(command(scc, model + ["--hash-compact"], os.path.join(folder, "compact")))
+    tally.check(got == 64, f"hash compaction: exit code {got}, {err}")
+    for jobs in ["0", "10000", "x"]:
+        got, _, err = run(command(scc, model + ["--jobs", jobs]))
+        tally.check(got == 64 and "--jobs" in err, f"--jobs {jobs}: exit code {got}, {err}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("scc")
+    parser.add_argument("--instants", type=int, default=10, help="at which each exploration is killed")
+    parser.add_argument("--damages", type=int, default=40, help="of each of some stores")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", help="one exploration")
+    parser.add_argument("--few", action="store_true")
+    options = parser.parse_args()
+    scc = os.path.abspath(options.scc)
+    chance = random.Random(options.seed)
+    names = [options.only] if options.only else FEW if options.few else list(EXPLORATIONS)
+    some = [name for name in names if name in FEW] or names
+    instants = 2 if options.few else options.instants
+    damages = 8 if options.few else options.damages
+    tally = Tally()
+    with tempfile.TemporaryDirectory() as folder:
+        refusals(scc, folder, tally)
+        kills(scc, names, instants, chance, folder, tally)
+        interruptions(scc, some, chance, folder, tally)
+        workers(scc, some[:3], chance, tally)
+        full_disks(scc, some, chance, folder, tally)
+        damage(scc, some[:3] if not options.few else some[1:3], damages, chance, folder, tally)
+    print(f"{tally.passed} passed, {tally.failed} failed")
+    return 1 if tally.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
