@@ -97,10 +97,8 @@ let not_yet = "SC0901"
 let any_time = "SC0902"
 let not_known = "SC0903"
 let no_store = "SC0910"
-let store_in_use = "SC0911"
-let other_store = "SC0912"
-let damaged_store = "SC0913"
-let unkept = "SC0914"
+let other_store = "SC0911"
+let damaged_store = "SC0912"
 
 let all =
   [
@@ -200,9 +198,7 @@ let all =
     (not_yet, "a feature of the language that this version does not execute");
     (any_time, "weak splits at any time, where a grid of instants is looked at");
     (not_known, "parameters with ranges, where their values are needed");
-    (no_store, "a folder is no store of explorations, or cannot be used as one");
-    (store_in_use, "a store is in use by another process");
+    (no_store, "a folder is no store of explorations, or cannot be used as one now");
     (other_store, "a store keeps another exploration: of another model, with other options or of another version");
     (damaged_store, "a store is damaged");
-    (unkept, "a store cannot be written any more");
   ]

@@ -318,21 +318,13 @@ val any_time : t
 val not_known : t
 (** SC0903: parameters with ranges, where their values are needed. *)
 
-
-
 (** {1 Stores of explorations} *)
 
 val no_store : t
-(** SC0910: a folder that is no store of explorations, or cannot be used as one. *)
-
-val store_in_use : t
-(** SC0911: a store that is in use by another process. *)
+(** SC0910: a folder that is no store of explorations, or cannot be used as one now. *)
 
 val other_store : t
-(** SC0912: a store that keeps another exploration: of another model, with other options or of another version. *)
+(** SC0911: a store that keeps another exploration: of another model, with other options or of another version. *)
 
 val damaged_store : t
-(** SC0913: a store that is damaged. *)
-
-val unkept : t
-(** SC0914: a store that cannot be written any more. *)
+(** SC0912: a store that is damaged. *)

@@ -12,7 +12,7 @@ val openly :
 val expanding : t -> about:string -> Scc_space.State_graph.expanding
 
 val guard : t -> (unit -> ('a, Diag.t list) result) -> ('a, Diag.t list) result
-(** Of something that explores: also the error that a store does not fit (SC0913). *)
+(** Of something that explores: also the error that a store does not fit (SC0912). *)
 
 val no_sets : ('a, Diag.t list) result
 (** The error that a store keeps no exploration by sets of states (SC0901). *)

@@ -5,6 +5,9 @@ let application = 0x53434331
 let version = 1
 let file = "explorations.sqlite"
 
+(* Milliseconds. *)
+let patience = 2000
+
 type t = {
   folder : string;
   db : Sqlite3.db;
@@ -25,7 +28,7 @@ let fail code format = Printf.ksprintf (fun text -> raise (Failed (code, text)))
 let refuse db (rc : Sqlite3.Rc.t) =
   let text = Sqlite3.errmsg db in
   match rc with
-  | BUSY | LOCKED -> fail Code.store_in_use "another process explores with this store"
+  | BUSY | LOCKED -> fail Code.no_store "another process explores with this store"
   | CORRUPT | NOTADB | MISMATCH -> fail Code.damaged_store "the store is damaged: %s" text
   | _ -> fail Code.no_store "the store cannot be used: %s" text
 
@@ -92,7 +95,6 @@ let is_ours db =
     | v -> fail Code.other_store "it is of version %d, and this scc keeps version %d" v version
 
 let create db identity =
-  run db "BEGIN";
   run db (Printf.sprintf "PRAGMA application_id = %d" application);
   run db (Printf.sprintf "PRAGMA user_version = %d" version);
   run db "CREATE TABLE identity (name TEXT PRIMARY KEY, value TEXT NOT NULL)";
@@ -102,8 +104,7 @@ let create db identity =
   List.iter
     (fun (name, value) ->
        change db "INSERT INTO identity VALUES (?, ?)" [ Sqlite3.Data.TEXT name; Sqlite3.Data.TEXT value ])
-    identity;
-  run db "COMMIT"
+    identity
 
 let recorded db =
   let add acc row = (Sqlite3.column_text row 0, Sqlite3.column_text row 1) :: acc in
@@ -154,13 +155,17 @@ let connect folder identity =
     | exception Sqlite3.Error text -> fail Code.no_store "the store cannot be opened: %s" text
   in
   match
-    (* Before the first look at the file, so that nobody else has it from then on. *)
+    (* Nothing is changed of a file that is not ours. From the first look on nobody else can write to it: of two
+       that come at once to one that is not made yet, one does not get to the transaction. *)
     run db "PRAGMA locking_mode = EXCLUSIVE";
+    let there = is_ours db in
+    if there then same_identity db identity;
+    run db "BEGIN IMMEDIATE";
+    Sqlite3.busy_timeout db patience;
+    if not there then create db identity;
+    run db "COMMIT";
     run db "PRAGMA journal_mode = WAL";
     run db "PRAGMA synchronous = FULL";
-    run db "BEGIN IMMEDIATE";
-    run db "COMMIT";
-    if is_ours db then same_identity db identity else create db identity;
     let identity = digest_of_identity identity in
     { folder; db; identity; had_blocks = look_at_blocks db identity; begun = Hashtbl.create 8; failed = None }
   with
@@ -196,7 +201,7 @@ let write t exploration number digest bytes =
 let give_up t text =
   t.failed <-
     Some
-      (Diag.error Code.unkept (at t.folder) "%s; what was explored from then on is not kept" text
+      (Diag.error Code.cannot_write (at t.folder) "%s; what was explored from then on is not kept" text
          ~hint:"the same command goes on from what was kept, once the store can be written again")
 
 let log t name : Scc_expand.Log.t =

@@ -12,8 +12,8 @@ type t
 val openly : string -> identity:(string * string) list -> (t, Diag.t) result
 (** The store in a folder, which is made if it is not there. [identity]: of what it keeps explorations, by names
     and values: all must be those that it was made with. It is this process's alone until it ends. The error:
-    the folder cannot be made, read or written, or is no store (SC0910); another process has it (SC0911); it keeps
-    something else, and what differs (SC0912); it is damaged (SC0913). All blocks have been looked at. *)
+    the folder cannot be made, read or written, is no store, or another process has it (SC0910); it keeps something
+    else, and what differs (SC0911); it is damaged (SC0912). All blocks have been looked at. *)
 
 val folder : t -> string
 
@@ -25,6 +25,6 @@ val resumed : t -> bool
 (** It had blocks when it was opened. *)
 
 val failed : t -> Diag.t option
-(** Why blocks are not kept any more, if so (SC0914). *)
+(** Why blocks are not kept any more, if so: an output that cannot be written (SC0103). *)
 
 val close : t -> unit

@@ -146,7 +146,7 @@ A wrong value of a parameter that is there makes an invalid model:
 Numbers that are none, or out of their range:
 
   $ those='check explore compare'
-  $ for option in --depth --time --states --seconds --memory --bits; do
+  $ for option in --depth --time --states --seconds --memory --bits --jobs; do
   >   misuse $option=some; misuse $option=-1; misuse $option=
   > done
   $ for option in --states --seconds --memory --bits; do misuse $option=0; done

@@ -166,9 +166,9 @@ def full_disks(scc, names, chance, folder, tally):
                 resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
 
             code, out, err = run(command(scc, args, store), preexec_fn=limited)
-            told = code_of(err) or (out.startswith("{") and "SC0914" in out and "SC0914")
+            told = code_of(err) or (out.startswith("{") and "SC0103" in out and "SC0103")
             tally.check(
-                (code in (1, 2, 74) and told == "SC0914") or (code == 3 and told == "SC0910") or (code, out, err) == expected,
+                (code in (1, 2, 74) and told == "SC0103") or (code == 3 and told == "SC0910") or (code, out, err) == expected,
                 f"{name} with {most} bytes of {whole}: exit code {code}, {err}",
             )
             tally.check(run(command(scc, args, store)) == expected, f"{name}: another report after a full disk")
@@ -200,8 +200,8 @@ def damage(scc, names, trials, chance, folder, tally):
             with open(os.path.join(store, "explorations.sqlite"), "wb") as stream:
                 stream.write(changed)
             code, out, err = run(command(scc, args, store))
-            told = code_of(err) or next((c for c in ["SC0910", "SC0912", "SC0913"] if c in out), None)
-            is_refused = code == 3 and told in ("SC0910", "SC0912", "SC0913")
+            told = code_of(err) or next((c for c in ["SC0910", "SC0911", "SC0912"] if c in out), None)
+            is_refused = code == 3 and told in ("SC0910", "SC0911", "SC0912")
             refused += is_refused
             tally.check(
                 is_refused or (code, out, err) == expected,
@@ -225,10 +225,10 @@ def refusals(scc, folder, tally):
     expected = run(command(scc, model))
     tally.check(run(command(scc, model, store)) == expected, "a new store")
     n4 = [BENCH + "checker/hexokinase.sc", "-D", "n=4"]
-    expect("another parameter", command(scc, n4, store), 3, "SC0912", "parameter n is 3 there, and 4 here")
-    expect("another model", command(scc, [MODELS + "chain.sc", "-D", "n=3"], store), 3, "SC0912", "model is")
-    expect("another option", command(scc, model + ["--depth", "5"], store), 3, "SC0912", "--depth is default there, and 5 here")
-    expect("no reduction", command(scc, model + ["--no-reduce", "jump"], store), 3, "SC0912", "--no-reduce is")
+    expect("another parameter", command(scc, n4, store), 3, "SC0911", "parameter n is 3 there, and 4 here")
+    expect("another model", command(scc, [MODELS + "chain.sc", "-D", "n=3"], store), 3, "SC0911", "model is")
+    expect("another option", command(scc, model + ["--depth", "5"], store), 3, "SC0911", "--depth is default there, and 5 here")
+    expect("no reduction", command(scc, model + ["--no-reduce", "jump"], store), 3, "SC0911", "--no-reduce is")
     tally.check(run(command(scc, model + ["--seconds", "60"], store)) == expected, "limits of resources do not differ")
 
     plain = os.path.join(folder, "plain")
@@ -245,7 +245,7 @@ def refusals(scc, folder, tally):
     os.mkdir(garbage)
     with open(os.path.join(garbage, "explorations.sqlite"), "wb") as file:
         file.write(b"no database at all" * 1000)
-    expect("no database", command(scc, model, garbage), 3, "SC0913", "damaged")
+    expect("no database", command(scc, model, garbage), 3, "SC0912", "damaged")
 
     if os.geteuid() == 0:
         how = {"preexec_fn": lambda: os.setuid(65534)}
@@ -267,7 +267,7 @@ def refusals(scc, folder, tally):
         while not os.path.exists(os.path.join(busy, "explorations.sqlite-wal")):
             time.sleep(0.01)
         time.sleep(0.3)
-        expect("two at once", command(scc, long, busy), 3, "SC0911", "another process")
+        expect("two at once", command(scc, long, busy), 3, "SC0910", "another process")
     finally:
         first.kill()
         first.wait()
