@@ -1,52 +1,73 @@
 open Bigarray
 
-type cells = (int32, int32_elt, c_layout) Array1.t
+type narrow = (int, int16_signed_elt, c_layout) Array1.t
+type wide = (int32, int32_elt, c_layout) Array1.t
 
-(* Chunks of [span] numbers. One whose numbers are all equal has no cells, but stands for that number. *)
-type t = { mutable chunks : cells array; mutable common : int array; mutable length : int }
+(* Chunks of [span] numbers. One whose numbers are all equal has no cells, but stands for its base; in one whose numbers
+   are all near the base, cells have the differences from it. *)
+type t = { mutable wide : wide array; mutable narrow : narrow array; mutable base : int array; mutable length : int }
 
 let bits = 12
 let span = 1 lsl bits
-let no_cells : cells = Array1.create int32 c_layout 0
-let create () = { chunks = [||]; common = [||]; length = 0 }
+let no_wide : wide = Array1.create int32 c_layout 0
+let no_narrow : narrow = Array1.create int16_signed c_layout 0
+let create () = { wide = [||]; narrow = [||]; base = [||]; length = 0 }
 let length v = v.length
 
 let check v i = if i < 0 || i >= v.length then Scc_base.Bug.fail __POS__ "an index out of range"
 
 let get v i =
   check v i;
-  let cells : cells = Array.unsafe_get v.chunks (i lsr bits) in
-  if Array1.dim cells = 0 then v.common.(i lsr bits)
-  else Int32.to_int (Array1.unsafe_get cells (i land (span - 1)))
+  let k = i lsr bits and at = i land (span - 1) in
+  let wide : wide = Array.unsafe_get v.wide k in
+  if Array1.dim wide > 0 then Int32.to_int (Array1.unsafe_get wide at)
+  else
+    let base = Array.unsafe_get v.base k and narrow : narrow = Array.unsafe_get v.narrow k in
+    if Array1.dim narrow > 0 then base + Array1.unsafe_get narrow at else base
 
 let fits x = x >= -0x8000_0000 && x <= 0x7fff_ffff
+let is_near x = x >= -0x8000 && x <= 0x7fff
 
-(* The cells of a chunk, which may have to be made. *)
-let cells_of v k : cells =
-  let cells = v.chunks.(k) in
-  if Array1.dim cells > 0 then cells
+let narrow_of v k =
+  let narrow = v.narrow.(k) in
+  if Array1.dim narrow > 0 then narrow
   else begin
-    let cells = Array1.create int32 c_layout span in
-    Array1.fill cells (Int32.of_int v.common.(k));
-    v.chunks.(k) <- cells;
-    cells
+    let narrow = Array1.create int16_signed c_layout span in
+    Array1.fill narrow 0;
+    v.narrow.(k) <- narrow;
+    narrow
+  end
+
+let wide_of v k =
+  let wide = v.wide.(k) in
+  if Array1.dim wide > 0 then wide
+  else begin
+    let wide = Array1.create int32 c_layout span in
+    let base = v.base.(k) and narrow = v.narrow.(k) in
+    if Array1.dim narrow = 0 then Array1.fill wide (Int32.of_int base)
+    else for i = 0 to span - 1 do wide.{i} <- Int32.of_int (base + narrow.{i}) done;
+    v.wide.(k) <- wide;
+    v.narrow.(k) <- no_narrow;
+    wide
   end
 
 let set v i x =
   check v i;
   if not (fits x) then Scc_base.Bug.fail __POS__ "a number that is too great";
-  let k = i lsr bits in
-  if Array1.dim v.chunks.(k) > 0 || v.common.(k) <> x then
-    Array1.set (cells_of v k) (i land (span - 1)) (Int32.of_int x)
+  let k = i lsr bits and at = i land (span - 1) in
+  let base = v.base.(k) in
+  if Array1.dim v.wide.(k) > 0 || not (is_near (x - base)) then Array1.set (wide_of v k) at (Int32.of_int x)
+  else if Array1.dim v.narrow.(k) > 0 || x <> base then Array1.set (narrow_of v k) at (x - base)
 
 let make_room v x =
   let k = v.length lsr bits in
-  if k = Array.length v.chunks then begin
+  if k = Array.length v.base then begin
     let more = Int.max 8 k in
-    v.chunks <- Array.append v.chunks (Array.make more no_cells);
-    v.common <- Array.append v.common (Array.make more 0)
+    v.wide <- Array.append v.wide (Array.make more no_wide);
+    v.narrow <- Array.append v.narrow (Array.make more no_narrow);
+    v.base <- Array.append v.base (Array.make more 0)
   end;
-  v.common.(k) <- x
+  v.base.(k) <- x
 
 let push v x =
   if v.length land (span - 1) = 0 then make_room v x;
@@ -54,4 +75,6 @@ let push v x =
   set v (v.length - 1) x
 
 let bytes v =
-  Array.fold_left (fun n cells -> n + (4 * Array1.dim cells)) (16 * Array.length v.chunks) v.chunks
+  let chunks = 24 * Array.length v.base in
+  let wide = Array.fold_left (fun n cells -> n + (4 * Array1.dim cells)) chunks v.wide in
+  Array.fold_left (fun n cells -> n + (2 * Array1.dim cells)) wide v.narrow

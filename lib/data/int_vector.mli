@@ -1,4 +1,5 @@
-(** Growing vectors of small integers in few bytes: 4 for each, and next to nothing where neighbours are equal. *)
+(** Growing vectors of small integers in few bytes: 4 for each, 2 where neighbours are near each other, and next to
+    nothing where they are equal. *)
 
 type t
 

@@ -1,12 +1,15 @@
 open Bigarray
 
-type keys = (int, int_elt, c_layout) Array1.t
+type wide = (int, int_elt, c_layout) Array1.t
+type narrow = (int32, int32_elt, c_layout) Array1.t
 type index = (int32, int32_elt, c_layout) Array1.t
 
-(* A pair is one key of 62 bits; the keys are kept in chunks, in the order of their numbers. The index is an open
+(* A pair is one key of 62 bits; the keys are kept in chunks, in the order of their numbers: narrow ones, of 32 bits for
+   each, where all numbers are less than 2^16, and wide ones. The index is an open
    hash table of numbers, with -1 in free slots and linear probing. *)
 type t = {
-  mutable chunks : keys array;
+  mutable narrow : narrow array;  (** empty where the chunk is wide *)
+  mutable wide : wide array;
   mutable size : int;
   mutable index : index;
   mutable shift : int;  (** the index has 2^(63 - shift) slots *)
@@ -22,12 +25,26 @@ let make_index bits : index =
   Array1.fill index (-1l);
   index
 
-let create () = { chunks = [||]; size = 0; index = make_index 8; shift = 63 - 8 }
+let no_narrow : narrow = Array1.create int32 c_layout 0
+let no_wide : wide = Array1.create int c_layout 0
+let create () = { narrow = [||]; wide = [||]; size = 0; index = make_index 8; shift = 63 - 8 }
 let size p = p.size
 
+let quarter = 16
+let small = (1 lsl quarter) - 1
+let is_narrow k = (k lsr half) lor (k land mask) <= small
+let[@inline] narrowed k = Int32.of_int (((k lsr half) lsl quarter) lor (k land small))
+
+let[@inline] widened x =
+  let x = Int32.to_int x in
+  (((x lsr quarter) land small) lsl half) lor (x land small)
+
 let[@inline] key p i : int =
-  let keys : keys = Array.unsafe_get p.chunks (i lsr chunk_bits) in
-  Array1.unsafe_get keys (i land (chunk - 1))
+  let narrow : narrow = Array.unsafe_get p.narrow (i lsr chunk_bits) in
+  if Array1.dim narrow > 0 then widened (Array1.unsafe_get narrow (i land (chunk - 1)))
+  else
+    let wide : wide = Array.unsafe_get p.wide (i lsr chunk_bits) in
+    Array1.unsafe_get wide (i land (chunk - 1))
 
 let check p i = if i < 0 || i >= p.size then Scc_base.Bug.fail __POS__ "an index out of range"
 
@@ -50,7 +67,14 @@ let rec probe p (index : index) k i =
   let id = Int32.to_int (Array1.unsafe_get index i) in
   if id < 0 || key p id = k then i else probe p index k ((i + 1) land (Array1.dim index - 1))
 
+(* An index is made of the keys alone: of a large one there is only one at a time. *)
+let large = 1 lsl 22
+
 let enlarge p =
+  if Array1.dim p.index >= large then begin
+    p.index <- make_index 0;
+    Gc.full_major ()
+  end;
   let index = make_index (63 - p.shift + 1) in
   p.shift <- p.shift - 1;
   let rec free i = if Int32.to_int index.{i} < 0 then i else free ((i + 1) land (Array1.dim index - 1)) in
@@ -59,16 +83,31 @@ let enlarge p =
   done;
   p.index <- index
 
+let make_room p c =
+  if c = Array.length p.narrow then begin
+    let more = Int.max 8 c in
+    p.narrow <- Array.append p.narrow (Array.make more no_narrow);
+    p.wide <- Array.append p.wide (Array.make more no_wide)
+  end;
+  p.narrow.(c) <- Array1.create int32 c_layout chunk
+
+let widen p c =
+  let narrow = p.narrow.(c) in
+  let wide = Array1.create int c_layout chunk in
+  for i = 0 to chunk - 1 do wide.{i} <- widened narrow.{i} done;
+  p.wide.(c) <- wide;
+  p.narrow.(c) <- no_narrow
+
+let put p id k =
+  let c = id lsr chunk_bits and at = id land (chunk - 1) in
+  if at = 0 then make_room p c;
+  if Array1.dim p.narrow.(c) > 0 && not (is_narrow k) then widen p c;
+  if Array1.dim p.narrow.(c) > 0 then p.narrow.(c).{at} <- narrowed k else p.wide.(c).{at} <- k
+
 let add p k i =
   let id = p.size in
   if id > mask then Scc_base.Bug.fail __POS__ "more than 2^31 pairs";
-  let c = id lsr chunk_bits in
-  if id land (chunk - 1) = 0 then begin
-    if c = Array.length p.chunks then
-      p.chunks <- Array.append p.chunks (Array.make (Int.max 8 c) (Array1.create int c_layout 0));
-    p.chunks.(c) <- Array1.create int c_layout chunk
-  end;
-  p.chunks.(c).{id land (chunk - 1)} <- k;
+  put p id k;
   p.size <- id + 1;
   p.index.{i} <- Int32.of_int id;
   (* At most four fifths of the slots are taken. *)
@@ -108,5 +147,5 @@ let touch p (keys : int array) (ids : int array) count =
   !sum
 
 let bytes p =
-  (8 * chunk * Array.fold_left (fun n k -> if Array1.dim k > 0 then n + 1 else n) 0 p.chunks)
-  + (4 * Array1.dim p.index)
+  let narrow = Array.fold_left (fun n cells -> n + (4 * Array1.dim cells)) (4 * Array1.dim p.index) p.narrow in
+  Array.fold_left (fun n cells -> n + (8 * Array1.dim cells)) narrow p.wide

@@ -17,10 +17,13 @@ let of_stop : Limits.stop -> 'fault reason = function
 
 type 'fault status = Expanded | Queued | Unexpanded of 'fault reason
 
-(* Reasons are kept as digits, and faults beside them. *)
-type 'fault t = { mutable marks : Bytes.t; faults : (int, 'fault) Hashtbl.t }
+(* Reasons are kept as digits, and faults beside them: in chunks of [span], of which one whose marks are all equal has
+   none, but stands for its common one. *)
+type 'fault t = { mutable chunks : Bytes.t array; mutable common : Bytes.t; faults : (int, 'fault) Hashtbl.t }
 
-let create () = { marks = Bytes.make 1024 'q'; faults = Hashtbl.create 1 }
+let bits = 12
+let span = 1 lsl bits
+let create () = { chunks = [||]; common = Bytes.empty; faults = Hashtbl.create 1 }
 
 let mark = function
   | Queued -> 'q'
@@ -36,8 +39,13 @@ let mark = function
   | Unexpanded (Fault _) -> '8'
   | Unexpanded Bits -> '9'
 
+let mark_at s i =
+  let k = i lsr bits in
+  let chunk = s.chunks.(k) in
+  if Bytes.length chunk > 0 then Bytes.unsafe_get chunk (i land (span - 1)) else Bytes.get s.common k
+
 let get s i =
-  match Bytes.get s.marks i with
+  match mark_at s i with
   | 'q' -> Queued
   | 'e' -> Expanded
   | '0' -> Unexpanded Depth
@@ -52,16 +60,38 @@ let get s i =
   | '8' -> Unexpanded (Fault (Hashtbl.find s.faults i))
   | _ -> Scc_base.Bug.fail __POS__ "no status"
 
+let make_room s k =
+  let known = Array.length s.chunks in
+  if k >= known then begin
+    let more = Int.max 8 (k + 1 - known + (known / 2)) in
+    s.chunks <- Array.append s.chunks (Array.make more Bytes.empty);
+    s.common <- Bytes.cat s.common (Bytes.make more 'q')
+  end
+
+let are_equal chunk =
+  let first = Bytes.unsafe_get chunk 0 in
+  let rec from i = i = span || (Char.equal first (Bytes.unsafe_get chunk i) && from (i + 1)) in
+  from 1
+
+let put s i mark =
+  let k = i lsr bits and at = i land (span - 1) in
+  make_room s k;
+  if Bytes.length s.chunks.(k) > 0 || not (Char.equal (Bytes.get s.common k) mark) then begin
+    if Bytes.length s.chunks.(k) = 0 then s.chunks.(k) <- Bytes.make span (Bytes.get s.common k);
+    let chunk = s.chunks.(k) in
+    Bytes.unsafe_set chunk at mark;
+    (* States are mostly expanded in their order, and end alike. *)
+    if at = span - 1 && are_equal chunk then begin
+      Bytes.set s.common k mark;
+      s.chunks.(k) <- Bytes.empty
+    end
+  end
+
 let set s i status =
   (match status with
    | Unexpanded (Fault f) -> Hashtbl.replace s.faults i f
    | Expanded | Queued | Unexpanded _ -> ());
-  if i >= Bytes.length s.marks then begin
-    let marks = Bytes.make (2 * i) 'q' in
-    Bytes.blit s.marks 0 marks 0 (Bytes.length s.marks);
-    s.marks <- marks
-  end;
-  Bytes.set s.marks i (mark status)
+  put s i (mark status)
 
-let is_expanded s i = Char.equal (Bytes.get s.marks i) 'e'
-let bytes s = Bytes.length s.marks
+let is_expanded s i = Char.equal (mark_at s i) 'e'
+let bytes s = Array.fold_left (fun n chunk -> n + 8 + Bytes.length chunk) (Bytes.length s.common) s.chunks

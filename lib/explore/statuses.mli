@@ -1,4 +1,4 @@
-(** What has become of each state of a graph: a byte for each. *)
+(** What has become of each state of a graph: a byte for each, and next to nothing where neighbours are alike. *)
 
 (** Why a state has not been expanded. *)
 type 'fault reason =

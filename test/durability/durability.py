@@ -42,7 +42,7 @@ EXPLORATIONS = {
     "association": [MODELS + "association.sc", "--full"],
     "coverage": [MODELS + "enzyme.sc", "--coverage"],
     "invariants": [MODELS + "gas.sc", "--prove"],
-    "meeting": [MODELS + "meeting.sc"],
+    "pegs": [MODELS + "pegs.sc"],
 }
 FEW = ["hexokinase", "by time", "slices", "probabilities", "coverage"]
 
