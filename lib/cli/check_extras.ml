@@ -151,8 +151,9 @@ let jobs =
 
 let store =
   let doc =
-    "Keeps the exploration in the folder $(docv) while it goes on, which is made if need be. After an interruption, \
-     the same command goes on from there, and ends with the report of a run that was never interrupted. See STORES."
+    "Keeps the exploration in the folder $(docv) while it goes on, which is made if need be. After an \
+     interruption, the same command goes on from there, and ends with the report of a run that was never \
+     interrupted. See STORES."
   in
   Arg.(value & opt (some string) None & info [ "store" ] ~docv:"DIR" ~doc)
 
@@ -169,8 +170,8 @@ let explored e (budget : Scc_session.Budget.t) =
   ]
 
 let term =
-  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant full jobs
-      store =
+  let make witness coverage stats sarif reductions order compact where smt draw axes slice prove invariant full
+      jobs store =
     let prove = prove || Option.is_some invariant in
     {
       witness; coverage; stats; sarif; reductions; order; compact; where; smt; draw; axes; slice; prove; invariant;

@@ -7,7 +7,8 @@ type t
 
 val openly :
   jobs:int option -> store:string option -> (string * string) list -> Loaded.t -> (t, Diag.t list) result
-(** With what the options say of what is explored, by names: a store is of these, of the model and of this version. *)
+(** With what the options say of what is explored, by names: a store is of these, of the model and of this
+    version. *)
 
 val expanding : t -> about:string -> Scc_space.State_graph.expanding
 

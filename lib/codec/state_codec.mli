@@ -22,9 +22,9 @@ val decode : t -> string -> (State.t, string) result
 
 (** {1 Parts}
 
-    The bytes of parts of a state, as they stand in it, for those who tell states apart by their parts. [version] is
-    not among them. Readers raise {!Packed.Malformed}; they do not ask whether what they read is in the one form
-    that it has, so that they are for bytes that were written by the same program. *)
+    The bytes of parts of a state, as they stand in it, for those who tell states apart by their parts. [version]
+    is not among them. Readers raise {!Packed.Malformed}; they do not ask whether what they read is in the one
+    form that it has, so that they are for bytes that were written by the same program. *)
 
 val put_process : t -> Buffer.t -> State.process -> unit
 val process : t -> Packed.source -> State.process

@@ -350,8 +350,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
            | _ -> !rest_settled && List.for_all (fun m -> m.decided) monitors);
     }
 
-  let run ?(observe = fun _ _ _ -> ()) ?(order = Graph.By_steps) ?keep_edges ?expanding ?settled ~rests limits around
-      context questions =
+  let run ?(observe = fun _ _ _ -> ()) ?(order = Graph.By_steps) ?keep_edges ?expanding ?settled ~rests limits
+      around context questions =
     let by_time = match order with Graph.By_time -> true | By_steps -> false in
     let monitors = List.map (monitor rests by_time) questions in
     let visitor = visitor observe monitors settled in

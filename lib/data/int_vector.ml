@@ -3,9 +3,14 @@ open Bigarray
 type narrow = (int, int16_signed_elt, c_layout) Array1.t
 type wide = (int32, int32_elt, c_layout) Array1.t
 
-(* Chunks of [span] numbers. One whose numbers are all equal has no cells, but stands for its base; in one whose numbers
-   are all near the base, cells have the differences from it. *)
-type t = { mutable wide : wide array; mutable narrow : narrow array; mutable base : int array; mutable length : int }
+(* Chunks of [span] numbers. One whose numbers are all equal has no cells, but stands for its base; in one whose
+   numbers are all near the base, cells have the differences from it. *)
+type t = {
+  mutable wide : wide array;
+  mutable narrow : narrow array;
+  mutable base : int array;
+  mutable length : int;
+}
 
 let bits = 12
 let span = 1 lsl bits

@@ -16,7 +16,8 @@ exception Closed
 (** The other process is no more. *)
 
 val ready : t list -> t list
-(** Waits, but not for long, until there is something to get from some of them; interruptions may come in between. *)
+(** Waits, but not for long, until there is something to get from some of them; interruptions may come in
+    between. *)
 
 val has_message : t -> bool
 (** There is something to get now. *)

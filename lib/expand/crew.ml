@@ -8,8 +8,8 @@ type start = At_once | When_it_pays
 let batch_seconds = 0.002
 let most_states = 512
 
-(* A request of no more bytes than this, with those that are under way, does not fill the channel: then nobody waits
-   for anybody who waits. *)
+(* A request of no more bytes than this, with those that are under way, does not fill the channel: then nobody
+   waits for anybody who waits. *)
 let most_bytes = 48 * 1024
 
 (* Seconds after which others may be called in, and those that a state is to take for it. *)
@@ -27,9 +27,9 @@ module Make
 
   (** {2 Messages}
 
-      A request is a number of states and their tuples. A reply is, of each of them, 0 where its transitions have to
-      be looked at here; 1 and all of them; or 2, those that may do ({!Lts.S.reduced}), and all of them; after that
-      the microseconds that it took, and the words of the heap. *)
+      A request is a number of states and their tuples. A reply is, of each of them, 0 where its transitions have
+      to be looked at here; 1 and all of them; or 2, those that may do ({!Lts.S.reduced}), and all of them; after
+      that the microseconds that it took, and the words of the heap. *)
 
   type answer = Look | Steps of { some : Lts.step list option; all : Lts.step list }
 

@@ -1,10 +1,10 @@
 (** Transitions that are found by several processes at once.
 
-    One process has the graph and all numbers, and takes up what is found in the order in which states are expanded:
-    so the graph is that of one process. Others are sent states ahead of their turn, as they are likely to be
-    expanded, and send back their transitions; what is not asked for in the end is forgotten. They are forked from
-    this process, and from then on have numbers of their own; things are told from each side to the other as bytes,
-    once each ({!Wire}). Processes, and not threads, so that it works with OCaml 4.13 to 5.3.
+    One process has the graph and all numbers, and takes up what is found in the order in which states are
+    expanded: so the graph is that of one process. Others are sent states ahead of their turn, as they are likely
+    to be expanded, and send back their transitions; what is not asked for in the end is forgotten. They are
+    forked from this process, and from then on have numbers of their own; things are told from each side to the
+    other as bytes, once each ({!Wire}). Processes, and not threads, so that it works with OCaml 4.13 to 5.3.
 
     One that dies is replaced, and what it was to find is found by others. *)
 

@@ -4,8 +4,8 @@ open Scc_explore
 
 exception Unfit of string
 
-(* Seconds after which a block is written that is not full: so that little is lost of a short exploration, and writing
-   takes little of the time of any. *)
+(* Seconds after which a block is written that is not full: so that little is lost of a short exploration, and
+   writing takes little of the time of any. *)
 let patience ~since_beginning = Float.min 1. (Float.max 0.02 (since_beginning /. 20.))
 
 (* The clock is asked after so many notes. *)
@@ -36,8 +36,9 @@ module Make
 
   (** {2 Notes as bytes}
 
-      The state, as a difference from the one after that of the note before; how many edges it has; and those that
-      are told. An edge is its label and 0, with what is different in the new state, or 1 + the number of a state. *)
+      The state, as a difference from the one after that of the note before; how many edges it has; and those
+      that are told. An edge is its label and 0, with what is different in the new state, or 1 + the number of a
+      state. *)
 
   let zigzag n = if n >= 0 then 2 * n else (-2 * n) - 1
   let unzigzag n = if n land 1 = 0 then n / 2 else -((n + 1) / 2)
@@ -116,8 +117,8 @@ module Make
 
   (** {2 Following and noting} *)
 
-  (* Of edges that change nothing the number will do, unless all are told. A label is told when it first comes up, so
-     that all are known of the edges of a graph. *)
+  (* Of edges that change nothing the number will do, unless all are told. A label is told when it first comes
+     up, so that all are known of the edges of a graph. *)
   let is_told j ((arrow : Graph.arrow), matters) =
     match arrow with
     | New _ -> true

@@ -4,9 +4,9 @@ type wide = (int, int_elt, c_layout) Array1.t
 type narrow = (int32, int32_elt, c_layout) Array1.t
 type index = (int32, int32_elt, c_layout) Array1.t
 
-(* A pair is one key of 62 bits; the keys are kept in chunks, in the order of their numbers: narrow ones, of 32 bits for
-   each, where all numbers are less than 2^16, and wide ones. The index is an open
-   hash table of numbers, with -1 in free slots and linear probing. *)
+(* A pair is one key of 62 bits; the keys are kept in chunks, in the order of their numbers: narrow ones, of 32
+   bits for each, where all numbers are less than 2^16, and wide ones. The index is an open hash table of
+   numbers, with -1 in free slots and linear probing. *)
 type t = {
   mutable narrow : narrow array;  (** empty where the chunk is wide *)
   mutable wide : wide array;

@@ -1,5 +1,5 @@
-(** Pairs of small integers, each numbered when it is first seen: 8 bytes for each, 4 where the numbers are less than
-    2{^16}, and 5 to 11 for the index. *)
+(** Pairs of small integers, each numbered when it is first seen: 8 bytes for each, 4 where the numbers are less
+    than 2{^16}, and 5 to 11 for the index. *)
 
 type t
 

@@ -17,8 +17,8 @@ let of_stop : Limits.stop -> 'fault reason = function
 
 type 'fault status = Expanded | Queued | Unexpanded of 'fault reason
 
-(* Reasons are kept as digits, and faults beside them: in chunks of [span], of which one whose marks are all equal has
-   none, but stands for its common one. *)
+(* Reasons are kept as digits, and faults beside them: in chunks of [span], of which one whose marks are all
+   equal has none, but stands for its common one. *)
 type 'fault t = { mutable chunks : Bytes.t array; mutable common : Bytes.t; faults : (int, 'fault) Hashtbl.t }
 
 let bits = 12

@@ -22,6 +22,8 @@ exception Failed of Code.t * string  (** what is wrong *)
 let at folder = Span.make ~file:folder ~start:0 ~stop:0
 let fail code format = Printf.ksprintf (fun text -> raise (Failed (code, text))) format
 
+let damaged what = fail Code.damaged_store "the store is damaged: %s" what
+
 (** {2 SQLite} *)
 
 (* What SQLite answers when it should not. *)
@@ -29,7 +31,7 @@ let refuse db (rc : Sqlite3.Rc.t) =
   let text = Sqlite3.errmsg db in
   match rc with
   | BUSY | LOCKED -> fail Code.no_store "another process explores with this store"
-  | CORRUPT | NOTADB | MISMATCH -> fail Code.damaged_store "the store is damaged: %s" text
+  | CORRUPT | NOTADB | MISMATCH -> damaged text
   | _ -> fail Code.no_store "the store cannot be used: %s" text
 
 let check db (rc : Sqlite3.Rc.t) = match rc with OK | DONE | ROW -> () | _ -> refuse db rc
@@ -61,10 +63,10 @@ let number db sql =
 
 (** {2 Opening} *)
 
-let reason folder = function
+let refuse_system_error = function
   | Unix.Unix_error (error, _, _) -> fail Code.no_store "%s" (Unix.error_message error)
   | Sys_error text -> fail Code.no_store "%s" text
-  | e -> ignore (folder : string); raise e
+  | e -> raise e
 
 let make_folder folder =
   match Sys.is_directory folder with
@@ -73,14 +75,15 @@ let make_folder folder =
   | exception Sys_error _ -> (
       match Unix.mkdir folder 0o777 with
       | () -> ()
-      | exception e -> reason folder e)
+      | exception e -> refuse_system_error e)
 
 (* A folder that is there holds a store, or nothing. *)
 let may_be_store folder =
   match Sys.readdir folder with
-  | exception e -> reason folder e
+  | exception e -> refuse_system_error e
   | entries ->
-    let own name = String.length name >= String.length file && String.equal (String.sub name 0 (String.length file)) file in
+    let n = String.length file in
+    let own name = String.length name >= n && String.equal (String.sub name 0 n) file in
     if Array.length entries > 0 && not (Array.exists own entries) then
       fail Code.no_store "the folder holds other things, and is no store"
 
@@ -120,10 +123,11 @@ let same_identity db identity =
   in
   match List.find_map differs identity with
   | Some what -> fail Code.other_store "it keeps another exploration: %s" what
-  | None -> if List.compare_lengths kept identity <> 0 then fail Code.damaged_store "the store is damaged: what it is of is not whole"
+  | None -> if List.compare_lengths kept identity <> 0 then damaged "what it is of is not whole"
 
 let digest_of_identity identity =
-  Digest.string (String.concat "" (List.map (fun (n, v) -> Printf.sprintf "%d:%s%d:%s" (String.length n) n (String.length v) v) identity))
+  let told text = Printf.sprintf "%d:%s" (String.length text) text in
+  Digest.string (String.concat "" (List.map (fun (name, value) -> told name ^ told value) identity))
 
 let first_link identity exploration = Digest.string (identity ^ exploration)
 let link before bytes = Digest.string (before ^ Digest.string bytes)
@@ -137,7 +141,7 @@ let look_at_blocks db identity =
     let next, before = if exploration = Some e then (next, before) else (0, first_link identity e) in
     let digest = link before (Sqlite3.column_blob row 3) in
     if n <> next || not (String.equal digest (Sqlite3.column_blob row 2)) then
-      fail Code.damaged_store "the store is damaged: block %d of the exploration of %s is not what was written" n e;
+      damaged (Printf.sprintf "block %d of the exploration of %s is not what was written" n e);
     (Some e, n + 1, digest)
   in
   let exploration, _, _ =
@@ -178,7 +182,8 @@ let openly folder ~identity =
   match connect folder identity with
   | t -> Ok t
   | exception Failed (code, text) -> Error (Diag.error code (at folder) "%s" text)
-  | exception Sqlite3.Error text -> Error (Diag.error Code.damaged_store (at folder) "the store is damaged: %s" text)
+  | exception Sqlite3.Error text ->
+    Error (Diag.error Code.damaged_store (at folder) "the store is damaged: %s" text)
 
 (** {2 Use} *)
 

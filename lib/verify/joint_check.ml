@@ -352,8 +352,9 @@ let explore ?time_seen ?(visitor = fun _ -> Graph.blind) options semantics ~init
   let context = Network_lts.make ?time_seen semantics initial in
   let limits = Bounds.limits options.bounds ~horizon:None in
   let graph =
-    Graph.run ~visitor:(visitor context) ~order:options.order ~expanding:(options.expanding ~about:"all states") limits
-      options.surroundings context
+    Graph.run ~visitor:(visitor context) ~order:options.order
+      ~expanding:(options.expanding ~about:"all states")
+      limits options.surroundings context
   in
   let r = unsettled options context graph ~horizon:None in
   (context, graph, stats r)

@@ -22,8 +22,8 @@ type options = {
   (** over zones, an invariant is looked for before anything is explored, and not only where nothing else proves it
       (rule Invariants), in half of the time *)
   expanding : about:string -> State_graph.expanding;
-  (** asked for with each exploration; what it is about and the options determine it, and explorations that are about
-      the same come in the same order *)
+  (** asked for with each exploration; what it is about and the options determine it, and explorations that are
+      about the same come in the same order *)
 }
 
 val default : options

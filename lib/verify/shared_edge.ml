@@ -48,6 +48,7 @@ let warning context =
     | Bind b | Close b -> List.find_map (of_end m initial b.name) [ b.one; b.two ]
     | Time _ | Bounce _ | Absorb _ | Weak_split _ | Strong_split _ | Draw _ | Lot _ -> None
   in
-  match List.sort Scc_base.Diag.compare (List.filter_map of_label (Catalogue.labels (Network_lts.catalogue context))) with
+  let labels = Catalogue.labels (Network_lts.catalogue context) in
+  match List.sort Scc_base.Diag.compare (List.filter_map of_label labels) with
   | [] -> None
   | first :: _ -> Some first

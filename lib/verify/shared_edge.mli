@@ -4,5 +4,5 @@
 open Scc_space
 
 val warning : Network_lts.context -> Scc_base.Diag.t option
-(** SC0706 of one bond of an exploration that was made so, by the order of what is told: at an end which no channel lists, and
-    which is in the closures of two features that channels of the leaf list. *)
+(** SC0706 of one bond of an exploration that was made so, by the order of what is told: at an end which no
+    channel lists, and which is in the closures of two features that channels of the leaf list. *)

@@ -277,7 +277,8 @@ let deaths =
 let zigzags =
   (* Long enough that requests are many, and some under way when others are asked for. *)
   let n = 4000 in
-  let toy = Array.init n (fun i -> Some [ (((i * 7) + 1) mod n, 1); (((i * 3) + 2) mod n, 0); ((i + 1) mod n, 2) ]) in
+  let edges i = [ (((i * 7) + 1) mod n, 1); (((i * 3) + 2) mod n, 0); ((i + 1) mod n, 2) ] in
+  let toy = Array.init n (fun i -> Some (edges i)) in
   let case by_time =
     {
       toy; depth = None; time = None; states = None; by_time; keep_edges = true; sees_edges = true;
