@@ -160,7 +160,10 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   Console.report console (l.warnings @ Vacuity.impossible l);
   let* initial = Loaded.initial l in
   let* () = if zones && Option.is_some extras.store then Expanded.no_sets else Ok () in
-  let* expanded = Expanded.openly ~jobs:extras.jobs ~store:extras.store (Check_extras.explored extras budget) l in
+  let* expanded =
+    let memory = Option.value budget.memory ~default:Check_options.defaults.memory in
+    Expanded.openly ~jobs:extras.jobs ~store:extras.store ~memory (Check_extras.explored extras budget) l
+  in
   let options =
     let options = { (Check_options.starting console watch budget) with expanding = Expanded.expanding expanded } in
     let states = Option.value budget.Budget.states ~default:Check_options.defaults.states in

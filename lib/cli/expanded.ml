@@ -16,7 +16,7 @@ let identity (l : Loaded.t) options =
 
 let opened (l : Loaded.t) options folder = Store.openly folder ~identity:(identity l options)
 
-let openly ~jobs ~store options l =
+let openly ~jobs ~store ~memory options l =
   let with_store store =
     match jobs with
     | Some jobs -> { jobs; start = At_once; store }
@@ -26,7 +26,9 @@ let openly ~jobs ~store options l =
   | None -> Ok (with_store None)
   | Some folder -> (
       match opened l options folder with
-      | Ok store -> Ok (with_store (Some store))
+      | Ok store ->
+        Scc_data.Spill.to_folder folder ~beyond:(Memory.bytes_of_words memory / 4);
+        Ok (with_store (Some store))
       | Error d -> Error [ d ])
 
 let expanding t ~about =
@@ -60,5 +62,6 @@ let close t =
   match t.store with
   | None -> []
   | Some store ->
+    Scc_data.Spill.nowhere ();
     Store.close store;
     Option.to_list (Store.failed store)

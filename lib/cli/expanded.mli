@@ -6,8 +6,10 @@ open Scc_session
 type t
 
 val openly :
-  jobs:int option -> store:string option -> (string * string) list -> Loaded.t -> (t, Diag.t list) result
-(** With what the options say of what is explored, by names: a store is of these, of the model and of this
+  jobs:int option -> store:string option -> memory:int -> (string * string) list -> Loaded.t ->
+  (t, Diag.t list) result
+(** [memory], in words: of what there may be; with a store, tables go to its folder when they take a quarter of it.
+    With what the options say of what is explored, by names: a store is of these, of the model and of this
     version. *)
 
 val expanding : t -> about:string -> Scc_space.State_graph.expanding

@@ -28,7 +28,8 @@ type t = {
 
 let page = 4096.
 
-(* What is in memory, of the heap and of all else; where the system does not tell, the heap alone. *)
+(* What is in memory, of the heap and of all else but what files have as well, which the system may drop at any time;
+   where the system does not tell, the heap alone. *)
 let resident () =
   match open_in_bin "/proc/self/statm" with
   | exception Sys_error _ -> float_of_int (Memory.bytes_of_words (Memory.heap_words ()))
@@ -36,7 +37,7 @@ let resident () =
     let line = try input_line file with End_of_file | Sys_error _ -> "" in
     close_in_noerr file;
     (match String.split_on_char ' ' line with
-     | _ :: pages :: _ -> page *. float_of_string pages
+     | _ :: resident :: shared :: _ -> page *. (float_of_string resident -. float_of_string shared)
      | _ -> float_of_int (Memory.bytes_of_words (Memory.heap_words ())))
 
 (* Of the addresses that the system gives to a program, which takes more of them than memory: where none are left,

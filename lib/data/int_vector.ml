@@ -37,7 +37,7 @@ let narrow_of v k =
   let narrow = v.narrow.(k) in
   if Array1.dim narrow > 0 then narrow
   else begin
-    let narrow = Array1.create int16_signed c_layout span in
+    let narrow = Spill.int16s span in
     Array1.fill narrow 0;
     v.narrow.(k) <- narrow;
     narrow
@@ -47,7 +47,7 @@ let wide_of v k =
   let wide = v.wide.(k) in
   if Array1.dim wide > 0 then wide
   else begin
-    let wide = Array1.create int32 c_layout span in
+    let wide = Spill.int32s span in
     let base = v.base.(k) and narrow = v.narrow.(k) in
     if Array1.dim narrow = 0 then Array1.fill wide (Int32.of_int base)
     else for i = 0 to span - 1 do wide.{i} <- Int32.of_int (base + narrow.{i}) done;

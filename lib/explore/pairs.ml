@@ -1,4 +1,5 @@
 open Bigarray
+open Scc_data
 
 type wide = (int, int_elt, c_layout) Array1.t
 type narrow = (int32, int32_elt, c_layout) Array1.t
@@ -21,7 +22,7 @@ let half = 31
 let mask = (1 lsl half) - 1
 
 let make_index bits : index =
-  let index = Array1.create int32 c_layout (1 lsl bits) in
+  let index = Spill.int32s (1 lsl bits) in
   Array1.fill index (-1l);
   index
 
@@ -89,11 +90,11 @@ let make_room p c =
     p.narrow <- Array.append p.narrow (Array.make more no_narrow);
     p.wide <- Array.append p.wide (Array.make more no_wide)
   end;
-  p.narrow.(c) <- Array1.create int32 c_layout chunk
+  p.narrow.(c) <- Spill.int32s chunk
 
 let widen p c =
   let narrow = p.narrow.(c) in
-  let wide = Array1.create int c_layout chunk in
+  let wide = Spill.ints chunk in
   for i = 0 to chunk - 1 do wide.{i} <- widened narrow.{i} done;
   p.wide.(c) <- wide;
   p.narrow.(c) <- no_narrow
